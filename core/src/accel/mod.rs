@@ -1,0 +1,94 @@
+//! Finding what a ray may meet: the contract between those who know where items lie and those
+//! who know what they are.
+//!
+//! An [`Accelerator`] sees boxes and numbers of items, never shapes. It walks along a ray and
+//! offers items to a [`Query`], nearer ones first as far as it knows. The query tests them,
+//! and is the only owner of the far limit: an accelerator asks for [`Query::reach`] and leaves
+//! out only what begins strictly *beyond* it, because of two items equally far away the one
+//! with the lower number wins.
+//!
+//! One walk serves both questions that a ray tracer asks. The nearest item: the query shortens
+//! its reach at every hit and goes on. Any item in the way of light: it breaks at the first.
+//!
+//! * An item may be offered more than once, and items in any order: the answer is the same.
+//! * An item within reach, whose box the ray meets by [`Aabb::span`], is never withheld.
+//! * Unbounded items (planes) are no business of an accelerator.
+//!
+//! [`Aabb::span`]: crate::geometry::Aabb::span
+
+mod list;
+
+pub use list::{List, groups_of};
+
+use core::fmt;
+use core::ops::ControlFlow;
+
+use crate::geometry::{ItemId, Ray};
+use crate::math::Real;
+
+/// Somebody who knows where items lie.
+pub trait Accelerator {
+    /// What a walk needs to remember. It belongs to the worker, and dropping it between two
+    /// rays changes nothing but the time.
+    type Scratch: Default;
+
+    /// Offers the items along `ray` to `query`.
+    fn walk<Q: Query>(&self, ray: &Ray, scratch: &mut Self::Scratch, query: &mut Q);
+}
+
+/// Somebody who knows what items are, and what is being looked for.
+pub trait Query {
+    /// How far an item may be and still matter, in lengths of the ray's direction. Finite, and
+    /// never grows.
+    fn reach(&self) -> Real;
+
+    /// An item that the ray may meet. `Break` when the walk may end.
+    fn test(&mut self, item: ItemId) -> ControlFlow<()>;
+
+    /// This many boxes were held against the ray.
+    fn boxes(&mut self, count: u32);
+
+    /// A region was entered.
+    fn enter(&mut self);
+}
+
+/// Memory that a builder is lent.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[non_exhaustive]
+pub enum Storage {
+    /// Boxes round items.
+    Boxes,
+    /// Boxes round groups of items.
+    Groups,
+}
+
+/// Why an accelerator could not be built.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[non_exhaustive]
+pub enum BuildError {
+    /// Even the coarsest structure needs more than was lent.
+    StorageTooSmall {
+        /// Of what there was too little.
+        what: Storage,
+        /// How many of them it takes.
+        needed: usize,
+        /// How many were lent.
+        lent: usize,
+    },
+}
+
+impl fmt::Display for BuildError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            BuildError::StorageTooSmall { what, needed, lent } => {
+                let what = match what {
+                    Storage::Boxes => "boxes",
+                    Storage::Groups => "groups",
+                };
+                write!(f, "{needed} {what} needed, {lent} lent")
+            }
+        }
+    }
+}
+
+impl core::error::Error for BuildError {}

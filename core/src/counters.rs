@@ -1,0 +1,102 @@
+//! The tally that counts.
+
+use crate::geometry::ShapeKind;
+use crate::tally::{Event, RayKind, Tally};
+
+/// How often everything happened, by kind of ray.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Counters {
+    rays: [u64; 4],
+    camera_hits: u64,
+    boxes: [u64; 4],
+    shapes: [u64; 4],
+    regions: [u64; 4],
+    by_shape: [u64; ShapeKind::ALL.len()],
+    media_full: u64,
+}
+
+impl Counters {
+    /// Nothing counted yet.
+    pub fn new() -> Self {
+        Self::default()
+    }
+
+    /// Rays sent. Shadow rays: lights asked for.
+    pub fn rays(&self, kind: RayKind) -> u64 {
+        of(&self.rays, kind as usize)
+    }
+
+    /// Camera rays that met something.
+    pub fn camera_hits(&self) -> u64 {
+        self.camera_hits
+    }
+
+    /// Tests of rays against boxes.
+    pub fn boxes(&self, kind: RayKind) -> u64 {
+        of(&self.boxes, kind as usize)
+    }
+
+    /// Tests of rays against shapes.
+    pub fn shapes(&self, kind: RayKind) -> u64 {
+        of(&self.shapes, kind as usize)
+    }
+
+    /// Regions of the accelerator entered.
+    pub fn regions(&self, kind: RayKind) -> u64 {
+        of(&self.regions, kind as usize)
+    }
+
+    /// Tests of rays against shapes of one kind.
+    pub fn by_shape(&self, kind: ShapeKind) -> u64 {
+        of(&self.by_shape, kind as usize)
+    }
+
+    /// Rays that went into a fifth body at once, and were taken to stay in the fourth.
+    pub fn media_full(&self) -> u64 {
+        self.media_full
+    }
+
+    /// Adds what another worker has counted.
+    pub fn add(&mut self, other: &Counters) {
+        let pairs = [
+            (&mut self.rays[..], &other.rays[..]),
+            (&mut self.boxes, &other.boxes),
+            (&mut self.shapes, &other.shapes),
+            (&mut self.regions, &other.regions),
+            (&mut self.by_shape, &other.by_shape),
+        ];
+        for (mine, others) in pairs {
+            for (mine, other) in mine.iter_mut().zip(others) {
+                *mine += other;
+            }
+        }
+        self.camera_hits += other.camera_hits;
+        self.media_full += other.media_full;
+    }
+}
+
+fn of(counts: &[u64], place: usize) -> u64 {
+    counts.get(place).copied().unwrap_or(0)
+}
+
+fn bump(counts: &mut [u64], place: usize, by: u32) {
+    if let Some(count) = counts.get_mut(place) {
+        *count += u64::from(by);
+    }
+}
+
+impl Tally for Counters {
+    fn count(&mut self, event: Event) {
+        match event {
+            Event::Ray(kind) => bump(&mut self.rays, kind as usize, 1),
+            Event::CameraHit => self.camera_hits += 1,
+            Event::Boxes(kind, count) => bump(&mut self.boxes, kind as usize, count),
+            Event::Shape(kind, shape) => {
+                bump(&mut self.shapes, kind as usize, 1);
+                bump(&mut self.by_shape, shape as usize, 1);
+            }
+            Event::Region(kind) => bump(&mut self.regions, kind as usize, 1),
+            Event::MediaFull => self.media_full += 1,
+        }
+    }
+}

@@ -1,0 +1,49 @@
+//! Disc: the part of a plane within a radius.
+
+use super::plane::level;
+use super::{Aabb, Ray, ShapeFault, Surface, check_radius, check_unit};
+use crate::math::{Real, Vec3, sqrt};
+
+/// A flat round disc.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Disc {
+    /// The centre.
+    pub center: Vec3,
+    /// Upright on it, of length one.
+    pub normal: Vec3,
+    /// The radius, more than zero.
+    pub radius: Real,
+}
+
+impl Disc {
+    pub(super) fn check(&self) -> Result<(), ShapeFault> {
+        check_radius(self.center, self.radius)?;
+        check_unit(self.normal)
+    }
+
+    pub(super) fn bounds(&self) -> Aabb {
+        Aabb::round(self.center, disc_reach(self.normal, self.radius))
+    }
+
+    pub(super) fn hit(&self, ray: &Ray) -> Option<Real> {
+        let o = self.center - ray.origin;
+        let t = o.dot(self.normal) / ray.direction.dot(self.normal);
+        let p = ray.direction * t - o;
+        (p.dot(p) <= self.radius * self.radius).then_some(t)
+    }
+
+    pub(super) fn surface(&self, ray: &Ray, t: Real) -> Surface {
+        level(ray.at(t), self.center, self.normal)
+    }
+}
+
+/// How far a disc upright on `normal` reaches along each axis: `r sqrt(1 - n^2)`.
+pub(super) fn disc_reach(normal: Vec3, radius: Real) -> Vec3 {
+    // A normal that is rounded may leave a little less than nothing, or hide a little: the
+    // root of some roundoffs, which must not shut out what is hit.
+    let side = |n: Real| {
+        let rest = 1.0 - n * n;
+        radius * sqrt(if rest > 0.0 { rest } else { 0.0 } + 4.0 * Real::EPSILON)
+    };
+    Vec3::new(side(normal.x), side(normal.y), side(normal.z))
+}

@@ -1,0 +1,38 @@
+//! Plane: all points level with a given one. It has no end, and so no box.
+
+use super::{ItemId, Ray, ShapeFault, Surface, check_point, check_unit};
+use crate::math::{Real, Vec3, abs, gamma, largest};
+
+/// An unbounded plane.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Plane {
+    /// A point on it. Errors grow with the distance from here.
+    pub point: Vec3,
+    /// Upright on it, of length one.
+    pub normal: Vec3,
+    /// The item that it is: planes are tested before everything else, from their own table.
+    pub item: ItemId,
+}
+
+impl Plane {
+    pub(super) fn check(&self) -> Result<(), ShapeFault> {
+        check_point(self.point)?;
+        check_unit(self.normal)
+    }
+
+    pub(super) fn hit(&self, ray: &Ray) -> Option<Real> {
+        Some((self.point - ray.origin).dot(self.normal) / ray.direction.dot(self.normal))
+    }
+
+    pub(super) fn surface(&self, ray: &Ray, t: Real) -> Surface {
+        level(ray.at(t), self.point, self.normal)
+    }
+}
+
+/// The surface at `p`, moved onto the plane through `point` upright on `normal`.
+pub(super) fn level(p: Vec3, point: Vec3, normal: Vec3) -> Surface {
+    let point_on = p - normal * (p - point).dot(normal);
+    let away = largest(p - point);
+    let error = (abs(point_on) + Vec3::splat(away)) * gamma(12);
+    Surface::flat(point_on, error, normal)
+}

@@ -1,0 +1,128 @@
+//! Simple polygon of any number of corners, concave ones too.
+//!
+//! Its plane goes through the middle of its corners, upright on the sum of the areas that
+//! they span (Newell's rule), so that one corner somewhat off it does no harm. Whether a point of the plane is
+//! inside is asked in two dimensions, by counting the edges that a line from the point to the
+//! right crosses; an edge contains its lower end and not its upper one, so that a corner level
+//! with the point counts once ("Point in Polygon Strategies", Haines, Graphics Gems IV).
+
+use super::{Aabb, Ray, ShapeFault, Surface, check_point, check_unit, plane::level};
+use crate::math::{Axis, Real, Vec3, abs, gamma, length, unit};
+
+/// A polygon whose corners lie in the scene's table of points.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Polygon {
+    /// The place of its first corner in the table.
+    pub first: u32,
+    /// How many corners, one after the other; at least 3.
+    pub count: u32,
+    /// A point on its plane, near its corners.
+    pub point: Vec3,
+    /// Upright on it by the right hand round the corners, of length one.
+    pub normal: Vec3,
+    /// Whether the shading normal is interpolated between those of the corners.
+    pub smooth: bool,
+}
+
+impl Polygon {
+    /// The polygon of `corners`, which lie in the table of points from place `first` on.
+    ///
+    /// Its normal is right-handed round the corners. None for a polygon without area, and for
+    /// one of fewer than three corners.
+    pub fn new(first: u32, corners: &[Vec3], smooth: bool) -> Option<Self> {
+        let (start, count) = (*corners.first()?, u32::try_from(corners.len()).ok()?);
+        // Relative to the first corner, so that the place of the polygon does not count.
+        let relative = || corners.iter().map(|corner| *corner - start);
+        let size = relative().map(abs).fold(Vec3::ZERO, Vec3::max).max_element();
+        let round = relative().skip(1).chain(relative().take(1));
+        let area = relative().zip(round).fold(Vec3::ZERO, |sum, (a, b)| sum + (a / size).cross(b / size));
+        let normal = unit(area)?;
+        // Of three corners an exact zero is no area; more may leave some roundings of it.
+        if length(area) <= gamma(4 * count.min(1 << 16)) && !(count == 3 && length(area) > gamma(2)) {
+            return None;
+        }
+        let middle = start + relative().fold(Vec3::ZERO, |sum, p| sum + p) / count as Real;
+        Some(Polygon { first, count, point: middle, normal, smooth })
+    }
+
+    pub(super) fn check(&self, points: &[Vec3], normals: &[Vec3]) -> Result<(), ShapeFault> {
+        check_point(self.point)?;
+        check_unit(self.normal)?;
+        if self.count < 3 || self.of(points).is_none() || self.smooth && self.of(normals).is_none() {
+            return Err(ShapeFault::Missing);
+        }
+        Ok(())
+    }
+
+    /// Its own part of a table.
+    fn of<'t>(&self, table: &'t [Vec3]) -> Option<&'t [Vec3]> {
+        let first = self.first as usize;
+        table.get(first..first.checked_add(self.count as usize)?)
+    }
+
+    pub(super) fn bounds(&self, points: &[Vec3]) -> Aabb {
+        Aabb::around(self.of(points).unwrap_or_default().iter().copied())
+    }
+
+    pub(super) fn hit(&self, points: &[Vec3], ray: &Ray) -> Option<Real> {
+        let t = (self.point - ray.origin).dot(self.normal) / ray.direction.dot(self.normal);
+        if !(t > 0.0) {
+            return None;
+        }
+        let corners = self.of(points)?;
+        let axis = Axis::largest_of(self.normal);
+        let hit = axis.to_third(ray.direction * t);
+        // A corner seen from the point that is hit, in the plane of the two other axes.
+        let seen = |corner: Vec3| axis.to_third(corner - ray.origin) - hit;
+        let mut inside = false;
+        let mut a = seen(*corners.last()?);
+        for corner in corners {
+            let b = seen(*corner);
+            if (a.y > 0.0) != (b.y > 0.0) && (a.x * b.y > a.y * b.x) == (b.y > a.y) {
+                inside = !inside;
+            }
+            a = b;
+        }
+        inside.then_some(t)
+    }
+
+    pub(super) fn surface(&self, points: &[Vec3], normals: Option<&[Vec3]>, ray: &Ray, t: Real) -> Surface {
+        let mut surface = level(ray.at(t), self.point, self.normal);
+        // A corner may lie some roundings off the plane, and its box with it.
+        surface.error += abs(self.point) * gamma(4);
+        if self.smooth
+            && let Some(normals) = normals
+            && let (Some(corners), Some(normals)) = (self.of(points), self.of(normals))
+            && let Some(shading) = interpolated(surface.point, self.normal, corners, normals)
+        {
+            surface.shading = shading;
+        }
+        surface
+    }
+}
+
+/// The normal at `p` between those of the corners, by mean value coordinates ("Mean value
+/// coordinates", Floater 2003): smooth for every simple polygon, linear along its edges.
+///
+/// They need the tangent of half of each angle under which an edge is seen from `p`, which is
+/// `(|a||b| - a.b) / (a x b)`.
+fn interpolated(p: Vec3, upright: Vec3, corners: &[Vec3], normals: &[Vec3]) -> Option<Vec3> {
+    let round = corners.iter().zip(normals).map(|(corner, normal)| (*corner - p, *normal));
+    let mut sum = Vec3::ZERO;
+    let (mut a, mut normal_a) = round.clone().next_back()?;
+    for (b, normal_b) in round {
+        let (la, lb) = (length(a), length(b));
+        if lb == 0.0 {
+            return unit(normal_b); // on the corner
+        }
+        let (dot, cross) = (a.dot(b), a.cross(b).dot(upright));
+        let tangent = (la * lb - dot) / cross;
+        if la > 0.0 && tangent.abs() <= Real::MAX {
+            sum += normal_a * (tangent / la) + normal_b * (tangent / lb);
+        } else if dot < 0.0 {
+            return unit(normal_a * lb + normal_b * la); // on the edge
+        }
+        (a, normal_a) = (b, normal_b);
+    }
+    unit(sum)
+}

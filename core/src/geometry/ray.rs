@@ -1,0 +1,53 @@
+//! Rays, and how one leaves a surface.
+
+use crate::math::{Axis, Real, Vec3, abs, vec3};
+
+/// A half-line from `origin` along `direction`, and what every test of it needs.
+///
+/// Distances along it (`t`) count in lengths of `direction`.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Ray {
+    /// Where it starts.
+    pub origin: Vec3,
+    /// Where it goes. Finite and not zero; the tracer's own have length one.
+    pub direction: Vec3,
+    /// One over each component of the direction; infinite where that is zero, with its sign.
+    pub inverse: Vec3,
+    /// The axis along which the direction reaches farthest.
+    pub axis: Axis,
+}
+
+impl Ray {
+    /// The ray from `origin` along `direction`, which must be finite and not zero.
+    pub fn new(origin: Vec3, direction: Vec3) -> Self {
+        debug_assert!(origin.is_finite() && direction.is_finite() && direction != Vec3::ZERO);
+        Ray { origin, direction, inverse: 1.0 / direction, axis: Axis::largest_of(direction) }
+    }
+
+    /// The point `t` lengths of the direction away.
+    pub fn at(&self, t: Real) -> Vec3 {
+        self.origin + self.direction * t
+    }
+}
+
+/// The place near `point` from which a ray leaves a surface to the side of `normal`.
+///
+/// `point` lies on the surface to within `error` (a bound for each component); `normal` has
+/// length one and points to the side that the ray goes to. The place certainly lies on that
+/// side: it is moved along the normal just far enough to leave the box that the error spans,
+/// and rounded away from the surface. No constant here has a unit, the step follows from the
+/// error alone ("Physically Based Rendering", Pharr, Jakob, Humphreys, 6.8).
+pub fn leave(point: Vec3, error: Vec3, normal: Vec3) -> Vec3 {
+    let step = abs(normal).dot(error);
+    let away = |x: Real, n: Real| {
+        let moved = x + n * step;
+        if n > 0.0 {
+            moved.next_up()
+        } else if n < 0.0 {
+            moved.next_down()
+        } else {
+            moved
+        }
+    };
+    vec3(away(point.x, normal.x), away(point.y, normal.y), away(point.z, normal.z))
+}

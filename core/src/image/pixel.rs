@@ -1,0 +1,87 @@
+//! Pixels, and rectangles of them.
+
+use crate::scene::Size;
+
+/// A pixel, counted from the upper left corner of the picture.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Pixel {
+    /// To the right.
+    pub x: u32,
+    /// Down.
+    pub y: u32,
+}
+
+/// A rectangle of pixels.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Tile {
+    /// Its upper left pixel.
+    pub first: Pixel,
+    /// Pixels in a row.
+    pub width: u32,
+    /// Rows.
+    pub height: u32,
+}
+
+impl Tile {
+    /// The whole picture.
+    pub fn whole(size: Size) -> Self {
+        Tile { first: Pixel { x: 0, y: 0 }, width: size.width(), height: size.height() }
+    }
+
+    /// Its pixels, row by row.
+    pub fn pixels(self) -> impl Iterator<Item = Pixel> {
+        let Tile { first, width, height } = self;
+        (0..height).flat_map(move |y| (0..width).map(move |x| Pixel { x: first.x + x, y: first.y + y }))
+    }
+
+    /// The number of its pixels.
+    pub fn len(self) -> usize {
+        self.width as usize * self.height as usize
+    }
+
+    /// Whether it has no pixel.
+    pub fn is_empty(self) -> bool {
+        self.len() == 0
+    }
+
+    /// The number of a pixel in the order of [`Tile::pixels`]; none when it lies outside.
+    pub fn place(self, pixel: Pixel) -> Option<usize> {
+        let (x, y) = (pixel.x.checked_sub(self.first.x)?, pixel.y.checked_sub(self.first.y)?);
+        (x < self.width && y < self.height).then_some(y as usize * self.width as usize + x as usize)
+    }
+
+    /// The rectangle cut into tiles of at most `side` times `side` pixels, row by row.
+    pub fn tiles(self, side: u32) -> impl Iterator<Item = Tile> {
+        let side = if side > 0 { side } else { 1 };
+        let starts = move |length: u32| (0..length).step_by(side as usize);
+        let Tile { first, width, height } = self;
+        starts(height).flat_map(move |y| {
+            starts(width).map(move |x| Tile {
+                first: Pixel { x: first.x + x, y: first.y + y },
+                width: side.min(width - x),
+                height: side.min(height - y),
+            })
+        })
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn tiles_cover_every_pixel_once() {
+        let whole = Tile { first: Pixel { x: 3, y: 5 }, width: 17, height: 9 };
+        for side in [1, 4, 7, 100] {
+            let mut seen = [0; 17 * 9];
+            for tile in whole.tiles(side) {
+                for pixel in tile.pixels() {
+                    seen[whole.place(pixel).unwrap()] += 1;
+                }
+            }
+            assert!(seen.iter().all(|count| *count == 1), "{side}");
+        }
+        assert_eq!(whole.place(Pixel { x: 20, y: 5 }), None);
+        assert_eq!(whole.place(Pixel { x: 2, y: 5 }), None);
+    }
+}

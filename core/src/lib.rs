@@ -1,0 +1,74 @@
+//! strahl's core: a Whitted ray tracer that needs no operating system, no heap and no recursion.
+//!
+//! # The house
+//!
+//! A floor uses only what lies below it.
+//!
+//! | floor | rooms |
+//! |---|---|
+//! | the front door | [`render()`], [`Counters`] |
+//! | pictures | pixels, [`Sampler`]s, [`Sink`]s |
+//! | rays | the loop ([`Tracer`]), its tasks, the [`Worker`] |
+//! | light | the local model, shadows, optics, media |
+//! | the scene | [`Scene`], [`Camera`], [`Material`], [`Light`], [`Texture`], [`Effects`], [`World`] |
+//! | finding | [`Accelerator`] and [`Query`]: the contract; [`List`] |
+//! | reports | [`Tally`], [`Event`] |
+//! | things | [`Shape`]s, [`Ray`], [`Aabb`], [`Hit`] and [`Surface`] |
+//! | ground | [`Real`], [`Vec3`], [`Rgb`], roots |
+//!
+//! # The laws
+//!
+//! 1. *Memory buys time, never truth.* Accelerator, worker, order of pixels: each may change
+//!    how long a picture takes, none may change one bit of it.
+//! 2. *The same bits everywhere.* Only IEEE 754's basic operations and libm, in one order.
+//! 3. *Pay only for what the scene calls for.* [`Effects`] is a constant of a tracer's type:
+//!    what is outside is compiled away.
+//! 4. *The tracing loop cannot fail.* Errors live at the doors: [`Scene::new`],
+//!    [`Camera::new`], [`Tracer::new`], builders of accelerators.
+//! 5. *The far limit has one owner*, the [`Query`].
+//!
+//! # The twin
+//!
+//! The package `strahl-core-double` compiles these sources with `Real = f64`.
+
+#![no_std]
+// Comparisons that are false for NaN are written as they are meant: `!(x > 0.0)`.
+#![allow(clippy::neg_cmp_op_on_partial_ord)]
+
+mod math;
+mod set;
+
+mod geometry;
+
+mod tally;
+
+mod accel;
+
+mod scene;
+
+mod shade;
+
+mod trace;
+
+mod image;
+
+mod counters;
+mod render;
+
+pub use accel::{Accelerator, BuildError, List, Query, Storage, groups_of};
+pub use counters::Counters;
+pub use geometry::{
+    Aabb, Cone, Cuboid, Disc, Geometry, Hit, ItemId, Plane, Polygon, Ray, Shape, ShapeFault, ShapeKind,
+    ShapeSet, Shapes, Span, Sphere, Surface, Torus, TurnedCuboid, leave,
+};
+pub use image::{Corner, CornerRow, Frame, Lattice, Pixel, Regular, Sampler, Single, Sink, Tile};
+pub use math::{FARTHEST, PI, ROUNDOFF, Real, Rgb, Vec3, gamma, unit, vec3};
+pub use render::render;
+pub use scene::{
+    Background, Camera, EffectSet, Effects, Everything, Falloff, Interface, Light, LightKind, LightSet,
+    Material, MaterialFault, MaterialId, Parts, Place, Projection, Scene, SceneError, Size, Source, Texture,
+    TextureKind, TextureSet, View, ViewFault, World,
+};
+pub use shade::{Crossing, Media, Refraction, absorbed, index, reflected, refracted};
+pub use tally::{Event, RayKind, Tally};
+pub use trace::{Limits, Tracer, TracerError, Worker};

@@ -1,0 +1,141 @@
+//! Linear radiance in three channels, and its encoding for screens.
+
+use core::ops::{Add, AddAssign, Mul, MulAssign};
+
+use super::{Real, greatest, powf};
+
+/// Linear light in red, green and blue: a colour, a share or a radiance.
+///
+/// Nothing clamps it to 1: it is as bright as it is, until [`Rgb::to_srgb8`] encodes it.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Rgb {
+    /// Red.
+    pub r: Real,
+    /// Green.
+    pub g: Real,
+    /// Blue.
+    pub b: Real,
+}
+
+impl Rgb {
+    /// No light.
+    pub const BLACK: Rgb = Rgb::gray(0.0);
+    /// One in every channel.
+    pub const WHITE: Rgb = Rgb::gray(1.0);
+    /// The brightest colour or intensity that a scene may name.
+    pub const BRIGHTEST: Real = 1e6;
+
+    /// A colour from its channels.
+    pub const fn new(r: Real, g: Real, b: Real) -> Self {
+        Rgb { r, g, b }
+    }
+
+    /// The same in every channel.
+    pub const fn gray(v: Real) -> Self {
+        Rgb { r: v, g: v, b: v }
+    }
+
+    /// The brightest channel.
+    pub fn largest(self) -> Real {
+        greatest(self.r, greatest(self.g, self.b))
+    }
+
+    /// Whether no channel is above zero.
+    pub fn is_black(self) -> bool {
+        !(self.r > 0.0 || self.g > 0.0 || self.b > 0.0)
+    }
+
+    /// Whether every channel lies in `0..=most`.
+    pub fn is_within(self, most: Real) -> bool {
+        let ok = |v: Real| v >= 0.0 && v <= most;
+        ok(self.r) && ok(self.g) && ok(self.b)
+    }
+
+    /// Every channel above `most` set to `most`. Sums and products of what a scene may hold
+    /// stay finite when each of their parts is held below such a limit.
+    pub fn at_most(self, most: Real) -> Self {
+        let cap = |v: Real| if v < most { v } else { most };
+        Rgb { r: cap(self.r), g: cap(self.g), b: cap(self.b) }
+    }
+
+    /// The way from this colour to `other`, `s` of it gone: `0` is here, `1` is there.
+    pub fn toward(self, other: Rgb, s: Real) -> Self {
+        self * (1.0 - s) + other * s
+    }
+
+    /// Each channel applied to `f`.
+    pub fn map(self, f: impl Fn(Real) -> Real) -> Self {
+        Rgb { r: f(self.r), g: f(self.g), b: f(self.b) }
+    }
+
+    /// Eight bits per channel in the sRGB encoding (IEC 61966-2-1): values outside `[0, 1]`
+    /// are cut off, the rest is rounded to the nearest step.
+    pub fn to_srgb8(self) -> [u8; 3] {
+        [encode(self.r), encode(self.g), encode(self.b)].map(|v| (v * 255.0 + 0.5) as u8)
+    }
+}
+
+/// The sRGB encoding of one channel, in `[0, 1]`.
+fn encode(v: Real) -> Real {
+    if v >= 1.0 {
+        1.0
+    } else if v > 0.003_130_8 {
+        1.055 * powf(v, 1.0 / 2.4) - 0.055
+    } else if v > 0.0 {
+        12.92 * v
+    } else {
+        0.0
+    }
+}
+
+impl Add for Rgb {
+    type Output = Rgb;
+    fn add(self, o: Rgb) -> Rgb {
+        Rgb { r: self.r + o.r, g: self.g + o.g, b: self.b + o.b }
+    }
+}
+
+impl AddAssign for Rgb {
+    fn add_assign(&mut self, o: Rgb) {
+        *self = *self + o;
+    }
+}
+
+impl Mul for Rgb {
+    type Output = Rgb;
+    fn mul(self, o: Rgb) -> Rgb {
+        Rgb { r: self.r * o.r, g: self.g * o.g, b: self.b * o.b }
+    }
+}
+
+impl Mul<Real> for Rgb {
+    type Output = Rgb;
+    fn mul(self, s: Real) -> Rgb {
+        Rgb { r: self.r * s, g: self.g * s, b: self.b * s }
+    }
+}
+
+impl MulAssign for Rgb {
+    fn mul_assign(&mut self, o: Rgb) {
+        *self = *self * o;
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_srgb_encoding_meets_its_known_values() {
+        // Mid grey 128 stands for 0.2158605 of linear light; the ends stay ends.
+        assert_eq!(Rgb::new(0.0, 0.215_860_5, 1.0).to_srgb8(), [0, 128, 255]);
+        assert_eq!(Rgb::new(-1.0, 7.0, Real::NAN).to_srgb8(), [0, 255, 0]);
+        // On the straight part: 0.002 * 12.92 * 255 = 6.59.
+        assert_eq!(Rgb::gray(0.002).to_srgb8(), [7; 3]);
+    }
+
+    #[test]
+    fn a_cap_holds_infinity_too() {
+        assert_eq!(Rgb::new(Real::INFINITY, 5.0, 0.5).at_most(5.0), Rgb::new(5.0, 5.0, 0.5));
+    }
+}

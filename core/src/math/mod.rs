@@ -1,0 +1,195 @@
+//! Numbers and vectors: what the rest of the house counts with.
+//!
+//! The scalar is [`Real`]: `f32` in `strahl-core`, `f64` in its twin `strahl-core-double`,
+//! which compiles the same sources. Vectors are glam's plain ones, which are scalar on every
+//! target, so that every target does the same operations in the same order.
+//!
+//! Lengths and units are taken here and not by glam's own methods, so that [`sqrt`] is the
+//! only way to a root.
+
+mod color;
+mod float;
+mod roots;
+
+pub use color::Rgb;
+#[cfg(test)]
+pub use float::{acos, cos, sin};
+pub use float::{exp, floor, powf, sqrt, tan};
+pub use roots::quartic_roots;
+
+#[cfg(feature = "double")]
+mod precision {
+    pub use core::f64::consts;
+    pub use glam::DVec3 as Vec3;
+
+    /// The scalar: double precision.
+    pub type Real = f64;
+}
+#[cfg(not(feature = "double"))]
+mod precision {
+    pub use core::f32::consts;
+    pub use glam::Vec3;
+
+    /// The scalar: single precision.
+    pub type Real = f32;
+}
+pub use precision::{Real, Vec3};
+
+/// Half a turn, in radians.
+pub const PI: Real = precision::consts::PI;
+
+/// The unit roundoff: the largest relative error of one rounded operation.
+pub const ROUNDOFF: Real = Real::EPSILON / 2.0;
+
+/// The largest |coordinate| that a scene may hold, in scene lengths: its square stays far
+/// inside the range of `f32`.
+pub const FARTHEST: Real = 1e15;
+
+/// A bound on the relative error of `n` rounded operations in a row (Higham's gamma).
+pub const fn gamma(n: u32) -> Real {
+    let nu = n as Real * ROUNDOFF;
+    nu / (1.0 - nu)
+}
+
+/// A vector from its components.
+pub const fn vec3(x: Real, y: Real, z: Real) -> Vec3 {
+    Vec3::new(x, y, z)
+}
+
+/// The larger of two; the second when they are equal or one is no number.
+pub fn greatest(a: Real, b: Real) -> Real {
+    if a > b { a } else { b }
+}
+
+/// `x`, or the nearer end of `low..=high` when it lies outside; `low` when it is no number.
+pub fn within(x: Real, low: Real, high: Real) -> Real {
+    if x > low { if x < high { x } else { high } } else { low }
+}
+
+/// The absolute value of every component.
+pub fn abs(v: Vec3) -> Vec3 {
+    vec3(v.x.abs(), v.y.abs(), v.z.abs())
+}
+
+/// The largest absolute component.
+pub fn largest(v: Vec3) -> Real {
+    greatest(v.x.abs(), greatest(v.y.abs(), v.z.abs()))
+}
+
+/// Whether every component is finite and at most [`FARTHEST`] away from zero.
+pub fn is_in_range(v: Vec3) -> bool {
+    v.x.abs() <= FARTHEST && v.y.abs() <= FARTHEST && v.z.abs() <= FARTHEST
+}
+
+/// The length of `v`, for lengths whose squares are in range (about 1e-19 to 1e19 in `f32`).
+pub fn length(v: Vec3) -> Real {
+    sqrt(v.dot(v))
+}
+
+/// The vector of length one in the direction of `v`; none for zero and for what is not finite.
+///
+/// The components are divided by the largest first, so that no square leaves the range, and
+/// so that the answer for `v` times a power of two is the same, bit for bit.
+pub fn unit(v: Vec3) -> Option<Vec3> {
+    let size = largest(v);
+    if !(v.is_finite() && size > 0.0) {
+        return None;
+    }
+    let v = v / size;
+    Some(v / length(v))
+}
+
+/// Whether `v` has length one, as far as [`unit`] or a rounded constant can tell.
+pub fn is_unit(v: Vec3) -> bool {
+    (v.dot(v) - 1.0).abs() <= 1e-5
+}
+
+/// The sign of `a * b - c * d` with no rounding: its value is right to a few ulps of itself
+/// where rounding would have given zero.
+///
+/// The errors of both products are found with Dekker's splitting, which needs no fused
+/// operation and no wider type.
+pub fn difference_of_products(a: Real, b: Real, c: Real, d: Real) -> Real {
+    let (p, q) = (a * b, c * d);
+    (p - q) + (product_error(a, b, p) - product_error(c, d, q))
+}
+
+/// `a * b - p`, exactly, where `p` is the rounded product ("A floating-point technique for
+/// extending the available precision", Dekker 1971).
+fn product_error(a: Real, b: Real, p: Real) -> Real {
+    const SPLIT: Real = (1_u32 << Real::MANTISSA_DIGITS.div_ceil(2)) as Real + 1.0;
+    let halves = |x: Real| {
+        let big = SPLIT * x;
+        let high = big - (big - x);
+        (high, x - high)
+    };
+    let ((a1, a2), (b1, b2)) = (halves(a), halves(b));
+    ((a1 * b1 - p) + a1 * b2 + a2 * b1) + a2 * b2
+}
+
+/// One of the three axes.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Axis {
+    /// The first.
+    X,
+    /// The second.
+    Y,
+    /// The third.
+    Z,
+}
+
+impl Axis {
+    /// The axis along which `v` reaches farthest.
+    pub fn largest_of(v: Vec3) -> Self {
+        let a = abs(v);
+        if a.x > a.y && a.x > a.z {
+            Axis::X
+        } else if a.y > a.z {
+            Axis::Y
+        } else {
+            Axis::Z
+        }
+    }
+
+    /// `v` with its axes turned in a circle until this one is the third.
+    pub fn to_third(self, v: Vec3) -> Vec3 {
+        match self {
+            Axis::X => vec3(v.y, v.z, v.x),
+            Axis::Y => vec3(v.z, v.x, v.y),
+            Axis::Z => v,
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_unit_vector_does_not_depend_on_the_length_it_is_made_from() {
+        let v = vec3(1.0, -2.5, 0.3);
+        let n = unit(v).unwrap();
+        assert!((length(n) - 1.0).abs() <= 2.0 * Real::EPSILON);
+        for k in [-100, -20, -1, 1, 20, 100] {
+            let scale = if k < 0 { 1.0 / pow2(-k) } else { pow2(k) };
+            assert_eq!(unit(v * scale), Some(n), "2^{k}");
+        }
+        assert_eq!(unit(Vec3::ZERO), None);
+        assert_eq!(unit(vec3(Real::NAN, 1.0, 0.0)), None);
+        assert_eq!(unit(vec3(Real::INFINITY, 1.0, 0.0)), None);
+    }
+
+    fn pow2(k: i32) -> Real {
+        (0..k).fold(1.0, |x, _| x * 2.0)
+    }
+
+    #[test]
+    fn a_difference_of_nearly_equal_products_keeps_its_sign() {
+        let e = Real::EPSILON;
+        // (1 + e)(1 - e) - 1 = -e^2: a rounded product says zero.
+        let (a, b): (Real, Real) = (1.0 + e, 1.0 - e);
+        assert_eq!(a * b - 1.0, 0.0);
+        assert_eq!(difference_of_products(a, b, 1.0, 1.0), -e * e);
+        assert_eq!(difference_of_products(3.0, 5.0, 5.0, 3.0), 0.0);
+    }
+}

@@ -1,0 +1,210 @@
+//! From a place in the picture to a ray.
+
+use crate::geometry::Ray;
+use crate::math::{PI, Real, Vec3, is_in_range, tan, unit};
+
+/// A picture's width and height in pixels, both at least 1.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Size {
+    width: u32,
+    height: u32,
+}
+
+impl Size {
+    /// The most pixels along one side: places stay exact in single precision, with room for
+    /// samples inside a pixel.
+    pub const MOST: u32 = 1 << 16;
+
+    /// A size; none when a side is 0 or more than [`Size::MOST`].
+    pub const fn new(width: u32, height: u32) -> Option<Self> {
+        if width == 0 || height == 0 || width > Self::MOST || height > Self::MOST {
+            return None;
+        }
+        Some(Size { width, height })
+    }
+
+    /// Pixels in a row.
+    pub const fn width(self) -> u32 {
+        self.width
+    }
+
+    /// Rows.
+    pub const fn height(self) -> u32 {
+        self.height
+    }
+}
+
+/// A place in the picture, in pixels from its upper left corner; the middle of the first pixel
+/// is (0.5, 0.5).
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Place {
+    /// To the right.
+    pub x: Real,
+    /// Down.
+    pub y: Real,
+}
+
+/// How the scene is looked at, whatever the size of the picture.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct View {
+    /// The eye.
+    pub from: Vec3,
+    /// What is in the middle of the picture.
+    pub at: Vec3,
+    /// What is up; it need not be upright on the line of sight.
+    pub up: Vec3,
+    /// How rays run.
+    pub projection: Projection,
+}
+
+/// How rays run from the eye through the picture.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Projection {
+    /// All from one point.
+    Perspective {
+        /// The full angle between the middle of the first row of pixels and that of the last,
+        /// in radians, more than zero and less than half a turn (the rule of NFF). A picture
+        /// of one row takes it between its upper and its lower edge.
+        angle: Real,
+    },
+    /// All in one direction.
+    Orthographic {
+        /// From the middle of the first row of pixels to that of the last, in scene lengths.
+        height: Real,
+    },
+}
+
+/// Why a view shows nothing.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[non_exhaustive]
+pub enum ViewFault {
+    /// A coordinate is no number or too far away.
+    Place,
+    /// The eye is at the point it looks at.
+    NoDirection,
+    /// Up is zero or parallel to the line of sight.
+    NoUp,
+    /// The angle is not between zero and half a turn, or the height not more than zero.
+    Angle,
+}
+
+impl core::fmt::Display for ViewFault {
+    fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
+        f.write_str(match self {
+            ViewFault::Place => "the view has a coordinate that is not within 1e15 of zero",
+            ViewFault::NoDirection => "the eye is at the point it looks at",
+            ViewFault::NoUp => "up is parallel to the line of sight",
+            ViewFault::Angle => "the angle of view leaves no picture",
+        })
+    }
+}
+
+/// Turns places in the picture into rays.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Camera {
+    from: Vec3,
+    forward: Vec3,
+    /// From one pixel to the next, at a distance of one (perspective) or anywhere.
+    right: Vec3,
+    down: Vec3,
+    /// The middle of the picture.
+    middle: Place,
+    parallel: bool,
+}
+
+impl Camera {
+    /// The camera of `view` for pictures of `size`.
+    pub fn new(view: &View, size: Size) -> Result<Self, ViewFault> {
+        if !(is_in_range(view.from) && is_in_range(view.at) && view.up.is_finite()) {
+            return Err(ViewFault::Place);
+        }
+        let forward = unit(view.at - view.from).ok_or(ViewFault::NoDirection)?;
+        let up = unit(view.up).ok_or(ViewFault::NoUp)?;
+        let right = forward.cross(up);
+        // Below some roundings the direction of what is left is noise.
+        if right.dot(right) <= 1e-10 {
+            return Err(ViewFault::NoUp);
+        }
+        let right = unit(right).ok_or(ViewFault::NoUp)?;
+        let down = forward.cross(right);
+        let rows = if size.height > 1 { size.height - 1 } else { 1 } as Real;
+        let (height, parallel) = match view.projection {
+            Projection::Perspective { angle } if angle > 0.0 && angle < PI => (2.0 * tan(0.5 * angle), false),
+            Projection::Orthographic { height } if height > 0.0 && height <= 1e15 => (height, true),
+            _ => return Err(ViewFault::Angle),
+        };
+        let step = height / rows;
+        let middle = Place { x: 0.5 * size.width as Real, y: 0.5 * size.height as Real };
+        Ok(Camera { from: view.from, forward, right: right * step, down: down * step, middle, parallel })
+    }
+
+    /// The ray through a place, with a direction of length one.
+    pub fn ray(&self, place: Place) -> Ray {
+        let across = self.right * (place.x - self.middle.x) + self.down * (place.y - self.middle.y);
+        if self.parallel {
+            Ray::new(self.from + across, self.forward)
+        } else {
+            Ray::new(self.from, unit(self.forward + across).unwrap_or(self.forward))
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::math::{acos, vec3};
+
+    const VIEW: View = View {
+        from: vec3(1.0, 2.0, 3.0),
+        at: vec3(1.0, 2.0, -4.0),
+        up: vec3(0.0, 5.0, 1.0),
+        projection: Projection::Perspective { angle: 0.8 },
+    };
+
+    fn place(x: Real, y: Real) -> Place {
+        Place { x, y }
+    }
+
+    #[test]
+    fn the_angle_runs_from_the_middle_of_the_first_row_to_that_of_the_last() {
+        let camera = Camera::new(&VIEW, Size::new(7, 5).unwrap()).unwrap();
+        let (top, bottom) = (camera.ray(place(3.5, 0.5)), camera.ray(place(3.5, 4.5)));
+        assert!((acos(top.direction.dot(bottom.direction)) - 0.8).abs() < 1e-6);
+        assert!(top.direction.y > 0.0 && bottom.direction.y < 0.0);
+        let middle = camera.ray(place(3.5, 2.5));
+        assert_eq!((middle.origin, middle.direction), (VIEW.from, -Vec3::Z));
+        assert!(camera.ray(place(6.5, 2.5)).direction.x > 0.0, "right is right");
+    }
+
+    #[test]
+    fn parallel_rays_start_as_far_apart_as_the_height_says() {
+        let view = View { projection: Projection::Orthographic { height: 8.0 }, ..VIEW };
+        let camera = Camera::new(&view, Size::new(5, 5).unwrap()).unwrap();
+        let (top, bottom) = (camera.ray(place(2.5, 0.5)), camera.ray(place(2.5, 4.5)));
+        assert_eq!(top.direction, bottom.direction);
+        assert!((top.origin - bottom.origin - vec3(0.0, 8.0, 0.0)).abs().max_element() < 1e-5);
+    }
+
+    #[test]
+    fn views_that_show_nothing_are_refused() {
+        let size = Size::new(4, 4).unwrap();
+        let fault = |view: View| Camera::new(&view, size).unwrap_err();
+        assert_eq!(fault(View { at: VIEW.from, ..VIEW }), ViewFault::NoDirection);
+        assert_eq!(fault(View { up: vec3(0.0, 0.0, 2.0), ..VIEW }), ViewFault::NoUp);
+        assert_eq!(fault(View { up: Vec3::ZERO, ..VIEW }), ViewFault::NoUp);
+        assert_eq!(fault(View { from: vec3(Real::NAN, 0.0, 0.0), ..VIEW }), ViewFault::Place);
+        for angle in [0.0, -1.0, PI, 4.0, Real::NAN] {
+            let projection = Projection::Perspective { angle };
+            assert_eq!(fault(View { projection, ..VIEW }), ViewFault::Angle);
+        }
+        assert!(Size::new(0, 4).is_none() && Size::new(4, Size::MOST + 1).is_none());
+    }
+
+    #[test]
+    fn a_picture_of_one_row_or_one_column_has_finite_rays() {
+        for (w, h) in [(1, 1), (1, 9), (9, 1)] {
+            let camera = Camera::new(&VIEW, Size::new(w, h).unwrap()).unwrap();
+            assert!(camera.ray(place(0.0, 0.0)).direction.is_finite());
+        }
+    }
+}

@@ -1,0 +1,111 @@
+//! What a scene asks for, and what a tracer can do.
+//!
+//! Both are an [`EffectSet`]. What a scene asks for is found by looking at it; what a tracer
+//! can do is a constant of its type, so that everything outside it is compiled away. A tracer
+//! refuses a scene that asks for more than it can do.
+
+use crate::geometry::{ShapeSet, Shapes};
+use crate::scene::light::LightSet;
+use crate::scene::texture::TextureSet;
+
+/// A set of effects.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct EffectSet {
+    /// Shapes.
+    pub shapes: ShapeSet,
+    /// Interpolated normals.
+    pub smooth: bool,
+    /// Lights.
+    pub lights: LightSet,
+    /// Textures.
+    pub textures: TextureSet,
+    /// Highlights.
+    pub highlight: bool,
+    /// Things that stand in the way of light.
+    pub shadows: bool,
+    /// Mirrors.
+    pub reflection: bool,
+    /// Bodies that light passes through. It throws light back where none can pass.
+    pub transmission: bool,
+    /// Bodies that take light away as it passes.
+    pub absorption: bool,
+}
+
+impl EffectSet {
+    /// Nothing: no shape, no light.
+    pub const NONE: EffectSet = EffectSet {
+        shapes: ShapeSet::NONE,
+        smooth: false,
+        lights: LightSet::NONE,
+        textures: TextureSet::NONE,
+        highlight: false,
+        shadows: false,
+        reflection: false,
+        transmission: false,
+        absorption: false,
+    };
+
+    /// Everything there is.
+    pub const ALL: EffectSet = EffectSet {
+        shapes: ShapeSet::ALL,
+        smooth: true,
+        lights: LightSet::ALL,
+        textures: TextureSet::ALL,
+        highlight: true,
+        shadows: true,
+        reflection: true,
+        transmission: true,
+        absorption: true,
+    };
+
+    /// Whether everything in `other` is in this set.
+    pub const fn contains(&self, other: &EffectSet) -> bool {
+        const fn implied(asked: bool, able: bool) -> bool {
+            able || !asked
+        }
+        self.shapes.contains(other.shapes)
+            && self.lights.contains(other.lights)
+            && self.textures.contains(other.textures)
+            && implied(other.smooth, self.smooth)
+            && implied(other.highlight, self.highlight)
+            && implied(other.shadows, self.shadows)
+            && implied(other.reflection, self.reflection)
+            && implied(other.transmission, self.transmission)
+            && implied(other.absorption, self.absorption)
+    }
+}
+
+/// What a tracer can do, as a constant of a type of its own.
+///
+/// ```
+/// use strahl_core::{EffectSet, Effects, LightKind, LightSet, ShapeKind, ShapeSet};
+///
+/// /// Spheres under point lights, and their shadows.
+/// struct Mine;
+///
+/// impl Effects for Mine {
+///     const SET: EffectSet = EffectSet {
+///         shapes: ShapeSet::of(&[ShapeKind::Sphere]),
+///         lights: LightSet::of(&[LightKind::Point]),
+///         shadows: true,
+///         ..EffectSet::NONE
+///     };
+/// }
+/// ```
+pub trait Effects {
+    /// Everything that the tracer can do.
+    const SET: EffectSet;
+}
+
+impl<E: Effects> Shapes for E {
+    const SHAPES: ShapeSet = E::SET.shapes;
+    const SMOOTH: bool = E::SET.smooth;
+}
+
+/// Everything that strahl can do.
+#[derive(Clone, Copy, Debug)]
+pub struct Everything;
+
+impl Effects for Everything {
+    const SET: EffectSet = EffectSet::ALL;
+}

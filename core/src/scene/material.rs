@@ -1,0 +1,149 @@
+//! What surfaces and bodies are made of.
+
+use crate::math::{Real, Rgb};
+
+/// A place in the scene's table of materials.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub struct MaterialId(pub u16);
+
+/// How a surface answers light, and what light meets behind it.
+///
+/// A scene starts from [`Material::MATTE`] and names what is different.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Material {
+    /// The share of the scene's ambient light that is given back.
+    pub ambient: Rgb,
+    /// The share of a light that is scattered in all directions, at upright incidence
+    /// (Lambert).
+    pub diffuse: Rgb,
+    /// Multiplies `ambient` and `diffuse` from place to place: a place in the scene's table of
+    /// textures.
+    pub texture: Option<u16>,
+    /// The share of a light that the highlight gives back at its middle (Phong).
+    pub highlight: Rgb,
+    /// How narrow the highlight is: the power of the cosine. Zero: no highlight.
+    pub exponent: Real,
+    /// The share of light from the mirrored direction, each channel in `0..=1`.
+    pub mirror: Rgb,
+    /// The share of light from behind, each channel in `0..=1`. More than zero makes the
+    /// surface the boundary of a body of this material, which the normal leaves.
+    pub transmitted: Rgb,
+    /// The index of refraction of that body, in `0.01..=100`; that of empty space is one.
+    pub index: Real,
+    /// How the transmitted share is parted.
+    pub interface: Interface,
+    /// How far light travels in that body until 1/e of it is left, for each channel. Unit:
+    /// scene lengths. Infinite is clear.
+    pub clarity: Rgb,
+    /// Which body fills space where several overlap: the highest, and of equals the one that
+    /// was entered last.
+    pub priority: u8,
+    /// Whether the shading normal is turned towards the viewer. Every surface is hit from both
+    /// sides either way; a one-sided surface seen from behind shades as its front does.
+    pub two_sided: bool,
+}
+
+/// What happens to the transmitted share of light at a surface.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Interface {
+    /// All of it passes, unless all of it is thrown back (Whitted).
+    Constant,
+    /// Fresnel's formulas for unpolarised light say how much of it passes; the rest is
+    /// mirrored.
+    Fresnel,
+}
+
+impl Material {
+    /// White, matte, opaque, two-sided.
+    pub const MATTE: Material = Material {
+        ambient: Rgb::WHITE,
+        diffuse: Rgb::WHITE,
+        texture: None,
+        highlight: Rgb::BLACK,
+        exponent: 0.0,
+        mirror: Rgb::BLACK,
+        transmitted: Rgb::BLACK,
+        index: 1.0,
+        interface: Interface::Constant,
+        clarity: Rgb::gray(Real::INFINITY),
+        priority: 0,
+        two_sided: true,
+    };
+
+    /// Whether light passes through its surface.
+    pub fn is_transmitting(&self) -> bool {
+        !self.transmitted.is_black()
+    }
+
+    /// Whether it has a highlight.
+    pub fn is_shiny(&self) -> bool {
+        self.exponent > 0.0 && !self.highlight.is_black()
+    }
+
+    /// Whether its body takes something away from light.
+    pub fn is_absorbing(&self) -> bool {
+        let clear = |c: Real| c == Real::INFINITY;
+        self.is_transmitting() && !(clear(self.clarity.r) && clear(self.clarity.g) && clear(self.clarity.b))
+    }
+
+    /// Whether lights change how it looks.
+    pub fn is_lit(&self) -> bool {
+        !self.diffuse.is_black() || self.is_shiny()
+    }
+
+    pub(super) fn check(&self, textures: usize) -> Result<(), MaterialFault> {
+        let bright = |c: Rgb| c.is_within(Rgb::BRIGHTEST);
+        if !(bright(self.ambient) && bright(self.diffuse) && bright(self.highlight)) {
+            return Err(MaterialFault::Color);
+        }
+        if !(self.mirror.is_within(1.0) && self.transmitted.is_within(1.0)) {
+            return Err(MaterialFault::Share);
+        }
+        if !(self.exponent >= 0.0 && self.exponent <= 1e6) {
+            return Err(MaterialFault::Exponent);
+        }
+        if self.is_transmitting() && !(self.index >= 0.01 && self.index <= 100.0) {
+            return Err(MaterialFault::Index);
+        }
+        // The smallest normal number: what is below would make an infinite quotient.
+        let clarity = |c: Real| c >= 1e-30;
+        if !(clarity(self.clarity.r) && clarity(self.clarity.g) && clarity(self.clarity.b)) {
+            return Err(MaterialFault::Clarity);
+        }
+        match self.texture {
+            Some(texture) if usize::from(texture) >= textures => Err(MaterialFault::Texture),
+            _ => Ok(()),
+        }
+    }
+}
+
+/// Why a material cannot be part of a scene.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[non_exhaustive]
+pub enum MaterialFault {
+    /// A colour has a channel outside `0..=1e6`.
+    Color,
+    /// A mirrored or transmitted share has a channel outside `0..=1`.
+    Share,
+    /// The exponent of the highlight is outside `0..=1e6`.
+    Exponent,
+    /// The index of refraction is outside `0.01..=100`.
+    Index,
+    /// The clarity is zero, below zero or no number.
+    Clarity,
+    /// The texture is outside its table.
+    Texture,
+}
+
+impl core::fmt::Display for MaterialFault {
+    fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
+        f.write_str(match self {
+            MaterialFault::Color => "a colour is not in 0..=1e6",
+            MaterialFault::Share => "a mirrored or transmitted share is not in 0..=1",
+            MaterialFault::Exponent => "the highlight's exponent is not in 0..=1e6",
+            MaterialFault::Index => "the index of refraction is not in 0.01..=100",
+            MaterialFault::Clarity => "the clarity is not more than zero",
+            MaterialFault::Texture => "the texture does not exist",
+        })
+    }
+}

@@ -1,0 +1,291 @@
+//! The scene: borrowed slices, checked once.
+
+mod camera;
+mod effects;
+mod light;
+mod material;
+mod texture;
+mod world;
+
+pub use camera::{Camera, Place, Projection, Size, View, ViewFault};
+pub use effects::{EffectSet, Effects, Everything};
+pub(crate) use light::Beam;
+pub use light::{Falloff, Light, LightKind, LightSet, Source};
+pub use material::{Interface, Material, MaterialFault, MaterialId};
+pub use texture::{Texture, TextureKind, TextureSet};
+pub use world::World;
+
+use core::fmt;
+
+use crate::geometry::{Geometry, ItemId, Shape, ShapeFault};
+use crate::math::{Rgb, Vec3, is_unit, within};
+
+/// What a ray sees that meets nothing.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Background {
+    /// One colour.
+    Color(Rgb),
+    /// From one colour to another, by the height of the direction.
+    Gradient {
+        /// What is up, of length one.
+        up: Vec3,
+        /// The colour straight down.
+        below: Rgb,
+        /// The colour straight up.
+        above: Rgb,
+    },
+}
+
+impl Background {
+    fn is_valid(&self) -> bool {
+        match *self {
+            Background::Color(color) => color.is_within(Rgb::BRIGHTEST),
+            Background::Gradient { up, below, above } => {
+                is_unit(up) && below.is_within(Rgb::BRIGHTEST) && above.is_within(Rgb::BRIGHTEST)
+            }
+        }
+    }
+
+    /// The colour in a direction of length one.
+    pub fn toward(&self, direction: Vec3) -> Rgb {
+        match *self {
+            Background::Color(color) => color,
+            Background::Gradient { up, below, above } => {
+                below.toward(above, within(0.5 + 0.5 * direction.dot(up), 0.0, 1.0))
+            }
+        }
+    }
+}
+
+/// Everything that a scene is made of, before it is checked.
+#[derive(Clone, Copy, Debug)]
+pub struct Parts<'s> {
+    /// What is there.
+    pub geometry: Geometry<'s>,
+    /// What each item is made of, by its number.
+    pub made_of: &'s [MaterialId],
+    /// The materials.
+    pub materials: &'s [Material],
+    /// The textures that materials name.
+    pub textures: &'s [Texture],
+    /// The lights.
+    pub lights: &'s [Light],
+    /// Light from everywhere, for the ambient share of materials.
+    pub ambient: Rgb,
+    /// What is behind everything.
+    pub background: Background,
+}
+
+impl Parts<'_> {
+    /// Empty, dark space; a scene names what it has and takes the rest from here.
+    pub const EMPTY: Parts<'static> = Parts {
+        geometry: Geometry::EMPTY,
+        made_of: &[],
+        materials: &[],
+        textures: &[],
+        lights: &[],
+        ambient: Rgb::BLACK,
+        background: Background::Color(Rgb::BLACK),
+    };
+}
+
+/// A scene that has been checked: every reference finds its table, every number is in range.
+#[derive(Clone, Copy, Debug)]
+pub struct Scene<'s> {
+    parts: Parts<'s>,
+    asks: EffectSet,
+}
+
+/// Why parts do not make a scene.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[non_exhaustive]
+pub enum SceneError {
+    /// There are more items than numbers for them.
+    TooManyItems,
+    /// This shape is none.
+    Shape(ItemId, ShapeFault),
+    /// This material, a place in its table, is out of range.
+    Material(MaterialId, MaterialFault),
+    /// The material of this item is not told or does not exist.
+    NoMaterial(ItemId),
+    /// The light at this place in the table is out of range.
+    Light(usize),
+    /// The texture at this place in the table is out of range.
+    Texture(usize),
+    /// The ambient light or the background is out of range.
+    Surroundings,
+}
+
+impl fmt::Display for SceneError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            SceneError::TooManyItems => write!(f, "more items than a scene can number"),
+            SceneError::Shape(item, fault) => write!(f, "object {}: {fault}", item.0),
+            SceneError::Material(material, fault) => write!(f, "material {}: {fault}", material.0),
+            SceneError::NoMaterial(item) => write!(f, "object {}: it has no material", item.0),
+            SceneError::Light(light) => write!(f, "light {light}: a number is out of range"),
+            SceneError::Texture(texture) => write!(f, "texture {texture}: a number is out of range"),
+            SceneError::Surroundings => write!(f, "ambient light or background: a number is out of range"),
+        }
+    }
+}
+
+impl core::error::Error for SceneError {}
+
+impl<'s> Scene<'s> {
+    /// The scene of these parts, or what is wrong with the first of them that does not fit.
+    ///
+    /// ```
+    /// use strahl_core::{Geometry, Light, Material, MaterialId, Parts, Rgb, Scene, Shape, Sphere, vec3};
+    ///
+    /// let scene = Scene::new(Parts {
+    ///     geometry: Geometry {
+    ///         shapes: &[Shape::Sphere(Sphere { center: vec3(0.0, 0.0, -5.0), radius: 1.0 })],
+    ///         ..Geometry::EMPTY
+    ///     },
+    ///     made_of: &[MaterialId(0)],
+    ///     materials: &[Material::MATTE],
+    ///     ambient: Rgb::gray(0.2),
+    ///     ..Parts::EMPTY
+    /// })?;
+    /// assert!(!scene.effects().shadows); // there is no light that could be in the way of
+    /// # Ok::<(), strahl_core::SceneError>(())
+    /// ```
+    pub fn new(parts: Parts<'s>) -> Result<Self, SceneError> {
+        if u32::try_from(parts.geometry.shapes.len()).is_err() {
+            return Err(SceneError::TooManyItems);
+        }
+        parts.geometry.check().map_err(|(item, fault)| SceneError::Shape(item, fault))?;
+        for (material, place) in parts.materials.iter().zip(0..=u16::MAX) {
+            let wrong = |fault| SceneError::Material(MaterialId(place), fault);
+            material.check(parts.textures.len()).map_err(wrong)?;
+        }
+        for number in 0..parts.geometry.shapes.len() {
+            let material = parts.made_of.get(number).and_then(|m| parts.materials.get(usize::from(m.0)));
+            if material.is_none() {
+                return Err(SceneError::NoMaterial(ItemId(number as u32)));
+            }
+        }
+        if let Some(place) = parts.lights.iter().position(|light| !light.is_valid()) {
+            return Err(SceneError::Light(place));
+        }
+        if let Some(place) = parts.textures.iter().position(|texture| !texture.is_valid()) {
+            return Err(SceneError::Texture(place));
+        }
+        if !(parts.ambient.is_within(Rgb::BRIGHTEST) && parts.background.is_valid()) {
+            return Err(SceneError::Surroundings);
+        }
+        Ok(Scene { parts, asks: asked_by(&parts) })
+    }
+
+    /// What it is made of.
+    pub fn parts(&self) -> &Parts<'s> {
+        &self.parts
+    }
+
+    /// What must be simulated: what its shapes, materials and lights ask for, and no more. A
+    /// material that no item is made of asks for nothing.
+    pub fn effects(&self) -> EffectSet {
+        self.asks
+    }
+
+    /// What an item is made of.
+    pub fn material(&self, item: ItemId) -> Option<&'s Material> {
+        let place = self.parts.made_of.get(item.0 as usize)?.0;
+        self.parts.materials.get(usize::from(place))
+    }
+}
+
+fn asked_by(parts: &Parts<'_>) -> EffectSet {
+    let mut asks = EffectSet::NONE;
+    let mut lit = false;
+    for (shape, made_of) in parts.geometry.shapes.iter().zip(parts.made_of) {
+        asks.shapes = asks.shapes.with(shape.kind());
+        asks.smooth |= match *shape {
+            Shape::SmoothTriangle(_) => true,
+            Shape::Polygon(place) => parts.geometry.polygons.get(place as usize).is_some_and(|p| p.smooth),
+            _ => false,
+        };
+        let Some(material) = parts.materials.get(usize::from(made_of.0)) else { continue };
+        lit |= material.is_lit();
+        asks.highlight |= material.is_shiny() && !parts.lights.is_empty();
+        asks.reflection |= !material.mirror.is_black();
+        asks.transmission |= material.is_transmitting();
+        asks.absorption |= material.is_absorbing();
+        if let Some(texture) = material.texture.and_then(|t| parts.textures.get(usize::from(t))) {
+            asks.textures = asks.textures.with(texture.kind());
+        }
+    }
+    for light in parts.lights.iter().filter(|light| lit && !light.color.is_black()) {
+        asks.lights = asks.lights.with(light.kind());
+        asks.shadows |= light.shadows;
+    }
+    asks
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::geometry::{Plane, Sphere};
+    use crate::math::{Real, vec3};
+
+    const BALL: Shape = Shape::Sphere(Sphere { center: Vec3::ZERO, radius: 1.0 });
+    const LAMP: Light = Light {
+        source: Source::Point { position: Vec3::ONE, falloff: Falloff::NONE },
+        color: Rgb::WHITE,
+        shadows: true,
+    };
+
+    fn parts<'s>(shapes: &'s [Shape], materials: &'s [Material]) -> Parts<'s> {
+        let geometry = Geometry { shapes, ..Geometry::EMPTY };
+        Parts { geometry, made_of: &[MaterialId(0)], materials, lights: &[LAMP], ..Parts::EMPTY }
+    }
+
+    #[test]
+    fn a_scene_asks_for_what_its_items_are_made_of_and_no_more() {
+        let matte = [Material::MATTE];
+        let asks = Scene::new(parts(&[BALL], &matte)).unwrap().effects();
+        let local = EffectSet {
+            shapes: crate::geometry::ShapeSet::of(&[crate::geometry::ShapeKind::Sphere]),
+            lights: LightSet::of(&[LightKind::Point]),
+            shadows: true,
+            ..EffectSet::NONE
+        };
+        assert_eq!(asks, local);
+        // The second material is nobody's.
+        let glass = Material { transmitted: Rgb::WHITE, ..Material::MATTE };
+        let asks = Scene::new(parts(&[BALL], &[Material::MATTE, glass])).unwrap().effects();
+        assert_eq!(asks, local);
+        let asks = Scene::new(parts(&[BALL], &[glass])).unwrap().effects();
+        assert_eq!(asks, EffectSet { transmission: true, ..local });
+        assert!(EffectSet::ALL.contains(&asks) && !local.contains(&asks));
+    }
+
+    #[test]
+    fn parts_that_do_not_fit_are_named() {
+        let matte = [Material::MATTE];
+        let fault = |parts| Scene::new(parts).unwrap_err();
+        let flat = [Shape::Sphere(Sphere { center: Vec3::ZERO, radius: 0.0 })];
+        assert_eq!(fault(parts(&flat, &matte)), SceneError::Shape(ItemId(0), ShapeFault::Radius));
+        let far = [Shape::Sphere(Sphere { center: vec3(2e15, 0.0, 0.0), radius: 1.0 })];
+        assert_eq!(fault(parts(&far, &matte)), SceneError::Shape(ItemId(0), ShapeFault::Place));
+        assert_eq!(
+            fault(parts(&[Shape::Triangle([0, 1, 2])], &matte)),
+            SceneError::Shape(ItemId(0), ShapeFault::Missing)
+        );
+        assert_eq!(fault(parts(&[BALL], &[])), SceneError::NoMaterial(ItemId(0)));
+        let dark = [Material { clarity: Rgb::BLACK, ..Material::MATTE }];
+        assert_eq!(fault(parts(&[BALL], &dark)), SceneError::Material(MaterialId(0), MaterialFault::Clarity));
+        let lamp = [Light { color: Rgb::gray(Real::NAN), ..LAMP }];
+        assert_eq!(fault(Parts { lights: &lamp, ..parts(&[BALL], &matte) }), SceneError::Light(0));
+    }
+
+    #[test]
+    fn a_plane_must_stand_in_its_table_under_its_own_number() {
+        let matte = [Material::MATTE];
+        let planes = [Plane { point: Vec3::ZERO, normal: Vec3::Y, item: ItemId(1) }];
+        let geometry = Geometry { shapes: &[Shape::Plane(0)], planes: &planes, ..Geometry::EMPTY };
+        let fault = Scene::new(Parts { geometry, ..parts(&[], &matte) }).unwrap_err();
+        assert_eq!(fault, SceneError::Shape(ItemId(0), ShapeFault::Plane));
+    }
+}

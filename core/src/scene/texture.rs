@@ -1,0 +1,129 @@
+//! Colour that changes from place to place by a formula.
+
+use crate::math::{Real, Rgb, Vec3, floor, is_in_range, within};
+use crate::set::set_of;
+
+/// A colour for each point of space, in the frame of the world.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Texture {
+    /// Two colours in turn, in cells upright on the axes.
+    Checker {
+        /// The colour of the cell that begins in `origin`.
+        even: Rgb,
+        /// The colour of its neighbours.
+        odd: Rgb,
+        /// A corner of cells.
+        origin: Vec3,
+        /// Cells per scene length along each axis. Zero: one cell without end, which is what
+        /// the axis upright on a floor needs, lest rounding choose between two cells.
+        frequency: Vec3,
+    },
+    /// From one colour to another along a direction, and constant beyond both.
+    Gradient {
+        /// The colour in `origin` and before it.
+        from: Rgb,
+        /// The colour one length of `along` away and beyond.
+        to: Rgb,
+        /// Where it begins.
+        origin: Vec3,
+        /// From its begin to its end, not zero.
+        along: Vec3,
+    },
+}
+
+/// What kind of texture it is.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[allow(missing_docs)] // they name what `Texture` describes
+pub enum TextureKind {
+    Checker,
+    Gradient,
+}
+
+impl TextureKind {
+    /// Every kind.
+    pub const ALL: [TextureKind; 2] = [TextureKind::Checker, TextureKind::Gradient];
+}
+
+set_of! {
+    /// Kinds of textures.
+    TextureSet of TextureKind
+}
+
+impl Texture {
+    /// What kind it is.
+    pub const fn kind(&self) -> TextureKind {
+        match self {
+            Texture::Checker { .. } => TextureKind::Checker,
+            Texture::Gradient { .. } => TextureKind::Gradient,
+        }
+    }
+
+    pub(super) fn is_valid(&self) -> bool {
+        let is_color = |c: Rgb| c.is_within(Rgb::BRIGHTEST);
+        match *self {
+            Texture::Checker { even, odd, origin, frequency } => {
+                is_color(even) && is_color(odd) && is_in_range(origin) && is_in_range(frequency)
+            }
+            Texture::Gradient { from, to, origin, along } => {
+                let length = along.dot(along);
+                is_color(from) && is_color(to) && is_in_range(origin) && length > 0.0 && length <= Real::MAX
+            }
+        }
+    }
+
+    /// The colour at a point; white for a kind that is not among the `able` ones. Inlined, so
+    /// that the arms outside a constant set are compiled away.
+    #[inline(always)]
+    pub(crate) fn at(&self, point: Vec3, able: TextureSet) -> Rgb {
+        match *self {
+            Texture::Checker { even, odd, origin, frequency } if able.has(TextureKind::Checker) => {
+                let cell = (point - origin) * frequency;
+                // Half of the number of the cell keeps its parity where a whole number would not fit.
+                let half = 0.5 * (floor(cell.x) + floor(cell.y) + floor(cell.z));
+                if half == floor(half) { even } else { odd }
+            }
+            Texture::Gradient { from, to, origin, along } if able.has(TextureKind::Gradient) => {
+                let s = (point - origin).dot(along) / along.dot(along);
+                from.toward(to, within(s, 0.0, 1.0))
+            }
+            _ => Rgb::WHITE,
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::math::vec3;
+
+    #[test]
+    fn a_checker_changes_at_every_wall_and_ignores_an_axis_without_frequency() {
+        let checker = Texture::Checker {
+            even: Rgb::WHITE,
+            odd: Rgb::BLACK,
+            origin: Vec3::ZERO,
+            frequency: vec3(0.5, 0.0, 0.5),
+        };
+        let color = |x, y, z| checker.at(vec3(x, y, z), TextureSet::ALL);
+        assert_eq!(color(1.0, 0.0, 1.0), Rgb::WHITE);
+        assert_eq!(color(3.0, 0.0, 1.0), Rgb::BLACK);
+        assert_eq!(color(-1.0, 0.0, 1.0), Rgb::BLACK);
+        assert_eq!(color(-1.0, 0.0, -1.0), Rgb::WHITE);
+        for y in [-1e-6, 0.0, 1e-6, 7.0] {
+            assert_eq!(color(1.0, y, 1.0), Rgb::WHITE);
+        }
+    }
+
+    #[test]
+    fn a_gradient_is_constant_beyond_its_ends() {
+        let gradient = Texture::Gradient {
+            from: Rgb::BLACK,
+            to: Rgb::WHITE,
+            origin: vec3(1.0, 0.0, 0.0),
+            along: vec3(2.0, 0.0, 0.0),
+        };
+        for (x, gray) in [(-5.0, 0.0), (1.0, 0.0), (2.0, 0.5), (3.0, 1.0), (9.0, 1.0)] {
+            assert_eq!(gradient.at(vec3(x, 4.0, -2.0), TextureSet::ALL), Rgb::gray(gray));
+        }
+    }
+}

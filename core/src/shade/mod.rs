@@ -1,0 +1,102 @@
+//! What light does at a surface: the local part of Whitted's model, and the optics and media
+//! that the rays from there need.
+
+mod media;
+mod optics;
+mod shadow;
+
+pub use media::{Crossing, Media, index};
+pub use optics::{Refraction, absorbed, reflected, refracted};
+
+use crate::accel::Accelerator;
+use crate::geometry::{Surface, leave};
+use crate::math::{Real, Rgb, Vec3, powf};
+use crate::scene::{Effects, Material, World};
+use crate::tally::Tally;
+
+/// A surface as it is seen along a ray.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Seen {
+    /// The surface.
+    pub(crate) surface: Surface,
+    /// The direction of the ray, of length one.
+    pub(crate) along: Vec3,
+    /// Whether the ray comes from the side that the normal points to.
+    pub(crate) outside: bool,
+    /// The geometric normal on the ray's side.
+    pub(crate) facing: Vec3,
+    /// The shading normal, on the same side.
+    pub(crate) shading: Vec3,
+}
+
+impl Seen {
+    pub(crate) fn new(surface: Surface, along: Vec3) -> Self {
+        let outside = surface.normal.dot(along) <= 0.0;
+        let turned = |n: Vec3| if outside { n } else { -n };
+        Seen { surface, along, outside, facing: turned(surface.normal), shading: turned(surface.shading) }
+    }
+
+    /// Where a ray starts that stays on the side that the surface is seen from.
+    pub(crate) fn before(&self) -> Vec3 {
+        leave(self.surface.point, self.surface.error, self.facing)
+    }
+
+    /// Where a ray starts that goes on through the surface.
+    pub(crate) fn behind(&self) -> Vec3 {
+        leave(self.surface.point, self.surface.error, -self.facing)
+    }
+}
+
+/// The light that the surface itself sends back along the ray: ambient, and from each light
+/// that reaches it the diffuse part and the highlight (Phong).
+///
+/// A light is asked for only where the surface faces it and would show it.
+pub(crate) fn local<A: Accelerator, E: Effects, T: Tally>(
+    world: &World<'_, A>,
+    material: &Material,
+    seen: &Seen,
+    scratch: &mut A::Scratch,
+    tally: &mut T,
+) -> Rgb {
+    let parts = world.scene().parts();
+    let texture = material.texture.and_then(|place| parts.textures.get(usize::from(place)));
+    let paint = texture.map_or(Rgb::WHITE, |texture| texture.at(seen.surface.point, E::SET.textures));
+    let diffuse = material.diffuse * paint;
+    let mut light = material.ambient * paint * parts.ambient;
+    if !material.is_lit() {
+        return light;
+    }
+
+    // A one-sided surface shades as its front does, from wherever it is seen.
+    let (normal, side) = if material.two_sided {
+        (seen.shading, seen.facing)
+    } else {
+        (seen.surface.shading, seen.surface.normal)
+    };
+    let from = leave(seen.surface.point, seen.surface.error, side);
+    for source in parts.lights {
+        let Some(beam) = source.beam(seen.surface.point, E::SET.lights) else { continue };
+        let cos = normal.dot(beam.toward);
+        if !(cos > 0.0) || beam.color.is_black() {
+            continue;
+        }
+        if E::SET.shadows && source.shadows && shadow::is_dark::<A, E, T>(world, from, &beam, scratch, tally)
+        {
+            continue;
+        }
+        let mut given = diffuse * cos;
+        if E::SET.highlight && material.is_shiny() {
+            let toward_eye = reflected(-beam.toward, normal).dot(-seen.along);
+            if toward_eye > 0.0 {
+                given += material.highlight * cosine_power(toward_eye, material.exponent);
+            }
+        }
+        light += given * beam.color;
+    }
+    light
+}
+
+/// The cosine, which rounding may have put a little above one, to a power.
+fn cosine_power(cos: Real, exponent: Real) -> Real {
+    if cos < 1.0 { powf(cos, exponent) } else { 1.0 }
+}

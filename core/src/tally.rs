@@ -1,0 +1,56 @@
+//! What a tracer tells about its work.
+//!
+//! The tracer reports events to a [`Tally`]. The tally `()` counts nothing: nothing of the
+//! reports is left in the optimised loop.
+
+use crate::geometry::ShapeKind;
+
+/// Why a ray was sent.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum RayKind {
+    /// From the eye, through the picture.
+    Camera,
+    /// From a mirror, or thrown back inside glass.
+    Reflected,
+    /// Through glass.
+    Transmitted,
+    /// Towards a light.
+    Shadow,
+}
+
+impl RayKind {
+    /// Every kind.
+    pub const ALL: [RayKind; 4] =
+        [RayKind::Camera, RayKind::Reflected, RayKind::Transmitted, RayKind::Shadow];
+}
+
+/// Something that happened while a picture was traced.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[non_exhaustive]
+pub enum Event {
+    /// A ray was sent; for shadow rays, a light was asked for, whoever answered.
+    Ray(RayKind),
+    /// A camera ray met something.
+    CameraHit,
+    /// A ray was held against boxes, this many.
+    Boxes(RayKind, u32),
+    /// A ray was held against a shape.
+    Shape(RayKind, ShapeKind),
+    /// A ray entered a region of the accelerator.
+    Region(RayKind),
+    /// A ray went into a medium deeper than the list of media can tell, and was taken to stay
+    /// in the one it was in.
+    MediaFull,
+}
+
+/// Somebody who is told what happens.
+pub trait Tally {
+    /// Hears of one event.
+    fn count(&mut self, event: Event);
+}
+
+/// Counts nothing and costs nothing.
+impl Tally for () {
+    #[inline(always)]
+    fn count(&mut self, _: Event) {}
+}

@@ -1,0 +1,265 @@
+//! The loop: take a task, find what it meets, light it, leave at most two tasks.
+//!
+//! Whitted's tree of rays is linear in colour: what a ray finds counts in the pixel with the
+//! product of the shares on the way there. So every task carries that weight, the sum goes up
+//! by itself, and no ray waits for another's answer ("An Improved Illumination Model for Shaded
+//! Display", CACM 1980).
+
+mod task;
+mod worker;
+
+pub use worker::Worker;
+
+use core::fmt;
+use core::marker::PhantomData;
+
+use crate::accel::Accelerator;
+use crate::geometry::{Hit, Ray};
+use crate::math::{Real, Rgb, Vec3};
+use crate::scene::{Camera, EffectSet, Effects, Interface, Material, MaterialId, Place, World};
+use crate::shade::{Crossing, Media, Seen, absorbed, index, local, reflected, refracted};
+use crate::tally::{Event, RayKind, Tally};
+use task::{Task, Tasks};
+
+/// Which picture is wanted: how far the tree of rays goes.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Limits {
+    /// Levels of rays: 1 is the camera ray alone.
+    pub levels: u8,
+    /// A ray is sent when its weight in the brightest channel is more than this, in `0..=1`.
+    pub cutoff: Real,
+}
+
+impl Limits {
+    /// Five levels, and what could make half a step of an 8-bit picture.
+    pub const DEFAULT: Limits = Limits { levels: 5, cutoff: 1.0 / 512.0 };
+}
+
+/// Why a tracer cannot trace a world.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[non_exhaustive]
+pub enum TracerError {
+    /// The scene asks for what this tracer was not built for.
+    NotBuiltFor {
+        /// What the scene asks for.
+        asks: EffectSet,
+    },
+    /// There is no level, or more than the worker has room for.
+    Levels {
+        /// How many are wanted.
+        wanted: u8,
+        /// For how many there is room.
+        most: usize,
+    },
+    /// The cutoff is not in `0..=1`.
+    Cutoff,
+}
+
+impl fmt::Display for TracerError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            TracerError::NotBuiltFor { .. } => {
+                f.write_str("the scene asks for effects that this tracer was not built for")
+            }
+            TracerError::Levels { wanted, most } => write!(f, "{wanted} levels wanted, 1 to {most} possible"),
+            TracerError::Cutoff => f.write_str("the cutoff is not in 0..=1"),
+        }
+    }
+}
+
+impl core::error::Error for TracerError {}
+
+/// The brightest that a surface is taken to be. With weights below `2^64` (two rays of weight
+/// one at each of 64 levels) no product and no sum here leaves the range of `f32`.
+const BRIGHTEST_SURFACE: Real = 1e15;
+
+/// The brightest that a place in the picture can be.
+const BRIGHTEST_PLACE: Real = 1e30;
+
+/// Traces a world through a camera with the effects `E`, at most `LEVELS` levels deep.
+#[derive(Debug)]
+pub struct Tracer<'w, 's, A, E, const LEVELS: usize> {
+    world: &'w World<'s, A>,
+    camera: Camera,
+    limits: Limits,
+    effects: PhantomData<E>,
+}
+
+impl<'w, 's, A: Accelerator, E: Effects, const LEVELS: usize> Tracer<'w, 's, A, E, LEVELS> {
+    /// A tracer, unless the scene asks for effects outside `E` or the limits are out of range.
+    pub fn new(world: &'w World<'s, A>, camera: Camera, limits: Limits) -> Result<Self, TracerError> {
+        let asks = world.scene().effects();
+        if !E::SET.contains(&asks) {
+            return Err(TracerError::NotBuiltFor { asks });
+        }
+        if limits.levels == 0 || usize::from(limits.levels) > LEVELS {
+            return Err(TracerError::Levels { wanted: limits.levels, most: LEVELS });
+        }
+        if !(limits.cutoff >= 0.0 && limits.cutoff <= 1.0) {
+            return Err(TracerError::Cutoff);
+        }
+        Ok(Tracer { world, camera, limits, effects: PhantomData })
+    }
+
+    /// The light that arrives from the scene at a place in the picture. Always finite.
+    ///
+    /// Not inlined: samplers call it once for each camera ray, and the loop should exist once
+    /// for each tracer, not for each sampler.
+    #[inline(never)]
+    pub fn radiance<T: Tally>(&self, place: Place, worker: &mut Worker<A, T, LEVELS>) -> Rgb {
+        let Ray { origin, direction, .. } = self.camera.ray(place);
+        let mut sum = Rgb::BLACK;
+        worker.tasks.clear();
+        worker.tasks.push(Task {
+            origin,
+            direction,
+            weight: Rgb::WHITE,
+            level: 1,
+            kind: RayKind::Camera,
+            media: Media::NONE,
+        });
+        while let Some(task) = worker.tasks.pop() {
+            sum = (sum + self.follow(task, worker)).at_most(BRIGHTEST_PLACE);
+        }
+        sum
+    }
+
+    /// What a task adds to the pixel by itself; its children go onto the stack.
+    fn follow<T: Tally>(&self, task: Task, worker: &mut Worker<A, T, LEVELS>) -> Rgb {
+        let Worker { scratch, tasks, tally } = worker;
+        tally.count(Event::Ray(task.kind));
+        let ray = Ray::new(task.origin, task.direction);
+        let found = self.world.nearest::<E, T>(&ray, Real::MAX, task.kind, scratch, tally);
+        let met = found.and_then(|hit| Some((hit, self.world.surface::<E>(&ray, hit)?)));
+        let Some((hit, surface)) = met else {
+            return self.beyond(&task);
+        };
+        if task.kind == RayKind::Camera {
+            tally.count(Event::CameraHit);
+        }
+
+        let seen = Seen::new(surface, task.direction);
+        let material = self.world.scene().material(hit.item).unwrap_or(&Material::MATTE);
+        let crossing = self.crossing(&task, hit, material, &seen);
+        let mut task = task;
+        if let Some(crossing) = &crossing {
+            if crossing.full {
+                tally.count(Event::MediaFull);
+            }
+            task.weight *= self.left_after(crossing.before, hit.t);
+            if crossing.hidden {
+                self.pass(&task, &seen, crossing, tasks);
+                return Rgb::BLACK;
+            }
+        }
+
+        let light = local::<A, E, T>(self.world, material, &seen, scratch, tally);
+        if task.level < self.limits.levels {
+            self.leave_children(&task, material, &seen, crossing.as_ref(), tasks);
+        }
+        task.weight * light.at_most(BRIGHTEST_SURFACE)
+    }
+
+    /// What a ray brings that meets nothing: the background, or nothing through a medium that
+    /// takes light away, which then never ends.
+    fn beyond(&self, task: &Task) -> Rgb {
+        let parts = self.world.scene().parts();
+        let mut light = parts.background.toward(task.direction);
+        if E::SET.transmission {
+            light *= self.left_after(task.media.in_force(parts.materials), Real::INFINITY);
+        }
+        task.weight * light
+    }
+
+    /// What is left of light after a way through a medium.
+    fn left_after(&self, medium: Option<MaterialId>, way: Real) -> Rgb {
+        if !E::SET.absorption {
+            return Rgb::WHITE;
+        }
+        let materials = self.world.scene().parts().materials;
+        match medium.and_then(|medium| materials.get(usize::from(medium.0))) {
+            Some(material) => absorbed(material.clarity, way),
+            None => Rgb::WHITE,
+        }
+    }
+
+    /// What happens to the media at the hit, where there may be any.
+    fn crossing(&self, task: &Task, hit: Hit, material: &Material, seen: &Seen) -> Option<Crossing> {
+        if !E::SET.transmission {
+            return None;
+        }
+        let parts = self.world.scene().parts();
+        // Clear stuff that does not break light makes no body: a pane has no other side.
+        let is_body = material.is_transmitting() && (material.index != 1.0 || material.is_absorbing());
+        if !is_body {
+            let medium = task.media.in_force(parts.materials);
+            let media = task.media;
+            return Some(Crossing { before: medium, behind: medium, media, hidden: false, full: false });
+        }
+        let body = parts.made_of.get(hit.item.0 as usize).copied()?;
+        Some(if seen.outside {
+            task.media.entering(body, parts.materials)
+        } else {
+            task.media.leaving(body, parts.materials)
+        })
+    }
+
+    /// Goes on through a surface that is hidden inside another body.
+    fn pass(&self, task: &Task, seen: &Seen, crossing: &Crossing, tasks: &mut Tasks<LEVELS>) {
+        if task.level < self.limits.levels {
+            tasks.push(Task {
+                origin: seen.behind(),
+                level: task.level + 1,
+                kind: RayKind::Transmitted,
+                media: crossing.media,
+                ..*task
+            });
+        }
+    }
+
+    fn leave_children(
+        &self,
+        task: &Task,
+        material: &Material,
+        seen: &Seen,
+        crossing: Option<&Crossing>,
+        tasks: &mut Tasks<LEVELS>,
+    ) {
+        let mut mirrored = if E::SET.reflection { material.mirror } else { Rgb::BLACK };
+        let mut send = |origin: Vec3, direction: Vec3, share: Rgb, kind: RayKind, media: Media| {
+            let weight = task.weight * share;
+            if weight.largest() > self.limits.cutoff {
+                tasks.push(Task { origin, direction, weight, level: task.level + 1, kind, media });
+            }
+        };
+
+        // Refract, unless all light stays on this side.
+        if let Some(crossing) = crossing.filter(|_| material.is_transmitting()) {
+            let materials = self.world.scene().parts().materials;
+            let ratio = index(crossing.before, materials) / index(crossing.behind, materials);
+            let refraction = refracted(task.direction, seen.shading, ratio)
+                // An interpolated normal may break light back to the side that it came from.
+                .filter(|refraction| refraction.direction.dot(seen.facing) < 0.0);
+            match refraction {
+                Some(refraction) => {
+                    let kept = match material.interface {
+                        Interface::Constant => 0.0,
+                        Interface::Fresnel => refraction.mirrored,
+                    };
+                    let passed = material.transmitted * (1.0 - kept);
+                    mirrored += material.transmitted * kept;
+                    send(seen.behind(), refraction.direction, passed, RayKind::Transmitted, crossing.media);
+                }
+                None => mirrored += material.transmitted,
+            }
+        }
+
+        // Reflect, on the geometric normal where the interpolated one points into the surface.
+        if (E::SET.reflection || E::SET.transmission) && !mirrored.is_black() {
+            let direction = reflected(task.direction, seen.shading);
+            let outward = direction.dot(seen.facing) > 0.0;
+            let direction = if outward { direction } else { reflected(task.direction, seen.facing) };
+            send(seen.before(), direction, mirrored, RayKind::Reflected, task.media);
+        }
+    }
+}
