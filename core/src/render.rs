@@ -15,11 +15,9 @@ use crate::trace::{Tracer, Worker};
 /// ```
 /// use strahl_core::*;
 ///
+/// let shapes = [Shape::Sphere(Sphere { center: vec3(0.0, 0.0, -5.0), radius: 1.0 })];
 /// let scene = Scene::new(Parts {
-///     geometry: Geometry {
-///         shapes: &[Shape::Sphere(Sphere { center: vec3(0.0, 0.0, -5.0), radius: 1.0 })],
-///         ..Geometry::EMPTY
-///     },
+///     geometry: Geometry { shapes: &shapes, ..Geometry::EMPTY },
 ///     made_of: &[MaterialId(0)],
 ///     materials: &[Material { ambient: Rgb::gray(1.0), ..Material::MATTE }],
 ///     ambient: Rgb::gray(0.5),

@@ -173,6 +173,8 @@ impl core::fmt::Display for ShapeFault {
     }
 }
 
+impl core::error::Error for ShapeFault {}
+
 fn check_point(p: Vec3) -> Result<(), ShapeFault> {
     if is_in_range(p) { Ok(()) } else { Err(ShapeFault::Place) }
 }

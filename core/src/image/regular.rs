@@ -12,6 +12,8 @@ pub struct Regular {
 }
 
 impl Regular {
+    /// One ray through the middle.
+    pub const ONE: Regular = Regular { n: 1 };
     /// The most cells along one side.
     pub const MOST: u16 = 256;
 

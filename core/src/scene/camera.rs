@@ -99,6 +99,8 @@ impl core::fmt::Display for ViewFault {
     }
 }
 
+impl core::error::Error for ViewFault {}
+
 /// Turns places in the picture into rays.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Camera {

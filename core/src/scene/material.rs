@@ -147,3 +147,5 @@ impl core::fmt::Display for MaterialFault {
         })
     }
 }
+
+impl core::error::Error for MaterialFault {}

@@ -138,11 +138,9 @@ impl<'s> Scene<'s> {
     /// ```
     /// use strahl_core::{Geometry, Light, Material, MaterialId, Parts, Rgb, Scene, Shape, Sphere, vec3};
     ///
+    /// let shapes = [Shape::Sphere(Sphere { center: vec3(0.0, 0.0, -5.0), radius: 1.0 })];
     /// let scene = Scene::new(Parts {
-    ///     geometry: Geometry {
-    ///         shapes: &[Shape::Sphere(Sphere { center: vec3(0.0, 0.0, -5.0), radius: 1.0 })],
-    ///         ..Geometry::EMPTY
-    ///     },
+    ///     geometry: Geometry { shapes: &shapes, ..Geometry::EMPTY },
     ///     made_of: &[MaterialId(0)],
     ///     materials: &[Material::MATTE],
     ///     ambient: Rgb::gray(0.2),

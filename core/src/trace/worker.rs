@@ -24,6 +24,11 @@ impl<A: Accelerator, T, const LEVELS: usize> Worker<A, T, LEVELS> {
         &self.tally
     }
 
+    /// Who has been told, when the work is done.
+    pub fn into_tally(self) -> T {
+        self.tally
+    }
+
     /// Forgets all that it remembers of earlier rays, so that the work of a picture does not
     /// depend on what was traced before.
     pub(crate) fn forget(&mut self) {

@@ -1,0 +1,77 @@
+//! What went wrong, and the exit status that says so.
+
+use std::fmt;
+use std::io;
+use std::path::{Path, PathBuf};
+
+/// Why a command did not do what it was asked for.
+#[derive(Debug)]
+pub enum Failure {
+    /// The command line asks for what cannot be.
+    Usage(String),
+    /// A scene, or another input, is wrong; at which line, when it has one.
+    Input {
+        /// The file.
+        path: PathBuf,
+        /// Counted from 1.
+        line: Option<usize>,
+        /// What is wrong there.
+        reason: String,
+    },
+    /// An input cannot be read.
+    Unreadable {
+        /// The file.
+        path: PathBuf,
+        /// What the system says.
+        error: io::Error,
+    },
+    /// An output cannot be written.
+    Unwritable {
+        /// The file; none is the standard output.
+        path: Option<PathBuf>,
+        /// What the system says.
+        error: io::Error,
+    },
+    /// Stopped from outside before it was done.
+    Stopped(crate::signals::Stop),
+}
+
+impl Failure {
+    /// A wrong input at a line.
+    pub fn at(path: &Path, line: usize, reason: impl Into<String>) -> Self {
+        Failure::Input { path: path.to_owned(), line: Some(line), reason: reason.into() }
+    }
+
+    /// The exit status, after `sysexits.h` where that has one.
+    pub fn status(&self) -> u8 {
+        match self {
+            Failure::Usage(_) => 2,
+            Failure::Input { .. } => 65,
+            Failure::Unreadable { .. } => 66,
+            Failure::Unwritable { .. } => 74,
+            Failure::Stopped(stop) => stop.status(),
+        }
+    }
+}
+
+impl fmt::Display for Failure {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Failure::Usage(reason) => write!(f, "{reason}"),
+            Failure::Input { path, line: Some(line), reason } => {
+                write!(f, "{}:{line}: {reason}", path.display())
+            }
+            Failure::Input { path, line: None, reason } => write!(f, "{}: {reason}", path.display()),
+            Failure::Unreadable { path, error } => write!(f, "cannot read {}: {error}", path.display()),
+            Failure::Unwritable { path: Some(path), error } => {
+                write!(f, "cannot write {}: {error}", path.display())
+            }
+            Failure::Unwritable { path: None, error } => {
+                write!(f, "cannot write to the standard output: {error}")
+            }
+            Failure::Stopped(stop) => write!(f, "{stop}"),
+        }
+    }
+}
+
+impl std::error::Error for Failure {}

@@ -1,0 +1,30 @@
+//! strahl on a workstation: loads scenes, renders them with all cores, writes pictures and
+//! reports. The tracing itself is `strahl-core`'s.
+//!
+//! | room | what it does |
+//! |---|---|
+//! | [`args`] | the command line |
+//! | [`render`] | the command `render` |
+//! | [`load`] | scene files to a [`description`] |
+//! | [`description`] | a scene in neutral numbers |
+//! | [`stock`] | the owned tables of a scene, for either precision |
+//! | [`choose`] | values become types, once, around the whole render |
+//! | [`workers`] | tiles and threads |
+//! | [`picture`] | linear pictures, their digest, and files of them |
+//! | [`output`] | files that are complete or absent |
+//! | [`stats`] | what was counted and measured |
+//! | [`signals`] | when to stop |
+//! | [`failure`] | what went wrong, and the exit status for it |
+
+pub mod args;
+pub mod choose;
+pub mod description;
+pub mod failure;
+pub mod load;
+pub mod output;
+pub mod picture;
+pub mod render;
+pub mod signals;
+pub mod stats;
+pub mod stock;
+pub mod workers;

@@ -1,0 +1,96 @@
+//! Files that are complete or absent.
+//!
+//! A file is written beside its place and renamed when it is whole. It is made before the work
+//! begins, so that a place that cannot be written is told at once and not after an hour.
+
+use std::fs::{self, Permissions};
+use std::io::{self, Write};
+use std::path::{Path, PathBuf};
+
+use tempfile::{Builder, NamedTempFile};
+
+use crate::failure::Failure;
+
+/// A place for one output.
+#[derive(Debug)]
+pub enum Output {
+    /// The standard output.
+    Stdout,
+    /// A file that appears when it is whole.
+    File {
+        /// As the user named it.
+        name: PathBuf,
+        /// Where it will be, links followed.
+        place: PathBuf,
+        /// Where it is being written. Gone with this value, unless it was kept.
+        beside: NamedTempFile,
+    },
+    /// A device or a pipe, which cannot be replaced.
+    Device(PathBuf),
+}
+
+impl Output {
+    /// Makes sure that `path` can be written; `-` is the standard output.
+    pub fn prepare(path: &Path) -> Result<Self, Failure> {
+        if path == Path::new("-") {
+            return Ok(Output::Stdout);
+        }
+        let unwritable = |error| Failure::Unwritable { path: Some(path.to_owned()), error };
+        // The file behind a link is replaced, not the link.
+        let place = fs::canonicalize(path).unwrap_or_else(|_| path.to_owned());
+        match fs::metadata(&place) {
+            Ok(found) if found.is_dir() => {
+                return Err(unwritable(io::Error::from(io::ErrorKind::IsADirectory)));
+            }
+            Ok(found) if !found.is_file() => return Ok(Output::Device(path.to_owned())),
+            Ok(found) if found.permissions().readonly() => {
+                return Err(unwritable(io::Error::from(io::ErrorKind::PermissionDenied)));
+            }
+            _ => {}
+        }
+        let folder = match place.parent() {
+            Some(folder) if folder != Path::new("") => folder,
+            _ => Path::new("."),
+        };
+        let mut builder = Builder::new();
+        builder.prefix(".strahl-");
+        if let Some(permissions) = permissions(&place) {
+            builder.permissions(permissions);
+        }
+        let beside = builder.tempfile_in(folder).map_err(unwritable)?;
+        Ok(Output::File { name: path.to_owned(), place, beside })
+    }
+
+    /// Writes everything and lets the file appear.
+    pub fn commit(self, bytes: &[u8]) -> Result<(), Failure> {
+        match self {
+            Output::Stdout => {
+                let mut out = io::stdout().lock();
+                let written = out.write_all(bytes).and_then(|()| out.flush());
+                written.map_err(|error| Failure::Unwritable { path: None, error })
+            }
+            Output::Device(name) => {
+                let written = fs::OpenOptions::new().write(true).open(&name).and_then(|mut file| file.write_all(bytes));
+                written.map_err(|error| Failure::Unwritable { path: Some(name), error })
+            }
+            Output::File { name, place, mut beside } => {
+                let written = beside.write_all(bytes).and_then(|()| beside.flush());
+                let kept = written.and_then(|()| beside.persist(place).map_err(|kept| kept.error));
+                kept.map(|_| ()).map_err(|error| Failure::Unwritable { path: Some(name), error })
+            }
+        }
+    }
+}
+
+/// Those of the file that is replaced, or what any new file gets here.
+#[cfg(unix)]
+fn permissions(place: &Path) -> Option<Permissions> {
+    use std::os::unix::fs::PermissionsExt;
+    let old = fs::metadata(place).ok().map(|found| found.permissions());
+    Some(old.unwrap_or_else(|| Permissions::from_mode(0o666)))
+}
+
+#[cfg(not(unix))]
+fn permissions(_: &Path) -> Option<Permissions> {
+    None
+}

@@ -1,0 +1,241 @@
+//! What was counted and measured, for programs and for people.
+
+use std::fmt::Write as _;
+
+use serde::Serialize;
+use std::collections::BTreeMap;
+use strahl_core::{Counters, EffectSet, RayKind, Scene, Shape, ShapeKind, Size};
+
+use crate::description::Description;
+
+/// A report on one picture. Field by field as the command line promises it.
+#[derive(Debug, Serialize)]
+pub struct Stats {
+    scene: SceneStats,
+    plan: Vec<Step>,
+    picture: PictureStats,
+    rays: Rays,
+    tests: Tests,
+    accelerator: AcceleratorStats,
+    shadow_cache: ShadowCache,
+    media: Media,
+    /// How long everything took.
+    pub seconds: Seconds,
+    digest: String,
+}
+
+#[derive(Debug, Serialize)]
+struct SceneStats {
+    objects: usize,
+    triangles: usize,
+    lights: usize,
+    effects: Vec<&'static str>,
+}
+
+/// One effect that the scene asks for.
+#[derive(Debug, Serialize)]
+struct Step {
+    effect: &'static str,
+    asked_by: &'static str,
+    line: Option<usize>,
+    simulated: bool,
+}
+
+#[derive(Debug, Serialize)]
+struct PictureStats {
+    width: u32,
+    height: u32,
+}
+
+#[derive(Debug, Serialize)]
+struct Rays {
+    camera: u64,
+    camera_hits: u64,
+    reflected: u64,
+    transmitted: u64,
+    shadow: u64,
+}
+
+#[derive(Debug, Serialize)]
+struct Tests {
+    boxes: u64,
+    shapes: u64,
+    by_shape: BTreeMap<&'static str, u64>,
+    by_ray: BTreeMap<&'static str, TestsByRay>,
+}
+
+#[derive(Debug, Serialize)]
+struct TestsByRay {
+    boxes: u64,
+    shapes: u64,
+    regions: u64,
+}
+
+/// The accelerator's part.
+#[derive(Debug, Serialize)]
+pub struct AcceleratorStats {
+    /// Its name on the command line.
+    pub kind: &'static str,
+    /// The memory it uses.
+    pub bytes: usize,
+    /// Its regions.
+    pub regions: usize,
+    /// Tests that a mailbox has saved.
+    pub mailbox_skips: u64,
+}
+
+#[derive(Debug, Serialize)]
+struct ShadowCache {
+    asked: u64,
+    hits: u64,
+}
+
+#[derive(Debug, Serialize)]
+struct Media {
+    overfull: u64,
+}
+
+/// Wall-clock seconds; `trace_cpu` is the sum over the threads.
+#[derive(Clone, Copy, Debug, Default, Serialize)]
+#[allow(missing_docs)] // each is the step it names
+pub struct Seconds {
+    pub load: f64,
+    pub build: f64,
+    pub trace: f64,
+    pub trace_cpu: f64,
+    pub write: f64,
+}
+
+fn ray_name(kind: RayKind) -> &'static str {
+    match kind {
+        RayKind::Camera => "camera",
+        RayKind::Reflected => "reflected",
+        RayKind::Transmitted => "transmitted",
+        RayKind::Shadow => "shadow",
+    }
+}
+
+/// The effects by the names that the command line has for them.
+fn names(set: &EffectSet) -> Vec<&'static str> {
+    let named =
+        [(set.shadows, "shadows"), (set.reflection, "reflection"), (set.transmission, "transmission")];
+    named.into_iter().filter(|(asked, _)| *asked).map(|(_, name)| name).collect()
+}
+
+/// What asks first for each effect.
+fn plan(description: &Description, asks: &EffectSet) -> Vec<Step> {
+    let of_light = || description.lights.iter().find(|light| light.it.shadows).map(|light| light.line);
+    let of_material = |asks: fn(&strahl_core::Material) -> bool| {
+        let mut used = description.objects.iter().map(|o| usize::from(o.material)).collect::<Vec<_>>();
+        used.sort_unstable();
+        used.dedup();
+        let mut materials = used.into_iter().filter_map(|place| description.materials.get(place));
+        materials.find(|m| asks(&m.it)).map(|m| m.line)
+    };
+    let steps = names(asks).into_iter().map(|effect| {
+        let (asked_by, line) = match effect {
+            "shadows" => ("light", of_light()),
+            "reflection" => ("material", of_material(|m| !m.mirror.is_black())),
+            _ => ("material", of_material(|m| m.is_transmitting())),
+        };
+        Step { effect, asked_by, line, simulated: true }
+    });
+    steps.collect()
+}
+
+impl Stats {
+    /// A report without times.
+    pub fn new(
+        description: &Description,
+        scene: &Scene<'_>,
+        size: Size,
+        counters: &Counters,
+        accelerator: AcceleratorStats,
+        digest: String,
+    ) -> Self {
+        let shapes = scene.parts().geometry.shapes;
+        let is_triangle = |s: &&Shape| matches!(s, Shape::Triangle(_) | Shape::SmoothTriangle(_));
+        let by_ray = |kind| TestsByRay {
+            boxes: counters.boxes(kind),
+            shapes: counters.shapes(kind),
+            regions: counters.regions(kind),
+        };
+        let tested = ShapeKind::ALL.map(|kind| (kind.name(), counters.by_shape(kind)));
+        Stats {
+            scene: SceneStats {
+                objects: shapes.len(),
+                triangles: shapes.iter().filter(is_triangle).count(),
+                lights: scene.parts().lights.len(),
+                effects: names(&scene.effects()),
+            },
+            plan: plan(description, &scene.effects()),
+            picture: PictureStats { width: size.width(), height: size.height() },
+            rays: Rays {
+                camera: counters.rays(RayKind::Camera),
+                camera_hits: counters.camera_hits(),
+                reflected: counters.rays(RayKind::Reflected),
+                transmitted: counters.rays(RayKind::Transmitted),
+                shadow: counters.rays(RayKind::Shadow),
+            },
+            tests: Tests {
+                boxes: RayKind::ALL.map(|kind| counters.boxes(kind)).iter().sum(),
+                shapes: RayKind::ALL.map(|kind| counters.shapes(kind)).iter().sum(),
+                by_shape: tested.into_iter().filter(|(_, count)| *count > 0).collect(),
+                by_ray: RayKind::ALL.map(|kind| (ray_name(kind), by_ray(kind))).into(),
+            },
+            accelerator,
+            shadow_cache: ShadowCache { asked: 0, hits: 0 },
+            media: Media { overfull: counters.media_full() },
+            seconds: Seconds::default(),
+            digest,
+        }
+    }
+
+    /// For programs.
+    pub fn to_json(&self) -> String {
+        let mut json = serde_json::to_string_pretty(self).unwrap_or_default();
+        json.push('\n');
+        json
+    }
+
+    /// For people.
+    pub fn to_text(&self) -> String {
+        let mut text = String::new();
+        let mut line = |what: &str, says: String| {
+            // Writing to a string cannot fail.
+            let _ = writeln!(text, "{what:<14}{says}");
+        };
+        let (scene, rays, tests, seconds) = (&self.scene, &self.rays, &self.tests, &self.seconds);
+        line("picture", format!("{} x {}", self.picture.width, self.picture.height));
+        line(
+            "scene",
+            format!("{} objects ({} triangles), {} lights", scene.objects, scene.triangles, scene.lights),
+        );
+        for step in &self.plan {
+            let place = step.line.map(|line| format!(" in line {line}")).unwrap_or_default();
+            line("effect", format!("{}, asked for by the {}{place}", step.effect, step.asked_by));
+        }
+        line("camera rays", format!("{}, {} of them hit", rays.camera, rays.camera_hits));
+        line("reflected", rays.reflected.to_string());
+        line("transmitted", rays.transmitted.to_string());
+        line("shadow rays", rays.shadow.to_string());
+        line("tests", format!("{} of boxes, {} of shapes", tests.boxes, tests.shapes));
+        for (kind, count) in &tests.by_shape {
+            line("", format!("{count} {kind}"));
+        }
+        let AcceleratorStats { kind, bytes, regions, .. } = &self.accelerator;
+        line("accelerator", format!("{kind}, {regions} regions, {bytes} bytes"));
+        if self.media.overfull > 0 {
+            line("media", format!("{} rays entered a fifth body at once and ignored it", self.media.overfull));
+        }
+        line(
+            "seconds",
+            format!(
+                "load {:.3}, build {:.3}, trace {:.3} ({:.3} on all threads), write {:.3}",
+                seconds.load, seconds.build, seconds.trace, seconds.trace_cpu, seconds.write
+            ),
+        );
+        line("digest", self.digest.clone());
+        text
+    }
+}
