@@ -5,11 +5,11 @@
 //! scene asks for is taken.
 
 use strahl_core::{
-    Accelerator, Camera, Counters, EffectSet, Effects, Everything, Limits, Rgb, Scene, Size, Tracer,
-    TracerError, World,
+    Accelerator, Camera, Counters, EffectSet, Effects, Everything, Limits, Rgb, Scene, Size, Tracer, World,
 };
 
-use crate::signals::{Signals, Stop};
+use crate::frame::NoFrame;
+use crate::signals::Signals;
 use crate::workers::{self, Count, Cut, LEVELS, Sampling};
 
 /// Light and shadow, but no secondary rays.
@@ -42,29 +42,8 @@ pub struct Wanted {
     pub counted: bool,
 }
 
-/// What was traced.
-#[derive(Debug)]
-pub struct Traced {
-    /// Linear colours, row by row.
-    pub colors: Vec<Rgb>,
-    /// The work, where it was counted.
-    pub counters: Option<Counters>,
-}
-
-/// Why nothing was traced.
-#[derive(Debug)]
-pub enum NotTraced {
-    /// The tracer refuses.
-    Tracer(TracerError),
-    /// A signal came.
-    Stopped(Stop),
-}
-
-impl From<TracerError> for NotTraced {
-    fn from(error: TracerError) -> Self {
-        NotTraced::Tracer(error)
-    }
-}
+/// Linear colours, row by row, and the work where it was counted.
+type Traced = (Vec<Rgb>, Option<Counters>);
 
 /// Traces the picture that is wanted.
 pub fn trace<A: Accelerator + Sync>(
@@ -73,7 +52,7 @@ pub fn trace<A: Accelerator + Sync>(
     camera: Camera,
     wanted: &Wanted,
     signals: &Signals,
-) -> Result<Traced, NotTraced> {
+) -> Result<Traced, NoFrame> {
     let asks = scene.effects();
     let world = World::new(scene, accelerator);
     let job = Job { world: &world, camera, wanted, signals };
@@ -94,19 +73,19 @@ struct Job<'j, 's, A> {
 }
 
 impl<A: Accelerator + Sync> Job<'_, '_, A> {
-    fn with<E: Effects + Sync>(&self) -> Result<Traced, NotTraced> {
+    fn with<E: Effects + Sync>(&self) -> Result<Traced, NoFrame> {
         if self.wanted.counted {
             let (colors, counters) = self.run::<E, Counters>()?;
-            Ok(Traced { colors, counters: Some(counters) })
+            Ok((colors, Some(counters)))
         } else {
             let (colors, ()) = self.run::<E, ()>()?;
-            Ok(Traced { colors, counters: None })
+            Ok((colors, None))
         }
     }
 
-    fn run<E: Effects + Sync, T: Count>(&self) -> Result<(Vec<Rgb>, T), NotTraced> {
+    fn run<E: Effects + Sync, T: Count>(&self) -> Result<(Vec<Rgb>, T), NoFrame> {
         let Wanted { size, limits, sampling, cut, .. } = *self.wanted;
-        let tracer = Tracer::<A, E, LEVELS>::new(self.world, self.camera, limits)?;
-        workers::trace(&tracer, sampling, size, cut, self.signals).map_err(NotTraced::Stopped)
+        let tracer = Tracer::<A, E, LEVELS>::new(self.world, self.camera, limits).map_err(NoFrame::Tracer)?;
+        workers::trace(&tracer, sampling, size, cut, self.signals).map_err(NoFrame::Stopped)
     }
 }

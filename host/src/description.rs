@@ -10,7 +10,7 @@ use strahl_core::{Background, Light, Material, Size};
 pub type Triple = [f32; 3];
 
 /// Everything that a scene file says.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct Description {
     /// How it is looked at.
     pub view: View,
@@ -35,7 +35,7 @@ pub struct Description {
 }
 
 /// Something with its line in the scene file, counted from 1.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct Placed<T> {
     /// The thing.
     pub it: T,
@@ -44,7 +44,7 @@ pub struct Placed<T> {
 }
 
 /// How the scene is looked at.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub struct View {
     /// The eye.
     pub from: Triple,
@@ -57,7 +57,7 @@ pub struct View {
 }
 
 /// One object.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Object {
     /// Its shape.
     pub form: Form,
@@ -66,7 +66,7 @@ pub struct Object {
 }
 
 /// The shape of an object.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Form {
     /// A sphere.
     Sphere {

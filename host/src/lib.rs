@@ -8,6 +8,7 @@
 //! | [`load`] | scene files to a [`description`] |
 //! | [`description`] | a scene in neutral numbers |
 //! | [`stock`] | the owned tables of a scene, for either precision |
+//! | [`frame`] | from a description to a picture |
 //! | [`choose`] | values become types, once, around the whole render |
 //! | [`workers`] | tiles and threads |
 //! | [`picture`] | linear pictures, their digest, and files of them |
@@ -20,6 +21,7 @@ pub mod args;
 pub mod choose;
 pub mod description;
 pub mod failure;
+pub mod frame;
 pub mod load;
 pub mod output;
 pub mod picture;

@@ -70,7 +70,8 @@ impl Output {
                 written.map_err(|error| Failure::Unwritable { path: None, error })
             }
             Output::Device(name) => {
-                let written = fs::OpenOptions::new().write(true).open(&name).and_then(|mut file| file.write_all(bytes));
+                let written =
+                    fs::OpenOptions::new().write(true).open(&name).and_then(|mut file| file.write_all(bytes));
                 written.map_err(|error| Failure::Unwritable { path: Some(name), error })
             }
             Output::File { name, place, mut beside } => {

@@ -24,7 +24,8 @@ impl Picture {
     pub fn digest(&self) -> blake3::Hash {
         let mut hasher = blake3::Hasher::new();
         for row in self.colors.chunks(self.size.width() as usize) {
-            let bytes: Vec<u8> = row.iter().flat_map(|c| [c.r, c.g, c.b]).flat_map(f32::to_le_bytes).collect();
+            let bytes: Vec<u8> =
+                row.iter().flat_map(|c| [c.r, c.g, c.b]).flat_map(f32::to_le_bytes).collect();
             hasher.update(&bytes);
         }
         hasher.finalize()

@@ -4,9 +4,10 @@ use std::fmt::Write as _;
 
 use serde::Serialize;
 use std::collections::BTreeMap;
-use strahl_core::{Counters, EffectSet, RayKind, Scene, Shape, ShapeKind, Size};
+use strahl_core::{Counters, EffectSet, RayKind, ShapeKind};
 
 use crate::description::Description;
+use crate::frame::Frame;
 
 /// A report on one picture. Field by field as the command line promises it.
 #[derive(Debug, Serialize)]
@@ -71,17 +72,12 @@ struct TestsByRay {
     regions: u64,
 }
 
-/// The accelerator's part.
 #[derive(Debug, Serialize)]
-pub struct AcceleratorStats {
-    /// Its name on the command line.
-    pub kind: &'static str,
-    /// The memory it uses.
-    pub bytes: usize,
-    /// Its regions.
-    pub regions: usize,
-    /// Tests that a mailbox has saved.
-    pub mailbox_skips: u64,
+struct AcceleratorStats {
+    kind: &'static str,
+    bytes: usize,
+    regions: usize,
+    mailbox_skips: u64,
 }
 
 #[derive(Debug, Serialize)]
@@ -144,17 +140,9 @@ fn plan(description: &Description, asks: &EffectSet) -> Vec<Step> {
 }
 
 impl Stats {
-    /// A report without times.
-    pub fn new(
-        description: &Description,
-        scene: &Scene<'_>,
-        size: Size,
-        counters: &Counters,
-        accelerator: AcceleratorStats,
-        digest: String,
-    ) -> Self {
-        let shapes = scene.parts().geometry.shapes;
-        let is_triangle = |s: &&Shape| matches!(s, Shape::Triangle(_) | Shape::SmoothTriangle(_));
+    /// The report on a frame whose work was counted as `counters`.
+    pub fn new(description: &Description, frame: &Frame, counters: &Counters) -> Self {
+        let (facts, accelerator) = (&frame.facts, &frame.accelerator);
         let by_ray = |kind| TestsByRay {
             boxes: counters.boxes(kind),
             shapes: counters.shapes(kind),
@@ -163,13 +151,13 @@ impl Stats {
         let tested = ShapeKind::ALL.map(|kind| (kind.name(), counters.by_shape(kind)));
         Stats {
             scene: SceneStats {
-                objects: shapes.len(),
-                triangles: shapes.iter().filter(is_triangle).count(),
-                lights: scene.parts().lights.len(),
-                effects: names(&scene.effects()),
+                objects: facts.objects,
+                triangles: facts.triangles,
+                lights: facts.lights,
+                effects: names(&facts.asks),
             },
-            plan: plan(description, &scene.effects()),
-            picture: PictureStats { width: size.width(), height: size.height() },
+            plan: plan(description, &facts.asks),
+            picture: PictureStats { width: frame.picture.size.width(), height: frame.picture.size.height() },
             rays: Rays {
                 camera: counters.rays(RayKind::Camera),
                 camera_hits: counters.camera_hits(),
@@ -183,11 +171,21 @@ impl Stats {
                 by_shape: tested.into_iter().filter(|(_, count)| *count > 0).collect(),
                 by_ray: RayKind::ALL.map(|kind| (ray_name(kind), by_ray(kind))).into(),
             },
-            accelerator,
+            accelerator: AcceleratorStats {
+                kind: accelerator.kind,
+                bytes: accelerator.bytes,
+                regions: accelerator.regions,
+                mailbox_skips: 0,
+            },
             shadow_cache: ShadowCache { asked: 0, hits: 0 },
             media: Media { overfull: counters.media_full() },
-            seconds: Seconds::default(),
-            digest,
+            seconds: Seconds {
+                build: frame.build.as_secs_f64(),
+                trace: frame.trace.as_secs_f64(),
+                trace_cpu: frame.trace_cpu.as_secs_f64(),
+                ..Seconds::default()
+            },
+            digest: frame.picture.digest().to_hex().to_string(),
         }
     }
 
@@ -226,7 +224,10 @@ impl Stats {
         let AcceleratorStats { kind, bytes, regions, .. } = &self.accelerator;
         line("accelerator", format!("{kind}, {regions} regions, {bytes} bytes"));
         if self.media.overfull > 0 {
-            line("media", format!("{} rays entered a fifth body at once and ignored it", self.media.overfull));
+            line(
+                "media",
+                format!("{} rays entered a fifth body at once and ignored it", self.media.overfull),
+            );
         }
         line(
             "seconds",

@@ -105,8 +105,7 @@ impl Material {
         if self.is_transmitting() && !(self.index >= 0.01 && self.index <= 100.0) {
             return Err(MaterialFault::Index);
         }
-        // The smallest normal number: what is below would make an infinite quotient.
-        let clarity = |c: Real| c >= 1e-30;
+        let clarity = |c: Real| c > 0.0;
         if !(clarity(self.clarity.r) && clarity(self.clarity.g) && clarity(self.clarity.b)) {
             return Err(MaterialFault::Clarity);
         }

@@ -14,9 +14,7 @@
 use std::collections::HashMap;
 use std::path::Path;
 
-use strahl_core::{
-    Background, Camera, FARTHEST, Falloff, Light, Material, Polygon, Rgb, Size, Source, vec3,
-};
+use strahl_core::{Background, Camera, FARTHEST, Falloff, Light, Material, Polygon, Rgb, Size, Source, vec3};
 
 use crate::description::{Description, Form, Object, Placed, Triple, View};
 use crate::failure::Failure;
@@ -208,7 +206,8 @@ impl<'t> Reader<'t> {
         }
         while let Some(word) = self.words.take() {
             if !word.begins_line {
-                return word.wrong(format!("{} does not belong here: a new entity begins a line", word.shown()));
+                return word
+                    .wrong(format!("{} does not belong here: a new entity begins a line", word.shown()));
             }
             match word.text {
                 "v" => self.view(word)?,
@@ -405,7 +404,10 @@ impl<'t> Reader<'t> {
 
     fn finish(self) -> Read<Description> {
         let Some(Placed { it: (view, size), .. }) = self.view else {
-            return Err(Wrong { line: self.words.lines, reason: "the file ends without a viewpoint (`v`)".into() });
+            return Err(Wrong {
+                line: self.words.lines,
+                reason: "the file ends without a viewpoint (`v`)".into(),
+            });
         };
         // The rule of the procedural databases.
         let n = self.lamps.len().max(1) as f32;
@@ -419,7 +421,8 @@ impl<'t> Reader<'t> {
         let mut warnings = Vec::new();
         if self.flat.0 > 0 {
             let (count, line) = self.flat;
-            warnings.push(format!("{count} polygons have no area and are never hit (the first in line {line})"));
+            warnings
+                .push(format!("{count} polygons have no area and are never hit (the first in line {line})"));
         }
         Ok(Description {
             view,

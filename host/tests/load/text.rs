@@ -1,0 +1,74 @@
+//! Texts become files, and files descriptions.
+
+use std::io::Write;
+
+use strahl::description::Description;
+use strahl::failure::Failure;
+use tempfile::NamedTempFile;
+
+/// A viewpoint in one line, so that what follows begins in line 2.
+pub const VIEW: &str = "v from 0 0 9 at 0 0 0 up 0 1 0 angle 30 hither 1 resolution 4 3\n";
+
+/// Every entity, in every form that it has.
+pub const ALL: &str = "\
+# a scene with everything
+b 0.125 0.25 0.5
+v
+from 0 -8 1
+at 0 0 0.5
+up 0 0 1
+angle 40
+hither 1
+resolution 40 30
+l 4 -3 2   # without a colour
+l -4 -3 2 1 0.5 0.25
+f 1 0.75 0.5 0.5 0.25 8 0 0
+s 0 0 0 1
+c
+0 0 1 0.5
+0 0 2 0
+p 3
+-1 0 0
+1 0 0
+0 0 1
+p 5
+0 0 0
+4 0 0
+4 4 0
+2 1 0
+0 4 0
+f 1 1 1 0 0 100000 0.5 1.5
+pp 3
+-1 0 0 0 -1 0
+1 0 0 1 -1 0
+0 0 1 0 -1 1
+pp 4
+0 0 0 0 0 1
+1 0 0 0 0 1
+1 1 0 0 1 1
+0 1 0 0 1 1
+";
+
+/// A file of these bytes, gone with the value.
+pub fn file_of(bytes: &[u8]) -> NamedTempFile {
+    let mut file = tempfile::Builder::new().suffix(".nff").tempfile().unwrap();
+    file.write_all(bytes).unwrap();
+    file
+}
+
+/// What a file of this text describes.
+pub fn loaded(text: &str) -> Description {
+    strahl::load::load(file_of(text.as_bytes()).path()).unwrap_or_else(|failure| panic!("{failure}\n{text}"))
+}
+
+/// The line and the reason that a file of these bytes is refused with.
+pub fn refused(bytes: &[u8]) -> (usize, String) {
+    let file = file_of(bytes);
+    let text = String::from_utf8_lossy(bytes);
+    let failure = strahl::load::load(file.path()).expect_err(&text);
+    assert_eq!(failure.status(), 65, "{failure}\n{text}");
+    match failure {
+        Failure::Input { path, line: Some(line), reason } if path == file.path() => (line, reason),
+        other => panic!("{other:?}\n{text}"),
+    }
+}

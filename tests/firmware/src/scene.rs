@@ -1,0 +1,195 @@
+//! The golden scene: small, but most of what the tracer can do is in it.
+//!
+//! Constants only, which a device keeps in flash. Firmware and host compile this same file, so
+//! that both trace the same numbers.
+
+// Who includes this file may use a part of it.
+#![allow(dead_code)]
+
+use strahl_core::{
+    Background, Cone, EffectSet, Effects, Falloff, Geometry, Interface, ItemId, Light, LightKind, LightSet,
+    Limits, Material, MaterialId, Parts, Plane, Polygon, Projection, Rgb, Shape, ShapeKind, ShapeSet, Size,
+    Source, Sphere, Texture, TextureKind, TextureSet, Torus, Vec3, View, vec3,
+};
+
+/// How large the picture is.
+pub const SIZE: Size = Size::new(64, 48).unwrap();
+
+/// How the scene is looked at.
+pub const VIEW: View = View {
+    from: vec3(0.6, 2.4, 7.5),
+    at: vec3(0.15, 0.95, 0.0),
+    up: vec3(0.0, 1.0, 0.0),
+    projection: Projection::Perspective { angle: 0.6 },
+};
+
+/// Levels of rays: glass takes two of them, and a mirror seen through it a third.
+pub const LEVELS: usize = 6;
+
+/// Which picture is wanted.
+pub const LIMITS: Limits = Limits { levels: LEVELS as u8, cutoff: 1.0 / 512.0 };
+
+/// Exactly what the scene asks for.
+#[derive(Clone, Copy, Debug)]
+pub struct Golden;
+
+impl Effects for Golden {
+    const SET: EffectSet = EffectSet {
+        shapes: ShapeSet::of(&[
+            ShapeKind::Plane,
+            ShapeKind::Sphere,
+            ShapeKind::SmoothTriangle,
+            ShapeKind::Polygon,
+            ShapeKind::Cone,
+            ShapeKind::Torus,
+        ]),
+        smooth: true,
+        lights: LightSet::of(&[LightKind::Point, LightKind::Spot]),
+        textures: TextureSet::of(&[TextureKind::Checker]),
+        highlight: true,
+        shadows: true,
+        reflection: true,
+        transmission: true,
+        absorption: true,
+    };
+}
+
+/// The scene, not yet checked.
+pub fn parts() -> Parts<'static> {
+    Parts {
+        geometry: Geometry {
+            shapes: &SHAPES,
+            points: &POINTS,
+            normals: &NORMALS,
+            planes: &[FLOOR],
+            polygons: &[DART],
+            cones: &[CONE],
+            tori: &[RING],
+            ..Geometry::EMPTY
+        },
+        made_of: &MADE_OF,
+        materials: &MATERIALS,
+        textures: &[TILES],
+        lights: &LIGHTS,
+        ambient: Rgb::gray(0.25),
+        background: SKY,
+    }
+}
+
+/// How many items there are.
+pub const ITEMS: usize = 7;
+
+static SHAPES: [Shape; ITEMS] = [
+    Shape::Plane(0),
+    Shape::Sphere(Sphere { center: vec3(-0.95, 0.9, 1.5), radius: 0.9 }),
+    Shape::Sphere(Sphere { center: vec3(0.75, 1.15, -0.9), radius: 1.15 }),
+    Shape::SmoothTriangle([0, 1, 2]),
+    Shape::Polygon(0),
+    Shape::Cone(0),
+    Shape::Torus(0),
+];
+
+/// The item of the same number is made of it.
+static MATERIALS: [Material; ITEMS] = [
+    // The floor.
+    Material { texture: Some(0), diffuse: Rgb::gray(0.8), ..Material::MATTE },
+    // Green glass.
+    Material {
+        ambient: Rgb::BLACK,
+        diffuse: Rgb::BLACK,
+        highlight: Rgb::gray(0.7),
+        exponent: 120.0,
+        transmitted: Rgb::WHITE,
+        index: 1.5,
+        interface: Interface::Fresnel,
+        clarity: Rgb::new(4.0, 20.0, 9.0),
+        ..Material::MATTE
+    },
+    // A mirror.
+    Material {
+        highlight: Rgb::gray(0.8),
+        exponent: 200.0,
+        mirror: Rgb::new(0.85, 0.87, 0.9),
+        ..paint(0.05, 0.05, 0.06)
+    },
+    // A sail.
+    paint(0.85, 0.25, 0.18),
+    // A dart.
+    paint(0.1, 0.5, 0.55),
+    // A cone.
+    Material { highlight: Rgb::gray(0.3), exponent: 20.0, ..paint(0.9, 0.6, 0.1) },
+    // A ring.
+    Material { highlight: Rgb::gray(0.6), exponent: 50.0, ..paint(0.45, 0.2, 0.65) },
+];
+
+static MADE_OF: [MaterialId; ITEMS] =
+    [MaterialId(0), MaterialId(1), MaterialId(2), MaterialId(3), MaterialId(4), MaterialId(5), MaterialId(6)];
+
+const fn paint(r: f32, g: f32, b: f32) -> Material {
+    let color = Rgb::new(r, g, b);
+    Material { ambient: color, diffuse: color, ..Material::MATTE }
+}
+
+const FLOOR: Plane = Plane { point: Vec3::ZERO, normal: Vec3::Y, item: ItemId(0) };
+
+/// Corners of the sail, then of the dart.
+static POINTS: [Vec3; 7] = [
+    vec3(-3.1, 0.0, -1.6),
+    vec3(-1.2, 0.0, -2.2),
+    vec3(-2.0, 2.3, -2.4),
+    vec3(2.2, 0.5, -1.5),
+    vec3(2.9, 0.9, -1.5),
+    vec3(3.6, 0.5, -1.5),
+    vec3(2.9, 2.1, -1.5),
+];
+
+/// The sail is blown towards the eye.
+static NORMALS: [Vec3; 3] = [vec3(-0.6, 0.0, 0.8), vec3(0.6, 0.0, 0.8), vec3(0.0, 0.6, 0.8)];
+
+/// Concave, in the plane z = -1.5: the middle of its corners and the axis upright on it.
+const DART: Polygon =
+    Polygon { first: 3, count: 4, point: vec3(2.9, 1.0, -1.5), normal: Vec3::Z, smooth: false };
+
+const CONE: Cone = Cone {
+    base: vec3(2.05, 0.0, 1.1),
+    axis: Vec3::Y,
+    height: 1.1,
+    base_radius: 0.55,
+    end_radius: 0.12,
+    capped: true,
+};
+
+/// Leans back and touches the floor.
+const RING: Torus =
+    Torus { center: vec3(0.55, 0.42, 2.3), axis: vec3(0.0, 0.8, 0.6), major: 0.45, minor: 0.15 };
+
+/// One cell without end upwards, so that rounding never chooses between two.
+const TILES: Texture = Texture::Checker {
+    even: Rgb::new(0.9, 0.87, 0.8),
+    odd: Rgb::new(0.28, 0.3, 0.36),
+    origin: Vec3::ZERO,
+    frequency: vec3(0.6, 0.0, 0.6),
+};
+
+static LIGHTS: [Light; 2] = [
+    Light {
+        source: Source::Point { position: vec3(4.0, 6.0, 5.0), falloff: Falloff::NONE },
+        color: Rgb::new(0.5, 0.48, 0.45),
+        shadows: true,
+    },
+    Light {
+        source: Source::Spot {
+            position: vec3(-2.0, 6.5, 3.0),
+            // (2, -6, -3) / 7
+            direction: vec3(0.285_714_3, -0.857_142_9, -0.428_571_4),
+            cos_bright: 0.95,
+            cos_dark: 0.88,
+            falloff: Falloff { constant: 0.5, linear: 0.0, quadratic: 0.01 },
+        },
+        color: Rgb::new(0.65, 0.68, 0.75),
+        shadows: true,
+    },
+];
+
+const SKY: Background =
+    Background::Gradient { up: Vec3::Y, below: Rgb::new(0.85, 0.75, 0.65), above: Rgb::new(0.12, 0.3, 0.75) };

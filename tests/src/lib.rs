@@ -1,0 +1,21 @@
+//! What the tests of strahl share.
+//!
+//! * [`Random`]: numbers from a fixed seed, which single precision holds exactly.
+//! * [`Thing`], [`Line`]: shapes and rays in numbers that both cores hold exactly.
+//! * [`single::Stage`], [`double::Stage`]: a scene with tables of its own, for either core; and
+//!   [`Core`], what both can be asked.
+//! * [`oracle`]: where a ray meets a thing, in `f64`, by other ways than the core's.
+//! * [`picture`], [`assert_picture`]: pictures as text.
+
+mod core;
+pub mod double;
+pub mod oracle;
+mod picture;
+mod random;
+pub mod single;
+mod thing;
+
+pub use crate::core::{Core, Found};
+pub use picture::{assert_picture, picture};
+pub use random::{Random, rounded};
+pub use thing::{Kind, Line, Thing, Vector, vector};

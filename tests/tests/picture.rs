@@ -1,0 +1,140 @@
+//! Golden pictures: the scenes of this project, rendered small, must stay as they are, bit for
+//! bit.
+//!
+//! For each picture `tests/golden/` has the PNG, and `tests/golden/digests` the BLAKE3 of its
+//! linear floats. Where a change of a picture is meant, accept it with
+//!
+//! ```text
+//! STRAHL_ACCEPT=1 cargo test -p strahl-tests --test picture
+//! ```
+//!
+//! and look at what git shows. When a picture is not the golden one, the new picture and the
+//! difference (brighter is more different) are written to `target/golden/`, and the failure
+//! names them.
+
+use std::collections::BTreeMap;
+use std::fs;
+use std::path::{Path, PathBuf};
+
+use strahl::choose::Wanted;
+use strahl::picture::{Format, Picture};
+use strahl::signals::Signals;
+use strahl::workers::{Cut, Sampling};
+use strahl_core::{
+    Camera, Effects, Everything, Frame, Limits, List, Rgb, Scene, Single, Size, Tile, Tracer, Worker, World,
+    render,
+};
+
+#[path = "../firmware/src/scene.rs"]
+mod constants;
+
+#[test]
+fn the_rotunda_looks_as_it_did() {
+    golden("rotunda", &scene_file("rotunda", 160, 100, 5, Sampling::Single));
+}
+
+#[test]
+fn the_rotunda_without_secondary_rays_looks_as_it_did() {
+    golden("rotunda-level-1", &scene_file("rotunda", 96, 60, 1, Sampling::Corners));
+}
+
+#[test]
+fn the_classic_looks_as_it_did() {
+    golden("classic", &scene_file("classic", 120, 90, 8, Sampling::Regular(2)));
+}
+
+#[test]
+fn the_scene_of_the_firmware_looks_as_it_did() {
+    let picture = constants::<constants::Golden>();
+    golden("firmware", &picture);
+    assert_eq!(constants::<Everything>(), picture, "the smallest tracer and the one that can do everything");
+}
+
+/// Renders a scene of the folder `scenes`.
+fn scene_file(name: &str, width: u32, height: u32, levels: u8, sampling: Sampling) -> Picture {
+    let path = root().join("scenes").join(name).with_extension("nff");
+    let description = strahl::load::load(&path).unwrap();
+    let wanted = Wanted {
+        size: Size::new(width, height).unwrap(),
+        limits: Limits { levels, ..Limits::DEFAULT },
+        sampling,
+        cut: Cut::threads(0),
+        counted: false,
+    };
+    strahl::frame::trace(&description, &wanted, &Signals::default()).unwrap().picture
+}
+
+/// Renders the scene that the firmware has as constants.
+fn constants<E: Effects>() -> Picture {
+    let size = constants::SIZE;
+    let world = World::new(Scene::new(constants::parts()).unwrap(), List::bare(constants::ITEMS as u32));
+    let camera = Camera::new(&constants::VIEW, size).unwrap();
+    let tracer = Tracer::<_, E, { constants::LEVELS }>::new(&world, camera, constants::LIMITS).unwrap();
+    let tile = Tile::whole(size);
+    let mut colors = vec![Rgb::BLACK; tile.len()];
+    let mut frame = Frame::new(tile, &mut colors).unwrap();
+    let Ok(()) = render(&tracer, &mut Single, &mut Worker::new(()), tile.pixels(), &mut frame);
+    Picture { size, colors }
+}
+
+fn root() -> PathBuf {
+    Path::new(env!("CARGO_MANIFEST_DIR")).parent().unwrap().to_owned()
+}
+
+/// Holds a picture against the golden one, or makes it the golden one.
+fn golden(name: &str, picture: &Picture) {
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("golden");
+    let png = folder.join(name).with_extension("png");
+    let digest = picture.digest().to_hex().to_string();
+    if std::env::var_os("STRAHL_ACCEPT").is_some() {
+        fs::create_dir_all(&folder).unwrap();
+        fs::write(&png, Format::Png.encode(picture).unwrap()).unwrap();
+        accept(&folder.join("digests"), name, &digest);
+        return;
+    }
+
+    let golden = image::open(&png).unwrap_or_else(|error| panic!("{}: {error}", png.display())).to_rgb8();
+    let digests = digests(&folder.join("digests"));
+    let pixels = picture.to_srgb8();
+    let same_pixels = golden.as_raw() == &pixels;
+    if digests.get(name) == Some(&digest) && same_pixels {
+        return;
+    }
+    let seen = root().join("target/golden");
+    fs::create_dir_all(&seen).unwrap();
+    let new = seen.join(format!("{name}-new.png"));
+    fs::write(&new, Format::Png.encode(picture).unwrap()).unwrap();
+    let mut message = format!(
+        "{name} is not the golden picture\n  digest of the linear floats: {digest}\n  golden: {:?}\n  8-bit pixels: {}\n  new: {}",
+        digests.get(name),
+        if same_pixels { "equal" } else { "different" },
+        new.display(),
+    );
+    if golden.dimensions() == (picture.size.width(), picture.size.height()) && !same_pixels {
+        let difference = seen.join(format!("{name}-difference.png"));
+        // A difference of one step must be seen.
+        let bytes = golden.as_raw().iter().zip(&pixels).map(|(a, b)| match a.abs_diff(*b) {
+            0 => 0,
+            steps => steps.saturating_mul(8).saturating_add(63),
+        });
+        let (w, h) = golden.dimensions();
+        image::RgbImage::from_raw(w, h, bytes.collect()).unwrap().save(&difference).unwrap();
+        message += &format!("\n  difference: {}", difference.display());
+    }
+    panic!("{message}");
+}
+
+fn digests(path: &Path) -> BTreeMap<String, String> {
+    let text = fs::read_to_string(path).unwrap_or_default();
+    text.lines().filter_map(|line| line.split_once(' ')).map(|(n, d)| (n.into(), d.into())).collect()
+}
+
+/// Puts one digest into the list. Tests run side by side, so one at a time.
+fn accept(path: &Path, name: &str, digest: &str) {
+    static ONE: std::sync::Mutex<()> = std::sync::Mutex::new(());
+    let _one = ONE.lock().unwrap();
+    let mut all = digests(path);
+    all.insert(name.into(), digest.into());
+    let text: String = all.iter().map(|(name, digest)| format!("{name} {digest}\n")).collect();
+    fs::write(path, text).unwrap();
+}
