@@ -19,7 +19,7 @@ use crate::trace::{Tracer, Worker};
 /// let scene = Scene::new(Parts {
 ///     geometry: Geometry { shapes: &shapes, ..Geometry::EMPTY },
 ///     made_of: &[MaterialId(0)],
-///     materials: &[Material { ambient: Rgb::gray(1.0), ..Material::MATTE }],
+///     materials: &[Material::MATTE],
 ///     ambient: Rgb::gray(0.5),
 ///     ..Parts::EMPTY
 /// })?;

@@ -17,6 +17,12 @@ pub const fn groups_of(items: usize) -> usize {
     items.div_ceil(GROUP)
 }
 
+/// The boxes of one group after the other; nothing, perhaps, at the end.
+fn in_groups(boxes: &[Aabb]) -> impl Iterator<Item = &[Aabb]> {
+    let (full, rest) = boxes.as_chunks::<GROUP>();
+    full.iter().map(|group| group.as_slice()).chain([rest])
+}
+
 /// All items in the order of their numbers.
 #[derive(Clone, Copy, Debug)]
 pub struct List<'s> {
@@ -43,7 +49,7 @@ impl<'s> List<'s> {
         let items = u32::try_from(boxes.len())
             .map_err(|_| too_small(Storage::Boxes, boxes.len(), u32::MAX as usize))?;
         let groups = groups.get_mut(..needed).ok_or(too_small(Storage::Groups, needed, lent))?;
-        for (group, content) in groups.iter_mut().zip(boxes.chunks(GROUP)) {
+        for (group, content) in groups.iter_mut().zip(in_groups(boxes)) {
             *group = content.iter().fold(Aabb::EMPTY, |all, item| all.union(*item));
         }
         Ok(List { items, boxes, groups })
@@ -75,7 +81,7 @@ impl List<'_> {
         // Strictly beyond: an item at the same distance may have the lower number, and must win.
         let meets = |aabb: &Aabb, query: &Q| aabb.span(ray).is_some_and(|span| span.entry <= query.reach());
         query.boxes(self.groups.len() as u32);
-        for ((group, boxes), number) in self.groups.iter().zip(self.boxes.chunks(GROUP)).zip(0..) {
+        for ((group, boxes), number) in self.groups.iter().zip(in_groups(self.boxes)).zip(0..) {
             if !meets(group, query) {
                 continue;
             }

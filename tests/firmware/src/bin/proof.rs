@@ -1,0 +1,468 @@
+//! The proof that nothing in the core can panic: it links only without a way to a panic.
+//!
+//! The panic handler calls a function that nobody defines. Where the optimiser could not remove
+//! every path to it, the linker asks for `a_panic_is_reachable`. What is not called is not
+//! proven, so every public door of the core is opened here, with numbers of which the optimiser
+//! knows nothing. To be linked, never to be run.
+//!
+//! When it does not link: let the handler loop, link, and look in `objdump -d -C` for who calls
+//! `core::panicking`.
+
+#![no_std]
+#![no_main]
+
+use core::fmt::{self, Debug, Write};
+use core::hint::black_box;
+use core::ops::ControlFlow;
+
+use cortex_m_rt::entry;
+use strahl_core::*;
+
+unsafe extern "C" {
+    fn a_panic_is_reachable() -> !;
+}
+
+#[panic_handler]
+fn panic(_: &core::panic::PanicInfo) -> ! {
+    // SAFETY: it is never called, for it does not exist.
+    unsafe { a_panic_is_reachable() }
+}
+
+#[entry]
+fn main() -> ! {
+    loop {
+        ground();
+        sets();
+        shapes();
+        geometry();
+        finding();
+        scene();
+        camera();
+        light();
+        counters();
+        pictures();
+        errors();
+        #[cfg(feature = "canary")]
+        canary();
+    }
+}
+
+/// Something in place of the example, of which the optimiser knows no more than the type.
+fn any<T>(example: T) -> T {
+    black_box(example)
+}
+
+/// Takes a result, so that what leads to it is not left out.
+fn used<T>(result: T) {
+    black_box(result);
+}
+
+/// A slice of any length, any place and any content.
+fn slice<T>(example: &[T]) -> &[T] {
+    any(example)
+}
+
+fn number() -> Real {
+    any(1.0)
+}
+
+fn vector() -> Vec3 {
+    any(Vec3::X)
+}
+
+fn color() -> Rgb {
+    any(Rgb::WHITE)
+}
+
+fn item() -> ItemId {
+    any(ItemId(0))
+}
+
+fn ray() -> Ray {
+    Ray::new(vector(), vector())
+}
+
+/// The panic that shows that the proof can fail.
+#[cfg(feature = "canary")]
+fn canary() {
+    used(slice(&[1, 2, 3])[any(0)]);
+}
+
+fn ground() {
+    used((vec3(number(), number(), number()), unit(vector()), gamma(any(3))));
+    used((FARTHEST, PI, ROUNDOFF, Rgb::BLACK, Rgb::BRIGHTEST));
+
+    let c = Rgb::new(number(), number(), number());
+    used((c.largest(), c.is_black(), c.is_within(number()), c.at_most(number())));
+    used((c.toward(Rgb::gray(number()), number()), c.map(any), c.to_srgb8(), Rgb::default()));
+    let mut sum = c + color();
+    sum += c * color();
+    sum *= c * number();
+    used(sum);
+}
+
+fn sets() {
+    // Each set is made by the same macro, for an enum of its own.
+    macro_rules! set {
+        ($Set:ident of $Kind:ident) => {{
+            let set = $Set::of(slice(&$Kind::ALL)).with(any($Kind::ALL[0])).union(any($Set::NONE));
+            used((set.has(any($Kind::ALL[0])), set.contains(any($Set::ALL))));
+            set.iter().for_each(used);
+            debugged(&set);
+            set
+        }};
+    }
+    let mut set = any(EffectSet::NONE);
+    set.shapes = set!(ShapeSet of ShapeKind);
+    set.lights = set!(LightSet of LightKind);
+    set.textures = set!(TextureSet of TextureKind);
+    used(set.contains(&any(EffectSet::ALL)));
+    RayKind::ALL.into_iter().for_each(used);
+    used(any(ShapeKind::Sphere).name());
+}
+
+fn shapes() {
+    used(Cone::new(vector(), number(), vector(), number(), any(true)));
+    used(TurnedCuboid::new(vector(), vector(), vector(), vector()));
+    used(Polygon::new(any(0), slice(&[Vec3::X]), any(true)));
+    used(any(SHAPES[0]).kind());
+
+    let aabb = Aabb::around(slice(&[Vec3::X]).iter().copied()).union(Aabb::round(vector(), vector()));
+    let span: Option<Span> = aabb.span(&ray());
+    used((span, aabb.is_empty(), any(Aabb::EMPTY)));
+
+    used((ray().at(number()), leave(vector(), vector(), vector())));
+}
+
+/// One of each.
+static SHAPES: [Shape; 10] = [
+    Shape::Sphere(Sphere { center: Vec3::ZERO, radius: 1.0 }),
+    Shape::Triangle([0, 1, 2]),
+    Shape::SmoothTriangle([0, 1, 2]),
+    Shape::Plane(0),
+    Shape::Disc(0),
+    Shape::Polygon(0),
+    Shape::Cuboid(0),
+    Shape::TurnedCuboid(0),
+    Shape::Cone(0),
+    Shape::Torus(0),
+];
+
+/// Shapes and tables of any length with anything in them, whether they fit together or not.
+fn any_geometry() -> Geometry<'static> {
+    const CONE: Cone = Cone {
+        base: Vec3::ZERO,
+        axis: Vec3::Y,
+        height: 1.0,
+        base_radius: 1.0,
+        end_radius: 0.0,
+        capped: true,
+    };
+    Geometry {
+        shapes: slice(&SHAPES),
+        points: slice(&[Vec3::ZERO]),
+        normals: slice(&[Vec3::Y]),
+        planes: slice(&[Plane { point: Vec3::ZERO, normal: Vec3::Y, item: ItemId(3) }]),
+        discs: slice(&[Disc { center: Vec3::ZERO, normal: Vec3::Y, radius: 1.0 }]),
+        polygons: slice(&[Polygon { first: 0, count: 3, point: Vec3::ZERO, normal: Vec3::Y, smooth: true }]),
+        cuboids: slice(&[Cuboid { min: Vec3::ZERO, max: Vec3::ONE }]),
+        turned_cuboids: slice(&[TurnedCuboid {
+            center: Vec3::ZERO,
+            half: Vec3::ONE,
+            axes: [Vec3::X, Vec3::Y, Vec3::Z],
+        }]),
+        cones: slice(&[CONE]),
+        tori: slice(&[Torus { center: Vec3::ZERO, axis: Vec3::Y, major: 1.0, minor: 0.5 }]),
+    }
+}
+
+fn geometry() {
+    /// Somebody who has shapes, but is no tracer.
+    struct Bare;
+    impl Shapes for Bare {
+        const SHAPES: ShapeSet = ShapeSet::ALL;
+        const SMOOTH: bool = false;
+    }
+    fn met<S: Shapes>(geometry: &Geometry<'_>) {
+        used(geometry.distance::<S>(any(SHAPES[0]), &ray()));
+        let surface: Option<Surface> = geometry.surface::<S>(any(SHAPES[0]), &ray(), number());
+        used(surface);
+    }
+    let geometry = any_geometry();
+    used((geometry.check(), geometry.shape(item()), geometry.bounds(item())));
+    geometry.all_bounds().for_each(used);
+    met::<Bare>(&geometry);
+    met::<Everything>(&geometry);
+}
+
+/// Offers what it likes, as often as it likes.
+struct Stranger;
+
+impl Accelerator for Stranger {
+    type Scratch = u32;
+
+    fn walk<Q: Query>(&self, ray: &Ray, scratch: &mut u32, query: &mut Q) {
+        used((ray, any(scratch)));
+        while any(true) {
+            query.enter();
+            query.boxes(any(1));
+            used(query.reach());
+            if query.test(item()).is_break() {
+                return;
+            }
+        }
+    }
+}
+
+/// Looks for nobody knows what.
+struct Anybody;
+
+impl Query for Anybody {
+    fn reach(&self) -> Real {
+        number()
+    }
+
+    fn test(&mut self, item: ItemId) -> ControlFlow<()> {
+        used(item);
+        any(ControlFlow::Continue(()))
+    }
+
+    fn boxes(&mut self, count: u32) {
+        used(count);
+    }
+
+    fn enter(&mut self) {}
+}
+
+/// Lists of any length, in lent memory of any length.
+fn lists(lent: &mut [Aabb]) -> [List<'_>; 2] {
+    let bare = List::bare(any(1));
+    [bare, List::boxed(slice(&[Aabb::EMPTY]), any(lent)).unwrap_or(bare)]
+}
+
+fn finding() {
+    used(groups_of(any(1)));
+    for list in lists(&mut [Aabb::EMPTY]) {
+        used(list.bytes());
+        list.walk(&ray(), &mut (), &mut Anybody);
+    }
+}
+
+static MATERIALS: [Material; 1] = [Material::MATTE];
+
+/// Parts with anything in them, whether they fit together or not.
+fn any_parts() -> Parts<'static> {
+    const CHECKER: Texture =
+        Texture::Checker { even: Rgb::WHITE, odd: Rgb::BLACK, origin: Vec3::ZERO, frequency: Vec3::ONE };
+    const LAMP: Light = Light {
+        source: Source::Point { position: Vec3::ZERO, falloff: Falloff::SQUARE },
+        color: Rgb::WHITE,
+        shadows: true,
+    };
+    Parts {
+        geometry: any_geometry(),
+        made_of: slice(&[MaterialId(0)]),
+        materials: slice(&MATERIALS),
+        textures: slice(&[CHECKER]),
+        lights: slice(&[LAMP]),
+        ambient: color(),
+        background: any(Background::Color(Rgb::BLACK)),
+    }
+}
+
+fn scene() {
+    let Ok(scene) = Scene::new(any_parts()) else { return };
+    used((scene.parts(), scene.effects(), scene.material(item())));
+    used((Scene::new(any(Parts::EMPTY)).is_ok(), any(Background::Color(Rgb::BLACK)).toward(vector())));
+
+    let material = any(Material { interface: any(Interface::Fresnel), ..Material::MATTE });
+    used((material.is_transmitting(), material.is_shiny(), material.is_absorbing(), material.is_lit()));
+    if let (Some(light), Some(texture)) = (scene.parts().lights.first(), scene.parts().textures.first()) {
+        used((light.kind(), texture.kind(), any(Falloff::NONE)));
+    }
+
+    let mut lent = [Aabb::EMPTY];
+    let [list, _] = lists(&mut lent);
+    asked::<_, Everything>(World::new(scene, list));
+    asked::<_, Few>(World::new(scene, Stranger));
+}
+
+/// Spheres and nothing else.
+struct Few;
+
+impl Effects for Few {
+    const SET: EffectSet = EffectSet { shapes: ShapeSet::of(&[ShapeKind::Sphere]), ..EffectSet::NONE };
+}
+
+fn asked<A: Accelerator, E: Effects>(world: World<'_, A>) {
+    let (kind, mut scratch) = (any(RayKind::Shadow), A::Scratch::default());
+    used((world.scene(), world.accelerator()));
+    used(world.nearest::<E, _>(&ray(), number(), kind, &mut scratch, &mut Told));
+    used(world.blocker::<E, _>(&ray(), number(), kind, &mut scratch, &mut Told));
+    used(world.surface::<E>(&ray(), any(Hit { t: 1.0, item: ItemId(0) })));
+}
+
+/// Hears of everything and remembers nothing.
+struct Told;
+
+impl Tally for Told {
+    fn count(&mut self, event: Event) {
+        used(event);
+    }
+}
+
+fn size() -> Size {
+    any(Size::new(any(1), any(1))).unwrap_or(const { Size::new(1, 1).unwrap() })
+}
+
+fn any_camera() -> Option<Camera> {
+    let projection = any(Projection::Perspective { angle: 1.0 });
+    Camera::new(&View { from: vector(), at: vector(), up: vector(), projection }, size()).ok()
+}
+
+fn camera() {
+    used((size().width(), size().height()));
+    used(any_camera().map(|camera| camera.ray(any(Place { x: 0.0, y: 0.0 }))));
+}
+
+fn light() {
+    let refraction: Option<Refraction> = refracted(vector(), vector(), number());
+    used((reflected(vector(), vector()), refraction, absorbed(color(), number())));
+
+    let (materials, body) = (slice(&MATERIALS), any(MaterialId(0)));
+    let mut media = Media::NONE;
+    while any(true) {
+        let crossing: Crossing =
+            if any(true) { media.entering(body, materials) } else { media.leaving(body, materials) };
+        used((media.in_force(materials), index(crossing.behind, materials), &crossing));
+        media = crossing.media;
+    }
+    // Not only what a way through bodies leads to.
+    let media = any(Media::NONE);
+    used((media.in_force(materials), media.entering(body, materials), media.leaving(body, materials)));
+}
+
+fn counters() {
+    let mut counters = any(Counters::new());
+    counters.count(any(Event::MediaFull));
+    counters.add(&any(Counters::default()));
+    let (kind, shape) = (any(RayKind::Camera), any(ShapeKind::Sphere));
+    used((counters.rays(kind), counters.camera_hits(), counters.boxes(kind), counters.shapes(kind)));
+    used((counters.regions(kind), counters.by_shape(shape), counters.media_full()));
+    ().count(any(Event::MediaFull));
+}
+
+fn pictures() {
+    tiles();
+    let Ok(scene) = Scene::new(any_parts()) else { return };
+    for list in lists(&mut [Aabb::EMPTY]) {
+        traced::<_, Everything, _, 64>(&World::new(scene, list), Counters::new());
+        traced::<_, Everything, _, 5>(&World::new(scene, list), ());
+    }
+    traced::<_, Few, _, 1>(&World::new(scene, Stranger), Told);
+}
+
+fn tile() -> Tile {
+    any(Tile { first: Pixel { x: 0, y: 0 }, width: 1, height: 1 })
+}
+
+fn tiles() {
+    let pixel = any(Pixel { x: 0, y: 0 });
+    used((Tile::whole(size()), Lattice::tile(size())));
+    used((tile().len(), tile().is_empty(), tile().place(pixel)));
+    tile().tiles(any(1)).for_each(used);
+}
+
+fn traced<A: Accelerator, E: Effects, T: Tally, const LEVELS: usize>(world: &World<'_, A>, tally: T) {
+    let Some(camera) = any_camera() else { return };
+    let limits = any(Limits::DEFAULT);
+    let Ok(tracer) = Tracer::<A, E, LEVELS>::new(world, camera, limits) else { return };
+    let mut worker = Worker::new(tally);
+    used(tracer.radiance(any(Place { x: 0.0, y: 0.0 }), &mut worker));
+
+    sampled(&tracer, &mut worker, Single);
+    sampled(&tracer, &mut worker, Corner);
+    if let Some(regular) = Regular::new(any(1)) {
+        sampled(&tracer, &mut worker, regular);
+    }
+    if let Some(lattice) = Lattice::new(size(), slice(&[Rgb::BLACK])) {
+        sampled(&tracer, &mut worker, lattice);
+    }
+    let mut row = [Rgb::BLACK; 4];
+    sampled(&tracer, &mut worker, CornerRow::new(any(&mut row[..])));
+    sampled(&tracer, &mut worker, Somewhere);
+
+    used(worker.tally());
+    used(worker.into_tally());
+}
+
+/// Rays that go anywhere.
+struct Somewhere;
+
+impl Sampler for Somewhere {
+    fn color(&mut self, _: Pixel, shoot: &mut impl FnMut(Place) -> Rgb) -> Rgb {
+        shoot(any(Place { x: 0.0, y: 0.0 }))
+    }
+}
+
+/// A screen whose wire may break.
+struct Screen;
+
+impl Sink for Screen {
+    type Error = u8;
+
+    fn put(&mut self, pixel: Pixel, color: Rgb) -> Result<(), u8> {
+        used((pixel, color));
+        any(Ok(()))
+    }
+}
+
+fn sampled<A: Accelerator, E: Effects, T: Tally, const LEVELS: usize>(
+    tracer: &Tracer<'_, '_, A, E, LEVELS>,
+    worker: &mut Worker<A, T, LEVELS>,
+    mut sampler: impl Sampler,
+) {
+    let mut colors = [Rgb::BLACK; 4];
+    if let Some(mut frame) = Frame::new(tile(), any(&mut colors[..])) {
+        let Ok(()) = render(tracer, &mut sampler, worker, tile().pixels(), &mut frame);
+    }
+    let Ok(()) =
+        render(tracer, &mut sampler, worker, tile().pixels(), &mut |pixel, color| used((pixel, color)));
+    used(render(tracer, &mut sampler, worker, [any(Pixel { x: 0, y: 0 })], &mut Screen));
+}
+
+fn errors() {
+    displayed(any(ViewFault::NoUp));
+    displayed(any(ShapeFault::Radius));
+    displayed(any(MaterialFault::Color));
+    displayed(any(SceneError::Shape(ItemId(0), ShapeFault::Radius)));
+    displayed(any(TracerError::Cutoff));
+    let (what, needed, lent) = (any(Storage::Groups), any(1), any(0));
+    displayed(any(BuildError::StorageTooSmall { what, needed, lent }));
+}
+
+/// Forgets what does not fit.
+struct Line {
+    text: [u8; 16],
+    length: usize,
+}
+
+impl Write for Line {
+    fn write_str(&mut self, text: &str) -> fmt::Result {
+        for byte in text.bytes() {
+            *self.text.get_mut(self.length).ok_or(fmt::Error)? = byte;
+            self.length += 1;
+        }
+        Ok(())
+    }
+}
+
+fn displayed(error: impl core::error::Error) {
+    let mut line = Line { text: [0; 16], length: 0 };
+    used((write!(line, "{error}"), line.text));
+}
+
+fn debugged(set: &impl Debug) {
+    let mut line = Line { text: [0; 16], length: 0 };
+    used((write!(line, "{set:?}"), line.text));
+}
