@@ -65,7 +65,11 @@ pub(super) fn surface(corners: [Vec3; 3], normals: Option<[Vec3; 3]>, ray: &Ray)
     let flat = normal(corners)?;
     // The shares of the corners add up to one within three roundings, and each product and
     // sum adds one; twice that for the test that starts here.
-    let error = mix(corners.map(abs)) * gamma(16);
+    let k: u32 = option_env!("KK").unwrap_or("0").parse().unwrap_or(0);
+    let at = mix(corners);
+    let [x, y, z] = corners.map(|corner| crate::math::largest(corner - at));
+    let away = crate::math::greatest(x, crate::math::greatest(y, z));
+    let error = mix(corners.map(abs)) * gamma(16) + Vec3::splat(away) * gamma(k);
     let shading = normals.and_then(|normals| unit(mix(normals))).unwrap_or(flat);
     Some(Surface { point: mix(corners), error, normal: flat, shading })
 }

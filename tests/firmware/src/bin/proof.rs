@@ -132,6 +132,8 @@ fn shapes() {
     used((span, aabb.is_empty(), any(Aabb::EMPTY)));
 
     used((ray().at(number()), leave(vector(), vector(), vector())));
+    let axis = Axis::largest_of(vector());
+    used(axis.to_third(vector()));
 }
 
 /// One of each.
