@@ -52,6 +52,10 @@ impl Output {
             Some(folder) if folder != Path::new("") => folder,
             _ => Path::new("."),
         };
+        if !folder.is_dir() {
+            let reason = format!("there is no folder {}", folder.display());
+            return Err(unwritable(io::Error::new(io::ErrorKind::NotFound, reason)));
+        }
         let mut builder = Builder::new();
         builder.prefix(".strahl-");
         if let Some(permissions) = permissions(&place) {

@@ -14,7 +14,9 @@
 use std::collections::HashMap;
 use std::path::Path;
 
-use strahl_core::{Background, Camera, FARTHEST, Falloff, Light, Material, Polygon, Rgb, Size, Source, vec3};
+use strahl_core::{
+    Background, Camera, Cone, FARTHEST, Falloff, Light, Material, Polygon, Rgb, Size, Source, vec3,
+};
 
 use crate::description::{Description, Form, Object, Placed, Triple, View};
 use crate::failure::Failure;
@@ -102,11 +104,10 @@ impl<'t> Words<'t> {
 
     fn number(&mut self, what: &str, of: Word<'_>) -> Read<f32> {
         let word = self.needed(what, of)?;
-        let Ok(number) = word.text.parse::<f64>() else {
+        // Rounded once, and then in range or not.
+        let Ok(number) = word.text.parse::<f32>() else {
             return word.wrong(format!("{} is no number; {what} is expected", word.shown()));
         };
-        // Rounded once, and then in range or not.
-        let number = number as f32;
         if !number.is_finite() {
             return word.wrong(format!("{} is not a finite number; {what} is expected", word.shown()));
         }
@@ -154,7 +155,7 @@ impl<'t> Words<'t> {
     fn has_number(&self) -> bool {
         self.next.is_some_and(|word| {
             word.text.starts_with(|c: char| c.is_ascii_digit() || matches!(c, '+' | '-' | '.'))
-                || word.text.parse::<f64>().is_ok()
+                || word.text.parse::<f32>().is_ok()
         })
     }
 }
@@ -357,8 +358,13 @@ impl<'t> Reader<'t> {
         let base_radius = self.words.coordinate("the radius of the base", of)?.abs();
         let end = self.words.triple("the apex of the cone", of)?;
         let end_radius = self.words.coordinate("the radius of the apex", of)?.abs();
-        if base == end {
-            return of.wrong("the cone's base and apex are at the same place");
+        let place = |[x, y, z]: Triple| vec3(x, y, z);
+        match Cone::new(place(base), base_radius, place(end), end_radius, false) {
+            None => return of.wrong("the cone's base and apex are at the same place"),
+            Some(cone) if cone.height > FARTHEST => {
+                return of.wrong(format!("the cone is longer than {FARTHEST}"));
+            }
+            Some(_) => {}
         }
         if base_radius == 0.0 && end_radius == 0.0 {
             return of.wrong("both radii of the cone are 0");

@@ -2,5 +2,6 @@
 
 mod mutations;
 mod right;
+mod table;
 mod text;
 mod wrong;

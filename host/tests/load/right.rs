@@ -4,7 +4,8 @@ use strahl::description::{Form, Object, Placed, View};
 use strahl::stock;
 use strahl_core::{Background, Falloff, Light, Material, Rgb, Size, Source, vec3};
 
-use crate::text::{ALL, VIEW, file_of, loaded, refused};
+use crate::table::VIEW;
+use crate::text::{ALL, file_of, loaded, refused};
 
 /// What follows the viewpoint of [`VIEW`] describes.
 fn after_view(text: &str) -> strahl::description::Description {
@@ -29,7 +30,7 @@ fn every_entity_becomes_what_the_format_says() {
     assert_eq!(it.background, Background::Color(Rgb::new(0.125, 0.25, 0.5)));
 
     // The root of two over four, for both lights together.
-    let rule = Rgb::gray(0.353_553_4);
+    let rule = Rgb::gray(0.353_553_39);
     let colored = lamp(-4.0, -3.0, 2.0, Rgb::new(1.0, 0.5, 0.25));
     assert_eq!(it.ambient, rule);
     assert_eq!(
@@ -54,7 +55,7 @@ fn every_entity_becomes_what_the_format_says() {
         index: 1.5,
         ..Material::MATTE
     };
-    assert_eq!(it.materials, [Placed { it: mirror, line: 12 }, Placed { it: glass, line: 26 }]);
+    assert_eq!(it.materials, [Placed { it: mirror, line: 12 }, Placed { it: glass, line: 27 }]);
 
     let objects = [
         (Form::Sphere { center: [0.0; 3], radius: 1.0 }, 0),
@@ -111,10 +112,8 @@ fn line_ends_tabs_empty_lines_and_comments_change_nothing_but_line_numbers() {
     assert_eq!(loaded(ALL.trim_end()), it);
 
     let mut moved = it;
-    for line in moved.lights.iter_mut().map(|l| &mut l.line).chain(moved.materials.iter_mut().map(|m| &mut m.line))
-    {
-        *line *= 2;
-    }
+    moved.lights.iter_mut().for_each(|light| light.line *= 2);
+    moved.materials.iter_mut().for_each(|material| material.line *= 2);
     assert_eq!(loaded(&ALL.replace('\n', "\n\n").replacen("# a", "\n# a", 1)), moved);
 }
 
@@ -165,20 +164,17 @@ fn a_number_is_rounded_once() {
     // Just above the middle between 1 and the next number in single precision, so it rounds up;
     // double precision would round it to the middle, and that would round to the even 1.
     let it = after_view("f 1 1 1 1 0 0 0 0\ns 1.0000000596046447753906250000001 0 0 1");
-    assert_eq!(
-        it.objects[0].form,
-        Form::Sphere { center: [1.0 + f32::EPSILON, 0.0, 0.0], radius: 1.0 }
-    );
+    assert_eq!(it.objects[0].form, Form::Sphere { center: [1.0 + f32::EPSILON, 0.0, 0.0], radius: 1.0 });
 }
 
 #[test]
 fn lights_without_a_colour_share_the_root_of_their_number_over_twice_their_number() {
     assert_eq!(after_view("").ambient, Rgb::gray(0.5));
-    for n in 1..=16_u8 {
-        let it = after_view(&"l 1 2 3\n".repeat(n.into()));
-        let expected = (f64::from(n).sqrt() / (2.0 * f64::from(n))) as f32;
+    for n in 1..=16 {
+        let it = after_view(&"l 1 2 3\n".repeat(n));
+        let expected = ((n as f64).sqrt() / (2 * n) as f64) as f32;
         assert_eq!(it.ambient, Rgb::gray(expected), "{n}");
-        assert_eq!(it.lights.len(), n.into());
+        assert_eq!(it.lights.len(), n);
         assert!(it.lights.iter().all(|l| l.it.color == Rgb::gray(expected)), "{n}");
     }
 }
@@ -219,6 +215,14 @@ fn an_opaque_surface_may_have_any_index_of_refraction() {
         assert_eq!(it.materials[0].it.index, 1.0, "{index}");
         assert!(!it.materials[0].it.is_transmitting());
     }
+}
+
+#[test]
+#[ignore = "the double core refuses it: 0.01 in single precision is less than 0.01"]
+fn the_least_index_of_refraction_makes_a_scene_in_both_precisions() {
+    let it = after_view("f 1 1 1 1 0 0 0.5 0.01\n");
+    assert_eq!(stock::single::Stock::new(&it).scene().err(), None);
+    assert!(stock::double::Stock::new(&it).scene().is_ok());
 }
 
 #[test]
@@ -295,7 +299,8 @@ fn a_file_of_another_kind_is_refused_by_its_name() {
 #[test]
 fn what_cannot_be_read_is_told_before_what_is_wrong_with_it() {
     let folder = tempfile::tempdir().unwrap();
-    for path in [folder.path().join("missing.nff"), folder.path().join("missing.toml"), folder.path().into()] {
+    for path in [folder.path().join("missing.nff"), folder.path().join("missing.toml"), folder.path().into()]
+    {
         let failure = strahl::load::load(&path).unwrap_err();
         assert_eq!(failure.status(), 66, "{failure}");
         assert!(failure.to_string().contains(&path.display().to_string()), "{failure}");

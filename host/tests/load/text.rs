@@ -6,9 +6,6 @@ use strahl::description::Description;
 use strahl::failure::Failure;
 use tempfile::NamedTempFile;
 
-/// A viewpoint in one line, so that what follows begins in line 2.
-pub const VIEW: &str = "v from 0 0 9 at 0 0 0 up 0 1 0 angle 30 hither 1 resolution 4 3\n";
-
 /// Every entity, in every form that it has.
 pub const ALL: &str = "\
 # a scene with everything

@@ -1,0 +1,9 @@
+//! The program from outside: exit statuses, messages, files.
+
+mod outputs;
+mod pictures;
+mod program;
+mod stats;
+#[cfg(unix)]
+mod stopped;
+mod usage;

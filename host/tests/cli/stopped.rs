@@ -1,0 +1,41 @@
+//! Signals: the work ends soon, and nothing is left behind.
+
+use std::process::{Command, Stdio};
+
+use crate::program::{BALL, Folder, Running};
+
+/// The exit status after a signal during a picture that would take days.
+fn stopped_by(signal: &str, folder: &Folder, words: &str) -> Option<i32> {
+    let before = folder.names();
+    let words = format!("render scene.nff --size 4096x4096 --sampler regular:64 {words}");
+    let mut running = Running::start(folder.command(&words).stdout(Stdio::null()).stderr(Stdio::null()));
+    // When the new file is begun, signals are heard and tracing is about to begin.
+    running.until(|| folder.names().iter().any(|name| name.starts_with(".strahl-")));
+    let kill = format!("kill -s {signal} {}", running.number());
+    assert!(Command::new("sh").args(["-c", &kill]).status().unwrap().success());
+    let status = running.end();
+    assert_eq!(folder.names(), before);
+    status.code()
+}
+
+#[test]
+fn an_interrupt_ends_with_130_and_leaves_nothing_behind() {
+    let folder = Folder::with(BALL);
+    assert_eq!(stopped_by("INT", &folder, ""), Some(130));
+    assert_eq!(stopped_by("INT", &folder, "-o - --stats-file a.json --sampler adaptive:0:0"), Some(130));
+}
+
+#[test]
+fn a_request_to_terminate_ends_with_75_and_leaves_nothing_behind() {
+    let folder = Folder::with(BALL);
+    assert_eq!(stopped_by("TERM", &folder, "--stats-file a.json"), Some(75));
+    assert_eq!(stopped_by("TERM", &folder, "--threads 1"), Some(75));
+}
+
+#[test]
+fn an_old_output_is_kept_when_a_signal_comes() {
+    let folder = Folder::with(BALL);
+    folder.write("scene.png", "before");
+    assert_eq!(stopped_by("INT", &folder, ""), Some(130));
+    assert_eq!(folder.read("scene.png"), b"before");
+}

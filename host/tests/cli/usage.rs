@@ -1,0 +1,187 @@
+//! The command line, and what the program says to wrong ones and to wrong scenes.
+
+use std::collections::BTreeSet;
+
+use crate::program::{BALL, EMPTY, Folder};
+
+/// Every option of `strahl render`; what is not here must not be in the help.
+const OPTIONS: &[&str] = &[
+    "--output",
+    "--size",
+    "--levels",
+    "--cutoff",
+    "--sampler",
+    "--threads",
+    "--stats",
+    "--stats-file",
+    "--quiet",
+    "--help",
+];
+
+/// The words of a text that begin with two hyphens.
+fn long_options(text: &str) -> BTreeSet<String> {
+    let is_part = |c: char| c.is_ascii_alphanumeric() || c == '-';
+    let words = text.split(|c: char| !is_part(c)).filter(|word| word.len() > 2 && word.starts_with("--"));
+    words.map(str::to_owned).collect()
+}
+
+#[test]
+fn the_help_lists_every_option_that_is_there_and_no_other() {
+    let folder = Folder::with(EMPTY);
+    let expected = OPTIONS.iter().map(|o| (*o).to_owned()).collect();
+    for words in ["render --help", "render -h"] {
+        let help = String::from_utf8(folder.done(words)).unwrap();
+        assert_eq!(long_options(&help), expected, "{help}");
+    }
+    let help = String::from_utf8(folder.done("--help")).unwrap();
+    assert_eq!(long_options(&help), ["--help", "--version"].map(str::to_owned).into());
+}
+
+#[test]
+fn every_option_of_the_help_works() {
+    let folder = Folder::with(BALL);
+    folder.done(
+        "render scene.nff --output a.png --size 8x6 --levels 3 --cutoff 0.5 --sampler regular:2 --threads 1 \
+         --stats json --stats-file a.json --quiet",
+    );
+    folder.done("render scene.nff -o b.png -q");
+    assert_eq!(folder.names(), ["a.json", "a.png", "b.png", "scene.nff"]);
+}
+
+#[test]
+fn the_version_is_that_of_the_package() {
+    for words in ["--version", "-V"] {
+        let said = String::from_utf8(Folder::with(EMPTY).done(words)).unwrap();
+        assert_eq!(said, format!("strahl {}\n", env!("CARGO_PKG_VERSION")));
+    }
+}
+
+#[test]
+fn wrong_usage_is_told_with_status_2_and_nothing_is_written() {
+    let folder = Folder::with(EMPTY);
+    let scene = "render scene.nff";
+    for (words, says) in [
+        (String::new(), "Usage"),
+        ("paint scene.nff".into(), "paint"),
+        ("render".into(), "<SCENE>"),
+        (format!("{scene} other.nff"), "other.nff"),
+        (format!("{scene} --colour"), "--colour"),
+        (format!("{scene} --sizes 4x3"), "--sizes"),
+        (format!("{scene} --size"), "--size"),
+        (format!("{scene} --size 4"), "640x480"),
+        (format!("{scene} --size 4x3x2"), "640x480"),
+        (format!("{scene} --size 4.5x3"), "640x480"),
+        (format!("{scene} --size=-4x3"), "640x480"),
+        (format!("{scene} --size 4x"), "640x480"),
+        (format!("{scene} --size x"), "640x480"),
+        (format!("{scene} --size 0x3"), "between 1 and 65536"),
+        (format!("{scene} --size 4x65537"), "between 1 and 65536"),
+        (format!("{scene} --size 65536x65536"), "at most 268435456 pixels"),
+        (format!("{scene} --size 4294967297x3"), "640x480"),
+        (format!("{scene} --size 4x3 --size 4x3"), "--size"),
+        (format!("{scene} --levels 0"), "1..=64"),
+        (format!("{scene} --levels 65"), "1..=64"),
+        (format!("{scene} --levels 256"), "1..=64"),
+        (format!("{scene} --levels many"), "--levels"),
+        (format!("{scene} --cutoff 1.5"), "between 0 and 1"),
+        (format!("{scene} --cutoff=-0.5"), "between 0 and 1"),
+        (format!("{scene} --cutoff nan"), "between 0 and 1"),
+        (format!("{scene} --cutoff 1/512"), "between 0 and 1"),
+        (format!("{scene} --sampler rough"), "regular:N"),
+        (format!("{scene} --sampler single:1"), "regular:N"),
+        (format!("{scene} --sampler regular"), "regular:N"),
+        (format!("{scene} --sampler regular:"), "between 1 and 256"),
+        (format!("{scene} --sampler regular:0"), "between 1 and 256"),
+        (format!("{scene} --sampler regular:257"), "between 1 and 256"),
+        (format!("{scene} --sampler regular:1.5"), "between 1 and 256"),
+        (format!("{scene} --sampler regular:70000"), "between 1 and 256"),
+        (format!("{scene} --sampler adaptive:3:0.1"), "only adaptive:0:0"),
+        (format!("{scene} --sampler adaptive:x:y"), "two numbers"),
+        (format!("{scene} --sampler adaptive:0"), "regular:N"),
+        (format!("{scene} --threads 0"), "between 1 and 1024"),
+        (format!("{scene} --threads 1025"), "between 1 and 1024"),
+        (format!("{scene} --threads two"), "between 1 and 1024"),
+        (format!("{scene} --stats yaml"), "yaml"),
+        (format!("{scene} -o picture.gif"), "picture.gif names no picture format"),
+        (format!("{scene} -o picture"), "picture names no picture format"),
+        (format!("{scene} -o .png"), ".png names no picture format"),
+        (format!("{scene} -o - --stats json"), "needs a --stats-file"),
+        (format!("{scene} -o - --stats-file -"), "needs a --stats-file"),
+        (format!("{scene} -o a.png --stats-file a.png"), "the same file"),
+        (format!("{scene} -o a.png --stats-file ./a.png"), "the same file"),
+        (format!("{scene} --stats-file scene.png"), "the same file"),
+        (format!("{scene} --stats-file scene.nff"), "the same file"),
+    ] {
+        folder.run(&words).failed(2, says);
+        assert_eq!(folder.names(), ["scene.nff"], "{words}");
+        assert_eq!(folder.read("scene.nff"), EMPTY.as_bytes(), "{words}");
+    }
+}
+
+#[test]
+fn wrong_usage_is_told_before_the_scene_is_read() {
+    Folder::with(EMPTY).run("render missing.nff -o picture.gif").failed(2, "picture.gif");
+    Folder::with("?").run("render scene.nff -o - --stats text").failed(2, "--stats-file");
+}
+
+#[test]
+fn a_wrong_scene_is_told_with_its_line_and_nothing_is_written() {
+    for (text, line) in [
+        ("", 1),
+        ("# nothing\n", 1),
+        ("v\n", 1),
+        ("?\n", 1),
+        ("b 0 0 0\nv from 0 0 9 at 0 0 0 up 0 1 0 angle 30 resolution 0 3\n", 2),
+        ("b 0 0 0\n\n\nf 1 1 1 1 0 0 0 0\ns 0 0 0 nan\n", 5),
+        ("b 0 0 0\nl 1 2 3\n", 2),
+    ] {
+        let folder = Folder::with(text);
+        for words in ["-q", "-o picture.ppm --stats-file report.json", "-o - --stats-file report.json"] {
+            let ran = folder.run(&format!("render scene.nff {words}"));
+            ran.failed(65, "");
+            assert!(ran.stderr.starts_with(&format!("strahl: scene.nff:{line}: ")), "{}", ran.stderr);
+            assert_eq!(ran.stderr.lines().count(), 1, "{}", ran.stderr);
+            assert_eq!(folder.names(), ["scene.nff"], "{words}");
+        }
+    }
+}
+
+#[test]
+fn a_file_that_is_no_scene_is_told_with_status_65() {
+    let folder = Folder::with(EMPTY);
+    folder.write("scene.toml", "");
+    folder.write("picture.nff", b"\x89PNG\r\n\x1a\n");
+    folder.run("render scene.toml").failed(65, "scene.toml: ");
+    folder.run("render picture.nff").failed(65, "picture.nff:1: ");
+    assert_eq!(folder.names(), ["picture.nff", "scene.nff", "scene.toml"]);
+}
+
+#[test]
+fn a_scene_that_cannot_be_read_is_told_with_status_66() {
+    let folder = Folder::with(EMPTY);
+    std::fs::create_dir(folder.path("folder.nff")).unwrap();
+    for name in ["missing.nff", "missing.toml", "missing/scene.nff", "scene.nff/scene.nff", "folder.nff", "."]
+    {
+        folder.run(&format!("render {name} -o a.png")).failed(66, &format!("cannot read {name}: "));
+    }
+    assert_eq!(folder.names(), ["folder.nff", "scene.nff"]);
+}
+
+#[cfg(unix)]
+#[test]
+fn a_message_that_nobody_can_read_changes_nothing() {
+    let unread = || {
+        let (reader, writer) = std::io::pipe().unwrap();
+        drop(reader);
+        writer
+    };
+    let folder = Folder::with(EMPTY);
+    let status = |words: &str| folder.command(words).stderr(unread()).status().unwrap().code();
+    assert_eq!(status("render scene.nff"), Some(0));
+    assert_eq!(status("render missing.nff"), Some(66));
+    assert_eq!(status("render scene.nff --levels 0"), Some(2));
+    // A polygon without area, of which the program warns.
+    folder.write("flat.nff", format!("{EMPTY}f 1 1 1 1 0 0 0 0\np 3 0 0 0 0 0 0 0 0 0\n"));
+    assert_eq!(status("render flat.nff"), Some(0));
+    assert_eq!(folder.names(), ["flat.nff", "flat.png", "scene.nff", "scene.png"]);
+}
