@@ -13,7 +13,7 @@ fn main() -> ExitCode {
     match done {
         Ok(()) => ExitCode::SUCCESS,
         Err(failure) => {
-            eprintln!("strahl: {failure}");
+            strahl::output::say(&failure);
             ExitCode::from(failure.status())
         }
     }

@@ -3,6 +3,7 @@
 //! A file is written beside its place and renamed when it is whole. It is made before the work
 //! begins, so that a place that cannot be written is told at once and not after an hour.
 
+use std::fmt;
 use std::fs::{self, Permissions};
 use std::io::{self, Write};
 use std::path::{Path, PathBuf};
@@ -36,8 +37,7 @@ impl Output {
             return Ok(Output::Stdout);
         }
         let unwritable = |error| Failure::Unwritable { path: Some(path.to_owned()), error };
-        // The file behind a link is replaced, not the link.
-        let place = fs::canonicalize(path).unwrap_or_else(|_| path.to_owned());
+        let place = place_of(path);
         match fs::metadata(&place) {
             Ok(found) if found.is_dir() => {
                 return Err(unwritable(io::Error::from(io::ErrorKind::IsADirectory)));
@@ -48,10 +48,7 @@ impl Output {
             }
             _ => {}
         }
-        let folder = match place.parent() {
-            Some(folder) if folder != Path::new("") => folder,
-            _ => Path::new("."),
-        };
+        let folder = folder_of(&place);
         if !folder.is_dir() {
             let reason = format!("there is no folder {}", folder.display());
             return Err(unwritable(io::Error::new(io::ErrorKind::NotFound, reason)));
@@ -63,6 +60,11 @@ impl Output {
         }
         let beside = builder.tempfile_in(folder).map_err(unwritable)?;
         Ok(Output::File { name: path.to_owned(), place, beside })
+    }
+
+    /// Whether the file at `path` would be replaced.
+    pub fn replaces(&self, path: &Path) -> bool {
+        matches!(self, Output::File { place, .. } if *place == place_of(path))
     }
 
     /// Writes everything and lets the file appear.
@@ -84,6 +86,25 @@ impl Output {
                 kept.map(|_| ()).map_err(|error| Failure::Unwritable { path: Some(name), error })
             }
         }
+    }
+}
+
+/// Says something on the standard error. That nobody can read it is no failure; `eprintln!`
+/// would panic.
+pub fn say(message: impl fmt::Display) {
+    let _ = writeln!(io::stderr(), "strahl: {message}");
+}
+
+/// Where a file is, or would be. The file behind a link is meant, not the link.
+fn place_of(path: &Path) -> PathBuf {
+    let new = || Some(fs::canonicalize(folder_of(path)).ok()?.join(path.file_name()?));
+    fs::canonicalize(path).ok().or_else(new).unwrap_or_else(|| path.to_owned())
+}
+
+fn folder_of(path: &Path) -> &Path {
+    match path.parent() {
+        Some(folder) if folder != Path::new("") => folder,
+        _ => Path::new("."),
     }
 }
 

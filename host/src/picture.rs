@@ -47,7 +47,8 @@ pub enum Format {
 }
 
 impl Format {
-    /// The format that the extension of `path` names; for the standard output PNG.
+    /// The format that the extension of `path` names; for the standard output, a pipe or a device
+    /// without one PNG.
     pub fn of(path: &Path) -> Result<Self, Failure> {
         if path == Path::new("-") {
             return Ok(Format::Png);
@@ -56,6 +57,7 @@ impl Format {
         match extension.to_ascii_lowercase().as_str() {
             "png" => Ok(Format::Png),
             "ppm" => Ok(Format::Ppm),
+            "" if path.metadata().is_ok_and(|found| !found.is_file() && !found.is_dir()) => Ok(Format::Png),
             _ => Err(Failure::Usage(format!(
                 "{} names no picture format; the extension must be .png or .ppm",
                 path.display()

@@ -11,7 +11,7 @@ use crate::choose::Wanted;
 use crate::failure::Failure;
 use crate::frame::{self, NoFrame};
 use crate::load::load;
-use crate::output::Output;
+use crate::output::{Output, say};
 use crate::picture::Format;
 use crate::signals::Signals;
 use crate::stats::Stats;
@@ -31,13 +31,18 @@ pub fn run(args: &RenderArgs) -> Result<(), Failure> {
     let clock = Instant::now();
     let description = load(&args.scene)?;
     for warning in description.warnings.iter().filter(|_| !args.quiet) {
-        eprintln!("strahl: {}: warning: {warning}", args.scene.display());
+        say(format_args!("{}: warning: {warning}", args.scene.display()));
     }
     let load = clock.elapsed();
 
     // Before the work, so that nothing is traced that cannot be kept.
     let output = Output::prepare(&path)?;
     let report = report.map(|(form, path)| Ok((form, Output::prepare(&path)?))).transpose()?;
+    if let Some((_, report)) = &report
+        && (report.replaces(&path) || report.replaces(&args.scene))
+    {
+        return Err(Failure::Usage("the report and the picture or the scene are the same file".into()));
+    }
 
     let size = args.size.or(description.size).unwrap_or(DEFAULT_SIZE);
     let wanted = Wanted {
@@ -73,7 +78,7 @@ pub fn run(args: &RenderArgs) -> Result<(), Failure> {
     }
     if !args.quiet {
         let (w, h, seconds) = (size.width(), size.height(), frame.trace.as_secs_f64());
-        eprintln!("strahl: {}: {w} x {h} pixels in {seconds:.2} s", path.display());
+        say(format_args!("{}: {w} x {h} pixels in {seconds:.2} s", path.display()));
     }
     Ok(())
 }

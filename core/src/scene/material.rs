@@ -43,6 +43,10 @@ pub struct Material {
     pub two_sided: bool,
 }
 
+/// As single precision has it: a scene is in range for both precisions or for none.
+#[allow(clippy::unnecessary_cast)] // it is one in the twin
+const LEAST_INDEX: Real = 0.01_f32 as Real;
+
 /// What happens to the transmitted share of light at a surface.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Interface {
@@ -102,7 +106,7 @@ impl Material {
         if !(self.exponent >= 0.0 && self.exponent <= 1e6) {
             return Err(MaterialFault::Exponent);
         }
-        if self.is_transmitting() && !(self.index >= 0.01 && self.index <= 100.0) {
+        if self.is_transmitting() && !(self.index >= LEAST_INDEX && self.index <= 100.0) {
             return Err(MaterialFault::Index);
         }
         let clarity = |c: Real| c > 0.0;

@@ -26,11 +26,17 @@ use crate::stock;
 const MOST_PIXELS: u64 = 1 << 24;
 
 /// Reads the bytes of the file at `path`.
+///
+/// Old files have comments in all sorts of encodings: what is no UTF-8 is an error only where it
+/// is no comment.
 pub(super) fn read(path: &Path, bytes: &[u8]) -> Result<Description, Failure> {
-    let text = std::str::from_utf8(bytes).map_err(|error| {
-        let line = 1 + bytes[..error.valid_up_to()].iter().filter(|b| **b == b'\n').count();
-        Failure::at(path, line, "this is not text, so it is no NFF scene")
-    })?;
+    if let Some(place) = bytes.iter().position(|byte| *byte == 0) {
+        let line = 1 + bytes[..place].iter().filter(|byte| **byte == b'\n').count();
+        return Err(Failure::at(path, line, "this is not text, so it is no NFF scene"));
+    }
+    let text = String::from_utf8_lossy(bytes);
+    // A byte order mark may begin the file.
+    let text = text.strip_prefix('\u{feff}').unwrap_or(&text);
     Reader::new(text).scene().map_err(|Wrong { line, reason }| Failure::at(path, line, reason))
 }
 

@@ -6,7 +6,7 @@ use std::process::Stdio;
 use crate::program::{BALL, EMPTY, Folder, Running};
 
 /// A picture that takes days, for what must be told before it is traced.
-const ENDLESS: &str = "--size 16384x16384 --sampler regular:256";
+const ENDLESS: &str = "--size 4096x4096 --sampler regular:256";
 
 #[test]
 fn the_picture_has_the_name_of_the_scene_and_lies_in_the_current_folder() {
@@ -144,6 +144,18 @@ fn an_output_to_a_device_leaves_the_device() {
     assert!(fs::metadata("/dev/null").unwrap().file_type().is_char_device());
     assert!(fs::symlink_metadata(folder.path("null.png")).unwrap().is_symlink());
     assert_eq!(folder.names(), ["null.png", "scene.nff"]);
+}
+
+#[cfg(target_os = "linux")]
+#[test]
+fn an_output_for_which_there_is_no_room_is_told_with_status_74() {
+    let folder = Folder::with(EMPTY);
+    std::os::unix::fs::symlink("/dev/full", folder.path("full.png")).unwrap();
+    folder.run("render scene.nff -o full.png").failed(74, "strahl: cannot write full.png: ");
+    folder.run("render scene.nff --stats-file /dev/full").failed(74, "strahl: cannot write /dev/full: ");
+    let full = fs::OpenOptions::new().write(true).open("/dev/full").unwrap();
+    let ended = folder.command("render scene.nff --stats json").stdout(full).status().unwrap();
+    assert_eq!(ended.code(), Some(74));
 }
 
 #[cfg(unix)]

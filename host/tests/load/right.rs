@@ -218,7 +218,6 @@ fn an_opaque_surface_may_have_any_index_of_refraction() {
 }
 
 #[test]
-#[ignore = "the double core refuses it: 0.01 in single precision is less than 0.01"]
 fn the_least_index_of_refraction_makes_a_scene_in_both_precisions() {
     let it = after_view("f 1 1 1 1 0 0 0.5 0.01\n");
     assert_eq!(stock::single::Stock::new(&it).scene().err(), None);
@@ -274,6 +273,13 @@ fn a_picture_may_have_as_many_pixels_as_a_file_may_ask_for() {
 #[test]
 fn comments_may_be_written_in_any_language() {
     assert_eq!(loaded(&format!("{VIEW}# Würfel, 立方体, куб\n")), loaded(VIEW));
+    let latin = [VIEW.as_bytes(), b"# W\xfcrfel\n"].concat();
+    assert_eq!(strahl::load::load(file_of(&latin).path()).unwrap(), loaded(VIEW));
+}
+
+#[test]
+fn a_byte_order_mark_may_begin_the_file() {
+    assert_eq!(loaded(&format!("\u{feff}{VIEW}")), loaded(VIEW));
 }
 
 #[test]
