@@ -4,12 +4,14 @@
 //! loop itself holds no mode. Of the prepared sets of effects the smallest that holds what the
 //! scene asks for is taken.
 
+use std::fmt;
+
 use strahl_core::{
-    Accelerator, Camera, Counters, EffectSet, Effects, Everything, Limits, Rgb, Scene, Size, Tracer, World,
+    Accelerator, Camera, Counters, EffectSet, Effects, Everything, Limits, Rgb, Scene, Size, Tracer,
+    TracerError, World,
 };
 
-use crate::frame::NoFrame;
-use crate::signals::Signals;
+use crate::signals::{Signals, Stop};
 use crate::workers::{self, Count, Cut, LEVELS, Sampling};
 
 /// Light and shadow, but no secondary rays.
@@ -42,6 +44,24 @@ pub struct Wanted {
     pub counted: bool,
 }
 
+/// Why nothing was traced.
+#[derive(Debug)]
+pub enum NotTraced {
+    /// The tracer refuses.
+    Tracer(TracerError),
+    /// A signal came.
+    Stopped(Stop),
+}
+
+impl fmt::Display for NotTraced {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            NotTraced::Tracer(error) => error.fmt(f),
+            NotTraced::Stopped(stop) => stop.fmt(f),
+        }
+    }
+}
+
 /// Linear colours, row by row, and the work where it was counted.
 type Traced = (Vec<Rgb>, Option<Counters>);
 
@@ -52,7 +72,7 @@ pub fn trace<A: Accelerator + Sync>(
     camera: Camera,
     wanted: &Wanted,
     signals: &Signals,
-) -> Result<Traced, NoFrame> {
+) -> Result<Traced, NotTraced> {
     let asks = scene.effects();
     let world = World::new(scene, accelerator);
     let job = Job { world: &world, camera, wanted, signals };
@@ -73,7 +93,7 @@ struct Job<'j, 's, A> {
 }
 
 impl<A: Accelerator + Sync> Job<'_, '_, A> {
-    fn with<E: Effects + Sync>(&self) -> Result<Traced, NoFrame> {
+    fn with<E: Effects + Sync>(&self) -> Result<Traced, NotTraced> {
         if self.wanted.counted {
             let (colors, counters) = self.run::<E, Counters>()?;
             Ok((colors, Some(counters)))
@@ -83,9 +103,10 @@ impl<A: Accelerator + Sync> Job<'_, '_, A> {
         }
     }
 
-    fn run<E: Effects + Sync, T: Count>(&self) -> Result<(Vec<Rgb>, T), NoFrame> {
+    fn run<E: Effects + Sync, T: Count>(&self) -> Result<(Vec<Rgb>, T), NotTraced> {
         let Wanted { size, limits, sampling, cut, .. } = *self.wanted;
-        let tracer = Tracer::<A, E, LEVELS>::new(self.world, self.camera, limits).map_err(NoFrame::Tracer)?;
-        workers::trace(&tracer, sampling, size, cut, self.signals).map_err(NoFrame::Stopped)
+        let tracer =
+            Tracer::<A, E, LEVELS>::new(self.world, self.camera, limits).map_err(NotTraced::Tracer)?;
+        workers::trace(&tracer, sampling, size, cut, self.signals).map_err(NotTraced::Stopped)
     }
 }

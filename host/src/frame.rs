@@ -4,14 +4,13 @@ use std::fmt;
 use std::time::{Duration, Instant};
 
 use strahl_core::{
-    Aabb, BuildError, Camera, Counters, EffectSet, List, Scene, SceneError, Shape, TracerError, ViewFault,
-    groups_of,
+    Aabb, BuildError, Camera, Counters, EffectSet, List, Scene, SceneError, Shape, ViewFault, groups_of,
 };
 
-use crate::choose::{self, Wanted};
+use crate::choose::{self, NotTraced, Wanted};
 use crate::description::Description;
 use crate::picture::Picture;
-use crate::signals::{Signals, Stop};
+use crate::signals::Signals;
 use crate::stock::single::{self, Stock};
 
 /// A picture, and what it took.
@@ -79,10 +78,8 @@ pub enum NoFrame {
     View(ViewFault),
     /// There is no accelerator for it.
     Build(BuildError),
-    /// The tracer refuses.
-    Tracer(TracerError),
-    /// A signal came.
-    Stopped(Stop),
+    /// It was not traced, or not to its end.
+    Trace(NotTraced),
 }
 
 impl fmt::Display for NoFrame {
@@ -91,8 +88,7 @@ impl fmt::Display for NoFrame {
             NoFrame::Scene(error) => error.fmt(f),
             NoFrame::View(error) => error.fmt(f),
             NoFrame::Build(error) => error.fmt(f),
-            NoFrame::Tracer(error) => error.fmt(f),
-            NoFrame::Stopped(stop) => stop.fmt(f),
+            NoFrame::Trace(error) => error.fmt(f),
         }
     }
 }
@@ -112,7 +108,7 @@ pub fn trace(description: &Description, wanted: &Wanted, signals: &Signals) -> R
     let build = clock.elapsed();
 
     let (clock, cpu) = (Instant::now(), cpu_time());
-    let (colors, counters) = choose::trace(scene, list, camera, wanted, signals)?;
+    let (colors, counters) = choose::trace(scene, list, camera, wanted, signals).map_err(NoFrame::Trace)?;
     Ok(Frame {
         picture: Picture { size: wanted.size, colors },
         facts: Facts::of(&scene),

@@ -7,7 +7,7 @@ use std::time::Instant;
 use strahl_core::{Limits, Size};
 
 use crate::args::{RenderArgs, StatsForm};
-use crate::choose::Wanted;
+use crate::choose::{NotTraced, Wanted};
 use crate::failure::Failure;
 use crate::frame::{self, NoFrame};
 use crate::load::load;
@@ -53,7 +53,7 @@ pub fn run(args: &RenderArgs) -> Result<(), Failure> {
         counted: report.is_some(),
     };
     let frame = frame::trace(&description, &wanted, &signals).map_err(|error| match error {
-        NoFrame::Stopped(stop) => Failure::Stopped(stop),
+        NoFrame::Trace(NotTraced::Stopped(stop)) => Failure::Stopped(stop),
         error => Failure::Input { path: args.scene.clone(), line: None, reason: error.to_string() },
     })?;
 

@@ -11,6 +11,8 @@
 //!   both sides, and only its size counts.
 //! * A polygon without area keeps its number and is never hit; one warning counts them.
 
+mod words;
+
 use std::collections::HashMap;
 use std::path::Path;
 
@@ -21,6 +23,7 @@ use strahl_core::{
 use crate::description::{Description, Form, Object, Placed, Triple, View};
 use crate::failure::Failure;
 use crate::stock;
+use words::{Read, Word, Words, Wrong};
 
 /// The most pixels that a file may ask for: a number in a file must not fill the memory.
 const MOST_PIXELS: u64 = 1 << 24;
@@ -38,132 +41,6 @@ pub(super) fn read(path: &Path, bytes: &[u8]) -> Result<Description, Failure> {
     // A byte order mark may begin the file.
     let text = text.strip_prefix('\u{feff}').unwrap_or(&text);
     Reader::new(text).scene().map_err(|Wrong { line, reason }| Failure::at(path, line, reason))
-}
-
-/// What is wrong at a line.
-struct Wrong {
-    line: usize,
-    reason: String,
-}
-
-type Read<T> = Result<T, Wrong>;
-
-/// A word of the file.
-#[derive(Clone, Copy)]
-struct Word<'t> {
-    text: &'t str,
-    line: usize,
-    begins_line: bool,
-}
-
-impl Word<'_> {
-    fn wrong<T>(&self, reason: impl Into<String>) -> Read<T> {
-        Err(Wrong { line: self.line, reason: reason.into() })
-    }
-
-    /// The word as it may stand in a message: short, and without control characters.
-    fn shown(&self) -> String {
-        let mut shown: String = self.text.chars().take(40).flat_map(char::escape_debug).collect();
-        if self.text.chars().nth(40).is_some() {
-            shown.push('…');
-        }
-        format!("`{shown}`")
-    }
-}
-
-/// The words of the file, without its comments.
-struct Words<'t> {
-    next: Option<Word<'t>>,
-    rest: Box<dyn Iterator<Item = Word<'t>> + 't>,
-    lines: usize,
-}
-
-impl<'t> Words<'t> {
-    fn of(text: &'t str) -> Self {
-        let words = text.lines().zip(1..).flat_map(|(content, line)| {
-            let content = content.split('#').next().unwrap_or_default();
-            let words = content.split_whitespace().enumerate();
-            words.map(move |(place, text)| Word { text, line, begins_line: place == 0 })
-        });
-        let mut words = Words { next: None, rest: Box::new(words), lines: text.lines().count().max(1) };
-        words.next = words.rest.next();
-        words
-    }
-
-    fn take(&mut self) -> Option<Word<'t>> {
-        std::mem::replace(&mut self.next, self.rest.next())
-    }
-
-    /// The next word, which must be there: `what` of the entity that begins with `of`.
-    fn needed(&mut self, what: &str, of: Word<'_>) -> Read<Word<'t>> {
-        match self.take() {
-            Some(word) => Ok(word),
-            None => Err(Wrong {
-                line: self.lines,
-                reason: format!(
-                    "the file ends where {what} should follow (`{}` in line {})",
-                    of.text, of.line
-                ),
-            }),
-        }
-    }
-
-    fn number(&mut self, what: &str, of: Word<'_>) -> Read<f32> {
-        let word = self.needed(what, of)?;
-        // Rounded once, and then in range or not.
-        let Ok(number) = word.text.parse::<f32>() else {
-            return word.wrong(format!("{} is no number; {what} is expected", word.shown()));
-        };
-        if !number.is_finite() {
-            return word.wrong(format!("{} is not a finite number; {what} is expected", word.shown()));
-        }
-        Ok(number)
-    }
-
-    /// A number in a range.
-    fn number_in(&mut self, low: f32, high: f32, what: &str, of: Word<'_>) -> Read<f32> {
-        let word = self.next;
-        let number = self.number(what, of)?;
-        match word {
-            Some(word) if !(number >= low && number <= high) => {
-                word.wrong(format!("{what} must be between {low} and {high}, not {number}"))
-            }
-            _ => Ok(number),
-        }
-    }
-
-    fn coordinate(&mut self, what: &str, of: Word<'_>) -> Read<f32> {
-        self.number_in(-FARTHEST, FARTHEST, what, of)
-    }
-
-    fn triple(&mut self, what: &str, of: Word<'_>) -> Read<Triple> {
-        Ok([self.coordinate(what, of)?, self.coordinate(what, of)?, self.coordinate(what, of)?])
-    }
-
-    fn color(&mut self, what: &str, of: Word<'_>) -> Read<Rgb> {
-        let mut channel = || self.number_in(0.0, Rgb::BRIGHTEST, what, of);
-        Ok(Rgb::new(channel()?, channel()?, channel()?))
-    }
-
-    /// A whole number in a range.
-    fn whole(&mut self, low: u32, high: u32, what: &str, of: Word<'_>) -> Read<u32> {
-        let word = self.needed(what, of)?;
-        match word.text.parse::<u32>() {
-            Ok(number) if number >= low && number <= high => Ok(number),
-            _ => {
-                let shown = word.shown();
-                word.wrong(format!("{what} must be a whole number between {low} and {high}, not {shown}"))
-            }
-        }
-    }
-
-    /// Whether a number follows, and no keyword.
-    fn has_number(&self) -> bool {
-        self.next.is_some_and(|word| {
-            word.text.starts_with(|c: char| c.is_ascii_digit() || matches!(c, '+' | '-' | '.'))
-                || word.text.parse::<f32>().is_ok()
-        })
-    }
 }
 
 /// A light as the file has it.
