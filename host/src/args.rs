@@ -4,7 +4,7 @@ use std::path::PathBuf;
 use std::str::FromStr;
 
 use clap::{Parser, Subcommand, ValueEnum};
-use strahl_core::{Limits, Regular, Size};
+use strahl_core::{Regular, Size};
 
 use crate::workers::{LEVELS, Sampling};
 
@@ -43,20 +43,20 @@ pub struct RenderArgs {
     #[arg(long, value_name = "WxH", value_parser = size)]
     pub size: Option<Size>,
 
-    /// Levels of rays; 1 sends no ray from a surface, mirrors stay black.
-    #[arg(long, value_name = "N", default_value_t = Limits::DEFAULT.levels,
-          value_parser = clap::value_parser!(u8).range(1..=LEVELS as i64))]
-    pub levels: u8,
+    /// Levels of rays; 1 sends no ray from a surface, mirrors stay black [default: the scene's,
+    /// or 5].
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u8).range(1..=LEVELS as i64))]
+    pub levels: Option<u8>,
 
     /// A ray is sent when more than this share of what it finds counts in the pixel, 0 to 1
-    /// [default: 1/512].
+    /// [default: the scene's, or 1/512].
     #[arg(long, value_name = "W", value_parser = cutoff)]
     pub cutoff: Option<f32>,
 
     /// Rays in each pixel: `single` through the middle, `regular:N` N times N, `adaptive:0:0`
-    /// through the corners, which neighbours share.
-    #[arg(long, value_name = "SAMPLER", default_value = "single")]
-    pub sampler: Sampling,
+    /// through the corners, which neighbours share [default: the scene's, or single].
+    #[arg(long, value_name = "SAMPLER")]
+    pub sampler: Option<Sampling>,
 
     /// Threads [default: one for each core].
     #[arg(long, value_name = "N", value_parser = threads)]

@@ -1,10 +1,12 @@
 //! A scene in neutral numbers, as loaders give it.
 //!
 //! All numbers are rounded to single precision here, whatever the core computes with, so that
-//! the two precisions see the same scene. Nothing is derived: directions have any length, a
-//! cone is two circles, a polygon its corners.
+//! the two precisions see the same scene. Nothing is derived: directions have any length,
+//! angles are in degrees, a cone is two circles, a polygon its corners.
 
-use strahl_core::{Background, Light, Material, Size};
+use strahl_core::{Material, Rgb, Size};
+
+use crate::workers::Sampling;
 
 /// A point or a direction.
 pub type Triple = [f32; 3];
@@ -14,33 +16,52 @@ pub type Triple = [f32; 3];
 pub struct Description {
     /// How it is looked at.
     pub view: View,
-    /// The size of the picture that the file asks for.
-    pub size: Option<Size>,
+    /// What picture the file asks for.
+    pub settings: Settings,
     /// What is behind everything.
     pub background: Background,
     /// Light from everywhere.
-    pub ambient: strahl_core::Rgb,
-    /// The lights, with the lines they stand in.
+    pub ambient: Rgb,
+    /// The lights.
     pub lights: Vec<Placed<Light>>,
-    /// The materials, with the lines they stand in.
+    /// The materials. Their textures are places in `textures`.
     pub materials: Vec<Placed<Material>>,
-    /// The objects, by their number.
+    /// The textures.
+    pub textures: Vec<Texture>,
+    /// The objects in the order of the file. Every triangle of a mesh counts as one.
     pub objects: Vec<Object>,
     /// Corners of triangles and polygons.
     pub points: Vec<Triple>,
-    /// Normals of corners: that of a corner has the corner's place.
+    /// Normals of corners, of any length but zero: that of a corner has the corner's place.
     pub normals: Vec<Triple>,
+    /// Triangles of meshes: the places of their corners.
+    pub triangles: Vec<[u32; 3]>,
     /// What a user should know of that is no error.
     pub warnings: Vec<String>,
 }
 
-/// Something with its line in the scene file, counted from 1.
+/// What picture a file asks for; the command line wins.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Settings {
+    /// Width and height.
+    pub size: Option<Size>,
+    /// Levels of rays, 1 to [`LEVELS`](crate::workers::LEVELS).
+    pub levels: Option<u8>,
+    /// The cutoff, in `0..=1`.
+    pub cutoff: Option<f32>,
+    /// Rays in each pixel.
+    pub sampling: Option<Sampling>,
+}
+
+/// Something with its place in the scene file.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Placed<T> {
     /// The thing.
     pub it: T,
-    /// The line.
+    /// The line, counted from 1.
     pub line: usize,
+    /// What the file calls it.
+    pub name: Option<String>,
 }
 
 /// How the scene is looked at.
@@ -52,17 +73,112 @@ pub struct View {
     pub at: Triple,
     /// What is up.
     pub up: Triple,
-    /// The full angle of view in degrees, by the rule of [`strahl_core::Projection`].
-    pub angle: f32,
+    /// How rays run.
+    pub projection: Projection,
 }
 
-/// One object.
+/// How rays run, by the rules of [`strahl_core::Projection`].
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Projection {
+    /// From one point, with a full vertical angle of view in degrees.
+    Perspective(f32),
+    /// In one direction, over a height in scene lengths.
+    Orthographic(f32),
+}
+
+/// What is behind everything.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Background {
+    /// One colour.
+    Color(Rgb),
+    /// From one colour to another, by the height of the direction.
+    Gradient {
+        /// What is up, of any length.
+        up: Triple,
+        /// The colour straight down.
+        below: Rgb,
+        /// The colour straight up.
+        above: Rgb,
+    },
+}
+
+/// A light.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Light {
+    /// Where it is and where it shines.
+    pub source: Source,
+    /// Its radiance at a surface that faces it, before the falloff.
+    pub color: Rgb,
+    /// Whether things stand in its way.
+    pub shadows: bool,
+}
+
+/// Where a light is and where it shines.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Source {
+    /// From one place in all directions.
+    Point {
+        /// The place.
+        position: Triple,
+        /// Constant, linear and quadratic part of what it is divided by.
+        falloff: Triple,
+    },
+    /// From infinitely far away.
+    Directional {
+        /// Towards the light, of any length.
+        toward: Triple,
+    },
+    /// From one place into a cone.
+    Spot {
+        /// The place.
+        position: Triple,
+        /// The middle of the cone, away from the light, of any length.
+        direction: Triple,
+        /// Degrees from the middle up to which it is fully bright.
+        bright: f32,
+        /// Degrees from the middle beyond which it is dark.
+        dark: f32,
+        /// Constant, linear and quadratic part of what it is divided by.
+        falloff: Triple,
+    },
+}
+
+/// A colour for each point of space.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Texture {
+    /// Two colours in turn, in cells upright on the axes.
+    Checker {
+        /// The colour of the cell that begins in `origin`.
+        even: Rgb,
+        /// The colour of its neighbours.
+        odd: Rgb,
+        /// A corner of cells.
+        origin: Triple,
+        /// The size of a cell along each axis; zero is one cell without end.
+        size: Triple,
+    },
+    /// From one colour to another, and constant beyond both.
+    Gradient {
+        /// The colour at `start`.
+        from: Rgb,
+        /// The colour at `end`.
+        to: Rgb,
+        /// Where it begins.
+        start: Triple,
+        /// Where it ends.
+        end: Triple,
+    },
+}
+
+/// One object, or one mesh of many.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Object {
     /// Its shape.
     pub form: Form,
     /// Its place in the table of materials.
     pub material: u16,
+    /// Its line in the scene file, counted from 1.
+    pub line: u32,
 }
 
 /// The shape of an object.
@@ -74,6 +190,40 @@ pub enum Form {
         center: Triple,
         /// The radius.
         radius: f32,
+    },
+    /// A plane without end.
+    Plane {
+        /// A point on it.
+        point: Triple,
+        /// Upright on it, of any length.
+        normal: Triple,
+    },
+    /// A flat round disc.
+    Disc {
+        /// The centre.
+        center: Triple,
+        /// Upright on it, of any length.
+        normal: Triple,
+        /// The radius.
+        radius: f32,
+    },
+    /// A box upright on the axes.
+    Cuboid {
+        /// The smallest coordinates.
+        min: Triple,
+        /// The largest coordinates.
+        max: Triple,
+    },
+    /// A box turned in space.
+    TurnedCuboid {
+        /// The middle.
+        center: Triple,
+        /// Half of its length along each of its axes.
+        half: Triple,
+        /// Its first axis, of any length; the part upright on the third counts.
+        first: Triple,
+        /// Its third axis, of any length.
+        third: Triple,
     },
     /// A cone or cylinder between two circles.
     Cone {
@@ -88,6 +238,17 @@ pub enum Form {
         /// Whether the circles are closed by discs.
         capped: bool,
     },
+    /// A torus.
+    Torus {
+        /// The middle of the hole.
+        center: Triple,
+        /// Upright on the circle, of any length.
+        axis: Triple,
+        /// From the centre to the middle of the tube.
+        major: f32,
+        /// The radius of the tube.
+        minor: f32,
+    },
     /// A triangle: the places of its corners.
     Triangle {
         /// Places in the table of points, and in that of normals for a smooth one.
@@ -100,6 +261,15 @@ pub enum Form {
         /// The place of its first corner.
         first: u32,
         /// How many corners.
+        count: u32,
+        /// Whether shading normals are interpolated.
+        smooth: bool,
+    },
+    /// Triangles that follow each other in the table of triangles: as many objects.
+    Mesh {
+        /// The place of the first.
+        first: u32,
+        /// How many.
         count: u32,
         /// Whether shading normals are interpolated.
         smooth: bool,

@@ -8,6 +8,7 @@ use strahl_core::{Limits, Size};
 
 use crate::args::{RenderArgs, StatsForm};
 use crate::choose::{NotTraced, Wanted};
+use crate::description::Settings;
 use crate::failure::Failure;
 use crate::frame::{self, NoFrame};
 use crate::load::load;
@@ -15,7 +16,7 @@ use crate::output::{Output, say};
 use crate::picture::Format;
 use crate::signals::Signals;
 use crate::stats::Stats;
-use crate::workers::Cut;
+use crate::workers::{Cut, Sampling};
 
 /// Of scenes that name no size.
 const DEFAULT_SIZE: Size = Size::new(640, 480).unwrap();
@@ -44,14 +45,7 @@ pub fn run(args: &RenderArgs) -> Result<(), Failure> {
         return Err(Failure::Usage("the report and the picture or the scene are the same file".into()));
     }
 
-    let size = args.size.or(description.size).unwrap_or(DEFAULT_SIZE);
-    let wanted = Wanted {
-        size,
-        limits: Limits { levels: args.levels, cutoff: args.cutoff.unwrap_or(Limits::DEFAULT.cutoff) },
-        sampling: args.sampler,
-        cut: Cut::threads(args.threads.unwrap_or(0)),
-        counted: report.is_some(),
-    };
+    let wanted = wanted(args, &description.settings, report.is_some());
     let frame = frame::trace(&description, &wanted, &signals).map_err(|error| match error {
         NoFrame::Trace(NotTraced::Stopped(stop)) => Failure::Stopped(stop),
         error => Failure::Input { path: args.scene.clone(), line: None, reason: error.to_string() },
@@ -77,10 +71,25 @@ pub fn run(args: &RenderArgs) -> Result<(), Failure> {
         output.commit(text.as_bytes())?;
     }
     if !args.quiet {
-        let (w, h, seconds) = (size.width(), size.height(), frame.trace.as_secs_f64());
+        let (w, h, seconds) = (wanted.size.width(), wanted.size.height(), frame.trace.as_secs_f64());
         say(format_args!("{}: {w} x {h} pixels in {seconds:.2} s", path.display()));
     }
     Ok(())
+}
+
+/// What the command line asks for, else the scene, else the defaults.
+fn wanted(args: &RenderArgs, scene: &Settings, counted: bool) -> Wanted {
+    let default = Limits::DEFAULT;
+    Wanted {
+        size: args.size.or(scene.size).unwrap_or(DEFAULT_SIZE),
+        limits: Limits {
+            levels: args.levels.or(scene.levels).unwrap_or(default.levels),
+            cutoff: args.cutoff.or(scene.cutoff).unwrap_or(default.cutoff),
+        },
+        sampling: args.sampler.or(scene.sampling).unwrap_or(Sampling::Single),
+        cut: Cut::threads(args.threads.unwrap_or(0)),
+        counted,
+    }
 }
 
 /// The scene's name with .png, in the current folder.

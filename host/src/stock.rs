@@ -11,9 +11,9 @@ macro_rules! stock {
         $(#[$doc])*
         pub mod $precision {
             use $core::{
-                Background, Cone, Falloff, Geometry, Interface, Light, Material, MaterialId, PI, Parts,
-                Polygon, Projection, Real, Rgb, Scene, SceneError, Shape, Source, Sphere, Texture, Vec3,
-                View, unit, vec3,
+                Background, Cone, Cuboid, Disc, Falloff, Geometry, Interface, ItemId, Light, Material,
+                MaterialId, PI, Parts, Plane, Polygon, Projection, Real, Rgb, Scene, SceneError, Shape,
+                Source, Sphere, Texture, Torus, TurnedCuboid, Vec3, View, unit, vec3,
             };
 
             use crate::description::{self, Description, Form, Object, Triple};
@@ -24,8 +24,13 @@ macro_rules! stock {
                 shapes: Vec<Shape>,
                 points: Vec<Vec3>,
                 normals: Vec<Vec3>,
+                planes: Vec<Plane>,
+                discs: Vec<Disc>,
                 polygons: Vec<Polygon>,
+                cuboids: Vec<Cuboid>,
+                turned_cuboids: Vec<TurnedCuboid>,
                 cones: Vec<Cone>,
+                tori: Vec<Torus>,
                 made_of: Vec<MaterialId>,
                 materials: Vec<Material>,
                 textures: Vec<Texture>,
@@ -44,44 +49,77 @@ macro_rules! stock {
                             .iter()
                             .map(|n| unit(vector(*n)).unwrap_or(Vec3::Z))
                             .collect(),
-                        made_of: description.objects.iter().map(|o| MaterialId(o.material)).collect(),
                         materials: description.materials.iter().map(|m| material(&m.it)).collect(),
+                        textures: description.textures.iter().map(texture).collect(),
                         lights: description.lights.iter().map(|l| light(&l.it)).collect(),
                         ambient: color(description.ambient),
                         background: Some(background(&description.background)),
                         ..Stock::default()
                     };
                     for object in &description.objects {
-                        let shape = stock.shape(object);
-                        stock.shapes.push(shape);
+                        stock.add(object, &description.triangles);
                     }
                     stock
                 }
 
-                fn shape(&mut self, object: &Object) -> Shape {
-                    match object.form {
+                fn add(&mut self, object: &Object, triangles: &[[u32; 3]]) {
+                    if let Form::Mesh { first, count, smooth } = object.form {
+                        let end = first as usize + count as usize;
+                        let triangles = triangles.get(first as usize..end).unwrap_or_default();
+                        let shape = if smooth { Shape::SmoothTriangle } else { Shape::Triangle };
+                        self.shapes.extend(triangles.iter().map(|corners| shape(*corners)));
+                    } else {
+                        let shape = self.shape(object.form).unwrap_or_else(|| self.nothing());
+                        self.shapes.push(shape);
+                    }
+                    self.made_of.resize(self.shapes.len(), MaterialId(object.material));
+                }
+
+                /// The shape of an object that is one; none when nothing is left of it.
+                fn shape(&mut self, form: Form) -> Option<Shape> {
+                    Some(match form {
                         Form::Sphere { center, radius } => {
                             Shape::Sphere(Sphere { center: vector(center), radius: Real::from(radius) })
                         }
+                        Form::Plane { point, normal } => {
+                            let item = ItemId(self.shapes.len() as u32);
+                            let plane = Plane { point: vector(point), normal: unit(vector(normal))?, item };
+                            Shape::Plane(push(&mut self.planes, plane))
+                        }
+                        Form::Disc { center, normal, radius } => {
+                            let (center, radius) = (vector(center), Real::from(radius));
+                            let disc = Disc { center, normal: unit(vector(normal))?, radius };
+                            Shape::Disc(push(&mut self.discs, disc))
+                        }
+                        Form::Cuboid { min, max } => {
+                            let cuboid = Cuboid { min: vector(min), max: vector(max) };
+                            Shape::Cuboid(push(&mut self.cuboids, cuboid))
+                        }
+                        Form::TurnedCuboid { center, half, first, third } => {
+                            let (center, half) = (vector(center), vector(half));
+                            let cuboid = TurnedCuboid::new(center, half, vector(first), vector(third))?;
+                            Shape::TurnedCuboid(push(&mut self.turned_cuboids, cuboid))
+                        }
                         Form::Cone { base, base_radius, end, end_radius, capped } => {
                             let (r0, r1) = (Real::from(base_radius), Real::from(end_radius));
-                            match Cone::new(vector(base), r0, vector(end), r1, capped) {
-                                Some(cone) => Shape::Cone(push(&mut self.cones, cone)),
-                                None => self.nothing(),
-                            }
+                            let cone = Cone::new(vector(base), r0, vector(end), r1, capped)?;
+                            Shape::Cone(push(&mut self.cones, cone))
+                        }
+                        Form::Torus { center, axis, major, minor } => {
+                            let (major, minor) = (Real::from(major), Real::from(minor));
+                            let torus = Torus { center: vector(center), axis: unit(vector(axis))?, major, minor };
+                            Shape::Torus(push(&mut self.tori, torus))
                         }
                         Form::Triangle { corners, smooth: false } => Shape::Triangle(corners),
                         Form::Triangle { corners, smooth: true } => Shape::SmoothTriangle(corners),
                         Form::Polygon { first, count, smooth } => {
                             let end = first as usize + count as usize;
-                            let corners = self.points.get(first as usize..end).unwrap_or_default();
-                            match Polygon::new(first, corners, smooth) {
-                                Some(polygon) => Shape::Polygon(push(&mut self.polygons, polygon)),
-                                None => self.nothing(),
-                            }
+                            let corners = self.points.get(first as usize..end)?;
+                            let polygon = Polygon::new(first, corners, smooth)?;
+                            Shape::Polygon(push(&mut self.polygons, polygon))
                         }
-                        Form::Nothing => self.nothing(),
-                    }
+                        Form::Mesh { .. } | Form::Nothing => return None,
+                    })
                 }
 
                 /// A triangle whose corners are all the same.
@@ -99,9 +137,13 @@ macro_rules! stock {
                             shapes: &self.shapes,
                             points: &self.points,
                             normals: &self.normals,
+                            planes: &self.planes,
+                            discs: &self.discs,
                             polygons: &self.polygons,
+                            cuboids: &self.cuboids,
+                            turned_cuboids: &self.turned_cuboids,
                             cones: &self.cones,
-                            ..Geometry::EMPTY
+                            tori: &self.tori,
                         },
                         made_of: &self.made_of,
                         materials: &self.materials,
@@ -119,7 +161,14 @@ macro_rules! stock {
                     from: vector(view.from),
                     at: vector(view.at),
                     up: vector(view.up),
-                    projection: Projection::Perspective { angle: Real::from(view.angle) * (PI / 180.0) },
+                    projection: match view.projection {
+                        description::Projection::Perspective(angle) => {
+                            Projection::Perspective { angle: Real::from(angle) * (PI / 180.0) }
+                        }
+                        description::Projection::Orthographic(height) => {
+                            Projection::Orthographic { height: Real::from(height) }
+                        }
+                    },
                 }
             }
 
@@ -132,23 +181,43 @@ macro_rules! stock {
                 vec3(Real::from(x), Real::from(y), Real::from(z))
             }
 
-            // The types below are those of the single core; for it these are copies.
-
-            fn vector_of(v: strahl_core::Vec3) -> Vec3 {
-                vector([v.x, v.y, v.z])
+            /// The direction of `v`; up for none.
+            fn direction(v: Triple) -> Vec3 {
+                unit(vector(v)).unwrap_or(Vec3::Z)
             }
 
             fn color(c: strahl_core::Rgb) -> Rgb {
                 Rgb::new(Real::from(c.r), Real::from(c.g), Real::from(c.b))
             }
 
-            fn background(background: &strahl_core::Background) -> Background {
+            fn background(background: &description::Background) -> Background {
                 match *background {
-                    strahl_core::Background::Color(c) => Background::Color(color(c)),
-                    strahl_core::Background::Gradient { up, below, above } => Background::Gradient {
-                        up: vector_of(up),
+                    description::Background::Color(c) => Background::Color(color(c)),
+                    description::Background::Gradient { up, below, above } => Background::Gradient {
+                        up: direction(up),
                         below: color(below),
                         above: color(above),
+                    },
+                }
+            }
+
+            fn texture(texture: &description::Texture) -> Texture {
+                match *texture {
+                    description::Texture::Checker { even, odd, origin, size } => {
+                        let frequency =
+                            |size: f32| if size > 0.0 { 1.0 / Real::from(size) } else { 0.0 };
+                        Texture::Checker {
+                            even: color(even),
+                            odd: color(odd),
+                            origin: vector(origin),
+                            frequency: vec3(frequency(size[0]), frequency(size[1]), frequency(size[2])),
+                        }
+                    }
+                    description::Texture::Gradient { from, to, start, end } => Texture::Gradient {
+                        from: color(from),
+                        to: color(to),
+                        origin: vector(start),
+                        along: vector(end) - vector(start),
                     },
                 }
             }
@@ -173,25 +242,27 @@ macro_rules! stock {
                 }
             }
 
-            fn light(light: &strahl_core::Light) -> Light {
-                let falloff = |f: strahl_core::Falloff| Falloff {
-                    constant: Real::from(f.constant),
-                    linear: Real::from(f.linear),
-                    quadratic: Real::from(f.quadratic),
+            fn light(light: &description::Light) -> Light {
+                let falloff = |[constant, linear, quadratic]: Triple| Falloff {
+                    constant: Real::from(constant),
+                    linear: Real::from(linear),
+                    quadratic: Real::from(quadratic),
                 };
+                // libm's, which is the same everywhere.
+                let cos = |degrees: f32| libm::cos(f64::from(degrees).to_radians()) as Real;
                 let source = match light.source {
-                    strahl_core::Source::Point { position, falloff: f } => {
-                        Source::Point { position: vector_of(position), falloff: falloff(f) }
+                    description::Source::Point { position, falloff: f } => {
+                        Source::Point { position: vector(position), falloff: falloff(f) }
                     }
-                    strahl_core::Source::Directional { toward } => {
-                        Source::Directional { toward: vector_of(toward) }
+                    description::Source::Directional { toward } => {
+                        Source::Directional { toward: direction(toward) }
                     }
-                    strahl_core::Source::Spot { position, direction, cos_bright, cos_dark, falloff: f } => {
+                    description::Source::Spot { position, direction: d, bright, dark, falloff: f } => {
                         Source::Spot {
-                            position: vector_of(position),
-                            direction: vector_of(direction),
-                            cos_bright: Real::from(cos_bright),
-                            cos_dark: Real::from(cos_dark),
+                            position: vector(position),
+                            direction: direction(d),
+                            cos_bright: cos(bright),
+                            cos_dark: cos(dark),
                             falloff: falloff(f),
                         }
                     }

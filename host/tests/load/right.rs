@@ -1,8 +1,8 @@
 //! What good files describe.
 
-use strahl::description::{Form, Object, Placed, View};
+use strahl::description::{Background, Form, Light, Object, Placed, Projection, Source, View};
 use strahl::stock;
-use strahl_core::{Background, Falloff, Light, Material, Rgb, Size, Source, vec3};
+use strahl_core::{Material, Rgb, Size};
 
 use crate::table::VIEW;
 use crate::text::{ALL, file_of, loaded, refused};
@@ -13,7 +13,7 @@ fn after_view(text: &str) -> strahl::description::Description {
 }
 
 fn lamp(x: f32, y: f32, z: f32, color: Rgb) -> Light {
-    let source = Source::Point { position: vec3(x, y, z), falloff: Falloff::NONE };
+    let source = Source::Point { position: [x, y, z], falloff: [1.0, 0.0, 0.0] };
     Light { source, color, shadows: true }
 }
 
@@ -24,9 +24,14 @@ fn flat(x: f32) -> String {
 #[test]
 fn every_entity_becomes_what_the_format_says() {
     let it = loaded(ALL);
-    let view = View { from: [0.0, -8.0, 1.0], at: [0.0, 0.0, 0.5], up: [0.0, 0.0, 1.0], angle: 40.0 };
+    let view = View {
+        from: [0.0, -8.0, 1.0],
+        at: [0.0, 0.0, 0.5],
+        up: [0.0, 0.0, 1.0],
+        projection: Projection::Perspective(40.0),
+    };
     assert_eq!(it.view, view);
-    assert_eq!(it.size, Size::new(40, 30));
+    assert_eq!(it.settings.size, Size::new(40, 30));
     assert_eq!(it.background, Background::Color(Rgb::new(0.125, 0.25, 0.5)));
 
     // The root of two over four, for both lights together.
@@ -35,7 +40,10 @@ fn every_entity_becomes_what_the_format_says() {
     assert_eq!(it.ambient, rule);
     assert_eq!(
         it.lights,
-        [Placed { it: lamp(4.0, -3.0, 2.0, rule), line: 10 }, Placed { it: colored, line: 11 }]
+        [
+            Placed { it: lamp(4.0, -3.0, 2.0, rule), line: 10, name: None },
+            Placed { it: colored, line: 11, name: None }
+        ]
     );
 
     let scattered = Rgb::new(0.5, 0.375, 0.25);
@@ -55,10 +63,13 @@ fn every_entity_becomes_what_the_format_says() {
         index: 1.5,
         ..Material::MATTE
     };
-    assert_eq!(it.materials, [Placed { it: mirror, line: 12 }, Placed { it: glass, line: 27 }]);
+    assert_eq!(
+        it.materials,
+        [Placed { it: mirror, line: 12, name: None }, Placed { it: glass, line: 27, name: None }]
+    );
 
     let objects = [
-        (Form::Sphere { center: [0.0; 3], radius: 1.0 }, 0),
+        (Form::Sphere { center: [0.0; 3], radius: 1.0 }, 0, 13),
         (
             Form::Cone {
                 base: [0.0, 0.0, 1.0],
@@ -68,13 +79,14 @@ fn every_entity_becomes_what_the_format_says() {
                 capped: false,
             },
             0,
+            14,
         ),
-        (Form::Triangle { corners: [0, 1, 2], smooth: false }, 0),
-        (Form::Polygon { first: 3, count: 5, smooth: false }, 0),
-        (Form::Triangle { corners: [8, 9, 10], smooth: true }, 1),
-        (Form::Polygon { first: 11, count: 4, smooth: true }, 1),
+        (Form::Triangle { corners: [0, 1, 2], smooth: false }, 0, 17),
+        (Form::Polygon { first: 3, count: 5, smooth: false }, 0, 21),
+        (Form::Triangle { corners: [8, 9, 10], smooth: true }, 1, 28),
+        (Form::Polygon { first: 11, count: 4, smooth: true }, 1, 32),
     ];
-    assert_eq!(it.objects, objects.map(|(form, material)| Object { form, material }));
+    assert_eq!(it.objects, objects.map(|(form, material, line)| Object { form, material, line }));
 
     assert_eq!(it.points.len(), 15);
     assert_eq!(it.points[..3], [[-1.0, 0.0, 0.0], [1.0, 0.0, 0.0], [0.0, 0.0, 1.0]]);
@@ -114,6 +126,7 @@ fn line_ends_tabs_empty_lines_and_comments_change_nothing_but_line_numbers() {
     let mut moved = it;
     moved.lights.iter_mut().for_each(|light| light.line *= 2);
     moved.materials.iter_mut().for_each(|material| material.line *= 2);
+    moved.objects.iter_mut().for_each(|object| object.line *= 2);
     assert_eq!(loaded(&ALL.replace('\n', "\n\n").replacen("# a", "\n# a", 1)), moved);
 }
 
@@ -138,6 +151,7 @@ fn entities_may_stand_in_any_order() {
     assert_eq!((last.lights[0].line, last.materials[0].line), (2, 3));
     last.lights[0].line = first.lights[0].line;
     last.materials[0].line = first.materials[0].line;
+    last.objects[0].line = first.objects[0].line;
     assert_eq!(first, last);
 }
 
@@ -266,7 +280,7 @@ fn a_normal_of_any_length_but_zero_is_one() {
 fn a_picture_may_have_as_many_pixels_as_a_file_may_ask_for() {
     for (width, height) in [(1, 1), (4096, 4096), (65_536, 256), (256, 65_536)] {
         let it = loaded(&VIEW.replace("4 3", &format!("{width} {height}")));
-        assert_eq!(it.size, Size::new(width, height));
+        assert_eq!(it.settings.size, Size::new(width, height));
     }
 }
 

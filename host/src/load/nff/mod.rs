@@ -16,11 +16,11 @@ mod words;
 use std::collections::HashMap;
 use std::path::Path;
 
-use strahl_core::{
-    Background, Camera, Cone, FARTHEST, Falloff, Light, Material, Polygon, Rgb, Size, Source, vec3,
-};
+use strahl_core::{Camera, Cone, FARTHEST, Material, Polygon, Rgb, Size, vec3};
 
-use crate::description::{Description, Form, Object, Placed, Triple, View};
+use crate::description::{
+    Background, Description, Form, Light, Object, Placed, Projection, Settings, Source, Triple, View,
+};
 use crate::failure::Failure;
 use crate::stock;
 use words::{Read, Word, Words, Wrong};
@@ -143,13 +143,13 @@ impl<'t> Reader<'t> {
             from: from.ok_or_else(|| missing("from"))?,
             at: at.ok_or_else(|| missing("at"))?,
             up: up.ok_or_else(|| missing("up"))?,
-            angle: angle.ok_or_else(|| missing("angle"))?,
+            projection: Projection::Perspective(angle.ok_or_else(|| missing("angle"))?),
         };
         let size = size.ok_or_else(|| missing("resolution"))?;
         if let Err(fault) = Camera::new(&stock::single::view(&view), size) {
             return of.wrong(format!("{fault}"));
         }
-        self.view = Some(Placed { it: (view, size), line: of.line });
+        self.view = Some(Placed { it: (view, size), line: of.line, name: None });
         Ok(())
     }
 
@@ -169,7 +169,7 @@ impl<'t> Reader<'t> {
             return of.wrong(format!("a second background; the first is in line {}", first.line));
         }
         let color = self.words.color("a channel of the background", of)?;
-        self.background = Some(Placed { it: color, line: of.line });
+        self.background = Some(Placed { it: color, line: of.line, name: None });
         Ok(())
     }
 
@@ -213,7 +213,7 @@ impl<'t> Reader<'t> {
             index: if t > 0.0 { index } else { 1.0 },
             ..Material::MATTE
         };
-        self.materials.push(Placed { it: material, line: of.line });
+        self.materials.push(Placed { it: material, line: of.line, name: None });
         self.known.insert(key, place);
         self.material = Some(place);
         Ok(())
@@ -223,7 +223,7 @@ impl<'t> Reader<'t> {
         let Some(material) = self.material else {
             return of.wrong("an object before the first surface (`f`)");
         };
-        self.objects.push(Object { form, material });
+        self.objects.push(Object { form, material, line: of.line as u32 });
         Ok(())
     }
 
@@ -302,10 +302,9 @@ impl<'t> Reader<'t> {
         let n = self.lamps.len().max(1) as f32;
         let intensity = Rgb::gray((f64::from(n).sqrt() / (2.0 * f64::from(n))) as f32);
         let lights = self.lamps.iter().map(|lamp| {
-            let [x, y, z] = lamp.position;
-            let source = Source::Point { position: vec3(x, y, z), falloff: Falloff::NONE };
+            let source = Source::Point { position: lamp.position, falloff: [1.0, 0.0, 0.0] };
             let color = lamp.color.unwrap_or(intensity);
-            Placed { it: Light { source, color, shadows: true }, line: lamp.line }
+            Placed { it: Light { source, color, shadows: true }, line: lamp.line, name: None }
         });
         let mut warnings = Vec::new();
         if self.flat.0 > 0 {
@@ -315,14 +314,16 @@ impl<'t> Reader<'t> {
         }
         Ok(Description {
             view,
-            size: Some(size),
+            settings: Settings { size: Some(size), ..Settings::default() },
             background: Background::Color(self.background.map_or(Rgb::BLACK, |b| b.it)),
             ambient: intensity,
             lights: lights.collect(),
             materials: self.materials,
+            textures: Vec::new(),
             objects: self.objects,
             points: self.points,
             normals: self.normals,
+            triangles: Vec::new(),
             warnings,
         })
     }
