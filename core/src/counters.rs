@@ -12,6 +12,8 @@ pub struct Counters {
     shapes: [u64; 4],
     regions: [u64; 4],
     by_shape: [u64; ShapeKind::ALL.len()],
+    level_limit: u64,
+    cutoff: u64,
     media_full: u64,
 }
 
@@ -51,6 +53,16 @@ impl Counters {
         of(&self.by_shape, kind as usize)
     }
 
+    /// Rays that were not sent, because the levels ended.
+    pub fn level_limit(&self) -> u64 {
+        self.level_limit
+    }
+
+    /// Rays that were not sent, because too little of what they find would have counted.
+    pub fn cutoff(&self) -> u64 {
+        self.cutoff
+    }
+
     /// Rays that went into a fifth body at once, and were taken to stay in the fourth.
     pub fn media_full(&self) -> u64 {
         self.media_full
@@ -71,6 +83,8 @@ impl Counters {
             }
         }
         self.camera_hits += other.camera_hits;
+        self.level_limit += other.level_limit;
+        self.cutoff += other.cutoff;
         self.media_full += other.media_full;
     }
 }
@@ -96,6 +110,8 @@ impl Tally for Counters {
                 bump(&mut self.by_shape, shape as usize, 1);
             }
             Event::Region(kind) => bump(&mut self.regions, kind as usize, 1),
+            Event::LevelLimit => self.level_limit += 1,
+            Event::Cutoff => self.cutoff += 1,
             Event::MediaFull => self.media_full += 1,
         }
     }

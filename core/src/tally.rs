@@ -38,6 +38,10 @@ pub enum Event {
     Shape(RayKind, ShapeKind),
     /// A ray entered a region of the accelerator.
     Region(RayKind),
+    /// A ray was not sent, because the levels end here.
+    LevelLimit,
+    /// A ray was not sent, because too little of what it finds would count.
+    Cutoff,
     /// A ray went into a medium deeper than the list of media can tell, and was taken to stay
     /// in the one it was in.
     MediaFull,

@@ -13,6 +13,7 @@
 //! | [`workers`] | tiles and threads |
 //! | [`picture`] | linear pictures, their digest, and files of them |
 //! | [`output`] | files that are complete or absent |
+//! | [`plan`] | what a scene asks to be simulated, and why |
 //! | [`stats`] | what was counted and measured |
 //! | [`signals`] | when to stop |
 //! | [`failure`] | what went wrong, and the exit status for it |
@@ -25,6 +26,7 @@ pub mod frame;
 pub mod load;
 pub mod output;
 pub mod picture;
+pub mod plan;
 pub mod render;
 pub mod signals;
 pub mod stats;

@@ -4,10 +4,11 @@ use std::fmt::Write as _;
 
 use serde::Serialize;
 use std::collections::BTreeMap;
-use strahl_core::{Counters, EffectSet, RayKind, ShapeKind};
+use strahl_core::{Counters, RayKind, ShapeKind};
 
 use crate::description::Description;
 use crate::frame::Frame;
+use crate::plan::{self, Effect, plan};
 
 /// A report on one picture. Field by field as the command line promises it.
 #[derive(Debug, Serialize)]
@@ -20,6 +21,7 @@ pub struct Stats {
     accelerator: AcceleratorStats,
     shadow_cache: ShadowCache,
     media: Media,
+    cut: Cut,
     /// How long everything took.
     pub seconds: Seconds,
     digest: String,
@@ -33,12 +35,13 @@ struct SceneStats {
     effects: Vec<&'static str>,
 }
 
-/// One effect that the scene asks for.
+/// One thing that asks for an effect.
 #[derive(Debug, Serialize)]
 struct Step {
     effect: &'static str,
-    asked_by: &'static str,
-    line: Option<usize>,
+    asked_by: String,
+    line: usize,
+    objects: Option<usize>,
     simulated: bool,
 }
 
@@ -91,6 +94,13 @@ struct Media {
     overfull: u64,
 }
 
+/// Rays that were not sent.
+#[derive(Debug, Serialize)]
+struct Cut {
+    by_levels: u64,
+    by_cutoff: u64,
+}
+
 /// Wall-clock seconds; `trace_cpu` is the sum over the threads.
 #[derive(Clone, Copy, Debug, Default, Serialize)]
 #[allow(missing_docs)] // each is the step it names
@@ -111,32 +121,15 @@ fn ray_name(kind: RayKind) -> &'static str {
     }
 }
 
-/// The effects by the names that the command line has for them.
-fn names(set: &EffectSet) -> Vec<&'static str> {
-    let named =
-        [(set.shadows, "shadows"), (set.reflection, "reflection"), (set.transmission, "transmission")];
-    named.into_iter().filter(|(asked, _)| *asked).map(|(_, name)| name).collect()
-}
-
-/// What asks first for each effect.
-fn plan(description: &Description, asks: &EffectSet) -> Vec<Step> {
-    let of_light = || description.lights.iter().find(|light| light.it.shadows).map(|light| light.line);
-    let of_material = |asks: fn(&strahl_core::Material) -> bool| {
-        let mut used = description.objects.iter().map(|o| usize::from(o.material)).collect::<Vec<_>>();
-        used.sort_unstable();
-        used.dedup();
-        let mut materials = used.into_iter().filter_map(|place| description.materials.get(place));
-        materials.find(|m| asks(&m.it)).map(|m| m.line)
-    };
-    let steps = names(asks).into_iter().map(|effect| {
-        let (asked_by, line) = match effect {
-            "shadows" => ("light", of_light()),
-            "reflection" => ("material", of_material(|m| !m.mirror.is_black())),
-            _ => ("material", of_material(|m| m.is_transmitting())),
-        };
-        Step { effect, asked_by, line, simulated: true }
-    });
-    steps.collect()
+/// A step of the plan, reason by reason.
+fn steps(step: &plan::Step) -> impl Iterator<Item = Step> + '_ {
+    step.reasons.iter().map(|reason| Step {
+        effect: step.effect.name(),
+        asked_by: reason.what.clone(),
+        line: reason.line,
+        objects: reason.objects,
+        simulated: true,
+    })
 }
 
 impl Stats {
@@ -154,9 +147,9 @@ impl Stats {
                 objects: facts.objects,
                 triangles: facts.triangles,
                 lights: facts.lights,
-                effects: names(&facts.asks),
+                effects: Effect::ALL.into_iter().filter(|e| e.is_in(&facts.asks)).map(Effect::name).collect(),
             },
-            plan: plan(description, &facts.asks),
+            plan: plan(description, &facts.asks).iter().flat_map(steps).collect(),
             picture: PictureStats { width: frame.picture.size.width(), height: frame.picture.size.height() },
             rays: Rays {
                 camera: counters.rays(RayKind::Camera),
@@ -179,6 +172,7 @@ impl Stats {
             },
             shadow_cache: ShadowCache { asked: 0, hits: 0 },
             media: Media { overfull: counters.media_full() },
+            cut: Cut { by_levels: counters.level_limit(), by_cutoff: counters.cutoff() },
             seconds: Seconds {
                 build: frame.build.as_secs_f64(),
                 trace: frame.trace.as_secs_f64(),
@@ -209,14 +203,25 @@ impl Stats {
             "scene",
             format!("{} objects ({} triangles), {} lights", scene.objects, scene.triangles, scene.lights),
         );
-        for step in &self.plan {
-            let place = step.line.map(|line| format!(" in line {line}")).unwrap_or_default();
-            line("effect", format!("{}, asked for by the {}{place}", step.effect, step.asked_by));
+        for steps in self.plan.chunk_by(|a, b| a.effect == b.effect) {
+            let first = &steps[0];
+            let more = match steps.len() - 1 {
+                0 => String::new(),
+                more => format!(" and {more} more"),
+            };
+            line(
+                "effect",
+                format!("{}, asked for by {} in line {}{more}", first.effect, first.asked_by, first.line),
+            );
         }
         line("camera rays", format!("{}, {} of them hit", rays.camera, rays.camera_hits));
         line("reflected", rays.reflected.to_string());
         line("transmitted", rays.transmitted.to_string());
         line("shadow rays", rays.shadow.to_string());
+        line(
+            "not sent",
+            format!("{} at the last level, {} below the cutoff", self.cut.by_levels, self.cut.by_cutoff),
+        );
         line("tests", format!("{} of boxes, {} of shapes", tests.boxes, tests.shapes));
         for (kind, count) in &tests.by_shape {
             line("", format!("{count} {kind}"));

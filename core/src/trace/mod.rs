@@ -148,15 +148,21 @@ impl<'w, 's, A: Accelerator, E: Effects, const LEVELS: usize> Tracer<'w, 's, A, 
             }
             task.weight *= self.left_after(crossing.before, hit.t);
             if crossing.hidden {
-                self.pass(&task, &seen, crossing, tasks);
+                // The surface is hidden inside another body: straight on.
+                let child = Child {
+                    origin: seen.behind(),
+                    direction: task.direction,
+                    share: Rgb::WHITE,
+                    kind: RayKind::Transmitted,
+                    media: crossing.media,
+                };
+                self.send(&task, child, tasks, tally);
                 return Rgb::BLACK;
             }
         }
 
         let light = local::<A, E, T>(self.world, material, &seen, scratch, tally);
-        if task.level < self.limits.levels {
-            self.leave_children(&task, material, &seen, crossing.as_ref(), tasks);
-        }
+        self.leave_children(&task, material, &seen, crossing.as_ref(), tasks, tally);
         task.weight * light.at_most(BRIGHTEST_SURFACE)
     }
 
@@ -204,34 +210,30 @@ impl<'w, 's, A: Accelerator, E: Effects, const LEVELS: usize> Tracer<'w, 's, A, 
         })
     }
 
-    /// Goes on through a surface that is hidden inside another body.
-    fn pass(&self, task: &Task, seen: &Seen, crossing: &Crossing, tasks: &mut Tasks<LEVELS>) {
-        if task.level < self.limits.levels {
-            tasks.push(Task {
-                origin: seen.behind(),
-                level: task.level + 1,
-                kind: RayKind::Transmitted,
-                media: crossing.media,
-                ..*task
-            });
+    /// Sends a ray from where `task` has arrived, unless the levels end or too little of it counts.
+    fn send<T: Tally>(&self, task: &Task, child: Child, tasks: &mut Tasks<LEVELS>, tally: &mut T) {
+        let Child { origin, direction, share, kind, media } = child;
+        let weight = task.weight * share;
+        if !(weight.largest() > self.limits.cutoff) {
+            tally.count(Event::Cutoff);
+        } else if task.level >= self.limits.levels {
+            tally.count(Event::LevelLimit);
+        } else {
+            tasks.push(Task { origin, direction, weight, level: task.level + 1, kind, media });
         }
     }
 
-    fn leave_children(
+    /// The rays that go on from a surface: through it, and back from it.
+    fn leave_children<T: Tally>(
         &self,
         task: &Task,
         material: &Material,
         seen: &Seen,
         crossing: Option<&Crossing>,
         tasks: &mut Tasks<LEVELS>,
+        tally: &mut T,
     ) {
         let mut mirrored = if E::SET.reflection { material.mirror } else { Rgb::BLACK };
-        let mut send = |origin: Vec3, direction: Vec3, share: Rgb, kind: RayKind, media: Media| {
-            let weight = task.weight * share;
-            if weight.largest() > self.limits.cutoff {
-                tasks.push(Task { origin, direction, weight, level: task.level + 1, kind, media });
-            }
-        };
 
         // Refract, unless all light stays on this side.
         if let Some(crossing) = crossing.filter(|_| material.is_transmitting()) {
@@ -246,9 +248,15 @@ impl<'w, 's, A: Accelerator, E: Effects, const LEVELS: usize> Tracer<'w, 's, A, 
                         Interface::Constant => 0.0,
                         Interface::Fresnel => refraction.mirrored,
                     };
-                    let passed = material.transmitted * (1.0 - kept);
                     mirrored += material.transmitted * kept;
-                    send(seen.behind(), refraction.direction, passed, RayKind::Transmitted, crossing.media);
+                    let through = Child {
+                        origin: seen.behind(),
+                        direction: refraction.direction,
+                        share: material.transmitted * (1.0 - kept),
+                        kind: RayKind::Transmitted,
+                        media: crossing.media,
+                    };
+                    self.send(task, through, tasks, tally);
                 }
                 None => mirrored += material.transmitted,
             }
@@ -259,7 +267,19 @@ impl<'w, 's, A: Accelerator, E: Effects, const LEVELS: usize> Tracer<'w, 's, A, 
             let direction = reflected(task.direction, seen.shading);
             let outward = direction.dot(seen.facing) > 0.0;
             let direction = if outward { direction } else { reflected(task.direction, seen.facing) };
-            send(seen.before(), direction, mirrored, RayKind::Reflected, task.media);
+            let kind = RayKind::Reflected;
+            let back = Child { origin: seen.before(), direction, share: mirrored, kind, media: task.media };
+            self.send(task, back, tasks, tally);
         }
     }
+}
+
+/// A ray that goes on from a surface.
+struct Child {
+    origin: Vec3,
+    direction: Vec3,
+    /// Of the light that arrives along it.
+    share: Rgb,
+    kind: RayKind,
+    media: Media,
 }

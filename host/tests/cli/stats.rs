@@ -87,13 +87,14 @@ fn a_report_says_what_is_in_the_scene() {
     assert_eq!(it["scene"]["triangles"], 1);
     assert_eq!(it["scene"]["lights"], 2);
     assert_eq!(it["scene"]["effects"], serde_json::json!(["shadows", "reflection", "transmission"]));
-    let step = |effect: &str, by: &str, line: u32| serde_json::json!({ "effect": effect, "asked_by": by, "line": line, "simulated": true });
+    let step = |effect: &str, by: &str, line: u32, objects: Option<u32>| serde_json::json!({ "effect": effect, "asked_by": by, "line": line, "objects": objects, "simulated": true });
     assert_eq!(
         it["plan"],
         Value::Array(vec![
-            step("shadows", "light", 3),
-            step("reflection", "material", 5),
-            step("transmission", "material", 7)
+            step("shadows", "light", 3, None),
+            step("shadows", "light", 4, None),
+            step("reflection", "material", 5, Some(1)),
+            step("transmission", "material", 7, Some(2)),
         ])
     );
     assert_eq!(it["picture"], serde_json::json!({ "width": 8, "height": 6 }));
@@ -192,7 +193,7 @@ fn a_report_for_people_says_the_same() {
     for said in [
         "40 x 30".to_owned(),
         "3 objects (1 triangles), 2 lights".to_owned(),
-        "shadows, asked for by the light in line 3".to_owned(),
+        "shadows, asked for by light in line 3 and 1 more".to_owned(),
         format!("{}, {} of them hit", json["rays"]["camera"], json["rays"]["camera_hits"]),
         format!("reflected     {}\n", json["rays"]["reflected"]),
         format!("shadow rays   {}\n", json["rays"]["shadow"]),

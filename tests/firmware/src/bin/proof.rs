@@ -351,6 +351,7 @@ fn counters() {
     let (kind, shape) = (any(RayKind::Camera), any(ShapeKind::Sphere));
     used((counters.rays(kind), counters.camera_hits(), counters.boxes(kind), counters.shapes(kind)));
     used((counters.regions(kind), counters.by_shape(shape), counters.media_full()));
+    used((counters.level_limit(), counters.cutoff()));
     ().count(any(Event::MediaFull));
 }
 
