@@ -11,7 +11,8 @@ use strahl_core::{
     TracerError, World,
 };
 
-use crate::signals::{Signals, Stop};
+use crate::progress::Watch;
+use crate::signals::Stop;
 use crate::workers::{self, Count, Cut, LEVELS, Sampling};
 
 /// Light and shadow, but no secondary rays.
@@ -71,11 +72,11 @@ pub fn trace<A: Accelerator + Sync>(
     accelerator: A,
     camera: Camera,
     wanted: &Wanted,
-    signals: &Signals,
+    watch: &Watch,
 ) -> Result<Traced, NotTraced> {
     let asks = scene.effects();
     let world = World::new(scene, accelerator);
-    let job = Job { world: &world, camera, wanted, signals };
+    let job = Job { world: &world, camera, wanted, watch };
     if Local::SET.contains(&asks) {
         job.with::<Local>()
     } else if Mirrors::SET.contains(&asks) {
@@ -89,7 +90,7 @@ struct Job<'j, 's, A> {
     world: &'j World<'s, A>,
     camera: Camera,
     wanted: &'j Wanted,
-    signals: &'j Signals,
+    watch: &'j Watch,
 }
 
 impl<A: Accelerator + Sync> Job<'_, '_, A> {
@@ -107,6 +108,6 @@ impl<A: Accelerator + Sync> Job<'_, '_, A> {
         let Wanted { size, limits, sampling, cut, .. } = *self.wanted;
         let tracer =
             Tracer::<A, E, LEVELS>::new(self.world, self.camera, limits).map_err(NotTraced::Tracer)?;
-        workers::trace(&tracer, sampling, size, cut, self.signals).map_err(NotTraced::Stopped)
+        workers::trace(&tracer, sampling, size, cut, self.watch).map_err(NotTraced::Stopped)
     }
 }

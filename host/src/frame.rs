@@ -10,7 +10,7 @@ use strahl_core::{
 use crate::choose::{self, NotTraced, Wanted};
 use crate::description::Description;
 use crate::picture::Picture;
-use crate::signals::Signals;
+use crate::progress::Watch;
 use crate::stock::single::{self, Stock};
 
 /// A picture, and what it took.
@@ -96,7 +96,7 @@ impl fmt::Display for NoFrame {
 impl std::error::Error for NoFrame {}
 
 /// Traces what is described.
-pub fn trace(description: &Description, wanted: &Wanted, signals: &Signals) -> Result<Frame, NoFrame> {
+pub fn trace(description: &Description, wanted: &Wanted, watch: &Watch) -> Result<Frame, NoFrame> {
     let clock = Instant::now();
     let stock = Stock::new(description);
     let scene = stock.scene().map_err(NoFrame::Scene)?;
@@ -108,7 +108,7 @@ pub fn trace(description: &Description, wanted: &Wanted, signals: &Signals) -> R
     let build = clock.elapsed();
 
     let (clock, cpu) = (Instant::now(), cpu_time());
-    let (colors, counters) = choose::trace(scene, list, camera, wanted, signals).map_err(NoFrame::Trace)?;
+    let (colors, counters) = choose::trace(scene, list, camera, wanted, watch).map_err(NoFrame::Trace)?;
     Ok(Frame {
         picture: Picture { size: wanted.size, colors },
         facts: Facts::of(&scene),

@@ -15,6 +15,8 @@
 //! | [`output`] | files that are complete or absent |
 //! | [`plan`] | what a scene asks to be simulated, and why |
 //! | [`stats`] | what was counted and measured |
+//! | [`progress`] | how far the work is |
+//! | [`summary`] | what was done, for a person |
 //! | [`signals`] | when to stop |
 //! | [`failure`] | what went wrong, and the exit status for it |
 
@@ -27,8 +29,10 @@ pub mod load;
 pub mod output;
 pub mod picture;
 pub mod plan;
+pub mod progress;
 pub mod render;
 pub mod signals;
 pub mod stats;
 pub mod stock;
+pub mod summary;
 pub mod workers;

@@ -89,10 +89,16 @@ impl Output {
     }
 }
 
-/// Says something on the standard error. That nobody can read it is no failure; `eprintln!`
-/// would panic.
+/// Says something on the standard error, after the program's name. That nobody can read it is no
+/// failure; `eprintln!` would panic.
 pub fn say(message: impl fmt::Display) {
-    let _ = writeln!(io::stderr(), "strahl: {message}");
+    tell(format_args!("strahl: {message}\n"));
+}
+
+/// Says something on the standard error as it is. Colours are left out where it is no terminal,
+/// and where `NO_COLOR` is set.
+pub fn tell(message: impl fmt::Display) {
+    let _ = write!(anstream::stderr(), "{message}");
 }
 
 /// Where a file is, or would be. The file behind a link is meant, not the link.

@@ -12,10 +12,13 @@ use crate::description::Settings;
 use crate::failure::Failure;
 use crate::frame::{self, NoFrame};
 use crate::load::load;
-use crate::output::{Output, say};
+use crate::output::{Output, say, tell};
 use crate::picture::Format;
+use crate::plan::plan;
+use crate::progress::Watch;
 use crate::signals::Signals;
 use crate::stats::Stats;
+use crate::summary::summary;
 use crate::workers::{Cut, Sampling};
 
 /// Of scenes that name no size.
@@ -45,8 +48,11 @@ pub fn run(args: &RenderArgs) -> Result<(), Failure> {
         return Err(Failure::Usage("the report and the picture or the scene are the same file".into()));
     }
 
-    let wanted = wanted(args, &description.settings, report.is_some());
-    let frame = frame::trace(&description, &wanted, &signals).map_err(|error| match error {
+    let wanted = wanted(args, &description.settings, report.is_some() || !args.quiet);
+    let watch = if args.quiet { Watch::silent(signals) } else { Watch::on_terminal(signals) };
+    let frame = frame::trace(&description, &wanted, &watch);
+    watch.end();
+    let frame = frame.map_err(|error| match error {
         NoFrame::Trace(NotTraced::Stopped(stop)) => Failure::Stopped(stop),
         error => Failure::Input { path: args.scene.clone(), line: None, reason: error.to_string() },
     })?;
@@ -56,7 +62,7 @@ pub fn run(args: &RenderArgs) -> Result<(), Failure> {
         path: Some(path.clone()),
         error: std::io::Error::other(error),
     })?;
-    signals.check().map_err(Failure::Stopped)?;
+    watch.check().map_err(Failure::Stopped)?;
     output.commit(&file)?;
     let write = clock.elapsed();
 
@@ -70,9 +76,9 @@ pub fn run(args: &RenderArgs) -> Result<(), Failure> {
         };
         output.commit(text.as_bytes())?;
     }
-    if !args.quiet {
-        let (w, h, seconds) = (wanted.size.width(), wanted.size.height(), frame.trace.as_secs_f64());
-        say(format_args!("{}: {w} x {h} pixels in {seconds:.2} s", path.display()));
+    if let (Some(counters), false) = (&frame.counters, args.quiet) {
+        let plan = plan(&description, &frame.facts.asks);
+        tell(summary(&path, &frame, counters, &plan, load, write));
     }
     Ok(())
 }

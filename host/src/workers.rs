@@ -10,7 +10,8 @@ use strahl_core::{
     Tile, Tracer, Worker, render,
 };
 
-use crate::signals::{Signals, Stop};
+use crate::progress::Watch;
+use crate::signals::Stop;
 
 /// The most levels of rays.
 pub const LEVELS: usize = 64;
@@ -67,7 +68,7 @@ pub fn trace<A, E, T, const L: usize>(
     sampling: Sampling,
     size: Size,
     cut: Cut,
-    signals: &Signals,
+    watch: &Watch,
 ) -> Result<(Vec<Rgb>, T), Stop>
 where
     A: Accelerator + Sync,
@@ -79,13 +80,13 @@ where
     let run = || {
         let whole = Tile::whole(size);
         match sampling {
-            Sampling::Single => tiles(tracer, Single, whole, cut.tile, signals),
+            Sampling::Single => tiles(tracer, Single, whole, cut.tile, watch),
             Sampling::Regular(n) => {
                 let sampler = Regular::new(n).unwrap_or(Regular::ONE);
-                tiles(tracer, sampler, whole, cut.tile, signals)
+                tiles(tracer, sampler, whole, cut.tile, watch)
             }
             Sampling::Corners => {
-                let (corners, counts) = tiles(tracer, Corner, Lattice::tile(size), cut.tile, signals)?;
+                let (corners, counts) = tiles(tracer, Corner, Lattice::tile(size), cut.tile, watch)?;
                 let mut colors = Vec::with_capacity(whole.len());
                 if let Some(mut lattice) = Lattice::new(size, &corners) {
                     colors.extend(whole.pixels().map(|pixel| lattice.color(pixel, &mut |_| Rgb::BLACK)));
@@ -106,7 +107,7 @@ fn tiles<A, E, T, S, const L: usize>(
     sampler: S,
     whole: Tile,
     side: u32,
-    signals: &Signals,
+    watch: &Watch,
 ) -> Result<(Vec<Rgb>, T), Stop>
 where
     A: Accelerator + Sync,
@@ -114,14 +115,16 @@ where
     T: Count,
     S: Sampler + Clone + Sync + Send,
 {
+    watch.begin(whole.len());
     let list: Vec<Tile> = whole.tiles(side).collect();
     let traced: Vec<(Tile, Vec<Rgb>, T)> = list
         .into_par_iter()
         .map(|tile| {
             let mut worker = Worker::new(T::default());
             let mut colors = Vec::with_capacity(tile.len());
-            let mut sink = Growing { colors: &mut colors, signals };
+            let mut sink = Growing { colors: &mut colors, watch };
             render(tracer, &mut sampler.clone(), &mut worker, tile.pixels(), &mut sink)?;
+            watch.done(tile.len());
             Ok((tile, colors, worker.into_tally()))
         })
         .collect::<Result<_, Stop>>()?;
@@ -143,7 +146,7 @@ where
 /// The pixels of one tile, until a signal comes.
 struct Growing<'m> {
     colors: &'m mut Vec<Rgb>,
-    signals: &'m Signals,
+    watch: &'m Watch,
 }
 
 impl Sink for Growing<'_> {
@@ -151,6 +154,6 @@ impl Sink for Growing<'_> {
 
     fn put(&mut self, _: Pixel, color: Rgb) -> Result<(), Stop> {
         self.colors.push(color);
-        self.signals.check()
+        self.watch.check()
     }
 }

@@ -15,6 +15,7 @@ use std::path::PathBuf;
 use std::process::ExitCode;
 
 use strahl::choose::Wanted;
+use strahl::progress::Watch;
 use strahl::signals::Signals;
 use strahl::workers::{Cut, Sampling};
 use strahl_core::{Counters, Limits, RayKind, Size};
@@ -52,7 +53,7 @@ fn main() -> Result<ExitCode, Box<dyn Error>> {
     let mut within = true;
     for (name, published, limit) in PUBLISHED {
         let description = strahl::load::load(&folder.join(name).with_extension("nff"))?;
-        let frame = strahl::frame::trace(&description, &wanted, &Signals::default())?;
+        let frame = strahl::frame::trace(&description, &wanted, &Watch::silent(Signals::default()))?;
         let counters = frame.counters.ok_or("nothing was counted")?;
         if counters.rays(RayKind::Camera) != 513 * 513 {
             return Err(format!("{name}: {} camera rays", counters.rays(RayKind::Camera)).into());

@@ -18,6 +18,7 @@ use std::path::{Path, PathBuf};
 
 use strahl::choose::Wanted;
 use strahl::picture::{Format, Picture};
+use strahl::progress::Watch;
 use strahl::signals::Signals;
 use strahl::workers::{Cut, Sampling};
 use strahl_core::{
@@ -61,7 +62,7 @@ fn scene_file(name: &str, width: u32, height: u32, levels: u8, sampling: Samplin
         cut: Cut::threads(0),
         counted: false,
     };
-    strahl::frame::trace(&description, &wanted, &Signals::default()).unwrap().picture
+    strahl::frame::trace(&description, &wanted, &Watch::silent(Signals::default())).unwrap().picture
 }
 
 /// Renders the scene that the firmware has as constants.

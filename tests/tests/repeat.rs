@@ -3,6 +3,7 @@
 use strahl::choose::Wanted;
 use strahl::description::Description;
 use strahl::frame::{self, Frame};
+use strahl::progress::Watch;
 use strahl::signals::Signals;
 use strahl::workers::{Cut, Sampling};
 use strahl_core::{Limits, Size};
@@ -18,7 +19,7 @@ fn traced(scene: &Description, sampling: Sampling, cut: Cut, counted: bool) -> F
     // Neither side a multiple of a tile.
     let size = Size::new(61, 37).unwrap();
     let wanted = Wanted { size, limits: Limits::DEFAULT, sampling, cut, counted };
-    frame::trace(scene, &wanted, &Signals::default()).unwrap()
+    frame::trace(scene, &wanted, &Watch::silent(Signals::default())).unwrap()
 }
 
 #[test]

@@ -307,10 +307,11 @@ impl<'t> Reader<'t> {
             Placed { it: Light { source, color, shadows: true }, line: lamp.line, name: None }
         });
         let mut warnings = Vec::new();
-        if self.flat.0 > 0 {
-            let (count, line) = self.flat;
-            warnings
-                .push(format!("{count} polygons have no area and are never hit (the first in line {line})"));
+        match self.flat {
+            (0, _) => {}
+            (1, line) => warnings.push(format!("1 polygon has no area and is never hit (line {line})")),
+            (count, line) => warnings
+                .push(format!("{count} polygons have no area and are never hit (the first in line {line})")),
         }
         Ok(Description {
             view,

@@ -1,0 +1,84 @@
+//! What was done, in a few lines for a person.
+
+use std::fmt::Write as _;
+use std::path::Path;
+use std::time::Duration;
+
+use anstyle::{AnsiColor, Effects, Style};
+use indicatif::HumanCount;
+use strahl_core::{Counters, RayKind};
+
+use crate::frame::Frame;
+use crate::plan::{Effect, Step};
+
+/// Of the names in front of the lines.
+const LABEL: Style = Style::new().effects(Effects::DIMMED);
+/// Of the picture's name.
+const TITLE: Style = AnsiColor::Green.on_default().effects(Effects::BOLD);
+
+/// The lines about a picture at `path`, styled for a terminal.
+pub fn summary(
+    path: &Path,
+    frame: &Frame,
+    counters: &Counters,
+    plan: &[Step],
+    load: Duration,
+    write: Duration,
+) -> String {
+    let size = frame.picture.size;
+    let mut text = format!("{TITLE}{}{TITLE:#}  {} x {}\n", path.display(), size.width(), size.height());
+    let mut line = |label: &str, says: String| {
+        // Writing to a string cannot fail.
+        let _ = writeln!(text, "  {LABEL}{label:<10}{LABEL:#}{says}");
+    };
+
+    let count = |number: u64| HumanCount(number).to_string();
+    let s = |time: Duration| format!("{:.2} s", time.as_secs_f64());
+    line(
+        "time",
+        format!(
+            "load {}, build {}, trace {} ({} on all threads), write {}",
+            s(load),
+            s(frame.build),
+            s(frame.trace),
+            s(frame.trace_cpu),
+            s(write)
+        ),
+    );
+    let rays = |kind| count(counters.rays(kind));
+    line(
+        "rays",
+        format!(
+            "{} camera, {} reflected, {} transmitted, {} shadow",
+            rays(RayKind::Camera),
+            rays(RayKind::Reflected),
+            rays(RayKind::Transmitted),
+            rays(RayKind::Shadow)
+        ),
+    );
+    for (place, step) in plan.iter().enumerate() {
+        line(if place == 0 { "simulated" } else { "" }, reasons(step));
+    }
+    let not_called_for: Vec<_> =
+        Effect::ALL.into_iter().filter(|effect| !effect.is_in(&frame.facts.asks)).map(Effect::name).collect();
+    if !not_called_for.is_empty() {
+        line("left out", format!("{}: not called for", not_called_for.join(", ")));
+    }
+    let (levels, cutoff) = (counters.level_limit(), counters.cutoff());
+    if levels + cutoff > 0 {
+        line("cut", format!("{} rays at the last level, {} below the cutoff", count(levels), count(cutoff)));
+    }
+    if counters.media_full() > 0 {
+        line("cut", format!("{} entries into a fifth body at once", count(counters.media_full())));
+    }
+    text
+}
+
+/// An effect and the first that asks for it.
+fn reasons(step: &Step) -> String {
+    let first = step.reasons.first().map(|reason| format!(": {reason}")).unwrap_or_default();
+    match step.reasons.len() {
+        0 | 1 => format!("{}{first}", step.effect),
+        more => format!("{}{first} and {} more", step.effect, more - 1),
+    }
+}
