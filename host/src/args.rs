@@ -26,6 +26,8 @@ pub struct Args {
 pub enum Command {
     /// Render a scene into a picture.
     Render(RenderArgs),
+    /// Tell what is in a scene, what it asks for and why, and what it takes.
+    Info(InfoArgs),
 }
 
 /// What to render, and how.
@@ -73,6 +75,17 @@ pub struct RenderArgs {
     /// Say nothing but errors.
     #[arg(short, long)]
     pub quiet: bool,
+}
+
+/// What to tell about.
+#[derive(Debug, Parser)]
+pub struct InfoArgs {
+    /// The scene.
+    pub scene: PathBuf,
+
+    /// For programs.
+    #[arg(long)]
+    pub json: bool,
 }
 
 /// How a report is written.

@@ -5,6 +5,7 @@
 //! |---|---|
 //! | [`args`] | the command line |
 //! | [`render`] | the command `render` |
+//! | [`info`] | the command `info` |
 //! | [`load`] | scene files to a [`description`] |
 //! | [`description`] | a scene in neutral numbers |
 //! | [`stock`] | the owned tables of a scene, for either precision |
@@ -18,13 +19,16 @@
 //! | [`progress`] | how far the work is |
 //! | [`summary`] | what was done, for a person |
 //! | [`signals`] | when to stop |
+//! | [`faults`] | what is wrong in a text, shown as a compiler would |
 //! | [`failure`] | what went wrong, and the exit status for it |
 
 pub mod args;
 pub mod choose;
 pub mod description;
 pub mod failure;
+pub mod faults;
 pub mod frame;
+pub mod info;
 pub mod load;
 pub mod output;
 pub mod picture;

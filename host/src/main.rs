@@ -9,6 +9,7 @@ fn main() -> ExitCode {
     let args = Args::parse();
     let done = match args.command {
         Command::Render(args) => strahl::render::run(&args),
+        Command::Info(args) => strahl::info::run(&args),
     };
     match done {
         Ok(()) => ExitCode::SUCCESS,

@@ -38,12 +38,12 @@ impl Disc {
 }
 
 /// How far a disc upright on `normal` reaches along each axis: `r sqrt(1 - n^2)`.
+///
+/// Written with the two other components, so that nothing cancels: a disc upright on an axis is
+/// exactly flat.
 pub(super) fn disc_reach(normal: Vec3, radius: Real) -> Vec3 {
-    // A normal that is rounded may leave a little less than nothing, or hide a little: the
-    // root of some roundoffs, which must not shut out what is hit.
-    let side = |n: Real| {
-        let rest = 1.0 - n * n;
-        radius * sqrt(if rest > 0.0 { rest } else { 0.0 } + 4.0 * Real::EPSILON)
-    };
-    Vec3::new(side(normal.x), side(normal.y), side(normal.z))
+    let square = normal * normal;
+    let all = normal.dot(normal);
+    let reach = |others: Real| radius * sqrt(others / all);
+    Vec3::new(reach(square.y + square.z), reach(square.z + square.x), reach(square.x + square.y))
 }

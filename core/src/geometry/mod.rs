@@ -81,6 +81,20 @@ impl<'s> Geometry<'s> {
         tori: &[],
     };
 
+    /// The memory that all tables take, in bytes.
+    pub const fn bytes(&self) -> usize {
+        size_of_val(self.shapes)
+            + size_of_val(self.points)
+            + size_of_val(self.normals)
+            + size_of_val(self.planes)
+            + size_of_val(self.discs)
+            + size_of_val(self.polygons)
+            + size_of_val(self.cuboids)
+            + size_of_val(self.turned_cuboids)
+            + size_of_val(self.cones)
+            + size_of_val(self.tori)
+    }
+
     /// Whether every shape is one and finds what it refers to; else the first that does not.
     pub fn check(&self) -> Result<(), (ItemId, ShapeFault)> {
         if self.points.iter().any(|p| !is_in_range(*p)) {

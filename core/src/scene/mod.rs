@@ -87,6 +87,15 @@ impl Parts<'_> {
         ambient: Rgb::BLACK,
         background: Background::Color(Rgb::BLACK),
     };
+
+    /// The memory that all tables take, in bytes.
+    pub const fn bytes(&self) -> usize {
+        self.geometry.bytes()
+            + size_of_val(self.made_of)
+            + size_of_val(self.materials)
+            + size_of_val(self.textures)
+            + size_of_val(self.lights)
+    }
 }
 
 /// A scene that has been checked: every reference finds its table, every number is in range.

@@ -1,5 +1,6 @@
 //! The program from outside: exit statuses, messages, files.
 
+mod info;
 mod outputs;
 mod pictures;
 mod program;

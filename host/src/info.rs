@@ -1,0 +1,158 @@
+//! The command `info`: what is in a scene, what it asks for and why, and what it takes.
+
+use std::collections::BTreeMap;
+use std::fmt::Write as _;
+use std::path::Path;
+
+use indicatif::{HumanBytes, HumanCount};
+use serde::Serialize;
+use strahl_core::{Aabb, List, Scene, ShapeKind, groups_of};
+
+use crate::args::InfoArgs;
+use crate::description::Description;
+use crate::failure::Failure;
+use crate::load::load;
+use crate::output::{Output, say};
+use crate::plan::{Effect, Step, plan};
+use crate::stock::single::Stock;
+
+/// Tells what is in one scene.
+pub fn run(args: &InfoArgs) -> Result<(), Failure> {
+    let description = load(&args.scene)?;
+    for warning in &description.warnings {
+        say(format_args!("{}: warning: {warning}", args.scene.display()));
+    }
+    let stock = Stock::new(&description);
+    let scene = stock.scene().map_err(|error| Failure::Input {
+        path: args.scene.clone(),
+        line: None,
+        reason: error.to_string(),
+    })?;
+    let info = Info::new(&description, &scene);
+    let text = if args.json { info.to_json() } else { info.to_text(&args.scene) };
+    Output::Stdout.commit(text.as_bytes())
+}
+
+/// What is in a scene. Field by field as `--json` prints it.
+#[derive(Debug, Serialize)]
+struct Info {
+    objects: usize,
+    /// Items by kind of shape; kinds that are not there are left out.
+    by_shape: BTreeMap<&'static str, usize>,
+    lights: usize,
+    materials: usize,
+    textures: usize,
+    /// The smallest and the largest coordinates of what has an end.
+    bounds: Option<[[f32; 3]; 2]>,
+    plan: Vec<PlanStep>,
+    not_called_for: Vec<&'static str>,
+    memory: Memory,
+}
+
+/// An effect that the scene asks for.
+#[derive(Debug, Serialize)]
+struct PlanStep {
+    effect: &'static str,
+    asked_by: Vec<String>,
+}
+
+/// Bytes.
+#[derive(Debug, Serialize)]
+struct Memory {
+    /// The tables of the scene.
+    scene: usize,
+    /// Each accelerator beside them.
+    accelerators: Vec<Accelerator>,
+}
+
+#[derive(Debug, Serialize)]
+struct Accelerator {
+    kind: &'static str,
+    bytes: usize,
+    regions: usize,
+}
+
+impl Info {
+    fn new(description: &Description, scene: &Scene<'_>) -> Self {
+        let parts = scene.parts();
+        let mut by_shape = BTreeMap::new();
+        for shape in parts.geometry.shapes {
+            *by_shape.entry(shape.kind().name()).or_insert(0) += 1;
+        }
+        debug_assert!(by_shape.len() <= ShapeKind::ALL.len());
+
+        let boxes: Vec<Aabb> = parts.geometry.all_bounds().collect();
+        let all = boxes.iter().fold(Aabb::EMPTY, |all, item| all.union(*item));
+        let mut groups = vec![Aabb::EMPTY; groups_of(boxes.len())];
+        let list = List::boxed(&boxes, &mut groups).map(|list| list.bytes()).unwrap_or(0);
+        let accelerators = vec![Accelerator { kind: "list", bytes: list, regions: groups_of(boxes.len()) }];
+
+        let asks = scene.effects();
+        let missing = Effect::ALL.into_iter().filter(|effect| !effect.is_in(&asks));
+        Info {
+            objects: parts.geometry.shapes.len(),
+            by_shape,
+            lights: parts.lights.len(),
+            materials: parts.materials.len(),
+            textures: parts.textures.len(),
+            bounds: (!all.is_empty()).then(|| [all.min.to_array(), all.max.to_array()]),
+            plan: plan(description, &asks).iter().map(PlanStep::of).collect(),
+            not_called_for: missing.map(Effect::name).collect(),
+            memory: Memory { scene: parts.bytes(), accelerators },
+        }
+    }
+
+    fn to_json(&self) -> String {
+        let mut json = serde_json::to_string_pretty(self).unwrap_or_default();
+        json.push('\n');
+        json
+    }
+
+    fn to_text(&self, path: &Path) -> String {
+        let mut text = format!("{}\n", path.display());
+        let mut line = |label: &str, says: String| {
+            // Writing to a string cannot fail.
+            let _ = writeln!(text, "  {label:<15}{says}");
+        };
+        let count = |number: usize| HumanCount(number as u64).to_string();
+        line("objects", count(self.objects));
+        for (kind, number) in &self.by_shape {
+            line("", format!("{} {kind}", count(*number)));
+        }
+        line("lights", count(self.lights));
+        line("materials", count(self.materials));
+        line("textures", count(self.textures));
+        if let Some([[x0, y0, z0], [x1, y1, z1]]) = self.bounds {
+            line("bounds", format!("{x0} {y0} {z0} to {x1} {y1} {z1}"));
+        }
+        for (place, step) in self.plan.iter().enumerate() {
+            line(if place == 0 { "asks for" } else { "" }, step.effect.into());
+            // All of them are in the JSON.
+            for reason in step.asked_by.iter().take(REASONS) {
+                line("", format!("  {reason}"));
+            }
+            if step.asked_by.len() > REASONS {
+                line("", format!("  and {} more", step.asked_by.len() - REASONS));
+            }
+        }
+        if !self.not_called_for.is_empty() {
+            line("not called for", self.not_called_for.join(", "));
+        }
+        line("memory", format!("{} for the scene", HumanBytes(self.memory.scene as u64)));
+        for Accelerator { kind, bytes, regions } in &self.memory.accelerators {
+            let regions = count(*regions);
+            line("", format!("{} more for the {kind} ({regions} regions)", HumanBytes(*bytes as u64)));
+        }
+        text
+    }
+}
+
+/// How many reasons for an effect are told to a person.
+const REASONS: usize = 4;
+
+impl PlanStep {
+    fn of(step: &Step) -> Self {
+        let asked_by = step.reasons.iter().map(|reason| reason.to_string()).collect();
+        PlanStep { effect: step.effect.name(), asked_by }
+    }
+}

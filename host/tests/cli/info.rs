@@ -1,0 +1,63 @@
+//! What `info` tells.
+
+use serde_json::{Value, json};
+
+use crate::program::{BALL, EMPTY, Folder};
+
+#[test]
+fn a_scene_is_told_with_everything_that_asks_for_an_effect() {
+    let folder = Folder::with(BALL);
+    let it: Value = serde_json::from_slice(&folder.done("info scene.nff --json")).unwrap();
+    assert_eq!(it["objects"], 3);
+    assert_eq!(it["by_shape"], json!({ "sphere": 2, "triangle": 1 }));
+    assert_eq!((&it["lights"], &it["materials"], &it["textures"]), (&json!(2), &json!(2), &json!(0)));
+    let step = |effect: &str, asked_by: &[&str]| json!({ "effect": effect, "asked_by": asked_by });
+    assert_eq!(
+        it["plan"],
+        json!([
+            step("shadows", &["light (line 3)", "light (line 4)"]),
+            step("reflection", &["material (line 5) on 1 object"]),
+            step("transmission", &["material (line 7) on 2 objects"]),
+        ])
+    );
+    assert_eq!(it["not_called_for"], json!([]));
+    assert_eq!(folder.names(), ["scene.nff"], "nothing is written");
+}
+
+#[test]
+fn the_bounds_hold_everything_and_little_more() {
+    let folder = Folder::with(&format!("{EMPTY}f 1 1 1 1 0 0 0 0\ns 1 2 3 0.5\n"));
+    let it: Value = serde_json::from_slice(&folder.done("info scene.nff --json")).unwrap();
+    for (end, sign) in [(0, -1.0), (1, 1.0)] {
+        for (axis, center) in [1.0, 2.0, 3.0].into_iter().enumerate() {
+            let reach = sign * (it["bounds"][end][axis].as_f64().unwrap() - center);
+            assert!((0.5..0.500_001).contains(&reach), "{reach}");
+        }
+    }
+}
+
+#[test]
+fn an_empty_scene_has_no_bounds_and_asks_for_nothing() {
+    let folder = Folder::with(EMPTY);
+    let it: Value = serde_json::from_slice(&folder.done("info scene.nff --json")).unwrap();
+    assert_eq!((&it["objects"], &it["bounds"], &it["plan"]), (&json!(0), &Value::Null, &json!([])));
+    assert_eq!(it["not_called_for"], json!(["shadows", "reflection", "transmission"]));
+}
+
+#[test]
+fn a_person_is_told_the_same() {
+    let folder = Folder::with(BALL);
+    let text = String::from_utf8(folder.done("info scene.nff")).unwrap();
+    for said in
+        ["scene.nff\n", "2 sphere\n", "shadows\n", "  light (line 3)\n", "material (line 7) on 2 objects\n"]
+    {
+        assert!(text.contains(said), "`{said}` is not in\n{text}");
+    }
+}
+
+#[test]
+fn a_wrong_scene_has_no_contents() {
+    let folder = Folder::with("v from");
+    folder.run("info scene.nff").failed(65, "scene.nff:1: ");
+    folder.run("info missing.nff").failed(66, "missing.nff");
+}
