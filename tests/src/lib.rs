@@ -7,7 +7,7 @@
 //! * [`oracle`]: where a ray meets a thing, in `f64`, by other ways than the core's.
 //! * [`picture`], [`assert_picture`]: pictures as text.
 
-mod core;
+mod cast;
 pub mod double;
 pub mod oracle;
 mod picture;
@@ -15,7 +15,7 @@ mod random;
 pub mod single;
 mod thing;
 
-pub use crate::core::{Core, Found};
+pub use cast::{Core, Found};
 pub use picture::{assert_picture, picture};
 pub use random::{Random, rounded};
 pub use thing::{Kind, Line, Thing, Vector, vector};

@@ -11,7 +11,7 @@
 //! shear uses the ray's reciprocal, which is as good, because it is the same for all.
 
 use super::{Aabb, Ray, Surface};
-use crate::math::{Real, Vec3, abs, difference_of_products, gamma, unit};
+use crate::math::{Real, Vec3, abs, difference_of_products, gamma, greatest, largest, unit};
 
 /// Where a ray meets a triangle: how far, and the shares of the three corners.
 pub(super) struct Contact {
@@ -23,11 +23,10 @@ pub(super) fn bounds(corners: [Vec3; 3]) -> Aabb {
     Aabb::around(corners)
 }
 
-/// The normal `(v1 - v0) x (v2 - v0)` of length one; none when the triangle has no area.
-pub(super) fn normal([a, b, c]: [Vec3; 3]) -> Option<Vec3> {
-    // Scaled first, so that the product of two edges stays in range.
-    let (e, f) = (unit(b - a)?, unit(c - a)?);
-    unit(e.cross(f))
+/// `(v1 - v0) x (v2 - v0)`, as long as twice the area. With corners within
+/// [`FARTHEST`](crate::math::FARTHEST) it stays in range.
+fn area([a, b, c]: [Vec3; 3]) -> Vec3 {
+    (b - a).cross(c - a)
 }
 
 #[inline]
@@ -50,26 +49,26 @@ pub(super) fn hit(corners: [Vec3; 3], ray: &Ray) -> Option<Contact> {
     if (u < 0.0 || v < 0.0 || w < 0.0) && (u > 0.0 || v > 0.0 || w > 0.0) {
         return None;
     }
-    let area = u + v + w;
-    if area == 0.0 {
+    let sum = u + v + w;
+    // What has no area is no surface, though rounding may have given it some width here.
+    if sum == 0.0 || area(corners) == Vec3::ZERO {
         return None;
     }
-    // Three quotients and not one reciprocal: that of a tiny area would leave the range.
-    let shares = [u / area, v / area, w / area];
+    // Three quotients and not one reciprocal: that of a tiny sum would leave the range.
+    let shares = [u / sum, v / sum, w / sum];
     Some(Contact { t: shares[0] * a.z + shares[1] * b.z + shares[2] * c.z, shares })
 }
 
 pub(super) fn surface(corners: [Vec3; 3], normals: Option<[Vec3; 3]>, ray: &Ray) -> Option<Surface> {
     let contact = hit(corners, ray)?;
     let mix = |v: [Vec3; 3]| v[0] * contact.shares[0] + v[1] * contact.shares[1] + v[2] * contact.shares[2];
-    let flat = normal(corners)?;
+    let flat = unit(area(corners))?;
+    let point = mix(corners);
     // The shares of the corners add up to one within three roundings, and each product and
-    // sum adds one; twice that for the test that starts here.
-    let k: u32 = option_env!("KK").unwrap_or("0").parse().unwrap_or(0);
-    let at = mix(corners);
-    let [x, y, z] = corners.map(|corner| crate::math::largest(corner - at));
-    let away = crate::math::greatest(x, crate::math::greatest(y, z));
-    let error = mix(corners.map(abs)) * gamma(16) + Vec3::splat(away) * gamma(k);
+    // sum adds one; twice that for the test that starts here. What that test rounds besides
+    // follows the distance of the corners, also where their coordinates are small.
+    let away = corners.iter().fold(0.0, |away, corner| greatest(away, largest(*corner - point)));
+    let error = mix(corners.map(abs)) * gamma(16) + Vec3::splat(away) * gamma(8);
     let shading = normals.and_then(|normals| unit(mix(normals))).unwrap_or(flat);
-    Some(Surface { point: mix(corners), error, normal: flat, shading })
+    Some(Surface { point, error, normal: flat, shading })
 }

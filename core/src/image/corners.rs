@@ -78,7 +78,8 @@ pub struct CornerRow<'m> {
 }
 
 impl<'m> CornerRow<'m> {
-    /// For rows of `row.len() - 1` pixels.
+    /// For rows of `row.len() - 1` pixels. With less than two corners it remembers nothing, and
+    /// traces all four of every pixel.
     pub fn new(row: &'m mut [Rgb]) -> Self {
         CornerRow { row, next: None, first: 0, above: false, last: Rgb::BLACK }
     }
@@ -117,10 +118,12 @@ impl Sampler for CornerRow<'_> {
             // The upper left corner of the next pixel.
             self.set(place + 1, upper_right);
             Some(Pixel { x: pixel.x + 1, y: pixel.y })
-        } else {
+        } else if width > 0 {
             self.set(place + 1, lower_right);
             self.above = true;
             Some(Pixel { x: self.first, y: pixel.y + 1 })
+        } else {
+            None // there is no room to remember anything
         };
         mean([upper_left, upper_right], [lower_left, lower_right])
     }

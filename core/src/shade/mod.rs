@@ -80,7 +80,9 @@ pub(crate) fn local<A: Accelerator, E: Effects, T: Tally>(
         if !(cos > 0.0) || beam.color.is_black() {
             continue;
         }
-        if E::SET.shadows && source.shadows && shadow::is_dark::<A, E, T>(world, from, &beam, scratch, tally)
+        if E::SET.shadows
+            && source.shadows
+            && shadow::is_dark::<A, E, T>(world, seen.surface.point, from, &beam, scratch, tally)
         {
             continue;
         }

@@ -2,7 +2,7 @@
 
 use crate::accel::Accelerator;
 use crate::geometry::Ray;
-use crate::math::{ROUNDOFF, Real, Vec3};
+use crate::math::{ROUNDOFF, Real, Vec3, largest};
 use crate::scene::{Beam, Effects, World};
 use crate::tally::{Event, RayKind, Tally};
 
@@ -10,17 +10,23 @@ use crate::tally::{Event, RayKind, Tally};
 /// in which the light lies does not stand in its own light.
 const NEARLY_THERE: Real = 1.0 - 16.0 * ROUNDOFF;
 
-/// Whether anything stands between `from` and where the beam comes from. What lies behind the
-/// light does not count; glass counts as if it were opaque.
+/// Whether anything stands between a point, which its rays leave at `from`, and where the beam
+/// comes from. What lies behind the light does not count; glass counts as if it were opaque.
 pub(super) fn is_dark<A: Accelerator, E: Effects, T: Tally>(
     world: &World<'_, A>,
+    point: Vec3,
     from: Vec3,
     beam: &Beam,
     scratch: &mut A::Scratch,
     tally: &mut T,
 ) -> bool {
     tally.count(Event::Ray(RayKind::Shadow));
-    let ray = Ray::new(from, beam.toward);
+    // Started beside the point, the ray must not end beside the light.
+    let aside = (point - from) / beam.distance;
+    if !(largest(aside) < 1.0) {
+        return false; // the light is nearer than that
+    }
+    let ray = Ray::new(from, beam.toward + aside);
     let reach = beam.distance * NEARLY_THERE;
     world.blocker::<E, T>(&ray, reach, RayKind::Shadow, scratch, tally).is_some()
 }

@@ -1,0 +1,385 @@
+//! Where a ray meets a thing, found in other ways than the core's.
+//!
+//! Solids and round sides are met by going along the ray, each time as far as the surface is
+//! away ("Sphere tracing", Hart 1996): no step can pass it, and no quadratic or quartic is
+//! solved. Flat things are met on their plane, and what is inside is told by the angle under
+//! which the border is seen. All in `f64`.
+//!
+//! Near a silhouette, an edge or a rim rounding decides, and either answer is right. A solid is
+//! asked three times, as it is and grown and shrunk by the [`band`]; where the three do not
+//! agree the truth is [`Truth::Unclear`]. A flat thing is unclear where the border is within
+//! the band of the point that is met.
+
+use crate::thing::{Line, Thing, Vector, area, unit, upright, vector};
+
+/// What is true of a ray and a thing.
+#[derive(Clone, Copy, Debug)]
+pub enum Truth {
+    /// It is not met.
+    Miss,
+    /// It is met here.
+    Hit(Contact),
+    /// Rounding may decide.
+    Unclear,
+}
+
+/// Where a ray meets a thing.
+#[derive(Clone, Copy, Debug)]
+pub struct Contact {
+    /// How far, in lengths of the ray's direction.
+    pub t: f64,
+    /// How far, in scene lengths.
+    pub way: f64,
+    /// The point.
+    pub point: Vector,
+    /// The normal, as the core's shapes promise it.
+    pub normal: Vector,
+    /// The cosine between ray and normal, without its sign.
+    pub slope: f64,
+    /// The smallest radius of curvature there.
+    pub curvature: f64,
+}
+
+/// How good the answers are: a way may be off by this times [`size`] over the slope.
+pub const PRECISION: f64 = 1e-13;
+
+/// The unit roundoff of single precision.
+const U: f64 = 1.0 / (1 << 24) as f64;
+
+/// The largest difference that must be formed to intersect the two.
+pub fn size(thing: &Thing, line: &Line) -> f64 {
+    let (center, radius) = thing.ball();
+    let reach = length(line.origin - center);
+    match thing {
+        // Its normal is rounded, and counts as far from its point as the ray meets it.
+        Thing::Plane { point, normal } => {
+            let t = (*point - line.origin).dot(*normal) / line.direction.dot(*normal);
+            reach + length(line.direction * t)
+        }
+        // Its corners lie off its plane by their own rounding.
+        Thing::Polygon { corners } | Thing::SmoothPolygon { corners, .. } => {
+            reach + radius + corners.iter().copied().map(length).fold(0.0, f64::max)
+        }
+        _ => reach + radius,
+    }
+}
+
+/// How near to a silhouette, an edge or a rim a ray may pass before either answer is right.
+pub fn band(thing: &Thing, line: &Line) -> f64 {
+    32.0 * U * size(thing, line)
+}
+
+fn length(v: Vector) -> f64 {
+    v.dot(v).sqrt()
+}
+
+/// The truth.
+pub fn meet(thing: &Thing, line: &Line) -> Truth {
+    match thing {
+        Thing::Plane { .. }
+        | Thing::Disc { .. }
+        | Thing::Triangle { .. }
+        | Thing::SmoothTriangle { .. }
+        | Thing::Polygon { .. }
+        | Thing::SmoothPolygon { .. } => meet_flat(thing, line),
+        _ => meet_round(thing, line),
+    }
+}
+
+/// How far a point is from the surface: of a flat thing from its plane, of a solid below zero
+/// inside, of an open cone from its side.
+pub fn distance(thing: &Thing, p: Vector) -> f64 {
+    match thing {
+        Thing::Sphere { center, radius } => length(p - *center) - radius,
+        Thing::Cuboid { min, max } => box_distance(p - (*min + *max) * 0.5, (*max - *min) * 0.5),
+        Thing::TurnedCuboid { center, half, first, third } => {
+            let z = unit(*third);
+            let y = unit(z.cross(*first));
+            let q = p - *center;
+            box_distance(vector(q.dot(y.cross(z)), q.dot(y), q.dot(z)), *half)
+        }
+        Thing::Cone { base, base_radius, end, end_radius, capped } => {
+            let (q, height) = profile(*base, *end, p);
+            let (first, second) = ((*base_radius, 0.0), (*end_radius, height));
+            let side = to_segment(q, first, second);
+            if !capped {
+                return side;
+            }
+            let caps = to_segment(q, (0.0, 0.0), first).min(to_segment(q, (0.0, height), second));
+            let level = base_radius + (end_radius - base_radius) * q.1 / height;
+            let inside = q.1 > 0.0 && q.1 < height && q.0 < level;
+            side.min(caps) * if inside { -1.0 } else { 1.0 }
+        }
+        Thing::Torus { center, axis, major, minor } => {
+            let (q, axis) = (p - *center, unit(*axis));
+            let z = q.dot(axis);
+            (length(q - axis * z) - major).hypot(z) - minor
+        }
+        flat => {
+            let (point, normal) = level(flat);
+            (p - point).dot(normal).abs()
+        }
+    }
+}
+
+fn box_distance(p: Vector, half: Vector) -> f64 {
+    let q = p.abs() - half;
+    length(q.max(Vector::ZERO)) + q.max_element().min(0.0)
+}
+
+/// How far a point is from the axis and how far along it, and the length of the axis.
+fn profile(base: Vector, end: Vector, p: Vector) -> ((f64, f64), f64) {
+    let (q, height) = (p - base, length(end - base));
+    let axis = (end - base) / height;
+    let z = q.dot(axis);
+    ((length(q - axis * z), z), height)
+}
+
+fn to_segment(p: (f64, f64), a: (f64, f64), b: (f64, f64)) -> f64 {
+    let (way, from) = ((b.0 - a.0, b.1 - a.1), (p.0 - a.0, p.1 - a.1));
+    let square = way.0 * way.0 + way.1 * way.1;
+    let s = if square > 0.0 { (from.0 * way.0 + from.1 * way.1) / square } else { 0.0 }.clamp(0.0, 1.0);
+    (from.0 - way.0 * s).hypot(from.1 - way.1 * s)
+}
+
+/// The outward normal at a point of a solid, or of the side of an open cone: how the distance
+/// changes there.
+fn normal_at(thing: &Thing, p: Vector) -> Vector {
+    let outward = |p: Vector| match thing {
+        Thing::Cone { base, base_radius, end, end_radius, capped: false } => {
+            let (q, height) = profile(*base, *end, p);
+            q.0 - (base_radius + (end_radius - base_radius) * q.1 / height)
+        }
+        _ => distance(thing, p),
+    };
+    let h = 1e-6 * thing.ball().1;
+    let along = |axis: Vector| outward(p + axis * h) - outward(p - axis * h);
+    unit(vector(along(Vector::X), along(Vector::Y), along(Vector::Z)))
+}
+
+/// The smallest radius of curvature at a point; the edges of solids are nobody's business here.
+fn curvature_at(thing: &Thing, p: Vector) -> f64 {
+    match thing {
+        Thing::Sphere { radius, .. } => *radius,
+        Thing::Cone { base, end, .. } => profile(*base, *end, p).0.0,
+        Thing::Torus { major, minor, .. } => minor.min(major - minor),
+        _ => f64::INFINITY,
+    }
+}
+
+/// How a walk along a ray ends.
+#[derive(Clone, Copy, PartialEq)]
+enum End {
+    At(f64),
+    Nowhere,
+    /// It has come too near too often without meeting anything.
+    Lost,
+}
+
+fn walk(field: impl Fn(Vector) -> f64, origin: Vector, direction: Vector, thing: &Thing, size: f64) -> End {
+    let (center, radius) = thing.ball();
+    let far = (center - origin).dot(direction) + 1.01 * radius + 1e-3 * size;
+    let mut way = 0.0;
+    for _ in 0..20_000 {
+        let step = field(origin + direction * way).abs();
+        way += step;
+        if step <= 0.1 * PRECISION * size {
+            return End::At(way);
+        }
+        if way > far {
+            return End::Nowhere;
+        }
+    }
+    End::Lost
+}
+
+fn meet_round(thing: &Thing, line: &Line) -> Truth {
+    let speed = length(line.direction);
+    let (origin, direction) = (line.origin, line.direction / speed);
+    let (size, band) = (size(thing, line), band(thing, line));
+    if distance(thing, origin).abs() <= 2.0 * band {
+        return Truth::Unclear;
+    }
+    let is_shell = matches!(thing, Thing::Cone { capped: false, .. });
+    let met = |by: f64| walk(|p| distance(thing, p) - by, origin, direction, thing, size);
+    let ends = (met(band), met(0.0), if is_shell { met(0.0) } else { met(-band) });
+    let (grown, way, shrunk) = match ends {
+        (End::Nowhere, End::Nowhere, End::Nowhere) => return Truth::Miss,
+        (End::At(grown), End::At(way), End::At(shrunk)) => (grown, way, shrunk),
+        _ => return Truth::Unclear,
+    };
+
+    let point = origin + direction * way;
+    let normal = normal_at(thing, point);
+    let slope = normal.dot(direction).abs();
+    // Straight on, the three lie a band over the slope apart.
+    let apart = band / slope;
+    let bent = |other: f64| normal_at(thing, origin + direction * other).dot(normal) < 0.5;
+    if (shrunk - way).abs() > 4.0 * apart || (grown - way).abs() > 4.0 * apart || bent(grown) || bent(shrunk)
+    {
+        return Truth::Unclear;
+    }
+    // A shell cannot shrink: the ray must go through it, and not through its rim.
+    if let Thing::Cone { base, end, capped: false, .. } = thing {
+        let (q, height) = profile(*base, *end, point);
+        let behind = distance(thing, origin + direction * (way + 4.0 * apart));
+        if behind < 2.0 * band || q.1 < 8.0 * apart || height - q.1 < 8.0 * apart {
+            return Truth::Unclear;
+        }
+    }
+    let curvature = curvature_at(thing, point);
+    Truth::Hit(Contact { t: way / speed, way, point, normal, slope, curvature })
+}
+
+/// A point of the plane of a flat thing, and the plane's normal.
+fn level(thing: &Thing) -> (Vector, Vector) {
+    match thing {
+        Thing::Plane { point, normal } => (*point, unit(*normal)),
+        Thing::Disc { center, normal, .. } => (*center, unit(*normal)),
+        _ => {
+            let corners = corners(thing);
+            (corners.iter().sum::<Vector>() / corners.len() as f64, unit(area(corners)))
+        }
+    }
+}
+
+fn corners(thing: &Thing) -> &[Vector] {
+    match thing {
+        Thing::Triangle { corners } | Thing::SmoothTriangle { corners, .. } => corners,
+        Thing::Polygon { corners } | Thing::SmoothPolygon { corners, .. } => corners,
+        _ => &[],
+    }
+}
+
+fn meet_flat(thing: &Thing, line: &Line) -> Truth {
+    let speed = length(line.direction);
+    let (origin, direction) = (line.origin, line.direction / speed);
+    let (point, normal) = level(thing);
+    let (height, slope) = ((origin - point).dot(normal), normal.dot(direction));
+    let band = band(thing, line);
+    if slope.abs() < 1e-6 || height.abs() <= band {
+        return Truth::Unclear;
+    }
+    let way = -height / slope;
+    if way < 0.0 {
+        return Truth::Miss;
+    }
+    let met = origin + direction * way;
+    let (is_inside, border) = match thing {
+        Thing::Plane { .. } => (true, f64::INFINITY),
+        Thing::Disc { center, radius, .. } => {
+            let from_middle = length(met - *center);
+            (from_middle < *radius, (from_middle - radius).abs())
+        }
+        _ => inside(corners(thing), met, normal),
+    };
+    let slope = slope.abs();
+    if border <= band / slope {
+        Truth::Unclear
+    } else if is_inside {
+        Truth::Hit(Contact { t: way / speed, way, point: met, normal, slope, curvature: f64::INFINITY })
+    } else {
+        Truth::Miss
+    }
+}
+
+/// The corners one after the other, each with the next.
+fn edges(corners: &[Vector]) -> impl Iterator<Item = (Vector, Vector)> + '_ {
+    corners.iter().copied().zip(corners.iter().copied().cycle().skip(1))
+}
+
+/// Whether a point of the plane is inside, by the angle under which it sees the border, and how
+/// far the border is.
+fn inside(corners: &[Vector], p: Vector, normal: Vector) -> (bool, f64) {
+    let (x, y) = upright(normal);
+    let flat = |corner: Vector| ((corner - p).dot(x), (corner - p).dot(y));
+    let (mut turn, mut border) = (0.0_f64, f64::INFINITY);
+    for (a, b) in edges(corners) {
+        let (a, b) = (flat(a), flat(b));
+        turn += angle(a, b);
+        border = border.min(to_segment((0.0, 0.0), a, b));
+    }
+    (turn.abs() > std::f64::consts::PI, border)
+}
+
+/// From one direction to another, more than zero to the left.
+fn angle(a: (f64, f64), b: (f64, f64)) -> f64 {
+    (a.0 * b.1 - a.1 * b.0).atan2(a.0 * b.0 + a.1 * b.1)
+}
+
+/// The shading normal of a smooth thing at a point of its plane, and how far the nearest corner
+/// is; none for other things.
+///
+/// For a triangle the shares of the corners are the areas opposite them, for a polygon Floater's
+/// weights, each with the tangents of half of the angles on both sides of its corner.
+pub fn shading(thing: &Thing, p: Vector) -> Option<(Vector, f64)> {
+    let (corners, normals) = match thing {
+        Thing::SmoothTriangle { corners, normals } => (&corners[..], &normals[..]),
+        Thing::SmoothPolygon { corners, normals } => (&corners[..], &normals[..]),
+        _ => return None,
+    };
+    let (_, upward) = level(thing);
+    let nearest = corners.iter().map(|corner| length(*corner - p)).fold(f64::INFINITY, f64::min);
+    let share = |i: usize| {
+        let (before, here, after) =
+            (corners[(i + corners.len() - 1) % corners.len()], corners[i], corners[(i + 1) % corners.len()]);
+        if let Thing::SmoothTriangle { .. } = thing {
+            return (after - p).cross(before - p).dot(upward);
+        }
+        let (x, y) = upright(upward);
+        let flat = |corner: Vector| ((corner - p).dot(x), (corner - p).dot(y));
+        let half = |a: Vector, b: Vector| (0.5 * angle(flat(a), flat(b))).tan();
+        (half(before, here) + half(here, after)) / length(here - p)
+    };
+    Some((unit(normals.iter().enumerate().map(|(i, normal)| unit(*normal) * share(i)).sum()), nearest))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn line(origin: Vector, direction: Vector) -> Line {
+        Line { origin, direction }
+    }
+
+    fn way(thing: &Thing, line: &Line) -> Option<f64> {
+        match meet(thing, line) {
+            Truth::Hit(contact) => Some(contact.way),
+            Truth::Miss => None,
+            Truth::Unclear => panic!("unclear"),
+        }
+    }
+
+    #[test]
+    fn the_oracle_knows_what_is_known_on_paper() {
+        let close = |got: Option<f64>, want: f64| (got.unwrap() - want).abs() <= 1e-12;
+        let along_x = line(vector(-5.0, 0.0, 0.0), vector(2.0, 0.0, 0.0));
+        let ball = Thing::Sphere { center: Vector::ZERO, radius: 1.5 };
+        assert!(close(way(&ball, &along_x), 3.5));
+        assert!(close(way(&ball, &line(vector(0.5, 0.0, 0.0), Vector::X)), 1.0));
+        let ring = Thing::Torus { center: Vector::ZERO, axis: Vector::Z, major: 2.0, minor: 0.5 };
+        assert!(close(way(&ring, &along_x), 2.5));
+        assert!(close(way(&ring, &line(vector(-1.0, 0.0, 0.0), Vector::X)), 2.5));
+        assert_eq!(way(&ring, &line(vector(0.0, 0.0, 3.0), -Vector::Z)), None);
+        let cone = |capped| Thing::Cone {
+            base: Vector::ZERO,
+            base_radius: 2.0,
+            end: vector(0.0, 0.0, 2.0),
+            end_radius: 0.0,
+            capped,
+        };
+        let up = line(vector(1.0, 0.0, -1.0), Vector::Z);
+        assert!(close(way(&cone(true), &up), 1.0) && close(way(&cone(false), &up), 2.0));
+        let tilted = line(vector(2.0, 2.0, 0.5), vector(-1.0, -1.0, 0.0));
+        let cube = Thing::Cuboid { min: vector(-1.0, 0.0, 0.0), max: Vector::ONE };
+        assert!(close(way(&cube, &tilted), 2.0_f64.sqrt()));
+    }
+
+    #[test]
+    fn a_point_in_a_notch_is_outside() {
+        let corners =
+            [(0.0, 0.0), (4.0, 0.0), (4.0, 3.0), (2.0, 1.0), (0.0, 3.0)].map(|(x, y)| vector(x, y, 0.0));
+        assert_eq!(inside(&corners, vector(2.0, 0.5, 0.0), Vector::Z), (true, 0.5));
+        assert!(!inside(&corners, vector(2.0, 2.0, 0.0), Vector::Z).0);
+    }
+}

@@ -1,0 +1,23 @@
+//! Pictures as text.
+
+use strahl_core::Rgb;
+
+/// The picture as text: a dot for black, and for everything else a sign that is the heavier,
+/// the more light there is in the brightest channel: `+` up to a third, `o` up to two, `#`.
+pub fn picture(colors: &[Rgb], width: usize) -> String {
+    let sign = |color: &Rgb| match color.largest() {
+        0.0 => '.',
+        x if x <= 1.0 / 3.0 => '+',
+        x if x <= 2.0 / 3.0 => 'o',
+        _ => '#',
+    };
+    let rows: Vec<String> = colors.chunks(width).map(|row| row.iter().map(sign).collect()).collect();
+    rows.join("\n")
+}
+
+/// Holds a picture against the expected text, whose lines may be indented.
+pub fn assert_picture(colors: &[Rgb], width: usize, expected: &str) {
+    let expected: Vec<&str> = expected.split_whitespace().collect();
+    let got = picture(colors, width);
+    assert!(got == expected.join("\n"), "\nexpected\n{}\ngot\n{got}", expected.join("\n"));
+}

@@ -1,0 +1,104 @@
+//! Levels of rays: as many as there is room for, and no more room than that.
+
+use crate::*;
+
+/// Parallel planes one apart, half mirror and half glass that does not break light, which shine
+/// by themselves: wherever a ray is, there is another plane before it, and both of its children
+/// meet planes as well.
+fn panes(levels: usize) -> Stage {
+    let mut stage = Stage::new();
+    let half = Rgb::gray(0.5);
+    let diffuse = Rgb::BLACK;
+    stage.material(Material { diffuse, mirror: half, transmitted: half, ..Material::MATTE });
+    for i in 0..levels {
+        let x = i as Real + 1.0;
+        stage.plane(vec3(x, 0.0, 0.0), Vec3::X);
+        stage.plane(vec3(-x, 0.0, 0.0), Vec3::X);
+    }
+    stage.ambient = Rgb::gray(0.25);
+    stage
+}
+
+/// A ray straight at the panes, with room for `LEVELS` levels.
+fn full_tree<const LEVELS: usize>(levels: u8) -> (Rgb, Counters) {
+    let stage = panes(levels.into());
+    let world = World::new(stage.scene(), List::bare(stage.len()));
+    let view = View { from: Vec3::ZERO, at: Vec3::X, up: Vec3::Y, ..VIEW };
+    let limits = Limits { levels, cutoff: 0.0 };
+    let tracer =
+        Tracer::<_, Everything, LEVELS>::new(&world, Camera::new(&view, size(1, 1)).unwrap(), limits)
+            .unwrap();
+    let mut worker = Worker::new(Counters::new());
+    (tracer.radiance(Place { x: 0.5, y: 0.5 }, &mut worker), worker.into_tally())
+}
+
+#[test]
+fn a_full_tree_of_rays_needs_no_more_room_than_levels() {
+    // Each level has twice the rays of half the weight, so that each adds the same light.
+    for (levels, (color, counters)) in [
+        (1, full_tree::<1>(1)),
+        (2, full_tree::<2>(2)),
+        (5, full_tree::<5>(5)),
+        (12, full_tree::<12>(12)),
+        // More room than needed changes nothing.
+        (5, full_tree::<64>(5)),
+        (12, full_tree::<64>(12)),
+    ] {
+        let children = (1 << (levels - 1)) - 1;
+        assert_eq!(color, Rgb::gray(0.25 * levels as Real), "{levels}");
+        assert_eq!(counters.rays(RayKind::Camera), 1);
+        assert_eq!(counters.rays(RayKind::Reflected), children, "{levels}");
+        assert_eq!(counters.rays(RayKind::Transmitted), children, "{levels}");
+        assert_eq!(counters.rays(RayKind::Shadow), 0);
+    }
+}
+
+#[test]
+fn room_for_more_levels_gives_the_same_picture() {
+    let stage = fair();
+    let world = World::new(stage.scene(), List::bare(stage.len()));
+    let shoot = |levels| Limits { levels, ..Limits::DEFAULT };
+    let s = size(24, 16);
+    let one = picture::<_, Everything, 1>(&world, s, shoot(1), &mut Single);
+    assert_eq!(picture::<_, Everything, 64>(&world, s, shoot(1), &mut Single), one);
+    let two = picture::<_, Everything, 2>(&world, s, shoot(2), &mut Single);
+    assert_eq!(picture::<_, Everything, 5>(&world, s, shoot(2), &mut Single), two);
+    let five = picture::<_, Everything, 5>(&world, s, shoot(5), &mut Single);
+    assert_eq!(picture::<_, Everything, 64>(&world, s, shoot(5), &mut Single), five);
+    assert!(one.0 != two.0 && two.0 != five.0);
+}
+
+#[test]
+fn a_tracer_refuses_limits_that_it_has_no_room_for() {
+    let stage = Stage::new();
+    let world = World::new(stage.scene(), List::bare(0));
+    let camera = Camera::new(&VIEW, size(2, 2)).unwrap();
+    let error = |levels, cutoff| {
+        Tracer::<_, Everything, 5>::new(&world, camera, Limits { levels, cutoff })
+            .err()
+            .map(|e| e.to_string())
+    };
+    for (levels, cutoff) in [(1, 0.0), (5, 1.0), (5, 1.0 / 512.0)] {
+        assert_eq!(error(levels, cutoff), None);
+    }
+    for levels in [0, 6, 255] {
+        assert_eq!(error(levels, 0.0), Some(format!("{levels} levels wanted, 1 to 5 possible")));
+    }
+    for cutoff in [-0.001, 1.001, Real::NAN, Real::INFINITY] {
+        assert_eq!(error(5, cutoff).unwrap(), "the cutoff is not in 0..=1");
+    }
+}
+
+#[test]
+fn a_thing_in_more_bodies_than_a_list_of_media_holds_is_told() {
+    // Six shells of glass round the eye's target: the fifth and sixth are not entered.
+    let mut stage = Stage::new();
+    stage.material(Material { transmitted: Rgb::WHITE, index: 1.1, diffuse: Rgb::BLACK, ..Material::MATTE });
+    for radius in 1..7 {
+        stage.sphere(Vec3::ZERO, radius as Real);
+    }
+    let limits = Limits { levels: 64, cutoff: 0.0 };
+    let (_, counters) = stage.look_and_count(vec3(0.0, 0.0, 20.0), vec3(0.1, 0.2, 0.0), limits);
+    assert_eq!(counters.media_full(), 2);
+    assert_eq!(counters.rays(RayKind::Transmitted), 12, "it goes on all the same");
+}

@@ -1,0 +1,160 @@
+//! What memory does: it is lent, bounded and never needed from a heap; too little of it is
+//! refused at the door or costs time, and never changes a picture.
+
+#![expect(unsafe_code, reason = "an allocator that counts is one")]
+
+mod effects;
+mod levels;
+mod pictures;
+
+use std::alloc::{GlobalAlloc, Layout, System};
+use std::cell::Cell;
+
+use strahl_core::*;
+use strahl_tests::single::Stage;
+use strahl_tests::{Kind, Random, Thing, Vector};
+
+const SEED: u64 = 0x5eed_0004;
+
+/// The system's allocator, and how often each thread has asked it for memory.
+struct Counting;
+
+thread_local! {
+    static ALLOCATIONS: Cell<u64> = const { Cell::new(0) };
+}
+
+// SAFETY: it hands on every question to the system's allocator. Counting needs no memory: the
+// count has no destructor and is there when its thread begins.
+unsafe impl GlobalAlloc for Counting {
+    unsafe fn alloc(&self, layout: Layout) -> *mut u8 {
+        ALLOCATIONS.set(ALLOCATIONS.get() + 1);
+        unsafe { System.alloc(layout) }
+    }
+
+    unsafe fn dealloc(&self, at: *mut u8, layout: Layout) {
+        unsafe { System.dealloc(at, layout) }
+    }
+}
+
+#[global_allocator]
+static GLOBAL: Counting = Counting;
+
+/// How often `work` asks for memory.
+fn allocations(work: impl FnOnce()) -> u64 {
+    let before = ALLOCATIONS.get();
+    work();
+    ALLOCATIONS.get() - before
+}
+
+const VIEW: View = View {
+    from: vec3(0.0, 1.0, 9.0),
+    at: vec3(0.0, 0.0, 0.0),
+    up: vec3(0.0, 1.0, 0.0),
+    projection: Projection::Perspective { angle: 0.9 },
+};
+
+fn size(width: u32, height: u32) -> Size {
+    Size::new(width, height).unwrap()
+}
+
+/// A bit of everything: all shapes in glass, mirrors and paint, under all kinds of light.
+fn fair() -> Stage {
+    let mut random = Random::new(SEED);
+    let mut stage = Stage::new();
+    let checker = stage.texture(Texture::Checker {
+        even: Rgb::WHITE,
+        odd: Rgb::gray(0.25),
+        origin: Vec3::ZERO,
+        frequency: vec3(1.0, 0.0, 1.0),
+    });
+    let paint = Material { highlight: Rgb::gray(0.5), exponent: 20.0, ..Material::MATTE };
+    let materials = [
+        Material { texture: checker, ..paint },
+        Material { mirror: Rgb::gray(0.5), ..paint },
+        Material {
+            transmitted: Rgb::gray(0.9),
+            index: 1.5,
+            interface: Interface::Fresnel,
+            clarity: Rgb::new(3.0, 4.0, 5.0),
+            diffuse: Rgb::BLACK,
+            ..paint
+        },
+    ];
+    stage.material(materials[0]);
+    stage.plane(vec3(0.0, -3.0, 0.0), Vec3::Y);
+    for i in 0..40 {
+        stage.material(materials[i % 3]);
+        let kind = Kind::ALL[i % Kind::ALL.len()];
+        if kind != Kind::Plane {
+            let place = random.near(Vector::ZERO, 3.0);
+            stage.thing(&Thing::random(kind, place, 0.8, &mut random));
+        }
+    }
+    let falloff = Falloff { constant: 1.0, linear: 0.01, quadratic: 0.0 };
+    let position = vec3(6.0, 8.0, 3.0);
+    let direction = unit(-position).unwrap();
+    for source in [
+        Source::Point { position: vec3(-5.0, 9.0, 6.0), falloff },
+        Source::Directional { toward: Vec3::Y },
+        Source::Spot { position, direction, cos_bright: 0.95, cos_dark: 0.9, falloff },
+    ] {
+        stage.lights.push(Light { source, color: Rgb::gray(0.4), shadows: true });
+    }
+    stage.ambient = Rgb::gray(0.1);
+    stage.background =
+        Background::Gradient { up: Vec3::Y, below: Rgb::BLACK, above: Rgb::new(0.2, 0.4, 0.9) };
+    stage
+}
+
+/// Renders a picture with a sampler, and what it took.
+fn picture<A: Accelerator, E: Effects, const LEVELS: usize>(
+    world: &World<'_, A>,
+    size: Size,
+    limits: Limits,
+    sampler: &mut impl Sampler,
+) -> (Vec<Rgb>, Counters) {
+    let camera = Camera::new(&VIEW, size).unwrap();
+    let tracer = Tracer::<_, E, LEVELS>::new(world, camera, limits).unwrap();
+    let tile = Tile::whole(size);
+    let mut colors = vec![Rgb::BLACK; tile.len()];
+    let mut frame = Frame::new(tile, &mut colors).unwrap();
+    let mut worker = Worker::new(Counters::new());
+    let Ok(()) = render(&tracer, sampler, &mut worker, tile.pixels(), &mut frame);
+    (colors, worker.into_tally())
+}
+
+#[test]
+fn the_core_asks_for_no_memory() {
+    // The caller brings all of it.
+    let stage = fair();
+    let boxes = stage.boxes();
+    let mut groups = vec![Aabb::EMPTY; groups_of(boxes.len())];
+    let size = size(24, 16);
+    let tile = Tile::whole(size);
+    let mut colors = vec![Rgb::BLACK; tile.len()];
+    let mut corners = vec![Rgb::BLACK; Lattice::tile(size).len()];
+    let mut row = vec![Rgb::BLACK; 25];
+
+    assert_eq!(allocations(|| drop(std::hint::black_box(Box::new(1)))), 1, "the count counts");
+    let asked = allocations(|| {
+        let boxed = List::boxed(&boxes, &mut groups).unwrap();
+        let world = World::new(Scene::new(stage.parts()).unwrap(), boxed);
+        let camera = Camera::new(&VIEW, size).unwrap();
+        let tracer = Tracer::<_, Everything, 5>::new(&world, camera, Limits::DEFAULT).unwrap();
+        let mut worker = Worker::new(Counters::new());
+        let mut frame = Frame::new(tile, &mut colors).unwrap();
+        let Ok(()) = render(&tracer, &mut Single, &mut worker, tile.pixels(), &mut frame);
+        let Ok(()) = render(&tracer, &mut Regular::new(2).unwrap(), &mut worker, tile.pixels(), &mut frame);
+        let Ok(()) = render(&tracer, &mut CornerRow::new(&mut row), &mut worker, tile.pixels(), &mut frame);
+        let all = Lattice::tile(size);
+        let mut lattice = Frame::new(all, &mut corners).unwrap();
+        let Ok(()) = render(&tracer, &mut Corner, &mut worker, all.pixels(), &mut lattice);
+        let mut lattice = Lattice::new(size, &corners).unwrap();
+        let Ok(()) = render(&tracer, &mut lattice, &mut worker, tile.pixels(), &mut frame);
+        assert!(
+            worker.tally().rays(RayKind::Transmitted) > 100 && worker.tally().rays(RayKind::Reflected) > 100
+        );
+    });
+    assert_eq!(asked, 0);
+    assert!(colors.iter().any(|color| !color.is_black()));
+}

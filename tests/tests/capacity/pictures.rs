@@ -1,0 +1,107 @@
+//! Memory for corners and pixels: too little of it costs rays or is refused, and changes no
+//! picture.
+
+use crate::*;
+
+/// The mean of the four corners of each pixel, each traced for itself.
+struct FourCorners;
+
+impl Sampler for FourCorners {
+    fn color(&mut self, Pixel { x, y }: Pixel, shoot: &mut impl FnMut(Place) -> Rgb) -> Rgb {
+        let mut corner = |dx, dy| shoot(Place { x: (x + dx) as Real, y: (y + dy) as Real });
+        let (upper, lower) = (corner(0, 0) + corner(1, 0), corner(0, 1) + corner(1, 1));
+        (upper + lower) * 0.25
+    }
+}
+
+#[test]
+fn corners_are_the_same_from_any_memory_and_none_is_traced_twice() {
+    let stage = fair();
+    let world = World::new(stage.scene(), List::bare(stage.len()));
+    for (w, h) in [(1, 1), (1, 9), (9, 1), (24, 16)] {
+        let s = size(w, h);
+        let corners = u64::from((w + 1) * (h + 1));
+        let (truth, counters) = picture::<_, Everything, 5>(&world, s, Limits::DEFAULT, &mut FourCorners);
+        assert_eq!(counters.rays(RayKind::Camera), u64::from(4 * w * h));
+
+        let mut row = vec![Rgb::BLACK; w as usize + 1];
+        let (colors, counters) =
+            picture::<_, Everything, 5>(&world, s, Limits::DEFAULT, &mut CornerRow::new(&mut row));
+        assert_eq!((colors, counters.rays(RayKind::Camera)), (truth.clone(), corners), "{w}x{h}");
+
+        let camera = Camera::new(&VIEW, s).unwrap();
+        let tracer = Tracer::<_, Everything, 5>::new(&world, camera, Limits::DEFAULT).unwrap();
+        let mut memory = vec![Rgb::BLACK; Lattice::tile(s).len()];
+        let mut frame = Frame::new(Lattice::tile(s), &mut memory).unwrap();
+        let mut worker = Worker::new(Counters::new());
+        // In any order: here the last tile first.
+        let tiles: Vec<Tile> = Lattice::tile(s).tiles(5).collect();
+        for tile in tiles.into_iter().rev() {
+            let Ok(()) = render(&tracer, &mut Corner, &mut worker, tile.pixels(), &mut frame);
+        }
+        assert_eq!(worker.tally().rays(RayKind::Camera), corners);
+        let mut lattice = Lattice::new(s, &memory).unwrap();
+        let (colors, counters) = picture::<_, Everything, 5>(&world, s, Limits::DEFAULT, &mut lattice);
+        assert_eq!((colors, counters), (truth, Counters::new()), "{w}x{h}");
+    }
+}
+
+#[test]
+fn a_row_of_corners_that_is_too_short_costs_rays_and_changes_nothing() {
+    let stage = fair();
+    let world = World::new(stage.scene(), List::bare(stage.len()));
+    for (w, h) in [(1, 5), (6, 5)] {
+        let (truth, _) = picture::<_, Everything, 5>(&world, size(w, h), Limits::DEFAULT, &mut FourCorners);
+        let mut row = [Rgb::BLACK; 10];
+        let mut most = u64::MAX;
+        for room in 0..=w as usize + 3 {
+            let mut sampler = CornerRow::new(&mut row[..room]);
+            let (colors, counters) =
+                picture::<_, Everything, 5>(&world, size(w, h), Limits::DEFAULT, &mut sampler);
+            assert_eq!(colors, truth, "{room} corners for rows of {w} pixels");
+            let rays = counters.rays(RayKind::Camera);
+            assert!(rays <= u64::from(4 * w * h) && rays >= u64::from((w + 1) * (h + 1)));
+            if room <= w as usize + 1 {
+                assert!(rays <= most, "{room} corners");
+                most = rays;
+            }
+        }
+    }
+}
+
+#[test]
+fn frames_and_lattices_of_another_size_are_refused() {
+    let s = size(3, 2);
+    let mut memory = vec![Rgb::BLACK; 20];
+    for lent in 0..20 {
+        assert_eq!(Frame::new(Tile::whole(s), &mut memory[..lent]).is_some(), lent == 6, "{lent}");
+        assert_eq!(Lattice::new(s, &memory[..lent]).is_some(), lent == 12, "{lent}");
+    }
+}
+
+#[test]
+fn a_sink_that_is_full_ends_the_picture() {
+    struct Full {
+        room: usize,
+    }
+    impl Sink for Full {
+        type Error = Pixel;
+
+        fn put(&mut self, pixel: Pixel, _: Rgb) -> Result<(), Pixel> {
+            self.room = self.room.checked_sub(1).ok_or(pixel)?;
+            Ok(())
+        }
+    }
+    let stage = fair();
+    let world = World::new(stage.scene(), List::bare(stage.len()));
+    let s = size(4, 3);
+    let camera = Camera::new(&VIEW, s).unwrap();
+    let tracer = Tracer::<_, Everything, 5>::new(&world, camera, Limits::DEFAULT).unwrap();
+    for (room, end) in [(0, Err(Pixel { x: 0, y: 0 })), (5, Err(Pixel { x: 1, y: 1 })), (12, Ok(()))] {
+        let mut worker = Worker::new(Counters::new());
+        let result = render(&tracer, &mut Single, &mut worker, Tile::whole(s).pixels(), &mut Full { room });
+        assert_eq!(result, end);
+        let pixels = if end.is_ok() { room } else { room + 1 };
+        assert_eq!(worker.tally().rays(RayKind::Camera), pixels as u64);
+    }
+}

@@ -1,0 +1,167 @@
+//! The brightest, largest and smallest that a scene may name: a pixel is always a number.
+
+use strahl_tests::{Kind, Random, Thing, Vector};
+
+use crate::*;
+
+const BRIGHTEST: Rgb = Rgb::gray(Rgb::BRIGHTEST);
+
+fn glaring() -> Material {
+    Material {
+        ambient: BRIGHTEST,
+        diffuse: BRIGHTEST,
+        highlight: BRIGHTEST,
+        exponent: 1.0,
+        ..Material::MATTE
+    }
+}
+
+#[test]
+fn the_brightest_mirrors_and_glass_give_a_finite_pixel_after_64_levels() {
+    // Two facing mirrors with a plate of glass between them; a lamp that lies in the plate's
+    // face, so that it is as near as can be; paint on everything.
+    let mut stage = Stage::new();
+    let texture = stage.texture(Texture::Checker {
+        even: BRIGHTEST,
+        odd: BRIGHTEST,
+        origin: Vec3::ZERO,
+        frequency: Vec3::ZERO,
+    });
+    stage.material(Material { texture, mirror: Rgb::WHITE, ..glaring() });
+    stage.plane(vec3(3.0, 0.0, 0.0), Vec3::X);
+    stage.plane(vec3(-2.0, 0.0, 0.0), Vec3::X);
+    stage.material(Material { texture, transmitted: Rgb::WHITE, index: 1.5, ..glaring() });
+    stage.cuboid(vec3(1.0, -50.0, -50.0), vec3(2.0, 50.0, 50.0));
+    stage.ambient = BRIGHTEST;
+    stage.background = Background::Color(BRIGHTEST);
+    for position in [vec3(0.5, 0.1, 0.0), vec3(1.0, 0.0, 0.0)] {
+        let source =
+            Source::Point { position, falloff: Falloff { constant: 0.0, linear: 0.0, quadratic: 1e-30 } };
+        stage.lights.push(Light { source, color: BRIGHTEST, shadows: false });
+    }
+    let (color, counters) = stage.look_and_count(Vec3::ZERO, Vec3::X, ALL);
+    assert_eq!(counters.rays(RayKind::Transmitted) + counters.rays(RayKind::Reflected), 63);
+    // Each of the 64 surfaces counts as 1e15 and not more.
+    assert_gray(color, 64e15, 64.0 * 6e-8);
+}
+
+#[test]
+fn a_full_tree_of_perfect_mirrors_and_panes_gives_a_finite_pixel() {
+    // Every ray meets a pane that passes all light and mirrors it as well.
+    let n = 14;
+    let mut stage = Stage::new();
+    stage.material(Material { mirror: Rgb::WHITE, transmitted: Rgb::WHITE, ..glaring() });
+    for i in 0..n {
+        stage.plane(vec3(Real::from(i) + 1.0, 0.0, 0.0), Vec3::X);
+        stage.plane(vec3(-Real::from(i) - 1.0, 0.0, 0.0), Vec3::X);
+    }
+    stage.ambient = BRIGHTEST;
+    let (color, counters) = stage.look_and_count(Vec3::ZERO, Vec3::X, levels(n));
+    let surfaces = (1_u64 << n) - 1;
+    assert_eq!(counters.rays(RayKind::Transmitted) + counters.rays(RayKind::Reflected), surfaces - 1);
+    // 1e6 times 1e6 of each; the sum rounds as often as there are surfaces.
+    assert_gray(color, 1e12 * surfaces as f64, surfaces as f64 * 6e-8);
+}
+
+#[test]
+fn a_light_at_the_very_point_that_it_lights_gives_nothing_and_no_harm() {
+    let mut stage = Stage::new();
+    stage.material(Material { ambient: Rgb::BLACK, ..glaring() });
+    stage.plane(Vec3::ZERO, Vec3::Y);
+    let lamp = |y: Real| Light {
+        source: Source::Point { position: vec3(0.0, y, 0.0), falloff: Falloff::SQUARE },
+        color: BRIGHTEST,
+        shadows: true,
+    };
+    stage.lights = vec![lamp(0.0)];
+    assert_eq!(stage.look(Vec3::Y, Vec3::ZERO, ALL), Rgb::BLACK);
+    // As near as can be: the falloff is held, and so is the surface.
+    stage.lights = vec![lamp(1e-30)];
+    assert_gray(stage.look(Vec3::Y, Vec3::ZERO, ALL), 1e15, ROUNDINGS);
+}
+
+/// One of some numbers.
+fn one_of<T: Copy>(numbers: &[T], random: &mut Random) -> T {
+    numbers[random.below(numbers.len() as u32) as usize]
+}
+
+fn color(numbers: &[Real], random: &mut Random) -> Rgb {
+    Rgb::new(one_of(numbers, random), one_of(numbers, random), one_of(numbers, random))
+}
+
+#[test]
+fn whatever_a_scene_may_name_gives_a_number() {
+    let mut random = Random::new(0x5eed_0006);
+    let r = &mut random;
+    let bright = [0.0, 1e-30, 1.0, 1e6];
+    let share = [0.0, 1e-30, 0.5, 1.0];
+    let mut seen = 0;
+    for _ in 0..400 {
+        let scale = one_of(&[1e-15, 1e-6, 1.0, 1e6, 1e14], r);
+        let mut stage = Stage::new();
+        let texture = stage.texture(match r.below(2) {
+            0 => Texture::Checker {
+                even: color(&bright, r),
+                odd: color(&bright, r),
+                origin: vec3(1.0, 2.0, 3.0),
+                frequency: Vec3::splat(one_of(&[0.0, 1e-15, 1.0, 1e15], r)),
+            },
+            _ => Texture::Gradient {
+                from: color(&bright, r),
+                to: color(&bright, r),
+                origin: Vec3::ZERO,
+                along: Vec3::X * one_of(&[1e-18, 1.0, 1e15], r),
+            },
+        });
+        for _ in 0..1 + r.below(8) {
+            stage.material(Material {
+                ambient: color(&bright, r),
+                diffuse: color(&bright, r),
+                texture: one_of(&[None, texture], r),
+                highlight: color(&bright, r),
+                exponent: one_of(&[0.0, 1e-30, 1.0, 1e6], r),
+                mirror: color(&share, r),
+                transmitted: color(&share, r),
+                index: one_of(&[0.01, 1.0, 1.5, 100.0], r),
+                interface: one_of(&[Interface::Constant, Interface::Fresnel], r),
+                clarity: color(&[1e-30, 1.0, 1e30, Real::INFINITY], r),
+                priority: r.below(3) as u8,
+                two_sided: r.below(2) == 0,
+            });
+            let kind = one_of(&Kind::ALL, r);
+            let place = r.near(Vector::ZERO, scale);
+            stage.thing(&Thing::random(kind, place, scale, r));
+        }
+        for _ in 0..r.below(4) {
+            let near = |r: &mut Random| {
+                let p = r.near(Vector::ZERO, 2.0 * scale);
+                vec3(p.x as Real, p.y as Real, p.z as Real)
+            };
+            let falloff = Falloff {
+                constant: one_of(&[0.0, 1.0, 1e15], r),
+                linear: one_of(&[0.0, 1e-30, 1e15], r),
+                quadratic: one_of(&[1e-30, 1.0, 1e15], r),
+            };
+            let toward = unit(near(r)).unwrap();
+            let source = match r.below(3) {
+                0 => Source::Point { position: near(r), falloff },
+                1 => Source::Directional { toward },
+                _ => {
+                    let (cos_bright, cos_dark) =
+                        one_of(&[(1.0, 1.0), (1.0, -1.0), (0.5, 0.5), (-1.0, -1.0)], r);
+                    Source::Spot { position: near(r), direction: toward, cos_bright, cos_dark, falloff }
+                }
+            };
+            stage.lights.push(Light { source, color: color(&bright, r), shadows: r.below(2) == 0 });
+        }
+        stage.ambient = color(&bright, r);
+        stage.background = Background::Color(color(&bright, r));
+        for _ in 0..4 {
+            let (eye, target) = (r.near(Vector::ZERO, 3.0 * scale), r.near(Vector::ZERO, scale));
+            let [eye, target] = [eye, target].map(|p| vec3(p.x as Real, p.y as Real, p.z as Real));
+            // `look` itself holds that every channel is finite and not below zero.
+            seen += usize::from(!stage.look(eye, target, levels(9)).is_black());
+        }
+    }
+    assert!(seen > 400, "{seen}");
+}

@@ -1,0 +1,172 @@
+//! How the scene is looked at: cameras, sides of surfaces, backgrounds and paint.
+
+use strahl_tests::assert_picture;
+
+use crate::*;
+
+const VIEW: View = View {
+    from: Vec3::ZERO,
+    at: vec3(0.0, 0.0, -1.0),
+    up: vec3(0.0, 1.0, 0.0),
+    projection: Projection::Perspective { angle: 1.2 },
+};
+
+fn picture(stage: &Stage, view: &View, width: u32, height: u32) -> Vec<Rgb> {
+    let size = Size::new(width, height).unwrap();
+    let world = World::new(stage.scene(), List::bare(stage.len()));
+    let tracer = Tracer::<_, Everything, 64>::new(&world, Camera::new(view, size).unwrap(), ALL).unwrap();
+    let mut colors = vec![Rgb::BLACK; width as usize * height as usize];
+    let mut frame = Frame::new(Tile::whole(size), &mut colors).unwrap();
+    let Ok(()) = render(&tracer, &mut Single, &mut Worker::new(()), Tile::whole(size).pixels(), &mut frame);
+    colors
+}
+
+/// A wall five before the eye that tells by red where it is seen from left to right, and by
+/// green from top to bottom.
+fn wall() -> Stage {
+    let mut stage = Stage::new();
+    let gradient = |to, origin, along| Texture::Gradient { from: Rgb::BLACK, to, origin, along };
+    let across = gradient(Rgb::new(1.0, 0.0, 0.0), vec3(-8.0, 0.0, 0.0), vec3(16.0, 0.0, 0.0));
+    let down = gradient(Rgb::new(0.0, 1.0, 0.0), vec3(0.0, 8.0, 0.0), vec3(0.0, -16.0, 0.0));
+    // A pane before a wall: what both show is added.
+    let texture = stage.texture(across);
+    stage.material(Material { texture, transmitted: Rgb::WHITE, ..shining(Rgb::WHITE) });
+    stage.plane(vec3(0.0, 0.0, -5.0), Vec3::Z);
+    let texture = stage.texture(down);
+    stage.material(Material { texture, ..shining(Rgb::WHITE) });
+    stage.plane(vec3(0.0, 0.0, -5.0625), Vec3::Z);
+    stage.ambient = Rgb::WHITE;
+    stage
+}
+
+#[test]
+fn a_perspective_view_spreads_its_angle_over_the_rows() {
+    let (width, height) = (9, 7);
+    let colors = picture(&wall(), &VIEW, width, height);
+    // From the middle of the first row to that of the last; pixels are square.
+    let step = 2.0 * 0.6_f64.tan() / f64::from(height - 1);
+    for (color, i) in colors.iter().zip(0..) {
+        let (x, y) = (f64::from(i % width) - 4.0, f64::from(i / width) - 3.0);
+        let (red, green) = (0.5 + 5.0 * step * x / 16.0, 0.5 + 5.0625 * step * y / 16.0);
+        assert_color(*color, [red, green, 0.0], 4.0 * ROUNDINGS);
+    }
+}
+
+#[test]
+fn an_orthographic_view_spreads_its_height_over_the_rows() {
+    let (width, height) = (9, 7);
+    let view = View { projection: Projection::Orthographic { height: 12.0 }, ..VIEW };
+    let colors = picture(&wall(), &view, width, height);
+    for (color, i) in colors.iter().zip(0..) {
+        let (x, y) = (f64::from(i % width) - 4.0, f64::from(i / width) - 3.0);
+        assert_color(*color, [0.5 + 2.0 * x / 16.0, 0.5 + 2.0 * y / 16.0, 0.0], ROUNDINGS);
+    }
+}
+
+#[test]
+fn a_sphere_in_the_middle_is_round() {
+    let mut stage = Stage::new();
+    stage.material(shining(Rgb::WHITE));
+    stage.sphere(vec3(0.0, 0.0, -5.0), 3.0);
+    stage.ambient = Rgb::WHITE;
+    let round = "
+        .........
+        ...###...
+        ..#####..
+        ..#####..
+        ..#####..
+        ...###...
+        .........";
+    // Its rim is seen at an angle whose sine is 3/5: 0.75 before the eye at a distance of one,
+    // and a row is 0.3 of that.
+    let angle = 2.0 * 0.9_f64.atan();
+    let view = View { projection: Projection::Perspective { angle: angle as Real }, ..VIEW };
+    assert_picture(&picture(&stage, &view, 9, 7), 9, round);
+    // From the side of infinity it is 3 in every direction, and a row is 1.2.
+    let view = View { projection: Projection::Orthographic { height: 7.2 }, ..VIEW };
+    assert_picture(&picture(&stage, &view, 9, 7), 9, round);
+}
+
+#[test]
+fn up_is_up_and_right_is_right_from_every_side() {
+    // A small ball above the middle and a smaller one to the right of it.
+    let mut stage = Stage::new();
+    stage.material(shining(Rgb::WHITE));
+    stage.sphere(vec3(0.0, 2.0, 0.0), 0.9);
+    stage.material(shining(Rgb::gray(0.25)));
+    stage.sphere(vec3(2.0, 0.0, 0.0), 0.5);
+    stage.ambient = Rgb::WHITE;
+    let seen = |from: Vec3, up: Vec3| {
+        let view = View { from, at: Vec3::ZERO, up, projection: Projection::Orthographic { height: 4.0 } };
+        picture(&stage, &view, 5, 5)
+    };
+    assert_picture(&seen(vec3(0.0, 0.0, 9.0), vec3(0.0, 1.0, -3.0)), 5, "..#.. ..... ....+ ..... .....");
+    assert_picture(&seen(vec3(0.0, 0.0, -9.0), Vec3::Y), 5, "..#.. ..... +.... ..... .....");
+    assert_picture(&seen(vec3(0.0, 0.0, 9.0), Vec3::X), 5, "..+.. ..... #.... ..... .....");
+}
+
+#[test]
+fn a_checkered_floor_changes_at_every_cell() {
+    let mut stage = Stage::new();
+    let texture = stage.texture(Texture::Checker {
+        even: Rgb::WHITE,
+        odd: Rgb::gray(0.5),
+        origin: vec3(0.0, 7.0, 0.0),
+        frequency: vec3(0.5, 0.0, 1.0),
+    });
+    stage.material(Material { texture, ..shining(Rgb::WHITE) });
+    stage.disc(Vec3::ZERO, Vec3::Y, 3.3);
+    stage.ambient = Rgb::WHITE;
+    let from = vec3(0.0, 5.0, 0.0);
+    let view =
+        View { from, at: Vec3::ZERO, up: -Vec3::Z, projection: Projection::Orthographic { height: 7.0 } };
+    assert_picture(
+        &picture(&stage, &view, 8, 8),
+        8,
+        "
+        ........
+        ..##oo..
+        .#oo##o.
+        .o##oo#.
+        .#oo##o.
+        .o##oo#.
+        ..oo##..
+        ........",
+    );
+}
+
+#[test]
+fn a_background_changes_with_the_height_of_the_direction() {
+    let mut stage = Stage::new();
+    let (below, above) = (Rgb::new(1.0, 0.0, 0.25), Rgb::new(0.0, 0.5, 0.25));
+    stage.background = Background::Gradient { up: Vec3::Y, below, above };
+    assert_eq!(stage.look(Vec3::ONE, vec3(1.0, 9.0, 1.0), ALL), above);
+    assert_eq!(stage.look(Vec3::ONE, vec3(1.0, -9.0, 1.0), ALL), below);
+    assert_eq!(stage.look(Vec3::ONE, vec3(9.0, 1.0, 5.0), ALL), Rgb::new(0.5, 0.25, 0.25));
+    // 3, 4, 5: up by 0.6 of the way.
+    assert_color(stage.look(Vec3::ZERO, vec3(0.0, 3.0, -4.0), ALL), [0.2, 0.4, 0.25], ROUNDINGS);
+}
+
+/// What is seen of a square in z = 0, whose front faces +z, with one light on one side.
+fn square(two_sided: bool, eye: Real, light: Real) -> Rgb {
+    let mut stage = Stage::new();
+    stage.material(Material { ambient: Rgb::BLACK, two_sided, ..Material::MATTE });
+    stage.polygon(&[vec3(-1.0, -1.0, 0.0), vec3(1.0, -1.0, 0.0), vec3(0.0, 1.0, 0.0)], &[]);
+    let source = Source::Point { position: vec3(0.0, 0.0, light), falloff: Falloff::NONE };
+    stage.lights.push(Light { source, color: Rgb::WHITE, shadows: true });
+    stage.look(vec3(0.0, 0.0, eye), Vec3::ZERO, ALL)
+}
+
+#[test]
+fn a_two_sided_surface_is_lit_where_the_eye_is() {
+    for (eye, light, lit) in [(2.0, 3.0, true), (2.0, -3.0, false), (-2.0, -3.0, true), (-2.0, 3.0, false)] {
+        assert_eq!(square(true, eye, light), if lit { Rgb::WHITE } else { Rgb::BLACK }, "{eye} {light}");
+    }
+}
+
+#[test]
+fn a_one_sided_surface_seen_from_behind_shades_as_its_front() {
+    for (eye, light, lit) in [(2.0, 3.0, true), (2.0, -3.0, false), (-2.0, -3.0, false), (-2.0, 3.0, true)] {
+        assert_eq!(square(false, eye, light), if lit { Rgb::WHITE } else { Rgb::BLACK }, "{eye} {light}");
+    }
+}

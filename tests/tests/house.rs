@@ -1,0 +1,278 @@
+//! The house rules that no compiler checks: floors go one way, the core stands alone, and every
+//! public door is proven free of panics.
+
+use std::collections::{BTreeMap, BTreeSet};
+use std::fs;
+use std::path::{Path, PathBuf};
+
+/// The rooms of the core, from the ground up. Those in one line stand on one floor and know
+/// nothing of each other.
+const FLOORS: [&[&str]; 9] = [
+    &["math", "set"],
+    &["geometry"],
+    &["tally"],
+    &["accel"],
+    &["scene"],
+    &["shade"],
+    &["trace"],
+    &["image"],
+    &["render", "counters"],
+];
+
+/// The most lines of a room, without its tests.
+const MOST_LINES: usize = 350;
+
+/// Rooms that may be longer, and why.
+const LONG: [(&str, &str); 0] = [];
+
+/// Public doors of the core that no firmware needs, so that nothing is proven of them.
+const FOR_HOSTS_ONLY: [&str; 0] = [];
+
+/// A room of the core: its path below `core/src`, and its code without comments and tests.
+struct Room {
+    path: String,
+    code: String,
+}
+
+fn workspace() -> PathBuf {
+    Path::new(env!("CARGO_MANIFEST_DIR")).parent().unwrap().to_owned()
+}
+
+fn read(path: &Path) -> String {
+    fs::read_to_string(path).unwrap_or_else(|error| panic!("{}: {error}", path.display()))
+}
+
+fn rooms() -> Vec<Room> {
+    fn collect(folder: &Path, base: &Path, rooms: &mut Vec<Room>) {
+        let mut paths: Vec<PathBuf> =
+            fs::read_dir(folder).unwrap().map(|entry| entry.unwrap().path()).collect();
+        paths.sort();
+        for path in paths {
+            if path.is_dir() {
+                collect(&path, base, rooms);
+            } else if path.extension().is_some_and(|extension| extension == "rs") {
+                let name = path.strip_prefix(base).unwrap().to_str().unwrap().replace('\\', "/");
+                rooms.push(Room { path: name, code: code(&read(&path)) });
+            }
+        }
+    }
+    let base = workspace().join("core/src");
+    let mut rooms = Vec::new();
+    collect(&base, &base, &mut rooms);
+    assert!(rooms.len() > 30, "only {} rooms found", rooms.len());
+    rooms
+}
+
+/// The lines that are code: no comments, no strings' content, and nothing that is marked
+/// `#[cfg(test)]`. The test module of a room is its end.
+fn code(text: &str) -> String {
+    let mut lines = Vec::new();
+    let mut marked = false;
+    for line in text.lines() {
+        let line = without_comment(line);
+        let trimmed = line.trim();
+        if marked && trimmed.starts_with("mod tests") {
+            break;
+        }
+        if marked && !trimmed.starts_with("#[") && !trimmed.is_empty() {
+            // An import or a small function: to its end.
+            marked = !(trimmed.ends_with(';') || trimmed == "}");
+            continue;
+        }
+        marked |= trimmed == "#[cfg(test)]";
+        if !marked {
+            lines.push(line);
+        }
+    }
+    lines.join("\n")
+}
+
+/// A line without its comment and without what stands between quotes.
+fn without_comment(line: &str) -> String {
+    let mut code = String::new();
+    let mut quoted = false;
+    let mut before = ' ';
+    for c in line.chars() {
+        if c == '"' && before != '\\' && before != '\'' {
+            quoted = !quoted;
+        }
+        if !quoted && c == '/' && before == '/' {
+            code.pop();
+            break;
+        }
+        if !quoted || c == '"' {
+            code.push(c);
+        }
+        before = c;
+    }
+    code
+}
+
+/// The words of some code: names and numbers.
+fn words(code: &str) -> Vec<&str> {
+    code.split(|c: char| !c.is_alphanumeric() && c != '_').filter(|word| !word.is_empty()).collect()
+}
+
+/// What comes right after each place where `before` stands.
+fn after<'c>(code: &'c str, before: &'c str) -> impl Iterator<Item = &'c str> {
+    code.match_indices(before).map(move |(at, _)| &code[at + before.len()..])
+}
+
+#[test]
+fn what_the_tests_take_for_code_is_code() {
+    let text = "use a; // not b\n#[cfg(test)]\nuse c::{\n    d,\n};\nlet e = \"f // g\";\n/// h\n#[cfg(test)]\n#[inline]\nfn i() {\n    j();\n}\nk\n#[cfg(test)]\nmod tests {\n    l\n}\n";
+    assert_eq!(words(&code(text)), ["use", "a", "let", "e", "k"]);
+}
+
+#[test]
+fn a_room_uses_only_what_lies_below_it() {
+    let floor = |room: &str| FLOORS.iter().position(|floor| floor.contains(&room));
+    let mut uses = 0;
+    for Room { path, code } in rooms() {
+        let name = path.split(['/', '.']).next().unwrap();
+        if name == "lib" {
+            continue; // the map names all of them
+        }
+        let own = floor(name).unwrap_or_else(|| panic!("{path} stands on no floor"));
+        for path_after in after(&code, "crate::") {
+            let used = words(path_after)[0];
+            let below = floor(used).unwrap_or_else(|| panic!("{path} uses crate::{used}, which is no room"));
+            assert!(below < own || used == name, "{path} uses crate::{used}, which does not lie below it");
+            uses += 1;
+        }
+        // As many steps up as there are names in the path of the module lead to the root.
+        let depth = path.split('/').count() - usize::from(path.ends_with("mod.rs"));
+        assert!(!code.contains(&"super::".repeat(depth)), "{path} goes round the floors by super");
+    }
+    assert!(uses > 50, "only {uses} uses found");
+}
+
+#[test]
+fn the_core_needs_no_operating_system_and_no_heap() {
+    for Room { path, code } in rooms() {
+        for library in ["std", "alloc"] {
+            assert!(!words(&code).contains(&library), "{path} names {library}");
+        }
+    }
+}
+
+#[test]
+fn the_core_has_no_way_to_panic_on_purpose_and_nothing_unsafe() {
+    // `debug_assert!` is there for our own promises, `assert!` for constants.
+    let forbidden = [
+        ".unwrap()",
+        ".expect(",
+        "panic!(",
+        "unreachable!(",
+        "todo!(",
+        "unimplemented!(",
+        "mul_add(",
+        "dbg!(",
+    ];
+    for Room { path, code } in rooms() {
+        for word in forbidden {
+            assert!(!code.contains(word), "{path} has {word}");
+        }
+        assert!(!words(&code).contains(&"unsafe"), "{path} has unsafe code");
+        for line in code.lines().filter(|line| words(line).contains(&"assert")) {
+            assert!(line.contains("const "), "{path} asserts at run time: {line}");
+        }
+    }
+}
+
+#[test]
+fn only_one_room_names_libm() {
+    for Room { path, code } in rooms() {
+        assert_eq!(words(&code).contains(&"libm"), path == "math/float.rs", "{path}");
+    }
+}
+
+#[test]
+fn no_room_is_too_long() {
+    for Room { path, .. } in rooms() {
+        let text = read(&workspace().join("core/src").join(&path));
+        let lines = text.lines().take_while(|line| line.trim() != "mod tests {").count();
+        match LONG.iter().find(|(long, _)| *long == path) {
+            None => assert!(lines <= MOST_LINES, "{path} has {lines} lines"),
+            Some((_, reason)) => assert!(lines > MOST_LINES, "{path} is no longer long: {reason}"),
+        }
+    }
+}
+
+/// The functions that can be called from outside the core: their names, and where they are.
+fn doors() -> BTreeMap<String, String> {
+    let rooms = rooms();
+    let map = &rooms.iter().find(|room| room.path == "lib.rs").unwrap().code;
+    let exported: BTreeSet<&str> =
+        after(map, "pub use ").flat_map(|exports| words(exports.split(';').next().unwrap())).collect();
+    let mut doors = BTreeMap::new();
+    for Room { path, code } in &rooms {
+        // What the code at the left margin belongs to; a macro makes types that are exported.
+        let mut owner_is_public = false;
+        for line in code.lines() {
+            let indented = line.starts_with(' ');
+            let line = line.trim();
+            if line.starts_with("impl") {
+                // `impl<..> Type<..> {`, `impl<..> Trait for Type<..> {`: the last name before generics.
+                let subject = line.rsplit(" for ").next().unwrap();
+                let subject = if subject.starts_with("impl<") { after_generics(subject) } else { subject };
+                let name = words(subject).into_iter().find(|word| *word != "impl");
+                owner_is_public = subject.contains('$') || name.is_some_and(|name| exported.contains(name));
+            } else if !indented && line.starts_with('}') {
+                owner_is_public = false;
+            }
+            let Some(declared) =
+                ["pub fn ", "pub const fn "].iter().find_map(|start| line.strip_prefix(start))
+            else {
+                continue;
+            };
+            let name = words(declared)[0];
+            if owner_is_public || !indented && exported.contains(name) {
+                doors.insert(name.to_owned(), path.clone());
+            }
+        }
+    }
+    doors
+}
+
+/// What follows `impl<..>`.
+fn after_generics(line: &str) -> &str {
+    let mut depth = 0;
+    let end = line.find(|c| {
+        depth += i32::from(c == '<') - i32::from(c == '>');
+        c == '>' && depth == 0
+    });
+    end.map_or(line, |end| &line[end + 1..])
+}
+
+#[test]
+fn the_doors_of_the_core_are_found() {
+    let doors = doors();
+    // Free, of a type, constant, of a type with parameters, made by a macro.
+    for known in ["render", "leave", "to_srgb8", "groups_of", "boxed", "radiance", "nearest", "with", "color"]
+    {
+        assert_eq!(doors.contains_key(known), known != "color", "{known}: {doors:?}");
+    }
+    assert!(!doors.contains_key("sqrt") && !doors.contains_key("quartic_roots"), "{doors:?}");
+}
+
+#[test]
+fn every_public_door_is_proven_free_of_panics_or_for_hosts_only() {
+    let path = workspace().join("tests/firmware/src/bin/proof.rs");
+    assert!(path.exists(), "the proof that nothing can panic is missing: tests/firmware/src/bin/proof.rs");
+    let proof = code(&read(&path));
+    let calls: BTreeSet<&str> = ["(", "::<"]
+        .iter()
+        .flat_map(|call| proof.match_indices(call).filter_map(|(at, _)| words(&proof[..at]).pop()))
+        .collect();
+    let doors = doors();
+    for (door, room) in &doors {
+        let is_for_hosts = FOR_HOSTS_ONLY.contains(&door.as_str());
+        let is_called = calls.contains(door.as_str());
+        assert!(is_called || is_for_hosts, "{door} in {room} is not called in the proof");
+        assert!(!(is_called && is_for_hosts), "{door} is called in the proof, and is not for hosts only");
+    }
+    for host in FOR_HOSTS_ONLY {
+        assert!(doors.contains_key(host), "{host} is no door");
+    }
+}
