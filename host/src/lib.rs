@@ -19,14 +19,12 @@
 //! | [`progress`] | how far the work is |
 //! | [`summary`] | what was done, for a person |
 //! | [`signals`] | when to stop |
-//! | [`faults`] | what is wrong in a text, shown as a compiler would |
 //! | [`failure`] | what went wrong, and the exit status for it |
 
 pub mod args;
 pub mod choose;
 pub mod description;
 pub mod failure;
-pub mod faults;
 pub mod frame;
 pub mod info;
 pub mod load;
