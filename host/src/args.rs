@@ -4,12 +4,13 @@ use std::path::PathBuf;
 use std::str::FromStr;
 
 use clap::{Parser, Subcommand, ValueEnum};
+use clap_complete::Shell;
 use strahl_core::{Regular, Size};
 
 use crate::workers::{LEVELS, Sampling};
 
 /// The most pixels of a picture: its linear colours take 12 bytes each.
-const MOST_PIXELS: u64 = 1 << 28;
+pub const MOST_PIXELS: u64 = 1 << 28;
 
 /// A Whitted ray tracer: the same picture, bit for bit, on a workstation and on a
 /// microcontroller.
@@ -28,16 +29,31 @@ pub enum Command {
     Render(RenderArgs),
     /// Tell what is in a scene, what it asks for and why, and what it takes.
     Info(InfoArgs),
+    /// Tell how two pictures differ; the exit status is 0 when they do not, 1 when they do.
+    ///
+    /// All differences are of sRGB-encoded values, 0 to 1; of two EXR files too, whose largest
+    /// linear difference is told besides. An EXR file beside another format is rounded to the bits
+    /// of that one.
+    Compare(CompareArgs),
+    /// Print the completions for a shell.
+    Completions {
+        /// Which.
+        shell: Shell,
+    },
+    /// Print the manual page.
+    Man(ManArgs),
+    /// Print the JSON Schema of scenes in TOML, for editors.
+    Schema,
 }
 
 /// What to render, and how.
 #[derive(Debug, Parser)]
 pub struct RenderArgs {
-    /// The scene: an NFF file.
+    /// The scene: .toml, .nff, or a model: .obj, .ply, .gltf, .glb.
     pub scene: PathBuf,
 
-    /// Where the picture goes; the extension names the format (.png .ppm), `-` is the standard
-    /// output (PNG) [default: the scene's name with .png, in the current folder].
+    /// Where the picture goes; the extension names the format (.png .ppm .qoi .jpg .tif .exr), `-`
+    /// is the standard output (PNG) [default: the scene's name with .png, in the current folder].
     #[arg(short, long, value_name = "FILE")]
     pub output: Option<PathBuf>,
 
@@ -88,6 +104,48 @@ pub struct InfoArgs {
     pub json: bool,
 }
 
+/// What to compare, and how much it may differ.
+#[derive(Debug, Parser)]
+pub struct CompareArgs {
+    /// A picture (PNG, PPM, QOI, JPEG, TIFF, EXR); `-` is the standard input.
+    #[arg(value_name = "A")]
+    pub first: PathBuf,
+
+    /// Another of the same size.
+    #[arg(value_name = "B")]
+    pub second: PathBuf,
+
+    /// How much a channel of a pixel may differ, 0 to 1, as in 0.01 or 1/255; 0: not by one bit.
+    #[arg(long, value_name = "X", value_parser = share, default_value = "0", hide_default_value = true)]
+    pub limit: f64,
+
+    /// The share of all pixels that may differ by more than that, 0 to 1 [default: 0].
+    #[arg(long, value_name = "S", value_parser = share, default_value = "0", hide_default_value = true)]
+    pub limit_share: f64,
+
+    /// For programs: first second width height identical equal limit limit_share
+    /// largest{difference x y channel} mean_absolute rmse psnr ssim differing{pixels share}
+    /// beyond{pixels share} over_limit{pixels share} largest_linear{difference x y channel}.
+    #[arg(long)]
+    pub json: bool,
+
+    /// A picture of the largest difference in each pixel: black is none, 1/255 violet, each
+    /// doubling as much brighter, pale yellow all.
+    #[arg(short, long, value_name = "FILE")]
+    pub output: Option<PathBuf>,
+
+    /// Say nothing but errors.
+    #[arg(short, long)]
+    pub quiet: bool,
+}
+
+/// Which page.
+#[derive(Debug, Parser)]
+pub struct ManArgs {
+    /// Of this command, with its options [default: of the program].
+    pub command: Option<String>,
+}
+
 /// How a report is written.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
 pub enum StatsForm {
@@ -113,6 +171,17 @@ fn cutoff(text: &str) -> Result<f32, String> {
     match text.parse::<f32>() {
         Ok(cutoff) if cutoff >= 0.0 && cutoff <= 1.0 => Ok(cutoff),
         _ => Err("a number between 0 and 1 is expected".into()),
+    }
+}
+
+fn share(text: &str) -> Result<f64, String> {
+    let value = match text.split_once('/') {
+        Some((part, whole)) => part.parse::<f64>().and_then(|part| Ok(part / whole.parse::<f64>()?)),
+        None => text.parse::<f64>(),
+    };
+    match value {
+        Ok(share) if share >= 0.0 && share <= 1.0 => Ok(share),
+        _ => Err("a number between 0 and 1 is expected, as in 0.01 or 1/255".into()),
     }
 }
 

@@ -4,6 +4,27 @@ use std::fmt;
 use std::io;
 use std::path::{Path, PathBuf};
 
+use crate::faults::Faults;
+
+/// What a command that asks a question answers.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Answer {
+    /// Or there was no question.
+    Yes,
+    /// Nothing went wrong: two pictures differ, a check does not hold.
+    No,
+}
+
+impl Answer {
+    /// The exit status.
+    pub fn status(self) -> u8 {
+        match self {
+            Answer::Yes => 0,
+            Answer::No => 1,
+        }
+    }
+}
+
 /// Why a command did not do what it was asked for.
 #[derive(Debug)]
 pub enum Failure {
@@ -18,6 +39,8 @@ pub enum Failure {
         /// What is wrong there.
         reason: String,
     },
+    /// A scene is wrong, at all of these places.
+    Faults(Box<Faults>),
     /// An input cannot be read.
     Unreadable {
         /// The file.
@@ -46,7 +69,7 @@ impl Failure {
     pub fn status(&self) -> u8 {
         match self {
             Failure::Usage(_) => 2,
-            Failure::Input { .. } => 65,
+            Failure::Input { .. } | Failure::Faults(_) => 65,
             Failure::Unreadable { .. } => 66,
             Failure::Unwritable { .. } => 74,
             Failure::Stopped(stop) => stop.status(),
@@ -62,6 +85,7 @@ impl fmt::Display for Failure {
                 write!(f, "{}:{line}: {reason}", path.display())
             }
             Failure::Input { path, line: None, reason } => write!(f, "{}: {reason}", path.display()),
+            Failure::Faults(faults) => write!(f, "{faults}"),
             Failure::Unreadable { path, error } => write!(f, "cannot read {}: {error}", path.display()),
             Failure::Unwritable { path: Some(path), error } => {
                 write!(f, "cannot write {}: {error}", path.display())

@@ -6,6 +6,8 @@
 //! | [`args`] | the command line |
 //! | [`render`] | the command `render` |
 //! | [`info`] | the command `info` |
+//! | [`compare`] | the command `compare` |
+//! | [`manual`] | the commands `completions` and `man` |
 //! | [`load`] | scene files to a [`description`] |
 //! | [`description`] | a scene in neutral numbers |
 //! | [`stock`] | the owned tables of a scene, for either precision |
@@ -13,21 +15,27 @@
 //! | [`choose`] | values become types, once, around the whole render |
 //! | [`workers`] | tiles and threads |
 //! | [`picture`] | linear pictures, their digest, and files of them |
+//! | [`colormap`] | differences to colours |
 //! | [`output`] | files that are complete or absent |
 //! | [`plan`] | what a scene asks to be simulated, and why |
 //! | [`stats`] | what was counted and measured |
 //! | [`progress`] | how far the work is |
 //! | [`summary`] | what was done, for a person |
 //! | [`signals`] | when to stop |
+//! | [`faults`] | what is wrong in a text, shown as a compiler would |
 //! | [`failure`] | what went wrong, and the exit status for it |
 
 pub mod args;
 pub mod choose;
+pub mod colormap;
+pub mod compare;
 pub mod description;
 pub mod failure;
+pub mod faults;
 pub mod frame;
 pub mod info;
 pub mod load;
+pub mod manual;
 pub mod output;
 pub mod picture;
 pub mod plan;

@@ -4,17 +4,25 @@ use std::process::ExitCode;
 
 use clap::Parser;
 use strahl::args::{Args, Command};
+use strahl::failure::Answer;
+use strahl::load::native;
+use strahl::output::Output;
 
 fn main() -> ExitCode {
     let args = Args::parse();
+    let yes = |()| Answer::Yes;
     let done = match args.command {
-        Command::Render(args) => strahl::render::run(&args),
-        Command::Info(args) => strahl::info::run(&args),
+        Command::Render(args) => strahl::render::run(&args).map(yes),
+        Command::Info(args) => strahl::info::run(&args).map(yes),
+        Command::Schema => Output::Stdout.commit(native::schema().as_bytes()).map(yes),
+        Command::Compare(args) => strahl::compare::run(&args),
+        Command::Completions { shell } => strahl::manual::completions(shell).map(yes),
+        Command::Man(args) => strahl::manual::man(&args).map(yes),
     };
     match done {
-        Ok(()) => ExitCode::SUCCESS,
+        Ok(answer) => ExitCode::from(answer.status()),
         Err(failure) => {
-            strahl::output::say(&failure);
+            strahl::output::complain(&failure);
             ExitCode::from(failure.status())
         }
     }

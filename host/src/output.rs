@@ -11,6 +11,7 @@ use std::path::{Path, PathBuf};
 use tempfile::{Builder, NamedTempFile};
 
 use crate::failure::Failure;
+use crate::faults::Screen;
 
 /// A place for one output.
 #[derive(Debug)]
@@ -99,6 +100,15 @@ pub fn say(message: impl fmt::Display) {
 /// and where `NO_COLOR` is set.
 pub fn tell(message: impl fmt::Display) {
     let _ = write!(anstream::stderr(), "{message}");
+}
+
+/// Says on the standard error why a command failed: what is wrong in a scene as its screen can
+/// show it.
+pub fn complain(failure: &Failure) {
+    match failure {
+        Failure::Faults(faults) => tell(format_args!("{}\n", faults.show(Screen::of_stderr()))),
+        _ => say(failure),
+    }
 }
 
 /// Where a file is, or would be. The file behind a link is meant, not the link.

@@ -4,14 +4,14 @@ use std::ffi::OsStr;
 use std::path::{Path, PathBuf};
 use std::time::Instant;
 
-use strahl_core::{Limits, Size};
+use strahl_core::Limits;
 
 use crate::args::{RenderArgs, StatsForm};
 use crate::choose::{NotTraced, Wanted};
 use crate::description::Settings;
 use crate::failure::Failure;
 use crate::frame::{self, NoFrame};
-use crate::load::load;
+use crate::load::{DEFAULT_SIZE, load_for};
 use crate::output::{Output, say, tell};
 use crate::picture::Format;
 use crate::plan::plan;
@@ -20,9 +20,6 @@ use crate::signals::Signals;
 use crate::stats::Stats;
 use crate::summary::summary;
 use crate::workers::{Cut, Sampling};
-
-/// Of scenes that name no size.
-const DEFAULT_SIZE: Size = Size::new(640, 480).unwrap();
 
 /// Renders one scene.
 pub fn run(args: &RenderArgs) -> Result<(), Failure> {
@@ -33,7 +30,7 @@ pub fn run(args: &RenderArgs) -> Result<(), Failure> {
     let format = Format::of(&path)?;
 
     let clock = Instant::now();
-    let description = load(&args.scene)?;
+    let description = load_for(&args.scene, args.size.unwrap_or(DEFAULT_SIZE))?;
     for warning in description.warnings.iter().filter(|_| !args.quiet) {
         say(format_args!("{}: warning: {warning}", args.scene.display()));
     }
@@ -49,6 +46,7 @@ pub fn run(args: &RenderArgs) -> Result<(), Failure> {
     }
 
     let wanted = wanted(args, &description.settings, report.is_some() || !args.quiet);
+    format.holds(wanted.size)?;
     let watch = if args.quiet { Watch::silent(signals) } else { Watch::on_terminal(signals) };
     let frame = frame::trace(&description, &wanted, &watch);
     watch.end();

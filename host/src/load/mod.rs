@@ -1,23 +1,45 @@
 //! Scene files become descriptions.
 
+pub mod mesh;
+pub mod native;
 mod nff;
 
 use std::path::Path;
 
+use strahl_core::Size;
+
 use crate::description::Description;
 use crate::failure::Failure;
 
+/// Of pictures for which neither scene nor user names a size.
+pub const DEFAULT_SIZE: Size = Size::new(640, 480).unwrap();
+
+/// The most pixels that a file may ask for: a number in a file must not fill the memory.
+const MOST_PIXELS: u64 = 1 << 24;
+
 /// Loads the scene file at `path`; its extension names the format.
 pub fn load(path: &Path) -> Result<Description, Failure> {
+    load_for(path, DEFAULT_SIZE)
+}
+
+/// Loads the scene file at `path` for a picture of `size`: where the file has no view, one is
+/// chosen that suits it.
+pub fn load_for(path: &Path, size: Size) -> Result<Description, Failure> {
+    if mesh::is_mesh(path) {
+        return mesh::scene(path, size);
+    }
     let extension = path.extension().and_then(|e| e.to_str()).unwrap_or_default().to_ascii_lowercase();
     // A file that is not there is told first, whatever its name.
     let bytes = std::fs::read(path).map_err(|error| Failure::Unreadable { path: path.to_owned(), error })?;
     match extension.as_str() {
         "nff" => nff::read(path, &bytes),
+        "toml" => native::read(path, &bytes, size),
         _ => Err(Failure::Input {
             path: path.to_owned(),
             line: None,
-            reason: "not a scene that strahl reads; the extension must be .nff".into(),
+            reason:
+                "not a scene that strahl reads; the extension must be .toml, .nff, .obj, .ply, .gltf or .glb"
+                    .into(),
         }),
     }
 }

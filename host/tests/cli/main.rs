@@ -1,6 +1,8 @@
 //! The program from outside: exit statuses, messages, files.
 
+mod compare;
 mod info;
+mod manual;
 mod outputs;
 mod pictures;
 mod program;

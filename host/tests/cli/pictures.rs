@@ -1,6 +1,6 @@
 //! What is in the pictures.
 
-use image::{ImageFormat, RgbImage};
+use image::{DynamicImage, ImageFormat, RgbImage};
 
 use crate::program::{BALL, EMPTY, Folder};
 
@@ -29,6 +29,98 @@ fn png_and_ppm_hold_the_same_pixels() {
     assert!(folder.read("a.ppm").starts_with(b"P6"));
     assert_eq!(folder.read("a.png"), folder.read("b.PNG"));
     assert_eq!(folder.read("a.ppm"), folder.read("b.Ppm"));
+}
+
+#[test]
+fn every_format_without_loss_holds_the_same_pixels() {
+    let folder = Folder::with(BALL);
+    folder.done("render scene.nff -o a.png");
+    let expected = png(&folder.read("a.png"));
+    for (name, other, format, begins) in [
+        ("a.ppm", "b.PPM", ImageFormat::Pnm, b"P6".as_slice()),
+        ("a.qoi", "b.Qoi", ImageFormat::Qoi, b"qoif"),
+        ("a.tif", "b.TIFF", ImageFormat::Tiff, b"II*\0"),
+    ] {
+        folder.done(&format!("render scene.nff -o {name}"));
+        folder.done(&format!("render scene.nff -o {other}"));
+        let file = folder.read(name);
+        assert!(file.starts_with(begins), "{name}");
+        assert!(folder.read(other) == file, "{other}");
+        assert_eq!(
+            image::load_from_memory_with_format(&file, format).unwrap().into_rgb8(),
+            expected,
+            "{name}"
+        );
+    }
+}
+
+#[test]
+fn a_jpeg_is_near_and_keeps_the_colours_of_single_pixels() {
+    // A red and a blue half, so that the edge is between two pixels that JPEG might share.
+    let red_and_blue = "v from 0 0 9 at 0 0 0 up 0 1 0 angle 30 resolution 15 9\nb 0 0 1\n\
+        f 1 0 0 0 0 0 0 0\nl 0 0 9 3 0 0\np 4 0 -9 0 0 9 0 -9 9 0 -9 -9 0\n";
+    let folder = Folder::with(red_and_blue);
+    for name in ["a.png", "a.jpg", "b.JPEG"] {
+        folder.done(&format!("render scene.nff -o {name}"));
+    }
+    assert!(folder.read("a.jpg").starts_with(b"\xff\xd8"));
+    assert!(folder.read("a.jpg") == folder.read("b.JPEG"));
+    let jpeg = image::load_from_memory_with_format(&folder.read("a.jpg"), ImageFormat::Jpeg).unwrap();
+    for (a, b) in png(&folder.read("a.png")).pixels().zip(jpeg.into_rgb8().pixels()) {
+        let far = a.0.into_iter().zip(b.0).map(|(a, b)| a.abs_diff(b)).max().unwrap();
+        // Shared colours would be off by a hundred.
+        assert!(far <= 12, "{a:?} {b:?}");
+    }
+}
+
+#[test]
+fn an_exr_file_holds_the_bits_of_the_linear_floats() {
+    let folder = Folder::with(BALL);
+    let words = "--stats json --stats-file a.json";
+    for sampler in ["single", "regular:3"] {
+        folder.done(&format!("render scene.nff -o a.exr --sampler {sampler} {words}"));
+        let DynamicImage::ImageRgb32F(floats) = image::load_from_memory(&folder.read("a.exr")).unwrap()
+        else {
+            panic!("other than three floats for each pixel");
+        };
+        assert_eq!(floats.dimensions(), (40, 30));
+        // The digest is that of the bits, row by row, little endian.
+        let bytes: Vec<u8> = floats.as_raw().iter().flat_map(|v| v.to_le_bytes()).collect();
+        let stats: serde_json::Value = serde_json::from_slice(&folder.read("a.json")).unwrap();
+        assert_eq!(stats["digest"], blake3::hash(&bytes).to_hex().as_str(), "{sampler}");
+    }
+}
+
+#[test]
+fn an_exr_file_holds_every_float_that_there_is() {
+    let smallest = f32::from_bits(1);
+    let colors = [
+        [0.0, -0.0, smallest],
+        [f32::MIN, f32::MAX, f32::EPSILON],
+        [f32::INFINITY, f32::NEG_INFINITY, 1e6],
+        [f32::NAN, -f32::NAN, f32::from_bits(0x7f80_0001)],
+    ];
+    let picture = strahl::picture::Picture {
+        size: strahl_core::Size::new(2, 2).unwrap(),
+        colors: colors.map(|[r, g, b]| strahl_core::Rgb::new(r, g, b)).to_vec(),
+    };
+    let file = strahl::picture::Format::Exr.encode(&picture).unwrap();
+    let floats = image::load_from_memory(&file).unwrap().into_rgb32f();
+    let bits = |values: &[f32]| values.iter().map(|v| v.to_bits()).collect::<Vec<_>>();
+    assert_eq!(bits(floats.as_raw()), bits(colors.as_flattened()));
+}
+
+#[test]
+fn a_second_run_makes_the_same_file_in_every_format() {
+    let folder = Folder::with(BALL);
+    for extension in ["png", "ppm", "qoi", "jpg", "tif", "exr"] {
+        folder.done(&format!("render scene.nff -q -o a.{extension}"));
+        folder.done(&format!("render scene.nff -q -o b.{extension} --threads 1"));
+        assert!(
+            folder.read(&format!("a.{extension}")) == folder.read(&format!("b.{extension}")),
+            "{extension}"
+        );
+    }
 }
 
 #[test]

@@ -18,6 +18,26 @@ const OPTIONS: &[&str] = &[
     "--help",
 ];
 
+/// Every command with its options.
+const COMMANDS: &[(&str, &[&str])] = &[
+    ("render", OPTIONS),
+    ("info", &["--json", "--help"]),
+    ("schema", &["--help"]),
+    ("compare", &["--limit", "--limit-share", "--json", "--output", "--quiet", "--help"]),
+    ("completions", &["--help"]),
+    ("man", &["--help"]),
+];
+
+#[test]
+fn the_help_lists_every_command_that_is_there_and_no_other() {
+    let help = String::from_utf8(Folder::with(EMPTY).done("--help")).unwrap();
+    let commands = help.split("Commands:\n").nth(1).unwrap().lines().take_while(|line| !line.is_empty());
+    // A line of a command is indented by two, what follows of its description by more.
+    let named = commands.filter_map(|line| line.strip_prefix("  ")?.split(' ').next());
+    let named: BTreeSet<_> = named.filter(|name| !name.is_empty()).collect();
+    assert_eq!(named, COMMANDS.iter().map(|(name, _)| *name).collect(), "{help}");
+}
+
 /// The words of a text that begin with two hyphens.
 fn long_options(text: &str) -> BTreeSet<String> {
     let is_part = |c: char| c.is_ascii_alphanumeric() || c == '-';
@@ -28,10 +48,12 @@ fn long_options(text: &str) -> BTreeSet<String> {
 #[test]
 fn the_help_lists_every_option_that_is_there_and_no_other() {
     let folder = Folder::with(EMPTY);
-    let expected = OPTIONS.iter().map(|o| (*o).to_owned()).collect();
-    for words in ["render --help", "render -h"] {
-        let help = String::from_utf8(folder.done(words)).unwrap();
-        assert_eq!(long_options(&help), expected, "{help}");
+    for (command, options) in COMMANDS {
+        let expected = options.iter().map(|o| (*o).to_owned()).collect();
+        for words in ["--help", "-h"] {
+            let help = String::from_utf8(folder.done(&format!("{command} {words}"))).unwrap();
+            assert_eq!(long_options(&help), expected, "{help}");
+        }
     }
     let help = String::from_utf8(folder.done("--help")).unwrap();
     assert_eq!(long_options(&help), ["--help", "--version"].map(str::to_owned).into());
@@ -105,6 +127,7 @@ fn wrong_usage_is_told_with_status_2_and_nothing_is_written() {
         (format!("{scene} -o picture.gif"), "picture.gif names no picture format"),
         (format!("{scene} -o picture"), "picture names no picture format"),
         (format!("{scene} -o .png"), ".png names no picture format"),
+        (format!("{scene} -o a.jpg --size 65536x1"), "at most 65535 pixels"),
         (format!("{scene} -o - --stats json"), "needs a --stats-file"),
         (format!("{scene} -o - --stats-file -"), "needs a --stats-file"),
         (format!("{scene} -o a.png --stats-file a.png"), "the same file"),

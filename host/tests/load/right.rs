@@ -307,7 +307,7 @@ fn the_extension_of_a_scene_may_be_in_capitals() {
 #[test]
 fn a_file_of_another_kind_is_refused_by_its_name() {
     let folder = tempfile::tempdir().unwrap();
-    for name in ["scene.toml", "scene", "nff", "scene.nff.gz"] {
+    for name in ["scene.stl", "scene", "nff", "scene.nff.gz"] {
         let path = folder.path().join(name);
         std::fs::write(&path, VIEW).unwrap();
         let failure = strahl::load::load(&path).unwrap_err();

@@ -22,11 +22,9 @@ use crate::description::{
     Background, Description, Form, Light, Object, Placed, Projection, Settings, Source, Triple, View,
 };
 use crate::failure::Failure;
+use crate::load::MOST_PIXELS;
 use crate::stock;
 use words::{Read, Word, Words, Wrong};
-
-/// The most pixels that a file may ask for: a number in a file must not fill the memory.
-const MOST_PIXELS: u64 = 1 << 24;
 
 /// Reads the bytes of the file at `path`.
 ///

@@ -1,0 +1,97 @@
+//! The command `compare`: how two pictures differ.
+//!
+//! All measures are differences of sRGB-encoded values in 0..1, as everywhere on the command
+//! line: that is what a person sees. Two EXR files are compared as their encodings too, and
+//! their largest linear difference is told beside it; an EXR file beside another format is
+//! rounded as it would be if it were written in that format.
+//!
+//! | room | what it does |
+//! |---|---|
+//! | [`pair`] | two files become two pictures of one kind |
+//! | [`measure`] | the measures that look at each pixel for itself |
+//! | [`ssim`] | the measure that looks at structure |
+//! | [`report`] | what is told |
+
+use std::path::Path;
+
+use strahl_core::Size;
+
+use crate::args::CompareArgs;
+use crate::colormap::{inferno, step_of};
+use crate::failure::{Answer, Failure};
+use crate::output::Output;
+use crate::picture::read::{Pixels, read};
+use crate::picture::{Format, Picture, srgb};
+use pair::Pair;
+use report::Report;
+
+pub mod measure;
+pub mod pair;
+pub mod report;
+pub mod ssim;
+
+/// Compares two pictures.
+pub fn run(args: &CompareArgs) -> Result<Answer, Failure> {
+    let stdin = Path::new("-");
+    if args.first == stdin && args.second == stdin {
+        return Err(Failure::Usage("only one of the pictures can be the standard input".into()));
+    }
+    if args.output.as_deref() == Some(stdin) {
+        return Err(Failure::Usage("the report goes to the standard output, so the map needs a file".into()));
+    }
+    let format = args.output.as_deref().map(Format::of).transpose()?;
+
+    let first = read(&args.first)?;
+    let second = read(&args.second)?;
+    let size = same_size(args, &first, &second)?;
+    let pair = Pair::of(first.values, second.values);
+    let report = Report::new(args, size, &pair);
+
+    if let (Some(path), Some(format)) = (&args.output, format) {
+        write_map(args, path, format, &map(size, &pair))?;
+    }
+    if !args.quiet {
+        let text = if args.json { report.to_json() } else { report.to_text() };
+        Output::Stdout.commit(text.as_bytes())?;
+    }
+    Ok(if report.equal { Answer::Yes } else { Answer::No })
+}
+
+fn same_size(args: &CompareArgs, first: &Pixels, second: &Pixels) -> Result<Size, Failure> {
+    let (a, b) = (first.size, second.size);
+    if a == b {
+        return Ok(a);
+    }
+    Err(Failure::Input {
+        path: args.second.clone(),
+        line: None,
+        reason: format!(
+            "{} x {} pixels, but {} has {} x {}",
+            b.width(),
+            b.height(),
+            args.first.display(),
+            a.width(),
+            a.height()
+        ),
+    })
+}
+
+/// The largest difference of each pixel as a colour.
+fn map(size: Size, pair: &Pair) -> Picture {
+    let (colors, table) = (inferno(), srgb::decode8());
+    let color = |difference| srgb::decode(&table, colors[usize::from(step_of(difference))]);
+    Picture { size, colors: pair.differences().into_iter().map(color).collect() }
+}
+
+fn write_map(args: &CompareArgs, path: &Path, format: Format, map: &Picture) -> Result<(), Failure> {
+    format.holds(map.size)?;
+    let output = Output::prepare(path)?;
+    if output.replaces(&args.first) || output.replaces(&args.second) {
+        return Err(Failure::Usage("the map and one of the pictures are the same file".into()));
+    }
+    let file = format.encode(map).map_err(|error| Failure::Unwritable {
+        path: Some(path.to_owned()),
+        error: std::io::Error::other(error),
+    })?;
+    output.commit(&file)
+}

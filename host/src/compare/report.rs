@@ -1,0 +1,202 @@
+//! What is told about two pictures.
+
+use std::fmt::Write as _;
+
+use indicatif::HumanCount;
+use serde::Serialize;
+use strahl_core::Size;
+
+use super::measure::{Color, Limit, Peak};
+use super::pair::Pair;
+use crate::args::CompareArgs;
+
+/// How two pictures differ. Field by field as `--json` prints it; differences are of
+/// sRGB-encoded values, 0 to 1.
+#[derive(Debug, Serialize)]
+pub struct Report {
+    /// The first file.
+    pub first: String,
+    /// The second.
+    pub second: String,
+    /// Pixels.
+    pub width: u32,
+    /// Pixels.
+    pub height: u32,
+    /// Every pixel is the same, bit for bit.
+    pub identical: bool,
+    /// They differ no more than the limits allow: the exit status is 0.
+    pub equal: bool,
+    /// How much a channel may differ.
+    pub limit: f64,
+    /// The share of pixels that may differ more.
+    pub limit_share: f64,
+    /// The largest difference of a channel, and where; null: none.
+    pub largest: Option<Place>,
+    /// The mean difference of all channels.
+    pub mean_absolute: f64,
+    /// The root of the mean of the squares.
+    pub rmse: f64,
+    /// Peak signal to noise, in decibels; null: infinite.
+    pub psnr: Option<f64>,
+    /// Structural similarity; 1 is identical.
+    pub ssim: f64,
+    /// Pixels that differ at all.
+    pub differing: Share,
+    /// Pixels that differ by more than 1/255.
+    pub beyond: Share,
+    /// Pixels that differ by more than the limit.
+    pub over_limit: Share,
+    /// The largest difference of linear light, and where; null: none, or not two EXR files.
+    pub largest_linear: Option<Place>,
+}
+
+/// A difference and its place.
+#[derive(Debug, Serialize)]
+pub struct Place {
+    /// Null: infinite, or only one of the two is a number.
+    pub difference: Option<f64>,
+    /// Column, from 0 at the left.
+    pub x: usize,
+    /// Row, from 0 at the top.
+    pub y: usize,
+    /// `red`, `green` or `blue`.
+    pub channel: Color,
+}
+
+/// A number of pixels.
+#[derive(Debug, Serialize)]
+pub struct Share {
+    /// How many.
+    pub pixels: usize,
+    /// Of all, 0 to 1.
+    pub share: f64,
+}
+
+impl Report {
+    /// Measures.
+    pub fn new(args: &CompareArgs, size: Size, pair: &Pair) -> Self {
+        let (width, pixels) = (size.width() as usize, size.width() as usize * size.height() as usize);
+        let limit = if args.limit > 0.0 { Limit::Within(args.limit) } else { Limit::Identical };
+        let measures = pair.measure(width, limit);
+        let channels = 3.0 * pixels as f64;
+        let rmse = (measures.squares / channels).sqrt();
+        let share = |count: usize| Share { pixels: count, share: count as f64 / pixels as f64 };
+        let over_limit = share(measures.over_limit);
+        Report {
+            first: args.first.display().to_string(),
+            second: args.second.display().to_string(),
+            width: size.width(),
+            height: size.height(),
+            identical: measures.differing == 0,
+            equal: over_limit.share <= args.limit_share,
+            limit: args.limit,
+            limit_share: args.limit_share,
+            largest: Place::of(measures.peak),
+            mean_absolute: measures.absolute / channels,
+            rmse,
+            psnr: (rmse > 0.0).then(|| -20.0 * libm::log10(rmse)),
+            ssim: pair.ssim(size),
+            differing: share(measures.differing),
+            beyond: share(measures.beyond),
+            over_limit,
+            largest_linear: pair.linear_peak(width).and_then(Place::of),
+        }
+    }
+
+    /// For programs.
+    pub fn to_json(&self) -> String {
+        let mut json = serde_json::to_string_pretty(self).unwrap_or_default();
+        json.push('\n');
+        json
+    }
+
+    /// For people.
+    pub fn to_text(&self) -> String {
+        let answer = match (self.identical, self.equal) {
+            (true, _) => "identical",
+            (_, true) => "equal within the limit",
+            _ => "different",
+        };
+        let mut text =
+            format!("{} and {}  {} x {}, {answer}\n", self.first, self.second, self.width, self.height);
+        let mut line = |label: &str, says: String| {
+            // Writing to a string cannot fail.
+            let _ = writeln!(text, "  {label:<11}{says}");
+        };
+        if self.identical {
+            return text;
+        }
+        line("differing", format!("{} at all, {} by more than 1/255", self.differing, self.beyond));
+        if self.limit > 0.0 || self.limit_share > 0.0 {
+            let allowed = if self.limit_share > 0.0 {
+                format!(", {} % are allowed", short(self.limit_share * 100.0))
+            } else {
+                String::new()
+            };
+            line("limit", format!("{} by more than {}{allowed}", self.over_limit, short(self.limit)));
+        }
+        if let Some(largest) = &self.largest {
+            let difference = largest.difference.unwrap_or(1.0);
+            let steps = short(difference * 255.0);
+            line("largest", format!("{} ({steps} of 255) {}", short(difference), largest.place()));
+        }
+        if let Some(largest) = &self.largest_linear {
+            let difference = largest.difference.map_or("infinite".into(), short);
+            line("linear", format!("{difference} at most, {}", largest.place()));
+        }
+        line("mean", short(self.mean_absolute));
+        let psnr = self.psnr.map_or(String::new(), |psnr| format!(" (PSNR {psnr:.1} dB)"));
+        line("RMSE", format!("{}{psnr}", short(self.rmse)));
+        // Not rounded up to 1, which is identical.
+        line("SSIM", format!("{:.6}", (self.ssim * 1e6).floor() / 1e6));
+        text
+    }
+}
+
+impl Place {
+    fn of(peak: Peak) -> Option<Self> {
+        let Peak { difference, x, y, channel } = peak;
+        let finite = difference.is_finite().then_some(difference);
+        (difference > 0.0).then_some(Place { difference: finite, x, y, channel })
+    }
+
+    fn place(&self) -> String {
+        format!("at {},{} in {}", self.x, self.y, self.channel.name())
+    }
+}
+
+impl std::fmt::Display for Share {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        let pixels = HumanCount(self.pixels as u64);
+        let noun = if self.pixels == 1 { "pixel" } else { "pixels" };
+        write!(f, "{pixels} {noun} ({} %)", short(self.share * 100.0))
+    }
+}
+
+/// Three digits that count.
+fn short(number: f64) -> String {
+    if number == 0.0 {
+        return "0".into();
+    }
+    let magnitude = libm::floor(libm::log10(number.abs())) as i32;
+    if magnitude < -6 {
+        return format!("{number:.2e}");
+    }
+    let text = format!("{number:.*}", (2 - magnitude).max(0) as usize);
+    match text.contains('.') {
+        true => text.trim_end_matches('0').trim_end_matches('.').to_owned(),
+        false => text,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::short;
+
+    #[test]
+    fn short_numbers_have_three_digits_that_count() {
+        let numbers = [0.0, 1.0, 0.5, 1.0 / 3.0, 12.345, 254.7, 98765.0, 0.000_123_456, 1.0e-9];
+        let texts = ["0", "1", "0.5", "0.333", "12.3", "255", "98765", "0.000123", "1.00e-9"];
+        assert_eq!(numbers.map(short), texts);
+    }
+}

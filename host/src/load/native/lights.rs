@@ -1,0 +1,118 @@
+//! Lights become lights of the description, in the order of the file.
+
+use std::ops::Range;
+
+use strahl_core::Rgb;
+
+use super::colors::Color;
+use super::format::File;
+use super::make::Maker;
+use super::numbers::Intensity;
+use super::places::Falloff;
+use super::table::At;
+use crate::description::{Light, Placed, Source, Triple};
+use crate::faults::Fault;
+
+/// Light from everywhere, unless the file says something else.
+const AMBIENT: f32 = 0.1;
+
+/// The full angle of a spot light's cone.
+const SPOT: f32 = 40.0;
+
+impl Maker<'_> {
+    /// Makes all lights of the file.
+    pub(super) fn lights(&mut self, file: &File) {
+        let mut lights: Vec<(usize, Option<Placed<Light>>)> = Vec::new();
+        for At { it, span } in &file.point_light.0 {
+            let source = Source::Point { position: it.position.0, falloff: falloff(it.falloff) };
+            let light = self.light(Some(source), &it.color, &it.intensity, it.shadows, &it.name, span);
+            lights.push((span.start, light));
+        }
+        for At { it, span } in &file.directional_light.0 {
+            let source = Source::Directional { toward: it.direction.0.map(|x| 0.0 - x) };
+            let light = self.light(Some(source), &it.color, &it.intensity, it.shadows, &it.name, span);
+            lights.push((span.start, light));
+        }
+        for At { it, span } in &file.spot_light.0 {
+            let source = self.spot(it, span);
+            let light = self.light(source, &it.color, &it.intensity, it.shadows, &it.name, span);
+            lights.push((span.start, light));
+        }
+        lights.sort_by_key(|(place, _)| *place);
+        self.description.lights = lights.into_iter().filter_map(|(_, light)| light).collect();
+
+        let ambient = file.ambient_light.0.as_ref();
+        self.description.ambient = match ambient {
+            Some(At { it, .. }) => {
+                let gray = At { it: Color(Rgb::gray(AMBIENT)), span: 0..0 };
+                let color = Some(it.color.as_ref().map_or(gray, At::clone));
+                self.shining(&color, &it.intensity).unwrap_or(Rgb::BLACK)
+            }
+            None => Rgb::gray(AMBIENT),
+        };
+    }
+
+    fn spot(&mut self, it: &super::format::SpotLight, span: &Range<usize>) -> Option<Source> {
+        let position = it.position.0;
+        let direction = match (&it.at, &it.direction) {
+            (None, Some(direction)) => direction.it.0,
+            (Some(at), None) => {
+                let direction: Triple = std::array::from_fn(|axis| at.it.0[axis] - position[axis]);
+                if direction == [0.0; 3] {
+                    let fault = Fault::new(at.span.clone(), "the light is at the point it shines at");
+                    return self.reader.wrong(fault);
+                }
+                direction
+            }
+            (Some(at), Some(direction)) => {
+                let fault = Fault::new(direction.span.clone(), "a light has either a `direction` or an `at`");
+                return self.reader.wrong(fault.also(at.span.clone(), "the other"));
+            }
+            (None, None) => {
+                let fault = Fault::new(span.clone(), "this `spot_light` has neither `at` nor `direction`");
+                return self.reader.misses(fault.help("`at` is a place in the middle of its cone"));
+            }
+        };
+        let angle = it.angle.map_or(SPOT, |angle| angle.0);
+        let bright_angle = match &it.bright_angle {
+            Some(At { it: bright, span }) if bright.0 > angle => {
+                let what = format!("`bright_angle` must be at most `angle`, which is {angle}");
+                return self.reader.wrong(Fault::new(span.clone(), what));
+            }
+            Some(bright) => bright.it.0,
+            None => 0.8 * angle,
+        };
+        let (bright, dark) = (0.5 * bright_angle, 0.5 * angle);
+        Some(Source::Spot { position, direction, bright, dark, falloff: falloff(it.falloff) })
+    }
+
+    fn light(
+        &mut self,
+        source: Option<Source>,
+        color: &Option<At<Color>>,
+        intensity: &Option<At<Intensity>>,
+        shadows: Option<bool>,
+        name: &Option<String>,
+        span: &Range<usize>,
+    ) -> Option<Placed<Light>> {
+        let color = self.shining(color, intensity)?;
+        let it = Light { source: source?, color, shadows: shadows != Some(false) };
+        Some(Placed { it, line: self.lines.line(span.start), name: name.clone() })
+    }
+
+    /// A colour times its intensity.
+    fn shining(&mut self, color: &Option<At<Color>>, intensity: &Option<At<Intensity>>) -> Option<Rgb> {
+        let base = color.as_ref().map_or(Rgb::WHITE, |color| color.it.0);
+        let Some(At { it: Intensity(factor), span }) = intensity else { return Some(base) };
+        let shining = base * *factor;
+        if !shining.is_within(Rgb::BRIGHTEST) {
+            let what = format!("`color` times `intensity` must be at most {}", Rgb::BRIGHTEST);
+            return self.reader.wrong(Fault::new(span.clone(), what));
+        }
+        Some(shining)
+    }
+}
+
+fn falloff(falloff: Option<Falloff>) -> Triple {
+    falloff.map_or([1.0, 0.0, 0.0], |falloff| falloff.0)
+}

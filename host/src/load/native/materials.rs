@@ -1,0 +1,280 @@
+//! What objects are made of: materials with names, and materials that stand in an object.
+//!
+//! Names are collected before anything is read, so that a name is known wherever its material
+//! stands, and whatever else is wrong with that material.
+
+use std::collections::{BTreeMap, HashMap};
+use std::ops::Range;
+
+use schemars::{JsonSchema, Schema, SchemaGenerator, json_schema};
+use strahl_core::{Interface, Material, Rgb};
+use toml::de::{DeTable, DeValue};
+
+use super::colors::is_color;
+use super::format;
+use super::make::{Maker, vector};
+use super::similar::{meant, shown};
+use super::table::{At, Many, Read, Reader, Value};
+use crate::description::{Placed, Texture};
+use crate::faults::Fault;
+
+/// The core counts cells per length, and no more of them than lengths.
+const LEAST_CELL: f32 = 1e-14;
+
+/// The names of materials, and where in the file each of them is said first.
+pub(super) struct Names(BTreeMap<String, Range<usize>>);
+
+impl Names {
+    /// The names in a document.
+    pub(super) fn of(document: &DeTable<'_>) -> Self {
+        let materials = document.get("material").and_then(|value| match value.get_ref() {
+            DeValue::Array(list) => Some(list),
+            _ => None,
+        });
+        let mut names = BTreeMap::new();
+        for material in materials.into_iter().flatten() {
+            if let DeValue::Table(table) = material.get_ref()
+                && let Some(value) = table.get("name")
+                && let DeValue::String(name) = value.get_ref()
+            {
+                names.entry(name.to_string()).or_insert(value.span());
+            }
+        }
+        Names(names)
+    }
+
+    /// As many of them as advice is looked for among.
+    fn some(&self) -> Vec<&str> {
+        self.0.keys().map(String::as_str).take(1000).collect()
+    }
+}
+
+/// What an object is made of.
+#[derive(Debug)]
+pub(super) enum Surface {
+    /// A material of the file.
+    Named(String),
+    /// One that only this object has.
+    Own(Box<At<format::Material>>),
+}
+
+impl Read for Surface {
+    fn read(value: &Value<'_>, key: &str, reader: &mut Reader<'_>) -> Option<Self> {
+        match value.get_ref() {
+            DeValue::String(name) if reader.names.0.contains_key(name.as_ref()) => {
+                Some(Surface::Named(name.to_string()))
+            }
+            // It may be in the part that cannot be read.
+            DeValue::String(_) if !reader.complete => None,
+            DeValue::String(name) => {
+                let fault = Fault::new(value.span(), format!("there is no material {}", shown(name)));
+                let names = if reader.faults.has_room() { reader.names.some() } else { Vec::new() };
+                let help = match meant(name, &names) {
+                    Some(meant) => format!("did you mean {meant}?"),
+                    None if is_color(name) => format!("write {{ color = {:?} }}", short(name)),
+                    None => format!("write [[material]] and name = {:?} below it", short(name)),
+                };
+                reader.wrong(fault.help(help))
+            }
+            DeValue::Table(_) => {
+                let own: At<format::Material> = At::read(value, key, reader)?;
+                if let Some(name) = &own.it.name {
+                    let fault =
+                        Fault::new(name.span.clone(), "a material that stands in an object has no name");
+                    return reader.wrong(fault.help("write it as a [[material]] to use it by name"));
+                }
+                Some(Surface::Own(Box::new(own)))
+            }
+            _ => reader.mismatch(value, key, "the name of a material or a table of its own"),
+        }
+    }
+}
+
+fn short(name: &str) -> String {
+    name.chars().take(40).collect()
+}
+
+impl JsonSchema for Surface {
+    fn inline_schema() -> bool {
+        true
+    }
+    fn schema_name() -> std::borrow::Cow<'static, str> {
+        "Surface".into()
+    }
+    fn json_schema(generator: &mut SchemaGenerator) -> Schema {
+        let own = generator.subschema_for::<format::Material>();
+        json_schema!({ "anyOf": [{ "type": "string" }, own] })
+    }
+}
+
+/// The materials that have been made, by what calls for them.
+#[derive(Default)]
+pub(super) struct Made {
+    named: HashMap<String, u16>,
+    default: Option<u16>,
+}
+
+impl Maker<'_> {
+    /// Makes the materials that have names.
+    pub(super) fn materials(&mut self, materials: &Many<format::Material>) {
+        for material in &materials.0 {
+            let Some(name) = &material.it.name else {
+                let fault = Fault::new(material.span.clone(), "this `material` has no `name`");
+                self.reader.misses::<()>(fault.help("give it the name that objects call it by"));
+                continue;
+            };
+            if let Some(first) = self.reader.names.0.get(&name.it)
+                && *first != name.span
+            {
+                let what = format!("a second material is called {}", shown(&name.it));
+                let fault = Fault::new(name.span.clone(), what);
+                self.reader.faults.push(fault.also(first.clone(), "the first"));
+                continue;
+            }
+            if let Some(place) = self.material(material, Some(name.it.clone())) {
+                self.made.named.insert(name.it.clone(), place);
+            }
+        }
+    }
+
+    /// The place of the material of an object at `span`.
+    pub(super) fn made_of(&mut self, surface: &Option<Surface>, span: &Range<usize>) -> Option<u16> {
+        match surface {
+            Some(Surface::Named(name)) => self.made.named.get(name).copied(),
+            Some(Surface::Own(own)) => self.material(own, None),
+            None => {
+                if self.made.default.is_none() {
+                    self.made.default = self.keep(Material::MATTE, None, span);
+                }
+                self.made.default
+            }
+        }
+    }
+
+    /// Puts a material into the table.
+    pub(super) fn keep(&mut self, it: Material, name: Option<String>, span: &Range<usize>) -> Option<u16> {
+        let materials = &mut self.description.materials;
+        let Ok(place) = u16::try_from(materials.len()) else {
+            if !std::mem::replace(&mut self.overflown, true) {
+                let what = format!("this is more than {} materials", materials.len());
+                let fault = Fault::new(span.clone(), what);
+                self.reader.faults.push(fault.help("give equal ones one name"));
+            }
+            return None;
+        };
+        materials.push(Placed { it, line: self.lines.line(span.start), name });
+        Some(place)
+    }
+
+    /// Makes one material.
+    fn material(&mut self, at: &At<format::Material>, name: Option<String>) -> Option<u16> {
+        let it = &at.it;
+        let texture = self.texture(it)?;
+        let color = it.color.map_or(Rgb::WHITE, |c| c.0);
+        let mirror = it.mirror.map_or(Rgb::BLACK, |s| s.0);
+        let transmitted = it.transmission.map_or(Rgb::BLACK, |s| s.0);
+        let left = |mirror: f32, transmitted: f32| {
+            let left = 1.0 - mirror - transmitted;
+            if left > 0.0 { left } else { 0.0 }
+        };
+        let rest = Rgb::new(
+            left(mirror.r, transmitted.r),
+            left(mirror.g, transmitted.g),
+            left(mirror.b, transmitted.b),
+        );
+        let diffuse = it.diffuse.map_or(rest, |c| c.0);
+        let ambient = it.ambient.map_or(diffuse, |c| c.0);
+        let asks = it.shininess.is_some_and(|s| s.0 > 0.0);
+        let highlight = it.highlight.map_or(if asks { Rgb::gray(0.5) } else { Rgb::BLACK }, |c| c.0);
+        let exponent = it.shininess.map_or(if highlight.is_black() { 0.0 } else { 50.0 }, |s| s.0);
+        let times = |share: Rgb| {
+            Rgb::new(color.r * share.r, color.g * share.g, color.b * share.b).at_most(Rgb::BRIGHTEST)
+        };
+        if transmitted.is_black() {
+            self.idle(it);
+        }
+        let material = Material {
+            ambient: times(ambient),
+            diffuse: times(diffuse),
+            texture,
+            highlight,
+            exponent,
+            mirror,
+            transmitted,
+            index: it.index.as_ref().map_or(1.5, |index| index.it.0),
+            interface: match it.fresnel {
+                Some(At { it: true, .. }) => Interface::Fresnel,
+                _ => Interface::Constant,
+            },
+            clarity: it.clarity.as_ref().map_or(Material::MATTE.clarity, |clarity| clarity.it.0),
+            priority: it.priority.as_ref().map_or(0, |priority| priority.it.0),
+            two_sided: it.one_sided != Some(true),
+        };
+        // A body that is none bends no light.
+        let index = if transmitted.is_black() { Material::MATTE.index } else { material.index };
+        self.keep(Material { index, ..material }, name, &at.span)
+    }
+
+    /// Warns of keys that say something about a body where there is none.
+    fn idle(&mut self, it: &format::Material) {
+        let keys = [
+            ("index", it.index.as_ref().map(|at| at.span.start)),
+            ("fresnel", it.fresnel.as_ref().filter(|at| at.it).map(|at| at.span.start)),
+            ("clarity", it.clarity.as_ref().map(|at| at.span.start)),
+            ("priority", it.priority.as_ref().map(|at| at.span.start)),
+        ];
+        for (key, place) in keys.into_iter().filter_map(|(key, place)| Some((key, place?))) {
+            let line = self.lines.line(place);
+            let warning = format!("`{key}` in line {line} has no effect without `transmission`");
+            self.description.warnings.push(warning);
+        }
+    }
+
+    /// The place of a material's texture, if it has one.
+    fn texture(&mut self, it: &format::Material) -> Option<Option<u16>> {
+        let texture = match (&it.checker, &it.gradient) {
+            (None, None) => return Some(None),
+            (Some(checker), Some(gradient)) => {
+                let (one, other) = if checker.span.start > gradient.span.start {
+                    (checker.span.clone(), gradient.span.clone())
+                } else {
+                    (gradient.span.clone(), checker.span.clone())
+                };
+                let fault = Fault::new(one, "a material has either a `checker` or a `gradient`");
+                return self.reader.wrong(fault.also(other, "the other"));
+            }
+            (Some(At { it: checker, .. }), None) => {
+                let size = checker.size.as_ref().map_or([1.0, 0.0, 1.0], |size| size.it.0);
+                if let Some(at) = &checker.size
+                    && size.iter().any(|size| *size > 0.0 && *size < LEAST_CELL)
+                {
+                    let what = format!("a cell of a checker must be 0 or at least {LEAST_CELL:e}");
+                    return self.reader.wrong(Fault::new(at.span.clone(), what));
+                }
+                Texture::Checker {
+                    even: checker.even.map_or(Rgb::WHITE, |c| c.0),
+                    odd: checker.odd.map_or(Rgb::gray(0.1), |c| c.0),
+                    origin: checker.origin.map_or([0.0; 3], |p| p.0),
+                    size,
+                }
+            }
+            (None, Some(At { it: gradient, .. })) => {
+                let along = vector(gradient.end.it.0) - vector(gradient.start.0);
+                // Its square is what the core divides by.
+                if along.dot(along) <= 0.0 {
+                    let fault = Fault::new(gradient.end.span.clone(), "a gradient ends where it starts");
+                    return self.reader.wrong(fault);
+                }
+                Texture::Gradient {
+                    from: gradient.from.map_or(Rgb::BLACK, |c| c.0),
+                    to: gradient.to.map_or(Rgb::WHITE, |c| c.0),
+                    start: gradient.start.0,
+                    end: gradient.end.it.0,
+                }
+            }
+        };
+        self.description.textures.push(texture);
+        // No more than materials, which are counted when they are kept.
+        Some(Some(u16::try_from(self.description.textures.len() - 1).unwrap_or(u16::MAX)))
+    }
+}

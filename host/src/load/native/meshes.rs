@@ -1,0 +1,162 @@
+//! Meshes from files, with their transform.
+
+use std::collections::HashMap;
+use std::ops::Range;
+use std::path::{Path, PathBuf};
+
+use strahl_core::FARTHEST;
+
+use super::format;
+use super::forms::Thing;
+use super::make::Maker;
+use super::table::At;
+use super::turn;
+use crate::description::{Form, Triple};
+use crate::failure::Failure;
+use crate::faults::Fault;
+use crate::load::mesh::{self, Mesh};
+
+/// The files of meshes, each of which is read once.
+pub(super) struct Meshes<'m> {
+    folder: &'m Path,
+    read: HashMap<PathBuf, Option<Mesh>>,
+}
+
+impl<'m> Meshes<'m> {
+    /// None yet, of a scene in `folder`.
+    pub(super) fn of(folder: &'m Path) -> Self {
+        Meshes { folder, read: HashMap::new() }
+    }
+}
+
+/// Scaled, then turned, then moved.
+struct Transform {
+    scale: [f64; 3],
+    /// The rows of the turn.
+    turn: [[f64; 3]; 3],
+    translate: [f64; 3],
+}
+
+impl Transform {
+    fn of(mesh: &format::Mesh) -> Self {
+        Transform {
+            scale: mesh.scale.map_or([1.0; 3], |scale| scale.0).map(f64::from),
+            turn: turn::matrix(mesh.rotate.map_or([0.0; 3], |turn| turn.0)),
+            translate: mesh.translate.map_or([0.0; 3], |place| place.0).map(f64::from),
+        }
+    }
+
+    fn turned(&self, v: [f64; 3]) -> [f64; 3] {
+        self.turn.map(|row| row[0] * v[0] + row[1] * v[1] + row[2] * v[2])
+    }
+
+    /// Where a point goes.
+    fn point(&self, p: Triple) -> Triple {
+        let turned = self.turned(std::array::from_fn(|axis| f64::from(p[axis]) * self.scale[axis]));
+        std::array::from_fn(|axis| (turned[axis] + self.translate[axis]) as f32)
+    }
+
+    /// What is upright on the surface then: what becomes longer turns away. Its largest part is
+    /// about one, so that rounding never leaves nothing of it.
+    fn normal(&self, n: Triple) -> Triple {
+        let turned = self.turned(std::array::from_fn(|axis| f64::from(n[axis]) / self.scale[axis]));
+        let largest = turned.iter().fold(0.0, |most: f64, x| if x.abs() > most { x.abs() } else { most });
+        turned.map(|x| (x / largest) as f32)
+    }
+
+    /// Whether the inside would become the outside.
+    fn mirrors(&self) -> bool {
+        self.scale.iter().filter(|factor| **factor < 0.0).count() % 2 == 1
+    }
+}
+
+impl Thing for format::Mesh {
+    fn add(&self, span: &Range<usize>, maker: &mut Maker<'_>) {
+        let material = match &self.material {
+            Some(_) => match maker.made_of(&self.material, span) {
+                Some(place) => Some(place),
+                None => return,
+            },
+            None => None,
+        };
+        let path = maker.meshes.folder.join(&self.file.it);
+        if !maker.meshes.read.contains_key(&path) {
+            let mesh = read(&path, &self.file, maker);
+            maker.meshes.read.insert(path.clone(), mesh);
+        }
+        // Taken out for the time, because all of the maker is needed.
+        let Some(Some(mesh)) = maker.meshes.read.remove(&path) else {
+            maker.meshes.read.insert(path, None);
+            return;
+        };
+        self.place(&mesh, material, span, maker);
+        maker.meshes.read.insert(path, Some(mesh));
+    }
+}
+
+/// Reads a file, or says at the place of its name what is wrong with it.
+fn read(path: &Path, file: &At<String>, maker: &mut Maker<'_>) -> Option<Mesh> {
+    // A pipe or a device may have no end.
+    let is_file = std::fs::metadata(path).map_or(true, |found| found.is_file());
+    let mesh = if is_file { mesh::read(path) } else { Err(Failure::Usage("it is no file".into())) };
+    match mesh {
+        Ok(mesh) => {
+            let name = path.display();
+            maker
+                .description
+                .warnings
+                .extend(mesh.warnings.iter().map(|warning| format!("{name}: {warning}")));
+            Some(mesh)
+        }
+        Err(failure) => {
+            let failure: String = failure.to_string().chars().take(400).flat_map(printable).collect();
+            let fault = Fault::new(file.span.clone(), format!("this mesh is not there or wrong: {failure}"));
+            maker.reader.wrong(fault.help("its name is relative to the folder of the scene"))
+        }
+    }
+}
+
+fn printable(c: char) -> Vec<char> {
+    if c.is_control() { c.escape_debug().collect() } else { vec![c] }
+}
+
+impl format::Mesh {
+    /// Adds a mesh group by group.
+    fn place(&self, mesh: &Mesh, material: Option<u16>, span: &Range<usize>, maker: &mut Maker<'_>) {
+        let transform = Transform::of(self);
+        let points: Vec<Triple> = mesh.points.iter().map(|p| transform.point(*p)).collect();
+        let is_near = |x: &f32| x.abs() <= FARTHEST;
+        if !points.iter().flatten().all(is_near) {
+            let what = format!("its transform moves the mesh beyond {FARTHEST:e}");
+            maker.reader.faults.push(Fault::new(span.clone(), what));
+            return;
+        }
+        let normals: Vec<Triple> = mesh.normals.iter().map(|n| transform.normal(*n)).collect();
+        let smooth = !normals.is_empty();
+        let corners = maker.corners(points, &normals);
+        let mut first = maker.description.triangles.len() as u32;
+        maker.description.triangles.extend(mesh.triangles.iter().map(|triangle| {
+            let [a, b, c] = triangle.map(|corner| corners + corner);
+            if transform.mirrors() { [a, c, b] } else { [a, b, c] }
+        }));
+
+        let mut own = vec![None; mesh.materials.len()];
+        for group in &mesh.groups {
+            let of_file = group.material.map(usize::from).filter(|place| *place < own.len());
+            let material = match (material, of_file) {
+                (Some(material), _) => Some(material),
+                (None, None) => maker.made_of(&None, span),
+                (None, Some(place)) => {
+                    if own[place].is_none() {
+                        let (name, it) = &mesh.materials[place];
+                        own[place] = maker.keep(*it, Some(name.clone()), span);
+                    }
+                    own[place]
+                }
+            };
+            let Some(material) = material else { return };
+            maker.push(Form::Mesh { first, count: group.count, smooth }, material, span);
+            first += group.count;
+        }
+    }
+}

@@ -1,0 +1,252 @@
+//! Places, directions and sizes: threes of numbers.
+
+use schemars::{JsonSchema, Schema, SchemaGenerator, json_schema};
+use toml::de::DeValue;
+
+use super::numbers::{Range, is_number, number_in, whole_in};
+use super::table::{At, Read, Reader, Value};
+use crate::description::Triple;
+use crate::faults::Fault;
+use crate::load::MOST_PIXELS;
+
+/// The values of an array of three.
+pub(super) fn three<'v, 't>(
+    value: &'v Value<'t>,
+    key: &str,
+    needs: &str,
+    reader: &mut Reader<'_>,
+) -> Option<[&'v Value<'t>; 3]> {
+    let DeValue::Array(list) = value.get_ref() else {
+        return reader.mismatch(value, key, needs);
+    };
+    match &list[..] {
+        [x, y, z] => Some([x, y, z]),
+        _ => {
+            let count = list.len();
+            reader.wrong(Fault::new(value.span(), format!("`{key}` must be {needs}, not {count}")))
+        }
+    }
+}
+
+/// Three numbers in a range.
+pub(super) fn triple_in(
+    range: Range,
+    value: &Value<'_>,
+    key: &str,
+    reader: &mut Reader<'_>,
+) -> Option<Triple> {
+    let [x, y, z] = three(value, key, "three numbers, as in [0, 1, 2]", reader)?;
+    // All of them are read, so that all of them are told.
+    let [x, y, z] = [x, y, z].map(|value| number_in(range, value, key, reader));
+    Some([x?, y?, z?])
+}
+
+/// Three numbers, or one for all three.
+pub(super) fn one_or_three(
+    range: Range,
+    value: &Value<'_>,
+    key: &str,
+    reader: &mut Reader<'_>,
+) -> Option<Triple> {
+    if is_number(value) {
+        return number_in(range, value, key, reader).map(|x| [x; 3]);
+    }
+    match value.get_ref() {
+        DeValue::Array(_) => triple_in(range, value, key, reader),
+        _ => reader.mismatch(value, key, "a number or three numbers"),
+    }
+}
+
+/// The schema of three numbers.
+pub(super) fn triple_schema(range: Range) -> Schema {
+    json_schema!({ "type": "array", "items": range.schema(), "minItems": 3, "maxItems": 3 })
+}
+
+/// Declares types for threes of numbers.
+macro_rules! triples {
+    ($($(#[$doc:meta])* $Name:ident: $read:expr, $schema:expr;)*) => {$(
+        $(#[$doc])*
+        #[derive(Clone, Copy, Debug)]
+        pub(super) struct $Name(pub(super) Triple);
+
+        impl Read for $Name {
+            fn read(value: &Value<'_>, key: &str, reader: &mut Reader<'_>) -> Option<Self> {
+                #[allow(clippy::redundant_closure_call)]
+                ($read)(value, key, reader).map($Name)
+            }
+        }
+
+        impl JsonSchema for $Name {
+            fn inline_schema() -> bool {
+                true
+            }
+            fn schema_name() -> std::borrow::Cow<'static, str> {
+                stringify!($Name).into()
+            }
+            fn json_schema(_: &mut SchemaGenerator) -> Schema {
+                $schema
+            }
+        }
+    )*};
+}
+
+triples! {
+    /// A place: coordinates in scene lengths.
+    Point: |value, key, reader| triple_in(Range::SPACE, value, key, reader), triple_schema(Range::SPACE);
+    /// A direction of any length but zero.
+    Direction: direction, triple_schema(Range::SPACE);
+    /// Lengths along three axes, none below zero.
+    Sizes: |value, key, reader| one_or_three(Range::SIZE, value, key, reader), number_or_three(Range::SIZE);
+    /// Degrees about three axes.
+    Turn: |value, key, reader| triple_in(Range::TURN, value, key, reader), triple_schema(Range::TURN);
+    /// Factors along three axes, none of them zero.
+    Scale: scale, number_or_three(Range::SPACE);
+    /// What a light is divided by: constant, linear and quadratic part.
+    Falloff: falloff, json_schema!({
+        "anyOf": [{ "enum": ["none", "linear", "square"] }, triple_schema(Range::SIZE)]
+    });
+}
+
+fn number_or_three(range: Range) -> Schema {
+    json_schema!({ "anyOf": [range.schema(), triple_schema(range)] })
+}
+
+fn direction(value: &Value<'_>, key: &str, reader: &mut Reader<'_>) -> Option<Triple> {
+    match triple_in(Range::SPACE, value, key, reader)? {
+        [0.0, 0.0, 0.0] => {
+            let fault = Fault::new(value.span(), format!("`{key}` must be a direction, and has no length"));
+            reader.wrong(fault.help("one of its numbers must not be 0"))
+        }
+        direction => Some(direction),
+    }
+}
+
+fn scale(value: &Value<'_>, key: &str, reader: &mut Reader<'_>) -> Option<Triple> {
+    let factors = one_or_three(Range::SPACE, value, key, reader)?;
+    if factors.contains(&0.0) {
+        return reader.wrong(Fault::new(value.span(), format!("`{key}` must not be 0")));
+    }
+    Some(factors)
+}
+
+fn falloff(value: &Value<'_>, key: &str, reader: &mut Reader<'_>) -> Option<Triple> {
+    let DeValue::String(name) = value.get_ref() else {
+        let needs = "\"none\", \"linear\", \"square\" or three numbers";
+        if !matches!(value.get_ref(), DeValue::Array(_)) {
+            return reader.mismatch(value, key, needs);
+        }
+        let parts = triple_in(Range::SIZE, value, key, reader)?;
+        if parts == [0.0; 3] {
+            return reader.wrong(Fault::new(value.span(), format!("one part of `{key}` must not be 0")));
+        }
+        return Some(parts);
+    };
+    match name.as_ref() {
+        "none" => Some([1.0, 0.0, 0.0]),
+        "linear" => Some([0.0, 1.0, 0.0]),
+        "square" => Some([0.0, 0.0, 1.0]),
+        _ => {
+            let what = format!("`{key}` is none of \"none\", \"linear\" and \"square\"");
+            let help = "\"square\" is as physics has it; [constant, linear, quadratic] is any other";
+            reader.wrong(Fault::new(value.span(), what).help(help))
+        }
+    }
+}
+
+/// Places in a row.
+#[derive(Clone, Debug)]
+pub(super) struct Points(pub(super) Vec<At<Point>>);
+
+/// Directions in a row.
+#[derive(Clone, Debug)]
+pub(super) struct Directions(pub(super) Vec<Direction>);
+
+/// The values of an array, all of which are read.
+fn row<T: Read>(value: &Value<'_>, key: &str, needs: &str, reader: &mut Reader<'_>) -> Option<Vec<T>> {
+    let DeValue::Array(list) = value.get_ref() else {
+        return reader.mismatch(value, key, needs);
+    };
+    if !list.is_empty() && list.iter().all(|value| !value.get_ref().is_array()) {
+        let what = format!("`{key}` must be {needs}, not one of single values");
+        return reader.wrong(Fault::new(value.span(), what));
+    }
+    let before = reader.faults.count;
+    let row = list.iter().filter_map(|value| T::read(value, key, reader)).collect();
+    (reader.faults.count == before).then_some(row)
+}
+
+impl Read for Points {
+    fn read(value: &Value<'_>, key: &str, reader: &mut Reader<'_>) -> Option<Self> {
+        row(value, key, "an array of places, as in [[0, 0, 0], [1, 0, 0], [0, 1, 0]]", reader).map(Points)
+    }
+}
+
+impl Read for Directions {
+    fn read(value: &Value<'_>, key: &str, reader: &mut Reader<'_>) -> Option<Self> {
+        row(value, key, "an array of directions, one for each corner", reader).map(Directions)
+    }
+}
+
+/// The schema of a row is an array of three or more.
+macro_rules! row_schema {
+    ($Name:ident) => {
+        impl JsonSchema for $Name {
+            fn inline_schema() -> bool {
+                true
+            }
+            fn schema_name() -> std::borrow::Cow<'static, str> {
+                stringify!($Name).into()
+            }
+            fn json_schema(_: &mut SchemaGenerator) -> Schema {
+                json_schema!({ "type": "array", "items": triple_schema(Range::SPACE), "minItems": 3 })
+            }
+        }
+    };
+}
+row_schema!(Points);
+row_schema!(Directions);
+
+/// The size of a picture.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct PictureSize(pub(super) strahl_core::Size);
+
+impl Read for PictureSize {
+    fn read(value: &Value<'_>, key: &str, reader: &mut Reader<'_>) -> Option<Self> {
+        let needs = "two whole numbers, as in [640, 480]";
+        let DeValue::Array(list) = value.get_ref() else {
+            return reader.mismatch(value, key, needs);
+        };
+        let [width, height] = &list[..] else {
+            let count = list.len();
+            return reader.wrong(Fault::new(value.span(), format!("`{key}` must be {needs}, not {count}")));
+        };
+        let most = strahl_core::Size::MOST;
+        let [width, height] = [width, height].map(|value| whole_in(1, most, value, key, reader));
+        let (width, height) = (width?, height?);
+        match strahl_core::Size::new(width, height) {
+            Some(size) if u64::from(width) * u64::from(height) <= MOST_PIXELS => Some(PictureSize(size)),
+            _ => {
+                let what = format!("{width} x {height} pixels are more than a file may ask for");
+                let help = format!("up to {MOST_PIXELS} pixels, or use --size on the command line");
+                reader.wrong(Fault::new(value.span(), what).help(help))
+            }
+        }
+    }
+}
+
+impl JsonSchema for PictureSize {
+    fn inline_schema() -> bool {
+        true
+    }
+    fn schema_name() -> std::borrow::Cow<'static, str> {
+        "PictureSize".into()
+    }
+    fn json_schema(_: &mut SchemaGenerator) -> Schema {
+        json_schema!({
+            "type": "array",
+            "items": { "type": "integer", "minimum": 1, "maximum": strahl_core::Size::MOST },
+            "minItems": 2,
+            "maxItems": 2
+        })
+    }
+}

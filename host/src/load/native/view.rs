@@ -1,0 +1,194 @@
+//! How the scene is looked at, what is behind it, and what picture is wanted; and what is chosen
+//! when the file says nothing about it.
+
+use std::str::FromStr;
+
+use schemars::{JsonSchema, Schema, SchemaGenerator, json_schema};
+use strahl_core::{Aabb, Camera, Rgb, Size, Vec3, ViewFault, unit, vec3};
+
+use super::format::{self, File};
+use super::make::{Maker, vector};
+use super::table::{At, One, Read, Reader, Value};
+use crate::description::{Background, Light, Placed, Projection, Settings, Source, Triple, View};
+use crate::faults::Fault;
+use crate::stock::{self, single::Stock};
+use crate::workers::Sampling;
+
+/// What is up.
+pub(super) const UP: Triple = [0.0, 1.0, 0.0];
+/// The full vertical angle of view in degrees.
+pub(super) const ANGLE: f32 = 45.0;
+/// From what is seen to the eye: from the front, a little from the right and from above.
+const TOWARD_EYE: Vec3 = vec3(0.35, 0.3, 1.0);
+/// How much farther away than it must be, so that nothing touches the picture's edge.
+const ROOM: f32 = 1.1;
+
+/// Rays in a pixel, in the words of the command line.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Sampler(Sampling);
+
+impl Read for Sampler {
+    fn read(value: &Value<'_>, key: &str, reader: &mut Reader<'_>) -> Option<Self> {
+        let words = String::read(value, key, reader)?;
+        match Sampling::from_str(&words) {
+            Ok(sampling) => Some(Sampler(sampling)),
+            Err(reason) => {
+                let fault = Fault::new(value.span(), "this is no sampler".to_string());
+                reader.wrong(fault.help(reason))
+            }
+        }
+    }
+}
+
+impl JsonSchema for Sampler {
+    fn inline_schema() -> bool {
+        true
+    }
+    fn schema_name() -> std::borrow::Cow<'static, str> {
+        "Sampler".into()
+    }
+    fn json_schema(_: &mut SchemaGenerator) -> Schema {
+        json_schema!({ "type": "string" })
+    }
+}
+
+impl Maker<'_> {
+    /// What picture is wanted.
+    pub(super) fn settings(&mut self, render: &One<format::Render>) {
+        let Some(At { it, .. }) = &render.0 else { return };
+        self.description.settings = Settings {
+            size: it.size.map(|size| size.0),
+            levels: it.levels.map(|levels| levels.0),
+            cutoff: it.cutoff.map(|cutoff| cutoff.0),
+            sampling: it.sampler.map(|sampler| sampler.0),
+        };
+    }
+
+    /// The camera, and the light that comes with it when the file has none at all.
+    pub(super) fn view(&mut self, file: &File) {
+        let camera = file.camera.0.as_ref();
+        let it = camera.map(|at| &at.it);
+        let (from, at) = (it.and_then(|it| it.from.as_ref()), it.and_then(|it| it.at.as_ref()));
+        let up = it.and_then(|it| it.up.as_ref());
+        let angle = it.and_then(|it| it.angle.as_ref());
+        let projection = match (it.and_then(|it| it.height.as_ref()), angle) {
+            (Some(height), None) => Projection::Orthographic(height.it.0),
+            (None, angle) => Projection::Perspective(angle.map_or(ANGLE, |angle| angle.it.0)),
+            (Some(height), Some(angle)) => {
+                let fault = Fault::new(height.span.clone(), "a camera has either an `angle` or a `height`");
+                let fault = fault.also(angle.span.clone(), "the other");
+                return self.reader.faults.push(fault.help("with a `height` all rays are parallel"));
+            }
+        };
+        let mut view = View {
+            from: from.map_or([0.0, 0.0, 1.0], |from| from.it.0),
+            at: at.map_or([0.0; 3], |at| at.it.0),
+            up: up.map_or(UP, |up| up.it.0),
+            projection,
+        };
+        // What is wrong may have left out what should be seen.
+        if (from.is_none() || at.is_none()) && self.reader.faults.count == 0 {
+            self.see_everything(&mut view, from.is_none(), at.is_none());
+        }
+        self.description.view = view;
+
+        let size = Size::new(4, 3).unwrap_or(self.size);
+        if let Err(fault) = Camera::new(&stock::single::view(&view), size)
+            && let Some(camera) = camera
+        {
+            let place = match fault {
+                ViewFault::NoUp => up.map(|up| &up.span).or(at.map(|at| &at.span)),
+                _ => at.map(|at| &at.span),
+            };
+            let place = place.or(from.map(|from| &from.span)).unwrap_or(&camera.span);
+            let fault = Fault::new(place.clone(), fault.to_string());
+            self.reader.faults.push(match up {
+                None => fault.help("`up` is [0, 1, 0] by default"),
+                Some(_) => fault,
+            });
+        }
+        let is_lit = file.ambient_light.0.is_some()
+            || !file.point_light.0.is_empty()
+            || !file.directional_light.0.is_empty()
+            || !file.spot_light.0.is_empty();
+        if !is_lit {
+            self.description.lights.push(default_light(&view));
+        }
+    }
+
+    /// Moves the parts of the view that are free so that everything with an end is in the picture.
+    fn see_everything(&self, view: &mut View, move_eye: bool, move_aim: bool) {
+        let stock = Stock::new(&self.description);
+        let Ok(scene) = stock.scene() else { return };
+        let boxes = scene.parts().geometry.all_bounds().filter(|b| b.min.cmple(b.max).all());
+        let whole = boxes.fold(Aabb::EMPTY, |whole, b| whole.union(b));
+        let is_something = whole.min.cmple(whole.max).all();
+        let (min, max) = if is_something { (whole.min, whole.max) } else { (-Vec3::ONE, Vec3::ONE) };
+        let middle = 0.5 * min + 0.5 * max;
+        if move_aim {
+            view.at = middle.to_array();
+        }
+        if move_eye {
+            let aim = vector(view.at);
+            let length = |v: Vec3| strahl_core::unit(v).map_or(0.0, |unit| v.dot(unit));
+            // The sphere round the point looked at that holds everything.
+            let radius = length(aim - middle) + 0.5 * length(max - min);
+            let radius = if radius > 0.0 { radius } else { 1.0 };
+            let distance = match view.projection {
+                Projection::Perspective(angle) => radius / self.sin_of_half(angle),
+                Projection::Orthographic(_) => 2.0 * radius,
+            };
+            let away = unit(TOWARD_EYE).unwrap_or(Vec3::Z) * (ROOM * distance);
+            view.from = (aim + away).to_array().map(|x| if x.is_finite() { x } else { 0.0 });
+        }
+    }
+
+    /// The sine of half of the smaller angle of view.
+    fn sin_of_half(&self, angle: f32) -> f32 {
+        let half = 0.5 * f64::from(angle).to_radians();
+        let size = self.description.settings.size.unwrap_or(self.size);
+        let aspect = f64::from(size.width()) / f64::from(size.height());
+        let slope = if aspect < 1.0 { aspect } else { 1.0 };
+        // libm's, which are the same everywhere.
+        libm::sin(libm::atan(slope * libm::tan(half))) as f32
+    }
+
+    /// What is behind everything.
+    pub(super) fn background(&mut self, background: &One<format::Background>) {
+        let Some(At { it, span }) = &background.0 else { return };
+        self.description.background = match (&it.color, &it.below, &it.above) {
+            (Some(color), None, None) => {
+                if let Some(up) = &it.up {
+                    let fault = Fault::new(up.span.clone(), "a background of one colour has no `up`");
+                    return self.reader.faults.push(fault.help("`up` goes with `below` and `above`"));
+                }
+                Background::Color(color.it.0)
+            }
+            (None, Some(below), Some(above)) => Background::Gradient {
+                up: it.up.as_ref().map_or(self.description.view.up, |up| up.it.0),
+                below: below.it.0,
+                above: above.it.0,
+            },
+            (Some(color), _, _) => {
+                let fault = Fault::new(color.span.clone(), "a background has one colour or two");
+                return self.reader.faults.push(fault.help("write `color`, or `below` and `above`"));
+            }
+            (None, _, _) => {
+                let fault = Fault::new(span.clone(), "the colour of the `background` is missing");
+                self.reader.misses::<()>(fault.help("write `color`, or `below` and `above`"));
+                return;
+            }
+        };
+    }
+}
+
+/// White light from behind the eye, from above and from the left.
+fn default_light(view: &View) -> Placed<Light> {
+    let back = unit(vector(view.from) - vector(view.at)).unwrap_or(Vec3::Z);
+    let up = unit(vector(view.up)).unwrap_or(Vec3::Y);
+    let left = unit(back.cross(up)).unwrap_or(-Vec3::X);
+    let toward = back + up * 0.8 + left * 0.6;
+    let source = Source::Directional { toward: toward.to_array() };
+    let it = Light { source, color: Rgb::WHITE, shadows: true };
+    Placed { it, line: 1, name: Some("default".into()) }
+}

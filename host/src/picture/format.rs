@@ -1,0 +1,125 @@
+//! Pictures to files.
+//!
+//! Equal pictures make equal files: no file holds a date, a name, or anything but the picture.
+
+use std::io::Cursor;
+use std::path::Path;
+
+use exr::prelude::{
+    Blocks, Compression, Encoding, Image, LineOrder, SpecificChannels, Vec2, WritableImage as _,
+};
+use image::{ExtendedColorType, ImageEncoder, ImageError, codecs};
+use strahl_core::Size;
+
+use super::Picture;
+use crate::failure::Failure;
+
+/// A format of picture files.
+///
+/// All but EXR have eight bits for each channel, in the encoding of sRGB. All but JPEG give back
+/// every pixel as it was.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Format {
+    /// PNG.
+    Png,
+    /// Binary PPM.
+    Ppm,
+    /// QOI, "the quite OK image format": nearly as small as PNG, and much quicker.
+    Qoi,
+    /// JPEG of quality 95 with all its colours (4:4:4). Loses a little: to look at, not to keep.
+    Jpeg,
+    /// TIFF, not compressed.
+    Tiff,
+    /// OpenEXR with the linear floats, bit for bit; scan lines, compressed with ZIP.
+    Exr,
+}
+
+/// How much of the picture a JPEG keeps, of 100.
+const JPEG_QUALITY: u8 = 95;
+
+/// ZIP in blocks of 16 lines, which every reader of EXR knows. (The run lengths that `image`
+/// would write make files larger than none at all.)
+const EXR_ENCODING: Encoding = Encoding {
+    compression: Compression::ZIP16,
+    blocks: Blocks::ScanLines,
+    line_order: LineOrder::Increasing,
+};
+
+/// All extensions, without their dot, in lower case.
+const EXTENSIONS: &[(&str, Format)] = &[
+    ("png", Format::Png),
+    ("ppm", Format::Ppm),
+    ("qoi", Format::Qoi),
+    ("jpg", Format::Jpeg),
+    ("jpeg", Format::Jpeg),
+    ("tif", Format::Tiff),
+    ("tiff", Format::Tiff),
+    ("exr", Format::Exr),
+];
+
+impl Format {
+    /// The format that the extension of `path` names; for the standard output, a pipe or a device
+    /// without one PNG.
+    pub fn of(path: &Path) -> Result<Self, Failure> {
+        if path == Path::new("-") {
+            return Ok(Format::Png);
+        }
+        let extension = path.extension().and_then(|e| e.to_str()).unwrap_or_default();
+        if let Some((_, format)) = EXTENSIONS.iter().find(|(name, _)| extension.eq_ignore_ascii_case(name)) {
+            return Ok(*format);
+        }
+        match extension {
+            "" if path.metadata().is_ok_and(|found| !found.is_file() && !found.is_dir()) => Ok(Format::Png),
+            _ => Err(Failure::Usage(format!(
+                "{} names no picture format; the extension must be .png, .ppm, .qoi, .jpg, .tif or .exr",
+                path.display()
+            ))),
+        }
+    }
+
+    /// Whether a picture of this size can be written at all.
+    pub fn holds(self, size: Size) -> Result<(), Failure> {
+        let most = u32::from(u16::MAX);
+        if self == Format::Jpeg && (size.width() > most || size.height() > most) {
+            return Err(Failure::Usage(format!("a side of a JPEG has at most {most} pixels")));
+        }
+        Ok(())
+    }
+
+    /// The bytes of a file.
+    pub fn encode(self, picture: &Picture) -> Result<Vec<u8>, ImageError> {
+        let mut file = Cursor::new(Vec::new());
+        match self {
+            Format::Png => eight_bits(codecs::png::PngEncoder::new(&mut file), picture)?,
+            Format::Ppm => {
+                let binary = codecs::pnm::PnmSubtype::Pixmap(codecs::pnm::SampleEncoding::Binary);
+                eight_bits(codecs::pnm::PnmEncoder::new(&mut file).with_subtype(binary), picture)?;
+            }
+            Format::Qoi => eight_bits(codecs::qoi::QoiEncoder::new(&mut file), picture)?,
+            Format::Jpeg => {
+                let encoder = codecs::jpeg::JpegEncoder::new_with_quality(&mut file, JPEG_QUALITY);
+                eight_bits(encoder, picture)?;
+            }
+            Format::Tiff => eight_bits(codecs::tiff::TiffEncoder::new(&mut file), picture)?,
+            Format::Exr => floats(&mut file, picture)?,
+        }
+        Ok(file.into_inner())
+    }
+}
+
+fn eight_bits(encoder: impl ImageEncoder, picture: &Picture) -> Result<(), ImageError> {
+    let (width, height) = (picture.size.width(), picture.size.height());
+    encoder.write_image(&picture.to_srgb8(), width, height, ExtendedColorType::Rgb8)
+}
+
+fn floats(file: &mut Cursor<Vec<u8>>, picture: &Picture) -> Result<(), ImageError> {
+    let (width, height) = (picture.size.width() as usize, picture.size.height() as usize);
+    let channels = SpecificChannels::rgb(|place: Vec2<usize>| {
+        let color = picture.colors[place.y() * width + place.x()];
+        (color.r, color.g, color.b)
+    });
+    let image = Image::from_encoded_channels((width, height), EXR_ENCODING, channels);
+    image.write().non_parallel().to_buffered(file).map_err(|error| {
+        ImageError::Encoding(image::error::EncodingError::new(image::ImageFormat::OpenExr.into(), error))
+    })
+}

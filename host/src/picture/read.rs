@@ -1,0 +1,142 @@
+//! Files to pixels.
+//!
+//! The content of a file says what it is, not its name. Colour profiles are not heeded: values
+//! of eight and of sixteen bits are taken as sRGB, floats as linear light.
+
+use std::error::Error;
+use std::fs;
+use std::io::{self, Cursor, Read};
+use std::path::Path;
+
+use exr::meta::{BlockDescription, MetaData};
+use image::{DynamicImage, ImageDecoder, ImageFormat, ImageReader, Limits};
+use strahl_core::{Rgb, Size};
+
+use crate::args::MOST_PIXELS;
+use crate::failure::Failure;
+
+/// The pixels of a file, as exactly as it has them.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Pixels {
+    /// Width and height.
+    pub size: Size,
+    /// Row by row.
+    pub values: Values,
+}
+
+/// One triple of red, green and blue for each pixel.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Values {
+    /// Encoded, 255 is 1.
+    Eight(Vec<[u8; 3]>),
+    /// Encoded, 65535 is 1.
+    Sixteen(Vec<[u16; 3]>),
+    /// Linear light.
+    Linear(Vec<Rgb>),
+}
+
+/// The most bytes of pixels that one byte of a file stands for: a string of LZW, the densest of
+/// all compressions in these formats, has at most 4096 bytes and takes more than one.
+///
+/// So a short file that claims to be a huge picture is known for what it is.
+const DENSEST: u64 = 4096;
+
+/// Reads the picture at `path`; `-` is the standard input.
+pub fn read(path: &Path) -> Result<Pixels, Failure> {
+    let bytes = if path == Path::new("-") { stdin() } else { fs::read(path) };
+    let bytes = bytes.map_err(|error| Failure::Unreadable { path: path.to_owned(), error })?;
+    decode(&bytes).map_err(|reason| Failure::Input { path: path.to_owned(), line: None, reason })
+}
+
+/// The pixels of a file with these bytes, or why it has none.
+pub fn decode(bytes: &[u8]) -> Result<Pixels, String> {
+    let reader = ImageReader::new(Cursor::new(bytes)).with_guessed_format().map_err(|e| e.to_string())?;
+    if reader.format().is_none() {
+        return Err("not a picture of a known format (PNG, PPM, QOI, JPEG, TIFF, EXR)".into());
+    }
+    if reader.format() == Some(ImageFormat::OpenExr) && exr_needs(bytes)? / DENSEST > bytes.len() as u64 {
+        return Err(format!("broken: {} bytes cannot hold what its header claims", bytes.len()));
+    }
+    let mut decoder = reader.into_decoder().map_err(broken)?;
+
+    // The size, before anything of that size is made.
+    let (width, height) = decoder.dimensions();
+    let size = Size::new(width, height)
+        .filter(|_| u64::from(width) * u64::from(height) <= MOST_PIXELS)
+        .ok_or_else(|| {
+            let most = Size::MOST;
+            format!(
+                "{width} x {height}, but a picture has 1 to {MOST_PIXELS} pixels, at most {most} to a side"
+            )
+        })?;
+    let needed = decoder.total_bytes();
+    if needed / DENSEST > bytes.len() as u64 {
+        return Err(format!("broken: {} bytes cannot hold {width} x {height} pixels", bytes.len()));
+    }
+    let mut limits = Limits::no_limits();
+    limits.max_alloc = Some(2 * needed + (1 << 20));
+    decoder.set_limits(limits).map_err(broken)?;
+
+    let image = DynamicImage::from_decoder(decoder).map_err(broken)?;
+    if !is_opaque(&image) {
+        return Err("some pixels are transparent, and so have no colour to compare".into());
+    }
+    Ok(Pixels { size, values: values(image) })
+}
+
+fn stdin() -> io::Result<Vec<u8>> {
+    let mut bytes = Vec::new();
+    io::stdin().lock().read_to_end(&mut bytes)?;
+    Ok(bytes)
+}
+
+/// Bytes for the largest layer of an EXR file, and for the largest block: they may be larger than
+/// the picture that is shown of it.
+fn exr_needs(bytes: &[u8]) -> Result<u64, String> {
+    let meta = MetaData::read_from_buffered(bytes, false).map_err(broken)?;
+    let needed = meta.headers.iter().map(|header| {
+        let (layer, lines) = (header.layer_size, header.compression.scan_lines_per_block());
+        let block = match header.blocks {
+            BlockDescription::Tiles(tiles) => (tiles.tile_size.width(), tiles.tile_size.height()),
+            BlockDescription::ScanLines => (layer.width(), lines),
+        };
+        let bytes = |(width, height): (usize, usize)| {
+            (width as u64)
+                .saturating_mul(height as u64)
+                .saturating_mul(header.channels.bytes_per_pixel as u64)
+        };
+        bytes(block).max(bytes((layer.width(), layer.height())))
+    });
+    Ok(needed.max().unwrap_or(0))
+}
+
+/// Without the bytes that some decoders quote: they may be anything.
+fn broken(error: impl Error) -> String {
+    let text: String = error.to_string().chars().map(|c| if c.is_control() { ' ' } else { c }).collect();
+    format!("broken: {text}")
+}
+
+fn values(image: DynamicImage) -> Values {
+    match image {
+        DynamicImage::ImageRgb32F(_) | DynamicImage::ImageRgba32F(_) => {
+            let linear = image.into_rgb32f();
+            Values::Linear(linear.pixels().map(|p| Rgb::new(p.0[0], p.0[1], p.0[2])).collect())
+        }
+        DynamicImage::ImageLuma16(_)
+        | DynamicImage::ImageLumaA16(_)
+        | DynamicImage::ImageRgb16(_)
+        | DynamicImage::ImageRgba16(_) => Values::Sixteen(image.into_rgb16().pixels().map(|p| p.0).collect()),
+        _ => Values::Eight(image.into_rgb8().pixels().map(|p| p.0).collect()),
+    }
+}
+
+fn is_opaque(image: &DynamicImage) -> bool {
+    match image {
+        DynamicImage::ImageLumaA8(image) => image.pixels().all(|p| p.0[1] == u8::MAX),
+        DynamicImage::ImageRgba8(image) => image.pixels().all(|p| p.0[3] == u8::MAX),
+        DynamicImage::ImageLumaA16(image) => image.pixels().all(|p| p.0[1] == u16::MAX),
+        DynamicImage::ImageRgba16(image) => image.pixels().all(|p| p.0[3] == u16::MAX),
+        DynamicImage::ImageRgba32F(image) => image.pixels().all(|p| p.0[3] == 1.0),
+        _ => true,
+    }
+}
