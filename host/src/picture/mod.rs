@@ -7,7 +7,7 @@
 //! | room | what it does |
 //! |---|---|
 //! | [`srgb`] | the encoding |
-//! | [`format`] | pictures to files |
+//! | [`format`](mod@format) | pictures to files |
 //! | [`read`] | files to pixels |
 
 use rayon::prelude::*;
