@@ -31,17 +31,22 @@ mod constants;
 
 #[test]
 fn the_rotunda_looks_as_it_did() {
-    golden("rotunda", &scene_file("rotunda", 160, 100, 5, Sampling::Single));
+    golden("rotunda", &scene_file("rotunda.nff", 160, 100, 5, Sampling::Single));
 }
 
 #[test]
 fn the_rotunda_without_secondary_rays_looks_as_it_did() {
-    golden("rotunda-level-1", &scene_file("rotunda", 96, 60, 1, Sampling::Corners));
+    golden("rotunda-level-1", &scene_file("rotunda.nff", 96, 60, 1, Sampling::Corners));
 }
 
 #[test]
 fn the_classic_looks_as_it_did() {
-    golden("classic", &scene_file("classic", 120, 90, 8, Sampling::Regular(2)));
+    golden("classic", &scene_file("classic.nff", 120, 90, 8, Sampling::Regular(2)));
+}
+
+#[test]
+fn the_first_scene_looks_as_it_did() {
+    golden("first", &scene_file("first.toml", 96, 72, 5, Sampling::Regular(2)));
 }
 
 #[test]
@@ -53,7 +58,7 @@ fn the_scene_of_the_firmware_looks_as_it_did() {
 
 /// Renders a scene of the folder `scenes`.
 fn scene_file(name: &str, width: u32, height: u32, levels: u8, sampling: Sampling) -> Picture {
-    let path = root().join("scenes").join(name).with_extension("nff");
+    let path = root().join("scenes").join(name);
     let description = strahl::load::load(&path).unwrap();
     let wanted = Wanted {
         size: Size::new(width, height).unwrap(),
