@@ -62,7 +62,7 @@ pub use geometry::{
     ShapeSet, Shapes, Span, Sphere, Surface, Torus, TurnedCuboid, leave,
 };
 pub use image::{Corner, CornerRow, Frame, Lattice, Pixel, Regular, Sampler, Single, Sink, Tile};
-pub use math::{Axis, FARTHEST, PI, ROUNDOFF, Real, Rgb, Vec3, gamma, unit, vec3};
+pub use math::{Axis, FARTHEST, PI, ROUNDOFF, Real, Rgb, Vec3, gamma, sqrt, unit, vec3};
 pub use render::render;
 pub use scene::{
     Background, Camera, EffectSet, Effects, Everything, Falloff, Interface, Light, LightKind, LightSet,

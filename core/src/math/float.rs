@@ -10,19 +10,53 @@ use super::Real;
 mod library {
     #[cfg(test)]
     pub(super) use libm::{acos, cos, sin};
-    pub(super) use libm::{exp, floor, pow, sqrt, tan};
+    pub(super) use libm::{exp, floor, pow, tan};
 }
 #[cfg(not(feature = "double"))]
 mod library {
     #[cfg(test)]
     pub(super) use libm::{acosf as acos, cosf as cos, sinf as sin};
-    pub(super) use libm::{expf as exp, floorf as floor, powf as pow, sqrtf as sqrt, tanf as tan};
+    pub(super) use libm::{expf as exp, floorf as floor, powf as pow, tanf as tan};
+}
+
+/// The square root where the floating-point unit has one, but libm's is software: some sixty
+/// instructions in place of one. (On x86-64, AArch64 and wasm32 libm's is the hardware's.)
+#[cfg(all(target_arch = "arm", target_abi = "eabihf", not(feature = "double")))]
+mod root {
+    /// Its bits are libm's: `tests/firmware/src/bin/roots.rs`.
+    #[inline(always)]
+    #[allow(unsafe_code)] // without std there is no other way to this instruction
+    pub fn sqrt(x: f32) -> f32 {
+        let mut bits = x.to_bits();
+        // Through an integer register, because stable Rust lends `asm!` no float registers on
+        // targets that name their unit by a version it does not know.
+        // SAFETY: every Arm target that hands over floats in registers (eabihf) has the
+        // instruction, and nothing is read or written but the registers named here.
+        unsafe {
+            core::arch::asm!(
+                "vmov s15, {bits}",
+                "vsqrt.f32 s15, s15",
+                "vmov {bits}, s15",
+                bits = inlateout(reg) bits,
+                out("s15") _,
+                options(pure, nomem, nostack, preserves_flags),
+            );
+        }
+        f32::from_bits(bits)
+    }
+}
+#[cfg(not(all(target_arch = "arm", target_abi = "eabihf", not(feature = "double"))))]
+mod root {
+    #[cfg(feature = "double")]
+    pub use libm::sqrt;
+    #[cfg(not(feature = "double"))]
+    pub use libm::sqrtf as sqrt;
 }
 
 /// The square root, correctly rounded; NaN for what is below zero.
 #[inline(always)]
 pub fn sqrt(x: Real) -> Real {
-    library::sqrt(x)
+    root::sqrt(x)
 }
 
 /// `x` to the power `y`.

@@ -89,7 +89,7 @@ fn canary() {
 }
 
 fn ground() {
-    used((vec3(number(), number(), number()), unit(vector()), gamma(any(3))));
+    used((vec3(number(), number(), number()), unit(vector()), sqrt(number()), gamma(any(3))));
     used((FARTHEST, PI, ROUNDOFF, Rgb::BLACK, Rgb::BRIGHTEST));
 
     let c = Rgb::new(number(), number(), number());
