@@ -7,7 +7,8 @@ use clap::{Parser, Subcommand, ValueEnum};
 use clap_complete::Shell;
 use strahl_core::{Regular, Size};
 
-use crate::workers::{LEVELS, Sampling};
+use crate::finding::{Accel, Bounds, Finding};
+use crate::wanted::{LEVELS, Precision, Sampling};
 
 /// The most pixels of a picture: its linear colours take 12 bytes each.
 pub const MOST_PIXELS: u64 = 1 << 28;
@@ -76,6 +77,15 @@ pub struct RenderArgs {
     #[arg(long, value_name = "SAMPLER")]
     pub sampler: Option<Sampling>,
 
+    /// What is computed with; the numbers of a scene are rounded to single precision either way
+    /// [default: single].
+    #[arg(long, value_name = "PRECISION")]
+    pub precision: Option<Precision>,
+
+    /// How items are found.
+    #[command(flatten)]
+    pub finding: FindingArgs,
+
     /// Threads [default: one for each core].
     #[arg(long, value_name = "N", value_parser = threads)]
     pub threads: Option<usize>,
@@ -91,6 +101,29 @@ pub struct RenderArgs {
     /// Say nothing but errors.
     #[arg(short, long)]
     pub quiet: bool,
+}
+
+/// How items are found.
+#[derive(Clone, Copy, Debug, clap::Args)]
+pub struct FindingArgs {
+    /// How items are found, which changes the time and nothing else: `auto` takes what suits the
+    /// scene [default: the scene's, or auto].
+    #[arg(long, value_name = "KIND")]
+    pub accel: Option<Accel>,
+
+    /// What the list puts round items and groups of them [default: the scene's, or box].
+    #[arg(long, value_name = "VOLUME")]
+    pub bounds: Option<Bounds>,
+}
+
+impl FindingArgs {
+    /// What the command line asks for, else the scene.
+    pub fn over(&self, scene: &Finding) -> Finding {
+        Finding {
+            accelerator: self.accel.map_or(scene.accelerator, Accel::kind),
+            bounds: self.bounds.or(scene.bounds),
+        }
+    }
 }
 
 /// What to tell about.

@@ -1,17 +1,20 @@
 //! From a description to a picture, and what it took.
 
+use std::error::Error;
 use std::fmt;
 use std::time::{Duration, Instant};
 
-use strahl_core::{
-    Aabb, BuildError, Camera, Counters, EffectSet, List, Scene, SceneError, Shape, ViewFault, groups_of,
-};
+use strahl_core::{EffectSet, Rgb, Scene, Shape};
 
-use crate::choose::{self, NotTraced, Wanted};
+use crate::counts::Counts;
 use crate::description::Description;
+use crate::finding;
 use crate::picture::Picture;
 use crate::progress::Watch;
-use crate::stock::single::{self, Stock};
+use crate::signals::Stop;
+use crate::stock;
+use crate::wanted::{Precision, Wanted};
+use crate::{double, draw};
 
 /// A picture, and what it took.
 #[derive(Debug)]
@@ -21,11 +24,26 @@ pub struct Frame {
     /// What was in the scene.
     pub facts: Facts,
     /// How items were found.
-    pub accelerator: AcceleratorFacts,
+    pub accelerator: finding::Facts,
     /// The work, where it was counted.
-    pub counters: Option<Counters>,
+    pub counters: Option<Counts>,
     /// Wall-clock time of making the tables and the accelerator.
     pub build: Duration,
+    /// Wall-clock time of tracing.
+    pub trace: Duration,
+    /// Processor time of tracing, the sum over all threads.
+    pub trace_cpu: Duration,
+}
+
+/// What comes of tracing.
+#[derive(Debug)]
+pub struct Drawn {
+    /// Linear colours, row by row.
+    pub colors: Vec<Rgb>,
+    /// How items were found.
+    pub accelerator: finding::Facts,
+    /// The work, where it was counted.
+    pub counts: Option<Counts>,
     /// Wall-clock time of tracing.
     pub trace: Duration,
     /// Processor time of tracing, the sum over all threads.
@@ -58,77 +76,53 @@ impl Facts {
     }
 }
 
-/// What an accelerator is like.
-#[derive(Clone, Copy, Debug)]
-pub struct AcceleratorFacts {
-    /// Its name on the command line.
-    pub kind: &'static str,
-    /// The memory it uses.
-    pub bytes: usize,
-    /// Its regions.
-    pub regions: usize,
-}
-
 /// Why there is no picture.
 #[derive(Debug)]
 pub enum NoFrame {
-    /// What is described makes no scene.
-    Scene(SceneError),
-    /// The view shows nothing.
-    View(ViewFault),
-    /// There is no accelerator for it.
-    Build(BuildError),
-    /// It was not traced, or not to its end.
-    Trace(NotTraced),
+    /// What is described cannot be traced.
+    Wrong(Box<dyn Error + Send + Sync>),
+    /// A signal came.
+    Stopped(Stop),
+}
+
+impl NoFrame {
+    /// Because of what one of the cores says.
+    pub(crate) fn wrong(error: impl Into<Box<dyn Error + Send + Sync>>) -> Self {
+        NoFrame::Wrong(error.into())
+    }
 }
 
 impl fmt::Display for NoFrame {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
-            NoFrame::Scene(error) => error.fmt(f),
-            NoFrame::View(error) => error.fmt(f),
-            NoFrame::Build(error) => error.fmt(f),
-            NoFrame::Trace(error) => error.fmt(f),
+            NoFrame::Wrong(error) => error.fmt(f),
+            NoFrame::Stopped(stop) => stop.fmt(f),
         }
     }
 }
 
-impl std::error::Error for NoFrame {}
+impl Error for NoFrame {}
 
 /// Traces what is described.
 pub fn trace(description: &Description, wanted: &Wanted, watch: &Watch) -> Result<Frame, NoFrame> {
     let clock = Instant::now();
-    let stock = Stock::new(description);
-    let scene = stock.scene().map_err(NoFrame::Scene)?;
-    let camera = Camera::new(&single::view(&description.view), wanted.size).map_err(NoFrame::View)?;
-    let boxes: Vec<Aabb> = scene.parts().geometry.all_bounds().collect();
-    let mut groups = vec![Aabb::EMPTY; groups_of(boxes.len())];
-    let list = List::boxed(&boxes, &mut groups).map_err(NoFrame::Build)?;
-    let accelerator = AcceleratorFacts { kind: "list", bytes: list.bytes(), regions: groups_of(boxes.len()) };
-    let build = clock.elapsed();
-
-    let (clock, cpu) = (Instant::now(), cpu_time());
-    let (colors, counters) = choose::trace(scene, list, camera, wanted, watch).map_err(NoFrame::Trace)?;
+    let stock = stock::single::Stock::new(description);
+    let facts = Facts::of(&stock.scene().map_err(NoFrame::wrong)?);
+    let drawn = match wanted.precision {
+        Precision::Single => draw::trace(&stock, &description.view, wanted, watch)?,
+        Precision::Double => {
+            drop(stock);
+            let stock = stock::double::Stock::new(description);
+            double::draw::trace(&stock, &description.view, wanted, watch)?
+        }
+    };
     Ok(Frame {
-        picture: Picture { size: wanted.size, colors },
-        facts: Facts::of(&scene),
-        accelerator,
-        counters,
-        build,
-        trace: clock.elapsed(),
-        trace_cpu: cpu_time().saturating_sub(cpu),
+        picture: Picture { size: wanted.size, colors: drawn.colors },
+        facts,
+        accelerator: drawn.accelerator,
+        counters: drawn.counts,
+        build: clock.elapsed().saturating_sub(drawn.trace),
+        trace: drawn.trace,
+        trace_cpu: drawn.trace_cpu,
     })
-}
-
-/// The processor time that this process has used on all threads.
-#[cfg(unix)]
-fn cpu_time() -> Duration {
-    let now = rustix::time::clock_gettime(rustix::time::ClockId::ProcessCPUTime);
-    Duration::new(now.tv_sec.unsigned_abs(), now.tv_nsec.unsigned_abs() as u32)
-}
-
-/// Not known here.
-#[cfg(not(unix))]
-fn cpu_time() -> Duration {
-    Duration::ZERO
 }

@@ -12,8 +12,14 @@
 //! | [`description`] | a scene in neutral numbers |
 //! | [`stock`] | the owned tables of a scene, for either precision |
 //! | [`frame`] | from a description to a picture |
+//! | [`wanted`] | what picture is wanted, and how the work is done |
+//! | [`finding`] | how items are found: what can be asked for, and what there is |
+//! | [`accelerators`] | the accelerators: what is asked for becomes a type |
 //! | [`choose`] | values become types, once, around the whole render |
+//! | [`draw`] | from a scene to linear colours |
 //! | [`workers`] | tiles and threads |
+//! | [`double`] | the same three rooms and `hits` for the twin in double precision |
+//! | [`counts`] | how often everything happened |
 //! | [`picture`] | linear pictures, their digest, and files of them |
 //! | [`colormap`] | differences to colours |
 //! | [`output`] | files that are complete or absent |
@@ -25,13 +31,24 @@
 //! | [`faults`] | what is wrong in a text, shown as a compiler would |
 //! | [`failure`] | what went wrong, and the exit status for it |
 
+// The rooms that are compiled for either precision find the core and the tables for it by these
+// names one floor above them: here, and in `double`.
+use strahl_core as strahl;
+
+use stock::single as tables;
+
+pub mod accelerators;
 pub mod args;
 pub mod choose;
 pub mod colormap;
 pub mod compare;
+pub mod counts;
 pub mod description;
+pub mod double;
+pub mod draw;
 pub mod failure;
 pub mod faults;
+pub mod finding;
 pub mod frame;
 pub mod info;
 pub mod load;
@@ -45,4 +62,5 @@ pub mod signals;
 pub mod stats;
 pub mod stock;
 pub mod summary;
+pub mod wanted;
 pub mod workers;

@@ -7,9 +7,9 @@ use std::time::Instant;
 use strahl_core::Limits;
 
 use crate::args::{RenderArgs, StatsForm};
-use crate::choose::{NotTraced, Wanted};
 use crate::description::Settings;
 use crate::failure::Failure;
+use crate::finding::Finding;
 use crate::frame::{self, NoFrame};
 use crate::load::{DEFAULT_SIZE, load_for};
 use crate::output::{Output, say, tell};
@@ -19,7 +19,7 @@ use crate::progress::Watch;
 use crate::signals::Signals;
 use crate::stats::Stats;
 use crate::summary::summary;
-use crate::workers::{Cut, Sampling};
+use crate::wanted::{Cut, Sampling, Wanted};
 
 /// Renders one scene.
 pub fn run(args: &RenderArgs) -> Result<(), Failure> {
@@ -51,7 +51,7 @@ pub fn run(args: &RenderArgs) -> Result<(), Failure> {
     let frame = frame::trace(&description, &wanted, &watch);
     watch.end();
     let frame = frame.map_err(|error| match error {
-        NoFrame::Trace(NotTraced::Stopped(stop)) => Failure::Stopped(stop),
+        NoFrame::Stopped(stop) => Failure::Stopped(stop),
         error => Failure::Input { path: args.scene.clone(), line: None, reason: error.to_string() },
     })?;
 
@@ -91,6 +91,8 @@ fn wanted(args: &RenderArgs, scene: &Settings, counted: bool) -> Wanted {
             cutoff: args.cutoff.or(scene.cutoff).unwrap_or(default.cutoff),
         },
         sampling: args.sampler.or(scene.sampling).unwrap_or(Sampling::Single),
+        precision: args.precision.unwrap_or_default(),
+        finding: args.finding.over(&Finding::default()),
         cut: Cut::threads(args.threads.unwrap_or(0)),
         counted,
     }

@@ -4,8 +4,9 @@ use std::fmt::Write as _;
 
 use serde::Serialize;
 use std::collections::BTreeMap;
-use strahl_core::{Counters, RayKind, ShapeKind};
+use strahl_core::{RayKind, ShapeKind};
 
+use crate::counts::Counts;
 use crate::description::Description;
 use crate::frame::Frame;
 use crate::plan::{self, Effect, plan};
@@ -134,7 +135,7 @@ fn steps(step: &plan::Step) -> impl Iterator<Item = Step> + '_ {
 
 impl Stats {
     /// The report on a frame whose work was counted as `counters`.
-    pub fn new(description: &Description, frame: &Frame, counters: &Counters) -> Self {
+    pub fn new(description: &Description, frame: &Frame, counters: &Counts) -> Self {
         let (facts, accelerator) = (&frame.facts, &frame.accelerator);
         let by_ray = |kind| TestsByRay {
             boxes: counters.boxes(kind),
@@ -165,7 +166,7 @@ impl Stats {
                 by_ray: RayKind::ALL.map(|kind| (ray_name(kind), by_ray(kind))).into(),
             },
             accelerator: AcceleratorStats {
-                kind: accelerator.kind,
+                kind: accelerator.kind.name(),
                 bytes: accelerator.bytes,
                 regions: accelerator.regions,
                 mailbox_skips: 0,

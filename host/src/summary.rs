@@ -6,8 +6,9 @@ use std::time::Duration;
 
 use anstyle::{AnsiColor, Effects, Style};
 use indicatif::HumanCount;
-use strahl_core::{Counters, RayKind};
+use strahl_core::RayKind;
 
+use crate::counts::Counts;
 use crate::frame::Frame;
 use crate::plan::{Effect, Step};
 
@@ -20,7 +21,7 @@ const TITLE: Style = AnsiColor::Green.on_default().effects(Effects::BOLD);
 pub fn summary(
     path: &Path,
     frame: &Frame,
-    counters: &Counters,
+    counters: &Counts,
     plan: &[Step],
     load: Duration,
     write: Duration,

@@ -1,50 +1,18 @@
-//! Tiles and threads.
+//! Tiles and threads, for either precision.
 //!
 //! The picture is cut into tiles, which idle threads take one by one. Each tile is traced by a
 //! worker of its own into memory of its own, so the threads change neither the picture nor the
 //! counts.
 
 use rayon::prelude::*;
-use strahl_core::{
+
+use super::strahl::{
     Accelerator, Corner, Counters, Effects, Lattice, Pixel, Regular, Rgb, Sampler, Single, Sink, Size, Tally,
     Tile, Tracer, Worker, render,
 };
-
 use crate::progress::Watch;
 use crate::signals::Stop;
-
-/// The most levels of rays.
-pub const LEVELS: usize = 64;
-
-/// Pixels along one side of a tile. Small enough to keep all threads busy to the end.
-const TILE: u32 = 32;
-
-/// Which rays make a pixel.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Sampling {
-    /// One through the middle.
-    Single,
-    /// n times n.
-    Regular(u16),
-    /// Through the corners, which neighbours share.
-    Corners,
-}
-
-/// How the work is cut.
-#[derive(Clone, Copy, Debug)]
-pub struct Cut {
-    /// Threads; 0 is one for each core.
-    pub threads: usize,
-    /// Pixels along one side of a tile.
-    pub tile: u32,
-}
-
-impl Cut {
-    /// Tiles as the program takes them.
-    pub fn threads(threads: usize) -> Self {
-        Cut { threads, tile: TILE }
-    }
-}
+pub use crate::wanted::{Cut, LEVELS, Sampling};
 
 /// Somebody who counts in one tile, and whose counts are added up.
 pub trait Count: Tally + Default + Send {

@@ -14,11 +14,11 @@ use std::error::Error;
 use std::path::PathBuf;
 use std::process::ExitCode;
 
-use strahl::choose::Wanted;
+use strahl::counts::Counts;
 use strahl::progress::Watch;
 use strahl::signals::Signals;
-use strahl::workers::{Cut, Sampling};
-use strahl_core::{Counters, Limits, RayKind, Size};
+use strahl::wanted::{Sampling, Wanted};
+use strahl_core::{Limits, RayKind, Size};
 
 /// Camera rays that hit, reflected, refracted and shadow rays, and how far off they may be.
 ///
@@ -35,7 +35,7 @@ const PUBLISHED: [(&str, [u64; 4], f64); 7] = [
     ("tree", [169_836, 0, 0, 1_097_419], 0.01),
 ];
 
-fn counts(counters: &Counters) -> [u64; 4] {
+fn counts(counters: &Counts) -> [u64; 4] {
     let rays = |kind| counters.rays(kind);
     [counters.camera_hits(), rays(RayKind::Reflected), rays(RayKind::Transmitted), rays(RayKind::Shadow)]
 }
@@ -43,11 +43,9 @@ fn counts(counters: &Counters) -> [u64; 4] {
 fn main() -> Result<ExitCode, Box<dyn Error>> {
     let folder = PathBuf::from(std::env::args_os().nth(1).ok_or("usage: spd FOLDER")?);
     let wanted = Wanted {
-        size: Size::new(512, 512).ok_or("no size")?,
         limits: Limits { levels: 5, cutoff: 0.0 },
         sampling: Sampling::Corners,
-        cut: Cut::threads(0),
-        counted: true,
+        ..Wanted::of(Size::new(512, 512).ok_or("no size")?)
     };
     println!("scene      camera hits    reflected    refracted       shadow  largest deviation  cpu seconds");
     let mut within = true;

@@ -16,11 +16,10 @@ use std::collections::BTreeMap;
 use std::fs;
 use std::path::{Path, PathBuf};
 
-use strahl::choose::Wanted;
 use strahl::picture::{Format, Picture};
 use strahl::progress::Watch;
 use strahl::signals::Signals;
-use strahl::workers::{Cut, Sampling};
+use strahl::wanted::{Sampling, Wanted};
 use strahl_core::{
     Camera, Effects, Everything, Frame, Limits, List, Rgb, Scene, Single, Size, Tile, Tracer, Worker, World,
     render,
@@ -60,13 +59,8 @@ fn the_scene_of_the_firmware_looks_as_it_did() {
 fn scene_file(name: &str, width: u32, height: u32, levels: u8, sampling: Sampling) -> Picture {
     let path = root().join("scenes").join(name);
     let description = strahl::load::load(&path).unwrap();
-    let wanted = Wanted {
-        size: Size::new(width, height).unwrap(),
-        limits: Limits { levels, ..Limits::DEFAULT },
-        sampling,
-        cut: Cut::threads(0),
-        counted: false,
-    };
+    let limits = Limits { levels, ..Limits::DEFAULT };
+    let wanted = Wanted { limits, sampling, counted: false, ..Wanted::of(Size::new(width, height).unwrap()) };
     strahl::frame::trace(&description, &wanted, &Watch::silent(Signals::default())).unwrap().picture
 }
 

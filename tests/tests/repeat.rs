@@ -1,12 +1,11 @@
 //! Memory and order buy time, never truth: threads, tiles and tallies change no bit.
 
-use strahl::choose::Wanted;
 use strahl::description::Description;
 use strahl::frame::{self, Frame};
 use strahl::progress::Watch;
 use strahl::signals::Signals;
-use strahl::workers::{Cut, Sampling};
-use strahl_core::{Limits, Size};
+use strahl::wanted::{Cut, Sampling, Wanted};
+use strahl_core::Size;
 
 const SAMPLINGS: [Sampling; 3] = [Sampling::Single, Sampling::Regular(2), Sampling::Corners];
 
@@ -18,7 +17,7 @@ fn scene() -> Description {
 fn traced(scene: &Description, sampling: Sampling, cut: Cut, counted: bool) -> Frame {
     // Neither side a multiple of a tile.
     let size = Size::new(61, 37).unwrap();
-    let wanted = Wanted { size, limits: Limits::DEFAULT, sampling, cut, counted };
+    let wanted = Wanted { sampling, cut, counted, ..Wanted::of(size) };
     frame::trace(scene, &wanted, &Watch::silent(Signals::default())).unwrap()
 }
 

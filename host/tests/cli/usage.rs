@@ -11,6 +11,9 @@ const OPTIONS: &[&str] = &[
     "--levels",
     "--cutoff",
     "--sampler",
+    "--precision",
+    "--accel",
+    "--bounds",
     "--threads",
     "--stats",
     "--stats-file",
@@ -64,7 +67,7 @@ fn every_option_of_the_help_works() {
     let folder = Folder::with(BALL);
     folder.done(
         "render scene.nff --output a.png --size 8x6 --levels 3 --cutoff 0.5 --sampler regular:2 --threads 1 \
-         --stats json --stats-file a.json --quiet",
+         --precision double --accel list --bounds none --stats json --stats-file a.json --quiet",
     );
     folder.done("render scene.nff -o b.png -q");
     assert_eq!(folder.names(), ["a.json", "a.png", "b.png", "scene.nff"]);

@@ -1,0 +1,57 @@
+//! How often everything happened, whatever precision was computed with.
+
+use strahl_core::{RayKind, ShapeKind};
+
+/// How often everything happened; the arrays are by kind of ray, or of shape.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Counts {
+    pub(crate) rays: [u64; RayKind::ALL.len()],
+    pub(crate) camera_hits: u64,
+    pub(crate) boxes: [u64; RayKind::ALL.len()],
+    pub(crate) shapes: [u64; RayKind::ALL.len()],
+    pub(crate) regions: [u64; RayKind::ALL.len()],
+    pub(crate) by_shape: [u64; ShapeKind::ALL.len()],
+    pub(crate) level_limit: u64,
+    pub(crate) cutoff: u64,
+    pub(crate) media_full: u64,
+}
+
+/// Each as [`strahl_core::Counters`] says.
+#[allow(missing_docs)]
+impl Counts {
+    pub fn rays(&self, kind: RayKind) -> u64 {
+        self.rays[kind as usize]
+    }
+
+    pub fn camera_hits(&self) -> u64 {
+        self.camera_hits
+    }
+
+    pub fn boxes(&self, kind: RayKind) -> u64 {
+        self.boxes[kind as usize]
+    }
+
+    pub fn shapes(&self, kind: RayKind) -> u64 {
+        self.shapes[kind as usize]
+    }
+
+    pub fn regions(&self, kind: RayKind) -> u64 {
+        self.regions[kind as usize]
+    }
+
+    pub fn by_shape(&self, kind: ShapeKind) -> u64 {
+        self.by_shape[kind as usize]
+    }
+
+    pub fn level_limit(&self) -> u64 {
+        self.level_limit
+    }
+
+    pub fn cutoff(&self) -> u64 {
+        self.cutoff
+    }
+
+    pub fn media_full(&self) -> u64 {
+        self.media_full
+    }
+}

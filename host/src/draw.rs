@@ -1,0 +1,132 @@
+//! From a scene to linear colours, for either precision.
+
+use std::time::{Duration, Instant};
+
+use super::accelerators::{Purpose, build};
+use super::choose;
+use super::strahl::{Accelerator, Camera, Counters, Effects, Limits, Real, Rgb, Scene, Size, Tracer, World};
+use super::tables::{Stock, view};
+use super::workers::{self, Count, LEVELS};
+use crate::counts::Counts;
+use crate::description::View;
+use crate::finding::Facts;
+use crate::frame::{Drawn, NoFrame};
+use crate::progress::Watch;
+use crate::wanted::Wanted;
+
+/// Traces the scene of these tables.
+pub fn trace(stock: &Stock, from: &View, wanted: &Wanted, watch: &Watch) -> Result<Drawn, NoFrame> {
+    let scene = stock.scene().map_err(NoFrame::wrong)?;
+    let size = wanted.size;
+    let size = Size::new(size.width(), size.height()).ok_or_else(|| NoFrame::wrong("no such size"))?;
+    let camera = Camera::new(&view(from), size).map_err(NoFrame::wrong)?;
+    build(&scene, &wanted.finding, Drawing { scene, camera, size, wanted, watch }).map_err(NoFrame::wrong)?
+}
+
+/// Everything that is needed for a picture but an accelerator.
+struct Drawing<'d, 's> {
+    scene: Scene<'s>,
+    camera: Camera,
+    size: Size,
+    wanted: &'d Wanted,
+    watch: &'d Watch,
+}
+
+impl Purpose for Drawing<'_, '_> {
+    type Answer = Result<Drawn, NoFrame>;
+
+    fn with<A: Accelerator + Sync>(self, accelerator: A, facts: Facts) -> Self::Answer {
+        let Drawing { scene, camera, size, wanted, watch } = self;
+        let (clock, cpu) = (Instant::now(), cpu_time());
+        let world = World::new(scene, accelerator);
+        let (colors, counts) = choose::trace(&Job { world: &world, camera, size, wanted, watch })?;
+        Ok(Drawn {
+            colors,
+            accelerator: facts,
+            counts,
+            trace: clock.elapsed(),
+            trace_cpu: cpu_time().saturating_sub(cpu),
+        })
+    }
+}
+
+/// A picture to be traced by a tracer whose type is still to be chosen.
+pub struct Job<'j, 's, A> {
+    world: &'j World<'s, A>,
+    camera: Camera,
+    size: Size,
+    wanted: &'j Wanted,
+    watch: &'j Watch,
+}
+
+/// Colours, and the work where it was counted.
+pub type Traced = (Vec<strahl_core::Rgb>, Option<Counts>);
+
+impl<'s, A: Accelerator + Sync> Job<'_, 's, A> {
+    /// The scene.
+    pub fn scene(&self) -> &Scene<'s> {
+        self.world.scene()
+    }
+
+    /// Whether the work is to be counted.
+    pub fn is_counted(&self) -> bool {
+        self.wanted.counted
+    }
+
+    /// Traces it with the effects `E`, and counts.
+    pub fn counted<E: Effects + Sync>(&self) -> Result<Traced, NoFrame> {
+        let (colors, counters) = self.run::<E, Counters>()?;
+        Ok((colors, Some(counts(&counters))))
+    }
+
+    /// Traces it with the effects `E`.
+    pub fn uncounted<E: Effects + Sync>(&self) -> Result<Traced, NoFrame> {
+        let (colors, ()) = self.run::<E, ()>()?;
+        Ok((colors, None))
+    }
+
+    fn run<E: Effects + Sync, T: Count>(&self) -> Result<(Vec<strahl_core::Rgb>, T), NoFrame> {
+        let Wanted { limits, sampling, cut, .. } = *self.wanted;
+        let limits = Limits { levels: limits.levels, cutoff: Real::from(limits.cutoff) };
+        let tracer = Tracer::<A, E, LEVELS>::new(self.world, self.camera, limits).map_err(NoFrame::wrong)?;
+        let (colors, counted) =
+            workers::trace(&tracer, sampling, self.size, cut, self.watch).map_err(NoFrame::Stopped)?;
+        Ok((rounded(colors), counted))
+    }
+}
+
+/// Colours in single precision; those of single precision stay where they are.
+fn rounded(colors: Vec<Rgb>) -> Vec<strahl_core::Rgb> {
+    #[allow(clippy::unnecessary_cast)] // in single precision
+    let narrow = |c: Rgb| strahl_core::Rgb::new(c.r as f32, c.g as f32, c.b as f32);
+    colors.into_iter().map(narrow).collect()
+}
+
+/// Counts that are the same for either precision.
+fn counts(counters: &Counters) -> Counts {
+    use super::strahl::{RayKind, ShapeKind};
+    Counts {
+        rays: RayKind::ALL.map(|kind| counters.rays(kind)),
+        camera_hits: counters.camera_hits(),
+        boxes: RayKind::ALL.map(|kind| counters.boxes(kind)),
+        shapes: RayKind::ALL.map(|kind| counters.shapes(kind)),
+        regions: RayKind::ALL.map(|kind| counters.regions(kind)),
+        by_shape: ShapeKind::ALL.map(|kind| counters.by_shape(kind)),
+        level_limit: counters.level_limit(),
+        cutoff: counters.cutoff(),
+        media_full: counters.media_full(),
+    }
+}
+
+/// The processor time that this process has used on all threads.
+#[cfg(unix)]
+fn cpu_time() -> Duration {
+    let now = rustix::time::clock_gettime(rustix::time::ClockId::ProcessCPUTime);
+    Duration::new(now.tv_sec.unsigned_abs(), now.tv_nsec.unsigned_abs() as u32)
+}
+
+/// Not known here.
+#[cfg(not(unix))]
+fn cpu_time() -> Duration {
+    Duration::ZERO
+}
