@@ -78,16 +78,16 @@ impl Cone {
 
     /// The nearest part in front of the ray's origin.
     fn nearest(&self, ray: &Ray) -> Option<(Real, Part)> {
-        let d = ray.direction;
+        let d = ray.along;
         let far = ray.origin - self.base;
-        let shift = (self.axis * (0.5 * self.height) - far).dot(d) / d.dot(d);
+        let shift = (self.axis * (0.5 * self.height) - far).dot(d) / ray.square;
         let o = far + d * shift;
         let (oz, dz) = (o.dot(self.axis), d.dot(self.axis));
         let (op, dp) = (o - self.axis * oz, d - self.axis * dz);
 
         let mut nearest = (Real::INFINITY, Part::Side);
         let mut offer = |t: Real, part: Part| {
-            let t = shift + t;
+            let t = (shift + t) * ray.scale;
             if t > 0.0 && t < nearest.0 {
                 nearest = (t, part);
             }

@@ -148,8 +148,8 @@ impl<'s> Geometry<'s> {
         of(self.shapes, item.0).copied()
     }
 
-    fn corners(&self, [a, b, c]: [u32; 3]) -> Option<[Vec3; 3]> {
-        Some([*of(self.points, a)?, *of(self.points, b)?, *of(self.points, c)?])
+    fn corners(&self, [a, b, c]: [u32; 3]) -> Option<[&'s Vec3; 3]> {
+        Some([of(self.points, a)?, of(self.points, b)?, of(self.points, c)?])
     }
 
     fn corner_normals(&self, [a, b, c]: [u32; 3]) -> Option<[Vec3; 3]> {

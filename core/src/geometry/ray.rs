@@ -1,6 +1,6 @@
 //! Rays, and how one leaves a surface.
 
-use crate::math::{Axis, Real, Vec3, abs, vec3};
+use crate::math::{Axis, Real, Vec3, abs, power_of_two, vec3};
 
 /// A half-line from `origin` along `direction`, and what every test of it needs.
 ///
@@ -15,13 +15,42 @@ pub struct Ray {
     pub inverse: Vec3,
     /// The axis along which the direction reaches farthest.
     pub axis: Axis,
+    /// One over the component of the direction along `axis`.
+    pub(super) third: Real,
+    /// With [`Ray::upward`], what shows a place as the ray sees it: two of its coordinates, less
+    /// what the ray itself moves along them on the way there.
+    pub(super) across: Vec3,
+    pub(super) upward: Vec3,
+    /// The direction times `scale`, about one long: its square is in range, however long the
+    /// direction is.
+    pub(super) along: Vec3,
+    /// The square of the length of `along`.
+    pub(super) square: Real,
+    /// A power of two.
+    pub(super) scale: Real,
 }
 
 impl Ray {
     /// The ray from `origin` along `direction`, which must be finite and not zero.
     pub fn new(origin: Vec3, direction: Vec3) -> Self {
         debug_assert!(origin.is_finite() && direction.is_finite() && direction != Vec3::ZERO);
-        Ray { origin, direction, inverse: 1.0 / direction, axis: Axis::largest_of(direction) }
+        let inverse = 1.0 / direction;
+        let axis = Axis::largest_of(direction);
+        let (turned, third) = (axis.to_third(direction), axis.to_third(inverse).z);
+        let scale = 1.0 / power_of_two(turned.z);
+        let along = direction * scale;
+        Ray {
+            origin,
+            direction,
+            inverse,
+            axis,
+            third,
+            across: axis.place_back(vec3(1.0, 0.0, -(turned.x * third))),
+            upward: axis.place_back(vec3(0.0, 1.0, -(turned.y * third))),
+            along,
+            square: along.dot(along),
+            scale,
+        }
     }
 
     /// The point `t` lengths of the direction away.

@@ -26,30 +26,28 @@ impl Sphere {
         Aabb::round(self.center, Vec3::splat(self.radius))
     }
 
+    #[inline]
     pub(super) fn hit(&self, ray: &Ray) -> Option<Real> {
         let o = ray.origin - self.center;
-        let d = ray.direction;
         let r2 = self.radius * self.radius;
-        let b = -o.dot(d);
+        let b = -o.dot(ray.along);
         let c = o.dot(o) - r2;
         if b < 0.0 && c > 0.0 {
             return None; // outside, and going away
         }
-        let a = d.dot(d);
-        let foot = o + d * (b / a);
+        let foot = o + ray.along * (b / ray.square);
         let room = r2 - foot.dot(foot);
         if !(room >= 0.0) {
             return None;
         }
-        let root = sqrt(a * room);
-        let (near, far) = if b >= 0.0 {
+        let root = sqrt(ray.square * room);
+        let t = if b >= 0.0 {
             let q = b + root;
-            (c / q, q / a)
+            if c > 0.0 { c / q } else { q / ray.square }
         } else {
-            let q = b - root;
-            (q / a, c / q)
+            c / (b - root)
         };
-        if near > 0.0 { Some(near) } else { Some(far) }
+        Some(t * ray.scale)
     }
 
     pub(super) fn surface(&self, ray: &Ray, t: Real) -> Surface {

@@ -8,7 +8,7 @@
 //! lost digits.
 
 use super::{Aabb, Ray, ShapeFault, Surface, check_point, check_unit, disc::disc_reach};
-use crate::math::{FARTHEST, Real, Vec3, abs, gamma, length, quartic_roots, unit};
+use crate::math::{FARTHEST, Real, Vec3, abs, gamma, length, quartic_roots, sqrt, unit};
 
 /// A torus; its normal points out of the tube.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -41,8 +41,8 @@ impl Torus {
 
     pub(super) fn hit(&self, ray: &Ray) -> Option<Real> {
         let size = self.major + self.minor;
-        let speed = length(ray.direction);
-        let d = ray.direction / speed;
+        let speed = sqrt(ray.square);
+        let d = ray.along / speed;
         let far = (ray.origin - self.center) / size;
         let shift = -far.dot(d);
         let o = far + d * shift;
@@ -51,7 +51,7 @@ impl Torus {
         if !(room > 0.0) {
             return None;
         }
-        let reach = crate::math::sqrt(room);
+        let reach = sqrt(room);
         if shift + reach < 0.0 {
             return None;
         }
@@ -73,7 +73,7 @@ impl Torus {
         for root in quartic_roots(quartic, start, reach).iter() {
             let t = shift + polished(o, d, self.axis, major, minor, root);
             if t > 0.0 {
-                return Some(t * size / speed);
+                return Some(t * size / speed * ray.scale);
             }
         }
         None

@@ -61,9 +61,22 @@ pub fn greatest(a: Real, b: Real) -> Real {
     if a > b { a } else { b }
 }
 
+/// The smaller of two; the second when they are equal or one is no number.
+pub fn least(a: Real, b: Real) -> Real {
+    if a < b { a } else { b }
+}
+
 /// `x`, or the nearer end of `low..=high` when it lies outside; `low` when it is no number.
 pub fn within(x: Real, low: Real, high: Real) -> Real {
     if x > low { if x < high { x } else { high } } else { low }
+}
+
+/// The power of two that is as large as `x` or next below it, whatever its sign; for zero and
+/// for what is too small for a normal number, the smallest normal one.
+pub fn power_of_two(x: Real) -> Real {
+    // Of the bits of an infinite number only those of the exponent are set.
+    let power = Real::from_bits(x.to_bits() & Real::INFINITY.to_bits());
+    greatest(power, Real::MIN_POSITIVE)
 }
 
 /// The absolute value of every component.
@@ -104,8 +117,8 @@ pub fn is_unit(v: Vec3) -> bool {
     (v.dot(v) - 1.0).abs() <= 1e-5
 }
 
-/// The sign of `a * b - c * d` with no rounding: its value is right to a few ulps of itself
-/// where rounding would have given zero.
+/// `a * b - c * d` with the right sign, and right to a few ulps of itself, also where rounding
+/// of the products would leave nothing of it.
 ///
 /// The errors of both products are found with Dekker's splitting, which needs no fused
 /// operation and no wider type.
@@ -125,6 +138,12 @@ fn product_error(a: Real, b: Real, p: Real) -> Real {
     };
     let ((a1, a2), (b1, b2)) = (halves(a), halves(b));
     ((a1 * b1 - p) + a1 * b2 + a2 * b1) + a2 * b2
+}
+
+/// `(a - b) - d`, exactly, where `d` is the rounded difference (Knuth's two-sum).
+pub fn difference_error(a: Vec3, b: Vec3, d: Vec3) -> Vec3 {
+    let taken = d - a;
+    (a - (d - taken)) - (b + taken)
 }
 
 /// One of the three axes.
@@ -156,6 +175,15 @@ impl Axis {
         match self {
             Axis::X => vec3(v.y, v.z, v.x),
             Axis::Y => vec3(v.z, v.x, v.y),
+            Axis::Z => v,
+        }
+    }
+
+    /// Undoes [`Axis::to_third`].
+    pub(crate) fn place_back(self, v: Vec3) -> Vec3 {
+        match self {
+            Axis::X => vec3(v.z, v.x, v.y),
+            Axis::Y => vec3(v.y, v.z, v.x),
             Axis::Z => v,
         }
     }

@@ -156,7 +156,6 @@ fn a_polygon_through_the_origin_is_not_met_again_there() {
 }
 
 #[test]
-#[ignore = "the distance of a needle is only as good as it is wide, and the step off it knows nothing of that"]
 fn a_needle_through_the_origin_is_not_met_again_there() {
     assert_eq!(met_again_near_the_origin(1e-4, 0.02, false), 0);
 }
