@@ -55,7 +55,10 @@ mod image;
 mod counters;
 mod render;
 
-pub use accel::{Accelerator, BuildError, List, Query, Storage, groups_of};
+pub use accel::{
+    Accelerator, BuildError, Bvh, BvhRoom, LastFirst, List, NearestFirst, Node, Query, Slot, Storage,
+    Waiting, groups_of,
+};
 pub use counters::Counters;
 pub use geometry::{
     Aabb, Cone, Cuboid, Disc, Geometry, Hit, ItemId, Plane, Polygon, Ray, Shape, ShapeFault, ShapeKind,

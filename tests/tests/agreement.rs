@@ -3,8 +3,8 @@
 use std::ops::ControlFlow;
 
 use strahl_core::{
-    Aabb, Accelerator, BuildError, Counters, Everything, Hit, ItemId, List, Query, Ray, RayKind, Real,
-    Storage, Surface, Vec3, World, groups_of, vec3,
+    Aabb, Accelerator, BuildError, Bvh, BvhRoom, Counters, Everything, Hit, ItemId, LastFirst, List,
+    NearestFirst, Node, Query, Ray, RayKind, Real, Slot, Storage, Surface, Vec3, World, groups_of, vec3,
 };
 use strahl_tests::single::Stage;
 use strahl_tests::{Kind, Random, Thing, Vector, vector};
@@ -72,6 +72,19 @@ fn all_agree(stage: &Stage, rays: &[Ray], random: &mut Random) -> usize {
     let mut groups = vec![Aabb::EMPTY; groups_of(boxes.len())];
     let boxed = World::new(stage.scene(), List::boxed(&boxes, &mut groups).unwrap());
     let offered = World::new(stage.scene(), Offered::any(stage.len(), random));
+    let room = BvhRoom::comfortable(boxes.len());
+    // Any memory from the floor upwards.
+    let lent = if room.nodes == 0 { 0 } else { 1 + rays.len() % room.nodes };
+    let mut nodes = vec![Node::EMPTY; lent];
+    let mut items = vec![Slot::EMPTY; room.items];
+    let tree = Bvh::<LastFirst<64>>::build(&boxes, &mut nodes, &mut items).unwrap();
+    let stack = World::new(stage.scene(), tree);
+    let small_stack = World::new(stage.scene(), tree.walked::<LastFirst<1>>());
+    let no_stack = World::new(stage.scene(), tree.walked::<LastFirst<0>>());
+    let heap = World::new(stage.scene(), tree.walked::<NearestFirst<64>>());
+    let small_heap = World::new(stage.scene(), tree.walked::<NearestFirst<4>>());
+    let tiny_heap = World::new(stage.scene(), tree.walked::<NearestFirst<1>>());
+    let no_heap = World::new(stage.scene(), tree.walked::<NearestFirst<0>>());
     let mut hits = 0;
     for ray in rays {
         let truth = answer(&bare, ray, Real::INFINITY);
@@ -82,6 +95,13 @@ fn all_agree(stage: &Stage, rays: &[Ray], random: &mut Random) -> usize {
             assert_eq!(truth.hit.is_some(), truth.is_blocked, "{ray:?} {reach}");
             assert_eq!(answer(&boxed, ray, reach), truth, "with boxes: {ray:?} {reach}");
             assert_eq!(answer(&offered, ray, reach), truth, "in another order: {ray:?} {reach}");
+            assert_eq!(answer(&stack, ray, reach), truth, "by a stack: {ray:?} {reach}");
+            assert_eq!(answer(&small_stack, ray, reach), truth, "by a stack of one: {ray:?} {reach}");
+            assert_eq!(answer(&no_stack, ray, reach), truth, "by no stack: {ray:?} {reach}");
+            assert_eq!(answer(&heap, ray, reach), truth, "by a heap: {ray:?} {reach}");
+            assert_eq!(answer(&small_heap, ray, reach), truth, "by a heap of four: {ray:?} {reach}");
+            assert_eq!(answer(&tiny_heap, ray, reach), truth, "by a heap of one: {ray:?} {reach}");
+            assert_eq!(answer(&no_heap, ray, reach), truth, "by no heap: {ray:?} {reach}");
             assert_eq!(blocker(&boxed, ray, reach), blocker(&bare, ray, reach), "{ray:?} {reach}");
         }
         let before = answer(&bare, ray, t.next_down());

@@ -16,8 +16,10 @@
 //!
 //! [`Aabb::span`]: crate::geometry::Aabb::span
 
+mod bvh;
 mod list;
 
+pub use bvh::{Bvh, BvhRoom, LastFirst, NearestFirst, Node, Slot, Waiting};
 pub use list::{List, groups_of};
 
 use core::fmt;
@@ -60,6 +62,10 @@ pub enum Storage {
     Boxes,
     /// Boxes round groups of items.
     Groups,
+    /// Nodes of a hierarchy.
+    Nodes,
+    /// Places for items in the leaves of a hierarchy.
+    Items,
 }
 
 /// Why an accelerator could not be built.
@@ -75,6 +81,11 @@ pub enum BuildError {
         /// How many were lent.
         lent: usize,
     },
+    /// The box of this item has no end, so that it has no place in space.
+    NotFinite {
+        /// Which.
+        item: ItemId,
+    },
 }
 
 impl fmt::Display for BuildError {
@@ -84,9 +95,12 @@ impl fmt::Display for BuildError {
                 let what = match what {
                     Storage::Boxes => "boxes",
                     Storage::Groups => "groups",
+                    Storage::Nodes => "nodes",
+                    Storage::Items => "places for items",
                 };
                 write!(f, "{needed} {what} needed, {lent} lent")
             }
+            BuildError::NotFinite { item } => write!(f, "object {}: its box has no end", item.0),
         }
     }
 }

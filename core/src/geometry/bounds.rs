@@ -13,7 +13,7 @@ use crate::math::{Real, Vec3, gamma, vec3};
 /// A wall's distance takes a subtraction, a reciprocal and a product: three roundings. If
 /// near and far wall touch, the computed far end may lie below the near one by
 /// `(1 + gamma(3)) / (1 - gamma(3))`, about 6 roundoffs; two more pay for this product.
-const WIDEN: Real = 1.0 + 4.0 * Real::EPSILON;
+pub(crate) const WIDEN: Real = 1.0 + 4.0 * Real::EPSILON;
 
 /// A box with its faces upright on the axes; it contains its faces.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -17,6 +17,7 @@ mod sphere;
 mod torus;
 mod triangle;
 
+pub(crate) use bounds::WIDEN;
 pub use bounds::{Aabb, Span};
 pub use cone::Cone;
 pub use cuboid::{Cuboid, TurnedCuboid};

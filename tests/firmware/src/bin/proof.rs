@@ -248,6 +248,19 @@ fn finding() {
         used(list.bytes());
         list.walk(&ray(), &mut (), &mut Anybody);
     }
+    tree::<LastFirst<2>>();
+    tree::<NearestFirst<2>>();
+}
+
+/// A hierarchy of anything, in lent memory of any length.
+fn tree<W: Waiting>() {
+    used(BvhRoom::comfortable(any(1)));
+    let (mut nodes, mut items) = ([Node::EMPTY; 2], [Slot::EMPTY; 2]);
+    let (nodes, items) = (any(nodes.as_mut_slice()), any(items.as_mut_slice()));
+    if let Ok(tree) = Bvh::<()>::build(slice(&[Aabb::EMPTY]), nodes, items) {
+        used((tree.bytes(), tree.regions(), tree.entries(), tree.depth()));
+        tree.walked::<W>().walk(&ray(), &mut W::default(), &mut Anybody);
+    }
 }
 
 static MATERIALS: [Material; 1] = [Material::MATTE];
