@@ -11,6 +11,7 @@ pub struct Counters {
     boxes: [u64; 4],
     shapes: [u64; 4],
     regions: [u64; 4],
+    skipped: [u64; 4],
     by_shape: [u64; ShapeKind::ALL.len()],
     level_limit: u64,
     cutoff: u64,
@@ -48,6 +49,11 @@ impl Counters {
         of(&self.regions, kind as usize)
     }
 
+    /// Tests of rays against shapes that mailboxes have saved.
+    pub fn skipped(&self, kind: RayKind) -> u64 {
+        of(&self.skipped, kind as usize)
+    }
+
     /// Tests of rays against shapes of one kind.
     pub fn by_shape(&self, kind: ShapeKind) -> u64 {
         of(&self.by_shape, kind as usize)
@@ -75,6 +81,7 @@ impl Counters {
             (&mut self.boxes, &other.boxes),
             (&mut self.shapes, &other.shapes),
             (&mut self.regions, &other.regions),
+            (&mut self.skipped, &other.skipped),
             (&mut self.by_shape, &other.by_shape),
         ];
         for (mine, others) in pairs {
@@ -110,6 +117,7 @@ impl Tally for Counters {
                 bump(&mut self.by_shape, shape as usize, 1);
             }
             Event::Region(kind) => bump(&mut self.regions, kind as usize, 1),
+            Event::Skipped(kind) => bump(&mut self.skipped, kind as usize, 1),
             Event::LevelLimit => self.level_limit += 1,
             Event::Cutoff => self.cutoff += 1,
             Event::MediaFull => self.media_full += 1,

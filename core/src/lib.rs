@@ -11,7 +11,7 @@
 //! | rays | the loop ([`Tracer`]), its tasks, the [`Worker`] |
 //! | light | the local model, shadows, optics, media |
 //! | the scene | [`Scene`], [`Camera`], [`Material`], [`Light`], [`Texture`], [`Effects`], [`World`] |
-//! | finding | [`Accelerator`] and [`Query`]: the contract; [`List`] |
+//! | finding | [`Accelerator`] and [`Query`]: the contract; [`List`], [`Grid`], [`Octree`], the [`Mailbox`] |
 //! | reports | [`Tally`], [`Event`] |
 //! | things | [`Shape`]s, [`Ray`], [`Aabb`], [`Hit`] and [`Surface`] |
 //! | ground | [`Real`], [`Vec3`], [`Rgb`], roots |
@@ -56,8 +56,8 @@ mod counters;
 mod render;
 
 pub use accel::{
-    Accelerator, BuildError, Bvh, BvhRoom, LastFirst, List, NearestFirst, Node, Query, Slot, Storage,
-    Waiting, groups_of,
+    Accelerator, BuildError, Bvh, BvhRoom, Grid, GridRoom, LastFirst, List, Mailbox, NearestFirst, Node,
+    Octree, OctreeLimits, OctreeNode, OctreeRoom, Query, Slot, StaticGrid, Storage, Waiting, groups_of,
 };
 pub use counters::Counters;
 pub use geometry::{

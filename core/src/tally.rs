@@ -38,6 +38,8 @@ pub enum Event {
     Shape(RayKind, ShapeKind),
     /// A ray entered a region of the accelerator.
     Region(RayKind),
+    /// A ray was not held against an item, because a mailbox remembered that it had been.
+    Skipped(RayKind),
     /// A ray was not sent, because the levels end here.
     LevelLimit,
     /// A ray was not sent, because too little of what it finds would count.

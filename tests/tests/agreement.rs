@@ -3,8 +3,9 @@
 use std::ops::ControlFlow;
 
 use strahl_core::{
-    Aabb, Accelerator, BuildError, Bvh, BvhRoom, Counters, Everything, Hit, ItemId, LastFirst, List,
-    NearestFirst, Node, Query, Ray, RayKind, Real, Slot, Storage, Surface, Vec3, World, groups_of, vec3,
+    Aabb, Accelerator, BuildError, Bvh, BvhRoom, Counters, Everything, Grid, GridRoom, Hit, ItemId,
+    LastFirst, List, NearestFirst, Node, Octree, OctreeLimits, OctreeNode, OctreeRoom, Query, Ray, RayKind,
+    Real, Slot, Storage, Surface, Vec3, World, groups_of, vec3,
 };
 use strahl_tests::single::Stage;
 use strahl_tests::{Kind, Random, Thing, Vector, vector};
@@ -28,12 +29,13 @@ fn blocker<A: Accelerator>(world: &World<A>, ray: &Ray, reach: Real) -> Option<I
     world.blocker::<Everything, _>(ray, reach, RayKind::Shadow, &mut A::Scratch::default(), &mut ())
 }
 
-fn answer<A: Accelerator>(world: &World<A>, ray: &Ray, reach: Real) -> Answer {
-    let hit = nearest(world, ray, reach);
+fn answer<A: Accelerator>(world: &World<A>, ray: &Ray, reach: Real, scratch: &mut A::Scratch) -> Answer {
+    let hit = world.nearest::<Everything, _>(ray, reach, RayKind::Camera, scratch, &mut ());
+    let blocker = world.blocker::<Everything, _>(ray, reach, RayKind::Shadow, scratch, &mut ());
     Answer {
         hit: hit.map(|hit| (hit.item, hit.t.to_bits())),
         surface: hit.and_then(|hit| world.surface::<Everything>(ray, hit)),
-        is_blocked: blocker(world, ray, reach).is_some(),
+        is_blocked: blocker.is_some(),
     }
 }
 
@@ -64,51 +66,116 @@ impl Offered {
     }
 }
 
-/// Holds the list with boxes and any other order against the bare list; answers how many hits
-/// there were.
-fn all_agree(stage: &Stage, rays: &[Ray], random: &mut Random) -> usize {
-    let bare = World::new(stage.scene(), List::bare(stage.len()));
-    let boxes = stage.boxes();
-    let mut groups = vec![Aabb::EMPTY; groups_of(boxes.len())];
-    let boxed = World::new(stage.scene(), List::boxed(&boxes, &mut groups).unwrap());
-    let offered = World::new(stage.scene(), Offered::any(stage.len(), random));
-    let room = BvhRoom::comfortable(boxes.len());
-    // Any memory from the floor upwards.
-    let lent = if room.nodes == 0 { 0 } else { 1 + rays.len() % room.nodes };
-    let mut nodes = vec![Node::EMPTY; lent];
-    let mut items = vec![Slot::EMPTY; room.items];
-    let tree = Bvh::<LastFirst<64>>::build(&boxes, &mut nodes, &mut items).unwrap();
-    let stack = World::new(stage.scene(), tree);
-    let small_stack = World::new(stage.scene(), tree.walked::<LastFirst<1>>());
-    let no_stack = World::new(stage.scene(), tree.walked::<LastFirst<0>>());
-    let heap = World::new(stage.scene(), tree.walked::<NearestFirst<64>>());
-    let small_heap = World::new(stage.scene(), tree.walked::<NearestFirst<4>>());
-    let tiny_heap = World::new(stage.scene(), tree.walked::<NearestFirst<1>>());
-    let no_heap = World::new(stage.scene(), tree.walked::<NearestFirst<0>>());
-    let mut hits = 0;
-    for ray in rays {
-        let truth = answer(&bare, ray, Real::INFINITY);
-        // Cut off nowhere, at the hit, just before it, and anywhere.
-        let t = truth.hit.map_or(1.0, |(_, bits)| Real::from_bits(bits));
-        for reach in [Real::INFINITY, t, t.next_down(), t * random.unit() as Real * 2.0] {
-            let truth = answer(&bare, ray, reach);
-            assert_eq!(truth.hit.is_some(), truth.is_blocked, "{ray:?} {reach}");
-            assert_eq!(answer(&boxed, ray, reach), truth, "with boxes: {ray:?} {reach}");
-            assert_eq!(answer(&offered, ray, reach), truth, "in another order: {ray:?} {reach}");
-            assert_eq!(answer(&stack, ray, reach), truth, "by a stack: {ray:?} {reach}");
-            assert_eq!(answer(&small_stack, ray, reach), truth, "by a stack of one: {ray:?} {reach}");
-            assert_eq!(answer(&no_stack, ray, reach), truth, "by no stack: {ray:?} {reach}");
-            assert_eq!(answer(&heap, ray, reach), truth, "by a heap: {ray:?} {reach}");
-            assert_eq!(answer(&small_heap, ray, reach), truth, "by a heap of four: {ray:?} {reach}");
-            assert_eq!(answer(&tiny_heap, ray, reach), truth, "by a heap of one: {ray:?} {reach}");
-            assert_eq!(answer(&no_heap, ray, reach), truth, "by no heap: {ray:?} {reach}");
-            assert_eq!(blocker(&boxed, ray, reach), blocker(&bare, ray, reach), "{ray:?} {reach}");
+/// A question about a ray, and the answer of the bare list.
+struct Case {
+    ray: Ray,
+    reach: Real,
+    truth: Answer,
+}
+
+impl Case {
+    /// Each ray cut off nowhere, at the hit, just before it, and anywhere.
+    fn all(bare: &World<List>, rays: &[Ray], random: &mut Random) -> Vec<Case> {
+        let mut cases = Vec::new();
+        for ray in rays {
+            let truth = answer(bare, ray, Real::INFINITY, &mut ());
+            let t = truth.hit.map_or(1.0, |(_, bits)| Real::from_bits(bits));
+            for reach in [Real::INFINITY, t, t.next_down(), t * random.unit() as Real * 2.0] {
+                let truth = answer(bare, ray, reach, &mut ());
+                assert_eq!(truth.hit.is_some(), truth.is_blocked, "{ray:?} {reach}");
+                cases.push(Case { ray: *ray, reach, truth });
+            }
         }
-        let before = answer(&bare, ray, t.next_down());
-        assert!(before.hit.is_none() || truth.hit.is_none(), "nearer than the nearest: {ray:?}");
-        hits += usize::from(truth.hit.is_some());
+        cases
     }
-    hits
+}
+
+/// What an accelerator is held to: the cases of a scene.
+struct Hold<'s> {
+    stage: &'s Stage,
+    boxes: Vec<Aabb>,
+    cases: Vec<Case>,
+}
+
+impl Hold<'_> {
+    /// Holds an accelerator against the truth, from the first case to the last with the same
+    /// scratch, so that it remembers earlier rays.
+    fn against<A: Accelerator>(&self, name: &str, accelerator: A) {
+        let world = World::new(self.stage.scene(), accelerator);
+        let mut scratch = A::Scratch::default();
+        for Case { ray, reach, truth } in &self.cases {
+            assert_eq!(answer(&world, ray, *reach, &mut scratch), *truth, "{name}: {ray:?} {reach}");
+        }
+    }
+
+    /// A hierarchy in each of its walks.
+    fn against_hierarchy(&self, lent: usize) {
+        let room = BvhRoom::comfortable(self.boxes.len());
+        let mut nodes = vec![Node::EMPTY; lent];
+        let mut items = vec![Slot::EMPTY; room.items];
+        let tree = Bvh::<LastFirst<64>>::build(&self.boxes, &mut nodes, &mut items).unwrap();
+        self.against("by a stack", tree);
+        self.against("by a stack of one", tree.walked::<LastFirst<1>>());
+        self.against("by no stack", tree.walked::<LastFirst<0>>());
+        self.against("by a heap", tree.walked::<NearestFirst<64>>());
+        self.against("by a heap of four", tree.walked::<NearestFirst<4>>());
+        self.against("by a heap of one", tree.walked::<NearestFirst<1>>());
+        self.against("by no heap", tree.walked::<NearestFirst<0>>());
+    }
+
+    /// A grid and an octree in this much memory, with a mailbox.
+    fn against_subdivisions<const MAILBOX: usize>(&self, grid: GridRoom, octree: OctreeRoom) {
+        let (mut cells, mut items) = (vec![0; grid.cells], vec![0; grid.items]);
+        let lattice = Grid::<MAILBOX>::build(&self.boxes, &mut cells, &mut items).unwrap();
+        self.against(&format!("{grid:?}, mailbox {MAILBOX}"), lattice);
+        let (mut nodes, mut items) = (vec![OctreeNode::EMPTY; octree.nodes], vec![0; octree.items]);
+        let limits = OctreeLimits { leaf: 1, ..OctreeLimits::DEFAULT };
+        let tree = Octree::<MAILBOX>::with_limits(limits, &self.boxes, &mut nodes, &mut items).unwrap();
+        self.against(&format!("{octree:?}, mailbox {MAILBOX}"), tree);
+    }
+}
+
+/// Holds every way of finding against the bare list; answers how many hits there were.
+fn all_agree(stage: &Stage, rays: &[Ray], random: &mut Random) -> usize {
+    // The scenes of a test do not depend on how many numbers are taken here.
+    let random = &mut Random::new(random.bits());
+    let bare = World::new(stage.scene(), List::bare(stage.len()));
+    let hold = Hold { stage, boxes: stage.boxes(), cases: Case::all(&bare, rays, random) };
+    let Hold { boxes, cases, .. } = &hold;
+
+    let mut groups = vec![Aabb::EMPTY; groups_of(boxes.len())];
+    let boxed = List::boxed(boxes, &mut groups).unwrap();
+    hold.against("with boxes", boxed);
+    hold.against("in another order", Offered::any(stage.len(), random));
+
+    // Any memory from the floor upwards.
+    let nodes = BvhRoom::comfortable(boxes.len()).nodes;
+    hold.against_hierarchy(if nodes == 0 { 0 } else { 1 + rays.len() % nodes });
+    let items = boxes.iter().filter(|aabb| **aabb != Aabb::EMPTY).count();
+    let (grid, octree) = (GridRoom::comfortable(boxes), OctreeRoom::comfortable(boxes.len()));
+    hold.against_subdivisions::<64>(grid, octree);
+    hold.against_subdivisions::<0>(GridRoom { cells: 2, items }, OctreeRoom { nodes: 1, items });
+    let mut any = |floor: usize, most: usize| floor + random.below((most - floor + 1) as u32) as usize;
+    hold.against_subdivisions::<1>(
+        GridRoom { cells: any(2, grid.cells), items: any(items, grid.items) },
+        OctreeRoom { nodes: any(1, octree.nodes), items: any(items, octree.items) },
+    );
+    hold.against_subdivisions::<8>(
+        GridRoom { cells: grid.cells, items: any(items, grid.items) },
+        OctreeRoom { nodes: octree.nodes, items: any(items, octree.items) },
+    );
+
+    let boxed = World::new(stage.scene(), boxed);
+    for Case { ray, reach, truth } in cases {
+        assert_eq!(blocker(&boxed, ray, *reach), blocker(&bare, ray, *reach), "{ray:?} {reach}");
+        if *reach == Real::INFINITY
+            && let Some((_, bits)) = truth.hit
+        {
+            let before = nearest(&bare, ray, Real::from_bits(bits).next_down());
+            assert_eq!(before, None, "nearer than the nearest: {ray:?}");
+        }
+    }
+    cases.iter().filter(|case| case.reach == Real::INFINITY && case.truth.hit.is_some()).count()
 }
 
 fn narrow(v: Vector) -> Vec3 {

@@ -17,10 +17,19 @@
 //! [`Aabb::span`]: crate::geometry::Aabb::span
 
 mod bvh;
+mod grid;
 mod list;
+mod mailbox;
+mod octree;
+#[cfg(test)]
+mod sample;
+mod walls;
 
 pub use bvh::{Bvh, BvhRoom, LastFirst, NearestFirst, Node, Slot, Waiting};
+pub use grid::{Grid, GridRoom, StaticGrid};
 pub use list::{List, groups_of};
+pub use mailbox::Mailbox;
+pub use octree::{Octree, OctreeLimits, OctreeNode, OctreeRoom};
 
 use core::fmt;
 use core::ops::ControlFlow;
@@ -52,6 +61,9 @@ pub trait Query {
 
     /// A region was entered.
     fn enter(&mut self);
+
+    /// An item was not offered, because this ray had been offered it before.
+    fn skipped(&mut self);
 }
 
 /// Memory that a builder is lent.
@@ -62,9 +74,11 @@ pub enum Storage {
     Boxes,
     /// Boxes round groups of items.
     Groups,
-    /// Nodes of a hierarchy.
+    /// Where the lists of a grid's cells begin.
+    Cells,
+    /// Nodes of a tree.
     Nodes,
-    /// Places for items in the leaves of a hierarchy.
+    /// Places for items in the leaves of a tree or the cells of a grid.
     Items,
 }
 
@@ -95,6 +109,7 @@ impl fmt::Display for BuildError {
                 let what = match what {
                     Storage::Boxes => "boxes",
                     Storage::Groups => "groups",
+                    Storage::Cells => "cells",
                     Storage::Nodes => "nodes",
                     Storage::Items => "places for items",
                 };

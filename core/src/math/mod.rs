@@ -9,6 +9,7 @@
 
 mod color;
 mod float;
+pub mod morton;
 mod roots;
 
 pub use color::Rgb;
@@ -24,6 +25,9 @@ mod precision {
 
     /// The scalar: double precision.
     pub type Real = f64;
+
+    /// A whole number with the bits of a [`Real`].
+    pub type Ordered = i64;
 }
 #[cfg(not(feature = "double"))]
 mod precision {
@@ -32,8 +36,11 @@ mod precision {
 
     /// The scalar: single precision.
     pub type Real = f32;
+
+    /// A whole number with the bits of a [`Real`].
+    pub type Ordered = i32;
 }
-pub use precision::{Real, Vec3};
+pub use precision::{Ordered, Real, Vec3};
 
 /// Half a turn, in radians.
 pub const PI: Real = precision::consts::PI;
@@ -49,6 +56,17 @@ pub const FARTHEST: Real = 1e15;
 pub const fn gamma(n: u32) -> Real {
     let nu = n as Real * ROUNDOFF;
     nu / (1.0 - nu)
+}
+
+/// The whole number that stands among others as `x` does among numbers; what is no number comes
+/// after infinity. Zero is 0, with either sign or one less, and more is positive.
+#[inline(always)]
+pub fn ordered(x: Real) -> Ordered {
+    let bits = x.to_bits() as Ordered;
+    // The bits of negative numbers rise as the numbers fall.
+    let bits = if bits < 0 { bits ^ Ordered::MAX } else { bits };
+    // On some targets zero times infinity has a sign.
+    if x.is_nan() { Ordered::MAX } else { bits }
 }
 
 /// A vector from its components.

@@ -123,6 +123,10 @@ impl<'q, E: Effects, T: Tally> Search<'q, E, T> {
     fn enter(&mut self) {
         self.tally.count(Event::Region(self.kind));
     }
+
+    fn skipped(&mut self) {
+        self.tally.count(Event::Skipped(self.kind));
+    }
 }
 
 /// Looks for the nearest item: every hit shortens the reach.
@@ -154,6 +158,10 @@ impl<E: Effects, T: Tally> Query for Nearest<'_, E, T> {
     fn enter(&mut self) {
         self.search.enter();
     }
+
+    fn skipped(&mut self) {
+        self.search.skipped();
+    }
 }
 
 /// Looks for any item: the first ends the walk.
@@ -184,5 +192,9 @@ impl<E: Effects, T: Tally> Query for Blocker<'_, E, T> {
 
     fn enter(&mut self) {
         self.search.enter();
+    }
+
+    fn skipped(&mut self) {
+        self.search.skipped();
     }
 }

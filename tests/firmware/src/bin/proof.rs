@@ -234,6 +234,8 @@ impl Query for Anybody {
     }
 
     fn enter(&mut self) {}
+
+    fn skipped(&mut self) {}
 }
 
 /// Lists of any length, in lent memory of any length.
@@ -250,6 +252,8 @@ fn finding() {
     }
     tree::<LastFirst<2>>();
     tree::<NearestFirst<2>>();
+    subdivisions::<0>();
+    subdivisions::<8>();
 }
 
 /// A hierarchy of anything, in lent memory of any length.
@@ -260,6 +264,33 @@ fn tree<W: Waiting>() {
     if let Ok(tree) = Bvh::<()>::build(slice(&[Aabb::EMPTY]), nodes, items) {
         used((tree.bytes(), tree.regions(), tree.entries(), tree.depth()));
         tree.walked::<W>().walk(&ray(), &mut W::default(), &mut Anybody);
+    }
+}
+
+/// A grid and an octree of anything, in lent memory of any length.
+fn subdivisions<const MAILBOX: usize>() {
+    let boxes = slice(&[Aabb::EMPTY]);
+    let mut mailbox = any(Mailbox::<MAILBOX>::new());
+    mailbox.forget();
+    used((GridRoom::comfortable(boxes), GridRoom::of_items(any(1)), OctreeRoom::comfortable(any(1))));
+
+    let (mut cells, mut items) = ([0; 2], [0; 2]);
+    let (cells, items) = (any(cells.as_mut_slice()), any(items.as_mut_slice()));
+    if let Ok(grid) = Grid::<MAILBOX>::with_density(number(), boxes, cells, items) {
+        used((grid.bytes(), grid.regions(), grid.entries(), grid.cells()));
+        grid.walk(&ray(), &mut mailbox, &mut Anybody);
+    }
+    let mut memory = StaticGrid::<5, 7>::new();
+    if let Ok(grid) = memory.build::<MAILBOX>(boxes) {
+        grid.walk(&ray(), &mut mailbox, &mut Anybody);
+    }
+
+    let (mut nodes, mut items) = ([OctreeNode::EMPTY; 2], [0; 2]);
+    let (nodes, items) = (any(nodes.as_mut_slice()), any(items.as_mut_slice()));
+    used(Octree::<MAILBOX>::build(boxes, nodes, items).is_ok());
+    if let Ok(tree) = Octree::<MAILBOX>::with_limits(any(OctreeLimits::DEFAULT), boxes, nodes, items) {
+        used((tree.bytes(), tree.regions(), tree.entries(), tree.nodes(), tree.depth()));
+        tree.walk(&ray(), &mut mailbox, &mut Anybody);
     }
 }
 
@@ -363,7 +394,7 @@ fn counters() {
     counters.add(&any(Counters::default()));
     let (kind, shape) = (any(RayKind::Camera), any(ShapeKind::Sphere));
     used((counters.rays(kind), counters.camera_hits(), counters.boxes(kind), counters.shapes(kind)));
-    used((counters.regions(kind), counters.by_shape(shape), counters.media_full()));
+    used((counters.regions(kind), counters.skipped(kind), counters.by_shape(shape), counters.media_full()));
     used((counters.level_limit(), counters.cutoff()));
     ().count(any(Event::MediaFull));
 }

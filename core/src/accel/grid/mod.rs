@@ -1,0 +1,122 @@
+//! Uniform grid, walked cell by cell along the ray.
+//!
+//! The box of the scene is cut into equal cells; each cell lists the items whose boxes touch it.
+//! A walk keeps, for each axis, the distance of the next wall, and steps over the nearest one. It
+//! ends when that wall lies beyond the query's reach.
+//!
+//! An item may lie in many cells and be offered again; the mailbox makes this rare and the
+//! [`Query`] contract makes it harmless.
+//!
+//! A grid suits items of about one size, evenly spread. Where many small items lie close together
+//! in a large scene, most of them share a cell, whatever the resolution: an octree or a hierarchy
+//! goes to where the items are.
+
+mod build;
+mod walk;
+
+pub use build::GridRoom;
+
+use super::mailbox::{Mailbox, offer};
+use super::walls::Walls;
+use super::{Accelerator, BuildError, Query};
+use crate::geometry::{Aabb, Ray};
+
+/// A uniform grid in lent memory; walks remember the items of a ray in `MAILBOX` slots.
+///
+/// * Shape: `MAILBOX` is zero or a power of two.
+/// * Memory: 4 bytes per cell, and 4 per entry: an item has one in each cell that its box touches.
+#[derive(Clone, Copy, Debug)]
+pub struct Grid<'s, const MAILBOX: usize> {
+    /// The smallest box round all items.
+    bounds: Aabb,
+    walls: Walls,
+    /// How many cells there are along each axis.
+    cells: [u32; 3],
+    /// For each cell, where its items begin; they end where those of the next one begin. The
+    /// cells lie in rows along the first axis, the rows in layers.
+    starts: &'s [u32],
+    /// The items of the cells, one cell after the other.
+    items: &'s [u32],
+}
+
+impl<const MAILBOX: usize> Grid<'_, MAILBOX> {
+    /// How many cells there are along each axis.
+    pub const fn cells(&self) -> [u32; 3] {
+        self.cells
+    }
+
+    /// How many cells there are.
+    pub const fn regions(&self) -> usize {
+        self.starts.len().saturating_sub(1)
+    }
+
+    /// How many items all cells list, each counted in each cell.
+    pub const fn entries(&self) -> usize {
+        self.items.len()
+    }
+
+    /// The memory it uses, in bytes.
+    pub const fn bytes(&self) -> usize {
+        size_of_val(self.starts) + size_of_val(self.items)
+    }
+
+    /// The items of a cell.
+    #[inline(always)]
+    fn items_of(&self, cell: usize) -> &[u32] {
+        let start = self.starts.get(cell).copied().unwrap_or(0) as usize;
+        let end = self.starts.get(cell.wrapping_add(1)).copied().unwrap_or(0) as usize;
+        self.items.get(start..end).unwrap_or(&[])
+    }
+}
+
+impl<const MAILBOX: usize> Accelerator for Grid<'_, MAILBOX> {
+    type Scratch = Mailbox<MAILBOX>;
+
+    fn walk<Q: Query>(&self, ray: &Ray, mailbox: &mut Mailbox<MAILBOX>, query: &mut Q) {
+        query.boxes(1);
+        let Some(span) = self.bounds.span(ray) else { return };
+        mailbox.begin();
+        let reach = query.reach();
+        self.along(ray, span, reach, |cell| offer(self.items_of(cell), mailbox, query));
+    }
+}
+
+/// Memory for a grid, of a size known when compiled.
+///
+/// `CELLS` and `ENTRIES` are at least those of a [`GridRoom`], which can be computed in a `const`
+/// at the place of use:
+///
+/// ```
+/// use strahl_core::{Aabb, GridRoom, StaticGrid, Vec3};
+///
+/// const ITEMS: usize = 3;
+/// const ROOM: GridRoom = GridRoom::of_items(ITEMS);
+/// let mut memory = StaticGrid::<{ ROOM.cells }, { ROOM.items }>::new();
+/// let boxes = [Aabb { min: Vec3::ZERO, max: Vec3::ONE }; ITEMS];
+/// let grid = memory.build::<8>(&boxes)?;
+/// assert!(grid.regions() >= 1 && grid.entries() >= 3);
+/// # Ok::<(), strahl_core::BuildError>(())
+/// ```
+#[derive(Clone, Debug)]
+pub struct StaticGrid<const CELLS: usize, const ENTRIES: usize> {
+    starts: [u32; CELLS],
+    items: [u32; ENTRIES],
+}
+
+impl<const CELLS: usize, const ENTRIES: usize> StaticGrid<CELLS, ENTRIES> {
+    /// Memory with nothing in it.
+    pub const fn new() -> Self {
+        StaticGrid { starts: [0; CELLS], items: [0; ENTRIES] }
+    }
+
+    /// The grid of the items inside `boxes`, as [`Grid::build`].
+    pub fn build<const MAILBOX: usize>(&mut self, boxes: &[Aabb]) -> Result<Grid<'_, MAILBOX>, BuildError> {
+        Grid::build(boxes, &mut self.starts, &mut self.items)
+    }
+}
+
+impl<const CELLS: usize, const ENTRIES: usize> Default for StaticGrid<CELLS, ENTRIES> {
+    fn default() -> Self {
+        Self::new()
+    }
+}

@@ -1,0 +1,116 @@
+//! Octree: space is cut into eighths where there are many items, and walked by SMART.
+//!
+//! The nodes lie in one array. The eight children of a node follow each other in the order of
+//! their Morton codes, and so do, depth first, the blocks of eight; a node knows the first of its
+//! children by its place, and nothing else points anywhere. The leaves list the items whose boxes
+//! touch them, in one array as well, in the same order.
+//!
+//! An octree is deep where items are small and close together, so that it suits scenes that are
+//! too uneven for a uniform grid. An item that lies across many leaves is listed in each.
+
+mod build;
+mod smart;
+
+pub use build::{OctreeLimits, OctreeRoom};
+
+use super::mailbox::{Mailbox, offer};
+use super::walls::Walls;
+use super::{Accelerator, Query};
+use crate::geometry::{Aabb, Ray};
+use crate::math::{Real, Vec3, morton};
+
+/// How many of the walls stand between the ends of an octree's space, and one more: the walls
+/// of the smallest cells.
+const WALLS: Real = (1_u32 << morton::HALVINGS) as Real;
+
+/// A node of an octree: one that is cut into eight, or a leaf.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct OctreeNode {
+    /// Of a node that is cut: the place of its first child. Of a leaf: where its items begin.
+    first: u32,
+    /// Of a node that is cut: [`OctreeNode::CUT`], and which of its children have items, one bit for each. Of a leaf:
+    /// how many items it lists.
+    content: u32,
+}
+
+impl OctreeNode {
+    /// A leaf without items.
+    pub const EMPTY: OctreeNode = OctreeNode { first: 0, content: 0 };
+
+    /// Marks a node that is cut. No leaf lists so many items.
+    const CUT: u32 = 1 << 31;
+
+    const fn is_cut(self) -> bool {
+        self.content & Self::CUT != 0
+    }
+}
+
+/// An octree in lent memory; walks remember the items of a ray in `MAILBOX` slots.
+///
+/// * Shape: `MAILBOX` is zero or a power of two.
+/// * Memory: 8 bytes per node, and 4 per entry: an item has one in each leaf that its box touches.
+#[derive(Clone, Copy, Debug)]
+pub struct Octree<'s, const MAILBOX: usize> {
+    /// The smallest box round all items.
+    bounds: Aabb,
+    walls: Walls,
+    /// The root first; then blocks of eight.
+    nodes: &'s [OctreeNode],
+    /// The items of the leaves, one leaf after the other.
+    items: &'s [u32],
+    /// How many leaves list items.
+    regions: u32,
+    /// How often space is cut, at most.
+    depth: u8,
+}
+
+impl<const MAILBOX: usize> Octree<'_, MAILBOX> {
+    /// How many leaves list items.
+    pub const fn regions(&self) -> usize {
+        self.regions as usize
+    }
+
+    /// How many items all leaves list, each counted in each leaf.
+    pub const fn entries(&self) -> usize {
+        self.items.len()
+    }
+
+    /// How often space is cut on the way to the deepest leaf; a root that is a leaf has depth 0.
+    pub const fn depth(&self) -> u8 {
+        self.depth
+    }
+
+    /// How many nodes there are, leaves without items among them.
+    pub const fn nodes(&self) -> usize {
+        self.nodes.len()
+    }
+
+    /// The memory it uses, in bytes.
+    pub const fn bytes(&self) -> usize {
+        size_of_val(self.nodes) + size_of_val(self.items)
+    }
+
+    /// The items of a leaf.
+    #[inline(always)]
+    fn items_of(&self, leaf: OctreeNode) -> &[u32] {
+        let start = leaf.first as usize;
+        self.items.get(start..start.wrapping_add(leaf.content as usize)).unwrap_or(&[])
+    }
+}
+
+/// The space of an octree round `bounds`, in walls of its smallest cells.
+fn space(bounds: Aabb) -> Walls {
+    Walls::new(bounds, Vec3::splat(WALLS))
+}
+
+impl<const MAILBOX: usize> Accelerator for Octree<'_, MAILBOX> {
+    type Scratch = Mailbox<MAILBOX>;
+
+    fn walk<Q: Query>(&self, ray: &Ray, mailbox: &mut Mailbox<MAILBOX>, query: &mut Q) {
+        query.boxes(1);
+        let Some(span) = self.bounds.span(ray) else { return };
+        mailbox.begin();
+        let reach = query.reach();
+        self.smart(ray, span, reach, |leaf| offer(self.items_of(leaf), mailbox, query));
+    }
+}
