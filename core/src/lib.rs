@@ -56,8 +56,8 @@ mod counters;
 mod render;
 
 pub use accel::{
-    Accelerator, BuildError, Bvh, BvhRoom, Grid, GridRoom, LastFirst, List, Mailbox, NearestFirst, Node,
-    Octree, OctreeLimits, OctreeNode, OctreeRoom, Query, Slot, StaticGrid, Storage, Waiting, groups_of,
+    Accelerator, Bare, BuildError, Bvh, BvhRoom, Grid, GridRoom, LastFirst, List, Mailbox, NearestFirst,
+    Node, Octree, OctreeLimits, OctreeNode, OctreeRoom, Query, Slot, StaticGrid, Storage, Waiting, groups_of,
 };
 pub use counters::Counters;
 pub use geometry::{
@@ -68,9 +68,9 @@ pub use image::{Corner, CornerRow, Frame, Lattice, Pixel, Regular, Sampler, Sing
 pub use math::{Axis, FARTHEST, PI, ROUNDOFF, Real, Rgb, Vec3, gamma, sqrt, unit, vec3};
 pub use render::render;
 pub use scene::{
-    Background, Camera, EffectSet, Effects, Everything, Falloff, Interface, Light, LightKind, LightSet,
-    Material, MaterialFault, MaterialId, Parts, Place, Projection, Scene, SceneError, Size, Source, Texture,
-    TextureKind, TextureSet, View, ViewFault, World,
+    Background, Camera, EffectSet, Effects, Everything, Falloff, Interface, LastLevel, Light, LightKind,
+    LightSet, Material, MaterialFault, MaterialId, Parts, Place, Projection, Scene, SceneError, Size, Source,
+    Texture, TextureKind, TextureSet, View, ViewFault, World,
 };
 pub use shade::{Crossing, Media, Refraction, absorbed, index, reflected, refracted};
 pub use tally::{Event, RayKind, Tally};

@@ -40,6 +40,16 @@ macro_rules! set_of {
                 other.0 & !self.0 == 0
             }
 
+            /// How many there are.
+            pub const fn len(self) -> u32 {
+                self.0.count_ones()
+            }
+
+            /// Whether there is none.
+            pub const fn is_empty(self) -> bool {
+                self.0 == 0
+            }
+
             /// Everything that is in one of both.
             pub const fn union(self, other: Self) -> Self {
                 Self(self.0 | other.0)

@@ -23,7 +23,21 @@ fn in_groups(boxes: &[Aabb]) -> impl Iterator<Item = &[Aabb]> {
     full.iter().map(|group| group.as_slice()).chain([rest])
 }
 
-/// All items in the order of their numbers.
+/// Items `0..self.0` in the order of their numbers, and no code for boxes: for devices with a
+/// handful of items.
+#[derive(Clone, Copy, Debug)]
+pub struct Bare(pub u32);
+
+impl Accelerator for Bare {
+    type Scratch = ();
+
+    #[inline(always)]
+    fn walk<Q: Query>(&self, _: &Ray, _: &mut (), query: &mut Q) {
+        let (ControlFlow::Continue(()) | ControlFlow::Break(())) = bare(self.0, query);
+    }
+}
+
+/// All items in the order of their numbers, with boxes round them or without.
 #[derive(Clone, Copy, Debug)]
 pub struct List<'s> {
     items: u32,
@@ -71,6 +85,7 @@ impl Accelerator for List<'_> {
     }
 }
 
+#[inline(always)]
 fn bare<Q: Query>(items: u32, query: &mut Q) -> ControlFlow<()> {
     query.enter();
     (0..items).try_for_each(|item| query.test(ItemId(item)))

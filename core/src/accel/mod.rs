@@ -27,7 +27,7 @@ mod walls;
 
 pub use bvh::{Bvh, BvhRoom, LastFirst, NearestFirst, Node, Slot, Waiting};
 pub use grid::{Grid, GridRoom, StaticGrid};
-pub use list::{List, groups_of};
+pub use list::{Bare, List, groups_of};
 pub use mailbox::Mailbox;
 pub use octree::{Octree, OctreeLimits, OctreeNode, OctreeRoom};
 

@@ -6,7 +6,7 @@
 //! worst rounding of both ends ("Robust BVH Ray Traversal", Ize, JCGT 2013).
 
 use super::ray::Ray;
-use crate::math::{Real, Vec3, gamma, vec3};
+use crate::math::{Real, Vec3, abs, gamma, vec3};
 
 /// How much the far end of a box's interval is widened.
 ///
@@ -44,13 +44,9 @@ impl Aabb {
 
     /// The box of everything within `reach` of `center` along each axis, rounded outward.
     pub fn round(center: Vec3, reach: Vec3) -> Self {
-        // One rounding of the sum, and two of the reach.
-        let reach = reach * (1.0 + gamma(4));
-        let (low, high) = (center - reach, center + reach);
-        Aabb {
-            min: vec3(low.x.next_down(), low.y.next_down(), low.z.next_down()),
-            max: vec3(high.x.next_up(), high.y.next_up(), high.z.next_up()),
-        }
+        // Two roundings for the reach, one for the sum, and three for what makes up for them.
+        let margin = reach * (1.0 + gamma(6)) + abs(center) * gamma(2);
+        Aabb { min: center - margin, max: center + margin }
     }
 
     /// The smallest box round both.
@@ -76,13 +72,19 @@ impl Aabb {
     /// written so that false leaves the interval as it was: such a ray is inside that slab.
     #[inline]
     pub fn span(&self, ray: &Ray) -> Option<Span> {
-        let low = (self.min - ray.origin) * ray.inverse;
-        let high = (self.max - ray.origin) * ray.inverse;
+        self.span_along(ray.origin, ray.inverse)
+    }
+
+    /// [`Aabb::span`] of a ray in parts.
+    #[inline(always)]
+    pub(super) fn span_along(&self, origin: Vec3, inverse: Vec3) -> Option<Span> {
+        let low = (self.min - origin) * inverse;
+        let high = (self.max - origin) * inverse;
         let order = |inverse: Real, a: Real, b: Real| if inverse >= 0.0 { (a, b) } else { (b, a) };
         let (x, y, z) = (
-            order(ray.inverse.x, low.x, high.x),
-            order(ray.inverse.y, low.y, high.y),
-            order(ray.inverse.z, low.z, high.z),
+            order(inverse.x, low.x, high.x),
+            order(inverse.y, low.y, high.y),
+            order(inverse.z, low.z, high.z),
         );
         let mut entry = Real::NEG_INFINITY;
         let mut exit = Real::MAX;

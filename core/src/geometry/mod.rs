@@ -30,7 +30,7 @@ pub use shape::{Shape, ShapeFault, ShapeKind, ShapeSet, Shapes};
 pub use sphere::Sphere;
 pub use torus::Torus;
 
-use crate::math::{Real, Vec3, is_in_range, is_unit};
+use crate::math::{Real, Vec3, is_in_range, is_unit, vec3};
 use shape::{AllShapes, check_point, check_radius, check_unit};
 
 /// All shapes of a scene, and the tables that they refer to.
@@ -60,6 +60,11 @@ pub struct Geometry<'s> {
     pub cones: &'s [Cone],
     /// All tori.
     pub tori: &'s [Torus],
+}
+
+/// Whether it may be how far something is: more than zero, and finite.
+fn is_distance(t: &Real) -> bool {
+    *t > 0.0 && *t <= Real::MAX
 }
 
 /// An entry of a table.
@@ -194,37 +199,92 @@ impl<'s> Geometry<'s> {
     /// and where there is no such interval there is no hit. Rounding may have put it a little
     /// outside, and an accelerator that leaves out the box would then give another picture
     /// than one that does not.
-    #[inline]
+    #[inline(always)]
     pub fn distance<S: Shapes>(&self, shape: Shape, ray: &Ray) -> Option<Real> {
-        let is_distance = |t: &Real| *t > 0.0 && *t <= Real::MAX;
-        let t = self.raw_distance::<S>(shape, ray).filter(is_distance)?;
-        if let Shape::Plane(_) = shape {
-            return Some(t);
+        // Few kinds are worth a copy at each of the places that ask.
+        if S::SHAPES.len() <= 2 {
+            self.distance_here::<S>(shape, ray)
+        } else {
+            self.distance_there::<S>(shape, ray)
         }
-        let span = self.shape_bounds::<S>(shape)?.span(ray)?;
-        let t = if t < span.entry { span.entry } else { t };
-        let t = if t > span.exit { span.exit } else { t };
-        Some(t).filter(is_distance)
     }
 
-    #[inline]
+    #[inline(never)]
+    fn distance_there<S: Shapes>(&self, shape: Shape, ray: &Ray) -> Option<Real> {
+        self.distance_here::<S>(shape, ray)
+    }
+
+    #[inline(always)]
+    fn distance_here<S: Shapes>(&self, shape: Shape, ray: &Ray) -> Option<Real> {
+        let t = self.raw_distance::<S>(shape, ray).filter(is_distance)?;
+        let (o, i) = (ray.origin, ray.inverse);
+        match shape {
+            Shape::Plane(_) => Some(t),
+            _ => self.within_bounds::<S>(shape, [t, o.x, o.y, o.z, i.x, i.y, i.z]),
+        }
+    }
+
+    /// The distance moved into the shape's own box, along a ray in parts: its origin and one over
+    /// its direction.
+    ///
+    /// Not inlined, because most rays miss most items, and a miss should be short.
+    fn within_bounds<S: Shapes>(&self, shape: Shape, [t, ox, oy, oz, ix, iy, iz]: [Real; 7]) -> Option<Real> {
+        #[inline(never)]
+        #[allow(clippy::too_many_arguments)] // in registers: what lies in memory, all of it must be made for
+        fn apart<S: Shapes>(
+            geometry: &Geometry<'_>,
+            shape: Shape,
+            t: Real,
+            ox: Real,
+            oy: Real,
+            oz: Real,
+            ix: Real,
+            iy: Real,
+            iz: Real,
+        ) -> Option<Real> {
+            let span = geometry.shape_bounds::<S>(shape)?.span_along(vec3(ox, oy, oz), vec3(ix, iy, iz))?;
+            let t = if t < span.entry { span.entry } else { t };
+            let t = if t > span.exit { span.exit } else { t };
+            Some(t).filter(is_distance)
+        }
+        apart::<S>(self, shape, t, ox, oy, oz, ix, iy, iz)
+    }
+
+    #[inline(always)]
     fn raw_distance<S: Shapes>(&self, shape: Shape, ray: &Ray) -> Option<Real> {
-        if !S::SHAPES.has(shape.kind()) {
-            return None;
+        // Guards for each arm, and not one test before all of them, are known when compiling.
+        // The first two are not arms of the match, where they would become a table of the kinds.
+        let can = |kind| S::SHAPES.has(kind);
+        if can(ShapeKind::Sphere)
+            && let Shape::Sphere(sphere) = shape
+        {
+            return sphere.hit(ray);
+        }
+        if can(ShapeKind::Polygon)
+            && let Shape::Polygon(place) = shape
+        {
+            return of(self.polygons, place)?.hit(self.points, ray);
         }
         match shape {
-            Shape::Sphere(sphere) => sphere.hit(ray),
-            Shape::Triangle(corners) | Shape::SmoothTriangle(corners) => {
-                triangle::hit(self.corners(corners)?, ray).map(|contact| contact.t)
+            Shape::Triangle(corners) if can(ShapeKind::Triangle) => self.triangle_distance(corners, ray),
+            Shape::SmoothTriangle(corners) if can(ShapeKind::SmoothTriangle) => {
+                self.triangle_distance(corners, ray)
             }
-            Shape::Plane(place) => of(self.planes, place)?.hit(ray),
-            Shape::Disc(place) => of(self.discs, place)?.hit(ray),
-            Shape::Polygon(place) => of(self.polygons, place)?.hit(self.points, ray),
-            Shape::Cuboid(place) => of(self.cuboids, place)?.hit(ray),
-            Shape::TurnedCuboid(place) => of(self.turned_cuboids, place)?.hit(ray),
-            Shape::Cone(place) => of(self.cones, place)?.hit(ray),
-            Shape::Torus(place) => of(self.tori, place)?.hit(ray),
+            Shape::Plane(place) if can(ShapeKind::Plane) => of(self.planes, place)?.hit(ray),
+            Shape::Disc(place) if can(ShapeKind::Disc) => of(self.discs, place)?.hit(ray),
+            Shape::Cuboid(place) if can(ShapeKind::Cuboid) => of(self.cuboids, place)?.hit(ray),
+            Shape::TurnedCuboid(place) if can(ShapeKind::TurnedCuboid) => {
+                of(self.turned_cuboids, place)?.hit(ray)
+            }
+            Shape::Cone(place) if can(ShapeKind::Cone) => of(self.cones, place)?.hit(ray),
+            Shape::Torus(place) if can(ShapeKind::Torus) => of(self.tori, place)?.hit(ray),
+            _ => None,
         }
+    }
+
+    #[inline(always)]
+    fn triangle_distance(&self, corners: [u32; 3], ray: &Ray) -> Option<Real> {
+        triangle::hit(self.corners(corners)?, ray).map(|contact| contact.t)
     }
 
     /// What a shape is like where the ray meets it, `t` away as [`Geometry::distance`] said.

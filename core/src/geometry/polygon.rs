@@ -64,26 +64,24 @@ impl Polygon {
         Aabb::around(self.of(points).unwrap_or_default().iter().copied())
     }
 
+    #[inline]
     pub(super) fn hit(&self, points: &[Vec3], ray: &Ray) -> Option<Real> {
         let t = (self.point - ray.origin).dot(self.normal) / ray.direction.dot(self.normal);
-        if !(t > 0.0) {
-            return None;
+        let (o, way) = (ray.origin, ray.direction * t);
+        (t > 0.0 && self.contains(points, o.x, o.y, o.z, way.x, way.y, way.z)).then_some(t)
+    }
+
+    /// Whether the point of its plane that is `w` from `o` lies inside.
+    #[inline(never)]
+    #[allow(clippy::too_many_arguments)] // in registers
+    fn contains(&self, points: &[Vec3], ox: Real, oy: Real, oz: Real, wx: Real, wy: Real, wz: Real) -> bool {
+        let corners = self.of(points).unwrap_or_default();
+        // In the plane of the two axes that are least upright on it.
+        match Axis::largest_of(self.normal) {
+            Axis::X => is_inside(corners, |corner| [(corner.y - oy) - wy, (corner.z - oz) - wz]),
+            Axis::Y => is_inside(corners, |corner| [(corner.z - oz) - wz, (corner.x - ox) - wx]),
+            Axis::Z => is_inside(corners, |corner| [(corner.x - ox) - wx, (corner.y - oy) - wy]),
         }
-        let corners = self.of(points)?;
-        let axis = Axis::largest_of(self.normal);
-        let hit = axis.to_third(ray.direction * t);
-        // A corner seen from the point that is hit, in the plane of the two other axes.
-        let seen = |corner: Vec3| axis.to_third(corner - ray.origin) - hit;
-        let mut inside = false;
-        let mut a = seen(*corners.last()?);
-        for corner in corners {
-            let b = seen(*corner);
-            if (a.y > 0.0) != (b.y > 0.0) && (a.x * b.y > a.y * b.x) == (b.y > a.y) {
-                inside = !inside;
-            }
-            a = b;
-        }
-        inside.then_some(t)
     }
 
     pub(super) fn surface(&self, points: &[Vec3], normals: Option<&[Vec3]>, ray: &Ray, t: Real) -> Surface {
@@ -99,6 +97,25 @@ impl Polygon {
         }
         surface
     }
+}
+
+/// Whether the corners, as they are `seen` from a point in two dimensions, go round it.
+#[inline(always)]
+fn is_inside(corners: &[Vec3], seen: impl Fn(&Vec3) -> [Real; 2]) -> bool {
+    let mut inside = false;
+    let Some(last) = corners.last() else { return false };
+    let mut a = seen(last);
+    let mut a_above = a[1] > 0.0;
+    for corner in corners {
+        let b = seen(corner);
+        let b_above = b[1] > 0.0;
+        // Of two on different sides, `b` is the upper one exactly when it is above.
+        if a_above != b_above && (a[0] * b[1] > a[1] * b[0]) == b_above {
+            inside = !inside;
+        }
+        (a, a_above) = (b, b_above);
+    }
+    inside
 }
 
 /// The normal at `p` between those of the corners, by mean value coordinates ("Mean value

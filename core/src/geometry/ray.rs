@@ -1,6 +1,6 @@
 //! Rays, and how one leaves a surface.
 
-use crate::math::{Axis, Real, Vec3, abs, power_of_two, vec3};
+use crate::math::{Axis, Real, Vec3, abs, largest, power_of_two, vec3};
 
 /// A half-line from `origin` along `direction`, and what every test of it needs.
 ///
@@ -33,11 +33,22 @@ pub struct Ray {
 impl Ray {
     /// The ray from `origin` along `direction`, which must be finite and not zero.
     pub fn new(origin: Vec3, direction: Vec3) -> Self {
+        Self::scaled(origin, direction, 1.0 / power_of_two(largest(direction)))
+    }
+
+    /// The same ray for less work, where the direction is about one long: between a half and two.
+    pub(crate) fn near_unit(origin: Vec3, direction: Vec3) -> Self {
+        debug_assert!(largest(direction) > 0.25 && largest(direction) <= 2.0);
+        Self::scaled(origin, direction, 1.0)
+    }
+
+    /// Inlined, so that what no shape of the tracer asks for is not made.
+    #[inline(always)]
+    fn scaled(origin: Vec3, direction: Vec3, scale: Real) -> Self {
         debug_assert!(origin.is_finite() && direction.is_finite() && direction != Vec3::ZERO);
         let inverse = 1.0 / direction;
         let axis = Axis::largest_of(direction);
         let (turned, third) = (axis.to_third(direction), axis.to_third(inverse).z);
-        let scale = 1.0 / power_of_two(turned.z);
         let along = direction * scale;
         Ray {
             origin,
@@ -68,15 +79,16 @@ impl Ray {
 /// error alone ("Physically Based Rendering", Pharr, Jakob, Humphreys, 6.8).
 pub fn leave(point: Vec3, error: Vec3, normal: Vec3) -> Vec3 {
     let step = abs(normal).dot(error);
-    let away = |x: Real, n: Real| {
-        let moved = x + n * step;
-        if n > 0.0 {
-            moved.next_up()
-        } else if n < 0.0 {
-            moved.next_down()
-        } else {
-            moved
-        }
-    };
+    let away = |x: Real, n: Real| if n == 0.0 { x } else { next(x + n * step, n) };
     vec3(away(point.x, normal.x), away(point.y, normal.y), away(point.z, normal.z))
+}
+
+/// The neighbour of `x` to the side of the sign of `n`. `x` is finite.
+fn next(x: Real, n: Real) -> Real {
+    if x == 0.0 {
+        return Real::from_bits(1).copysign(n);
+    }
+    // The bits of a number count its neighbours, outward from zero.
+    let bits = x.to_bits();
+    Real::from_bits(if x.is_sign_negative() == n.is_sign_negative() { bits + 1 } else { bits - 1 })
 }

@@ -54,6 +54,9 @@ impl Rgb {
     /// Every channel above `most` set to `most`. Sums and products of what a scene may hold
     /// stay finite when each of their parts is held below such a limit.
     pub fn at_most(self, most: Real) -> Self {
+        if self.r < most && self.g < most && self.b < most {
+            return self;
+        }
         let cap = |v: Real| if v < most { v } else { most };
         Rgb { r: cap(self.r), g: cap(self.g), b: cap(self.b) }
     }

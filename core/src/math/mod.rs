@@ -122,12 +122,11 @@ pub fn length(v: Vec3) -> Real {
 /// The components are divided by the largest first, so that no square leaves the range, and
 /// so that the answer for `v` times a power of two is the same, bit for bit.
 pub fn unit(v: Vec3) -> Option<Vec3> {
-    let size = largest(v);
-    if !(v.is_finite() && size > 0.0) {
-        return None;
-    }
-    let v = v / size;
-    Some(v / length(v))
+    let v = v / largest(v);
+    // The largest component is one now. Whatever was zero, infinite or no number has made a
+    // quotient that is none, and is none in the sum.
+    let square = v.dot(v);
+    if square >= 1.0 { Some(v / sqrt(square)) } else { None }
 }
 
 /// Whether `v` has length one, as far as [`unit`] or a rounded constant can tell.

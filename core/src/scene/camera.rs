@@ -144,9 +144,9 @@ impl Camera {
     pub fn ray(&self, place: Place) -> Ray {
         let across = self.right * (place.x - self.middle.x) + self.down * (place.y - self.middle.y);
         if self.parallel {
-            Ray::new(self.from + across, self.forward)
+            Ray::near_unit(self.from + across, self.forward)
         } else {
-            Ray::new(self.from, unit(self.forward + across).unwrap_or(self.forward))
+            Ray::near_unit(self.from, unit(self.forward + across).unwrap_or(self.forward))
         }
     }
 }

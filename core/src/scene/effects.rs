@@ -5,6 +5,7 @@
 //! refuses a scene that asks for more than it can do.
 
 use crate::geometry::{ShapeSet, Shapes};
+use crate::math::Real;
 use crate::scene::light::LightSet;
 use crate::scene::texture::TextureSet;
 
@@ -95,6 +96,23 @@ impl EffectSet {
 pub trait Effects {
     /// Everything that the tracer can do.
     const SET: EffectSet;
+
+    /// How far a ray from the eye, a mirror or glass sees, in scene lengths: what lies farther
+    /// away is not there. More than zero.
+    const SIGHT: Real = Real::MAX;
+
+    /// What stands for the rays that the levels end.
+    const LAST: LastLevel = LastLevel::Nothing;
+}
+
+/// What stands for a ray that is not sent because it would be below the last level.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum LastLevel {
+    /// Nothing: it brings no light.
+    Nothing,
+    /// The background in its direction, as if nothing stood in its way. A mirror that sees
+    /// itself ends in the sky and not in a hole.
+    Background,
 }
 
 impl<E: Effects> Shapes for E {

@@ -8,7 +8,7 @@ mod texture;
 mod world;
 
 pub use camera::{Camera, Place, Projection, Size, View, ViewFault};
-pub use effects::{EffectSet, Effects, Everything};
+pub use effects::{EffectSet, Effects, Everything, LastLevel};
 pub(crate) use light::Beam;
 pub use light::{Falloff, Light, LightKind, LightSet, Source};
 pub use material::{Interface, Material, MaterialFault, MaterialId};

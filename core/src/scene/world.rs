@@ -140,7 +140,7 @@ impl<E: Effects, T: Tally> Query for Nearest<'_, E, T> {
         self.search.reach
     }
 
-    #[inline]
+    #[inline(always)]
     fn test(&mut self, item: ItemId) -> ControlFlow<()> {
         if let Some(t) = self.search.distance(item)
             && (t < self.search.reach || item < self.item)
@@ -175,7 +175,7 @@ impl<E: Effects, T: Tally> Query for Blocker<'_, E, T> {
         self.search.reach
     }
 
-    #[inline]
+    #[inline(always)]
     fn test(&mut self, item: ItemId) -> ControlFlow<()> {
         match self.search.distance(item) {
             Some(_) => {

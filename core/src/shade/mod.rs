@@ -80,19 +80,30 @@ pub(crate) fn local<A: Accelerator, E: Effects, T: Tally>(
         if !(cos > 0.0) || beam.color.is_black() {
             continue;
         }
+        let highlight = || {
+            if !(E::SET.highlight && material.is_shiny()) {
+                return Rgb::BLACK;
+            }
+            let toward_eye = reflected(-beam.toward, normal).dot(-seen.along);
+            if toward_eye > 0.0 {
+                material.highlight * cosine_power(toward_eye, material.exponent)
+            } else {
+                Rgb::BLACK
+            }
+        };
+        // A mirror shows a light only where the highlight is, which most of it is not: so ask
+        // for the shadow last. What scatters light shows it wherever it stands in it.
+        let shine = if diffuse.is_black() { Some(highlight()) } else { None };
+        if shine.is_some_and(Rgb::is_black) {
+            continue;
+        }
         if E::SET.shadows
             && source.shadows
             && shadow::is_dark::<A, E, T>(world, seen.surface.point, from, &beam, scratch, tally)
         {
             continue;
         }
-        let mut given = diffuse * cos;
-        if E::SET.highlight && material.is_shiny() {
-            let toward_eye = reflected(-beam.toward, normal).dot(-seen.along);
-            if toward_eye > 0.0 {
-                given += material.highlight * cosine_power(toward_eye, material.exponent);
-            }
-        }
+        let given = diffuse * cos + shine.unwrap_or_else(highlight);
         light += given * beam.color;
     }
     light

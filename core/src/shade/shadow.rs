@@ -26,7 +26,7 @@ pub(super) fn is_dark<A: Accelerator, E: Effects, T: Tally>(
     if !(largest(aside) < 1.0) {
         return false; // the light is nearer than that
     }
-    let ray = Ray::new(from, beam.toward + aside);
+    let ray = Ray::near_unit(from, beam.toward + aside);
     let reach = beam.distance * NEARLY_THERE;
     world.blocker::<E, T>(&ray, reach, RayKind::Shadow, scratch, tally).is_some()
 }

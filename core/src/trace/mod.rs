@@ -16,7 +16,7 @@ use core::marker::PhantomData;
 use crate::accel::Accelerator;
 use crate::geometry::{Hit, Ray};
 use crate::math::{Real, Rgb, Vec3};
-use crate::scene::{Camera, EffectSet, Effects, Interface, Material, MaterialId, Place, World};
+use crate::scene::{Camera, EffectSet, Effects, Interface, LastLevel, Material, MaterialId, Place, World};
 use crate::shade::{Crossing, Media, Seen, absorbed, index, local, reflected, refracted};
 use crate::tally::{Event, RayKind, Tally};
 use task::{Task, Tasks};
@@ -109,30 +109,26 @@ impl<'w, 's, A: Accelerator, E: Effects, const LEVELS: usize> Tracer<'w, 's, A, 
     pub fn radiance<T: Tally>(&self, place: Place, worker: &mut Worker<A, T, LEVELS>) -> Rgb {
         let Ray { origin, direction, .. } = self.camera.ray(place);
         let mut sum = Rgb::BLACK;
-        worker.tasks.clear();
-        worker.tasks.push(Task {
-            origin,
-            direction,
-            weight: Rgb::WHITE,
-            level: 1,
-            kind: RayKind::Camera,
-            media: Media::NONE,
-        });
-        while let Some(task) = worker.tasks.pop() {
-            sum = (sum + self.follow(task, worker)).at_most(BRIGHTEST_PLACE);
+        let (kind, media) = (RayKind::Camera, Media::NONE);
+        let mut task = Task { origin, direction, weight: Rgb::WHITE, level: 1, kind, media };
+        loop {
+            sum += self.follow(&mut task, worker);
+            let Some(next) = worker.tasks.pop() else { break };
+            task = next;
         }
-        sum
+        // Once, here: no part is below zero, so that a sum that was too large stays so.
+        sum.at_most(BRIGHTEST_PLACE)
     }
 
     /// What a task adds to the pixel by itself; its children go onto the stack.
-    fn follow<T: Tally>(&self, task: Task, worker: &mut Worker<A, T, LEVELS>) -> Rgb {
+    fn follow<T: Tally>(&self, task: &mut Task, worker: &mut Worker<A, T, LEVELS>) -> Rgb {
         let Worker { scratch, tasks, tally } = worker;
         tally.count(Event::Ray(task.kind));
-        let ray = Ray::new(task.origin, task.direction);
-        let found = self.world.nearest::<E, T>(&ray, Real::MAX, task.kind, scratch, tally);
+        let ray = Ray::near_unit(task.origin, task.direction);
+        let found = self.world.nearest::<E, T>(&ray, E::SIGHT, task.kind, scratch, tally);
         let met = found.and_then(|hit| Some((hit, self.world.surface::<E>(&ray, hit)?)));
         let Some((hit, surface)) = met else {
-            return self.beyond(&task);
+            return self.beyond(task);
         };
         if task.kind == RayKind::Camera {
             tally.count(Event::CameraHit);
@@ -140,8 +136,7 @@ impl<'w, 's, A: Accelerator, E: Effects, const LEVELS: usize> Tracer<'w, 's, A, 
 
         let seen = Seen::new(surface, task.direction);
         let material = self.world.scene().material(hit.item).unwrap_or(&Material::MATTE);
-        let crossing = self.crossing(&task, hit, material, &seen);
-        let mut task = task;
+        let crossing = self.crossing(task, hit, material, &seen);
         if let Some(crossing) = &crossing {
             if crossing.full {
                 tally.count(Event::MediaFull);
@@ -156,14 +151,13 @@ impl<'w, 's, A: Accelerator, E: Effects, const LEVELS: usize> Tracer<'w, 's, A, 
                     kind: RayKind::Transmitted,
                     media: crossing.media,
                 };
-                self.send(&task, child, tasks, tally);
-                return Rgb::BLACK;
+                return self.send(task, child, tasks, tally);
             }
         }
 
         let light = local::<A, E, T>(self.world, material, &seen, scratch, tally);
-        self.leave_children(&task, material, &seen, crossing.as_ref(), tasks, tally);
-        task.weight * light.at_most(BRIGHTEST_SURFACE)
+        let unsent = self.leave_children(task, material, &seen, crossing.as_ref(), tasks, tally);
+        task.weight * light.at_most(BRIGHTEST_SURFACE) + unsent
     }
 
     /// What a ray brings that meets nothing: the background, or nothing through a medium that
@@ -210,20 +204,26 @@ impl<'w, 's, A: Accelerator, E: Effects, const LEVELS: usize> Tracer<'w, 's, A, 
         })
     }
 
-    /// Sends a ray from where `task` has arrived, unless the levels end or too little of it counts.
-    fn send<T: Tally>(&self, task: &Task, child: Child, tasks: &mut Tasks<LEVELS>, tally: &mut T) {
+    /// Sends a ray from where `task` has arrived, unless the levels end or too little of it counts:
+    /// then what stands for it.
+    fn send<T: Tally>(&self, task: &Task, child: Child, tasks: &mut Tasks<LEVELS>, tally: &mut T) -> Rgb {
         let Child { origin, direction, share, kind, media } = child;
         let weight = task.weight * share;
         if !(weight.largest() > self.limits.cutoff) {
             tally.count(Event::Cutoff);
         } else if task.level >= self.limits.levels {
             tally.count(Event::LevelLimit);
+            if E::LAST == LastLevel::Background {
+                return weight * self.world.scene().parts().background.toward(direction);
+            }
         } else {
             tasks.push(Task { origin, direction, weight, level: task.level + 1, kind, media });
         }
+        Rgb::BLACK
     }
 
-    /// The rays that go on from a surface: through it, and back from it.
+    /// The rays that go on from a surface: through it, and back from it. What stands for those
+    /// that are not sent.
     fn leave_children<T: Tally>(
         &self,
         task: &Task,
@@ -232,7 +232,8 @@ impl<'w, 's, A: Accelerator, E: Effects, const LEVELS: usize> Tracer<'w, 's, A, 
         crossing: Option<&Crossing>,
         tasks: &mut Tasks<LEVELS>,
         tally: &mut T,
-    ) {
+    ) -> Rgb {
+        let mut unsent = Rgb::BLACK;
         let mut mirrored = if E::SET.reflection { material.mirror } else { Rgb::BLACK };
 
         // Refract, unless all light stays on this side.
@@ -256,7 +257,7 @@ impl<'w, 's, A: Accelerator, E: Effects, const LEVELS: usize> Tracer<'w, 's, A, 
                         kind: RayKind::Transmitted,
                         media: crossing.media,
                     };
-                    self.send(task, through, tasks, tally);
+                    unsent += self.send(task, through, tasks, tally);
                 }
                 None => mirrored += material.transmitted,
             }
@@ -269,8 +270,9 @@ impl<'w, 's, A: Accelerator, E: Effects, const LEVELS: usize> Tracer<'w, 's, A, 
             let direction = if outward { direction } else { reflected(task.direction, seen.facing) };
             let kind = RayKind::Reflected;
             let back = Child { origin: seen.before(), direction, share: mirrored, kind, media: task.media };
-            self.send(task, back, tasks, tally);
+            unsent += self.send(task, back, tasks, tally);
         }
+        unsent
     }
 }
 

@@ -3,5 +3,6 @@
 #![no_std]
 
 pub mod count;
+pub mod peer;
 pub mod scene;
 pub mod stack;

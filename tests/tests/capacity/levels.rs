@@ -102,3 +102,31 @@ fn a_thing_in_more_bodies_than_a_list_of_media_holds_is_told() {
     assert_eq!(counters.media_full(), 2);
     assert_eq!(counters.rays(RayKind::Transmitted), 12, "it goes on all the same");
 }
+
+#[test]
+fn the_background_stands_for_what_the_levels_end_and_for_what_lies_out_of_sight() {
+    /// Everything, and the background beyond four and a half lengths and below the last level.
+    struct ShortSighted;
+    impl Effects for ShortSighted {
+        const SET: EffectSet = EffectSet::ALL;
+        const SIGHT: Real = 4.5;
+        const LAST: LastLevel = LastLevel::Background;
+    }
+    let mut stage = panes(1);
+    stage.background = Background::Color(Rgb::gray(8.0));
+    let color = |from: Real, levels| {
+        let world = World::new(stage.scene(), Bare(stage.len()));
+        let view = View { from: vec3(from, 0.0, 0.0), at: vec3(from + 1.0, 0.0, 0.0), ..VIEW };
+        let camera = Camera::new(&View { up: Vec3::Y, ..view }, size(1, 1)).unwrap();
+        let limits = Limits { levels, cutoff: 0.0 };
+        let tracer = Tracer::<_, ShortSighted, 3>::new(&world, camera, limits).unwrap();
+        tracer.radiance(Place { x: 0.5, y: 0.5 }, &mut Worker::new(()))
+    };
+    // The pane, and the background for both of its children: the mirrored ray would meet the other pane.
+    assert_eq!(color(0.0, 1), Rgb::gray(0.25 + 8.0));
+    // That pane is met, and sends two rays in its turn.
+    assert_eq!(color(0.0, 2), Rgb::gray(0.25 + 4.0 + 0.5 * (0.25 + 8.0)));
+    // Four lengths before the first of them it is in sight, four and three quarters before it is not.
+    assert_eq!(color(-5.0, 1), Rgb::gray(0.25 + 8.0));
+    assert_eq!(color(-5.75, 1), Rgb::gray(8.0));
+}

@@ -106,7 +106,7 @@ fn sets() {
     macro_rules! set {
         ($Set:ident of $Kind:ident) => {{
             let set = $Set::of(slice(&$Kind::ALL)).with(any($Kind::ALL[0])).union(any($Set::NONE));
-            used((set.has(any($Kind::ALL[0])), set.contains(any($Set::ALL))));
+            used((set.len(), set.is_empty(), set.has(any($Kind::ALL[0])), set.contains(any($Set::ALL))));
             set.iter().for_each(used);
             debugged(&set);
             set
@@ -340,6 +340,16 @@ impl Effects for Few {
     const SET: EffectSet = EffectSet { shapes: ShapeSet::of(&[ShapeKind::Sphere]), ..EffectSet::NONE };
 }
 
+/// What it does not see is the sky.
+struct ShortSighted;
+
+impl Effects for ShortSighted {
+    const SET: EffectSet =
+        EffectSet { lights: LightSet::ALL, reflection: true, transmission: true, ..Few::SET };
+    const SIGHT: Real = 10.0;
+    const LAST: LastLevel = LastLevel::Background;
+}
+
 fn asked<A: Accelerator, E: Effects>(world: World<'_, A>) {
     let (kind, mut scratch) = (any(RayKind::Shadow), A::Scratch::default());
     used((world.scene(), world.accelerator()));
@@ -407,6 +417,7 @@ fn pictures() {
         traced::<_, Everything, _, 5>(&World::new(scene, list), ());
     }
     traced::<_, Few, _, 1>(&World::new(scene, Stranger), Told);
+    traced::<_, ShortSighted, _, 2>(&World::new(scene, Bare(any(1))), ());
 }
 
 fn tile() -> Tile {

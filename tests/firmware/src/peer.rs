@@ -1,0 +1,146 @@
+//! A small scene that a well-known ray tracer of few lines draws: four spheres and a chequered
+//! floor under three lights (Dmitry Sokolov's *tinyraytracer*, described in our own words).
+//!
+//! What that program does and a tracer otherwise would not is an option of the tracer or of the
+//! sink here: it shows the background beyond a distance and in place of the rays below the last
+//! level, and it dims what is brighter than white.
+
+// Who includes this file may use a part of it.
+#![allow(dead_code)]
+
+use strahl_core::{
+    Background, EffectSet, Effects, Falloff, Geometry, LastLevel, Light, LightKind, LightSet, Limits,
+    Material, MaterialId, Parts, Polygon, Projection, Rgb, Shape, ShapeKind, ShapeSet, Size, Source, Sphere,
+    Texture, TextureKind, TextureSet, Vec3, View, vec3,
+};
+
+/// How large the picture is.
+pub const SIZE: Size = Size::new(160, 120).unwrap();
+
+/// Down the third axis, with an angle of 1.05 from the upper edge of the picture to the lower.
+/// Between the middles of the first row and the last it is
+/// `2 atan(tan(1.05 / 2) * 119 / 120)`.
+pub const VIEW: View = View {
+    from: Vec3::ZERO,
+    at: vec3(0.0, 0.0, -1.0),
+    up: Vec3::Y,
+    projection: Projection::Perspective { angle: 1.042_756_3 },
+};
+
+/// Levels of rays.
+pub const LEVELS: usize = 5;
+
+/// Which picture is wanted.
+pub const LIMITS: Limits = Limits { levels: LEVELS as u8, cutoff: Limits::DEFAULT.cutoff };
+
+/// Exactly what the scene asks for.
+#[derive(Clone, Copy, Debug)]
+pub struct Peer;
+
+impl Effects for Peer {
+    const SET: EffectSet = EffectSet {
+        shapes: ShapeSet::of(&[ShapeKind::Sphere, ShapeKind::Polygon]),
+        lights: LightSet::of(&[LightKind::Point]),
+        textures: TextureSet::of(&[TextureKind::Checker]),
+        highlight: true,
+        shadows: true,
+        reflection: true,
+        transmission: true,
+        ..EffectSet::NONE
+    };
+    const SIGHT: f32 = 1000.0;
+    const LAST: LastLevel = LastLevel::Background;
+}
+
+/// Eight bits for each channel: what is brighter than white is dimmed until it fits, then cut
+/// off to whole steps. No gamma.
+pub fn quantised(color: Rgb) -> [u8; 3] {
+    let brightest = color.largest();
+    let scale = if brightest > 1.0 { 255.0 / brightest } else { 255.0 };
+    [color.r, color.g, color.b].map(|channel| (channel * scale) as i32 as u8)
+}
+
+/// The scene, not yet checked.
+pub const PARTS: Parts<'static> = Parts {
+    geometry: Geometry { shapes: &SHAPES, points: &CORNERS, polygons: &[FLOOR], ..Geometry::EMPTY },
+    made_of: &[MaterialId(0), MaterialId(1), MaterialId(2), MaterialId(3), MaterialId(4)],
+    materials: &MATERIALS,
+    textures: &[TILES],
+    lights: &LIGHTS,
+    ambient: Rgb::BLACK,
+    background: Background::Color(Rgb::new(0.2, 0.7, 0.8)),
+};
+
+/// How many items there are.
+pub const ITEMS: usize = 5;
+
+static SHAPES: [Shape; ITEMS] = [
+    Shape::Sphere(Sphere { center: vec3(-3.0, 0.0, -16.0), radius: 2.0 }),
+    Shape::Sphere(Sphere { center: vec3(-1.0, -1.5, -12.0), radius: 2.0 }),
+    Shape::Sphere(Sphere { center: vec3(1.5, -0.5, -18.0), radius: 3.0 }),
+    Shape::Sphere(Sphere { center: vec3(7.0, 5.0, -18.0), radius: 4.0 }),
+    Shape::Polygon(0),
+];
+
+/// No light from everywhere, and normals that are not turned towards the eye.
+const DARK: Material = Material { ambient: Rgb::BLACK, two_sided: false, ..Material::MATTE };
+
+/// The item of the same number is made of it.
+static MATERIALS: [Material; ITEMS] = [
+    // Ivory.
+    Material {
+        diffuse: Rgb::new(0.9 * 0.4, 0.9 * 0.4, 0.9 * 0.3),
+        highlight: Rgb::gray(0.5),
+        exponent: 50.0,
+        mirror: Rgb::gray(0.1),
+        ..DARK
+    },
+    // Glass.
+    Material {
+        diffuse: Rgb::BLACK,
+        highlight: Rgb::gray(0.9),
+        exponent: 125.0,
+        mirror: Rgb::gray(0.1),
+        transmitted: Rgb::gray(0.8),
+        index: 1.5,
+        ..DARK
+    },
+    // Red rubber.
+    Material {
+        diffuse: Rgb::new(1.4 * 0.3, 1.4 * 0.1, 1.4 * 0.1),
+        highlight: Rgb::gray(0.3),
+        exponent: 10.0,
+        ..DARK
+    },
+    // A mirror.
+    Material {
+        diffuse: Rgb::BLACK,
+        highlight: Rgb::gray(16.0),
+        exponent: 1425.0,
+        mirror: Rgb::gray(0.8),
+        ..DARK
+    },
+    // The floor.
+    Material { diffuse: Rgb::gray(2.0), texture: Some(0), ..DARK },
+];
+
+/// Round the floor, so that its normal points up.
+static CORNERS: [Vec3; 4] =
+    [vec3(-10.0, -4.0, -10.0), vec3(10.0, -4.0, -10.0), vec3(10.0, -4.0, -30.0), vec3(-10.0, -4.0, -30.0)];
+
+const FLOOR: Polygon =
+    Polygon { first: 0, count: 4, point: vec3(0.0, -4.0, -20.0), normal: Vec3::Y, smooth: false };
+
+const TILES: Texture = Texture::Checker {
+    even: Rgb::new(0.3, 0.3, 0.3),
+    odd: Rgb::new(0.3, 0.2, 0.1),
+    origin: Vec3::ZERO,
+    frequency: vec3(0.5, 0.0, 0.5),
+};
+
+static LIGHTS: [Light; 3] =
+    [lamp(vec3(-20.0, 20.0, 20.0)), lamp(vec3(30.0, 50.0, -25.0)), lamp(vec3(30.0, 20.0, 30.0))];
+
+const fn lamp(position: Vec3) -> Light {
+    Light { source: Source::Point { position, falloff: Falloff::NONE }, color: Rgb::WHITE, shadows: true }
+}
