@@ -28,6 +28,28 @@ pub struct Args {
 pub enum Command {
     /// Render a scene into a picture.
     Render(RenderArgs),
+    /// Tell what rays hit: rays in as CSV, hits out as CSV.
+    ///
+    /// A ray is a line ox,oy,oz,dx,dy,dz or ox,oy,oz,dx,dy,dz,tmax: where it starts, where it goes
+    /// (a direction of any length from 1e-30 to 1e30), and how far a hit may be, in lengths of that
+    /// direction. The first line may name the fields instead; then the first row names those of the
+    /// hits, so that rows and lines always stand side by side.
+    ///
+    /// The row of a ray is hit,t,object,px,py,pz,nx,ny,nz: 1 or 0; how far, 0 < t <= tmax, in lengths
+    /// of the direction; the number of the object in the order of the scene file, from 0, where every
+    /// triangle of a mesh counts as one; the point; and the geometric normal, of length one, which is
+    /// not turned towards the ray: outward for solids, away from the axis for open cylinders and
+    /// cones, by the right hand round the corners for triangles and polygons. Both sides of every
+    /// surface count. After the 0 of a miss everything is empty. Numbers have the shortest form that
+    /// is read back exactly.
+    ///
+    /// Numbers may be nan, inf, or out of range (that of the precision; 1e15 for where a ray starts):
+    /// such a ray is a miss, as is one without direction. -0 is 0. A tmax of inf is no limit; one that is nan, 0
+    /// or negative lets nothing be hit. A line with another number of fields, or with a word that is no
+    /// number, is an error (status 65) that names it; the rows of the lines before it stay.
+    ///
+    /// Rows come as soon as lines do, so a pipe may ask and wait for the answer.
+    Cast(CastArgs),
     /// Tell what is in a scene, what it asks for and why, and what it takes.
     Info(InfoArgs),
     /// Tell how two pictures differ; the exit status is 0 when they do not, 1 when they do.
@@ -97,6 +119,38 @@ pub struct RenderArgs {
     /// Where the report goes [default form: json].
     #[arg(long, value_name = "FILE")]
     pub stats_file: Option<PathBuf>,
+
+    /// Say nothing but errors.
+    #[arg(short, long)]
+    pub quiet: bool,
+}
+
+/// What to cast, and how.
+#[derive(Debug, Parser)]
+pub struct CastArgs {
+    /// The scene: .toml, .nff, or a model: .obj, .ply, .gltf, .glb.
+    pub scene: PathBuf,
+
+    /// The rays; `-` is the standard input.
+    #[arg(long, value_name = "FILE", default_value = "-")]
+    pub rays: PathBuf,
+
+    /// Where the hits go; `-` is the standard output.
+    #[arg(short, long, value_name = "FILE", default_value = "-")]
+    pub output: PathBuf,
+
+    /// What is computed with, and what rays are read and hits are written in; the numbers of a scene
+    /// are rounded to single precision either way.
+    #[arg(long, value_name = "PRECISION", default_value = "single")]
+    pub precision: Precision,
+
+    /// How items are found.
+    #[command(flatten)]
+    pub finding: FindingArgs,
+
+    /// Threads [default: one for each core].
+    #[arg(long, value_name = "N", value_parser = threads)]
+    pub threads: Option<usize>,
 
     /// Say nothing but errors.
     #[arg(short, long)]

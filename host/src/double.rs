@@ -14,6 +14,9 @@ pub mod accelerators;
 #[path = "draw.rs"]
 pub mod draw;
 #[expect(clippy::duplicate_mod, reason = "each core has types of its own")]
+#[path = "hits.rs"]
+pub mod hits;
+#[expect(clippy::duplicate_mod, reason = "each core has types of its own")]
 #[path = "workers.rs"]
 pub mod workers;
 

@@ -5,6 +5,7 @@ use std::io;
 use std::path::{Path, PathBuf};
 
 use crate::faults::Faults;
+use crate::signals::Stop;
 
 /// What a command that asks a question answers.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -55,8 +56,10 @@ pub enum Failure {
         /// What the system says.
         error: io::Error,
     },
-    /// Stopped from outside before it was done.
-    Stopped(crate::signals::Stop),
+    /// Stopped from outside before it was done, with nothing written.
+    Stopped(Stop),
+    /// Stopped from outside in the middle of a stream.
+    StoppedAmid(Stop),
 }
 
 impl Failure {
@@ -72,7 +75,7 @@ impl Failure {
             Failure::Input { .. } | Failure::Faults(_) => 65,
             Failure::Unreadable { .. } => 66,
             Failure::Unwritable { .. } => 74,
-            Failure::Stopped(stop) => stop.status(),
+            Failure::Stopped(stop) | Failure::StoppedAmid(stop) => stop.status(),
         }
     }
 }
@@ -93,7 +96,8 @@ impl fmt::Display for Failure {
             Failure::Unwritable { path: None, error } => {
                 write!(f, "cannot write to the standard output: {error}")
             }
-            Failure::Stopped(stop) => write!(f, "{stop}"),
+            Failure::Stopped(stop) => write!(f, "{stop}; nothing was written"),
+            Failure::StoppedAmid(stop) => write!(f, "{stop}; there is more to come"),
         }
     }
 }

@@ -5,6 +5,7 @@
 //! |---|---|
 //! | [`args`] | the command line |
 //! | [`render`] | the command `render` |
+//! | [`mod@cast`] | the command `cast` |
 //! | [`info`] | the command `info` |
 //! | [`compare`] | the command `compare` |
 //! | [`manual`] | the commands `completions` and `man` |
@@ -17,8 +18,9 @@
 //! | [`accelerators`] | the accelerators: what is asked for becomes a type |
 //! | [`choose`] | values become types, once, around the whole render |
 //! | [`draw`] | from a scene to linear colours |
+//! | [`hits`] | what rays hit |
 //! | [`workers`] | tiles and threads |
-//! | [`double`] | the same three rooms and `hits` for the twin in double precision |
+//! | [`double`] | `accelerators`, `draw`, `hits` and `workers` for the twin in double precision |
 //! | [`counts`] | how often everything happened |
 //! | [`picture`] | linear pictures, their digest, and files of them |
 //! | [`colormap`] | differences to colours |
@@ -39,6 +41,7 @@ use stock::single as tables;
 
 pub mod accelerators;
 pub mod args;
+pub mod cast;
 pub mod choose;
 pub mod colormap;
 pub mod compare;
@@ -50,6 +53,7 @@ pub mod failure;
 pub mod faults;
 pub mod finding;
 pub mod frame;
+pub mod hits;
 pub mod info;
 pub mod load;
 pub mod manual;

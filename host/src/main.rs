@@ -13,6 +13,7 @@ fn main() -> ExitCode {
     let yes = |()| Answer::Yes;
     let done = match args.command {
         Command::Render(args) => strahl::render::run(&args).map(yes),
+        Command::Cast(args) => strahl::cast::run(&args).map(yes),
         Command::Info(args) => strahl::info::run(&args).map(yes),
         Command::Schema => Output::Stdout.commit(native::schema().as_bytes()).map(yes),
         Command::Compare(args) => strahl::compare::run(&args),

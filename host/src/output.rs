@@ -28,7 +28,12 @@ pub enum Output {
         beside: NamedTempFile,
     },
     /// A device or a pipe, which cannot be replaced.
-    Device(PathBuf),
+    Device {
+        /// As the user named it.
+        name: PathBuf,
+        /// Open since the first part was written: to open a pipe waits for its reader.
+        open: Option<fs::File>,
+    },
 }
 
 impl Output {
@@ -43,7 +48,7 @@ impl Output {
             Ok(found) if found.is_dir() => {
                 return Err(unwritable(io::Error::from(io::ErrorKind::IsADirectory)));
             }
-            Ok(found) if !found.is_file() => return Ok(Output::Device(path.to_owned())),
+            Ok(found) if !found.is_file() => return Ok(Output::Device { name: path.to_owned(), open: None }),
             Ok(found) if found.permissions().readonly() => {
                 return Err(unwritable(io::Error::from(io::ErrorKind::PermissionDenied)));
             }
@@ -69,21 +74,37 @@ impl Output {
     }
 
     /// Writes everything and lets the file appear.
-    pub fn commit(self, bytes: &[u8]) -> Result<(), Failure> {
-        match self {
+    pub fn commit(mut self, bytes: &[u8]) -> Result<(), Failure> {
+        self.write(bytes)?;
+        self.finish()
+    }
+
+    /// Writes some of it. What goes to the standard output or to a device is there at once.
+    pub fn write(&mut self, bytes: &[u8]) -> Result<(), Failure> {
+        let (written, path) = match self {
             Output::Stdout => {
                 let mut out = io::stdout().lock();
-                let written = out.write_all(bytes).and_then(|()| out.flush());
-                written.map_err(|error| Failure::Unwritable { path: None, error })
+                (out.write_all(bytes).and_then(|()| out.flush()), None)
             }
-            Output::Device(name) => {
-                let written =
-                    fs::OpenOptions::new().write(true).open(&name).and_then(|mut file| file.write_all(bytes));
-                written.map_err(|error| Failure::Unwritable { path: Some(name), error })
+            Output::Device { name, open } => {
+                let file = match open.take() {
+                    Some(file) => Ok(file),
+                    None => fs::OpenOptions::new().write(true).open(&*name),
+                };
+                let written = file.and_then(|file| open.insert(file).write_all(bytes));
+                (written, Some(&*name))
             }
+            Output::File { name, beside, .. } => (beside.write_all(bytes), Some(&*name)),
+        };
+        written.map_err(|error| Failure::Unwritable { path: path.cloned(), error })
+    }
+
+    /// Everything has been written: the file appears.
+    pub fn finish(self) -> Result<(), Failure> {
+        match self {
+            Output::Stdout | Output::Device { .. } => Ok(()),
             Output::File { name, place, mut beside } => {
-                let written = beside.write_all(bytes).and_then(|()| beside.flush());
-                let kept = written.and_then(|()| beside.persist(place).map_err(|kept| kept.error));
+                let kept = beside.flush().and_then(|()| beside.persist(place).map_err(|kept| kept.error));
                 kept.map(|_| ()).map_err(|error| Failure::Unwritable { path: Some(name), error })
             }
         }

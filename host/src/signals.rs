@@ -28,8 +28,8 @@ impl Stop {
 impl fmt::Display for Stop {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.write_str(match self {
-            Stop::Interrupted => "interrupted; nothing was written",
-            Stop::Terminated => "stopped by SIGTERM; nothing was written",
+            Stop::Interrupted => "interrupted",
+            Stop::Terminated => "stopped by SIGTERM",
         })
     }
 }

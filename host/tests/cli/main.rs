@@ -1,5 +1,6 @@
 //! The program from outside: exit statuses, messages, files.
 
+mod cast;
 mod compare;
 mod info;
 mod manual;

@@ -111,6 +111,11 @@ impl Running {
         Running(command.spawn().unwrap())
     }
 
+    /// One that has been started.
+    pub fn of(child: Child) -> Self {
+        Running(child)
+    }
+
     #[cfg(unix)]
     pub fn number(&self) -> u32 {
         self.0.id()

@@ -39,3 +39,20 @@ fn an_old_output_is_kept_when_a_signal_comes() {
     assert_eq!(stopped_by("INT", &folder, ""), Some(130));
     assert_eq!(folder.read("scene.png"), b"before");
 }
+
+#[test]
+fn a_signal_ends_what_waits_for_rays() {
+    let folder = Folder::with(BALL);
+    for (signal, status) in [("INT", 130), ("TERM", 75)] {
+        let mut command = folder.command("cast scene.nff -o hits.csv");
+        let mut child = command.stdin(Stdio::piped()).stderr(Stdio::null()).spawn().unwrap();
+        let rays = child.stdin.take();
+        let mut running = Running::of(child);
+        running.until(|| folder.names().iter().any(|name| name.starts_with(".strahl-")));
+        let kill = format!("kill -s {signal} {}", running.number());
+        assert!(Command::new("sh").args(["-c", &kill]).status().unwrap().success());
+        assert_eq!(running.end().code(), Some(status));
+        assert_eq!(folder.names(), ["scene.nff"]);
+        drop(rays);
+    }
+}

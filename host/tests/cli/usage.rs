@@ -24,6 +24,7 @@ const OPTIONS: &[&str] = &[
 /// Every command with its options.
 const COMMANDS: &[(&str, &[&str])] = &[
     ("render", OPTIONS),
+    ("cast", &["--rays", "--output", "--precision", "--accel", "--bounds", "--threads", "--quiet", "--help"]),
     ("info", &["--json", "--help"]),
     ("schema", &["--help"]),
     ("compare", &["--limit", "--limit-share", "--json", "--output", "--quiet", "--help"]),

@@ -1,0 +1,191 @@
+//! Lines of text become rays.
+
+use std::fmt;
+
+use crate::wanted::Precision;
+
+/// The longest line that may be one, in bytes.
+pub(super) const LONGEST: usize = 1 << 16;
+
+/// The names of the fields; the last may be missing.
+const NAMES: [&str; 7] = ["ox", "oy", "oz", "dx", "dy", "dz", "tmax"];
+
+/// A ray as a line tells it. Any number may be one that no ray has: infinite, or none at all.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Line {
+    /// Where it starts.
+    pub origin: [f64; 3],
+    /// Where it goes.
+    pub direction: [f64; 3],
+    /// How far what counts may be, in lengths of the direction.
+    pub reach: f64,
+}
+
+/// What is wrong with a line.
+#[derive(Clone, Debug, PartialEq)]
+pub(super) enum LineFault {
+    /// It has so many fields.
+    Fields(usize),
+    /// The field at this place is no number.
+    Word(usize, String),
+    /// It is longer than [`LONGEST`].
+    Long,
+}
+
+impl fmt::Display for LineFault {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            LineFault::Fields(count) => {
+                let fields = if *count == 1 { "field" } else { "fields" };
+                write!(f, "{count} {fields}; ox,oy,oz,dx,dy,dz or ox,oy,oz,dx,dy,dz,tmax is expected")
+            }
+            LineFault::Word(place, word) if word.is_empty() => {
+                write!(f, "{} is empty; a number is expected", NAMES[*place])
+            }
+            LineFault::Word(place, word) => write!(f, "{} is `{word}`, which is no number", NAMES[*place]),
+            LineFault::Long => write!(f, "the line is longer than {LONGEST} bytes"),
+        }
+    }
+}
+
+/// A number, rounded to the precision. Beyond its range it is infinite or zero.
+fn number(field: &[u8], precision: Precision) -> Option<f64> {
+    let text = std::str::from_utf8(field).ok()?;
+    match precision {
+        Precision::Single => text.parse::<f32>().ok().map(f64::from),
+        Precision::Double => text.parse().ok(),
+    }
+}
+
+fn fields(line: &[u8]) -> impl Iterator<Item = &[u8]> {
+    line.split(|byte| *byte == b',').map(<[u8]>::trim_ascii)
+}
+
+impl Line {
+    /// The ray of a line.
+    pub(super) fn read(line: &[u8], precision: Precision) -> Result<Self, LineFault> {
+        if line.len() > LONGEST {
+            return Err(LineFault::Long);
+        }
+        let mut numbers = [f64::INFINITY; NAMES.len()];
+        let mut count = 0;
+        let mut wrong = None;
+        for field in fields(line) {
+            if let Some(place) = numbers.get_mut(count) {
+                match number(field, precision) {
+                    Some(number) => *place = number,
+                    None => wrong = wrong.or(Some((count, field))),
+                }
+            }
+            count += 1;
+        }
+        if count != NAMES.len() && count != NAMES.len() - 1 {
+            return Err(LineFault::Fields(count));
+        }
+        if let Some((place, word)) = wrong {
+            let word: String = String::from_utf8_lossy(word).chars().take(40).collect();
+            return Err(LineFault::Word(place, word));
+        }
+        let [ox, oy, oz, dx, dy, dz, reach] = numbers;
+        Ok(Line { origin: [ox, oy, oz], direction: [dx, dy, dz], reach })
+    }
+}
+
+/// Whether a line names its fields: there are as many as of a ray, and none of them is a number.
+pub(super) fn is_header(line: &[u8]) -> bool {
+    let count = fields(line).count();
+    line.len() <= LONGEST
+        && (count == NAMES.len() || count == NAMES.len() - 1)
+        && fields(line).all(|field| !field.is_empty() && number(field, Precision::Double).is_none())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn read(line: &str) -> Result<Line, LineFault> {
+        Line::read(line.as_bytes(), Precision::Single)
+    }
+
+    #[test]
+    fn a_line_of_six_numbers_has_no_limit_and_the_seventh_is_the_limit() {
+        let line = Line { origin: [1.0, -2.0, 0.5], direction: [0.0, 0.0, -1.0], reach: f64::INFINITY };
+        assert_eq!(read("1,-2,0.5,0,0,-1"), Ok(line));
+        assert_eq!(read(" 1 ,\t-2.0,.5,0e0,-0,-1.,inf\r"), Ok(line));
+        assert_eq!(read("+1,-2e0,5E-1,0,0,-1,2.5"), Ok(Line { reach: 2.5, ..line }));
+    }
+
+    #[test]
+    fn infinities_and_what_is_no_number_are_numbers_in_any_spelling() {
+        for (word, is) in [
+            ("inf", f64::INFINITY),
+            ("-Inf", f64::NEG_INFINITY),
+            ("INFINITY", f64::INFINITY),
+            ("+infinity", f64::INFINITY),
+            ("1e39", f64::INFINITY),
+            ("-1e999999999999", f64::NEG_INFINITY),
+            ("1e-60", 0.0),
+        ] {
+            assert_eq!(read(&format!("{word},0,0,0,0,1")).unwrap().origin[0], is, "{word}");
+        }
+        for word in ["nan", "NaN", "NAN", "-nan", "+nan"] {
+            assert!(read(&format!("0,0,0,0,0,{word}")).unwrap().direction[2].is_nan(), "{word}");
+        }
+        assert!(read("0,0,0,0,0,1,-0").unwrap().reach.is_sign_negative());
+    }
+
+    #[test]
+    fn a_number_is_rounded_once_and_to_the_precision_that_is_asked_for() {
+        // Just above the middle between 1 and the next float: rounded to double first, it would be
+        // that middle, and then go down to 1.
+        let line = "1.00000005960464477539062500000000000000000001,0.1,0,0,0,1";
+        let single = read(line).unwrap();
+        assert_eq!(single.origin, [f64::from(1.0_f32.next_up()), f64::from(0.1_f32), 0.0]);
+        assert_eq!(Line::read(line.as_bytes(), Precision::Double).unwrap().origin[1], 0.1);
+    }
+
+    #[test]
+    fn what_is_wrong_is_named() {
+        for (line, says) in [
+            ("", "1 field; "),
+            ("1,2,3,4,5", "5 fields; "),
+            ("1,2,3,4,5,6,7,8", "8 fields; "),
+            ("x,2,3,4,5", "5 fields; "),
+            ("1,2,3,4,5,6,", "tmax is empty"),
+            ("1,2,,4,5,6", "oz is empty"),
+            ("1,2,3,4,five,6", "dy is `five`, which is no number"),
+            ("1,2,3,0x4,5,6", "dx is `0x4`"),
+            ("1 2,2,3,4,5,6", "ox is `1 2`"),
+            ("\"1\",2,3,4,5,6", "ox is `\"1\"`"),
+        ] {
+            let said = read(line).unwrap_err().to_string();
+            assert!(said.starts_with(says), "{line}: {said}");
+        }
+        let long = format!("1,2,3,4,5,{}6", "0".repeat(LONGEST));
+        assert_eq!(read(&long), Err(LineFault::Long));
+        assert_eq!(
+            Line::read(b"\xff,2,3,4,5,6", Precision::Single).unwrap_err().to_string(),
+            "ox is `\u{fffd}`, which is no number"
+        );
+    }
+
+    #[test]
+    fn a_header_has_names_and_nothing_but_names() {
+        for header in
+            ["ox,oy,oz,dx,dy,dz,tmax", "ox, oy, oz, dx, dy, dz\r", "\"x\",\"y\",\"z\",\"u\",\"v\",\"w\""]
+        {
+            assert!(is_header(header.as_bytes()), "{header}");
+        }
+        for no_header in [
+            "",
+            "ox",
+            "ox,oy,oz,dx,dy",
+            "1,2,x,4,5,6",
+            "ox,oy,oz,dx,dy,nan",
+            "ox,oy,oz,dx,dy,",
+            "a,b,c,d,e,f,g,h",
+        ] {
+            assert!(!is_header(no_header.as_bytes()), "{no_header}");
+        }
+    }
+}

@@ -1,0 +1,82 @@
+//! The command `cast`: rays in as CSV, what they hit out as CSV.
+//!
+//! | room | what it does |
+//! |---|---|
+//! | `lines` | lines of text become rays |
+//! | `rows` | answers become lines of text |
+//! | `stream` | pieces of text go through all threads, and come out in their order |
+//!
+//! What a ray hits is found in [`hits`](crate::hits), which is compiled for either precision.
+
+mod lines;
+mod rows;
+mod stream;
+
+use std::fs::File;
+use std::io::{IsTerminal, Read, stdin};
+use std::path::{Path, PathBuf};
+use std::time::Instant;
+
+use indicatif::HumanCount;
+
+use crate::args::CastArgs;
+use crate::failure::Failure;
+use crate::finding::{Facts, Finding};
+use crate::load::load;
+use crate::output::{Output, say};
+use crate::signals::Signals;
+use crate::wanted::Precision;
+use crate::{double, hits, stock};
+pub use lines::Line;
+pub use rows::Found;
+pub use stream::{Cast, Stream};
+
+/// Casts rays into one scene.
+pub fn run(args: &CastArgs) -> Result<(), Failure> {
+    let signals =
+        Signals::listen().map_err(|error| Failure::Usage(format!("cannot listen for signals: {error}")))?;
+    let clock = Instant::now();
+    let description = load(&args.scene)?;
+    for warning in description.warnings.iter().filter(|_| !args.quiet) {
+        say(format_args!("{}: warning: {warning}", args.scene.display()));
+    }
+    let output = Output::prepare(&args.output)?;
+    if output.replaces(&args.rays) || output.replaces(&args.scene) {
+        return Err(Failure::Usage("the hits and the rays or the scene are the same file".into()));
+    }
+    let (input, name) = rays(&args.rays, args.quiet)?;
+
+    let precision = args.precision;
+    let finding = args.finding.over(&Finding::default());
+    let threads = args.threads.or(std::thread::available_parallelism().ok().map(usize::from)).unwrap_or(1);
+    let stream = Stream { input, name, output, precision, threads, signals };
+    let cast = match precision {
+        Precision::Single => hits::cast(&stock::single::Stock::new(&description), &finding, stream),
+        Precision::Double => double::hits::cast(&stock::double::Stock::new(&description), &finding, stream),
+    };
+    let wrong =
+        |error: NoCast| Failure::Input { path: args.scene.clone(), line: None, reason: error.to_string() };
+    let (facts, cast) = cast.map_err(wrong)?;
+    let Cast { rays, hits } = cast?;
+    if !args.quiet {
+        let Facts { kind, reason, .. } = facts;
+        let (rays, hits, seconds) = (HumanCount(rays), HumanCount(hits), clock.elapsed().as_secs_f64());
+        say(format_args!("{rays} rays, {hits} hits, {seconds:.2} s; {} ({reason})", kind.name()));
+    }
+    Ok(())
+}
+
+/// Why no ray was cast.
+pub type NoCast = Box<dyn std::error::Error + Send + Sync>;
+
+/// Where rays come from, and its name in messages.
+fn rays(path: &Path, quiet: bool) -> Result<(Box<dyn Read + Send>, PathBuf), Failure> {
+    if path == Path::new("-") {
+        if stdin().is_terminal() && !quiet {
+            say("rays are expected, one in each line: ox,oy,oz,dx,dy,dz or ox,oy,oz,dx,dy,dz,tmax");
+        }
+        return Ok((Box::new(stdin()), PathBuf::from("<stdin>")));
+    }
+    let unreadable = |error| Failure::Unreadable { path: path.to_owned(), error };
+    Ok((Box::new(File::open(path).map_err(unreadable)?), path.to_owned()))
+}

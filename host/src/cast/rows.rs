@@ -1,0 +1,132 @@
+//! Answers become lines of text.
+
+use std::fmt::{Display, LowerExp};
+use std::io::Write;
+
+use crate::wanted::Precision;
+
+/// The names of the fields.
+pub(super) const HEADER: &str = "hit,t,object,px,py,pz,nx,ny,nz\n";
+
+/// What a ray hits.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Found {
+    /// How far, in lengths of the direction given. It may be out of the range of single precision
+    /// where the direction is very long or very short.
+    pub t: f64,
+    /// The number of the object.
+    pub object: u32,
+    /// The point.
+    pub point: [f64; 3],
+    /// The geometric normal, of length one.
+    pub normal: [f64; 3],
+}
+
+/// Adds the row of an answer.
+pub(super) fn add(rows: &mut Vec<u8>, found: Option<Found>, precision: Precision) {
+    let Some(Found { t, object, point, normal }) = found else {
+        rows.extend_from_slice(b"0,,,,,,,,\n");
+        return;
+    };
+    rows.extend_from_slice(b"1,");
+    number(rows, t, precision);
+    // Writing to a vector cannot fail.
+    let _ = write!(rows, ",{object}");
+    for x in point.into_iter().chain(normal) {
+        rows.push(b',');
+        number(rows, x, precision);
+    }
+    rows.push(b'\n');
+}
+
+/// Adds a number in the shortest form from which a number of that precision is read back exactly.
+fn number(rows: &mut Vec<u8>, x: f64, precision: Precision) {
+    let narrow = x as f32;
+    if precision == Precision::Single && f64::from(narrow) == x {
+        shortest(rows, narrow, x);
+    } else {
+        shortest(rows, x, x);
+    }
+}
+
+/// Adds `x`, whose value is `value`, with or without a power of ten, whichever is shorter.
+fn shortest(rows: &mut Vec<u8>, x: impl Display + LowerExp, value: f64) {
+    let start = rows.len();
+    let _ = write!(rows, "{x}");
+    // Between these, no power of ten makes it shorter.
+    let is_plain = value == 0.0 || (value.abs() >= 0.01 && value.abs() < 1000.0);
+    if !is_plain {
+        let middle = rows.len();
+        let _ = write!(rows, "{x:e}");
+        if rows.len() - middle < middle - start {
+            rows.drain(start..middle);
+        } else {
+            rows.truncate(middle);
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn text(x: f64, precision: Precision) -> String {
+        let mut rows = Vec::new();
+        number(&mut rows, x, precision);
+        String::from_utf8(rows).unwrap()
+    }
+
+    #[test]
+    fn numbers_have_their_shortest_form() {
+        for (x, short) in [
+            (0.0, "0"),
+            (-0.0, "-0"),
+            (1.0, "1"),
+            (-0.5, "-0.5"),
+            (100.0, "100"),
+            (1000.0, "1e3"),
+            (1024.0, "1024"),
+            (1.5e6, "1.5e6"),
+            (0.01, "0.01"),
+            (0.001, "1e-3"),
+            (0.0015, "0.0015"),
+            (1e-30, "1e-30"),
+            (-1e30, "-1e30"),
+        ] {
+            assert_eq!(text(f64::from(x as f32), Precision::Single), short);
+            assert_eq!(text(x, Precision::Double), short);
+        }
+        assert_eq!(text(f64::from(0.1_f32), Precision::Single), "0.1");
+        assert_eq!(text(f64::from(0.1_f32), Precision::Double), "0.10000000149011612");
+        // Out of the range of single precision.
+        assert_eq!(text(1e60, Precision::Single), "1e60");
+    }
+
+    #[test]
+    fn numbers_are_read_back_exactly_and_no_form_is_shorter() {
+        let mut state = 0x5eed_u32;
+        for _ in 0..20_000 {
+            state = state.wrapping_mul(747_796_405).wrapping_add(2_891_336_453);
+            let x = f32::from_bits(state);
+            if !x.is_finite() {
+                continue;
+            }
+            let short = text(f64::from(x), Precision::Single);
+            assert_eq!(short.parse::<f32>().unwrap().to_bits(), x.to_bits(), "{short}");
+            for other in [format!("{x}"), format!("{x:e}"), format!("{x:?}")] {
+                assert!(short.len() <= other.len(), "{short} {other}");
+            }
+        }
+    }
+
+    #[test]
+    fn a_miss_has_nothing_behind_its_zero() {
+        let mut rows = Vec::new();
+        add(&mut rows, None, Precision::Single);
+        assert_eq!(rows, b"0,,,,,,,,\n");
+        let found = Found { t: 2.5, object: 7, point: [1.0, 2.0, -0.5], normal: [0.0, 0.0, 1.0] };
+        rows.clear();
+        add(&mut rows, Some(found), Precision::Single);
+        assert_eq!(rows, b"1,2.5,7,1,2,-0.5,0,0,1\n");
+    }
+}
