@@ -70,7 +70,7 @@ pub use render::render;
 pub use scene::{
     Background, Camera, EffectSet, Effects, Everything, Falloff, Interface, LastLevel, Light, LightKind,
     LightSet, Material, MaterialFault, MaterialId, Parts, Place, Projection, Scene, SceneError, Size, Source,
-    Texture, TextureKind, TextureSet, View, ViewFault, World,
+    Texture, TextureId, TextureKind, TextureSet, View, ViewFault, World,
 };
 pub use shade::{Crossing, Media, Refraction, absorbed, index, reflected, refracted};
 pub use tally::{Event, RayKind, Tally};

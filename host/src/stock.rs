@@ -13,7 +13,7 @@ macro_rules! stock {
             use $core::{
                 Background, Cone, Cuboid, Disc, Falloff, Geometry, Interface, ItemId, Light, Material,
                 MaterialId, PI, Parts, Plane, Polygon, Projection, Real, Rgb, Scene, SceneError, Shape,
-                Source, Sphere, Texture, Torus, TurnedCuboid, Vec3, View, unit, vec3,
+                Source, Sphere, Texture, TextureId, Torus, TurnedCuboid, Vec3, View, unit, vec3,
             };
 
             use crate::description::{self, Description, Form, Object, Triple};
@@ -226,7 +226,7 @@ macro_rules! stock {
                 Material {
                     ambient: color(material.ambient),
                     diffuse: color(material.diffuse),
-                    texture: material.texture,
+                    texture: TextureId(material.texture.0),
                     highlight: color(material.highlight),
                     exponent: Real::from(material.exponent),
                     mirror: color(material.mirror),

@@ -3,8 +3,8 @@
 use super::strahl::{
     Aabb, Background, Camera, Cone, Counters, Cuboid, Disc, Everything, Geometry, Hit, ItemId, Light, Limits,
     List, Material, MaterialId, Parts, Place, Plane, Polygon, Projection, ROUNDOFF, Ray, RayKind, Real, Rgb,
-    Scene, Shape, Size, Sphere, Texture, Torus, Tracer, TurnedCuboid, Vec3, View, Worker, World, groups_of,
-    leave, unit, vec3,
+    Scene, Shape, Size, Sphere, Texture, TextureId, Torus, Tracer, TurnedCuboid, Vec3, View, Worker, World,
+    groups_of, leave, unit, vec3,
 };
 use crate::cast::{Core, Found};
 use crate::thing::{Line, Thing, Vector, vector};
@@ -75,9 +75,9 @@ impl Stage {
     }
 
     /// A texture for materials to name.
-    pub fn texture(&mut self, texture: Texture) -> Option<u16> {
+    pub fn texture(&mut self, texture: Texture) -> TextureId {
         self.textures.push(texture);
-        Some(next(&self.textures) as u16 - 1)
+        TextureId(next(&self.textures) as u16 - 1)
     }
 
     fn item(&mut self, shape: Shape) -> ItemId {

@@ -5,6 +5,8 @@
 //! because each step is monotone in floating point, and because the far end is widened by the
 //! worst rounding of both ends ("Robust BVH Ray Traversal", Ize, JCGT 2013).
 
+use zerocopy::{Immutable, KnownLayout, TryFromBytes};
+
 use super::ray::Ray;
 use crate::math::{Real, Vec3, abs, gamma, vec3};
 
@@ -16,7 +18,8 @@ use crate::math::{Real, Vec3, abs, gamma, vec3};
 pub(crate) const WIDEN: Real = 1.0 + 4.0 * Real::EPSILON;
 
 /// A box with its faces upright on the axes; it contains its faces.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq, TryFromBytes, KnownLayout, Immutable)]
+#[repr(C)]
 pub struct Aabb {
     /// The smallest coordinates.
     pub min: Vec3,

@@ -13,6 +13,8 @@
 //! but the question itself, whether the ray comes nearer to the axis than the side, as the
 //! textbook's `b^2 - ac` would for a hair-thin cylinder.
 
+use zerocopy::{Immutable, KnownLayout, TryFromBytes};
+
 use super::disc::disc_reach;
 use super::{Aabb, Ray, ShapeFault, Surface, check_point, check_unit};
 use crate::math::{FARTHEST, Real, Vec3, abs, gamma, largest, length, sqrt, unit};
@@ -20,7 +22,8 @@ use crate::math::{FARTHEST, Real, Vec3, abs, gamma, largest, length, sqrt, unit}
 /// A cone, cut off at both ends; a cylinder when both radii are equal.
 ///
 /// The normal of the side points away from the axis, those of the caps away from the solid.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq, TryFromBytes, KnownLayout, Immutable)]
+#[repr(C)]
 pub struct Cone {
     /// The middle of the first circle.
     pub base: Vec3,

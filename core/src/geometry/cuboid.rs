@@ -1,10 +1,13 @@
 //! Box: upright on the axes, or turned.
 
+use zerocopy::{Immutable, KnownLayout, TryFromBytes};
+
 use super::{Aabb, Ray, ShapeFault, Surface, check_point, check_unit};
 use crate::math::{Axis, Real, Vec3, abs, gamma, unit};
 
 /// A solid box with its faces upright on the axes; its normal points outward.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq, TryFromBytes, KnownLayout, Immutable)]
+#[repr(C)]
 pub struct Cuboid {
     /// The smallest coordinates.
     pub min: Vec3,
@@ -13,7 +16,8 @@ pub struct Cuboid {
 }
 
 /// A solid box turned in space; its normal points outward.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq, TryFromBytes, KnownLayout, Immutable)]
+#[repr(C)]
 pub struct TurnedCuboid {
     /// The middle.
     pub center: Vec3,

@@ -1,11 +1,14 @@
 //! Disc: the part of a plane within a radius.
 
+use zerocopy::{Immutable, KnownLayout, TryFromBytes};
+
 use super::plane::level;
 use super::{Aabb, Ray, ShapeFault, Surface, check_radius, check_unit};
 use crate::math::{Real, Vec3, sqrt};
 
 /// A flat round disc.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq, TryFromBytes, KnownLayout, Immutable)]
+#[repr(C)]
 pub struct Disc {
     /// The centre.
     pub center: Vec3,

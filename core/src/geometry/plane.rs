@@ -1,10 +1,13 @@
 //! Plane: all points level with a given one. It has no end, and so no box.
 
+use zerocopy::{Immutable, KnownLayout, TryFromBytes};
+
 use super::{ItemId, Ray, ShapeFault, Surface, check_point, check_unit};
 use crate::math::{Real, Vec3, abs, gamma, largest};
 
 /// An unbounded plane.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq, TryFromBytes, KnownLayout, Immutable)]
+#[repr(C)]
 pub struct Plane {
     /// A point on it. Errors grow with the distance from here.
     pub point: Vec3,

@@ -6,11 +6,14 @@
 //! right crosses; an edge contains its lower end and not its upper one, so that a corner level
 //! with the point counts once ("Point in Polygon Strategies", Haines, Graphics Gems IV).
 
+use zerocopy::{Immutable, KnownLayout, TryFromBytes};
+
 use super::{Aabb, Ray, ShapeFault, Surface, check_point, check_unit, plane::level};
 use crate::math::{Axis, Real, Vec3, abs, gamma, length, unit};
 
 /// A polygon whose corners lie in the scene's table of points.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq, TryFromBytes, KnownLayout, Immutable)]
+#[repr(C)]
 pub struct Polygon {
     /// The place of its first corner in the table.
     pub first: u32,

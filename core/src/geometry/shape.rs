@@ -1,11 +1,14 @@
 //! What an item can be, and why a shape can be refused.
 
+use zerocopy::{Immutable, KnownLayout, TryFromBytes};
+
 use super::Sphere;
 use crate::math::{FARTHEST, Real, Vec3, is_in_range, is_unit};
 use crate::set::set_of;
 
 /// One item of the scene.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq, TryFromBytes, KnownLayout, Immutable)]
+#[repr(u32)]
 pub enum Shape {
     /// A sphere.
     Sphere(Sphere),

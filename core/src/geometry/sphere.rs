@@ -5,11 +5,14 @@
 //! small numbers are left, and the roots without cancellation (Haines, Günther,
 //! Akenine-Möller, "Precision Improvements for Ray/Sphere Intersection", Ray Tracing Gems 7).
 
+use zerocopy::{Immutable, KnownLayout, TryFromBytes};
+
 use super::{Aabb, Ray, ShapeFault, Surface, check_radius};
 use crate::math::{Real, Vec3, abs, gamma, sqrt, unit};
 
 /// A full sphere; its normal points outward.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq, TryFromBytes, KnownLayout, Immutable)]
+#[repr(C)]
 pub struct Sphere {
     /// The centre.
     pub center: Vec3,

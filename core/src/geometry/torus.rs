@@ -7,11 +7,14 @@
 //! on the distance to the tube's middle, which is exact where the quartic's coefficients have
 //! lost digits.
 
+use zerocopy::{Immutable, KnownLayout, TryFromBytes};
+
 use super::{Aabb, Ray, ShapeFault, Surface, check_point, check_unit, disc::disc_reach};
 use crate::math::{FARTHEST, Real, Vec3, abs, gamma, length, quartic_roots, sqrt, unit};
 
 /// A torus; its normal points out of the tube.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq, TryFromBytes, KnownLayout, Immutable)]
+#[repr(C)]
 pub struct Torus {
     /// The middle of the hole.
     pub center: Vec3,

@@ -1,5 +1,7 @@
 //! Linear radiance in three channels, and its encoding for screens.
 
+use zerocopy::{Immutable, KnownLayout, TryFromBytes};
+
 use core::ops::{Add, AddAssign, Mul, MulAssign};
 
 use super::{Real, greatest, powf};
@@ -7,7 +9,8 @@ use super::{Real, greatest, powf};
 /// Linear light in red, green and blue: a colour, a share or a radiance.
 ///
 /// Nothing clamps it to 1: it is as bright as it is, until [`Rgb::to_srgb8`] encodes it.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, TryFromBytes, KnownLayout, Immutable)]
+#[repr(C)]
 pub struct Rgb {
     /// Red.
     pub r: Real,

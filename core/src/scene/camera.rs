@@ -1,5 +1,7 @@
 //! From a place in the picture to a ray.
 
+use zerocopy::{Immutable, KnownLayout, TryFromBytes};
+
 use crate::geometry::Ray;
 use crate::math::{PI, Real, Vec3, is_in_range, tan, unit};
 
@@ -45,7 +47,8 @@ pub struct Place {
 }
 
 /// How the scene is looked at, whatever the size of the picture.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq, TryFromBytes, KnownLayout, Immutable)]
+#[repr(C)]
 pub struct View {
     /// The eye.
     pub from: Vec3,
@@ -58,7 +61,8 @@ pub struct View {
 }
 
 /// How rays run from the eye through the picture.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq, TryFromBytes, KnownLayout, Immutable)]
+#[repr(u32)]
 pub enum Projection {
     /// All from one point.
     Perspective {

@@ -1,10 +1,13 @@
 //! Lights without extent: point, directional, spot.
 
+use zerocopy::{Immutable, KnownLayout, TryFromBytes};
+
 use crate::math::{Real, Rgb, Vec3, is_in_range, is_unit, length, unit, within};
 use crate::set::set_of;
 
 /// A light.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq, TryFromBytes, KnownLayout, Immutable)]
+#[repr(C)]
 pub struct Light {
     /// Where it is and where it shines.
     pub source: Source,
@@ -15,7 +18,8 @@ pub struct Light {
 }
 
 /// Where a light is and where it shines.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq, TryFromBytes, KnownLayout, Immutable)]
+#[repr(u32)]
 pub enum Source {
     /// From one place in all directions.
     Point {
@@ -47,7 +51,8 @@ pub enum Source {
 
 /// How a light fades with the distance `d`: it is divided by
 /// `constant + linear d + quadratic d^2`.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq, TryFromBytes, KnownLayout, Immutable)]
+#[repr(C)]
 pub struct Falloff {
     /// No unit.
     pub constant: Real,

@@ -1,24 +1,37 @@
 //! What surfaces and bodies are made of.
 
+use zerocopy::{Immutable, KnownLayout, TryFromBytes};
+
 use crate::math::{Real, Rgb};
 
 /// A place in the scene's table of materials.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, TryFromBytes, KnownLayout, Immutable)]
+#[repr(transparent)]
 pub struct MaterialId(pub u16);
+
+/// A place in the scene's table of textures.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, TryFromBytes, KnownLayout, Immutable)]
+#[repr(transparent)]
+pub struct TextureId(pub u16);
+
+impl TextureId {
+    /// No texture: no table is so long that it has this place.
+    pub const NONE: TextureId = TextureId(u16::MAX);
+}
 
 /// How a surface answers light, and what light meets behind it.
 ///
 /// A scene starts from [`Material::MATTE`] and names what is different.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq, TryFromBytes, KnownLayout, Immutable)]
+#[repr(C)]
 pub struct Material {
     /// The share of the scene's ambient light that is given back.
     pub ambient: Rgb,
     /// The share of a light that is scattered in all directions, at upright incidence
     /// (Lambert).
     pub diffuse: Rgb,
-    /// Multiplies `ambient` and `diffuse` from place to place: a place in the scene's table of
-    /// textures.
-    pub texture: Option<u16>,
+    /// Multiplies `ambient` and `diffuse` from place to place.
+    pub texture: TextureId,
     /// The share of a light that the highlight gives back at its middle (Phong).
     pub highlight: Rgb,
     /// How narrow the highlight is: the power of the cosine. Zero: no highlight.
@@ -48,7 +61,8 @@ pub struct Material {
 const LEAST_INDEX: Real = 0.01_f32 as Real;
 
 /// What happens to the transmitted share of light at a surface.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, TryFromBytes, KnownLayout, Immutable)]
+#[repr(u8)]
 pub enum Interface {
     /// All of it passes, unless all of it is thrown back (Whitted).
     Constant,
@@ -62,7 +76,7 @@ impl Material {
     pub const MATTE: Material = Material {
         ambient: Rgb::WHITE,
         diffuse: Rgb::WHITE,
-        texture: None,
+        texture: TextureId::NONE,
         highlight: Rgb::BLACK,
         exponent: 0.0,
         mirror: Rgb::BLACK,
@@ -113,10 +127,10 @@ impl Material {
         if !(clarity(self.clarity.r) && clarity(self.clarity.g) && clarity(self.clarity.b)) {
             return Err(MaterialFault::Clarity);
         }
-        match self.texture {
-            Some(texture) if usize::from(texture) >= textures => Err(MaterialFault::Texture),
-            _ => Ok(()),
+        if self.texture != TextureId::NONE && usize::from(self.texture.0) >= textures {
+            return Err(MaterialFault::Texture);
         }
+        Ok(())
     }
 }
 

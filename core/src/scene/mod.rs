@@ -11,9 +11,11 @@ pub use camera::{Camera, Place, Projection, Size, View, ViewFault};
 pub use effects::{EffectSet, Effects, Everything, LastLevel};
 pub(crate) use light::Beam;
 pub use light::{Falloff, Light, LightKind, LightSet, Source};
-pub use material::{Interface, Material, MaterialFault, MaterialId};
+pub use material::{Interface, Material, MaterialFault, MaterialId, TextureId};
 pub use texture::{Texture, TextureKind, TextureSet};
 pub use world::World;
+
+use zerocopy::{Immutable, KnownLayout, TryFromBytes};
 
 use core::fmt;
 
@@ -21,7 +23,8 @@ use crate::geometry::{Geometry, ItemId, Shape, ShapeFault};
 use crate::math::{Rgb, Vec3, is_unit, within};
 
 /// What a ray sees that meets nothing.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq, TryFromBytes, KnownLayout, Immutable)]
+#[repr(u32)]
 pub enum Background {
     /// One colour.
     Color(Rgb),
@@ -219,7 +222,7 @@ fn asked_by(parts: &Parts<'_>) -> EffectSet {
         asks.reflection |= !material.mirror.is_black();
         asks.transmission |= material.is_transmitting();
         asks.absorption |= material.is_absorbing();
-        if let Some(texture) = material.texture.and_then(|t| parts.textures.get(usize::from(t))) {
+        if let Some(texture) = parts.textures.get(usize::from(material.texture.0)) {
             asks.textures = asks.textures.with(texture.kind());
         }
     }

@@ -1,10 +1,13 @@
 //! Colour that changes from place to place by a formula.
 
+use zerocopy::{Immutable, KnownLayout, TryFromBytes};
+
 use crate::math::{Real, Rgb, Vec3, floor, is_in_range, within};
 use crate::set::set_of;
 
 /// A colour for each point of space, in the frame of the world.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq, TryFromBytes, KnownLayout, Immutable)]
+#[repr(u32)]
 pub enum Texture {
     /// Two colours in turn, in cells upright on the axes.
     Checker {

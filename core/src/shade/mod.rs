@@ -59,7 +59,7 @@ pub(crate) fn local<A: Accelerator, E: Effects, T: Tally>(
     tally: &mut T,
 ) -> Rgb {
     let parts = world.scene().parts();
-    let texture = material.texture.and_then(|place| parts.textures.get(usize::from(place)));
+    let texture = parts.textures.get(usize::from(material.texture.0));
     let paint = texture.map_or(Rgb::WHITE, |texture| texture.at(seen.surface.point, E::SET.textures));
     let diffuse = material.diffuse * paint;
     let mut light = material.ambient * paint * parts.ambient;

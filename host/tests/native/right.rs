@@ -4,7 +4,7 @@ use strahl::description::{
     Background, Form, Light, Object, Placed, Projection, Settings, Source, Texture, View,
 };
 use strahl::workers::Sampling;
-use strahl_core::{Interface, Material, Rgb, Size};
+use strahl_core::{Interface, Material, Rgb, Size, TextureId};
 
 use crate::text::{ALL, loaded};
 
@@ -69,8 +69,8 @@ fn every_material_becomes_what_the_format_says() {
         ..Material::MATTE
     };
     let half = Rgb::gray(0.5);
-    let floor = Material { ambient: half, diffuse: half, texture: Some(0), ..Material::MATTE };
-    let fading = Material { texture: Some(1), ..Material::MATTE };
+    let floor = Material { ambient: half, diffuse: half, texture: TextureId(0), ..Material::MATTE };
+    let fading = Material { texture: TextureId(1), ..Material::MATTE };
     let own = Material {
         ambient: RED * 0.5,
         diffuse: RED,

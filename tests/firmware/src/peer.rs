@@ -11,7 +11,7 @@
 use strahl_core::{
     Background, EffectSet, Effects, Falloff, Geometry, LastLevel, Light, LightKind, LightSet, Limits,
     Material, MaterialId, Parts, Polygon, Projection, Rgb, Shape, ShapeKind, ShapeSet, Size, Source, Sphere,
-    Texture, TextureKind, TextureSet, Vec3, View, vec3,
+    Texture, TextureId, TextureKind, TextureSet, Vec3, View, vec3,
 };
 
 /// How large the picture is.
@@ -121,7 +121,7 @@ static MATERIALS: [Material; ITEMS] = [
         ..DARK
     },
     // The floor.
-    Material { diffuse: Rgb::gray(2.0), texture: Some(0), ..DARK },
+    Material { diffuse: Rgb::gray(2.0), texture: TextureId(0), ..DARK },
 ];
 
 /// Round the floor, so that its normal points up.

@@ -9,7 +9,7 @@
 use strahl_core::{
     Background, Cone, EffectSet, Effects, Falloff, Geometry, Interface, ItemId, Light, LightKind, LightSet,
     Limits, Material, MaterialId, Parts, Plane, Polygon, Projection, Rgb, Shape, ShapeKind, ShapeSet, Size,
-    Source, Sphere, Texture, TextureKind, TextureSet, Torus, Vec3, View, vec3,
+    Source, Sphere, Texture, TextureId, TextureKind, TextureSet, Torus, Vec3, View, vec3,
 };
 
 /// How large the picture is.
@@ -92,7 +92,7 @@ static SHAPES: [Shape; ITEMS] = [
 /// The item of the same number is made of it.
 static MATERIALS: [Material; ITEMS] = [
     // The floor.
-    Material { texture: Some(0), diffuse: Rgb::gray(0.8), ..Material::MATTE },
+    Material { texture: TextureId(0), diffuse: Rgb::gray(0.8), ..Material::MATTE },
     // Green glass.
     Material {
         ambient: Rgb::BLACK,

@@ -117,7 +117,7 @@ fn whatever_a_scene_may_name_gives_a_number() {
             stage.material(Material {
                 ambient: color(&bright, r),
                 diffuse: color(&bright, r),
-                texture: one_of(&[None, texture], r),
+                texture: one_of(&[TextureId::NONE, texture], r),
                 highlight: color(&bright, r),
                 exponent: one_of(&[0.0, 1e-30, 1.0, 1e6], r),
                 mirror: color(&share, r),

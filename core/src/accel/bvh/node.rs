@@ -1,10 +1,12 @@
 //! A node: the boxes of its two halves, and where they go on.
 
+use zerocopy::{Immutable, KnownLayout, TryFromBytes};
+
 use crate::geometry::{Aabb, ItemId, Ray, WIDEN};
 use crate::math::Real;
 
 /// A split: two halves with a box each.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq, TryFromBytes, KnownLayout, Immutable)]
 #[repr(C)]
 pub struct Node {
     /// For each axis the low walls of both halves and the high ones, so that what is asked of
@@ -19,7 +21,7 @@ pub struct Node {
 const _: () = assert!(size_of::<Node>() == 60);
 
 /// The walls of two boxes across one axis.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq, TryFromBytes, KnownLayout, Immutable)]
 #[repr(C)]
 struct Walls {
     low: [Real; 2],
@@ -27,7 +29,7 @@ struct Walls {
 }
 
 /// Where a half goes on: at a node, or in the items of a leaf.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, TryFromBytes, KnownLayout, Immutable)]
 #[repr(transparent)]
 pub struct Child(u32);
 
@@ -59,7 +61,7 @@ impl Child {
 }
 
 /// An item in a leaf, and whether it is the leaf's last.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, TryFromBytes, KnownLayout, Immutable)]
 #[repr(transparent)]
 pub struct Slot(u32);
 

@@ -13,6 +13,8 @@ mod smart;
 
 pub use build::{OctreeLimits, OctreeRoom};
 
+use zerocopy::{Immutable, KnownLayout, TryFromBytes};
+
 use super::mailbox::{Mailbox, offer};
 use super::walls::Walls;
 use super::{Accelerator, Query};
@@ -24,7 +26,8 @@ use crate::math::{Real, Vec3, morton};
 const WALLS: Real = (1_u32 << morton::HALVINGS) as Real;
 
 /// A node of an octree: one that is cut into eight, or a leaf.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, TryFromBytes, KnownLayout, Immutable)]
+#[repr(C)]
 pub struct OctreeNode {
     /// Of a node that is cut: the place of its first child. Of a leaf: where its items begin.
     first: u32,

@@ -7,7 +7,7 @@ use std::collections::{BTreeMap, HashMap};
 use std::ops::Range;
 
 use schemars::{JsonSchema, Schema, SchemaGenerator, json_schema};
-use strahl_core::{Interface, Material, Rgb};
+use strahl_core::{Interface, Material, Rgb, TextureId};
 use toml::de::{DeTable, DeValue};
 
 use super::colors::is_color;
@@ -231,9 +231,9 @@ impl Maker<'_> {
     }
 
     /// The place of a material's texture, if it has one.
-    fn texture(&mut self, it: &format::Material) -> Option<Option<u16>> {
+    fn texture(&mut self, it: &format::Material) -> Option<TextureId> {
         let texture = match (&it.checker, &it.gradient) {
-            (None, None) => return Some(None),
+            (None, None) => return Some(TextureId::NONE),
             (Some(checker), Some(gradient)) => {
                 let (one, other) = if checker.span.start > gradient.span.start {
                     (checker.span.clone(), gradient.span.clone())
@@ -275,6 +275,6 @@ impl Maker<'_> {
         };
         self.description.textures.push(texture);
         // No more than materials, which are counted when they are kept.
-        Some(Some(u16::try_from(self.description.textures.len() - 1).unwrap_or(u16::MAX)))
+        Some(u16::try_from(self.description.textures.len() - 1).map_or(TextureId::NONE, TextureId))
     }
 }
