@@ -64,14 +64,17 @@ pub use geometry::{
     Aabb, Cone, Cuboid, Disc, Geometry, Hit, ItemId, Plane, Polygon, Ray, Shape, ShapeFault, ShapeKind,
     ShapeSet, Shapes, Span, Sphere, Surface, Torus, TurnedCuboid, leave,
 };
-pub use image::{Corner, CornerRow, Frame, Lattice, Pixel, Regular, Sampler, Single, Sink, Tile};
-pub use math::{Axis, FARTHEST, PI, ROUNDOFF, Real, Rgb, Vec3, gamma, sqrt, unit, vec3};
-pub use render::render;
+pub use image::{
+    Adaptive, Agreement, Confidence, Corner, CornerRow, Corners, Every, Filter, Frame, Kept, Lattice, Loose,
+    Parting, Pixel, Record, Regular, Sampler, Selected, Selection, Single, Sink, Stochastic, Tile,
+};
+pub use math::{Axis, Dimension, FARTHEST, PI, ROUNDOFF, Real, Rgb, Stream, Vec3, gamma, sqrt, unit, vec3};
+pub use render::{render, render_selected};
 pub use scene::{
     Background, Camera, EffectSet, Effects, Everything, Falloff, Interface, LastLevel, Light, LightKind,
-    LightSet, Material, MaterialFault, MaterialId, Parts, Place, Projection, Scene, SceneError, Size, Source,
-    Texture, TextureId, TextureKind, TextureSet, View, ViewFault, World,
+    LightSet, Material, MaterialFault, MaterialId, Parts, Place, Projection, Sample, Scene, SceneError, Size,
+    Source, Texture, TextureId, TextureKind, TextureSet, View, ViewFault, World,
 };
 pub use shade::{Crossing, Media, Refraction, absorbed, index, reflected, refracted};
 pub use tally::{Event, RayKind, Tally};
-pub use trace::{Limits, Tracer, TracerError, Worker};
+pub use trace::{Limits, Met, Sight, Tracer, TracerError, Worker};

@@ -1,7 +1,7 @@
 //! The front door.
 
 use crate::accel::Accelerator;
-use crate::image::{Pixel, Sampler, Sink};
+use crate::image::{Corners, Pixel, Sampler, Selected, Sink};
 use crate::scene::Effects;
 use crate::tally::Tally;
 use crate::trace::{Tracer, Worker};
@@ -57,9 +57,45 @@ where
     K: Sink,
 {
     worker.forget();
+    sampler.begin();
     for pixel in pixels {
-        let color = sampler.color(pixel, &mut |place| tracer.radiance(place, worker));
-        sink.put(pixel, color)?;
+        let sight = sampler.look(pixel, &mut |sample| tracer.look(sample, worker));
+        sink.put_sight(pixel, sight)?;
+    }
+    Ok(())
+}
+
+/// Traces some pixels of each of `blocks`, guesses the others, and puts them all into `sink`,
+/// block by block; ends early only when the sink fails.
+///
+/// [`Selection::blocks`](crate::Selection::blocks) lists the blocks of a picture or of a part
+/// of it. The sink also gets the pixels of these blocks that lie outside of it, beyond the
+/// right and the lower edge.
+pub fn render_selected<A, E, T, C, S, K, const LEVELS: usize>(
+    tracer: &Tracer<'_, '_, A, E, LEVELS>,
+    selected: &mut Selected<'_, C, S>,
+    worker: &mut Worker<A, T, LEVELS>,
+    blocks: impl IntoIterator<Item = Pixel>,
+    sink: &mut K,
+) -> Result<(), K::Error>
+where
+    A: Accelerator,
+    E: Effects,
+    T: Tally,
+    C: Corners,
+    S: Sampler,
+    K: Sink,
+{
+    worker.forget();
+    selected.begin();
+    for block in blocks {
+        let mut result = Ok(());
+        selected.block(block, &mut |sample| tracer.look(sample, worker), &mut |pixel, sight| {
+            if result.is_ok() {
+                result = sink.put_sight(pixel, sight);
+            }
+        });
+        result?;
     }
     Ok(())
 }

@@ -1,14 +1,13 @@
 //! The command line.
 
 use std::path::PathBuf;
-use std::str::FromStr;
 
 use clap::{Parser, Subcommand, ValueEnum};
 use clap_complete::Shell;
-use strahl_core::{Regular, Size};
+use strahl_core::{Pixel, Size, Tile};
 
 use crate::finding::{Accel, Bounds, Finding};
-use crate::wanted::{LEVELS, Precision, Sampling};
+use crate::wanted::{Filter, LEVELS, Precision, Sampling, Selecting};
 
 /// The most pixels of a picture: its linear colours take 12 bytes each.
 pub const MOST_PIXELS: u64 = 1 << 28;
@@ -94,10 +93,38 @@ pub struct RenderArgs {
     #[arg(long, value_name = "W", value_parser = cutoff)]
     pub cutoff: Option<f32>,
 
-    /// Rays in each pixel: `single` through the middle, `regular:N` N times N, `adaptive:0:0`
-    /// through the corners, which neighbours share [default: the scene's, or single].
+    /// Rays in each pixel: `single` through the middle; `regular:N` N times N;
+    /// `adaptive:DEPTH:THRESHOLD` through the corners, and again through those of its quarters where
+    /// they differ more than THRESHOLD (sRGB, 0 to 1), up to DEPTH times, with `:items` also where
+    /// they meet different objects; `stochastic:N` through places without a raster;
+    /// `stochastic:MIN..MAX:CONFIDENCE` until with this confidence (0 to 1) the mean is at most
+    /// 1/128 off (or what follows a last `:`) [default: the scene's, or single].
     #[arg(long, value_name = "SAMPLER")]
     pub sampler: Option<Sampling>,
+
+    /// How much of its surroundings counts in a pixel; not with `adaptive`, which fills the pixel
+    /// [default: the scene's, or box].
+    #[arg(long, value_name = "FILTER")]
+    pub filter: Option<Filter>,
+
+    /// Another seed, other numbers in place of chance [default: the scene's, or 0].
+    #[arg(long, value_name = "N")]
+    pub seed: Option<u32>,
+
+    /// Trace one pixel in STEP times STEP, and those between only where these differ more than
+    /// THRESHOLD (sRGB, 0 to 1), or with `:items` where they meet different objects; else guess
+    /// them. STEP is 2, 4, 8, 16, 32 or 64.
+    #[arg(long, value_name = "STEP:THRESHOLD")]
+    pub select: Option<Selecting>,
+
+    /// Make only this part of the picture: its upper left pixel, and how large it is.
+    #[arg(long, value_name = "X,Y,WxH", value_parser = region)]
+    pub region: Option<Tile>,
+
+    /// Trace only the pixels that are white in this picture, of the same size; the others stay
+    /// black.
+    #[arg(long, value_name = "IMAGE")]
+    pub mask: Option<PathBuf>,
 
     /// What is computed with; the numbers of a scene are rounded to single precision either way
     /// [default: single].
@@ -254,6 +281,20 @@ fn size(text: &str) -> Result<Size, String> {
     }
 }
 
+fn region(text: &str) -> Result<Tile, String> {
+    let wrong = || "X,Y,WxH is expected, as in 100,50,320x200".to_string();
+    let mut words = text.splitn(3, ',');
+    let mut next = || words.next().ok_or_else(wrong);
+    let (x, y, size) = (next()?, next()?, next()?);
+    let (width, height) = size.split_once(['x', 'X']).ok_or_else(wrong)?;
+    let number = |text: &str| text.parse::<u32>().map_err(|_| wrong());
+    let (x, y, width, height) = (number(x)?, number(y)?, number(width)?, number(height)?);
+    match Size::new(width, height) {
+        Some(_) => Ok(Tile { first: Pixel { x, y }, width, height }),
+        None => Err(format!("each side must be between 1 and {}", Size::MOST)),
+    }
+}
+
 fn cutoff(text: &str) -> Result<f32, String> {
     match text.parse::<f32>() {
         Ok(cutoff) if cutoff >= 0.0 && cutoff <= 1.0 => Ok(cutoff),
@@ -276,27 +317,5 @@ fn threads(text: &str) -> Result<usize, String> {
     match text.parse::<usize>() {
         Ok(threads) if (1..=1024).contains(&threads) => Ok(threads),
         _ => Err("a whole number between 1 and 1024 is expected".into()),
-    }
-}
-
-impl FromStr for Sampling {
-    type Err = String;
-
-    fn from_str(text: &str) -> Result<Self, String> {
-        let mut words = text.split(':');
-        let (kind, numbers): (_, Vec<_>) = (words.next().unwrap_or_default(), words.collect());
-        match (kind, numbers.as_slice()) {
-            ("single", []) => Ok(Sampling::Single),
-            ("regular", [n]) => match n.parse::<u16>() {
-                Ok(n) if Regular::new(n).is_some() => Ok(Sampling::Regular(n)),
-                _ => Err(format!("in regular:N, N must be between 1 and {}", Regular::MOST)),
-            },
-            ("adaptive", [depth, threshold]) => match (depth.parse::<u32>(), threshold.parse::<f32>()) {
-                (Ok(0), Ok(0.0)) => Ok(Sampling::Corners),
-                (Ok(_), Ok(_)) => Err("of adaptive:DEPTH:THRESHOLD only adaptive:0:0 is there yet".into()),
-                _ => Err("in adaptive:DEPTH:THRESHOLD two numbers are expected".into()),
-            },
-            _ => Err("single, regular:N or adaptive:0:0 is expected".into()),
-        }
     }
 }

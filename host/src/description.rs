@@ -6,7 +6,7 @@
 
 use strahl_core::{Material, Rgb, Size};
 
-use crate::workers::Sampling;
+use crate::sampling::{Filter, Sampling};
 
 /// A point or a direction.
 pub type Triple = [f32; 3];
@@ -45,12 +45,16 @@ pub struct Description {
 pub struct Settings {
     /// Width and height.
     pub size: Option<Size>,
-    /// Levels of rays, 1 to [`LEVELS`](crate::workers::LEVELS).
+    /// Levels of rays, 1 to [`LEVELS`](crate::wanted::LEVELS).
     pub levels: Option<u8>,
     /// The cutoff, in `0..=1`.
     pub cutoff: Option<f32>,
     /// Rays in each pixel.
     pub sampling: Option<Sampling>,
+    /// How much of its surroundings counts in a pixel.
+    pub filter: Option<Filter>,
+    /// Another seed.
+    pub seed: Option<u32>,
 }
 
 /// Something with its place in the scene file.

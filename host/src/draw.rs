@@ -86,11 +86,11 @@ impl<'s, A: Accelerator + Sync> Job<'_, 's, A> {
     }
 
     fn run<E: Effects + Sync, T: Count>(&self) -> Result<(Vec<strahl_core::Rgb>, T), NoFrame> {
-        let Wanted { limits, sampling, cut, .. } = *self.wanted;
+        let limits = self.wanted.limits;
         let limits = Limits { levels: limits.levels, cutoff: Real::from(limits.cutoff) };
         let tracer = Tracer::<A, E, LEVELS>::new(self.world, self.camera, limits).map_err(NoFrame::wrong)?;
         let (colors, counted) =
-            workers::trace(&tracer, sampling, self.size, cut, self.watch).map_err(NoFrame::Stopped)?;
+            workers::trace(&tracer, self.wanted, self.size, self.watch).map_err(NoFrame::Stopped)?;
         Ok((rounded(colors), counted))
     }
 }

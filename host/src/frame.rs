@@ -117,7 +117,7 @@ pub fn trace(description: &Description, wanted: &Wanted, watch: &Watch) -> Resul
         }
     };
     Ok(Frame {
-        picture: Picture { size: wanted.size, colors: drawn.colors },
+        picture: Picture { size: wanted.picture(), colors: drawn.colors },
         facts,
         accelerator: drawn.accelerator,
         counters: drawn.counts,

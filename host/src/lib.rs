@@ -16,6 +16,8 @@
 //! | [`wanted`] | what picture is wanted, and how the work is done |
 //! | [`finding`] | how items are found: what can be asked for, and what there is |
 //! | [`accelerators`] | the accelerators: what is asked for becomes a type |
+//! | [`sampling`] | which rays make a pixel, in the words of the command line |
+//! | [`samplers`] | the samplers: what is asked for becomes a type |
 //! | [`choose`] | values become types, once, around the whole render |
 //! | [`draw`] | from a scene to linear colours |
 //! | [`hits`] | what rays hit |
@@ -62,6 +64,8 @@ pub mod picture;
 pub mod plan;
 pub mod progress;
 pub mod render;
+pub mod samplers;
+pub mod sampling;
 pub mod signals;
 pub mod stats;
 pub mod stock;

@@ -2,9 +2,10 @@
 
 use std::ffi::OsStr;
 use std::path::{Path, PathBuf};
+use std::sync::Arc;
 use std::time::Instant;
 
-use strahl_core::Limits;
+use strahl_core::{Limits, Size, Tile};
 
 use crate::args::{RenderArgs, StatsForm};
 use crate::description::Settings;
@@ -13,13 +14,13 @@ use crate::finding::Finding;
 use crate::frame::{self, NoFrame};
 use crate::load::{DEFAULT_SIZE, load_for};
 use crate::output::{Output, say, tell};
-use crate::picture::Format;
+use crate::picture::{self, Format};
 use crate::plan::plan;
 use crate::progress::Watch;
 use crate::signals::Signals;
 use crate::stats::Stats;
 use crate::summary::summary;
-use crate::wanted::{Cut, Sampling, Wanted};
+use crate::wanted::{Cut, Filter, Mask, Sampling, Wanted};
 
 /// Renders one scene.
 pub fn run(args: &RenderArgs) -> Result<(), Failure> {
@@ -45,8 +46,8 @@ pub fn run(args: &RenderArgs) -> Result<(), Failure> {
         return Err(Failure::Usage("the report and the picture or the scene are the same file".into()));
     }
 
-    let wanted = wanted(args, &description.settings, report.is_some() || !args.quiet);
-    format.holds(wanted.size)?;
+    let wanted = wanted(args, &description.settings, report.is_some() || !args.quiet)?;
+    format.holds(wanted.picture())?;
     let watch = if args.quiet { Watch::silent(signals) } else { Watch::on_terminal(signals) };
     let frame = frame::trace(&description, &wanted, &watch);
     watch.end();
@@ -82,20 +83,55 @@ pub fn run(args: &RenderArgs) -> Result<(), Failure> {
 }
 
 /// What the command line asks for, else the scene, else the defaults.
-fn wanted(args: &RenderArgs, scene: &Settings, counted: bool) -> Wanted {
+fn wanted(args: &RenderArgs, scene: &Settings, counted: bool) -> Result<Wanted, Failure> {
     let default = Limits::DEFAULT;
-    Wanted {
-        size: args.size.or(scene.size).unwrap_or(DEFAULT_SIZE),
+    let size = args.size.or(scene.size).unwrap_or(DEFAULT_SIZE);
+    let sampling = args.sampler.or(scene.sampling).unwrap_or(Sampling::Single);
+    let filter = args.filter.or(scene.filter).unwrap_or_default();
+    if filter != Filter::Box && !sampling.takes_filter() {
+        let what = format!("`{sampling}` fills the pixel by itself: no filter but box goes with it");
+        return Err(Failure::Usage(what));
+    }
+    if let Some(region) = args.region
+        && region.within(Tile::whole(size)) != region
+    {
+        let (width, height) = (size.width(), size.height());
+        return Err(Failure::Usage(format!("the region reaches beyond the picture of {width}x{height}")));
+    }
+    Ok(Wanted {
+        size,
         limits: Limits {
             levels: args.levels.or(scene.levels).unwrap_or(default.levels),
             cutoff: args.cutoff.or(scene.cutoff).unwrap_or(default.cutoff),
         },
-        sampling: args.sampler.or(scene.sampling).unwrap_or(Sampling::Single),
+        sampling,
+        filter,
+        seed: args.seed.or(scene.seed).unwrap_or(0),
+        selecting: args.select,
+        region: args.region,
+        mask: args.mask.as_deref().map(|path| mask(path, size)).transpose()?,
         precision: args.precision.unwrap_or_default(),
         finding: args.finding.over(&Finding::default()),
         cut: Cut::threads(args.threads.unwrap_or(0)),
         counted,
+    })
+}
+
+/// The pixels that are white in the picture at `path`, which must have this size.
+fn mask(path: &Path, size: Size) -> Result<Arc<Mask>, Failure> {
+    let pixels = picture::read::read(path)?;
+    if pixels.size != size {
+        let (is, wanted) = (pixels.size, size);
+        let reason = format!(
+            "the mask has {}x{} pixels, the picture {}x{}",
+            is.width(),
+            is.height(),
+            wanted.width(),
+            wanted.height()
+        );
+        return Err(Failure::Input { path: path.to_owned(), line: None, reason });
     }
+    Ok(Arc::new(Mask { size, pixels: pixels.values.are_white() }))
 }
 
 /// The scene's name with .png, in the current folder.

@@ -1,8 +1,11 @@
 //! What picture is wanted, and how the work is done.
 
-use strahl_core::{Limits, Size};
+use std::sync::Arc;
+
+use strahl_core::{Limits, Pixel, Size, Tile};
 
 use crate::finding::Finding;
+pub use crate::sampling::{Filter, Sampling, Selecting};
 
 /// The most levels of rays.
 pub const LEVELS: usize = 64;
@@ -11,7 +14,7 @@ pub const LEVELS: usize = 64;
 const TILE: u32 = 32;
 
 /// What picture is wanted, and how the work is done.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Debug)]
 pub struct Wanted {
     /// Width and height.
     pub size: Size,
@@ -19,6 +22,16 @@ pub struct Wanted {
     pub limits: Limits,
     /// Rays in a pixel.
     pub sampling: Sampling,
+    /// How much of its surroundings counts in a pixel.
+    pub filter: Filter,
+    /// Another seed: other numbers in place of chance.
+    pub seed: u32,
+    /// Which pixels are traced, where not all are.
+    pub selecting: Option<Selecting>,
+    /// The part of the picture that is wanted, if not all of it. It lies inside the size.
+    pub region: Option<Tile>,
+    /// The pixels that are wanted, if not all of them; of the same size.
+    pub mask: Option<Arc<Mask>>,
     /// What is computed with.
     pub precision: Precision,
     /// How items are found.
@@ -36,11 +49,40 @@ impl Wanted {
             size,
             limits: Limits::DEFAULT,
             sampling: Sampling::Single,
+            filter: Filter::Box,
+            seed: 0,
+            selecting: None,
+            region: None,
+            mask: None,
             precision: Precision::Single,
             finding: Finding::default(),
             cut: Cut::threads(0),
             counted: true,
         }
+    }
+}
+
+impl Wanted {
+    /// The size of the picture that is made.
+    pub fn picture(&self) -> Size {
+        let region = self.region.map(|tile| tile.within(Tile::whole(self.size)));
+        region.and_then(|tile| Size::new(tile.width, tile.height)).unwrap_or(self.size)
+    }
+}
+
+/// Some pixels of a picture.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Mask {
+    /// Width and height of the picture.
+    pub size: Size,
+    /// Row by row, whether it is one of them.
+    pub pixels: Vec<bool>,
+}
+
+impl Mask {
+    /// Whether a pixel is one of them.
+    pub fn has(&self, pixel: Pixel) -> bool {
+        Tile::whole(self.size).place(pixel).is_some_and(|place| self.pixels[place])
     }
 }
 
@@ -52,17 +94,6 @@ pub enum Precision {
     Single,
     /// Double precision, 64 bits: slower, and a yardstick for the other.
     Double,
-}
-
-/// Which rays make a pixel.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Sampling {
-    /// One through the middle.
-    Single,
-    /// n times n.
-    Regular(u16),
-    /// Through the corners, which neighbours share.
-    Corners,
 }
 
 /// How the work is cut.

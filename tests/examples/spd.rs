@@ -44,7 +44,7 @@ fn main() -> Result<ExitCode, Box<dyn Error>> {
     let folder = PathBuf::from(std::env::args_os().nth(1).ok_or("usage: spd FOLDER")?);
     let wanted = Wanted {
         limits: Limits { levels: 5, cutoff: 0.0 },
-        sampling: Sampling::Corners,
+        sampling: Sampling::CORNERS,
         ..Wanted::of(Size::new(512, 512).ok_or("no size")?)
     };
     println!("scene      camera hits    reflected    refracted       shadow  largest deviation  cpu seconds");

@@ -3,8 +3,8 @@
 use super::strahl::{
     Aabb, Background, Camera, Cone, Counters, Cuboid, Disc, Everything, Geometry, Hit, ItemId, Light, Limits,
     List, Material, MaterialId, Parts, Place, Plane, Polygon, Projection, ROUNDOFF, Ray, RayKind, Real, Rgb,
-    Scene, Shape, Size, Sphere, Texture, TextureId, Torus, Tracer, TurnedCuboid, Vec3, View, Worker, World,
-    groups_of, leave, unit, vec3,
+    Sample, Scene, Shape, Size, Sphere, Stream, Texture, TextureId, Torus, Tracer, TurnedCuboid, Vec3, View,
+    Worker, World, groups_of, leave, unit, vec3,
 };
 use crate::cast::{Core, Found};
 use crate::thing::{Line, Thing, Vector, vector};
@@ -245,7 +245,8 @@ impl Stage {
         let world = World::new(self.scene(), List::bare(self.len()));
         let tracer = Tracer::<_, Everything, 64>::new(&world, camera, limits).unwrap();
         let mut worker = Worker::new(Counters::new());
-        let color = tracer.radiance(Place { x: 0.5, y: 0.5 }, &mut worker);
+        let sample = Sample { place: Place { x: 0.5, y: 0.5 }, stream: Stream::new(0, 0, 0, 0) };
+        let color = tracer.look(sample, &mut worker).color;
         assert!(color.is_within(Real::MAX), "{color:?} is no light");
         (color, worker.into_tally())
     }

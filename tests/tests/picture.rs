@@ -35,7 +35,7 @@ fn the_rotunda_looks_as_it_did() {
 
 #[test]
 fn the_rotunda_without_secondary_rays_looks_as_it_did() {
-    golden("rotunda-level-1", &scene_file("rotunda.nff", 96, 60, 1, Sampling::Corners));
+    golden("rotunda-level-1", &scene_file("rotunda.nff", 96, 60, 1, Sampling::CORNERS));
 }
 
 #[test]

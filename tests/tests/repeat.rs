@@ -1,35 +1,55 @@
 //! Memory and order buy time, never truth: threads, tiles and tallies change no bit.
 
+use std::sync::Arc;
+
 use strahl::description::Description;
 use strahl::frame::{self, Frame};
 use strahl::progress::Watch;
 use strahl::signals::Signals;
-use strahl::wanted::{Cut, Sampling, Wanted};
-use strahl_core::Size;
+use strahl::wanted::{Cut, Mask, Wanted};
+use strahl_core::{Pixel, RayKind, Rgb, Size, Tile};
 
-const SAMPLINGS: [Sampling; 3] = [Sampling::Single, Sampling::Regular(2), Sampling::Corners];
+/// Every sampler and pixel-selected tracing in the words of the command line, and whether its
+/// tiles share anything but what is traced before them: then the number of rays depends on the
+/// tiles.
+const WAYS: [(&str, Option<&str>, bool); 9] = [
+    ("single", None, false),
+    ("regular:2", None, false),
+    ("adaptive:0:0", None, false),
+    ("adaptive:3:0.1", None, true),
+    ("adaptive:2:0.1:items", None, true),
+    ("stochastic:4", None, false),
+    ("stochastic:2..8:0.9", None, false),
+    ("single", Some("8:0.1"), true),
+    ("adaptive:1:0.1", Some("4:0.05:items"), true),
+];
+
+// Neither side a multiple of a tile.
+const SIZE: Size = Size::new(61, 37).unwrap();
 
 fn scene() -> Description {
     let path = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("../scenes/rotunda.nff");
     strahl::load::load(&path).unwrap()
 }
 
-fn traced(scene: &Description, sampling: Sampling, cut: Cut, counted: bool) -> Frame {
-    // Neither side a multiple of a tile.
-    let size = Size::new(61, 37).unwrap();
-    let wanted = Wanted { sampling, cut, counted, ..Wanted::of(size) };
-    frame::trace(scene, &wanted, &Watch::silent(Signals::default())).unwrap()
+fn wanted((sampler, select, _): (&str, Option<&str>, bool)) -> Wanted {
+    let selecting = select.map(|words| words.parse().unwrap());
+    Wanted { sampling: sampler.parse().unwrap(), selecting, ..Wanted::of(SIZE) }
+}
+
+fn traced(scene: &Description, wanted: &Wanted) -> Frame {
+    frame::trace(scene, wanted, &Watch::silent(Signals::default())).unwrap()
 }
 
 #[test]
 fn threads_change_neither_picture_nor_counts() {
     let scene = scene();
-    for sampling in SAMPLINGS {
-        let one = traced(&scene, sampling, Cut::threads(1), true);
+    for way in WAYS {
+        let one = traced(&scene, &Wanted { cut: Cut::threads(1), ..wanted(way) });
         for threads in [2, 7] {
-            let many = traced(&scene, sampling, Cut::threads(threads), true);
-            assert_eq!(many.picture, one.picture, "{sampling:?}, {threads} threads");
-            assert_eq!(many.counters, one.counters, "{sampling:?}, {threads} threads");
+            let many = traced(&scene, &Wanted { cut: Cut::threads(threads), ..wanted(way) });
+            assert_eq!(many.picture, one.picture, "{way:?}, {threads} threads");
+            assert_eq!(many.counters, one.counters, "{way:?}, {threads} threads");
         }
     }
 }
@@ -37,28 +57,84 @@ fn threads_change_neither_picture_nor_counts() {
 #[test]
 fn tiles_do_not_change_the_picture() {
     let scene = scene();
-    for sampling in SAMPLINGS {
-        let truth = traced(&scene, sampling, Cut { threads: 1, tile: 1000 }, true);
+    for way in WAYS {
+        let truth = traced(&scene, &Wanted { cut: Cut { threads: 1, tile: 1000 }, ..wanted(way) });
         for tile in [1, 5, 32] {
-            let cut = traced(&scene, sampling, Cut { threads: 2, tile }, true);
-            assert_eq!(cut.picture, truth.picture, "{sampling:?}, tiles of {tile}");
-            assert_eq!(cut.counters, truth.counters, "{sampling:?}, tiles of {tile}");
+            let cut = traced(&scene, &Wanted { cut: Cut { threads: 2, tile }, ..wanted(way) });
+            assert_eq!(cut.picture, truth.picture, "{way:?}, tiles of {tile}");
+            if !way.2 {
+                assert_eq!(cut.counters, truth.counters, "{way:?}, tiles of {tile}");
+            }
         }
+    }
+}
+
+#[test]
+fn a_region_is_the_same_as_in_the_whole_picture() {
+    let scene = scene();
+    for way in WAYS {
+        let whole = traced(&scene, &wanted(way)).picture;
+        for (x, y, width, height) in [(0, 0, 61, 37), (7, 11, 30, 13), (60, 36, 1, 1)] {
+            let region = Tile { first: Pixel { x, y }, width, height };
+            let part = traced(&scene, &Wanted { region: Some(region), ..wanted(way) }).picture;
+            assert_eq!((part.size.width(), part.size.height()), (width, height));
+            for (color, pixel) in part.colors.iter().zip(region.pixels()) {
+                let place = Tile::whole(SIZE).place(pixel).unwrap();
+                assert_eq!(*color, whole.colors[place], "{way:?}, {pixel:?} of {region:?}");
+            }
+        }
+    }
+}
+
+#[test]
+fn the_pixels_of_a_mask_are_the_same_and_the_others_cost_nothing() {
+    let scene = scene();
+    for way in WAYS {
+        let all = traced(&scene, &wanted(way));
+        // A ring.
+        let is_white =
+            |Pixel { x, y }: Pixel| (100..300).contains(&((x as i32 - 30).pow(2) + (y as i32 - 18).pow(2)));
+        let pixels: Vec<bool> = Tile::whole(SIZE).pixels().map(is_white).collect();
+        let mask = Some(Arc::new(Mask { size: SIZE, pixels: pixels.clone() }));
+        let some = traced(&scene, &Wanted { mask, ..wanted(way) });
+        for ((some, all), is_white) in some.picture.colors.iter().zip(&all.picture.colors).zip(&pixels) {
+            assert_eq!(*some, if *is_white { *all } else { Rgb::BLACK }, "{way:?}");
+        }
+        let rays = |frame: &Frame| frame.counters.unwrap().rays(RayKind::Camera);
+        let most = match way.1 {
+            None => 0.45, // a little more than the share of the ring, for corners that are not shared
+            Some(_) => 0.9,
+        };
+        assert!(
+            (rays(&some) as f64) < most * rays(&all) as f64,
+            "{way:?}: {} of {}",
+            rays(&some),
+            rays(&all)
+        );
+    }
+}
+
+#[test]
+fn seeds_change_what_is_left_to_chance_and_nothing_else() {
+    let scene = scene();
+    for way in WAYS {
+        let (one, other) = (traced(&scene, &wanted(way)), traced(&scene, &Wanted { seed: 1, ..wanted(way) }));
+        assert_eq!(one.picture != other.picture, way.0.starts_with("stochastic"), "{way:?}");
     }
 }
 
 #[test]
 fn counting_changes_nothing() {
     let scene = scene();
-    let counted = traced(&scene, Sampling::Single, Cut::threads(0), true);
-    let silent = traced(&scene, Sampling::Single, Cut::threads(0), false);
+    let counted = traced(&scene, &wanted(WAYS[0]));
+    let silent = traced(&scene, &Wanted { counted: false, ..wanted(WAYS[0]) });
     assert_eq!(counted.picture, silent.picture);
     assert!(counted.counters.is_some() && silent.counters.is_none());
 }
 
 #[test]
 fn a_digest_tells_pictures_apart_by_one_bit() {
-    let mut picture = traced(&scene(), Sampling::Single, Cut::threads(0), false).picture;
+    let mut picture = traced(&scene(), &wanted(WAYS[0])).picture;
     let digest = picture.digest();
     assert_eq!(picture.clone().digest(), digest);
     picture.colors[100].g = picture.colors[100].g.next_up();

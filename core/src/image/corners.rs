@@ -1,187 +1,222 @@
-//! Rays through the corners of pixels, which neighbours share: the ground of adaptive
-//! supersampling.
+//! The corners of cells, which neighbours share. A cell is a pixel in adaptive supersampling,
+//! and a block of pixels in pixel-selected tracing.
 //!
-//! A picture of `w` times `h` pixels has `(w + 1) (h + 1)` corners. Two ways to trace none of
-//! them twice: with memory for all of them ([`Corner`] fills it in any order, tile by tile if need be,
-//! and [`Lattice`] reads it), or with memory for one row ([`CornerRow`]).
+//! `w` times `h` cells have `(w + 1) (h + 1)` corners. Two ways to trace none of them twice:
+//! with memory for all of them ([`Lattice`], which is filled in any order, tile by tile if need
+//! be), or with memory for one row ([`CornerRow`]). Or nothing is kept here ([`Loose`]) and
+//! everything comes from the sampler's own memory of places, which suits scattered cells.
 
 use super::pixel::{Pixel, Tile};
-use super::sampler::{Sampler, inside};
-use crate::math::Rgb;
-use crate::scene::{Place, Size};
+use super::sampler::Sampler;
+use crate::scene::Sample;
+use crate::trace::Sight;
 
-/// The mean of a pixel's four corners.
-fn mean(upper: [Rgb; 2], lower: [Rgb; 2]) -> Rgb {
-    ((upper[0] + upper[1]) + (lower[0] + lower[1])) * 0.25
+/// Somebody who knows what is seen at the corners of cells.
+///
+/// A cell is named like a pixel, a corner like the cell whose upper left corner it is.
+pub trait Corners {
+    /// Upper left, upper right, lower left and lower right corner of `cell`. `find` says what is
+    /// seen at a corner.
+    fn corners(&mut self, cell: Pixel, find: &mut impl FnMut(Pixel) -> Sight) -> [Sight; 4];
+
+    /// A new picture begins: what was kept of another is forgotten.
+    fn begin(&mut self) {}
 }
 
-/// One ray through the upper left corner of each pixel.
-///
-/// Over a rectangle that is one pixel wider and higher than the picture it traces every corner
-/// of the picture.
-#[derive(Clone, Copy, Debug)]
-pub struct Corner;
+/// The names of a cell's corners, from the upper left to the lower right.
+fn names(Pixel { x, y }: Pixel) -> [Pixel; 4] {
+    [(x, y), (x + 1, y), (x, y + 1), (x + 1, y + 1)].map(|(x, y)| Pixel { x, y })
+}
 
-impl Sampler for Corner {
-    fn color(&mut self, pixel: Pixel, shoot: &mut impl FnMut(Place) -> Rgb) -> Rgb {
-        shoot(inside(pixel, 0.0, 0.0))
+/// Keeps nothing.
+#[derive(Clone, Copy, Debug)]
+pub struct Loose;
+
+impl Corners for Loose {
+    fn corners(&mut self, cell: Pixel, find: &mut impl FnMut(Pixel) -> Sight) -> [Sight; 4] {
+        names(cell).map(find)
     }
 }
 
-/// The corners of all pixels of a picture, already traced.
+/// The corners of all cells of a rectangle, already traced.
 #[derive(Clone, Copy, Debug)]
 pub struct Lattice<'m> {
     tile: Tile,
-    corners: &'m [Rgb],
+    corners: &'m [Sight],
 }
 
 impl<'m> Lattice<'m> {
-    /// The rectangle whose upper left corners are all corners of a picture.
-    pub fn tile(size: Size) -> Tile {
-        Tile { first: Pixel { x: 0, y: 0 }, width: size.width() + 1, height: size.height() + 1 }
+    /// The rectangle of all corners of the cells `cells`: one wider and higher.
+    pub fn tile(cells: Tile) -> Tile {
+        Tile { width: cells.width + 1, height: cells.height + 1, ..cells }
     }
 
-    /// The corners of a picture of `size`, row by row; none when they are not
-    /// `(width + 1) (height + 1)`.
-    pub fn new(size: Size, corners: &'m [Rgb]) -> Option<Self> {
-        let tile = Self::tile(size);
+    /// The corners of `cells`, row by row; none when they are not as many as
+    /// [`Lattice::tile`] has.
+    pub fn new(cells: Tile, corners: &'m [Sight]) -> Option<Self> {
+        let tile = Self::tile(cells);
         (corners.len() == tile.len()).then_some(Lattice { tile, corners })
     }
+}
 
-    fn corner(&self, x: u32, y: u32) -> Rgb {
-        let place = self.tile.place(Pixel { x, y });
-        place.and_then(|place| self.corners.get(place)).copied().unwrap_or(Rgb::BLACK)
+impl Corners for Lattice<'_> {
+    fn corners(&mut self, cell: Pixel, find: &mut impl FnMut(Pixel) -> Sight) -> [Sight; 4] {
+        names(cell).map(|corner| {
+            let kept = self.tile.place(corner).and_then(|place| self.corners.get(place));
+            kept.copied().unwrap_or_else(|| find(corner))
+        })
     }
 }
 
-impl Sampler for Lattice<'_> {
-    fn color(&mut self, Pixel { x, y }: Pixel, _: &mut impl FnMut(Place) -> Rgb) -> Rgb {
-        mean([self.corner(x, y), self.corner(x + 1, y)], [self.corner(x, y + 1), self.corner(x + 1, y + 1)])
-    }
-}
-
-/// The corners of one row of pixels, in lent memory.
+/// The corners of one row of cells, in lent memory.
 ///
-/// Pixels that come row by row, each row from its first to its last, share all their corners.
-/// In any other order they are right as well, but some corners are traced again.
+/// Cells that come row by row, each row from its first to its last, share all their corners.
+/// In any other order they are right as well, but some corners are found again.
 #[derive(Debug)]
 pub struct CornerRow<'m> {
-    /// The corners above the pixels to come, and below those that have been.
-    row: &'m mut [Rgb],
-    /// The pixel that shares corners with the last one.
+    /// The corners above the cells to come, and below those that have been.
+    row: &'m mut [Sight],
+    /// The cell that shares corners with the last one.
     next: Option<Pixel>,
     first: u32,
-    /// Whether `row` holds the corners above the pixels to come.
+    /// Whether `row` holds the corners above the cells to come.
     above: bool,
-    /// The last pixel's lower right corner.
-    last: Rgb,
+    /// The last cell's lower right corner.
+    last: Sight,
 }
 
 impl<'m> CornerRow<'m> {
-    /// For rows of `row.len() - 1` pixels. With less than two corners it remembers nothing, and
-    /// traces all four of every pixel.
-    pub fn new(row: &'m mut [Rgb]) -> Self {
-        CornerRow { row, next: None, first: 0, above: false, last: Rgb::BLACK }
+    /// For rows of `row.len() - 1` cells. With less than two corners it remembers nothing, and
+    /// asks for all four of every cell.
+    pub fn new(row: &'m mut [Sight]) -> Self {
+        CornerRow { row, next: None, first: 0, above: false, last: Sight::DARK }
     }
 
-    fn at(&self, place: u32) -> Rgb {
-        self.row.get(place as usize).copied().unwrap_or(Rgb::BLACK)
+    fn at(&self, place: u32) -> Sight {
+        self.row.get(place as usize).copied().unwrap_or(Sight::DARK)
     }
 
-    fn set(&mut self, place: u32, color: Rgb) {
+    fn set(&mut self, place: u32, sight: Sight) {
         if let Some(slot) = self.row.get_mut(place as usize) {
-            *slot = color;
+            *slot = sight;
         }
     }
 }
 
-impl Sampler for CornerRow<'_> {
-    fn color(&mut self, pixel: Pixel, shoot: &mut impl FnMut(Place) -> Rgb) -> Rgb {
+impl Corners for CornerRow<'_> {
+    fn corners(&mut self, cell: Pixel, find: &mut impl FnMut(Pixel) -> Sight) -> [Sight; 4] {
         let width = self.row.len().saturating_sub(1) as u32;
-        if self.next != Some(pixel) {
-            // A new beginning: only the corners of this pixel are needed, and none is known.
-            (self.first, self.above) = (pixel.x, false);
+        if self.next != Some(cell) {
+            // A new beginning: only the corners of this cell are needed, and none is known.
+            (self.first, self.above) = (cell.x, false);
         }
-        let place = pixel.x.saturating_sub(self.first);
+        let [upper_left, upper_right, lower_left, lower_right] = names(cell);
+        let place = cell.x.saturating_sub(self.first);
         let begins = place == 0;
         let upper_left = match (self.above, begins) {
-            (false, true) => shoot(inside(pixel, 0.0, 0.0)),
+            (false, true) => find(upper_left),
             _ => self.at(place),
         };
-        let upper_right = if self.above { self.at(place + 1) } else { shoot(inside(pixel, 1.0, 0.0)) };
-        let lower_left = if begins { shoot(inside(pixel, 0.0, 1.0)) } else { self.last };
-        let lower_right = shoot(inside(pixel, 1.0, 1.0));
+        let upper_right = if self.above { self.at(place + 1) } else { find(upper_right) };
+        let lower_left = if begins { find(lower_left) } else { self.last };
+        let lower_right = find(lower_right);
 
         self.set(place, lower_left);
         self.last = lower_right;
         self.next = if place + 1 < width {
-            // The upper left corner of the next pixel.
+            // The upper left corner of the next cell.
             self.set(place + 1, upper_right);
-            Some(Pixel { x: pixel.x + 1, y: pixel.y })
+            Some(Pixel { x: cell.x + 1, y: cell.y })
         } else if width > 0 {
             self.set(place + 1, lower_right);
             self.above = true;
-            Some(Pixel { x: self.first, y: pixel.y + 1 })
+            Some(Pixel { x: self.first, y: cell.y + 1 })
         } else {
             None // there is no room to remember anything
         };
-        mean([upper_left, upper_right], [lower_left, lower_right])
+        [upper_left, upper_right, lower_left, lower_right]
+    }
+
+    fn begin(&mut self) {
+        self.next = None;
+    }
+}
+
+/// What fills a [`Lattice`]: what `S` sees in the pixel that is the upper left corner of each
+/// cell of `side` times `side` pixels.
+#[derive(Clone, Copy, Debug)]
+pub struct Every<S> {
+    /// Sees.
+    pub sampler: S,
+    /// Pixels along one side of a cell.
+    pub side: u32,
+}
+
+impl<S: Sampler> Sampler for Every<S> {
+    fn look(&mut self, Pixel { x, y }: Pixel, shoot: &mut impl FnMut(Sample) -> Sight) -> Sight {
+        self.sampler.look(Pixel { x: x.wrapping_mul(self.side), y: y.wrapping_mul(self.side) }, shoot)
+    }
+
+    fn begin(&mut self) {
+        self.sampler.begin();
     }
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::math::{Real, Rgb};
+    use crate::trace::Met;
 
-    fn color(place: Place) -> Rgb {
-        Rgb::new(place.x * place.y, place.x, place.y * place.y)
+    fn sight(Pixel { x, y }: Pixel) -> Sight {
+        Sight { color: Rgb::new((x * y) as Real, x as Real, (y * y) as Real), met: Met::Nothing }
     }
 
-    /// The mean of the four corners, traced for each pixel anew.
-    fn truth(pixel: Pixel) -> Rgb {
-        let at = |x, y| color(inside(pixel, x, y));
-        mean([at(0.0, 0.0), at(1.0, 0.0)], [at(0.0, 1.0), at(1.0, 1.0)])
+    fn truth(cell: Pixel) -> [Sight; 4] {
+        names(cell).map(sight)
     }
 
     #[test]
-    fn a_row_of_memory_traces_each_corner_once() {
+    fn a_row_of_memory_finds_each_corner_once() {
         for (w, h) in [(1, 1), (1, 4), (4, 1), (5, 3)] {
-            let mut memory = [Rgb::BLACK; 8];
-            let mut sampler = CornerRow::new(&mut memory[..w as usize + 1]);
-            let mut rays = 0;
+            let mut memory = [Sight::DARK; 8];
+            let mut row = CornerRow::new(&mut memory[..w as usize + 1]);
+            let mut found = 0;
             let tile = Tile { first: Pixel { x: 2, y: 7 }, width: w, height: h };
-            for pixel in tile.pixels() {
-                let mut shoot = |place| {
-                    rays += 1;
-                    color(place)
+            for cell in tile.pixels() {
+                let mut find = |corner| {
+                    found += 1;
+                    sight(corner)
                 };
-                assert_eq!(sampler.color(pixel, &mut shoot), truth(pixel), "{pixel:?} of {w}x{h}");
+                assert_eq!(row.corners(cell, &mut find), truth(cell), "{cell:?} of {w}x{h}");
             }
-            assert_eq!(rays, (w + 1) * (h + 1));
+            assert_eq!(found, (w + 1) * (h + 1));
         }
     }
 
     #[test]
     fn a_row_of_memory_is_right_in_any_order() {
-        let mut memory = [Rgb::BLACK; 4];
-        let mut sampler = CornerRow::new(&mut memory);
+        let mut memory = [Sight::DARK; 4];
+        let mut row = CornerRow::new(&mut memory);
         for (x, y) in [(1, 0), (2, 0), (0, 1), (2, 0), (3, 0), (4, 0), (2, 1), (3, 1), (1, 2), (9, 9)] {
-            let pixel = Pixel { x, y };
-            assert_eq!(sampler.color(pixel, &mut color), truth(pixel), "{pixel:?}");
+            let cell = Pixel { x, y };
+            assert_eq!(row.corners(cell, &mut sight), truth(cell), "{cell:?}");
         }
     }
 
     #[test]
-    fn a_lattice_gives_the_same_and_traces_nothing() {
-        let size = Size::new(3, 2).unwrap();
-        let mut memory = [Rgb::BLACK; 12];
-        for (slot, pixel) in memory.iter_mut().zip(Lattice::tile(size).pixels()) {
-            *slot = Corner.color(pixel, &mut color);
+    fn a_lattice_gives_the_same_and_finds_only_what_lies_outside() {
+        let cells = Tile { first: Pixel { x: 5, y: 1 }, width: 3, height: 2 };
+        let mut memory = [Sight::DARK; 12];
+        for (slot, corner) in memory.iter_mut().zip(Lattice::tile(cells).pixels()) {
+            *slot = sight(corner);
         }
-        let mut lattice = Lattice::new(size, &memory).unwrap();
-        for pixel in Tile::whole(size).pixels() {
-            assert_eq!(lattice.color(pixel, &mut |_| unreachable!()), truth(pixel));
+        let mut lattice = Lattice::new(cells, &memory).unwrap();
+        for cell in cells.pixels() {
+            assert_eq!(lattice.corners(cell, &mut |_| unreachable!()), truth(cell));
         }
-        assert!(Lattice::new(size, &memory[..11]).is_none());
+        let outside = Pixel { x: 0, y: 0 };
+        assert_eq!(lattice.corners(outside, &mut sight), truth(outside));
+        assert!(Lattice::new(cells, &memory[..11]).is_none());
     }
 }

@@ -1,15 +1,28 @@
 //! Pictures: which rays make a pixel, and where pixels go.
 
+mod adaptive;
+mod agreement;
 mod corners;
+mod filter;
+mod kept;
 mod pixel;
+mod quarter;
 mod regular;
 mod sampler;
+mod selected;
 mod single;
 mod sink;
+mod stochastic;
 
-pub use corners::{Corner, CornerRow, Lattice};
+pub use adaptive::{Adaptive, Corner, Parting};
+pub use agreement::Agreement;
+pub use corners::{CornerRow, Corners, Every, Lattice, Loose};
+pub use filter::Filter;
+pub use kept::Kept;
 pub use pixel::{Pixel, Tile};
 pub use regular::Regular;
 pub use sampler::Sampler;
+pub use selected::{Selected, Selection};
 pub use single::Single;
-pub use sink::{Frame, Sink};
+pub use sink::{Frame, Record, Sink};
+pub use stochastic::{Confidence, Stochastic};

@@ -34,6 +34,18 @@ impl Tile {
         (0..height).flat_map(move |y| (0..width).map(move |x| Pixel { x: first.x + x, y: first.y + y }))
     }
 
+    /// The pixels that lie in `other` as well.
+    pub fn within(self, other: Tile) -> Tile {
+        // From the later begin to the earlier end.
+        let span = |a: u32, a_length: u32, b: u32, b_length: u32| {
+            let begin = a.max(b);
+            (begin, a.saturating_add(a_length).min(b.saturating_add(b_length)).saturating_sub(begin))
+        };
+        let (x, width) = span(self.first.x, self.width, other.first.x, other.width);
+        let (y, height) = span(self.first.y, self.height, other.first.y, other.height);
+        Tile { first: Pixel { x, y }, width, height }
+    }
+
     /// The number of its pixels.
     pub fn len(self) -> usize {
         self.width as usize * self.height as usize
@@ -83,5 +95,14 @@ mod tests {
         }
         assert_eq!(whole.place(Pixel { x: 20, y: 5 }), None);
         assert_eq!(whole.place(Pixel { x: 2, y: 5 }), None);
+    }
+
+    #[test]
+    fn what_lies_in_two_tiles_lies_in_both() {
+        let tile = |x, y, width, height| Tile { first: Pixel { x, y }, width, height };
+        let (a, b) = (tile(2, 3, 10, 4), tile(5, 1, 20, 4));
+        assert_eq!(a.within(b), tile(5, 3, 7, 2));
+        assert_eq!(b.within(a), a.within(b));
+        assert!(a.within(tile(12, 3, 5, 5)).is_empty() && a.within(tile(0, 0, 2, 9)).is_empty());
     }
 }

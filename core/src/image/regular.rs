@@ -1,39 +1,59 @@
 //! Regular supersampling: each pixel is cut into n times n cells with a ray through each.
 
+use super::filter::Filter;
 use super::pixel::Pixel;
-use super::sampler::{Sampler, inside};
-use crate::math::{Real, Rgb};
-use crate::scene::Place;
+use super::sampler::{Mean, Sampler, inside, stream};
+use crate::math::Real;
+use crate::scene::Sample;
+use crate::trace::Sight;
 
-/// Rays through the middles of `n` times `n` equal cells; the mean of their colours.
+/// Rays through the middles of `n` times `n` equal cells; the mean of what they see.
 #[derive(Clone, Copy, Debug)]
 pub struct Regular {
     n: u16,
+    filter: Filter,
+    seed: u32,
 }
 
 impl Regular {
     /// One ray through the middle.
-    pub const ONE: Regular = Regular { n: 1 };
+    pub const ONE: Regular = Regular { n: 1, filter: Filter::Box, seed: 0 };
     /// The most cells along one side.
     pub const MOST: u16 = 256;
 
     /// `n` times `n` rays; none when `n` is 0 or more than [`Regular::MOST`].
     pub fn new(n: u16) -> Option<Self> {
-        (n >= 1 && n <= Self::MOST).then_some(Regular { n })
+        (n >= 1 && n <= Self::MOST).then_some(Regular { n, ..Self::ONE })
+    }
+
+    /// The same with this filter, which spreads the cells over its surroundings.
+    pub fn filtered(self, filter: Filter) -> Self {
+        Regular { filter, ..self }
+    }
+
+    /// The same in the picture with this seed: what rays leave to chance changes.
+    pub fn seeded(self, seed: u32) -> Self {
+        Regular { seed, ..self }
     }
 }
 
 impl Sampler for Regular {
-    fn color(&mut self, pixel: Pixel, shoot: &mut impl FnMut(Place) -> Rgb) -> Rgb {
+    fn look(&mut self, pixel: Pixel, shoot: &mut impl FnMut(Sample) -> Sight) -> Sight {
         let n = Real::from(self.n);
         let middle = |cell: u16| (Real::from(cell) + 0.5) / n;
-        let mut sum = Rgb::BLACK;
+        let mut mean = Mean::NONE;
+        let mut index = 0;
         for y in 0..self.n {
             for x in 0..self.n {
-                sum += shoot(inside(pixel, middle(x), middle(y)));
+                let [x, y] = self.filter.place([middle(x), middle(y)]);
+                mean.add(shoot(Sample {
+                    place: inside(pixel, x, y),
+                    stream: stream(pixel, index, self.seed),
+                }));
+                index += 1;
             }
         }
-        sum * (1.0 / (n * n))
+        mean.sight()
     }
 }
 
@@ -41,30 +61,36 @@ impl Sampler for Regular {
 mod tests {
     use super::*;
     use crate::image::Single;
+    use crate::math::Rgb;
+    use crate::trace::Met;
 
     #[test]
     fn one_cell_is_the_middle_of_the_pixel() {
         let pixel = Pixel { x: 3, y: 2 };
-        let mut places = [Place { x: 0.0, y: 0.0 }; 2];
-        Single.color(pixel, &mut |place| {
-            places[0] = place;
-            Rgb::BLACK
+        let mut samples = [None; 2];
+        Single.look(pixel, &mut |sample| {
+            samples[0] = Some(sample);
+            Sight::DARK
         });
-        Regular::new(1).unwrap().color(pixel, &mut |place| {
-            places[1] = place;
-            Rgb::BLACK
+        Regular::new(1).unwrap().look(pixel, &mut |sample| {
+            samples[1] = Some(sample);
+            Sight::DARK
         });
-        assert_eq!(places, [Place { x: 3.5, y: 2.5 }; 2]);
+        assert_eq!(samples[0], samples[1]);
+        let place = samples[0].unwrap().place;
+        assert_eq!((place.x, place.y), (3.5, 2.5));
     }
 
     #[test]
     fn the_cells_have_the_mean_of_a_slope() {
-        let mut rays = 0;
-        let mean = Regular::new(4).unwrap().color(Pixel { x: 0, y: 0 }, &mut |place| {
-            rays += 1;
-            Rgb::new(place.x, place.y, 1.0)
-        });
-        assert_eq!((rays, mean), (16, Rgb::new(0.5, 0.5, 1.0)));
+        for filter in [Filter::Box, Filter::Tent] {
+            let mut rays = 0;
+            let mean = Regular::new(4).unwrap().filtered(filter).look(Pixel { x: 0, y: 0 }, &mut |sample| {
+                rays += 1;
+                Sight { color: Rgb::new(sample.place.x, sample.place.y, 1.0), met: Met::Nothing }
+            });
+            assert_eq!((rays, mean.color), (16, Rgb::new(0.5, 0.5, 1.0)));
+        }
         assert!(Regular::new(0).is_none() && Regular::new(257).is_none());
     }
 }

@@ -4,6 +4,7 @@ use core::convert::Infallible;
 
 use super::pixel::{Pixel, Tile};
 use crate::math::Rgb;
+use crate::trace::{Met, Sight};
 
 /// Somebody who takes pixels: memory, a display, a line to a computer.
 pub trait Sink {
@@ -12,6 +13,11 @@ pub trait Sink {
 
     /// Takes the colour of one pixel.
     fn put(&mut self, pixel: Pixel, color: Rgb) -> Result<(), Self::Error>;
+
+    /// Takes what is seen in one pixel; who wants no more than its colour leaves this as it is.
+    fn put_sight(&mut self, pixel: Pixel, sight: Sight) -> Result<(), Self::Error> {
+        self.put(pixel, sight.color)
+    }
 }
 
 /// A closure is a sink that cannot fail.
@@ -24,26 +30,57 @@ impl<F: FnMut(Pixel, Rgb)> Sink for F {
     }
 }
 
-/// Linear colours in lent memory, row by row. Pixels outside the tile are dropped.
-#[derive(Debug)]
-pub struct Frame<'m> {
-    tile: Tile,
-    colors: &'m mut [Rgb],
+/// What is kept of a pixel.
+pub trait Record: Copy {
+    /// Of one in which nothing was seen.
+    const NONE: Self;
+
+    /// Of what was seen in it.
+    fn of(sight: Sight) -> Self;
 }
 
-impl<'m> Frame<'m> {
-    /// A frame for the pixels of `tile`; none when `colors` is not as long as the tile.
-    pub fn new(tile: Tile, colors: &'m mut [Rgb]) -> Option<Self> {
-        (colors.len() == tile.len()).then_some(Frame { tile, colors })
+/// Its light alone.
+impl Record for Rgb {
+    const NONE: Self = Rgb::BLACK;
+
+    fn of(sight: Sight) -> Self {
+        sight.color
     }
 }
 
-impl Sink for Frame<'_> {
+/// Everything, as a [`Lattice`](super::Lattice) needs it.
+impl Record for Sight {
+    const NONE: Self = Sight::DARK;
+
+    fn of(sight: Sight) -> Self {
+        sight
+    }
+}
+
+/// Records of pixels in lent memory, row by row. Pixels outside the tile are dropped.
+#[derive(Debug)]
+pub struct Frame<'m, R = Rgb> {
+    tile: Tile,
+    records: &'m mut [R],
+}
+
+impl<'m, R: Record> Frame<'m, R> {
+    /// A frame for the pixels of `tile`; none when `records` is not as long as the tile.
+    pub fn new(tile: Tile, records: &'m mut [R]) -> Option<Self> {
+        (records.len() == tile.len()).then_some(Frame { tile, records })
+    }
+}
+
+impl<R: Record> Sink for Frame<'_, R> {
     type Error = Infallible;
 
     fn put(&mut self, pixel: Pixel, color: Rgb) -> Result<(), Infallible> {
-        if let Some(slot) = self.tile.place(pixel).and_then(|place| self.colors.get_mut(place)) {
-            *slot = color;
+        self.put_sight(pixel, Sight { color, met: Met::Nothing })
+    }
+
+    fn put_sight(&mut self, pixel: Pixel, sight: Sight) -> Result<(), Infallible> {
+        if let Some(slot) = self.tile.place(pixel).and_then(|place| self.records.get_mut(place)) {
+            *slot = R::of(sight);
         }
         Ok(())
     }

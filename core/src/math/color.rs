@@ -4,7 +4,7 @@ use zerocopy::{Immutable, KnownLayout, TryFromBytes};
 
 use core::ops::{Add, AddAssign, Mul, MulAssign};
 
-use super::{Real, greatest, powf};
+use super::{Real, greatest, least, powf};
 
 /// Linear light in red, green and blue: a colour, a share or a radiance.
 ///
@@ -74,6 +74,25 @@ impl Rgb {
         Rgb { r: f(self.r), g: f(self.g), b: f(self.b) }
     }
 
+    /// How far apart the encoded channels of some colours are (sRGB, in `0..=1`), the largest
+    /// of the three channels. Of no colours: 0.
+    pub fn contrast(colors: impl IntoIterator<Item = Rgb>) -> Real {
+        let mut colors = colors.into_iter();
+        let Some(first) = colors.next() else { return 0.0 };
+        let (mut low, mut high) = (first, first);
+        for color in colors {
+            low = Rgb { r: least(low.r, color.r), g: least(low.g, color.g), b: least(low.b, color.b) };
+            high = Rgb {
+                r: greatest(high.r, color.r),
+                g: greatest(high.g, color.g),
+                b: greatest(high.b, color.b),
+            };
+        }
+        // The encoding grows with the light, so that the ends stay the ends.
+        let apart = |low: Real, high: Real| if low < high { encode(high) - encode(low) } else { 0.0 };
+        greatest(apart(low.r, high.r), greatest(apart(low.g, high.g), apart(low.b, high.b)))
+    }
+
     /// Eight bits per channel in the sRGB encoding (IEC 61966-2-1): values outside `[0, 1]`
     /// are cut off, the rest is rounded to the nearest step.
     pub fn to_srgb8(self) -> [u8; 3] {
@@ -138,6 +157,16 @@ mod tests {
         assert_eq!(Rgb::new(-1.0, 7.0, Real::NAN).to_srgb8(), [0, 255, 0]);
         // On the straight part: 0.002 * 12.92 * 255 = 6.59.
         assert_eq!(Rgb::gray(0.002).to_srgb8(), [7; 3]);
+    }
+
+    #[test]
+    fn contrast_is_the_largest_difference_as_it_is_seen() {
+        let gray = [Rgb::gray(0.215_860_5), Rgb::BLACK, Rgb::gray(0.1)];
+        assert!((Rgb::contrast(gray) - 128.0 / 255.0).abs() < 1e-6);
+        // What is brighter than white is seen as white.
+        assert_eq!(Rgb::contrast([Rgb::WHITE, Rgb::gray(7.0)]), 0.0);
+        assert_eq!(Rgb::contrast([Rgb::new(0.0, 1.0, 0.5), Rgb::new(0.0, 0.0, 0.5)]), 1.0);
+        assert_eq!(Rgb::contrast([]), 0.0);
     }
 
     #[test]

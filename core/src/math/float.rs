@@ -9,14 +9,16 @@ use super::Real;
 #[cfg(feature = "double")]
 mod library {
     #[cfg(test)]
-    pub(super) use libm::{acos, cos, sin};
-    pub(super) use libm::{exp, floor, pow, tan};
+    pub(super) use libm::acos;
+    pub(super) use libm::{cos, exp, floor, log as ln, pow, sin, tan};
 }
 #[cfg(not(feature = "double"))]
 mod library {
     #[cfg(test)]
-    pub(super) use libm::{acosf as acos, cosf as cos, sinf as sin};
-    pub(super) use libm::{expf as exp, floorf as floor, powf as pow, tanf as tan};
+    pub(super) use libm::acosf as acos;
+    pub(super) use libm::{
+        cosf as cos, expf as exp, floorf as floor, logf as ln, powf as pow, sinf as sin, tanf as tan,
+    };
 }
 
 /// The square root where the floating-point unit has one, but libm's is software: some sixty
@@ -69,14 +71,17 @@ pub fn exp(x: Real) -> Real {
     library::exp(x)
 }
 
+/// The natural logarithm of `x`.
+pub fn ln(x: Real) -> Real {
+    library::ln(x)
+}
+
 /// The sine of an angle in radians.
-#[cfg(test)]
 pub fn sin(x: Real) -> Real {
     library::sin(x)
 }
 
 /// The cosine of an angle in radians.
-#[cfg(test)]
 pub fn cos(x: Real) -> Real {
     library::cos(x)
 }

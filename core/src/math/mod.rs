@@ -11,12 +11,16 @@ mod color;
 mod float;
 pub mod morton;
 mod roots;
+mod stream;
+mod warp;
 
 pub use color::Rgb;
 #[cfg(test)]
-pub use float::{acos, cos, sin};
-pub use float::{exp, floor, powf, sqrt, tan};
+pub use float::acos;
+pub use float::{cos, exp, floor, ln, powf, sin, sqrt, tan};
 pub use roots::quartic_roots;
+pub use stream::{Dimension, Stream};
+pub use warp::{normal, tent};
 
 #[cfg(feature = "double")]
 mod precision {

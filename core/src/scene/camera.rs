@@ -3,7 +3,7 @@
 use zerocopy::{Immutable, KnownLayout, TryFromBytes};
 
 use crate::geometry::Ray;
-use crate::math::{PI, Real, Vec3, is_in_range, tan, unit};
+use crate::math::{PI, Real, Stream, Vec3, is_in_range, tan, unit};
 
 /// A picture's width and height in pixels, both at least 1.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -44,6 +44,15 @@ pub struct Place {
     pub x: Real,
     /// Down.
     pub y: Real,
+}
+
+/// One camera ray: where it goes through the picture, and the numbers that belong to it.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Sample {
+    /// Where.
+    pub place: Place,
+    /// The numbers from which everything is taken that the ray leaves to chance.
+    pub stream: Stream,
 }
 
 /// How the scene is looked at, whatever the size of the picture.

@@ -7,7 +7,7 @@ mod material;
 mod texture;
 mod world;
 
-pub use camera::{Camera, Place, Projection, Size, View, ViewFault};
+pub use camera::{Camera, Place, Projection, Sample, Size, View, ViewFault};
 pub use effects::{EffectSet, Effects, Everything, LastLevel};
 pub(crate) use light::Beam;
 pub use light::{Falloff, Light, LightKind, LightSet, Source};

@@ -5,9 +5,11 @@
 //! by itself, and no ray waits for another's answer ("An Improved Illumination Model for Shaded
 //! Display", CACM 1980).
 
+mod sight;
 mod task;
 mod worker;
 
+pub use sight::{Met, Sight};
 pub use worker::Worker;
 
 use core::fmt;
@@ -16,7 +18,7 @@ use core::marker::PhantomData;
 use crate::accel::Accelerator;
 use crate::geometry::{Hit, Ray};
 use crate::math::{Real, Rgb, Vec3};
-use crate::scene::{Camera, EffectSet, Effects, Interface, LastLevel, Material, MaterialId, Place, World};
+use crate::scene::{Camera, EffectSet, Effects, Interface, LastLevel, Material, MaterialId, Sample, World};
 use crate::shade::{Crossing, Media, Seen, absorbed, index, local, reflected, refracted};
 use crate::tally::{Event, RayKind, Tally};
 use task::{Task, Tasks};
@@ -101,27 +103,29 @@ impl<'w, 's, A: Accelerator, E: Effects, const LEVELS: usize> Tracer<'w, 's, A, 
         Ok(Tracer { world, camera, limits, effects: PhantomData })
     }
 
-    /// The light that arrives from the scene at a place in the picture. Always finite.
+    /// The light that arrives from the scene along one camera ray, always finite, and what that
+    /// ray met.
     ///
     /// Not inlined: samplers call it once for each camera ray, and the loop should exist once
     /// for each tracer, not for each sampler.
     #[inline(never)]
-    pub fn radiance<T: Tally>(&self, place: Place, worker: &mut Worker<A, T, LEVELS>) -> Rgb {
-        let Ray { origin, direction, .. } = self.camera.ray(place);
+    pub fn look<T: Tally>(&self, sample: Sample, worker: &mut Worker<A, T, LEVELS>) -> Sight {
+        let Ray { origin, direction, .. } = self.camera.ray(sample.place);
         let mut sum = Rgb::BLACK;
+        let mut met = Met::Nothing;
         let (kind, media) = (RayKind::Camera, Media::NONE);
         let mut task = Task { origin, direction, weight: Rgb::WHITE, level: 1, kind, media };
         loop {
-            sum += self.follow(&mut task, worker);
+            sum += self.follow(&mut task, &mut met, worker);
             let Some(next) = worker.tasks.pop() else { break };
             task = next;
         }
         // Once, here: no part is below zero, so that a sum that was too large stays so.
-        sum.at_most(BRIGHTEST_PLACE)
+        Sight { color: sum.at_most(BRIGHTEST_PLACE), met }
     }
 
     /// What a task adds to the pixel by itself; its children go onto the stack.
-    fn follow<T: Tally>(&self, task: &mut Task, worker: &mut Worker<A, T, LEVELS>) -> Rgb {
+    fn follow<T: Tally>(&self, task: &mut Task, first: &mut Met, worker: &mut Worker<A, T, LEVELS>) -> Rgb {
         let Worker { scratch, tasks, tally } = worker;
         tally.count(Event::Ray(task.kind));
         let ray = Ray::near_unit(task.origin, task.direction);
@@ -132,6 +136,7 @@ impl<'w, 's, A: Accelerator, E: Effects, const LEVELS: usize> Tracer<'w, 's, A, 
         };
         if task.kind == RayKind::Camera {
             tally.count(Event::CameraHit);
+            *first = Met::Item(hit.item);
         }
 
         let seen = Seen::new(surface, task.direction);

@@ -35,6 +35,24 @@ pub enum Values {
     Linear(Vec<Rgb>),
 }
 
+impl Values {
+    /// Which pixels are nearer to white than to black, by the mean of their encoded channels.
+    pub fn are_white(&self) -> Vec<bool> {
+        match self {
+            Values::Eight(pixels) => {
+                pixels.iter().map(|p| p.iter().map(|c| u32::from(*c)).sum::<u32>() > 3 * 127).collect()
+            }
+            Values::Sixteen(pixels) => {
+                pixels.iter().map(|p| p.iter().map(|c| u32::from(*c)).sum::<u32>() > 3 * 32_767).collect()
+            }
+            Values::Linear(pixels) => pixels
+                .iter()
+                .map(|p| p.to_srgb8().iter().map(|c| u32::from(*c)).sum::<u32>() > 3 * 127)
+                .collect(),
+        }
+    }
+}
+
 /// The most bytes of pixels that one byte of a file stands for: a string of LZW, the densest of
 /// all compressions in these formats, has at most 4096 bytes and takes more than one.
 ///

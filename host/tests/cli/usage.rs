@@ -11,6 +11,11 @@ const OPTIONS: &[&str] = &[
     "--levels",
     "--cutoff",
     "--sampler",
+    "--filter",
+    "--seed",
+    "--select",
+    "--region",
+    "--mask",
     "--precision",
     "--accel",
     "--bounds",
@@ -71,7 +76,11 @@ fn every_option_of_the_help_works() {
          --precision double --accel list --bounds none --stats json --stats-file a.json --quiet",
     );
     folder.done("render scene.nff -o b.png -q");
-    assert_eq!(folder.names(), ["a.json", "a.png", "b.png", "scene.nff"]);
+    folder.done(
+        "render scene.nff -o c.png -q --filter tent --sampler stochastic:4..8:0.9 --seed 3 --select 2:0.1 \
+         --region 1,1,3x2 --mask b.png",
+    );
+    assert_eq!(folder.names(), ["a.json", "a.png", "b.png", "c.png", "scene.nff"]);
 }
 
 #[test]
@@ -121,9 +130,19 @@ fn wrong_usage_is_told_with_status_2_and_nothing_is_written() {
         (format!("{scene} --sampler regular:257"), "between 1 and 256"),
         (format!("{scene} --sampler regular:1.5"), "between 1 and 256"),
         (format!("{scene} --sampler regular:70000"), "between 1 and 256"),
-        (format!("{scene} --sampler adaptive:3:0.1"), "only adaptive:0:0"),
-        (format!("{scene} --sampler adaptive:x:y"), "two numbers"),
-        (format!("{scene} --sampler adaptive:0"), "regular:N"),
+        (format!("{scene} --sampler adaptive:7:0.1"), "DEPTH must be 0 to 6"),
+        (format!("{scene} --sampler adaptive:x:y"), "DEPTH must be 0 to 6"),
+        (format!("{scene} --sampler adaptive:0"), "threshold is missing"),
+        (format!("{scene} --sampler stochastic:1..0:0.5"), "MIN first"),
+        (format!("{scene} --filter cone"), "gaussian"),
+        (format!("{scene} --filter tent --sampler adaptive:2:0.1"), "fills the pixel by itself"),
+        (format!("{scene} --seed=-1"), "--seed"),
+        (format!("{scene} --select 3:0.1"), "STEP must be"),
+        (format!("{scene} --region 0,0"), "X,Y,WxH is expected"),
+        (format!("{scene} --region 0,0,4"), "X,Y,WxH is expected"),
+        (format!("{scene} --region 0,0,0x4"), "between 1 and 65536"),
+        (format!("{scene} --region 1,0,4x3"), "beyond the picture of 4x3"),
+        (format!("{scene} --region 4294967295,0,4x3"), "beyond the picture of 4x3"),
         (format!("{scene} --threads 0"), "between 1 and 1024"),
         (format!("{scene} --threads 1025"), "between 1 and 1024"),
         (format!("{scene} --threads two"), "between 1 and 1024"),

@@ -3,7 +3,7 @@
 use strahl::description::{
     Background, Form, Light, Object, Placed, Projection, Settings, Source, Texture, View,
 };
-use strahl::workers::Sampling;
+use strahl::wanted::{Filter, Sampling};
 use strahl_core::{Interface, Material, Rgb, Size, TextureId};
 
 use crate::text::{ALL, loaded};
@@ -25,6 +25,8 @@ fn every_light_and_setting_becomes_what_the_format_says() {
         levels: Some(7),
         cutoff: Some(0.25),
         sampling: Some(Sampling::Regular(3)),
+        filter: None,
+        seed: None,
     };
     assert_eq!(it.settings, settings);
     let (below, above) = (Rgb::BLACK, Rgb::new(0.5, 0.25, 1.0));
@@ -51,6 +53,14 @@ fn every_light_and_setting_becomes_what_the_format_says() {
         placed(point, Rgb::new(1.0, 0.5, 0.25), true, 35, None),
     ];
     assert_eq!(it.lights, lights);
+}
+
+#[test]
+fn samplers_have_the_words_of_the_command_line() {
+    let it =
+        loaded("[render]\nsampler = \"stochastic:8..64:0.9\"\nfilter = \"tent\"\nseed = 0xff\n").settings;
+    let sampling: Sampling = "stochastic:8..64:0.9:1/128".parse().unwrap();
+    assert_eq!((it.sampling, it.filter, it.seed), (Some(sampling), Some(Filter::Tent), Some(255)));
 }
 
 #[test]

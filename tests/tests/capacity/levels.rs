@@ -19,6 +19,9 @@ fn panes(levels: usize) -> Stage {
     stage
 }
 
+/// The ray through the middle of the first pixel.
+const MIDDLE: Sample = Sample { place: Place { x: 0.5, y: 0.5 }, stream: Stream::new(0, 0, 0, 0) };
+
 /// A ray straight at the panes, with room for `LEVELS` levels.
 fn full_tree<const LEVELS: usize>(levels: u8) -> (Rgb, Counters) {
     let stage = panes(levels.into());
@@ -29,7 +32,7 @@ fn full_tree<const LEVELS: usize>(levels: u8) -> (Rgb, Counters) {
         Tracer::<_, Everything, LEVELS>::new(&world, Camera::new(&view, size(1, 1)).unwrap(), limits)
             .unwrap();
     let mut worker = Worker::new(Counters::new());
-    (tracer.radiance(Place { x: 0.5, y: 0.5 }, &mut worker), worker.into_tally())
+    (tracer.look(MIDDLE, &mut worker).color, worker.into_tally())
 }
 
 #[test]
@@ -120,7 +123,7 @@ fn the_background_stands_for_what_the_levels_end_and_for_what_lies_out_of_sight(
         let camera = Camera::new(&View { up: Vec3::Y, ..view }, size(1, 1)).unwrap();
         let limits = Limits { levels, cutoff: 0.0 };
         let tracer = Tracer::<_, ShortSighted, 3>::new(&world, camera, limits).unwrap();
-        tracer.radiance(Place { x: 0.5, y: 0.5 }, &mut Worker::new(()))
+        tracer.look(MIDDLE, &mut Worker::new(())).color
     };
     // The pane, and the background for both of its children: the mirrored ray would meet the other pane.
     assert_eq!(color(0.0, 1), Rgb::gray(0.25 + 8.0));

@@ -132,8 +132,10 @@ fn the_core_asks_for_no_memory() {
     let size = size(24, 16);
     let tile = Tile::whole(size);
     let mut colors = vec![Rgb::BLACK; tile.len()];
-    let mut corners = vec![Rgb::BLACK; Lattice::tile(size).len()];
-    let mut row = vec![Rgb::BLACK; 25];
+    let mut corners = vec![Sight::DARK; Lattice::tile(tile).len()];
+    let mut row = vec![Sight::DARK; 25];
+    let mut kept = vec![Kept::NOTHING; 500];
+    let colors_agree = Agreement::of_colors(0.05).unwrap();
 
     assert_eq!(allocations(|| drop(std::hint::black_box(Box::new(1)))), 1, "the count counts");
     let asked = allocations(|| {
@@ -145,12 +147,21 @@ fn the_core_asks_for_no_memory() {
         let mut frame = Frame::new(tile, &mut colors).unwrap();
         let Ok(()) = render(&tracer, &mut Single, &mut worker, tile.pixels(), &mut frame);
         let Ok(()) = render(&tracer, &mut Regular::new(2).unwrap(), &mut worker, tile.pixels(), &mut frame);
-        let Ok(()) = render(&tracer, &mut CornerRow::new(&mut row), &mut worker, tile.pixels(), &mut frame);
-        let all = Lattice::tile(size);
+        let ends = Confidence { errors: 2.0, tolerance: 0.02 };
+        let mut stochastic = Stochastic::between(4, 16, ends).unwrap().filtered(Filter::Gaussian);
+        let Ok(()) = render(&tracer, &mut stochastic, &mut worker, tile.pixels(), &mut frame);
+        let parting = Parting::new(3, colors_agree).unwrap();
+        let mut adaptive = Adaptive::new(parting, CornerRow::new(&mut row), &mut kept);
+        let Ok(()) = render(&tracer, &mut adaptive, &mut worker, tile.pixels(), &mut frame);
+        let all = Lattice::tile(tile);
         let mut lattice = Frame::new(all, &mut corners).unwrap();
-        let Ok(()) = render(&tracer, &mut Corner, &mut worker, all.pixels(), &mut lattice);
-        let mut lattice = Lattice::new(size, &corners).unwrap();
-        let Ok(()) = render(&tracer, &mut lattice, &mut worker, tile.pixels(), &mut frame);
+        let Ok(()) = render(&tracer, &mut Corner(parting), &mut worker, all.pixels(), &mut lattice);
+        let mut adaptive = Adaptive::new(parting, Lattice::new(tile, &corners).unwrap(), &mut kept);
+        let Ok(()) = render(&tracer, &mut adaptive, &mut worker, tile.pixels(), &mut frame);
+        let selection = Selection::new(8, colors_agree).unwrap();
+        let mut selected = Selected::new(selection, Single, Loose, &mut kept);
+        let blocks = selection.blocks(tile).pixels();
+        let Ok(()) = render_selected(&tracer, &mut selected, &mut worker, blocks, &mut frame);
         assert!(
             worker.tally().rays(RayKind::Transmitted) > 100 && worker.tally().rays(RayKind::Reflected) > 100
         );

@@ -7,11 +7,19 @@ use crate::*;
 struct FourCorners;
 
 impl Sampler for FourCorners {
-    fn color(&mut self, Pixel { x, y }: Pixel, shoot: &mut impl FnMut(Place) -> Rgb) -> Rgb {
-        let mut corner = |dx, dy| shoot(Place { x: (x + dx) as Real, y: (y + dy) as Real });
+    fn look(&mut self, Pixel { x, y }: Pixel, shoot: &mut impl FnMut(Sample) -> Sight) -> Sight {
+        let mut corner = |dx, dy| {
+            let place = Place { x: (x + dx) as Real, y: (y + dy) as Real };
+            shoot(Sample { place, stream: Stream::new(0, 0, 0, 0) }).color
+        };
         let (upper, lower) = (corner(0, 0) + corner(1, 0), corner(0, 1) + corner(1, 1));
-        (upper + lower) * 0.25
+        Sight { color: (upper + lower) * 0.25, met: Met::Nothing }
     }
+}
+
+/// Corners and nothing else.
+fn corners_alone() -> Parting {
+    Parting::new(0, Agreement::of_colors(0.0).unwrap()).unwrap()
 }
 
 #[test]
@@ -24,23 +32,25 @@ fn corners_are_the_same_from_any_memory_and_none_is_traced_twice() {
         let (truth, counters) = picture::<_, Everything, 5>(&world, s, Limits::DEFAULT, &mut FourCorners);
         assert_eq!(counters.rays(RayKind::Camera), u64::from(4 * w * h));
 
-        let mut row = vec![Rgb::BLACK; w as usize + 1];
-        let (colors, counters) =
-            picture::<_, Everything, 5>(&world, s, Limits::DEFAULT, &mut CornerRow::new(&mut row));
+        let mut row = vec![Sight::DARK; w as usize + 1];
+        let mut sampler = Adaptive::new(corners_alone(), CornerRow::new(&mut row), &mut []);
+        let (colors, counters) = picture::<_, Everything, 5>(&world, s, Limits::DEFAULT, &mut sampler);
         assert_eq!((colors, counters.rays(RayKind::Camera)), (truth.clone(), corners), "{w}x{h}");
 
         let camera = Camera::new(&VIEW, s).unwrap();
         let tracer = Tracer::<_, Everything, 5>::new(&world, camera, Limits::DEFAULT).unwrap();
-        let mut memory = vec![Rgb::BLACK; Lattice::tile(s).len()];
-        let mut frame = Frame::new(Lattice::tile(s), &mut memory).unwrap();
+        let whole = Tile::whole(s);
+        let mut memory = vec![Sight::DARK; Lattice::tile(whole).len()];
+        let mut frame = Frame::new(Lattice::tile(whole), &mut memory).unwrap();
         let mut worker = Worker::new(Counters::new());
         // In any order: here the last tile first.
-        let tiles: Vec<Tile> = Lattice::tile(s).tiles(5).collect();
+        let tiles: Vec<Tile> = Lattice::tile(whole).tiles(5).collect();
         for tile in tiles.into_iter().rev() {
-            let Ok(()) = render(&tracer, &mut Corner, &mut worker, tile.pixels(), &mut frame);
+            let Ok(()) =
+                render(&tracer, &mut Corner(corners_alone()), &mut worker, tile.pixels(), &mut frame);
         }
         assert_eq!(worker.tally().rays(RayKind::Camera), corners);
-        let mut lattice = Lattice::new(s, &memory).unwrap();
+        let mut lattice = Adaptive::new(corners_alone(), Lattice::new(whole, &memory).unwrap(), &mut []);
         let (colors, counters) = picture::<_, Everything, 5>(&world, s, Limits::DEFAULT, &mut lattice);
         assert_eq!((colors, counters), (truth, Counters::new()), "{w}x{h}");
     }
@@ -52,10 +62,10 @@ fn a_row_of_corners_that_is_too_short_costs_rays_and_changes_nothing() {
     let world = World::new(stage.scene(), List::bare(stage.len()));
     for (w, h) in [(1, 5), (6, 5)] {
         let (truth, _) = picture::<_, Everything, 5>(&world, size(w, h), Limits::DEFAULT, &mut FourCorners);
-        let mut row = [Rgb::BLACK; 10];
+        let mut row = [Sight::DARK; 10];
         let mut most = u64::MAX;
         for room in 0..=w as usize + 3 {
-            let mut sampler = CornerRow::new(&mut row[..room]);
+            let mut sampler = Adaptive::new(corners_alone(), CornerRow::new(&mut row[..room]), &mut []);
             let (colors, counters) =
                 picture::<_, Everything, 5>(&world, size(w, h), Limits::DEFAULT, &mut sampler);
             assert_eq!(colors, truth, "{room} corners for rows of {w} pixels");
@@ -72,10 +82,10 @@ fn a_row_of_corners_that_is_too_short_costs_rays_and_changes_nothing() {
 #[test]
 fn frames_and_lattices_of_another_size_are_refused() {
     let s = size(3, 2);
-    let mut memory = vec![Rgb::BLACK; 20];
+    let mut memory = vec![Sight::DARK; 20];
     for lent in 0..20 {
         assert_eq!(Frame::new(Tile::whole(s), &mut memory[..lent]).is_some(), lent == 6, "{lent}");
-        assert_eq!(Lattice::new(s, &memory[..lent]).is_some(), lent == 12, "{lent}");
+        assert_eq!(Lattice::new(Tile::whole(s), &memory[..lent]).is_some(), lent == 12, "{lent}");
     }
 }
 

@@ -6,11 +6,12 @@
 use super::colors::{Clarity, Color, Share};
 use super::materials::Surface;
 use super::numbers::{
-    BrightAngle, ConeAngle, Cutoff, Index, Intensity, Length, Levels, Priority, Shininess, Size, ViewAngle,
+    BrightAngle, ConeAngle, Cutoff, Index, Intensity, Length, Levels, Priority, Seed, Shininess, Size,
+    ViewAngle,
 };
 use super::places::{Direction, Directions, Falloff, PictureSize, Point, Points, Scale, Sizes, Turn};
 use super::table::{At, Many, One, tables};
-use super::view::Sampler;
+use super::view::{Filter, Sampler};
 
 tables! {
     /// A scene for strahl.
@@ -78,9 +79,14 @@ tables! {
         /// A ray is sent when more than this share of what it finds counts in the pixel.
         /// Default: 1/512.
         cutoff: Option<Cutoff>,
-        /// Rays in each pixel, as on the command line: "single", "regular:3", "adaptive:0:0".
-        /// Default: "single".
-        sampler: Option<Sampler>,
+        /// Rays in each pixel, as on the command line: "single", "regular:3", "adaptive:3:0.05",
+        /// "stochastic:64", "stochastic:16..256:0.95". Default: "single".
+        sampler: Option<At<Sampler>>,
+        /// How much of its surroundings counts in a pixel: "box", "tent" or "gaussian".
+        /// Default: "box".
+        filter: Option<At<Filter>>,
+        /// Another seed, other numbers in place of chance. Default: 0.
+        seed: Option<Seed>,
     }
 
     /// What is behind everything: one colour, or two that pass into each other.

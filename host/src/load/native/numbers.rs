@@ -227,6 +227,28 @@ wholes! {
     Priority: 0, 255;
 }
 
+/// A seed.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Seed(pub(super) u32);
+
+impl Read for Seed {
+    fn read(value: &Value<'_>, key: &str, reader: &mut Reader<'_>) -> Option<Self> {
+        whole_in(0, u32::MAX, value, key, reader).map(Seed)
+    }
+}
+
+impl JsonSchema for Seed {
+    fn inline_schema() -> bool {
+        true
+    }
+    fn schema_name() -> std::borrow::Cow<'static, str> {
+        "Seed".into()
+    }
+    fn json_schema(_: &mut SchemaGenerator) -> Schema {
+        json_schema!({ "type": "integer", "minimum": 0, "maximum": u32::MAX })
+    }
+}
+
 impl Read for bool {
     fn read(value: &Value<'_>, key: &str, reader: &mut Reader<'_>) -> Option<Self> {
         match value.get_ref() {

@@ -11,8 +11,8 @@ use super::make::{Maker, vector};
 use super::table::{At, One, Read, Reader, Value};
 use crate::description::{Background, Light, Placed, Projection, Settings, Source, Triple, View};
 use crate::faults::Fault;
+use crate::sampling;
 use crate::stock::{self, single::Stock};
-use crate::workers::Sampling;
 
 /// What is up.
 pub(super) const UP: Triple = [0.0, 1.0, 0.0];
@@ -23,33 +23,45 @@ const TOWARD_EYE: Vec3 = vec3(0.35, 0.3, 1.0);
 /// How much farther away than it must be, so that nothing touches the picture's edge.
 const ROOM: f32 = 1.1;
 
-/// Rays in a pixel, in the words of the command line.
-#[derive(Clone, Copy, Debug)]
-pub(super) struct Sampler(Sampling);
+/// Declares types for what has the words of the command line.
+macro_rules! words {
+    ($($(#[$doc:meta])* $Name:ident($Type:ty): $what:literal;)*) => {$(
+        $(#[$doc])*
+        #[derive(Clone, Copy, Debug)]
+        pub(super) struct $Name(pub(super) $Type);
 
-impl Read for Sampler {
-    fn read(value: &Value<'_>, key: &str, reader: &mut Reader<'_>) -> Option<Self> {
-        let words = String::read(value, key, reader)?;
-        match Sampling::from_str(&words) {
-            Ok(sampling) => Some(Sampler(sampling)),
-            Err(reason) => {
-                let fault = Fault::new(value.span(), "this is no sampler".to_string());
-                reader.wrong(fault.help(reason))
+        impl Read for $Name {
+            fn read(value: &Value<'_>, key: &str, reader: &mut Reader<'_>) -> Option<Self> {
+                let words = String::read(value, key, reader)?;
+                match <$Type as FromStr>::from_str(&words) {
+                    Ok(it) => Some($Name(it)),
+                    Err(reason) => {
+                        let fault = Fault::new(value.span(), concat!("this is no ", $what));
+                        reader.wrong(fault.help(reason))
+                    }
+                }
             }
         }
-    }
+
+        impl JsonSchema for $Name {
+            fn inline_schema() -> bool {
+                true
+            }
+            fn schema_name() -> std::borrow::Cow<'static, str> {
+                stringify!($Name).into()
+            }
+            fn json_schema(_: &mut SchemaGenerator) -> Schema {
+                json_schema!({ "type": "string" })
+            }
+        }
+    )*};
 }
 
-impl JsonSchema for Sampler {
-    fn inline_schema() -> bool {
-        true
-    }
-    fn schema_name() -> std::borrow::Cow<'static, str> {
-        "Sampler".into()
-    }
-    fn json_schema(_: &mut SchemaGenerator) -> Schema {
-        json_schema!({ "type": "string" })
-    }
+words! {
+    /// Rays in a pixel.
+    Sampler(sampling::Sampling): "sampler";
+    /// How much of its surroundings counts in a pixel.
+    Filter(sampling::Filter): "filter";
 }
 
 impl Maker<'_> {
@@ -60,8 +72,18 @@ impl Maker<'_> {
             size: it.size.map(|size| size.0),
             levels: it.levels.map(|levels| levels.0),
             cutoff: it.cutoff.map(|cutoff| cutoff.0),
-            sampling: it.sampler.map(|sampler| sampler.0),
+            sampling: it.sampler.as_ref().map(|sampler| sampler.it.0),
+            filter: it.filter.as_ref().map(|filter| filter.it.0),
+            seed: it.seed.map(|seed| seed.0),
         };
+        if let (Some(sampler), Some(filter)) = (&it.sampler, &it.filter)
+            && filter.it.0 != sampling::Filter::Box
+            && !sampler.it.0.takes_filter()
+        {
+            let fault = Fault::new(filter.span.clone(), "no filter but \"box\" goes with this sampler");
+            let fault = fault.also(sampler.span.clone(), "it fills the pixel by itself");
+            self.reader.faults.push(fault);
+        }
     }
 
     /// The camera, and the light that comes with it when the file has none at all.

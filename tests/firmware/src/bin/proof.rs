@@ -95,6 +95,7 @@ fn ground() {
     let c = Rgb::new(number(), number(), number());
     used((c.largest(), c.is_black(), c.is_within(number()), c.at_most(number())));
     used((c.toward(Rgb::gray(number()), number()), c.map(any), c.to_srgb8(), Rgb::default()));
+    used(Rgb::contrast(slice(&[Rgb::WHITE]).iter().copied()));
     let mut sum = c + color();
     sum += c * color();
     sum *= c * number();
@@ -426,7 +427,7 @@ fn tile() -> Tile {
 
 fn tiles() {
     let pixel = any(Pixel { x: 0, y: 0 });
-    used((Tile::whole(size()), Lattice::tile(size())));
+    used((Tile::whole(size()), Lattice::tile(tile()), tile().within(tile())));
     used((tile().len(), tile().is_empty(), tile().place(pixel)));
     tile().tiles(any(1)).for_each(used);
 }
@@ -436,30 +437,78 @@ fn traced<A: Accelerator, E: Effects, T: Tally, const LEVELS: usize>(world: &Wor
     let limits = any(Limits::DEFAULT);
     let Ok(tracer) = Tracer::<A, E, LEVELS>::new(world, camera, limits) else { return };
     let mut worker = Worker::new(tally);
-    used(tracer.radiance(any(Place { x: 0.0, y: 0.0 }), &mut worker));
+    used(tracer.look(any_sample(), &mut worker));
 
     sampled(&tracer, &mut worker, Single);
-    sampled(&tracer, &mut worker, Corner);
-    if let Some(regular) = Regular::new(any(1)) {
-        sampled(&tracer, &mut worker, regular);
-    }
-    if let Some(lattice) = Lattice::new(size(), slice(&[Rgb::BLACK])) {
-        sampled(&tracer, &mut worker, lattice);
-    }
-    let mut row = [Rgb::BLACK; 4];
-    sampled(&tracer, &mut worker, CornerRow::new(any(&mut row[..])));
     sampled(&tracer, &mut worker, Somewhere);
+    let (filter, seed) = (any(Filter::Gaussian), any(0));
+    if let Some(regular) = Regular::new(any(1)) {
+        sampled(&tracer, &mut worker, regular.filtered(filter).seeded(seed));
+    }
+    if let Some(stochastic) = Stochastic::new(any(1)) {
+        sampled(&tracer, &mut worker, stochastic.filtered(filter));
+    }
+    let ends = any(Confidence { errors: 1.0, tolerance: 0.1 });
+    if let Some(mut stochastic) = Stochastic::between(any(1), any(2), ends) {
+        sampled(&tracer, &mut worker, &mut stochastic.seeded(seed));
+        stochastic.begin();
+    }
+    corners(&tracer, &mut worker);
 
     used(worker.tally());
     used(worker.into_tally());
+}
+
+fn agreement() -> Option<Agreement> {
+    let colors = Agreement::of_colors(number())?;
+    Some(if any(true) { colors.and_items() } else { colors })
+}
+
+/// What shares the corners of pixels or of blocks.
+fn corners<A: Accelerator, E: Effects, T: Tally, const LEVELS: usize>(
+    tracer: &Tracer<'_, '_, A, E, LEVELS>,
+    worker: &mut Worker<A, T, LEVELS>,
+) {
+    let Some(agreement) = agreement() else { return };
+    used(Corners::corners(&mut Loose, any(Pixel { x: 0, y: 0 }), &mut |_| any(Sight::DARK)));
+    used((<Rgb as Record>::of(any(Sight::DARK)), <Sight as Record>::of(any(Sight::DARK))));
+    let sights = any([Sight::DARK; 4]);
+    let (mut row, mut kept) = (any([Sight::DARK; 4]), any([Kept::NOTHING; 4]));
+    if let Some(parting) = Parting::new(any(1), agreement) {
+        let parting = parting.seeded(any(0));
+        sampled(tracer, worker, Corner(parting));
+        sampled(tracer, worker, Adaptive::new(parting, Loose, any(&mut kept[..])));
+        let row = CornerRow::new(any(&mut row[..]));
+        sampled(tracer, worker, Adaptive::new(parting, row, any(&mut kept[..])));
+        if let Some(lattice) = Lattice::new(tile(), any(&sights[..])) {
+            sampled(tracer, worker, Adaptive::new(parting, lattice, any(&mut kept[..])));
+        }
+    }
+    if let Some(selection) = Selection::new(any(4), agreement) {
+        used((selection.step(), selection.blocks(tile()), selection.area(tile())));
+        let every: Every<Single> = selection.raster(Single);
+        sampled(tracer, worker, every);
+        let mut selected = Selected::new(selection, Single, Loose, any(&mut kept[..]));
+        used(render_selected(tracer, &mut selected, worker, tile().pixels(), &mut Screen));
+        selected.begin();
+        selected.block(any(Pixel { x: 0, y: 0 }), &mut |sample| any((sample, Sight::DARK)).1, &mut |_, _| {});
+    }
+}
+
+fn any_sample() -> Sample {
+    used(Stream::new(any(0), any(0), any(0), any(0)).pair(Dimension::PIXEL));
+    used((Dimension::LENS, Dimension::SHUTTER, Dimension::lobe(any(1)), Dimension::light(any(1), any(1))));
+    any(Sample { place: Place { x: 0.0, y: 0.0 }, stream: Stream::new(0, 0, 0, 0) })
 }
 
 /// Rays that go anywhere.
 struct Somewhere;
 
 impl Sampler for Somewhere {
-    fn color(&mut self, _: Pixel, shoot: &mut impl FnMut(Place) -> Rgb) -> Rgb {
-        shoot(any(Place { x: 0.0, y: 0.0 }))
+    fn look(&mut self, _: Pixel, shoot: &mut impl FnMut(Sample) -> Sight) -> Sight {
+        let sight = shoot(any_sample());
+        used(sight.met.and(any(Met::Several)));
+        sight
     }
 }
 

@@ -1,0 +1,203 @@
+//! Adaptive supersampling: rays through the corners of a pixel; where they do not agree, the
+//! pixel is quartered, and its quarters again ("An Improved Illumination Model for Shaded
+//! Display", Whitted, CACM 1980).
+//!
+//! Each corner has its place in a raster that is the same for the whole picture, and its rays
+//! follow from that place alone. So neighbours share corners, and whether one is traced once or
+//! twice changes nothing but the time.
+
+use super::agreement::Agreement;
+use super::corners::Corners;
+use super::kept::{Kept, Memory};
+use super::pixel::Pixel;
+use super::quarter::{MOST_DEPTH, Square, quarter};
+use super::sampler::Sampler;
+use crate::math::{Real, Rgb, Stream};
+use crate::scene::{Place, Sample};
+use crate::trace::Sight;
+
+/// How a pixel is parted.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Parting {
+    depth: u8,
+    agreement: Agreement,
+    seed: u32,
+}
+
+impl Parting {
+    /// How often a pixel can be quartered, at most.
+    pub const MOST_DEPTH: u8 = MOST_DEPTH;
+
+    /// Quartered up to `depth` times, where corners do not agree; none when that is more than
+    /// [`Parting::MOST_DEPTH`].
+    pub fn new(depth: u8, agreement: Agreement) -> Option<Self> {
+        (depth <= MOST_DEPTH).then_some(Parting { depth, agreement, seed: 0 })
+    }
+
+    /// The same in the picture with this seed: what rays leave to chance changes.
+    pub fn seeded(self, seed: u32) -> Self {
+        Parting { seed, ..self }
+    }
+
+    /// The ray through the place that lies `x` and `y` of the finest steps from the picture's
+    /// corner.
+    fn sample(&self, x: u32, y: u32) -> Sample {
+        let step = 1.0 / (1_u32 << self.depth) as Real;
+        let place = Place { x: x as Real * step, y: y as Real * step };
+        // In the steps of the greatest depth, so that the numbers do not depend on this one.
+        let shift = MOST_DEPTH - self.depth;
+        Sample { place, stream: Stream::new(x << shift, y << shift, 0, self.seed) }
+    }
+}
+
+/// One ray through the upper left corner of each pixel: what fills a
+/// [`Lattice`](super::Lattice) for [`Adaptive`].
+#[derive(Clone, Copy, Debug)]
+pub struct Corner(pub Parting);
+
+impl Sampler for Corner {
+    fn look(&mut self, pixel: Pixel, shoot: &mut impl FnMut(Sample) -> Sight) -> Sight {
+        let Corner(parting) = self;
+        shoot(parting.sample(pixel.x << parting.depth, pixel.y << parting.depth))
+    }
+}
+
+/// Rays through the corners of pixels and of their quarters.
+#[derive(Debug)]
+pub struct Adaptive<'m, C> {
+    parting: Parting,
+    corners: C,
+    memory: Memory<'m>,
+}
+
+impl<'m, C: Corners> Adaptive<'m, C> {
+    /// `corners` knows those of whole pixels. The others are kept in `lent`, of any length: the
+    /// more, the fewer are traced again.
+    pub fn new(parting: Parting, corners: C, lent: &'m mut [Kept]) -> Self {
+        Adaptive { parting, corners, memory: Memory::new(lent) }
+    }
+}
+
+impl<C: Corners> Sampler for Adaptive<'_, C> {
+    fn look(&mut self, pixel: Pixel, shoot: &mut impl FnMut(Sample) -> Sight) -> Sight {
+        let Adaptive { parting, corners, memory } = self;
+        let depth = parting.depth;
+        let mut find = |x, y| memory.find(x, y, || shoot(parting.sample(x, y)));
+        let corners = corners.corners(pixel, &mut |corner| find(corner.x << depth, corner.y << depth));
+        let whole = Square { x: pixel.x << depth, y: pixel.y << depth, side: 1 << depth, corners };
+
+        let (mut sum, mut met) = (Rgb::BLACK, whole.met());
+        let steps = whole.side as Real;
+        quarter(whole, &parting.agreement, &mut find, &mut |part| {
+            let share = part.side as Real / steps;
+            sum += part.mean() * (share * share);
+            met = met.and(part.met());
+        });
+        Sight { color: sum, met }
+    }
+
+    fn begin(&mut self) {
+        self.corners.begin();
+        self.memory.forget();
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::image::{CornerRow, Lattice, Loose, Tile};
+    use crate::trace::Met;
+
+    /// Half of the plane is white: what lies above a slanted line.
+    fn half(sample: Sample) -> Sight {
+        let inside = sample.place.y < 2.3 + 0.37 * sample.place.x;
+        Sight { color: if inside { Rgb::WHITE } else { Rgb::BLACK }, met: Met::Nothing }
+    }
+
+    fn parting(depth: u8, threshold: Real) -> Parting {
+        Parting::new(depth, Agreement::of_colors(threshold).unwrap()).unwrap()
+    }
+
+    const CELLS: Tile = Tile { first: Pixel { x: 1, y: 0 }, width: 5, height: 6 };
+
+    #[test]
+    fn corners_and_memory_of_any_size_give_the_same_pixels() {
+        let parting = parting(4, 0.1);
+        let mut nothing = [Kept::NOTHING; 0];
+        let mut bare = Adaptive::new(parting, Loose, &mut nothing);
+        let mut truth = [Sight::DARK; 30];
+        let mut most = 0;
+        for (slot, pixel) in truth.iter_mut().zip(CELLS.pixels()) {
+            *slot = bare.look(pixel, &mut |sample| {
+                most += 1;
+                half(sample)
+            });
+        }
+
+        let mut lattice = [Sight::DARK; 42];
+        for (slot, corner) in lattice.iter_mut().zip(Lattice::tile(CELLS).pixels()) {
+            *slot = Corner(parting).look(corner, &mut half);
+        }
+        let mut rays = 42;
+        for slots in [1, 1000] {
+            let mut lent = [Kept::NOTHING; 1000];
+            let mut lent_too = [Kept::NOTHING; 1000];
+            let mut row = [Sight::DARK; 6];
+            let mut with_lattice =
+                Adaptive::new(parting, Lattice::new(CELLS, &lattice).unwrap(), &mut lent[..slots]);
+            let mut with_row = Adaptive::new(parting, CornerRow::new(&mut row), &mut lent_too[..slots]);
+            for (truth, pixel) in truth.iter().zip(CELLS.pixels()) {
+                let seen = with_lattice.look(pixel, &mut |sample| {
+                    rays += i32::from(slots == 1000);
+                    half(sample)
+                });
+                assert_eq!(seen, *truth, "{pixel:?}");
+                assert_eq!(with_row.look(pixel, &mut half), *truth, "{pixel:?}");
+            }
+        }
+        assert!(4 * rays < 3 * most, "{rays} of {most}");
+    }
+
+    #[test]
+    fn a_pixel_on_an_edge_is_covered_as_much_as_it_is() {
+        // The line crosses the pixel (1, 2) from (1, 2.67) to (1.892, 3).
+        let mut lent = [Kept::NOTHING; 300];
+        let pixel = Pixel { x: 1, y: 2 };
+        let dark = 0.33 * 0.892 / 2.0;
+        for (depth, tolerance) in [(2, 0.1), (4, 0.02), (6, 0.005)] {
+            let seen = Adaptive::new(parting(depth, 0.1), Loose, &mut lent).look(pixel, &mut half);
+            assert!((seen.color.r - (1.0 - dark)).abs() < tolerance, "{depth}: {}", seen.color.r);
+        }
+    }
+
+    #[test]
+    fn at_depth_zero_a_pixel_is_the_mean_of_its_corners() {
+        let mut rays = 0;
+        let seen = Adaptive::new(parting(0, 0.0), Loose, &mut []).look(Pixel { x: 3, y: 5 }, &mut |sample| {
+            rays += 1;
+            Sight { color: Rgb::new(sample.place.x, sample.place.y, 1.0), met: Met::Nothing }
+        });
+        assert_eq!((rays, seen.color), (4, Rgb::new(3.5, 5.5, 1.0)));
+        assert!(Parting::new(Parting::MOST_DEPTH + 1, Agreement::of_colors(0.0).unwrap()).is_none());
+    }
+
+    #[test]
+    fn items_that_look_alike_part_a_pixel_only_on_request() {
+        let two = |sample: Sample| {
+            let met = Met::Item(crate::geometry::ItemId(u32::from(sample.place.x > 0.3)));
+            Sight { color: Rgb::WHITE, met }
+        };
+        let rays = |agreement| {
+            let mut rays = 0;
+            let parting = Parting::new(3, agreement).unwrap();
+            Adaptive::new(parting, Loose, &mut []).look(Pixel { x: 0, y: 0 }, &mut |sample| {
+                rays += 1;
+                two(sample)
+            });
+            rays
+        };
+        let colors = Agreement::of_colors(0.0).unwrap();
+        assert_eq!(rays(colors), 4);
+        assert!(rays(colors.and_items()) > 20);
+    }
+}

@@ -1,0 +1,34 @@
+//! When neighbours in the picture are taken to look the same.
+
+use crate::math::{Real, Rgb};
+use crate::trace::{Met, Sight};
+
+/// How much neighbours may differ and still agree.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Agreement {
+    threshold: Real,
+    items: bool,
+}
+
+impl Agreement {
+    /// Colours whose sRGB-encoded channels differ by at most `threshold`; none when it is not in
+    /// `0..=1`.
+    pub fn of_colors(threshold: Real) -> Option<Self> {
+        (threshold >= 0.0 && threshold <= 1.0).then_some(Agreement { threshold, items: false })
+    }
+
+    /// The same, and only where all rays met the same item.
+    pub fn and_items(self) -> Self {
+        Agreement { items: true, ..self }
+    }
+
+    /// Whether the corners of a square agree.
+    pub(super) fn holds(&self, corners: &[Sight; 4]) -> bool {
+        let same_item = || {
+            let [first, rest @ ..] = corners;
+            rest.iter().fold(first.met, |met, corner| met.and(corner.met)) != Met::Several
+        };
+        (!self.items || same_item())
+            && Rgb::contrast(corners.iter().map(|corner| corner.color)) <= self.threshold
+    }
+}

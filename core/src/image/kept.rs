@@ -1,0 +1,90 @@
+//! What was seen at places in the picture, kept in lent memory.
+
+use crate::trace::Sight;
+
+/// A place and what was seen there.
+#[derive(Clone, Copy, Debug)]
+pub struct Kept {
+    place: Option<(u32, u32)>,
+    sight: Sight,
+}
+
+impl Kept {
+    /// Nothing yet.
+    pub const NOTHING: Kept = Kept { place: None, sight: Sight::DARK };
+}
+
+/// A table of places. Each has one slot, which it shares with others: the later replaces the
+/// earlier. So it may forget, and a place is traced again, but never takes one for another.
+#[derive(Debug)]
+pub(super) struct Memory<'m>(&'m mut [Kept]);
+
+impl<'m> Memory<'m> {
+    pub(super) fn new(lent: &'m mut [Kept]) -> Self {
+        let mut memory = Memory(lent);
+        memory.forget();
+        memory
+    }
+
+    pub(super) fn forget(&mut self) {
+        self.0.fill(Kept::NOTHING);
+    }
+
+    /// What is seen at a place: what was kept, else what `trace` sees.
+    pub(super) fn find(&mut self, x: u32, y: u32, trace: impl FnOnce() -> Sight) -> Sight {
+        let place = Some((x, y));
+        let slot = slot(x, y, self.0.len());
+        match self.0.get_mut(slot) {
+            None => trace(),
+            Some(kept) if kept.place == place => kept.sight,
+            Some(kept) => {
+                let sight = trace();
+                *kept = Kept { place, sight };
+                sight
+            }
+        }
+    }
+}
+
+/// The slot of a place, by multiplicative hashing (Knuth): neighbours in every direction come
+/// to lie apart.
+fn slot(x: u32, y: u32, slots: usize) -> usize {
+    let hash = x.wrapping_mul(0x9e37_79b1) ^ y.wrapping_mul(0x85eb_ca77).rotate_left(16);
+    let hash = (hash ^ hash >> 15).wrapping_mul(0xc2b2_ae3d);
+    // The upper bits are the good ones: a fraction of the table.
+    ((u64::from(hash) * slots as u64) >> 32) as usize
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::math::{Real, Rgb};
+    use crate::trace::Met;
+
+    #[test]
+    fn what_is_kept_is_never_taken_for_another_place() {
+        for slots in [0, 1, 2, 7, 64] {
+            let mut lent = [Kept::NOTHING; 64];
+            let mut memory = Memory::new(&mut lent[..slots]);
+            let mut traced = 0;
+            for round in 0..3 {
+                for x in 0..8 {
+                    for y in 0..8 {
+                        let truth = Sight { color: Rgb::gray((8 * x + y) as Real), met: Met::Nothing };
+                        let seen = memory.find(x, y, || {
+                            traced += 1;
+                            truth
+                        });
+                        assert_eq!(seen, truth, "{slots} {round}");
+                        // At once again: nothing came between.
+                        memory.find(x, y, || {
+                            assert_eq!(slots, 0);
+                            truth
+                        });
+                    }
+                }
+            }
+            assert!(traced >= 64 && traced <= 192, "{slots}");
+        }
+    }
+}

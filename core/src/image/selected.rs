@@ -1,0 +1,233 @@
+//! Pixel-selected tracing: a coarse raster of pixels is traced, and where the corners of a block
+//! agree, what lies between them is interpolated; else the block is quartered, and its quarters
+//! again ("Pixel-Selected Ray Tracing", Akimoto, Mase, Suenaga, IEEE CG&A 1991).
+//!
+//! Blocks begin at multiples of their side from the picture's corner, and a pixel belongs to
+//! the block of which it is not the right or lower edge. So a pixel depends on its own block
+//! alone, and a part of the picture is the same as in the whole. The last blocks may look one
+//! block beyond the picture's edge.
+
+use super::agreement::Agreement;
+use super::corners::{Corners, Every};
+use super::kept::{Kept, Memory};
+use super::pixel::{Pixel, Tile};
+use super::quarter::{MOST_DEPTH, Square, quarter};
+use super::sampler::Sampler;
+use crate::math::Real;
+use crate::scene::Sample;
+use crate::trace::Sight;
+
+/// The raster of pixels that are traced first, and when what lies between may be guessed.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Selection {
+    depth: u8,
+    agreement: Agreement,
+}
+
+impl Selection {
+    /// The widest raster, in pixels.
+    pub const MOST: u32 = 1 << MOST_DEPTH;
+
+    /// A raster of one pixel in `step` times `step`; none when that is no power of two in
+    /// `2..=`[`Selection::MOST`].
+    pub fn new(step: u32, agreement: Agreement) -> Option<Self> {
+        let is_step = step >= 2 && step <= Self::MOST && step.is_power_of_two();
+        is_step.then_some(Selection { depth: step.trailing_zeros() as u8, agreement })
+    }
+
+    /// Pixels along one side of a block.
+    pub fn step(&self) -> u32 {
+        1 << self.depth
+    }
+
+    /// The blocks that have pixels of `tile`, named like pixels.
+    pub fn blocks(&self, tile: Tile) -> Tile {
+        let Tile { first, width, height } = tile;
+        // From the block of the first pixel to beyond that of the last.
+        let span = |first: u32, length: u32| {
+            let begin = first >> self.depth;
+            (begin, if length > 0 { ((first + length - 1) >> self.depth) + 1 - begin } else { 0 })
+        };
+        let ((x, width), (y, height)) = (span(first.x, width), span(first.y, height));
+        Tile { first: Pixel { x, y }, width, height }
+    }
+
+    /// The pixels of a rectangle of blocks.
+    pub fn area(&self, blocks: Tile) -> Tile {
+        let [x, y, width, height] =
+            [blocks.first.x, blocks.first.y, blocks.width, blocks.height].map(|blocks| blocks << self.depth);
+        Tile { first: Pixel { x, y }, width, height }
+    }
+
+    /// What fills a [`Lattice`](super::Lattice) of blocks.
+    pub fn raster<S: Sampler>(&self, sampler: S) -> Every<S> {
+        Every { sampler, side: self.step() }
+    }
+}
+
+/// Sees some pixels and guesses the others.
+#[derive(Debug)]
+pub struct Selected<'m, C, S> {
+    selection: Selection,
+    sampler: S,
+    corners: C,
+    memory: Memory<'m>,
+}
+
+impl<'m, C: Corners, S: Sampler> Selected<'m, C, S> {
+    /// Pixels are seen by `sampler`. `corners` knows those of the coarse raster. The others are
+    /// kept in `lent`, of any length: the more, the fewer are traced again.
+    pub fn new(selection: Selection, sampler: S, corners: C, lent: &'m mut [Kept]) -> Self {
+        Selected { selection, sampler, corners, memory: Memory::new(lent) }
+    }
+
+    /// A new picture begins: what was kept of another is forgotten.
+    pub fn begin(&mut self) {
+        self.sampler.begin();
+        self.corners.begin();
+        self.memory.forget();
+    }
+
+    /// The pixels of one block, handed to `put` part by part. Those at its right and lower
+    /// end may lie outside the picture.
+    pub fn block(
+        &mut self,
+        block: Pixel,
+        shoot: &mut impl FnMut(Sample) -> Sight,
+        put: &mut impl FnMut(Pixel, Sight),
+    ) {
+        let Selected { selection, sampler, corners, memory } = self;
+        let depth = selection.depth;
+        let mut find = |x, y| memory.find(x, y, || sampler.look(Pixel { x, y }, shoot));
+        let corners = corners.corners(block, &mut |corner| find(corner.x << depth, corner.y << depth));
+        let whole = Square { x: block.x << depth, y: block.y << depth, side: 1 << depth, corners };
+        quarter(whole, &selection.agreement, &mut find, &mut |part| {
+            let [corner, ..] = part.corners;
+            let Square { x, y, side, .. } = *part;
+            let step = 1.0 / side as Real;
+            for pixel in (Tile { first: Pixel { x, y }, width: side, height: side }).pixels() {
+                let (right, down) = (pixel.x - x, pixel.y - y);
+                let sight = if right == 0 && down == 0 {
+                    corner
+                } else {
+                    let color = part.between(right as Real * step, down as Real * step);
+                    Sight { color, met: part.met() }
+                };
+                put(pixel, sight);
+            }
+        });
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::image::{Lattice, Loose, Single};
+    use crate::math::Rgb;
+    use crate::trace::Met;
+
+    /// A bright disc on a slope.
+    fn scene(sample: Sample) -> Sight {
+        let (x, y) = (sample.place.x - 20.0, sample.place.y - 15.0);
+        let slope = 0.2 + 0.004 * sample.place.x;
+        let inside = x * x + y * y < 40.0;
+        Sight { color: Rgb::gray(if inside { 0.9 } else { slope }), met: Met::Nothing }
+    }
+
+    fn selection(step: u32, threshold: Real) -> Selection {
+        Selection::new(step, Agreement::of_colors(threshold).unwrap()).unwrap()
+    }
+
+    const PICTURE: Tile = Tile { first: Pixel { x: 0, y: 0 }, width: 37, height: 29 };
+
+    /// The pixels of `tile`, and how many were traced.
+    fn selected(selection: Selection, tile: Tile, slots: usize) -> ([Option<Sight>; 37 * 29], usize) {
+        let mut lent = [Kept::NOTHING; 2000];
+        let mut picture = [None; 37 * 29];
+        let mut rays = 0;
+        let mut selected = Selected::new(selection, Single, Loose, &mut lent[..slots]);
+        for block in selection.blocks(tile).pixels() {
+            selected.block(
+                block,
+                &mut |sample| {
+                    rays += 1;
+                    scene(sample)
+                },
+                &mut |pixel, sight| {
+                    if let (Some(_), Some(place)) = (tile.place(pixel), PICTURE.place(pixel)) {
+                        assert!(picture[place].is_none(), "{pixel:?} comes twice");
+                        picture[place] = Some(sight);
+                    }
+                },
+            );
+        }
+        (picture, rays)
+    }
+
+    #[test]
+    fn every_pixel_comes_once_and_few_are_traced() {
+        let (picture, rays) = selected(selection(8, 0.1), PICTURE, 2000);
+        assert!(picture.iter().all(Option::is_some));
+        assert!(rays < picture.len() / 2, "{rays} of {}", picture.len());
+        let mut most: Real = 0.0;
+        for (sight, pixel) in picture.iter().zip(PICTURE.pixels()) {
+            let truth = Single.look(pixel, &mut scene);
+            most = crate::math::greatest(most, (sight.unwrap().color.r - truth.color.r).abs());
+        }
+        assert!(most < 0.01, "{most}");
+    }
+
+    #[test]
+    fn with_nothing_to_agree_on_every_pixel_is_traced_and_true() {
+        let none = Selection::new(4, Agreement::of_colors(0.0).unwrap()).unwrap();
+        let (picture, _) = selected(none, PICTURE, 2000);
+        for (sight, pixel) in picture.iter().zip(PICTURE.pixels()) {
+            assert_eq!(*sight, Some(Single.look(pixel, &mut scene)), "{pixel:?}");
+        }
+    }
+
+    #[test]
+    fn a_part_is_the_same_as_in_the_whole_whatever_is_kept() {
+        let selection = selection(8, 0.05);
+        let (whole, _) = selected(selection, PICTURE, 2000);
+        for (x, y, width, height) in [(0, 0, 5, 5), (13, 9, 11, 17), (36, 28, 1, 1)] {
+            let tile = Tile { first: Pixel { x, y }, width, height };
+            for slots in [0, 3, 2000] {
+                let (part, _) = selected(selection, tile, slots);
+                for pixel in tile.pixels() {
+                    let place = PICTURE.place(pixel).unwrap();
+                    assert_eq!(part[place], whole[place], "{pixel:?}");
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn a_lattice_of_blocks_gives_the_same() {
+        let selection = selection(8, 0.1);
+        let (whole, _) = selected(selection, PICTURE, 0);
+        let blocks = selection.blocks(PICTURE);
+        let mut corners = [Sight::DARK; 6 * 5];
+        for (slot, corner) in corners.iter_mut().zip(Lattice::tile(blocks).pixels()) {
+            *slot = selection.raster(Single).look(corner, &mut scene);
+        }
+        let mut lattice = Selected::new(selection, Single, Lattice::new(blocks, &corners).unwrap(), &mut []);
+        for block in blocks.pixels() {
+            lattice.block(block, &mut scene, &mut |pixel, sight| {
+                if let Some(place) = PICTURE.place(pixel) {
+                    assert_eq!(Some(sight), whole[place]);
+                }
+            });
+        }
+    }
+
+    #[test]
+    fn rasters_are_powers_of_two() {
+        let agreement = Agreement::of_colors(0.1).unwrap();
+        for step in [0, 1, 3, 6, 128, u32::MAX] {
+            assert!(Selection::new(step, agreement).is_none(), "{step}");
+        }
+        assert_eq!(Selection::new(64, agreement).unwrap().step(), 64);
+        assert!(Agreement::of_colors(-0.1).is_none() && Agreement::of_colors(Real::NAN).is_none());
+    }
+}

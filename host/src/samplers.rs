@@ -1,0 +1,117 @@
+//! The sampler that is wanted, for either precision.
+//!
+//! One type for all of them, so that the loop that calls it is compiled once for each tracer
+//! and not once for each sampler: a sampler is asked once for a pixel, and calls the tracer
+//! once for a ray.
+
+use super::strahl::{
+    self, Adaptive, Corners, Kept, Lattice, Loose, Parting, Pixel, Real, Regular, Sample, Sampler, Selection,
+    Sight, Stochastic,
+};
+use crate::sampling::{self, Sampling};
+use crate::wanted::Wanted;
+
+/// Any of the samplers.
+pub enum Any<'m> {
+    /// Of a fixed raster.
+    Regular(Regular),
+    /// Of no raster.
+    Stochastic(Stochastic),
+    /// Of the corners, and more.
+    Adaptive(Adaptive<'m, Shared<'m>>),
+}
+
+/// Where corners come from.
+#[derive(Clone, Copy)]
+pub enum Shared<'m> {
+    /// From all of them, traced before.
+    Lattice(Lattice<'m>),
+    /// From the sampler's memory.
+    Loose,
+}
+
+impl Corners for Shared<'_> {
+    fn corners(&mut self, cell: Pixel, find: &mut impl FnMut(Pixel) -> Sight) -> [Sight; 4] {
+        match self {
+            Shared::Lattice(lattice) => lattice.corners(cell, find),
+            Shared::Loose => Loose.corners(cell, find),
+        }
+    }
+}
+
+impl Sampler for Any<'_> {
+    fn look(&mut self, pixel: Pixel, shoot: &mut impl FnMut(Sample) -> Sight) -> Sight {
+        let mut shoot: &mut dyn FnMut(Sample) -> Sight = shoot;
+        match self {
+            Any::Regular(it) => it.look(pixel, &mut shoot),
+            Any::Stochastic(it) => it.look(pixel, &mut shoot),
+            Any::Adaptive(it) => it.look(pixel, &mut shoot),
+        }
+    }
+
+    fn begin(&mut self) {
+        match self {
+            Any::Regular(it) => it.begin(),
+            Any::Stochastic(it) => it.begin(),
+            Any::Adaptive(it) => it.begin(),
+        }
+    }
+}
+
+impl<'m> Any<'m> {
+    /// The sampler that is wanted. `corners` and `lent` are for one that shares corners.
+    ///
+    /// Numbers out of range, which the command line refuses, become one ray in each pixel.
+    pub fn of(wanted: &Wanted, corners: Shared<'m>, lent: &'m mut [Kept]) -> Self {
+        let (filter, seed) = (filter(wanted.filter), wanted.seed);
+        let regular = |n| Regular::new(n).unwrap_or(Regular::ONE).filtered(filter).seeded(seed);
+        match wanted.sampling {
+            Sampling::Single => Any::Regular(regular(1)),
+            Sampling::Regular(n) => Any::Regular(regular(n)),
+            Sampling::Adaptive { .. } => match parting(wanted) {
+                Some(parting) => Any::Adaptive(Adaptive::new(parting, corners, lent)),
+                None => Any::Regular(regular(1)),
+            },
+            Sampling::Stochastic { least, most, confidence } => {
+                #[allow(clippy::unnecessary_cast)] // in double precision
+                let ends = strahl::Confidence {
+                    errors: confidence.errors() as Real,
+                    tolerance: Real::from(confidence.tolerance),
+                };
+                match Stochastic::between(least, most, ends) {
+                    Some(it) => Any::Stochastic(it.filtered(filter).seeded(seed)),
+                    None => Any::Regular(regular(1)),
+                }
+            }
+        }
+    }
+}
+
+/// How pixels are parted, where they are.
+pub fn parting(wanted: &Wanted) -> Option<Parting> {
+    match wanted.sampling {
+        Sampling::Adaptive { depth, agreement: it } => {
+            Some(Parting::new(depth, agreement(it)?)?.seeded(wanted.seed))
+        }
+        _ => None,
+    }
+}
+
+/// Which pixels are traced, where not all are.
+pub fn selection(wanted: &Wanted) -> Option<Selection> {
+    let selecting = wanted.selecting?;
+    Selection::new(selecting.step, agreement(selecting.agreement)?)
+}
+
+fn agreement(it: sampling::Agreement) -> Option<strahl::Agreement> {
+    let colors = strahl::Agreement::of_colors(Real::from(it.threshold))?;
+    Some(if it.items { colors.and_items() } else { colors })
+}
+
+fn filter(filter: sampling::Filter) -> strahl::Filter {
+    match filter {
+        sampling::Filter::Box => strahl::Filter::Box,
+        sampling::Filter::Tent => strahl::Filter::Tent,
+        sampling::Filter::Gaussian => strahl::Filter::Gaussian,
+    }
+}

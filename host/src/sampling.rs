@@ -1,0 +1,298 @@
+//! Which rays make a pixel, in the words of the command line.
+
+use std::fmt;
+use std::str::FromStr;
+
+use clap::ValueEnum;
+use strahl_core::{Parting, Regular, Selection, Stochastic};
+
+/// Which rays make a pixel.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Sampling {
+    /// One through the middle.
+    Single,
+    /// n times n.
+    Regular(u16),
+    /// Through the corners, and more where they do not agree.
+    Adaptive {
+        /// How often a pixel can be quartered.
+        depth: u8,
+        /// When it is not.
+        agreement: Agreement,
+    },
+    /// Through places that follow no raster.
+    Stochastic {
+        /// The least number.
+        least: u32,
+        /// The largest number.
+        most: u32,
+        /// When it may be less than that.
+        confidence: Confidence,
+    },
+}
+
+/// When neighbours are taken to look the same.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Agreement {
+    /// The largest difference of sRGB-encoded channels, in `0..=1`.
+    pub threshold: f32,
+    /// Whether they must be of the same item, too.
+    pub items: bool,
+}
+
+/// When a pixel is known well enough.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Confidence {
+    /// How sure that is to be, between 0 and 1.
+    pub level: f64,
+    /// How far off the mean may be: sRGB-encoded, in `0..=1`.
+    pub tolerance: f32,
+}
+
+/// Which pixels are traced, where not all are.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Selecting {
+    /// The distance of those that are traced first: 2, 4, 8, 16, 32 or 64.
+    pub step: u32,
+    /// When those between are guessed.
+    pub agreement: Agreement,
+}
+
+/// How much of its surroundings counts in a pixel.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, ValueEnum)]
+pub enum Filter {
+    /// Nothing but the pixel.
+    #[default]
+    Box,
+    /// Up to the next pixels, the less the farther.
+    Tent,
+    /// Up to one pixel and a half, by a normal distribution.
+    Gaussian,
+}
+
+impl Filter {
+    /// The name on the command line.
+    pub fn name(self) -> &'static str {
+        match self {
+            Filter::Box => "box",
+            Filter::Tent => "tent",
+            Filter::Gaussian => "gaussian",
+        }
+    }
+}
+
+impl FromStr for Filter {
+    type Err = String;
+
+    fn from_str(text: &str) -> Result<Self, String> {
+        <Self as ValueEnum>::from_str(text, false).map_err(|_| "box, tent or gaussian is expected".into())
+    }
+}
+
+/// The mean may be two steps of eight bits off.
+const TOLERANCE: f32 = 1.0 / 128.0;
+
+impl Sampling {
+    /// The corners alone, which neighbours share.
+    pub const CORNERS: Sampling =
+        Sampling::Adaptive { depth: 0, agreement: Agreement { threshold: 0.0, items: false } };
+
+    /// This many rays, whatever they see.
+    pub const fn stochastic(n: u32) -> Self {
+        let confidence = Confidence { level: 0.5, tolerance: 0.0 };
+        Sampling::Stochastic { least: n, most: n, confidence }
+    }
+
+    /// Whether a filter can go with it: adaptive supersampling fills the pixel by itself.
+    pub fn takes_filter(&self) -> bool {
+        !matches!(self, Sampling::Adaptive { .. })
+    }
+}
+
+impl Confidence {
+    /// How many standard errors an interval reaches to both sides, in which a normal
+    /// distribution lies with this confidence.
+    pub fn errors(&self) -> f64 {
+        // What lies inside grows with the width, so that halving finds it.
+        let (mut low, mut high) = (0.0, 10.0);
+        for _ in 0..60 {
+            let middle = 0.5 * (low + high);
+            let inside = libm::erf(middle * std::f64::consts::FRAC_1_SQRT_2);
+            if inside < self.level { low = middle } else { high = middle }
+        }
+        high
+    }
+}
+
+fn threshold(text: &str) -> Option<f32> {
+    let value = match text.split_once('/') {
+        Some((part, whole)) => part.parse::<f32>().ok()? / whole.parse::<f32>().ok()?,
+        None => text.parse().ok()?,
+    };
+    (value >= 0.0 && value <= 1.0).then_some(value)
+}
+
+/// `THRESHOLD` or `THRESHOLD:items`.
+fn agreement(words: &[&str]) -> Result<Agreement, String> {
+    let (text, items) = match words {
+        [text] => (text, false),
+        [text, "items"] => (text, true),
+        [_, other, ..] => return Err(format!("after the threshold comes `items` or nothing, not `{other}`")),
+        [] => return Err("the threshold is missing".into()),
+    };
+    match threshold(text) {
+        Some(threshold) => Ok(Agreement { threshold, items }),
+        None => Err("THRESHOLD must be between 0 and 1, as in 0.05 or 1/32".into()),
+    }
+}
+
+fn stochastic(words: &[&str]) -> Result<Sampling, String> {
+    let count = |text: &str| text.parse::<u32>().ok().filter(|n| Stochastic::new(*n).is_some());
+    let most = Stochastic::MOST;
+    if let [n] = words
+        && !n.contains("..")
+    {
+        let wrong = || format!("in stochastic:N, N must be between 1 and {most}");
+        return count(n).map(Sampling::stochastic).ok_or_else(wrong);
+    }
+    let (range, level, tolerance) = match *words {
+        [range, level] => (range, level, Some(TOLERANCE)),
+        [range, level, tolerance] => (range, level, threshold(tolerance)),
+        _ => return Err("stochastic:N or stochastic:MIN..MAX:CONFIDENCE is expected".into()),
+    };
+    let (least, most) = range
+        .split_once("..")
+        .and_then(|(least, most)| Some((count(least)?, count(most)?)))
+        .filter(|(least, most)| least <= most)
+        .ok_or_else(|| {
+            format!("in stochastic:MIN..MAX, MIN and MAX must be between 1 and {most}, MIN first")
+        })?;
+    let level = level.parse::<f64>().ok().filter(|level| *level > 0.0 && *level < 1.0);
+    let level = level.ok_or("CONFIDENCE must be more than 0 and less than 1, as in 0.95")?;
+    let tolerance = tolerance.ok_or("the tolerance must be between 0 and 1, as in 1/128")?;
+    Ok(Sampling::Stochastic { least, most, confidence: Confidence { level, tolerance } })
+}
+
+impl FromStr for Sampling {
+    type Err = String;
+
+    fn from_str(text: &str) -> Result<Self, String> {
+        let mut words = text.split(':');
+        let (kind, rest): (_, Vec<_>) = (words.next().unwrap_or_default(), words.collect());
+        match (kind, rest.as_slice()) {
+            ("single", []) => Ok(Sampling::Single),
+            ("regular", [n]) => match n.parse::<u16>() {
+                Ok(n) if Regular::new(n).is_some() => Ok(Sampling::Regular(n)),
+                _ => Err(format!("in regular:N, N must be between 1 and {}", Regular::MOST)),
+            },
+            ("adaptive", [depth, rest @ ..]) => match depth.parse::<u8>() {
+                Ok(depth) if depth <= Parting::MOST_DEPTH => {
+                    Ok(Sampling::Adaptive { depth, agreement: agreement(rest)? })
+                }
+                _ => Err(format!("in adaptive:DEPTH:THRESHOLD, DEPTH must be 0 to {}", Parting::MOST_DEPTH)),
+            },
+            ("stochastic", rest) => stochastic(rest),
+            _ => Err("single, regular:N, adaptive:DEPTH:THRESHOLD[:items], stochastic:N or \
+                 stochastic:MIN..MAX:CONFIDENCE[:TOLERANCE] is expected"
+                .into()),
+        }
+    }
+}
+
+impl FromStr for Selecting {
+    type Err = String;
+
+    fn from_str(text: &str) -> Result<Self, String> {
+        let mut words = text.split(':');
+        let step = words.next().and_then(|step| step.parse::<u32>().ok());
+        let is_step = |step: &u32| step.is_power_of_two() && *step >= 2 && *step <= Selection::MOST;
+        let step = step.filter(is_step).ok_or("in STEP:THRESHOLD, STEP must be 2, 4, 8, 16, 32 or 64")?;
+        Ok(Selecting { step, agreement: agreement(&words.collect::<Vec<_>>())? })
+    }
+}
+
+impl fmt::Display for Agreement {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "{}{}", self.threshold, if self.items { ":items" } else { "" })
+    }
+}
+
+/// As the command line has it.
+impl fmt::Display for Sampling {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Sampling::Single => f.write_str("single"),
+            Sampling::Regular(n) => write!(f, "regular:{n}"),
+            Sampling::Adaptive { depth, agreement } => write!(f, "adaptive:{depth}:{agreement}"),
+            Sampling::Stochastic { least, most, .. } if least == most => write!(f, "stochastic:{most}"),
+            Sampling::Stochastic { least, most, confidence: Confidence { level, tolerance } } => {
+                write!(f, "stochastic:{least}..{most}:{level}:{tolerance}")
+            }
+        }
+    }
+}
+
+/// As the command line has it.
+impl fmt::Display for Selecting {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "{}:{}", self.step, self.agreement)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn what_is_shown_reads_back_as_the_same() {
+        for text in [
+            "single",
+            "regular:3",
+            "adaptive:0:0",
+            "adaptive:3:0.05",
+            "adaptive:4:0.1:items",
+            "stochastic:16",
+            "stochastic:8..256:0.95:0.01",
+        ] {
+            let sampling: Sampling = text.parse().unwrap();
+            assert_eq!(sampling.to_string(), text);
+        }
+        let selecting: Selecting = "8:0.05:items".parse().unwrap();
+        assert_eq!(selecting.to_string(), "8:0.05:items");
+        assert_eq!("adaptive:3:1/32".parse(), "adaptive:3:0.03125".parse::<Sampling>());
+    }
+
+    #[test]
+    fn what_makes_no_sense_is_refused_with_what_would() {
+        for (text, says) in [
+            ("regular:0", "between 1 and 256"),
+            ("adaptive:7:0", "0 to 6"),
+            ("adaptive:2", "threshold is missing"),
+            ("adaptive:2:1.5", "between 0 and 1"),
+            ("adaptive:2:0:objects", "`items`"),
+            ("stochastic:0", "between 1 and 65536"),
+            ("stochastic", "stochastic:N"),
+            ("stochastic:9..8:0.9", "MIN first"),
+            ("stochastic:8..9", "CONFIDENCE"),
+            ("stochastic:8..9:1", "less than 1"),
+            ("stochastic:8..9:0.9:2", "tolerance"),
+            ("stratified:4", "single, regular:N"),
+        ] {
+            let error = text.parse::<Sampling>().unwrap_err();
+            assert!(error.contains(says), "{text}: {error}");
+        }
+        for (text, says) in [("3:0.1", "STEP"), ("8", "missing"), ("128:0", "STEP"), ("8:x", "THRESHOLD")] {
+            let error = text.parse::<Selecting>().unwrap_err();
+            assert!(error.contains(says), "{text}: {error}");
+        }
+    }
+
+    #[test]
+    fn confidence_is_told_in_standard_errors() {
+        // From every table of the normal distribution.
+        for (level, errors) in [(0.682_689_5, 1.0), (0.95, 1.959_964), (0.99, 2.575_829)] {
+            let got = Confidence { level, tolerance: 0.0 }.errors();
+            assert!((got - errors).abs() < 1e-6, "{got}");
+        }
+    }
+}
