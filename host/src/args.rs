@@ -7,6 +7,7 @@ use clap_complete::Shell;
 use strahl_core::{Pixel, Size, Tile};
 
 use crate::finding::{Accel, Bounds, Finding};
+use crate::generate::{Form, What};
 use crate::wanted::{Filter, LEVELS, Precision, Sampling, Selecting};
 
 /// The most pixels of a picture: its linear colours take 12 bytes each.
@@ -57,6 +58,12 @@ pub enum Command {
     /// linear difference is told besides. An EXR file beside another format is rounded to the bits
     /// of that one.
     Compare(CompareArgs),
+    /// Make a scene by a formula, of any size, for measuring how time and memory grow.
+    ///
+    /// Names, views, lights and surfaces are those of the Standard Procedural Databases (Eric Haines,
+    /// 1987) where they have such a scene, at the same sizes. The same command makes the same file on
+    /// every machine.
+    Generate(GenerateArgs),
     /// Print the completions for a shell.
     Completions {
         /// Which.
@@ -247,6 +254,37 @@ pub struct CompareArgs {
     /// doubling as much brighter, pale yellow all.
     #[arg(short, long, value_name = "FILE")]
     pub output: Option<PathBuf>,
+
+    /// Say nothing but errors.
+    #[arg(short, long)]
+    pub quiet: bool,
+}
+
+/// Which scene to make, and where it goes.
+#[derive(Debug, Parser)]
+pub struct GenerateArgs {
+    /// What to make.
+    #[arg(value_name = "WHAT")]
+    pub what: What,
+
+    /// How large: how often it is divided, or for knot and stadium, how many triangles at least
+    /// [default: as below].
+    #[arg(long, value_name = "N")]
+    pub size: Option<u32>,
+
+    /// Where it goes; the extension names the format (.nff .toml .ply), `-` is the standard output
+    /// (NFF) [default: WHAT.nff, in the current folder].
+    #[arg(short, long, value_name = "FILE")]
+    pub output: Option<PathBuf>,
+
+    /// How it is written, whatever the extension is.
+    #[arg(long, value_name = "FORMAT")]
+    pub format: Option<Form>,
+
+    /// The objects with their materials only, without view, lights and background, to go into a
+    /// scene of one's own.
+    #[arg(long)]
+    pub bare: bool,
 
     /// Say nothing but errors.
     #[arg(short, long)]

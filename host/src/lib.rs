@@ -8,6 +8,7 @@
 //! | [`mod@cast`] | the command `cast` |
 //! | [`info`] | the command `info` |
 //! | [`compare`] | the command `compare` |
+//! | [`generate`] | the command `generate` |
 //! | [`manual`] | the commands `completions` and `man` |
 //! | [`load`] | scene files to a [`description`] |
 //! | [`description`] | a scene in neutral numbers |
@@ -55,6 +56,7 @@ pub mod failure;
 pub mod faults;
 pub mod finding;
 pub mod frame;
+pub mod generate;
 pub mod hits;
 pub mod info;
 pub mod load;

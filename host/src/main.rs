@@ -17,6 +17,7 @@ fn main() -> ExitCode {
         Command::Info(args) => strahl::info::run(&args).map(yes),
         Command::Schema => Output::Stdout.commit(native::schema().as_bytes()).map(yes),
         Command::Compare(args) => strahl::compare::run(&args),
+        Command::Generate(args) => strahl::generate::run(&args).map(yes),
         Command::Completions { shell } => strahl::manual::completions(shell).map(yes),
         Command::Man(args) => strahl::manual::man(&args).map(yes),
     };

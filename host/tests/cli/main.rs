@@ -2,6 +2,7 @@
 
 mod cast;
 mod compare;
+mod generate;
 mod info;
 mod manual;
 mod outputs;

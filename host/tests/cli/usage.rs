@@ -33,6 +33,7 @@ const COMMANDS: &[(&str, &[&str])] = &[
     ("info", &["--json", "--help"]),
     ("schema", &["--help"]),
     ("compare", &["--limit", "--limit-share", "--json", "--output", "--quiet", "--help"]),
+    ("generate", &["--size", "--output", "--format", "--bare", "--quiet", "--help"]),
     ("completions", &["--help"]),
     ("man", &["--help"]),
 ];
