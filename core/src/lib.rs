@@ -75,6 +75,8 @@ pub use scene::{
     LightSet, Material, MaterialFault, MaterialId, Parts, Place, Projection, Sample, Scene, SceneError, Size,
     Source, Texture, TextureId, TextureKind, TextureSet, View, ViewFault, World,
 };
+#[cfg(not(feature = "double"))]
+pub use scene::{Baking, Finder, Pack, PackError, PackPart};
 pub use shade::{Crossing, Media, Refraction, absorbed, index, reflected, refracted};
 pub use tally::{Event, RayKind, Tally};
 pub use trace::{Limits, Met, Sight, Tracer, TracerError, Worker};

@@ -25,10 +25,16 @@ mod octree;
 mod sample;
 mod walls;
 
+#[cfg(not(feature = "double"))]
+pub(crate) use bvh::BvhParts;
 pub use bvh::{Bvh, BvhRoom, LastFirst, NearestFirst, Node, Slot, Waiting};
+#[cfg(not(feature = "double"))]
+pub(crate) use grid::GridParts;
 pub use grid::{Grid, GridRoom, StaticGrid};
 pub use list::{Bare, List, groups_of};
 pub use mailbox::Mailbox;
+#[cfg(not(feature = "double"))]
+pub(crate) use octree::OctreeParts;
 pub use octree::{Octree, OctreeLimits, OctreeNode, OctreeRoom};
 
 use core::fmt;

@@ -40,6 +40,19 @@ impl Aabb {
     /// The box of nothing: no ray meets it, and joined with another box it changes nothing.
     pub const EMPTY: Aabb = Aabb { min: Vec3::splat(Real::INFINITY), max: Vec3::splat(Real::NEG_INFINITY) };
 
+    /// The box of the origin alone.
+    #[cfg(not(feature = "double"))]
+    pub(crate) const POINT: Aabb = Aabb { min: Vec3::ZERO, max: Vec3::ZERO };
+
+    /// Whether it is the box of something, and no difference of its coordinates is infinite.
+    #[cfg(not(feature = "double"))]
+    pub(crate) fn is_finite(&self) -> bool {
+        const FARTHEST_FACE: Real = Real::MAX / 8.0;
+        let within =
+            |v: Vec3| v.x.abs() <= FARTHEST_FACE && v.y.abs() <= FARTHEST_FACE && v.z.abs() <= FARTHEST_FACE;
+        within(self.min) && within(self.max) && !self.is_empty()
+    }
+
     /// The smallest box round some points.
     pub fn around(points: impl IntoIterator<Item = Vec3>) -> Self {
         points.into_iter().fold(Self::EMPTY, |all, p| all.union(Aabb { min: p, max: p }))

@@ -4,6 +4,8 @@ mod camera;
 mod effects;
 mod light;
 mod material;
+#[cfg(not(feature = "double"))]
+mod pack;
 mod texture;
 mod world;
 
@@ -12,6 +14,8 @@ pub use effects::{EffectSet, Effects, Everything, LastLevel};
 pub(crate) use light::Beam;
 pub use light::{Falloff, Light, LightKind, LightSet, Source};
 pub use material::{Interface, Material, MaterialFault, MaterialId, TextureId};
+#[cfg(not(feature = "double"))]
+pub use pack::{Baking, Finder, Pack, PackError, PackPart};
 pub use texture::{Texture, TextureKind, TextureSet};
 pub use world::World;
 

@@ -15,11 +15,15 @@
 
 mod build;
 mod node;
+#[cfg(not(feature = "double"))]
+mod parts;
 mod split;
 mod waiting;
 mod walk;
 
 pub use node::{Node, Slot};
+#[cfg(not(feature = "double"))]
+pub(crate) use parts::BvhParts;
 pub use waiting::{LastFirst, NearestFirst, Waiting};
 
 use core::marker::PhantomData;

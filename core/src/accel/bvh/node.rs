@@ -71,6 +71,12 @@ impl Slot {
     /// How many items can be told apart.
     pub(super) const MOST: usize = MARK as usize;
 
+    /// As it lies in memory.
+    #[cfg(not(feature = "double"))]
+    pub(crate) const fn word(self) -> u32 {
+        self.0
+    }
+
     pub(super) const fn of(item: ItemId) -> Self {
         Slot(item.0 & !MARK)
     }
@@ -133,6 +139,19 @@ impl Node {
             children: [Child::leaf(0); 2],
             end: 0,
         }
+    }
+
+    /// As it lies in memory.
+    #[cfg(not(feature = "double"))]
+    pub(crate) fn words(&self) -> [u32; 15] {
+        let [x, y, z] = self.walls.map(|walls| [walls.low, walls.high]);
+        let mut words = [0; 15];
+        let walls = [x, y, z].into_iter().flatten().flatten().map(f32::to_bits);
+        let rest = self.children.iter().map(|child| child.0).chain([self.end]);
+        for (word, value) in words.iter_mut().zip(walls.chain(rest)) {
+            *word = value;
+        }
+        words
     }
 
     #[inline(always)]

@@ -12,9 +12,13 @@
 //! goes to where the items are.
 
 mod build;
+#[cfg(not(feature = "double"))]
+mod parts;
 mod walk;
 
 pub use build::GridRoom;
+#[cfg(not(feature = "double"))]
+pub(crate) use parts::GridParts;
 
 use super::mailbox::{Mailbox, offer};
 use super::walls::Walls;
@@ -39,7 +43,13 @@ pub struct Grid<'s, const MAILBOX: usize> {
     items: &'s [u32],
 }
 
-impl<const MAILBOX: usize> Grid<'_, MAILBOX> {
+impl<'s, const MAILBOX: usize> Grid<'s, MAILBOX> {
+    /// The same grid, walked with a mailbox of another size.
+    pub const fn with_mailbox<const SLOTS: usize>(self) -> Grid<'s, SLOTS> {
+        let Grid { bounds, walls, cells, starts, items } = self;
+        Grid { bounds, walls, cells, starts, items }
+    }
+
     /// How many cells there are along each axis.
     pub const fn cells(&self) -> [u32; 3] {
         self.cells

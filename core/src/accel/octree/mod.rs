@@ -9,9 +9,13 @@
 //! too uneven for a uniform grid. An item that lies across many leaves is listed in each.
 
 mod build;
+#[cfg(not(feature = "double"))]
+mod parts;
 mod smart;
 
 pub use build::{OctreeLimits, OctreeRoom};
+#[cfg(not(feature = "double"))]
+pub(crate) use parts::OctreeParts;
 
 use zerocopy::{Immutable, KnownLayout, TryFromBytes};
 
@@ -67,7 +71,13 @@ pub struct Octree<'s, const MAILBOX: usize> {
     depth: u8,
 }
 
-impl<const MAILBOX: usize> Octree<'_, MAILBOX> {
+impl<'s, const MAILBOX: usize> Octree<'s, MAILBOX> {
+    /// The same octree, walked with a mailbox of another size.
+    pub const fn with_mailbox<const SLOTS: usize>(self) -> Octree<'s, SLOTS> {
+        let Octree { bounds, walls, nodes, items, regions, depth } = self;
+        Octree { bounds, walls, nodes, items, regions, depth }
+    }
+
     /// How many leaves list items.
     pub const fn regions(&self) -> usize {
         self.regions as usize

@@ -41,6 +41,7 @@ fn main() -> ! {
         light();
         counters();
         pictures();
+        packs();
         errors();
         #[cfg(feature = "canary")]
         canary();
@@ -538,7 +539,25 @@ fn sampled<A: Accelerator, E: Effects, T: Tally, const LEVELS: usize>(
     used(render(tracer, &mut sampler, worker, [any(Pixel { x: 0, y: 0 })], &mut Screen));
 }
 
+/// Bytes that may be a baked scene, and are used as whatever they say they are.
+fn packs() {
+    let Ok(pack) = Pack::open(slice(&[0_u8])) else { return };
+    used((pack.size(), pack.levels(), pack.cutoff(), pack.view(), pack.camera(size()), pack.bare()));
+    used(pack.finder());
+    traced::<_, Everything, _, 5>(&World::new(*pack.scene(), pack.bare()), ());
+    if let Ok(grid) = pack.grid::<8>() {
+        traced::<_, Few, _, 2>(&World::new(*pack.scene(), grid.with_mailbox::<16>()), ());
+    }
+    if let Ok(octree) = pack.octree::<8>() {
+        traced::<_, Few, _, 2>(&World::new(*pack.scene(), octree.with_mailbox::<16>()), ());
+    }
+    if let Ok(bvh) = pack.bvh::<LastFirst<8>>() {
+        traced::<_, Few, _, 2>(&World::new(*pack.scene(), bvh), ());
+    }
+}
+
 fn errors() {
+    displayed(any(PackError::Checksum));
     displayed(any(ViewFault::NoUp));
     displayed(any(ShapeFault::Radius));
     displayed(any(MaterialFault::Color));

@@ -1,0 +1,48 @@
+//! A hierarchy in parts, as a baked scene holds it.
+
+use core::marker::PhantomData;
+
+use super::Bvh;
+use super::node::{Child, Goes, Node, Slot};
+
+/// What makes a hierarchy, and nothing that follows from it.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct BvhParts<'s> {
+    pub(crate) nodes: &'s [Node],
+    pub(crate) items: &'s [Slot],
+    pub(crate) depth: u32,
+}
+
+impl<'s, W> Bvh<'s, W> {
+    pub(crate) const fn parts(&self) -> BvhParts<'s> {
+        BvhParts { nodes: self.nodes, items: self.items, depth: self.depth }
+    }
+
+    /// The hierarchy of parts, for a scene of `count` items; none when an index is out of range
+    /// or the nodes do not lie depth first.
+    pub(crate) fn from_parts(parts: BvhParts<'s>, count: u32) -> Option<Self> {
+        let BvhParts { nodes, items, depth } = parts;
+        let known = items.iter().all(|slot| slot.item().0 < count);
+        let ends = items.last().is_none_or(|slot| slot.is_last());
+        let mut tree = nodes.iter().zip(0..).all(|(node, place)| is_depth_first(nodes, items, node, place));
+        // The root's part is all of them.
+        tree &= nodes.first().is_none_or(|root| root.end() as usize == nodes.len());
+        (known && ends && tree).then_some(Bvh { nodes, items, depth, walk: PhantomData })
+    }
+}
+
+/// Whether the halves of a node are leaves with items, or the nodes that follow it: one the next
+/// one, the other where the part of the first ends; and whether its own part ends with theirs.
+fn is_depth_first(nodes: &[Node], items: &[Slot], node: &Node, place: u32) -> bool {
+    let end_of = |child: Child, next: u32| match child.goes() {
+        Goes::Out(first) => ((first as usize) < items.len()).then_some(next),
+        Goes::On(below) if below == next => {
+            nodes.get(below as usize).map(Node::end).filter(|end| *end > next)
+        }
+        Goes::On(_) => None,
+    };
+    let [a, b] = node.children();
+    let next = place + 1;
+    let in_order = |first, second| end_of(first, next).and_then(|end| end_of(second, end));
+    in_order(a, b).or_else(|| in_order(b, a)) == Some(node.end())
+}

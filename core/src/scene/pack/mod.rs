@@ -1,0 +1,199 @@
+//! A baked scene: a scene and its accelerator in bytes, ready to be traced where they lie.
+//!
+//! A host bakes a scene once ([`Baking`]); a device keeps the bytes in flash and opens them
+//! ([`Pack::open`]). Nothing is copied and nothing is built: the tables of the scene are slices
+//! of the bytes. Everything that a table says is checked before it is believed, so that no bytes
+//! whatever lead to a panic or to a read outside of them.
+//!
+//! # The format, version 1
+//!
+//! Little-endian, every part aligned to 4 bytes. First a [`Header`]: a magic word, the version,
+//! the length of the whole, a checksum of what follows it (FNV-1a, 32 bits), then what is there
+//! once (size, limits, view, surroundings, the accelerator's own numbers), and for each table
+//! where it begins and how many entries it has. Then the tables, whose entries have the layout
+//! of the core's own types in `repr(C)`. A baked scene holds single precision.
+
+mod error;
+mod header;
+mod write;
+
+pub use error::{PackError, PackPart};
+pub use write::Baking;
+
+use super::camera::{Camera, Size, View, ViewFault};
+use super::{Parts, Scene};
+use crate::accel::{Bare, Bvh, BvhParts, Grid, GridParts, Octree, OctreeParts};
+use crate::geometry::Geometry;
+use crate::math::Real;
+use header::{Content, Header};
+
+/// What a baked scene is to be walked by.
+#[derive(Clone, Copy, Debug)]
+pub enum Finder<'s> {
+    /// Every item in order.
+    Bare(Bare),
+    /// A uniform grid.
+    Grid(Grid<'s, 0>),
+    /// An octree.
+    Octree(Octree<'s, 0>),
+    /// A hierarchy of boxes.
+    Bvh(Bvh<'s, ()>),
+}
+
+/// A baked scene that has been checked.
+///
+/// ```
+/// use strahl_core::{Finder, Pack, PackError, include_pack};
+///
+/// # fn bytes() -> &'static [u8] { &[] }
+/// // In firmware: `let bytes = include_pack!("scene.strahl");`
+/// let bytes = bytes();
+/// let Err(error) = Pack::open(bytes) else { panic!() };
+/// assert_eq!(error, PackError::TooShort { needed: Pack::HEADER, given: 0 });
+/// ```
+#[derive(Clone, Copy, Debug)]
+pub struct Pack<'s> {
+    header: &'s Header,
+    bytes: &'s [u8],
+    scene: Scene<'s>,
+    size: Size,
+}
+
+impl<'s> Pack<'s> {
+    /// The version of the format that is written and read.
+    pub const VERSION: u32 = 1;
+
+    /// The fewest bytes that a baked scene has.
+    pub const HEADER: usize = size_of::<Header>();
+
+    /// The scene in `bytes`, which must be aligned to 4 ([`include_pack!`](crate::include_pack!)).
+    ///
+    /// One pass over the bytes, no memory of its own. Errors: [`PackError`], for everything that
+    /// these bytes are not.
+    pub fn open(bytes: &'s [u8]) -> Result<Self, PackError> {
+        let header = Header::of(bytes)?;
+        let geometry = Geometry {
+            shapes: header.table(bytes, Content::Shapes)?,
+            points: header.table(bytes, Content::Points)?,
+            normals: header.table(bytes, Content::Normals)?,
+            planes: header.table(bytes, Content::Planes)?,
+            discs: header.table(bytes, Content::Discs)?,
+            polygons: header.table(bytes, Content::Polygons)?,
+            cuboids: header.table(bytes, Content::Cuboids)?,
+            turned_cuboids: header.table(bytes, Content::TurnedCuboids)?,
+            cones: header.table(bytes, Content::Cones)?,
+            tori: header.table(bytes, Content::Tori)?,
+        };
+        let parts = Parts {
+            geometry,
+            made_of: header.table(bytes, Content::MadeOf)?,
+            materials: header.table(bytes, Content::Materials)?,
+            textures: header.table(bytes, Content::Textures)?,
+            lights: header.table(bytes, Content::Lights)?,
+            ambient: header.ambient,
+            background: header.background,
+        };
+        let scene = Scene::new(parts).map_err(PackError::Scene)?;
+        let [width, height] = header.size;
+        let size = Size::new(width, height).ok_or(PackError::Part(PackPart::Size))?;
+        Ok(Pack { header, bytes, scene, size })
+    }
+
+    /// The scene.
+    pub const fn scene(&self) -> &Scene<'s> {
+        &self.scene
+    }
+
+    /// The size of the picture that it was baked for. A device may take another.
+    pub const fn size(&self) -> Size {
+        self.size
+    }
+
+    /// The levels of rays that it was baked with.
+    pub const fn levels(&self) -> u8 {
+        let levels = self.header.levels;
+        if levels < 256 { levels as u8 } else { u8::MAX }
+    }
+
+    /// The cutoff that it was baked with.
+    pub const fn cutoff(&self) -> Real {
+        self.header.cutoff
+    }
+
+    /// How the scene is looked at.
+    pub const fn view(&self) -> &'s View {
+        &self.header.view
+    }
+
+    /// The camera of a picture of `size`.
+    pub fn camera(&self, size: Size) -> Result<Camera, ViewFault> {
+        Camera::new(self.view(), size)
+    }
+
+    /// How many items there are.
+    fn count(&self) -> u32 {
+        self.scene.parts().geometry.shapes.len() as u32
+    }
+
+    /// Every item in order: an accelerator that needs nothing.
+    pub fn bare(&self) -> Bare {
+        Bare(self.count())
+    }
+
+    /// The grid, checked here; [`PackPart::Finder`] is in error when there is none.
+    pub fn grid<const MAILBOX: usize>(&self) -> Result<Grid<'s, MAILBOX>, PackError> {
+        let (header, bytes) = (self.header, self.bytes);
+        header.expect(header::GRID)?;
+        let starts = header.table(bytes, Content::Nodes)?;
+        let items = header.table(bytes, Content::Items)?;
+        let parts = GridParts { bounds: header.bounds, cells: header.cells, starts, items };
+        Grid::from_parts(parts, self.count()).ok_or(PackError::Part(PackPart::Finder))
+    }
+
+    /// The octree, checked here; [`PackPart::Finder`] is in error when there is none.
+    pub fn octree<const MAILBOX: usize>(&self) -> Result<Octree<'s, MAILBOX>, PackError> {
+        let (header, bytes) = (self.header, self.bytes);
+        header.expect(header::OCTREE)?;
+        let nodes = header.table(bytes, Content::Nodes)?;
+        let items = header.table(bytes, Content::Items)?;
+        let parts = OctreeParts { bounds: header.bounds, nodes, items };
+        Octree::from_parts(parts, self.count()).ok_or(PackError::Part(PackPart::Finder))
+    }
+
+    /// The hierarchy, checked here, for walks whose parts wait in a `W`; [`PackPart::Finder`] is
+    /// in error when there is none.
+    pub fn bvh<W>(&self) -> Result<Bvh<'s, W>, PackError> {
+        let (header, bytes) = (self.header, self.bytes);
+        header.expect(header::BVH)?;
+        let nodes = header.table(bytes, Content::Nodes)?;
+        let items = header.table(bytes, Content::Items)?;
+        let parts = BvhParts { nodes, items, depth: header.depth };
+        Bvh::from_parts(parts, self.count()).ok_or(PackError::Part(PackPart::Finder))
+    }
+
+    /// Whatever it was baked with. A device that knows asks for that, and carries no code for the
+    /// others.
+    pub fn finder(&self) -> Result<Finder<'s>, PackError> {
+        Ok(match self.header.finder {
+            header::BARE => Finder::Bare(self.bare()),
+            header::GRID => Finder::Grid(self.grid()?),
+            header::OCTREE => Finder::Octree(self.octree()?),
+            _ => Finder::Bvh(self.bvh()?),
+        })
+    }
+}
+
+/// The bytes of a file, as [`include_bytes!`] has them, aligned for [`Pack::open`].
+///
+/// ```ignore
+/// static SCENE: &[u8] = strahl_core::include_pack!("scene.strahl");
+/// ```
+#[macro_export]
+macro_rules! include_pack {
+    ($path:expr $(,)?) => {{
+        #[repr(C, align(4))]
+        struct Aligned<Bytes: ?Sized>(Bytes);
+        static ALIGNED: &Aligned<[u8]> = &Aligned(*include_bytes!($path));
+        &ALIGNED.0
+    }};
+}

@@ -1,0 +1,150 @@
+//! Baked scenes: what was written is what is opened, and no other bytes are.
+
+mod bytes;
+mod same;
+
+use strahl_core::*;
+use strahl_tests::Random;
+use strahl_tests::single::Stage;
+use zerocopy::IntoBytes;
+
+/// Bytes aligned to 4.
+struct Aligned {
+    words: Vec<u32>,
+    length: usize,
+}
+
+impl Aligned {
+    fn of(bytes: &[u8]) -> Self {
+        let mut words = vec![0_u32; bytes.len().div_ceil(4)];
+        words.as_mut_bytes()[..bytes.len()].copy_from_slice(bytes);
+        Aligned { words, length: bytes.len() }
+    }
+
+    fn bytes(&self) -> &[u8] {
+        &self.words.as_bytes()[..self.length]
+    }
+}
+
+const VIEW: View = View {
+    from: vec3(0.5, 1.0, 9.0),
+    at: Vec3::ZERO,
+    up: Vec3::Y,
+    projection: Projection::Perspective { angle: 0.7 },
+};
+const SIZE: Size = Size::new(24, 16).unwrap();
+
+/// One of everything, and a swarm of small spheres.
+fn fair() -> Stage {
+    let mut stage = Stage::new();
+    let checker = stage.texture(Texture::Checker {
+        even: Rgb::WHITE,
+        odd: Rgb::gray(0.25),
+        origin: Vec3::ZERO,
+        frequency: vec3(1.0, 0.0, 1.0),
+    });
+    let gradient = stage.texture(Texture::Gradient {
+        from: Rgb::new(0.9, 0.1, 0.2),
+        to: Rgb::WHITE,
+        origin: Vec3::ZERO,
+        along: Vec3::Y,
+    });
+    let shiny = Material { highlight: Rgb::gray(0.5), exponent: 20.0, ..Material::MATTE };
+    stage.material(Material { texture: checker, two_sided: false, ..Material::MATTE });
+    stage.plane(vec3(0.0, -2.0, 0.0), Vec3::Y);
+    stage.material(Material { texture: gradient, ..shiny });
+    stage.disc(vec3(-2.0, 0.0, -1.0), vec3(1.0, 0.0, 2.0), 0.8);
+    stage.triangle([vec3(2.0, -1.0, 0.0), vec3(3.0, -1.0, 0.0), vec3(2.5, 1.0, -0.5)]);
+    let normals = [vec3(-0.2, 0.0, 1.0), vec3(0.2, 0.0, 1.0), vec3(0.0, 0.2, 1.0)];
+    stage.smooth_triangle([vec3(-3.0, -1.0, 0.0), vec3(-2.0, -1.0, 0.0), vec3(-2.5, 1.0, 0.5)], normals);
+    stage.polygon(
+        &[vec3(0.0, 1.0, -2.0), vec3(1.0, 1.5, -2.0), vec3(2.0, 1.0, -2.0), vec3(1.0, 3.0, -2.0)],
+        &[],
+    );
+    stage.material(Material { mirror: Rgb::new(0.7, 0.8, 0.9), ..shiny });
+    stage.cuboid(vec3(-1.0, -1.5, -1.0), vec3(0.0, -0.5, 0.0));
+    stage.turned_cuboid(vec3(1.5, -1.0, 1.0), vec3(0.4, 0.3, 0.2), vec3(1.0, 0.5, 0.0), Vec3::Z);
+    stage.material(Material {
+        transmitted: Rgb::gray(0.9),
+        index: 1.5,
+        interface: Interface::Fresnel,
+        clarity: Rgb::new(1.0, 2.0, Real::INFINITY),
+        priority: 3,
+        ..shiny
+    });
+    let cone = Cone::new(vec3(-1.5, -1.0, 1.5), 0.5, vec3(-1.5, 0.2, 1.5), 0.2, true);
+    stage.cone(cone.unwrap());
+    stage.torus(vec3(0.5, 0.5, 1.0), vec3(0.2, 1.0, 0.3), 0.6, 0.2);
+    stage.material(shiny);
+    let mut random = Random::new(7);
+    for _ in 0..150 {
+        let mut at = || 4.0 * (random.unit() as Real) - 2.0;
+        stage.sphere(vec3(at(), at(), at()), 0.08);
+    }
+    let falloff = Falloff { constant: 0.5, linear: 0.01, quadratic: 0.001 };
+    let white = Rgb::gray(0.5);
+    for source in [
+        Source::Point { position: vec3(5.0, 6.0, 7.0), falloff },
+        Source::Directional { toward: Vec3::Y },
+        Source::Spot {
+            position: vec3(-4.0, 5.0, 4.0),
+            direction: vec3(0.0, -0.6, -0.8),
+            cos_bright: 0.9,
+            cos_dark: 0.5,
+            falloff,
+        },
+    ] {
+        stage.lights.push(Light { source, color: white, shadows: true });
+    }
+    stage.ambient = Rgb::gray(0.1);
+    stage.background =
+        Background::Gradient { up: Vec3::Y, below: Rgb::gray(0.8), above: Rgb::new(0.1, 0.2, 0.9) };
+    stage
+}
+
+fn baked(scene: Scene<'_>, finder: Finder<'_>) -> Vec<u8> {
+    let baking = Baking { scene, view: VIEW, size: SIZE, levels: 4, cutoff: 0.01, finder };
+    let mut bytes = Vec::new();
+    assert!(baking.pour(|piece| bytes.extend_from_slice(piece)));
+    assert_eq!(Some(bytes.len() as u32), baking.bytes());
+    bytes
+}
+
+/// The four ways to find an item, each baked.
+fn every_pack(stage: &Stage) -> Vec<Vec<u8>> {
+    let boxes = stage.boxes();
+    let room = GridRoom::comfortable(&boxes);
+    let (mut cells, mut entries) = (vec![0; room.cells], vec![0; room.items]);
+    let grid = Grid::build(&boxes, &mut cells, &mut entries).unwrap();
+    let room = OctreeRoom::comfortable(boxes.len());
+    let (mut octants, mut listed) = (vec![OctreeNode::EMPTY; room.nodes], vec![0; room.items]);
+    let octree = Octree::build(&boxes, &mut octants, &mut listed).unwrap();
+    let room = BvhRoom::comfortable(boxes.len());
+    let (mut nodes, mut items) = (vec![Node::EMPTY; room.nodes], vec![Slot::EMPTY; room.items]);
+    let bvh = Bvh::build(&boxes, &mut nodes, &mut items).unwrap();
+    let finders =
+        [Finder::Bare(Bare(stage.len())), Finder::Grid(grid), Finder::Octree(octree), Finder::Bvh(bvh)];
+    finders.into_iter().map(|finder| baked(stage.scene(), finder)).collect()
+}
+
+fn picture<A: Accelerator>(scene: Scene<'_>, accelerator: A, camera: Camera) -> Vec<[u32; 3]> {
+    let world = World::new(scene, accelerator);
+    let limits = Limits { levels: 4, cutoff: 0.01 };
+    let tracer = Tracer::<_, Everything, 4>::new(&world, camera, limits).unwrap();
+    let mut colors = Vec::new();
+    let mut sink = |_: Pixel, color: Rgb| colors.push([color.r, color.g, color.b].map(f32::to_bits));
+    let pixels = Tile::whole(SIZE).pixels();
+    let Ok(()) = render(&tracer, &mut Single, &mut Worker::new(()), pixels, &mut sink);
+    colors
+}
+
+/// The picture of a pack, by whatever it was baked with.
+fn picture_of(pack: &Pack<'_>) -> Result<Vec<[u32; 3]>, PackError> {
+    let (scene, camera) = (*pack.scene(), pack.camera(SIZE).unwrap());
+    Ok(match pack.finder()? {
+        Finder::Bare(bare) => picture(scene, bare, camera),
+        Finder::Grid(grid) => picture(scene, grid.with_mailbox::<8>(), camera),
+        Finder::Octree(octree) => picture(scene, octree.with_mailbox::<8>(), camera),
+        Finder::Bvh(bvh) => picture(scene, bvh.walked::<LastFirst<16>>(), camera),
+    })
+}
