@@ -137,7 +137,7 @@ impl Header {
     }
 
     /// Whether the accelerator is of a kind.
-    pub(super) fn expect(&self, finder: u32) -> Result<(), PackError> {
+    pub(super) fn must_have(&self, finder: u32) -> Result<(), PackError> {
         if self.finder == finder { Ok(()) } else { Err(PackError::Part(PackPart::Finder)) }
     }
 }

@@ -15,6 +15,7 @@
 
 mod error;
 mod header;
+mod layout;
 mod write;
 
 pub use error::{PackError, PackPart};
@@ -143,7 +144,7 @@ impl<'s> Pack<'s> {
     /// The grid, checked here; [`PackPart::Finder`] is in error when there is none.
     pub fn grid<const MAILBOX: usize>(&self) -> Result<Grid<'s, MAILBOX>, PackError> {
         let (header, bytes) = (self.header, self.bytes);
-        header.expect(header::GRID)?;
+        header.must_have(header::GRID)?;
         let starts = header.table(bytes, Content::Nodes)?;
         let items = header.table(bytes, Content::Items)?;
         let parts = GridParts { bounds: header.bounds, cells: header.cells, starts, items };
@@ -153,7 +154,7 @@ impl<'s> Pack<'s> {
     /// The octree, checked here; [`PackPart::Finder`] is in error when there is none.
     pub fn octree<const MAILBOX: usize>(&self) -> Result<Octree<'s, MAILBOX>, PackError> {
         let (header, bytes) = (self.header, self.bytes);
-        header.expect(header::OCTREE)?;
+        header.must_have(header::OCTREE)?;
         let nodes = header.table(bytes, Content::Nodes)?;
         let items = header.table(bytes, Content::Items)?;
         let parts = OctreeParts { bounds: header.bounds, nodes, items };
@@ -164,7 +165,7 @@ impl<'s> Pack<'s> {
     /// in error when there is none.
     pub fn bvh<W>(&self) -> Result<Bvh<'s, W>, PackError> {
         let (header, bytes) = (self.header, self.bytes);
-        header.expect(header::BVH)?;
+        header.must_have(header::BVH)?;
         let nodes = header.table(bytes, Content::Nodes)?;
         let items = header.table(bytes, Content::Items)?;
         let parts = BvhParts { nodes, items, depth: header.depth };

@@ -1,0 +1,224 @@
+//! How the core's types lie in memory, told field by field.
+//!
+//! The bytes between fields and behind the shorter variants of an enum have no value that could be
+//! copied, so each type is taken apart. Without `..`, so that a new field is an error here.
+
+use crate::accel::{Node, OctreeNode, Slot};
+use crate::geometry::{Aabb, Cone, Cuboid, Disc, ItemId, Plane, Polygon, Shape, Sphere, Torus, TurnedCuboid};
+use crate::math::{Rgb, Vec3};
+use crate::scene::{
+    Background, Falloff, Interface, Light, Material, MaterialId, Projection, Source, Texture, TextureId, View,
+};
+
+/// Who writes, and how far.
+pub(super) struct Writer<'w> {
+    /// Is given a piece, and how much was written before it.
+    pub(super) take: &'w mut dyn FnMut(&[u8], usize),
+    pub(super) written: usize,
+    /// If there is one, it is told the length of each table and the size of its entries, and nothing
+    /// is written.
+    pub(super) see: Option<&'w mut dyn FnMut(usize, usize)>,
+}
+
+impl Writer<'_> {
+    fn piece(&mut self, bytes: &[u8]) {
+        (self.take)(bytes, self.written);
+        self.written += bytes.len();
+    }
+
+    /// Zeros up to a place that `alignment` divides.
+    fn align(&mut self, alignment: usize) {
+        while self.written % alignment != 0 {
+            self.piece(&[0]);
+        }
+    }
+
+    pub(super) fn table<T: Put>(&mut self, entries: &[T]) {
+        if let Some(see) = &mut self.see {
+            see(entries.len(), size_of::<T>());
+            return;
+        }
+        for entry in entries {
+            entry.whole(self);
+        }
+        self.align(4);
+    }
+}
+
+/// Something that can be written as it lies in memory, in `repr(C)`.
+pub(super) trait Put: Sized {
+    /// Its fields, in order.
+    fn put(&self, w: &mut Writer<'_>);
+
+    /// Where its alignment puts it: its fields, and zeros to its full size.
+    fn whole(&self, w: &mut Writer<'_>) {
+        w.align(align_of::<Self>());
+        let end = w.written + size_of::<Self>();
+        self.put(w);
+        while w.written < end {
+            w.piece(&[0]);
+        }
+        debug_assert!(w.written == end, "a type has another layout than is written");
+    }
+}
+
+macro_rules! numbers {
+    ($($Number:ty)*) => {$(
+        impl Put for $Number {
+            fn put(&self, w: &mut Writer<'_>) {
+                w.piece(&self.to_le_bytes());
+            }
+        }
+    )*};
+}
+numbers!(u8 u16 u32 f32);
+
+impl Put for bool {
+    fn put(&self, w: &mut Writer<'_>) {
+        w.piece(&[u8::from(*self)]);
+    }
+}
+
+impl<T: Put, const N: usize> Put for [T; N] {
+    fn put(&self, w: &mut Writer<'_>) {
+        self.iter().for_each(|one| one.whole(w));
+    }
+}
+
+impl Put for Vec3 {
+    fn put(&self, w: &mut Writer<'_>) {
+        self.to_array().put(w);
+    }
+}
+
+/// Structs, by their fields in the order of their declaration.
+macro_rules! structs {
+    ($($Struct:ident { $($field:ident),* })*) => {$(
+        impl Put for $Struct {
+            fn put(&self, w: &mut Writer<'_>) {
+                let $Struct { $($field),* } = self;
+                $($field.whole(w);)*
+            }
+        }
+    )*};
+}
+structs! {
+    Rgb { r, g, b }
+    Aabb { min, max }
+    Sphere { center, radius }
+    Plane { point, normal, item }
+    Disc { center, normal, radius }
+    Polygon { first, count, point, normal, smooth }
+    Cuboid { min, max }
+    TurnedCuboid { center, half, axes }
+    Cone { base, axis, height, base_radius, end_radius, capped }
+    Torus { center, axis, major, minor }
+    Material {
+        ambient, diffuse, texture, highlight, exponent, mirror, transmitted, index, interface, clarity, priority,
+        two_sided
+    }
+    Light { source, color, shadows }
+    Falloff { constant, linear, quadratic }
+    View { from, at, up, projection }
+}
+
+/// Structs of one number.
+macro_rules! newtypes {
+    ($($Struct:ident)*) => {$(
+        impl Put for $Struct {
+            fn put(&self, w: &mut Writer<'_>) {
+                self.0.whole(w);
+            }
+        }
+    )*};
+}
+newtypes!(ItemId MaterialId TextureId);
+
+impl Put for OctreeNode {
+    fn put(&self, w: &mut Writer<'_>) {
+        self.words().whole(w);
+    }
+}
+
+impl Put for Node {
+    fn put(&self, w: &mut Writer<'_>) {
+        self.words().whole(w);
+    }
+}
+
+impl Put for Slot {
+    fn put(&self, w: &mut Writer<'_>) {
+        self.word().whole(w);
+    }
+}
+
+impl Put for Interface {
+    fn put(&self, w: &mut Writer<'_>) {
+        (*self as u8).put(w);
+    }
+}
+
+/// The number of a variant, and its fields.
+macro_rules! variant {
+    ($w:ident, $number:literal $(, $field:ident)*) => {{
+        let number: u32 = $number;
+        number.whole($w);
+        $($field.whole($w);)*
+    }};
+}
+
+impl Put for Shape {
+    fn put(&self, w: &mut Writer<'_>) {
+        match self {
+            Shape::Sphere(sphere) => variant!(w, 0, sphere),
+            Shape::Triangle(corners) => variant!(w, 1, corners),
+            Shape::SmoothTriangle(corners) => variant!(w, 2, corners),
+            Shape::Plane(place) => variant!(w, 3, place),
+            Shape::Disc(place) => variant!(w, 4, place),
+            Shape::Polygon(place) => variant!(w, 5, place),
+            Shape::Cuboid(place) => variant!(w, 6, place),
+            Shape::TurnedCuboid(place) => variant!(w, 7, place),
+            Shape::Cone(place) => variant!(w, 8, place),
+            Shape::Torus(place) => variant!(w, 9, place),
+        }
+    }
+}
+
+impl Put for Texture {
+    fn put(&self, w: &mut Writer<'_>) {
+        match self {
+            Texture::Checker { even, odd, origin, frequency } => variant!(w, 0, even, odd, origin, frequency),
+            Texture::Gradient { from, to, origin, along } => variant!(w, 1, from, to, origin, along),
+        }
+    }
+}
+
+impl Put for Background {
+    fn put(&self, w: &mut Writer<'_>) {
+        match self {
+            Background::Color(color) => variant!(w, 0, color),
+            Background::Gradient { up, below, above } => variant!(w, 1, up, below, above),
+        }
+    }
+}
+
+impl Put for Projection {
+    fn put(&self, w: &mut Writer<'_>) {
+        match self {
+            Projection::Perspective { angle } => variant!(w, 0, angle),
+            Projection::Orthographic { height } => variant!(w, 1, height),
+        }
+    }
+}
+
+impl Put for Source {
+    fn put(&self, w: &mut Writer<'_>) {
+        match self {
+            Source::Point { position, falloff } => variant!(w, 0, position, falloff),
+            Source::Directional { toward } => variant!(w, 1, toward),
+            Source::Spot { position, direction, cos_bright, cos_dark, falloff } => {
+                variant!(w, 2, position, direction, cos_bright, cos_dark, falloff)
+            }
+        }
+    }
+}
