@@ -27,7 +27,16 @@ pub struct Args {
 #[derive(Debug, Subcommand)]
 pub enum Command {
     /// Render a scene into a picture.
-    Render(RenderArgs),
+    Render {
+        /// What, and how.
+        #[command(flatten)]
+        args: RenderArgs,
+
+        /// Print the settings in force and where each comes from, ready to be put into a scene or
+        /// behind a command, and make no picture.
+        #[arg(long)]
+        print_settings: bool,
+    },
     /// Tell what rays hit: rays in as CSV, hits out as CSV.
     ///
     /// A ray is a line ox,oy,oz,dx,dy,dz or ox,oy,oz,dx,dy,dz,tmax: where it starts, where it goes
@@ -50,6 +59,11 @@ pub enum Command {
     ///
     /// Rows come as soon as lines do, so a pipe may ask and wait for the answer.
     Cast(CastArgs),
+    /// Render a scene again at every save of it and of the files that it names, until Ctrl-C.
+    ///
+    /// A coarse picture comes first, then the full one. What is wrong in the scene is told, and
+    /// the last picture stays until it is mended. Takes the options of `render`.
+    Watch(RenderArgs),
     /// Tell what is in a scene, what it asks for and why, and what it takes.
     Info(InfoArgs),
     /// Tell how two pictures differ; the exit status is 0 when they do not, 1 when they do.

@@ -4,6 +4,8 @@
 //! the two precisions see the same scene. Nothing is derived: directions have any length,
 //! angles are in degrees, a cone is two circles, a polygon its corners.
 
+use std::collections::BTreeMap;
+
 use strahl_core::{Material, Rgb, Size};
 
 use crate::sampling::{Filter, Sampling};
@@ -18,6 +20,8 @@ pub struct Description {
     pub view: View,
     /// What picture the file asks for.
     pub settings: Settings,
+    /// The lines of those settings, by their keys.
+    pub setting_lines: BTreeMap<String, usize>,
     /// What is behind everything.
     pub background: Background,
     /// Light from everywhere.

@@ -7,13 +7,15 @@ use std::path::{Path, PathBuf};
 use crate::faults::Faults;
 use crate::signals::Stop;
 
-/// What a command that asks a question answers.
+/// How a command ends in which nothing went wrong.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Answer {
     /// Or there was no question.
     Yes,
-    /// Nothing went wrong: two pictures differ, a check does not hold.
+    /// Two pictures differ, a check does not hold.
     No,
+    /// It would have gone on without end, and was ended.
+    Ended(Stop),
 }
 
 impl Answer {
@@ -22,6 +24,7 @@ impl Answer {
         match self {
             Answer::Yes => 0,
             Answer::No => 1,
+            Answer::Ended(stop) => stop.status(),
         }
     }
 }

@@ -6,6 +6,7 @@
 //! | [`args`] | the command line |
 //! | [`render`] | the command `render` |
 //! | [`mod@cast`] | the command `cast` |
+//! | [`watch`] | the command `watch` |
 //! | [`info`] | the command `info` |
 //! | [`compare`] | the command `compare` |
 //! | [`generate`] | the command `generate` |
@@ -25,11 +26,13 @@
 //! | [`workers`] | tiles and threads |
 //! | [`double`] | `accelerators`, `draw`, `hits` and `workers` for the twin in double precision |
 //! | [`counts`] | how often everything happened |
+//! | [`draft`] | a coarse picture before the full one |
 //! | [`picture`] | linear pictures, their digest, and files of them |
 //! | [`colormap`] | differences to colours |
 //! | [`output`] | files that are complete or absent |
 //! | [`plan`] | what a scene asks to be simulated, and why |
 //! | [`stats`] | what was counted and measured |
+//! | [`settings`] | what is in force, and who has set it |
 //! | [`progress`] | how far the work is |
 //! | [`summary`] | what was done, for a person |
 //! | [`signals`] | when to stop |
@@ -51,6 +54,7 @@ pub mod compare;
 pub mod counts;
 pub mod description;
 pub mod double;
+pub mod draft;
 pub mod draw;
 pub mod failure;
 pub mod faults;
@@ -68,9 +72,11 @@ pub mod progress;
 pub mod render;
 pub mod samplers;
 pub mod sampling;
+pub mod settings;
 pub mod signals;
 pub mod stats;
 pub mod stock;
 pub mod summary;
 pub mod wanted;
+pub mod watch;
 pub mod workers;

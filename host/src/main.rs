@@ -12,8 +12,10 @@ fn main() -> ExitCode {
     let args = Args::parse();
     let yes = |()| Answer::Yes;
     let done = match args.command {
-        Command::Render(args) => strahl::render::run(&args).map(yes),
+        Command::Render { args, print_settings: false } => strahl::render::run(&args).map(yes),
+        Command::Render { args, print_settings: true } => strahl::render::print_settings(&args).map(yes),
         Command::Cast(args) => strahl::cast::run(&args).map(yes),
+        Command::Watch(args) => strahl::watch::run(&args).map(Answer::Ended),
         Command::Info(args) => strahl::info::run(&args).map(yes),
         Command::Schema => Output::Stdout.commit(native::schema().as_bytes()).map(yes),
         Command::Compare(args) => strahl::compare::run(&args),

@@ -3,20 +3,22 @@
 use std::ffi::OsStr;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
-use std::time::Instant;
+use std::time::{Duration, Instant};
 
 use strahl_core::{Limits, Size, Tile};
 
 use crate::args::{RenderArgs, StatsForm};
-use crate::description::Settings;
+use crate::description::{Description, Settings};
+use crate::draft;
 use crate::failure::Failure;
 use crate::finding::Finding;
-use crate::frame::{self, NoFrame};
-use crate::load::{DEFAULT_SIZE, load_for};
+use crate::frame::{self, Frame, NoFrame};
+use crate::load::{DEFAULT_SIZE, Files, load_from};
 use crate::output::{Output, say, tell};
-use crate::picture::{self, Format};
+use crate::picture::{self, Format, Picture};
 use crate::plan::plan;
 use crate::progress::Watch;
+use crate::settings;
 use crate::signals::Signals;
 use crate::stats::Stats;
 use crate::summary::summary;
@@ -24,62 +26,126 @@ use crate::wanted::{Cut, Filter, Mask, Sampling, Wanted};
 
 /// Renders one scene.
 pub fn run(args: &RenderArgs) -> Result<(), Failure> {
-    let signals =
-        Signals::listen().map_err(|error| Failure::Usage(format!("cannot listen for signals: {error}")))?;
-    let report = report(args)?;
-    let path = args.output.clone().unwrap_or_else(|| picture_of(&args.scene));
-    let format = Format::of(&path)?;
+    let job = Job::of(args)?;
+    let watch = job.watch(Signals::listen()?);
+    let scene = job.load(&Files::on_disk())?;
+    job.render(&scene, &watch)
+}
 
-    let clock = Instant::now();
-    let description = load_for(&args.scene, args.size.unwrap_or(DEFAULT_SIZE))?;
-    for warning in description.warnings.iter().filter(|_| !args.quiet) {
-        say(format_args!("{}: warning: {warning}", args.scene.display()));
+/// Tells how a scene would be rendered.
+pub fn print_settings(args: &RenderArgs) -> Result<(), Failure> {
+    let job = Job::of(args)?;
+    let Loaded { description, .. } = job.load(&Files::on_disk())?;
+    let wanted = wanted(args, &description.settings, false)?;
+    job.format.holds(wanted.picture())?;
+    let settings = settings::settings(args, &wanted, &job.path, &description.setting_lines);
+    Output::Stdout.commit(settings::text(&args.scene, &settings).as_bytes())
+}
+
+/// A picture that is asked for, and where it goes.
+pub struct Job<'a> {
+    args: &'a RenderArgs,
+    path: PathBuf,
+    format: Format,
+    report: Option<(StatsForm, PathBuf)>,
+}
+
+/// A scene, and how long it took to load it.
+pub struct Loaded {
+    description: Description,
+    took: Duration,
+}
+
+impl<'a> Job<'a> {
+    /// What the command line asks for.
+    pub fn of(args: &'a RenderArgs) -> Result<Self, Failure> {
+        let report = report(args)?;
+        let path = args.output.clone().unwrap_or_else(|| picture_of(&args.scene));
+        let format = Format::of(&path)?;
+        Ok(Job { args, path, format, report })
     }
-    let load = clock.elapsed();
 
-    // Before the work, so that nothing is traced that cannot be kept.
-    let output = Output::prepare(&path)?;
-    let report = report.map(|(form, path)| Ok((form, Output::prepare(&path)?))).transpose()?;
-    if let Some((_, report)) = &report
-        && (report.replaces(&path) || report.replaces(&args.scene))
-    {
-        return Err(Failure::Usage("the report and the picture or the scene are the same file".into()));
+    /// Who is told how far the work is.
+    pub fn watch(&self, signals: Signals) -> Watch {
+        if self.args.quiet { Watch::silent(signals) } else { Watch::on_terminal(signals) }
     }
 
-    let wanted = wanted(args, &description.settings, report.is_some() || !args.quiet)?;
-    format.holds(wanted.picture())?;
-    let watch = if args.quiet { Watch::silent(signals) } else { Watch::on_terminal(signals) };
-    let frame = frame::trace(&description, &wanted, &watch);
-    watch.end();
-    let frame = frame.map_err(|error| match error {
-        NoFrame::Stopped(stop) => Failure::Stopped(stop),
-        error => Failure::Input { path: args.scene.clone(), line: None, reason: error.to_string() },
-    })?;
-
-    let clock = Instant::now();
-    let file = format.encode(&frame.picture).map_err(|error| Failure::Unwritable {
-        path: Some(path.clone()),
-        error: std::io::Error::other(error),
-    })?;
-    watch.check().map_err(Failure::Stopped)?;
-    output.commit(&file)?;
-    let write = clock.elapsed();
-
-    if let (Some((form, output)), Some(counters)) = (report, &frame.counters) {
-        let mut stats = Stats::new(&description, &frame, counters);
-        stats.seconds.load = load.as_secs_f64();
-        stats.seconds.write = write.as_secs_f64();
-        let text = match form {
-            StatsForm::Json => stats.to_json(),
-            StatsForm::Text => stats.to_text(),
-        };
-        output.commit(text.as_bytes())?;
+    /// Loads the scene, and says what its user should know of.
+    pub fn load(&self, files: &Files) -> Result<Loaded, Failure> {
+        let clock = Instant::now();
+        let Job { args, .. } = self;
+        let description = load_from(files, &args.scene, args.size.unwrap_or(DEFAULT_SIZE))?;
+        for warning in description.warnings.iter().filter(|_| !args.quiet) {
+            say(format_args!("{}: warning: {warning}", args.scene.display()));
+        }
+        Ok(Loaded { description, took: clock.elapsed() })
     }
-    if let (Some(counters), false) = (&frame.counters, args.quiet) {
-        let plan = plan(&description, &frame.facts.asks);
-        tell(summary(&path, &frame, counters, &plan, load, write));
+
+    /// Traces the picture and writes it, and whatever is to be told of it.
+    pub fn render(&self, scene: &Loaded, watch: &Watch) -> Result<(), Failure> {
+        let Job { args, path, format, .. } = self;
+        // Before the work, so that nothing is traced that cannot be kept.
+        let output = Output::prepare(path)?;
+        let report =
+            self.report.as_ref().map(|(form, path)| Ok((form, Output::prepare(path)?))).transpose()?;
+        if let Some((_, report)) = &report
+            && (report.replaces(path) || report.replaces(&args.scene))
+        {
+            return Err(Failure::Usage("the report and the picture or the scene are the same file".into()));
+        }
+
+        let Loaded { description, took: load } = scene;
+        let wanted = wanted(args, &description.settings, report.is_some() || !args.quiet)?;
+        format.holds(wanted.picture())?;
+        let frame = self.trace(description, &wanted, watch)?;
+        let clock = Instant::now();
+        self.write(&frame.picture, output, watch)?;
+        let write = clock.elapsed();
+
+        if let (Some((form, output)), Some(counters)) = (report, &frame.counters) {
+            let mut stats = Stats::new(description, &frame, counters);
+            stats.seconds.load = load.as_secs_f64();
+            stats.seconds.write = write.as_secs_f64();
+            let text = match form {
+                StatsForm::Json => stats.to_json(),
+                StatsForm::Text => stats.to_text(),
+            };
+            output.commit(text.as_bytes())?;
+        }
+        if let (Some(counters), false) = (&frame.counters, args.quiet) {
+            let plan = plan(description, &frame.facts.asks);
+            tell(summary(path, &frame, counters, &plan, *load, write));
+        }
+        Ok(())
     }
-    Ok(())
+
+    /// Traces and writes a coarse picture, where that is quicker.
+    pub fn draft(&self, scene: &Loaded, watch: &Watch) -> Result<(), Failure> {
+        let wanted = wanted(self.args, &scene.description.settings, false)?;
+        self.format.holds(wanted.size)?;
+        let Some(coarse) = draft::of(&wanted) else { return Ok(()) };
+        let output = Output::prepare(&self.path)?;
+        let frame = self.trace(&scene.description, &coarse, watch)?;
+        self.write(&draft::enlarged(&frame.picture, wanted.size), output, watch)
+    }
+
+    fn trace(&self, description: &Description, wanted: &Wanted, watch: &Watch) -> Result<Frame, Failure> {
+        let frame = frame::trace(description, wanted, watch);
+        watch.end();
+        frame.map_err(|error| match error {
+            NoFrame::Stopped(stop) => Failure::Stopped(stop),
+            error => Failure::Input { path: self.args.scene.clone(), line: None, reason: error.to_string() },
+        })
+    }
+
+    fn write(&self, picture: &Picture, output: Output, watch: &Watch) -> Result<(), Failure> {
+        let file = self.format.encode(picture).map_err(|error| Failure::Unwritable {
+            path: Some(self.path.clone()),
+            error: std::io::Error::other(error),
+        })?;
+        watch.check().map_err(Failure::Stopped)?;
+        output.commit(&file)
+    }
 }
 
 /// What the command line asks for, else the scene, else the defaults.

@@ -1,10 +1,12 @@
-//! When to stop: the user's Ctrl-C and the system's polite request.
+//! When to stop: the user's Ctrl-C, the system's polite request, and news.
 
 use std::fmt;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
 
 use signal_hook::consts::{SIGINT, SIGTERM};
+
+use crate::failure::Failure;
 
 /// Who stopped the work.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -13,6 +15,8 @@ pub enum Stop {
     Interrupted,
     /// SIGTERM: the same command may be tried again.
     Terminated,
+    /// What is worked on is of yesterday: its files have changed.
+    Outdated,
 }
 
 impl Stop {
@@ -20,7 +24,7 @@ impl Stop {
     pub fn status(self) -> u8 {
         match self {
             Stop::Interrupted => 130,
-            Stop::Terminated => 75,
+            Stop::Terminated | Stop::Outdated => 75,
         }
     }
 }
@@ -30,24 +34,32 @@ impl fmt::Display for Stop {
         f.write_str(match self {
             Stop::Interrupted => "interrupted",
             Stop::Terminated => "stopped by SIGTERM",
+            Stop::Outdated => "the scene has changed",
         })
     }
 }
 
-/// Flags that signals raise, and that work asks between two pixels.
+/// Flags that signals and news raise, and that work asks between two pixels.
 #[derive(Clone, Debug, Default)]
 pub struct Signals {
     interrupted: Arc<AtomicBool>,
     terminated: Arc<AtomicBool>,
+    outdated: Arc<AtomicBool>,
 }
 
 impl Signals {
     /// Listens for both signals from now on.
-    pub fn listen() -> std::io::Result<Self> {
+    pub fn listen() -> Result<Self, Failure> {
         let signals = Signals::default();
-        signal_hook::flag::register(SIGINT, Arc::clone(&signals.interrupted))?;
-        signal_hook::flag::register(SIGTERM, Arc::clone(&signals.terminated))?;
+        let deaf = |error| Failure::Usage(format!("cannot listen for signals: {error}"));
+        signal_hook::flag::register(SIGINT, Arc::clone(&signals.interrupted)).map_err(deaf)?;
+        signal_hook::flag::register(SIGTERM, Arc::clone(&signals.terminated)).map_err(deaf)?;
         Ok(signals)
+    }
+
+    /// What is raised when the work has become useless, and lowered when other work begins.
+    pub fn outdated(&self) -> Arc<AtomicBool> {
+        Arc::clone(&self.outdated)
     }
 
     /// `Err` once a signal has come.
@@ -56,6 +68,8 @@ impl Signals {
             Err(Stop::Interrupted)
         } else if self.terminated.load(Ordering::Relaxed) {
             Err(Stop::Terminated)
+        } else if self.outdated.load(Ordering::Relaxed) {
+            Err(Stop::Outdated)
         } else {
             Ok(())
         }

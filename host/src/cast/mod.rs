@@ -33,8 +33,7 @@ pub use stream::{Cast, Stream};
 
 /// Casts rays into one scene.
 pub fn run(args: &CastArgs) -> Result<(), Failure> {
-    let signals =
-        Signals::listen().map_err(|error| Failure::Usage(format!("cannot listen for signals: {error}")))?;
+    let signals = Signals::listen()?;
     let clock = Instant::now();
     let description = load(&args.scene)?;
     for warning in description.warnings.iter().filter(|_| !args.quiet) {

@@ -1,8 +1,11 @@
 //! Scene files become descriptions.
 
+mod files;
+mod fit;
 pub mod mesh;
 pub mod native;
 mod nff;
+mod shown;
 
 use std::path::Path;
 
@@ -10,6 +13,8 @@ use strahl_core::Size;
 
 use crate::description::Description;
 use crate::failure::Failure;
+
+pub use files::Files;
 
 /// Of pictures for which neither scene nor user names a size.
 pub const DEFAULT_SIZE: Size = Size::new(640, 480).unwrap();
@@ -25,15 +30,20 @@ pub fn load(path: &Path) -> Result<Description, Failure> {
 /// Loads the scene file at `path` for a picture of `size`: where the file has no view, one is
 /// chosen that suits it.
 pub fn load_for(path: &Path, size: Size) -> Result<Description, Failure> {
+    load_from(&Files::on_disk(), path, size)
+}
+
+/// The same from these files.
+pub fn load_from(files: &Files, path: &Path, size: Size) -> Result<Description, Failure> {
     if mesh::is_mesh(path) {
-        return mesh::scene(path, size);
+        return mesh::scene(files, path, size);
     }
     let extension = path.extension().and_then(|e| e.to_str()).unwrap_or_default().to_ascii_lowercase();
     // A file that is not there is told first, whatever its name.
-    let bytes = std::fs::read(path).map_err(|error| Failure::Unreadable { path: path.to_owned(), error })?;
+    let bytes = files.read(path).map_err(|error| Failure::Unreadable { path: path.to_owned(), error })?;
     match extension.as_str() {
         "nff" => nff::read(path, &bytes),
-        "toml" => native::read(path, &bytes, size),
+        "toml" => native::read(files, path, &bytes, size),
         _ => Err(Failure::Input {
             path: path.to_owned(),
             line: None,

@@ -8,7 +8,10 @@ mod manual;
 mod outputs;
 mod pictures;
 mod program;
+mod settings;
 mod stats;
 #[cfg(unix)]
 mod stopped;
 mod usage;
+#[cfg(unix)]
+mod watch;

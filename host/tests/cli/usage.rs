@@ -4,7 +4,7 @@ use std::collections::BTreeSet;
 
 use crate::program::{BALL, EMPTY, Folder};
 
-/// Every option of `strahl render`; what is not here must not be in the help.
+/// Every option of `strahl render` and `strahl watch`; what is not here must not be in the help.
 const OPTIONS: &[&str] = &[
     "--output",
     "--size",
@@ -29,6 +29,7 @@ const OPTIONS: &[&str] = &[
 /// Every command with its options.
 const COMMANDS: &[(&str, &[&str])] = &[
     ("render", OPTIONS),
+    ("watch", OPTIONS),
     ("cast", &["--rays", "--output", "--precision", "--accel", "--bounds", "--threads", "--quiet", "--help"]),
     ("info", &["--json", "--help"]),
     ("schema", &["--help"]),
@@ -59,7 +60,10 @@ fn long_options(text: &str) -> BTreeSet<String> {
 fn the_help_lists_every_option_that_is_there_and_no_other() {
     let folder = Folder::with(EMPTY);
     for (command, options) in COMMANDS {
-        let expected = options.iter().map(|o| (*o).to_owned()).collect();
+        let mut expected: BTreeSet<_> = options.iter().map(|o| (*o).to_owned()).collect();
+        if *command == "render" {
+            expected.insert("--print-settings".into());
+        }
         for words in ["--help", "-h"] {
             let help = String::from_utf8(folder.done(&format!("{command} {words}"))).unwrap();
             assert_eq!(long_options(&help), expected, "{help}");

@@ -127,6 +127,7 @@ fn line_ends_tabs_empty_lines_and_comments_change_nothing_but_line_numbers() {
     moved.lights.iter_mut().for_each(|light| light.line *= 2);
     moved.materials.iter_mut().for_each(|material| material.line *= 2);
     moved.objects.iter_mut().for_each(|object| object.line *= 2);
+    moved.setting_lines.values_mut().for_each(|line| *line *= 2);
     assert_eq!(loaded(&ALL.replace('\n', "\n\n").replacen("# a", "\n# a", 1)), moved);
 }
 
@@ -139,8 +140,11 @@ fn the_numbers_of_an_entity_may_stand_in_any_lines() {
 
 #[test]
 fn the_parts_of_a_viewpoint_may_stand_in_any_order_and_without_hither() {
-    let it = loaded("v\nresolution 4 3\nangle 30\nup 0 1 0\nat 0 0 0\nfrom 0 0 9\n");
-    assert_eq!(it, loaded(VIEW));
+    let mut it = loaded("v\nresolution 4 3\nangle 30\nup 0 1 0\nat 0 0 0\nfrom 0 0 9\n");
+    assert_eq!(it.setting_lines["size"], 2);
+    let usual = loaded(VIEW);
+    it.setting_lines.clone_from(&usual.setting_lines);
+    assert_eq!(it, usual);
 }
 
 #[test]
@@ -152,6 +156,7 @@ fn entities_may_stand_in_any_order() {
     last.lights[0].line = first.lights[0].line;
     last.materials[0].line = first.materials[0].line;
     last.objects[0].line = first.objects[0].line;
+    last.setting_lines.clone_from(&first.setting_lines);
     assert_eq!(first, last);
 }
 

@@ -25,6 +25,7 @@ use std::path::Path;
 
 use strahl_core::{Material, Size};
 
+use super::Files;
 use crate::description::{Description, Triple};
 use crate::failure::Failure;
 
@@ -59,12 +60,26 @@ pub struct Group {
 
 /// Reads the mesh in the file at `path`; its extension names the format.
 pub fn read(path: &Path) -> Result<Mesh, Failure> {
-    let bytes = std::fs::read(path).map_err(|error| Failure::Unreadable { path: path.to_owned(), error })?;
+    read_from(&Files::on_disk(), path)
+}
+
+/// The same from these files.
+pub fn read_from(files: &Files, path: &Path) -> Result<Mesh, Failure> {
+    parse(files, path, files.read(path))
+}
+
+/// The same of a file that another one names.
+pub(super) fn read_companion(files: &Files, path: &Path) -> Result<Mesh, Failure> {
+    parse(files, path, files.companion(path))
+}
+
+fn parse(files: &Files, path: &Path, bytes: std::io::Result<Vec<u8>>) -> Result<Mesh, Failure> {
+    let bytes = bytes.map_err(|error| Failure::Unreadable { path: path.to_owned(), error })?;
     let wrong = |(line, reason): Wrong| Failure::Input { path: path.to_owned(), line, reason };
     match extension(path).as_str() {
-        "obj" => obj::read(path, &bytes),
+        "obj" => obj::read(files, path, &bytes),
         "ply" => ply::read(&bytes).map_err(wrong),
-        "gltf" | "glb" => gltf::read(path, bytes),
+        "gltf" | "glb" => gltf::read(files, path, bytes),
         _ => {
             let reason = "not a mesh that strahl reads; the extension must be .obj, .ply, .gltf or .glb";
             Err(wrong((None, reason.into())))
@@ -78,11 +93,11 @@ pub fn is_mesh(path: &Path) -> bool {
 }
 
 /// The mesh in the file at `path` as a scene of its own, seen whole in a picture of `size`.
-pub fn scene(path: &Path, size: Size) -> Result<Description, Failure> {
+pub(super) fn scene(files: &Files, path: &Path, size: Size) -> Result<Description, Failure> {
     // In PLY files nothing says what is up. Programs that make things stand them on the plane
     // of x and y; OBJ and glTF files have y up by custom and by definition.
     let up = if extension(path) == "ply" { view::Up::Z } else { view::Up::Y };
-    view::staged(read(path)?, up, size).map_err(|reason| Failure::Input {
+    view::staged(read_from(files, path)?, up, size).map_err(|reason| Failure::Input {
         path: path.to_owned(),
         line: None,
         reason,
@@ -95,13 +110,3 @@ fn extension(path: &Path) -> String {
 
 /// The line, where there are lines, and what is wrong there.
 type Wrong = (Option<usize>, String);
-
-/// Reads a file that another one names. What is no plain file is as good as missing: a pipe
-/// or a device may have no end.
-fn companion(path: &Path) -> std::io::Result<Vec<u8>> {
-    if std::fs::metadata(path)?.is_file() {
-        std::fs::read(path)
-    } else {
-        Err(std::io::Error::other("not a file"))
-    }
-}

@@ -14,7 +14,8 @@ use strahl_core::{Interface, Material, Rgb};
 
 use super::Wrong;
 use super::gather::Gather;
-use super::text::{Line, lines, shown, text_of};
+use super::text::{Line, lines, text_of};
+use crate::load::shown::shown;
 
 /// A material of the library.
 pub(super) struct Named {

@@ -14,19 +14,20 @@ use std::collections::{HashMap, HashSet};
 use std::path::Path;
 
 use super::gather::{Gather, coordinate};
-use super::text::{Line, lines, shown, text_of};
-use super::{Mesh, Wrong, companion, mtl};
+use super::text::{Line, lines, text_of};
+use super::{Files, Mesh, Wrong, mtl};
 use crate::description::Triple;
 use crate::failure::Failure;
+use crate::load::shown::shown;
 
 /// Reads the bytes of the file at `path`; material libraries are beside it.
-pub(super) fn read(path: &Path, bytes: &[u8]) -> Result<Mesh, Failure> {
+pub(super) fn read(files: &Files, path: &Path, bytes: &[u8]) -> Result<Mesh, Failure> {
     let wrong = |(line, reason): Wrong| Failure::Input { path: path.to_owned(), line, reason };
     let text = text_of(bytes).map_err(wrong)?;
     let mut reader = Reader::default();
     // Libraries first: some writers name them after the materials' first use.
     for line in lines(&text).filter(|line| line.keyword == "mtllib") {
-        reader.library(path.parent().unwrap_or(Path::new("")), line)?;
+        reader.library(files, path.parent().unwrap_or(Path::new("")), line)?;
     }
     for line in lines(&text) {
         reader.line(line).map_err(wrong)?;
@@ -126,33 +127,32 @@ impl Reader {
     }
 
     /// Reads one library whose name may have spaces, or several whose names have none.
-    fn library(&mut self, folder: &Path, line: Line<'_>) -> Result<(), Failure> {
+    fn library(&mut self, files: &Files, folder: &Path, line: Line<'_>) -> Result<(), Failure> {
         if !self.libraries.insert(line.rest.to_owned()) {
             return Ok(());
         }
-        if companion(&folder.join(line.rest)).is_ok() {
-            return self.one_library(folder, line.rest, line.number);
+        if let Ok(bytes) = files.companion(&folder.join(line.rest)) {
+            return self.one_library(&folder.join(line.rest), &bytes);
         }
         for name in line.words() {
             if name == line.rest || self.libraries.insert(name.to_owned()) {
-                self.one_library(folder, name, line.number)?;
+                let path = folder.join(name);
+                match files.companion(&path) {
+                    Ok(bytes) => self.one_library(&path, &bytes)?,
+                    Err(error) => {
+                        let (name, line) = (shown(name), line.number);
+                        let what = format!("the materials {name} of line {line} cannot be read: {error}");
+                        self.gather.warn(what);
+                    }
+                }
             }
         }
         Ok(())
     }
 
-    fn one_library(&mut self, folder: &Path, name: &str, line: usize) -> Result<(), Failure> {
-        let path = folder.join(name);
-        let bytes = match companion(&path) {
-            Ok(bytes) => bytes,
-            Err(error) => {
-                let name = shown(name);
-                self.gather.warn(format!("the materials {name} of line {line} cannot be read: {error}"));
-                return Ok(());
-            }
-        };
-        let wrong = |(line, reason): Wrong| Failure::Input { path: path.clone(), line, reason };
-        for material in mtl::read(&bytes, &mut self.gather).map_err(wrong)? {
+    fn one_library(&mut self, path: &Path, bytes: &[u8]) -> Result<(), Failure> {
+        let wrong = |(line, reason): Wrong| Failure::Input { path: path.to_owned(), line, reason };
+        for material in mtl::read(bytes, &mut self.gather).map_err(wrong)? {
             let Some(place) = self.gather.material(material.name.clone(), material.it) else {
                 return Err(wrong((Some(material.line), "more materials than a scene can number".into())));
             };

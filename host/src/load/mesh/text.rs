@@ -4,6 +4,7 @@ use std::borrow::Cow;
 use std::str::FromStr;
 
 use super::Wrong;
+use crate::load::shown::shown;
 
 /// The file as text. What is no UTF-8 is replaced: only names and comments may hold it.
 pub(super) fn text_of(bytes: &[u8]) -> Result<Cow<'_, str>, Wrong> {
@@ -95,13 +96,4 @@ impl<'t> Line<'t> {
             Err(_) => self.wrong(format!("{} is no number; {what} is expected", shown(word))),
         }
     }
-}
-
-/// A word as it may stand in a message: short, and without control characters.
-pub(super) fn shown(word: &str) -> String {
-    let mut shown: String = word.chars().take(40).flat_map(char::escape_debug).collect();
-    if word.chars().nth(40).is_some() {
-        shown.push('…');
-    }
-    format!("`{shown}`")
 }

@@ -11,12 +11,15 @@
 //! Where a model has its front is a custom too: towards +z where y is up, towards -y where
 //! z is up.
 
+use std::collections::BTreeMap;
+
 use strahl_core::{Material, Rgb, Size};
 
 use super::Mesh;
 use crate::description::{
     Background, Description, Form, Light, Object, Placed, Projection, Settings, Source, Triple, View,
 };
+use crate::load::fit::{Gaze, V, cross, larger, sin_cos};
 
 /// The axis that stands upright.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -53,12 +56,13 @@ const CLAY: Material = Material {
 pub(super) fn staged(mesh: Mesh, up: Up, size: Size) -> Result<Description, String> {
     let seen = corners_of_triangles(&mesh);
     let frame = Frame::of(&seen, up);
-    let view = frame.view(&seen, size)?;
+    let gaze = Gaze::new(frame.toward, frame.up, ANGLE, FILLED, size);
+    let view = frame.view(&seen, &gaze, size)?;
     let lamp = |toward: V, color: Rgb, shadows: bool| {
         let it = Light { source: Source::Directional { toward: rounded(toward) }, color, shadows };
         Placed { it, line: 1, name: None }
     };
-    let [right, above, back] = frame.axes();
+    let [right, above, back] = gaze.axes();
     let mix = |r: f64, a: f64, b: f64| [0, 1, 2].map(|i| r * right[i] + a * above[i] + b * back[i]);
     let lights = vec![
         lamp(mix(-0.75, 0.8, 0.42), Rgb::new(1.0, 0.9, 0.76), true),
@@ -83,6 +87,7 @@ pub(super) fn staged(mesh: Mesh, up: Up, size: Size) -> Result<Description, Stri
     Ok(Description {
         view,
         settings: Settings::default(),
+        setting_lines: BTreeMap::new(),
         background: Background::Gradient {
             up: rounded(frame.up),
             below: Rgb::new(0.03, 0.035, 0.045),
@@ -100,8 +105,6 @@ pub(super) fn staged(mesh: Mesh, up: Up, size: Size) -> Result<Description, Stri
     })
 }
 
-type V = [f64; 3];
-
 /// The corners of all triangles, each once: a file may have others, which nobody sees.
 fn corners_of_triangles(mesh: &Mesh) -> Vec<V> {
     let mut is_seen = vec![false; mesh.points.len()];
@@ -112,19 +115,6 @@ fn corners_of_triangles(mesh: &Mesh) -> Vec<V> {
 
 fn rounded(v: V) -> Triple {
     v.map(|x| x as f32)
-}
-
-fn dot(a: V, b: V) -> f64 {
-    a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
-}
-
-fn cross(a: V, b: V) -> V {
-    [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]]
-}
-
-fn unit(v: V) -> V {
-    let length = dot(v, v).sqrt();
-    v.map(|x| x / length)
 }
 
 /// Where the model is, and from where it is looked at.
@@ -147,8 +137,7 @@ impl Frame {
             }
         }
         let sides = [0, 1, 2].map(|i| high[i] - low[i]);
-        let longest =
-            |sides: &[f64]| sides.iter().fold(0.0, |most: f64, x| if *x > most { *x } else { most });
+        let longest = |sides: &[f64]| sides.iter().fold(0.0, |most, side| larger(most, *side));
         let (up, front, height, width) = match up {
             Up::Y => ([0.0, 1.0, 0.0], [0.0, 0.0, 1.0], sides[1], longest(&[sides[0], sides[2]])),
             Up::Z => ([0.0, 0.0, 1.0], [0.0, -1.0, 0.0], sides[2], longest(&sides[..2])),
@@ -163,49 +152,17 @@ impl Frame {
         Frame { up, toward, middle, reach: 0.5 * longest(&sides) }
     }
 
-    /// To the right and up in the picture, and towards the eye.
-    fn axes(&self) -> [V; 3] {
-        let right = unit(cross(self.up, self.toward));
-        [right, cross(self.toward, right), self.toward]
-    }
-
     /// The nearest view that has every corner inside the picture.
-    ///
-    /// In the frame of the eye a corner at `(x, y, z)`, `z` towards the eye, is inside when
-    /// `|x| <= s (d - z)`, where `d` is the distance and `s` the slope of the picture's edge. So each
-    /// side asks for `d >= z + |x| / s` about a middle that may move: the widest demands of the
-    /// left and of the right are made equal, and the same upwards.
-    fn view(&self, seen: &[V], size: Size) -> Result<View, String> {
+    fn view(&self, seen: &[V], gaze: &Gaze, size: Size) -> Result<View, String> {
         if self.reach == 0.0 {
             return Err("all corners are in the same place, so there is nothing to look at".into());
         }
-        let (sin, cos) = sin_cos(0.5 * ANGLE);
-        let slope = FILLED * sin / cos;
-        let aspect = f64::from(size.width()) / f64::from(size.height());
-        let slopes = [slope * aspect, slope];
-        let [right, above, back] = self.axes();
-        let mut demands = [[f64::NEG_INFINITY; 2]; 2];
-        let mut nearest = f64::NEG_INFINITY;
-        for point in seen {
-            let from_middle = [0, 1, 2].map(|i| point[i] - self.middle[i]);
-            let z = dot(from_middle, back);
-            nearest = if z > nearest { z } else { nearest };
-            for (side, slope) in slopes.iter().enumerate() {
-                let x = dot(from_middle, [right, above][side]);
-                for (which, x) in [x, -x].into_iter().enumerate() {
-                    let demand = z + x / slope;
-                    let most = &mut demands[side][which];
-                    *most = if demand > *most { demand } else { *most };
-                }
-            }
-        }
-        let [wide, high] = demands.map(|[one, other]| 0.5 * (one + other));
-        let [x, y] = [0, 1].map(|side| 0.5 * (demands[side][0] - demands[side][1]) * slopes[side]);
-        let distance = if wide > high { wide } else { high };
+        let demands = gaze.demands(self.middle, seen.iter().copied());
+        let (distance, [x, y]) = gaze.centered(&demands);
         // Never inside the model, however flat it is seen.
-        let least = nearest + 0.2 * self.reach;
-        let distance = if distance > least { distance } else { least };
+        let distance = larger(distance, demands.nearest + 0.2 * self.reach);
 
+        let [right, above, back] = gaze.axes();
         let at = [0, 1, 2].map(|i| self.middle[i] + x * right[i] + y * above[i]);
         let from = [0, 1, 2].map(|i| at[i] + distance * back[i]);
         // Far from zero the eye and the corners stand on a coarse raster.
@@ -220,9 +177,4 @@ impl Frame {
             Err(fault) => Err(format!("the model is too large or too far away: {fault}")),
         }
     }
-}
-
-/// libm's, which are the same everywhere.
-fn sin_cos(degrees: f64) -> (f64, f64) {
-    libm::sincos(degrees.to_radians())
 }

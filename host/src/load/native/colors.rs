@@ -6,9 +6,10 @@ use toml::de::DeValue;
 
 use super::numbers::{Range, is_number};
 use super::places::{one_or_three, triple_schema};
-use super::similar::{meant, shown};
+use super::similar::meant;
 use super::table::{Read, Reader, Value};
 use crate::faults::Fault;
+use crate::load::shown::shown;
 
 /// The names, with what CSS means by them (sRGB).
 const NAMES: &[(&str, u32)] = &[

@@ -1,7 +1,7 @@
 //! What has been read becomes a description.
 
+use std::collections::BTreeMap;
 use std::ops::Range;
-use std::path::Path;
 
 use strahl_core::{Rgb, Size, Vec3, vec3};
 
@@ -30,8 +30,8 @@ pub(super) struct Maker<'m> {
 }
 
 impl<'m> Maker<'m> {
-    /// Nothing, of a scene in `folder` for a picture of `size`.
-    pub(super) fn new(reader: Reader<'m>, lines: &'m Lines, folder: &'m Path, size: Size) -> Self {
+    /// Nothing, for a picture of `size`.
+    pub(super) fn new(reader: Reader<'m>, lines: &'m Lines, meshes: Meshes<'m>, size: Size) -> Self {
         let view = View {
             from: [0.0, 0.0, 1.0],
             at: [0.0; 3],
@@ -41,6 +41,7 @@ impl<'m> Maker<'m> {
         let description = Description {
             view,
             settings: Settings::default(),
+            setting_lines: BTreeMap::new(),
             background: Background::Color(Rgb::BLACK),
             ambient: Rgb::BLACK,
             lights: Vec::new(),
@@ -52,8 +53,16 @@ impl<'m> Maker<'m> {
             triangles: Vec::new(),
             warnings: Vec::new(),
         };
-        let (made, meshes) = (Made::default(), Meshes::of(folder));
-        Maker { reader, lines, description, made, meshes, size, overflown: false, flat: (0, 0) }
+        Maker {
+            reader,
+            lines,
+            description,
+            made: Made::default(),
+            meshes,
+            size,
+            overflown: false,
+            flat: (0, 0),
+        }
     }
 
     /// Makes everything, and answers with it and what is wrong.

@@ -13,10 +13,11 @@ use toml::de::{DeTable, DeValue};
 use super::colors::is_color;
 use super::format;
 use super::make::{Maker, vector};
-use super::similar::{meant, shown};
+use super::similar::meant;
 use super::table::{At, Many, Read, Reader, Value};
 use crate::description::{Placed, Texture};
 use crate::faults::Fault;
+use crate::load::shown::shown;
 
 /// The core counts cells per length, and no more of them than lengths.
 const LEAST_CELL: f32 = 1e-14;

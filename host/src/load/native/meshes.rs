@@ -12,20 +12,21 @@ use super::make::Maker;
 use super::table::At;
 use super::turn;
 use crate::description::{Form, Triple};
-use crate::failure::Failure;
 use crate::faults::Fault;
+use crate::load::Files;
 use crate::load::mesh::{self, Mesh};
 
 /// The files of meshes, each of which is read once.
 pub(super) struct Meshes<'m> {
+    files: &'m Files,
     folder: &'m Path,
     read: HashMap<PathBuf, Option<Mesh>>,
 }
 
 impl<'m> Meshes<'m> {
     /// None yet, of a scene in `folder`.
-    pub(super) fn of(folder: &'m Path) -> Self {
-        Meshes { folder, read: HashMap::new() }
+    pub(super) fn of(files: &'m Files, folder: &'m Path) -> Self {
+        Meshes { files, folder, read: HashMap::new() }
     }
 }
 
@@ -96,10 +97,7 @@ impl Thing for format::Mesh {
 
 /// Reads a file, or says at the place of its name what is wrong with it.
 fn read(path: &Path, file: &At<String>, maker: &mut Maker<'_>) -> Option<Mesh> {
-    // A pipe or a device may have no end.
-    let is_file = std::fs::metadata(path).map_or(true, |found| found.is_file());
-    let mesh = if is_file { mesh::read(path) } else { Err(Failure::Usage("it is no file".into())) };
-    match mesh {
+    match mesh::read_companion(maker.meshes.files, path) {
         Ok(mesh) => {
             let name = path.display();
             maker

@@ -38,15 +38,17 @@ use toml::de::{DeTable, DeValue};
 use crate::description::Description;
 use crate::failure::Failure;
 use crate::faults::{Fault, Faults, Lines};
+use crate::load::Files;
 use format::File;
 use make::Maker;
 use materials::Names;
+use meshes::Meshes;
 use table::{Found, Read, Reader};
 
 /// Reads the bytes of the file at `path`.
 ///
 /// Where it has no view, one is chosen that suits its size, or `size` where it names none.
-pub(super) fn read(path: &Path, bytes: &[u8], size: Size) -> Result<Description, Failure> {
+pub(super) fn read(files: &Files, path: &Path, bytes: &[u8], size: Size) -> Result<Description, Failure> {
     let wrong = |text: &str, list: Vec<Fault>| Failure::Faults(Box::new(Faults::new(path, text, list)));
     let text = match std::str::from_utf8(bytes) {
         Ok(text) => text,
@@ -72,8 +74,12 @@ pub(super) fn read(path: &Path, bytes: &[u8], size: Size) -> Result<Description,
 
     let lines = Lines::of(text);
     let folder = path.parent().unwrap_or(Path::new(""));
-    let maker = Maker::new(reader, &lines, folder, size);
-    let (description, reader) = maker.scene(&file.unwrap_or_default());
+    let maker = Maker::new(reader, &lines, Meshes::of(files, folder), size);
+    let (mut description, reader) = maker.scene(&file.unwrap_or_default());
+    if let Some(DeValue::Table(render)) = document.get_ref().get("render").map(Spanned::get_ref) {
+        let line = |key: &Spanned<_>| lines.line(key.span().start);
+        description.setting_lines = render.keys().map(|key| (key.get_ref().to_string(), line(key))).collect();
+    }
     let Found { kept, count } = reader.faults;
     if count == 0 {
         return Ok(description);

@@ -2,6 +2,8 @@
 
 use strsim::damerau_levenshtein;
 
+use crate::load::shown::shown;
+
 /// Words of other programs, and ours for the same.
 const SAME: &[(&str, &str)] = &[
     ("background_color", "background"),
@@ -83,15 +85,6 @@ fn quoted(word: &str) -> String {
             None => format!("`{word}`"),
         },
     }
-}
-
-/// A word of the file as it may stand in a message: short, and without control characters.
-pub(super) fn shown(word: &str) -> String {
-    let mut shown: String = word.chars().take(40).flat_map(char::escape_debug).collect();
-    if word.chars().nth(40).is_some() {
-        shown.push('…');
-    }
-    format!("`{shown}`")
 }
 
 #[cfg(test)]

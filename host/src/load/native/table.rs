@@ -13,8 +13,9 @@ use toml::Spanned;
 use toml::de::{DeTable, DeValue};
 
 use super::materials::Names;
-use super::similar::{meant, shown};
+use super::similar::meant;
 use crate::faults::Fault;
+use crate::load::shown::shown;
 
 /// A value of the file, with its place.
 pub(super) type Value<'t> = Spanned<DeValue<'t>>;
@@ -190,7 +191,10 @@ impl<T: Read> Read for Many<T> {
     fn read(value: &Value<'_>, key: &str, reader: &mut Reader<'_>) -> Option<Self> {
         match value.get_ref() {
             DeValue::Array(list) => {
-                Some(Many(list.iter().filter_map(|it| At::read(it, key, reader)).collect()))
+                // All at once: a table that grows is there several times over for a while.
+                let mut things = Vec::with_capacity(list.len());
+                things.extend(list.iter().filter_map(|it| At::read(it, key, reader)));
+                Some(Many(things))
             }
             DeValue::Table(_) => {
                 let fault = Fault::new(value.span(), format!("there may be more than one `{key}`"));

@@ -4,13 +4,14 @@
 use std::str::FromStr;
 
 use schemars::{JsonSchema, Schema, SchemaGenerator, json_schema};
-use strahl_core::{Aabb, Camera, Rgb, Size, Vec3, ViewFault, unit, vec3};
+use strahl_core::{Aabb, Camera, Rgb, Size, Vec3, ViewFault, unit};
 
 use super::format::{self, File};
 use super::make::{Maker, vector};
 use super::table::{At, One, Read, Reader, Value};
 use crate::description::{Background, Light, Placed, Projection, Settings, Source, Triple, View};
 use crate::faults::Fault;
+use crate::load::fit::{Gaze, V, larger};
 use crate::sampling;
 use crate::stock::{self, single::Stock};
 
@@ -19,9 +20,9 @@ pub(super) const UP: Triple = [0.0, 1.0, 0.0];
 /// The full vertical angle of view in degrees.
 pub(super) const ANGLE: f32 = 45.0;
 /// From what is seen to the eye: from the front, a little from the right and from above.
-const TOWARD_EYE: Vec3 = vec3(0.35, 0.3, 1.0);
-/// How much farther away than it must be, so that nothing touches the picture's edge.
-const ROOM: f32 = 1.1;
+const TOWARD_EYE: V = [0.35, 0.3, 1.0];
+/// The share of the picture's half side that may be taken, so that nothing touches its edge.
+const FILLED: f64 = 0.91;
 
 /// Declares types for what has the words of the command line.
 macro_rules! words {
@@ -143,36 +144,35 @@ impl Maker<'_> {
         let stock = Stock::new(&self.description);
         let Ok(scene) = stock.scene() else { return };
         let boxes = scene.parts().geometry.all_bounds().filter(|b| b.min.cmple(b.max).all());
-        let whole = boxes.fold(Aabb::EMPTY, |whole, b| whole.union(b));
-        let is_something = whole.min.cmple(whole.max).all();
-        let (min, max) = if is_something { (whole.min, whole.max) } else { (-Vec3::ONE, Vec3::ONE) };
-        let middle = 0.5 * min + 0.5 * max;
+        let mut boxes: Vec<Aabb> = boxes.collect();
+        let whole = boxes.iter().fold(Aabb::EMPTY, |whole, b| whole.union(*b));
+        // Of nothing, or of a point, the surroundings are shown.
+        let is_something = whole.min.cmple(whole.max).all() && whole.min != whole.max;
+        let middle = if whole.is_empty() { Vec3::ZERO } else { 0.5 * whole.min + 0.5 * whole.max };
+        if !is_something {
+            boxes = vec![Aabb { min: middle - Vec3::ONE, max: middle + Vec3::ONE }];
+        }
         if move_aim {
             view.at = middle.to_array();
         }
         if move_eye {
-            let aim = vector(view.at);
-            let length = |v: Vec3| strahl_core::unit(v).map_or(0.0, |unit| v.dot(unit));
-            // The sphere round the point looked at that holds everything.
-            let radius = length(aim - middle) + 0.5 * length(max - min);
-            let radius = if radius > 0.0 { radius } else { 1.0 };
-            let distance = match view.projection {
-                Projection::Perspective(angle) => radius / self.sin_of_half(angle),
-                Projection::Orthographic(_) => 2.0 * radius,
+            let angle = match view.projection {
+                Projection::Perspective(angle) => angle,
+                // The height says how much is seen; the eye only must be outside.
+                Projection::Orthographic(_) => ANGLE,
             };
-            let away = unit(TOWARD_EYE).unwrap_or(Vec3::Z) * (ROOM * distance);
-            view.from = (aim + away).to_array().map(|x| if x.is_finite() { x } else { 0.0 });
+            let size = self.description.settings.size.unwrap_or(self.size);
+            let gaze = Gaze::new(TOWARD_EYE, view.up.map(f64::from), f64::from(angle), FILLED, size);
+            let aim = view.at.map(f64::from);
+            let corners = boxes.iter().flat_map(corners_of);
+            let demands = gaze.demands(aim, corners);
+            // Never inside of things, however narrow they are seen.
+            let reach = 0.1 * f64::from((whole.max - whole.min).max_element());
+            let distance = larger(demands.distance(), demands.nearest + reach);
+            let [.., back] = gaze.axes();
+            let from = [0, 1, 2].map(|i| (aim[i] + distance * back[i]) as f32);
+            view.from = from.map(|x| if x.is_finite() { x } else { 0.0 });
         }
-    }
-
-    /// The sine of half of the smaller angle of view.
-    fn sin_of_half(&self, angle: f32) -> f32 {
-        let half = 0.5 * f64::from(angle).to_radians();
-        let size = self.description.settings.size.unwrap_or(self.size);
-        let aspect = f64::from(size.width()) / f64::from(size.height());
-        let slope = if aspect < 1.0 { aspect } else { 1.0 };
-        // libm's, which are the same everywhere.
-        libm::sin(libm::atan(slope * libm::tan(half))) as f32
     }
 
     /// What is behind everything.
@@ -213,4 +213,10 @@ fn default_light(view: &View) -> Placed<Light> {
     let source = Source::Directional { toward: toward.to_array() };
     let it = Light { source, color: Rgb::WHITE, shadows: true };
     Placed { it, line: 1, name: Some("default".into()) }
+}
+
+/// The corners of a box.
+fn corners_of(it: &Aabb) -> impl Iterator<Item = V> + use<> {
+    let ends = [it.min.to_array(), it.max.to_array()].map(|end| end.map(f64::from));
+    (0..8).map(move |corner: usize| [0, 1, 2].map(|axis| ends[corner >> axis & 1][axis]))
 }

@@ -13,7 +13,7 @@
 
 mod words;
 
-use std::collections::HashMap;
+use std::collections::{BTreeMap, HashMap};
 use std::path::Path;
 
 use strahl_core::{Camera, Cone, FARTHEST, Material, Polygon, Rgb, Size, vec3};
@@ -51,7 +51,7 @@ struct Lamp {
 /// The file, and what has been read of it.
 struct Reader<'t> {
     words: Words<'t>,
-    view: Option<Placed<(View, Size)>>,
+    view: Option<Placed<(View, Size, usize)>>,
     background: Option<Placed<Rgb>>,
     lamps: Vec<Lamp>,
     materials: Vec<Placed<Material>>,
@@ -124,7 +124,7 @@ impl<'t> Reader<'t> {
                 "up" => up.replace(self.words.triple("the direction of up", word)?).is_some(),
                 "angle" => angle.replace(self.words.number("the angle of view", word)?).is_some(),
                 "hither" => hither.replace(self.words.number("the hither plane", word)?).is_some(),
-                _ => size.replace(self.size(word)?).is_some(),
+                _ => size.replace((self.size(word)?, word.line)).is_some(),
             };
             if again {
                 return word.wrong(format!("a second `{}` in one viewpoint", word.text));
@@ -143,11 +143,11 @@ impl<'t> Reader<'t> {
             up: up.ok_or_else(|| missing("up"))?,
             projection: Projection::Perspective(angle.ok_or_else(|| missing("angle"))?),
         };
-        let size = size.ok_or_else(|| missing("resolution"))?;
+        let (size, line) = size.ok_or_else(|| missing("resolution"))?;
         if let Err(fault) = Camera::new(&stock::single::view(&view), size) {
             return of.wrong(format!("{fault}"));
         }
-        self.view = Some(Placed { it: (view, size), line: of.line, name: None });
+        self.view = Some(Placed { it: (view, size, line), line: of.line, name: None });
         Ok(())
     }
 
@@ -290,7 +290,7 @@ impl<'t> Reader<'t> {
     }
 
     fn finish(self) -> Read<Description> {
-        let Some(Placed { it: (view, size), .. }) = self.view else {
+        let Some(Placed { it: (view, size, line), .. }) = self.view else {
             return Err(Wrong {
                 line: self.words.lines,
                 reason: "the file ends without a viewpoint (`v`)".into(),
@@ -314,6 +314,7 @@ impl<'t> Reader<'t> {
         Ok(Description {
             view,
             settings: Settings { size: Some(size), ..Settings::default() },
+            setting_lines: BTreeMap::from([("size".into(), line)]),
             background: Background::Color(self.background.map_or(Rgb::BLACK, |b| b.it)),
             ambient: intensity,
             lights: lights.collect(),

@@ -3,6 +3,7 @@
 use strahl_core::{FARTHEST, Rgb};
 
 use crate::description::Triple;
+use crate::load::shown::shown;
 
 /// What is wrong at a line.
 pub(super) struct Wrong {
@@ -27,11 +28,7 @@ impl Word<'_> {
 
     /// The word as it may stand in a message: short, and without control characters.
     pub(super) fn shown(&self) -> String {
-        let mut shown: String = self.text.chars().take(40).flat_map(char::escape_debug).collect();
-        if self.text.chars().nth(40).is_some() {
-            shown.push('…');
-        }
-        format!("`{shown}`")
+        shown(self.text)
     }
 }
 

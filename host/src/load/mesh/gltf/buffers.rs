@@ -8,8 +8,8 @@ use base64::Engine;
 
 use super::json::{Accessor, Root};
 use crate::failure::Failure;
-use crate::load::mesh::companion;
-use crate::load::mesh::text::shown;
+use crate::load::Files;
+use crate::load::shown::shown;
 
 /// What an accessor may hold: the number of its type, how it is called, its bytes.
 pub(super) struct Kind {
@@ -36,13 +36,18 @@ pub(super) struct Buffers {
 
 impl Buffers {
     /// Loads the buffers of the file at `path`; `binary` is the second part of a `.glb`.
-    pub(super) fn load(path: &Path, root: &Root, mut binary: Option<Vec<u8>>) -> Result<Self, Failure> {
+    pub(super) fn load(
+        files: &Files,
+        path: &Path,
+        root: &Root,
+        mut binary: Option<Vec<u8>>,
+    ) -> Result<Self, Failure> {
         let wrong = |number: usize, reason: &str| Failure::Input {
             path: path.to_owned(),
             line: None,
             reason: format!("buffers[{number}]: {reason}"),
         };
-        let mut files: HashMap<PathBuf, Rc<Vec<u8>>> = HashMap::new();
+        let mut read: HashMap<PathBuf, Rc<Vec<u8>>> = HashMap::new();
         let mut loaded = Vec::new();
         for (number, buffer) in root.buffers.iter().enumerate() {
             let bytes = match &buffer.uri {
@@ -59,13 +64,13 @@ impl Buffers {
                 Some(uri) => {
                     let name = unescaped(uri).ok_or_else(|| wrong(number, "the name in `uri` is no text"))?;
                     let place = path.parent().unwrap_or(Path::new("")).join(name);
-                    match files.get(&place) {
+                    match read.get(&place) {
                         Some(known) => Rc::clone(known),
                         None => {
-                            let bytes = companion(&place).map(Rc::new);
+                            let bytes = files.companion(&place).map(Rc::new);
                             let unreadable = |error| Failure::Unreadable { path: place.clone(), error };
                             let bytes = bytes.map_err(unreadable)?;
-                            files.insert(place, Rc::clone(&bytes));
+                            read.insert(place, Rc::clone(&bytes));
                             bytes
                         }
                     }

@@ -27,9 +27,9 @@ use std::path::Path;
 use strahl_core::{Interface, Material, Rgb};
 
 use super::gather::{Gather, coordinate};
-use super::text::shown;
-use super::{Mesh, Wrong};
+use super::{Files, Mesh, Wrong};
 use crate::failure::Failure;
+use crate::load::shown::shown;
 use buffers::{Buffers, INDEX, VECTOR};
 use json::{Primitive, Root};
 use motion::Motion;
@@ -38,14 +38,14 @@ use motion::Motion;
 const MOST: usize = 1 << 24;
 
 /// Reads the bytes of the file at `path`; other files may be beside it.
-pub(super) fn read(path: &Path, bytes: Vec<u8>) -> Result<Mesh, Failure> {
+pub(super) fn read(files: &Files, path: &Path, bytes: Vec<u8>) -> Result<Mesh, Failure> {
     let wrong = |(line, reason): Wrong| Failure::Input { path: path.to_owned(), line, reason };
     let size = bytes.len();
     let (root, binary) = parts(bytes).map_err(wrong)?;
     if let Some(name) = root.extensions_required.iter().find(|name| !KNOWN.contains(&name.as_str())) {
         return Err(wrong((None, format!("the file requires the extension {}", shown(name)))));
     }
-    let buffers = Buffers::load(path, &root, binary)?;
+    let buffers = Buffers::load(files, path, &root, binary)?;
     let most = size.saturating_add(buffers.bytes());
     let most = if most < MOST { MOST } else { most };
     let mut reader = Reader { root: &root, buffers: &buffers, gather: Gather::default(), most, parts: 0 };

@@ -2,7 +2,7 @@
 
 use super::header::{Element, Encoding, Property, Type};
 use crate::load::mesh::Wrong;
-use crate::load::mesh::text::shown;
+use crate::load::shown::shown;
 
 /// The data that are not read yet.
 pub(super) struct Data<'b> {

@@ -2,7 +2,7 @@
 
 use super::data::Data;
 use crate::load::mesh::Wrong;
-use crate::load::mesh::text::shown;
+use crate::load::shown::shown;
 
 /// How a number is kept.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

@@ -12,8 +12,8 @@ mod data;
 mod header;
 
 use super::gather::{Gather, coordinate};
-use super::text::shown;
 use super::{Mesh, Wrong};
+use crate::load::shown::shown;
 use data::Data;
 use header::{Element, Header, Property};
 

@@ -2,46 +2,11 @@
 //! the file, whether it is right or wrong.
 //!
 //! The allocator of this program counts, so it has one test and no others beside it.
-#![allow(unsafe_code)] // an allocator cannot be written without
 
-use std::alloc::{GlobalAlloc, Layout, System};
-use std::sync::atomic::{AtomicUsize, Ordering::Relaxed};
-
+use counting::{Bound, most_held};
 use strahl::load::mesh::read;
 
-/// Bytes for each byte of a file. The most take materials of glTF: 3 bytes in the file for one
-/// that says nothing, 200 bytes in tables that double when they are full and are then there three
-/// times over. Next come triangles with corners of their own, 2 bytes in an OBJ file and 84 here.
-const SHARE: usize = 200;
-
-/// Bytes for a file of any size: its name, a message, the first steps of all tables.
-const BASE: usize = 32 << 10;
-
-/// The system's allocator, which remembers the most bytes that were held at once.
-struct Counting;
-
-static HELD: AtomicUsize = AtomicUsize::new(0);
-static MOST: AtomicUsize = AtomicUsize::new(0);
-
-// SAFETY: it hands everything on to the system's allocator. The other functions of the trait
-// are made of these two, so a growing table is counted twice while it is copied.
-unsafe impl GlobalAlloc for Counting {
-    unsafe fn alloc(&self, layout: Layout) -> *mut u8 {
-        let held = HELD.fetch_add(layout.size(), Relaxed) + layout.size();
-        MOST.fetch_max(held, Relaxed);
-        // SAFETY: the caller keeps the same promises.
-        unsafe { System.alloc(layout) }
-    }
-
-    unsafe fn dealloc(&self, place: *mut u8, layout: Layout) {
-        HELD.fetch_sub(layout.size(), Relaxed);
-        // SAFETY: `place` comes from `alloc` above, and with it from the system's allocator.
-        unsafe { System.dealloc(place, layout) }
-    }
-}
-
-#[global_allocator]
-static COUNTING: Counting = Counting;
+mod counting;
 
 /// One more than a power of two: a table has just been doubled.
 const MANY: usize = (1 << 15) + 1;
@@ -129,12 +94,9 @@ fn loading_takes_no_more_memory_than_a_small_multiple_of_the_file() {
     for (extension, bytes) in files() {
         let path = folder.path().join("file").with_extension(extension);
         std::fs::write(&path, &bytes).unwrap();
-        let before = HELD.load(Relaxed);
-        MOST.store(before, Relaxed);
-        let loaded = read(&path);
-        let most = MOST.load(Relaxed) - before;
+        let (loaded, most) = most_held(|| read(&path));
         let start = String::from_utf8_lossy(&bytes[..bytes.len().min(300)]);
-        let bound = BASE + SHARE * bytes.len();
+        let bound = Bound::MESH.of(bytes.len());
         assert!(
             most <= bound,
             "{most} bytes for a file of {} ({:?}), which begins with {start}",

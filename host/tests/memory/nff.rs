@@ -2,58 +2,16 @@
 //! by the size of the file, whatever stands in it.
 //!
 //! The allocator of this program counts, so it has one test and no others beside it.
-#![allow(unsafe_code)] // an allocator cannot be written without
 
-use std::alloc::{GlobalAlloc, Layout, System};
 use std::io::Write;
-use std::sync::atomic::{AtomicUsize, Ordering::Relaxed};
 
+use counting::{Bound, most_held};
 use strahl::load::load;
 use table::{VIEW, wrong_files};
 
-#[path = "load/table.rs"]
+mod counting;
+#[path = "../load/table.rs"]
 mod table;
-
-/// Bytes for each byte of a file. The most take lights: 8 bytes in the file, 40 in a table that
-/// doubles when it is full, so that at times there are three times as many.
-const SHARE: usize = 20;
-
-/// Bytes for a file of any size: its name, a message, the first steps of all tables.
-const BASE: usize = 4 << 10;
-
-/// The system's allocator, which remembers the most bytes that were held at once.
-struct Counting;
-
-static HELD: AtomicUsize = AtomicUsize::new(0);
-static MOST: AtomicUsize = AtomicUsize::new(0);
-
-// SAFETY: it hands everything on to the system's allocator. The other functions of the trait
-// are made of these two, so a growing table is counted twice while it is copied.
-unsafe impl GlobalAlloc for Counting {
-    unsafe fn alloc(&self, layout: Layout) -> *mut u8 {
-        let held = HELD.fetch_add(layout.size(), Relaxed) + layout.size();
-        MOST.fetch_max(held, Relaxed);
-        // SAFETY: the caller keeps the same promises.
-        unsafe { System.alloc(layout) }
-    }
-
-    unsafe fn dealloc(&self, place: *mut u8, layout: Layout) {
-        HELD.fetch_sub(layout.size(), Relaxed);
-        // SAFETY: `place` comes from `alloc` above, and with it from the system's allocator.
-        unsafe { System.dealloc(place, layout) }
-    }
-}
-
-#[global_allocator]
-static COUNTING: Counting = Counting;
-
-/// The most bytes that are held at once while `work` is done, beyond those held before.
-fn most_held<T>(work: impl FnOnce() -> T) -> (T, usize) {
-    let before = HELD.load(Relaxed);
-    MOST.store(before, Relaxed);
-    let done = work();
-    (done, MOST.load(Relaxed) - before)
-}
 
 /// Long wrong files, made of one entity over and over.
 fn long_files() -> Vec<Vec<u8>> {
@@ -92,7 +50,7 @@ fn loading_a_wrong_file_takes_no_more_memory_than_a_small_multiple_of_its_size()
         let (loaded, most) = most_held(|| load(&path));
         let start = String::from_utf8_lossy(&bytes[..bytes.len().min(200)]);
         assert!(loaded.is_err(), "{start}");
-        let bound = BASE + SHARE * bytes.len();
+        let bound = Bound::NFF.of(bytes.len());
         assert!(most <= bound, "{most} bytes for a file of {}, which begins with {start}", bytes.len());
     }
 }

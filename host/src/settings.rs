@@ -1,0 +1,144 @@
+//! What `render --print-settings` tells: every setting in force, and who has set it.
+//!
+//! What is printed is TOML that may stand in a scene; the settings that no scene has, and the
+//! command line that asks for all of them, stand in comments.
+
+use std::collections::BTreeMap;
+use std::fmt;
+use std::path::Path;
+
+use strahl_core::{Pixel, Tile};
+
+use crate::args::RenderArgs;
+use crate::wanted::Wanted;
+
+/// One setting.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Setting {
+    /// Its option without the dashes, which is its key in `[render]` too.
+    pub name: &'static str,
+    /// As the command line has it.
+    pub word: String,
+    /// As a scene has it, if it can.
+    pub value: Option<String>,
+    /// Who has set it.
+    pub source: Source,
+}
+
+/// Who has set something.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Source {
+    /// Nobody.
+    Default,
+    /// The scene, at this line.
+    Scene(usize),
+    /// The command line.
+    CommandLine,
+}
+
+/// All settings of a picture that goes to `output`; `lines` are those of the keys in the scene.
+pub fn settings(
+    args: &RenderArgs,
+    wanted: &Wanted,
+    output: &Path,
+    lines: &BTreeMap<String, usize>,
+) -> Vec<Setting> {
+    let mut list = Vec::new();
+    let mut add = |name: &'static str, is_asked: bool, word: String, value: Option<String>| {
+        let in_scene = lines.get(name).copied().filter(|_| value.is_some());
+        let source = match in_scene {
+            _ if is_asked => Source::CommandLine,
+            Some(line) => Source::Scene(line),
+            None => Source::Default,
+        };
+        list.push(Setting { name, word, value, source });
+    };
+    let (width, height) = (wanted.size.width(), wanted.size.height());
+    add("size", args.size.is_some(), format!("{width}x{height}"), Some(format!("[{width}, {height}]")));
+    let number = |number: String| (number.clone(), Some(number));
+    let (word, value) = number(wanted.limits.levels.to_string());
+    add("levels", args.levels.is_some(), word, value);
+    let (word, value) = number(wanted.limits.cutoff.to_string());
+    add("cutoff", args.cutoff.is_some(), word, value);
+    let named = |name: String| (name.clone(), Some(format!("\"{name}\"")));
+    let (word, value) = named(wanted.sampling.to_string());
+    add("sampler", args.sampler.is_some(), word, value);
+    let (word, value) = named(wanted.filter.name().into());
+    add("filter", args.filter.is_some(), word, value);
+    let (word, value) = number(wanted.seed.to_string());
+    add("seed", args.seed.is_some(), word, value);
+
+    if let Some(selecting) = wanted.selecting {
+        add("select", true, selecting.to_string(), None);
+    }
+    if let Some(Tile { first: Pixel { x, y }, width, height }) = wanted.region {
+        add("region", true, format!("{x},{y},{width}x{height}"), None);
+    }
+    if let Some(mask) = &args.mask {
+        add("mask", true, quoted(&mask.display().to_string()), None);
+    }
+    add("precision", args.precision.is_some(), name_of(wanted.precision), None);
+    let accelerator = wanted.finding.accelerator.map_or("auto", |kind| kind.name());
+    add("accel", args.finding.accel.is_some(), accelerator.into(), None);
+    let bounds = wanted.finding.bounds.map_or("box".into(), name_of);
+    add("bounds", args.finding.bounds.is_some(), bounds, None);
+    let threads = match wanted.cut.threads {
+        0 => std::thread::available_parallelism().map_or(1, usize::from),
+        threads => threads,
+    };
+    add("threads", args.threads.is_some(), threads.to_string(), None);
+    add("output", args.output.is_some(), quoted(&output.display().to_string()), None);
+    list
+}
+
+/// The settings of the picture of `scene` as they are printed.
+pub fn text(scene: &Path, settings: &[Setting]) -> String {
+    let name = quoted(&scene.display().to_string());
+    let asked: Vec<String> = settings.iter().map(|it| format!("--{} {}", it.name, it.word)).collect();
+    let mut lines = vec![("[render]".to_owned(), None)];
+    let in_scene = settings.iter().filter_map(|it| Some((it, it.value.as_ref()?)));
+    lines.extend(in_scene.map(|(it, value)| (format!("{} = {value}", it.name), Some(it.source))));
+    lines.push((String::new(), None));
+    lines.push(("# No part of a scene:".into(), None));
+    let others = settings.iter().filter(|it| it.value.is_none());
+    lines.extend(others.map(|it| (format!("# --{} {}", it.name, it.word), Some(it.source))));
+
+    let width = lines.iter().map(|(text, _)| text.chars().count()).max().unwrap_or(0);
+    let mut text = format!("# strahl render {name} {}\n\n", asked.join(" "));
+    for (line, source) in lines {
+        match source {
+            None => text.push_str(&line),
+            Some(Source::Scene(number)) => {
+                text.push_str(&format!("{line:<width$}  # {}:{number}", scene.display()));
+            }
+            Some(source) => text.push_str(&format!("{line:<width$}  # {source}")),
+        }
+        text.push('\n');
+    }
+    text
+}
+
+impl fmt::Display for Source {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Source::Default => f.write_str("default"),
+            Source::Scene(line) => write!(f, "line {line}"),
+            Source::CommandLine => f.write_str("command line"),
+        }
+    }
+}
+
+/// The name of a value on the command line.
+fn name_of<T: clap::ValueEnum>(value: T) -> String {
+    value.to_possible_value().map(|value| value.get_name().to_owned()).unwrap_or_default()
+}
+
+/// A word that a shell leaves as it is.
+fn quoted(word: &str) -> String {
+    let is_plain = |c: char| c.is_ascii_alphanumeric() || "/._-+:,=@%".contains(c);
+    if !word.is_empty() && word.chars().all(is_plain) {
+        word.to_owned()
+    } else {
+        format!("'{}'", word.replace('\'', r"'\''"))
+    }
+}
