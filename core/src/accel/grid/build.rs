@@ -55,7 +55,11 @@ impl<'s, const MAILBOX: usize> Grid<'s, MAILBOX> {
     /// `cells` and `entries` are lent: as many as [`GridRoom::comfortable`] says, or fewer, for
     /// a coarser grid. At least 2 cells, and as many entries as there are items that have a place,
     /// or [`BuildError::StorageTooSmall`] says so.
-    pub fn build(boxes: &[Aabb], cells: &'s mut [u32], entries: &'s mut [u32]) -> Result<Self, BuildError> {
+    pub fn build(
+        boxes: &'s [Aabb],
+        cells: &'s mut [u32],
+        entries: &'s mut [u32],
+    ) -> Result<Self, BuildError> {
         Self::with_density(DENSITY, boxes, cells, entries)
     }
 
@@ -63,7 +67,7 @@ impl<'s, const MAILBOX: usize> Grid<'s, MAILBOX> {
     /// than zero.
     pub fn with_density(
         density: Real,
-        boxes: &[Aabb],
+        boxes: &'s [Aabb],
         cells: &'s mut [u32],
         entries: &'s mut [u32],
     ) -> Result<Self, BuildError> {
@@ -74,7 +78,7 @@ impl<'s, const MAILBOX: usize> Grid<'s, MAILBOX> {
         let starts = cells.get_mut(..room.cells).ok_or(too_small(Storage::Cells, room.cells, lent.cells))?;
         let items = entries.get_mut(..room.items).ok_or(too_small(Storage::Items, room.items, lent.items))?;
         plan.sort(boxes, starts, items);
-        Ok(Grid { bounds, walls: plan.walls, cells: plan.cells, starts, items })
+        Ok(Grid { bounds, walls: plan.walls, cells: plan.cells, starts, items, boxes })
     }
 }
 
