@@ -9,7 +9,9 @@ use crate::accel::{BuildError, Storage};
 use crate::geometry::Aabb;
 use crate::math::{Real, Vec3, floor, greatest, powf, vec3};
 
-/// Cells for each item, where memory allows.
+/// Cells for each item, where memory allows. On gears, mount, rings, teapot and tetra of the
+/// standard procedural databases, 2 and 4 take the same time within 3 %, and 8 takes 2 to 60 % more;
+/// on the uneven balls and tree 4 takes 15 to 20 % less than 2.
 const DENSITY: Real = 4.0;
 
 /// Entries for each item that [`GridRoom::of_items`] expects.

@@ -23,8 +23,11 @@ pub struct OctreeLimits {
 }
 
 impl OctreeLimits {
-    /// What is good for most scenes.
-    pub const DEFAULT: OctreeLimits = OctreeLimits { depth: 16, leaf: 8 };
+    /// What is good for most scenes. On the standard procedural databases leaves of 8, 12, 16 and
+    /// 24 items take times within 5 % of each other, leaves of 4 up to 8 % more; memory halves from
+    /// 8 to 16. The depth ends where cutting does not pay: 5 to 16 there, 13 for 597,872 spheres of
+    /// a sphereflake, which take 2.2 times as long as 7,382.
+    pub const DEFAULT: OctreeLimits = OctreeLimits { depth: morton::HALVINGS as u8, leaf: 12 };
 }
 
 /// A cut pays when the lists of the children hold at most this many times the items of the
