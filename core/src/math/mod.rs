@@ -18,7 +18,7 @@ pub use color::Rgb;
 #[cfg(test)]
 pub use float::acos;
 pub use float::{cos, exp, floor, ln, powf, sin, sqrt, tan};
-pub use roots::quartic_roots;
+pub use roots::{CubicRoots, cubic_roots, root_between};
 pub use stream::{Dimension, Stream};
 pub use warp::{normal, tent};
 
@@ -60,6 +60,17 @@ pub const FARTHEST: Real = 1e15;
 pub const fn gamma(n: u32) -> Real {
     let nu = n as Real * ROUNDOFF;
     nu / (1.0 - nu)
+}
+
+/// The whole number that stands among others as `x` does among numbers; what is no number comes
+/// after infinity. Zero is 0, with either sign or one less, and more is positive.
+#[inline(always)]
+pub fn ordered(x: Real) -> Ordered {
+    let bits = x.to_bits() as Ordered;
+    // The bits of negative numbers rise as the numbers fall.
+    let bits = if bits < 0 { bits ^ Ordered::MAX } else { bits };
+    // On some targets zero times infinity has a sign.
+    if x.is_nan() { Ordered::MAX } else { bits }
 }
 
 /// A vector from its components.

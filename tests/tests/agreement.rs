@@ -1,0 +1,457 @@
+//! Every way of finding gives the same answer, to the last bit.
+
+use std::ops::ControlFlow;
+
+use strahl_core::{
+    Aabb, Accelerator, BuildError, Bvh, BvhRoom, Counters, Everything, Grid, GridRoom, Hit, ItemId,
+    LastFirst, List, NearestFirst, Node, Octree, OctreeLimits, OctreeNode, OctreeRoom, Query, Ray, RayKind,
+    Real, Slot, Storage, Surface, Vec3, World, groups_of, vec3,
+};
+use strahl_tests::single::Stage;
+use strahl_tests::{Kind, Random, Thing, Vector, vector};
+
+const SEED: u64 = 0x5eed_0003;
+
+/// Everything that a world can be asked about a ray, but who is in the way, which may be
+/// anybody.
+#[derive(Clone, Copy, Debug, PartialEq)]
+struct Answer {
+    hit: Option<(ItemId, u32)>,
+    surface: Option<Surface>,
+    is_blocked: bool,
+}
+
+fn nearest<A: Accelerator>(world: &World<A>, ray: &Ray, reach: Real) -> Option<Hit> {
+    world.nearest::<Everything, _>(ray, reach, RayKind::Camera, &mut A::Scratch::default(), &mut ())
+}
+
+fn blocker<A: Accelerator>(world: &World<A>, ray: &Ray, reach: Real) -> Option<ItemId> {
+    world.blocker::<Everything, _>(ray, reach, RayKind::Shadow, &mut A::Scratch::default(), &mut ())
+}
+
+fn answer<A: Accelerator>(world: &World<A>, ray: &Ray, reach: Real, scratch: &mut A::Scratch) -> Answer {
+    let hit = world.nearest::<Everything, _>(ray, reach, RayKind::Camera, scratch, &mut ());
+    let blocker = world.blocker::<Everything, _>(ray, reach, RayKind::Shadow, scratch, &mut ());
+    Answer {
+        hit: hit.map(|hit| (hit.item, hit.t.to_bits())),
+        surface: hit.and_then(|hit| world.surface::<Everything>(ray, hit)),
+        is_blocked: blocker.is_some(),
+    }
+}
+
+/// Offers the items in any order that it is told, some of them more than once.
+#[derive(Clone, Debug)]
+struct Offered(Vec<u32>);
+
+impl Accelerator for Offered {
+    type Scratch = ();
+
+    fn walk<Q: Query>(&self, _: &Ray, _: &mut (), query: &mut Q) {
+        let end = self.0.iter().try_for_each(|item| query.test(ItemId(*item)));
+        let (ControlFlow::Continue(()) | ControlFlow::Break(())) = end;
+    }
+}
+
+impl Offered {
+    /// All items in some order, and a few of them again.
+    fn any(items: u32, random: &mut Random) -> Self {
+        let mut order: Vec<u32> = (0..items).collect();
+        for i in (1..order.len()).rev() {
+            order.swap(i, random.below(i as u32 + 1) as usize);
+        }
+        for _ in 0..items / 4 {
+            order.push(random.below(items));
+        }
+        Offered(order)
+    }
+}
+
+/// A question about a ray, and the answer of the bare list.
+struct Case {
+    ray: Ray,
+    reach: Real,
+    truth: Answer,
+}
+
+impl Case {
+    /// Each ray cut off nowhere, at the hit, just before it, and anywhere.
+    fn all(bare: &World<List>, rays: &[Ray], random: &mut Random) -> Vec<Case> {
+        let mut cases = Vec::new();
+        for ray in rays {
+            let truth = answer(bare, ray, Real::INFINITY, &mut ());
+            let t = truth.hit.map_or(1.0, |(_, bits)| Real::from_bits(bits));
+            for reach in [Real::INFINITY, t, t.next_down(), t * random.unit() as Real * 2.0] {
+                let truth = answer(bare, ray, reach, &mut ());
+                assert_eq!(truth.hit.is_some(), truth.is_blocked, "{ray:?} {reach}");
+                cases.push(Case { ray: *ray, reach, truth });
+            }
+        }
+        cases
+    }
+}
+
+/// What an accelerator is held to: the cases of a scene.
+struct Hold<'s> {
+    stage: &'s Stage,
+    boxes: Vec<Aabb>,
+    cases: Vec<Case>,
+}
+
+impl Hold<'_> {
+    /// Holds an accelerator against the truth, from the first case to the last with the same
+    /// scratch, so that it remembers earlier rays.
+    fn against<A: Accelerator>(&self, name: &str, accelerator: A) {
+        let world = World::new(self.stage.scene(), accelerator);
+        let mut scratch = A::Scratch::default();
+        for Case { ray, reach, truth } in &self.cases {
+            assert_eq!(answer(&world, ray, *reach, &mut scratch), *truth, "{name}: {ray:?} {reach}");
+        }
+    }
+
+    /// A hierarchy in each of its walks.
+    fn against_hierarchy(&self, lent: usize) {
+        let room = BvhRoom::comfortable(self.boxes.len());
+        let mut nodes = vec![Node::EMPTY; lent];
+        let mut items = vec![Slot::EMPTY; room.items];
+        let tree = Bvh::<LastFirst<64>>::build(&self.boxes, &mut nodes, &mut items).unwrap();
+        self.against("by a stack", tree);
+        self.against("by a stack of one", tree.walked::<LastFirst<1>>());
+        self.against("by no stack", tree.walked::<LastFirst<0>>());
+        self.against("by a heap", tree.walked::<NearestFirst<64>>());
+        self.against("by a heap of four", tree.walked::<NearestFirst<4>>());
+        self.against("by a heap of one", tree.walked::<NearestFirst<1>>());
+        self.against("by no heap", tree.walked::<NearestFirst<0>>());
+    }
+
+    /// A grid and an octree in this much memory, with a mailbox.
+    fn against_subdivisions<const MAILBOX: usize>(&self, grid: GridRoom, octree: OctreeRoom) {
+        let (mut cells, mut items) = (vec![0; grid.cells], vec![0; grid.items]);
+        let lattice = Grid::<MAILBOX>::build(&self.boxes, &mut cells, &mut items).unwrap();
+        self.against(&format!("{grid:?}, mailbox {MAILBOX}"), lattice);
+        let (mut nodes, mut items) = (vec![OctreeNode::EMPTY; octree.nodes], vec![0; octree.items]);
+        let limits = OctreeLimits { leaf: 1, ..OctreeLimits::DEFAULT };
+        let tree = Octree::<MAILBOX>::with_limits(limits, &self.boxes, &mut nodes, &mut items).unwrap();
+        self.against(&format!("{octree:?}, mailbox {MAILBOX}"), tree);
+    }
+}
+
+/// Holds every way of finding against the bare list; answers how many hits there were.
+fn all_agree(stage: &Stage, rays: &[Ray], random: &mut Random) -> usize {
+    // The scenes of a test do not depend on how many numbers are taken here.
+    let random = &mut Random::new(random.bits());
+    let bare = World::new(stage.scene(), List::bare(stage.len()));
+    let hold = Hold { stage, boxes: stage.boxes(), cases: Case::all(&bare, rays, random) };
+    let Hold { boxes, cases, .. } = &hold;
+
+    let mut groups = vec![Aabb::EMPTY; groups_of(boxes.len())];
+    let boxed = List::boxed(boxes, &mut groups).unwrap();
+    hold.against("with boxes", boxed);
+    hold.against("in another order", Offered::any(stage.len(), random));
+
+    // Any memory from the floor upwards.
+    let nodes = BvhRoom::comfortable(boxes.len()).nodes;
+    hold.against_hierarchy(if nodes == 0 { 0 } else { 1 + rays.len() % nodes });
+    let items = boxes.iter().filter(|aabb| **aabb != Aabb::EMPTY).count();
+    let (grid, octree) = (GridRoom::comfortable(boxes), OctreeRoom::comfortable(boxes.len()));
+    hold.against_subdivisions::<64>(grid, octree);
+    hold.against_subdivisions::<0>(GridRoom { cells: 2, items }, OctreeRoom { nodes: 1, items });
+    let mut any = |floor: usize, most: usize| floor + random.below((most - floor + 1) as u32) as usize;
+    hold.against_subdivisions::<1>(
+        GridRoom { cells: any(2, grid.cells), items: any(items, grid.items) },
+        OctreeRoom { nodes: any(1, octree.nodes), items: any(items, octree.items) },
+    );
+    hold.against_subdivisions::<8>(
+        GridRoom { cells: grid.cells, items: any(items, grid.items) },
+        OctreeRoom { nodes: octree.nodes, items: any(items, octree.items) },
+    );
+
+    let boxed = World::new(stage.scene(), boxed);
+    for Case { ray, reach, truth } in cases {
+        assert_eq!(blocker(&boxed, ray, *reach), blocker(&bare, ray, *reach), "{ray:?} {reach}");
+        if *reach == Real::INFINITY
+            && let Some((_, bits)) = truth.hit
+        {
+            let before = nearest(&bare, ray, Real::from_bits(bits).next_down());
+            assert_eq!(before, None, "nearer than the nearest: {ray:?}");
+        }
+    }
+    cases.iter().filter(|case| case.reach == Real::INFINITY && case.truth.hit.is_some()).count()
+}
+
+fn narrow(v: Vector) -> Vec3 {
+    vec3(v.x as Real, v.y as Real, v.z as Real)
+}
+
+/// A ray through the ball of `radius` round the origin, of any length; one in four along an
+/// axis, and some with zeros of both signs.
+fn random_ray(radius: f64, random: &mut Random) -> Ray {
+    let origin = random.near(Vector::ZERO, 2.0 * radius);
+    let target = random.near(Vector::ZERO, radius);
+    let mut way = (target - origin) * random.scale(0.01, 100.0);
+    if random.below(4) == 0 {
+        let zero = [0.0, -0.0][random.below(2) as usize];
+        match random.below(6) {
+            0 => way = vector(way.x, zero, -zero),
+            1 => way = vector(zero, way.y, zero),
+            2 => way = vector(-zero, zero, way.z),
+            3 => way.x = zero,
+            4 => way.y = zero,
+            _ => way.z = zero,
+        }
+    }
+    Ray::new(narrow(origin), narrow(way))
+}
+
+fn random_stage(items: u32, random: &mut Random) -> Stage {
+    let mut stage = Stage::new();
+    for _ in 0..items {
+        // A plane would hide too much if there were many.
+        let kind = loop {
+            let kind = Kind::ALL[random.below(Kind::ALL.len() as u32) as usize];
+            if kind != Kind::Plane || random.below(8) == 0 {
+                break kind;
+            }
+        };
+        let place = random.near(Vector::ZERO, 8.0);
+        let size = random.scale(0.1, 3.0);
+        stage.thing(&Thing::random(kind, place, size, random));
+    }
+    stage
+}
+
+#[test]
+fn the_list_with_boxes_answers_like_the_bare_list() {
+    let mut random = Random::new(SEED);
+    let mut hits = 0;
+    for _ in 0..60 {
+        let items = 1 + random.below(70);
+        let stage = random_stage(items, &mut random);
+        let rays: Vec<Ray> = (0..250).map(|_| random_ray(9.0, &mut random)).collect();
+        hits += all_agree(&stage, &rays, &mut random);
+    }
+    assert!(hits > 5_000 && hits < 15_000, "{hits}");
+}
+
+#[test]
+fn the_nearest_of_all_is_the_nearest_of_each_alone() {
+    let mut random = Random::new(SEED + 1);
+    let things: Vec<Thing> =
+        Kind::ALL.map(|kind| Thing::random(kind, random.near(Vector::ZERO, 3.0), 1.5, &mut random)).into();
+    let mut stage = Stage::new();
+    things.iter().for_each(|thing| assert!(stage.thing(thing).0 < 14));
+    let alone: Vec<Stage> = things
+        .iter()
+        .map(|thing| {
+            let mut stage = Stage::new();
+            stage.thing(thing);
+            stage
+        })
+        .collect();
+    let all = World::new(stage.scene(), List::bare(stage.len()));
+    for _ in 0..2_000 {
+        let ray = random_ray(4.0, &mut random);
+        let hits = alone.iter().zip(0..).filter_map(|(stage, number)| {
+            let hit = nearest(&World::new(stage.scene(), List::bare(1)), &ray, Real::MAX)?;
+            Some(Hit { item: ItemId(number), ..hit })
+        });
+        let first = hits.min_by(|a, b| (a.t, a.item).partial_cmp(&(b.t, b.item)).unwrap());
+        assert_eq!(nearest(&all, &ray, Real::MAX), first, "{ray:?}");
+    }
+}
+
+#[test]
+fn groups_that_are_full_or_have_one_more_answer_like_the_bare_list() {
+    let mut random = Random::new(SEED + 2);
+    let mut hits = 0;
+    for items in [1, 2, 15, 16, 17, 31, 32, 33, 256, 257] {
+        let stage = random_stage(items, &mut random);
+        let rays: Vec<Ray> = (0..100).map(|_| random_ray(9.0, &mut random)).collect();
+        hits += all_agree(&stage, &rays, &mut random);
+    }
+    assert!(hits > 200 && hits < 800, "{hits}");
+}
+
+#[test]
+fn many_equal_items_answer_with_the_lowest_number() {
+    let mut random = Random::new(SEED + 3);
+    for kind in Kind::ALL {
+        let thing = Thing::random(kind, vector(0.5, -0.25, 1.0), 2.0, &mut random);
+        let mut stage = Stage::new();
+        for _ in 0..40 {
+            stage.thing(&thing);
+        }
+        let rays: Vec<Ray> = (0..800).map(|_| random_ray(3.0, &mut random)).collect();
+        assert!(all_agree(&stage, &rays, &mut random) > 20, "{kind:?}");
+        let world = World::new(stage.scene(), Offered((0..40).rev().collect()));
+        for ray in &rays {
+            assert!(
+                nearest(&world, ray, Real::MAX).is_none_or(|hit| hit.item == ItemId(0)),
+                "{kind:?} {ray:?}"
+            );
+        }
+    }
+}
+
+#[test]
+fn of_two_things_at_one_distance_the_lower_number_wins_from_any_order() {
+    let down = Ray::new(vec3(0.25, 0.25, 4.0), vec3(0.0, 0.0, -1.0));
+    let corners = [vec3(-1.0, -1.0, 0.0), vec3(3.0, -1.0, 0.0), vec3(-1.0, 3.0, 0.0)];
+    // All of them have a part of z = 0 on top.
+    let put: [fn(&mut Stage, [Vec3; 3]) -> ItemId; 6] = [
+        |stage, corners| stage.triangle(corners),
+        |stage, [a, b, c]| stage.triangle([b, c, a]),
+        |stage, corners| stage.polygon(&corners, &[]),
+        |stage, _| stage.disc(Vec3::ZERO, Vec3::Z, 1.0),
+        |stage, _| stage.plane(vec3(5.0, 0.0, 0.0), Vec3::Z),
+        |stage, _| stage.cuboid(vec3(-1.0, -1.0, -1.0), vec3(1.0, 1.0, 0.0)),
+    ];
+    let mut random = Random::new(SEED + 4);
+    for first in 0..put.len() {
+        // Another of them is the first each time.
+        let mut stage = Stage::new();
+        for i in 0..put.len() {
+            put[(first + i) % put.len()](&mut stage, corners);
+        }
+        for _ in 0..20 {
+            let world = World::new(stage.scene(), Offered::any(stage.len(), &mut random));
+            assert_eq!(nearest(&world, &down, Real::MAX), Some(Hit { t: 4.0, item: ItemId(0) }), "{first}");
+        }
+        assert_eq!(all_agree(&stage, &[down], &mut random), 1);
+    }
+}
+
+#[test]
+fn flat_items_without_thickness_answer_like_in_the_bare_list() {
+    let mut random = Random::new(SEED + 5);
+    let mut stage = Stage::new();
+    for level in -3..3 {
+        let z = level as Real;
+        let square = [vec3(-2.0, -2.0, z), vec3(2.0, -2.0, z), vec3(2.0, 2.0, z), vec3(-2.0, 2.0, z)];
+        stage.polygon(&square, &[]);
+        stage.triangle([square[0], square[1], square[2]]);
+        stage.disc(vec3(0.0, 0.0, z), Vec3::Z, 2.0);
+        stage.cuboid(square[0], square[2]);
+    }
+    let mut rays: Vec<Ray> = (0..1_000).map(|_| random_ray(4.0, &mut random)).collect();
+    // Down on them; in their planes, along axes and not; from their edges and corners.
+    for x in [-2.0, -0.5, 0.0, 0.5, 2.0] {
+        for zero in [0.0, -0.0] {
+            rays.push(Ray::new(vec3(x, -x, 5.0), vec3(zero, -zero, -1.0)));
+            rays.push(Ray::new(vec3(-5.0, x, 1.0), vec3(1.0, zero, zero)));
+            rays.push(Ray::new(vec3(-5.0, x, 1.0), vec3(1.0, 0.25, zero)));
+            rays.push(Ray::new(vec3(2.0, x, 1.0), vec3(-1.0, zero, -1.0)));
+        }
+    }
+    assert!(all_agree(&stage, &rays, &mut random) > 300);
+}
+
+#[test]
+fn a_ray_along_an_axis_through_a_raster_of_boxes_meets_the_first_of_its_row() {
+    // Walls touch, and half of the rays run in them.
+    let mut stage = Stage::new();
+    for (x, y, z) in (0..64).map(|i| (i % 4, i / 4 % 4, i / 16)) {
+        let min = vec3(x as Real, y as Real, z as Real);
+        stage.cuboid(min, min + Vec3::ONE);
+    }
+    let mut rays = Vec::new();
+    for zero in [0.0, -0.0] {
+        for (i, j) in (0..81).map(|i| (i % 9, i / 9)) {
+            let (a, b) = (0.5 * i as Real, 0.5 * j as Real);
+            for (start, way) in [(-1.0, 1.0), (5.0, -2.0), (1.0, 1.0), (1.5, -1.0)] {
+                rays.push(Ray::new(vec3(start, a, b), vec3(way, zero, zero)));
+                rays.push(Ray::new(vec3(a, start, b), vec3(-zero, way, zero)));
+                rays.push(Ray::new(vec3(a, b, start), vec3(zero, -zero, way)));
+            }
+        }
+    }
+    let mut random = Random::new(SEED + 6);
+    assert_eq!(all_agree(&stage, &rays, &mut random), rays.len());
+    // On paper: the row of boxes numbers 4 (y + 4 z), of two boxes beside a wall the lower one.
+    let world = World::new(stage.scene(), List::bare(64));
+    for (y, z, row) in
+        [(0.5, 0.5, 0), (1.5, 2.5, 4 * (1 + 4 * 2)), (1.0, 0.5, 0), (4.0, 4.0, 60), (2.0, 3.0, 36)]
+    {
+        let hit = nearest(&world, &Ray::new(vec3(-1.0, y, z), Vec3::X), Real::MAX);
+        assert_eq!(hit, Some(Hit { t: 1.0, item: ItemId(row) }), "{y} {z}");
+    }
+}
+
+#[test]
+fn a_hit_at_the_very_reach_counts_and_one_beyond_does_not() {
+    let mut stage = Stage::new();
+    stage.sphere(vec3(0.0, 0.0, -5.0), 1.0);
+    stage.plane(vec3(0.0, 0.0, -7.0), Vec3::Z);
+    let world = World::new(stage.scene(), List::bare(2));
+    let ray = Ray::new(Vec3::ZERO, -Vec3::Z);
+    for (reach, item) in
+        [(4.0, Some(0)), (4.0_f32.next_down(), None), (100.0, Some(0)), (0.0, None), (-1.0, None)]
+    {
+        assert_eq!(nearest(&world, &ray, reach).map(|hit| hit.item.0), item, "{reach}");
+        assert_eq!(blocker(&world, &ray, reach).is_some(), item.is_some(), "{reach}");
+    }
+    assert_eq!(nearest(&world, &ray, Real::NAN).map(|hit| hit.item.0), Some(0), "no number is no limit");
+}
+
+#[test]
+fn an_empty_scene_is_met_by_nothing() {
+    let stage = Stage::new();
+    assert_eq!(all_agree(&stage, &[Ray::new(Vec3::ZERO, Vec3::X)], &mut Random::new(SEED + 7)), 0);
+    assert_eq!(groups_of(0), 0);
+    assert!(List::boxed(&[], &mut []).is_ok_and(|list| list.bytes() == 0));
+}
+
+#[test]
+fn too_few_groups_are_refused_with_the_numbers_to_act_on() {
+    for (items, needed) in [(1, 1), (16, 1), (17, 2), (32, 2), (33, 3), (1000, 63)] {
+        assert_eq!(groups_of(items), needed);
+        let boxes = vec![Aabb { min: Vec3::ZERO, max: Vec3::ONE }; items];
+        let mut groups = vec![Aabb::EMPTY; needed + 1];
+        for lent in 0..needed {
+            let error = List::boxed(&boxes, &mut groups[..lent]).unwrap_err();
+            assert_eq!(error, BuildError::StorageTooSmall { what: Storage::Groups, needed, lent });
+            assert_eq!(error.to_string(), format!("{needed} groups needed, {lent} lent"));
+        }
+        for lent in [needed, needed + 1] {
+            let list = List::boxed(&boxes, &mut groups[..lent]).unwrap();
+            assert_eq!(list.bytes(), (items + needed) * size_of::<Aabb>());
+        }
+    }
+}
+
+#[test]
+fn boxes_save_tests_of_shapes_and_groups_save_tests_of_boxes() {
+    let mut random = Random::new(SEED + 8);
+    let mut stage = Stage::new();
+    for i in 0..320 {
+        // Neighbours in the list are neighbours in space, or groups would be of no use.
+        let place = vector(f64::from(i) - 160.0, 0.0, 0.0);
+        stage.thing(&Thing::random(Kind::Sphere, place, 0.5, &mut random));
+    }
+    let boxes = stage.boxes();
+    let mut groups = vec![Aabb::EMPTY; groups_of(boxes.len())];
+    let boxed = World::new(stage.scene(), List::boxed(&boxes, &mut groups).unwrap());
+    let bare = World::new(stage.scene(), List::bare(stage.len()));
+    let rays: Vec<Ray> = (0..100)
+        .map(|_| {
+            let origin = random.near(vector(0.0, 100.0, 0.0), 50.0);
+            Ray::new(narrow(origin), narrow(random.near(Vector::ZERO, 50.0) - origin))
+        })
+        .collect();
+
+    let mut without = Counters::new();
+    let mut with = Counters::new();
+    for ray in &rays {
+        bare.nearest::<Everything, _>(ray, Real::MAX, RayKind::Camera, &mut (), &mut without);
+        boxed.nearest::<Everything, _>(ray, Real::MAX, RayKind::Camera, &mut (), &mut with);
+    }
+    let kind = RayKind::Camera;
+    assert_eq!((without.shapes(kind), without.boxes(kind), without.regions(kind)), (32_000, 0, 100));
+    // A tenth of the shapes, and half of the boxes, is far more than what is found.
+    assert!(with.shapes(kind) < 3_200, "{with:?}");
+    assert!(with.boxes(kind) >= 2_000 && with.boxes(kind) < 16_000, "{with:?}");
+    assert_eq!(
+        with.boxes(kind),
+        2_000 + 16 * with.regions(kind),
+        "groups, and the content of those that were met"
+    );
+}
