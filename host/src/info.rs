@@ -15,6 +15,7 @@ use crate::load::load;
 use crate::output::{Output, say};
 use crate::plan::{Effect, Step, plan};
 use crate::stock::single::Stock;
+use crate::wrap::{width_of_stdout, wrapped};
 
 /// Tells what is in one scene.
 pub fn run(args: &InfoArgs) -> Result<(), Failure> {
@@ -29,7 +30,11 @@ pub fn run(args: &InfoArgs) -> Result<(), Failure> {
         reason: error.to_string(),
     })?;
     let info = Info::new(&description, &scene);
-    let text = if args.json { info.to_json() } else { info.to_text(&args.scene) };
+    let text = if args.json {
+        info.to_json()
+    } else {
+        wrapped(&info.to_text(&args.scene), width_of_stdout(), INDENT)
+    };
     Output::Stdout.commit(text.as_bytes())
 }
 
@@ -122,7 +127,12 @@ impl Info {
         line("lights", count(self.lights));
         line("materials", count(self.materials));
         line("textures", count(self.textures));
-        if let Some([[x0, y0, z0], [x1, y1, z1]]) = self.bounds {
+        if let Some(bounds @ [[x0, y0, z0], [x1, y1, z1]]) = self.bounds {
+            let largest = bounds
+                .as_flattened()
+                .iter()
+                .fold(0.0, |most: f32, x| if x.abs() > most { x.abs() } else { most });
+            let [x0, y0, z0, x1, y1, z1] = [x0, y0, z0, x1, y1, z1].map(|x| rounded(x, largest));
             line("bounds", format!("{x0} {y0} {z0} to {x1} {y1} {z1}"));
         }
         for (place, step) in self.plan.iter().enumerate() {
@@ -146,6 +156,17 @@ impl Info {
         text
     }
 }
+
+/// A coordinate to a hundred thousandth of the largest: what is behind that is rounding.
+fn rounded(x: f32, largest: f32) -> f32 {
+    let step = libm::pow(10.0, libm::floor(libm::log10(f64::from(largest))) - 5.0);
+    let rounded = if step.is_normal() { (libm::round(f64::from(x) / step) * step) as f32 } else { x };
+    // Never -0.
+    rounded + 0.0
+}
+
+/// Where a line goes on that is broken: to the right of all that begins one.
+const INDENT: usize = 19;
 
 /// How many reasons for an effect are told to a person.
 const REASONS: usize = 4;

@@ -35,6 +35,7 @@
 //! | [`settings`] | what is in force, and who has set it |
 //! | [`progress`] | how far the work is |
 //! | [`summary`] | what was done, for a person |
+//! | [`wrap`] | text that fits the screen |
 //! | [`signals`] | when to stop |
 //! | [`faults`] | what is wrong in a text, shown as a compiler would |
 //! | [`failure`] | what went wrong, and the exit status for it |
@@ -80,3 +81,4 @@ pub mod summary;
 pub mod wanted;
 pub mod watch;
 pub mod workers;
+pub mod wrap;

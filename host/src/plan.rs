@@ -60,7 +60,7 @@ impl fmt::Display for Effect {
 pub struct Reason {
     /// What asks: `light`, or `material` and its name.
     pub what: String,
-    /// Its line, counted from 1.
+    /// Its line, counted from 1; 0 where no file has it.
     pub line: usize,
     /// How many objects are made of it; none for a light.
     pub objects: Option<usize>,
@@ -68,7 +68,10 @@ pub struct Reason {
 
 impl fmt::Display for Reason {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(f, "{} (line {})", self.what, self.line)?;
+        f.write_str(&self.what)?;
+        if self.line > 0 {
+            write!(f, " (line {})", self.line)?;
+        }
         match self.objects {
             Some(1) => write!(f, " on 1 object"),
             Some(objects) => write!(f, " on {objects} objects"),

@@ -5,6 +5,7 @@ use std::time::Duration;
 use indicatif::{HumanCount, ProgressBar, ProgressState, ProgressStyle};
 
 use crate::signals::{Signals, Stop};
+use crate::wrap::width_of_stderr;
 
 /// Somebody who is told of every piece of work that is done, and says when to stop.
 #[derive(Clone, Debug)]
@@ -26,7 +27,10 @@ impl Watch {
         let rate = |state: &ProgressState, text: &mut dyn std::fmt::Write| {
             let _ = write!(text, "{}", HumanCount(state.per_sec() as u64));
         };
-        let style = ProgressStyle::with_template("{bar:32} {percent:>3} %  {rate} pixels/s  {eta} left")
+        // As long as what stands behind it leaves room for, in a row that must not be broken.
+        let length = width_of_stderr().saturating_sub(40).clamp(8, 32);
+        let template = format!("{{bar:{length}}} {{percent:>3}} %  {{rate}} pixels/s  {{eta}} left");
+        let style = ProgressStyle::with_template(&template)
             .map(|style| style.with_key("rate", rate).progress_chars("━━─"));
         if let Ok(style) = style {
             bar.set_style(style);

@@ -21,8 +21,9 @@ use crate::progress::Watch;
 use crate::settings;
 use crate::signals::Signals;
 use crate::stats::Stats;
-use crate::summary::summary;
+use crate::summary::{self, summary};
 use crate::wanted::{Cut, Filter, Mask, Sampling, Wanted};
+use crate::wrap::{width_of_stderr, wrapped};
 
 /// Renders one scene.
 pub fn run(args: &RenderArgs) -> Result<(), Failure> {
@@ -114,7 +115,8 @@ impl<'a> Job<'a> {
         }
         if let (Some(counters), false) = (&frame.counters, args.quiet) {
             let plan = plan(description, &frame.facts.asks);
-            tell(summary(path, &frame, counters, &plan, *load, write));
+            let summary = summary(path, &frame, counters, &plan, *load, write);
+            tell(wrapped(&summary, width_of_stderr(), summary::INDENT));
         }
         Ok(())
     }

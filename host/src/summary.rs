@@ -12,6 +12,9 @@ use crate::counts::Counts;
 use crate::frame::Frame;
 use crate::plan::{Effect, Step};
 
+/// Where the text of the lines begins.
+pub const INDENT: usize = 12;
+
 /// Of the names in front of the lines.
 const LABEL: Style = Style::new().effects(Effects::DIMMED);
 /// Of the picture's name.

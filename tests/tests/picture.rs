@@ -28,38 +28,79 @@ use strahl_core::{
 #[path = "../firmware/src/scene.rs"]
 mod constants;
 
+/// The scenes, and how large their golden pictures are.
+const SCENES: [(&str, u32, u32, Sampling); 13] = [
+    ("classic.toml", 96, 72, Sampling::Regular(2)),
+    ("first.toml", 96, 72, Sampling::Regular(2)),
+    ("fjord.toml", 100, 60, Sampling::Single),
+    ("glass.toml", 96, 72, Sampling::Single),
+    ("knot.toml", 80, 60, Sampling::Single),
+    ("marbles.toml", 96, 72, Sampling::Single),
+    ("paper.toml", 96, 72, Sampling::Single),
+    ("pyramid.toml", 80, 60, Sampling::Single),
+    ("rotunda.nff", 160, 100, Sampling::Single),
+    ("shapes.toml", 96, 72, Sampling::Single),
+    ("sphereflake.toml", 96, 72, Sampling::Single),
+    ("stage.toml", 96, 72, Sampling::Regular(2)),
+    ("still-life.toml", 80, 60, Sampling::Single),
+];
+
 #[test]
-fn the_rotunda_looks_as_it_did() {
-    golden("rotunda", &scene_file("rotunda.nff", 160, 100, 5, Sampling::Single));
+fn every_scene_looks_as_it_did() {
+    let differences: Vec<String> = SCENES
+        .iter()
+        .filter_map(|(file, width, height, sampling)| {
+            let picture = scene_file(file, *width, *height, None, *sampling);
+            golden(stem(file), &picture).err()
+        })
+        .collect();
+    assert!(differences.is_empty(), "{}", differences.join("\n"));
+}
+
+#[test]
+fn every_scene_has_a_golden_picture_and_one_in_the_gallery() {
+    let mut files: Vec<String> = fs::read_dir(root().join("scenes"))
+        .unwrap()
+        .map(|entry| entry.unwrap().file_name().into_string().unwrap())
+        .filter(|name| name.ends_with(".toml") || name.ends_with(".nff"))
+        .collect();
+    files.sort();
+    assert_eq!(files, SCENES.map(|(file, ..)| file), "the scenes, and those of this test");
+    for (file, ..) in SCENES {
+        let picture = root().join("scenes/gallery").join(stem(file)).with_extension("png");
+        let bytes =
+            fs::metadata(&picture).unwrap_or_else(|error| panic!("{}: {error}", picture.display())).len();
+        assert!(bytes < 250_000, "{} has {bytes} bytes", picture.display());
+    }
 }
 
 #[test]
 fn the_rotunda_without_secondary_rays_looks_as_it_did() {
-    golden("rotunda-level-1", &scene_file("rotunda.nff", 96, 60, 1, Sampling::CORNERS));
-}
-
-#[test]
-fn the_classic_looks_as_it_did() {
-    golden("classic", &scene_file("classic.nff", 120, 90, 8, Sampling::Regular(2)));
-}
-
-#[test]
-fn the_first_scene_looks_as_it_did() {
-    golden("first", &scene_file("first.toml", 96, 72, 5, Sampling::Regular(2)));
+    let picture = scene_file("rotunda.nff", 96, 60, Some(1), Sampling::CORNERS);
+    golden("rotunda-level-1", &picture).unwrap();
 }
 
 #[test]
 fn the_scene_of_the_firmware_looks_as_it_did() {
     let picture = constants::<constants::Golden>();
-    golden("firmware", &picture);
+    golden("firmware", &picture).unwrap();
     assert_eq!(constants::<Everything>(), picture, "the smallest tracer and the one that can do everything");
 }
 
-/// Renders a scene of the folder `scenes`.
-fn scene_file(name: &str, width: u32, height: u32, levels: u8, sampling: Sampling) -> Picture {
+/// The name of a file without its extension.
+fn stem(file: &str) -> &str {
+    file.split('.').next().unwrap()
+}
+
+/// Renders a scene of the folder `scenes`, with the levels and the cutoff that it asks for itself.
+fn scene_file(name: &str, width: u32, height: u32, levels: Option<u8>, sampling: Sampling) -> Picture {
     let path = root().join("scenes").join(name);
     let description = strahl::load::load(&path).unwrap();
-    let limits = Limits { levels, ..Limits::DEFAULT };
+    let (asked, default) = (&description.settings, Limits::DEFAULT);
+    let limits = Limits {
+        levels: levels.or(asked.levels).unwrap_or(default.levels),
+        cutoff: asked.cutoff.unwrap_or(default.cutoff),
+    };
     let wanted = Wanted { limits, sampling, counted: false, ..Wanted::of(Size::new(width, height).unwrap()) };
     strahl::frame::trace(&description, &wanted, &Watch::silent(Signals::default())).unwrap().picture
 }
@@ -82,7 +123,7 @@ fn root() -> PathBuf {
 }
 
 /// Holds a picture against the golden one, or makes it the golden one.
-fn golden(name: &str, picture: &Picture) {
+fn golden(name: &str, picture: &Picture) -> Result<(), String> {
     let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("golden");
     let png = folder.join(name).with_extension("png");
     let digest = picture.digest().to_hex().to_string();
@@ -90,15 +131,18 @@ fn golden(name: &str, picture: &Picture) {
         fs::create_dir_all(&folder).unwrap();
         fs::write(&png, Format::Png.encode(picture).unwrap()).unwrap();
         accept(&folder.join("digests"), name, &digest);
-        return;
+        return Ok(());
     }
 
-    let golden = image::open(&png).unwrap_or_else(|error| panic!("{}: {error}", png.display())).to_rgb8();
+    let golden = match image::open(&png) {
+        Ok(golden) => golden.to_rgb8(),
+        Err(error) => return Err(format!("{}: {error}", png.display())),
+    };
     let digests = digests(&folder.join("digests"));
     let pixels = picture.to_srgb8();
     let same_pixels = golden.as_raw() == &pixels;
     if digests.get(name) == Some(&digest) && same_pixels {
-        return;
+        return Ok(());
     }
     let seen = root().join("target/golden");
     fs::create_dir_all(&seen).unwrap();
@@ -121,7 +165,7 @@ fn golden(name: &str, picture: &Picture) {
         image::RgbImage::from_raw(w, h, bytes.collect()).unwrap().save(&difference).unwrap();
         message += &format!("\n  difference: {}", difference.display());
     }
-    panic!("{message}");
+    Err(message)
 }
 
 fn digests(path: &Path) -> BTreeMap<String, String> {

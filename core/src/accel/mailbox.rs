@@ -5,11 +5,15 @@
 //! that the test found a hit *beyond* the region: the query keeps it and shortens its reach, the
 //! walk goes on as long as regions begin within that reach, and nothing is lost when the item
 //! turns up again in the region of the hit and the mailbox leaves it out.
+//!
+//! On the standard procedural databases 64 slots save a grid up to 36 % of its time (mount: 1.84
+//! tests of shapes for each ray, and 5.46 without; gears 9 %, rings 8 %, teapot 13 %, balls none)
+//! and an octree 6 to 16 %. 8 slots save nearly nothing: neighbours drive each other out.
 
 use core::ops::ControlFlow;
 
 use super::Query;
-use crate::geometry::ItemId;
+use crate::geometry::{Aabb, ItemId, Ray};
 use crate::math::Real;
 
 /// What a slot knows: the last item that came to it, and with which ray.
@@ -79,11 +83,13 @@ impl<const SLOTS: usize> Default for Mailbox<SLOTS> {
     }
 }
 
-/// Offers the items of a region to a query, but those that the ray has met before. Goes on with
-/// the reach that is left.
+/// Offers the items of a region to a query, but those that the ray has met before and those whose
+/// box it misses: `boxes` are those of all items, or none. Goes on with the reach that is left.
 #[inline(always)]
 pub(super) fn offer<Q: Query, const SLOTS: usize>(
     items: &[u32],
+    boxes: &[Aabb],
+    ray: &Ray,
     mailbox: &mut Mailbox<SLOTS>,
     query: &mut Q,
 ) -> ControlFlow<(), Real> {
@@ -91,9 +97,16 @@ pub(super) fn offer<Q: Query, const SLOTS: usize>(
     for item in items {
         if mailbox.has_met(*item) {
             query.skipped();
-        } else {
-            query.test(ItemId(*item))?;
+            continue;
         }
+        if let Some(aabb) = boxes.get(*item as usize) {
+            query.boxes(1);
+            // Strictly beyond: an item at the same distance may have the lower number, and must win.
+            if !aabb.span(ray).is_some_and(|span| span.entry <= query.reach()) {
+                continue;
+            }
+        }
+        query.test(ItemId(*item))?;
     }
     ControlFlow::Continue(query.reach())
 }

@@ -17,11 +17,15 @@
 //! is one, because the first of them begins before the box does. If it is not the last of all, the
 //! next one's near wall, which is its own far wall, is beyond `e`. If it is the last, its far wall
 //! is beyond the far face of the box, whose distance, widened, is at least `e`, or the slab test
-//! had said no. A ray that runs along the walls of an axis (its reciprocal is infinite) stays
-//! between two of them or in one; an item on either side of that one touches it, and a box is
-//! placed in the cells on both sides of a wall that it touches. Hence the same cell serves all
-//! three axes at once, and a walk that leaves out only what begins strictly beyond the query's
-//! reach has offered the item before it ends: a hit is never reported before `entry`.
+//! had said no. So the same cell serves all three axes at once, and a walk that leaves out only
+//! what begins strictly beyond the query's reach has offered the item before it ends: a hit is never
+//! reported before `entry`.
+//!
+//! A ray that runs along the walls of an axis (its reciprocal is infinite) stays between two of them,
+//! and so do the faces of the boxes that it meets; but it may run in a wall, and meet boxes that touch
+//! the wall from either side. A grid therefore places a box in the cells on both sides of a wall
+//! that it touches; an octree, whose walls often coincide with faces, places it on its own side
+//! and walks such a ray twice.
 //!
 //! [`Aabb::span`]: crate::geometry::Aabb::span
 //! [`WIDEN`]: crate::geometry::WIDEN

@@ -62,17 +62,6 @@ pub const fn gamma(n: u32) -> Real {
     nu / (1.0 - nu)
 }
 
-/// The whole number that stands among others as `x` does among numbers; what is no number comes
-/// after infinity. Zero is 0, with either sign or one less, and more is positive.
-#[inline(always)]
-pub fn ordered(x: Real) -> Ordered {
-    let bits = x.to_bits() as Ordered;
-    // The bits of negative numbers rise as the numbers fall.
-    let bits = if bits < 0 { bits ^ Ordered::MAX } else { bits };
-    // On some targets zero times infinity has a sign.
-    if x.is_nan() { Ordered::MAX } else { bits }
-}
-
 /// A vector from its components.
 pub const fn vec3(x: Real, y: Real, z: Real) -> Vec3 {
     Vec3::new(x, y, z)

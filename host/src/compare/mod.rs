@@ -22,6 +22,7 @@ use crate::failure::{Answer, Failure};
 use crate::output::Output;
 use crate::picture::read::{Pixels, read};
 use crate::picture::{Format, Picture, srgb};
+use crate::wrap::{width_of_stdout, wrapped};
 use pair::Pair;
 use report::Report;
 
@@ -51,7 +52,11 @@ pub fn run(args: &CompareArgs) -> Result<Answer, Failure> {
         write_map(args, path, format, &map(size, &pair))?;
     }
     if !args.quiet {
-        let text = if args.json { report.to_json() } else { report.to_text() };
+        let text = if args.json {
+            report.to_json()
+        } else {
+            wrapped(&report.to_text(), width_of_stdout(), report::INDENT)
+        };
         Output::Stdout.commit(text.as_bytes())?;
     }
     Ok(if report.equal { Answer::Yes } else { Answer::No })

@@ -173,6 +173,9 @@ impl std::fmt::Display for Share {
     }
 }
 
+/// Where the text of the lines begins.
+pub const INDENT: usize = 13;
+
 /// Three digits that count.
 fn short(number: f64) -> String {
     if number == 0.0 {

@@ -19,7 +19,7 @@ const WIDE: Size = Size::new(640, 480).unwrap();
 fn the_objects_of_the_scene_are_the_triangles_of_the_file() {
     let it = scene("a.obj", &format!("{SQUARE_OBJ}usemtl x\nf 1 2 3\n"), WIDE);
     let form = Form::Mesh { first: 0, count: 3, smooth: false };
-    assert_eq!(it.objects, [Object { form, material: 0, line: 1 }]);
+    assert_eq!(it.objects, [Object { form, material: 0, line: 0 }]);
     assert_eq!((it.materials.len(), it.points.len(), it.triangles.len()), (1, 4, 3));
     assert!(it.lights.len() >= 2 && it.settings.size.is_none());
     assert_eq!(single::Stock::new(&it).scene().unwrap().parts().geometry.shapes.len(), 3);

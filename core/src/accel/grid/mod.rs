@@ -41,13 +41,21 @@ pub struct Grid<'s, const MAILBOX: usize> {
     starts: &'s [u32],
     /// The items of the cells, one cell after the other.
     items: &'s [u32],
+    /// The boxes of all items, by their numbers; or none.
+    boxes: &'s [Aabb],
 }
 
 impl<'s, const MAILBOX: usize> Grid<'s, MAILBOX> {
     /// The same grid, walked with a mailbox of another size.
     pub const fn with_mailbox<const SLOTS: usize>(self) -> Grid<'s, SLOTS> {
-        let Grid { bounds, walls, cells, starts, items } = self;
-        Grid { bounds, walls, cells, starts, items }
+        let Grid { bounds, walls, cells, starts, items, boxes } = self;
+        Grid { bounds, walls, cells, starts, items, boxes }
+    }
+
+    /// The same grid, but it gives back the boxes: it takes less memory, and each item of a cell is
+    /// tested, whether the ray comes near it or not.
+    pub const fn without_boxes(self) -> Self {
+        Grid { boxes: &[], ..self }
     }
 
     /// How many cells there are along each axis.
@@ -67,7 +75,7 @@ impl<'s, const MAILBOX: usize> Grid<'s, MAILBOX> {
 
     /// The memory it uses, in bytes.
     pub const fn bytes(&self) -> usize {
-        size_of_val(self.starts) + size_of_val(self.items)
+        size_of_val(self.starts) + size_of_val(self.items) + size_of_val(self.boxes)
     }
 
     /// The items of a cell.
@@ -87,7 +95,7 @@ impl<const MAILBOX: usize> Accelerator for Grid<'_, MAILBOX> {
         let Some(span) = self.bounds.span(ray) else { return };
         mailbox.begin();
         let reach = query.reach();
-        self.along(ray, span, reach, |cell| offer(self.items_of(cell), mailbox, query));
+        self.along(ray, span, reach, |cell| offer(self.items_of(cell), self.boxes, ray, mailbox, query));
     }
 }
 
@@ -120,7 +128,10 @@ impl<const CELLS: usize, const ENTRIES: usize> StaticGrid<CELLS, ENTRIES> {
     }
 
     /// The grid of the items inside `boxes`, as [`Grid::build`].
-    pub fn build<const MAILBOX: usize>(&mut self, boxes: &[Aabb]) -> Result<Grid<'_, MAILBOX>, BuildError> {
+    pub fn build<'s, const MAILBOX: usize>(
+        &'s mut self,
+        boxes: &'s [Aabb],
+    ) -> Result<Grid<'s, MAILBOX>, BuildError> {
         Grid::build(boxes, &mut self.starts, &mut self.items)
     }
 }

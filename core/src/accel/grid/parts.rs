@@ -33,6 +33,6 @@ impl<'s, const MAILBOX: usize> Grid<'s, MAILBOX> {
         }
         let around = if items.is_empty() { Aabb::POINT } else { bounds };
         let walls = Walls::new(around, vec3(x as Real, y as Real, z as Real));
-        Some(Grid { bounds, walls, cells, starts, items })
+        Some(Grid { bounds, walls, cells, starts, items, boxes: &[] })
     }
 }

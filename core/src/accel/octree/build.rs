@@ -23,8 +23,11 @@ pub struct OctreeLimits {
 }
 
 impl OctreeLimits {
-    /// What is good for most scenes.
-    pub const DEFAULT: OctreeLimits = OctreeLimits { depth: 16, leaf: 4 };
+    /// What is good for most scenes. On the standard procedural databases leaves of 8, 12, 16 and
+    /// 24 items take times within 5 % of each other, leaves of 4 up to 8 % more; memory halves from
+    /// 8 to 16. The depth ends where cutting does not pay: 5 to 16 there, 13 for 597,872 spheres of
+    /// a sphereflake, which take 2.2 times as long as 7,382.
+    pub const DEFAULT: OctreeLimits = OctreeLimits { depth: morton::HALVINGS as u8, leaf: 12 };
 }
 
 /// A cut pays when the lists of the children hold at most this many times the items of the
@@ -56,7 +59,7 @@ impl<'s, const MAILBOX: usize> Octree<'s, MAILBOX> {
     /// larger leaves. At least one node, and as many entries as there are items that have a place,
     /// or [`BuildError::StorageTooSmall`] says so.
     pub fn build(
-        boxes: &[Aabb],
+        boxes: &'s [Aabb],
         nodes: &'s mut [OctreeNode],
         entries: &'s mut [u32],
     ) -> Result<Self, BuildError> {
@@ -66,7 +69,7 @@ impl<'s, const MAILBOX: usize> Octree<'s, MAILBOX> {
     /// The same, cut as far as `limits` say.
     pub fn with_limits(
         limits: OctreeLimits,
-        boxes: &[Aabb],
+        boxes: &'s [Aabb],
         nodes: &'s mut [OctreeNode],
         entries: &'s mut [u32],
     ) -> Result<Self, BuildError> {
@@ -81,7 +84,7 @@ impl<'s, const MAILBOX: usize> Octree<'s, MAILBOX> {
         if items == 0 {
             let bounds = Aabb::EMPTY;
             let walls = space(Aabb { min: Vec3::ZERO, max: Vec3::ZERO });
-            return Ok(Octree { bounds, walls, nodes: &[], items: &[], regions: 0, depth: 0 });
+            return Ok(Octree { bounds, walls, nodes: &[], items: &[], boxes: &[], regions: 0, depth: 0 });
         }
         let walls = space(bounds);
         let work = Work {
@@ -97,7 +100,7 @@ impl<'s, const MAILBOX: usize> Octree<'s, MAILBOX> {
             depth: 0,
         };
         let Done { nodes, items, regions, depth } = work.run();
-        Ok(Octree { bounds, walls, nodes, items, regions, depth })
+        Ok(Octree { bounds, walls, nodes, items, boxes, regions, depth })
     }
 }
 
@@ -285,10 +288,12 @@ impl<'s> Work<'_, 's> {
     #[inline]
     fn octants(&self, item: u32, middle: Vec3) -> u32 {
         let Some(aabb) = self.boxes.get(item as usize) else { return 0 };
-        // Bit i of each is set where that half along the axis belongs to child i.
+        // A box that only touches the wall is on one side of it, or scenes that are laid out like
+        // an octree would have everything in all halves. Bit i of each is set where that half along
+        // the axis belongs to child i.
         const LOW: [u32; 3] = [0b0101_0101, 0b0011_0011, 0b0000_1111];
         let halves = |low: Real, high: Real, middle: Real, [near, far]: [u32; 2]| {
-            (if low <= middle { near } else { 0 }) | (if high >= middle { far } else { 0 })
+            (if low < middle || high <= middle { near } else { 0 }) | (if high > middle { far } else { 0 })
         };
         halves(aabb.min.x, aabb.max.x, middle.x, [LOW[0], !LOW[0] & 255])
             & halves(aabb.min.y, aabb.max.y, middle.y, [LOW[1], !LOW[1] & 255])

@@ -17,13 +17,15 @@ pub use build::{OctreeLimits, OctreeRoom};
 #[cfg(not(feature = "double"))]
 pub(crate) use parts::OctreeParts;
 
+use core::ops::ControlFlow;
+
 use zerocopy::{Immutable, KnownLayout, TryFromBytes};
 
 use super::mailbox::{Mailbox, offer};
 use super::walls::Walls;
 use super::{Accelerator, Query};
 use crate::geometry::{Aabb, Ray};
-use crate::math::{Real, Vec3, morton};
+use crate::math::{Real, Vec3, floor, largest, morton, vec3};
 
 /// How many of the walls stand between the ends of an octree's space, and one more: the walls
 /// of the smallest cells.
@@ -65,6 +67,8 @@ pub struct Octree<'s, const MAILBOX: usize> {
     nodes: &'s [OctreeNode],
     /// The items of the leaves, one leaf after the other.
     items: &'s [u32],
+    /// The boxes of all items, by their numbers; or none.
+    boxes: &'s [Aabb],
     /// How many leaves list items.
     regions: u32,
     /// How often space is cut, at most.
@@ -74,8 +78,14 @@ pub struct Octree<'s, const MAILBOX: usize> {
 impl<'s, const MAILBOX: usize> Octree<'s, MAILBOX> {
     /// The same octree, walked with a mailbox of another size.
     pub const fn with_mailbox<const SLOTS: usize>(self) -> Octree<'s, SLOTS> {
-        let Octree { bounds, walls, nodes, items, regions, depth } = self;
-        Octree { bounds, walls, nodes, items, regions, depth }
+        let Octree { bounds, walls, nodes, items, regions, depth, boxes } = self;
+        Octree { bounds, walls, nodes, items, regions, depth, boxes }
+    }
+
+    /// The same octree, but it gives back the boxes: it takes less memory, and each item of a leaf
+    /// is tested, whether the ray comes near it or not.
+    pub const fn without_boxes(self) -> Self {
+        Octree { boxes: &[], ..self }
     }
 
     /// How many leaves list items.
@@ -100,7 +110,7 @@ impl<'s, const MAILBOX: usize> Octree<'s, MAILBOX> {
 
     /// The memory it uses, in bytes.
     pub const fn bytes(&self) -> usize {
-        size_of_val(self.nodes) + size_of_val(self.items)
+        size_of_val(self.nodes) + size_of_val(self.items) + size_of_val(self.boxes)
     }
 
     /// The items of a leaf.
@@ -111,9 +121,11 @@ impl<'s, const MAILBOX: usize> Octree<'s, MAILBOX> {
     }
 }
 
-/// The space of an octree round `bounds`, in walls of its smallest cells.
+/// The space of an octree round `bounds`, in walls of its smallest cells. All cells are cubes, so
+/// that a flat scene is not cut into plates.
 fn space(bounds: Aabb) -> Walls {
-    Walls::new(bounds, Vec3::splat(WALLS))
+    let side = largest(bounds.max - bounds.min);
+    Walls::new(Aabb { min: bounds.min, max: bounds.min + side }, Vec3::splat(WALLS))
 }
 
 impl<const MAILBOX: usize> Accelerator for Octree<'_, MAILBOX> {
@@ -123,7 +135,41 @@ impl<const MAILBOX: usize> Accelerator for Octree<'_, MAILBOX> {
         query.boxes(1);
         let Some(span) = self.bounds.span(ray) else { return };
         mailbox.begin();
-        let reach = query.reach();
-        self.smart(ray, span, reach, |leaf| offer(self.items_of(leaf), mailbox, query));
+        let mut walk = |ray: &Ray| {
+            let reach = query.reach();
+            self.smart(ray, span, reach, |leaf| offer(self.items_of(leaf), self.boxes, ray, mailbox, query))
+        };
+        let end = if ray.inverse.is_finite() { walk(ray) } else { self.along_walls(ray, walk) };
+        let (ControlFlow::Continue(()) | ControlFlow::Break(())) = end;
+    }
+}
+
+impl<const MAILBOX: usize> Octree<'_, MAILBOX> {
+    /// Walks along a ray that is parallel to some walls. Where it runs in a wall, it must be walked
+    /// on both sides, for a box that touches the wall lies on one. On which side of such a
+    /// wall a walk goes is decided by the sign of the infinite reciprocal.
+    #[cold]
+    fn along_walls(&self, ray: &Ray, mut walk: impl FnMut(&Ray) -> ControlFlow<()>) -> ControlFlow<()> {
+        let nearest = self.walls.about(ray.origin);
+        let is_in_wall = |offset: Real| {
+            let number = |x: Real| floor(x + 0.5) + offset;
+            let wall = self.walls.at(vec3(number(nearest.x), number(nearest.y), number(nearest.z)));
+            let runs = |inverse: Real, wall: Real, origin: Real| !inverse.is_finite() && wall == origin;
+            let (i, o) = (ray.inverse, ray.origin);
+            [runs(i.x, wall.x, o.x), runs(i.y, wall.y, o.y), runs(i.z, wall.z, o.z)]
+        };
+        // The nearest wall by rounding, and its neighbours in case of rounding.
+        let [[x0, y0, z0], [x1, y1, z1], [x2, y2, z2]] = [-1.0, 0.0, 1.0].map(is_in_wall);
+        let both = |is_in_wall: bool| if is_in_wall { &[1.0, -1.0][..] } else { &[1.0] };
+        for x in both(x0 | x1 | x2) {
+            for y in both(y0 | y1 | y2) {
+                for z in both(z0 | z1 | z2) {
+                    let mut side = *ray;
+                    side.inverse *= vec3(*x, *y, *z);
+                    walk(&side)?;
+                }
+            }
+        }
+        ControlFlow::Continue(())
     }
 }

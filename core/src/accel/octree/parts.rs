@@ -58,7 +58,7 @@ impl<'s, const MAILBOX: usize> Octree<'s, MAILBOX> {
                 node(*child, level, &mut blocks)?;
             }
         }
-        Some(Octree { bounds, walls, nodes, items, regions, depth })
+        Some(Octree { bounds, walls, nodes, items, boxes: &[], regions, depth })
     }
 }
 

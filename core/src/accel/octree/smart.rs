@@ -22,21 +22,44 @@
 
 use core::ops::ControlFlow;
 
-use super::{Octree, OctreeNode, WALLS};
-use crate::geometry::{Ray, Span, WIDEN};
-use crate::math::{Ordered, Real, Vec3, morton, ordered, vec3};
+use heapless::Vec as Stack;
 
-/// So many steps of [`ordered`] numbers away is what [`WIDEN`] reaches: a step is at least half an
-/// epsilon of the number.
-const NEAR: Ordered = 8;
+use super::{Octree, OctreeNode};
+use crate::geometry::{Ray, Span, WIDEN};
+use crate::math::{Ordered, Real, Vec3, morton, vec3};
+
+/// The bits of a wall's distance that tell its axis instead: bit `a` for axis `a`.
+const AXIS: Ordered = 7;
+
+/// How far apart two walls may be, in such numbers, where the slab test's widening reaches from one
+/// to the other: 8 steps (a step is at least half an epsilon of the number), and what the bits for
+/// the axes hide, 7 of either.
+const NEAR: Ordered = 24;
 const _: () = assert!(WIDEN <= 1.0 + 4.0 * Real::EPSILON);
+
+/// The least distance at which something may be met, and the walls behind the origin are behind.
+const ORIGIN: Ordered = NEAR + AXIS + 1;
 
 /// Comes after every distance: the wall is not, or not any more, in the way.
 const NEVER: Ordered = Ordered::MAX;
 
+/// The whole number that is ordered among others like the distances are. What lies behind the
+/// origin, or is no number, is 0.
+#[inline(always)]
+fn ordered(distance: Real) -> Ordered {
+    let ahead = if distance > 0.0 { distance } else { 0.0 };
+    ahead.to_bits() as Ordered
+}
+
 /// A node that is cut, while a ray is in it.
 #[derive(Clone, Copy)]
 struct Inside {
+    /// The middle walls that will be crossed, nearest first, with their axes; then [`NEVER`]s.
+    walls: [Ordered; 3],
+    /// Where the node ends.
+    end: Ordered,
+    /// Where the child begins that the ray is in.
+    begin: Ordered,
     /// The place of the first child.
     children: u32,
     /// Which children have items, by absolute index.
@@ -45,65 +68,6 @@ struct Inside {
     child: u8,
     /// The axes whose walls are crossed at one place, while the children there are entered.
     crossing: u8,
-    /// How far the middle walls are that will be crossed.
-    walls: [Ordered; 3],
-    /// Where the child, and where the node, begins and ends.
-    begin: Ordered,
-    end: Ordered,
-    /// The numbers of its middle walls.
-    middle: Vec3,
-}
-
-impl Inside {
-    const NOWHERE: Inside = Inside {
-        children: 0,
-        occupied: 0,
-        child: 0,
-        crossing: 0,
-        walls: [NEVER; 3],
-        begin: 0,
-        end: 0,
-        middle: Vec3::ZERO,
-    };
-}
-
-/// The nodes round the one that the ray is in.
-struct Stack {
-    nodes: [Inside; morton::HALVINGS as usize],
-    height: usize,
-}
-
-impl Stack {
-    #[inline(always)]
-    fn push(&mut self, node: &Inside) {
-        if let Some(place) = self.nodes.get_mut(self.height) {
-            *place = *node;
-            self.height += 1;
-        }
-    }
-
-    #[inline(always)]
-    fn pop(&mut self) -> Option<Inside> {
-        self.height = self.height.checked_sub(1)?;
-        self.nodes.get(self.height).copied()
-    }
-}
-
-#[inline(always)]
-fn least(a: Ordered, b: Ordered) -> Ordered {
-    if a < b { a } else { b }
-}
-
-#[inline(always)]
-fn most(a: Ordered, b: Ordered) -> Ordered {
-    if a > b { a } else { b }
-}
-
-/// The axes whose walls are not beyond `edge`, a bit for each.
-#[inline(always)]
-fn until(walls: [Ordered; 3], edge: Ordered) -> u8 {
-    let [x, y, z] = walls;
-    u8::from(x <= edge) | u8::from(y <= edge) << 1 | u8::from(z <= edge) << 2
 }
 
 impl<const MAILBOX: usize> Octree<'_, MAILBOX> {
@@ -118,81 +82,113 @@ impl<const MAILBOX: usize> Octree<'_, MAILBOX> {
         span: Span,
         reach: Real,
         mut enter: impl FnMut(OctreeNode) -> ControlFlow<(), Real>,
-    ) {
+    ) -> ControlFlow<()> {
         let mut reach = ordered(reach);
-        let begin = ordered(if span.entry > 0.0 { span.entry } else { 0.0 });
-        let Some(root) = self.nodes.first().copied() else { return };
-        if begin > reach {
-            return;
+        let begin = greatest(ordered(span.entry), ORIGIN);
+        let Some(root) = self.nodes.first().copied() else { return ControlFlow::Continue(()) };
+        if ordered(span.entry) > reach {
+            return ControlFlow::Continue(());
         }
         if !root.is_cut() {
-            let (ControlFlow::Continue(_) | ControlFlow::Break(())) = enter(root);
-            return;
+            enter(root)?;
+            return ControlFlow::Continue(());
         }
-        let backward = |x: Real| u8::from(x.is_sign_negative());
         // Relative to absolute indices and back: the XOR with the corner from which the ray comes.
+        let backward = |x: Real| u8::from(x.is_sign_negative());
         let Vec3 { x, y, z } = ray.inverse;
         let corner = backward(x) | backward(y) << 1 | backward(z) << 2;
 
-        let mut stack = Stack { nodes: [Inside::NOWHERE; morton::HALVINGS as usize], height: 0 };
-        let middle = Vec3::splat(0.5 * WALLS);
-        let mut half = 0.5 * WALLS;
-        let mut node = self.vertical(ray, root, middle, begin, ordered(span.exit));
+        let mut around = Stack::<Inside, { morton::HALVINGS as usize }>::new();
+        // The number of the first wall of the node along each axis, and how many cells its half takes.
+        let (mut first, mut half) = ([0_u32; 3], 1_u32 << (morton::HALVINGS - 1));
+        let mut node = self.vertical(ray, root, first.map(|wall| wall + half), begin, ordered(span.exit));
         loop {
             let octant = node.child ^ corner;
             if node.occupied >> octant & 1 == 1 {
                 let place = node.children.wrapping_add(u32::from(octant));
                 let child = self.nodes.get(place as usize).copied().unwrap_or(OctreeNode::EMPTY);
                 if child.is_cut() {
-                    half *= 0.5;
-                    let side = |bit: u8| if octant & bit == 0 { -half } else { half };
-                    let middle = node.middle + vec3(side(1), side(2), side(4));
-                    let end = node.end_of_child();
-                    let begin = node.begin;
-                    stack.push(&node);
-                    node = self.vertical(ray, child, middle, begin, end);
+                    let is_far = |axis: u8| u32::from(octant >> axis & 1);
+                    let [x, y, z] = first;
+                    first = [x + is_far(0) * half, y + is_far(1) * half, z + is_far(2) * half];
+                    half >>= 1;
+                    let (begin, end) = (node.begin, node.end_of_child());
+                    // It is as high as the tree is deep.
+                    let (Ok(()) | Err(_)) = around.push(node);
+                    node = self.vertical(ray, child, first.map(|wall| wall + half), begin, end);
                     continue;
                 }
-                match enter(child) {
-                    ControlFlow::Continue(left) => reach = ordered(left),
-                    ControlFlow::Break(()) => return,
-                }
+                reach = ordered(enter(child)?);
             }
             // To the sibling behind the next wall, or of the node round this one, ...
             while !node.horizontal(reach) {
-                match stack.pop() {
+                match around.pop() {
                     Some(outer) => node = outer,
-                    None => return,
+                    None => return ControlFlow::Continue(()),
                 }
-                half *= 2.0;
+                half <<= 1;
+                first = first.map(|wall| wall & !half);
             }
         }
     }
 
-    /// Into a node that is cut, where the ray enters it.
+    /// Into a node that is cut, where the ray enters it; `middle` are the numbers of its middle walls.
     #[inline(always)]
-    fn vertical(&self, ray: &Ray, node: OctreeNode, middle: Vec3, begin: Ordered, end: Ordered) -> Inside {
-        let distance = (self.walls.at(middle) - ray.origin) * ray.inverse;
+    fn vertical(
+        &self,
+        ray: &Ray,
+        node: OctreeNode,
+        middle: [u32; 3],
+        begin: Ordered,
+        end: Ordered,
+    ) -> Inside {
+        let [x, y, z] = middle.map(|wall| wall as i32 as Real);
+        let distance = (self.walls.at(vec3(x, y, z)) - ray.origin) * ray.inverse;
         let mut child = 0;
-        let last = end.saturating_add(NEAR);
-        let mut wall = |distance: Real, bit: u8| {
-            let distance = ordered(distance);
-            let is_behind = distance.saturating_add(NEAR) < begin;
-            child |= if is_behind { bit } else { 0 };
-            if is_behind || distance > last { NEVER } else { distance }
+        let mut wall = |distance: Real, axis: Ordered| {
+            let wall = ordered(distance) & !AXIS | axis;
+            // All bits are set, or none.
+            let is_behind = is_negative(wall + NEAR - begin);
+            let is_beyond = is_negative(end + NEAR - wall);
+            child |= is_behind & axis;
+            wall | (is_behind | is_beyond) & NEVER
         };
-        let walls = [wall(distance.x, 1), wall(distance.y, 2), wall(distance.z, 4)];
+        let (x, y, z) = (wall(distance.x, 1), wall(distance.y, 2), wall(distance.z, 4));
+        let (x, y) = (least(x, y), greatest(x, y));
+        let (y, z) = (least(y, z), greatest(y, z));
+        let (x, y) = (least(x, y), greatest(x, y));
         Inside {
+            walls: [x, y, z],
+            end,
+            begin,
             children: node.first,
             occupied: node.content as u8,
-            child,
+            child: child as u8,
             crossing: 0,
-            walls,
-            begin,
-            end,
-            middle,
         }
     }
+}
+
+/// All bits set if it is, else none.
+#[inline(always)]
+fn is_negative(x: Ordered) -> Ordered {
+    x >> (Ordered::BITS - 1)
+}
+
+#[inline(always)]
+fn least(a: Ordered, b: Ordered) -> Ordered {
+    if a < b { a } else { b }
+}
+
+#[inline(always)]
+fn greatest(a: Ordered, b: Ordered) -> Ordered {
+    if a > b { a } else { b }
+}
+
+/// The axis of a wall, as a bit.
+#[inline(always)]
+fn axis(wall: Ordered) -> u8 {
+    (wall & AXIS) as u8
 }
 
 impl Inside {
@@ -201,67 +197,59 @@ impl Inside {
     fn end_of_child(&self) -> Ordered {
         if self.crossing != 0 {
             // Some of the walls at this place are still ahead.
-            return self.begin.saturating_add(2 * NEAR);
+            return least(self.begin + 2 * NEAR, self.end);
         }
-        let [x, y, z] = self.walls;
-        least(self.end, least(x, least(y, z)))
+        let [next, ..] = self.walls;
+        least(next, self.end)
     }
 
     /// To the next sibling, if there is one that begins within reach.
     #[inline(always)]
     fn horizontal(&mut self, reach: Ordered) -> bool {
         if self.crossing != 0 {
-            return self.cross_on();
+            self.cross_on();
+            return true;
         }
-        let [x, y, z] = self.walls;
-        let next = least(x, least(y, z));
+        let [next, second, third] = self.walls;
         // Strictly beyond: an item at the same distance may have the lower number, and must win.
-        if next > reach {
+        if next & !AXIS > reach {
             return false;
         }
-        let edge = next.saturating_add(NEAR);
-        let crossed = until(self.walls, edge);
-        self.begin = most(self.begin, next);
-        if crossed & (crossed - 1) != 0 {
-            return self.cross_many();
+        self.begin = next;
+        if second <= next + NEAR {
+            self.cross_many();
+            return true;
         }
-        self.child ^= crossed;
-        for (wall, bit) in self.walls.iter_mut().zip([1, 2, 4]) {
-            *wall = if crossed & bit == 0 { *wall } else { NEVER };
-        }
+        self.child ^= axis(next);
+        self.walls = [second, third, NEVER];
         true
     }
 
     /// Begins to cross several walls at one place: all siblings round it are entered.
     #[cold]
-    fn cross_many(&mut self) -> bool {
-        let [x, y, z] = self.walls;
-        let mut edge = least(x, least(y, z));
-        // A wall that is near one that is near: three walls at most.
-        for _ in 0..2 {
-            let reached = until(self.walls, edge.saturating_add(NEAR));
-            for (wall, bit) in self.walls.into_iter().zip([1, 2, 4]) {
-                edge = if reached & bit == 0 { edge } else { most(edge, wall) };
-            }
-        }
-        self.crossing = until(self.walls, edge.saturating_add(NEAR));
-        for (wall, bit) in self.walls.iter_mut().zip([1, 2, 4]) {
-            *wall = if self.crossing & bit == 0 { *wall } else { NEVER };
-        }
-        self.cross_on()
+    fn cross_many(&mut self) {
+        let [next, second, third] = self.walls;
+        self.crossing = axis(next) | axis(second);
+        // A wall may be near one that is near.
+        self.walls = if third <= second + NEAR {
+            self.crossing |= axis(third);
+            [NEVER; 3]
+        } else {
+            [third, NEVER, NEVER]
+        };
+        self.cross_on();
     }
 
     /// The next sibling behind some of the walls that are crossed at one place, in the order of
     /// relative indices; the last is behind all of them.
     #[cold]
-    fn cross_on(&mut self) -> bool {
+    fn cross_on(&mut self) {
         let all = self.crossing;
         let behind = (self.child | !all).wrapping_add(1) & all;
         self.child = self.child & !all | behind;
         if behind == all {
             self.crossing = 0;
         }
-        true
     }
 }
 
@@ -330,7 +318,7 @@ mod tests {
     fn check(tree: &Octree<'_, 0>, leaves: &[Leaf], ray: &Ray) -> usize {
         let mut walked = Vec::<OctreeNode, MOST>::new();
         if let Some(span) = tree.bounds.span(ray) {
-            tree.smart(ray, span, Real::MAX, |node| {
+            let _ = tree.smart(ray, span, Real::MAX, |node| {
                 assert!(!walked.contains(&node), "{node:?} is entered twice by {ray:?}");
                 walked.push(node).unwrap();
                 ControlFlow::Continue(Real::MAX)
@@ -341,7 +329,7 @@ mod tests {
             let leaf = leaves.iter().find(|leaf| leaf.node == *node).unwrap();
             let (entry, exit) = interval(&leaf.walls, ray);
             // Whole numbers reach a little farther than the slab test does.
-            let loose = 1.0 + 32.0 * Real::EPSILON;
+            let loose = 1.0 + 64.0 * Real::EPSILON;
             let reached = exit * loose;
             assert!(entry <= reached && reached >= 0.0, "{leaf:?} is not met by {ray:?}");
             assert!(last <= 0.0 || entry * loose >= last, "{entry} after {last}: {ray:?}");
@@ -349,7 +337,9 @@ mod tests {
         }
         let runs_in_walls = [ray.inverse.x, ray.inverse.y, ray.inverse.z].map(|i| i.is_infinite());
         if tree.bounds.span(ray).is_some() && runs_in_walls == [false; 3] {
-            for leaf in leaves.iter().filter(|leaf| leaf.walls.span(ray).is_some()) {
+            // Nothing is met at distance 0.
+            let is_met = |leaf: &&Leaf| leaf.walls.span(ray).is_some_and(|span| span.exit > 0.0);
+            for leaf in leaves.iter().filter(is_met) {
                 assert!(
                     walked.contains(&leaf.node),
                     "{:?} is left out: {ray:?} {:?} {:?}",

@@ -58,31 +58,31 @@ pub(super) fn staged(mesh: Mesh, up: Up, size: Size) -> Result<Description, Stri
     let frame = Frame::of(&seen, up);
     let gaze = Gaze::new(frame.toward, frame.up, ANGLE, FILLED, size);
     let view = frame.view(&seen, &gaze, size)?;
-    let lamp = |toward: V, color: Rgb, shadows: bool| {
+    let lamp = |name: &str, toward: V, color: Rgb, shadows: bool| {
         let it = Light { source: Source::Directional { toward: rounded(toward) }, color, shadows };
-        Placed { it, line: 1, name: None }
+        Placed { it, line: 0, name: Some(name.into()) }
     };
     let [right, above, back] = gaze.axes();
     let mix = |r: f64, a: f64, b: f64| [0, 1, 2].map(|i| r * right[i] + a * above[i] + b * back[i]);
     let lights = vec![
-        lamp(mix(-0.75, 0.8, 0.42), Rgb::new(1.0, 0.9, 0.76), true),
-        lamp(mix(0.95, 0.15, 0.3), Rgb::new(0.1, 0.14, 0.22), false),
-        lamp(mix(0.4, 0.3, -0.9), Rgb::new(0.3, 0.32, 0.35), false),
+        lamp("key", mix(-0.75, 0.8, 0.42), Rgb::new(1.0, 0.9, 0.76), true),
+        lamp("fill", mix(0.95, 0.15, 0.3), Rgb::new(0.1, 0.14, 0.22), false),
+        lamp("rim", mix(0.4, 0.3, -0.9), Rgb::new(0.3, 0.32, 0.35), false),
     ];
 
     let mut materials: Vec<_> =
-        mesh.materials.into_iter().map(|(name, it)| Placed { it, line: 1, name: Some(name) }).collect();
+        mesh.materials.into_iter().map(|(name, it)| Placed { it, line: 0, name: Some(name) }).collect();
     let has_nameless = mesh.groups.iter().any(|group| group.material.is_none());
     let clay = u16::try_from(materials.len()).map_err(|_| "more materials than a scene can number")?;
     if has_nameless {
-        materials.push(Placed { it: CLAY, line: 1, name: None });
+        materials.push(Placed { it: CLAY, line: 0, name: None });
     }
     let smooth = !mesh.normals.is_empty();
     let mut first = 0;
     let objects = mesh.groups.iter().map(|group| {
         let form = Form::Mesh { first, count: group.count, smooth };
         first += group.count;
-        Object { form, material: group.material.unwrap_or(clay), line: 1 }
+        Object { form, material: group.material.unwrap_or(clay), line: 0 }
     });
     Ok(Description {
         view,

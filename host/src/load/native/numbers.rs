@@ -49,6 +49,31 @@ impl Range {
         low && (x < self.high || self.ends.1 && x == self.high)
     }
 
+    /// What may have been meant by a number that is not allowed.
+    fn advice(&self, x: f32) -> Option<String> {
+        if self.has(-x) {
+            Some(format!("did you mean {}?", -x))
+        } else if self.high == 1.0 && x > 1.0 && x <= 100.0 {
+            Some(format!("1 is all of it; {x} % is {}", x / 100.0))
+        } else if x > self.high {
+            Some(format!(
+                "the {} that can stand here is {}",
+                if self.ends.1 { "most" } else { "limit" },
+                End(self.high)
+            ))
+        } else if x < self.low {
+            Some(format!(
+                "the {} that can stand here is {}",
+                if self.ends.0 { "least" } else { "limit" },
+                End(self.low)
+            ))
+        } else if x == self.low {
+            Some(format!("as little more than {} as you like", End(self.low)))
+        } else {
+            None
+        }
+    }
+
     /// The schema of one such number.
     pub(super) fn schema(&self) -> Schema {
         let mut schema = json_schema!({ "type": "number" });
@@ -68,10 +93,18 @@ fn shortest(x: f32) -> serde_json::Value {
     if double.fract() == 0.0 { (double as i64).into() } else { double.into() }
 }
 
+/// The end of a range as it is shown.
+struct End(f32);
+
+impl fmt::Display for End {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        if self.0.abs() == FARTHEST { write!(f, "{:e}", self.0) } else { write!(f, "{}", self.0) }
+    }
+}
+
 impl fmt::Display for Range {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let end = |x: f32| if x.abs() == FARTHEST { format!("{x:e}") } else { x.to_string() };
-        let (low, high) = (end(self.low), end(self.high));
+        let (low, high) = (End(self.low), End(self.high));
         match self.ends {
             (true, true) => write!(f, "between {low} and {high}"),
             (false, true) if self.high.is_infinite() => write!(f, "more than {low}"),
@@ -117,7 +150,11 @@ pub(super) fn number_in(range: Range, value: &Value<'_>, key: &str, reader: &mut
         true => "a finite number".into(),
         false => range.to_string(),
     };
-    reader.wrong(Fault::new(value.span(), format!("`{key}` must be {needs}, not {spelling}")))
+    let fault = Fault::new(value.span(), format!("`{key}` must be {needs}, not {spelling}"));
+    reader.wrong(match range.advice(number) {
+        Some(advice) => fault.help(advice),
+        None => fault,
+    })
 }
 
 /// A whole number in a range.

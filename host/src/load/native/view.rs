@@ -127,7 +127,9 @@ impl Maker<'_> {
             let fault = Fault::new(place.clone(), fault.to_string());
             self.reader.faults.push(match up {
                 None => fault.help("`up` is [0, 1, 0] by default"),
-                Some(_) => fault,
+                Some(_) => {
+                    fault.help("without `up` it is [0, 1, 0]; any direction aslant of the view will do")
+                }
             });
         }
         let is_lit = file.ambient_light.0.is_some()
@@ -212,7 +214,7 @@ fn default_light(view: &View) -> Placed<Light> {
     let toward = back + up * 0.8 + left * 0.6;
     let source = Source::Directional { toward: toward.to_array() };
     let it = Light { source, color: Rgb::WHITE, shadows: true };
-    Placed { it, line: 1, name: Some("default".into()) }
+    Placed { it, line: 0, name: Some("default".into()) }
 }
 
 /// The corners of a box.

@@ -282,6 +282,7 @@ fn subdivisions<const MAILBOX: usize>() {
     if let Ok(grid) = Grid::<MAILBOX>::with_density(number(), boxes, cells, items) {
         used((grid.bytes(), grid.regions(), grid.entries(), grid.cells()));
         grid.walk(&ray(), &mut mailbox, &mut Anybody);
+        grid.without_boxes().walk(&ray(), &mut mailbox, &mut Anybody);
     }
     let mut memory = StaticGrid::<5, 7>::new();
     if let Ok(grid) = memory.build::<MAILBOX>(boxes) {
@@ -294,6 +295,7 @@ fn subdivisions<const MAILBOX: usize>() {
     if let Ok(tree) = Octree::<MAILBOX>::with_limits(any(OctreeLimits::DEFAULT), boxes, nodes, items) {
         used((tree.bytes(), tree.regions(), tree.entries(), tree.nodes(), tree.depth()));
         tree.walk(&ray(), &mut mailbox, &mut Anybody);
+        tree.without_boxes().walk(&ray(), &mut mailbox, &mut Anybody);
     }
 }
 

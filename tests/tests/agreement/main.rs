@@ -1,43 +1,21 @@
 //! Every way of finding gives the same answer, to the last bit.
 
+mod hold;
+mod lent;
+mod mailbox;
+mod scenes;
+
 use std::ops::ControlFlow;
 
+use hold::{Case, Hold, blocker, nearest};
 use strahl_core::{
-    Aabb, Accelerator, BuildError, Bvh, BvhRoom, Counters, Everything, Grid, GridRoom, Hit, ItemId,
-    LastFirst, List, NearestFirst, Node, Octree, OctreeLimits, OctreeNode, OctreeRoom, Query, Ray, RayKind,
-    Real, Slot, Storage, Surface, Vec3, World, groups_of, vec3,
+    Aabb, Accelerator, BuildError, BvhRoom, Counters, Everything, GridRoom, Hit, ItemId, List, OctreeRoom,
+    Query, Ray, RayKind, Real, Storage, Vec3, World, groups_of, vec3,
 };
 use strahl_tests::single::Stage;
 use strahl_tests::{Kind, Random, Thing, Vector, vector};
 
 const SEED: u64 = 0x5eed_0003;
-
-/// Everything that a world can be asked about a ray, but who is in the way, which may be
-/// anybody.
-#[derive(Clone, Copy, Debug, PartialEq)]
-struct Answer {
-    hit: Option<(ItemId, u32)>,
-    surface: Option<Surface>,
-    is_blocked: bool,
-}
-
-fn nearest<A: Accelerator>(world: &World<A>, ray: &Ray, reach: Real) -> Option<Hit> {
-    world.nearest::<Everything, _>(ray, reach, RayKind::Camera, &mut A::Scratch::default(), &mut ())
-}
-
-fn blocker<A: Accelerator>(world: &World<A>, ray: &Ray, reach: Real) -> Option<ItemId> {
-    world.blocker::<Everything, _>(ray, reach, RayKind::Shadow, &mut A::Scratch::default(), &mut ())
-}
-
-fn answer<A: Accelerator>(world: &World<A>, ray: &Ray, reach: Real, scratch: &mut A::Scratch) -> Answer {
-    let hit = world.nearest::<Everything, _>(ray, reach, RayKind::Camera, scratch, &mut ());
-    let blocker = world.blocker::<Everything, _>(ray, reach, RayKind::Shadow, scratch, &mut ());
-    Answer {
-        hit: hit.map(|hit| (hit.item, hit.t.to_bits())),
-        surface: hit.and_then(|hit| world.surface::<Everything>(ray, hit)),
-        is_blocked: blocker.is_some(),
-    }
-}
 
 /// Offers the items in any order that it is told, some of them more than once.
 #[derive(Clone, Debug)]
@@ -66,81 +44,12 @@ impl Offered {
     }
 }
 
-/// A question about a ray, and the answer of the bare list.
-struct Case {
-    ray: Ray,
-    reach: Real,
-    truth: Answer,
-}
-
-impl Case {
-    /// Each ray cut off nowhere, at the hit, just before it, and anywhere.
-    fn all(bare: &World<List>, rays: &[Ray], random: &mut Random) -> Vec<Case> {
-        let mut cases = Vec::new();
-        for ray in rays {
-            let truth = answer(bare, ray, Real::INFINITY, &mut ());
-            let t = truth.hit.map_or(1.0, |(_, bits)| Real::from_bits(bits));
-            for reach in [Real::INFINITY, t, t.next_down(), t * random.unit() as Real * 2.0] {
-                let truth = answer(bare, ray, reach, &mut ());
-                assert_eq!(truth.hit.is_some(), truth.is_blocked, "{ray:?} {reach}");
-                cases.push(Case { ray: *ray, reach, truth });
-            }
-        }
-        cases
-    }
-}
-
-/// What an accelerator is held to: the cases of a scene.
-struct Hold<'s> {
-    stage: &'s Stage,
-    boxes: Vec<Aabb>,
-    cases: Vec<Case>,
-}
-
-impl Hold<'_> {
-    /// Holds an accelerator against the truth, from the first case to the last with the same
-    /// scratch, so that it remembers earlier rays.
-    fn against<A: Accelerator>(&self, name: &str, accelerator: A) {
-        let world = World::new(self.stage.scene(), accelerator);
-        let mut scratch = A::Scratch::default();
-        for Case { ray, reach, truth } in &self.cases {
-            assert_eq!(answer(&world, ray, *reach, &mut scratch), *truth, "{name}: {ray:?} {reach}");
-        }
-    }
-
-    /// A hierarchy in each of its walks.
-    fn against_hierarchy(&self, lent: usize) {
-        let room = BvhRoom::comfortable(self.boxes.len());
-        let mut nodes = vec![Node::EMPTY; lent];
-        let mut items = vec![Slot::EMPTY; room.items];
-        let tree = Bvh::<LastFirst<64>>::build(&self.boxes, &mut nodes, &mut items).unwrap();
-        self.against("by a stack", tree);
-        self.against("by a stack of one", tree.walked::<LastFirst<1>>());
-        self.against("by no stack", tree.walked::<LastFirst<0>>());
-        self.against("by a heap", tree.walked::<NearestFirst<64>>());
-        self.against("by a heap of four", tree.walked::<NearestFirst<4>>());
-        self.against("by a heap of one", tree.walked::<NearestFirst<1>>());
-        self.against("by no heap", tree.walked::<NearestFirst<0>>());
-    }
-
-    /// A grid and an octree in this much memory, with a mailbox.
-    fn against_subdivisions<const MAILBOX: usize>(&self, grid: GridRoom, octree: OctreeRoom) {
-        let (mut cells, mut items) = (vec![0; grid.cells], vec![0; grid.items]);
-        let lattice = Grid::<MAILBOX>::build(&self.boxes, &mut cells, &mut items).unwrap();
-        self.against(&format!("{grid:?}, mailbox {MAILBOX}"), lattice);
-        let (mut nodes, mut items) = (vec![OctreeNode::EMPTY; octree.nodes], vec![0; octree.items]);
-        let limits = OctreeLimits { leaf: 1, ..OctreeLimits::DEFAULT };
-        let tree = Octree::<MAILBOX>::with_limits(limits, &self.boxes, &mut nodes, &mut items).unwrap();
-        self.against(&format!("{octree:?}, mailbox {MAILBOX}"), tree);
-    }
-}
-
 /// Holds every way of finding against the bare list; answers how many hits there were.
 fn all_agree(stage: &Stage, rays: &[Ray], random: &mut Random) -> usize {
     // The scenes of a test do not depend on how many numbers are taken here.
     let random = &mut Random::new(random.bits());
     let bare = World::new(stage.scene(), List::bare(stage.len()));
-    let hold = Hold { stage, boxes: stage.boxes(), cases: Case::all(&bare, rays, random) };
+    let hold = Hold::new(stage, rays, random);
     let Hold { boxes, cases, .. } = &hold;
 
     let mut groups = vec![Aabb::EMPTY; groups_of(boxes.len())];
@@ -175,7 +84,7 @@ fn all_agree(stage: &Stage, rays: &[Ray], random: &mut Random) -> usize {
             assert_eq!(before, None, "nearer than the nearest: {ray:?}");
         }
     }
-    cases.iter().filter(|case| case.reach == Real::INFINITY && case.truth.hit.is_some()).count()
+    hold.hits()
 }
 
 fn narrow(v: Vector) -> Vec3 {

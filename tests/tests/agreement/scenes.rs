@@ -1,0 +1,108 @@
+//! Scenes that nobody would think of, made smaller until they are as simple as can be when one fails.
+
+use std::cell::Cell;
+
+use proptest::prelude::*;
+use proptest::test_runner::{Config, RngAlgorithm, TestRng, TestRunner};
+use strahl_core::{BvhRoom, GridRoom, OctreeRoom, Ray, Real, Vec3, vec3};
+use strahl_tests::Random;
+use strahl_tests::single::Stage;
+
+use crate::hold::Hold;
+
+/// A number of a raster or not, or one that is hard to tell from one.
+fn place() -> impl Strategy<Value = Real> {
+    prop_oneof![
+        4 => (-8_i8..=8).prop_map(Real::from),
+        2 => (-64_i8..=64).prop_map(|x| Real::from(x) / 8.0),
+        1 => (-8_i8..=8).prop_map(|x| Real::from(x).next_up()),
+        3 => -8.0..8.0_f32,
+        1 => Just(0.0),
+    ]
+}
+
+fn point() -> impl Strategy<Value = Vec3> {
+    (place(), place(), place()).prop_map(|(x, y, z)| vec3(x, y, z))
+}
+
+/// How far an item reaches: not at all, a little, a cell, across everything.
+fn size() -> impl Strategy<Value = Real> {
+    prop_oneof![2 => Just(0.0), 2 => Just(1.0), 1 => Just(1e-6), 2 => 0.001..2.0_f32, 1 => Just(16.0)]
+}
+
+/// An item by two corners of its box.
+#[derive(Clone, Copy, Debug)]
+enum Item {
+    Box(Vec3, Vec3),
+    Sphere(Vec3, Real),
+    Triangle(Vec3, Vec3, Vec3),
+}
+
+fn item() -> impl Strategy<Value = Item> {
+    let extent = || (size(), size(), size()).prop_map(|(x, y, z)| vec3(x, y, z));
+    prop_oneof![
+        (point(), extent()).prop_map(|(min, extent)| Item::Box(min, min + extent)),
+        (point(), 0.001..3.0_f32).prop_map(|(center, radius)| Item::Sphere(center, radius)),
+        (point(), point(), point()).prop_map(|(a, b, c)| Item::Triangle(a, b, c)),
+    ]
+}
+
+/// A few items or none; each is there a number of times, mostly once.
+fn scene() -> impl Strategy<Value = Vec<(Item, usize)>> {
+    let times = prop_oneof![6 => Just(1_usize), 1 => Just(2), 1 => 3..40_usize];
+    prop::collection::vec((item(), times), 0..24)
+}
+
+/// Rays between places of the same kinds, so that many run along walls and through corners.
+fn ray() -> impl Strategy<Value = (Vec3, Vec3)> {
+    let zeros = prop_oneof![3 => Just([1.0, 1.0, 1.0]), 1 => Just([0.0, 1.0, 1.0]), 1 => Just([1.0, 0.0, -0.0]), 1 => Just([-0.0, 0.0, 1.0]), 1 => Just([0.0, 1.0, 0.0])];
+    let far = prop_oneof![6 => Just(1.0), 1 => Just(1e5_f32)];
+    (point(), point(), zeros, far)
+        .prop_map(|(from, to, [x, y, z], far)| (from * far, (to - from * far) * vec3(x, y, z)))
+        .prop_filter("no way", |(_, way)| *way != Vec3::ZERO)
+}
+
+fn stage(scene: &[(Item, usize)]) -> Stage {
+    let mut stage = Stage::new();
+    for (item, times) in scene {
+        for _ in 0..*times {
+            match *item {
+                Item::Box(min, max) => stage.cuboid(min, max),
+                Item::Sphere(center, radius) => stage.sphere(center, radius),
+                Item::Triangle(a, b, c) => stage.triangle([a, b, c]),
+            };
+        }
+    }
+    stage
+}
+
+#[test]
+fn in_any_scene_every_ray_is_answered_as_by_the_list() {
+    let config = Config { cases: 400, failure_persistence: None, ..Config::default() };
+    let random = TestRng::from_seed(RngAlgorithm::ChaCha, &[0x5e; 32]);
+    let mut runner = TestRunner::new_with_rng(config, random);
+    let rays = prop::collection::vec(ray(), 12..24);
+    let hits = Cell::new(0);
+    runner
+        .run(&(scene(), rays, any::<u64>()), |(scene, rays, seed)| {
+            let stage = stage(&scene);
+            let rays: Vec<Ray> = rays.into_iter().map(|(from, way)| Ray::new(from, way)).collect();
+            let random = &mut Random::new(seed);
+            let hold = Hold::new(&stage, &rays, random);
+            let (items, boxes) = (stage.len() as usize, &hold.boxes);
+            let (grid, octree) = (GridRoom::comfortable(boxes), OctreeRoom::comfortable(items));
+            let mut any =
+                |floor: usize, most: usize| floor + random.below((most - floor + 1) as u32) as usize;
+            let coarse = GridRoom { cells: any(2, grid.cells), items: grid.items };
+            let shallow = OctreeRoom { nodes: any(1, octree.nodes), items: octree.items };
+            hits.set(hits.get() + hold.hits());
+            hold.against_subdivisions::<8>(grid, octree);
+            hold.against_subdivisions::<0>(coarse, shallow);
+            hold.against_subdivisions::<1>(grid, shallow);
+            hold.against_subdivisions::<64>(coarse, octree);
+            hold.against_hierarchy(BvhRoom::comfortable(items).nodes);
+            Ok(())
+        })
+        .unwrap_or_else(|fault| panic!("{fault}"));
+    assert!(hits.get() > 1_000, "only {} hits", hits.get());
+}

@@ -1,0 +1,72 @@
+//! What is said of the scenes in `scenes/`: where their parts come from, and what the documents
+//! show of them.
+
+use std::fs;
+use std::path::{Path, PathBuf};
+
+use strahl::args::GenerateArgs;
+use strahl::generate::{Form, What};
+
+#[allow(dead_code)]
+#[path = "../examples/models.rs"]
+mod models;
+
+fn root() -> PathBuf {
+    Path::new(env!("CARGO_MANIFEST_DIR")).parent().unwrap().to_owned()
+}
+
+fn text(name: &str) -> String {
+    fs::read_to_string(root().join(name)).unwrap_or_else(|error| panic!("{name}: {error}"))
+}
+
+#[test]
+fn the_first_scene_has_ten_lines_and_stands_in_the_readme() {
+    let first = text("scenes/first.toml");
+    assert_eq!(first.lines().count(), 10);
+    assert!(text("README.md").contains(&format!("```toml\n{first}```\n")));
+}
+
+#[test]
+fn the_turned_models_are_what_their_program_makes() {
+    for (name, bytes) in models::files() {
+        assert!(fs::read(root().join("scenes/models").join(&name)).unwrap() == bytes, "{name}");
+    }
+}
+
+/// What `strahl generate` writes into a file of this name.
+fn generated(what: What, size: u32, name: &str, bare: bool) -> Vec<u8> {
+    let path = Path::new(env!("CARGO_TARGET_TMPDIR")).join(name);
+    let (output, format) = (Some(path.clone()), None::<Form>);
+    let args = GenerateArgs { what, size: Some(size), output, format, bare, quiet: true };
+    strahl::generate::run(&args).unwrap();
+    fs::read(path).unwrap()
+}
+
+#[test]
+fn the_generated_models_are_what_generate_makes() {
+    for (what, size, name) in
+        [(What::Knot, 5000, "knot.ply"), (What::Tetra, 6, "tetra.ply"), (What::Mountain, 6, "mountain.ply")]
+    {
+        let model = fs::read(root().join("scenes/models").join(name)).unwrap();
+        assert!(model == generated(what, size, name, false), "{name}");
+    }
+}
+
+#[test]
+fn the_sphereflake_has_the_spheres_that_generate_makes() {
+    let made = String::from_utf8(generated(What::Sphereflake, 3, "flake.toml", true)).unwrap();
+    let spheres = &made[made.find("[[sphere]]").unwrap()..];
+    assert_eq!(spheres.matches("[[sphere]]").count(), 820);
+    assert!(text("scenes/sphereflake.toml").ends_with(spheres));
+}
+
+#[test]
+fn every_picture_that_a_document_shows_is_there() {
+    for (document, folder) in [("README.md", ""), ("scenes/README.md", "scenes/")] {
+        let text = text(document);
+        let shown: Vec<&str> = text.split("](").skip(1).map(|rest| rest.split(')').next().unwrap()).collect();
+        for name in shown.iter().filter(|name| name.ends_with(".png") || name.ends_with(".toml")) {
+            assert!(root().join(folder).join(name).is_file(), "{document} shows {name}");
+        }
+    }
+}
