@@ -2,43 +2,138 @@
 //!
 //! This is the one room that knows every accelerator. It lends each the memory that it needs,
 //! builds it, and hands it to whoever has a use for one, so that whatever is done with it is
-//! compiled for its type.
+//! compiled for its type. For another accelerator: a name in [`finding`](crate::finding), and an
+//! arm here.
+//!
+//! Sizes that are constants of a type come from short lists ([`MAILBOXES`], [`HEAPS`]). Whatever
+//! is not the usual one is handed to [`Purpose::seldom`], which need not be compiled in all the
+//! variants of what is usual.
+//!
+//! [`MAILBOXES`]: crate::finding::MAILBOXES
+//! [`HEAPS`]: crate::finding::HEAPS
 
 use std::time::Instant;
 
-use super::strahl::{Aabb, Accelerator, BuildError, List, Scene, groups_of};
-use crate::finding::{Bounds, Facts, Finding, Kind};
+use super::strahl::{
+    Aabb, Accelerator, Bvh, BvhRoom, Grid, GridRoom, LastFirst, List, NearestFirst, Node, Octree, OctreeNode,
+    OctreeRoom, Scene, Slot, Waiting, groups_of,
+};
+use crate::finding::{Bounds, Choice, Facts, Finding, Kind, MAILBOX, STACK, Walk};
 
 /// A use for an accelerator, whatever its type.
-pub trait Purpose {
+pub trait Purpose: Sized {
     /// What comes of it.
     type Answer;
 
     /// Uses it.
     fn with<A: Accelerator + Sync>(self, accelerator: A, facts: Facts) -> Self::Answer;
+
+    /// Uses one that only somebody asks for who compares.
+    fn seldom<A: Accelerator + Sync>(self, accelerator: A, facts: Facts) -> Self::Answer {
+        self.with(accelerator, facts)
+    }
 }
 
+/// Any use is a seldom one.
+struct Seldom<P>(P);
+
+impl<P: Purpose> Purpose for Seldom<P> {
+    type Answer = P::Answer;
+
+    fn with<A: Accelerator + Sync>(self, accelerator: A, facts: Facts) -> P::Answer {
+        self.0.seldom(accelerator, facts)
+    }
+}
+
+/// Why there is no accelerator.
+pub type NotBuilt = Box<dyn std::error::Error + Send + Sync>;
+
 /// Builds the accelerator that is asked for, or one that suits the scene, and uses it.
-pub fn build<P: Purpose>(scene: &Scene<'_>, finding: &Finding, purpose: P) -> Result<P::Answer, BuildError> {
+pub fn build<P: Purpose>(scene: &Scene<'_>, finding: &Finding, purpose: P) -> Result<P::Answer, NotBuilt> {
     let clock = Instant::now();
-    let (kind, reason) = match finding.accelerator {
-        Some(kind) => (kind, "as asked"),
-        None => (Kind::List, "there is no other"),
-    };
-    let facts = |bytes, regions| Facts { kind, reason, bytes, regions, build: clock.elapsed() };
     let boxes: Vec<Aabb> = scene.parts().geometry.all_bounds().collect();
-    match kind {
-        Kind::List => match finding.bounds.unwrap_or(Bounds::Box) {
+    let choice = finding.choice(boxes.iter().filter(|aabb| !aabb.is_empty()).count());
+    let building = Building { boxes: &boxes, choice, clock };
+    let seldom = Seldom;
+    match (choice.kind, choice.mailbox, choice.walk, choice.heap) {
+        // The truth, and what few items need: no variants for either.
+        (Kind::List, ..) => building.list(seldom(purpose)),
+        (Kind::Grid, MAILBOX, ..) => building.grid::<P, MAILBOX>(purpose),
+        (Kind::Grid, 8, ..) => building.grid::<_, 8>(seldom(purpose)),
+        (Kind::Grid, ..) => building.grid::<_, 0>(seldom(purpose)),
+        (Kind::Octree, MAILBOX, ..) => building.octree::<P, MAILBOX>(purpose),
+        (Kind::Octree, 8, ..) => building.octree::<_, 8>(seldom(purpose)),
+        (Kind::Octree, ..) => building.octree::<_, 0>(seldom(purpose)),
+        (Kind::Bvh, _, Walk::Stack, _) => building.bvh::<P, LastFirst<STACK>>(purpose),
+        (Kind::Bvh, _, Walk::Heap, 64) => building.bvh::<_, NearestFirst<64>>(seldom(purpose)),
+        (Kind::Bvh, _, Walk::Heap, 4) => building.bvh::<_, NearestFirst<4>>(seldom(purpose)),
+        (Kind::Bvh, _, Walk::Heap, 1) => building.bvh::<_, NearestFirst<1>>(seldom(purpose)),
+        (Kind::Bvh, _, Walk::Heap, _) => building.bvh::<_, NearestFirst<0>>(seldom(purpose)),
+    }
+}
+
+/// What an accelerator is built of.
+struct Building<'b> {
+    boxes: &'b [Aabb],
+    choice: Choice,
+    clock: Instant,
+}
+
+/// How much of it there is.
+struct Extent {
+    bytes: usize,
+    regions: usize,
+    entries: usize,
+    depth: Option<u32>,
+}
+
+impl Building<'_> {
+    fn facts(&self, extent: Extent) -> Facts {
+        let Extent { bytes, regions, entries, depth } = extent;
+        Facts { choice: self.choice, bytes, regions, entries, depth, build: self.clock.elapsed() }
+    }
+
+    fn list<P: Purpose>(self, purpose: P) -> Result<P::Answer, NotBuilt> {
+        let entries = self.boxes.len();
+        let (mut groups, regions);
+        let list = match self.choice.bounds {
             Bounds::None => {
-                let list = List::bare(boxes.len() as u32);
-                Ok(purpose.with(list, facts(list.bytes(), 1)))
+                regions = 1;
+                List::bare(entries as u32)
             }
             Bounds::Box => {
-                let regions = groups_of(boxes.len());
-                let mut groups = vec![Aabb::EMPTY; regions];
-                let list = List::boxed(&boxes, &mut groups)?;
-                Ok(purpose.with(list, facts(list.bytes(), regions)))
+                regions = groups_of(entries);
+                groups = vec![Aabb::EMPTY; regions];
+                List::boxed(self.boxes, &mut groups)?
             }
-        },
+        };
+        let extent = Extent { bytes: list.bytes(), regions, entries, depth: None };
+        Ok(purpose.with(list, self.facts(extent)))
+    }
+
+    fn grid<P: Purpose, const MAILBOX: usize>(self, purpose: P) -> Result<P::Answer, NotBuilt> {
+        let room = GridRoom::comfortable(self.boxes);
+        let (mut cells, mut items) = (vec![0; room.cells], vec![0; room.items]);
+        let grid = Grid::<MAILBOX>::build(self.boxes, &mut cells, &mut items)?;
+        let (bytes, regions, entries) = (grid.bytes(), grid.regions(), grid.entries());
+        Ok(purpose.with(grid, self.facts(Extent { bytes, regions, entries, depth: None })))
+    }
+
+    fn octree<P: Purpose, const MAILBOX: usize>(self, purpose: P) -> Result<P::Answer, NotBuilt> {
+        let room = OctreeRoom::comfortable(self.boxes.len());
+        let (mut nodes, mut items) = (vec![OctreeNode::EMPTY; room.nodes], vec![0; room.items]);
+        let tree = Octree::<MAILBOX>::build(self.boxes, &mut nodes, &mut items)?;
+        let (bytes, regions, entries) = (tree.bytes(), tree.regions(), tree.entries());
+        let depth = Some(u32::from(tree.depth()));
+        Ok(purpose.with(tree, self.facts(Extent { bytes, regions, entries, depth })))
+    }
+
+    fn bvh<P: Purpose, W: Waiting>(self, purpose: P) -> Result<P::Answer, NotBuilt> {
+        let room = BvhRoom::comfortable(self.boxes.len());
+        let (mut nodes, mut items) = (vec![Node::EMPTY; room.nodes], vec![Slot::EMPTY; room.items]);
+        let tree = Bvh::<W>::build(self.boxes, &mut nodes, &mut items)?;
+        let (bytes, regions, entries) = (tree.bytes(), tree.regions(), tree.entries());
+        let depth = Some(tree.depth());
+        Ok(purpose.with(tree, self.facts(Extent { bytes, regions, entries, depth })))
     }
 }

@@ -6,7 +6,8 @@ use clap::{Parser, Subcommand, ValueEnum};
 use clap_complete::Shell;
 use strahl_core::{Pixel, Size, Tile};
 
-use crate::finding::{Accel, Bounds, Finding};
+use crate::failure::Failure;
+use crate::finding::{Accel, Bounds, Finding, HEAPS, MAILBOXES, Walk};
 use crate::generate::{Form, What};
 use crate::wanted::{Filter, LEVELS, Precision, Sampling, Selecting};
 
@@ -148,7 +149,7 @@ pub struct RenderArgs {
     pub mask: Option<PathBuf>,
 
     /// What is computed with; the numbers of a scene are rounded to single precision either way
-    /// [default: single].
+    /// [default: the scene's, or single].
     #[arg(long, value_name = "PRECISION")]
     pub precision: Option<Precision>,
 
@@ -188,9 +189,9 @@ pub struct CastArgs {
     pub output: PathBuf,
 
     /// What is computed with, and what rays are read and hits are written in; the numbers of a scene
-    /// are rounded to single precision either way.
-    #[arg(long, value_name = "PRECISION", default_value = "single")]
-    pub precision: Precision,
+    /// are rounded to single precision either way [default: the scene's, or single].
+    #[arg(long, value_name = "PRECISION")]
+    pub precision: Option<Precision>,
 
     /// How items are found.
     #[command(flatten)]
@@ -213,17 +214,33 @@ pub struct FindingArgs {
     #[arg(long, value_name = "KIND")]
     pub accel: Option<Accel>,
 
+    /// How a hierarchy (bvh) is walked [default: the scene's, or stack].
+    #[arg(long)]
+    pub walk: Option<Walk>,
+
+    /// Places in the heap of that walk: 0, 1, 4 or 64; with fewer it takes longer [default: the
+    /// scene's, or 64].
+    #[arg(long, value_name = "N", value_parser = heap)]
+    pub heap: Option<usize>,
+
     /// What the list puts round items and groups of them [default: the scene's, or box].
     #[arg(long, value_name = "VOLUME")]
     pub bounds: Option<Bounds>,
+
+    /// Slots of the mailbox, which remembers the items of grid and octree that a ray has met: 0, 8 or 64
+    /// [default: the scene's, or 64].
+    #[arg(long, value_name = "SLOTS", value_parser = mailbox)]
+    pub mailbox: Option<usize>,
 }
 
 impl FindingArgs {
     /// What the command line asks for, else the scene.
-    pub fn over(&self, scene: &Finding) -> Finding {
-        Finding {
-            accelerator: self.accel.map_or(scene.accelerator, Accel::kind),
-            bounds: self.bounds.or(scene.bounds),
+    pub fn over(&self, scene: Finding) -> Result<Finding, Failure> {
+        let FindingArgs { accel, walk, heap, bounds, mailbox } = *self;
+        let asked = Finding { accel, walk, heap, bounds, mailbox };
+        match asked.misfit() {
+            Some(misfit) => Err(Failure::Usage(misfit)),
+            None => Ok(asked.or(scene)),
         }
     }
 }
@@ -345,6 +362,25 @@ fn region(text: &str) -> Result<Tile, String> {
         Some(_) => Ok(Tile { first: Pixel { x, y }, width, height }),
         None => Err(format!("each side must be between 1 and {}", Size::MOST)),
     }
+}
+
+fn heap(text: &str) -> Result<usize, String> {
+    one_of(&HEAPS, text)
+}
+
+fn mailbox(text: &str) -> Result<usize, String> {
+    one_of(&MAILBOXES, text)
+}
+
+/// One of some sizes for which the program was built.
+fn one_of(sizes: &[usize], text: &str) -> Result<usize, String> {
+    let is_text = |size: &&usize| text.parse() == Ok(**size);
+    sizes.iter().find(is_text).copied().ok_or_else(|| {
+        let names: Vec<_> = sizes.iter().map(usize::to_string).collect();
+        let (last, others) =
+            names.split_last().map_or(("", &[][..]), |(last, others)| (last.as_str(), others));
+        format!("{} or {last} is expected", others.join(", "))
+    })
 }
 
 fn cutoff(text: &str) -> Result<f32, String> {

@@ -10,6 +10,7 @@ pub struct Counts {
     pub(crate) boxes: [u64; RayKind::ALL.len()],
     pub(crate) shapes: [u64; RayKind::ALL.len()],
     pub(crate) regions: [u64; RayKind::ALL.len()],
+    pub(crate) skipped: [u64; RayKind::ALL.len()],
     pub(crate) by_shape: [u64; ShapeKind::ALL.len()],
     pub(crate) level_limit: u64,
     pub(crate) cutoff: u64,
@@ -37,6 +38,10 @@ impl Counts {
 
     pub fn regions(&self, kind: RayKind) -> u64 {
         self.regions[kind as usize]
+    }
+
+    pub fn skipped(&self, kind: RayKind) -> u64 {
+        self.skipped[kind as usize]
     }
 
     pub fn by_shape(&self, kind: ShapeKind) -> u64 {

@@ -8,7 +8,9 @@ use std::collections::BTreeMap;
 
 use strahl_core::{Material, Rgb, Size};
 
+use crate::finding::Finding;
 use crate::sampling::{Filter, Sampling};
+use crate::wanted::Precision;
 
 /// A point or a direction.
 pub type Triple = [f32; 3];
@@ -59,6 +61,10 @@ pub struct Settings {
     pub filter: Option<Filter>,
     /// Another seed.
     pub seed: Option<u32>,
+    /// How items are found.
+    pub finding: Finding,
+    /// What is computed with.
+    pub precision: Option<Precision>,
 }
 
 /// Something with its place in the scene file.

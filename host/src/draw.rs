@@ -4,7 +4,9 @@ use std::time::{Duration, Instant};
 
 use super::accelerators::{Purpose, build};
 use super::choose;
-use super::strahl::{Accelerator, Camera, Counters, Effects, Limits, Real, Rgb, Scene, Size, Tracer, World};
+use super::strahl::{
+    Accelerator, Camera, Counters, Effects, Everything, Limits, Real, Rgb, Scene, Size, Tracer, World,
+};
 use super::tables::{Stock, view};
 use super::workers::{self, Count, LEVELS};
 use crate::counts::Counts;
@@ -36,10 +38,25 @@ impl Purpose for Drawing<'_, '_> {
     type Answer = Result<Drawn, NoFrame>;
 
     fn with<A: Accelerator + Sync>(self, accelerator: A, facts: Facts) -> Self::Answer {
+        self.traced(accelerator, facts, choose::trace)
+    }
+
+    fn seldom<A: Accelerator + Sync>(self, accelerator: A, facts: Facts) -> Self::Answer {
+        self.traced(accelerator, facts, |job| job.counted::<Everything>())
+    }
+}
+
+impl<'s> Drawing<'_, 's> {
+    fn traced<A: Accelerator + Sync>(
+        self,
+        accelerator: A,
+        facts: Facts,
+        trace: impl FnOnce(&Job<'_, 's, A>) -> Result<Traced, NoFrame>,
+    ) -> Result<Drawn, NoFrame> {
         let Drawing { scene, camera, size, wanted, watch } = self;
         let (clock, cpu) = (Instant::now(), cpu_time());
         let world = World::new(scene, accelerator);
-        let (colors, counts) = choose::trace(&Job { world: &world, camera, size, wanted, watch })?;
+        let (colors, counts) = trace(&Job { world: &world, camera, size, wanted, watch })?;
         Ok(Drawn {
             colors,
             accelerator: facts,
@@ -111,6 +128,7 @@ fn counts(counters: &Counters) -> Counts {
         boxes: RayKind::ALL.map(|kind| counters.boxes(kind)),
         shapes: RayKind::ALL.map(|kind| counters.shapes(kind)),
         regions: RayKind::ALL.map(|kind| counters.regions(kind)),
+        skipped: RayKind::ALL.map(|kind| counters.skipped(kind)),
         by_shape: ShapeKind::ALL.map(|kind| counters.by_shape(kind)),
         level_limit: counters.level_limit(),
         cutoff: counters.cutoff(),

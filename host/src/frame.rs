@@ -21,6 +21,8 @@ use crate::{double, draw};
 pub struct Frame {
     /// The picture.
     pub picture: Picture,
+    /// What was computed with.
+    pub precision: Precision,
     /// What was in the scene.
     pub facts: Facts,
     /// How items were found.
@@ -118,6 +120,7 @@ pub fn trace(description: &Description, wanted: &Wanted, watch: &Watch) -> Resul
     };
     Ok(Frame {
         picture: Picture { size: wanted.picture(), colors: drawn.colors },
+        precision: wanted.precision,
         facts,
         accelerator: drawn.accelerator,
         counters: drawn.counts,

@@ -6,11 +6,13 @@ use std::path::Path;
 
 use indicatif::{HumanBytes, HumanCount};
 use serde::Serialize;
-use strahl_core::{Aabb, List, Scene, ShapeKind, groups_of};
+use strahl_core::{Aabb, Accelerator, Scene, ShapeKind};
 
+use crate::accelerators::{Purpose, build};
 use crate::args::InfoArgs;
 use crate::description::Description;
 use crate::failure::Failure;
+use crate::finding::{Choice, Facts, Finding, Kind};
 use crate::load::load;
 use crate::output::{Output, say};
 use crate::plan::{Effect, Step, plan};
@@ -52,6 +54,7 @@ struct Info {
     plan: Vec<PlanStep>,
     not_called_for: Vec<&'static str>,
     memory: Memory,
+    auto: Auto,
 }
 
 /// An effect that the scene asks for.
@@ -67,14 +70,50 @@ struct Memory {
     /// The tables of the scene.
     scene: usize,
     /// Each accelerator beside them.
-    accelerators: Vec<Accelerator>,
+    accelerators: Vec<AcceleratorFacts>,
 }
 
 #[derive(Debug, Serialize)]
-struct Accelerator {
+struct AcceleratorFacts {
     kind: &'static str,
     bytes: usize,
     regions: usize,
+    /// Each item is counted in every region that it lies in.
+    items_per_region: f64,
+    /// Steps from the root to the deepest region; only trees have one.
+    depth: Option<u32>,
+    build_seconds: f64,
+}
+
+impl AcceleratorFacts {
+    fn of(facts: &Facts) -> Self {
+        AcceleratorFacts {
+            kind: facts.choice.kind.name(),
+            bytes: facts.bytes,
+            regions: facts.regions,
+            items_per_region: facts.items_per_region(),
+            depth: facts.depth,
+            build_seconds: facts.build.as_secs_f64(),
+        }
+    }
+}
+
+/// What `--accel auto` takes.
+#[derive(Debug, Serialize)]
+struct Auto {
+    kind: &'static str,
+    reason: &'static str,
+}
+
+/// Builds an accelerator only to see what it is like.
+struct Look;
+
+impl Purpose for Look {
+    type Answer = Facts;
+
+    fn with<A: Accelerator + Sync>(self, _: A, facts: Facts) -> Facts {
+        facts
+    }
 }
 
 impl Info {
@@ -88,9 +127,11 @@ impl Info {
 
         let boxes: Vec<Aabb> = parts.geometry.all_bounds().collect();
         let all = boxes.iter().fold(Aabb::EMPTY, |all, item| all.union(*item));
-        let mut groups = vec![Aabb::EMPTY; groups_of(boxes.len())];
-        let list = List::boxed(&boxes, &mut groups).map(|list| list.bytes()).unwrap_or(0);
-        let accelerators = vec![Accelerator { kind: "list", bytes: list, regions: groups_of(boxes.len()) }];
+        let bounded = boxes.iter().filter(|aabb| !aabb.is_empty()).count();
+        let Choice { kind, reason, .. } = Finding::default().choice(bounded);
+        let auto = Auto { kind: kind.name(), reason };
+        let built = Kind::ALL.map(|kind| build(scene, &Finding::by(kind), Look));
+        let accelerators = built.iter().flatten().map(AcceleratorFacts::of).collect();
 
         let asks = scene.effects();
         let missing = Effect::ALL.into_iter().filter(|effect| !effect.is_in(&asks));
@@ -104,6 +145,7 @@ impl Info {
             plan: plan(description, &asks).iter().map(PlanStep::of).collect(),
             not_called_for: missing.map(Effect::name).collect(),
             memory: Memory { scene: parts.bytes(), accelerators },
+            auto,
         }
     }
 
@@ -149,10 +191,17 @@ impl Info {
             line("not called for", self.not_called_for.join(", "));
         }
         line("memory", format!("{} for the scene", HumanBytes(self.memory.scene as u64)));
-        for Accelerator { kind, bytes, regions } in &self.memory.accelerators {
-            let regions = count(*regions);
-            line("", format!("{} more for the {kind} ({regions} regions)", HumanBytes(*bytes as u64)));
+        for (place, it) in self.memory.accelerators.iter().enumerate() {
+            let AcceleratorFacts { kind, bytes, regions, items_per_region, depth, build_seconds } = it;
+            let (bytes, regions) = (HumanBytes(*bytes as u64).to_string(), count(*regions));
+            let depth = depth.map(|depth| format!(", depth {depth}")).unwrap_or_default();
+            let says = format!(
+                "{kind:<7}{bytes:>11}{:>9.1} ms {regions:>11} regions of {items_per_region:.1} items{depth}",
+                1e3 * build_seconds
+            );
+            line(if place == 0 { "finding by" } else { "" }, says);
         }
+        line("", format!("auto takes the {}: {}", self.auto.kind, self.auto.reason));
         text
     }
 }

@@ -11,7 +11,6 @@ use crate::args::{RenderArgs, StatsForm};
 use crate::description::{Description, Settings};
 use crate::draft;
 use crate::failure::Failure;
-use crate::finding::Finding;
 use crate::frame::{self, Frame, NoFrame};
 use crate::load::{DEFAULT_SIZE, Files, load_from};
 use crate::output::{Output, say, tell};
@@ -178,8 +177,8 @@ fn wanted(args: &RenderArgs, scene: &Settings, counted: bool) -> Result<Wanted, 
         selecting: args.select,
         region: args.region,
         mask: args.mask.as_deref().map(|path| mask(path, size)).transpose()?,
-        precision: args.precision.unwrap_or_default(),
-        finding: args.finding.over(&Finding::default()),
+        precision: args.precision.or(scene.precision).unwrap_or_default(),
+        finding: args.finding.over(scene.finding)?,
         cut: Cut::threads(args.threads.unwrap_or(0)),
         counted,
     })

@@ -10,6 +10,7 @@ use std::path::Path;
 use strahl_core::{Pixel, Tile};
 
 use crate::args::RenderArgs;
+use crate::finding::{Accel, Finding};
 use crate::wanted::Wanted;
 
 /// One setting.
@@ -68,6 +69,29 @@ pub fn settings(
     let (word, value) = number(wanted.seed.to_string());
     add("seed", args.seed.is_some(), word, value);
 
+    let (word, value) = named(wanted.precision.name().into());
+    add("precision", args.precision.is_some(), word, value);
+    let Finding { accel, walk, heap, bounds, mailbox } = wanted.finding.in_force();
+    let (word, value) = named(name_of(accel.unwrap_or(Accel::Auto)));
+    add("accel", args.finding.accel.is_some(), word, value);
+    // Those that have no meaning for the accelerator are not in force.
+    if let Some(walk) = walk {
+        let (word, value) = named(name_of(walk));
+        add("walk", args.finding.walk.is_some(), word, value);
+    }
+    if let Some(places) = heap {
+        let (word, value) = number(places.to_string());
+        add("heap", args.finding.heap.is_some(), word, value);
+    }
+    if let Some(bounds) = bounds {
+        let (word, value) = named(name_of(bounds));
+        add("bounds", args.finding.bounds.is_some(), word, value);
+    }
+    if let Some(slots) = mailbox {
+        let (word, value) = number(slots.to_string());
+        add("mailbox", args.finding.mailbox.is_some(), word, value);
+    }
+
     if let Some(selecting) = wanted.selecting {
         add("select", true, selecting.to_string(), None);
     }
@@ -77,11 +101,6 @@ pub fn settings(
     if let Some(mask) = &args.mask {
         add("mask", true, quoted(&mask.display().to_string()), None);
     }
-    add("precision", args.precision.is_some(), name_of(wanted.precision), None);
-    let accelerator = wanted.finding.accelerator.map_or("auto", |kind| kind.name());
-    add("accel", args.finding.accel.is_some(), accelerator.into(), None);
-    let bounds = wanted.finding.bounds.map_or("box".into(), name_of);
-    add("bounds", args.finding.bounds.is_some(), bounds, None);
     let threads = match wanted.cut.threads {
         0 => std::thread::available_parallelism().map_or(1, usize::from),
         threads => threads,

@@ -17,6 +17,7 @@ pub struct Stats {
     scene: SceneStats,
     plan: Vec<Step>,
     picture: PictureStats,
+    precision: &'static str,
     rays: Rays,
     tests: Tests,
     accelerator: AcceleratorStats,
@@ -74,13 +75,21 @@ struct TestsByRay {
     boxes: u64,
     shapes: u64,
     regions: u64,
+    mailbox_skips: u64,
 }
 
 #[derive(Debug, Serialize)]
 struct AcceleratorStats {
     kind: &'static str,
+    /// The kind with what else was chosen.
+    choice: String,
+    /// Why it was taken.
+    reason: &'static str,
     bytes: usize,
     regions: usize,
+    items_per_region: f64,
+    depth: Option<u32>,
+    /// By all kinds of rays together.
     mailbox_skips: u64,
 }
 
@@ -141,6 +150,7 @@ impl Stats {
             boxes: counters.boxes(kind),
             shapes: counters.shapes(kind),
             regions: counters.regions(kind),
+            mailbox_skips: counters.skipped(kind),
         };
         let tested = ShapeKind::ALL.map(|kind| (kind.name(), counters.by_shape(kind)));
         Stats {
@@ -152,6 +162,7 @@ impl Stats {
             },
             plan: plan(description, &facts.asks).iter().flat_map(steps).collect(),
             picture: PictureStats { width: frame.picture.size.width(), height: frame.picture.size.height() },
+            precision: frame.precision.name(),
             rays: Rays {
                 camera: counters.rays(RayKind::Camera),
                 camera_hits: counters.camera_hits(),
@@ -166,10 +177,14 @@ impl Stats {
                 by_ray: RayKind::ALL.map(|kind| (ray_name(kind), by_ray(kind))).into(),
             },
             accelerator: AcceleratorStats {
-                kind: accelerator.kind.name(),
+                kind: accelerator.choice.kind.name(),
+                choice: accelerator.choice.to_string(),
+                reason: accelerator.choice.reason,
                 bytes: accelerator.bytes,
                 regions: accelerator.regions,
-                mailbox_skips: 0,
+                items_per_region: accelerator.items_per_region(),
+                depth: accelerator.depth,
+                mailbox_skips: RayKind::ALL.map(|kind| counters.skipped(kind)).iter().sum(),
             },
             shadow_cache: ShadowCache { asked: 0, hits: 0 },
             media: Media { overfull: counters.media_full() },
@@ -199,7 +214,10 @@ impl Stats {
             let _ = writeln!(text, "{what:<14}{says}");
         };
         let (scene, rays, tests, seconds) = (&self.scene, &self.rays, &self.tests, &self.seconds);
-        line("picture", format!("{} x {}", self.picture.width, self.picture.height));
+        line(
+            "picture",
+            format!("{} x {}, in {} precision", self.picture.width, self.picture.height, self.precision),
+        );
         line(
             "scene",
             format!("{} objects ({} triangles), {} lights", scene.objects, scene.triangles, scene.lights),
@@ -227,8 +245,19 @@ impl Stats {
         for (kind, count) in &tests.by_shape {
             line("", format!("{count} {kind}"));
         }
-        let AcceleratorStats { kind, bytes, regions, .. } = &self.accelerator;
-        line("accelerator", format!("{kind}, {regions} regions, {bytes} bytes"));
+        for (kind, by) in &tests.by_ray {
+            let TestsByRay { boxes, shapes, regions, mailbox_skips } = by;
+            if boxes + shapes + regions > 0 {
+                let skips = match mailbox_skips {
+                    0 => String::new(),
+                    skips => format!(", {skips} left out by mailboxes"),
+                };
+                line("", format!("{kind}: {boxes} boxes, {shapes} shapes, {regions} regions{skips}"));
+            }
+        }
+        let AcceleratorStats { choice, reason, bytes, regions, items_per_region, .. } = &self.accelerator;
+        line("accelerator", format!("{choice} ({reason})"));
+        line("", format!("{regions} regions, {items_per_region:.2} items in each, {bytes} bytes"));
         if self.media.overfull > 0 {
             line(
                 "media",

@@ -5,12 +5,13 @@ use std::path::Path;
 use std::time::Duration;
 
 use anstyle::{AnsiColor, Effects, Style};
-use indicatif::HumanCount;
+use indicatif::{HumanBytes, HumanCount};
 use strahl_core::RayKind;
 
 use crate::counts::Counts;
 use crate::frame::Frame;
 use crate::plan::{Effect, Step};
+use crate::wanted::Precision;
 
 /// Where the text of the lines begins.
 pub const INDENT: usize = 12;
@@ -58,6 +59,24 @@ pub fn summary(
             rays(RayKind::Reflected),
             rays(RayKind::Transmitted),
             rays(RayKind::Shadow)
+        ),
+    );
+    let found = &frame.accelerator;
+    let regions = match found.regions {
+        1 => "1 region".into(),
+        more => format!("{} regions", HumanCount(more as u64)),
+    };
+    let precision = match frame.precision {
+        Precision::Single => "",
+        Precision::Double => "; in double precision",
+    };
+    line(
+        "found by",
+        format!(
+            "{}, {}: {regions}, {}{precision}",
+            found.choice,
+            found.choice.reason,
+            HumanBytes(found.bytes as u64)
         ),
     );
     for (place, step) in plan.iter().enumerate() {

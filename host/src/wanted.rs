@@ -96,6 +96,16 @@ pub enum Precision {
     Double,
 }
 
+impl Precision {
+    /// The name on the command line.
+    pub fn name(self) -> &'static str {
+        match self {
+            Precision::Single => "single",
+            Precision::Double => "double",
+        }
+    }
+}
+
 /// How the work is cut.
 #[derive(Clone, Copy, Debug)]
 pub struct Cut {

@@ -1,6 +1,8 @@
 //! Golden pictures: the scenes of this project, rendered small, must stay as they are, bit for
 //! bit.
 //!
+//! Each is rendered by every accelerator, with every mailbox, heap and stack.
+//!
 //! For each picture `tests/golden/` has the PNG, and `tests/golden/digests` the BLAKE3 of its
 //! linear floats. Where a change of a picture is meant, accept it with
 //!
@@ -16,6 +18,7 @@ use std::collections::BTreeMap;
 use std::fs;
 use std::path::{Path, PathBuf};
 
+use strahl::finding::Finding;
 use strahl::picture::{Format, Picture};
 use strahl::progress::Watch;
 use strahl::signals::Signals;
@@ -92,7 +95,8 @@ fn stem(file: &str) -> &str {
     file.split('.').next().unwrap()
 }
 
-/// Renders a scene of the folder `scenes`, with the levels and the cutoff that it asks for itself.
+/// Renders a scene of the folder `scenes`, with the levels and the cutoff that it asks for itself; every way of
+/// finding must give the same.
 fn scene_file(name: &str, width: u32, height: u32, levels: Option<u8>, sampling: Sampling) -> Picture {
     let path = root().join("scenes").join(name);
     let description = strahl::load::load(&path).unwrap();
@@ -102,7 +106,16 @@ fn scene_file(name: &str, width: u32, height: u32, levels: Option<u8>, sampling:
         cutoff: asked.cutoff.unwrap_or(default.cutoff),
     };
     let wanted = Wanted { limits, sampling, counted: false, ..Wanted::of(Size::new(width, height).unwrap()) };
-    strahl::frame::trace(&description, &wanted, &Watch::silent(Signals::default())).unwrap().picture
+    let picture = |finding| {
+        let wanted = Wanted { finding, ..wanted.clone() };
+        strahl::frame::trace(&description, &wanted, &Watch::silent(Signals::default())).unwrap().picture
+    };
+    let first = picture(Finding::default());
+    for finding in Finding::every() {
+        // Not by `assert_eq`, which would print all of both.
+        assert!(picture(finding) == first, "{name} by {finding:?} is another picture");
+    }
+    first
 }
 
 /// Renders the scene that the firmware has as constants.

@@ -21,7 +21,6 @@ use indicatif::HumanCount;
 
 use crate::args::CastArgs;
 use crate::failure::Failure;
-use crate::finding::{Facts, Finding};
 use crate::load::load;
 use crate::output::{Output, say};
 use crate::signals::Signals;
@@ -45,8 +44,8 @@ pub fn run(args: &CastArgs) -> Result<(), Failure> {
     }
     let (input, name) = rays(&args.rays, args.quiet)?;
 
-    let precision = args.precision;
-    let finding = args.finding.over(&Finding::default());
+    let precision = args.precision.or(description.settings.precision).unwrap_or_default();
+    let finding = args.finding.over(description.settings.finding)?;
     let threads = args.threads.or(std::thread::available_parallelism().ok().map(usize::from)).unwrap_or(1);
     let stream = Stream { input, name, output, precision, threads, signals };
     let cast = match precision {
@@ -58,9 +57,11 @@ pub fn run(args: &CastArgs) -> Result<(), Failure> {
     let (facts, cast) = cast.map_err(wrong)?;
     let Cast { rays, hits } = cast?;
     if !args.quiet {
-        let Facts { kind, reason, .. } = facts;
         let (rays, hits, seconds) = (HumanCount(rays), HumanCount(hits), clock.elapsed().as_secs_f64());
-        say(format_args!("{rays} rays, {hits} hits, {seconds:.2} s; {} ({reason})", kind.name()));
+        say(format_args!(
+            "{rays} rays, {hits} hits, {seconds:.2} s; {} ({})",
+            facts.choice, facts.choice.reason
+        ));
     }
     Ok(())
 }

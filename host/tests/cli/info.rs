@@ -45,6 +45,43 @@ fn an_empty_scene_has_no_bounds_and_asks_for_nothing() {
 }
 
 #[test]
+fn every_accelerator_is_told_with_what_it_takes_and_how_it_is_cut() {
+    let mut scene = EMPTY.to_owned() + "f 1 1 1 1 0 0 0 0\n";
+    for i in 0..1000 {
+        scene += &format!("s {} {} {} 0.25\n", i % 10, i / 10 % 10, i / 100);
+    }
+    let folder = Folder::with(&scene);
+    let it: Value = serde_json::from_slice(&folder.done("info scene.nff --json")).unwrap();
+    let accelerators = it["memory"]["accelerators"].as_array().unwrap();
+    let kinds: Vec<_> = accelerators.iter().map(|it| it["kind"].as_str().unwrap()).collect();
+    assert_eq!(kinds, ["list", "grid", "octree", "bvh"]);
+    for it in accelerators {
+        assert!(it["bytes"].as_u64().unwrap() > 4 * 1000, "{it}");
+        assert!(it["build_seconds"].as_f64().unwrap() > 0.0, "{it}");
+        let items = it["items_per_region"].as_f64().unwrap() * it["regions"].as_f64().unwrap();
+        assert!(items >= 999.5, "every item is in some region: {it}");
+        assert_eq!(
+            it["depth"].is_number(),
+            ["octree", "bvh"].contains(&it["kind"].as_str().unwrap()),
+            "{it}"
+        );
+    }
+    // 1000 items in groups of 16; two at least for each leaf, each of which is in one.
+    assert_eq!(accelerators[0]["regions"], 63);
+    assert!((125..=1000).contains(&accelerators[3]["regions"].as_u64().unwrap()), "{it:#}");
+    assert!((7..=64).contains(&accelerators[3]["depth"].as_u64().unwrap()), "{it:#}");
+    assert_eq!(it["auto"]["kind"], "bvh");
+    let text = String::from_utf8(folder.done("info scene.nff")).unwrap();
+    for kind in kinds {
+        assert!(
+            text.lines().any(|line| line.contains(&format!(" {kind} ")) && line.contains(" regions of ")),
+            "{text}"
+        );
+    }
+    assert!(text.contains("auto takes the bvh: "), "{text}");
+}
+
+#[test]
 fn a_person_is_told_the_same() {
     let folder = Folder::with(BALL);
     let text = String::from_utf8(folder.done("info scene.nff")).unwrap();

@@ -93,6 +93,7 @@ fn only_results_come_on_the_standard_output() {
         "scene.png  4 x 3",
         "  time      load ",
         "  rays      12 camera, 0 reflected, 0 transmitted, 0 shadow",
+        "  found by  list with boxes, few items: 1 region, 48 B",
         "  left out  shadows, reflection, transmission: not called for",
     ];
     assert_eq!(said.len(), begins.len(), "{said:#?}");

@@ -59,10 +59,24 @@ fn what_is_printed_may_stand_in_a_scene_and_on_a_command_line() {
 }
 
 #[test]
+fn what_has_no_meaning_for_an_accelerator_is_not_in_force() {
+    let folder = folder();
+    folder.write("grid.toml", "[render]\naccel = \"grid\"\nmailbox = 8\nheap = 4\n[[sphere]]\nradius = 1\n");
+    let text = printed(&folder, "grid.toml");
+    assert_eq!(line(&text, "accel"), "accel = \"grid\" # grid.toml:2");
+    assert_eq!(line(&text, "mailbox"), "mailbox = 8 # grid.toml:3");
+    assert!(!text.contains("heap") && !text.contains("walk") && !text.contains("bounds"), "{text}");
+    let text = printed(&folder, "grid.toml --accel bvh");
+    assert_eq!(line(&text, "heap"), "heap = 4 # grid.toml:4");
+    assert_eq!(line(&text, "walk"), "walk = \"heap\" # default");
+    assert!(!text.contains("mailbox"), "{text}");
+}
+
+#[test]
 fn no_option_is_forgotten() {
     let folder = folder();
     folder.done("render scene.toml --quiet");
-    let text = printed(&folder, "scene.toml --select 4:0.1 --region 1,2,8x4 --mask scene.png");
+    let text = printed(&folder, "scene.toml --select 4:0.1 --region 1,2,8x4 --mask scene.png --walk heap");
     assert_eq!(line(&text, "# --region"), "# --region 1,2,8x4 # command line");
     // What is told and where is no setting of the picture.
     let others = ["stats", "stats-file", "quiet", "print-settings", "help"];

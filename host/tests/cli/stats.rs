@@ -16,6 +16,7 @@ const PROMISED: &[&str] = &[
     "/plan/0/simulated",
     "/picture/width#",
     "/picture/height#",
+    "/precision",
     "/rays/camera#",
     "/rays/camera_hits#",
     "/rays/reflected#",
@@ -39,6 +40,10 @@ const PROMISED: &[&str] = &[
     "/accelerator/kind",
     "/accelerator/bytes#",
     "/accelerator/regions#",
+    "/tests/by_ray/shadow/mailbox_skips#",
+    "/accelerator/choice",
+    "/accelerator/reason",
+    "/accelerator/items_per_region#",
     "/accelerator/mailbox_skips#",
     "/shadow_cache/asked#",
     "/shadow_cache/hits#",
@@ -161,6 +166,93 @@ fn a_report_is_the_same_with_any_number_of_threads_but_for_the_seconds() {
         for threads in [1, 2, 7] {
             assert_eq!(timeless(threads), one, "{sampler} {threads}");
         }
+    }
+}
+
+#[test]
+fn every_accelerator_makes_the_same_picture_with_other_work() {
+    let mut reports = Vec::new();
+    for (words, kind, choice) in [
+        ("--accel list", "list", "list with boxes"),
+        ("--accel list --bounds none", "list", "list without bounds"),
+        ("--accel grid", "grid", "grid with a mailbox of 64"),
+        ("--accel grid --mailbox 8", "grid", "grid with a mailbox of 8"),
+        ("--accel grid --mailbox 0", "grid", "grid without mailbox"),
+        ("--accel octree", "octree", "octree with a mailbox of 64"),
+        ("--accel octree --mailbox 8", "octree", "octree with a mailbox of 8"),
+        ("--accel octree --mailbox 0", "octree", "octree without mailbox"),
+        ("--accel bvh", "bvh", "bvh with a stack"),
+        ("--accel bvh --walk heap", "bvh", "bvh with a heap of 64"),
+        ("--accel bvh --heap 0", "bvh", "bvh with a heap of 0"),
+        ("--accel bvh --heap 1", "bvh", "bvh with a heap of 1"),
+        ("--accel bvh --heap 4", "bvh", "bvh with a heap of 4"),
+    ] {
+        for precision in ["single", "double"] {
+            let it = report(BALL, &format!("--size 20x15 {words} --precision {precision}"));
+            assert_eq!(
+                (&it["accelerator"]["kind"], &it["accelerator"]["choice"]),
+                (&kind.into(), &choice.into())
+            );
+            assert_eq!(it["accelerator"]["reason"], "as asked for");
+            assert_eq!(it["precision"], precision);
+            reports.push(it);
+        }
+    }
+    let digests: Vec<_> = reports.iter().map(|it| it["digest"].as_str().unwrap()).collect();
+    assert!(digests.iter().step_by(2).all(|digest| *digest == digests[0]), "{digests:?}");
+    assert!(digests.iter().skip(1).step_by(2).all(|digest| *digest == digests[1]), "{digests:?}");
+    assert_ne!(digests[0], digests[1], "the precisions differ somewhere in the last bits");
+    for it in &reports {
+        assert_eq!(it["rays"], reports[0]["rays"]);
+        assert!(count(it, "/tests/shapes") > 0);
+    }
+    let bare = count(&reports[2], "/tests/shapes");
+    assert!(reports.iter().all(|it| count(it, "/tests/shapes") <= bare), "no way tests more than all");
+}
+
+#[test]
+fn a_mailbox_leaves_out_what_a_ray_has_met() {
+    // Long things lie in many cells.
+    let mut scene = BALL.to_owned();
+    for i in 0..40 {
+        scene += &format!("c\n-5 {y} -3\n0.02\n5 {y} -3.5\n0.02\n", y = 0.1 * f64::from(i) - 2.0);
+    }
+    for accel in ["grid", "octree"] {
+        let tests = |mailbox: u32| {
+            let it = report(&scene, &format!("--accel {accel} --mailbox {mailbox}"));
+            let tests = count(&it, "/tests/shapes") + count(&it, "/tests/boxes");
+            (tests, count(&it, "/accelerator/mailbox_skips"))
+        };
+        let (without, none) = tests(0);
+        assert_eq!(none, 0, "{accel}");
+        for slots in [8, 64] {
+            let (with, skips) = tests(slots);
+            assert!(skips > 0 && with < without, "{accel} {slots}: {with} of {without}, {skips} skipped");
+        }
+    }
+}
+
+#[test]
+fn a_scene_may_ask_for_what_the_command_line_can_and_the_command_line_wins() {
+    let folder = Folder::with(EMPTY);
+    let scene = "[render]\nsize = [8, 6]\naccel = \"grid\"\nmailbox = 8\nheap = 4\nprecision = \"double\"\n[[sphere]]\nradius = 1\n";
+    folder.write("asks.toml", scene);
+    for (words, choice, precision) in [
+        ("", "grid with a mailbox of 8", "double"),
+        ("--mailbox 0 --precision single", "grid without mailbox", "single"),
+        ("--accel octree", "octree with a mailbox of 8", "double"),
+        ("--accel bvh", "bvh with a heap of 4", "double"),
+        ("--accel bvh --walk heap", "bvh with a heap of 64", "double"),
+        ("--accel bvh --walk stack", "bvh with a stack", "double"),
+        ("--accel auto", "list with boxes", "double"),
+    ] {
+        let json = folder.done(&format!("render asks.toml -q --stats json {words}"));
+        let it: Value = serde_json::from_slice(&json).unwrap();
+        assert_eq!(
+            (&it["accelerator"]["choice"], &it["precision"]),
+            (&choice.into(), &precision.into()),
+            "{words}"
+        );
     }
 }
 

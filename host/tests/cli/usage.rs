@@ -18,7 +18,10 @@ const OPTIONS: &[&str] = &[
     "--mask",
     "--precision",
     "--accel",
+    "--walk",
+    "--heap",
     "--bounds",
+    "--mailbox",
     "--threads",
     "--stats",
     "--stats-file",
@@ -30,7 +33,22 @@ const OPTIONS: &[&str] = &[
 const COMMANDS: &[(&str, &[&str])] = &[
     ("render", OPTIONS),
     ("watch", OPTIONS),
-    ("cast", &["--rays", "--output", "--precision", "--accel", "--bounds", "--threads", "--quiet", "--help"]),
+    (
+        "cast",
+        &[
+            "--rays",
+            "--output",
+            "--precision",
+            "--accel",
+            "--walk",
+            "--heap",
+            "--bounds",
+            "--mailbox",
+            "--threads",
+            "--quiet",
+            "--help",
+        ],
+    ),
     ("info", &["--json", "--help"]),
     ("schema", &["--help"]),
     ("compare", &["--limit", "--limit-share", "--json", "--output", "--quiet", "--help"]),
@@ -80,7 +98,7 @@ fn every_option_of_the_help_works() {
         "render scene.nff --output a.png --size 8x6 --levels 3 --cutoff 0.5 --sampler regular:2 --threads 1 \
          --precision double --accel list --bounds none --stats json --stats-file a.json --quiet",
     );
-    folder.done("render scene.nff -o b.png -q");
+    folder.done("render scene.nff -o b.png -q --walk heap --heap 4 --mailbox 8");
     folder.done(
         "render scene.nff -o c.png -q --filter tent --sampler stochastic:4..8:0.9 --seed 3 --select 2:0.1 \
          --region 1,1,3x2 --mask b.png",
@@ -151,6 +169,16 @@ fn wrong_usage_is_told_with_status_2_and_nothing_is_written() {
         (format!("{scene} --threads 0"), "between 1 and 1024"),
         (format!("{scene} --threads 1025"), "between 1 and 1024"),
         (format!("{scene} --threads two"), "between 1 and 1024"),
+        (format!("{scene} --precision half"), "half"),
+        (format!("{scene} --accel tree"), "tree"),
+        (format!("{scene} --heap 5"), "0, 1, 4 or 64 is expected"),
+        (format!("{scene} --mailbox=-1"), "0, 8 or 64 is expected"),
+        (format!("{scene} --bounds cube"), "cube"),
+        (format!("{scene} --walk stack --heap 4"), "for --walk heap"),
+        (format!("{scene} --accel list --mailbox 8"), "--mailbox has no meaning for --accel list"),
+        (format!("{scene} --accel grid --walk heap"), "--walk has no meaning for --accel grid"),
+        (format!("{scene} --accel octree --heap 4"), "--heap has no meaning for --accel octree"),
+        (format!("{scene} --accel bvh --bounds none"), "--bounds has no meaning for --accel bvh"),
         (format!("{scene} --stats yaml"), "yaml"),
         (format!("{scene} -o picture.gif"), "picture.gif names no picture format"),
         (format!("{scene} -o picture"), "picture names no picture format"),

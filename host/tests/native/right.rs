@@ -3,7 +3,8 @@
 use strahl::description::{
     Background, Form, Light, Object, Placed, Projection, Settings, Source, Texture, View,
 };
-use strahl::wanted::{Filter, Sampling};
+use strahl::finding::{Accel, Bounds, Finding, Walk};
+use strahl::wanted::{Filter, Precision, Sampling};
 use strahl_core::{Interface, Material, Rgb, Size, TextureId};
 
 use crate::text::{ALL, loaded};
@@ -27,6 +28,8 @@ fn every_light_and_setting_becomes_what_the_format_says() {
         sampling: Some(Sampling::Regular(3)),
         filter: None,
         seed: None,
+        precision: None,
+        finding: Finding::default(),
     };
     assert_eq!(it.settings, settings);
     let (below, above) = (Rgb::BLACK, Rgb::new(0.5, 0.25, 1.0));
@@ -53,6 +56,22 @@ fn every_light_and_setting_becomes_what_the_format_says() {
         placed(point, Rgb::new(1.0, 0.5, 0.25), true, 35, None),
     ];
     assert_eq!(it.lights, lights);
+}
+
+#[test]
+fn the_time_that_a_picture_takes_can_be_a_setting_as_well() {
+    let it = loaded(
+        "[render]\nprecision = \"double\"\naccel = \"bvh\"\nwalk = \"heap\"\nheap = 4\nbounds = \"none\"\nmailbox = 0\n",
+    );
+    assert_eq!(it.settings.precision, Some(Precision::Double));
+    let finding = Finding {
+        accel: Some(Accel::Bvh),
+        walk: Some(Walk::Heap),
+        heap: Some(4),
+        bounds: Some(Bounds::None),
+        mailbox: Some(0),
+    };
+    assert_eq!(it.settings.finding, finding);
 }
 
 #[test]

@@ -3,6 +3,7 @@
 //! What is said of a table and of a key here is what an editor shows, by way of the schema.
 //! An `Option` has a default, which is told with the key; everything else must be there.
 
+use super::choices::{Heap, Mailbox, Word};
 use super::colors::{Clarity, Color, Share};
 use super::materials::Surface;
 use super::numbers::{
@@ -12,6 +13,8 @@ use super::numbers::{
 use super::places::{Direction, Directions, Falloff, PictureSize, Point, Points, Scale, Sizes, Turn};
 use super::table::{At, Many, One, tables};
 use super::view::{Filter, Sampler};
+use crate::finding::{Accel, Bounds, Walk};
+use crate::wanted::Precision;
 
 tables! {
     /// A scene for strahl.
@@ -87,6 +90,19 @@ tables! {
         filter: Option<At<Filter>>,
         /// Another seed, other numbers in place of chance. Default: 0.
         seed: Option<Seed>,
+        /// What is computed with: "single" or "double". Default: "single".
+        precision: Option<Word<Precision>>,
+        /// How items are found, which changes the time and nothing else. Default: "auto", which
+        /// takes what suits the scene.
+        accel: Option<Word<Accel>>,
+        /// How a hierarchy is walked: "stack" or "heap". Default: "stack".
+        walk: Option<At<Word<Walk>>>,
+        /// Places in the heap. Default: 64.
+        heap: Option<At<Heap>>,
+        /// What the list puts round items and groups of them. Default: "box".
+        bounds: Option<Word<Bounds>>,
+        /// Slots of the mailbox of grid and octree; 0 is none. Default: 64.
+        mailbox: Option<Mailbox>,
     }
 
     /// What is behind everything: one colour, or two that pass into each other.

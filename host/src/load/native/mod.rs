@@ -4,7 +4,7 @@
 //! |---|---|
 //! | `format` | the tables and their keys, as users and editors see them |
 //! | `table` | tables of keys become values of types |
-//! | `numbers`, `places`, `colors` | what keys can hold |
+//! | `numbers`, `choices`, `places`, `colors` | what keys can hold |
 //! | `similar` | what somebody may have meant |
 //! | `make` | what was read becomes a description, by way of: |
 //! | `materials`, `forms`, `meshes`, `lights`, `view` | the parts of it |
@@ -13,6 +13,7 @@
 //! A file is read in two steps, and whatever is wrong in either of them is told at once: first
 //! every key by itself, then what only several keys together can get wrong.
 
+mod choices;
 mod colors;
 mod format;
 mod forms;

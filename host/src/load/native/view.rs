@@ -6,11 +6,13 @@ use std::str::FromStr;
 use schemars::{JsonSchema, Schema, SchemaGenerator, json_schema};
 use strahl_core::{Aabb, Camera, Rgb, Size, Vec3, ViewFault, unit};
 
+use super::choices::Word;
 use super::format::{self, File};
 use super::make::{Maker, vector};
 use super::table::{At, One, Read, Reader, Value};
 use crate::description::{Background, Light, Placed, Projection, Settings, Source, Triple, View};
 use crate::faults::Fault;
+use crate::finding::{Finding, Walk};
 use crate::load::fit::{Gaze, V, larger};
 use crate::sampling;
 use crate::stock::{self, single::Stock};
@@ -76,6 +78,14 @@ impl Maker<'_> {
             sampling: it.sampler.as_ref().map(|sampler| sampler.it.0),
             filter: it.filter.as_ref().map(|filter| filter.it.0),
             seed: it.seed.map(|seed| seed.0),
+            precision: it.precision.map(|word| word.0),
+            finding: Finding {
+                accel: it.accel.map(|word| word.0),
+                walk: it.walk.as_ref().map(|walk| walk.it.0),
+                heap: it.heap.as_ref().map(|heap| heap.it.0),
+                bounds: it.bounds.map(|word| word.0),
+                mailbox: it.mailbox.map(|slots| slots.0),
+            },
         };
         if let (Some(sampler), Some(filter)) = (&it.sampler, &it.filter)
             && filter.it.0 != sampling::Filter::Box
@@ -84,6 +94,10 @@ impl Maker<'_> {
             let fault = Fault::new(filter.span.clone(), "no filter but \"box\" goes with this sampler");
             let fault = fault.also(sampler.span.clone(), "it fills the pixel by itself");
             self.reader.faults.push(fault);
+        }
+        if let (Some(At { it: Word(Walk::Stack), span }), Some(heap)) = (&it.walk, &it.heap) {
+            let fault = Fault::new(heap.span.clone(), "a walk with a stack has no `heap`");
+            self.reader.faults.push(fault.also(span.clone(), "the walk"));
         }
     }
 
