@@ -18,7 +18,7 @@ pub fn cast(
     stream: Stream,
 ) -> Result<(Facts, Result<Cast, Failure>), NoCast> {
     let scene = stock.scene()?;
-    Ok(build(&scene, finding, Casting { scene, stream })?)
+    build(&scene, finding, Casting { scene, stream })
 }
 
 struct Casting<'s> {

@@ -5,14 +5,18 @@
 //! * [`single::Stage`], [`double::Stage`]: a scene with tables of its own, for either core; and
 //!   [`Core`], what both can be asked.
 //! * [`oracle`]: where a ray meets a thing, in `f64`, by other ways than the core's.
+//! * [`hard`]: cases in which rounding is known to go wrong, and [`textbook`], the formulas that
+//!   do.
 //! * [`picture`], [`assert_picture`]: pictures as text.
 
 mod cast;
 pub mod double;
+pub mod hard;
 pub mod oracle;
 mod picture;
 mod random;
 pub mod single;
+pub mod textbook;
 mod thing;
 
 pub use cast::{Core, Found};

@@ -75,6 +75,17 @@ fn length(v: Vector) -> f64 {
 
 /// The truth.
 pub fn meet(thing: &Thing, line: &Line) -> Truth {
+    // Both round the origin, where the numbers of the oracle are fine enough for what is small.
+    // Differences of numbers that single precision holds are exact, or nearly.
+    let center = thing.ball().0;
+    let line = Line { origin: line.origin - center, ..*line };
+    match meet_at_origin(&thing.mapped(|p| p - center, |d| d, 1.0), &line) {
+        Truth::Hit(contact) => Truth::Hit(Contact { point: contact.point + center, ..contact }),
+        other => other,
+    }
+}
+
+fn meet_at_origin(thing: &Thing, line: &Line) -> Truth {
     match thing {
         Thing::Plane { .. }
         | Thing::Disc { .. }
@@ -142,19 +153,76 @@ fn to_segment(p: (f64, f64), a: (f64, f64), b: (f64, f64)) -> f64 {
     (from.0 - way.0 * s).hypot(from.1 - way.1 * s)
 }
 
-/// The outward normal at a point of a solid, or of the side of an open cone: how the distance
-/// changes there.
+/// The outward normal at a point of a solid, or of the side of an open cone: that of the part
+/// which is nearest.
 fn normal_at(thing: &Thing, p: Vector) -> Vector {
-    let outward = |p: Vector| match thing {
-        Thing::Cone { base, base_radius, end, end_radius, capped: false } => {
-            let (q, height) = profile(*base, *end, p);
-            q.0 - (base_radius + (end_radius - base_radius) * q.1 / height)
+    let of_box = |q: Vector, half: Vector| {
+        let outside = q.abs() - half;
+        let along = |axis: Vector| axis * q.dot(axis).signum();
+        if outside.x >= outside.y && outside.x >= outside.z {
+            along(Vector::X)
+        } else if outside.y >= outside.z {
+            along(Vector::Y)
+        } else {
+            along(Vector::Z)
         }
-        _ => distance(thing, p),
     };
-    let h = 1e-6 * thing.ball().1;
-    let along = |axis: Vector| outward(p + axis * h) - outward(p - axis * h);
-    unit(vector(along(Vector::X), along(Vector::Y), along(Vector::Z)))
+    match thing {
+        Thing::Sphere { center, .. } => unit(p - *center),
+        Thing::Cuboid { min, max } => of_box(p - (*min + *max) * 0.5, (*max - *min) * 0.5),
+        Thing::TurnedCuboid { center, half, first, third } => {
+            let z = unit(*third);
+            let y = unit(z.cross(*first));
+            let (x, q) = (y.cross(z), p - *center);
+            let own = of_box(vector(q.dot(x), q.dot(y), q.dot(z)), *half);
+            x * own.x + y * own.y + z * own.z
+        }
+        Thing::Cone { base, base_radius, end, end_radius, capped } => {
+            let (q, height) = profile(*base, *end, p);
+            let (first, second) = ((*base_radius, 0.0), (*end_radius, height));
+            let axis = unit(*end - *base);
+            let side = to_segment(q, first, second);
+            let cap = if q.1 < 0.5 * height { -axis } else { axis };
+            if *capped && to_segment(q, (0.0, 0.0), first).min(to_segment(q, (0.0, height), second)) < side {
+                return cap;
+            }
+            let from = p - *base;
+            let out = from - axis * from.dot(axis);
+            unit(unit(out) - axis * ((end_radius - base_radius) / height))
+        }
+        Thing::Torus { center, axis, major, .. } => {
+            let (q, axis) = (p - *center, unit(*axis));
+            unit(q - unit(q - axis * q.dot(axis)) * *major)
+        }
+        flat => level(flat).1,
+    }
+}
+
+/// How far a point of a solid is from its edges or rims.
+fn edge_distance(thing: &Thing, p: Vector) -> f64 {
+    let of_box = |q: Vector, half: Vector| {
+        // On a face one of the three is zero; the larger of the others is the nearest edge.
+        let inside = half - q.abs();
+        let (x, y, z) = (inside.x, inside.y, inside.z);
+        (x.max(y)).min(y.max(z)).min(z.max(x))
+    };
+    match thing {
+        Thing::Cuboid { min, max } => of_box(p - (*min + *max) * 0.5, (*max - *min) * 0.5),
+        Thing::TurnedCuboid { center, half, first, third } => {
+            let z = unit(*third);
+            let y = unit(z.cross(*first));
+            let q = p - *center;
+            of_box(vector(q.dot(y.cross(z)), q.dot(y), q.dot(z)), *half)
+        }
+        Thing::Cone { base, base_radius, end, end_radius, capped: true } => {
+            let (q, height) = profile(*base, *end, p);
+            let rim = |radius: f64, level: f64| {
+                if radius > 0.0 { (q.0 - radius).hypot(q.1 - level) } else { f64::INFINITY }
+            };
+            rim(*base_radius, 0.0).min(rim(*end_radius, height))
+        }
+        _ => f64::INFINITY,
+    }
 }
 
 /// The smallest radius of curvature at a point; the edges of solids are nobody's business here.
@@ -217,6 +285,10 @@ fn meet_round(thing: &Thing, line: &Line) -> Truth {
     let bent = |other: f64| normal_at(thing, origin + direction * other).dot(normal) < 0.5;
     if (shrunk - way).abs() > 4.0 * apart || (grown - way).abs() > 4.0 * apart || bent(grown) || bent(shrunk)
     {
+        return Truth::Unclear;
+    }
+    // Near an edge or a rim the ray may come in on either side of it.
+    if edge_distance(thing, point) <= 2.0 * apart {
         return Truth::Unclear;
     }
     // A shell cannot shrink: the ray must go through it, and not through its rim.

@@ -169,6 +169,57 @@ impl Thing {
         }
     }
 
+    /// The same thing after a map of space: of points, directions, and lengths.
+    pub fn mapped(
+        &self,
+        map: impl Fn(Vector) -> Vector,
+        turn: impl Fn(Vector) -> Vector,
+        scale: f64,
+    ) -> Thing {
+        let points = |points: &[Vector]| points.iter().map(|p| map(*p)).collect();
+        match self {
+            Thing::Sphere { center, radius } => {
+                Thing::Sphere { center: map(*center), radius: radius * scale }
+            }
+            Thing::Plane { point, normal } => Thing::Plane { point: map(*point), normal: turn(*normal) },
+            Thing::Disc { center, normal, radius } => {
+                Thing::Disc { center: map(*center), normal: turn(*normal), radius: radius * scale }
+            }
+            Thing::Triangle { corners } => Thing::Triangle { corners: corners.map(map) },
+            Thing::SmoothTriangle { corners, normals } => {
+                Thing::SmoothTriangle { corners: corners.map(map), normals: normals.map(turn) }
+            }
+            Thing::Polygon { corners } => Thing::Polygon { corners: points(corners) },
+            Thing::SmoothPolygon { corners, normals } => Thing::SmoothPolygon {
+                corners: points(corners),
+                normals: normals.iter().map(|n| turn(*n)).collect(),
+            },
+            Thing::Cuboid { min, max } => {
+                let (a, b) = (map(*min), map(*max));
+                Thing::Cuboid { min: a.min(b), max: a.max(b) }
+            }
+            Thing::TurnedCuboid { center, half, first, third } => Thing::TurnedCuboid {
+                center: map(*center),
+                half: *half * scale,
+                first: turn(*first),
+                third: turn(*third),
+            },
+            Thing::Cone { base, base_radius, end, end_radius, capped } => Thing::Cone {
+                base: map(*base),
+                base_radius: base_radius * scale,
+                end: map(*end),
+                end_radius: end_radius * scale,
+                capped: *capped,
+            },
+            Thing::Torus { center, axis, major, minor } => Thing::Torus {
+                center: map(*center),
+                axis: turn(*axis),
+                major: major * scale,
+                minor: minor * scale,
+            },
+        }
+    }
+
     /// A ball round the thing, not much larger than needed; round a part of a plane.
     pub fn ball(&self) -> (Vector, f64) {
         let round = |corners: &[Vector]| {

@@ -159,8 +159,8 @@ impl TurnedCuboid {
             Axis::Z => (z, self.half.z),
         };
         let normal = axis * wall.outward;
-        let p = ray.at(t);
-        let point = p - normal * ((p - self.center).dot(normal) - half);
+        let p = ray.at_from(t, self.center);
+        let point = self.center + (p - normal * (p.dot(normal) - half));
         let error = (abs(self.center) + Vec3::splat(self.half.max_element())) * gamma(16);
         Some(Surface::flat(point, error, normal))
     }

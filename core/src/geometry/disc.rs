@@ -36,7 +36,7 @@ impl Disc {
     }
 
     pub(super) fn surface(&self, ray: &Ray, t: Real) -> Surface {
-        level(ray.at(t), self.center, self.normal)
+        level(ray, t, self.center, self.normal)
     }
 }
 

@@ -29,6 +29,7 @@ pub use ray::{Ray, leave};
 pub use shape::{Shape, ShapeFault, ShapeKind, ShapeSet, Shapes};
 pub use sphere::Sphere;
 pub use torus::Torus;
+pub use triangle::has_area;
 
 use crate::math::{Real, Vec3, is_in_range, is_unit, vec3};
 use shape::{AllShapes, check_point, check_radius, check_unit};

@@ -28,14 +28,14 @@ impl Plane {
     }
 
     pub(super) fn surface(&self, ray: &Ray, t: Real) -> Surface {
-        level(ray.at(t), self.point, self.normal)
+        level(ray, t, self.point, self.normal)
     }
 }
 
-/// The surface at `p`, moved onto the plane through `point` upright on `normal`.
-pub(super) fn level(p: Vec3, point: Vec3, normal: Vec3) -> Surface {
-    let point_on = p - normal * (p - point).dot(normal);
-    let away = largest(p - point);
-    let error = (abs(point_on) + Vec3::splat(away)) * gamma(12);
+/// The surface where the ray is at `t`, moved onto the plane through `point` upright on `normal`.
+pub(super) fn level(ray: &Ray, t: Real, point: Vec3, normal: Vec3) -> Surface {
+    let p = ray.at_from(t, point);
+    let point_on = point + (p - normal * p.dot(normal));
+    let error = (abs(point_on) + Vec3::splat(largest(p))) * gamma(12);
     Surface::flat(point_on, error, normal)
 }

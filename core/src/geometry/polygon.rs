@@ -88,7 +88,7 @@ impl Polygon {
     }
 
     pub(super) fn surface(&self, points: &[Vec3], normals: Option<&[Vec3]>, ray: &Ray, t: Real) -> Surface {
-        let mut surface = level(ray.at(t), self.point, self.normal);
+        let mut surface = level(ray, t, self.point, self.normal);
         // A corner may lie some roundings off the plane, and its box with it.
         surface.error += abs(self.point) * gamma(4);
         if self.smooth

@@ -9,7 +9,7 @@ use crate::math::{Axis, Real, Vec3, abs, largest, power_of_two, vec3};
 pub struct Ray {
     /// Where it starts.
     pub origin: Vec3,
-    /// Where it goes. Finite and not zero; the tracer's own have length one.
+    /// Where it goes, of any length; the tracer's own have length one.
     pub direction: Vec3,
     /// One over each component of the direction; infinite where that is zero, with its sign.
     pub inverse: Vec3,
@@ -24,28 +24,31 @@ pub struct Ray {
     /// The direction times `scale`, about one long: its square is in range, however long the
     /// direction is.
     pub(super) along: Vec3,
-    /// The square of the length of `along`.
+    /// The square of the length of `along`; no number when the ray meets nothing.
     pub(super) square: Real,
     /// A power of two.
     pub(super) scale: Real,
 }
 
 impl Ray {
-    /// The ray from `origin` along `direction`, which must be finite and not zero.
+    /// The ray from `origin` along `direction`. It meets nothing when one of both is not finite,
+    /// or when the direction is zero or so short that one over it is not finite.
     pub fn new(origin: Vec3, direction: Vec3) -> Self {
-        Self::scaled(origin, direction, 1.0 / power_of_two(largest(direction)))
+        let ray = Self::scaled(origin, direction, 1.0 / power_of_two(largest(direction)));
+        // Nothing of what is finite, and no number of what is not.
+        let nothing = origin.dot(Vec3::ZERO) + ray.third * 0.0;
+        Ray { square: ray.square + nothing, ..ray }
     }
 
     /// The same ray for less work, where the direction is about one long: between a half and two.
     pub(crate) fn near_unit(origin: Vec3, direction: Vec3) -> Self {
-        debug_assert!(largest(direction) > 0.25 && largest(direction) <= 2.0);
+        debug_assert!(origin.is_finite() && largest(direction) > 0.25 && largest(direction) <= 2.0);
         Self::scaled(origin, direction, 1.0)
     }
 
     /// Inlined, so that what no shape of the tracer asks for is not made.
     #[inline(always)]
     fn scaled(origin: Vec3, direction: Vec3, scale: Real) -> Self {
-        debug_assert!(origin.is_finite() && direction.is_finite() && direction != Vec3::ZERO);
         let inverse = 1.0 / direction;
         let axis = Axis::largest_of(direction);
         let (turned, third) = (axis.to_third(direction), axis.to_third(inverse).z);
@@ -64,9 +67,20 @@ impl Ray {
         }
     }
 
+    /// Whether it can meet anything.
+    pub(crate) fn is_sound(&self) -> bool {
+        self.square > 0.0
+    }
+
     /// The point `t` lengths of the direction away.
     pub fn at(&self, t: Real) -> Vec3 {
         self.origin + self.direction * t
+    }
+
+    /// The same, seen from `center`. Subtracted first, so that the error follows the distance
+    /// between both and not their place.
+    pub(super) fn at_from(&self, t: Real, center: Vec3) -> Vec3 {
+        (self.origin - center) + self.direction * t
     }
 }
 
@@ -83,10 +97,11 @@ pub fn leave(point: Vec3, error: Vec3, normal: Vec3) -> Vec3 {
     vec3(away(point.x, normal.x), away(point.y, normal.y), away(point.z, normal.z))
 }
 
-/// The neighbour of `x` to the side of the sign of `n`. `x` is finite.
+/// The neighbour of `x` to the side of the sign of `n`; zero for zero, which is no rounded sum,
+/// and whose neighbour would not be that of a larger scene. `x` is finite.
 fn next(x: Real, n: Real) -> Real {
     if x == 0.0 {
-        return Real::from_bits(1).copysign(n);
+        return x;
     }
     // The bits of a number count its neighbours, outward from zero.
     let bits = x.to_bits();

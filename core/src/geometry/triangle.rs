@@ -52,6 +52,11 @@ fn area([a, b, c]: [Vec3; 3]) -> Vec3 {
     if largest(area) > NOTHING * square { area } else { Vec3::ZERO }
 }
 
+/// Whether the tracer sees any area between three corners. What has none is never met.
+pub fn has_area(corners: [Vec3; 3]) -> bool {
+    area(corners) != Vec3::ZERO
+}
+
 /// How much of the product of two sides is left of their exact cross product by rounding alone.
 const NOTHING: Real = 16.0 * ROUNDOFF * ROUNDOFF;
 
@@ -92,7 +97,7 @@ fn contact(
     if !((u + v + w).abs() > SLIM * (extent * extent)) || u == 0.0 || v == 0.0 || w == 0.0 {
         sides = exact_sides(a, b, c);
         // What has no area is no surface, though rounding may have given it some width here.
-        if is_beside(sides) || area(corners.map(|corner| *corner)) == Vec3::ZERO {
+        if is_beside(sides) || !has_area(corners.map(|corner| *corner)) {
             return None;
         }
     }

@@ -18,7 +18,7 @@ pub use color::Rgb;
 #[cfg(test)]
 pub use float::acos;
 pub use float::{cos, exp, floor, ln, powf, sin, sqrt, tan};
-pub use roots::quartic_roots;
+pub use roots::{CubicRoots, cubic_roots, root_between};
 pub use stream::{Dimension, Stream};
 pub use warp::{normal, tent};
 

@@ -1,20 +1,21 @@
-//! Roots of polynomials, bracketed and polished, so that none is lost to rounding.
+//! Roots of polynomials and other functions, bracketed and polished, so that none is lost to
+//! rounding.
 //!
 //! The roots of a polynomial are parted by those of its derivative: between two neighbouring
 //! turning points it rises or falls, and a change of sign holds exactly one root, which
-//! bisection finds and Newton's steps make quick. So the quadratic parts the cubic, and the
-//! cubic parts the quartic, on a bounded interval, in a bounded number of steps.
+//! bisection finds and Newton's steps make quick. So the quadratic parts the cubic, on a bounded
+//! interval, in a bounded number of steps.
 
 use super::{Real, sqrt};
 
-/// The real roots of a quartic in an interval, in rising order.
+/// The real roots of a cubic in an interval, in rising order.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct QuarticRoots {
-    roots: [Real; 4],
+pub struct CubicRoots {
+    roots: [Real; 3],
     count: usize,
 }
 
-impl QuarticRoots {
+impl CubicRoots {
     /// The roots, the smallest first.
     pub fn iter(&self) -> impl Iterator<Item = Real> + '_ {
         self.roots.iter().copied().take(self.count)
@@ -28,18 +29,25 @@ impl QuarticRoots {
     }
 }
 
-/// The roots in `low..=high` of `c[4] x^4 + c[3] x^3 + c[2] x^2 + c[1] x + c[0]`.
+/// The roots in `low..=high` of `c[3] x^3 + c[2] x^2 + c[1] x + c[0]`.
 ///
 /// A double root is found as two or as none, as rounding decides.
-pub fn quartic_roots(c: [Real; 5], low: Real, high: Real) -> QuarticRoots {
-    let [c0, c1, c2, c3, c4] = c;
-    // Each derivative, divided by its constant factor.
-    let cubic = [c1, 2.0 * c2, 3.0 * c3, 4.0 * c4];
-    let quadratic = [2.0 * c2, 6.0 * c3, 12.0 * c4];
+pub fn cubic_roots(c: [Real; 4], low: Real, high: Real) -> CubicRoots {
+    let [_, c1, c2, c3] = c;
+    let slope = [c1, 2.0 * c2, 3.0 * c3];
+    let turns = quadratic_roots(slope, low, high);
+    let both = |x: Real| (value(&c, x), value(&slope, x));
 
-    let turns = quadratic_roots(quadratic, low, high);
-    let turns = parted(|x| value(&cubic, x), |x| value(&quadratic, x), &turns, low, high);
-    parted(|x| value(&[c0, c1, c2, c3, c4], x), |x| value(&cubic, x), &turns, low, high)
+    let mut found = CubicRoots::default();
+    let (mut left, mut at_left) = (low, value(&c, low));
+    for right in turns.iter().chain([high]) {
+        let at_right = value(&c, right);
+        if (at_left < 0.0) != (at_right < 0.0) {
+            found.push(root_between(both, left, right, at_left < 0.0));
+        }
+        (left, at_left) = (right, at_right);
+    }
+    found
 }
 
 /// Horner's rule.
@@ -48,8 +56,8 @@ fn value(c: &[Real], x: Real) -> Real {
 }
 
 /// The roots in `low..=high` of `c[2] x^2 + c[1] x + c[0]`, without cancellation.
-fn quadratic_roots([c0, c1, c2]: [Real; 3], low: Real, high: Real) -> QuarticRoots {
-    let mut found = QuarticRoots::default();
+fn quadratic_roots([c0, c1, c2]: [Real; 3], low: Real, high: Real) -> CubicRoots {
+    let mut found = CubicRoots::default();
     let b = -0.5 * c1;
     let d = b * b - c2 * c0;
     if d >= 0.0 {
@@ -66,48 +74,22 @@ fn quadratic_roots([c0, c1, c2]: [Real; 3], low: Real, high: Real) -> QuarticRoo
     found
 }
 
-/// The roots of `f` in `low..=high`, which rises or falls between any two of the `turns`.
-fn parted(
-    f: impl Fn(Real) -> Real,
-    slope: impl Fn(Real) -> Real,
-    turns: &QuarticRoots,
-    low: Real,
-    high: Real,
-) -> QuarticRoots {
-    let mut found = QuarticRoots::default();
-    let mut left = low;
-    let mut at_left = f(low);
-    for right in turns.iter().chain([high]) {
-        let at_right = f(right);
-        if (at_left < 0.0) != (at_right < 0.0) {
-            found.push(between(&f, &slope, left, right, at_left < 0.0));
-        }
-        (left, at_left) = (right, at_right);
-    }
-    found
-}
-
 /// Enough halvings to part any two neighbouring numbers of the interval; Newton's steps make
 /// it some six as a rule.
 const STEPS: u32 = Real::MANTISSA_DIGITS + 8;
 
-/// The one root of `f` between `left` and `right`, where it changes its sign.
-fn between(
-    f: &impl Fn(Real) -> Real,
-    slope: &impl Fn(Real) -> Real,
-    mut left: Real,
-    mut right: Real,
-    rising: bool,
-) -> Real {
+/// The one root between `left` and `right` of a function that changes its sign there: from below
+/// zero where it is `rising`. The function answers with its value and its slope.
+pub fn root_between(f: impl Fn(Real) -> (Real, Real), mut left: Real, mut right: Real, rising: bool) -> Real {
     let mut x = 0.5 * (left + right);
     for _ in 0..STEPS {
-        let y = f(x);
+        let (y, slope) = f(x);
         if (y < 0.0) == rising {
             left = x;
         } else {
             right = x;
         }
-        let newton = x - y / slope(x);
+        let newton = x - y / slope;
         // Outside the bracket (or no number): halve instead.
         let next = if newton > left && newton < right { newton } else { 0.5 * (left + right) };
         if next == x {
@@ -123,13 +105,13 @@ mod tests {
     use super::*;
 
     #[test]
-    fn four_known_roots_are_found_in_order() {
-        // (x + 0.75)(x + 0.25)(x - 0.5)(x - 0.875)
-        let c = [0.082_031_25, 0.179_687_5, -0.75, -0.375, 1.0];
+    fn three_known_roots_are_found_in_order() {
+        // (x + 0.75)(x + 0.25)(x - 0.5)
+        let c = [-0.093_75, -0.312_5, 0.5, 1.0];
         let c = { c.map(|x| x as Real) };
-        let want = [-0.75, -0.25, 0.5, 0.875];
-        let found = quartic_roots(c, -1.0, 1.0);
-        assert_eq!(found.iter().count(), 4, "{found:?}");
+        let want = [-0.75, -0.25, 0.5];
+        let found = cubic_roots(c, -1.0, 1.0);
+        assert_eq!(found.iter().count(), 3, "{found:?}");
         for (x, w) in found.iter().zip(want) {
             assert!((x - w).abs() <= 16.0 * Real::EPSILON, "{x} is not {w}");
         }
@@ -137,9 +119,16 @@ mod tests {
 
     #[test]
     fn roots_outside_the_interval_and_complex_ones_are_not_reported() {
-        // x^4 + 1 has none; x^4 - 16 has them at 2 and -2.
-        assert_eq!(quartic_roots([1.0, 0.0, 0.0, 0.0, 1.0], -3.0, 3.0).iter().count(), 0);
-        assert_eq!(quartic_roots([-16.0, 0.0, 0.0, 0.0, 1.0], -1.0, 1.0).iter().count(), 0);
-        assert_eq!(quartic_roots([-16.0, 0.0, 0.0, 0.0, 1.0], -3.0, 1.0).iter().count(), 1);
+        // x^3 + x has one; x^3 - 8 has one at 2.
+        assert_eq!(cubic_roots([0.0, 1.0, 0.0, 1.0], -3.0, 3.0).iter().count(), 1);
+        assert_eq!(cubic_roots([-8.0, 0.0, 0.0, 1.0], -1.0, 1.0).iter().count(), 0);
+        assert_eq!(cubic_roots([-8.0, 0.0, 0.0, 1.0], -1.0, 3.0).iter().count(), 1);
+    }
+
+    #[test]
+    fn a_root_is_found_where_the_slope_leads_nowhere() {
+        // The slope is given as zero, so that only halving is left.
+        let root = root_between(|x| (x - 0.3, 0.0), -1.0, 1.0, true);
+        assert!((root - 0.3).abs() <= Real::EPSILON);
     }
 }

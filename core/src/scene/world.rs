@@ -80,6 +80,9 @@ impl<'s, A: Accelerator> World<'s, A> {
 
     /// Planes have no box, so they are tested here and first: what they leave in reach is less.
     fn ask<E: Effects, Q: Query>(&self, ray: &Ray, scratch: &mut A::Scratch, query: &mut Q) {
+        if !ray.is_sound() {
+            return;
+        }
         if E::SET.shapes.has(ShapeKind::Plane) {
             for plane in self.scene.parts().geometry.planes {
                 if query.test(plane.item).is_break() {

@@ -36,6 +36,12 @@ impl Seen {
         Seen { surface, along, outside, facing: turned(surface.normal), shading: turned(surface.shading) }
     }
 
+    /// The normal that mirrors and breaks light: the shading one, or the geometric one where the
+    /// shading one is turned away from the ray, as it may be near the outline of a coarse mesh.
+    pub(crate) fn optical(&self) -> Vec3 {
+        if self.shading.dot(self.along) < 0.0 { self.shading } else { self.facing }
+    }
+
     /// Where a ray starts that stays on the side that the surface is seen from.
     pub(crate) fn before(&self) -> Vec3 {
         leave(self.surface.point, self.surface.error, self.facing)

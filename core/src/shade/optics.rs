@@ -3,7 +3,7 @@
 //! Directions have length one. A ray comes in along `d`, and `n` is the normal on its side, so
 //! that `d . n` is below zero.
 
-use crate::math::{Real, Rgb, Vec3, exp, sqrt};
+use crate::math::{Real, Rgb, Vec3, exp, greatest, sqrt};
 
 /// The mirrored direction.
 pub fn reflected(d: Vec3, n: Vec3) -> Vec3 {
@@ -25,15 +25,17 @@ pub fn refracted(d: Vec3, n: Vec3, ratio: Real) -> Option<Refraction> {
     if ratio == 1.0 {
         return Some(Refraction { direction: d, mirrored: 0.0 });
     }
-    let cos = -d.dot(n);
-    let cos = if cos < 1.0 { cos } else { 1.0 };
+    let cos = greatest(-d.dot(n), 0.0);
+    // The part along the surface, as it is behind it. Its square is right also where neither
+    // direction is exactly one long, which that of `1 - cos^2` is not.
+    let flat = (d + n * cos) * ratio;
     // The square of the sine behind the surface, tested before any root is taken.
-    let sin2 = ratio * ratio * ((1.0 - cos) * (1.0 + cos));
+    let sin2 = flat.dot(flat);
     if !(sin2 < 1.0) {
         return None;
     }
     let cos_behind = sqrt(1.0 - sin2);
-    let direction = d * ratio + n * (ratio * cos - cos_behind);
+    let direction = flat - n * cos_behind;
     let across = (ratio * cos - cos_behind) / (ratio * cos + cos_behind);
     let along = (cos - ratio * cos_behind) / (cos + ratio * cos_behind);
     Some(Refraction { direction, mirrored: 0.5 * (across * across + along * along) })

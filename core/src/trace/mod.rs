@@ -245,7 +245,7 @@ impl<'w, 's, A: Accelerator, E: Effects, const LEVELS: usize> Tracer<'w, 's, A, 
         if let Some(crossing) = crossing.filter(|_| material.is_transmitting()) {
             let materials = self.world.scene().parts().materials;
             let ratio = index(crossing.before, materials) / index(crossing.behind, materials);
-            let refraction = refracted(task.direction, seen.shading, ratio)
+            let refraction = refracted(task.direction, seen.optical(), ratio)
                 // An interpolated normal may break light back to the side that it came from.
                 .filter(|refraction| refraction.direction.dot(seen.facing) < 0.0);
             match refraction {
@@ -270,7 +270,7 @@ impl<'w, 's, A: Accelerator, E: Effects, const LEVELS: usize> Tracer<'w, 's, A, 
 
         // Reflect, on the geometric normal where the interpolated one points into the surface.
         if (E::SET.reflection || E::SET.transmission) && !mirrored.is_black() {
-            let direction = reflected(task.direction, seen.shading);
+            let direction = reflected(task.direction, seen.optical());
             let outward = direction.dot(seen.facing) > 0.0;
             let direction = if outward { direction } else { reflected(task.direction, seen.facing) };
             let kind = RayKind::Reflected;

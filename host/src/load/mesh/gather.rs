@@ -175,7 +175,7 @@ const NONE: Triple = [0.0; 3];
 /// Whether the tracer sees no area; in its own words, so that what is counted is what is missed.
 fn is_flat(mesh: &Mesh, corners: &[u32; 3]) -> bool {
     let [a, b, c] = corners.map(|i| mesh.points[i as usize]).map(|[x, y, z]| strahl_core::vec3(x, y, z));
-    (b - a).cross(c - a) == strahl_core::Vec3::ZERO
+    !strahl_core::has_area([a, b, c])
 }
 
 /// Upright on the triangle; any direction when it has no area.

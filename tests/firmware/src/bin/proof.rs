@@ -134,6 +134,7 @@ fn shapes() {
     used((span, aabb.is_empty(), any(Aabb::EMPTY)));
 
     used((ray().at(number()), leave(vector(), vector(), vector())));
+    used(has_area([vector(), vector(), vector()]));
     let axis = Axis::largest_of(vector());
     used(axis.to_third(vector()));
 }

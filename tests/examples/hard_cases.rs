@@ -1,0 +1,161 @@
+//! Writes `tests/HARD-CASES.md` and its picture from the figures of the tests.
+//!
+//! ```text
+//! cargo run --release -p strahl-tests --example hard_cases              # the table and the picture
+//! cargo run --release -p strahl-tests --example hard_cases -- --measure # what remedies cost, too
+//! cargo run --release -p strahl-tests --example hard_cases -- --watertight 100000000
+//! ```
+//!
+//! Instructions are counted by callgrind, which is a part of valgrind; without it, and without
+//! `--measure`, the costs that stand in the file are kept.
+
+use std::path::Path;
+use std::process::Command;
+use std::time::Instant;
+
+use strahl_tests::hard::cost::{Work, works};
+use strahl_tests::hard::{Mesh, cases, escapes, panels, table};
+use strahl_tests::{Random, Vector, vector};
+
+/// In the file, the costs stand after this line.
+const COSTS: &str = "## What the remedies cost";
+
+type Failure = Box<dyn std::error::Error>;
+
+fn main() -> Result<(), Failure> {
+    let args: Vec<String> = std::env::args().skip(1).collect();
+    let args: Vec<&str> = args.iter().map(String::as_str).collect();
+    match args.as_slice() {
+        [] => write(false),
+        ["--measure"] => write(true),
+        ["--count"] => {
+            let works = works();
+            works.iter().flatten().for_each(measured);
+            // Callgrind writes down what came before a call: one more.
+            works.iter().flatten().take(1).for_each(measured);
+            Ok(())
+        }
+        ["--watertight", rays] => {
+            watertight(rays.parse()?);
+            Ok(())
+        }
+        _ => Err("usage: hard_cases [--measure | --watertight RAYS]".into()),
+    }
+}
+
+/// All rays of a piece of work. Its name is what callgrind looks for.
+#[inline(never)]
+fn measured(work: &Work) {
+    std::hint::black_box(work.run());
+}
+
+fn write(measure: bool) -> Result<(), Failure> {
+    let (page, picture) = table::page();
+    let outcomes: Vec<_> = cases().into_iter().map(|case| (case, case.run())).collect();
+    let kept = std::fs::read_to_string(&page).unwrap_or_default();
+    let costs = match kept.split_once(COSTS) {
+        Some((_, costs)) if !measure => costs.to_owned(),
+        _ => costs()?,
+    };
+    let text = format!("{}{COSTS}{costs}", table::head(&outcomes));
+    std::fs::write(&page, text)?;
+
+    let (width, pixels) = panels::picture();
+    let height = pixels.len() / width;
+    let bytes: Vec<u8> = pixels.into_iter().flatten().collect();
+    let image =
+        image::RgbImage::from_raw(width as u32, height as u32, bytes).ok_or("a picture of another size")?;
+    image.save(&picture)?;
+    println!("{} and {} written", page.display(), picture.display());
+    Ok(())
+}
+
+/// The table of instructions and of times for each ray.
+fn costs() -> Result<String, Failure> {
+    let works = works();
+    let instructions = instructions(3 * works.len())?;
+    let mut text = String::from(
+        "\n\nMeasured with `--measure`, on rays at things of ordinary proportions from 2 to 20 sizes away, \
+        of which about half meet. Instructions are callgrind's on x86-64; times are the least of \
+        1000 runs, and only good for comparing them with each other.\n\n\
+        | shape | instructions per ray: textbook | ours, f32 | f64 inside | ours / textbook | ns per ray: textbook | ours, f32 | f64 inside |\n\
+        |---|--:|--:|--:|--:|--:|--:|--:|\n",
+    );
+    for (works, counts) in works.iter().zip(instructions.chunks(3)) {
+        let per_ray: Vec<f64> =
+            works.iter().zip(counts).map(|(work, count)| count / work.rays as f64).collect();
+        let [textbook, single, double] = [0, 1, 2].map(|i| time(&works[i]));
+        text += &format!(
+            "| {} | {:.0} | {:.0} | {:.0} | {:.2} | {textbook:.0} | {single:.0} | {double:.0} |\n",
+            works[0].family,
+            per_ray[0],
+            per_ray[1],
+            per_ray[2],
+            per_ray[1] / per_ray[0],
+        );
+    }
+    Ok(text)
+}
+
+/// Nanoseconds for each ray: the least of some runs.
+fn time(work: &Work) -> f64 {
+    let once = || {
+        let start = Instant::now();
+        measured(work);
+        start.elapsed().as_secs_f64() * 1e9 / work.rays as f64
+    };
+    // Each is short, so that among many some were not interrupted.
+    (0..1000).map(|_| once()).fold(f64::INFINITY, f64::min)
+}
+
+/// The instructions of each call of [`measured`], counted in a process of its own.
+fn instructions(calls: usize) -> Result<Vec<f64>, Failure> {
+    let folder = std::env::temp_dir().join(format!("hard-cases-{}", std::process::id()));
+    std::fs::create_dir_all(&folder)?;
+    let status = Command::new("valgrind")
+        .args(["--tool=callgrind", "--dump-before=*measured*"])
+        .arg(format!("--callgrind-out-file={}", folder.join("out").display()))
+        .arg(std::env::current_exe()?)
+        .arg("--count")
+        .output()
+        .map_err(|error| format!("valgrind cannot be run: {error}"))?
+        .status;
+    if !status.success() {
+        return Err("valgrind failed".into());
+    }
+    // The first file has what came before the first call.
+    let counts = (2..calls + 2).map(|file| counted(&folder.join(format!("out.{file}")))).collect();
+    std::fs::remove_dir_all(&folder)?;
+    counts
+}
+
+/// The sum in one of callgrind's files.
+fn counted(file: &Path) -> Result<f64, Failure> {
+    let text = std::fs::read_to_string(file)?;
+    let sum = text.lines().find_map(|line| line.strip_prefix("totals: "));
+    Ok(sum.ok_or("callgrind has counted nothing")?.trim().parse()?)
+}
+
+/// Rays at edges and corners of closed meshes from inside: how many, and how many get out.
+fn watertight(rays: usize) {
+    let far = vector(2e5, -1.3e5, 0.7e5);
+    let shares = [
+        ("a sphere of 20,480 triangles", Mesh::icosphere(5, Vector::ZERO, 1.0), 30),
+        ("the same, 2e5 from the origin", Mesh::icosphere(5, far, 100.0), 30),
+        ("a cube", Mesh::cube(vector(0.1, 0.2, 0.3), 1.0), 10),
+        ("the same, 2e5 from the origin", Mesh::cube(far, 3.0), 10),
+        ("a sheet of 5,000", Mesh::sheet(50, Vector::ZERO, 1.0), 9),
+        ("the same, 2e5 from the origin", Mesh::sheet(50, far, 100.0), 9),
+        ("a cone of 1,000 slivers", Mesh::fan(1000, Vector::ZERO, 1.0), 1),
+        ("the same, 2e5 from the origin", Mesh::fan(1000, far, 100.0), 1),
+    ];
+    let (mut all, mut out) = (0, 0);
+    for (seed, (name, mesh, share)) in shares.iter().enumerate() {
+        let count = rays / 100 * share;
+        let got_out = escapes(mesh, count, &mut Random::new(seed as u64));
+        println!("{name}: {count} rays, {got_out} got through");
+        all += count;
+        out += got_out;
+    }
+    println!("all: {all} rays, {out} got through");
+}

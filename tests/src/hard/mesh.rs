@@ -1,0 +1,283 @@
+//! Closed meshes: no ray from inside gets out, also when it is aimed at an edge or a corner.
+
+use strahl_core::{Geometry, Ray, Shape, ShapeKind, ShapeSet, Shapes, Vec3, vec3};
+
+use super::{Case, Solver, Tally, held};
+use crate::textbook::Form;
+use crate::thing::{Line, Thing, Vector, upright, vector};
+use crate::{Random, rounded};
+
+const fn case(name: &'static str, mesh: fn(&mut Random) -> [Tally; 3]) -> Case {
+    Case::own("mesh", name, "edges belong to neither of their triangles", 0.0, mesh)
+}
+
+pub(super) const CASES: [Case; 6] = [
+    case("from inside an icosphere of 20,480 triangles", |random| {
+        tried(&Mesh::icosphere(5, Vector::ZERO, 1.0), random)
+    }),
+    case("the same at 2e5 from the origin", |random| {
+        tried(&Mesh::icosphere(5, vector(2e5, -1.3e5, 0.7e5), 100.0), random)
+    }),
+    case("from inside a cube of 12", |random| tried(&Mesh::cube(Vector::ZERO, 1.0), random)),
+    case("from inside a cone of 4,000 slivers", |random| tried(&Mesh::fan(4000, Vector::ZERO, 1.0), random)),
+    case("the same at 2e5 from the origin", |random| {
+        tried(&Mesh::fan(4000, vector(-2e5, 2e5, 1e5), 100.0), random)
+    }),
+    case("a sheet of 5,000", |random| tried(&Mesh::sheet(50, vector(2e5, 0.0, -2e5), 100.0), random)),
+];
+
+/// Triangles that share corners, and where rays at them start.
+pub struct Mesh {
+    /// The corners.
+    pub points: Vec<Vector>,
+    /// Their places, right-handed as seen from outside.
+    pub triangles: Vec<[u32; 3]>,
+    /// For each corner the triangles that have it.
+    around: Vec<Vec<u32>>,
+    /// Corners that lie on no border.
+    targets: Vec<u32>,
+    /// Rays start in the ball round here.
+    eye: (Vector, f64),
+}
+
+impl Mesh {
+    fn new(points: Vec<Vector>, triangles: Vec<[u32; 3]>, targets: Vec<u32>, eye: (Vector, f64)) -> Mesh {
+        let points: Vec<Vector> = points.into_iter().map(held).collect();
+        let mut around = vec![Vec::new(); points.len()];
+        for (triangle, number) in triangles.iter().zip(0..) {
+            triangle.iter().for_each(|corner| around[*corner as usize].push(number));
+        }
+        Mesh { points, triangles, around, targets, eye }
+    }
+
+    /// A sphere from an icosahedron, each of whose triangles is quartered `level` times.
+    pub fn icosphere(level: u32, center: Vector, radius: f64) -> Mesh {
+        let g = 0.5 + 0.5 * 5.0_f64.sqrt();
+        let mut points = Vec::new();
+        for (a, b) in [(1.0, g), (-1.0, g), (1.0, -g), (-1.0, -g)] {
+            points.extend([vector(a, b, 0.0), vector(0.0, a, b), vector(b, 0.0, a)]);
+        }
+        let mut points: Vec<Vector> = points.into_iter().map(crate::thing::unit).collect();
+        // Of all triples those whose corners are neighbours.
+        let near = |a: usize, b: usize, points: &[Vector]| points[a].dot(points[b]) > 0.4;
+        let mut triangles = Vec::new();
+        for a in 0..12 {
+            for b in a + 1..12 {
+                for c in b + 1..12 {
+                    if near(a, b, &points) && near(b, c, &points) && near(a, c, &points) {
+                        let outward =
+                            (points[b] - points[a]).cross(points[c] - points[a]).dot(points[a]) > 0.0;
+                        triangles
+                            .push(if outward { [a, b, c] } else { [a, c, b] }.map(|corner| corner as u32));
+                    }
+                }
+            }
+        }
+        for _ in 0..level {
+            let mut halves = std::collections::HashMap::new();
+            let mut quarters = Vec::with_capacity(4 * triangles.len());
+            for [a, b, c] in triangles {
+                let [ab, bc, ca] = [(a, b), (b, c), (c, a)].map(|(a, b)| {
+                    *halves.entry((a.min(b), a.max(b))).or_insert_with(|| {
+                        points.push(crate::thing::unit(points[a as usize] + points[b as usize]));
+                        points.len() as u32 - 1
+                    })
+                });
+                quarters.extend([[a, ab, ca], [b, bc, ab], [c, ca, bc], [ab, bc, ca]]);
+            }
+            triangles = quarters;
+        }
+        let targets = (0..points.len() as u32).collect();
+        let points = points.into_iter().map(|p| center + p * radius).collect();
+        Mesh::new(points, triangles, targets, (center, 0.7 * radius))
+    }
+
+    /// A cube of twelve triangles.
+    pub fn cube(center: Vector, half: f64) -> Mesh {
+        let corner = |i: u32| {
+            let side = |bit: u32| if i >> bit & 1 == 0 { -half } else { half };
+            center + vector(side(0), side(1), side(2))
+        };
+        let faces = [[0, 2, 3, 1], [4, 5, 7, 6], [0, 1, 5, 4], [2, 6, 7, 3], [0, 4, 6, 2], [1, 3, 7, 5]];
+        let triangles = faces.iter().flat_map(|[a, b, c, d]| [[*a, *b, *c], [*a, *c, *d]]).collect();
+        Mesh::new((0..8).map(corner).collect(), triangles, (0..8).collect(), (center, 0.9 * half))
+    }
+
+    /// A cone whose side is `slivers` triangles that meet in its apex, and whose base as many.
+    pub fn fan(slivers: u32, center: Vector, size: f64) -> Mesh {
+        let axis = crate::thing::unit(vector(0.3, 0.5, 0.8));
+        let (x, y) = upright(axis);
+        let rim = |i: u32| {
+            let angle = f64::from(i) * std::f64::consts::TAU / f64::from(slivers);
+            center + (x * libm::cos(angle) + y * libm::sin(angle)) * size
+        };
+        let mut points: Vec<Vector> = (0..slivers).map(rim).collect();
+        points.extend([center + axis * (0.7 * size), center - axis * (0.4 * size)]);
+        let next = |i: u32| (i + 1) % slivers;
+        let side = (0..slivers).map(|i| [i, next(i), slivers]);
+        let base = (0..slivers).map(|i| [next(i), i, slivers + 1]);
+        let triangles = side.chain(base).collect();
+        // The two apices are as likely as all others.
+        let targets = (0..slivers).flat_map(|i| [i, slivers + i % 2]).collect();
+        Mesh::new(points, triangles, targets, (center, 0.25 * size))
+    }
+
+    /// A slanting flat sheet of `side` times `side` squares, each of two triangles.
+    pub fn sheet(side: u32, center: Vector, size: f64) -> Mesh {
+        let normal = crate::thing::unit(vector(0.1, 0.9, 0.2));
+        let (x, y) = upright(normal);
+        let place = |i: u32, j: u32| i * (side + 1) + j;
+        let step = 2.0 * size / f64::from(side);
+        let point =
+            |i: u32, j: u32| center + x * (f64::from(i) * step - size) + y * (f64::from(j) * step - size);
+        let points =
+            (0..=side).flat_map(|i| (0..=side).map(move |j| (i, j))).map(|(i, j)| point(i, j)).collect();
+        let square = |(i, j): (u32, u32)| {
+            let [a, b, c, d] = [place(i, j), place(i + 1, j), place(i + 1, j + 1), place(i, j + 1)];
+            [[a, b, c], [a, c, d]]
+        };
+        let triangles = (0..side).flat_map(|i| (0..side).map(move |j| (i, j))).flat_map(square).collect();
+        let inner =
+            (1..side).flat_map(|i| (1..side).map(move |j| (i, j))).map(|(i, j)| place(i, j)).collect();
+        Mesh::new(points, triangles, inner, (center + normal * size, 0.3 * size))
+    }
+
+    /// A ray from the mesh's own place at a corner or at a point of an edge, and the triangles
+    /// of which it must meet one.
+    pub fn aim(&self, random: &mut Random) -> (Line, Vec<u32>) {
+        let origin = random.near(self.eye.0, self.eye.1);
+        self.aim_from(origin, random)
+    }
+
+    fn aim_from(&self, origin: Vector, random: &mut Random) -> (Line, Vec<u32>) {
+        let corner = self.targets[random.below(self.targets.len() as u32) as usize];
+        let around = &self.around[corner as usize];
+        let target = self.points[corner as usize];
+        if random.below(3) == 0 {
+            return (Line { origin, direction: held(target - origin) }, around.clone());
+        }
+        let triangle = self.triangles[around[random.below(around.len() as u32) as usize] as usize];
+        let other = triangle[random.below(3) as usize];
+        let share = if random.below(4) == 0 { 0.5 } else { random.unit() };
+        let target = target + (self.points[other as usize] - target) * share;
+        let mut near = around.clone();
+        near.extend(&self.around[other as usize]);
+        (Line { origin, direction: held(target - origin) }, near)
+    }
+
+    /// The mesh as the core keeps it.
+    pub fn tables(&self) -> (Vec<Vec3>, Vec<Shape>) {
+        let points = self.points.iter().map(|p| vec3(p.x as f32, p.y as f32, p.z as f32)).collect();
+        (points, self.triangles.iter().copied().map(Shape::Triangle).collect())
+    }
+}
+
+/// What the core needs to know for meshes.
+struct Triangles;
+
+impl Shapes for Triangles {
+    const SHAPES: ShapeSet = ShapeSet::of(&[ShapeKind::Triangle]);
+    const SMOOTH: bool = false;
+}
+
+/// How many of so many rays get through the mesh between its triangles.
+pub fn escapes(mesh: &Mesh, rays: usize, random: &mut Random) -> usize {
+    let (points, shapes) = mesh.tables();
+    let geometry = Geometry { points: &points, shapes: &shapes, ..Geometry::EMPTY };
+    let escapes = |_: &usize| {
+        let (line, near) = mesh.aim(random);
+        let narrow = |v: Vector| vec3(v.x as f32, v.y as f32, v.z as f32);
+        let ray = Ray::new(narrow(line.origin), narrow(line.direction));
+        let is_met = |number: &u32| geometry.distance::<Triangles>(shapes[*number as usize], &ray).is_some();
+        !near.iter().any(is_met)
+    };
+    (0..rays).filter(escapes).count()
+}
+
+/// How many of so many rays from outside cross the surface of a convex mesh an odd number of
+/// times.
+///
+/// A ray through a corner or an edge meets all triangles that have it, at the same distance. If
+/// it meets them from one side it crosses the surface there once; if from both sides it only
+/// touches it, or goes in and out at once.
+pub fn odd_crossings(mesh: &Mesh, rays: usize, random: &mut Random) -> usize {
+    let (points, shapes) = mesh.tables();
+    let geometry = Geometry { points: &points, shapes: &shapes, ..Geometry::EMPTY };
+    let is_odd = |_: &usize| {
+        let origin = held(mesh.eye.0 + random.direction() * (mesh.eye.1 * random.between(4.0, 20.0)));
+        let (line, _) = mesh.aim_from(origin, random);
+        let narrow = |v: Vector| vec3(v.x as f32, v.y as f32, v.z as f32);
+        let ray = Ray::new(narrow(line.origin), narrow(line.direction));
+        let mut hits: Vec<(f32, [u32; 3], bool)> = Vec::new();
+        for (shape, corners) in shapes.iter().zip(&mesh.triangles) {
+            if let Some(t) = geometry.distance::<Triangles>(*shape, &ray) {
+                let [a, b, c] = corners.map(|corner| mesh.points[corner as usize]);
+                hits.push((t, *corners, (b - a).cross(c - a).dot(line.direction) < 0.0));
+            }
+        }
+        hits.sort_by(|a, b| a.0.total_cmp(&b.0));
+        let mut crossings = 0;
+        let mut rest = &hits[..];
+        while let Some((first, more)) = rest.split_first() {
+            // Those that follow at nearly the same distance.
+            let count = more.iter().take_while(|hit| hit.0 - first.0 <= 1e-4 * first.0).count();
+            let group = &rest[..=count];
+            let is_both = group.iter().any(|hit| hit.2) && group.iter().any(|hit| !hit.2);
+            crossings += if is_both { 2 } else { 1 };
+            rest = &rest[count + 1..];
+        }
+        crossings % 2 == 1
+    };
+    (0..rays).filter(is_odd).count()
+}
+
+/// 10,000 rays at the mesh.
+fn tried(mesh: &Mesh, random: &mut Random) -> [Tally; 3] {
+    const RAYS: usize = 10_000;
+    let double = |random: &mut Random| {
+        use strahl_core_double::{Geometry, Ray, Shape};
+        let shapes: Vec<Shape> = mesh.triangles.iter().copied().map(Shape::Triangle).collect();
+        let geometry = Geometry { points: &mesh.points, shapes: &shapes, ..Geometry::EMPTY };
+        let escapes = |_: &usize| {
+            let (line, near) = mesh.aim(random);
+            let ray = Ray::new(line.origin, line.direction);
+            let is_met =
+                |number: &u32| geometry.distance::<DoubleTriangles>(shapes[*number as usize], &ray).is_some();
+            !near.iter().any(is_met)
+        };
+        (0..RAYS).filter(escapes).count()
+    };
+    let forms: Vec<Form> = mesh
+        .triangles
+        .iter()
+        .map(|corners| {
+            Form::of(&Thing::Triangle { corners: corners.map(|corner| mesh.points[corner as usize]) })
+        })
+        .collect();
+    let textbook = |random: &mut Random| {
+        let escapes = |_: &usize| {
+            let (line, near) = mesh.aim(random);
+            !near.iter().any(|number| forms[*number as usize].met(&line).is_some())
+        };
+        (0..RAYS).filter(escapes).count()
+    };
+    let each = |solver| {
+        let random = &mut random.clone();
+        let faults = match solver {
+            Solver::Textbook => textbook(random),
+            Solver::Single => escapes(mesh, RAYS, random),
+            Solver::Double => double(random),
+        };
+        Tally { rays: RAYS, unclear: 0, faults, worst: rounded(0.0) }
+    };
+    Solver::ALL.map(each)
+}
+
+/// The same for the twin.
+struct DoubleTriangles;
+
+impl strahl_core_double::Shapes for DoubleTriangles {
+    const SHAPES: strahl_core_double::ShapeSet =
+        strahl_core_double::ShapeSet::of(&[strahl_core_double::ShapeKind::Triangle]);
+    const SMOOTH: bool = false;
+}

@@ -1,0 +1,399 @@
+//! The formulas of the textbooks, in single precision: what the core's remedies are held against.
+//!
+//! Each is what is found in introductions and small ray tracers, written with care for the
+//! formula and none for rounding. Nothing in the project uses them but the tests, which run them
+//! through the same checks as the core and expect them to fail.
+
+// These are not the core: a root by whatever way is the same root.
+#![allow(clippy::disallowed_methods)]
+
+use strahl_core::Vec3;
+
+use crate::thing::{Line, Thing, Vector, area, unit};
+
+/// What the textbook finds of a thing.
+#[derive(Clone, Copy, Debug)]
+pub struct Met {
+    /// How far, in lengths of the ray's direction.
+    pub t: f32,
+    /// The normal there.
+    pub normal: Vec3,
+}
+
+/// Below this a determinant or a cosine counts as zero, as the textbooks have it.
+const EPSILON: f32 = 1e-6;
+
+/// How far a ray is moved off the surface that it leaves, in scene lengths.
+pub const OFFSET: f32 = 1e-4;
+
+fn narrow(v: Vector) -> Vec3 {
+    Vec3::new(v.x as f32, v.y as f32, v.z as f32)
+}
+
+/// A thing as a textbook would keep it: with what can be computed beforehand.
+#[derive(Clone, Debug)]
+#[allow(missing_docs)] // as in `Thing`
+pub enum Form {
+    Sphere {
+        center: Vec3,
+        radius: f32,
+    },
+    /// `n . p = d`.
+    Plane {
+        normal: Vec3,
+        d: f32,
+    },
+    Disc {
+        center: Vec3,
+        normal: Vec3,
+        d: f32,
+        radius: f32,
+    },
+    Triangle {
+        corners: [Vec3; 3],
+    },
+    Polygon {
+        corners: Vec<Vec3>,
+        normal: Vec3,
+        d: f32,
+    },
+    Cuboid {
+        min: Vec3,
+        max: Vec3,
+    },
+    /// The centre in the box's own frame, and the frame.
+    TurnedCuboid {
+        center: Vec3,
+        half: Vec3,
+        axes: [Vec3; 3],
+    },
+    Cone {
+        base: Vec3,
+        axis: Vec3,
+        height: f32,
+        base_radius: f32,
+        end_radius: f32,
+        capped: bool,
+    },
+    Torus {
+        center: Vec3,
+        axis: Vec3,
+        major: f32,
+        minor: f32,
+    },
+}
+
+impl Form {
+    /// The form of a thing.
+    pub fn of(thing: &Thing) -> Form {
+        match thing {
+            Thing::Sphere { center, radius } => {
+                Form::Sphere { center: narrow(*center), radius: *radius as f32 }
+            }
+            Thing::Plane { point, normal } => {
+                let normal = narrow(*normal).normalize();
+                Form::Plane { normal, d: normal.dot(narrow(*point)) }
+            }
+            Thing::Disc { center, normal, radius } => {
+                let (center, normal) = (narrow(*center), narrow(*normal).normalize());
+                Form::Disc { center, normal, d: normal.dot(center), radius: *radius as f32 }
+            }
+            Thing::Triangle { corners } | Thing::SmoothTriangle { corners, .. } => {
+                Form::Triangle { corners: corners.map(narrow) }
+            }
+            Thing::Polygon { corners } | Thing::SmoothPolygon { corners, .. } => {
+                let normal = narrow(unit(area(corners)));
+                let corners: Vec<Vec3> = corners.iter().copied().map(narrow).collect();
+                let d = normal.dot(corners[0]);
+                Form::Polygon { corners, normal, d }
+            }
+            Thing::Cuboid { min, max } => Form::Cuboid { min: narrow(*min), max: narrow(*max) },
+            Thing::TurnedCuboid { center, half, first, third } => {
+                let z = narrow(*third).normalize();
+                let y = z.cross(narrow(*first)).normalize();
+                let axes = [y.cross(z), y, z];
+                let center = narrow(*center);
+                Form::TurnedCuboid { center: turned(center, &axes), half: narrow(*half), axes }
+            }
+            Thing::Cone { base, base_radius, end, end_radius, capped } => {
+                let (base, end) = (narrow(*base), narrow(*end));
+                let height = (end - base).length();
+                Form::Cone {
+                    base,
+                    axis: (end - base) / height,
+                    height,
+                    base_radius: *base_radius as f32,
+                    end_radius: *end_radius as f32,
+                    capped: *capped,
+                }
+            }
+            Thing::Torus { center, axis, major, minor } => Form::Torus {
+                center: narrow(*center),
+                axis: narrow(*axis).normalize(),
+                major: *major as f32,
+                minor: *minor as f32,
+            },
+        }
+    }
+
+    /// Where a ray meets it.
+    pub fn met(&self, line: &Line) -> Option<Met> {
+        self.hit(narrow(line.origin), narrow(line.direction))
+    }
+
+    /// How far away the ray from `o` along `d` meets it.
+    pub fn distance(&self, o: Vec3, d: Vec3) -> Option<f32> {
+        self.hit(o, d).map(|met| met.t)
+    }
+
+    /// Where the ray from `o` along `d` meets it.
+    #[inline]
+    fn hit(&self, o: Vec3, d: Vec3) -> Option<Met> {
+        match self {
+            Form::Sphere { center, radius } => sphere(*center, *radius, o, d),
+            Form::Plane { normal, d: level } => {
+                plane(*normal, *level, o, d).map(|t| Met { t, normal: *normal })
+            }
+            Form::Disc { center, normal, d: level, radius } => {
+                let t = plane(*normal, *level, o, d)?;
+                let away = o + d * t - *center;
+                (away.dot(away) <= radius * radius).then_some(Met { t, normal: *normal })
+            }
+            Form::Triangle { corners } => triangle(corners, o, d),
+            Form::Polygon { corners, normal, d: level } => {
+                let t = plane(*normal, *level, o, d)?;
+                is_inside(corners, *normal, o + d * t).then_some(Met { t, normal: *normal })
+            }
+            Form::Cuboid { min, max } => cuboid(*min, *max, o, d),
+            Form::TurnedCuboid { center, half, axes } => {
+                let met = cuboid(*center - *half, *center + *half, turned(o, axes), turned(d, axes))?;
+                let n = met.normal;
+                Some(Met { t: met.t, normal: axes[0] * n.x + axes[1] * n.y + axes[2] * n.z })
+            }
+            Form::Cone { base, axis, height, base_radius, end_radius, capped } => {
+                cone(*base, *axis, *height, *base_radius, *end_radius, *capped, o, d)
+            }
+            Form::Torus { center, axis, major, minor } => torus(*center, *axis, *major, *minor, o, d),
+        }
+    }
+}
+
+fn turned(v: Vec3, axes: &[Vec3; 3]) -> Vec3 {
+    Vec3::new(v.dot(axes[0]), v.dot(axes[1]), v.dot(axes[2]))
+}
+
+/// The roots of `a x^2 + b x + c`, the smaller first, by the formula that is learnt in school.
+fn quadratic(a: f32, b: f32, c: f32) -> Option<[f32; 2]> {
+    let d = b * b - 4.0 * a * c;
+    if d < 0.0 {
+        return None;
+    }
+    let (x, y) = ((-b - d.sqrt()) / (2.0 * a), (-b + d.sqrt()) / (2.0 * a));
+    Some(if x < y { [x, y] } else { [y, x] })
+}
+
+fn sphere(center: Vec3, radius: f32, o: Vec3, d: Vec3) -> Option<Met> {
+    let p = o - center;
+    let t =
+        quadratic(d.dot(d), 2.0 * p.dot(d), p.dot(p) - radius * radius)?.into_iter().find(|t| *t > 0.0)?;
+    Some(Met { t, normal: (o + d * t - center) / radius })
+}
+
+fn plane(normal: Vec3, level: f32, o: Vec3, d: Vec3) -> Option<f32> {
+    let cos = normal.dot(d);
+    if cos.abs() < EPSILON {
+        return None;
+    }
+    let t = (level - normal.dot(o)) / cos;
+    (t > 0.0).then_some(t)
+}
+
+/// "Fast, Minimum Storage Ray/Triangle Intersection", Moeller, Trumbore 1997.
+fn triangle([a, b, c]: &[Vec3; 3], o: Vec3, d: Vec3) -> Option<Met> {
+    let (e, f) = (*b - *a, *c - *a);
+    let p = d.cross(f);
+    let determinant = e.dot(p);
+    if determinant.abs() < EPSILON {
+        return None;
+    }
+    let s = o - *a;
+    let u = s.dot(p) / determinant;
+    let q = s.cross(e);
+    let v = d.dot(q) / determinant;
+    if u < 0.0 || v < 0.0 || u + v > 1.0 {
+        return None;
+    }
+    let t = f.dot(q) / determinant;
+    (t > 0.0).then_some(Met { t, normal: e.cross(f).normalize() })
+}
+
+/// Counts the edges that a line to the right crosses, both ends of an edge included.
+fn is_inside(corners: &[Vec3], normal: Vec3, p: Vec3) -> bool {
+    let n = normal.abs();
+    let flat = |v: Vec3| {
+        if n.x > n.y && n.x > n.z {
+            (v.y, v.z)
+        } else if n.y > n.z {
+            (v.z, v.x)
+        } else {
+            (v.x, v.y)
+        }
+    };
+    let (x, y) = flat(p);
+    let mut inside = false;
+    for i in 0..corners.len() {
+        let (a, b) = (flat(corners[i]), flat(corners[(i + 1) % corners.len()]));
+        let (low, high) = if a.1 < b.1 { (a, b) } else { (b, a) };
+        if y >= low.1 && y <= high.1 && high.1 > low.1 {
+            let across = low.0 + (y - low.1) / (high.1 - low.1) * (high.0 - low.0);
+            inside ^= across > x;
+        }
+    }
+    inside
+}
+
+/// "Efficiency Issues for Ray Tracing", Smits 1998: the order of the walls by the sign of the
+/// direction.
+fn cuboid(min: Vec3, max: Vec3, o: Vec3, d: Vec3) -> Option<Met> {
+    let (mut near, mut far) = (f32::NEG_INFINITY, f32::INFINITY);
+    let (mut in_axis, mut out_axis) = (0, 0);
+    for axis in 0..3 {
+        let inverse = 1.0 / d[axis];
+        let (a, b) = if d[axis] >= 0.0 { (min[axis], max[axis]) } else { (max[axis], min[axis]) };
+        let (enter, leave) = ((a - o[axis]) * inverse, (b - o[axis]) * inverse);
+        if enter > near {
+            (near, in_axis) = (enter, axis);
+        }
+        if leave < far {
+            (far, out_axis) = (leave, axis);
+        }
+    }
+    if near > far || far <= 0.0 {
+        return None;
+    }
+    let mut normal = Vec3::ZERO;
+    let t = if near > 0.0 {
+        normal[in_axis] = -d[in_axis].signum();
+        near
+    } else {
+        normal[out_axis] = d[out_axis].signum();
+        far
+    };
+    Some(Met { t, normal })
+}
+
+#[allow(clippy::too_many_arguments)] // of a cone
+fn cone(
+    base: Vec3,
+    axis: Vec3,
+    height: f32,
+    base_radius: f32,
+    end_radius: f32,
+    capped: bool,
+    o: Vec3,
+    d: Vec3,
+) -> Option<Met> {
+    let p = o - base;
+    let (z, dz) = (p.dot(axis), d.dot(axis));
+    let (q, dq) = (p - axis * z, d - axis * dz);
+    let slope = (end_radius - base_radius) / height;
+    let radius = base_radius + slope * z;
+    let a = dq.dot(dq) - slope * slope * dz * dz;
+    let b = 2.0 * (q.dot(dq) - slope * dz * radius);
+    let c = q.dot(q) - radius * radius;
+    let mut best: Option<Met> = None;
+    let mut offer = |met: Met| {
+        if met.t > 0.0 && best.is_none_or(|best| met.t < best.t) {
+            best = Some(met);
+        }
+    };
+    for t in quadratic(a, b, c).into_iter().flatten() {
+        let at = z + dz * t;
+        if at >= 0.0 && at <= height {
+            offer(Met { t, normal: ((q + dq * t).normalize() - axis * slope).normalize() });
+        }
+    }
+    if capped {
+        for (at, radius, normal) in [(0.0, base_radius, -axis), (height, end_radius, axis)] {
+            let t = (at - z) / dz;
+            let r = q + dq * t;
+            if r.dot(r) <= radius * radius {
+                offer(Met { t, normal });
+            }
+        }
+    }
+    best
+}
+
+/// The quartic in the distance from the ray's origin, by Ferrari's and Cardano's formulas
+/// (Graphics Gems, Schwarze 1990).
+fn torus(center: Vec3, axis: Vec3, major: f32, minor: f32, o: Vec3, d: Vec3) -> Option<Met> {
+    let speed = d.length();
+    let (p, d) = (o - center, d / speed);
+    let (z, dz) = (p.dot(axis), d.dot(axis));
+    let (beta, four) = (p.dot(d), 4.0 * major * major);
+    let g = p.dot(p) - major * major - minor * minor;
+    let t = quartic(
+        4.0 * beta,
+        4.0 * beta * beta + 2.0 * g + four * dz * dz,
+        4.0 * beta * g + 2.0 * four * z * dz,
+        g * g + four * (z * z - minor * minor),
+    )
+    .into_iter()
+    .filter(|t| *t > 0.0)
+    .reduce(f32::min)?;
+    let at = p + d * t;
+    let ring = (at - axis * at.dot(axis)).normalize() * major;
+    Some(Met { t: t / speed, normal: (at - ring).normalize() })
+}
+
+/// The real roots of `x^4 + a x^3 + b x^2 + c x + d`.
+fn quartic(a: f32, b: f32, c: f32, d: f32) -> Vec<f32> {
+    // x = y - a/4: y^4 + p y^2 + q y + r.
+    let s = a * a;
+    let p = b - 0.375 * s;
+    let q = 0.125 * s * a - 0.5 * a * b + c;
+    let r = -3.0 / 256.0 * s * s + s * b / 16.0 - 0.25 * a * c + d;
+    let z = resolvent(-0.5 * p, -r, 0.5 * r * p - 0.125 * q * q);
+    let (u, v) = (z * z - r, 2.0 * z - p);
+    if u < 0.0 || v < 0.0 {
+        return Vec::new();
+    }
+    let (u, v) = (u.sqrt(), v.sqrt());
+    let v = if q < 0.0 { -v } else { v };
+    [quadratic(1.0, v, z - u), quadratic(1.0, -v, z + u)]
+        .into_iter()
+        .flatten()
+        .flatten()
+        .map(|y| y - 0.25 * a)
+        .collect()
+}
+
+/// A real root of `x^3 + a x^2 + b x + c`.
+fn resolvent(a: f32, b: f32, c: f32) -> f32 {
+    let p = (b - a * a / 3.0) / 3.0;
+    let q = 0.5 * (2.0 / 27.0 * a * a * a - a * b / 3.0 + c);
+    let d = q * q + p * p * p;
+    let y = if d < 0.0 {
+        let angle = libm::acosf(-q / (-p * p * p).sqrt()) / 3.0;
+        2.0 * (-p).sqrt() * libm::cosf(angle)
+    } else {
+        libm::cbrtf(d.sqrt() - q) - libm::cbrtf(d.sqrt() + q)
+    };
+    y - a / 3.0
+}
+
+/// Where a ray starts that leaves a surface to the side of `normal`.
+pub fn leave(point: Vec3, normal: Vec3) -> Vec3 {
+    point + normal * OFFSET
+}
+
+/// Light on the other side of a surface: its direction and the share that Fresnel's formulas
+/// mirror.
+pub fn refracted(d: Vec3, n: Vec3, ratio: f32) -> (Vec3, f32) {
+    let cos = -d.dot(n);
+    let cos_behind = (1.0 - ratio * ratio * (1.0 - cos * cos)).sqrt();
+    let across = (ratio * cos - cos_behind) / (ratio * cos + cos_behind);
+    let along = (cos - ratio * cos_behind) / (cos + ratio * cos_behind);
+    (d * ratio + n * (ratio * cos - cos_behind), 0.5 * (across * across + along * along))
+}

@@ -1,0 +1,240 @@
+//! No NaN and no infinity ever reaches a pixel, and a ray that is none meets nothing.
+
+use proptest::collection::vec;
+use proptest::prelude::*;
+use strahl_core::{
+    Background, Camera, Everything, Falloff, Frame, Interface, Light, Limits, List, Material, Projection,
+    Ray, RayKind, Real, Rgb, Single, Size, Source, Texture, Tile, Tracer, Vec3, View, Worker, World, render,
+    unit, vec3,
+};
+use strahl_tests::single::Stage;
+use strahl_tests::{Kind, Random, Thing, Vector};
+
+/// A number from a list of ordinary and extreme ones.
+fn one_of(values: &'static [f32]) -> impl Strategy<Value = f32> {
+    prop::sample::select(values)
+}
+
+fn color(most: &'static [f32]) -> impl Strategy<Value = Rgb> {
+    (one_of(most), one_of(most), one_of(most)).prop_map(|(r, g, b)| Rgb::new(r, g, b))
+}
+
+const BRIGHT: &[f32] = &[0.0, 1e-30, 0.5, 1.0, 1e6];
+const SHARE: &[f32] = &[0.0, 1e-30, 0.5, 0.999_999_9, 1.0];
+
+prop_compose! {
+    fn material(scale: f32)(
+        (ambient, diffuse, highlight) in (color(BRIGHT), color(BRIGHT), color(BRIGHT)),
+        (mirror, transmitted) in (color(SHARE), color(SHARE)),
+        exponent in one_of(&[0.0, 1e-6, 1.0, 30.0, 1e6]),
+        index in one_of(&[0.01, 0.75, 1.0, 1.000_000_1, 1.5, 100.0]),
+        clarity in one_of(&[1e-20, 1e-3, 1.0, 1e15, f32::INFINITY]),
+        interface in prop::sample::select(vec![Interface::Constant, Interface::Fresnel]),
+        (two_sided, priority) in (any::<bool>(), 0_u8..3),
+    ) -> Material {
+        let clarity = Rgb::new(clarity * scale, f32::INFINITY, scale);
+        Material {
+            ambient, diffuse, highlight, mirror, transmitted, exponent, index, clarity, interface, two_sided,
+            priority, ..Material::MATTE
+        }
+    }
+}
+
+/// A place in a scene of size one: nearly always some ordinary one, sometimes the middle.
+fn place() -> impl Strategy<Value = Vec3> {
+    let side = || prop_oneof![8 => -2.0_f32..2.0, 1 => Just(0.0), 1 => Just(-1.0)];
+    (side(), side(), side()).prop_map(|(x, y, z)| vec3(x, y, z))
+}
+
+fn direction() -> impl Strategy<Value = Vec3> {
+    let axes = prop::sample::select(vec![Vec3::X, Vec3::Y, -Vec3::Z]);
+    prop_oneof![place().prop_map(|v| unit(v).unwrap_or(Vec3::Y)), axes]
+}
+
+prop_compose! {
+    fn light(scale: f32)(
+        position in place(), direction in direction(), color in color(BRIGHT), kind in 0..3, shadows in any::<bool>(),
+        (constant, linear, quadratic) in (one_of(&[0.0, 1.0, 1e6]), one_of(&[0.0, 1.0]), one_of(&[0.0, 1e-6, 1.0])),
+        cos in one_of(&[-1.0, 0.0, 0.9, 1.0]),
+    ) -> Light {
+        let constant = if constant + linear + quadratic > 0.0 { constant } else { 1.0 };
+        let falloff = Falloff { constant, linear: linear / scale, quadratic: quadratic / scale / scale };
+        let position = position * scale;
+        let source = match kind {
+            0 => Source::Point { position, falloff },
+            1 => Source::Directional { toward: direction },
+            _ => Source::Spot { position, direction, cos_bright: cos, cos_dark: -1.0, falloff },
+        };
+        Light { source, color, shadows }
+    }
+}
+
+prop_compose! {
+    fn view(scale: f32)(
+        (from, at) in (place(), place()), up in direction(), parallel in any::<bool>(),
+        angle in one_of(&[1e-6, 0.8, 3.0, 3.141_592]), height in one_of(&[1e-6, 1.0, 1e6]),
+    ) -> View {
+        let projection = if parallel {
+            Projection::Orthographic { height: height * scale }
+        } else {
+            Projection::Perspective { angle }
+        };
+        View { from: from * scale, at: at * scale, up, projection }
+    }
+}
+
+/// A scene, and how it is looked at.
+#[derive(Clone, Debug)]
+struct Sight {
+    scale: f32,
+    things: Vec<(usize, u64, usize)>,
+    materials: Vec<Material>,
+    lights: Vec<Light>,
+    ambient: Rgb,
+    view: View,
+}
+
+fn sight() -> impl Strategy<Value = Sight> {
+    (-20..=20_i32).prop_flat_map(|k| {
+        let scale = (0..k.abs()).fold(1.0, |x, _| if k < 0 { x * 0.5 } else { x * 2.0 });
+        (
+            Just(scale),
+            vec((0..Kind::ALL.len(), any::<u64>(), 0..3_usize), 1..8),
+            vec(material(scale), 3),
+            vec(light(scale), 0..3),
+            color(BRIGHT),
+            view(scale),
+        )
+            .prop_map(|(scale, things, materials, lights, ambient, view)| Sight {
+                scale,
+                things,
+                materials,
+                lights,
+                ambient,
+                view,
+            })
+    })
+}
+
+fn stage(sight: &Sight) -> Stage {
+    let mut stage = Stage::new();
+    let scale = f64::from(sight.scale);
+    let texture = stage.texture(Texture::Checker {
+        even: Rgb::WHITE,
+        odd: Rgb::gray(1e6),
+        origin: Vec3::ZERO,
+        frequency: Vec3::splat(3.0 / sight.scale),
+    });
+    for (kind, seed, material) in &sight.things {
+        let material = sight.materials[*material];
+        stage.material(if seed % 4 == 0 { Material { texture, ..material } } else { material });
+        let mut random = Random::new(*seed);
+        let place = random.near(Vector::ZERO, 1.5);
+        let size = random.scale(1e-3, 2.0);
+        let thing = Thing::random(Kind::ALL[*kind], place, size, &mut random);
+        stage.thing(&thing.mapped(|p| p * scale, |d| d, scale));
+    }
+    stage.lights.clone_from(&sight.lights);
+    stage.ambient = sight.ambient;
+    stage.background = Background::Gradient { up: Vec3::Y, below: Rgb::gray(1e6), above: Rgb::BLACK };
+    stage
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig { cases: 160, failure_persistence: None, ..ProptestConfig::default() })]
+
+    #[test]
+    fn every_channel_of_every_pixel_is_a_number(sight in sight(), width in 1_u32..6, height in 1_u32..5) {
+        let stage = stage(&sight);
+        let size = Size::new(width, height).unwrap();
+        // A view of nothing is refused at the door.
+        let Ok(camera) = Camera::new(&sight.view, size) else { return Ok(()) };
+        let world = World::new(stage.scene(), List::bare(stage.len()));
+        let limits = Limits { levels: 6, cutoff: 0.0 };
+        let tracer = Tracer::<_, Everything, 6>::new(&world, camera, limits).unwrap();
+        let tile = Tile::whole(size);
+        let mut colors = vec![Rgb::BLACK; tile.len()];
+        let mut frame = Frame::new(tile, &mut colors).unwrap();
+        let Ok(()) = render(&tracer, &mut Single, &mut Worker::new(()), tile.pixels(), &mut frame);
+        for color in colors {
+            prop_assert!(color.is_within(Real::MAX), "{color:?}");
+        }
+    }
+
+    #[test]
+    fn every_number_that_is_reported_of_a_hit_is_one(
+        sight in sight(), origin in place(), way in place(), length in -30..30_i32,
+    ) {
+        let stage = stage(&sight);
+        let world = World::new(stage.scene(), List::bare(stage.len()));
+        let scale = (0..length.abs()).fold(1.0, |x, _| if length < 0 { x * 0.1 } else { x * 10.0 });
+        let ray = Ray::new(origin * sight.scale, way * scale);
+        let hit = world.nearest::<Everything, _>(&ray, Real::MAX, RayKind::Camera, &mut (), &mut ());
+        if let Some(hit) = hit {
+            prop_assert!(hit.t > 0.0 && hit.t <= Real::MAX);
+            let surface = world.surface::<Everything>(&ray, hit);
+            let surface = surface.expect("what was hit has a surface");
+            prop_assert!(surface.point.is_finite() && surface.error.is_finite(), "{surface:?}");
+            for normal in [surface.normal, surface.shading] {
+                prop_assert!((normal.dot(normal) - 1.0).abs() <= 2e-6, "{surface:?}");
+            }
+        }
+    }
+}
+
+#[test]
+fn a_ray_that_is_none_meets_nothing_and_asks_for_nothing() {
+    use strahl_core::{
+        Bvh, BvhRoom, Counters, Grid, GridRoom, LastFirst, Node, Octree, OctreeNode, OctreeRoom, Slot,
+    };
+
+    let mut random = Random::new(0x5eed_0009);
+    let mut stage = Stage::new();
+    for kind in Kind::ALL {
+        stage.thing(&Thing::random(kind, random.near(Vector::ZERO, 2.0), 1.5, &mut random));
+    }
+    let boxes = stage.boxes();
+    let bad = [f32::NAN, f32::INFINITY, f32::NEG_INFINITY];
+    let mut rays = vec![Ray::new(Vec3::ZERO, Vec3::ZERO), Ray::new(Vec3::ONE, vec3(0.0, -0.0, 0.0))];
+    rays.push(Ray::new(Vec3::ZERO, vec3(1e-40, 0.0, 0.0)));
+    for x in bad {
+        for axis in 0..3 {
+            let (mut origin, mut direction) = (vec3(0.1, 0.2, 3.0), vec3(0.1, 0.2, -1.0));
+            origin[axis] = x;
+            rays.push(Ray::new(origin, direction));
+            direction[axis] = x;
+            rays.push(Ray::new(vec3(0.1, 0.2, 3.0), direction));
+            rays.push(Ray::new(origin, direction));
+        }
+    }
+
+    macro_rules! hold {
+        ($accelerator:expr) => {
+            let world = World::new(stage.scene(), $accelerator);
+            let mut scratch = Default::default();
+            let mut tally = Counters::new();
+            for ray in &rays {
+                for reach in [1.0, Real::MAX, Real::INFINITY, Real::NAN, -1.0] {
+                    let hit =
+                        world.nearest::<Everything, _>(ray, reach, RayKind::Camera, &mut scratch, &mut tally);
+                    assert_eq!(hit, None, "{ray:?}");
+                    let blocker =
+                        world.blocker::<Everything, _>(ray, reach, RayKind::Shadow, &mut scratch, &mut tally);
+                    assert_eq!(blocker, None, "{ray:?}");
+                }
+            }
+            assert_eq!(tally, Counters::new(), "no box and no shape is asked");
+        };
+    }
+
+    hold!(List::bare(stage.len()));
+    let room = BvhRoom::comfortable(boxes.len());
+    let (mut nodes, mut items) = (vec![Node::EMPTY; room.nodes], vec![Slot::EMPTY; room.items]);
+    hold!(Bvh::<LastFirst<64>>::build(&boxes, &mut nodes, &mut items).unwrap());
+    let room = GridRoom::comfortable(&boxes);
+    let (mut cells, mut items) = (vec![0; room.cells], vec![0; room.items]);
+    hold!(Grid::<64>::build(&boxes, &mut cells, &mut items).unwrap());
+    let room = OctreeRoom::comfortable(boxes.len());
+    let (mut nodes, mut items) = (vec![OctreeNode::EMPTY; room.nodes], vec![0; room.items]);
+    hold!(Octree::<64>::build(&boxes, &mut nodes, &mut items).unwrap());
+}

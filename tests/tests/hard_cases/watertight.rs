@@ -1,0 +1,109 @@
+//! No ray gets through a closed mesh between its triangles.
+
+use strahl_core::{
+    Bvh, BvhRoom, Everything, Geometry, Grid, GridRoom, LastFirst, List, Material, MaterialId, Node, Octree,
+    OctreeNode, OctreeRoom, Parts, Ray, RayKind, Real, Scene, Slot, World, vec3,
+};
+use strahl_tests::hard::{Mesh, escapes, odd_crossings};
+use strahl_tests::{Random, Vector, vector};
+
+const SEED: u64 = 0x5eed_0008;
+
+/// Far from the origin, where corners are coarse.
+const FAR: Vector = Vector::new(2e5, -1.3e5, 0.7e5);
+
+/// The slivers of a cone meet in its apex, and a ray that is aimed there has to ask all of them:
+/// fewer rays than for other meshes.
+fn meshes() -> Vec<(&'static str, Mesh, usize)> {
+    vec![
+        ("a sphere", Mesh::icosphere(5, Vector::ZERO, 1.0), 300_000),
+        ("a sphere far away", Mesh::icosphere(5, FAR, 100.0), 300_000),
+        ("a cube", Mesh::cube(vector(0.1, 0.2, 0.3), 1.0), 100_000),
+        ("a cube far away", Mesh::cube(FAR, 3.0), 100_000),
+        ("a sheet", Mesh::sheet(50, Vector::ZERO, 1.0), 80_000),
+        ("a sheet far away", Mesh::sheet(50, FAR, 100.0), 80_000),
+        ("a cone of slivers", Mesh::fan(1000, Vector::ZERO, 1.0), 20_000),
+        ("a cone of slivers far away", Mesh::fan(1000, FAR, 100.0), 20_000),
+    ]
+}
+
+#[test]
+fn a_million_rays_at_edges_and_corners_and_none_gets_through() {
+    let mut rays = 0;
+    for (name, mesh, count) in meshes() {
+        assert_eq!(escapes(&mesh, count, &mut Random::new(SEED)), 0, "{name}");
+        rays += count;
+    }
+    assert_eq!(rays, 1_000_000);
+}
+
+#[test]
+fn from_outside_a_closed_mesh_is_crossed_an_even_number_of_times() {
+    for (name, mesh) in [
+        ("a sphere", Mesh::icosphere(3, Vector::ZERO, 1.0)),
+        ("a sphere far away", Mesh::icosphere(3, FAR, 100.0)),
+        ("a cube", Mesh::cube(vector(0.1, 0.2, 0.3), 1.0)),
+        ("a cube far away", Mesh::cube(FAR, 3.0)),
+    ] {
+        assert_eq!(odd_crossings(&mesh, 5_000, &mut Random::new(SEED + 1)), 0, "{name}");
+    }
+}
+
+#[test]
+fn no_accelerator_lets_a_ray_through() {
+    for (name, mesh, _) in meshes() {
+        let (points, shapes) = mesh.tables();
+        let geometry = Geometry { points: &points, shapes: &shapes, ..Geometry::EMPTY };
+        let made_of = vec![MaterialId(0); shapes.len()];
+        let parts = Parts { geometry, made_of: &made_of, materials: &[Material::MATTE], ..Parts::EMPTY };
+        let scene = Scene::new(parts).unwrap();
+        let boxes: Vec<_> = geometry.all_bounds().collect();
+
+        let mut random = Random::new(SEED + 2);
+        let rays: Vec<Ray> = (0..4_000)
+            .map(|_| {
+                let (line, _) = mesh.aim(&mut random);
+                let narrow = |v: Vector| vec3(v.x as f32, v.y as f32, v.z as f32);
+                Ray::new(narrow(line.origin), narrow(line.direction))
+            })
+            .collect();
+        let mut truth = Vec::new();
+
+        macro_rules! hold {
+            ($kind:literal, $accelerator:expr) => {
+                let world = World::new(scene, $accelerator);
+                let mut scratch = Default::default();
+                for (i, ray) in rays.iter().enumerate() {
+                    let hit = world.nearest::<Everything, _>(
+                        ray,
+                        Real::MAX,
+                        RayKind::Camera,
+                        &mut scratch,
+                        &mut (),
+                    );
+                    assert!(hit.is_some(), "{name}, {}: {ray:?}", $kind);
+                    if truth.len() <= i {
+                        truth.push(hit);
+                    }
+                    assert_eq!(hit, truth[i], "{name}, {}: {ray:?}", $kind);
+                }
+            };
+        }
+
+        let room = BvhRoom::comfortable(boxes.len());
+        let (mut nodes, mut items) = (vec![Node::EMPTY; room.nodes], vec![Slot::EMPTY; room.items]);
+        hold!("hierarchy", Bvh::<LastFirst<64>>::build(&boxes, &mut nodes, &mut items).unwrap());
+        let room = GridRoom::comfortable(&boxes);
+        let (mut cells, mut items) = (vec![0; room.cells], vec![0; room.items]);
+        hold!("grid", Grid::<64>::build(&boxes, &mut cells, &mut items).unwrap());
+        let room = OctreeRoom::comfortable(boxes.len());
+        let (mut nodes, mut items) = (vec![OctreeNode::EMPTY; room.nodes], vec![0; room.items]);
+        hold!("octree", Octree::<64>::build(&boxes, &mut nodes, &mut items).unwrap());
+        // The list takes each of thousands of triangles: some rays are enough.
+        let world = World::new(scene, List::bare(shapes.len() as u32));
+        for (ray, truth) in rays.iter().zip(&truth).take(100) {
+            let hit = world.nearest::<Everything, _>(ray, Real::MAX, RayKind::Camera, &mut (), &mut ());
+            assert_eq!(hit, *truth, "{name}, list: {ray:?}");
+        }
+    }
+}
