@@ -56,13 +56,14 @@ mod counters;
 mod render;
 
 pub use accel::{
-    Accelerator, Bare, BuildError, Bvh, BvhRoom, Grid, GridRoom, LastFirst, List, Mailbox, NearestFirst,
-    Node, Octree, OctreeLimits, OctreeNode, OctreeRoom, Query, Slot, StaticGrid, Storage, Waiting, groups_of,
+    Accelerator, Bare, BuildError, Bvh, BvhRoom, Grid, GridRoom, Grown, LastFirst, Leaf, Leaves, List,
+    Mailbox, NearestFirst, Node, Octree, OctreeLimits, OctreeNode, OctreeRoom, Query, Run, Slot, StaticGrid,
+    Storage, Waiting, groups_of,
 };
 pub use counters::Counters;
 pub use geometry::{
-    Aabb, Cone, Cuboid, Disc, Geometry, Hit, ItemId, Plane, Polygon, Ray, Shape, ShapeFault, ShapeKind,
-    ShapeSet, Shapes, Span, Sphere, Surface, Torus, TurnedCuboid, has_area, leave,
+    Aabb, Cone, Cuboid, Disc, FourTriangles, Geometry, Hit, ItemId, Plane, Polygon, Ray, Shape, ShapeFault,
+    ShapeKind, ShapeSet, Shapes, Span, Sphere, Surface, Torus, TurnedCuboid, has_area, leave,
 };
 pub use image::{
     Adaptive, Agreement, Confidence, Corner, CornerRow, Corners, Every, Filter, Frame, Kept, Lattice, Loose,

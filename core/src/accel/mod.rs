@@ -27,7 +27,8 @@ mod walls;
 
 #[cfg(not(feature = "double"))]
 pub(crate) use bvh::BvhParts;
-pub use bvh::{Bvh, BvhRoom, LastFirst, NearestFirst, Node, Slot, Waiting};
+pub(crate) use bvh::Candidate;
+pub use bvh::{Bvh, BvhRoom, Grown, LastFirst, Leaf, Leaves, NearestFirst, Node, Run, Slot, Waiting};
 #[cfg(not(feature = "double"))]
 pub(crate) use grid::GridParts;
 pub use grid::{Grid, GridRoom, StaticGrid};
@@ -62,6 +63,11 @@ pub trait Query {
     /// An item that the ray may meet. `Break` when the walk may end.
     fn test(&mut self, item: ItemId) -> ControlFlow<()>;
 
+    /// Items that lie together. `Break` when the walk may end.
+    fn run(&mut self, run: &Run) -> ControlFlow<()> {
+        run.items().try_for_each(|item| self.test(item))
+    }
+
     /// This many boxes were held against the ray.
     fn boxes(&mut self, count: u32);
 
@@ -86,6 +92,8 @@ pub enum Storage {
     Nodes,
     /// Places for items in the leaves of a tree or the cells of a grid.
     Items,
+    /// Runs of items.
+    Runs,
 }
 
 /// Why an accelerator could not be built.
@@ -118,6 +126,7 @@ impl fmt::Display for BuildError {
                     Storage::Cells => "cells",
                     Storage::Nodes => "nodes",
                     Storage::Items => "places for items",
+                    Storage::Runs => "runs",
                 };
                 write!(f, "{needed} {what} needed, {lent} lent")
             }

@@ -8,6 +8,7 @@ mod bounds;
 mod cone;
 mod cuboid;
 mod disc;
+mod four;
 mod hit;
 mod plane;
 mod polygon;
@@ -22,6 +23,7 @@ pub use bounds::{Aabb, Span};
 pub use cone::Cone;
 pub use cuboid::{Cuboid, TurnedCuboid};
 pub use disc::Disc;
+pub use four::FourTriangles;
 pub use hit::{Hit, ItemId, Surface};
 pub use plane::Plane;
 pub use polygon::Polygon;
@@ -71,6 +73,22 @@ fn is_distance(t: &Real) -> bool {
 /// An entry of a table.
 fn of<T>(table: &[T], place: u32) -> Option<&T> {
     table.get(place as usize)
+}
+
+/// How far along the ray a triangle is met, as [`Geometry::distance`] says.
+#[inline]
+pub(crate) fn triangle_distance(corners: [&Vec3; 3], ray: &Ray) -> Option<Real> {
+    let t = triangle::hit(corners, ray).map(|contact| contact.t).filter(is_distance)?;
+    moved_into(triangle::bounds(corners), t, ray.origin, ray.inverse)
+}
+
+/// The distance nearest to `t` at which the ray is inside a box.
+#[inline(always)]
+fn moved_into(aabb: Aabb, t: Real, origin: Vec3, inverse: Vec3) -> Option<Real> {
+    let span = aabb.span_along(origin, inverse)?;
+    let t = if t < span.entry { span.entry } else { t };
+    let t = if t > span.exit { span.exit } else { t };
+    Some(t).filter(is_distance)
 }
 
 impl<'s> Geometry<'s> {
@@ -155,7 +173,7 @@ impl<'s> Geometry<'s> {
         of(self.shapes, item.0).copied()
     }
 
-    fn corners(&self, [a, b, c]: [u32; 3]) -> Option<[&'s Vec3; 3]> {
+    pub(crate) fn corners(&self, [a, b, c]: [u32; 3]) -> Option<[&'s Vec3; 3]> {
         Some([of(self.points, a)?, of(self.points, b)?, of(self.points, c)?])
     }
 
@@ -243,10 +261,7 @@ impl<'s> Geometry<'s> {
             iy: Real,
             iz: Real,
         ) -> Option<Real> {
-            let span = geometry.shape_bounds::<S>(shape)?.span_along(vec3(ox, oy, oz), vec3(ix, iy, iz))?;
-            let t = if t < span.entry { span.entry } else { t };
-            let t = if t > span.exit { span.exit } else { t };
-            Some(t).filter(is_distance)
+            moved_into(geometry.shape_bounds::<S>(shape)?, t, vec3(ox, oy, oz), vec3(ix, iy, iz))
         }
         apart::<S>(self, shape, t, ox, oy, oz, ix, iy, iz)
     }

@@ -9,6 +9,7 @@
 
 mod color;
 mod float;
+mod lanes;
 pub mod morton;
 mod roots;
 mod stream;
@@ -18,6 +19,7 @@ pub use color::Rgb;
 #[cfg(test)]
 pub use float::acos;
 pub use float::{cos, exp, floor, ln, powf, sin, sqrt, tan};
+pub use lanes::{LANES, Lanes};
 pub use roots::{CubicRoots, cubic_roots, root_between};
 pub use stream::{Dimension, Stream};
 pub use warp::{normal, tent};

@@ -5,8 +5,8 @@ use core::ops::ControlFlow;
 
 use super::Scene;
 use super::effects::Effects;
-use crate::accel::{Accelerator, Query};
-use crate::geometry::{Geometry, Hit, ItemId, Ray, ShapeKind, Surface};
+use crate::accel::{Accelerator, Candidate, Query, Run};
+use crate::geometry::{Geometry, Hit, ItemId, Ray, ShapeKind, Surface, triangle_distance};
 use crate::math::Real;
 use crate::tally::{Event, RayKind, Tally};
 
@@ -48,11 +48,12 @@ impl<'s, A: Accelerator> World<'s, A> {
         scratch: &mut A::Scratch,
         tally: &mut T,
     ) -> Option<Hit> {
-        let search = Search::<E, T>::new(self, ray, reach, kind, tally);
         // No item has the highest number: the first at the very reach wins against it.
-        let mut query = Nearest { search, item: ItemId(u32::MAX) };
-        self.ask::<E, _>(ray, scratch, &mut query);
-        (query.item != ItemId(u32::MAX)).then_some(Hit { t: query.search.reach, item: query.item })
+        let goal = Nearest(ItemId(u32::MAX));
+        let mut search = Search::<E, T, _>::new(self, ray, reach, kind, tally, goal);
+        self.ask::<E, _>(ray, scratch, &mut search);
+        let item = search.goal.0;
+        (item != ItemId(u32::MAX)).then_some(Hit { t: search.reach, item })
     }
 
     /// Some item along the ray, at most `reach` lengths of its direction away.
@@ -66,10 +67,9 @@ impl<'s, A: Accelerator> World<'s, A> {
         scratch: &mut A::Scratch,
         tally: &mut T,
     ) -> Option<ItemId> {
-        let search = Search::<E, T>::new(self, ray, reach, kind, tally);
-        let mut query = Blocker { search, item: None };
-        self.ask::<E, _>(ray, scratch, &mut query);
-        query.item
+        let mut search = Search::<E, T, _>::new(self, ray, reach, kind, tally, Blocker(None));
+        self.ask::<E, _>(ray, scratch, &mut search);
+        search.goal.0
     }
 
     /// What the item that was hit is like there.
@@ -94,29 +94,110 @@ impl<'s, A: Accelerator> World<'s, A> {
     }
 }
 
-/// A ray on its way, and the far limit of what it looks for.
-struct Search<'q, E, T> {
+/// A ray on its way, the far limit of what it looks for, and what that is.
+struct Search<'q, E, T, G> {
     geometry: &'q Geometry<'q>,
     ray: &'q Ray,
     /// Finite, so that an infinite distance is beyond every reach.
     reach: Real,
     kind: RayKind,
     tally: &'q mut T,
+    goal: G,
     effects: PhantomData<E>,
 }
 
-impl<'q, E: Effects, T: Tally> Search<'q, E, T> {
-    fn new<A>(world: &'q World<'_, A>, ray: &'q Ray, reach: Real, kind: RayKind, tally: &'q mut T) -> Self {
+/// What is looked for.
+trait Goal {
+    /// An item is met, at most `reach` away. `Break` when that is enough.
+    fn meet(&mut self, item: ItemId, t: Real, reach: &mut Real) -> ControlFlow<()>;
+}
+
+/// The nearest item: every hit shortens the reach.
+struct Nearest(ItemId);
+
+impl Goal for Nearest {
+    #[inline(always)]
+    fn meet(&mut self, item: ItemId, t: Real, reach: &mut Real) -> ControlFlow<()> {
+        if t < *reach || item < self.0 {
+            *reach = t;
+            self.0 = item;
+        }
+        ControlFlow::Continue(())
+    }
+}
+
+/// Any item: the first ends the walk.
+struct Blocker(Option<ItemId>);
+
+impl Goal for Blocker {
+    #[inline(always)]
+    fn meet(&mut self, item: ItemId, _: Real, _: &mut Real) -> ControlFlow<()> {
+        self.0 = Some(item);
+        ControlFlow::Break(())
+    }
+}
+
+impl<'q, E: Effects, T: Tally, G: Goal> Search<'q, E, T, G> {
+    /// Whether triangles of both sorts can be met, so that it need not be asked which one it is.
+    const TRIANGLES: bool =
+        E::SET.shapes.has(ShapeKind::Triangle) && E::SET.shapes.has(ShapeKind::SmoothTriangle);
+
+    fn new<A>(
+        world: &'q World<'_, A>,
+        ray: &'q Ray,
+        reach: Real,
+        kind: RayKind,
+        tally: &'q mut T,
+        goal: G,
+    ) -> Self {
         let reach = if reach < Real::MAX { reach } else { Real::MAX };
-        Search { geometry: &world.scene.parts().geometry, ray, reach, kind, tally, effects: PhantomData }
+        let geometry = &world.scene.parts().geometry;
+        Search { geometry, ray, reach, kind, tally, goal, effects: PhantomData }
     }
 
-    /// How far away the item is, if it is met within reach.
     #[inline(always)]
-    fn distance(&mut self, item: ItemId) -> Option<Real> {
-        let shape = self.geometry.shape(item)?;
-        self.tally.count(Event::Shape(self.kind, shape.kind()));
-        self.geometry.distance::<E>(shape, self.ray).filter(|t| *t <= self.reach)
+    fn meet(&mut self, item: ItemId, t: Option<Real>) -> ControlFlow<()> {
+        match t {
+            Some(t) if t <= self.reach => self.goal.meet(item, t, &mut self.reach),
+            _ => ControlFlow::Continue(()),
+        }
+    }
+
+    /// The item has been held against the ray.
+    #[inline(always)]
+    fn tested(&mut self, item: ItemId) {
+        if let Some(shape) = self.geometry.shape(item) {
+            self.tally.count(Event::Shape(self.kind, shape.kind()));
+        }
+    }
+}
+
+impl<E: Effects, T: Tally, G: Goal> Query for Search<'_, E, T, G> {
+    fn reach(&self) -> Real {
+        self.reach
+    }
+
+    #[inline(always)]
+    fn test(&mut self, item: ItemId) -> ControlFlow<()> {
+        self.tested(item);
+        let shape = self.geometry.shape(item);
+        self.meet(item, shape.and_then(|shape| self.geometry.distance::<E>(shape, self.ray)))
+    }
+
+    #[inline(always)]
+    fn run(&mut self, run: &Run) -> ControlFlow<()> {
+        if !Self::TRIANGLES {
+            return run.items().try_for_each(|item| self.test(item));
+        }
+        let may = run.may_meet(self.ray);
+        run.picked(!may).for_each(|item| self.tested(item));
+        run.candidates(may).try_for_each(|Candidate { item, corners }| match corners {
+            Some(corners) => {
+                self.tested(item);
+                self.meet(item, triangle_distance(corners.each_ref(), self.ray))
+            }
+            None => self.test(item),
+        })
     }
 
     fn boxes(&mut self, count: u32) {
@@ -129,75 +210,5 @@ impl<'q, E: Effects, T: Tally> Search<'q, E, T> {
 
     fn skipped(&mut self) {
         self.tally.count(Event::Skipped(self.kind));
-    }
-}
-
-/// Looks for the nearest item: every hit shortens the reach.
-struct Nearest<'q, E, T> {
-    search: Search<'q, E, T>,
-    item: ItemId,
-}
-
-impl<E: Effects, T: Tally> Query for Nearest<'_, E, T> {
-    fn reach(&self) -> Real {
-        self.search.reach
-    }
-
-    #[inline(always)]
-    fn test(&mut self, item: ItemId) -> ControlFlow<()> {
-        if let Some(t) = self.search.distance(item)
-            && (t < self.search.reach || item < self.item)
-        {
-            self.search.reach = t;
-            self.item = item;
-        }
-        ControlFlow::Continue(())
-    }
-
-    fn boxes(&mut self, count: u32) {
-        self.search.boxes(count);
-    }
-
-    fn enter(&mut self) {
-        self.search.enter();
-    }
-
-    fn skipped(&mut self) {
-        self.search.skipped();
-    }
-}
-
-/// Looks for any item: the first ends the walk.
-struct Blocker<'q, E, T> {
-    search: Search<'q, E, T>,
-    item: Option<ItemId>,
-}
-
-impl<E: Effects, T: Tally> Query for Blocker<'_, E, T> {
-    fn reach(&self) -> Real {
-        self.search.reach
-    }
-
-    #[inline(always)]
-    fn test(&mut self, item: ItemId) -> ControlFlow<()> {
-        match self.search.distance(item) {
-            Some(_) => {
-                self.item = Some(item);
-                ControlFlow::Break(())
-            }
-            None => ControlFlow::Continue(()),
-        }
-    }
-
-    fn boxes(&mut self, count: u32) {
-        self.search.boxes(count);
-    }
-
-    fn enter(&mut self) {
-        self.search.enter();
-    }
-
-    fn skipped(&mut self) {
-        self.search.skipped();
     }
 }

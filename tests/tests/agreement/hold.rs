@@ -1,8 +1,9 @@
 //! What every accelerator is held to: the answers of the bare list.
 
 use strahl_core::{
-    Aabb, Accelerator, Bvh, BvhRoom, Everything, Grid, GridRoom, Hit, ItemId, LastFirst, List, NearestFirst,
-    Node, Octree, OctreeLimits, OctreeNode, OctreeRoom, Ray, RayKind, Real, Slot, Surface, World,
+    Aabb, Accelerator, Bvh, BvhRoom, Everything, Grid, GridRoom, Grown, Hit, ItemId, LastFirst, Leaves, List,
+    NearestFirst, Node, Octree, OctreeLimits, OctreeNode, OctreeRoom, Ray, RayKind, Real, Run, Slot, Surface,
+    World,
 };
 use strahl_tests::Random;
 use strahl_tests::single::Stage;
@@ -100,6 +101,15 @@ impl<'s> Hold<'s> {
         self.against("by a heap of four", tree.walked::<NearestFirst<4>>());
         self.against("by a heap of one", tree.walked::<NearestFirst<1>>());
         self.against("by no heap", tree.walked::<NearestFirst<0>>());
+
+        let (mut nodes, mut items) = (vec![Node::EMPTY; lent], vec![Slot::EMPTY; room.items]);
+        let grown = Grown::build(&self.boxes, Leaves::Runs, &mut nodes, &mut items).unwrap();
+        let mut runs = vec![Run::EMPTY; grown.runs()];
+        let geometry = self.stage.scene().parts().geometry;
+        let tree = grown.in_runs::<LastFirst<64>>(&geometry, &mut runs).unwrap();
+        assert_eq!(tree.entries(), self.boxes.iter().filter(|aabb| !aabb.is_empty()).count());
+        self.against("in runs, by a stack", tree);
+        self.against("in runs, by a heap of one", tree.walked::<NearestFirst<1>>());
     }
 
     /// A grid and an octree in this much memory, with a mailbox.

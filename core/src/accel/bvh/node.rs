@@ -1,34 +1,31 @@
-//! A node: the boxes of its two halves, and where they go on.
+//! A node: the boxes of up to four parts of the tree, side by side, and where they go on.
 
 use zerocopy::{Immutable, KnownLayout, TryFromBytes};
 
 use crate::geometry::{Aabb, ItemId, Ray, WIDEN};
-use crate::math::Real;
+use crate::math::{LANES, Lanes, Real};
 
-/// A split: two halves with a box each.
+/// How many parts a node has at most.
+pub(super) const PARTS: usize = LANES;
+
+/// A split into up to four parts.
 #[derive(Clone, Copy, Debug, PartialEq, TryFromBytes, KnownLayout, Immutable)]
 #[repr(C)]
 pub struct Node {
-    /// For each axis the low walls of both halves and the high ones, so that what is asked of
-    /// one half can be asked of both at once.
-    walls: [Walls; 3],
-    children: [Child; 2],
+    /// For each axis the low walls of all parts and then the high ones: what is asked of one
+    /// part can be asked of all at once. A part that is not there is a box that no ray meets.
+    walls: [[Lanes; 2]; 3],
+    children: [Child; PARTS],
     /// The first node behind this part of the tree.
     end: u32,
+    /// Fills two cache lines where memory is aligned to them.
+    reserve: [u32; 3],
 }
 
 #[cfg(not(feature = "double"))]
-const _: () = assert!(size_of::<Node>() == 60);
+const _: () = assert!(size_of::<Node>() == 128);
 
-/// The walls of two boxes across one axis.
-#[derive(Clone, Copy, Debug, PartialEq, TryFromBytes, KnownLayout, Immutable)]
-#[repr(C)]
-struct Walls {
-    low: [Real; 2],
-    high: [Real; 2],
-}
-
-/// Where a half goes on: at a node, or in the items of a leaf.
+/// Where a part goes on: at a node, or in the items of a leaf.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, TryFromBytes, KnownLayout, Immutable)]
 #[repr(transparent)]
 pub struct Child(u32);
@@ -102,51 +99,59 @@ pub(super) struct Slabs([Slab; 3]);
 
 #[derive(Clone, Copy, Debug)]
 struct Slab {
-    origin: Real,
-    inverse: Real,
-    /// Whether the ray meets the low wall first.
-    rises: bool,
+    origin: Lanes,
+    inverse: Lanes,
+    /// Whether the ray meets the high wall first.
+    falls: bool,
 }
 
 impl Slabs {
     pub(super) fn of(ray: &Ray) -> Self {
-        let slab = |origin, inverse| Slab { origin, inverse, rises: inverse >= 0.0 };
+        let slab = |origin, inverse| Slab {
+            origin: Lanes::splat(origin),
+            inverse: Lanes::splat(inverse),
+            falls: !(inverse >= 0.0),
+        };
         let (o, i) = (ray.origin, ray.inverse);
         Slabs([slab(o.x, i.x), slab(o.y, i.y), slab(o.z, i.z)])
     }
 }
 
-/// Where a ray comes into the two boxes of a node.
+/// Where a ray comes into the boxes of a node.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Seen {
-    pub(super) entry: [Real; 2],
-    /// Whether it comes in at all, and within reach.
-    pub(super) meets: [bool; 2],
+    /// At or behind the start of the ray.
+    pub(super) entry: Lanes,
+    /// A bit for each box that it comes into within reach.
+    pub(super) meets: u32,
 }
 
 impl Node {
     /// A node to be overwritten: no ray meets it.
-    pub const EMPTY: Node = Node::of([Aabb::EMPTY; 2]);
+    pub const EMPTY: Node = Node {
+        walls: [[Lanes::splat(Real::INFINITY), Lanes::splat(Real::NEG_INFINITY)]; 3],
+        children: [Child::leaf(0); PARTS],
+        end: 0,
+        reserve: [0; 3],
+    };
 
-    /// A node whose halves have these boxes, and no items yet.
-    pub(super) const fn of([a, b]: [Aabb; 2]) -> Self {
-        Node {
-            walls: [
-                Walls { low: [a.min.x, b.min.x], high: [a.max.x, b.max.x] },
-                Walls { low: [a.min.y, b.min.y], high: [a.max.y, b.max.y] },
-                Walls { low: [a.min.z, b.min.z], high: [a.max.z, b.max.z] },
-            ],
-            children: [Child::leaf(0); 2],
-            end: 0,
+    /// Puts a part into one of the places; there is none behind the last.
+    pub(super) fn put(&mut self, place: usize, aabb: &Aabb) {
+        let (min, max) = (aabb.min.to_array(), aabb.max.to_array());
+        for (walls, (low, high)) in self.walls.iter_mut().zip(min.into_iter().zip(max)) {
+            for (lanes, wall) in walls.iter_mut().zip([low, high]) {
+                if let Some(lane) = lanes.0.get_mut(place) {
+                    *lane = wall;
+                }
+            }
         }
     }
 
     /// As it lies in memory.
     #[cfg(not(feature = "double"))]
-    pub(crate) fn words(&self) -> [u32; 15] {
-        let [x, y, z] = self.walls.map(|walls| [walls.low, walls.high]);
-        let mut words = [0; 15];
-        let walls = [x, y, z].into_iter().flatten().flatten().map(f32::to_bits);
+    pub(crate) fn words(&self) -> [u32; 32] {
+        let mut words = [0; 32];
+        let walls = self.walls.iter().flatten().flat_map(|lanes| lanes.0).map(f32::to_bits);
         let rest = self.children.iter().map(|child| child.0).chain([self.end]);
         for (word, value) in words.iter_mut().zip(walls.chain(rest)) {
             *word = value;
@@ -154,13 +159,28 @@ impl Node {
         words
     }
 
-    #[inline(always)]
-    pub(super) const fn children(&self) -> [Child; 2] {
+    /// All four, whether they are there or not.
+    #[cfg(not(feature = "double"))]
+    pub(super) const fn all_children(&self) -> [Child; PARTS] {
         self.children
     }
 
-    pub(super) const fn set_children(&mut self, children: [Child; 2]) {
-        self.children = children;
+    /// The children whose boxes are there, whatever the ray.
+    pub(super) fn children(&self) -> impl Iterator<Item = Child> + '_ {
+        let [[low, high], ..] = &self.walls;
+        let is_there = low.0.iter().zip(&high.0).map(|(low, high)| low <= high);
+        self.children.iter().zip(is_there).filter(|(_, is_there)| *is_there).map(|(child, _)| *child)
+    }
+
+    #[inline(always)]
+    pub(super) fn child(&self, place: usize) -> Child {
+        self.children.get(place).copied().unwrap_or(Child::leaf(0))
+    }
+
+    pub(super) fn set_child(&mut self, place: usize, other: Child) {
+        if let Some(child) = self.children.get_mut(place) {
+            *child = other;
+        }
     }
 
     #[inline(always)]
@@ -172,27 +192,63 @@ impl Node {
         self.end = end;
     }
 
-    /// [`Aabb::span`] of both boxes at once, bit for bit: the same operations in the same
-    /// order, four in a row. The far walls are counted backwards, so that all four look for
-    /// the largest.
+    /// [`Aabb::span`] of all boxes at once: the same operations in the same order, so that an
+    /// entry is the same, bit for bit, unless it lies before the start of the ray.
     #[inline(always)]
     pub(super) fn seen(&self, slabs: &Slabs, reach: Real) -> Seen {
-        let mut ends = [Real::NEG_INFINITY, Real::NEG_INFINITY, -Real::MAX, -Real::MAX];
+        let (mut entry, mut exit) = (Lanes::splat(0.0), Lanes::splat(Real::MAX));
         for (walls, slab) in self.walls.iter().zip(&slabs.0) {
-            let (near, far) = if slab.rises { (walls.low, walls.high) } else { (walls.high, walls.low) };
-            let (forth, back) = (slab.inverse, -slab.inverse);
-            let walls = [near[0], near[1], far[0], far[1]];
-            let scale = [forth, forth, back, back];
-            for ((end, wall), scale) in ends.iter_mut().zip(walls).zip(scale) {
-                let t = (wall - slab.origin) * scale;
-                *end = if t > *end { t } else { *end };
-            }
+            let (near, far) = (walls[usize::from(slab.falls)], walls[usize::from(!slab.falls)]);
+            entry = ((near - slab.origin) * slab.inverse).greatest(entry);
+            exit = ((far - slab.origin) * slab.inverse).least(exit);
         }
-        let [first, second, first_exit, second_exit] = ends;
-        let meets = |entry: Real, exit: Real| {
-            let exit = -exit * WIDEN;
-            entry <= exit && exit >= 0.0 && entry <= reach
+        let last = (exit * Lanes::splat(WIDEN)).least(Lanes::splat(reach));
+        Seen { entry, meets: entry.bits(last, |entry, last| entry <= last) }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::math::{Vec3, vec3};
+
+    /// Numbers on which walls and rays are likely to meet.
+    fn coordinates(seed: &mut u32) -> Vec3 {
+        let mut next = || {
+            *seed = seed.wrapping_mul(1_664_525).wrapping_add(1_013_904_223);
+            [-1.0, -0.5, -0.0, 0.0, 0.25, 1.0 / 3.0, 1.0, 2.0][(*seed >> 28) as usize / 2]
         };
-        Seen { entry: [first, second], meets: [meets(first, first_exit), meets(second, second_exit)] }
+        vec3(next(), next(), next())
+    }
+
+    #[test]
+    fn a_node_says_of_each_box_what_the_box_says_itself() {
+        let mut seed = 1;
+        let mut met = 0;
+        for _ in 0..20_000 {
+            let boxes = [(); PARTS].map(|()| Aabb::around([coordinates(&mut seed), coordinates(&mut seed)]));
+            let (origin, direction) = (coordinates(&mut seed), coordinates(&mut seed));
+            if direction == Vec3::ZERO {
+                continue;
+            }
+            let ray = Ray::new(origin, direction);
+            let mut node = Node::EMPTY;
+            for (aabb, place) in boxes.iter().zip(0..PARTS - 1) {
+                node.put(place, aabb);
+            }
+            let reach = 1.5;
+            let seen = node.seen(&Slabs::of(&ray), reach);
+            for (aabb, place) in boxes.iter().zip(0..PARTS - 1) {
+                let span = aabb.span(&ray).filter(|span| span.entry <= reach);
+                assert_eq!(seen.meets >> place & 1 != 0, span.is_some(), "{aabb:?} {ray:?}");
+                if let Some(span) = span {
+                    met += 1;
+                    let entry = if span.entry > 0.0 { span.entry } else { 0.0 };
+                    assert_eq!(seen.entry.0[place], entry, "{aabb:?} {ray:?}");
+                }
+            }
+            assert_eq!(seen.meets >> (PARTS - 1), 0, "nothing is there");
+        }
+        assert!(met > 5_000, "{met}");
     }
 }

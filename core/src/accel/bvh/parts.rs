@@ -15,7 +15,7 @@ pub(crate) struct BvhParts<'s> {
 
 impl<'s, W> Bvh<'s, W> {
     pub(crate) const fn parts(&self) -> BvhParts<'s> {
-        BvhParts { nodes: self.nodes, items: self.items, depth: self.depth }
+        BvhParts { nodes: self.nodes, items: self.leaves, depth: self.depth }
     }
 
     /// The hierarchy of parts, for a scene of `count` items; none when an index is out of range
@@ -27,22 +27,19 @@ impl<'s, W> Bvh<'s, W> {
         let mut tree = nodes.iter().zip(0..).all(|(node, place)| is_depth_first(nodes, items, node, place));
         // The root's part is all of them.
         tree &= nodes.first().is_none_or(|root| root.end() as usize == nodes.len());
-        (known && ends && tree).then_some(Bvh { nodes, items, depth, walk: PhantomData })
+        (known && ends && tree).then_some(Bvh { nodes, leaves: items, depth, walk: PhantomData })
     }
 }
 
-/// Whether the halves of a node are leaves with items, or the nodes that follow it: one the next
-/// one, the other where the part of the first ends; and whether its own part ends with theirs.
+/// Whether the parts of a node are leaves with items, or lie one after the other behind it; and
+/// whether its own part of the tree ends with theirs.
 fn is_depth_first(nodes: &[Node], items: &[Slot], node: &Node, place: u32) -> bool {
-    let end_of = |child: Child, next: u32| match child.goes() {
+    let behind = |next: u32, child: Child| match child.goes() {
         Goes::Out(first) => ((first as usize) < items.len()).then_some(next),
         Goes::On(below) if below == next => {
             nodes.get(below as usize).map(Node::end).filter(|end| *end > next)
         }
         Goes::On(_) => None,
     };
-    let [a, b] = node.children();
-    let next = place + 1;
-    let in_order = |first, second| end_of(first, next).and_then(|end| end_of(second, end));
-    in_order(a, b).or_else(|| in_order(b, a)) == Some(node.end())
+    node.all_children().into_iter().try_fold(place + 1, behind) == Some(node.end())
 }

@@ -2,6 +2,8 @@
 
 use core::mem::swap;
 
+use super::Run;
+use super::build::Leaves;
 use super::node::Slot;
 use crate::geometry::Aabb;
 use crate::math::{Real, Vec3};
@@ -9,8 +11,30 @@ use crate::math::{Real, Vec3};
 /// Bins along each axis.
 const BINS: usize = 16;
 
-/// What the visit of a node costs, in tests of items.
-const VISIT: Real = 1.0;
+/// What a walk pays.
+#[derive(Clone, Copy)]
+pub(super) struct Costs {
+    /// For the visit of a node, in tests of one item.
+    visit: Real,
+    /// Items are tested so many at once, for the price of all.
+    together: u32,
+    /// A leaf has at most so many items, if there are nodes enough.
+    leaf: u32,
+}
+
+impl Costs {
+    pub(super) const fn of(leaves: Leaves) -> Self {
+        match leaves {
+            Leaves::Singly => Costs { visit: 1.0, together: 1, leaf: 8 },
+            Leaves::Runs => Costs { visit: 4.0, together: Run::ITEMS as u32, leaf: 8 },
+        }
+    }
+
+    /// For items inside a box, times the surface of what they are inside of.
+    fn tests(self, aabb: &Aabb, count: u32) -> Real {
+        if count == 0 { 0.0 } else { surface(aabb) * count.next_multiple_of(self.together) as Real }
+    }
+}
 
 /// Items in two halves, the first ones and the rest.
 pub(super) struct Split {
@@ -33,15 +57,10 @@ impl Bin {
     fn and(self, other: Bin) -> Bin {
         Bin { aabb: self.aabb.union(other.aabb), count: self.count + other.count }
     }
-
-    /// What a ray that meets the parent's box is expected to cost, times the parent's surface.
-    fn cost(&self) -> Real {
-        if self.count == 0 { 0.0 } else { surface(&self.aabb) * self.count as Real }
-    }
 }
 
 /// Half the surface of a box.
-fn surface(aabb: &Aabb) -> Real {
+pub(super) fn surface(aabb: &Aabb) -> Real {
     let size = aabb.max - aabb.min;
     size.x * size.y + size.y * size.z + size.z * size.x
 }
@@ -81,8 +100,8 @@ impl Bins {
 
 /// Splits `items` into two halves, and reorders them; none when they had better stay together.
 ///
-/// With `even` into equal halves. At most `leaf` items stay together for free will.
-pub(super) fn split(boxes: &[Aabb], items: &mut [Slot], leaf: u32, even: bool) -> Option<Split> {
+/// With `even` into equal halves.
+pub(super) fn split(boxes: &[Aabb], items: &mut [Slot], costs: Costs, even: bool) -> Option<Split> {
     let box_of = |slot: &Slot| boxes.get(slot.item().0 as usize).copied().unwrap_or(Aabb::EMPTY);
     let count = items.len() as u32;
     let (mut all, mut middles) = (Aabb::EMPTY, Aabb::EMPTY);
@@ -94,11 +113,11 @@ pub(super) fn split(boxes: &[Aabb], items: &mut [Slot], leaf: u32, even: bool) -
     }
 
     let bins = Bins::of(&middles);
-    let best = if even { None } else { best(items.iter().map(box_of), &bins) };
-    let stay = if count <= leaf { surface(&all) * count as Real } else { Real::INFINITY };
+    let best = if even { None } else { best(items.iter().map(box_of), &bins, costs) };
+    let stay = if count <= costs.leaf { costs.tests(&all, count) } else { Real::INFINITY };
     match best {
         Some(best) => {
-            if !(best.cost + VISIT * surface(&all) < stay) {
+            if !(best.cost + costs.visit * surface(&all) < stay) {
                 return None;
             }
             let in_first = |slot: &Slot| {
@@ -108,7 +127,7 @@ pub(super) fn split(boxes: &[Aabb], items: &mut [Slot], leaf: u32, even: bool) -
             partition(items, in_first);
             Some(Split { boxes: best.boxes, count: best.count })
         }
-        None if count <= leaf && !even => None,
+        None if count <= costs.leaf => None,
         None => {
             let half = count / 2;
             let round = |items: &[Slot]| items.iter().map(box_of).fold(Aabb::EMPTY, Aabb::union);
@@ -130,7 +149,7 @@ struct Best {
 }
 
 /// The best of all borders between bins; none when all middles agree.
-fn best(boxes: impl Iterator<Item = Aabb>, bins: &Bins) -> Option<Best> {
+fn best(boxes: impl Iterator<Item = Aabb>, bins: &Bins, costs: Costs) -> Option<Best> {
     let mut filled = [[Bin::EMPTY; BINS]; 3];
     for aabb in boxes {
         for (axis, place) in filled.iter_mut().zip(bins.places(&aabb)) {
@@ -154,7 +173,7 @@ fn best(boxes: impl Iterator<Item = Aabb>, bins: &Bins) -> Option<Best> {
             if before.count == 0 || behind.count == 0 {
                 continue;
             }
-            let cost = before.cost() + behind.cost();
+            let cost = costs.tests(&before.aabb, before.count) + costs.tests(&behind.aabb, behind.count);
             if best.as_ref().is_none_or(|best| cost < best.cost) {
                 let boxes = [before.aabb, behind.aabb];
                 best = Some(Best { axis, border, cost, boxes, count: before.count });

@@ -1,14 +1,16 @@
 //! The walk: nearer half first, no recursion, bounded memory.
 
+use core::iter::from_fn;
+use core::mem::replace;
 use core::ops::ControlFlow;
 
-use super::Bvh;
-use super::node::{Child, Goes, Slabs};
+use super::node::{Child, Goes, Node, PARTS, Seen, Slabs};
 use super::waiting::{Part, Waiting};
+use super::{Bvh, Leaf};
 use crate::accel::{Accelerator, Query};
 use crate::geometry::Ray;
 
-impl<W: Waiting> Accelerator for Bvh<'_, W> {
+impl<W: Waiting, L: Leaf> Accelerator for Bvh<'_, W, L> {
     type Scratch = W;
 
     #[inline]
@@ -17,7 +19,7 @@ impl<W: Waiting> Accelerator for Bvh<'_, W> {
     }
 }
 
-impl<W: Waiting> Bvh<'_, W> {
+impl<W: Waiting, L: Leaf> Bvh<'_, W, L> {
     fn nearer_first<Q: Query>(&self, ray: &Ray, waiting: &mut W, query: &mut Q) -> ControlFlow<()> {
         let slabs = Slabs::of(ray);
         waiting.clear();
@@ -30,28 +32,21 @@ impl<W: Waiting> Bvh<'_, W> {
                 }
                 Goes::On(place) => {
                     let Some(node) = self.nodes.get(place as usize) else { return ControlFlow::Continue(()) };
-                    query.boxes(2);
+                    query.boxes(PARTS as u32);
                     let seen = node.seen(&slabs, query.reach());
-                    let [first, second] = node.children();
-                    let first = Part { entry: seen.entry[0], child: first };
-                    let second = Part { entry: seen.entry[1], child: second };
-                    match seen.meets {
-                        [true, true] => {
-                            let swapped = second.entry < first.entry;
-                            let (near, far) = if swapped { (second, first) } else { (first, second) };
-                            match waiting.wait(far) {
-                                Ok(()) => Some(near),
-                                // No room: the nearer half is swept, which needs none.
-                                Err(far) => {
-                                    self.sweep(near.child, &slabs, query)?;
-                                    Some(far)
-                                }
-                            }
+                    let mut parts = parts(node, seen);
+                    let mut nearest = parts.next();
+                    for part in parts {
+                        let farther = match &mut nearest {
+                            Some(nearest) if part < *nearest => replace(nearest, part),
+                            _ => part,
+                        };
+                        // No room: that part is swept, which needs none.
+                        if let Err(part) = waiting.wait(farther) {
+                            self.sweep(part.child, &slabs, query)?;
                         }
-                        [true, false] => Some(first),
-                        [false, true] => Some(second),
-                        [false, false] => None,
                     }
+                    nearest
                 }
             };
             let next = match onward {
@@ -68,36 +63,34 @@ impl<W: Waiting> Bvh<'_, W> {
     #[inline(always)]
     fn leaf<Q: Query>(&self, first: u32, query: &mut Q) -> ControlFlow<()> {
         query.enter();
-        for slot in self.items.get(first as usize..).unwrap_or_default() {
-            query.test(slot.item())?;
-            if slot.is_last() {
+        for piece in self.leaves.get(first as usize..).unwrap_or_default() {
+            piece.offer(query)?;
+            if piece.is_last() {
                 break;
             }
         }
         ControlFlow::Continue(())
     }
 
-    /// A whole part of the tree in the order of storage, with no memory. A part whose box is
-    /// missed is left out where it is the second half or both are missed; else it is found
-    /// out one step later.
+    /// A whole part of the tree in the order of storage, with no memory.
     #[cold]
     fn sweep<Q: Query>(&self, from: Child, slabs: &Slabs, query: &mut Q) -> ControlFlow<()> {
         let mut place = match from.goes() {
             Goes::Out(first) => return self.leaf(first, query),
             Goes::On(place) => place,
         };
-        let end = self.nodes.get(place as usize).map_or(0, |node| node.end());
+        let end = self.nodes.get(place as usize).map_or(0, Node::end);
         while place < end
             && let Some(node) = self.nodes.get(place as usize)
         {
-            query.boxes(2);
-            let seen = node.seen(slabs, query.reach());
+            query.boxes(PARTS as u32);
+            // On to the first part below that the ray meets; where it meets none, behind all.
             let mut next = node.end();
-            for (child, meets) in node.children().into_iter().zip(seen.meets) {
-                match child.goes() {
-                    Goes::Out(first) if meets => self.leaf(first, query)?,
-                    Goes::On(below) if meets && below < next => next = below,
-                    _ => {}
+            for part in parts(node, node.seen(slabs, query.reach())) {
+                match part.child.goes() {
+                    Goes::Out(first) => self.leaf(first, query)?,
+                    Goes::On(below) if below < next => next = below,
+                    Goes::On(_) => {}
                 }
             }
             // Nodes lie depth first, so that the next one is always further on.
@@ -105,4 +98,16 @@ impl<W: Waiting> Bvh<'_, W> {
         }
         ControlFlow::Continue(())
     }
+}
+
+/// The parts of a node that a ray meets.
+#[inline(always)]
+fn parts(node: &Node, seen: Seen) -> impl Iterator<Item = Part> + '_ {
+    let mut left = seen.meets;
+    from_fn(move || {
+        let place = left.trailing_zeros() as usize;
+        let entry = *seen.entry.0.get(place)?;
+        left &= left - 1;
+        Some(Part { entry, child: node.child(place) })
+    })
 }

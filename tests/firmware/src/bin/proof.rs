@@ -264,10 +264,29 @@ fn tree<W: Waiting>() {
     used(BvhRoom::comfortable(any(1)));
     let (mut nodes, mut items) = ([Node::EMPTY; 2], [Slot::EMPTY; 2]);
     let (nodes, items) = (any(nodes.as_mut_slice()), any(items.as_mut_slice()));
-    if let Ok(tree) = Bvh::<()>::build(slice(&[Aabb::EMPTY]), nodes, items) {
-        used((tree.bytes(), tree.regions(), tree.entries(), tree.depth()));
-        tree.walked::<W>().walk(&ray(), &mut W::default(), &mut Anybody);
+    let boxes = slice(&[Aabb::EMPTY]);
+    match any(Leaves::Runs) {
+        Leaves::Singly => {
+            let Ok(tree) = Bvh::<()>::build(boxes, nodes, items) else { return };
+            hierarchy(tree.walked::<W>());
+        }
+        leaves => {
+            let Ok(grown) = Grown::build(boxes, leaves, nodes, items) else { return };
+            used(grown.runs());
+            let mut runs = [Run::EMPTY; 2];
+            let Ok(tree) = grown.in_runs::<W>(&any_geometry(), any(runs.as_mut_slice())) else { return };
+            hierarchy(tree);
+        }
     }
+    if let Ok(grown) = Grown::build(boxes, any(Leaves::Singly), &mut [Node::EMPTY], &mut [Slot::EMPTY]) {
+        hierarchy(grown.singly::<W>());
+    }
+}
+
+fn hierarchy<W: Waiting, L: Leaf>(tree: Bvh<'_, W, L>) {
+    used((tree.bytes(), tree.regions(), tree.entries(), tree.depth()));
+    tree.walked::<W>().walk(&ray(), &mut W::default(), &mut Anybody);
+    used(any(Run::EMPTY).items().count());
 }
 
 /// A grid and an octree of anything, in lent memory of any length.

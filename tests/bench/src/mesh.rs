@@ -1,0 +1,89 @@
+//! Meshes of a chosen size, and rays at them.
+
+use strahl_core::{PI, Ray, Vec3, vec3};
+
+/// Triangles.
+pub struct Mesh {
+    pub points: Vec<Vec3>,
+    pub triangles: Vec<[u32; 3]>,
+}
+
+impl Mesh {
+    /// A round stone with bumps, of about `triangles` triangles.
+    pub fn stone(triangles: usize) -> Mesh {
+        let rows = ((triangles as f32) / 4.0).sqrt().round().max(3.0) as u32;
+        let columns = 2 * rows;
+        let mut points = Vec::new();
+        for row in 0..=rows {
+            let polar = PI * row as f32 / rows as f32;
+            for column in 0..columns {
+                let azimuth = 2.0 * PI * column as f32 / columns as f32;
+                let bumps = 0.08 * (9.0 * azimuth).sin() * (7.0 * polar).sin()
+                    + 0.02 * (43.0 * azimuth).sin() * (37.0 * polar).cos();
+                let radius = 1.0 + bumps;
+                let ring = radius * polar.sin();
+                points.push(vec3(ring * azimuth.cos(), radius * polar.cos(), ring * azimuth.sin()));
+            }
+        }
+        let mut faces = Vec::new();
+        for row in 0..rows {
+            for column in 0..columns {
+                let at = |row, column| row * columns + column % columns;
+                let [a, b] = [at(row, column), at(row, column + 1)];
+                let [c, d] = [at(row + 1, column), at(row + 1, column + 1)];
+                if row > 0 {
+                    faces.push([a, b, d]);
+                }
+                if row + 1 < rows {
+                    faces.push([a, d, c]);
+                }
+            }
+        }
+        Mesh { points, triangles: faces }
+    }
+
+    pub fn corners(&self) -> impl Iterator<Item = [Vec3; 3]> + '_ {
+        self.triangles.iter().map(|corners| corners.map(|place| self.points[place as usize]))
+    }
+}
+
+/// Numbers in `[0, 1)` (Steele, Lea, Flood, "Fast Splittable Pseudorandom Number Generators",
+/// 2014).
+pub struct Random(pub u64);
+
+impl Random {
+    fn unit(&mut self) -> f32 {
+        self.0 = self.0.wrapping_add(0x9e37_79b9_7f4a_7c15);
+        let mut z = self.0;
+        z = (z ^ (z >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
+        z = (z ^ (z >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
+        ((z ^ (z >> 31)) >> 40) as f32 / (1 << 24) as f32
+    }
+
+    fn within(&mut self, reach: f32) -> Vec3 {
+        let mut one = || (2.0 * self.unit() - 1.0) * reach;
+        vec3(one(), one(), one())
+    }
+}
+
+/// Rays of a picture of `side` times `side` pixels, row by row.
+pub fn camera_rays(side: u32) -> Vec<Ray> {
+    let eye = vec3(1.2, 1.6, 2.4);
+    let toward = -eye.normalize_or_zero();
+    let right = toward.cross(Vec3::Y).normalize_or_zero();
+    let up = right.cross(toward);
+    let at = |pixel: u32| (pixel as f32 + 0.5) / side as f32 * 2.0 - 1.0;
+    let rays = (0..side).flat_map(|y| (0..side).map(move |x| (x, y)));
+    rays.map(|(x, y)| Ray::new(eye, (toward + right * (at(x) * 0.45) - up * (at(y) * 0.45)).normalize_or_zero()))
+        .collect()
+}
+
+/// Rays from anywhere near the mesh to anywhere near it.
+pub fn random_rays(count: usize) -> Vec<Ray> {
+    let mut random = Random(1);
+    let ray = |_| {
+        let from = random.within(1.6);
+        Ray::new(from, (random.within(1.1) - from).normalize_or_zero())
+    };
+    (0..count).map(ray).collect()
+}

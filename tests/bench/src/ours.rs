@@ -1,0 +1,116 @@
+//! strahl's own ways of finding.
+
+use strahl_core::{
+    Accelerator, Aabb, Bvh, BvhRoom, EffectSet, Effects, Geometry, Grown, LastFirst, Leaves, Material, MaterialId, NearestFirst, Node,
+    Parts, Ray, RayKind, Run, Scene, Shape, ShapeKind, ShapeSet, Slot, World,
+};
+
+use crate::contest::{Contender, Found};
+use crate::mesh::Mesh;
+
+/// Triangles and nothing else.
+pub struct Triangles;
+
+impl Effects for Triangles {
+    const SET: EffectSet =
+        EffectSet { shapes: ShapeSet::of(&[ShapeKind::Triangle]), ..EffectSet::NONE };
+}
+
+/// The tables of a mesh.
+pub struct Tables {
+    shapes: Vec<Shape>,
+    points: Vec<strahl_core::Vec3>,
+    made_of: Vec<MaterialId>,
+    pub boxes: Vec<Aabb>,
+}
+
+impl Tables {
+    pub fn of(mesh: &Mesh) -> Self {
+        let shapes: Vec<Shape> = mesh.triangles.iter().map(|corners| Shape::Triangle(*corners)).collect();
+        let made_of = vec![MaterialId(0); shapes.len()];
+        let mut tables = Tables { shapes, points: mesh.points.clone(), made_of, boxes: Vec::new() };
+        tables.boxes = tables.scene().parts().geometry.all_bounds().collect();
+        tables
+    }
+
+    pub fn scene(&self) -> Scene<'_> {
+        let geometry = Geometry { shapes: &self.shapes, points: &self.points, ..Geometry::EMPTY };
+        Scene::new(Parts { geometry, made_of: &self.made_of, materials: &[Material::MATTE], ..Parts::EMPTY })
+            .expect("a mesh is a scene")
+    }
+}
+
+/// A world and what its walks remember.
+struct Asked<'s, A: Accelerator> {
+    world: World<'s, A>,
+    scratch: A::Scratch,
+    bytes: usize,
+}
+
+impl<A: Accelerator> Contender for Asked<'_, A> {
+    fn bytes(&self) -> usize {
+        self.bytes
+    }
+
+    fn closest(&mut self, ray: &Ray) -> Option<Found> {
+        let hit =
+            self.world.nearest::<Triangles, ()>(ray, f32::MAX, RayKind::Camera, &mut self.scratch, &mut ());
+        hit.map(|hit| Found { t: hit.t, item: hit.item.0 })
+    }
+
+    fn any(&mut self, ray: &Ray, reach: f32) -> bool {
+        self.world.blocker::<Triangles, ()>(ray, reach, RayKind::Shadow, &mut self.scratch, &mut ()).is_some()
+    }
+}
+
+/// The memory of a hierarchy.
+pub struct Room {
+    nodes: Vec<Node>,
+    items: Vec<Slot>,
+    runs: Vec<Run>,
+}
+
+impl Room {
+    pub fn of(items: usize) -> Self {
+        let BvhRoom { nodes, items } = BvhRoom::comfortable(items);
+        Room { nodes: vec![Node::EMPTY; nodes], items: vec![Slot::EMPTY; items], runs: Vec::new() }
+    }
+}
+
+/// Builds, and answers by a stack and by a heap.
+pub fn hierarchy<'s>(tables: &'s Tables, room: &'s mut Room) -> [(&'static str, Box<dyn Contender + 's>); 2] {
+    let Room { nodes, items, runs } = room;
+    let grown = Grown::build(&tables.boxes, Leaves::Runs, nodes, items).expect("there is room");
+    runs.resize(grown.runs(), Run::EMPTY);
+    let tree: Bvh<'_, ()> = grown.in_runs(&tables.scene().parts().geometry, runs).expect("there is room");
+    let bytes = tree.bytes() + tables.scene().parts().geometry.bytes();
+    [
+        ("strahl, stack", asked(tables, tree.walked::<LastFirst<64>>(), bytes)),
+        ("strahl, heap", asked(tables, tree.walked::<NearestFirst<64>>(), bytes)),
+    ]
+}
+
+fn asked<'s, A: Accelerator + 's>(tables: &'s Tables, accelerator: A, bytes: usize) -> Box<dyn Contender + 's> {
+    Box::new(Asked { world: World::new(tables.scene(), accelerator), scratch: A::Scratch::default(), bytes })
+}
+
+/// What a walk counts for these rays: boxes, regions, triangles, each per ray.
+pub fn counted(tables: &Tables, room: &mut Room, rays: &[Ray]) -> [f64; 3] {
+    let Room { nodes, items, runs } = room;
+    let grown = Grown::build(&tables.boxes, Leaves::Runs, nodes, items).expect("there is room");
+    runs.resize(grown.runs(), Run::EMPTY);
+    let tree: Bvh<'_, LastFirst<64>> = grown.in_runs(&tables.scene().parts().geometry, runs).expect("there is room");
+    let world = World::new(tables.scene(), tree);
+    let mut counters = strahl_core::Counters::new();
+    let mut scratch = LastFirst::default();
+    for ray in rays {
+        let _ = world.nearest::<Triangles, _>(ray, f32::MAX, RayKind::Camera, &mut scratch, &mut counters);
+    }
+    for ray in rays {
+        let _ = world.blocker::<Triangles, _>(ray, 4.0, RayKind::Shadow, &mut scratch, &mut counters);
+    }
+    let kind = RayKind::Shadow;
+    println!("{:?}", [counters.boxes(kind), counters.regions(kind), counters.shapes(kind)].map(|n| n as f64 / rays.len() as f64));
+    let kind = RayKind::Camera;
+    [counters.boxes(kind), counters.regions(kind), counters.shapes(kind)].map(|n| n as f64 / rays.len() as f64)
+}
