@@ -133,7 +133,7 @@ fn whole(random: &mut Random) -> Vec<(f64, f64)> {
         // A star of four to nine points, its notches level with other points.
         0 => {
             let points = 4 + random.below(6);
-            let reach = |i: u32| if i % 2 == 0 { 12.0 } else { 5.0 };
+            let reach = |i: u32| if i.is_multiple_of(2) { 12.0 } else { 5.0 };
             let corner = |i: u32| {
                 let angle = f64::from(i) * std::f64::consts::PI / f64::from(points);
                 ((reach(i) * libm::cos(angle)).round(), (reach(i) * libm::sin(angle)).round())

@@ -240,7 +240,7 @@ impl Ring {
         random.near(middle, 1.2 * self.minor)
     }
 
-    fn from_afar(&self, near: f64, far: f64, random: &mut Random) -> Line {
+    fn at_tube(&self, near: f64, far: f64, random: &mut Random) -> Line {
         let size = self.major + self.minor;
         let eye = held(self.center + random.direction() * (size * random.scale(near, far)));
         towards(eye, self.in_tube(random))
@@ -249,17 +249,17 @@ impl Ring {
 
 fn far_torus(random: &mut Random) -> (Thing, Vec<Line>) {
     let ring = Ring::any(random);
-    (ring.thing(), some(|| ring.from_afar(10.0, 1e4, random)))
+    (ring.thing(), some(|| ring.at_tube(10.0, 1e4, random)))
 }
 
 fn thin_torus(random: &mut Random) -> (Thing, Vec<Line>) {
     let ring = Ring::new(random.scale(1e-4, 1e-2), random);
-    (ring.thing(), some(|| ring.from_afar(0.2, 3.0, random)))
+    (ring.thing(), some(|| ring.at_tube(0.2, 3.0, random)))
 }
 
 fn fat_torus(random: &mut Random) -> (Thing, Vec<Line>) {
     let ring = Ring::new(1.0 - random.scale(1e-6, 0.1), random);
-    (ring.thing(), some(|| ring.from_afar(1.1, 30.0, random)))
+    (ring.thing(), some(|| ring.at_tube(1.1, 30.0, random)))
 }
 
 fn down_the_hole(random: &mut Random) -> (Thing, Vec<Line>) {

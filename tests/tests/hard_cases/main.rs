@@ -1,5 +1,6 @@
 //! Rays that are known to go wrong, held against the bounds: see `strahl_tests::hard`.
 
+mod accelerators;
 mod pixels;
 mod scale;
 mod watertight;
