@@ -69,6 +69,8 @@ pub use image::{
     Adaptive, Agreement, Confidence, Corner, CornerRow, Corners, Every, Filter, Frame, Kept, Lattice, Loose,
     Parting, Pixel, Record, Regular, Sampler, Selected, Selection, Single, Sink, Stochastic, Tile,
 };
+#[cfg(feature = "display")]
+pub use image::{Display, Dither, Steps};
 pub use math::{Axis, Dimension, FARTHEST, PI, ROUNDOFF, Real, Rgb, Stream, Vec3, gamma, sqrt, unit, vec3};
 pub use render::{render, render_selected};
 pub use scene::{

@@ -67,6 +67,11 @@ pub enum Command {
     Watch(RenderArgs),
     /// Tell what is in a scene, what it asks for and why, and what it takes.
     Info(InfoArgs),
+    /// Bake a scene with its accelerator into bytes that a device traces from flash.
+    ///
+    /// The firmware opens them where they lie (`Pack::open` of the core): nothing is copied and
+    /// nothing is built. Tells what a device must have for it.
+    Bake(BakeArgs),
     /// Tell how two pictures differ; the exit status is 0 when they do not, 1 when they do.
     ///
     /// All differences are of sRGB-encoded values, 0 to 1; of two EXR files too, whose largest
@@ -241,6 +246,69 @@ impl FindingArgs {
         match asked.misfit() {
             Some(misfit) => Err(Failure::Usage(misfit)),
             None => Ok(asked.or(scene)),
+        }
+    }
+}
+
+/// What to bake, and how.
+#[derive(Debug, Parser)]
+pub struct BakeArgs {
+    /// The scene: .toml, .nff, or a model: .obj, .ply, .gltf, .glb.
+    pub scene: PathBuf,
+
+    /// Where the baked scene goes; with the extension .rs the scene as Rust constants instead,
+    /// without an accelerator; `-` is the standard output.
+    #[arg(short, long, value_name = "FILE")]
+    pub output: PathBuf,
+
+    /// What the scene is walked by on the device.
+    #[arg(long, value_name = "KIND", default_value = "bvh")]
+    pub accel: Walk,
+
+    /// The most nodes of the hierarchy or the octree: less flash for larger leaves [default: as
+    /// many as make it fast].
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..))]
+    pub nodes: Option<u32>,
+
+    /// Width and height in pixels [default: the scene's, or 640x480].
+    #[arg(long, value_name = "WxH", value_parser = size)]
+    pub size: Option<Size>,
+
+    /// Levels of rays [default: the scene's, or 5].
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u8).range(1..=LEVELS as i64))]
+    pub levels: Option<u8>,
+
+    /// A ray is sent when more than this share of what it finds counts in the pixel, 0 to 1
+    /// [default: the scene's, or 1/512].
+    #[arg(long, value_name = "W", value_parser = cutoff)]
+    pub cutoff: Option<f32>,
+
+    /// Say nothing but errors.
+    #[arg(short, long)]
+    pub quiet: bool,
+}
+
+/// What a baked scene is walked by.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub enum Walk {
+    /// Every item in turn: no memory.
+    List,
+    /// A uniform grid.
+    Grid,
+    /// An octree.
+    Octree,
+    /// A hierarchy of boxes.
+    Bvh,
+}
+
+impl Walk {
+    /// The name on the command line.
+    pub fn name(self) -> &'static str {
+        match self {
+            Walk::List => "list",
+            Walk::Grid => "grid",
+            Walk::Octree => "octree",
+            Walk::Bvh => "bvh",
         }
     }
 }

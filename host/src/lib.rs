@@ -7,6 +7,7 @@
 //! | [`render`] | the command `render` |
 //! | [`mod@cast`] | the command `cast` |
 //! | [`watch`] | the command `watch` |
+//! | [`bake`] | the command `bake` |
 //! | [`info`] | the command `info` |
 //! | [`compare`] | the command `compare` |
 //! | [`generate`] | the command `generate` |
@@ -48,6 +49,7 @@ use stock::single as tables;
 
 pub mod accelerators;
 pub mod args;
+pub mod bake;
 pub mod cast;
 pub mod choose;
 pub mod colormap;

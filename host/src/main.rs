@@ -16,6 +16,7 @@ fn main() -> ExitCode {
         Command::Render { args, print_settings: true } => strahl::render::print_settings(&args).map(yes),
         Command::Cast(args) => strahl::cast::run(&args).map(yes),
         Command::Watch(args) => strahl::watch::run(&args).map(Answer::Ended),
+        Command::Bake(args) => strahl::bake::run(&args).map(yes),
         Command::Info(args) => strahl::info::run(&args).map(yes),
         Command::Schema => Output::Stdout.commit(native::schema().as_bytes()).map(yes),
         Command::Compare(args) => strahl::compare::run(&args),

@@ -5,8 +5,13 @@ use std::{env, fs, path::PathBuf};
 
 fn main() {
     let out = PathBuf::from(env::var_os("OUT_DIR").unwrap());
-    fs::copy("memory.x", out.join("memory.x")).unwrap();
+    let riscv = env::var("CARGO_CFG_TARGET_ARCH").unwrap() == "riscv32";
+    let memory = if riscv { "memory-virt.x" } else { "memory.x" };
+    fs::copy(memory, out.join(memory)).unwrap();
     println!("cargo:rustc-link-search={}", out.display());
+    if riscv {
+        println!("cargo:rustc-link-arg-bins=-Tmemory-virt.x"); // riscv-rt's script leaves it to us
+    }
     println!("cargo:rustc-link-arg-bins=-Tlink.x");
-    println!("cargo:rerun-if-changed=memory.x");
+    println!("cargo:rerun-if-changed={memory}");
 }

@@ -3,6 +3,8 @@
 mod adaptive;
 mod agreement;
 mod corners;
+#[cfg(feature = "display")]
+mod display;
 mod filter;
 mod kept;
 mod pixel;
@@ -17,6 +19,8 @@ mod stochastic;
 pub use adaptive::{Adaptive, Corner, Parting};
 pub use agreement::Agreement;
 pub use corners::{CornerRow, Corners, Every, Lattice, Loose};
+#[cfg(feature = "display")]
+pub use display::{Display, Dither, Steps};
 pub use filter::Filter;
 pub use kept::Kept;
 pub use pixel::{Pixel, Tile};

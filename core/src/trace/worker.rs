@@ -14,6 +14,10 @@ pub struct Worker<A: Accelerator, T, const LEVELS: usize> {
 }
 
 impl<A: Accelerator, T, const LEVELS: usize> Worker<A, T, LEVELS> {
+    /// How many bytes one takes, known when compiling: a [`Task`](super::task::Task) for each
+    /// level, what the accelerator's walk remembers, and the tally.
+    pub const BYTES: usize = size_of::<Self>();
+
     /// A worker that reports to `tally`.
     pub fn new(tally: T) -> Self {
         Worker { scratch: A::Scratch::default(), tasks: Tasks::new(), tally }

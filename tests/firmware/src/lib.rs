@@ -1,8 +1,14 @@
-//! What the firmware is made of beside its programs: the golden scene, and two instruments.
+//! What the firmware is made of beside its programs: the scenes, how they are drawn, and two
+//! instruments.
 
 #![no_std]
 
+#[cfg(target_arch = "arm")]
 pub mod count;
+pub mod draw;
+#[cfg(feature = "packs")]
+pub mod packs;
 pub mod peer;
 pub mod scene;
+#[cfg(target_arch = "arm")]
 pub mod stack;

@@ -16,6 +16,11 @@ use core::hint::black_box;
 use core::ops::ControlFlow;
 
 use cortex_m_rt::entry;
+use embedded_graphics_core::Pixel as Dot;
+use embedded_graphics_core::draw_target::DrawTarget;
+use embedded_graphics_core::geometry::{Dimensions, Point, Size as Extent};
+use embedded_graphics_core::pixelcolor::Rgb565;
+use embedded_graphics_core::primitives::Rectangle;
 use strahl_core::*;
 
 unsafe extern "C" {
@@ -538,6 +543,22 @@ impl Sampler for Somewhere {
 /// A screen whose wire may break.
 struct Screen;
 
+impl Dimensions for Screen {
+    fn bounding_box(&self) -> Rectangle {
+        Rectangle::new(Point::zero(), Extent::zero())
+    }
+}
+
+impl DrawTarget for Screen {
+    type Color = Rgb565;
+    type Error = u8;
+
+    fn draw_iter<I: IntoIterator<Item = Dot<Rgb565>>>(&mut self, pixels: I) -> Result<(), u8> {
+        pixels.into_iter().for_each(used);
+        any(Ok(()))
+    }
+}
+
 impl Sink for Screen {
     type Error = u8;
 
@@ -559,13 +580,18 @@ fn sampled<A: Accelerator, E: Effects, T: Tally, const LEVELS: usize>(
     let Ok(()) =
         render(tracer, &mut sampler, worker, tile().pixels(), &mut |pixel, color| used((pixel, color)));
     used(render(tracer, &mut sampler, worker, [any(Pixel { x: 0, y: 0 })], &mut Screen));
+    let mut screen = Screen;
+    let mut display = Display::new(&mut screen, Point::new(any(0), any(0)), any(Dither::Ordered));
+    used(render(tracer, &mut sampler, worker, [any(Pixel { x: 0, y: 0 })], &mut display));
+    used(<Rgb565 as Steps>::of(any([0; 3])));
 }
 
 /// Bytes that may be a baked scene, and are used as whatever they say they are.
 fn packs() {
     let Ok(pack) = Pack::open(slice(&[0_u8])) else { return };
     used((pack.size(), pack.levels(), pack.cutoff(), pack.view(), pack.camera(size()), pack.bare()));
-    used(pack.finder());
+    let finder: Result<Finder<'_>, PackError> = pack.finder();
+    used((finder, any(PackPart::Finder), any(TextureId::NONE)));
     traced::<_, Everything, _, 5>(&World::new(*pack.scene(), pack.bare()), ());
     if let Ok(grid) = pack.grid::<8>() {
         traced::<_, Few, _, 2>(&World::new(*pack.scene(), grid.with_mailbox::<16>()), ());

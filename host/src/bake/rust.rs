@@ -1,0 +1,265 @@
+//! A scene as Rust constants, for those who prefer that to bytes.
+
+use std::fmt::Write as _;
+use std::path::Path;
+
+use strahl_core::{
+    Background, Cone, Cuboid, Disc, EffectSet, Falloff, Interface, ItemId, Light, Material, MaterialId,
+    Plane, Polygon, Projection, Rgb, Scene, Shape, Source, Sphere, Texture, TextureId, Torus, TurnedCuboid,
+    Vec3, View,
+};
+
+use super::Asked;
+
+/// A room of constants: `PARTS`, `VIEW`, `SIZE`, `LIMITS`, `ITEMS`, and `Asked`, the effects.
+pub(super) fn source(path: &Path, scene: &Scene<'_>, asked: &Asked) -> String {
+    let parts = scene.parts();
+    let name = path.file_name().unwrap_or_default().to_string_lossy().replace(['\n', '\r'], " ");
+    let (width, height) = (asked.size.width(), asked.size.height());
+    let mut out = format!(
+        "// Written by `strahl bake` from {name}.\n\nuse strahl_core::*;\n\n\
+         /// The size of the picture.\npub const SIZE: Size = Size::new({width}, {height}).unwrap();\n\n\
+         /// Which picture is wanted.\n\
+         pub const LIMITS: Limits = Limits {{ levels: {}, cutoff: {} }};\n\n\
+         /// How the scene is looked at.\npub const VIEW: View = {};\n\n\
+         /// How many items there are.\npub const ITEMS: u32 = {};\n\n",
+        asked.levels,
+        text(&asked.cutoff),
+        text(&asked.view),
+        parts.made_of.len(),
+    );
+    effects(&mut out, &scene.effects());
+    let g = &parts.geometry;
+    out += "/// The scene, not yet checked.\npub static PARTS: Parts<'static> = Parts {\n    geometry: Geometry {\n";
+    for field in [
+        "shapes",
+        "points",
+        "normals",
+        "planes",
+        "discs",
+        "polygons",
+        "cuboids",
+        "turned_cuboids",
+        "cones",
+        "tori",
+    ] {
+        let _ = writeln!(out, "        {field}: &{},", field.to_uppercase());
+    }
+    let _ = write!(
+        out,
+        "    }},\n    made_of: &MADE_OF,\n    materials: &MATERIALS,\n    textures: &TEXTURES,\n    lights: &LIGHTS,\n    \
+         ambient: {},\n    background: {},\n}};\n\n",
+        text(&parts.ambient),
+        text(&parts.background),
+    );
+    table(&mut out, "SHAPES", "Shape", g.shapes);
+    table(&mut out, "POINTS", "Vec3", g.points);
+    table(&mut out, "NORMALS", "Vec3", g.normals);
+    table(&mut out, "PLANES", "Plane", g.planes);
+    table(&mut out, "DISCS", "Disc", g.discs);
+    table(&mut out, "POLYGONS", "Polygon", g.polygons);
+    table(&mut out, "CUBOIDS", "Cuboid", g.cuboids);
+    table(&mut out, "TURNED_CUBOIDS", "TurnedCuboid", g.turned_cuboids);
+    table(&mut out, "CONES", "Cone", g.cones);
+    table(&mut out, "TORI", "Torus", g.tori);
+    table(&mut out, "MADE_OF", "MaterialId", parts.made_of);
+    table(&mut out, "MATERIALS", "Material", parts.materials);
+    table(&mut out, "TEXTURES", "Texture", parts.textures);
+    table(&mut out, "LIGHTS", "Light", parts.lights);
+    out
+}
+
+fn table<T: Literal>(out: &mut String, name: &str, of: &str, entries: &[T]) {
+    let _ = writeln!(out, "static {name}: [{of}; {}] = [", entries.len());
+    for entry in entries {
+        out.push_str("    ");
+        entry.literal(out);
+        out.push_str(",\n");
+    }
+    out.push_str("];\n");
+}
+
+/// The effects that the scene asks for. In debug form a set is a list of the names of its kinds.
+fn effects(out: &mut String, set: &EffectSet) {
+    out.push_str(
+        "/// Exactly what the scene asks for.\n#[derive(Clone, Copy, Debug)]\npub struct Asked;\n\n",
+    );
+    out.push_str("impl Effects for Asked {\n    const SET: EffectSet = EffectSet {\n");
+    let shapes: Vec<String> = set.shapes.iter().map(|kind| format!("ShapeKind::{kind:?}")).collect();
+    let lights: Vec<String> = set.lights.iter().map(|kind| format!("LightKind::{kind:?}")).collect();
+    let textures: Vec<String> = set.textures.iter().map(|kind| format!("TextureKind::{kind:?}")).collect();
+    let _ = writeln!(out, "        shapes: ShapeSet::of(&[{}]),", shapes.join(", "));
+    let _ = writeln!(out, "        lights: LightSet::of(&[{}]),", lights.join(", "));
+    let _ = writeln!(out, "        textures: TextureSet::of(&[{}]),", textures.join(", "));
+    for (name, is_asked) in [
+        ("smooth", set.smooth),
+        ("highlight", set.highlight),
+        ("shadows", set.shadows),
+        ("reflection", set.reflection),
+        ("transmission", set.transmission),
+        ("absorption", set.absorption),
+    ] {
+        let _ = writeln!(out, "        {name}: {is_asked},");
+    }
+    out.push_str("        ..EffectSet::NONE\n    };\n}\n\n");
+}
+
+fn text(value: &impl Literal) -> String {
+    let mut out = String::new();
+    value.literal(&mut out);
+    out
+}
+
+/// Something that can be written in Rust.
+trait Literal {
+    fn literal(&self, out: &mut String);
+}
+
+impl Literal for f32 {
+    fn literal(&self, out: &mut String) {
+        if *self == f32::INFINITY {
+            out.push_str("f32::INFINITY");
+        } else {
+            // The shortest form that reads back exactly.
+            let _ = write!(out, "{self:?}");
+        }
+    }
+}
+
+macro_rules! displayed {
+    ($($Type:ty)*) => {$(
+        impl Literal for $Type {
+            fn literal(&self, out: &mut String) {
+                let _ = write!(out, "{self}");
+            }
+        }
+    )*};
+}
+displayed!(u8 u16 u32 bool);
+
+impl<T: Literal, const N: usize> Literal for [T; N] {
+    fn literal(&self, out: &mut String) {
+        let entries: Vec<String> = self.iter().map(text).collect();
+        let _ = write!(out, "[{}]", entries.join(", "));
+    }
+}
+
+macro_rules! calls {
+    ($($Type:ident $name:literal ($($field:tt),*))*) => {$(
+        impl Literal for $Type {
+            fn literal(&self, out: &mut String) {
+                let fields: Vec<String> = vec![$(text(&self.$field)),*];
+                let _ = write!(out, "{}({})", $name, fields.join(", "));
+            }
+        }
+    )*};
+}
+calls! {
+    Vec3 "vec3" (x, y, z)
+    Rgb "Rgb::new" (r, g, b)
+    ItemId "ItemId" (0)
+    MaterialId "MaterialId" (0)
+    TextureId "TextureId" (0)
+}
+
+impl Literal for Interface {
+    fn literal(&self, out: &mut String) {
+        let _ = write!(out, "Interface::{self:?}");
+    }
+}
+
+fn fields(out: &mut String, name: &str, fields: &[(&str, String)]) {
+    let fields: Vec<String> = fields.iter().map(|(name, value)| format!("{name}: {value}")).collect();
+    let _ = write!(out, "{name} {{ {} }}", fields.join(", "));
+}
+
+/// Structs, by their fields. Without `..`, so that a new field is an error here.
+macro_rules! structs {
+    ($($Struct:ident { $($field:ident),* })*) => {$(
+        impl Literal for $Struct {
+            fn literal(&self, out: &mut String) {
+                let $Struct { $($field),* } = self;
+                fields(out, stringify!($Struct), &[$((stringify!($field), text($field))),*]);
+            }
+        }
+    )*};
+}
+structs! {
+    Sphere { center, radius }
+    Plane { point, normal, item }
+    Disc { center, normal, radius }
+    Polygon { first, count, point, normal, smooth }
+    Cuboid { min, max }
+    TurnedCuboid { center, half, axes }
+    Cone { base, axis, height, base_radius, end_radius, capped }
+    Torus { center, axis, major, minor }
+    Material {
+        ambient, diffuse, texture, highlight, exponent, mirror, transmitted, index, interface, clarity, priority,
+        two_sided
+    }
+    Light { source, color, shadows }
+    Falloff { constant, linear, quadratic }
+    View { from, at, up, projection }
+}
+
+/// Enums whose variants have fields with names.
+macro_rules! variants {
+    ($($Enum:ident { $($Variant:ident { $($field:ident),* })* })*) => {$(
+        impl Literal for $Enum {
+            fn literal(&self, out: &mut String) {
+                match self {
+                    $($Enum::$Variant { $($field),* } => {
+                        let name = concat!(stringify!($Enum), "::", stringify!($Variant));
+                        fields(out, name, &[$((stringify!($field), text($field))),*]);
+                    })*
+                }
+            }
+        }
+    )*};
+}
+variants! {
+    Texture {
+        Checker { even, odd, origin, frequency }
+        Gradient { from, to, origin, along }
+    }
+    Projection {
+        Perspective { angle }
+        Orthographic { height }
+    }
+    Source {
+        Point { position, falloff }
+        Directional { toward }
+        Spot { position, direction, cos_bright, cos_dark, falloff }
+    }
+}
+
+impl Literal for Background {
+    fn literal(&self, out: &mut String) {
+        match self {
+            Background::Color(color) => {
+                let _ = write!(out, "Background::Color({})", text(color));
+            }
+            Background::Gradient { up, below, above } => {
+                let all = [("up", text(up)), ("below", text(below)), ("above", text(above))];
+                fields(out, "Background::Gradient", &all);
+            }
+        }
+    }
+}
+
+impl Literal for Shape {
+    fn literal(&self, out: &mut String) {
+        let place = match self {
+            Shape::Sphere(sphere) => text(sphere),
+            Shape::Triangle(corners) | Shape::SmoothTriangle(corners) => text(corners),
+            Shape::Plane(place)
+            | Shape::Disc(place)
+            | Shape::Polygon(place)
+            | Shape::Cuboid(place)
+            | Shape::TurnedCuboid(place)
+            | Shape::Cone(place)
+            | Shape::Torus(place) => text(place),
+        };
+        let _ = write!(out, "Shape::{:?}({place})", self.kind());
+    }
+}

@@ -1,0 +1,128 @@
+//! What the firmware needs of a host, and what it is held against: into the folder named by the
+//! first argument goes, for each scene that is drawn on the chip, the scene baked with its
+//! accelerator (`NAME.strahl`) and its picture as linear floats (`NAME.f32`). With a second
+//! argument, a folder that holds the procedural databases, `balls` is one of them.
+//!
+//! The host goes the other way wherever there is one: a tracer that can do everything, a list
+//! with boxes, tables that were never baked. None of that may change a bit.
+
+#[path = "../firmware/src/scene.rs"]
+mod golden;
+
+use std::error::Error;
+use std::path::{Path, PathBuf};
+
+use strahl::args::Walk;
+use strahl::bake::{Asked, bake};
+use strahl::load::load_for;
+use strahl::stock::single::{Stock, view};
+use strahl_core::{
+    Aabb, Camera, Everything, Frame, Limits, List, Rgb, Single, Size, Tile, Tracer, Worker, World, groups_of,
+    render,
+};
+
+/// A scene that is drawn on the chip.
+struct Scene {
+    name: &'static str,
+    file: &'static str,
+    walk: Walk,
+    size: Size,
+    levels: u8,
+    /// The most nodes of the hierarchy: for what flash there is.
+    nodes: Option<usize>,
+}
+
+const SMALL: Size = Size::new(64, 48).unwrap();
+
+/// Those of the project: Whitted's classic in an octree, columns round a glass sphere in a grid,
+/// a mesh in a hierarchy, and a list.
+const SCENES: [Scene; 4] = [
+    Scene { name: "classic", file: "classic.nff", walk: Walk::Octree, size: SMALL, levels: 6, nodes: None },
+    Scene { name: "rotunda", file: "rotunda.nff", walk: Walk::Grid, size: SMALL, levels: 6, nodes: None },
+    Scene { name: "mesh", file: "", walk: Walk::Bvh, size: SMALL, levels: 6, nodes: None },
+    Scene { name: "first", file: "first.toml", walk: Walk::List, size: SMALL, levels: 6, nodes: None },
+];
+
+/// The sphereflake of the procedural databases.
+const BALLS: Scene = Scene {
+    name: "balls",
+    file: "balls.nff",
+    walk: Walk::Bvh,
+    size: Size::new(128, 96).unwrap(),
+    levels: 5,
+    nodes: Some(3000),
+};
+
+fn main() -> Result<(), Box<dyn Error>> {
+    let mut arguments = std::env::args_os().skip(1).map(PathBuf::from);
+    let folder = arguments.next().ok_or("usage: chip FOLDER [FOLDER_WITH_THE_DATABASES]")?;
+    let scenes = Path::new(env!("CARGO_MANIFEST_DIR")).with_file_name("scenes");
+    // A bent sheet of triangles, with the light and the view that a model gets by itself.
+    std::fs::write(folder.join("sheet.obj"), sheet())?;
+    for scene in SCENES {
+        let file = if scene.file.is_empty() { folder.join("sheet.obj") } else { scenes.join(scene.file) };
+        make(&scene, &file, &folder)?;
+    }
+    let constants = strahl_core::Scene::new(golden::parts())?;
+    let (view, size, limits) = (golden::VIEW, golden::SIZE, golden::LIMITS);
+    let Limits { levels, cutoff } = limits;
+    let asked = Asked { walk: Walk::Grid, nodes: None, view, size, levels, cutoff };
+    bake_and_draw("golden", &constants, &asked, &folder)?;
+    if let Some(databases) = arguments.next() {
+        make(&BALLS, &databases.join(BALLS.file), &folder)?;
+    }
+    Ok(())
+}
+
+/// Bakes and draws the scene of a file.
+fn make(scene: &Scene, file: &Path, folder: &Path) -> Result<(), Box<dyn Error>> {
+    let description = load_for(file, scene.size).map_err(|error| error.to_string())?;
+    let stock = Stock::new(&description);
+    let Scene { name, walk, size, levels, nodes, .. } = *scene;
+    let cutoff = Limits::DEFAULT.cutoff;
+    let asked = Asked { walk, nodes, view: view(&description.view), size, levels, cutoff };
+    bake_and_draw(name, &stock.scene()?, &asked, folder)
+}
+
+fn bake_and_draw(
+    name: &str,
+    tables: &strahl_core::Scene<'_>,
+    asked: &Asked,
+    folder: &Path,
+) -> Result<(), Box<dyn Error>> {
+    std::fs::write(folder.join(name).with_extension("strahl"), bake(tables, asked)?)?;
+
+    let boxes: Vec<Aabb> = tables.parts().geometry.all_bounds().collect();
+    let mut groups = vec![Aabb::EMPTY; groups_of(boxes.len())];
+    let world = World::new(*tables, List::boxed(&boxes, &mut groups)?);
+    let limits = Limits { levels: asked.levels, cutoff: asked.cutoff };
+    let camera = Camera::new(&asked.view, asked.size)?;
+    let tracer = Tracer::<_, Everything, 6>::new(&world, camera, limits)?;
+    let tile = Tile::whole(asked.size);
+    let mut colors = vec![Rgb::BLACK; tile.len()];
+    let mut frame = Frame::new(tile, &mut colors).ok_or("the frame has another size")?;
+    let Ok(()) = render(&tracer, &mut Single, &mut Worker::new(()), tile.pixels(), &mut frame);
+    let bytes: Vec<u8> = colors.iter().flat_map(|c| [c.r, c.g, c.b]).flat_map(f32::to_le_bytes).collect();
+    Ok(std::fs::write(folder.join(name).with_extension("f32"), bytes)?)
+}
+
+/// A Wavefront model of 14 times 14 squares, each two triangles, with the normals of the sheet.
+fn sheet() -> String {
+    const N: u32 = 14;
+    let mut text = String::new();
+    for i in 0..=N {
+        for j in 0..=N {
+            let (x, z) = (i as f32 / N as f32 * 2.0 - 1.0, j as f32 / N as f32 * 2.0 - 1.0);
+            let y = 0.6 * x * x - 0.5 * z * z * x;
+            text += &format!("v {x} {y} {z}\nvn {} 1 {}\n", -(1.2 * x - 0.5 * z * z), z * x);
+        }
+    }
+    for i in 0..N {
+        for j in 0..N {
+            let a = i * (N + 1) + j + 1;
+            let (b, c, d) = (a + 1, a + N + 1, a + N + 2);
+            text += &format!("f {a}//{a} {b}//{b} {d}//{d}\nf {a}//{a} {d}//{d} {c}//{c}\n");
+        }
+    }
+    text
+}
