@@ -261,9 +261,9 @@ pub struct BakeArgs {
     #[arg(short, long, value_name = "FILE")]
     pub output: PathBuf,
 
-    /// What the scene is walked by on the device.
-    #[arg(long, value_name = "KIND", default_value = "bvh")]
-    pub accel: Walk,
+    /// How items are found on the device; `auto` is the hierarchy.
+    #[arg(long, value_name = "KIND", default_value = "auto")]
+    pub accel: Accel,
 
     /// The most nodes of the hierarchy or the octree: less flash for larger leaves [default: as
     /// many as make it fast].
@@ -286,31 +286,6 @@ pub struct BakeArgs {
     /// Say nothing but errors.
     #[arg(short, long)]
     pub quiet: bool,
-}
-
-/// What a baked scene is walked by.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
-pub enum Walk {
-    /// Every item in turn: no memory.
-    List,
-    /// A uniform grid.
-    Grid,
-    /// An octree.
-    Octree,
-    /// A hierarchy of boxes.
-    Bvh,
-}
-
-impl Walk {
-    /// The name on the command line.
-    pub fn name(self) -> &'static str {
-        match self {
-            Walk::List => "list",
-            Walk::Grid => "grid",
-            Walk::Octree => "octree",
-            Walk::Bvh => "bvh",
-        }
-    }
 }
 
 /// What to tell about.

@@ -12,8 +12,8 @@ mod golden;
 use std::error::Error;
 use std::path::{Path, PathBuf};
 
-use strahl::args::Walk;
 use strahl::bake::{Asked, bake};
+use strahl::finding::Kind;
 use strahl::load::load_for;
 use strahl::stock::single::{Stock, view};
 use strahl_core::{
@@ -25,7 +25,7 @@ use strahl_core::{
 struct Scene {
     name: &'static str,
     file: &'static str,
-    walk: Walk,
+    accelerator: Kind,
     size: Size,
     levels: u8,
     /// The most nodes of the hierarchy: for what flash there is.
@@ -37,17 +37,24 @@ const SMALL: Size = Size::new(64, 48).unwrap();
 /// Those of the project: Whitted's classic in an octree, columns round a glass sphere in a grid,
 /// a mesh in a hierarchy, and a list.
 const SCENES: [Scene; 4] = [
-    Scene { name: "classic", file: "classic.nff", walk: Walk::Octree, size: SMALL, levels: 6, nodes: None },
-    Scene { name: "rotunda", file: "rotunda.nff", walk: Walk::Grid, size: SMALL, levels: 6, nodes: None },
-    Scene { name: "mesh", file: "", walk: Walk::Bvh, size: SMALL, levels: 6, nodes: None },
-    Scene { name: "first", file: "first.toml", walk: Walk::List, size: SMALL, levels: 6, nodes: None },
+    Scene {
+        name: "classic",
+        file: "classic",
+        accelerator: Kind::Octree,
+        size: SMALL,
+        levels: 6,
+        nodes: None,
+    },
+    Scene { name: "rotunda", file: "rotunda", accelerator: Kind::Grid, size: SMALL, levels: 6, nodes: None },
+    Scene { name: "mesh", file: "", accelerator: Kind::Bvh, size: SMALL, levels: 6, nodes: None },
+    Scene { name: "first", file: "first", accelerator: Kind::List, size: SMALL, levels: 6, nodes: None },
 ];
 
 /// The sphereflake of the procedural databases.
 const BALLS: Scene = Scene {
     name: "balls",
     file: "balls.nff",
-    walk: Walk::Bvh,
+    accelerator: Kind::Bvh,
     size: Size::new(128, 96).unwrap(),
     levels: 5,
     nodes: Some(3000),
@@ -60,13 +67,17 @@ fn main() -> Result<(), Box<dyn Error>> {
     // A bent sheet of triangles, with the light and the view that a model gets by itself.
     std::fs::write(folder.join("sheet.obj"), sheet())?;
     for scene in SCENES {
-        let file = if scene.file.is_empty() { folder.join("sheet.obj") } else { scenes.join(scene.file) };
+        let file = if scene.file.is_empty() {
+            folder.join("sheet.obj")
+        } else {
+            in_any_format(&scenes.join(scene.file))
+        };
         make(&scene, &file, &folder)?;
     }
     let constants = strahl_core::Scene::new(golden::parts())?;
     let (view, size, limits) = (golden::VIEW, golden::SIZE, golden::LIMITS);
     let Limits { levels, cutoff } = limits;
-    let asked = Asked { walk: Walk::Grid, nodes: None, view, size, levels, cutoff };
+    let asked = Asked { accelerator: Kind::Grid, nodes: None, view, size, levels, cutoff };
     bake_and_draw("golden", &constants, &asked, &folder)?;
     if let Some(databases) = arguments.next() {
         make(&BALLS, &databases.join(BALLS.file), &folder)?;
@@ -74,13 +85,19 @@ fn main() -> Result<(), Box<dyn Error>> {
     Ok(())
 }
 
+/// The scene file of this name.
+fn in_any_format(name: &Path) -> PathBuf {
+    let toml = name.with_extension("toml");
+    if toml.exists() { toml } else { name.with_extension("nff") }
+}
+
 /// Bakes and draws the scene of a file.
 fn make(scene: &Scene, file: &Path, folder: &Path) -> Result<(), Box<dyn Error>> {
     let description = load_for(file, scene.size).map_err(|error| error.to_string())?;
     let stock = Stock::new(&description);
-    let Scene { name, walk, size, levels, nodes, .. } = *scene;
+    let Scene { name, accelerator, size, levels, nodes, .. } = *scene;
     let cutoff = Limits::DEFAULT.cutoff;
-    let asked = Asked { walk, nodes, view: view(&description.view), size, levels, cutoff };
+    let asked = Asked { accelerator, nodes, view: view(&description.view), size, levels, cutoff };
     bake_and_draw(name, &stock.scene()?, &asked, folder)
 }
 

@@ -10,8 +10,9 @@ use strahl_core::{
     OctreeNode, OctreeRoom, Pack, Scene, Size, Slot, View, Worker,
 };
 
-use crate::args::{BakeArgs, Walk};
+use crate::args::BakeArgs;
 use crate::failure::Failure;
+use crate::finding::Kind;
 use crate::load::{DEFAULT_SIZE, load_for};
 use crate::output::{Output, say, tell};
 use crate::stock::single::{self, Stock};
@@ -19,8 +20,8 @@ use crate::stock::single::{self, Stock};
 /// What is baked beside the scene.
 #[derive(Clone, Copy, Debug)]
 pub struct Asked {
-    /// What the scene is to be walked by.
-    pub walk: Walk,
+    /// How items are found.
+    pub accelerator: Kind,
     /// The most nodes of a hierarchy or an octree: less flash for larger leaves.
     pub nodes: Option<usize>,
     /// How it is looked at.
@@ -48,7 +49,7 @@ pub fn run(args: &BakeArgs) -> Result<(), Failure> {
     let scene = stock.scene().map_err(|error| wrong(error.to_string()))?;
     let settings = &description.settings;
     let asked = Asked {
-        walk: args.accel,
+        accelerator: args.accel.kind().unwrap_or(Kind::Bvh),
         nodes: args.nodes.map(|nodes| nodes as usize),
         view: single::view(&description.view),
         size: args.size.or(settings.size).unwrap_or(DEFAULT_SIZE),
@@ -81,19 +82,19 @@ pub fn bake(scene: &Scene<'_>, asked: &Asked) -> Result<Vec<u8>, String> {
         Ok(bytes)
     };
     let most = |wanted: usize| asked.nodes.map_or(wanted, |most| wanted.min(most));
-    match asked.walk {
-        Walk::List => with(Finder::Bare(Bare(boxes.len() as u32))),
-        Walk::Grid => {
+    match asked.accelerator {
+        Kind::List => with(Finder::Bare(Bare(boxes.len() as u32))),
+        Kind::Grid => {
             let room = GridRoom::comfortable(&boxes);
             let (mut cells, mut items) = (vec![0; room.cells], vec![0; room.items]);
             with(Finder::Grid(Grid::build(&boxes, &mut cells, &mut items).map_err(fault)?))
         }
-        Walk::Octree => {
+        Kind::Octree => {
             let room = OctreeRoom::comfortable(boxes.len());
             let (mut nodes, mut items) = (vec![OctreeNode::EMPTY; most(room.nodes)], vec![0; room.items]);
             with(Finder::Octree(Octree::build(&boxes, &mut nodes, &mut items).map_err(fault)?))
         }
-        Walk::Bvh => {
+        Kind::Bvh => {
             let room = BvhRoom::comfortable(boxes.len());
             let (mut nodes, mut items) = (vec![Node::EMPTY; most(room.nodes)], vec![Slot::EMPTY; room.items]);
             with(Finder::Bvh(Bvh::build(&boxes, &mut nodes, &mut items).map_err(fault)?))
@@ -109,10 +110,10 @@ fn needs(path: &Path, scene: &Scene<'_>, asked: &Asked, bytes: usize) -> String 
     let frame = bytes.saturating_sub(tables).saturating_sub(Pack::HEADER);
     let task = Worker::<Bare, (), 2>::BYTES - Worker::<Bare, (), 1>::BYTES;
     let levels = usize::from(asked.levels);
-    let (what, memory) = match asked.walk {
-        Walk::List => ("the bare list", 0),
-        Walk::Grid | Walk::Octree => ("a mailbox of 64 slots", size_of::<Mailbox<SLOTS>>()),
-        Walk::Bvh => ("a stack of 32 places", size_of::<LastFirst<PLACES>>()),
+    let (what, memory) = match asked.accelerator {
+        Kind::List => ("the bare list", 0),
+        Kind::Grid | Kind::Octree => ("a mailbox of 64 slots", size_of::<Mailbox<SLOTS>>()),
+        Kind::Bvh => ("a stack of 32 places", size_of::<LastFirst<PLACES>>()),
     };
     let mut text = String::new();
     let _ = writeln!(
@@ -120,7 +121,7 @@ fn needs(path: &Path, scene: &Scene<'_>, asked: &Asked, bytes: usize) -> String 
         "{}: {} items, walked by {}",
         path.display(),
         scene.parts().made_of.len(),
-        asked.walk.name()
+        asked.accelerator.name()
     );
     let _ = writeln!(
         text,
