@@ -1,6 +1,7 @@
 //! The tally that counts.
 
 use crate::geometry::ShapeKind;
+use crate::math::{Real, Rgb};
 use crate::tally::{Event, RayKind, Tally};
 
 /// How often everything happened, by kind of ray.
@@ -14,7 +15,9 @@ pub struct Counters {
     skipped: [u64; 4],
     by_shape: [u64; ShapeKind::ALL.len()],
     level_limit: u64,
+    level_limit_weight: u64,
     cutoff: u64,
+    cutoff_weight: u64,
     media_full: u64,
 }
 
@@ -69,6 +72,17 @@ impl Counters {
         self.cutoff
     }
 
+    /// The weight of the rays that were not sent, because the levels ended: one is a camera ray.
+    pub fn level_limit_weight(&self) -> f64 {
+        weight(self.level_limit_weight)
+    }
+
+    /// The weight of the rays that were not sent, because too little of what they find would
+    /// have counted: one is a camera ray.
+    pub fn cutoff_weight(&self) -> f64 {
+        weight(self.cutoff_weight)
+    }
+
     /// Rays that went into a fifth body at once, and were taken to stay in the fourth.
     pub fn media_full(&self) -> u64 {
         self.media_full
@@ -91,9 +105,23 @@ impl Counters {
         }
         self.camera_hits += other.camera_hits;
         self.level_limit += other.level_limit;
+        self.level_limit_weight = self.level_limit_weight.saturating_add(other.level_limit_weight);
         self.cutoff += other.cutoff;
+        self.cutoff_weight = self.cutoff_weight.saturating_add(other.cutoff_weight);
         self.media_full += other.media_full;
     }
+}
+
+/// Weights are added in whole steps, so that the sum does not depend on the order.
+const STEPS: u32 = 1 << 24;
+
+/// The mean of the channels, in steps.
+fn steps(weight: Rgb) -> u64 {
+    ((weight.r + weight.g + weight.b) * (STEPS as Real / 3.0)) as u64
+}
+
+fn weight(steps: u64) -> f64 {
+    steps as f64 / f64::from(STEPS)
 }
 
 fn of(counts: &[u64], place: usize) -> u64 {
@@ -118,8 +146,14 @@ impl Tally for Counters {
             }
             Event::Region(kind) => bump(&mut self.regions, kind as usize, 1),
             Event::Skipped(kind) => bump(&mut self.skipped, kind as usize, 1),
-            Event::LevelLimit => self.level_limit += 1,
-            Event::Cutoff => self.cutoff += 1,
+            Event::LevelLimit(weight) => {
+                self.level_limit += 1;
+                self.level_limit_weight = self.level_limit_weight.saturating_add(steps(weight));
+            }
+            Event::Cutoff(weight) => {
+                self.cutoff += 1;
+                self.cutoff_weight = self.cutoff_weight.saturating_add(steps(weight));
+            }
             Event::MediaFull => self.media_full += 1,
         }
     }

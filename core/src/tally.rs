@@ -4,6 +4,7 @@
 //! reports is left in the optimised loop.
 
 use crate::geometry::ShapeKind;
+use crate::math::Rgb;
 
 /// Why a ray was sent.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -25,7 +26,7 @@ impl RayKind {
 }
 
 /// Something that happened while a picture was traced.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 #[non_exhaustive]
 pub enum Event {
     /// A ray was sent; for shadow rays, a light was asked for, whoever answered.
@@ -40,10 +41,10 @@ pub enum Event {
     Region(RayKind),
     /// A ray was not held against an item, because a mailbox remembered that it had been.
     Skipped(RayKind),
-    /// A ray was not sent, because the levels end here.
-    LevelLimit,
-    /// A ray was not sent, because too little of what it finds would count.
-    Cutoff,
+    /// A ray of this weight was not sent, because the levels end here.
+    LevelLimit(Rgb),
+    /// A ray of this weight was not sent, because too little of what it finds would count.
+    Cutoff(Rgb),
     /// A ray went into a medium deeper than the list of media can tell, and was taken to stay
     /// in the one it was in.
     MediaFull,

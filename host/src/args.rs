@@ -9,6 +9,7 @@ use strahl_core::{Pixel, Size, Tile};
 use crate::failure::Failure;
 use crate::finding::{Accel, Bounds, Finding, HEAPS, MAILBOXES, Walk};
 use crate::generate::{Form, What};
+use crate::plan::Effect;
 use crate::wanted::{Filter, LEVELS, Precision, Sampling, Selecting};
 
 /// The most pixels of a picture: its linear colours take 12 bytes each.
@@ -152,6 +153,10 @@ pub struct RenderArgs {
     /// black.
     #[arg(long, value_name = "IMAGE")]
     pub mask: Option<PathBuf>,
+
+    /// Leave out these effects, whatever the scene asks for; the summary says so.
+    #[arg(long, value_name = "EFFECT", value_delimiter = ',')]
+    pub without: Vec<Effect>,
 
     /// What is computed with; the numbers of a scene are rounded to single precision either way
     /// [default: the scene's, or single].

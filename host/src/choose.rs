@@ -11,12 +11,20 @@ use crate::draw::{Job, Traced};
 use crate::frame::NoFrame;
 pub use crate::wanted::Wanted;
 
+/// Everything that needs one ray for each place: Whitted's model.
+struct Whitted;
+
+impl Effects for Whitted {
+    const SET: EffectSet =
+        EffectSet { colored_shadows: false, penumbra: false, lens: false, gloss: false, ..EffectSet::ALL };
+}
+
 /// Light and shadow, but no secondary rays.
 struct Local;
 
 impl Effects for Local {
     const SET: EffectSet =
-        EffectSet { reflection: false, transmission: false, absorption: false, ..EffectSet::ALL };
+        EffectSet { reflection: false, transmission: false, absorption: false, ..Whitted::SET };
 }
 
 /// Mirrors, but nothing that light passes through.
@@ -28,11 +36,13 @@ impl Effects for Mirrors {
 
 /// Traces the picture that is wanted.
 pub fn trace<A: Accelerator + Sync>(job: &Job<'_, '_, A>) -> Result<Traced, NoFrame> {
-    let asks = job.scene().effects();
+    let asks = job.asks();
     if Local::SET.contains(&asks) {
         with::<A, Local>(job)
     } else if Mirrors::SET.contains(&asks) {
         with::<A, Mirrors>(job)
+    } else if Whitted::SET.contains(&asks) {
+        with::<A, Whitted>(job)
     } else {
         with::<A, Everything>(job)
     }

@@ -3,7 +3,7 @@
 use strahl_core::{RayKind, ShapeKind};
 
 /// How often everything happened; the arrays are by kind of ray, or of shape.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Counts {
     pub(crate) rays: [u64; RayKind::ALL.len()],
     pub(crate) camera_hits: u64,
@@ -13,7 +13,9 @@ pub struct Counts {
     pub(crate) skipped: [u64; RayKind::ALL.len()],
     pub(crate) by_shape: [u64; ShapeKind::ALL.len()],
     pub(crate) level_limit: u64,
+    pub(crate) level_limit_weight: f64,
     pub(crate) cutoff: u64,
+    pub(crate) cutoff_weight: f64,
     pub(crate) media_full: u64,
 }
 
@@ -52,11 +54,26 @@ impl Counts {
         self.level_limit
     }
 
+    pub fn level_limit_weight(&self) -> f64 {
+        self.level_limit_weight
+    }
+
     pub fn cutoff(&self) -> u64 {
         self.cutoff
     }
 
+    pub fn cutoff_weight(&self) -> f64 {
+        self.cutoff_weight
+    }
+
     pub fn media_full(&self) -> u64 {
         self.media_full
+    }
+
+    /// Which share of the light was cut, by the levels and by the cutoff: of what all camera rays
+    /// could have brought, if everything were equally bright.
+    pub fn cut(&self) -> [f64; 2] {
+        let whole = (self.rays(RayKind::Camera) as f64).max(1.0);
+        [self.level_limit_weight / whole, self.cutoff_weight / whole]
     }
 }

@@ -20,6 +20,10 @@ pub type Triple = [f32; 3];
 pub struct Description {
     /// How it is looked at.
     pub view: View,
+    /// The line that says so, counted from 1.
+    pub view_line: usize,
+    /// The line that lets light pass through bodies on its way from a light, if one does.
+    pub colored_shadows: Option<usize>,
     /// What picture the file asks for.
     pub settings: Settings,
     /// The lines of those settings, by their keys.
@@ -96,6 +100,15 @@ pub struct View {
 pub enum Projection {
     /// From one point, with a full vertical angle of view in degrees.
     Perspective(f32),
+    /// From a lens.
+    Lens {
+        /// As of a perspective.
+        angle: f32,
+        /// Its radius.
+        radius: f32,
+        /// How far away from it everything is sharp.
+        focus: f32,
+    },
     /// In one direction, over a height in scene lengths.
     Orthographic(f32),
 }
@@ -155,6 +168,27 @@ pub enum Source {
         /// Constant, linear and quadratic part of what it is divided by.
         falloff: Triple,
     },
+    /// From a sphere in all directions.
+    Sphere {
+        /// Its middle.
+        position: Triple,
+        /// Its radius, at least 0.
+        radius: f32,
+        /// Constant, linear and quadratic part of what it is divided by.
+        falloff: Triple,
+    },
+    /// From the front of a rectangle.
+    Rectangle {
+        /// Its middle.
+        position: Triple,
+        /// From the middle to the middles of two edges that meet; the front is where their cross
+        /// product points to.
+        half: [Triple; 2],
+        /// Whether its light comes from everywhere in it, or all of it from the middle.
+        soft: bool,
+        /// Constant, linear and quadratic part of what it is divided by.
+        falloff: Triple,
+    },
 }
 
 /// A colour for each point of space.
@@ -181,6 +215,17 @@ pub enum Texture {
         start: Triple,
         /// Where it ends.
         end: Triple,
+    },
+    /// Spheres round a point, the finer the farther.
+    ZonePlate {
+        /// The colour in the middle.
+        from: Rgb,
+        /// The colour halfway to the first return.
+        to: Rgb,
+        /// The middle.
+        origin: Triple,
+        /// Returns per square of the distance.
+        frequency: f32,
     },
 }
 

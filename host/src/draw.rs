@@ -5,7 +5,8 @@ use std::time::{Duration, Instant};
 use super::accelerators::{Purpose, build};
 use super::choose;
 use super::strahl::{
-    Accelerator, Camera, Counters, Effects, Everything, Limits, Real, Rgb, Scene, Size, Tracer, World,
+    Accelerator, Camera, Counters, EffectSet, Effects, Everything, Limits, Real, Rgb, Scene, Size, Tracer,
+    World,
 };
 use super::tables::{Stock, view};
 use super::workers::{self, Count, LEVELS};
@@ -80,9 +81,9 @@ pub struct Job<'j, 's, A> {
 pub type Traced = (Vec<strahl_core::Rgb>, Option<Counts>);
 
 impl<'s, A: Accelerator + Sync> Job<'_, 's, A> {
-    /// The scene.
-    pub fn scene(&self) -> &Scene<'s> {
-        self.world.scene()
+    /// What the scene and the camera ask for.
+    pub fn asks(&self) -> EffectSet {
+        EffectSet { lens: self.camera.has_lens(), ..self.world.scene().effects() }
     }
 
     /// Whether the work is to be counted.
@@ -131,7 +132,9 @@ fn counts(counters: &Counters) -> Counts {
         skipped: RayKind::ALL.map(|kind| counters.skipped(kind)),
         by_shape: ShapeKind::ALL.map(|kind| counters.by_shape(kind)),
         level_limit: counters.level_limit(),
+        level_limit_weight: counters.level_limit_weight(),
         cutoff: counters.cutoff(),
+        cutoff_weight: counters.cutoff_weight(),
         media_full: counters.media_full(),
     }
 }

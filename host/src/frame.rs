@@ -10,6 +10,7 @@ use crate::counts::Counts;
 use crate::description::Description;
 use crate::finding;
 use crate::picture::Picture;
+use crate::plan::asked_by;
 use crate::progress::Watch;
 use crate::signals::Stop;
 use crate::stock;
@@ -66,14 +67,14 @@ pub struct Facts {
 }
 
 impl Facts {
-    fn of(scene: &Scene<'_>) -> Self {
+    fn of(description: &Description, scene: &Scene<'_>) -> Self {
         let parts = scene.parts();
         let is_triangle = |s: &&Shape| matches!(s, Shape::Triangle(_) | Shape::SmoothTriangle(_));
         Facts {
             objects: parts.geometry.shapes.len(),
             triangles: parts.geometry.shapes.iter().filter(is_triangle).count(),
             lights: parts.lights.len(),
-            asks: scene.effects(),
+            asks: asked_by(description, scene),
         }
     }
 }
@@ -109,7 +110,7 @@ impl Error for NoFrame {}
 pub fn trace(description: &Description, wanted: &Wanted, watch: &Watch) -> Result<Frame, NoFrame> {
     let clock = Instant::now();
     let stock = stock::single::Stock::new(description);
-    let facts = Facts::of(&stock.scene().map_err(NoFrame::wrong)?);
+    let facts = Facts::of(description, &stock.scene().map_err(NoFrame::wrong)?);
     let drawn = match wanted.precision {
         Precision::Single => draw::trace(&stock, &description.view, wanted, watch)?,
         Precision::Double => {

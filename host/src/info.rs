@@ -15,7 +15,7 @@ use crate::failure::Failure;
 use crate::finding::{Choice, Facts, Finding, Kind};
 use crate::load::load;
 use crate::output::{Output, say};
-use crate::plan::{Effect, Step, plan};
+use crate::plan::{Effect, Step, asked_by, plan};
 use crate::stock::single::Stock;
 use crate::wrap::{width_of_stdout, wrapped};
 
@@ -133,7 +133,7 @@ impl Info {
         let built = Kind::ALL.map(|kind| build(scene, &Finding::by(kind), Look));
         let accelerators = built.iter().flatten().map(AcceleratorFacts::of).collect();
 
-        let asks = scene.effects();
+        let asks = asked_by(description, scene);
         let missing = Effect::ALL.into_iter().filter(|effect| !effect.is_in(&asks));
         Info {
             objects: parts.geometry.shapes.len(),

@@ -2,12 +2,14 @@
 
 use std::fmt;
 
-use strahl_core::{EffectSet, Material};
+use clap::ValueEnum;
+use strahl_core::{EffectSet, Material, Rgb, Scene};
 
-use crate::description::{Description, Form, Object};
+use crate::description::{Description, Form, Light, Object, Projection, Source};
+use crate::stock::single::Stock;
 
 /// An effect that a scene can ask for and a user can switch off, by its name on the command line.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
 pub enum Effect {
     /// Things stand in the way of light.
     Shadows,
@@ -15,11 +17,27 @@ pub enum Effect {
     Reflection,
     /// Light passes through bodies.
     Transmission,
+    /// Light passes through bodies on its way from a light.
+    ColoredShadows,
+    /// Lights with an extent: shadows with soft rims.
+    Penumbra,
+    /// A lens: only what is in focus is sharp.
+    Lens,
+    /// Rough mirrors and rough glass.
+    Gloss,
 }
 
 impl Effect {
     /// Every effect.
-    pub const ALL: [Effect; 3] = [Effect::Shadows, Effect::Reflection, Effect::Transmission];
+    pub const ALL: [Effect; 7] = [
+        Effect::Shadows,
+        Effect::Reflection,
+        Effect::Transmission,
+        Effect::ColoredShadows,
+        Effect::Penumbra,
+        Effect::Lens,
+        Effect::Gloss,
+    ];
 
     /// The name on the command line.
     pub fn name(self) -> &'static str {
@@ -27,6 +45,10 @@ impl Effect {
             Effect::Shadows => "shadows",
             Effect::Reflection => "reflection",
             Effect::Transmission => "transmission",
+            Effect::ColoredShadows => "colored-shadows",
+            Effect::Penumbra => "penumbra",
+            Effect::Lens => "lens",
+            Effect::Gloss => "gloss",
         }
     }
 
@@ -36,17 +58,66 @@ impl Effect {
             Effect::Shadows => set.shadows,
             Effect::Reflection => set.reflection,
             Effect::Transmission => set.transmission,
+            Effect::ColoredShadows => set.colored_shadows,
+            Effect::Penumbra => set.penumbra,
+            Effect::Lens => set.lens,
+            Effect::Gloss => set.gloss,
         }
     }
 
     /// Whether a material asks for it.
     fn is_asked_by(self, material: &Material) -> bool {
         match self {
-            Effect::Shadows => false,
             Effect::Reflection => !material.mirror.is_black(),
             Effect::Transmission => material.is_transmitting(),
+            Effect::Gloss => material.is_rough(),
+            _ => false,
         }
     }
+
+    /// Makes a scene that does not ask for it.
+    fn leave_out(self, description: &mut Description) {
+        let lights = description.lights.iter_mut().map(|light| &mut light.it);
+        let materials = description.materials.iter_mut().map(|material| &mut material.it);
+        match self {
+            Effect::Shadows => lights.for_each(|light| light.shadows = false),
+            Effect::Reflection => materials.for_each(|material| material.mirror = Rgb::BLACK),
+            Effect::Transmission => materials.for_each(|material| material.transmitted = Rgb::BLACK),
+            Effect::ColoredShadows => description.colored_shadows = None,
+            Effect::Penumbra => lights.for_each(|light| match &mut light.source {
+                Source::Sphere { radius, .. } => *radius = 0.0,
+                Source::Rectangle { soft, .. } => *soft = false,
+                _ => {}
+            }),
+            Effect::Lens => {
+                if let Projection::Lens { angle, .. } = description.view.projection {
+                    description.view.projection = Projection::Perspective(angle);
+                }
+            }
+            Effect::Gloss => materials.for_each(|material| material.roughness = 0.0),
+        }
+    }
+}
+
+/// Changes a scene so that it asks for none of these, and tells what of them it asked for.
+pub fn leave_out(description: &mut Description, effects: &[Effect]) -> Vec<Step> {
+    if effects.is_empty() {
+        return Vec::new();
+    }
+    let stock = Stock::new(description);
+    // What is no scene asks for nothing; the tracer says what is wrong with it.
+    let asks = stock.scene().map_or(EffectSet::NONE, |scene| asked_by(description, &scene));
+    let mut steps = plan(description, &asks);
+    steps.retain(|step| effects.contains(&step.effect));
+    steps.iter_mut().for_each(|step| step.simulated = false);
+    effects.iter().for_each(|effect| effect.leave_out(description));
+    steps
+}
+
+/// What a scene asks for, the camera included.
+pub fn asked_by(description: &Description, scene: &Scene<'_>) -> EffectSet {
+    let lens = matches!(description.view.projection, Projection::Lens { .. });
+    EffectSet { lens, ..scene.effects() }
 }
 
 impl fmt::Display for Effect {
@@ -87,6 +158,8 @@ pub struct Step {
     pub effect: Effect,
     /// At least one.
     pub reasons: Vec<Reason>,
+    /// Whether it is simulated, or was switched off.
+    pub simulated: bool,
 }
 
 /// What must be simulated of a scene that asks for `asks`, and why.
@@ -94,17 +167,31 @@ pub fn plan(description: &Description, asks: &EffectSet) -> Vec<Step> {
     let made_of = made_of(description);
     let called_for = Effect::ALL.into_iter().filter(|effect| effect.is_in(asks));
     let steps = called_for.map(|effect| {
+        let one = |what: &str, line| vec![Reason { what: what.into(), line, objects: None }];
         let reasons = match effect {
-            Effect::Shadows => lights(description),
-            _ => materials(description, &made_of, effect),
+            Effect::Shadows => lights(description, |light| light.shadows),
+            Effect::Penumbra => lights(description, is_soft),
+            Effect::ColoredShadows => one("render", description.colored_shadows.unwrap_or(1)),
+            Effect::Lens => one("camera", description.view_line),
+            Effect::Reflection | Effect::Transmission | Effect::Gloss => {
+                materials(description, &made_of, effect)
+            }
         };
-        Step { effect, reasons }
+        Step { effect, reasons, simulated: true }
     });
     steps.collect()
 }
 
-fn lights(description: &Description) -> Vec<Reason> {
-    let lights = description.lights.iter().filter(|light| light.it.shadows && !light.it.color.is_black());
+fn is_soft(light: &Light) -> bool {
+    match light.source {
+        Source::Sphere { radius, .. } => radius > 0.0,
+        Source::Rectangle { soft, .. } => soft,
+        _ => false,
+    }
+}
+
+fn lights(description: &Description, asks: fn(&Light) -> bool) -> Vec<Reason> {
+    let lights = description.lights.iter().filter(|light| asks(&light.it) && !light.it.color.is_black());
     lights
         .map(|light| Reason { what: named("light", &light.name), line: light.line, objects: None })
         .collect()

@@ -15,7 +15,7 @@ use crate::frame::{self, Frame, NoFrame};
 use crate::load::{DEFAULT_SIZE, Files, load_from};
 use crate::output::{Output, say, tell};
 use crate::picture::{self, Format, Picture};
-use crate::plan::plan;
+use crate::plan::{Step, leave_out, plan};
 use crate::progress::Watch;
 use crate::settings;
 use crate::signals::Signals;
@@ -53,6 +53,8 @@ pub struct Job<'a> {
 /// A scene, and how long it took to load it.
 pub struct Loaded {
     description: Description,
+    /// What it asked for and is not to be simulated.
+    left_out: Vec<Step>,
     took: Duration,
 }
 
@@ -74,11 +76,12 @@ impl<'a> Job<'a> {
     pub fn load(&self, files: &Files) -> Result<Loaded, Failure> {
         let clock = Instant::now();
         let Job { args, .. } = self;
-        let description = load_from(files, &args.scene, args.size.unwrap_or(DEFAULT_SIZE))?;
+        let mut description = load_from(files, &args.scene, args.size.unwrap_or(DEFAULT_SIZE))?;
         for warning in description.warnings.iter().filter(|_| !args.quiet) {
             say(format_args!("{}: warning: {warning}", args.scene.display()));
         }
-        Ok(Loaded { description, took: clock.elapsed() })
+        let left_out = leave_out(&mut description, &args.without);
+        Ok(Loaded { description, left_out, took: clock.elapsed() })
     }
 
     /// Traces the picture and writes it, and whatever is to be told of it.
@@ -94,7 +97,7 @@ impl<'a> Job<'a> {
             return Err(Failure::Usage("the report and the picture or the scene are the same file".into()));
         }
 
-        let Loaded { description, took: load } = scene;
+        let Loaded { description, left_out, took: load } = scene;
         let wanted = wanted(args, &description.settings, report.is_some() || !args.quiet)?;
         format.holds(wanted.picture())?;
         let frame = self.trace(description, &wanted, watch)?;
@@ -102,8 +105,10 @@ impl<'a> Job<'a> {
         self.write(&frame.picture, output, watch)?;
         let write = clock.elapsed();
 
+        let mut plan = plan(description, &frame.facts.asks);
+        plan.extend_from_slice(left_out);
         if let (Some((form, output)), Some(counters)) = (report, &frame.counters) {
-            let mut stats = Stats::new(description, &frame, counters);
+            let mut stats = Stats::new(&plan, &frame, counters);
             stats.seconds.load = load.as_secs_f64();
             stats.seconds.write = write.as_secs_f64();
             let text = match form {
@@ -113,7 +118,6 @@ impl<'a> Job<'a> {
             output.commit(text.as_bytes())?;
         }
         if let (Some(counters), false) = (&frame.counters, args.quiet) {
-            let plan = plan(description, &frame.facts.asks);
             let summary = summary(path, &frame, counters, &plan, *load, write);
             tell(wrapped(&summary, width_of_stderr(), summary::INDENT));
         }

@@ -101,6 +101,10 @@ pub fn settings(
     if let Some(mask) = &args.mask {
         add("mask", true, quoted(&mask.display().to_string()), None);
     }
+    if !args.without.is_empty() {
+        let names: Vec<_> = args.without.iter().map(|effect| effect.name()).collect();
+        add("without", true, names.join(","), None);
+    }
     let threads = match wanted.cut.threads {
         0 => std::thread::available_parallelism().map_or(1, usize::from),
         threads => threads,

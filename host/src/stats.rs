@@ -7,9 +7,9 @@ use std::collections::BTreeMap;
 use strahl_core::{RayKind, ShapeKind};
 
 use crate::counts::Counts;
-use crate::description::Description;
 use crate::frame::Frame;
-use crate::plan::{self, Effect, plan};
+use crate::plan::{self, Effect};
+use crate::summary::percent;
 
 /// A report on one picture. Field by field as the command line promises it.
 #[derive(Debug, Serialize)]
@@ -109,6 +109,9 @@ struct Media {
 struct Cut {
     by_levels: u64,
     by_cutoff: u64,
+    /// The weight of these rays, as a share of that of all camera rays.
+    share_by_levels: f64,
+    share_by_cutoff: f64,
 }
 
 /// Wall-clock seconds; `trace_cpu` is the sum over the threads.
@@ -138,13 +141,13 @@ fn steps(step: &plan::Step) -> impl Iterator<Item = Step> + '_ {
         asked_by: reason.what.clone(),
         line: reason.line,
         objects: reason.objects,
-        simulated: true,
+        simulated: step.simulated,
     })
 }
 
 impl Stats {
     /// The report on a frame whose work was counted as `counters`.
-    pub fn new(description: &Description, frame: &Frame, counters: &Counts) -> Self {
+    pub fn new(plan: &[plan::Step], frame: &Frame, counters: &Counts) -> Self {
         let (facts, accelerator) = (&frame.facts, &frame.accelerator);
         let by_ray = |kind| TestsByRay {
             boxes: counters.boxes(kind),
@@ -160,7 +163,7 @@ impl Stats {
                 lights: facts.lights,
                 effects: Effect::ALL.into_iter().filter(|e| e.is_in(&facts.asks)).map(Effect::name).collect(),
             },
-            plan: plan(description, &facts.asks).iter().flat_map(steps).collect(),
+            plan: plan.iter().flat_map(steps).collect(),
             picture: PictureStats { width: frame.picture.size.width(), height: frame.picture.size.height() },
             precision: frame.precision.name(),
             rays: Rays {
@@ -188,7 +191,12 @@ impl Stats {
             },
             shadow_cache: ShadowCache { asked: 0, hits: 0 },
             media: Media { overfull: counters.media_full() },
-            cut: Cut { by_levels: counters.level_limit(), by_cutoff: counters.cutoff() },
+            cut: Cut {
+                by_levels: counters.level_limit(),
+                by_cutoff: counters.cutoff(),
+                share_by_levels: counters.cut()[0],
+                share_by_cutoff: counters.cut()[1],
+            },
             seconds: Seconds {
                 build: frame.build.as_secs_f64(),
                 trace: frame.trace.as_secs_f64(),
@@ -230,7 +238,13 @@ impl Stats {
             };
             line(
                 "effect",
-                format!("{}, asked for by {} in line {}{more}", first.effect, first.asked_by, first.line),
+                format!(
+                    "{}, asked for by {} in line {}{more}{}",
+                    first.effect,
+                    first.asked_by,
+                    first.line,
+                    if first.simulated { "" } else { ", left out on request" }
+                ),
             );
         }
         line("camera rays", format!("{}, {} of them hit", rays.camera, rays.camera_hits));
@@ -239,7 +253,13 @@ impl Stats {
         line("shadow rays", rays.shadow.to_string());
         line(
             "not sent",
-            format!("{} at the last level, {} below the cutoff", self.cut.by_levels, self.cut.by_cutoff),
+            format!(
+                "{} at the last level, {} below the cutoff: {} and {} of the light",
+                self.cut.by_levels,
+                self.cut.by_cutoff,
+                percent(self.cut.share_by_levels),
+                percent(self.cut.share_by_cutoff)
+            ),
         );
         line("tests", format!("{} of boxes, {} of shapes", tests.boxes, tests.shapes));
         for (kind, count) in &tests.by_shape {

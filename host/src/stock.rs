@@ -37,6 +37,7 @@ macro_rules! stock {
                 lights: Vec<Light>,
                 ambient: Rgb,
                 background: Option<Background>,
+                colored_shadows: bool,
             }
 
             impl Stock {
@@ -54,6 +55,7 @@ macro_rules! stock {
                         lights: description.lights.iter().map(|l| light(&l.it)).collect(),
                         ambient: color(description.ambient),
                         background: Some(background(&description.background)),
+                        colored_shadows: description.colored_shadows.is_some(),
                         ..Stock::default()
                     };
                     for object in &description.objects {
@@ -151,6 +153,7 @@ macro_rules! stock {
                         lights: &self.lights,
                         ambient: self.ambient,
                         background: self.background.unwrap_or(Parts::EMPTY.background),
+                        colored_shadows: self.colored_shadows,
                     })
                 }
             }
@@ -165,6 +168,11 @@ macro_rules! stock {
                         description::Projection::Perspective(angle) => {
                             Projection::Perspective { angle: Real::from(angle) * (PI / 180.0) }
                         }
+                        description::Projection::Lens { angle, radius, focus } => Projection::Lens {
+                            angle: Real::from(angle) * (PI / 180.0),
+                            radius: Real::from(radius),
+                            focus: Real::from(focus),
+                        },
                         description::Projection::Orthographic(height) => {
                             Projection::Orthographic { height: Real::from(height) }
                         }
@@ -219,6 +227,12 @@ macro_rules! stock {
                         origin: vector(start),
                         along: vector(end) - vector(start),
                     },
+                    description::Texture::ZonePlate { from, to, origin, frequency } => Texture::ZonePlate {
+                        from: color(from),
+                        to: color(to),
+                        origin: vector(origin),
+                        frequency: Real::from(frequency),
+                    },
                 }
             }
 
@@ -231,6 +245,7 @@ macro_rules! stock {
                     exponent: Real::from(material.exponent),
                     mirror: color(material.mirror),
                     transmitted: color(material.transmitted),
+                    roughness: Real::from(material.roughness),
                     index: Real::from(material.index),
                     interface: match material.interface {
                         strahl_core::Interface::Constant => Interface::Constant,
@@ -265,6 +280,15 @@ macro_rules! stock {
                             cos_dark: cos(dark),
                             falloff: falloff(f),
                         }
+                    }
+                    description::Source::Sphere { position, radius, falloff: f } => Source::Sphere {
+                        position: vector(position),
+                        radius: Real::from(radius),
+                        falloff: falloff(f),
+                    },
+                    description::Source::Rectangle { position, half, soft, falloff: f } => {
+                        let (position, half) = (vector(position), half.map(vector));
+                        Source::Rectangle { position, half, soft, falloff: falloff(f) }
                     }
                 };
                 Light { source, color: color(light.color), shadows: light.shadows }

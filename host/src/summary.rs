@@ -79,22 +79,49 @@ pub fn summary(
             HumanBytes(found.bytes as u64)
         ),
     );
-    for (place, step) in plan.iter().enumerate() {
+    for (place, step) in plan.iter().filter(|step| step.simulated).enumerate() {
         line(if place == 0 { "simulated" } else { "" }, reasons(step));
     }
-    let not_called_for: Vec<_> =
-        Effect::ALL.into_iter().filter(|effect| !effect.is_in(&frame.facts.asks)).map(Effect::name).collect();
+    for step in plan.iter().filter(|step| !step.simulated) {
+        line("without", format!("{}, on request", reasons(step)));
+    }
+    let not_called_for: Vec<_> = Effect::ALL
+        .into_iter()
+        .filter(|effect| plan.iter().all(|step| step.effect != *effect))
+        .map(Effect::name)
+        .collect();
     if !not_called_for.is_empty() {
         line("left out", format!("{}: not called for", not_called_for.join(", ")));
     }
     let (levels, cutoff) = (counters.level_limit(), counters.cutoff());
     if levels + cutoff > 0 {
-        line("cut", format!("{} rays at the last level, {} below the cutoff", count(levels), count(cutoff)));
+        let [by_levels, by_cutoff] = counters.cut();
+        let rays = format!("{} rays at the last level, {} below the cutoff", count(levels), count(cutoff));
+        line("cut", format!("{} of the light: {rays}", percent(by_levels + by_cutoff)));
     }
     if counters.media_full() > 0 {
         line("cut", format!("{} entries into a fifth body at once", count(counters.media_full())));
     }
     text
+}
+
+/// A share, to one digit that is not zero, and never nothing where there is something.
+pub fn percent(share: f64) -> String {
+    let percent = 100.0 * share;
+    if percent == 0.0 {
+        "0 %".into()
+    } else if percent < 0.001 {
+        "less than 0.001 %".into()
+    } else {
+        let digits = if percent < 0.01 {
+            3
+        } else if percent < 0.1 {
+            2
+        } else {
+            1
+        };
+        format!("{percent:.digits$} %")
+    }
 }
 
 /// An effect and the first that asks for it.

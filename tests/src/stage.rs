@@ -32,6 +32,8 @@ pub struct Stage {
     pub ambient: Rgb,
     /// What is behind everything.
     pub background: Background,
+    /// Whether light passes through bodies on its way from a light.
+    pub colored_shadows: bool,
 }
 
 impl Default for Stage {
@@ -53,6 +55,7 @@ impl Default for Stage {
             lights: Vec::new(),
             ambient: Rgb::BLACK,
             background: Background::Color(Rgb::BLACK),
+            colored_shadows: false,
         }
     }
 }
@@ -72,6 +75,11 @@ impl Stage {
     pub fn material(&mut self, material: Material) -> MaterialId {
         self.materials.push(material);
         MaterialId(next(&self.materials) as u16 - 1)
+    }
+
+    /// All materials, to change them.
+    pub fn materials_mut(&mut self) -> &mut [Material] {
+        &mut self.materials
     }
 
     /// A texture for materials to name.
@@ -216,6 +224,7 @@ impl Stage {
             lights: &self.lights,
             ambient: self.ambient,
             background: self.background,
+            colored_shadows: self.colored_shadows,
         }
     }
 
@@ -229,6 +238,23 @@ impl Stage {
         self.parts().geometry.all_bounds().collect()
     }
 
+    /// The mean of what `n` camera rays see that differ in nothing but what they leave to chance.
+    pub fn look_often(&self, eye: Vec3, target: Vec3, limits: Limits, n: u32, seed: u32) -> [f64; 3] {
+        let world = World::new(self.scene(), List::bare(self.len()));
+        let tracer = Tracer::<_, Everything, 64>::new(&world, straight(eye, target), limits).unwrap();
+        let mut worker = Worker::new(());
+        let mut sum = [0.0; 3];
+        for index in 0..n {
+            let sample = Sample { place: Place { x: 0.5, y: 0.5 }, stream: Stream::new(7, 5, index, seed) };
+            let color = tracer.look(sample, &mut worker).color;
+            #[allow(clippy::useless_conversion)] // in the twin
+            for (sum, channel) in sum.iter_mut().zip([color.r, color.g, color.b]) {
+                *sum += f64::from(channel) / f64::from(n);
+            }
+        }
+        sum
+    }
+
     /// What arrives at `eye` from the direction of `target`, by the bare list.
     pub fn look(&self, eye: Vec3, target: Vec3, limits: Limits) -> Rgb {
         self.look_and_count(eye, target, limits).0
@@ -236,20 +262,24 @@ impl Stage {
 
     /// The same, and what it took.
     pub fn look_and_count(&self, eye: Vec3, target: Vec3, limits: Limits) -> (Rgb, Counters) {
-        // Of a picture of one pixel; parallel rays, so that the one in its middle starts in the eye.
-        let way = target - eye;
-        let up = if way.x.abs() < way.y.abs() { Vec3::X } else { Vec3::Y };
-        let projection = Projection::Orthographic { height: 1.0 };
-        let view = View { from: eye, at: target, up, projection };
-        let camera = Camera::new(&view, Size::new(1, 1).unwrap()).unwrap();
         let world = World::new(self.scene(), List::bare(self.len()));
-        let tracer = Tracer::<_, Everything, 64>::new(&world, camera, limits).unwrap();
+        let tracer = Tracer::<_, Everything, 64>::new(&world, straight(eye, target), limits).unwrap();
         let mut worker = Worker::new(Counters::new());
         let sample = Sample { place: Place { x: 0.5, y: 0.5 }, stream: Stream::new(0, 0, 0, 0) };
         let color = tracer.look(sample, &mut worker).color;
         assert!(color.is_within(Real::MAX), "{color:?} is no light");
         (color, worker.into_tally())
     }
+}
+
+/// The camera of a picture of one pixel, whose middle is the ray from `eye` to `target`: all its
+/// rays are parallel, so that this one starts in the eye.
+fn straight(eye: Vec3, target: Vec3) -> Camera {
+    let way = target - eye;
+    let up = if way.x.abs() < way.y.abs() { Vec3::X } else { Vec3::Y };
+    let projection = Projection::Orthographic { height: 1.0 };
+    let view = View { from: eye, at: target, up, projection };
+    Camera::new(&view, Size::new(1, 1).unwrap()).unwrap()
 }
 
 /// To the core's own numbers; exact for what [`crate::Random`] gives.

@@ -21,6 +21,7 @@ use std::path::{Path, PathBuf};
 use strahl::finding::Finding;
 use strahl::picture::{Format, Picture};
 use strahl::progress::Watch;
+use strahl::sampling::Agreement;
 use strahl::signals::Signals;
 use strahl::wanted::{Sampling, Wanted};
 use strahl_core::{
@@ -32,20 +33,30 @@ use strahl_core::{
 mod constants;
 
 /// The scenes, and how large their golden pictures are.
-const SCENES: [(&str, u32, u32, Sampling); 13] = [
+const SCENES: [(&str, u32, u32, Sampling); 18] = [
     ("classic.toml", 96, 72, Sampling::Regular(2)),
     ("first.toml", 96, 72, Sampling::Regular(2)),
     ("fjord.toml", 100, 60, Sampling::Single),
     ("glass.toml", 96, 72, Sampling::Single),
+    ("gloss.toml", 96, 54, Sampling::stochastic(8)),
     ("knot.toml", 80, 60, Sampling::Single),
+    ("lens.toml", 96, 54, Sampling::stochastic(8)),
     ("marbles.toml", 96, 72, Sampling::Single),
     ("paper.toml", 96, 72, Sampling::Single),
+    ("penumbra.toml", 96, 60, Sampling::stochastic(8)),
     ("pyramid.toml", 80, 60, Sampling::Single),
     ("rotunda.nff", 160, 100, Sampling::Single),
     ("shapes.toml", 96, 72, Sampling::Single),
     ("sphereflake.toml", 96, 72, Sampling::Single),
     ("stage.toml", 96, 72, Sampling::Regular(2)),
+    (
+        "stained.toml",
+        96,
+        60,
+        Sampling::Adaptive { depth: 2, agreement: Agreement { threshold: 0.05, items: false } },
+    ),
     ("still-life.toml", 80, 60, Sampling::Single),
+    ("zoneplate.toml", 64, 64, Sampling::stochastic(8)),
 ];
 
 #[test]

@@ -2,7 +2,8 @@
 //!
 //! The places of a pixel are those of a scrambled low-discrepancy sequence, another scrambling
 //! for each pixel ([`Stream`]). At equal numbers of rays its error is smaller than that of
-//! jittered cells: the measurement stands in `tests/quality.md`.
+//! jittered cells: at an edge by a quarter to a third, in a zone plate by half and more
+//! (`core/examples/sequence.rs`).
 //!
 //! Where the number of rays is a range, a pixel ends when its mean is known well enough: when
 //! the interval in which the mean lies with a wanted confidence, taken from the variance of the

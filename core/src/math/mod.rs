@@ -22,7 +22,7 @@ pub use float::{cos, exp, floor, ln, powf, sin, sqrt, tan};
 pub use lanes::{LANES, Lanes};
 pub use roots::{CubicRoots, cubic_roots, root_between};
 pub use stream::{Dimension, Stream};
-pub use warp::{normal, tent};
+pub use warp::{across, disc, facet, normal, tent};
 
 #[cfg(feature = "double")]
 mod precision {

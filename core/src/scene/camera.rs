@@ -3,7 +3,7 @@
 use zerocopy::{Immutable, KnownLayout, TryFromBytes};
 
 use crate::geometry::Ray;
-use crate::math::{PI, Real, Stream, Vec3, is_in_range, tan, unit};
+use crate::math::{FARTHEST, PI, Real, Stream, Vec3, disc, is_in_range, tan, unit};
 
 /// A picture's width and height in pixels, both at least 1.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -85,6 +85,16 @@ pub enum Projection {
         /// From the middle of the first row of pixels to that of the last, in scene lengths.
         height: Real,
     },
+    /// All from one lens, and what lies in a plane through its focus is sharp.
+    Lens {
+        /// As of [`Projection::Perspective`].
+        angle: Real,
+        /// The radius of the lens, more than zero, at most 1e15, in scene lengths.
+        radius: Real,
+        /// How far away from the lens everything is sharp, along the line of sight; more than
+        /// zero, at most 1e15.
+        focus: Real,
+    },
 }
 
 /// Why a view shows nothing.
@@ -99,6 +109,8 @@ pub enum ViewFault {
     NoUp,
     /// The angle is not between zero and half a turn, or the height not more than zero.
     Angle,
+    /// The radius of the lens or its focus is out of range.
+    Lens,
 }
 
 impl core::fmt::Display for ViewFault {
@@ -108,6 +120,7 @@ impl core::fmt::Display for ViewFault {
             ViewFault::NoDirection => "the eye is at the point it looks at",
             ViewFault::NoUp => "up is parallel to the line of sight",
             ViewFault::Angle => "the angle of view leaves no picture",
+            ViewFault::Lens => "the radius or the focus of the lens is out of range",
         })
     }
 }
@@ -125,6 +138,8 @@ pub struct Camera {
     /// The middle of the picture.
     middle: Place,
     parallel: bool,
+    /// The radius of the lens, zero for none, and its focus.
+    lens: [Real; 2],
 }
 
 impl Camera {
@@ -143,17 +158,52 @@ impl Camera {
         let right = unit(right).ok_or(ViewFault::NoUp)?;
         let down = forward.cross(right);
         let rows = if size.height > 1 { size.height - 1 } else { 1 } as Real;
+        let mut lens = [0.0; 2];
         let (height, parallel) = match view.projection {
             Projection::Perspective { angle } if angle > 0.0 && angle < PI => (2.0 * tan(0.5 * angle), false),
+            Projection::Lens { angle, radius, focus } if angle > 0.0 && angle < PI => {
+                if !(radius > 0.0 && radius <= FARTHEST && focus > 0.0 && focus <= FARTHEST) {
+                    return Err(ViewFault::Lens);
+                }
+                lens = [radius, focus];
+                (2.0 * tan(0.5 * angle), false)
+            }
             Projection::Orthographic { height } if height > 0.0 && height <= 1e15 => (height, true),
             _ => return Err(ViewFault::Angle),
         };
         let step = height / rows;
         let middle = Place { x: 0.5 * size.width as Real, y: 0.5 * size.height as Real };
-        Ok(Camera { from: view.from, forward, right: right * step, down: down * step, middle, parallel })
+        Ok(Camera {
+            from: view.from,
+            forward,
+            right: right * step,
+            down: down * step,
+            middle,
+            parallel,
+            lens,
+        })
     }
 
-    /// The ray through a place, with a direction of length one.
+    /// Whether only what is in focus is sharp.
+    pub fn has_lens(&self) -> bool {
+        self.lens[0] > 0.0
+    }
+
+    /// The ray through a place, and through the point of the lens that `chance` says, a point of
+    /// the unit square, whose middle stands for that of the lens.
+    pub(crate) fn lens_ray(&self, place: Place, chance: [Real; 2]) -> Ray {
+        let [radius, focus] = self.lens;
+        let across = self.right * (place.x - self.middle.x) + self.down * (place.y - self.middle.y);
+        let [x, y] = disc(chance);
+        let right = unit(self.right).unwrap_or(Vec3::ZERO);
+        let down = unit(self.down).unwrap_or(Vec3::ZERO);
+        let aside = (right * x + down * y) * radius;
+        // All rays through a place meet in the plane of focus.
+        let way = (self.forward + across) * focus - aside;
+        Ray::new(self.from + aside, unit(way).unwrap_or(self.forward))
+    }
+
+    /// The ray through a place, from the middle of the lens where there is one, with a direction of length one.
     pub fn ray(&self, place: Place) -> Ray {
         let across = self.right * (place.x - self.middle.x) + self.down * (place.y - self.middle.y);
         if self.parallel {

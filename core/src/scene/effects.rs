@@ -30,6 +30,14 @@ pub struct EffectSet {
     pub transmission: bool,
     /// Bodies that take light away as it passes.
     pub absorption: bool,
+    /// Light that passes through bodies on its way from a light.
+    pub colored_shadows: bool,
+    /// Lights with an extent, so that shadows have soft rims.
+    pub penumbra: bool,
+    /// A lens, so that only what is in focus is sharp.
+    pub lens: bool,
+    /// Rough mirrors and rough glass.
+    pub gloss: bool,
 }
 
 impl EffectSet {
@@ -44,6 +52,10 @@ impl EffectSet {
         reflection: false,
         transmission: false,
         absorption: false,
+        colored_shadows: false,
+        penumbra: false,
+        lens: false,
+        gloss: false,
     };
 
     /// Everything there is.
@@ -57,6 +69,10 @@ impl EffectSet {
         reflection: true,
         transmission: true,
         absorption: true,
+        colored_shadows: true,
+        penumbra: true,
+        lens: true,
+        gloss: true,
     };
 
     /// Whether everything in `other` is in this set.
@@ -73,6 +89,10 @@ impl EffectSet {
             && implied(other.reflection, self.reflection)
             && implied(other.transmission, self.transmission)
             && implied(other.absorption, self.absorption)
+            && implied(other.colored_shadows, self.colored_shadows)
+            && implied(other.penumbra, self.penumbra)
+            && implied(other.lens, self.lens)
+            && implied(other.gloss, self.gloss)
     }
 }
 

@@ -1,8 +1,14 @@
-//! Lights without extent: point, directional, spot.
+//! Lights: without extent (point, directional, spot), and with one (sphere, rectangle).
+//!
+//! A light with an extent is asked for at one place of it for each camera ray, another for
+//! each: so shadows get soft rims that many rays fill ("Distributed Ray Tracing", Cook, Porter,
+//! Carpenter, SIGGRAPH 1984). From its middle it is a light without extent.
 
 use zerocopy::{Immutable, KnownLayout, TryFromBytes};
 
-use crate::math::{Real, Rgb, Vec3, is_in_range, is_unit, length, unit, within};
+use crate::math::{
+    FARTHEST, Real, Rgb, Vec3, across, disc, is_in_range, is_unit, length, sqrt, unit, within,
+};
 use crate::set::set_of;
 
 /// A light.
@@ -47,6 +53,28 @@ pub enum Source {
         /// How it fades with the distance.
         falloff: Falloff,
     },
+    /// From a sphere in all directions, as much as from a point in its middle: it is a disc from
+    /// wherever it is seen. What is inside the sphere is not in its way.
+    Sphere {
+        /// Its middle.
+        position: Vec3,
+        /// Its radius; 0 makes it a point.
+        radius: Real,
+        /// How it fades with the distance from its middle.
+        falloff: Falloff,
+    },
+    /// From the front of a rectangle, as from something white: less to the side, by the cosine.
+    Rectangle {
+        /// Its middle.
+        position: Vec3,
+        /// From the middle to the middles of two edges that meet. The front is where the cross
+        /// product of the first and the second points to.
+        half: [Vec3; 2],
+        /// Whether its light comes from everywhere in it, or all of it from the middle.
+        soft: bool,
+        /// How it fades with the distance.
+        falloff: Falloff,
+    },
 }
 
 /// How a light fades with the distance `d`: it is divided by
@@ -88,11 +116,14 @@ pub enum LightKind {
     Point,
     Directional,
     Spot,
+    Sphere,
+    Rectangle,
 }
 
 impl LightKind {
     /// Every kind.
-    pub const ALL: [LightKind; 3] = [LightKind::Point, LightKind::Directional, LightKind::Spot];
+    pub const ALL: [LightKind; 5] =
+        [LightKind::Point, LightKind::Directional, LightKind::Spot, LightKind::Sphere, LightKind::Rectangle];
 }
 
 set_of! {
@@ -118,6 +149,17 @@ impl Light {
             Source::Point { .. } => LightKind::Point,
             Source::Directional { .. } => LightKind::Directional,
             Source::Spot { .. } => LightKind::Spot,
+            Source::Sphere { .. } => LightKind::Sphere,
+            Source::Rectangle { .. } => LightKind::Rectangle,
+        }
+    }
+
+    /// Whether its shadows have soft rims.
+    pub fn is_soft(&self) -> bool {
+        match self.source {
+            Source::Sphere { radius, .. } => radius > 0.0,
+            Source::Rectangle { soft, .. } => soft,
+            _ => false,
         }
     }
 
@@ -133,15 +175,31 @@ impl Light {
                     && cos_bright <= 1.0
                     && falloff.is_valid()
             }
+            Source::Sphere { position, radius, falloff } => {
+                is_in_range(position) && radius >= 0.0 && radius <= FARTHEST && falloff.is_valid()
+            }
+            Source::Rectangle { position, half: [a, b], falloff, .. } => {
+                is_in_range(position)
+                    && is_in_range(a)
+                    && is_in_range(b)
+                    && unit(a.cross(b)).is_some()
+                    && falloff.is_valid()
+            }
         };
         source && self.color.is_within(Rgb::BRIGHTEST)
     }
 
-    /// The light that would arrive at `point`; none where it does not shine, and for a kind
+    /// The light that would arrive at `point` from the place of the light that `chance` says, a
+    /// point of the unit square, whose middle stands for that of the light; none where it does not shine, and for a kind
     /// that is not among the `able` ones. Inlined, so that the arms outside a constant set are
     /// compiled away.
     #[inline(always)]
-    pub(crate) fn beam(&self, point: Vec3, able: LightSet) -> Option<Beam> {
+    pub(crate) fn beam(
+        &self,
+        point: Vec3,
+        able: LightSet,
+        chance: impl FnOnce() -> [Real; 2],
+    ) -> Option<Beam> {
         let from = |position: Vec3, falloff: &Falloff| {
             let way = position - point;
             let distance = length(way);
@@ -165,6 +223,33 @@ impl Light {
                 let s = if cos >= *cos_bright { 1.0 } else { s };
                 beam.color = beam.color * (s * s * (3.0 - 2.0 * s));
                 Some(beam)
+            }
+            Source::Sphere { position, radius, falloff } if able.has(LightKind::Sphere) => {
+                let mut beam = from(*position, falloff)?;
+                if *radius > 0.0 {
+                    // A place on the disc that faces the point.
+                    let [first, second] = across(beam.toward);
+                    let [x, y] = disc(chance());
+                    let way = *position + (first * x + second * y) * *radius - point;
+                    beam.toward = unit(way)?;
+                    // The way ends where it enters the sphere: what is inside does not count.
+                    let middle = *position - point;
+                    let along = middle.dot(beam.toward);
+                    let inside = *radius * *radius - (middle.dot(middle) - along * along);
+                    beam.distance = along - sqrt(if inside > 0.0 { inside } else { 0.0 });
+                    if !(beam.distance > 0.0) {
+                        beam.distance = 0.0; // the point is inside the light
+                    }
+                }
+                Some(beam)
+            }
+            Source::Rectangle { position, half: [a, b], soft, falloff } if able.has(LightKind::Rectangle) => {
+                let [u, v] = if *soft { chance() } else { [0.5, 0.5] };
+                let place = *position + *a * (2.0 * u - 1.0) + *b * (2.0 * v - 1.0);
+                let mut beam = from(place, falloff)?;
+                let cos = -beam.toward.dot(unit(a.cross(*b))?);
+                beam.color = beam.color * cos;
+                (cos > 0.0).then_some(beam)
             }
             _ => None,
         }

@@ -41,6 +41,9 @@ pub struct Material {
     /// The share of light from behind, each channel in `0..=1`. More than zero makes the
     /// surface the boundary of a body of this material, which the normal leaves.
     pub transmitted: Rgb,
+    /// How rough the surface is, from 0, where all light is mirrored in one direction and passes
+    /// in one, to 1: the square root of the tangent of the typical slope of its facets.
+    pub roughness: Real,
     /// The index of refraction of that body, in `0.01..=100`; that of empty space is one.
     pub index: Real,
     /// How the transmitted share is parted.
@@ -81,6 +84,7 @@ impl Material {
         exponent: 0.0,
         mirror: Rgb::BLACK,
         transmitted: Rgb::BLACK,
+        roughness: 0.0,
         index: 1.0,
         interface: Interface::Constant,
         clarity: Rgb::gray(Real::INFINITY),
@@ -96,6 +100,11 @@ impl Material {
     /// Whether it has a highlight.
     pub fn is_shiny(&self) -> bool {
         self.exponent > 0.0 && !self.highlight.is_black()
+    }
+
+    /// Whether it mirrors light or lets it pass in more than one direction.
+    pub fn is_rough(&self) -> bool {
+        self.roughness > 0.0 && !(self.mirror.is_black() && self.transmitted.is_black())
     }
 
     /// Whether its body takes something away from light.
@@ -119,6 +128,9 @@ impl Material {
         }
         if !(self.exponent >= 0.0 && self.exponent <= 1e6) {
             return Err(MaterialFault::Exponent);
+        }
+        if !(self.roughness >= 0.0 && self.roughness <= 1.0) {
+            return Err(MaterialFault::Roughness);
         }
         if self.is_transmitting() && !(self.index >= LEAST_INDEX && self.index <= 100.0) {
             return Err(MaterialFault::Index);
@@ -146,6 +158,8 @@ pub enum MaterialFault {
     Exponent,
     /// The index of refraction is outside `0.01..=100`.
     Index,
+    /// The roughness is outside `0..=1`.
+    Roughness,
     /// The clarity is zero, below zero or no number.
     Clarity,
     /// The texture is outside its table.
@@ -159,6 +173,7 @@ impl core::fmt::Display for MaterialFault {
             MaterialFault::Share => "a mirrored or transmitted share is not in 0..=1",
             MaterialFault::Exponent => "the highlight's exponent is not in 0..=1e6",
             MaterialFault::Index => "the index of refraction is not in 0.01..=100",
+            MaterialFault::Roughness => "the roughness is not in 0..=1",
             MaterialFault::Clarity => "the clarity is not more than zero",
             MaterialFault::Texture => "the texture does not exist",
         })

@@ -81,6 +81,9 @@ pub struct Parts<'s> {
     pub ambient: Rgb,
     /// What is behind everything.
     pub background: Background,
+    /// Whether light passes through transmitting bodies on its way from a light, coloured and
+    /// weakened but not bent; else they stand in its way like everything.
+    pub colored_shadows: bool,
 }
 
 impl Parts<'_> {
@@ -93,6 +96,7 @@ impl Parts<'_> {
         lights: &[],
         ambient: Rgb::BLACK,
         background: Background::Color(Rgb::BLACK),
+        colored_shadows: false,
     };
 
     /// The memory that all tables take, in bytes.
@@ -226,6 +230,7 @@ fn asked_by(parts: &Parts<'_>) -> EffectSet {
         asks.reflection |= !material.mirror.is_black();
         asks.transmission |= material.is_transmitting();
         asks.absorption |= material.is_absorbing();
+        asks.gloss |= material.is_rough();
         if let Some(texture) = parts.textures.get(usize::from(material.texture.0)) {
             asks.textures = asks.textures.with(texture.kind());
         }
@@ -233,7 +238,9 @@ fn asked_by(parts: &Parts<'_>) -> EffectSet {
     for light in parts.lights.iter().filter(|light| lit && !light.color.is_black()) {
         asks.lights = asks.lights.with(light.kind());
         asks.shadows |= light.shadows;
+        asks.penumbra |= light.is_soft();
     }
+    asks.colored_shadows = parts.colored_shadows && asks.shadows && asks.transmission;
     asks
 }
 

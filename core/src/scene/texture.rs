@@ -2,7 +2,7 @@
 
 use zerocopy::{Immutable, KnownLayout, TryFromBytes};
 
-use crate::math::{Real, Rgb, Vec3, floor, is_in_range, within};
+use crate::math::{FARTHEST, PI, Real, Rgb, Vec3, cos, floor, is_in_range, within};
 use crate::set::set_of;
 
 /// A colour for each point of space, in the frame of the world.
@@ -32,6 +32,18 @@ pub enum Texture {
         /// From its begin to its end, not zero.
         along: Vec3,
     },
+    /// Spheres round a point, from one colour to the other and back, the finer the farther: the
+    /// zone plate, which shows what a raster cannot hold.
+    ZonePlate {
+        /// The colour in `origin`.
+        from: Rgb,
+        /// The colour halfway to the first return.
+        to: Rgb,
+        /// The middle.
+        origin: Vec3,
+        /// Returns per square of the distance; at least 0, at most 1e15.
+        frequency: Real,
+    },
 }
 
 /// What kind of texture it is.
@@ -40,11 +52,12 @@ pub enum Texture {
 pub enum TextureKind {
     Checker,
     Gradient,
+    ZonePlate,
 }
 
 impl TextureKind {
     /// Every kind.
-    pub const ALL: [TextureKind; 2] = [TextureKind::Checker, TextureKind::Gradient];
+    pub const ALL: [TextureKind; 3] = [TextureKind::Checker, TextureKind::Gradient, TextureKind::ZonePlate];
 }
 
 set_of! {
@@ -58,6 +71,7 @@ impl Texture {
         match self {
             Texture::Checker { .. } => TextureKind::Checker,
             Texture::Gradient { .. } => TextureKind::Gradient,
+            Texture::ZonePlate { .. } => TextureKind::ZonePlate,
         }
     }
 
@@ -70,6 +84,10 @@ impl Texture {
             Texture::Gradient { from, to, origin, along } => {
                 let length = along.dot(along);
                 is_color(from) && is_color(to) && is_in_range(origin) && length > 0.0 && length <= Real::MAX
+            }
+            Texture::ZonePlate { from, to, origin, frequency } => {
+                let is_frequency = frequency >= 0.0 && frequency <= FARTHEST;
+                is_color(from) && is_color(to) && is_in_range(origin) && is_frequency
             }
         }
     }
@@ -88,6 +106,13 @@ impl Texture {
             Texture::Gradient { from, to, origin, along } if able.has(TextureKind::Gradient) => {
                 let s = (point - origin).dot(along) / along.dot(along);
                 from.toward(to, within(s, 0.0, 1.0))
+            }
+            Texture::ZonePlate { from, to, origin, frequency } if able.has(TextureKind::ZonePlate) => {
+                let way = point - origin;
+                let turns = way.dot(way) * frequency;
+                // The whole turns would cost the cosine its digits; what is not finite has none.
+                let turn = within(turns - floor(turns), 0.0, 1.0);
+                from.toward(to, within(0.5 - 0.5 * cos(2.0 * PI * turn), 0.0, 1.0))
             }
             _ => Rgb::WHITE,
         }
@@ -115,6 +140,17 @@ mod tests {
         for y in [-1e-6, 0.0, 1e-6, 7.0] {
             assert_eq!(color(1.0, y, 1.0), Rgb::WHITE);
         }
+    }
+
+    #[test]
+    fn a_zone_plate_returns_at_every_whole_square_of_the_distance() {
+        let plate =
+            Texture::ZonePlate { from: Rgb::WHITE, to: Rgb::BLACK, origin: Vec3::ZERO, frequency: 2.0 };
+        for (square, gray) in [(0.0, 1.0), (0.25, 0.0), (0.5, 1.0), (0.125, 0.5), (50.25, 0.0)] {
+            let color = plate.at(vec3(0.0, 0.0, crate::math::sqrt(square)), TextureSet::ALL);
+            assert!((color.r - gray).abs() < 1e-3, "{square}: {}", color.r);
+        }
+        assert!(plate.at(Vec3::splat(1e30), TextureSet::ALL).r.is_finite());
     }
 
     #[test]

@@ -3,16 +3,20 @@
 
 mod media;
 mod optics;
+mod passage;
 mod shadow;
 
 pub use media::{Crossing, Media, index};
 pub use optics::{Refraction, absorbed, reflected, refracted};
+pub(crate) use passage::{crossing, left_after};
 
 use crate::accel::Accelerator;
 use crate::geometry::{Surface, leave};
-use crate::math::{Real, Rgb, Vec3, powf};
+use crate::math::{Dimension, Real, Rgb, Stream, Vec3, powf};
+
 use crate::scene::{Effects, Material, World};
 use crate::tally::Tally;
+use shadow::Way;
 
 /// A surface as it is seen along a ray.
 #[derive(Clone, Copy, Debug)]
@@ -53,6 +57,18 @@ impl Seen {
     }
 }
 
+/// The circumstances under which a ray has arrived at a surface.
+pub(crate) struct Arrival {
+    /// The numbers that belong to the camera ray.
+    pub(crate) stream: Stream,
+    /// The level of the ray.
+    pub(crate) level: u8,
+    /// The bodies on the side that it comes from.
+    pub(crate) before: Media,
+    /// The bodies behind the surface.
+    pub(crate) behind: Media,
+}
+
 /// The light that the surface itself sends back along the ray: ambient, and from each light
 /// that reaches it the diffuse part and the highlight (Phong).
 ///
@@ -61,6 +77,7 @@ pub(crate) fn local<A: Accelerator, E: Effects, T: Tally>(
     world: &World<'_, A>,
     material: &Material,
     seen: &Seen,
+    arrival: &Arrival,
     scratch: &mut A::Scratch,
     tally: &mut T,
 ) -> Rgb {
@@ -80,8 +97,14 @@ pub(crate) fn local<A: Accelerator, E: Effects, T: Tally>(
         (seen.surface.shading, seen.surface.normal)
     };
     let from = leave(seen.surface.point, seen.surface.error, side);
-    for source in parts.lights {
-        let Some(beam) = source.beam(seen.surface.point, E::SET.lights) else { continue };
+    for (source, number) in parts.lights.iter().zip(0..) {
+        let chance = || {
+            if !E::SET.penumbra {
+                return [0.5, 0.5];
+            }
+            arrival.stream.pair(Dimension::light(arrival.level, number))
+        };
+        let Some(mut beam) = source.beam(seen.surface.point, E::SET.lights, chance) else { continue };
         let cos = normal.dot(beam.toward);
         if !(cos > 0.0) || beam.color.is_black() {
             continue;
@@ -103,11 +126,18 @@ pub(crate) fn local<A: Accelerator, E: Effects, T: Tally>(
         if shine.is_some_and(Rgb::is_black) {
             continue;
         }
-        if E::SET.shadows
-            && source.shadows
-            && shadow::is_dark::<A, E, T>(world, seen.surface.point, from, &beam, scratch, tally)
-        {
-            continue;
+        if E::SET.shadows && source.shadows {
+            let way = Way { point: seen.surface.point, from, beam: &beam };
+            if E::SET.colored_shadows && parts.colored_shadows {
+                let media = if side == seen.facing { &arrival.before } else { &arrival.behind };
+                let share = shadow::passing::<A, E, T>(world, &way, media, scratch, tally);
+                if share.is_black() {
+                    continue;
+                }
+                beam.color *= share;
+            } else if shadow::is_dark::<A, E, T>(world, &way, scratch, tally) {
+                continue;
+            }
         }
         let given = diffuse * cos + shine.unwrap_or_else(highlight);
         light += given * beam.color;

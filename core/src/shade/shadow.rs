@@ -1,32 +1,107 @@
 //! Whether light arrives.
 
+use super::Seen;
+use super::media::{Crossing, Media, index};
+use super::optics::refracted;
+use super::passage::{crossing, left_after};
 use crate::accel::Accelerator;
 use crate::geometry::Ray;
-use crate::math::{ROUNDOFF, Real, Vec3, largest};
-use crate::scene::{Beam, Effects, World};
+use crate::math::{ROUNDOFF, Real, Rgb, Vec3, largest};
+use crate::scene::{Beam, Effects, Interface, Material, World};
 use crate::tally::{Event, RayKind, Tally};
 
 /// How much of the way to a light is asked for: not the last few roundoffs, so that a surface
 /// in which the light lies does not stand in its own light.
 const NEARLY_THERE: Real = 1.0 - 16.0 * ROUNDOFF;
 
-/// Whether anything stands between a point, which its rays leave at `from`, and where the beam
-/// comes from. What lies behind the light does not count; glass counts as if it were opaque.
+/// The most surfaces that light passes on its way; behind more it is dark.
+const MOST_SURFACES: u32 = 64;
+
+/// The way from a point to a light.
+pub(super) struct Way<'b> {
+    /// The point.
+    pub(super) point: Vec3,
+    /// Where its rays leave it.
+    pub(super) from: Vec3,
+    /// What would arrive.
+    pub(super) beam: &'b Beam,
+}
+
+impl Way<'_> {
+    /// The direction of the ray towards the light; none when the light is too near for anything
+    /// to stand between.
+    fn direction(&self) -> Option<Vec3> {
+        // Started beside the point, the ray must not end beside the light.
+        let aside = (self.point - self.from) / self.beam.distance;
+        (largest(aside) < 1.0).then_some(self.beam.toward + aside)
+    }
+
+    /// How far something may be and still stand in the way.
+    fn reach(&self) -> Real {
+        self.beam.distance * NEARLY_THERE
+    }
+}
+
+/// Whether anything stands in the way. What lies behind the light does not count; glass counts
+/// as if it were opaque.
 pub(super) fn is_dark<A: Accelerator, E: Effects, T: Tally>(
     world: &World<'_, A>,
-    point: Vec3,
-    from: Vec3,
-    beam: &Beam,
+    way: &Way<'_>,
     scratch: &mut A::Scratch,
     tally: &mut T,
 ) -> bool {
     tally.count(Event::Ray(RayKind::Shadow));
-    // Started beside the point, the ray must not end beside the light.
-    let aside = (point - from) / beam.distance;
-    if !(largest(aside) < 1.0) {
-        return false; // the light is nearer than that
+    let Some(direction) = way.direction() else { return false };
+    let ray = Ray::near_unit(way.from, direction);
+    world.blocker::<E, T>(&ray, way.reach(), RayKind::Shadow, scratch, tally).is_some()
+}
+
+/// The share of light that comes through, from a point inside of `media`: straight on through
+/// everything that transmits, surface by surface up to the light, and nothing through the rest.
+///
+/// Each surface takes what it does not transmit, with Fresnel's formulas also what light that
+/// comes in from the thinner side loses by mirroring; each body takes what it absorbs. Light is
+/// not bent, so that no ray has to look for the light.
+pub(super) fn passing<A: Accelerator, E: Effects, T: Tally>(
+    world: &World<'_, A>,
+    way: &Way<'_>,
+    media: &Media,
+    scratch: &mut A::Scratch,
+    tally: &mut T,
+) -> Rgb {
+    tally.count(Event::Ray(RayKind::Shadow));
+    let parts = world.scene().parts();
+    let (mut share, mut media) = (Rgb::WHITE, *media);
+    let Some(direction) = way.direction() else { return share };
+    let (mut from, mut reach) = (way.from, way.reach());
+    for _ in 0..MOST_SURFACES {
+        let ray = Ray::near_unit(from, direction);
+        let hit = world.nearest::<E, T>(&ray, reach, RayKind::Shadow, scratch, tally);
+        let met = hit.and_then(|hit| Some((hit, world.surface::<E>(&ray, hit)?)));
+        let Some((hit, surface)) = met else {
+            return share * left_after::<E>(parts.materials, media.in_force(parts.materials), reach);
+        };
+        let material = world.scene().material(hit.item).unwrap_or(&Material::MATTE);
+        let seen = Seen::new(surface, direction);
+        let Some(crossing) = crossing(parts, hit.item, material, &media, seen.outside) else { break };
+        share *= left_after::<E>(parts.materials, crossing.before, hit.t);
+        if !crossing.hidden {
+            share *= material.transmitted * (1.0 - mirrored(&crossing, material, &seen, parts.materials));
+        }
+        if share.is_black() {
+            break;
+        }
+        (media, from, reach) = (crossing.media, seen.behind(), reach - hit.t);
     }
-    let ray = Ray::near_unit(from, beam.toward + aside);
-    let reach = beam.distance * NEARLY_THERE;
-    world.blocker::<E, T>(&ray, reach, RayKind::Shadow, scratch, tally).is_some()
+    Rgb::BLACK
+}
+
+/// The share that is mirrored of light that comes in from the thinner of both sides.
+fn mirrored(crossing: &Crossing, material: &Material, seen: &Seen, materials: &[Material]) -> Real {
+    if material.interface == Interface::Constant {
+        return 0.0;
+    }
+    let (before, behind) = (index(crossing.before, materials), index(crossing.behind, materials));
+    let ratio = if before < behind { before / behind } else { behind / before };
+    refracted(seen.along, seen.shading, ratio).map_or(1.0, |refraction| refraction.mirrored)
 }

@@ -17,9 +17,11 @@ use core::marker::PhantomData;
 
 use crate::accel::Accelerator;
 use crate::geometry::{Hit, Ray};
-use crate::math::{Real, Rgb, Vec3};
-use crate::scene::{Camera, EffectSet, Effects, Interface, LastLevel, Material, MaterialId, Sample, World};
-use crate::shade::{Crossing, Media, Seen, absorbed, index, local, reflected, refracted};
+use crate::math::{Dimension, Real, Rgb, Stream, Vec3, facet};
+use crate::scene::{Camera, EffectSet, Effects, Interface, LastLevel, Material, Sample, World};
+use crate::shade::{
+    Arrival, Crossing, Media, Seen, crossing, index, left_after, local, reflected, refracted,
+};
 use crate::tally::{Event, RayKind, Tally};
 use task::{Task, Tasks};
 
@@ -90,7 +92,7 @@ pub struct Tracer<'w, 's, A, E, const LEVELS: usize> {
 impl<'w, 's, A: Accelerator, E: Effects, const LEVELS: usize> Tracer<'w, 's, A, E, LEVELS> {
     /// A tracer, unless the scene asks for effects outside `E` or the limits are out of range.
     pub fn new(world: &'w World<'s, A>, camera: Camera, limits: Limits) -> Result<Self, TracerError> {
-        let asks = world.scene().effects();
+        let asks = EffectSet { lens: camera.has_lens(), ..world.scene().effects() };
         if !E::SET.contains(&asks) {
             return Err(TracerError::NotBuiltFor { asks });
         }
@@ -110,13 +112,18 @@ impl<'w, 's, A: Accelerator, E: Effects, const LEVELS: usize> Tracer<'w, 's, A, 
     /// for each tracer, not for each sampler.
     #[inline(never)]
     pub fn look<T: Tally>(&self, sample: Sample, worker: &mut Worker<A, T, LEVELS>) -> Sight {
-        let Ray { origin, direction, .. } = self.camera.ray(sample.place);
+        let ray = if E::SET.lens && self.camera.has_lens() {
+            self.camera.lens_ray(sample.place, sample.stream.pair(Dimension::LENS))
+        } else {
+            self.camera.ray(sample.place)
+        };
+        let Ray { origin, direction, .. } = ray;
         let mut sum = Rgb::BLACK;
         let mut met = Met::Nothing;
         let (kind, media) = (RayKind::Camera, Media::NONE);
         let mut task = Task { origin, direction, weight: Rgb::WHITE, level: 1, kind, media };
         loop {
-            sum += self.follow(&mut task, &mut met, worker);
+            sum += self.follow(&mut task, sample.stream, &mut met, worker);
             let Some(next) = worker.tasks.pop() else { break };
             task = next;
         }
@@ -125,7 +132,13 @@ impl<'w, 's, A: Accelerator, E: Effects, const LEVELS: usize> Tracer<'w, 's, A, 
     }
 
     /// What a task adds to the pixel by itself; its children go onto the stack.
-    fn follow<T: Tally>(&self, task: &mut Task, first: &mut Met, worker: &mut Worker<A, T, LEVELS>) -> Rgb {
+    fn follow<T: Tally>(
+        &self,
+        task: &mut Task,
+        stream: Stream,
+        first: &mut Met,
+        worker: &mut Worker<A, T, LEVELS>,
+    ) -> Rgb {
         let Worker { scratch, tasks, tally } = worker;
         tally.count(Event::Ray(task.kind));
         let ray = Ray::near_unit(task.origin, task.direction);
@@ -146,7 +159,8 @@ impl<'w, 's, A: Accelerator, E: Effects, const LEVELS: usize> Tracer<'w, 's, A, 
             if crossing.full {
                 tally.count(Event::MediaFull);
             }
-            task.weight *= self.left_after(crossing.before, hit.t);
+            let materials = self.world.scene().parts().materials;
+            task.weight *= left_after::<E>(materials, crossing.before, hit.t);
             if crossing.hidden {
                 // The surface is hidden inside another body: straight on.
                 let child = Child {
@@ -160,7 +174,16 @@ impl<'w, 's, A: Accelerator, E: Effects, const LEVELS: usize> Tracer<'w, 's, A, 
             }
         }
 
-        let light = local::<A, E, T>(self.world, material, &seen, scratch, tally);
+        let behind = crossing.as_ref().map_or(task.media, |crossing| crossing.media);
+        let arrival = Arrival { stream, level: task.level, before: task.media, behind };
+        let light = local::<A, E, T>(self.world, material, &seen, &arrival, scratch, tally);
+        let mut seen = seen;
+        if E::SET.gloss && material.is_rough() {
+            // Mirrors and glass see one of the facets that make up the surface.
+            let slope = material.roughness * material.roughness;
+            let chance = stream.pair(Dimension::lobe(task.level));
+            seen.shading = facet(seen.optical(), -task.direction, slope, chance);
+        }
         let unsent = self.leave_children(task, material, &seen, crossing.as_ref(), tasks, tally);
         task.weight * light.at_most(BRIGHTEST_SURFACE) + unsent
     }
@@ -171,21 +194,10 @@ impl<'w, 's, A: Accelerator, E: Effects, const LEVELS: usize> Tracer<'w, 's, A, 
         let parts = self.world.scene().parts();
         let mut light = parts.background.toward(task.direction);
         if E::SET.transmission {
-            light *= self.left_after(task.media.in_force(parts.materials), Real::INFINITY);
+            let medium = task.media.in_force(parts.materials);
+            light *= left_after::<E>(parts.materials, medium, Real::INFINITY);
         }
         task.weight * light
-    }
-
-    /// What is left of light after a way through a medium.
-    fn left_after(&self, medium: Option<MaterialId>, way: Real) -> Rgb {
-        if !E::SET.absorption {
-            return Rgb::WHITE;
-        }
-        let materials = self.world.scene().parts().materials;
-        match medium.and_then(|medium| materials.get(usize::from(medium.0))) {
-            Some(material) => absorbed(material.clarity, way),
-            None => Rgb::WHITE,
-        }
     }
 
     /// What happens to the media at the hit, where there may be any.
@@ -193,20 +205,7 @@ impl<'w, 's, A: Accelerator, E: Effects, const LEVELS: usize> Tracer<'w, 's, A, 
         if !E::SET.transmission {
             return None;
         }
-        let parts = self.world.scene().parts();
-        // Clear stuff that does not break light makes no body: a pane has no other side.
-        let is_body = material.is_transmitting() && (material.index != 1.0 || material.is_absorbing());
-        if !is_body {
-            let medium = task.media.in_force(parts.materials);
-            let media = task.media;
-            return Some(Crossing { before: medium, behind: medium, media, hidden: false, full: false });
-        }
-        let body = parts.made_of.get(hit.item.0 as usize).copied()?;
-        Some(if seen.outside {
-            task.media.entering(body, parts.materials)
-        } else {
-            task.media.leaving(body, parts.materials)
-        })
+        crossing(self.world.scene().parts(), hit.item, material, &task.media, seen.outside)
     }
 
     /// Sends a ray from where `task` has arrived, unless the levels end or too little of it counts:
@@ -215,9 +214,9 @@ impl<'w, 's, A: Accelerator, E: Effects, const LEVELS: usize> Tracer<'w, 's, A, 
         let Child { origin, direction, share, kind, media } = child;
         let weight = task.weight * share;
         if !(weight.largest() > self.limits.cutoff) {
-            tally.count(Event::Cutoff);
+            tally.count(Event::Cutoff(weight));
         } else if task.level >= self.limits.levels {
-            tally.count(Event::LevelLimit);
+            tally.count(Event::LevelLimit(weight));
             if E::LAST == LastLevel::Background {
                 return weight * self.world.scene().parts().background.toward(direction);
             }
@@ -272,7 +271,14 @@ impl<'w, 's, A: Accelerator, E: Effects, const LEVELS: usize> Tracer<'w, 's, A, 
         if (E::SET.reflection || E::SET.transmission) && !mirrored.is_black() {
             let direction = reflected(task.direction, seen.optical());
             let outward = direction.dot(seen.facing) > 0.0;
-            let direction = if outward { direction } else { reflected(task.direction, seen.facing) };
+            let direction = if outward {
+                direction
+            } else if E::SET.gloss && material.is_rough() {
+                // From this facet light meets another, which turns it out again.
+                reflected(direction, seen.facing)
+            } else {
+                reflected(task.direction, seen.facing)
+            };
             let kind = RayKind::Reflected;
             let back = Child { origin: seen.before(), direction, share: mirrored, kind, media: task.media };
             unsent += self.send(task, back, tasks, tally);

@@ -28,7 +28,9 @@ pub(super) fn source(path: &Path, scene: &Scene<'_>, asked: &Asked) -> String {
         text(&asked.view),
         parts.made_of.len(),
     );
-    effects(&mut out, &scene.effects());
+    // What the camera asks for is no part of the scene's own demand.
+    let lens = matches!(asked.view.projection, Projection::Lens { .. });
+    effects(&mut out, &EffectSet { lens, ..scene.effects() });
     let g = &parts.geometry;
     out += "/// The scene, not yet checked.\npub static PARTS: Parts<'static> = Parts {\n    geometry: Geometry {\n";
     for field in [
@@ -48,9 +50,10 @@ pub(super) fn source(path: &Path, scene: &Scene<'_>, asked: &Asked) -> String {
     let _ = write!(
         out,
         "    }},\n    made_of: &MADE_OF,\n    materials: &MATERIALS,\n    textures: &TEXTURES,\n    lights: &LIGHTS,\n    \
-         ambient: {},\n    background: {},\n}};\n\n",
+         ambient: {},\n    background: {},\n    colored_shadows: {},\n}};\n\n",
         text(&parts.ambient),
         text(&parts.background),
+        parts.colored_shadows,
     );
     table(&mut out, "SHAPES", "Shape", g.shapes);
     table(&mut out, "POINTS", "Vec3", g.points);
@@ -98,6 +101,10 @@ fn effects(out: &mut String, set: &EffectSet) {
         ("reflection", set.reflection),
         ("transmission", set.transmission),
         ("absorption", set.absorption),
+        ("colored_shadows", set.colored_shadows),
+        ("penumbra", set.penumbra),
+        ("lens", set.lens),
+        ("gloss", set.gloss),
     ] {
         let _ = writeln!(out, "        {name}: {is_asked},");
     }
@@ -194,8 +201,8 @@ structs! {
     Cone { base, axis, height, base_radius, end_radius, capped }
     Torus { center, axis, major, minor }
     Material {
-        ambient, diffuse, texture, highlight, exponent, mirror, transmitted, index, interface, clarity, priority,
-        two_sided
+        ambient, diffuse, texture, highlight, exponent, mirror, transmitted, roughness, index, interface, clarity,
+        priority, two_sided
     }
     Light { source, color, shadows }
     Falloff { constant, linear, quadratic }
@@ -221,15 +228,19 @@ variants! {
     Texture {
         Checker { even, odd, origin, frequency }
         Gradient { from, to, origin, along }
+        ZonePlate { from, to, origin, frequency }
     }
     Projection {
         Perspective { angle }
         Orthographic { height }
+        Lens { angle, radius, focus }
     }
     Source {
         Point { position, falloff }
         Directional { toward }
         Spot { position, direction, cos_bright, cos_dark, falloff }
+        Sphere { position, radius, falloff }
+        Rectangle { position, half, soft, falloff }
     }
 }
 

@@ -4,6 +4,84 @@ use serde_json::{Value, json};
 
 use crate::program::{BALL, EMPTY, Folder};
 
+const EFFECTS: [&str; 7] =
+    ["shadows", "reflection", "transmission", "colored-shadows", "penumbra", "lens", "gloss"];
+
+/// A scene that asks for every effect, and for each but the last by one thing alone.
+const ALL: &str = "\
+[camera]
+from = [0, 2, 8]
+at = [0, 0, 0]
+lens_radius = 0.1
+[render]
+size = [16, 12]
+colored_shadows = true
+[[sphere_light]]
+name = \"lamp\"
+position = [2, 5, 3]
+radius = 0.5
+[[sphere]]
+radius = 1
+material = { transmission = 0.9 }
+[[plane]]
+point = [0, -1, 0]
+material = { mirror = 0.5, roughness = 0.3 }
+";
+
+#[test]
+fn every_effect_is_told_with_its_line_and_goes_on_request() {
+    let folder = Folder::with(EMPTY);
+    folder.write("all.toml", ALL);
+    let it: Value = serde_json::from_slice(&folder.done("info all.toml --json")).unwrap();
+    let reasons = [
+        "light `lamp` (line 8)",
+        "material (line 17) on 1 object",
+        "material (line 14) on 1 object",
+        "render (line 7)",
+        "light `lamp` (line 8)",
+        "camera (line 1)",
+        "material (line 17) on 1 object",
+    ];
+    let plan: Vec<Value> = EFFECTS
+        .iter()
+        .zip(reasons)
+        .map(|(effect, reason)| json!({ "effect": effect, "asked_by": [reason] }))
+        .collect();
+    assert_eq!(it["plan"], Value::Array(plan));
+
+    let report = |words: &str| -> Value {
+        let words = format!("render all.toml -q -o all.png --stats json {words}");
+        serde_json::from_slice(&folder.done(&words)).unwrap()
+    };
+    let all = report("");
+    assert_eq!(all["scene"]["effects"], json!(EFFECTS));
+    for effect in EFFECTS {
+        let it = report(&format!("--without {effect}"));
+        let simulated: Vec<&str> =
+            it["scene"]["effects"].as_array().unwrap().iter().map(|e| e.as_str().unwrap()).collect();
+        assert!(!simulated.contains(&effect), "{effect}");
+        let left_out = it["plan"].as_array().unwrap().iter().find(|step| step["simulated"] == false).unwrap();
+        assert_eq!(left_out["effect"], effect);
+        assert_ne!(it["digest"], all["digest"], "without {effect} it is the same");
+    }
+    let none = report(&format!("--without {}", EFFECTS.join(",")));
+    assert_eq!(none["scene"]["effects"], json!([]));
+    for kind in ["reflected", "transmitted", "shadow"] {
+        assert_eq!(none["rays"][kind], 0);
+    }
+    let cut = report("--levels 1")["cut"]["share_by_levels"].as_f64().unwrap();
+    assert!(cut > 0.1 && cut < 1.0, "{cut}");
+
+    let said = folder.run("render all.toml -o all.png --without gloss,lens");
+    let text = said.stderr;
+    for said in
+        ["without", "gloss: material (line 17) on 1 object, on request", "lens: camera (line 1), on request"]
+    {
+        assert!(text.contains(said), "`{said}` is not in\n{text}");
+    }
+    folder.run("render all.toml --without glass").failed(2, "colored-shadows");
+}
+
 #[test]
 fn a_scene_is_told_with_everything_that_asks_for_an_effect() {
     let folder = Folder::with(BALL);
@@ -20,7 +98,7 @@ fn a_scene_is_told_with_everything_that_asks_for_an_effect() {
             step("transmission", &["material (line 7) on 2 objects"]),
         ])
     );
-    assert_eq!(it["not_called_for"], json!([]));
+    assert_eq!(it["not_called_for"], json!(["colored-shadows", "penumbra", "lens", "gloss"]));
     assert_eq!(folder.names(), ["scene.nff"], "nothing is written");
 }
 
@@ -41,7 +119,7 @@ fn an_empty_scene_has_no_bounds_and_asks_for_nothing() {
     let folder = Folder::with(EMPTY);
     let it: Value = serde_json::from_slice(&folder.done("info scene.nff --json")).unwrap();
     assert_eq!((&it["objects"], &it["bounds"], &it["plan"]), (&json!(0), &Value::Null, &json!([])));
-    assert_eq!(it["not_called_for"], json!(["shadows", "reflection", "transmission"]));
+    assert_eq!(it["not_called_for"], json!(EFFECTS));
 }
 
 #[test]

@@ -76,7 +76,10 @@ fn what_has_no_meaning_for_an_accelerator_is_not_in_force() {
 fn no_option_is_forgotten() {
     let folder = folder();
     folder.done("render scene.toml --quiet");
-    let text = printed(&folder, "scene.toml --select 4:0.1 --region 1,2,8x4 --mask scene.png --walk heap");
+    let text = printed(
+        &folder,
+        "scene.toml --select 4:0.1 --region 1,2,8x4 --mask scene.png --walk heap --without lens",
+    );
     assert_eq!(line(&text, "# --region"), "# --region 1,2,8x4 # command line");
     // What is told and where is no setting of the picture.
     let others = ["stats", "stats-file", "quiet", "print-settings", "help"];

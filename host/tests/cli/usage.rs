@@ -16,6 +16,7 @@ const OPTIONS: &[&str] = &[
     "--select",
     "--region",
     "--mask",
+    "--without",
     "--precision",
     "--accel",
     "--walk",
@@ -100,7 +101,7 @@ fn every_option_of_the_help_works() {
     );
     folder.done("render scene.nff -o b.png -q --walk heap --heap 4 --mailbox 8");
     folder.done(
-        "render scene.nff -o c.png -q --filter tent --sampler stochastic:4..8:0.9 --seed 3 --select 2:0.1 \
+        "render scene.nff -o c.png -q --filter tent --sampler stochastic:4..8:0.9 --seed 3 --select 2:0.1 --without lens,gloss \
          --region 1,1,3x2 --mask b.png",
     );
     assert_eq!(folder.names(), ["a.json", "a.png", "b.png", "c.png", "scene.nff"]);

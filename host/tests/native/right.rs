@@ -83,6 +83,34 @@ fn samplers_have_the_words_of_the_command_line() {
 }
 
 #[test]
+fn lenses_lights_with_an_extent_and_rough_surfaces_become_what_the_format_says() {
+    let it = loaded(
+        "[camera]\nfrom = [0, 3, 4]\nat = [0, 0, 0]\nangle = 40\nlens_radius = 0.5\n\
+         [render]\ncolored_shadows = true\n\
+         [[rectangle_light]]\nposition = [0, 5, 0]\ndirection = [0, -2, 0]\nsize = [2, 6]\n\
+         [[sphere_light]]\nposition = [1, 2, 3]\nradius = 0.25\nfalloff = \"square\"\n\
+         [[plane]]\nmaterial = { mirror = 0.5, roughness = 0.75 }\n",
+    );
+    // In focus is what is looked at.
+    assert_eq!(it.view.projection, Projection::Lens { angle: 40.0, radius: 0.5, focus: 5.0 });
+    assert_eq!((it.view_line, it.colored_shadows), (1, Some(7)));
+    let half = [[1.0, 0.0, 0.0], [0.0, 0.0, 3.0]].map(|h| h.map(f32::abs));
+    let Source::Rectangle { position, half: got, soft: true, falloff } = it.lights[0].it.source else {
+        panic!()
+    };
+    assert_eq!((position, got.map(|h| h.map(f32::abs)), falloff), ([0.0, 5.0, 0.0], half, [1.0, 0.0, 0.0]));
+    // The front is below.
+    let [a, b] = got;
+    assert!(a[2] * b[0] - a[0] * b[2] < 0.0, "{got:?}");
+    let sphere = Source::Sphere { position: [1.0, 2.0, 3.0], radius: 0.25, falloff: [0.0, 0.0, 1.0] };
+    assert_eq!(it.lights[1].it.source, sphere);
+    assert_eq!(it.materials[0].it.roughness, 0.75);
+    assert!(it.warnings.is_empty(), "{:?}", it.warnings);
+    let it = loaded("[[plane]]\nmaterial = { roughness = 0.5 }\n");
+    assert_eq!(it.warnings, ["`roughness` in line 2 has no effect without `mirror` or `transmission`"]);
+}
+
+#[test]
 fn every_material_becomes_what_the_format_says() {
     let it = loaded(ALL);
     let glass = Material {

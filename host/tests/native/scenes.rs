@@ -23,7 +23,7 @@ fn the_schema_beside_the_scenes_is_that_of_the_program() {
 fn the_schema_knows_every_table_of_the_format() {
     let schema: serde_json::Value = serde_json::from_str(&load::native::schema()).unwrap();
     let tables = schema["properties"].as_object().unwrap();
-    assert_eq!(tables.len(), 18);
+    assert_eq!(tables.len(), 20);
     assert!(schema.get("required").is_none());
     let sphere = &schema["$defs"]["Sphere"];
     assert_eq!(sphere["required"], serde_json::json!(["radius"]));

@@ -201,6 +201,27 @@ pub const WRONG: &[Wrong] = &[
     ("[[point_light]]\nposition = [1, 1, 1]\nfalloff = [0, 0, 0]\n", 3, "[0, 0, 0]", "must not be 0"),
     ("[[point_light]]\nposition = [1, 1, 1]\nfalloff = 2\n", 3, "2", "\"square\" or three numbers"),
     ("[[point_light]]\nposition = [1, 1, 1]\nfalloff = [0, -1, 0]\n", 3, "-1", "between 0 and 1e15"),
+    // What only distributed rays see.
+    ("[camera]\nheight = 3\nlens_radius = 0.1\n", 2, "3", "either a lens or parallel rays"),
+    ("[camera]\nfocus = 3\n", 2, "3", "without `lens_radius`"),
+    ("[camera]\nlens_radius = 0\n", 2, "0", "more than 0"),
+    ("[[plane]]\nmaterial = { mirror = 1, roughness = 1.5 }\n", 2, "1.5", "between 0 and 1"),
+    ("[[sphere_light]]\nposition = [1, 1, 1]\nradius = -1\n", 3, "-1", "between 0 and 1e15"),
+    ("[[rectangle_light]]\nposition = [1, 1, 1]\nat = [0, 0, 0]\nsize = [1, 0]\n", 4, "0", "more than 0"),
+    ("[[rectangle_light]]\nposition = [1, 1, 1]\nat = [0, 0, 0]\nsize = [1]\n", 4, "[1]", "two numbers"),
+    (
+        "[[rectangle_light]]\nposition = [1, 1, 1]\ndirection = [1, 0, 0]\nup = [2, 0, 0]\nsize = 1\n",
+        4,
+        "[2, 0, 0]",
+        "`up` is where the light shines",
+    ),
+    ("[render]\ncolored_shadows = 1\n", 2, "1", "true or false"),
+    (
+        "[[plane]]\nmaterial = { checker = {}, zone_plate = { frequency = 1 } }\n",
+        2,
+        "{ frequency = 1 }",
+        "either a `checker` or a `zone_plate`",
+    ),
     // Textures.
     (
         "[[plane]]\nmaterial = { checker = {}, gradient = { start = [0, 0, 0], end = [1, 0, 0] } }\n",

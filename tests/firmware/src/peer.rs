@@ -69,6 +69,7 @@ pub const PARTS: Parts<'static> = Parts {
     lights: &LIGHTS,
     ambient: Rgb::BLACK,
     background: Background::Color(Rgb::new(0.2, 0.7, 0.8)),
+    ..Parts::EMPTY
 };
 
 /// How many items there are.

@@ -51,6 +51,7 @@ impl Effects for Golden {
         reflection: true,
         transmission: true,
         absorption: true,
+        ..EffectSet::NONE
     };
 }
 
@@ -73,6 +74,7 @@ pub fn parts() -> Parts<'static> {
         lights: &LIGHTS,
         ambient: Rgb::gray(0.25),
         background: SKY,
+        ..Parts::EMPTY
     }
 }
 

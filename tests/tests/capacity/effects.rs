@@ -24,6 +24,79 @@ everything_but! {
     Mirrorless { reflection: false }
     Opaque { transmission: false }
     Clear { absorption: false }
+    Uncolored { colored_shadows: false }
+    Hard { penumbra: false }
+    Pinhole { lens: false }
+    Polished { gloss: false }
+}
+
+/// Of the effects that a scene can be without, how to take each away, and the picture of a tracer
+/// that cannot do it.
+type Without = (&'static str, fn(&mut Stage, &mut View), fn(&Stage, &View) -> Vec<Rgb>);
+
+/// A scene that asks for everything but shapes of its own kind.
+fn all_effects() -> (Stage, View) {
+    let mut stage = fair();
+    stage.material(Material { mirror: Rgb::gray(0.4), roughness: 0.4, ..Material::MATTE });
+    stage.sphere(vec3(2.0, 2.0, 2.0), 0.7);
+    let falloff = Falloff::NONE;
+    let half = [Vec3::X, Vec3::Z];
+    for source in [
+        Source::Sphere { position: vec3(4.0, 7.0, 3.0), radius: 1.0, falloff },
+        Source::Rectangle { position: vec3(-1.0, 6.0, 1.0), half, soft: true, falloff },
+    ] {
+        stage.lights.push(Light { source, color: Rgb::gray(0.3), shadows: true });
+    }
+    stage.colored_shadows = true;
+    let projection = Projection::Lens { angle: 0.9, radius: 0.1, focus: 8.0 };
+    (stage, View { projection, ..VIEW })
+}
+
+fn seen_by<E: Effects>(stage: &Stage, view: &View) -> Vec<Rgb> {
+    let world = World::new(stage.scene(), List::bare(stage.len()));
+    let size = size(24, 16);
+    let camera = Camera::new(view, size).unwrap();
+    let tracer = Tracer::<_, E, 5>::new(&world, camera, Limits::DEFAULT).unwrap();
+    let tile = Tile::whole(size);
+    let mut colors = vec![Rgb::BLACK; tile.len()];
+    let mut frame = Frame::new(tile, &mut colors).unwrap();
+    let mut sampler = Stochastic::new(4).unwrap();
+    let Ok(()) = render(&tracer, &mut sampler, &mut Worker::new(()), tile.pixels(), &mut frame);
+    colors
+}
+
+#[test]
+fn a_tracer_that_cannot_do_an_effect_gives_the_same_picture_of_a_scene_without_it() {
+    fn each_material(stage: &mut Stage, change: impl Fn(&mut Material)) {
+        stage.materials_mut().iter_mut().for_each(change);
+    }
+    let all: [Without; 8] = [
+        (
+            "shadows",
+            |stage, _| stage.lights.iter_mut().for_each(|l| l.shadows = false),
+            seen_by::<Shadowless>,
+        ),
+        ("reflection", |stage, _| each_material(stage, |m| m.mirror = Rgb::BLACK), seen_by::<Mirrorless>),
+        ("transmission", |stage, _| each_material(stage, |m| m.transmitted = Rgb::BLACK), seen_by::<Opaque>),
+        (
+            "absorption",
+            |stage, _| each_material(stage, |m| m.clarity = Material::MATTE.clarity),
+            seen_by::<Clear>,
+        ),
+        ("colored shadows", |stage, _| stage.colored_shadows = false, seen_by::<Uncolored>),
+        ("penumbra", |stage, _| stage.lights.retain(|light| !light.is_soft()), seen_by::<Hard>),
+        ("lens", |_, view| view.projection = VIEW.projection, seen_by::<Pinhole>),
+        ("gloss", |stage, _| each_material(stage, |m| m.roughness = 0.0), seen_by::<Polished>),
+    ];
+    let (stage, view) = all_effects();
+    let with = seen_by::<Everything>(&stage, &view);
+    for (effect, take_away, without) in all {
+        let (mut stage, mut view) = (stage.clone(), view);
+        take_away(&mut stage, &mut view);
+        let picture = without(&stage, &view);
+        assert_eq!(picture, seen_by::<Everything>(&stage, &view), "without {effect}");
+        assert_ne!(picture, with, "{effect} can be seen");
+    }
 }
 
 #[test]
@@ -74,9 +147,34 @@ fn a_tracer_refuses_a_scene_that_asks_for_what_it_cannot_do() {
     refuses::<Shadowless>(|stage, _, light| stage.lights.push(Light { shadows: true, ..light }));
     refuses::<Mirrorless>(|stage, material, _| ball(stage, Material { mirror: Rgb::gray(0.01), ..material }));
     refuses::<Opaque>(|stage, material, _| ball(stage, glass(material)));
+    refuses::<Hard>(|stage, _, light| {
+        let falloff = Falloff::NONE;
+        let source = Source::Sphere { position: Vec3::Y, radius: 1.0, falloff };
+        stage.lights.push(Light { source, ..light });
+    });
+    refuses::<Polished>(|stage, material, _| {
+        ball(stage, Material { mirror: Rgb::WHITE, roughness: 0.1, ..material });
+    });
+    refuses::<Uncolored>(|stage, material, light| {
+        ball(stage, glass(material));
+        stage.lights.push(Light { shadows: true, ..light });
+        stage.colored_shadows = true;
+    });
     refuses::<Clear>(|stage, material, _| {
         ball(stage, Material { clarity: Rgb::new(Real::INFINITY, 2.0, 1.0), ..glass(material) });
     });
+}
+
+#[test]
+fn a_tracer_without_a_lens_refuses_a_camera_that_has_one() {
+    let stage = local();
+    let world = World::new(stage.scene(), List::bare(stage.len()));
+    let (_, view) = all_effects();
+    let camera = Camera::new(&view, size(2, 2)).unwrap();
+    let asks = EffectSet { lens: true, ..stage.scene().effects() };
+    let refused = Tracer::<_, Pinhole, 5>::new(&world, camera, Limits::DEFAULT).err();
+    assert_eq!(refused, Some(TracerError::NotBuiltFor { asks }));
+    assert!(Tracer::<_, Everything, 5>::new(&world, camera, Limits::DEFAULT).is_ok());
 }
 
 /// Just what [`local`] asks for.

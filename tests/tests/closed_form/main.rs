@@ -4,6 +4,7 @@
 //! A pixel is the product and sum of some dozen rounded numbers: [`ROUNDINGS`] is what that may
 //! cost, relative to what is expected, unless a test says more.
 
+mod chance;
 mod glass;
 mod light;
 mod media;

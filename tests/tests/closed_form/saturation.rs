@@ -115,6 +115,7 @@ fn whatever_a_scene_may_name_gives_a_number() {
         });
         for _ in 0..1 + r.below(8) {
             stage.material(Material {
+                roughness: one_of(&[0.0, 0.3, 1.0], r),
                 ambient: color(&bright, r),
                 diffuse: color(&bright, r),
                 texture: one_of(&[TextureId::NONE, texture], r),

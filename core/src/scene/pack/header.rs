@@ -68,6 +68,8 @@ pub(super) struct Header {
     pub(super) view: View,
     pub(super) ambient: Rgb,
     pub(super) background: Background,
+    /// One when light passes through bodies on its way from a light, else zero.
+    pub(super) colored_shadows: u32,
     /// The kind of the accelerator, and its own numbers.
     pub(super) finder: u32,
     pub(super) bounds: Aabb,

@@ -114,8 +114,8 @@ structs! {
     Cone { base, axis, height, base_radius, end_radius, capped }
     Torus { center, axis, major, minor }
     Material {
-        ambient, diffuse, texture, highlight, exponent, mirror, transmitted, index, interface, clarity, priority,
-        two_sided
+        ambient, diffuse, texture, highlight, exponent, mirror, transmitted, roughness, index, interface, clarity,
+        priority, two_sided
     }
     Light { source, color, shadows }
     Falloff { constant, linear, quadratic }
@@ -189,6 +189,7 @@ impl Put for Texture {
         match self {
             Texture::Checker { even, odd, origin, frequency } => variant!(w, 0, even, odd, origin, frequency),
             Texture::Gradient { from, to, origin, along } => variant!(w, 1, from, to, origin, along),
+            Texture::ZonePlate { from, to, origin, frequency } => variant!(w, 2, from, to, origin, frequency),
         }
     }
 }
@@ -207,6 +208,7 @@ impl Put for Projection {
         match self {
             Projection::Perspective { angle } => variant!(w, 0, angle),
             Projection::Orthographic { height } => variant!(w, 1, height),
+            Projection::Lens { angle, radius, focus } => variant!(w, 2, angle, radius, focus),
         }
     }
 }
@@ -218,6 +220,10 @@ impl Put for Source {
             Source::Directional { toward } => variant!(w, 1, toward),
             Source::Spot { position, direction, cos_bright, cos_dark, falloff } => {
                 variant!(w, 2, position, direction, cos_bright, cos_dark, falloff)
+            }
+            Source::Sphere { position, radius, falloff } => variant!(w, 3, position, radius, falloff),
+            Source::Rectangle { position, half, soft, falloff } => {
+                variant!(w, 4, position, half, soft, falloff)
             }
         }
     }

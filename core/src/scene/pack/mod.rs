@@ -93,6 +93,7 @@ impl<'s> Pack<'s> {
             lights: header.table(bytes, Content::Lights)?,
             ambient: header.ambient,
             background: header.background,
+            colored_shadows: header.colored_shadows != 0,
         };
         let scene = Scene::new(parts).map_err(PackError::Scene)?;
         let [width, height] = header.size;

@@ -82,6 +82,7 @@ impl Baking<'_> {
         view.whole(w);
         scene.parts().ambient.whole(w);
         scene.parts().background.whole(w);
+        u32::from(scene.parts().colored_shadows).whole(w);
         let nothing = (Aabb::POINT, [0; 3], 0);
         let (kind, (bounds, cells, depth)) = match finder {
             Finder::Bare(_) => (BARE, nothing),

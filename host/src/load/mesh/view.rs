@@ -86,6 +86,8 @@ pub(super) fn staged(mesh: Mesh, up: Up, size: Size) -> Result<Description, Stri
     });
     Ok(Description {
         view,
+        view_line: 1,
+        colored_shadows: None,
         settings: Settings::default(),
         setting_lines: BTreeMap::new(),
         background: Background::Gradient {

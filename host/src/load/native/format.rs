@@ -7,10 +7,10 @@ use super::choices::{Heap, Mailbox, Word};
 use super::colors::{Clarity, Color, Share};
 use super::materials::Surface;
 use super::numbers::{
-    BrightAngle, ConeAngle, Cutoff, Index, Intensity, Length, Levels, Priority, Seed, Shininess, Size,
-    ViewAngle,
+    BrightAngle, ConeAngle, Cutoff, Index, Intensity, Length, Levels, Priority, Roughness, Seed, Shininess,
+    Size, ViewAngle,
 };
-use super::places::{Direction, Directions, Falloff, PictureSize, Point, Points, Scale, Sizes, Turn};
+use super::places::{Direction, Directions, Falloff, Pair, PictureSize, Point, Points, Scale, Sizes, Turn};
 use super::table::{At, Many, One, tables};
 use super::view::{Filter, Sampler};
 use crate::finding::{Accel, Bounds, Walk};
@@ -35,6 +35,10 @@ tables! {
         directional_light: Many<DirectionalLight>,
         /// Lights that shine from one place into a cone.
         spot_light: Many<SpotLight>,
+        /// Lights that are spheres, whose shadows have soft rims.
+        sphere_light: Many<SphereLight>,
+        /// Lights that are rectangles, as windows and lamps in ceilings.
+        rectangle_light: Many<RectangleLight>,
         /// Materials with names.
         material: Many<Material>,
         /// Spheres.
@@ -71,6 +75,11 @@ tables! {
         angle: Option<At<ViewAngle>>,
         /// Makes all rays run in one direction; how much is seen, in scene lengths.
         height: Option<At<Length>>,
+        /// The radius of a lens, which makes everything blurred that is not in focus. Default:
+        /// none, everything is sharp.
+        lens_radius: Option<At<Length>>,
+        /// How far away from the lens everything is sharp. Default: as far as `at`.
+        focus: Option<At<Length>>,
     }
 
     /// What picture is wanted; the command line wins.
@@ -103,6 +112,9 @@ tables! {
         bounds: Option<Word<Bounds>>,
         /// Slots of the mailbox of grid and octree; 0 is none. Default: 64.
         mailbox: Option<Mailbox>,
+        /// Whether light passes through glass on its way from a light, coloured but not bent.
+        /// Default: false, glass casts shadows like everything.
+        colored_shadows: Option<At<bool>>,
     }
 
     /// What is behind everything: one colour, or two that pass into each other.
@@ -182,6 +194,51 @@ tables! {
         shadows: Option<bool>,
     }
 
+    /// A light that is a sphere: as bright as one in its middle, with soft shadows. It is not seen.
+    struct SphereLight {
+        /// What reports call it.
+        name: Option<String>,
+        /// Its middle.
+        position: Point,
+        /// Its radius; 0 makes it a point.
+        radius: Size,
+        /// Its colour. Default: white.
+        color: Option<At<Color>>,
+        /// What the colour is multiplied with. Default: 1.
+        intensity: Option<At<Intensity>>,
+        /// How it fades with the distance: "none", "linear", "square", or constant, linear and
+        /// quadratic part of what it is divided by. Default: "none".
+        falloff: Option<Falloff>,
+        /// Whether things stand in its way. Default: true.
+        shadows: Option<bool>,
+    }
+
+    /// A light that is a rectangle and shines to its front, less to the side. It needs `at` or
+    /// `direction`. It is not seen.
+    struct RectangleLight {
+        /// What reports call it.
+        name: Option<String>,
+        /// Its middle.
+        position: Point,
+        /// What is in front of its middle.
+        at: Option<At<Point>>,
+        /// Where its front looks to.
+        direction: Option<At<Direction>>,
+        /// What is up for its height. Default: [0, 1, 0], or [0, 0, 1] if it looks up or down.
+        up: Option<At<Direction>>,
+        /// Its width and its height.
+        size: Pair,
+        /// Its colour. Default: white.
+        color: Option<At<Color>>,
+        /// What the colour is multiplied with. Default: 1.
+        intensity: Option<At<Intensity>>,
+        /// How it fades with the distance: "none", "linear", "square", or constant, linear and
+        /// quadratic part of what it is divided by. Default: "none".
+        falloff: Option<Falloff>,
+        /// Whether things stand in its way. Default: true.
+        shadows: Option<bool>,
+    }
+
     /// What something is made of: matte and white, but for what is said here.
     struct Material {
         /// What objects call it. A material that stands in an object has none.
@@ -192,6 +249,8 @@ tables! {
         checker: Option<At<Checker>>,
         /// From one colour to another, which `color` is multiplied with.
         gradient: Option<At<Gradient>>,
+        /// Rings that become finer without end, which `color` is multiplied with.
+        zone_plate: Option<At<ZonePlate>>,
         /// How much of `color` a light lets shine. Default: what `mirror` and `transmission`
         /// leave of 1.
         diffuse: Option<Color>,
@@ -205,6 +264,8 @@ tables! {
         mirror: Option<Share>,
         /// The share of light from behind; more than 0 makes a body, as of glass. Default: 0.
         transmission: Option<Share>,
+        /// How rough its mirror and its body are: 0 is polished, 1 is dull. Default: 0.
+        roughness: Option<At<Roughness>>,
         /// The index of refraction of the body. Default: 1.5, as glass.
         index: Option<At<Index>>,
         /// Whether the angle decides how much of `transmission` is mirrored instead. Default:
@@ -242,6 +303,18 @@ tables! {
         start: Point,
         /// Where it ends.
         end: At<Point>,
+    }
+
+    /// Spheres round a point, from one colour to another and back, the finer the farther.
+    struct ZonePlate {
+        /// The colour in the middle. Default: white.
+        from: Option<Color>,
+        /// The other colour. Default: black.
+        to: Option<Color>,
+        /// The middle. Default: [0, 0, 0].
+        origin: Option<Point>,
+        /// How often the first colour returns up to a distance of one.
+        frequency: Size,
     }
 
     /// A sphere.

@@ -2,13 +2,13 @@
 
 use std::ops::Range;
 
-use strahl_core::Rgb;
+use strahl_core::{Rgb, unit, vec3};
 
 use super::colors::Color;
-use super::format::File;
-use super::make::Maker;
+use super::format::{File, RectangleLight, SpotLight};
+use super::make::{Maker, vector};
 use super::numbers::Intensity;
-use super::places::Falloff;
+use super::places::{Direction, Falloff, Pair, Point};
 use super::table::At;
 use crate::description::{Light, Placed, Source, Triple};
 use crate::faults::Fault;
@@ -38,6 +38,17 @@ impl Maker<'_> {
             let light = self.light(source, &it.color, &it.intensity, it.shadows, &it.name, span);
             lights.push((span.start, light));
         }
+        for At { it, span } in &file.sphere_light.0 {
+            let (position, radius, falloff) = (it.position.0, it.radius.0, falloff(it.falloff));
+            let source = Source::Sphere { position, radius, falloff };
+            let light = self.light(Some(source), &it.color, &it.intensity, it.shadows, &it.name, span);
+            lights.push((span.start, light));
+        }
+        for At { it, span } in &file.rectangle_light.0 {
+            let source = self.rectangle(it, span);
+            let light = self.light(source, &it.color, &it.intensity, it.shadows, &it.name, span);
+            lights.push((span.start, light));
+        }
         lights.sort_by_key(|(place, _)| *place);
         self.description.lights = lights.into_iter().filter_map(|(_, light)| light).collect();
 
@@ -52,27 +63,61 @@ impl Maker<'_> {
         };
     }
 
-    fn spot(&mut self, it: &super::format::SpotLight, span: &Range<usize>) -> Option<Source> {
-        let position = it.position.0;
-        let direction = match (&it.at, &it.direction) {
-            (None, Some(direction)) => direction.it.0,
+    /// Where a light shines that has `at` or `direction`. `help` says what `at` is.
+    fn aim(
+        &mut self,
+        position: Triple,
+        at: &Option<At<Point>>,
+        direction: &Option<At<Direction>>,
+        (table, help): (&str, &str),
+        span: &Range<usize>,
+    ) -> Option<Triple> {
+        match (at, direction) {
+            (None, Some(direction)) => Some(direction.it.0),
             (Some(at), None) => {
                 let direction: Triple = std::array::from_fn(|axis| at.it.0[axis] - position[axis]);
                 if direction == [0.0; 3] {
                     let fault = Fault::new(at.span.clone(), "the light is at the point it shines at");
                     return self.reader.wrong(fault);
                 }
-                direction
+                Some(direction)
             }
             (Some(at), Some(direction)) => {
                 let fault = Fault::new(direction.span.clone(), "a light has either a `direction` or an `at`");
-                return self.reader.wrong(fault.also(at.span.clone(), "the other"));
+                self.reader.wrong(fault.also(at.span.clone(), "the other"))
             }
             (None, None) => {
-                let fault = Fault::new(span.clone(), "this `spot_light` has neither `at` nor `direction`");
-                return self.reader.misses(fault.help("`at` is a place in the middle of its cone"));
+                let what = format!("this `{table}` has neither `at` nor `direction`");
+                self.reader.misses(Fault::new(span.clone(), what).help(help))
             }
+        }
+    }
+
+    fn rectangle(&mut self, it: &RectangleLight, span: &Range<usize>) -> Option<Source> {
+        let position = it.position.0;
+        let names = ("rectangle_light", "`at` is a place in front of its middle");
+        let front = unit(vector(self.aim(position, &it.at, &it.direction, names, span)?))?;
+        let Pair([width, height]) = it.size;
+        let up = match &it.up {
+            Some(up) => vector(up.it.0),
+            // What looks straight up or down has no side that is up.
+            None if front.x == 0.0 && front.z == 0.0 => vec3(0.0, 0.0, 1.0),
+            None => vec3(0.0, 1.0, 0.0),
         };
+        let Some(right) = unit(up).and_then(|up| unit(up.cross(front))) else {
+            let span = it.up.as_ref().map_or(span, |up| &up.span);
+            let fault = Fault::new(span.clone(), "`up` is where the light shines");
+            return self.reader.wrong(fault.help("give it another direction for its height"));
+        };
+        let half = [right * (0.5 * width), front.cross(right) * (0.5 * height)];
+        let half = half.map(|half| half.to_array());
+        Some(Source::Rectangle { position, half, soft: true, falloff: falloff(it.falloff) })
+    }
+
+    fn spot(&mut self, it: &SpotLight, span: &Range<usize>) -> Option<Source> {
+        let position = it.position.0;
+        let names = ("spot_light", "`at` is a place in the middle of its cone");
+        let direction = self.aim(position, &it.at, &it.direction, names, span)?;
         let angle = it.angle.map_or(SPOT, |angle| angle.0);
         let bright_angle = match &it.bright_angle {
             Some(At { it: bright, span }) if bright.0 > angle => {

@@ -40,6 +40,8 @@ impl<'m> Maker<'m> {
         };
         let description = Description {
             view,
+            view_line: 1,
+            colored_shadows: None,
             settings: Settings::default(),
             setting_lines: BTreeMap::new(),
             background: Background::Color(Rgb::BLACK),

@@ -194,6 +194,15 @@ impl Maker<'_> {
         if transmitted.is_black() {
             self.idle(it);
         }
+        if let Some(roughness) = &it.roughness
+            && transmitted.is_black()
+            && mirror.is_black()
+        {
+            let line = self.lines.line(roughness.span.start);
+            let warning =
+                format!("`roughness` in line {line} has no effect without `mirror` or `transmission`");
+            self.description.warnings.push(warning);
+        }
         let material = Material {
             ambient: times(ambient),
             diffuse: times(diffuse),
@@ -202,6 +211,7 @@ impl Maker<'_> {
             exponent,
             mirror,
             transmitted,
+            roughness: it.roughness.as_ref().map_or(0.0, |roughness| roughness.it.0),
             index: it.index.as_ref().map_or(1.5, |index| index.it.0),
             interface: match it.fresnel {
                 Some(At { it: true, .. }) => Interface::Fresnel,
@@ -233,18 +243,29 @@ impl Maker<'_> {
 
     /// The place of a material's texture, if it has one.
     fn texture(&mut self, it: &format::Material) -> Option<TextureId> {
-        let texture = match (&it.checker, &it.gradient) {
-            (None, None) => return Some(TextureId::NONE),
-            (Some(checker), Some(gradient)) => {
-                let (one, other) = if checker.span.start > gradient.span.start {
-                    (checker.span.clone(), gradient.span.clone())
-                } else {
-                    (gradient.span.clone(), checker.span.clone())
-                };
-                let fault = Fault::new(one, "a material has either a `checker` or a `gradient`");
-                return self.reader.wrong(fault.also(other, "the other"));
-            }
-            (Some(At { it: checker, .. }), None) => {
+        let mut kinds: Vec<_> = [
+            ("checker", it.checker.as_ref().map(|at| &at.span)),
+            ("gradient", it.gradient.as_ref().map(|at| &at.span)),
+            ("zone_plate", it.zone_plate.as_ref().map(|at| &at.span)),
+        ]
+        .into_iter()
+        .filter_map(|(kind, span)| Some((kind, span?.clone())))
+        .collect();
+        if let [(one, _), (other, _), ..] = &kinds[..] {
+            let what = format!("a material has either a `{one}` or a `{other}`");
+            kinds.sort_by_key(|(_, span)| span.start);
+            let fault = Fault::new(kinds[1].1.clone(), what);
+            return self.reader.wrong(fault.also(kinds[0].1.clone(), "the other"));
+        }
+        let texture = match (&it.checker, &it.gradient, &it.zone_plate) {
+            (None, None, None) => return Some(TextureId::NONE),
+            (_, _, Some(At { it: plate, .. })) => Texture::ZonePlate {
+                from: plate.from.map_or(Rgb::WHITE, |c| c.0),
+                to: plate.to.map_or(Rgb::BLACK, |c| c.0),
+                origin: plate.origin.map_or([0.0; 3], |p| p.0),
+                frequency: plate.frequency.0,
+            },
+            (Some(At { it: checker, .. }), _, _) => {
                 let size = checker.size.as_ref().map_or([1.0, 0.0, 1.0], |size| size.it.0);
                 if let Some(at) = &checker.size
                     && size.iter().any(|size| *size > 0.0 && *size < LEAST_CELL)
@@ -259,7 +280,7 @@ impl Maker<'_> {
                     size,
                 }
             }
-            (None, Some(At { it: gradient, .. })) => {
+            (_, Some(At { it: gradient, .. }), _) => {
                 let along = vector(gradient.end.it.0) - vector(gradient.start.0);
                 // Its square is what the core divides by.
                 if along.dot(along) <= 0.0 {

@@ -226,6 +226,8 @@ numbers! {
     Shininess: Range::within(0.0, 1e6);
     /// An index of refraction.
     Index: Range::within(0.01, 100.0);
+    /// How rough a surface is.
+    Roughness: Range::SHARE;
     /// The share of a pixel below which no ray is sent.
     Cutoff: Range::SHARE;
 }

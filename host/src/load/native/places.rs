@@ -3,7 +3,7 @@
 use schemars::{JsonSchema, Schema, SchemaGenerator, json_schema};
 use toml::de::DeValue;
 
-use super::numbers::{Range, is_number, number_in, whole_in};
+use super::numbers::{Length, Range, is_number, number_in, whole_in};
 use super::table::{At, Read, Reader, Value};
 use crate::description::Triple;
 use crate::faults::Fault;
@@ -205,6 +205,42 @@ macro_rules! row_schema {
 }
 row_schema!(Points);
 row_schema!(Directions);
+
+/// A width and a height in scene lengths, or one number for both.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Pair(pub(super) [f32; 2]);
+
+impl Read for Pair {
+    fn read(value: &Value<'_>, key: &str, reader: &mut Reader<'_>) -> Option<Self> {
+        if is_number(value) {
+            return Length::read(value, key, reader).map(|Length(side)| Pair([side; 2]));
+        }
+        let needs = "two numbers, as in [2, 1]";
+        let DeValue::Array(list) = value.get_ref() else {
+            return reader.mismatch(value, key, "a number or two numbers");
+        };
+        let [width, height] = &list[..] else {
+            let count = list.len();
+            return reader.wrong(Fault::new(value.span(), format!("`{key}` must be {needs}, not {count}")));
+        };
+        let [width, height] = [width, height].map(|value| Length::read(value, key, reader));
+        Some(Pair([width?.0, height?.0]))
+    }
+}
+
+impl JsonSchema for Pair {
+    fn inline_schema() -> bool {
+        true
+    }
+    fn schema_name() -> std::borrow::Cow<'static, str> {
+        "Pair".into()
+    }
+    fn json_schema(generator: &mut SchemaGenerator) -> Schema {
+        let length = Length::json_schema(generator);
+        let both = json_schema!({ "type": "array", "items": length.clone(), "minItems": 2, "maxItems": 2 });
+        json_schema!({ "anyOf": [length, both] })
+    }
+}
 
 /// The size of a picture.
 #[derive(Clone, Copy, Debug)]

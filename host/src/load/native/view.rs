@@ -87,6 +87,9 @@ impl Maker<'_> {
                 mailbox: it.mailbox.map(|slots| slots.0),
             },
         };
+        if let Some(At { it: true, span }) = &it.colored_shadows {
+            self.description.colored_shadows = Some(self.lines.line(span.start));
+        }
         if let (Some(sampler), Some(filter)) = (&it.sampler, &it.filter)
             && filter.it.0 != sampling::Filter::Box
             && !sampler.it.0.takes_filter()
@@ -108,7 +111,14 @@ impl Maker<'_> {
         let (from, at) = (it.and_then(|it| it.from.as_ref()), it.and_then(|it| it.at.as_ref()));
         let up = it.and_then(|it| it.up.as_ref());
         let angle = it.and_then(|it| it.angle.as_ref());
+        let lens = it.and_then(|it| it.lens_radius.as_ref());
+        let focus = it.and_then(|it| it.focus.as_ref());
+        self.description.view_line = camera.map_or(1, |camera| self.lines.line(camera.span.start));
         let projection = match (it.and_then(|it| it.height.as_ref()), angle) {
+            (Some(height), None) if lens.is_some() => {
+                let fault = Fault::new(height.span.clone(), "a camera has either a lens or parallel rays");
+                return self.reader.faults.push(fault.help("a lens goes with an `angle`"));
+            }
             (Some(height), None) => Projection::Orthographic(height.it.0),
             (None, angle) => Projection::Perspective(angle.map_or(ANGLE, |angle| angle.it.0)),
             (Some(height), Some(angle)) => {
@@ -123,9 +133,19 @@ impl Maker<'_> {
             up: up.map_or(UP, |up| up.it.0),
             projection,
         };
+        if let (Some(focus), None) = (focus, lens) {
+            let fault = Fault::new(focus.span.clone(), "a camera without `lens_radius` has no `focus`");
+            return self.reader.faults.push(fault.help("without a lens everything is sharp"));
+        }
         // What is wrong may have left out what should be seen.
         if (from.is_none() || at.is_none()) && self.reader.faults.count == 0 {
             self.see_everything(&mut view, from.is_none(), at.is_none());
+        }
+        if let (Some(radius), Projection::Perspective(angle)) = (lens, view.projection) {
+            let way = vector(view.at) - vector(view.from);
+            let distance = unit(way).map_or(1.0, |toward| way.dot(toward));
+            let focus = focus.map_or(distance, |focus| focus.it.0);
+            view.projection = Projection::Lens { angle, radius: radius.it.0, focus };
         }
         self.description.view = view;
 
@@ -149,7 +169,9 @@ impl Maker<'_> {
         let is_lit = file.ambient_light.0.is_some()
             || !file.point_light.0.is_empty()
             || !file.directional_light.0.is_empty()
-            || !file.spot_light.0.is_empty();
+            || !file.spot_light.0.is_empty()
+            || !file.sphere_light.0.is_empty()
+            || !file.rectangle_light.0.is_empty();
         if !is_lit {
             self.description.lights.push(default_light(&view));
         }
@@ -173,7 +195,7 @@ impl Maker<'_> {
         }
         if move_eye {
             let angle = match view.projection {
-                Projection::Perspective(angle) => angle,
+                Projection::Perspective(angle) | Projection::Lens { angle, .. } => angle,
                 // The height says how much is seen; the eye only must be outside.
                 Projection::Orthographic(_) => ANGLE,
             };

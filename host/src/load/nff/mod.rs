@@ -313,6 +313,8 @@ impl<'t> Reader<'t> {
         }
         Ok(Description {
             view,
+            view_line: 1,
+            colored_shadows: None,
             settings: Settings { size: Some(size), ..Settings::default() },
             setting_lines: BTreeMap::from([("size".into(), line)]),
             background: Background::Color(self.background.map_or(Rgb::BLACK, |b| b.it)),

@@ -342,6 +342,7 @@ fn any_parts() -> Parts<'static> {
         lights: slice(&[LAMP]),
         ambient: color(),
         background: any(Background::Color(Rgb::BLACK)),
+        colored_shadows: any(true),
     }
 }
 
@@ -351,9 +352,15 @@ fn scene() {
     used((Scene::new(any(Parts::EMPTY)).is_ok(), any(Background::Color(Rgb::BLACK)).toward(vector())));
 
     let material = any(Material { interface: any(Interface::Fresnel), ..Material::MATTE });
-    used((material.is_transmitting(), material.is_shiny(), material.is_absorbing(), material.is_lit()));
+    used((
+        material.is_transmitting(),
+        material.is_shiny(),
+        material.is_absorbing(),
+        material.is_lit(),
+        material.is_rough(),
+    ));
     if let (Some(light), Some(texture)) = (scene.parts().lights.first(), scene.parts().textures.first()) {
-        used((light.kind(), texture.kind(), any(Falloff::NONE)));
+        used((light.kind(), light.is_soft(), texture.kind(), any(Falloff::NONE)));
     }
 
     let mut lent = [Aabb::EMPTY];
@@ -407,7 +414,7 @@ fn any_camera() -> Option<Camera> {
 
 fn camera() {
     used((size().width(), size().height()));
-    used(any_camera().map(|camera| camera.ray(any(Place { x: 0.0, y: 0.0 }))));
+    used(any_camera().map(|camera| (camera.ray(any(Place { x: 0.0, y: 0.0 })), camera.has_lens())));
 }
 
 fn light() {
@@ -433,7 +440,14 @@ fn counters() {
     counters.add(&any(Counters::default()));
     let (kind, shape) = (any(RayKind::Camera), any(ShapeKind::Sphere));
     used((counters.rays(kind), counters.camera_hits(), counters.boxes(kind), counters.shapes(kind)));
-    used((counters.regions(kind), counters.skipped(kind), counters.by_shape(shape), counters.media_full()));
+    used((
+        counters.regions(kind),
+        counters.skipped(kind),
+        counters.by_shape(shape),
+        counters.media_full(),
+        counters.level_limit_weight(),
+        counters.cutoff_weight(),
+    ));
     used((counters.level_limit(), counters.cutoff()));
     ().count(any(Event::MediaFull));
 }
