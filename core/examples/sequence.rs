@@ -52,7 +52,7 @@ fn edge(place: Place) -> f32 {
 /// Rings that are finer than pixels far from the middle.
 fn plate(place: Place) -> f32 {
     let (x, y) = (place.x - 31.7, place.y - 32.4);
-    0.5 + 0.5 * (0.05 * (x * x + y * y)).cos()
+    0.5 + 0.5 * libm::cosf(0.05 * (x * x + y * y))
 }
 
 fn error(mut sampler: impl Sampler, scene: fn(Place) -> f32) -> f64 {
@@ -61,7 +61,7 @@ fn error(mut sampler: impl Sampler, scene: fn(Place) -> f32) -> f64 {
     let mut squares = 0.0;
     for pixel in (0..SIDE).flat_map(|y| (0..SIDE).map(move |x| Pixel { x, y })) {
         let difference = sampler.look(pixel, &mut see).color.r - truth.look(pixel, &mut see).color.r;
-        squares += f64::from(difference).powi(2);
+        squares += f64::from(difference * difference);
     }
     (squares / f64::from(SIDE * SIDE)).sqrt()
 }

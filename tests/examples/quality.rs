@@ -105,7 +105,7 @@ impl Scene {
         let squares: f64 = match &pair {
             Pair::Floats { encoded: [a, b], .. } => {
                 let differences = a.iter().flatten().zip(b.iter().flatten());
-                let squares = differences.map(|(a, b)| f64::from(a - b).powi(2));
+                let squares = differences.map(|(a, b)| f64::from((a - b) * (a - b)));
                 squares.sum::<f64>() / (3.0 * a.len() as f64)
             }
             _ => f64::NAN,
@@ -120,8 +120,9 @@ impl Scene {
     /// With the threshold that takes the most rays, but no more than the others.
     fn adaptive(&self) -> Result<(f32, Measured), Box<dyn Error>> {
         let mut best = None;
-        for step in 0..14 {
-            let threshold = 0.5 * 0.7_f32.powf(step as f32);
+        let mut threshold = 0.5;
+        for _ in 0..14 {
+            threshold *= 0.7;
             let agreement = Agreement { threshold, items: false };
             let measured = self.by(Sampling::Adaptive { depth: DEPTH, agreement })?;
             if measured.rays > f64::from(RAYS) {

@@ -15,12 +15,16 @@ fn converges(mean: impl Fn(u32, u32) -> f64, want: f64, tolerance: f64, slope: f
     assert!((got - want).abs() < tolerance * want, "{got} is not {want}");
     // Of many seeds, the root of the mean square.
     let error = |n| {
-        let squares: f64 = (0..64).map(|seed| (mean(n, seed) - want).powi(2)).sum();
+        let squares: f64 = (0..64).map(|seed| square(mean(n, seed) - want)).sum();
         (squares / 64.0).sqrt()
     };
     let (few, many) = (error(FEW), error(MANY));
     let got = (many / few).ln() / f64::from(MANY / FEW).ln();
     assert!(got < slope, "the error falls from {few} to {many}: as n to the power of {got}");
+}
+
+fn square(x: f64) -> f64 {
+    x * x
 }
 
 /// A white floor under one light, before nothing.
@@ -67,7 +71,7 @@ fn a_round_light_is_hidden_by_a_straight_edge_as_much_as_it_is() {
             let (px, py) = (u * along_x, 8.0 + u * along_y);
             // Where the way crosses the height of the edge, and the cosine on the floor.
             let crosses = x + (px - x) * 4.0 / py;
-            if crosses < 0.0 { py / ((px - x).powi(2) + py * py + v * v).sqrt() } else { 0.0 }
+            if crosses < 0.0 { py / (square(px - x) + py * py + v * v).sqrt() } else { 0.0 }
         });
         // Off by at most a two-thousandth of the whole light.
         converges(|n, seed| at(&stage, x, n, seed), want, 5e-4 / want, -0.6);
@@ -122,7 +126,7 @@ fn a_rough_mirror_shows_the_mean_of_what_its_facets_show() {
         stage.background = Background::Gradient { up: Vec3::Y, below: Rgb::BLACK, above: Rgb::WHITE };
         // Facets of the GGX distribution, seen from above: the square of the cosine of their tilt
         // is (1 - t) / (1 + (s^2 - 1) t) for t evenly in 0..1, and light comes from twice the tilt.
-        let slope = f64::from(roughness).powi(2);
+        let slope = square(f64::from(roughness));
         let n = 200_000;
         let want: f64 = (0..n)
             .map(|i| {
@@ -203,7 +207,7 @@ fn a_point_out_of_focus_is_a_disc_of_confusion() {
         let mut sink = |pixel: Pixel, color: Rgb| {
             let from_middle = |place: u32| f64::from(place) - f64::from(rows - 1) / 2.0;
             light += f64::from(color.r);
-            second += f64::from(color.r) * (from_middle(pixel.x).powi(2) + from_middle(pixel.y).powi(2));
+            second += f64::from(color.r) * (square(from_middle(pixel.x)) + square(from_middle(pixel.y)));
         };
         let mut sampler = Stochastic::new(256).unwrap();
         let pixels = Tile::whole(size).pixels();
@@ -214,7 +218,7 @@ fn a_point_out_of_focus_is_a_disc_of_confusion() {
             length / distance / (2.0 * (angle / 2.0).tan() / f64::from(rows - 1))
         };
         let confusion = pixel(radius * (distance - focus).abs() / distance, focus);
-        let want = (confusion.powi(2) + pixel(ball, distance).powi(2)) / 2.0 + 2.0 / 12.0;
+        let want = (square(confusion) + square(pixel(ball, distance))) / 2.0 + 2.0 / 12.0;
         let got = second / light;
         if distance == focus {
             // In focus: a ball of half a pixel, whose light lies in its pixel and some of the next.

@@ -28,7 +28,7 @@ impl Writer<'_> {
 
     /// Zeros up to a place that `alignment` divides.
     fn align(&mut self, alignment: usize) {
-        while self.written % alignment != 0 {
+        while !self.written.is_multiple_of(alignment) {
             self.piece(&[0]);
         }
     }
