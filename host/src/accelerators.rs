@@ -15,8 +15,8 @@
 use std::time::Instant;
 
 use super::strahl::{
-    Aabb, Accelerator, Bvh, BvhRoom, Grid, GridRoom, LastFirst, List, NearestFirst, Node, Octree, OctreeNode,
-    OctreeRoom, Scene, Slot, Waiting, groups_of,
+    Aabb, Accelerator, BvhRoom, Geometry, Grid, GridRoom, Grown, LastFirst, Leaves, List, NearestFirst, Node,
+    Octree, OctreeNode, OctreeRoom, Run, Scene, Shape, Slot, Waiting, groups_of,
 };
 use crate::finding::{Bounds, Choice, Facts, Finding, Kind, MAILBOX, STACK, Walk};
 
@@ -53,7 +53,7 @@ pub fn build<P: Purpose>(scene: &Scene<'_>, finding: &Finding, purpose: P) -> Re
     let clock = Instant::now();
     let boxes: Vec<Aabb> = scene.parts().geometry.all_bounds().collect();
     let choice = finding.choice(boxes.iter().filter(|aabb| !aabb.is_empty()).count());
-    let building = Building { boxes: &boxes, choice, clock };
+    let building = Building { geometry: &scene.parts().geometry, boxes: &boxes, choice, clock };
     let seldom = Seldom;
     match (choice.kind, choice.mailbox, choice.walk, choice.heap) {
         // The truth, and what few items need: no variants for either.
@@ -74,6 +74,7 @@ pub fn build<P: Purpose>(scene: &Scene<'_>, finding: &Finding, purpose: P) -> Re
 
 /// What an accelerator is built of.
 struct Building<'b> {
+    geometry: &'b Geometry<'b>,
     boxes: &'b [Aabb],
     choice: Choice,
     clock: Instant,
@@ -131,9 +132,22 @@ impl Building<'_> {
     fn bvh<P: Purpose, W: Waiting>(self, purpose: P) -> Result<P::Answer, NotBuilt> {
         let room = BvhRoom::comfortable(self.boxes.len());
         let (mut nodes, mut items) = (vec![Node::EMPTY; room.nodes], vec![Slot::EMPTY; room.items]);
-        let tree = Bvh::<W>::build(self.boxes, &mut nodes, &mut items)?;
+        let grown = Grown::build(self.boxes, self.leaves(), &mut nodes, &mut items)?;
+        let mut runs = vec![Run::EMPTY; grown.runs()];
+        let tree = grown.in_runs::<W>(self.geometry, &mut runs)?;
         let (bytes, regions, entries) = (tree.bytes(), tree.regions(), tree.entries());
         let depth = Some(tree.depth());
         Ok(purpose.with(tree, self.facts(Extent { bytes, regions, entries, depth })))
+    }
+
+    /// Runs pay for triangles, which are tested four at once.
+    fn leaves(&self) -> Leaves {
+        let is_triangle = |shape: &&Shape| matches!(shape, Shape::Triangle(_) | Shape::SmoothTriangle(_));
+        let shapes = self.geometry.shapes;
+        if 2 * shapes.iter().filter(is_triangle).count() > shapes.len() {
+            Leaves::Runs
+        } else {
+            Leaves::Singly
+        }
     }
 }

@@ -1,0 +1,84 @@
+//! Shadow cache: who stood in the way of a light is asked first the next time.
+//!
+//! Neighbouring points lie in the shadow of the same thing. If that still stands in the way,
+//! the point is dark and nothing needs to be looked for; if it does not, one test was in vain.
+//! Only what blocks all light is remembered, so that the answer is the same either way ("The
+//! Light Buffer: A Shadow-Testing Accelerator", Haines and Greenberg, 1986, has the idea).
+
+use crate::geometry::ItemId;
+
+/// Who stood last in the way of each light, for each level of rays.
+///
+/// Slot `i` serves every light and level whose number is `i` modulo `SLOTS`; a later one
+/// replaces an earlier one. It may ask the wrong item, which costs a test and no truth.
+///
+/// * Shape: `SLOTS` is zero, which remembers nothing, or a power of two; checked when compiled.
+/// * Memory: 4 bytes for each slot.
+#[derive(Clone, Debug)]
+pub(crate) struct ShadowCache<const SLOTS: usize> {
+    blockers: [ItemId; SLOTS],
+}
+
+/// The way from a point on a ray of some level to a light.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Toward {
+    /// Which light.
+    pub(crate) light: usize,
+    /// The level of the ray.
+    pub(crate) level: u8,
+}
+
+/// No item has the highest number.
+const NOBODY: ItemId = ItemId(u32::MAX);
+
+/// Levels that do not share a slot while there are slots enough.
+const LEVELS_APART: usize = 8;
+
+impl<const SLOTS: usize> ShadowCache<SLOTS> {
+    pub(crate) const EMPTY: Self = {
+        assert!(SLOTS == 0 || SLOTS.is_power_of_two());
+        ShadowCache { blockers: [NOBODY; SLOTS] }
+    };
+
+    /// Who is to be asked first.
+    pub(crate) fn last(&self, toward: Toward) -> Option<ItemId> {
+        self.blockers.get(Self::slot(toward)).copied().filter(|item| *item != NOBODY)
+    }
+
+    /// Remembers who stands in the way.
+    pub(crate) fn remember(&mut self, toward: Toward, item: ItemId) {
+        if let Some(slot) = self.blockers.get_mut(Self::slot(toward)) {
+            *slot = item;
+        }
+    }
+
+    /// Without slots, a place that is not there.
+    fn slot(toward: Toward) -> usize {
+        let number = toward.light.wrapping_mul(LEVELS_APART).wrapping_add(usize::from(toward.level) % LEVELS_APART);
+        if SLOTS > 0 { number % SLOTS } else { 0 }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn each_light_has_its_own_blocker_on_each_level() {
+        let mut cache = ShadowCache::<16>::EMPTY;
+        let [a, b] = [Toward { light: 0, level: 1 }, Toward { light: 1, level: 1 }];
+        cache.remember(a, ItemId(7));
+        assert_eq!((cache.last(a), cache.last(b)), (Some(ItemId(7)), None));
+        cache.remember(b, ItemId(8));
+        cache.remember(Toward { level: 2, ..a }, ItemId(9));
+        assert_eq!((cache.last(a), cache.last(b)), (Some(ItemId(7)), Some(ItemId(8))));
+    }
+
+    #[test]
+    fn a_cache_without_slots_remembers_nobody() {
+        let mut cache = ShadowCache::<0>::EMPTY;
+        let toward = Toward { light: 0, level: 1 };
+        cache.remember(toward, ItemId(7));
+        assert_eq!(cache.last(toward), None);
+    }
+}
