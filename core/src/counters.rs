@@ -14,6 +14,7 @@ pub struct Counters {
     regions: [u64; 4],
     skipped: [u64; 4],
     by_shape: [u64; ShapeKind::ALL.len()],
+    shadow_cache: [u64; 2],
     level_limit: u64,
     level_limit_weight: u64,
     cutoff: u64,
@@ -62,6 +63,16 @@ impl Counters {
         of(&self.by_shape, kind as usize)
     }
 
+    /// How often a shadow cache was asked.
+    pub fn shadow_cache_asked(&self) -> u64 {
+        self.shadow_cache.iter().sum()
+    }
+
+    /// How often it answered: who was remembered still stood in the way.
+    pub fn shadow_cache_hits(&self) -> u64 {
+        of(&self.shadow_cache, 1)
+    }
+
     /// Rays that were not sent, because the levels ended.
     pub fn level_limit(&self) -> u64 {
         self.level_limit
@@ -97,6 +108,7 @@ impl Counters {
             (&mut self.regions, &other.regions),
             (&mut self.skipped, &other.skipped),
             (&mut self.by_shape, &other.by_shape),
+            (&mut self.shadow_cache, &other.shadow_cache),
         ];
         for (mine, others) in pairs {
             for (mine, other) in mine.iter_mut().zip(others) {
@@ -146,6 +158,7 @@ impl Tally for Counters {
             }
             Event::Region(kind) => bump(&mut self.regions, kind as usize, 1),
             Event::Skipped(kind) => bump(&mut self.skipped, kind as usize, 1),
+            Event::ShadowCache { hit } => bump(&mut self.shadow_cache, usize::from(hit), 1),
             Event::LevelLimit(weight) => {
                 self.level_limit += 1;
                 self.level_limit_weight = self.level_limit_weight.saturating_add(steps(weight));

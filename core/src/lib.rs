@@ -62,8 +62,8 @@ pub use accel::{
 };
 pub use counters::Counters;
 pub use geometry::{
-    Aabb, Cone, Cuboid, Disc, FourTriangles, Geometry, Hit, ItemId, Plane, Polygon, Ray, Shape, ShapeFault,
-    ShapeKind, ShapeSet, Shapes, Span, Sphere, Surface, Torus, TurnedCuboid, has_area, leave,
+    Aabb, Cone, Cuboid, Disc, Geometry, Hit, ItemId, Plane, Polygon, Ray, Shape, ShapeFault, ShapeKind,
+    ShapeSet, Shapes, Span, Sphere, Surface, Torus, TurnedCuboid, has_area, leave,
 };
 pub use image::{
     Adaptive, Agreement, Confidence, Corner, CornerRow, Corners, Every, Filter, Frame, Kept, Lattice, Loose,

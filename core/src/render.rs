@@ -42,10 +42,10 @@ use crate::trace::{Tracer, Worker};
 /// assert_eq!(picture, [space, space, space, space, ball, space, space, space, space]);
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
-pub fn render<A, E, T, S, K, const LEVELS: usize>(
+pub fn render<A, E, T, S, K, const LEVELS: usize, const SHADOWS: usize>(
     tracer: &Tracer<'_, '_, A, E, LEVELS>,
     sampler: &mut S,
-    worker: &mut Worker<A, T, LEVELS>,
+    worker: &mut Worker<A, T, LEVELS, SHADOWS>,
     pixels: impl IntoIterator<Item = Pixel>,
     sink: &mut K,
 ) -> Result<(), K::Error>
@@ -71,10 +71,10 @@ where
 /// [`Selection::blocks`](crate::Selection::blocks) lists the blocks of a picture or of a part
 /// of it. The sink also gets the pixels of these blocks that lie outside of it, beyond the
 /// right and the lower edge.
-pub fn render_selected<A, E, T, C, S, K, const LEVELS: usize>(
+pub fn render_selected<A, E, T, C, S, K, const LEVELS: usize, const SHADOWS: usize>(
     tracer: &Tracer<'_, '_, A, E, LEVELS>,
     selected: &mut Selected<'_, C, S>,
-    worker: &mut Worker<A, T, LEVELS>,
+    worker: &mut Worker<A, T, LEVELS, SHADOWS>,
     blocks: impl IntoIterator<Item = Pixel>,
     sink: &mut K,
 ) -> Result<(), K::Error>

@@ -37,6 +37,11 @@ pub enum Event {
     Boxes(RayKind, u32),
     /// A ray was held against a shape.
     Shape(RayKind, ShapeKind),
+    /// Who stood last in the way of a light was asked first, and still does so or not.
+    ShadowCache {
+        /// Whether he does.
+        hit: bool,
+    },
     /// A ray entered a region of the accelerator.
     Region(RayKind),
     /// A ray was not held against an item, because a mailbox remembered that it had been.

@@ -167,6 +167,11 @@ pub struct RenderArgs {
     #[command(flatten)]
     pub finding: FindingArgs,
 
+    /// Do not ask first who stood last in the way of a light, which changes the time and nothing
+    /// else.
+    #[arg(long)]
+    pub no_shadow_cache: bool,
+
     /// Threads [default: one for each core].
     #[arg(long, value_name = "N", value_parser = threads)]
     pub threads: Option<usize>,

@@ -12,6 +12,8 @@ pub struct Counts {
     pub(crate) regions: [u64; RayKind::ALL.len()],
     pub(crate) skipped: [u64; RayKind::ALL.len()],
     pub(crate) by_shape: [u64; ShapeKind::ALL.len()],
+    pub(crate) shadow_cache_asked: u64,
+    pub(crate) shadow_cache_hits: u64,
     pub(crate) level_limit: u64,
     pub(crate) level_limit_weight: f64,
     pub(crate) cutoff: u64,
@@ -48,6 +50,14 @@ impl Counts {
 
     pub fn by_shape(&self, kind: ShapeKind) -> u64 {
         self.by_shape[kind as usize]
+    }
+
+    pub fn shadow_cache_asked(&self) -> u64 {
+        self.shadow_cache_asked
+    }
+
+    pub fn shadow_cache_hits(&self) -> u64 {
+        self.shadow_cache_hits
     }
 
     pub fn level_limit(&self) -> u64 {

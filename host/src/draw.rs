@@ -1,15 +1,16 @@
 //! From a scene to linear colours, for either precision.
 
+use std::marker::PhantomData;
 use std::time::{Duration, Instant};
 
 use super::accelerators::{Purpose, build};
 use super::choose;
 use super::strahl::{
-    Accelerator, Camera, Counters, EffectSet, Effects, Everything, Limits, Real, Rgb, Scene, Size, Tracer,
-    World,
+    Accelerator, Camera, Counters, EffectSet, Effects, Everything, Limits, Real, Rgb, Sample, Scene, Sight,
+    Size, Tally, Tracer, Worker, World,
 };
 use super::tables::{Stock, view};
-use super::workers::{self, Count, LEVELS};
+use super::workers::{self, Eye, Eyes, LEVELS};
 use crate::counts::Counts;
 use crate::description::View;
 use crate::finding::Facts;
@@ -93,23 +94,71 @@ impl<'s, A: Accelerator + Sync> Job<'_, 's, A> {
 
     /// Traces it with the effects `E`, and counts.
     pub fn counted<E: Effects + Sync>(&self) -> Result<Traced, NoFrame> {
-        let (colors, counters) = self.run::<E, Counters>()?;
-        Ok((colors, Some(counts(&counters))))
+        self.run::<E, Counters>()
     }
 
     /// Traces it with the effects `E`.
     pub fn uncounted<E: Effects + Sync>(&self) -> Result<Traced, NoFrame> {
-        let (colors, ()) = self.run::<E, ()>()?;
-        Ok((colors, None))
+        self.run::<E, ()>()
     }
 
-    fn run<E: Effects + Sync, T: Count>(&self) -> Result<(Vec<strahl_core::Rgb>, T), NoFrame> {
+    fn run<E: Effects + Sync, T: Count>(&self) -> Result<Traced, NoFrame> {
         let limits = self.wanted.limits;
         let limits = Limits { levels: limits.levels, cutoff: Real::from(limits.cutoff) };
         let tracer = Tracer::<A, E, LEVELS>::new(self.world, self.camera, limits).map_err(NoFrame::wrong)?;
+        let eyes =
+            Tracing { tracer, shadow_cache: self.wanted.shadow_cache, tally: PhantomData::<fn() -> T> };
         let (colors, counted) =
-            workers::trace(&tracer, self.wanted, self.size, self.watch).map_err(NoFrame::Stopped)?;
-        Ok((rounded(colors), counted))
+            workers::trace(&eyes, self.wanted, self.size, self.watch).map_err(NoFrame::Stopped)?;
+        Ok((rounded(colors), counted.as_ref().map(counts)))
+    }
+}
+
+/// A tracer whose workers report to a `T`.
+struct Tracing<'t, 's, A, E, T> {
+    tracer: Tracer<'t, 's, A, E, LEVELS>,
+    shadow_cache: bool,
+    tally: PhantomData<fn() -> T>,
+}
+
+impl<A: Accelerator + Sync, E: Effects + Sync, T: Count> Eyes for Tracing<'_, '_, A, E, T> {
+    fn open(&self) -> Box<dyn Eye + '_> {
+        let worker = Worker::new(T::default());
+        let worker = if self.shadow_cache { worker } else { worker.without_shadow_cache() };
+        Box::new(Looking { tracer: &self.tracer, worker })
+    }
+}
+
+/// A tracer at work.
+struct Looking<'l, 't, 's, A: Accelerator, E, T> {
+    tracer: &'l Tracer<'t, 's, A, E, LEVELS>,
+    worker: Worker<A, T, LEVELS>,
+}
+
+impl<A: Accelerator, E: Effects, T: Count> Eye for Looking<'_, '_, '_, A, E, T> {
+    fn look(&mut self, sample: Sample) -> Sight {
+        self.tracer.look(sample, &mut self.worker)
+    }
+
+    fn counters(&self) -> Option<&Counters> {
+        self.worker.tally().counters()
+    }
+}
+
+/// A tally that may be one of [`Counters`].
+trait Count: Tally + Default {
+    fn counters(&self) -> Option<&Counters>;
+}
+
+impl Count for () {
+    fn counters(&self) -> Option<&Counters> {
+        None
+    }
+}
+
+impl Count for Counters {
+    fn counters(&self) -> Option<&Counters> {
+        Some(self)
     }
 }
 
@@ -130,6 +179,8 @@ fn counts(counters: &Counters) -> Counts {
         shapes: RayKind::ALL.map(|kind| counters.shapes(kind)),
         regions: RayKind::ALL.map(|kind| counters.regions(kind)),
         skipped: RayKind::ALL.map(|kind| counters.skipped(kind)),
+        shadow_cache_asked: counters.shadow_cache_asked(),
+        shadow_cache_hits: counters.shadow_cache_hits(),
         by_shape: ShapeKind::ALL.map(|kind| counters.by_shape(kind)),
         level_limit: counters.level_limit(),
         level_limit_weight: counters.level_limit_weight(),

@@ -189,7 +189,10 @@ impl Stats {
                 depth: accelerator.depth,
                 mailbox_skips: RayKind::ALL.map(|kind| counters.skipped(kind)).iter().sum(),
             },
-            shadow_cache: ShadowCache { asked: 0, hits: 0 },
+            shadow_cache: ShadowCache {
+                asked: counters.shadow_cache_asked(),
+                hits: counters.shadow_cache_hits(),
+            },
             media: Media { overfull: counters.media_full() },
             cut: Cut {
                 by_levels: counters.level_limit(),

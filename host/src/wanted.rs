@@ -36,6 +36,8 @@ pub struct Wanted {
     pub precision: Precision,
     /// How items are found.
     pub finding: Finding,
+    /// Whether who stood last in the way of a light is asked first.
+    pub shadow_cache: bool,
     /// Threads and tiles.
     pub cut: Cut,
     /// Whether the work is counted.
@@ -56,6 +58,7 @@ impl Wanted {
             mask: None,
             precision: Precision::Single,
             finding: Finding::default(),
+            shadow_cache: true,
             cut: Cut::threads(0),
             counted: true,
         }

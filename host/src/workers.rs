@@ -9,8 +9,8 @@ use rayon::prelude::*;
 
 use super::samplers::{Any, Shared, parting, selection};
 use super::strahl::{
-    Accelerator, Corner, Counters, Effects, Kept, Lattice, Met, Parting, Pixel, Record, Rgb, Selected,
-    Selection, Sight, Sink, Size, Tally, Tile, Tracer, Worker, render, render_selected,
+    Corner, Counters, Kept, Lattice, Met, Parting, Pixel, Record, Rgb, Sample, Sampler, Selected, Selection,
+    Sight, Sink, Size, Tile,
 };
 use crate::progress::Watch;
 use crate::signals::Stop;
@@ -20,39 +20,41 @@ pub use crate::wanted::{Cut, LEVELS, Sampling};
 /// The most places that a sampler keeps in one tile.
 const MOST_KEPT: usize = 1 << 14;
 
-/// Somebody who counts in one tile, and whose counts are added up.
-pub trait Count: Tally + Default + Send {
-    /// Adds another tile's counts.
-    fn add(&mut self, other: Self);
+/// A tracer with a worker of its own, whatever their types: it is asked once for each ray
+/// through the picture, so that all that is done with the answers is compiled once and not for
+/// each tracer.
+pub trait Eye {
+    /// What is seen there.
+    fn look(&mut self, sample: Sample) -> Sight;
+
+    /// What the worker has counted, if it counts.
+    fn counters(&self) -> Option<&Counters>;
 }
 
-impl Count for () {
-    fn add(&mut self, _: ()) {}
+/// A tracer of which each tile gets an eye.
+pub trait Eyes: Sync {
+    /// One that remembers nothing yet.
+    fn open(&self) -> Box<dyn Eye + '_>;
 }
 
-impl Count for Counters {
-    fn add(&mut self, other: Counters) {
-        Counters::add(self, &other);
+/// Colours, and the work where it was counted.
+pub type Traced<R> = (Vec<R>, Option<Counters>);
+
+/// Adds up what tiles have counted.
+fn add(sum: &mut Option<Counters>, other: Option<Counters>) {
+    match (sum, other) {
+        (Some(sum), Some(other)) => sum.add(&other),
+        (sum, other) => *sum = sum.take().or(other),
     }
 }
 
 /// Traces the picture that is wanted, of which `size` is the whole.
-pub fn trace<A, E, T, const L: usize>(
-    tracer: &Tracer<'_, '_, A, E, L>,
-    wanted: &Wanted,
-    size: Size,
-    watch: &Watch,
-) -> Result<(Vec<Rgb>, T), Stop>
-where
-    A: Accelerator + Sync,
-    E: Effects + Sync,
-    T: Count,
-{
+pub fn trace(eyes: &dyn Eyes, wanted: &Wanted, size: Size, watch: &Watch) -> Result<Traced<Rgb>, Stop> {
     let whole = match wanted.region {
         Some(region) => tile(region).within(Tile::whole(size)),
         None => Tile::whole(size),
     };
-    let work = Work { tracer, wanted, whole, watch };
+    let work = Work { eyes, wanted, whole, watch };
     let pool = rayon::ThreadPoolBuilder::new().num_threads(wanted.cut.threads).build();
     // Without a pool of its own the work is done by the pool of the process.
     let run = || match selection(wanted) {
@@ -71,8 +73,8 @@ fn tile(it: strahl_core::Tile) -> Tile {
 }
 
 /// What is done, and what is wanted.
-struct Work<'w, 't, 's, A, E, const L: usize> {
-    tracer: &'w Tracer<'t, 's, A, E, L>,
+struct Work<'w> {
+    eyes: &'w dyn Eyes,
     wanted: &'w Wanted,
     /// The pixels of the picture.
     whole: Tile,
@@ -90,15 +92,11 @@ enum Rays<'c> {
     Themselves(Shared<'c>),
 }
 
-impl<A, E, const L: usize> Work<'_, '_, '_, A, E, L>
-where
-    A: Accelerator + Sync,
-    E: Effects + Sync,
-{
+impl Work<'_> {
     /// Traces every pixel that is wanted.
-    fn all<T: Count>(&self) -> Result<(Vec<Rgb>, T), Stop> {
+    fn all(&self) -> Result<Traced<Rgb>, Stop> {
         // All corners first, where all pixels are wanted, so that none is traced twice.
-        let (lattice, mut counts): (Vec<Sight>, T) = match parting(self.wanted) {
+        let (lattice, mut counts): Traced<Sight> = match parting(self.wanted) {
             Some(parting) if self.wanted.mask.is_none() => {
                 self.pixels(Lattice::tile(self.whole), Rays::Corners(parting))?
             }
@@ -106,14 +104,14 @@ where
         };
         let corners = Lattice::new(self.whole, &lattice).map_or(Shared::Loose, Shared::Lattice);
         let (colors, counted) = self.pixels(self.whole, Rays::Themselves(corners))?;
-        counts.add(counted);
+        add(&mut counts, counted);
         Ok((colors, counts))
     }
 
     /// Traces some pixels, and guesses the others that are wanted.
-    fn selected<T: Count>(&self, selection: Selection) -> Result<(Vec<Rgb>, T), Stop> {
+    fn selected(&self, selection: Selection) -> Result<Traced<Rgb>, Stop> {
         let blocks = selection.blocks(self.whole);
-        let (raster, mut counts): (Vec<Sight>, T) = match self.wanted.mask {
+        let (raster, mut counts): Traced<Sight> = match self.wanted.mask {
             None => self.pixels(Lattice::tile(blocks), Rays::Raster(selection))?,
             Some(_) => Default::default(),
         };
@@ -124,7 +122,7 @@ where
         let area = |blocks| selection.area(blocks).within(self.whole);
         let (colors, counted) = self.tiles(blocks, side, area, |blocks, canvas| {
             let (mut lent, mut kept) = (lend(area(blocks)), lend(area(blocks)));
-            let mut worker = Worker::new(T::default());
+            let mut eye = self.eyes.open();
             let sampler = Any::of(self.wanted, Shared::Loose, &mut lent);
             let mut selected = Selected::new(selection, sampler, corners, &mut kept);
             let is_wanted = |block: &Pixel| {
@@ -132,53 +130,61 @@ where
                 self.wanted.mask.is_none() || selection.area(block).pixels().any(|pixel| self.has(pixel))
             };
             let blocks = blocks.pixels().filter(is_wanted);
-            render_selected(self.tracer, &mut selected, &mut worker, blocks, canvas)?;
-            Ok(worker.into_tally())
+            selected.begin();
+            for block in blocks {
+                let mut put = Ok(());
+                selected.block(block, &mut |sample| eye.look(sample), &mut |pixel, sight| {
+                    if put.is_ok() {
+                        put = canvas.put_sight(pixel, sight);
+                    }
+                });
+                put?;
+            }
+            Ok(eye.counters().copied())
         })?;
-        counts.add(counted);
+        add(&mut counts, counted);
         Ok((colors, counts))
     }
 
     /// Traces the pixels of `area` that are wanted.
-    fn pixels<R: Record + Send, T: Count>(&self, area: Tile, rays: Rays<'_>) -> Result<(Vec<R>, T), Stop> {
+    fn pixels<R: Record + Send>(&self, area: Tile, rays: Rays<'_>) -> Result<Traced<R>, Stop> {
         self.tiles(
             area,
             self.wanted.cut.tile,
             |tile| tile,
             |tile, canvas| {
                 let mut lent = lend(tile);
-                let mut worker = Worker::new(T::default());
-                let (tracer, all) = (self.tracer, tile.pixels());
+                let mut eye = self.eyes.open();
+                let (eye_of, all) = (eye.as_mut(), tile.pixels());
                 match rays {
-                    Rays::Corners(parting) => render(tracer, &mut Corner(parting), &mut worker, all, canvas)?,
+                    Rays::Corners(parting) => draw(eye_of, &mut Corner(parting), all, canvas)?,
                     Rays::Raster(selection) => {
                         let sampler = Any::of(self.wanted, Shared::Loose, &mut lent);
-                        render(tracer, &mut selection.raster(sampler), &mut worker, all, canvas)?;
+                        draw(eye_of, &mut selection.raster(sampler), all, canvas)?;
                     }
                     Rays::Themselves(corners) => {
                         let mut sampler = Any::of(self.wanted, corners, &mut lent);
-                        let pixels = all.filter(|pixel| self.has(*pixel));
-                        render(tracer, &mut sampler, &mut worker, pixels, canvas)?;
+                        draw(eye_of, &mut sampler, all.filter(|pixel| self.has(*pixel)), canvas)?;
                     }
                 }
-                Ok(worker.into_tally())
+                Ok(eye.counters().copied())
             },
         )
     }
 
     /// Works on `cells`, tile by tile, and puts together what comes of it. `area` says which
     /// part of the picture a rectangle of cells is.
-    fn tiles<R: Record + Send, T: Count>(
+    fn tiles<R: Record + Send>(
         &self,
         cells: Tile,
         side: u32,
         area: impl Fn(Tile) -> Tile + Sync,
-        work: impl Fn(Tile, &mut Canvas<'_, R>) -> Result<T, Stop> + Sync,
-    ) -> Result<(Vec<R>, T), Stop> {
+        work: impl Fn(Tile, &mut Canvas<'_, R>) -> Result<Option<Counters>, Stop> + Sync,
+    ) -> Result<Traced<R>, Stop> {
         let whole = area(cells);
         self.watch.begin(whole.len());
         let list: Vec<Tile> = cells.tiles(side).collect();
-        let traced: Vec<(Tile, Vec<R>, T)> = list
+        let traced: Vec<(Tile, Vec<R>, Option<Counters>)> = list
             .into_par_iter()
             .map(|cells| {
                 let tile = area(cells);
@@ -191,7 +197,7 @@ where
             .collect::<Result<_, Stop>>()?;
 
         let mut picture = vec![R::NONE; whole.len()];
-        let mut counts = T::default();
+        let mut counts = None;
         for (tile, records, counted) in traced {
             // A tile of cells that lie beyond the picture's edge has no pixel.
             let rows = records.chunks(tile.width.max(1) as usize).zip(tile.first.y..);
@@ -200,7 +206,7 @@ where
                     picture[start..start + row.len()].copy_from_slice(row);
                 }
             }
-            counts.add(counted);
+            add(&mut counts, counted);
         }
         Ok((picture, counts))
     }
@@ -209,6 +215,21 @@ where
     fn has(&self, pixel: Pixel) -> bool {
         is_wanted(self.wanted, pixel)
     }
+}
+
+/// Puts what a sampler makes of each pixel onto the canvas.
+fn draw<R: Record>(
+    eye: &mut dyn Eye,
+    sampler: &mut impl Sampler,
+    pixels: impl Iterator<Item = Pixel>,
+    canvas: &mut Canvas<'_, R>,
+) -> Result<(), Stop> {
+    sampler.begin();
+    for pixel in pixels {
+        let sight = sampler.look(pixel, &mut |sample| eye.look(sample));
+        canvas.put_sight(pixel, sight)?;
+    }
+    Ok(())
 }
 
 fn is_wanted(wanted: &Wanted, pixel: Pixel) -> bool {

@@ -140,3 +140,17 @@ fn a_digest_tells_pictures_apart_by_one_bit() {
     picture.colors[100].g = picture.colors[100].g.next_up();
     assert_ne!(picture.digest(), digest);
 }
+
+#[test]
+fn a_shadow_cache_answers_often_and_changes_no_bit() {
+    let scene = scene();
+    let with = traced(&scene, &wanted(WAYS[0]));
+    let without = traced(&scene, &Wanted { shadow_cache: false, ..wanted(WAYS[0]) });
+    assert_eq!(with.picture, without.picture);
+    let [with, without] = [with, without].map(|frame| frame.counters.unwrap());
+    assert_eq!((without.shadow_cache_asked(), without.shadow_cache_hits()), (0, 0));
+    let (asked, hits) = (with.shadow_cache_asked(), with.shadow_cache_hits());
+    assert!(asked > hits && 2 * hits > asked, "{hits} of {asked}");
+    let boxes = |counts: &strahl::counts::Counts| counts.boxes(RayKind::Shadow);
+    assert!(boxes(&with) < boxes(&without), "{} of {}", boxes(&with), boxes(&without));
+}

@@ -10,14 +10,14 @@ use crate::math::{Lanes, Vec3, vec3};
 /// The corners of up to four triangles.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[repr(C)]
-pub struct FourTriangles {
+pub(crate) struct FourTriangles {
     /// By corner and axis; a lane for each triangle.
     corners: [[Lanes; 3]; 3],
 }
 
 impl FourTriangles {
     /// To be overwritten: all corners in the origin.
-    pub const ZERO: FourTriangles = FourTriangles { corners: [[Lanes::splat(0.0); 3]; 3] };
+    pub(crate) const ZERO: FourTriangles = FourTriangles { corners: [[Lanes::splat(0.0); 3]; 3] };
 
     /// Puts a triangle into one of the places; there is none behind the fourth.
     pub(crate) fn put(&mut self, place: usize, corners: [&Vec3; 3]) {

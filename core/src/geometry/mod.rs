@@ -23,7 +23,7 @@ pub use bounds::{Aabb, Span};
 pub use cone::Cone;
 pub use cuboid::{Cuboid, TurnedCuboid};
 pub use disc::Disc;
-pub use four::FourTriangles;
+pub(crate) use four::FourTriangles;
 pub use hit::{Hit, ItemId, Surface};
 pub use plane::Plane;
 pub use polygon::Polygon;

@@ -72,6 +72,21 @@ impl<'s, A: Accelerator> World<'s, A> {
         search.goal.0
     }
 
+    /// Whether this item is along the ray, at most `reach` lengths of its direction away.
+    ///
+    /// As [`World::blocker`] would say if there were no other.
+    pub fn blocks<E: Effects, T: Tally>(
+        &self,
+        item: ItemId,
+        ray: &Ray,
+        reach: Real,
+        kind: RayKind,
+        tally: &mut T,
+    ) -> bool {
+        let mut search = Search::<E, T, _>::new(self, ray, reach, kind, tally, Blocker(None));
+        search.test(item).is_break()
+    }
+
     /// What the item that was hit is like there.
     pub fn surface<E: Effects>(&self, ray: &Ray, hit: Hit) -> Option<Surface> {
         let geometry = &self.scene.parts().geometry;

@@ -2,9 +2,13 @@
 //!
 //! Neighbouring points lie in the shadow of the same thing. If that still stands in the way,
 //! the point is dark and nothing needs to be looked for; if it does not, one test was in vain.
-//! Only what blocks all light is remembered, so that the answer is the same either way ("The
-//! Light Buffer: A Shadow-Testing Accelerator", Haines and Greenberg, 1986, has the idea).
+//! It is the same test of the same ray, so that the answer is the same either way ("The Light
+//! Buffer: A Shadow-Testing Accelerator", Haines and Greenberg, 1986, has the idea).
+//!
+//! Where light passes through glass nobody is remembered: how much arrives is found surface by
+//! surface, and to ask out of turn could give another answer where surfaces nearly touch.
 
+use crate::accel::Accelerator;
 use crate::geometry::ItemId;
 
 /// Who stood last in the way of each light, for each level of rays.
@@ -17,9 +21,28 @@ use crate::geometry::ItemId;
 #[derive(Clone, Debug)]
 pub(crate) struct ShadowCache<const SLOTS: usize> {
     blockers: [ItemId; SLOTS],
+    is_used: bool,
 }
 
-/// The way from a point on a ray of some level to a light.
+/// What is remembered between rays: by the accelerator, and of shadows.
+pub(crate) struct Memory<A: Accelerator, const SHADOWS: usize> {
+    pub(crate) scratch: A::Scratch,
+    pub(crate) shadows: ShadowCache<SHADOWS>,
+}
+
+impl<A: Accelerator, const SHADOWS: usize> Memory<A, SHADOWS> {
+    pub(crate) fn new() -> Self {
+        Memory { scratch: A::Scratch::default(), shadows: ShadowCache::EMPTY }
+    }
+
+    /// As new, but no cache is used that was not used before.
+    pub(crate) fn forget(&mut self) {
+        self.scratch = A::Scratch::default();
+        self.shadows.blockers = ShadowCache::EMPTY.blockers;
+    }
+}
+
+/// From a surface that a ray of some level has met to a light.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Toward {
     /// Which light.
@@ -37,8 +60,13 @@ const LEVELS_APART: usize = 8;
 impl<const SLOTS: usize> ShadowCache<SLOTS> {
     pub(crate) const EMPTY: Self = {
         assert!(SLOTS == 0 || SLOTS.is_power_of_two());
-        ShadowCache { blockers: [NOBODY; SLOTS] }
+        ShadowCache { blockers: [NOBODY; SLOTS], is_used: SLOTS > 0 }
     };
+
+    /// Remembers nobody from now on.
+    pub(crate) fn turn_off(&mut self) {
+        *self = ShadowCache { is_used: false, ..Self::EMPTY };
+    }
 
     /// Who is to be asked first.
     pub(crate) fn last(&self, toward: Toward) -> Option<ItemId> {
@@ -47,14 +75,17 @@ impl<const SLOTS: usize> ShadowCache<SLOTS> {
 
     /// Remembers who stands in the way.
     pub(crate) fn remember(&mut self, toward: Toward, item: ItemId) {
-        if let Some(slot) = self.blockers.get_mut(Self::slot(toward)) {
+        if self.is_used
+            && let Some(slot) = self.blockers.get_mut(Self::slot(toward))
+        {
             *slot = item;
         }
     }
 
     /// Without slots, a place that is not there.
     fn slot(toward: Toward) -> usize {
-        let number = toward.light.wrapping_mul(LEVELS_APART).wrapping_add(usize::from(toward.level) % LEVELS_APART);
+        let number =
+            toward.light.wrapping_mul(LEVELS_APART).wrapping_add(usize::from(toward.level) % LEVELS_APART);
         if SLOTS > 0 { number % SLOTS } else { 0 }
     }
 }
@@ -75,9 +106,13 @@ mod tests {
     }
 
     #[test]
-    fn a_cache_without_slots_remembers_nobody() {
+    fn a_cache_without_slots_or_turned_off_remembers_nobody() {
         let mut cache = ShadowCache::<0>::EMPTY;
         let toward = Toward { light: 0, level: 1 };
+        cache.remember(toward, ItemId(7));
+        assert_eq!(cache.last(toward), None);
+        let mut cache = ShadowCache::<16>::EMPTY;
+        cache.turn_off();
         cache.remember(toward, ItemId(7));
         assert_eq!(cache.last(toward), None);
     }

@@ -1,11 +1,13 @@
 //! What light does at a surface: the local part of Whitted's model, and the optics and media
 //! that the rays from there need.
 
+mod cache;
 mod media;
 mod optics;
 mod passage;
 mod shadow;
 
+pub(crate) use cache::Memory;
 pub use media::{Crossing, Media, index};
 pub use optics::{Refraction, absorbed, reflected, refracted};
 pub(crate) use passage::{crossing, left_after};
@@ -16,6 +18,7 @@ use crate::math::{Dimension, Real, Rgb, Stream, Vec3, powf};
 
 use crate::scene::{Effects, Material, World};
 use crate::tally::Tally;
+use cache::Toward;
 use shadow::Way;
 
 /// A surface as it is seen along a ray.
@@ -73,12 +76,12 @@ pub(crate) struct Arrival {
 /// that reaches it the diffuse part and the highlight (Phong).
 ///
 /// A light is asked for only where the surface faces it and would show it.
-pub(crate) fn local<A: Accelerator, E: Effects, T: Tally>(
+pub(crate) fn local<A: Accelerator, E: Effects, T: Tally, const SHADOWS: usize>(
     world: &World<'_, A>,
     material: &Material,
     seen: &Seen,
     arrival: &Arrival,
-    scratch: &mut A::Scratch,
+    memory: &mut Memory<A, SHADOWS>,
     tally: &mut T,
 ) -> Rgb {
     let parts = world.scene().parts();
@@ -127,15 +130,16 @@ pub(crate) fn local<A: Accelerator, E: Effects, T: Tally>(
             continue;
         }
         if E::SET.shadows && source.shadows {
-            let way = Way { point: seen.surface.point, from, beam: &beam };
+            let toward = Toward { light: usize::from(number), level: arrival.level };
+            let way = Way { point: seen.surface.point, from, beam: &beam, toward };
             if E::SET.colored_shadows && parts.colored_shadows {
                 let media = if side == seen.facing { &arrival.before } else { &arrival.behind };
-                let share = shadow::passing::<A, E, T>(world, &way, media, scratch, tally);
+                let share = shadow::passing::<A, E, T>(world, &way, media, &mut memory.scratch, tally);
                 if share.is_black() {
                     continue;
                 }
                 beam.color *= share;
-            } else if shadow::is_dark::<A, E, T>(world, &way, scratch, tally) {
+            } else if shadow::is_dark::<A, E, T, SHADOWS>(world, &way, memory, tally) {
                 continue;
             }
         }

@@ -1,6 +1,7 @@
 //! Whether light arrives.
 
 use super::Seen;
+use super::cache::{Memory, Toward};
 use super::media::{Crossing, Media, index};
 use super::optics::refracted;
 use super::passage::{crossing, left_after};
@@ -25,6 +26,8 @@ pub(super) struct Way<'b> {
     pub(super) from: Vec3,
     /// What would arrive.
     pub(super) beam: &'b Beam,
+    /// From which level to which light.
+    pub(super) toward: Toward,
 }
 
 impl Way<'_> {
@@ -44,16 +47,29 @@ impl Way<'_> {
 
 /// Whether anything stands in the way. What lies behind the light does not count; glass counts
 /// as if it were opaque.
-pub(super) fn is_dark<A: Accelerator, E: Effects, T: Tally>(
+pub(super) fn is_dark<A: Accelerator, E: Effects, T: Tally, const SHADOWS: usize>(
     world: &World<'_, A>,
     way: &Way<'_>,
-    scratch: &mut A::Scratch,
+    memory: &mut Memory<A, SHADOWS>,
     tally: &mut T,
 ) -> bool {
     tally.count(Event::Ray(RayKind::Shadow));
     let Some(direction) = way.direction() else { return false };
     let ray = Ray::near_unit(way.from, direction);
-    world.blocker::<E, T>(&ray, way.reach(), RayKind::Shadow, scratch, tally).is_some()
+    if let Some(last) = memory.shadows.last(way.toward) {
+        let still = world.blocks::<E, T>(last, &ray, way.reach(), RayKind::Shadow, tally);
+        tally.count(Event::ShadowCache { hit: still });
+        if still {
+            return true;
+        }
+    }
+    match world.blocker::<E, T>(&ray, way.reach(), RayKind::Shadow, &mut memory.scratch, tally) {
+        Some(item) => {
+            memory.shadows.remember(way.toward, item);
+            true
+        }
+        None => false,
+    }
 }
 
 /// The share of light that comes through, from a point inside of `media`: straight on through

@@ -111,7 +111,11 @@ impl<'w, 's, A: Accelerator, E: Effects, const LEVELS: usize> Tracer<'w, 's, A, 
     /// Not inlined: samplers call it once for each camera ray, and the loop should exist once
     /// for each tracer, not for each sampler.
     #[inline(never)]
-    pub fn look<T: Tally>(&self, sample: Sample, worker: &mut Worker<A, T, LEVELS>) -> Sight {
+    pub fn look<T: Tally, const SHADOWS: usize>(
+        &self,
+        sample: Sample,
+        worker: &mut Worker<A, T, LEVELS, SHADOWS>,
+    ) -> Sight {
         let ray = if E::SET.lens && self.camera.has_lens() {
             self.camera.lens_ray(sample.place, sample.stream.pair(Dimension::LENS))
         } else {
@@ -132,17 +136,17 @@ impl<'w, 's, A: Accelerator, E: Effects, const LEVELS: usize> Tracer<'w, 's, A, 
     }
 
     /// What a task adds to the pixel by itself; its children go onto the stack.
-    fn follow<T: Tally>(
+    fn follow<T: Tally, const SHADOWS: usize>(
         &self,
         task: &mut Task,
         stream: Stream,
         first: &mut Met,
-        worker: &mut Worker<A, T, LEVELS>,
+        worker: &mut Worker<A, T, LEVELS, SHADOWS>,
     ) -> Rgb {
-        let Worker { scratch, tasks, tally } = worker;
+        let Worker { memory, tasks, tally } = worker;
         tally.count(Event::Ray(task.kind));
         let ray = Ray::near_unit(task.origin, task.direction);
-        let found = self.world.nearest::<E, T>(&ray, E::SIGHT, task.kind, scratch, tally);
+        let found = self.world.nearest::<E, T>(&ray, E::SIGHT, task.kind, &mut memory.scratch, tally);
         let met = found.and_then(|hit| Some((hit, self.world.surface::<E>(&ray, hit)?)));
         let Some((hit, surface)) = met else {
             return self.beyond(task);
@@ -176,7 +180,7 @@ impl<'w, 's, A: Accelerator, E: Effects, const LEVELS: usize> Tracer<'w, 's, A, 
 
         let behind = crossing.as_ref().map_or(task.media, |crossing| crossing.media);
         let arrival = Arrival { stream, level: task.level, before: task.media, behind };
-        let light = local::<A, E, T>(self.world, material, &seen, &arrival, scratch, tally);
+        let light = local::<A, E, T, SHADOWS>(self.world, material, &seen, &arrival, memory, tally);
         let mut seen = seen;
         if E::SET.gloss && material.is_rough() {
             // Mirrors and glass see one of the facets that make up the surface.

@@ -2,25 +2,41 @@
 
 use super::task::Tasks;
 use crate::accel::Accelerator;
+use crate::shade::Memory;
 
 /// What one thread of control needs beside the world, which all share.
 ///
 /// Nothing in it changes a picture: a worker that is made anew for every pixel gives the same.
-/// `LEVELS` is how many levels of rays there is room for, 1 to 64.
-pub struct Worker<A: Accelerator, T, const LEVELS: usize> {
-    pub(super) scratch: A::Scratch,
+/// `LEVELS` is how many levels of rays there is room for, 1 to 64; `SHADOWS` how many slots
+/// the shadow cache has, zero (no cache) or a power of two.
+pub struct Worker<A: Accelerator, T, const LEVELS: usize, const SHADOWS: usize = 16> {
+    pub(super) memory: Memory<A, SHADOWS>,
     pub(super) tasks: Tasks<LEVELS>,
     pub(super) tally: T,
 }
 
 impl<A: Accelerator, T, const LEVELS: usize> Worker<A, T, LEVELS> {
+    /// A worker with a shadow cache of the usual size, that reports to `tally`.
+    pub fn new(tally: T) -> Self {
+        Worker::of_any_size(tally)
+    }
+}
+
+impl<A: Accelerator, T, const LEVELS: usize, const SHADOWS: usize> Worker<A, T, LEVELS, SHADOWS> {
     /// How many bytes one takes, known when compiling: a [`Task`](super::task::Task) for each
-    /// level, what the accelerator's walk remembers, and the tally.
+    /// level, what the accelerator's walk remembers, 4 for each slot of the shadow cache, and the
+    /// tally.
     pub const BYTES: usize = size_of::<Self>();
 
-    /// A worker that reports to `tally`.
-    pub fn new(tally: T) -> Self {
-        Worker { scratch: A::Scratch::default(), tasks: Tasks::new(), tally }
+    /// A worker with a shadow cache of `SHADOWS` slots, that reports to `tally`.
+    pub fn of_any_size(tally: T) -> Self {
+        Worker { memory: Memory::new(), tasks: Tasks::new(), tally }
+    }
+
+    /// Turns the shadow cache off: nobody is asked first whether he still stands in the light.
+    pub fn without_shadow_cache(mut self) -> Self {
+        self.memory.shadows.turn_off();
+        self
     }
 
     /// Who has been told.
@@ -36,6 +52,6 @@ impl<A: Accelerator, T, const LEVELS: usize> Worker<A, T, LEVELS> {
     /// Forgets all that it remembers of earlier rays, so that the work of a picture does not
     /// depend on what was traced before.
     pub(crate) fn forget(&mut self) {
-        self.scratch = A::Scratch::default();
+        self.memory.forget();
     }
 }
