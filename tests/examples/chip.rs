@@ -57,7 +57,7 @@ const BALLS: Scene = Scene {
     accelerator: Kind::Bvh,
     size: Size::new(128, 96).unwrap(),
     levels: 5,
-    nodes: Some(3000),
+    nodes: Some(1800),
 };
 
 fn main() -> Result<(), Box<dyn Error>> {
