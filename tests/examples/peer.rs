@@ -10,6 +10,9 @@
 //!   that a ray leaves;
 //! * *edge*: the renderer gives strahl's pixel when it looks past the pixel's middle by a hundredth.
 
+// The peer's own arithmetic, on one machine.
+#![allow(clippy::disallowed_methods)]
+
 use std::error::Error;
 
 type Vector = [f32; 3];

@@ -59,7 +59,7 @@ const LEVELS_APART: usize = 8;
 
 impl<const SLOTS: usize> ShadowCache<SLOTS> {
     pub(crate) const EMPTY: Self = {
-        assert!(SLOTS == 0 || SLOTS.is_power_of_two());
+        const { assert!(SLOTS == 0 || SLOTS.is_power_of_two()) };
         ShadowCache { blockers: [NOBODY; SLOTS], is_used: SLOTS > 0 }
     };
 

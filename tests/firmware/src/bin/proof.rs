@@ -391,6 +391,7 @@ fn asked<A: Accelerator, E: Effects>(world: World<'_, A>) {
     used((world.scene(), world.accelerator()));
     used(world.nearest::<E, _>(&ray(), number(), kind, &mut scratch, &mut Told));
     used(world.blocker::<E, _>(&ray(), number(), kind, &mut scratch, &mut Told));
+    used(world.blocks::<E, _>(item(), &ray(), number(), kind, &mut Told));
     used(world.surface::<E>(&ray(), any(Hit { t: 1.0, item: ItemId(0) })));
 }
 
@@ -443,6 +444,8 @@ fn counters() {
     used((
         counters.regions(kind),
         counters.skipped(kind),
+        counters.shadow_cache_asked(),
+        counters.shadow_cache_hits(),
         counters.by_shape(shape),
         counters.media_full(),
         counters.level_limit_weight(),
@@ -478,6 +481,8 @@ fn traced<A: Accelerator, E: Effects, T: Tally, const LEVELS: usize>(world: &Wor
     let Some(camera) = any_camera() else { return };
     let limits = any(Limits::DEFAULT);
     let Ok(tracer) = Tracer::<A, E, LEVELS>::new(world, camera, limits) else { return };
+    let mut bare = Worker::<A, (), LEVELS, 0>::of_any_size(()).without_shadow_cache();
+    used((tracer.look(any_sample(), &mut bare), any(Worker::<A, (), LEVELS, 0>::BYTES)));
     let mut worker = Worker::new(tally);
     used(tracer.look(any_sample(), &mut worker));
 
