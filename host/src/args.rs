@@ -15,10 +15,16 @@ use crate::wanted::{Filter, LEVELS, Precision, Sampling, Selecting};
 /// The most pixels of a picture: its linear colours take 12 bytes each.
 pub const MOST_PIXELS: u64 = 1 << 28;
 
+/// What the exit status says.
+const STATUS: &str = "\
+Exit status: 0 done; 1 the answer is no (pictures differ); 2 wrong usage; 65 the scene or another input is \
+wrong; 66 it cannot be read; 74 the output cannot be written; 75 stopped by SIGTERM, may be tried again; \
+130 interrupted.";
+
 /// A Whitted ray tracer: the same picture, bit for bit, on a workstation and on a
 /// microcontroller.
 #[derive(Debug, Parser)]
-#[command(version, max_term_width = 100, disable_help_subcommand = true)]
+#[command(version, max_term_width = 100, disable_help_subcommand = true, after_long_help = STATUS)]
 pub struct Args {
     /// What to do.
     #[command(subcommand)]

@@ -19,11 +19,16 @@ impl<'b> Data<'b> {
         Data { encoding, left, size, line }
     }
 
+    /// The line, where there are lines.
+    pub(super) fn line(&self) -> Option<usize> {
+        (self.encoding == Encoding::Ascii).then_some(self.line)
+    }
+
     /// The line, where there are lines, else the byte in words.
     pub(super) fn place(&self) -> (Option<usize>, String) {
-        match self.encoding {
-            Encoding::Ascii => (Some(self.line), String::new()),
-            _ => (None, format!(" before byte {}", self.size - self.left.len())),
+        match self.line() {
+            Some(line) => (Some(line), String::new()),
+            None => (None, format!(" before byte {}", self.size - self.left.len())),
         }
     }
 

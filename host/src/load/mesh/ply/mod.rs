@@ -131,7 +131,7 @@ impl<'h> Plan<'h> {
                 let point = [coordinate(x)?, coordinate(y)?, coordinate(z)?];
                 gather.corner(point, self.has_normals.then_some([nx, ny, nz]))?;
             }
-            Kind::Faces => gather.polygon(&face, data.place().0),
+            Kind::Faces => gather.polygon(&face, data.line()),
             Kind::Strips | Kind::Other => {}
         }
         gather.give_list(face);
