@@ -105,6 +105,9 @@ pub fn settings(
         let names: Vec<_> = args.without.iter().map(|effect| effect.name()).collect();
         add("without", true, names.join(","), None);
     }
+    if !wanted.shadow_cache {
+        add("no-shadow-cache", true, String::new(), None);
+    }
     let threads = match wanted.cut.threads {
         0 => std::thread::available_parallelism().map_or(1, usize::from),
         threads => threads,

@@ -442,7 +442,7 @@ mod tests {
         };
         let up = line(vector(1.0, 0.0, -1.0), Vector::Z);
         assert!(close(way(&cone(true), &up), 1.0) && close(way(&cone(false), &up), 2.0));
-        let tilted = line(vector(2.0, 2.0, 0.5), vector(-1.0, -1.0, 0.0));
+        let tilted = line(vector(2.0, 1.5, 0.5), vector(-1.0, -1.0, 0.0));
         let cube = Thing::Cuboid { min: vector(-1.0, 0.0, 0.0), max: Vector::ONE };
         assert!(close(way(&cube, &tilted), 2.0_f64.sqrt()));
     }

@@ -2,6 +2,7 @@
 //!
 //! Neighbouring points lie in the shadow of the same thing. If that still stands in the way,
 //! the point is dark and nothing needs to be looked for; if it does not, one test was in vain.
+//! Where light arrived the last time nobody is asked.
 //! It is the same test of the same ray, so that the answer is the same either way ("The Light
 //! Buffer: A Shadow-Testing Accelerator", Haines and Greenberg, 1986, has the idea).
 //!
@@ -82,6 +83,11 @@ impl<const SLOTS: usize> ShadowCache<SLOTS> {
         }
     }
 
+    /// Light arrives: nobody is to be asked the next time.
+    pub(crate) fn forget(&mut self, toward: Toward) {
+        self.remember(toward, NOBODY);
+    }
+
     /// Without slots, a place that is not there.
     fn slot(toward: Toward) -> usize {
         let number =
@@ -103,6 +109,8 @@ mod tests {
         cache.remember(b, ItemId(8));
         cache.remember(Toward { level: 2, ..a }, ItemId(9));
         assert_eq!((cache.last(a), cache.last(b)), (Some(ItemId(7)), Some(ItemId(8))));
+        cache.forget(a);
+        assert_eq!((cache.last(a), cache.last(b)), (None, Some(ItemId(8))));
     }
 
     #[test]

@@ -68,7 +68,10 @@ pub(super) fn is_dark<A: Accelerator, E: Effects, T: Tally, const SHADOWS: usize
             memory.shadows.remember(way.toward, item);
             true
         }
-        None => false,
+        None => {
+            memory.shadows.forget(way.toward);
+            false
+        }
     }
 }
 

@@ -23,7 +23,7 @@ impl<A: Accelerator, T, const LEVELS: usize> Worker<A, T, LEVELS> {
 }
 
 impl<A: Accelerator, T, const LEVELS: usize, const SHADOWS: usize> Worker<A, T, LEVELS, SHADOWS> {
-    /// How many bytes one takes, known when compiling: a [`Task`](super::task::Task) for each
+    /// How many bytes one takes, known when compiling: a task for each
     /// level, what the accelerator's walk remembers, 4 for each slot of the shadow cache, and the
     /// tally.
     pub const BYTES: usize = size_of::<Self>();

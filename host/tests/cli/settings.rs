@@ -78,7 +78,8 @@ fn no_option_is_forgotten() {
     folder.done("render scene.toml --quiet");
     let text = printed(
         &folder,
-        "scene.toml --select 4:0.1 --region 1,2,8x4 --mask scene.png --walk heap --without lens",
+        "scene.toml --select 4:0.1 --region 1,2,8x4 --mask scene.png --walk heap --without lens \
+         --no-shadow-cache",
     );
     assert_eq!(line(&text, "# --region"), "# --region 1,2,8x4 # command line");
     // What is told and where is no setting of the picture.

@@ -15,7 +15,9 @@ fn main() {
     }
     let sizes: Vec<usize> = std::env::args().skip(1).map(|size| size.parse().expect("a number")).collect();
     let sizes = if sizes.is_empty() { vec![10_000, 100_000, 1_000_000] } else { sizes };
-    println!("| triangles | contender | build µs/triangle | bytes/triangle | camera closest | any | random closest | any |");
+    println!(
+        "| triangles | contender | build µs/triangle | bytes/triangle | camera closest | any | random closest | any |"
+    );
     println!("|---:|---|---:|---:|---:|---:|---:|---:|");
     for size in sizes {
         meshes(size);

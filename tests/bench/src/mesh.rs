@@ -74,8 +74,10 @@ pub fn camera_rays(side: u32) -> Vec<Ray> {
     let up = right.cross(toward);
     let at = |pixel: u32| (pixel as f32 + 0.5) / side as f32 * 2.0 - 1.0;
     let rays = (0..side).flat_map(|y| (0..side).map(move |x| (x, y)));
-    rays.map(|(x, y)| Ray::new(eye, (toward + right * (at(x) * 0.45) - up * (at(y) * 0.45)).normalize_or_zero()))
-        .collect()
+    rays.map(|(x, y)| {
+        Ray::new(eye, (toward + right * (at(x) * 0.45) - up * (at(y) * 0.45)).normalize_or_zero())
+    })
+    .collect()
 }
 
 /// Rays from anywhere near the mesh to anywhere near it.

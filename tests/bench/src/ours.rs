@@ -1,8 +1,8 @@
 //! strahl's own ways of finding.
 
 use strahl_core::{
-    Accelerator, Aabb, Bvh, BvhRoom, EffectSet, Effects, Geometry, Grown, LastFirst, Leaves, Material, MaterialId, NearestFirst, Node,
-    Parts, Ray, RayKind, Run, Scene, Shape, ShapeKind, ShapeSet, Slot, World,
+    Aabb, Accelerator, Bvh, BvhRoom, EffectSet, Effects, Geometry, Grown, LastFirst, Leaves, Material,
+    MaterialId, NearestFirst, Node, Parts, Ray, RayKind, Run, Scene, Shape, ShapeKind, ShapeSet, Slot, World,
 };
 
 use crate::contest::{Contender, Found};
@@ -12,8 +12,7 @@ use crate::mesh::Mesh;
 pub struct Triangles;
 
 impl Effects for Triangles {
-    const SET: EffectSet =
-        EffectSet { shapes: ShapeSet::of(&[ShapeKind::Triangle]), ..EffectSet::NONE };
+    const SET: EffectSet = EffectSet { shapes: ShapeSet::of(&[ShapeKind::Triangle]), ..EffectSet::NONE };
 }
 
 /// The tables of a mesh.
@@ -90,7 +89,11 @@ pub fn hierarchy<'s>(tables: &'s Tables, room: &'s mut Room) -> [(&'static str, 
     ]
 }
 
-fn asked<'s, A: Accelerator + 's>(tables: &'s Tables, accelerator: A, bytes: usize) -> Box<dyn Contender + 's> {
+fn asked<'s, A: Accelerator + 's>(
+    tables: &'s Tables,
+    accelerator: A,
+    bytes: usize,
+) -> Box<dyn Contender + 's> {
     Box::new(Asked { world: World::new(tables.scene(), accelerator), scratch: A::Scratch::default(), bytes })
 }
 
@@ -99,7 +102,8 @@ pub fn counted(tables: &Tables, room: &mut Room, rays: &[Ray]) -> [f64; 3] {
     let Room { nodes, items, runs } = room;
     let grown = Grown::build(&tables.boxes, Leaves::Runs, nodes, items).expect("there is room");
     runs.resize(grown.runs(), Run::EMPTY);
-    let tree: Bvh<'_, LastFirst<64>> = grown.in_runs(&tables.scene().parts().geometry, runs).expect("there is room");
+    let tree: Bvh<'_, LastFirst<64>> =
+        grown.in_runs(&tables.scene().parts().geometry, runs).expect("there is room");
     let world = World::new(tables.scene(), tree);
     let mut counters = strahl_core::Counters::new();
     let mut scratch = LastFirst::default();
@@ -110,7 +114,12 @@ pub fn counted(tables: &Tables, room: &mut Room, rays: &[Ray]) -> [f64; 3] {
         let _ = world.blocker::<Triangles, _>(ray, 4.0, RayKind::Shadow, &mut scratch, &mut counters);
     }
     let kind = RayKind::Shadow;
-    println!("{:?}", [counters.boxes(kind), counters.regions(kind), counters.shapes(kind)].map(|n| n as f64 / rays.len() as f64));
+    println!(
+        "{:?}",
+        [counters.boxes(kind), counters.regions(kind), counters.shapes(kind)]
+            .map(|n| n as f64 / rays.len() as f64)
+    );
     let kind = RayKind::Camera;
-    [counters.boxes(kind), counters.regions(kind), counters.shapes(kind)].map(|n| n as f64 / rays.len() as f64)
+    [counters.boxes(kind), counters.regions(kind), counters.shapes(kind)]
+        .map(|n| n as f64 / rays.len() as f64)
 }
