@@ -6,7 +6,7 @@
 //! | `rows` | answers become lines of text |
 //! | `stream` | pieces of text go through all threads, and come out in their order |
 //!
-//! What a ray hits is found in [`hits`](crate::hits), which is compiled for either precision.
+//! What a ray hits is found in [`hits`], which is compiled for either precision.
 
 mod lines;
 mod rows;

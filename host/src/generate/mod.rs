@@ -1,7 +1,7 @@
 //! The command `generate`: scenes that formulas make, of any size.
 //!
 //! They serve for measuring how time and memory grow. Each room makes one scene from its published
-//! description and hands it, piece by piece, to a [`Pen`], which writes one format; nothing but a
+//! description and hands it, piece by piece, to a `Pen`, which writes one format; nothing but a
 //! landscape's heights is kept in memory. The numbers are computed in double precision with
 //! libm, so that a scene is the same file on every machine.
 
