@@ -51,6 +51,9 @@ fn counts(counters: &Counts) -> [u64; 4] {
 /// How far what is chosen may be from the best.
 const GOOD_ENOUGH: f64 = 1.3;
 
+/// What a busy machine adds to some seconds and not to others.
+const NOISE: f64 = 0.05;
+
 /// Accelerators, and how much they are asked to remember.
 fn ways() -> Vec<Finding> {
     let with_mailbox = Kind::ALL.map(Finding::by);
@@ -124,7 +127,7 @@ fn main() -> Result<ExitCode, Box<dyn Error>> {
         let by_auto = seconds.iter().find(is_taken).ok_or("auto takes another way")?.1;
         let best = seconds.iter().map(|(_, seconds)| *seconds).fold(f64::INFINITY, f64::min);
         println!("  auto takes the {taken} ({}): {:.2} times the best", taken.reason, by_auto / best);
-        all_hold &= by_auto <= GOOD_ENOUGH * best;
+        all_hold &= by_auto <= GOOD_ENOUGH * best + NOISE;
     }
     Ok(if all_hold { ExitCode::SUCCESS } else { ExitCode::FAILURE })
 }
