@@ -40,7 +40,7 @@ pub enum Question {
 }
 
 /// How far a ray looks that asks for anything in its way.
-const WAY: f32 = 4.0;
+pub const WAY: f32 = 4.0;
 
 /// Rays answered per second, the median of `rounds` in which all take turns, and how many of
 /// the rays hit.

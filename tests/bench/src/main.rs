@@ -1,4 +1,4 @@
-//! Measures strahl's accelerators; `README.md` beside this package tells how to call it.
+//! Measures strahl's accelerators; the package's `README.md` tells how to call it.
 
 mod contest;
 mod mesh;
@@ -81,9 +81,8 @@ fn alone(name: &str, size: usize) {
         return;
     }
     if std::env::args().nth(3).is_some() {
-        println!("{}", rays.iter().filter(|ray| contender.any(ray, 4.0)).count());
+        println!("{}", rays.iter().filter(|ray| contender.any(ray, contest::WAY)).count());
         return;
     }
-    let before = rays.iter().filter(|ray| contender.closest(ray).is_some()).count();
-    println!("{before}");
+    println!("{}", rays.iter().filter(|ray| contender.closest(ray).is_some()).count());
 }

@@ -1,18 +1,22 @@
 //! strahl's own ways of finding.
 
 use strahl_core::{
-    Aabb, Accelerator, Bvh, BvhRoom, EffectSet, Effects, Geometry, Grown, LastFirst, Leaves, Material,
-    MaterialId, NearestFirst, Node, Parts, Ray, RayKind, Run, Scene, Shape, ShapeKind, ShapeSet, Slot, World,
+    Aabb, Accelerator, Bvh, BvhRoom, Counters, EffectSet, Effects, Geometry, Grown, LastFirst, Leaves,
+    Material, MaterialId, NearestFirst, Node, Parts, Ray, RayKind, Run, Scene, Shape, ShapeKind, ShapeSet,
+    Slot, World,
 };
 
-use crate::contest::{Contender, Found};
+use crate::contest::{Contender, Found, WAY};
 use crate::mesh::Mesh;
 
 /// Triangles and nothing else.
 pub struct Triangles;
 
 impl Effects for Triangles {
-    const SET: EffectSet = EffectSet { shapes: ShapeSet::of(&[ShapeKind::Triangle]), ..EffectSet::NONE };
+    const SET: EffectSet = EffectSet {
+        shapes: ShapeSet::of(&[ShapeKind::Triangle, ShapeKind::SmoothTriangle]),
+        ..EffectSet::NONE
+    };
 }
 
 /// The tables of a mesh.
@@ -76,12 +80,17 @@ impl Room {
     }
 }
 
-/// Builds, and answers by a stack and by a heap.
-pub fn hierarchy<'s>(tables: &'s Tables, room: &'s mut Room) -> [(&'static str, Box<dyn Contender + 's>); 2] {
+/// Builds the hierarchy with its leaves in runs.
+fn tree<'s>(tables: &Tables, room: &'s mut Room) -> Bvh<'s, (), Run> {
     let Room { nodes, items, runs } = room;
     let grown = Grown::build(&tables.boxes, Leaves::Runs, nodes, items).expect("there is room");
     runs.resize(grown.runs(), Run::EMPTY);
-    let tree: Bvh<'_, ()> = grown.in_runs(&tables.scene().parts().geometry, runs).expect("there is room");
+    grown.in_runs(&tables.scene().parts().geometry, runs).expect("there is room")
+}
+
+/// Builds, and answers by a stack and by a heap.
+pub fn hierarchy<'s>(tables: &'s Tables, room: &'s mut Room) -> [(&'static str, Box<dyn Contender + 's>); 2] {
+    let tree = tree(tables, room);
     let bytes = tree.bytes() + tables.scene().parts().geometry.bytes();
     [
         ("strahl, stack", asked(tables, tree.walked::<LastFirst<64>>(), bytes)),
@@ -97,29 +106,17 @@ fn asked<'s, A: Accelerator + 's>(
     Box::new(Asked { world: World::new(tables.scene(), accelerator), scratch: A::Scratch::default(), bytes })
 }
 
-/// What a walk counts for these rays: boxes, regions, triangles, each per ray.
-pub fn counted(tables: &Tables, room: &mut Room, rays: &[Ray]) -> [f64; 3] {
-    let Room { nodes, items, runs } = room;
-    let grown = Grown::build(&tables.boxes, Leaves::Runs, nodes, items).expect("there is room");
-    runs.resize(grown.runs(), Run::EMPTY);
-    let tree: Bvh<'_, LastFirst<64>> =
-        grown.in_runs(&tables.scene().parts().geometry, runs).expect("there is room");
-    let world = World::new(tables.scene(), tree);
-    let mut counters = strahl_core::Counters::new();
+/// What walks count: boxes, leaves and triangles per ray, for the closest hit and for any.
+pub fn counted(tables: &Tables, room: &mut Room, rays: &[Ray]) -> [[f64; 3]; 2] {
+    let world = World::new(tables.scene(), tree(tables, room).walked::<LastFirst<64>>());
+    let mut counters = Counters::new();
     let mut scratch = LastFirst::default();
     for ray in rays {
         let _ = world.nearest::<Triangles, _>(ray, f32::MAX, RayKind::Camera, &mut scratch, &mut counters);
+        let _ = world.blocker::<Triangles, _>(ray, WAY, RayKind::Shadow, &mut scratch, &mut counters);
     }
-    for ray in rays {
-        let _ = world.blocker::<Triangles, _>(ray, 4.0, RayKind::Shadow, &mut scratch, &mut counters);
-    }
-    let kind = RayKind::Shadow;
-    println!(
-        "{:?}",
+    [RayKind::Camera, RayKind::Shadow].map(|kind| {
         [counters.boxes(kind), counters.regions(kind), counters.shapes(kind)]
-            .map(|n| n as f64 / rays.len() as f64)
-    );
-    let kind = RayKind::Camera;
-    [counters.boxes(kind), counters.regions(kind), counters.shapes(kind)]
-        .map(|n| n as f64 / rays.len() as f64)
+            .map(|count| count as f64 / rays.len() as f64)
+    })
 }

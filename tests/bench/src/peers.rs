@@ -2,7 +2,7 @@
 //! leaves where that is possible.
 
 use bvh::aabb::{Aabb, Bounded};
-use bvh::bounding_hierarchy::{BHShape, BoundingHierarchy};
+use bvh::bounding_hierarchy::BHShape;
 use nalgebra::{Point3, Vector3};
 use obvhs::bvh2::Bvh2;
 use obvhs::ray::RayHit;
