@@ -67,6 +67,8 @@ pub struct Settings {
     pub seed: Option<u32>,
     /// How items are found.
     pub finding: Finding,
+    /// Whether who last stood in a light is asked first.
+    pub shadow_cache: Option<bool>,
     /// What is computed with.
     pub precision: Option<Precision>,
 }

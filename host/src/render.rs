@@ -183,7 +183,7 @@ fn wanted(args: &RenderArgs, scene: &Settings, counted: bool) -> Result<Wanted, 
         mask: args.mask.as_deref().map(|path| mask(path, size)).transpose()?,
         precision: args.precision.or(scene.precision).unwrap_or_default(),
         finding: args.finding.over(scene.finding)?,
-        shadow_cache: !args.no_shadow_cache,
+        shadow_cache: !args.no_shadow_cache && scene.shadow_cache.unwrap_or(true),
         cut: Cut::threads(args.threads.unwrap_or(0)),
         counted,
     })

@@ -16,7 +16,7 @@ use crate::wanted::Wanted;
 /// One setting.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Setting {
-    /// Its option without the dashes, which is its key in `[render]` too.
+    /// Its option without the dashes, which is its key in `[render]` too, but for one.
     pub name: &'static str,
     /// As the command line has it.
     pub word: String,
@@ -37,6 +37,14 @@ pub enum Source {
     CommandLine,
 }
 
+/// The one option that has another name than its key.
+const NO_SHADOW_CACHE: &str = "no-shadow-cache";
+
+/// The key of an option.
+fn key(name: &str) -> &str {
+    if name == NO_SHADOW_CACHE { "shadow_cache" } else { name }
+}
+
 /// All settings of a picture that goes to `output`; `lines` are those of the keys in the scene.
 pub fn settings(
     args: &RenderArgs,
@@ -46,7 +54,7 @@ pub fn settings(
 ) -> Vec<Setting> {
     let mut list = Vec::new();
     let mut add = |name: &'static str, is_asked: bool, word: String, value: Option<String>| {
-        let in_scene = lines.get(name).copied().filter(|_| value.is_some());
+        let in_scene = lines.get(key(name)).copied().filter(|_| value.is_some());
         let source = match in_scene {
             _ if is_asked => Source::CommandLine,
             Some(line) => Source::Scene(line),
@@ -106,7 +114,7 @@ pub fn settings(
         add("without", true, names.join(","), None);
     }
     if !wanted.shadow_cache {
-        add("no-shadow-cache", true, String::new(), None);
+        add(NO_SHADOW_CACHE, args.no_shadow_cache, String::new(), Some("false".into()));
     }
     let threads = match wanted.cut.threads {
         0 => std::thread::available_parallelism().map_or(1, usize::from),
@@ -123,7 +131,7 @@ pub fn text(scene: &Path, settings: &[Setting]) -> String {
     let asked: Vec<String> = settings.iter().map(|it| format!("--{} {}", it.name, it.word)).collect();
     let mut lines = vec![("[render]".to_owned(), None)];
     let in_scene = settings.iter().filter_map(|it| Some((it, it.value.as_ref()?)));
-    lines.extend(in_scene.map(|(it, value)| (format!("{} = {value}", it.name), Some(it.source))));
+    lines.extend(in_scene.map(|(it, value)| (format!("{} = {value}", key(it.name)), Some(it.source))));
     lines.push((String::new(), None));
     lines.push(("# No part of a scene:".into(), None));
     let others = settings.iter().filter(|it| it.value.is_none());

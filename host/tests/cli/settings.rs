@@ -73,6 +73,18 @@ fn what_has_no_meaning_for_an_accelerator_is_not_in_force() {
 }
 
 #[test]
+fn a_shadow_cache_that_a_scene_turns_off_is_off_on_the_command_line_that_is_printed() {
+    let folder = folder();
+    folder.write("off.toml", "[render]\nshadow_cache = false\n[[sphere]]\nradius = 1\n");
+    let text = printed(&folder, "off.toml");
+    assert_eq!(line(&text, "shadow_cache"), "shadow_cache = false # off.toml:2");
+    assert!(text.lines().next().unwrap().contains(" --no-shadow-cache"), "{text}");
+    let asked = printed(&folder, "scene.toml --no-shadow-cache");
+    assert_eq!(line(&asked, "shadow_cache"), "shadow_cache = false # command line");
+    assert!(!printed(&folder, "scene.toml").contains("shadow"));
+}
+
+#[test]
 fn no_option_is_forgotten() {
     let folder = folder();
     folder.done("render scene.toml --quiet");
@@ -87,7 +99,8 @@ fn no_option_is_forgotten() {
     let program = Args::command();
     let render = program.find_subcommand("render").unwrap();
     for option in render.get_arguments().filter_map(|option| option.get_long()) {
-        let is_printed = text.contains(&format!("\n{option} = ")) || text.contains(&format!("# --{option} "));
+        let key = if option == "no-shadow-cache" { "shadow_cache" } else { option };
+        let is_printed = text.contains(&format!("\n{key} = ")) || text.contains(&format!("# --{option} "));
         assert!(is_printed != others.contains(&option), "--{option} is not in\n{text}");
     }
 }

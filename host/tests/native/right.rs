@@ -28,6 +28,7 @@ fn every_light_and_setting_becomes_what_the_format_says() {
         sampling: Some(Sampling::Regular(3)),
         filter: None,
         seed: None,
+        shadow_cache: None,
         precision: None,
         finding: Finding::default(),
     };
@@ -61,8 +62,9 @@ fn every_light_and_setting_becomes_what_the_format_says() {
 #[test]
 fn the_time_that_a_picture_takes_can_be_a_setting_as_well() {
     let it = loaded(
-        "[render]\nprecision = \"double\"\naccel = \"bvh\"\nwalk = \"heap\"\nheap = 4\nbounds = \"none\"\nmailbox = 0\n",
+        "[render]\nprecision = \"double\"\naccel = \"bvh\"\nwalk = \"heap\"\nheap = 4\nbounds = \"none\"\nmailbox = 0\nshadow_cache = false\n",
     );
+    assert_eq!(it.settings.shadow_cache, Some(false));
     assert_eq!(it.settings.precision, Some(Precision::Double));
     let finding = Finding {
         accel: Some(Accel::Bvh),

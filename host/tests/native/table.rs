@@ -24,7 +24,7 @@ pub const WRONG: &[Wrong] = &[
         "[render]\nwith = 40\n",
         2,
         "with",
-        "there are size, levels, cutoff, sampler, filter, seed, precision, accel, walk, heap, bounds, mailbox",
+        "there are size, levels, cutoff, sampler, filter, seed, precision, accel, walk, heap, bounds, mailbox, shadow_cache",
     ),
     ("[[plane]]\n\"\\u001b[2J\" = 1\n", 2, "\"\\u001b[2J\"", "no key `\\u{1b}[2J`"),
     // Tables of the wrong kind.

@@ -112,6 +112,8 @@ tables! {
         bounds: Option<Word<Bounds>>,
         /// Slots of the mailbox of grid and octree; 0 is none. Default: 64.
         mailbox: Option<Mailbox>,
+        /// Whether who last stood in a light is asked first whether he still does. Default: true.
+        shadow_cache: Option<bool>,
         /// Whether light passes through glass on its way from a light, coloured but not bent.
         /// Default: false, glass casts shadows like everything.
         colored_shadows: Option<At<bool>>,

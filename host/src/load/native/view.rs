@@ -79,6 +79,7 @@ impl Maker<'_> {
             filter: it.filter.as_ref().map(|filter| filter.it.0),
             seed: it.seed.map(|seed| seed.0),
             precision: it.precision.map(|word| word.0),
+            shadow_cache: it.shadow_cache,
             finding: Finding {
                 accel: it.accel.map(|word| word.0),
                 walk: it.walk.as_ref().map(|walk| walk.it.0),
