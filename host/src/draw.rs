@@ -16,7 +16,7 @@ use crate::description::View;
 use crate::finding::Facts;
 use crate::frame::{Drawn, NoFrame};
 use crate::progress::Watch;
-use crate::wanted::Wanted;
+use crate::wanted::{Looped, Wanted};
 
 /// Traces the scene of these tables.
 pub fn trace(stock: &Stock, from: &View, wanted: &Wanted, watch: &Watch) -> Result<Drawn, NoFrame> {
@@ -90,6 +90,11 @@ impl<'s, A: Accelerator + Sync> Job<'_, 's, A> {
     /// Whether the work is to be counted.
     pub fn is_counted(&self) -> bool {
         self.wanted.counted
+    }
+
+    /// Whether the loop that holds everything is asked for.
+    pub fn is_general(&self) -> bool {
+        self.wanted.looped == Looped::General
     }
 
     /// Traces it with the effects `E`, and counts.

@@ -1,6 +1,6 @@
 //! How far the work is, and whether it should go on.
 
-use std::time::Duration;
+use std::time::{Duration, Instant};
 
 use indicatif::{HumanCount, ProgressBar, ProgressState, ProgressStyle};
 
@@ -12,12 +12,13 @@ use crate::wrap::width_of_stderr;
 pub struct Watch {
     signals: Signals,
     bar: ProgressBar,
+    until: Option<Instant>,
 }
 
 impl Watch {
     /// Shows nothing, and stops only for `signals`.
     pub fn silent(signals: Signals) -> Self {
-        Watch { signals, bar: ProgressBar::hidden() }
+        Watch { signals, bar: ProgressBar::hidden(), until: None }
     }
 
     /// Shows a bar with rate and time left on the standard error, if that is a terminal.
@@ -35,7 +36,12 @@ impl Watch {
         if let Ok(style) = style {
             bar.set_style(style);
         }
-        Watch { signals, bar }
+        Watch { signals, bar, until: None }
+    }
+
+    /// The same, but work that lasts longer than until then is given up.
+    pub fn until(self, end: Instant) -> Self {
+        Watch { until: Some(end), ..self }
     }
 
     /// Work on this many pixels begins.
@@ -56,8 +62,11 @@ impl Watch {
         self.bar.finish_and_clear();
     }
 
-    /// `Err` once a signal has come.
+    /// `Err` once a signal has come, or the time is over.
     pub fn check(&self) -> Result<(), Stop> {
-        self.signals.check()
+        match self.until {
+            Some(end) if Instant::now() >= end => Err(Stop::Late),
+            _ => self.signals.check(),
+        }
     }
 }

@@ -21,7 +21,7 @@ use crate::settings;
 use crate::signals::Signals;
 use crate::stats::Stats;
 use crate::summary::{self, summary};
-use crate::wanted::{Cut, Filter, Mask, Sampling, Wanted};
+use crate::wanted::{Cut, Filter, Looped, Mask, Sampling, Wanted};
 use crate::wrap::{width_of_stderr, wrapped};
 
 /// Renders one scene.
@@ -186,6 +186,7 @@ fn wanted(args: &RenderArgs, scene: &Settings, counted: bool) -> Result<Wanted, 
         shadow_cache: !args.no_shadow_cache && scene.shadow_cache.unwrap_or(true),
         cut: Cut::threads(args.threads.unwrap_or(0)),
         counted,
+        looped: Looped::Fitting,
     })
 }
 

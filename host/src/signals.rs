@@ -17,6 +17,8 @@ pub enum Stop {
     Terminated,
     /// What is worked on is of yesterday: its files have changed.
     Outdated,
+    /// The time that was given for it is over.
+    Late,
 }
 
 impl Stop {
@@ -24,7 +26,7 @@ impl Stop {
     pub fn status(self) -> u8 {
         match self {
             Stop::Interrupted => 130,
-            Stop::Terminated | Stop::Outdated => 75,
+            Stop::Terminated | Stop::Outdated | Stop::Late => 75,
         }
     }
 }
@@ -35,6 +37,7 @@ impl fmt::Display for Stop {
             Stop::Interrupted => "interrupted",
             Stop::Terminated => "stopped by SIGTERM",
             Stop::Outdated => "the scene has changed",
+            Stop::Late => "the time is over",
         })
     }
 }

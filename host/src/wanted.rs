@@ -42,6 +42,8 @@ pub struct Wanted {
     pub cut: Cut,
     /// Whether the work is counted.
     pub counted: bool,
+    /// Which of the prepared loops traces it.
+    pub looped: Looped,
 }
 
 impl Wanted {
@@ -61,6 +63,7 @@ impl Wanted {
             shadow_cache: true,
             cut: Cut::threads(0),
             counted: true,
+            looped: Looped::Fitting,
         }
     }
 }
@@ -107,6 +110,17 @@ impl Precision {
             Precision::Double => "double",
         }
     }
+}
+
+/// Which of the prepared loops traces a picture. The picture is the same.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Looped {
+    /// The smallest that holds what the scene asks for.
+    #[default]
+    Fitting,
+    /// The one that holds everything and counts. Seldom accelerators and double precision have no
+    /// other, so that times can be held against theirs.
+    General,
 }
 
 /// How the work is cut.
