@@ -9,6 +9,7 @@ use crate::tally::{Event, RayKind, Tally};
 pub struct Counters {
     rays: [u64; 4],
     camera_hits: u64,
+    deepest: u8,
     boxes: [u64; 4],
     shapes: [u64; 4],
     regions: [u64; 4],
@@ -36,6 +37,11 @@ impl Counters {
     /// Camera rays that met something.
     pub fn camera_hits(&self) -> u64 {
         self.camera_hits
+    }
+
+    /// The level of the deepest ray; the camera ray has level 1. Zero where there was none.
+    pub fn deepest(&self) -> u8 {
+        self.deepest
     }
 
     /// Tests of rays against boxes.
@@ -116,6 +122,7 @@ impl Counters {
             }
         }
         self.camera_hits += other.camera_hits;
+        self.deepest = self.deepest.max(other.deepest);
         self.level_limit += other.level_limit;
         self.level_limit_weight = self.level_limit_weight.saturating_add(other.level_limit_weight);
         self.cutoff += other.cutoff;
@@ -150,6 +157,7 @@ impl Tally for Counters {
     fn count(&mut self, event: Event) {
         match event {
             Event::Ray(kind) => bump(&mut self.rays, kind as usize, 1),
+            Event::Level(level) => self.deepest = self.deepest.max(level),
             Event::CameraHit => self.camera_hits += 1,
             Event::Boxes(kind, count) => bump(&mut self.boxes, kind as usize, count),
             Event::Shape(kind, shape) => {

@@ -12,7 +12,7 @@
 //! | light | the local model, shadows, optics, media |
 //! | the scene | [`Scene`], [`Camera`], [`Material`], [`Light`], [`Texture`], [`Effects`], [`World`] |
 //! | finding | [`Accelerator`] and [`Query`]: the contract; [`List`], [`Grid`], [`Octree`], the [`Mailbox`] |
-//! | reports | [`Tally`], [`Event`] |
+//! | reports | [`Tally`], [`Event`], [`Step`] |
 //! | things | [`Shape`]s, [`Ray`], [`Aabb`], [`Hit`] and [`Surface`] |
 //! | ground | [`Real`], [`Vec3`], [`Rgb`], roots |
 //!
@@ -66,8 +66,9 @@ pub use geometry::{
     ShapeSet, Shapes, Span, Sphere, Surface, Torus, TurnedCuboid, has_area, leave,
 };
 pub use image::{
-    Adaptive, Agreement, Confidence, Corner, CornerRow, Corners, Every, Filter, Frame, Kept, Lattice, Loose,
-    Parting, Pixel, Record, Regular, Sampler, Selected, Selection, Single, Sink, Stochastic, Tile,
+    Adaptive, Agreement, Confidence, Corner, CornerRow, Corners, Every, Filter, Frame, Gathered, Kept,
+    Lattice, Loose, Part, Parting, Pixel, Record, Regular, Sampler, Selected, Selection, Single, Sink,
+    Stochastic, Tile,
 };
 #[cfg(feature = "display")]
 pub use image::{Display, Dither, Steps};
@@ -81,5 +82,5 @@ pub use scene::{
 #[cfg(not(feature = "double"))]
 pub use scene::{Baking, Finder, Pack, PackError, PackPart};
 pub use shade::{Crossing, Media, Refraction, absorbed, index, reflected, refracted};
-pub use tally::{Event, RayKind, Tally};
+pub use tally::{Event, Fate, Lit, RayKind, Step, Tally};
 pub use trace::{Limits, Met, Sight, Tracer, TracerError, Worker};

@@ -78,8 +78,26 @@ impl<'m, C: Corners> Adaptive<'m, C> {
     }
 }
 
-impl<C: Corners> Sampler for Adaptive<'_, C> {
-    fn look(&mut self, pixel: Pixel, shoot: &mut impl FnMut(Sample) -> Sight) -> Sight {
+/// A square part of a pixel. The mean of its corners counts in the pixel as much as its area.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Part {
+    /// Its upper left corner.
+    pub place: Place,
+    /// The length of its sides, in pixels.
+    pub side: Real,
+    /// What is seen at its corners: upper left, upper right, lower left, lower right.
+    pub corners: [Sight; 4],
+}
+
+impl<C: Corners> Adaptive<'_, C> {
+    /// What is seen in `pixel`, of which `told` hears part by part: the colour is the sum of
+    /// `mean * side^2`, in this order, where `mean` is `((a + b) + (c + d)) / 4` of the corners.
+    pub fn look_by_parts(
+        &mut self,
+        pixel: Pixel,
+        shoot: &mut impl FnMut(Sample) -> Sight,
+        told: &mut impl FnMut(Part),
+    ) -> Sight {
         let Adaptive { parting, corners, memory } = self;
         let depth = parting.depth;
         let mut find = |x, y| memory.find(x, y, || shoot(parting.sample(x, y)));
@@ -89,11 +107,19 @@ impl<C: Corners> Sampler for Adaptive<'_, C> {
         let (mut sum, mut met) = (Rgb::BLACK, whole.met());
         let steps = whole.side as Real;
         quarter(whole, &parting.agreement, &mut find, &mut |part| {
-            let share = part.side as Real / steps;
-            sum += part.mean() * (share * share);
+            let side = part.side as Real / steps;
+            sum += part.mean() * (side * side);
             met = met.and(part.met());
+            let place = Place { x: part.x as Real / steps, y: part.y as Real / steps };
+            told(Part { place, side, corners: part.corners });
         });
         Sight { color: sum, met }
+    }
+}
+
+impl<C: Corners> Sampler for Adaptive<'_, C> {
+    fn look(&mut self, pixel: Pixel, shoot: &mut impl FnMut(Sample) -> Sight) -> Sight {
+        self.look_by_parts(pixel, shoot, &mut |_| {})
     }
 
     fn begin(&mut self) {
@@ -168,6 +194,25 @@ mod tests {
             let seen = Adaptive::new(parting(depth, 0.1), Loose, &mut lent).look(pixel, &mut half);
             assert!((seen.color.r - (1.0 - dark)).abs() < tolerance, "{depth}: {}", seen.color.r);
         }
+    }
+
+    #[test]
+    fn the_parts_of_a_pixel_cover_it_and_make_its_colour() {
+        let pixel = Pixel { x: 1, y: 2 };
+        let (mut sum, mut area, mut count) = (Rgb::BLACK, 0.0, 0);
+        let seen = Adaptive::new(parting(4, 0.1), Loose, &mut []).look_by_parts(
+            pixel,
+            &mut half,
+            &mut |Part { place, side, corners: [a, b, c, d] }| {
+                assert!(place.x >= 1.0 && place.x + side <= 2.0 && place.y >= 2.0 && place.y + side <= 3.0);
+                let mean = ((a.color + b.color) + (c.color + d.color)) * 0.25;
+                sum += mean * (side * side);
+                area += side * side;
+                count += 1;
+            },
+        );
+        assert_eq!((sum, area), (seen.color, 1.0));
+        assert!(count > 10, "{count}");
     }
 
     #[test]

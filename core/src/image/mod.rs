@@ -16,7 +16,7 @@ mod single;
 mod sink;
 mod stochastic;
 
-pub use adaptive::{Adaptive, Corner, Parting};
+pub use adaptive::{Adaptive, Corner, Part, Parting};
 pub use agreement::Agreement;
 pub use corners::{CornerRow, Corners, Every, Lattice, Loose};
 #[cfg(feature = "display")]
@@ -29,4 +29,4 @@ pub use sampler::Sampler;
 pub use selected::{Selected, Selection};
 pub use single::Single;
 pub use sink::{Frame, Record, Sink};
-pub use stochastic::{Confidence, Stochastic};
+pub use stochastic::{Confidence, Gathered, Stochastic};

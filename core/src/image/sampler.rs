@@ -40,7 +40,7 @@ pub(super) fn stream(pixel: Pixel, index: u32, seed: u32) -> Stream {
 pub(super) struct Mean {
     sum: Rgb,
     met: Option<Met>,
-    count: u32,
+    pub(super) count: u32,
 }
 
 impl Mean {

@@ -76,31 +76,73 @@ impl Stochastic {
     }
 }
 
-impl Sampler for Stochastic {
-    fn look(&mut self, pixel: Pixel, shoot: &mut impl FnMut(Sample) -> Sight) -> Sight {
-        let (mut mean, mut spread) = (Mean::NONE, Spread::NONE);
-        let mut next = self.least;
-        for index in 0..self.most {
-            let stream = stream(pixel, index, self.seed);
+impl Stochastic {
+    /// Goes on with a pixel for which some rays have been `gathered`, by this rule or by one of
+    /// the same numbers and confidence with a larger tolerance: what is seen then is the same as
+    /// if this rule had begun it.
+    pub fn look_on(&self, pixel: Pixel, gathered: &mut Gathered, shoot: &mut impl FnMut(Sample) -> Sight) {
+        let Gathered { mean, spread } = gathered;
+        let is_ruled = self.least < self.most;
+        // Before these, rays have been asked for: they are none, or a multiple of the least number.
+        let mut next = mean.count;
+        while mean.count < self.most {
+            if mean.count == next {
+                if is_ruled && spread.doubt(self.ends.errors) <= self.ends.tolerance {
+                    break;
+                }
+                next += self.least;
+            }
+            let stream = stream(pixel, mean.count, self.seed);
             let [x, y] = self.filter.place(stream.pair(Dimension::PIXEL));
             let sight = shoot(Sample { place: inside(pixel, x, y), stream });
             mean.add(sight);
-            if self.least < self.most {
+            if is_ruled {
                 spread.add(sight.color);
-                if spread.count == next {
-                    if spread.is_within(&self.ends) {
-                        break;
-                    }
-                    next += self.least;
-                }
             }
         }
-        mean.sight()
+    }
+}
+
+impl Sampler for Stochastic {
+    fn look(&mut self, pixel: Pixel, shoot: &mut impl FnMut(Sample) -> Sight) -> Sight {
+        let mut gathered = Gathered::NONE;
+        self.look_on(pixel, &mut gathered, shoot);
+        gathered.sight()
+    }
+}
+
+/// What the rays of a pixel have seen so far, so that others can be added.
+#[derive(Clone, Copy, Debug)]
+pub struct Gathered {
+    mean: Mean,
+    spread: Spread,
+}
+
+impl Gathered {
+    /// Nothing yet.
+    pub const NONE: Gathered = Gathered { mean: Mean::NONE, spread: Spread::NONE };
+
+    /// The mean of what they have seen.
+    pub fn sight(&self) -> Sight {
+        self.mean.sight()
+    }
+
+    /// How many they are.
+    pub fn rays(&self) -> u32 {
+        self.mean.count
+    }
+
+    /// How far away the true mean may be (sRGB-encoded, the largest channel), when it may be this
+    /// many standard errors away. Infinite before the second ray, and where the number of rays
+    /// follows no rule.
+    pub fn doubt(&self, errors: Real) -> Real {
+        self.spread.doubt(errors)
     }
 }
 
 /// Mean and variance of colours, as they come ("Note on a Method for Calculating Corrected Sums
 /// of Squares and Products", Welford 1962).
+#[derive(Clone, Copy, Debug)]
 struct Spread {
     count: u32,
     mean: Rgb,
@@ -123,16 +165,16 @@ impl Spread {
         one(color.b, &mut self.mean.b, &mut self.squares.b);
     }
 
-    /// Whether the mean is known as well as is wanted.
-    fn is_within(&self, wanted: &Confidence) -> bool {
+    /// How far away the mean may be: half of the interval of this many standard errors to both
+    /// sides, encoded.
+    fn doubt(&self, errors: Real) -> Real {
         if self.count < 2 {
-            return false; // of one ray nothing is known
+            return Real::INFINITY; // of one ray nothing is known
         }
         let n = self.count as Real;
-        // Each channel's standard error, times how many of them.
-        let way = self.squares.map(|squares| wanted.errors * sqrt(squares / ((n - 1.0) * n)));
+        let way = self.squares.map(|squares| errors * sqrt(squares / ((n - 1.0) * n)));
         let below = Rgb::new(self.mean.r - way.r, self.mean.g - way.g, self.mean.b - way.b);
-        Rgb::contrast([below, self.mean + way]) <= 2.0 * wanted.tolerance
+        0.5 * Rgb::contrast([below, self.mean + way])
     }
 }
 
@@ -177,6 +219,34 @@ mod tests {
         };
         assert_eq!(places(16, 1), places(100, 1));
         assert_ne!(places(16, 1), places(16, 2));
+    }
+
+    #[test]
+    fn a_pixel_that_is_gone_on_with_is_the_one_that_was_begun_with_the_last_rule() {
+        let see = |sample: Sample| {
+            let [x, y] = sample.stream.pair(Dimension::light(1, 0));
+            Sight { color: Rgb::new(x, y, x * y), met: Met::Nothing }
+        };
+        for (least, most) in [(1, 50), (4, 300), (7, 30), (6, 6)] {
+            let rule = |tolerance| {
+                let ends = Confidence { errors: 1.5, tolerance };
+                Stochastic::between(least, most, ends).unwrap().filtered(Filter::Tent)
+            };
+            let mut gathered = Gathered::NONE;
+            for tolerance in [1.0, 0.2, 0.1, 0.09, 0.04, 0.0] {
+                let before = gathered.rays();
+                rule(tolerance).look_on(PIXEL, &mut gathered, &mut |sample| see(sample));
+                let mut rays = 0;
+                let begun = rule(tolerance).look(PIXEL, &mut |sample| {
+                    rays += 1;
+                    see(sample)
+                });
+                assert_eq!((gathered.sight(), gathered.rays()), (begun, rays), "{least} {tolerance}");
+                assert!(rays >= before);
+                assert!(rays == most || gathered.doubt(1.5) <= tolerance);
+            }
+            assert_eq!(gathered.rays(), most);
+        }
     }
 
     #[test]

@@ -17,7 +17,7 @@ use crate::geometry::{Surface, leave};
 use crate::math::{Dimension, Real, Rgb, Stream, Vec3, powf};
 
 use crate::scene::{Effects, Material, World};
-use crate::tally::Tally;
+use crate::tally::{Lit, Step, Tally};
 use cache::Toward;
 use shadow::Way;
 
@@ -89,7 +89,9 @@ pub(crate) fn local<A: Accelerator, E: Effects, T: Tally, const SHADOWS: usize>(
     let paint = texture.map_or(Rgb::WHITE, |texture| texture.at(seen.surface.point, E::SET.textures));
     let diffuse = material.diffuse * paint;
     let mut light = material.ambient * paint * parts.ambient;
+    tally.tell(Step::Ambient(light));
     if !material.is_lit() {
+        tally.tell(Step::Local(light));
         return light;
     }
 
@@ -107,9 +109,14 @@ pub(crate) fn local<A: Accelerator, E: Effects, T: Tally, const SHADOWS: usize>(
             }
             arrival.stream.pair(Dimension::light(arrival.level, number))
         };
-        let Some(mut beam) = source.beam(seen.surface.point, E::SET.lights, chance) else { continue };
+        let mut skip = |lit| tally.tell(Step::Light { number, lit });
+        let Some(mut beam) = source.beam(seen.surface.point, E::SET.lights, chance) else {
+            skip(Lit::Dark);
+            continue;
+        };
         let cos = normal.dot(beam.toward);
         if !(cos > 0.0) || beam.color.is_black() {
+            skip(if cos > 0.0 { Lit::Dark } else { Lit::Behind });
             continue;
         }
         let highlight = || {
@@ -127,6 +134,7 @@ pub(crate) fn local<A: Accelerator, E: Effects, T: Tally, const SHADOWS: usize>(
         // for the shadow last. What scatters light shows it wherever it stands in it.
         let shine = if diffuse.is_black() { Some(highlight()) } else { None };
         if shine.is_some_and(Rgb::is_black) {
+            skip(Lit::Unseen);
             continue;
         }
         if E::SET.shadows && source.shadows {
@@ -136,16 +144,22 @@ pub(crate) fn local<A: Accelerator, E: Effects, T: Tally, const SHADOWS: usize>(
                 let media = if side == seen.facing { &arrival.before } else { &arrival.behind };
                 let share = shadow::passing::<A, E, T>(world, &way, media, &mut memory.scratch, tally);
                 if share.is_black() {
+                    tally.tell(Step::Light { number, lit: Lit::Shadowed });
                     continue;
                 }
                 beam.color *= share;
             } else if shadow::is_dark::<A, E, T, SHADOWS>(world, &way, memory, tally) {
+                tally.tell(Step::Light { number, lit: Lit::Shadowed });
                 continue;
             }
         }
         let given = diffuse * cos + shine.unwrap_or_else(highlight);
-        light += given * beam.color;
+        let adds = given * beam.color;
+        let (toward, distance, color) = (beam.toward, beam.distance, beam.color);
+        tally.tell(Step::Light { number, lit: Lit::Arrives { toward, distance, color, adds } });
+        light += adds;
     }
+    tally.tell(Step::Local(light));
     light
 }
 

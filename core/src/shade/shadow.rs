@@ -9,7 +9,7 @@ use crate::accel::Accelerator;
 use crate::geometry::Ray;
 use crate::math::{ROUNDOFF, Real, Rgb, Vec3, largest};
 use crate::scene::{Beam, Effects, Interface, Material, World};
-use crate::tally::{Event, RayKind, Tally};
+use crate::tally::{Event, RayKind, Step, Tally};
 
 /// How much of the way to a light is asked for: not the last few roundoffs, so that a surface
 /// in which the light lies does not stand in its own light.
@@ -55,16 +55,19 @@ pub(super) fn is_dark<A: Accelerator, E: Effects, T: Tally, const SHADOWS: usize
 ) -> bool {
     tally.count(Event::Ray(RayKind::Shadow));
     let Some(direction) = way.direction() else { return false };
+    tally.tell(Step::Asks { origin: way.from, direction, reach: way.reach() });
     let ray = Ray::near_unit(way.from, direction);
     if let Some(last) = memory.shadows.last(way.toward) {
         let still = world.blocks::<E, T>(last, &ray, way.reach(), RayKind::Shadow, tally);
         tally.count(Event::ShadowCache { hit: still });
         if still {
+            tally.tell(Step::Blocked { item: last, distance: None });
             return true;
         }
     }
     match world.blocker::<E, T>(&ray, way.reach(), RayKind::Shadow, &mut memory.scratch, tally) {
         Some(item) => {
+            tally.tell(Step::Blocked { item, distance: None });
             memory.shadows.remember(way.toward, item);
             true
         }
@@ -93,6 +96,7 @@ pub(super) fn passing<A: Accelerator, E: Effects, T: Tally>(
     let (mut share, mut media) = (Rgb::WHITE, *media);
     let Some(direction) = way.direction() else { return share };
     let (mut from, mut reach) = (way.from, way.reach());
+    tally.tell(Step::Asks { origin: from, direction, reach });
     for _ in 0..MOST_SURFACES {
         let ray = Ray::near_unit(from, direction);
         let hit = world.nearest::<E, T>(&ray, reach, RayKind::Shadow, scratch, tally);
@@ -108,8 +112,10 @@ pub(super) fn passing<A: Accelerator, E: Effects, T: Tally>(
             share *= material.transmitted * (1.0 - mirrored(&crossing, material, &seen, parts.materials));
         }
         if share.is_black() {
+            tally.tell(Step::Blocked { item: hit.item, distance: Some(hit.t) });
             break;
         }
+        tally.tell(Step::Passes { hit, share });
         (media, from, reach) = (crossing.media, seen.behind(), reach - hit.t);
     }
     Rgb::BLACK

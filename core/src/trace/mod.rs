@@ -22,7 +22,7 @@ use crate::scene::{Camera, EffectSet, Effects, Interface, LastLevel, Material, S
 use crate::shade::{
     Arrival, Crossing, Media, Seen, crossing, index, left_after, local, reflected, refracted,
 };
-use crate::tally::{Event, RayKind, Tally};
+use crate::tally::{Event, Fate, RayKind, Step, Tally};
 use task::{Task, Tasks};
 
 /// Which picture is wanted: how far the tree of rays goes.
@@ -145,11 +145,13 @@ impl<'w, 's, A: Accelerator, E: Effects, const LEVELS: usize> Tracer<'w, 's, A, 
     ) -> Rgb {
         let Worker { memory, tasks, tally } = worker;
         tally.count(Event::Ray(task.kind));
+        tally.count(Event::Level(task.level));
+        tally.tell(task.begins());
         let ray = Ray::near_unit(task.origin, task.direction);
         let found = self.world.nearest::<E, T>(&ray, E::SIGHT, task.kind, &mut memory.scratch, tally);
         let met = found.and_then(|hit| Some((hit, self.world.surface::<E>(&ray, hit)?)));
         let Some((hit, surface)) = met else {
-            return self.beyond(task);
+            return self.beyond(task, tally);
         };
         if task.kind == RayKind::Camera {
             tally.count(Event::CameraHit);
@@ -159,12 +161,18 @@ impl<'w, 's, A: Accelerator, E: Effects, const LEVELS: usize> Tracer<'w, 's, A, 
         let seen = Seen::new(surface, task.direction);
         let material = self.world.scene().material(hit.item).unwrap_or(&Material::MATTE);
         let crossing = self.crossing(task, hit, material, &seen);
+        let materials = self.world.scene().parts().materials;
+        let within = crossing.as_ref().and_then(|crossing| crossing.before);
+        let left = left_after::<E>(materials, within, hit.t);
+        let hidden = crossing.as_ref().is_some_and(|crossing| crossing.hidden);
+        let (point, outside) = (seen.surface.point, seen.outside);
+        let number = within.map(|material| material.0);
+        tally.tell(Step::Meets { hit, point, outside, within: number, left, hidden });
         if let Some(crossing) = &crossing {
             if crossing.full {
                 tally.count(Event::MediaFull);
             }
-            let materials = self.world.scene().parts().materials;
-            task.weight *= left_after::<E>(materials, crossing.before, hit.t);
+            task.weight *= left;
             if crossing.hidden {
                 // The surface is hidden inside another body: straight on.
                 let child = Child {
@@ -174,7 +182,9 @@ impl<'w, 's, A: Accelerator, E: Effects, const LEVELS: usize> Tracer<'w, 's, A, 
                     kind: RayKind::Transmitted,
                     media: crossing.media,
                 };
-                return self.send(task, child, tasks, tally);
+                let unsent = self.send(task, child, tasks, tally);
+                tally.tell(Step::Adds(unsent));
+                return unsent;
             }
         }
 
@@ -189,19 +199,24 @@ impl<'w, 's, A: Accelerator, E: Effects, const LEVELS: usize> Tracer<'w, 's, A, 
             seen.shading = facet(seen.optical(), -task.direction, slope, chance);
         }
         let unsent = self.leave_children(task, material, &seen, crossing.as_ref(), tasks, tally);
-        task.weight * light.at_most(BRIGHTEST_SURFACE) + unsent
+        let adds = task.weight * light.at_most(BRIGHTEST_SURFACE) + unsent;
+        tally.tell(Step::Adds(adds));
+        adds
     }
 
     /// What a ray brings that meets nothing: the background, or nothing through a medium that
     /// takes light away, which then never ends.
-    fn beyond(&self, task: &Task) -> Rgb {
+    fn beyond<T: Tally>(&self, task: &Task, tally: &mut T) -> Rgb {
         let parts = self.world.scene().parts();
         let mut light = parts.background.toward(task.direction);
         if E::SET.transmission {
             let medium = task.media.in_force(parts.materials);
             light *= left_after::<E>(parts.materials, medium, Real::INFINITY);
         }
-        task.weight * light
+        tally.tell(Step::Beyond { light });
+        let adds = task.weight * light;
+        tally.tell(Step::Adds(adds));
+        adds
     }
 
     /// What happens to the media at the hit, where there may be any.
@@ -217,14 +232,18 @@ impl<'w, 's, A: Accelerator, E: Effects, const LEVELS: usize> Tracer<'w, 's, A, 
     fn send<T: Tally>(&self, task: &Task, child: Child, tasks: &mut Tasks<LEVELS>, tally: &mut T) -> Rgb {
         let Child { origin, direction, share, kind, media } = child;
         let weight = task.weight * share;
+        let mut tell = |fate| tally.tell(Step::Sends { kind, share, weight, fate });
         if !(weight.largest() > self.limits.cutoff) {
+            tell(Fate::TooLittle);
             tally.count(Event::Cutoff(weight));
         } else if task.level >= self.limits.levels {
+            tell(Fate::TooDeep);
             tally.count(Event::LevelLimit(weight));
             if E::LAST == LastLevel::Background {
                 return weight * self.world.scene().parts().background.toward(direction);
             }
         } else {
+            tell(Fate::Sent);
             tasks.push(Task { origin, direction, weight, level: task.level + 1, kind, media });
         }
         Rgb::BLACK
@@ -267,7 +286,10 @@ impl<'w, 's, A: Accelerator, E: Effects, const LEVELS: usize> Tracer<'w, 's, A, 
                     };
                     unsent += self.send(task, through, tasks, tally);
                 }
-                None => mirrored += material.transmitted,
+                None => {
+                    tally.tell(Step::ThrownBack);
+                    mirrored += material.transmitted;
+                }
             }
         }
 

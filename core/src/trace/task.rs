@@ -4,7 +4,7 @@ use heapless::Vec;
 
 use crate::math::{Rgb, Vec3};
 use crate::shade::Media;
-use crate::tally::RayKind;
+use crate::tally::{RayKind, Step};
 
 /// A ray that is still to be traced.
 #[derive(Clone, Copy, Debug)]
@@ -21,6 +21,14 @@ pub(crate) struct Task {
     pub(crate) kind: RayKind,
     /// The bodies that it starts inside of.
     pub(crate) media: Media,
+}
+
+impl Task {
+    /// What is told when it is followed.
+    pub(crate) fn begins(&self) -> Step {
+        let Task { origin, direction, weight, level, kind, .. } = *self;
+        Step::Follows { kind, level, origin, direction, weight }
+    }
 }
 
 /// Room for everything that can be waiting in a tree of `LEVELS` levels.

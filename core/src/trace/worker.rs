@@ -44,6 +44,11 @@ impl<A: Accelerator, T, const LEVELS: usize, const SHADOWS: usize> Worker<A, T, 
         &self.tally
     }
 
+    /// Who has been told, to be emptied or exchanged.
+    pub fn tally_mut(&mut self) -> &mut T {
+        &mut self.tally
+    }
+
     /// Who has been told, when the work is done.
     pub fn into_tally(self) -> T {
         self.tally

@@ -402,6 +402,10 @@ impl Tally for Told {
     fn count(&mut self, event: Event) {
         used(event);
     }
+
+    fn tell(&mut self, step: Step) {
+        used(step);
+    }
 }
 
 fn size() -> Size {
@@ -451,8 +455,9 @@ fn counters() {
         counters.level_limit_weight(),
         counters.cutoff_weight(),
     ));
-    used((counters.level_limit(), counters.cutoff()));
+    used((counters.level_limit(), counters.cutoff(), counters.deepest()));
     ().count(any(Event::MediaFull));
+    ().tell(any(Step::ThrownBack));
 }
 
 fn pictures() {
@@ -497,12 +502,16 @@ fn traced<A: Accelerator, E: Effects, T: Tally, const LEVELS: usize>(world: &Wor
     }
     let ends = any(Confidence { errors: 1.0, tolerance: 0.1 });
     if let Some(mut stochastic) = Stochastic::between(any(1), any(2), ends) {
+        let mut gathered = any(Gathered::NONE);
+        stochastic.look_on(any(Pixel { x: 0, y: 0 }), &mut gathered, &mut |_| any(Sight::DARK));
+        used((gathered.sight(), gathered.rays(), gathered.doubt(number())));
         sampled(&tracer, &mut worker, &mut stochastic.seeded(seed));
         stochastic.begin();
     }
     corners(&tracer, &mut worker);
 
     used(worker.tally());
+    used(worker.tally_mut());
     used(worker.into_tally());
 }
 
@@ -525,6 +534,9 @@ fn corners<A: Accelerator, E: Effects, T: Tally, const LEVELS: usize>(
         let parting = parting.seeded(any(0));
         sampled(tracer, worker, Corner(parting));
         sampled(tracer, worker, Adaptive::new(parting, Loose, any(&mut kept[..])));
+        let mut parted = Adaptive::new(parting, Loose, any(&mut kept[..]));
+        let pixel = any(Pixel { x: 0, y: 0 });
+        used(parted.look_by_parts(pixel, &mut |_| any(Sight::DARK), &mut |part: Part| used(part)));
         let row = CornerRow::new(any(&mut row[..]));
         sampled(tracer, worker, Adaptive::new(parting, row, any(&mut kept[..])));
         if let Some(lattice) = Lattice::new(tile(), any(&sights[..])) {

@@ -1,7 +1,11 @@
 //! What a tracer tells about its work.
 //!
-//! The tracer reports events to a [`Tally`]. The tally `()` counts nothing: nothing of the
-//! reports is left in the optimised loop.
+//! The tracer reports events to a [`Tally`], and the steps of the tree of rays. The tally `()`
+//! counts nothing: nothing of the reports is left in the optimised loop.
+
+mod step;
+
+pub use step::{Fate, Lit, Step};
 
 use crate::geometry::ShapeKind;
 use crate::math::Rgb;
@@ -31,6 +35,8 @@ impl RayKind {
 pub enum Event {
     /// A ray was sent; for shadow rays, a light was asked for, whoever answered.
     Ray(RayKind),
+    /// A ray of this level was sent that is no shadow ray; the camera ray has level 1.
+    Level(u8),
     /// A camera ray met something.
     CameraHit,
     /// A ray was held against boxes, this many.
@@ -59,6 +65,11 @@ pub enum Event {
 pub trait Tally {
     /// Hears of one event.
     fn count(&mut self, event: Event);
+
+    /// Hears of one step. Who only counts leaves this as it is, and nothing of it is left in the
+    /// optimised loop.
+    #[inline(always)]
+    fn tell(&mut self, _: Step) {}
 }
 
 /// Counts nothing and costs nothing.
