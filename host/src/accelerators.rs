@@ -16,7 +16,7 @@ use std::time::Instant;
 
 use super::strahl::{
     Aabb, Accelerator, BvhRoom, Geometry, Grid, GridRoom, Grown, LastFirst, Leaves, List, NearestFirst, Node,
-    Octree, OctreeNode, OctreeRoom, Run, Scene, Shape, Slot, Waiting, groups_of,
+    Octree, OctreeNode, OctreeRoom, Run, Scene, Slot, Waiting, groups_of,
 };
 use crate::finding::{Bounds, Choice, Facts, Finding, Kind, MAILBOX, STACK, Walk};
 
@@ -132,22 +132,11 @@ impl Building<'_> {
     fn bvh<P: Purpose, W: Waiting>(self, purpose: P) -> Result<P::Answer, NotBuilt> {
         let room = BvhRoom::comfortable(self.boxes.len());
         let (mut nodes, mut items) = (vec![Node::EMPTY; room.nodes], vec![Slot::EMPTY; room.items]);
-        let grown = Grown::build(self.boxes, self.leaves(), &mut nodes, &mut items)?;
+        let grown = Grown::build(self.boxes, Leaves::Runs(self.geometry), &mut nodes, &mut items)?;
         let mut runs = vec![Run::EMPTY; grown.runs()];
         let tree = grown.in_runs::<W>(self.geometry, &mut runs)?;
         let (bytes, regions, entries) = (tree.bytes(), tree.regions(), tree.entries());
         let depth = Some(tree.depth());
         Ok(purpose.with(tree, self.facts(Extent { bytes, regions, entries, depth })))
-    }
-
-    /// Runs pay for triangles, which are tested four at once.
-    fn leaves(&self) -> Leaves {
-        let is_triangle = |shape: &&Shape| matches!(shape, Shape::Triangle(_) | Shape::SmoothTriangle(_));
-        let shapes = self.geometry.shapes;
-        if 2 * shapes.iter().filter(is_triangle).count() > shapes.len() {
-            Leaves::Runs
-        } else {
-            Leaves::Singly
-        }
     }
 }

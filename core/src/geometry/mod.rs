@@ -203,7 +203,7 @@ impl<'s> Geometry<'s> {
             }
             Shape::Plane(_) => None,
             Shape::Disc(place) => of(self.discs, place).map(Disc::bounds),
-            Shape::Polygon(place) => of(self.polygons, place).map(|p| p.bounds(self.points)),
+            Shape::Polygon(place) => of(self.polygons, place).map(|polygon| polygon.bounds),
             Shape::Cuboid(place) => of(self.cuboids, place).map(Cuboid::bounds),
             Shape::TurnedCuboid(place) => of(self.turned_cuboids, place).map(TurnedCuboid::bounds),
             Shape::Cone(place) => of(self.cones, place).map(Cone::bounds),

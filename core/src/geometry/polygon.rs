@@ -23,6 +23,8 @@ pub struct Polygon {
     pub point: Vec3,
     /// Upright on it by the right hand round the corners, of length one.
     pub normal: Vec3,
+    /// The box round its corners: whoever passes it need not look at them.
+    pub bounds: Aabb,
     /// Whether the shading normal is interpolated between those of the corners.
     pub smooth: bool,
 }
@@ -45,26 +47,24 @@ impl Polygon {
             return None;
         }
         let middle = start + relative().fold(Vec3::ZERO, |sum, p| sum + p) / count as Real;
-        Some(Polygon { first, count, point: middle, normal, smooth })
+        let bounds = Aabb::around(corners.iter().copied());
+        Some(Polygon { first, count, point: middle, normal, bounds, smooth })
     }
 
     pub(super) fn check(&self, points: &[Vec3], normals: &[Vec3]) -> Result<(), ShapeFault> {
         check_point(self.point)?;
         check_unit(self.normal)?;
-        if self.count < 3 || self.of(points).is_none() || self.smooth && self.of(normals).is_none() {
+        let corners = self.of(points).ok_or(ShapeFault::Missing)?;
+        if self.count < 3 || self.smooth && self.of(normals).is_none() {
             return Err(ShapeFault::Missing);
         }
-        Ok(())
+        if self.bounds == Aabb::around(corners.iter().copied()) { Ok(()) } else { Err(ShapeFault::Bounds) }
     }
 
     /// Its own part of a table.
     fn of<'t>(&self, table: &'t [Vec3]) -> Option<&'t [Vec3]> {
         let first = self.first as usize;
         table.get(first..first.checked_add(self.count as usize)?)
-    }
-
-    pub(super) fn bounds(&self, points: &[Vec3]) -> Aabb {
-        Aabb::around(self.of(points).unwrap_or_default().iter().copied())
     }
 
     #[inline]
@@ -78,13 +78,38 @@ impl Polygon {
     #[inline(never)]
     #[allow(clippy::too_many_arguments)] // in registers
     fn contains(&self, points: &[Vec3], ox: Real, oy: Real, oz: Real, wx: Real, wy: Real, wz: Real) -> bool {
-        let corners = self.of(points).unwrap_or_default();
         // In the plane of the two axes that are least upright on it.
         match Axis::largest_of(self.normal) {
-            Axis::X => is_inside(corners, |corner| [(corner.y - oy) - wy, (corner.z - oz) - wz]),
-            Axis::Y => is_inside(corners, |corner| [(corner.z - oz) - wz, (corner.x - ox) - wx]),
-            Axis::Z => is_inside(corners, |corner| [(corner.x - ox) - wx, (corner.y - oy) - wy]),
+            Axis::X => self.is_inside(points, |p| [(p.y - oy) - wy, (p.z - oz) - wz]),
+            Axis::Y => self.is_inside(points, |p| [(p.z - oz) - wz, (p.x - ox) - wx]),
+            Axis::Z => self.is_inside(points, |p| [(p.x - ox) - wx, (p.y - oy) - wy]),
         }
+    }
+
+    /// Whether the corners, as they are `seen` from a point in two dimensions, go round it.
+    #[inline(always)]
+    fn is_inside(&self, points: &[Vec3], seen: impl Fn(&Vec3) -> [Real; 2]) -> bool {
+        // All on one side: no line from the point crosses an edge, or it crosses as many up as
+        // down. Rounding keeps order, so what holds for the box holds for the corners.
+        let ([left, below], [right, above]) = (seen(&self.bounds.min), seen(&self.bounds.max));
+        if left > 0.0 || right < 0.0 || below > 0.0 || above <= 0.0 {
+            return false;
+        }
+        let corners = self.of(points).unwrap_or_default();
+        let mut inside = false;
+        let Some(last) = corners.last() else { return false };
+        let mut a = seen(last);
+        let mut a_above = a[1] > 0.0;
+        for corner in corners {
+            let b = seen(corner);
+            let b_above = b[1] > 0.0;
+            // Of two on different sides, `b` is the upper one exactly when it is above.
+            if a_above != b_above && (a[0] * b[1] > a[1] * b[0]) == b_above {
+                inside = !inside;
+            }
+            (a, a_above) = (b, b_above);
+        }
+        inside
     }
 
     pub(super) fn surface(&self, points: &[Vec3], normals: Option<&[Vec3]>, ray: &Ray, t: Real) -> Surface {
@@ -100,25 +125,6 @@ impl Polygon {
         }
         surface
     }
-}
-
-/// Whether the corners, as they are `seen` from a point in two dimensions, go round it.
-#[inline(always)]
-fn is_inside(corners: &[Vec3], seen: impl Fn(&Vec3) -> [Real; 2]) -> bool {
-    let mut inside = false;
-    let Some(last) = corners.last() else { return false };
-    let mut a = seen(last);
-    let mut a_above = a[1] > 0.0;
-    for corner in corners {
-        let b = seen(corner);
-        let b_above = b[1] > 0.0;
-        // Of two on different sides, `b` is the upper one exactly when it is above.
-        if a_above != b_above && (a[0] * b[1] > a[1] * b[0]) == b_above {
-            inside = !inside;
-        }
-        (a, a_above) = (b, b_above);
-    }
-    inside
 }
 
 /// The normal at `p` between those of the corners, by mean value coordinates ("Mean value

@@ -99,6 +99,11 @@ pub trait Shapes {
 }
 
 impl Shape {
+    /// Whether it is a triangle, smooth or flat.
+    pub(crate) const fn is_triangle(self) -> bool {
+        matches!(self, Shape::Triangle(_) | Shape::SmoothTriangle(_))
+    }
+
     /// What kind it is.
     pub const fn kind(self) -> ShapeKind {
         match self {
@@ -132,6 +137,8 @@ pub enum ShapeFault {
     Axes,
     /// It refers to a place outside its table, or a polygon has fewer than three corners.
     Missing,
+    /// The box of a polygon is not the one round its corners.
+    Bounds,
     /// A plane does not stand in the table of planes under its own item.
     Plane,
 }
@@ -145,6 +152,7 @@ impl core::fmt::Display for ShapeFault {
             ShapeFault::NotUnit => "a direction does not have length one",
             ShapeFault::Axes => "its axes are not upright on each other",
             ShapeFault::Missing => "it refers to a place outside its table",
+            ShapeFault::Bounds => "its box is not the one round its corners",
             ShapeFault::Plane => "its place in the table of planes names another item",
         })
     }

@@ -206,13 +206,17 @@ impl<E: Effects, T: Tally, G: Goal> Query for Search<'_, E, T, G> {
         }
         let may = run.may_meet(self.ray);
         run.picked(!may).for_each(|item| self.tested(item));
-        run.candidates(may).try_for_each(|Candidate { item, corners }| match corners {
-            Some(corners) => {
-                self.tested(item);
-                self.meet(item, triangle_distance(corners.each_ref(), self.ray))
+        let mut left = may;
+        while let Some(Candidate { item, corners }) = run.next(&mut left) {
+            match corners {
+                Some(corners) => {
+                    self.tested(item);
+                    self.meet(item, triangle_distance(corners.each_ref(), self.ray))?;
+                }
+                None => self.test(item)?,
             }
-            None => self.test(item),
-        })
+        }
+        ControlFlow::Continue(())
     }
 
     fn boxes(&mut self, count: u32) {

@@ -4,7 +4,7 @@ use std::fmt::Write as _;
 use std::path::Path;
 
 use strahl_core::{
-    Background, Cone, Cuboid, Disc, EffectSet, Falloff, Interface, ItemId, Light, Material, MaterialId,
+    Aabb, Background, Cone, Cuboid, Disc, EffectSet, Falloff, Interface, ItemId, Light, Material, MaterialId,
     Plane, Polygon, Projection, Rgb, Scene, Shape, Source, Sphere, Texture, TextureId, Torus, TurnedCuboid,
     Vec3, View,
 };
@@ -192,10 +192,11 @@ macro_rules! structs {
     )*};
 }
 structs! {
+    Aabb { min, max }
     Sphere { center, radius }
     Plane { point, normal, item }
     Disc { center, normal, radius }
-    Polygon { first, count, point, normal, smooth }
+    Polygon { first, count, point, normal, bounds, smooth }
     Cuboid { min, max }
     TurnedCuboid { center, half, axes }
     Cone { base, axis, height, base_radius, end_radius, capped }

@@ -83,9 +83,10 @@ impl Room {
 /// Builds the hierarchy with its leaves in runs.
 fn tree<'s>(tables: &Tables, room: &'s mut Room) -> Bvh<'s, (), Run> {
     let Room { nodes, items, runs } = room;
-    let grown = Grown::build(&tables.boxes, Leaves::Runs, nodes, items).expect("there is room");
+    let geometry = tables.scene().parts().geometry;
+    let grown = Grown::build(&tables.boxes, Leaves::Runs(&geometry), nodes, items).expect("there is room");
     runs.resize(grown.runs(), Run::EMPTY);
-    grown.in_runs(&tables.scene().parts().geometry, runs).expect("there is room")
+    grown.in_runs(&geometry, runs).expect("there is room")
 }
 
 /// Builds, and answers by a stack and by a heap.

@@ -7,9 +7,9 @@
 #![allow(dead_code)]
 
 use strahl_core::{
-    Background, Cone, EffectSet, Effects, Falloff, Geometry, Interface, ItemId, Light, LightKind, LightSet,
-    Limits, Material, MaterialId, Parts, Plane, Polygon, Projection, Rgb, Shape, ShapeKind, ShapeSet, Size,
-    Source, Sphere, Texture, TextureId, TextureKind, TextureSet, Torus, Vec3, View, vec3,
+    Aabb, Background, Cone, EffectSet, Effects, Falloff, Geometry, Interface, ItemId, Light, LightKind,
+    LightSet, Limits, Material, MaterialId, Parts, Plane, Polygon, Projection, Rgb, Shape, ShapeKind,
+    ShapeSet, Size, Source, Sphere, Texture, TextureId, TextureKind, TextureSet, Torus, Vec3, View, vec3,
 };
 
 /// How large the picture is.
@@ -149,8 +149,14 @@ static POINTS: [Vec3; 7] = [
 static NORMALS: [Vec3; 3] = [vec3(-0.6, 0.0, 0.8), vec3(0.6, 0.0, 0.8), vec3(0.0, 0.6, 0.8)];
 
 /// Concave, in the plane z = -1.5: the middle of its corners and the axis upright on it.
-const DART: Polygon =
-    Polygon { first: 3, count: 4, point: vec3(2.9, 1.0, -1.5), normal: Vec3::Z, smooth: false };
+const DART: Polygon = Polygon {
+    first: 3,
+    count: 4,
+    point: vec3(2.9, 1.0, -1.5),
+    normal: Vec3::Z,
+    bounds: Aabb { min: vec3(2.2, 0.5, -1.5), max: vec3(3.6, 2.1, -1.5) },
+    smooth: false,
+};
 
 const CONE: Cone = Cone {
     base: vec3(2.05, 0.0, 1.1),

@@ -102,10 +102,10 @@ impl<'s> Hold<'s> {
         self.against("by a heap of one", tree.walked::<NearestFirst<1>>());
         self.against("by no heap", tree.walked::<NearestFirst<0>>());
 
-        let (mut nodes, mut items) = (vec![Node::EMPTY; lent], vec![Slot::EMPTY; room.items]);
-        let grown = Grown::build(&self.boxes, Leaves::Runs, &mut nodes, &mut items).unwrap();
-        let mut runs = vec![Run::EMPTY; grown.runs()];
         let geometry = self.stage.scene().parts().geometry;
+        let (mut nodes, mut items) = (vec![Node::EMPTY; lent], vec![Slot::EMPTY; room.items]);
+        let grown = Grown::build(&self.boxes, Leaves::Runs(&geometry), &mut nodes, &mut items).unwrap();
+        let mut runs = vec![Run::EMPTY; grown.runs()];
         let tree = grown.in_runs::<LastFirst<64>>(&geometry, &mut runs).unwrap();
         assert_eq!(tree.entries(), self.boxes.iter().filter(|aabb| !aabb.is_empty()).count());
         self.against("in runs, by a stack", tree);

@@ -1,29 +1,13 @@
-//! Building: split where a ray is expected to have the least work.
-//!
-//! The chance that a ray which meets a box also meets a box inside it is about the ratio of
-//! their surfaces. So a split costs the visit of the node and, for each half, its share of the
-//! surface times its items ("Automatic Creation of Object Hierarchies for Ray Tracing",
-//! Goldsmith and Salmon, 1987). Splits are tried at the borders of equal bins along each axis
-//! ("On fast Construction of SAH-based Bounding Volume Hierarchies", Wald, 2007).
+//! Building, from the boxes of items to a hierarchy that can be walked.
 
 use core::iter::from_fn;
 use core::marker::PhantomData;
 
-use heapless::Vec;
-
-use super::node::{Child, Goes, Node, PARTS, Slot};
-use super::split::{Costs, Split, split, surface};
+use super::grow::{Tree, grow};
+use super::node::{Child, Goes, Node, Slot};
 use super::{Bvh, BvhRoom, Run};
 use crate::accel::{BuildError, Storage};
-use crate::geometry::{Aabb, Geometry, ItemId};
-use crate::math::Real;
-
-/// A part of the tree this deep is split into equal halves, whatever its boxes are like.
-const EVEN: u32 = 16;
-
-/// Three parts wait for each step from the root; from [`EVEN`] on, a step leaves at most half of
-/// the items in a part, of at most 2^31.
-const DEEPEST: usize = 3 * (EVEN as usize + 31) + 1;
+use crate::geometry::{Aabb, Geometry, ItemId, Shape};
 
 /// A hierarchy that has been built and not been furnished: its leaves can be walked as they
 /// are, or be laid out in runs.
@@ -35,12 +19,22 @@ pub struct Grown<'s> {
 }
 
 /// How the items of a leaf will be tested.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Leaves {
+#[derive(Clone, Copy, Debug)]
+pub enum Leaves<'g> {
     /// One after the other.
     Singly,
-    /// Four at once, in [`Run`]s.
-    Runs,
+    /// The triangles among them four at once, in [`Run`]s.
+    Runs(&'g Geometry<'g>),
+}
+
+impl Leaves<'_> {
+    /// Whether an item is tested together with others.
+    fn groups(self, item: ItemId) -> bool {
+        match self {
+            Leaves::Singly => false,
+            Leaves::Runs(geometry) => geometry.shape(item).is_some_and(Shape::is_triangle),
+        }
+    }
 }
 
 impl<'s, W> Bvh<'s, W> {
@@ -61,7 +55,7 @@ impl<'s> Grown<'s> {
     /// As [`Bvh::build`], for leaves that will be tested in one way or the other.
     pub fn build(
         boxes: &[Aabb],
-        leaves: Leaves,
+        leaves: Leaves<'_>,
         nodes: &'s mut [Node],
         items: &'s mut [Slot],
     ) -> Result<Self, BuildError> {
@@ -73,15 +67,12 @@ impl<'s> Grown<'s> {
         let lent = items.len();
         let items = items.get_mut(..bounded).ok_or(too_small(Storage::Items, bounded, lent))?;
         for (slot, item) in items.iter_mut().zip(bounded_items(boxes)) {
-            *slot = Slot::of(item);
+            *slot = Slot::of(item, leaves.groups(item));
         }
 
         let wanted = BvhRoom::comfortable(bounded).nodes;
         let budget = if wanted < nodes.len() { wanted } else { nodes.len() };
-        let mut growing = Growing { boxes, costs: Costs::of(leaves), nodes, used: 0, items, depth: 0 };
-        growing.grow(budget as u32);
-        let Growing { nodes, used, items, depth, .. } = growing;
-        let nodes = nodes.get_mut(..used as usize).unwrap_or_default();
+        let Tree { nodes, items, depth } = grow(boxes, nodes, items, budget as u32);
         close(nodes);
         Ok(Grown { nodes, items, depth })
     }
@@ -167,7 +158,7 @@ fn close(nodes: &mut [Node]) {
     for place in (0..nodes.len()).rev() {
         let end_of = |child: Child| match child.goes() {
             Goes::On(below) => nodes.get(below as usize).map(Node::end),
-            Goes::Out(_) => None,
+            Goes::Out(_) | Goes::Lone(_) => None,
         };
         let Some(node) = nodes.get(place) else { continue };
         // The last of the parts that has nodes of its own has the last of them.
@@ -176,154 +167,4 @@ fn close(nodes: &mut [Node]) {
             node.set_end(end);
         }
     }
-}
-
-/// A tree that is being built.
-struct Growing<'b, 's> {
-    boxes: &'b [Aabb],
-    costs: Costs,
-    nodes: &'s mut [Node],
-    used: u32,
-    items: &'s mut [Slot],
-    depth: u32,
-}
-
-/// Items that are still to be split, and where they hang.
-#[derive(Clone, Copy)]
-struct Part {
-    items: Range,
-    /// The node above, and which of its parts they are.
-    above: (u32, usize),
-    /// Steps from the root.
-    level: u32,
-    /// Nodes that may be made of them.
-    budget: u32,
-}
-
-/// Items that follow each other, and the box round them.
-#[derive(Clone, Copy)]
-struct Range {
-    first: u32,
-    count: u32,
-    aabb: Aabb,
-    /// Whether a leaf is the best that can be made of them.
-    stays: bool,
-}
-
-impl Growing<'_, '_> {
-    fn grow(&mut self, budget: u32) {
-        let count = self.items.len() as u32;
-        if count == 0 {
-            return;
-        }
-        let boxes = self.items.iter().filter_map(|slot| self.boxes.get(slot.item().0 as usize));
-        let aabb = boxes.fold(Aabb::EMPTY, |all, aabb| all.union(*aabb));
-        let root = Range { first: 0, count, aabb, stays: count < 2 };
-        let Some(place) = self.node() else { return };
-        let mut waiting: Vec<Part, DEEPEST> = Vec::new();
-        let mut next = Some((root, place, 0, budget - 1));
-        while let Some((range, place, level, budget)) = next {
-            self.depth = if level + 1 > self.depth { level + 1 } else { self.depth };
-            self.divide(range, place, level, budget, &mut waiting);
-            next = self.hang(&mut waiting);
-        }
-    }
-
-    /// Hangs what waits last; answers what became a node and is to be divided.
-    fn hang(&mut self, waiting: &mut Vec<Part, DEEPEST>) -> Option<(Range, u32, u32, u32)> {
-        while let Some(Part { items, above: (above, place), level, budget }) = waiting.pop() {
-            let node = if items.stays || budget == 0 { None } else { self.node() };
-            let child = node.map_or(Child::leaf(items.first), Child::node);
-            if let Some(above) = self.nodes.get_mut(above as usize) {
-                above.set_child(place, child);
-            }
-            if let Some(node) = node {
-                return Some((items, node, level, budget - 1));
-            }
-            if let Some(last) = self.of(items).and_then(|items| items.last_mut()) {
-                last.mark_last();
-            }
-        }
-        None
-    }
-
-    /// Divides items into up to four parts of a node, which then wait, the first one last.
-    fn divide(
-        &mut self,
-        range: Range,
-        place: u32,
-        level: u32,
-        budget: u32,
-        waiting: &mut Vec<Part, DEEPEST>,
-    ) {
-        let mut parts: Vec<Range, PARTS> = Vec::new();
-        let mut full = parts.push(range).is_err();
-        // The largest part that can be split is, until there are enough.
-        while !full
-            && let Some(largest) = largest_of(&parts)
-            && let Some(part) = parts.get(largest).copied()
-        {
-            match self.halves(part, level >= EVEN) {
-                Some([first, second]) => {
-                    if let Some(part) = parts.get_mut(largest) {
-                        *part = first;
-                    }
-                    full = parts.push(second).is_err() || parts.is_full();
-                }
-                None => {
-                    if let Some(part) = parts.get_mut(largest) {
-                        part.stays = true;
-                    }
-                }
-            }
-        }
-        // Each part may make as many nodes as is its share of the items. The first comes last:
-        // it is what is divided next.
-        let (mut budget, mut items) = (u64::from(budget), u64::from(range.count));
-        for (lane, part) in parts.iter().enumerate().rev() {
-            if let Some(node) = self.nodes.get_mut(place as usize) {
-                node.put(lane, &part.aabb);
-            }
-            let share = (budget * u64::from(part.count)).checked_div(items).unwrap_or(0);
-            (budget, items) = (budget - share, items - u64::from(part.count));
-            let above = (place, lane);
-            let pushed = waiting.push(Part { items: *part, above, level: level + 1, budget: share as u32 });
-            debug_assert!(pushed.is_ok(), "a tree deeper than can be");
-        }
-    }
-
-    /// Splits items in two; none when they had better stay together.
-    fn halves(&mut self, range: Range, even: bool) -> Option<[Range; 2]> {
-        let (boxes, costs) = (self.boxes, self.costs);
-        let Split { boxes: [a, b], count } = split(boxes, self.of(range)?, costs, even)?;
-        let rest = range.count - count;
-        Some([
-            Range { first: range.first, count, aabb: a, stays: count < 2 },
-            Range { first: range.first + count, count: rest, aabb: b, stays: rest < 2 },
-        ])
-    }
-
-    fn of(&mut self, range: Range) -> Option<&mut [Slot]> {
-        self.items.get_mut(range.first as usize..)?.get_mut(..range.count as usize)
-    }
-
-    /// The place of a new node, if there is one left.
-    fn node(&mut self) -> Option<u32> {
-        let place = self.used;
-        *self.nodes.get_mut(place as usize)? = Node::EMPTY;
-        self.used += 1;
-        Some(place)
-    }
-}
-
-/// The place of the largest box of those that may be split.
-fn largest_of(parts: &[Range]) -> Option<usize> {
-    let mut largest: Option<(usize, Real)> = None;
-    for (part, place) in parts.iter().zip(0..).filter(|(part, _)| !part.stays) {
-        let size = surface(&part.aabb);
-        if largest.is_none_or(|(_, most)| size > most) {
-            largest = Some((place, size));
-        }
-    }
-    largest.map(|(place, _)| place)
 }

@@ -14,6 +14,7 @@
 //! never wrong.
 
 mod build;
+mod grow;
 mod leaf;
 mod node;
 #[cfg(not(feature = "double"))]
@@ -34,17 +35,19 @@ pub use waiting::{LastFirst, NearestFirst, Waiting};
 
 use core::marker::PhantomData;
 
+use node::Goes;
+
 /// A hierarchy of boxes whose walks keep what waits in a `W`, and whose leaves are made of
 /// [`Slot`]s, single items, or of [`Run`]s of them.
 ///
-/// * Memory: a [`Node`] (128 bytes) for each split into up to four parts, and for each item 4
-///   bytes, or 164 for each run.
+/// * Memory: a [`Node`] (128 bytes) for each split into up to four parts, and in leaves of more
+///   than one item 4 bytes for each of them, or 164 for each run. A lone item stands in the node.
 /// * A scene without bounded items has no node, and offers nothing.
 #[derive(Debug)]
 pub struct Bvh<'s, W, L = Slot> {
     /// Depth first.
     nodes: &'s [Node],
-    /// The pieces of each leaf, one after the other.
+    /// The pieces of each leaf of more than a lone item, one after the other.
     leaves: &'s [L],
     /// Steps from the root to the deepest leaf.
     depth: u32,
@@ -88,12 +91,18 @@ impl<'s, W, L: Leaf> Bvh<'s, W, L> {
 
     /// Leaves.
     pub fn regions(&self) -> usize {
-        self.leaves.iter().filter(|piece| piece.is_last()).count()
+        self.lone() + self.leaves.iter().filter(|piece| piece.is_last()).count()
     }
 
     /// Items in all leaves: each stands in one.
     pub fn entries(&self) -> usize {
-        self.leaves.iter().map(|piece| piece.count()).sum()
+        self.lone() + self.leaves.iter().map(|piece| piece.count()).sum::<usize>()
+    }
+
+    /// Leaves of one item, which stands in the node.
+    fn lone(&self) -> usize {
+        let children = self.nodes.iter().flat_map(Node::children);
+        children.filter(|child| matches!(child.goes(), Goes::Lone(_))).count()
     }
 
     /// Steps from the root to the deepest leaf.

@@ -25,7 +25,7 @@ pub struct Node {
 #[cfg(not(feature = "double"))]
 const _: () = assert!(size_of::<Node>() == 128);
 
-/// Where a part goes on: at a node, or in the items of a leaf.
+/// Where a part goes on: at a node, in the items of a leaf, or at the only item of one.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, TryFromBytes, KnownLayout, Immutable)]
 #[repr(transparent)]
 pub struct Child(u32);
@@ -37,25 +37,45 @@ pub(super) enum Goes {
     On(u32),
     /// Out, to the items from this place on.
     Out(u32),
+    /// Out, to this item alone.
+    Lone(ItemId),
 }
 
 /// The bit that a leaf has and a node has not; that the last item of a leaf has.
 const MARK: u32 = 1 << 31;
 
+/// The bit of a leaf that is a lone item.
+const LONE: u32 = 1 << 30;
+
 impl Child {
+    /// Where there is no part: what stands here is a thing that there is in every hierarchy.
+    const NONE: Child = Child::lone(ItemId(0));
+
     pub(super) const fn node(place: u32) -> Self {
         Child(place & !MARK)
     }
 
     pub(super) const fn leaf(first: u32) -> Self {
-        Child(first | MARK)
+        Child(first & !LONE | MARK)
+    }
+
+    pub(super) const fn lone(item: ItemId) -> Self {
+        Child(item.0 | MARK | LONE)
     }
 
     #[inline(always)]
     pub(super) const fn goes(self) -> Goes {
-        if self.0 & MARK == 0 { Goes::On(self.0) } else { Goes::Out(self.0 & !MARK) }
+        let number = self.0 & !(MARK | LONE);
+        match (self.0 & MARK, self.0 & LONE) {
+            (0, _) => Goes::On(self.0),
+            (_, 0) => Goes::Out(number),
+            _ => Goes::Lone(ItemId(number)),
+        }
     }
 }
+
+/// The bit of an item that will be tested together with others, while the tree grows.
+const GROUPED: u32 = 1 << 30;
 
 /// An item in a leaf, and whether it is the leaf's last.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, TryFromBytes, KnownLayout, Immutable)]
@@ -66,7 +86,7 @@ impl Slot {
     /// A place to be overwritten.
     pub const EMPTY: Slot = Slot(MARK);
     /// How many items can be told apart.
-    pub(super) const MOST: usize = MARK as usize;
+    pub(super) const MOST: usize = GROUPED as usize;
 
     /// As it lies in memory.
     #[cfg(not(feature = "double"))]
@@ -74,8 +94,13 @@ impl Slot {
         self.0
     }
 
-    pub(super) const fn of(item: ItemId) -> Self {
-        Slot(item.0 & !MARK)
+    pub(super) const fn of(item: ItemId, is_grouped: bool) -> Self {
+        Slot(item.0 & !(MARK | GROUPED) | if is_grouped { GROUPED } else { 0 })
+    }
+
+    /// Whether it will be tested together with others of its leaf, for the price of one.
+    pub(super) const fn is_grouped(self) -> bool {
+        self.0 & GROUPED != 0
     }
 
     pub(super) const fn mark_last(&mut self) {
@@ -84,7 +109,7 @@ impl Slot {
 
     #[inline(always)]
     pub(super) const fn item(self) -> ItemId {
-        ItemId(self.0 & !MARK)
+        ItemId(self.0 & !(MARK | GROUPED))
     }
 
     #[inline(always)]
@@ -130,7 +155,7 @@ impl Node {
     /// A node to be overwritten: no ray meets it.
     pub const EMPTY: Node = Node {
         walls: [[Lanes::splat(Real::INFINITY), Lanes::splat(Real::NEG_INFINITY)]; 3],
-        children: [Child::leaf(0); PARTS],
+        children: [Child::NONE; PARTS],
         end: 0,
         reserve: [0; 3],
     };
@@ -174,7 +199,7 @@ impl Node {
 
     #[inline(always)]
     pub(super) fn child(&self, place: usize) -> Child {
-        self.children.get(place).copied().unwrap_or(Child::leaf(0))
+        self.children.get(place).copied().unwrap_or(Child::NONE)
     }
 
     pub(super) fn set_child(&mut self, place: usize, other: Child) {

@@ -24,17 +24,19 @@ impl<'s, W> Bvh<'s, W> {
         let BvhParts { nodes, items, depth } = parts;
         let known = items.iter().all(|slot| slot.item().0 < count);
         let ends = items.last().is_none_or(|slot| slot.is_last());
-        let mut tree = nodes.iter().zip(0..).all(|(node, place)| is_depth_first(nodes, items, node, place));
+        let mut tree = nodes.iter().zip(0..).all(|(node, place)| is_depth_first(&parts, count, node, place));
         // The root's part is all of them.
         tree &= nodes.first().is_none_or(|root| root.end() as usize == nodes.len());
         (known && ends && tree).then_some(Bvh { nodes, leaves: items, depth, walk: PhantomData })
     }
 }
 
-/// Whether the parts of a node are leaves with items, or lie one after the other behind it; and
-/// whether its own part of the tree ends with theirs.
-fn is_depth_first(nodes: &[Node], items: &[Slot], node: &Node, place: u32) -> bool {
+/// Whether the parts of a node are leaves with items, of which there are `count`, or lie one
+/// after the other behind it; and whether its own part of the tree ends with theirs.
+fn is_depth_first(parts: &BvhParts<'_>, count: u32, node: &Node, place: u32) -> bool {
+    let BvhParts { nodes, items, .. } = *parts;
     let behind = |next: u32, child: Child| match child.goes() {
+        Goes::Lone(item) => (item.0 < count).then_some(next),
         Goes::Out(first) => ((first as usize) < items.len()).then_some(next),
         Goes::On(below) if below == next => {
             nodes.get(below as usize).map(Node::end).filter(|end| *end > next)

@@ -91,18 +91,16 @@ impl Run {
             .map(|(slot, _)| slot.item())
     }
 
-    /// The items whose bits are set, step by step from one to the next.
+    /// The first of the items whose bits are left; its bit is taken away. No iterator: those
+    /// are moved about in memory, and most runs have one candidate or none.
     #[inline(always)]
-    pub(crate) fn candidates(&self, bits: u32) -> impl Iterator<Item = Candidate> + '_ {
-        let mut left = bits;
-        core::iter::from_fn(move || {
-            let place = left.trailing_zeros();
-            let slot = self.items.get(place as usize)?;
-            left &= left - 1;
-            let is_known = u32::from(self.known) >> place & 1 != 0;
-            let corners = if is_known { self.triangles.corners(place as usize) } else { None };
-            Some(Candidate { item: slot.item(), corners })
-        })
+    pub(crate) fn next(&self, left: &mut u32) -> Option<Candidate> {
+        let place = left.trailing_zeros();
+        let slot = self.items.get(place as usize)?;
+        *left &= *left - 1;
+        let is_known = u32::from(self.known) >> place & 1 != 0;
+        let corners = if is_known { self.triangles.corners(place as usize) } else { None };
+        Some(Candidate { item: slot.item(), corners })
     }
 
     #[inline(always)]

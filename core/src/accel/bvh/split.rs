@@ -3,7 +3,6 @@
 use core::mem::swap;
 
 use super::Run;
-use super::build::Leaves;
 use super::node::Slot;
 use crate::geometry::Aabb;
 use crate::math::{Real, Vec3};
@@ -11,28 +10,45 @@ use crate::math::{Real, Vec3};
 /// Bins along each axis.
 const BINS: usize = 16;
 
-/// What a walk pays.
+/// What the visit of a node costs, in tests of one run: a run and a node ask four of their own.
+const VISIT: Real = 1.0;
+
+/// What the test of an item costs that stands in no run, or is alone in one.
+const TEST: Real = 3.0;
+
+/// A leaf has at most so many items, if there are nodes enough.
+const MOST: u32 = 8;
+
+/// Items to be tested: in runs with others, or each by itself.
 #[derive(Clone, Copy)]
-pub(super) struct Costs {
-    /// For the visit of a node, in tests of one item.
-    visit: Real,
-    /// Items are tested so many at once, for the price of all.
-    together: u32,
-    /// A leaf has at most so many items, if there are nodes enough.
-    leaf: u32,
+struct Tests {
+    grouped: u32,
+    single: u32,
 }
 
-impl Costs {
-    pub(super) const fn of(leaves: Leaves) -> Self {
-        match leaves {
-            Leaves::Singly => Costs { visit: 1.0, together: 1, leaf: 8 },
-            Leaves::Runs => Costs { visit: 4.0, together: Run::ITEMS as u32, leaf: 8 },
-        }
+impl Tests {
+    const NONE: Tests = Tests { grouped: 0, single: 0 };
+
+    const fn of(slot: Slot) -> Self {
+        let grouped = slot.is_grouped() as u32;
+        Tests { grouped, single: 1 - grouped }
     }
 
-    /// For items inside a box, times the surface of what they are inside of.
-    fn tests(self, aabb: &Aabb, count: u32) -> Real {
-        if count == 0 { 0.0 } else { surface(aabb) * count.next_multiple_of(self.together) as Real }
+    const fn and(self, other: Tests) -> Tests {
+        Tests { grouped: self.grouped + other.grouped, single: self.single + other.single }
+    }
+
+    const fn count(self) -> u32 {
+        self.grouped + self.single
+    }
+
+    /// What they cost, inside a box, times the surface of what it is inside of.
+    fn cost(self, aabb: &Aabb) -> Real {
+        if self.count() == 0 {
+            return 0.0;
+        }
+        let runs = self.grouped.div_ceil(Run::ITEMS as u32) as Real;
+        surface(aabb) * (runs + self.single as Real * TEST)
     }
 }
 
@@ -48,14 +64,18 @@ pub(super) struct Split {
 #[derive(Clone, Copy)]
 struct Bin {
     aabb: Aabb,
-    count: u32,
+    tests: Tests,
 }
 
 impl Bin {
-    const EMPTY: Bin = Bin { aabb: Aabb::EMPTY, count: 0 };
+    const EMPTY: Bin = Bin { aabb: Aabb::EMPTY, tests: Tests::NONE };
 
     fn and(self, other: Bin) -> Bin {
-        Bin { aabb: self.aabb.union(other.aabb), count: self.count + other.count }
+        Bin { aabb: self.aabb.union(other.aabb), tests: self.tests.and(other.tests) }
+    }
+
+    fn cost(&self) -> Real {
+        self.tests.cost(&self.aabb)
     }
 }
 
@@ -101,23 +121,24 @@ impl Bins {
 /// Splits `items` into two halves, and reorders them; none when they had better stay together.
 ///
 /// With `even` into equal halves.
-pub(super) fn split(boxes: &[Aabb], items: &mut [Slot], costs: Costs, even: bool) -> Option<Split> {
+pub(super) fn split(boxes: &[Aabb], items: &mut [Slot], even: bool) -> Option<Split> {
     let box_of = |slot: &Slot| boxes.get(slot.item().0 as usize).copied().unwrap_or(Aabb::EMPTY);
     let count = items.len() as u32;
-    let (mut all, mut middles) = (Aabb::EMPTY, Aabb::EMPTY);
+    let (mut all, mut middles) = (Bin::EMPTY, Aabb::EMPTY);
+    let bin_of = |slot: &Slot| Bin { aabb: box_of(slot), tests: Tests::of(*slot) };
     for slot in items.iter() {
-        let aabb = box_of(slot);
-        let middle = middle(&aabb);
-        all = all.union(aabb);
+        let bin = bin_of(slot);
+        let middle = middle(&bin.aabb);
+        all = all.and(bin);
         middles = middles.union(Aabb { min: middle, max: middle });
     }
 
     let bins = Bins::of(&middles);
-    let best = if even { None } else { best(items.iter().map(box_of), &bins, costs) };
-    let stay = if count <= costs.leaf { costs.tests(&all, count) } else { Real::INFINITY };
+    let best = if even { None } else { best(items.iter().map(bin_of), &bins) };
+    let stay = if count <= MOST { all.cost() } else { Real::INFINITY };
     match best {
         Some(best) => {
-            if !(best.cost + costs.visit * surface(&all) < stay) {
+            if !(best.cost + VISIT * surface(&all.aabb) < stay) {
                 return None;
             }
             let in_first = |slot: &Slot| {
@@ -127,7 +148,7 @@ pub(super) fn split(boxes: &[Aabb], items: &mut [Slot], costs: Costs, even: bool
             partition(items, in_first);
             Some(Split { boxes: best.boxes, count: best.count })
         }
-        None if count <= costs.leaf => None,
+        None if count <= MOST => None,
         None => {
             let half = count / 2;
             let round = |items: &[Slot]| items.iter().map(box_of).fold(Aabb::EMPTY, Aabb::union);
@@ -149,12 +170,12 @@ struct Best {
 }
 
 /// The best of all borders between bins; none when all middles agree.
-fn best(boxes: impl Iterator<Item = Aabb>, bins: &Bins, costs: Costs) -> Option<Best> {
+fn best(items: impl Iterator<Item = Bin>, bins: &Bins) -> Option<Best> {
     let mut filled = [[Bin::EMPTY; BINS]; 3];
-    for aabb in boxes {
-        for (axis, place) in filled.iter_mut().zip(bins.places(&aabb)) {
+    for item in items {
+        for (axis, place) in filled.iter_mut().zip(bins.places(&item.aabb)) {
             if let Some(bin) = axis.get_mut(place) {
-                *bin = bin.and(Bin { aabb, count: 1 });
+                *bin = bin.and(item);
             }
         }
     }
@@ -170,13 +191,13 @@ fn best(boxes: impl Iterator<Item = Aabb>, bins: &Bins, costs: Costs) -> Option<
         let mut before = Bin::EMPTY;
         for ((bin, behind), border) in filled.iter().zip(behind.iter().skip(1)).zip(1..) {
             before = before.and(*bin);
-            if before.count == 0 || behind.count == 0 {
+            if before.tests.count() == 0 || behind.tests.count() == 0 {
                 continue;
             }
-            let cost = costs.tests(&before.aabb, before.count) + costs.tests(&behind.aabb, behind.count);
+            let cost = before.cost() + behind.cost();
             if best.as_ref().is_none_or(|best| cost < best.cost) {
                 let boxes = [before.aabb, behind.aabb];
-                best = Some(Best { axis, border, cost, boxes, count: before.count });
+                best = Some(Best { axis, border, cost, boxes, count: before.tests.count() });
             }
         }
     }

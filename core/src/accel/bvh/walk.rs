@@ -1,6 +1,5 @@
 //! The walk: nearer half first, no recursion, bounded memory.
 
-use core::iter::from_fn;
 use core::mem::replace;
 use core::ops::ControlFlow;
 
@@ -8,7 +7,7 @@ use super::node::{Child, Goes, Node, PARTS, Seen, Slabs};
 use super::waiting::{Part, Waiting};
 use super::{Bvh, Leaf};
 use crate::accel::{Accelerator, Query};
-use crate::geometry::Ray;
+use crate::geometry::{ItemId, Ray};
 
 impl<W: Waiting, L: Leaf> Accelerator for Bvh<'_, W, L> {
     type Scratch = W;
@@ -20,12 +19,17 @@ impl<W: Waiting, L: Leaf> Accelerator for Bvh<'_, W, L> {
 }
 
 impl<W: Waiting, L: Leaf> Bvh<'_, W, L> {
+    #[inline(never)]
     fn nearer_first<Q: Query>(&self, ray: &Ray, waiting: &mut W, query: &mut Q) -> ControlFlow<()> {
         let slabs = Slabs::of(ray);
         waiting.clear();
         let mut here = Child::node(0);
         loop {
             let onward = match here.goes() {
+                Goes::Lone(item) => {
+                    lone(item, query)?;
+                    None
+                }
                 Goes::Out(first) => {
                     self.leaf(first, query)?;
                     None
@@ -33,12 +37,11 @@ impl<W: Waiting, L: Leaf> Bvh<'_, W, L> {
                 Goes::On(place) => {
                     let Some(node) = self.nodes.get(place as usize) else { return ControlFlow::Continue(()) };
                     query.boxes(PARTS as u32);
-                    let seen = node.seen(&slabs, query.reach());
-                    let mut parts = parts(node, seen);
-                    let mut nearest = parts.next();
-                    for part in parts {
+                    let mut seen = node.seen(&slabs, query.reach());
+                    let mut nearest = seen.next(node);
+                    while let Some(part) = seen.next(node) {
                         let farther = match &mut nearest {
-                            Some(nearest) if part < *nearest => replace(nearest, part),
+                            Some(nearest) if part.entry < nearest.entry => replace(nearest, part),
                             _ => part,
                         };
                         // No room: that part is swept, which needs none.
@@ -76,6 +79,7 @@ impl<W: Waiting, L: Leaf> Bvh<'_, W, L> {
     #[cold]
     fn sweep<Q: Query>(&self, from: Child, slabs: &Slabs, query: &mut Q) -> ControlFlow<()> {
         let mut place = match from.goes() {
+            Goes::Lone(item) => return lone(item, query),
             Goes::Out(first) => return self.leaf(first, query),
             Goes::On(place) => place,
         };
@@ -86,8 +90,10 @@ impl<W: Waiting, L: Leaf> Bvh<'_, W, L> {
             query.boxes(PARTS as u32);
             // On to the first part below that the ray meets; where it meets none, behind all.
             let mut next = node.end();
-            for part in parts(node, node.seen(slabs, query.reach())) {
+            let mut seen = node.seen(slabs, query.reach());
+            while let Some(part) = seen.next(node) {
                 match part.child.goes() {
+                    Goes::Lone(item) => lone(item, query)?,
                     Goes::Out(first) => self.leaf(first, query)?,
                     Goes::On(below) if below < next => next = below,
                     Goes::On(_) => {}
@@ -100,14 +106,21 @@ impl<W: Waiting, L: Leaf> Bvh<'_, W, L> {
     }
 }
 
-/// The parts of a node that a ray meets.
+/// A leaf of one item.
 #[inline(always)]
-fn parts(node: &Node, seen: Seen) -> impl Iterator<Item = Part> + '_ {
-    let mut left = seen.meets;
-    from_fn(move || {
-        let place = left.trailing_zeros() as usize;
-        let entry = *seen.entry.0.get(place)?;
-        left &= left - 1;
+fn lone<Q: Query>(item: ItemId, query: &mut Q) -> ControlFlow<()> {
+    query.enter();
+    query.test(item)
+}
+
+impl Seen {
+    /// The next part of the node that the ray meets. No iterator: those are moved about in
+    /// memory, and a walk does little else than this.
+    #[inline(always)]
+    fn next(&mut self, node: &Node) -> Option<Part> {
+        let place = self.meets.trailing_zeros() as usize;
+        let entry = *self.entry.0.get(place)?;
+        self.meets &= self.meets - 1;
         Some(Part { entry, child: node.child(place) })
-    })
+    }
 }

@@ -108,7 +108,7 @@ structs! {
     Sphere { center, radius }
     Plane { point, normal, item }
     Disc { center, normal, radius }
-    Polygon { first, count, point, normal, smooth }
+    Polygon { first, count, point, normal, bounds, smooth }
     Cuboid { min, max }
     TurnedCuboid { center, half, axes }
     Cone { base, axis, height, base_radius, end_radius, capped }

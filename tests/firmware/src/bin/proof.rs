@@ -270,7 +270,8 @@ fn tree<W: Waiting>() {
     let (mut nodes, mut items) = ([Node::EMPTY; 2], [Slot::EMPTY; 2]);
     let (nodes, items) = (any(nodes.as_mut_slice()), any(items.as_mut_slice()));
     let boxes = slice(&[Aabb::EMPTY]);
-    match any(Leaves::Runs) {
+    let geometry = any_geometry();
+    match any(Leaves::Runs(&geometry)) {
         Leaves::Singly => {
             let Ok(tree) = Bvh::<()>::build(boxes, nodes, items) else { return };
             hierarchy(tree.walked::<W>());
@@ -279,7 +280,7 @@ fn tree<W: Waiting>() {
             let Ok(grown) = Grown::build(boxes, leaves, nodes, items) else { return };
             used(grown.runs());
             let mut runs = [Run::EMPTY; 2];
-            let Ok(tree) = grown.in_runs::<W>(&any_geometry(), any(runs.as_mut_slice())) else { return };
+            let Ok(tree) = grown.in_runs::<W>(&geometry, any(runs.as_mut_slice())) else { return };
             hierarchy(tree);
         }
     }
