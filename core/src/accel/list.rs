@@ -88,7 +88,7 @@ impl Accelerator for List<'_> {
 #[inline(always)]
 fn bare<Q: Query>(items: u32, query: &mut Q) -> ControlFlow<()> {
     query.enter();
-    (0..items).try_for_each(|item| query.test(ItemId(item)))
+    query.all(items)
 }
 
 impl List<'_> {

@@ -63,6 +63,11 @@ pub trait Query {
     /// An item that the ray may meet. `Break` when the walk may end.
     fn test(&mut self, item: ItemId) -> ControlFlow<()>;
 
+    /// The items `0..count`, in their order. `Break` when the walk may end.
+    fn all(&mut self, count: u32) -> ControlFlow<()> {
+        (0..count).try_for_each(|item| self.test(ItemId(item)))
+    }
+
     /// Items that lie together. `Break` when the walk may end.
     fn run(&mut self, run: &Run) -> ControlFlow<()> {
         run.items().try_for_each(|item| self.test(item))

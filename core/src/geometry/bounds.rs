@@ -58,6 +58,23 @@ impl Aabb {
         points.into_iter().fold(Self::EMPTY, |all, p| all.union(Aabb { min: p, max: p }))
     }
 
+    /// The smallest box round some points, also in constants.
+    pub const fn of_points(mut points: &[Vec3]) -> Self {
+        const fn low(a: Real, b: Real) -> Real {
+            if b < a { b } else { a }
+        }
+        const fn high(a: Real, b: Real) -> Real {
+            if b > a { b } else { a }
+        }
+        let Aabb { mut min, mut max } = Self::EMPTY;
+        while let Some((p, rest)) = points.split_first() {
+            min = vec3(low(min.x, p.x), low(min.y, p.y), low(min.z, p.z));
+            max = vec3(high(max.x, p.x), high(max.y, p.y), high(max.z, p.z));
+            points = rest;
+        }
+        Aabb { min, max }
+    }
+
     /// The box of everything within `reach` of `center` along each axis, rounded outward.
     pub fn round(center: Vec3, reach: Vec3) -> Self {
         // Two roundings for the reach, one for the sum, and three for what makes up for them.

@@ -19,7 +19,7 @@
 use zerocopy::{Immutable, KnownLayout, TryFromBytes};
 
 use super::disc::disc_reach;
-use super::{Aabb, Ray, ShapeFault, Surface, check_point, check_unit};
+use super::{Aabb, Ray, ShapeFault, Surface, check_point, check_unit, ray::LEAVING};
 use crate::math::{FARTHEST, Real, Vec3, abs, gamma, largest, length, sqrt, unit};
 
 /// A cone, cut off at both ends; a cylinder when both radii are equal.
@@ -142,7 +142,7 @@ impl Cone {
         let (_, part) = self.nearest(ray)?;
         let p = ray.at_from(t, self.base);
         let size = self.height + self.base_radius + self.end_radius;
-        let error = (abs(self.base) + Vec3::splat(size)) * gamma(24);
+        let error = (abs(self.base) + Vec3::splat(size)) * gamma(24 + LEAVING);
         let z = p.dot(self.axis);
         let on_cap = |z_cap: Real, normal: Vec3| {
             Surface::flat(self.base + (p + self.axis * (z_cap - z)), error, normal)

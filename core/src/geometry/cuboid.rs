@@ -2,7 +2,7 @@
 
 use zerocopy::{Immutable, KnownLayout, TryFromBytes};
 
-use super::{Aabb, Ray, ShapeFault, Surface, check_point, check_unit};
+use super::{Aabb, Ray, ShapeFault, Surface, check_point, check_unit, ray::LEAVING};
 use crate::math::{Axis, Real, Vec3, abs, gamma, unit};
 
 /// A solid box with its faces upright on the axes; its normal points outward.
@@ -103,7 +103,7 @@ impl Cuboid {
             Axis::Z => Vec3::new(point.x, point.y, face.z),
         };
         // Along the normal the point is exact; the step must only outgrow the next test's rounding.
-        Some(Surface::flat(point, abs(point) * gamma(4), wall.normal()))
+        Some(Surface::flat(point, abs(point) * gamma(4 + LEAVING), wall.normal()))
     }
 }
 
@@ -161,7 +161,7 @@ impl TurnedCuboid {
         let normal = axis * wall.outward;
         let p = ray.at_from(t, self.center);
         let point = self.center + (p - normal * (p.dot(normal) - half));
-        let error = (abs(self.center) + Vec3::splat(self.half.max_element())) * gamma(16);
+        let error = (abs(self.center) + Vec3::splat(self.half.max_element())) * gamma(16 + LEAVING);
         Some(Surface::flat(point, error, normal))
     }
 }

@@ -26,7 +26,8 @@ pub struct Hit {
 pub struct Surface {
     /// The point, moved onto the shape as well as its numbers allow.
     pub point: Vec3,
-    /// How far each component of `point` may be off the shape, times a small safety.
+    /// How far each component of `point` may be off the shape, times a small safety, and what is
+    /// taken from the step of a ray that leaves it.
     pub error: Vec3,
     /// The geometric normal, of length one: outward for solids, away from the axis for cones,
     /// by the right hand round the corners for triangles and polygons. It decides sides.

@@ -169,8 +169,8 @@ impl<'s> Geometry<'s> {
     }
 
     /// The shape of an item.
-    pub fn shape(&self, item: ItemId) -> Option<Shape> {
-        of(self.shapes, item.0).copied()
+    pub fn shape(&self, item: ItemId) -> Option<&'s Shape> {
+        of(self.shapes, item.0)
     }
 
     pub(crate) fn corners(&self, [a, b, c]: [u32; 3]) -> Option<[&'s Vec3; 3]> {
@@ -183,7 +183,7 @@ impl<'s> Geometry<'s> {
 
     /// The box round an item, rounded outward; none for a plane, which has no end.
     pub fn bounds(&self, item: ItemId) -> Option<Aabb> {
-        self.shape_bounds::<AllShapes>(self.shape(item)?)
+        self.shape_bounds::<AllShapes>(*self.shape(item)?)
     }
 
     /// The boxes round all items, in their order; planes have [`Aabb::EMPTY`].
@@ -219,7 +219,7 @@ impl<'s> Geometry<'s> {
     /// outside, and an accelerator that leaves out the box would then give another picture
     /// than one that does not.
     #[inline(always)]
-    pub fn distance<S: Shapes>(&self, shape: Shape, ray: &Ray) -> Option<Real> {
+    pub fn distance<S: Shapes>(&self, shape: &Shape, ray: &Ray) -> Option<Real> {
         // Few kinds are worth a copy at each of the places that ask.
         if S::SHAPES.len() <= 2 {
             self.distance_here::<S>(shape, ray)
@@ -229,59 +229,67 @@ impl<'s> Geometry<'s> {
     }
 
     #[inline(never)]
-    fn distance_there<S: Shapes>(&self, shape: Shape, ray: &Ray) -> Option<Real> {
+    fn distance_there<S: Shapes>(&self, shape: &Shape, ray: &Ray) -> Option<Real> {
         self.distance_here::<S>(shape, ray)
     }
 
     #[inline(always)]
-    fn distance_here<S: Shapes>(&self, shape: Shape, ray: &Ray) -> Option<Real> {
-        let t = self.raw_distance::<S>(shape, ray).filter(is_distance)?;
-        let (o, i) = (ray.origin, ray.inverse);
-        match shape {
-            Shape::Plane(_) => Some(t),
-            _ => self.within_bounds::<S>(shape, [t, o.x, o.y, o.z, i.x, i.y, i.z]),
-        }
-    }
-
-    /// The distance moved into the shape's own box, along a ray in parts: its origin and one over
-    /// its direction.
-    ///
-    /// Not inlined, because most rays miss most items, and a miss should be short.
-    fn within_bounds<S: Shapes>(&self, shape: Shape, [t, ox, oy, oz, ix, iy, iz]: [Real; 7]) -> Option<Real> {
-        #[inline(never)]
-        #[allow(clippy::too_many_arguments)] // in registers: what lies in memory, all of it must be made for
-        fn apart<S: Shapes>(
-            geometry: &Geometry<'_>,
-            shape: Shape,
-            t: Real,
-            ox: Real,
-            oy: Real,
-            oz: Real,
-            ix: Real,
-            iy: Real,
-            iz: Real,
-        ) -> Option<Real> {
-            moved_into(geometry.shape_bounds::<S>(shape)?, t, vec3(ox, oy, oz), vec3(ix, iy, iz))
-        }
-        apart::<S>(self, shape, t, ox, oy, oz, ix, iy, iz)
-    }
-
-    #[inline(always)]
-    fn raw_distance<S: Shapes>(&self, shape: Shape, ray: &Ray) -> Option<Real> {
+    fn distance_here<S: Shapes>(&self, shape: &Shape, ray: &Ray) -> Option<Real> {
         // Guards for each arm, and not one test before all of them, are known when compiling.
         // The first two are not arms of the match, where they would become a table of the kinds.
         let can = |kind| S::SHAPES.has(kind);
         if can(ShapeKind::Sphere)
             && let Shape::Sphere(sphere) = shape
         {
-            return sphere.hit(ray);
+            let t = sphere.hit(ray).filter(is_distance)?;
+            return if sphere.is_surely_in_its_box(ray, t) {
+                Some(t)
+            } else {
+                self.within_bounds::<S>(shape, t, ray)
+            };
         }
         if can(ShapeKind::Polygon)
             && let Shape::Polygon(place) = shape
         {
-            return of(self.polygons, place)?.hit(self.points, ray);
+            return of(self.polygons, *place)?.hit(self.points, ray);
         }
+        let t = self.raw_distance::<S>(shape, ray).filter(is_distance)?;
         match shape {
+            Shape::Plane(_) => Some(t),
+            _ => self.within_bounds::<S>(shape, t, ray),
+        }
+    }
+
+    /// The distance moved into the shape's own box.
+    fn within_bounds<S: Shapes>(&self, shape: &Shape, t: Real, ray: &Ray) -> Option<Real> {
+        /// Not inlined, because most rays miss most items, and a miss should be short.
+        #[inline(never)]
+        #[allow(clippy::too_many_arguments)] // in registers: what lies in memory, all of it must be made for
+        fn apart<S: Shapes>(
+            geometry: &Geometry<'_>,
+            shape: &Shape,
+            t: Real,
+            ox: Real,
+            oy: Real,
+            oz: Real,
+            dx: Real,
+            dy: Real,
+            dz: Real,
+        ) -> Option<Real> {
+            // Rays that meet no box then need no reciprocal.
+            let inverse = 1.0 / vec3(dx, dy, dz);
+            moved_into(geometry.shape_bounds::<S>(*shape)?, t, vec3(ox, oy, oz), inverse)
+        }
+        let (o, d) = (ray.origin, ray.direction);
+        apart::<S>(self, shape, t, o.x, o.y, o.z, d.x, d.y, d.z)
+    }
+
+    /// Of the shapes that [`Geometry::distance`] has not answered for itself, before the distance
+    /// is moved.
+    #[inline(always)]
+    fn raw_distance<S: Shapes>(&self, shape: &Shape, ray: &Ray) -> Option<Real> {
+        let can = |kind| S::SHAPES.has(kind);
+        match *shape {
             Shape::Triangle(corners) if can(ShapeKind::Triangle) => self.triangle_distance(corners, ray),
             Shape::SmoothTriangle(corners) if can(ShapeKind::SmoothTriangle) => {
                 self.triangle_distance(corners, ray)
@@ -304,27 +312,30 @@ impl<'s> Geometry<'s> {
     }
 
     /// What a shape is like where the ray meets it, `t` away as [`Geometry::distance`] said.
-    pub fn surface<S: Shapes>(&self, shape: Shape, ray: &Ray, t: Real) -> Option<Surface> {
-        if !S::SHAPES.has(shape.kind()) {
-            return None;
-        }
-        match shape {
-            Shape::Sphere(sphere) => Some(sphere.surface(ray, t)),
-            Shape::Triangle(corners) => triangle::surface(self.corners(corners)?, None, ray),
-            Shape::SmoothTriangle(corners) => {
+    pub fn surface<S: Shapes>(&self, shape: &Shape, ray: &Ray, t: Real) -> Option<Surface> {
+        let can = |kind| S::SHAPES.has(kind);
+        match *shape {
+            Shape::Sphere(sphere) if can(ShapeKind::Sphere) => Some(sphere.surface(ray, t)),
+            Shape::Triangle(corners) if can(ShapeKind::Triangle) => {
+                triangle::surface(self.corners(corners)?, None, ray)
+            }
+            Shape::SmoothTriangle(corners) if can(ShapeKind::SmoothTriangle) => {
                 let normals = if S::SMOOTH { self.corner_normals(corners) } else { None };
                 triangle::surface(self.corners(corners)?, normals, ray)
             }
-            Shape::Plane(place) => Some(of(self.planes, place)?.surface(ray, t)),
-            Shape::Disc(place) => Some(of(self.discs, place)?.surface(ray, t)),
-            Shape::Polygon(place) => {
+            Shape::Plane(place) if can(ShapeKind::Plane) => Some(of(self.planes, place)?.surface(ray, t)),
+            Shape::Disc(place) if can(ShapeKind::Disc) => Some(of(self.discs, place)?.surface(ray, t)),
+            Shape::Polygon(place) if can(ShapeKind::Polygon) => {
                 let normals = if S::SMOOTH { Some(self.normals) } else { None };
                 Some(of(self.polygons, place)?.surface(self.points, normals, ray, t))
             }
-            Shape::Cuboid(place) => of(self.cuboids, place)?.surface(ray, t),
-            Shape::TurnedCuboid(place) => of(self.turned_cuboids, place)?.surface(ray, t),
-            Shape::Cone(place) => of(self.cones, place)?.surface(ray, t),
-            Shape::Torus(place) => Some(of(self.tori, place)?.surface(ray, t)),
+            Shape::Cuboid(place) if can(ShapeKind::Cuboid) => of(self.cuboids, place)?.surface(ray, t),
+            Shape::TurnedCuboid(place) if can(ShapeKind::TurnedCuboid) => {
+                of(self.turned_cuboids, place)?.surface(ray, t)
+            }
+            Shape::Cone(place) if can(ShapeKind::Cone) => of(self.cones, place)?.surface(ray, t),
+            Shape::Torus(place) if can(ShapeKind::Torus) => Some(of(self.tori, place)?.surface(ray, t)),
+            _ => None,
         }
     }
 }

@@ -2,7 +2,7 @@
 
 use zerocopy::{Immutable, KnownLayout, TryFromBytes};
 
-use super::{ItemId, Ray, ShapeFault, Surface, check_point, check_unit};
+use super::{ItemId, Ray, ShapeFault, Surface, check_point, check_unit, ray::LEAVING};
 use crate::math::{Real, Vec3, abs, gamma, largest};
 
 /// An unbounded plane.
@@ -36,6 +36,6 @@ impl Plane {
 pub(super) fn level(ray: &Ray, t: Real, point: Vec3, normal: Vec3) -> Surface {
     let p = ray.at_from(t, point);
     let point_on = point + (p - normal * p.dot(normal));
-    let error = (abs(point_on) + Vec3::splat(largest(p))) * gamma(12);
+    let error = (abs(point_on) + Vec3::splat(largest(p))) * gamma(12 + LEAVING);
     Surface::flat(point_on, error, normal)
 }

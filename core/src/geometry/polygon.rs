@@ -8,8 +8,8 @@
 
 use zerocopy::{Immutable, KnownLayout, TryFromBytes};
 
-use super::{Aabb, Ray, ShapeFault, Surface, check_point, check_unit, plane::level};
-use crate::math::{Axis, Real, Vec3, abs, gamma, length, unit};
+use super::{Aabb, Ray, ShapeFault, Surface, check_point, check_unit, moved_into, plane::level};
+use crate::math::{Axis, Real, Vec3, abs, gamma, length, unit, vec3};
 
 /// A polygon whose corners lie in the scene's table of points.
 #[derive(Clone, Copy, Debug, PartialEq, TryFromBytes, KnownLayout, Immutable)]
@@ -23,7 +23,7 @@ pub struct Polygon {
     pub point: Vec3,
     /// Upright on it by the right hand round the corners, of length one.
     pub normal: Vec3,
-    /// The box round its corners: whoever passes it need not look at them.
+    /// The box round its corners ([`Aabb::of_points`]).
     pub bounds: Aabb,
     /// Whether the shading normal is interpolated between those of the corners.
     pub smooth: bool,
@@ -47,8 +47,7 @@ impl Polygon {
             return None;
         }
         let middle = start + relative().fold(Vec3::ZERO, |sum, p| sum + p) / count as Real;
-        let bounds = Aabb::around(corners.iter().copied());
-        Some(Polygon { first, count, point: middle, normal, bounds, smooth })
+        Some(Polygon { first, count, point: middle, normal, bounds: Aabb::of_points(corners), smooth })
     }
 
     pub(super) fn check(&self, points: &[Vec3], normals: &[Vec3]) -> Result<(), ShapeFault> {
@@ -58,7 +57,7 @@ impl Polygon {
         if self.count < 3 || self.smooth && self.of(normals).is_none() {
             return Err(ShapeFault::Missing);
         }
-        if self.bounds == Aabb::around(corners.iter().copied()) { Ok(()) } else { Err(ShapeFault::Bounds) }
+        if self.bounds == Aabb::of_points(corners) { Ok(()) } else { Err(ShapeFault::Bounds) }
     }
 
     /// Its own part of a table.
@@ -67,45 +66,66 @@ impl Polygon {
         table.get(first..first.checked_add(self.count as usize)?)
     }
 
-    #[inline]
+    /// How far, moved into its box ([`moved_into`] says why).
+    #[inline(always)]
     pub(super) fn hit(&self, points: &[Vec3], ray: &Ray) -> Option<Real> {
         let t = (self.point - ray.origin).dot(self.normal) / ray.direction.dot(self.normal);
-        let (o, way) = (ray.origin, ray.direction * t);
-        (t > 0.0 && self.contains(points, o.x, o.y, o.z, way.x, way.y, way.z)).then_some(t)
+        // Nothing is inside when it is infinite: all corners then lie to one side, or to none.
+        if !(t > 0.0) {
+            return None;
+        }
+        let (o, d) = (ray.origin, ray.direction);
+        self.hit_at(points, t, o.x, o.y, o.z, d.x, d.y, d.z)
     }
 
-    /// Whether the point of its plane that is `w` from `o` lies inside.
+    /// The same where the ray meets its plane, `t` away.
+    ///
+    /// Not inlined, because most rays miss the plane or meet it behind them.
     #[inline(never)]
     #[allow(clippy::too_many_arguments)] // in registers
-    fn contains(&self, points: &[Vec3], ox: Real, oy: Real, oz: Real, wx: Real, wy: Real, wz: Real) -> bool {
+    fn hit_at(
+        &self,
+        points: &[Vec3],
+        t: Real,
+        ox: Real,
+        oy: Real,
+        oz: Real,
+        dx: Real,
+        dy: Real,
+        dz: Real,
+    ) -> Option<Real> {
+        let (o, d) = (vec3(ox, oy, oz), vec3(dx, dy, dz));
+        let way = d * t;
+        let corners = self.of(points)?;
         // In the plane of the two axes that are least upright on it.
-        match Axis::largest_of(self.normal) {
-            Axis::X => self.is_inside(points, |p| [(p.y - oy) - wy, (p.z - oz) - wz]),
-            Axis::Y => self.is_inside(points, |p| [(p.z - oz) - wz, (p.x - ox) - wx]),
-            Axis::Z => self.is_inside(points, |p| [(p.x - ox) - wx, (p.y - oy) - wy]),
-        }
+        let inside = match Axis::largest_of(self.normal) {
+            Axis::X => self.is_inside(corners, |p| [(p.y - o.y) - way.y, (p.z - o.z) - way.z]),
+            Axis::Y => self.is_inside(corners, |p| [(p.z - o.z) - way.z, (p.x - o.x) - way.x]),
+            Axis::Z => self.is_inside(corners, |p| [(p.x - o.x) - way.x, (p.y - o.y) - way.y]),
+        };
+        if inside { moved_into(self.bounds, t, o, 1.0 / d) } else { None }
     }
 
     /// Whether the corners, as they are `seen` from a point in two dimensions, go round it.
     #[inline(always)]
-    fn is_inside(&self, points: &[Vec3], seen: impl Fn(&Vec3) -> [Real; 2]) -> bool {
-        // All on one side: no line from the point crosses an edge, or it crosses as many up as
-        // down. Rounding keeps order, so what holds for the box holds for the corners.
-        let ([left, below], [right, above]) = (seen(&self.bounds.min), seen(&self.bounds.max));
-        if left > 0.0 || right < 0.0 || below > 0.0 || above <= 0.0 {
+    fn is_inside(&self, corners: &[Vec3], seen: impl Fn(&Vec3) -> [Real; 2]) -> bool {
+        // When all of them are to one side, so is the box, to the same side by the same numbers.
+        let (low, high) = (seen(&self.bounds.min), seen(&self.bounds.max));
+        if low[0] > 0.0 || high[0] < 0.0 || low[1] > 0.0 || high[1] <= 0.0 {
             return false;
         }
-        let corners = self.of(points).unwrap_or_default();
         let mut inside = false;
         let Some(last) = corners.last() else { return false };
         let mut a = seen(last);
         let mut a_above = a[1] > 0.0;
-        for corner in corners {
+        let mut rest = corners;
+        while let Some((corner, next)) = rest.split_first() {
+            rest = next;
             let b = seen(corner);
             let b_above = b[1] > 0.0;
             // Of two on different sides, `b` is the upper one exactly when it is above.
-            if a_above != b_above && (a[0] * b[1] > a[1] * b[0]) == b_above {
-                inside = !inside;
+            if a_above != b_above {
+                inside ^= (a[0] * b[1] > a[1] * b[0]) == b_above;
             }
             (a, a_above) = (b, b_above);
         }

@@ -88,22 +88,17 @@ impl Ray {
 ///
 /// `point` lies on the surface to within `error` (a bound for each component); `normal` has
 /// length one and points to the side that the ray goes to. The place certainly lies on that
-/// side: it is moved along the normal just far enough to leave the box that the error spans,
-/// and rounded away from the surface. No constant here has a unit, the step follows from the
-/// error alone ("Physically Based Rendering", Pharr, Jakob, Humphreys, 6.8).
+/// side: it is moved along the normal just far enough to leave the box that the error spans.
+/// No constant here has a unit, the step follows from the error alone ("Physically Based
+/// Rendering", Pharr, Jakob, Humphreys, 6.8).
+///
+/// Differs from it: the place is not rounded away from the surface. What rounding takes from
+/// the step is a roundoff of each component of the place, and `error` holds two for it, as that
+/// of a [`Surface`](super::Surface) does.
+#[inline(always)]
 pub fn leave(point: Vec3, error: Vec3, normal: Vec3) -> Vec3 {
-    let step = abs(normal).dot(error);
-    let away = |x: Real, n: Real| if n == 0.0 { x } else { next(x + n * step, n) };
-    vec3(away(point.x, normal.x), away(point.y, normal.y), away(point.z, normal.z))
+    point + normal * abs(normal).dot(error)
 }
 
-/// The neighbour of `x` to the side of the sign of `n`; zero for zero, which is no rounded sum,
-/// and whose neighbour would not be that of a larger scene. `x` is finite.
-fn next(x: Real, n: Real) -> Real {
-    if x == 0.0 {
-        return x;
-    }
-    // The bits of a number count its neighbours, outward from zero.
-    let bits = x.to_bits();
-    Real::from_bits(if x.is_sign_negative() == n.is_sign_negative() { bits + 1 } else { bits - 1 })
-}
+/// The roundings that the error of a surface holds for whoever leaves it.
+pub(super) const LEAVING: u32 = 2;

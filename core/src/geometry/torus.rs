@@ -14,7 +14,7 @@
 
 use zerocopy::{Immutable, KnownLayout, TryFromBytes};
 
-use super::{Aabb, Ray, ShapeFault, Surface, check_point, check_unit, disc::disc_reach};
+use super::{Aabb, Ray, ShapeFault, Surface, check_point, check_unit, disc::disc_reach, ray::LEAVING};
 use crate::math::{
     CubicRoots, FARTHEST, ROUNDOFF, Real, Vec3, abs, cubic_roots, gamma, length, root_between, sqrt, unit,
 };
@@ -97,7 +97,7 @@ impl Torus {
         let middle = unit(p - self.axis * z).unwrap_or(self.axis.any_orthonormal_vector()) * self.major;
         let normal = unit(p - middle).unwrap_or(self.axis);
         let point = self.center + (middle + normal * self.minor);
-        let error = (abs(self.center) + Vec3::splat(self.major + self.minor)) * gamma(24);
+        let error = (abs(self.center) + Vec3::splat(self.major + self.minor)) * gamma(24 + LEAVING);
         Surface::flat(point, error, normal)
     }
 }

@@ -12,7 +12,7 @@
 //! rounds to zero but wherever much of the products cancels: the distance of a needle, and what
 //! leaves it, is then as good as that of any other triangle. Only rays that meet pay for asking.
 
-use super::{Aabb, Ray, Surface};
+use super::{Aabb, Ray, Surface, ray::LEAVING};
 use crate::math::{
     ROUNDOFF, Real, Vec3, abs, difference_error, difference_of_products, gamma, greatest, largest, least,
     unit, vec3,
@@ -136,9 +136,10 @@ pub(super) fn surface(corners: [&Vec3; 3], normals: Option<[Vec3; 3]>, ray: &Ray
     let point = mix(corners);
     // The shares of the corners add up to one within three roundings, and each product and
     // sum adds one; twice that for the test that starts here. What that test rounds besides
-    // follows the distance of the corners, also where their coordinates are small.
+    // follows the distance of the corners, also where their coordinates are small, and so does
+    // what a place that is left there loses.
     let away = corners.iter().fold(0.0, |away, corner| greatest(away, largest(*corner - point)));
-    let error = mix(corners.map(abs)) * gamma(16) + Vec3::splat(away) * gamma(8);
+    let error = mix(corners.map(abs)) * gamma(16 + LEAVING) + Vec3::splat(away) * gamma(10 + LEAVING);
     let shading = normals.and_then(|normals| unit(mix(normals))).unwrap_or(flat);
     Some(Surface { point, error, normal: flat, shading })
 }

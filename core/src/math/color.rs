@@ -49,6 +49,7 @@ impl Rgb {
     }
 
     /// Whether every channel lies in `0..=most`.
+    #[inline(never)] // doors ask it in many places, where its size counts and not its time
     pub fn is_within(self, most: Real) -> bool {
         let ok = |v: Real| v >= 0.0 && v <= most;
         ok(self.r) && ok(self.g) && ok(self.b)
@@ -57,9 +58,6 @@ impl Rgb {
     /// Every channel above `most` set to `most`. Sums and products of what a scene may hold
     /// stay finite when each of their parts is held below such a limit.
     pub fn at_most(self, most: Real) -> Self {
-        if self.r < most && self.g < most && self.b < most {
-            return self;
-        }
         let cap = |v: Real| if v < most { v } else { most };
         Rgb { r: cap(self.r), g: cap(self.g), b: cap(self.b) }
     }

@@ -18,7 +18,7 @@ mod warp;
 pub use color::Rgb;
 #[cfg(test)]
 pub use float::acos;
-pub use float::{cos, exp, floor, ln, powf, sin, sqrt, tan};
+pub use float::{cos, exp, floor, ln, power, powf, sin, sqrt, tan};
 pub use lanes::{LANES, Lanes};
 pub use roots::{CubicRoots, cubic_roots, root_between};
 pub use stream::{Dimension, Stream};
@@ -103,6 +103,7 @@ pub fn largest(v: Vec3) -> Real {
 }
 
 /// Whether every component is finite and at most [`FARTHEST`] away from zero.
+#[inline(never)] // doors ask it in many places, where its size counts and not its time
 pub fn is_in_range(v: Vec3) -> bool {
     v.x.abs() <= FARTHEST && v.y.abs() <= FARTHEST && v.z.abs() <= FARTHEST
 }
@@ -114,17 +115,55 @@ pub fn length(v: Vec3) -> Real {
 
 /// The vector of length one in the direction of `v`; none for zero and for what is not finite.
 ///
-/// The components are divided by the largest first, so that no square leaves the range, and
-/// so that the answer for `v` times a power of two is the same, bit for bit.
+/// The answer for `v` times a power of two is the same, bit for bit.
+#[inline(always)]
 pub fn unit(v: Vec3) -> Option<Vec3> {
-    let v = v / largest(v);
-    // The largest component is one now. Whatever was zero, infinite or no number has made a
-    // quotient that is none, and is none in the sum.
+    unit_and_length(v).map(|(unit, _)| unit)
+}
+
+/// The vector of length one in the direction of `v`, and the length of `v`; none for zero and for
+/// what is not finite.
+#[inline(always)]
+pub fn unit_and_length(v: Vec3) -> Option<(Vec3, Real)> {
     let square = v.dot(v);
-    if square >= 1.0 { Some(v / sqrt(square)) } else { None }
+    if is_handy(square) {
+        let length = sqrt(square);
+        return Some((v / length, length));
+    }
+    unit_of_any_size(v.x, v.y, v.z)
+}
+
+/// Whether it is the square of a length, neither so small nor so large that squares of components
+/// have left the range, or nearly so.
+///
+/// The bits of a number are ordered as the numbers are, so that one comparison asks for both
+/// ends; zero, what is below it and no number lie beyond them.
+#[inline(always)]
+fn is_handy(square: Real) -> bool {
+    // 2^-66 and 2^115: in single precision their bits are immediate operands of many a machine.
+    const LEAST: Real = 1.355_252_715_606_880_5e-20;
+    const MOST: Real = 4.153_837_486_827_862e34;
+    square.to_bits().wrapping_sub(LEAST.to_bits()) <= MOST.to_bits() - LEAST.to_bits()
+}
+
+/// [`unit_and_length`] where squares would leave the range: of a vector whose largest component is
+/// about one, by an exact factor. (In parts: what is handed over in memory must be put there first.)
+#[cold]
+#[inline(never)]
+fn unit_of_any_size(x: Real, y: Real, z: Real) -> Option<(Vec3, Real)> {
+    let v = vec3(x, y, z);
+    let scale = power_of_two(largest(v));
+    let v = v / scale;
+    let square = v.dot(v);
+    if !is_handy(square) {
+        return None;
+    }
+    let length = sqrt(square);
+    Some((v / length, length * scale))
 }
 
 /// Whether `v` has length one, as far as [`unit`] or a rounded constant can tell.
+#[inline(never)] // as of `is_in_range`
 pub fn is_unit(v: Vec3) -> bool {
     (v.dot(v) - 1.0).abs() <= 1e-5
 }

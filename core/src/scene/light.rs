@@ -7,9 +7,10 @@
 use zerocopy::{Immutable, KnownLayout, TryFromBytes};
 
 use crate::math::{
-    FARTHEST, Real, Rgb, Vec3, across, disc, is_in_range, is_unit, length, sqrt, unit, within,
+    FARTHEST, Real, Rgb, Vec3, across, disc, is_in_range, is_unit, sqrt, unit, unit_and_length, within,
 };
 use crate::set::set_of;
+use crate::tally::Lit;
 
 /// A light.
 #[derive(Clone, Copy, Debug, PartialEq, TryFromBytes, KnownLayout, Immutable)]
@@ -131,11 +132,13 @@ set_of! {
     LightSet of LightKind
 }
 
-/// Light that arrives at a point, if nothing stands in its way.
+/// Light that arrives at a surface, if nothing stands in its way.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Beam {
     /// Towards the light, of length one.
     pub(crate) toward: Vec3,
+    /// The cosine of the angle between that and the surface's normal, more than zero or very nearly.
+    pub(crate) cos: Real,
     /// How far away the light is; [`Real::MAX`] when it has no place.
     pub(crate) distance: Real,
     /// What arrives on a surface that faces it.
@@ -189,26 +192,34 @@ impl Light {
         source && self.color.is_within(Rgb::BRIGHTEST)
     }
 
-    /// The light that would arrive at `point` from the place of the light that `chance` says, a
-    /// point of the unit square, whose middle stands for that of the light; none where it does not shine, and for a kind
-    /// that is not among the `able` ones. Inlined, so that the arms outside a constant set are
-    /// compiled away.
+    /// The light that would arrive at `point`, on a surface upright on `normal`, from the place of
+    /// the light that `chance` says, a point of the unit square, whose middle stands for that of the
+    /// light; else why there is none: where it does not shine or lies behind the surface, and for a
+    /// kind that is not among the `able` ones. Inlined, so that the arms outside a constant set are compiled away.
     #[inline(always)]
     pub(crate) fn beam(
         &self,
         point: Vec3,
+        normal: Vec3,
         able: LightSet,
         chance: impl FnOnce() -> [Real; 2],
-    ) -> Option<Beam> {
+    ) -> Result<Beam, Lit> {
         let from = |position: Vec3, falloff: &Falloff| {
             let way = position - point;
-            let distance = length(way);
-            Some(Beam { toward: unit(way)?, distance, color: self.color * falloff.at(distance) })
+            // Asked before any root is taken.
+            let facing = normal.dot(way);
+            if !(facing > 0.0) {
+                return Err(Lit::Behind);
+            }
+            let (toward, distance) = unit_and_length(way).ok_or(Lit::Dark)?;
+            Ok(Beam { toward, cos: facing / distance, distance, color: self.color * falloff.at(distance) })
         };
         match &self.source {
             Source::Point { position, falloff } if able.has(LightKind::Point) => from(*position, falloff),
             Source::Directional { toward } if able.has(LightKind::Directional) => {
-                Some(Beam { toward: *toward, distance: Real::MAX, color: self.color })
+                let cos = normal.dot(*toward);
+                let beam = Beam { toward: *toward, cos, distance: Real::MAX, color: self.color };
+                if cos > 0.0 { Ok(beam) } else { Err(Lit::Behind) }
             }
             Source::Spot { position, direction, cos_bright, cos_dark, falloff }
                 if able.has(LightKind::Spot) =>
@@ -216,42 +227,47 @@ impl Light {
                 let mut beam = from(*position, falloff)?;
                 let cos = -beam.toward.dot(*direction);
                 if cos < *cos_dark {
-                    return None;
+                    return Err(Lit::Dark);
                 }
                 // From dark to bright without a crease at either end (smoothstep).
                 let s = within((cos - cos_dark) / (cos_bright - cos_dark), 0.0, 1.0);
                 let s = if cos >= *cos_bright { 1.0 } else { s };
                 beam.color = beam.color * (s * s * (3.0 - 2.0 * s));
-                Some(beam)
+                Ok(beam)
             }
             Source::Sphere { position, radius, falloff } if able.has(LightKind::Sphere) => {
-                let mut beam = from(*position, falloff)?;
-                if *radius > 0.0 {
-                    // A place on the disc that faces the point.
-                    let [first, second] = across(beam.toward);
-                    let [x, y] = disc(chance());
-                    let way = *position + (first * x + second * y) * *radius - point;
-                    beam.toward = unit(way)?;
-                    // The way ends where it enters the sphere: what is inside does not count.
-                    let middle = *position - point;
-                    let along = middle.dot(beam.toward);
-                    let inside = *radius * *radius - (middle.dot(middle) - along * along);
-                    beam.distance = along - sqrt(if inside > 0.0 { inside } else { 0.0 });
-                    if !(beam.distance > 0.0) {
-                        beam.distance = 0.0; // the point is inside the light
-                    }
+                if !(*radius > 0.0) {
+                    return from(*position, falloff);
                 }
-                Some(beam)
+                // A place on the disc that faces the point.
+                let middle = *position - point;
+                let (toward, distance) = unit_and_length(middle).ok_or(Lit::Dark)?;
+                let [first, second] = across(toward);
+                let [x, y] = disc(chance());
+                let toward = unit(middle + (first * x + second * y) * *radius).ok_or(Lit::Dark)?;
+                let cos = normal.dot(toward);
+                // The way ends where it enters the sphere: what is inside does not count.
+                let along = middle.dot(toward);
+                let inside = *radius * *radius - (middle.dot(middle) - along * along);
+                let entry = along - sqrt(if inside > 0.0 { inside } else { 0.0 });
+                // Zero where the point is inside the light.
+                let beam = Beam {
+                    toward,
+                    cos,
+                    distance: if entry > 0.0 { entry } else { 0.0 },
+                    color: self.color * falloff.at(distance),
+                };
+                if cos > 0.0 { Ok(beam) } else { Err(Lit::Behind) }
             }
             Source::Rectangle { position, half: [a, b], soft, falloff } if able.has(LightKind::Rectangle) => {
                 let [u, v] = if *soft { chance() } else { [0.5, 0.5] };
                 let place = *position + *a * (2.0 * u - 1.0) + *b * (2.0 * v - 1.0);
                 let mut beam = from(place, falloff)?;
-                let cos = -beam.toward.dot(unit(a.cross(*b))?);
+                let cos = -beam.toward.dot(unit(a.cross(*b)).ok_or(Lit::Dark)?);
                 beam.color = beam.color * cos;
-                (cos > 0.0).then_some(beam)
+                if cos > 0.0 { Ok(beam) } else { Err(Lit::Dark) }
             }
-            _ => None,
+            _ => Err(Lit::Dark),
         }
     }
 }

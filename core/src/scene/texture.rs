@@ -2,7 +2,7 @@
 
 use zerocopy::{Immutable, KnownLayout, TryFromBytes};
 
-use crate::math::{FARTHEST, PI, Real, Rgb, Vec3, cos, floor, is_in_range, within};
+use crate::math::{FARTHEST, PI, Real, Rgb, Vec3, cos, floor, is_in_range, largest, within};
 use crate::set::set_of;
 
 /// A colour for each point of space, in the frame of the world.
@@ -99,9 +99,7 @@ impl Texture {
         match *self {
             Texture::Checker { even, odd, origin, frequency } if able.has(TextureKind::Checker) => {
                 let cell = (point - origin) * frequency;
-                // Half of the number of the cell keeps its parity where a whole number would not fit.
-                let half = 0.5 * (floor(cell.x) + floor(cell.y) + floor(cell.z));
-                if half == floor(half) { even } else { odd }
+                if is_even(cell) { even } else { odd }
             }
             Texture::Gradient { from, to, origin, along } if able.has(TextureKind::Gradient) => {
                 let s = (point - origin).dot(along) / along.dot(along);
@@ -117,6 +115,18 @@ impl Texture {
             _ => Rgb::WHITE,
         }
     }
+}
+
+/// Whether the whole numbers next below the coordinates have an even sum.
+#[inline(always)]
+fn is_even(cell: Vec3) -> bool {
+    if largest(cell) < 1e9 {
+        let below = |x: Real| x as i32 - i32::from((x as i32) as Real > x);
+        return (below(cell.x) ^ below(cell.y) ^ below(cell.z)) & 1 == 0;
+    }
+    // Half of the sum keeps its parity where a machine's whole number would not hold it.
+    let half = 0.5 * (floor(cell.x) + floor(cell.y) + floor(cell.z));
+    half == floor(half)
 }
 
 #[cfg(test)]

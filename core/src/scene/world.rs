@@ -6,7 +6,7 @@ use core::ops::ControlFlow;
 use super::Scene;
 use super::effects::Effects;
 use crate::accel::{Accelerator, Candidate, Query, Run};
-use crate::geometry::{Geometry, Hit, ItemId, Ray, ShapeKind, Surface, triangle_distance};
+use crate::geometry::{Geometry, Hit, ItemId, Ray, Shape, ShapeKind, Surface, triangle_distance};
 use crate::math::Real;
 use crate::tally::{Event, RayKind, Tally};
 
@@ -48,6 +48,18 @@ impl<'s, A: Accelerator> World<'s, A> {
         scratch: &mut A::Scratch,
         tally: &mut T,
     ) -> Option<Hit> {
+        if ray.is_sound() { self.nearest_sound::<E, T>(ray, reach, kind, scratch, tally) } else { None }
+    }
+
+    /// The same of a ray that is known to be sound.
+    pub(crate) fn nearest_sound<E: Effects, T: Tally>(
+        &self,
+        ray: &Ray,
+        reach: Real,
+        kind: RayKind,
+        scratch: &mut A::Scratch,
+        tally: &mut T,
+    ) -> Option<Hit> {
         // No item has the highest number: the first at the very reach wins against it.
         let goal = Nearest(ItemId(u32::MAX));
         let mut search = Search::<E, T, _>::new(self, ray, reach, kind, tally, goal);
@@ -60,6 +72,18 @@ impl<'s, A: Accelerator> World<'s, A> {
     ///
     /// Only the shapes of `E` can be in the way.
     pub fn blocker<E: Effects, T: Tally>(
+        &self,
+        ray: &Ray,
+        reach: Real,
+        kind: RayKind,
+        scratch: &mut A::Scratch,
+        tally: &mut T,
+    ) -> Option<ItemId> {
+        if ray.is_sound() { self.blocker_sound::<E, T>(ray, reach, kind, scratch, tally) } else { None }
+    }
+
+    /// The same of a ray that is known to be sound.
+    pub(crate) fn blocker_sound<E: Effects, T: Tally>(
         &self,
         ray: &Ray,
         reach: Real,
@@ -95,9 +119,6 @@ impl<'s, A: Accelerator> World<'s, A> {
 
     /// Planes have no box, so they are tested here and first: what they leave in reach is less.
     fn ask<E: Effects, Q: Query>(&self, ray: &Ray, scratch: &mut A::Scratch, query: &mut Q) {
-        if !ray.is_sound() {
-            return;
-        }
         if E::SET.shapes.has(ShapeKind::Plane) {
             for plane in self.scene.parts().geometry.planes {
                 if query.test(plane.item).is_break() {
@@ -178,6 +199,12 @@ impl<'q, E: Effects, T: Tally, G: Goal> Search<'q, E, T, G> {
         }
     }
 
+    #[inline(always)]
+    fn test_shape(&mut self, item: ItemId, shape: &Shape) -> ControlFlow<()> {
+        self.tally.count(Event::Shape(self.kind, shape.kind()));
+        self.meet(item, self.geometry.distance::<E>(shape, self.ray))
+    }
+
     /// The item has been held against the ray.
     #[inline(always)]
     fn tested(&mut self, item: ItemId) {
@@ -194,9 +221,20 @@ impl<E: Effects, T: Tally, G: Goal> Query for Search<'_, E, T, G> {
 
     #[inline(always)]
     fn test(&mut self, item: ItemId) -> ControlFlow<()> {
-        self.tested(item);
-        let shape = self.geometry.shape(item);
-        self.meet(item, shape.and_then(|shape| self.geometry.distance::<E>(shape, self.ray)))
+        match self.geometry.shape(item) {
+            Some(shape) => self.test_shape(item, shape),
+            None => ControlFlow::Continue(()),
+        }
+    }
+
+    #[inline(always)]
+    fn all(&mut self, count: u32) -> ControlFlow<()> {
+        let geometry = self.geometry;
+        geometry
+            .shapes
+            .iter()
+            .zip(0..count)
+            .try_for_each(|(shape, item)| self.test_shape(ItemId(item), shape))
     }
 
     #[inline(always)]

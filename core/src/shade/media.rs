@@ -42,15 +42,24 @@ impl Media {
     }
 
     /// What fills space; none is empty space.
-    pub fn in_force(&self, materials: &[Material]) -> Option<MaterialId> {
+    pub fn in_force(self, materials: &[Material]) -> Option<MaterialId> {
+        // Few rays are inside of more than one.
+        if self.count <= 1 {
+            return self.list().first().copied();
+        }
         // The last of equals.
         self.list().iter().copied().max_by_key(|material| priority(*material, materials))
     }
 
     /// The ray goes in through the surface of a body.
-    pub fn entering(&self, body: MaterialId, materials: &[Material]) -> Crossing {
+    pub fn entering(self, body: MaterialId, materials: &[Material]) -> Crossing {
+        if self.count == 0 {
+            let nothing = MaterialId(0);
+            let (behind, media) = (Some(body), Media { inside: [body, nothing, nothing, nothing], count: 1 });
+            return Crossing { before: None, behind, media, hidden: false, full: false };
+        }
         let before = self.in_force(materials);
-        let mut media = *self;
+        let mut media = self;
         let full = match media.inside.get_mut(usize::from(self.count)) {
             Some(slot) => {
                 *slot = body;
@@ -67,8 +76,12 @@ impl Media {
     ///
     /// A body that is not in the list is left all the same: the ray began inside of it, so that
     /// it filled space before the surface.
-    pub fn leaving(&self, body: MaterialId, materials: &[Material]) -> Crossing {
-        let mut media = *self;
+    pub fn leaving(self, body: MaterialId, materials: &[Material]) -> Crossing {
+        if self.list() == [body] {
+            let (before, media) = (Some(body), Media::NONE);
+            return Crossing { before, behind: None, media, hidden: false, full: false };
+        }
+        let mut media = self;
         let Some(place) = self.list().iter().rposition(|inside| *inside == body) else {
             let behind = self.in_force(materials);
             let before = if hides(behind, body, materials) { behind } else { Some(body) };

@@ -14,12 +14,12 @@ pub(crate) use passage::{crossing, left_after};
 
 use crate::accel::Accelerator;
 use crate::geometry::{Surface, leave};
-use crate::math::{Dimension, Real, Rgb, Stream, Vec3, powf};
+use crate::math::{Dimension, Real, Rgb, Stream, Vec3, power};
 
 use crate::scene::{Effects, Material, World};
 use crate::tally::{Lit, Step, Tally};
 use cache::Toward;
-use shadow::Way;
+use shadow::{Start, Way};
 
 /// A surface as it is seen along a ray.
 #[derive(Clone, Copy, Debug)]
@@ -50,11 +50,13 @@ impl Seen {
     }
 
     /// Where a ray starts that stays on the side that the surface is seen from.
+    #[inline(always)]
     pub(crate) fn before(&self) -> Vec3 {
         leave(self.surface.point, self.surface.error, self.facing)
     }
 
     /// Where a ray starts that goes on through the surface.
+    #[inline(always)]
     pub(crate) fn behind(&self) -> Vec3 {
         leave(self.surface.point, self.surface.error, -self.facing)
     }
@@ -101,7 +103,11 @@ pub(crate) fn local<A: Accelerator, E: Effects, T: Tally, const SHADOWS: usize>(
     } else {
         (seen.surface.shading, seen.surface.normal)
     };
+    let shiny = E::SET.highlight && material.is_shiny();
+    let mirrored = 2.0 * normal.dot(seen.along);
+    let scatters = !diffuse.is_black();
     let from = leave(seen.surface.point, seen.surface.error, side);
+    let start = Start::new(seen.surface.point, from);
     for (source, number) in parts.lights.iter().zip(0..) {
         let chance = || {
             if !E::SET.penumbra {
@@ -110,36 +116,36 @@ pub(crate) fn local<A: Accelerator, E: Effects, T: Tally, const SHADOWS: usize>(
             arrival.stream.pair(Dimension::light(arrival.level, number))
         };
         let mut skip = |lit| tally.tell(Step::Light { number, lit });
-        let Some(mut beam) = source.beam(seen.surface.point, E::SET.lights, chance) else {
+        let mut beam = match source.beam(seen.surface.point, normal, E::SET.lights, chance) {
+            Ok(beam) => beam,
+            Err(lit) => {
+                skip(lit);
+                continue;
+            }
+        };
+        if beam.color.is_black() {
             skip(Lit::Dark);
             continue;
-        };
-        let cos = normal.dot(beam.toward);
-        if !(cos > 0.0) || beam.color.is_black() {
-            skip(if cos > 0.0 { Lit::Dark } else { Lit::Behind });
-            continue;
         }
-        let highlight = || {
-            if !(E::SET.highlight && material.is_shiny()) {
-                return Rgb::BLACK;
-            }
-            let toward_eye = reflected(-beam.toward, normal).dot(-seen.along);
-            if toward_eye > 0.0 {
-                material.highlight * cosine_power(toward_eye, material.exponent)
-            } else {
-                Rgb::BLACK
-            }
+        // How much of the highlight shows.
+        let shine = || {
+            // The mirrored light's share of the way to the eye.
+            let toward_eye = if shiny { beam.toward.dot(seen.along) - beam.cos * mirrored } else { 0.0 };
+            if toward_eye > 0.0 { cosine_power(toward_eye, material.exponent) } else { 0.0 }
         };
         // A mirror shows a light only where the highlight is, which most of it is not: so ask
         // for the shadow last. What scatters light shows it wherever it stands in it.
-        let shine = if diffuse.is_black() { Some(highlight()) } else { None };
-        if shine.is_some_and(Rgb::is_black) {
-            skip(Lit::Unseen);
-            continue;
+        let mut share = 0.0;
+        if !scatters {
+            share = shine();
+            if !(share > 0.0) {
+                skip(Lit::Unseen);
+                continue;
+            }
         }
         if E::SET.shadows && source.shadows {
             let toward = Toward { light: usize::from(number), level: arrival.level };
-            let way = Way { point: seen.surface.point, from, beam: &beam, toward };
+            let way = Way { start: &start, beam: &beam, toward };
             if E::SET.colored_shadows && parts.colored_shadows {
                 let media = if side == seen.facing { &arrival.before } else { &arrival.behind };
                 let share = shadow::passing::<A, E, T>(world, &way, media, &mut memory.scratch, tally);
@@ -153,8 +159,10 @@ pub(crate) fn local<A: Accelerator, E: Effects, T: Tally, const SHADOWS: usize>(
                 continue;
             }
         }
-        let given = diffuse * cos + shine.unwrap_or_else(highlight);
-        let adds = given * beam.color;
+        if scatters {
+            share = shine();
+        }
+        let adds = (diffuse * beam.cos + material.highlight * share) * beam.color;
         let (toward, distance, color) = (beam.toward, beam.distance, beam.color);
         tally.tell(Step::Light { number, lit: Lit::Arrives { toward, distance, color, adds } });
         light += adds;
@@ -165,5 +173,15 @@ pub(crate) fn local<A: Accelerator, E: Effects, T: Tally, const SHADOWS: usize>(
 
 /// The cosine, which rounding may have put a little above one, to a power.
 fn cosine_power(cos: Real, exponent: Real) -> Real {
-    if cos < 1.0 { powf(cos, exponent) } else { 1.0 }
+    // The logarithm of a cosine is at most what it lacks to one, and below this one a power is
+    // nearer to zero than to the smallest number. Nearly everywhere on a mirror that is so.
+    const NOTHING: Real = 0.6932 * (Real::MANTISSA_DIGITS as i32 - Real::MIN_EXP + 1) as Real;
+    let lack = 1.0 - cos;
+    if lack * exponent > NOTHING {
+        0.0
+    } else if lack > 0.0 {
+        power(cos, exponent)
+    } else {
+        1.0
+    }
 }

@@ -12,14 +12,14 @@ pub(crate) fn crossing(
     parts: &Parts<'_>,
     item: ItemId,
     material: &Material,
-    media: &Media,
+    media: Media,
     outside: bool,
 ) -> Option<Crossing> {
     // Clear stuff that does not break light makes no body: a pane has no other side.
     let is_body = material.is_transmitting() && (material.index != 1.0 || material.is_absorbing());
     if !is_body {
         let medium = media.in_force(parts.materials);
-        return Some(Crossing { before: medium, behind: medium, media: *media, hidden: false, full: false });
+        return Some(Crossing { before: medium, behind: medium, media, hidden: false, full: false });
     }
     let body = parts.made_of.get(item.0 as usize).copied()?;
     Some(if outside { media.entering(body, parts.materials) } else { media.leaving(body, parts.materials) })

@@ -18,12 +18,27 @@ const NEARLY_THERE: Real = 1.0 - 16.0 * ROUNDOFF;
 /// The most surfaces that light passes on its way; behind more it is dark.
 const MOST_SURFACES: u32 = 64;
 
+/// Where the ways to all lights start.
+pub(super) struct Start {
+    /// Beside the point, where rays leave it.
+    from: Vec3,
+    /// From there to the point.
+    aside: Vec3,
+    /// The largest component of that.
+    step: Real,
+}
+
+impl Start {
+    pub(super) fn new(point: Vec3, from: Vec3) -> Self {
+        let aside = point - from;
+        Start { from, aside, step: largest(aside) }
+    }
+}
+
 /// The way from a point to a light.
 pub(super) struct Way<'b> {
-    /// The point.
-    pub(super) point: Vec3,
-    /// Where its rays leave it.
-    pub(super) from: Vec3,
+    /// Where it starts.
+    pub(super) start: &'b Start,
     /// What would arrive.
     pub(super) beam: &'b Beam,
     /// From which level to which light.
@@ -34,9 +49,9 @@ impl Way<'_> {
     /// The direction of the ray towards the light; none when the light is too near for anything
     /// to stand between.
     fn direction(&self) -> Option<Vec3> {
+        let (start, beam) = (self.start, self.beam);
         // Started beside the point, the ray must not end beside the light.
-        let aside = (self.point - self.from) / self.beam.distance;
-        (largest(aside) < 1.0).then_some(self.beam.toward + aside)
+        (start.step < beam.distance).then(|| beam.toward + start.aside / beam.distance)
     }
 
     /// How far something may be and still stand in the way.
@@ -55,8 +70,8 @@ pub(super) fn is_dark<A: Accelerator, E: Effects, T: Tally, const SHADOWS: usize
 ) -> bool {
     tally.count(Event::Ray(RayKind::Shadow));
     let Some(direction) = way.direction() else { return false };
-    tally.tell(Step::Asks { origin: way.from, direction, reach: way.reach() });
-    let ray = Ray::near_unit(way.from, direction);
+    tally.tell(Step::Asks { origin: way.start.from, direction, reach: way.reach() });
+    let ray = Ray::near_unit(way.start.from, direction);
     if let Some(last) = memory.shadows.last(way.toward) {
         let still = world.blocks::<E, T>(last, &ray, way.reach(), RayKind::Shadow, tally);
         tally.count(Event::ShadowCache { hit: still });
@@ -65,7 +80,7 @@ pub(super) fn is_dark<A: Accelerator, E: Effects, T: Tally, const SHADOWS: usize
             return true;
         }
     }
-    match world.blocker::<E, T>(&ray, way.reach(), RayKind::Shadow, &mut memory.scratch, tally) {
+    match world.blocker_sound::<E, T>(&ray, way.reach(), RayKind::Shadow, &mut memory.scratch, tally) {
         Some(item) => {
             tally.tell(Step::Blocked { item, distance: None });
             memory.shadows.remember(way.toward, item);
@@ -95,18 +110,18 @@ pub(super) fn passing<A: Accelerator, E: Effects, T: Tally>(
     let parts = world.scene().parts();
     let (mut share, mut media) = (Rgb::WHITE, *media);
     let Some(direction) = way.direction() else { return share };
-    let (mut from, mut reach) = (way.from, way.reach());
+    let (mut from, mut reach) = (way.start.from, way.reach());
     tally.tell(Step::Asks { origin: from, direction, reach });
     for _ in 0..MOST_SURFACES {
         let ray = Ray::near_unit(from, direction);
-        let hit = world.nearest::<E, T>(&ray, reach, RayKind::Shadow, scratch, tally);
+        let hit = world.nearest_sound::<E, T>(&ray, reach, RayKind::Shadow, scratch, tally);
         let met = hit.and_then(|hit| Some((hit, world.surface::<E>(&ray, hit)?)));
         let Some((hit, surface)) = met else {
             return share * left_after::<E>(parts.materials, media.in_force(parts.materials), reach);
         };
         let material = world.scene().material(hit.item).unwrap_or(&Material::MATTE);
         let seen = Seen::new(surface, direction);
-        let Some(crossing) = crossing(parts, hit.item, material, &media, seen.outside) else { break };
+        let Some(crossing) = crossing(parts, hit.item, material, media, seen.outside) else { break };
         share *= left_after::<E>(parts.materials, crossing.before, hit.t);
         if !crossing.hidden {
             share *= material.transmitted * (1.0 - mirrored(&crossing, material, &seen, parts.materials));

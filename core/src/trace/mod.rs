@@ -148,7 +148,7 @@ impl<'w, 's, A: Accelerator, E: Effects, const LEVELS: usize> Tracer<'w, 's, A, 
         tally.count(Event::Level(task.level));
         tally.tell(task.begins());
         let ray = Ray::near_unit(task.origin, task.direction);
-        let found = self.world.nearest::<E, T>(&ray, E::SIGHT, task.kind, &mut memory.scratch, tally);
+        let found = self.world.nearest_sound::<E, T>(&ray, E::SIGHT, task.kind, &mut memory.scratch, tally);
         let met = found.and_then(|hit| Some((hit, self.world.surface::<E>(&ray, hit)?)));
         let Some((hit, surface)) = met else {
             return self.beyond(task, tally);
@@ -162,7 +162,10 @@ impl<'w, 's, A: Accelerator, E: Effects, const LEVELS: usize> Tracer<'w, 's, A, 
         let material = self.world.scene().material(hit.item).unwrap_or(&Material::MATTE);
         let crossing = self.crossing(task, hit, material, &seen);
         let materials = self.world.scene().parts().materials;
-        let within = crossing.as_ref().and_then(|crossing| crossing.before);
+        let within = match &crossing {
+            Some(crossing) => crossing.before,
+            None => task.media.in_force(materials),
+        };
         let left = left_after::<E>(materials, within, hit.t);
         let hidden = crossing.as_ref().is_some_and(|crossing| crossing.hidden);
         let (point, outside) = (seen.surface.point, seen.outside);
@@ -221,14 +224,16 @@ impl<'w, 's, A: Accelerator, E: Effects, const LEVELS: usize> Tracer<'w, 's, A, 
 
     /// What happens to the media at the hit, where there may be any.
     fn crossing(&self, task: &Task, hit: Hit, material: &Material, seen: &Seen) -> Option<Crossing> {
-        if !E::SET.transmission {
+        // Whoever asks for the medium before something opaque asks what it absorbs.
+        if !E::SET.transmission || !E::SET.absorption && !material.is_transmitting() {
             return None;
         }
-        crossing(self.world.scene().parts(), hit.item, material, &task.media, seen.outside)
+        crossing(self.world.scene().parts(), hit.item, material, task.media, seen.outside)
     }
 
     /// Sends a ray from where `task` has arrived, unless the levels end or too little of it counts:
-    /// then what stands for it.
+    /// then what stands for it. Inlined, or the child would be put into memory twice.
+    #[inline(always)]
     fn send<T: Tally>(&self, task: &Task, child: Child, tasks: &mut Tasks<LEVELS>, tally: &mut T) -> Rgb {
         let Child { origin, direction, share, kind, media } = child;
         let weight = task.weight * share;

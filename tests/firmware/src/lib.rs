@@ -6,6 +6,7 @@
 #[cfg(target_arch = "arm")]
 pub mod count;
 pub mod draw;
+pub mod flash;
 #[cfg(feature = "packs")]
 pub mod packs;
 pub mod peer;

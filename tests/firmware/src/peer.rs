@@ -9,7 +9,7 @@
 #![allow(dead_code)]
 
 use strahl_core::{
-    Background, EffectSet, Effects, Falloff, Geometry, LastLevel, Light, LightKind, LightSet, Limits,
+    Aabb, Background, EffectSet, Effects, Falloff, Geometry, LastLevel, Light, LightKind, LightSet, Limits,
     Material, MaterialId, Parts, Polygon, Projection, Rgb, Shape, ShapeKind, ShapeSet, Size, Source, Sphere,
     Texture, TextureId, TextureKind, TextureSet, Vec3, View, vec3,
 };
@@ -129,8 +129,14 @@ static MATERIALS: [Material; ITEMS] = [
 static CORNERS: [Vec3; 4] =
     [vec3(-10.0, -4.0, -10.0), vec3(10.0, -4.0, -10.0), vec3(10.0, -4.0, -30.0), vec3(-10.0, -4.0, -30.0)];
 
-const FLOOR: Polygon =
-    Polygon { first: 0, count: 4, point: vec3(0.0, -4.0, -20.0), normal: Vec3::Y, smooth: false };
+const FLOOR: Polygon = Polygon {
+    first: 0,
+    count: 4,
+    point: vec3(0.0, -4.0, -20.0),
+    normal: Vec3::Y,
+    bounds: Aabb::of_points(&CORNERS),
+    smooth: false,
+};
 
 const TILES: Texture = Texture::Checker {
     even: Rgb::new(0.3, 0.3, 0.3),

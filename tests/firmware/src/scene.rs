@@ -154,7 +154,7 @@ const DART: Polygon = Polygon {
     count: 4,
     point: vec3(2.9, 1.0, -1.5),
     normal: Vec3::Z,
-    bounds: Aabb { min: vec3(2.2, 0.5, -1.5), max: vec3(3.6, 2.1, -1.5) },
+    bounds: Aabb::of_points(POINTS.split_at(3).1),
     smooth: false,
 };
 

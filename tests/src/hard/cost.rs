@@ -105,7 +105,7 @@ macro_rules! core {
                 let of = |(stage, rays): &(Stage, Vec<Ray>)| -> f64 {
                     let geometry = stage.parts().geometry;
                     let shape = geometry.shapes[0];
-                    let distance = |ray| geometry.distance::<S>(shape, ray).map(f64::from);
+                    let distance = |ray| geometry.distance::<S>(&shape, ray).map(f64::from);
                     rays.iter().filter_map(distance).sum()
                 };
                 prepared.iter().map(of).sum()

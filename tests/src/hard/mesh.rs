@@ -188,7 +188,7 @@ pub fn escapes(mesh: &Mesh, rays: usize, random: &mut Random) -> usize {
         let (line, near) = mesh.aim(random);
         let narrow = |v: Vector| vec3(v.x as f32, v.y as f32, v.z as f32);
         let ray = Ray::new(narrow(line.origin), narrow(line.direction));
-        let is_met = |number: &u32| geometry.distance::<Triangles>(shapes[*number as usize], &ray).is_some();
+        let is_met = |number: &u32| geometry.distance::<Triangles>(&shapes[*number as usize], &ray).is_some();
         !near.iter().any(is_met)
     };
     (0..rays).filter(escapes).count()
@@ -210,7 +210,7 @@ pub fn odd_crossings(mesh: &Mesh, rays: usize, random: &mut Random) -> usize {
         let ray = Ray::new(narrow(line.origin), narrow(line.direction));
         let mut hits: Vec<(f32, [u32; 3], bool)> = Vec::new();
         for (shape, corners) in shapes.iter().zip(&mesh.triangles) {
-            if let Some(t) = geometry.distance::<Triangles>(*shape, &ray) {
+            if let Some(t) = geometry.distance::<Triangles>(shape, &ray) {
                 let [a, b, c] = corners.map(|corner| mesh.points[corner as usize]);
                 hits.push((t, *corners, (b - a).cross(c - a).dot(line.direction) < 0.0));
             }
@@ -241,8 +241,9 @@ fn tried(mesh: &Mesh, random: &mut Random) -> [Tally; 3] {
         let escapes = |_: &usize| {
             let (line, near) = mesh.aim(random);
             let ray = Ray::new(line.origin, line.direction);
-            let is_met =
-                |number: &u32| geometry.distance::<DoubleTriangles>(shapes[*number as usize], &ray).is_some();
+            let is_met = |number: &u32| {
+                geometry.distance::<DoubleTriangles>(&shapes[*number as usize], &ray).is_some()
+            };
             !near.iter().any(is_met)
         };
         (0..RAYS).filter(escapes).count()

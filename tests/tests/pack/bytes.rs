@@ -30,7 +30,8 @@ fn what_is_no_pack_is_told_by_its_reason() {
     };
     assert_eq!(opened(&bytes), None);
     assert_eq!(with(0, 7), Some(PackError::NotAPack));
-    assert_eq!(with(4, 2), Some(PackError::Version { found: 2 }));
+    let found = Pack::VERSION + 1;
+    assert_eq!(with(4, found), Some(PackError::Version { found }));
     let (needed, given) = (bytes.len() + 1, bytes.len());
     assert_eq!(with(8, needed as u32), Some(PackError::TooShort { needed, given }));
     assert_eq!(with(20, 99), Some(PackError::Checksum));

@@ -7,7 +7,7 @@ use super::grow::{Tree, grow};
 use super::node::{Child, Goes, Node, Slot};
 use super::{Bvh, BvhRoom, Run};
 use crate::accel::{BuildError, Storage};
-use crate::geometry::{Aabb, Geometry, ItemId, Shape};
+use crate::geometry::{Aabb, Geometry, ItemId};
 
 /// A hierarchy that has been built and not been furnished: its leaves can be walked as they
 /// are, or be laid out in runs.
@@ -32,7 +32,7 @@ impl Leaves<'_> {
     fn groups(self, item: ItemId) -> bool {
         match self {
             Leaves::Singly => false,
-            Leaves::Runs(geometry) => geometry.shape(item).is_some_and(Shape::is_triangle),
+            Leaves::Runs(geometry) => geometry.shape(item).is_some_and(|shape| shape.is_triangle()),
         }
     }
 }

@@ -57,7 +57,7 @@ impl Run {
             run.filled |= 1 << place;
             if let Some(Shape::Triangle(corners) | Shape::SmoothTriangle(corners)) =
                 geometry.shape(item.item())
-                && let Some(corners) = geometry.corners(corners)
+                && let Some(corners) = geometry.corners(*corners)
             {
                 run.triangles.put(place, corners);
                 run.known |= 1 << place;

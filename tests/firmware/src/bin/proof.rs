@@ -136,7 +136,7 @@ fn shapes() {
 
     let aabb = Aabb::around(slice(&[Vec3::X]).iter().copied()).union(Aabb::round(vector(), vector()));
     let span: Option<Span> = aabb.span(&ray());
-    used((span, aabb.is_empty(), any(Aabb::EMPTY)));
+    used((span, aabb.is_empty(), any(Aabb::EMPTY), Aabb::of_points(slice(&[Vec3::X]))));
 
     used((ray().at(number()), leave(vector(), vector(), vector())));
     used(has_area([vector(), vector(), vector()]));
@@ -174,7 +174,14 @@ fn any_geometry() -> Geometry<'static> {
         normals: slice(&[Vec3::Y]),
         planes: slice(&[Plane { point: Vec3::ZERO, normal: Vec3::Y, item: ItemId(3) }]),
         discs: slice(&[Disc { center: Vec3::ZERO, normal: Vec3::Y, radius: 1.0 }]),
-        polygons: slice(&[Polygon { first: 0, count: 3, point: Vec3::ZERO, normal: Vec3::Y, smooth: true }]),
+        polygons: slice(&[Polygon {
+            first: 0,
+            count: 3,
+            point: Vec3::ZERO,
+            normal: Vec3::Y,
+            bounds: Aabb::EMPTY,
+            smooth: true,
+        }]),
         cuboids: slice(&[Cuboid { min: Vec3::ZERO, max: Vec3::ONE }]),
         turned_cuboids: slice(&[TurnedCuboid {
             center: Vec3::ZERO,
@@ -194,8 +201,8 @@ fn geometry() {
         const SMOOTH: bool = false;
     }
     fn met<S: Shapes>(geometry: &Geometry<'_>) {
-        used(geometry.distance::<S>(any(SHAPES[0]), &ray()));
-        let surface: Option<Surface> = geometry.surface::<S>(any(SHAPES[0]), &ray(), number());
+        used(geometry.distance::<S>(any(&SHAPES[0]), &ray()));
+        let surface: Option<Surface> = geometry.surface::<S>(any(&SHAPES[0]), &ray(), number());
         used(surface);
     }
     let geometry = any_geometry();

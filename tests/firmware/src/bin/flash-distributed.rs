@@ -1,0 +1,16 @@
+//! See `strahl_firmware::flash`.
+
+#![no_std]
+#![no_main]
+
+use strahl_firmware::flash::{Distributed, run};
+
+#[cortex_m_rt::entry]
+fn main() -> ! {
+    run::<Distributed>()
+}
+
+#[panic_handler]
+fn panic(_: &core::panic::PanicInfo) -> ! {
+    loop {}
+}

@@ -1,0 +1,16 @@
+//! See `strahl_firmware::flash`.
+
+#![no_std]
+#![no_main]
+
+use strahl_firmware::flash::{Mirrors, run};
+
+#[cortex_m_rt::entry]
+fn main() -> ! {
+    run::<Mirrors>()
+}
+
+#[panic_handler]
+fn panic(_: &core::panic::PanicInfo) -> ! {
+    loop {}
+}
