@@ -62,7 +62,7 @@ pub use accel::{
 };
 pub use counters::Counters;
 pub use geometry::{
-    Aabb, Cone, Cuboid, Disc, Geometry, Hit, ItemId, Plane, Polygon, Ray, Shape, ShapeFault, ShapeKind,
+    Aabb, Ball, Cone, Cuboid, Disc, Geometry, Hit, ItemId, Plane, Polygon, Ray, Shape, ShapeFault, ShapeKind,
     ShapeSet, Shapes, Span, Sphere, Surface, Torus, TurnedCuboid, has_area, leave,
 };
 pub use image::{

@@ -15,8 +15,8 @@
 use std::time::Instant;
 
 use super::strahl::{
-    Aabb, Accelerator, BvhRoom, Geometry, Grid, GridRoom, Grown, LastFirst, Leaves, List, NearestFirst, Node,
-    Octree, OctreeNode, OctreeRoom, Run, Scene, Slot, Waiting, groups_of,
+    Aabb, Accelerator, Ball, BvhRoom, Geometry, Grid, GridRoom, Grown, LastFirst, Leaves, List, NearestFirst,
+    Node, Octree, OctreeNode, OctreeRoom, Run, Scene, Slot, Waiting, groups_of,
 };
 use crate::finding::{Bounds, Choice, Facts, Finding, Kind, MAILBOX, STACK, Walk};
 
@@ -96,11 +96,16 @@ impl Building<'_> {
 
     fn list<P: Purpose>(self, purpose: P) -> Result<P::Answer, NotBuilt> {
         let entries = self.boxes.len();
-        let (mut groups, regions);
+        let (mut groups, mut balls, mut ball_groups, regions);
         let list = match self.choice.bounds {
             Bounds::None => {
                 regions = 1;
                 List::bare(entries as u32)
+            }
+            Bounds::Sphere => {
+                regions = groups_of(entries);
+                (balls, ball_groups) = (vec![Ball::EMPTY; entries], vec![Ball::EMPTY; regions]);
+                List::balled(self.boxes, &mut balls, &mut ball_groups)?
             }
             Bounds::Box => {
                 regions = groups_of(entries);

@@ -81,7 +81,7 @@ impl Finding {
     /// All ways to find the same.
     pub fn every() -> Vec<Finding> {
         let each = |kind| match kind {
-            Kind::List => [Bounds::None, Bounds::Box]
+            Kind::List => [Bounds::None, Bounds::Sphere, Bounds::Box]
                 .map(|bounds| Finding { bounds: Some(bounds), ..Finding::by(kind) })
                 .to_vec(),
             Kind::Grid | Kind::Octree => {
@@ -244,6 +244,8 @@ pub enum Walk {
 pub enum Bounds {
     /// Nothing: every item is held against every ray.
     None,
+    /// Spheres round their boxes.
+    Sphere,
     /// Boxes.
     Box,
 }
@@ -272,6 +274,7 @@ impl fmt::Display for Choice {
         match kind {
             Kind::List => match self.bounds {
                 Bounds::None => write!(f, "{kind} without bounds"),
+                Bounds::Sphere => write!(f, "{kind} with spheres"),
                 Bounds::Box => write!(f, "{kind} with boxes"),
             },
             Kind::Grid | Kind::Octree => match self.mailbox {

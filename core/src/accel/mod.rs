@@ -87,9 +87,9 @@ pub trait Query {
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum Storage {
-    /// Boxes round items.
+    /// Boxes or balls round items.
     Boxes,
-    /// Boxes round groups of items.
+    /// Boxes or balls round groups of items.
     Groups,
     /// Where the lists of a grid's cells begin.
     Cells,

@@ -4,6 +4,7 @@
 //! is the index of its place in a table of its own, and triangles are indices into shared
 //! tables of points. So an item takes 20 bytes, and a mesh no more than its triangles.
 
+mod ball;
 mod bounds;
 mod cone;
 mod cuboid;
@@ -18,6 +19,8 @@ mod sphere;
 mod torus;
 mod triangle;
 
+pub use ball::Ball;
+pub(crate) use ball::Line;
 pub(crate) use bounds::WIDEN;
 pub use bounds::{Aabb, Span};
 pub use cone::Cone;

@@ -118,14 +118,12 @@ impl Polygon {
         let Some(last) = corners.last() else { return false };
         let mut a = seen(last);
         let mut a_above = a[1] > 0.0;
-        let mut rest = corners;
-        while let Some((corner, next)) = rest.split_first() {
-            rest = next;
+        for corner in corners {
             let b = seen(corner);
             let b_above = b[1] > 0.0;
             // Of two on different sides, `b` is the upper one exactly when it is above.
-            if a_above != b_above {
-                inside ^= (a[0] * b[1] > a[1] * b[0]) == b_above;
+            if a_above != b_above && (a[0] * b[1] > a[1] * b[0]) == b_above {
+                inside = !inside;
             }
             (a, a_above) = (b, b_above);
         }

@@ -9,8 +9,8 @@ use std::ops::ControlFlow;
 
 use hold::{Case, Hold, blocker, nearest};
 use strahl_core::{
-    Aabb, Accelerator, BuildError, BvhRoom, Counters, Everything, GridRoom, Hit, ItemId, List, OctreeRoom,
-    Query, Ray, RayKind, Real, Storage, Vec3, World, groups_of, vec3,
+    Aabb, Accelerator, Ball, BuildError, BvhRoom, Counters, Everything, GridRoom, Hit, ItemId, List,
+    OctreeRoom, Query, Ray, RayKind, Real, Storage, Vec3, World, groups_of, vec3,
 };
 use strahl_tests::single::Stage;
 use strahl_tests::{Kind, Random, Thing, Vector, vector};
@@ -55,6 +55,8 @@ fn all_agree(stage: &Stage, rays: &[Ray], random: &mut Random) -> usize {
     let mut groups = vec![Aabb::EMPTY; groups_of(boxes.len())];
     let boxed = List::boxed(boxes, &mut groups).unwrap();
     hold.against("with boxes", boxed);
+    let (mut balls, mut round) = (vec![Ball::EMPTY; boxes.len()], vec![Ball::EMPTY; groups_of(boxes.len())]);
+    hold.against("with balls", List::balled(boxes, &mut balls, &mut round).unwrap());
     hold.against("in another order", Offered::any(stage.len(), random));
 
     // Any memory from the floor upwards.
@@ -320,6 +322,14 @@ fn too_few_groups_are_refused_with_the_numbers_to_act_on() {
             assert_eq!(error, BuildError::StorageTooSmall { what: Storage::Groups, needed, lent });
             assert_eq!(error.to_string(), format!("{needed} groups needed, {lent} lent"));
         }
+        let mut balls = vec![Ball::EMPTY; items];
+        let error = List::balled(&boxes, &mut balls[1..], &mut []).unwrap_err();
+        assert_eq!(
+            error,
+            BuildError::StorageTooSmall { what: Storage::Boxes, needed: items, lent: items - 1 }
+        );
+        let error = List::balled(&boxes, &mut balls, &mut []).unwrap_err();
+        assert_eq!(error, BuildError::StorageTooSmall { what: Storage::Groups, needed, lent: 0 });
         for lent in [needed, needed + 1] {
             let list = List::boxed(&boxes, &mut groups[..lent]).unwrap();
             assert_eq!(list.bytes(), (items + needed) * size_of::<Aabb>());
@@ -339,6 +349,8 @@ fn boxes_save_tests_of_shapes_and_groups_save_tests_of_boxes() {
     let boxes = stage.boxes();
     let mut groups = vec![Aabb::EMPTY; groups_of(boxes.len())];
     let boxed = World::new(stage.scene(), List::boxed(&boxes, &mut groups).unwrap());
+    let (mut balls, mut round) = (vec![Ball::EMPTY; boxes.len()], vec![Ball::EMPTY; groups_of(boxes.len())]);
+    let balled = World::new(stage.scene(), List::balled(&boxes, &mut balls, &mut round).unwrap());
     let bare = World::new(stage.scene(), List::bare(stage.len()));
     let rays: Vec<Ray> = (0..100)
         .map(|_| {
@@ -349,12 +361,15 @@ fn boxes_save_tests_of_shapes_and_groups_save_tests_of_boxes() {
 
     let mut without = Counters::new();
     let mut with = Counters::new();
+    let mut by_balls = Counters::new();
     for ray in &rays {
+        balled.nearest::<Everything, _>(ray, Real::MAX, RayKind::Camera, &mut (), &mut by_balls);
         bare.nearest::<Everything, _>(ray, Real::MAX, RayKind::Camera, &mut (), &mut without);
         boxed.nearest::<Everything, _>(ray, Real::MAX, RayKind::Camera, &mut (), &mut with);
     }
     let kind = RayKind::Camera;
     assert_eq!((without.shapes(kind), without.boxes(kind), without.regions(kind)), (32_000, 0, 100));
+    assert!(by_balls.shapes(kind) < 6_400 && by_balls.shapes(kind) >= with.shapes(kind), "{by_balls:?}");
     // A tenth of the shapes, and half of the boxes, is far more than what is found.
     assert!(with.shapes(kind) < 3_200, "{with:?}");
     assert!(with.boxes(kind) >= 2_000 && with.boxes(kind) < 16_000, "{with:?}");

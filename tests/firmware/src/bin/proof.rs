@@ -254,14 +254,16 @@ impl Query for Anybody {
 }
 
 /// Lists of any length, in lent memory of any length.
-fn lists(lent: &mut [Aabb]) -> [List<'_>; 2] {
+fn lists<'s>(lent: &'s mut [Aabb], balls: [&'s mut [Ball]; 2]) -> [List<'s>; 3] {
     let bare = List::bare(any(1));
-    [bare, List::boxed(slice(&[Aabb::EMPTY]), any(lent)).unwrap_or(bare)]
+    let boxes = slice(&[Aabb::EMPTY]);
+    let [items, groups] = balls.map(any);
+    [bare, List::boxed(boxes, any(lent)).unwrap_or(bare), List::balled(boxes, items, groups).unwrap_or(bare)]
 }
 
 fn finding() {
     used(groups_of(any(1)));
-    for list in lists(&mut [Aabb::EMPTY]) {
+    for list in lists(&mut [Aabb::EMPTY], [&mut [Ball::EMPTY], &mut [Ball::EMPTY]]) {
         used(list.bytes());
         list.walk(&ray(), &mut (), &mut Anybody);
     }
@@ -372,7 +374,7 @@ fn scene() {
     }
 
     let mut lent = [Aabb::EMPTY];
-    let [list, _] = lists(&mut lent);
+    let [list, ..] = lists(&mut lent, [&mut [], &mut []]);
     asked::<_, Everything>(World::new(scene, list));
     asked::<_, Few>(World::new(scene, Stranger));
 }
@@ -471,7 +473,7 @@ fn counters() {
 fn pictures() {
     tiles();
     let Ok(scene) = Scene::new(any_parts()) else { return };
-    for list in lists(&mut [Aabb::EMPTY]) {
+    for list in lists(&mut [Aabb::EMPTY], [&mut [Ball::EMPTY], &mut [Ball::EMPTY]]) {
         traced::<_, Everything, _, 64>(&World::new(scene, list), Counters::new());
         traced::<_, Everything, _, 5>(&World::new(scene, list), ());
     }

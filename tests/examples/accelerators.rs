@@ -1,0 +1,157 @@
+//! The accelerators on growing scenes: what they take to build, to hold and to walk.
+//!
+//! ```text
+//! cargo run --release -p strahl-tests --example accelerators > tests/accelerators.md
+//! ```
+//!
+//! Scenes of the generator: sphereflakes of 92 to 597,872 objects, knots of about 1,000 to
+//! 1,000,000 triangles, and a knot in a stadium. Each is traced at 512 x 512 with one ray for each
+//! pixel, five levels, no cutoff, on one thread and uncounted, once by each accelerator; processor
+//! time, of three turns the least. Then once more to count. The list is left out where it would
+//! take minutes.
+//!
+//! The exit status is 1 when two accelerators make different pictures.
+
+use std::error::Error;
+use std::path::Path;
+use std::process::ExitCode;
+
+use strahl::args::GenerateArgs;
+use strahl::counts::Counts;
+use strahl::finding::{Finding, Kind};
+use strahl::frame::{self, Frame};
+use strahl::generate::{self, What};
+use strahl::progress::Watch;
+use strahl::signals::Signals;
+use strahl::wanted::{Cut, Wanted};
+use strahl_core::{Limits, RayKind, Size};
+
+/// What is made, and how large.
+const SCENES: [(What, u32); 10] = [
+    (What::Sphereflake, 1),
+    (What::Sphereflake, 2),
+    (What::Sphereflake, 3),
+    (What::Sphereflake, 4),
+    (What::Sphereflake, 5),
+    (What::Sphereflake, 6),
+    (What::Knot, 1_000),
+    (What::Knot, 100_000),
+    (What::Knot, 1_000_000),
+    (What::Stadium, 10_000),
+];
+
+/// The most objects that are held against every ray.
+const LISTED: usize = 1_000;
+
+/// Turns, of which the quickest counts: whatever else a machine does can only add to it.
+const TURNS: usize = 3;
+
+/// One row of the table.
+struct Row {
+    what: What,
+    objects: usize,
+    kind: Kind,
+    build: f64,
+    trace: f64,
+}
+
+fn main() -> Result<ExitCode, Box<dyn Error>> {
+    let folder = tempfile::tempdir()?;
+    println!("# Accelerators on growing scenes\n");
+    println!("Made by `cargo run --release -p strahl-tests --example accelerators`. 512 x 512, one ray for");
+    println!("each pixel, five levels, no cutoff, one thread; processor time on {}.\n", machine());
+    println!(
+        "| scene | objects | accelerator | build, µs/object | bytes/object | regions | objects in each | \
+         boxes/ray | shapes/ray | trace, s | Mrays/s |"
+    );
+    println!("|---|---:|---|---:|---:|---:|---:|---:|---:|---:|---:|");
+    let mut rows = Vec::new();
+    let mut all_same = true;
+    for (what, size) in SCENES {
+        let path = folder.path().join(format!("{what}-{size}.nff"));
+        all_same &= scene(what, size, &path, &mut rows)?;
+        std::fs::remove_file(&path)?;
+    }
+    growth(&rows);
+    Ok(if all_same { ExitCode::SUCCESS } else { ExitCode::FAILURE })
+}
+
+/// Adds the rows of one scene; whether all of its pictures are the same.
+fn scene(what: What, size: u32, path: &Path, rows: &mut Vec<Row>) -> Result<bool, Box<dyn Error>> {
+    generate::run(&GenerateArgs {
+        what,
+        size: Some(size),
+        output: Some(path.to_owned()),
+        format: None,
+        bare: false,
+        quiet: true,
+    })?;
+    let description = strahl::load::load(path)?;
+    let objects = description.objects.len();
+    let mut digests = Vec::new();
+    for kind in Kind::ALL.into_iter().filter(|kind| *kind != Kind::List || objects <= LISTED) {
+        let wanted = Wanted {
+            limits: Limits { levels: 5, cutoff: 0.0 },
+            finding: Finding::by(kind),
+            cut: Cut::threads(1),
+            counted: false,
+            ..Wanted::of(Size::new(512, 512).ok_or("no size")?)
+        };
+        let trace = |wanted: &Wanted| frame::trace(&description, wanted, &Watch::silent(Signals::default()));
+        let (mut quickest, mut build): (Option<Frame>, f64) = (None, f64::INFINITY);
+        for _ in 0..TURNS {
+            let frame = trace(&wanted)?;
+            build = build.min(frame.accelerator.build.as_secs_f64());
+            if quickest.as_ref().is_none_or(|quickest| frame.trace_cpu < quickest.trace_cpu) {
+                quickest = Some(frame);
+            }
+        }
+        let frame = quickest.ok_or("no turn")?;
+        let counts = trace(&Wanted { counted: true, ..wanted })?.counters.ok_or("nothing was counted")?;
+        let (each, facts) = (1.0 / objects as f64, &frame.accelerator);
+        let sum = |of: fn(&Counts, RayKind) -> u64| {
+            RayKind::ALL.map(|kind| of(&counts, kind)).iter().sum::<u64>() as f64
+        };
+        let (rays, seconds) = (sum(Counts::rays), frame.trace_cpu.as_secs_f64());
+        println!(
+            "| {what} | {objects} | {} | {:.2} | {:.0} | {} | {:.1} | {:.1} | {:.1} | {seconds:.3} | {:.2} |",
+            kind.name(),
+            1e6 * build * each,
+            facts.bytes as f64 * each,
+            facts.regions,
+            facts.items_per_region(),
+            sum(Counts::boxes) / rays,
+            sum(Counts::shapes) / rays,
+            1e-6 * rays / seconds,
+        );
+        digests.push(frame.picture.digest().to_string());
+        rows.push(Row { what, objects, kind, build, trace: seconds });
+    }
+    digests.dedup();
+    if digests.len() > 1 {
+        eprintln!("{what} of {objects} objects: not all pictures are the same");
+    }
+    Ok(digests.len() == 1)
+}
+
+/// What becomes of the times when a sphereflake has 81 times the objects.
+fn growth(rows: &[Row]) {
+    println!("\nFrom the sphereflake of 7,382 objects to that of 597,872, 81 times as many:\n");
+    println!("| accelerator | trace | build |\n|---|---:|---:|");
+    let of = |kind, objects| {
+        rows.iter().find(|row| row.what == What::Sphereflake && row.kind == kind && row.objects == objects)
+    };
+    for kind in Kind::ALL {
+        if let (Some(few), Some(many)) = (of(kind, 7_382), of(kind, 597_872)) {
+            let [trace, build] = [many.trace / few.trace, many.build / few.build];
+            println!("| {} | {trace:.2} times | {build:.0} times |", kind.name());
+        }
+    }
+}
+
+/// What the system says of its processor.
+fn machine() -> String {
+    let told = std::fs::read_to_string("/proc/cpuinfo").unwrap_or_default();
+    let name = told.lines().find_map(|line| line.strip_prefix("model name")?.split_once(':'));
+    name.map_or("an unnamed machine".into(), |(_, name)| name.trim().to_owned())
+}
