@@ -72,7 +72,10 @@ pub use image::{
 };
 #[cfg(feature = "display")]
 pub use image::{Display, Dither, Steps};
-pub use math::{Axis, Dimension, FARTHEST, PI, ROUNDOFF, Real, Rgb, Stream, Vec3, gamma, sqrt, unit, vec3};
+pub use math::{
+    Axis, CubicRoots, Dimension, FARTHEST, PI, ROUNDOFF, Real, Rgb, Stream, Vec3, cubic_roots,
+    difference_of_products, gamma, root_between, sqrt, unit, vec3,
+};
 pub use render::{render, render_selected};
 pub use scene::{
     Background, Camera, EffectSet, Effects, Everything, Falloff, Interface, LastLevel, Light, LightKind,

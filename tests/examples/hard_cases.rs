@@ -6,19 +6,17 @@
 //! cargo run --release -p strahl-tests --example hard_cases -- --watertight 100000000
 //! ```
 //!
-//! Instructions are counted by callgrind, which is a part of valgrind; without it, and without
-//! `--measure`, the costs that stand in the file are kept.
+//! Instructions are counted by callgrind, which is a part of valgrind; where that is not at hand, and
+//! without `--measure`, the costs that stand in the file are kept.
 
 use std::path::Path;
 use std::process::Command;
-use std::time::Instant;
+use std::time::{Duration, Instant};
 
 use strahl_tests::hard::cost::{Work, works};
+use strahl_tests::hard::remedies::{Remedy, Trial, remedies};
 use strahl_tests::hard::{Mesh, cases, escapes, panels, table};
 use strahl_tests::{Random, Vector, vector};
-
-/// In the file, the costs stand after this line.
-const COSTS: &str = "## What the remedies cost";
 
 type Failure = Box<dyn std::error::Error>;
 
@@ -29,10 +27,10 @@ fn main() -> Result<(), Failure> {
         [] => write(false),
         ["--measure"] => write(true),
         ["--count"] => {
-            let works = works();
-            works.iter().flatten().for_each(measured);
+            let works = all_works();
+            works.iter().for_each(measured);
             // Callgrind writes down what came before a call: one more.
-            works.iter().flatten().take(1).for_each(measured);
+            works.iter().take(1).for_each(measured);
             Ok(())
         }
         ["--watertight", rays] => {
@@ -49,16 +47,26 @@ fn measured(work: &Work) {
     std::hint::black_box(work.run());
 }
 
+/// Everything that is counted, in one order: the families' works, then the remedies' on ordinary
+/// rays.
+fn all_works() -> Vec<Work> {
+    let families = works().into_iter().flat_map(|(_, works)| works);
+    let remedies = remedies().into_iter().flat_map(|remedy| remedy.trial().ordinary);
+    families.chain(remedies).collect()
+}
+
 fn write(measure: bool) -> Result<(), Failure> {
     let (page, picture) = table::page();
     let outcomes: Vec<_> = cases().into_iter().map(|case| (case, case.run())).collect();
+    let trials: Vec<_> = remedies().into_iter().map(|remedy| (remedy.trial(), remedy)).collect();
     let kept = std::fs::read_to_string(&page).unwrap_or_default();
-    let costs = match kept.split_once(COSTS) {
-        Some((_, costs)) if !measure => costs.to_owned(),
-        _ => costs()?,
-    };
-    let text = format!("{}{COSTS}{costs}", table::head(&outcomes));
-    std::fs::write(&page, text)?;
+    let measured = if measure { figures(&trials) } else { Ok(table::Figures::kept(&kept)) };
+    let figures = measured.unwrap_or_else(|failure| {
+        eprintln!("{failure}: the figures of the costs stay as they were");
+        table::Figures::kept(&kept)
+    });
+    let rows: Vec<_> = trials.iter().map(|(trial, remedy)| (remedy, trial)).collect();
+    std::fs::write(&page, table::text(&outcomes, &rows, &figures))?;
 
     let (width, pixels) = panels::picture();
     let height = pixels.len() / width;
@@ -70,31 +78,25 @@ fn write(measure: bool) -> Result<(), Failure> {
     Ok(())
 }
 
-/// The table of instructions and of times for each ray.
-fn costs() -> Result<String, Failure> {
-    let works = works();
-    let instructions = instructions(3 * works.len())?;
-    let mut text = String::from(
-        "\n\nMeasured with `--measure`, on rays at things of ordinary proportions from 2 to 20 sizes away, \
-        of which about half meet. Instructions are callgrind's on x86-64; times are the least of \
-        1000 runs, and only good for comparing them with each other.\n\n\
-        | shape | instructions per ray: textbook | ours, f32 | f64 inside | ours / textbook | ns per ray: textbook | ours, f32 | f64 inside |\n\
-        |---|--:|--:|--:|--:|--:|--:|--:|\n",
-    );
-    for (works, counts) in works.iter().zip(instructions.chunks(3)) {
+/// What the families and the remedies cost.
+fn figures(trials: &[(Trial, Remedy)]) -> Result<table::Figures, Failure> {
+    let families = works();
+    let counts = instructions(3 * families.len() + 2 * trials.len())?;
+    let (of_families, of_remedies) = counts.split_at(3 * families.len());
+    let mut figures = table::Figures::default();
+    for ((family, works), counts) in families.iter().zip(of_families.chunks(3)) {
         let per_ray: Vec<f64> =
             works.iter().zip(counts).map(|(work, count)| count / work.rays as f64).collect();
-        let [textbook, single, double] = [0, 1, 2].map(|i| time(&works[i]));
-        text += &format!(
-            "| {} | {:.0} | {:.0} | {:.0} | {:.2} | {textbook:.0} | {single:.0} | {double:.0} |\n",
-            works[0].family,
-            per_ray[0],
-            per_ray[1],
-            per_ray[2],
-            per_ray[1] / per_ray[0],
-        );
+        let times: Vec<f64> = works.iter().map(time).collect();
+        figures.family(family, &per_ray, &times);
     }
-    Ok(text)
+    for ((trial, remedy), counts) in trials.iter().zip(of_remedies.chunks(2)) {
+        let per_ray: Vec<f64> =
+            trial.ordinary.iter().zip(counts).map(|(work, count)| count / work.rays as f64).collect();
+        let times: Vec<f64> = trial.hard.iter().map(time).collect();
+        figures.remedy(remedy, &per_ray, &times);
+    }
+    Ok(figures)
 }
 
 /// Nanoseconds for each ray: the least of some runs.
@@ -105,7 +107,8 @@ fn time(work: &Work) -> f64 {
         start.elapsed().as_secs_f64() * 1e9 / work.rays as f64
     };
     // Each is short, so that among many some were not interrupted.
-    (0..1000).map(|_| once()).fold(f64::INFINITY, f64::min)
+    let end = Instant::now() + Duration::from_millis(400);
+    (0..1000).map_while(|i| (i < 10 || Instant::now() < end).then(once)).fold(f64::INFINITY, f64::min)
 }
 
 /// The instructions of each call of [`measured`], counted in a process of its own.

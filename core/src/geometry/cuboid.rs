@@ -1,4 +1,7 @@
 //! Box: upright on the axes, or turned.
+//!
+//! Walls are met by quotients: under twice the instructions of products with the reciprocal, for a
+//! fifth less error (`tests/HARD-CASES.md`); hierarchies make the question rare.
 
 use zerocopy::{Immutable, KnownLayout, TryFromBytes};
 

@@ -1,4 +1,7 @@
 //! Disc: the part of a plane within a radius.
+//!
+//! The rim is asked for as the eye sees it: a tenth more instructions than by the point that is met,
+//! whose coordinates are coarse far from the origin (`tests/HARD-CASES.md`).
 
 use zerocopy::{Immutable, KnownLayout, TryFromBytes};
 

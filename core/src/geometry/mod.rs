@@ -16,6 +16,7 @@ mod polygon;
 mod ray;
 mod shape;
 mod sphere;
+mod terminator;
 mod torus;
 mod triangle;
 

@@ -8,6 +8,7 @@
 
 use zerocopy::{Immutable, KnownLayout, TryFromBytes};
 
+use super::terminator::above;
 use super::{Aabb, Ray, ShapeFault, Surface, check_point, check_unit, moved_into, plane::level};
 use crate::math::{Axis, Real, Vec3, abs, gamma, length, unit, vec3};
 
@@ -130,6 +131,17 @@ impl Polygon {
         inside
     }
 
+    /// How far off `point` the round surface is that is meant, where the polygon is smooth.
+    pub(super) fn lift(&self, points: &[Vec3], normals: &[Vec3], point: Vec3, outside: bool) -> Option<Vec3> {
+        if !self.smooth {
+            return None;
+        }
+        let (corners, normals) = (self.of(points)?, self.of(normals)?);
+        let value = |corner, normal| above(corner, normal, outside);
+        let (sum, all) = mixed(point, self.normal, corners, normals, value)?;
+        Some(sum / all)
+    }
+
     pub(super) fn surface(&self, points: &[Vec3], normals: Option<&[Vec3]>, ray: &Ray, t: Real) -> Surface {
         let mut surface = level(ray, t, self.point, self.normal);
         // A corner may lie some roundings off the plane, and its box with it.
@@ -137,7 +149,8 @@ impl Polygon {
         if self.smooth
             && let Some(normals) = normals
             && let (Some(corners), Some(normals)) = (self.of(points), self.of(normals))
-            && let Some(shading) = interpolated(surface.point, self.normal, corners, normals)
+            && let Some((sum, _)) = mixed(surface.point, self.normal, corners, normals, |_, normal| normal)
+            && let Some(shading) = unit(sum)
         {
             surface.shading = shading;
         }
@@ -145,28 +158,38 @@ impl Polygon {
     }
 }
 
-/// The normal at `p` between those of the corners, by mean value coordinates ("Mean value
-/// coordinates", Floater 2003): smooth for every simple polygon, linear along its edges.
+/// The mean at `p` of a value of each corner (of the corner as it is seen from `p`, and its normal),
+/// times the number that comes with it, by mean value coordinates ("Mean value coordinates", Floater
+/// 2003): smooth for every simple polygon, linear along its edges.
 ///
 /// They need the tangent of half of each angle under which an edge is seen from `p`, which is
 /// `(|a||b| - a.b) / (a x b)`.
-fn interpolated(p: Vec3, upright: Vec3, corners: &[Vec3], normals: &[Vec3]) -> Option<Vec3> {
-    let round = corners.iter().zip(normals).map(|(corner, normal)| (*corner - p, *normal));
-    let mut sum = Vec3::ZERO;
-    let (mut a, mut normal_a) = round.clone().next_back()?;
-    for (b, normal_b) in round {
+#[inline(always)]
+fn mixed(
+    p: Vec3,
+    upright: Vec3,
+    corners: &[Vec3],
+    normals: &[Vec3],
+    value: impl Fn(Vec3, Vec3) -> Vec3,
+) -> Option<(Vec3, Real)> {
+    let seen = |(corner, normal): (&Vec3, &Vec3)| (*corner - p, value(*corner - p, *normal));
+    let round = corners.iter().zip(normals).map(seen);
+    let (mut sum, mut all) = (Vec3::ZERO, 0.0);
+    let (mut a, mut value_a) = round.clone().next_back()?;
+    for (b, value_b) in round {
         let (la, lb) = (length(a), length(b));
         if lb == 0.0 {
-            return unit(normal_b); // on the corner
+            return Some((value_b, 1.0)); // on the corner
         }
         let (dot, cross) = (a.dot(b), a.cross(b).dot(upright));
         let tangent = (la * lb - dot) / cross;
         if la > 0.0 && tangent.abs() <= Real::MAX {
-            sum += normal_a * (tangent / la) + normal_b * (tangent / lb);
+            sum += value_a * (tangent / la) + value_b * (tangent / lb);
+            all += tangent / la + tangent / lb;
         } else if dot < 0.0 {
-            return unit(normal_a * lb + normal_b * la); // on the edge
+            return Some((value_a * lb + value_b * la, la + lb)); // on the edge
         }
-        (a, normal_a) = (b, normal_b);
+        (a, value_a) = (b, value_b);
     }
-    unit(sum)
+    Some((sum, all))
 }

@@ -11,8 +11,11 @@
 //! products (which the `f64` twin can do as well as a wider type), not only where one of them
 //! rounds to zero but wherever much of the products cancels: the distance of a needle, and what
 //! leaves it, is then as good as that of any other triangle. Only rays that meet pay for asking.
+//!
+//! Shared edge functions take about a third more instructions than each triangle for itself
+//! (Möller, Trumbore), and a distance moved into its own box as much again (`tests/HARD-CASES.md`).
 
-use super::{Aabb, Ray, Surface, ray::LEAVING};
+use super::{Aabb, Ray, Surface, ray::LEAVING, terminator::above};
 use crate::math::{
     ROUNDOFF, Real, Vec3, abs, difference_error, difference_of_products, gamma, greatest, largest, least,
     unit, vec3,
@@ -126,6 +129,18 @@ fn exact_sides(a: [Real; 2], b: [Real; 2], c: [Real; 2]) -> [Real; 3] {
         difference_of_products(a[0], c[1], a[1], c[0]),
         difference_of_products(b[0], a[1], b[1], a[0]),
     ]
+}
+
+/// How far off `point` the round surface is that is meant.
+pub(super) fn lift(corners: [&Vec3; 3], normals: [Vec3; 3], point: Vec3, outside: bool) -> Vec3 {
+    let seen = corners.map(|corner| *corner - point);
+    let [a, b, c] = seen;
+    let upright = (b - a).cross(c - a);
+    let all = upright.dot(upright);
+    // Each corner counts as much as the area opposite it.
+    let shares = [b.cross(c), c.cross(a), a.cross(b)].map(|area| area.dot(upright) / all);
+    let share = |sum: Vec3, ((corner, normal), share)| sum + above(corner, normal, outside) * share;
+    seen.into_iter().zip(normals).zip(shares).fold(Vec3::ZERO, share)
 }
 
 pub(super) fn surface(corners: [&Vec3; 3], normals: Option<[Vec3; 3]>, ray: &Ray) -> Option<Surface> {

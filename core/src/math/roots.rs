@@ -6,7 +6,7 @@
 //! bisection finds and Newton's steps make quick. So the quadratic parts the cubic, on a bounded
 //! interval, in a bounded number of steps.
 
-use super::{Real, sqrt};
+use super::{ROUNDOFF, Real, greatest, sqrt};
 
 /// The real roots of a cubic in an interval, in rising order.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -80,10 +80,18 @@ const STEPS: u32 = Real::MANTISSA_DIGITS + 8;
 
 /// The one root between `left` and `right` of a function that changes its sign there: from below
 /// zero where it is `rising`. The function answers with its value and its slope.
+///
+/// It is right to a roundoff of the larger end: where Newton's steps become smaller, they follow
+/// the rounding of the function and lead nowhere.
 pub fn root_between(f: impl Fn(Real) -> (Real, Real), mut left: Real, mut right: Real, rising: bool) -> Real {
+    let close = ROUNDOFF * greatest(left.abs(), right.abs());
     let mut x = 0.5 * (left + right);
     for _ in 0..STEPS {
         let (y, slope) = f(x);
+        // A zero has no sign: taken for one, it would shut out the root.
+        if y == 0.0 {
+            break;
+        }
         if (y < 0.0) == rising {
             left = x;
         } else {
@@ -92,10 +100,11 @@ pub fn root_between(f: impl Fn(Real) -> (Real, Real), mut left: Real, mut right:
         let newton = x - y / slope;
         // Outside the bracket (or no number): halve instead.
         let next = if newton > left && newton < right { newton } else { 0.5 * (left + right) };
-        if next == x {
+        let step = (next - x).abs();
+        x = next;
+        if step <= close {
             break;
         }
-        x = next;
     }
     x
 }
@@ -123,6 +132,18 @@ mod tests {
         assert_eq!(cubic_roots([0.0, 1.0, 0.0, 1.0], -3.0, 3.0).iter().count(), 1);
         assert_eq!(cubic_roots([-8.0, 0.0, 0.0, 1.0], -1.0, 1.0).iter().count(), 0);
         assert_eq!(cubic_roots([-8.0, 0.0, 0.0, 1.0], -1.0, 3.0).iter().count(), 1);
+    }
+
+    #[test]
+    fn a_root_that_is_met_exactly_is_the_answer_from_both_sides() {
+        // The second step of Newton's meets it: from there on zero must not pass for a sign.
+        for rising in [true, false] {
+            let sign = if rising { 1.0 } else { -1.0 };
+            let f = |x: Real| (sign * (x * x - 0.25), sign * 2.0 * x);
+            assert_eq!(root_between(f, 0.0, 1.0, rising), 0.5);
+            let root = root_between(f, 0.1, 1.7, rising);
+            assert!((root - 0.5).abs() <= 2.0 * Real::EPSILON, "{root}");
+        }
     }
 
     #[test]

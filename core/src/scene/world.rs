@@ -7,7 +7,7 @@ use super::Scene;
 use super::effects::Effects;
 use crate::accel::{Accelerator, Candidate, Query, Run};
 use crate::geometry::{Geometry, Hit, ItemId, Ray, Shape, ShapeKind, Surface, triangle_distance};
-use crate::math::Real;
+use crate::math::{Real, Vec3};
 use crate::tally::{Event, RayKind, Tally};
 
 /// A scene that can be asked what a ray meets.
@@ -115,6 +115,13 @@ impl<'s, A: Accelerator> World<'s, A> {
     pub fn surface<E: Effects>(&self, ray: &Ray, hit: Hit) -> Option<Surface> {
         let geometry = &self.scene.parts().geometry;
         geometry.surface::<E>(geometry.shape(hit.item)?, ray, hit.t)
+    }
+
+    /// How far off a point of a smooth item the round surface is that is meant, where it is to stand
+    /// in no light of its own; none for other items. `outside`: on the side of its normals.
+    pub(crate) fn lift<E: Effects>(&self, item: ItemId, point: Vec3, outside: bool) -> Option<Vec3> {
+        let geometry = &self.scene.parts().geometry;
+        geometry.lift::<E>(*geometry.shape(item)?, point, outside)
     }
 
     /// Planes have no box, so they are tested here and first: what they leave in reach is less.

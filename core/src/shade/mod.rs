@@ -13,8 +13,8 @@ pub use optics::{Refraction, absorbed, reflected, refracted};
 pub(crate) use passage::{crossing, left_after};
 
 use crate::accel::Accelerator;
-use crate::geometry::{Surface, leave};
-use crate::math::{Dimension, Real, Rgb, Stream, Vec3, power};
+use crate::geometry::{ItemId, Surface, leave};
+use crate::math::{Dimension, Real, Rgb, Stream, Vec3, largest, power};
 
 use crate::scene::{Effects, Material, World};
 use crate::tally::{Lit, Step, Tally};
@@ -64,6 +64,8 @@ impl Seen {
 
 /// The circumstances under which a ray has arrived at a surface.
 pub(crate) struct Arrival {
+    /// What it has met.
+    pub(crate) item: ItemId,
     /// The numbers that belong to the camera ray.
     pub(crate) stream: Stream,
     /// The level of the ray.
@@ -145,7 +147,14 @@ pub(crate) fn local<A: Accelerator, E: Effects, T: Tally, const SHADOWS: usize>(
         }
         if E::SET.shadows && source.shadows {
             let toward = Toward { light: usize::from(number), level: arrival.level };
-            let way = Way { start: &start, beam: &beam, toward };
+            let lifted;
+            let mut start = &start;
+            if E::SET.smooth && side.dot(beam.toward) <= 0.0 {
+                let lift = lift::<A, E>(world, seen, arrival.item, side, beam.distance);
+                lifted = Start::new(seen.surface.point, from + lift);
+                start = &lifted;
+            }
+            let way = Way { start, beam: &beam, toward };
             if E::SET.colored_shadows && parts.colored_shadows {
                 let media = if side == seen.facing { &arrival.before } else { &arrival.behind };
                 let share = shadow::passing::<A, E, T>(world, &way, media, &mut memory.scratch, tally);
@@ -169,6 +178,22 @@ pub(crate) fn local<A: Accelerator, E: Effects, T: Tally, const SHADOWS: usize>(
     }
     tally.tell(Step::Local(light));
     light
+}
+
+/// How much farther out a ray starts towards a light that stands under the horizon of a smooth
+/// shape: from the round surface that is meant. Not as far as to come near the light.
+#[cold]
+#[inline(never)]
+fn lift<A: Accelerator, E: Effects>(
+    world: &World<'_, A>,
+    seen: &Seen,
+    item: ItemId,
+    side: Vec3,
+    distance: Real,
+) -> Vec3 {
+    let outside = side.dot(seen.surface.normal) > 0.0;
+    let lift = world.lift::<E>(item, seen.surface.point, outside);
+    lift.filter(|lift| largest(*lift) < 0.25 * distance).unwrap_or(Vec3::ZERO)
 }
 
 /// The cosine, which rounding may have put a little above one, to a power.

@@ -192,7 +192,7 @@ impl<'w, 's, A: Accelerator, E: Effects, const LEVELS: usize> Tracer<'w, 's, A, 
         }
 
         let behind = crossing.as_ref().map_or(task.media, |crossing| crossing.media);
-        let arrival = Arrival { stream, level: task.level, before: task.media, behind };
+        let arrival = Arrival { item: hit.item, stream, level: task.level, before: task.media, behind };
         let light = local::<A, E, T, SHADOWS>(self.world, material, &seen, &arrival, memory, tally);
         let mut seen = seen;
         if E::SET.gloss && material.is_rough() {

@@ -71,6 +71,8 @@ const VIEWS: &[(&str, &str, &str)] = &[
     ("angle 30", "angle 30 40", "no `resolution` before `40`"),
     ("angle 30", "angle", "`hither` is no number"),
     ("at 0 0 0", "at 0 0 9", "the eye is at the point it looks at"),
+    ("at 0 0 0", "at 0 0 9.0000001", "the eye is at the point it looks at"),
+    ("angle 30", "angle 179.9999999", "the angle"),
     ("at 0 0 0", "at 0 0 1e16", "between -1000000000000000 and 1000000000000000"),
     ("up 0 1 0", "up 0 0 1", "up is parallel"),
     ("up 0 1 0", "up 0 0 -5", "up is parallel"),

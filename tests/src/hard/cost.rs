@@ -4,23 +4,25 @@ use super::{Line, Solver, Thing, Vector, held, towards};
 use crate::textbook::Form;
 use crate::{Kind, Random};
 
-/// Rays for one family of shapes, ready to be answered again and again.
+/// Rays, ready to be answered again and again.
 pub struct Work {
-    /// The family, as the cases name it.
-    pub family: &'static str,
     /// How many rays one run answers.
     pub rays: usize,
     run: Box<dyn Fn() -> f64>,
 }
 
 impl Work {
+    pub(super) fn new(rays: usize, run: impl Fn() -> f64 + 'static) -> Work {
+        Work { rays, run: Box::new(run) }
+    }
+
     /// Answers every ray once; the sum of the distances, so that none can be left out.
     pub fn run(&self) -> f64 {
         (self.run)()
     }
 }
 
-const FAMILIES: [(&str, Kind); 10] = [
+pub(super) const FAMILIES: [(&str, Kind); 10] = [
     ("sphere", Kind::Sphere),
     ("cylinder, open", Kind::OpenCylinder),
     ("cone, capped", Kind::CappedCone),
@@ -34,7 +36,7 @@ const FAMILIES: [(&str, Kind); 10] = [
 ];
 
 /// Things of ordinary proportions, and rays from a few sizes away of which about half meet them.
-fn scenes(kind: Kind) -> Vec<(Thing, Vec<Line>)> {
+pub(super) fn scenes(kind: Kind) -> Vec<(Thing, Vec<Line>)> {
     let mut random = Random::new(0x5eed_0007);
     let scene = |random: &mut Random| {
         let place = random.near(Vector::ZERO, 5.0);
@@ -48,19 +50,20 @@ fn scenes(kind: Kind) -> Vec<(Thing, Vec<Line>)> {
     (0..25).map(|_| scene(&mut random)).collect()
 }
 
-/// The work of each solver for each family.
-pub fn works() -> Vec<[Work; 3]> {
+/// The families, and the work of each solver for each.
+pub fn works() -> Vec<(&'static str, [Work; 3])> {
     let works = |(family, kind): (&'static str, Kind)| {
         let scenes = scenes(kind);
         let rays = scenes.iter().map(|(_, lines)| lines.len()).sum();
-        Solver::ALL.map(|solver| {
+        let works = Solver::ALL.map(|solver| {
             let run: Box<dyn Fn() -> f64> = match solver {
                 Solver::Textbook => textbook(&scenes),
                 Solver::Single => in_single::work(kind, &scenes),
                 Solver::Double => in_double::work(kind, &scenes),
             };
-            Work { family, rays, run }
-        })
+            Work { rays, run }
+        });
+        (family, works)
     };
     FAMILIES.into_iter().map(works).collect()
 }

@@ -1,6 +1,6 @@
 //! Rays that start on a surface.
 
-use super::{Case, Solver, Tally, ULP, held, length, towards};
+use super::{Case, Solver, Tally, ULP, answers, held, length, towards};
 use crate::cast::{Core, Found};
 use crate::oracle::distance;
 use crate::textbook::{self, Form};
@@ -8,20 +8,29 @@ use crate::thing::{Kind, Line, Thing, Vector, vector};
 use crate::{Random, double, single};
 
 const fn case(name: &'static str, naive: &'static str, check: fn(&mut Random) -> [Tally; 3]) -> Case {
-    // A step off the surface may be some roundings of coordinates and sizes, and no more.
-    Case::own("leaving", name, naive, 64.0, check)
+    Case::own("leaving", name, naive, BOUND, check)
 }
+
+/// A step off the surface may be some roundings of coordinates and sizes, and no more.
+const BOUND: f64 = 64.0;
 
 const FIXED: &str = "an offset of 1e-4 is too small far away, too large for small things";
 
-pub(super) const CASES: [Case; 8] = [
+pub(super) const CASES: [Case; 15] = [
     case("a sphere", FIXED, |random| again(Kind::Sphere, random)),
+    case("an open cylinder", FIXED, |random| again(Kind::OpenCylinder, random)),
     case("a capped cylinder", FIXED, |random| again(Kind::CappedCylinder, random)),
+    case("an open cone", FIXED, |random| again(Kind::OpenCone, random)),
     case("a capped cone", FIXED, |random| again(Kind::CappedCone, random)),
+    case("a torus", FIXED, |random| again(Kind::Torus, random)),
     case("a box", FIXED, |random| again(Kind::Cuboid, random)),
     case("a turned box", FIXED, |random| again(Kind::TurnedCuboid, random)),
+    case("a plane", FIXED, |random| again(Kind::Plane, random)),
+    case("a disc", FIXED, |random| again(Kind::Disc, random)),
     case("a triangle", FIXED, |random| again(Kind::Triangle, random)),
+    case("a smooth triangle", FIXED, |random| again(Kind::SmoothTriangle, random)),
     case("a polygon", FIXED, |random| again(Kind::Polygon, random)),
+    case("a smooth polygon", FIXED, |random| again(Kind::SmoothPolygon, random)),
     case("between two plates, 1e-3 of their size apart", "the offset skips the other plate", plates),
 ];
 
@@ -33,41 +42,93 @@ fn outward(normal: Vector, random: &mut Random) -> Vector {
     held(direction + normal * (wanted.max(2e-4) - height))
 }
 
-/// Rays into the outer half space from hits on convex things, of sizes from 1e-4 to 1e4, at
-/// places up to 1e4 sizes away: none may meet the thing again, and none may start farther away
-/// than rounding asks for.
-fn again(kind: Kind, random: &mut Random) -> [Tally; 3] {
-    const THINGS: usize = 40;
+const THINGS: usize = 40;
+
+/// A thing, rays that see it, and for each of them the seeds of directions in which rays leave.
+pub(super) struct Seen {
+    pub(super) thing: Thing,
+    pub(super) radius: f64,
+    pub(super) eyes: Vec<Line>,
+    pub(super) seeds: Vec<Vec<u64>>,
+}
+
+pub(super) fn seen(kind: Kind, random: &mut Random) -> Seen {
     const HITS: usize = 25;
     const RAYS: usize = 10;
+    let size = random.scale(1e-4, 1e4);
+    let away = if random.below(3) == 0 { 0.0 } else { size * random.scale(1.0, 1e4) };
+    let thing = Thing::random(kind, random.direction() * away, size, random);
+    let (center, radius) = thing.ball();
+    let radius = if kind == Kind::Plane { size } else { radius };
+    let eyes = (0..HITS)
+        .map(|_| {
+            let eye = held(center + random.direction() * (radius * random.scale(1.2, 10.0)));
+            towards(eye, random.near(center, radius))
+        })
+        .collect();
+    let seeds = (0..HITS).map(|_| (0..RAYS).map(|_| random.bits()).collect()).collect();
+    Seen { thing, radius, eyes, seeds }
+}
+
+/// Rays to the side from which hits are seen, of things of sizes from 1e-4 to 1e4, at places up to
+/// 1e4 sizes away: none may meet the thing again where it starts, and none may start farther away
+/// than rounding asks for.
+fn again(kind: Kind, random: &mut Random) -> [Tally; 3] {
     let mut tallies = [Tally::default(); 3];
     for _ in 0..THINGS {
-        let size = random.scale(1e-4, 1e4);
-        let away = if random.below(3) == 0 { 0.0 } else { size * random.scale(1.0, 1e4) };
-        let thing = Thing::random(kind, random.direction() * away, size, random);
-        let (center, radius) = thing.ball();
-        let eyes: Vec<Line> = (0..HITS)
-            .map(|_| {
-                let eye = held(center + random.direction() * (radius * random.scale(1.2, 10.0)));
-                towards(eye, random.near(center, radius))
-            })
-            .collect();
-        let outward: Vec<Vec<u64>> = (0..HITS).map(|_| (0..RAYS).map(|_| random.bits()).collect()).collect();
+        let Seen { thing, radius, eyes, seeds } = seen(kind, random);
         for (solver, tally) in Solver::ALL.into_iter().zip(&mut tallies) {
-            for (from, seeds) in starts(solver, &thing, &eyes).into_iter().zip(&outward) {
-                let Some((origin, normal)) = from else { continue };
-                let line =
-                    |seed: &u64| Line { origin, direction: self::outward(normal, &mut Random::new(*seed)) };
-                let lines: Vec<Line> = seeds.iter().map(line).collect();
-                let step = distance(&thing, origin).abs() / (ULP * (length(origin) + 2.0 * radius));
-                let met = is_met(solver, &thing, &lines);
-                tally.rays += lines.len();
-                tally.worst = tally.worst.max(step);
-                tally.faults += met.into_iter().filter(|met| *met || step > 64.0).count();
-            }
+            let starts = starts(solver, &thing, &eyes);
+            let met = |lines: &[Line]| met(solver, &thing, lines);
+            left(&thing, radius, &starts, &seeds, met, tally);
         }
     }
     tallies
+}
+
+/// Counts the rays that leave a thing from `starts`, each with the normal there, in directions that
+/// `seeds` say.
+pub(super) fn left(
+    thing: &Thing,
+    radius: f64,
+    starts: &[Option<(Vector, Vector)>],
+    seeds: &[Vec<u64>],
+    met: impl Fn(&[Line]) -> Vec<Option<f64>>,
+    tally: &mut Tally,
+) {
+    for (from, seeds) in starts.iter().zip(seeds) {
+        let Some((origin, normal)) = *from else { continue };
+        let line = |seed: &u64| Line { origin, direction: outward(normal, &mut Random::new(*seed)) };
+        let lines: Vec<Line> = seeds.iter().map(line).collect();
+        let step = distance(thing, origin).abs() / (ULP * (length(origin) + 2.0 * radius));
+        tally.worst = tally.worst.max(step);
+        for (line, met) in lines.iter().zip(met(&lines)) {
+            let is_right = met.is_none_or(|t| t >= least(thing, origin, line.direction, normal));
+            tally.rays += 1;
+            tally.faults += usize::from(!is_right || step > BOUND);
+        }
+    }
+}
+
+/// How near a ray may meet a thing again that it leaves at `p` along `direction`, the normal there
+/// being `normal`. What is flat or convex it does not meet again. A hollow of the radius of
+/// curvature `r` it meets not before `2 r` times the cosine to the normal; half of that will do.
+fn least(thing: &Thing, p: Vector, direction: Vector, normal: Vector) -> f64 {
+    let hollow = |radius: f64| radius * direction.dot(normal) / direction.dot(direction);
+    match thing {
+        Thing::Cone { base, end, capped: false, .. } => {
+            let (q, axis) = (p - *base, (*end - *base) / length(*end - *base));
+            let out = q - axis * q.dot(axis);
+            if out.dot(normal) > 0.0 { f64::INFINITY } else { hollow(length(out)) }
+        }
+        Thing::Torus { center, axis, major, minor } => {
+            let (q, axis) = (p - *center, *axis / length(*axis));
+            let out = length(q - axis * q.dot(axis));
+            // The outer half of the tube is convex.
+            if out > *major { f64::INFINITY } else { hollow(major - minor) }
+        }
+        _ => f64::INFINITY,
+    }
 }
 
 /// Where rays start that leave the thing to the side from which each line comes, and the normal
@@ -102,16 +163,9 @@ fn with<C: Core>(things: &[Thing], lines: &[Line]) -> Vec<Option<(Vector, Vector
     C::with(things).cast(lines).into_iter().zip(lines).map(start).collect()
 }
 
-fn is_met(solver: Solver, thing: &Thing, lines: &[Line]) -> Vec<bool> {
-    let things = std::slice::from_ref(thing);
-    match solver {
-        Solver::Textbook => {
-            let form = Form::of(thing);
-            lines.iter().map(|line| form.met(line).is_some()).collect()
-        }
-        Solver::Single => single::Stage::with(things).cast(lines).iter().map(Option::is_some).collect(),
-        Solver::Double => double::Stage::with(things).cast(lines).iter().map(Option::is_some).collect(),
-    }
+/// How far away the rays meet the thing.
+fn met(solver: Solver, thing: &Thing, lines: &[Line]) -> Vec<Option<f64>> {
+    answers(solver, thing, lines).into_iter().map(|answer| answer.map(|answer| answer.t)).collect()
 }
 
 /// Light between two plates: from the lower one, through the gap, every ray must meet the upper
@@ -146,7 +200,7 @@ fn plates(random: &mut Random) -> [Tally; 3] {
                 tally.rays += lines.len();
                 let step = distance(&lower, origin).abs() / (ULP * (length(origin) + 2.0 * size));
                 tally.worst = tally.worst.max(step);
-                tally.faults += is_met(solver, &upper, &lines).into_iter().filter(|met| !*met).count();
+                tally.faults += met(solver, &upper, &lines).into_iter().filter(Option::is_none).count();
             }
         }
     }

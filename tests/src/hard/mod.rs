@@ -6,16 +6,24 @@
 //! its distance may be off by some units in the last place times the *conditioning*: the largest
 //! difference that has to be formed, over the cosine between ray and normal, and the way itself.
 
+mod bounds;
 pub mod cost;
 mod flat;
 mod leave;
+mod limits;
 mod mesh;
 mod optics;
 pub mod panels;
+pub mod remedies;
 mod round;
 pub mod table;
+mod terminator;
+mod walks;
 
 pub use mesh::{Mesh, escapes, odd_crossings};
+
+use std::collections::BTreeMap;
+use std::sync::OnceLock;
 
 use crate::cast::{Core, Found};
 use crate::oracle::{Contact, PRECISION, Truth, meet, size};
@@ -126,6 +134,27 @@ impl Case {
         }
     }
 
+    /// All of its rays at things, and what is true of them.
+    fn rays(&self) -> Vec<Aimed> {
+        let Run::Aimed(rounds, _) = self.run else { return Vec::new() };
+        let aims = self.aims(rounds);
+        // Two halves side by side: the oracle is slow.
+        let of = |(thing, lines): &(Thing, Vec<Line>)| Aimed {
+            case: self.name,
+            truths: lines.iter().map(|line| meet(thing, line)).collect(),
+            thing: thing.clone(),
+            lines: lines.clone(),
+            bound: self.bound,
+        };
+        let (one, other) = aims.split_at(aims.len() / 2);
+        std::thread::scope(|scope| {
+            let other = scope.spawn(|| other.iter().map(of).collect::<Vec<_>>());
+            let mut all: Vec<Aimed> = one.iter().map(of).collect();
+            all.extend(other.join().expect("the oracle answers every ray"));
+            all
+        })
+    }
+
     /// What the three solvers make of it: the same in every run.
     pub fn run(&self) -> [Tally; 3] {
         self.run_and_tell(&mut |_| ())
@@ -133,14 +162,12 @@ impl Case {
 
     /// The same, and what is wrong with the answers, in words that begin with the solver's name.
     pub fn run_and_tell(&self, tell: &mut dyn FnMut(String)) -> [Tally; 3] {
-        let mut random = self.random();
         match self.run {
-            Run::Own(check) => check(&mut random),
-            Run::Aimed(rounds, aim) => {
+            Run::Own(check) => check(&mut self.random()),
+            Run::Aimed(..) => {
                 let mut tallies = [Tally::default(); 3];
-                for _ in 0..rounds {
-                    let (thing, lines) = aim(&mut random);
-                    hold(&thing, &lines, self.bound, &mut tallies, tell);
+                for aimed in aimed_at(self.family).iter().filter(|aimed| aimed.case == self.name) {
+                    hold(aimed, &mut tallies, tell);
                 }
                 tallies
             }
@@ -148,13 +175,42 @@ impl Case {
     }
 }
 
+/// Rays at a thing, and what is true of them.
+struct Aimed {
+    case: &'static str,
+    thing: Thing,
+    lines: Vec<Line>,
+    truths: Vec<Truth>,
+    bound: f64,
+}
+
+/// The rays at things of all cases of a family. They are aimed once.
+fn aimed_at(family: &str) -> &'static [Aimed] {
+    static FAMILIES: OnceLock<BTreeMap<&'static str, Vec<Aimed>>> = OnceLock::new();
+    let families = FAMILIES.get_or_init(|| {
+        let mut families: BTreeMap<_, Vec<Aimed>> = BTreeMap::new();
+        for case in cases() {
+            families.entry(case.family).or_default().extend(case.rays());
+        }
+        families
+    });
+    families.get(family).map_or(&[], Vec::as_slice)
+}
+
 /// All cases.
 pub fn cases() -> Vec<Case> {
-    [&round::CASES[..], &flat::CASES[..], &mesh::CASES[..], &leave::CASES[..], &optics::CASES[..]]
-        .into_iter()
-        .flatten()
-        .copied()
-        .collect()
+    let families: [&[Case]; 9] = [
+        &round::CASES,
+        &flat::CASES,
+        &mesh::CASES,
+        &bounds::ROWS,
+        &walks::CASES,
+        &leave::CASES,
+        &terminator::CASES,
+        &optics::CASES,
+        &limits::CASES,
+    ];
+    families.into_iter().flatten().copied().collect()
 }
 
 /// A hit, as all solvers can tell it.
@@ -185,13 +241,13 @@ fn answers(solver: Solver, thing: &Thing, lines: &[Line]) -> Vec<Option<Answer>>
 }
 
 /// Holds the answers of all solvers against the truth.
-fn hold(thing: &Thing, lines: &[Line], bound: f64, tallies: &mut [Tally; 3], tell: &mut dyn FnMut(String)) {
-    let truths: Vec<Truth> = lines.iter().map(|line| meet(thing, line)).collect();
+fn hold(aimed: &Aimed, tallies: &mut [Tally; 3], tell: &mut dyn FnMut(String)) {
+    let Aimed { thing, lines, truths, bound, .. } = aimed;
     for (solver, tally) in Solver::ALL.into_iter().zip(tallies) {
-        for ((line, truth), answer) in lines.iter().zip(&truths).zip(answers(solver, thing, lines)) {
+        for ((line, truth), answer) in lines.iter().zip(truths).zip(answers(solver, thing, lines)) {
             tally.rays += 1;
             tally.unclear += usize::from(matches!(truth, Truth::Unclear));
-            match judged(thing, line, truth, answer, bound) {
+            match judged(thing, line, truth, answer, *bound) {
                 Ok(off) => tally.worst = tally.worst.max(off),
                 Err((fault, off)) => {
                     tally.worst = tally.worst.max(off);

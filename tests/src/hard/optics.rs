@@ -11,20 +11,34 @@ pub(super) const CASES: [Case; 2] = [
         "300 ulps to both sides of the critical angle",
         "the root of less than nothing",
         4.0,
-        |random| {
-            refracted(random, |ratio, random| (1.0 + (f64::from(random.below(601)) - 300.0) * ULP) / ratio)
-        },
+        |random| refracted(random, critical, Solver::ALL.map(solved)),
     ),
-    Case::own("refraction", "any angle, in and out", "`1 - cos^2` cancels upright", 4.0, |random| {
-        refracted(random, |_, random| random.scale(1e-6, 1.0))
+    Case::own("refraction", "any angle, in and out", "the root of less than nothing", 4.0, |random| {
+        refracted(random, any, Solver::ALL.map(solved))
     }),
 ];
 
+/// A sine near that of the critical angle, and any.
+pub(super) fn critical(ratio: f64, random: &mut Random) -> f64 {
+    (1.0 + (f64::from(random.below(601)) - 300.0) * ULP) / ratio
+}
+
+pub(super) fn any(_: f64, random: &mut Random) -> f64 {
+    random.scale(1e-6, 1.0)
+}
+
 /// A refraction, as all solvers can tell it.
 #[derive(Clone, Copy)]
-struct Broken {
-    direction: Vector,
-    mirrored: f64,
+pub(super) struct Broken {
+    pub(super) direction: Vector,
+    pub(super) mirrored: f64,
+}
+
+/// Breaks the light of a direction at a surface with this normal and ratio of indices.
+type Break = Box<dyn Fn(Vector, Vector, f64) -> Option<Broken>>;
+
+fn solved(solver: Solver) -> Break {
+    Box::new(move |d, n, ratio| answer(solver, d, n, ratio))
 }
 
 fn answer(solver: Solver, d: Vector, n: Vector, ratio: f64) -> Option<Broken> {
@@ -42,17 +56,27 @@ fn answer(solver: Solver, d: Vector, n: Vector, ratio: f64) -> Option<Broken> {
     }
 }
 
-/// Light that comes in under an angle of the given sine.
-fn refracted(random: &mut Random, sine: fn(f64, &mut Random) -> f64) -> [Tally; 3] {
-    let mut tallies = [Tally::default(); 3];
+/// Light that comes in under an angle of the given sine: its direction, the normal, and the ratio
+/// of the indices.
+pub(super) fn light(random: &mut Random, sine: fn(f64, &mut Random) -> f64) -> (Vector, Vector, f64) {
+    let ratio =
+        if random.below(4) == 0 { 1.0 / random.between(1.01, 2.5) } else { random.between(1.01, 2.5) };
+    let ratio = rounded(ratio);
+    let n = random.direction();
+    let sine = sine(ratio, random);
+    let cosine = (1.0 - (sine * sine).min(1.0)).sqrt();
+    (held(aside(n, random) * sine - n / length(n) * cosine), n, ratio)
+}
+
+/// What each makes of light that comes in under an angle of the given sine.
+pub(super) fn refracted<const N: usize>(
+    random: &mut Random,
+    sine: fn(f64, &mut Random) -> f64,
+    answers: [Break; N],
+) -> [Tally; N] {
+    let mut tallies = [Tally::default(); N];
     for _ in 0..20_000 {
-        let ratio =
-            if random.below(4) == 0 { 1.0 / random.between(1.01, 2.5) } else { random.between(1.01, 2.5) };
-        let ratio = rounded(ratio);
-        let n = random.direction();
-        let sine = sine(ratio, random);
-        let cosine = (1.0 - (sine * sine).min(1.0)).sqrt();
-        let d = held(aside(n, random) * sine - n / length(n) * cosine);
+        let (d, n, ratio) = light(random, sine);
 
         // What is true of what the numbers are.
         let (unit_d, unit_n) = (d / length(d), n / length(n));
@@ -70,10 +94,10 @@ fn refracted(random: &mut Random, sine: fn(f64, &mut Random) -> f64) -> [Tally; 
         };
         // Direction, normal and ratio are rounded, and the ratio counts twice.
         let is_unclear = room.abs() <= 32.0 * ULP || cos <= 32.0 * ULP;
-        for (solver, tally) in Solver::ALL.into_iter().zip(&mut tallies) {
+        for (answer, tally) in answers.iter().zip(&mut tallies) {
             tally.rays += 1;
             tally.unclear += usize::from(is_unclear);
-            let is_right = match answer(solver, d, n, ratio) {
+            let is_right = match answer(d, n, ratio) {
                 None => is_unclear || room < 0.0,
                 Some(Broken { direction, mirrored }) => {
                     // What a rounding of both angles does to the cosine behind, and that to the share.

@@ -19,7 +19,7 @@ const fn torus(name: &'static str, naive: &'static str, aim: Aim) -> Case {
     Case::aimed("torus", name, naive, 8.0, 200, aim)
 }
 
-pub(super) const CASES: [Case; 20] = [
+pub(super) const CASES: [Case; 21] = [
     sphere("10 to 1e5 radii away", "`b^2 - 4ac` loses all digits", far_sphere),
     sphere("of radius 1e-6", "`b^2 - 4ac` loses all digits", tiny_sphere),
     sphere("of radius 1e6, eye just above it", "`-b + sqrt(d)` cancels", huge_sphere).easy(),
@@ -35,6 +35,7 @@ pub(super) const CASES: [Case; 20] = [
     cone("100 to 1e4 sizes away", "`b^2 - 4ac` loses all digits", far_cone),
     torus("10 to 1e4 sizes away", "the quartic's coefficients lose all digits", far_torus),
     torus("thin, r/R down to 1e-4", "roots fall together", thin_torus),
+    torus("thin, along the tube", "all roots fall together", along_tube),
     torus("fat, r/R up to 1 - 1e-6", "roots fall together in the middle", fat_torus),
     torus("along the axis", "odd coefficients are all rounding", down_the_hole),
     torus("in the equatorial plane", "four roots, pairs close together", equatorial_torus),
@@ -255,6 +256,19 @@ fn far_torus(random: &mut Random) -> (Thing, Vec<Line>) {
 fn thin_torus(random: &mut Random) -> (Thing, Vec<Line>) {
     let ring = Ring::new(random.scale(1e-4, 1e-2), random);
     (ring.thing(), some(|| ring.at_tube(0.2, 3.0, random)))
+}
+
+fn along_tube(random: &mut Random) -> (Thing, Vec<Line>) {
+    let ring = Ring::new(random.scale(1e-4, 1e-2), random);
+    let line = |random: &mut Random| {
+        let out = aside(ring.axis, random);
+        let along = ring.axis.cross(out) / length(ring.axis);
+        let target = random.near(ring.center + out * ring.major, ring.minor);
+        let lean = if random.below(3) == 0 { 0.0 } else { random.scale(1e-6, 0.1) };
+        let way = along + random.direction() * lean;
+        towards(held(target - way * (ring.major * random.scale(0.5, 3.0))), target)
+    };
+    (ring.thing(), some(|| line(random)))
 }
 
 fn fat_torus(random: &mut Random) -> (Thing, Vec<Line>) {

@@ -1,8 +1,10 @@
 //! `tests/HARD-CASES.md`: the hard cases as a table, from the figures of the tests.
 
+use std::collections::BTreeMap;
 use std::fmt::Write;
 use std::path::{Path, PathBuf};
 
+use super::remedies::{Remedy, Trial};
 use super::{Case, Tally};
 
 /// Between these lines stands what is the same in every run; a test holds it against the file.
@@ -26,10 +28,109 @@ fn error(x: f64) -> String {
     }
 }
 
+/// What is measured: for each row of a table, by its first words, what stands in its last columns.
+#[derive(Default)]
+pub struct Figures {
+    columns: BTreeMap<String, String>,
+}
+
+impl Figures {
+    /// Those that stand in the file.
+    pub fn kept(text: &str) -> Figures {
+        let mut columns = BTreeMap::new();
+        for row in text.lines().filter(|line| line.starts_with("| ")) {
+            let cells: Vec<&str> = row.trim_matches('|').split(" | ").map(str::trim).collect();
+            match cells.len() {
+                FAMILY => columns.insert(cells[0].into(), cells[1..].join(" | ")),
+                REMEDY => columns.insert(cells[..2].join(" | "), cells[8..].join(" | ")),
+                _ => None,
+            };
+        }
+        Figures { columns }
+    }
+
+    /// Instructions and nanoseconds for each ray: of the textbook, of the core, with `f64` inside.
+    pub fn family(&mut self, family: &str, counts: &[f64], times: &[f64]) {
+        let columns = format!(
+            "{:.0} | {:.0} | {:.0} | {:.2} | {:.0} | {:.0} | {:.0}",
+            counts[0],
+            counts[1],
+            counts[2],
+            counts[1] / counts[0],
+            times[0],
+            times[1],
+            times[2],
+        );
+        self.columns.insert(family.into(), columns);
+    }
+
+    /// Instructions and nanoseconds for each ray: with the remedy and without it.
+    pub fn remedy(&mut self, remedy: &Remedy, counts: &[f64], times: &[f64]) {
+        let cost = (100.0 * (counts[0] / counts[1] - 1.0)).round();
+        let cost = if cost == 0.0 { 0.0 } else { cost };
+        let columns =
+            format!("{:.0} | {:.0} | {cost:+} % | {:.1} | {:.1}", counts[0], counts[1], times[0], times[1],);
+        self.columns.insert(format!("{} | {}", remedy.family, remedy.name), columns);
+    }
+
+    fn of(&self, row: &str, columns: usize) -> String {
+        self.columns.get(row).cloned().unwrap_or_else(|| vec!["?"; columns].join(" | "))
+    }
+}
+
+/// How many columns the tables of the costs have.
+const FAMILY: usize = 8;
+const REMEDY: usize = 13;
+
+/// The whole page.
+pub fn text(outcomes: &[(Case, [Tally; 3])], remedies: &[(&Remedy, &Trial)], figures: &Figures) -> String {
+    let mut text = head(outcomes);
+    text += COSTS;
+    for (family, _) in super::cost::FAMILIES {
+        writeln!(text, "| {family} | {} |", figures.of(family, FAMILY - 1)).unwrap();
+    }
+    text += REMEDIES;
+    for (remedy, trial) in remedies {
+        let row = format!("{} | {}", remedy.family, remedy.name);
+        writeln!(text, "{} {} |", found(remedy, trial), figures.of(&row, REMEDY - 8)).unwrap();
+    }
+    text
+}
+
+/// The first columns of a remedy's row, which are the same in every run.
+pub fn found(remedy: &Remedy, trial: &Trial) -> String {
+    let Remedy { family, name, without, .. } = remedy;
+    let [with, alone] = trial.faults;
+    let [least, most] = trial.worst.map_or(["–".into(), "–".into()], |worst| worst.map(error));
+    format!("| {family} | {name} | {without} | {} | {with} | {alone} | {least} | {most} |", trial.rays)
+}
+
 /// The page as far as it is the same in every run.
 pub fn head(outcomes: &[(Case, [Tally; 3])]) -> String {
     format!("{HEAD}\n{BEGIN}\n\n{}\n{END}\n\n", cases_as_text(outcomes))
 }
+
+const COSTS: &str = "## What the remedies cost
+
+Measured with `--measure`, where valgrind is at hand. Instructions are callgrind's on x86-64, on rays at things
+of ordinary proportions from 2 to 20 sizes away, of which about half meet. Times are the least of many runs, and
+only good for comparing them with each other.
+
+First each shape as a whole, on ordinary rays:
+
+| shape | instructions per ray: textbook | ours, f32 | f64 inside | ours / textbook | ns per ray: textbook | ours, f32 | f64 inside |
+|---|--:|--:|--:|--:|--:|--:|--:|
+";
+
+const REMEDIES: &str = "
+Then each remedy alone: the core's own test with the remedy, and the same test without it. Faults and times are
+those of the family's hard rays, the same for both; instructions those of ordinary rays. Where neither faults nor
+errors tell both apart, these rays do not need the remedy: the foot of the perpendicular does for spheres what
+their roots were for, and turning points are refined for tubes still thinner than these.
+
+| family | remedy | without it | hard rays | faults: with | without | worst error inside the bound: with | without | instructions per ray: with | without | cost | ns per hard ray: with | without |
+|---|---|---|--:|--:|--:|--:|--:|--:|--:|--:|--:|--:|
+";
 
 const HEAD: &str = "# Hard cases
 
@@ -55,10 +156,16 @@ and held against the tests' own figures by `cargo test -p strahl-tests --test ha
 - *Faults*: hit for miss, miss for hit, a distance or a normal outside the bound, a normal that is not of
   length one, a NaN.
 - *Error*: of the distance and of the normal, in units in the last place times the conditioning, which is that
-  largest difference over the cosine between ray and normal, and the way. For meshes there is none: a fault is a
-  ray that gets through. Of rays that leave a surface it is how far they start from it, in units in the last
-  place of its coordinates and its size; a fault is a ray that meets the surface again, or starts farther away
-  than the bound. For refraction the conditioning is that of the square root at the critical angle.
+  largest difference over the cosine between ray and normal, and the way. Of rays that leave a surface it is how
+  far they start from it, in units in the last place of its coordinates and its size; a fault is a ray that meets
+  the surface again, or starts farther away than the bound. For refraction the conditioning is that of the square
+  root at the critical angle.
+- Where there is no error there is no bound either, and a fault is an answer of another kind: of meshes a ray that
+  gets through; of the slab test a box that is missed although the exact ray, in whole numbers, meets it, or met
+  although it lies beyond the band; of grid, octree and hierarchy an answer that is not the list's to the last bit;
+  of the shadow terminator a point whose shading normal faces the light and that lies in the shadow of its own
+  smooth mesh, or a point behind a plate that is lit; of other scales an answer that does not grow with the scene,
+  bit for bit.
 ";
 
 /// The table of all cases.

@@ -3,9 +3,10 @@
 use proptest::collection::vec;
 use proptest::prelude::*;
 use strahl_core::{
-    Background, Camera, Everything, Falloff, Frame, Interface, Light, Limits, List, Material, Projection,
-    Ray, RayKind, Real, Rgb, Single, Size, Source, Texture, Tile, Tracer, Vec3, View, Worker, World, render,
-    unit, vec3,
+    Adaptive, Agreement, Background, Camera, Confidence, Everything, Falloff, Filter, Frame, Interface, Kept,
+    Light, Limits, List, Loose, Material, Parting, Projection, Ray, RayKind, Real, Regular, Rgb, Selected,
+    Selection, Single, Size, Source, Stochastic, Texture, Tile, Tracer, Vec3, View, Worker, World, render,
+    render_selected, unit, vec3,
 };
 use strahl_tests::single::Stage;
 use strahl_tests::{Kind, Random, Thing, Vector};
@@ -30,12 +31,12 @@ prop_compose! {
         index in one_of(&[0.01, 0.75, 1.0, 1.000_000_1, 1.5, 100.0]),
         clarity in one_of(&[1e-20, 1e-3, 1.0, 1e15, f32::INFINITY]),
         interface in prop::sample::select(vec![Interface::Constant, Interface::Fresnel]),
-        (two_sided, priority) in (any::<bool>(), 0_u8..3),
+        (two_sided, priority, roughness) in (any::<bool>(), 0_u8..3, one_of(&[0.0, 0.0, 1e-6, 0.3, 1.0])),
     ) -> Material {
         let clarity = Rgb::new(clarity * scale, f32::INFINITY, scale);
         Material {
             ambient, diffuse, highlight, mirror, transmitted, exponent, index, clarity, interface, two_sided,
-            priority, ..Material::MATTE
+            priority, roughness, ..Material::MATTE
         }
     }
 }
@@ -53,9 +54,9 @@ fn direction() -> impl Strategy<Value = Vec3> {
 
 prop_compose! {
     fn light(scale: f32)(
-        position in place(), direction in direction(), color in color(BRIGHT), kind in 0..3, shadows in any::<bool>(),
+        position in place(), direction in direction(), color in color(BRIGHT), kind in 0..6, shadows in any::<bool>(),
         (constant, linear, quadratic) in (one_of(&[0.0, 1.0, 1e6]), one_of(&[0.0, 1.0]), one_of(&[0.0, 1e-6, 1.0])),
-        cos in one_of(&[-1.0, 0.0, 0.9, 1.0]),
+        (cos, extent) in (one_of(&[-1.0, 0.0, 0.9, 1.0]), one_of(&[1e-6, 0.1, 1.0, 100.0])),
     ) -> Light {
         let constant = if constant + linear + quadratic > 0.0 { constant } else { 1.0 };
         let falloff = Falloff { constant, linear: linear / scale, quadratic: quadratic / scale / scale };
@@ -63,6 +64,13 @@ prop_compose! {
         let source = match kind {
             0 => Source::Point { position, falloff },
             1 => Source::Directional { toward: direction },
+            2 => Source::Sphere { position, radius: 0.0, falloff },
+            3 => Source::Sphere { position, radius: extent * scale, falloff },
+            4 => {
+                let side = unit(direction.cross(vec3(0.3, 0.5, 0.8))).unwrap();
+                let half = [side, direction.cross(side)].map(|side| side * (extent * scale));
+                Source::Rectangle { position, half, soft: shadows, falloff }
+            }
             _ => Source::Spot { position, direction, cos_bright: cos, cos_dark: -1.0, falloff },
         };
         Light { source, color, shadows }
@@ -71,16 +79,30 @@ prop_compose! {
 
 prop_compose! {
     fn view(scale: f32)(
-        (from, at) in (place(), place()), up in direction(), parallel in any::<bool>(),
+        (from, at) in (place(), place()), up in direction(), kind in 0..3,
         angle in one_of(&[1e-6, 0.8, 3.0, 0.999_999 * std::f32::consts::PI]), height in one_of(&[1e-6, 1.0, 1e6]),
     ) -> View {
-        let projection = if parallel {
-            Projection::Orthographic { height: height * scale }
-        } else {
-            Projection::Perspective { angle }
+        let projection = match kind {
+            0 => Projection::Orthographic { height: height * scale },
+            1 => Projection::Lens { angle, radius: 0.1 * height * scale, focus: scale },
+            _ => Projection::Perspective { angle },
         };
         View { from: from * scale, at: at * scale, up, projection }
     }
+}
+
+fn texture(scale: f32) -> impl Strategy<Value = Texture> {
+    let colors = (color(BRIGHT), color(BRIGHT));
+    (colors, place(), direction(), 0..3, one_of(&[0.0, 1e-3, 3.0, 1e4])).prop_map(
+        move |((from, to), origin, along, kind, often)| {
+            let origin = origin * scale;
+            match kind {
+                0 => Texture::Checker { even: from, odd: to, origin, frequency: Vec3::splat(often / scale) },
+                1 => Texture::Gradient { from, to, origin, along: along * scale },
+                _ => Texture::ZonePlate { from, to, origin, frequency: (often / scale / scale).min(1e15) },
+            }
+        },
+    )
 }
 
 /// A scene, and how it is looked at.
@@ -92,6 +114,8 @@ struct Sight {
     lights: Vec<Light>,
     ambient: Rgb,
     view: View,
+    texture: Texture,
+    colored_shadows: bool,
 }
 
 fn sight() -> impl Strategy<Value = Sight> {
@@ -104,27 +128,28 @@ fn sight() -> impl Strategy<Value = Sight> {
             vec(light(scale), 0..3),
             color(BRIGHT),
             view(scale),
+            texture(scale),
+            any::<bool>(),
         )
-            .prop_map(|(scale, things, materials, lights, ambient, view)| Sight {
-                scale,
-                things,
-                materials,
-                lights,
-                ambient,
-                view,
-            })
+            .prop_map(
+                |(scale, things, materials, lights, ambient, view, texture, colored_shadows)| Sight {
+                    scale,
+                    things,
+                    materials,
+                    lights,
+                    ambient,
+                    view,
+                    texture,
+                    colored_shadows,
+                },
+            )
     })
 }
 
 fn stage(sight: &Sight) -> Stage {
     let mut stage = Stage::new();
     let scale = f64::from(sight.scale);
-    let texture = stage.texture(Texture::Checker {
-        even: Rgb::WHITE,
-        odd: Rgb::gray(1e6),
-        origin: Vec3::ZERO,
-        frequency: Vec3::splat(3.0 / sight.scale),
-    });
+    let texture = stage.texture(sight.texture);
     for (kind, seed, material) in &sight.things {
         let material = sight.materials[*material];
         stage.material(if seed % 4 == 0 { Material { texture, ..material } } else { material });
@@ -136,15 +161,18 @@ fn stage(sight: &Sight) -> Stage {
     }
     stage.lights.clone_from(&sight.lights);
     stage.ambient = sight.ambient;
+    stage.colored_shadows = sight.colored_shadows;
     stage.background = Background::Gradient { up: Vec3::Y, below: Rgb::gray(1e6), above: Rgb::BLACK };
     stage
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig { cases: 160, failure_persistence: None, ..ProptestConfig::default() })]
+    #![proptest_config(ProptestConfig { cases: 240, failure_persistence: None, ..ProptestConfig::default() })]
 
     #[test]
-    fn every_channel_of_every_pixel_is_a_number(sight in sight(), width in 1_u32..6, height in 1_u32..5) {
+    fn every_channel_of_every_pixel_is_a_number(
+        sight in sight(), width in 1_u32..6, height in 1_u32..5, sampler in 0..5,
+    ) {
         let stage = stage(&sight);
         let size = Size::new(width, height).unwrap();
         // A view of nothing is refused at the door.
@@ -155,7 +183,32 @@ proptest! {
         let tile = Tile::whole(size);
         let mut colors = vec![Rgb::BLACK; tile.len()];
         let mut frame = Frame::new(tile, &mut colors).unwrap();
-        let Ok(()) = render(&tracer, &mut Single, &mut Worker::new(()), tile.pixels(), &mut frame);
+        let mut worker = Worker::new(());
+        let agreement = Agreement::of_colors(0.05).unwrap();
+        let mut kept = [Kept::NOTHING; 8];
+        let Ok(()) = match sampler {
+            0 => render(&tracer, &mut Single, &mut worker, tile.pixels(), &mut frame),
+            1 => {
+                let mut regular = Regular::new(2).unwrap().filtered(Filter::Gaussian);
+                render(&tracer, &mut regular, &mut worker, tile.pixels(), &mut frame)
+            }
+            2 => {
+                let parting = Parting::new(2, agreement).unwrap();
+                let mut adaptive = Adaptive::new(parting, Loose, &mut kept);
+                render(&tracer, &mut adaptive, &mut worker, tile.pixels(), &mut frame)
+            }
+            3 => {
+                let ends = Confidence { errors: 2.0, tolerance: 0.02 };
+                let mut stochastic = Stochastic::between(4, 8, ends).unwrap();
+                render(&tracer, &mut stochastic, &mut worker, tile.pixels(), &mut frame)
+            }
+            _ => {
+                let selection = Selection::new(2, agreement).unwrap();
+                let blocks = selection.blocks(tile).pixels();
+                let mut selected = Selected::new(selection, Single, Loose, &mut kept);
+                render_selected(&tracer, &mut selected, &mut worker, blocks, &mut frame)
+            }
+        };
         for color in colors {
             prop_assert!(color.is_within(Real::MAX), "{color:?}");
         }

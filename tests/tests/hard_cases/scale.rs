@@ -15,9 +15,9 @@ fn power_of_two(k: i32) -> f32 {
     (0..k.abs()).fold(1.0, |x, _| if k < 0 { x * 0.5 } else { x * 2.0 })
 }
 
-/// All shapes in paint, mirrors and glass under all lights, with every length times `scale`,
-/// which is a power of two.
-fn picture(scale: f32) -> Vec<[u32; 3]> {
+/// All shapes in paint, rough mirrors and glass under all lights, with every length times `scale`,
+/// which is a power of two, through a lens or none.
+fn picture(scale: f32, has_lens: bool) -> Vec<[u32; 3]> {
     let wide = f64::from(scale);
     let mut random = Random::new(SEED);
     let mut stage = Stage::new();
@@ -33,10 +33,17 @@ fn picture(scale: f32) -> Vec<[u32; 3]> {
         origin: vec3(0.0, -2.0, 0.0) * scale,
         along: vec3(0.3, 4.0, 0.1) * scale,
     });
+    let zones = stage.texture(Texture::ZonePlate {
+        from: Rgb::WHITE,
+        to: Rgb::new(0.2, 0.7, 0.9),
+        origin: vec3(0.5, 0.1, -0.4) * scale,
+        frequency: 0.3 / (scale * scale),
+    });
     let paint = Material { highlight: Rgb::gray(0.5), exponent: 20.0, ..Material::MATTE };
     let materials = [
         Material { texture: checker, ..paint },
         Material { texture: gradient, mirror: Rgb::gray(0.5), ..paint },
+        Material { texture: zones, mirror: Rgb::gray(0.3), roughness: 0.3, ..paint },
         Material {
             transmitted: Rgb::gray(0.9),
             index: 1.5,
@@ -49,7 +56,7 @@ fn picture(scale: f32) -> Vec<[u32; 3]> {
     stage.material(materials[0]);
     stage.plane(vec3(0.0, -3.0, 0.0) * scale, Vec3::Y);
     for i in 0..42 {
-        stage.material(materials[i % 3]);
+        stage.material(materials[i % materials.len()]);
         let kind = Kind::ALL[i % Kind::ALL.len()];
         if kind != Kind::Plane {
             let thing = Thing::random(kind, random.near(Vector::ZERO, 3.0), 0.8, &mut random);
@@ -62,11 +69,19 @@ fn picture(scale: f32) -> Vec<[u32; 3]> {
     for source in [
         Source::Point { position: vec3(-5.0, 9.0, 6.0) * scale, falloff },
         Source::Directional { toward: Vec3::Y },
+        Source::Sphere { position: vec3(4.0, 7.0, 8.0) * scale, radius: 0.7 * scale, falloff },
+        Source::Rectangle {
+            position: vec3(-4.0, 8.0, -2.0) * scale,
+            half: [Vec3::X * scale, Vec3::Z * (0.5 * scale)],
+            soft: true,
+            falloff,
+        },
         Source::Spot { position: position * scale, direction, cos_bright: 0.95, cos_dark: 0.9, falloff },
     ] {
         stage.lights.push(Light { source, color: Rgb::gray(0.4), shadows: true });
     }
     stage.ambient = Rgb::gray(0.1);
+    stage.colored_shadows = true;
     stage.background =
         Background::Gradient { up: Vec3::Y, below: Rgb::BLACK, above: Rgb::new(0.2, 0.4, 0.9) };
 
@@ -75,7 +90,11 @@ fn picture(scale: f32) -> Vec<[u32; 3]> {
         from: vec3(1.0, 2.0, 11.0) * scale,
         at: vec3(0.1, -0.2, 0.0) * scale,
         up: Vec3::Y,
-        projection: Projection::Perspective { angle: 0.8 },
+        projection: if has_lens {
+            Projection::Lens { angle: 0.8, radius: 0.2 * scale, focus: 9.0 * scale }
+        } else {
+            Projection::Perspective { angle: 0.8 }
+        },
     };
     let camera = Camera::new(&view, size).unwrap();
     let world = World::new(stage.scene(), List::bare(stage.len()));
@@ -90,11 +109,16 @@ fn picture(scale: f32) -> Vec<[u32; 3]> {
 
 #[test]
 fn a_scene_of_any_size_gives_the_same_picture_bit_for_bit() {
-    let truth = picture(1.0);
-    let colors: std::collections::BTreeSet<_> = truth.iter().collect();
-    assert!(colors.len() > 500, "only {} colours", colors.len());
+    let truths = [false, true].map(|has_lens| picture(1.0, has_lens));
+    for truth in &truths {
+        let colors: std::collections::BTreeSet<_> = truth.iter().collect();
+        assert!(colors.len() > 500, "only {} colours", colors.len());
+    }
+    assert!(truths[0] != truths[1]);
     for k in -20..=20 {
-        assert!(picture(power_of_two(k)) == truth, "2^{k}");
+        // Both with and without a lens, in turn.
+        let has_lens = k % 2 == 0;
+        assert!(picture(power_of_two(k), has_lens) == truths[usize::from(has_lens)], "2^{k}");
     }
 }
 

@@ -154,15 +154,17 @@ impl Maker<'_> {
         if let Err(fault) = Camera::new(&stock::single::view(&view), size)
             && let Some(camera) = camera
         {
-            let place = match fault {
-                ViewFault::NoUp => up.map(|up| &up.span).or(at.map(|at| &at.span)),
-                _ => at.map(|at| &at.span),
-            };
+            let is_up = fault == ViewFault::NoUp;
+            let at = at.map(|at| &at.span);
+            let place = if is_up { up.map(|up| &up.span).or(at) } else { at };
             let place = place.or(from.map(|from| &from.span)).unwrap_or(&camera.span);
             let fault = Fault::new(place.clone(), fault.to_string());
-            self.reader.faults.push(match up {
-                None => fault.help("`up` is [0, 1, 0] by default"),
-                Some(_) => {
+            self.reader.faults.push(match (is_up, up) {
+                (false, _) => {
+                    fault.help("`from` and `at` must differ once they are rounded to single precision")
+                }
+                (true, None) => fault.help("`up` is [0, 1, 0] by default"),
+                (true, Some(_)) => {
                     fault.help("without `up` it is [0, 1, 0]; any direction aslant of the view will do")
                 }
             });

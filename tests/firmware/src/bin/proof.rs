@@ -96,6 +96,9 @@ fn canary() {
 
 fn ground() {
     used((vec3(number(), number(), number()), unit(vector()), sqrt(number()), gamma(any(3))));
+    cubic_roots([number(); 4], number(), number()).iter().for_each(used);
+    used(root_between(|x| (x, number()), number(), number(), any(true)));
+    used(difference_of_products(number(), number(), number(), number()));
     used((FARTHEST, PI, ROUNDOFF, Rgb::BLACK, Rgb::BRIGHTEST));
 
     let c = Rgb::new(number(), number(), number());

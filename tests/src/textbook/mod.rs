@@ -7,6 +7,8 @@
 // These are not the core: a root by whatever way is the same root.
 #![allow(clippy::disallowed_methods)]
 
+pub mod walks;
+
 use strahl_core::Vec3;
 
 use crate::thing::{Line, Thing, Vector, area, unit};
@@ -282,6 +284,19 @@ fn cuboid(min: Vec3, max: Vec3, o: Vec3, d: Vec3) -> Option<Met> {
     Some(Met { t, normal })
 }
 
+/// Whether a ray meets a box: the order of the walls by the sign of the direction, and each
+/// distance a product with the reciprocal.
+pub fn slabs(min: Vec3, max: Vec3, o: Vec3, d: Vec3) -> bool {
+    let (mut near, mut far) = (f32::NEG_INFINITY, f32::INFINITY);
+    for axis in 0..3 {
+        let inverse = 1.0 / d[axis];
+        let (a, b) = if d[axis] >= 0.0 { (min[axis], max[axis]) } else { (max[axis], min[axis]) };
+        near = near.max((a - o[axis]) * inverse);
+        far = far.min((b - o[axis]) * inverse);
+    }
+    near <= far && far >= 0.0
+}
+
 #[allow(clippy::too_many_arguments)] // of a cone
 fn cone(
     base: Vec3,
@@ -348,7 +363,7 @@ fn torus(center: Vec3, axis: Vec3, major: f32, minor: f32, o: Vec3, d: Vec3) -> 
 }
 
 /// The real roots of `x^4 + a x^3 + b x^2 + c x + d`.
-fn quartic(a: f32, b: f32, c: f32, d: f32) -> Vec<f32> {
+pub(crate) fn quartic(a: f32, b: f32, c: f32, d: f32) -> Vec<f32> {
     // x = y - a/4: y^4 + p y^2 + q y + r.
     let s = a * a;
     let p = b - 0.375 * s;

@@ -1,0 +1,234 @@
+//! Hard rays at boxes round things, held against whole numbers: the slab test must never miss a
+//! box that the exact ray meets, and meet none that is farther away than rounding reaches.
+
+use super::{Case, Solver, Tally};
+use crate::Random;
+use crate::textbook;
+use crate::thing::{Line, vector};
+
+const fn case(name: &'static str, naive: &'static str, check: fn(&mut Random) -> [Tally; 3]) -> Case {
+    Case::own("slab test", name, naive, 0.0, check)
+}
+
+pub(super) const CASES: [Aim; 4] = [zeros, corners, plates, inside];
+
+pub(super) const ROWS: [Case; 4] = [
+    case("components 0 and -0, eye in a wall", "0 times infinity decides", |random| tried(zeros, random)),
+    case("through corners and along edges", "the far end comes before the near one", |random| {
+        tried(corners, random)
+    }),
+    case("plates of 0 to 4 ulps", "the far end comes before the near one", |random| tried(plates, random)),
+    case("eye inside, on a wall, behind", "`0 < near` leaves out where the eye is", |random| {
+        tried(inside, random)
+    })
+    .easy(),
+];
+
+/// A box and a ray in whole numbers, which `f32` holds exactly.
+type Aim = fn(&mut Random) -> Whole;
+
+#[derive(Clone, Copy)]
+pub(super) struct Whole {
+    min: [i64; 3],
+    max: [i64; 3],
+    origin: [i64; 3],
+    direction: [i64; 3],
+    /// Which components of the direction, if they are zero, are `-0`.
+    negative: [bool; 3],
+}
+
+/// A box and a ray as the core takes them, and what is true of them.
+pub(super) struct Asked {
+    pub(super) aabb: strahl_core::Aabb,
+    pub(super) line: Line,
+    is_met: bool,
+    is_near: bool,
+}
+
+impl Asked {
+    /// Whether the answer is wrong: a box that the exact ray meets must not be missed, and one that
+    /// it misses by more than the band must not be met.
+    pub(super) fn is_wrong(&self, answer: bool) -> bool {
+        if self.is_met { !answer } else { answer && !self.is_near }
+    }
+}
+
+/// The first of a case.
+pub(super) fn some(aim: &Aim, count: usize) -> Vec<Asked> {
+    let mut random = Random::new(0x5eed_000e);
+    (0..count).map(|_| aim(&mut random).asked()).collect()
+}
+
+const RAYS: usize = 10_000;
+
+fn tried(aim: Aim, random: &mut Random) -> [Tally; 3] {
+    let mut tallies = [Tally::default(); 3];
+    for _ in 0..RAYS {
+        let asked = aim(random).asked();
+        for (solver, tally) in Solver::ALL.into_iter().zip(&mut tallies) {
+            tally.rays += 1;
+            tally.unclear += usize::from(!asked.is_met && asked.is_near);
+            tally.faults += usize::from(asked.is_wrong(answer(solver, &asked)));
+        }
+    }
+    tallies
+}
+
+fn answer(solver: Solver, asked: &Asked) -> bool {
+    let Line { origin, direction } = asked.line;
+    let narrow = |v: crate::Vector| strahl_core::vec3(v.x as f32, v.y as f32, v.z as f32);
+    match solver {
+        Solver::Textbook => {
+            textbook::slabs(asked.aabb.min, asked.aabb.max, narrow(origin), narrow(direction))
+        }
+        Solver::Single => {
+            asked.aabb.span(&strahl_core::Ray::new(narrow(origin), narrow(direction))).is_some()
+        }
+        Solver::Double => {
+            let wide = |v: strahl_core::Vec3| vector(v.x.into(), v.y.into(), v.z.into());
+            let aabb = strahl_core_double::Aabb { min: wide(asked.aabb.min), max: wide(asked.aabb.max) };
+            aabb.span(&strahl_core_double::Ray::new(origin, direction)).is_some()
+        }
+    }
+}
+
+/// A quotient of whole numbers; what is below is more than zero.
+#[derive(Clone, Copy)]
+struct Quotient(i128, i128);
+
+impl Quotient {
+    fn is_beyond(self, other: Quotient) -> bool {
+        self.0 * other.1 > other.0 * self.1
+    }
+}
+
+impl Whole {
+    /// Whether the ray meets the box, walls included, grown by `by`.
+    fn is_met(&self, by: i64) -> bool {
+        let (mut entry, mut exit) = (Quotient(0, 1), None::<Quotient>);
+        for axis in 0..3 {
+            let o = self.origin[axis];
+            let (low, high) = (self.min[axis] - by - o, self.max[axis] + by - o);
+            let d = self.direction[axis];
+            if d == 0 {
+                if low > 0 || high < 0 {
+                    return false;
+                }
+                continue;
+            }
+            let (near, far) = if d > 0 { (low, high) } else { (-high, -low) };
+            let (near, far) = (Quotient(near.into(), d.abs().into()), Quotient(far.into(), d.abs().into()));
+            if near.is_beyond(entry) {
+                entry = near;
+            }
+            if exit.is_none_or(|exit| exit.is_beyond(far)) {
+                exit = Some(far);
+            }
+        }
+        exit.is_none_or(|exit| !entry.is_beyond(exit))
+    }
+
+    fn asked(&self) -> Asked {
+        let reach = (0..3)
+            .map(|axis| {
+                let o = self.origin[axis];
+                (self.min[axis] - o).abs().max((self.max[axis] - o).abs())
+            })
+            .max()
+            .unwrap_or(0);
+        // 32 roundoffs of the largest difference.
+        let band = 1 + 2 * reach * 32 / (1 << 24);
+        let number = |x: i64| x as f64;
+        let v = |v: [i64; 3]| vector(number(v[0]), number(v[1]), number(v[2]));
+        let n = |v: [i64; 3]| strahl_core::vec3(v[0] as f32, v[1] as f32, v[2] as f32);
+        let d = |axis: usize| {
+            let d = number(self.direction[axis]);
+            if d == 0.0 && self.negative[axis] { -0.0 } else { d }
+        };
+        Asked {
+            aabb: strahl_core::Aabb { min: n(self.min), max: n(self.max) },
+            line: Line { origin: v(self.origin), direction: vector(d(0), d(1), d(2)) },
+            is_met: self.is_met(0),
+            is_near: self.is_met(band),
+        }
+    }
+}
+
+/// Up to so much to both sides of zero.
+fn about(most: u32, random: &mut Random) -> i64 {
+    i64::from(random.below(2 * most + 1)) - i64::from(most)
+}
+
+/// Any box, and any ray that is aimed at a point of it.
+fn whole(random: &mut Random) -> Whole {
+    let most = [1 << 10, 1 << 16, 1 << 21][random.below(3) as usize];
+    let (a, b) = ([(); 3].map(|()| about(most, random)), [(); 3].map(|()| about(most, random)));
+    let (min, max) = (std::array::from_fn(|i| a[i].min(b[i])), std::array::from_fn(|i| a[i].max(b[i])));
+    let origin = [(); 3].map(|()| about(1 << 21, random));
+    let negative = [(); 3].map(|()| random.below(2) == 0);
+    let whole = Whole { min, max, origin, direction: [1, 1, 1], negative };
+    whole.aimed_at(std::array::from_fn(|i| min[i] + (max[i] - min[i]) * about(3, random).abs() / 3))
+}
+
+impl Whole {
+    fn aimed_at(self, target: [i64; 3]) -> Whole {
+        let direction = std::array::from_fn(|i| target[i] - self.origin[i]);
+        Whole { direction: if direction == [0; 3] { [1, 0, 0] } else { direction }, ..self }
+    }
+
+    /// The plane of one of both walls.
+    fn wall(&self, axis: usize, random: &mut Random) -> i64 {
+        if random.below(2) == 0 { self.min[axis] } else { self.max[axis] }
+    }
+}
+
+fn zeros(random: &mut Random) -> Whole {
+    let mut whole = whole(random);
+    for _ in 0..1 + random.below(2) {
+        let axis = random.below(3) as usize;
+        whole.direction[axis] = 0;
+        whole.origin[axis] = match random.below(4) {
+            0 => whole.origin[axis],
+            1 => (whole.min[axis] + whole.max[axis]) / 2,
+            _ => whole.wall(axis, random),
+        };
+    }
+    if whole.direction == [0; 3] { Whole { direction: [1, 0, 0], ..whole } } else { whole }
+}
+
+fn corners(random: &mut Random) -> Whole {
+    let whole = whole(random);
+    let mut target = [0, 1, 2].map(|axis| whole.wall(axis, random));
+    if random.below(2) == 0 {
+        // A point of an edge.
+        let axis = random.below(3) as usize;
+        target[axis] = whole.min[axis] + (whole.max[axis] - whole.min[axis]) / 3;
+    }
+    whole.aimed_at(target)
+}
+
+fn plates(random: &mut Random) -> Whole {
+    let mut whole = whole(random);
+    let axis = random.below(3) as usize;
+    whole.max[axis] = whole.min[axis] + i64::from(random.below(3));
+    let target = std::array::from_fn(|i| (whole.min[i] + whole.max[i]) / 2);
+    whole.aimed_at(target)
+}
+
+fn inside(random: &mut Random) -> Whole {
+    let mut whole = whole(random);
+    let place = |axis: usize, random: &mut Random| match random.below(3) {
+        0 => whole.wall(axis, random),
+        _ => whole.min[axis] + (whole.max[axis] - whole.min[axis]) / 2,
+    };
+    let origin = [0, 1, 2].map(|axis| place(axis, random));
+    whole.direction = [(); 3].map(|()| about(1 << 20, random));
+    if random.below(4) == 0 {
+        // Away from the box.
+        whole.origin = std::array::from_fn(|i| whole.max[i] + 1);
+        whole.direction = whole.direction.map(|d| d.abs() + 1);
+        return whole;
+    }
+    whole.origin = origin;
+    if whole.direction == [0; 3] { Whole { direction: [1, 0, 0], ..whole } } else { whole }
+}

@@ -1,0 +1,256 @@
+//! Accelerators as they are found in introductions: the walk of Amanatides and Woo with summed
+//! distances, an octree through which a point is moved, and a tree of boxes.
+
+#![allow(missing_docs)] // as in the core's own
+
+use strahl_core::{Aabb, Everything, Geometry, Ray, Shape, Vec3, vec3};
+
+use super::{EPSILON, narrow, slabs};
+use crate::thing::{Line, Thing};
+
+/// What is met first.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Found {
+    pub item: u32,
+    pub t: f64,
+}
+
+/// Upright boxes, tested by the core: only the walks are the textbook's.
+pub struct Boxes {
+    cuboids: Vec<strahl_core::Cuboid>,
+}
+
+impl Boxes {
+    pub fn of(things: &[Thing]) -> Boxes {
+        let cuboid = |thing: &Thing| match thing {
+            Thing::Cuboid { min, max } => strahl_core::Cuboid { min: narrow(*min), max: narrow(*max) },
+            other => unreachable!("{other:?} is no box"),
+        };
+        Boxes { cuboids: things.iter().map(cuboid).collect() }
+    }
+
+    fn bounds(&self) -> (Vec3, Vec3) {
+        let all = self.cuboids.iter().flat_map(|cuboid| [cuboid.min, cuboid.max]);
+        let Aabb { min, max } = Aabb::around(all);
+        (min, max)
+    }
+
+    /// Tests an item; of two at the same distance the first that is asked.
+    fn test(&self, item: u32, line: &Line, best: &mut Option<(f32, u32)>) {
+        let geometry = Geometry { cuboids: &self.cuboids, ..Geometry::EMPTY };
+        let ray = Ray::new(narrow(line.origin), narrow(line.direction));
+        if let Some(t) = geometry.distance::<Everything>(&Shape::Cuboid(item), &ray)
+            && best.is_none_or(|best| t < best.0)
+        {
+            *best = Some((t, item));
+        }
+    }
+}
+
+fn found(best: Option<(f32, u32)>) -> Option<Found> {
+    best.map(|(t, item)| Found { item, t: t.into() })
+}
+
+/// More steps than any walk needs: one that takes more stands still.
+const MOST_STEPS: u32 = 1000;
+
+/// "A Fast Voxel Traversal Algorithm for Ray Tracing", Amanatides, Woo 1987, with a fixed number of
+/// cells.
+pub struct Grid {
+    min: Vec3,
+    max: Vec3,
+    size: Vec3,
+    cells: Vec<Vec<u32>>,
+}
+
+const SIDE: i32 = 8;
+
+impl Grid {
+    pub fn of(boxes: &Boxes) -> Grid {
+        let (min, max) = boxes.bounds();
+        let size = (max - min) / SIDE as f32;
+        let mut grid = Grid { min, max, size, cells: vec![Vec::new(); (SIDE * SIDE * SIDE) as usize] };
+        for (cuboid, item) in boxes.cuboids.iter().zip(0..) {
+            let (low, high) = (grid.cell(cuboid.min), grid.cell(cuboid.max));
+            for z in low[2]..=high[2] {
+                for y in low[1]..=high[1] {
+                    for x in low[0]..=high[0] {
+                        grid.cells[((z * SIDE + y) * SIDE + x) as usize].push(item);
+                    }
+                }
+            }
+        }
+        grid
+    }
+
+    fn cell(&self, p: Vec3) -> [i32; 3] {
+        let along = |axis: usize| (((p[axis] - self.min[axis]) / self.size[axis]) as i32).clamp(0, SIDE - 1);
+        [0, 1, 2].map(along)
+    }
+
+    pub fn nearest(&self, boxes: &Boxes, line: &Line) -> Option<Found> {
+        let (o, d) = (narrow(line.origin), narrow(line.direction));
+        let (entry, _) = interval(self.min, self.max, o, d)?;
+        let mut cell = self.cell(o + d * entry);
+        let step = [0, 1, 2].map(|axis| if d[axis] >= 0.0 { 1 } else { -1 });
+        let mut next = [0, 1, 2].map(|axis| {
+            let wall = self.min[axis] + (cell[axis] + i32::from(step[axis] > 0)) as f32 * self.size[axis];
+            (wall - o[axis]) / d[axis]
+        });
+        let delta = [0, 1, 2].map(|axis| self.size[axis] / d[axis].abs());
+        let mut best = None;
+        for _ in 0..MOST_STEPS {
+            for item in &self.cells[((cell[2] * SIDE + cell[1]) * SIDE + cell[0]) as usize] {
+                boxes.test(*item, line, &mut best);
+            }
+            let axis = if next[0] < next[1] {
+                if next[0] < next[2] { 0 } else { 2 }
+            } else if next[1] < next[2] {
+                1
+            } else {
+                2
+            };
+            if best.is_some_and(|best| best.0 <= next[axis]) {
+                break;
+            }
+            cell[axis] += step[axis];
+            if cell[axis] < 0 || cell[axis] >= SIDE {
+                break;
+            }
+            next[axis] += delta[axis];
+        }
+        found(best)
+    }
+}
+
+/// Where a ray is inside a box.
+fn interval(min: Vec3, max: Vec3, o: Vec3, d: Vec3) -> Option<(f32, f32)> {
+    let (mut near, mut far) = (0.0_f32, f32::INFINITY);
+    for axis in 0..3 {
+        let inverse = 1.0 / d[axis];
+        let (a, b) = ((min[axis] - o[axis]) * inverse, (max[axis] - o[axis]) * inverse);
+        near = near.max(a.min(b));
+        far = far.min(a.max(b));
+    }
+    (near <= far).then_some((near, far))
+}
+
+/// An octree through which a point is moved, each time a little beyond the wall of its cell.
+pub struct Octree {
+    root: Cell,
+}
+
+struct Cell {
+    min: Vec3,
+    max: Vec3,
+    /// Eight, or none.
+    parts: Vec<Cell>,
+    items: Vec<u32>,
+}
+
+impl Octree {
+    pub fn of(boxes: &Boxes) -> Octree {
+        let (min, max) = boxes.bounds();
+        let items = (0..boxes.cuboids.len() as u32).collect();
+        Octree { root: Cell::of(boxes, min, max, items, 4) }
+    }
+
+    pub fn nearest(&self, boxes: &Boxes, line: &Line) -> Option<Found> {
+        let (o, d) = (narrow(line.origin), narrow(line.direction));
+        let (entry, exit) = interval(self.root.min, self.root.max, o, d)?;
+        let (mut t, mut best) = (entry, None);
+        for _ in 0..MOST_STEPS {
+            if t > exit {
+                break;
+            }
+            let cell = self.root.at(o + d * (t + EPSILON));
+            for item in &cell.items {
+                boxes.test(*item, line, &mut best);
+            }
+            let Some((_, out)) = interval(cell.min, cell.max, o, d) else { break };
+            if best.is_some_and(|best| best.0 <= out) {
+                break;
+            }
+            t = out;
+        }
+        found(best)
+    }
+}
+
+impl Cell {
+    fn of(boxes: &Boxes, min: Vec3, max: Vec3, items: Vec<u32>, levels: u32) -> Cell {
+        if levels == 0 || items.len() <= 4 {
+            return Cell { min, max, parts: Vec::new(), items };
+        }
+        let middle = (min + max) * 0.5;
+        let part = |number: u32| {
+            let side = |bit: u32, low: f32, middle: f32, high: f32| {
+                if number >> bit & 1 == 0 { (low, middle) } else { (middle, high) }
+            };
+            let x = side(0, min.x, middle.x, max.x);
+            let y = side(1, min.y, middle.y, max.y);
+            let z = side(2, min.z, middle.z, max.z);
+            let (low, high) = (vec3(x.0, y.0, z.0), vec3(x.1, y.1, z.1));
+            let is_in = |item: &&u32| {
+                let cuboid = &boxes.cuboids[**item as usize];
+                cuboid.min.cmple(high).all() && cuboid.max.cmpge(low).all()
+            };
+            Cell::of(boxes, low, high, items.iter().filter(is_in).copied().collect(), levels - 1)
+        };
+        Cell { min, max, parts: (0..8).map(part).collect(), items: Vec::new() }
+    }
+
+    fn at(&self, p: Vec3) -> &Cell {
+        if self.parts.is_empty() {
+            return self;
+        }
+        let middle = (self.min + self.max) * 0.5;
+        let bit = |axis: usize| usize::from(p[axis] >= middle[axis]) << axis;
+        self.parts[bit(0) | bit(1) | bit(2)].at(p)
+    }
+}
+
+/// A binary tree of boxes, cut where half of the items lie on either side.
+pub enum Hierarchy {
+    Leaf(Vec<u32>),
+    Parts(Vec3, Vec3, Box<[Hierarchy; 2]>),
+}
+
+impl Hierarchy {
+    pub fn of(boxes: &Boxes) -> Hierarchy {
+        Hierarchy::of_items(boxes, (0..boxes.cuboids.len() as u32).collect(), 0)
+    }
+
+    fn of_items(boxes: &Boxes, mut items: Vec<u32>, axis: usize) -> Hierarchy {
+        if items.len() <= 2 {
+            return Hierarchy::Leaf(items);
+        }
+        let middle = |item: &u32| {
+            let cuboid = &boxes.cuboids[*item as usize];
+            cuboid.min[axis] + cuboid.max[axis]
+        };
+        items.sort_by(|a, b| middle(a).total_cmp(&middle(b)));
+        let of = |item: &u32| boxes.cuboids[*item as usize];
+        let Aabb { min, max } = Aabb::around(items.iter().flat_map(|item| [of(item).min, of(item).max]));
+        let other = items.split_off(items.len() / 2);
+        let part = |items| Hierarchy::of_items(boxes, items, (axis + 1) % 3);
+        Hierarchy::Parts(min, max, Box::new([part(items), part(other)]))
+    }
+
+    pub fn nearest(&self, boxes: &Boxes, line: &Line) -> Option<Found> {
+        let mut best = None;
+        self.walk(boxes, line, &mut best);
+        found(best)
+    }
+
+    fn walk(&self, boxes: &Boxes, line: &Line, best: &mut Option<(f32, u32)>) {
+        match self {
+            Hierarchy::Leaf(items) => items.iter().for_each(|item| boxes.test(*item, line, best)),
+            Hierarchy::Parts(min, max, parts) => {
+                if slabs(*min, *max, narrow(line.origin), narrow(line.direction)) {
+                    parts.iter().for_each(|part| part.walk(boxes, line, best));
+                }
+            }
+        }
+    }
+}
