@@ -99,7 +99,11 @@ fn texture(scale: f32) -> impl Strategy<Value = Texture> {
             match kind {
                 0 => Texture::Checker { even: from, odd: to, origin, frequency: Vec3::splat(often / scale) },
                 1 => Texture::Gradient { from, to, origin, along: along * scale },
-                _ => Texture::ZonePlate { from, to, origin, frequency: (often / scale / scale).min(1e15) },
+                _ => {
+                    let frequency = often / scale / scale;
+                    let frequency = if frequency < 1e15 { frequency } else { 1e15 };
+                    Texture::ZonePlate { from, to, origin, frequency }
+                }
             }
         },
     )

@@ -39,7 +39,10 @@ pub fn torus<const MOVED: bool, const PARTED: bool, const TUBE: bool, const THIN
     let line = Line::new(o, d, torus.axis, major);
     let [c0, c1, c2, c3] = line.coefficients(minor);
     if !PARTED {
-        let t = quartic(c3, c2, c1, c0).into_iter().filter(|t| *t > start && *t <= high).reduce(f32::min)?;
+        let t = quartic(c3, c2, c1, c0)
+            .into_iter()
+            .filter(|t| *t > start && *t <= high)
+            .reduce(|a, b| if a < b { a } else { b })?;
         return Some((shift + t) * size / speed * ray.scale).filter(|t| *t > 0.0);
     }
     let f = |t: f32| {
