@@ -6,8 +6,8 @@ use std::time::{Duration, Instant};
 use super::accelerators::{Purpose, build};
 use super::choose;
 use super::strahl::{
-    Accelerator, Camera, Counters, EffectSet, Effects, Everything, Limits, Real, Rgb, Sample, Scene, Sight,
-    Size, Tally, Tracer, Worker, World,
+    Accelerator, Camera, Counters, EffectSet, Effects, Everything, Limits, RayKind, Real, Rgb, Sample, Scene,
+    Sight, Size, Tally, Tracer, Worker, World,
 };
 use super::tables::{Stock, view};
 use super::workers::{self, Eye, Eyes, LEVELS};
@@ -16,6 +16,7 @@ use crate::description::View;
 use crate::finding::Facts;
 use crate::frame::{Drawn, NoFrame};
 use crate::progress::Watch;
+use crate::sheet::{Cost, Sheet};
 use crate::wanted::{Looped, Wanted};
 
 /// Traces the scene of these tables.
@@ -89,7 +90,7 @@ impl<'s, A: Accelerator + Sync> Job<'_, 's, A> {
 
     /// Whether the work is to be counted.
     pub fn is_counted(&self) -> bool {
-        self.wanted.counted
+        self.wanted.counted || self.wanted.sheet.is_some()
     }
 
     /// Whether the loop that holds everything is asked for.
@@ -113,8 +114,16 @@ impl<'s, A: Accelerator + Sync> Job<'_, 's, A> {
         let tracer = Tracer::<A, E, LEVELS>::new(self.world, self.camera, limits).map_err(NoFrame::wrong)?;
         let eyes =
             Tracing { tracer, shadow_cache: self.wanted.shadow_cache, tally: PhantomData::<fn() -> T> };
+        let charging;
+        let eyes: &dyn Eyes = match &self.wanted.sheet {
+            None => &eyes,
+            Some(sheet) => {
+                charging = Charging { eyes: &eyes, sheet };
+                &charging
+            }
+        };
         let (colors, counted) =
-            workers::trace(&eyes, self.wanted, self.size, self.watch).map_err(NoFrame::Stopped)?;
+            workers::trace(eyes, self.wanted, self.size, self.watch).map_err(NoFrame::Stopped)?;
         Ok((rounded(colors), counted.as_ref().map(counts)))
     }
 }
@@ -147,6 +156,49 @@ impl<A: Accelerator, E: Effects, T: Count> Eye for Looking<'_, '_, '_, A, E, T> 
 
     fn counters(&self) -> Option<&Counters> {
         self.worker.tally().counters()
+    }
+}
+
+/// Eyes of which every look is charged to a pixel.
+struct Charging<'c> {
+    eyes: &'c dyn Eyes,
+    sheet: &'c Sheet,
+}
+
+impl Eyes for Charging<'_> {
+    fn open(&self) -> Box<dyn Eye + '_> {
+        Box::new(Charged { eye: self.eyes.open(), sheet: self.sheet })
+    }
+}
+
+/// One of them.
+struct Charged<'c> {
+    eye: Box<dyn Eye + 'c>,
+    sheet: &'c Sheet,
+}
+
+impl Eye for Charged<'_> {
+    fn look(&mut self, sample: Sample) -> Sight {
+        let before = self.eye.counters().copied().unwrap_or_default();
+        let sight = self.eye.look(sample);
+        let after = self.eye.counters().copied().unwrap_or_default();
+        let spent = |of: fn(&Counters, RayKind) -> u64| {
+            RayKind::ALL.map(|kind| (of(&after, kind) - of(&before, kind)) as u32)
+        };
+        let cost = Cost {
+            rays: spent(Counters::rays),
+            boxes: spent(Counters::boxes),
+            shapes: spent(Counters::shapes),
+            regions: spent(Counters::regions),
+            skipped: spent(Counters::skipped),
+        };
+        #[allow(clippy::useless_conversion)] // in double precision
+        self.sheet.charge(sample.place.x.into(), sample.place.y.into(), &cost);
+        sight
+    }
+
+    fn counters(&self) -> Option<&Counters> {
+        self.eye.counters()
     }
 }
 

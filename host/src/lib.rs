@@ -25,6 +25,7 @@
 //! | [`draw`] | from a scene to linear colours |
 //! | [`hits`] | what rays hit |
 //! | [`workers`] | tiles and threads |
+//! | [`sheet`] | what each pixel costs |
 //! | [`double`] | `accelerators`, `draw`, `hits` and `workers` for the twin in double precision |
 //! | [`counts`] | how often everything happened |
 //! | [`draft`] | a coarse picture before the full one |
@@ -76,6 +77,7 @@ pub mod render;
 pub mod samplers;
 pub mod sampling;
 pub mod settings;
+pub mod sheet;
 pub mod signals;
 pub mod stats;
 pub mod stock;

@@ -187,6 +187,7 @@ fn wanted(args: &RenderArgs, scene: &Settings, counted: bool) -> Result<Wanted, 
         cut: Cut::threads(args.threads.unwrap_or(0)),
         counted,
         looped: Looped::Fitting,
+        sheet: None,
     })
 }
 

@@ -6,6 +6,7 @@ use strahl_core::{Limits, Pixel, Size, Tile};
 
 use crate::finding::Finding;
 pub use crate::sampling::{Filter, Sampling, Selecting};
+use crate::sheet::Sheet;
 
 /// The most levels of rays.
 pub const LEVELS: usize = 64;
@@ -44,6 +45,8 @@ pub struct Wanted {
     pub counted: bool,
     /// Which of the prepared loops traces it.
     pub looped: Looped,
+    /// Where the costs of each pixel go, if anybody wants to know them; counted if this is.
+    pub sheet: Option<Arc<Sheet>>,
 }
 
 impl Wanted {
@@ -64,6 +67,7 @@ impl Wanted {
             cut: Cut::threads(0),
             counted: true,
             looped: Looped::Fitting,
+            sheet: None,
         }
     }
 }
