@@ -1,6 +1,7 @@
 //! The command line.
 
 use std::path::PathBuf;
+use std::time::Duration;
 
 use clap::{Parser, Subcommand, ValueEnum};
 use clap_complete::Shell;
@@ -74,6 +75,13 @@ pub enum Command {
     Watch(RenderArgs),
     /// Tell what is in a scene, what it asks for and why, and what it takes.
     Info(InfoArgs),
+    /// Measure what accuracy costs in time, setting by setting, and show it.
+    ///
+    /// The scene is rendered over a plan of settings, each held against a reference of high quality.
+    /// The folder that comes of it has a page to look at (report.html, which needs no network), the
+    /// runs as a table (study.csv), and everything as it was measured (study.json, whose schema
+    /// `strahl schema study` prints), of which --from makes the page again.
+    Study(StudyArgs),
     /// Bake a scene with its accelerator into bytes that a device traces from flash.
     ///
     /// The firmware opens them where they lie (`Pack::open` of the core): nothing is copied and
@@ -98,8 +106,12 @@ pub enum Command {
     },
     /// Print the manual page.
     Man(ManArgs),
-    /// Print the JSON Schema of scenes in TOML, for editors.
-    Schema,
+    /// Print the JSON Schema of scenes in TOML, for editors, or that of study.json.
+    Schema {
+        /// Of which file.
+        #[arg(default_value = "scene")]
+        what: Schema,
+    },
 }
 
 /// What to render, and how.
@@ -381,6 +393,58 @@ pub struct GenerateArgs {
     pub quiet: bool,
 }
 
+/// What to study, and how thoroughly.
+#[derive(Debug, Parser)]
+pub struct StudyArgs {
+    /// The scene: .toml, .nff, or a model: .obj, .ply, .gltf, .glb.
+    #[arg(required_unless_present = "from")]
+    pub scene: Option<PathBuf>,
+
+    /// The folder for it [default: the scene's name with -study, in the current folder; with --from the
+    /// folder of that file].
+    #[arg(short, long, value_name = "DIR")]
+    pub output: Option<PathBuf>,
+
+    /// Width and height in pixels [default: the scene's shape, with at most 65536 pixels].
+    #[arg(long, value_name = "WxH", value_parser = size)]
+    pub size: Option<Size>,
+
+    /// More notches of every knob, a finer reference, and more repetitions; takes as long as it takes.
+    #[arg(long)]
+    pub full: bool,
+
+    /// End by then, as in 30s, 5m or 1h 30m; what there is no time for is left out, and told [default: 50s;
+    /// with --full none].
+    #[arg(long, value_name = "TIME", value_parser = humantime::parse_duration)]
+    pub time_limit: Option<Duration>,
+
+    /// Threads [default: one for each core].
+    #[arg(long, value_name = "N", value_parser = threads)]
+    pub threads: Option<usize>,
+
+    /// Measure nothing: make the page and the table of this study.json again.
+    #[arg(long, value_name = "STUDY.JSON", conflicts_with_all = ["scene", "size", "full", "time_limit", "threads"])]
+    pub from: Option<PathBuf>,
+
+    /// Lay what firmware has measured into the page: a CSV file whose first line is
+    /// scene,width,height,precision,levels,cutoff,sampler,instructions,rays,rmse.
+    #[arg(long, value_name = "CSV")]
+    pub device: Option<PathBuf>,
+
+    /// Say nothing but errors.
+    #[arg(short, long)]
+    pub quiet: bool,
+}
+
+/// Of what there is a schema.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub enum Schema {
+    /// Scenes in TOML.
+    Scene,
+    /// What a study has found: study.json.
+    Study,
+}
+
 /// Which page.
 #[derive(Debug, Parser)]
 pub struct ManArgs {
@@ -445,7 +509,7 @@ fn one_of(sizes: &[usize], text: &str) -> Result<usize, String> {
 fn cutoff(text: &str) -> Result<f32, String> {
     match text.parse::<f32>() {
         Ok(cutoff) if cutoff >= 0.0 && cutoff <= 1.0 => Ok(cutoff),
-        _ => Err("a number between 0 and 1 is expected".into()),
+        _ => share(text).map(|share| share as f32),
     }
 }
 

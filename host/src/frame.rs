@@ -67,7 +67,8 @@ pub struct Facts {
 }
 
 impl Facts {
-    fn of(description: &Description, scene: &Scene<'_>) -> Self {
+    /// What is in this scene.
+    pub fn of(description: &Description, scene: &Scene<'_>) -> Self {
         let parts = scene.parts();
         let is_triangle = |s: &&Shape| matches!(s, Shape::Triangle(_) | Shape::SmoothTriangle(_));
         Facts {

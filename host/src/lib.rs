@@ -8,6 +8,7 @@
 //! | [`mod@cast`] | the command `cast` |
 //! | [`watch`] | the command `watch` |
 //! | [`bake`] | the command `bake` |
+//! | [`study`] | the command `study` |
 //! | [`info`] | the command `info` |
 //! | [`compare`] | the command `compare` |
 //! | [`generate`] | the command `generate` |
@@ -81,6 +82,7 @@ pub mod sheet;
 pub mod signals;
 pub mod stats;
 pub mod stock;
+pub mod study;
 pub mod summary;
 pub mod wanted;
 pub mod watch;

@@ -3,10 +3,11 @@
 use std::process::ExitCode;
 
 use clap::Parser;
-use strahl::args::{Args, Command};
+use strahl::args::{Args, Command, Schema};
 use strahl::failure::Answer;
 use strahl::load::native;
 use strahl::output::Output;
+use strahl::study::record;
 
 fn main() -> ExitCode {
     let args = Args::parse();
@@ -18,7 +19,14 @@ fn main() -> ExitCode {
         Command::Watch(args) => strahl::watch::run(&args).map(Answer::Ended),
         Command::Bake(args) => strahl::bake::run(&args).map(yes),
         Command::Info(args) => strahl::info::run(&args).map(yes),
-        Command::Schema => Output::Stdout.commit(native::schema().as_bytes()).map(yes),
+        Command::Study(args) => strahl::study::run(&args).map(yes),
+        Command::Schema { what } => {
+            let schema = match what {
+                Schema::Scene => native::schema(),
+                Schema::Study => record::schema(),
+            };
+            Output::Stdout.commit(schema.as_bytes()).map(yes)
+        }
         Command::Compare(args) => strahl::compare::run(&args),
         Command::Generate(args) => strahl::generate::run(&args).map(yes),
         Command::Completions { shell } => strahl::manual::completions(shell).map(yes),

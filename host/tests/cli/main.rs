@@ -12,6 +12,7 @@ mod settings;
 mod stats;
 #[cfg(unix)]
 mod stopped;
+mod study;
 mod usage;
 #[cfg(unix)]
 mod watch;

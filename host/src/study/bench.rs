@@ -1,0 +1,155 @@
+//! Where settings are measured: one scene at one size, against a clock.
+
+use std::path::Path;
+use std::sync::Arc;
+use std::time::{Duration, Instant};
+
+use strahl_core::{Rgb, Size};
+
+use super::cost::{WEIGHTS, record};
+use super::meter::Meter;
+use super::options::Options;
+use super::record::{Errors, Role, Run};
+use crate::compare::measure::Limit;
+use crate::compare::pair::Pair;
+use crate::description::Description;
+use crate::failure::Failure;
+use crate::frame::{self, Frame, NoFrame};
+use crate::picture::Picture;
+use crate::picture::read::Values;
+use crate::plan::leave_out;
+use crate::progress::Watch;
+use crate::sheet::{Cost, Sheet};
+use crate::signals::{Signals, Stop};
+use crate::wanted::Wanted;
+
+/// One scene at one size, and a clock.
+pub struct Bench<'b> {
+    /// The file, for messages.
+    pub path: &'b Path,
+    /// The scene.
+    pub scene: &'b Description,
+    /// The size of all pictures.
+    pub size: Size,
+    /// When to stop.
+    pub signals: Signals,
+    /// Who is told how far it is.
+    pub meter: Meter,
+    /// How long all of it may take.
+    pub limit: Option<Duration>,
+}
+
+/// A setting that was traced.
+pub struct Taken {
+    /// Which.
+    pub options: Options,
+    /// What it took; its errors are still to be measured.
+    pub run: Run,
+    /// What came of it, until nobody needs it any more.
+    pub picture: Option<Picture>,
+}
+
+impl Bench<'_> {
+    /// Seconds since the study began.
+    pub fn elapsed(&self) -> f64 {
+        self.meter.elapsed()
+    }
+
+    /// This share of the time that is given, in seconds.
+    pub fn share(&self, share: f64) -> f64 {
+        self.limit.map_or(f64::INFINITY, |limit| share * limit.as_secs_f64())
+    }
+
+    /// Traces it once; none where that takes more seconds than `most`.
+    pub fn trace(&self, options: &Options, most: f64) -> Result<Option<Frame>, Failure> {
+        self.traced(options, &options.wanted(self.size), most)
+    }
+
+    /// What each pixel costs, row by row.
+    pub fn costs(&self, options: &Options) -> Result<Vec<Cost>, Failure> {
+        let sheet = Arc::new(Sheet::new(self.size));
+        let wanted = Wanted { sheet: Some(Arc::clone(&sheet)), ..options.wanted(self.size) };
+        self.traced(options, &wanted, f64::INFINITY)?;
+        Ok(sheet.costs())
+    }
+
+    fn traced(&self, options: &Options, wanted: &Wanted, most: f64) -> Result<Option<Frame>, Failure> {
+        self.meter.about(options);
+        let watch = Watch::silent(self.signals.clone());
+        // What is longer than a clock can say has no end.
+        let end = Duration::try_from_secs_f64(most).ok().and_then(|most| Instant::now().checked_add(most));
+        let watch = match end {
+            Some(end) => watch.until(end),
+            None => watch,
+        };
+        let traced = if options.without.is_empty() {
+            frame::trace(self.scene, wanted, &watch)
+        } else {
+            let mut scene = self.scene.clone();
+            leave_out(&mut scene, &options.without);
+            frame::trace(&scene, wanted, &watch)
+        };
+        match traced {
+            Ok(frame) => Ok(Some(frame)),
+            Err(NoFrame::Stopped(Stop::Late)) => Ok(None),
+            Err(NoFrame::Stopped(stop)) => Err(Failure::Stopped(stop)),
+            Err(wrong) => {
+                Err(Failure::Input { path: self.path.to_owned(), line: None, reason: wrong.to_string() })
+            }
+        }
+    }
+
+    /// Traces it for the first time.
+    pub fn take(&self, role: Role, options: &Options, most: f64) -> Result<Option<Taken>, Failure> {
+        let Some(frame) = self.trace(options, most)? else { return Ok(None) };
+        let counts = frame.counters.as_ref().map(record).unwrap_or_default();
+        let choice = &frame.accelerator.choice;
+        let run = Run {
+            role,
+            setting: options.record(choice),
+            cpu: vec![frame.trace_cpu.as_secs_f64()],
+            wall: vec![frame.trace.as_secs_f64()],
+            build: frame.build.as_secs_f64(),
+            work: WEIGHTS.work(&counts, choice.kind.name()),
+            counts,
+            error: Errors::default(),
+            cut: frame.counters.as_ref().map(|counts| counts.cut()).unwrap_or_default(),
+            digest: frame.picture.digest().to_hex().to_string(),
+        };
+        Ok(Some(Taken { options: options.clone(), run, picture: Some(frame.picture) }))
+    }
+
+    /// Traces it once more.
+    pub fn repeat(&self, taken: &mut Taken) -> Result<(), Failure> {
+        if let Some(frame) = self.trace(&taken.options, f64::INFINITY)? {
+            taken.run.cpu.push(frame.trace_cpu.as_secs_f64());
+            taken.run.wall.push(frame.trace.as_secs_f64());
+        }
+        Ok(())
+    }
+}
+
+/// How far a picture is from another of the same size.
+pub fn errors(picture: &Picture, truth: &Picture) -> Errors {
+    let size = picture.size;
+    let pair = pair(picture, truth);
+    let measures = pair.measure(size.width() as usize, Limit::Identical);
+    let pixels = picture.colors.len().max(1) as f64;
+    Errors {
+        rmse: (measures.squares / (3.0 * pixels)).sqrt(),
+        largest: measures.peak.difference,
+        beyond: measures.beyond as f64 / pixels,
+        ssim: pair.ssim(size),
+    }
+}
+
+/// Two pictures, to be held against each other.
+pub fn pair(picture: &Picture, truth: &Picture) -> Pair {
+    Pair::of(Values::Linear(picture.colors.clone()), Values::Linear(truth.colors.clone()))
+}
+
+/// The mean of two pictures of the same size.
+pub fn mean(a: &Picture, b: &Picture) -> Picture {
+    let half = |(a, b): (&Rgb, &Rgb)| (*a + *b) * 0.5;
+    Picture { size: a.size, colors: a.colors.iter().zip(&b.colors).map(half).collect() }
+}

@@ -1,0 +1,102 @@
+//! The work of a picture in instructions, from what was counted: the same on every machine.
+//!
+//! Time on a machine with other work is noise, and it is the time of that machine only. The
+//! counts are the same everywhere and every time; each event is weighed with what it takes in the
+//! mean. The weights were measured with callgrind (`tests/examples/weights.rs`, which prints them
+//! and how well they tell what was measured).
+
+use strahl_core::RayKind;
+
+use super::record::{Counts, Steps, Weights};
+use crate::counts;
+
+/// Measured on x86-64, over the pictures that `tests/examples/weights.rs` names.
+pub const WEIGHTS: Weights = Weights {
+    camera: 900.0,
+    secondary: 338.0,
+    shadow: 888.0,
+    shape: 178.0,
+    skipped: 301.0,
+    list: Steps { boxes: 66.0, region: 232.0 },
+    grid: Steps { boxes: 103.0, region: 102.0 },
+    octree: Steps { boxes: 80.0, region: 761.0 },
+    bvh: Steps { boxes: 34.0, region: 625.0 },
+};
+
+/// As `study.json` has it.
+pub fn record(counts: &counts::Counts) -> Counts {
+    Counts {
+        rays: RayKind::ALL.map(|kind| counts.rays(kind)),
+        boxes: RayKind::ALL.map(|kind| counts.boxes(kind)),
+        shapes: RayKind::ALL.map(|kind| counts.shapes(kind)),
+        regions: RayKind::ALL.map(|kind| counts.regions(kind)),
+        skipped: RayKind::ALL.map(|kind| counts.skipped(kind)),
+        cache_asked: counts.shadow_cache_asked(),
+        cache_hits: counts.shadow_cache_hits(),
+    }
+}
+
+impl Weights {
+    /// What the steps of an accelerator take, by the name of its kind.
+    fn steps(&self, kind: &str) -> Steps {
+        match kind {
+            "list" => self.list,
+            "grid" => self.grid,
+            "octree" => self.octree,
+            _ => self.bvh,
+        }
+    }
+
+    /// Instructions for each kind of ray (camera, reflected, transmitted, shadow), by a kind of
+    /// accelerator.
+    pub fn by_ray(&self, counts: &Counts, kind: &str) -> [f64; 4] {
+        let rays = [self.camera, self.secondary, self.secondary, self.shadow];
+        let steps = self.steps(kind);
+        std::array::from_fn(|ray| {
+            let count = |of: &[u64; 4]| of[ray] as f64;
+            rays[ray] * count(&counts.rays)
+                + self.shape * count(&counts.shapes)
+                + self.skipped * count(&counts.skipped)
+                + steps.boxes * count(&counts.boxes)
+                + steps.region * count(&counts.regions)
+        })
+    }
+
+    /// Instructions in all.
+    pub fn work(&self, counts: &Counts, kind: &str) -> f64 {
+        self.by_ray(counts, kind).iter().sum()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn work_is_the_weighted_sum_of_the_counts() {
+        let grid = Steps { boxes: 0.5, region: 3.0 };
+        let none = Steps { boxes: 0.0, region: 0.0 };
+        let weights = Weights {
+            camera: 1.0,
+            secondary: 10.0,
+            shadow: 100.0,
+            shape: 2.0,
+            skipped: 0.25,
+            list: none,
+            grid,
+            octree: none,
+            bvh: none,
+        };
+        let counts = Counts {
+            rays: [1, 2, 3, 4],
+            boxes: [2, 0, 0, 2],
+            shapes: [0, 5, 0, 0],
+            regions: [0, 0, 1, 0],
+            skipped: [4, 0, 0, 0],
+            ..Counts::default()
+        };
+        assert_eq!(weights.by_ray(&counts, "grid"), [3.0, 30.0, 33.0, 401.0]);
+        assert_eq!(weights.work(&counts, "grid"), 467.0);
+        assert_eq!(weights.by_ray(&counts, "list"), [2.0, 30.0, 30.0, 400.0]);
+    }
+}

@@ -1,0 +1,157 @@
+//! Knobs turned one by one, everything else being as good as it gets.
+//!
+//! What a knob alone makes wrong is the difference from the same setting with that knob at its
+//! best: the same rays through the picture, so that nothing else is between the two pictures. Of
+//! samplers, and of effects that need many rays, it is the difference from the reference.
+
+use strahl_core::Limits;
+
+use super::bench::{Taken, errors};
+use super::conduct::{Conduct, Truth};
+use super::options::{Options, cutoff};
+use super::plan::most_of;
+use super::record::{Knob, Step};
+use crate::failure::Failure;
+use crate::plan::Effect;
+use crate::sampling::Sampling;
+
+/// Samples for effects that need many: enough to see what they do.
+const MANY: u32 = 16;
+
+/// The cutoff from coarse to none.
+pub(super) fn cutoffs(study: &mut Conduct<'_>, best: usize, truth: &Truth) -> Result<(), Failure> {
+    let Taken { options: base, run, .. } = &study.taken[best];
+    let (base, seconds) = (base.clone(), run.wall[0]);
+    if study.knobs.iter().any(|knob| knob.name == "levels" && knob.steps.len() < 2) {
+        return Ok(());
+    }
+    let mut steps = Vec::new();
+    for value in study.plan.cutoffs() {
+        let options = Options { limits: Limits { cutoff: value, ..base.limits }, ..base.clone() };
+        if let Some(run) = study.turn(&options, seconds, &truth.picture)? {
+            let alone = study.between(run, best).unwrap_or_default();
+            steps.push(Step { value: cutoff(value), run, alone });
+        }
+    }
+    let alone = study.between(best, best).unwrap_or_default();
+    steps.push(Step { value: cutoff(base.limits.cutoff), run: best, alone });
+    study.knobs.push(Knob {
+        name: "cutoff".into(),
+        about: "Rays that would count less than this in their pixel are not sent.".into(),
+        fixed: format!("--levels {} --sampler {}", base.limits.levels, base.sampling),
+        against: format!("cutoff {}", cutoff(base.limits.cutoff)),
+        steps,
+    });
+    Ok(())
+}
+
+/// The samplers, from few rays to many.
+pub(super) fn samplers(study: &mut Conduct<'_>, best: usize, truth: &Truth) -> Result<(), Failure> {
+    let Taken { options: base, run, .. } = &study.taken[best];
+    let (base, single) = (base.clone(), run.wall[0]);
+    let samples = truth.reference.setting.sampler.parse::<Sampling>().map_or(1, |it| 2 * most_of(&it));
+    let mut runs = vec![best];
+    for (sampling, rays) in study.plan.samplers(base.filter) {
+        // The reference must be the finer one by far.
+        if most_of(&sampling) * super::plan::FINER > samples {
+            continue;
+        }
+        let options = Options { sampling, ..base.clone() };
+        runs.extend(study.turn(&options, rays * single, &truth.picture)?);
+    }
+    runs.sort_by_key(|run| study.taken[*run].run.counts.rays[0]);
+    let step = |run: usize| {
+        let Taken { options, run: found, .. } = &study.taken[run];
+        Step { value: options.sampling.to_string(), run, alone: found.error }
+    };
+    let steps = runs.into_iter().map(step).collect();
+    study.knobs.push(Knob {
+        name: "sampler".into(),
+        about: "How many rays make a pixel, and through which places.".into(),
+        fixed: format!("--levels {} --cutoff {}", base.limits.levels, cutoff(base.limits.cutoff)),
+        against: "the reference".into(),
+        steps,
+    });
+    Ok(())
+}
+
+/// Which pixels are traced, from few to all.
+pub(super) fn selections(study: &mut Conduct<'_>, best: usize, truth: &Truth) -> Result<(), Failure> {
+    let Taken { options: base, run, .. } = &study.taken[best];
+    let (base, seconds) = (base.clone(), run.wall[0]);
+    let mut steps = Vec::new();
+    for selecting in study.plan.selections() {
+        let options = Options { selecting: Some(selecting), ..base.clone() };
+        if let Some(run) = study.turn(&options, seconds, &truth.picture)? {
+            let alone = study.between(run, best).unwrap_or_default();
+            steps.push(Step { value: selecting.to_string(), run, alone });
+        }
+    }
+    let alone = study.between(best, best).unwrap_or_default();
+    steps.push(Step { value: "all".into(), run: best, alone });
+    study.knobs.push(Knob {
+        name: "select".into(),
+        about:
+            "One pixel in so many times so many is traced first; where neighbours agree, those between are \
+                guessed."
+                .into(),
+        fixed: base.words().replace(" --select", ""),
+        against: "every pixel traced".into(),
+        steps,
+    });
+    Ok(())
+}
+
+/// Leaves out one after the other what the scene asks for.
+pub(super) fn effects(
+    study: &mut Conduct<'_>,
+    best: usize,
+    truth: &Truth,
+    asks: &[Effect],
+) -> Result<(), Failure> {
+    let Taken { options: base, run, .. } = &study.taken[best];
+    let is_many = [Effect::Penumbra, Effect::Lens, Effect::Gloss].iter().any(|effect| asks.contains(effect));
+    let rays = if is_many { MANY } else { 4 };
+    let seconds = f64::from(rays) * run.wall[0];
+    let base = Options { sampling: Sampling::stochastic(rays), ..base.clone() };
+    let mut steps = Vec::new();
+    for effect in asks {
+        let options = Options { without: vec![*effect], ..base.clone() };
+        if let Some(run) = study.turn(&options, seconds, &truth.picture)? {
+            steps.push(Step { value: effect.name().into(), run, alone: study.taken[run].run.error });
+        }
+    }
+    steps.sort_by(|a, b| b.alone.rmse.total_cmp(&a.alone.rmse));
+    if let Some(run) = study.turn(&base, seconds, &truth.picture)? {
+        steps.push(Step { value: "nothing".into(), run, alone: study.taken[run].run.error });
+    }
+    study.knobs.push(Knob {
+        name: "without".into(),
+        about: "What every effect that the scene asks for costs, and what its picture is without.".into(),
+        fixed: base.words(),
+        against: "the reference, which has all of them".into(),
+        steps,
+    });
+    Ok(())
+}
+
+/// Single precision, and double, which is the yardstick.
+pub(super) fn precision(study: &mut Conduct<'_>, runs: [Option<usize>; 2], fixed: String) {
+    let [Some(single), Some(double)] = runs else { return };
+    let picture = |run: usize| study.taken[run].picture.as_ref();
+    let alone = |run| match (picture(run), picture(double)) {
+        (Some(a), Some(b)) => errors(a, b),
+        _ => Default::default(),
+    };
+    let step = |value: &str, run| Step { value: value.into(), run, alone: alone(run) };
+    let steps = vec![step("single", single), step("double", double)];
+    study.knobs.push(Knob {
+        name: "precision".into(),
+        about: "What every number is computed with. Those of the scene are of single precision either way. Both are \
+                measured by the same loop."
+            .into(),
+        fixed,
+        against: "double precision".into(),
+        steps,
+    });
+}

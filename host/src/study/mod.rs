@@ -1,0 +1,264 @@
+//! The command `study`: what accuracy costs in time.
+//!
+//! A scene is rendered over a plan of settings, each held against a reference of high quality.
+//! The folder that comes of it has a page to look at (`report.html`), the runs as a table
+//! (`study.csv`) and everything as it was measured (`study.json`), of which the page can be made
+//! again.
+//!
+//! | room | what it does |
+//! |---|---|
+//! | [`record`] | what was found, as `study.json` holds it |
+//! | [`plan`] | what is measured, and how much time each part may take |
+//! | [`options`] | what is turned |
+//! | [`bench`](mod@bench) | one setting is measured |
+//! | [`conduct`] | a study from its beginning to its end |
+//! | [`knobs`] | knobs turned one by one |
+//! | [`mix`] | which mixtures are worth a measurement |
+//! | [`techniques`] | techniques on and off |
+//! | [`cost`] | work in instructions, from counts |
+//! | [`statistics`] | medians and spreads |
+//! | [`front`](mod@front) | the Pareto front, and what it recommends |
+//! | [`meter`] | how far it is |
+//! | [`machine`] | where it was measured |
+//! | [`images`] | pictures of it |
+//! | [`table`] | `study.csv` |
+//! | [`device`] | what firmware has measured |
+//! | [`page`] | `report.html` |
+
+use std::ffi::OsStr;
+use std::fs;
+use std::path::{Path, PathBuf};
+use std::time::Duration;
+
+use strahl_core::{Limits, Size};
+
+use crate::args::StudyArgs;
+use crate::description::{Description, Settings};
+use crate::failure::Failure;
+use crate::frame::Facts;
+use crate::load::{DEFAULT_SIZE, load_for};
+use crate::output::{Output, say, tell};
+use crate::plan::Effect;
+use crate::signals::Signals;
+use crate::stock::single::Stock;
+use crate::wanted::{Sampling, Wanted};
+use crate::wrap::{width_of_stderr, wrapped};
+use bench::Bench;
+use conduct::Conduct;
+use device::Device;
+use meter::Meter;
+use options::Options;
+use plan::Plan;
+use record::Study;
+
+pub mod bench;
+pub mod conduct;
+pub mod cost;
+pub mod device;
+pub mod front;
+pub mod images;
+mod knobs;
+pub mod machine;
+pub mod meter;
+pub mod mix;
+pub mod options;
+pub mod page;
+pub mod plan;
+pub mod record;
+pub mod statistics;
+pub mod table;
+mod techniques;
+
+/// The time that a quick study takes.
+const QUICK: Duration = Duration::from_secs(50);
+
+/// A study is of at most so many pixels where nobody names a size: what a setting costs and what it
+/// makes wrong is much the same for a larger picture.
+const PIXELS: u32 = 1 << 16;
+
+/// Studies a scene, or makes the page of a study again.
+pub fn run(args: &StudyArgs) -> Result<(), Failure> {
+    let device = args.device.as_deref().map(Device::read).transpose()?;
+    match (&args.scene, &args.from) {
+        (_, Some(file)) => {
+            let study = Study::read(file)?;
+            let folder = args.output.clone().unwrap_or_else(|| folder_of(file));
+            let folder = Folder::prepare(&folder)?;
+            folder.write("report.html", page::page(&study, device.as_ref()).as_bytes())?;
+            folder.write("study.csv", table::table(&study).as_bytes())?;
+            args.tell(&format!("{}\n", folder.path.join("report.html").display()));
+            Ok(())
+        }
+        (Some(path), None) => {
+            let signals = Signals::listen()?;
+            let scene = load(path, args)?;
+            // Before the work, so that nothing is measured that cannot be kept.
+            let folder = Folder::prepare(&args.output.clone().unwrap_or_else(|| folder_for(path)))?;
+            let study = study(path, &scene, args, signals)?;
+            folder.write("study.json", study.to_json().as_bytes())?;
+            folder.write("study.csv", table::table(&study).as_bytes())?;
+            folder.write("report.html", page::page(&study, device.as_ref()).as_bytes())?;
+            args.tell(&page::summary(&study, &folder.path.join("report.html")));
+            Ok(())
+        }
+        (None, None) => Err(Failure::Usage("a scene is missing, or --from study.json".into())),
+    }
+}
+
+/// Loads the scene, and says what its user should know of.
+fn load(path: &Path, args: &StudyArgs) -> Result<Description, Failure> {
+    let scene = load_for(path, args.size.unwrap_or(DEFAULT_SIZE))?;
+    for warning in scene.warnings.iter().filter(|_| !args.quiet) {
+        say(format_args!("{}: warning: {warning}", path.display()));
+    }
+    Ok(scene)
+}
+
+/// Measures.
+fn study(path: &Path, scene: &Description, args: &StudyArgs, signals: Signals) -> Result<Study, Failure> {
+    let (load, date) = (machine::load(), machine::now());
+    let facts = {
+        let stock = Stock::new(scene);
+        let wrong = |reason: String| Failure::Input { path: path.to_owned(), line: None, reason };
+        Facts::of(scene, &stock.scene().map_err(|error| wrong(error.to_string()))?)
+    };
+    let asks: Vec<Effect> = Effect::ALL.into_iter().filter(|effect| effect.is_in(&facts.asks)).collect();
+
+    let plan = if args.full { Plan::FULL } else { Plan::QUICK };
+    let limit = args.time_limit.or((!args.full).then_some(QUICK));
+    let size = args.size.unwrap_or_else(|| smaller(scene.settings.size.unwrap_or(DEFAULT_SIZE)));
+    let meter = if args.quiet { Meter::silent() } else { Meter::on_terminal() };
+    let bench = Bench { path, scene, size, signals, meter, limit };
+    let mut conduct = Conduct::new(&bench, &plan);
+    let found = conduct.run(&own(scene, size, args.threads), &asks).and_then(|truth| {
+        let pictures = images::all(&conduct, &truth)?;
+        Ok((truth, pictures))
+    });
+    bench.meter.end();
+    let (truth, pictures) = found?;
+    let seconds = bench.elapsed();
+    let Conduct { taken, knobs, techniques, threads, left_out, beaten, .. } = conduct;
+    let method = record::Method {
+        program: format!("strahl {}", env!("CARGO_PKG_VERSION")),
+        date,
+        processor: machine::processor(),
+        system: format!("{} {}", std::env::consts::OS, std::env::consts::ARCH),
+        cores: machine::cores(),
+        load,
+        plan: plan.name.into(),
+        time_limit: limit.map(|limit| limit.as_secs_f64()),
+        seconds,
+        beaten,
+        weights: cost::WEIGHTS,
+    };
+    Ok(Study {
+        format: record::FORMAT.into(),
+        version: record::VERSION,
+        scene: record::Scene {
+            name: stem(path),
+            file: path.display().to_string(),
+            width: size.width(),
+            height: size.height(),
+            objects: facts.objects,
+            triangles: facts.triangles,
+            lights: facts.lights,
+            effects: asks.iter().map(|effect| effect.name().into()).collect(),
+        },
+        method,
+        reference: truth.reference,
+        runs: taken.into_iter().map(|taken| taken.run).collect(),
+        knobs,
+        techniques,
+        threads,
+        left_out,
+        pictures,
+    })
+}
+
+/// The scene's own settings, where it has none the defaults.
+fn own(scene: &Description, size: Size, threads: Option<usize>) -> Options {
+    let Settings { levels, cutoff, sampling, filter, seed, finding, shadow_cache, precision, .. } =
+        scene.settings;
+    let default = Limits::DEFAULT;
+    let wanted = Wanted {
+        limits: Limits { levels: levels.unwrap_or(default.levels), cutoff: cutoff.unwrap_or(default.cutoff) },
+        sampling: sampling.unwrap_or(Sampling::Single),
+        filter: filter.unwrap_or_default(),
+        seed: seed.unwrap_or(0),
+        precision: precision.unwrap_or_default(),
+        finding,
+        shadow_cache: shadow_cache.unwrap_or(true),
+        ..Wanted::of(size)
+    };
+    Options::of(&wanted, threads.unwrap_or_else(machine::cores))
+}
+
+/// A size of the same shape that a study has time for.
+fn smaller(size: Size) -> Size {
+    let (width, height) = (f64::from(size.width()), f64::from(size.height()));
+    let scale = (f64::from(PIXELS) / (width * height)).sqrt();
+    let scaled = |side: f64| (side * scale).round().max(1.0) as u32;
+    if scale < 1.0 { Size::new(scaled(width), scaled(height)).unwrap_or(size) } else { size }
+}
+
+/// Where a study goes.
+struct Folder {
+    path: PathBuf,
+}
+
+impl Folder {
+    /// Makes it, if it is not there, and makes sure that files can be written in it.
+    fn prepare(path: &Path) -> Result<Self, Failure> {
+        let unwritable = |error| Failure::Unwritable { path: Some(path.to_owned()), error };
+        fs::create_dir_all(path).map_err(unwritable)?;
+        Output::prepare(&path.join("report.html")).map(drop)?;
+        Ok(Folder { path: path.to_owned() })
+    }
+
+    fn write(&self, name: &str, bytes: &[u8]) -> Result<(), Failure> {
+        Output::prepare(&self.path.join(name))?.commit(bytes)
+    }
+}
+
+impl StudyArgs {
+    /// Tells a person.
+    fn tell(&self, text: &str) {
+        if !self.quiet {
+            tell(wrapped(text, width_of_stderr(), page::INDENT));
+        }
+    }
+}
+
+/// The folder of a file.
+fn folder_of(file: &Path) -> PathBuf {
+    match file.parent() {
+        Some(folder) if folder != Path::new("") => folder.to_owned(),
+        _ => PathBuf::from("."),
+    }
+}
+
+/// The scene's name with `-study`, in the current folder.
+fn folder_for(scene: &Path) -> PathBuf {
+    PathBuf::from(format!("{}-study", stem(scene)))
+}
+
+fn stem(path: &Path) -> String {
+    path.file_stem().unwrap_or(OsStr::new("scene")).to_string_lossy().into_owned()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_study_is_of_a_smaller_picture_of_the_same_shape() {
+        let smaller = |width, height| {
+            let size = smaller(Size::new(width, height).unwrap());
+            (size.width(), size.height())
+        };
+        assert_eq!(smaller(640, 480), (296, 222));
+        assert_eq!(smaller(512, 512), (256, 256));
+        assert_eq!([smaller(256, 256), smaller(40, 30)], [(256, 256), (40, 30)]);
+        assert_eq!(smaller(100_000, 1), (80_954, 1));
+    }
+}

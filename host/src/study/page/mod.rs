@@ -1,0 +1,182 @@
+//! `report.html`: one page that holds everything it shows.
+//!
+//! It asks for nothing from outside, reads without scripts (there are none), follows light and dark,
+//! and fits a phone. Whatever follows from the measurements (the front, steps, recommendations) is
+//! found here, from the numbers of the study.
+//!
+//! | room | what it does |
+//! |---|---|
+//! | [`numbers`] | numbers as people read them |
+//! | `scale` | from values to places along an axis |
+//! | `family` | what kinds of settings look like |
+//! | `scatter`, `rows` | the two kinds of plots |
+//! | `brief` | what to take, in a few lines |
+//! | `curve` | error against time and work |
+//! | `looks` | pictures side by side |
+//! | `knobs` | one plot for each knob |
+//! | `places` | where the time goes |
+//! | `techniques` | techniques on and off |
+//! | `chip` | what firmware has measured |
+//! | `method` | how it was measured |
+
+use std::fmt::Write as _;
+use std::path::Path;
+
+use maud::{DOCTYPE, Markup, PreEscaped, html};
+
+use super::device::Device;
+use super::record::{Run, Study};
+use super::table::best;
+
+mod brief;
+mod chip;
+mod curve;
+mod family;
+mod knobs;
+mod looks;
+mod method;
+pub mod numbers;
+mod places;
+mod rows;
+mod scale;
+mod scatter;
+mod techniques;
+
+/// Where the text of the summary's lines begins.
+pub const INDENT: usize = 12;
+
+const STYLE: &str = include_str!("style.css");
+
+/// The page.
+pub fn page(study: &Study, device: Option<&Device>) -> String {
+    let scene = &study.scene;
+    let parts: Vec<(&str, &str, Markup)> = [
+        ("take", "What to take", brief::part(study)),
+        ("curve", "Error against time", curve::part(study)),
+        ("looks", "What it looks like", looks::part(study)),
+        ("knobs", "Knob by knob", knobs::part(study)),
+        ("places", "Where the time goes", places::part(study)),
+        ("techniques", "Technique by technique", techniques::part(study)),
+    ]
+    .into_iter()
+    .chain(device.map(|device| ("chip", "On the chip", chip::part(study, device))))
+    .chain([("method", "How it was measured", method::part(study))])
+    .collect();
+    let page = html! {
+        (DOCTYPE)
+        html lang="en" {
+            head {
+                meta charset="utf-8";
+                meta name="viewport" content="width=device-width, initial-scale=1";
+                meta name="color-scheme" content="light dark";
+                meta name="generator" content=(study.method.program);
+                title { "What accuracy costs: " (scene.name) }
+                link rel="icon" href="data:,";
+                style { (PreEscaped(STYLE)) }
+            }
+            body {
+                header {
+                    p.kicker { "strahl study" }
+                    h1 { "What accuracy costs: " (scene.name) }
+                    p.facts {
+                        (scene.width) " × " (scene.height) " pixels · "
+                        (plural(scene.objects, "object")) " · " (plural(scene.lights, "light")) " · "
+                        @if scene.effects.is_empty() { "no effects" } @else { (scene.effects.join(", ")) }
+                    }
+                    nav aria-label="Parts of this page" {
+                        @for (id, title, _) in &parts { a href=(format!("#{id}")) { (title) } }
+                    }
+                }
+                main {
+                    @for (id, title, part) in &parts {
+                        section id=(id) { h2 { (title) } (part) }
+                    }
+                }
+                footer {
+                    p { (study.method.program) " · " (study.method.date) " · " (study.method.processor) }
+                }
+            }
+        }
+    };
+    page.into_string() + "\n"
+}
+
+/// A number of things.
+fn plural(count: usize, what: &str) -> String {
+    match count {
+        1 => format!("1 {what}"),
+        _ => format!("{count} {what}s"),
+    }
+}
+
+/// The runs of the front by work that are worth a number, with their numbers from 1. One that is
+/// hardly better than the one before has none, but the last has one.
+fn numbered(study: &Study) -> Vec<(usize, usize)> {
+    const BETTER: f64 = 0.97;
+    let all = best(study, |run| run.work);
+    let mut kept: Vec<usize> = Vec::new();
+    for (index, place) in all.iter().enumerate() {
+        let error = study.runs[*place].error.rmse;
+        let is_last = index + 1 == all.len();
+        let is_better = kept.last().is_none_or(|last| error <= BETTER * study.runs[*last].error.rmse);
+        if is_better || is_last {
+            kept.push(*place);
+        }
+    }
+    kept.into_iter().enumerate().map(|(index, place)| (place, index + 1)).collect()
+}
+
+/// Options of the command line, which are broken between two of them only.
+fn options(text: &str) -> Markup {
+    let separate = if text.contains("--") { " --" } else { " " };
+    html! {
+        code {
+            @for (place, word) in text.split(separate).enumerate() {
+                @if place > 0 { " " }
+                span { @if place > 0 && separate == " --" { "--" } (word) }
+            }
+        }
+    }
+}
+
+/// What a run is, in the words of the command line without the dashes.
+fn words(run: &Run) -> String {
+    run.setting.options.replace("--", "")
+}
+
+/// A table that may be wider than a phone.
+fn wide(table: Markup) -> Markup {
+    html! { div.scroll tabindex="0" { (table) } }
+}
+
+/// What a person is told at the end.
+pub fn summary(study: &Study, page: &Path) -> String {
+    let mut text = format!("{}\n", page.display());
+    let mut line = |label: &str, says: String| {
+        // Writing to a string cannot fail.
+        let _ = writeln!(text, "  {label:<10}{says}");
+    };
+    for (limit, run) in brief::recommended(study) {
+        match run {
+            Some(run) => line(
+                &format!("≤ {limit}"),
+                format!(
+                    "{} in {}: {}",
+                    numbers::error(run.error.rmse),
+                    numbers::seconds(run.seconds()),
+                    run.setting.options
+                ),
+            ),
+            None => line(&format!("≤ {limit}"), "none of the settings measured".into()),
+        }
+    }
+    let (runs, beaten) = (study.runs.len(), study.method.beaten);
+    line(
+        "measured",
+        format!(
+            "{runs} settings in {}; {beaten} more would be beaten",
+            numbers::seconds(study.method.seconds)
+        ),
+    );
+    text
+}

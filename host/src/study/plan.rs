@@ -1,0 +1,158 @@
+//! What is measured: the notches of every knob, and how much time each part may take.
+
+use crate::sampling::{Agreement, Sampling, Selecting};
+use crate::wanted::Filter;
+
+/// How thorough a study is.
+#[derive(Clone, Copy, Debug)]
+pub struct Plan {
+    /// Its name.
+    pub name: &'static str,
+    /// Samples in a pixel of the reference, at least and at most.
+    pub reference: [u32; 2],
+    /// Samples of the stochastic sampler.
+    pub stochastic: &'static [u32],
+    /// Sides of the regular sampler's raster.
+    pub regular: &'static [u16],
+    /// Depths and thresholds of the adaptive sampler.
+    pub adaptive: &'static [(u8, f32)],
+    /// Least and most samples, confidence and tolerance of the sampler that stops by itself.
+    pub stopping: &'static [&'static str],
+    /// One divided by the cutoffs.
+    pub cutoffs: &'static [u16],
+    /// Steps and thresholds of pixel selection.
+    pub selections: &'static [(u32, f32)],
+    /// The most settings in which several knobs are turned.
+    pub mixes: usize,
+    /// The most repetitions.
+    pub repeats: usize,
+}
+
+/// Levels that are tried, until nothing is cut by them.
+pub const LEVELS: [u8; 15] = [1, 2, 3, 4, 5, 6, 8, 10, 12, 16, 20, 24, 32, 48, 64];
+
+/// Next to none: a ray of this weight changes no bit of a picture of eight bits, nor do hundreds.
+pub const FINE_CUTOFF: f32 = 1.0 / 65536.0;
+
+/// A share of the light that is as good as none.
+pub const NEXT_TO_NOTHING: f64 = 1e-4;
+
+/// The reference has at least this many times the samples of what is held against it.
+pub const FINER: u32 = 4;
+
+impl Plan {
+    /// Under a minute for 256 x 256 pixels on two cores.
+    pub const QUICK: Plan = Plan {
+        name: "quick",
+        reference: [32, 1024],
+        stochastic: &[4, 16, 64],
+        regular: &[2, 3, 4, 6],
+        adaptive: &[(0, 0.0), (2, 0.1), (3, 0.05)],
+        stopping: &["stochastic:4..64:0.9:0.02"],
+        cutoffs: &[8, 32, 128, 512],
+        selections: &[(8, 0.1), (4, 0.05)],
+        mixes: 16,
+        repeats: 5,
+    };
+
+    /// As long as it takes.
+    pub const FULL: Plan = Plan {
+        name: "full",
+        reference: [256, 4096],
+        stochastic: &[2, 4, 8, 16, 32, 64, 128, 256],
+        regular: &[2, 3, 4, 5, 6, 8, 12],
+        adaptive: &[(0, 0.0), (1, 0.1), (2, 0.1), (2, 0.03), (3, 0.1), (3, 0.03), (4, 0.05), (4, 0.01)],
+        stopping: &[
+            "stochastic:4..64:0.9:0.02",
+            "stochastic:8..256:0.9:0.01",
+            "stochastic:16..256:0.95:0.005",
+        ],
+        cutoffs: &[4, 8, 16, 32, 64, 128, 256, 512, 1024, 4096],
+        selections: &[(16, 0.1), (8, 0.1), (4, 0.1), (4, 0.05), (2, 0.05), (2, 0.02)],
+        mixes: 60,
+        repeats: 9,
+    };
+
+    /// The samplers beside `single`, with the rays that each is expected to take in a pixel. A
+    /// filter goes with those only that do not fill the pixel by themselves.
+    pub fn samplers(&self, filter: Filter) -> Vec<(Sampling, f64)> {
+        let agreement = |threshold| Agreement { threshold, items: false };
+        let regular = self.regular.iter().map(|n| (Sampling::Regular(*n), f64::from(*n) * f64::from(*n)));
+        let adaptive = self.adaptive.iter().map(|(depth, threshold)| {
+            let most = libm::pow(4.0, f64::from(*depth));
+            (Sampling::Adaptive { depth: *depth, agreement: agreement(*threshold) }, 1.0 + 0.4 * (most - 1.0))
+        });
+        let stochastic = self.stochastic.iter().map(|n| (Sampling::stochastic(*n), f64::from(*n)));
+        let stopping = self.stopping.iter().filter_map(|text| {
+            let sampling: Sampling = text.parse().ok()?;
+            Some((sampling, f64::from(most_of(&sampling)) / 2.0))
+        });
+        let all = regular.chain(adaptive).chain(stochastic).chain(stopping);
+        all.filter(|(sampling, _)| filter == Filter::Box || sampling.takes_filter()).collect()
+    }
+
+    /// Which pixels are traced.
+    pub fn selections(&self) -> impl Iterator<Item = Selecting> {
+        let with = |(step, threshold): &(u32, f32)| Selecting {
+            step: *step,
+            agreement: Agreement { threshold: *threshold, items: true },
+        };
+        self.selections.iter().map(with)
+    }
+
+    /// From coarse to fine.
+    pub fn cutoffs(&self) -> impl Iterator<Item = f32> {
+        self.cutoffs.iter().map(|whole| 1.0 / f32::from(*whole))
+    }
+
+    /// Samples in a pixel of the reference, where one in each pixel takes `single` seconds and all of them
+    /// may take `seconds`. A power of two, for which the sequence is best.
+    pub fn samples(&self, single: f64, seconds: f64) -> u32 {
+        let [least, most] = self.reference;
+        let fits = |samples: u32| f64::from(samples) * single <= seconds;
+        let mut samples = least;
+        while samples < most && fits(2 * samples) {
+            samples *= 2;
+        }
+        samples
+    }
+}
+
+/// The most rays that a sampler without a raster of corners sends through a pixel.
+pub fn most_of(sampling: &Sampling) -> u32 {
+    match sampling {
+        Sampling::Single => 1,
+        Sampling::Regular(n) => u32::from(*n) * u32::from(*n),
+        Sampling::Adaptive { depth, .. } => 4_u32.saturating_pow(u32::from(*depth)),
+        Sampling::Stochastic { most, .. } => *most,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn every_sampler_of_a_plan_is_one_of_the_command_line() {
+        for plan in [Plan::QUICK, Plan::FULL] {
+            let all = plan.samplers(Filter::Box);
+            let kinds =
+                plan.stochastic.len() + plan.regular.len() + plan.adaptive.len() + plan.stopping.len();
+            assert_eq!(all.len(), kinds, "{}", plan.name);
+            for (sampling, rays) in &all {
+                assert_eq!(sampling.to_string().parse(), Ok(*sampling));
+                assert!(*rays >= 1.0);
+            }
+            assert!(plan.samplers(Filter::Tent).iter().all(|(sampling, _)| sampling.takes_filter()));
+            assert!(plan.cutoffs().any(|it| it == 1.0 / 512.0), "the default is among the cutoffs");
+        }
+    }
+
+    #[test]
+    fn a_reference_has_as_many_samples_as_its_time_allows() {
+        let plan = Plan { reference: [32, 1024], ..Plan::QUICK };
+        let samples = |seconds| plan.samples(0.1, seconds);
+        assert_eq!([0.0, 6.3, 6.4, 25.0, 30.0, 1e9].map(samples), [32, 32, 64, 128, 256, 1024]);
+        assert_eq!(plan.samples(0.1, f64::INFINITY), 1024);
+    }
+}

@@ -1,0 +1,441 @@
+//! What a study has found, as `study.json` holds it.
+//!
+//! Only what was measured is in it. What follows from that (the Pareto front, steps of knobs,
+//! recommended settings) is found anew whenever a page is made, so that a page always agrees with
+//! the numbers beside it. `strahl schema study` prints the schema, whose version is [`VERSION`].
+
+use std::path::Path;
+
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+
+use super::statistics::median;
+use crate::failure::Failure;
+
+/// The format's name, the first thing in the file.
+pub const FORMAT: &str = "strahl-study";
+
+/// The format's version. It is raised when a field is renamed, goes, or means something else.
+pub const VERSION: u32 = 1;
+
+/// A study: what every setting of a scene costs, and how far its picture is from the truth.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct Study {
+    /// Always `strahl-study`.
+    pub format: String,
+    /// The version of this format: 1.
+    pub version: u32,
+    /// What was rendered.
+    pub scene: Scene,
+    /// How it was measured.
+    pub method: Method,
+    /// What everything was held against.
+    pub reference: Reference,
+    /// Every setting that was measured. `run` elsewhere is a place in this list, from 0.
+    pub runs: Vec<Run>,
+    /// Settings changed one by one, everything else being as good as it gets.
+    pub knobs: Vec<Knob>,
+    /// Techniques on and off.
+    pub techniques: Vec<Technique>,
+    /// The same setting with one thread, and twice as many each time: places of runs.
+    pub threads: Vec<usize>,
+    /// Settings that were not measured, or not to the end.
+    pub left_out: Vec<LeftOut>,
+    /// Pictures, as PNG files in base64.
+    pub pictures: Vec<Image>,
+}
+
+/// What was rendered.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct Scene {
+    /// The file's name without its extension.
+    pub name: String,
+    /// The file as it was named on the command line.
+    pub file: String,
+    /// Pixels.
+    pub width: u32,
+    /// Pixels.
+    pub height: u32,
+    /// Every triangle of a mesh counts as one.
+    pub objects: usize,
+    /// Those that are triangles.
+    pub triangles: usize,
+    /// Lights.
+    pub lights: usize,
+    /// The effects that it asks for.
+    pub effects: Vec<String>,
+}
+
+/// How it was measured.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct Method {
+    /// The program and its version.
+    pub program: String,
+    /// When it began, UTC, as in RFC 3339.
+    pub date: String,
+    /// The processor, as it names itself.
+    pub processor: String,
+    /// Operating system and architecture.
+    pub system: String,
+    /// Threads that the machine runs at once.
+    pub cores: usize,
+    /// The machine's load (the mean over one minute) before the study began; null: not known.
+    pub load: Option<f64>,
+    /// `quick` or `full`.
+    pub plan: String,
+    /// Seconds that it was allowed to take; null: as many as the plan takes.
+    pub time_limit: Option<f64>,
+    /// Seconds that it took.
+    pub seconds: f64,
+    /// Mixtures that were not measured, because a measured setting would beat them even if they were a good
+    /// deal better than foretold.
+    pub beaten: usize,
+    /// What one event costs, in instructions; `work` is their sum.
+    pub weights: Weights,
+}
+
+/// What one event costs, in instructions.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct Weights {
+    /// A camera ray, with the light at what it hits.
+    pub camera: f64,
+    /// A reflected or transmitted ray, the same.
+    pub secondary: f64,
+    /// A question to a light.
+    pub shadow: f64,
+    /// A test of a shape.
+    pub shape: f64,
+    /// A test that a mailbox saved.
+    pub skipped: f64,
+    /// What the steps of each accelerator take.
+    pub list: Steps,
+    /// The same.
+    pub grid: Steps,
+    /// The same.
+    pub octree: Steps,
+    /// The same.
+    pub bvh: Steps,
+}
+
+/// What the steps of an accelerator take, in instructions.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct Steps {
+    /// A test of a box.
+    pub boxes: f64,
+    /// A region entered.
+    pub region: f64,
+}
+
+/// What everything was held against.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct Reference {
+    /// Two pictures of this setting with seeds of their own; the reference is their mean.
+    pub setting: Setting,
+    /// The root of the mean square of what is left of chance in it: half of the difference of the
+    /// two. Errors below it cannot be told from none.
+    pub noise: f64,
+    /// Which share of the light the last level and the cutoff cut in it.
+    pub cut: f64,
+    /// Seconds that it took.
+    pub seconds: f64,
+}
+
+/// Everything that decides about a picture and its time, in the words of the command line.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct Setting {
+    /// `--levels`
+    pub levels: u8,
+    /// `--cutoff`
+    pub cutoff: f32,
+    /// `--sampler`
+    pub sampler: String,
+    /// `--filter`
+    pub filter: String,
+    /// `--select`; null: every pixel is traced.
+    pub select: Option<String>,
+    /// `--without`
+    pub without: Vec<String>,
+    /// `--precision`
+    pub precision: String,
+    /// How items were found, in words.
+    pub accelerator: String,
+    /// Whether who stood last in a light was asked first.
+    pub shadow_cache: bool,
+    /// `--threads`
+    pub threads: usize,
+    /// `--seed`
+    pub seed: u32,
+    /// What the command line says for all of it.
+    pub options: String,
+}
+
+/// What a run was made for.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "lowercase")]
+pub enum Role {
+    /// The scene's own settings, or the defaults.
+    Own,
+    /// One knob turned, the others being as good as they get.
+    Knob,
+    /// Several knobs turned.
+    Mix,
+    /// A technique on or off, by the loop that all accelerators and both precisions have.
+    Technique,
+    /// Another number of threads.
+    Threads,
+}
+
+/// A setting that was measured.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct Run {
+    /// What it was made for.
+    pub role: Role,
+    /// The setting.
+    pub setting: Setting,
+    /// Processor seconds of tracing, the sum over all threads, once for each repetition.
+    pub cpu: Vec<f64>,
+    /// Wall-clock seconds of tracing, once for each repetition.
+    pub wall: Vec<f64>,
+    /// Wall-clock seconds of making the tables and the accelerator, the first time.
+    pub build: f64,
+    /// The work in instructions, as the counts and the weights have it: the same on every machine.
+    pub work: f64,
+    /// What was counted.
+    pub counts: Counts,
+    /// How far the picture is from the reference.
+    pub error: Errors,
+    /// Which share of the light the last level and the cutoff cut.
+    pub cut: [f64; 2],
+    /// BLAKE3 of the linear picture.
+    pub digest: String,
+}
+
+/// What was counted; the lists are by kind of ray: camera, reflected, transmitted, shadow.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct Counts {
+    /// Rays.
+    pub rays: [u64; 4],
+    /// Tests of boxes.
+    pub boxes: [u64; 4],
+    /// Tests of shapes.
+    pub shapes: [u64; 4],
+    /// Regions entered.
+    pub regions: [u64; 4],
+    /// Tests that mailboxes saved.
+    pub skipped: [u64; 4],
+    /// How often a shadow cache was asked.
+    pub cache_asked: u64,
+    /// How often it answered.
+    pub cache_hits: u64,
+}
+
+/// How far a picture is from another: differences of sRGB-encoded values, 0 to 1.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct Errors {
+    /// The root of the mean square.
+    pub rmse: f64,
+    /// The largest.
+    pub largest: f64,
+    /// The share of pixels with a channel more than 1/255 off.
+    pub beyond: f64,
+    /// Structural similarity; 1 is equal.
+    pub ssim: f64,
+}
+
+/// Settings that differ in one thing.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct Knob {
+    /// The option.
+    pub name: String,
+    /// What it is about, in a sentence.
+    pub about: String,
+    /// What all of its steps have in common.
+    pub fixed: String,
+    /// What errors of its steps are held against.
+    pub against: String,
+    /// From coarse to fine.
+    pub steps: Vec<Step>,
+}
+
+/// One notch of a knob.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct Step {
+    /// The value.
+    pub value: String,
+    /// Its run.
+    pub run: usize,
+    /// The error that this knob alone makes.
+    pub alone: Errors,
+}
+
+/// A technique, on and off.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct Technique {
+    /// Its name.
+    pub name: String,
+    /// Where the lecture has it, as in 5.3.
+    pub part: String,
+    /// What is done without it.
+    pub off: String,
+    /// What is done with it.
+    pub on: String,
+    /// The run without it; null: it was given up, see `left_out`.
+    pub without: Option<usize>,
+    /// The run with it; null: it was given up.
+    pub with: Option<usize>,
+    /// Whether it must not change one bit of the picture.
+    pub exact: bool,
+    /// How far the two pictures are from each other; null where one is missing.
+    pub error: Option<Errors>,
+}
+
+/// A setting that was not measured.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct LeftOut {
+    /// Which.
+    pub setting: String,
+    /// Why.
+    pub why: String,
+}
+
+/// What is to be seen in a picture.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "lowercase")]
+pub enum Shows {
+    /// The reference.
+    Reference,
+    /// The picture of a run.
+    Picture,
+    /// How far the picture of a run is from the reference, in every pixel.
+    Error,
+    /// What every pixel of the scene's own setting costs.
+    Cost,
+}
+
+/// A picture.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct Image {
+    /// What is to be seen.
+    pub shows: Shows,
+    /// In which run.
+    pub run: Option<usize>,
+    /// Of what, in a few words.
+    pub title: String,
+    /// The least and the most of what colours show, where they show a number.
+    pub range: Option<[f64; 2]>,
+    /// Pixels.
+    pub width: u32,
+    /// Pixels.
+    pub height: u32,
+    /// The file, in base64.
+    pub png: String,
+}
+
+impl Setting {
+    /// The kind of accelerator: the first of the words about it.
+    pub fn kind(&self) -> &str {
+        self.accelerator.split(' ').next().unwrap_or_default()
+    }
+}
+
+impl Run {
+    /// The median of the processor seconds.
+    pub fn seconds(&self) -> f64 {
+        median(&self.cpu)
+    }
+
+    /// Whether it tells what accuracy costs, rather than how a picture is found.
+    pub fn is_about_accuracy(&self) -> bool {
+        matches!(self.role, Role::Own | Role::Knob | Role::Mix)
+    }
+}
+
+impl Study {
+    /// The file.
+    pub fn to_json(&self) -> String {
+        let mut json = serde_json::to_string_pretty(self).unwrap_or_default();
+        json.push('\n');
+        json
+    }
+
+    /// Reads the file at `path`.
+    pub fn read(path: &Path) -> Result<Self, Failure> {
+        let unreadable = |error| Failure::Unreadable { path: path.to_owned(), error };
+        let bytes = std::fs::read(path).map_err(unreadable)?;
+        Study::parse(path, &bytes)
+    }
+
+    fn parse(path: &Path, bytes: &[u8]) -> Result<Self, Failure> {
+        /// What every version begins with.
+        #[derive(Deserialize)]
+        struct Head {
+            format: String,
+            version: u32,
+        }
+        let wrong = |reason: String| Failure::Input { path: path.to_owned(), line: None, reason };
+        let at = |error: serde_json::Error| Failure::at(path, error.line(), reason(&error));
+        let head: Head = serde_json::from_slice(bytes).map_err(at)?;
+        if head.format != FORMAT {
+            return Err(wrong(format!("this is no study: its format is `{}`, not `{FORMAT}`", head.format)));
+        }
+        if head.version != VERSION {
+            let found = head.version;
+            return Err(wrong(format!("this study is of version {found}; this program reads {VERSION}")));
+        }
+        let study: Study = serde_json::from_slice(bytes).map_err(at)?;
+        study.check().map_err(wrong)?;
+        Ok(study)
+    }
+
+    /// What no schema can say: places in lists are inside, and what is a measurement has one.
+    fn check(&self) -> Result<(), String> {
+        let count = self.runs.len();
+        let steps = self.knobs.iter().flat_map(|knob| knob.steps.iter().map(|step| step.run));
+        let techniques = self.techniques.iter().flat_map(|it| [it.without, it.with]).flatten();
+        let pictures = self.pictures.iter().filter_map(|it| it.run);
+        let threads = self.threads.iter().copied();
+        if let Some(place) =
+            steps.chain(techniques).chain(pictures).chain(threads).find(|place| *place >= count)
+        {
+            return Err(format!("there is no run {place}: there are {count}, counted from 0"));
+        }
+        for (place, run) in self.runs.iter().enumerate() {
+            if run.cpu.is_empty() || run.wall.is_empty() {
+                return Err(format!("run {place} has no measured time"));
+            }
+            let is_wrong = |value: &f64| !(value.is_finite() && *value >= 0.0);
+            let Errors { rmse, largest, beyond, .. } = run.error;
+            if run.cpu.iter().chain(&run.wall).chain(&[run.work, rmse, largest, beyond]).any(is_wrong) {
+                return Err(format!("a time, the work or an error of run {place} is negative"));
+            }
+        }
+        Ok(())
+    }
+}
+
+/// What is wrong, without the place, which stands before it.
+fn reason(error: &serde_json::Error) -> String {
+    let text = error.to_string();
+    text.rsplit_once(" at line ").map_or(text.clone(), |(reason, _)| reason.to_owned())
+}
+
+/// The JSON Schema of `study.json`.
+pub fn schema() -> String {
+    let schema = serde_json::to_string_pretty(&schemars::schema_for!(Study)).unwrap_or_default();
+    schema + "\n"
+}

@@ -1,0 +1,200 @@
+//! What `study` writes, and what it refuses.
+
+use std::fs;
+use std::path::Path;
+use std::sync::OnceLock;
+
+use serde_json::Value;
+use strahl::study::record::{Role, Study, schema};
+
+use crate::program::{BALL, EMPTY, Folder};
+
+const DEVICE: &str = "scene,width,height,precision,levels,cutoff,sampler,instructions,rays,rmse";
+
+/// A study of a small scene with mirrors and glass, made once.
+fn folder() -> &'static Folder {
+    static FOLDER: OnceLock<Folder> = OnceLock::new();
+    FOLDER.get_or_init(|| {
+        let folder = Folder::with(BALL);
+        let said = folder.run("study scene.nff -o out --size 32x24 --time-limit 5s");
+        assert_eq!(said.status, Some(0), "{}", said.stderr);
+        assert!(said.stderr.contains("out/report.html"), "{}", said.stderr);
+        assert_eq!(said.stdout, b"");
+        folder
+    })
+}
+
+fn study() -> Study {
+    Study::read(&folder().path("out/study.json")).unwrap()
+}
+
+fn page(folder: &str) -> String {
+    String::from_utf8(self::folder().read(&format!("{folder}/report.html"))).unwrap()
+}
+
+/// The study with one thing changed, in a folder of its own.
+fn changed(name: &str, change: impl Fn(&mut Value)) {
+    let mut json: Value = serde_json::from_slice(&folder().read("out/study.json")).unwrap();
+    change(&mut json);
+    fs::create_dir(folder().path(name)).unwrap();
+    folder().write(&format!("{name}/study.json"), json.to_string());
+}
+
+#[test]
+fn a_study_is_a_page_a_table_and_all_that_was_measured() {
+    let mut names: Vec<_> = fs::read_dir(folder().path("out"))
+        .unwrap()
+        .map(|entry| entry.unwrap().file_name().into_string().unwrap())
+        .collect();
+    names.sort();
+    assert_eq!(names, ["report.html", "study.csv", "study.json"]);
+    let study = study();
+    assert_eq!((study.version, study.scene.name.as_str()), (1, "scene"));
+    assert_eq!((study.scene.width, study.scene.height, study.scene.objects), (32, 24, 3));
+    assert!(study.runs.iter().any(|run| run.role == Role::Own));
+    for run in &study.runs {
+        assert_eq!(run.cpu.len(), run.wall.len());
+        assert!(run.work > 0.0 && run.error.ssim <= 1.0, "{run:?}");
+    }
+
+    let table = String::from_utf8(folder().read("out/study.csv")).unwrap();
+    let mut lines = table.lines();
+    let header: Vec<_> = lines.next().unwrap().split(',').collect();
+    assert_eq!(header[..5], ["run", "role", "levels", "cutoff", "sampler"]);
+    assert_eq!(lines.clone().count(), study.runs.len());
+    assert!(lines.all(|line| line.split(',').count() == header.len()));
+}
+
+#[test]
+fn more_levels_never_make_a_picture_worse() {
+    let study = study();
+    let levels = study.knobs.iter().find(|knob| knob.name == "levels").unwrap();
+    assert!(levels.steps.len() > 3);
+    for two in levels.steps.windows(2) {
+        assert!(two[1].alone.rmse <= two[0].alone.rmse, "{} -> {}", two[0].value, two[1].value);
+    }
+    assert_eq!(levels.steps.last().unwrap().alone.rmse, 0.0);
+}
+
+#[test]
+fn techniques_that_buy_time_make_no_error_at_all() {
+    let study = study();
+    let exact: Vec<_> = study.techniques.iter().filter(|it| it.exact).collect();
+    assert!(exact.len() >= 9);
+    let mut compared = 0;
+    for it in exact {
+        if let (Some(with), Some(without)) = (it.with, it.without) {
+            assert_eq!(study.runs[with].digest, study.runs[without].digest, "{}", it.name);
+            assert_eq!(it.error.unwrap().largest, 0.0, "{}", it.name);
+            compared += 1;
+        }
+    }
+    assert!(compared >= 9, "only {compared} were compared");
+    let [one, others @ ..] = &study.threads[..] else { panic!("no threads") };
+    assert!(others.iter().all(|run| study.runs[*run].digest == study.runs[*one].digest));
+}
+
+#[test]
+fn the_page_needs_nothing_but_itself() {
+    let page = page("out");
+    assert!(page.starts_with("<!DOCTYPE html>") && page.ends_with("</html>\n"));
+    for outside in
+        ["<script", "src=\"http", "href=\"http", "url(", "@import", "<iframe", "<object", "<link rel=\"style"]
+    {
+        assert!(!page.contains(outside), "{outside}");
+    }
+    let inside = page.matches("src=\"").count();
+    assert_eq!(inside, page.matches("src=\"data:image/png;base64,").count());
+    assert!(inside >= 5);
+    // Every picture and every plot says what is to be seen.
+    assert_eq!(page.matches("<img ").count(), page.matches(" alt=\"").count());
+    assert_eq!(page.matches("role=\"img\"").count(), page.matches("role=\"img\" aria-label=\"").count());
+}
+
+#[test]
+fn the_page_is_made_again_from_what_was_measured() {
+    changed("same", |_| {});
+    let told = folder().run("study --from same/study.json");
+    assert_eq!(told.status, Some(0), "{}", told.stderr);
+    assert_eq!(page("same"), page("out"));
+    assert_eq!(folder().read("same/study.csv"), folder().read("out/study.csv"));
+}
+
+/// The plot's mark with this error: from its group to the end of that.
+fn mark(page: &str, error: f64) -> Option<&str> {
+    let start = page.find(&format!("data-error=\"{error}\""))?;
+    page[start..].split("</g>").next()
+}
+
+#[test]
+fn a_point_moves_with_its_number() {
+    let own = study().runs.iter().position(|run| run.role == Role::Own).unwrap();
+    let (before, after) = (study().runs[own].error.rmse, 0.123_456);
+    changed("moved", |json| json["runs"][own]["error"]["rmse"] = after.into());
+    folder().done("study --from moved/study.json --quiet");
+    let (old, new) = (page("out"), page("moved"));
+    let place = |mark: &str| mark.split("cy=\"").nth(1).unwrap().split('"').next().unwrap().to_owned();
+    let (was, is) = (mark(&old, before).unwrap(), mark(&new, after).unwrap());
+    assert!(mark(&old, after).is_none());
+    assert_ne!(place(was), place(is));
+}
+
+#[test]
+fn what_firmware_has_measured_is_laid_into_the_page() {
+    changed("chip", |_| {});
+    let rows = "scene,64,48,single,5,0.001953125,single,30720000,40000,0.0125\nscene,64,48,single,2,0.001953125,single,9216000,9000,0.25\n";
+    folder().write("chip.csv", format!("{DEVICE}\n{rows}"));
+    folder().done("study --from chip/study.json --device chip.csv --quiet");
+    let page = page("chip");
+    for told in ["On the chip", "chip.csv", "10.0 k", "data-error=\"0.0125\""] {
+        assert!(page.contains(told), "{told}");
+    }
+}
+
+#[test]
+fn what_is_no_study_is_refused_with_its_place() {
+    changed("old", |json| json["version"] = 7.into());
+    folder()
+        .run("study --from old/study.json")
+        .failed(65, "this study is of version 7; this program reads 1");
+    changed("other", |json| json["format"] = "recipe".into());
+    folder().run("study --from other/study.json").failed(65, "its format is `recipe`");
+    changed("far", |json| json["knobs"][0]["steps"][0]["run"] = 4000.into());
+    folder().run("study --from far/study.json").failed(65, "there is no run 4000");
+    changed("empty", |json| json["runs"][0]["cpu"] = Vec::<f64>::new().into());
+    folder().run("study --from empty/study.json").failed(65, "run 0 has no measured time");
+    folder().write("broken.json", "{\n  \"format\": \"strahl-study\",\n  \"version\": one\n}\n");
+    folder().run("study --from broken.json").failed(65, "broken.json:3: ");
+    folder().run("study --from missing.json").failed(66, "missing.json");
+}
+
+#[test]
+fn what_is_no_table_of_firmware_is_refused_with_its_line() {
+    folder().write("bad.csv", format!("{DEVICE}\nscene,64,48,single,5,0,single,lots,1,0\n"));
+    folder()
+        .run("study --from out/study.json --device bad.csv -o bad")
+        .failed(65, "bad.csv:2: instructions: ");
+    folder().run("study --from out/study.json --device none.csv -o bad").failed(66, "none.csv");
+    assert!(!folder().path("bad").exists());
+}
+
+#[test]
+fn wrong_usage_is_told_before_any_work() {
+    let folder = Folder::with(EMPTY);
+    folder.run("study").failed(2, "<SCENE>");
+    folder.run("study scene.nff --from study.json").failed(2, "cannot be used with");
+    folder.run("study scene.nff --time-limit soon").failed(2, "--time-limit");
+    folder.run("study nothing.nff").failed(66, "nothing.nff");
+    folder.run("study scene.nff -o scene.nff").failed(74, "scene.nff");
+}
+
+#[test]
+fn the_stored_schema_is_the_one_that_is_printed() {
+    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("study.schema.json");
+    let printed = Folder::with(EMPTY).done("schema study");
+    assert_eq!(String::from_utf8(printed).unwrap(), schema());
+    if std::env::var_os("STRAHL_ACCEPT").is_some() {
+        fs::write(&path, schema()).unwrap();
+    }
+    assert_eq!(fs::read_to_string(&path).unwrap(), schema(), "STRAHL_ACCEPT=1 writes it anew");
+}

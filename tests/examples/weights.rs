@@ -1,0 +1,165 @@
+//! What each event of tracing takes, in instructions: the weights of `host/src/study/cost.rs`.
+//!
+//! ```text
+//! cargo run --release -p strahl-tests --example weights [-- FOLDER_WITH_THE_NFF_FILES]
+//! ```
+//!
+//! Every scene of `scenes/` (and of the folder) is traced by every accelerator under callgrind, in
+//! a small and in a tiny picture. The difference of the two has neither loading nor building in it;
+//! what the weights say of the counts is fitted to it by least squares of the relative errors,
+//! none of them negative. Needs valgrind. Prints the weights and how well they fit.
+
+use std::collections::BTreeMap;
+use std::error::Error;
+use std::path::{Path, PathBuf};
+use std::process::{Command, ExitCode};
+
+use strahl::finding::{Finding, Kind};
+use strahl::progress::Watch;
+use strahl::sampling::Sampling;
+use strahl::signals::Signals;
+use strahl::study::cost::record;
+use strahl::study::record::Counts;
+use strahl::wanted::{Cut, Wanted};
+use strahl_core::{Limits, Size};
+
+/// Pixels of the small and of the tiny picture.
+const SIZES: [&str; 2] = ["48x36", "2x2"];
+
+/// What is weighed: three kinds of rays, shapes, tests that mailboxes saved, and for each
+/// accelerator boxes and regions.
+const EVENTS: usize = 5 + 2 * Kind::ALL.len();
+
+/// Counts in the order of [`EVENTS`].
+fn events(counts: &Counts, kind: Kind) -> [f64; EVENTS] {
+    let sum = |of: [u64; 4]| of.iter().sum::<u64>() as f64;
+    let [camera, reflected, transmitted, shadow] = counts.rays.map(|count| count as f64);
+    let mut events = [0.0; EVENTS];
+    events[..5].copy_from_slice(&[
+        camera,
+        reflected + transmitted,
+        shadow,
+        sum(counts.shapes),
+        sum(counts.skipped),
+    ]);
+    events[5 + 2 * kind as usize] = sum(counts.boxes);
+    events[6 + 2 * kind as usize] = sum(counts.regions);
+    events
+}
+
+/// Traces one picture, and prints what was counted: what runs under callgrind.
+fn trace(scene: &str, kind: &str, sampler: &str, size: &str) -> Result<(), Box<dyn Error>> {
+    let kind = Kind::ALL.into_iter().find(|it| it.name() == kind).ok_or("no such accelerator")?;
+    let (width, height) = size.split_once('x').ok_or("no size")?;
+    let size = Size::new(width.parse()?, height.parse()?).ok_or("no size")?;
+    let scene = strahl::load::load(Path::new(scene))?;
+    let levels = scene.settings.levels.unwrap_or(Limits::DEFAULT.levels);
+    let wanted = Wanted {
+        finding: Finding::by(kind),
+        sampling: sampler.parse::<Sampling>()?,
+        limits: Limits { levels, ..Limits::DEFAULT },
+        cut: Cut::threads(1),
+        ..Wanted::of(size)
+    };
+    let frame = strahl::frame::trace(&scene, &wanted, &Watch::silent(Signals::default()))?;
+    let counts = record(&frame.counters.ok_or("nothing was counted")?);
+    println!("{}", serde_json::to_string(&counts)?);
+    Ok(())
+}
+
+/// The instructions of tracing a picture, and what was counted.
+fn measured(scene: &Path, kind: Kind, sampler: &str, size: &str) -> Result<(f64, Counts), Box<dyn Error>> {
+    let done = Command::new("valgrind")
+        .args(["--tool=callgrind", "--callgrind-out-file=/dev/null"])
+        .arg(std::env::current_exe()?)
+        .arg("--trace")
+        .arg(scene)
+        .args([kind.name(), sampler, size])
+        .output()?;
+    let told = String::from_utf8(done.stderr)?;
+    let collected = told.lines().find_map(|line| line.rsplit_once("Collected :")?.1.trim().parse().ok());
+    Ok((collected.ok_or(told)?, serde_json::from_slice(&done.stdout)?))
+}
+
+/// Weights that are not negative and tell the instructions best, by coordinate descent.
+fn fit(rows: &[([f64; EVENTS], f64)]) -> [f64; EVENTS] {
+    let mut weights = [0.0; EVENTS];
+    for _ in 0..20_000 {
+        for place in 0..EVENTS {
+            let (mut up, mut across) = (0.0, 0.0);
+            for (events, instructions) in rows {
+                let told: f64 = events.iter().zip(&weights).map(|(count, weight)| count * weight).sum();
+                let others = (told - events[place] * weights[place]) / instructions;
+                let own = events[place] / instructions;
+                up += own * (1.0 - others);
+                across += own * own;
+            }
+            weights[place] = if across > 0.0 && up > 0.0 { up / across } else { 0.0 };
+        }
+    }
+    weights
+}
+
+fn main() -> Result<ExitCode, Box<dyn Error>> {
+    let words: Vec<String> = std::env::args().skip(1).collect();
+    if let [flag, scene, kind, sampler, size] = &words[..]
+        && flag == "--trace"
+    {
+        trace(scene, kind, sampler, size)?;
+        return Ok(ExitCode::SUCCESS);
+    }
+    let own = Path::new(env!("CARGO_MANIFEST_DIR")).join("../scenes");
+    let folders = std::iter::once(own).chain(words.iter().map(PathBuf::from));
+    let mut scenes = Vec::new();
+    for folder in folders {
+        let entries = std::fs::read_dir(folder)?.collect::<Result<Vec<_>, _>>()?;
+        let is_scene = |path: &PathBuf| path.extension().is_some_and(|it| it == "toml" || it == "nff");
+        scenes.extend(entries.into_iter().map(|entry| entry.path()).filter(is_scene));
+    }
+    scenes.sort();
+
+    let mut rows = Vec::new();
+    let mut names = Vec::new();
+    for scene in &scenes {
+        for kind in Kind::ALL {
+            for sampler in ["single", "regular:2"] {
+                // Four times the rays tell nothing new of a long list.
+                if sampler != "single" && kind != Kind::Bvh {
+                    continue;
+                }
+                let [(small, counts), (tiny, few)] =
+                    [measured(scene, kind, sampler, SIZES[0])?, measured(scene, kind, sampler, SIZES[1])?];
+                let (counts, few) = (events(&counts, kind), events(&few, kind));
+                rows.push((std::array::from_fn(|place| counts[place] - few[place]), small - tiny));
+                names.push((
+                    kind,
+                    format!("{} {sampler}", scene.file_name().unwrap_or_default().to_string_lossy()),
+                ));
+                eprintln!("{} {kind} {sampler}: {:.0}", scene.display(), small - tiny);
+            }
+        }
+    }
+    let weights = fit(&rows);
+    println!("camera, secondary, shadow, shape, skipped: {:.0?}", &weights[..5]);
+    let mut off: BTreeMap<&str, Vec<(f64, &str)>> = BTreeMap::new();
+    for ((events, instructions), (kind, name)) in rows.iter().zip(&names) {
+        let told: f64 = events.iter().zip(&weights).map(|(count, weight)| count * weight).sum();
+        off.entry(kind.name()).or_default().push((told / instructions - 1.0, name));
+    }
+    for kind in Kind::ALL {
+        let mut its = off.remove(kind.name()).unwrap_or_default();
+        its.sort_by(|a, b| a.0.abs().total_cmp(&b.0.abs()));
+        let at = |share: f64| its.get(((its.len() - 1) as f64 * share) as usize).copied().unwrap_or_default();
+        let place = 5 + 2 * kind as usize;
+        println!(
+            "{kind}: box {:.0}, region {:.0}; off by {:.1} % in the middle, {:.1} % for nine of ten, at most {:+.1} % ({})",
+            weights[place],
+            weights[place + 1],
+            100.0 * at(0.5).0.abs(),
+            100.0 * at(0.9).0.abs(),
+            100.0 * at(1.0).0,
+            at(1.0).1,
+        );
+    }
+    Ok(ExitCode::SUCCESS)
+}

@@ -1,0 +1,231 @@
+//! Studies of real scenes: what they must find, and how their page looks in a browser.
+
+use std::fs;
+use std::io::{BufRead, BufReader, Write};
+use std::net::{TcpListener, TcpStream};
+use std::path::{Path, PathBuf};
+use std::process::{Command, Stdio};
+use std::sync::{Arc, Mutex};
+use std::time::{Duration, Instant};
+
+use clap::Parser;
+use strahl::args::StudyArgs;
+use strahl::load::load;
+use strahl::plan::Effect;
+use strahl::signals::Signals;
+use strahl::study::bench::Bench;
+use strahl::study::conduct::{Conduct, Truth};
+use strahl::study::front::{Point, front};
+use strahl::study::meter::Meter;
+use strahl::study::options::Options;
+use strahl::study::plan::Plan;
+use strahl::study::record::Step;
+use strahl::wanted::Wanted;
+use strahl_core::Size;
+
+fn scene(name: &str) -> PathBuf {
+    Path::new(env!("CARGO_MANIFEST_DIR")).join("../scenes").join(name)
+}
+
+/// Studies a scene without a clock, so that the same is measured on every machine.
+fn studied<T>(name: &str, plan: &Plan, asks: &[Effect], then: impl FnOnce(&Conduct<'_>, &Truth) -> T) -> T {
+    let path = scene(name);
+    let scene = load(&path).unwrap();
+    let size = Size::new(40, 25).unwrap();
+    let bench = Bench {
+        path: &path,
+        scene: &scene,
+        size,
+        signals: Signals::default(),
+        meter: Meter::silent(),
+        limit: None,
+    };
+    let mut conduct = Conduct::new(&bench, plan);
+    let truth = conduct.run(&Options::of(&Wanted::of(size), 2), asks).unwrap();
+    then(&conduct, &truth)
+}
+
+/// The steps of a knob: values, and the errors that they make alone.
+fn steps<'c>(conduct: &'c Conduct<'_>, knob: &str) -> &'c [Step] {
+    &conduct.knobs.iter().find(|it| it.name == knob).unwrap_or_else(|| panic!("no {knob}")).steps
+}
+
+#[test]
+fn the_error_of_stochastic_sampling_falls_as_it_must() {
+    let plan = Plan {
+        reference: [1024, 1024],
+        stochastic: &[4, 16, 64],
+        regular: &[],
+        adaptive: &[],
+        stopping: &[],
+        mixes: 0,
+        repeats: 1,
+        ..Plan::QUICK
+    };
+    studied("penumbra.toml", &plan, &[Effect::Penumbra], |conduct, truth| {
+        let error = |samples: &str| {
+            let value = format!("stochastic:{samples}");
+            steps(conduct, "sampler").iter().find(|step| step.value == value).unwrap().alone.rmse
+        };
+        let errors = ["4", "16", "64"].map(error);
+        assert!(truth.reference.noise < 0.3 * errors[2], "{} {errors:?}", truth.reference.noise);
+        // Chance alone gives N^-0.5; a sequence of low discrepancy does better, at most N^-1.
+        for two in errors.windows(2) {
+            let slope = (two[1] / two[0]).ln() / 4_f64.ln();
+            assert!(slope < -0.45 && slope > -1.1, "{errors:?}: {slope}");
+        }
+    });
+}
+
+#[test]
+fn no_knob_makes_a_picture_worse_where_it_is_finer() {
+    let plan =
+        Plan { reference: [64, 64], regular: &[2], stochastic: &[4], repeats: 1, mixes: 6, ..Plan::QUICK };
+    studied("classic.toml", &plan, &[Effect::Reflection, Effect::Transmission], |conduct, _| {
+        for knob in ["levels", "cutoff"] {
+            let steps = steps(conduct, knob);
+            assert!(steps.len() > 3, "{knob}");
+            for two in steps.windows(2) {
+                assert!(
+                    two[1].alone.rmse <= two[0].alone.rmse,
+                    "{knob} {} -> {}",
+                    two[0].value,
+                    two[1].value
+                );
+            }
+        }
+        for it in conduct.techniques.iter().filter(|it| it.exact) {
+            let digest = |run: Option<usize>| conduct.taken[run.unwrap()].run.digest.as_str();
+            assert_eq!(digest(it.with), digest(it.without), "{}", it.name);
+        }
+        // What an effect does is more than what is left of chance.
+        let without = steps(conduct, "without");
+        let (all, left_out) = without.split_last().unwrap();
+        assert_eq!((all.value.as_str(), left_out.len()), ("nothing", 2));
+        assert!(left_out.iter().all(|step| step.alone.rmse > 2.0 * all.alone.rmse));
+        // Mixtures reach the front.
+        let points: Vec<Point> =
+            conduct.taken.iter().map(|it| Point { cost: it.run.work, error: it.run.error.rmse }).collect();
+        assert!(front(&points).len() >= 3);
+        assert!(conduct.beaten > 0, "nothing was left out as beaten");
+    });
+}
+
+/// A server on this machine that has one page, and remembers what it was asked for.
+struct Server {
+    address: String,
+    asked: Arc<Mutex<Vec<String>>>,
+}
+
+impl Server {
+    fn of(page: Vec<u8>) -> Self {
+        let listener = TcpListener::bind("127.0.0.1:0").unwrap();
+        let address = listener.local_addr().unwrap().to_string();
+        let asked = Arc::new(Mutex::new(Vec::new()));
+        let heard = Arc::clone(&asked);
+        std::thread::spawn(move || {
+            for stream in listener.incoming().flatten() {
+                answer(stream, &page, &heard);
+            }
+        });
+        Server { address, asked }
+    }
+}
+
+fn answer(mut stream: TcpStream, page: &[u8], asked: &Mutex<Vec<String>>) {
+    let mut line = String::new();
+    let mut reader = BufReader::new(stream.try_clone().unwrap());
+    // A connection that says nothing, or no text, asks for nothing of ours.
+    if reader.read_line(&mut line).unwrap_or(0) == 0 {
+        return;
+    }
+    asked.lock().unwrap().push(line.trim().to_owned());
+    let mut header = String::new();
+    while reader.read_line(&mut header).unwrap_or(0) > 2 {
+        header.clear();
+    }
+    let head = format!(
+        "HTTP/1.1 200 OK\r\nContent-Type: text/html\r\nContent-Length: {}\r\nConnection: close\r\n\r\n",
+        page.len()
+    );
+    let _ = stream.write_all(head.as_bytes()).and_then(|()| stream.write_all(page));
+}
+
+/// Chromium, where it is installed.
+fn chromium() -> Option<&'static str> {
+    let is_there = |name: &&str| {
+        let asked = Command::new(name).arg("--version").stdout(Stdio::null()).stderr(Stdio::null()).status();
+        asked.is_ok_and(|status| status.success())
+    };
+    ["chromium", "chromium-browser", "google-chrome"].into_iter().find(is_there)
+}
+
+/// The page as a window of this width shows it, from its top.
+fn shown(browser: &str, folder: &Path, address: &str, width: u32, scheme: &[&str]) -> image::RgbImage {
+    let file = folder.join(format!("{width}{}.png", scheme.len()));
+    let mut child = Command::new(browser)
+        .args(["--headless=new", "--no-sandbox", "--disable-gpu", "--hide-scrollbars", "--no-first-run"])
+        .args([
+            "--disable-background-networking",
+            "--disable-component-update",
+            "--disable-sync",
+            "--disable-extensions",
+        ])
+        // Whatever the page asks of anybody comes to the server.
+        .arg(format!("--host-resolver-rules=MAP * {address}"))
+        .arg(format!("--user-data-dir={}", folder.join("profile").display()))
+        .arg(format!("--window-size={width},1800"))
+        .arg(format!("--screenshot={}", file.display()))
+        .args(scheme)
+        .arg(format!("http://{address}/report.html"))
+        .stdout(Stdio::null())
+        .stderr(Stdio::null())
+        .spawn()
+        .unwrap();
+    let start = Instant::now();
+    while child.try_wait().unwrap().is_none() {
+        if start.elapsed() > Duration::from_secs(120) {
+            child.kill().unwrap();
+            panic!("the browser does not end");
+        }
+        std::thread::sleep(Duration::from_millis(50));
+    }
+    image::open(&file).unwrap().to_rgb8()
+}
+
+/// How many pixels have this colour.
+fn pixels(picture: &image::RgbImage, color: [u8; 3]) -> usize {
+    picture.pixels().filter(|pixel| pixel.0.iter().zip(color).all(|(a, b)| a.abs_diff(b) <= 3)).count()
+}
+
+#[test]
+fn the_page_shows_its_plots_in_a_browser_and_fetches_nothing() {
+    let Some(browser) = chromium() else {
+        eprintln!("skipped: Chromium is not installed");
+        return;
+    };
+    let folder = tempfile::tempdir().unwrap();
+    let path = scene("classic.toml");
+    let out = folder.path().join("out");
+    let words = ["study", path.to_str().unwrap(), "-o", out.to_str().unwrap(), "--size", "48x36"];
+    let args = StudyArgs::parse_from([&words[..], &["--time-limit", "6s", "--quiet"]].concat());
+    strahl::study::run(&args).unwrap();
+    let server = Server::of(fs::read(out.join("report.html")).unwrap());
+
+    // The colours of one ray and of regular sampling in light and dark, as the style has them.
+    let light = shown(browser, folder.path(), &server.address, 1280, &[]);
+    assert!(pixels(&light, [0xfb, 0xfa, 0xf8]) > light.pixels().len() / 2, "the paper is light");
+    assert!(pixels(&light, [0x47, 0x4d, 0x57]) > 60, "marks of single rays are there");
+    assert!(pixels(&light, [0x00, 0x72, 0xb2]) > 60, "marks of regular sampling are there");
+    let dark =
+        shown(browser, folder.path(), &server.address, 1280, &["--blink-settings=preferredColorScheme=0"]);
+    assert!(pixels(&dark, [0x12, 0x14, 0x17]) > dark.pixels().len() / 2, "the paper is dark");
+    assert!(pixels(&dark, [0xc9, 0xcd, 0xd4]) > 60, "marks of single rays are there");
+    let narrow = shown(browser, folder.path(), &server.address, 500, &[]);
+    assert!(pixels(&narrow, [0x47, 0x4d, 0x57]) > 40, "marks of single rays are there");
+
+    let asked = server.asked.lock().unwrap();
+    let others: Vec<_> = asked.iter().filter(|line| !line.starts_with("GET /report.html ")).collect();
+    assert!(others.is_empty(), "{others:?}");
+    assert!(asked.len() >= 3, "the page was asked for");
+}
