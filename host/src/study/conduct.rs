@@ -53,6 +53,8 @@ pub struct Conduct<'b> {
     pub left_out: Vec<LeftOut>,
     /// How many mixtures cannot be on the front.
     pub beaten: usize,
+    /// After how many seconds all of it should be over, if nothing bounds it.
+    foretold: f64,
 }
 
 /// What everything is held against.
@@ -67,7 +69,7 @@ impl<'b> Conduct<'b> {
     /// Nothing is measured yet.
     pub fn new(bench: &'b Bench<'b>, plan: &'b Plan) -> Self {
         let (taken, knobs, techniques, threads, left_out) = Default::default();
-        Conduct { bench, plan, taken, knobs, techniques, threads, left_out, beaten: 0 }
+        Conduct { bench, plan, taken, knobs, techniques, threads, left_out, beaten: 0, foretold: 0.0 }
     }
 
     /// Measures a scene whose own settings are `own`, and which asks for `asks`.
@@ -88,6 +90,18 @@ impl<'b> Conduct<'b> {
         self.mix(best, &truth)?;
         self.repeat()?;
         Ok(truth)
+    }
+
+    /// Measures nothing but the techniques, and `repeats` times in all; there is no reference, so the errors of
+    /// runs are those against the picture of `own`.
+    pub fn evaluate(&mut self, own: &Options) -> Result<(), Failure> {
+        let begun = self.bench.elapsed();
+        let frame = self.bench.trace(own, f64::INFINITY)?;
+        let frame = frame.ok_or_else(|| Failure::Usage("the picture took for ever".into()))?;
+        let setting = own.record(&frame.accelerator.choice);
+        let reference = Reference { setting, noise: 0.0, cut: 0.0, seconds: self.bench.elapsed() - begun };
+        techniques::all(self, own, &Truth { picture: frame.picture, reference })?;
+        self.repeat()
     }
 
     /// Raises the levels until nothing is cut; the place of the best.
@@ -156,8 +170,9 @@ impl<'b> Conduct<'b> {
             seed,
             ..single.options.clone()
         };
-        let whole = f64::from(samples) * single.run.wall[0];
-        self.bench.meter.left(self.bench.limit.map_or(4.0 * whole, |limit| limit.as_secs_f64()) - begun);
+        let rays = self.plan.rays(single.options.filter, samples);
+        self.foretold = begun + single.run.wall[0] * (f64::from(samples) + rays * self.plan.repeats as f64);
+        self.bench.meter.left(self.ahead());
         let traced = |seed| {
             let frame = self.bench.trace(&of(seed), f64::INFINITY)?;
             frame.ok_or_else(|| Failure::Usage("the reference took for ever".into()))
@@ -195,7 +210,7 @@ impl<'b> Conduct<'b> {
         };
         judge(&mut taken, truth);
         self.taken.push(taken);
-        self.estimate();
+        self.bench.meter.left(self.ahead());
         Ok(Some(self.taken.len() - 1))
     }
 
@@ -327,11 +342,10 @@ impl<'b> Conduct<'b> {
         Ok(())
     }
 
-    /// Tells about how much time is left.
-    fn estimate(&self) {
-        if let Some(limit) = self.bench.limit {
-            self.bench.meter.left(limit.as_secs_f64() - self.bench.elapsed());
-        }
+    /// Seconds that are left.
+    fn ahead(&self) -> f64 {
+        let end = self.foretold.min(self.bench.share(1.0));
+        end - self.bench.elapsed()
     }
 }
 

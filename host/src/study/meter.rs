@@ -52,7 +52,7 @@ impl Meter {
         let whole = elapsed + seconds.max(0.0);
         self.bar.set_position((PARTS as f64 * elapsed / whole.max(1e-9)) as u64);
         self.bar.set_prefix(if seconds < 100.0 {
-            format!("{seconds:.0} s left")
+            format!("{:.0} s left", seconds.max(0.0))
         } else {
             format!("{:.0} min left", (seconds / 60.0).ceil())
         });

@@ -105,6 +105,19 @@ impl Plan {
         self.cutoffs.iter().map(|whole| 1.0 / f32::from(*whole))
     }
 
+    /// Rays in a pixel of all settings together, each once, against a reference of so many samples: about.
+    pub fn rays(&self, filter: Filter, samples: u32) -> f64 {
+        let samplers = self.samplers(filter).into_iter();
+        let of_samplers: f64 =
+            samplers.filter(|(it, _)| most_of(it) * FINER <= samples).map(|(_, rays)| rays).sum();
+        // Techniques are some sixteen, of which adaptive and stochastic sampling take most.
+        const TECHNIQUES: f64 = 70.0;
+        // A mixture takes as many as a sampler in the middle.
+        const MIXTURE: f64 = 8.0;
+        let others = self.cutoffs.len() + self.selections.len();
+        of_samplers + others as f64 + TECHNIQUES + MIXTURE * self.mixes as f64
+    }
+
     /// Samples in a pixel of the reference, where one in each pixel takes `single` seconds and all of them
     /// may take `seconds`. A power of two, for which the sequence is best.
     pub fn samples(&self, single: f64, seconds: f64) -> u32 {

@@ -101,11 +101,11 @@ pub struct Method {
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Weights {
-    /// A camera ray, with the light at what it hits.
+    /// A camera ray, with what is done for its place in the picture.
     pub camera: f64,
-    /// A reflected or transmitted ray, the same.
+    /// A reflected or transmitted ray.
     pub secondary: f64,
-    /// A question to a light.
+    /// A question to a light, with the light that comes of it.
     pub shadow: f64,
     /// A test of a shape.
     pub shape: f64,

@@ -161,7 +161,7 @@ fn wrong_usage_is_told_with_status_2_and_nothing_is_written() {
         (format!("{scene} --cutoff 1.5"), "between 0 and 1"),
         (format!("{scene} --cutoff=-0.5"), "between 0 and 1"),
         (format!("{scene} --cutoff nan"), "between 0 and 1"),
-        (format!("{scene} --cutoff 1/512"), "between 0 and 1"),
+        (format!("{scene} --cutoff 1/0"), "between 0 and 1"),
         (format!("{scene} --sampler rough"), "regular:N"),
         (format!("{scene} --sampler single:1"), "regular:N"),
         (format!("{scene} --sampler regular"), "regular:N"),

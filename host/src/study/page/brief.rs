@@ -61,7 +61,7 @@ pub fn part(study: &Study) -> Markup {
 fn against_own(study: &Study, own: &Run) -> Markup {
     let (runs, points) = points(study);
     let as_good = cheapest_within(&points, own.error.rmse).map(|place| runs[place]);
-    let as_cheap = front(&points).into_iter().filter(|place| points[*place].cost <= own.work).next_back();
+    let as_cheap = front(&points).into_iter().rfind(|place| points[*place].cost <= own.work);
     let as_cheap = as_cheap.map(|place| runs[place]);
     let (time, wrong) = (seconds(own.seconds()), error(own.error.rmse));
     html! {

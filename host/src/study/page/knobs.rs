@@ -55,6 +55,9 @@ fn card(study: &Study, knob: &Knob) -> Markup {
             @if let Some(slope) = slope(study, knob) {
                 p.soft { "The error of " code { "stochastic:N" } " falls as N to the power of " (format!("{slope:.2}").replace('-', "−")) "; chance alone would give −0.50." }
             }
+            @if knob.steps.iter().any(|step| step.value == "shadows") {
+                p.soft { "Without shadows no light is asked, and with the questions the work forgets what light itself takes; the time does not." }
+            }
             (wide(steps(study, knob)))
         }
     }

@@ -64,7 +64,7 @@ pub fn part(study: &Study) -> Markup {
             dt { "work" } dd {
                 "instructions, from counts that are the same on every machine: "
                 @let it = &method.weights;
-                (it.camera) " for a camera ray, " (it.secondary) " for one that is reflected or transmitted, " (it.shadow) " for a question to a light, "
+                (it.camera) " for a camera ray, " (it.secondary) " for one that is reflected or transmitted, " (it.shadow) " for a question to a light with the light that comes of it, "
                 (it.shape) " for a test of a shape; and in the hierarchy " (it.bvh.boxes) " for a test of a box and " (it.bvh.region)
                 " for a region entered (list " (it.list.boxes) " and " (it.list.region) ", grid " (it.grid.boxes) " and " (it.grid.region) ", octree "
                 (it.octree.boxes) " and " (it.octree.region) "). They were measured with callgrind. "

@@ -40,7 +40,7 @@ fn by_ray(study: &Study, run: &Run) -> Markup {
     let told: Vec<String> =
         KINDS.iter().zip(work).map(|(kind, work)| format!("{kind} {}", percent(work / whole))).collect();
     html! {
-        p { "Work by kind of ray, with the light that is computed where each hits, at the scene's own setting " (options(&run.setting.options)) "." }
+        p { "Work by kind of ray at the scene's own setting; what light takes where it falls is with the shadow rays that ask for it: " (options(&run.setting.options)) "." }
         div.stack role="img" aria-label=(format!("Shares of the work: {}", told.join(", "))) {
             @for (kind, work) in KINDS.iter().zip(work) {
                 @if work > 0.0 {
