@@ -130,6 +130,7 @@ fn main() -> Result<ExitCode, Box<dyn Error>> {
     let found = [
         "objects",
         "every item",
+        "spheres (5.1)",
         "boxes (5.1)",
         "grid (5.2)",
         "octree (5.3)",
@@ -140,6 +141,7 @@ fn main() -> Result<ExitCode, Box<dyn Error>> {
         vec![
             it.objects.to_string(),
             it.cost("bounding volumes", |it| it.without),
+            it.cost("bounding spheres", |it| it.with),
             it.cost("bounding volumes", |it| it.with),
             it.cost("regular grid", |it| it.with),
             it.cost("octree", |it| it.with),

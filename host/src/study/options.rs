@@ -115,8 +115,10 @@ impl Options {
         let Finding { accel, walk, heap, bounds, mailbox } = self.finding;
         if let Some(kind) = accel.and_then(|accel| accel.kind()) {
             add(format!("accel {kind}"));
-            if kind == Kind::List && bounds == Some(Bounds::None) {
-                add("bounds none".into());
+            match bounds.filter(|_| kind == Kind::List) {
+                Some(Bounds::None) => add("bounds none".into()),
+                Some(Bounds::Sphere) => add("bounds sphere".into()),
+                Some(Bounds::Box) | None => {}
             }
         }
         if walk == Some(Walk::Heap) {

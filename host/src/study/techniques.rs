@@ -98,6 +98,12 @@ fn pairs(base: &Options) -> Vec<Pair> {
     let every_box = "a list with boxes";
     let mut pairs = vec![
         exact("bounding volumes", "5.1", ("every item", list(Bounds::None)), (every_box, boxes())),
+        exact(
+            "bounding spheres",
+            "5.1",
+            ("every item", list(Bounds::None)),
+            ("a list with spheres", list(Bounds::Sphere)),
+        ),
         exact("regular grid", "5.2", (every_box, boxes()), ("a grid", remembering(Kind::Grid, MAILBOX))),
         exact("octree", "5.3", (every_box, boxes()), ("an octree", remembering(Kind::Octree, MAILBOX))),
         exact("hierarchy", "5.4", (every_box, boxes()), ("a hierarchy, by a heap", heap(64))),
