@@ -30,6 +30,11 @@ pub fn error(value: f64) -> String {
     if value > 0.0 && value < 1e-6 { format!("{value:.0e}") } else { digits(value, 2) }
 }
 
+/// A round value of an axis.
+pub fn tick(value: f64) -> String {
+    if value > 0.0 && value < 1e-3 { format!("{value:e}") } else { value.to_string() }
+}
+
 /// A count, or instructions: thousands, millions and more by their letters.
 pub fn count(value: f64) -> String {
     let unit = [(1e12, " T"), (1e9, " G"), (1e6, " M"), (1e3, " k")];
@@ -80,6 +85,7 @@ mod tests {
             ["0 s", "1.50 µs", "12.3 ms", "2.50 s", "123 s", "66.7 min"]
         );
         assert_eq!([0.0, 0.0123, 0.5, 3e-8].map(error), ["0", "0.012", "0.50", "3e-8"]);
+        assert_eq!([0.0, 0.003, 1e-5, 2.0].map(tick), ["0", "0.003", "1e-5", "2"]);
         assert_eq!([0.0, 999.0, 12_345.0, 2.5e9].map(count), ["0", "999", "12.3 k", "2.50 G"]);
         assert_eq!(
             [0.0, 1e-6, 0.123, 0.056, 1.0].map(percent),

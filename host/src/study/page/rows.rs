@@ -76,7 +76,7 @@ fn sized(rows: &[Row], order: Order, alt: &str, width: f64, most: f64, values: f
             text.head x=(round(middle + 22.0)) y="12" { "processor time" }
             @for tick in &error_ticks {
                 line.grid x1=(round(errors.at(*tick))) x2=(round(errors.at(*tick))) y1=(TOP) y2=(whole) {}
-                text.tick x=(round(errors.at(*tick))) y=(whole + 16.0) text-anchor="middle" { (tick) }
+                text.tick x=(round(errors.at(*tick))) y=(whole + 16.0) text-anchor="middle" { (numbers::tick(*tick)) }
             }
             @if has_zero {
                 line.grid.zero x1=(zero) x2=(zero) y1=(TOP) y2=(whole) {}

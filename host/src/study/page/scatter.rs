@@ -4,6 +4,7 @@ use maud::{Markup, html};
 
 use super::super::front::{Point, front};
 use super::family::{Family, round};
+use super::numbers;
 use super::scale::Log;
 
 /// One setting in the plot.
@@ -69,7 +70,7 @@ impl Scatter<'_> {
             svg.plot role="img" aria-label=(self.alt) viewBox=(format!("0 0 {width} {height}")) {
                 @for tick in y.ticks() {
                     line.grid x1=(left) x2=(right) y1=(round(y.at(tick))) y2=(round(y.at(tick))) {}
-                    text.tick x=(left - 8.0) y=(round(y.at(tick) + 4.0)) text-anchor="end" { (tick) }
+                    text.tick x=(left - 8.0) y=(round(y.at(tick) + 4.0)) text-anchor="end" { (numbers::tick(tick)) }
                 }
                 @for tick in spaced(&x.ticks(), |tick| x.at(tick), 52.0) {
                     line.grid x1=(round(x.at(tick))) x2=(round(x.at(tick))) y1=(top) y2=(bottom) {}
