@@ -14,8 +14,10 @@ use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 use std::time::Duration;
 
+use strahl::frame::Facts;
 use strahl::load::load;
 use strahl::signals::Signals;
+use strahl::stock::single::Stock;
 use strahl::study::bench::Bench;
 use strahl::study::conduct::Conduct;
 use strahl::study::meter::Meter;
@@ -66,7 +68,9 @@ fn evaluate(path: &Path) -> Result<Evaluated, Box<dyn Error>> {
     let Conduct { taken, techniques, .. } = conduct;
     let name = path.file_stem().unwrap_or_default().to_string_lossy().into_owned();
     let runs = taken.into_iter().map(|taken| taken.run).collect();
-    Ok(Evaluated { name, objects: scene.objects.len(), techniques, runs })
+    let stock = Stock::new(&scene);
+    let objects = Facts::of(&scene, &stock.scene()?).objects;
+    Ok(Evaluated { name, objects, techniques, runs })
 }
 
 /// Tests of boxes and shapes.
