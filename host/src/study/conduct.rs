@@ -204,6 +204,16 @@ impl<'b> Conduct<'b> {
             }
             return Ok(Some(place));
         }
+        // The scene's own setting must be there.
+        let left = match role {
+            Role::Own => f64::INFINITY,
+            _ => self.bench.share(time::MEASURED) - self.bench.elapsed(),
+        };
+        if left <= 0.0 {
+            self.leave(options, "no time was left".into());
+            return Ok(None);
+        }
+        let most = if most < left { most } else { left };
         let Some(mut taken) = self.bench.take(role, options, most)? else {
             self.leave(options, format!("given up after {most:.1} s"));
             return Ok(None);

@@ -15,24 +15,27 @@ const PARTS: u64 = 1000;
 pub struct Meter {
     bar: ProgressBar,
     begun: Instant,
+    /// Letters that have room behind the bar.
+    room: usize,
 }
 
 impl Meter {
     /// Shows nothing.
     pub fn silent() -> Self {
-        Meter { bar: ProgressBar::hidden(), begun: Instant::now() }
+        Meter { bar: ProgressBar::hidden(), begun: Instant::now(), room: 0 }
     }
 
     /// Shows a bar on the standard error, if that is a terminal.
     pub fn on_terminal() -> Self {
         let bar = ProgressBar::new(PARTS);
-        let length = width_of_stderr().saturating_sub(56).clamp(8, 32);
+        let width = width_of_stderr();
+        let length = width.saturating_sub(70).clamp(8, 32);
         let template = format!("{{bar:{length}}} {{percent:>3}} %  {{prefix}}  {{msg}}");
         if let Ok(style) = ProgressStyle::with_template(&template) {
             bar.set_style(style.progress_chars("━━─"));
         }
         bar.enable_steady_tick(Duration::from_millis(200));
-        Meter { bar, begun: Instant::now() }
+        Meter { bar, begun: Instant::now(), room: width.saturating_sub(length + 24) }
     }
 
     /// Seconds since it began.
@@ -42,7 +45,7 @@ impl Meter {
 
     /// Now this is measured.
     pub fn about(&self, options: &Options) {
-        let short: String = options.words().replace("--", "").chars().take(40).collect();
+        let short: String = options.words().replace("--", "").chars().take(self.room).collect();
         self.bar.set_message(short);
     }
 

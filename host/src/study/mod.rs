@@ -12,9 +12,9 @@
 //! | [`options`] | what is turned |
 //! | [`bench`](mod@bench) | one setting is measured |
 //! | [`conduct`] | a study from its beginning to its end |
-//! | [`knobs`] | knobs turned one by one |
+//! | `knobs` | knobs turned one by one |
 //! | [`mix`] | which mixtures are worth a measurement |
-//! | [`techniques`] | techniques on and off |
+//! | `techniques` | techniques on and off |
 //! | [`cost`] | work in instructions, from counts |
 //! | [`statistics`] | medians and spreads |
 //! | [`front`](mod@front) | the Pareto front, and what it recommends |
