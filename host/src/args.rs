@@ -22,6 +22,14 @@ Exit status: 0 done; 1 the answer is no (pictures differ); 2 wrong usage; 65 the
 wrong; 66 it cannot be read; 74 the output cannot be written; 75 stopped by SIGTERM, may be tried again; \
 130 interrupted.";
 
+/// How `explain` is called.
+const EXPLAIN: &str = "\
+Examples:
+  strahl explain glass.toml 320,240                 why this pixel has its colour
+  strahl explain glass.toml 320,240 --svg tree.svg  the tree as a picture
+  strahl explain glass.toml 320,240 --sampler regular:3 --sample 5
+  strahl explain glass.toml 320,240 --json | jq '.samples[].rays[] | select(.level == 2)'";
+
 /// A Whitted ray tracer: the same picture, bit for bit, on a workstation and on a
 /// microcontroller.
 #[derive(Debug, Parser)]
@@ -82,6 +90,14 @@ pub enum Command {
     /// runs as a table (study.csv), and everything as it was measured (study.json, whose schema
     /// `strahl schema study` prints), of which --from makes the page again.
     Study(StudyArgs),
+    /// Show the tree of rays of one pixel: what each meets, which lights are seen, what counts how much.
+    ///
+    /// Every ray is told with its level and its weight (the share of what it finds that counts), what
+    /// it meets where in the scene file, how far away, which lights are seen from there or what
+    /// stands in their way, what was cut and why. The sum of what the rays add is the pixel, bit for
+    /// bit. A pixel of several samples prints a tree for each, and how the pixel comes of them.
+    #[command(after_long_help = EXPLAIN)]
+    Explain(ExplainArgs),
     /// Bake a scene with its accelerator into bytes that a device traces from flash.
     ///
     /// The firmware opens them where they lie (`Pack::open` of the core): nothing is copied and
@@ -267,14 +283,19 @@ pub struct FindingArgs {
 }
 
 impl FindingArgs {
-    /// What the command line asks for, else the scene.
-    pub fn over(&self, scene: Finding) -> Result<Finding, Failure> {
+    /// What the command line asks for, where it fits together.
+    pub fn asked(&self) -> Result<Finding, Failure> {
         let FindingArgs { accel, walk, heap, bounds, mailbox } = *self;
         let asked = Finding { accel, walk, heap, bounds, mailbox };
         match asked.misfit() {
             Some(misfit) => Err(Failure::Usage(misfit)),
-            None => Ok(asked.or(scene)),
+            None => Ok(asked),
         }
+    }
+
+    /// What the command line asks for, else the scene.
+    pub fn over(&self, scene: Finding) -> Result<Finding, Failure> {
+        Ok(self.asked()?.or(scene))
     }
 }
 
@@ -312,6 +333,63 @@ pub struct BakeArgs {
     pub cutoff: Option<f32>,
 
     /// Say nothing but errors.
+    #[arg(short, long)]
+    pub quiet: bool,
+}
+
+/// Which pixel to explain, and how.
+#[derive(Debug, Parser)]
+pub struct ExplainArgs {
+    /// The scene: .toml, .nff, or a model: .obj, .ply, .gltf, .glb.
+    pub scene: PathBuf,
+
+    /// Column and row of the pixel, counted from 0 at the upper left.
+    #[arg(value_name = "X,Y", value_parser = pixel)]
+    pub pixel: Pixel,
+
+    /// Width and height of the picture [default: the scene's, or 640x480].
+    #[arg(long, value_name = "WxH", value_parser = size)]
+    pub size: Option<Size>,
+
+    /// Levels of rays [default: the scene's, or 5].
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u8).range(1..=LEVELS as i64))]
+    pub levels: Option<u8>,
+
+    /// A ray is sent when more than this share of what it finds counts in the pixel, 0 to 1
+    /// [default: the scene's, or 1/512].
+    #[arg(long, value_name = "W", value_parser = cutoff)]
+    pub cutoff: Option<f32>,
+
+    /// Rays in each pixel, as `render` takes them [default: the scene's, or single].
+    #[arg(long, value_name = "SAMPLER")]
+    pub sampler: Option<Sampling>,
+
+    /// How much of its surroundings counts in a pixel [default: the scene's, or box].
+    #[arg(long, value_name = "FILTER")]
+    pub filter: Option<Filter>,
+
+    /// The seed of chance [default: the scene's, or 0].
+    #[arg(long, value_name = "N")]
+    pub seed: Option<u32>,
+
+    /// Leave out these effects, whatever the scene asks for.
+    #[arg(long, value_name = "EFFECT", value_delimiter = ',')]
+    pub without: Vec<Effect>,
+
+    /// Show the tree of this sample only, counted from 1; --json tells them all, --svg draws one
+    /// [default of --svg: 1].
+    #[arg(long, value_name = "K", value_parser = sample)]
+    pub sample: Option<usize>,
+
+    /// For programs: all numbers in the shortest form that reads back exactly.
+    #[arg(long)]
+    pub json: bool,
+
+    /// A picture of the tree as SVG; `-` is the standard output, and then no text goes there.
+    #[arg(long, value_name = "FILE")]
+    pub svg: Option<PathBuf>,
+
+    /// Say nothing but errors; with --svg no text either.
     #[arg(short, long)]
     pub quiet: bool,
 }
@@ -471,6 +549,18 @@ fn size(text: &str) -> Result<Size, String> {
         Some(_) => Err(format!("a picture has at most {MOST_PIXELS} pixels")),
         None => Err(format!("each side must be between 1 and {}", Size::MOST)),
     }
+}
+
+fn pixel(text: &str) -> Result<Pixel, String> {
+    let parts = text.split_once(',').and_then(|(x, y)| Some((x.parse().ok()?, y.parse().ok()?)));
+    let Some((x, y)) = parts else {
+        return Err("two whole numbers with a comma between them are expected, as in 320,240".into());
+    };
+    Ok(Pixel { x, y })
+}
+
+fn sample(text: &str) -> Result<usize, String> {
+    text.parse().ok().filter(|number| *number >= 1).ok_or_else(|| "a whole number from 1 is expected".into())
 }
 
 fn region(text: &str) -> Result<Tile, String> {

@@ -10,6 +10,7 @@
 //! | [`bake`] | the command `bake` |
 //! | [`study`] | the command `study` |
 //! | [`info`] | the command `info` |
+//! | [`explain`] | the command `explain` |
 //! | [`compare`] | the command `compare` |
 //! | [`generate`] | the command `generate` |
 //! | [`manual`] | the commands `completions` and `man` |
@@ -61,6 +62,7 @@ pub mod description;
 pub mod double;
 pub mod draft;
 pub mod draw;
+pub mod explain;
 pub mod failure;
 pub mod faults;
 pub mod finding;

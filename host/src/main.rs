@@ -18,6 +18,7 @@ fn main() -> ExitCode {
         Command::Cast(args) => strahl::cast::run(&args).map(yes),
         Command::Watch(args) => strahl::watch::run(&args).map(Answer::Ended),
         Command::Bake(args) => strahl::bake::run(&args).map(yes),
+        Command::Explain(args) => strahl::explain::run(&args).map(yes),
         Command::Info(args) => strahl::info::run(&args).map(yes),
         Command::Study(args) => strahl::study::run(&args).map(yes),
         Command::Schema { what } => {

@@ -5,7 +5,7 @@ use std::path::{Path, PathBuf};
 use std::sync::Arc;
 use std::time::{Duration, Instant};
 
-use strahl_core::{Limits, Size, Tile};
+use strahl_core::{Size, Tile};
 
 use crate::args::{RenderArgs, StatsForm};
 use crate::description::{Description, Settings};
@@ -21,7 +21,7 @@ use crate::settings;
 use crate::signals::Signals;
 use crate::stats::Stats;
 use crate::summary::{self, summary};
-use crate::wanted::{Cut, Filter, Looped, Mask, Sampling, Wanted};
+use crate::wanted::{Cut, Mask, Wanted};
 use crate::wrap::{width_of_stderr, wrapped};
 
 /// Renders one scene.
@@ -155,14 +155,19 @@ impl<'a> Job<'a> {
 
 /// What the command line asks for, else the scene, else the defaults.
 fn wanted(args: &RenderArgs, scene: &Settings, counted: bool) -> Result<Wanted, Failure> {
-    let default = Limits::DEFAULT;
-    let size = args.size.or(scene.size).unwrap_or(DEFAULT_SIZE);
-    let sampling = args.sampler.or(scene.sampling).unwrap_or(Sampling::Single);
-    let filter = args.filter.or(scene.filter).unwrap_or_default();
-    if filter != Filter::Box && !sampling.takes_filter() {
-        let what = format!("`{sampling}` fills the pixel by itself: no filter but box goes with it");
-        return Err(Failure::Usage(what));
-    }
+    let asked = Settings {
+        size: args.size,
+        levels: args.levels,
+        cutoff: args.cutoff,
+        sampling: args.sampler,
+        filter: args.filter,
+        seed: args.seed,
+        finding: args.finding.asked()?,
+        shadow_cache: args.no_shadow_cache.then_some(false),
+        precision: args.precision,
+    };
+    let wanted = Wanted::asked(&asked, scene).map_err(Failure::Usage)?;
+    let size = wanted.size;
     if let Some(region) = args.region
         && region.within(Tile::whole(size)) != region
     {
@@ -170,24 +175,12 @@ fn wanted(args: &RenderArgs, scene: &Settings, counted: bool) -> Result<Wanted, 
         return Err(Failure::Usage(format!("the region reaches beyond the picture of {width}x{height}")));
     }
     Ok(Wanted {
-        size,
-        limits: Limits {
-            levels: args.levels.or(scene.levels).unwrap_or(default.levels),
-            cutoff: args.cutoff.or(scene.cutoff).unwrap_or(default.cutoff),
-        },
-        sampling,
-        filter,
-        seed: args.seed.or(scene.seed).unwrap_or(0),
         selecting: args.select,
         region: args.region,
         mask: args.mask.as_deref().map(|path| mask(path, size)).transpose()?,
-        precision: args.precision.or(scene.precision).unwrap_or_default(),
-        finding: args.finding.over(scene.finding)?,
-        shadow_cache: !args.no_shadow_cache && scene.shadow_cache.unwrap_or(true),
         cut: Cut::threads(args.threads.unwrap_or(0)),
         counted,
-        looped: Looped::Fitting,
-        sheet: None,
+        ..wanted
     })
 }
 

@@ -125,7 +125,8 @@ pub struct Seconds {
     pub write: f64,
 }
 
-fn ray_name(kind: RayKind) -> &'static str {
+/// What a kind of ray is called.
+pub(crate) fn ray_name(kind: RayKind) -> &'static str {
     match kind {
         RayKind::Camera => "camera",
         RayKind::Reflected => "reflected",

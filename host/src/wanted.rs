@@ -4,7 +4,9 @@ use std::sync::Arc;
 
 use strahl_core::{Limits, Pixel, Size, Tile};
 
+use crate::description::Settings;
 use crate::finding::Finding;
+use crate::load::DEFAULT_SIZE;
 pub use crate::sampling::{Filter, Sampling, Selecting};
 use crate::sheet::Sheet;
 
@@ -73,6 +75,30 @@ impl Wanted {
 }
 
 impl Wanted {
+    /// The picture that is asked for, of what nobody asks for that of the scene, and else the
+    /// defaults of the command line; or why there is none.
+    pub fn asked(asked: &Settings, scene: &Settings) -> Result<Self, String> {
+        let default = Wanted::of(asked.size.or(scene.size).unwrap_or(DEFAULT_SIZE));
+        let sampling = asked.sampling.or(scene.sampling).unwrap_or(default.sampling);
+        let filter = asked.filter.or(scene.filter).unwrap_or(default.filter);
+        if filter != Filter::Box && !sampling.takes_filter() {
+            return Err(format!("`{sampling}` fills the pixel by itself: no filter but box goes with it"));
+        }
+        Ok(Wanted {
+            limits: Limits {
+                levels: asked.levels.or(scene.levels).unwrap_or(default.limits.levels),
+                cutoff: asked.cutoff.or(scene.cutoff).unwrap_or(default.limits.cutoff),
+            },
+            sampling,
+            filter,
+            seed: asked.seed.or(scene.seed).unwrap_or(default.seed),
+            precision: asked.precision.or(scene.precision).unwrap_or(default.precision),
+            finding: asked.finding.or(scene.finding),
+            shadow_cache: asked.shadow_cache.or(scene.shadow_cache).unwrap_or(default.shadow_cache),
+            ..default
+        })
+    }
+
     /// The size of the picture that is made.
     pub fn picture(&self) -> Size {
         let region = self.region.map(|tile| tile.within(Tile::whole(self.size)));

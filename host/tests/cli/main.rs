@@ -2,6 +2,7 @@
 
 mod cast;
 mod compare;
+mod explain;
 mod generate;
 mod info;
 mod manual;

@@ -1,0 +1,120 @@
+//! The command `explain`: the tree of rays of one pixel.
+//!
+//! | room | what it does |
+//! |---|---|
+//! | [`tree`] | what is told |
+//! | [`pixel`] | one pixel is traced |
+//! | [`record`] | steps of a tracer become a tree |
+//! | [`names`] | what the file calls things |
+//! | [`text`] | the tree for people |
+//! | [`svg`] | the tree as a picture |
+
+use std::path::Path;
+
+use strahl_core::{Pixel, Rgb, Tile};
+
+use crate::args::ExplainArgs;
+use crate::description::Settings;
+use crate::failure::Failure;
+use crate::load::{DEFAULT_SIZE, load_for};
+use crate::output::{Output, say};
+use crate::plan::{Effect, leave_out};
+use crate::wanted::{Precision, Wanted};
+use crate::wrap::{width_of_stdout, wrapped};
+use tree::{Asked, Explained, VERSION, triple};
+
+pub mod names;
+pub mod pixel;
+pub mod record;
+pub mod svg;
+pub mod text;
+pub mod tree;
+
+/// Tells how one pixel comes about.
+pub fn run(args: &ExplainArgs) -> Result<(), Failure> {
+    let svg = args.svg.as_deref().map(Output::prepare).transpose()?;
+    if svg.as_ref().is_some_and(|output| output.replaces(&args.scene)) {
+        return Err(Failure::Usage("the picture of the tree and the scene are the same file".into()));
+    }
+    let drawn_to_stdout = args.svg.as_deref() == Some(Path::new("-"));
+    if drawn_to_stdout && args.json {
+        return Err(Failure::Usage("both the picture and the JSON would go to the standard output".into()));
+    }
+    let explained = explained(args)?;
+    if let Some(output) = svg {
+        let sample = explained.samples.get(args.sample.unwrap_or(1) - 1);
+        let picture = sample.map(|sample| svg::picture(&explained, sample)).unwrap_or_default();
+        output.commit(picture.as_bytes())?;
+    }
+    let text = if args.json {
+        let mut json = serde_json::to_string_pretty(&explained).unwrap_or_default();
+        json.push('\n');
+        json
+    } else if drawn_to_stdout || (args.svg.is_some() && args.quiet) {
+        return Ok(());
+    } else {
+        wrapped(&text::text(&explained, args.sample), width_of_stdout(), text::INDENT)
+    };
+    Output::Stdout.commit(text.as_bytes())
+}
+
+/// Traces the pixel that is asked for.
+fn explained(args: &ExplainArgs) -> Result<Explained, Failure> {
+    let mut description = load_for(&args.scene, args.size.unwrap_or(DEFAULT_SIZE))?;
+    for warning in description.warnings.iter().filter(|_| !args.quiet) {
+        say(format_args!("{}: warning: {warning}", args.scene.display()));
+    }
+    leave_out(&mut description, &args.without);
+    let asked = Settings {
+        size: args.size,
+        levels: args.levels,
+        cutoff: args.cutoff,
+        sampling: args.sampler,
+        filter: args.filter,
+        seed: args.seed,
+        ..Settings::default()
+    };
+    let wanted = Wanted::asked(&asked, &description.settings).map_err(Failure::Usage)?;
+    if wanted.precision == Precision::Double && !args.quiet {
+        let scene = args.scene.display();
+        say(format_args!("{scene}: the scene asks for double precision; the tree is traced in single"));
+    }
+    let (Pixel { x, y }, size) = (args.pixel, wanted.size);
+    if Tile::whole(size).place(args.pixel).is_none() {
+        let (width, height) = (size.width(), size.height());
+        let what = format!("the pixel {x},{y} is not in the picture of {width}x{height}: the first is 0,0");
+        return Err(Failure::Usage(what));
+    }
+    let traced = pixel::trace(&description, &wanted, args.pixel).map_err(|error| Failure::Input {
+        path: args.scene.clone(),
+        line: None,
+        reason: error.to_string(),
+    })?;
+    if let Some(sample) = args.sample
+        && sample > traced.samples.len()
+    {
+        let what = format!("there is no sample {sample}: the pixel has {}", traced.samples.len());
+        return Err(Failure::Usage(what));
+    }
+    let (color, samples): (Rgb, _) = (traced.color, traced.samples);
+    Ok(Explained {
+        version: VERSION,
+        scene: args.scene.display().to_string(),
+        width: size.width(),
+        height: size.height(),
+        x,
+        y,
+        settings: Asked {
+            levels: wanted.limits.levels,
+            cutoff: wanted.limits.cutoff,
+            sampler: wanted.sampling.to_string(),
+            filter: wanted.filter.name(),
+            seed: wanted.seed,
+            without: args.without.iter().copied().map(Effect::name).collect(),
+        },
+        color: triple(color),
+        srgb: color.to_srgb8(),
+        sum: traced.sum,
+        samples,
+    })
+}

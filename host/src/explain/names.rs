@@ -1,0 +1,68 @@
+//! What the file calls the items, materials and lights of a scene.
+
+use strahl_core::{Everything, ItemId, List, Ray, RayKind, Real, Vec3, World};
+
+use super::tree::{Named, Thing};
+use crate::description::{Description, Form};
+use crate::plan::objects_in;
+
+/// A scene and the file that it comes from.
+pub struct Names<'n> {
+    description: &'n Description,
+    world: &'n World<'n, List<'n>>,
+    /// The first item of each object of the description.
+    firsts: Vec<u32>,
+}
+
+impl<'n> Names<'n> {
+    /// Of the items of a world that was made of a description.
+    pub fn new(description: &'n Description, world: &'n World<'n, List<'n>>) -> Self {
+        let mut next = 0;
+        let firsts = description.objects.iter().map(|object| {
+            let first = next;
+            next += objects_in(object) as u32;
+            first
+        });
+        Names { description, world, firsts: firsts.collect() }
+    }
+
+    /// What the file says of an item.
+    pub fn thing(&self, item: ItemId) -> Thing {
+        let parts = self.world.scene().parts();
+        let place = self.firsts.partition_point(|first| *first <= item.0).saturating_sub(1);
+        let object = self.description.objects.get(place);
+        let first = self.firsts.get(place).copied().unwrap_or(0);
+        let is_mesh = object.is_some_and(|object| matches!(object.form, Form::Mesh { .. }));
+        let material = parts.made_of.get(item.0 as usize).map_or(0, |material| material.0);
+        Thing {
+            object: item.0,
+            shape: parts.geometry.shape(item).map_or("nothing", |shape| shape.kind().name()),
+            triangle: is_mesh.then_some(item.0 - first),
+            line: object.map_or(0, |object| object.line),
+            material: self.material(material),
+        }
+    }
+
+    /// What the file calls a material.
+    pub fn material(&self, number: u16) -> Named {
+        let material = self.description.materials.get(usize::from(number));
+        material.map_or(Named { name: None, line: 0 }, |it| named(&it.name, it.line))
+    }
+
+    /// What the file calls a light.
+    pub fn light(&self, number: u16) -> Named {
+        let light = self.description.lights.get(usize::from(number));
+        light.map_or(Named { name: None, line: 0 }, |it| named(&it.name, it.line))
+    }
+
+    /// The nearest item along a shadow ray, and how far away it is.
+    pub fn nearest(&self, origin: Vec3, direction: Vec3, reach: Real) -> Option<(ItemId, f32)> {
+        let ray = Ray::new(origin, direction);
+        let hit = self.world.nearest::<Everything, _>(&ray, reach, RayKind::Shadow, &mut (), &mut ())?;
+        Some((hit.item, hit.t))
+    }
+}
+
+fn named(name: &Option<String>, line: usize) -> Named {
+    Named { name: name.clone(), line: line as u32 }
+}

@@ -1,0 +1,97 @@
+//! One pixel is traced, and everything that comes of it is told.
+//!
+//! Items are found by the list, which needs no building and offers them in the order of the file: the
+//! tree is the same for every accelerator, and this is the only tracer that is compiled for
+//! somebody who listens.
+
+use strahl_core::{
+    Aabb, Camera, Everything, Kept, List, Pixel, Rgb, Sample as Place, Sampler, Sight, Tracer, Worker, World,
+    groups_of,
+};
+
+use super::names::Names;
+use super::record::Record;
+use super::tree::{Part, Sample, Sum, triple};
+use crate::description::Description;
+use crate::frame::NoFrame;
+use crate::samplers::{Any, Shared};
+use crate::stock::single::{Stock, view};
+use crate::wanted::{LEVELS, Wanted};
+
+/// The colour of a pixel, and how it comes about.
+pub struct Traced {
+    /// The colour.
+    pub color: Rgb,
+    /// How it comes of the samples.
+    pub sum: Sum,
+    /// The rays through the picture, in their order.
+    pub samples: Vec<Sample>,
+}
+
+/// Traces one pixel of the picture that is wanted.
+pub fn trace(description: &Description, wanted: &Wanted, pixel: Pixel) -> Result<Traced, NoFrame> {
+    let stock = Stock::new(description);
+    let scene = stock.scene().map_err(NoFrame::wrong)?;
+    let camera = Camera::new(&view(&description.view), wanted.size).map_err(NoFrame::wrong)?;
+    let boxes: Vec<Aabb> = scene.parts().geometry.all_bounds().collect();
+    let mut groups = vec![Aabb::EMPTY; groups_of(boxes.len())];
+    let world = World::new(scene, List::boxed(&boxes, &mut groups).map_err(NoFrame::wrong)?);
+    let tracer =
+        Tracer::<_, Everything, LEVELS>::new(&world, camera, wanted.limits).map_err(NoFrame::wrong)?;
+    let names = Names::new(description, &world);
+
+    let mut seen = Seen { samples: Vec::new(), places: Vec::new() };
+    let mut shoot = |place: Place| {
+        let mut worker = Worker::<_, _, LEVELS>::new(Record::new(&names));
+        let sight = tracer.look(place, &mut worker);
+        let rays = worker.into_tally().into_rays();
+        let (number, Place { place: at, .. }) = (seen.samples.len() + 1, place);
+        seen.samples.push(Sample { number, x: at.x, y: at.y, color: triple(sight.color), rays });
+        seen.places.push((place, sight));
+        sight
+    };
+    let (color, parts) = match Any::of(wanted, Shared::Loose, &mut [Kept::NOTHING; 0]) {
+        Any::Adaptive(mut sampler) => {
+            let mut parts = Vec::new();
+            // Parts share their corners, and none is told twice.
+            let mut known: Vec<(Place, Sight)> = Vec::new();
+            let mut once = |place: Place| match known.iter().find(|(other, _)| *other == place) {
+                Some((_, sight)) => *sight,
+                None => {
+                    let sight = shoot(place);
+                    known.push((place, sight));
+                    sight
+                }
+            };
+            let sight = sampler.look_by_parts(pixel, &mut once, &mut |part| parts.push(part));
+            (sight.color, Some(parts))
+        }
+        mut sampler => (sampler.look(pixel, &mut shoot).color, None),
+    };
+
+    let sum = match parts {
+        None => Sum::Mean { share: 1.0 / seen.samples.len() as f32 },
+        Some(parts) => Sum::Parts(parts.iter().map(|part| seen.part(part)).collect()),
+    };
+    Ok(Traced { color, sum, samples: seen.samples })
+}
+
+/// What has been traced.
+struct Seen {
+    samples: Vec<Sample>,
+    places: Vec<(Place, Sight)>,
+}
+
+impl Seen {
+    /// A part of a pixel, with its corners by their numbers.
+    fn part(&self, part: &strahl_core::Part) -> Part {
+        let strahl_core::Part { place, side, .. } = *part;
+        let (right, below) = (place.x + side, place.y + side);
+        let number = |(x, y): (f32, f32)| {
+            let found = self.places.iter().position(|(it, _)| it.place.x == x && it.place.y == y);
+            found.map_or(0, |found| found + 1)
+        };
+        let corners = [(place.x, place.y), (right, place.y), (place.x, below), (right, below)];
+        Part { x: place.x, y: place.y, side, samples: corners.map(number) }
+    }
+}

@@ -1,0 +1,325 @@
+//! The tree of rays as a picture: the eye at the top, a box for each ray with what it meets and
+//! which lights are seen from there, and below it the rays that go on.
+
+use std::fmt::Write as _;
+
+use strahl_core::Rgb;
+
+use super::tree::{Explained, Light, Named, Ray, Sample, Sent, Triple};
+
+/// How wide a box is.
+const WIDTH: f64 = 222.0;
+/// How wide what stands for a ray is that was not sent.
+const STUB: f64 = 92.0;
+/// Between two of either.
+const GAP: f64 = 18.0;
+/// Between the boxes of a ray and of those that it sends.
+const DROP: f64 = 64.0;
+/// What the legend takes.
+const LEGEND: f64 = 660.0;
+/// A row of text.
+const ROW: f64 = 17.0;
+/// Round the whole.
+const MARGIN: f64 = 24.0;
+/// Below the title.
+const TOP: f64 = 92.0;
+/// The characters of a row.
+const CHARACTERS: usize = 33;
+/// The most lights that are told of one by one.
+const LIGHTS: usize = 6;
+
+const STYLE: &str = "\
+svg { font: 12px ui-sans-serif, system-ui, 'Segoe UI', 'DejaVu Sans', sans-serif; background: #fff }
+text { fill: #1c1c1c } .title { font-size: 15px; font-weight: 600 } .dim { fill: #5c5c5c }
+.box { fill: #f6f6f4; stroke: #8a8a86 } .sky { fill: #eef3f8; stroke-dasharray: 3 3 }
+.swatch { stroke: #00000055 } .bold { font-weight: 600 }
+.ray { fill: none; stroke-width: 2 } .camera { stroke: #555 } .reflected { stroke: #1f6fb2 }
+.transmitted { stroke: #2b8a3e } .cut { stroke-dasharray: 4 4 }
+.on { fill: #f2b705; stroke: #9c7400 } .off { fill: none; stroke: #8a8a86 } .bar { stroke: #8a8a86 }
+@media (prefers-color-scheme: dark) {
+svg { background: #1b1c1e } text { fill: #ececea } .dim { fill: #a5a5a1 }
+.box { fill: #26282b; stroke: #6d6f72 } .sky { fill: #222a33 } .swatch { stroke: #ffffff55 }
+.camera { stroke: #aaa } .reflected { stroke: #6ab0ea } .transmitted { stroke: #6cc781 }
+}";
+
+/// The picture of one sample's tree.
+pub fn picture(explained: &Explained, sample: &Sample) -> String {
+    let mut tree = Tree { sample, places: vec![Place::default(); sample.rays.len()], body: String::new() };
+    let width = tree.width(0);
+    let (title, sub) = titles(explained, sample);
+    let whole = (width + 2.0 * MARGIN).max(LEGEND).max(9.0 * title.chars().count() as f64 + 2.0 * MARGIN);
+    let left = (whole - width) / 2.0;
+    let bottom = tree.draw(0, left, TOP + DROP);
+    let height = bottom + MARGIN;
+
+    let mut svg = format!(
+        "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{whole:.0}\" height=\"{height:.0}\" \
+         viewBox=\"0 0 {whole:.0} {height:.0}\" role=\"img\">\n<title>{}</title>\n<style>{STYLE}</style>\n",
+        escaped(&title)
+    );
+    // Writing to a string cannot fail.
+    let _ = writeln!(svg, "<text class=\"title\" x=\"{MARGIN}\" y=\"30\">{}</text>", escaped(&title));
+    let _ = writeln!(svg, "<text class=\"dim\" x=\"{MARGIN}\" y=\"50\">{}</text>", escaped(&sub));
+    legend(&mut svg);
+    if let Some(place) = tree.places.first() {
+        let (x, y) = (place.middle, TOP);
+        // The eye.
+        let _ = writeln!(
+            svg,
+            "<path class=\"ray camera\" d=\"M{x0:.1} {y:.1}Q{x:.1} {up:.1} {x1:.1} {y:.1}Q{x:.1} {down:.1} {x0:.1} \
+             {y:.1}Z\"/><circle class=\"ray camera\" cx=\"{x:.1}\" cy=\"{y:.1}\" r=\"4\"/>",
+            x0 = x - 16.0,
+            x1 = x + 16.0,
+            up = y - 18.0,
+            down = y + 18.0,
+        );
+        edge(&mut svg, "camera", "", (x, y + 9.0), (x, TOP + DROP));
+    }
+    svg.push_str(&tree.body);
+    svg.push_str("</svg>\n");
+    svg
+}
+
+fn titles(explained: &Explained, sample: &Sample) -> (String, String) {
+    let Explained { scene, x, y, width, height, settings, samples, .. } = explained;
+    let title = format!("{scene}, pixel {x},{y} of {width}x{height}");
+    let of = match samples.len() {
+        1 => String::new(),
+        count => format!("sample {} of {count}, ", sample.number),
+    };
+    let [r, g, b] = sample.color.map(short);
+    let levels = settings.levels;
+    (title, format!("{of}at most {levels} levels, cutoff {}: light {r} {g} {b}", short(settings.cutoff)))
+}
+
+fn legend(svg: &mut String) {
+    let mut x = MARGIN;
+    for (class, name) in
+        [("reflected", "reflected"), ("transmitted", "transmitted"), ("camera cut", "not sent")]
+    {
+        let _ = writeln!(
+            svg,
+            "<path class=\"ray {class}\" d=\"M{x:.1} 68h24\"/><text class=\"dim\" x=\"{:.1}\" y=\"72\">{name}</text>",
+            x + 30.0
+        );
+        x += 52.0 + 7.0 * name.len() as f64;
+    }
+    for (class, bar, name) in
+        [("on", false, "light seen"), ("off", true, "in shadow of"), ("off", false, "not asked")]
+    {
+        let _ = write!(svg, "<circle class=\"{class}\" cx=\"{:.1}\" cy=\"68\" r=\"4.5\"/>", x + 5.0);
+        if bar {
+            let _ = write!(svg, "<path class=\"bar\" d=\"M{:.1} 72.5l9 -9\"/>", x + 0.5);
+        }
+        let _ = writeln!(svg, "<text class=\"dim\" x=\"{:.1}\" y=\"72\">{name}</text>", x + 16.0);
+        x += 38.0 + 7.0 * name.len() as f64;
+    }
+}
+
+/// Where the box of a ray is.
+#[derive(Clone, Copy, Default)]
+struct Place {
+    /// How much room it takes with all that it sends.
+    width: f64,
+    middle: f64,
+}
+
+struct Tree<'s> {
+    sample: &'s Sample,
+    places: Vec<Place>,
+    body: String,
+}
+
+impl Tree<'_> {
+    /// The room that a ray takes, with all that it sends. At most as deep as there are levels.
+    fn width(&mut self, place: usize) -> f64 {
+        let Some(ray) = self.sample.rays.get(place) else { return WIDTH };
+        let below: f64 = ray.sends.iter().map(|sent| self.width_of(sent) + GAP).sum();
+        let width = WIDTH.max(below - GAP);
+        if let Some(place) = self.places.get_mut(place) {
+            place.width = width;
+        }
+        width
+    }
+
+    fn width_of(&mut self, sent: &Sent) -> f64 {
+        sent.ray.map_or(STUB, |number| self.width(number - 1))
+    }
+
+    /// Draws a ray and all that it sends from `left` on; how far down that reaches.
+    fn draw(&mut self, place: usize, left: f64, top: f64) -> f64 {
+        let sample = self.sample;
+        let (Some(ray), Some(it)) = (sample.rays.get(place), self.places.get(place).copied()) else {
+            return top;
+        };
+        // The last that was sent is followed first, and stands at the left.
+        let widths: Vec<f64> = ray.sends.iter().rev().map(|sent| self.width_of(sent)).collect();
+        let below: f64 = widths.iter().map(|width| width + GAP).sum::<f64>() - GAP;
+        let middle = left + it.width / 2.0;
+        if let Some(place) = self.places.get_mut(place) {
+            place.middle = middle;
+        }
+        let floor = self.node(ray, middle, top);
+        let mut bottom = floor;
+        let mut x = left + (it.width - below) / 2.0;
+        for (sent, width) in ray.sends.iter().rev().zip(widths) {
+            let (from, to) = ((middle, floor), (x + width / 2.0, floor + DROP));
+            let label = short(largest(sent.weight));
+            match sent.ray {
+                Some(number) => {
+                    bottom = bottom.max(self.draw(number - 1, x, floor + DROP));
+                    edge(&mut self.body, sent.kind, &label, from, to);
+                }
+                None => {
+                    let to = (to.0, floor + 0.55 * DROP);
+                    edge(&mut self.body, &format!("{} cut", sent.kind), &label, from, to);
+                    let reason = sent.cut.unwrap_or_default();
+                    let _ = writeln!(
+                        self.body,
+                        "<text class=\"dim\" text-anchor=\"middle\" x=\"{:.1}\" y=\"{:.1}\">{reason}</text>",
+                        to.0,
+                        to.1 + 14.0
+                    );
+                    bottom = bottom.max(to.1 + 18.0);
+                }
+            }
+            x += width + GAP;
+        }
+        bottom
+    }
+
+    /// The box of a ray; its lower edge.
+    fn node(&mut self, ray: &Ray, middle: f64, top: f64) -> f64 {
+        let (left, mut rows) = (middle - WIDTH / 2.0, rows(ray));
+        let hidden = ray.lights.len().saturating_sub(LIGHTS);
+        let lights = &ray.lights[..ray.lights.len() - hidden];
+        if hidden > 0 {
+            rows.push(format!("and {hidden} more lights"));
+        }
+        let height = ROW * (rows.len() + lights.len() + 1) as f64 + 10.0;
+        let sky = if ray.hit.is_none() { " sky" } else { "" };
+        let [r, g, b] = Rgb::new(ray.adds[0], ray.adds[1], ray.adds[2]).to_srgb8();
+        let _ = writeln!(
+            self.body,
+            "<rect class=\"box{sky}\" x=\"{left:.1}\" y=\"{top:.1}\" width=\"{WIDTH}\" height=\"{height:.1}\" rx=\"5\"/>"
+        );
+        let mut y = top + ROW + 1.0;
+        for (place, row) in rows.iter().enumerate() {
+            let class = if place == 0 { "bold" } else { "dim" };
+            let (x, row) = (left + 9.0, escaped(&fitted(row)));
+            let _ = writeln!(self.body, "<text class=\"{class}\" x=\"{x:.1}\" y=\"{y:.1}\">{row}</text>");
+            y += ROW;
+        }
+        for light in lights {
+            bulb(&mut self.body, light, left + 16.0, y - 4.0);
+            y += ROW;
+        }
+        let adds = ray.adds.map(short).join(" ");
+        let _ = writeln!(
+            self.body,
+            "<rect class=\"swatch\" x=\"{x:.1}\" y=\"{box_top:.1}\" width=\"12\" height=\"12\" \
+             style=\"fill:rgb({r},{g},{b})\"/><text x=\"{text:.1}\" y=\"{y:.1}\">adds {adds}</text>",
+            x = left + 9.0,
+            box_top = y - 10.0,
+            text = left + 27.0
+        );
+        top + height
+    }
+}
+
+/// What stands in the box of a ray.
+fn rows(ray: &Ray) -> Vec<String> {
+    let Some(hit) = &ray.hit else { return vec!["nothing".into(), "sees the background".into()] };
+    let thing = &hit.thing;
+    let place =
+        if thing.line > 0 { format!("line {}", thing.line) } else { format!("object {}", thing.object) };
+    let mut rows = vec![format!("{}, {place}", thing.shape)];
+    let material = thing.material.name.as_ref().map(|name| format!("{name}, ")).unwrap_or_default();
+    let side = if hit.outside { "outside" } else { "inside" };
+    rows.push(format!("{material}after {}, {side}", short(hit.distance)));
+    if hit.left != [1.0; 3] {
+        rows.push(format!("the way leaves {}", hit.left.map(short).join(" ")));
+    }
+    if hit.hidden {
+        rows.push("hidden: straight on".into());
+    }
+    if ray.total_reflection {
+        rows.push("all light is thrown back".into());
+    }
+    rows
+}
+
+/// A light, and whether it is seen.
+fn bulb(svg: &mut String, light: &Light, x: f64, y: f64) {
+    let is_seen = light.outcome == "seen";
+    let class = if is_seen { "on" } else { "off" };
+    let _ = write!(svg, "<circle class=\"{class}\" cx=\"{x:.1}\" cy=\"{y:.1}\" r=\"4.5\"/>");
+    if light.outcome == "blocked" {
+        let _ = write!(svg, "<path class=\"bar\" d=\"M{:.1} {:.1}l9 -9\"/>", x - 4.5, y + 4.5);
+    }
+    let who = match &light.named {
+        Named { name: Some(name), .. } => name.clone(),
+        Named { line: 0, .. } => format!("light {}", light.number),
+        Named { line, .. } => format!("line {line}"),
+    };
+    let says = match (light.outcome, &light.blocker) {
+        ("seen", _) if light.through.is_empty() => "seen".into(),
+        ("seen", _) => "seen through glass".into(),
+        ("blocked", Some(blocker)) if blocker.thing.line > 0 => {
+            format!("{}, line {}", blocker.thing.shape, blocker.thing.line)
+        }
+        ("blocked", Some(blocker)) => format!("{} {}", blocker.thing.shape, blocker.thing.object),
+        ("behind", _) => "faces away".into(),
+        ("dark", _) => "does not shine here".into(),
+        ("unseen", _) => "highlight elsewhere".into(),
+        (other, _) => other.into(),
+    };
+    let text = escaped(&fitted(&format!("{who}: {says}")));
+    let _ = writeln!(svg, "<text class=\"dim\" x=\"{:.1}\" y=\"{:.1}\">{text}</text>", x + 11.0, y + 4.0);
+}
+
+fn edge(svg: &mut String, class: &str, label: &str, (x0, y0): (f64, f64), (x1, y1): (f64, f64)) {
+    let half = (y0 + y1) / 2.0;
+    let _ = writeln!(
+        svg,
+        "<path class=\"ray {class}\" d=\"M{x0:.1} {y0:.1}C{x0:.1} {half:.1} {x1:.1} {half:.1} {x1:.1} {y1:.1}\"/>"
+    );
+    if !label.is_empty() {
+        // Beside the end, on the outer side.
+        let (x, anchor) = if x1 < x0 { (x1 - 5.0, "end") } else { (x1 + 5.0, "start") };
+        let y = y1 - 8.0;
+        let _ = writeln!(svg, "<text text-anchor=\"{anchor}\" x=\"{x:.1}\" y=\"{y:.1}\">{label}</text>");
+    }
+}
+
+fn largest([r, g, b]: Triple) -> f32 {
+    Rgb::new(r, g, b).largest()
+}
+
+/// A number with three digits that count: all of them stand in the text.
+fn short(number: f32) -> String {
+    if number == 0.0 {
+        return "0".into();
+    }
+    let digits = 2 - (libm::floor(libm::log10(f64::from(number.abs()))) as i64);
+    match digits {
+        ..=0 => format!("{number:.0}"),
+        1..=6 => {
+            let text = format!("{number:.*}", digits as usize);
+            text.trim_end_matches('0').trim_end_matches('.').to_owned()
+        }
+        _ => format!("{number:.1e}"),
+    }
+}
+
+/// A row that is not longer than its box.
+fn fitted(row: &str) -> String {
+    if row.chars().count() <= CHARACTERS {
+        return row.to_owned();
+    }
+    row.chars().take(CHARACTERS - 1).chain(['…']).collect()
+}
+
+fn escaped(text: &str) -> String {
+    text.replace('&', "&amp;").replace('<', "&lt;").replace('>', "&gt;").replace('"', "&quot;")
+}

@@ -1,0 +1,178 @@
+//! The tree of rays as indented text.
+
+use std::fmt::Write as _;
+
+use super::tree::{Explained, Hit, Light, Named, Part, Ray, Sample, Sent, Sum, Thing, Triple};
+
+/// Where a line goes on that is broken.
+pub const INDENT: usize = 12;
+
+/// Everything, or all that comes of one sample.
+pub fn text(explained: &Explained, only: Option<usize>) -> String {
+    let Explained { scene, width, height, x, y, settings, color, srgb: [r, g, b], sum, samples, .. } =
+        explained;
+    let mut text = format!("{scene}: pixel {x},{y} of {width}x{height}\n");
+    // Writing to a string cannot fail.
+    let _ = writeln!(text, "  color     {}, in sRGB {r} {g} {b}", channels(*color));
+    let levels = if settings.levels == 1 { "level" } else { "levels" };
+    let _ = writeln!(
+        text,
+        "  settings  {} {levels}, cutoff {}, sampler {}, filter {}, seed {}",
+        settings.levels, settings.cutoff, settings.sampler, settings.filter, settings.seed
+    );
+    if !settings.without.is_empty() {
+        let _ = writeln!(text, "  without   {}", settings.without.join(", "));
+    }
+    for sample in samples.iter().filter(|sample| only.is_none_or(|only| sample.number == only)) {
+        let Sample { number, x, y, color, .. } = sample;
+        let _ = match samples.len() {
+            1 => writeln!(text, "\nthrough {x},{y}"),
+            count => writeln!(text, "\nsample {number} of {count}, through {x},{y}"),
+        };
+        Writer { text: &mut text, sample }.ray(0, "", "");
+        let _ = writeln!(text, "what the rays add, in this order, is {}", channels(*color));
+    }
+    let _ = write!(text, "\n{}", summed(sum, samples.len(), *color));
+    text
+}
+
+/// How the pixel comes of its samples.
+fn summed(sum: &Sum, count: usize, color: Triple) -> String {
+    let color = channels(color);
+    match sum {
+        Sum::Mean { .. } if count == 1 => format!("the pixel is this sample: {color}\n"),
+        Sum::Mean { share } => format!("the pixel is the sum of the samples times {share}: {color}\n"),
+        Sum::Parts(parts) => {
+            let mut text =
+                String::from("the pixel is the sum of its parts, the mean of four samples each:\n");
+            for Part { x, y, side, samples: [a, b, c, d] } in parts {
+                let _ = writeln!(text, "  samples {a} {b} {c} {d} count {}  (at {x},{y})", side * side);
+            }
+            let _ = writeln!(text, "  together {color}");
+            text
+        }
+    }
+}
+
+struct Writer<'t> {
+    text: &'t mut String,
+    sample: &'t Sample,
+}
+
+impl Writer<'_> {
+    /// A ray and all that it sends: the first line begins with `first`, the others with `rest`.
+    fn ray(&mut self, place: usize, first: &str, rest: &str) {
+        let Some(ray) = self.sample.rays.get(place) else { return };
+        let Ray { number, kind, level, weight, .. } = ray;
+        let _ =
+            writeln!(self.text, "{first}{kind} ray {number}, level {level}, weight {}", channels(*weight));
+        let inner = if ray.is_end() { "    " } else { "│   " };
+        for line in lines(ray) {
+            let _ = writeln!(self.text, "{rest}{inner}{line}");
+        }
+        // The last that was sent is followed first.
+        for (place, sent) in ray.sends.iter().enumerate().rev() {
+            let (branch, stem) = if place == 0 { ("└─ ", "   ") } else { ("├─ ", "│  ") };
+            match sent.ray {
+                Some(number) => self.ray(number - 1, &format!("{rest}{branch}"), &format!("{rest}{stem}")),
+                None => {
+                    let _ = writeln!(self.text, "{rest}{branch}{}", cut(sent));
+                }
+            }
+        }
+    }
+}
+
+/// What is told of a ray itself.
+fn lines(ray: &Ray) -> Vec<String> {
+    let mut lines = Vec::new();
+    match &ray.hit {
+        None => lines.push(format!("meets nothing, sees {}", channels(ray.light))),
+        Some(hit) => {
+            lines.push(met(hit));
+            if hit.left != [1.0; 3] {
+                let within = hit.within.as_ref().map_or("the body".into(), |it| named("body of", it));
+                let (left, weight) = (channels(hit.left), channels(ray.weight_there));
+                lines.push(format!("{within} leaves {left} on the way: weight {weight}"));
+            }
+            if hit.hidden {
+                lines.push("a surface hidden inside another body: straight on".into());
+            }
+        }
+    }
+    lines.extend(ray.ambient.map(|light| format!("ambient {}", channels(light))));
+    lines.extend(ray.lights.iter().map(lit));
+    if ray.total_reflection {
+        lines.push("all light is thrown back inside".into());
+    }
+    if ray.weight_there == [1.0; 3] {
+        lines.push(format!("adds {}", channels(ray.adds)));
+    } else if ray.hit.as_ref().is_none_or(|hit| !hit.hidden) {
+        let (adds, weight, light) = (channels(ray.adds), channels(ray.weight_there), channels(ray.light));
+        lines.push(format!("adds {adds}, which is {weight} of {light}"));
+    }
+    lines
+}
+
+fn met(hit: &Hit) -> String {
+    let side = if hit.outside { "outside" } else { "inside" };
+    format!("meets {} after {}, from {side}", thing(&hit.thing), hit.distance)
+}
+
+/// An item with its places in the file.
+fn thing(thing: &Thing) -> String {
+    let Thing { object, shape, triangle, line, material } = thing;
+    let what = match triangle {
+        Some(number) => format!("{shape} {number} of the mesh"),
+        None => (*shape).to_owned(),
+    };
+    let place = if *line > 0 { format!("line {line}") } else { format!("object {object}") };
+    let made_of = match (&material.name, material.line) {
+        (None, 0) => String::new(),
+        _ => format!(" of {}", named("material", material)),
+    };
+    format!("{what} ({place}){made_of}")
+}
+
+fn named(what: &str, Named { name, line }: &Named) -> String {
+    let name = name.as_ref().map(|name| format!(" `{name}`")).unwrap_or_default();
+    let place = if *line > 0 { format!(" (line {line})") } else { String::new() };
+    format!("{what}{name}{place}")
+}
+
+fn lit(light: &Light) -> String {
+    let who = match light.named {
+        Named { name: None, line: 0 } => format!("light {}", light.number),
+        _ => named("light", &light.named),
+    };
+    let through: Vec<String> = light.through.iter().map(|it| thing(&it.thing)).collect();
+    let through =
+        if through.is_empty() { String::new() } else { format!(", through {}", through.join(" and ")) };
+    let says = match (light.outcome, &light.adds, &light.blocker) {
+        ("seen", Some(adds), _) => {
+            let away = light.distance.map(|away| format!(" at {away}")).unwrap_or_default();
+            format!("seen{away}{through}, adds {}", channels(*adds))
+        }
+        ("blocked", _, Some(blocker)) => {
+            format!("blocked by {} after {}{through}", thing(&blocker.thing), blocker.distance)
+        }
+        ("blocked", ..) => format!("blocked{through}"),
+        ("behind", ..) => "the surface faces away".into(),
+        ("dark", ..) => "it does not shine here".into(),
+        _ => "its highlight is elsewhere".into(),
+    };
+    format!("{who}: {says}")
+}
+
+fn cut(sent: &Sent) -> String {
+    let reason = match sent.cut {
+        Some("levels") => "the levels end here",
+        _ => "that is not more than the cutoff",
+    };
+    format!("{} ray not sent, weight {}: {reason}", sent.kind, channels(sent.weight))
+}
+
+/// Red, green and blue, or one number for all three.
+pub fn channels([r, g, b]: Triple) -> String {
+    if r == g && g == b { r.to_string() } else { format!("{r} {g} {b}") }
+}

@@ -1,0 +1,95 @@
+//! The tree of rays of one pixel.
+
+use crate::program::{BALL, Folder};
+
+const SCENE: &str = "\
+ambient = 0.1
+background = 0.5
+
+[[light]]
+position = [0, 9, 9]
+
+[[sphere]]
+radius = 1
+material = { color = \"red\", mirror = 0.5 }
+
+[[plane]]
+point = [0, -1, 0]
+material = { color = \"white\" }
+
+[camera]
+from = [0, 1, 6]
+at = [0, 0, 0]
+
+[render]
+size = [24, 16]
+";
+
+fn folder() -> Folder {
+    let folder = Folder::with(BALL);
+    folder.write("scene.toml", SCENE);
+    folder
+}
+
+fn told(folder: &Folder, words: &str) -> String {
+    String::from_utf8(folder.done(&format!("explain {words}"))).unwrap()
+}
+
+#[test]
+fn a_pixel_is_told_with_lines_lights_and_what_was_cut() {
+    let folder = folder();
+    let text = told(&folder, "scene.toml 12,8");
+    for part in [
+        "scene.toml: pixel 12,8 of 24x16",
+        "camera ray 1, level 1, weight 1",
+        "meets sphere (line 7)",
+        "light (line 4): ",
+        "└─ reflected ray 2, level 2, weight 0.5",
+        "the pixel is this sample: ",
+    ] {
+        assert!(text.contains(part), "`{part}` is missing in {text}");
+    }
+    let text = told(&folder, "scene.toml 12,8 --levels 1");
+    assert!(text.contains("reflected ray not sent, weight 0.5: the levels end here"), "{text}");
+    let text = told(&folder, "scene.toml 12,8 --cutoff 0.5");
+    assert!(text.contains("that is not more than the cutoff"), "{text}");
+    assert!(!told(&folder, "scene.toml 12,8 --without reflection").contains("reflected ray"));
+}
+
+#[test]
+fn of_many_samples_one_can_be_told() {
+    let folder = folder();
+    let text = told(&folder, "scene.toml 12,8 --sampler regular:2");
+    assert!(text.contains("sample 4 of 4") && text.contains("samples times 0.25"), "{text}");
+    let text = told(&folder, "scene.toml 12,8 --sampler regular:2 --sample 2");
+    assert!(text.contains("sample 2 of 4") && !text.contains("sample 1 of 4"), "{text}");
+    let beyond = folder.run("explain scene.toml 12,8 --sampler regular:2 --sample 5");
+    beyond.failed(2, "there is no sample 5: the pixel has 4");
+}
+
+#[test]
+fn the_tree_becomes_json_and_a_picture() {
+    let folder = folder();
+    let json: serde_json::Value =
+        serde_json::from_str(&told(&folder, "scene.toml 12,8 --json --svg tree.svg")).unwrap();
+    assert_eq!(json["version"], 1);
+    assert_eq!(json["samples"][0]["rays"][0]["hit"]["line"], 7);
+    let svg = String::from_utf8(folder.read("tree.svg")).unwrap();
+    assert!(svg.starts_with("<svg ") && svg.trim_end().ends_with("</svg>"), "{svg}");
+    // A box for each ray, and nothing from elsewhere.
+    assert!(svg.matches("class=\"box").count() >= 2 && !svg.contains("href"), "{svg}");
+    assert_eq!(told(&folder, "scene.toml 12,8 --svg -"), svg);
+}
+
+#[test]
+fn a_pixel_outside_the_picture_is_wrong_usage() {
+    let folder = folder();
+    for (words, says) in [
+        ("scene.toml 24,0", "is not in the picture of 24x16"),
+        ("scene.toml 1", "two whole numbers with a comma"),
+        ("scene.toml 1,1 --svg - --json", "standard output"),
+        ("scene.toml 1,1 --svg scene.toml", "the same file"),
+    ] {
+        folder.run(&format!("explain {words}")).failed(2, says);
+    }
+}

@@ -1,0 +1,181 @@
+//! The tree of rays that is told of a pixel makes the pixel, bit for bit.
+
+use std::path::{Path, PathBuf};
+
+use serde_json::Value;
+use strahl::description::Description;
+use strahl::explain::pixel::{Traced, trace};
+use strahl::load::load;
+use strahl::progress::Watch;
+use strahl::sampling::Sampling;
+use strahl::signals::Signals;
+use strahl::{frame, wanted::Wanted};
+use strahl_core::{Pixel, Rgb, Size, Tile};
+
+fn scene(name: &str) -> Description {
+    let path: PathBuf = Path::new(env!("CARGO_MANIFEST_DIR")).parent().unwrap().join("scenes").join(name);
+    load(&path).unwrap_or_else(|error| panic!("{name}: {error}"))
+}
+
+fn wanted(description: &Description, sampling: Sampling) -> Wanted {
+    let settings = strahl::description::Settings {
+        size: Size::new(40, 30),
+        sampling: Some(sampling),
+        ..Default::default()
+    };
+    Wanted::asked(&settings, &description.settings).unwrap()
+}
+
+/// The pixel as `render` traces it, with whatever it takes to find items.
+fn rendered(description: &Description, wanted: &Wanted, pixel: Pixel) -> Rgb {
+    let region = Some(Tile { first: pixel, width: 1, height: 1 });
+    let wanted = Wanted { region, ..wanted.clone() };
+    let frame = frame::trace(description, &wanted, &Watch::silent(Signals::default())).unwrap();
+    frame.picture.colors[0]
+}
+
+/// The channels of a colour that stands in JSON.
+fn rgb(value: &Value) -> [f32; 3] {
+    std::array::from_fn(|channel| value[channel].as_f64().unwrap() as f32)
+}
+
+fn added([a, b, c]: [f32; 3], [x, y, z]: [f32; 3]) -> [f32; 3] {
+    [a + x, b + y, c + z]
+}
+
+fn times([a, b, c]: [f32; 3], [x, y, z]: [f32; 3]) -> [f32; 3] {
+    [a * x, b * y, c * z]
+}
+
+/// Does every sum of one sample's tree again, from what is printed.
+fn sample_of(sample: &Value) -> [f32; 3] {
+    let rays = sample["rays"].as_array().unwrap();
+    let mut sum = [0.0; 3];
+    for ray in rays {
+        let there = if ray["hit"].is_null() {
+            rgb(&ray["weight"])
+        } else {
+            times(rgb(&ray["weight"]), rgb(&ray["hit"]["left"]))
+        };
+        assert_eq!(there, rgb(&ray["weight_there"]), "{ray}");
+        if !ray["ambient"].is_null() {
+            let lights = ray["lights"].as_array().unwrap().iter().filter(|light| !light["adds"].is_null());
+            let light = lights.fold(rgb(&ray["ambient"]), |sum, light| added(sum, rgb(&light["adds"])));
+            assert_eq!(light, rgb(&ray["light"]), "{ray}");
+        }
+        assert_eq!(times(there, rgb(&ray["light"])), rgb(&ray["adds"]), "{ray}");
+        for sent in ray["sends"].as_array().unwrap() {
+            assert_eq!(times(there, rgb(&sent["share"])), rgb(&sent["weight"]), "{ray}");
+            // It is sent, or it is said why not.
+            assert_ne!(sent["ray"].is_null(), sent["cut"].is_null(), "{ray}");
+            if let Some(number) = sent["ray"].as_u64() {
+                let child = &rays[number as usize - 1];
+                assert_eq!((&child["number"], &child["parent"]), (&sent["ray"], &ray["number"]));
+                assert_eq!(rgb(&child["weight"]), rgb(&sent["weight"]));
+                assert_eq!(child["level"].as_u64(), ray["level"].as_u64().map(|level| level + 1));
+            }
+        }
+        sum = added(sum, rgb(&ray["adds"]));
+    }
+    assert_eq!(sum, rgb(&sample["color"]));
+    sum
+}
+
+/// Does the sum of the samples again.
+fn pixel_of(sum: &Value, samples: &Value) -> [f32; 3] {
+    let samples: Vec<_> = samples.as_array().unwrap().iter().map(sample_of).collect();
+    if let Some(parts) = sum["parts"].as_array() {
+        parts.iter().fold([0.0; 3], |sum, part| {
+            let corner = |place: usize| samples[part["samples"][place].as_u64().unwrap() as usize - 1];
+            let side = part["side"].as_f64().unwrap() as f32;
+            let mean = times(added(added(corner(0), corner(1)), added(corner(2), corner(3))), [0.25; 3]);
+            added(sum, times(mean, [side * side; 3]))
+        })
+    } else {
+        let share = sum["mean"]["share"].as_f64().unwrap() as f32;
+        times(samples.into_iter().fold([0.0; 3], added), [share; 3])
+    }
+}
+
+fn bits(color: [f32; 3]) -> [u32; 3] {
+    color.map(f32::to_bits)
+}
+
+/// Compares some pixels of a scene; how many rays, and how many of them were cut.
+fn hold(name: &str, sampler: &str) -> (usize, usize) {
+    let description = scene(name);
+    let wanted = wanted(&description, sampler.parse().unwrap());
+    let (mut rays, mut cut) = (0, 0);
+    for (x, y) in [(0, 0), (39, 29), (20, 15), (13, 18), (27, 12), (9, 22), (31, 21), (22, 24)] {
+        let pixel = Pixel { x, y };
+        let Traced { color, sum, samples } = trace(&description, &wanted, pixel).unwrap();
+        let truth = rendered(&description, &wanted, pixel);
+        let [truth, color] = [truth, color].map(|c| [c.r, c.g, c.b]);
+        assert_eq!(bits(color), bits(truth), "{name} {sampler} {pixel:?}");
+
+        // As it is printed.
+        let text = serde_json::to_string(&(&sum, &samples)).unwrap();
+        let printed: Value = serde_json::from_str(&text).unwrap();
+        assert_eq!(bits(pixel_of(&printed[0], &printed[1])), bits(truth), "{name} {sampler} {pixel:?}");
+        for ray in samples.iter().flat_map(|sample| &sample.rays) {
+            rays += 1;
+            cut += ray.sends.iter().filter(|sent| sent.cut.is_some()).count();
+        }
+    }
+    (rays, cut)
+}
+
+#[test]
+fn the_tree_of_one_ray_makes_the_pixel() {
+    let (mut rays, mut cut) = (0, 0);
+    for name in [
+        "classic.toml",
+        "glass.toml",
+        "marbles.toml",
+        "stained.toml",
+        "still-life.toml",
+        "gloss.toml",
+        "rotunda.nff",
+        "knot.toml",
+        "sphereflake.toml",
+    ] {
+        let (more, more_cut) = hold(name, "single");
+        rays += more;
+        cut += more_cut;
+    }
+    // Trees, not single rays, and some branches that end.
+    assert!(rays > 300 && cut > 30, "{rays} rays, {cut} cut");
+}
+
+#[test]
+fn the_trees_of_many_rays_make_the_pixel() {
+    for (name, sampler) in [
+        ("glass.toml", "regular:3"),
+        ("penumbra.toml", "stochastic:5"),
+        ("lens.toml", "stochastic:2..40:0.9:0.01"),
+        ("classic.toml", "adaptive:0:0"),
+        ("glass.toml", "adaptive:3:0.02"),
+    ] {
+        hold(name, sampler);
+    }
+}
+
+#[test]
+fn lights_are_seen_or_it_is_told_what_stands_in_their_way() {
+    let description = scene("classic.toml");
+    let wanted = wanted(&description, Sampling::Single);
+    let mut outcomes = std::collections::BTreeMap::new();
+    for y in 0..30 {
+        for x in 0..40 {
+            let Traced { samples, .. } = trace(&description, &wanted, Pixel { x, y }).unwrap();
+            for light in samples.iter().flat_map(|sample| &sample.rays).flat_map(|ray| &ray.lights) {
+                *outcomes.entry(light.outcome).or_insert(0) += 1;
+                assert_eq!(light.blocker.is_some(), light.outcome == "blocked");
+                if let Some(blocker) = &light.blocker {
+                    assert!(blocker.distance > 0.0 && blocker.thing.line > 0);
+                }
+            }
+        }
+    }
+    assert!(outcomes["seen"] > 100 && outcomes["blocked"] > 20 && outcomes["behind"] > 20, "{outcomes:?}");
+}
