@@ -18,9 +18,19 @@ pub const MOST_PIXELS: u64 = 1 << 28;
 
 /// What the exit status says.
 const STATUS: &str = "\
-Exit status: 0 done; 1 the answer is no (pictures differ); 2 wrong usage; 65 the scene or another input is \
+Exit status: 0 done; 1 the answer is no (pictures differ, an error is not kept); 2 wrong usage; 65 the scene or another input is \
 wrong; 66 it cannot be read; 74 the output cannot be written; 75 stopped by SIGTERM, may be tried again; \
 130 interrupted.";
+
+/// How `render` is called.
+const RENDER: &str = "\
+Examples:
+  strahl render glass.toml                           writes glass.png
+  strahl render glass.toml --size 1280x960 --sampler regular:3 -o large.exr
+  strahl render glass.toml --cost cost.png           where the work goes, as a picture
+  strahl render glass.toml --target-error 0.01       the cheapest settings that are as good as that
+  strahl render glass.toml --target-error 0.01 --verify
+  strahl render glass.toml --time-limit 2s           the best picture in two seconds";
 
 /// How `explain` is called.
 const EXPLAIN: &str = "\
@@ -44,14 +54,19 @@ pub struct Args {
 #[derive(Debug, Subcommand)]
 pub enum Command {
     /// Render a scene into a picture.
+    #[command(after_long_help = RENDER)]
     Render {
         /// What, and how.
         #[command(flatten)]
         args: RenderArgs,
 
+        /// What is aimed at.
+        #[command(flatten)]
+        aim: AimArgs,
+
         /// Print the settings in force and where each comes from, ready to be put into a scene or
         /// behind a command, and make no picture.
-        #[arg(long)]
+        #[arg(long, conflicts_with_all = ["cost", "target_error", "time_limit"])]
         print_settings: bool,
     },
     /// Tell what rays hit: rays in as CSV, hits out as CSV.
@@ -221,6 +236,35 @@ pub struct RenderArgs {
     /// Say nothing but errors.
     #[arg(short, long)]
     pub quiet: bool,
+}
+
+/// What settings are to keep, and what is told of the work.
+#[derive(Clone, Debug, Default, clap::Args)]
+pub struct AimArgs {
+    /// Show what each pixel costs: rays, tests and levels, as a picture with a legend, or with the
+    /// extension .exr as channels of numbers.
+    #[arg(long, value_name = "FILE")]
+    pub cost: Option<PathBuf>,
+
+    /// Take the cheapest levels, cutoff, sampler and selection whose error is estimated below E: the root
+    /// of the mean square of sRGB-encoded differences (0 to 1, as in 0.01 or 2/255) to a picture of high
+    /// quality. The estimate is made on a sparse sample of pixels. What the command line sets stays as it
+    /// is; what the scene sets does not. The exit status is 1 when no setting is good enough.
+    #[arg(long, value_name = "E", value_parser = error)]
+    pub target_error: Option<f64>,
+
+    /// Trace the picture of high quality too, with other random numbers, and tell the true error; the
+    /// exit status is 1 when it is more than E. Takes long.
+    #[arg(long, requires = "target_error")]
+    pub verify: bool,
+
+    /// Make the best picture that is written when this time is over, as in 2s or 1m 30s, counted from the
+    /// start of the program: a coarse raster of pixels first, then all of them, then more samples where
+    /// the error is estimated largest. What is written is always complete. Levels and cutoff stay as
+    /// they are.
+    #[arg(long, value_name = "T", value_parser = duration,
+        conflicts_with_all = ["target_error", "select", "sampler", "cost"])]
+    pub time_limit: Option<Duration>,
 }
 
 /// What to cast, and how.
@@ -612,6 +656,20 @@ fn share(text: &str) -> Result<f64, String> {
         Ok(share) if share >= 0.0 && share <= 1.0 => Ok(share),
         _ => Err("a number between 0 and 1 is expected, as in 0.01 or 1/255".into()),
     }
+}
+
+fn error(text: &str) -> Result<f64, String> {
+    share(text)
+        .ok()
+        .filter(|error| *error > 0.0)
+        .ok_or_else(|| "a number more than 0 and at most 1 is expected, as in 0.01 or 2/255".into())
+}
+
+fn duration(text: &str) -> Result<Duration, String> {
+    // A number alone is one of seconds.
+    let seconds = text.parse::<f64>().ok().and_then(|seconds| Duration::try_from_secs_f64(seconds).ok());
+    let time = seconds.or_else(|| humantime::parse_duration(text).ok()).filter(|time| !time.is_zero());
+    time.ok_or_else(|| "a time is expected, as in 2s, 500ms or 1m 30s".into())
 }
 
 fn threads(text: &str) -> Result<usize, String> {

@@ -14,6 +14,7 @@ pub struct Counts {
     pub(crate) by_shape: [u64; ShapeKind::ALL.len()],
     pub(crate) shadow_cache_asked: u64,
     pub(crate) shadow_cache_hits: u64,
+    pub(crate) deepest: u8,
     pub(crate) level_limit: u64,
     pub(crate) level_limit_weight: f64,
     pub(crate) cutoff: u64,
@@ -58,6 +59,10 @@ impl Counts {
 
     pub fn shadow_cache_hits(&self) -> u64 {
         self.shadow_cache_hits
+    }
+
+    pub fn deepest(&self) -> u8 {
+        self.deepest
     }
 
     pub fn level_limit(&self) -> u64 {

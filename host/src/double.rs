@@ -17,6 +17,9 @@ pub mod draw;
 #[path = "hits.rs"]
 pub mod hits;
 #[expect(clippy::duplicate_mod, reason = "each core has types of its own")]
+#[path = "passes.rs"]
+pub mod passes;
+#[expect(clippy::duplicate_mod, reason = "each core has types of its own")]
 #[path = "samplers.rs"]
 pub mod samplers;
 #[expect(clippy::duplicate_mod, reason = "each core has types of its own")]

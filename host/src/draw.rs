@@ -1,68 +1,99 @@
 //! From a scene to linear colours, for either precision.
 
+use std::cell::RefCell;
 use std::marker::PhantomData;
 use std::time::{Duration, Instant};
 
 use super::accelerators::{Purpose, build};
 use super::choose;
+use super::passes;
 use super::strahl::{
     Accelerator, Camera, Counters, EffectSet, Effects, Everything, Limits, RayKind, Real, Rgb, Sample, Scene,
     Sight, Size, Tally, Tracer, Worker, World,
 };
 use super::tables::{Stock, view};
 use super::workers::{self, Eye, Eyes, LEVELS};
+use crate::aim::pace::Pace;
 use crate::counts::Counts;
 use crate::description::View;
-use crate::finding::Facts;
-use crate::frame::{Drawn, NoFrame};
+use crate::finding::{Facts, Finding};
+use crate::frame::{Drawn, NoFrame, Studio};
 use crate::progress::Watch;
 use crate::sheet::{Cost, Sheet};
+use crate::signals::Stop;
 use crate::wanted::{Looped, Wanted};
 
-/// Traces the scene of these tables.
-pub fn trace(stock: &Stock, from: &View, wanted: &Wanted, watch: &Watch) -> Result<Drawn, NoFrame> {
+/// Builds the accelerator that is asked for over the scene of these tables, and lets `work` trace
+/// pictures with it.
+pub fn open(
+    stock: &Stock,
+    from: &View,
+    finding: &Finding,
+    work: &mut dyn FnMut(&dyn Studio),
+) -> Result<(), NoFrame> {
     let scene = stock.scene().map_err(NoFrame::wrong)?;
-    let size = wanted.size;
-    let size = Size::new(size.width(), size.height()).ok_or_else(|| NoFrame::wrong("no such size"))?;
-    let camera = Camera::new(&view(from), size).map_err(NoFrame::wrong)?;
-    build(&scene, &wanted.finding, Drawing { scene, camera, size, wanted, watch }).map_err(NoFrame::wrong)?
+    build(&scene, finding, Opening { scene, view: view(from), work }).map_err(NoFrame::wrong)
 }
 
-/// Everything that is needed for a picture but an accelerator.
-struct Drawing<'d, 's> {
+/// Everything that is needed for pictures but an accelerator.
+struct Opening<'o, 's> {
     scene: Scene<'s>,
-    camera: Camera,
-    size: Size,
-    wanted: &'d Wanted,
-    watch: &'d Watch,
+    view: super::strahl::View,
+    work: &'o mut dyn FnMut(&dyn Studio),
 }
 
-impl Purpose for Drawing<'_, '_> {
-    type Answer = Result<Drawn, NoFrame>;
+impl Purpose for Opening<'_, '_> {
+    type Answer = ();
 
-    fn with<A: Accelerator + Sync>(self, accelerator: A, facts: Facts) -> Self::Answer {
-        self.traced(accelerator, facts, choose::trace)
+    fn with<A: Accelerator + Sync>(self, accelerator: A, facts: Facts) {
+        self.opened(accelerator, facts, choose::trace);
     }
 
-    fn seldom<A: Accelerator + Sync>(self, accelerator: A, facts: Facts) -> Self::Answer {
-        self.traced(accelerator, facts, |job| job.counted::<Everything>())
+    fn seldom<A: Accelerator + Sync>(self, accelerator: A, facts: Facts) {
+        self.opened(accelerator, facts, |job| job.counted::<Everything>());
     }
 }
 
-impl<'s> Drawing<'_, 's> {
-    fn traced<A: Accelerator + Sync>(
+impl<'s> Opening<'_, 's> {
+    fn opened<A: Accelerator + Sync>(
         self,
         accelerator: A,
         facts: Facts,
-        trace: impl FnOnce(&Job<'_, 's, A>) -> Result<Traced, NoFrame>,
-    ) -> Result<Drawn, NoFrame> {
-        let Drawing { scene, camera, size, wanted, watch } = self;
+        trace: impl Fn(&Job<'_, 's, A>) -> Result<Traced, NoFrame>,
+    ) {
+        let Opening { scene, view, work } = self;
+        work(&Opened { world: World::new(scene, accelerator), view, facts, trace });
+    }
+}
+
+/// A world, and how a picture of it is traced.
+struct Opened<'s, A, F> {
+    world: World<'s, A>,
+    view: super::strahl::View,
+    facts: Facts,
+    trace: F,
+}
+
+impl<'s, A, F> Opened<'s, A, F>
+where
+    A: Accelerator + Sync,
+    F: Fn(&Job<'_, 's, A>) -> Result<Traced, NoFrame>,
+{
+    /// Traces a picture, `all` of whose pixels are asked for in some order.
+    fn drawn(&self, wanted: &Wanted, all: &dyn Fn(&dyn Eyes, Size) -> Pixels) -> Result<Drawn, NoFrame> {
         let (clock, cpu) = (Instant::now(), cpu_time());
-        let world = World::new(scene, accelerator);
-        let (colors, counts) = trace(&Job { world: &world, camera, size, wanted, watch })?;
+        let size = wanted.size;
+        let size = Size::new(size.width(), size.height()).ok_or_else(|| NoFrame::wrong("no such size"))?;
+        let camera = Camera::new(&self.view, size).map_err(NoFrame::wrong)?;
+        let charged = |eyes: &dyn Eyes| match &wanted.sheet {
+            Some(sheet) => all(&Charging { eyes, sheet }, size),
+            None => all(eyes, size),
+        };
+        let job = Job { world: &self.world, camera, wanted, all: &charged };
+        let (colors, counts) = (self.trace)(&job)?;
         Ok(Drawn {
             colors,
-            accelerator: facts,
+            accelerator: self.facts,
             counts,
             trace: clock.elapsed(),
             trace_cpu: cpu_time().saturating_sub(cpu),
@@ -70,13 +101,31 @@ impl<'s> Drawing<'_, 's> {
     }
 }
 
+impl<'s, A, F> Studio for Opened<'s, A, F>
+where
+    A: Accelerator + Sync,
+    F: Fn(&Job<'_, 's, A>) -> Result<Traced, NoFrame>,
+{
+    fn trace(&self, wanted: &Wanted, watch: &Watch) -> Result<Drawn, NoFrame> {
+        self.drawn(wanted, &|eyes, size| workers::trace(eyes, wanted, size, watch))
+    }
+
+    fn refine(&self, wanted: &Wanted, watch: &Watch, pace: &mut dyn Pace) -> Result<Drawn, NoFrame> {
+        // Asked for once, whatever tracer is chosen.
+        let pace = RefCell::new(pace);
+        self.drawn(wanted, &|eyes, size| passes::trace(eyes, wanted, size, watch, &mut **pace.borrow_mut()))
+    }
+}
+
+/// All pixels of a picture, or why they were given up.
+type Pixels = Result<workers::Traced<Rgb>, Stop>;
+
 /// A picture to be traced by a tracer whose type is still to be chosen.
 pub struct Job<'j, 's, A> {
     world: &'j World<'s, A>,
     camera: Camera,
-    size: Size,
     wanted: &'j Wanted,
-    watch: &'j Watch,
+    all: &'j dyn Fn(&dyn Eyes) -> Pixels,
 }
 
 /// Colours, and the work where it was counted.
@@ -114,16 +163,7 @@ impl<'s, A: Accelerator + Sync> Job<'_, 's, A> {
         let tracer = Tracer::<A, E, LEVELS>::new(self.world, self.camera, limits).map_err(NoFrame::wrong)?;
         let eyes =
             Tracing { tracer, shadow_cache: self.wanted.shadow_cache, tally: PhantomData::<fn() -> T> };
-        let charging;
-        let eyes: &dyn Eyes = match &self.wanted.sheet {
-            None => &eyes,
-            Some(sheet) => {
-                charging = Charging { eyes: &eyes, sheet };
-                &charging
-            }
-        };
-        let (colors, counted) =
-            workers::trace(eyes, self.wanted, self.size, self.watch).map_err(NoFrame::Stopped)?;
+        let (colors, counted) = (self.all)(&eyes).map_err(NoFrame::Stopped)?;
         Ok((rounded(colors), counted.as_ref().map(counts)))
     }
 }
@@ -154,8 +194,8 @@ impl<A: Accelerator, E: Effects, T: Count> Eye for Looking<'_, '_, '_, A, E, T> 
         self.tracer.look(sample, &mut self.worker)
     }
 
-    fn counters(&self) -> Option<&Counters> {
-        self.worker.tally().counters()
+    fn take(&mut self) -> Option<Counters> {
+        self.worker.tally_mut().take()
     }
 }
 
@@ -167,7 +207,7 @@ struct Charging<'c> {
 
 impl Eyes for Charging<'_> {
     fn open(&self) -> Box<dyn Eye + '_> {
-        Box::new(Charged { eye: self.eyes.open(), sheet: self.sheet })
+        Box::new(Charged { eye: self.eyes.open(), sheet: self.sheet, sum: None })
     }
 }
 
@@ -175,47 +215,47 @@ impl Eyes for Charging<'_> {
 struct Charged<'c> {
     eye: Box<dyn Eye + 'c>,
     sheet: &'c Sheet,
+    sum: Option<Counters>,
 }
 
 impl Eye for Charged<'_> {
     fn look(&mut self, sample: Sample) -> Sight {
-        let before = self.eye.counters().copied().unwrap_or_default();
         let sight = self.eye.look(sample);
-        let after = self.eye.counters().copied().unwrap_or_default();
-        let spent = |of: fn(&Counters, RayKind) -> u64| {
-            RayKind::ALL.map(|kind| (of(&after, kind) - of(&before, kind)) as u32)
-        };
+        let Some(counters) = self.eye.take() else { return sight };
+        let spent = |of: fn(&Counters, RayKind) -> u64| RayKind::ALL.map(|kind| of(&counters, kind) as u32);
         let cost = Cost {
             rays: spent(Counters::rays),
             boxes: spent(Counters::boxes),
             shapes: spent(Counters::shapes),
             regions: spent(Counters::regions),
             skipped: spent(Counters::skipped),
+            level: counters.deepest(),
         };
         #[allow(clippy::useless_conversion)] // in double precision
         self.sheet.charge(sample.place.x.into(), sample.place.y.into(), &cost);
+        workers::add(&mut self.sum, Some(counters));
         sight
     }
 
-    fn counters(&self) -> Option<&Counters> {
-        self.eye.counters()
+    fn take(&mut self) -> Option<Counters> {
+        self.sum.take()
     }
 }
 
 /// A tally that may be one of [`Counters`].
 trait Count: Tally + Default {
-    fn counters(&self) -> Option<&Counters>;
+    fn take(&mut self) -> Option<Counters>;
 }
 
 impl Count for () {
-    fn counters(&self) -> Option<&Counters> {
+    fn take(&mut self) -> Option<Counters> {
         None
     }
 }
 
 impl Count for Counters {
-    fn counters(&self) -> Option<&Counters> {
-        Some(self)
+    fn take(&mut self) -> Option<Counters> {
+        Some(std::mem::take(self))
     }
 }
 
@@ -228,7 +268,7 @@ fn rounded(colors: Vec<Rgb>) -> Vec<strahl_core::Rgb> {
 
 /// Counts that are the same for either precision.
 fn counts(counters: &Counters) -> Counts {
-    use super::strahl::{RayKind, ShapeKind};
+    use super::strahl::ShapeKind;
     Counts {
         rays: RayKind::ALL.map(|kind| counters.rays(kind)),
         camera_hits: counters.camera_hits(),
@@ -239,6 +279,7 @@ fn counts(counters: &Counters) -> Counts {
         shadow_cache_asked: counters.shadow_cache_asked(),
         shadow_cache_hits: counters.shadow_cache_hits(),
         by_shape: ShapeKind::ALL.map(|kind| counters.by_shape(kind)),
+        deepest: counters.deepest(),
         level_limit: counters.level_limit(),
         level_limit_weight: counters.level_limit_weight(),
         cutoff: counters.cutoff(),

@@ -6,9 +6,10 @@ use std::time::{Duration, Instant};
 
 use strahl_core::{EffectSet, Rgb, Scene, Shape};
 
+use crate::aim::pace::Pace;
 use crate::counts::Counts;
 use crate::description::Description;
-use crate::finding;
+use crate::finding::{self, Finding};
 use crate::picture::Picture;
 use crate::plan::asked_by;
 use crate::progress::Watch;
@@ -107,27 +108,62 @@ impl fmt::Display for NoFrame {
 
 impl Error for NoFrame {}
 
-/// Traces what is described.
-pub fn trace(description: &Description, wanted: &Wanted, watch: &Watch) -> Result<Frame, NoFrame> {
+/// A scene with its accelerator, of which pictures can be traced one after another.
+///
+/// Precision and finding are those for which it was opened, whatever else is wanted.
+pub trait Studio {
+    /// Traces a picture.
+    fn trace(&self, wanted: &Wanted, watch: &Watch) -> Result<Drawn, NoFrame>;
+
+    /// Traces a picture that becomes better pass by pass, as `pace` says; the last that was
+    /// completed.
+    fn refine(&self, wanted: &Wanted, watch: &Watch, pace: &mut dyn Pace) -> Result<Drawn, NoFrame>;
+}
+
+/// What is done with a scene: the last picture that is traced, and what was wanted of it.
+pub type Work<'w> = &'w mut dyn FnMut(&dyn Studio) -> Result<(Wanted, Drawn), NoFrame>;
+
+/// Makes the tables and the accelerator once, and lets `work` trace pictures with them: the
+/// frame is that of the last.
+pub fn open(
+    description: &Description,
+    precision: Precision,
+    finding: &Finding,
+    work: Work<'_>,
+) -> Result<Frame, NoFrame> {
     let clock = Instant::now();
     let stock = stock::single::Stock::new(description);
     let facts = Facts::of(description, &stock.scene().map_err(NoFrame::wrong)?);
-    let drawn = match wanted.precision {
-        Precision::Single => draw::trace(&stock, &description.view, wanted, watch)?,
+    let mut build = Duration::ZERO;
+    let mut last = None;
+    let mut work = |studio: &dyn Studio| {
+        build = clock.elapsed();
+        last = Some(work(studio));
+    };
+    match precision {
+        Precision::Single => draw::open(&stock, &description.view, finding, &mut work)?,
         Precision::Double => {
             drop(stock);
             let stock = stock::double::Stock::new(description);
-            double::draw::trace(&stock, &description.view, wanted, watch)?
+            double::draw::open(&stock, &description.view, finding, &mut work)?;
         }
-    };
+    }
+    let (wanted, drawn) = last.unwrap_or_else(|| Err(NoFrame::wrong("nothing was traced")))?;
     Ok(Frame {
         picture: Picture { size: wanted.picture(), colors: drawn.colors },
-        precision: wanted.precision,
+        precision,
         facts,
         accelerator: drawn.accelerator,
         counters: drawn.counts,
-        build: clock.elapsed().saturating_sub(drawn.trace),
+        build,
         trace: drawn.trace,
         trace_cpu: drawn.trace_cpu,
+    })
+}
+
+/// Traces what is described.
+pub fn trace(description: &Description, wanted: &Wanted, watch: &Watch) -> Result<Frame, NoFrame> {
+    open(description, wanted.precision, &wanted.finding, &mut |studio| {
+        Ok((wanted.clone(), studio.trace(wanted, watch)?))
     })
 }

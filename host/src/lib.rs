@@ -27,8 +27,11 @@
 //! | [`draw`] | from a scene to linear colours |
 //! | [`hits`] | what rays hit |
 //! | [`workers`] | tiles and threads |
+//! | [`passes`] | a picture that becomes better pass by pass |
+//! | [`aim`] | the settings that keep an error or a time |
 //! | [`sheet`] | what each pixel costs |
-//! | [`double`] | `accelerators`, `draw`, `hits` and `workers` for the twin in double precision |
+//! | [`heat`] | costs as a picture |
+//! | [`double`] | `accelerators`, `draw`, `hits`, `passes` and `workers` for the twin in double precision |
 //! | [`counts`] | how often everything happened |
 //! | [`draft`] | a coarse picture before the full one |
 //! | [`picture`] | linear pictures, their digest, and files of them |
@@ -51,6 +54,7 @@ use strahl_core as strahl;
 use stock::single as tables;
 
 pub mod accelerators;
+pub mod aim;
 pub mod args;
 pub mod bake;
 pub mod cast;
@@ -68,11 +72,13 @@ pub mod faults;
 pub mod finding;
 pub mod frame;
 pub mod generate;
+pub mod heat;
 pub mod hits;
 pub mod info;
 pub mod load;
 pub mod manual;
 pub mod output;
+pub mod passes;
 pub mod picture;
 pub mod plan;
 pub mod progress;

@@ -13,8 +13,8 @@ fn main() -> ExitCode {
     let args = Args::parse();
     let yes = |()| Answer::Yes;
     let done = match args.command {
-        Command::Render { args, print_settings: false } => strahl::render::run(&args).map(yes),
-        Command::Render { args, print_settings: true } => strahl::render::print_settings(&args).map(yes),
+        Command::Render { args, aim, print_settings: false } => strahl::render::run(&args, &aim),
+        Command::Render { args, print_settings: true, .. } => strahl::render::print_settings(&args).map(yes),
         Command::Cast(args) => strahl::cast::run(&args).map(yes),
         Command::Watch(args) => strahl::watch::run(&args).map(Answer::Ended),
         Command::Bake(args) => strahl::bake::run(&args).map(yes),

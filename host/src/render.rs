@@ -1,32 +1,39 @@
 //! The command `render`: from scene file to picture file.
 
 use std::ffi::OsStr;
+use std::io;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 use std::time::{Duration, Instant};
 
 use strahl_core::{Size, Tile};
 
-use crate::args::{RenderArgs, StatsForm};
+use crate::aim::error::{Fixed, Goal};
+use crate::aim::time::Limit;
+use crate::aim::{self, Aimed};
+use crate::args::{AimArgs, RenderArgs, StatsForm};
 use crate::description::{Description, Settings};
 use crate::draft;
-use crate::failure::Failure;
+use crate::failure::{Answer, Failure};
 use crate::frame::{self, Frame, NoFrame};
+use crate::heat::{self, Costs};
 use crate::load::{DEFAULT_SIZE, Files, load_from};
 use crate::output::{Output, say, tell};
 use crate::picture::{self, Format, Picture};
 use crate::plan::{Step, leave_out, plan};
 use crate::progress::Watch;
 use crate::settings;
+use crate::sheet::Sheet;
 use crate::signals::Signals;
 use crate::stats::Stats;
 use crate::summary::{self, summary};
 use crate::wanted::{Cut, Mask, Wanted};
 use crate::wrap::{width_of_stderr, wrapped};
 
-/// Renders one scene.
-pub fn run(args: &RenderArgs) -> Result<(), Failure> {
-    let job = Job::of(args)?;
+/// Renders one scene. No is the answer where an error was aimed at that is not kept.
+pub fn run(args: &RenderArgs, aim: &AimArgs) -> Result<Answer, Failure> {
+    let begun = Instant::now();
+    let job = Job { aim: aim.clone(), begun, ..Job::of(args)? };
     let watch = job.watch(Signals::listen()?);
     let scene = job.load(&Files::on_disk())?;
     job.render(&scene, &watch)
@@ -45,6 +52,8 @@ pub fn print_settings(args: &RenderArgs) -> Result<(), Failure> {
 /// A picture that is asked for, and where it goes.
 pub struct Job<'a> {
     args: &'a RenderArgs,
+    aim: AimArgs,
+    begun: Instant,
     path: PathBuf,
     format: Format,
     report: Option<(StatsForm, PathBuf)>,
@@ -64,7 +73,7 @@ impl<'a> Job<'a> {
         let report = report(args)?;
         let path = args.output.clone().unwrap_or_else(|| picture_of(&args.scene));
         let format = Format::of(&path)?;
-        Ok(Job { args, path, format, report })
+        Ok(Job { args, aim: AimArgs::default(), begun: Instant::now(), path, format, report })
     }
 
     /// Who is told how far the work is.
@@ -85,8 +94,8 @@ impl<'a> Job<'a> {
     }
 
     /// Traces the picture and writes it, and whatever is to be told of it.
-    pub fn render(&self, scene: &Loaded, watch: &Watch) -> Result<(), Failure> {
-        let Job { args, path, format, .. } = self;
+    pub fn render(&self, scene: &Loaded, watch: &Watch) -> Result<Answer, Failure> {
+        let Job { args, path, format, aim, .. } = self;
         // Before the work, so that nothing is traced that cannot be kept.
         let output = Output::prepare(path)?;
         let report =
@@ -96,19 +105,26 @@ impl<'a> Job<'a> {
         {
             return Err(Failure::Usage("the report and the picture or the scene are the same file".into()));
         }
+        let heat = aim.cost.as_ref().map(|place| Heat::prepare(place, path, &args.scene)).transpose()?;
 
         let Loaded { description, left_out, took: load } = scene;
         let wanted = wanted(args, &description.settings, report.is_some() || !args.quiet)?;
+        let sheet = heat.is_some().then(|| Arc::new(Sheet::new(wanted.size)));
+        let wanted = Wanted { sheet, ..wanted };
         format.holds(wanted.picture())?;
-        let frame = self.trace(description, &wanted, watch)?;
+        let (frame, aimed) = self.aimed(description, &wanted, watch)?;
         let clock = Instant::now();
         self.write(&frame.picture, output, watch)?;
+        if let (Some(heat), Some(sheet)) = (heat, &wanted.sheet) {
+            heat.write(&Costs::of(sheet, wanted.area()))?;
+        }
         let write = clock.elapsed();
 
         let mut plan = plan(description, &frame.facts.asks);
         plan.extend_from_slice(left_out);
         if let (Some((form, output)), Some(counters)) = (report, &frame.counters) {
             let mut stats = Stats::new(&plan, &frame, counters);
+            stats.aim = aimed.clone();
             stats.seconds.load = load.as_secs_f64();
             stats.seconds.write = write.as_secs_f64();
             let text = match form {
@@ -118,10 +134,41 @@ impl<'a> Job<'a> {
             output.commit(text.as_bytes())?;
         }
         if let (Some(counters), false) = (&frame.counters, args.quiet) {
-            let summary = summary(path, &frame, counters, &plan, *load, write);
+            let mut summary = summary(path, &frame, counters, &plan, *load, write);
+            if let Some(aimed) = &aimed {
+                summary.push_str(&summary::lines(&aimed.lines()));
+            }
             tell(wrapped(&summary, width_of_stderr(), summary::INDENT));
         }
-        Ok(())
+        Ok(if aimed.is_none_or(|aimed| aimed.kept) { Answer::Yes } else { Answer::No })
+    }
+
+    /// Traces the picture, with what was found where something is aimed at.
+    fn aimed(
+        &self,
+        description: &Description,
+        wanted: &Wanted,
+        watch: &Watch,
+    ) -> Result<(Frame, Option<Aimed>), Failure> {
+        let Job { args, aim, begun, format, .. } = self;
+        let traced = if let Some(error) = aim.target_error {
+            let fixed = Fixed {
+                levels: args.levels.is_some(),
+                cutoff: args.cutoff.is_some(),
+                sampling: args.sampler.is_some(),
+                selecting: args.select.is_some(),
+            };
+            aim::error::trace(description, wanted, Goal { error, fixed, verify: aim.verify }, watch)
+        } else if let Some(time) = aim.time_limit {
+            let limit = Limit { begun: *begun, time, format: *format };
+            aim::time::trace(description, wanted, limit, watch)
+        } else {
+            return Ok((self.trace(description, wanted, watch)?, None));
+        };
+        watch.end();
+        let (frame, aimed) = traced.map_err(|error| self.failure(error))?;
+        let command = aim::command(args, &aimed.taken, &self.path);
+        Ok((frame, Some(Aimed { command, ..aimed })))
     }
 
     /// Traces and writes a coarse picture, where that is quicker.
@@ -137,10 +184,14 @@ impl<'a> Job<'a> {
     fn trace(&self, description: &Description, wanted: &Wanted, watch: &Watch) -> Result<Frame, Failure> {
         let frame = frame::trace(description, wanted, watch);
         watch.end();
-        frame.map_err(|error| match error {
+        frame.map_err(|error| self.failure(error))
+    }
+
+    fn failure(&self, error: NoFrame) -> Failure {
+        match error {
             NoFrame::Stopped(stop) => Failure::Stopped(stop),
             error => Failure::Input { path: self.args.scene.clone(), line: None, reason: error.to_string() },
-        })
+        }
     }
 
     fn write(&self, picture: &Picture, output: Output, watch: &Watch) -> Result<(), Failure> {
@@ -149,6 +200,46 @@ impl<'a> Job<'a> {
             error: std::io::Error::other(error),
         })?;
         watch.check().map_err(Failure::Stopped)?;
+        output.commit(&file)
+    }
+}
+
+/// Where it is shown what each pixel costs.
+struct Heat<'h> {
+    path: &'h Path,
+    format: Format,
+    output: Output,
+}
+
+impl<'h> Heat<'h> {
+    fn prepare(path: &'h Path, picture: &Path, scene: &Path) -> Result<Self, Failure> {
+        if path == Path::new("-") {
+            return Err(Failure::Usage("what pixels cost needs a file, not `-`".into()));
+        }
+        let (format, output) = (Format::of(path)?, Output::prepare(path)?);
+        if output.replaces(picture) || output.replaces(scene) {
+            return Err(Failure::Usage(
+                "the picture of the costs and the picture or the scene are the same file".into(),
+            ));
+        }
+        Ok(Heat { path, format, output })
+    }
+
+    fn write(self, costs: &Costs) -> Result<(), Failure> {
+        let Heat { path, format, output } = self;
+        let unwritable = |error: io::Error| Failure::Unwritable { path: Some(path.to_owned()), error };
+        let file = match format {
+            Format::Exr => heat::exr(costs).map_err(|error| unwritable(io::Error::other(error)))?,
+            _ => {
+                let Some(picture) = heat::picture(costs) else {
+                    let what =
+                        "three such pictures side by side are too large; an .exr file holds the numbers";
+                    return Err(Failure::Usage(what.into()));
+                };
+                format.holds(picture.size)?;
+                format.encode(&picture).map_err(|error| unwritable(io::Error::other(error)))?
+            }
+        };
         output.commit(&file)
     }
 }

@@ -125,10 +125,15 @@ pub fn settings(
     list
 }
 
+/// The command that asks for all settings of the picture of `scene`.
+pub fn command(scene: &Path, settings: &[Setting]) -> String {
+    let name = quoted(&scene.display().to_string());
+    let asked: Vec<String> = settings.iter().map(|it| format!(" --{} {}", it.name, it.word)).collect();
+    format!("strahl render {name}{}", asked.concat()).trim_end().to_owned()
+}
+
 /// The settings of the picture of `scene` as they are printed.
 pub fn text(scene: &Path, settings: &[Setting]) -> String {
-    let name = quoted(&scene.display().to_string());
-    let asked: Vec<String> = settings.iter().map(|it| format!("--{} {}", it.name, it.word)).collect();
     let mut lines = vec![("[render]".to_owned(), None)];
     let in_scene = settings.iter().filter_map(|it| Some((it, it.value.as_ref()?)));
     lines.extend(in_scene.map(|(it, value)| (format!("{} = {value}", key(it.name)), Some(it.source))));
@@ -138,7 +143,7 @@ pub fn text(scene: &Path, settings: &[Setting]) -> String {
     lines.extend(others.map(|it| (format!("# --{} {}", it.name, it.word), Some(it.source))));
 
     let width = lines.iter().map(|(text, _)| text.chars().count()).max().unwrap_or(0);
-    let mut text = format!("# strahl render {name} {}\n\n", asked.join(" "));
+    let mut text = format!("# {}\n\n", command(scene, settings));
     for (line, source) in lines {
         match source {
             None => text.push_str(&line),

@@ -5,9 +5,13 @@
 //! right, and a pixel that is guessed costs nothing. The sum over all pixels is what the whole
 //! picture costs.
 
-use std::sync::atomic::{AtomicU32, Ordering};
+use std::sync::Arc;
+use std::sync::atomic::{AtomicU8, AtomicU32, Ordering};
 
 use strahl_core::{Pixel, RayKind, Size, Tile};
+
+use crate::finding::Kind;
+use crate::wanted::Mask;
 
 const KINDS: usize = RayKind::ALL.len();
 
@@ -24,27 +28,112 @@ pub struct Cost {
     pub regions: [u32; KINDS],
     /// Tests that mailboxes saved.
     pub skipped: [u32; KINDS],
+    /// The level of the deepest ray; the camera ray has level 1. 0 where there was none.
+    pub level: u8,
 }
 
 impl Cost {
     fn fields(&self) -> [[u32; KINDS]; 5] {
         [self.rays, self.boxes, self.shapes, self.regions, self.skipped]
     }
+
+    /// Rays of all kinds.
+    pub fn all_rays(&self) -> u64 {
+        sum(self.rays)
+    }
+
+    /// Tests of boxes and shapes by rays of all kinds.
+    pub fn tests(&self) -> u64 {
+        sum(self.boxes) + sum(self.shapes)
+    }
+
+    /// About how many instructions that takes on a workstation, by an accelerator of this kind.
+    pub fn work(&self, kind: Kind) -> f64 {
+        let Weights { rays, shape, skipped, boxes, region } = Weights::of(kind);
+        let by_kind: f64 = rays.iter().zip(self.rays).map(|(weight, rays)| weight * f64::from(rays)).sum();
+        let of = |by_kind: [u32; KINDS]| sum(by_kind) as f64;
+        by_kind
+            + shape * of(self.shapes)
+            + skipped * of(self.skipped)
+            + boxes * of(self.boxes)
+            + region * of(self.regions)
+    }
+}
+
+/// Of all kinds of rays.
+pub fn sum(by_kind: [u32; KINDS]) -> u64 {
+    by_kind.into_iter().map(u64::from).sum()
+}
+
+/// Instructions for each event, in the mean over many pictures.
+struct Weights {
+    rays: [f64; KINDS],
+    shape: f64,
+    skipped: f64,
+    boxes: f64,
+    region: f64,
+}
+
+impl Weights {
+    fn of(kind: Kind) -> Self {
+        let (boxes, region) = match kind {
+            Kind::List => (66.0, 232.0),
+            Kind::Grid => (103.0, 102.0),
+            Kind::Octree => (80.0, 761.0),
+            Kind::Bvh => (34.0, 625.0),
+        };
+        Weights { rays: [900.0, 338.0, 338.0, 888.0], shape: 178.0, skipped: 301.0, boxes, region }
+    }
+}
+
+/// The counts of one pixel, and its deepest level.
+#[derive(Debug, Default)]
+struct Cell {
+    counts: [AtomicU32; 5 * KINDS],
+    level: AtomicU8,
 }
 
 /// A picture of costs, on which all threads write at once.
 #[derive(Debug)]
 pub struct Sheet {
     size: Size,
-    cells: Vec<[AtomicU32; 5 * KINDS]>,
+    cells: Vec<Cell>,
+    /// The cell of each pixel, where not every pixel has its own.
+    chosen: Option<Chosen>,
+}
+
+/// The pixels of a picture to which something can be charged.
+#[derive(Clone, Debug)]
+pub struct Chosen {
+    /// The cell of each pixel of the picture; that of the others is not there.
+    cells: Arc<[u32]>,
+    count: usize,
+}
+
+impl Chosen {
+    /// Those of a mask.
+    pub fn by(mask: &Mask) -> Self {
+        let mut count = 0;
+        let cell = |is_chosen: &bool| {
+            let cell = if *is_chosen { count } else { u32::MAX };
+            count += u32::from(*is_chosen);
+            cell
+        };
+        let cells = mask.pixels.iter().map(cell).collect();
+        Chosen { cells, count: count as usize }
+    }
 }
 
 impl Sheet {
     /// Nothing is charged yet.
     pub fn new(size: Size) -> Self {
         let count = size.width() as usize * size.height() as usize;
-        let cells = std::iter::repeat_with(Default::default).take(count).collect();
-        Sheet { size, cells }
+        Sheet { size, cells: cells(count), chosen: None }
+    }
+
+    /// The same for some pixels only; what the others cost is not written down.
+    pub fn only(size: Size, chosen: &Chosen) -> Self {
+        Sheet { size, cells: cells(chosen.count), chosen: Some(chosen.clone()) }
     }
 
     /// Width and height.
@@ -57,23 +146,40 @@ impl Sheet {
         // What is below zero or no number becomes zero.
         let pixel =
             Pixel { x: (x as u32).min(self.size.width() - 1), y: (y as u32).min(self.size.height() - 1) };
-        let cell = Tile::whole(self.size).place(pixel).and_then(|place| self.cells.get(place));
-        for (sum, count) in cell.into_iter().flatten().zip(cost.fields().as_flattened()) {
+        let place = Tile::whole(self.size).place(pixel);
+        let place = match &self.chosen {
+            None => place,
+            Some(chosen) => place.and_then(|place| chosen.cells.get(place)).map(|cell| *cell as usize),
+        };
+        let Some(cell) = place.and_then(|place| self.cells.get(place)) else { return };
+        for (sum, count) in cell.counts.iter().zip(cost.fields().as_flattened()) {
             if *count > 0 {
                 sum.fetch_add(*count, Ordering::Relaxed);
             }
         }
+        cell.level.fetch_max(cost.level, Ordering::Relaxed);
+    }
+
+    /// What was charged in all, as work of an accelerator of this kind.
+    pub fn work(&self, kind: Kind) -> f64 {
+        self.costs().iter().map(|cost| cost.work(kind)).sum()
     }
 
     /// What was charged, row by row.
     pub fn costs(&self) -> Vec<Cost> {
-        let cost = |cell: &[AtomicU32; 5 * KINDS]| {
-            let of =
-                |field: usize| std::array::from_fn(|kind| cell[field * KINDS + kind].load(Ordering::Relaxed));
-            Cost { rays: of(0), boxes: of(1), shapes: of(2), regions: of(3), skipped: of(4) }
+        let cost = |Cell { counts, level }: &Cell| {
+            let of = |field: usize| {
+                std::array::from_fn(|kind| counts[field * KINDS + kind].load(Ordering::Relaxed))
+            };
+            let level = level.load(Ordering::Relaxed);
+            Cost { rays: of(0), boxes: of(1), shapes: of(2), regions: of(3), skipped: of(4), level }
         };
         self.cells.iter().map(cost).collect()
     }
+}
+
+fn cells(count: usize) -> Vec<Cell> {
+    std::iter::repeat_with(Cell::default).take(count).collect()
 }
 
 #[cfg(test)]
@@ -84,7 +190,6 @@ mod tests {
     use crate::signals::Signals;
     use crate::wanted::{Precision, Wanted};
     use std::path::Path;
-    use std::sync::Arc;
 
     #[test]
     fn all_pixels_together_cost_what_the_picture_costs() {
@@ -118,6 +223,8 @@ mod tests {
                     [counts.rays(kind), counts.boxes(kind), counts.shapes(kind), counts.regions(kind)];
                 assert_eq!(sums, whole, "{sampler} {kind:?}");
             }
+            assert_eq!(costs.iter().map(|cost| cost.level).max(), Some(counts.deepest()), "{sampler}");
+            assert!(counts.deepest() > 2);
             let free = Wanted { sheet: None, ..wanted };
             let plain = crate::frame::trace(&scene, &free, &watch).unwrap();
             assert_eq!(plain.picture.digest(), frame.picture.digest(), "{sampler}");
@@ -132,5 +239,20 @@ mod tests {
             sheet.charge(x, y, &one);
         }
         assert_eq!(sheet.costs().iter().map(|cost| cost.rays[0]).collect::<Vec<_>>(), [2, 1, 0, 0, 0, 2]);
+    }
+
+    #[test]
+    fn some_pixels_are_charged_as_they_are_among_all() {
+        let size = Size::new(4, 3).unwrap();
+        let pixels = (0..12).map(|place| place % 5 == 1).collect();
+        let [all, some] = [Sheet::new(size), Sheet::only(size, &Chosen::by(&Mask { size, pixels }))];
+        for place in 0..24_u32 {
+            let (x, y) = (f64::from(place % 4), f64::from(place / 4 % 3));
+            let cost = Cost { rays: [place, 0, 0, 1], level: place as u8, ..Cost::default() };
+            all.charge(x, y, &cost);
+            some.charge(x, y, &cost);
+        }
+        let all = all.costs();
+        assert_eq!(some.costs(), [all[1], all[6], all[11]]);
     }
 }

@@ -6,6 +6,7 @@ use serde::Serialize;
 use std::collections::BTreeMap;
 use strahl_core::{RayKind, ShapeKind};
 
+use crate::aim::Aimed;
 use crate::counts::Counts;
 use crate::frame::Frame;
 use crate::plan::{self, Effect};
@@ -20,10 +21,14 @@ pub struct Stats {
     precision: &'static str,
     rays: Rays,
     tests: Tests,
+    levels: Levels,
     accelerator: AcceleratorStats,
     shadow_cache: ShadowCache,
     media: Media,
     cut: Cut,
+    /// What was aimed at, if anything was.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub aim: Option<Aimed>,
     /// How long everything took.
     pub seconds: Seconds,
     digest: String,
@@ -60,6 +65,12 @@ struct Rays {
     reflected: u64,
     transmitted: u64,
     shadow: u64,
+}
+
+#[derive(Debug, Serialize)]
+struct Levels {
+    /// That of the deepest ray; the camera ray has level 1.
+    deepest: u8,
 }
 
 #[derive(Debug, Serialize)]
@@ -180,6 +191,7 @@ impl Stats {
                 by_shape: tested.into_iter().filter(|(_, count)| *count > 0).collect(),
                 by_ray: RayKind::ALL.map(|kind| (ray_name(kind), by_ray(kind))).into(),
             },
+            levels: Levels { deepest: counters.deepest() },
             accelerator: AcceleratorStats {
                 kind: accelerator.choice.kind.name(),
                 choice: accelerator.choice.to_string(),
@@ -201,6 +213,7 @@ impl Stats {
                 share_by_levels: counters.cut()[0],
                 share_by_cutoff: counters.cut()[1],
             },
+            aim: None,
             seconds: Seconds {
                 build: frame.build.as_secs_f64(),
                 trace: frame.trace.as_secs_f64(),

@@ -105,6 +105,12 @@ pub fn summary(
     text
 }
 
+/// More such lines.
+pub fn lines(lines: &[(&str, String)]) -> String {
+    let line = |(label, says): &(&str, String)| format!("  {LABEL}{label:<10}{LABEL:#}{says}\n");
+    lines.iter().map(line).collect()
+}
+
 /// A share, to one digit that is not zero, and never nothing where there is something.
 pub fn percent(share: f64) -> String {
     let percent = 100.0 * share;

@@ -2,7 +2,8 @@
 
 use std::sync::Arc;
 
-use strahl_core::{Limits, Pixel, Size, Tile};
+pub use strahl_core::Limits;
+use strahl_core::{Pixel, Size, Tile};
 
 use crate::description::Settings;
 use crate::finding::Finding;
@@ -101,8 +102,14 @@ impl Wanted {
 
     /// The size of the picture that is made.
     pub fn picture(&self) -> Size {
-        let region = self.region.map(|tile| tile.within(Tile::whole(self.size)));
-        region.and_then(|tile| Size::new(tile.width, tile.height)).unwrap_or(self.size)
+        let Tile { width, height, .. } = self.area();
+        Size::new(width, height).unwrap_or(self.size)
+    }
+
+    /// The pixels of the picture that is made.
+    pub fn area(&self) -> Tile {
+        let whole = Tile::whole(self.size);
+        self.region.map_or(whole, |tile| tile.within(whole))
     }
 }
 

@@ -55,7 +55,7 @@ pub fn run(args: &RenderArgs) -> Result<Stop, Failure> {
         }
         let done = loaded.and_then(|scene| {
             job.draft(&scene, &watch)?;
-            job.render(&scene, &watch)
+            job.render(&scene, &watch).map(|_| ())
         });
         let is_done = match done {
             Ok(()) => true,

@@ -27,8 +27,8 @@ pub trait Eye {
     /// What is seen there.
     fn look(&mut self, sample: Sample) -> Sight;
 
-    /// What the worker has counted, if it counts.
-    fn counters(&self) -> Option<&Counters>;
+    /// What the worker has counted since it was asked the last time, if it counts.
+    fn take(&mut self) -> Option<Counters>;
 }
 
 /// A tracer of which each tile gets an eye.
@@ -41,7 +41,7 @@ pub trait Eyes: Sync {
 pub type Traced<R> = (Vec<R>, Option<Counters>);
 
 /// Adds up what tiles have counted.
-fn add(sum: &mut Option<Counters>, other: Option<Counters>) {
+pub fn add(sum: &mut Option<Counters>, other: Option<Counters>) {
     match (sum, other) {
         (Some(sum), Some(other)) => sum.add(&other),
         (sum, other) => *sum = sum.take().or(other),
@@ -50,11 +50,7 @@ fn add(sum: &mut Option<Counters>, other: Option<Counters>) {
 
 /// Traces the picture that is wanted, of which `size` is the whole.
 pub fn trace(eyes: &dyn Eyes, wanted: &Wanted, size: Size, watch: &Watch) -> Result<Traced<Rgb>, Stop> {
-    let whole = match wanted.region {
-        Some(region) => tile(region).within(Tile::whole(size)),
-        None => Tile::whole(size),
-    };
-    let work = Work { eyes, wanted, whole, watch };
+    let work = Work { eyes, wanted, whole: whole(wanted, size), watch };
     let pool = rayon::ThreadPoolBuilder::new().num_threads(wanted.cut.threads).build();
     // Without a pool of its own the work is done by the pool of the process.
     let run = || match selection(wanted) {
@@ -64,6 +60,14 @@ pub fn trace(eyes: &dyn Eyes, wanted: &Wanted, size: Size, watch: &Watch) -> Res
     match pool {
         Ok(pool) => pool.install(run),
         Err(_) => run(),
+    }
+}
+
+/// The pixels of the picture that is made, of which `size` is the whole.
+pub fn whole(wanted: &Wanted, size: Size) -> Tile {
+    match wanted.region {
+        Some(region) => tile(region).within(Tile::whole(size)),
+        None => Tile::whole(size),
     }
 }
 
@@ -140,7 +144,7 @@ impl Work<'_> {
                 });
                 put?;
             }
-            Ok(eye.counters().copied())
+            Ok(eye.take())
         })?;
         add(&mut counts, counted);
         Ok((colors, counts))
@@ -167,7 +171,7 @@ impl Work<'_> {
                         draw(eye_of, &mut sampler, all.filter(|pixel| self.has(*pixel)), canvas)?;
                     }
                 }
-                Ok(eye.counters().copied())
+                Ok(eye.take())
             },
         )
     }
@@ -232,7 +236,8 @@ fn draw<R: Record>(
     Ok(())
 }
 
-fn is_wanted(wanted: &Wanted, pixel: Pixel) -> bool {
+/// Whether a pixel is wanted.
+pub fn is_wanted(wanted: &Wanted, pixel: Pixel) -> bool {
     wanted.mask.as_ref().is_none_or(|mask| mask.has(strahl_core::Pixel { x: pixel.x, y: pixel.y }))
 }
 

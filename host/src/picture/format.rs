@@ -39,7 +39,7 @@ const JPEG_QUALITY: u8 = 95;
 
 /// ZIP in blocks of 16 lines, which every reader of EXR knows. (The run lengths that `image`
 /// would write make files larger than none at all.)
-const EXR_ENCODING: Encoding = Encoding {
+pub(crate) const EXR_ENCODING: Encoding = Encoding {
     compression: Compression::ZIP16,
     blocks: Blocks::ScanLines,
     line_order: LineOrder::Increasing,

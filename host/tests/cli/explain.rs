@@ -3,10 +3,10 @@
 use crate::program::{BALL, Folder};
 
 const SCENE: &str = "\
-ambient = 0.1
-background = 0.5
+ambient_light = { color = 0.1 }
+background = { color = 0.5 }
 
-[[light]]
+[[point_light]]
 position = [0, 9, 9]
 
 [[sphere]]

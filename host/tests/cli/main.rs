@@ -1,5 +1,6 @@
 //! The program from outside: exit statuses, messages, files.
 
+mod aim;
 mod cast;
 mod compare;
 mod explain;

@@ -95,7 +95,17 @@ fn no_option_is_forgotten() {
     );
     assert_eq!(line(&text, "# --region"), "# --region 1,2,8x4 # command line");
     // What is told and where is no setting of the picture.
-    let others = ["stats", "stats-file", "quiet", "print-settings", "help"];
+    let others = [
+        "stats",
+        "stats-file",
+        "quiet",
+        "print-settings",
+        "cost",
+        "target-error",
+        "verify",
+        "time-limit",
+        "help",
+    ];
     let program = Args::command();
     let render = program.find_subcommand("render").unwrap();
     for option in render.get_arguments().filter_map(|option| option.get_long()) {

@@ -67,6 +67,23 @@ const COMMANDS: &[(&str, &[&str])] = &[
     ),
     ("bake", &["--output", "--accel", "--nodes", "--size", "--levels", "--cutoff", "--quiet", "--help"]),
     ("info", &["--json", "--help"]),
+    (
+        "explain",
+        &[
+            "--size",
+            "--levels",
+            "--cutoff",
+            "--sampler",
+            "--filter",
+            "--seed",
+            "--without",
+            "--sample",
+            "--json",
+            "--svg",
+            "--quiet",
+            "--help",
+        ],
+    ),
     ("schema", &["--help"]),
     ("compare", &["--limit", "--limit-share", "--json", "--output", "--quiet", "--help"]),
     ("generate", &["--size", "--output", "--format", "--bare", "--quiet", "--help"]),
@@ -97,7 +114,8 @@ fn the_help_lists_every_option_that_is_there_and_no_other() {
     for (command, options) in COMMANDS {
         let mut expected: BTreeSet<_> = options.iter().map(|o| (*o).to_owned()).collect();
         if *command == "render" {
-            expected.insert("--print-settings".into());
+            let alone = ["--print-settings", "--cost", "--target-error", "--verify", "--time-limit"];
+            expected.extend(alone.map(String::from));
         }
         for words in ["--help", "-h"] {
             let help = String::from_utf8(folder.done(&format!("{command} {words}"))).unwrap();

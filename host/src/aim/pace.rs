@@ -1,0 +1,46 @@
+//! What a picture that becomes better pass by pass is to do next.
+
+use std::time::Instant;
+
+use strahl_core::Rgb;
+
+use crate::sampling::{Sampling, Selecting};
+
+/// One pass: a whole picture.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Pass {
+    /// Which rays make a pixel: one, or as many as a stochastic rule asks for.
+    pub sampling: Sampling,
+    /// Which pixels are traced, where not all are.
+    pub selecting: Option<Selecting>,
+    /// When it is given up; the first pass has no such end, so that there is a picture.
+    pub until: Option<Instant>,
+}
+
+/// What is ahead.
+pub struct Outlook<'o> {
+    /// Pixels through whose middle no ray has gone yet.
+    pub missing: u64,
+    /// All pixels.
+    pub pixels: u64,
+    /// How many more rays it takes until the mean of every pixel is known to this tolerance.
+    pub needs: &'o dyn Fn(f32) -> u64,
+}
+
+/// What a pass took.
+#[derive(Clone, Copy, Debug)]
+pub struct Took {
+    /// Seconds of the clock.
+    pub seconds: f64,
+    /// Rays through the picture.
+    pub rays: u64,
+}
+
+/// Somebody who says what comes next.
+pub trait Pace {
+    /// The next pass; none when it is enough.
+    fn next(&mut self, outlook: &Outlook<'_>) -> Option<Pass>;
+
+    /// A pass was completed, and this is its picture, row by row.
+    fn done(&mut self, pass: &Pass, took: Took, picture: Vec<Rgb>);
+}

@@ -1,0 +1,102 @@
+//! Which settings are looked at for the cheapest that keep an error.
+
+use crate::sampling::{Agreement, Confidence, Filter, Sampling, Selecting};
+use crate::wanted::Wanted;
+
+/// Levels that are tried.
+pub const LEVELS: [u8; 15] = [1, 2, 3, 4, 5, 6, 8, 10, 12, 16, 20, 24, 32, 48, 64];
+
+/// One over the cutoffs that are tried.
+const CUTOFFS: [u16; 10] = [8, 16, 32, 64, 128, 256, 512, 1024, 2048, 4096];
+
+/// The cutoffs that are tried, from the largest.
+pub fn cutoffs() -> impl Iterator<Item = f32> {
+    CUTOFFS.into_iter().map(|part| 1.0 / f32::from(part))
+}
+
+/// Which rays make pixels.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Rays {
+    /// In a pixel.
+    pub sampling: Sampling,
+    /// Which pixels are traced, where not all are.
+    pub selecting: Option<Selecting>,
+}
+
+impl Rays {
+    /// In every pixel.
+    const fn all(sampling: Sampling) -> Self {
+        Rays { sampling, selecting: None }
+    }
+
+    /// The picture that is wanted, by these rays.
+    pub fn of(self, wanted: &Wanted) -> Wanted {
+        Wanted { sampling: self.sampling, selecting: self.selecting, ..wanted.clone() }
+    }
+
+    /// How many there are in each pixel, where that is known before.
+    pub fn count(self) -> Option<u32> {
+        match self {
+            Rays { selecting: Some(_), .. } => None,
+            Rays { sampling: Sampling::Single, .. } => Some(1),
+            Rays { sampling: Sampling::Regular(n), .. } => Some(u32::from(n) * u32::from(n)),
+            Rays { sampling: Sampling::Stochastic { least, most, .. }, .. } if least == most => Some(most),
+            _ => None,
+        }
+    }
+}
+
+/// All that may be tried for an error, about from the cheapest on.
+pub fn rays(filter: Filter, goal: f64) -> Vec<Rays> {
+    let agreement = |threshold| Agreement { threshold, items: false };
+    let selected = |(step, threshold)| Rays {
+        sampling: Sampling::Single,
+        selecting: Some(Selecting { step, agreement: agreement(threshold) }),
+    };
+    let adaptive =
+        |(depth, threshold)| Rays::all(Sampling::Adaptive { depth, agreement: agreement(threshold) });
+    let ruled = |(least, most, level, tolerance)| {
+        Rays::all(Sampling::Stochastic { least, most, confidence: Confidence { level, tolerance } })
+    };
+    let mut list: Vec<Rays> =
+        [(16, 0.2), (8, 0.2), (8, 0.1), (8, 0.05), (4, 0.1), (4, 0.05), (2, 0.05), (2, 0.02)]
+            .map(selected)
+            .to_vec();
+    list.push(Rays::all(Sampling::Single));
+    if filter == Filter::Box {
+        list.extend(
+            [
+                (0, 0.0),
+                (1, 0.2),
+                (1, 0.1),
+                (1, 0.05),
+                (2, 0.2),
+                (2, 0.1),
+                (2, 0.05),
+                (2, 0.02),
+                (3, 0.1),
+                (3, 0.05),
+                (3, 0.02),
+                (4, 0.05),
+                (4, 0.02),
+                (4, 0.01),
+                (5, 0.02),
+                (5, 0.01),
+            ]
+            .map(adaptive),
+        );
+    }
+    // Tolerances about the error: pixels whose rays all see the same make up for the others.
+    for part in [8.0, 5.0, 3.5, 2.5, 1.75, 1.25] {
+        let tolerance = format!("{:.1e}", (part * goal).min(1.0)).parse().unwrap_or(1.0);
+        list.extend([2, 4, 8].map(|least| ruled((least, 4096, 0.9, tolerance))));
+    }
+    let mut counted: Vec<Rays> = (2..=12).map(|n| Rays::all(Sampling::Regular(n))).collect();
+    counted.extend(
+        [2, 3, 4, 6, 8, 12, 16, 24, 32, 48, 64, 96, 128, 192, 256, 384, 512, 768, 1024, 1536, 2048]
+            .map(|n| Rays::all(Sampling::stochastic(n))),
+    );
+    counted.sort_by_key(|rays| rays.count());
+    list.extend(counted);
+    list
+}

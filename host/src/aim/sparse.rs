@@ -1,0 +1,184 @@
+//! Some pixels that stand for all of a picture.
+//!
+//! The picture is cut into equal cells, and in each a square of four times four pixels is looked at,
+//! somewhere: so the squares lie evenly and follow no raster. Within a square the corners of pixels
+//! are shared, so that it costs what it costs in the whole picture.
+
+use std::sync::Arc;
+
+use strahl_core::{Dimension, Pixel, Rgb, Size, Stream, Tile};
+
+use crate::picture::srgb::encode;
+use crate::sheet::{Chosen, Sheet};
+use crate::wanted::{Mask, Wanted};
+
+/// Pixels along a side of a square.
+const SIDE: u32 = 4;
+/// How many squares there are, about.
+const SQUARES: f64 = 512.0;
+/// A picture of so few pixels is looked at as a whole.
+const FEW: usize = 3 * 4096;
+/// How many standard errors the mean square may be more than it was on the sample: a confidence of
+/// 95 %.
+const CONFIDENCE: f64 = 1.6449;
+
+/// Some pixels of a picture.
+pub struct Sparse {
+    mask: Arc<Mask>,
+    chosen: Chosen,
+    /// Their places in the picture, square by square.
+    squares: Vec<Vec<usize>>,
+    /// Which share of all pixels they are.
+    share: f64,
+}
+
+/// An error, as far as some pixels tell it.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Estimate {
+    /// The root of the mean square of sRGB-encoded differences.
+    pub error: f64,
+    /// What that of the whole picture is at most, with a confidence of 95 %.
+    pub at_most: f64,
+}
+
+impl Sparse {
+    /// Of the pixels that are wanted.
+    pub fn of(wanted: &Wanted) -> Self {
+        let area = wanted.area();
+        let is_wanted = |pixel: Pixel| wanted.mask.as_ref().is_none_or(|mask| mask.has(pixel));
+        let all = area.pixels().filter(|pixel| is_wanted(*pixel)).count();
+        let tiles: Vec<Tile> = if all <= FEW {
+            area.tiles(SIDE).collect()
+        } else {
+            let cell = ((area.len() as f64 / SQUARES).sqrt() as u32).max(SIDE);
+            area.tiles(cell).map(|cell| square(cell, area)).collect()
+        };
+        let inside = |tile: Tile| {
+            let places = tile.pixels().filter(|pixel| is_wanted(*pixel));
+            places.filter_map(|pixel| area.place(pixel)).collect::<Vec<_>>()
+        };
+        let squares: Vec<_> = tiles.into_iter().map(inside).filter(|places| !places.is_empty()).collect();
+        let count: usize = squares.iter().map(Vec::len).sum();
+        let mask = Arc::new(mask(wanted.size, area, &squares));
+        let chosen = Chosen::by(&mask);
+        Sparse { mask, chosen, squares, share: count as f64 / all.max(1) as f64 }
+    }
+
+    /// How many they are.
+    pub fn pixels(&self) -> usize {
+        self.squares.iter().map(Vec::len).sum()
+    }
+
+    /// The same picture of these pixels only.
+    pub fn only(&self, wanted: &Wanted) -> Wanted {
+        Wanted { mask: Some(Arc::clone(&self.mask)), ..wanted.clone() }
+    }
+
+    /// How far a picture is from another. Squares that differ much from each other make it uncertain.
+    pub fn error(&self, picture: &[Rgb], truth: &[Rgb]) -> Estimate {
+        let (mut sum, mut squares, mut pixels) = (0.0, 0.0, 0.0);
+        for square in &self.squares {
+            let differences = square.iter().map(|place| difference(picture[*place], truth[*place]));
+            let of_square: f64 = differences.sum();
+            sum += of_square;
+            pixels += square.len() as f64;
+            squares += of_square * of_square;
+        }
+        let count = self.squares.len().max(1) as f64;
+        let mean = sum / (3.0 * pixels.max(1.0));
+        // Of the sum over squares; what was looked at is no longer uncertain.
+        let variance =
+            (squares / count - (sum / count) * (sum / count)).max(0.0) * (1.0 - self.share).max(0.0);
+        let spread = (variance / count).sqrt() * count / (3.0 * pixels.max(1.0));
+        Estimate { error: mean.sqrt(), at_most: (mean + CONFIDENCE * spread).sqrt() }
+    }
+
+    /// On which it can be written what these pixels cost.
+    pub fn sheet(&self) -> Arc<Sheet> {
+        Arc::new(Sheet::only(self.mask.size, &self.chosen))
+    }
+}
+
+/// The sum of the squares of the differences of a pixel's encoded channels.
+fn difference(a: Rgb, b: Rgb) -> f64 {
+    let square = |a: f32, b: f32| {
+        let difference = encode(a) - encode(b);
+        difference * difference
+    };
+    square(a.r, b.r) + square(a.g, b.g) + square(a.b, b.b)
+}
+
+/// The root of the mean square of the differences of all pixels.
+pub fn rmse(a: &[Rgb], b: &[Rgb]) -> f64 {
+    let sum: f64 = a.iter().zip(b).map(|(a, b)| difference(*a, *b)).sum();
+    (sum / (3 * a.len().max(1)) as f64).sqrt()
+}
+
+/// A square somewhere in a cell.
+fn square(cell: Tile, area: Tile) -> Tile {
+    let Tile { first: Pixel { x, y }, width, height } = cell;
+    let [u, v] = Stream::new(x, y, 0, 0).pair(Dimension::PIXEL);
+    let place = |first: u32, length: u32, chance: f32| {
+        first + (length.saturating_sub(SIDE - 1) as f32 * chance) as u32
+    };
+    let first = Pixel { x: place(x, width, u), y: place(y, height, v) };
+    Tile { first, width: SIDE, height: SIDE }.within(area)
+}
+
+fn mask(size: Size, area: Tile, squares: &[Vec<usize>]) -> Mask {
+    let whole = Tile::whole(size);
+    let mut pixels = vec![false; whole.len()];
+    for place in squares.iter().flatten() {
+        let (x, y) = (*place as u32 % area.width, *place as u32 / area.width);
+        if let Some(place) = whole.place(Pixel { x: area.first.x + x, y: area.first.y + y }) {
+            pixels[place] = true;
+        }
+    }
+    Mask { size, pixels }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_small_picture_is_looked_at_as_a_whole_and_its_error_is_certain() {
+        let wanted = Wanted::of(Size::new(101, 37).unwrap());
+        let sparse = Sparse::of(&wanted);
+        assert_eq!(sparse.pixels(), 101 * 37);
+        let (black, gray) = (vec![Rgb::BLACK; 101 * 37], vec![Rgb::gray(0.2140411); 101 * 37]);
+        let estimate = sparse.error(&black, &gray);
+        assert!((estimate.error - 0.5).abs() < 1e-5, "{estimate:?}");
+        assert_eq!(estimate.error, estimate.at_most);
+        assert!((rmse(&black, &gray) - estimate.error).abs() < 1e-12);
+    }
+
+    #[test]
+    fn some_pixels_of_a_large_picture_tell_its_error_within_what_they_say() {
+        let size = Size::new(640, 480).unwrap();
+        let sparse = Sparse::of(&Wanted::of(size));
+        let pixels = sparse.pixels();
+        assert!((6000..12000).contains(&pixels), "{pixels}");
+        // Much error in a fifth of the picture, and little elsewhere.
+        let truth = vec![Rgb::BLACK; 640 * 480];
+        let mut picture = truth.clone();
+        for (place, color) in picture.iter_mut().enumerate() {
+            let (x, y) = (place % 640, place / 640);
+            *color = Rgb::gray(if x * 2 + y < 420 { 0.1 } else { 0.001 * (x % 3) as f32 });
+        }
+        let (estimate, all) = (sparse.error(&picture, &truth), rmse(&picture, &truth));
+        assert!(estimate.error < estimate.at_most && estimate.at_most < 1.2 * estimate.error, "{estimate:?}");
+        assert!(all < estimate.at_most && all > 0.9 * estimate.error, "{all} {estimate:?}");
+    }
+
+    #[test]
+    fn no_pixel_is_looked_at_that_is_not_wanted() {
+        let size = Size::new(300, 200).unwrap();
+        let region = Tile { first: Pixel { x: 20, y: 10 }, width: 200, height: 150 };
+        let wanted = Wanted { region: Some(region), ..Wanted::of(size) };
+        let only = Sparse::of(&wanted).only(&wanted);
+        let mask = only.mask.unwrap();
+        let asked: Vec<Pixel> = Tile::whole(size).pixels().filter(|pixel| mask.has(*pixel)).collect();
+        assert!(asked.len() > 2000 && asked.iter().all(|pixel| region.place(*pixel).is_some()));
+    }
+}

@@ -1,0 +1,227 @@
+//! A picture that becomes better pass by pass, for either precision.
+//!
+//! Each pass makes a whole picture, the very one that a plain render of its settings makes, and
+//! goes on from what the passes before have traced: a pixel that a coarse raster has seen is not
+//! traced again by a finer one, and a pixel of many samples goes on where it stopped. What comes
+//! next, and when it is enough, is said by somebody else ([`Pace`]).
+
+use std::sync::OnceLock;
+use std::sync::atomic::{AtomicU64, Ordering};
+use std::time::Instant;
+
+use rayon::prelude::*;
+
+use super::samplers::{Any, Shared};
+use super::strahl::{Counters, Gathered, Kept, Pixel, Rgb, Sample, Sight, Size, Stochastic, Tile};
+use super::workers::{self, Eye, Eyes, Traced};
+use crate::aim::pace::{Outlook, Pace, Pass, Took};
+use crate::progress::Watch;
+use crate::sampling::Sampling;
+use crate::signals::Stop;
+use crate::wanted::Wanted;
+
+/// Traces passes until there is none to come, or the time is over; the last that was completed.
+pub fn trace(
+    eyes: &dyn Eyes,
+    wanted: &Wanted,
+    size: Size,
+    watch: &Watch,
+    pace: &mut dyn Pace,
+) -> Result<Traced<Rgb>, Stop> {
+    let whole = workers::whole(wanted, size);
+    let known = Known { whole, sights: std::iter::repeat_with(OnceLock::new).take(whole.len()).collect() };
+    let rays = AtomicU64::new(0);
+    let remembering = Remembering { eyes, known: Some(&known), rays: &rays };
+    let counting = Remembering { eyes, known: None, rays: &rays };
+    let mut grown: Option<Grown> = None;
+    let mut last = (Vec::new(), None);
+    let pool = rayon::ThreadPoolBuilder::new().num_threads(wanted.cut.threads).build();
+    loop {
+        let outlook = Outlook {
+            missing: known.sights.iter().filter(|sight| sight.get().is_none()).count() as u64,
+            pixels: whole.len() as u64,
+            needs: &|tolerance| grown.as_ref().map_or(0, |grown| grown.needs(tolerance)),
+        };
+        let Some(pass) = pace.next(&outlook) else { break };
+        let watch = match pass.until {
+            Some(end) => watch.clone().until(end),
+            None => watch.clone(),
+        };
+        let settings = Wanted { sampling: pass.sampling, selecting: pass.selecting, ..wanted.clone() };
+        let clock = Instant::now();
+        rays.store(0, Ordering::Relaxed);
+        let traced = match (pass.sampling, stochastic(&settings)) {
+            (Sampling::Single, _) => workers::trace(&remembering, &settings, size, &watch),
+            (_, Some(rule)) => {
+                let grown = grown.get_or_insert_with(|| Grown::new(whole, wanted.cut.tile, &pass));
+                let mut run = || grown.go_on(&counting, &settings, &rule, &watch);
+                match &pool {
+                    Ok(pool) => pool.install(run),
+                    Err(_) => run(),
+                }
+            }
+            // Whatever else has nothing to go on from.
+            _ => workers::trace(&counting, &settings, size, &watch),
+        };
+        match traced {
+            Ok((colors, counts)) => {
+                workers::add(&mut last.1, counts);
+                last.0 = colors;
+                let took =
+                    Took { seconds: clock.elapsed().as_secs_f64(), rays: rays.load(Ordering::Relaxed) };
+                let picture = last.0.iter().map(|c| narrow(*c)).collect();
+                pace.done(&pass, took, picture);
+            }
+            Err(Stop::Late) if !last.0.is_empty() => break,
+            Err(stop) => return Err(stop),
+        }
+    }
+    Ok(last)
+}
+
+#[allow(clippy::unnecessary_cast)] // in single precision
+fn narrow(c: Rgb) -> strahl_core::Rgb {
+    strahl_core::Rgb::new(c.r as f32, c.g as f32, c.b as f32)
+}
+
+fn stochastic(wanted: &Wanted) -> Option<Stochastic> {
+    match Any::of(wanted, Shared::Loose, &mut [Kept::NOTHING; 0]) {
+        Any::Stochastic(rule) => Some(rule),
+        _ => None,
+    }
+}
+
+/// What is seen through the middle of pixels.
+struct Known {
+    whole: Tile,
+    sights: Vec<OnceLock<Sight>>,
+}
+
+impl Known {
+    /// Where what is seen along a ray is kept, if that goes through the middle of a pixel.
+    fn slot(&self, sample: &Sample) -> Option<&OnceLock<Sight>> {
+        let (x, y) = (sample.place.x, sample.place.y);
+        let pixel = Pixel { x: x as u32, y: y as u32 };
+        let is_middle =
+            x - pixel.x as super::strahl::Real == 0.5 && y - pixel.y as super::strahl::Real == 0.5;
+        let place = self.whole.place(pixel).filter(|_| is_middle)?;
+        self.sights.get(place)
+    }
+}
+
+/// Counts the rays that it traces, and where something is known of the middles of pixels, traces
+/// none of these twice.
+struct Remembering<'e> {
+    eyes: &'e dyn Eyes,
+    known: Option<&'e Known>,
+    rays: &'e AtomicU64,
+}
+
+impl Eyes for Remembering<'_> {
+    fn open(&self) -> Box<dyn Eye + '_> {
+        Box::new(Minding { eye: self.eyes.open(), all: self, rays: 0 })
+    }
+}
+
+struct Minding<'m> {
+    eye: Box<dyn Eye + 'm>,
+    all: &'m Remembering<'m>,
+    rays: u64,
+}
+
+impl Eye for Minding<'_> {
+    fn look(&mut self, sample: Sample) -> Sight {
+        let Some(slot) = self.all.known.and_then(|known| known.slot(&sample)) else {
+            self.rays += 1;
+            return self.eye.look(sample);
+        };
+        *slot.get_or_init(|| {
+            self.rays += 1;
+            self.eye.look(sample)
+        })
+    }
+
+    fn take(&mut self) -> Option<Counters> {
+        self.eye.take()
+    }
+}
+
+impl Drop for Minding<'_> {
+    fn drop(&mut self) {
+        self.all.rays.fetch_add(self.rays, Ordering::Relaxed);
+    }
+}
+
+/// All pixels with the samples that they have seen so far, tile by tile.
+struct Grown {
+    whole: Tile,
+    tiles: Vec<(Tile, Vec<Gathered>)>,
+    least: u32,
+    errors: f64,
+}
+
+impl Grown {
+    /// None yet.
+    fn new(whole: Tile, side: u32, pass: &Pass) -> Self {
+        let tiles = whole.tiles(side).map(|tile| (tile, vec![Gathered::NONE; tile.len()])).collect();
+        let (least, errors) = match pass.sampling {
+            Sampling::Stochastic { least, confidence, .. } => (least, confidence.errors()),
+            _ => (1, 1.0),
+        };
+        Grown { whole, tiles, least, errors }
+    }
+
+    /// How many more rays it takes until all pixels are known this well, if their samples stay as
+    /// different as they were.
+    #[allow(clippy::unnecessary_cast)] // in double precision
+    fn needs(&self, tolerance: f32) -> u64 {
+        let more = |pixel: &Gathered| {
+            let (rays, doubt) =
+                (f64::from(pixel.rays()), pixel.doubt(self.errors as super::strahl::Real) as f64);
+            if pixel.rays() == 0 || doubt <= f64::from(tolerance) || !doubt.is_finite() {
+                return 0;
+            }
+            let ratio = doubt / f64::from(tolerance);
+            let all = (rays * ratio * ratio).min(f64::from(Stochastic::MOST));
+            // In whole steps.
+            ((all - rays) as u64).next_multiple_of(u64::from(self.least))
+        };
+        self.tiles.par_iter().map(|(_, pixels)| pixels.iter().map(more).sum::<u64>()).sum()
+    }
+
+    /// Goes on with every pixel that is wanted, until it fulfils the rule.
+    fn go_on(
+        &mut self,
+        eyes: &Remembering<'_>,
+        wanted: &Wanted,
+        rule: &Stochastic,
+        watch: &Watch,
+    ) -> Result<Traced<Rgb>, Stop> {
+        watch.begin(self.whole.len());
+        let work = |(tile, pixels): &mut (Tile, Vec<Gathered>)| {
+            let mut eye = eyes.open();
+            for (pixel, gathered) in tile.pixels().zip(pixels.iter_mut()) {
+                if workers::is_wanted(wanted, pixel) {
+                    rule.look_on(pixel, gathered, &mut |sample| eye.look(sample));
+                }
+                watch.check()?;
+            }
+            watch.done(tile.len());
+            Ok(eye.take())
+        };
+        let counted: Vec<Option<Counters>> =
+            self.tiles.par_iter_mut().map(work).collect::<Result<_, Stop>>()?;
+        let mut counts = None;
+        counted.into_iter().for_each(|counted| workers::add(&mut counts, counted));
+
+        let mut colors = vec![Rgb::BLACK; self.whole.len()];
+        for (tile, pixels) in &self.tiles {
+            for (pixel, gathered) in tile.pixels().zip(pixels) {
+                if let Some(place) = self.whole.place(pixel) {
+                    colors[place] = gathered.sight().color;
+                }
+            }
+        }
+        Ok((colors, counts))
+    }
+}
