@@ -17,7 +17,7 @@ use std::process::ExitCode;
 use std::sync::Arc;
 
 use strahl::aim::Target;
-use strahl::aim::error::{Fixed, Goal, Search, Setting, limits_of_truth, trace};
+use strahl::aim::error::{Fixed, Goal, Notch, Search, Setting, limits_of_truth, trace};
 use strahl::aim::plan::rays;
 use strahl::aim::sparse::rmse;
 use strahl::aim::truth::truth;
@@ -123,28 +123,37 @@ fn hold(name: &str, limit: f64, size: Size) -> Row {
         // What one ray in each pixel costs; of many rays none is cheaper.
         let mut one = f64::INFINITY;
         for rays in list {
-            let mut finest_price = None;
-            for notch in &notches {
-                let dear = finest_price.is_some_and(|price: f64| 0.9 * price * notch.price > cheapest);
-                let least = 0.8 * notch.price * one * f64::from(rays.count().unwrap_or(0));
-                if dear || (one.is_finite() && least > cheapest) {
-                    continue;
-                }
+            let dear = |part: f64| {
+                one.is_finite() && 0.8 * part * one * f64::from(rays.count().unwrap_or(0)) > cheapest
+            };
+            if dear(notches.last().map_or(1.0, |notch| notch.price)) {
+                continue;
+            }
+            let look = |notch: &Notch| {
                 let setting = Setting { limits: notch.limits, rays };
                 let (_, price, error) = whole.look(&setting.of(&wanted))?;
-                if finest_price.is_none() {
-                    finest_price = Some(price);
-                    if rays.count() == Some(1) {
-                        one = price;
-                    }
-                    // Fewer levels do not make it better.
-                    if error > 1.02 * limit {
-                        break;
-                    }
+                Ok((setting, price, error))
+            };
+            // What the finest levels and cutoff do not keep, no others do.
+            let (setting, price, error) = look(&notches[0])?;
+            if rays.count() == Some(1) {
+                one = price;
+            }
+            if error > limit {
+                continue;
+            }
+            if price < cheapest {
+                (cheapest, best) = (price, Some((setting, error, price)));
+            }
+            // From the cheapest on: the first that keeps it is the cheapest of these rays.
+            for notch in notches[1..].iter().rev() {
+                if 0.9 * price * notch.price > cheapest {
+                    break;
                 }
+                let (setting, price, error) = look(notch)?;
                 if error <= limit && price < cheapest {
-                    cheapest = price;
-                    best = Some((setting, error, price));
+                    (cheapest, best) = (price, Some((setting, error, price)));
+                    break;
                 }
             }
         }
