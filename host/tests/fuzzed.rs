@@ -7,6 +7,8 @@ use std::path::Path;
 
 #[path = "../../tests/fuzz/checks.rs"]
 mod checks;
+#[path = "../../tests/fuzz/packs.rs"]
+mod packs;
 
 #[test]
 fn what_fuzzing_begins_with_and_what_it_has_found_is_read_or_refused_as_it_should() {
@@ -19,6 +21,7 @@ fn what_fuzzing_begins_with_and_what_it_has_found_is_read_or_refused_as_it_shoul
             ("obj", checks::obj),
             ("ply", checks::ply),
             ("gltf", checks::gltf),
+            ("pack", packs::pack),
         ] {
             let Ok(files) = fs::read_dir(fuzz.join(folder).join(target)) else { continue };
             for file in files {

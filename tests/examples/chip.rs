@@ -1,18 +1,21 @@
 //! What the firmware needs of a host, and what it is held against: into the folder named by the
 //! first argument goes, for each scene that is drawn on the chip, the scene baked with its
-//! accelerator (`NAME.strahl`) and its picture as linear floats (`NAME.f32`). With a second
-//! argument, a folder that holds the procedural databases, `balls` is one of them.
+//! accelerator (`NAME.strahl`) and its picture as linear floats (`NAME.f32`), one scene as Rust
+//! constants too (`NAME.rs`), and the pictures of the steps of the table of flash. It prints what the
+//! program would say of stack and instructions. With a second argument, a folder that holds the procedural databases, `balls` is one of them.
 //!
 //! The host goes the other way wherever there is one: a tracer that can do everything, a list
 //! with boxes, tables that were never baked. None of that may change a bit.
 
+#[path = "../firmware/src/flash.rs"]
+mod flash;
 #[path = "../firmware/src/scene.rs"]
 mod golden;
 
 use std::error::Error;
 use std::path::{Path, PathBuf};
 
-use strahl::bake::{Asked, bake};
+use strahl::bake::{Asked, bake, chip, counted, source};
 use strahl::finding::Kind;
 use strahl::load::load_for;
 use strahl::stock::single::{Stock, view};
@@ -82,7 +85,23 @@ fn main() -> Result<(), Box<dyn Error>> {
     if let Some(databases) = arguments.next() {
         make(&BALLS, &databases.join(BALLS.file), &folder)?;
     }
+    step::<flash::Local>("local", &folder)?;
+    step::<flash::Shadows>("shadows", &folder)?;
+    step::<flash::Mirrors>("mirrors", &folder)?;
+    step::<flash::Glass>("glass", &folder)?;
+    step::<flash::Distributed>("distributed", &folder)?;
+    for stack in &chip::STACKS {
+        println!("stack {} {}", stack.name, stack.bytes);
+    }
+    println!("doubt {}", chip::DOUBT);
     Ok(())
+}
+
+/// The picture of a step of the table of flash, `flash-NAME.f32`.
+fn step<S: flash::Step>(name: &str, folder: &Path) -> Result<(), Box<dyn Error>> {
+    let mut bytes = Vec::new();
+    flash::picture::<S>(|float| bytes.extend(float)).ok_or("it is no picture")?;
+    Ok(std::fs::write(folder.join(format!("flash-{name}.f32")), bytes)?)
 }
 
 /// The scene file of this name.
@@ -98,7 +117,22 @@ fn make(scene: &Scene, file: &Path, folder: &Path) -> Result<(), Box<dyn Error>>
     let Scene { name, accelerator, size, levels, nodes, .. } = *scene;
     let cutoff = Limits::DEFAULT.cutoff;
     let asked = Asked { accelerator, nodes, view: view(&description.view), size, levels, cutoff };
-    bake_and_draw(name, &stock.scene()?, &asked, folder)
+    let tables = stock.scene()?;
+    // What the program would say of it.
+    let count = counted(&description, &asked)?;
+    let estimate = chip::instructions(&count.counts, accelerator) / count.pixels * pixels(size);
+    println!("estimate {name} {estimate}");
+    if name == CONSTANTS {
+        std::fs::write(folder.join(name).with_extension("rs"), source(file, &tables, &asked))?;
+    }
+    bake_and_draw(name, &tables, &asked, folder)
+}
+
+/// The scene that is drawn from Rust constants as well.
+const CONSTANTS: &str = "first";
+
+fn pixels(size: Size) -> u64 {
+    u64::from(size.width()) * u64::from(size.height())
 }
 
 fn bake_and_draw(

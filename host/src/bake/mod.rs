@@ -1,21 +1,28 @@
 //! The command `bake`: a scene with its accelerator, ready to be traced from flash.
 
+pub mod chip;
 mod rust;
 
 use std::fmt::Write as _;
 use std::path::Path;
 
 use strahl_core::{
-    Aabb, Baking, Bare, Bvh, BvhRoom, Finder, Grid, GridRoom, LastFirst, Limits, Mailbox, Node, Octree,
-    OctreeNode, OctreeRoom, Pack, Scene, Size, Slot, View, Worker,
+    Aabb, Baking, Bare, Bvh, BvhRoom, EffectSet, Finder, Grid, GridRoom, LastFirst, Limits, Mailbox, Node,
+    Octree, OctreeNode, OctreeRoom, Pack, Projection, Scene, Size, Slot, View, Worker,
 };
 
 use crate::args::BakeArgs;
+use crate::counts::Counts;
+use crate::description::Description;
 use crate::failure::Failure;
-use crate::finding::Kind;
+use crate::finding::{Bounds, Finding, Kind, MAILBOX, Walk};
+use crate::frame::{self, NoFrame};
 use crate::load::{DEFAULT_SIZE, load_for};
 use crate::output::{Output, say, tell};
+use crate::progress::Watch;
+use crate::signals::Signals;
 use crate::stock::single::{self, Stock};
+use crate::wanted::Wanted;
 
 /// What is baked beside the scene.
 #[derive(Clone, Copy, Debug)]
@@ -58,14 +65,51 @@ pub fn run(args: &BakeArgs) -> Result<(), Failure> {
     };
 
     if args.output.extension().is_some_and(|extension| extension == "rs") {
-        return output.commit(rust::source(&args.scene, &scene, &asked).as_bytes());
+        return output.commit(source(&args.scene, &scene, &asked).as_bytes());
     }
     let bytes = bake(&scene, &asked).map_err(wrong)?;
     output.commit(&bytes)?;
     if !args.quiet {
-        tell(needs(&args.output, &scene, &asked, bytes.len()));
+        let counts = counted(&description, &asked).map_err(|fault| wrong(fault.to_string()))?;
+        tell(needs(&args.output, &scene, &asked, bytes.len(), &counts));
     }
     Ok(())
+}
+
+/// The scene as Rust constants, named after a file.
+pub fn source(path: &Path, scene: &Scene<'_>, asked: &Asked) -> String {
+    rust::source(path, scene, asked)
+}
+
+/// What happens in the picture that is asked for, or in one of its shape of at most so many pixels:
+/// more of them would tell no more about one.
+pub fn counted(description: &Description, asked: &Asked) -> Result<Counted, NoFrame> {
+    const MOST: u64 = 160 * 120;
+    let (width, height) = (asked.size.width(), asked.size.height());
+    let pixels = u64::from(width) * u64::from(height);
+    let shrink = if pixels > MOST { (pixels as f64 / MOST as f64).sqrt() } else { 1.0 };
+    let smaller = |side: u32| ((f64::from(side) / shrink) as u32).max(1);
+    let size = Size::new(smaller(width), smaller(height)).unwrap_or(asked.size);
+    let finding = Finding {
+        walk: Some(Walk::Stack),
+        bounds: Some(Bounds::None),
+        mailbox: Some(MAILBOX),
+        ..Finding::by(asked.accelerator)
+    };
+    let limits = Limits { levels: asked.levels, cutoff: asked.cutoff };
+    let wanted = Wanted { limits, finding, ..Wanted::of(size) };
+    let frame = frame::trace(description, &wanted, &Watch::silent(Signals::default()))?;
+    let pixels = u64::from(size.width()) * u64::from(size.height());
+    Ok(Counted { counts: frame.counters.unwrap_or_default(), pixels })
+}
+
+/// What happened in some pixels.
+#[derive(Clone, Copy, Debug)]
+pub struct Counted {
+    /// How often everything.
+    pub counts: Counts,
+    /// How many pixels.
+    pub pixels: u64,
 }
 
 /// The bytes of a scene and the accelerator that is asked for.
@@ -103,8 +147,8 @@ pub fn bake(scene: &Scene<'_>, asked: &Asked) -> Result<Vec<u8>, String> {
 }
 
 /// What a device must have for it.
-fn needs(path: &Path, scene: &Scene<'_>, asked: &Asked, bytes: usize) -> String {
-    const SLOTS: usize = 64;
+fn needs(path: &Path, scene: &Scene<'_>, asked: &Asked, bytes: usize, counted: &Counted) -> String {
+    const SLOTS: usize = MAILBOX;
     const PLACES: usize = 32;
     let tables = scene.parts().bytes();
     let frame = bytes.saturating_sub(tables).saturating_sub(Pack::HEADER);
@@ -136,6 +180,22 @@ fn needs(path: &Path, scene: &Scene<'_>, asked: &Asked, bytes: usize) -> String 
     let asks = scene.effects();
     let shapes: Vec<&str> = asks.shapes.iter().map(|shape| shape.name()).collect();
     let _ = writeln!(text, "  shapes  {}", shapes.join(", "));
-    text.push_str("  stack   tests/firmware/check measures it, and instructions, on the chip\n");
+    // What the camera asks for is no part of the scene's own demand.
+    let lens = matches!(asked.view.projection, Projection::Lens { .. });
+    if let Some(stack) = chip::stack(&EffectSet { lens, ..asks }) {
+        let more = levels.saturating_sub(usize::from(stack.levels)) * task;
+        let _ = writeln!(
+            text,
+            "  stack   {} bytes, the worker among them, as measured on a Cortex-M4F for {}",
+            stack.bytes + more,
+            stack.name
+        );
+    }
+    let per_pixel = chip::instructions(&counted.counts, asked.accelerator) / counted.pixels.max(1);
+    let _ = writeln!(
+        text,
+        "  time    about {per_pixel} instructions a pixel there, from what is counted here (within a factor of {})",
+        chip::DOUBT
+    );
     text
 }

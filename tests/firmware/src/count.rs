@@ -6,8 +6,9 @@
 
 const TIM2_CNT: *const u32 = 0x4000_0024 as *const u32;
 
+/// The counter.
 #[inline(always)]
-fn now() -> u32 {
+pub fn now() -> u32 {
     // SAFETY: a 32-bit peripheral register of this machine; reading has no effect.
     unsafe { TIM2_CNT.read_volatile() }
 }

@@ -1,17 +1,29 @@
 //! Draws a world row by row, without a frame buffer: all of the picture that there ever is in
-//! memory are the bytes of one row.
+//! memory is one row.
+
+// Who includes this file may use a part of it.
+#![allow(dead_code)]
+#![allow(clippy::too_many_arguments)] // each is one of a kind
 
 use strahl_core::{
-    Accelerator, Camera, Effects, Limits, Pixel, Rgb, Single, Size, Tile, Tracer, Worker, World, render,
+    Accelerator, Camera, Effects, Limits, Pixel, Real, Rgb, Sampler, Sink, Size, Tally, Tile, Tracer, Worker,
+    World, render,
 };
 
-/// The linear colour of a pixel as little-endian bytes.
+/// The linear colour of a pixel as little-endian single precision.
 pub type Bytes = [[u8; size_of::<f32>()]; 3];
+
+/// A colour as it goes into files.
+pub fn bytes(color: Rgb) -> Bytes {
+    #[allow(clippy::unnecessary_cast)] // it is none in double precision
+    let single = |channel: Real| channel as f32;
+    [color.r, color.g, color.b].map(|channel| single(channel).to_le_bytes())
+}
 
 /// The widest picture that there is memory for.
 pub const WIDEST: usize = 128;
 
-/// The bytes of one row.
+/// One row.
 pub type Row = [Bytes; WIDEST];
 
 /// A row without anything in it.
@@ -28,35 +40,70 @@ pub struct Wanted {
     pub limits: Limits,
 }
 
-/// Draws all rows. `measure` has the work of one row done; `take` is given its bytes and says
-/// whether it could take them.
+/// What it took.
+#[derive(Clone, Copy, Debug)]
+pub struct Took<T> {
+    /// Instructions, as a clock counted them.
+    pub instructions: u64,
+    /// Bytes of the worker, which tells nobody.
+    pub worker: usize,
+    /// Who has been told what happened.
+    pub tally: T,
+}
+
+/// Draws all rows with one ray or more in each pixel. `clock` counts instructions up, `pixel` says
+/// how a colour is kept, and `take` is given each row and says whether it could take it.
 ///
-/// Answers the size of the worker, or why there is no picture.
-pub fn draw<A: Accelerator, E: Effects, const LEVELS: usize>(
+/// Answers what it took, or why there is no picture.
+pub fn draw<A: Accelerator, E: Effects, S: Sampler, P, T: Tally, const LEVELS: usize>(
     world: &World<'_, A>,
     wanted: Wanted,
-    row: &mut Row,
-    mut measure: impl FnMut(&mut dyn FnMut()),
-    mut take: impl FnMut(&[u8]) -> bool,
-) -> Result<usize, &'static str> {
+    sampler: &mut S,
+    tally: T,
+    row: &mut [P],
+    clock: impl Fn() -> u32,
+    pixel: impl Fn(Rgb) -> P,
+    take: impl FnMut(&[P]) -> bool,
+) -> Result<Took<T>, &'static str> {
     let Wanted { size, camera, limits } = wanted;
     let tracer = Tracer::<A, E, LEVELS>::new(world, camera, limits).map_err(|_| "no tracer")?;
-    let mut worker = Worker::new(());
-    let row = row.get_mut(..size.width() as usize).ok_or("a row is too wide")?;
-    for y in 0..size.height() {
-        let pixels = Tile { first: Pixel { x: 0, y }, width: size.width(), height: 1 };
-        measure(&mut || {
-            let mut slots = row.iter_mut();
-            let mut sink = |_: Pixel, color: Rgb| {
-                if let Some(slot) = slots.next() {
-                    *slot = [color.r, color.g, color.b].map(f32::to_le_bytes);
-                }
-            };
-            let Ok(()) = render(&tracer, &mut Single, &mut worker, pixels.pixels(), &mut sink);
-        });
-        if !take(row.as_flattened().as_flattened()) {
-            return Err("a row cannot be written");
-        }
+    if row.len() != size.width() as usize {
+        return Err("a row has another width");
     }
-    Ok(Worker::<A, (), LEVELS>::BYTES)
+    let mut worker = Worker::new(tally);
+    let start = clock();
+    let mut rows = Rows { row, filled: 0, pixel, take, clock, start, instructions: 0 };
+    render(&tracer, sampler, &mut worker, Tile::whole(size).pixels(), &mut rows)?;
+    let instructions = rows.instructions;
+    Ok(Took { instructions, worker: Worker::<A, (), LEVELS>::BYTES, tally: worker.into_tally() })
+}
+
+/// Gathers pixels into rows, and counts what is between one row and the next.
+struct Rows<'r, P, F, T, C> {
+    row: &'r mut [P],
+    filled: usize,
+    pixel: F,
+    take: T,
+    clock: C,
+    start: u32,
+    instructions: u64,
+}
+
+impl<P, F: Fn(Rgb) -> P, T: FnMut(&[P]) -> bool, C: Fn() -> u32> Sink for Rows<'_, P, F, T, C> {
+    type Error = &'static str;
+
+    fn put(&mut self, _: Pixel, color: Rgb) -> Result<(), &'static str> {
+        if let Some(slot) = self.row.get_mut(self.filled) {
+            *slot = (self.pixel)(color);
+        }
+        self.filled += 1;
+        if self.filled < self.row.len() {
+            return Ok(());
+        }
+        // A row takes less than 2^32.
+        self.instructions += u64::from((self.clock)().wrapping_sub(self.start));
+        let taken = (self.take)(self.row);
+        (self.filled, self.start) = (0, (self.clock)());
+        if taken { Ok(()) } else { Err("a row cannot be written") }
+    }
 }

@@ -3,6 +3,9 @@
 //! The smallest firmware that draws a picture and hands it to somebody: rows of linear floats go
 //! out of the serial port as they are made. No file, no text, nothing that a product would not have.
 
+// Who includes this file may use a part of it.
+#![allow(dead_code)]
+
 use core::hint::black_box;
 
 use strahl_core::{
@@ -152,7 +155,9 @@ impl Step for Distributed {
 
 /// Draws the picture of a step and hands its floats over, pixel by pixel.
 ///
-/// None when the scene is not the tracer's, which it is.
+/// None when the scene is not the tracer's, which it is. Not inlined, so that what the core takes can
+/// be told from the rest by names.
+#[inline(never)]
 pub fn picture<S: Step>(mut send: impl FnMut([u8; 4])) -> Option<()> {
     // As if it came from elsewhere: no number of the scene is folded into the code.
     let world = World::new(Scene::new(black_box(S::PARTS)).ok()?, Bare(ITEMS as u32));
@@ -181,5 +186,9 @@ pub fn run<S: Step>() -> ! {
             unsafe { SERIAL.write_volatile(u32::from(byte)) };
         }
     });
+    for byte in crate::stack::used().to_le_bytes() {
+        // SAFETY: as above.
+        unsafe { SERIAL.write_volatile(u32::from(byte)) };
+    }
     semihosting::process::exit(i32::from(drawn.is_none()))
 }

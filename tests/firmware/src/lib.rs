@@ -3,6 +3,7 @@
 
 #![no_std]
 
+pub mod accuracy;
 #[cfg(target_arch = "arm")]
 pub mod count;
 pub mod draw;
@@ -13,3 +14,5 @@ pub mod peer;
 pub mod scene;
 #[cfg(target_arch = "arm")]
 pub mod stack;
+#[cfg(target_arch = "arm")]
+pub mod write;

@@ -1,27 +1,47 @@
 //! The baked scenes: a host has written them (`tests/examples/chip.rs`), and they are traced
 //! where they lie.
 
-use strahl_core::{Effects, Everything, Finder, LastFirst, Limits, Pack, PackError, World, include_pack};
+#[cfg(target_arch = "arm")]
+use core::sync::atomic::{AtomicUsize, Ordering};
 
-use crate::draw::{Row, Wanted, draw};
+use strahl_core::{
+    Accelerator, Bare, Camera, Effects, Everything, Finder, LastFirst, Limits, Pack, PackError, Scene,
+    Single, World, include_pack,
+};
+
+use crate::draw::{Bytes, Row, Took, Wanted, bytes, draw};
+
+/// What a host has written.
+pub enum Written {
+    /// Bytes.
+    Bytes(&'static [u8]),
+    /// Rust constants: [`constants`].
+    Constants,
+}
 
 /// A baked scene and its name.
 pub struct Baked {
     /// What its picture is called.
     pub name: &'static core::ffi::CStr,
     /// What a host has written.
-    pub bytes: &'static [u8],
+    pub written: Written,
 }
 
 /// The golden scene, which was written as constants, in a grid; then an octree, a grid, a
-/// hierarchy over a mesh, and a list.
-pub static SCENES: [Baked; 5] = [
-    Baked { name: c"golden.f32", bytes: include_pack!("../target/packs/golden.strahl") },
-    Baked { name: c"classic.f32", bytes: include_pack!("../target/packs/classic.strahl") },
-    Baked { name: c"rotunda.f32", bytes: include_pack!("../target/packs/rotunda.strahl") },
-    Baked { name: c"mesh.f32", bytes: include_pack!("../target/packs/mesh.strahl") },
-    Baked { name: c"first.f32", bytes: include_pack!("../target/packs/first.strahl") },
+/// hierarchy over a mesh, and a list; and this as constants that the program wrote.
+pub static SCENES: [Baked; 6] = [
+    Baked { name: c"golden.f32", written: Written::Bytes(include_pack!("../target/packs/golden.strahl")) },
+    Baked { name: c"classic.f32", written: Written::Bytes(include_pack!("../target/packs/classic.strahl")) },
+    Baked { name: c"rotunda.f32", written: Written::Bytes(include_pack!("../target/packs/rotunda.strahl")) },
+    Baked { name: c"mesh.f32", written: Written::Bytes(include_pack!("../target/packs/mesh.strahl")) },
+    Baked { name: c"first.f32", written: Written::Bytes(include_pack!("../target/packs/first.strahl")) },
+    Baked { name: c"constants.f32", written: Written::Constants },
 ];
+
+/// What `strahl bake -o first.rs` writes.
+pub mod constants {
+    include!("../target/packs/first.rs");
+}
 
 /// Levels of rays that there is room for.
 pub const LEVELS: usize = 6;
@@ -33,29 +53,66 @@ pub fn wanted(pack: &Pack<'_>) -> Result<Wanted, &'static str> {
     Ok(Wanted { size, camera: pack.camera(size).map_err(|_| "the view shows nothing")?, limits })
 }
 
-/// Draws a baked scene by whatever it was baked with.
+/// As much of a row as the picture is wide.
+fn of<'r>(row: &'r mut Row, wanted: &Wanted) -> Result<&'r mut [Bytes], &'static str> {
+    row.get_mut(..wanted.size.width() as usize).ok_or("a row is too wide")
+}
+
+/// Draws a baked scene by whatever it was baked with; `clock` counts instructions where it can.
 pub fn picture(
     baked: &Baked,
     row: &mut Row,
-    measure: impl FnMut(&mut dyn FnMut()),
-    take: impl FnMut(&[u8]) -> bool,
-) -> Result<usize, &'static str> {
+    clock: impl Fn() -> u32,
+    take: impl FnMut(&[Bytes]) -> bool,
+) -> Result<Took<()>, &'static str> {
     type E = Everything;
     const { assert!(E::SET.shadows) };
     let refused = |_: PackError| "these bytes are no scene";
-    let pack = Pack::open(baked.bytes).map_err(refused)?;
+    let Written::Bytes(written) = baked.written else {
+        use constants::{Asked, ITEMS, LIMITS, PARTS, SIZE, VIEW};
+        let scene = Scene::new(PARTS).map_err(|_| "its parts make no scene")?;
+        let camera = Camera::new(&VIEW, SIZE).map_err(|_| "the view shows nothing")?;
+        let wanted = Wanted { size: SIZE, camera, limits: LIMITS };
+        let (world, row) = (World::new(scene, Bare(ITEMS)), of(row, &wanted)?);
+        return drawn::<_, Asked>(&world, wanted, row, clock, take);
+    };
+    let pack = Pack::open(written).map_err(refused)?;
     let (scene, wanted) = (*pack.scene(), wanted(&pack)?);
+    let row = of(row, &wanted)?;
     match pack.finder().map_err(refused)? {
-        Finder::Bare(bare) => draw::<_, E, LEVELS>(&World::new(scene, bare), wanted, row, measure, take),
+        Finder::Bare(bare) => drawn::<_, E>(&World::new(scene, bare), wanted, row, clock, take),
         Finder::Grid(grid) => {
-            draw::<_, E, LEVELS>(&World::new(scene, grid.with_mailbox::<64>()), wanted, row, measure, take)
+            let grid = grid.with_mailbox::<64>();
+            drawn::<_, E>(&World::new(scene, grid), wanted, row, clock, take)
         }
         Finder::Octree(octree) => {
-            draw::<_, E, LEVELS>(&World::new(scene, octree.with_mailbox::<64>()), wanted, row, measure, take)
+            let octree = octree.with_mailbox::<64>();
+            drawn::<_, E>(&World::new(scene, octree), wanted, row, clock, take)
         }
         Finder::Bvh(bvh) => {
             let bvh = bvh.walked::<LastFirst<32>>();
-            draw::<_, E, LEVELS>(&World::new(scene, bvh), wanted, row, measure, take)
+            drawn::<_, E>(&World::new(scene, bvh), wanted, row, clock, take)
         }
     }
 }
+
+/// Not inlined: each has the stack that it needs, and not that of another beside it.
+#[inline(never)]
+fn drawn<A: Accelerator, E: Effects>(
+    world: &World<'_, A>,
+    wanted: Wanted,
+    row: &mut [Bytes],
+    clock: impl Fn() -> u32,
+    take: impl FnMut(&[Bytes]) -> bool,
+) -> Result<Took<()>, &'static str> {
+    #[cfg(target_arch = "arm")]
+    let here = &raw const row as usize;
+    let took = draw::<_, E, _, _, _, LEVELS>(world, wanted, &mut Single, (), row, clock, bytes, take);
+    #[cfg(target_arch = "arm")]
+    STACK.fetch_max(crate::stack::used_below(here), Ordering::Relaxed);
+    took
+}
+
+/// The most bytes of stack that a picture took, without what found and opened its scene.
+#[cfg(target_arch = "arm")]
+pub static STACK: AtomicUsize = AtomicUsize::new(0);

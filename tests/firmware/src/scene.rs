@@ -8,7 +8,7 @@
 
 use strahl_core::{
     Aabb, Background, Cone, EffectSet, Effects, Falloff, Geometry, Interface, ItemId, Light, LightKind,
-    LightSet, Limits, Material, MaterialId, Parts, Plane, Polygon, Projection, Rgb, Shape, ShapeKind,
+    LightSet, Limits, Material, MaterialId, Parts, Plane, Polygon, Projection, Real, Rgb, Shape, ShapeKind,
     ShapeSet, Size, Source, Sphere, Texture, TextureId, TextureKind, TextureSet, Torus, Vec3, View, vec3,
 };
 
@@ -127,7 +127,7 @@ static MATERIALS: [Material; ITEMS] = [
 static MADE_OF: [MaterialId; ITEMS] =
     [MaterialId(0), MaterialId(1), MaterialId(2), MaterialId(3), MaterialId(4), MaterialId(5), MaterialId(6)];
 
-const fn paint(r: f32, g: f32, b: f32) -> Material {
+const fn paint(r: Real, g: Real, b: Real) -> Material {
     let color = Rgb::new(r, g, b);
     Material { ambient: color, diffuse: color, ..Material::MATTE }
 }

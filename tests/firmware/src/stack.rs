@@ -13,11 +13,16 @@ unsafe extern "C" {
 
 /// The most bytes of stack in use since the start.
 pub fn used() -> usize {
+    used_below(&raw const _stack_start as usize)
+}
+
+/// The most bytes of stack in use since the start below an address, as that of something on it.
+pub fn used_below(address: usize) -> usize {
     let (top, bottom) = (&raw const _stack_start as usize, &raw const _stack_end as usize);
     let mut mark = bottom;
     // SAFETY: aligned words of the RAM between the two linker symbols.
     while mark < top && unsafe { (mark as *const u32).read_volatile() } == STACK_PAINT_VALUE {
         mark += 4;
     }
-    top - mark
+    address.saturating_sub(mark)
 }

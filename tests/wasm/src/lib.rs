@@ -2,7 +2,7 @@
 
 use std::cell::RefCell;
 
-use strahl_firmware::draw::DARK;
+use strahl_firmware::draw::{Bytes, DARK};
 use strahl_firmware::packs::{SCENES, picture};
 
 thread_local! {
@@ -16,11 +16,11 @@ pub extern "C" fn draw(number: usize) -> usize {
     FLOATS.with_borrow_mut(|floats| {
         floats.clear();
         let Some(baked) = SCENES.get(number) else { return 0 };
-        let take = |bytes: &[u8]| {
-            floats.extend_from_slice(bytes);
+        let take = |row: &[Bytes]| {
+            floats.extend_from_slice(row.as_flattened().as_flattened());
             true
         };
-        match picture(baked, &mut DARK.clone(), |work| work(), take) {
+        match picture(baked, &mut DARK.clone(), || 0, take) {
             Ok(_) => floats.len(),
             Err(_) => 0,
         }

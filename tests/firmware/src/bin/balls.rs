@@ -9,9 +9,10 @@
 use cortex_m_rt::entry;
 use semihosting::{fs::File, io::Write, println, process};
 use strahl_core::{
-    EffectSet, Effects, LastFirst, LightKind, LightSet, Pack, ShapeKind, ShapeSet, World, include_pack,
+    EffectSet, Effects, LastFirst, LightKind, LightSet, Pack, ShapeKind, ShapeSet, Single, World,
+    include_pack,
 };
-use strahl_firmware::draw::{DARK, Row, draw};
+use strahl_firmware::draw::{DARK, Row, bytes, draw};
 use strahl_firmware::packs::wanted;
 use strahl_firmware::{count, stack};
 
@@ -52,20 +53,22 @@ fn picture(row: &mut Row) -> Result<(), &'static str> {
     let bvh = pack.bvh::<LastFirst<32>>().map_err(|_| "there is no hierarchy")?;
     let wanted = wanted(&pack)?;
     let mut file = File::create(c"balls.f32").map_err(|_| "balls.f32 cannot be created")?;
-    let nothing = count::of(|| ()).1;
-    let mut instructions = 0_u64;
-    let worker = draw::<_, Mirrors, 5>(
+    let row = row.get_mut(..wanted.size.width() as usize).ok_or("a row is too wide")?;
+    let took = draw::<_, Mirrors, _, _, _, 5>(
         &World::new(*pack.scene(), bvh),
         wanted,
+        &mut Single,
+        (),
         row,
-        |work| instructions += u64::from(count::of(work).1 - nothing),
-        |bytes| file.write_all(bytes).is_ok(),
+        count::now,
+        bytes,
+        |row| file.write_all(row.as_flattened().as_flattened()).is_ok(),
     )?;
     let stack = stack::used();
     println!("pixels {}", wanted.size.width() * wanted.size.height());
-    println!("instructions {instructions}");
+    println!("instructions {}", took.instructions);
     println!("stack {stack}");
-    println!("worker {worker}");
+    println!("worker {}", took.worker);
     println!("pack {}", SCENE.len());
     println!("opening {opening}");
     Ok(())

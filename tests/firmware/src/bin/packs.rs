@@ -8,10 +8,10 @@
 
 use semihosting::{fs::File, io::Write, println, process};
 #[cfg(target_arch = "arm")]
-use strahl_firmware::{count, stack};
+use strahl_firmware::{count, packs::STACK};
 use strahl_firmware::{
-    draw::{DARK, Row},
-    packs::{Baked, SCENES, picture},
+    draw::{Bytes, DARK, Row},
+    packs::{Baked, SCENES, Written, picture},
 };
 
 #[cfg(target_arch = "arm")]
@@ -35,27 +35,24 @@ fn all(row: &mut Row) -> ! {
         }
     }
     #[cfg(target_arch = "arm")]
-    println!("stack {}", stack::used());
+    println!("stack {}", STACK.load(core::sync::atomic::Ordering::Relaxed));
     process::exit(0)
 }
 
 fn one(baked: &Baked, row: &mut Row) -> Result<(), &'static str> {
     let mut file = File::create(baked.name).map_err(|_| "its picture cannot be created")?;
-    let take = |bytes: &[u8]| file.write_all(bytes).is_ok();
+    let take = |row: &[Bytes]| file.write_all(row.as_flattened().as_flattened()).is_ok();
     let name = baked.name.to_str().unwrap_or_default();
     #[cfg(target_arch = "arm")]
-    {
-        let nothing = count::of(|| ()).1;
-        let mut instructions = 0_u64;
-        let measure = |work: &mut dyn FnMut()| instructions += u64::from(count::of(work).1 - nothing);
-        let worker = picture(baked, row, measure, take)?;
-        println!("{name} {instructions} {worker} {}", baked.bytes.len());
-    }
+    let clock = count::now;
     #[cfg(not(target_arch = "arm"))]
-    {
-        let worker = picture(baked, row, |work| work(), take)?;
-        println!("{name} 0 {worker} {}", baked.bytes.len());
-    }
+    let clock = || 0;
+    let took = picture(baked, row, clock, take)?;
+    let bytes = match baked.written {
+        Written::Bytes(bytes) => bytes.len(),
+        Written::Constants => 0,
+    };
+    println!("{name} {} {} {bytes}", took.instructions, took.worker);
     Ok(())
 }
 

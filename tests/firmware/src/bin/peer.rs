@@ -10,7 +10,8 @@ use core::hint::black_box;
 
 use cortex_m_rt::entry;
 use semihosting::{fs::File, io::Write, println, process};
-use strahl_core::{Bare, Camera, Effects, Pixel, Rgb, Scene, Single, Tile, Tracer, Worker, World, render};
+use strahl_core::{Bare, Camera, Effects, Scene, Single, World};
+use strahl_firmware::draw::{Wanted, draw};
 use strahl_firmware::peer::{ITEMS, LEVELS, LIMITS, PARTS, Peer, SIZE, VIEW, quantised};
 use strahl_firmware::{count, stack};
 
@@ -37,33 +38,19 @@ fn picture(row: &mut [[u8; 3]; WIDTH]) -> Result<(), &'static str> {
     }
     let world = World::new(scene, Bare(ITEMS as u32));
     let camera = Camera::new(&VIEW, SIZE).map_err(|_| "the view shows nothing")?;
-    let tracer = Tracer::<_, Peer, LEVELS>::new(&world, camera, LIMITS).map_err(|_| "no tracer")?;
-    let mut worker = Worker::new(());
     let mut file = File::create(c"peer.ppm").map_err(|_| "peer.ppm cannot be created")?;
     file.write_all(b"P6\n160 120\n255\n").map_err(|_| "peer.ppm cannot be written")?;
 
-    let nothing = count::of(|| ()).1;
-    let mut instructions = 0;
-    for y in 0..SIZE.height() {
-        let pixels = Tile { first: Pixel { x: 0, y }, width: SIZE.width(), height: 1 };
-        let mut slots = row.iter_mut();
-        let mut sink = |_: Pixel, color: Rgb| {
-            if let Some(slot) = slots.next() {
-                *slot = quantised(color);
-            }
-        };
-        let (Ok(()), taken) =
-            count::of(|| render(&tracer, &mut Single, &mut worker, pixels.pixels(), &mut sink));
-        instructions += u64::from(taken - nothing);
-        file.write_all(row.as_flattened()).map_err(|_| "peer.ppm cannot be written")?;
-    }
-
+    let wanted = Wanted { size: SIZE, camera, limits: LIMITS };
+    let take = |row: &[[u8; 3]]| file.write_all(row.as_flattened()).is_ok();
+    let took =
+        draw::<_, Peer, _, _, _, LEVELS>(&world, wanted, &mut Single, (), row, count::now, quantised, take)?;
     // Before anything is printed, which takes stack as well.
     let stack = stack::used();
     println!("pixels {}", SIZE.width() * SIZE.height());
-    println!("instructions {instructions}");
+    println!("instructions {}", took.instructions);
     println!("stack {stack}");
-    println!("worker {}", size_of_val(&worker));
+    println!("worker {}", took.worker);
     Ok(())
 }
 

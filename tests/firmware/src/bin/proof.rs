@@ -96,7 +96,8 @@ fn canary() {
 
 fn ground() {
     used((vec3(number(), number(), number()), unit(vector()), sqrt(number()), gamma(any(3))));
-    cubic_roots([number(); 4], number(), number()).iter().for_each(used);
+    let roots: CubicRoots = cubic_roots([number(); 4], number(), number());
+    roots.iter().for_each(used);
     used(root_between(|x| (x, number()), number(), number(), any(true)));
     used(difference_of_products(number(), number(), number(), number()));
     used((FARTHEST, PI, ROUNDOFF, Rgb::BLACK, Rgb::BRIGHTEST));
@@ -471,6 +472,7 @@ fn counters() {
     used((counters.level_limit(), counters.cutoff(), counters.deepest()));
     ().count(any(Event::MediaFull));
     ().tell(any(Step::ThrownBack));
+    used((any(Fate::Sent), any(Lit::Dark)));
 }
 
 fn pictures() {

@@ -1,0 +1,122 @@
+//! The pictures of the golden scene that the firmware `golden` draws, as the host draws them, and the
+//! table of what accuracy costs on the chip.
+//!
+//! ```text
+//! accuracy FILE                          the linear floats of all pictures, one after the other
+//! accuracy --table REPORT PICTURES ...   what a firmware has told and drawn, as CSV; single precision first
+//! ```
+//!
+//! The host goes the other way wherever there is one: a tracer that can do everything, a list
+//! without boxes, a frame in memory, no corner kept. None of that may change a bit.
+
+#[path = "../firmware/src/accuracy.rs"]
+mod accuracy;
+#[path = "../firmware/src/draw.rs"]
+mod draw;
+#[path = "../firmware/src/scene.rs"]
+mod scene;
+
+use std::error::Error;
+use std::ffi::OsStr;
+use std::path::PathBuf;
+
+use accuracy::{RUNS, Run, Sampling};
+use scene::{Golden, ITEMS, LEVELS, SIZE, VIEW, parts};
+use strahl_core::{
+    Adaptive, Agreement, Camera, Effects, Everything, Frame, Limits, List, Loose, Parting, Regular, Rgb,
+    Sampler, Scene, Single, Stochastic, Tile, Tracer, Worker, World, render,
+};
+
+type Failure = Box<dyn Error>;
+
+/// What errors are measured against: many more levels than are ever needed, nothing cut, and many
+/// rays.
+const REFERENCE: Run = Run { limits: Limits { levels: 16, cutoff: 0.0 }, sampling: Sampling::Regular(16) };
+
+fn main() -> Result<(), Failure> {
+    let arguments: Vec<PathBuf> = std::env::args_os().skip(1).map(PathBuf::from).collect();
+    match arguments.as_slice() {
+        [table, told @ ..] if table.as_os_str() == OsStr::new("--table") && !told.is_empty() => {
+            print!("{}", csv(told)?);
+            Ok(())
+        }
+        [file] => {
+            let mut bytes = Vec::new();
+            for run in &RUNS {
+                bytes.extend(picture(run)?.iter().flat_map(|color| draw::bytes(*color)).flatten());
+            }
+            Ok(std::fs::write(file, bytes)?)
+        }
+        _ => Err("usage: accuracy FILE | accuracy --table REPORT PICTURES [REPORT PICTURES]".into()),
+    }
+}
+
+fn picture(run: &Run) -> Result<Vec<Rgb>, Failure> {
+    let none = "there is no such sampler";
+    match run.sampling {
+        Sampling::Single => traced(run.limits, &mut Single),
+        Sampling::Regular(n) => traced(run.limits, &mut Regular::new(n).ok_or(none)?),
+        Sampling::Adaptive(depth, threshold) => {
+            let agreement = Agreement::of_colors(threshold).ok_or(none)?;
+            let parting = Parting::new(depth, agreement).ok_or(none)?;
+            traced(run.limits, &mut Adaptive::new(parting, Loose, &mut []))
+        }
+        Sampling::Stochastic(n) => traced(run.limits, &mut Stochastic::new(n).ok_or(none)?),
+    }
+}
+
+fn traced(limits: Limits, sampler: &mut impl Sampler) -> Result<Vec<Rgb>, Failure> {
+    let scene = Scene::new(parts())?;
+    assert_eq!(scene.effects(), Golden::SET);
+    let world = World::new(scene, List::bare(ITEMS as u32));
+    const { assert!(LEVELS <= 16) };
+    let tracer = Tracer::<_, Everything, 16>::new(&world, Camera::new(&VIEW, SIZE)?, limits)?;
+    let tile = Tile::whole(SIZE);
+    let mut colors = vec![Rgb::BLACK; tile.len()];
+    let mut frame = Frame::new(tile, &mut colors).ok_or("the frame has another size")?;
+    let Ok(()) = render(&tracer, sampler, &mut Worker::new(()), tile.pixels(), &mut frame);
+    Ok(colors)
+}
+
+/// The table, from pairs of what a firmware has told and drawn.
+fn csv(told: &[PathBuf]) -> Result<String, Failure> {
+    let reference = picture(&REFERENCE)?;
+    let mut table = "scene,width,height,precision,levels,cutoff,sampler,instructions,rays,rmse\n".to_owned();
+    for (pair, precision) in told.chunks(2).zip(["single", "double"]) {
+        let [report, pictures] = pair else { return Err("a report has no pictures".into()) };
+        let (report, pictures) = (std::fs::read_to_string(report)?, std::fs::read(pictures)?);
+        let size = reference.len() * size_of::<draw::Bytes>();
+        let drawn = pictures.chunks_exact(size);
+        let runs: Vec<&str> = report.lines().filter(|line| line.starts_with("run ")).collect();
+        if runs.len() != RUNS.len() || pictures.len() != RUNS.len() * size {
+            return Err("these are not the pictures that are asked for".into());
+        }
+        for (line, drawn) in runs.into_iter().zip(drawn) {
+            let words: Vec<&str> = line.split(' ').collect();
+            let [_, _, levels, cutoff, sampler, instructions, rays] = words[..] else {
+                return Err(format!("not the report of a run: {line}").into());
+            };
+            let (width, height) = (SIZE.width(), SIZE.height());
+            let rmse = rmse(drawn, &reference);
+            table += &format!(
+                "golden,{width},{height},{precision},{levels},{cutoff},{sampler},{instructions},{rays},{rmse:.6}\n"
+            );
+        }
+    }
+    Ok(table)
+}
+
+/// The root of the mean square of the differences of sRGB-encoded channels, in 0 to 1, as `strahl
+/// compare` has it.
+fn rmse(drawn: &[u8], reference: &[Rgb]) -> f64 {
+    let channels = drawn.as_chunks::<4>().0.iter().map(|bytes| f32::from_le_bytes(*bytes));
+    let wanted = reference.iter().flat_map(|color| [color.r, color.g, color.b]);
+    let squares = channels.zip(wanted).map(|(a, b)| (encoded(a) - encoded(b)).powi(2));
+    (squares.sum::<f64>() / (3 * reference.len()) as f64).sqrt()
+}
+
+/// The sRGB encoding of a channel (IEC 61966-2-1).
+fn encoded(channel: f32) -> f64 {
+    let x = f64::from(channel).clamp(0.0, 1.0);
+    if x > 0.003_130_8 { 1.055 * libm::pow(x, 1.0 / 2.4) - 0.055 } else { 12.92 * x }
+}

@@ -1,0 +1,79 @@
+//! What must hold of any bytes that a device is told to be a baked scene: no panic, no read outside
+//! of them, and where they are taken for one, a picture of finite colours from every way of walking.
+
+use strahl_core::{
+    Accelerator, Everything, Finder, LastFirst, Limits, Pack, Rgb, Single, Size, Tile, Tracer, Worker, World,
+    render,
+};
+
+/// Bytes of a baked scene: as they are, and with the begin that a host would have written, lest a
+/// checksum keep everything away from what lies behind it.
+pub fn pack(bytes: &[u8]) {
+    let mut aligned = Aligned::of(bytes);
+    draw(aligned.bytes());
+    if repair(aligned.bytes_mut()) {
+        draw(aligned.bytes());
+    }
+}
+
+/// Bytes that begin where a device's flash would have them, at a multiple of four.
+struct Aligned {
+    held: Vec<u8>,
+    start: usize,
+    length: usize,
+}
+
+impl Aligned {
+    fn of(bytes: &[u8]) -> Self {
+        let mut held = vec![0; bytes.len() + 3];
+        let start = held.as_ptr().align_offset(4);
+        held[start..start + bytes.len()].copy_from_slice(bytes);
+        Aligned { held, start, length: bytes.len() }
+    }
+
+    fn bytes(&self) -> &[u8] {
+        &self.held[self.start..self.start + self.length]
+    }
+
+    fn bytes_mut(&mut self) -> &mut [u8] {
+        &mut self.held[self.start..self.start + self.length]
+    }
+}
+
+/// Puts version, length and checksum right. False where there is no room for them.
+fn repair(bytes: &mut [u8]) -> bool {
+    const UNCHECKED: usize = 16;
+    let Some((begin, covered)) = bytes.split_at_mut_checked(UNCHECKED) else { return false };
+    // FNV-1a.
+    let checksum =
+        covered.iter().fold(0x811c_9dc5_u32, |sum, byte| (sum ^ u32::from(*byte)).wrapping_mul(0x0100_0193));
+    let length = (UNCHECKED + covered.len()) as u32;
+    for (slot, word) in begin.as_chunks_mut::<4>().0[1..].iter_mut().zip([Pack::VERSION, length, checksum]) {
+        *slot = word.to_le_bytes();
+    }
+    true
+}
+
+fn draw(bytes: &[u8]) {
+    let Ok(pack) = Pack::open(bytes) else { return };
+    let Ok(finder) = pack.finder() else { return };
+    let scene = *pack.scene();
+    match finder {
+        Finder::Bare(bare) => trace(&pack, World::new(scene, bare)),
+        Finder::Grid(grid) => trace(&pack, World::new(scene, grid.with_mailbox::<8>())),
+        Finder::Octree(octree) => trace(&pack, World::new(scene, octree.with_mailbox::<8>())),
+        Finder::Bvh(bvh) => trace(&pack, World::new(scene, bvh.walked::<LastFirst<8>>())),
+    }
+}
+
+fn trace<A: Accelerator>(pack: &Pack<'_>, world: World<'_, A>) {
+    const LEVELS: u8 = 4;
+    let tile = Tile::whole(Size::new(6, 4).expect("a size"));
+    let Ok(camera) = pack.camera(Size::new(6, 4).expect("a size")) else { return };
+    let limits = Limits { levels: pack.levels().min(LEVELS), cutoff: pack.cutoff() };
+    let Ok(tracer) = Tracer::<_, Everything, { LEVELS as usize }>::new(&world, camera, limits) else {
+        return;
+    };
+    let mut sink = |_, color: Rgb| assert!(color.r.is_finite() && color.g.is_finite() && color.b.is_finite());
+    let Ok(()) = render(&tracer, &mut Single, &mut Worker::new(()), tile.pixels(), &mut sink);
+}
