@@ -77,6 +77,9 @@ pub trait Accelerator {
 
 /// Somebody who knows what items are, and what is being looked for.
 pub trait Query {
+    /// Whether a nearer item spares the farther ones; else any order is as good.
+    const ORDERED: bool = true;
+
     /// How far an item may be and still matter, in lengths of the ray's direction. Finite, and
     /// never grows.
     fn reach(&self) -> Real;

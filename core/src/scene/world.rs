@@ -151,6 +151,9 @@ struct Search<'q, E, T, G> {
 
 /// What is looked for.
 trait Goal {
+    /// Whether nearer items are the better ones.
+    const ORDERED: bool;
+
     /// An item is met, at most `reach` away. `Break` when that is enough.
     fn meet(&mut self, item: ItemId, t: Real, reach: &mut Real) -> ControlFlow<()>;
 }
@@ -159,6 +162,8 @@ trait Goal {
 struct Nearest(ItemId);
 
 impl Goal for Nearest {
+    const ORDERED: bool = true;
+
     #[inline(always)]
     fn meet(&mut self, item: ItemId, t: Real, reach: &mut Real) -> ControlFlow<()> {
         if t < *reach || item < self.0 {
@@ -173,6 +178,8 @@ impl Goal for Nearest {
 struct Blocker(Option<ItemId>);
 
 impl Goal for Blocker {
+    const ORDERED: bool = false;
+
     #[inline(always)]
     fn meet(&mut self, item: ItemId, _: Real, _: &mut Real) -> ControlFlow<()> {
         self.0 = Some(item);
@@ -222,6 +229,8 @@ impl<'q, E: Effects, T: Tally, G: Goal> Search<'q, E, T, G> {
 }
 
 impl<E: Effects, T: Tally, G: Goal> Query for Search<'_, E, T, G> {
+    const ORDERED: bool = G::ORDERED;
+
     fn reach(&self) -> Real {
         self.reach
     }

@@ -41,7 +41,9 @@ impl<W: Waiting, L: Leaf> Bvh<'_, W, L> {
                     let mut nearest = seen.next(node);
                     while let Some(part) = seen.next(node) {
                         let farther = match &mut nearest {
-                            Some(nearest) if part.entry < nearest.entry => replace(nearest, part),
+                            Some(nearest) if Q::ORDERED && part.entry < nearest.entry => {
+                                replace(nearest, part)
+                            }
                             _ => part,
                         };
                         // No room: that part is swept, which needs none.
