@@ -48,6 +48,7 @@ impl Effects for Local {
         penumbra: false,
         lens: false,
         gloss: false,
+        motion: false,
         ..EffectSet::ALL
     };
 }

@@ -62,8 +62,8 @@ pub use accel::{
 };
 pub use counters::Counters;
 pub use geometry::{
-    Aabb, Ball, Cone, Cuboid, Disc, Geometry, Hit, ItemId, Plane, Polygon, Ray, Shape, ShapeFault, ShapeKind,
-    ShapeSet, Shapes, Span, Sphere, Surface, Torus, TurnedCuboid, has_area, leave,
+    Aabb, Ball, Cone, Cuboid, Disc, Geometry, Hit, ItemId, Moving, Plane, Polygon, Ray, Shape, ShapeFault,
+    ShapeKind, ShapeSet, Shapes, Span, Sphere, Surface, Torus, TurnedCuboid, has_area, leave,
 };
 pub use image::{
     Adaptive, Agreement, Confidence, Corner, CornerRow, Corners, Every, Filter, Frame, Gathered, Kept,

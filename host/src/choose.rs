@@ -18,8 +18,14 @@ pub use crate::wanted::Wanted;
 struct Whitted;
 
 impl Effects for Whitted {
-    const SET: EffectSet =
-        EffectSet { colored_shadows: false, penumbra: false, lens: false, gloss: false, ..EffectSet::ALL };
+    const SET: EffectSet = EffectSet {
+        colored_shadows: false,
+        penumbra: false,
+        lens: false,
+        gloss: false,
+        motion: false,
+        ..EffectSet::ALL
+    };
 }
 
 /// Light and shadow, but no secondary rays.

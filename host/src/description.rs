@@ -46,6 +46,10 @@ pub struct Description {
     pub normals: Vec<Triple>,
     /// Triangles of meshes: the places of their corners.
     pub triangles: Vec<[u32; 3]>,
+    /// What moves, in the order of the objects.
+    pub moving: Vec<Motion>,
+    /// When the shutter opens and closes, not before.
+    pub shutter: [f32; 2],
     /// What a user should know of that is no error.
     pub warnings: Vec<String>,
 }
@@ -242,6 +246,18 @@ pub struct Object {
     pub line: u32,
 }
 
+/// That an object moves evenly, and is in its own place at the time 0.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Motion {
+    /// The object's place in the table of objects.
+    pub object: usize,
+    /// How far it moves in a time of one.
+    pub velocity: Triple,
+}
+
+/// The shutter that is open from 0 to 1.
+pub const SHUTTER: [f32; 2] = [0.0, 1.0];
+
 /// The shape of an object.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Form {
@@ -337,4 +353,22 @@ pub enum Form {
     },
     /// Something without extent, which keeps its number and is never hit.
     Nothing,
+}
+
+impl Form {
+    /// What a user calls it.
+    pub fn name(&self) -> &'static str {
+        match self {
+            Form::Sphere { .. } => "sphere",
+            Form::Plane { .. } => "plane",
+            Form::Disc { .. } => "disc",
+            Form::Cuboid { .. } | Form::TurnedCuboid { .. } => "box",
+            Form::Cone { base_radius, end_radius, .. } if base_radius == end_radius => "cylinder",
+            Form::Cone { .. } => "cone",
+            Form::Torus { .. } => "torus",
+            Form::Triangle { .. } | Form::Nothing => "triangle",
+            Form::Polygon { .. } => "polygon",
+            Form::Mesh { .. } => "mesh",
+        }
+    }
 }

@@ -121,7 +121,9 @@ impl Info {
         let parts = scene.parts();
         let mut by_shape = BTreeMap::new();
         for shape in parts.geometry.shapes {
-            *by_shape.entry(shape.kind().name()).or_insert(0) += 1;
+            if let Some(kind) = parts.geometry.kind(shape) {
+                *by_shape.entry(kind.name()).or_insert(0) += 1;
+            }
         }
         debug_assert!(by_shape.len() <= ShapeKind::ALL.len());
 

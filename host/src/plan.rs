@@ -25,11 +25,13 @@ pub enum Effect {
     Lens,
     /// Rough mirrors and rough glass.
     Gloss,
+    /// Things that move while the shutter is open.
+    Motion,
 }
 
 impl Effect {
     /// Every effect.
-    pub const ALL: [Effect; 7] = [
+    pub const ALL: [Effect; 8] = [
         Effect::Shadows,
         Effect::Reflection,
         Effect::Transmission,
@@ -37,6 +39,7 @@ impl Effect {
         Effect::Penumbra,
         Effect::Lens,
         Effect::Gloss,
+        Effect::Motion,
     ];
 
     /// The name on the command line.
@@ -49,6 +52,7 @@ impl Effect {
             Effect::Penumbra => "penumbra",
             Effect::Lens => "lens",
             Effect::Gloss => "gloss",
+            Effect::Motion => "motion",
         }
     }
 
@@ -62,6 +66,7 @@ impl Effect {
             Effect::Penumbra => set.penumbra,
             Effect::Lens => set.lens,
             Effect::Gloss => set.gloss,
+            Effect::Motion => set.motion,
         }
     }
 
@@ -95,6 +100,8 @@ impl Effect {
                 }
             }
             Effect::Gloss => materials.for_each(|material| material.roughness = 0.0),
+            // Everything stands where it is at the time 0.
+            Effect::Motion => description.moving.clear(),
         }
     }
 }
@@ -176,6 +183,7 @@ pub fn plan(description: &Description, asks: &EffectSet) -> Vec<Step> {
             Effect::Reflection | Effect::Transmission | Effect::Gloss => {
                 materials(description, &made_of, effect)
             }
+            Effect::Motion => moving(description),
         };
         Step { effect, reasons, simulated: true }
     });
@@ -207,6 +215,16 @@ fn materials(description: &Description, made_of: &[usize], effect: Effect) -> Ve
             objects: Some(*objects),
         })
         .collect()
+}
+
+fn moving(description: &Description) -> Vec<Reason> {
+    let objects = description.moving.iter().filter_map(|motion| description.objects.get(motion.object));
+    let reasons = objects.map(|object| Reason {
+        what: object.form.name().into(),
+        line: object.line as usize,
+        objects: matches!(object.form, Form::Mesh { .. }).then(|| objects_in(object)),
+    });
+    reasons.collect()
 }
 
 fn named(what: &str, name: &Option<String>) -> String {

@@ -12,7 +12,7 @@ macro_rules! stock {
         pub mod $precision {
             use $core::{
                 Background, Cone, Cuboid, Disc, Falloff, Geometry, Interface, ItemId, Light, Material,
-                MaterialId, PI, Parts, Plane, Polygon, Projection, Real, Rgb, Scene, SceneError, Shape,
+                MaterialId, Moving, PI, Parts, Plane, Polygon, Projection, Real, Rgb, Scene, SceneError, Shape,
                 Source, Sphere, Texture, TextureId, Torus, TurnedCuboid, Vec3, View, unit, vec3,
             };
 
@@ -31,6 +31,7 @@ macro_rules! stock {
                 turned_cuboids: Vec<TurnedCuboid>,
                 cones: Vec<Cone>,
                 tori: Vec<Torus>,
+                moving: Vec<Moving>,
                 made_of: Vec<MaterialId>,
                 materials: Vec<Material>,
                 textures: Vec<Texture>,
@@ -58,8 +59,13 @@ macro_rules! stock {
                         colored_shadows: description.colored_shadows.is_some(),
                         ..Stock::default()
                     };
-                    for object in &description.objects {
+                    let mut moving = description.moving.iter().peekable();
+                    for (object, place) in description.objects.iter().zip(0..) {
+                        let first = stock.shapes.len();
                         stock.add(object, &description.triangles);
+                        if let Some(motion) = moving.next_if(|motion| motion.object == place) {
+                            stock.set_moving(first, motion.velocity, description.shutter);
+                        }
                     }
                     stock
                 }
@@ -75,6 +81,15 @@ macro_rules! stock {
                         self.shapes.push(shape);
                     }
                     self.made_of.resize(self.shapes.len(), MaterialId(object.material));
+                }
+
+                /// Makes everything from the shape `first` on move.
+                fn set_moving(&mut self, first: usize, velocity: Triple, shutter: [f32; 2]) {
+                    let [opening, closing] = shutter.map(|time| vector(velocity) * Real::from(time));
+                    for shape in self.shapes.iter_mut().skip(first) {
+                        let moving = Moving { shape: *shape, opening, closing };
+                        *shape = Shape::Moving(push(&mut self.moving, moving));
+                    }
                 }
 
                 /// The shape of an object that is one; none when nothing is left of it.
@@ -146,6 +161,7 @@ macro_rules! stock {
                             turned_cuboids: &self.turned_cuboids,
                             cones: &self.cones,
                             tori: &self.tori,
+                            moving: &self.moving,
                         },
                         made_of: &self.made_of,
                         materials: &self.materials,

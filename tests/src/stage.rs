@@ -2,9 +2,9 @@
 
 use super::strahl::{
     Aabb, Background, Camera, Cone, Counters, Cuboid, Disc, Everything, Geometry, Hit, ItemId, Light, Limits,
-    List, Material, MaterialId, Parts, Place, Plane, Polygon, Projection, ROUNDOFF, Ray, RayKind, Real, Rgb,
-    Sample, Scene, Shape, Size, Sphere, Stream, Texture, TextureId, Torus, Tracer, TurnedCuboid, Vec3, View,
-    Worker, World, groups_of, leave, unit, vec3,
+    List, Material, MaterialId, Moving, Parts, Place, Plane, Polygon, Projection, ROUNDOFF, Ray, RayKind,
+    Real, Rgb, Sample, Scene, Shape, Size, Sphere, Stream, Texture, TextureId, Torus, Tracer, TurnedCuboid,
+    Vec3, View, Worker, World, groups_of, leave, unit, vec3,
 };
 use crate::cast::{Core, Found};
 use crate::thing::{Line, Thing, Vector, vector};
@@ -23,6 +23,7 @@ pub struct Stage {
     turned_cuboids: Vec<TurnedCuboid>,
     cones: Vec<Cone>,
     tori: Vec<Torus>,
+    moving: Vec<Moving>,
     made_of: Vec<MaterialId>,
     materials: Vec<Material>,
     textures: Vec<Texture>,
@@ -49,6 +50,7 @@ impl Default for Stage {
             turned_cuboids: Vec::new(),
             cones: Vec::new(),
             tori: Vec::new(),
+            moving: Vec::new(),
             made_of: Vec::new(),
             materials: vec![Material::MATTE],
             textures: Vec::new(),
@@ -164,6 +166,23 @@ impl Stage {
         self.item(Shape::Torus(next(&self.tori) - 1))
     }
 
+    /// Lets an item move while the shutter is open, from one distance from its place to another.
+    pub fn moving(&mut self, item: ItemId, opening: Vec3, closing: Vec3) {
+        let place = next(&self.moving);
+        let shape = &mut self.shapes[item.0 as usize];
+        self.moving.push(Moving { shape: *shape, opening, closing });
+        *shape = Shape::Moving(place);
+    }
+
+    /// Lets everything stand in its place.
+    pub fn stand_still(&mut self) {
+        for shape in &mut self.shapes {
+            if let Shape::Moving(place) = *shape {
+                *shape = self.moving[place as usize].shape;
+            }
+        }
+    }
+
     /// Any thing.
     pub fn thing(&mut self, thing: &Thing) -> ItemId {
         let all = |corners: &[Vector]| corners.iter().copied().map(narrow).collect::<Vec<_>>();
@@ -217,6 +236,7 @@ impl Stage {
                 turned_cuboids: &self.turned_cuboids,
                 cones: &self.cones,
                 tori: &self.tori,
+                moving: &self.moving,
             },
             made_of: &self.made_of,
             materials: &self.materials,

@@ -33,7 +33,7 @@ use strahl_core::{
 mod constants;
 
 /// The scenes, and how large their golden pictures are.
-const SCENES: [(&str, u32, u32, Sampling); 18] = [
+const SCENES: [(&str, u32, u32, Sampling); 19] = [
     ("classic.toml", 96, 72, Sampling::Regular(2)),
     ("first.toml", 96, 72, Sampling::Regular(2)),
     ("fjord.toml", 100, 60, Sampling::Single),
@@ -42,6 +42,7 @@ const SCENES: [(&str, u32, u32, Sampling); 18] = [
     ("knot.toml", 80, 60, Sampling::Single),
     ("lens.toml", 96, 54, Sampling::stochastic(8)),
     ("marbles.toml", 96, 72, Sampling::Single),
+    ("motion.toml", 96, 54, Sampling::stochastic(8)),
     ("paper.toml", 96, 72, Sampling::Single),
     ("penumbra.toml", 96, 60, Sampling::stochastic(8)),
     ("pyramid.toml", 80, 60, Sampling::Single),

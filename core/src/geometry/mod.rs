@@ -6,11 +6,13 @@
 
 mod ball;
 mod bounds;
+mod check;
 mod cone;
 mod cuboid;
 mod disc;
 mod four;
 mod hit;
+mod moving;
 mod plane;
 mod polygon;
 mod ray;
@@ -29,6 +31,7 @@ pub use cuboid::{Cuboid, TurnedCuboid};
 pub use disc::Disc;
 pub(crate) use four::FourTriangles;
 pub use hit::{Hit, ItemId, Surface};
+pub use moving::Moving;
 pub use plane::Plane;
 pub use polygon::Polygon;
 pub use ray::{Ray, leave};
@@ -37,7 +40,7 @@ pub use sphere::Sphere;
 pub use torus::Torus;
 pub use triangle::has_area;
 
-use crate::math::{Real, Vec3, is_in_range, is_unit, vec3};
+use crate::math::{Real, Vec3, vec3};
 use shape::{AllShapes, check_point, check_radius, check_unit};
 
 /// All shapes of a scene, and the tables that they refer to.
@@ -67,6 +70,8 @@ pub struct Geometry<'s> {
     pub cones: &'s [Cone],
     /// All tori.
     pub tori: &'s [Torus],
+    /// All that moves while the shutter is open.
+    pub moving: &'s [Moving],
 }
 
 /// Whether it may be how far something is: more than zero, and finite.
@@ -108,6 +113,7 @@ impl<'s> Geometry<'s> {
         turned_cuboids: &[],
         cones: &[],
         tori: &[],
+        moving: &[],
     };
 
     /// The memory that all tables take, in bytes.
@@ -122,59 +128,20 @@ impl<'s> Geometry<'s> {
             + size_of_val(self.turned_cuboids)
             + size_of_val(self.cones)
             + size_of_val(self.tori)
-    }
-
-    /// Whether every shape is one and finds what it refers to; else the first that does not.
-    pub fn check(&self) -> Result<(), (ItemId, ShapeFault)> {
-        if self.points.iter().any(|p| !is_in_range(*p)) {
-            return Err((ItemId(0), ShapeFault::Place));
-        }
-        if self.normals.iter().any(|n| !is_unit(*n)) {
-            return Err((ItemId(0), ShapeFault::NotUnit));
-        }
-        for (shape, number) in self.shapes.iter().zip(0..) {
-            self.check_shape(*shape, ItemId(number)).map_err(|fault| (ItemId(number), fault))?;
-        }
-        // Planes are met through their table, so each must be an item.
-        for (plane, place) in self.planes.iter().zip(0..) {
-            if of(self.shapes, plane.item.0) != Some(&Shape::Plane(place)) {
-                return Err((plane.item, ShapeFault::Plane));
-            }
-        }
-        Ok(())
-    }
-
-    fn check_shape(&self, shape: Shape, item: ItemId) -> Result<(), ShapeFault> {
-        let missing = ShapeFault::Missing;
-        match shape {
-            Shape::Sphere(sphere) => sphere.check(),
-            Shape::Triangle(corners) => match self.corners(corners) {
-                Some(_) => Ok(()),
-                None => Err(missing),
-            },
-            Shape::SmoothTriangle(corners) => match (self.corners(corners), self.corner_normals(corners)) {
-                (Some(_), Some(_)) => Ok(()),
-                _ => Err(missing),
-            },
-            Shape::Plane(place) => {
-                let plane = of(self.planes, place).ok_or(missing)?;
-                plane.check()?;
-                if plane.item == item { Ok(()) } else { Err(ShapeFault::Plane) }
-            }
-            Shape::Disc(place) => of(self.discs, place).ok_or(missing)?.check(),
-            Shape::Polygon(place) => {
-                of(self.polygons, place).ok_or(missing)?.check(self.points, self.normals)
-            }
-            Shape::Cuboid(place) => of(self.cuboids, place).ok_or(missing)?.check(),
-            Shape::TurnedCuboid(place) => of(self.turned_cuboids, place).ok_or(missing)?.check(),
-            Shape::Cone(place) => of(self.cones, place).ok_or(missing)?.check(),
-            Shape::Torus(place) => of(self.tori, place).ok_or(missing)?.check(),
-        }
+            + size_of_val(self.moving)
     }
 
     /// The shape of an item.
     pub fn shape(&self, item: ItemId) -> Option<&'s Shape> {
         of(self.shapes, item.0)
+    }
+
+    /// The shape itself, or the one that moves.
+    pub(crate) fn at_rest(&self, shape: &'s Shape) -> Option<&'s Shape> {
+        match shape {
+            Shape::Moving(place) => Some(&self.moving(*place)?.shape),
+            _ => Some(shape),
+        }
     }
 
     pub(crate) fn corners(&self, [a, b, c]: [u32; 3]) -> Option<[&'s Vec3; 3]> {
@@ -197,7 +164,14 @@ impl<'s> Geometry<'s> {
     }
 
     fn shape_bounds<S: Shapes>(&self, shape: Shape) -> Option<Aabb> {
-        if !S::SHAPES.has(shape.kind()) {
+        match shape {
+            Shape::Moving(place) if S::MOTION => self.moving_bounds::<S>(place),
+            _ => self.rest_bounds::<S>(shape),
+        }
+    }
+
+    fn rest_bounds<S: Shapes>(&self, shape: Shape) -> Option<Aabb> {
+        if !shape.kind().is_some_and(|kind| S::SHAPES.has(kind)) {
             return None;
         }
         match shape {
@@ -212,6 +186,7 @@ impl<'s> Geometry<'s> {
             Shape::TurnedCuboid(place) => of(self.turned_cuboids, place).map(TurnedCuboid::bounds),
             Shape::Cone(place) => of(self.cones, place).map(Cone::bounds),
             Shape::Torus(place) => of(self.tori, place).map(Torus::bounds),
+            Shape::Moving(_) => None,
         }
     }
 
@@ -224,6 +199,15 @@ impl<'s> Geometry<'s> {
     /// than one that does not.
     #[inline(always)]
     pub fn distance<S: Shapes>(&self, shape: &Shape, ray: &Ray) -> Option<Real> {
+        match shape {
+            Shape::Moving(place) if S::MOTION => self.moving_distance::<S>(*place, ray),
+            _ => self.rest_distance::<S>(shape, ray),
+        }
+    }
+
+    /// As [`Geometry::distance`], of what does not move.
+    #[inline(always)]
+    fn rest_distance<S: Shapes>(&self, shape: &Shape, ray: &Ray) -> Option<Real> {
         // Few kinds are worth a copy at each of the places that ask.
         if S::SHAPES.len() <= 2 {
             self.distance_here::<S>(shape, ray)
@@ -282,7 +266,7 @@ impl<'s> Geometry<'s> {
         ) -> Option<Real> {
             // Rays that meet no box then need no reciprocal.
             let inverse = 1.0 / vec3(dx, dy, dz);
-            moved_into(geometry.shape_bounds::<S>(*shape)?, t, vec3(ox, oy, oz), inverse)
+            moved_into(geometry.rest_bounds::<S>(*shape)?, t, vec3(ox, oy, oz), inverse)
         }
         let (o, d) = (ray.origin, ray.direction);
         apart::<S>(self, shape, t, o.x, o.y, o.z, d.x, d.y, d.z)
@@ -317,6 +301,13 @@ impl<'s> Geometry<'s> {
 
     /// What a shape is like where the ray meets it, `t` away as [`Geometry::distance`] said.
     pub fn surface<S: Shapes>(&self, shape: &Shape, ray: &Ray, t: Real) -> Option<Surface> {
+        match shape {
+            Shape::Moving(place) if S::MOTION => self.moving_surface::<S>(*place, ray, t),
+            _ => self.rest_surface::<S>(shape, ray, t),
+        }
+    }
+
+    fn rest_surface<S: Shapes>(&self, shape: &Shape, ray: &Ray, t: Real) -> Option<Surface> {
         let can = |kind| S::SHAPES.has(kind);
         match *shape {
             Shape::Sphere(sphere) if can(ShapeKind::Sphere) => Some(sphere.surface(ray, t)),

@@ -13,6 +13,8 @@ pub struct Ray {
     pub direction: Vec3,
     /// One over each component of the direction; infinite where that is zero, with its sign.
     pub inverse: Vec3,
+    /// When: 0 where the shutter opens, 1 where it closes. Only what moves asks.
+    pub time: Real,
     /// The axis along which the direction reaches farthest.
     pub axis: Axis,
     /// One over the component of the direction along `axis`.
@@ -31,7 +33,7 @@ pub struct Ray {
 }
 
 impl Ray {
-    /// The ray from `origin` along `direction`. It meets nothing when one of both is not finite,
+    /// The ray from `origin` along `direction`, at the time 0. It meets nothing when one of both is not finite,
     /// or when the direction is zero or so short that one over it is not finite.
     pub fn new(origin: Vec3, direction: Vec3) -> Self {
         let ray = Self::scaled(origin, direction, 1.0 / power_of_two(largest(direction)));
@@ -57,6 +59,7 @@ impl Ray {
             origin,
             direction,
             inverse,
+            time: 0.0,
             axis,
             third,
             across: axis.place_back(vec3(1.0, 0.0, -(turned.x * third))),
@@ -65,6 +68,11 @@ impl Ray {
             square: along.dot(along),
             scale,
         }
+    }
+
+    /// The same ray at another time.
+    pub fn at_time(self, time: Real) -> Self {
+        Ray { time, ..self }
     }
 
     /// Whether it can meet anything.

@@ -31,6 +31,8 @@ pub enum Shape {
     Cone(u32),
     /// The place in the table of tori.
     Torus(u32),
+    /// The place in the table of what moves, which has its shape.
+    Moving(u32),
 }
 
 // Larger shapes belong into tables, or every item of every scene would pay for them.
@@ -96,6 +98,8 @@ pub trait Shapes {
     const SHAPES: ShapeSet;
     /// Whether shading normals are interpolated over smooth triangles and polygons.
     const SMOOTH: bool;
+    /// Whether what moves can be met.
+    const MOTION: bool = false;
 }
 
 impl Shape {
@@ -104,9 +108,9 @@ impl Shape {
         matches!(self, Shape::Triangle(_) | Shape::SmoothTriangle(_))
     }
 
-    /// What kind it is.
-    pub const fn kind(self) -> ShapeKind {
-        match self {
+    /// What kind it is; none for what moves: [`Geometry::kind`](super::Geometry::kind) knows of its shape.
+    pub const fn kind(self) -> Option<ShapeKind> {
+        Some(match self {
             Shape::Sphere(_) => ShapeKind::Sphere,
             Shape::Triangle(_) => ShapeKind::Triangle,
             Shape::SmoothTriangle(_) => ShapeKind::SmoothTriangle,
@@ -117,7 +121,8 @@ impl Shape {
             Shape::TurnedCuboid(_) => ShapeKind::TurnedCuboid,
             Shape::Cone(_) => ShapeKind::Cone,
             Shape::Torus(_) => ShapeKind::Torus,
-        }
+            Shape::Moving(_) => return None,
+        })
     }
 }
 
@@ -141,6 +146,8 @@ pub enum ShapeFault {
     Bounds,
     /// A plane does not stand in the table of planes under its own item.
     Plane,
+    /// What moves is itself something that moves.
+    Moving,
 }
 
 impl core::fmt::Display for ShapeFault {
@@ -154,6 +161,7 @@ impl core::fmt::Display for ShapeFault {
             ShapeFault::Missing => "it refers to a place outside its table",
             ShapeFault::Bounds => "its box is not the one round its corners",
             ShapeFault::Plane => "its place in the table of planes names another item",
+            ShapeFault::Moving => "what moves is itself something that moves",
         })
     }
 }
@@ -179,4 +187,5 @@ pub(super) struct AllShapes;
 impl Shapes for AllShapes {
     const SHAPES: ShapeSet = ShapeSet::ALL;
     const SMOOTH: bool = true;
+    const MOTION: bool = true;
 }

@@ -38,6 +38,8 @@ pub struct EffectSet {
     pub lens: bool,
     /// Rough mirrors and rough glass.
     pub gloss: bool,
+    /// Things that move while the shutter is open.
+    pub motion: bool,
 }
 
 impl EffectSet {
@@ -56,6 +58,7 @@ impl EffectSet {
         penumbra: false,
         lens: false,
         gloss: false,
+        motion: false,
     };
 
     /// Everything there is.
@@ -73,6 +76,7 @@ impl EffectSet {
         penumbra: true,
         lens: true,
         gloss: true,
+        motion: true,
     };
 
     /// Whether everything in `other` is in this set.
@@ -93,6 +97,7 @@ impl EffectSet {
             && implied(other.penumbra, self.penumbra)
             && implied(other.lens, self.lens)
             && implied(other.gloss, self.gloss)
+            && implied(other.motion, self.motion)
     }
 }
 
@@ -138,6 +143,7 @@ pub enum LastLevel {
 impl<E: Effects> Shapes for E {
     const SHAPES: ShapeSet = E::SET.shapes;
     const SMOOTH: bool = E::SET.smooth;
+    const MOTION: bool = E::SET.motion;
 }
 
 /// Everything that strahl can do.

@@ -218,7 +218,9 @@ fn asked_by(parts: &Parts<'_>) -> EffectSet {
     let mut asks = EffectSet::NONE;
     let mut lit = false;
     for (shape, made_of) in parts.geometry.shapes.iter().zip(parts.made_of) {
-        asks.shapes = asks.shapes.with(shape.kind());
+        asks.motion |= matches!(shape, Shape::Moving(_));
+        let Some(shape) = parts.geometry.at_rest(shape) else { continue };
+        asks.shapes = shape.kind().map_or(asks.shapes, |kind| asks.shapes.with(kind));
         asks.smooth |= match *shape {
             Shape::SmoothTriangle(_) => true,
             Shape::Polygon(place) => parts.geometry.polygons.get(place as usize).is_some_and(|p| p.smooth),

@@ -124,6 +124,15 @@ impl<'s, A: Accelerator> World<'s, A> {
         geometry.lift::<E>(*geometry.shape(item)?, point, outside)
     }
 
+    /// How far away from its own place an item is at `time`; zero where nothing moves.
+    pub(crate) fn offset<E: Effects>(&self, item: ItemId, time: Real) -> Vec3 {
+        let geometry = &self.scene.parts().geometry;
+        match geometry.shape(item) {
+            Some(shape) if E::SET.motion => geometry.offset(shape, time),
+            _ => Vec3::ZERO,
+        }
+    }
+
     /// Planes have no box, so they are tested here and first: what they leave in reach is less.
     fn ask<E: Effects, Q: Query>(&self, ray: &Ray, scratch: &mut A::Scratch, query: &mut Q) {
         if E::SET.shapes.has(ShapeKind::Plane) {
@@ -215,15 +224,22 @@ impl<'q, E: Effects, T: Tally, G: Goal> Search<'q, E, T, G> {
 
     #[inline(always)]
     fn test_shape(&mut self, item: ItemId, shape: &Shape) -> ControlFlow<()> {
-        self.tally.count(Event::Shape(self.kind, shape.kind()));
+        self.count(shape);
         self.meet(item, self.geometry.distance::<E>(shape, self.ray))
+    }
+
+    #[inline(always)]
+    fn count(&mut self, shape: &Shape) {
+        if let Some(kind) = self.geometry.kind(shape) {
+            self.tally.count(Event::Shape(self.kind, kind));
+        }
     }
 
     /// The item has been held against the ray.
     #[inline(always)]
     fn tested(&mut self, item: ItemId) {
         if let Some(shape) = self.geometry.shape(item) {
-            self.tally.count(Event::Shape(self.kind, shape.kind()));
+            self.count(shape);
         }
     }
 }

@@ -68,6 +68,10 @@ pub(crate) struct Arrival {
     pub(crate) item: ItemId,
     /// The numbers that belong to the camera ray.
     pub(crate) stream: Stream,
+    /// When.
+    pub(crate) time: Real,
+    /// How far away from its own place the item is then; its texture moves with it.
+    pub(crate) offset: Vec3,
     /// The level of the ray.
     pub(crate) level: u8,
     /// The bodies on the side that it comes from.
@@ -90,7 +94,9 @@ pub(crate) fn local<A: Accelerator, E: Effects, T: Tally, const SHADOWS: usize>(
 ) -> Rgb {
     let parts = world.scene().parts();
     let texture = parts.textures.get(usize::from(material.texture.0));
-    let paint = texture.map_or(Rgb::WHITE, |texture| texture.at(seen.surface.point, E::SET.textures));
+    let point = seen.surface.point;
+    let place = if E::SET.motion { point - arrival.offset } else { point };
+    let paint = texture.map_or(Rgb::WHITE, |texture| texture.at(place, E::SET.textures));
     let diffuse = material.diffuse * paint;
     let mut light = material.ambient * paint * parts.ambient;
     tally.tell(Step::Ambient(light));
@@ -109,7 +115,7 @@ pub(crate) fn local<A: Accelerator, E: Effects, T: Tally, const SHADOWS: usize>(
     let mirrored = 2.0 * normal.dot(seen.along);
     let scatters = !diffuse.is_black();
     let from = leave(seen.surface.point, seen.surface.error, side);
-    let start = Start::new(seen.surface.point, from);
+    let start = Start::new(seen.surface.point, from, arrival.time);
     for (source, number) in parts.lights.iter().zip(0..) {
         let chance = || {
             if !E::SET.penumbra {

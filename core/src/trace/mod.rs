@@ -116,6 +116,13 @@ impl<'w, 's, A: Accelerator, E: Effects, const LEVELS: usize> Tracer<'w, 's, A, 
         sample: Sample,
         worker: &mut Worker<A, T, LEVELS, SHADOWS>,
     ) -> Sight {
+        // When all rays of this tree are sent.
+        let time = if E::SET.motion && self.world.scene().effects().motion {
+            let [time, _] = sample.stream.pair(Dimension::SHUTTER);
+            time
+        } else {
+            0.0
+        };
         let ray = if E::SET.lens && self.camera.has_lens() {
             self.camera.lens_ray(sample.place, sample.stream.pair(Dimension::LENS))
         } else {
@@ -127,7 +134,7 @@ impl<'w, 's, A: Accelerator, E: Effects, const LEVELS: usize> Tracer<'w, 's, A, 
         let (kind, media) = (RayKind::Camera, Media::NONE);
         let mut task = Task { origin, direction, weight: Rgb::WHITE, level: 1, kind, media };
         loop {
-            sum += self.follow(&mut task, sample.stream, &mut met, worker);
+            sum += self.follow(&mut task, sample.stream, time, &mut met, worker);
             let Some(next) = worker.tasks.pop() else { break };
             task = next;
         }
@@ -140,6 +147,7 @@ impl<'w, 's, A: Accelerator, E: Effects, const LEVELS: usize> Tracer<'w, 's, A, 
         &self,
         task: &mut Task,
         stream: Stream,
+        time: Real,
         first: &mut Met,
         worker: &mut Worker<A, T, LEVELS, SHADOWS>,
     ) -> Rgb {
@@ -147,7 +155,7 @@ impl<'w, 's, A: Accelerator, E: Effects, const LEVELS: usize> Tracer<'w, 's, A, 
         tally.count(Event::Ray(task.kind));
         tally.count(Event::Level(task.level));
         tally.tell(task.begins());
-        let ray = Ray::near_unit(task.origin, task.direction);
+        let ray = Ray::near_unit(task.origin, task.direction).at_time(time);
         let found = self.world.nearest_sound::<E, T>(&ray, E::SIGHT, task.kind, &mut memory.scratch, tally);
         let met = found.and_then(|hit| Some((hit, self.world.surface::<E>(&ray, hit)?)));
         let Some((hit, surface)) = met else {
@@ -192,7 +200,9 @@ impl<'w, 's, A: Accelerator, E: Effects, const LEVELS: usize> Tracer<'w, 's, A, 
         }
 
         let behind = crossing.as_ref().map_or(task.media, |crossing| crossing.media);
-        let arrival = Arrival { item: hit.item, stream, level: task.level, before: task.media, behind };
+        let offset = self.world.offset::<E>(hit.item, time);
+        let arrival =
+            Arrival { item: hit.item, stream, time, offset, level: task.level, before: task.media, behind };
         let light = local::<A, E, T, SHADOWS>(self.world, material, &seen, &arrival, memory, tally);
         let mut seen = seen;
         if E::SET.gloss && material.is_rough() {

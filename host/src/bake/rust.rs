@@ -5,8 +5,8 @@ use std::path::Path;
 
 use strahl_core::{
     Aabb, Background, Cone, Cuboid, Disc, EffectSet, Falloff, Interface, ItemId, Light, Material, MaterialId,
-    Plane, Polygon, Projection, Rgb, Scene, Shape, Source, Sphere, Texture, TextureId, Torus, TurnedCuboid,
-    Vec3, View,
+    Moving, Plane, Polygon, Projection, Rgb, Scene, Shape, Source, Sphere, Texture, TextureId, Torus,
+    TurnedCuboid, Vec3, View,
 };
 
 use super::Asked;
@@ -44,6 +44,7 @@ pub(super) fn source(path: &Path, scene: &Scene<'_>, asked: &Asked) -> String {
         "turned_cuboids",
         "cones",
         "tori",
+        "moving",
     ] {
         let _ = writeln!(out, "        {field}: &{},", field.to_uppercase());
     }
@@ -65,6 +66,7 @@ pub(super) fn source(path: &Path, scene: &Scene<'_>, asked: &Asked) -> String {
     table(&mut out, "TURNED_CUBOIDS", "TurnedCuboid", g.turned_cuboids);
     table(&mut out, "CONES", "Cone", g.cones);
     table(&mut out, "TORI", "Torus", g.tori);
+    table(&mut out, "MOVING", "Moving", g.moving);
     table(&mut out, "MADE_OF", "MaterialId", parts.made_of);
     table(&mut out, "MATERIALS", "Material", parts.materials);
     table(&mut out, "TEXTURES", "Texture", parts.textures);
@@ -105,6 +107,7 @@ fn effects(out: &mut String, set: &EffectSet) {
         ("penumbra", set.penumbra),
         ("lens", set.lens),
         ("gloss", set.gloss),
+        ("motion", set.motion),
     ] {
         let _ = writeln!(out, "        {name}: {is_asked},");
     }
@@ -201,6 +204,7 @@ structs! {
     TurnedCuboid { center, half, axes }
     Cone { base, axis, height, base_radius, end_radius, capped }
     Torus { center, axis, major, minor }
+    Moving { shape, opening, closing }
     Material {
         ambient, diffuse, texture, highlight, exponent, mirror, transmitted, roughness, index, interface, clarity,
         priority, two_sided
@@ -270,8 +274,10 @@ impl Literal for Shape {
             | Shape::Cuboid(place)
             | Shape::TurnedCuboid(place)
             | Shape::Cone(place)
-            | Shape::Torus(place) => text(place),
+            | Shape::Torus(place)
+            | Shape::Moving(place) => text(place),
         };
-        let _ = write!(out, "Shape::{:?}({place})", self.kind());
+        let kind = self.kind().map_or("Moving".into(), |kind| format!("{kind:?}"));
+        let _ = write!(out, "Shape::{kind}({place})");
     }
 }

@@ -34,7 +34,9 @@ pub use stream::{Cast, Stream};
 pub fn run(args: &CastArgs) -> Result<(), Failure> {
     let signals = Signals::listen()?;
     let clock = Instant::now();
-    let description = load(&args.scene)?;
+    let mut description = load(&args.scene)?;
+    // A ray of the file has no time.
+    description.moving.clear();
     for warning in description.warnings.iter().filter(|_| !args.quiet) {
         say(format_args!("{}: warning: {warning}", args.scene.display()));
     }

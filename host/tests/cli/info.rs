@@ -4,8 +4,8 @@ use serde_json::{Value, json};
 
 use crate::program::{BALL, EMPTY, Folder};
 
-const EFFECTS: [&str; 7] =
-    ["shadows", "reflection", "transmission", "colored-shadows", "penumbra", "lens", "gloss"];
+const EFFECTS: [&str; 8] =
+    ["shadows", "reflection", "transmission", "colored-shadows", "penumbra", "lens", "gloss", "motion"];
 
 /// A scene that asks for every effect, and for each but the last by one thing alone.
 const ALL: &str = "\
@@ -22,6 +22,7 @@ position = [2, 5, 3]
 radius = 0.5
 [[sphere]]
 radius = 1
+velocity = [0.5, 0, 0]
 material = { transmission = 0.9 }
 [[plane]]
 point = [0, -1, 0]
@@ -35,12 +36,13 @@ fn every_effect_is_told_with_its_line_and_goes_on_request() {
     let it: Value = serde_json::from_slice(&folder.done("info all.toml --json")).unwrap();
     let reasons = [
         "light `lamp` (line 8)",
-        "material (line 17) on 1 object",
-        "material (line 14) on 1 object",
+        "material (line 18) on 1 object",
+        "material (line 15) on 1 object",
         "render (line 7)",
         "light `lamp` (line 8)",
         "camera (line 1)",
-        "material (line 17) on 1 object",
+        "material (line 18) on 1 object",
+        "sphere (line 12)",
     ];
     let plan: Vec<Value> = EFFECTS
         .iter()
@@ -75,7 +77,7 @@ fn every_effect_is_told_with_its_line_and_goes_on_request() {
     let said = folder.run("render all.toml -o all.png --without gloss,lens");
     let text = said.stderr;
     for said in
-        ["without", "gloss: material (line 17) on 1 object, on request", "lens: camera (line 1), on request"]
+        ["without", "gloss: material (line 18) on 1 object, on request", "lens: camera (line 1), on request"]
     {
         assert!(text.contains(said), "`{said}` is not in\n{text}");
     }
@@ -98,7 +100,7 @@ fn a_scene_is_told_with_everything_that_asks_for_an_effect() {
             step("transmission", &["material (line 7) on 2 objects"]),
         ])
     );
-    assert_eq!(it["not_called_for"], json!(["colored-shadows", "penumbra", "lens", "gloss"]));
+    assert_eq!(it["not_called_for"], json!(["colored-shadows", "penumbra", "lens", "gloss", "motion"]));
     assert_eq!(folder.names(), ["scene.nff"], "nothing is written");
 }
 

@@ -94,7 +94,7 @@ fn only_results_come_on_the_standard_output() {
         "  time      load ",
         "  rays      12 camera, 0 reflected, 0 transmitted, 0 shadow",
         "  found by  list with boxes, few items: 1 region, 48 B",
-        "  left out  shadows, reflection, transmission, colored-shadows, penumbra, lens, gloss: not called for",
+        "  left out  shadows, reflection, transmission, colored-shadows, penumbra, lens, gloss, motion: not called for",
     ];
     assert_eq!(said.len(), begins.len(), "{said:#?}");
     for (line, begin) in said.iter().zip(begins) {

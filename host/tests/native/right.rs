@@ -1,7 +1,7 @@
 //! What good files describe.
 
 use strahl::description::{
-    Background, Form, Light, Object, Placed, Projection, Settings, Source, Texture, View,
+    Background, Form, Light, Motion, Object, Placed, Projection, Settings, Source, Texture, View,
 };
 use strahl::finding::{Accel, Bounds, Finding, Walk};
 use strahl::wanted::{Filter, Precision, Sampling};
@@ -82,6 +82,27 @@ fn samplers_have_the_words_of_the_command_line() {
         loaded("[render]\nsampler = \"stochastic:8..64:0.9\"\nfilter = \"tent\"\nseed = 0xff\n").settings;
     let sampling: Sampling = "stochastic:8..64:0.9:1/128".parse().unwrap();
     assert_eq!((it.sampling, it.filter, it.seed), (Some(sampling), Some(Filter::Tent), Some(255)));
+}
+
+#[test]
+fn velocities_and_the_shutter_become_what_moves() {
+    let it = loaded(
+        "[camera]\nshutter = [-0.5, 0.25]\n[[sphere]]\nradius = 1\nvelocity = [1, 2, 3]\n[[plane]]\n\
+         [[box]]\nsize = 1\nvelocity = [0, 0, 0]\n[[torus]]\nradius = 1\ntube = 0.5\nvelocity = [0, -1, 0]\n",
+    );
+    assert_eq!(it.shutter, [-0.5, 0.25]);
+    let motion = |object, velocity| Motion { object, velocity };
+    assert_eq!(it.moving, [motion(0, [1.0, 2.0, 3.0]), motion(3, [0.0, -1.0, 0.0])]);
+    assert_eq!(loaded("[camera]\nshutter = 0.5\n[[plane]]\n").shutter, [0.0, 0.5]);
+    assert_eq!(loaded("[[plane]]\n").shutter, [0.0, 1.0]);
+
+    // In the tables of the core, where they are when the shutter opens and closes.
+    let stock = strahl::stock::single::Stock::new(&it);
+    let scene = stock.scene().unwrap();
+    let geometry = &scene.parts().geometry;
+    assert_eq!(geometry.offset(&geometry.shapes[0], 0.0).to_array(), [-0.5, -1.0, -1.5]);
+    assert_eq!(geometry.offset(&geometry.shapes[0], 1.0).to_array(), [0.25, 0.5, 0.75]);
+    assert!(scene.effects().motion);
 }
 
 #[test]

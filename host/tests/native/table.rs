@@ -213,6 +213,15 @@ pub const WRONG: &[Wrong] = &[
     ("[[point_light]]\nposition = [1, 1, 1]\nfalloff = [0, -1, 0]\n", 3, "-1", "between 0 and 1e15"),
     // What only distributed rays see.
     ("[camera]\nheight = 3\nlens_radius = 0.1\n", 2, "3", "either a lens or parallel rays"),
+    ("[camera]\nshutter = [1, 0.5]\n", 2, "[1, 0.5]", "did you mean [0.5, 1]?"),
+    ("[camera]\nshutter = [0, 1, 2]\n", 2, "[0, 1, 2]", "two times"),
+    ("[camera]\nshutter = -1\n", 2, "-1", "`shutter`"),
+    (
+        "[camera]\nshutter = 10\n[[sphere]]\nradius = 1\nvelocity = [1e15, 0, 0]\n",
+        5,
+        "[1e15, 0, 0]",
+        "while the shutter is open",
+    ),
     ("[camera]\nfocus = 3\n", 2, "3", "without `lens_radius`"),
     ("[camera]\nlens_radius = 0\n", 2, "0", "more than 0"),
     ("[[plane]]\nmaterial = { mirror = 1, roughness = 1.5 }\n", 2, "1.5", "between 0 and 1"),

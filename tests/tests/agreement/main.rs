@@ -130,6 +130,78 @@ fn random_stage(items: u32, random: &mut Random) -> Stage {
     stage
 }
 
+/// The same at some time, often at one of the ends.
+fn timed_ray(radius: f64, random: &mut Random) -> Ray {
+    let time = [0.0, 1.0, 0.5, random.unit() as Real][random.below(4) as usize];
+    random_ray(radius, random).at_time(time)
+}
+
+/// Random things, and every third of them moves: not at all, along an axis, anywhere.
+fn moving_stage(items: u32, random: &mut Random) -> Stage {
+    let mut stage = random_stage(items, random);
+    for item in (0..items).filter(|item| item % 3 == 0) {
+        let mut way = || narrow(random.near(Vector::ZERO, 3.0));
+        let (opening, closing) = match item % 4 {
+            0 => (Vec3::ZERO, Vec3::ZERO),
+            1 => (Vec3::ZERO, Vec3::X * way().x),
+            _ => (way(), way()),
+        };
+        stage.moving(ItemId(item), opening, closing);
+    }
+    stage
+}
+
+#[test]
+fn things_that_move_are_found_at_their_time_by_every_accelerator() {
+    let mut random = Random::new(SEED + 10);
+    let mut hits = 0;
+    for _ in 0..30 {
+        let items = 1 + random.below(70);
+        let stage = moving_stage(items, &mut random);
+        let rays: Vec<Ray> = (0..250).map(|_| timed_ray(9.0, &mut random)).collect();
+        hits += all_agree(&stage, &rays, &mut random);
+    }
+    assert!(hits > 2_500 && hits < 7_500, "{hits}");
+}
+
+#[test]
+fn a_thing_that_moves_is_met_like_one_that_stands_where_it_is() {
+    // Coordinates in sixteenths, so that moving it rounds nothing.
+    let mut random = Random::new(SEED + 11);
+    let exact = |v: Vec3| (v * 16.0).round() / 16.0;
+    let mut hits = 0;
+    for _ in 0..400 {
+        let (center, radius) =
+            (exact(narrow(random.near(Vector::ZERO, 3.0))), 1.0 + random.below(16) as Real / 16.0);
+        let way = exact(narrow(random.near(Vector::ZERO, 4.0)));
+        let (mut moves, mut stands) = (Stage::new(), Stage::new());
+        let ball = moves.sphere(center - way, radius);
+        moves.moving(ball, Vec3::ZERO, way * 4.0);
+        stands.sphere(center, radius);
+        for _ in 0..10 {
+            let ray = random_ray(4.0, &mut random);
+            let ray = Ray::new(exact(ray.origin), ray.direction).at_time(0.25);
+            let world = World::new(moves.scene(), List::bare(1));
+            let truth = World::new(stands.scene(), List::bare(1));
+            let (hit, want) = (nearest(&world, &ray, Real::MAX), nearest(&truth, &ray, Real::MAX));
+            // The box of the one that stands is tighter: so a few grazing hits may differ.
+            if let (Some(hit), Some(want)) = (hit, want) {
+                hits += 1;
+                let (a, b) = (hit.t, want.t);
+                assert!((a - b).abs() <= 4.0 * Real::EPSILON * b, "{a} {b}");
+                let surfaces =
+                    (world.surface::<Everything>(&ray, hit), truth.surface::<Everything>(&ray, want));
+                let (Some(it), Some(want)) = surfaces else { panic!("no surface") };
+                let off = (it.point - want.point).abs();
+                assert!(off.cmple(it.error + want.error).all(), "{off}");
+            } else {
+                assert_eq!(hit, want, "{ray:?}");
+            }
+        }
+    }
+    assert!(hits > 500, "{hits}");
+}
+
 #[test]
 fn the_list_with_boxes_answers_like_the_bare_list() {
     let mut random = Random::new(SEED);

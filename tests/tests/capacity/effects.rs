@@ -28,6 +28,7 @@ everything_but! {
     Hard { penumbra: false }
     Pinhole { lens: false }
     Polished { gloss: false }
+    Standing { motion: false }
 }
 
 /// Of the effects that a scene can be without, how to take each away, and the picture of a tracer
@@ -38,7 +39,8 @@ type Without = (&'static str, fn(&mut Stage, &mut View), fn(&Stage, &View) -> Ve
 fn all_effects() -> (Stage, View) {
     let mut stage = fair();
     stage.material(Material { mirror: Rgb::gray(0.4), roughness: 0.4, ..Material::MATTE });
-    stage.sphere(vec3(2.0, 2.0, 2.0), 0.7);
+    let ball = stage.sphere(vec3(2.0, 2.0, 2.0), 0.7);
+    stage.moving(ball, -Vec3::X, Vec3::Y);
     let falloff = Falloff::NONE;
     let half = [Vec3::X, Vec3::Z];
     for source in [
@@ -70,7 +72,7 @@ fn a_tracer_that_cannot_do_an_effect_gives_the_same_picture_of_a_scene_without_i
     fn each_material(stage: &mut Stage, change: impl Fn(&mut Material)) {
         stage.materials_mut().iter_mut().for_each(change);
     }
-    let all: [Without; 8] = [
+    let all: [Without; 9] = [
         (
             "shadows",
             |stage, _| stage.lights.iter_mut().for_each(|l| l.shadows = false),
@@ -87,6 +89,7 @@ fn a_tracer_that_cannot_do_an_effect_gives_the_same_picture_of_a_scene_without_i
         ("penumbra", |stage, _| stage.lights.retain(|light| !light.is_soft()), seen_by::<Hard>),
         ("lens", |_, view| view.projection = VIEW.projection, seen_by::<Pinhole>),
         ("gloss", |stage, _| each_material(stage, |m| m.roughness = 0.0), seen_by::<Polished>),
+        ("motion", |stage, _| stage.stand_still(), seen_by::<Standing>),
     ];
     let (stage, view) = all_effects();
     let with = seen_by::<Everything>(&stage, &view);
@@ -155,6 +158,7 @@ fn a_tracer_refuses_a_scene_that_asks_for_what_it_cannot_do() {
     refuses::<Polished>(|stage, material, _| {
         ball(stage, Material { mirror: Rgb::WHITE, roughness: 0.1, ..material });
     });
+    refuses::<Standing>(|stage, _, _| stage.moving(ItemId(0), Vec3::ZERO, Vec3::X));
     refuses::<Uncolored>(|stage, material, light| {
         ball(stage, glass(material));
         stage.lights.push(Light { shadows: true, ..light });

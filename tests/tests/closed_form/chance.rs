@@ -188,6 +188,68 @@ fn light_through_panes_and_bodies_has_their_colours() {
 }
 
 #[test]
+fn a_moving_disc_covers_a_place_as_long_as_it_is_over_it() {
+    // From the left to the right at four lengths in a shutter's time, seen from above.
+    let (radius, way): (f64, f64) = (0.75, 4.0);
+    let mut stage = Stage::new();
+    stage.material(shining(Rgb::WHITE));
+    stage.ambient = Rgb::WHITE;
+    let disc = stage.disc(Vec3::ZERO, Vec3::Y, radius as Real);
+    stage.moving(disc, vec3(-2.0, 0.0, 0.0), vec3((way - 2.0) as Real, 0.0, 0.0));
+    for (x, z) in [(0.05, 0.0), (0.3, 0.5), (-1.7, 0.2), (2.4, -0.3), (0.1, 0.74)] {
+        // Half of the chord, and when its middle comes to lie over the place.
+        let half = (square(radius) - square(z)).sqrt();
+        let [begins, ends] = [x - half, x + half].map(|x: f64| ((x + 2.0) / way).clamp(0.0, 1.0));
+        let target = vec3(x as Real, 0.0, z as Real);
+        let mean = |n, seed| stage.look_often(target + 3.0 * Vec3::Y, target, levels(1), n, seed)[0];
+        // Of the many rays one or two may be on the wrong side.
+        let want = ends - begins;
+        converges(mean, want, 2.0 / 16_384.0 / want, -0.9);
+    }
+    // Beside its way, and before and behind it.
+    for (x, z) in [(0.0, 0.8), (-2.8, 0.0), (2.8, 0.0)] {
+        let target = vec3(x, 0.0, z);
+        assert_eq!(stage.look_often(target + 3.0 * Vec3::Y, target, levels(1), 64, 0)[0], 0.0, "{x} {z}");
+    }
+}
+
+#[test]
+fn a_texture_moves_with_what_it_is_on() {
+    // A gradient over the disc, which is over the place with its left half first.
+    let mut stage = Stage::new();
+    stage.ambient = Rgb::WHITE;
+    let (from, to) = (Rgb::BLACK, Rgb::WHITE);
+    let texture = stage.texture(Texture::Gradient { from, to, origin: -Vec3::X, along: 2.0 * Vec3::X });
+    stage.material(Material { texture, ..shining(Rgb::WHITE) });
+    let disc = stage.disc(Vec3::ZERO, Vec3::Y, 1.0);
+    // At the end of the time its left rim is over the place, at the beginning its middle.
+    stage.moving(disc, Vec3::ZERO, Vec3::X);
+    let mean = |n, seed| stage.look_often(3.0 * Vec3::Y, Vec3::ZERO, levels(1), n, seed)[0];
+    converges(mean, 0.25, 1e-3, -0.9);
+}
+
+#[test]
+fn shadows_and_mirrors_see_the_time_of_the_camera_ray() {
+    // A disc over the floor, seen beside its shadow: a place is either covered or shadowed.
+    let mut stage = floor(Source::Directional { toward: Vec3::Y });
+    let disc = stage.disc(vec3(0.0, 1.0, 0.0), Vec3::Y, 0.5);
+    stage.moving(disc, -Vec3::X, Vec3::X);
+    let got = at(&stage, 0.0, 4096, 3);
+    assert!((got - 0.5).abs() < 1e-3, "in its shadow half of the time: {got}");
+    // In a mirror under it, seen past it: half of the time dark, and never both.
+    let mut stage = Stage::new();
+    let mirror = Material { diffuse: Rgb::BLACK, ambient: Rgb::BLACK, mirror: Rgb::WHITE, ..Material::MATTE };
+    stage.material(mirror);
+    stage.plane(Vec3::ZERO, Vec3::Y);
+    stage.background = Background::Color(Rgb::WHITE);
+    stage.material(shining(Rgb::BLACK));
+    let disc = stage.disc(vec3(0.0, 1.0, 1.0), Vec3::Y, 0.5);
+    stage.moving(disc, -Vec3::X, Vec3::X);
+    let got = stage.look_often(vec3(0.0, 2.0, -2.0), Vec3::ZERO, ALL, 4096, 3)[0];
+    assert!((got - 0.5).abs() < 1e-3, "{got}");
+}
+
+#[test]
 fn a_point_out_of_focus_is_a_disc_of_confusion() {
     let (angle, rows, radius, focus, ball): (f64, u32, f64, f64, f64) = (0.5, 65, 0.25, 4.0, 0.02);
     let size = Size::new(rows, rows).unwrap();

@@ -62,7 +62,8 @@ fn fair() -> Stage {
         &[],
     );
     stage.material(Material { mirror: Rgb::new(0.7, 0.8, 0.9), ..shiny });
-    stage.cuboid(vec3(-1.0, -1.5, -1.0), vec3(0.0, -0.5, 0.0));
+    let block = stage.cuboid(vec3(-1.0, -1.5, -1.0), vec3(0.0, -0.5, 0.0));
+    stage.moving(block, Vec3::ZERO, vec3(0.0, 0.3, 0.5));
     stage.turned_cuboid(vec3(1.5, -1.0, 1.0), vec3(0.4, 0.3, 0.2), vec3(1.0, 0.5, 0.0), Vec3::Z);
     stage.material(Material {
         transmitted: Rgb::gray(0.9),

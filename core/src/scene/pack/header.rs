@@ -29,6 +29,7 @@ pub(super) enum Content {
     TurnedCuboids,
     Cones,
     Tori,
+    Moving,
     MadeOf,
     Materials,
     Textures,

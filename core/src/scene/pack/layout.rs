@@ -4,7 +4,9 @@
 //! copied, so each type is taken apart. Without `..`, so that a new field is an error here.
 
 use crate::accel::{Node, OctreeNode, Slot};
-use crate::geometry::{Aabb, Cone, Cuboid, Disc, ItemId, Plane, Polygon, Shape, Sphere, Torus, TurnedCuboid};
+use crate::geometry::{
+    Aabb, Cone, Cuboid, Disc, ItemId, Moving, Plane, Polygon, Shape, Sphere, Torus, TurnedCuboid,
+};
 use crate::math::{Rgb, Vec3};
 use crate::scene::{
     Background, Falloff, Interface, Light, Material, MaterialId, Projection, Source, Texture, TextureId, View,
@@ -113,6 +115,7 @@ structs! {
     TurnedCuboid { center, half, axes }
     Cone { base, axis, height, base_radius, end_radius, capped }
     Torus { center, axis, major, minor }
+    Moving { shape, opening, closing }
     Material {
         ambient, diffuse, texture, highlight, exponent, mirror, transmitted, roughness, index, interface, clarity,
         priority, two_sided
@@ -180,6 +183,7 @@ impl Put for Shape {
             Shape::TurnedCuboid(place) => variant!(w, 7, place),
             Shape::Cone(place) => variant!(w, 8, place),
             Shape::Torus(place) => variant!(w, 9, place),
+            Shape::Moving(place) => variant!(w, 10, place),
         }
     }
 }

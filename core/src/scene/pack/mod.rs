@@ -84,6 +84,7 @@ impl<'s> Pack<'s> {
             turned_cuboids: header.table(bytes, Content::TurnedCuboids)?,
             cones: header.table(bytes, Content::Cones)?,
             tori: header.table(bytes, Content::Tori)?,
+            moving: header.table(bytes, Content::Moving)?,
         };
         let parts = Parts {
             geometry,

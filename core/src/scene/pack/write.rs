@@ -103,7 +103,7 @@ impl Baking<'_> {
     fn write_tables(&self, w: &mut Writer<'_>) {
         let parts = self.scene.parts();
         let geometry = &parts.geometry;
-        const _: () = assert!(Content::Tori as usize == 9 && Content::Items as usize == 15);
+        const _: () = assert!(Content::Moving as usize == 10 && Content::Items as usize == 16);
         w.table(geometry.shapes);
         w.table(geometry.points);
         w.table(geometry.normals);
@@ -114,6 +114,7 @@ impl Baking<'_> {
         w.table(geometry.turned_cuboids);
         w.table(geometry.cones);
         w.table(geometry.tori);
+        w.table(geometry.moving);
         w.table(parts.made_of);
         w.table(parts.materials);
         w.table(parts.textures);

@@ -17,7 +17,7 @@ use strahl_core::{Material, Rgb, Size};
 
 use super::Mesh;
 use crate::description::{
-    Background, Description, Form, Light, Object, Placed, Projection, Settings, Source, Triple, View,
+    Background, Description, Form, Light, Object, Placed, Projection, SHUTTER, Settings, Source, Triple, View,
 };
 use crate::load::fit::{Gaze, V, cross, larger, sin_cos};
 
@@ -103,6 +103,8 @@ pub(super) fn staged(mesh: Mesh, up: Up, size: Size) -> Result<Description, Stri
         points: mesh.points,
         normals: mesh.normals,
         triangles: mesh.triangles,
+        moving: Vec::new(),
+        shutter: SHUTTER,
         warnings: mesh.warnings,
     })
 }

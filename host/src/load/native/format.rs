@@ -10,7 +10,9 @@ use super::numbers::{
     BrightAngle, ConeAngle, Cutoff, Index, Intensity, Length, Levels, Priority, Roughness, Seed, Shininess,
     Size, ViewAngle,
 };
-use super::places::{Direction, Directions, Falloff, Pair, PictureSize, Point, Points, Scale, Sizes, Turn};
+use super::places::{
+    Direction, Directions, Falloff, Pair, PictureSize, Point, Points, Scale, Shutter, Sizes, Turn,
+};
 use super::table::{At, Many, One, tables};
 use super::view::{Filter, Sampler};
 use crate::finding::{Accel, Bounds, Walk};
@@ -80,6 +82,9 @@ tables! {
         lens_radius: Option<At<Length>>,
         /// How far away from the lens everything is sharp. Default: as far as `at`.
         focus: Option<At<Length>>,
+        /// When its shutter opens and closes, for things with a velocity; one number is how long it
+        /// is open from the time 0 on. Default: [0, 1].
+        shutter: Option<At<Shutter>>,
     }
 
     /// What picture is wanted; the command line wins.
@@ -327,6 +332,8 @@ tables! {
         radius: Length,
         /// What it is made of: a name, or a table. Default: matte and white.
         material: Option<Surface>,
+        /// How far it moves in a time of one; it is in its place at the time 0. Default: it stands.
+        velocity: Option<At<Point>>,
     }
 
     /// A plane without end.
@@ -337,6 +344,8 @@ tables! {
         normal: Option<Direction>,
         /// What it is made of: a name, or a table. Default: matte and white.
         material: Option<Surface>,
+        /// How far it moves in a time of one; it is in its place at the time 0. Default: it stands.
+        velocity: Option<At<Point>>,
     }
 
     /// A flat round disc.
@@ -349,6 +358,8 @@ tables! {
         radius: Length,
         /// What it is made of: a name, or a table. Default: matte and white.
         material: Option<Surface>,
+        /// How far it moves in a time of one; it is in its place at the time 0. Default: it stands.
+        velocity: Option<At<Point>>,
     }
 
     /// A triangle.
@@ -359,6 +370,8 @@ tables! {
         normals: Option<At<Directions>>,
         /// What it is made of: a name, or a table. Default: matte and white.
         material: Option<Surface>,
+        /// How far it moves in a time of one; it is in its place at the time 0. Default: it stands.
+        velocity: Option<At<Point>>,
     }
 
     /// A flat polygon, which may have bays.
@@ -369,6 +382,8 @@ tables! {
         normals: Option<At<Directions>>,
         /// What it is made of: a name, or a table. Default: matte and white.
         material: Option<Surface>,
+        /// How far it moves in a time of one; it is in its place at the time 0. Default: it stands.
+        velocity: Option<At<Point>>,
     }
 
     /// A box: `min` and `max`, or `size` and perhaps `center`.
@@ -385,6 +400,8 @@ tables! {
         rotate: Option<Turn>,
         /// What it is made of: a name, or a table. Default: matte and white.
         material: Option<Surface>,
+        /// How far it moves in a time of one; it is in its place at the time 0. Default: it stands.
+        velocity: Option<At<Point>>,
     }
 
     /// A cylinder.
@@ -399,6 +416,8 @@ tables! {
         open: Option<bool>,
         /// What it is made of: a name, or a table. Default: matte and white.
         material: Option<Surface>,
+        /// How far it moves in a time of one; it is in its place at the time 0. Default: it stands.
+        velocity: Option<At<Point>>,
     }
 
     /// A cone, pointed or cut off.
@@ -415,6 +434,8 @@ tables! {
         open: Option<bool>,
         /// What it is made of: a name, or a table. Default: matte and white.
         material: Option<Surface>,
+        /// How far it moves in a time of one; it is in its place at the time 0. Default: it stands.
+        velocity: Option<At<Point>>,
     }
 
     /// A tube round a circle.
@@ -429,6 +450,8 @@ tables! {
         tube: At<Length>,
         /// What it is made of: a name, or a table. Default: matte and white.
         material: Option<Surface>,
+        /// How far it moves in a time of one; it is in its place at the time 0. Default: it stands.
+        velocity: Option<At<Point>>,
     }
 
     /// Triangles from a file. They are scaled, then turned, then moved.
@@ -444,6 +467,8 @@ tables! {
         rotate: Option<Turn>,
         /// How far it is moved. Default: [0, 0, 0].
         translate: Option<Point>,
+        /// How far it moves in a time of one; it is in its place at the time 0. Default: it stands.
+        velocity: Option<At<Point>>,
     }
 }
 

@@ -7,7 +7,7 @@ use strahl_core::{Cone, FARTHEST, Polygon, Vec3};
 use super::format::{self, File};
 use super::make::{Maker, vector};
 use super::materials::Surface;
-use super::places::{Directions, Points};
+use super::places::{Directions, Point, Points};
 use super::table::{At, Many};
 use super::turn;
 use crate::description::{Form, Triple};
@@ -26,14 +26,18 @@ trait Single {
 
     /// What it is made of.
     fn surface(&self) -> &Option<Surface>;
+
+    /// How it moves.
+    fn velocity(&self) -> &Option<At<Point>>;
 }
 
 impl<T: Single> Thing for T {
     fn add(&self, span: &Range<usize>, maker: &mut Maker<'_>) {
         // Both, so that what is wrong with either is told.
         let (form, material) = (self.form(span, maker), maker.made_of(self.surface(), span));
-        if let (Some(form), Some(material)) = (form, material) {
-            maker.push(form, material, span);
+        let velocity = maker.velocity(self.velocity());
+        if let (Some(form), Some(material), Some(velocity)) = (form, material, velocity) {
+            maker.push(form, material, velocity, span);
         }
     }
 }
@@ -59,6 +63,10 @@ macro_rules! single {
 
             fn surface(&self) -> &Option<Surface> {
                 &self.material
+            }
+
+            fn velocity(&self) -> &Option<At<Point>> {
+                &self.velocity
             }
         }
     )*};
@@ -156,7 +164,7 @@ fn normals(corners: usize, normals: &Option<At<Directions>>, maker: &mut Maker<'
 }
 
 /// The end of a cylinder or cone whose length is one.
-fn axis(base: Triple, end: &At<super::places::Point>, maker: &mut Maker<'_>) -> Option<Triple> {
+fn axis(base: Triple, end: &At<Point>, maker: &mut Maker<'_>) -> Option<Triple> {
     let what = match Cone::new(vector(base), 1.0, vector(end.it.0), 1.0, false) {
         None => "it ends where it begins: `base` and `end` are the same".into(),
         Some(cone) if cone.height > FARTHEST => format!("it is longer than {FARTHEST:e}"),

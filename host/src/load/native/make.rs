@@ -11,7 +11,9 @@ use super::materials::Made;
 use super::meshes::Meshes;
 use super::table::Reader;
 use super::view;
-use crate::description::{Background, Description, Form, Object, Projection, Settings, Triple, View};
+use crate::description::{
+    Background, Description, Form, Motion, Object, Projection, SHUTTER, Settings, Triple, View,
+};
 use crate::faults::Lines;
 
 /// A description that grows, and what is wrong with what it is made of.
@@ -53,6 +55,8 @@ impl<'m> Maker<'m> {
             points: Vec::new(),
             normals: Vec::new(),
             triangles: Vec::new(),
+            moving: Vec::new(),
+            shutter: SHUTTER,
             warnings: Vec::new(),
         };
         Maker {
@@ -70,6 +74,7 @@ impl<'m> Maker<'m> {
     /// Makes everything, and answers with it and what is wrong.
     pub(super) fn scene(mut self, file: &File) -> (Description, Reader<'m>) {
         self.materials(&file.material);
+        self.shutter(&file.camera);
         // Objects are numbered by their places in the file, whatever they are.
         let mut things: Vec<(&Range<usize>, &dyn Thing)> = things(file);
         things.sort_by_key(|(span, _)| span.start);
@@ -84,12 +89,16 @@ impl<'m> Maker<'m> {
         (self.description, self.reader)
     }
 
-    /// Puts an object into the table.
-    pub(super) fn push(&mut self, form: Form, material: u16, span: &Range<usize>) {
+    /// Puts an object into the table, which moves if there is a velocity.
+    pub(super) fn push(&mut self, form: Form, material: u16, velocity: Triple, span: &Range<usize>) {
         let line = u32::try_from(self.lines.line(span.start)).unwrap_or(u32::MAX);
         if let Form::Nothing = form {
             let first = if self.flat.0 == 0 { line as usize } else { self.flat.1 };
             self.flat = (self.flat.0 + 1, first);
+        }
+        if velocity != [0.0; 3] {
+            let object = self.description.objects.len();
+            self.description.moving.push(Motion { object, velocity });
         }
         self.description.objects.push(Object { form, material, line });
     }

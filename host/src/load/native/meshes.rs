@@ -80,6 +80,7 @@ impl Thing for format::Mesh {
             },
             None => None,
         };
+        let Some(velocity) = maker.velocity(&self.velocity) else { return };
         let path = maker.meshes.folder.join(&self.file.it);
         if !maker.meshes.read.contains_key(&path) {
             let mesh = read(&path, &self.file, maker);
@@ -90,7 +91,7 @@ impl Thing for format::Mesh {
             maker.meshes.read.insert(path, None);
             return;
         };
-        self.place(&mesh, material, span, maker);
+        self.place(&mesh, material, velocity, span, maker);
         maker.meshes.read.insert(path, Some(mesh));
     }
 }
@@ -120,7 +121,14 @@ fn printable(c: char) -> Vec<char> {
 
 impl format::Mesh {
     /// Adds a mesh group by group.
-    fn place(&self, mesh: &Mesh, material: Option<u16>, span: &Range<usize>, maker: &mut Maker<'_>) {
+    fn place(
+        &self,
+        mesh: &Mesh,
+        material: Option<u16>,
+        velocity: Triple,
+        span: &Range<usize>,
+        maker: &mut Maker<'_>,
+    ) {
         let transform = Transform::of(self);
         let points: Vec<Triple> = mesh.points.iter().map(|p| transform.point(*p)).collect();
         let is_near = |x: &f32| x.abs() <= FARTHEST;
@@ -153,7 +161,7 @@ impl format::Mesh {
                 }
             };
             let Some(material) = material else { return };
-            maker.push(Form::Mesh { first, count: group.count, smooth }, material, span);
+            maker.push(Form::Mesh { first, count: group.count, smooth }, material, velocity, span);
             first += group.count;
         }
     }

@@ -242,6 +242,48 @@ impl JsonSchema for Pair {
     }
 }
 
+/// When a shutter opens and closes, or how long it is open.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Shutter(pub(super) [f32; 2]);
+
+impl Read for Shutter {
+    fn read(value: &Value<'_>, key: &str, reader: &mut Reader<'_>) -> Option<Self> {
+        if is_number(value) {
+            return number_in(Range::SIZE, value, key, reader).map(|closes| Shutter([0.0, closes]));
+        }
+        let needs = "two times, as in [0, 1]";
+        let DeValue::Array(list) = value.get_ref() else {
+            return reader.mismatch(value, key, "a number or two times");
+        };
+        let [opens, closes] = &list[..] else {
+            let count = list.len();
+            return reader.wrong(Fault::new(value.span(), format!("`{key}` must be {needs}, not {count}")));
+        };
+        let [opens, closes] = [opens, closes].map(|value| number_in(Range::SPACE, value, key, reader));
+        let (opens, closes) = (opens?, closes?);
+        if closes < opens {
+            let what = format!("the `{key}` closes before it opens");
+            let help = format!("did you mean [{closes}, {opens}]?");
+            return reader.wrong(Fault::new(value.span(), what).help(help));
+        }
+        Some(Shutter([opens, closes]))
+    }
+}
+
+impl JsonSchema for Shutter {
+    fn inline_schema() -> bool {
+        true
+    }
+    fn schema_name() -> std::borrow::Cow<'static, str> {
+        "Shutter".into()
+    }
+    fn json_schema(_: &mut SchemaGenerator) -> Schema {
+        let time = Range::SPACE.schema();
+        let both = json_schema!({ "type": "array", "items": time, "minItems": 2, "maxItems": 2 });
+        json_schema!({ "anyOf": [Range::SIZE.schema(), both] })
+    }
+}
+
 /// The size of a picture.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct PictureSize(pub(super) strahl_core::Size);

@@ -4,11 +4,12 @@
 use std::str::FromStr;
 
 use schemars::{JsonSchema, Schema, SchemaGenerator, json_schema};
-use strahl_core::{Aabb, Camera, Rgb, Size, Vec3, ViewFault, unit};
+use strahl_core::{Aabb, Camera, FARTHEST, Rgb, Size, Vec3, ViewFault, unit};
 
 use super::choices::Word;
 use super::format::{self, File};
 use super::make::{Maker, vector};
+use super::places::Point;
 use super::table::{At, One, Read, Reader, Value};
 use crate::description::{Background, Light, Placed, Projection, Settings, Source, Triple, View};
 use crate::faults::Fault;
@@ -103,6 +104,24 @@ impl Maker<'_> {
             let fault = Fault::new(heap.span.clone(), "a walk with a stack has no `heap`");
             self.reader.faults.push(fault.also(span.clone(), "the walk"));
         }
+    }
+
+    /// When the shutter is open, which objects ask for that move.
+    pub(super) fn shutter(&mut self, camera: &One<format::Camera>) {
+        if let Some(shutter) = camera.0.as_ref().and_then(|camera| camera.it.shutter.as_ref()) {
+            self.description.shutter = shutter.it.0;
+        }
+    }
+
+    /// How an object moves; none when it would leave space while the shutter is open.
+    pub(super) fn velocity(&mut self, velocity: &Option<At<Point>>) -> Option<Triple> {
+        let Some(At { it: Point(velocity), span }) = velocity else { return Some([0.0; 3]) };
+        let ways = velocity.iter().flat_map(|v| self.description.shutter.map(|time| v * time));
+        if ways.into_iter().all(|way| way.abs() <= FARTHEST) {
+            return Some(*velocity);
+        }
+        let what = format!("it moves farther than {FARTHEST:e} while the shutter is open");
+        self.reader.wrong(Fault::new(span.clone(), what))
     }
 
     /// The camera, and the light that comes with it when the file has none at all.

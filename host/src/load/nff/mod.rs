@@ -19,7 +19,7 @@ use std::path::Path;
 use strahl_core::{Camera, Cone, FARTHEST, Material, Polygon, Rgb, Size, vec3};
 
 use crate::description::{
-    Background, Description, Form, Light, Object, Placed, Projection, Settings, Source, Triple, View,
+    Background, Description, Form, Light, Object, Placed, Projection, SHUTTER, Settings, Source, Triple, View,
 };
 use crate::failure::Failure;
 use crate::load::MOST_PIXELS;
@@ -326,6 +326,8 @@ impl<'t> Reader<'t> {
             points: self.points,
             normals: self.normals,
             triangles: Vec::new(),
+            moving: Vec::new(),
+            shutter: SHUTTER,
             warnings,
         })
     }

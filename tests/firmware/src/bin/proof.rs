@@ -85,7 +85,7 @@ fn item() -> ItemId {
 }
 
 fn ray() -> Ray {
-    Ray::new(vector(), vector())
+    Ray::new(vector(), vector()).at_time(number())
 }
 
 /// The panic that shows that the proof can fail.
@@ -194,6 +194,7 @@ fn any_geometry() -> Geometry<'static> {
         }]),
         cones: slice(&[CONE]),
         tori: slice(&[Torus { center: Vec3::ZERO, axis: Vec3::Y, major: 1.0, minor: 0.5 }]),
+        moving: slice(&[Moving { shape: SHAPES[0], opening: Vec3::ZERO, closing: Vec3::X }]),
     }
 }
 
@@ -203,8 +204,10 @@ fn geometry() {
     impl Shapes for Bare {
         const SHAPES: ShapeSet = ShapeSet::ALL;
         const SMOOTH: bool = false;
+        const MOTION: bool = true;
     }
     fn met<S: Shapes>(geometry: &Geometry<'_>) {
+        used((geometry.kind(&any(SHAPES[0])), geometry.offset(&any(SHAPES[0]), number())));
         used(geometry.distance::<S>(any(&SHAPES[0]), &ray()));
         let surface: Option<Surface> = geometry.surface::<S>(any(&SHAPES[0]), &ray(), number());
         used(surface);
