@@ -3,6 +3,7 @@
 use std::sync::Arc;
 
 use strahl::description::Description;
+use strahl::finding::{Bounds, Finding, Kind};
 use strahl::frame::{self, Frame};
 use strahl::progress::Watch;
 use strahl::signals::Signals;
@@ -27,9 +28,22 @@ const WAYS: [(&str, Option<&str>, bool); 9] = [
 // Neither side a multiple of a tile.
 const SIZE: Size = Size::new(61, 37).unwrap();
 
+fn loaded(name: &str) -> Description {
+    strahl::load::load(&std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join(name)).unwrap()
+}
+
+/// Many objects, and nothing that is left to chance.
 fn scene() -> Description {
-    let path = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("../scenes/rotunda.nff");
-    strahl::load::load(&path).unwrap()
+    loaded("../scenes/rotunda.nff")
+}
+
+/// Every effect.
+fn effects() -> Description {
+    loaded("tests/effects/all.toml")
+}
+
+fn both() -> [Description; 2] {
+    [scene(), effects()]
 }
 
 fn wanted((sampler, select, _): (&str, Option<&str>, bool)) -> Wanted {
@@ -43,11 +57,10 @@ fn traced(scene: &Description, wanted: &Wanted) -> Frame {
 
 #[test]
 fn threads_change_neither_picture_nor_counts() {
-    let scene = scene();
-    for way in WAYS {
-        let one = traced(&scene, &Wanted { cut: Cut::threads(1), ..wanted(way) });
+    for (scene, way) in both().iter().flat_map(|scene| WAYS.map(|way| (scene, way))) {
+        let one = traced(scene, &Wanted { cut: Cut::threads(1), ..wanted(way) });
         for threads in [2, 7] {
-            let many = traced(&scene, &Wanted { cut: Cut::threads(threads), ..wanted(way) });
+            let many = traced(scene, &Wanted { cut: Cut::threads(threads), ..wanted(way) });
             assert_eq!(many.picture, one.picture, "{way:?}, {threads} threads");
             assert_eq!(many.counters, one.counters, "{way:?}, {threads} threads");
         }
@@ -56,13 +69,12 @@ fn threads_change_neither_picture_nor_counts() {
 
 #[test]
 fn tiles_do_not_change_the_picture() {
-    let scene = scene();
-    for way in WAYS {
+    for (scene, way) in both().iter().flat_map(|scene| WAYS.map(|way| (scene, way))) {
         // What a cache saves depends on what was traced before it in the same tile.
         let wanted = Wanted { shadow_cache: false, ..wanted(way) };
-        let truth = traced(&scene, &Wanted { cut: Cut { threads: 1, tile: 1000 }, ..wanted.clone() });
+        let truth = traced(scene, &Wanted { cut: Cut { threads: 1, tile: 1000 }, ..wanted.clone() });
         for tile in [1, 5, 32] {
-            let cut = traced(&scene, &Wanted { cut: Cut { threads: 2, tile }, ..wanted.clone() });
+            let cut = traced(scene, &Wanted { cut: Cut { threads: 2, tile }, ..wanted.clone() });
             assert_eq!(cut.picture, truth.picture, "{way:?}, tiles of {tile}");
             if !way.2 {
                 assert_eq!(cut.counters, truth.counters, "{way:?}, tiles of {tile}");
@@ -73,12 +85,11 @@ fn tiles_do_not_change_the_picture() {
 
 #[test]
 fn a_region_is_the_same_as_in_the_whole_picture() {
-    let scene = scene();
-    for way in WAYS {
-        let whole = traced(&scene, &wanted(way)).picture;
+    for (scene, way) in both().iter().flat_map(|scene| WAYS.map(|way| (scene, way))) {
+        let whole = traced(scene, &wanted(way)).picture;
         for (x, y, width, height) in [(0, 0, 61, 37), (7, 11, 30, 13), (60, 36, 1, 1)] {
             let region = Tile { first: Pixel { x, y }, width, height };
-            let part = traced(&scene, &Wanted { region: Some(region), ..wanted(way) }).picture;
+            let part = traced(scene, &Wanted { region: Some(region), ..wanted(way) }).picture;
             assert_eq!((part.size.width(), part.size.height()), (width, height));
             for (color, pixel) in part.colors.iter().zip(region.pixels()) {
                 let place = Tile::whole(SIZE).place(pixel).unwrap();
@@ -113,6 +124,25 @@ fn the_pixels_of_a_mask_are_the_same_and_the_others_cost_nothing() {
             rays(&some),
             rays(&all)
         );
+    }
+}
+
+#[test]
+fn accelerators_do_not_change_the_picture() {
+    let scene = effects();
+    for way in WAYS {
+        let by = |finding| traced(&scene, &Wanted { finding, ..wanted(way) }).picture;
+        let truth = by(Finding { bounds: Some(Bounds::None), ..Finding::by(Kind::List) });
+        assert!(truth.colors.iter().all(|color| color.is_within(f32::MAX)), "{way:?}");
+        for finding in [Kind::List, Kind::Grid, Kind::Octree, Kind::Bvh].map(Finding::by) {
+            assert_eq!(by(finding), truth, "{way:?}, {finding:?}");
+        }
+    }
+    // With every mailbox, heap and stack.
+    let truth = traced(&scene, &wanted(WAYS[0])).picture;
+    for finding in Finding::every() {
+        let picture = traced(&scene, &Wanted { finding, ..wanted(WAYS[0]) }).picture;
+        assert_eq!(picture, truth, "{finding:?}");
     }
 }
 

@@ -98,13 +98,23 @@ fn whatever_a_scene_may_name_gives_a_number() {
     let mut seen = 0;
     for _ in 0..400 {
         let scale = one_of(&[1e-15, 1e-6, 1.0, 1e6, 1e14], r);
+        let near = |r: &mut Random| {
+            let p = r.near(Vector::ZERO, 2.0 * scale);
+            vec3(p.x as Real, p.y as Real, p.z as Real)
+        };
         let mut stage = Stage::new();
-        let texture = stage.texture(match r.below(2) {
+        let texture = stage.texture(match r.below(3) {
             0 => Texture::Checker {
                 even: color(&bright, r),
                 odd: color(&bright, r),
                 origin: vec3(1.0, 2.0, 3.0),
                 frequency: Vec3::splat(one_of(&[0.0, 1e-15, 1.0, 1e15], r)),
+            },
+            1 => Texture::ZonePlate {
+                from: color(&bright, r),
+                to: color(&bright, r),
+                origin: Vec3::ONE,
+                frequency: one_of(&[0.0, 1e-30, 1.0, 1e15], r),
             },
             _ => Texture::Gradient {
                 from: color(&bright, r),
@@ -131,22 +141,31 @@ fn whatever_a_scene_may_name_gives_a_number() {
             });
             let kind = one_of(&Kind::ALL, r);
             let place = r.near(Vector::ZERO, scale);
-            stage.thing(&Thing::random(kind, place, scale, r));
+            let item = stage.thing(&Thing::random(kind, place, scale, r));
+            if r.below(3) == 0 {
+                let far = one_of(&[1e-15, 1.0, 1e15], r);
+                stage.moving(item, near(r) * 0.1, Vec3::X * far);
+            }
         }
         for _ in 0..r.below(4) {
-            let near = |r: &mut Random| {
-                let p = r.near(Vector::ZERO, 2.0 * scale);
-                vec3(p.x as Real, p.y as Real, p.z as Real)
-            };
             let falloff = Falloff {
                 constant: one_of(&[0.0, 1.0, 1e15], r),
                 linear: one_of(&[0.0, 1e-30, 1e15], r),
                 quadratic: one_of(&[1e-30, 1.0, 1e15], r),
             };
             let toward = unit(near(r)).unwrap();
-            let source = match r.below(3) {
+            let source = match r.below(5) {
                 0 => Source::Point { position: near(r), falloff },
                 1 => Source::Directional { toward },
+                2 => {
+                    let radius = one_of(&[0.0, 1e-30, 1.0, 1e15], r);
+                    Source::Sphere { position: near(r), radius, falloff }
+                }
+                3 => {
+                    let side = one_of(&[1e-3, 1.0, 1e15], r);
+                    let half = [Vec3::X * side, vec3(0.0, 1.0, 1.0)];
+                    Source::Rectangle { position: near(r), half, soft: r.below(4) > 0, falloff }
+                }
                 _ => {
                     let (cos_bright, cos_dark) =
                         one_of(&[(1.0, 1.0), (1.0, -1.0), (0.5, 0.5), (-1.0, -1.0)], r);
@@ -157,6 +176,7 @@ fn whatever_a_scene_may_name_gives_a_number() {
         }
         stage.ambient = color(&bright, r);
         stage.background = Background::Color(color(&bright, r));
+        stage.colored_shadows = r.below(2) == 0;
         for _ in 0..4 {
             let (eye, target) = (r.near(Vector::ZERO, 3.0 * scale), r.near(Vector::ZERO, scale));
             let [eye, target] = [eye, target].map(|p| vec3(p.x as Real, p.y as Real, p.z as Real));
