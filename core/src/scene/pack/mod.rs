@@ -5,7 +5,7 @@
 //! of the bytes. Everything that a table says is checked before it is believed, so that no bytes
 //! whatever lead to a panic or to a read outside of them.
 //!
-//! # The format, version 2
+//! # The format, version 3
 //!
 //! Little-endian, every part aligned to 4 bytes. First a [`Header`]: a magic word, the version,
 //! the length of the whole, a checksum of what follows it (FNV-1a, 32 bits), then what is there
@@ -62,7 +62,7 @@ pub struct Pack<'s> {
 
 impl<'s> Pack<'s> {
     /// The version of the format that is written and read.
-    pub const VERSION: u32 = 2;
+    pub const VERSION: u32 = 3;
 
     /// The fewest bytes that a baked scene has.
     pub const HEADER: usize = size_of::<Header>();
