@@ -5,6 +5,13 @@
 //! jittered cells: at an edge by a quarter to a third, in a zone plate by half and more
 //! (`core/examples/sequence.rs`).
 //!
+//! What a ray leaves to chance (the place on a light, on the lens, the moment) comes of sequences of
+//! their own. Which of their points goes with which place in the pixel is no matter of chance: rays
+//! are numbered by the halves of the pixel that they lie in, and the halves of those (Morton's
+//! order). As aligned numbers of a sequence are spread evenly, so are the places on a light that
+//! belong to the rays of any such part. Whatever changes with both, as a soft shadow does, has a
+//! smaller error for it.
+//!
 //! Where the number of rays is a range, a pixel ends when its mean is known well enough: when
 //! the interval in which the mean lies with a wanted confidence, taken from the variance of the
 //! rays so far, is small enough to be seen as one colour ("Statistically Optimized Sampling for
@@ -92,8 +99,9 @@ impl Stochastic {
                 }
                 next += self.least;
             }
-            let stream = stream(pixel, mean.count, self.seed);
-            let [x, y] = self.filter.place(stream.pair(Dimension::PIXEL));
+            let place = stream(pixel, mean.count, self.seed).pair(Dimension::PIXEL);
+            let stream = stream(pixel, number(mean.count, place, self.least), self.seed);
+            let [x, y] = self.filter.place(place);
             let sight = shoot(Sample { place: inside(pixel, x, y), stream });
             mean.add(sight);
             if is_ruled {
@@ -101,6 +109,23 @@ impl Stochastic {
             }
         }
     }
+}
+
+/// The number of the ray with this index through a `place` in the unit square: rays come in groups
+/// of the largest power of two that divides `least`, each group has one ray in each of as many
+/// equal parts of the square, and takes its numbers in the order of those.
+fn number(index: u32, place: [Real; 2], least: u32) -> u32 {
+    let bits = least.trailing_zeros();
+    index >> bits << bits | part(place, bits)
+}
+
+/// In which of `2^count` equal parts of the unit square a point lies: halves by x, halves of
+/// them by y, and so on, in Morton's order.
+fn part([x, y]: [Real; 2], count: u32) -> u32 {
+    // The 16 bits after the point.
+    let bits = |x: Real| (x * 65_536.0) as u32;
+    let axes = [bits(x), bits(y)].into_iter().cycle();
+    axes.zip(0..count).fold(0, |part, (axis, place)| part << 1 | (axis << (place / 2) & 0x8000) >> 15)
 }
 
 impl Sampler for Stochastic {
@@ -247,6 +272,26 @@ mod tests {
             }
             assert_eq!(gathered.rays(), most);
         }
+    }
+
+    #[test]
+    fn each_part_of_the_pixel_has_one_ray_and_each_ray_a_number_of_its_own() {
+        for n in [1_u32, 2, 8, 16, 48, 64] {
+            let mut numbers = [0; 64];
+            let mut index = 0;
+            Stochastic::new(n).unwrap().look(PIXEL, &mut |sample| {
+                let place = [sample.place.x - 40.0, sample.place.y - 9.0];
+                let number = number(index, place, n);
+                assert_eq!(sample.stream, stream(PIXEL, number, 0));
+                numbers[number as usize] += 1;
+                index += 1;
+                Sight::DARK
+            });
+            assert!(numbers.iter().take(n as usize).all(|count| *count == 1), "{n}: {numbers:?}");
+        }
+        // Right, then upper, then left again.
+        assert_eq!([1, 2, 3].map(|count| part([0.6, 0.1], count)), [1, 2, 4]);
+        assert_eq!((part([0.0, 0.0], 16), part([0.99, 0.99], 4)), (0, 15));
     }
 
     #[test]
