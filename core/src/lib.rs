@@ -76,7 +76,7 @@ pub use math::{
     Axis, CubicRoots, Dimension, FARTHEST, PI, ROUNDOFF, Real, Rgb, Stream, Vec3, cubic_roots,
     difference_of_products, gamma, root_between, sqrt, unit, vec3,
 };
-pub use render::{render, render_selected};
+pub use render::{render, render_refined, render_selected};
 pub use scene::{
     Background, Camera, EffectSet, Effects, Everything, Falloff, Interface, LastLevel, Light, LightKind,
     LightSet, Material, MaterialFault, MaterialId, Parts, Place, Projection, Sample, Scene, SceneError, Size,

@@ -1,7 +1,7 @@
 //! The front door.
 
 use crate::accel::Accelerator;
-use crate::image::{Corners, Pixel, Sampler, Selected, Sink};
+use crate::image::{Corners, Pixel, Sampler, Selected, Sink, Tile};
 use crate::scene::Effects;
 use crate::tally::Tally;
 use crate::trace::{Tracer, Worker};
@@ -96,6 +96,45 @@ where
             }
         });
         result?;
+    }
+    Ok(())
+}
+
+/// Traces `tile` so that the whole of it is there soon: coarse blocks at first, then the quarters of
+/// those that do not agree, and so on, until all is as [`render_selected`] makes it; ends early
+/// only when the sink fails.
+///
+/// For a display that is looked at while it is drawn: it needs no memory for the picture, and gets
+/// those pixels anew that have changed. As there, it also gets pixels beyond the right and the
+/// lower edge.
+pub fn render_refined<A, E, T, C, S, K, const LEVELS: usize, const SHADOWS: usize>(
+    tracer: &Tracer<'_, '_, A, E, LEVELS>,
+    selected: &mut Selected<'_, C, S>,
+    worker: &mut Worker<A, T, LEVELS, SHADOWS>,
+    tile: Tile,
+    sink: &mut K,
+) -> Result<(), K::Error>
+where
+    A: Accelerator,
+    E: Effects,
+    T: Tally,
+    C: Corners,
+    S: Sampler,
+    K: Sink,
+{
+    worker.forget();
+    selected.begin();
+    let selection = *selected.selection();
+    for side in selection.sides() {
+        for block in selection.blocks(tile).pixels() {
+            let mut result = Ok(());
+            selected.refine(block, side, &mut |sample| tracer.look(sample, worker), &mut |pixel, sight| {
+                if result.is_ok() {
+                    result = sink.put_sight(pixel, sight);
+                }
+            });
+            result?;
+        }
     }
     Ok(())
 }

@@ -106,7 +106,7 @@ impl<C: Corners> Adaptive<'_, C> {
 
         let (mut sum, mut met) = (Rgb::BLACK, whole.met());
         let steps = whole.side as Real;
-        quarter(whole, &parting.agreement, &mut find, &mut |part| {
+        quarter(whole, &parting.agreement, 1, &mut find, &mut |part| {
             let side = part.side as Real / steps;
             sum += part.mean() * (side * side);
             met = met.and(part.met());

@@ -67,18 +67,19 @@ impl Square {
     }
 }
 
-/// Quarters `whole` until the corners of every part agree or its side is one, and hands the
+/// Quarters `whole` until the corners of every part agree or its side is `least`, and hands the
 /// parts to `part`.
 pub(super) fn quarter(
     whole: Square,
     agreement: &Agreement,
+    least: u32,
     find: &mut impl FnMut(u32, u32) -> Sight,
     part: &mut impl FnMut(&Square),
 ) {
     let mut waiting: Vec<Square, MOST_WAITING> = Vec::new();
     let mut next = Some(whole);
     while let Some(square) = next {
-        if square.side > 1 && !agreement.holds(&square.corners) {
+        if square.side > least && !agreement.holds(&square.corners) {
             let [first, second, third, fourth] = square.quarters(find);
             for later in [fourth, third, second] {
                 let pushed = waiting.push(later);
@@ -117,7 +118,7 @@ mod tests {
             traced += 1;
             sight(x, y)
         };
-        quarter(whole, &agreement, &mut find, &mut |part| {
+        quarter(whole, &agreement, 1, &mut find, &mut |part| {
             for row in &mut covered[part.y as usize..][..part.side as usize] {
                 for cell in &mut row[part.x as usize..][..part.side as usize] {
                     *cell += 1;

@@ -6,6 +6,10 @@
 //! the block of which it is not the right or lower edge. So a pixel depends on its own block
 //! alone, and a part of the picture is the same as in the whole. The last blocks may look one
 //! block beyond the picture's edge.
+//!
+//! For a display that is looked at while it is drawn, the same picture comes coarse at first: whole
+//! blocks, then quarters of those that do not agree, and so on ([`Selected::refine`]). It takes no
+//! memory for the picture, and puts no pixel anew that has not changed.
 
 use super::agreement::Agreement;
 use super::corners::{Corners, Every};
@@ -38,6 +42,13 @@ impl Selection {
     /// Pixels along one side of a block.
     pub fn step(&self) -> u32 {
         1 << self.depth
+    }
+
+    /// The sides of the parts that blocks come in, from whole blocks to pixels: one for each pass of
+    /// a picture that is refined.
+    pub fn sides(&self) -> impl Iterator<Item = u32> + use<> {
+        let depth = self.depth;
+        (0..=depth).map(move |pass| 1 << (depth - pass))
     }
 
     /// The blocks that have pixels of `tile`, named like pixels.
@@ -81,6 +92,11 @@ impl<'m, C: Corners, S: Sampler> Selected<'m, C, S> {
         Selected { selection, sampler, corners, memory: Memory::new(lent) }
     }
 
+    /// Which pixels are traced first, and when the others are guessed.
+    pub fn selection(&self) -> &Selection {
+        &self.selection
+    }
+
     /// A new picture begins: what was kept of another is forgotten.
     pub fn begin(&mut self) {
         self.sampler.begin();
@@ -96,14 +112,46 @@ impl<'m, C: Corners, S: Sampler> Selected<'m, C, S> {
         shoot: &mut impl FnMut(Sample) -> Sight,
         put: &mut impl FnMut(Pixel, Sight),
     ) {
+        self.parts(block, 1, self.selection.step(), shoot, put);
+    }
+
+    /// Of one block what changes when its parts may be as small as `side` pixels, one of
+    /// [`Selection::sides`], and no longer twice as large: the pixels of those that are. The first
+    /// pass is that of the block's own side, and after the last, of side 1, every pixel is what
+    /// [`Selected::block`] makes of it.
+    ///
+    /// What was kept of the passes before is not traced again, for a picture that begins once
+    /// ([`Selected::begin`]).
+    pub fn refine(
+        &mut self,
+        block: Pixel,
+        side: u32,
+        shoot: &mut impl FnMut(Sample) -> Sight,
+        put: &mut impl FnMut(Pixel, Sight),
+    ) {
+        self.parts(block, side, side, shoot, put);
+    }
+
+    /// The parts whose sides are from `least` to `most`.
+    fn parts(
+        &mut self,
+        block: Pixel,
+        least: u32,
+        most: u32,
+        shoot: &mut impl FnMut(Sample) -> Sight,
+        put: &mut impl FnMut(Pixel, Sight),
+    ) {
         let Selected { selection, sampler, corners, memory } = self;
         let depth = selection.depth;
         let mut find = |x, y| memory.find(x, y, || sampler.look(Pixel { x, y }, shoot));
         let corners = corners.corners(block, &mut |corner| find(corner.x << depth, corner.y << depth));
         let whole = Square { x: block.x << depth, y: block.y << depth, side: 1 << depth, corners };
-        quarter(whole, &selection.agreement, &mut find, &mut |part| {
+        quarter(whole, &selection.agreement, least, &mut find, &mut |part| {
             let [corner, ..] = part.corners;
             let Square { x, y, side, .. } = *part;
+            if side > most {
+                return;
+            }
             let step = 1.0 / side as Real;
             for pixel in (Tile { first: Pixel { x, y }, width: side, height: side }).pixels() {
                 let (right, down) = (pixel.x - x, pixel.y - y);
@@ -122,7 +170,7 @@ impl<'m, C: Corners, S: Sampler> Selected<'m, C, S> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::image::{Lattice, Loose, Single};
+    use crate::image::{CornerRow, Lattice, Loose, Single};
     use crate::math::Rgb;
     use crate::trace::Met;
 
@@ -219,6 +267,50 @@ mod tests {
                 }
             });
         }
+    }
+
+    #[test]
+    fn a_refined_picture_is_the_same_in_the_end_and_traces_little_more() {
+        let selection = selection(8, 0.1);
+        let (truth, once) = selected(selection, PICTURE, 2000);
+        for slots in [0, 50, 2000] {
+            let mut lent = [Kept::NOTHING; 2000];
+            let mut row = [Sight::DARK; 6];
+            let mut picture = [None; 37 * 29];
+            let (mut rays, mut puts) = (0, [0; 4]);
+            let mut selected = Selected::new(selection, Single, CornerRow::new(&mut row), &mut lent[..slots]);
+            selected.begin();
+            for (side, puts) in selection.sides().zip(&mut puts) {
+                for block in selection.blocks(PICTURE).pixels() {
+                    selected.refine(
+                        block,
+                        side,
+                        &mut |sample| {
+                            rays += 1;
+                            scene(sample)
+                        },
+                        &mut |pixel, sight| {
+                            if let Some(place) = PICTURE.place(pixel) {
+                                picture[place] = Some(sight);
+                                *puts += 1;
+                            }
+                        },
+                    );
+                }
+                // After the first pass everything is there, only coarse.
+                assert!(picture.iter().all(Option::is_some), "{side}");
+            }
+            assert!(picture == truth, "{slots}");
+            assert_eq!(puts[0], picture.len(), "whole blocks");
+            assert!(puts[3] < puts[2] && puts[2] < puts[1] && puts[1] < puts[0] / 2, "{puts:?}");
+            match slots {
+                // But for places that share a slot.
+                2000 => assert!(rays >= once && rays < once + once / 10, "{rays} {once}"),
+                // Without memory: what all passes trace, each a part of the next.
+                _ => assert!(rays > once && rays < 4 * once, "{rays} {once}"),
+            }
+        }
+        assert!(selection.sides().eq([8, 4, 2, 1]));
     }
 
     #[test]

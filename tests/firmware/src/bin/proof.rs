@@ -563,11 +563,20 @@ fn corners<A: Accelerator, E: Effects, T: Tally, const LEVELS: usize>(
     }
     if let Some(selection) = Selection::new(any(4), agreement) {
         used((selection.step(), selection.blocks(tile()), selection.area(tile())));
+        selection.sides().for_each(used);
         let every: Every<Single> = selection.raster(Single);
         sampled(tracer, worker, every);
         let mut selected = Selected::new(selection, Single, Loose, any(&mut kept[..]));
         used(render_selected(tracer, &mut selected, worker, tile().pixels(), &mut Screen));
+        used(render_refined(tracer, &mut selected, worker, tile(), &mut Screen));
+        used(*selected.selection());
         selected.begin();
+        selected.refine(
+            any(Pixel { x: 0, y: 0 }),
+            any(4),
+            &mut |sample| any((sample, Sight::DARK)).1,
+            &mut |_, _| {},
+        );
         selected.block(any(Pixel { x: 0, y: 0 }), &mut |sample| any((sample, Sight::DARK)).1, &mut |_, _| {});
     }
 }
