@@ -164,10 +164,12 @@ impl<'s> Geometry<'s> {
     }
 
     fn shape_bounds<S: Shapes>(&self, shape: Shape) -> Option<Aabb> {
-        match shape {
-            Shape::Moving(place) if S::MOTION => self.moving_bounds::<S>(place),
-            _ => self.rest_bounds::<S>(shape),
+        if S::MOTION
+            && let Shape::Moving(place) = shape
+        {
+            return self.moving_bounds::<S>(place);
         }
+        self.rest_bounds::<S>(shape)
     }
 
     fn rest_bounds<S: Shapes>(&self, shape: Shape) -> Option<Aabb> {
@@ -199,10 +201,12 @@ impl<'s> Geometry<'s> {
     /// than one that does not.
     #[inline(always)]
     pub fn distance<S: Shapes>(&self, shape: &Shape, ray: &Ray) -> Option<Real> {
-        match shape {
-            Shape::Moving(place) if S::MOTION => self.moving_distance::<S>(*place, ray),
-            _ => self.rest_distance::<S>(shape, ray),
+        if S::MOTION
+            && let Shape::Moving(place) = shape
+        {
+            return self.moving_distance::<S>(*place, ray);
         }
+        self.rest_distance::<S>(shape, ray)
     }
 
     /// As [`Geometry::distance`], of what does not move.
@@ -301,10 +305,12 @@ impl<'s> Geometry<'s> {
 
     /// What a shape is like where the ray meets it, `t` away as [`Geometry::distance`] said.
     pub fn surface<S: Shapes>(&self, shape: &Shape, ray: &Ray, t: Real) -> Option<Surface> {
-        match shape {
-            Shape::Moving(place) if S::MOTION => self.moving_surface::<S>(*place, ray, t),
-            _ => self.rest_surface::<S>(shape, ray, t),
+        if S::MOTION
+            && let Shape::Moving(place) = shape
+        {
+            return self.moving_surface::<S>(*place, ray, t);
         }
+        self.rest_surface::<S>(shape, ray, t)
     }
 
     fn rest_surface<S: Shapes>(&self, shape: &Shape, ray: &Ray, t: Real) -> Option<Surface> {

@@ -65,6 +65,7 @@ impl<'s> Geometry<'s> {
     }
 
     /// What kind a shape is, or the shape that moves; none where that is not there.
+    #[inline(always)]
     pub fn kind(&self, shape: &Shape) -> Option<ShapeKind> {
         match shape {
             Shape::Moving(place) => self.moving(*place)?.shape.kind(),

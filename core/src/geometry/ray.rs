@@ -36,21 +36,21 @@ impl Ray {
     /// The ray from `origin` along `direction`, at the time 0. It meets nothing when one of both is not finite,
     /// or when the direction is zero or so short that one over it is not finite.
     pub fn new(origin: Vec3, direction: Vec3) -> Self {
-        let ray = Self::scaled(origin, direction, 1.0 / power_of_two(largest(direction)));
+        let ray = Self::scaled(origin, direction, 1.0 / power_of_two(largest(direction)), 0.0);
         // Nothing of what is finite, and no number of what is not.
         let nothing = origin.dot(Vec3::ZERO) + ray.third * 0.0;
         Ray { square: ray.square + nothing, ..ray }
     }
 
     /// The same ray for less work, where the direction is about one long: between a half and two.
-    pub(crate) fn near_unit(origin: Vec3, direction: Vec3) -> Self {
+    pub(crate) fn near_unit(origin: Vec3, direction: Vec3, time: Real) -> Self {
         debug_assert!(origin.is_finite() && largest(direction) > 0.25 && largest(direction) <= 2.0);
-        Self::scaled(origin, direction, 1.0)
+        Self::scaled(origin, direction, 1.0, time)
     }
 
     /// Inlined, so that what no shape of the tracer asks for is not made.
     #[inline(always)]
-    fn scaled(origin: Vec3, direction: Vec3, scale: Real) -> Self {
+    fn scaled(origin: Vec3, direction: Vec3, scale: Real, time: Real) -> Self {
         let inverse = 1.0 / direction;
         let axis = Axis::largest_of(direction);
         let (turned, third) = (axis.to_third(direction), axis.to_third(inverse).z);
@@ -59,7 +59,7 @@ impl Ray {
             origin,
             direction,
             inverse,
-            time: 0.0,
+            time,
             axis,
             third,
             across: axis.place_back(vec3(1.0, 0.0, -(turned.x * third))),
@@ -71,6 +71,7 @@ impl Ray {
     }
 
     /// The same ray at another time.
+    #[inline(always)]
     pub fn at_time(self, time: Real) -> Self {
         Ray { time, ..self }
     }

@@ -109,6 +109,7 @@ impl Shape {
     }
 
     /// What kind it is; none for what moves: [`Geometry::kind`](super::Geometry::kind) knows of its shape.
+    #[inline(always)]
     pub const fn kind(self) -> Option<ShapeKind> {
         Some(match self {
             Shape::Sphere(_) => ShapeKind::Sphere,

@@ -111,7 +111,7 @@ mod tests {
             let origin =
                 center + random(4 * n + 2, 1.0) * (radius * [2.0, 100.0, 1000.0][n as usize / 3 % 3]);
             let Some(direction) = unit(center + aside * radius - origin) else { continue };
-            let (sphere, ray) = (Sphere { center, radius }, Ray::near_unit(origin, direction));
+            let (sphere, ray) = (Sphere { center, radius }, Ray::near_unit(origin, direction, 0.0));
             let Some(t) = sphere.hit(&ray).filter(is_distance) else { continue };
             met += 1;
             if sphere.is_surely_in_its_box(&ray, t) {

@@ -207,9 +207,9 @@ impl Camera {
     pub fn ray(&self, place: Place) -> Ray {
         let across = self.right * (place.x - self.middle.x) + self.down * (place.y - self.middle.y);
         if self.parallel {
-            Ray::near_unit(self.from + across, self.forward)
+            Ray::near_unit(self.from + across, self.forward, 0.0)
         } else {
-            Ray::near_unit(self.from, unit(self.forward + across).unwrap_or(self.forward))
+            Ray::near_unit(self.from, unit(self.forward + across).unwrap_or(self.forward), 0.0)
         }
     }
 }

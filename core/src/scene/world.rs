@@ -125,12 +125,13 @@ impl<'s, A: Accelerator> World<'s, A> {
     }
 
     /// How far away from its own place an item is at `time`; zero where nothing moves.
+    #[inline(always)]
     pub(crate) fn offset<E: Effects>(&self, item: ItemId, time: Real) -> Vec3 {
-        let geometry = &self.scene.parts().geometry;
-        match geometry.shape(item) {
-            Some(shape) if E::SET.motion => geometry.offset(shape, time),
-            _ => Vec3::ZERO,
+        if !E::SET.motion {
+            return Vec3::ZERO;
         }
+        let geometry = &self.scene.parts().geometry;
+        geometry.shape(item).map_or(Vec3::ZERO, |shape| geometry.offset(shape, time))
     }
 
     /// Planes have no box, so they are tested here and first: what they leave in reach is less.
@@ -230,7 +231,9 @@ impl<'q, E: Effects, T: Tally, G: Goal> Search<'q, E, T, G> {
 
     #[inline(always)]
     fn count(&mut self, shape: &Shape) {
-        if let Some(kind) = self.geometry.kind(shape) {
+        if T::HEARS
+            && let Some(kind) = self.geometry.kind(shape)
+        {
             self.tally.count(Event::Shape(self.kind, kind));
         }
     }

@@ -73,7 +73,7 @@ pub(super) fn is_dark<A: Accelerator, E: Effects, T: Tally, const SHADOWS: usize
     tally.count(Event::Ray(RayKind::Shadow));
     let Some(direction) = way.direction() else { return false };
     tally.tell(Step::Asks { origin: way.start.from, direction, reach: way.reach() });
-    let ray = Ray::near_unit(way.start.from, direction).at_time(way.start.time);
+    let ray = Ray::near_unit(way.start.from, direction, way.start.time);
     if let Some(last) = memory.shadows.last(way.toward) {
         let still = world.blocks::<E, T>(last, &ray, way.reach(), RayKind::Shadow, tally);
         tally.count(Event::ShadowCache { hit: still });
@@ -115,7 +115,7 @@ pub(super) fn passing<A: Accelerator, E: Effects, T: Tally>(
     let (mut from, mut reach) = (way.start.from, way.reach());
     tally.tell(Step::Asks { origin: from, direction, reach });
     for _ in 0..MOST_SURFACES {
-        let ray = Ray::near_unit(from, direction).at_time(way.start.time);
+        let ray = Ray::near_unit(from, direction, way.start.time);
         let hit = world.nearest_sound::<E, T>(&ray, reach, RayKind::Shadow, scratch, tally);
         let met = hit.and_then(|hit| Some((hit, world.surface::<E>(&ray, hit)?)));
         let Some((hit, surface)) = met else {

@@ -63,6 +63,9 @@ pub enum Event {
 
 /// Somebody who is told what happens.
 pub trait Tally {
+    /// Whether it hears of events at all: for who does not, what they tell is not worked out.
+    const HEARS: bool = true;
+
     /// Hears of one event.
     fn count(&mut self, event: Event);
 
@@ -74,6 +77,8 @@ pub trait Tally {
 
 /// Counts nothing and costs nothing.
 impl Tally for () {
+    const HEARS: bool = false;
+
     #[inline(always)]
     fn count(&mut self, _: Event) {}
 }

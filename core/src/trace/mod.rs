@@ -155,7 +155,7 @@ impl<'w, 's, A: Accelerator, E: Effects, const LEVELS: usize> Tracer<'w, 's, A, 
         tally.count(Event::Ray(task.kind));
         tally.count(Event::Level(task.level));
         tally.tell(task.begins());
-        let ray = Ray::near_unit(task.origin, task.direction).at_time(time);
+        let ray = Ray::near_unit(task.origin, task.direction, time);
         let found = self.world.nearest_sound::<E, T>(&ray, E::SIGHT, task.kind, &mut memory.scratch, tally);
         let met = found.and_then(|hit| Some((hit, self.world.surface::<E>(&ray, hit)?)));
         let Some((hit, surface)) = met else {
