@@ -118,10 +118,10 @@ impl<'s, A: Accelerator> World<'s, A> {
     }
 
     /// How far off a point of a smooth item the round surface is that is meant, where it is to stand
-    /// in no light of its own; none for other items. `outside`: on the side of its normals.
+    /// in no light of its own; none for other items. `point`: where the item is at rest. `outside`: on the side of its normals.
     pub(crate) fn lift<E: Effects>(&self, item: ItemId, point: Vec3, outside: bool) -> Option<Vec3> {
         let geometry = &self.scene.parts().geometry;
-        geometry.lift::<E>(*geometry.shape(item)?, point, outside)
+        geometry.lift::<E>(*geometry.at_rest(geometry.shape(item)?)?, point, outside)
     }
 
     /// How far away from its own place an item is at `time`; zero where nothing moves.

@@ -156,8 +156,8 @@ pub(crate) fn local<A: Accelerator, E: Effects, T: Tally, const SHADOWS: usize>(
             let lifted;
             let mut start = &start;
             if E::SET.smooth && side.dot(beam.toward) <= 0.0 {
-                let lift = lift::<A, E>(world, seen, arrival.item, side, beam.distance);
-                lifted = Start::new(seen.surface.point, from + lift);
+                let lift = lift::<A, E>(world, seen, arrival, side, beam.distance);
+                lifted = Start::new(seen.surface.point, from + lift, arrival.time);
                 start = &lifted;
             }
             let way = Way { start, beam: &beam, toward };
@@ -193,12 +193,12 @@ pub(crate) fn local<A: Accelerator, E: Effects, T: Tally, const SHADOWS: usize>(
 fn lift<A: Accelerator, E: Effects>(
     world: &World<'_, A>,
     seen: &Seen,
-    item: ItemId,
+    arrival: &Arrival,
     side: Vec3,
     distance: Real,
 ) -> Vec3 {
     let outside = side.dot(seen.surface.normal) > 0.0;
-    let lift = world.lift::<E>(item, seen.surface.point, outside);
+    let lift = world.lift::<E>(arrival.item, seen.surface.point - arrival.offset, outside);
     lift.filter(|lift| largest(*lift) < 0.25 * distance).unwrap_or(Vec3::ZERO)
 }
 
