@@ -110,7 +110,9 @@ pub(super) fn effects(
     asks: &[Effect],
 ) -> Result<(), Failure> {
     let Taken { options: base, run, .. } = &study.taken[best];
-    let is_many = [Effect::Penumbra, Effect::Lens, Effect::Gloss].iter().any(|effect| asks.contains(effect));
+    let is_many = [Effect::Penumbra, Effect::Lens, Effect::Gloss, Effect::Motion]
+        .iter()
+        .any(|effect| asks.contains(effect));
     let rays = if is_many { MANY } else { 4 };
     let seconds = f64::from(rays) * run.wall[0];
     let base = Options { sampling: Sampling::stochastic(rays), ..base.clone() };
