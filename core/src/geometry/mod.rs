@@ -214,10 +214,15 @@ impl<'s> Geometry<'s> {
     fn rest_distance<S: Shapes>(&self, shape: &Shape, ray: &Ray) -> Option<Real> {
         // Few kinds are worth a copy at each of the places that ask.
         if S::SHAPES.len() <= 2 {
-            self.distance_here::<S>(shape, ray)
-        } else {
-            self.distance_there::<S>(shape, ray)
+            return self.distance_here::<S>(shape, ray);
         }
+        // Spheres are so cheap that the way there would cost more.
+        if S::SHAPES.has(ShapeKind::Sphere)
+            && let Shape::Sphere(sphere) = shape
+        {
+            return self.sphere_distance::<S>(sphere, shape, ray);
+        }
+        self.distance_there::<S>(shape, ray)
     }
 
     #[inline(never)]
@@ -233,12 +238,7 @@ impl<'s> Geometry<'s> {
         if can(ShapeKind::Sphere)
             && let Shape::Sphere(sphere) = shape
         {
-            let t = sphere.hit(ray).filter(is_distance)?;
-            return if sphere.is_surely_in_its_box(ray, t) {
-                Some(t)
-            } else {
-                self.within_bounds::<S>(shape, t, ray)
-            };
+            return self.sphere_distance::<S>(sphere, shape, ray);
         }
         if can(ShapeKind::Polygon)
             && let Shape::Polygon(place) = shape
@@ -250,6 +250,12 @@ impl<'s> Geometry<'s> {
             Shape::Plane(_) => Some(t),
             _ => self.within_bounds::<S>(shape, t, ray),
         }
+    }
+
+    #[inline(always)]
+    fn sphere_distance<S: Shapes>(&self, sphere: &Sphere, shape: &Shape, ray: &Ray) -> Option<Real> {
+        let t = sphere.hit(ray).filter(is_distance)?;
+        if sphere.is_surely_in_its_box(ray, t) { Some(t) } else { self.within_bounds::<S>(shape, t, ray) }
     }
 
     /// The distance moved into the shape's own box.
