@@ -36,7 +36,11 @@ impl<'n> Names<'n> {
         let material = parts.made_of.get(item.0 as usize).map_or(0, |material| material.0);
         Thing {
             object: item.0,
-            shape: parts.geometry.shape(item).map_or("nothing", |shape| shape.kind().name()),
+            shape: parts
+                .geometry
+                .shape(item)
+                .and_then(|shape| parts.geometry.kind(shape))
+                .map_or("nothing", |kind| kind.name()),
             triangle: is_mesh.then_some(item.0 - first),
             line: object.map_or(0, |object| object.line),
             material: self.material(material),
