@@ -7,7 +7,7 @@ use strahl::args::{Args, Command, Schema};
 use strahl::failure::Answer;
 use strahl::load::native;
 use strahl::output::Output;
-use strahl::study::record;
+use strahl::study::file;
 
 fn main() -> ExitCode {
     let args = Args::parse();
@@ -24,7 +24,7 @@ fn main() -> ExitCode {
         Command::Schema { what } => {
             let schema = match what {
                 Schema::Scene => native::schema(),
-                Schema::Study => record::schema(),
+                Schema::Study => file::schema(),
             };
             Output::Stdout.commit(schema.as_bytes()).map(yes)
         }

@@ -10,7 +10,7 @@ use strahl_core::Limits;
 use super::bench::{Bench, Taken, errors, mean};
 use super::front::{Point, front};
 use super::knobs;
-use super::mix::{Hunt, Notch};
+use super::mixtures;
 use super::options::Options;
 use super::plan::{FINE_CUTOFF, LEVELS, NEXT_TO_NOTHING, Plan};
 use super::record::{Errors, Knob, LeftOut, Reference, Role, Step, Technique};
@@ -22,7 +22,7 @@ use crate::sampling::Sampling;
 use crate::wanted::{Looped, Precision};
 
 /// Shares of the time that is given.
-mod time {
+pub(super) mod time {
     /// For one level more.
     pub const LEVEL: f64 = 0.06;
     /// For the reference.
@@ -87,7 +87,7 @@ impl<'b> Conduct<'b> {
         techniques::precision(self, own, &truth)?;
         techniques::all(self, own, &truth)?;
         techniques::threads(self, own, &truth)?;
-        self.mix(best, &truth)?;
+        mixtures::all(self, best, &truth)?;
         self.repeat()?;
         Ok(truth)
     }
@@ -250,73 +250,18 @@ impl<'b> Conduct<'b> {
         Some(errors(picture(place)?, picture(other)?))
     }
 
-    fn leave(&mut self, options: &Options, why: String) {
+    pub(super) fn leave(&mut self, options: &Options, why: String) {
         self.left_out.push(LeftOut { setting: options.words(), why });
     }
 
     /// Places of what tells what accuracy costs, and how it stands.
-    fn points(&self) -> (Vec<usize>, Vec<Point>) {
+    pub(super) fn points(&self) -> (Vec<usize>, Vec<Point>) {
         let all = self.taken.iter().enumerate().filter(|(_, taken)| taken.run.is_about_accuracy());
         all.map(|(place, it)| (place, Point { cost: it.run.work, error: it.run.error.rmse })).unzip()
     }
 
-    /// Turns several knobs at once, as long as that promises anything and time is left.
-    fn mix(&mut self, best: usize, truth: &Truth) -> Result<(), Failure> {
-        let base =
-            (self.taken[best].options.clone(), self.taken[best].run.work, self.taken[best].run.wall[0]);
-        let knobs: Vec<(Vec<usize>, Vec<Notch>)> = ["levels", "cutoff", "sampler", "select"]
-            .into_iter()
-            .map(|name| {
-                let steps = self.knobs.iter().filter(|knob| knob.name == name).flat_map(|knob| &knob.steps);
-                let notch = |step: &Step| {
-                    let share = self.taken[step.run].run.work / base.1.max(1.0);
-                    (step.run, Notch { error: step.alone.rmse, share })
-                };
-                let (runs, notches): (Vec<_>, Vec<_>) = steps.map(notch).unzip();
-                // A knob that cannot be turned has one notch.
-                if runs.is_empty() {
-                    (vec![best], vec![Notch { error: 0.0, share: 1.0 }])
-                } else {
-                    (runs, notches)
-                }
-            })
-            .collect();
-        let notches: Vec<Vec<Notch>> = knobs.iter().map(|(_, notches)| notches.clone()).collect();
-        let runs: Vec<Vec<usize>> = knobs.into_iter().map(|(runs, _)| runs).collect();
-        let is_new = |places: &[usize]| {
-            let options = self.mixed(&base.0, &runs, places);
-            self.taken.iter().all(|taken| taken.options != options)
-        };
-        let mut hunt = Hunt::new(&notches, base.1, is_new);
-        for _ in 0..self.plan.mixes {
-            let Some(mix) = hunt.next(&self.points().1) else { break };
-            let turned = self.mixed(&base.0, &runs, &mix.places);
-            let seconds = base.2 * mix.foretold.cost / base.1.max(1.0);
-            let left = self.bench.share(time::MIXED) - self.bench.elapsed();
-            if seconds > left {
-                self.leave(&turned, "no time was left".into());
-                continue;
-            }
-            self.take(Role::Mix, &turned, f64::INFINITY, &truth.picture)?;
-            self.forget();
-        }
-        self.beaten = hunt.beaten;
-        Ok(())
-    }
-
-    /// `base` with all knobs turned: each to the notch that its run at that place has.
-    fn mixed(&self, base: &Options, runs: &[Vec<usize>], places: &[usize]) -> Options {
-        let of = |knob: usize| &self.taken[runs[knob][places[knob]]].options;
-        Options {
-            limits: Limits { levels: of(0).limits.levels, cutoff: of(1).limits.cutoff },
-            sampling: of(2).sampling,
-            selecting: of(3).selecting,
-            ..base.clone()
-        }
-    }
-
     /// Drops the pictures that nobody will look at: those of settings that others beat.
-    fn forget(&mut self) {
+    pub(super) fn forget(&mut self) {
         let (places, points) = self.points();
         let kept: Vec<usize> = front(&points).into_iter().map(|place| places[place]).collect();
         for (place, taken) in self.taken.iter_mut().enumerate() {

@@ -8,12 +8,14 @@
 //! | room | what it does |
 //! |---|---|
 //! | [`record`] | what was found, as `study.json` holds it |
+//! | [`file`] | `study.json`, written and read |
 //! | [`plan`] | what is measured, and how much time each part may take |
 //! | [`options`] | what is turned |
 //! | [`bench`](mod@bench) | one setting is measured |
 //! | [`conduct`] | a study from its beginning to its end |
 //! | `knobs` | knobs turned one by one |
 //! | [`mix`] | which mixtures are worth a measurement |
+//! | `mixtures` | they are measured |
 //! | `techniques` | techniques on and off |
 //! | [`cost`] | work in instructions, from counts |
 //! | [`statistics`] | medians and spreads |
@@ -55,12 +57,14 @@ pub mod bench;
 pub mod conduct;
 pub mod cost;
 pub mod device;
+pub mod file;
 pub mod front;
 pub mod images;
 mod knobs;
 pub mod machine;
 pub mod meter;
 pub mod mix;
+mod mixtures;
 pub mod options;
 pub mod page;
 pub mod plan;

@@ -4,13 +4,10 @@
 //! recommended settings) is found anew whenever a page is made, so that a page always agrees with
 //! the numbers beside it. `strahl schema study` prints the schema, whose version is [`VERSION`].
 
-use std::path::Path;
-
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use super::statistics::median;
-use crate::failure::Failure;
 
 /// The format's name, the first thing in the file.
 pub const FORMAT: &str = "strahl-study";
@@ -363,79 +360,4 @@ impl Run {
     pub fn is_about_accuracy(&self) -> bool {
         matches!(self.role, Role::Own | Role::Knob | Role::Mix)
     }
-}
-
-impl Study {
-    /// The file.
-    pub fn to_json(&self) -> String {
-        let mut json = serde_json::to_string_pretty(self).unwrap_or_default();
-        json.push('\n');
-        json
-    }
-
-    /// Reads the file at `path`.
-    pub fn read(path: &Path) -> Result<Self, Failure> {
-        let unreadable = |error| Failure::Unreadable { path: path.to_owned(), error };
-        let bytes = std::fs::read(path).map_err(unreadable)?;
-        Study::parse(path, &bytes)
-    }
-
-    fn parse(path: &Path, bytes: &[u8]) -> Result<Self, Failure> {
-        /// What every version begins with.
-        #[derive(Deserialize)]
-        struct Head {
-            format: String,
-            version: u32,
-        }
-        let wrong = |reason: String| Failure::Input { path: path.to_owned(), line: None, reason };
-        let at = |error: serde_json::Error| Failure::at(path, error.line(), reason(&error));
-        let head: Head = serde_json::from_slice(bytes).map_err(at)?;
-        if head.format != FORMAT {
-            return Err(wrong(format!("this is no study: its format is `{}`, not `{FORMAT}`", head.format)));
-        }
-        if head.version != VERSION {
-            let found = head.version;
-            return Err(wrong(format!("this study is of version {found}; this program reads {VERSION}")));
-        }
-        let study: Study = serde_json::from_slice(bytes).map_err(at)?;
-        study.check().map_err(wrong)?;
-        Ok(study)
-    }
-
-    /// What no schema can say: places in lists are inside, and what is a measurement has one.
-    fn check(&self) -> Result<(), String> {
-        let count = self.runs.len();
-        let steps = self.knobs.iter().flat_map(|knob| knob.steps.iter().map(|step| step.run));
-        let techniques = self.techniques.iter().flat_map(|it| [it.without, it.with]).flatten();
-        let pictures = self.pictures.iter().filter_map(|it| it.run);
-        let threads = self.threads.iter().copied();
-        if let Some(place) =
-            steps.chain(techniques).chain(pictures).chain(threads).find(|place| *place >= count)
-        {
-            return Err(format!("there is no run {place}: there are {count}, counted from 0"));
-        }
-        for (place, run) in self.runs.iter().enumerate() {
-            if run.cpu.is_empty() || run.wall.is_empty() {
-                return Err(format!("run {place} has no measured time"));
-            }
-            let is_wrong = |value: &f64| !(value.is_finite() && *value >= 0.0);
-            let Errors { rmse, largest, beyond, .. } = run.error;
-            if run.cpu.iter().chain(&run.wall).chain(&[run.work, rmse, largest, beyond]).any(is_wrong) {
-                return Err(format!("a time, the work or an error of run {place} is negative"));
-            }
-        }
-        Ok(())
-    }
-}
-
-/// What is wrong, without the place, which stands before it.
-fn reason(error: &serde_json::Error) -> String {
-    let text = error.to_string();
-    text.rsplit_once(" at line ").map_or(text.clone(), |(reason, _)| reason.to_owned())
-}
-
-/// The JSON Schema of `study.json`.
-pub fn schema() -> String {
-    let schema = serde_json::to_string_pretty(&schemars::schema_for!(Study)).unwrap_or_default();
-    schema + "\n"
 }

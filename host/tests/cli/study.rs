@@ -5,7 +5,8 @@ use std::path::Path;
 use std::sync::OnceLock;
 
 use serde_json::Value;
-use strahl::study::record::{Role, Study, schema};
+use strahl::study::file::schema;
+use strahl::study::record::{Role, Study};
 
 use crate::program::{BALL, EMPTY, Folder};
 

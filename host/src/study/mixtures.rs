@@ -1,0 +1,62 @@
+//! Several knobs turned at once, as long as that promises anything and time is left.
+
+use strahl_core::Limits;
+
+use super::conduct::{Conduct, Truth, time};
+use super::mix::{Hunt, Notch};
+use super::options::Options;
+use super::record::{Role, Step};
+use crate::failure::Failure;
+
+/// The knobs that are mixed.
+const KNOBS: [&str; 4] = ["levels", "cutoff", "sampler", "select"];
+
+/// Measures the mixtures that may be on the front. At the run at `best` every knob is at its best.
+pub(super) fn all(study: &mut Conduct<'_>, best: usize, truth: &Truth) -> Result<(), Failure> {
+    let (base, work) = (study.taken[best].options.clone(), study.taken[best].run.work.max(1.0));
+    let single = study.taken[best].run.wall[0];
+    let (runs, notches): (Vec<_>, Vec<_>) =
+        KNOBS.map(|name| turned(study, name, best, work)).into_iter().unzip();
+    let is_new = |places: &[usize]| {
+        let options = mixed(study, &base, &runs, places);
+        study.taken.iter().all(|taken| taken.options != options)
+    };
+    let mut hunt = Hunt::new(&notches, work, is_new);
+    for _ in 0..study.plan.mixes {
+        let Some(mix) = hunt.next(&study.points().1) else { break };
+        let options = mixed(study, &base, &runs, &mix.places);
+        let seconds = single * mix.foretold.cost / work;
+        let left = study.bench.share(time::MIXED) - study.bench.elapsed();
+        if seconds > left {
+            study.leave(&options, "no time was left".into());
+            continue;
+        }
+        study.take(Role::Mix, &options, f64::INFINITY, &truth.picture)?;
+        study.forget();
+    }
+    study.beaten = hunt.beaten;
+    Ok(())
+}
+
+/// The runs of a knob that was turned alone, and what its notches do to an error and to `work`.
+fn turned(study: &Conduct<'_>, name: &str, best: usize, work: f64) -> (Vec<usize>, Vec<Notch>) {
+    let steps = study.knobs.iter().filter(|knob| knob.name == name).flat_map(|knob| &knob.steps);
+    let notch = |step: &Step| {
+        let share = study.taken[step.run].run.work / work;
+        (step.run, Notch { error: step.alone.rmse, share })
+    };
+    let (runs, notches): (Vec<_>, Vec<_>) = steps.map(notch).unzip();
+    // A knob that cannot be turned has one notch.
+    if runs.is_empty() { (vec![best], vec![Notch { error: 0.0, share: 1.0 }]) } else { (runs, notches) }
+}
+
+/// `base` with all knobs turned: each to the notch that its run at that place has.
+fn mixed(study: &Conduct<'_>, base: &Options, runs: &[Vec<usize>], places: &[usize]) -> Options {
+    let of = |knob: usize| &study.taken[runs[knob][places[knob]]].options;
+    Options {
+        limits: Limits { levels: of(0).limits.levels, cutoff: of(1).limits.cutoff },
+        sampling: of(2).sampling,
+        selecting: of(3).selecting,
+        ..base.clone()
+    }
+}
