@@ -223,7 +223,7 @@ fn the_page_shows_its_plots_in_a_browser_and_fetches_nothing() {
     let path = scene("classic.toml");
     let out = folder.path().join("out");
     let words = ["study", path.to_str().unwrap(), "-o", out.to_str().unwrap(), "--size", "48x36"];
-    let args = StudyArgs::parse_from([&words[..], &["--time-limit", "6s", "--quiet"]].concat());
+    let args = StudyArgs::parse_from([&words[..], &["--time-limit", "15s", "--quiet"]].concat());
     strahl::study::run(&args).unwrap();
     let server = Server::of(fs::read(out.join("report.html")).unwrap());
 

@@ -17,7 +17,7 @@ fn folder() -> &'static Folder {
     static FOLDER: OnceLock<Folder> = OnceLock::new();
     FOLDER.get_or_init(|| {
         let folder = Folder::with(BALL);
-        let said = folder.run("study scene.nff -o out --size 32x24 --time-limit 5s");
+        let said = folder.run("study scene.nff -o out --size 32x24 --time-limit 40s");
         assert_eq!(said.status, Some(0), "{}", said.stderr);
         assert!(said.stderr.contains("out/report.html"), "{}", said.stderr);
         assert_eq!(said.stdout, b"");
