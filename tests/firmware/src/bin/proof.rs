@@ -194,7 +194,7 @@ fn any_geometry() -> Geometry<'static> {
         }]),
         cones: slice(&[CONE]),
         tori: slice(&[Torus { center: Vec3::ZERO, axis: Vec3::Y, major: 1.0, minor: 0.5 }]),
-        moving: slice(&[Moving { shape: SHAPES[0], opening: Vec3::ZERO, closing: Vec3::X }]),
+        moving: slice(&[Moving { shape: Shape::Triangle([0, 1, 2]), opening: Vec3::ZERO, closing: Vec3::X }]),
     }
 }
 
