@@ -35,15 +35,15 @@ use strahl_core::{Rgb, Size};
 /// Scenes of different kinds, each with limits that ask for little or much.
 const PAIRS: [(&str, f64); 10] = [
     ("glass.toml", 0.03),
-    ("glass.toml", 0.01),
     ("penumbra.toml", 0.03),
-    ("penumbra.toml", 0.015),
-    ("still-life.toml", 0.02),
-    ("sphereflake.toml", 0.03),
+    ("still-life.toml", 0.03),
+    ("stained.toml", 0.02),
+    ("sphereflake.toml", 0.05),
+    ("rotunda.nff", 0.04),
     ("lens.toml", 0.03),
-    ("stained.toml", 0.015),
-    ("rotunda.nff", 0.03),
-    ("gloss.toml", 0.02),
+    ("gloss.toml", 0.03),
+    ("penumbra.toml", 0.02),
+    ("classic.toml", 0.02),
 ];
 
 /// The most that a kept limit may cost, against the best.
