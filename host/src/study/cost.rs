@@ -4,7 +4,7 @@
 //! counts are the same everywhere and every time; each event is weighed with what it takes in the
 //! mean. `tests/examples/weights.rs` measures the weights anew, under callgrind, over all scenes of
 //! `scenes/` and the Standard Procedural Databases. What they say of a picture is off by 6 % in the
-//! middle for the list and the hierarchy, by 10 to 12 % for grid and octree, and by 45 % at most:
+//! middle for the list and the hierarchy, by 9 to 11 % for grid and octree, and by 38 % at most:
 //! for gears, whose polygons have 144 corners where others have four.
 
 use strahl_core::RayKind;
@@ -14,15 +14,15 @@ use crate::counts;
 
 /// Measured on x86-64, over the pictures that `tests/examples/weights.rs` names.
 pub const WEIGHTS: Weights = Weights {
-    camera: 1195.0,
-    secondary: 305.0,
-    shadow: 782.0,
-    shape: 184.0,
-    skipped: 309.0,
-    list: Steps { boxes: 67.0, region: 298.0 },
-    grid: Steps { boxes: 103.0, region: 92.0 },
-    octree: Steps { boxes: 88.0, region: 698.0 },
-    bvh: Steps { boxes: 33.0, region: 637.0 },
+    camera: 1227.0,
+    secondary: 246.0,
+    shadow: 629.0,
+    shape: 193.0,
+    skipped: 273.0,
+    list: Steps { boxes: 64.0, region: 272.0 },
+    grid: Steps { boxes: 107.0, region: 83.0 },
+    octree: Steps { boxes: 98.0, region: 570.0 },
+    bvh: Steps { boxes: 32.0, region: 378.0 },
 };
 
 /// As `study.json` has it.
