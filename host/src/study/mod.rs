@@ -8,7 +8,7 @@
 //! | room | what it does |
 //! |---|---|
 //! | [`record`] | what was found, as `study.json` holds it |
-//! | [`file`] | `study.json`, written and read |
+//! | [`mod@file`] | `study.json`, written and read |
 //! | [`plan`] | what is measured, and how much time each part may take |
 //! | [`options`] | what is turned |
 //! | [`bench`](mod@bench) | one setting is measured |
