@@ -112,7 +112,7 @@ pub const WRONG: &[Wrong] = &[
     ("[render]\nheap = 5\n", 2, "5", "must be one of 0, 1, 4, 64, not 5"),
     ("[render]\nheap = 4.0\n", 2, "4.0", "must be one of 0, 1, 4, 64, not a number"),
     ("[render]\nmailbox = -1\n", 2, "-1", "must be one of 0, 8, 64, not -1"),
-    ("[render]\nbounds = \"hull\"\n", 2, "\"hull\"", "there are none, box"),
+    ("[render]\nbounds = \"hull\"\n", 2, "\"hull\"", "there are none, sphere, box"),
     ("[render]\nsampler = \"often\"\n", 2, "\"often\"", "this is no sampler"),
     ("[render]\nfilter = \"cone\"\n", 2, "\"cone\"", "this is no filter"),
     ("[render]\nfilter = \"tent\"\nsampler = \"adaptive:1:0\"\n", 2, "\"tent\"", "no filter but"),

@@ -57,12 +57,14 @@ impl Transform {
         std::array::from_fn(|axis| (turned[axis] + self.translate[axis]) as f32)
     }
 
-    /// What is upright on the surface then: what becomes longer turns away. Its largest part is
-    /// about one, so that rounding never leaves nothing of it.
+    /// What is upright on the surface then: what becomes longer turns away. Scaled by a power of
+    /// two so that its largest part is about one: rounding never leaves nothing of it, and a
+    /// normal that is not turned keeps its bits.
     fn normal(&self, n: Triple) -> Triple {
         let turned = self.turned(std::array::from_fn(|axis| f64::from(n[axis]) / self.scale[axis]));
         let largest = turned.iter().fold(0.0, |most: f64, x| if x.abs() > most { x.abs() } else { most });
-        turned.map(|x| (x / largest) as f32)
+        let power = f64::from_bits(largest.to_bits() & f64::INFINITY.to_bits());
+        turned.map(|x| (x / power) as f32)
     }
 
     /// Whether the inside would become the outside.
