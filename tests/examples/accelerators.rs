@@ -4,7 +4,7 @@
 //! cargo run --release -p strahl-tests --example accelerators > tests/accelerators.md
 //! ```
 //!
-//! Scenes of the generator: sphereflakes of 92 to 597,872 objects, knots of about 1,000 to
+//! Scenes of the generator: sphereflakes of 11 to 597,872 objects, knots of about 1,000 to
 //! 1,000,000 triangles, and a knot in a stadium. Each is traced at 512 x 512 with one ray for each
 //! pixel, five levels, no cutoff, on one thread and uncounted, once by each accelerator; processor
 //! time, of three turns the least. Then once more to count. The list is left out where it would

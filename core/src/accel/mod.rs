@@ -16,16 +16,17 @@
 //!
 //! # When to choose which
 //!
-//! Measured on scenes of 92 to 1,000,000 objects (`tests/accelerators.md`, and `tests/bench` for
+//! Measured on scenes of 11 to 1,000,000 objects (`tests/accelerators.md`, and `tests/bench` for
 //! single rays beside other crates):
 //!
 //! * [`Bare`] or [`List`] for a handful of items: nothing to build, next to no code. From about
-//!   ten items on anything else is quicker.
-//! * [`Bvh`] for everything else, unless there is a reason: the quickest on every scene measured, at
-//!   once with the least to keep where items differ in size. It is built in less than a
-//!   microsecond for each item, and its time grows slowest with their number. By a stack
-//!   ([`LastFirst`]); the heap ([`NearestFirst`]) visits fewer nodes and takes longer for each.
-//!   Triangles go into [`Run`]s where there is the memory for it.
+//!   ten items on a hierarchy is quicker; up to some hundreds a list with boxes still keeps up
+//!   with grid and octree.
+//! * [`Bvh`] for everything else, unless there is a reason: the quickest on every scene measured, and
+//!   its time grows slowest with their number, as the octree's does. It takes some 60 bytes for
+//!   each item, half as much again as the octree, and is the slowest to build. By a stack
+//!   ([`LastFirst`]); the heap ([`NearestFirst`]) visits hardly fewer nodes and takes longer for
+//!   each. Triangles go into [`Run`]s where there is the memory for it.
 //! * [`Octree`] where memory has to be small and in one piece, and sizes differ: 8 bytes a node,
 //!   steps of whole numbers.
 //! * [`Grid`] for many items of like size that are evenly spread: quick to build, and walked in
