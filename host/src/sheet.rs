@@ -11,6 +11,8 @@ use std::sync::atomic::{AtomicU8, AtomicU32, Ordering};
 use strahl_core::{Pixel, RayKind, Size, Tile};
 
 use crate::finding::Kind;
+use crate::study::cost::WEIGHTS;
+use crate::study::record::Counts;
 use crate::wanted::Mask;
 
 const KINDS: usize = RayKind::ALL.len();
@@ -49,41 +51,15 @@ impl Cost {
 
     /// About how many instructions that takes on a workstation, by an accelerator of this kind.
     pub fn work(&self, kind: Kind) -> f64 {
-        let Weights { rays, shape, skipped, boxes, region } = Weights::of(kind);
-        let by_kind: f64 = rays.iter().zip(self.rays).map(|(weight, rays)| weight * f64::from(rays)).sum();
-        let of = |by_kind: [u32; KINDS]| sum(by_kind) as f64;
-        by_kind
-            + shape * of(self.shapes)
-            + skipped * of(self.skipped)
-            + boxes * of(self.boxes)
-            + region * of(self.regions)
+        let [rays, boxes, shapes, regions, skipped] = self.fields().map(|by_kind| by_kind.map(u64::from));
+        let counts = Counts { rays, boxes, shapes, regions, skipped, cache_asked: 0, cache_hits: 0 };
+        WEIGHTS.work(&counts, kind.name())
     }
 }
 
 /// Of all kinds of rays.
 pub fn sum(by_kind: [u32; KINDS]) -> u64 {
     by_kind.into_iter().map(u64::from).sum()
-}
-
-/// Instructions for each event, in the mean over many pictures.
-struct Weights {
-    rays: [f64; KINDS],
-    shape: f64,
-    skipped: f64,
-    boxes: f64,
-    region: f64,
-}
-
-impl Weights {
-    fn of(kind: Kind) -> Self {
-        let (boxes, region) = match kind {
-            Kind::List => (66.0, 232.0),
-            Kind::Grid => (103.0, 102.0),
-            Kind::Octree => (80.0, 761.0),
-            Kind::Bvh => (34.0, 625.0),
-        };
-        Weights { rays: [900.0, 338.0, 338.0, 888.0], shape: 178.0, skipped: 301.0, boxes, region }
-    }
 }
 
 /// The counts of one pixel, and its deepest level.

@@ -32,7 +32,7 @@ use std::fs;
 use std::path::{Path, PathBuf};
 use std::time::Duration;
 
-use strahl_core::{Limits, Size};
+use strahl_core::Size;
 
 use crate::args::StudyArgs;
 use crate::description::{Description, Settings};
@@ -43,7 +43,7 @@ use crate::output::{Output, say, tell};
 use crate::plan::Effect;
 use crate::signals::Signals;
 use crate::stock::single::Stock;
-use crate::wanted::{Sampling, Wanted};
+use crate::wanted::Wanted;
 use crate::wrap::{width_of_stderr, wrapped};
 use bench::Bench;
 use conduct::Conduct;
@@ -134,7 +134,7 @@ fn study(path: &Path, scene: &Description, args: &StudyArgs, signals: Signals) -
     let meter = if args.quiet { Meter::silent() } else { Meter::on_terminal() };
     let bench = Bench { path, scene, size, signals, meter, limit };
     let mut conduct = Conduct::new(&bench, &plan);
-    let found = conduct.run(&own(scene, size, args.threads), &asks).and_then(|truth| {
+    let found = conduct.run(&own(scene, size, args.threads)?, &asks).and_then(|truth| {
         let pictures = images::all(&conduct, &truth)?;
         Ok((truth, pictures))
     });
@@ -180,21 +180,10 @@ fn study(path: &Path, scene: &Description, args: &StudyArgs, signals: Signals) -
 }
 
 /// The scene's own settings, where it has none the defaults.
-fn own(scene: &Description, size: Size, threads: Option<usize>) -> Options {
-    let Settings { levels, cutoff, sampling, filter, seed, finding, shadow_cache, precision, .. } =
-        scene.settings;
-    let default = Limits::DEFAULT;
-    let wanted = Wanted {
-        limits: Limits { levels: levels.unwrap_or(default.levels), cutoff: cutoff.unwrap_or(default.cutoff) },
-        sampling: sampling.unwrap_or(Sampling::Single),
-        filter: filter.unwrap_or_default(),
-        seed: seed.unwrap_or(0),
-        precision: precision.unwrap_or_default(),
-        finding,
-        shadow_cache: shadow_cache.unwrap_or(true),
-        ..Wanted::of(size)
-    };
-    Options::of(&wanted, threads.unwrap_or_else(machine::cores))
+fn own(scene: &Description, size: Size, threads: Option<usize>) -> Result<Options, Failure> {
+    let asked = Settings { size: Some(size), ..Settings::default() };
+    let wanted = Wanted::asked(&asked, &scene.settings).map_err(Failure::Usage)?;
+    Ok(Options::of(&wanted, threads.unwrap_or_else(machine::cores)))
 }
 
 /// A size of the same shape that a study has time for.
