@@ -1,13 +1,13 @@
 //! The quality of the samplers at equal cost, as the tables of `tests/quality.md`:
 //!
 //! ```text
-//! cargo run --release -p strahl-tests --example quality > tests/quality.md
+//! cargo run --profile test -p strahl-tests --example quality > tests/quality.md
 //! ```
 //!
 //! Each of four scenes is traced with some 16 camera rays in each pixel, by every sampler, and
 //! held against a reference of 4096 rays in each pixel, of another seed. The exit status is 1
-//! when adaptive and stochastic supersampling do not beat the regular one on the scene of edges, or
-//! pixel-selected tracing does not save half of the rays.
+//! when stochastic supersampling does not beat the regular one on each of them, when adaptive does
+//! not beat it on the scene of edges, or when pixel-selected tracing does not save half of the rays.
 
 use std::error::Error;
 use std::path::Path;
@@ -36,6 +36,8 @@ const SCENES: [(&str, &str); 4] = [
 const RAYS: u32 = 16;
 /// Of the reference.
 const MANY: u32 = 4096;
+/// Of the pictures that are held against the reference, whose seed is none of them.
+const SEEDS: [u32; 4] = [0, 2, 3, 4];
 /// How often a pixel may be quartered.
 const DEPTH: u8 = 4;
 
@@ -46,9 +48,25 @@ struct Measured {
     ssim: f64,
 }
 
+impl Measured {
+    /// The mean of pictures of several seeds, of which one could have had luck.
+    fn mean(one: impl Fn(u32) -> Result<Measured, Box<dyn Error>>) -> Result<Measured, Box<dyn Error>> {
+        let mut mean = Measured { rays: 0.0, rmse: 0.0, ssim: 0.0 };
+        for seed in SEEDS {
+            let it = one(seed)?;
+            let part = 1.0 / SEEDS.len() as f64;
+            mean.rays += part * it.rays;
+            mean.rmse += part * it.rmse * it.rmse;
+            mean.ssim += part * it.ssim;
+        }
+        Ok(Measured { rmse: mean.rmse.sqrt(), ..mean })
+    }
+}
+
 /// n times n cells with a ray through a random place of each: what the sequence is held against.
 struct Jittered {
     n: u32,
+    seed: u32,
 }
 
 impl Sampler for Jittered {
@@ -57,12 +75,13 @@ impl Sampler for Jittered {
         let mut sum = Rgb::BLACK;
         for index in 0..n * n {
             // A place of its own for each cell, so that they have nothing to do with each other.
-            let chance = Stream::new(pixel.x, pixel.y, 0, index + 1).pair(strahl_core::Dimension::PIXEL);
+            let chance =
+                Stream::new(pixel.x, pixel.y, self.seed, index + 1).pair(strahl_core::Dimension::PIXEL);
             let place = strahl_core::Place {
                 x: pixel.x as f32 + ((index % n) as f32 + chance[0]) / n as f32,
                 y: pixel.y as f32 + ((index / n) as f32 + chance[1]) / n as f32,
             };
-            sum += shoot(Sample { place, stream: Stream::new(pixel.x, pixel.y, index, 0) }).color;
+            sum += shoot(Sample { place, stream: Stream::new(pixel.x, pixel.y, index, self.seed) }).color;
         }
         Sight { color: sum * (1.0 / (n * n) as f32), ..Sight::DARK }
     }
@@ -114,7 +133,7 @@ impl Scene {
     }
 
     fn by(&self, sampling: Sampling) -> Result<Measured, Box<dyn Error>> {
-        Ok(self.measured(self.traced(&self.wanted(sampling))?))
+        Measured::mean(|seed| Ok(self.measured(self.traced(&Wanted { seed, ..self.wanted(sampling) })?)))
     }
 
     /// With the threshold that takes the most rays, but no more than the others.
@@ -125,12 +144,16 @@ impl Scene {
             threshold *= 0.7;
             let agreement = Agreement { threshold, items: false };
             let measured = self.by(Sampling::Adaptive { depth: DEPTH, agreement })?;
-            if measured.rays > f64::from(RAYS) {
+            let is_too_much = measured.rays > f64::from(RAYS);
+            // Where each takes too many, the coarsest stands for them.
+            if best.is_none() || !is_too_much {
+                best = Some((threshold, measured));
+            }
+            if is_too_much {
                 break;
             }
-            best = Some((threshold, measured));
         }
-        best.ok_or_else(|| "adaptive takes too many rays".into())
+        best.ok_or_else(|| "no threshold was tried".into())
     }
 
     fn jittered(&self) -> Result<Measured, Box<dyn Error>> {
@@ -141,12 +164,14 @@ impl Scene {
         let camera = Camera::new(&strahl::stock::single::view(&self.description.view), self.size)?;
         let limits = self.wanted(Sampling::Single).limits;
         let tracer = Tracer::<_, Everything, 64>::new(&world, camera, limits)?;
-        let mut colors = Vec::new();
-        let mut sink = |_: Pixel, color: Rgb| colors.push(color);
-        let mut sampler = Jittered { n: RAYS.isqrt() };
-        let pixels = Tile::whole(self.size).pixels();
-        let Ok(()) = render(&tracer, &mut sampler, &mut Worker::new(()), pixels, &mut sink);
-        Ok(self.measured((colors, f64::from(RAYS))))
+        Measured::mean(|seed| {
+            let mut colors = Vec::new();
+            let mut sink = |_: Pixel, color: Rgb| colors.push(color);
+            let mut sampler = Jittered { n: RAYS.isqrt(), seed };
+            let pixels = Tile::whole(self.size).pixels();
+            let Ok(()) = render(&tracer, &mut sampler, &mut Worker::new(()), pixels, &mut sink);
+            Ok(self.measured((colors, f64::from(RAYS))))
+        })
     }
 }
 
@@ -156,14 +181,17 @@ fn row(name: &str, measured: &Measured) {
 
 fn main() -> Result<ExitCode, Box<dyn Error>> {
     println!("# Quality of the samplers at equal cost\n");
-    println!("    cargo run --release -p strahl-tests --example quality > tests/quality.md\n");
+    println!("    cargo run --profile test -p strahl-tests --example quality > tests/quality.md\n");
     println!(
         "Camera rays in a pixel, the root of the mean square error of sRGB-encoded values (0 to 1), and the\n\
          structural similarity (1 is equal; `strahl compare` has both), against {MANY} rays in each pixel.\n\
-         Adaptive is `adaptive:{DEPTH}:T` with the threshold that takes the most rays up to {RAYS}. Jittered is no\n\
+         The means of {1} pictures of other seeds than the reference's, so that none has luck. Adaptive is\n\
+         `adaptive:{DEPTH}:T` with the threshold that takes the most rays up to {RAYS}; the zone plate, which has an\n\
+         edge everywhere, takes more with any, and shows the coarsest. Jittered is no\n\
          sampler of strahl: it has random places in {0} x {0} cells, where stochastic has a scrambled\n\
          low-discrepancy sequence. Pictures have an eighth of their usual sides.",
-        RAYS.isqrt()
+        RAYS.isqrt(),
+        SEEDS.len()
     );
     let mut holds = true;
     for (name, what) in SCENES {
@@ -179,10 +207,8 @@ fn main() -> Result<ExitCode, Box<dyn Error>> {
         let stochastic = scene.by(Sampling::stochastic(RAYS))?;
         row("`stochastic:16`", &stochastic);
         row("`stochastic:4..64:0.9:0.06`", &scene.by("stochastic:4..64:0.9:0.06".parse()?)?);
-        holds &= match name {
-            "stained" => adaptive.rmse < regular.rmse && stochastic.rmse < regular.rmse,
-            _ => true,
-        };
+        holds &= stochastic.rmse < regular.rmse;
+        holds &= name != "stained" || adaptive.rmse < regular.rmse;
     }
 
     println!("\n## Pixel-selected tracing\n");
