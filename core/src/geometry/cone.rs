@@ -13,7 +13,7 @@
 //! but the question itself, whether the ray comes nearer to the axis than the side, as the
 //! textbook's `b^2 - ac` would for a hair-thin cylinder.
 //!
-//! That costs about a fifth more instructions than the textbook's formula: the two squares take a
+//! A ray takes about a third more instructions than by the textbook's formula: the two squares take a
 //! fifth, the moved origin an eighth, roots without cancellation a twentieth. `tests/HARD-CASES.md`
 //! says what goes wrong without each.
 

@@ -9,6 +9,7 @@
 mod bounds;
 pub mod cost;
 mod flat;
+mod lattice;
 mod leave;
 mod limits;
 mod mesh;
@@ -134,10 +135,17 @@ impl Case {
         }
     }
 
+    /// All of its things, and the rays at them.
+    pub fn all_aims(&self) -> Vec<(Thing, Vec<Line>)> {
+        match self.run {
+            Run::Own(_) => Vec::new(),
+            Run::Aimed(rounds, _) => self.aims(rounds),
+        }
+    }
+
     /// All of its rays at things, and what is true of them.
     fn rays(&self) -> Vec<Aimed> {
-        let Run::Aimed(rounds, _) = self.run else { return Vec::new() };
-        let aims = self.aims(rounds);
+        let aims = self.all_aims();
         // Two halves side by side: the oracle is slow.
         let of = |(thing, lines): &(Thing, Vec<Line>)| Aimed {
             case: self.name,

@@ -22,7 +22,7 @@ pub(super) const CASES: [Case; 2] = [
 ];
 
 /// A smooth ball of triangles, with a plate towards the light or without.
-fn ball(level: u32, center: Vector, radius: f64, plate: Option<Vector>) -> Vec<Thing> {
+pub(super) fn ball(level: u32, center: Vector, radius: f64, plate: Option<Vector>) -> Vec<Thing> {
     let mesh = Mesh::icosphere(level, center, radius);
     let corners = |triangle: &[u32; 3]| triangle.map(|corner| mesh.points[corner as usize]);
     let smooth = |corners: [Vector; 3]| Thing::SmoothTriangle {
@@ -40,6 +40,17 @@ fn ball(level: u32, center: Vector, radius: f64, plate: Option<Vector>) -> Vec<T
     things
 }
 
+/// Rays at a ball from the side, so that the line between light and shadow is seen, and not through
+/// the plate.
+pub(super) fn eyes(center: Vector, radius: f64, light: Vector, random: &mut Random) -> Vec<Line> {
+    let ray = |_| {
+        let side = super::aside(light, random) - light * random.between(-0.4, 0.6);
+        let eye = held(center + side * (radius * random.between(2.0, 9.0)));
+        towards(eye, random.near(center, radius))
+    };
+    (0..110).map(ray).collect()
+}
+
 fn tried(with_plate: bool, random: &mut Random) -> [Tally; 3] {
     let mut tallies = [Tally::default(); 3];
     for round in 0..24 {
@@ -47,14 +58,7 @@ fn tried(with_plate: bool, random: &mut Random) -> [Tally; 3] {
         let center = random.near(Vector::ZERO, 10.0 * radius);
         let light = random.direction();
         let things = ball(round % 3, center, radius, with_plate.then_some(light));
-        // From the side, so that the line is seen, and not through the plate.
-        let eyes: Vec<Line> = (0..110)
-            .map(|_| {
-                let side = super::aside(light, random) - light * random.between(-0.4, 0.6);
-                let eye = held(center + side * (radius * random.between(2.0, 9.0)));
-                towards(eye, random.near(center, radius))
-            })
-            .collect();
+        let eyes = eyes(center, radius, light, random);
         for (solver, tally) in Solver::ALL.into_iter().zip(&mut tallies) {
             let (shown, lit) = match solver {
                 Solver::Textbook => in_textbook(&things, &eyes, light),

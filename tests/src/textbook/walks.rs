@@ -52,30 +52,42 @@ fn found(best: Option<(f32, u32)>) -> Option<Found> {
 }
 
 /// More steps than any walk needs: one that takes more stands still.
-const MOST_STEPS: u32 = 1000;
+const MOST_STEPS: u32 = 10_000;
 
-/// "A Fast Voxel Traversal Algorithm for Ray Tracing", Amanatides, Woo 1987, with a fixed number of
-/// cells.
+/// "A Fast Voxel Traversal Algorithm for Ray Tracing", Amanatides, Woo 1987.
 pub struct Grid {
     min: Vec3,
     max: Vec3,
     size: Vec3,
+    /// How many cells there are along each axis.
+    sides: [i32; 3],
     cells: Vec<Vec<u32>>,
 }
 
-const SIDE: i32 = 8;
+/// How many cells there are for each box.
+const CELLS: f32 = 8.0;
 
 impl Grid {
     pub fn of(boxes: &Boxes) -> Grid {
         let (min, max) = boxes.bounds();
-        let size = (max - min) / SIDE as f32;
-        let mut grid = Grid { min, max, size, cells: vec![Vec::new(); (SIDE * SIDE * SIDE) as usize] };
+        let extent = max - min;
+        let space = extent.element_product();
+        let side = if space > 0.0 {
+            libm::cbrtf(space / (CELLS * boxes.cuboids.len() as f32))
+        } else {
+            extent.max_element() / CELLS
+        };
+        let sides = extent.to_array().map(|extent| ((extent / side) as i32).clamp(1, 4096));
+        let size = extent / Vec3::from_array(sides.map(|side| side as f32));
+        let cells = vec![Vec::new(); sides.iter().product::<i32>() as usize];
+        let mut grid = Grid { min, max, size, sides, cells };
         for (cuboid, item) in boxes.cuboids.iter().zip(0..) {
             let (low, high) = (grid.cell(cuboid.min), grid.cell(cuboid.max));
             for z in low[2]..=high[2] {
                 for y in low[1]..=high[1] {
                     for x in low[0]..=high[0] {
-                        grid.cells[((z * SIDE + y) * SIDE + x) as usize].push(item);
+                        let place = grid.place([x, y, z]);
+                        grid.cells[place].push(item);
                     }
                 }
             }
@@ -84,8 +96,14 @@ impl Grid {
     }
 
     fn cell(&self, p: Vec3) -> [i32; 3] {
-        let along = |axis: usize| (((p[axis] - self.min[axis]) / self.size[axis]) as i32).clamp(0, SIDE - 1);
+        let along = |axis: usize| {
+            (((p[axis] - self.min[axis]) / self.size[axis]) as i32).clamp(0, self.sides[axis] - 1)
+        };
         [0, 1, 2].map(along)
+    }
+
+    fn place(&self, [x, y, z]: [i32; 3]) -> usize {
+        ((z * self.sides[1] + y) * self.sides[0] + x) as usize
     }
 
     pub fn nearest(&self, boxes: &Boxes, line: &Line) -> Option<Found> {
@@ -100,7 +118,7 @@ impl Grid {
         let delta = [0, 1, 2].map(|axis| self.size[axis] / d[axis].abs());
         let mut best = None;
         for _ in 0..MOST_STEPS {
-            for item in &self.cells[((cell[2] * SIDE + cell[1]) * SIDE + cell[0]) as usize] {
+            for item in &self.cells[self.place(cell)] {
                 boxes.test(*item, line, &mut best);
             }
             let axis = if next[0] < next[1] {
@@ -114,7 +132,7 @@ impl Grid {
                 break;
             }
             cell[axis] += step[axis];
-            if cell[axis] < 0 || cell[axis] >= SIDE {
+            if cell[axis] < 0 || cell[axis] >= self.sides[axis] {
                 break;
             }
             next[axis] += delta[axis];
@@ -160,15 +178,12 @@ impl Octree {
         let (entry, exit) = interval(self.root.min, self.root.max, o, d)?;
         let (mut t, mut best) = (entry, None);
         for _ in 0..MOST_STEPS {
-            if t > exit {
-                break;
-            }
             let cell = self.root.at(o + d * (t + EPSILON));
             for item in &cell.items {
                 boxes.test(*item, line, &mut best);
             }
             let Some((_, out)) = interval(cell.min, cell.max, o, d) else { break };
-            if best.is_some_and(|best| best.0 <= out) {
+            if best.is_some_and(|best| best.0 <= out) || exit <= out {
                 break;
             }
             t = out;

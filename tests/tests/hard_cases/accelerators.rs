@@ -4,9 +4,9 @@ use strahl_core::{
     Accelerator, Bvh, BvhRoom, Everything, Grid, GridRoom, Hit, LastFirst, List, NearestFirst, Node, Octree,
     OctreeNode, OctreeRoom, Ray, RayKind, Real, Slot, Vec3, World, vec3,
 };
-use strahl_tests::hard::cases;
+use strahl_tests::hard::{Case, cases};
 use strahl_tests::single::Stage;
-use strahl_tests::{Line, Vector};
+use strahl_tests::{Line, Thing, Vector};
 
 /// The nearest hit of each ray, and whether anything is in the way just before it and at it.
 fn answers<A: Accelerator>(stage: &Stage, accelerator: A, rays: &[Ray]) -> Vec<(Option<Hit>, [bool; 2])> {
@@ -28,36 +28,45 @@ fn ray(line: &Line) -> Ray {
     Ray::new(narrow(line.origin), narrow(line.direction))
 }
 
+/// Things of one case together, as different as they are in size and place: how many rays meet one.
+fn hold(about: &str, aims: &[(Thing, Vec<Line>)]) -> usize {
+    let mut stage = Stage::new();
+    aims.iter().for_each(|(thing, _)| _ = stage.thing(thing));
+    let rays: Vec<Ray> = aims.iter().flat_map(|(_, lines)| lines).map(ray).collect();
+    let boxes = stage.boxes();
+    let truth = answers(&stage, List::bare(stage.len()), &rays);
+    let hold = |name: &str, got: Vec<_>| {
+        for ((ray, truth), got) in rays.iter().zip(&truth).zip(&got) {
+            assert_eq!(got, truth, "{name}; {about}: {ray:?}");
+        }
+    };
+
+    let room = BvhRoom::comfortable(boxes.len());
+    let (mut nodes, mut items) = (vec![Node::EMPTY; room.nodes], vec![Slot::EMPTY; room.items]);
+    let tree = Bvh::<LastFirst<64>>::build(&boxes, &mut nodes, &mut items).unwrap();
+    hold("hierarchy by a stack", answers(&stage, tree, &rays));
+    hold("hierarchy by a heap", answers(&stage, tree.walked::<NearestFirst<64>>(), &rays));
+    hold("hierarchy by nothing", answers(&stage, tree.walked::<LastFirst<0>>(), &rays));
+    let room = GridRoom::comfortable(&boxes);
+    let (mut cells, mut items) = (vec![0; room.cells], vec![0; room.items]);
+    hold("grid", answers(&stage, Grid::<8>::build(&boxes, &mut cells, &mut items).unwrap(), &rays));
+    let room = OctreeRoom::comfortable(boxes.len());
+    let (mut nodes, mut items) = (vec![OctreeNode::EMPTY; room.nodes], vec![0; room.items]);
+    hold("octree", answers(&stage, Octree::<8>::build(&boxes, &mut nodes, &mut items).unwrap(), &rays));
+    truth.iter().filter(|(hit, _)| hit.is_some()).count()
+}
+
 #[test]
 fn every_accelerator_answers_every_hard_ray_like_the_list() {
-    let mut hits = 0;
-    for case in cases() {
-        // Things of one case together, as different as they are in size and place.
-        let aims = case.aims(12);
-        let mut stage = Stage::new();
-        aims.iter().for_each(|(thing, _)| _ = stage.thing(thing));
-        let rays: Vec<Ray> = aims.iter().flat_map(|(_, lines)| lines).map(ray).collect();
-        let boxes = stage.boxes();
-        let truth = answers(&stage, List::bare(stage.len()), &rays);
-        hits += truth.iter().filter(|(hit, _)| hit.is_some()).count();
-        let hold = |name: &str, got: Vec<_>| {
-            for ((ray, truth), got) in rays.iter().zip(&truth).zip(&got) {
-                assert_eq!(got, truth, "{name}; {}, {}: {ray:?}", case.family, case.name);
-            }
-        };
-
-        let room = BvhRoom::comfortable(boxes.len());
-        let (mut nodes, mut items) = (vec![Node::EMPTY; room.nodes], vec![Slot::EMPTY; room.items]);
-        let tree = Bvh::<LastFirst<64>>::build(&boxes, &mut nodes, &mut items).unwrap();
-        hold("hierarchy by a stack", answers(&stage, tree, &rays));
-        hold("hierarchy by a heap", answers(&stage, tree.walked::<NearestFirst<64>>(), &rays));
-        hold("hierarchy by nothing", answers(&stage, tree.walked::<LastFirst<0>>(), &rays));
-        let room = GridRoom::comfortable(&boxes);
-        let (mut cells, mut items) = (vec![0; room.cells], vec![0; room.items]);
-        hold("grid", answers(&stage, Grid::<8>::build(&boxes, &mut cells, &mut items).unwrap(), &rays));
-        let room = OctreeRoom::comfortable(boxes.len());
-        let (mut nodes, mut items) = (vec![OctreeNode::EMPTY; room.nodes], vec![0; room.items]);
-        hold("octree", answers(&stage, Octree::<8>::build(&boxes, &mut nodes, &mut items).unwrap(), &rays));
-    }
-    assert!(hits > 8_000, "{hits}");
+    let hold_case = |case: Case| -> usize {
+        let about = format!("{}, {}", case.family, case.name);
+        case.all_aims().chunks(12).map(|aims| hold(&about, aims)).sum()
+    };
+    // Two halves side by side.
+    let half = |odd: usize| cases().into_iter().skip(odd).step_by(2).map(hold_case).sum::<usize>();
+    let hits = std::thread::scope(|scope| {
+        let other = scope.spawn(|| half(1));
+        half(0) + other.join().unwrap()
+    });
+    assert!(hits > 200_000, "{hits}");
 }

@@ -171,7 +171,7 @@ fn stage(sight: &Sight) -> Stage {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig { cases: 240, failure_persistence: None, ..ProptestConfig::default() })]
+    #![proptest_config(ProptestConfig { cases: 4000, failure_persistence: None, ..ProptestConfig::default() })]
 
     #[test]
     fn every_channel_of_every_pixel_is_a_number(

@@ -5,7 +5,7 @@ use strahl_core::{Refraction, Vec3, leave, sqrt};
 use super::super::leave::{Seen, left, seen};
 use super::super::optics::{Broken, any, critical, light, refracted as tally};
 use super::super::{Solver, Tally, answers};
-use super::{Trial, found, narrow};
+use super::{Trial, Tried, found, narrow};
 use crate::hard::cost::Work;
 use crate::thing::{Kind, Vector, vector};
 use crate::{Found, Random, textbook};
@@ -41,6 +41,19 @@ fn by_constant(place: &Place) -> Vec3 {
 
 /// The step off a surface, and nothing else: points, and what is met again, are the core's.
 pub fn leaving() -> Trial {
+    let works = |places: Vec<Place>| [each(places.clone(), by_error), each(places, by_constant)];
+    Trial {
+        ordinary: works(tried_leaving().0),
+        hard: Box::new(move || {
+            let (places, [with, without]) = tried_leaving();
+            let faults = [with.faults, without.faults];
+            (Tried { rays: with.rays, faults, worst: None }, works(places))
+        }),
+    }
+}
+
+/// Places on all kinds of surfaces, and what both steps make of rays from there.
+fn tried_leaving() -> (Vec<Place>, [Tally; 2]) {
     let mut random = Random::new(0x5eed_000b);
     let (mut tallies, mut places) = ([Tally::default(); 2], Vec::new());
     for kind in [Kind::Sphere, Kind::CappedCone, Kind::Torus, Kind::TurnedCuboid, Kind::Disc, Kind::Triangle]
@@ -66,15 +79,7 @@ pub fn leaving() -> Trial {
             }
         }
     }
-    let works = || [each(places.clone(), by_error), each(places.clone(), by_constant)];
-    let [with, without] = tallies;
-    Trial {
-        rays: with.rays,
-        faults: [with.faults, without.faults],
-        worst: None,
-        hard: works(),
-        ordinary: works(),
-    }
+    (places, tallies)
 }
 
 /// The work of answering every item.
@@ -115,18 +120,23 @@ pub fn refraction(
     with: impl Fn(Vec3, Vec3, f32) -> Option<Refraction> + Copy + 'static,
     without: impl Fn(Vec3, Vec3, f32) -> Option<Refraction> + Copy + 'static,
 ) -> Trial {
-    let (mut rays, mut faults, mut worst) = (0, [0; 2], [0.0; 2]);
-    for sine in [critical, any] {
-        let mut random = Random::new(0x5eed_000c);
-        let tallies = tally(&mut random, sine, [answer(with), answer(without)]);
-        rays += tallies[0].rays;
-        for (i, tally) in tallies.iter().enumerate() {
-            faults[i] += tally.faults;
-            worst[i] = f64::max(worst[i], tally.worst);
-        }
+    let works = move |sine: fn(f64, &mut Random) -> f64| [work(sine, with), work(sine, without)];
+    Trial {
+        ordinary: works(any),
+        hard: Box::new(move || {
+            let (mut rays, mut faults, mut worst) = (0, [0; 2], [0.0; 2]);
+            for sine in [critical, any] {
+                let mut random = Random::new(0x5eed_000c);
+                let tallies = tally(&mut random, sine, [answer(with), answer(without)]);
+                rays += tallies[0].rays;
+                for (i, tally) in tallies.iter().enumerate() {
+                    faults[i] += tally.faults;
+                    worst[i] = f64::max(worst[i], tally.worst);
+                }
+            }
+            (Tried { rays, faults, worst: Some(worst) }, works(critical))
+        }),
     }
-    let works = |sine: fn(f64, &mut Random) -> f64| [work(sine, with), work(sine, without)];
-    Trial { rays, faults, worst: Some(worst), hard: works(critical), ordinary: works(any) }
 }
 
 fn answer(form: impl Break) -> Box<dyn Fn(Vector, Vector, f64) -> Option<Broken>> {
