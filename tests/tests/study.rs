@@ -111,7 +111,7 @@ fn no_knob_makes_a_picture_worse_where_it_is_finer() {
     });
 }
 
-/// A server on this machine that has a page, and remembers what pages asked it for.
+/// A server on this machine that has pages, and remembers what they asked it for.
 struct Server {
     address: String,
     asked: Arc<Mutex<Vec<String>>>,
@@ -120,44 +120,65 @@ struct Server {
 /// A page that asks for a picture somewhere else.
 const FETCHING: &str = "<!DOCTYPE html><title>x</title><img src=\"http://elsewhere.test/picture.png\">";
 
+/// How wide the frames are in which [`FRAMES`] has the report, and how high.
+const WIDE: u32 = 1280;
+const NARROW: u32 = 500;
+const HEIGHT: u32 = 1800;
+
+/// The report twice, as in a wide window and in a narrow one, and the page that asks for something.
+const FRAMES: &str = "<!DOCTYPE html><title>x</title><link rel=icon href=data:,>\
+    <style>body { margin: 0; display: flex } iframe { border: 0; height: 1800px; flex: none }</style>\
+    <iframe src=report.html?wide style=width:1280px></iframe>\
+    <iframe src=report.html?narrow style=width:500px></iframe>\
+    <iframe src=fetching.html style=width:20px></iframe>";
+
 impl Server {
-    fn of(page: Vec<u8>) -> Self {
+    fn of(report: Vec<u8>) -> Self {
         let listener = TcpListener::bind("127.0.0.1:0").unwrap();
         let address = listener.local_addr().unwrap().to_string();
         let asked = Arc::new(Mutex::new(Vec::new()));
-        let heard = Arc::clone(&asked);
+        let (heard, report) = (Arc::clone(&asked), Arc::new(report));
         std::thread::spawn(move || {
             for stream in listener.incoming().flatten() {
-                answer(stream, &page, &heard);
+                let (heard, report) = (Arc::clone(&heard), Arc::clone(&report));
+                // Browsers open connections before they need them: none waits for another.
+                std::thread::spawn(move || answer(stream, &report, &heard));
             }
         });
         Server { address, asked }
     }
 
-    /// What pages have asked for until now.
+    /// What pages have asked for until now, in the order of names.
     fn asked(&self) -> Vec<String> {
-        std::mem::take(&mut *self.asked.lock().unwrap())
+        let mut asked = std::mem::take(&mut *self.asked.lock().unwrap());
+        asked.sort();
+        asked
     }
 }
 
-fn answer(mut stream: TcpStream, page: &[u8], asked: &Mutex<Vec<String>>) {
+fn answer(mut stream: TcpStream, report: &[u8], asked: &Mutex<Vec<String>>) {
     let mut line = String::new();
     let mut reader = BufReader::new(stream.try_clone().unwrap());
     // A connection that says nothing, or no text, asks for nothing of ours.
     if reader.read_line(&mut line).unwrap_or(0) == 0 {
         return;
     }
+    let what = line.split(' ').nth(1).unwrap_or_default();
     // Browsers ask for their own updates too; only pages are named as those who refer.
-    let mut is_of_page = line.contains(".html ");
+    let mut is_of_page = what.contains(".html");
     let mut header = String::new();
     while reader.read_line(&mut header).unwrap_or(0) > 2 {
         is_of_page |= header.to_ascii_lowercase().starts_with("referer:");
         header.clear();
     }
     if is_of_page {
-        asked.lock().unwrap().push(line.split(" HTTP").next().unwrap().to_owned());
+        asked.lock().unwrap().push(what.to_owned());
     }
-    let body = if line.starts_with("GET /fetching.html ") { FETCHING.as_bytes() } else { page };
+    let body = match what {
+        "/frames.html" => FRAMES.as_bytes(),
+        "/fetching.html" => FETCHING.as_bytes(),
+        _ => report,
+    };
     let head = format!(
         "HTTP/1.1 200 OK\r\nContent-Type: text/html\r\nContent-Length: {}\r\nConnection: close\r\n\r\n",
         body.len()
@@ -177,7 +198,7 @@ fn chromium() -> Option<&'static str> {
 /// A page as a window of this width shows it, from its top.
 fn shown(browser: &str, folder: &Path, url: &str, width: u32, scheme: &[&str]) -> image::RgbImage {
     let address = url.split('/').nth(2).unwrap();
-    let file = folder.join(format!("{width}{}.png", scheme.len()));
+    let file = folder.join(format!("{width}.png"));
     let mut child = Command::new(browser)
         .args(["--headless=new", "--no-sandbox", "--disable-gpu", "--hide-scrollbars", "--no-first-run"])
         .args([
@@ -189,7 +210,7 @@ fn shown(browser: &str, folder: &Path, url: &str, width: u32, scheme: &[&str]) -
         // Whatever the page asks of anybody comes to the server.
         .arg(format!("--host-resolver-rules=MAP * {address}"))
         .arg(format!("--user-data-dir={}", folder.join("profile").display()))
-        .arg(format!("--window-size={width},1800"))
+        .arg(format!("--window-size={width},{HEIGHT}"))
         .arg(format!("--screenshot={}", file.display()))
         .args(scheme)
         .arg(url)
@@ -223,26 +244,28 @@ fn the_page_shows_its_plots_in_a_browser_and_fetches_nothing() {
     let path = scene("classic.toml");
     let out = folder.path().join("out");
     let words = ["study", path.to_str().unwrap(), "-o", out.to_str().unwrap(), "--size", "48x36"];
-    let args = StudyArgs::parse_from([&words[..], &["--time-limit", "15s", "--quiet"]].concat());
+    let args = StudyArgs::parse_from([&words[..], &["--time-limit", "4s", "--quiet"]].concat());
     strahl::study::run(&args).unwrap();
     let server = Server::of(fs::read(out.join("report.html")).unwrap());
+    let shown = |page: &str, width, scheme: &[&str]| {
+        shown(browser, folder.path(), &format!("http://{}/{page}", server.address), width, scheme)
+    };
 
-    let report = format!("http://{}/report.html", server.address);
+    // The colours of paper, of one ray and of regular sampling in light and dark, as the style has them.
+    let light = shown("frames.html", WIDE + NARROW + 20, &[]);
+    for (name, first, width) in [("wide", 0, WIDE), ("narrow", WIDE, NARROW)] {
+        let frame = image::imageops::crop_imm(&light, first, 0, width, HEIGHT).to_image();
+        assert!(pixels(&frame, [0xfb, 0xfa, 0xf8]) > frame.pixels().len() / 2, "{name}: the paper is light");
+        assert!(pixels(&frame, [0x47, 0x4d, 0x57]) > 40, "{name}: marks of single rays are there");
+        assert!(pixels(&frame, [0x00, 0x72, 0xb2]) > 40, "{name}: marks of regular sampling are there");
+    }
+    // A page that fetches something is found out, and the report fetches nothing.
+    let pages =
+        ["/fetching.html", "/frames.html", "/picture.png", "/report.html?narrow", "/report.html?wide"];
+    assert_eq!(server.asked(), pages);
 
-    // A page that fetches something is found out.
-    shown(browser, folder.path(), &format!("http://{}/fetching.html", server.address), 500, &[]);
-    assert!(server.asked().contains(&"GET /picture.png".to_owned()));
-
-    // The colours of one ray and of regular sampling in light and dark, as the style has them.
-    let light = shown(browser, folder.path(), &report, 1280, &[]);
-    assert!(pixels(&light, [0xfb, 0xfa, 0xf8]) > light.pixels().len() / 2, "the paper is light");
-    assert!(pixels(&light, [0x47, 0x4d, 0x57]) > 60, "marks of single rays are there");
-    assert!(pixels(&light, [0x00, 0x72, 0xb2]) > 60, "marks of regular sampling are there");
-    let dark = shown(browser, folder.path(), &report, 1280, &["--blink-settings=preferredColorScheme=0"]);
+    let dark = shown("report.html", WIDE, &["--blink-settings=preferredColorScheme=0"]);
     assert!(pixels(&dark, [0x12, 0x14, 0x17]) > dark.pixels().len() / 2, "the paper is dark");
     assert!(pixels(&dark, [0xc9, 0xcd, 0xd4]) > 60, "marks of single rays are there");
-    let narrow = shown(browser, folder.path(), &report, 500, &[]);
-    assert!(pixels(&narrow, [0x47, 0x4d, 0x57]) > 40, "marks of single rays are there");
-
-    assert_eq!(server.asked(), ["GET /report.html"; 3]);
+    assert_eq!(server.asked(), ["/report.html"]);
 }
