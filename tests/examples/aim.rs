@@ -5,8 +5,9 @@
 //!
 //! For each pair of a scene and a limit the picture is made as `render --target-error LIMIT` makes
 //! it, and its true error is measured on all pixels. Then all rays that the plan knows are tried with
-//! all levels and cutoffs on all pixels, but for those that are dearer than what was found by then, and
-//! the cheapest that truly keeps the limit is the best there is. The table is that of
+//! all levels and cutoffs on all pixels, but for those that are dearer than what was found by then and
+//! those that are too few even if the error falls as fast as their number rises. The
+//! cheapest that truly keeps the limit is the best there is. The table is that of
 //! `tests/AIM.md`; the exit status is 1 when fewer than nine of ten limits are kept, or when one
 //! that is kept costs more than 1.5 times the best.
 //!
@@ -17,8 +18,9 @@ use std::process::ExitCode;
 use std::sync::Arc;
 
 use strahl::aim::Target;
-use strahl::aim::error::{Fixed, Goal, Notch, Search, Setting, limits_of_truth, trace};
-use strahl::aim::plan::rays;
+use strahl::aim::error::{Fixed, Goal, Search, Setting, trace};
+use strahl::aim::notches::{Notch, limits_of_truth};
+use strahl::aim::plan::{Rays, SAVES, rays};
 use strahl::aim::sparse::rmse;
 use strahl::aim::truth::truth;
 use strahl::description::Description;
@@ -118,15 +120,15 @@ fn hold(name: &str, limit: f64, size: Size) -> Row {
         price_of_taken = price;
 
         let mut cheapest = f64::INFINITY;
-        let mut list = rays(wanted.filter, limit);
-        list.sort_by_key(|rays| rays.count().unwrap_or(0));
-        // What one ray in each pixel costs; of many rays none is cheaper.
-        let mut one = f64::INFINITY;
-        for rays in list {
-            let dear = |part: f64| {
-                one.is_finite() && 0.8 * part * one * f64::from(rays.count().unwrap_or(0)) > cheapest
+        // What was seen at the finest levels and cutoff: rays, their error and their price.
+        let mut seen: Vec<(Rays, f64, f64)> = Vec::new();
+        // The most that coarser ones can save.
+        let part = notches.last().map_or(1.0, |notch| notch.price);
+        for rays in rays(wanted.filter, limit) {
+            let is_dear = |(before, _, price): &(Rays, f64, f64)| {
+                rays.times(*before).is_some_and(|times| SAVES * times * part * price > cheapest)
             };
-            if dear(notches.last().map_or(1.0, |notch| notch.price)) {
+            if seen.iter().any(|it| is_dear(it) || is_hopeless(it.0, it.1, rays, limit)) {
                 continue;
             }
             let look = |notch: &Notch| {
@@ -136,9 +138,7 @@ fn hold(name: &str, limit: f64, size: Size) -> Row {
             };
             // What the finest levels and cutoff do not keep, no others do.
             let (setting, price, error) = look(&notches[0])?;
-            if rays.count() == Some(1) {
-                one = price;
-            }
+            seen.push((rays, error, price));
             if error > limit {
                 continue;
             }
@@ -169,6 +169,19 @@ fn hold(name: &str, limit: f64, size: Size) -> Row {
         best: words(&setting.of(&wanted)),
         best_error,
         ratio: price_of_taken / best_price,
+    }
+}
+
+/// Whether this many rays cannot keep the limit, because the error of a sampler falls at most as the number
+/// of its rays rises (twice as many, half the error), which the best of sequences do.
+fn is_hopeless(before: Rays, error: f64, rays: Rays, limit: f64) -> bool {
+    let same = std::mem::discriminant(&before.sampling) == std::mem::discriminant(&rays.sampling);
+    match (before.count(), rays.count()) {
+        // Single rays are no sampler; two or three rays tell little.
+        (Some(known), Some(count)) if same && known >= 4 && count > known => {
+            error * f64::from(known) / f64::from(count) > limit
+        }
+        _ => false,
     }
 }
 

@@ -1,10 +1,10 @@
 //! The cheapest settings whose error is below a limit, found on a sparse sample of pixels.
 //!
-//! 1. How many levels and which cutoff it takes until nothing changes any more: those of the truth.
-//!    Differences of levels and cutoffs show with few rays, for these are the same in both pictures.
+//! 1. How many levels and which cutoff it takes until nothing changes any more (room `notches`): those
+//!    of the truth.
 //! 2. Which rays keep the error with levels and a cutoff that lose little of it, from the cheapest
 //!    on. A number of rays is not tried whose error cannot become small enough, however fast it falls,
-//!    and none that is dearer than what has been found.
+//!    and none that is dearer than what has been found, whatever levels and cutoff go with it.
 //! 3. What of both goes together: what is predicted to keep the error is tried, in the order of its
 //!    predicted price, until the next one is dearer than the best that did.
 
@@ -13,7 +13,8 @@ use std::time::Instant;
 
 use strahl_core::{EffectSet, Rgb};
 
-use super::plan::{LEVELS, Rays, cutoffs, rays};
+use super::notches::{HOPE, cheapest_within, limits_of_truth};
+use super::plan::{Rays, SAVES, rays};
 use super::sparse::{Estimate, Sparse, rmse};
 use super::truth::truth;
 use super::{Aimed, Target};
@@ -21,7 +22,6 @@ use crate::description::Description;
 use crate::frame::{self, Drawn, Frame, NoFrame, Studio};
 use crate::plan::asked_by;
 use crate::progress::Watch;
-use crate::sampling::Sampling;
 use crate::stock::single::Stock;
 use crate::wanted::{Limits, Wanted};
 
@@ -49,15 +49,8 @@ pub struct Goal {
     pub verify: bool,
 }
 
-/// How small a change of levels or cutoff is, as a part of the error that is aimed at, after which
-/// no more are looked for.
-const SETTLED: f64 = 1.0 / 24.0;
-/// What the truth may lose by its levels and cutoff, as a part of the error that is aimed at.
-const TRUE: f64 = 1.0 / 12.0;
 /// What may be lost by those with which rays are looked for: a twentieth of what is measured then.
 const WORKING: f64 = 1.0 / 3.0;
-/// What is predicted to be this much too large may be small enough.
-const HOPE: f64 = 1.1;
 /// The most combinations that are tried.
 const MOST_TRIED: usize = 24;
 
@@ -156,23 +149,11 @@ impl Found {
     }
 }
 
-/// Levels and a cutoff, the error that they make by themselves, and what they cost against those
-/// of the truth.
-#[derive(Clone, Copy, Debug)]
-pub struct Notch {
-    /// Levels and cutoff.
-    pub limits: Limits,
-    /// What is lost by them.
-    pub error: f64,
-    /// The part of the price.
-    pub price: f64,
-}
-
 /// A search on a sample of pixels.
 pub struct Search<'s> {
     studio: &'s dyn Studio,
-    wanted: Wanted,
-    goal: Goal,
+    pub(super) wanted: Wanted,
+    pub(super) goal: Goal,
     watch: &'s Watch,
     /// The pixels that are looked at.
     pub sparse: Sparse,
@@ -189,7 +170,7 @@ impl<'s> Search<'s> {
     }
 
     /// Traces the sample; its price in instructions.
-    fn look(&mut self, setting: Setting) -> Result<(Drawn, f64), NoFrame> {
+    pub(super) fn look(&mut self, setting: Setting) -> Result<(Drawn, f64), NoFrame> {
         self.tried += 1;
         let sheet = self.sparse.sheet();
         let wanted = Wanted { sheet: Some(Arc::clone(&sheet)), ..setting.of(&self.wanted) };
@@ -208,7 +189,9 @@ impl<'s> Search<'s> {
         let truth = truth(&self.wanted, limits, self.goal.error, 0);
         let truth = self.studio.trace(&truth, self.watch)?.colors;
 
-        let seen = self.rays(working.limits, &truth)?;
+        // The most that coarser levels and cutoffs can save.
+        let part = notches.last().map_or(1.0, |notch| notch.price / working.price);
+        let seen = self.rays(working.limits, part, &truth)?;
         // The best that there is, if nothing keeps the error.
         let best = seen.iter().min_by(|a, b| a.estimate.at_most.total_cmp(&b.estimate.at_most));
         let Some(mut best) = best.copied() else { return Err(NoFrame::wrong("there are no rays")) };
@@ -249,70 +232,9 @@ impl<'s> Search<'s> {
         Ok(Found { setting, estimate, price, limits })
     }
 
-    /// Levels and cutoffs, the finest first, none of which is dearer than another that loses less.
-    pub fn notches(&mut self, asks: &EffectSet) -> Result<Vec<Notch>, NoFrame> {
-        let Goal { error: goal, fixed, .. } = self.goal;
-        let asked = self.wanted.limits;
-        let branches = asks.reflection || asks.transmission;
-        let finest = if fixed.cutoff || !branches {
-            asked.cutoff
-        } else {
-            (goal / 64.0).clamp(1e-5, 1.0 / 512.0) as f32
-        };
-        let rays = Rays { sampling: Sampling::stochastic(2), selecting: None };
-
-        // More and more levels, until nothing is cut or nothing changes.
-        let mut by_levels: Vec<(u8, Vec<Rgb>, f64)> = Vec::new();
-        let ladder: &[u8] = if fixed.levels || !branches { &[asked.levels] } else { &LEVELS };
-        let mut settled = 0;
-        for levels in ladder {
-            let limits = Limits { levels: *levels, cutoff: finest };
-            let (drawn, price) = self.look(Setting { limits, rays })?;
-            let is_whole = drawn.counts.as_ref().is_some_and(|counts| counts.level_limit() == 0);
-            let change = by_levels.last().map(|(_, last, _)| self.sparse.error(&drawn.colors, last).error);
-            by_levels.push((*levels, drawn.colors, price));
-            settled = if change.is_some_and(|change| change <= SETTLED * goal) { settled + 1 } else { 0 };
-            if is_whole || settled >= 2 {
-                break;
-            }
-        }
-        let Some((most, best, whole)) = by_levels.last() else { return Ok(Vec::new()) };
-        let limits = Limits { levels: *most, cutoff: finest };
-        let mut by_cutoff = vec![(finest, 0.0, 1.0)];
-        if branches && !fixed.cutoff {
-            for cutoff in cutoffs().filter(|cutoff| *cutoff > finest) {
-                let (drawn, price) = self.look(Setting { limits: Limits { cutoff, ..limits }, rays })?;
-                by_cutoff.push((cutoff, self.sparse.error(&drawn.colors, best).error, price / whole));
-            }
-        }
-
-        let mut notches = Vec::new();
-        for (levels, colors, price) in &by_levels {
-            let error = self.sparse.error(colors, best).error;
-            for (cutoff, more, part) in &by_cutoff {
-                let limits = Limits { levels: *levels, cutoff: *cutoff };
-                // What levels and cutoff cut is partly the same light: the sum is the most.
-                notches.push(Notch { limits, error: error + more, price: price / whole * part });
-            }
-        }
-        // The finest, and those that lose less than all that are cheaper.
-        notches.sort_by(|a, b| a.price.total_cmp(&b.price).then(a.error.total_cmp(&b.error)));
-        let finest = Notch { limits, error: 0.0, price: 1.0 };
-        let mut least = f64::INFINITY;
-        notches.retain(|notch| {
-            let keeps = notch.error < least && notch.error <= HOPE * goal && notch.limits != limits;
-            if keeps {
-                least = notch.error;
-            }
-            keeps
-        });
-        notches.push(finest);
-        notches.reverse();
-        Ok(notches)
-    }
-
-    /// What rays cost and how far they are from the truth, with its levels and cutoff.
-    fn rays(&mut self, limits: Limits, truth: &[Rgb]) -> Result<Vec<Seen>, NoFrame> {
+    /// What rays cost and how far they are from the truth, with levels and a cutoff that lose little;
+    /// others may take this part of the price.
+    fn rays(&mut self, limits: Limits, part: f64, truth: &[Rgb]) -> Result<Vec<Seen>, NoFrame> {
         let Goal { error: goal, fixed, .. } = self.goal;
         let mut list = rays(self.wanted.filter, goal);
         if fixed.sampling {
@@ -327,8 +249,8 @@ impl<'s> Search<'s> {
         let mut seen: Vec<Seen> = Vec::new();
         let mut cheapest = f64::INFINITY;
         for rays in list {
-            if let Some(count) = rays.count().filter(|_| !fixed.sampling)
-                && seen.iter().any(|it| is_hopeless(it, rays, count, goal, cheapest))
+            if !fixed.sampling
+                && seen.iter().any(|it| it.is_dearer(rays, cheapest / part) || it.is_worse(rays, goal))
             {
                 continue;
             }
@@ -344,35 +266,33 @@ impl<'s> Search<'s> {
     }
 }
 
-/// The cheapest of some notches, the finest of which come first, that loses no more than this.
-fn cheapest_within(notches: &[Notch], most: f64) -> Option<Notch> {
-    notches.iter().rev().find(|notch| notch.error <= most).or(notches.first()).copied()
-}
-
-/// Levels and cutoff of the truth for this error.
-pub fn limits_of_truth(notches: &[Notch], goal: f64) -> Limits {
-    cheapest_within(notches, TRUE * goal).map_or(Limits::DEFAULT, |notch| notch.limits)
-}
-
-/// How fast the error of more rays falls at most: as this power of their number.
-const FALLS: f64 = 0.85;
-
-/// Whether this many rays of the same sampler cannot keep the error, or only for more than `cheapest`.
-fn is_hopeless(it: &Seen, rays: Rays, count: u32, goal: f64, cheapest: f64) -> bool {
-    let Some(known) = it.setting.rays.count().filter(|known| *known < count && *known > 1) else {
-        return false;
-    };
-    let ratio = f64::from(count) / f64::from(known);
-    // Rays through the same pixels cost about the same.
-    let is_dear = 0.9 * it.price * ratio > cheapest;
-    let same = std::mem::discriminant(&it.setting.rays.sampling) == std::mem::discriminant(&rays.sampling);
-    is_dear || same && it.estimate.error / libm::pow(ratio, FALLS) > goal
-}
-
 /// Rays that were tried.
 #[derive(Clone, Copy, Debug)]
 struct Seen {
     setting: Setting,
     estimate: Estimate,
     price: f64,
+}
+
+/// How fast the error of more rays falls at most: as this power of their number.
+const FALLS: f64 = 0.85;
+
+impl Seen {
+    /// Whether other rays cost more than `cheapest`, because these do.
+    fn is_dearer(&self, rays: Rays, cheapest: f64) -> bool {
+        let times = rays.times(self.setting.rays);
+        times.is_some_and(|times| SAVES * times * self.price > cheapest)
+    }
+
+    /// Whether more rays of the same sampler cannot keep the error, however fast it falls.
+    fn is_worse(&self, rays: Rays, goal: f64) -> bool {
+        let it = self.setting.rays;
+        let same = std::mem::discriminant(&it.sampling) == std::mem::discriminant(&rays.sampling);
+        match (it.count(), rays.count()) {
+            (Some(known), Some(count)) if same && 1 < known && known < count => {
+                self.estimate.error / libm::pow(f64::from(count) / f64::from(known), FALLS) > goal
+            }
+            _ => false,
+        }
+    }
 }

@@ -3,6 +3,7 @@
 //! | room | what it does |
 //! |---|---|
 //! | [`error`] | the cheapest settings whose error is below a limit |
+//! | [`notches`] | levels and cutoffs, what they lose and what they cost |
 //! | [`plan`] | which settings are looked at |
 //! | [`sparse`] | some pixels that stand for all |
 //! | [`truth`] | what a picture is held against |
@@ -18,6 +19,7 @@ use crate::settings::{self, Source};
 use crate::wanted::Wanted;
 
 pub mod error;
+pub mod notches;
 pub mod pace;
 pub mod plan;
 pub mod sparse;

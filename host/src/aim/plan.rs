@@ -14,6 +14,9 @@ pub fn cutoffs() -> impl Iterator<Item = f32> {
     CUTOFFS.into_iter().map(|part| 1.0 / f32::from(part))
 }
 
+/// So many times the rays cost at least this many times as much.
+pub const SAVES: f64 = 0.9;
+
 /// Which rays make pixels.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Rays {
@@ -43,6 +46,49 @@ impl Rays {
             Rays { sampling: Sampling::Stochastic { least, most, .. }, .. } if least == most => Some(most),
             _ => None,
         }
+    }
+
+    /// How many there are in each pixel at least, where all pixels are traced.
+    fn least(self) -> Option<u32> {
+        match self {
+            Rays { selecting: Some(_), .. } => None,
+            // Corners are shared by neighbours.
+            Rays { sampling: Sampling::Adaptive { .. }, .. } => Some(1),
+            Rays { sampling: Sampling::Stochastic { least, .. }, .. } => Some(least),
+            _ => self.count(),
+        }
+    }
+
+    /// How many times those of another there are at least; none where that is not known.
+    pub fn times(self, other: Rays) -> Option<f64> {
+        if let (Some(least), Some(count)) = (self.least(), other.count()) {
+            return Some(f64::from(least) / f64::from(count));
+        }
+        let is_more = match (self, other) {
+            (Rays { selecting: Some(a), .. }, Rays { selecting: Some(b), .. }) => {
+                a.step <= b.step && a.agreement.threshold <= b.agreement.threshold
+            }
+            (Rays { selecting: Some(_), .. }, _) | (_, Rays { selecting: Some(_), .. }) => false,
+            (Rays { sampling: a, .. }, Rays { sampling: b, .. }) => is_finer(a, b),
+        };
+        is_more.then_some(1.0)
+    }
+}
+
+/// Whether all rays of the one are sent by the other too: both adaptive, or both stochastic.
+fn is_finer(a: Sampling, b: Sampling) -> bool {
+    match (a, b) {
+        (
+            Sampling::Adaptive { depth, agreement },
+            Sampling::Adaptive { depth: other, agreement: Agreement { threshold, .. } },
+        ) => depth >= other && agreement.threshold <= threshold,
+        (
+            Sampling::Stochastic { least, most, confidence },
+            Sampling::Stochastic { least: other, most: bound, confidence: Confidence { level, tolerance } },
+        ) => {
+            least >= other && most >= bound && confidence.level >= level && confidence.tolerance <= tolerance
+        }
+        _ => false,
     }
 }
 
@@ -99,4 +145,27 @@ pub fn rays(filter: Filter, goal: f64) -> Vec<Rays> {
     counted.sort_by_key(|rays| rays.count());
     list.extend(counted);
     list
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn what_sends_more_rays_is_known_for_what_can_be_compared() {
+        let of = |words: &str| Rays::all(words.parse().unwrap());
+        let times = |more: &str, than: &str| of(more).times(of(than));
+        assert_eq!(times("regular:3", "single"), Some(9.0));
+        assert_eq!(times("stochastic:8", "regular:2"), Some(2.0));
+        assert_eq!(times("stochastic:4..4096:0.9:0.1", "single"), Some(4.0));
+        assert_eq!(times("adaptive:3:0.05", "single"), Some(1.0));
+        assert_eq!(times("adaptive:3:0.05", "adaptive:2:0.1"), Some(1.0));
+        assert_eq!(times("stochastic:4..4096:0.9:0.1", "stochastic:2..4096:0.9:0.2"), Some(1.0));
+        // Deeper, but less often.
+        assert_eq!(times("adaptive:3:0.2", "adaptive:2:0.1"), None);
+        assert_eq!(times("single", "adaptive:0:0"), None);
+        let mut selected = of("single");
+        selected.selecting = Some("8:0.1".parse().unwrap());
+        assert_eq!((selected.times(of("single")), of("single").times(selected)), (None, None));
+    }
 }
