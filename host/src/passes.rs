@@ -20,6 +20,9 @@ use crate::sampling::Sampling;
 use crate::signals::Stop;
 use crate::wanted::Wanted;
 
+/// So many rays are sent before the clock is asked again.
+const BETWEEN: u32 = 16;
+
 /// Traces passes until there is none to come, or the time is over; the last that was completed.
 pub fn trace(
     eyes: &dyn Eyes,
@@ -200,9 +203,17 @@ impl Grown {
         watch.begin(self.whole.len());
         let work = |(tile, pixels): &mut (Tile, Vec<Gathered>)| {
             let mut eye = eyes.open();
+            // A pixel may take many rays, and the time may be over before the last of them: what is
+            // seen then does not matter any more, for the whole pass is given up.
+            let (mut rays, mut is_over) = (0_u32, false);
+            let mut look = |sample| {
+                rays = rays.wrapping_add(1);
+                is_over = is_over || rays % BETWEEN == 0 && watch.check().is_err();
+                if is_over { Sight::DARK } else { eye.look(sample) }
+            };
             for (pixel, gathered) in tile.pixels().zip(pixels.iter_mut()) {
                 if workers::is_wanted(wanted, pixel) {
-                    rule.look_on(pixel, gathered, &mut |sample| eye.look(sample));
+                    rule.look_on(pixel, gathered, &mut look);
                 }
                 watch.check()?;
             }
