@@ -155,12 +155,18 @@ impl Drop for Minding<'_> {
     }
 }
 
+/// Of about so many pixels it is asked how well they are known: the others are as these. There is little
+/// time to plan in.
+const ASKED: usize = 1 << 14;
+
 /// All pixels with the samples that they have seen so far, tile by tile.
 struct Grown {
     whole: Tile,
     tiles: Vec<(Tile, Vec<Gathered>)>,
     least: u32,
     errors: f64,
+    /// Of some pixels, how many rays they have seen, and how far their mean may be off.
+    doubts: Vec<(u32, f64)>,
 }
 
 impl Grown {
@@ -171,25 +177,35 @@ impl Grown {
             Sampling::Stochastic { least, confidence, .. } => (least, confidence.errors()),
             _ => (1, 1.0),
         };
-        Grown { whole, tiles, least, errors }
+        Grown { whole, tiles, least, errors, doubts: Vec::new() }
+    }
+
+    /// One pixel of so many is asked: an odd number, so that it follows no raster of tiles.
+    fn stride(&self) -> usize {
+        (self.whole.len() / ASKED) | 1
     }
 
     /// How many more rays it takes until all pixels are known this well, if their samples stay as
     /// different as they were.
-    #[allow(clippy::unnecessary_cast)] // in double precision
     fn needs(&self, tolerance: f32) -> u64 {
-        let more = |pixel: &Gathered| {
-            let (rays, doubt) =
-                (f64::from(pixel.rays()), pixel.doubt(self.errors as super::strahl::Real) as f64);
-            if pixel.rays() == 0 || doubt <= f64::from(tolerance) || !doubt.is_finite() {
+        let more = |(rays, doubt): &(u32, f64)| {
+            if *rays == 0 || *doubt <= f64::from(tolerance) || !doubt.is_finite() {
                 return 0;
             }
-            let ratio = doubt / f64::from(tolerance);
+            let (rays, ratio) = (f64::from(*rays), doubt / f64::from(tolerance));
             let all = (rays * ratio * ratio).min(f64::from(Stochastic::MOST));
             // In whole steps.
             ((all - rays) as u64).next_multiple_of(u64::from(self.least))
         };
-        self.tiles.par_iter().map(|(_, pixels)| pixels.iter().map(more).sum::<u64>()).sum()
+        self.stride() as u64 * self.doubts.iter().map(more).sum::<u64>()
+    }
+
+    /// How well some pixels are known.
+    #[allow(clippy::unnecessary_cast)] // in double precision
+    fn doubts(&self) -> Vec<(u32, f64)> {
+        let pixels = self.tiles.iter().flat_map(|(_, pixels)| pixels);
+        let doubt = |pixel: &Gathered| pixel.doubt(self.errors as super::strahl::Real) as f64;
+        pixels.step_by(self.stride()).map(|pixel| (pixel.rays(), doubt(pixel))).collect()
     }
 
     /// Goes on with every pixel that is wanted, until it fulfils the rule.
@@ -225,6 +241,7 @@ impl Grown {
         let mut counts = None;
         counted.into_iter().for_each(|counted| workers::add(&mut counts, counted));
 
+        self.doubts = self.doubts();
         let mut colors = vec![Rgb::BLACK; self.whole.len()];
         for (tile, pixels) in &self.tiles {
             for (pixel, gathered) in tile.pixels().zip(pixels) {
