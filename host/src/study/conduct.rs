@@ -55,6 +55,8 @@ pub struct Conduct<'b> {
     pub beaten: usize,
     /// After how many seconds all of it should be over, if nothing bounds it.
     foretold: f64,
+    /// What was given up, and after how many seconds.
+    given_up: Vec<(Options, f64)>,
 }
 
 /// What everything is held against.
@@ -68,8 +70,9 @@ pub struct Truth {
 impl<'b> Conduct<'b> {
     /// Nothing is measured yet.
     pub fn new(bench: &'b Bench<'b>, plan: &'b Plan) -> Self {
-        let (taken, knobs, techniques, threads, left_out) = Default::default();
-        Conduct { bench, plan, taken, knobs, techniques, threads, left_out, beaten: 0, foretold: 0.0 }
+        let (taken, knobs, techniques, threads, left_out, given_up) = Default::default();
+        let (beaten, foretold) = (0, 0.0);
+        Conduct { bench, plan, taken, knobs, techniques, threads, left_out, beaten, foretold, given_up }
     }
 
     /// Measures a scene whose own settings are `own`, and which asks for `asks`.
@@ -214,8 +217,13 @@ impl<'b> Conduct<'b> {
             return Ok(None);
         }
         let most = if most < left { most } else { left };
+        // It would not be done now either.
+        if self.given_up_after(options).is_some_and(|after| after >= 0.9 * most) {
+            return Ok(None);
+        }
         let Some(mut taken) = self.bench.take(role, options, most)? else {
             self.leave(options, format!("given up after {most:.1} s"));
+            self.given_up.push((options.clone(), most));
             return Ok(None);
         };
         judge(&mut taken, truth);
@@ -237,6 +245,11 @@ impl<'b> Conduct<'b> {
             return Ok(None);
         }
         self.take(Role::Knob, options, 2.5 * most, truth)
+    }
+
+    /// After how many seconds of wall-clock time a setting was given up, if it was.
+    pub(super) fn given_up_after(&self, options: &Options) -> Option<f64> {
+        self.given_up.iter().rev().find(|(it, _)| it == options).map(|(_, after)| *after)
     }
 
     /// The most seconds that a technique may take.

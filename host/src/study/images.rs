@@ -94,8 +94,10 @@ fn shown(conduct: &Conduct<'_>) -> Vec<usize> {
     let telling = cheapest.into_iter().chain(within).chain(most_accurate).map(|place| places[place]);
     let own = conduct.taken.iter().position(|taken| taken.run.role == Role::Own);
     let mut runs: Vec<usize> = own.into_iter().collect();
+    // The same picture by other settings has nothing to show.
+    let digest = |run: usize| &conduct.taken[run].run.digest;
     for run in telling {
-        if !runs.contains(&run) && runs.len() < MOST {
+        if runs.len() < MOST && runs.iter().all(|shown| digest(*shown) != digest(run)) {
             runs.push(run);
         }
     }

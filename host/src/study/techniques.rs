@@ -49,9 +49,10 @@ pub(super) fn all(study: &mut Conduct<'_>, own: &Options, truth: &Truth) -> Resu
         let with = study.take(Role::Technique, &pair.with, patience, &truth.picture)?;
         let without = study.take(Role::Technique, &pair.without, patience, &truth.picture)?;
         let error = with.zip(without).and_then(|(with, without)| study.between(with, without));
+        let given_up = without.is_none().then(|| study.given_up_after(&pair.without)).flatten();
         let Pair { name, part, off, on, exact, .. } = pair;
         let (name, part) = (name.into(), part.into());
-        study.techniques.push(Technique { name, part, off, on, without, with, exact, error });
+        study.techniques.push(Technique { name, part, off, on, without, given_up, with, exact, error });
     }
     Ok(())
 }

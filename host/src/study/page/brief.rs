@@ -42,7 +42,10 @@ pub fn part(study: &Study) -> Markup {
                                     td.number { (seconds(run.seconds())) }
                                     @if let Some(own) = own { td.number { (change(own.seconds(), run.seconds())) } }
                                 }
-                                None => { td.soft colspan=(if own.is_some() { 4 } else { 3 }) { "no setting that was measured is as good" } }
+                                None => { td.soft colspan=(if own.is_some() { 4 } else { 3 }) {
+                                    "no setting that was measured is as good"
+                                    @if study.method.time_limit.is_some() { "; a larger --time-limit measures finer ones" }
+                                } }
                             }
                         }
                     }

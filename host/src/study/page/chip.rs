@@ -3,6 +3,7 @@
 use maud::{Markup, html};
 
 use super::super::device::{Device, Row};
+use super::super::options::cutoff;
 use super::super::record::{Run, Study};
 use super::family::Family;
 use super::numbers::{count, error};
@@ -38,7 +39,7 @@ fn plot(scene: &str, rows: &[&Row]) -> Markup {
         );
         let family = match row.precision.as_str() {
             "single" => Family::named(&row.sampler),
-            _ => Family::Without,
+            _ => Family::Double,
         };
         Some(Dot { point, spread: None, family, number: None, is_own: false, about })
     };
@@ -47,13 +48,14 @@ fn plot(scene: &str, rows: &[&Row]) -> Markup {
         @if dots.len() > 1 {
             @let alt = format!("Error against instructions for a pixel of {} settings of {scene} on the device", dots.len());
             (legend(&dots))
-            figure { (Scatter { dots: &dots, cost: "instructions for a pixel, on the device", write: count, noise: None, alt }.draw()) }
+            figure.half { (Scatter { dots: &dots, cost: "instructions for a pixel, on the device", write: count, noise: None, alt }.draw()) }
         }
     }
 }
 
 fn words(row: &Row) -> String {
-    format!("levels {} cutoff {} sampler {} precision {}", row.levels, row.cutoff, row.sampler, row.precision)
+    let Row { levels, sampler, precision, .. } = row;
+    format!("levels {levels} cutoff {} sampler {sampler} precision {precision}", cutoff(row.cutoff))
 }
 
 /// The run of the study with the same setting, if the scene is the same.
@@ -70,11 +72,12 @@ fn twin<'s>(study: &'s Study, row: &Row) -> Option<&'s Run> {
 
 fn table(study: &Study, rows: &[&Row]) -> Markup {
     let pixels = f64::from(study.scene.width) * f64::from(study.scene.height);
+    let has_twins = rows.iter().any(|row| twin(study, row).is_some());
     html! {
         table.plain {
             thead { tr {
                 th { "setting" } th { "size" } th.number { "instructions" } th.number { "a pixel" } th.number { "a ray" } th.number { "error" }
-                th.number { "a pixel here (work)" }
+                @if has_twins { th.number { "a pixel here (work)" } }
             } }
             tbody {
                 @for row in rows {
@@ -85,7 +88,9 @@ fn table(study: &Study, rows: &[&Row]) -> Markup {
                         td.number { (count(row.per_pixel())) }
                         td.number { (count(row.instructions as f64 / (row.rays as f64).max(1.0))) }
                         td.number { @if let Some(rmse) = row.rmse { (error(rmse)) } @else { "–" } }
-                        td.number { @if let Some(run) = twin(study, row) { (count(run.work / pixels)) } @else { "–" } }
+                        @if has_twins {
+                            td.number { @if let Some(run) = twin(study, row) { (count(run.work / pixels)) } @else { "–" } }
+                        }
                     }
                 }
             }

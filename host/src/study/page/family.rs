@@ -13,17 +13,19 @@ pub enum Family {
     Stochastic,
     Selected,
     Without,
+    Double,
 }
 
 impl Family {
     /// Every family, in the order of legends.
-    pub const ALL: [Family; 6] = [
+    pub const ALL: [Family; 7] = [
         Family::Single,
         Family::Regular,
         Family::Adaptive,
         Family::Stochastic,
         Family::Selected,
         Family::Without,
+        Family::Double,
     ];
 
     /// That of a setting.
@@ -56,6 +58,7 @@ impl Family {
             Family::Stochastic => "stochastic",
             Family::Selected => "pixel-selected",
             Family::Without => "an effect left out",
+            Family::Double => "double precision",
         }
     }
 
@@ -68,6 +71,7 @@ impl Family {
             Family::Stochastic => "stochastic",
             Family::Selected => "selected",
             Family::Without => "without",
+            Family::Double => "double",
         }
     }
 
@@ -91,7 +95,7 @@ impl Family {
                 Family::Selected => {
                     polygon points=(path(&[(0.0, 1.2), (1.15, -0.85), (-1.15, -0.85)])) {}
                 }
-                Family::Without => {
+                Family::Without | Family::Double => {
                     circle.hollow cx=(round(x)) cy=(round(y)) r=(round(size)) {}
                 }
             }

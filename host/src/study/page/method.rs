@@ -5,7 +5,7 @@ use maud::{Markup, html};
 use super::super::record::{Run, Study};
 use super::super::statistics::{median, spread};
 use super::numbers::{error, percent, seconds};
-use super::options;
+use super::{options, plural};
 
 pub fn part(study: &Study) -> Markup {
     let method = &study.method;
@@ -13,7 +13,8 @@ pub fn part(study: &Study) -> Markup {
     let repeated: Vec<&Run> = study.runs.iter().filter(|run| run.cpu.len() > 2).collect();
     let mut spreads: Vec<f64> = repeated.iter().map(|run| spread(&run.cpu)).collect();
     spreads.sort_by(f64::total_cmp);
-    let most = spreads.get(spreads.len().saturating_sub(1) * 9 / 10).copied();
+    // Nine of ten are no wider than this one.
+    let most = spreads.get((9 * spreads.len()).div_ceil(10).saturating_sub(1)).copied();
     let rates: Vec<f64> = study
         .runs
         .iter()
@@ -58,7 +59,8 @@ pub fn part(study: &Study) -> Markup {
                 " times (the median is " (median(&repetitions)) "), in rounds over all settings, so that what disturbs the machine disturbs all alike; "
                 "medians are told. "
                 @if let Some(most) = most {
-                    "From the least to the most it is " (percent(median(&spreads))) " of the median in the middle of all settings, and at most " (percent(most)) " for nine of ten."
+                    "From the least to the most it is " (percent(median(&spreads))) " of the median in the middle of the " (plural(spreads.len(), "setting"))
+                    " that were measured more than twice, and at most " (percent(most)) " for nine of ten of them."
                 }
             }
             dt { "work" } dd {

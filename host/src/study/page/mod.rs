@@ -22,6 +22,7 @@
 use std::fmt::Write as _;
 use std::path::Path;
 
+use indicatif::HumanCount;
 use maud::{DOCTYPE, Markup, PreEscaped, html};
 
 use super::device::Device;
@@ -105,7 +106,7 @@ pub fn page(study: &Study, device: Option<&Device>) -> String {
 fn plural(count: usize, what: &str) -> String {
     match count {
         1 => format!("1 {what}"),
-        _ => format!("{count} {what}s"),
+        _ => format!("{} {what}s", HumanCount(count as u64)),
     }
 }
 

@@ -45,7 +45,8 @@ fn by_ray(study: &Study, run: &Run) -> Markup {
             @for (kind, work) in KINDS.iter().zip(work) {
                 @if work > 0.0 {
                     div.(*kind) style=(format!("flex-grow:{:.4}", work / whole)) {
-                        @if work / whole > 0.09 { span { (kind) " " (percent(work / whole)) } }
+                        @if work / whole > 0.28 { span { (kind) " " (percent(work / whole)) } }
+                        @else if work / whole > 0.09 { span.wide { (kind) " " (percent(work / whole)) } }
                     }
                 }
             }

@@ -42,6 +42,8 @@ const HEIGHT: f64 = 24.0;
 const LETTER: f64 = 6.8;
 /// The room above them.
 const TOP: f64 = 24.0;
+/// The room between errors and bars: for half a word of either axis.
+const BETWEEN: f64 = 34.0;
 
 fn sized(rows: &[Row], order: Order, alt: &str, width: f64, most: f64, values: f64) -> Markup {
     // As wide as the longest name, but no wider than there is room.
@@ -51,10 +53,10 @@ fn sized(rows: &[Row], order: Order, alt: &str, width: f64, most: f64, values: f
     let height = whole + 40.0;
     // Names, the place of zero, errors, bars, the numbers of the bars.
     let zero = names + 14.0;
-    let middle = zero + 16.0 + 0.46 * (width - zero - values);
+    let middle = zero + 16.0 + 0.44 * (width - zero - values);
+    let first = middle + BETWEEN;
     let errors = Log::of(rows.iter().map(|row| row.error), zero + 18.0, middle);
-    let bars =
-        Linear::of(rows.iter().flat_map(|row| [row.cost, row.spread[1]]), middle + 22.0, width - values);
+    let bars = Linear::of(rows.iter().flat_map(|row| [row.cost, row.spread[1]]), first, width - values);
     let y = |place: usize| TOP + HEIGHT * (place as f64 + 0.5);
     let has_zero = rows.iter().any(|row| row.error <= 0.0);
     let at = |row: &Row| if row.error > 0.0 { errors.at(row.error) } else { zero };
@@ -65,6 +67,10 @@ fn sized(rows: &[Row], order: Order, alt: &str, width: f64, most: f64, values: f
         .map(|(place, row)| format!("{},{}", round(at(row)), round(y(place))))
         .collect();
     let mut error_ticks = spaced(&errors.ticks(), |tick| errors.at(tick), 48.0);
+    if rows.iter().all(|row| row.error <= 0.0) {
+        // Of an axis with nothing on it there is nothing to read.
+        error_ticks.clear();
+    }
     if has_zero {
         // Its word needs room beside that of zero.
         error_ticks.retain(|tick| errors.at(*tick) - zero > 30.0);
@@ -73,7 +79,7 @@ fn sized(rows: &[Row], order: Order, alt: &str, width: f64, most: f64, values: f
     html! {
         svg.plot.rows role="img" aria-label=(alt) viewBox=(format!("0 0 {width} {height}")) {
             text.head x=(zero - 6.0) y="12" { "error (RMSE)" }
-            text.head x=(round(middle + 22.0)) y="12" { "processor time" }
+            text.head x=(round(first)) y="12" { "processor time" }
             @for tick in &error_ticks {
                 line.grid x1=(round(errors.at(*tick))) x2=(round(errors.at(*tick))) y1=(TOP) y2=(whole) {}
                 text.tick x=(round(errors.at(*tick))) y=(whole + 16.0) text-anchor="middle" { (numbers::tick(*tick)) }

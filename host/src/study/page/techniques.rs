@@ -17,6 +17,14 @@ struct Shown<'s> {
     with: &'s Run,
 }
 
+/// A technique without which the picture was given up.
+struct Bounded<'s> {
+    it: &'s Technique,
+    /// Seconds of wall-clock time.
+    after: f64,
+    with: &'s Run,
+}
+
 impl Shown<'_> {
     fn time(&self) -> f64 {
         self.with.seconds() / self.without.seconds().max(1e-12)
@@ -39,7 +47,14 @@ pub fn part(study: &Study) -> Markup {
         .iter()
         .filter_map(|it| Some(Shown { it, without: run(it.without)?, with: run(it.with)? }))
         .collect();
-    let missing = study.techniques.iter().filter(|it| it.without.is_none() || it.with.is_none());
+    let missing: Vec<&Technique> =
+        study.techniques.iter().filter(|it| it.without.is_none() || it.with.is_none()).collect();
+    // What a large scene cannot do without has a time with it, and one that was not enough without.
+    let bounded: Vec<Bounded<'_>> = missing
+        .iter()
+        .filter_map(|it| Some(Bounded { it, after: it.given_up?, with: run(it.with)? }))
+        .collect();
+    let is_bounded = |it: &Technique| it.given_up.is_some() && it.with.is_some();
     html! {
         p {
             "What a picture takes with a technique, as a share of what it takes without. Left of 1 it saves. All are measured at the scene's "
@@ -53,9 +68,12 @@ pub fn part(study: &Study) -> Markup {
             div.wide { (plot(&shown, 900.0, 210.0)) }
             div.narrow { (plot(&shown, 350.0, 150.0)) }
         }
-        (wide(table(&shown)))
-        @for it in missing {
-            p.soft { (it.name) ": " (it.off) " against " (it.on) " was given up; it would have taken too long." }
+        (wide(table(&shown, &bounded)))
+        @if !bounded.is_empty() {
+            p.soft { "Where a time without is not known it was given up; what is told then is wall-clock time, and what is saved at least." }
+        }
+        @for it in missing.iter().filter(|it| !is_bounded(it)) {
+            p.soft { (it.name) ": " (it.off) " against " (it.on) " was not measured to the end; it would have taken too long." }
         }
         (threads(study))
     }
@@ -95,7 +113,7 @@ fn plot(shown: &[Shown<'_>], width: f64, names: f64) -> Markup {
     }
 }
 
-fn table(shown: &[Shown<'_>]) -> Markup {
+fn table(shown: &[Shown<'_>], bounded: &[Bounded<'_>]) -> Markup {
     html! {
         table.plain {
             thead { tr {
@@ -103,6 +121,19 @@ fn table(shown: &[Shown<'_>]) -> Markup {
                 th.number { "time" } th.number { "saved" } th.number { "error it causes" }
             } }
             tbody {
+                @for it in bounded {
+                    @let wall = median(&it.with.wall);
+                    tr {
+                        th scope="row" { (it.it.name) }
+                        td { (it.it.part) }
+                        td { (it.it.off) " → " (it.it.on) }
+                        td.number { "– → " (count(tests(it.with))) }
+                        td.number { "–" }
+                        td.number { "over " (seconds(it.after)) " → " (seconds(wall)) }
+                        td.number { @if wall < it.after { "over " (saved(wall / it.after)) } @else { "–" } }
+                        td.number { "–" }
+                    }
+                }
                 @for it in shown {
                     tr {
                         th scope="row" { (it.it.name) }
