@@ -141,6 +141,25 @@ fn a_point_moves_with_its_number() {
 }
 
 #[test]
+fn a_technique_without_which_the_picture_was_given_up_tells_what_it_saves_at_least() {
+    changed("bound", |json| {
+        let it = &mut json["techniques"][0];
+        (it["without"], it["error"]) = (Value::Null, Value::Null);
+        it["given_up"] = 2.5.into();
+    });
+    folder().done("study --from bound/study.json --quiet");
+    let page = page("bound");
+    assert!(page.contains("over 2.50 s → "), "no bound");
+    assert!(!self::page("out").contains("over 2.50 s → "));
+    // Studies from before that was told can be read too.
+    changed("before", |json| {
+        json["techniques"][0].as_object_mut().unwrap().remove("given_up");
+    });
+    folder().done("study --from before/study.json --quiet");
+    assert_eq!(self::page("before"), self::page("out"));
+}
+
+#[test]
 fn what_firmware_has_measured_is_laid_into_the_page() {
     changed("chip", |_| {});
     let rows = "scene,64,48,single,5,0.001953125,single,30720000,40000,0.0125\nscene,64,48,single,2,0.001953125,single,9216000,9000,0.25\n";
