@@ -1,4 +1,4 @@
-//! The tally that counts.
+//! The tallies that count.
 
 use crate::geometry::ShapeKind;
 use crate::math::{Real, Rgb};
@@ -176,6 +176,44 @@ impl Tally for Counters {
                 self.cutoff_weight = self.cutoff_weight.saturating_add(steps(weight));
             }
             Event::MediaFull => self.media_full += 1,
+        }
+    }
+}
+
+/// Counts rays and what was cut, but no tests, no regions and no caches: next to nothing for each
+/// ray, where [`Counters`] take a part of the whole.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct RayCounters(Counters);
+
+impl RayCounters {
+    /// Nothing counted yet.
+    pub fn new() -> Self {
+        Self::default()
+    }
+
+    /// What was counted; nothing of the rest.
+    pub fn counters(&self) -> &Counters {
+        &self.0
+    }
+}
+
+impl Tally for RayCounters {
+    const TESTS: bool = false;
+
+    #[inline(always)]
+    fn count(&mut self, event: Event) {
+        match event {
+            Event::Ray(_)
+            | Event::Level(_)
+            | Event::CameraHit
+            | Event::LevelLimit(_)
+            | Event::Cutoff(_)
+            | Event::MediaFull => self.0.count(event),
+            Event::Boxes(..)
+            | Event::Shape(..)
+            | Event::ShadowCache { .. }
+            | Event::Region(_)
+            | Event::Skipped(_) => {}
         }
     }
 }

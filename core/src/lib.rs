@@ -6,7 +6,7 @@
 //!
 //! | floor | rooms |
 //! |---|---|
-//! | the front door | [`render()`], [`Counters`] |
+//! | the front door | [`render()`], [`Counters`], [`RayCounters`] |
 //! | pictures | pixels, [`Sampler`]s, [`Sink`]s |
 //! | rays | the loop ([`Tracer`]), its tasks, the [`Worker`] |
 //! | light | the local model, shadows, optics, media |
@@ -60,7 +60,7 @@ pub use accel::{
     Mailbox, NearestFirst, Node, Octree, OctreeLimits, OctreeNode, OctreeRoom, Query, Run, Slot, StaticGrid,
     Storage, Waiting, groups_of,
 };
-pub use counters::Counters;
+pub use counters::{Counters, RayCounters};
 pub use geometry::{
     Aabb, Ball, Cone, Cuboid, Disc, Geometry, Hit, ItemId, Moving, Plane, Polygon, Ray, Shape, ShapeFault,
     ShapeKind, ShapeSet, Shapes, Span, Sphere, Surface, Torus, TurnedCuboid, has_area, leave,

@@ -13,5 +13,6 @@ fn main() {
         println!("cargo:rustc-link-arg-bins=-Tmemory-virt.x"); // riscv-rt's script leaves it to us
     }
     println!("cargo:rustc-link-arg-bins=-Tlink.x");
+    println!("cargo:rustc-link-arg-bin=proof=--defsym=only_linked=1");
     println!("cargo:rerun-if-changed={memory}");
 }

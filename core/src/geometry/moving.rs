@@ -8,9 +8,10 @@
 
 use zerocopy::{Immutable, KnownLayout, TryFromBytes};
 
+use super::meet::moved_into;
 use super::ray::LEAVING;
 use super::shape::{Shape, ShapeFault, ShapeKind, Shapes, check_point};
-use super::{Aabb, Geometry, Ray, Surface, moved_into, of};
+use super::{Aabb, Geometry, Ray, Surface, of};
 use crate::math::{Real, Vec3, abs, gamma, within};
 
 /// A shape that moves evenly along a straight line while the shutter is open.
@@ -104,7 +105,7 @@ impl<'s> Geometry<'s> {
     #[inline(never)]
     pub(super) fn moving_surface<S: Shapes>(&self, place: u32, ray: &Ray, t: Real) -> Option<Surface> {
         let moving = self.moving(place)?;
-        let rest = self.rest_surface::<S>(&moving.shape, &moving.back(ray), t)?;
+        let rest = self.surface_there::<S>(&moving.shape, &moving.back(ray), t)?;
         let point = rest.point + moving.offset(ray.time);
         // This sum is off by one rounding, and by another the difference when the next ray asks.
         let error = rest.error + (abs(rest.point) + abs(point)) * gamma(3 + LEAVING);

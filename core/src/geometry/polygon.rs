@@ -8,8 +8,9 @@
 
 use zerocopy::{Immutable, KnownLayout, TryFromBytes};
 
+use super::meet::moved_into;
 use super::terminator::above;
-use super::{Aabb, Ray, ShapeFault, Surface, check_point, check_unit, moved_into, plane::level};
+use super::{Aabb, Ray, ShapeFault, Surface, check_point, check_unit, plane::level};
 use crate::math::{Axis, Real, Vec3, abs, gamma, length, unit, vec3};
 
 /// A polygon whose corners lie in the scene's table of points.

@@ -78,6 +78,7 @@ impl Sphere {
         ray.scale == 1.0 && p.x.abs() < room && p.y.abs() < room && p.z.abs() < room
     }
 
+    #[inline(always)]
     pub(super) fn surface(&self, ray: &Ray, t: Real) -> Surface {
         let normal = unit(ray.at_from(t, self.center)).unwrap_or(-ray.direction);
         let point = self.center + normal * self.radius;
@@ -91,7 +92,7 @@ impl Sphere {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::geometry::{is_distance, moved_into};
+    use crate::geometry::meet::{is_distance, moved_into};
     use crate::math::{Dimension, Stream, vec3};
 
     #[test]

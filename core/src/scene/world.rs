@@ -51,7 +51,9 @@ impl<'s, A: Accelerator> World<'s, A> {
         if ray.is_sound() { self.nearest_sound::<E, T>(ray, reach, kind, scratch, tally) } else { None }
     }
 
-    /// The same of a ray that is known to be sound.
+    /// The same of a ray that is known to be sound. For the loop: what else asks has the other door,
+    /// so that this one is inlined there and nowhere else.
+    #[inline(always)]
     pub(crate) fn nearest_sound<E: Effects, T: Tally>(
         &self,
         ray: &Ray,
@@ -112,6 +114,7 @@ impl<'s, A: Accelerator> World<'s, A> {
     }
 
     /// What the item that was hit is like there.
+    #[inline(always)]
     pub fn surface<E: Effects>(&self, ray: &Ray, hit: Hit) -> Option<Surface> {
         let geometry = &self.scene.parts().geometry;
         geometry.surface::<E>(geometry.shape(hit.item)?, ray, hit.t)
@@ -127,7 +130,7 @@ impl<'s, A: Accelerator> World<'s, A> {
     /// How far away from its own place an item is at `time`; zero where nothing moves.
     #[inline(always)]
     pub(crate) fn offset<E: Effects>(&self, item: ItemId, time: Real) -> Vec3 {
-        if !E::SET.motion {
+        if !(E::SET.motion && self.scene.effects().motion) {
             return Vec3::ZERO;
         }
         let geometry = &self.scene.parts().geometry;
@@ -135,6 +138,7 @@ impl<'s, A: Accelerator> World<'s, A> {
     }
 
     /// Planes have no box, so they are tested here and first: what they leave in reach is less.
+    #[inline(always)]
     fn ask<E: Effects, Q: Query>(&self, ray: &Ray, scratch: &mut A::Scratch, query: &mut Q) {
         if E::SET.shapes.has(ShapeKind::Plane) {
             for plane in self.scene.parts().geometry.planes {
@@ -198,9 +202,9 @@ impl Goal for Blocker {
 }
 
 impl<'q, E: Effects, T: Tally, G: Goal> Search<'q, E, T, G> {
-    /// Whether triangles of both sorts can be met, so that it need not be asked which one it is.
-    const TRIANGLES: bool =
-        E::SET.shapes.has(ShapeKind::Triangle) && E::SET.shapes.has(ShapeKind::SmoothTriangle);
+    /// Which of both sorts of triangles can be met.
+    const TRIANGLES: [bool; 2] =
+        [E::SET.shapes.has(ShapeKind::Triangle), E::SET.shapes.has(ShapeKind::SmoothTriangle)];
 
     fn new<A>(
         world: &'q World<'_, A>,
@@ -231,10 +235,23 @@ impl<'q, E: Effects, T: Tally, G: Goal> Search<'q, E, T, G> {
 
     #[inline(always)]
     fn count(&mut self, shape: &Shape) {
-        if T::HEARS
+        if T::TESTS
             && let Some(kind) = self.geometry.kind(shape)
         {
             self.tally.count(Event::Shape(self.kind, kind));
+        }
+    }
+
+    /// Whether this triangle is of a sort that can be met; not asked where both can.
+    #[inline(always)]
+    fn can_meet(&self, triangle: ItemId) -> bool {
+        match Self::TRIANGLES {
+            [true, true] => true,
+            [flat, smooth] => match self.geometry.shape(triangle) {
+                Some(Shape::Triangle(_)) => flat,
+                Some(Shape::SmoothTriangle(_)) => smooth,
+                _ => false,
+            },
         }
     }
 
@@ -264,17 +281,16 @@ impl<E: Effects, T: Tally, G: Goal> Query for Search<'_, E, T, G> {
 
     #[inline(always)]
     fn all(&mut self, count: u32) -> ControlFlow<()> {
-        let geometry = self.geometry;
-        geometry
-            .shapes
-            .iter()
-            .zip(0..count)
-            .try_for_each(|(shape, item)| self.test_shape(ItemId(item), shape))
+        // A loop of its own: an iterator's would be called where two places ask.
+        for (shape, item) in self.geometry.shapes.iter().zip(0..count) {
+            self.test_shape(ItemId(item), shape)?;
+        }
+        ControlFlow::Continue(())
     }
 
     #[inline(always)]
     fn run(&mut self, run: &Run) -> ControlFlow<()> {
-        if !Self::TRIANGLES {
+        if Self::TRIANGLES == [false, false] {
             return run.items().try_for_each(|item| self.test(item));
         }
         let may = run.may_meet(self.ray);
@@ -282,10 +298,11 @@ impl<E: Effects, T: Tally, G: Goal> Query for Search<'_, E, T, G> {
         let mut left = may;
         while let Some(Candidate { item, corners }) = run.next(&mut left) {
             match corners {
-                Some(corners) => {
+                Some(corners) if self.can_meet(item) => {
                     self.tested(item);
                     self.meet(item, triangle_distance(corners.each_ref(), self.ray))?;
                 }
+                Some(_) => {}
                 None => self.test(item)?,
             }
         }

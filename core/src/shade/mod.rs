@@ -16,7 +16,7 @@ use crate::accel::Accelerator;
 use crate::geometry::{ItemId, Surface, leave};
 use crate::math::{Dimension, Real, Rgb, Stream, Vec3, largest, power};
 
-use crate::scene::{Effects, Material, World};
+use crate::scene::{Beam, Effects, Material, World};
 use crate::tally::{Lit, Step, Tally};
 use cache::Toward;
 use shadow::{Start, Way};
@@ -46,7 +46,12 @@ impl Seen {
     /// The normal that mirrors and breaks light: the shading one, or the geometric one where the
     /// shading one is turned away from the ray, as it may be near the outline of a coarse mesh.
     pub(crate) fn optical(&self) -> Vec3 {
-        if self.shading.dot(self.along) < 0.0 { self.shading } else { self.facing }
+        self.unless_turned_away(self.shading)
+    }
+
+    /// The normal, or the geometric one where it is turned away from the ray.
+    pub(crate) fn unless_turned_away(&self, normal: Vec3) -> Vec3 {
+        if normal.dot(self.along) < 0.0 { normal } else { self.facing }
     }
 
     /// Where a ray starts that stays on the side that the surface is seen from.
@@ -63,7 +68,7 @@ impl Seen {
 }
 
 /// The circumstances under which a ray has arrived at a surface.
-pub(crate) struct Arrival {
+pub(crate) struct Arrival<'r> {
     /// What it has met.
     pub(crate) item: ItemId,
     /// The numbers that belong to the camera ray.
@@ -75,9 +80,9 @@ pub(crate) struct Arrival {
     /// The level of the ray.
     pub(crate) level: u8,
     /// The bodies on the side that it comes from.
-    pub(crate) before: Media,
+    pub(crate) before: &'r Media,
     /// The bodies behind the surface.
-    pub(crate) behind: Media,
+    pub(crate) behind: &'r Media,
 }
 
 /// The light that the surface itself sends back along the ray: ambient, and from each light
@@ -88,19 +93,22 @@ pub(crate) fn local<A: Accelerator, E: Effects, T: Tally, const SHADOWS: usize>(
     world: &World<'_, A>,
     material: &Material,
     seen: &Seen,
-    arrival: &Arrival,
+    arrival: &Arrival<'_>,
     memory: &mut Memory<A, SHADOWS>,
     tally: &mut T,
 ) -> Rgb {
     let parts = world.scene().parts();
-    let texture = parts.textures.get(usize::from(material.texture.0));
-    let point = seen.surface.point;
-    let place = if E::SET.motion { point - arrival.offset } else { point };
-    let paint = texture.map_or(Rgb::WHITE, |texture| texture.at(place, E::SET.textures));
-    let diffuse = material.diffuse * paint;
-    let mut light = material.ambient * paint * parts.ambient;
+    let (mut diffuse, mut ambient) = (material.diffuse, material.ambient);
+    if !E::SET.textures.is_empty()
+        && let Some(texture) = parts.textures.get(usize::from(material.texture.0))
+    {
+        let paint = texture.at(seen.surface.point - arrival.offset, E::SET.textures);
+        diffuse *= paint;
+        ambient *= paint;
+    }
+    let mut light = ambient * parts.ambient;
     tally.tell(Step::Ambient(light));
-    if !material.is_lit() {
+    if !material.is_lit() || parts.lights.is_empty() {
         tally.tell(Step::Local(light));
         return light;
     }
@@ -112,10 +120,10 @@ pub(crate) fn local<A: Accelerator, E: Effects, T: Tally, const SHADOWS: usize>(
         (seen.surface.shading, seen.surface.normal)
     };
     let shiny = E::SET.highlight && material.is_shiny();
-    let mirrored = 2.0 * normal.dot(seen.along);
+    let mirrored = if shiny { 2.0 * normal.dot(seen.along) } else { 0.0 };
     let scatters = !diffuse.is_black();
     let from = leave(seen.surface.point, seen.surface.error, side);
-    let start = Start::new(seen.surface.point, from, arrival.time);
+    let start = Start { point: seen.surface.point, from, time: arrival.time };
     for (source, number) in parts.lights.iter().zip(0..) {
         let chance = || {
             if !E::SET.penumbra {
@@ -124,7 +132,7 @@ pub(crate) fn local<A: Accelerator, E: Effects, T: Tally, const SHADOWS: usize>(
             arrival.stream.pair(Dimension::light(arrival.level, number))
         };
         let mut skip = |lit| tally.tell(Step::Light { number, lit });
-        let mut beam = match source.beam(seen.surface.point, normal, E::SET.lights, chance) {
+        let beam = match source.beam(seen.surface.point, normal, E::SET.lights, chance) {
             Ok(beam) => beam,
             Err(lit) => {
                 skip(lit);
@@ -138,47 +146,43 @@ pub(crate) fn local<A: Accelerator, E: Effects, T: Tally, const SHADOWS: usize>(
         // How much of the highlight shows.
         let shine = || {
             // The mirrored light's share of the way to the eye.
-            let toward_eye = if shiny { beam.toward.dot(seen.along) - beam.cos * mirrored } else { 0.0 };
+            let toward_eye = beam.toward.dot(seen.along) - beam.cos * mirrored;
             if toward_eye > 0.0 { cosine_power(toward_eye, material.exponent) } else { 0.0 }
         };
+        let mut color = beam.color;
         // A mirror shows a light only where the highlight is, which most of it is not: so ask
         // for the shadow last. What scatters light shows it wherever it stands in it.
         let mut share = 0.0;
         if !scatters {
-            share = shine();
+            share = if shiny { shine() } else { 0.0 };
             if !(share > 0.0) {
                 skip(Lit::Unseen);
                 continue;
             }
         }
         if E::SET.shadows && source.shadows {
-            let toward = Toward { light: usize::from(number), level: arrival.level };
-            let lifted;
-            let mut start = &start;
-            if E::SET.smooth && side.dot(beam.toward) <= 0.0 {
-                let lift = lift::<A, E>(world, seen, arrival, side, beam.distance);
-                lifted = Start::new(seen.surface.point, from + lift, arrival.time);
-                start = &lifted;
-            }
-            let way = Way { start, beam: &beam, toward };
-            if E::SET.colored_shadows && parts.colored_shadows {
-                let media = if side == seen.facing { &arrival.before } else { &arrival.behind };
-                let share = shadow::passing::<A, E, T>(world, &way, media, &mut memory.scratch, tally);
-                if share.is_black() {
-                    tally.tell(Step::Light { number, lit: Lit::Shadowed });
-                    continue;
-                }
-                beam.color *= share;
-            } else if shadow::is_dark::<A, E, T, SHADOWS>(world, &way, memory, tally) {
+            let media = if side == seen.facing { arrival.before } else { arrival.behind };
+            let light = (Toward { light: usize::from(number), level: arrival.level }, media);
+            let passes = if E::SET.smooth && side.dot(beam.toward) <= 0.0 {
+                // Copies, so that the others can stay in registers.
+                let place = Below { surface: seen.surface, side, item: arrival.item, offset: arrival.offset };
+                passes_from_below::<A, E, T, SHADOWS>(world, place, arrival.time, light, beam, memory, tally)
+            } else {
+                passes::<A, E, T, SHADOWS>(world, &start, light, &beam, memory, tally)
+            };
+            let Some(passed) = passes else {
                 tally.tell(Step::Light { number, lit: Lit::Shadowed });
                 continue;
-            }
+            };
+            color *= passed;
         }
-        if scatters {
-            share = shine();
+        let mut back = diffuse * beam.cos;
+        if shiny {
+            let share = if scatters { shine() } else { share };
+            back += material.highlight * share;
         }
-        let adds = (diffuse * beam.cos + material.highlight * share) * beam.color;
-        let (toward, distance, color) = (beam.toward, beam.distance, beam.color);
+        let adds = back * color;
+        let (toward, distance) = (beam.toward, beam.distance);
         tally.tell(Step::Light { number, lit: Lit::Arrives { toward, distance, color, adds } });
         light += adds;
     }
@@ -186,20 +190,52 @@ pub(crate) fn local<A: Accelerator, E: Effects, T: Tally, const SHADOWS: usize>(
     light
 }
 
-/// How much farther out a ray starts towards a light that stands under the horizon of a smooth
-/// shape: from the round surface that is meant. Not as far as to come near the light.
+/// The share of the light that passes on its way to a start; none when nothing does.
+#[inline(always)]
+fn passes<A: Accelerator, E: Effects, T: Tally, const SHADOWS: usize>(
+    world: &World<'_, A>,
+    start: &Start,
+    (toward, media): (Toward, &Media),
+    beam: &Beam,
+    memory: &mut Memory<A, SHADOWS>,
+    tally: &mut T,
+) -> Option<Rgb> {
+    let way = Way { start, beam, toward };
+    if E::SET.colored_shadows && world.scene().parts().colored_shadows {
+        let share = shadow::passing::<A, E, T>(world, &way, media, &mut memory.scratch, tally);
+        (!share.is_black()).then_some(share)
+    } else {
+        (!shadow::is_dark::<A, E, T, SHADOWS>(world, &way, memory, tally)).then_some(Rgb::WHITE)
+    }
+}
+
+/// A place from which a light stands under the horizon of its smooth shape.
+struct Below {
+    surface: Surface,
+    /// The geometric normal, on the side that is lit.
+    side: Vec3,
+    item: ItemId,
+    offset: Vec3,
+}
+
+/// As [`passes`], for such a place: rays start farther out, from the round surface that is meant.
+/// Not as far as to come near the light.
 #[cold]
 #[inline(never)]
-fn lift<A: Accelerator, E: Effects>(
+fn passes_from_below<A: Accelerator, E: Effects, T: Tally, const SHADOWS: usize>(
     world: &World<'_, A>,
-    seen: &Seen,
-    arrival: &Arrival,
-    side: Vec3,
-    distance: Real,
-) -> Vec3 {
-    let outside = side.dot(seen.surface.normal) > 0.0;
-    let lift = world.lift::<E>(arrival.item, seen.surface.point - arrival.offset, outside);
-    lift.filter(|lift| largest(*lift) < 0.25 * distance).unwrap_or(Vec3::ZERO)
+    Below { surface, side, item, offset }: Below,
+    time: Real,
+    light: (Toward, &Media),
+    beam: Beam,
+    memory: &mut Memory<A, SHADOWS>,
+    tally: &mut T,
+) -> Option<Rgb> {
+    let lift = world.lift::<E>(item, surface.point - offset, side.dot(surface.normal) > 0.0);
+    let lift = lift.filter(|lift| largest(*lift) < 0.25 * beam.distance).unwrap_or(Vec3::ZERO);
+    let from = leave(surface.point, surface.error, side) + lift;
+    let start = Start { point: surface.point, from, time };
+    passes::<A, E, T, SHADOWS>(world, &start, light, &beam, memory, tally)
 }
 
 /// The cosine, which rounding may have put a little above one, to a power.

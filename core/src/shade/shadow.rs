@@ -8,7 +8,7 @@ use super::passage::{crossing, left_after};
 use crate::accel::Accelerator;
 use crate::geometry::Ray;
 use crate::math::{ROUNDOFF, Real, Rgb, Vec3, largest};
-use crate::scene::{Beam, Effects, Interface, Material, World};
+use crate::scene::{Beam, Effects, Interface, LightKind, Material, World};
 use crate::tally::{Event, RayKind, Step, Tally};
 
 /// How much of the way to a light is asked for: not the last few roundoffs, so that a surface
@@ -20,21 +20,12 @@ const MOST_SURFACES: u32 = 64;
 
 /// Where the ways to all lights start.
 pub(super) struct Start {
-    /// Beside the point, where rays leave it.
-    from: Vec3,
-    /// From there to the point.
-    aside: Vec3,
-    /// The largest component of that.
-    step: Real,
+    /// On the surface.
+    pub(super) point: Vec3,
+    /// Beside it, where rays leave it.
+    pub(super) from: Vec3,
     /// When.
-    time: Real,
-}
-
-impl Start {
-    pub(super) fn new(point: Vec3, from: Vec3, time: Real) -> Self {
-        let aside = point - from;
-        Start { from, aside, step: largest(aside), time }
-    }
+    pub(super) time: Real,
 }
 
 /// The way from a point to a light.
@@ -50,10 +41,14 @@ pub(super) struct Way<'b> {
 impl Way<'_> {
     /// The direction of the ray towards the light; none when the light is too near for anything
     /// to stand between.
-    fn direction(&self) -> Option<Vec3> {
+    fn direction<E: Effects>(&self) -> Option<Vec3> {
         let (start, beam) = (self.start, self.beam);
+        if E::SET.lights.has(LightKind::Directional) && beam.distance == Real::MAX {
+            return Some(beam.toward); // of a light without a place, whose rays are parallel
+        }
         // Started beside the point, the ray must not end beside the light.
-        (start.step < beam.distance).then(|| beam.toward + start.aside / beam.distance)
+        let aside = start.point - start.from;
+        (largest(aside) < beam.distance).then(|| beam.toward + aside / beam.distance)
     }
 
     /// How far something may be and still stand in the way.
@@ -64,6 +59,7 @@ impl Way<'_> {
 
 /// Whether anything stands in the way. What lies behind the light does not count; glass counts
 /// as if it were opaque.
+#[inline(always)]
 pub(super) fn is_dark<A: Accelerator, E: Effects, T: Tally, const SHADOWS: usize>(
     world: &World<'_, A>,
     way: &Way<'_>,
@@ -71,7 +67,7 @@ pub(super) fn is_dark<A: Accelerator, E: Effects, T: Tally, const SHADOWS: usize
     tally: &mut T,
 ) -> bool {
     tally.count(Event::Ray(RayKind::Shadow));
-    let Some(direction) = way.direction() else { return false };
+    let Some(direction) = way.direction::<E>() else { return false };
     tally.tell(Step::Asks { origin: way.start.from, direction, reach: way.reach() });
     let ray = Ray::near_unit(way.start.from, direction, way.start.time);
     if let Some(last) = memory.shadows.last(way.toward) {
@@ -101,6 +97,9 @@ pub(super) fn is_dark<A: Accelerator, E: Effects, T: Tally, const SHADOWS: usize
 /// Each surface takes what it does not transmit, with Fresnel's formulas also what light that
 /// comes in from the thinner side loses by mirroring; each body takes what it absorbs. Light is
 /// not bent, so that no ray has to look for the light.
+///
+/// Not inlined: few scenes ask for it, and where it stands in the loop the others pay for it.
+#[inline(never)]
 pub(super) fn passing<A: Accelerator, E: Effects, T: Tally>(
     world: &World<'_, A>,
     way: &Way<'_>,
@@ -111,12 +110,12 @@ pub(super) fn passing<A: Accelerator, E: Effects, T: Tally>(
     tally.count(Event::Ray(RayKind::Shadow));
     let parts = world.scene().parts();
     let (mut share, mut media) = (Rgb::WHITE, *media);
-    let Some(direction) = way.direction() else { return share };
+    let Some(direction) = way.direction::<E>() else { return share };
     let (mut from, mut reach) = (way.start.from, way.reach());
     tally.tell(Step::Asks { origin: from, direction, reach });
     for _ in 0..MOST_SURFACES {
         let ray = Ray::near_unit(from, direction, way.start.time);
-        let hit = world.nearest_sound::<E, T>(&ray, reach, RayKind::Shadow, scratch, tally);
+        let hit = world.nearest::<E, T>(&ray, reach, RayKind::Shadow, scratch, tally);
         let met = hit.and_then(|hit| Some((hit, world.surface::<E>(&ray, hit)?)));
         let Some((hit, surface)) = met else {
             return share * left_after::<E>(parts.materials, media.in_force(parts.materials), reach);

@@ -63,8 +63,8 @@ pub enum Event {
 
 /// Somebody who is told what happens.
 pub trait Tally {
-    /// Whether it hears of events at all: for who does not, what they tell is not worked out.
-    const HEARS: bool = true;
+    /// Whether it hears of tests: for who does not, it is not asked which shape was tested.
+    const TESTS: bool = true;
 
     /// Hears of one event.
     fn count(&mut self, event: Event);
@@ -77,7 +77,7 @@ pub trait Tally {
 
 /// Counts nothing and costs nothing.
 impl Tally for () {
-    const HEARS: bool = false;
+    const TESTS: bool = false;
 
     #[inline(always)]
     fn count(&mut self, _: Event) {}

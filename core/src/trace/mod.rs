@@ -5,14 +5,15 @@
 //! by itself, and no ray waits for another's answer ("An Improved Illumination Model for Shaded
 //! Display", CACM 1980).
 
+mod limits;
 mod sight;
 mod task;
 mod worker;
 
+pub use limits::{Limits, TracerError};
 pub use sight::{Met, Sight};
 pub use worker::Worker;
 
-use core::fmt;
 use core::marker::PhantomData;
 
 use crate::accel::Accelerator;
@@ -24,54 +25,6 @@ use crate::shade::{
 };
 use crate::tally::{Event, Fate, RayKind, Step, Tally};
 use task::{Task, Tasks};
-
-/// Which picture is wanted: how far the tree of rays goes.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Limits {
-    /// Levels of rays: 1 is the camera ray alone.
-    pub levels: u8,
-    /// A ray is sent when its weight in the brightest channel is more than this, in `0..=1`.
-    pub cutoff: Real,
-}
-
-impl Limits {
-    /// Five levels, and what could make half a step of an 8-bit picture.
-    pub const DEFAULT: Limits = Limits { levels: 5, cutoff: 1.0 / 512.0 };
-}
-
-/// Why a tracer cannot trace a world.
-#[derive(Clone, Copy, Debug, PartialEq)]
-#[non_exhaustive]
-pub enum TracerError {
-    /// The scene asks for what this tracer was not built for.
-    NotBuiltFor {
-        /// What the scene asks for.
-        asks: EffectSet,
-    },
-    /// There is no level, or more than the worker has room for.
-    Levels {
-        /// How many are wanted.
-        wanted: u8,
-        /// For how many there is room.
-        most: usize,
-    },
-    /// The cutoff is not in `0..=1`.
-    Cutoff,
-}
-
-impl fmt::Display for TracerError {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self {
-            TracerError::NotBuiltFor { .. } => {
-                f.write_str("the scene asks for effects that this tracer was not built for")
-            }
-            TracerError::Levels { wanted, most } => write!(f, "{wanted} levels wanted, 1 to {most} possible"),
-            TracerError::Cutoff => f.write_str("the cutoff is not in 0..=1"),
-        }
-    }
-}
-
-impl core::error::Error for TracerError {}
 
 /// The brightest that a surface is taken to be. With weights below `2^64` (two rays of weight
 /// one at each of 64 levels) no product and no sum here leaves the range of `f32`.
@@ -174,7 +127,7 @@ impl<'w, 's, A: Accelerator, E: Effects, const LEVELS: usize> Tracer<'w, 's, A, 
             Some(crossing) => crossing.before,
             None => task.media.in_force(materials),
         };
-        let left = left_after::<E>(materials, within, hit.t);
+        let left = if self.absorbs() { left_after::<E>(materials, within, hit.t) } else { Rgb::WHITE };
         let hidden = crossing.as_ref().is_some_and(|crossing| crossing.hidden);
         let (point, outside) = (seen.surface.point, seen.outside);
         let number = within.map(|material| material.0);
@@ -183,7 +136,9 @@ impl<'w, 's, A: Accelerator, E: Effects, const LEVELS: usize> Tracer<'w, 's, A, 
             if crossing.full {
                 tally.count(Event::MediaFull);
             }
-            task.weight *= left;
+            if self.absorbs() {
+                task.weight *= left;
+            }
             if crossing.hidden {
                 // The surface is hidden inside another body: straight on.
                 let child = Child {
@@ -199,19 +154,12 @@ impl<'w, 's, A: Accelerator, E: Effects, const LEVELS: usize> Tracer<'w, 's, A, 
             }
         }
 
-        let behind = crossing.as_ref().map_or(task.media, |crossing| crossing.media);
+        let behind = crossing.as_ref().map_or(&task.media, |crossing| &crossing.media);
         let offset = self.world.offset::<E>(hit.item, time);
         let arrival =
-            Arrival { item: hit.item, stream, time, offset, level: task.level, before: task.media, behind };
+            Arrival { item: hit.item, stream, time, offset, level: task.level, before: &task.media, behind };
         let light = local::<A, E, T, SHADOWS>(self.world, material, &seen, &arrival, memory, tally);
-        let mut seen = seen;
-        if E::SET.gloss && material.is_rough() {
-            // Mirrors and glass see one of the facets that make up the surface.
-            let slope = material.roughness * material.roughness;
-            let chance = stream.pair(Dimension::lobe(task.level));
-            seen.shading = facet(seen.optical(), -task.direction, slope, chance);
-        }
-        let unsent = self.leave_children(task, material, &seen, crossing.as_ref(), tasks, tally);
+        let unsent = self.leave_children(task, material, &seen, crossing.as_ref(), stream, tasks, tally);
         let adds = task.weight * light.at_most(BRIGHTEST_SURFACE) + unsent;
         tally.tell(Step::Adds(adds));
         adds
@@ -222,7 +170,7 @@ impl<'w, 's, A: Accelerator, E: Effects, const LEVELS: usize> Tracer<'w, 's, A, 
     fn beyond<T: Tally>(&self, task: &Task, tally: &mut T) -> Rgb {
         let parts = self.world.scene().parts();
         let mut light = parts.background.toward(task.direction);
-        if E::SET.transmission {
+        if self.absorbs() {
             let medium = task.media.in_force(parts.materials);
             light *= left_after::<E>(parts.materials, medium, Real::INFINITY);
         }
@@ -232,10 +180,18 @@ impl<'w, 's, A: Accelerator, E: Effects, const LEVELS: usize> Tracer<'w, 's, A, 
         adds
     }
 
+    /// Whether anything in the scene takes light away as it passes.
+    fn absorbs(&self) -> bool {
+        E::SET.absorption && self.world.scene().effects().absorption
+    }
+
     /// What happens to the media at the hit, where there may be any.
     fn crossing(&self, task: &Task, hit: Hit, material: &Material, seen: &Seen) -> Option<Crossing> {
         // Whoever asks for the medium before something opaque asks what it absorbs.
-        if !E::SET.transmission || !E::SET.absorption && !material.is_transmitting() {
+        if !E::SET.transmission {
+            return None;
+        }
+        if !self.absorbs() && !material.is_transmitting() {
             return None;
         }
         crossing(self.world.scene().parts(), hit.item, material, task.media, seen.outside)
@@ -266,23 +222,36 @@ impl<'w, 's, A: Accelerator, E: Effects, const LEVELS: usize> Tracer<'w, 's, A, 
 
     /// The rays that go on from a surface: through it, and back from it. What stands for those
     /// that are not sent.
+    #[allow(clippy::too_many_arguments)] // what the loop has at hand
     fn leave_children<T: Tally>(
         &self,
         task: &Task,
         material: &Material,
         seen: &Seen,
         crossing: Option<&Crossing>,
+        stream: Stream,
         tasks: &mut Tasks<LEVELS>,
         tally: &mut T,
     ) -> Rgb {
         let mut unsent = Rgb::BLACK;
         let mut mirrored = if E::SET.reflection { material.mirror } else { Rgb::BLACK };
+        let crossing = crossing.filter(|_| material.is_transmitting());
+        if crossing.is_none() && mirrored.is_black() {
+            return unsent;
+        }
+        let mut optical = seen.optical();
+        if E::SET.gloss && material.is_rough() {
+            // Mirrors and glass see one of the facets that make up the surface.
+            let slope = material.roughness * material.roughness;
+            let chance = stream.pair(Dimension::lobe(task.level));
+            optical = seen.unless_turned_away(facet(optical, -task.direction, slope, chance));
+        }
 
         // Refract, unless all light stays on this side.
-        if let Some(crossing) = crossing.filter(|_| material.is_transmitting()) {
+        if let Some(crossing) = crossing {
             let materials = self.world.scene().parts().materials;
             let ratio = index(crossing.before, materials) / index(crossing.behind, materials);
-            let refraction = refracted(task.direction, seen.optical(), ratio)
+            let refraction = refracted(task.direction, optical, ratio)
                 // An interpolated normal may break light back to the side that it came from.
                 .filter(|refraction| refraction.direction.dot(seen.facing) < 0.0);
             match refraction {
@@ -310,7 +279,7 @@ impl<'w, 's, A: Accelerator, E: Effects, const LEVELS: usize> Tracer<'w, 's, A, 
 
         // Reflect, on the geometric normal where the interpolated one points into the surface.
         if (E::SET.reflection || E::SET.transmission) && !mirrored.is_black() {
-            let direction = reflected(task.direction, seen.optical());
+            let direction = reflected(task.direction, optical);
             let outward = direction.dot(seen.facing) > 0.0;
             let direction = if outward {
                 direction

@@ -473,6 +473,9 @@ fn counters() {
         counters.cutoff_weight(),
     ));
     used((counters.level_limit(), counters.cutoff(), counters.deepest()));
+    let mut rays = any(RayCounters::new());
+    rays.count(any(Event::MediaFull));
+    used(rays.counters());
     ().count(any(Event::MediaFull));
     ().tell(any(Step::ThrownBack));
     used((any(Fate::Sent), any(Lit::Dark)));
@@ -486,6 +489,7 @@ fn pictures() {
         traced::<_, Everything, _, 5>(&World::new(scene, list), ());
     }
     traced::<_, Few, _, 1>(&World::new(scene, Stranger), Told);
+    traced::<_, Few, _, 1>(&World::new(scene, Bare(any(1))), RayCounters::new());
     traced::<_, ShortSighted, _, 2>(&World::new(scene, Bare(any(1))), ());
 }
 
