@@ -5,9 +5,10 @@
 //! compiled for its type. For another accelerator: a name in [`finding`](crate::finding), and an
 //! arm here.
 //!
-//! Sizes that are constants of a type come from short lists ([`MAILBOXES`], [`HEAPS`]). Whatever
-//! is not the usual one is handed to [`Purpose::seldom`], which need not be compiled in all the
-//! variants of what is usual.
+//! Sizes that are constants of a type come from short lists ([`MAILBOXES`], [`HEAPS`]). Only what is
+//! taken where nobody asks for anything is handed to [`Purpose::with`]. What is asked for by name goes to
+//! [`Purpose::asked`] and whatever is not of the usual size to [`Purpose::seldom`], which need not be
+//! compiled in as many variants.
 //!
 //! [`MAILBOXES`]: crate::finding::MAILBOXES
 //! [`HEAPS`]: crate::finding::HEAPS
@@ -28,9 +29,25 @@ pub trait Purpose: Sized {
     /// Uses it.
     fn with<A: Accelerator + Sync>(self, accelerator: A, facts: Facts) -> Self::Answer;
 
+    /// Uses one that is only taken where it is asked for.
+    fn asked<A: Accelerator + Sync>(self, accelerator: A, facts: Facts) -> Self::Answer {
+        self.with(accelerator, facts)
+    }
+
     /// Uses one that only somebody asks for who compares.
     fn seldom<A: Accelerator + Sync>(self, accelerator: A, facts: Facts) -> Self::Answer {
         self.with(accelerator, facts)
+    }
+}
+
+/// Any use is one that is asked for.
+struct Asked<P>(P);
+
+impl<P: Purpose> Purpose for Asked<P> {
+    type Answer = P::Answer;
+
+    fn with<A: Accelerator + Sync>(self, accelerator: A, facts: Facts) -> P::Answer {
+        self.0.asked(accelerator, facts)
     }
 }
 
@@ -54,14 +71,13 @@ pub fn build<P: Purpose>(scene: &Scene<'_>, finding: &Finding, purpose: P) -> Re
     let boxes: Vec<Aabb> = scene.parts().geometry.all_bounds().collect();
     let choice = finding.choice(boxes.iter().filter(|aabb| !aabb.is_empty()).count());
     let building = Building { geometry: &scene.parts().geometry, boxes: &boxes, choice, clock };
-    let seldom = Seldom;
+    let (asked, seldom) = (Asked, Seldom);
     match (choice.kind, choice.mailbox, choice.walk, choice.heap) {
-        // The truth, and what few items need: no variants for either.
-        (Kind::List, ..) => building.list(seldom(purpose)),
-        (Kind::Grid, MAILBOX, ..) => building.grid::<P, MAILBOX>(purpose),
+        (Kind::List, ..) => building.list(purpose),
+        (Kind::Grid, MAILBOX, ..) => building.grid::<_, MAILBOX>(asked(purpose)),
         (Kind::Grid, 8, ..) => building.grid::<_, 8>(seldom(purpose)),
         (Kind::Grid, ..) => building.grid::<_, 0>(seldom(purpose)),
-        (Kind::Octree, MAILBOX, ..) => building.octree::<P, MAILBOX>(purpose),
+        (Kind::Octree, MAILBOX, ..) => building.octree::<_, MAILBOX>(asked(purpose)),
         (Kind::Octree, 8, ..) => building.octree::<_, 8>(seldom(purpose)),
         (Kind::Octree, ..) => building.octree::<_, 0>(seldom(purpose)),
         (Kind::Bvh, _, Walk::Stack, _) => building.bvh::<P, LastFirst<STACK>>(purpose),

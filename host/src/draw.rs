@@ -8,8 +8,8 @@ use super::accelerators::{Purpose, build};
 use super::choose;
 use super::passes;
 use super::strahl::{
-    Accelerator, Camera, Counters, EffectSet, Effects, Everything, Limits, RayKind, Real, Rgb, Sample, Scene,
-    Sight, Size, Tally, Tracer, Worker, World,
+    Accelerator, Camera, Counters, EffectSet, Effects, Everything, Limits, RayCounters, RayKind, Real, Rgb,
+    Sample, Scene, Sight, Size, Tally, Tracer, Worker, World,
 };
 use super::tables::{Stock, view};
 use super::workers::{self, Eye, Eyes, LEVELS};
@@ -47,6 +47,10 @@ impl Purpose for Opening<'_, '_> {
 
     fn with<A: Accelerator + Sync>(self, accelerator: A, facts: Facts) {
         self.opened(accelerator, facts, choose::trace);
+    }
+
+    fn asked<A: Accelerator + Sync>(self, accelerator: A, facts: Facts) {
+        self.opened(accelerator, facts, choose::trace_as_asked);
     }
 
     fn seldom<A: Accelerator + Sync>(self, accelerator: A, facts: Facts) {
@@ -128,7 +132,7 @@ pub struct Job<'j, 's, A> {
     all: &'j dyn Fn(&dyn Eyes) -> Pixels,
 }
 
-/// Colours, and the work where it was counted.
+/// Colours, and the work: that of tests where it was to be counted.
 pub type Traced = (Vec<strahl_core::Rgb>, Option<Counts>);
 
 impl<'s, A: Accelerator + Sync> Job<'_, 's, A> {
@@ -137,7 +141,7 @@ impl<'s, A: Accelerator + Sync> Job<'_, 's, A> {
         EffectSet { lens: self.camera.has_lens(), ..self.world.scene().effects() }
     }
 
-    /// Whether the work is to be counted.
+    /// Whether tests are to be counted, and not only rays.
     pub fn is_counted(&self) -> bool {
         self.wanted.counted || self.wanted.sheet.is_some()
     }
@@ -147,14 +151,14 @@ impl<'s, A: Accelerator + Sync> Job<'_, 's, A> {
         self.wanted.looped == Looped::General
     }
 
-    /// Traces it with the effects `E`, and counts.
+    /// Traces it with the effects `E`, and counts everything.
     pub fn counted<E: Effects + Sync>(&self) -> Result<Traced, NoFrame> {
         self.run::<E, Counters>()
     }
 
-    /// Traces it with the effects `E`.
+    /// Traces it with the effects `E`, and counts rays.
     pub fn uncounted<E: Effects + Sync>(&self) -> Result<Traced, NoFrame> {
-        self.run::<E, ()>()
+        self.run::<E, RayCounters>()
     }
 
     fn run<E: Effects + Sync, T: Count>(&self) -> Result<Traced, NoFrame> {
@@ -247,9 +251,9 @@ trait Count: Tally + Default {
     fn take(&mut self) -> Option<Counters>;
 }
 
-impl Count for () {
+impl Count for RayCounters {
     fn take(&mut self) -> Option<Counters> {
-        None
+        Some(*std::mem::take(self).counters())
     }
 }
 

@@ -108,7 +108,7 @@ impl<'a> Job<'a> {
         let heat = aim.cost.as_ref().map(|place| Heat::prepare(place, path, &args.scene)).transpose()?;
 
         let Loaded { description, left_out, took: load } = scene;
-        let wanted = wanted(args, &description.settings, report.is_some() || !args.quiet)?;
+        let wanted = wanted(args, &description.settings, report.is_some())?;
         let sheet = heat.is_some().then(|| Arc::new(Sheet::new(wanted.size)));
         let wanted = Wanted { sheet, ..wanted };
         format.holds(wanted.picture())?;

@@ -44,7 +44,7 @@ pub struct Wanted {
     pub shadow_cache: bool,
     /// Threads and tiles.
     pub cut: Cut,
-    /// Whether the work is counted.
+    /// Whether tests are counted, which takes its time; rays always are.
     pub counted: bool,
     /// Which of the prepared loops traces it.
     pub looped: Looped,

@@ -161,7 +161,13 @@ fn counting_changes_nothing() {
     let counted = traced(&scene, &wanted(WAYS[0]));
     let silent = traced(&scene, &Wanted { counted: false, ..wanted(WAYS[0]) });
     assert_eq!(counted.picture, silent.picture);
-    assert!(counted.counters.is_some() && silent.counters.is_none());
+    let [all, few] = [counted, silent].map(|frame| frame.counters.unwrap());
+    let tests = |counts: &strahl::counts::Counts| RayKind::ALL.map(|kind| counts.shapes(kind));
+    assert!(tests(&all).iter().all(|count| *count > 0) && tests(&few) == [0; 4]);
+    // Rays and what was cut are counted either way.
+    let rays = |counts: &strahl::counts::Counts| (RayKind::ALL.map(|kind| counts.rays(kind)), counts.cut());
+    assert_eq!(rays(&all), rays(&few));
+    assert_eq!((all.camera_hits(), all.deepest()), (few.camera_hits(), few.deepest()));
 }
 
 #[test]

@@ -1,0 +1,214 @@
+//! What each scene of `scenes/` pays for effects that it does not use, as `tests/EFFECTS.md`:
+//!
+//! ```text
+//! cargo run --release -p strahl-tests --example effects_cost > tests/EFFECTS.md
+//! ```
+//!
+//! Each scene is traced by the tracer that the program has for it
+//! (`strahl::choose`), by one of all shapes and exactly its effects, by one of exactly its shapes
+//! and effects, and by the one that can do everything. Callgrind counts the instructions below
+//! `Tracer::look`. Exit status 1 when a scene pays more than 1 % in the program,
+//! or when not all pictures are the same, bit for bit. Needs valgrind.
+
+use std::error::Error;
+use std::path::Path;
+use std::process::{Command, ExitCode};
+
+use strahl::choose::{Purpose, fitting};
+use strahl::finding::{Finding, Kind};
+use strahl::stock::single;
+use strahl_core::{
+    Aabb, Accelerator, BvhRoom, Camera, EffectSet, Effects, Everything, Grown, LastFirst, Leaves, LightKind,
+    LightSet, Limits, List, Node, Pixel, RayCounters, Rgb, Run, ShapeKind, ShapeSet, Single, Size, Slot,
+    TextureKind, TextureSet, Tile, Tracer, Worker, World, groups_of, render,
+};
+
+/// Pixels of the picture.
+const SIZE: (u32, u32) = (64, 48);
+
+/// One way to trace a scene: the hash of the picture.
+type Way = fn(&Path) -> Result<u64, Box<dyn Error>>;
+
+struct Row {
+    scene: &'static str,
+    asks: EffectSet,
+    exact: Way,
+    exact_effects: Way,
+}
+
+/// Each scene with what it asks for.
+macro_rules! scenes {
+    ($($scene:literal [$($shape:ident),*] [$($light:ident),*] [$($texture:ident),*] [$($effect:ident),*];)*) => {
+        [$({
+            struct Exact;
+            impl Effects for Exact {
+                const SET: EffectSet = EffectSet {
+                    shapes: ShapeSet::of(&[$(ShapeKind::$shape),*]),
+                    lights: LightSet::of(&[$(LightKind::$light),*]),
+                    textures: TextureSet::of(&[$(TextureKind::$texture),*]),
+                    $($effect: true,)*
+                    ..EffectSet::NONE
+                };
+            }
+            struct ExactEffects;
+            impl Effects for ExactEffects {
+                const SET: EffectSet = EffectSet { shapes: ShapeSet::ALL, ..Exact::SET };
+            }
+            Row { scene: $scene, asks: Exact::SET, exact: traced::<Exact>, exact_effects: traced::<ExactEffects> }
+        }),*]
+    };
+}
+
+fn rows() -> impl Iterator<Item = Row> {
+    scenes! {
+    "classic.toml" [Sphere, Polygon] [Point] [Checker] [highlight, shadows, reflection, transmission];
+    "first.toml" [Sphere, Plane] [Directional] [] [highlight, shadows, reflection, transmission];
+    "fjord.toml" [Triangle, Plane] [Directional] [Gradient] [shadows, reflection];
+    "glass.toml" [Sphere, Triangle, Plane, Polygon, TurnedCuboid, Torus] [Point] [Checker] [highlight, shadows, transmission, absorption];
+    "gloss.toml" [Sphere, Plane] [Directional] [Checker] [shadows, reflection, transmission, gloss];
+    "knot.toml" [SmoothTriangle, Plane, Cone] [Point] [] [smooth, highlight, shadows, reflection];
+    "lens.toml" [Sphere, Plane] [Directional] [Checker] [highlight, shadows, reflection, lens];
+    "marbles.toml" [Sphere, Plane, Torus] [Point] [] [highlight, shadows, reflection, transmission, absorption];
+    "motion.toml" [Sphere, Plane, Cuboid] [Directional] [Checker] [highlight, shadows, reflection, motion];
+    "paper.toml" [Disc, Polygon] [Directional] [Gradient] [shadows];
+    "penumbra.toml" [Sphere, Plane, TurnedCuboid, Cone, Torus] [Sphere, Rectangle] [] [highlight, shadows, penumbra];
+    "pyramid.toml" [Triangle, Plane] [Directional] [] [shadows, reflection];
+    "rotunda.nff" [Sphere, Polygon, Cone] [Point] [] [smooth, highlight, shadows, reflection, transmission];
+    "shapes.toml" [Sphere, SmoothTriangle, Plane, Disc, Polygon, TurnedCuboid, Cone, Torus] [Directional] [] [smooth, highlight, shadows, reflection];
+    "sphereflake.toml" [Sphere, Plane] [Directional] [] [highlight, shadows, reflection];
+    "stage.toml" [Sphere, Plane, Cone] [Spot] [] [highlight, shadows, reflection];
+    "stained.toml" [Sphere, Plane, Polygon, Cuboid] [Directional] [] [highlight, shadows, transmission, absorption, colored_shadows];
+    "still-life.toml" [Sphere, SmoothTriangle, Plane, Cuboid, Cone] [Point, Directional, Spot] [Gradient] [smooth, highlight, shadows, reflection, transmission, absorption];
+    "zoneplate.toml" [Plane] [] [ZonePlate] [];
+    }
+    .into_iter()
+}
+
+/// Traces by what the program takes where nobody asks for anything: the list for few items, else
+/// the hierarchy.
+fn traced<E: Effects>(path: &Path) -> Result<u64, Box<dyn Error>> {
+    let description = strahl::load::load(path)?;
+    let stock = single::Stock::new(&description);
+    let scene = stock.scene()?;
+    let geometry = scene.parts().geometry;
+    let boxes: Vec<_> = geometry.all_bounds().collect();
+    let size = Size::new(SIZE.0, SIZE.1).ok_or("no size")?;
+    let camera = Camera::new(&single::view(&description.view), size)?;
+    let levels = description.settings.levels.unwrap_or(Limits::DEFAULT.levels);
+    let limits = Limits { levels, ..Limits::DEFAULT };
+    let bounded = boxes.iter().filter(|aabb| !aabb.is_empty()).count();
+    if Finding::default().choice(bounded).kind == Kind::List {
+        let mut groups = vec![Aabb::EMPTY; groups_of(boxes.len())];
+        return hash::<_, E>(&World::new(scene, List::boxed(&boxes, &mut groups)?), camera, limits);
+    }
+    let room = BvhRoom::comfortable(boxes.len());
+    let (mut nodes, mut items) = (vec![Node::EMPTY; room.nodes], vec![Slot::EMPTY; room.items]);
+    let grown = Grown::build(&boxes, Leaves::Runs(&geometry), &mut nodes, &mut items)?;
+    let mut runs = vec![Run::EMPTY; grown.runs()];
+    let tree = grown.in_runs::<LastFirst<64>>(&geometry, &mut runs)?;
+    hash::<_, E>(&World::new(scene, tree), camera, limits)
+}
+
+/// What a scene asks for.
+fn asked(path: &Path) -> Result<EffectSet, Box<dyn Error>> {
+    let description = strahl::load::load(path)?;
+    let stock = single::Stock::new(&description);
+    let size = Size::new(SIZE.0, SIZE.1).ok_or("no size")?;
+    let camera = Camera::new(&single::view(&description.view), size)?;
+    Ok(EffectSet { lens: camera.has_lens(), ..stock.scene()?.effects() })
+}
+
+/// The hash (FNV-1a) of the picture.
+fn hash<A: Accelerator, E: Effects>(
+    world: &World<'_, A>,
+    camera: Camera,
+    limits: Limits,
+) -> Result<u64, Box<dyn Error>> {
+    let size = Size::new(SIZE.0, SIZE.1).ok_or("no size")?;
+    let tracer = Tracer::<_, E, 64>::new(world, camera, limits)?;
+    let mut hash = 0xcbf2_9ce4_8422_2325_u64;
+    let mut sink = |_: Pixel, color: Rgb| {
+        for channel in [color.r, color.g, color.b] {
+            hash = (hash ^ u64::from(channel.to_bits())).wrapping_mul(0x100_0000_01b3);
+        }
+    };
+    let mut worker = Worker::new(RayCounters::new());
+    let Ok(()) = render(&tracer, &mut Single, &mut worker, Tile::whole(size).pixels(), &mut sink);
+    Ok(hash)
+}
+
+/// The way by the tracer that the program has for a scene, whatever that is called.
+struct Chain;
+
+impl Purpose for Chain {
+    type Answer = (&'static str, Way);
+
+    fn with<E: Effects + Sync>(self, name: &'static str) -> Self::Answer {
+        (name, traced::<E>)
+    }
+}
+
+/// The instructions below `look`, and the hash of the picture.
+fn measured(scene: &str, way: &str) -> Result<(f64, String), Box<dyn Error>> {
+    let done = Command::new("valgrind")
+        .args(["--tool=callgrind", "--callgrind-out-file=/dev/null", "--toggle-collect=*Tracer*look*"])
+        .arg(std::env::current_exe()?)
+        .args([scene, way])
+        .output()?;
+    let told = String::from_utf8(done.stderr)?;
+    let collected = told.lines().find_map(|line| line.rsplit_once("Collected :")?.1.trim().parse().ok());
+    Ok((collected.ok_or(told)?, String::from_utf8(done.stdout)?))
+}
+
+fn main() -> Result<ExitCode, Box<dyn Error>> {
+    let scenes = Path::new(env!("CARGO_MANIFEST_DIR")).join("../scenes");
+    let words: Vec<String> = std::env::args().skip(1).collect();
+    if let [scene, way] = &words[..] {
+        let row = rows().find(|row| row.scene == scene).ok_or("no such scene")?;
+        let way = match way.as_str() {
+            "exact" => row.exact,
+            "effects" => row.exact_effects,
+            "chain" => fitting(&row.asks, Chain).1,
+            "everything" => traced::<Everything>,
+            _ => return Err("no such way".into()),
+        };
+        println!("{:016x}", way(&scenes.join(scene))?);
+        return Ok(ExitCode::SUCCESS);
+    }
+    println!("# What a scene pays for effects that it does not use\n");
+    println!("    cargo run --release -p strahl-tests --example effects_cost > tests/EFFECTS.md\n");
+    println!(
+        "Callgrind's instructions of tracing each scene of `scenes/`, {} x {} pixels, as the program traces it: by the list\n\
+         with boxes where there are few items, else by the hierarchy; loading and building are not in it. A tracer is compiled for a set of effects. *Own set*: that of a tracer of all shapes\n\
+         and of exactly the effects, lights and textures that the scene asks for. *Prepared*: what the one that\n\
+         the program takes needs beyond that (`host/src/choose.rs`). *Everything*: what one that can do everything\n\
+         needs beyond that. *Shapes*: what the own set would need less if it had the scene's shapes alone, as a\n\
+         device may have it. All four pictures are the same, bit for bit.\n",
+        SIZE.0, SIZE.1
+    );
+    println!(
+        "| scene | prepared set | own set, millions | prepared | everything | shapes |\n|---|---|---|---|---|---|"
+    );
+    let mut holds = true;
+    for row in rows() {
+        if asked(&scenes.join(row.scene))? != row.asks {
+            return Err(format!("{} asks for something else than is written here", row.scene).into());
+        }
+        let name = fitting(&row.asks, Chain).0;
+        let ways = ["effects", "chain", "everything", "exact"].map(|way| measured(row.scene, way));
+        let [own, prepared, everything, exact] = ways;
+        let (own, prepared, everything, exact) = (own?, prepared?, everything?, exact?);
+        let over = |it: &(f64, String)| 100.0 * (it.0 / own.0 - 1.0);
+        println!(
+            "| {} | {name} | {:.2} | {:+.1} % | {:+.1} % | {:+.1} % |",
+            row.scene,
+            own.0 / 1e6,
+            over(&prepared),
+            over(&everything),
+            over(&exact),
+        );
+        holds &= over(&prepared) <= 1.0;
+        holds &= [&prepared, &everything, &exact].iter().all(|it| it.1 == own.1);
+    }
+    Ok(if holds { ExitCode::SUCCESS } else { ExitCode::FAILURE })
+}
