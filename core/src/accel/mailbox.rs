@@ -83,32 +83,37 @@ impl<const SLOTS: usize> Default for Mailbox<SLOTS> {
     }
 }
 
-/// Offers the items of a region to a query, but those that the ray has met before and those whose
-/// box it misses: `boxes` are those of all items, or none. Goes on with the reach that is left.
-#[inline(always)]
-pub(super) fn offer<Q: Query, const SLOTS: usize>(
-    items: &[u32],
-    boxes: &[Aabb],
-    ray: &Ray,
-    mailbox: &mut Mailbox<SLOTS>,
-    query: &mut Q,
-) -> ControlFlow<(), Real> {
-    query.enter();
-    for item in items {
-        if mailbox.has_met(*item) {
-            query.skipped();
-            continue;
-        }
-        if let Some(aabb) = boxes.get(*item as usize) {
-            query.boxes(1);
-            // Strictly beyond: an item at the same distance may have the lower number, and must win.
-            if !aabb.span(ray).is_some_and(|span| span.entry <= query.reach()) {
+/// A query that a ray walks for, and what the ray has met.
+pub(super) struct Asking<'a, Q, const SLOTS: usize> {
+    pub(super) ray: &'a Ray,
+    /// Those of all items, or none.
+    pub(super) boxes: &'a [Aabb],
+    pub(super) mailbox: &'a mut Mailbox<SLOTS>,
+    pub(super) query: &'a mut Q,
+}
+
+impl<Q: Query, const SLOTS: usize> Asking<'_, Q, SLOTS> {
+    /// Offers the items of a region to the query, but those that the ray has met before and those
+    /// whose box it misses. Goes on with the reach that is left.
+    #[inline(always)]
+    pub(super) fn offer(&mut self, items: &[u32]) -> ControlFlow<(), Real> {
+        self.query.enter();
+        for item in items {
+            if self.mailbox.has_met(*item) {
+                self.query.skipped();
                 continue;
             }
+            if let Some(aabb) = self.boxes.get(*item as usize) {
+                self.query.boxes(1);
+                // Strictly beyond: an item at the same distance may have the lower number, and must win.
+                if !aabb.span(self.ray).is_some_and(|span| span.entry <= self.query.reach()) {
+                    continue;
+                }
+            }
+            self.query.test(ItemId(*item))?;
         }
-        query.test(ItemId(*item))?;
+        ControlFlow::Continue(self.query.reach())
     }
-    ControlFlow::Continue(query.reach())
 }
 
 #[cfg(test)]

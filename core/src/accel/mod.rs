@@ -108,6 +108,22 @@ pub trait Query {
     fn skipped(&mut self);
 }
 
+/// Somebody who is told the regions along a ray.
+///
+/// No closure: a walk tells of regions at two places, the usual one and a rare one, and only the usual
+/// one is to be inlined. What a closure holds would lie in memory for both.
+trait Regions<R> {
+    /// The ray is in this region. Answers with the reach that is left, or breaks.
+    fn enter(&mut self, region: R) -> ControlFlow<(), Real>;
+}
+
+#[cfg(test)]
+impl<R, F: FnMut(R) -> ControlFlow<(), Real>> Regions<R> for F {
+    fn enter(&mut self, region: R) -> ControlFlow<(), Real> {
+        self(region)
+    }
+}
+
 /// Memory that a builder is lent.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[non_exhaustive]

@@ -20,10 +20,13 @@ pub use build::GridRoom;
 #[cfg(not(feature = "double"))]
 pub(crate) use parts::GridParts;
 
-use super::mailbox::{Mailbox, offer};
+use core::ops::ControlFlow;
+
+use super::mailbox::{Asking, Mailbox};
 use super::walls::Walls;
-use super::{Accelerator, BuildError, Query};
+use super::{Accelerator, BuildError, Query, Regions};
 use crate::geometry::{Aabb, Ray};
+use crate::math::Real;
 
 /// A uniform grid in lent memory; walks remember the items of a ray in `MAILBOX` slots.
 ///
@@ -90,12 +93,28 @@ impl<'s, const MAILBOX: usize> Grid<'s, MAILBOX> {
 impl<const MAILBOX: usize> Accelerator for Grid<'_, MAILBOX> {
     type Scratch = Mailbox<MAILBOX>;
 
+    /// Not inlined: a walk has registers of its own.
+    #[inline(never)]
     fn walk<Q: Query>(&self, ray: &Ray, mailbox: &mut Mailbox<MAILBOX>, query: &mut Q) {
         query.boxes(1);
         let Some(span) = self.bounds.span(ray) else { return };
         mailbox.begin();
         let reach = query.reach();
-        self.along(ray, span, reach, |cell| offer(self.items_of(cell), self.boxes, ray, mailbox, query));
+        let asking = Asking { ray, boxes: self.boxes, mailbox, query };
+        self.along(ray, span, reach, &mut Cells { grid: self, asking });
+    }
+}
+
+/// The cells along a ray, whose items are offered.
+struct Cells<'a, Q, const MAILBOX: usize> {
+    grid: &'a Grid<'a, MAILBOX>,
+    asking: Asking<'a, Q, MAILBOX>,
+}
+
+impl<Q: Query, const MAILBOX: usize> Regions<usize> for Cells<'_, Q, MAILBOX> {
+    #[inline(always)]
+    fn enter(&mut self, cell: usize) -> ControlFlow<(), Real> {
+        self.asking.offer(self.grid.items_of(cell))
     }
 }
 

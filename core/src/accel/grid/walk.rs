@@ -20,10 +20,12 @@
 use core::ops::ControlFlow;
 
 use super::Grid;
+use crate::accel::Regions;
 use crate::geometry::{Ray, Span, WIDEN};
 use crate::math::Real;
 
 /// The way along one axis.
+#[derive(Clone, Copy)]
 struct Along {
     origin: Real,
     inverse: Real,
@@ -43,6 +45,7 @@ struct Along {
 impl Along {
     /// The way from the first cell whose far wall, widened, is not before `begin`; and how many
     /// cells there are before it.
+    #[inline(always)]
     fn new(
         ray: (Real, Real, Real),
         walls: (Real, Real),
@@ -141,18 +144,11 @@ impl Along {
 }
 
 impl<const MAILBOX: usize> Grid<'_, MAILBOX> {
-    /// Calls `enter` with the cells along the ray that begin within reach; it answers with the
-    /// reach that is left, or breaks.
+    /// Enters the cells along the ray that begin within reach, as long as `cells` have enough of none.
     ///
     /// `span` is the part of the ray in the bounds, and `reach` is finite.
     #[inline(always)]
-    pub(super) fn along(
-        &self,
-        ray: &Ray,
-        span: Span,
-        mut reach: Real,
-        mut enter: impl FnMut(usize) -> ControlFlow<(), Real>,
-    ) {
+    pub(super) fn along(&self, ray: &Ray, span: Span, mut reach: Real, cells: &mut impl Regions<usize>) {
         let begin = if span.entry > 0.0 { span.entry } else { 0.0 };
         if begin > reach {
             return;
@@ -167,16 +163,16 @@ impl<const MAILBOX: usize> Grid<'_, MAILBOX> {
         let (mut z, z0) = Along::new((o.z, d.z, i.z), (first.z, spacing.z), depth, layer, begin);
         let mut cell = x0 as usize + y0 as usize * row + z0 as usize * layer;
         loop {
-            match enter(cell) {
+            match cells.enter(cell) {
                 ControlFlow::Continue(left) => reach = left,
                 ControlFlow::Break(()) => return,
             }
             let end = if x.ahead <= y.ahead && x.ahead <= z.ahead {
-                step(&mut x, &y, &z, &mut cell, &mut reach, &mut enter)
+                step(&mut x, &y, &z, &mut cell, &mut reach, cells)
             } else if y.ahead <= z.ahead {
-                step(&mut y, &x, &z, &mut cell, &mut reach, &mut enter)
+                step(&mut y, &x, &z, &mut cell, &mut reach, cells)
             } else {
-                step(&mut z, &x, &y, &mut cell, &mut reach, &mut enter)
+                step(&mut z, &x, &y, &mut cell, &mut reach, cells)
             };
             if end.is_break() {
                 return;
@@ -193,7 +189,7 @@ fn step(
     third: &Along,
     cell: &mut usize,
     reach: &mut Real,
-    enter: &mut impl FnMut(usize) -> ControlFlow<(), Real>,
+    cells: &mut impl Regions<usize>,
 ) -> ControlFlow<()> {
     // Strictly beyond: an item at the same distance may have the lower number, and must win.
     if near.ahead > *reach {
@@ -201,7 +197,8 @@ fn step(
     }
     let edge = near.ahead * WIDEN;
     if other.ahead <= edge || third.ahead <= edge {
-        *reach = corner(other, third, *cell, edge, *reach, enter)?;
+        // Copies, so that the ways themselves can stay in registers.
+        *reach = corner(*other, *third, *cell, edge, *reach, cells)?;
     }
     near.cross(cell)
 }
@@ -209,13 +206,14 @@ fn step(
 /// Enters the cells behind the walls of two axes that are not beyond `edge`, but not behind the
 /// wall of the third axis.
 #[cold]
+#[inline(never)]
 fn corner(
-    one: &Along,
-    two: &Along,
+    one: Along,
+    two: Along,
     cell: usize,
     edge: Real,
     mut reach: Real,
-    enter: &mut impl FnMut(usize) -> ControlFlow<(), Real>,
+    cells: &mut impl Regions<usize>,
 ) -> ControlFlow<(), Real> {
     let (more, most) = (one.walls_until(edge), two.walls_until(edge));
     let mut row = cell;
@@ -223,7 +221,7 @@ fn corner(
         let mut cell = row;
         for i in 0..=more {
             if (i, j) != (0, 0) {
-                reach = enter(cell)?;
+                reach = cells.enter(cell)?;
             }
             cell = cell.wrapping_add(one.stride);
         }
@@ -269,7 +267,7 @@ mod tests {
     fn check(grid: &Grid<'_, 0>, ray: &Ray) -> usize {
         let mut walked = Vec::<usize, MOST>::new();
         if let Some(span) = grid.bounds.span(ray) {
-            grid.along(ray, span, Real::MAX, |cell| {
+            grid.along(ray, span, Real::MAX, &mut |cell| {
                 walked.push(cell).expect("no cell is entered twice");
                 ControlFlow::Continue(Real::MAX)
             });
@@ -340,7 +338,7 @@ mod tests {
             let wall = |number: Real| grid.walls.at(Vec3::splat(number)).x + 2.0;
             let count = |reach: Real| {
                 let mut cells = 0;
-                grid.along(&ray, span, reach, |_| {
+                grid.along(&ray, span, reach, &mut |_| {
                     cells += 1;
                     ControlFlow::Continue(reach)
                 });

@@ -21,7 +21,7 @@ use core::ops::ControlFlow;
 
 use zerocopy::{Immutable, KnownLayout, TryFromBytes};
 
-use super::mailbox::{Mailbox, offer};
+use super::mailbox::{Asking, Mailbox};
 use super::walls::Walls;
 use super::{Accelerator, Query};
 use crate::geometry::{Aabb, Ray};
@@ -137,7 +137,8 @@ impl<const MAILBOX: usize> Accelerator for Octree<'_, MAILBOX> {
         mailbox.begin();
         let mut walk = |ray: &Ray| {
             let reach = query.reach();
-            self.smart(ray, span, reach, |leaf| offer(self.items_of(leaf), self.boxes, ray, mailbox, query))
+            let mut asking = Asking { ray, boxes: self.boxes, mailbox, query };
+            self.smart(ray, span, reach, |leaf| asking.offer(self.items_of(leaf)))
         };
         let end = if ray.inverse.is_finite() { walk(ray) } else { self.along_walls(ray, walk) };
         let (ControlFlow::Continue(()) | ControlFlow::Break(())) = end;
