@@ -125,7 +125,7 @@ impl Work<'_> {
         let side = (2 * self.wanted.cut.tile / selection.step()).max(1);
         let area = |blocks| selection.area(blocks).within(self.whole);
         let (colors, counted) = self.tiles(blocks, side, area, |blocks, canvas| {
-            let (mut lent, mut kept) = (lend(area(blocks)), lend(area(blocks)));
+            let (mut lent, mut kept) = (self.lend(area(blocks)), lend(area(blocks)));
             let mut eye = self.eyes.open();
             let sampler = Any::of(self.wanted, Shared::Loose, &mut lent);
             let mut selected = Selected::new(selection, sampler, corners, &mut kept);
@@ -157,7 +157,7 @@ impl Work<'_> {
             self.wanted.cut.tile,
             |tile| tile,
             |tile, canvas| {
-                let mut lent = lend(tile);
+                let mut lent = self.lend(tile);
                 let mut eye = self.eyes.open();
                 let (eye_of, all) = (eye.as_mut(), tile.pixels());
                 match rays {
@@ -215,6 +215,11 @@ impl Work<'_> {
         Ok((picture, counts))
     }
 
+    /// Memory for a sampler that keeps places; to make it takes longer than an easy pixel.
+    fn lend(&self, tile: Tile) -> Vec<Kept> {
+        if parting(self.wanted).is_some() { lend(tile) } else { Vec::new() }
+    }
+
     /// Whether a pixel is wanted.
     fn has(&self, pixel: Pixel) -> bool {
         is_wanted(self.wanted, pixel)
@@ -241,7 +246,7 @@ pub fn is_wanted(wanted: &Wanted, pixel: Pixel) -> bool {
     wanted.mask.as_ref().is_none_or(|mask| mask.has(strahl_core::Pixel { x: pixel.x, y: pixel.y }))
 }
 
-/// Memory for the places that a sampler keeps while it works on `tile`.
+/// Memory for the places that are kept while `tile` is worked on.
 fn lend(tile: Tile) -> Vec<Kept> {
     vec![Kept::NOTHING; MOST_KEPT.min(16 * tile.len())]
 }

@@ -133,7 +133,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     println!("# Beside POV-Ray\n");
     print!("{HEAD}");
     println!(
-        "| scene | POV-Ray ready | ours | POV-Ray slabs | BSP | hierarchy | octree | grid | million rays/s |"
+        "| scene | ready: POV-Ray | ours | POV-Ray slabs | BSP | hierarchy | octree | grid | million rays/s |"
     );
     println!("|---|---:|---:|---:|---:|---:|---:|---:|---:|");
     // Logarithms of how many times as fast, for each of ours.

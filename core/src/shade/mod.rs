@@ -162,13 +162,13 @@ pub(crate) fn local<A: Accelerator, E: Effects, T: Tally, const SHADOWS: usize>(
         }
         if E::SET.shadows && source.shadows {
             let media = if side == seen.facing { arrival.before } else { arrival.behind };
-            let light = (Toward { light: usize::from(number), level: arrival.level }, media);
+            let way = (Toward { light: usize::from(number), level: arrival.level }, media);
             let passes = if E::SET.smooth && side.dot(beam.toward) <= 0.0 {
                 // Copies, so that the others can stay in registers.
                 let place = Below { surface: seen.surface, side, item: arrival.item, offset: arrival.offset };
-                passes_from_below::<A, E, T, SHADOWS>(world, place, arrival.time, light, beam, memory, tally)
+                passes_from_below::<A, E, T, SHADOWS>(world, place, arrival.time, way, beam, memory, tally)
             } else {
-                passes::<A, E, T, SHADOWS>(world, &start, light, &beam, memory, tally)
+                passes::<A, E, T, SHADOWS>(world, &start, way, &beam, memory, tally)
             };
             let Some(passed) = passes else {
                 tally.tell(Step::Light { number, lit: Lit::Shadowed });
@@ -226,7 +226,7 @@ fn passes_from_below<A: Accelerator, E: Effects, T: Tally, const SHADOWS: usize>
     world: &World<'_, A>,
     Below { surface, side, item, offset }: Below,
     time: Real,
-    light: (Toward, &Media),
+    way: (Toward, &Media),
     beam: Beam,
     memory: &mut Memory<A, SHADOWS>,
     tally: &mut T,
@@ -235,7 +235,7 @@ fn passes_from_below<A: Accelerator, E: Effects, T: Tally, const SHADOWS: usize>
     let lift = lift.filter(|lift| largest(*lift) < 0.25 * beam.distance).unwrap_or(Vec3::ZERO);
     let from = leave(surface.point, surface.error, side) + lift;
     let start = Start { point: surface.point, from, time };
-    passes::<A, E, T, SHADOWS>(world, &start, light, &beam, memory, tally)
+    passes::<A, E, T, SHADOWS>(world, &start, way, &beam, memory, tally)
 }
 
 /// The cosine, which rounding may have put a little above one, to a power.
