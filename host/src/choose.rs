@@ -110,31 +110,27 @@ prepared! {
 ///
 /// What is counted is the same in all loops, and who counts does not hurry: one loop does it.
 pub fn trace<A: Accelerator + Sync>(job: &Job<'_, '_, A>) -> Result<Traced, NoFrame> {
-    if counts(job) { job.counted::<Everything>() } else { fitting(&job.asks(), job) }
+    if job.is_counted() { job.counting_all::<Everything>() } else { fitting(&job.asks(), job) }
 }
 
 /// The same with few of them, by what is taken only where it is asked for.
 pub fn trace_as_asked<A: Accelerator + Sync>(job: &Job<'_, '_, A>) -> Result<Traced, NoFrame> {
     let asks = job.asks();
-    if counts(job) {
-        job.counted::<Everything>()
+    if job.is_counted() {
+        job.counting_all::<Everything>()
     } else if LampMirrors::SET.contains(&asks) {
-        job.uncounted::<LampMirrors>()
+        job.counting_rays::<LampMirrors>()
     } else if Whitted::SET.contains(&asks) {
-        job.uncounted::<Whitted>()
+        job.counting_rays::<Whitted>()
     } else {
-        job.uncounted::<Everything>()
+        job.counting_rays::<Everything>()
     }
-}
-
-fn counts<A: Accelerator + Sync>(job: &Job<'_, '_, A>) -> bool {
-    job.is_general() || job.is_counted()
 }
 
 impl<A: Accelerator + Sync> Purpose for &Job<'_, '_, A> {
     type Answer = Result<Traced, NoFrame>;
 
     fn with<E: Effects + Sync>(self, _: &'static str) -> Self::Answer {
-        self.uncounted::<E>()
+        self.counting_rays::<E>()
     }
 }

@@ -34,7 +34,7 @@ mod choose {
     use crate::frame::NoFrame;
 
     pub fn trace<A: Accelerator + Sync>(job: &Job<'_, '_, A>) -> Result<Traced, NoFrame> {
-        job.counted::<Everything>()
+        job.counting_all::<Everything>()
     }
 
     pub use trace as trace_as_asked;

@@ -21,7 +21,7 @@ use crate::frame::{Drawn, NoFrame, Studio};
 use crate::progress::Watch;
 use crate::sheet::{Cost, Sheet};
 use crate::signals::Stop;
-use crate::wanted::{Looped, Wanted};
+use crate::wanted::Wanted;
 
 /// Builds the accelerator that is asked for over the scene of these tables, and lets `work` trace
 /// pictures with it.
@@ -54,7 +54,7 @@ impl Purpose for Opening<'_, '_> {
     }
 
     fn seldom<A: Accelerator + Sync>(self, accelerator: A, facts: Facts) {
-        self.opened(accelerator, facts, |job| job.counted::<Everything>());
+        self.opened(accelerator, facts, |job| job.counting_all::<Everything>());
     }
 }
 
@@ -146,18 +146,13 @@ impl<'s, A: Accelerator + Sync> Job<'_, 's, A> {
         self.wanted.counted || self.wanted.sheet.is_some()
     }
 
-    /// Whether the loop that holds everything is asked for.
-    pub fn is_general(&self) -> bool {
-        self.wanted.looped == Looped::General
-    }
-
     /// Traces it with the effects `E`, and counts everything.
-    pub fn counted<E: Effects + Sync>(&self) -> Result<Traced, NoFrame> {
+    pub fn counting_all<E: Effects + Sync>(&self) -> Result<Traced, NoFrame> {
         self.run::<E, Counters>()
     }
 
     /// Traces it with the effects `E`, and counts rays.
-    pub fn uncounted<E: Effects + Sync>(&self) -> Result<Traced, NoFrame> {
+    pub fn counting_rays<E: Effects + Sync>(&self) -> Result<Traced, NoFrame> {
         self.run::<E, RayCounters>()
     }
 

@@ -46,8 +46,6 @@ pub struct Wanted {
     pub cut: Cut,
     /// Whether tests are counted, which takes its time; rays always are.
     pub counted: bool,
-    /// Which of the prepared loops traces it.
-    pub looped: Looped,
     /// Where the costs of each pixel go, if anybody wants to know them; counted if this is.
     pub sheet: Option<Arc<Sheet>>,
 }
@@ -69,7 +67,6 @@ impl Wanted {
             shadow_cache: true,
             cut: Cut::threads(0),
             counted: true,
-            looped: Looped::Fitting,
             sheet: None,
         }
     }
@@ -147,17 +144,6 @@ impl Precision {
             Precision::Double => "double",
         }
     }
-}
-
-/// Which of the prepared loops traces a picture. The picture is the same.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub enum Looped {
-    /// The smallest that holds what the scene asks for.
-    #[default]
-    Fitting,
-    /// The one that holds everything and counts. Seldom accelerators and double precision have no
-    /// other, so that times can be held against theirs.
-    General,
 }
 
 /// How the work is cut.

@@ -179,11 +179,11 @@ fn main() -> Result<ExitCode, Box<dyn Error>> {
     println!("    cargo run --release -p strahl-tests --example effects_cost > tests/EFFECTS.md\n");
     println!(
         "Callgrind's instructions of tracing each scene of `scenes/`, {} x {} pixels, as the program traces it: by the list\n\
-         with boxes where there are few items, else by the hierarchy; loading and building are not in it. A tracer is compiled for a set of effects. *Own set*: that of a tracer of all shapes\n\
-         and of exactly the effects, lights and textures that the scene asks for. *Prepared*: what the one that\n\
-         the program takes needs beyond that (`host/src/choose.rs`). *Everything*: what one that can do everything\n\
-         needs beyond that. *Shapes*: what the own set would need less if it had the scene's shapes alone, as a\n\
-         device may have it. All four pictures are the same, bit for bit.\n",
+         with boxes where there are few items, else by the hierarchy; loading and building are not in it. A tracer is\n\
+         compiled for a set of effects. *Own set*: the tracer of all shapes and of exactly the effects, lights and\n\
+         textures that the scene asks for. Against that: *prepared*, the one that the program takes\n\
+         (`host/src/choose.rs`); *everything*, the one that can do everything; *shapes*, one of the own set and of the\n\
+         scene's shapes alone, as a device may have it. All four pictures are the same, bit for bit.\n",
         SIZE.0, SIZE.1
     );
     println!(

@@ -19,7 +19,7 @@ use crate::failure::Failure;
 use crate::picture::Picture;
 use crate::plan::Effect;
 use crate::sampling::Sampling;
-use crate::wanted::{Looped, Precision};
+use crate::wanted::Precision;
 
 /// Shares of the time that is given.
 pub(super) mod time {
@@ -114,7 +114,6 @@ impl<'b> Conduct<'b> {
             sampling: Sampling::Single,
             selecting: None,
             precision: Precision::Single,
-            looped: Looped::Fitting,
             seed: 0,
             ..own.clone()
         };

@@ -5,7 +5,7 @@ use strahl_core::{Limits, Size};
 use super::record;
 use crate::finding::{Bounds, Choice, Finding, Kind, Walk};
 use crate::plan::Effect;
-use crate::wanted::{Cut, Filter, Looped, Precision, Sampling, Selecting, Wanted};
+use crate::wanted::{Cut, Filter, Precision, Sampling, Selecting, Wanted};
 
 /// Everything that decides about a picture and its time.
 #[derive(Clone, Debug, PartialEq)]
@@ -30,8 +30,6 @@ pub struct Options {
     pub threads: usize,
     /// The seed of what is left to chance.
     pub seed: u32,
-    /// Which loop traces it.
-    pub looped: Looped,
 }
 
 impl Options {
@@ -48,7 +46,6 @@ impl Options {
             shadow_cache: wanted.shadow_cache,
             threads,
             seed: wanted.seed,
-            looped: wanted.looped,
         }
     }
 
@@ -64,7 +61,6 @@ impl Options {
             finding: self.finding,
             shadow_cache: self.shadow_cache,
             cut: Cut::threads(self.threads),
-            looped: self.looped,
             ..Wanted::of(size)
         }
     }

@@ -1,7 +1,7 @@
 //! The techniques of ray tracing one by one, on and off.
 //!
-//! All of them are measured by the same loop (`Looped::General`), which every accelerator and both
-//! precisions have, so that nothing but the technique is between two times.
+//! All of them are measured while everything is counted: by the one loop for that, which every
+//! accelerator and both precisions have, so that nothing but the technique is between two times.
 
 use strahl_core::Limits;
 
@@ -12,7 +12,7 @@ use super::record::{Role, Technique};
 use crate::failure::Failure;
 use crate::finding::{Bounds, Finding, Kind, MAILBOX, Walk};
 use crate::sampling::{Agreement, Sampling, Selecting};
-use crate::wanted::{Looped, Precision};
+use crate::wanted::Precision;
 
 /// One technique: how it is done without, and with it.
 struct Pair {
@@ -37,7 +37,6 @@ fn base(own: &Options) -> Options {
         precision: Precision::Single,
         finding: Finding::default(),
         shadow_cache: true,
-        looped: Looped::General,
         ..own.clone()
     }
 }
@@ -70,10 +69,9 @@ pub(super) fn precision(study: &mut Conduct<'_>, own: &Options, truth: &Truth) -
 
 /// Measures one thread, and twice as many each time.
 pub(super) fn threads(study: &mut Conduct<'_>, own: &Options, truth: &Truth) -> Result<(), Failure> {
-    let usual = Options { looped: Looped::Fitting, ..base(own) };
     let mut threads = 1;
     while threads <= own.threads {
-        let (patience, options) = (study.patience(), Options { threads, ..usual.clone() });
+        let (patience, options) = (study.patience(), Options { threads, ..base(own) });
         let run = study.take(Role::Threads, &options, patience, &truth.picture)?;
         study.threads.extend(run);
         threads *= 2;
