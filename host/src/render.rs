@@ -85,7 +85,7 @@ impl<'a> Job<'a> {
     pub fn load(&self, files: &Files) -> Result<Loaded, Failure> {
         let clock = Instant::now();
         let Job { args, .. } = self;
-        let mut description = load_from(files, &args.scene, args.size.unwrap_or(DEFAULT_SIZE))?;
+        let mut description = load_from(files, &args.scene, args.picture.size.unwrap_or(DEFAULT_SIZE))?;
         for warning in description.warnings.iter().filter(|_| !args.quiet) {
             say(format_args!("{}: warning: {warning}", args.scene.display()));
         }
@@ -153,9 +153,9 @@ impl<'a> Job<'a> {
         let Job { args, aim, begun, format, .. } = self;
         let traced = if let Some(error) = aim.target_error {
             let fixed = Fixed {
-                levels: args.levels.is_some(),
-                cutoff: args.cutoff.is_some(),
-                sampling: args.sampler.is_some(),
+                levels: args.picture.levels.is_some(),
+                cutoff: args.picture.cutoff.is_some(),
+                sampling: args.picture.sampler.is_some(),
                 selecting: args.select.is_some(),
             };
             aim::error::trace(description, wanted, Goal { error, fixed, verify: aim.verify }, watch)
@@ -247,15 +247,10 @@ impl<'h> Heat<'h> {
 /// What the command line asks for, else the scene, else the defaults.
 fn wanted(args: &RenderArgs, scene: &Settings, counted: bool) -> Result<Wanted, Failure> {
     let asked = Settings {
-        size: args.size,
-        levels: args.levels,
-        cutoff: args.cutoff,
-        sampling: args.sampler,
-        filter: args.filter,
-        seed: args.seed,
         finding: args.finding.asked()?,
         shadow_cache: args.no_shadow_cache.then_some(false),
         precision: args.precision,
+        ..args.picture.asked()
     };
     let wanted = Wanted::asked(&asked, scene).map_err(Failure::Usage)?;
     let size = wanted.size;

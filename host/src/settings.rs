@@ -62,20 +62,21 @@ pub fn settings(
         };
         list.push(Setting { name, word, value, source });
     };
+    let picture = &args.picture;
     let (width, height) = (wanted.size.width(), wanted.size.height());
-    add("size", args.size.is_some(), format!("{width}x{height}"), Some(format!("[{width}, {height}]")));
+    add("size", picture.size.is_some(), format!("{width}x{height}"), Some(format!("[{width}, {height}]")));
     let number = |number: String| (number.clone(), Some(number));
     let (word, value) = number(wanted.limits.levels.to_string());
-    add("levels", args.levels.is_some(), word, value);
+    add("levels", picture.levels.is_some(), word, value);
     let (word, value) = number(wanted.limits.cutoff.to_string());
-    add("cutoff", args.cutoff.is_some(), word, value);
+    add("cutoff", picture.cutoff.is_some(), word, value);
     let named = |name: String| (name.clone(), Some(format!("\"{name}\"")));
     let (word, value) = named(wanted.sampling.to_string());
-    add("sampler", args.sampler.is_some(), word, value);
+    add("sampler", picture.sampler.is_some(), word, value);
     let (word, value) = named(wanted.filter.name().into());
-    add("filter", args.filter.is_some(), word, value);
+    add("filter", picture.filter.is_some(), word, value);
     let (word, value) = number(wanted.seed.to_string());
-    add("seed", args.seed.is_some(), word, value);
+    add("seed", picture.seed.is_some(), word, value);
 
     let (word, value) = named(wanted.precision.name().into());
     add("precision", args.precision.is_some(), word, value);

@@ -14,7 +14,6 @@ use std::path::Path;
 use strahl_core::{Pixel, Rgb, Tile};
 
 use crate::args::ExplainArgs;
-use crate::description::Settings;
 use crate::failure::Failure;
 use crate::load::{DEFAULT_SIZE, load_for};
 use crate::output::{Output, say};
@@ -60,21 +59,12 @@ pub fn run(args: &ExplainArgs) -> Result<(), Failure> {
 
 /// Traces the pixel that is asked for.
 fn explained(args: &ExplainArgs) -> Result<Explained, Failure> {
-    let mut description = load_for(&args.scene, args.size.unwrap_or(DEFAULT_SIZE))?;
+    let mut description = load_for(&args.scene, args.picture.size.unwrap_or(DEFAULT_SIZE))?;
     for warning in description.warnings.iter().filter(|_| !args.quiet) {
         say(format_args!("{}: warning: {warning}", args.scene.display()));
     }
     leave_out(&mut description, &args.without);
-    let asked = Settings {
-        size: args.size,
-        levels: args.levels,
-        cutoff: args.cutoff,
-        sampling: args.sampler,
-        filter: args.filter,
-        seed: args.seed,
-        ..Settings::default()
-    };
-    let wanted = Wanted::asked(&asked, &description.settings).map_err(Failure::Usage)?;
+    let wanted = Wanted::asked(&args.picture.asked(), &description.settings).map_err(Failure::Usage)?;
     if wanted.precision == Precision::Double && !args.quiet {
         let scene = args.scene.display();
         say(format_args!("{scene}: the scene asks for double precision; the tree is traced in single"));

@@ -1,0 +1,47 @@
+//! The options of `bake`.
+
+use std::path::PathBuf;
+
+use clap::Parser;
+use strahl_core::Size;
+
+use super::values::{cutoff, levels, size};
+use crate::finding::Accel;
+
+/// What to bake, and how.
+#[derive(Debug, Parser)]
+pub struct BakeArgs {
+    /// The scene: .toml, .nff, or a model: .obj, .ply, .gltf, .glb.
+    pub scene: PathBuf,
+
+    /// Where the baked scene goes; with the extension .rs the scene as Rust constants instead,
+    /// without an accelerator; `-` is the standard output.
+    #[arg(short, long, value_name = "FILE")]
+    pub output: PathBuf,
+
+    /// How items are found on the device; `auto` is the hierarchy.
+    #[arg(long, value_name = "KIND", default_value = "auto")]
+    pub accel: Accel,
+
+    /// The most nodes of the hierarchy or the octree: less flash for larger leaves [default: as
+    /// many as make it fast].
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..))]
+    pub nodes: Option<u32>,
+
+    /// Width and height in pixels [default: the scene's, or 640x480].
+    #[arg(long, value_name = "WxH", value_parser = size)]
+    pub size: Option<Size>,
+
+    /// Levels of rays [default: the scene's, or 5].
+    #[arg(long, value_name = "N", value_parser = levels())]
+    pub levels: Option<u8>,
+
+    /// A ray is sent when more than this share of what it finds counts in the pixel, 0 to 1
+    /// [default: the scene's, or 1/512].
+    #[arg(long, value_name = "W", value_parser = cutoff)]
+    pub cutoff: Option<f32>,
+
+    /// Say nothing but errors.
+    #[arg(short, long)]
+    pub quiet: bool,
+}

@@ -1,0 +1,38 @@
+//! The options of `generate`.
+
+use std::path::PathBuf;
+
+use clap::Parser;
+
+use crate::generate::{Form, What};
+
+/// Which scene to make, and where it goes.
+#[derive(Debug, Parser)]
+pub struct GenerateArgs {
+    /// What to make.
+    #[arg(value_name = "WHAT")]
+    pub what: What,
+
+    /// How large: how often it is divided, or for knot and stadium, how many triangles at least
+    /// [default: as below].
+    #[arg(long, value_name = "N")]
+    pub size: Option<u32>,
+
+    /// Where it goes; the extension names the format (.nff .toml .ply), `-` is the standard output
+    /// (NFF) [default: WHAT.nff, in the current folder].
+    #[arg(short, long, value_name = "FILE")]
+    pub output: Option<PathBuf>,
+
+    /// How it is written, whatever the extension is.
+    #[arg(long, value_name = "FORMAT")]
+    pub format: Option<Form>,
+
+    /// The objects with their materials only, without view, lights and background, to go into a
+    /// scene of one's own.
+    #[arg(long)]
+    pub bare: bool,
+
+    /// Say nothing but errors.
+    #[arg(short, long)]
+    pub quiet: bool,
+}

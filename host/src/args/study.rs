@@ -1,0 +1,52 @@
+//! The options of `study`.
+
+use std::path::PathBuf;
+use std::time::Duration;
+
+use clap::Parser;
+use strahl_core::Size;
+
+use super::values::{size, threads};
+
+/// What to study, and how thoroughly.
+#[derive(Debug, Parser)]
+pub struct StudyArgs {
+    /// The scene: .toml, .nff, or a model: .obj, .ply, .gltf, .glb.
+    #[arg(required_unless_present = "from")]
+    pub scene: Option<PathBuf>,
+
+    /// The folder for it [default: the scene's name with -study, in the current folder; with --from the
+    /// folder of that file].
+    #[arg(short, long, value_name = "DIR")]
+    pub output: Option<PathBuf>,
+
+    /// Width and height in pixels [default: the scene's shape, with at most 65536 pixels].
+    #[arg(long, value_name = "WxH", value_parser = size)]
+    pub size: Option<Size>,
+
+    /// More notches of every knob, a finer reference, and more repetitions; takes as long as it takes.
+    #[arg(long)]
+    pub full: bool,
+
+    /// End by then, as in 30s, 5m or 1h 30m; what there is no time for is left out, and told [default: 50s;
+    /// with --full none].
+    #[arg(long, value_name = "TIME", value_parser = humantime::parse_duration)]
+    pub time_limit: Option<Duration>,
+
+    /// Threads [default: one for each core].
+    #[arg(long, value_name = "N", value_parser = threads)]
+    pub threads: Option<usize>,
+
+    /// Measure nothing: make the page and the table of this study.json again.
+    #[arg(long, value_name = "STUDY.JSON", conflicts_with_all = ["scene", "size", "full", "time_limit", "threads"])]
+    pub from: Option<PathBuf>,
+
+    /// Lay what firmware has measured into the page: a CSV file whose first line is
+    /// scene,width,height,precision,levels,cutoff,sampler,instructions,rays,rmse.
+    #[arg(long, value_name = "CSV")]
+    pub device: Option<PathBuf>,
+
+    /// Say nothing but errors.
+    #[arg(short, long)]
+    pub quiet: bool,
+}
