@@ -132,6 +132,11 @@ pub fn complain(failure: &Failure) {
     }
 }
 
+/// Whether both are the same file, or would be.
+pub fn is_same_file(one: &Path, other: &Path) -> bool {
+    place_of(one) == place_of(other)
+}
+
 /// Where a file is, or would be. The file behind a link is meant, not the link.
 fn place_of(path: &Path) -> PathBuf {
     let new = || Some(fs::canonicalize(folder_of(path)).ok()?.join(path.file_name()?));

@@ -6,7 +6,7 @@ use std::path::{Path, PathBuf};
 use std::sync::Arc;
 use std::time::{Duration, Instant};
 
-use strahl_core::{Size, Tile};
+use strahl_core::Tile;
 
 use crate::aim::error::{Fixed, Goal};
 use crate::aim::time::Limit;
@@ -18,7 +18,7 @@ use crate::failure::{Answer, Failure};
 use crate::frame::{self, Frame, NoFrame};
 use crate::heat::{self, Costs};
 use crate::load::{DEFAULT_SIZE, Files, load_from};
-use crate::output::{Output, say, tell};
+use crate::output::{Output, is_same_file, say, tell};
 use crate::picture::{self, Format, Picture};
 use crate::plan::{Step, leave_out, plan};
 use crate::progress::Watch;
@@ -42,10 +42,10 @@ pub fn run(args: &RenderArgs, aim: &AimArgs) -> Result<Answer, Failure> {
 /// Tells how a scene would be rendered.
 pub fn print_settings(args: &RenderArgs) -> Result<(), Failure> {
     let job = Job::of(args)?;
-    let Loaded { description, .. } = job.load(&Files::on_disk())?;
-    let wanted = wanted(args, &description.settings, false)?;
+    let scene = job.load(&Files::on_disk())?;
+    let wanted = wanted(args, &scene, false)?;
     job.format.holds(wanted.picture())?;
-    let settings = settings::settings(args, &wanted, &job.path, &description.setting_lines);
+    let settings = settings::settings(args, &wanted, &job.path, &scene.description.setting_lines);
     Output::Stdout.commit(settings::text(&args.scene, &settings).as_bytes())
 }
 
@@ -59,9 +59,10 @@ pub struct Job<'a> {
     report: Option<(StatsForm, PathBuf)>,
 }
 
-/// A scene, and how long it took to load it.
+/// A scene with the mask of its picture, and how long it took to load them.
 pub struct Loaded {
     description: Description,
+    mask: Option<Arc<Mask>>,
     /// What it asked for and is not to be simulated.
     left_out: Vec<Step>,
     took: Duration,
@@ -81,7 +82,12 @@ impl<'a> Job<'a> {
         if self.args.quiet { Watch::silent(signals) } else { Watch::on_terminal(signals) }
     }
 
-    /// Loads the scene, and says what its user should know of.
+    /// Whether the picture goes where the file at `path` is.
+    pub fn replaces(&self, path: &Path) -> bool {
+        is_same_file(&self.path, path)
+    }
+
+    /// Loads the scene and the mask, and says what their user should know of.
     pub fn load(&self, files: &Files) -> Result<Loaded, Failure> {
         let clock = Instant::now();
         let Job { args, .. } = self;
@@ -90,7 +96,8 @@ impl<'a> Job<'a> {
             say(format_args!("{}: warning: {warning}", args.scene.display()));
         }
         let left_out = leave_out(&mut description, &args.without);
-        Ok(Loaded { description, left_out, took: clock.elapsed() })
+        let mask = args.mask.as_deref().map(|path| mask(files, path)).transpose()?;
+        Ok(Loaded { description, mask, left_out, took: clock.elapsed() })
     }
 
     /// Traces the picture and writes it, and whatever is to be told of it.
@@ -107,8 +114,8 @@ impl<'a> Job<'a> {
         }
         let heat = aim.cost.as_ref().map(|place| Heat::prepare(place, path, &args.scene)).transpose()?;
 
-        let Loaded { description, left_out, took: load } = scene;
-        let wanted = wanted(args, &description.settings, report.is_some())?;
+        let Loaded { description, left_out, took: load, .. } = scene;
+        let wanted = wanted(args, scene, report.is_some())?;
         let sheet = heat.is_some().then(|| Arc::new(Sheet::new(wanted.size)));
         let wanted = Wanted { sheet, ..wanted };
         format.holds(wanted.picture())?;
@@ -173,7 +180,7 @@ impl<'a> Job<'a> {
 
     /// Traces and writes a coarse picture, where that is quicker.
     pub fn draft(&self, scene: &Loaded, watch: &Watch) -> Result<(), Failure> {
-        let wanted = wanted(self.args, &scene.description.settings, false)?;
+        let wanted = wanted(self.args, scene, false)?;
         self.format.holds(wanted.size)?;
         let Some(coarse) = draft::of(&wanted) else { return Ok(()) };
         let output = Output::prepare(&self.path)?;
@@ -245,14 +252,14 @@ impl<'h> Heat<'h> {
 }
 
 /// What the command line asks for, else the scene, else the defaults.
-fn wanted(args: &RenderArgs, scene: &Settings, counted: bool) -> Result<Wanted, Failure> {
+fn wanted(args: &RenderArgs, scene: &Loaded, counted: bool) -> Result<Wanted, Failure> {
     let asked = Settings {
         finding: args.finding.asked()?,
         shadow_cache: args.no_shadow_cache.then_some(false),
         precision: args.precision,
         ..args.picture.asked()
     };
-    let wanted = Wanted::asked(&asked, scene).map_err(Failure::Usage)?;
+    let wanted = Wanted::asked(&asked, &scene.description.settings).map_err(Failure::Usage)?;
     let size = wanted.size;
     if let Some(region) = args.region
         && region.within(Tile::whole(size)) != region
@@ -260,21 +267,10 @@ fn wanted(args: &RenderArgs, scene: &Settings, counted: bool) -> Result<Wanted, 
         let (width, height) = (size.width(), size.height());
         return Err(Failure::Usage(format!("the region reaches beyond the picture of {width}x{height}")));
     }
-    Ok(Wanted {
-        selecting: args.select,
-        region: args.region,
-        mask: args.mask.as_deref().map(|path| mask(path, size)).transpose()?,
-        cut: Cut::threads(args.threads.unwrap_or(0)),
-        counted,
-        ..wanted
-    })
-}
-
-/// The pixels that are white in the picture at `path`, which must have this size.
-fn mask(path: &Path, size: Size) -> Result<Arc<Mask>, Failure> {
-    let pixels = picture::read::read(path)?;
-    if pixels.size != size {
-        let (is, wanted) = (pixels.size, size);
+    if let (Some(path), Some(mask)) = (&args.mask, &scene.mask)
+        && mask.size != size
+    {
+        let (is, wanted) = (mask.size, size);
         let reason = format!(
             "the mask has {}x{} pixels, the picture {}x{}",
             is.width(),
@@ -282,9 +278,22 @@ fn mask(path: &Path, size: Size) -> Result<Arc<Mask>, Failure> {
             wanted.width(),
             wanted.height()
         );
-        return Err(Failure::Input { path: path.to_owned(), line: None, reason });
+        return Err(Failure::Input { path: path.clone(), line: None, reason });
     }
-    Ok(Arc::new(Mask { size, pixels: pixels.values.are_white() }))
+    Ok(Wanted {
+        selecting: args.select,
+        region: args.region,
+        mask: scene.mask.clone(),
+        cut: Cut::threads(args.threads.unwrap_or(0)),
+        counted,
+        ..wanted
+    })
+}
+
+/// The pixels that are white in the picture at `path`.
+fn mask(files: &Files, path: &Path) -> Result<Arc<Mask>, Failure> {
+    let pixels = picture::read::read_from(files, path)?;
+    Ok(Arc::new(Mask { size: pixels.size, pixels: pixels.values.are_white() }))
 }
 
 /// The scene's name with .png, in the current folder.

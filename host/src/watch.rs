@@ -1,17 +1,17 @@
 //! The command `watch`: a picture that follows its scene.
 //!
-//! The folders of all files that the scene was loaded from are watched, because editors do not
-//! write into a file but put another in its place, and because a file that is missing may come.
+//! The folders of all files that the scene and the mask were loaded from are watched, because editors
+//! do not write into a file but put another in its place, and because a file that is missing may come.
 //! What happens there only wakes the program: whether the scene has changed is seen from the
 //! files themselves, so nothing is done twice, and nothing is missed that happened meanwhile.
 
 use std::collections::BTreeSet;
-use std::io;
 use std::path::{Path, PathBuf};
 use std::sync::atomic::Ordering;
 use std::sync::mpsc::{self, Receiver, RecvTimeoutError};
 use std::sync::{Arc, Mutex, PoisonError};
 use std::time::{Duration, Instant};
+use std::{io, iter};
 
 use notify::event::{AccessKind, AccessMode, EventKind, ModifyKind};
 use notify::{Config, Event, PollWatcher, RecommendedWatcher, RecursiveMode, Watcher};
@@ -37,10 +37,21 @@ pub fn run(args: &RenderArgs) -> Result<Stop, Failure> {
     if args.output.as_deref() == Some(Path::new("-")) {
         return Err(Failure::Usage("a picture that follows its scene needs a file, not `-`".into()));
     }
-    if std::fs::metadata(&args.scene).is_ok_and(|found| !found.is_file()) {
-        return Err(Failure::Usage(format!("{} is no file, so it has no changes", args.scene.display())));
+    if args.mask.as_deref() == Some(Path::new("-")) {
+        return Err(Failure::Usage("a mask that is followed needs a file, not `-`".into()));
+    }
+    // Those that the command line names.
+    let named: Vec<&PathBuf> = iter::once(&args.scene).chain(&args.mask).collect();
+    for file in &named {
+        if std::fs::metadata(file).is_ok_and(|found| !found.is_file()) {
+            return Err(Failure::Usage(format!("{} is no file, so it has no changes", file.display())));
+        }
     }
     let job = Job::of(args)?;
+    // Each picture would change the mask of the next, for ever.
+    if args.mask.as_deref().is_some_and(|mask| job.replaces(mask)) {
+        return Err(Failure::Usage("the picture and its mask are the same file".into()));
+    }
     let signals = Signals::listen()?;
     let watch = job.watch(signals.clone());
     let mut changes = Changes::new(&signals)?;
@@ -62,8 +73,10 @@ pub fn run(args: &RenderArgs) -> Result<Stop, Failure> {
             Err(Failure::Stopped(Stop::Outdated)) => false,
             Err(Failure::Stopped(stop)) => return Ok(stop),
             // A name that was never there is a slip of the command line.
-            Err(failure @ Failure::Unreadable { .. }) if is_first && !args.scene.exists() => {
-                return Err(failure);
+            Err(Failure::Unreadable { path, error })
+                if is_first && named.contains(&&path) && !path.exists() =>
+            {
+                return Err(Failure::Unreadable { path, error });
             }
             Err(failure @ (Failure::Input { .. } | Failure::Faults(_) | Failure::Unreadable { .. })) => {
                 complain(&failure);

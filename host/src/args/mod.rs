@@ -101,7 +101,7 @@ pub enum Command {
     /// Render a scene again at every save of it and of the files that it names, until Ctrl-C.
     ///
     /// A coarse picture comes first, then the full one. What is wrong in the scene is told, and
-    /// the last picture stays until it is mended. Takes the options of `render`.
+    /// the last picture stays until it is mended. Takes the options of `render`, and follows the mask too.
     Watch(RenderArgs),
     /// Tell what is in a scene, what it asks for and why, and what it takes.
     Info(InfoArgs),

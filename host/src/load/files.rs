@@ -51,7 +51,7 @@ impl Files {
     }
 
     /// Reads a file that the user named: it may be a pipe.
-    pub(super) fn read(&self, path: &Path) -> io::Result<Vec<u8>> {
+    pub(crate) fn read(&self, path: &Path) -> io::Result<Vec<u8>> {
         let read = || std::fs::read(path);
         self.remember(path, self.in_memory(path).unwrap_or_else(read))
     }

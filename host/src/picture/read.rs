@@ -4,7 +4,6 @@
 //! of eight and of sixteen bits are taken as sRGB, floats as linear light.
 
 use std::error::Error;
-use std::fs;
 use std::io::{self, Cursor, Read};
 use std::path::Path;
 
@@ -14,6 +13,7 @@ use strahl_core::{Rgb, Size};
 
 use crate::args::MOST_PIXELS;
 use crate::failure::Failure;
+use crate::load::Files;
 
 /// The pixels of a file, as exactly as it has them.
 #[derive(Clone, Debug, PartialEq)]
@@ -61,7 +61,12 @@ const DENSEST: u64 = 4096;
 
 /// Reads the picture at `path`; `-` is the standard input.
 pub fn read(path: &Path) -> Result<Pixels, Failure> {
-    let bytes = if path == Path::new("-") { stdin() } else { fs::read(path) };
+    read_from(&Files::on_disk(), path)
+}
+
+/// The same from these files.
+pub fn read_from(files: &Files, path: &Path) -> Result<Pixels, Failure> {
+    let bytes = if path == Path::new("-") { stdin() } else { files.read(path) };
     let bytes = bytes.map_err(|error| Failure::Unreadable { path: path.to_owned(), error })?;
     decode(&bytes).map_err(|reason| Failure::Input { path: path.to_owned(), line: None, reason })
 }

@@ -33,9 +33,20 @@ fn said(folder: &Folder) -> String {
     String::from_utf8(folder.read("said")).unwrap()
 }
 
+/// A picture in which the leftmost pixels of each row are white, and the others black.
+fn mask(width: usize, height: usize, white: usize) -> String {
+    let row = "255 255 255\n".repeat(white) + &"0 0 0\n".repeat(width - white);
+    format!("P3 {width} {height} 255\n{}", row.repeat(height))
+}
+
 /// Waits until the picture is the one that `render` makes of what is in the folder now.
 fn until_current(running: &mut Running, folder: &Folder) {
-    folder.done("render scene.toml --quiet -o wanted.png");
+    until_current_with(running, folder, "");
+}
+
+/// The same with these options.
+fn until_current_with(running: &mut Running, folder: &Folder, options: &str) {
+    folder.done(&format!("render scene.toml --quiet -o wanted.png {options}"));
     let wanted = folder.read("wanted.png");
     running.until(|| std::fs::read(folder.path("scene.png")).is_ok_and(|picture| picture == wanted));
 }
@@ -59,6 +70,44 @@ fn every_save_of_the_scene_and_of_what_it_names_gives_a_new_picture() {
     std::fs::rename(folder.path("new"), folder.path("scene.toml")).unwrap();
     until_current(&mut running, &folder);
     assert_eq!(said(&folder), "");
+}
+
+#[test]
+fn every_save_of_the_mask_gives_a_new_picture() {
+    const WITH: &str = "--mask masks/a.ppm";
+    let folder = folder();
+    std::fs::create_dir(folder.path("masks")).unwrap();
+    folder.write("masks/a.ppm", mask(24, 16, 12));
+    let mut running = watching(&folder, &format!("scene.toml --quiet {WITH}"));
+    until_current_with(&mut running, &folder, WITH);
+    let half = folder.read("scene.png");
+    folder.write("masks/a.ppm", mask(24, 16, 18));
+    until_current_with(&mut running, &folder, WITH);
+    assert_ne!(folder.read("scene.png"), half);
+    folder.write("scene.toml", scene("navy"));
+    until_current_with(&mut running, &folder, WITH);
+    folder.write("new", mask(24, 16, 15));
+    std::fs::rename(folder.path("new"), folder.path("masks/a.ppm")).unwrap();
+    until_current_with(&mut running, &folder, WITH);
+    assert_eq!(said(&folder), "");
+}
+
+#[test]
+fn a_mask_that_does_not_fit_or_is_gone_is_told_and_waited_for() {
+    const WITH: &str = "--mask a.ppm";
+    let folder = folder();
+    folder.write("a.ppm", mask(24, 16, 12));
+    let mut running = watching(&folder, &format!("scene.toml --quiet {WITH}"));
+    until_current_with(&mut running, &folder, WITH);
+    let before = folder.read("scene.png");
+    folder.write("a.ppm", mask(12, 16, 12));
+    running.until(|| said(&folder).contains("a.ppm: the mask has 12x16 pixels, the picture 24x16"));
+    std::fs::remove_file(folder.path("a.ppm")).unwrap();
+    running.until(|| said(&folder).contains("cannot read a.ppm"));
+    assert_eq!(folder.read("scene.png"), before);
+    folder.write("a.ppm", mask(24, 16, 18));
+    until_current_with(&mut running, &folder, WITH);
+    assert_ne!(folder.read("scene.png"), before);
 }
 
 #[test]
@@ -131,4 +180,10 @@ fn what_cannot_be_watched_is_refused() {
     folder.run("watch scene.toml -o -").failed(2, "needs a file");
     folder.run("watch /dev/null").failed(2, "no file");
     folder.run("watch scene.toml -o none/a.png").failed(74, "none/a.png");
+    folder.run("watch scene.toml --mask none.ppm").failed(66, "cannot read none.ppm");
+    folder.run("watch scene.toml --mask -").failed(2, "needs a file");
+    folder.run("watch scene.toml --mask /dev/null").failed(2, "no file");
+    // Each picture would be the mask of the next.
+    folder.run("watch scene.toml --mask scene.png").failed(2, "the same file");
+    folder.run("watch scene.toml --mask a.ppm -o ./a.ppm").failed(2, "the same file");
 }
