@@ -13,8 +13,8 @@
 
 use strahl_core::{Accelerator, EffectSet, Effects, Everything, LightKind, LightSet, ShapeSet, TextureSet};
 
-use crate::draw::{Job, Traced};
-use crate::frame::NoFrame;
+use crate::job::{Job, Traced};
+use crate::studio::NoFrame;
 pub use crate::wanted::Wanted;
 
 /// A use for a set of effects.

@@ -9,8 +9,8 @@ use std::collections::BTreeMap;
 use strahl_core::{Material, Rgb, Size};
 
 use crate::finding::Finding;
+use crate::precision::Precision;
 use crate::sampling::{Filter, Sampling};
-use crate::wanted::Precision;
 
 /// A point or a direction.
 pub type Triple = [f32; 3];

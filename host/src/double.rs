@@ -17,6 +17,9 @@ pub mod draw;
 #[path = "hits.rs"]
 pub mod hits;
 #[expect(clippy::duplicate_mod, reason = "each core has types of its own")]
+#[path = "job.rs"]
+pub mod job;
+#[expect(clippy::duplicate_mod, reason = "each core has types of its own")]
 #[path = "passes.rs"]
 pub mod passes;
 #[expect(clippy::duplicate_mod, reason = "each core has types of its own")]
@@ -29,9 +32,9 @@ pub mod workers;
 mod choose {
     //! One tracer for every scene: nobody asks for the twin to save time.
 
-    use super::draw::{Job, Traced};
+    use super::job::{Job, Traced};
     use super::strahl::{Accelerator, Everything};
-    use crate::frame::NoFrame;
+    use crate::studio::NoFrame;
 
     pub fn trace<A: Accelerator + Sync>(job: &Job<'_, '_, A>) -> Result<Traced, NoFrame> {
         job.counting_all::<Everything>()

@@ -1,26 +1,21 @@
 //! From a scene to linear colours, for either precision.
 
 use std::cell::RefCell;
-use std::marker::PhantomData;
 use std::time::{Duration, Instant};
 
 use super::accelerators::{Purpose, build};
 use super::choose;
+use super::job::{Job, Pixels, Traced};
 use super::passes;
-use super::strahl::{
-    Accelerator, Camera, Counters, EffectSet, Effects, Everything, Limits, RayCounters, RayKind, Real, Rgb,
-    Sample, Scene, Sight, Size, Tally, Tracer, Worker, World,
-};
+use super::strahl::{Accelerator, Camera, Counters, Everything, RayKind, Sample, Scene, Sight, Size, World};
 use super::tables::{Stock, view};
-use super::workers::{self, Eye, Eyes, LEVELS};
-use crate::aim::pace::Pace;
-use crate::counts::Counts;
+use super::workers::{self, Eye, Eyes};
 use crate::description::View;
 use crate::finding::{Facts, Finding};
-use crate::frame::{Drawn, NoFrame, Studio};
+use crate::pace::Pace;
 use crate::progress::Watch;
 use crate::sheet::{Cost, Sheet};
-use crate::signals::Stop;
+use crate::studio::{Drawn, NoFrame, Studio};
 use crate::wanted::Wanted;
 
 /// Builds the accelerator that is asked for over the scene of these tables, and lets `work` trace
@@ -121,83 +116,6 @@ where
     }
 }
 
-/// All pixels of a picture, or why they were given up.
-type Pixels = Result<workers::Traced<Rgb>, Stop>;
-
-/// A picture to be traced by a tracer whose type is still to be chosen.
-pub struct Job<'j, 's, A> {
-    world: &'j World<'s, A>,
-    camera: Camera,
-    wanted: &'j Wanted,
-    all: &'j dyn Fn(&dyn Eyes) -> Pixels,
-}
-
-/// Colours, and the work: that of tests where it was to be counted.
-pub type Traced = (Vec<strahl_core::Rgb>, Option<Counts>);
-
-impl<'s, A: Accelerator + Sync> Job<'_, 's, A> {
-    /// What the scene and the camera ask for.
-    pub fn asks(&self) -> EffectSet {
-        EffectSet { lens: self.camera.has_lens(), ..self.world.scene().effects() }
-    }
-
-    /// Whether tests are to be counted, and not only rays.
-    pub fn is_counted(&self) -> bool {
-        self.wanted.counted || self.wanted.sheet.is_some()
-    }
-
-    /// Traces it with the effects `E`, and counts everything.
-    pub fn counting_all<E: Effects + Sync>(&self) -> Result<Traced, NoFrame> {
-        self.run::<E, Counters>()
-    }
-
-    /// Traces it with the effects `E`, and counts rays.
-    pub fn counting_rays<E: Effects + Sync>(&self) -> Result<Traced, NoFrame> {
-        self.run::<E, RayCounters>()
-    }
-
-    fn run<E: Effects + Sync, T: Count>(&self) -> Result<Traced, NoFrame> {
-        let limits = self.wanted.limits;
-        let limits = Limits { levels: limits.levels, cutoff: Real::from(limits.cutoff) };
-        let tracer = Tracer::<A, E, LEVELS>::new(self.world, self.camera, limits).map_err(NoFrame::wrong)?;
-        let eyes =
-            Tracing { tracer, shadow_cache: self.wanted.shadow_cache, tally: PhantomData::<fn() -> T> };
-        let (colors, counted) = (self.all)(&eyes).map_err(NoFrame::Stopped)?;
-        Ok((rounded(colors), counted.as_ref().map(counts)))
-    }
-}
-
-/// A tracer whose workers report to a `T`.
-struct Tracing<'t, 's, A, E, T> {
-    tracer: Tracer<'t, 's, A, E, LEVELS>,
-    shadow_cache: bool,
-    tally: PhantomData<fn() -> T>,
-}
-
-impl<A: Accelerator + Sync, E: Effects + Sync, T: Count> Eyes for Tracing<'_, '_, A, E, T> {
-    fn open(&self) -> Box<dyn Eye + '_> {
-        let worker = Worker::new(T::default());
-        let worker = if self.shadow_cache { worker } else { worker.without_shadow_cache() };
-        Box::new(Looking { tracer: &self.tracer, worker })
-    }
-}
-
-/// A tracer at work.
-struct Looking<'l, 't, 's, A: Accelerator, E, T> {
-    tracer: &'l Tracer<'t, 's, A, E, LEVELS>,
-    worker: Worker<A, T, LEVELS>,
-}
-
-impl<A: Accelerator, E: Effects, T: Count> Eye for Looking<'_, '_, '_, A, E, T> {
-    fn look(&mut self, sample: Sample) -> Sight {
-        self.tracer.look(sample, &mut self.worker)
-    }
-
-    fn take(&mut self) -> Option<Counters> {
-        self.worker.tally_mut().take()
-    }
-}
-
 /// Eyes of which every look is charged to a pixel.
 struct Charging<'c> {
     eyes: &'c dyn Eyes,
@@ -238,52 +156,6 @@ impl Eye for Charged<'_> {
 
     fn take(&mut self) -> Option<Counters> {
         self.sum.take()
-    }
-}
-
-/// A tally that may be one of [`Counters`].
-trait Count: Tally + Default {
-    fn take(&mut self) -> Option<Counters>;
-}
-
-impl Count for RayCounters {
-    fn take(&mut self) -> Option<Counters> {
-        Some(*std::mem::take(self).counters())
-    }
-}
-
-impl Count for Counters {
-    fn take(&mut self) -> Option<Counters> {
-        Some(std::mem::take(self))
-    }
-}
-
-/// Colours in single precision; those of single precision stay where they are.
-fn rounded(colors: Vec<Rgb>) -> Vec<strahl_core::Rgb> {
-    #[allow(clippy::unnecessary_cast)] // in single precision
-    let narrow = |c: Rgb| strahl_core::Rgb::new(c.r as f32, c.g as f32, c.b as f32);
-    colors.into_iter().map(narrow).collect()
-}
-
-/// Counts that are the same for either precision.
-fn counts(counters: &Counters) -> Counts {
-    use super::strahl::ShapeKind;
-    Counts {
-        rays: RayKind::ALL.map(|kind| counters.rays(kind)),
-        camera_hits: counters.camera_hits(),
-        boxes: RayKind::ALL.map(|kind| counters.boxes(kind)),
-        shapes: RayKind::ALL.map(|kind| counters.shapes(kind)),
-        regions: RayKind::ALL.map(|kind| counters.regions(kind)),
-        skipped: RayKind::ALL.map(|kind| counters.skipped(kind)),
-        shadow_cache_asked: counters.shadow_cache_asked(),
-        shadow_cache_hits: counters.shadow_cache_hits(),
-        by_shape: ShapeKind::ALL.map(|kind| counters.by_shape(kind)),
-        deepest: counters.deepest(),
-        level_limit: counters.level_limit(),
-        level_limit_weight: counters.level_limit_weight(),
-        cutoff: counters.cutoff(),
-        cutoff_weight: counters.cutoff_weight(),
-        media_full: counters.media_full(),
     }
 }
 

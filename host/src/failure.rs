@@ -5,7 +5,7 @@ use std::io;
 use std::path::{Path, PathBuf};
 
 use crate::faults::Faults;
-use crate::signals::Stop;
+use crate::stop::Stop;
 
 /// How a command ends in which nothing went wrong.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

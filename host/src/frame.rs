@@ -1,21 +1,19 @@
 //! From a description to a picture, and what it took.
 
-use std::error::Error;
-use std::fmt;
 use std::time::{Duration, Instant};
 
-use strahl_core::{EffectSet, Rgb, Scene, Shape};
+use strahl_core::{EffectSet, Scene, Shape};
 
-use crate::aim::pace::Pace;
 use crate::counts::Counts;
 use crate::description::Description;
 use crate::finding::{self, Finding};
 use crate::picture::Picture;
 use crate::plan::asked_by;
+use crate::precision::Precision;
 use crate::progress::Watch;
-use crate::signals::Stop;
 use crate::stock;
-use crate::wanted::{Precision, Wanted};
+use crate::studio::{Drawn, NoFrame, Studio};
+use crate::wanted::Wanted;
 use crate::{double, draw};
 
 /// A picture, and what it took.
@@ -33,21 +31,6 @@ pub struct Frame {
     pub counters: Option<Counts>,
     /// Wall-clock time of making the tables and the accelerator.
     pub build: Duration,
-    /// Wall-clock time of tracing.
-    pub trace: Duration,
-    /// Processor time of tracing, the sum over all threads.
-    pub trace_cpu: Duration,
-}
-
-/// What comes of tracing.
-#[derive(Debug)]
-pub struct Drawn {
-    /// Linear colours, row by row.
-    pub colors: Vec<Rgb>,
-    /// How items were found.
-    pub accelerator: finding::Facts,
-    /// The work, where it was counted.
-    pub counts: Option<Counts>,
     /// Wall-clock time of tracing.
     pub trace: Duration,
     /// Processor time of tracing, the sum over all threads.
@@ -79,45 +62,6 @@ impl Facts {
             asks: asked_by(description, scene),
         }
     }
-}
-
-/// Why there is no picture.
-#[derive(Debug)]
-pub enum NoFrame {
-    /// What is described cannot be traced.
-    Wrong(Box<dyn Error + Send + Sync>),
-    /// A signal came.
-    Stopped(Stop),
-}
-
-impl NoFrame {
-    /// Because of what one of the cores says.
-    pub(crate) fn wrong(error: impl Into<Box<dyn Error + Send + Sync>>) -> Self {
-        NoFrame::Wrong(error.into())
-    }
-}
-
-impl fmt::Display for NoFrame {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self {
-            NoFrame::Wrong(error) => error.fmt(f),
-            NoFrame::Stopped(stop) => stop.fmt(f),
-        }
-    }
-}
-
-impl Error for NoFrame {}
-
-/// A scene with its accelerator, of which pictures can be traced one after another.
-///
-/// Precision and finding are those for which it was opened, whatever else is wanted.
-pub trait Studio {
-    /// Traces a picture.
-    fn trace(&self, wanted: &Wanted, watch: &Watch) -> Result<Drawn, NoFrame>;
-
-    /// Traces a picture that becomes better pass by pass, as `pace` says; the last that was
-    /// completed.
-    fn refine(&self, wanted: &Wanted, watch: &Watch, pace: &mut dyn Pace) -> Result<Drawn, NoFrame>;
 }
 
 /// What is done with a scene: the last picture that is traced, and what was wanted of it.

@@ -7,9 +7,9 @@
 use super::accelerators::{Purpose, build};
 use super::strahl::{Accelerator, Everything, FARTHEST, Ray, RayKind, Real, Scene, World, vec3};
 use super::tables::Stock;
-use crate::cast::{Cast, Found, Line, NoCast, Stream};
 use crate::failure::Failure;
 use crate::finding::{Facts, Finding};
+use crate::rays::{Cast, Found, Line, NoCast, Stream};
 
 /// Casts all rays of a stream into the scene of these tables.
 pub fn cast(

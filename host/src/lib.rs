@@ -14,24 +14,32 @@
 //! | [`compare`] | the command `compare` |
 //! | [`generate`] | the command `generate` |
 //! | [`manual`] | the commands `completions` and `man` |
+//! | [`procedural`] | scenes that formulas make |
 //! | [`load`] | scene files to a [`description`] |
 //! | [`description`] | a scene in neutral numbers |
 //! | [`stock`] | the owned tables of a scene, for either precision |
 //! | [`frame`] | from a description to a picture |
+//! | [`studio`] | where pictures of one scene are traced: what is asked there, and answered |
 //! | [`wanted`] | what picture is wanted, and how the work is done |
+//! | [`precision`] | what is computed with |
+//! | [`mask`] | which pixels are wanted, where not all are |
 //! | [`finding`] | how items are found: what can be asked for, and what there is |
 //! | [`accelerators`] | the accelerators: what is asked for becomes a type |
 //! | [`sampling`] | which rays make a pixel, in the words of the command line |
 //! | [`samplers`] | the samplers: what is asked for becomes a type |
 //! | [`choose`] | values become types, once, around the whole render |
 //! | [`draw`] | from a scene to linear colours |
+//! | [`job`] | a picture to be traced by a tracer whose type is still to be chosen |
+//! | [`rays`] | rays as lines of text, and their way there and back |
 //! | [`hits`] | what rays hit |
 //! | [`workers`] | tiles and threads |
 //! | [`passes`] | a picture that becomes better pass by pass |
+//! | [`pace`] | what a picture that becomes better pass by pass is to do next |
 //! | [`aim`] | the settings that keep an error or a time |
+//! | [`cost`] | what was counted, in instructions |
 //! | [`sheet`] | what each pixel costs |
 //! | [`heat`] | costs as a picture |
-//! | [`double`] | `accelerators`, `draw`, `hits`, `passes` and `workers` for the twin in double precision |
+//! | [`double`] | `accelerators`, `draw`, `hits`, `job`, `passes` and `workers` for the twin in double precision |
 //! | [`counts`] | how often everything happened |
 //! | [`draft`] | a coarse picture before the full one |
 //! | [`picture`] | linear pictures, their digest, and files of them |
@@ -44,6 +52,7 @@
 //! | [`summary`] | what was done, for a person |
 //! | [`wrap`] | text that fits the screen |
 //! | [`signals`] | when to stop |
+//! | [`stop`] | why work ends before it is done |
 //! | [`faults`] | what is wrong in a text, shown as a compiler would |
 //! | [`failure`] | what went wrong, and the exit status for it |
 
@@ -61,6 +70,7 @@ pub mod cast;
 pub mod choose;
 pub mod colormap;
 pub mod compare;
+pub mod cost;
 pub mod counts;
 pub mod description;
 pub mod double;
@@ -75,13 +85,19 @@ pub mod generate;
 pub mod heat;
 pub mod hits;
 pub mod info;
+pub mod job;
 pub mod load;
 pub mod manual;
+pub mod mask;
 pub mod output;
+pub mod pace;
 pub mod passes;
 pub mod picture;
 pub mod plan;
+pub mod precision;
+pub mod procedural;
 pub mod progress;
+pub mod rays;
 pub mod render;
 pub mod samplers;
 pub mod sampling;
@@ -90,6 +106,8 @@ pub mod sheet;
 pub mod signals;
 pub mod stats;
 pub mod stock;
+pub mod stop;
+pub mod studio;
 pub mod study;
 pub mod summary;
 pub mod wanted;

@@ -14,10 +14,10 @@ use rayon::prelude::*;
 use super::samplers::{Any, Shared};
 use super::strahl::{Counters, Gathered, Kept, Pixel, Rgb, Sample, Sight, Size, Stochastic, Tile};
 use super::workers::{self, Eye, Eyes, Traced};
-use crate::aim::pace::{Outlook, Pace, Pass, Took};
+use crate::pace::{Outlook, Pace, Pass, Took};
 use crate::progress::Watch;
 use crate::sampling::Sampling;
-use crate::signals::Stop;
+use crate::stop::Stop;
 use crate::wanted::Wanted;
 
 /// So many rays are sent before the clock is asked again.

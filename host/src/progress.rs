@@ -4,7 +4,8 @@ use std::time::{Duration, Instant};
 
 use indicatif::{HumanCount, ProgressBar, ProgressState, ProgressStyle};
 
-use crate::signals::{Signals, Stop};
+use crate::signals::Signals;
+use crate::stop::Stop;
 use crate::wrap::width_of_stderr;
 
 /// Somebody who is told of every piece of work that is done, and says when to stop.

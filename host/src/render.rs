@@ -15,9 +15,10 @@ use crate::args::{AimArgs, RenderArgs, StatsForm};
 use crate::description::{Description, Settings};
 use crate::draft;
 use crate::failure::{Answer, Failure};
-use crate::frame::{self, Frame, NoFrame};
+use crate::frame::{self, Frame};
 use crate::heat::{self, Costs};
-use crate::load::{DEFAULT_SIZE, Files, load_from};
+use crate::load::{Files, load_from};
+use crate::mask::Mask;
 use crate::output::{Output, is_same_file, say, tell};
 use crate::picture::{self, Format, Picture};
 use crate::plan::{Step, leave_out, plan};
@@ -26,8 +27,9 @@ use crate::settings;
 use crate::sheet::Sheet;
 use crate::signals::Signals;
 use crate::stats::Stats;
+use crate::studio::NoFrame;
 use crate::summary::{self, summary};
-use crate::wanted::{Cut, Mask, Wanted};
+use crate::wanted::{Cut, DEFAULT_SIZE, Wanted};
 use crate::wrap::{width_of_stderr, wrapped};
 
 /// Renders one scene. No is the answer where an error was aimed at that is not kept.

@@ -10,10 +10,9 @@ use std::sync::atomic::{AtomicU8, AtomicU32, Ordering};
 
 use strahl_core::{Pixel, RayKind, Size, Tile};
 
+use crate::cost::{Counts, WEIGHTS};
 use crate::finding::Kind;
-use crate::study::cost::WEIGHTS;
-use crate::study::record::Counts;
-use crate::wanted::Mask;
+use crate::mask::Mask;
 
 const KINDS: usize = RayKind::ALL.len();
 
@@ -162,9 +161,10 @@ fn cells(count: usize) -> Vec<Cell> {
 mod tests {
     use super::*;
     use crate::load::load;
+    use crate::precision::Precision;
     use crate::progress::Watch;
     use crate::signals::Signals;
-    use crate::wanted::{Precision, Wanted};
+    use crate::wanted::Wanted;
     use std::path::Path;
 
     #[test]

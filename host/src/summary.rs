@@ -11,7 +11,7 @@ use strahl_core::RayKind;
 use crate::counts::Counts;
 use crate::frame::Frame;
 use crate::plan::{Effect, Step};
-use crate::wanted::Precision;
+use crate::precision::Precision;
 
 /// Where the text of the lines begins.
 pub const INDENT: usize = 12;

@@ -3,13 +3,17 @@
 use std::sync::Arc;
 
 pub use strahl_core::Limits;
-use strahl_core::{Pixel, Size, Tile};
+use strahl_core::{Size, Tile};
 
 use crate::description::Settings;
 use crate::finding::Finding;
-use crate::load::DEFAULT_SIZE;
+use crate::mask::Mask;
+use crate::precision::Precision;
 pub use crate::sampling::{Filter, Sampling, Selecting};
 use crate::sheet::Sheet;
+
+/// The size of a picture where neither the scene nor anybody else says one.
+pub const DEFAULT_SIZE: Size = Size::new(640, 480).unwrap();
 
 /// The most levels of rays.
 pub const LEVELS: usize = 64;
@@ -107,42 +111,6 @@ impl Wanted {
     pub fn area(&self) -> Tile {
         let whole = Tile::whole(self.size);
         self.region.map_or(whole, |tile| tile.within(whole))
-    }
-}
-
-/// Some pixels of a picture.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Mask {
-    /// Width and height of the picture.
-    pub size: Size,
-    /// Row by row, whether it is one of them.
-    pub pixels: Vec<bool>,
-}
-
-impl Mask {
-    /// Whether a pixel is one of them.
-    pub fn has(&self, pixel: Pixel) -> bool {
-        Tile::whole(self.size).place(pixel).is_some_and(|place| self.pixels[place])
-    }
-}
-
-/// What is computed with. Numbers of scenes are single precision in either case.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, clap::ValueEnum)]
-pub enum Precision {
-    /// Single precision, 32 bits.
-    #[default]
-    Single,
-    /// Double precision, 64 bits: slower, and a yardstick for the other.
-    Double,
-}
-
-impl Precision {
-    /// The name on the command line.
-    pub fn name(self) -> &'static str {
-        match self {
-            Precision::Single => "single",
-            Precision::Double => "double",
-        }
     }
 }
 

@@ -21,7 +21,8 @@ use crate::failure::Failure;
 use crate::load::Files;
 use crate::output::{complain, say};
 use crate::render::Job;
-use crate::signals::{Signals, Stop};
+use crate::signals::Signals;
+use crate::stop::Stop;
 
 /// How long nothing must happen before files are taken for whole.
 const QUIET: Duration = Duration::from_millis(50);

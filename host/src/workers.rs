@@ -13,7 +13,7 @@ use super::strahl::{
     Sight, Sink, Size, Tile,
 };
 use crate::progress::Watch;
-use crate::signals::Stop;
+use crate::stop::Stop;
 use crate::wanted::Wanted;
 pub use crate::wanted::{Cut, LEVELS, Sampling};
 

@@ -24,13 +24,14 @@ use strahl::aim::plan::{Rays, SAVES, rays};
 use strahl::aim::sparse::rmse;
 use strahl::aim::truth::truth;
 use strahl::description::Description;
-use strahl::frame::{self, Drawn, Studio};
+use strahl::frame;
 use strahl::load::load;
 use strahl::plan::asked_by;
 use strahl::progress::Watch;
 use strahl::sheet::Sheet;
 use strahl::signals::Signals;
 use strahl::stock::single::Stock;
+use strahl::studio::{Drawn, NoFrame, Studio};
 use strahl::wanted::Wanted;
 use strahl_core::{Rgb, Size};
 
@@ -207,7 +208,7 @@ struct Whole<'w> {
 }
 
 impl Whole<'_> {
-    fn look(&self, wanted: &Wanted) -> Result<(Drawn, f64, f64), frame::NoFrame> {
+    fn look(&self, wanted: &Wanted) -> Result<(Drawn, f64, f64), NoFrame> {
         debug_assert_eq!(wanted.size, self.wanted.size);
         let sheet = Arc::new(Sheet::new(wanted.size));
         let wanted = Wanted { sheet: Some(Arc::clone(&sheet)), ..wanted.clone() };

@@ -1,4 +1,4 @@
-//! What each event of tracing takes, in instructions: the weights of `host/src/study/cost.rs`.
+//! What each event of tracing takes, in instructions: the weights of `host/src/cost.rs`.
 //!
 //! ```text
 //! cargo run --release -p strahl-tests --example weights [-- FOLDER_WITH_THE_NFF_FILES]
@@ -14,12 +14,11 @@ use std::error::Error;
 use std::path::{Path, PathBuf};
 use std::process::{Command, ExitCode};
 
+use strahl::cost::{Counts, record};
 use strahl::finding::{Finding, Kind};
 use strahl::progress::Watch;
 use strahl::sampling::Sampling;
 use strahl::signals::Signals;
-use strahl::study::cost::record;
-use strahl::study::record::Counts;
 use strahl::wanted::{Cut, Wanted};
 use strahl_core::{Limits, Size};
 

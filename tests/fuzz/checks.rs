@@ -8,8 +8,9 @@ use std::path::{Path, PathBuf};
 
 use strahl::description::Description;
 use strahl::failure::Failure;
-use strahl::load::{DEFAULT_SIZE, Files, load_from};
+use strahl::load::{Files, load_from};
 use strahl::stock;
+use strahl::wanted::DEFAULT_SIZE;
 
 use counting::{Bound, most_held};
 

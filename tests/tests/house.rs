@@ -1,5 +1,5 @@
-//! The house rules that no compiler checks: floors go one way, the core stands alone, and every
-//! public door is proven free of panics.
+//! The house rules that no compiler checks: floors go one way, in the core and in the host, the core
+//! stands alone, and every public door is proven free of panics.
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::fs;
@@ -28,7 +28,7 @@ const LONG: [(&str, &str); 0] = [];
 /// Public doors of the core that no firmware needs, so that nothing is proven of them.
 const FOR_HOSTS_ONLY: [&str; 1] = ["pour"];
 
-/// A room of the core: its path below `core/src`, and its code without comments and tests.
+/// A room: its path below the package's `src`, and its code without comments and tests.
 struct Room {
     path: String,
     code: String,
@@ -42,7 +42,13 @@ fn read(path: &Path) -> String {
     fs::read_to_string(path).unwrap_or_else(|error| panic!("{}: {error}", path.display()))
 }
 
+/// The rooms of the core.
 fn rooms() -> Vec<Room> {
+    rooms_of("core/src")
+}
+
+/// The rooms below a folder of the workspace.
+fn rooms_of(folder: &str) -> Vec<Room> {
     fn collect(folder: &Path, base: &Path, rooms: &mut Vec<Room>) {
         let mut paths: Vec<PathBuf> =
             fs::read_dir(folder).unwrap().map(|entry| entry.unwrap().path()).collect();
@@ -56,7 +62,7 @@ fn rooms() -> Vec<Room> {
             }
         }
     }
-    let base = workspace().join("core/src");
+    let base = workspace().join(folder);
     let mut rooms = Vec::new();
     collect(&base, &base, &mut rooms);
     assert!(rooms.len() > 30, "only {} rooms found", rooms.len());
@@ -145,6 +151,71 @@ fn a_room_uses_only_what_lies_below_it() {
         assert!(!code.contains(&"super::".repeat(depth)), "{path} goes round the floors by super");
     }
     assert!(uses > 50, "only {uses} uses found");
+}
+
+/// The rooms at the root that some code of `path` names.
+fn named_at_the_root<'c>(path: &str, code: &'c str) -> BTreeSet<&'c str> {
+    // As many steps up as there are names in the path of the module lead to the root.
+    let depth = path.split('/').count() - usize::from(path.ends_with("mod.rs"));
+    let up = "super::".repeat(depth);
+    let roots = ["crate::", &up].map(|root| code.match_indices(root).map(|(at, _)| &code[at + root.len()..]));
+    let mut named = BTreeSet::new();
+    for path in roots.into_iter().flatten() {
+        match path.strip_prefix('{') {
+            None => named.extend(words(path).first()),
+            Some(group) => {
+                let mut inner = 0;
+                let end = group.find(|c| {
+                    inner += i32::from(c == '{') - i32::from(c == '}');
+                    inner < 0
+                });
+                // Of each path in the group the first name.
+                let group = &group[..end.unwrap_or(group.len())];
+                let mut inner = 0;
+                let starts = group.split(|c| {
+                    inner += i32::from(c == '{') - i32::from(c == '}');
+                    c == ',' && inner == 0
+                });
+                named.extend(starts.filter_map(|path| words(path).first().copied()));
+            }
+        }
+    }
+    named
+}
+
+#[test]
+fn the_rooms_that_code_names_are_found() {
+    let code = "use crate::a::b;\nuse crate::{c, d::{e, f}, g};\nfn h() { super::i::j() }";
+    let found = |path| named_at_the_root(path, code).into_iter().collect::<Vec<_>>();
+    assert_eq!(found("k.rs"), ["a", "c", "d", "g", "i"]);
+    assert_eq!(found("k/l.rs"), ["a", "c", "d", "g"], "one step up is a room's own");
+}
+
+#[test]
+fn no_rooms_of_the_host_go_round_in_a_circle() {
+    let own = |path: &str| path.split(['/', '.']).next().unwrap().to_owned();
+    let rooms = rooms_of("host/src");
+    let names: BTreeSet<String> = rooms.iter().map(|room| own(&room.path)).collect();
+    let mut uses: BTreeMap<String, BTreeSet<String>> = BTreeMap::new();
+    // The map and the program name all of them.
+    for Room { path, code } in rooms.iter().filter(|room| !["lib.rs", "main.rs"].contains(&&*room.path)) {
+        let used = named_at_the_root(path, code).into_iter().filter(|room| names.contains(*room));
+        let used = used.filter(|room| *room != own(path)).map(str::to_owned);
+        uses.entry(own(path)).or_default().extend(used);
+    }
+    assert!(uses.values().map(BTreeSet::len).sum::<usize>() > 150, "too few uses were found: {uses:?}");
+    // Who uses none of those that are left, or is used by none, stands in no circle.
+    loop {
+        let used: BTreeSet<String> = uses.values().flatten().cloned().collect();
+        let before = uses.len();
+        uses.retain(|room, used_by_it| !used_by_it.is_empty() && used.contains(room));
+        if uses.len() == before {
+            break;
+        }
+        let left: BTreeSet<String> = uses.keys().cloned().collect();
+        uses.values_mut().for_each(|used| used.retain(|room| left.contains(room)));
+    }
+    assert!(uses.is_empty(), "in a circle: {uses:#?}");
 }
 
 #[test]

@@ -5,9 +5,10 @@ use std::sync::Arc;
 use strahl::description::Description;
 use strahl::finding::{Bounds, Finding, Kind};
 use strahl::frame::{self, Frame};
+use strahl::mask::Mask;
 use strahl::progress::Watch;
 use strahl::signals::Signals;
-use strahl::wanted::{Cut, Mask, Wanted};
+use strahl::wanted::{Cut, Wanted};
 use strahl_core::{Pixel, RayKind, Rgb, Size, Tile};
 
 /// Every sampler and pixel-selected tracing in the words of the command line, and whether its

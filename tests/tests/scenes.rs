@@ -5,7 +5,7 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 use strahl::args::GenerateArgs;
-use strahl::generate::{Form, What};
+use strahl::procedural::{Form, What};
 
 #[allow(dead_code)]
 #[path = "../examples/models.rs"]

@@ -19,10 +19,11 @@ use super::sparse::{Estimate, Sparse, rmse};
 use super::truth::truth;
 use super::{Aimed, Target};
 use crate::description::Description;
-use crate::frame::{self, Drawn, Frame, NoFrame, Studio};
+use crate::frame::{self, Frame};
 use crate::plan::asked_by;
 use crate::progress::Watch;
 use crate::stock::single::Stock;
+use crate::studio::{Drawn, NoFrame, Studio};
 use crate::wanted::{Limits, Wanted};
 
 /// What is not to be changed.

@@ -8,7 +8,6 @@
 //! | [`sparse`] | some pixels that stand for all |
 //! | [`truth`] | what a picture is held against |
 //! | [`time`] | the best picture that is there in time |
-//! | [`pace`] | what a picture that becomes better pass by pass is told |
 
 use std::path::Path;
 
@@ -20,7 +19,6 @@ use crate::wanted::Wanted;
 
 pub mod error;
 pub mod notches;
-pub mod pace;
 pub mod plan;
 pub mod sparse;
 pub mod time;

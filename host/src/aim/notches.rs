@@ -7,8 +7,8 @@ use strahl_core::{EffectSet, Rgb};
 
 use super::error::{Goal, Search, Setting};
 use super::plan::{LEVELS, Rays, cutoffs};
-use crate::frame::NoFrame;
 use crate::sampling::Sampling;
+use crate::studio::NoFrame;
 use crate::wanted::Limits;
 
 /// How small a change of levels or cutoff is, as a part of the error that is aimed at, after which

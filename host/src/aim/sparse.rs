@@ -8,9 +8,10 @@ use std::sync::Arc;
 
 use strahl_core::{Dimension, Pixel, Rgb, Size, Stream, Tile};
 
+use crate::mask::Mask;
 use crate::picture::srgb::encode;
 use crate::sheet::{Chosen, Sheet};
-use crate::wanted::{Mask, Wanted};
+use crate::wanted::Wanted;
 
 /// Pixels along a side of a square.
 const SIDE: u32 = 4;

@@ -10,13 +10,14 @@ use std::time::{Duration, Instant};
 
 use strahl_core::Rgb;
 
-use super::pace::{Outlook, Pace, Pass, Took};
 use super::{Aimed, Target};
 use crate::description::Description;
-use crate::frame::{self, Frame, NoFrame};
+use crate::frame::{self, Frame};
+use crate::pace::{Outlook, Pace, Pass, Took};
 use crate::picture::{Format, Picture};
 use crate::progress::Watch;
 use crate::sampling::{Agreement, Confidence, Sampling, Selecting};
+use crate::studio::NoFrame;
 use crate::wanted::Wanted;
 
 /// When the picture must be written.

@@ -6,7 +6,7 @@ use clap::Parser;
 
 use super::finding::FindingArgs;
 use super::values::threads;
-use crate::wanted::Precision;
+use crate::precision::Precision;
 
 /// What to cast, and how.
 #[derive(Debug, Parser)]

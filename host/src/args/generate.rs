@@ -4,7 +4,7 @@ use std::path::PathBuf;
 
 use clap::Parser;
 
-use crate::generate::{Form, What};
+use crate::procedural::{Form, What};
 
 /// Which scene to make, and where it goes.
 #[derive(Debug, Parser)]

@@ -9,7 +9,8 @@ use super::finding::FindingArgs;
 use super::picture::PictureArgs;
 use super::values::threads;
 use crate::plan::Effect;
-use crate::wanted::{Precision, Selecting};
+use crate::precision::Precision;
+use crate::wanted::Selecting;
 
 /// How `render` is called.
 pub(super) const EXAMPLES: &str = "\

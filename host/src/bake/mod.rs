@@ -16,13 +16,14 @@ use crate::counts::Counts;
 use crate::description::Description;
 use crate::failure::Failure;
 use crate::finding::{Bounds, Finding, Kind, MAILBOX, Walk};
-use crate::frame::{self, NoFrame};
-use crate::load::{DEFAULT_SIZE, load_for};
+use crate::frame::{self};
+use crate::load::load_for;
 use crate::output::{Output, say, tell};
 use crate::progress::Watch;
 use crate::signals::Signals;
 use crate::stock::single::{self, Stock};
-use crate::wanted::Wanted;
+use crate::studio::NoFrame;
+use crate::wanted::{DEFAULT_SIZE, Wanted};
 
 /// What is baked beside the scene.
 #[derive(Clone, Copy, Debug)]

@@ -15,10 +15,11 @@ use strahl_core::{Pixel, Rgb, Tile};
 
 use crate::args::ExplainArgs;
 use crate::failure::Failure;
-use crate::load::{DEFAULT_SIZE, load_for};
+use crate::load::load_for;
 use crate::output::{Output, say};
 use crate::plan::{Effect, leave_out};
-use crate::wanted::{Precision, Wanted};
+use crate::precision::Precision;
+use crate::wanted::{DEFAULT_SIZE, Wanted};
 use crate::wrap::{width_of_stdout, wrapped};
 use tree::{Asked, Explained, VERSION, triple};
 

@@ -13,9 +13,9 @@ use super::names::Names;
 use super::record::Record;
 use super::tree::{Part, Sample, Sum, triple};
 use crate::description::Description;
-use crate::frame::NoFrame;
 use crate::samplers::{Any, Shared};
 use crate::stock::single::{Stock, view};
+use crate::studio::NoFrame;
 use crate::wanted::{LEVELS, Wanted};
 
 /// The colour of a pixel, and how it comes about.

@@ -13,11 +13,9 @@ use strahl_core::Size;
 
 use crate::description::Description;
 use crate::failure::Failure;
+use crate::wanted::DEFAULT_SIZE;
 
 pub use files::Files;
-
-/// Of pictures for which neither scene nor user names a size.
-pub const DEFAULT_SIZE: Size = Size::new(640, 480).unwrap();
 
 /// The most pixels that a file may ask for: a number in a file must not fill the memory.
 const MOST_PIXELS: u64 = 1 << 24;

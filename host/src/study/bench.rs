@@ -6,21 +6,23 @@ use std::time::{Duration, Instant};
 
 use strahl_core::{Rgb, Size};
 
-use super::cost::{WEIGHTS, record};
 use super::meter::Meter;
 use super::options::Options;
 use super::record::{Errors, Role, Run};
 use crate::compare::measure::Limit;
 use crate::compare::pair::Pair;
+use crate::cost::{WEIGHTS, record};
 use crate::description::Description;
 use crate::failure::Failure;
-use crate::frame::{self, Frame, NoFrame};
+use crate::frame::{self, Frame};
 use crate::picture::Picture;
 use crate::picture::read::Values;
 use crate::plan::leave_out;
 use crate::progress::Watch;
 use crate::sheet::{Cost, Sheet};
-use crate::signals::{Signals, Stop};
+use crate::signals::Signals;
+use crate::stop::Stop;
+use crate::studio::NoFrame;
 use crate::wanted::Wanted;
 
 /// One scene at one size, and a clock.

@@ -18,8 +18,8 @@ use super::techniques;
 use crate::failure::Failure;
 use crate::picture::Picture;
 use crate::plan::Effect;
+use crate::precision::Precision;
 use crate::sampling::Sampling;
-use crate::wanted::Precision;
 
 /// Shares of the time that is given.
 pub(super) mod time {

@@ -6,10 +6,10 @@ use strahl_core::Size;
 
 use super::bench::pair;
 use super::conduct::{Conduct, Truth};
-use super::cost::WEIGHTS;
 use super::front::{Point, cheapest_within, front};
-use super::record::{Counts, Image, Role, Shows};
+use super::record::{Image, Role, Shows};
 use crate::colormap::{inferno, step_of};
+use crate::cost::{Counts, WEIGHTS};
 use crate::failure::Failure;
 use crate::picture::{Format, Picture, srgb};
 use crate::sheet::Cost;

@@ -17,7 +17,6 @@
 //! | [`mix`] | which mixtures are worth a measurement |
 //! | `mixtures` | they are measured |
 //! | `techniques` | techniques on and off |
-//! | [`cost`] | work in instructions, from counts |
 //! | [`statistics`] | medians and spreads |
 //! | [`front`](mod@front) | the Pareto front, and what it recommends |
 //! | [`meter`] | how far it is |
@@ -35,15 +34,16 @@ use std::time::Duration;
 use strahl_core::Size;
 
 use crate::args::StudyArgs;
+use crate::cost::WEIGHTS;
 use crate::description::{Description, Settings};
 use crate::failure::Failure;
 use crate::frame::Facts;
-use crate::load::{DEFAULT_SIZE, load_for};
+use crate::load::load_for;
 use crate::output::{Output, say, tell};
 use crate::plan::Effect;
 use crate::signals::Signals;
 use crate::stock::single::Stock;
-use crate::wanted::Wanted;
+use crate::wanted::{DEFAULT_SIZE, Wanted};
 use crate::wrap::{width_of_stderr, wrapped};
 use bench::Bench;
 use conduct::Conduct;
@@ -55,7 +55,6 @@ use record::Study;
 
 pub mod bench;
 pub mod conduct;
-pub mod cost;
 pub mod device;
 pub mod file;
 pub mod front;
@@ -153,7 +152,7 @@ fn study(path: &Path, scene: &Description, args: &StudyArgs, signals: Signals) -
         time_limit: limit.map(|limit| limit.as_secs_f64()),
         seconds,
         beaten,
-        weights: cost::WEIGHTS,
+        weights: WEIGHTS,
     };
     Ok(Study {
         format: record::FORMAT.into(),

@@ -5,7 +5,8 @@ use strahl_core::{Limits, Size};
 use super::record;
 use crate::finding::{Bounds, Choice, Finding, Kind, Walk};
 use crate::plan::Effect;
-use crate::wanted::{Cut, Filter, Precision, Sampling, Selecting, Wanted};
+use crate::precision::Precision;
+use crate::wanted::{Cut, Filter, Sampling, Selecting, Wanted};
 
 /// Everything that decides about a picture and its time.
 #[derive(Clone, Debug, PartialEq)]

@@ -11,8 +11,8 @@ use super::options::{Options, cutoff};
 use super::record::{Role, Technique};
 use crate::failure::Failure;
 use crate::finding::{Bounds, Finding, Kind, MAILBOX, Walk};
+use crate::precision::Precision;
 use crate::sampling::{Agreement, Sampling, Selecting};
-use crate::wanted::Precision;
 
 /// One technique: how it is done without, and with it.
 struct Pair {

@@ -4,7 +4,8 @@ use strahl::description::{
     Background, Form, Light, Motion, Object, Placed, Projection, Settings, Source, Texture, View,
 };
 use strahl::finding::{Accel, Bounds, Finding, Walk};
-use strahl::wanted::{Filter, Precision, Sampling};
+use strahl::precision::Precision;
+use strahl::wanted::{Filter, Sampling};
 use strahl_core::{Interface, Material, Rgb, Size, TextureId};
 
 use crate::text::{ALL, loaded};

@@ -16,7 +16,7 @@ use super::places::{
 use super::table::{At, Many, One, tables};
 use super::view::{Filter, Sampler};
 use crate::finding::{Accel, Bounds, Walk};
-use crate::wanted::Precision;
+use crate::precision::Precision;
 
 tables! {
     /// A scene for strahl.

@@ -7,7 +7,9 @@
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-pub use run::{Counts, Errors, Role, Run, Setting};
+use crate::cost::Weights;
+
+pub use run::{Errors, Role, Run, Setting};
 
 mod run;
 
@@ -94,40 +96,6 @@ pub struct Method {
     pub beaten: usize,
     /// What one event costs, in instructions; `work` is their sum.
     pub weights: Weights,
-}
-
-/// What one event costs, in instructions.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
-#[serde(deny_unknown_fields)]
-pub struct Weights {
-    /// A camera ray, with what is done for its place in the picture.
-    pub camera: f64,
-    /// A reflected or transmitted ray.
-    pub secondary: f64,
-    /// A question to a light, with the light that comes of it.
-    pub shadow: f64,
-    /// A test of a shape.
-    pub shape: f64,
-    /// A test that a mailbox saved.
-    pub skipped: f64,
-    /// What the steps of each accelerator take.
-    pub list: Steps,
-    /// The same.
-    pub grid: Steps,
-    /// The same.
-    pub octree: Steps,
-    /// The same.
-    pub bvh: Steps,
-}
-
-/// What the steps of an accelerator take, in instructions.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
-#[serde(deny_unknown_fields)]
-pub struct Steps {
-    /// A test of a box.
-    pub boxes: f64,
-    /// A region entered.
-    pub region: f64,
 }
 
 /// What everything was held against.

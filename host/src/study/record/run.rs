@@ -4,6 +4,7 @@
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
+use crate::cost::Counts;
 use crate::study::statistics::median;
 
 /// Everything that decides about a picture and its time, in the words of the command line.
@@ -76,26 +77,6 @@ pub struct Run {
     pub cut: [f64; 2],
     /// BLAKE3 of the linear picture.
     pub digest: String,
-}
-
-/// What was counted; the lists are by kind of ray: camera, reflected, transmitted, shadow.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
-#[serde(deny_unknown_fields)]
-pub struct Counts {
-    /// Rays.
-    pub rays: [u64; 4],
-    /// Tests of boxes.
-    pub boxes: [u64; 4],
-    /// Tests of shapes.
-    pub shapes: [u64; 4],
-    /// Regions entered.
-    pub regions: [u64; 4],
-    /// Tests that mailboxes saved.
-    pub skipped: [u64; 4],
-    /// How often a shadow cache was asked.
-    pub cache_asked: u64,
-    /// How often it answered.
-    pub cache_hits: u64,
 }
 
 /// How far a picture is from another: differences of sRGB-encoded values, 0 to 1.

@@ -17,18 +17,6 @@ fn the_databases_sizes_have_the_databases_counts() {
 }
 
 #[test]
-fn the_largest_size_is_made_and_the_next_is_not() {
-    for what in What::value_variants() {
-        let most = what.most_size();
-        assert!(size(*what, Some(most)).is_ok(), "{what} {most}");
-        for more in [most + 1, 2 * most, 1 << 30, u32::MAX] {
-            let Err(Failure::Usage(reason)) = size(*what, Some(more)) else { panic!("{what} {more}") };
-            assert!(reason.ends_with(&format!("which is size {most}")), "{reason}");
-        }
-    }
-}
-
-#[test]
 fn a_knot_has_as_many_triangles_as_it_is_asked_for_or_few_more() {
     for asked in [1, 100, 215, 216, 217, 1000, 9_999, 10_000, 500_000, 1_000_000, 1_000_003, 16_000_000] {
         let knot = knot::Knot::of(asked);

@@ -1,16 +1,7 @@
 //! The command `cast`: rays in as CSV, what they hit out as CSV.
 //!
-//! | room | what it does |
-//! |---|---|
-//! | `lines` | lines of text become rays |
-//! | `rows` | answers become lines of text |
-//! | `stream` | pieces of text go through all threads, and come out in their order |
-//!
-//! What a ray hits is found in [`hits`], which is compiled for either precision.
-
-mod lines;
-mod rows;
-mod stream;
+//! What a ray hits is found in [`hits`], which is compiled for either precision; [`rays`](crate::rays)
+//! brings the rays there and the answers back.
 
 use std::fs::File;
 use std::io::{IsTerminal, Read, stdin};
@@ -23,12 +14,10 @@ use crate::args::CastArgs;
 use crate::failure::Failure;
 use crate::load::load;
 use crate::output::{Output, say};
+use crate::precision::Precision;
+use crate::rays::{Cast, NoCast, Stream};
 use crate::signals::Signals;
-use crate::wanted::Precision;
 use crate::{double, hits, stock};
-pub use lines::Line;
-pub use rows::Found;
-pub use stream::{Cast, Stream};
 
 /// Casts rays into one scene.
 pub fn run(args: &CastArgs) -> Result<(), Failure> {
@@ -67,9 +56,6 @@ pub fn run(args: &CastArgs) -> Result<(), Failure> {
     }
     Ok(())
 }
-
-/// Why no ray was cast.
-pub type NoCast = Box<dyn std::error::Error + Send + Sync>;
 
 /// Where rays come from, and its name in messages.
 fn rays(path: &Path, quiet: bool) -> Result<(Box<dyn Read + Send>, PathBuf), Failure> {

@@ -3,7 +3,7 @@
 use std::fmt::{Display, LowerExp};
 use std::io::Write;
 
-use crate::wanted::Precision;
+use crate::precision::Precision;
 
 /// The names of the fields.
 pub(super) const HEADER: &str = "hit,t,object,px,py,pz,nx,ny,nz\n";

@@ -18,8 +18,8 @@ use super::lines::{LONGEST, Line, LineFault, is_header};
 use super::rows::{self, Found};
 use crate::failure::Failure;
 use crate::output::Output;
+use crate::precision::Precision;
 use crate::signals::Signals;
-use crate::wanted::Precision;
 
 /// How much is read at once, in bytes: some hundred rays, so that all threads have work to the end.
 const PIECE: usize = 1 << 14;
@@ -32,22 +32,27 @@ const PATIENCE: Duration = Duration::from_millis(50);
 
 /// Rays on their way to be answered.
 pub struct Stream {
-    pub(super) input: Box<dyn Read + Send>,
+    /// Where lines come from.
+    pub input: Box<dyn Read + Send>,
     /// Of the input, in messages.
-    pub(super) name: PathBuf,
-    pub(super) output: Output,
-    pub(super) precision: Precision,
-    pub(super) threads: usize,
-    pub(super) signals: Signals,
+    pub name: PathBuf,
+    /// Where rows go.
+    pub output: Output,
+    /// What is computed with.
+    pub precision: Precision,
+    /// How many threads work, at least one.
+    pub threads: usize,
+    /// When to stop.
+    pub signals: Signals,
 }
 
 /// What was cast.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Cast {
     /// All rays.
-    pub(super) rays: u64,
+    pub rays: u64,
     /// Those that hit.
-    pub(super) hits: u64,
+    pub hits: u64,
 }
 
 /// Lines of the input.

@@ -2,7 +2,7 @@
 
 use std::fmt;
 
-use crate::wanted::Precision;
+use crate::precision::Precision;
 
 /// The longest line that may be one, in bytes.
 pub(super) const LONGEST: usize = 1 << 16;

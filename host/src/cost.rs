@@ -7,10 +7,65 @@
 //! middle for the list and the hierarchy, by 9 to 11 % for grid and octree, and by 38 % at most:
 //! for gears, whose polygons have 144 corners where others have four.
 
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
 use strahl_core::RayKind;
 
-use super::record::{Counts, Steps, Weights};
 use crate::counts;
+
+/// What was counted; the lists are by kind of ray: camera, reflected, transmitted, shadow.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct Counts {
+    /// Rays.
+    pub rays: [u64; 4],
+    /// Tests of boxes.
+    pub boxes: [u64; 4],
+    /// Tests of shapes.
+    pub shapes: [u64; 4],
+    /// Regions entered.
+    pub regions: [u64; 4],
+    /// Tests that mailboxes saved.
+    pub skipped: [u64; 4],
+    /// How often a shadow cache was asked.
+    pub cache_asked: u64,
+    /// How often it answered.
+    pub cache_hits: u64,
+}
+
+/// What one event costs, in instructions.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct Weights {
+    /// A camera ray, with what is done for its place in the picture.
+    pub camera: f64,
+    /// A reflected or transmitted ray.
+    pub secondary: f64,
+    /// A question to a light, with the light that comes of it.
+    pub shadow: f64,
+    /// A test of a shape.
+    pub shape: f64,
+    /// A test that a mailbox saved.
+    pub skipped: f64,
+    /// What the steps of each accelerator take.
+    pub list: Steps,
+    /// The same.
+    pub grid: Steps,
+    /// The same.
+    pub octree: Steps,
+    /// The same.
+    pub bvh: Steps,
+}
+
+/// What the steps of an accelerator take, in instructions.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct Steps {
+    /// A test of a box.
+    pub boxes: f64,
+    /// A region entered.
+    pub region: f64,
+}
 
 /// Measured on x86-64, over the pictures that `tests/examples/weights.rs` names.
 pub const WEIGHTS: Weights = Weights {

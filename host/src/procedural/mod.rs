@@ -1,4 +1,4 @@
-//! The command `generate`: scenes that formulas make, of any size.
+//! Scenes that formulas make, of any size.
 //!
 //! They serve for measuring how time and memory grow. Each room makes one scene from its published
 //! description and hands it, piece by piece, to a `Pen`, which writes one format; nothing but a
@@ -17,18 +17,12 @@ mod stadium;
 mod tetra;
 mod tree;
 
-use std::ffi::OsStr;
 use std::fmt;
 use std::io::{self, Write};
-use std::path::{Path, PathBuf};
+use std::path::Path;
 
 use clap::ValueEnum;
-use indicatif::{HumanBytes, HumanCount};
 
-use crate::args::GenerateArgs;
-use crate::failure::Failure;
-use crate::output::{Output, say};
-use crate::signals::Signals;
 use pen::{Mesh, Pen};
 
 /// The most objects of a scene: about a gigabyte of NFF.
@@ -119,6 +113,31 @@ impl What {
         fit
     }
 
+    /// How many triangles it has, where they are what it is made of.
+    pub fn triangles(self, size: u32) -> Option<u64> {
+        self.mesh(size).map(|mesh| mesh.triangles().into())
+    }
+
+    /// Writes it in one form; all of it, or the objects alone. `beside` names the file that has its
+    /// triangles, for a form that cannot have them itself.
+    pub fn write(
+        self,
+        size: u32,
+        form: Form,
+        bare: bool,
+        beside: &str,
+        out: &mut dyn Write,
+    ) -> io::Result<()> {
+        let head = format!("Made by strahl generate {self} --size {size}");
+        match form {
+            Form::Nff if bare => self.draw(size, &mut nff::Nff::bare(out)),
+            Form::Nff => self.draw(size, &mut nff::Nff::new(&head, out)?),
+            Form::Toml if bare => self.draw(size, &mut native::Toml::bare(beside, out)),
+            Form::Toml => self.draw(size, &mut native::Toml::new(&head, beside, out)?),
+            Form::Ply => self.mesh(size).map_or(Ok(()), |mesh| ply::write(&*mesh, out)),
+        }
+    }
+
     /// Makes it, piece by piece.
     fn draw(self, size: u32, pen: &mut dyn Pen) -> io::Result<()> {
         match self {
@@ -144,7 +163,7 @@ impl What {
     }
 
     /// Whether nothing but its triangles counts, so that a file of triangles can hold it.
-    fn is_mesh(self) -> bool {
+    pub fn is_mesh(self) -> bool {
         matches!(self, What::Tetra | What::Mountain | What::Knot)
     }
 }
@@ -168,134 +187,9 @@ pub enum Form {
 
 impl Form {
     /// What the extension of a file names.
-    fn of(path: &Path) -> Option<Self> {
+    pub fn of(path: &Path) -> Option<Self> {
         let extension = path.extension()?.to_str()?;
         Form::from_str(extension, true).ok()
-    }
-}
-
-/// Makes one scene.
-pub fn run(args: &GenerateArgs) -> Result<(), Failure> {
-    let signals =
-        Signals::listen().map_err(|error| Failure::Usage(format!("cannot listen for signals: {error}")))?;
-    let what = args.what;
-    let size = size(what, args.size)?;
-    let path = args.output.clone().unwrap_or_else(|| PathBuf::from(format!("{what}.nff")));
-    let form = form(what, &path, args.format)?;
-    let beside = (form == Form::Toml && what.mesh(size).is_some()).then(|| path.with_extension("ply"));
-    if beside.is_some() && path == Path::new("-") {
-        let reason = format!(
-            "in TOML the triangles of a {what} are in a PLY file of its own: name a file, or use --format nff"
-        );
-        return Err(Failure::Usage(reason));
-    }
-
-    let output = Output::prepare(&path)?;
-    if let (Some(mesh), Some(ply)) = (what.mesh(size), &beside) {
-        write(Output::prepare(ply)?, &signals, &mut |out| ply::write(&*mesh, out))?;
-    }
-    let name = beside.as_deref().and_then(Path::file_name).and_then(OsStr::to_str).unwrap_or_default();
-    let bytes = write(output, &signals, &mut |out| {
-        let head = format!("Made by strahl generate {what} --size {size}");
-        match form {
-            Form::Nff if args.bare => what.draw(size, &mut nff::Nff::bare(out)),
-            Form::Nff => what.draw(size, &mut nff::Nff::new(&head, out)?),
-            Form::Toml if args.bare => what.draw(size, &mut native::Toml::bare(name, out)),
-            Form::Toml => what.draw(size, &mut native::Toml::new(&head, name, out)?),
-            Form::Ply => what.mesh(size).map_or(Ok(()), |mesh| ply::write(&*mesh, out)),
-        }
-    })?;
-    if !args.quiet && path != Path::new("-") {
-        let beside = beside.map(|ply| format!(" and {}", ply.display())).unwrap_or_default();
-        let triangles = || what.mesh(size).map(|mesh| mesh.triangles().into());
-        let objects = if form == Form::Ply { triangles() } else { what.objects(size) };
-        let objects = HumanCount(objects.unwrap_or(0));
-        say(format_args!("{}{beside}: {objects} objects, {}", path.display(), HumanBytes(bytes)));
-    }
-    Ok(())
-}
-
-/// The size that is asked for, if there is one like that.
-fn size(what: What, asked: Option<u32>) -> Result<u32, Failure> {
-    let size = asked.unwrap_or(what.usual_size());
-    if size < what.least_size() {
-        return Err(Failure::Usage(format!("a {what} has a size of {} or more", what.least_size())));
-    }
-    match what.objects(size) {
-        Some(objects) if objects <= MOST_OBJECTS => Ok(size),
-        objects => {
-            let has = objects.map_or("more than can be counted".into(), |objects| objects.to_string());
-            Err(Failure::Usage(format!(
-                "the objects of a {what} of size {size} would be {has}; at most {MOST_OBJECTS} are made, \
-                 which is size {}",
-                what.most_size()
-            )))
-        }
-    }
-}
-
-/// How the scene is to be written at `path`.
-fn form(what: What, path: &Path, asked: Option<Form>) -> Result<Form, Failure> {
-    let form = match (asked, Form::of(path)) {
-        (Some(form), _) | (None, Some(form)) => form,
-        (None, None) if path == Path::new("-") => Form::Nff,
-        (None, None) => {
-            let shown = path.display();
-            return Err(Failure::Usage(format!(
-                "{shown} does not end in .nff, .toml or .ply; or name the --format"
-            )));
-        }
-    };
-    if form == Form::Ply && !what.is_mesh() {
-        let reason = format!("PLY holds triangles only, and a {what} has other shapes: use .nff or .toml");
-        return Err(Failure::Usage(reason));
-    }
-    Ok(form)
-}
-
-/// Lets something write to a place, and counts the bytes.
-fn write(
-    output: Output,
-    signals: &Signals,
-    draw: &mut dyn FnMut(&mut dyn Write) -> io::Result<()>,
-) -> Result<u64, Failure> {
-    let mut watched = Watched { output, signals, bytes: 0, failure: None };
-    let mut buffered = io::BufWriter::with_capacity(1 << 16, &mut watched);
-    let drawn = draw(&mut buffered).and_then(|()| buffered.flush());
-    drop(buffered);
-    match (drawn, watched.failure) {
-        (Ok(()), None) => watched.output.finish().map(|()| watched.bytes),
-        (_, Some(failure)) => Err(failure),
-        (Err(error), None) => Err(Failure::Unwritable { path: None, error }),
-    }
-}
-
-/// A writer that ends when a signal has come, and keeps why it failed.
-struct Watched<'s> {
-    output: Output,
-    signals: &'s Signals,
-    bytes: u64,
-    failure: Option<Failure>,
-}
-
-impl Write for Watched<'_> {
-    fn write(&mut self, bytes: &[u8]) -> io::Result<usize> {
-        // A buffer that is dropped after a failure comes once more.
-        if let Some(failure) = &self.failure {
-            return Err(io::Error::other(failure.to_string()));
-        }
-        let checked = self.signals.check().map_err(Failure::Stopped);
-        if let Err(failure) = checked.and_then(|()| self.output.write(bytes)) {
-            let error = io::Error::other(failure.to_string());
-            self.failure = Some(failure);
-            return Err(error);
-        }
-        self.bytes += bytes.len() as u64;
-        Ok(bytes.len())
-    }
-
-    fn flush(&mut self) -> io::Result<()> {
-        Ok(())
     }
 }
 

@@ -1,0 +1,19 @@
+//! Which pixels of a picture are wanted, where not all are.
+
+use strahl_core::{Pixel, Size, Tile};
+
+/// Some pixels of a picture.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Mask {
+    /// Width and height of the picture.
+    pub size: Size,
+    /// Row by row, whether it is one of them.
+    pub pixels: Vec<bool>,
+}
+
+impl Mask {
+    /// Whether a pixel is one of them.
+    pub fn has(&self, pixel: Pixel) -> bool {
+        Tile::whole(self.size).place(pixel).is_some_and(|place| self.pixels[place])
+    }
+}
