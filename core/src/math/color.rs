@@ -1,10 +1,11 @@
-//! Linear radiance in three channels, and its encoding for screens.
+//! Linear radiance in three channels.
 
 use zerocopy::{Immutable, KnownLayout, TryFromBytes};
 
 use core::ops::{Add, AddAssign, Mul, MulAssign};
 
-use super::{Real, greatest, least, powf};
+use super::srgb::{encode, encode8};
+use super::{Real, greatest, least};
 
 /// Linear light in red, green and blue: a colour, a share or a radiance.
 ///
@@ -94,20 +95,7 @@ impl Rgb {
     /// Eight bits per channel in the sRGB encoding (IEC 61966-2-1): values outside `[0, 1]`
     /// are cut off, the rest is rounded to the nearest step.
     pub fn to_srgb8(self) -> [u8; 3] {
-        [encode(self.r), encode(self.g), encode(self.b)].map(|v| (v * 255.0 + 0.5) as u8)
-    }
-}
-
-/// The sRGB encoding of one channel, in `[0, 1]`.
-fn encode(v: Real) -> Real {
-    if v >= 1.0 {
-        1.0
-    } else if v > 0.003_130_8 {
-        1.055 * powf(v, 1.0 / 2.4) - 0.055
-    } else if v > 0.0 {
-        12.92 * v
-    } else {
-        0.0
+        [encode8(self.r), encode8(self.g), encode8(self.b)]
     }
 }
 

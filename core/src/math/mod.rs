@@ -12,6 +12,7 @@ mod float;
 mod lanes;
 pub mod morton;
 mod roots;
+mod srgb;
 mod stream;
 mod warp;
 
