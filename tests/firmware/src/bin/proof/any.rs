@@ -1,0 +1,40 @@
+//! Things of which the optimiser knows no more than the type.
+
+use core::hint::black_box;
+
+use strahl_core::*;
+
+/// Something in place of the example, of which the optimiser knows no more than the type.
+pub fn any<T>(example: T) -> T {
+    black_box(example)
+}
+
+/// Takes a result, so that what leads to it is not left out.
+pub fn used<T>(result: T) {
+    black_box(result);
+}
+
+/// A slice of any length, any place and any content.
+pub fn slice<T>(example: &[T]) -> &[T] {
+    any(example)
+}
+
+pub fn number() -> Real {
+    any(1.0)
+}
+
+pub fn vector() -> Vec3 {
+    any(Vec3::X)
+}
+
+pub fn color() -> Rgb {
+    any(Rgb::WHITE)
+}
+
+pub fn any_item() -> ItemId {
+    any(ItemId(0))
+}
+
+pub fn any_ray() -> Ray {
+    Ray::new(vector(), vector()).at_time(number())
+}

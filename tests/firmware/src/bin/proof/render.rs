@@ -1,0 +1,77 @@
+//! Pictures, from a tracer into whatever takes pixels.
+
+use embedded_graphics_core::Pixel as Dot;
+use embedded_graphics_core::draw_target::DrawTarget;
+use embedded_graphics_core::geometry::{Dimensions, Point, Size as Extent};
+use embedded_graphics_core::pixelcolor::Rgb565;
+use embedded_graphics_core::primitives::Rectangle;
+use strahl_core::*;
+
+use crate::any::{any, used};
+use crate::image::any_tile;
+
+/// Into memory, a function, and a screen.
+pub fn rendered<A: Accelerator, E: Effects, T: Tally, const LEVELS: usize>(
+    tracer: &Tracer<'_, '_, A, E, LEVELS>,
+    worker: &mut Worker<A, T, LEVELS>,
+    mut sampler: impl Sampler,
+) {
+    let mut colors = [Rgb::BLACK; 4];
+    if let Some(mut frame) = Frame::new(any_tile(), any(&mut colors[..])) {
+        let Ok(()) = render(tracer, &mut sampler, worker, any_tile().pixels(), &mut frame);
+    }
+    let Ok(()) =
+        render(tracer, &mut sampler, worker, any_tile().pixels(), &mut |pixel, color| used((pixel, color)));
+    used(render(tracer, &mut sampler, worker, [any(Pixel { x: 0, y: 0 })], &mut Screen));
+    let mut screen = Screen;
+    let mut display = Display::new(&mut screen, Point::new(any(0), any(0)), any(Dither::Ordered));
+    used(render(tracer, &mut sampler, worker, [any(Pixel { x: 0, y: 0 })], &mut display));
+    used(<Rgb565 as Steps>::of(any([0; 3])));
+}
+
+/// What only selected pixels are traced of.
+pub fn selected<A: Accelerator, E: Effects, T: Tally, const LEVELS: usize>(
+    tracer: &Tracer<'_, '_, A, E, LEVELS>,
+    worker: &mut Worker<A, T, LEVELS>,
+    mut selected: Selected<'_, Loose, Single>,
+) {
+    used(render_selected(tracer, &mut selected, worker, any_tile().pixels(), &mut Screen));
+    used(render_refined(tracer, &mut selected, worker, any_tile(), &mut Screen));
+    used(*selected.selection());
+    selected.begin();
+    selected.refine(
+        any(Pixel { x: 0, y: 0 }),
+        any(4),
+        &mut |sample| any((sample, Sight::DARK)).1,
+        &mut |_, _| {},
+    );
+    selected.block(any(Pixel { x: 0, y: 0 }), &mut |sample| any((sample, Sight::DARK)).1, &mut |_, _| {});
+}
+
+/// A screen whose wire may break.
+struct Screen;
+
+impl Dimensions for Screen {
+    fn bounding_box(&self) -> Rectangle {
+        Rectangle::new(Point::zero(), Extent::zero())
+    }
+}
+
+impl DrawTarget for Screen {
+    type Color = Rgb565;
+    type Error = u8;
+
+    fn draw_iter<I: IntoIterator<Item = Dot<Rgb565>>>(&mut self, pixels: I) -> Result<(), u8> {
+        pixels.into_iter().for_each(used);
+        any(Ok(()))
+    }
+}
+
+impl Sink for Screen {
+    type Error = u8;
+
+    fn put(&mut self, pixel: Pixel, color: Rgb) -> Result<(), u8> {
+        used((pixel, color));
+        any(Ok(()))
+    }
+}

@@ -1,0 +1,107 @@
+//! Scenes, what they are made of and what they ask for, and how they are looked at.
+
+use strahl_core::*;
+
+use crate::accel::{Stranger, lists};
+use crate::any::{any, any_item, any_ray, color, number, slice, used, vector};
+use crate::geometry::any_geometry;
+use crate::tally::Told;
+use crate::text::displayed;
+
+pub fn doors() {
+    described();
+    looked_at();
+    displayed(any(ViewFault::NoUp));
+    displayed(any(MaterialFault::Color));
+    displayed(any(SceneError::Shape(ItemId(0), ShapeFault::Radius)));
+}
+
+pub static MATERIALS: [Material; 1] = [Material::MATTE];
+
+/// Parts with anything in them, whether they fit together or not.
+pub fn any_parts() -> Parts<'static> {
+    const CHECKER: Texture =
+        Texture::Checker { even: Rgb::WHITE, odd: Rgb::BLACK, origin: Vec3::ZERO, frequency: Vec3::ONE };
+    const LAMP: Light = Light {
+        source: Source::Point { position: Vec3::ZERO, falloff: Falloff::SQUARE },
+        color: Rgb::WHITE,
+        shadows: true,
+    };
+    Parts {
+        geometry: any_geometry(),
+        made_of: slice(&[MaterialId(0)]),
+        materials: slice(&MATERIALS),
+        textures: slice(&[CHECKER]),
+        lights: slice(&[LAMP]),
+        ambient: color(),
+        background: any(Background::Color(Rgb::BLACK)),
+        colored_shadows: any(true),
+    }
+}
+
+fn described() {
+    let Ok(scene) = Scene::new(any_parts()) else { return };
+    used((scene.parts(), scene.effects(), scene.material(any_item())));
+    used((Scene::new(any(Parts::EMPTY)).is_ok(), any(Background::Color(Rgb::BLACK)).toward(vector())));
+
+    let material = any(Material { interface: any(Interface::Fresnel), ..Material::MATTE });
+    used((
+        material.is_transmitting(),
+        material.is_shiny(),
+        material.is_absorbing(),
+        material.is_lit(),
+        material.is_rough(),
+    ));
+    if let (Some(light), Some(texture)) = (scene.parts().lights.first(), scene.parts().textures.first()) {
+        used((light.kind(), light.is_soft(), texture.kind(), any(Falloff::NONE)));
+    }
+
+    let mut lent = [Aabb::EMPTY];
+    let [list, ..] = lists(&mut lent, [&mut [], &mut []]);
+    asked::<_, Everything>(World::new(scene, list));
+    asked::<_, Few>(World::new(scene, Stranger));
+}
+
+/// Spheres and nothing else.
+pub struct Few;
+
+impl Effects for Few {
+    const SET: EffectSet = EffectSet { shapes: ShapeSet::of(&[ShapeKind::Sphere]), ..EffectSet::NONE };
+}
+
+/// What it does not see is the sky.
+pub struct ShortSighted;
+
+impl Effects for ShortSighted {
+    const SET: EffectSet =
+        EffectSet { lights: LightSet::ALL, reflection: true, transmission: true, ..Few::SET };
+    const SIGHT: Real = 10.0;
+    const LAST: LastLevel = LastLevel::Background;
+}
+
+fn asked<A: Accelerator, E: Effects>(world: World<'_, A>) {
+    let (kind, mut scratch) = (any(RayKind::Shadow), A::Scratch::default());
+    used((world.scene(), world.accelerator()));
+    used(world.nearest::<E, _>(&any_ray(), number(), kind, &mut scratch, &mut Told));
+    used(world.blocker::<E, _>(&any_ray(), number(), kind, &mut scratch, &mut Told));
+    used(world.blocks::<E, _>(any_item(), &any_ray(), number(), kind, &mut Told));
+    used(world.surface::<E>(&any_ray(), any(Hit { t: 1.0, item: ItemId(0) })));
+}
+
+pub fn any_size() -> Size {
+    any(Size::new(any(1), any(1))).unwrap_or(const { Size::new(1, 1).unwrap() })
+}
+
+pub fn any_camera() -> Option<Camera> {
+    let projection = any(Projection::Perspective { angle: 1.0 });
+    Camera::new(&View { from: vector(), at: vector(), up: vector(), projection }, any_size()).ok()
+}
+
+fn looked_at() {
+    used((any_size().width(), any_size().height()));
+    used(any_camera().map(|camera| (camera.ray(any(Place { x: 0.0, y: 0.0 })), camera.has_lens())));
+}
+
+pub fn any_sample() -> Sample {
+    any(Sample { place: Place { x: 0.0, y: 0.0 }, stream: Stream::new(0, 0, 0, 0) })
+}

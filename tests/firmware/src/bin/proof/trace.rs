@@ -1,0 +1,39 @@
+//! Rays through worlds of anything.
+
+use strahl_core::*;
+
+use crate::accel::{Stranger, lists};
+use crate::any::{any, used};
+use crate::image;
+use crate::scene::{Few, ShortSighted, any_camera, any_parts, any_sample};
+use crate::tally::Told;
+use crate::text::displayed;
+
+pub fn doors() {
+    let Ok(scene) = Scene::new(any_parts()) else { return };
+    for list in lists(&mut [Aabb::EMPTY], [&mut [Ball::EMPTY], &mut [Ball::EMPTY]]) {
+        traced::<_, Everything, _, 64>(&World::new(scene, list), Counters::new());
+        traced::<_, Everything, _, 5>(&World::new(scene, list), ());
+    }
+    traced::<_, Few, _, 1>(&World::new(scene, Stranger), Told);
+    traced::<_, Few, _, 1>(&World::new(scene, Bare(any(1))), RayCounters::new());
+    traced::<_, ShortSighted, _, 2>(&World::new(scene, Bare(any(1))), ());
+    displayed(any(TracerError::Cutoff));
+}
+
+/// Looks along rays, and makes pictures in all ways.
+pub fn traced<A: Accelerator, E: Effects, T: Tally, const LEVELS: usize>(world: &World<'_, A>, tally: T) {
+    let Some(camera) = any_camera() else { return };
+    let limits = any(Limits::DEFAULT);
+    let Ok(tracer) = Tracer::<A, E, LEVELS>::new(world, camera, limits) else { return };
+    let mut bare = Worker::<A, (), LEVELS, 0>::of_any_size(()).without_shadow_cache();
+    used((tracer.look(any_sample(), &mut bare), any(Worker::<A, (), LEVELS, 0>::BYTES)));
+    let mut worker = Worker::new(tally);
+    used(tracer.look(any_sample(), &mut worker));
+
+    image::sampled(&tracer, &mut worker);
+
+    used(worker.tally());
+    used(worker.tally_mut());
+    used(worker.into_tally());
+}
