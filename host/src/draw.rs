@@ -123,8 +123,8 @@ struct Charging<'c> {
 }
 
 impl Eyes for Charging<'_> {
-    fn open(&self) -> Box<dyn Eye + '_> {
-        Box::new(Charged { eye: self.eyes.open(), sheet: self.sheet, sum: None })
+    fn open<'e>(&'e self, watch: &'e Watch) -> Box<dyn Eye + 'e> {
+        Box::new(Charged { eye: self.eyes.open(watch), sheet: self.sheet, sum: None })
     }
 }
 

@@ -3,11 +3,12 @@
 use std::marker::PhantomData;
 
 use super::strahl::{
-    Accelerator, Camera, Counters, EffectSet, Effects, Limits, RayCounters, RayKind, Real, Rgb, Sample,
-    Sight, Tally, Tracer, Worker, World,
+    Accelerator, Camera, Counters, EffectSet, Effects, Event, Limits, RayCounters, RayKind, Real, Rgb,
+    Sample, Sight, Tally, Tracer, Worker, World,
 };
 use super::workers::{self, Eye, Eyes, LEVELS};
 use crate::counts::Counts;
+use crate::progress::Watch;
 use crate::stop::Stop;
 use crate::studio::NoFrame;
 use crate::wanted::Wanted;
@@ -67,8 +68,8 @@ struct Tracing<'t, 's, A, E, T> {
 }
 
 impl<A: Accelerator + Sync, E: Effects + Sync, T: Count> Eyes for Tracing<'_, '_, A, E, T> {
-    fn open(&self) -> Box<dyn Eye + '_> {
-        let worker = Worker::new(T::default());
+    fn open<'e>(&'e self, watch: &'e Watch) -> Box<dyn Eye + 'e> {
+        let worker = Worker::new(Watched { tally: T::default(), watch, left: BETWEEN });
         let worker = if self.shadow_cache { worker } else { worker.without_shadow_cache() };
         Box::new(Looking { tracer: &self.tracer, worker })
     }
@@ -77,7 +78,7 @@ impl<A: Accelerator + Sync, E: Effects + Sync, T: Count> Eyes for Tracing<'_, '_
 /// A tracer at work.
 struct Looking<'l, 't, 's, A: Accelerator, E, T> {
     tracer: &'l Tracer<'t, 's, A, E, LEVELS>,
-    worker: Worker<A, T, LEVELS>,
+    worker: Worker<A, Watched<'l, T>, LEVELS>,
 }
 
 impl<A: Accelerator, E: Effects, T: Count> Eye for Looking<'_, '_, '_, A, E, T> {
@@ -86,7 +87,42 @@ impl<A: Accelerator, E: Effects, T: Count> Eye for Looking<'_, '_, '_, A, E, T> 
     }
 
     fn take(&mut self) -> Option<Counters> {
-        self.worker.tally_mut().take()
+        self.worker.tally_mut().tally.take()
+    }
+}
+
+/// So many rays of one tree are traced before it is asked again whether to stop.
+const BETWEEN: u32 = 1 << 12;
+
+/// A tally that gives up a tree of rays when the work is to stop.
+struct Watched<'w, T> {
+    tally: T,
+    watch: &'w Watch,
+    /// Rays until it is asked.
+    left: u32,
+}
+
+impl<T: Tally> Tally for Watched<'_, T> {
+    const TESTS: bool = T::TESTS;
+
+    #[inline(always)]
+    fn count(&mut self, event: Event) {
+        self.tally.count(event);
+    }
+
+    #[inline(always)]
+    fn gives_up(&mut self) -> bool {
+        match self.left.checked_sub(1) {
+            Some(left) => {
+                self.left = left;
+                false
+            }
+            None => {
+                let stops = self.watch.check().is_err();
+                self.left = if stops { 0 } else { BETWEEN };
+                stops
+            }
+        }
     }
 }
 

@@ -13,7 +13,7 @@ pub struct Pass {
     pub sampling: Sampling,
     /// Which pixels are traced, where not all are.
     pub selecting: Option<Selecting>,
-    /// When it is given up; the first pass has no such end, so that there is a picture.
+    /// When it is given up; with the first pass, all is.
     pub until: Option<Instant>,
 }
 

@@ -121,8 +121,8 @@ struct Remembering<'e> {
 }
 
 impl Eyes for Remembering<'_> {
-    fn open(&self) -> Box<dyn Eye + '_> {
-        Box::new(Minding { eye: self.eyes.open(), all: self, rays: 0 })
+    fn open<'e>(&'e self, watch: &'e Watch) -> Box<dyn Eye + 'e> {
+        Box::new(Minding { eye: self.eyes.open(watch), all: self, rays: 0 })
     }
 }
 
@@ -218,7 +218,7 @@ impl Grown {
     ) -> Result<Traced<Rgb>, Stop> {
         watch.begin(self.whole.len());
         let work = |(tile, pixels): &mut (Tile, Vec<Gathered>)| {
-            let mut eye = eyes.open();
+            let mut eye = eyes.open(watch);
             // A pixel may take many rays, and the time may be over before the last of them: what is
             // seen then does not matter any more, for the whole pass is given up.
             let (mut rays, mut is_over) = (0_u32, false);

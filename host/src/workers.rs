@@ -33,8 +33,9 @@ pub trait Eye {
 
 /// A tracer of which each tile gets an eye.
 pub trait Eyes: Sync {
-    /// One that remembers nothing yet.
-    fn open(&self) -> Box<dyn Eye + '_>;
+    /// One that remembers nothing yet. When `watch` says that the work is to stop, what it sees may
+    /// lack something.
+    fn open<'e>(&'e self, watch: &'e Watch) -> Box<dyn Eye + 'e>;
 }
 
 /// Colours, and the work where it was counted.
@@ -126,7 +127,7 @@ impl Work<'_> {
         let area = |blocks| selection.area(blocks).within(self.whole);
         let (colors, counted) = self.tiles(blocks, side, area, |blocks, canvas| {
             let (mut lent, mut kept) = (self.lend(area(blocks)), lend(area(blocks)));
-            let mut eye = self.eyes.open();
+            let mut eye = self.eyes.open(self.watch);
             let sampler = Any::of(self.wanted, Shared::Loose, &mut lent);
             let mut selected = Selected::new(selection, sampler, corners, &mut kept);
             let is_wanted = |block: &Pixel| {
@@ -158,7 +159,7 @@ impl Work<'_> {
             |tile| tile,
             |tile, canvas| {
                 let mut lent = self.lend(tile);
-                let mut eye = self.eyes.open();
+                let mut eye = self.eyes.open(self.watch);
                 let (eye_of, all) = (eye.as_mut(), tile.pixels());
                 match rays {
                     Rays::Corners(parting) => draw(eye_of, &mut Corner(parting), all, canvas)?,

@@ -76,6 +76,16 @@ pub trait Tally {
     /// optimised loop.
     #[inline(always)]
     fn tell(&mut self, _: Step) {}
+
+    /// Whether the tree of rays that is traced is to be given up, asked before each of its rays but
+    /// the first: what they have brought so far is then the answer.
+    ///
+    /// A tree of many levels may take longer than anybody waits. Who never gives up leaves this as it
+    /// is, and nothing of it is left in the optimised loop.
+    #[inline(always)]
+    fn gives_up(&mut self) -> bool {
+        false
+    }
 }
 
 /// Counts nothing and costs nothing.

@@ -89,6 +89,10 @@ impl<'w, 's, A: Accelerator, E: Effects, const LEVELS: usize> Tracer<'w, 's, A, 
         loop {
             sum += self.follow(&mut task, sample.stream, time, &mut met, worker);
             let Some(next) = worker.tasks.pop() else { break };
+            if worker.tally.gives_up() {
+                worker.tasks.clear();
+                break;
+            }
             task = next;
         }
         // Once, here: no part is below zero, so that a sum that was too large stays so.

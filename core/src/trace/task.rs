@@ -54,4 +54,8 @@ impl<const LEVELS: usize> Tasks<LEVELS> {
     pub(crate) fn pop(&mut self) -> Option<Task> {
         self.0.pop()
     }
+
+    pub(crate) fn clear(&mut self) {
+        self.0.clear();
+    }
 }

@@ -1,7 +1,7 @@
 //! The best picture that is there in time.
 //!
-//! A coarse raster of pixels is traced at once, whatever the clock says, so that there is a picture.
-//! Then come finer rasters, until the speed that was measured says that all pixels can be traced;
+//! A coarse raster of pixels is traced at once, though it take a few times as long, so that there is a
+//! picture. Then come finer rasters, until the speed that was measured says that all pixels can be traced;
 //! then more samples in each, and after that in those whose mean is least certain: the tolerance of
 //! the stochastic rule goes down as far as the rays that are needed fit into the time that is left. A
 //! pass that is not complete in time is given up, and the picture is that of the last that was.
@@ -64,8 +64,12 @@ const fn coarse(step: u32, threshold: f32) -> Pass {
     Pass { sampling: Sampling::Single, selecting, until: None }
 }
 
-/// Takes no time at all.
+/// Takes no time at all, but where the tree of a single ray does.
 const COARSEST: Pass = coarse(64, 1.0);
+
+/// How many times the time that there is the coarsest pass may take. A picture that is late is better
+/// than none; but one that never comes is not.
+const FIRST_MAY_TAKE: u32 = 4;
 
 /// Before all pixels are traced, the finer the later.
 const RASTERS: [Pass; 5] =
@@ -203,7 +207,10 @@ fn rounded(tolerance: f64) -> f32 {
 impl Pace for Clock {
     fn next(&mut self, outlook: &Outlook<'_>) -> Option<Pass> {
         self.begun += 1;
-        let Some(last) = self.last else { return Some(COARSEST) };
+        let Some(last) = self.last else {
+            let latest = self.limit.begun + FIRST_MAY_TAKE * self.limit.time;
+            return Some(Pass { until: Some(latest), ..COARSEST });
+        };
         let until = Some(self.end());
         if self.left() <= NOTHING * self.limit.time.as_secs_f64() {
             self.begun -= 1;

@@ -10,7 +10,7 @@ use strahl_core::{
 };
 
 use super::names::Names;
-use super::record::Record;
+use super::record::{MOST_RAYS, Record};
 use super::tree::{Part, Sample, Sum, triple};
 use crate::description::Description;
 use crate::samplers::{Any, Shared};
@@ -68,6 +68,13 @@ pub fn trace(description: &Description, wanted: &Wanted, pixel: Pixel) -> Result
         }
         mut sampler => (sampler.look(pixel, &mut shoot).color, None),
     };
+
+    if seen.samples.iter().any(|sample| sample.rays.len() >= MOST_RAYS) {
+        let reason = format!(
+            "a ray through the picture leads to more than {MOST_RAYS} others: fewer --levels or a higher --cutoff tell less"
+        );
+        return Err(NoFrame::wrong(reason));
+    }
 
     let sum = match parts {
         None => Sum::Mean { share: 1.0 / seen.samples.len() as f32 },

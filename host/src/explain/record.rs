@@ -6,6 +6,9 @@ use super::names::Names;
 use super::tree::{Blocker, Hit, Light, Passage, Ray, Sent, Triple, triple, xyz};
 use crate::stats::ray_name;
 
+/// The most rays of one sample that are told, and can be waited for.
+pub const MOST_RAYS: usize = 1 << 18;
+
 /// The rays of one sample, as they are told.
 pub struct Record<'n> {
     names: &'n Names<'n>,
@@ -159,6 +162,10 @@ impl Tally for Record<'_> {
             // Whatever else a later core tells.
             _ => {}
         }
+    }
+
+    fn gives_up(&mut self) -> bool {
+        self.rays.len() >= MOST_RAYS
     }
 }
 

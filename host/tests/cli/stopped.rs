@@ -18,6 +18,33 @@ fn stopped_by(signal: &str, folder: &Folder, words: &str) -> Option<i32> {
     status.code()
 }
 
+/// A ball of glass inside of a ball of mirror: one ray through the picture leads to 2^63.
+const ENDLESS: &str = "\
+v from 0 0 9 at 0 0 0 up 0 1 0 angle 30 resolution 8 6
+l 5 5 5
+f 1 1 1 0 1 0 0 0
+s 0 0 0 10
+f 1 1 1 0 0.5 0 0.5 1.5
+s 0 0 0 8
+";
+
+#[test]
+fn a_tree_of_rays_without_end_is_left_when_a_signal_comes_or_the_time_is_over() {
+    let folder = Folder::with(ENDLESS);
+    for (signal, status) in [("INT", 130), ("TERM", 75)] {
+        for words in ["", "--select 4:0.1", "--stats text"] {
+            let words = format!("--levels 64 --cutoff 0 {words}");
+            assert_eq!(stopped_by(signal, &folder, &words), Some(status), "{words}");
+        }
+    }
+    let deep = "scene.nff --levels 64 --cutoff 0";
+    folder
+        .run(&format!("render {deep} --time-limit 200ms"))
+        .failed(75, "the time is over; nothing was written");
+    folder.run(&format!("explain {deep} 4,3")).failed(65, "fewer --levels");
+    assert_eq!(folder.names(), ["scene.nff"]);
+}
+
 #[test]
 fn an_interrupt_ends_with_130_and_leaves_nothing_behind() {
     let folder = Folder::with(BALL);

@@ -56,6 +56,37 @@ fn a_full_tree_of_rays_needs_no_more_room_than_levels() {
     }
 }
 
+/// Counts rays, and has enough after so many.
+struct Enough(u64);
+
+impl Tally for Enough {
+    fn count(&mut self, event: Event) {
+        self.0 = self.0.saturating_sub(u64::from(matches!(event, Event::Ray(_))));
+    }
+
+    fn gives_up(&mut self) -> bool {
+        self.0 == 0
+    }
+}
+
+#[test]
+fn a_tree_that_is_given_up_ends_at_once_with_what_its_rays_have_brought() {
+    let stage = panes(64);
+    let world = World::new(stage.scene(), List::bare(stage.len()));
+    let view = View { from: Vec3::ZERO, at: Vec3::X, up: Vec3::Y, ..VIEW };
+    let camera = Camera::new(&view, size(1, 1)).unwrap();
+    // The whole tree has 2^64 rays.
+    let limits = Limits { levels: 64, cutoff: 0.0 };
+    let tracer = Tracer::<_, Everything, 64>::new(&world, camera, limits).unwrap();
+    let mut worker = Worker::new(Enough(0));
+    // Of the first levels, one ray of each: a quarter of light times a half, a quarter, ...
+    for (rays, light) in [(1, 0.25), (2, 0.375), (3, 0.4375), (1, 0.25)] {
+        worker.tally_mut().0 = rays;
+        assert_eq!(tracer.look(MIDDLE, &mut worker).color, Rgb::gray(light), "{rays}");
+        assert_eq!(worker.tally().0, 0);
+    }
+}
+
 #[test]
 fn room_for_more_levels_gives_the_same_picture() {
     let stage = fair();
