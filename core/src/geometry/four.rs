@@ -44,9 +44,7 @@ impl FourTriangles {
     /// operations in the same order.
     #[inline(always)]
     pub(crate) fn may_meet(&self, ray: &Ray) -> u32 {
-        // Not by `map`, for which the compiler leaves a call in some builds.
-        let [a, b, c] = &self.corners;
-        let (a, b, c) = (seen(a, ray), seen(b, ray), seen(c, ray));
+        let [a, b, c] = self.corners.each_ref().map(|corner| seen(corner, ray));
         let u = c[0] * b[1] - c[1] * b[0];
         let v = a[0] * c[1] - a[1] * c[0];
         let w = b[0] * a[1] - b[1] * a[0];
