@@ -12,27 +12,26 @@ use indicatif::HumanCount;
 
 use crate::args::CastArgs;
 use crate::failure::Failure;
-use crate::load::load;
-use crate::output::{Output, say};
+use crate::load::{Files, load_from};
+use crate::output::{Guard, say};
 use crate::precision::Precision;
 use crate::rays::{Cast, NoCast, Stream};
 use crate::signals::Signals;
+use crate::wanted::DEFAULT_SIZE;
 use crate::{double, hits, stock};
 
 /// Casts rays into one scene.
 pub fn run(args: &CastArgs) -> Result<(), Failure> {
     let signals = Signals::listen()?;
     let clock = Instant::now();
-    let mut description = load(&args.scene)?;
+    let files = Files::on_disk();
+    let mut description = load_from(&files, &args.scene, DEFAULT_SIZE)?;
     // A ray of the file has no time.
     description.moving.clear();
     for warning in description.warnings.iter().filter(|_| !args.quiet) {
         say(format_args!("{}: warning: {warning}", args.scene.display()));
     }
-    let output = Output::prepare(&args.output)?;
-    if output.replaces(&args.rays) || output.replaces(&args.scene) {
-        return Err(Failure::Usage("the hits and the rays or the scene are the same file".into()));
-    }
+    let output = Guard::of(files.named().iter().chain([&args.rays])).prepare(&args.output)?;
     let (input, name) = rays(&args.rays, args.quiet)?;
 
     let precision = args.precision.or(description.settings.precision).unwrap_or_default();

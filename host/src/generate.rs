@@ -8,7 +8,7 @@ use indicatif::{HumanBytes, HumanCount};
 
 use crate::args::GenerateArgs;
 use crate::failure::Failure;
-use crate::output::{Output, say};
+use crate::output::{Guard, Output, say};
 use crate::procedural::{Form, MOST_OBJECTS, What};
 use crate::signals::Signals;
 
@@ -28,9 +28,10 @@ pub fn run(args: &GenerateArgs) -> Result<(), Failure> {
         return Err(Failure::Usage(reason));
     }
 
-    let output = Output::prepare(&path)?;
+    let mut guard = Guard::default();
+    let output = guard.prepare(&path)?;
     if let Some(ply) = &beside {
-        write(Output::prepare(ply)?, &signals, &mut |out| what.write(size, Form::Ply, args.bare, "", out))?;
+        write(guard.prepare(ply)?, &signals, &mut |out| what.write(size, Form::Ply, args.bare, "", out))?;
     }
     let name = beside.as_deref().and_then(Path::file_name).and_then(OsStr::to_str).unwrap_or_default();
     let bytes = write(output, &signals, &mut |out| what.write(size, form, args.bare, name, out))?;

@@ -19,7 +19,7 @@ use crate::frame::{self, Frame};
 use crate::heat::{self, Costs};
 use crate::load::{Files, load_from};
 use crate::mask::Mask;
-use crate::output::{Output, is_same_file, say, tell};
+use crate::output::{Guard, Output, say, tell};
 use crate::picture::{self, Format, Picture};
 use crate::plan::{Step, leave_out, plan};
 use crate::progress::Watch;
@@ -65,6 +65,8 @@ pub struct Job<'a> {
 pub struct Loaded {
     description: Description,
     mask: Option<Arc<Mask>>,
+    /// What was read for it, or named there.
+    inputs: Vec<PathBuf>,
     /// What it asked for and is not to be simulated.
     left_out: Vec<Step>,
     took: Duration,
@@ -84,11 +86,6 @@ impl<'a> Job<'a> {
         if self.args.quiet { Watch::silent(signals) } else { Watch::on_terminal(signals) }
     }
 
-    /// Whether the picture goes where the file at `path` is.
-    pub fn replaces(&self, path: &Path) -> bool {
-        is_same_file(&self.path, path)
-    }
-
     /// Loads the scene and the mask, and says what their user should know of.
     pub fn load(&self, files: &Files) -> Result<Loaded, Failure> {
         let clock = Instant::now();
@@ -99,22 +96,19 @@ impl<'a> Job<'a> {
         }
         let left_out = leave_out(&mut description, &args.without);
         let mask = args.mask.as_deref().map(|path| mask(files, path)).transpose()?;
-        Ok(Loaded { description, mask, left_out, took: clock.elapsed() })
+        let mut inputs = files.named();
+        inputs.extend(args.mask.clone());
+        Ok(Loaded { description, mask, inputs, left_out, took: clock.elapsed() })
     }
 
     /// Traces the picture and writes it, and whatever is to be told of it.
     pub fn render(&self, scene: &Loaded, watch: &Watch) -> Result<Answer, Failure> {
         let Job { args, path, format, aim, .. } = self;
         // Before the work, so that nothing is traced that cannot be kept.
-        let output = Output::prepare(path)?;
-        let report =
-            self.report.as_ref().map(|(form, path)| Ok((form, Output::prepare(path)?))).transpose()?;
-        if let Some((_, report)) = &report
-            && (report.replaces(path) || report.replaces(&args.scene))
-        {
-            return Err(Failure::Usage("the report and the picture or the scene are the same file".into()));
-        }
-        let heat = aim.cost.as_ref().map(|place| Heat::prepare(place, path, &args.scene)).transpose()?;
+        let mut guard = Guard::of(&scene.inputs);
+        let output = guard.prepare(path)?;
+        let report = self.report.as_ref().map(|(form, path)| Ok((form, guard.prepare(path)?))).transpose()?;
+        let heat = aim.cost.as_ref().map(|place| Heat::prepare(place, &mut guard)).transpose()?;
 
         let Loaded { description, left_out, took: load, .. } = scene;
         let wanted = wanted(args, scene, report.is_some())?;
@@ -185,7 +179,7 @@ impl<'a> Job<'a> {
         let wanted = wanted(self.args, scene, false)?;
         self.format.holds(wanted.size)?;
         let Some(coarse) = draft::of(&wanted) else { return Ok(()) };
-        let output = Output::prepare(&self.path)?;
+        let output = Guard::of(&scene.inputs).prepare(&self.path)?;
         let frame = self.trace(&scene.description, &coarse, watch)?;
         self.write(&draft::enlarged(&frame.picture, wanted.size), output, watch)
     }
@@ -221,16 +215,11 @@ struct Heat<'h> {
 }
 
 impl<'h> Heat<'h> {
-    fn prepare(path: &'h Path, picture: &Path, scene: &Path) -> Result<Self, Failure> {
+    fn prepare(path: &'h Path, guard: &mut Guard) -> Result<Self, Failure> {
         if path == Path::new("-") {
             return Err(Failure::Usage("what pixels cost needs a file, not `-`".into()));
         }
-        let (format, output) = (Format::of(path)?, Output::prepare(path)?);
-        if output.replaces(picture) || output.replaces(scene) {
-            return Err(Failure::Usage(
-                "the picture of the costs and the picture or the scene are the same file".into(),
-            ));
-        }
+        let (format, output) = (Format::of(path)?, guard.prepare(path)?);
         Ok(Heat { path, format, output })
     }
 

@@ -49,10 +49,6 @@ pub fn run(args: &RenderArgs) -> Result<Stop, Failure> {
         }
     }
     let job = Job::of(args)?;
-    // Each picture would change the mask of the next, for ever.
-    if args.mask.as_deref().is_some_and(|mask| job.replaces(mask)) {
-        return Err(Failure::Usage("the picture and its mask are the same file".into()));
-    }
     let signals = Signals::listen()?;
     let watch = job.watch(signals.clone());
     let mut changes = Changes::new(&signals)?;

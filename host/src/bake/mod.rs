@@ -17,8 +17,8 @@ use crate::description::Description;
 use crate::failure::Failure;
 use crate::finding::{Bounds, Finding, Kind, MAILBOX, Walk};
 use crate::frame::{self};
-use crate::load::load_for;
-use crate::output::{Output, say, tell};
+use crate::load::{Files, load_from};
+use crate::output::{Guard, say, tell};
 use crate::progress::Watch;
 use crate::signals::Signals;
 use crate::stock::single::{self, Stock};
@@ -44,14 +44,12 @@ pub struct Asked {
 
 /// Bakes one scene.
 pub fn run(args: &BakeArgs) -> Result<(), Failure> {
-    let description = load_for(&args.scene, args.size.unwrap_or(DEFAULT_SIZE))?;
+    let files = Files::on_disk();
+    let description = load_from(&files, &args.scene, args.size.unwrap_or(DEFAULT_SIZE))?;
     for warning in description.warnings.iter().filter(|_| !args.quiet) {
         say(format_args!("{}: warning: {warning}", args.scene.display()));
     }
-    let output = Output::prepare(&args.output)?;
-    if output.replaces(&args.scene) {
-        return Err(Failure::Usage("the baked scene would replace the scene".into()));
-    }
+    let output = Guard::of(files.named()).prepare(&args.output)?;
     let wrong = |reason: String| Failure::Input { path: args.scene.clone(), line: None, reason };
     let stock = Stock::new(&description);
     let scene = stock.scene().map_err(|error| wrong(error.to_string()))?;

@@ -19,7 +19,7 @@ use strahl_core::Size;
 use crate::args::CompareArgs;
 use crate::colormap::{inferno, step_of};
 use crate::failure::{Answer, Failure};
-use crate::output::Output;
+use crate::output::{Guard, Output};
 use crate::picture::read::{Pixels, read};
 use crate::picture::{Format, Picture, srgb};
 use crate::wrap::{width_of_stdout, wrapped};
@@ -90,10 +90,7 @@ fn map(size: Size, pair: &Pair) -> Picture {
 
 fn write_map(args: &CompareArgs, path: &Path, format: Format, map: &Picture) -> Result<(), Failure> {
     format.holds(map.size)?;
-    let output = Output::prepare(path)?;
-    if output.replaces(&args.first) || output.replaces(&args.second) {
-        return Err(Failure::Usage("the map and one of the pictures are the same file".into()));
-    }
+    let output = Guard::of([&args.first, &args.second]).prepare(path)?;
     let file = format.encode(map).map_err(|error| Failure::Unwritable {
         path: Some(path.to_owned()),
         error: std::io::Error::other(error),

@@ -15,8 +15,8 @@ use strahl_core::{Pixel, Rgb, Tile};
 
 use crate::args::ExplainArgs;
 use crate::failure::Failure;
-use crate::load::load_for;
-use crate::output::{Output, say};
+use crate::load::{Files, load_from};
+use crate::output::{Guard, Output, say};
 use crate::plan::{Effect, leave_out};
 use crate::precision::Precision;
 use crate::wanted::{DEFAULT_SIZE, Wanted};
@@ -32,15 +32,14 @@ pub mod tree;
 
 /// Tells how one pixel comes about.
 pub fn run(args: &ExplainArgs) -> Result<(), Failure> {
-    let svg = args.svg.as_deref().map(Output::prepare).transpose()?;
-    if svg.as_ref().is_some_and(|output| output.replaces(&args.scene)) {
-        return Err(Failure::Usage("the picture of the tree and the scene are the same file".into()));
-    }
     let drawn_to_stdout = args.svg.as_deref() == Some(Path::new("-"));
     if drawn_to_stdout && args.json {
         return Err(Failure::Usage("both the picture and the JSON would go to the standard output".into()));
     }
-    let explained = explained(args)?;
+    let files = Files::on_disk();
+    let explained = explained(args, &files)?;
+    let mut guard = Guard::of(files.named());
+    let svg = args.svg.as_deref().map(|path| guard.prepare(path)).transpose()?;
     if let Some(output) = svg {
         let sample = explained.samples.get(args.sample.unwrap_or(1) - 1);
         let picture = sample.map(|sample| svg::picture(&explained, sample)).unwrap_or_default();
@@ -59,8 +58,8 @@ pub fn run(args: &ExplainArgs) -> Result<(), Failure> {
 }
 
 /// Traces the pixel that is asked for.
-fn explained(args: &ExplainArgs) -> Result<Explained, Failure> {
-    let mut description = load_for(&args.scene, args.picture.size.unwrap_or(DEFAULT_SIZE))?;
+fn explained(args: &ExplainArgs, files: &Files) -> Result<Explained, Failure> {
+    let mut description = load_from(files, &args.scene, args.picture.size.unwrap_or(DEFAULT_SIZE))?;
     for warning in description.warnings.iter().filter(|_| !args.quiet) {
         say(format_args!("{}: warning: {warning}", args.scene.display()));
     }

@@ -1,11 +1,12 @@
 //! The files that a scene is made of.
 //!
 //! A scene may name files beside it, which may name others. Whoever wants to know when to load
-//! it again asks which they were, whether loading went well or not. And loading can be kept away
-//! from the disk altogether: files held in memory are then all that there are.
+//! it again, or what must not be written over, asks which they were, whether loading went well or
+//! not. And loading can be kept away from the disk altogether: files held in memory are then all
+//! that there are.
 
 use std::cell::RefCell;
-use std::collections::{BTreeMap, HashMap};
+use std::collections::{BTreeMap, BTreeSet, HashMap};
 use std::io;
 use std::path::{Path, PathBuf};
 
@@ -16,6 +17,8 @@ use blake3::Hash;
 pub struct Files {
     /// All that there are; none for those of the disk.
     held: Option<HashMap<PathBuf, Vec<u8>>>,
+    /// All that were asked for or named, there or not.
+    named: RefCell<BTreeSet<PathBuf>>,
     /// What was found where, if that is kept; nothing where nothing could be read.
     found: Option<RefCell<BTreeMap<PathBuf, Option<Hash>>>>,
 }
@@ -28,17 +31,27 @@ impl Files {
 
     /// Those of the disk; what is read is kept in mind.
     pub fn remembered() -> Self {
-        Files { held: None, found: Some(RefCell::default()) }
+        Files { found: Some(RefCell::default()), ..Files::default() }
     }
 
     /// These and no others.
     pub fn held(files: impl IntoIterator<Item = (PathBuf, Vec<u8>)>) -> Self {
-        Files { held: Some(files.into_iter().collect()), found: None }
+        Files { held: Some(files.into_iter().collect()), ..Files::default() }
     }
 
     /// All that were asked for, there or not, if they are remembered.
     pub fn asked(&self) -> Vec<PathBuf> {
         self.found.iter().flat_map(|found| found.borrow().keys().cloned().collect::<Vec<_>>()).collect()
+    }
+
+    /// All that were asked for or named, there or not, read or not.
+    pub fn named(&self) -> Vec<PathBuf> {
+        self.named.borrow().iter().cloned().collect()
+    }
+
+    /// A file that is named and not read.
+    pub(super) fn mention(&self, path: PathBuf) {
+        self.named.borrow_mut().insert(path);
     }
 
     /// Whether all of them still are what they were, if they are remembered.
@@ -68,6 +81,7 @@ impl Files {
     }
 
     fn remember(&self, path: &Path, read: io::Result<Vec<u8>>) -> io::Result<Vec<u8>> {
+        self.mention(path.to_owned());
         if let Some(found) = &self.found {
             let hash = read.as_ref().ok().map(|bytes| blake3::hash(bytes));
             found.borrow_mut().insert(path.to_owned(), hash);

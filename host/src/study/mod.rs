@@ -26,8 +26,10 @@
 //! | [`device`] | what firmware has measured |
 //! | [`page`] | `report.html` |
 
+use std::collections::HashMap;
 use std::ffi::OsStr;
 use std::fs;
+use std::iter;
 use std::path::{Path, PathBuf};
 use std::time::Duration;
 
@@ -38,8 +40,8 @@ use crate::cost::WEIGHTS;
 use crate::description::{Description, Settings};
 use crate::failure::Failure;
 use crate::frame::Facts;
-use crate::load::load_for;
-use crate::output::{Output, say, tell};
+use crate::load::{Files, load_from};
+use crate::output::{Guard, Output, say, tell};
 use crate::plan::Effect;
 use crate::signals::Signals;
 use crate::stock::single::Stock;
@@ -86,7 +88,8 @@ pub fn run(args: &StudyArgs) -> Result<(), Failure> {
         (_, Some(file)) => {
             let study = Study::read(file)?;
             let folder = args.output.clone().unwrap_or_else(|| folder_of(file));
-            let folder = Folder::prepare(&folder)?;
+            let guard = Guard::of(iter::once(file).chain(&args.device));
+            let mut folder = Folder::prepare(&folder, guard, &["report.html", "study.csv"])?;
             folder.write("report.html", page::page(&study, device.as_ref()).as_bytes())?;
             folder.write("study.csv", table::table(&study).as_bytes())?;
             args.tell(&format!("{}\n", folder.path.join("report.html").display()));
@@ -94,9 +97,12 @@ pub fn run(args: &StudyArgs) -> Result<(), Failure> {
         }
         (Some(path), None) => {
             let signals = Signals::listen()?;
-            let scene = load(path, args)?;
+            let files = Files::on_disk();
+            let scene = load(&files, path, args)?;
             // Before the work, so that nothing is measured that cannot be kept.
-            let folder = Folder::prepare(&args.output.clone().unwrap_or_else(|| folder_for(path)))?;
+            let guard = Guard::of(files.named().iter().chain(&args.device));
+            let folder = args.output.clone().unwrap_or_else(|| folder_for(path));
+            let mut folder = Folder::prepare(&folder, guard, &["study.json", "study.csv", "report.html"])?;
             let study = study(path, &scene, args, signals)?;
             folder.write("study.json", study.to_json().as_bytes())?;
             folder.write("study.csv", table::table(&study).as_bytes())?;
@@ -109,8 +115,8 @@ pub fn run(args: &StudyArgs) -> Result<(), Failure> {
 }
 
 /// Loads the scene, and says what its user should know of.
-fn load(path: &Path, args: &StudyArgs) -> Result<Description, Failure> {
-    let scene = load_for(path, args.size.unwrap_or(DEFAULT_SIZE))?;
+fn load(files: &Files, path: &Path, args: &StudyArgs) -> Result<Description, Failure> {
+    let scene = load_from(files, path, args.size.unwrap_or(DEFAULT_SIZE))?;
     for warning in scene.warnings.iter().filter(|_| !args.quiet) {
         say(format_args!("{}: warning: {warning}", path.display()));
     }
@@ -196,19 +202,22 @@ fn smaller(size: Size) -> Size {
 /// Where a study goes.
 struct Folder {
     path: PathBuf,
+    /// The files that are still to be written there.
+    files: HashMap<&'static str, Output>,
 }
 
 impl Folder {
-    /// Makes it, if it is not there, and makes sure that files can be written in it.
-    fn prepare(path: &Path) -> Result<Self, Failure> {
+    /// Makes it, if it is not there, and makes sure that these files can be written in it.
+    fn prepare(path: &Path, mut guard: Guard, names: &[&'static str]) -> Result<Self, Failure> {
         let unwritable = |error| Failure::Unwritable { path: Some(path.to_owned()), error };
         fs::create_dir_all(path).map_err(unwritable)?;
-        Output::prepare(&path.join("report.html")).map(drop)?;
-        Ok(Folder { path: path.to_owned() })
+        let files = names.iter().map(|name| Ok((*name, guard.prepare(&path.join(name))?)));
+        Ok(Folder { path: path.to_owned(), files: files.collect::<Result<_, Failure>>()? })
     }
 
-    fn write(&self, name: &str, bytes: &[u8]) -> Result<(), Failure> {
-        Output::prepare(&self.path.join(name))?.commit(bytes)
+    /// Lets one of the files appear.
+    fn write(&mut self, name: &str, bytes: &[u8]) -> Result<(), Failure> {
+        self.files.remove(name).map_or(Ok(()), |output| output.commit(bytes))
     }
 }
 

@@ -103,7 +103,7 @@ fn aims_that_contradict_each_other_are_wrong_usage() {
         ("--target-error 0", "more than 0"),
         ("--time-limit 2parsecs", "a time is expected"),
         ("--cost -", "needs a file"),
-        ("--cost scene.png", "the same file"),
+        ("--cost scene.png", "would replace"),
         ("--print-settings --target-error 0.1", "cannot be used with"),
     ] {
         folder.run(&format!("render scene.toml {words}")).failed(2, says);

@@ -386,7 +386,7 @@ fn wrong_usage_is_told_with_status_2_and_changes_no_picture() {
         folder.run(words).failed(2, says);
     }
     folder.write("c.png", png(&gray()));
-    folder.run("compare a c.png -o ./c.png").failed(2, "the same file");
+    folder.run("compare a c.png -o ./c.png").failed(2, "would replace");
     assert_eq!(folder.read("c.png"), png(&gray()));
     folder.run("compare a b -o missing/map.png").failed(74, "cannot write missing/map.png");
     assert_eq!(folder.names(), ["a", "b", "c.png", "scene.nff"]);

@@ -88,7 +88,7 @@ fn a_pixel_outside_the_picture_is_wrong_usage() {
         ("scene.toml 24,0", "is not in the picture of 24x16"),
         ("scene.toml 1", "two whole numbers with a comma"),
         ("scene.toml 1,1 --svg - --json", "standard output"),
-        ("scene.toml 1,1 --svg scene.toml", "the same file"),
+        ("scene.toml 1,1 --svg scene.toml", "would replace"),
     ] {
         folder.run(&format!("explain {words}")).failed(2, says);
     }

@@ -5,6 +5,7 @@ mod cast;
 mod compare;
 mod explain;
 mod generate;
+mod guard;
 mod info;
 mod manual;
 mod outputs;

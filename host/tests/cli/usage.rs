@@ -221,10 +221,10 @@ fn wrong_usage_is_told_with_status_2_and_nothing_is_written() {
         (format!("{scene} -o a.jpg --size 65536x1"), "at most 65535 pixels"),
         (format!("{scene} -o - --stats json"), "needs a --stats-file"),
         (format!("{scene} -o - --stats-file -"), "needs a --stats-file"),
-        (format!("{scene} -o a.png --stats-file a.png"), "the same file"),
-        (format!("{scene} -o a.png --stats-file ./a.png"), "the same file"),
-        (format!("{scene} --stats-file scene.png"), "the same file"),
-        (format!("{scene} --stats-file scene.nff"), "the same file"),
+        (format!("{scene} -o a.png --stats-file a.png"), "would replace"),
+        (format!("{scene} -o a.png --stats-file ./a.png"), "would replace"),
+        (format!("{scene} --stats-file scene.png"), "would replace"),
+        (format!("{scene} --stats-file scene.nff"), "would replace"),
     ] {
         folder.run(&words).failed(2, says);
         assert_eq!(folder.names(), ["scene.nff"], "{words}");

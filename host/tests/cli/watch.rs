@@ -184,6 +184,8 @@ fn what_cannot_be_watched_is_refused() {
     folder.run("watch scene.toml --mask -").failed(2, "needs a file");
     folder.run("watch scene.toml --mask /dev/null").failed(2, "no file");
     // Each picture would be the mask of the next.
-    folder.run("watch scene.toml --mask scene.png").failed(2, "the same file");
-    folder.run("watch scene.toml --mask a.ppm -o ./a.ppm").failed(2, "the same file");
+    folder.done("render scene.toml -q");
+    folder.done("render scene.toml -q -o a.ppm");
+    folder.run("watch scene.toml --mask scene.png").failed(2, "would replace");
+    folder.run("watch scene.toml --mask a.ppm -o ./a.ppm").failed(2, "would replace");
 }

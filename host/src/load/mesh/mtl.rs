@@ -8,7 +8,9 @@
 //! | `Ni` | index of refraction where `illum` is 4, 6, 7 or 9 (glass); else light passes straight on |
 //! | `illum` | what there is, as above; 7 parts light by Fresnel's formulas |
 //!
-//! Textures are left out; one warning counts them.
+//! Textures are left out; one warning counts them, and their names are kept.
+
+use std::iter;
 
 use strahl_core::{Interface, Material, Rgb};
 
@@ -16,6 +18,15 @@ use super::Wrong;
 use super::gather::Gather;
 use super::text::{Line, lines, text_of};
 use crate::load::shown::shown;
+
+/// What a library has.
+#[derive(Default)]
+pub(super) struct Library {
+    pub(super) materials: Vec<Named>,
+    /// What may be the names of textures: all that follows the word, and, as options may stand
+    /// there, the last of it.
+    pub(super) textures: Vec<String>,
+}
 
 /// A material of the library.
 pub(super) struct Named {
@@ -38,9 +49,9 @@ struct Words {
 }
 
 /// Reads the bytes of a library.
-pub(super) fn read(bytes: &[u8], gather: &mut Gather) -> Result<Vec<Named>, Wrong> {
+pub(super) fn read(bytes: &[u8], gather: &mut Gather) -> Result<Library, Wrong> {
     let text = text_of(bytes)?;
-    let mut materials = Vec::new();
+    let Library { mut materials, mut textures } = Library::default();
     let mut open: Option<Words> = None;
     for line in lines(&text) {
         if line.keyword == "newmtl" {
@@ -54,6 +65,7 @@ pub(super) fn read(bytes: &[u8], gather: &mut Gather) -> Result<Vec<Named>, Wron
             || matches!(line.keyword, "bump" | "disp" | "decal" | "refl" | "norm")
         {
             gather.left_out("textures of materials are left out", None);
+            textures.extend(iter::once(line.rest).chain(line.words().last()).map(str::to_owned));
             continue;
         }
         let is_known = matches!(line.keyword, "Kd" | "Ks" | "Ns" | "d" | "Tr" | "Tf" | "Ni" | "illum");
@@ -64,7 +76,7 @@ pub(super) fn read(bytes: &[u8], gather: &mut Gather) -> Result<Vec<Named>, Wron
         }
     }
     materials.extend(open.map(Words::finish));
-    Ok(materials)
+    Ok(Library { materials, textures })
 }
 
 impl Words {

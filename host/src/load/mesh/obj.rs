@@ -132,13 +132,13 @@ impl Reader {
             return Ok(());
         }
         if let Ok(bytes) = files.companion(&folder.join(line.rest)) {
-            return self.one_library(&folder.join(line.rest), &bytes);
+            return self.one_library(files, &folder.join(line.rest), &bytes);
         }
         for name in line.words() {
             if name == line.rest || self.libraries.insert(name.to_owned()) {
                 let path = folder.join(name);
                 match files.companion(&path) {
-                    Ok(bytes) => self.one_library(&path, &bytes)?,
+                    Ok(bytes) => self.one_library(files, &path, &bytes)?,
                     Err(error) => {
                         let (name, line) = (shown(name), line.number);
                         let what = format!("the materials {name} of line {line} cannot be read: {error}");
@@ -150,9 +150,12 @@ impl Reader {
         Ok(())
     }
 
-    fn one_library(&mut self, path: &Path, bytes: &[u8]) -> Result<(), Failure> {
+    fn one_library(&mut self, files: &Files, path: &Path, bytes: &[u8]) -> Result<(), Failure> {
         let wrong = |(line, reason): Wrong| Failure::Input { path: path.to_owned(), line, reason };
-        for material in mtl::read(bytes, &mut self.gather).map_err(wrong)? {
+        let mtl::Library { materials, textures } = mtl::read(bytes, &mut self.gather).map_err(wrong)?;
+        let folder = path.parent().unwrap_or(Path::new(""));
+        textures.iter().for_each(|name| files.mention(folder.join(name)));
+        for material in materials {
             let Some(place) = self.gather.material(material.name.clone(), material.it) else {
                 return Err(wrong((Some(material.line), "more materials than a scene can number".into())));
             };

@@ -85,6 +85,15 @@ impl Buffers {
         Ok(Buffers { loaded })
     }
 
+    /// Names the files of textures, which are not read.
+    pub(super) fn mention_textures(files: &Files, path: &Path, root: &Root) {
+        let beside = |uri: &&str| !uri.starts_with("data:") && !uri.contains("://");
+        let uris = root.images.iter().filter_map(|image| image.uri.as_deref()).filter(beside);
+        for name in uris.filter_map(unescaped) {
+            files.mention(path.parent().unwrap_or(Path::new("")).join(name));
+        }
+    }
+
     /// How many bytes there are.
     pub(super) fn bytes(&self) -> usize {
         self.loaded.iter().map(|bytes| bytes.len()).sum()

@@ -16,6 +16,7 @@ pub(super) struct Root {
     pub(super) accessors: Vec<Accessor>,
     pub(super) buffer_views: Vec<View>,
     pub(super) buffers: Vec<Buffer>,
+    pub(super) images: Vec<Image>,
 }
 
 /// What is shown together.
@@ -97,6 +98,12 @@ pub(super) struct View {
 #[serde(rename_all = "camelCase")]
 pub(super) struct Buffer {
     pub(super) byte_length: u64,
+    pub(super) uri: Option<String>,
+}
+
+/// A texture: in a file, in the text, or in a view.
+#[derive(Deserialize)]
+pub(super) struct Image {
     pub(super) uri: Option<String>,
 }
 

@@ -45,6 +45,7 @@ pub(super) fn read(files: &Files, path: &Path, bytes: Vec<u8>) -> Result<Mesh, F
     if let Some(name) = root.extensions_required.iter().find(|name| !KNOWN.contains(&name.as_str())) {
         return Err(wrong((None, format!("the file requires the extension {}", shown(name)))));
     }
+    Buffers::mention_textures(files, path, &root);
     let buffers = Buffers::load(files, path, &root, binary)?;
     let most = size.saturating_add(buffers.bytes());
     let most = if most < MOST { MOST } else { most };

@@ -1,7 +1,10 @@
 //! Files that are complete or absent.
 //!
 //! A file is written beside its place and renamed when it is whole. It is made before the work
-//! begins, so that a place that cannot be written is told at once and not after an hour.
+//! begins, so that a place that cannot be written is told at once and not after an hour. It is the
+//! [`Guard`] that makes it, so that nothing is replaced that the command reads.
+
+mod guard;
 
 use std::fmt;
 use std::fs::{self, Permissions};
@@ -12,6 +15,8 @@ use tempfile::{Builder, NamedTempFile};
 
 use crate::failure::Failure;
 use crate::faults::Screen;
+
+pub use guard::Guard;
 
 /// A place for one output.
 #[derive(Debug)]
@@ -38,7 +43,7 @@ pub enum Output {
 
 impl Output {
     /// Makes sure that `path` can be written; `-` is the standard output.
-    pub fn prepare(path: &Path) -> Result<Self, Failure> {
+    fn prepare(path: &Path) -> Result<Self, Failure> {
         if path == Path::new("-") {
             return Ok(Output::Stdout);
         }
@@ -66,11 +71,6 @@ impl Output {
         }
         let beside = builder.tempfile_in(folder).map_err(unwritable)?;
         Ok(Output::File { name: path.to_owned(), place, beside })
-    }
-
-    /// Whether the file at `path` would be replaced.
-    pub fn replaces(&self, path: &Path) -> bool {
-        matches!(self, Output::File { place, .. } if *place == place_of(path))
     }
 
     /// Writes everything and lets the file appear.
@@ -130,11 +130,6 @@ pub fn complain(failure: &Failure) {
         Failure::Faults(faults) => tell(format_args!("{}\n", faults.show(Screen::of_stderr()))),
         _ => say(failure),
     }
-}
-
-/// Whether both are the same file, or would be.
-pub fn is_same_file(one: &Path, other: &Path) -> bool {
-    place_of(one) == place_of(other)
 }
 
 /// Where a file is, or would be. The file behind a link is meant, not the link.
