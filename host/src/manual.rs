@@ -1,6 +1,8 @@
 //! The commands `completions` and `man`: what the shell and the manual know of the command line.
 
-use clap::CommandFactory;
+use std::io::{self, Write};
+
+use clap::{Command, CommandFactory};
 use clap_complete::Shell;
 use clap_mangen::Man;
 
@@ -28,6 +30,36 @@ pub fn man(args: &ManArgs) -> Result<(), Failure> {
         },
     };
     let mut text = Vec::new();
-    Man::new(page).render(&mut text).map_err(|error| Failure::Unwritable { path: None, error })?;
+    write(page, &mut text).map_err(|error| Failure::Unwritable { path: None, error })?;
     Output::Stdout.commit(&text)
+}
+
+/// Writes a page, section by section: what stands behind the help has sections of its own.
+fn write(page: Command, out: &mut Vec<u8>) -> io::Result<()> {
+    let behind = page.get_after_long_help().map(|text| text.to_string()).unwrap_or_default();
+    let has_commands = page.has_subcommands();
+    let man = Man::new(page).source(concat!("strahl ", env!("CARGO_PKG_VERSION"))).manual("strahl");
+    man.render_title(out)?;
+    man.render_name_section(out)?;
+    man.render_synopsis_section(out)?;
+    man.render_description_section(out)?;
+    man.render_options_section(out)?;
+    if has_commands {
+        man.render_subcommands_section(out)?;
+    }
+    // A title, and lines as they are, or running text.
+    let Some((title, text)) = behind.split_once(':') else { return Ok(()) };
+    writeln!(out, ".SH {}", title.to_uppercase())?;
+    let has_lines = text.starts_with('\n');
+    if has_lines {
+        writeln!(out, ".nf")?;
+    }
+    for line in text.trim_matches('\n').lines() {
+        // Hyphens that can be copied; no line is taken for a request.
+        writeln!(out, "\\&{}", line.trim().replace('\\', "\\e").replace('-', "\\-"))?;
+    }
+    if has_lines {
+        writeln!(out, ".fi")?;
+    }
+    Ok(())
 }

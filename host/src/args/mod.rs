@@ -50,7 +50,7 @@ wrong; 66 it cannot be read; 74 the output cannot be written; 75 stopped by SIGT
 /// A Whitted ray tracer: the same picture, bit for bit, on a workstation and on a
 /// microcontroller.
 #[derive(Debug, Parser)]
-#[command(version, max_term_width = 100, disable_help_subcommand = true, after_long_help = STATUS)]
+#[command(version, max_term_width = 100, after_long_help = STATUS)]
 pub struct Args {
     /// What to do.
     #[command(subcommand)]
@@ -101,7 +101,9 @@ pub enum Command {
     /// Render a scene again at every save of it and of the files that it names, until Ctrl-C.
     ///
     /// A coarse picture comes first, then the full one. What is wrong in the scene is told, and
-    /// the last picture stays until it is mended. Takes the options of `render`, and follows the mask too.
+    /// the last picture stays until it is mended. Takes the options of `render`, and follows the mask
+    /// too; but not what is aimed at (--target-error, --time-limit), and no --cost. The picture goes
+    /// into a file, never to the standard output.
     Watch(RenderArgs),
     /// Tell what is in a scene, what it asks for and why, and what it takes.
     Info(InfoArgs),

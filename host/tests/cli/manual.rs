@@ -47,6 +47,20 @@ fn the_page_of_the_program_names_every_command_and_theirs_every_option() {
 }
 
 #[test]
+fn examples_stand_line_by_line_in_a_section_of_their_own() {
+    let folder = Folder::with(EMPTY);
+    let page = |words: &str| String::from_utf8(folder.done(words)).unwrap();
+    let render = page("man render");
+    let examples =
+        render.split(".SH EXAMPLES\n.nf\n").nth(1).and_then(|rest| rest.strip_suffix(".fi\n")).unwrap();
+    assert!(examples.lines().count() > 3, "{examples}");
+    assert!(examples.lines().all(|line| line.starts_with("\\&strahl render ")), "{examples}");
+    assert!(page("man").contains(".SH EXIT STATUS\n"));
+    assert!(!page("man cast").contains(".SH EXAMPLES"));
+    assert_eq!(page("help render"), page("render --help"));
+}
+
+#[test]
 fn a_shell_or_a_command_that_is_not_there_is_wrong_usage() {
     let folder = Folder::with(EMPTY);
     folder.run("completions").failed(2, "<SHELL>");
