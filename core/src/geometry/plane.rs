@@ -42,3 +42,10 @@ pub(super) fn level(ray: &Ray, t: Real, point: Vec3, normal: Vec3) -> Surface {
     let error = (abs(point_on) + Vec3::splat(largest(p))) * gamma(12 + LEAVING);
     Surface::flat(point_on, error, normal)
 }
+
+/// How far off a point the plane upright on the normal of a corner is, on the side of the normals or
+/// on the other; nothing when it lies below the point. The corner is seen from the point.
+pub(super) fn above(corner: Vec3, normal: Vec3, outside: bool) -> Vec3 {
+    let height = corner.dot(normal);
+    if if outside { height > 0.0 } else { height < 0.0 } { normal * height } else { Vec3::ZERO }
+}

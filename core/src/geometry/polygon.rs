@@ -9,8 +9,8 @@
 use zerocopy::{Immutable, KnownLayout, TryFromBytes};
 
 use super::meet::moved_into;
-use super::terminator::above;
-use super::{Aabb, Ray, ShapeFault, Surface, check_point, check_unit, plane::level};
+use super::plane::{above, level};
+use super::{Aabb, Ray, ShapeFault, Surface, check_point, check_unit};
 use crate::math::{Axis, Real, Vec3, abs, gamma, length, unit, vec3};
 
 /// A polygon whose corners lie in the scene's table of points.

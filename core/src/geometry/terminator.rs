@@ -31,10 +31,3 @@ impl Geometry<'_> {
         }
     }
 }
-
-/// How far off a point the plane upright on the normal of a corner is, on the side of the normals or
-/// on the other; nothing when it lies below the point. The corner is seen from the point.
-pub(super) fn above(corner: Vec3, normal: Vec3, outside: bool) -> Vec3 {
-    let height = corner.dot(normal);
-    if if outside { height > 0.0 } else { height < 0.0 } { normal * height } else { Vec3::ZERO }
-}

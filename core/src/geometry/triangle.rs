@@ -15,7 +15,7 @@
 //! Shared edge functions take about a third more instructions than each triangle for itself
 //! (Möller, Trumbore), and a distance moved into its own box as much again (`tests/HARD-CASES.md`).
 
-use super::{Aabb, Ray, Surface, ray::LEAVING, terminator::above};
+use super::{Aabb, Ray, Surface, plane::above, ray::LEAVING};
 use crate::math::{
     ROUNDOFF, Real, Vec3, abs, difference_error, difference_of_products, gamma, greatest, largest, least,
     unit, vec3,
