@@ -30,6 +30,9 @@ pub enum Effect {
 }
 
 impl Effect {
+    /// Those of which one ray sees a part by chance, so that a pixel needs many.
+    pub const DISTRIBUTED: [Effect; 4] = [Effect::Penumbra, Effect::Lens, Effect::Gloss, Effect::Motion];
+
     /// Every effect.
     pub const ALL: [Effect; 8] = [
         Effect::Shadows,

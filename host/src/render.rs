@@ -136,8 +136,9 @@ impl<'a> Job<'a> {
             };
             output.commit(text.as_bytes())?;
         }
+        let taken = aimed.as_ref().map_or(&wanted, |aimed| &aimed.taken);
         if let (Some(counters), false) = (&frame.counters, args.quiet) {
-            let mut summary = summary(path, &frame, counters, &plan, *load, write);
+            let mut summary = summary(path, &frame, counters, &plan, taken.sampling, *load, write);
             if let Some(aimed) = &aimed {
                 summary.push_str(&summary::lines(&aimed.lines()));
             }

@@ -12,6 +12,7 @@ use crate::counts::Counts;
 use crate::frame::Frame;
 use crate::plan::{Effect, Step};
 use crate::precision::Precision;
+use crate::sampling::Sampling;
 
 /// Where the text of the lines begins.
 pub const INDENT: usize = 12;
@@ -27,6 +28,7 @@ pub fn summary(
     frame: &Frame,
     counters: &Counts,
     plan: &[Step],
+    sampling: Sampling,
     load: Duration,
     write: Duration,
 ) -> String {
@@ -101,6 +103,21 @@ pub fn summary(
     }
     if counters.media_full() > 0 {
         line("cut", format!("{} entries into a fifth body at once", count(counters.media_full())));
+    }
+    if counters.camera_hits() == 0 && frame.facts.objects > 0 {
+        line("note", "no ray from the camera meets anything".into());
+    }
+    let noisy: Vec<_> = plan
+        .iter()
+        .filter(|step| step.simulated && Effect::DISTRIBUTED.contains(&step.effect))
+        .map(|step| step.effect.name())
+        .collect();
+    if sampling == Sampling::Single && !noisy.is_empty() {
+        let noisy = noisy.join(", ");
+        line(
+            "note",
+            format!("one ray in a pixel makes noise of {noisy}; --sampler stochastic:64 makes less"),
+        );
     }
     text
 }

@@ -95,11 +95,26 @@ fn only_results_come_on_the_standard_output() {
         "  rays      12 camera, 0 reflected, 0 transmitted, 0 shadow",
         "  found by  list with boxes, few items: 1 region, 48 B",
         "  left out  shadows, reflection, transmission, colored-shadows, penumbra, lens, gloss, motion: not called for",
+        "  note      no ray from the camera meets anything",
     ];
     assert_eq!(said.len(), begins.len(), "{said:#?}");
     for (line, begin) in said.iter().zip(begins) {
         assert!(line.starts_with(begin), "`{begin}` does not begin {line}");
         assert!(!line.contains('\u{1b}'), "colours where there is no terminal: {line:?}");
+    }
+}
+
+#[test]
+fn what_one_ray_in_a_pixel_makes_noise_of_is_told() {
+    let folder = Folder::with(EMPTY);
+    let soft = "render = { size = [8, 6] }\n[[sphere_light]]\nposition = [2, 4, 2]\nradius = 0.5\n\
+        [[sphere]]\ncenter = [0, 1, 0]\nradius = 1\n";
+    folder.write("soft.toml", soft);
+    let note = "one ray in a pixel makes noise of penumbra; --sampler stochastic:64 makes less";
+    for (words, is_told) in [("", true), ("--sampler stochastic:4", false), ("--without penumbra", false)] {
+        let ran = folder.run(&format!("render soft.toml {words}"));
+        assert_eq!(ran.status, Some(0), "{}", ran.stderr);
+        assert_eq!(ran.stderr.contains(note), is_told, "{words}: {}", ran.stderr);
     }
 }
 
