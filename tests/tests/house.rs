@@ -273,6 +273,43 @@ fn no_room_is_too_long() {
     }
 }
 
+/// What a document names: paths from the workspace's root into the folders of scenes and tests, and what
+/// its links lead to.
+fn named_in(document: &str, text: &str) -> BTreeSet<PathBuf> {
+    let is_of_a_path = |c: char| c.is_ascii_alphanumeric() || "._/-".contains(c);
+    let paths = text.split(|c| !is_of_a_path(c)).map(|word| word.trim_end_matches('.'));
+    let paths = paths.filter(|word| word.starts_with("scenes/") || word.starts_with("tests/"));
+    let links = after(text, "](").filter_map(|link| link.split([')', '#']).next());
+    let links = links.filter(|link| !link.is_empty() && !link.contains("://"));
+    let folder = Path::new(document).parent().unwrap();
+    paths.map(PathBuf::from).chain(links.map(|link| folder.join(link))).collect()
+}
+
+#[test]
+fn every_path_that_a_document_names_is_there() {
+    let mut documents = vec!["README.md".to_owned(), "CHANGELOG.md".to_owned()];
+    for folder in ["scenes", "tests"] {
+        let files = fs::read_dir(workspace().join(folder)).unwrap();
+        let names = files.map(|file| file.unwrap().file_name().into_string().unwrap());
+        documents.extend(names.filter(|name| name.ends_with(".md")).map(|name| format!("{folder}/{name}")));
+    }
+    let mut count = 0;
+    for document in documents {
+        for path in named_in(&document, &read(&workspace().join(&document))) {
+            assert!(workspace().join(&path).exists(), "{document} names {}", path.display());
+            count += 1;
+        }
+    }
+    assert!(count > 50, "only {count} paths found");
+}
+
+#[test]
+fn the_paths_that_a_document_names_are_found() {
+    let text = "`strahl a scenes/b.toml`, host/tests/c; tests/d/e.rs. [f](g.md#h) [i](https://j/k) [l](#m)\n";
+    let found: Vec<PathBuf> = named_in("tests/n.md", text).into_iter().collect();
+    assert_eq!(found, ["scenes/b.toml", "tests/d/e.rs", "tests/g.md"].map(PathBuf::from));
+}
+
 /// The functions that can be called from outside the core: their names, and where they are.
 fn doors() -> BTreeMap<String, String> {
     let rooms = rooms();
