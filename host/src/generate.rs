@@ -18,7 +18,8 @@ pub fn run(args: &GenerateArgs) -> Result<(), Failure> {
         Signals::listen().map_err(|error| Failure::Usage(format!("cannot listen for signals: {error}")))?;
     let what = args.what;
     let size = size(what, args.size)?;
-    let path = args.output.clone().unwrap_or_else(|| PathBuf::from(format!("{what}.nff")));
+    let extension = args.format.unwrap_or(Form::Nff).extension();
+    let path = args.output.clone().unwrap_or_else(|| PathBuf::from(format!("{what}.{extension}")));
     let form = form(what, &path, args.format)?;
     let beside = (form == Form::Toml && what.triangles(size).is_some()).then(|| path.with_extension("ply"));
     if beside.is_some() && path == Path::new("-") {

@@ -19,7 +19,7 @@ pub struct GenerateArgs {
     pub size: Option<u32>,
 
     /// Where it goes; the extension names the format (.nff .toml .ply), `-` is the standard output
-    /// (NFF) [default: WHAT.nff, in the current folder].
+    /// (NFF) [default: WHAT with the extension of the --format or .nff, in the current folder].
     #[arg(short, long, value_name = "FILE")]
     pub output: Option<PathBuf>,
 

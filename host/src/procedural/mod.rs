@@ -191,6 +191,15 @@ impl Form {
         let extension = path.extension()?.to_str()?;
         Form::from_str(extension, true).ok()
     }
+
+    /// The extension of such files.
+    pub fn extension(self) -> &'static str {
+        match self {
+            Form::Nff => "nff",
+            Form::Toml => "toml",
+            Form::Ply => "ply",
+        }
+    }
 }
 
 #[cfg(test)]

@@ -54,6 +54,25 @@ fn the_default_is_nff_of_the_usual_size_in_the_current_folder() {
 }
 
 #[test]
+fn the_default_name_has_the_extension_of_the_format() {
+    let folder = Folder::with(EMPTY);
+    for (words, names) in [
+        ("tree --format nff", &["scene.nff", "tree.nff"][..]),
+        ("tree --format toml", &["scene.nff", "tree.nff", "tree.toml"]),
+        ("knot --format ply", &["knot.ply", "scene.nff", "tree.nff", "tree.toml"]),
+        (
+            "tetra --format toml",
+            &["knot.ply", "scene.nff", "tetra.ply", "tetra.toml", "tree.nff", "tree.toml"],
+        ),
+    ] {
+        folder.done(&format!("generate {words} --size 1 -q"));
+        assert_eq!(folder.names(), names, "{words}");
+    }
+    assert_eq!(info(&folder, "tree.toml")["objects"], info(&folder, "tree.nff")["objects"]);
+    assert_eq!(info(&folder, "tetra.toml")["objects"], 4);
+}
+
+#[test]
 fn quiet_says_nothing_and_the_databases_names_are_known() {
     let folder = Folder::with(EMPTY);
     for (name, own) in [("balls", "sphereflake.nff"), ("mount", "mountain.nff")] {
