@@ -80,8 +80,8 @@ pub enum Command {
     ///
     /// A ray is a line ox,oy,oz,dx,dy,dz or ox,oy,oz,dx,dy,dz,tmax: where it starts, where it goes
     /// (a direction of any length from 1e-30 to 1e30), and how far a hit may be, in lengths of that
-    /// direction. The first line may name the fields instead; then the first row names those of the
-    /// hits, so that rows and lines always stand side by side.
+    /// direction. The first line may name the fields instead, by these names in this order; then the
+    /// first row names those of the hits, so that rows and lines always stand side by side.
     ///
     /// The row of a ray is hit,t,object,px,py,pz,nx,ny,nz: 1 or 0; how far, 0 < t <= tmax, in lengths
     /// of the direction; the number of the object in the order of the scene file, from 0, where every

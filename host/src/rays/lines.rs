@@ -28,6 +28,8 @@ pub(super) enum LineFault {
     Fields(usize),
     /// The field at this place is no number.
     Word(usize, String),
+    /// It names fields, but not these: it has these words.
+    Names(String),
     /// It is longer than [`LONGEST`].
     Long,
 }
@@ -43,6 +45,13 @@ impl fmt::Display for LineFault {
                 write!(f, "{} is empty; a number is expected", NAMES[*place])
             }
             LineFault::Word(place, word) => write!(f, "{} is `{word}`, which is no number", NAMES[*place]),
+            LineFault::Names(words) => {
+                write!(
+                    f,
+                    "`{words}` are no names of fields in their order; ox,oy,oz,dx,dy,dz or \
+                     ox,oy,oz,dx,dy,dz,tmax is expected"
+                )
+            }
             LineFault::Long => write!(f, "the line is longer than {LONGEST} bytes"),
         }
     }
@@ -91,12 +100,22 @@ impl Line {
     }
 }
 
-/// Whether a line names its fields: there are as many as of a ray, and none of them is a number.
-pub(super) fn is_header(line: &[u8]) -> bool {
+/// Whether a line names its fields: there are as many as of a ray, and none of them is a number. They
+/// must be the names of the fields of a ray, in their order; quoted or not, in letters of either size.
+pub(super) fn is_header(line: &[u8]) -> Result<bool, LineFault> {
     let count = fields(line).count();
-    line.len() <= LONGEST
+    let has_words = line.len() <= LONGEST
         && (count == NAMES.len() || count == NAMES.len() - 1)
-        && fields(line).all(|field| !field.is_empty() && number(field, Precision::Double).is_none())
+        && fields(line).all(|field| !field.is_empty() && number(field, Precision::Double).is_none());
+    let bare = |field: &'_ [u8]| -> Vec<u8> {
+        let quoted = field.strip_prefix(b"\"").and_then(|field| field.strip_suffix(b"\""));
+        quoted.unwrap_or(field).trim_ascii().to_ascii_lowercase()
+    };
+    if has_words && !fields(line).map(bare).zip(NAMES).all(|(field, name)| field == name.as_bytes()) {
+        let words = String::from_utf8_lossy(line.trim_ascii()).chars().take(80).collect();
+        return Err(LineFault::Names(words));
+    }
+    Ok(has_words)
 }
 
 #[cfg(test)]
@@ -170,11 +189,20 @@ mod tests {
     }
 
     #[test]
-    fn a_header_has_names_and_nothing_but_names() {
-        for header in
-            ["ox,oy,oz,dx,dy,dz,tmax", "ox, oy, oz, dx, dy, dz\r", "\"x\",\"y\",\"z\",\"u\",\"v\",\"w\""]
-        {
-            assert!(is_header(header.as_bytes()), "{header}");
+    fn a_header_has_the_names_in_their_order_and_nothing_else() {
+        for header in [
+            "ox,oy,oz,dx,dy,dz,tmax",
+            "ox, oy, oz, dx, dy, dz\r",
+            "OX,OY,OZ,DX,DY,DZ,TMAX",
+            "\"ox\",\"oy\",\"oz\",\"dx\",\"dy\",\"dz\"",
+        ] {
+            assert_eq!(is_header(header.as_bytes()), Ok(true), "{header}");
+        }
+        for other in ["dx,dy,dz,ox,oy,oz", "a,b,c,d,e,f", "ox,oy,oz,dx,dy,dz,t", "ox;,oy,oz,dx,dy,dz"] {
+            let fault = is_header(other.as_bytes()).unwrap_err();
+            assert_eq!(fault, LineFault::Names(other.into()));
+            let said = fault.to_string();
+            assert!(said.contains("ox,oy,oz,dx,dy,dz or ox,oy,oz,dx,dy,dz,tmax is expected"), "{said}");
         }
         for no_header in [
             "",
@@ -185,7 +213,7 @@ mod tests {
             "ox,oy,oz,dx,dy,",
             "a,b,c,d,e,f,g,h",
         ] {
-            assert!(!is_header(no_header.as_bytes()), "{no_header}");
+            assert_eq!(is_header(no_header.as_bytes()), Ok(false), "{no_header}");
         }
     }
 }

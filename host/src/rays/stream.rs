@@ -200,11 +200,13 @@ fn answer(
             break;
         }
         let text = if line == 1 { text.strip_prefix(b"\xef\xbb\xbf").unwrap_or(text) } else { text };
-        if line == 1 && is_header(text) {
+        let is_header = if line == 1 { is_header(text) } else { Ok(false) };
+        if is_header == Ok(true) {
             answer.rows.extend_from_slice(rows::HEADER.as_bytes());
             continue;
         }
-        match Line::read(text, precision) {
+        let read = is_header.and_then(|_| Line::read(text, precision));
+        match read {
             Ok(ray) => {
                 let found = cast(&ray);
                 answer.cast.rays += 1;

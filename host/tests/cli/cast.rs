@@ -198,15 +198,33 @@ fn a_direction_may_have_any_length() {
 #[test]
 fn a_header_line_is_answered_by_one() {
     let folder = things();
-    for header in
-        ["ox,oy,oz,dx,dy,dz", "ox,oy,oz,dx,dy,dz,tmax", "\u{feff}ox,oy,oz,dx,dy,dz", "a, b, c, d, e, f"]
-    {
+    for header in [
+        "ox,oy,oz,dx,dy,dz",
+        "ox,oy,oz,dx,dy,dz,tmax",
+        "\u{feff}ox,oy,oz,dx,dy,dz",
+        "OX, \"oy\", oz, dx, dy, dz",
+    ] {
         let rows = rows(&folder, "things.toml", &format!("{header}\r\n0,0,4,0,0,-1\r\n0,9,4,0,1,0"));
         assert_eq!(rows, ["hit,t,object,px,py,pz,nx,ny,nz", "1,3,1,0,0,1,0,0,1", MISS], "{header}");
     }
     assert_eq!(rows(&folder, "things.toml", "ox,oy,oz,dx,dy,dz"), ["hit,t,object,px,py,pz,nx,ny,nz"]);
     assert_eq!(rows(&folder, "things.toml", "\u{feff}0,0,4,0,0,-1"), ["1,3,1,0,0,1,0,0,1"]);
     assert!(rows(&folder, "things.toml", "").is_empty());
+}
+
+#[test]
+fn a_header_of_other_names_or_in_another_order_is_refused() {
+    let folder = things();
+    for header in ["dx,dy,dz,ox,oy,oz", "a,b,c,d,e,f", "ox,oy,oz,dx,dy,dz,t"] {
+        folder.write("rays.csv", format!("{header}\n0,0,4,0,0,-1\n"));
+        let ran = folder.run("cast things.toml --rays rays.csv");
+        ran.failed(65, &format!("strahl: rays.csv:1: `{header}` "));
+        assert!(
+            ran.stderr.contains("ox,oy,oz,dx,dy,dz or ox,oy,oz,dx,dy,dz,tmax is expected"),
+            "{}",
+            ran.stderr
+        );
+    }
 }
 
 #[test]
