@@ -47,7 +47,8 @@ pub fn print_settings(args: &RenderArgs) -> Result<(), Failure> {
     let scene = job.load(&Files::on_disk())?;
     let wanted = wanted(args, &scene, false)?;
     job.format.holds(wanted.picture())?;
-    let settings = settings::settings(args, &wanted, &job.path, &scene.description.setting_lines);
+    let mut settings = settings::settings(args, &wanted, &job.path, &scene.description.setting_lines);
+    settings.push(settings::colored_shadows(args, &scene.description));
     Output::Stdout.commit(settings::text(&args.scene, &settings).as_bytes())
 }
 

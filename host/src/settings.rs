@@ -10,7 +10,9 @@ use std::path::Path;
 use strahl_core::{Pixel, Tile};
 
 use crate::args::RenderArgs;
+use crate::description::Description;
 use crate::finding::{Accel, Finding};
+use crate::plan::Effect;
 use crate::wanted::Wanted;
 
 /// One setting.
@@ -18,8 +20,9 @@ use crate::wanted::Wanted;
 pub struct Setting {
     /// Its option without the dashes, which is its key in `[render]` too, but for one.
     pub name: &'static str,
-    /// As the command line has it.
-    pub word: String,
+    /// What follows the option on the command line, if anything does; none where the command line
+    /// cannot ask for it.
+    pub word: Option<String>,
     /// As a scene has it, if it can.
     pub value: Option<String>,
     /// Who has set it.
@@ -40,9 +43,32 @@ pub enum Source {
 /// The one option that has another name than its key.
 const NO_SHADOW_CACHE: &str = "no-shadow-cache";
 
+/// The one key for which there is no option.
+const COLORED_SHADOWS: &str = "colored_shadows";
+
 /// The key of an option.
 fn key(name: &str) -> &str {
     if name == NO_SHADOW_CACHE { "shadow_cache" } else { name }
+}
+
+/// Who has set a key that may stand in a scene, at one of these lines.
+fn source(key: &str, is_asked: bool, lines: &BTreeMap<String, usize>) -> Source {
+    match lines.get(key) {
+        _ if is_asked => Source::CommandLine,
+        Some(line) => Source::Scene(*line),
+        None => Source::Default,
+    }
+}
+
+/// Whether shadows are coloured, which the command line can only forbid.
+pub fn colored_shadows(args: &RenderArgs, scene: &Description) -> Setting {
+    let is_asked = args.without.contains(&Effect::ColoredShadows);
+    Setting {
+        name: COLORED_SHADOWS,
+        word: None,
+        value: Some(scene.colored_shadows.is_some().to_string()),
+        source: source(COLORED_SHADOWS, is_asked, &scene.setting_lines),
+    }
 }
 
 /// All settings of a picture that goes to `output`; `lines` are those of the keys in the scene.
@@ -54,13 +80,8 @@ pub fn settings(
 ) -> Vec<Setting> {
     let mut list = Vec::new();
     let mut add = |name: &'static str, is_asked: bool, word: String, value: Option<String>| {
-        let in_scene = lines.get(key(name)).copied().filter(|_| value.is_some());
-        let source = match in_scene {
-            _ if is_asked => Source::CommandLine,
-            Some(line) => Source::Scene(line),
-            None => Source::Default,
-        };
-        list.push(Setting { name, word, value, source });
+        let source = source(if value.is_some() { key(name) } else { "" }, is_asked, lines);
+        list.push(Setting { name, word: Some(word), value, source });
     };
     let picture = &args.picture;
     let (width, height) = (wanted.size.width(), wanted.size.height());
@@ -114,23 +135,31 @@ pub fn settings(
         let names: Vec<_> = args.without.iter().map(|effect| effect.name()).collect();
         add("without", true, names.join(","), None);
     }
-    if !wanted.shadow_cache {
-        add(NO_SHADOW_CACHE, args.no_shadow_cache, String::new(), Some("false".into()));
-    }
+    add(NO_SHADOW_CACHE, args.no_shadow_cache, String::new(), Some(wanted.shadow_cache.to_string()));
     let threads = match wanted.cut.threads {
         0 => std::thread::available_parallelism().map_or(1, usize::from),
         threads => threads,
     };
     add("threads", args.threads.is_some(), threads.to_string(), None);
     add("output", args.output.is_some(), quoted(&output.display().to_string()), None);
+    if wanted.shadow_cache {
+        // There is no option that turns it on.
+        list.iter_mut().filter(|it| it.name == NO_SHADOW_CACHE).for_each(|it| it.word = None);
+    }
     list
 }
 
 /// The command that asks for all settings of the picture of `scene`.
 pub fn command(scene: &Path, settings: &[Setting]) -> String {
     let name = quoted(&scene.display().to_string());
-    let asked: Vec<String> = settings.iter().map(|it| format!(" --{} {}", it.name, it.word)).collect();
-    format!("strahl render {name}{}", asked.concat()).trim_end().to_owned()
+    let asked: Vec<String> = settings.iter().filter_map(option).collect();
+    format!("strahl render {name} {}", asked.join(" ")).trim_end().to_owned()
+}
+
+/// The option that asks for a setting, if there is one.
+fn option(Setting { name, word, .. }: &Setting) -> Option<String> {
+    let word = word.as_ref()?;
+    Some(if word.is_empty() { format!("--{name}") } else { format!("--{name} {word}") })
 }
 
 /// The settings of the picture of `scene` as they are printed.
@@ -141,7 +170,7 @@ pub fn text(scene: &Path, settings: &[Setting]) -> String {
     lines.push((String::new(), None));
     lines.push(("# No part of a scene:".into(), None));
     let others = settings.iter().filter(|it| it.value.is_none());
-    lines.extend(others.map(|it| (format!("# --{} {}", it.name, it.word), Some(it.source))));
+    lines.extend(others.filter_map(|it| Some((format!("# {}", option(it)?), Some(it.source)))));
 
     let width = lines.iter().map(|(text, _)| text.chars().count()).max().unwrap_or(0);
     let mut text = format!("# {}\n\n", command(scene, settings));

@@ -81,7 +81,34 @@ fn a_shadow_cache_that_a_scene_turns_off_is_off_on_the_command_line_that_is_prin
     assert!(text.lines().next().unwrap().contains(" --no-shadow-cache"), "{text}");
     let asked = printed(&folder, "scene.toml --no-shadow-cache");
     assert_eq!(line(&asked, "shadow_cache"), "shadow_cache = false # command line");
-    assert!(!printed(&folder, "scene.toml").contains("shadow"));
+    assert!(asked.lines().next().unwrap().contains(" --no-shadow-cache --threads "), "{asked}");
+    let on = printed(&folder, "scene.toml");
+    assert_eq!(line(&on, "shadow_cache"), "shadow_cache = true # default");
+    assert!(!on.contains("--no-shadow-cache"), "{on}");
+}
+
+#[test]
+fn shadows_that_a_scene_colors_are_told() {
+    let folder = folder();
+    folder.write("glass.toml", "[render]\ncolored_shadows = true\n[[sphere]]\nradius = 1\n");
+    assert_eq!(line(&printed(&folder, "glass.toml"), "colored"), "colored_shadows = true # glass.toml:2");
+    assert_eq!(line(&printed(&folder, "scene.toml"), "colored"), "colored_shadows = false # default");
+    let without = printed(&folder, "glass.toml --without colored-shadows");
+    assert_eq!(line(&without, "colored"), "colored_shadows = false # command line");
+    assert_eq!(line(&without, "# --without"), "# --without colored-shadows # command line");
+    assert!(!without.contains("--colored"), "{without}");
+}
+
+#[test]
+fn no_key_of_a_scene_is_forgotten() {
+    let folder = folder();
+    let schema: serde_json::Value = serde_json::from_slice(&folder.done("schema")).unwrap();
+    let keys = schema["$defs"]["Render"]["properties"].as_object().unwrap();
+    assert!(keys.len() >= 14, "{keys:?}");
+    let text = printed(&folder, "scene.toml --walk heap");
+    for key in keys.keys() {
+        assert!(text.contains(&format!("\n{key} = ")), "{key} is not in\n{text}");
+    }
 }
 
 #[test]
