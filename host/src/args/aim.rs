@@ -17,7 +17,7 @@ pub struct AimArgs {
     /// of the mean square of sRGB-encoded differences (0 to 1, as in 0.01 or 2/255) to a picture of high
     /// quality. The estimate is made on a sparse sample of pixels. What the command line sets stays as it
     /// is; what the scene sets does not. The exit status is 1 when no setting is good enough.
-    #[arg(long, value_name = "E", value_parser = error)]
+    #[arg(long, value_name = "E", value_parser = error, allow_negative_numbers = true)]
     pub target_error: Option<f64>,
 
     /// Trace the picture of high quality too, with other random numbers, and tell the true error; the
@@ -29,7 +29,7 @@ pub struct AimArgs {
     /// start of the program: a coarse raster of pixels first, then all of them, then more samples where
     /// the error is estimated largest. What is written is always complete. Levels and cutoff stay as
     /// they are.
-    #[arg(long, value_name = "T", value_parser = duration,
+    #[arg(long, value_name = "T", value_parser = duration, allow_hyphen_values = true,
         conflicts_with_all = ["target_error", "select", "sampler", "cost"])]
     pub time_limit: Option<Duration>,
 }

@@ -25,20 +25,20 @@ pub struct BakeArgs {
 
     /// The most nodes of the hierarchy or the octree: less flash for larger leaves [default: as
     /// many as make it fast].
-    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..))]
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..), allow_negative_numbers = true)]
     pub nodes: Option<u32>,
 
     /// Width and height in pixels [default: the scene's, or 640x480].
-    #[arg(long, value_name = "WxH", value_parser = size)]
+    #[arg(long, value_name = "WxH", value_parser = size, allow_hyphen_values = true)]
     pub size: Option<Size>,
 
     /// Levels of rays [default: the scene's, or 5].
-    #[arg(long, value_name = "N", value_parser = levels())]
+    #[arg(long, value_name = "N", value_parser = levels(), allow_negative_numbers = true)]
     pub levels: Option<u8>,
 
     /// A ray is sent when more than this share of what it finds counts in the pixel, 0 to 1
     /// [default: the scene's, or 1/512].
-    #[arg(long, value_name = "W", value_parser = cutoff)]
+    #[arg(long, value_name = "W", value_parser = cutoff, allow_negative_numbers = true)]
     pub cutoff: Option<f32>,
 
     /// Say nothing but errors.

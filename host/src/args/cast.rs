@@ -32,7 +32,7 @@ pub struct CastArgs {
     pub finding: FindingArgs,
 
     /// Threads [default: one for each core].
-    #[arg(long, value_name = "N", value_parser = threads)]
+    #[arg(long, value_name = "N", value_parser = threads, allow_negative_numbers = true)]
     pub threads: Option<usize>,
 
     /// Say nothing but errors.

@@ -23,7 +23,7 @@ pub struct ExplainArgs {
     pub scene: PathBuf,
 
     /// Column and row of the pixel, counted from 0 at the upper left.
-    #[arg(value_name = "X,Y", value_parser = pixel)]
+    #[arg(value_name = "X,Y", value_parser = pixel, allow_hyphen_values = true)]
     pub pixel: Pixel,
 
     /// Which picture it is of.
@@ -36,7 +36,7 @@ pub struct ExplainArgs {
 
     /// Show the tree of this sample only, counted from 1; --json tells them all, --svg draws one
     /// [default of --svg: 1].
-    #[arg(long, value_name = "K", value_parser = sample)]
+    #[arg(long, value_name = "K", value_parser = sample, allow_negative_numbers = true)]
     pub sample: Option<usize>,
 
     /// For programs: all numbers in the shortest form that reads back exactly.
@@ -55,7 +55,7 @@ pub struct ExplainArgs {
 fn pixel(text: &str) -> Result<Pixel, String> {
     let parts = text.split_once(',').and_then(|(x, y)| Some((x.parse().ok()?, y.parse().ok()?)));
     let Some((x, y)) = parts else {
-        return Err("two whole numbers with a comma between them are expected, as in 320,240".into());
+        return Err("two whole numbers from 0 with a comma between them are expected, as in 320,240".into());
     };
     Ok(Pixel { x, y })
 }

@@ -18,7 +18,7 @@ pub struct FindingArgs {
 
     /// Places in the heap of that walk: 0, 1, 4 or 64; with fewer it takes longer [default: the
     /// scene's, or 64].
-    #[arg(long, value_name = "N", value_parser = heap)]
+    #[arg(long, value_name = "N", value_parser = heap, allow_negative_numbers = true)]
     pub heap: Option<usize>,
 
     /// What the list puts round items and groups of them [default: the scene's, or box].
@@ -27,7 +27,7 @@ pub struct FindingArgs {
 
     /// Slots of the mailbox, which remembers the items of grid and octree that a ray has met: 0, 8 or 64
     /// [default: the scene's, or 64].
-    #[arg(long, value_name = "SLOTS", value_parser = mailbox)]
+    #[arg(long, value_name = "SLOTS", value_parser = mailbox, allow_negative_numbers = true)]
     pub mailbox: Option<usize>,
 }
 

@@ -15,7 +15,7 @@ pub struct GenerateArgs {
 
     /// How large: how often it is divided, or for knot and stadium, how many triangles at least
     /// [default: as below].
-    #[arg(long, value_name = "N")]
+    #[arg(long, value_name = "N", allow_negative_numbers = true)]
     pub size: Option<u32>,
 
     /// Where it goes; the extension names the format (.nff .toml .ply), `-` is the standard output

@@ -10,17 +10,17 @@ use crate::wanted::{Filter, Sampling};
 #[derive(Clone, Copy, Debug, clap::Args)]
 pub struct PictureArgs {
     /// Width and height in pixels [default: the scene's, or 640x480].
-    #[arg(long, value_name = "WxH", value_parser = size)]
+    #[arg(long, value_name = "WxH", value_parser = size, allow_hyphen_values = true)]
     pub size: Option<Size>,
 
     /// Levels of rays; 1 sends no ray from a surface, mirrors stay black [default: the scene's,
     /// or 5].
-    #[arg(long, value_name = "N", value_parser = levels())]
+    #[arg(long, value_name = "N", value_parser = levels(), allow_negative_numbers = true)]
     pub levels: Option<u8>,
 
     /// A ray is sent when more than this share of what it finds counts in the pixel, 0 to 1
     /// [default: the scene's, or 1/512].
-    #[arg(long, value_name = "W", value_parser = cutoff)]
+    #[arg(long, value_name = "W", value_parser = cutoff, allow_negative_numbers = true)]
     pub cutoff: Option<f32>,
 
     /// Rays in each pixel: `single` through the middle; `regular:N` N times N;
@@ -38,7 +38,7 @@ pub struct PictureArgs {
     pub filter: Option<Filter>,
 
     /// Another seed, other numbers in place of chance [default: the scene's, or 0].
-    #[arg(long, value_name = "N")]
+    #[arg(long, value_name = "N", allow_negative_numbers = true)]
     pub seed: Option<u32>,
 }
 

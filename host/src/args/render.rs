@@ -44,7 +44,7 @@ pub struct RenderArgs {
     pub select: Option<Selecting>,
 
     /// Make only this part of the picture: its upper left pixel, and how large it is.
-    #[arg(long, value_name = "X,Y,WxH", value_parser = region)]
+    #[arg(long, value_name = "X,Y,WxH", value_parser = region, allow_hyphen_values = true)]
     pub region: Option<Tile>,
 
     /// Trace only the pixels that are white in this picture, of the same size; the others stay
@@ -71,7 +71,7 @@ pub struct RenderArgs {
     pub no_shadow_cache: bool,
 
     /// Threads [default: one for each core].
-    #[arg(long, value_name = "N", value_parser = threads)]
+    #[arg(long, value_name = "N", value_parser = threads, allow_negative_numbers = true)]
     pub threads: Option<usize>,
 
     /// Report what was counted and measured, on the standard output or in --stats-file.

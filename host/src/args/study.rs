@@ -21,7 +21,7 @@ pub struct StudyArgs {
     pub output: Option<PathBuf>,
 
     /// Width and height in pixels [default: the scene's shape, with at most 65536 pixels].
-    #[arg(long, value_name = "WxH", value_parser = size)]
+    #[arg(long, value_name = "WxH", value_parser = size, allow_hyphen_values = true)]
     pub size: Option<Size>,
 
     /// More notches of every knob, a finer reference, and more repetitions; takes as long as it takes.
@@ -34,7 +34,7 @@ pub struct StudyArgs {
     pub time_limit: Option<Duration>,
 
     /// Threads [default: one for each core].
-    #[arg(long, value_name = "N", value_parser = threads)]
+    #[arg(long, value_name = "N", value_parser = threads, allow_negative_numbers = true)]
     pub threads: Option<usize>,
 
     /// Measure nothing: make the page and the table of this study.json again.

@@ -72,7 +72,11 @@ fn explained(args: &ExplainArgs, files: &Files) -> Result<Explained, Failure> {
     let (Pixel { x, y }, size) = (args.pixel, wanted.size);
     if Tile::whole(size).place(args.pixel).is_none() {
         let (width, height) = (size.width(), size.height());
-        let what = format!("the pixel {x},{y} is not in the picture of {width}x{height}: the first is 0,0");
+        let what = format!(
+            "the pixel {x},{y} is not in the picture of {width}x{height}: the first is 0,0 and the last {},{}",
+            width - 1,
+            height - 1
+        );
         return Err(Failure::Usage(what));
     }
     let traced = pixel::trace(&description, &wanted, args.pixel).map_err(|error| Failure::Input {

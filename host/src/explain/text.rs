@@ -116,7 +116,7 @@ fn lines(ray: &Ray) -> Vec<String> {
 
 fn met(hit: &Hit) -> String {
     let side = if hit.outside { "outside" } else { "inside" };
-    format!("meets {} after {}, from {side}", thing(&hit.thing), hit.distance)
+    format!("meets {} after {}, from {side}", thing(&hit.thing), number(hit.distance))
 }
 
 /// An item with its places in the file.
@@ -150,11 +150,11 @@ fn lit(light: &Light) -> String {
         if through.is_empty() { String::new() } else { format!(", through {}", through.join(" and ")) };
     let says = match (light.outcome, &light.adds, &light.blocker) {
         ("seen", Some(adds), _) => {
-            let away = light.distance.map(|away| format!(" at {away}")).unwrap_or_default();
+            let away = light.distance.map(|away| format!(" at {}", number(away))).unwrap_or_default();
             format!("seen{away}{through}, adds {}", channels(*adds))
         }
         ("blocked", _, Some(blocker)) => {
-            format!("blocked by {} after {}{through}", thing(&blocker.thing), blocker.distance)
+            format!("blocked by {} after {}{through}", thing(&blocker.thing), number(blocker.distance))
         }
         ("blocked", ..) => format!("blocked{through}"),
         ("behind", ..) => "the surface faces away".into(),
@@ -173,6 +173,30 @@ fn cut(sent: &Sent) -> String {
 }
 
 /// Red, green and blue, or one number for all three.
-pub fn channels([r, g, b]: Triple) -> String {
-    if r == g && g == b { r.to_string() } else { format!("{r} {g} {b}") }
+pub fn channels(color: Triple) -> String {
+    let [r, g, b] = color;
+    if r == g && g == b { number(r) } else { color.map(number).join(" ") }
+}
+
+/// A number in the shortest form that reads back exactly; with an exponent where that is much shorter.
+fn number(x: f32) -> String {
+    let magnitude = x.abs();
+    let has_many_zeros = magnitude != 0.0 && (magnitude < 1e-5 || magnitude >= 1e9);
+    if has_many_zeros && x.is_finite() { format!("{x:e}") } else { x.to_string() }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{channels, number};
+
+    #[test]
+    fn a_number_of_many_zeros_has_an_exponent_and_reads_back() {
+        let numbers = [5.197_357e-39, -2e-6, 1e-5, 0.25, 0.0, 123_456_790.0, 3e20, f32::MAX];
+        let texts = ["5.197357e-39", "-2e-6", "0.00001", "0.25", "0", "123456790", "3e20", "3.4028235e38"];
+        assert_eq!(numbers.map(number), texts);
+        assert_eq!(numbers.map(|x| number(x).parse::<f32>().unwrap()), numbers);
+        assert_eq!(number(f32::INFINITY), "inf");
+        assert_eq!(channels([1e-20, 0.5, 0.0]), "1e-20 0.5 0");
+        assert_eq!(channels([1e-20; 3]), "1e-20");
+    }
 }

@@ -165,6 +165,7 @@ fn wrong_usage_is_told_with_status_2_and_nothing_is_written() {
         (format!("{scene} --size 4x3x2"), "640x480"),
         (format!("{scene} --size 4.5x3"), "640x480"),
         (format!("{scene} --size=-4x3"), "640x480"),
+        (format!("{scene} --size -4x3"), "two whole numbers with an x"),
         (format!("{scene} --size 4x"), "640x480"),
         (format!("{scene} --size x"), "640x480"),
         (format!("{scene} --size 0x3"), "between 1 and 65536"),
