@@ -8,7 +8,7 @@ use indicatif::{HumanBytes, HumanCount};
 
 use crate::args::GenerateArgs;
 use crate::failure::Failure;
-use crate::output::{Guard, Output, say};
+use crate::output::{Guard, Output, refuse_terminal, say};
 use crate::procedural::{Form, MOST_OBJECTS, What};
 use crate::signals::Signals;
 
@@ -21,6 +21,9 @@ pub fn run(args: &GenerateArgs) -> Result<(), Failure> {
     let extension = args.format.unwrap_or(Form::Nff).extension();
     let path = args.output.clone().unwrap_or_else(|| PathBuf::from(format!("{what}.{extension}")));
     let form = form(what, &path, args.format)?;
+    if form == Form::Ply {
+        refuse_terminal(&path, "the PLY file")?;
+    }
     let beside = (form == Form::Toml && what.triangles(size).is_some()).then(|| path.with_extension("ply"));
     if beside.is_some() && path == Path::new("-") {
         let reason = format!(

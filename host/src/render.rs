@@ -19,7 +19,7 @@ use crate::frame::{self, Frame};
 use crate::heat::{self, Costs};
 use crate::load::{Files, load_from};
 use crate::mask::Mask;
-use crate::output::{Guard, Output, say, tell};
+use crate::output::{Guard, Output, refuse_terminal, say, tell};
 use crate::picture::{self, Format, Picture};
 use crate::plan::{Step, leave_out, plan};
 use crate::progress::Watch;
@@ -35,6 +35,7 @@ use crate::wrap::{width_of_stderr, wrapped};
 /// Renders one scene. No is the answer where an error was aimed at that is not kept.
 pub fn run(args: &RenderArgs, aim: &AimArgs) -> Result<Answer, Failure> {
     let begun = Instant::now();
+    refuse_terminal(args.output.as_deref().unwrap_or(Path::new("")), "the picture")?;
     let job = Job { aim: aim.clone(), begun, ..Job::of(args)? };
     let watch = job.watch(Signals::listen()?);
     let scene = job.load(&Files::on_disk())?;

@@ -6,7 +6,7 @@ use clap::Parser;
 use strahl_core::Size;
 
 use super::values::{cutoff, levels, size};
-use crate::finding::Accel;
+use crate::finding::{Accel, Kind};
 
 /// What to bake, and how.
 #[derive(Debug, Parser)]
@@ -19,9 +19,9 @@ pub struct BakeArgs {
     #[arg(short, long, value_name = "FILE")]
     pub output: PathBuf,
 
-    /// How items are found on the device; `auto` is the hierarchy.
-    #[arg(long, value_name = "KIND", default_value = "auto")]
-    pub accel: Accel,
+    /// How items are found on the device; `auto` is the hierarchy [default: auto].
+    #[arg(long, value_name = "KIND")]
+    pub accel: Option<Accel>,
 
     /// The most nodes of the hierarchy or the octree: less flash for larger leaves [default: as
     /// many as make it fast].
@@ -44,4 +44,27 @@ pub struct BakeArgs {
     /// Say nothing but errors.
     #[arg(short, long)]
     pub quiet: bool,
+}
+
+impl BakeArgs {
+    /// Whether the scene becomes Rust constants.
+    pub fn is_source(&self) -> bool {
+        self.output.extension().is_some_and(|extension| extension == "rs")
+    }
+
+    /// What is asked for that has no meaning together.
+    pub fn misfit(&self) -> Option<String> {
+        let is_given = [("accel", self.accel.is_some()), ("nodes", self.nodes.is_some())];
+        if self.is_source()
+            && let Some((name, _)) = is_given.iter().find(|(_, is_given)| *is_given)
+        {
+            return Some(format!("--{name} has no meaning for a .rs file: constants have no accelerator"));
+        }
+        match self.accel.and_then(Accel::kind) {
+            Some(kind @ (Kind::List | Kind::Grid)) if self.nodes.is_some() => {
+                Some(format!("--nodes has no meaning for --accel {kind}"))
+            }
+            _ => None,
+        }
+    }
 }

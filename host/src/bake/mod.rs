@@ -13,17 +13,18 @@ use strahl_core::{
 
 use crate::args::BakeArgs;
 use crate::counts::Counts;
-use crate::description::Description;
+use crate::description::{Description, Settings};
 use crate::failure::Failure;
-use crate::finding::{Bounds, Finding, Kind, MAILBOX, Walk};
+use crate::finding::{Accel, Bounds, Finding, Kind, MAILBOX, Walk};
 use crate::frame::{self};
 use crate::load::{Files, load_from};
-use crate::output::{Guard, say, tell};
+use crate::output::{Guard, refuse_terminal, say, tell};
+use crate::precision::Precision;
 use crate::progress::Watch;
 use crate::signals::Signals;
 use crate::stock::single::{self, Stock};
 use crate::studio::NoFrame;
-use crate::wanted::{DEFAULT_SIZE, Wanted};
+use crate::wanted::{DEFAULT_SIZE, Filter, Sampling, Wanted};
 
 /// What is baked beside the scene.
 #[derive(Clone, Copy, Debug)]
@@ -44,10 +45,17 @@ pub struct Asked {
 
 /// Bakes one scene.
 pub fn run(args: &BakeArgs) -> Result<(), Failure> {
+    if let Some(misfit) = args.misfit() {
+        return Err(Failure::Usage(misfit));
+    }
+    refuse_terminal(&args.output, "the baked scene")?;
     let files = Files::on_disk();
     let description = load_from(&files, &args.scene, args.size.unwrap_or(DEFAULT_SIZE))?;
     for warning in description.warnings.iter().filter(|_| !args.quiet) {
         say(format_args!("{}: warning: {warning}", args.scene.display()));
+    }
+    for left_out in left_out(&description.settings).iter().filter(|_| !args.quiet) {
+        say(format_args!("{}: warning: {left_out}", args.scene.display()));
     }
     let output = Guard::of(files.named()).prepare(&args.output)?;
     let wrong = |reason: String| Failure::Input { path: args.scene.clone(), line: None, reason };
@@ -55,7 +63,7 @@ pub fn run(args: &BakeArgs) -> Result<(), Failure> {
     let scene = stock.scene().map_err(|error| wrong(error.to_string()))?;
     let settings = &description.settings;
     let asked = Asked {
-        accelerator: args.accel.kind().unwrap_or(Kind::Bvh),
+        accelerator: args.accel.and_then(Accel::kind).unwrap_or(Kind::Bvh),
         nodes: args.nodes.map(|nodes| nodes as usize),
         view: single::view(&description.view),
         size: args.size.or(settings.size).unwrap_or(DEFAULT_SIZE),
@@ -63,7 +71,7 @@ pub fn run(args: &BakeArgs) -> Result<(), Failure> {
         cutoff: args.cutoff.or(settings.cutoff).unwrap_or(Limits::DEFAULT.cutoff),
     };
 
-    if args.output.extension().is_some_and(|extension| extension == "rs") {
+    if args.is_source() {
         return output.commit(source(&args.scene, &scene, &asked).as_bytes());
     }
     let bytes = bake(&scene, &asked).map_err(wrong)?;
@@ -73,6 +81,23 @@ pub fn run(args: &BakeArgs) -> Result<(), Failure> {
         tell(needs(&args.output, &scene, &asked, bytes.len(), &counts));
     }
     Ok(())
+}
+
+/// What a scene asks for that no baked scene holds: the firmware is built for it.
+fn left_out(settings: &Settings) -> Vec<String> {
+    let sampler = settings.sampling.filter(|sampling| *sampling != Sampling::Single);
+    let filter = settings.filter.filter(|filter| *filter != Filter::Box);
+    let precision = settings.precision.filter(|precision| *precision != Precision::Single);
+    let asked = [
+        ("sampler", sampler.map(|sampling| sampling.to_string())),
+        ("filter", filter.map(|filter| filter.name().to_owned())),
+        ("precision", precision.map(|precision| precision.name().to_owned())),
+    ];
+    let asked = asked.into_iter().filter_map(|(key, value)| Some((key, value?)));
+    let told = |(key, value)| {
+        format!("asks for the {key} `{value}`, which a baked scene does not hold: the firmware chooses it")
+    };
+    asked.map(told).collect()
 }
 
 /// The scene as Rust constants, named after a file.
@@ -161,7 +186,7 @@ fn needs(path: &Path, scene: &Scene<'_>, asked: &Asked, bytes: usize, counted: &
     let mut text = String::new();
     let _ = writeln!(
         text,
-        "{}: {} items, walked by {}",
+        "{}: {}, walked by {}",
         path.display(),
         scene.parts().made_of.len(),
         asked.accelerator.name()
@@ -193,7 +218,8 @@ fn needs(path: &Path, scene: &Scene<'_>, asked: &Asked, bytes: usize, counted: &
     let per_pixel = chip::instructions(&counted.counts, asked.accelerator) / counted.pixels.max(1);
     let _ = writeln!(
         text,
-        "  time    about {per_pixel} instructions a pixel there, from what is counted here (within a factor of {})",
+        "  time    about {per_pixel} instructions a pixel there with one ray in each, from what is counted here (within a \
+         factor of {})",
         chip::DOUBT
     );
     text

@@ -8,7 +8,7 @@ mod guard;
 
 use std::fmt;
 use std::fs::{self, Permissions};
-use std::io::{self, Write};
+use std::io::{self, IsTerminal, Write};
 use std::path::{Path, PathBuf};
 
 use tempfile::{Builder, NamedTempFile};
@@ -109,6 +109,14 @@ impl Output {
             }
         }
     }
+}
+
+/// Refuses to write `what`, which is no text, to a terminal: `path` is `-` and the standard output one.
+pub fn refuse_terminal(path: &Path, what: &str) -> Result<(), Failure> {
+    if path == Path::new("-") && io::stdout().is_terminal() {
+        return Err(Failure::Usage(format!("{what} would go to the terminal; pipe it, or name a file")));
+    }
+    Ok(())
 }
 
 /// Says something on the standard error, after the program's name. That nobody can read it is no

@@ -1,6 +1,7 @@
 //! The program from outside: exit statuses, messages, files.
 
 mod aim;
+mod bake;
 mod cast;
 mod compare;
 mod explain;

@@ -74,6 +74,34 @@ fn a_standard_output_that_nobody_reads_is_told_with_status_74() {
     }
 }
 
+#[cfg(target_os = "linux")]
+#[test]
+fn what_is_no_text_is_not_written_to_a_terminal() {
+    use rustix::pty::{OpenptFlags, grantpt, openpt, ptsname, unlockpt};
+    let folder = Folder::with(BALL);
+    let near = openpt(OpenptFlags::RDWR | OpenptFlags::NOCTTY).unwrap();
+    grantpt(&near).unwrap();
+    unlockpt(&near).unwrap();
+    let far = ptsname(&near, Vec::new()).unwrap().into_string().unwrap();
+    let ended = |words: &str| {
+        let terminal = fs::OpenOptions::new().read(true).write(true).open(&far).unwrap();
+        let ended = folder.command(words).stdout(terminal).stderr(Stdio::piped()).spawn().unwrap();
+        let ended = ended.wait_with_output().unwrap();
+        (ended.status.code(), String::from_utf8(ended.stderr).unwrap())
+    };
+    for (words, what) in [
+        ("render scene.nff -o -", "the picture"),
+        ("bake scene.nff -o -", "the baked scene"),
+        ("generate knot --size 3 --format ply -o -", "the PLY file"),
+    ] {
+        let says = format!("strahl: {what} would go to the terminal; pipe it, or name a file\n");
+        assert_eq!(ended(words), (Some(2), says), "{words}");
+    }
+    // Text is what a terminal is for.
+    assert_eq!(ended("explain scene.nff 1,1 --svg - -q"), (Some(0), String::new()));
+    assert_eq!(folder.names(), ["scene.nff"]);
+}
+
 #[test]
 fn a_picture_on_the_standard_output_is_all_that_is_there() {
     let folder = Folder::with(BALL);

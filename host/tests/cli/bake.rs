@@ -1,0 +1,42 @@
+//! What `bake` tells of a scene.
+
+use crate::program::{EMPTY, Folder};
+
+const ASKING: &str = "\
+[[sphere]]
+radius = 1
+[render]
+size = [24, 16]
+sampler = \"stochastic:64\"
+filter = \"tent\"
+precision = \"double\"
+";
+
+#[test]
+fn what_a_scene_asks_for_and_a_baked_scene_does_not_hold_is_told() {
+    let folder = Folder::with(EMPTY);
+    folder.write("scene.toml", ASKING);
+    for output in ["a.strahl", "a.rs"] {
+        let ran = folder.run(&format!("bake scene.toml -o {output}"));
+        assert_eq!(ran.status, Some(0), "{}", ran.stderr);
+        let warnings: Vec<&str> = ran.stderr.lines().filter(|line| line.contains("warning")).collect();
+        let begins = ["sampler `stochastic:64`", "filter `tent`", "precision `double`"];
+        assert_eq!(warnings.len(), begins.len(), "{}", ran.stderr);
+        for (warning, begin) in warnings.iter().zip(begins) {
+            assert!(
+                warning.starts_with(&format!("strahl: scene.toml: warning: asks for the {begin}, ")),
+                "{warning}"
+            );
+        }
+        assert_eq!(folder.run(&format!("bake scene.toml -o {output} -q")).stderr, "");
+    }
+    assert!(!folder.run("bake scene.nff -o b.strahl").stderr.contains("warning"));
+}
+
+#[test]
+fn the_instructions_are_those_for_one_ray_in_a_pixel_and_it_is_said() {
+    let folder = Folder::with(EMPTY);
+    let said = folder.run("bake scene.nff -o a.strahl").stderr;
+    let time = said.lines().find(|line| line.starts_with("  time ")).unwrap();
+    assert!(time.contains(" instructions a pixel there with one ray in each, "), "{time}");
+}
