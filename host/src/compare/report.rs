@@ -129,7 +129,7 @@ impl Report {
         line("differing", format!("{} at all, {} by more than 1/255", self.differing, self.beyond));
         if self.limit > 0.0 || self.limit_share > 0.0 {
             let allowed = if self.limit_share > 0.0 {
-                format!(", {} % are allowed", short(self.limit_share * 100.0))
+                format!(", {} % are allowed", percent(self.limit_share))
             } else {
                 String::new()
             };
@@ -173,6 +173,16 @@ impl std::fmt::Display for Share {
     }
 }
 
+/// A share in hundredths, with three digits that count, but never all where something is missing.
+fn percent(share: f64) -> String {
+    let text = short(share * 100.0);
+    if text != "100" || share == 1.0 {
+        return text;
+    }
+    let mut longer = (2..=15).map(|digits| format!("{:.digits$}", share * 100.0));
+    longer.find(|text| !text.starts_with("100")).unwrap_or(text)
+}
+
 /// Where the text of the lines begins.
 pub const INDENT: usize = 13;
 
@@ -194,7 +204,14 @@ fn short(number: f64) -> String {
 
 #[cfg(test)]
 mod tests {
-    use super::short;
+    use super::{percent, short};
+
+    #[test]
+    fn not_quite_all_is_not_all_and_hardly_anything_is_not_nothing() {
+        let shares = [0.0, 1.0, 307_197.0 / 307_200.0, 0.9996, 0.99949, 1.0 - 1e-9, 1e-9, 0.5];
+        let texts = ["0", "100", "99.999", "99.96", "99.9", "99.9999999", "1.00e-7", "50"];
+        assert_eq!(shares.map(percent), texts);
+    }
 
     #[test]
     fn short_numbers_have_three_digits_that_count() {

@@ -53,6 +53,9 @@ impl Values {
     }
 }
 
+/// The formats that are read.
+const READ: &str = "PNG, PPM, QOI, JPEG, TIFF, EXR";
+
 /// The most bytes of pixels that one byte of a file stands for: a string of LZW, the densest of
 /// all compressions in these formats, has at most 4096 bytes and takes more than one.
 ///
@@ -74,8 +77,12 @@ pub fn read_from(files: &Files, path: &Path) -> Result<Pixels, Failure> {
 /// The pixels of a file with these bytes, or why it has none.
 pub fn decode(bytes: &[u8]) -> Result<Pixels, String> {
     let reader = ImageReader::new(Cursor::new(bytes)).with_guessed_format().map_err(|e| e.to_string())?;
-    if reader.format().is_none() {
-        return Err("not a picture of a known format (PNG, PPM, QOI, JPEG, TIFF, EXR)".into());
+    let Some(format) = reader.format() else {
+        return Err(format!("not a picture of a known format ({READ})"));
+    };
+    if !format.reading_enabled() {
+        let name = format.extensions_str().first().unwrap_or(&"this").to_ascii_uppercase();
+        return Err(format!("{name} is not read; the formats that are: {READ}"));
     }
     if reader.format() == Some(ImageFormat::OpenExr) && exr_needs(bytes)? / DENSEST > bytes.len() as u64 {
         return Err(format!("broken: {} bytes cannot hold what its header claims", bytes.len()));
