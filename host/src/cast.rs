@@ -8,8 +8,7 @@ use std::io::{IsTerminal, Read, stdin};
 use std::path::{Path, PathBuf};
 use std::time::Instant;
 
-use indicatif::HumanCount;
-
+use crate::amount::amount;
 use crate::args::CastArgs;
 use crate::failure::Failure;
 use crate::load::{Files, load_from};
@@ -47,11 +46,8 @@ pub fn run(args: &CastArgs) -> Result<(), Failure> {
     let (facts, cast) = cast.map_err(wrong)?;
     let Cast { rays, hits } = cast?;
     if !args.quiet {
-        let (rays, hits, seconds) = (HumanCount(rays), HumanCount(hits), clock.elapsed().as_secs_f64());
-        say(format_args!(
-            "{rays} rays, {hits} hits, {seconds:.2} s; {} ({})",
-            facts.choice, facts.choice.reason
-        ));
+        let (rays, hits, seconds) = (amount(rays, "ray"), amount(hits, "hit"), clock.elapsed().as_secs_f64());
+        say(format_args!("{rays}, {hits}, {seconds:.2} s; {} ({})", facts.choice, facts.choice.reason));
     }
     Ok(())
 }

@@ -8,6 +8,7 @@ use std::io::{self, IsTerminal};
 use std::ops::Range;
 use std::path::{Path, PathBuf};
 
+use crate::amount::amount;
 use miette::{
     Diagnostic, GraphicalReportHandler, GraphicalTheme, LabeledSpan, MietteError, MietteSpanContents,
     SourceCode, SourceSpan, SpanContents,
@@ -148,7 +149,7 @@ impl Faults {
             let _ = handler.render_report(&mut shown, &Shown { fault, excerpt: &excerpt });
             shown.push('\n');
         }
-        let many = if self.count == 1 { "1 error".into() } else { format!("{} errors", self.count) };
+        let many = amount(self.count, "error");
         let cut = if self.count > self.list.len() { ", of which the first are shown" } else { "" };
         shown + &format!("{}: {many}{cut}", excerpt.name)
     }

@@ -6,6 +6,7 @@ use std::path::{Path, PathBuf};
 
 use indicatif::{HumanBytes, HumanCount};
 
+use crate::amount::amount;
 use crate::args::GenerateArgs;
 use crate::failure::Failure;
 use crate::output::{Guard, Output, refuse_terminal, say};
@@ -27,7 +28,7 @@ pub fn run(args: &GenerateArgs) -> Result<(), Failure> {
     let beside = (form == Form::Toml && what.triangles(size).is_some()).then(|| path.with_extension("ply"));
     if beside.is_some() && path == Path::new("-") {
         let reason = format!(
-            "in TOML the triangles of a {what} are in a PLY file of its own: name a file, or use --format nff"
+            "{what}: in TOML its triangles are in a PLY file of their own: name a file, or use --format nff"
         );
         return Err(Failure::Usage(reason));
     }
@@ -42,8 +43,8 @@ pub fn run(args: &GenerateArgs) -> Result<(), Failure> {
     if !args.quiet && path != Path::new("-") {
         let beside = beside.map(|ply| format!(" and {}", ply.display())).unwrap_or_default();
         let objects = if form == Form::Ply { what.triangles(size) } else { what.objects(size) };
-        let objects = HumanCount(objects.unwrap_or(0));
-        say(format_args!("{}{beside}: {objects} objects, {}", path.display(), HumanBytes(bytes)));
+        let objects = amount(objects.unwrap_or(0), "object");
+        say(format_args!("{}{beside}: {objects}, {}", path.display(), HumanBytes(bytes)));
     }
     Ok(())
 }
@@ -52,15 +53,15 @@ pub fn run(args: &GenerateArgs) -> Result<(), Failure> {
 fn size(what: What, asked: Option<u32>) -> Result<u32, Failure> {
     let size = asked.unwrap_or(what.usual_size());
     if size < what.least_size() {
-        return Err(Failure::Usage(format!("a {what} has a size of {} or more", what.least_size())));
+        return Err(Failure::Usage(format!("{what}: the size must be {} or more", what.least_size())));
     }
     match what.objects(size) {
         Some(objects) if objects <= MOST_OBJECTS => Ok(size),
         objects => {
-            let has = objects.map_or("more than can be counted".into(), |objects| objects.to_string());
+            let has = objects.map_or("more objects than can be counted".into(), |it| amount(it, "object"));
             Err(Failure::Usage(format!(
-                "the objects of a {what} of size {size} would be {has}; at most {MOST_OBJECTS} are made, \
-                 which is size {}",
+                "{what}: size {size} would be {has}; at most {} are made, which is size {}",
+                HumanCount(MOST_OBJECTS),
                 what.most_size()
             )))
         }
@@ -80,7 +81,7 @@ fn form(what: What, path: &Path, asked: Option<Form>) -> Result<Form, Failure> {
         }
     };
     if form == Form::Ply && !what.is_mesh() {
-        let reason = format!("PLY holds triangles only, and a {what} has other shapes: use .nff or .toml");
+        let reason = format!("{what}: PLY holds triangles only, and it has other shapes: use .nff or .toml");
         return Err(Failure::Usage(reason));
     }
     Ok(form)

@@ -9,6 +9,7 @@ use serde::Serialize;
 use strahl_core::{Aabb, Accelerator, Scene, ShapeKind};
 
 use crate::accelerators::{Purpose, build};
+use crate::amount::{self, amount};
 use crate::args::InfoArgs;
 use crate::description::Description;
 use crate::failure::Failure;
@@ -166,7 +167,7 @@ impl Info {
         let count = |number: usize| HumanCount(number as u64).to_string();
         line("objects", count(self.objects));
         for (kind, number) in &self.by_shape {
-            line("", format!("{} {kind}", count(*number)));
+            line("", amount(*number, kind));
         }
         line("lights", count(self.lights));
         line("materials", count(self.materials));
@@ -195,10 +196,12 @@ impl Info {
         line("memory", format!("{} for the scene", HumanBytes(self.memory.scene as u64)));
         for (place, it) in self.memory.accelerators.iter().enumerate() {
             let AcceleratorFacts { kind, bytes, regions, items_per_region, depth, build_seconds } = it;
-            let (bytes, regions) = (HumanBytes(*bytes as u64).to_string(), count(*regions));
+            let (bytes, noun) =
+                (HumanBytes(*bytes as u64).to_string(), amount::of(*regions as u64, "region"));
+            let regions = count(*regions);
             let depth = depth.map(|depth| format!(", depth {depth}")).unwrap_or_default();
             let says = format!(
-                "{kind:<7}{bytes:>11}{:>9.1} ms {regions:>11} regions of {items_per_region:.1} items{depth}",
+                "{kind:<7}{bytes:>11}{:>9.1} ms {regions:>11} {noun:<7} of {items_per_region:.1} items{depth}",
                 1e3 * build_seconds
             );
             line(if place == 0 { "finding by" } else { "" }, says);

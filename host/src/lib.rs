@@ -50,6 +50,7 @@
 //! | [`settings`] | what is in force, and who has set it |
 //! | [`progress`] | how far the work is |
 //! | [`summary`] | what was done, for a person |
+//! | [`amount`] | numbers with their nouns |
 //! | [`wrap`] | text that fits the screen |
 //! | [`signals`] | when to stop |
 //! | [`stop`] | why work ends before it is done |
@@ -64,6 +65,7 @@ use stock::single as tables;
 
 pub mod accelerators;
 pub mod aim;
+pub mod amount;
 pub mod args;
 pub mod bake;
 pub mod cast;

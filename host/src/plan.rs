@@ -5,6 +5,7 @@ use std::fmt;
 use clap::ValueEnum;
 use strahl_core::{EffectSet, Material, Rgb, Scene};
 
+use crate::amount::amount;
 use crate::description::{Description, Form, Light, Object, Projection, Source};
 use crate::stock::single::Stock;
 
@@ -154,8 +155,7 @@ impl fmt::Display for Reason {
             write!(f, " (line {})", self.line)?;
         }
         match self.objects {
-            Some(1) => write!(f, " on 1 object"),
-            Some(objects) => write!(f, " on {objects} objects"),
+            Some(objects) => write!(f, " on {}", amount(objects, "object")),
             None => Ok(()),
         }
     }

@@ -7,6 +7,7 @@ use std::collections::BTreeMap;
 use strahl_core::{RayKind, ShapeKind};
 
 use crate::aim::Aimed;
+use crate::amount::amount;
 use crate::counts::Counts;
 use crate::frame::Frame;
 use crate::plan::{self, Effect};
@@ -245,7 +246,12 @@ impl Stats {
         );
         line(
             "scene",
-            format!("{} objects ({} triangles), {} lights", scene.objects, scene.triangles, scene.lights),
+            format!(
+                "{} ({}), {}",
+                amount(scene.objects, "object"),
+                amount(scene.triangles, "triangle"),
+                amount(scene.lights, "light")
+            ),
         );
         for steps in self.plan.chunk_by(|a, b| a.effect == b.effect) {
             let first = &steps[0];
@@ -280,7 +286,7 @@ impl Stats {
         );
         line("tests", format!("{} of boxes, {} of shapes", tests.boxes, tests.shapes));
         for (kind, count) in &tests.by_shape {
-            line("", format!("{count} {kind}"));
+            line("", amount(*count, kind));
         }
         for (kind, by) in &tests.by_ray {
             let TestsByRay { boxes, shapes, regions, mailbox_skips } = by;
@@ -289,16 +295,31 @@ impl Stats {
                     0 => String::new(),
                     skips => format!(", {skips} left out by mailboxes"),
                 };
-                line("", format!("{kind}: {boxes} boxes, {shapes} shapes, {regions} regions{skips}"));
+                line(
+                    "",
+                    format!(
+                        "{kind}: {}, {}, {}{skips}",
+                        amount(*boxes, "box"),
+                        amount(*shapes, "shape"),
+                        amount(*regions, "region")
+                    ),
+                );
             }
         }
         let AcceleratorStats { choice, reason, bytes, regions, items_per_region, .. } = &self.accelerator;
         line("accelerator", format!("{choice} ({reason})"));
-        line("", format!("{regions} regions, {items_per_region:.2} items in each, {bytes} bytes"));
+        line(
+            "",
+            format!(
+                "{}, {items_per_region:.2} items in each, {}",
+                amount(*regions, "region"),
+                amount(*bytes, "byte")
+            ),
+        );
         if self.media.overfull > 0 {
             line(
                 "media",
-                format!("{} rays entered a fifth body at once and ignored it", self.media.overfull),
+                format!("{} entered a fifth body at once and ignored it", amount(self.media.overfull, "ray")),
             );
         }
         line(

@@ -8,6 +8,7 @@ use anstyle::{AnsiColor, Effects, Style};
 use indicatif::{HumanBytes, HumanCount};
 use strahl_core::RayKind;
 
+use crate::amount::amount;
 use crate::counts::Counts;
 use crate::frame::Frame;
 use crate::plan::{Effect, Step};
@@ -64,10 +65,7 @@ pub fn summary(
         ),
     );
     let found = &frame.accelerator;
-    let regions = match found.regions {
-        1 => "1 region".into(),
-        more => format!("{} regions", HumanCount(more as u64)),
-    };
+    let regions = amount(found.regions, "region");
     let precision = match frame.precision {
         Precision::Single => "",
         Precision::Double => "; in double precision",
@@ -98,11 +96,11 @@ pub fn summary(
     let (levels, cutoff) = (counters.level_limit(), counters.cutoff());
     if levels + cutoff > 0 {
         let [by_levels, by_cutoff] = counters.cut();
-        let rays = format!("{} rays at the last level, {} below the cutoff", count(levels), count(cutoff));
+        let rays = format!("{} at the last level, {} below the cutoff", amount(levels, "ray"), count(cutoff));
         line("cut", format!("{} of the light: {rays}", percent(by_levels + by_cutoff)));
     }
     if counters.media_full() > 0 {
-        line("cut", format!("{} entries into a fifth body at once", count(counters.media_full())));
+        line("cut", format!("{} into a fifth body at once", amount(counters.media_full(), "entry")));
     }
     if counters.camera_hits() == 0 && frame.facts.objects > 0 {
         line("note", "no ray from the camera meets anything".into());

@@ -13,6 +13,7 @@ use std::path::Path;
 
 use serde::Serialize;
 
+use crate::amount::amount;
 use crate::args::RenderArgs;
 use crate::settings::{self, Source};
 use crate::wanted::Wanted;
@@ -105,7 +106,7 @@ impl Aimed {
             Target::Time { asked, passes, given_up } => {
                 lines.push(("aim", format!("a picture in {asked} s")));
                 let more = if *given_up { ", and one that was given up" } else { "" };
-                lines.push(("taken", format!("{}, after {passes} passes{more}", self.why)));
+                lines.push(("taken", format!("{}, after {}{more}", self.why, amount(*passes, "pass"))));
             }
         }
         lines.push(("same as", self.command.clone()));

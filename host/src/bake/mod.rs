@@ -11,6 +11,7 @@ use strahl_core::{
     Octree, OctreeNode, OctreeRoom, Pack, Projection, Scene, Size, Slot, View, Worker,
 };
 
+use crate::amount::amount;
 use crate::args::BakeArgs;
 use crate::counts::Counts;
 use crate::description::{Description, Settings};
@@ -188,7 +189,7 @@ fn needs(path: &Path, scene: &Scene<'_>, asked: &Asked, bytes: usize, counted: &
         text,
         "{}: {}, walked by {}",
         path.display(),
-        scene.parts().made_of.len(),
+        amount(scene.parts().made_of.len(), "item"),
         asked.accelerator.name()
     );
     let _ = writeln!(
@@ -198,8 +199,9 @@ fn needs(path: &Path, scene: &Scene<'_>, asked: &Asked, bytes: usize, counted: &
     );
     let _ = writeln!(
         text,
-        "  worker  {} bytes of RAM: {levels} levels of {task}, {what} {memory}",
+        "  worker  {} bytes of RAM: {} of {task}, {what} {memory}",
         levels * task + memory + size_of::<usize>(),
+        amount(levels, "level"),
     );
     let asks = scene.effects();
     let shapes: Vec<&str> = asks.shapes.iter().map(|shape| shape.name()).collect();

@@ -2,12 +2,12 @@
 
 use std::fmt::Write as _;
 
-use indicatif::HumanCount;
 use serde::Serialize;
 use strahl_core::Size;
 
 use super::measure::{Color, Limit, Peak};
 use super::pair::Pair;
+use crate::amount::amount;
 use crate::args::CompareArgs;
 
 /// How two pictures differ. Field by field as `--json` prints it; differences are of
@@ -167,9 +167,7 @@ impl Place {
 
 impl std::fmt::Display for Share {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        let pixels = HumanCount(self.pixels as u64);
-        let noun = if self.pixels == 1 { "pixel" } else { "pixels" };
-        write!(f, "{pixels} {noun} ({} %)", short(self.share * 100.0))
+        write!(f, "{} ({} %)", amount(self.pixels, "pixel"), percent(self.share))
     }
 }
 

@@ -6,6 +6,7 @@ use std::fmt::Write as _;
 use strahl_core::Rgb;
 
 use super::tree::{Explained, Light, Named, Ray, Sample, Sent, Triple};
+use crate::amount::amount;
 
 /// How wide a box is.
 const WIDTH: f64 = 222.0;
@@ -88,8 +89,8 @@ fn titles(explained: &Explained, sample: &Sample) -> (String, String) {
         count => format!("sample {} of {count}, ", sample.number),
     };
     let [r, g, b] = sample.color.map(short);
-    let levels = settings.levels;
-    (title, format!("{of}at most {levels} levels, cutoff {}: light {r} {g} {b}", short(settings.cutoff)))
+    let levels = amount(settings.levels, "level");
+    (title, format!("{of}at most {levels}, cutoff {}: light {r} {g} {b}", short(settings.cutoff)))
 }
 
 fn legend(svg: &mut String) {

@@ -3,6 +3,7 @@
 use std::fmt::Write as _;
 
 use super::tree::{Explained, Hit, Light, Named, Part, Ray, Sample, Sent, Sum, Thing, Triple};
+use crate::amount::amount;
 
 /// Where a line goes on that is broken.
 pub const INDENT: usize = 12;
@@ -14,11 +15,14 @@ pub fn text(explained: &Explained, only: Option<usize>) -> String {
     let mut text = format!("{scene}: pixel {x},{y} of {width}x{height}\n");
     // Writing to a string cannot fail.
     let _ = writeln!(text, "  color     {}, in sRGB {r} {g} {b}", channels(*color));
-    let levels = if settings.levels == 1 { "level" } else { "levels" };
     let _ = writeln!(
         text,
-        "  settings  {} {levels}, cutoff {}, sampler {}, filter {}, seed {}",
-        settings.levels, settings.cutoff, settings.sampler, settings.filter, settings.seed
+        "  settings  {}, cutoff {}, sampler {}, filter {}, seed {}",
+        amount(settings.levels, "level"),
+        number(settings.cutoff),
+        settings.sampler,
+        settings.filter,
+        settings.seed
     );
     if !settings.without.is_empty() {
         let _ = writeln!(text, "  without   {}", settings.without.join(", "));

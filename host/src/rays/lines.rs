@@ -2,6 +2,7 @@
 
 use std::fmt;
 
+use crate::amount::amount;
 use crate::precision::Precision;
 
 /// The longest line that may be one, in bytes.
@@ -38,8 +39,11 @@ impl fmt::Display for LineFault {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             LineFault::Fields(count) => {
-                let fields = if *count == 1 { "field" } else { "fields" };
-                write!(f, "{count} {fields}; ox,oy,oz,dx,dy,dz or ox,oy,oz,dx,dy,dz,tmax is expected")
+                write!(
+                    f,
+                    "{}; ox,oy,oz,dx,dy,dz or ox,oy,oz,dx,dy,dz,tmax is expected",
+                    amount(*count, "field")
+                )
             }
             LineFault::Word(place, word) if word.is_empty() => {
                 write!(f, "{} is empty; a number is expected", NAMES[*place])

@@ -325,7 +325,7 @@ fn the_hits_may_go_into_a_file_and_the_rays_come_from_the_standard_input() {
     assert_eq!((out.status.code(), out.stdout.len()), (Some(0), 0));
     assert_eq!(folder.read("hits.csv"), b"1,3,1,0,0,1,0,0,1\n");
     let said = String::from_utf8(out.stderr).unwrap();
-    assert!(said.starts_with("strahl: 1 rays, 1 hits, "), "{said}");
+    assert!(said.starts_with("strahl: 1 ray, 1 hit, "), "{said}");
     assert!(said.contains("; list with boxes ("), "{said}");
     assert_eq!(folder.names(), ["hits.csv", "scene.nff", "things.toml"]);
 }

@@ -135,17 +135,17 @@ fn what_cannot_be_made_is_told_and_nothing_is_written() {
     for (words, says) in [
         ("generate", "<WHAT>"),
         ("generate cube", "[possible values: sphereflake,"),
-        ("generate tetra --size 0", "a tetra has a size of 1 or more"),
+        ("generate tetra --size 0", "strahl: tetra: the size must be 1 or more\n"),
         ("generate tetra --size -1", "-1"),
         ("generate tetra --size 2.5", "2.5"),
         (
             "generate sphereflake --size 8",
-            "the objects of a sphereflake of size 8 would be 48427562; at most 16777216 are made, which is size 7",
+            "sphereflake: size 8 would be 48,427,562 objects; at most 16,777,216 are made, which is size 7",
         ),
-        ("generate tree --size 4000000000", "would be more than can be counted"),
+        ("generate tree --size 4000000000", "would be more objects than can be counted"),
         ("generate tree -o tree.obj", "tree.obj does not end in .nff, .toml or .ply"),
         ("generate tree -o tree", "name the --format"),
-        ("generate tree -o tree.ply", "PLY holds triangles only, and a tree has other shapes"),
+        ("generate tree -o tree.ply", "tree: PLY holds triangles only, and it has other shapes"),
         ("generate knot --format toml -o -", "name a file, or use --format nff"),
     ] {
         folder.run(words).failed(2, says);

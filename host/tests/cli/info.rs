@@ -166,7 +166,7 @@ fn a_person_is_told_the_same() {
     let folder = Folder::with(BALL);
     let text = String::from_utf8(folder.done("info scene.nff")).unwrap();
     for said in
-        ["scene.nff\n", "2 sphere\n", "shadows\n", "  light (line 3)\n", "material (line 7) on 2 objects\n"]
+        ["scene.nff\n", "2 spheres\n", "shadows\n", "  light (line 3)\n", "material (line 7) on 2 objects\n"]
     {
         assert!(text.contains(said), "`{said}` is not in\n{text}");
     }

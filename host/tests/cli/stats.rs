@@ -284,7 +284,7 @@ fn a_report_for_people_says_the_same() {
     let text = String::from_utf8(folder.done("render scene.nff --stats text")).unwrap();
     for said in [
         "40 x 30".to_owned(),
-        "3 objects (1 triangles), 2 lights".to_owned(),
+        "3 objects (1 triangle), 2 lights".to_owned(),
         "shadows, asked for by light in line 3 and 1 more".to_owned(),
         format!("{}, {} of them hit", json["rays"]["camera"], json["rays"]["camera_hits"]),
         format!("reflected     {}\n", json["rays"]["reflected"]),

@@ -88,7 +88,7 @@ fn strips_and_fans_are_triangles_and_lines_are_left_out() {
         |it: &Mesh| it.triangles.iter().map(|t| t.map(|c| it.points[c as usize])).collect::<Vec<_>>();
     let [a, b, c, d] = [[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [1.0, 1.0, 0.0], [0.0, 1.0, 0.0]];
     assert_eq!(places(&strip), [[a, b, c], [b, d, c]]);
-    assert_eq!(strip.warnings, ["1 primitives are points or lines and are left out"]);
+    assert_eq!(strip.warnings, ["primitives are points or lines and are left out (1)"]);
     assert_eq!(places(&mesh("gltf", with(6))), [[b, c, a], [c, d, a]]);
 }
 
@@ -150,6 +150,6 @@ fn surfaces_become_the_nearest_material() {
     assert_eq!(it.materials.iter().map(|(_, m)| *m).collect::<Vec<_>>(), [rough, metal, veil, glass]);
     assert_eq!(
         it.warnings,
-        ["1 materials have textures, which are left out", "1 materials glow, which is left out"]
+        ["materials have textures, which are left out (1)", "materials glow, which is left out (1)"]
     );
 }

@@ -67,7 +67,7 @@ fn corners_without_a_normal_get_that_of_their_triangle_when_others_have_one() {
         assert_eq!(it.normals[corner as usize], [0.0, 0.0, -1.0]);
         assert_eq!(it.points[corner as usize], place);
     }
-    let says = "2 normals are zero or not finite; those of the triangles take their place";
+    let says = "normals are zero or not finite; those of the triangles take their place (2)";
     assert_eq!(it.warnings, [says]);
 }
 
@@ -84,10 +84,10 @@ fn what_is_no_triangle_is_counted_by_kind_with_its_first_line() {
     assert_eq!(
         it.warnings,
         [
-            "2 lines and points are left out (the first in line 6)",
-            "1 faces have fewer than three corners and are left out (the first in line 8)",
-            "1 colours of corners are left out (the first in line 9)",
-            "2 words `bevel` are not known and left out (the first in line 10)",
+            "lines and points are left out (2, the first in line 6)",
+            "faces have fewer than three corners and are left out (1, in line 8)",
+            "colours of corners are left out (1, in line 9)",
+            "words `bevel` are not known and left out (2, the first in line 10)",
         ]
     );
 }
@@ -142,8 +142,8 @@ fn materials_group_the_triangles() {
     assert_eq!(
         it.warnings,
         [
-            "1 textures of materials are left out",
-            "1 uses of the material `none`, which no library has (the first in line 13)",
+            "textures of materials are left out (1)",
+            "uses of the material `none`, which no library has (1, in line 13)",
         ]
     );
 }

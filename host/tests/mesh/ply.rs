@@ -122,7 +122,7 @@ fn what_is_left_out_is_said() {
         [
             "the colours of the element `vertex` are left out",
             "triangle strips are left out",
-            "1 faces have fewer than three corners and are left out (the first in line 17)",
+            "faces have fewer than three corners and are left out (1, in line 17)",
         ]
     );
 }

@@ -1,9 +1,11 @@
 //! What the readers of all formats do with the corners and faces that they find.
 
+use indicatif::HumanCount;
 use strahl_core::{FARTHEST, Material};
 
 use super::triangulate::{self, Cut};
 use super::{Group, Mesh};
+use crate::amount::amount;
 use crate::description::Triple;
 
 /// How many kinds of things are named that were left out.
@@ -147,12 +149,14 @@ impl Gather {
         }
         let flat = self.mesh.triangles.iter().filter(|corners| is_flat(&self.mesh, corners)).count();
         if flat > 0 {
-            self.warn(format!("{flat} triangles have no area and are never hit"));
+            let has = if flat == 1 { "has no area and is" } else { "have no area and are" };
+            self.warn(format!("{} {has} never hit", amount(flat, "triangle")));
         }
         complete_normals(&mut self.mesh)?;
         self.mesh.warnings.extend(self.left_out.iter().map(|Kind { what, count, line }| match line {
-            Some(line) => format!("{count} {what} (the first in line {line})"),
-            None => format!("{count} {what}"),
+            Some(line) if *count == 1 => format!("{what} (1, in line {line})"),
+            Some(line) => format!("{what} ({}, the first in line {line})", HumanCount(*count as u64)),
+            None => format!("{what} ({})", HumanCount(*count as u64)),
         }));
         Ok(self.mesh)
     }

@@ -11,6 +11,7 @@ use super::materials::Made;
 use super::meshes::Meshes;
 use super::table::Reader;
 use super::view;
+use crate::amount::amount;
 use crate::description::{
     Background, Description, Form, Motion, Object, Projection, SHUTTER, Settings, Triple, View,
 };
@@ -119,9 +120,13 @@ impl<'m> Maker<'m> {
     fn warn(&mut self) {
         let warnings = &mut self.description.warnings;
         let (count, line) = self.flat;
-        if count > 0 {
-            warnings
-                .push(format!("{count} triangles have no area and are never hit (the first in line {line})"));
+        match count {
+            0 => {}
+            1 => warnings.push(format!("1 triangle has no area and is never hit (line {line})")),
+            _ => warnings.push(format!(
+                "{} have no area and are never hit (the first in line {line})",
+                amount(count, "triangle")
+            )),
         }
         if self.description.objects.is_empty() {
             warnings.push("there is no object in the scene".into());

@@ -18,6 +18,7 @@ use std::path::Path;
 
 use strahl_core::{Camera, Cone, FARTHEST, Material, Polygon, Rgb, Size, vec3};
 
+use crate::amount::amount;
 use crate::description::{
     Background, Description, Form, Light, Object, Placed, Projection, SHUTTER, Settings, Source, Triple, View,
 };
@@ -308,8 +309,10 @@ impl<'t> Reader<'t> {
         match self.flat {
             (0, _) => {}
             (1, line) => warnings.push(format!("1 polygon has no area and is never hit (line {line})")),
-            (count, line) => warnings
-                .push(format!("{count} polygons have no area and are never hit (the first in line {line})")),
+            (count, line) => warnings.push(format!(
+                "{} have no area and are never hit (the first in line {line})",
+                amount(count, "polygon")
+            )),
         }
         Ok(Description {
             view,
