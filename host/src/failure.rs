@@ -63,6 +63,8 @@ pub enum Failure {
     Stopped(Stop),
     /// Stopped from outside in the middle of a stream.
     StoppedAmid(Stop),
+    /// The time that was given does not suffice, and what would: it may be tried again with that.
+    Late(String),
 }
 
 impl Failure {
@@ -79,6 +81,7 @@ impl Failure {
             Failure::Unreadable { .. } => 66,
             Failure::Unwritable { .. } => 74,
             Failure::Stopped(stop) | Failure::StoppedAmid(stop) => stop.status(),
+            Failure::Late(_) => Stop::Late.status(),
         }
     }
 }
@@ -86,7 +89,7 @@ impl Failure {
 impl fmt::Display for Failure {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
-            Failure::Usage(reason) => write!(f, "{reason}"),
+            Failure::Usage(reason) | Failure::Late(reason) => write!(f, "{reason}"),
             Failure::Input { path, line: Some(line), reason } => {
                 write!(f, "{}:{line}: {reason}", path.display())
             }

@@ -59,8 +59,7 @@ fn evaluate(path: &Path) -> Result<Evaluated, Box<dyn Error>> {
     let size = Size::new(SIDE, SIDE).ok_or("no size")?;
     let plan = Plan { repeats: 3, ..Plan::QUICK };
     let limit = Some(Duration::from_secs(SECONDS));
-    let bench =
-        Bench { path, scene: &scene, size, signals: Signals::default(), meter: Meter::silent(), limit };
+    let bench = Bench::new(path, &scene, size, Signals::default(), Meter::silent(), limit);
     let levels = scene.settings.levels.unwrap_or(Limits::DEFAULT.levels);
     let wanted = Wanted { limits: Limits { levels, ..Limits::DEFAULT }, ..Wanted::of(size) };
     let mut conduct = Conduct::new(&bench, &plan);

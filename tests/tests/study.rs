@@ -32,14 +32,7 @@ fn studied<T>(name: &str, plan: &Plan, asks: &[Effect], then: impl FnOnce(&Condu
     let path = scene(name);
     let scene = load(&path).unwrap();
     let size = Size::new(40, 25).unwrap();
-    let bench = Bench {
-        path: &path,
-        scene: &scene,
-        size,
-        signals: Signals::default(),
-        meter: Meter::silent(),
-        limit: None,
-    };
+    let bench = Bench::new(&path, &scene, size, Signals::default(), Meter::silent(), None);
     let mut conduct = Conduct::new(&bench, plan);
     let truth = conduct.run(&Options::of(&Wanted::of(size), 2), asks).unwrap();
     then(&conduct, &truth)

@@ -1,5 +1,6 @@
 //! Where settings are measured: one scene at one size, against a clock.
 
+use std::cell::Cell;
 use std::path::Path;
 use std::sync::Arc;
 use std::time::{Duration, Instant};
@@ -8,6 +9,7 @@ use strahl_core::{Rgb, Size};
 
 use super::meter::Meter;
 use super::options::Options;
+use super::plan::time;
 use super::record::{Errors, Role, Run};
 use crate::compare::measure::Limit;
 use crate::compare::pair::Pair;
@@ -39,6 +41,8 @@ pub struct Bench<'b> {
     pub meter: Meter,
     /// How long all of it may take.
     pub limit: Option<Duration>,
+    /// Seconds that tables and accelerator take before anything is traced.
+    build: Cell<f64>,
 }
 
 /// A setting that was traced.
@@ -51,7 +55,24 @@ pub struct Taken {
     pub picture: Option<Picture>,
 }
 
-impl Bench<'_> {
+impl<'b> Bench<'b> {
+    /// Pictures of `size`, while `meter` runs and until `limit` is over.
+    pub fn new(
+        path: &'b Path,
+        scene: &'b Description,
+        size: Size,
+        signals: Signals,
+        meter: Meter,
+        limit: Option<Duration>,
+    ) -> Self {
+        Bench { path, scene, size, signals, meter, limit, build: Cell::new(0.0) }
+    }
+
+    /// To make tables and accelerator takes so many seconds: no setting is charged for it.
+    pub(super) fn built(&self, seconds: f64) {
+        self.build.set(seconds);
+    }
+
     /// Seconds since the study began.
     pub fn elapsed(&self) -> f64 {
         self.meter.elapsed()
@@ -62,21 +83,26 @@ impl Bench<'_> {
         self.limit.map_or(f64::INFINITY, |limit| share * limit.as_secs_f64())
     }
 
-    /// Traces it once; none where that takes more seconds than `most`.
+    /// Traces it once; none where that takes more seconds than `most`, or than are left of all.
     pub fn trace(&self, options: &Options, most: f64) -> Result<Option<Frame>, Failure> {
         self.traced(options, &options.wanted(self.size), most)
     }
 
-    /// What each pixel costs, row by row.
-    pub fn costs(&self, options: &Options) -> Result<Vec<Cost>, Failure> {
+    /// What each pixel costs, row by row; none where no time is left for it.
+    pub fn costs(&self, options: &Options) -> Result<Option<Vec<Cost>>, Failure> {
         let sheet = Arc::new(Sheet::new(self.size));
         let wanted = Wanted { sheet: Some(Arc::clone(&sheet)), ..options.wanted(self.size) };
-        self.traced(options, &wanted, f64::INFINITY)?;
-        Ok(sheet.costs())
+        Ok(self.traced(options, &wanted, f64::INFINITY)?.map(|_| sheet.costs()))
     }
 
     fn traced(&self, options: &Options, wanted: &Wanted, most: f64) -> Result<Option<Frame>, Failure> {
         self.meter.about(options);
+        // Nothing lasts longer than the study may, whatever it is allowed to.
+        let (most, left) = (most + self.build.get(), self.share(time::TRACED) - self.elapsed());
+        let most = if most < left { most } else { left };
+        if most <= 0.0 {
+            return Ok(None);
+        }
         let watch = Watch::silent(self.signals.clone());
         // What is longer than a clock can say has no end.
         let end = Duration::try_from_secs_f64(most).ok().and_then(|most| Instant::now().checked_add(most));

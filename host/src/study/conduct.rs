@@ -1,41 +1,36 @@
 //! A study from its beginning to its end.
 //!
-//! The levels are raised until nothing is cut, which tells the limits of the reference and how
-//! long anything takes here. The reference comes next; then every knob alone, the scene's own
-//! settings, mixtures, techniques; and with the time that is left, everything again, round by
-//! round, so that what disturbs the machine for a while disturbs all settings alike.
+//! From the scene's own levels and cutoff on, whichever cuts more goes a step further, until
+//! nothing is cut or the time for it is over: that tells the limits of the reference, which are
+//! never coarser than the scene's own, and how long anything takes here. The reference comes next;
+//! then the scene's own setting, every knob alone, techniques, mixtures; and with the time that is
+//! left, everything again, round by round, so that what disturbs the machine for a while disturbs
+//! all settings alike.
 
 use strahl_core::Limits;
 
+use super::afford;
 use super::bench::{Bench, Taken, errors, mean};
 use super::front::{Point, front};
 use super::knobs;
 use super::mixtures;
 use super::options::Options;
-use super::plan::{FINE_CUTOFF, LEVELS, NEXT_TO_NOTHING, Plan};
-use super::record::{Errors, Knob, LeftOut, Reference, Role, Step, Technique};
+use super::plan::{FINER, Plan, finer, time};
+use super::record::{Errors, Knob, LeftOut, Reference, Role, Technique};
 use super::techniques;
 use crate::failure::Failure;
 use crate::picture::Picture;
 use crate::plan::Effect;
-use crate::precision::Precision;
 use crate::sampling::Sampling;
 
-/// Shares of the time that is given.
-pub(super) mod time {
-    /// For one level more.
-    pub const LEVEL: f64 = 0.06;
-    /// For the reference.
-    pub const REFERENCE: f64 = 0.28;
-    /// For one setting.
-    pub const SETTING: f64 = 0.05;
-    /// For one technique.
-    pub const TECHNIQUE: f64 = 0.05;
-    /// Until mixtures end.
-    pub const MIXED: f64 = 0.72;
-    /// Until everything ends but the page.
-    pub const MEASURED: f64 = 0.92;
-}
+/// Why most of what is left out is.
+pub(super) const NO_TIME: &str = "no time was left";
+
+/// In a plan without end the reference takes no longer than this, in seconds.
+const HOUR: f64 = 3600.0;
+
+/// And no step towards its limits longer than this.
+const MINUTE: f64 = 60.0;
 
 /// What was found so far.
 pub struct Conduct<'b> {
@@ -57,6 +52,8 @@ pub struct Conduct<'b> {
     foretold: f64,
     /// What was given up, and after how many seconds.
     given_up: Vec<(Options, f64)>,
+    /// Each setting that is in `left_out`.
+    missing: Vec<Options>,
 }
 
 /// What everything is held against.
@@ -70,23 +67,37 @@ pub struct Truth {
 impl<'b> Conduct<'b> {
     /// Nothing is measured yet.
     pub fn new(bench: &'b Bench<'b>, plan: &'b Plan) -> Self {
-        let (taken, knobs, techniques, threads, left_out, given_up) = Default::default();
+        let (taken, knobs, techniques, threads) = Default::default();
+        let (left_out, given_up, missing) = Default::default();
         let (beaten, foretold) = (0, 0.0);
-        Conduct { bench, plan, taken, knobs, techniques, threads, left_out, beaten, foretold, given_up }
+        Conduct {
+            bench,
+            plan,
+            taken,
+            knobs,
+            techniques,
+            threads,
+            left_out,
+            beaten,
+            foretold,
+            given_up,
+            missing,
+        }
     }
 
     /// Measures a scene whose own settings are `own`, and which asks for `asks`.
     pub fn run(&mut self, own: &Options, asks: &[Effect]) -> Result<Truth, Failure> {
-        let best = self.levels(own)?;
-        let truth = self.reference(best)?;
+        let best = self.limits(own)?;
+        let truth = self.reference(best, own)?;
         for taken in &mut self.taken {
             judge(taken, &truth.picture);
         }
+        self.take(Role::Own, own, f64::INFINITY, &truth.picture)?;
+        knobs::levels(self, best, &truth)?;
         knobs::cutoffs(self, best, &truth)?;
         knobs::samplers(self, best, &truth)?;
         knobs::selections(self, best, &truth)?;
         knobs::effects(self, best, &truth, asks)?;
-        self.take(Role::Own, own, f64::INFINITY, &truth.picture)?;
         techniques::precision(self, own, &truth)?;
         techniques::all(self, own, &truth)?;
         techniques::threads(self, own, &truth)?;
@@ -107,88 +118,92 @@ impl<'b> Conduct<'b> {
         self.repeat()
     }
 
-    /// Raises the levels until nothing is cut; the place of the best.
-    fn levels(&mut self, own: &Options) -> Result<usize, Failure> {
-        let coarse = Options {
-            limits: Limits { levels: 1, cutoff: FINE_CUTOFF },
-            sampling: Sampling::Single,
-            selecting: None,
-            precision: Precision::Single,
-            seed: 0,
-            ..own.clone()
-        };
-        for levels in LEVELS {
-            let options = Options { limits: Limits { levels, cutoff: FINE_CUTOFF }, ..coarse.clone() };
-            // The first must be there. In a plan without end none may take longer than a minute.
-            let is_first = self.taken.is_empty();
-            let most = if is_first { f64::INFINITY } else { self.bench.share(time::LEVEL).min(60.0) };
-            let Some(taken) = self.bench.take(Role::Knob, &options, most)? else {
-                self.leave(&options, format!("given up after {most:.1} s"));
-                break;
-            };
-            let is_whole = taken.run.cut[0] <= NEXT_TO_NOTHING;
-            self.taken.push(taken);
-            if is_whole {
-                break;
+    /// Goes from the scene's own levels and cutoff to finer ones, until nothing is cut or a reference with them
+    /// would take too long; the place of the finest.
+    fn limits(&mut self, own: &Options) -> Result<usize, Failure> {
+        let coarse = own.coarse();
+        let seconds = self.bench.share(time::REFERENCE);
+        let first =
+            self.bench.take(Role::Knob, &coarse, seconds)?.ok_or_else(|| afford::short(self.bench, None))?;
+        self.taken.push(first);
+        // Finer limits are worth nothing where too few rays are left for each pixel to hold any sampler against.
+        let most = self.bounded(time::REFERENCE) / f64::from(FINER * self.plan.fewest(own));
+        let most = if most < MINUTE { most } else { MINUTE };
+        let (mut best, mut may) = (0, [true; 2]);
+        while let Some((which, limits)) =
+            finer(self.taken[best].options.limits, self.taken[best].run.cut, may)
+        {
+            let options = Options { limits, ..coarse.clone() };
+            match self.bench.take(Role::Knob, &options, most)? {
+                Some(taken) => {
+                    self.taken.push(taken);
+                    best = self.taken.len() - 1;
+                }
+                None => {
+                    may[which] = false;
+                    self.leave(
+                        &options,
+                        format!("given up after {most:.2} s: a reference like this takes too long"),
+                    );
+                }
             }
         }
-        let last = self.taken.len() - 1;
-        let step = |(run, taken): (usize, &Taken)| Step {
-            value: taken.options.limits.levels.to_string(),
-            run,
-            alone: self.between(run, last).unwrap_or_default(),
-        };
-        let steps = self.taken.iter().enumerate().map(step).collect();
-        self.knobs.push(Knob {
-            name: "levels".into(),
-            about: "How many times light may be mirrored or pass a surface before the eye.".into(),
-            fixed: format!("--cutoff 1/65536 --sampler {}", coarse.sampling),
-            against: "the most levels".into(),
-            steps,
-        });
-
-        // No cutoff at all, where that does not take much longer.
-        let (mut whole, most) = (self.taken[last].options.clone(), 3.0 * self.taken[last].run.wall[0] + 0.1);
-        whole.limits.cutoff = 0.0;
-        let best = match self.bench.take(Role::Knob, &whole, most.min(self.bench.share(time::LEVEL)))? {
-            Some(taken) => {
+        // Where the cutoff cuts nothing the same rays are sent without any.
+        let Taken { options, run, .. } = &self.taken[best];
+        if run.cut[1] == 0.0 && options.limits.cutoff > 0.0 {
+            let options = Options { limits: Limits { cutoff: 0.0, ..options.limits }, ..options.clone() };
+            if let Some(taken) = self.bench.take(Role::Knob, &options, 3.0 * most)? {
                 self.taken.push(taken);
-                self.taken.len() - 1
+                best = self.taken.len() - 1;
             }
-            None => last,
-        };
+        }
         Ok(best)
     }
 
-    /// Makes the reference with the limits of the run at `best`.
-    fn reference(&mut self, best: usize) -> Result<Truth, Failure> {
+    /// Makes the reference with the limits of the run at `best`, and where that takes too long with the scene's
+    /// own.
+    fn reference(&mut self, best: usize, own: &Options) -> Result<Truth, Failure> {
         let begun = self.bench.elapsed();
-        let single = &self.taken[best];
-        let seconds = self.bench.share(time::REFERENCE);
-        // An unlimited plan bounds its reference too: to an hour.
-        let samples = self.plan.samples(single.run.wall[0], seconds.min(3600.0));
-        let of = |seed| Options {
-            sampling: Sampling::stochastic((samples / 2).max(1)),
-            seed,
-            ..single.options.clone()
-        };
-        let rays = self.plan.rays(single.options.filter, samples);
-        self.foretold = begun + single.run.wall[0] * (f64::from(samples) + rays * self.plan.repeats as f64);
+        let (fewest, seconds) = (self.plan.fewest(own), self.bounded(time::REFERENCE));
+        let Taken { options: finest, run, .. } = &self.taken[best];
+        let (finest, single) = (finest.clone(), run.wall[0]);
+        let samples = self.plan.samples(fewest, single, seconds);
+        let rays = self.plan.rays(own.filter, samples);
+        self.foretold = begun + single * (f64::from(samples) + rays * self.plan.repeats as f64);
         self.bench.meter.left(self.ahead());
-        let traced = |seed| {
-            let frame = self.bench.trace(&of(seed), f64::INFINITY)?;
-            frame.ok_or_else(|| Failure::Usage("the reference took for ever".into()))
-        };
-        let (one, other) = (traced(1)?, traced(2)?);
-        let cut = one.counters.as_ref().map(|counts| counts.cut()).unwrap_or_default();
-        let reference = Reference {
-            setting: of(1).record(&one.accelerator.choice),
-            // The mean of two has half of the variance of their difference, halved again.
-            noise: 0.5 * errors(&one.picture, &other.picture).rmse,
-            cut: cut[0] + cut[1],
-            seconds: self.bench.elapsed() - begun,
-        };
-        Ok(Truth { picture: mean(&one.picture, &other.picture), reference })
+        // As well as it was meant, with as few rays as may be, and as coarse as may be.
+        let mut tries = vec![(finest.clone(), samples), (finest, fewest), (own.coarse(), fewest)];
+        tries.dedup();
+        for (options, samples) in tries {
+            let of = |seed| Options {
+                sampling: Sampling::stochastic((samples / 2).max(1)),
+                seed,
+                ..options.clone()
+            };
+            let left = || self.bench.share(time::PATIENCE) - self.bench.elapsed();
+            // Half of the time for each; a first that takes longer than that is not waited for.
+            let Some(one) = self.bench.trace(&of(1), 0.5 * left())? else { continue };
+            let Some(other) = self.bench.trace(&of(2), left())? else { continue };
+            let cut = one.counters.as_ref().map(|counts| counts.cut()).unwrap_or_default();
+            let reference = Reference {
+                setting: of(1).record(&one.accelerator.choice),
+                // The mean of two has half of the variance of their difference, halved again.
+                noise: 0.5 * errors(&one.picture, &other.picture).rmse,
+                cut: cut[0] + cut[1],
+                seconds: self.bench.elapsed() - begun,
+            };
+            return Ok(Truth { picture: mean(&one.picture, &other.picture), reference });
+        }
+        // Foretold too well: at least twice the time.
+        let enough = 1.5 * single * f64::from(fewest) / time::REFERENCE;
+        let twice = self.bench.share(2.0);
+        Err(afford::short(self.bench, Some(if enough > twice { enough } else { twice })))
+    }
+
+    /// This share of the time that is given, and an hour of a plan without end.
+    fn bounded(&self, share: f64) -> f64 {
+        let seconds = self.bench.share(share);
+        if seconds < HOUR { seconds } else { HOUR }
     }
 
     /// Measures a setting, if it has not been, and if it takes no longer than it may; its place.
@@ -206,13 +221,9 @@ impl<'b> Conduct<'b> {
             }
             return Ok(Some(place));
         }
-        // The scene's own setting must be there.
-        let left = match role {
-            Role::Own => f64::INFINITY,
-            _ => self.bench.share(time::MEASURED) - self.bench.elapsed(),
-        };
+        let left = self.bench.share(time::MEASURED) - self.bench.elapsed();
         if left <= 0.0 {
-            self.leave(options, "no time was left".into());
+            self.leave(options, NO_TIME.into());
             return Ok(None);
         }
         let most = if most < left { most } else { left };
@@ -262,8 +273,17 @@ impl<'b> Conduct<'b> {
         Some(errors(picture(place)?, picture(other)?))
     }
 
+    /// Tells, once, that a setting is not measured.
     pub(super) fn leave(&mut self, options: &Options, why: String) {
-        self.left_out.push(LeftOut { setting: options.words(), why });
+        if !self.missing.contains(options) {
+            self.missing.push(options.clone());
+            self.left_out.push(LeftOut { setting: options.words(), why });
+        }
+    }
+
+    /// How many settings have been left out so far.
+    pub(super) fn missing(&self) -> usize {
+        self.missing.len()
     }
 
     /// Places of what tells what accuracy costs, and how it stands.

@@ -3,6 +3,7 @@
 use std::path::Path;
 
 use serde::Deserialize;
+use serde_json::error::Category;
 
 use super::record::{Errors, FORMAT, Study, VERSION};
 use crate::failure::Failure;
@@ -26,17 +27,23 @@ impl Study {
         /// What every version begins with.
         #[derive(Deserialize)]
         struct Head {
-            format: String,
-            version: u32,
+            format: Option<String>,
+            version: Option<u32>,
         }
         let wrong = |reason: String| Failure::Input { path: path.to_owned(), line: None, reason };
         let at = |error: serde_json::Error| Failure::at(path, error.line(), reason(&error));
-        let head: Head = serde_json::from_slice(bytes).map_err(at)?;
-        if head.format != FORMAT {
-            return Err(wrong(format!("this is no study: its format is `{}`, not `{FORMAT}`", head.format)));
+        let other = || format!("this is no study.json: that begins with \"format\": \"{FORMAT}\"");
+        let head: Head = serde_json::from_slice(bytes).map_err(|error| match error.classify() {
+            // It is JSON, but of something else.
+            Category::Data => wrong(other()),
+            _ => at(error),
+        })?;
+        let (format, version) = (head.format.ok_or_else(|| wrong(other()))?, head.version);
+        if format != FORMAT {
+            return Err(wrong(format!("this is no study.json: its format is `{format}`, not `{FORMAT}`")));
         }
-        if head.version != VERSION {
-            let found = head.version;
+        let found = version.ok_or_else(|| wrong("this study does not say its version".into()))?;
+        if found != VERSION {
             return Err(wrong(format!("this study is of version {found}; this program reads {VERSION}")));
         }
         let study: Study = serde_json::from_slice(bytes).map_err(at)?;

@@ -47,7 +47,7 @@ fn costs(conduct: &Conduct<'_>) -> Result<Vec<Image>, Failure> {
         return Ok(Vec::new());
     };
     let taken = &conduct.taken[run];
-    let costs = conduct.bench.costs(&taken.options)?;
+    let Some(costs) = conduct.bench.costs(&taken.options)? else { return Ok(Vec::new()) };
     let by_ray: Vec<[f64; 4]> =
         costs.iter().map(|cost| WEIGHTS.by_ray(&counts(cost), taken.run.setting.kind())).collect();
     let whole: Vec<f64> = by_ray.iter().map(|kinds| kinds.iter().sum()).collect();

@@ -9,8 +9,8 @@ use strahl_core::Limits;
 use super::bench::{Taken, errors};
 use super::conduct::{Conduct, Truth};
 use super::options::{Options, cutoff};
-use super::plan::most_of;
-use super::record::{Knob, Step};
+use super::plan::{LEVELS, most_of};
+use super::record::{Knob, Run, Step};
 use crate::failure::Failure;
 use crate::plan::Effect;
 use crate::sampling::Sampling;
@@ -18,15 +18,51 @@ use crate::sampling::Sampling;
 /// Samples for effects that need many: enough to see what they do.
 const MANY: u32 = 16;
 
+/// The levels from one to those that cut as little as can be.
+pub(super) fn levels(study: &mut Conduct<'_>, best: usize, truth: &Truth) -> Result<(), Failure> {
+    let Taken { options: base, run, .. } = &study.taken[best];
+    let (base, seconds, has_more) = (base.clone(), run.wall[0], has_secondary(run));
+    let before = study.missing();
+    let mut steps: Vec<Step> = Vec::new();
+    let is_whole = |study: &Conduct<'_>, step: &Step| study.taken[step.run].run.cut[0] == 0.0;
+    for levels in LEVELS.into_iter().filter(|levels| has_more && *levels < base.limits.levels) {
+        // The rest would be the same picture.
+        if steps.last().is_some_and(|step| is_whole(study, step)) {
+            break;
+        }
+        let options = Options { limits: Limits { levels, ..base.limits }, ..base.clone() };
+        if let Some(run) = study.turn(&options, seconds, &truth.picture)? {
+            let alone = study.between(run, best).unwrap_or_default();
+            steps.push(Step { value: levels.to_string(), run, alone });
+        }
+    }
+    if !steps.last().is_some_and(|step| is_whole(study, step)) {
+        let alone = study.between(best, best).unwrap_or_default();
+        steps.push(Step { value: base.limits.levels.to_string(), run: best, alone });
+    }
+    study.knobs.push(Knob {
+        name: "levels".into(),
+        about: "How many times light may be mirrored or pass a surface before the eye.".into(),
+        fixed: format!("--cutoff {} --sampler {}", cutoff(base.limits.cutoff), base.sampling),
+        against: format!("{} levels", base.limits.levels),
+        steps,
+        left_out: study.missing() - before,
+    });
+    Ok(())
+}
+
+/// Whether any ray was mirrored or passed a surface: else neither levels nor a cutoff change anything.
+fn has_secondary(run: &Run) -> bool {
+    run.counts.rays[1] + run.counts.rays[2] > 0 || run.cut != [0.0; 2]
+}
+
 /// The cutoff from coarse to none.
 pub(super) fn cutoffs(study: &mut Conduct<'_>, best: usize, truth: &Truth) -> Result<(), Failure> {
     let Taken { options: base, run, .. } = &study.taken[best];
-    let (base, seconds) = (base.clone(), run.wall[0]);
-    if study.knobs.iter().any(|knob| knob.name == "levels" && knob.steps.len() < 2) {
-        return Ok(());
-    }
+    let (base, seconds, has_more) = (base.clone(), run.wall[0], has_secondary(run));
+    let before = study.missing();
     let mut steps = Vec::new();
-    for value in study.plan.cutoffs() {
+    for value in study.plan.cutoffs().filter(|value| has_more && *value > base.limits.cutoff) {
         let options = Options { limits: Limits { cutoff: value, ..base.limits }, ..base.clone() };
         if let Some(run) = study.turn(&options, seconds, &truth.picture)? {
             let alone = study.between(run, best).unwrap_or_default();
@@ -41,6 +77,7 @@ pub(super) fn cutoffs(study: &mut Conduct<'_>, best: usize, truth: &Truth) -> Re
         fixed: format!("--levels {} --sampler {}", base.limits.levels, base.sampling),
         against: format!("cutoff {}", cutoff(base.limits.cutoff)),
         steps,
+        left_out: study.missing() - before,
     });
     Ok(())
 }
@@ -50,13 +87,18 @@ pub(super) fn samplers(study: &mut Conduct<'_>, best: usize, truth: &Truth) -> R
     let Taken { options: base, run, .. } = &study.taken[best];
     let (base, single) = (base.clone(), run.wall[0]);
     let samples = truth.reference.setting.sampler.parse::<Sampling>().map_or(1, |it| 2 * most_of(&it));
+    let before = study.missing();
     let mut runs = vec![best];
     for (sampling, rays) in study.plan.samplers(base.filter) {
+        let options = Options { sampling, ..base.clone() };
         // The reference must be the finer one by far.
         if most_of(&sampling) * super::plan::FINER > samples {
+            study.leave(
+                &options,
+                format!("a reference of only {samples} rays in a pixel is too coarse for it"),
+            );
             continue;
         }
-        let options = Options { sampling, ..base.clone() };
         runs.extend(study.turn(&options, rays * single, &truth.picture)?);
     }
     runs.sort_by_key(|run| study.taken[*run].run.counts.rays[0]);
@@ -71,6 +113,7 @@ pub(super) fn samplers(study: &mut Conduct<'_>, best: usize, truth: &Truth) -> R
         fixed: format!("--levels {} --cutoff {}", base.limits.levels, cutoff(base.limits.cutoff)),
         against: "the reference".into(),
         steps,
+        left_out: study.missing() - before,
     });
     Ok(())
 }
@@ -79,6 +122,7 @@ pub(super) fn samplers(study: &mut Conduct<'_>, best: usize, truth: &Truth) -> R
 pub(super) fn selections(study: &mut Conduct<'_>, best: usize, truth: &Truth) -> Result<(), Failure> {
     let Taken { options: base, run, .. } = &study.taken[best];
     let (base, seconds) = (base.clone(), run.wall[0]);
+    let before = study.missing();
     let mut steps = Vec::new();
     for selecting in study.plan.selections() {
         let options = Options { selecting: Some(selecting), ..base.clone() };
@@ -98,6 +142,7 @@ pub(super) fn selections(study: &mut Conduct<'_>, best: usize, truth: &Truth) ->
         fixed: base.words().replace(" --select", ""),
         against: "every pixel traced".into(),
         steps,
+        left_out: study.missing() - before,
     });
     Ok(())
 }
@@ -116,6 +161,7 @@ pub(super) fn effects(
     let rays = if is_many { MANY } else { 4 };
     let seconds = f64::from(rays) * run.wall[0];
     let base = Options { sampling: Sampling::stochastic(rays), ..base.clone() };
+    let before = study.missing();
     let mut steps = Vec::new();
     for effect in asks {
         let options = Options { without: vec![*effect], ..base.clone() };
@@ -124,7 +170,10 @@ pub(super) fn effects(
         }
     }
     steps.sort_by(|a, b| b.alone.rmse.total_cmp(&a.alone.rmse));
-    if let Some(run) = study.turn(&base, seconds, &truth.picture)? {
+    // With nothing left out there is something to hold the others against.
+    if !asks.is_empty()
+        && let Some(run) = study.turn(&base, seconds, &truth.picture)?
+    {
         steps.push(Step { value: "nothing".into(), run, alone: study.taken[run].run.error });
     }
     study.knobs.push(Knob {
@@ -133,20 +182,25 @@ pub(super) fn effects(
         fixed: base.words(),
         against: "the reference, which has all of them".into(),
         steps,
+        left_out: study.missing() - before,
     });
     Ok(())
 }
 
 /// Single precision, and double, which is the yardstick.
 pub(super) fn precision(study: &mut Conduct<'_>, runs: [Option<usize>; 2], fixed: String) {
-    let [Some(single), Some(double)] = runs else { return };
     let picture = |run: usize| study.taken[run].picture.as_ref();
-    let alone = |run| match (picture(run), picture(double)) {
+    let alone = |run: usize, double: usize| match (picture(run), picture(double)) {
         (Some(a), Some(b)) => errors(a, b),
         _ => Default::default(),
     };
-    let step = |value: &str, run| Step { value: value.into(), run, alone: alone(run) };
-    let steps = vec![step("single", single), step("double", double)];
+    let step = |value: &str, run, double| Step { value: value.into(), run, alone: alone(run, double) };
+    let (steps, left_out) = match runs {
+        [Some(single), Some(double)] => {
+            (vec![step("single", single, double), step("double", double, double)], 0)
+        }
+        _ => (Vec::new(), runs.iter().filter(|run| run.is_none()).count()),
+    };
     study.knobs.push(Knob {
         name: "precision".into(),
         about: "What every number is computed with. Those of the scene are of single precision either way. Both are \
@@ -155,5 +209,6 @@ pub(super) fn precision(study: &mut Conduct<'_>, runs: [Option<usize>; 2], fixed
         fixed,
         against: "double precision".into(),
         steps,
+        left_out,
     });
 }

@@ -38,6 +38,11 @@ impl Meter {
         Meter { bar, begun: Instant::now(), room: width.saturating_sub(length + 24) }
     }
 
+    /// The same, but the time is counted from `begun`.
+    pub fn since(self, begun: Instant) -> Self {
+        Meter { begun, ..self }
+    }
+
     /// Seconds since it began.
     pub fn elapsed(&self) -> f64 {
         self.begun.elapsed().as_secs_f64()

@@ -2,9 +2,10 @@
 
 use strahl_core::Limits;
 
-use super::conduct::{Conduct, Truth, time};
+use super::conduct::{Conduct, NO_TIME, Truth};
 use super::mix::{Hunt, Notch};
 use super::options::Options;
+use super::plan::time;
 use super::record::{Role, Step};
 use crate::failure::Failure;
 
@@ -28,7 +29,7 @@ pub(super) fn all(study: &mut Conduct<'_>, best: usize, truth: &Truth) -> Result
         let seconds = single * mix.foretold.cost / work;
         let left = study.bench.share(time::MIXED) - study.bench.elapsed();
         if seconds > left {
-            study.leave(&options, "no time was left".into());
+            study.leave(&options, NO_TIME.into());
             continue;
         }
         study.take(Role::Mix, &options, f64::INFINITY, &truth.picture)?;

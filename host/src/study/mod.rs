@@ -11,6 +11,7 @@
 //! | [`mod@file`] | `study.json`, written and read |
 //! | [`plan`] | what is measured, and how much time each part may take |
 //! | [`options`] | what is turned |
+//! | `afford` | how large a picture there is time for |
 //! | [`bench`](mod@bench) | one setting is measured |
 //! | [`conduct`] | a study from its beginning to its end |
 //! | `knobs` | knobs turned one by one |
@@ -31,7 +32,7 @@ use std::ffi::OsStr;
 use std::fs;
 use std::iter;
 use std::path::{Path, PathBuf};
-use std::time::Duration;
+use std::time::{Duration, Instant};
 
 use strahl_core::Size;
 
@@ -47,6 +48,7 @@ use crate::signals::Signals;
 use crate::stock::single::Stock;
 use crate::wanted::{DEFAULT_SIZE, Wanted};
 use crate::wrap::{width_of_stderr, wrapped};
+use afford::smaller;
 use bench::Bench;
 use conduct::Conduct;
 use device::Device;
@@ -55,6 +57,7 @@ use options::Options;
 use plan::Plan;
 use record::Study;
 
+mod afford;
 pub mod bench;
 pub mod conduct;
 pub mod device;
@@ -87,9 +90,16 @@ pub fn run(args: &StudyArgs) -> Result<(), Failure> {
     match (&args.scene, &args.from) {
         (_, Some(file)) => {
             let study = Study::read(file)?;
-            let folder = args.output.clone().unwrap_or_else(|| folder_of(file));
+            let place = args.output.clone().unwrap_or_else(|| folder_of(file));
             let guard = Guard::of(iter::once(file).chain(&args.device));
-            let mut folder = Folder::prepare(&folder, guard, &["report.html", "study.csv"])?;
+            // The page says that the numbers are beside it. What is there already is not replaced unless that is
+            // asked for.
+            let copy = place.join("study.json");
+            let is_same = fs::canonicalize(&copy).ok() == fs::canonicalize(file).ok();
+            let is_copied = !is_same && (args.output.is_some() || !copy.exists());
+            let names = ["report.html", "study.csv", "study.json"];
+            let mut folder = Folder::prepare(&place, guard, &names[..if is_copied { 3 } else { 2 }])?;
+            folder.write("study.json", study.to_json().as_bytes())?;
             folder.write("report.html", page::page(&study, device.as_ref()).as_bytes())?;
             folder.write("study.csv", table::table(&study).as_bytes())?;
             args.tell(&format!("{}\n", folder.path.join("report.html").display()));
@@ -97,13 +107,14 @@ pub fn run(args: &StudyArgs) -> Result<(), Failure> {
         }
         (Some(path), None) => {
             let signals = Signals::listen()?;
+            let begun = Instant::now();
             let files = Files::on_disk();
             let scene = load(&files, path, args)?;
             // Before the work, so that nothing is measured that cannot be kept.
             let guard = Guard::of(files.named().iter().chain(&args.device));
             let folder = args.output.clone().unwrap_or_else(|| folder_for(path));
             let mut folder = Folder::prepare(&folder, guard, &["study.json", "study.csv", "report.html"])?;
-            let study = study(path, &scene, args, signals)?;
+            let study = study(path, &scene, args, signals, begun)?;
             folder.write("study.json", study.to_json().as_bytes())?;
             folder.write("study.csv", table::table(&study).as_bytes())?;
             folder.write("report.html", page::page(&study, device.as_ref()).as_bytes())?;
@@ -124,7 +135,13 @@ fn load(files: &Files, path: &Path, args: &StudyArgs) -> Result<Description, Fai
 }
 
 /// Measures.
-fn study(path: &Path, scene: &Description, args: &StudyArgs, signals: Signals) -> Result<Study, Failure> {
+fn study(
+    path: &Path,
+    scene: &Description,
+    args: &StudyArgs,
+    signals: Signals,
+    begun: Instant,
+) -> Result<Study, Failure> {
     let (load, date) = (machine::load(), machine::now());
     let facts = {
         let stock = Stock::new(scene);
@@ -135,11 +152,16 @@ fn study(path: &Path, scene: &Description, args: &StudyArgs, signals: Signals) -
 
     let plan = if args.full { Plan::FULL } else { Plan::QUICK };
     let limit = args.time_limit.or((!args.full).then_some(QUICK));
-    let size = args.size.unwrap_or_else(|| smaller(scene.settings.size.unwrap_or(DEFAULT_SIZE)));
+    let full = args.size.unwrap_or_else(|| smaller(scene.settings.size.unwrap_or(DEFAULT_SIZE), PIXELS));
     let meter = if args.quiet { Meter::silent() } else { Meter::on_terminal() };
-    let bench = Bench { path, scene, size, signals, meter, limit };
+    // What loading takes is taken from the time, too.
+    let meter = meter.since(begun);
+    let mut bench = Bench::new(path, scene, full, signals, meter, limit);
+    let own = own(scene, full, args.threads)?;
+    afford::choose(&mut bench, &plan, &own, args.size.is_none()).inspect_err(|_| bench.meter.end())?;
+    let size = bench.size;
     let mut conduct = Conduct::new(&bench, &plan);
-    let found = conduct.run(&own(scene, size, args.threads)?, &asks).and_then(|truth| {
+    let found = conduct.run(&own, &asks).and_then(|truth| {
         let pictures = images::all(&conduct, &truth)?;
         Ok((truth, pictures))
     });
@@ -156,6 +178,7 @@ fn study(path: &Path, scene: &Description, args: &StudyArgs, signals: Signals) -
         load,
         plan: plan.name.into(),
         time_limit: limit.map(|limit| limit.as_secs_f64()),
+        size_with_more_time: (size != full).then(|| [full.width(), full.height()]),
         seconds,
         beaten,
         weights: WEIGHTS,
@@ -191,33 +214,40 @@ fn own(scene: &Description, size: Size, threads: Option<usize>) -> Result<Option
     Ok(Options::of(&wanted, threads.unwrap_or_else(machine::cores)))
 }
 
-/// A size of the same shape that a study has time for.
-fn smaller(size: Size) -> Size {
-    let (width, height) = (f64::from(size.width()), f64::from(size.height()));
-    let scale = (f64::from(PIXELS) / (width * height)).sqrt();
-    let scaled = |side: f64| (side * scale).round().max(1.0) as u32;
-    if scale < 1.0 { Size::new(scaled(width), scaled(height)).unwrap_or(size) } else { size }
-}
-
-/// Where a study goes.
+/// Where a study goes. What was made for it goes with this value, unless something is in it.
 struct Folder {
     path: PathBuf,
     /// The files that are still to be written there.
     files: HashMap<&'static str, Output>,
+    /// Folders that were not there before, the innermost first.
+    made: Vec<PathBuf>,
 }
 
 impl Folder {
     /// Makes it, if it is not there, and makes sure that these files can be written in it.
     fn prepare(path: &Path, mut guard: Guard, names: &[&'static str]) -> Result<Self, Failure> {
         let unwritable = |error| Failure::Unwritable { path: Some(path.to_owned()), error };
+        let is_new = |folder: &&Path| *folder != Path::new("") && !folder.exists();
+        let made = path.ancestors().take_while(is_new).map(Path::to_owned).collect();
+        let mut folder = Folder { path: path.to_owned(), files: HashMap::new(), made };
         fs::create_dir_all(path).map_err(unwritable)?;
-        let files = names.iter().map(|name| Ok((*name, guard.prepare(&path.join(name))?)));
-        Ok(Folder { path: path.to_owned(), files: files.collect::<Result<_, Failure>>()? })
+        for name in names {
+            folder.files.insert(name, guard.prepare(&path.join(name))?);
+        }
+        Ok(folder)
     }
 
     /// Lets one of the files appear.
     fn write(&mut self, name: &str, bytes: &[u8]) -> Result<(), Failure> {
         self.files.remove(name).map_or(Ok(()), |output| output.commit(bytes))
+    }
+}
+
+impl Drop for Folder {
+    fn drop(&mut self) {
+        // What was not written goes first; a folder with something in it is not removed.
+        self.files.clear();
+        self.made.iter().all(|folder| fs::remove_dir(folder).is_ok());
     }
 }
 
@@ -245,21 +275,4 @@ fn folder_for(scene: &Path) -> PathBuf {
 
 fn stem(path: &Path) -> String {
     path.file_stem().unwrap_or(OsStr::new("scene")).to_string_lossy().into_owned()
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn a_study_is_of_a_smaller_picture_of_the_same_shape() {
-        let smaller = |width, height| {
-            let size = smaller(Size::new(width, height).unwrap());
-            (size.width(), size.height())
-        };
-        assert_eq!(smaller(640, 480), (296, 222));
-        assert_eq!(smaller(512, 512), (256, 256));
-        assert_eq!([smaller(256, 256), smaller(40, 30)], [(256, 256), (40, 30)]);
-        assert_eq!(smaller(60_000, 4), (31_353, 2));
-    }
 }

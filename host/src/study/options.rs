@@ -50,6 +50,17 @@ impl Options {
         }
     }
 
+    /// The same levels and cutoff with one ray in each pixel, and nothing else that changes the picture.
+    pub(super) fn coarse(&self) -> Self {
+        Options {
+            sampling: Sampling::Single,
+            selecting: None,
+            precision: Precision::Single,
+            seed: 0,
+            ..self.clone()
+        }
+    }
+
     /// What is to be traced.
     pub fn wanted(&self, size: Size) -> Wanted {
         Wanted {

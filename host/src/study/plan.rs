@@ -1,5 +1,8 @@
 //! What is measured: the notches of every knob, and how much time each part may take.
 
+use strahl_core::Limits;
+
+use super::options::Options;
 use crate::sampling::{Agreement, Sampling, Selecting};
 use crate::wanted::Filter;
 
@@ -31,14 +34,35 @@ pub struct Plan {
 /// Levels that are tried, until nothing is cut by them.
 pub const LEVELS: [u8; 15] = [1, 2, 3, 4, 5, 6, 8, 10, 12, 16, 20, 24, 32, 48, 64];
 
-/// Next to none: a ray of this weight changes no bit of a picture of eight bits, nor do hundreds.
-pub const FINE_CUTOFF: f32 = 1.0 / 65536.0;
+/// Cutoffs that are tried, until they cut nothing. The last is next to none: a ray of this weight changes no bit
+/// of a picture of eight bits, nor do hundreds.
+pub const FINE_CUTOFFS: [f32; 4] = [1.0 / 64.0, 1.0 / 512.0, 1.0 / 4096.0, 1.0 / 65536.0];
 
 /// A share of the light that is as good as none.
 pub const NEXT_TO_NOTHING: f64 = 1e-4;
 
 /// The reference has at least this many times the samples of what is held against it.
 pub const FINER: u32 = 4;
+
+/// Shares of the time that is given.
+pub(super) mod time {
+    /// For the probe that tells how large a picture there is time for.
+    pub const PROBE: f64 = 0.1;
+    /// For the reference.
+    pub const REFERENCE: f64 = 0.28;
+    /// The most for it, where it takes longer than foretold.
+    pub const PATIENCE: f64 = 0.6;
+    /// For one setting.
+    pub const SETTING: f64 = 0.05;
+    /// For one technique.
+    pub const TECHNIQUE: f64 = 0.05;
+    /// Until mixtures end.
+    pub const MIXED: f64 = 0.72;
+    /// Until everything ends but the maps of costs and the page.
+    pub const MEASURED: f64 = 0.9;
+    /// Until nothing is traced any more.
+    pub const TRACED: f64 = 0.96;
+}
 
 impl Plan {
     /// Under a minute for 256 x 256 pixels on two cores.
@@ -118,17 +142,38 @@ impl Plan {
         of_samplers + others as f64 + TECHNIQUES + MIXTURE * self.mixes as f64
     }
 
-    /// Samples in a pixel of the reference, where one in each pixel takes `single` seconds and all of them
-    /// may take `seconds`. A power of two, for which the sequence is best.
-    pub fn samples(&self, single: f64, seconds: f64) -> u32 {
-        let [least, most] = self.reference;
+    /// Samples in a pixel of the reference at least: no fewer than the scene's own setting has. A power of
+    /// two, for which the sequence is best.
+    pub fn fewest(&self, own: &Options) -> u32 {
+        let [least, _] = self.reference;
+        let rays = most_of(&own.sampling);
+        let least = if rays > least { rays } else { least };
+        least.checked_next_power_of_two().unwrap_or(least)
+    }
+
+    /// Samples in a pixel of the reference, `fewest` at least, where one in each pixel takes `single` seconds
+    /// and all of them may take `seconds`.
+    pub fn samples(&self, fewest: u32, single: f64, seconds: f64) -> u32 {
+        let [_, most] = self.reference;
         let fits = |samples: u32| f64::from(samples) * single <= seconds;
-        let mut samples = least;
+        let mut samples = fewest;
         while samples < most && fits(2 * samples) {
             samples *= 2;
         }
         samples
     }
+}
+
+/// The next limits on the way to a reference, from those that cut these shares of the light by their levels and by
+/// their cutoff: whichever cuts more goes a step further, as long as it `may`. None where nothing is cut any more.
+pub fn finer(limits: Limits, cut: [f64; 2], may: [bool; 2]) -> Option<(usize, Limits)> {
+    let levels = LEVELS.into_iter().find(|levels| *levels > limits.levels);
+    let cutoff = FINE_CUTOFFS.into_iter().find(|cutoff| *cutoff < limits.cutoff);
+    let next =
+        [levels.map(|levels| Limits { levels, ..limits }), cutoff.map(|cutoff| Limits { cutoff, ..limits })];
+    let open = (0..2).filter(|which| may[*which] && cut[*which] > NEXT_TO_NOTHING);
+    let open = open.filter_map(|which| Some((which, next[which]?)));
+    open.max_by(|(a, _), (b, _)| cut[*a].total_cmp(&cut[*b]))
 }
 
 /// The most rays that a sampler without a raster of corners sends through a pixel.
@@ -143,7 +188,10 @@ pub fn most_of(sampling: &Sampling) -> u32 {
 
 #[cfg(test)]
 mod tests {
+    use strahl_core::Size;
+
     use super::*;
+    use crate::wanted::Wanted;
 
     #[test]
     fn every_sampler_of_a_plan_is_one_of_the_command_line() {
@@ -164,8 +212,50 @@ mod tests {
     #[test]
     fn a_reference_has_as_many_samples_as_its_time_allows() {
         let plan = Plan { reference: [32, 1024], ..Plan::QUICK };
-        let samples = |seconds| plan.samples(0.1, seconds);
+        let samples = |seconds| plan.samples(32, 0.1, seconds);
         assert_eq!([0.0, 6.3, 6.4, 25.0, 30.0, 1e9].map(samples), [32, 32, 64, 128, 256, 1024]);
-        assert_eq!(plan.samples(0.1, f64::INFINITY), 1024);
+        assert_eq!(plan.samples(32, 0.1, f64::INFINITY), 1024);
+    }
+
+    #[test]
+    fn a_reference_has_no_fewer_samples_than_the_scene_asks_for() {
+        let fewest = |sampler: &str| {
+            let wanted =
+                Wanted { sampling: sampler.parse().unwrap(), ..Wanted::of(Size::new(4, 4).unwrap()) };
+            Plan::QUICK.fewest(&Options::of(&wanted, 1))
+        };
+        let samplers = [
+            "single",
+            "regular:4",
+            "regular:7",
+            "stochastic:1500",
+            "adaptive:4:0.1",
+            "stochastic:4..96:0.9:0.1",
+        ];
+        assert_eq!(samplers.map(fewest), [32, 32, 64, 2048, 256, 128]);
+        // The time does not change that.
+        assert_eq!(Plan::QUICK.samples(2048, 1.0, 0.0), 2048);
+    }
+
+    #[test]
+    fn what_cuts_more_goes_further_until_nothing_is_cut() {
+        let from = |levels, cutoff| Limits { levels, cutoff };
+        let next = |limits, cut, may| finer(limits, cut, may).map(|(_, it)| (it.levels, it.cutoff));
+        let (both, own) = ([true, true], from(5, 1.0 / 512.0));
+        assert_eq!(next(own, [0.1, 0.01], both), Some((6, 1.0 / 512.0)));
+        assert_eq!(next(own, [0.01, 0.1], both), Some((5, 1.0 / 4096.0)));
+        assert_eq!(next(own, [0.01, 0.1], [true, false]), Some((6, 1.0 / 512.0)));
+        assert_eq!(next(own, [0.0, 1e-5], both), None);
+        assert_eq!(next(own, [0.1, 0.1], [false, false]), None);
+        // At the end of one ladder the other goes on.
+        assert_eq!(next(from(64, 0.3), [0.9, 0.1], both), Some((64, 1.0 / 64.0)));
+        assert_eq!(next(from(7, 0.0), [0.1, 0.0], both), Some((8, 0.0)));
+        // However often: never a step back.
+        let mut limits = from(2, 0.004);
+        while let Some((_, finer)) = finer(limits, [0.1, 0.2], both) {
+            assert!(finer.levels >= limits.levels && finer.cutoff <= limits.cutoff && finer != limits);
+            limits = finer;
+        }
+        assert_eq!(limits, from(64, 1.0 / 65536.0));
     }
 }

@@ -2,12 +2,17 @@
 
 use std::fs;
 use std::path::Path;
+#[cfg(unix)]
+use std::process::{Command, Stdio};
 use std::sync::OnceLock;
+use std::time::{Duration, Instant};
 
 use serde_json::Value;
 use strahl::study::file::schema;
 use strahl::study::record::{Role, Study};
 
+#[cfg(unix)]
+use crate::program::Running;
 use crate::program::{BALL, EMPTY, Folder};
 
 const DEVICE: &str = "scene,width,height,precision,levels,cutoff,sampler,instructions,rays,rmse";
@@ -121,6 +126,156 @@ fn the_page_is_made_again_from_what_was_measured() {
     assert_eq!(folder().read("same/study.csv"), folder().read("out/study.csv"));
 }
 
+#[test]
+fn a_page_that_is_made_elsewhere_has_its_numbers_beside_it() {
+    folder().done("study --from out/study.json -o deep/elsewhere --quiet");
+    assert_eq!(folder().read("deep/elsewhere/study.json"), folder().read("out/study.json"));
+    // Where somebody keeps several, none replaces another.
+    changed("kept", |json| json["scene"]["name"] = "other".into());
+    fs::copy(folder().path("out/study.json"), folder().path("kept/first.json")).unwrap();
+    let before = folder().read("kept/study.json");
+    folder().done("study --from kept/first.json --quiet");
+    assert_eq!(folder().read("kept/study.json"), before);
+}
+
+#[test]
+fn a_knob_that_was_not_measured_is_told_apart_from_one_that_cannot_be_turned() {
+    let turned = |name: &str, left_out: usize| {
+        changed(name, |json| {
+            for knob in json["knobs"].as_array_mut().unwrap().iter_mut().filter(|it| it["name"] == "cutoff") {
+                knob["steps"].as_array_mut().unwrap().truncate(1);
+                knob["left_out"] = left_out.into();
+            }
+            let left = serde_json::json!({"setting": "--levels 5 --cutoff 1/8", "why": "no time was left"});
+            json["left_out"] = vec![left; left_out].into();
+        });
+        folder().done(&format!("study --from {name}/study.json --quiet"));
+        page(name)
+    };
+    let (unknown, fixed) = (turned("unknown", 4), turned("fixed", 0));
+    assert!(unknown.contains("<code>cutoff</code>: not measured: no time was left (4 settings)."));
+    assert!(!unknown.contains("nothing to turn here"));
+    assert!(unknown.contains("4 settings not measured: no time was left; nothing is known of cutoff"));
+    assert!(fixed.contains("<code>cutoff</code> has nothing to turn here"));
+    assert!(!fixed.contains("no time was left"));
+}
+
+#[test]
+fn what_was_not_measured_has_no_empty_chart_or_table() {
+    changed("bare", |json| {
+        json["techniques"].as_array_mut().unwrap().iter_mut().for_each(|it| {
+            (it["with"], it["without"], it["error"]) = (Value::Null, Value::Null, Value::Null);
+        });
+        json["threads"] = serde_json::json!([0]);
+    });
+    folder().done("study --from bare/study.json --quiet");
+    let page = page("bare");
+    let techniques = page.split("<section id=\"techniques\">").nth(1).unwrap();
+    let techniques = techniques.split("</section>").next().unwrap();
+    assert!(techniques.contains("Not measured to the end: no time was left ("), "{techniques}");
+    assert!(!techniques.contains("<svg") && !techniques.contains("<table"), "{techniques}");
+}
+
+#[test]
+fn a_reference_that_cuts_much_light_is_told_before_anything_else() {
+    changed("coarse", |json| json["reference"]["cut"] = 0.031.into());
+    let told = folder().run("study --from coarse/study.json");
+    assert_eq!(told.status, Some(0), "{}", told.stderr);
+    let coarse = page("coarse");
+    let at = |page: &str, text: &str| page.find(text).unwrap_or(usize::MAX);
+    assert!(at(&coarse, "The reference itself cuts 3.1 % of the light") < at(&coarse, "<section"));
+    changed("clean", |json| json["reference"]["cut"] = 0.0001.into());
+    folder().done("study --from clean/study.json --quiet");
+    assert!(!page("clean").contains("The reference itself cuts"));
+    // The terminal tells it after a study.
+    let study = |cut: f64| {
+        let mut study = self::study();
+        study.reference.cut = cut;
+        strahl::study::page::summary(&study, Path::new("report.html"))
+    };
+    assert!(study(0.031).contains("beware    The reference itself cuts 3.1 % of the light"));
+    assert!(!study(0.0001).contains("beware"));
+}
+
+#[test]
+fn the_page_speaks_of_nothing_that_its_reader_cannot_know() {
+    let page = page("out");
+    assert!(!page.contains("lecture"));
+    let study = study();
+    let about = study.runs.iter().filter(|run| run.is_about_accuracy()).count();
+    assert!(page.contains(&format!("All {about} settings of these plots")));
+    assert!(page.contains(&format!(
+        "{} settings measured, of which {about} tell what accuracy costs",
+        study.runs.len()
+    )));
+}
+
+/// Balls of glass between mirrors, of which every ray makes a tree of thousands.
+const TREES: &str = r#"
+camera = { from = [0, 0, 4.5], at = [0, 0, 0], angle = 60 }
+render = { levels = 14, cutoff = 0.001, sampler = "regular:7" }
+point_light = [{ position = [2, 4, 4] }]
+plane = [
+    { point = [0, 0, -5], normal = [0, 0, 1], material = { color = "teal", mirror = 0.9 } },
+    { point = [0, 0, 5], normal = [0, 0, 1], material = { color = "ivory", mirror = 0.9 } },
+]
+sphere = [
+    { center = [-1, 0, 0], radius = 1, material = { color = 0, transmission = 1, fresnel = true } },
+    { center = [1, 0, 0], radius = 1, material = { color = 0, transmission = 1, fresnel = true } },
+]
+"#;
+
+#[test]
+fn no_reference_is_coarser_than_the_scene_asks_for_however_short_the_time() {
+    let folder = Folder::with("");
+    folder.write("trees.toml", TREES);
+    for limit in [1, 3] {
+        let begun = Instant::now();
+        let said = folder.run(&format!("study trees.toml -o out{limit} --time-limit {limit}s"));
+        let took = begun.elapsed();
+        // To write the page takes some time, too.
+        assert!(took < Duration::from_secs(limit) + Duration::from_secs(1), "{limit} s: {took:?}");
+        if said.status == Some(0) {
+            let study = Study::read(&folder.path(format!("out{limit}/study.json"))).unwrap();
+            let setting = &study.reference.setting;
+            assert!(setting.levels >= 14 && setting.cutoff <= 0.001, "{setting:?}");
+            // Twice as many make the reference, and no fewer than the 49 of the scene.
+            let rays: u32 = setting.sampler.strip_prefix("stochastic:").unwrap().parse().unwrap();
+            assert!(2 * rays >= 49, "{setting:?}");
+        } else {
+            said.failed(75, "is too short to make a reference");
+            assert!(said.stderr.contains("--time-limit"), "{}", said.stderr);
+            assert!(!folder.path(format!("out{limit}")).exists());
+        }
+    }
+}
+
+#[test]
+fn a_size_that_there_is_no_time_for_is_refused_and_what_would_be_enough_is_told() {
+    let folder = Folder::with("");
+    folder.write("trees.toml", TREES);
+    let begun = Instant::now();
+    folder.run("study trees.toml --size 4000x3000 --time-limit 1s").failed(
+        75,
+        "1s is too short to make a reference that is no coarser than the scene's own setting: --time-limit",
+    );
+    assert!(begun.elapsed() < Duration::from_secs(2));
+    assert_eq!(folder.names(), ["scene.nff", "trees.toml"]);
+}
+
+#[cfg(unix)]
+#[test]
+fn an_interrupted_study_leaves_nothing_behind() {
+    let folder = Folder::with(BALL);
+    let words = "study scene.nff -o a/b --full --size 400x300";
+    let mut running = Running::start(folder.command(words).stdout(Stdio::null()).stderr(Stdio::null()));
+    running.until(|| folder.path("a/b").exists());
+    let kill = format!("kill -s INT {}", running.number());
+    assert!(Command::new("sh").args(["-c", &kill]).status().unwrap().success());
+    assert_eq!(running.end().code(), Some(130));
+    assert_eq!(folder.names(), ["scene.nff"]);
+}
+
 /// The plot's mark with this error: from its group to the end of that.
 fn mark(page: &str, error: f64) -> Option<&str> {
     let start = page.find(&format!("data-error=\"{error}\""))?;
@@ -183,6 +338,10 @@ fn what_is_no_study_is_refused_with_its_place() {
     folder().run("study --from far/study.json").failed(65, "there is no run 4000");
     changed("empty", |json| json["runs"][0]["cpu"] = Vec::<f64>::new().into());
     folder().run("study --from empty/study.json").failed(65, "run 0 has no measured time");
+    folder().write("bad.json", "{ \"name\": \"package\" }");
+    folder().run("study --from bad.json").failed(65, "bad.json: this is no study.json");
+    folder().write("list.json", "[1, 2]");
+    folder().run("study --from list.json").failed(65, "list.json: this is no study.json");
     folder().write("broken.json", "{\n  \"format\": \"strahl-study\",\n  \"version\": one\n}\n");
     folder().run("study --from broken.json").failed(65, "broken.json:3: ");
     folder().run("study --from missing.json").failed(66, "missing.json");

@@ -24,7 +24,10 @@ pub fn recommended(study: &Study) -> Vec<(f64, Option<&Run>)> {
 pub fn part(study: &Study) -> Markup {
     let own = study.runs.iter().find(|run| run.role == Role::Own);
     html! {
-        @if let Some(own) = own { p.lead { (against_own(study, own)) } }
+        @match own {
+            Some(own) => { p.lead { (against_own(study, own)) } }
+            None => { p.lead { "The scene's own setting was not measured to the end: no time was left." } }
+        }
         (wide(html! {
             table {
                 thead { tr {

@@ -71,7 +71,7 @@ pub fn part(study: &Study) -> Markup {
         h3 { "The front" }
         (wide(table(study, &numbered(study))))
         details {
-            summary { "All " (by_work.len()) " settings" }
+            summary { "All " (by_work.len()) " settings of these plots" }
             (wide(table(study, &all(study))))
         }
     }

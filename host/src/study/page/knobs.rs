@@ -7,7 +7,7 @@ use super::super::statistics::ends;
 use super::family::Family;
 use super::numbers::{change, error, seconds};
 use super::rows::{Order, Row, draw};
-use super::{options, wide};
+use super::{missing, options, plural, wide};
 
 pub fn part(study: &Study) -> Markup {
     html! {
@@ -19,7 +19,7 @@ pub fn part(study: &Study) -> Markup {
             @for knob in study.knobs.iter().filter(|knob| knob.steps.len() > 1) { (card(study, knob)) }
         }
         @for knob in study.knobs.iter().filter(|knob| knob.steps.len() < 2) {
-            p.soft { code { (knob.name) } " has nothing to turn here: nothing in the scene calls for it." }
+            (missing::knob(knob))
         }
     }
 }
@@ -56,7 +56,13 @@ fn card(study: &Study, knob: &Knob) -> Markup {
                 p.soft { "The error of " code { "stochastic:N" } " falls as N to the power of " (format!("{slope:.2}").replace('-', "−")) "; chance alone would give −0.50." }
             }
             @if knob.steps.iter().any(|step| step.value == "shadows") {
-                p.soft { "Without shadows no light is asked, and with the questions the work forgets what light itself takes; the time does not." }
+                p.soft {
+                    "Work counts what a light's colour takes together with the shadow ray to it. Without shadows there are no such rays, "
+                    "so the work told for that is too small; the time is right."
+                }
+            }
+            @if knob.left_out > 0 {
+                p.soft { (plural(knob.left_out, "setting")) " not measured: no time was left." }
             }
             (wide(steps(study, knob)))
         }

@@ -44,7 +44,9 @@ pub fn part(study: &Study) -> Markup {
             }
             dt { "when" } dd { (method.date) ", " (seconds(method.seconds)) " for all of it" }
             dt { "plan" } dd {
-                (method.plan) ": " (study.runs.len()) " settings measured; " (method.beaten)
+                @let about = study.runs.iter().filter(|run| run.is_about_accuracy()).count();
+                (method.plan) ": " (study.runs.len()) " settings measured, of which " (about) " tell what accuracy costs and "
+                (study.runs.len() - about) " what techniques and threads save; " (method.beaten)
                 " more were not, because one that was measured would beat them even if they were a good deal better than foretold"
                 @if !study.left_out.is_empty() { "; " (study.left_out.len()) " for want of time" }
             }

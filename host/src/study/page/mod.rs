@@ -14,6 +14,7 @@
 //! | `curve` | error against time and work |
 //! | `looks` | pictures side by side |
 //! | `knobs` | one plot for each knob |
+//! | `missing` | what is not known, and why |
 //! | `places` | where the time goes |
 //! | `techniques` | techniques on and off |
 //! | `chip` | what firmware has measured |
@@ -36,6 +37,7 @@ mod family;
 mod knobs;
 mod looks;
 mod method;
+mod missing;
 pub mod numbers;
 mod places;
 mod rows;
@@ -80,7 +82,11 @@ pub fn page(study: &Study, device: Option<&Device>) -> String {
                     p.kicker { "strahl study" }
                     h1 { "What accuracy costs: " (scene.name) }
                     p.facts {
-                        (scene.width) " × " (scene.height) " pixels · "
+                        (scene.width) " × " (scene.height) " pixels"
+                        @if let Some([width, height]) = study.method.size_with_more_time {
+                            " (" (width) " × " (height) " with more time)"
+                        }
+                        " · "
                         (plural(scene.objects, "object")) " · " (plural(scene.lights, "light")) " · "
                         @if scene.effects.is_empty() { "no effects" } @else { (scene.effects.join(", ")) }
                     }
@@ -89,6 +95,7 @@ pub fn page(study: &Study, device: Option<&Device>) -> String {
                     }
                 }
                 main {
+                    (missing::part(study))
                     @for (id, title, part) in &parts {
                         section id=(id) { h2 { (title) } (part) }
                     }
@@ -171,13 +178,21 @@ pub fn summary(study: &Study, page: &Path) -> String {
             None => line(&format!("≤ {limit}"), "none of the settings measured".into()),
         }
     }
+    if let Some(doubt) = missing::doubt(study) {
+        line("beware", doubt);
+    }
     let (runs, beaten) = (study.runs.len(), study.method.beaten);
     line(
         "measured",
         format!(
-            "{runs} settings in {}; {beaten} more would be beaten",
+            "{runs} settings of {} x {} pixels in {}; {beaten} more would be beaten",
+            study.scene.width,
+            study.scene.height,
             numbers::seconds(study.method.seconds)
         ),
     );
+    if let Some(left_out) = missing::left_out(study) {
+        line("left out", left_out);
+    }
     text
 }

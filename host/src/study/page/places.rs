@@ -10,9 +10,12 @@ use super::{options, wide};
 const KINDS: [&str; 4] = ["camera", "reflected", "transmitted", "shadow"];
 
 pub fn part(study: &Study) -> Markup {
-    let own = study.runs.iter().find(|run| run.role == Role::Own).or(study.runs.first());
+    let own = study.runs.iter().find(|run| run.role == Role::Own);
     html! {
-        @if let Some(run) = own { (by_ray(study, run)) }
+        @match own {
+            Some(run) => { (by_ray(study, run)) }
+            None => { p.soft { "Not measured: no time was left for the scene's own setting." } }
+        }
         @let maps: Vec<_> = study.pictures.iter().filter(|it| it.shows == Shows::Cost).collect();
         @if !maps.is_empty() {
             h3 { "Pixel by pixel" }

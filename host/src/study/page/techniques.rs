@@ -8,7 +8,7 @@ use super::family::round;
 use super::numbers::{change, count, error, seconds};
 use super::scale::Log;
 use super::scatter::spaced;
-use super::wide;
+use super::{plural, wide};
 
 /// A technique both of whose runs are there.
 struct Shown<'s> {
@@ -55,6 +55,21 @@ pub fn part(study: &Study) -> Markup {
         .filter_map(|it| Some(Bounded { it, after: it.given_up?, with: run(it.with)? }))
         .collect();
     let is_bounded = |it: &Technique| it.given_up.is_some() && it.with.is_some();
+    let unknown: Vec<&str> = missing.iter().filter(|it| !is_bounded(it)).map(|it| it.name.as_str()).collect();
+    html! {
+        @if !shown.is_empty() || !bounded.is_empty() { (measured(&shown, &bounded)) }
+        @if !bounded.is_empty() {
+            p.soft { "Where a time without is not known it was given up; what is told then is wall-clock time, and what is saved at least." }
+        }
+        @if !unknown.is_empty() {
+            p.soft { "Not measured to the end: no time was left (" (plural(unknown.len(), "technique")) "): " (unknown.join(", ")) "." }
+        }
+        (threads(study))
+    }
+}
+
+/// What is known of techniques, drawn and as a table.
+fn measured(shown: &[Shown<'_>], bounded: &[Bounded<'_>]) -> Markup {
     html! {
         p {
             "What a picture takes with a technique, as a share of what it takes without. Left of 1 it saves. All are measured at the scene's "
@@ -64,18 +79,13 @@ pub fn part(study: &Study) -> Markup {
             li { svg viewBox="0 0 16 16" aria-hidden="true" { circle.time cx="8" cy="8" r="5" {} } "processor time" }
             li { svg viewBox="0 0 16 16" aria-hidden="true" { polygon.tests points="8,2 14,8 8,14 2,8" {} } "tests of boxes and shapes" }
         }
-        figure {
-            div.wide { (plot(&shown, 900.0, 210.0)) }
-            div.narrow { (plot(&shown, 350.0, 150.0)) }
+        @if !shown.is_empty() {
+            figure {
+                div.wide { (plot(shown, 900.0, 210.0)) }
+                div.narrow { (plot(shown, 350.0, 150.0)) }
+            }
         }
-        (wide(table(&shown, &bounded)))
-        @if !bounded.is_empty() {
-            p.soft { "Where a time without is not known it was given up; what is told then is wall-clock time, and what is saved at least." }
-        }
-        @for it in missing.iter().filter(|it| !is_bounded(it)) {
-            p.soft { (it.name) ": " (it.off) " against " (it.on) " was not measured to the end; it would have taken too long." }
-        }
-        (threads(study))
+        (wide(table(shown, bounded)))
     }
 }
 
@@ -117,7 +127,7 @@ fn table(shown: &[Shown<'_>], bounded: &[Bounded<'_>]) -> Markup {
     html! {
         table.plain {
             thead { tr {
-                th { "technique" } th { "lecture" } th { "without → with" } th.number { "tests" } th.number { "saved" }
+                th { "technique" } th { "without → with" } th.number { "tests" } th.number { "saved" }
                 th.number { "time" } th.number { "saved" } th.number { "error it causes" }
             } }
             tbody {
@@ -125,7 +135,6 @@ fn table(shown: &[Shown<'_>], bounded: &[Bounded<'_>]) -> Markup {
                     @let wall = median(&it.with.wall);
                     tr {
                         th scope="row" { (it.it.name) }
-                        td { (it.it.part) }
                         td { (it.it.off) " → " (it.it.on) }
                         td.number { "– → " (count(tests(it.with))) }
                         td.number { "–" }
@@ -137,7 +146,6 @@ fn table(shown: &[Shown<'_>], bounded: &[Bounded<'_>]) -> Markup {
                 @for it in shown {
                     tr {
                         th scope="row" { (it.it.name) }
-                        td { (it.it.part) }
                         td { (it.it.off) " → " (it.it.on) }
                         td.number { (count(tests(it.without))) " → " (count(tests(it.with))) }
                         td.number { (saved(it.tests())) }
@@ -175,7 +183,8 @@ fn caused(it: &Shown<'_>) -> Markup {
 /// How wall-clock time falls with threads.
 fn threads(study: &Study) -> Markup {
     let runs: Vec<&Run> = study.threads.iter().filter_map(|place| study.runs.get(*place)).collect();
-    let Some(one) = runs.first() else { return html! {} };
+    // One alone is compared with nothing.
+    let [one, _, ..] = &runs[..] else { return html! {} };
     html! {
         h3 { "Threads" }
         p { "One picture, one ray in each pixel. Other work on the machine shows here first." }

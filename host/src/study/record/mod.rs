@@ -89,6 +89,9 @@ pub struct Method {
     pub plan: String,
     /// Seconds that it was allowed to take; null: as many as the plan takes.
     pub time_limit: Option<f64>,
+    /// Width and height that its pictures would have had with more time; null: those that they have.
+    #[serde(default)]
+    pub size_with_more_time: Option<[u32; 2]>,
     /// Seconds that it took.
     pub seconds: f64,
     /// Mixtures that were not measured, because a measured setting would beat them even if they were a good
@@ -102,7 +105,8 @@ pub struct Method {
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Reference {
-    /// Two pictures of this setting with seeds of their own; the reference is their mean.
+    /// Two pictures of this setting with seeds of their own; the reference is their mean. It is never coarser
+    /// than the scene's own setting.
     pub setting: Setting,
     /// The root of the mean square of what is left of chance in it: half of the difference of the
     /// two. Errors below it cannot be told from none.
@@ -127,6 +131,10 @@ pub struct Knob {
     pub against: String,
     /// From coarse to fine.
     pub steps: Vec<Step>,
+    /// Steps that were not measured, see `left_out` of the study: with fewer than two steps and none left out
+    /// there is nothing to turn in this scene.
+    #[serde(default)]
+    pub left_out: usize,
 }
 
 /// One notch of a knob.
@@ -147,7 +155,7 @@ pub struct Step {
 pub struct Technique {
     /// Its name.
     pub name: String,
-    /// Where the lecture has it, as in 5.3.
+    /// Its section, as in 5.3, in the lecture on ray tracing that strahl began with.
     pub part: String,
     /// What is done without it.
     pub off: String,
