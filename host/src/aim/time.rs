@@ -67,9 +67,11 @@ const fn coarse(step: u32, threshold: f32) -> Pass {
 /// Takes no time at all, but where the tree of a single ray does.
 const COARSEST: Pass = coarse(64, 1.0);
 
-/// How many times the time that there is the coarsest pass may take. A picture that is late is better
-/// than none; but one that never comes is not.
+/// How many times the time that there is the coarsest pass may take, and the least time that it has. A
+/// picture that is late is better than none; but one that never comes is not.
 const FIRST_MAY_TAKE: u32 = 4;
+/// See [`FIRST_MAY_TAKE`].
+const FIRST_HAS: Duration = Duration::from_secs(1);
 
 /// Before all pixels are traced, the finer the later.
 const RASTERS: [Pass; 5] =
@@ -208,7 +210,7 @@ impl Pace for Clock {
     fn next(&mut self, outlook: &Outlook<'_>) -> Option<Pass> {
         self.begun += 1;
         let Some(last) = self.last else {
-            let latest = self.limit.begun + FIRST_MAY_TAKE * self.limit.time;
+            let latest = self.limit.begun + (FIRST_MAY_TAKE * self.limit.time).max(FIRST_HAS);
             return Some(Pass { until: Some(latest), ..COARSEST });
         };
         let until = Some(self.end());
