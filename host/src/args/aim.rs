@@ -3,7 +3,7 @@
 use std::path::PathBuf;
 use std::time::Duration;
 
-use super::values::share;
+use super::values::{not_too_long, share};
 
 /// What settings are to keep, and what is told of the work.
 #[derive(Clone, Debug, Default, clap::Args)]
@@ -45,5 +45,5 @@ fn duration(text: &str) -> Result<Duration, String> {
     // A number alone is one of seconds.
     let seconds = text.parse::<f64>().ok().and_then(|seconds| Duration::try_from_secs_f64(seconds).ok());
     let time = seconds.or_else(|| humantime::parse_duration(text).ok()).filter(|time| !time.is_zero());
-    time.ok_or_else(|| "a time is expected, as in 2s, 500ms or 1m 30s".into())
+    time.ok_or("a time is expected, as in 2s, 500ms or 1m 30s".into()).and_then(not_too_long)
 }

@@ -6,7 +6,7 @@ use std::time::Duration;
 use clap::Parser;
 use strahl_core::Size;
 
-use super::values::{size, threads};
+use super::values::{duration, size, threads};
 
 /// What to study, and how thoroughly.
 #[derive(Debug, Parser)]
@@ -30,7 +30,7 @@ pub struct StudyArgs {
 
     /// End by then, as in 30s, 5m or 1h 30m; what there is no time for is left out, and told [default: 50s;
     /// with --full none].
-    #[arg(long, value_name = "TIME", value_parser = humantime::parse_duration)]
+    #[arg(long, value_name = "TIME", value_parser = duration)]
     pub time_limit: Option<Duration>,
 
     /// Threads [default: one for each core].

@@ -1,5 +1,7 @@
 //! Words become numbers and sizes, by rules that options of several commands share.
 
+use std::time::Duration;
+
 use clap::builder::RangedI64ValueParser;
 use strahl_core::Size;
 
@@ -44,6 +46,20 @@ pub(super) fn share(text: &str) -> Result<f64, String> {
         Ok(share) if share >= 0.0 && share <= 1.0 => Ok(share),
         _ => Err("a number between 0 and 1 is expected, as in 0.01 or 1/255".into()),
     }
+}
+
+/// As long a time as anything here may take: more, added to the time of day, may be no time any more.
+const LONGEST: Duration = Duration::from_secs(1000 * 24 * 60 * 60);
+
+/// A time with its units.
+pub(super) fn duration(text: &str) -> Result<Duration, String> {
+    let time = humantime::parse_duration(text).map_err(|error| error.to_string())?;
+    not_too_long(time)
+}
+
+/// A time that is not longer than anything here may take.
+pub(super) fn not_too_long(time: Duration) -> Result<Duration, String> {
+    if time <= LONGEST { Ok(time) } else { Err("at most 1000 days are expected".into()) }
 }
 
 /// A number of threads.

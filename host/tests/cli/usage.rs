@@ -207,6 +207,8 @@ fn wrong_usage_is_told_with_status_2_and_nothing_is_written() {
         (format!("{scene} --region -1,0,4x3"), "X,Y,WxH is expected"),
         (format!("{scene} --target-error -1"), "more than 0 and at most 1"),
         (format!("{scene} --time-limit -1s"), "a time is expected"),
+        (format!("{scene} --time-limit 1e19"), "at most 1000 days"),
+        ("study scene.nff --time-limit 999999999999999s".into(), "at most 1000 days"),
         ("bake scene.nff -o a.strahl --nodes -1".into(), "-1 is not in 1..=4294967295"),
         (
             "bake scene.nff -o a.strahl --accel list --nodes 8".into(),
