@@ -19,7 +19,7 @@ pub fn part(study: &Study) -> Markup {
             @for knob in study.knobs.iter().filter(|knob| knob.steps.len() > 1) { (card(study, knob)) }
         }
         @for knob in study.knobs.iter().filter(|knob| knob.steps.len() < 2) {
-            (missing::knob(knob))
+            (missing::knob(study, knob))
         }
     }
 }
@@ -62,7 +62,7 @@ fn card(study: &Study, knob: &Knob) -> Markup {
                 }
             }
             @if knob.left_out > 0 {
-                p.soft { (plural(knob.left_out, "setting")) " not measured: no time was left." }
+                p.soft { (plural(knob.left_out, "setting")) " not measured: " (missing::why(study)) "." }
             }
             (wide(steps(study, knob)))
         }

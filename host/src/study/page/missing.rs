@@ -38,6 +38,11 @@ pub fn part(study: &Study) -> Markup {
     }
 }
 
+/// Why something was not measured.
+pub fn why(study: &Study) -> &'static str {
+    if study.method.time_limit.is_some() { "no time was left" } else { "it would have taken too long" }
+}
+
 /// How many settings are missing, and of which knobs nothing is known at all.
 pub fn left_out(study: &Study) -> Option<String> {
     let count = study.left_out.len();
@@ -48,8 +53,7 @@ pub fn left_out(study: &Study) -> Option<String> {
         names => format!("; nothing is known of {}", names.join(", ")),
     };
     let more = if study.method.time_limit.is_some() { "; a larger --time-limit measures more" } else { "" };
-    (count > 0)
-        .then(|| format!("{} not measured: no time was left{nothing}{more}.", plural(count, "setting")))
+    (count > 0).then(|| format!("{} not measured: {}{nothing}{more}.", plural(count, "setting"), why(study)))
 }
 
 /// Whether a knob could be turned, but nothing of it was measured.
@@ -58,12 +62,12 @@ fn is_unknown(knob: &Knob) -> bool {
 }
 
 /// Why a knob has no plot.
-pub fn knob(knob: &Knob) -> Markup {
+pub fn knob(study: &Study, knob: &Knob) -> Markup {
     html! {
         p.soft {
             code { (knob.name) }
             @if is_unknown(knob) {
-                ": not measured: no time was left (" (plural(knob.left_out, "setting")) ")."
+                ": not measured: " (why(study)) " (" (plural(knob.left_out, "setting")) ")."
             } @else {
                 " has nothing to turn here: nothing in the scene calls for it."
             }

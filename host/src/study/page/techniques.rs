@@ -8,7 +8,7 @@ use super::family::round;
 use super::numbers::{change, count, error, seconds};
 use super::scale::Log;
 use super::scatter::spaced;
-use super::{plural, wide};
+use super::{missing, plural, wide};
 
 /// A technique both of whose runs are there.
 struct Shown<'s> {
@@ -62,7 +62,7 @@ pub fn part(study: &Study) -> Markup {
             p.soft { "Where a time without is not known it was given up; what is told then is wall-clock time, and what is saved at least." }
         }
         @if !unknown.is_empty() {
-            p.soft { "Not measured to the end: no time was left (" (plural(unknown.len(), "technique")) "): " (unknown.join(", ")) "." }
+            p.soft { "Not measured to the end: " (missing::why(study)) " (" (plural(unknown.len(), "technique")) "): " (unknown.join(", ")) "." }
         }
         (threads(study))
     }
