@@ -4,7 +4,7 @@ use std::marker::PhantomData;
 
 use super::strahl::{
     Accelerator, Camera, Counters, EffectSet, Effects, Event, Limits, RayCounters, RayKind, Real, Rgb,
-    Sample, Sight, Tally, Tracer, Worker, World,
+    Sample, Sight, Step, Tally, Tracer, Worker, World,
 };
 use super::workers::{self, Eye, Eyes, LEVELS};
 use crate::counts::Counts;
@@ -108,6 +108,11 @@ impl<T: Tally> Tally for Watched<'_, T> {
     #[inline(always)]
     fn count(&mut self, event: Event) {
         self.tally.count(event);
+    }
+
+    #[inline(always)]
+    fn tell(&mut self, step: Step) {
+        self.tally.tell(step);
     }
 
     #[inline(always)]

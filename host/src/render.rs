@@ -92,7 +92,7 @@ impl<'a> Job<'a> {
     pub fn load(&self, files: &Files) -> Result<Loaded, Failure> {
         let clock = Instant::now();
         let Job { args, .. } = self;
-        let mut description = load_from(files, &args.scene, args.picture.size.unwrap_or(DEFAULT_SIZE))?;
+        let mut description = load_from(files, &args.scene, args.picture.frame.size.unwrap_or(DEFAULT_SIZE))?;
         for warning in description.warnings.iter().filter(|_| !args.quiet) {
             say(format_args!("{}: warning: {warning}", args.scene.display()));
         }
@@ -159,8 +159,8 @@ impl<'a> Job<'a> {
         let Job { args, aim, begun, format, .. } = self;
         let traced = if let Some(error) = aim.target_error {
             let fixed = Fixed {
-                levels: args.picture.levels.is_some(),
-                cutoff: args.picture.cutoff.is_some(),
+                levels: args.picture.frame.levels.is_some(),
+                cutoff: args.picture.frame.cutoff.is_some(),
                 sampling: args.picture.sampler.is_some(),
                 selecting: args.select.is_some(),
             };

@@ -85,12 +85,17 @@ pub fn settings(
     };
     let picture = &args.picture;
     let (width, height) = (wanted.size.width(), wanted.size.height());
-    add("size", picture.size.is_some(), format!("{width}x{height}"), Some(format!("[{width}, {height}]")));
+    add(
+        "size",
+        picture.frame.size.is_some(),
+        format!("{width}x{height}"),
+        Some(format!("[{width}, {height}]")),
+    );
     let number = |number: String| (number.clone(), Some(number));
     let (word, value) = number(wanted.limits.levels.to_string());
-    add("levels", picture.levels.is_some(), word, value);
+    add("levels", picture.frame.levels.is_some(), word, value);
     let (word, value) = number(wanted.limits.cutoff.to_string());
-    add("cutoff", picture.cutoff.is_some(), word, value);
+    add("cutoff", picture.frame.cutoff.is_some(), word, value);
     let named = |name: String| (name.clone(), Some(format!("\"{name}\"")));
     let (word, value) = named(wanted.sampling.to_string());
     add("sampler", picture.sampler.is_some(), word, value);

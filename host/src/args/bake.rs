@@ -3,9 +3,8 @@
 use std::path::PathBuf;
 
 use clap::Parser;
-use strahl_core::Size;
 
-use super::values::{cutoff, levels, size};
+use super::picture::FrameArgs;
 use crate::finding::{Accel, Kind};
 
 /// What to bake, and how.
@@ -28,18 +27,9 @@ pub struct BakeArgs {
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..), allow_negative_numbers = true)]
     pub nodes: Option<u32>,
 
-    /// Width and height in pixels [default: the scene's, or 640x480].
-    #[arg(long, value_name = "WxH", value_parser = size, allow_hyphen_values = true)]
-    pub size: Option<Size>,
-
-    /// Levels of rays [default: the scene's, or 5].
-    #[arg(long, value_name = "N", value_parser = levels(), allow_negative_numbers = true)]
-    pub levels: Option<u8>,
-
-    /// A ray is sent when more than this share of what it finds counts in the pixel, 0 to 1
-    /// [default: the scene's, or 1/512].
-    #[arg(long, value_name = "W", value_parser = cutoff, allow_negative_numbers = true)]
-    pub cutoff: Option<f32>,
+    /// What the picture is to be like.
+    #[command(flatten)]
+    pub frame: FrameArgs,
 
     /// Say nothing but errors.
     #[arg(short, long)]

@@ -36,7 +36,7 @@ pub use finding::FindingArgs;
 pub use generate::GenerateArgs;
 pub use info::InfoArgs;
 pub use manual::{ManArgs, Schema};
-pub use picture::PictureArgs;
+pub use picture::{FrameArgs, PictureArgs};
 pub use render::{RenderArgs, StatsForm};
 pub use study::StudyArgs;
 pub use values::MOST_PIXELS;

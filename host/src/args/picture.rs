@@ -1,4 +1,4 @@
-//! Which picture is wanted: options that `render`, `watch` and `explain` share.
+//! Which picture is wanted: options that `render`, `watch` and `explain` share, and `bake` in part.
 
 use strahl_core::Size;
 
@@ -6,9 +6,9 @@ use super::values::{cutoff, levels, size};
 use crate::description::Settings;
 use crate::wanted::{Filter, Sampling};
 
-/// Which picture is wanted.
+/// How large it is, and how deep its rays go: what holds whoever traces it.
 #[derive(Clone, Copy, Debug, clap::Args)]
-pub struct PictureArgs {
+pub struct FrameArgs {
     /// Width and height in pixels [default: the scene's, or 640x480].
     #[arg(long, value_name = "WxH", value_parser = size, allow_hyphen_values = true)]
     pub size: Option<Size>,
@@ -22,6 +22,14 @@ pub struct PictureArgs {
     /// [default: the scene's, or 1/512].
     #[arg(long, value_name = "W", value_parser = cutoff, allow_negative_numbers = true)]
     pub cutoff: Option<f32>,
+}
+
+/// Which picture is wanted.
+#[derive(Clone, Copy, Debug, clap::Args)]
+pub struct PictureArgs {
+    /// Its frame.
+    #[command(flatten)]
+    pub frame: FrameArgs,
 
     /// Rays in each pixel: `single` through the middle; `regular:N` N times N;
     /// `adaptive:DEPTH:THRESHOLD` through the corners, and again through those of its quarters where
@@ -45,7 +53,8 @@ pub struct PictureArgs {
 impl PictureArgs {
     /// What the command line asks for.
     pub fn asked(&self) -> Settings {
-        let PictureArgs { size, levels, cutoff, sampler: sampling, filter, seed } = *self;
+        let PictureArgs { frame, sampler: sampling, filter, seed } = *self;
+        let FrameArgs { size, levels, cutoff } = frame;
         Settings { size, levels, cutoff, sampling, filter, seed, ..Settings::default() }
     }
 }

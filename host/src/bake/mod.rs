@@ -17,7 +17,7 @@ use crate::counts::Counts;
 use crate::description::{Description, Settings};
 use crate::failure::Failure;
 use crate::finding::{Accel, Bounds, Finding, Kind, MAILBOX, Walk};
-use crate::frame::{self};
+use crate::frame;
 use crate::load::{Files, load_from};
 use crate::output::{Guard, refuse_terminal, say, tell};
 use crate::precision::Precision;
@@ -51,7 +51,7 @@ pub fn run(args: &BakeArgs) -> Result<(), Failure> {
     }
     refuse_terminal(&args.output, "the baked scene")?;
     let files = Files::on_disk();
-    let description = load_from(&files, &args.scene, args.size.unwrap_or(DEFAULT_SIZE))?;
+    let description = load_from(&files, &args.scene, args.frame.size.unwrap_or(DEFAULT_SIZE))?;
     for warning in description.warnings.iter().filter(|_| !args.quiet) {
         say(format_args!("{}: warning: {warning}", args.scene.display()));
     }
@@ -67,9 +67,9 @@ pub fn run(args: &BakeArgs) -> Result<(), Failure> {
         accelerator: args.accel.and_then(Accel::kind).unwrap_or(Kind::Bvh),
         nodes: args.nodes.map(|nodes| nodes as usize),
         view: single::view(&description.view),
-        size: args.size.or(settings.size).unwrap_or(DEFAULT_SIZE),
-        levels: args.levels.or(settings.levels).unwrap_or(Limits::DEFAULT.levels),
-        cutoff: args.cutoff.or(settings.cutoff).unwrap_or(Limits::DEFAULT.cutoff),
+        size: args.frame.size.or(settings.size).unwrap_or(DEFAULT_SIZE),
+        levels: args.frame.levels.or(settings.levels).unwrap_or(Limits::DEFAULT.levels),
+        cutoff: args.frame.cutoff.or(settings.cutoff).unwrap_or(Limits::DEFAULT.cutoff),
     };
 
     if args.is_source() {

@@ -59,7 +59,7 @@ pub fn run(args: &ExplainArgs) -> Result<(), Failure> {
 
 /// Traces the pixel that is asked for.
 fn explained(args: &ExplainArgs, files: &Files) -> Result<Explained, Failure> {
-    let mut description = load_from(files, &args.scene, args.picture.size.unwrap_or(DEFAULT_SIZE))?;
+    let mut description = load_from(files, &args.scene, args.picture.frame.size.unwrap_or(DEFAULT_SIZE))?;
     for warning in description.warnings.iter().filter(|_| !args.quiet) {
         say(format_args!("{}: warning: {warning}", args.scene.display()));
     }
