@@ -1,8 +1,8 @@
-//! Every item in order: the truth that the other accelerators are held to.
+//! Lists: every item in order, the reference for the other accelerators.
 //!
-//! The bare list offers every item to every ray. With bounding volumes it asks first whether the
-//! ray meets the box or the ball round an item, and before that the one round a group of items
-//! that follow each other in the scene: a miss of the volume is a miss of its content.
+//! The bare list passes every item to the query, for every ray. With bounding volumes (boxes or spheres) it
+//! first tests the ray against the volume of a group of consecutive items, then against the volume of each
+//! item of the group: a ray that misses a volume misses its contents.
 
 use core::ops::ControlFlow;
 
@@ -10,22 +10,21 @@ use super::{Accelerator, BuildError, Query, Storage};
 use crate::geometry::{Aabb, Ball, ItemId, Line, Ray};
 use crate::math::Real;
 
-/// How many items share the volume of a group.
-const GROUP: usize = 16;
+/// Number of items that share the bounding volume of a group.
+const GROUP_SIZE: usize = 16;
 
-/// How many volumes [`List::boxed`] and [`List::balled`] need for the groups of `items` items.
+/// Number of group volumes that [`List::boxed`] and [`List::balled`] need for `items` items.
 pub const fn groups_of(items: usize) -> usize {
-    items.div_ceil(GROUP)
+    items.div_ceil(GROUP_SIZE)
 }
 
-/// The volumes of one group after the other; nothing, perhaps, at the end.
-fn in_groups<V>(volumes: &[V]) -> impl Iterator<Item = &[V]> {
-    let (full, rest) = volumes.as_chunks::<GROUP>();
+/// The volumes of one group after the other; the last slice may be shorter or empty.
+fn group_chunks<V>(volumes: &[V]) -> impl Iterator<Item = &[V]> {
+    let (full, rest) = volumes.as_chunks::<GROUP_SIZE>();
     full.iter().map(|group| group.as_slice()).chain([rest])
 }
 
-/// Items `0..self.0` in the order of their numbers, and no code for boxes: for devices with a
-/// handful of items.
+/// The items `0..self.0` in order, without code for bounding volumes: for devices with a handful of items.
 #[derive(Clone, Copy, Debug)]
 pub struct Bare(pub u32);
 
@@ -34,23 +33,25 @@ impl Accelerator for Bare {
 
     #[inline(always)]
     fn walk<Q: Query>(&self, _: &Ray, _: &mut (), query: &mut Q) {
-        let (ControlFlow::Continue(()) | ControlFlow::Break(())) = bare(self.0, query);
+        let (ControlFlow::Continue(()) | ControlFlow::Break(())) = test_all(self.0, query);
     }
 }
 
-/// All items in the order of their numbers, with volumes round them or without.
+/// All items in order, with or without bounding volumes.
+///
+/// * Memory: one volume per item, and one per 16 items; none without bounding volumes.
 #[derive(Clone, Copy, Debug)]
 pub struct List<'s> {
     items: u32,
-    volumes: Volumes<'s>,
+    volumes: BoundingVolumes<'s>,
 }
 
-/// What is round the items, one for each, and round each [`GROUP`] of them.
+/// The bounding volumes of the items, in order, and those of the groups of [`GROUP_SIZE`] items.
 #[derive(Clone, Copy, Debug)]
-enum Volumes<'s> {
+enum BoundingVolumes<'s> {
     None,
     Boxes { items: &'s [Aabb], groups: &'s [Aabb] },
-    Balls { items: &'s [Ball], groups: &'s [Ball] },
+    Spheres { items: &'s [Ball], groups: &'s [Ball] },
 }
 
 const fn too_small(what: Storage, needed: usize, lent: usize) -> BuildError {
@@ -58,108 +59,122 @@ const fn too_small(what: Storage, needed: usize, lent: usize) -> BuildError {
 }
 
 impl<'s> List<'s> {
-    /// The bare list of items `0..items`.
+    /// The list of the items `0..items`, without bounding volumes.
     pub const fn bare(items: u32) -> Self {
-        List { items, volumes: Volumes::None }
+        List { items, volumes: BoundingVolumes::None }
     }
 
-    /// The list of the items inside `boxes`, one box for each, in their order.
+    /// The list of the items with these bounds, which are also the bounding volumes.
     ///
-    /// `groups` is lent for the boxes of groups: [`groups_of`] as many as there are items, or
-    /// [`BuildError::StorageTooSmall`] says so.
-    pub fn boxed(boxes: &'s [Aabb], groups: &'s mut [Aabb]) -> Result<Self, BuildError> {
-        let items = count(boxes)?;
-        let groups = lent(groups, Storage::Groups, groups_of(boxes.len()))?;
-        for (group, aabb) in groups.iter_mut().zip(boxes_of_groups(boxes)) {
+    /// `bounds`: one box per item. `groups`: caller-provided buffer for the boxes of groups, at least
+    /// [`groups_of`] long.
+    ///
+    /// # Errors
+    ///
+    /// [`BuildError::StorageTooSmall`] for `groups`.
+    pub fn boxed(bounds: &'s [Aabb], groups: &'s mut [Aabb]) -> Result<Self, BuildError> {
+        let items = item_count(bounds)?;
+        let groups = checked_prefix(groups, Storage::Groups, groups_of(bounds.len()))?;
+        for (group, aabb) in groups.iter_mut().zip(group_boxes(bounds)) {
             *group = aabb;
         }
-        Ok(List { items, volumes: Volumes::Boxes { items: boxes, groups } })
+        Ok(List { items, volumes: BoundingVolumes::Boxes { items: bounds, groups } })
     }
 
-    /// The list of the items inside `boxes` with balls in their place.
+    /// The list of the items with these bounds, with bounding spheres.
     ///
-    /// `balls` is lent for those round the items, as many as there are boxes, and `groups` for
-    /// those round groups: [`groups_of`] as many, or [`BuildError::StorageTooSmall`] says so.
-    pub fn balled(boxes: &[Aabb], balls: &'s mut [Ball], groups: &'s mut [Ball]) -> Result<Self, BuildError> {
-        let items = count(boxes)?;
-        let balls = lent(balls, Storage::Boxes, boxes.len())?;
-        let groups = lent(groups, Storage::Groups, groups_of(boxes.len()))?;
-        for (ball, aabb) in balls.iter_mut().zip(boxes) {
-            *ball = Ball::round(aabb);
+    /// `bounds`: one box per item; not kept. `spheres` and `groups`: caller-provided buffers for the spheres
+    /// of items and of groups, at least as long as `bounds` and as [`groups_of`].
+    ///
+    /// # Errors
+    ///
+    /// [`BuildError::StorageTooSmall`] for `spheres` or `groups`.
+    pub fn balled(
+        bounds: &[Aabb],
+        spheres: &'s mut [Ball],
+        groups: &'s mut [Ball],
+    ) -> Result<Self, BuildError> {
+        let items = item_count(bounds)?;
+        let spheres = checked_prefix(spheres, Storage::Boxes, bounds.len())?;
+        let groups = checked_prefix(groups, Storage::Groups, groups_of(bounds.len()))?;
+        for (sphere, aabb) in spheres.iter_mut().zip(bounds) {
+            *sphere = Ball::round(aabb);
         }
-        for (group, aabb) in groups.iter_mut().zip(boxes_of_groups(boxes)) {
+        for (group, aabb) in groups.iter_mut().zip(group_boxes(bounds)) {
             *group = Ball::round(&aabb);
         }
-        Ok(List { items, volumes: Volumes::Balls { items: balls, groups } })
+        Ok(List { items, volumes: BoundingVolumes::Spheres { items: spheres, groups } })
     }
 
-    /// The memory it uses, in bytes.
+    /// Size of all buffers that it uses, in bytes.
     pub const fn bytes(&self) -> usize {
         match self.volumes {
-            Volumes::None => 0,
-            Volumes::Boxes { items, groups } => size_of_val(items) + size_of_val(groups),
-            Volumes::Balls { items, groups } => size_of_val(items) + size_of_val(groups),
+            BoundingVolumes::None => 0,
+            BoundingVolumes::Boxes { items, groups } => size_of_val(items) + size_of_val(groups),
+            BoundingVolumes::Spheres { items, groups } => size_of_val(items) + size_of_val(groups),
         }
     }
 }
 
-/// How many items there are.
-fn count(boxes: &[Aabb]) -> Result<u32, BuildError> {
-    u32::try_from(boxes.len()).map_err(|_| too_small(Storage::Boxes, boxes.len(), u32::MAX as usize))
+/// Number of items with these bounds, as a `u32`.
+fn item_count(bounds: &[Aabb]) -> Result<u32, BuildError> {
+    u32::try_from(bounds.len()).map_err(|_| too_small(Storage::Boxes, bounds.len(), u32::MAX as usize))
 }
 
-/// The part of what is lent that is needed.
-fn lent<V>(volumes: &mut [V], what: Storage, needed: usize) -> Result<&mut [V], BuildError> {
-    let lent = volumes.len();
-    volumes.get_mut(..needed).ok_or(too_small(what, needed, lent))
+/// The first `needed` elements of a caller-provided buffer.
+fn checked_prefix<V>(volumes: &mut [V], what: Storage, needed: usize) -> Result<&mut [V], BuildError> {
+    let provided = volumes.len();
+    volumes.get_mut(..needed).ok_or(too_small(what, needed, provided))
 }
 
-/// The boxes round the groups of those that have these.
-fn boxes_of_groups(boxes: &[Aabb]) -> impl Iterator<Item = Aabb> {
-    in_groups(boxes).map(|content| content.iter().fold(Aabb::EMPTY, |all, item| all.union(*item)))
+/// The box of each group of items with these bounds.
+fn group_boxes(bounds: &[Aabb]) -> impl Iterator<Item = Aabb> {
+    group_chunks(bounds).map(|group| group.iter().fold(Aabb::EMPTY, |all, item| all.union(*item)))
 }
 
 impl Accelerator for List<'_> {
     type Scratch = ();
 
     fn walk<Q: Query>(&self, ray: &Ray, _: &mut (), query: &mut Q) {
-        // Strictly beyond: an item at the same distance may have the lower number, and must win.
-        let in_box = |aabb: &Aabb, reach| aabb.span(ray).is_some_and(|span| span.entry <= reach);
+        // A miss only if strictly beyond: at equal `t` the item with the lower id wins, and it may be this
+        // one.
+        let hits_box = |aabb: &Aabb, t_max| aabb.span(ray).is_some_and(|span| span.entry <= t_max);
         let end = match self.volumes {
-            Volumes::None => bare(self.items, query),
-            Volumes::Boxes { items, groups } => through(items, groups, query, in_box),
-            Volumes::Balls { items, groups } => {
+            BoundingVolumes::None => test_all(self.items, query),
+            BoundingVolumes::Boxes { items, groups } => test_bounded(items, groups, query, hits_box),
+            BoundingVolumes::Spheres { items, groups } => {
                 let line = Line::of(ray);
-                through(items, groups, query, |ball, reach| ball.meets(&line, reach))
+                test_bounded(items, groups, query, |sphere, t_max| sphere.meets(&line, t_max))
             }
         };
         let (ControlFlow::Continue(()) | ControlFlow::Break(())) = end;
     }
 }
 
+/// Tests the items `0..items`.
 #[inline(always)]
-fn bare<Q: Query>(items: u32, query: &mut Q) -> ControlFlow<()> {
+fn test_all<Q: Query>(items: u32, query: &mut Q) -> ControlFlow<()> {
     query.enter();
     query.all(items)
 }
 
-/// Offers the items whose volumes the ray `meets` within reach, in groups of which it does.
-fn through<V, Q: Query>(
+/// Tests the items whose own volume and whose group's volume are hit within `t_max`.
+fn test_bounded<V, Q: Query>(
     items: &[V],
     groups: &[V],
     query: &mut Q,
-    meets: impl Fn(&V, Real) -> bool,
+    is_hit: impl Fn(&V, Real) -> bool,
 ) -> ControlFlow<()> {
     query.boxes(groups.len() as u32);
-    for ((group, volumes), number) in groups.iter().zip(in_groups(items)).zip(0..) {
-        if !meets(group, query.reach()) {
+    for ((group, volumes), group_index) in groups.iter().zip(group_chunks(items)).zip(0..) {
+        if !is_hit(group, query.reach()) {
             continue;
         }
         query.enter();
         query.boxes(volumes.len() as u32);
-        for (volume, place) in volumes.iter().zip(0..) {
-            if meets(volume, query.reach()) {
-                query.test(ItemId(number * GROUP as u32 + place))?;
+        for (volume, index) in volumes.iter().zip(0..) {
+            if is_hit(volume, query.reach()) {
+                query.test(ItemId(group_index * GROUP_SIZE as u32 + index))?;
             }
         }
     }

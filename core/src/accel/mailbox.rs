@@ -1,14 +1,16 @@
-//! Mailboxes: an item that lies in many regions is tested once for each ray.
+//! Mailbox: a small per-ray cache of tested items.
 //!
-//! A walk through regions meets an item in each region that it lies in. The lecture's first case
-//! is that it was tested before: the mailbox knows, and the test is left out. The second case is
-//! that the test found a hit *beyond* the region: the query keeps it and shortens its reach, the
-//! walk goes on as long as regions begin within that reach, and nothing is lost when the item
-//! turns up again in the region of the hit and the mailbox leaves it out.
+//! Grid and octree list an item in every cell that its bounds overlap, so that a ray comes across the same
+//! item several times. The mailbox lets [`MailboxQuery`] leave out the repeated tests. This is safe: if the
+//! first test found a hit *beyond* the current cell, the query has kept the hit and shortened `t_max` to it.
+//! The traversal continues through the cells that begin within `t_max`, and the item need not be tested again
+//! in the cell of the hit.
 //!
-//! On the standard procedural databases 64 slots save a grid up to 36 % of its time (mount: 1.84
-//! tests of shapes for each ray, and 5.46 without; gears 9 %, rings 8 %, teapot 13 %, balls none)
-//! and an octree 6 to 16 %. 8 slots save nearly nothing: neighbours drive each other out.
+//! Neighboring items evict each other from a small mailbox: 8 entries save almost no time, 64 do.
+//!
+//! Source: Amanatides and Woo, "A Fast Voxel Traversal Algorithm for Ray Tracing", Eurographics 1987
+//! (ray stamps).
+//! Difference: the stamps are in a table of fixed size instead of in the items, which stay immutable.
 
 use core::ops::ControlFlow;
 
@@ -16,96 +18,98 @@ use super::Query;
 use crate::geometry::{Aabb, ItemId, Ray};
 use crate::math::Real;
 
-/// What a slot knows: the last item that came to it, and with which ray.
+/// The last item that was stored in an entry, and the stamp of the ray that was tested against it.
 #[derive(Clone, Copy, Debug)]
-struct Slot {
+struct MailboxEntry {
     item: u32,
-    ray: u32,
+    ray_stamp: u32,
 }
 
-/// No ray has this stamp.
-const NO_RAY: u32 = 0;
+/// A stamp that no ray has.
+const UNUSED_STAMP: u32 = 0;
 
-/// A fixed number of slots that remember which items this ray has met.
+/// A direct-mapped cache of the items that the current ray has already been tested against.
 ///
-/// Slot `i` serves all items whose number is `i` modulo `SLOTS`; a later item replaces an
-/// earlier one. The mailbox may therefore forget, and an item is tested again, but it never
-/// claims a meeting that did not happen. A new ray costs one addition, not a wipe: what earlier
-/// rays have left carries their stamp. Only when the stamps run out are the slots wiped.
+/// Entry `i` serves all items whose id is `i` modulo `ENTRIES`; a later item evicts an earlier one. An
+/// evicted item is tested again, so the cache never changes a result. Starting a new ray costs one addition,
+/// not a clear: the entries of earlier rays carry other stamps. The entries are cleared only when the stamps
+/// wrap around.
 ///
-/// * Shape: `SLOTS` is zero or a power of two, checked when compiled. Zero forgets everything.
-/// * Memory: 8 bytes per slot, and 4 for the stamp.
+/// * `ENTRIES` is zero (no cache) or a power of two, checked at compile time.
+/// * Memory: 8 bytes per entry, and 4 bytes for the stamp.
 #[derive(Clone, Debug)]
-pub struct Mailbox<const SLOTS: usize> {
-    /// The stamp of the ray that is on its way.
-    ray: u32,
-    slots: [Slot; SLOTS],
+pub struct Mailbox<const ENTRIES: usize> {
+    /// Stamp of the current ray.
+    ray_stamp: u32,
+    entries: [MailboxEntry; ENTRIES],
 }
 
-impl<const SLOTS: usize> Mailbox<SLOTS> {
-    /// A mailbox that has met nothing.
+impl<const ENTRIES: usize> Mailbox<ENTRIES> {
+    /// An empty mailbox.
     pub const fn new() -> Self {
-        const { assert!(SLOTS == 0 || SLOTS.is_power_of_two()) };
-        Mailbox { ray: NO_RAY, slots: [Slot { item: 0, ray: NO_RAY }; SLOTS] }
+        const { assert!(ENTRIES == 0 || ENTRIES.is_power_of_two()) };
+        let unused = MailboxEntry { item: 0, ray_stamp: UNUSED_STAMP };
+        Mailbox { ray_stamp: UNUSED_STAMP, entries: [unused; ENTRIES] }
     }
 
-    /// Forgets every meeting.
+    /// Removes all entries.
     pub fn forget(&mut self) {
         *self = Self::new();
     }
 
-    /// A new ray, which has met nothing.
+    /// Starts a new ray, which has been tested against no item.
     #[inline]
-    pub(super) fn begin(&mut self) {
-        if self.ray == u32::MAX {
+    pub(super) fn begin_ray(&mut self) {
+        if self.ray_stamp == u32::MAX {
             self.forget();
         }
-        self.ray += 1;
+        self.ray_stamp += 1;
     }
 
-    /// Whether this ray has surely met the item before. It has now.
+    /// Stores `item` for the current ray. Returns true if it was stored already, so that its test can be left
+    /// out; an item that was evicted in between counts as not stored.
     #[inline(always)]
-    pub(super) fn has_met(&mut self, item: u32) -> bool {
-        if SLOTS == 0 {
+    pub(super) fn check_and_insert(&mut self, item: u32) -> bool {
+        if ENTRIES == 0 {
             return false;
         }
-        let place = item as usize & (SLOTS.wrapping_sub(1));
-        let Some(slot) = self.slots.get_mut(place) else { return false };
-        let met = slot.ray == self.ray && slot.item == item;
-        *slot = Slot { item, ray: self.ray };
-        met
+        let index = item as usize & (ENTRIES.wrapping_sub(1));
+        let Some(entry) = self.entries.get_mut(index) else { return false };
+        let was_stored = entry.ray_stamp == self.ray_stamp && entry.item == item;
+        *entry = MailboxEntry { item, ray_stamp: self.ray_stamp };
+        was_stored
     }
 }
 
-impl<const SLOTS: usize> Default for Mailbox<SLOTS> {
+impl<const ENTRIES: usize> Default for Mailbox<ENTRIES> {
     fn default() -> Self {
         Self::new()
     }
 }
 
-/// A query that a ray walks for, and what the ray has met.
-pub(super) struct Asking<'a, Q, const SLOTS: usize> {
+/// A query behind a mailbox: it tests only items that are new to the ray and whose bounds the ray hits.
+pub(super) struct MailboxQuery<'a, Q, const ENTRIES: usize> {
     pub(super) ray: &'a Ray,
-    /// Those of all items, or none.
-    pub(super) boxes: &'a [Aabb],
-    pub(super) mailbox: &'a mut Mailbox<SLOTS>,
+    /// Bounds by item index, or empty: then items are tested without a test of their bounds.
+    pub(super) item_bounds: &'a [Aabb],
+    pub(super) mailbox: &'a mut Mailbox<ENTRIES>,
     pub(super) query: &'a mut Q,
 }
 
-impl<Q: Query, const SLOTS: usize> Asking<'_, Q, SLOTS> {
-    /// Offers the items of a region to the query, but those that the ray has met before and those
-    /// whose box it misses. Goes on with the reach that is left.
+impl<Q: Query, const ENTRIES: usize> MailboxQuery<'_, Q, ENTRIES> {
+    /// Tests the items of one cell. Continues with the remaining `t_max`.
     #[inline(always)]
-    pub(super) fn offer(&mut self, items: &[u32]) -> ControlFlow<(), Real> {
+    pub(super) fn test_items(&mut self, items: &[u32]) -> ControlFlow<(), Real> {
         self.query.enter();
         for item in items {
-            if self.mailbox.has_met(*item) {
+            if self.mailbox.check_and_insert(*item) {
                 self.query.skipped();
                 continue;
             }
-            if let Some(aabb) = self.boxes.get(*item as usize) {
+            if let Some(aabb) = self.item_bounds.get(*item as usize) {
                 self.query.boxes(1);
-                // Strictly beyond: an item at the same distance may have the lower number, and must win.
+                // Only if strictly beyond: at equal `t` the item with the lower id wins, and it may be this
+                // one.
                 if !aabb.span(self.ray).is_some_and(|span| span.entry <= self.query.reach()) {
                     continue;
                 }
@@ -121,61 +125,66 @@ mod tests {
     use super::*;
 
     #[test]
-    fn an_item_is_met_once_by_each_ray() {
+    fn an_item_is_tested_once_per_ray() {
         let mut mailbox = Mailbox::<8>::new();
         for _ in 0..3 {
-            mailbox.begin();
-            assert!(!mailbox.has_met(5) && !mailbox.has_met(0));
-            assert!(mailbox.has_met(5) && mailbox.has_met(0) && mailbox.has_met(5));
+            mailbox.begin_ray();
+            assert!(!mailbox.check_and_insert(5) && !mailbox.check_and_insert(0));
+            assert!(
+                mailbox.check_and_insert(5) && mailbox.check_and_insert(0) && mailbox.check_and_insert(5)
+            );
         }
     }
 
     #[test]
-    fn an_item_of_the_same_slot_drives_another_out_and_neither_is_mistaken() {
+    fn items_of_one_entry_evict_each_other_and_are_never_confused() {
         let mut mailbox = Mailbox::<8>::new();
-        mailbox.begin();
-        assert!(!mailbox.has_met(3) && !mailbox.has_met(11) && !mailbox.has_met(3));
-        assert!(mailbox.has_met(3) && !mailbox.has_met(19));
+        mailbox.begin_ray();
+        assert!(
+            !mailbox.check_and_insert(3) && !mailbox.check_and_insert(11) && !mailbox.check_and_insert(3)
+        );
+        assert!(mailbox.check_and_insert(3) && !mailbox.check_and_insert(19));
         let mut single = Mailbox::<1>::new();
-        single.begin();
-        assert!(!single.has_met(u32::MAX) && single.has_met(u32::MAX) && !single.has_met(0));
+        single.begin_ray();
+        assert!(!single.check_and_insert(u32::MAX) && single.check_and_insert(u32::MAX));
+        assert!(!single.check_and_insert(0));
     }
 
     #[test]
-    fn without_slots_nothing_is_remembered() {
+    fn a_mailbox_without_entries_never_skips_a_test() {
         let mut mailbox = Mailbox::<0>::new();
-        mailbox.begin();
-        assert!((0..4).all(|_| !mailbox.has_met(0)));
+        mailbox.begin_ray();
+        assert!((0..4).all(|_| !mailbox.check_and_insert(0)));
         assert_eq!(size_of::<Mailbox<0>>(), 4);
         assert_eq!(size_of::<Mailbox<64>>(), 4 + 64 * 8);
     }
 
     #[test]
-    fn nothing_is_met_that_a_forgotten_ray_has_met() {
+    fn a_cleared_mailbox_skips_no_test() {
         let mut mailbox = Mailbox::<8>::new();
-        mailbox.begin();
-        assert!(!mailbox.has_met(5));
+        mailbox.begin_ray();
+        assert!(!mailbox.check_and_insert(5));
         mailbox.forget();
-        mailbox.begin();
-        assert!(!mailbox.has_met(5));
+        mailbox.begin_ray();
+        assert!(!mailbox.check_and_insert(5));
     }
 
     #[test]
-    fn when_the_stamps_run_out_no_ray_is_taken_for_an_earlier_one() {
+    fn no_ray_is_confused_with_an_earlier_one_when_the_stamps_wrap_around() {
         let mut mailbox = Mailbox::<4>::new();
-        // As the first two rays would have left it.
-        for ray in 1..=2 {
-            mailbox.begin();
-            assert_eq!(mailbox.ray, ray);
-            assert!(!mailbox.has_met(ray));
+        // The state that the first two rays leave.
+        for stamp in 1..=2 {
+            mailbox.begin_ray();
+            assert_eq!(mailbox.ray_stamp, stamp);
+            assert!(!mailbox.check_and_insert(stamp));
         }
-        mailbox.ray = u32::MAX - 2;
-        for round in 0..6 {
-            mailbox.begin();
-            assert!(mailbox.ray != NO_RAY);
-            assert!((0..4).all(|item| !mailbox.has_met(item)), "{round}");
-            assert!((0..4).all(|item| mailbox.has_met(item)), "{round}");
+        mailbox.ray_stamp = u32::MAX - 2;
+        for ray in 0..6 {
+            mailbox.begin_ray();
+            assert!(mailbox.ray_stamp != UNUSED_STAMP);
+            assert!((0..4).all(|item| !mailbox.check_and_insert(item)), "{ray}");
+            assert!((0..4).all(|item| mailbox.check_and_insert(item)), "{ray}");
         }
-        assert_eq!(mailbox.ray, 4, "the stamps have begun again");
+        assert_eq!(mailbox.ray_stamp, 4, "the stamps have started again");
     }
 }

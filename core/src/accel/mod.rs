@@ -39,13 +39,13 @@
 //! [`Aabb::span`]: crate::geometry::Aabb::span
 
 mod bvh;
+mod cell_planes;
 mod grid;
 mod list;
 mod mailbox;
 mod octree;
 #[cfg(test)]
-mod sample;
-mod walls;
+mod test_rays;
 
 #[cfg(not(feature = "double"))]
 pub(crate) use bvh::BvhParts;

@@ -4,7 +4,7 @@
 //! memory is needed but what the grid keeps, and a cell lists its items by rising number.
 
 use super::Grid;
-use crate::accel::walls::{Walls, survey};
+use crate::accel::cell_planes::{CellPlanes, bounds_of_all};
 use crate::accel::{BuildError, Storage};
 use crate::geometry::Aabb;
 use crate::math::{Real, Vec3, floor, greatest, powf, vec3};
@@ -44,7 +44,7 @@ impl GridRoom {
     /// the floor.
     pub fn comfortable(boxes: &[Aabb]) -> Self {
         let floor = GridRoom { cells: 2, items: boxes.len() };
-        let Ok((bounds, items)) = survey(boxes) else { return floor };
+        let Ok((bounds, items)) = bounds_of_all(boxes) else { return floor };
         let most = GridRoom { cells: u32::MAX as usize, items: items.saturating_mul(MOST_ENTRIES) };
         Plan::within(boxes, bounds, items, DENSITY, most).map_or(floor, |(_, room)| room)
     }
@@ -73,7 +73,7 @@ impl<'s, const MAILBOX: usize> Grid<'s, MAILBOX> {
         cells: &'s mut [u32],
         entries: &'s mut [u32],
     ) -> Result<Self, BuildError> {
-        let (bounds, items) = survey(boxes)?;
+        let (bounds, items) = bounds_of_all(boxes)?;
         let lent = GridRoom { cells: cells.len(), items: entries.len() };
         let (plan, room) = Plan::within(boxes, bounds, items, density, lent)?;
         let too_small = |what, needed, lent| BuildError::StorageTooSmall { what, needed, lent };
@@ -86,7 +86,7 @@ impl<'s, const MAILBOX: usize> Grid<'s, MAILBOX> {
 
 /// How space is cut.
 struct Plan {
-    walls: Walls,
+    walls: CellPlanes,
     cells: [u32; 3],
 }
 
@@ -109,7 +109,7 @@ impl Plan {
         }
         if items == 0 {
             let plan = Plan {
-                walls: Walls::new(Aabb { min: Vec3::ZERO, max: Vec3::ZERO }, Vec3::ONE),
+                walls: CellPlanes::new(Aabb { min: Vec3::ZERO, max: Vec3::ZERO }, Vec3::ONE),
                 cells: [1; 3],
             };
             return Ok((plan, GridRoom { cells: 2, items: 0 }));
@@ -135,7 +135,10 @@ impl Plan {
 
     fn new(bounds: Aabb, cells: Vec3) -> Self {
         let number = |x: Real| x as u32;
-        Plan { walls: Walls::new(bounds, cells), cells: [number(cells.x), number(cells.y), number(cells.z)] }
+        Plan {
+            walls: CellPlanes::new(bounds, cells),
+            cells: [number(cells.x), number(cells.y), number(cells.z)],
+        }
     }
 
     fn count_cells(&self) -> u64 {
@@ -159,11 +162,11 @@ impl Plan {
 
     /// The first and the last cell along each axis that a box touches.
     fn touched(&self, aabb: &Aabb) -> [(u32, u32); 3] {
-        let (low, high) = (self.walls.about(aabb.min), self.walls.about(aabb.max));
+        let (low, high) = (self.walls.fractional_index(aabb.min), self.walls.fractional_index(aabb.max));
         let [x, y, z] = self.cells;
-        let wall_x = |i: u32| self.walls.at(vec3(i as Real, 0.0, 0.0)).x;
-        let wall_y = |i: u32| self.walls.at(vec3(0.0, i as Real, 0.0)).y;
-        let wall_z = |i: u32| self.walls.at(vec3(0.0, 0.0, i as Real)).z;
+        let wall_x = |i: u32| self.walls.position(vec3(i as Real, 0.0, 0.0)).x;
+        let wall_y = |i: u32| self.walls.position(vec3(0.0, i as Real, 0.0)).y;
+        let wall_z = |i: u32| self.walls.position(vec3(0.0, 0.0, i as Real)).z;
         [
             range(x, wall_x, (low.x, high.x), (aabb.min.x, aabb.max.x)),
             range(y, wall_y, (low.y, high.y), (aabb.min.y, aabb.max.y)),

@@ -22,8 +22,8 @@ pub(crate) use parts::GridParts;
 
 use core::ops::ControlFlow;
 
-use super::mailbox::{Asking, Mailbox};
-use super::walls::Walls;
+use super::cell_planes::CellPlanes;
+use super::mailbox::{Mailbox, MailboxQuery};
 use super::{Accelerator, BuildError, Query, Regions};
 use crate::geometry::{Aabb, Ray};
 use crate::math::Real;
@@ -36,7 +36,7 @@ use crate::math::Real;
 pub struct Grid<'s, const MAILBOX: usize> {
     /// The smallest box round all items.
     bounds: Aabb,
-    walls: Walls,
+    walls: CellPlanes,
     /// How many cells there are along each axis.
     cells: [u32; 3],
     /// For each cell, where its items begin; they end where those of the next one begin. The
@@ -98,9 +98,9 @@ impl<const MAILBOX: usize> Accelerator for Grid<'_, MAILBOX> {
     fn walk<Q: Query>(&self, ray: &Ray, mailbox: &mut Mailbox<MAILBOX>, query: &mut Q) {
         query.boxes(1);
         let Some(span) = self.bounds.span(ray) else { return };
-        mailbox.begin();
+        mailbox.begin_ray();
         let reach = query.reach();
-        let asking = Asking { ray, boxes: self.boxes, mailbox, query };
+        let asking = MailboxQuery { ray, item_bounds: self.boxes, mailbox, query };
         self.along(ray, span, reach, &mut Cells { grid: self, asking });
     }
 }
@@ -108,13 +108,13 @@ impl<const MAILBOX: usize> Accelerator for Grid<'_, MAILBOX> {
 /// The cells along a ray, whose items are offered.
 struct Cells<'a, Q, const MAILBOX: usize> {
     grid: &'a Grid<'a, MAILBOX>,
-    asking: Asking<'a, Q, MAILBOX>,
+    asking: MailboxQuery<'a, Q, MAILBOX>,
 }
 
 impl<Q: Query, const MAILBOX: usize> Regions<usize> for Cells<'_, Q, MAILBOX> {
     #[inline(always)]
     fn enter(&mut self, cell: usize) -> ControlFlow<(), Real> {
-        self.asking.offer(self.grid.items_of(cell))
+        self.asking.test_items(self.grid.items_of(cell))
     }
 }
 

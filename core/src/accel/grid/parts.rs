@@ -1,7 +1,7 @@
 //! A grid in parts, as a baked scene holds it.
 
 use super::Grid;
-use crate::accel::walls::Walls;
+use crate::accel::cell_planes::CellPlanes;
 use crate::geometry::Aabb;
 use crate::math::{Real, vec3};
 
@@ -32,7 +32,7 @@ impl<'s, const MAILBOX: usize> Grid<'s, MAILBOX> {
             return None;
         }
         let around = if items.is_empty() { Aabb::POINT } else { bounds };
-        let walls = Walls::new(around, vec3(x as Real, y as Real, z as Real));
+        let walls = CellPlanes::new(around, vec3(x as Real, y as Real, z as Real));
         Some(Grid { bounds, walls, cells, starts, items, boxes: &[] })
     }
 }

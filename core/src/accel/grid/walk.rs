@@ -2,7 +2,7 @@
 //!
 //! Along each axis the walk knows the number of the wall ahead and its distance. The distance is
 //! computed from the number each time, as the slab test does it, and never summed up: it does not
-//! drift, and the proof in [`walls`] holds. A walk steps forward only, so it takes at most as many
+//! drift, and the proof in [`cell_planes`] holds. A walk steps forward only, so it takes at most as many
 //! steps as there are cells along the three axes together.
 //!
 //! Where a ray passes close to an edge or a corner of cells, so close that the next wall's widened
@@ -15,7 +15,7 @@
 //! take nearly a quarter (29 % more than one cell after the other), distances from numbers and the first
 //! cell held against its walls 8 % more each (`tests/HARD-CASES.md`).
 //!
-//! [`walls`]: crate::accel::walls
+//! [`cell_planes`]: crate::accel::cell_planes
 
 use core::ops::ControlFlow;
 
@@ -236,7 +236,7 @@ mod tests {
 
     use heapless::Vec;
 
-    use crate::accel::sample::Random;
+    use crate::accel::test_rays::SplitMix64;
     use crate::accel::{Grid, GridRoom};
     use crate::geometry::{Aabb, Ray, Span, WIDEN};
     use crate::math::{Real, Vec3, vec3};
@@ -259,7 +259,7 @@ mod tests {
     /// The cell between its walls.
     fn cell_box(grid: &Grid<'_, 0>, cell: usize) -> Aabb {
         let [x, y, z] = numbers(grid, cell).map(|n| n as Real);
-        Aabb { min: grid.walls.at(vec3(x, y, z)), max: grid.walls.at(vec3(x, y, z) + 1.0) }
+        Aabb { min: grid.walls.position(vec3(x, y, z)), max: grid.walls.position(vec3(x, y, z) + 1.0) }
     }
 
     /// Walks the whole way, and holds the cells against all that the slab test says the ray meets,
@@ -298,7 +298,7 @@ mod tests {
 
     #[test]
     fn the_cells_of_a_walk_are_those_that_the_ray_meets_sorted_by_their_beginnings() {
-        let mut random = Random(0x5eed_6001);
+        let mut random = SplitMix64(0x5eed_6001);
         let mut walked = 0;
         for (size, density, expected) in [
             (vec3(1.0, 0.625, 0.375), 30.0, [8, 5, 3]),
@@ -309,9 +309,9 @@ mod tests {
             with_grid(size, density, |grid| {
                 assert_eq!(grid.cells, expected);
                 for _ in 0..250_000 {
-                    let wall = |random: &mut Random| {
+                    let wall = |random: &mut SplitMix64| {
                         let [x, y, z] = grid.cells.map(|n| random.below(n + 1) as Real);
-                        grid.walls.at(vec3(x, y, z))
+                        grid.walls.position(vec3(x, y, z))
                     };
                     walked += check(grid, &random.ray(wall));
                 }
@@ -335,7 +335,7 @@ mod tests {
         with_grid(Vec3::ONE, 16.0, |grid| {
             let ray = Ray::new(vec3(-2.0, 0.1, 0.1), Vec3::X);
             let span = grid.bounds.span(&ray).unwrap();
-            let wall = |number: Real| grid.walls.at(Vec3::splat(number)).x + 2.0;
+            let wall = |number: Real| grid.walls.position(Vec3::splat(number)).x + 2.0;
             let count = |reach: Real| {
                 let mut cells = 0;
                 grid.along(&ray, span, reach, &mut |_| {

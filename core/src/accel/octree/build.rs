@@ -8,7 +8,7 @@
 //! no stack but the place of one block for each level.
 
 use super::{Octree, OctreeNode, space};
-use crate::accel::walls::{Walls, survey};
+use crate::accel::cell_planes::{CellPlanes, bounds_of_all};
 use crate::accel::{BuildError, Storage};
 use crate::geometry::Aabb;
 use crate::math::{Real, Vec3, morton, vec3};
@@ -73,7 +73,7 @@ impl<'s, const MAILBOX: usize> Octree<'s, MAILBOX> {
         nodes: &'s mut [OctreeNode],
         entries: &'s mut [u32],
     ) -> Result<Self, BuildError> {
-        let (bounds, items) = survey(boxes)?;
+        let (bounds, items) = bounds_of_all(boxes)?;
         let too_small = |what, needed, lent| BuildError::StorageTooSmall { what, needed, lent };
         if nodes.is_empty() {
             return Err(too_small(Storage::Nodes, 1, 0));
@@ -107,7 +107,7 @@ impl<'s, const MAILBOX: usize> Octree<'s, MAILBOX> {
 /// What is done and what waits.
 struct Work<'b, 's> {
     boxes: &'b [Aabb],
-    walls: Walls,
+    walls: CellPlanes,
     limits: OctreeLimits,
     nodes: &'s mut [OctreeNode],
     entries: &'s mut [u32],
@@ -221,7 +221,7 @@ impl<'s> Work<'_, 's> {
         if level >= deepest || count <= self.limits.leaf as usize {
             return None;
         }
-        let middle = self.walls.at(middle(code, level));
+        let middle = self.walls.position(middle(code, level));
         let list = self.back..self.back + count;
         let mut counts = [0_usize; 8];
         for item in self.entries.get(list.clone())? {

@@ -21,8 +21,8 @@ use core::ops::ControlFlow;
 
 use zerocopy::{Immutable, KnownLayout, TryFromBytes};
 
-use super::mailbox::{Asking, Mailbox};
-use super::walls::Walls;
+use super::cell_planes::CellPlanes;
+use super::mailbox::{Mailbox, MailboxQuery};
 use super::{Accelerator, Query};
 use crate::geometry::{Aabb, Ray};
 use crate::math::{Real, Vec3, floor, largest, morton, vec3};
@@ -62,7 +62,7 @@ impl OctreeNode {
 pub struct Octree<'s, const MAILBOX: usize> {
     /// The smallest box round all items.
     bounds: Aabb,
-    walls: Walls,
+    walls: CellPlanes,
     /// The root first; then blocks of eight.
     nodes: &'s [OctreeNode],
     /// The items of the leaves, one leaf after the other.
@@ -123,9 +123,9 @@ impl<'s, const MAILBOX: usize> Octree<'s, MAILBOX> {
 
 /// The space of an octree round `bounds`, in walls of its smallest cells. All cells are cubes, so
 /// that a flat scene is not cut into plates.
-fn space(bounds: Aabb) -> Walls {
+fn space(bounds: Aabb) -> CellPlanes {
     let side = largest(bounds.max - bounds.min);
-    Walls::new(Aabb { min: bounds.min, max: bounds.min + side }, Vec3::splat(WALLS))
+    CellPlanes::new(Aabb { min: bounds.min, max: bounds.min + side }, Vec3::splat(WALLS))
 }
 
 impl<const MAILBOX: usize> Accelerator for Octree<'_, MAILBOX> {
@@ -134,11 +134,11 @@ impl<const MAILBOX: usize> Accelerator for Octree<'_, MAILBOX> {
     fn walk<Q: Query>(&self, ray: &Ray, mailbox: &mut Mailbox<MAILBOX>, query: &mut Q) {
         query.boxes(1);
         let Some(span) = self.bounds.span(ray) else { return };
-        mailbox.begin();
+        mailbox.begin_ray();
         let mut walk = |ray: &Ray| {
             let reach = query.reach();
-            let mut asking = Asking { ray, boxes: self.boxes, mailbox, query };
-            self.smart(ray, span, reach, |leaf| asking.offer(self.items_of(leaf)))
+            let mut asking = MailboxQuery { ray, item_bounds: self.boxes, mailbox, query };
+            self.smart(ray, span, reach, |leaf| asking.test_items(self.items_of(leaf)))
         };
         let end = if ray.inverse.is_finite() { walk(ray) } else { self.along_walls(ray, walk) };
         let (ControlFlow::Continue(()) | ControlFlow::Break(())) = end;
@@ -151,10 +151,10 @@ impl<const MAILBOX: usize> Octree<'_, MAILBOX> {
     /// wall a walk goes is decided by the sign of the infinite reciprocal.
     #[cold]
     fn along_walls(&self, ray: &Ray, mut walk: impl FnMut(&Ray) -> ControlFlow<()>) -> ControlFlow<()> {
-        let nearest = self.walls.about(ray.origin);
+        let nearest = self.walls.fractional_index(ray.origin);
         let is_in_wall = |offset: Real| {
             let number = |x: Real| floor(x + 0.5) + offset;
-            let wall = self.walls.at(vec3(number(nearest.x), number(nearest.y), number(nearest.z)));
+            let wall = self.walls.position(vec3(number(nearest.x), number(nearest.y), number(nearest.z)));
             let runs = |inverse: Real, wall: Real, origin: Real| !inverse.is_finite() && wall == origin;
             let (i, o) = (ray.inverse, ray.origin);
             [runs(i.x, wall.x, o.x), runs(i.y, wall.y, o.y), runs(i.z, wall.z, o.z)]

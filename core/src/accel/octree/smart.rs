@@ -11,7 +11,7 @@
 //!
 //! No position along the ray is computed. The distances of a node's middle walls are, once, when
 //! the node is entered, and from the numbers of the walls, as the slab test does it: that is what
-//! the proof in [`walls`] needs. Where walls are so close to each other that the slab test's widening
+//! the proof in [`cell_planes`] needs. Where walls are so close to each other that the slab test's widening
 //! reaches from one to the next, the siblings between the two are entered too.
 //!
 //! Source: "The SMART Navigation of a Ray Through an Oct-tree", Spackman and Willis, Computers &
@@ -22,7 +22,7 @@
 //! corners as much. To decide by numbers is the cheaper way besides: a point that is moved from cell to
 //! cell, and looked for from the root, takes over a third more (`tests/HARD-CASES.md`).
 //!
-//! [`walls`]: crate::accel::walls
+//! [`cell_planes`]: crate::accel::cell_planes
 
 use core::ops::ControlFlow;
 
@@ -147,7 +147,7 @@ impl<const MAILBOX: usize> Octree<'_, MAILBOX> {
         end: Ordered,
     ) -> Inside {
         let [x, y, z] = middle.map(|wall| wall as i32 as Real);
-        let distance = (self.walls.at(vec3(x, y, z)) - ray.origin) * ray.inverse;
+        let distance = (self.walls.position(vec3(x, y, z)) - ray.origin) * ray.inverse;
         let mut child = 0;
         let mut wall = |distance: Real, axis: Ordered| {
             let wall = ordered(distance) & !AXIS | axis;
@@ -265,7 +265,7 @@ mod tests {
 
     use super::Octree;
     use crate::accel::octree::{OctreeLimits, OctreeNode};
-    use crate::accel::sample::Random;
+    use crate::accel::test_rays::SplitMix64;
     use crate::geometry::{Aabb, Ray};
     use crate::math::{Real, Vec3, morton, vec3};
 
@@ -295,7 +295,8 @@ mod tests {
                 let size = 1 << (morton::HALVINGS - level);
                 let [x, y, z] = morton::numbers(code).map(|n| (n * size) as Real);
                 let near = vec3(x, y, z);
-                let walls = Aabb { min: tree.walls.at(near), max: tree.walls.at(near + size as Real) };
+                let walls =
+                    Aabb { min: tree.walls.position(near), max: tree.walls.position(near + size as Real) };
                 // The last wall may stand a little outside.
                 let walls = Aabb { min: walls.min, max: walls.max.min(tree.bounds.max) };
                 assert!(found.push(Leaf { node, walls }).is_ok());
@@ -363,7 +364,7 @@ mod tests {
     }
 
     /// Small boxes; a few of them very close to each other.
-    fn boxes(random: &mut Random) -> [Aabb; 12] {
+    fn boxes(random: &mut SplitMix64) -> [Aabb; 12] {
         let mut cluster = Vec3::ZERO;
         core::array::from_fn(|i| {
             if i % 4 == 0 {
@@ -378,7 +379,7 @@ mod tests {
 
     #[test]
     fn the_leaves_of_a_walk_are_those_that_the_ray_meets_sorted_by_their_beginnings() {
-        let mut random = Random(0x5eed_6002);
+        let mut random = SplitMix64(0x5eed_6002);
         let (mut walked, mut deepest) = (0, 0);
         for _ in 0..20 {
             with_tree(&boxes(&mut random), |tree| {
@@ -386,7 +387,7 @@ mod tests {
                 deepest = if tree.depth() > deepest { tree.depth() } else { deepest };
                 assert_eq!(leaves.len(), tree.regions());
                 for _ in 0..50_000 {
-                    let wall = |random: &mut Random| {
+                    let wall = |random: &mut SplitMix64| {
                         let walls = leaves[random.below(leaves.len() as u32) as usize].walls;
                         if random.below(2) == 0 { walls.min } else { walls.max }
                     };
