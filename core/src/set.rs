@@ -1,6 +1,7 @@
-//! Small sets of named things, known when compiling.
+//! Bit sets over enums, usable in constants.
 
-/// Makes `$Set`, a set of `$Kind`s (an enum without data, of at most 16), all `const`.
+/// Declares `$Set`, a set of values of `$Kind`: an enum without data, with at most 16 variants and a
+/// constant `ALL` with all of them.
 macro_rules! set_of {
     ($(#[$doc:meta])* $Set:ident of $Kind:ident) => {
         $(#[$doc])*
@@ -8,54 +9,53 @@ macro_rules! set_of {
         pub struct $Set(u16);
 
         impl $Set {
-            /// The set of none.
+            /// The empty set.
             pub const NONE: Self = Self(0);
-            /// The set of all.
+            /// The set of all kinds.
             pub const ALL: Self = Self::of(&$Kind::ALL);
 
-            /// The set of these.
-            pub const fn of(kinds: &[$Kind]) -> Self {
+            /// The set of the given kinds.
+            pub const fn of(mut kinds: &[$Kind]) -> Self {
                 let mut set = Self::NONE;
-                let mut rest = kinds;
-                while let [kind, others @ ..] = rest {
+                while let [kind, rest @ ..] = kinds {
                     set = set.with(*kind);
-                    rest = others;
+                    kinds = rest;
                 }
                 set
             }
 
-            /// This set and `kind`.
+            /// This set with `kind` added.
             pub const fn with(self, kind: $Kind) -> Self {
                 Self(self.0 | 1 << kind as u16)
             }
 
-            /// Whether `kind` is in it.
+            /// Whether `kind` is in this set.
             #[inline(always)]
             pub const fn has(self, kind: $Kind) -> bool {
                 self.0 & 1 << kind as u16 != 0
             }
 
-            /// Whether all of `other` is in it.
+            /// Whether every kind in `other` is in this set.
             pub const fn contains(self, other: Self) -> bool {
                 other.0 & !self.0 == 0
             }
 
-            /// How many there are.
+            /// The number of kinds in this set.
             pub const fn len(self) -> u32 {
                 self.0.count_ones()
             }
 
-            /// Whether there is none.
+            /// Whether this set has no kind.
             pub const fn is_empty(self) -> bool {
                 self.0 == 0
             }
 
-            /// Everything that is in one of both.
+            /// The kinds that are in this set, in `other`, or in both.
             pub const fn union(self, other: Self) -> Self {
                 Self(self.0 | other.0)
             }
 
-            /// The members, in the order of their declaration.
+            /// The kinds in this set, in the order of their declaration.
             pub fn iter(self) -> impl Iterator<Item = $Kind> {
                 $Kind::ALL.into_iter().filter(move |kind| self.has(*kind))
             }

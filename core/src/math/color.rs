@@ -1,15 +1,15 @@
-//! Linear radiance in three channels.
+//! Linear colors with three channels.
 
 use zerocopy::{Immutable, KnownLayout, TryFromBytes};
 
 use core::ops::{Add, AddAssign, Mul, MulAssign};
 
-use super::srgb::{encode, encode8};
+use super::srgb::{encode_srgb, encode_srgb8};
 use super::{Real, greatest, least};
 
-/// Linear light in red, green and blue: a colour, a share or a radiance.
+/// Linear red, green and blue, with the primaries of sRGB: a color, a reflectance or a radiance.
 ///
-/// Nothing clamps it to 1: it is as bright as it is, until [`Rgb::to_srgb8`] encodes it.
+/// Channels may exceed 1. Only [`Rgb::to_srgb8`] clamps them.
 #[derive(Clone, Copy, Debug, Default, PartialEq, TryFromBytes, KnownLayout, Immutable)]
 #[repr(C)]
 pub struct Rgb {
@@ -22,24 +22,24 @@ pub struct Rgb {
 }
 
 impl Rgb {
-    /// No light.
+    /// Zero in every channel.
     pub const BLACK: Rgb = Rgb::gray(0.0);
     /// One in every channel.
     pub const WHITE: Rgb = Rgb::gray(1.0);
-    /// The brightest colour or intensity that a scene may name.
+    /// Largest channel of a color or intensity in a scene.
     pub const BRIGHTEST: Real = 1e6;
 
-    /// A colour from its channels.
+    /// A color with the given channels.
     pub const fn new(r: Real, g: Real, b: Real) -> Self {
         Rgb { r, g, b }
     }
 
-    /// The same in every channel.
+    /// A color with `v` in every channel.
     pub const fn gray(v: Real) -> Self {
         Rgb { r: v, g: v, b: v }
     }
 
-    /// The brightest channel.
+    /// The largest channel.
     pub fn largest(self) -> Real {
         greatest(self.r, greatest(self.g, self.b))
     }
@@ -49,32 +49,34 @@ impl Rgb {
         !(self.r > 0.0 || self.g > 0.0 || self.b > 0.0)
     }
 
-    /// Whether every channel lies in `0..=most`.
-    #[inline(never)] // doors ask it in many places, where its size counts and not its time
-    pub fn is_within(self, most: Real) -> bool {
-        let ok = |v: Real| v >= 0.0 && v <= most;
+    /// Whether every channel is in `0..=max`. False for NaN.
+    #[inline(never)] // validation calls it often: code size matters there, time does not
+    pub fn is_within(self, max: Real) -> bool {
+        let ok = |v: Real| v >= 0.0 && v <= max;
         ok(self.r) && ok(self.g) && ok(self.b)
     }
 
-    /// Every channel above `most` set to `most`. Sums and products of what a scene may hold
-    /// stay finite when each of their parts is held below such a limit.
-    pub fn at_most(self, most: Real) -> Self {
-        let cap = |v: Real| if v < most { v } else { most };
-        Rgb { r: cap(self.r), g: cap(self.g), b: cap(self.b) }
+    /// Limits every channel to `max`. NaN becomes `max`.
+    ///
+    /// Sums and products of colors stay finite if every term is limited.
+    pub fn at_most(self, max: Real) -> Self {
+        let limit = |v: Real| if v < max { v } else { max };
+        Rgb { r: limit(self.r), g: limit(self.g), b: limit(self.b) }
     }
 
-    /// The way from this colour to `other`, `s` of it gone: `0` is here, `1` is there.
-    pub fn toward(self, other: Rgb, s: Real) -> Self {
-        self * (1.0 - s) + other * s
+    /// Linear interpolation: `self` at `t = 0`, `end` at `t = 1`.
+    pub fn toward(self, end: Rgb, t: Real) -> Self {
+        self * (1.0 - t) + end * t
     }
 
-    /// Each channel applied to `f`.
+    /// Applies `f` to each channel.
     pub fn map(self, f: impl Fn(Real) -> Real) -> Self {
         Rgb { r: f(self.r), g: f(self.g), b: f(self.b) }
     }
 
-    /// How far apart the encoded channels of some colours are (sRGB, in `0..=1`), the largest
-    /// of the three channels. Of no colours: 0.
+    /// Largest difference between sRGB-encoded values of one channel in `colors`, in `0..=1`.
+    ///
+    /// It is 0 for fewer than two colors.
     pub fn contrast(colors: impl IntoIterator<Item = Rgb>) -> Real {
         let mut colors = colors.into_iter();
         let Some(first) = colors.next() else { return 0.0 };
@@ -87,15 +89,20 @@ impl Rgb {
                 b: greatest(high.b, color.b),
             };
         }
-        // The encoding grows with the light, so that the ends stay the ends.
-        let apart = |low: Real, high: Real| if low < high { encode(high) - encode(low) } else { 0.0 };
-        greatest(apart(low.r, high.r), greatest(apart(low.g, high.g), apart(low.b, high.b)))
+        // The encoding is monotone, so encoding the extremes is enough.
+        let encoded_difference =
+            |low: Real, high: Real| if low < high { encode_srgb(high) - encode_srgb(low) } else { 0.0 };
+        greatest(
+            encoded_difference(low.r, high.r),
+            greatest(encoded_difference(low.g, high.g), encoded_difference(low.b, high.b)),
+        )
     }
 
-    /// Eight bits per channel in the sRGB encoding (IEC 61966-2-1): values outside `[0, 1]`
-    /// are cut off, the rest is rounded to the nearest step.
+    /// The sRGB encoding with 8 bits per channel (IEC 61966-2-1), rounded to the nearest code.
+    ///
+    /// Values outside `[0, 1]` are clamped. NaN becomes 0.
     pub fn to_srgb8(self) -> [u8; 3] {
-        [encode8(self.r), encode8(self.g), encode8(self.b)]
+        [encode_srgb8(self.r), encode_srgb8(self.g), encode_srgb8(self.b)]
     }
 }
 
@@ -137,26 +144,26 @@ mod tests {
     use super::*;
 
     #[test]
-    fn the_srgb_encoding_meets_its_known_values() {
-        // Mid grey 128 stands for 0.2158605 of linear light; the ends stay ends.
+    fn known_values_have_their_srgb_codes() {
+        // Code 128 is linear 0.2158605.
         assert_eq!(Rgb::new(0.0, 0.215_860_5, 1.0).to_srgb8(), [0, 128, 255]);
         assert_eq!(Rgb::new(-1.0, 7.0, Real::NAN).to_srgb8(), [0, 255, 0]);
-        // On the straight part: 0.002 * 12.92 * 255 = 6.59.
+        // The linear segment: 0.002 * 12.92 * 255 = 6.59.
         assert_eq!(Rgb::gray(0.002).to_srgb8(), [7; 3]);
     }
 
     #[test]
-    fn contrast_is_the_largest_difference_as_it_is_seen() {
+    fn contrast_is_the_largest_difference_of_encoded_channels() {
         let gray = [Rgb::gray(0.215_860_5), Rgb::BLACK, Rgb::gray(0.1)];
         assert!((Rgb::contrast(gray) - 128.0 / 255.0).abs() < 1e-6);
-        // What is brighter than white is seen as white.
+        // Values above white are encoded as white.
         assert_eq!(Rgb::contrast([Rgb::WHITE, Rgb::gray(7.0)]), 0.0);
         assert_eq!(Rgb::contrast([Rgb::new(0.0, 1.0, 0.5), Rgb::new(0.0, 0.0, 0.5)]), 1.0);
         assert_eq!(Rgb::contrast([]), 0.0);
     }
 
     #[test]
-    fn a_cap_holds_infinity_too() {
+    fn an_infinite_channel_is_limited() {
         assert_eq!(Rgb::new(Real::INFINITY, 5.0, 0.5).at_most(5.0), Rgb::new(5.0, 5.0, 0.5));
     }
 }

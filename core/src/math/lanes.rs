@@ -1,7 +1,7 @@
-//! Four numbers side by side, for machines that count four at once.
+//! A vector of four scalars, for SIMD instructions.
 //!
-//! Plain arrays: a compiler that knows such instructions uses them, any other counts one after
-//! the other. Each lane does what a single number would, so that the bits are the same.
+//! It is a plain array: the compiler emits vector instructions where the target has them. Every element
+//! goes through the scalar operations in the scalar order, so the bits of the results are the same.
 
 use core::ops::{Add, Mul, Sub};
 
@@ -9,49 +9,49 @@ use zerocopy::{Immutable, KnownLayout, TryFromBytes};
 
 use super::{Real, greatest, least};
 
-/// How many lanes.
+/// Number of elements of a vector.
 pub const LANES: usize = 4;
 
-/// Four numbers.
+/// Four scalars.
 #[derive(Clone, Copy, Debug, PartialEq, TryFromBytes, KnownLayout, Immutable)]
 #[repr(transparent)]
 pub struct Lanes(pub [Real; LANES]);
 
 impl Lanes {
-    /// The same number four times.
+    /// A vector with `x` in every element.
     #[inline(always)]
     pub const fn splat(x: Real) -> Self {
         Lanes([x; LANES])
     }
 
-    /// What `step` makes of each pair.
+    /// Applies `operation` to each pair of elements.
     #[inline(always)]
-    fn with(self, other: Self, step: impl Fn(Real, Real) -> Real) -> Self {
+    fn zip_with(self, other: Self, operation: impl Fn(Real, Real) -> Real) -> Self {
         let ([a, b, c, d], [e, f, g, h]) = (self.0, other.0);
-        Lanes([step(a, e), step(b, f), step(c, g), step(d, h)])
+        Lanes([operation(a, e), operation(b, f), operation(c, g), operation(d, h)])
     }
 
-    /// [`greatest`] in each lane.
+    /// Element-wise [`greatest`].
     #[inline(always)]
     pub fn greatest(self, other: Self) -> Self {
-        self.with(other, greatest)
+        self.zip_with(other, greatest)
     }
 
-    /// [`least`] in each lane.
+    /// Element-wise [`least`].
     #[inline(always)]
     pub fn least(self, other: Self) -> Self {
-        self.with(other, least)
+        self.zip_with(other, least)
     }
 
-    /// A bit for every lane.
+    /// The mask with a bit for every element.
     pub const ALL: u32 = 0b1111;
 
-    /// The bits of the lanes of which `is` is true.
+    /// The mask of the elements for which `predicate` is true: bit `i` for element `i`.
     #[inline(always)]
-    pub fn bits(self, other: Self, is: impl Fn(Real, Real) -> bool) -> u32 {
+    pub fn bits(self, other: Self, predicate: impl Fn(Real, Real) -> bool) -> u32 {
         let ([a, b, c, d], [e, f, g, h]) = (self.0, other.0);
-        let bit = |is: bool, place: u32| u32::from(is) << place;
-        bit(is(a, e), 0) | bit(is(b, f), 1) | bit(is(c, g), 2) | bit(is(d, h), 3)
+        let bit = |is_set: bool, index: u32| u32::from(is_set) << index;
+        bit(predicate(a, e), 0) | bit(predicate(b, f), 1) | bit(predicate(c, g), 2) | bit(predicate(d, h), 3)
     }
 }
 
@@ -60,7 +60,7 @@ impl Add for Lanes {
 
     #[inline(always)]
     fn add(self, other: Self) -> Self {
-        self.with(other, |a, b| a + b)
+        self.zip_with(other, |a, b| a + b)
     }
 }
 
@@ -69,7 +69,7 @@ impl Sub for Lanes {
 
     #[inline(always)]
     fn sub(self, other: Self) -> Self {
-        self.with(other, |a, b| a - b)
+        self.zip_with(other, |a, b| a - b)
     }
 }
 
@@ -78,6 +78,6 @@ impl Mul for Lanes {
 
     #[inline(always)]
     fn mul(self, other: Self) -> Self {
-        self.with(other, |a, b| a * b)
+        self.zip_with(other, |a, b| a * b)
     }
 }

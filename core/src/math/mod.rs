@@ -1,19 +1,19 @@
-//! Numbers and vectors: what the rest of the house counts with.
+//! Scalars, vectors, colors and elementary functions.
 //!
-//! The scalar is [`Real`]: `f32` in `strahl-core`, `f64` in its twin `strahl-core-double`,
-//! which compiles the same sources. Vectors are glam's plain ones, which are scalar on every
-//! target, so that every target does the same operations in the same order.
+//! The scalar is [`Real`]: `f32` in `strahl-core`, `f64` in `strahl-core-double`, which compiles the same
+//! sources. Vectors are those of glam that use no SIMD instructions, so every target performs the same
+//! operations in the same order.
 //!
-//! Lengths and units are taken here and not by glam's own methods, so that [`sqrt`] is the
-//! only way to a root.
+//! This module computes lengths and unit vectors itself, not by methods of glam, so that [`sqrt`] is the
+//! only square root.
 
 mod color;
 mod float;
 mod lanes;
 pub mod morton;
 mod roots;
+mod sobol;
 mod srgb;
-mod stream;
 mod warp;
 
 pub use color::Rgb;
@@ -22,7 +22,7 @@ pub use float::acos;
 pub use float::{cos, exp, floor, ln, power, powf, sin, sqrt, tan};
 pub use lanes::{LANES, Lanes};
 pub use roots::{CubicRoots, cubic_roots, root_between};
-pub use stream::{Dimension, Stream};
+pub use sobol::{Dimension, Stream};
 pub use warp::{across, disc, facet, normal, tent};
 
 #[cfg(feature = "double")]
@@ -33,7 +33,8 @@ mod precision {
     /// The scalar: double precision.
     pub type Real = f64;
 
-    /// A whole number with the bits of a [`Real`].
+    /// The integer as wide as a [`Real`]. Bits of non-negative [`Real`]s, read as this type, have the
+    /// order of the numbers.
     pub type Ordered = i64;
 }
 #[cfg(not(feature = "double"))]
@@ -44,56 +45,59 @@ mod precision {
     /// The scalar: single precision.
     pub type Real = f32;
 
-    /// A whole number with the bits of a [`Real`].
+    /// The integer as wide as a [`Real`]. Bits of non-negative [`Real`]s, read as this type, have the
+    /// order of the numbers.
     pub type Ordered = i32;
 }
 pub use precision::{Ordered, Real, Vec3};
 
-/// Half a turn, in radians.
+/// The ratio of a circle's circumference to its diameter.
 pub const PI: Real = precision::consts::PI;
 
-/// The unit roundoff: the largest relative error of one rounded operation.
+/// The unit roundoff: the largest relative error of one rounded operation, half of `EPSILON`.
 pub const ROUNDOFF: Real = Real::EPSILON / 2.0;
 
-/// The largest |coordinate| that a scene may hold, in scene lengths: its square stays far
-/// inside the range of `f32`.
+/// Largest absolute coordinate in a scene, in scene lengths. Its square is far inside the range of `f32`.
 pub const FARTHEST: Real = 1e15;
 
-/// A bound on the relative error of `n` rounded operations in a row (Higham's gamma).
+/// Bound on the relative error of `n` rounded operations in sequence.
+///
+/// Source: Higham, "Accuracy and Stability of Numerical Algorithms", 2nd edition, 2002, 3.1.
 pub const fn gamma(n: u32) -> Real {
     let nu = n as Real * ROUNDOFF;
     nu / (1.0 - nu)
 }
 
-/// A vector from its components.
+/// A vector with the given components.
 pub const fn vec3(x: Real, y: Real, z: Real) -> Vec3 {
     Vec3::new(x, y, z)
 }
 
-/// The larger of two; the second when they are equal or one is no number.
+/// The larger of `a` and `b`; `b` if they are equal or one is NaN.
 pub fn greatest(a: Real, b: Real) -> Real {
     if a > b { a } else { b }
 }
 
-/// The smaller of two; the second when they are equal or one is no number.
+/// The smaller of `a` and `b`; `b` if they are equal or one is NaN.
 pub fn least(a: Real, b: Real) -> Real {
     if a < b { a } else { b }
 }
 
-/// `x`, or the nearer end of `low..=high` when it lies outside; `low` when it is no number.
+/// `x` limited to `low..=high`; `low` if `x` is NaN.
 pub fn within(x: Real, low: Real, high: Real) -> Real {
     if x > low { if x < high { x } else { high } } else { low }
 }
 
-/// The power of two that is as large as `x` or next below it, whatever its sign; for zero and
-/// for what is too small for a normal number, the smallest normal one.
+/// The largest power of two that is at most `|x|`.
+///
+/// It is the smallest positive normal number for zero and for subnormal `x`.
 pub fn power_of_two(x: Real) -> Real {
-    // Of the bits of an infinite number only those of the exponent are set.
+    // The bits of infinity are a mask of the exponent's bits.
     let power = Real::from_bits(x.to_bits() & Real::INFINITY.to_bits());
     greatest(power, Real::MIN_POSITIVE)
 }
 
-/// The absolute value of every component.
+/// The vector of absolute components.
 pub fn abs(v: Vec3) -> Vec3 {
     vec3(v.x.abs(), v.y.abs(), v.z.abs())
 }
@@ -103,114 +107,118 @@ pub fn largest(v: Vec3) -> Real {
     greatest(v.x.abs(), greatest(v.y.abs(), v.z.abs()))
 }
 
-/// Whether every component is finite and at most [`FARTHEST`] away from zero.
-#[inline(never)] // doors ask it in many places, where its size counts and not its time
+/// Whether the absolute value of every component is at most [`FARTHEST`]. False for NaN.
+#[inline(never)] // validation calls it often: code size matters there, time does not
 pub fn is_in_range(v: Vec3) -> bool {
     v.x.abs() <= FARTHEST && v.y.abs() <= FARTHEST && v.z.abs() <= FARTHEST
 }
 
-/// The length of `v`, for lengths whose squares are in range (about 1e-19 to 1e19 in `f32`).
+/// The length of `v`, if its square is in range (lengths of about 1e-19 to 1e19 in `f32`).
 pub fn length(v: Vec3) -> Real {
     sqrt(v.dot(v))
 }
 
-/// The vector of length one in the direction of `v`; none for zero and for what is not finite.
+/// The unit vector in the direction of `v`; `None` if `v` is zero or not finite.
 ///
-/// The answer for `v` times a power of two is the same, bit for bit.
+/// The result for `v` times a power of two is the same, bit for bit.
 #[inline(always)]
 pub fn unit(v: Vec3) -> Option<Vec3> {
     unit_and_length(v).map(|(unit, _)| unit)
 }
 
-/// The vector of length one in the direction of `v`, and the length of `v`; none for zero and for
-/// what is not finite.
+/// The unit vector in the direction of `v`, and the length of `v`; `None` if `v` is zero or not finite.
 #[inline(always)]
 pub fn unit_and_length(v: Vec3) -> Option<(Vec3, Real)> {
     let square = v.dot(v);
-    if is_handy(square) {
+    if is_safe_square(square) {
         let length = sqrt(square);
         return Some((v / length, length));
     }
-    unit_of_any_size(v.x, v.y, v.z)
+    normalize_extreme(v.x, v.y, v.z)
 }
 
-/// Whether it is the square of a length, neither so small nor so large that squares of components
-/// have left the range, or nearly so.
+/// Whether `square`, the squared length of a vector, is so far from underflow and overflow that the
+/// squares of the components are in range, too.
 ///
-/// The bits of a number are ordered as the numbers are, so that one comparison asks for both
-/// ends; zero, what is below it and no number lie beyond them.
+/// Positive floating-point numbers are ordered as their bits, so one comparison tests both bounds. Zero,
+/// negative numbers and NaN are outside of them.
 #[inline(always)]
-fn is_handy(square: Real) -> bool {
-    // 2^-66 and 2^115: in single precision their bits are immediate operands of many a machine.
-    const LEAST: Real = 1.355_252_715_606_880_5e-20;
-    const MOST: Real = 4.153_837_486_827_862e34;
-    square.to_bits().wrapping_sub(LEAST.to_bits()) <= MOST.to_bits() - LEAST.to_bits()
+fn is_safe_square(square: Real) -> bool {
+    // 2^-66 and 2^115: their bits in single precision are immediate operands on many processors.
+    const MIN: Real = 1.355_252_715_606_880_5e-20;
+    const MAX: Real = 4.153_837_486_827_862e34;
+    square.to_bits().wrapping_sub(MIN.to_bits()) <= MAX.to_bits() - MIN.to_bits()
 }
 
-/// [`unit_and_length`] where squares would leave the range: of a vector whose largest component is
-/// about one, by an exact factor. (In parts: what is handed over in memory must be put there first.)
+/// [`unit_and_length`] for vectors whose squared length is not safe: an exact power of two scales the
+/// largest component to about one.
+///
+/// The components are separate parameters so that they are passed in registers.
 #[cold]
 #[inline(never)]
-fn unit_of_any_size(x: Real, y: Real, z: Real) -> Option<(Vec3, Real)> {
+fn normalize_extreme(x: Real, y: Real, z: Real) -> Option<(Vec3, Real)> {
     let v = vec3(x, y, z);
     let scale = power_of_two(largest(v));
     let v = v / scale;
     let square = v.dot(v);
-    if !is_handy(square) {
+    if !is_safe_square(square) {
         return None;
     }
     let length = sqrt(square);
     Some((v / length, length * scale))
 }
 
-/// Whether `v` has length one, as far as [`unit`] or a rounded constant can tell.
-#[inline(never)] // as of `is_in_range`
+/// Whether `v` is a unit vector: its squared length differs from 1 by at most 1e-5.
+#[inline(never)] // as `is_in_range`
 pub fn is_unit(v: Vec3) -> bool {
     (v.dot(v) - 1.0).abs() <= 1e-5
 }
 
-/// `a * b - c * d` with the right sign, and right to a few ulps of itself, also where rounding
-/// of the products would leave nothing of it.
+/// `a * b - c * d` to within a few ulps of the result, also if the rounded products cancel.
 ///
-/// The errors of both products are found with Dekker's splitting, which needs no fused
-/// operation and no wider type.
+/// The errors of both products are computed with Dekker's splitting, which needs neither a fused
+/// operation nor a wider type.
 pub fn difference_of_products(a: Real, b: Real, c: Real, d: Real) -> Real {
     let (p, q) = (a * b, c * d);
     (p - q) + (product_error(a, b, p) - product_error(c, d, q))
 }
 
-/// `a * b - p`, exactly, where `p` is the rounded product ("A floating-point technique for
-/// extending the available precision", Dekker 1971).
+/// `a * b - p`, exactly, where `p` is the rounded product.
+///
+/// Source: Dekker, "A Floating-Point Technique for Extending the Available Precision", Numerische
+/// Mathematik 1971.
 fn product_error(a: Real, b: Real, p: Real) -> Real {
     const SPLIT: Real = (1_u32 << Real::MANTISSA_DIGITS.div_ceil(2)) as Real + 1.0;
-    let halves = |x: Real| {
+    let split = |x: Real| {
         let big = SPLIT * x;
         let high = big - (big - x);
         (high, x - high)
     };
-    let ((a1, a2), (b1, b2)) = (halves(a), halves(b));
+    let ((a1, a2), (b1, b2)) = (split(a), split(b));
     ((a1 * b1 - p) + a1 * b2 + a2 * b1) + a2 * b2
 }
 
-/// `(a - b) - d`, exactly, where `d` is the rounded difference (Knuth's two-sum).
+/// `(a - b) - d`, exactly, where `d` is the rounded difference.
+///
+/// Source: TwoSum in Knuth, "The Art of Computer Programming", volume 2, 4.2.2.
 pub fn difference_error(a: Vec3, b: Vec3, d: Vec3) -> Vec3 {
-    let taken = d - a;
-    (a - (d - taken)) - (b + taken)
+    let negative_b = d - a;
+    (a - (d - negative_b)) - (b + negative_b)
 }
 
-/// One of the three axes.
+/// A coordinate axis.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Axis {
-    /// The first.
+    /// The x axis.
     X,
-    /// The second.
+    /// The y axis.
     Y,
-    /// The third.
+    /// The z axis.
     Z,
 }
 
 impl Axis {
-    /// The axis along which `v` reaches farthest.
+    /// The axis of the largest absolute component of `v`; the last one of several equal ones.
     pub fn largest_of(v: Vec3) -> Self {
         let a = abs(v);
         if a.x > a.y && a.x > a.z {
@@ -222,7 +230,7 @@ impl Axis {
         }
     }
 
-    /// `v` with its axes turned in a circle until this one is the third.
+    /// `v` with its components permuted cyclically so that the one of this axis becomes `z`.
     pub fn to_third(self, v: Vec3) -> Vec3 {
         match self {
             Axis::X => vec3(v.y, v.z, v.x),
@@ -231,7 +239,7 @@ impl Axis {
         }
     }
 
-    /// Undoes [`Axis::to_third`].
+    /// The inverse of [`Axis::to_third`].
     pub(crate) fn place_back(self, v: Vec3) -> Vec3 {
         match self {
             Axis::X => vec3(v.z, v.x, v.y),
@@ -246,7 +254,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn a_unit_vector_does_not_depend_on_the_length_it_is_made_from() {
+    fn a_unit_vector_does_not_depend_on_the_length_of_its_source() {
         let v = vec3(1.0, -2.5, 0.3);
         let n = unit(v).unwrap();
         assert!((length(n) - 1.0).abs() <= 2.0 * Real::EPSILON);
@@ -266,7 +274,7 @@ mod tests {
     #[test]
     fn a_difference_of_nearly_equal_products_keeps_its_sign() {
         let e = Real::EPSILON;
-        // (1 + e)(1 - e) - 1 = -e^2: a rounded product says zero.
+        // (1 + e)(1 - e) - 1 = -e^2, but the rounded product is 1.
         let (a, b): (Real, Real) = (1.0 + e, 1.0 - e);
         assert_eq!(a * b - 1.0, 0.0);
         assert_eq!(difference_of_products(a, b, 1.0, 1.0), -e * e);

@@ -1,15 +1,15 @@
-//! The encoding of one channel of light in pictures: sRGB, IEC 61966-2-1.
+//! The sRGB transfer function of one channel (IEC 61966-2-1).
 //!
-//! How far apart two colours look needs the encoded values ([`encode`]), and these a power. A picture of
-//! eight bits needs none ([`encode8`]): each of its 256 values stands for a range of light, and which one
-//! holds a channel is found by eight comparisons with the borders between them. The compiler counts
-//! these out, by basic operations alone, so that they are the same numbers everywhere. For every `f32`
-//! the answer is that of exact arithmetic, which the roundings of a power may miss at a border.
+//! [`encode_srgb`] evaluates the formula, which needs a power. [`encode_srgb8`] needs none: each of the
+//! 256 codes stands for a range of linear values, and a binary search among the thresholds between them
+//! finds the code. The thresholds are computed at compile time by basic operations, so they are the same
+//! everywhere. For every `f32` the code is that of exact arithmetic; the rounding errors of a power
+//! would give another code at some thresholds.
 
 use super::{Real, powf};
 
-/// The encoding of a channel, in `0..=1`; what lies beyond is cut off, and no number is 0.
-pub fn encode(v: Real) -> Real {
+/// The sRGB encoding of the linear value `v`, in `0..=1`. Values outside are clamped; NaN becomes 0.
+pub fn encode_srgb(v: Real) -> Real {
     if v >= 1.0 {
         1.0
     } else if v > 0.003_130_8 {
@@ -21,92 +21,97 @@ pub fn encode(v: Real) -> Real {
     }
 }
 
-/// The encoding of a channel in steps of 1/255, rounded to the nearest; half a step counts up.
-pub fn encode8(v: Real) -> u8 {
-    BORDERS.partition_point(|border| v >= *border as Real) as u8
+/// The sRGB encoding of `v` as an 8-bit code, rounded to the nearest, halves up. Values outside `[0, 1]`
+/// are clamped; NaN becomes 0.
+pub fn encode_srgb8(v: Real) -> u8 {
+    THRESHOLDS.partition_point(|threshold| v >= *threshold as Real) as u8
 }
 
-/// From which light on each step above 0 is the nearest, found when compiling.
+/// The smallest linear value of each 8-bit code above 0.
 ///
-/// Rounded up to single precision, so that they part all of its numbers as the true borders do. The
-/// twin has the same ones, for its pictures are written in single precision; it takes a double for the
-/// step below only where that lies between the true border and the next `f32` above.
-static BORDERS: [f32; 255] = {
-    let mut borders = [0.0; 255];
-    let mut step = 0;
-    while step < borders.len() {
-        borders[step] = rounded_up(decode((step as f64 + 0.5) / 255.0));
-        step += 1;
+/// The values are rounded up to `f32`, so they classify every `f32` as the exact thresholds do. The
+/// double-precision twin uses the same values because its pictures are stored in single precision. An
+/// `f64` gets the next lower code only if it is between the exact threshold and the next `f32`.
+static THRESHOLDS: [f32; 255] = {
+    let mut thresholds = [0.0; 255];
+    let mut index = 0;
+    while index < thresholds.len() {
+        thresholds[index] = round_up_to_f32(decode_srgb((index as f64 + 0.5) / 255.0));
+        index += 1;
     }
-    borders
+    thresholds
 };
 
-/// The light that a value of the encoding stands for.
-const fn decode(value: f64) -> f64 {
-    if value <= 0.040_45 {
-        return value / 12.92;
+/// The linear value of an encoded value: the inverse of [`encode_srgb`].
+const fn decode_srgb(encoded: f64) -> f64 {
+    if encoded <= 0.040_45 {
+        return encoded / 12.92;
     }
-    let base = (value + 0.055) / 1.055;
+    let base = (encoded + 0.055) / 1.055;
     let square = base * base;
-    // base^2.4 = square * square^(1/5). Newton's steps come down from 1 to the fifth root; after ten of
-    // them it changes by roundings alone.
-    let (mut root, mut steps) = (1.0, 0);
-    while steps < 20 {
+    // base^2.4 = square * square^(1/5). Newton's method from 1 reaches the fifth root in ten iterations;
+    // later ones change it by rounding only.
+    let (mut root, mut iteration) = (1.0, 0);
+    while iteration < 20 {
         root = 0.8 * root + 0.2 * square / (root * root * root * root);
-        steps += 1;
+        iteration += 1;
     }
     square * root
 }
 
-/// The least number in single precision that is not below `x`.
-const fn rounded_up(x: f64) -> f32 {
-    let near = x as f32;
-    if (near as f64) < x { near.next_up() } else { near }
+/// The smallest `f32` that is at least `x`.
+const fn round_up_to_f32(x: f64) -> f32 {
+    let nearest = x as f32;
+    if (nearest as f64) < x { nearest.next_up() } else { nearest }
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
 
-    /// The encoding of the standard in steps of 1/255, not rounded.
-    fn steps(v: f64) -> f64 {
+    /// The encoding by the formula of the standard, in `0..=255`, not rounded.
+    fn exact_code(v: f64) -> f64 {
         let encoded = if v > 0.003_130_8 { 1.055 * libm::pow(v, 1.0 / 2.4) - 0.055 } else { 12.92 * v };
         encoded * 255.0
     }
 
     #[test]
-    fn each_border_is_the_least_number_that_the_standard_rounds_to_its_step() {
-        // So far from half a step that roundings of doubles cannot have decided.
-        const SURE: f64 = 1e-11;
-        for (border, step) in BORDERS.iter().zip(1..=u8::MAX) {
-            let half = f64::from(step) - 0.5;
-            let (at, below) = (steps(f64::from(*border)), steps(f64::from(border.next_down())));
-            assert!(at >= half + SURE && below <= half - SURE, "{step}: {border}, {at}, {below}");
-            assert_eq!(encode8(*border as Real), step);
-            assert_eq!(encode8(border.next_down() as Real), step - 1);
+    fn each_threshold_is_the_least_f32_that_rounds_to_its_code() {
+        // More than the rounding errors of `exact_code`.
+        const MARGIN: f64 = 1e-11;
+        for (threshold, code) in THRESHOLDS.iter().zip(1..=u8::MAX) {
+            let half = f64::from(code) - 0.5;
+            let (at, below) =
+                (exact_code(f64::from(*threshold)), exact_code(f64::from(threshold.next_down())));
+            assert!(at >= half + MARGIN && below <= half - MARGIN, "{code}: {threshold}, {at}, {below}");
+            assert_eq!(encode_srgb8(*threshold as Real), code);
+            assert_eq!(encode_srgb8(threshold.next_down() as Real), code - 1);
         }
     }
 
     #[test]
-    fn light_is_encoded_as_by_the_formula_but_for_what_its_roundings_take_past_a_border() {
-        let (mut all, mut apart) = (0, 0);
+    fn codes_agree_with_the_formula_except_for_its_rounding_errors_at_thresholds() {
+        let (mut count, mut different) = (0, 0);
         // All exponents and, by a prime stride, all patterns of the last bits.
         for bits in (0..=1.25_f32.to_bits()).step_by(499) {
             let v = f32::from_bits(bits);
-            let (step, formula) = (encode8(v as Real), (encode(v as Real) * 255.0 + 0.5) as u8);
-            all += 1;
-            if step != formula {
-                apart += 1;
-                let past = (steps(f64::from(v)) - f64::from(step.max(formula)) + 0.5).abs();
-                assert!(step.abs_diff(formula) == 1 && past <= 1e-4, "{v}: {step}, {formula}, {past}");
+            let (code, formula) = (encode_srgb8(v as Real), (encode_srgb(v as Real) * 255.0 + 0.5) as u8);
+            count += 1;
+            if code != formula {
+                different += 1;
+                let distance = (exact_code(f64::from(v)) - f64::from(code.max(formula)) + 0.5).abs();
+                assert!(
+                    code.abs_diff(formula) == 1 && distance <= 1e-4,
+                    "{v}: {code}, {formula}, {distance}"
+                );
             }
         }
-        assert!(all > 2_000_000 && apart < 10, "{apart} of {all}");
+        assert!(count > 2_000_000 && different < 10, "{different} of {count}");
     }
 
     #[test]
-    fn what_is_no_light_is_black_and_too_much_is_white() {
-        assert_eq!([Real::NAN, Real::NEG_INFINITY, -1.0, -0.0, 0.0, 1e-9].map(encode8), [0; 6]);
-        assert_eq!([1.0, 1.0 + Real::EPSILON, 7.0, Real::MAX, Real::INFINITY].map(encode8), [255; 5]);
+    fn nan_and_negative_values_are_black_and_large_ones_white() {
+        assert_eq!([Real::NAN, Real::NEG_INFINITY, -1.0, -0.0, 0.0, 1e-9].map(encode_srgb8), [0; 6]);
+        assert_eq!([1.0, 1.0 + Real::EPSILON, 7.0, Real::MAX, Real::INFINITY].map(encode_srgb8), [255; 5]);
     }
 }

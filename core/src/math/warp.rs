@@ -1,26 +1,30 @@
-//! From the unit square to where samples are wanted: without holes, without heaps, neighbours
-//! staying neighbours.
+//! Mappings of uniform sample points in the unit square to other distributions.
+//!
+//! They are continuous almost everywhere, so a well distributed set of points stays well distributed.
 
 use super::{PI, Real, Vec3, cos, exp, ln, sin, sqrt, unit, vec3};
 
-/// A number evenly in `[0, 1)` to one in `(-1, 1)`, the more often the nearer to zero: the
-/// height of a tent.
+/// Maps a uniform `u` in `[0, 1)` to the tent distribution with density `1 - |x|`, `x` in `[-1, 1)`.
 pub fn tent(u: Real) -> Real {
     if u < 0.5 { sqrt(2.0 * u) - 1.0 } else { 1.0 - sqrt(2.0 * (1.0 - u)) }
 }
 
-/// A point evenly in the unit square to one by a round normal distribution of deviation one,
-/// cut off at `radius` (Box, Muller 1958).
+/// Maps a uniform point in the unit square to the two-dimensional standard normal distribution, truncated
+/// to the disc of the given `radius`.
+///
+/// Source: Box and Muller, "A Note on the Generation of Random Normal Deviates", 1958. Difference: the
+/// truncation.
 pub fn normal([u, v]: [Real; 2], radius: Real) -> [Real; 2] {
-    // What the distribution has inside the radius.
-    let inside = 1.0 - exp(-0.5 * radius * radius);
-    let r = sqrt(-2.0 * ln(1.0 - u * inside));
+    let probability_inside = 1.0 - exp(-0.5 * radius * radius);
+    let r = sqrt(-2.0 * ln(1.0 - u * probability_inside));
     let angle = 2.0 * PI * v;
     [r * cos(angle), r * sin(angle)]
 }
 
-/// A point evenly in the unit square to one evenly in the disc of radius one; the middle stays
-/// the middle ("A Low Distortion Map Between Disk and Square", Shirley, Chiu, JGT 1997).
+/// Maps a uniform point in the unit square to a uniform point in the unit disc. Concentric squares become
+/// concentric circles.
+///
+/// Source: Shirley and Chiu, "A Low Distortion Map Between Disk and Square", JGT 1997.
 pub fn disc([u, v]: [Real; 2]) -> [Real; 2] {
     let (x, y) = (2.0 * u - 1.0, 2.0 * v - 1.0);
     if x == 0.0 && y == 0.0 {
@@ -31,8 +35,9 @@ pub fn disc([u, v]: [Real; 2]) -> [Real; 2] {
     [r * cos(angle), r * sin(angle)]
 }
 
-/// Two directions of length one that are upright on `n`, which has length one, and on each
-/// other ("Building an Orthonormal Basis, Revisited", Duff et al., JCGT 2017).
+/// Two unit vectors that are perpendicular to each other and to the unit vector `n`.
+///
+/// Source: Duff et al., "Building an Orthonormal Basis, Revisited", JCGT 2017.
 pub fn across(n: Vec3) -> [Vec3; 2] {
     let sign = if n.z < 0.0 { -1.0 } else { 1.0 };
     let a = -1.0 / (sign + n.z);
@@ -40,25 +45,30 @@ pub fn across(n: Vec3) -> [Vec3; 2] {
     [vec3(1.0 + sign * n.x * n.x * a, sign * b, -sign * n.x), vec3(b, sign + n.y * n.y * a, -n.y)]
 }
 
-/// The normal of one of the facets that make up a rough surface: of those that are seen from
-/// the direction `eye`, by a point evenly in the unit square. Roughness is the tangent of the
-/// facets' typical slope; the surface, whose normal is `n`, has facets as the GGX distribution
-/// has them ("Microfacet Models for Refraction", Walter et al., EGSR 2007; "Sampling Visible GGX
-/// Normals with Spherical Caps", Dupuy, Benyoub, HPG 2023).
-pub fn facet(n: Vec3, eye: Vec3, slope: Real, [u, v]: [Real; 2]) -> Vec3 {
-    let [first, second] = across(n);
-    // As if the surface were stretched until its facets are those of a sphere.
-    let up = eye.dot(n);
-    let up = if up > 0.0 { up } else { 0.0 };
-    let stretched = vec3(slope * eye.dot(first), slope * eye.dot(second), up);
-    let eye = unit(stretched).unwrap_or(Vec3::Z);
-    // Evenly in the cap of directions that the sphere mirrors to the eye.
-    let z = (1.0 - v) * (1.0 + eye.z) - eye.z;
-    let across = sqrt(if z * z < 1.0 { 1.0 - z * z } else { 0.0 });
+/// Maps a uniform point in the unit square to a microfacet normal of a rough surface that is visible from
+/// `view_direction`, world space.
+///
+/// * `n`: unit normal of the surface.
+/// * `view_direction`: unit vector away from the surface, on the side of `n`.
+/// * `alpha`: roughness of the GGX distribution, the tangent of the typical slope of the microfacets.
+///
+/// Sources: Walter et al., "Microfacet Models for Refraction through Rough Surfaces", EGSR 2007; Dupuy and
+/// Benyoub, "Sampling Visible GGX Normals with Spherical Caps", HPG 2023.
+pub fn facet(n: Vec3, view_direction: Vec3, alpha: Real, [u, v]: [Real; 2]) -> Vec3 {
+    let [x_axis, y_axis] = across(n);
+    // Stretch the surface, so that its microfacet normals become uniform on the hemisphere.
+    let cos_theta = view_direction.dot(n);
+    let cos_theta = if cos_theta > 0.0 { cos_theta } else { 0.0 };
+    let stretched = vec3(alpha * view_direction.dot(x_axis), alpha * view_direction.dot(y_axis), cos_theta);
+    let view = unit(stretched).unwrap_or(Vec3::Z);
+    // Sample uniformly the spherical cap of directions that the hemisphere reflects into `view`.
+    let z = (1.0 - v) * (1.0 + view.z) - view.z;
+    let sin_theta = sqrt(if z * z < 1.0 { 1.0 - z * z } else { 0.0 });
     let angle = 2.0 * PI * u;
-    let half = vec3(across * cos(angle), across * sin(angle), z) + eye;
-    let facet = first * (slope * half.x) + second * (slope * half.y) + n * half.z;
-    unit(facet).unwrap_or(n)
+    let half_vector = vec3(sin_theta * cos(angle), sin_theta * sin(angle), z) + view;
+    // Undo the stretching.
+    let normal = x_axis * (alpha * half_vector.x) + y_axis * (alpha * half_vector.y) + n * half_vector.z;
+    unit(normal).unwrap_or(n)
 }
 
 #[cfg(test)]
@@ -71,7 +81,7 @@ mod tests {
     }
 
     #[test]
-    fn a_disc_is_filled_evenly_from_its_middle_to_its_rim() {
+    fn disc_samples_are_uniform() {
         assert_eq!(disc([0.5, 0.5]), [0.0, 0.0]);
         let (mut inside, mut right, mut upper) = (0, 0, 0);
         for point in points() {
@@ -82,14 +92,14 @@ mod tests {
             right += i32::from(x > 0.5);
             upper += i32::from(y > 0.0);
         }
-        // Beyond a chord at half the radius lies 1/3 - sqrt(3) / (4 pi) of the disc.
-        for (count, share) in [(inside, 0.3), (right, 0.195_501), (upper, 0.5)] {
-            assert!((count as Real / 4096.0 - share).abs() < 2e-3, "{count} {share}");
+        // A chord at half the radius cuts off 1/3 - sqrt(3) / (4 pi) of the disc.
+        for (count, fraction) in [(inside, 0.3), (right, 0.195_501), (upper, 0.5)] {
+            assert!((count as Real / 4096.0 - fraction).abs() < 2e-3, "{count} {fraction}");
         }
     }
 
     #[test]
-    fn directions_across_are_upright_on_the_normal_and_on_each_other() {
+    fn the_basis_is_orthonormal() {
         for n in [Vec3::X, Vec3::Y, Vec3::Z, -Vec3::Z, vec3(0.6, 0.0, -0.8), vec3(0.48, 0.6, 0.64)] {
             let [a, b] = across(n);
             for dot in [a.dot(b), a.dot(n), b.dot(n), a.dot(a) - 1.0, b.dot(b) - 1.0] {
@@ -99,24 +109,24 @@ mod tests {
     }
 
     #[test]
-    fn facets_have_the_mean_slope_of_their_distribution_and_are_seen() {
-        // Looked at from above: the mean square of the cosine, which for GGX of slope s is
-        // the integral over t in 0..1 of (1 - t) / (1 + (s^2 - 1) t).
-        for slope in [0.1, 0.4, 1.0] {
-            let (mut sum, mut want) = (0.0, 0.0);
-            for (point, number) in points().zip(0..) {
-                let h = facet(Vec3::Y, Vec3::Y, slope, point);
+    fn visible_normals_follow_the_ggx_distribution_and_are_visible() {
+        // Seen along the normal, the mean of the squared cosine for GGX with alpha = a is the integral over
+        // t in 0..1 of (1 - t) / (1 + (a^2 - 1) t).
+        for alpha in [0.1, 0.4, 1.0] {
+            let (mut sum, mut expected) = (0.0, 0.0);
+            for (point, index) in points().zip(0..) {
+                let h = facet(Vec3::Y, Vec3::Y, alpha, point);
                 assert!((length(h) - 1.0).abs() < 1e-5);
                 sum += h.y * h.y;
-                let t = (number as Real + 0.5) / 4096.0;
-                want += (1.0 - t) / (1.0 + (slope * slope - 1.0) * t);
+                let t = (index as Real + 0.5) / 4096.0;
+                expected += (1.0 - t) / (1.0 + (alpha * alpha - 1.0) * t);
             }
-            assert!((sum - want).abs() < 2e-3 * want, "{slope}: {sum} {want}");
+            assert!((sum - expected).abs() < 2e-3 * expected, "{alpha}: {sum} {expected}");
         }
-        let eye = vec3(0.8, 0.6, 0.0);
+        let view_direction = vec3(0.8, 0.6, 0.0);
         for point in points() {
-            let h = facet(Vec3::Y, eye, 0.5, point);
-            assert!(h.dot(eye) > -1e-5 && h.y > -1e-5, "{h}");
+            let h = facet(Vec3::Y, view_direction, 0.5, point);
+            assert!(h.dot(view_direction) > -1e-5 && h.y > -1e-5, "{h}");
         }
     }
 }

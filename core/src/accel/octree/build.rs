@@ -27,7 +27,7 @@ impl OctreeLimits {
     /// 24 items take times within 5 % of each other, leaves of 4 up to 8 % more; memory halves from
     /// 8 to 16. The depth ends where cutting does not pay: 5 to 16 there, 13 for 597,872 spheres of
     /// a sphereflake, which take 2.2 times as long as 7,382.
-    pub const DEFAULT: OctreeLimits = OctreeLimits { depth: morton::HALVINGS as u8, leaf: 12 };
+    pub const DEFAULT: OctreeLimits = OctreeLimits { depth: morton::BITS_PER_AXIS as u8, leaf: 12 };
 }
 
 /// A cut pays when the lists of the children hold at most this many times the items of the
@@ -140,8 +140,8 @@ impl<'s> Work<'_, 's> {
         }
         self.put(0, OctreeNode { first: 0, content: count as u32 });
 
-        let mut blocks = [0_usize; morton::HALVINGS as usize + 1];
-        let (mut code, mut level): (morton::Code, usize) = (0, 0);
+        let mut blocks = [0_usize; morton::BITS_PER_AXIS as usize + 1];
+        let (mut code, mut level): (morton::MortonCode, usize) = (0, 0);
         loop {
             let block = blocks.get(level).copied().unwrap_or(0);
             let place = block + if level == 0 { 0 } else { code as usize & 7 };
@@ -215,8 +215,8 @@ impl<'s> Work<'_, 's> {
 
     /// Cuts the node whose turn it is, if that pays and there is memory; answers the place of its
     /// first child.
-    fn cut(&mut self, place: usize, code: morton::Code, level: usize) -> Option<usize> {
-        let deepest = usize::from(self.limits.depth).min(morton::HALVINGS as usize);
+    fn cut(&mut self, place: usize, code: morton::MortonCode, level: usize) -> Option<usize> {
+        let deepest = usize::from(self.limits.depth).min(morton::BITS_PER_AXIS as usize);
         let count = self.waiting(place);
         if level >= deepest || count <= self.limits.leaf as usize {
             return None;
@@ -302,9 +302,9 @@ impl<'s> Work<'_, 's> {
 }
 
 /// The numbers of the walls in the middle of a node.
-fn middle(code: morton::Code, level: usize) -> Vec3 {
-    let below = morton::HALVINGS - level as u32;
+fn middle(code: morton::MortonCode, level: usize) -> Vec3 {
+    let below = morton::BITS_PER_AXIS - level as u32;
     let wall = |number: u32| ((2 * number + 1) << below >> 1) as Real;
-    let [x, y, z] = morton::numbers(code);
+    let [x, y, z] = morton::deinterleave(code);
     vec3(wall(x), wall(y), wall(z))
 }

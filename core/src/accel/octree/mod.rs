@@ -29,7 +29,7 @@ use crate::math::{Real, Vec3, floor, largest, morton, vec3};
 
 /// How many of the walls stand between the ends of an octree's space, and one more: the walls
 /// of the smallest cells.
-const WALLS: Real = (1_u32 << morton::HALVINGS) as Real;
+const WALLS: Real = (1_u32 << morton::BITS_PER_AXIS) as Real;
 
 /// A node of an octree: one that is cut into eight, or a leaf.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, TryFromBytes, KnownLayout, Immutable)]

@@ -7,7 +7,7 @@ use crate::geometry::Aabb;
 use crate::math::morton;
 
 /// Room for the blocks that wait, eight from each level at most.
-const BLOCKS: usize = 8 * morton::HALVINGS as usize;
+const BLOCKS: usize = 8 * morton::BITS_PER_AXIS as usize;
 
 /// What makes an octree, and nothing that follows from it.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -45,7 +45,7 @@ impl<'s, const MAILBOX: usize> Octree<'s, MAILBOX> {
                 return Some(());
             }
             left = left.checked_sub(1)?;
-            if u32::from(above) >= morton::HALVINGS {
+            if u32::from(above) >= morton::BITS_PER_AXIS {
                 return None;
             }
             blocks.push((node.first, above + 1)).ok()

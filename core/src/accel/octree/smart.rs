@@ -102,9 +102,9 @@ impl<const MAILBOX: usize> Octree<'_, MAILBOX> {
         let Vec3 { x, y, z } = ray.inverse;
         let corner = backward(x) | backward(y) << 1 | backward(z) << 2;
 
-        let mut around = Stack::<Inside, { morton::HALVINGS as usize }>::new();
+        let mut around = Stack::<Inside, { morton::BITS_PER_AXIS as usize }>::new();
         // The number of the first wall of the node along each axis, and how many cells its half takes.
-        let (mut first, mut half) = ([0_u32; 3], 1_u32 << (morton::HALVINGS - 1));
+        let (mut first, mut half) = ([0_u32; 3], 1_u32 << (morton::BITS_PER_AXIS - 1));
         let mut node = self.vertical(ray, root, first.map(|wall| wall + half), begin, ordered(span.exit));
         loop {
             let octant = node.child ^ corner;
@@ -281,7 +281,7 @@ mod tests {
     /// All leaves with items, by the codes of the nodes.
     fn leaves(tree: &Octree<'_, 0>) -> Vec<Leaf, MOST> {
         let mut found = Vec::new();
-        let mut waiting = Vec::<(OctreeNode, morton::Code, u32), 256>::new();
+        let mut waiting = Vec::<(OctreeNode, morton::MortonCode, u32), 256>::new();
         let _ = waiting.push((tree.nodes[0], 0, 0));
         while let Some((node, code, level)) = waiting.pop() {
             if node.is_cut() {
@@ -289,11 +289,13 @@ mod tests {
                     let child = tree.nodes[node.first as usize + octant];
                     let is_occupied = node.content >> octant & 1 == 1;
                     assert_eq!(is_occupied, child.content > 0);
-                    assert!(waiting.push((child, code << 3 | octant as morton::Code, level + 1)).is_ok());
+                    assert!(
+                        waiting.push((child, code << 3 | octant as morton::MortonCode, level + 1)).is_ok()
+                    );
                 }
             } else if node.content > 0 {
-                let size = 1 << (morton::HALVINGS - level);
-                let [x, y, z] = morton::numbers(code).map(|n| (n * size) as Real);
+                let size = 1 << (morton::BITS_PER_AXIS - level);
+                let [x, y, z] = morton::deinterleave(code).map(|n| (n * size) as Real);
                 let near = vec3(x, y, z);
                 let walls =
                     Aabb { min: tree.walls.position(near), max: tree.walls.position(near + size as Real) };
