@@ -1,35 +1,36 @@
-//! Building, from the boxes of items to a hierarchy that can be walked.
+//! Construction of a BVH from the bounds of the items.
 
 use core::iter::from_fn;
 use core::marker::PhantomData;
 
-use super::grow::{Tree, grow};
-use super::node::{Child, Goes, Node, Slot};
+use super::node::{Node, NodeRef, PackedNodeRef, Slot};
+use super::top_down::{BuiltTree, build_top_down};
 use super::{Bvh, BvhRoom, Run};
 use crate::accel::{BuildError, Storage};
 use crate::geometry::{Aabb, Geometry, ItemId};
 
-/// A hierarchy that has been built and not been furnished: its leaves can be walked as they
-/// are, or be laid out in runs.
+/// A finished tree whose leaves are not laid out yet: [`Grown::singly`] keeps single entries,
+/// [`Grown::in_runs`] makes blocks of triangles.
 #[derive(Debug)]
 pub struct Grown<'s> {
     nodes: &'s mut [Node],
-    items: &'s mut [Slot],
+    entries: &'s mut [Slot],
     depth: u32,
 }
 
-/// How the items of a leaf will be tested.
+/// How the items of a leaf are stored and tested.
 #[derive(Clone, Copy, Debug)]
 pub enum Leaves<'g> {
-    /// One after the other.
+    /// As single [`Slot`]s, tested one after the other.
     Singly,
-    /// The triangles among them four at once, in [`Run`]s.
+    /// In [`Run`]s, whose triangles are tested four at a time. The geometry tells triangles from other
+    /// shapes.
     Runs(&'g Geometry<'g>),
 }
 
 impl Leaves<'_> {
-    /// Whether an item is tested together with others.
-    fn groups(self, item: ItemId) -> bool {
+    /// Whether an item is tested together with others of its leaf.
+    fn puts_in_block(self, item: ItemId) -> bool {
         match self {
             Leaves::Singly => false,
             Leaves::Runs(geometry) => geometry.shape(item).is_some_and(|shape| shape.is_triangle()),
@@ -37,86 +38,105 @@ impl Leaves<'_> {
     }
 }
 
-impl<'s, W> Bvh<'s, W> {
-    /// The hierarchy of the items inside `boxes`, one box for each, in their order; items with
-    /// an empty box are left out.
+impl<'s, Queue> Bvh<'s, Queue> {
+    /// Builds the hierarchy of the items with these bounds.
     ///
-    /// [`BvhRoom::comfortable`] tells what to lend. With fewer `nodes` leaves are larger; one
-    /// is needed if there is an item at all, and a place for each item.
+    /// `bounds`: one box per item; items with an empty box are left out. `nodes` and `entries`:
+    /// caller-provided buffers of the sizes of [`BvhRoom::comfortable`]. With fewer nodes, leaves are larger;
+    /// at least one is needed unless all boxes are empty. One entry per item is needed.
     ///
-    /// Errors: [`BuildError::StorageTooSmall`], and [`BuildError::NotFinite`] for a box without
-    /// end.
-    pub fn build(boxes: &[Aabb], nodes: &'s mut [Node], items: &'s mut [Slot]) -> Result<Self, BuildError> {
-        Grown::build(boxes, Leaves::Singly, nodes, items).map(Grown::singly)
+    /// # Errors
+    ///
+    /// * [`BuildError::StorageTooSmall`] for `nodes` or `entries`.
+    /// * [`BuildError::NotFinite`] for a box that is not finite.
+    pub fn build(
+        bounds: &[Aabb],
+        nodes: &'s mut [Node],
+        entries: &'s mut [Slot],
+    ) -> Result<Self, BuildError> {
+        Grown::build(bounds, Leaves::Singly, nodes, entries).map(Grown::singly)
     }
 }
 
 impl<'s> Grown<'s> {
-    /// As [`Bvh::build`], for leaves that will be tested in one way or the other.
+    /// Builds the tree as [`Bvh::build`] does, for leaves with this layout: the layout determines which
+    /// splits are expected to be cheap.
+    ///
+    /// # Errors
+    ///
+    /// Those of [`Bvh::build`].
     pub fn build(
-        boxes: &[Aabb],
-        leaves: Leaves<'_>,
+        bounds: &[Aabb],
+        layout: Leaves<'_>,
         nodes: &'s mut [Node],
-        items: &'s mut [Slot],
+        entries: &'s mut [Slot],
     ) -> Result<Self, BuildError> {
-        let bounded = survey(boxes)?;
-        let floor = usize::from(bounded > 0);
-        if nodes.len() < floor {
-            return Err(too_small(Storage::Nodes, floor, nodes.len()));
+        let bounded_count = count_bounded(bounds)?;
+        let min_nodes = usize::from(bounded_count > 0);
+        if nodes.len() < min_nodes {
+            return Err(too_small(Storage::Nodes, min_nodes, nodes.len()));
         }
-        let lent = items.len();
-        let items = items.get_mut(..bounded).ok_or(too_small(Storage::Items, bounded, lent))?;
-        for (slot, item) in items.iter_mut().zip(bounded_items(boxes)) {
-            *slot = Slot::of(item, leaves.groups(item));
+        let provided = entries.len();
+        let entries =
+            entries.get_mut(..bounded_count).ok_or(too_small(Storage::Items, bounded_count, provided))?;
+        for (entry, item) in entries.iter_mut().zip(bounded_items(bounds)) {
+            *entry = Slot::new(item, layout.puts_in_block(item));
         }
 
-        let wanted = BvhRoom::comfortable(bounded).nodes;
-        let budget = if wanted < nodes.len() { wanted } else { nodes.len() };
-        let Tree { nodes, items, depth } = grow(boxes, nodes, items, budget as u32);
-        close(nodes);
-        Ok(Grown { nodes, items, depth })
+        let recommended = BvhRoom::comfortable(bounded_count).nodes;
+        let node_budget = if recommended < nodes.len() { recommended } else { nodes.len() };
+        let BuiltTree { nodes, entries, depth } = build_top_down(bounds, nodes, entries, node_budget as u32);
+        set_skip_links(nodes);
+        Ok(Grown { nodes, entries, depth })
     }
 
-    /// The hierarchy as it is: the items of a leaf are tested one after the other.
-    pub fn singly<W>(self) -> Bvh<'s, W> {
-        let Grown { nodes, items, depth } = self;
-        Bvh { nodes, leaves: items, depth, walk: PhantomData }
+    /// The hierarchy with single entries as leaf elements.
+    pub fn singly<Queue>(self) -> Bvh<'s, Queue> {
+        let Grown { nodes, entries, depth } = self;
+        Bvh { nodes, leaf_elements: entries, depth, queue: PhantomData }
     }
 
-    /// How many runs [`Grown::in_runs`] needs.
+    /// Number of blocks that [`Grown::in_runs`] needs.
     pub fn runs(&self) -> usize {
-        leaves(self.items).map(|leaf| leaf.len().div_ceil(Run::ITEMS)).sum()
+        split_leaves(self.entries).map(|leaf| leaf.len().div_ceil(Run::ITEMS)).sum()
     }
 
-    /// The hierarchy with its leaves laid out in `runs`, of which [`Grown::runs`] are needed.
-    /// `geometry` holds the items that it was built from.
-    pub fn in_runs<W>(
+    /// The hierarchy with blocks as leaf elements.
+    ///
+    /// `geometry`: the one that the bounds were computed from. `blocks`: caller-provided buffer, at least
+    /// [`Grown::runs`] long.
+    ///
+    /// # Errors
+    ///
+    /// [`BuildError::StorageTooSmall`] for `blocks`.
+    pub fn in_runs<Queue>(
         self,
         geometry: &Geometry<'_>,
-        runs: &'s mut [Run],
-    ) -> Result<Bvh<'s, W, Run>, BuildError> {
-        let (needed, lent) = (self.runs(), runs.len());
-        let Grown { nodes, items, depth } = self;
-        let runs = runs.get_mut(..needed).ok_or(too_small(Storage::Runs, needed, lent))?;
-        let (mut used, mut rest) = (0, runs.iter_mut());
-        // In the order of the nodes: what a walk meets together lies together.
+        blocks: &'s mut [Run],
+    ) -> Result<Bvh<'s, Queue, Run>, BuildError> {
+        let (needed, provided) = (self.runs(), blocks.len());
+        let Grown { nodes, entries, depth } = self;
+        let blocks = blocks.get_mut(..needed).ok_or(too_small(Storage::Runs, needed, provided))?;
+        let (mut block_count, mut unused) = (0, blocks.iter_mut());
+        // In the order of the nodes, so that leaves visited together are near each other in memory.
         for node in nodes.iter_mut() {
-            for place in 0..node.children().count() {
-                let Goes::Out(first) = node.child(place).goes() else { continue };
-                let Some(leaf) = items.get(first as usize..).and_then(|items| leaves(items).next()) else {
+            for child in 0..node.children().count() {
+                let NodeRef::Leaf(first) = node.child(child).unpack() else { continue };
+                let Some(leaf) = entries.get(first as usize..).and_then(|rest| split_leaves(rest).next())
+                else {
                     continue;
                 };
-                node.set_child(place, Child::leaf(used));
+                node.set_child(child, PackedNodeRef::leaf(block_count));
                 let chunks = leaf.chunks(Run::ITEMS);
-                let mut left = chunks.len();
-                for (chunk, run) in chunks.zip(&mut rest) {
-                    left -= 1;
-                    used += 1;
-                    *run = Run::of(geometry, chunk, left > 0);
+                let mut blocks_left = chunks.len();
+                for (chunk, block) in chunks.zip(&mut unused) {
+                    blocks_left -= 1;
+                    block_count += 1;
+                    *block = Run::new(geometry, chunk, blocks_left > 0);
                 }
             }
         }
-        Ok(Bvh { nodes, leaves: runs, depth, walk: PhantomData })
+        Ok(Bvh { nodes, leaf_elements: blocks, depth, queue: PhantomData })
     }
 }
 
@@ -124,47 +144,48 @@ const fn too_small(what: Storage, needed: usize, lent: usize) -> BuildError {
     BuildError::StorageTooSmall { what, needed, lent }
 }
 
-/// The items of one leaf after the other.
-fn leaves(items: &[Slot]) -> impl Iterator<Item = &[Slot]> {
-    let mut rest = items;
+/// The entries of one leaf after the other.
+fn split_leaves(entries: &[Slot]) -> impl Iterator<Item = &[Slot]> {
+    let mut rest = entries;
     from_fn(move || {
-        let (leaf, others) = rest.split_at_checked(rest.iter().position(|slot| slot.is_last())? + 1)?;
+        let (leaf, others) = rest.split_at_checked(rest.iter().position(|entry| entry.is_last())? + 1)?;
         rest = others;
         Some(leaf)
     })
 }
 
-/// How many items have a box.
-fn survey(boxes: &[Aabb]) -> Result<usize, BuildError> {
-    if boxes.len() > Slot::MOST {
-        return Err(too_small(Storage::Items, boxes.len(), Slot::MOST));
+/// Number of items whose bounds are not empty.
+fn count_bounded(bounds: &[Aabb]) -> Result<usize, BuildError> {
+    if bounds.len() > Slot::MAX_ITEMS {
+        return Err(too_small(Storage::Items, bounds.len(), Slot::MAX_ITEMS));
     }
-    let mut bounded = 0;
-    for (aabb, number) in boxes.iter().zip(0..).filter(|(aabb, _)| !aabb.is_empty()) {
+    let mut count = 0;
+    for (aabb, index) in bounds.iter().zip(0..).filter(|(aabb, _)| !aabb.is_empty()) {
         if !(aabb.min.is_finite() && aabb.max.is_finite()) {
-            return Err(BuildError::NotFinite { item: ItemId(number) });
+            return Err(BuildError::NotFinite { item: ItemId(index) });
         }
-        bounded += 1;
+        count += 1;
     }
-    Ok(bounded)
+    Ok(count)
 }
 
-fn bounded_items(boxes: &[Aabb]) -> impl Iterator<Item = ItemId> + '_ {
-    boxes.iter().zip(0..).filter(|(aabb, _)| !aabb.is_empty()).map(|(_, number)| ItemId(number))
+/// The items whose bounds are not empty.
+fn bounded_items(bounds: &[Aabb]) -> impl Iterator<Item = ItemId> + '_ {
+    bounds.iter().zip(0..).filter(|(aabb, _)| !aabb.is_empty()).map(|(_, index)| ItemId(index))
 }
 
-/// Tells every node where its part of the tree ends, from the last to the first.
-fn close(nodes: &mut [Node]) {
-    for place in (0..nodes.len()).rev() {
-        let end_of = |child: Child| match child.goes() {
-            Goes::On(below) => nodes.get(below as usize).map(Node::end),
-            Goes::Out(_) | Goes::Lone(_) => None,
+/// Sets the skip link of every node, from the last to the first.
+fn set_skip_links(nodes: &mut [Node]) {
+    for index in (0..nodes.len()).rev() {
+        let skip_link_of = |child: PackedNodeRef| match child.unpack() {
+            NodeRef::Inner(inner) => nodes.get(inner as usize).map(Node::skip_link),
+            NodeRef::Leaf(_) | NodeRef::Item(_) => None,
         };
-        let Some(node) = nodes.get(place) else { continue };
-        // The last of the parts that has nodes of its own has the last of them.
-        let end = node.children().filter_map(end_of).last().unwrap_or(place as u32 + 1);
-        if let Some(node) = nodes.get_mut(place) {
-            node.set_end(end);
+        let Some(node) = nodes.get(index) else { continue };
+        // The subtree ends with that of its last inner child.
+        let skip_link = node.children().filter_map(skip_link_of).last().unwrap_or(index as u32 + 1);
+        if let Some(node) = nodes.get_mut(index) {
+            node.set_skip_link(skip_link);
         }
     }
 }

@@ -1,26 +1,26 @@
-//! What leaves are made of: single items, or runs of them.
+//! The elements of leaves: single entries, or blocks of triangles.
 
 use core::ops::ControlFlow;
 
 use super::node::Slot;
-use super::run::Run;
+use super::triangle_block::Run;
 use crate::accel::Query;
 
-/// A piece of a leaf. Pieces follow each other up to the last of their leaf.
+/// An element of a leaf. The elements of a leaf are consecutive; the last one is marked.
 pub trait Leaf: Copy {
-    /// Offers its items.
-    fn offer<Q: Query>(&self, query: &mut Q) -> ControlFlow<()>;
+    /// Passes its items to `query`.
+    fn test_items<Q: Query>(&self, query: &mut Q) -> ControlFlow<()>;
 
-    /// Whether it is the last piece of its leaf.
+    /// Whether it is the last element of its leaf.
     fn is_last(&self) -> bool;
 
-    /// How many items it has.
-    fn count(&self) -> usize;
+    /// Number of its items.
+    fn item_count(&self) -> usize;
 }
 
 impl Leaf for Slot {
     #[inline(always)]
-    fn offer<Q: Query>(&self, query: &mut Q) -> ControlFlow<()> {
+    fn test_items<Q: Query>(&self, query: &mut Q) -> ControlFlow<()> {
         query.test(self.item())
     }
 
@@ -29,23 +29,23 @@ impl Leaf for Slot {
         Slot::is_last(*self)
     }
 
-    fn count(&self) -> usize {
+    fn item_count(&self) -> usize {
         1
     }
 }
 
 impl Leaf for Run {
     #[inline(always)]
-    fn offer<Q: Query>(&self, query: &mut Q) -> ControlFlow<()> {
+    fn test_items<Q: Query>(&self, query: &mut Q) -> ControlFlow<()> {
         query.run(self)
     }
 
     #[inline(always)]
     fn is_last(&self) -> bool {
-        !self.goes_on()
+        !self.has_next()
     }
 
-    fn count(&self) -> usize {
+    fn item_count(&self) -> usize {
         self.items().count()
     }
 }

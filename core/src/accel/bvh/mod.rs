@@ -1,66 +1,68 @@
-//! Hierarchy of boxes, in memory that the caller lends.
+//! Bounding volume hierarchy (BVH) with four children per node, in caller-provided buffers.
 //!
-//! Items are split in two, and each half again, where that promises the least work; a node
-//! holds the boxes of up to four parts that come of it, so that one visit answers for all four.
-//! A walk takes the nearest part first, lets the others wait, and ends when all that waits
-//! begins beyond the query's reach.
+//! Construction splits the items in two where the surface area heuristic expects the least work, and splits
+//! the parts again until a node has up to four children. A node holds the bounds of all its children, so that
+//! one visit tests all of them. Traversal continues with the nearest child, queues the others, and ends when
+//! all queued nodes begin beyond `t_max`.
 //!
-//! Where nodes wait is a choice of type. [`NearestFirst`] is the heap of the lecture: the
-//! nearest of all that waits comes next ("Ray Tracing Complex Scenes", Kay and Kajiya, 1986).
-//! [`LastFirst`] is a stack: cheaper, and nearly as good, because the nearest part of a node does
-//! not wait. Either has a fixed size and may be full: then the part of the tree that finds no
-//! room is swept at once, in the order of storage, which takes no memory at all. For that the
-//! nodes lie depth first, and each tells where its part ends. Fewer places make a walk slower,
-//! never wrong.
+//! The queue is a type parameter. [`NearestFirst`] is a heap: of all pending nodes the nearest comes first.
+//! [`LastFirst`] is a stack: cheaper, and it visits hardly more nodes, because the nearest child of a node is
+//! not queued. Both have a fixed capacity. When a queue is full, the subtree that does not fit is traversed
+//! at once in the order of storage, by skip links, which needs no memory: nodes are stored depth first, and
+//! each has the index of the first node after its subtree. A smaller capacity makes a traversal slower and
+//! never changes the result.
+//!
+//! Sources: Kay and Kajiya, "Ray Tracing Complex Scenes", SIGGRAPH 1986 (heap); Smits, "Efficiency Issues for
+//! Ray Tracing", JGT 3(2), 1998 (skip links); those of the construction are in its modules.
 
 mod build;
-mod grow;
 mod leaf;
 mod node;
 #[cfg(not(feature = "double"))]
 mod parts;
-mod run;
+mod queue;
 mod split;
-mod waiting;
-mod walk;
+mod top_down;
+mod traverse;
+mod triangle_block;
 
 pub use build::{Grown, Leaves};
 pub use leaf::Leaf;
 pub use node::{Node, Slot};
 #[cfg(not(feature = "double"))]
 pub(crate) use parts::BvhParts;
-pub(crate) use run::Candidate;
-pub use run::Run;
-pub use waiting::{LastFirst, NearestFirst, Waiting};
+pub use queue::{LastFirst, NearestFirst, Waiting};
+pub(crate) use triangle_block::Candidate;
+pub use triangle_block::Run;
 
 use core::marker::PhantomData;
 
-use node::Goes;
+use node::NodeRef;
 
-/// A hierarchy of boxes whose walks keep what waits in a `W`, and whose leaves are made of
-/// [`Slot`]s, single items, or of [`Run`]s of them.
+/// A bounding volume hierarchy with a traversal queue of type `Queue`. Its leaves consist of [`Slot`]s
+/// (single items) or of [`Run`]s.
 ///
-/// * Memory: a [`Node`] (128 bytes) for each split into up to four parts, and in leaves of more
-///   than one item 4 bytes for each of them, or 164 for each run. A lone item stands in the node.
-/// * A scene without bounded items has no node, and offers nothing.
+/// * Memory, in single precision: 128 bytes per [`Node`]; in leaves, 4 bytes per item or 164 bytes per [`Run`].
+///   A leaf of one item that is in no block is stored in its node.
+/// * A scene without bounded items has no node; its traversal tests nothing.
 #[derive(Debug)]
-pub struct Bvh<'s, W, L = Slot> {
-    /// Depth first.
+pub struct Bvh<'s, Queue, Element = Slot> {
+    /// In depth-first order.
     nodes: &'s [Node],
-    /// The pieces of each leaf of more than a lone item, one after the other.
-    leaves: &'s [L],
-    /// Steps from the root to the deepest leaf.
+    /// The elements of the leaves that are not stored in their node, one leaf after the other.
+    leaf_elements: &'s [Element],
+    /// Number of edges from the root to the deepest leaf.
     depth: u32,
-    walk: PhantomData<fn() -> W>,
+    queue: PhantomData<fn() -> Queue>,
 }
 
-impl<W, L> Clone for Bvh<'_, W, L> {
+impl<Queue, Element> Clone for Bvh<'_, Queue, Element> {
     fn clone(&self) -> Self {
         *self
     }
 }
 
-impl<W, L> Copy for Bvh<'_, W, L> {}
+impl<Queue, Element> Copy for Bvh<'_, Queue, Element> {}
 
 /// What a builder would like to be lent.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -78,34 +80,36 @@ impl BvhRoom {
     }
 }
 
-impl<'s, W, L: Leaf> Bvh<'s, W, L> {
-    /// The memory it uses, in bytes.
+impl<'s, Queue, Element: Leaf> Bvh<'s, Queue, Element> {
+    /// Size of all buffers that it uses, in bytes.
     pub const fn bytes(&self) -> usize {
-        size_of_val(self.nodes) + size_of_val(self.leaves)
+        size_of_val(self.nodes) + size_of_val(self.leaf_elements)
     }
 
-    /// The same hierarchy, walked in another way.
-    pub const fn walked<V>(self) -> Bvh<'s, V, L> {
-        Bvh { nodes: self.nodes, leaves: self.leaves, depth: self.depth, walk: PhantomData }
+    /// The same hierarchy with another traversal queue.
+    pub const fn walked<OtherQueue>(self) -> Bvh<'s, OtherQueue, Element> {
+        let Bvh { nodes, leaf_elements, depth, .. } = self;
+        Bvh { nodes, leaf_elements, depth, queue: PhantomData }
     }
 
-    /// Leaves.
+    /// Number of leaves.
     pub fn regions(&self) -> usize {
-        self.lone() + self.leaves.iter().filter(|piece| piece.is_last()).count()
+        self.single_item_leaf_count() + self.leaf_elements.iter().filter(|element| element.is_last()).count()
     }
 
-    /// Items in all leaves: each stands in one.
+    /// Number of items in all leaves; each item is in exactly one.
     pub fn entries(&self) -> usize {
-        self.lone() + self.leaves.iter().map(|piece| piece.count()).sum::<usize>()
+        let in_elements: usize = self.leaf_elements.iter().map(|element| element.item_count()).sum();
+        self.single_item_leaf_count() + in_elements
     }
 
-    /// Leaves of one item, which stands in the node.
-    fn lone(&self) -> usize {
+    /// Number of leaves that are a single item and stored in their node.
+    fn single_item_leaf_count(&self) -> usize {
         let children = self.nodes.iter().flat_map(Node::children);
-        children.filter(|child| matches!(child.goes(), Goes::Lone(_))).count()
+        children.filter(|child| matches!(child.unpack(), NodeRef::Item(_))).count()
     }
 
-    /// Steps from the root to the deepest leaf.
+    /// Number of edges from the root to the deepest leaf.
     pub const fn depth(&self) -> u32 {
         self.depth
     }

@@ -1,234 +1,240 @@
-//! A node: the boxes of up to four parts of the tree, side by side, and where they go on.
+//! BVH nodes: the bounds of up to four children side by side, and a reference to each child.
 
 use zerocopy::{Immutable, KnownLayout, TryFromBytes};
 
 use crate::geometry::{Aabb, ItemId, Ray, WIDEN};
 use crate::math::{LANES, Lanes, Real};
 
-/// How many parts a node has at most.
-pub(super) const PARTS: usize = LANES;
+/// Largest number of children of a node.
+pub(super) const CHILDREN: usize = LANES;
 
-/// A split into up to four parts.
+/// An inner node with up to four children.
 #[derive(Clone, Copy, Debug, PartialEq, TryFromBytes, KnownLayout, Immutable)]
 #[repr(C)]
 pub struct Node {
-    /// For each axis the low walls of all parts and then the high ones: what is asked of one
-    /// part can be asked of all at once. A part that is not there is a box that no ray meets.
-    walls: [[Lanes; 2]; 3],
-    children: [Child; PARTS],
-    /// The first node behind this part of the tree.
-    end: u32,
-    /// Fills two cache lines where memory is aligned to them.
-    reserve: [u32; 3],
+    /// Per axis, the lower planes and then the upper planes of all children, so that one test serves all of
+    /// them. An unused child has the bounds of [`Aabb::EMPTY`], which no ray hits.
+    bounds: [[Lanes; 2]; 3],
+    children: [PackedNodeRef; CHILDREN],
+    /// Index of the first node after the subtree.
+    skip_link: u32,
+    /// Completes two cache lines.
+    padding: [u32; 3],
 }
 
 #[cfg(not(feature = "double"))]
 const _: () = assert!(size_of::<Node>() == 128);
 
-/// Where a part goes on: at a node, in the items of a leaf, or at the only item of one.
+/// A [`NodeRef`] in 32 bits.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, TryFromBytes, KnownLayout, Immutable)]
 #[repr(transparent)]
-pub struct Child(u32);
+pub struct PackedNodeRef(u32);
 
-/// What a [`Child`] is.
+/// A child of a node.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Goes {
-    /// On, to the node of this number.
-    On(u32),
-    /// Out, to the items from this place on.
-    Out(u32),
-    /// Out, to this item alone.
-    Lone(ItemId),
+pub(super) enum NodeRef {
+    /// Index of an inner node.
+    Inner(u32),
+    /// Index of the first element of a leaf.
+    Leaf(u32),
+    /// The only item of a leaf, which is stored in the node itself.
+    Item(ItemId),
 }
 
-/// The bit that a leaf has and a node has not; that the last item of a leaf has.
-const MARK: u32 = 1 << 31;
+/// Of a [`PackedNodeRef`]: set for leaves. Of a [`Slot`]: set for the last item of a leaf.
+const LEAF_BIT: u32 = 1 << 31;
 
-/// The bit of a leaf that is a lone item.
-const LONE: u32 = 1 << 30;
+/// Of a [`PackedNodeRef`] with [`LEAF_BIT`]: set if the leaf is a single item.
+const ITEM_BIT: u32 = 1 << 30;
 
-impl Child {
-    /// Where there is no part: what stands here is a thing that there is in every hierarchy.
-    const NONE: Child = Child::lone(ItemId(0));
+impl PackedNodeRef {
+    /// An unused child. Its value is valid in every hierarchy.
+    const EMPTY: PackedNodeRef = PackedNodeRef::item(ItemId(0));
 
-    pub(super) const fn node(place: u32) -> Self {
-        Child(place & !MARK)
+    pub(super) const fn inner(index: u32) -> Self {
+        PackedNodeRef(index & !LEAF_BIT)
     }
 
     pub(super) const fn leaf(first: u32) -> Self {
-        Child(first & !LONE | MARK)
+        PackedNodeRef(first & !ITEM_BIT | LEAF_BIT)
     }
 
-    pub(super) const fn lone(item: ItemId) -> Self {
-        Child(item.0 | MARK | LONE)
+    pub(super) const fn item(item: ItemId) -> Self {
+        PackedNodeRef(item.0 | LEAF_BIT | ITEM_BIT)
     }
 
     #[inline(always)]
-    pub(super) const fn goes(self) -> Goes {
-        let number = self.0 & !(MARK | LONE);
-        match (self.0 & MARK, self.0 & LONE) {
-            (0, _) => Goes::On(self.0),
-            (_, 0) => Goes::Out(number),
-            _ => Goes::Lone(ItemId(number)),
+    pub(super) const fn unpack(self) -> NodeRef {
+        let index = self.0 & !(LEAF_BIT | ITEM_BIT);
+        match (self.0 & LEAF_BIT, self.0 & ITEM_BIT) {
+            (0, _) => NodeRef::Inner(self.0),
+            (_, 0) => NodeRef::Leaf(index),
+            _ => NodeRef::Item(ItemId(index)),
         }
     }
 }
 
-/// The bit of an item that will be tested together with others, while the tree grows.
-const GROUPED: u32 = 1 << 30;
+/// Of a [`Slot`] during construction: set if the item will be in a block.
+const BLOCK_BIT: u32 = 1 << 30;
 
-/// An item in a leaf, and whether it is the leaf's last.
+/// An item of a leaf, and whether it is the last one.
+///
+/// Ids have 30 bits; the bit above them is used during construction.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, TryFromBytes, KnownLayout, Immutable)]
 #[repr(transparent)]
 pub struct Slot(u32);
 
 impl Slot {
-    /// A place to be overwritten.
-    pub const EMPTY: Slot = Slot(MARK);
-    /// How many items can be told apart.
-    pub(super) const MOST: usize = GROUPED as usize;
+    /// The initial value for buffers.
+    pub const EMPTY: Slot = Slot(LEAF_BIT);
+    /// Largest number of items of a hierarchy.
+    pub(super) const MAX_ITEMS: usize = BLOCK_BIT as usize;
 
-    /// As it lies in memory.
+    /// The entry as it is stored in a baked scene.
     #[cfg(not(feature = "double"))]
     pub(crate) const fn word(self) -> u32 {
         self.0
     }
 
-    pub(super) const fn of(item: ItemId, is_grouped: bool) -> Self {
-        Slot(item.0 & !(MARK | GROUPED) | if is_grouped { GROUPED } else { 0 })
+    pub(super) const fn new(item: ItemId, is_in_block: bool) -> Self {
+        Slot(item.0 & !(LEAF_BIT | BLOCK_BIT) | if is_in_block { BLOCK_BIT } else { 0 })
     }
 
-    /// Whether it will be tested together with others of its leaf, for the price of one.
-    pub(super) const fn is_grouped(self) -> bool {
-        self.0 & GROUPED != 0
+    /// Whether the item will be tested in a block, together with others of its leaf. Valid during
+    /// construction only.
+    pub(super) const fn is_in_block(self) -> bool {
+        self.0 & BLOCK_BIT != 0
     }
 
     pub(super) const fn mark_last(&mut self) {
-        self.0 |= MARK;
+        self.0 |= LEAF_BIT;
     }
 
     #[inline(always)]
     pub(super) const fn item(self) -> ItemId {
-        ItemId(self.0 & !(MARK | GROUPED))
+        ItemId(self.0 & !(LEAF_BIT | BLOCK_BIT))
     }
 
     #[inline(always)]
     pub(super) const fn is_last(self) -> bool {
-        self.0 & MARK != 0
+        self.0 & LEAF_BIT != 0
     }
 }
 
-/// What of a ray the boxes need.
+/// Ray data for the tests of nodes, broadcast to all children.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Slabs([Slab; 3]);
+pub(super) struct TraversalRay([TraversalAxis; 3]);
 
+/// One axis of a [`TraversalRay`].
 #[derive(Clone, Copy, Debug)]
-struct Slab {
+struct TraversalAxis {
     origin: Lanes,
     inverse: Lanes,
-    /// Whether the ray meets the high wall first.
-    falls: bool,
+    /// Whether the direction is negative: the ray enters a box through its upper plane.
+    is_negative: bool,
 }
 
-impl Slabs {
-    pub(super) fn of(ray: &Ray) -> Self {
-        let slab = |origin, inverse| Slab {
+impl TraversalRay {
+    pub(super) fn new(ray: &Ray) -> Self {
+        let axis = |origin, inverse| TraversalAxis {
             origin: Lanes::splat(origin),
             inverse: Lanes::splat(inverse),
-            falls: !(inverse >= 0.0),
+            is_negative: !(inverse >= 0.0),
         };
         let (o, i) = (ray.origin, ray.inverse);
-        Slabs([slab(o.x, i.x), slab(o.y, i.y), slab(o.z, i.z)])
+        TraversalRay([axis(o.x, i.x), axis(o.y, i.y), axis(o.z, i.z)])
     }
 }
 
-/// Where a ray comes into the boxes of a node.
+/// Result of the test of a ray against the bounds of all children of a node.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Seen {
-    /// At or behind the start of the ray.
-    pub(super) entry: Lanes,
-    /// A bit for each box that it comes into within reach.
-    pub(super) meets: u32,
+pub(super) struct BoxHits {
+    /// The `t` at which the ray enters each box; zero if its origin is inside.
+    pub(super) t_entry: Lanes,
+    /// One bit per child: set if the ray enters its box within `t_max`.
+    pub(super) mask: u32,
 }
 
 impl Node {
-    /// A node to be overwritten: no ray meets it.
+    /// A node without children, the initial value for buffers.
     pub const EMPTY: Node = Node {
-        walls: [[Lanes::splat(Real::INFINITY), Lanes::splat(Real::NEG_INFINITY)]; 3],
-        children: [Child::NONE; PARTS],
-        end: 0,
-        reserve: [0; 3],
+        bounds: [[Lanes::splat(Real::INFINITY), Lanes::splat(Real::NEG_INFINITY)]; 3],
+        children: [PackedNodeRef::EMPTY; CHILDREN],
+        skip_link: 0,
+        padding: [0; 3],
     };
 
-    /// Puts a part into one of the places; there is none behind the last.
-    pub(super) fn put(&mut self, place: usize, aabb: &Aabb) {
+    /// Sets the bounds of a child; does nothing if `child` is not below [`CHILDREN`].
+    pub(super) fn set_bounds(&mut self, child: usize, aabb: &Aabb) {
         let (min, max) = (aabb.min.to_array(), aabb.max.to_array());
-        for (walls, (low, high)) in self.walls.iter_mut().zip(min.into_iter().zip(max)) {
-            for (lanes, wall) in walls.iter_mut().zip([low, high]) {
-                if let Some(lane) = lanes.0.get_mut(place) {
-                    *lane = wall;
+        for (planes, (min, max)) in self.bounds.iter_mut().zip(min.into_iter().zip(max)) {
+            for (lanes, plane) in planes.iter_mut().zip([min, max]) {
+                if let Some(element) = lanes.0.get_mut(child) {
+                    *element = plane;
                 }
             }
         }
     }
 
-    /// As it lies in memory.
+    /// The node as it is stored in a baked scene.
     #[cfg(not(feature = "double"))]
     pub(crate) fn words(&self) -> [u32; 32] {
         let mut words = [0; 32];
-        let walls = self.walls.iter().flatten().flat_map(|lanes| lanes.0).map(f32::to_bits);
-        let rest = self.children.iter().map(|child| child.0).chain([self.end]);
-        for (word, value) in words.iter_mut().zip(walls.chain(rest)) {
+        let planes = self.bounds.iter().flatten().flat_map(|lanes| lanes.0).map(f32::to_bits);
+        let rest = self.children.iter().map(|child| child.0).chain([self.skip_link]);
+        for (word, value) in words.iter_mut().zip(planes.chain(rest)) {
             *word = value;
         }
         words
     }
 
-    /// All four, whether they are there or not.
+    /// All four children, unused ones included.
     #[cfg(not(feature = "double"))]
-    pub(super) const fn all_children(&self) -> [Child; PARTS] {
+    pub(super) const fn all_children(&self) -> [PackedNodeRef; CHILDREN] {
         self.children
     }
 
-    /// The children whose boxes are there, whatever the ray.
-    pub(super) fn children(&self) -> impl Iterator<Item = Child> + '_ {
-        let [[low, high], ..] = &self.walls;
-        let is_there = low.0.iter().zip(&high.0).map(|(low, high)| low <= high);
-        self.children.iter().zip(is_there).filter(|(_, is_there)| *is_there).map(|(child, _)| *child)
+    /// The children in use.
+    pub(super) fn children(&self) -> impl Iterator<Item = PackedNodeRef> + '_ {
+        let [[min, max], ..] = &self.bounds;
+        let is_used = min.0.iter().zip(&max.0).map(|(min, max)| min <= max);
+        self.children.iter().zip(is_used).filter(|(_, is_used)| *is_used).map(|(child, _)| *child)
     }
 
     #[inline(always)]
-    pub(super) fn child(&self, place: usize) -> Child {
-        self.children.get(place).copied().unwrap_or(Child::NONE)
+    pub(super) fn child(&self, index: usize) -> PackedNodeRef {
+        self.children.get(index).copied().unwrap_or(PackedNodeRef::EMPTY)
     }
 
-    pub(super) fn set_child(&mut self, place: usize, other: Child) {
-        if let Some(child) = self.children.get_mut(place) {
-            *child = other;
+    pub(super) fn set_child(&mut self, index: usize, node: PackedNodeRef) {
+        if let Some(child) = self.children.get_mut(index) {
+            *child = node;
         }
     }
 
     #[inline(always)]
-    pub(super) const fn end(&self) -> u32 {
-        self.end
+    pub(super) const fn skip_link(&self) -> u32 {
+        self.skip_link
     }
 
-    pub(super) const fn set_end(&mut self, end: u32) {
-        self.end = end;
+    pub(super) const fn set_skip_link(&mut self, index: u32) {
+        self.skip_link = index;
     }
 
-    /// [`Aabb::span`] of all boxes at once: the same operations in the same order, so that an
-    /// entry is the same, bit for bit, unless it lies before the start of the ray.
+    /// Tests the ray against the bounds of all children.
+    ///
+    /// It does the operations of [`Aabb::span`] in the same order, so that each `t_entry` is the same, bit
+    /// for bit, except that negative ones become zero.
     #[inline(always)]
-    pub(super) fn seen(&self, slabs: &Slabs, reach: Real) -> Seen {
-        let (mut entry, mut exit) = (Lanes::splat(0.0), Lanes::splat(Real::MAX));
-        for (walls, slab) in self.walls.iter().zip(&slabs.0) {
-            let (near, far) = (walls[usize::from(slab.falls)], walls[usize::from(!slab.falls)]);
-            entry = ((near - slab.origin) * slab.inverse).greatest(entry);
-            exit = ((far - slab.origin) * slab.inverse).least(exit);
+    pub(super) fn intersect(&self, ray: &TraversalRay, t_max: Real) -> BoxHits {
+        let (mut t_entry, mut t_exit) = (Lanes::splat(0.0), Lanes::splat(Real::MAX));
+        for (planes, axis) in self.bounds.iter().zip(&ray.0) {
+            let (near, far) = (planes[usize::from(axis.is_negative)], planes[usize::from(!axis.is_negative)]);
+            t_entry = ((near - axis.origin) * axis.inverse).greatest(t_entry);
+            t_exit = ((far - axis.origin) * axis.inverse).least(t_exit);
         }
-        let last = (exit * Lanes::splat(WIDEN)).least(Lanes::splat(reach));
-        Seen { entry, meets: entry.bits(last, |entry, last| entry <= last) }
+        let t_last = (t_exit * Lanes::splat(WIDEN)).least(Lanes::splat(t_max));
+        BoxHits { t_entry, mask: t_entry.bits(t_last, |entry, last| entry <= last) }
     }
 }
 
@@ -237,7 +243,7 @@ mod tests {
     use super::*;
     use crate::math::{Vec3, vec3};
 
-    /// Numbers on which walls and rays are likely to meet.
+    /// Coordinates from a small set, so that rays often lie in planes of boxes.
     fn coordinates(seed: &mut u32) -> Vec3 {
         let mut next = || {
             *seed = seed.wrapping_mul(1_664_525).wrapping_add(1_013_904_223);
@@ -247,33 +253,34 @@ mod tests {
     }
 
     #[test]
-    fn a_node_says_of_each_box_what_the_box_says_itself() {
+    fn a_node_and_its_boxes_agree_on_every_ray() {
         let mut seed = 1;
-        let mut met = 0;
+        let mut hit_count = 0;
         for _ in 0..20_000 {
-            let boxes = [(); PARTS].map(|()| Aabb::around([coordinates(&mut seed), coordinates(&mut seed)]));
+            let boxes =
+                [(); CHILDREN].map(|()| Aabb::around([coordinates(&mut seed), coordinates(&mut seed)]));
             let (origin, direction) = (coordinates(&mut seed), coordinates(&mut seed));
             if direction == Vec3::ZERO {
                 continue;
             }
             let ray = Ray::new(origin, direction);
             let mut node = Node::EMPTY;
-            for (aabb, place) in boxes.iter().zip(0..PARTS - 1) {
-                node.put(place, aabb);
+            for (aabb, child) in boxes.iter().zip(0..CHILDREN - 1) {
+                node.set_bounds(child, aabb);
             }
-            let reach = 1.5;
-            let seen = node.seen(&Slabs::of(&ray), reach);
-            for (aabb, place) in boxes.iter().zip(0..PARTS - 1) {
-                let span = aabb.span(&ray).filter(|span| span.entry <= reach);
-                assert_eq!(seen.meets >> place & 1 != 0, span.is_some(), "{aabb:?} {ray:?}");
+            let t_max = 1.5;
+            let hits = node.intersect(&TraversalRay::new(&ray), t_max);
+            for (aabb, child) in boxes.iter().zip(0..CHILDREN - 1) {
+                let span = aabb.span(&ray).filter(|span| span.entry <= t_max);
+                assert_eq!(hits.mask >> child & 1 != 0, span.is_some(), "{aabb:?} {ray:?}");
                 if let Some(span) = span {
-                    met += 1;
-                    let entry = if span.entry > 0.0 { span.entry } else { 0.0 };
-                    assert_eq!(seen.entry.0[place], entry, "{aabb:?} {ray:?}");
+                    hit_count += 1;
+                    let t_entry = if span.entry > 0.0 { span.entry } else { 0.0 };
+                    assert_eq!(hits.t_entry.0[child], t_entry, "{aabb:?} {ray:?}");
                 }
             }
-            assert_eq!(seen.meets >> (PARTS - 1), 0, "nothing is there");
+            assert_eq!(hits.mask >> (CHILDREN - 1), 0, "an unused child is never hit");
         }
-        assert!(met > 5_000, "{met}");
+        assert!(hit_count > 5_000, "{hit_count}");
     }
 }

@@ -1,11 +1,11 @@
-//! A hierarchy in parts, as a baked scene holds it.
+//! Conversion between a BVH and the tables of a baked scene.
 
 use core::marker::PhantomData;
 
 use super::Bvh;
-use super::node::{Child, Goes, Node, Slot};
+use super::node::{Node, NodeRef, PackedNodeRef, Slot};
 
-/// What makes a hierarchy, and nothing that follows from it.
+/// The data of a BVH that a baked scene stores.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct BvhParts<'s> {
     pub(crate) nodes: &'s [Node],
@@ -13,35 +13,41 @@ pub(crate) struct BvhParts<'s> {
     pub(crate) depth: u32,
 }
 
-impl<'s, W> Bvh<'s, W> {
+impl<'s, Queue> Bvh<'s, Queue> {
     pub(crate) const fn parts(&self) -> BvhParts<'s> {
-        BvhParts { nodes: self.nodes, items: self.leaves, depth: self.depth }
+        BvhParts { nodes: self.nodes, items: self.leaf_elements, depth: self.depth }
     }
 
-    /// The hierarchy of parts, for a scene of `count` items; none when an index is out of range
-    /// or the nodes do not lie depth first.
+    /// The BVH of these parts, for a scene of `count` items. `None` if an index is out of range or the nodes
+    /// are not in depth-first order.
     pub(crate) fn from_parts(parts: BvhParts<'s>, count: u32) -> Option<Self> {
         let BvhParts { nodes, items, depth } = parts;
-        let known = items.iter().all(|slot| slot.item().0 < count);
-        let ends = items.last().is_none_or(|slot| slot.is_last());
-        let mut tree = nodes.iter().zip(0..).all(|(node, place)| is_depth_first(&parts, count, node, place));
-        // The root's part is all of them.
-        tree &= nodes.first().is_none_or(|root| root.end() as usize == nodes.len());
-        (known && ends && tree).then_some(Bvh { nodes, leaves: items, depth, walk: PhantomData })
+        let are_in_range = items.iter().all(|entry| entry.item().0 < count);
+        let is_last_leaf_complete = items.last().is_none_or(|entry| entry.is_last());
+        let mut is_tree =
+            nodes.iter().zip(0..).all(|(node, index)| is_depth_first(&parts, count, node, index));
+        // The root's subtree consists of all nodes.
+        is_tree &= nodes.first().is_none_or(|root| root.skip_link() as usize == nodes.len());
+        (are_in_range && is_last_leaf_complete && is_tree).then_some(Bvh {
+            nodes,
+            leaf_elements: items,
+            depth,
+            queue: PhantomData,
+        })
     }
 }
 
-/// Whether the parts of a node are leaves with items, of which there are `count`, or lie one
-/// after the other behind it; and whether its own part of the tree ends with theirs.
-fn is_depth_first(parts: &BvhParts<'_>, count: u32, node: &Node, place: u32) -> bool {
+/// Whether the inner children of `nodes[index]` follow it, one subtree after the other, its own skip link is
+/// that of the last one, and its other children refer to existing leaves or to items below `count`.
+fn is_depth_first(parts: &BvhParts<'_>, count: u32, node: &Node, index: u32) -> bool {
     let BvhParts { nodes, items, .. } = *parts;
-    let behind = |next: u32, child: Child| match child.goes() {
-        Goes::Lone(item) => (item.0 < count).then_some(next),
-        Goes::Out(first) => ((first as usize) < items.len()).then_some(next),
-        Goes::On(below) if below == next => {
-            nodes.get(below as usize).map(Node::end).filter(|end| *end > next)
+    let index_after = |next: u32, child: PackedNodeRef| match child.unpack() {
+        NodeRef::Item(item) => (item.0 < count).then_some(next),
+        NodeRef::Leaf(first) => ((first as usize) < items.len()).then_some(next),
+        NodeRef::Inner(inner) if inner == next => {
+            nodes.get(inner as usize).map(Node::skip_link).filter(|skip_link| *skip_link > next)
         }
-        Goes::On(_) => None,
+        NodeRef::Inner(_) => None,
     };
-    node.all_children().into_iter().try_fold(place + 1, behind) == Some(node.end())
+    node.all_children().into_iter().try_fold(index + 1, index_after) == Some(node.skip_link())
 }

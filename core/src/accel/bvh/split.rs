@@ -1,4 +1,12 @@
-//! One split: where it promises the least work.
+//! One split of a range of items, by the binned surface area heuristic (SAH).
+//!
+//! The probability that a ray that hits a box also hits a box inside it is about the ratio of their surface
+//! areas. So the expected cost of a split is one visit of the node plus, for each side, its relative surface
+//! area times the cost of testing its items. Splits are tried at the boundaries of equally wide bins along
+//! each axis; an item belongs to the bin of its center.
+//!
+//! Sources: Goldsmith and Salmon, "Automatic Creation of Object Hierarchies for Ray Tracing", IEEE CG&A 1987;
+//! Wald, "On fast Construction of SAH-based Bounding Volume Hierarchies", IEEE RT 2007.
 
 use core::mem::swap;
 
@@ -7,208 +15,208 @@ use super::node::Slot;
 use crate::geometry::Aabb;
 use crate::math::{Real, Vec3};
 
-/// Bins along each axis.
+/// Number of bins along each axis.
 const BINS: usize = 16;
 
-/// What the visit of a node costs, in tests of one run: a run and a node ask four of their own.
-const VISIT: Real = 1.0;
+/// Cost of visiting a node, in tests of one block: both test four volumes at once.
+const NODE_COST: Real = 1.0;
 
-/// What the test of an item costs that stands in no run, or is alone in one.
-const TEST: Real = 3.0;
+/// Cost of testing an item that is not in a block, in tests of one block.
+const ITEM_COST: Real = 3.0;
 
-/// A leaf has at most so many items, if there are nodes enough.
-const MOST: u32 = 8;
+/// Largest number of items of a leaf, if there are enough nodes.
+const MAX_LEAF_ITEMS: u32 = 8;
 
-/// Items to be tested: in runs with others, or each by itself.
+/// Number of items that are tested in blocks and one by one.
 #[derive(Clone, Copy)]
-struct Tests {
-    grouped: u32,
+struct ItemCounts {
+    in_blocks: u32,
     single: u32,
 }
 
-impl Tests {
-    const NONE: Tests = Tests { grouped: 0, single: 0 };
+impl ItemCounts {
+    const ZERO: ItemCounts = ItemCounts { in_blocks: 0, single: 0 };
 
-    const fn of(slot: Slot) -> Self {
-        let grouped = slot.is_grouped() as u32;
-        Tests { grouped, single: 1 - grouped }
+    const fn of(entry: Slot) -> Self {
+        let in_blocks = entry.is_in_block() as u32;
+        ItemCounts { in_blocks, single: 1 - in_blocks }
     }
 
-    const fn and(self, other: Tests) -> Tests {
-        Tests { grouped: self.grouped + other.grouped, single: self.single + other.single }
+    const fn merged(self, other: ItemCounts) -> ItemCounts {
+        ItemCounts { in_blocks: self.in_blocks + other.in_blocks, single: self.single + other.single }
     }
 
-    const fn count(self) -> u32 {
-        self.grouped + self.single
+    const fn total(self) -> u32 {
+        self.in_blocks + self.single
     }
 
-    /// What they cost, inside a box, times the surface of what it is inside of.
+    /// Cost of testing the items inside `aabb`, times half the surface area of the parent.
     fn cost(self, aabb: &Aabb) -> Real {
-        if self.count() == 0 {
+        if self.total() == 0 {
             return 0.0;
         }
-        let runs = self.grouped.div_ceil(Run::ITEMS as u32) as Real;
-        surface(aabb) * (runs + self.single as Real * TEST)
+        let blocks = self.in_blocks.div_ceil(Run::ITEMS as u32) as Real;
+        half_area(aabb) * (blocks + self.single as Real * ITEM_COST)
     }
 }
 
-/// Items in two halves, the first ones and the rest.
+/// The two sides of a split; the entries of the left side come first.
 pub(super) struct Split {
-    /// The boxes of both.
-    pub(super) boxes: [Aabb; 2],
-    /// How many are in the first.
-    pub(super) count: u32,
+    /// Left and right.
+    pub(super) bounds: [Aabb; 2],
+    /// Number of items on the left side.
+    pub(super) left_count: u32,
 }
 
-/// Items whose boxes have their middles in one bin.
+/// The items whose centers are in one bin.
 #[derive(Clone, Copy)]
 struct Bin {
     aabb: Aabb,
-    tests: Tests,
+    items: ItemCounts,
 }
 
 impl Bin {
-    const EMPTY: Bin = Bin { aabb: Aabb::EMPTY, tests: Tests::NONE };
+    const EMPTY: Bin = Bin { aabb: Aabb::EMPTY, items: ItemCounts::ZERO };
 
-    fn and(self, other: Bin) -> Bin {
-        Bin { aabb: self.aabb.union(other.aabb), tests: self.tests.and(other.tests) }
+    fn merged(self, other: Bin) -> Bin {
+        Bin { aabb: self.aabb.union(other.aabb), items: self.items.merged(other.items) }
     }
 
     fn cost(&self) -> Real {
-        self.tests.cost(&self.aabb)
+        self.items.cost(&self.aabb)
     }
 }
 
-/// Half the surface of a box.
-pub(super) fn surface(aabb: &Aabb) -> Real {
+/// Half the surface area of a box.
+pub(super) fn half_area(aabb: &Aabb) -> Real {
     let size = aabb.max - aabb.min;
     size.x * size.y + size.y * size.z + size.z * size.x
 }
 
-/// Twice the middle of a box.
-fn middle(aabb: &Aabb) -> Vec3 {
+/// Twice the center of a box.
+fn center2(aabb: &Aabb) -> Vec3 {
     aabb.min + aabb.max
 }
 
-/// The bins of all axes, for items whose middles lie in one box.
+/// The mapping from centers to bins, for all axes.
 #[derive(Clone, Copy)]
-struct Bins {
-    low: Vec3,
+struct Binning {
+    min: Vec3,
     scale: Vec3,
 }
 
-impl Bins {
-    fn of(middles: &Aabb) -> Self {
-        // Of an axis along which all middles agree the scale is infinite, and every item is in
-        // the first bin or, where that is no number, too.
-        let scale = Vec3::splat(BINS as Real) / (middles.max - middles.min);
-        Bins { low: middles.min, scale }
+impl Binning {
+    /// `centers`: the box of all doubled centers.
+    fn new(centers: &Aabb) -> Self {
+        // If all centers agree along an axis, the scale is infinite and the product NaN, which selects bin 0.
+        let scale = Vec3::splat(BINS as Real) / (centers.max - centers.min);
+        Binning { min: centers.min, scale }
     }
 
-    /// The bins of an item, one for each axis.
+    /// The bin of an item along each axis.
     #[inline(always)]
-    fn places(&self, aabb: &Aabb) -> [usize; 3] {
-        let at = (middle(aabb) - self.low) * self.scale;
-        // A conversion to an integer saturates, and makes no number zero.
+    fn bin_indices(&self, aabb: &Aabb) -> [usize; 3] {
+        let position = (center2(aabb) - self.min) * self.scale;
+        // The conversion to an integer saturates and maps NaN to zero.
         let bin = |x: Real| {
             let bin = x as u32;
             if bin < BINS as u32 { bin as usize } else { BINS - 1 }
         };
-        [bin(at.x), bin(at.y), bin(at.z)]
+        [bin(position.x), bin(position.y), bin(position.z)]
     }
 }
 
-/// Splits `items` into two halves, and reorders them; none when they had better stay together.
+/// Splits `entries` in two and reorders them; `None` if they are better kept together in a leaf.
 ///
-/// With `even` into equal halves.
-pub(super) fn split(boxes: &[Aabb], items: &mut [Slot], even: bool) -> Option<Split> {
-    let box_of = |slot: &Slot| boxes.get(slot.item().0 as usize).copied().unwrap_or(Aabb::EMPTY);
-    let count = items.len() as u32;
-    let (mut all, mut middles) = (Bin::EMPTY, Aabb::EMPTY);
-    let bin_of = |slot: &Slot| Bin { aabb: box_of(slot), tests: Tests::of(*slot) };
-    for slot in items.iter() {
-        let bin = bin_of(slot);
-        let middle = middle(&bin.aabb);
-        all = all.and(bin);
-        middles = middles.union(Aabb { min: middle, max: middle });
+/// `bounds`: by item index. `equal_counts`: split into equal counts, if into anything.
+pub(super) fn split(bounds: &[Aabb], entries: &mut [Slot], equal_counts: bool) -> Option<Split> {
+    let bounds_of = |entry: &Slot| bounds.get(entry.item().0 as usize).copied().unwrap_or(Aabb::EMPTY);
+    let count = entries.len() as u32;
+    let (mut all, mut centers) = (Bin::EMPTY, Aabb::EMPTY);
+    let bin_of = |entry: &Slot| Bin { aabb: bounds_of(entry), items: ItemCounts::of(*entry) };
+    for entry in entries.iter() {
+        let bin = bin_of(entry);
+        let center = center2(&bin.aabb);
+        all = all.merged(bin);
+        centers = centers.union(Aabb { min: center, max: center });
     }
 
-    let bins = Bins::of(&middles);
-    let best = if even { None } else { best(items.iter().map(bin_of), &bins) };
-    let stay = if count <= MOST { all.cost() } else { Real::INFINITY };
+    let binning = Binning::new(&centers);
+    let best = if equal_counts { None } else { find_best_split(entries.iter().map(bin_of), &binning) };
+    let leaf_cost = if count <= MAX_LEAF_ITEMS { all.cost() } else { Real::INFINITY };
     match best {
         Some(best) => {
-            if !(best.cost + VISIT * surface(&all.aabb) < stay) {
+            if !(best.cost + NODE_COST * half_area(&all.aabb) < leaf_cost) {
                 return None;
             }
-            let in_first = |slot: &Slot| {
-                let places = bins.places(&box_of(slot));
-                places.get(best.axis).is_some_and(|place| *place < best.border)
+            let is_left = |entry: &Slot| {
+                let bins = binning.bin_indices(&bounds_of(entry));
+                bins.get(best.axis).is_some_and(|bin| *bin < best.first_right_bin)
             };
-            partition(items, in_first);
-            Some(Split { boxes: best.boxes, count: best.count })
+            partition(entries, is_left);
+            Some(Split { bounds: best.bounds, left_count: best.left_count })
         }
-        None if count <= MOST => None,
+        None if count <= MAX_LEAF_ITEMS => None,
         None => {
-            let half = count / 2;
-            let round = |items: &[Slot]| items.iter().map(box_of).fold(Aabb::EMPTY, Aabb::union);
-            let (first, second) = items.split_at_checked(half as usize)?;
-            Some(Split { boxes: [round(first), round(second)], count: half })
+            let left_count = count / 2;
+            let union = |entries: &[Slot]| entries.iter().map(bounds_of).fold(Aabb::EMPTY, Aabb::union);
+            let (left, right) = entries.split_at_checked(left_count as usize)?;
+            Some(Split { bounds: [union(left), union(right)], left_count })
         }
     }
 }
 
-/// The best split found.
-struct Best {
+/// The split with the lowest cost.
+struct BestSplit {
     axis: usize,
-    /// The first bin of the second half.
-    border: usize,
+    /// Index of the first bin of the right side.
+    first_right_bin: usize,
     cost: Real,
-    boxes: [Aabb; 2],
-    /// Items in the first half.
-    count: u32,
+    bounds: [Aabb; 2],
+    /// Number of items on the left side.
+    left_count: u32,
 }
 
-/// The best of all borders between bins; none when all middles agree.
-fn best(items: impl Iterator<Item = Bin>, bins: &Bins) -> Option<Best> {
-    let mut filled = [[Bin::EMPTY; BINS]; 3];
+/// The best split at a boundary between bins; `None` if all centers agree.
+fn find_best_split(items: impl Iterator<Item = Bin>, binning: &Binning) -> Option<BestSplit> {
+    let mut bins = [[Bin::EMPTY; BINS]; 3];
     for item in items {
-        for (axis, place) in filled.iter_mut().zip(bins.places(&item.aabb)) {
-            if let Some(bin) = axis.get_mut(place) {
-                *bin = bin.and(item);
+        for (axis, index) in bins.iter_mut().zip(binning.bin_indices(&item.aabb)) {
+            if let Some(bin) = axis.get_mut(index) {
+                *bin = bin.merged(item);
             }
         }
     }
-    let mut best: Option<Best> = None;
-    for (filled, axis) in filled.iter().zip(0..) {
-        // What lies behind each border, from the last to the first.
-        let mut behind = [Bin::EMPTY; BINS];
+    let mut best: Option<BestSplit> = None;
+    for (bins, axis) in bins.iter().zip(0..) {
+        // The right side of each boundary, from the last to the first.
+        let mut right_sides = [Bin::EMPTY; BINS];
         let mut all = Bin::EMPTY;
-        for (bin, behind) in filled.iter().rev().zip(behind.iter_mut().rev()) {
-            all = all.and(*bin);
-            *behind = all;
+        for (bin, right) in bins.iter().rev().zip(right_sides.iter_mut().rev()) {
+            all = all.merged(*bin);
+            *right = all;
         }
-        let mut before = Bin::EMPTY;
-        for ((bin, behind), border) in filled.iter().zip(behind.iter().skip(1)).zip(1..) {
-            before = before.and(*bin);
-            if before.tests.count() == 0 || behind.tests.count() == 0 {
+        let mut left = Bin::EMPTY;
+        for ((bin, right), first_right_bin) in bins.iter().zip(right_sides.iter().skip(1)).zip(1..) {
+            left = left.merged(*bin);
+            if left.items.total() == 0 || right.items.total() == 0 {
                 continue;
             }
-            let cost = before.cost() + behind.cost();
+            let cost = left.cost() + right.cost();
             if best.as_ref().is_none_or(|best| cost < best.cost) {
-                let boxes = [before.aabb, behind.aabb];
-                best = Some(Best { axis, border, cost, boxes, count: before.tests.count() });
+                let (bounds, left_count) = ([left.aabb, right.aabb], left.items.total());
+                best = Some(BestSplit { axis, first_right_bin, cost, bounds, left_count });
             }
         }
     }
     best
 }
 
-/// Moves what belongs into the first half before the rest.
-fn partition(items: &mut [Slot], in_first: impl Fn(&Slot) -> bool) {
-    let mut rest = items.iter_mut();
-    while let Some(early) = rest.find(|slot| !in_first(slot))
-        && let Some(late) = rest.rfind(|slot| in_first(slot))
+/// Moves the entries of the left side before the others.
+fn partition(entries: &mut [Slot], is_left: impl Fn(&Slot) -> bool) {
+    let mut rest = entries.iter_mut();
+    while let Some(early) = rest.find(|entry| !is_left(entry))
+        && let Some(late) = rest.rfind(|entry| is_left(entry))
     {
         swap(early, late);
     }
