@@ -12,10 +12,6 @@
 //! two squares of which the second is the ray's distance from the axis. Nothing cancels there
 //! but the question itself, whether the ray comes nearer to the axis than the side, as the
 //! textbook's `b^2 - ac` would for a hair-thin cylinder.
-//!
-//! A ray takes about a third more instructions than by the textbook's formula: the two squares take a
-//! fifth, the moved origin an eighth, roots without cancellation a twentieth. `tests/HARD-CASES.md`
-//! says what goes wrong without each.
 
 use zerocopy::{Immutable, KnownLayout, TryFromBytes};
 

@@ -1,7 +1,7 @@
 //! Box: upright on the axes, or turned.
 //!
-//! Walls are met by quotients: under twice the instructions of products with the reciprocal, for a
-//! fifth less error (`tests/HARD-CASES.md`); hierarchies make the question rare.
+//! The slabs are intersected by division: products with the reciprocal are faster but less exact, and an
+//! accelerator makes this test rare.
 
 use zerocopy::{Immutable, KnownLayout, TryFromBytes};
 

@@ -1,7 +1,7 @@
 //! Disc: the part of a plane within a radius.
 //!
-//! The rim is asked for as the eye sees it: a tenth more instructions than by the point that is met,
-//! whose coordinates are coarse far from the origin (`tests/HARD-CASES.md`).
+//! The distance to the edge is computed relative to the ray's origin: the coordinates of the hit point are
+//! coarse far from the world's origin.
 
 use zerocopy::{Immutable, KnownLayout, TryFromBytes};
 

@@ -1,7 +1,7 @@
 //! Plane: all points level with a given one. It has no end, and so no box.
 //!
-//! The point is subtracted before anything else: four instructions more (of 28) than a plane kept
-//! by its distance from the origin, which is coarse far from there (`tests/HARD-CASES.md`).
+//! The point is subtracted before anything else: the plane's distance from the world's origin would be
+//! coarse far from there.
 
 use zerocopy::{Immutable, KnownLayout, TryFromBytes};
 

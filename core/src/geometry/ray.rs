@@ -104,9 +104,6 @@ impl Ray {
 /// Differs from it: the place is not rounded away from the surface. What rounding takes from
 /// the step is a roundoff of each component of the place, and `error` holds two for it, as that
 /// of a [`Surface`](super::Surface) does.
-///
-/// It takes 11 instructions more than a constant step along the normal, which is wrong for half of the
-/// hard rays (`tests/HARD-CASES.md`).
 #[inline(always)]
 pub fn leave(point: Vec3, error: Vec3, normal: Vec3) -> Vec3 {
     point + normal * abs(normal).dot(error)

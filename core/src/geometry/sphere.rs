@@ -4,10 +4,6 @@
 //! Here it is taken from the foot of the perpendicular from the centre on the ray, where only
 //! small numbers are left, and the roots without cancellation (Haines, Günther,
 //! Akenine-Möller, "Precision Improvements for Ray/Sphere Intersection", Ray Tracing Gems 7).
-//!
-//! `tests/HARD-CASES.md` says what both make of hard rays, and what each remedy costs. Of the
-//! instructions for a ray the discriminant adds about a half, a normal brought to length one a tenth,
-//! and directions of any length (which the tracer's own rays, one long, do not pay for) under a half.
 
 use zerocopy::{Immutable, KnownLayout, TryFromBytes};
 

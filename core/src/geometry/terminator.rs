@@ -9,8 +9,6 @@
 //!
 //! Rays towards a light above the horizon start from the face itself, so that nothing between the
 //! face and the round surface is skipped by them: a ray that is lifted was dark before.
-//! Of the instructions of a ray to a light it takes a fiftieth (`tests/HARD-CASES.md`), next to nothing where
-//! no light stands under the horizon, and nothing in a tracer without smooth shapes.
 
 use super::{Geometry, Shape, ShapeKind, Shapes, of, triangle};
 use crate::math::Vec3;

@@ -9,9 +9,8 @@
 //! ray goes in or out once. Whether it does, and where, is asked of the distance to the tube's
 //! middle, which is right to the last digits.
 //!
-//! That costs about twice the instructions of Ferrari's formula, which in single precision is wrong
-//! for most rays from ten sizes away: all of it for roots that are parted and bracketed. The moved
-//! origin saves a tenth. `tests/HARD-CASES.md` says what goes wrong without each.
+//! Ferrari's formula takes fewer instructions, but in single precision it is wrong for most rays from
+//! ten sizes away.
 
 use zerocopy::{Immutable, KnownLayout, TryFromBytes};
 

@@ -11,9 +11,6 @@
 //! products (which the `f64` twin can do as well as a wider type), not only where one of them
 //! rounds to zero but wherever much of the products cancels: the distance of a needle, and what
 //! leaves it, is then as good as that of any other triangle. Only rays that meet pay for asking.
-//!
-//! Shared edge functions take about a third more instructions than each triangle for itself
-//! (Möller, Trumbore), and a distance moved into its own box as much again (`tests/HARD-CASES.md`).
 
 use super::{Aabb, Ray, Surface, plane::above, ray::LEAVING};
 use crate::math::{

@@ -3,8 +3,7 @@
 //! Directions have length one. A ray comes in along `d`, and `n` is the normal on its side, so
 //! that `d . n` is below zero.
 //!
-//! To find total reflection before any root takes a tenth more instructions than to let it become
-//! NaN (`tests/HARD-CASES.md`).
+//! Total reflection is found before any root is taken, so that no NaN arises.
 
 use crate::math::{Real, Rgb, Vec3, exp, greatest, sqrt};
 

@@ -10,9 +10,7 @@ const fn case(name: &'static str, naive: &'static str, check: fn(&mut Random) ->
     Case::own("slab test", name, naive, 0.0, check)
 }
 
-pub(super) const CASES: [Aim; 4] = [zeros, corners, plates, inside];
-
-pub(super) const ROWS: [Case; 4] = [
+pub(super) const CASES: [Case; 4] = [
     case("components 0 and -0, eye in a wall", "0 times infinity decides", |random| tried(zeros, random)),
     case("through corners and along edges", "the far end comes before the near one", |random| {
         tried(corners, random)
@@ -28,7 +26,7 @@ pub(super) const ROWS: [Case; 4] = [
 type Aim = fn(&mut Random) -> Whole;
 
 #[derive(Clone, Copy)]
-pub(super) struct Whole {
+struct Whole {
     min: [i64; 3],
     max: [i64; 3],
     origin: [i64; 3],
@@ -38,9 +36,9 @@ pub(super) struct Whole {
 }
 
 /// A box and a ray as the core takes them, and what is true of them.
-pub(super) struct Asked {
-    pub(super) aabb: strahl_core::Aabb,
-    pub(super) line: Line,
+struct Asked {
+    aabb: strahl_core::Aabb,
+    line: Line,
     is_met: bool,
     is_near: bool,
 }
@@ -48,15 +46,9 @@ pub(super) struct Asked {
 impl Asked {
     /// Whether the answer is wrong: a box that the exact ray meets must not be missed, and one that
     /// it misses by more than the band must not be met.
-    pub(super) fn is_wrong(&self, answer: bool) -> bool {
+    fn is_wrong(&self, answer: bool) -> bool {
         if self.is_met { !answer } else { answer && !self.is_near }
     }
-}
-
-/// The first of a case.
-pub(super) fn some(aim: &Aim, count: usize) -> Vec<Asked> {
-    let mut random = Random::new(0x5eed_000e);
-    (0..count).map(|_| aim(&mut random).asked()).collect()
 }
 
 const RAYS: usize = 10_000;

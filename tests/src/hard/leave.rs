@@ -45,14 +45,14 @@ fn outward(normal: Vector, random: &mut Random) -> Vector {
 const THINGS: usize = 40;
 
 /// A thing, rays that see it, and for each of them the seeds of directions in which rays leave.
-pub(super) struct Seen {
-    pub(super) thing: Thing,
-    pub(super) radius: f64,
-    pub(super) eyes: Vec<Line>,
-    pub(super) seeds: Vec<Vec<u64>>,
+struct Seen {
+    thing: Thing,
+    radius: f64,
+    eyes: Vec<Line>,
+    seeds: Vec<Vec<u64>>,
 }
 
-pub(super) fn seen(kind: Kind, random: &mut Random) -> Seen {
+fn seen(kind: Kind, random: &mut Random) -> Seen {
     const HITS: usize = 25;
     const RAYS: usize = 10;
     let size = random.scale(1e-4, 1e4);
@@ -88,7 +88,7 @@ fn again(kind: Kind, random: &mut Random) -> [Tally; 3] {
 
 /// Counts the rays that leave a thing from `starts`, each with the normal there, in directions that
 /// `seeds` say.
-pub(super) fn left(
+fn left(
     thing: &Thing,
     radius: f64,
     starts: &[Option<(Vector, Vector)>],

@@ -7,7 +7,6 @@
 //! difference that has to be formed, over the cosine between ray and normal, and the way itself.
 
 mod bounds;
-pub mod cost;
 mod flat;
 mod lattice;
 mod leave;
@@ -15,7 +14,6 @@ mod limits;
 mod mesh;
 mod optics;
 pub mod panels;
-pub mod remedies;
 mod round;
 pub mod table;
 mod terminator;
@@ -211,7 +209,7 @@ pub fn cases() -> Vec<Case> {
         &round::CASES,
         &flat::CASES,
         &mesh::CASES,
-        &bounds::ROWS,
+        &bounds::CASES,
         &walks::CASES,
         &leave::CASES,
         &terminator::CASES,

@@ -11,54 +11,47 @@ pub(super) const CASES: [Case; 2] = [
         "300 ulps to both sides of the critical angle",
         "the root of less than nothing",
         4.0,
-        |random| refracted(random, critical, Solver::ALL.map(solved)),
+        |random| refracted(random, critical),
     ),
     Case::own("refraction", "any angle, in and out", "the root of less than nothing", 4.0, |random| {
-        refracted(random, any, Solver::ALL.map(solved))
+        refracted(random, any)
     }),
 ];
 
 /// A sine near that of the critical angle, and any.
-pub(super) fn critical(ratio: f64, random: &mut Random) -> f64 {
+fn critical(ratio: f64, random: &mut Random) -> f64 {
     (1.0 + (f64::from(random.below(601)) - 300.0) * ULP) / ratio
 }
 
-pub(super) fn any(_: f64, random: &mut Random) -> f64 {
+fn any(_: f64, random: &mut Random) -> f64 {
     random.scale(1e-6, 1.0)
 }
 
-/// A refraction, as all solvers can tell it.
+/// The answer of a solver.
 #[derive(Clone, Copy)]
-pub(super) struct Broken {
-    pub(super) direction: Vector,
-    pub(super) mirrored: f64,
+struct Refraction {
+    direction: Vector,
+    mirrored: f64,
 }
 
-/// Breaks the light of a direction at a surface with this normal and ratio of indices.
-type Break = Box<dyn Fn(Vector, Vector, f64) -> Option<Broken>>;
-
-fn solved(solver: Solver) -> Break {
-    Box::new(move |d, n, ratio| answer(solver, d, n, ratio))
-}
-
-fn answer(solver: Solver, d: Vector, n: Vector, ratio: f64) -> Option<Broken> {
+fn answer(solver: Solver, d: Vector, n: Vector, ratio: f64) -> Option<Refraction> {
     let narrow = |v: Vector| strahl_core::vec3(v.x as f32, v.y as f32, v.z as f32);
     let wide = |v: strahl_core::Vec3| vector(v.x.into(), v.y.into(), v.z.into());
     match solver {
         Solver::Textbook => {
             let (direction, mirrored) = textbook::refracted(narrow(d), narrow(n), ratio as f32);
-            Some(Broken { direction: wide(direction), mirrored: mirrored.into() })
+            Some(Refraction { direction: wide(direction), mirrored: mirrored.into() })
         }
         Solver::Single => strahl_core::refracted(narrow(d), narrow(n), ratio as f32)
-            .map(|out| Broken { direction: wide(out.direction), mirrored: out.mirrored.into() }),
+            .map(|out| Refraction { direction: wide(out.direction), mirrored: out.mirrored.into() }),
         Solver::Double => strahl_core_double::refracted(d, n, ratio)
-            .map(|out| Broken { direction: held(out.direction), mirrored: rounded(out.mirrored) }),
+            .map(|out| Refraction { direction: held(out.direction), mirrored: rounded(out.mirrored) }),
     }
 }
 
 /// Light that comes in under an angle of the given sine: its direction, the normal, and the ratio
 /// of the indices.
-pub(super) fn light(random: &mut Random, sine: fn(f64, &mut Random) -> f64) -> (Vector, Vector, f64) {
+fn light(random: &mut Random, sine: fn(f64, &mut Random) -> f64) -> (Vector, Vector, f64) {
     let ratio =
         if random.below(4) == 0 { 1.0 / random.between(1.01, 2.5) } else { random.between(1.01, 2.5) };
     let ratio = rounded(ratio);
@@ -68,13 +61,9 @@ pub(super) fn light(random: &mut Random, sine: fn(f64, &mut Random) -> f64) -> (
     (held(aside(n, random) * sine - n / length(n) * cosine), n, ratio)
 }
 
-/// What each makes of light that comes in under an angle of the given sine.
-pub(super) fn refracted<const N: usize>(
-    random: &mut Random,
-    sine: fn(f64, &mut Random) -> f64,
-    answers: [Break; N],
-) -> [Tally; N] {
-    let mut tallies = [Tally::default(); N];
+/// Refracts light whose angle of incidence has the given sine, with each solver.
+fn refracted(random: &mut Random, sine: fn(f64, &mut Random) -> f64) -> [Tally; 3] {
+    let mut tallies = [Tally::default(); 3];
     for _ in 0..20_000 {
         let (d, n, ratio) = light(random, sine);
 
@@ -84,7 +73,7 @@ pub(super) fn refracted<const N: usize>(
         let flat = unit_d + unit_n * cos;
         let room = 1.0 - ratio * ratio * flat.dot(flat);
         let behind = room.max(0.0).sqrt();
-        let truth = Broken {
+        let truth = Refraction {
             direction: flat * ratio - unit_n * behind,
             mirrored: {
                 let across = (ratio * cos - behind) / (ratio * cos + behind);
@@ -94,12 +83,12 @@ pub(super) fn refracted<const N: usize>(
         };
         // Direction, normal and ratio are rounded, and the ratio counts twice.
         let is_unclear = room.abs() <= 32.0 * ULP || cos <= 32.0 * ULP;
-        for (answer, tally) in answers.iter().zip(&mut tallies) {
+        for (solver, tally) in Solver::ALL.into_iter().zip(&mut tallies) {
             tally.rays += 1;
             tally.unclear += usize::from(is_unclear);
-            let is_right = match answer(d, n, ratio) {
+            let is_right = match answer(solver, d, n, ratio) {
                 None => is_unclear || room < 0.0,
-                Some(Broken { direction, mirrored }) => {
+                Some(Refraction { direction, mirrored }) => {
                     // What a rounding of both angles does to the cosine behind, and that to the share.
                     let bent = 1.0 + (1.0 + ratio * ratio * cos) / behind;
                     let sum = ratio * cos + behind;

@@ -1,212 +1,25 @@
-//! `tests/HARD-CASES.md`: the hard cases as a table, from the figures of the tests.
+//! `tests/reports/hard-cases.md`: the hard cases as a table.
 
-use std::collections::BTreeMap;
 use std::fmt::Write;
 use std::path::{Path, PathBuf};
 
-use super::remedies::{Remedy, Tried};
 use super::{Case, Tally};
 
-/// Where the page and its picture lie.
-pub fn page() -> (PathBuf, PathBuf) {
-    let tests = Path::new(env!("CARGO_MANIFEST_DIR"));
-    (tests.join("HARD-CASES.md"), tests.join("hard-cases.png"))
+/// The paths of the report and of its picture.
+pub fn report() -> (PathBuf, PathBuf) {
+    let reports = Path::new(env!("CARGO_MANIFEST_DIR")).join("reports");
+    (reports.join("hard-cases.md"), reports.join("hard-cases.png"))
 }
 
-/// An error in few characters.
-fn error(x: f64) -> String {
-    match x {
-        _ if x.is_infinite() => "no unit normal".into(),
-        0.0 => "0".into(),
-        _ if x >= 1000.0 => format!("{x:.0e}"),
-        _ => format!("{x:.2}"),
-    }
+/// The whole report. Two runs give the same text.
+pub fn text(outcomes: &[(Case, [Tally; 3])]) -> String {
+    format!("{HEAD}\n{}{REST}", figures(outcomes))
 }
 
-/// What is measured: for each row of a table, by its first words, what stands in its last columns.
-#[derive(Default)]
-pub struct Figures {
-    columns: BTreeMap<String, String>,
+/// The part of the report that the cases determine.
+pub fn figures(outcomes: &[(Case, [Tally; 3])]) -> String {
+    format!("{}\n{}", sum(outcomes), table(outcomes))
 }
-
-impl Figures {
-    /// Those that stand in the file.
-    pub fn kept(text: &str) -> Figures {
-        let mut columns = BTreeMap::new();
-        for row in text.lines().filter(|line| line.starts_with("| ")) {
-            let cells: Vec<&str> = row.trim_matches('|').split(" | ").map(str::trim).collect();
-            match cells.len() {
-                FAMILY => columns.insert(cells[0].into(), cells[1..].join(" | ")),
-                REMEDY => columns.insert(cells[..2].join(" | "), cells[8..].join(" | ")),
-                _ => None,
-            };
-        }
-        Figures { columns }
-    }
-
-    /// Instructions and nanoseconds for each ray: of the textbook, of the core, with `f64` inside.
-    pub fn family(&mut self, family: &str, counts: &[f64], times: &[f64]) {
-        let columns = format!(
-            "{:.0} | {:.0} | {:.0} | {:.2} | {:.0} | {:.0} | {:.0}",
-            counts[0],
-            counts[1],
-            counts[2],
-            counts[1] / counts[0],
-            times[0],
-            times[1],
-            times[2],
-        );
-        self.columns.insert(family.into(), columns);
-    }
-
-    /// Instructions and nanoseconds for each ray: with the remedy and without it.
-    pub fn remedy(&mut self, remedy: &Remedy, counts: &[f64], times: &[f64]) {
-        let cost = (100.0 * (counts[0] / counts[1] - 1.0)).round();
-        let cost = if cost == 0.0 { 0.0 } else { cost };
-        let columns =
-            format!("{:.0} | {:.0} | {cost:+} % | {:.1} | {:.1}", counts[0], counts[1], times[0], times[1],);
-        self.columns.insert(name(remedy), columns);
-    }
-
-    /// How many instructions more a remedy takes than what is done without it, in percent.
-    pub fn cost(&self, remedy: &Remedy) -> Option<f64> {
-        let columns = self.columns.get(&name(remedy))?;
-        columns.split(" | ").nth(2)?.trim_end_matches(" %").parse().ok()
-    }
-
-    fn of(&self, row: &str, columns: usize) -> String {
-        self.columns.get(row).cloned().unwrap_or_else(|| vec!["?"; columns].join(" | "))
-    }
-}
-
-/// How many columns the tables of the costs have.
-const FAMILY: usize = 8;
-const REMEDY: usize = 13;
-
-/// The whole page. But for what was measured it is the same in every run.
-pub fn text(outcomes: &[(Case, [Tally; 3])], remedies: &[(Remedy, Tried)], figures: &Figures) -> String {
-    let mut text = format!("{HEAD}\n{}\n{}\n{COSTS}", sum(outcomes), cases_as_text(outcomes));
-    for (family, _) in super::cost::FAMILIES {
-        writeln!(text, "| {family} | {} |", figures.of(family, FAMILY - 1)).unwrap();
-    }
-    text += REMEDIES;
-    for (remedy, tried) in remedies {
-        let [with, alone] = tried.faults;
-        let [least, most] = tried.worst.map_or(["–".into(), "–".into()], |worst| worst.map(error));
-        let found = format!("{} | {} | {with} | {alone} | {least} | {most}", remedy.without, tried.rays);
-        let name = name(remedy);
-        writeln!(text, "| {name} | {found} | {} |", figures.of(&name, REMEDY - 8)).unwrap();
-    }
-    text + REST
-}
-
-/// The first words of a remedy's row: its family, which leads to its room, and what it does.
-fn name(Remedy { family, name, room, .. }: &Remedy) -> String {
-    format!("[{family}](../{room}) | {name}")
-}
-
-const COSTS: &str = "## What the remedies cost
-
-Measured with `--measure`, where valgrind is at hand. Instructions are callgrind's on x86-64, on rays at things
-of ordinary proportions from 2 to 20 sizes away, of which about half meet. Times are the least of many runs, and
-only good for comparing them with each other.
-
-First each shape as a whole, on ordinary rays:
-
-| shape | instructions per ray: textbook | ours, f32 | f64 inside | ours / textbook | ns per ray: textbook | ours, f32 | f64 inside |
-|---|--:|--:|--:|--:|--:|--:|--:|
-";
-
-const REMEDIES: &str = "
-Then each remedy alone: the core's own method with the remedy, and the same method without it, both written again
-among the tests; what the core does besides to be quick is left out. Faults and times are those of the family's hard
-rays, the same for both; instructions those of ordinary rays. Where neither faults nor
-errors tell both apart, these rays do not need the remedy: the foot of the perpendicular does for spheres what
-their roots were for, and turning points are refined for tubes still thinner than these.
-
-Of grid, octree and hierarchy whole walks are counted, from the box round all to the nearest of 400 small boxes, and
-of the shadow terminator whole rays to a light through a hierarchy of 1,280 smooth triangles: what is paid for is
-not the step alone but also where it leads. Walks are code of many branches, which a compiler lays out differently
-from one form to the next: a few percent mean nothing there. Where a remedy costs more than 5 % its room says so; the family's name
-leads there.
-
-| family | remedy | without it | hard rays | faults: with | without | worst error inside the bound: with | without | instructions per ray: with | without | cost | ns per hard ray: with | without |
-|---|---|---|--:|--:|--:|--:|--:|--:|--:|--:|--:|--:|
-";
-
-const REST: &str = "
-The speeds in [accelerators.md](accelerators.md) and, beside other crates, in [bench/README.md](bench/README.md)
-were measured with all of these remedies in: the core cannot be built without them.
-
-## What else holds
-
-Where it is tested: each by `cargo test -p strahl-tests --test` and the words in brackets.
-
-- *Meshes are tight* (`hard_cases watertight`): of a million rays from inside, aimed at corners and at points of
-  edges of spheres, cubes, sheets and cones of slivers, near the origin and 2e5 from it, none gets through, with no
-  accelerator; from outside a closed mesh is crossed an even number of times. Of 10^8 rays none gets through either:
-
-      cargo run --release -p strahl-tests --example hard_cases -- --watertight 100000000
-
-- *Accelerators agree* (`hard_cases accelerators`): for every hard ray at a thing grid, octree and hierarchy (by a
-  stack, by a heap, and with no memory at all) find what the list finds, to the last bit.
-- *Every pixel is a number* (`hard_cases pixels`): of random scenes 1e-6 to 1e6 in size, with materials, lights and
-  cameras as extreme as the doors let in, by every sampler. A ray that is none asks for no box and no shape.
-- *Scenes of any size* (`hard_cases scale`): times 2^k, k from -20 to 20, the picture is the same, bit for bit.
-- *Mirrored scenes* (`hard_cases scale`) have the mirrored hits, bit for bit, but for the edges of polygons: an edge
-  holds its lower end and not its upper one. With the axes in another order triangles and upright boxes are met at
-  the same distance, bit for bit. Elsewhere sums of three products are rounded in the order of the axes: both
-  distances lie within 8 units in the last place times the conditioning of each other.
-- *Points and normals* (`shapes`): of every kind of shape, the point that is found lies on it within the error that
-  it comes with, the normal is of length one within 1e-6 and faces outward; a ray that leaves something convex or
-  flat, 1e-4 to 1e4 in size and up to 1e4 sizes from the origin, does not meet it again.
-- *Bodies* (`closed_form`): glass in water, bodies that overlap, an eye inside glass; at the critical angle no light
-  is lost.
-- *Doors* (`cargo test -p strahl`): what has no area or no size, views that show nothing and numbers that are none
-  are errors with their place. Triangles without area in a mesh keep their number and are met by no ray; one warning
-  counts them.
-";
-
-const HEAD: &str = "# Hard cases
-
-Rays that are known to go wrong in single precision, and what three ways make of them: the formula of the
-textbooks in `f32`, the core in `f32`, and the core with `f64` inside, whose answers are rounded. All three
-answer the same rays, and are held against an oracle that shares no code with them.
-
-![Above the textbook's formula, below the core: a sphere 3000 radii away, a cone 1000 sizes away, a torus
-40 sizes away, a needle, a box far from the origin](hard-cases.png)
-
-*Above the textbook's formula, below the core, each with 112 x 112 rays: a sphere 3000 radii away, a cone 1000
-sizes away, a torus 40 sizes away, a needle, a turned box 9500 from the origin. Red: a wrong answer. Blue: so
-close to an outline or an edge that either answer is right.*
-
-This page is written by
-
-    cargo run --release -p strahl-tests --example hard_cases
-
-and what costs are measured by
-
-    cargo run --release -p strahl-tests --example hard_cases -- --measure
-
-`cargo test -p strahl-tests --test hard_cases` holds every word and every figure of it but the measured ones against
-what it finds itself, and that none of the measured ones is missing.
-
-- *Either way*: rays that pass a silhouette, an edge or a rim closer than 32 roundoffs of the largest difference
-  that must be formed (the distance between eye and object and its size). Every other ray has one answer.
-- *Faults*: hit for miss, miss for hit, a distance or a normal outside the bound, a normal that is not of
-  length one, a NaN.
-- *Error*: of the distance and of the normal, in units in the last place times the conditioning, which is that
-  largest difference over the cosine between ray and normal, and the way. Of rays that leave a surface it is how
-  far they start from it, in units in the last place of its coordinates and its size; a fault is a ray that meets
-  the surface again, or starts farther away than the bound. For refraction the conditioning is that of the square
-  root at the critical angle.
-- Where there is no error there is no bound either, and a fault is an answer of another kind: of meshes a ray that
-  gets through; of the slab test a box that is missed although the exact ray, in whole numbers, meets it, or met
-  although it lies beyond the band; of grid, octree and hierarchy an answer that is not the list's to the last bit;
-  of the shadow terminator a point whose shading normal faces the light and that lies in the shadow of its own
-  smooth mesh, or a point behind a plate that is lit; of other scales an answer that does not grow with the scene,
-  bit for bit.
-";
 
 /// All cases in a sentence.
 fn sum(outcomes: &[(Case, [Tally; 3])]) -> String {
@@ -217,22 +30,21 @@ fn sum(outcomes: &[(Case, [Tally; 3])]) -> String {
     let [textbook, single, double] =
         [of(|[x, _, _]| x.faults), of(|[_, x, _]| x.faults), of(|[_, _, x]| x.faults)];
     format!(
-        "Of {rays} rays of {} kinds the textbook's formulas answer {textbook} wrongly, the core {single}, and with \
-         `f64` inside {double}.\n",
+        "Faults in {rays} rays of {} cases: {textbook} by the textbook's formulas, {single} by the core, {double} by \
+         the core with `f64` inside.\n",
         outcomes.len()
     )
 }
 
-/// The table of all cases.
-fn cases_as_text(outcomes: &[(Case, [Tally; 3])]) -> String {
+fn table(outcomes: &[(Case, [Tally; 3])]) -> String {
     let mut text = String::new();
-    let mut say = |line: std::fmt::Arguments| writeln!(text, "{line}").unwrap();
-    say(format_args!(
-        "| family | case | what goes wrong in a naive implementation | rays | either way | faults: textbook | ours, f32 | f64 inside | worst error: textbook | ours, f32 | f64 inside | bound |"
+    let mut line = |line: std::fmt::Arguments| writeln!(text, "{line}").unwrap();
+    line(format_args!(
+        "| family | case | what goes wrong in a naive implementation | rays | either | faults: textbook | core, f32 | f64 inside | worst error: textbook | core, f32 | f64 inside | bound |"
     ));
-    say(format_args!("|---|---|---|--:|--:|--:|--:|--:|--:|--:|--:|--:|"));
+    line(format_args!("|---|---|---|--:|--:|--:|--:|--:|--:|--:|--:|--:|"));
     for (case, [textbook, single, double]) in outcomes {
-        say(format_args!(
+        line(format_args!(
             "| {} | {} | {} | {} | {} | {} | {} | {} | {} | {} | {} | {} |",
             case.family,
             case.name,
@@ -250,3 +62,82 @@ fn cases_as_text(outcomes: &[(Case, [Tally; 3])]) -> String {
     }
     text
 }
+
+/// An error in few characters.
+fn error(x: f64) -> String {
+    match x {
+        _ if x.is_infinite() => "no unit normal".into(),
+        0.0 => "0".into(),
+        _ if x >= 1000.0 => format!("{x:.0e}"),
+        _ => format!("{x:.2}"),
+    }
+}
+
+const HEAD: &str = "# Hard numeric cases
+
+Made by
+
+    cargo run --release -p strahl-tests --example hard_cases
+
+Rays that are known to go wrong in single precision, answered in three ways: by the formulas of the textbooks in
+`f32`, by the core in `f32`, and by the core with `f64` inside, whose answers are rounded. All three
+get the same rays and are compared with an oracle that shares no code with them.
+`cargo test -p strahl-tests --test hard_cases` checks that the core makes no fault, and that the figures and the picture
+here are those of the code.
+
+![Top the textbook's formulas, bottom the core: a sphere 3000 radii away, a cone 1000 sizes away, a torus
+40 sizes away, a needle, a box far from the origin](hard-cases.png)
+
+*Top the textbook's formulas, bottom the core, each with 112 x 112 rays: a sphere 3000 radii away, a cone 1000
+sizes away, a torus 40 sizes away, a needle triangle, an oriented box 9500 from the origin. Red: a wrong answer. Blue: so
+close to a silhouette or an edge that either answer is right.*
+
+- *Either*: rays closer to a silhouette, an edge or a rim than 32 roundoffs of the largest difference
+  that must be formed (the distance between eye and object and its size): either answer is right. Every other ray has
+  one right answer.
+- *Faults*: hit for miss, miss for hit, a distance or a normal outside the bound, a normal that is not of
+  unit length, a NaN.
+- *Error*: of the distance and of the normal, in units in the last place times the conditioning, which is that
+  largest difference over the cosine between ray and normal, plus the distance. For rays that leave a surface (*leaving*)
+  it is how far they start from it, in units in the last place of its coordinates and its size; a fault is a ray that
+  hits the surface again, or starts farther away than the bound. For refraction the conditioning is that of the square
+  root at the critical angle.
+- Where there is no bound, a fault is an answer of another kind: for meshes a ray that
+  gets through; for the slab test a box that is missed although the exact ray, in integers, hits it, or hit
+  although it lies beyond the band; for grid, octree and BVH (*hierarchy*) an answer that is not the list's to the last
+  bit; for the shadow terminator a point whose shading normal faces the light and that lies in the shadow of its own
+  smooth mesh, or a point behind a plate that is lit; for scale an answer that does not scale with the scene,
+  bit for bit.
+
+What each remedy costs is in [remedies.md](remedies.md).
+";
+
+const REST: &str = "
+## What else holds
+
+Each is tested by `cargo test -p strahl-tests --test` and the words in parentheses.
+
+- *Meshes are watertight* (`hard_cases watertight`): of a million rays from inside, aimed at corners and at points of
+  edges of spheres, cubes, sheets and cones of slivers, near the origin and 2e5 from it, none gets through, with no
+  accelerator; from outside, the number of crossings of a closed mesh is even. Of 10^8 rays none gets through either:
+
+      cargo run --release -p strahl-tests --example hard_cases -- --watertight 100000000
+
+- *Accelerators agree* (`hard_cases accelerators`): for every hard ray, grid, octree and BVH (with a
+  stack, with a heap, and with a stack and a heap of capacity 0) find what the list finds, to the last bit.
+- *Every pixel is finite* (`hard_cases pixels`): in random scenes 1e-6 to 1e6 in size, with materials, lights and
+  cameras as extreme as the public API permits, with every sampler. A ray with NaN or infinity tests no bounds and no shape.
+- *Scale* (`hard_cases scale`): times 2^k, k from -20 to 20, the picture is the same, bit for bit.
+- *Mirrored scenes* (`hard_cases scale`) have the mirrored hits, bit for bit, except at the edges of polygons: an edge
+  contains its lower end and not its upper one. With permuted axes, triangles and axis-aligned boxes are hit at
+  the same distance, bit for bit. Elsewhere sums of three products are rounded in the order of the axes: both
+  distances lie within 8 units in the last place times the conditioning of each other.
+- *Points and normals* (`shapes`): for every kind of shape, the point found lies on it within the error bound that
+  it comes with, the normal is of unit length within 1e-6 and points outward; a ray that leaves something convex or
+  flat, 1e-4 to 1e4 in size and up to 1e4 sizes from the origin, does not hit it again.
+- *Media* (`closed_form`): glass in water, bodies that overlap, an eye inside glass; at the critical angle no light
+  is lost.
+- *Input* (`cargo test -p strahl`): objects without area or size, views that show nothing, NaN and infinities
+  are errors with their place. Triangles without area in a mesh keep their number and are never hit; one warning
+  counts them.
+";

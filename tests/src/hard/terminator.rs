@@ -22,7 +22,7 @@ pub(super) const CASES: [Case; 2] = [
 ];
 
 /// A smooth ball of triangles, with a plate towards the light or without.
-pub(super) fn ball(level: u32, center: Vector, radius: f64, plate: Option<Vector>) -> Vec<Thing> {
+fn ball(level: u32, center: Vector, radius: f64, plate: Option<Vector>) -> Vec<Thing> {
     let mesh = Mesh::icosphere(level, center, radius);
     let corners = |triangle: &[u32; 3]| triangle.map(|corner| mesh.points[corner as usize]);
     let smooth = |corners: [Vector; 3]| Thing::SmoothTriangle {
@@ -42,7 +42,7 @@ pub(super) fn ball(level: u32, center: Vector, radius: f64, plate: Option<Vector
 
 /// Rays at a ball from the side, so that the line between light and shadow is seen, and not through
 /// the plate.
-pub(super) fn eyes(center: Vector, radius: f64, light: Vector, random: &mut Random) -> Vec<Line> {
+fn eyes(center: Vector, radius: f64, light: Vector, random: &mut Random) -> Vec<Line> {
     let ray = |_| {
         let side = super::aside(light, random) - light * random.between(-0.4, 0.6);
         let eye = held(center + side * (radius * random.between(2.0, 9.0)));

@@ -11,10 +11,6 @@
 //! Source: "A Fast Voxel Traversal Algorithm for Ray Tracing", Amanatides and Woo, Eurographics
 //! 1987. Differs from it: no sums, and corners.
 //!
-//! Of the instructions of a walk from the box round all to the nearest of some hundred small ones, corners
-//! take nearly a quarter (29 % more than one cell after the other), distances from numbers and the first
-//! cell held against its walls 8 % more each (`tests/HARD-CASES.md`).
-//!
 //! [`cell_planes`]: crate::accel::cell_planes
 
 use core::ops::ControlFlow;

@@ -18,10 +18,6 @@
 //! Graphics 15(2), 1991. Differs from it: the decision vectors are not carried on by sums and
 //! shifts, which would drift away from the slab test; there is a stack and no recursion.
 //!
-//! Distances from numbers take about a tenth of a walk's instructions more than sums carried on, and
-//! corners as much. To decide by numbers is the cheaper way besides: a point that is moved from cell to
-//! cell, and looked for from the root, takes over a third more (`tests/HARD-CASES.md`).
-//!
 //! [`cell_planes`]: crate::accel::cell_planes
 
 use core::ops::ControlFlow;
