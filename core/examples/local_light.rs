@@ -21,7 +21,7 @@
 //! | `everything` | 69.2 | 7 % more than `local`, which is why the program has such a set |
 //!
 //! This is the worst case, a bare list of the cheapest shape. What the scenes of `scenes/` pay is in
-//! `tests/EFFECTS.md`.
+//! `tests/reports/effects.md`.
 
 use std::process::ExitCode;
 

@@ -8,7 +8,7 @@
 //! Copies of the loop are a budget, for they make the program and its build large: the hierarchy
 //! and the list, one of which is taken where nobody asks for another, with fifteen sets and one that
 //! counts are 32, grid and octree with three and one 8, eight seldom ones 8, and the twin has 13.
-//! What a scene pays for what it does not use is in `tests/EFFECTS.md`; a further set is worth its
+//! What a scene pays for what it does not use is in `tests/reports/effects.md`; a further set is worth its
 //! copies where that is much.
 
 use strahl_core::{Accelerator, EffectSet, Effects, Everything, LightKind, LightSet, ShapeSet, TextureSet};

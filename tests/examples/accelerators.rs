@@ -1,7 +1,7 @@
 //! The accelerators on growing scenes: what they take to build, to hold and to walk.
 //!
 //! ```text
-//! cargo run --release -p strahl-tests --example accelerators > tests/accelerators.md
+//! cargo run --release -p strahl-tests --example accelerators > tests/reports/accelerators.md
 //! ```
 //!
 //! Scenes of the generator: sphereflakes of 11 to 597,872 objects, knots of about 1,000 to
@@ -59,8 +59,14 @@ struct Row {
 fn main() -> Result<ExitCode, Box<dyn Error>> {
     let folder = tempfile::tempdir()?;
     println!("# Accelerators on growing scenes\n");
-    println!("Made by `cargo run --release -p strahl-tests --example accelerators`. 512 x 512, one ray for");
-    println!("each pixel, five levels, no cutoff, one thread; processor time on {}.\n", machine());
+    println!("Made by\n");
+    println!(
+        "    cargo run --release -p strahl-tests --example accelerators > tests/reports/accelerators.md\n"
+    );
+    println!(
+        "512 x 512, one ray for each pixel, five levels, no cutoff, one thread; processor time on {}.\n",
+        machine()
+    );
     println!(
         "| scene | objects | accelerator | build, µs/object | bytes/object | regions | objects in each | \
          boxes/ray | shapes/ray | trace, s | Mrays/s |"

@@ -8,7 +8,7 @@
 //! all levels and cutoffs on all pixels, but for those that are dearer than what was found by then and
 //! those that are too few even if the error falls as fast as their number rises. The
 //! cheapest that truly keeps the limit is the best there is. The table is that of
-//! `tests/AIM.md`; the exit status is 1 when fewer than nine of ten limits are kept, or when one
+//! `tests/reports/aim.md`; the exit status is 1 when fewer than nine of ten limits are kept, or when one
 //! that is kept costs more than 1.5 times the best.
 //!
 //! Costs are instructions, estimated from the rays and tests that were counted: the same everywhere.

@@ -1,7 +1,7 @@
-//! What each scene of `scenes/` pays for effects that it does not use, as `tests/EFFECTS.md`:
+//! What each scene of `scenes/` pays for effects that it does not use, as `tests/reports/effects.md`:
 //!
 //! ```text
-//! cargo run --release -p strahl-tests --example effects_cost > tests/EFFECTS.md
+//! cargo run --release -p strahl-tests --example effects_cost > tests/reports/effects.md
 //! ```
 //!
 //! Each scene is traced by the tracer that the program has for it
@@ -176,7 +176,9 @@ fn main() -> Result<ExitCode, Box<dyn Error>> {
         return Ok(ExitCode::SUCCESS);
     }
     println!("# What a scene pays for effects that it does not use\n");
-    println!("    cargo run --release -p strahl-tests --example effects_cost > tests/EFFECTS.md\n");
+    println!(
+        "Made by\n\n    cargo run --release -p strahl-tests --example effects_cost > tests/reports/effects.md\n"
+    );
     println!(
         "Callgrind's instructions of tracing each scene of `scenes/`, {} x {} pixels, as the program traces it: by the list\n\
          with boxes where there are few items, else by the hierarchy; loading and building are not in it. A tracer is\n\

@@ -1,5 +1,5 @@
 //! The lecture's evaluation, part 6: every technique measured against doing without it, as the
-//! tables of `tests/EVALUATION.md`.
+//! tables of `tests/reports/evaluation.md`.
 //!
 //! ```text
 //! cargo run --release -p strahl-tests --example evaluation -- FOLDER_WITH_THE_NFF_FILES > tables.md

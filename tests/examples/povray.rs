@@ -1,7 +1,7 @@
-//! Against POV-Ray 3.7, on the scenes of the procedural databases, as `tests/POVRAY.md`:
+//! Against POV-Ray 3.7, on the scenes of the procedural databases, as `tests/reports/povray.md`:
 //!
 //! ```text
-//! cargo run --release -p strahl-tests --example povray -- FOLDER > tests/POVRAY.md
+//! cargo run --release -p strahl-tests --example povray -- FOLDER > tests/reports/povray.md
 //! ```
 //!
 //! The folder has `NAME.nff` and `NAME.pov.gz`, the same scene for POV-Ray, which must be installed
@@ -46,8 +46,11 @@ const KINDS: [Kind; 3] = [Kind::Bvh, Kind::Octree, Kind::Grid];
 
 /// Before the table.
 const HEAD: &str = "\
-Made by `cargo run --release -p strahl-tests --example povray -- FOLDER`, where FOLDER has the Standard Procedural
-Databases as `NAME.nff` and `NAME.pov.gz`. POV-Ray 3.7 and strahl trace the same scene at 512 x 512 (tetra 2048 x 2048),
+Made by
+
+    cargo run --release -p strahl-tests --example povray -- FOLDER > tests/reports/povray.md
+
+where FOLDER has the Standard Procedural Databases as `NAME.nff` and `NAME.pov.gz`. POV-Ray 3.7 and strahl trace the same scene at 512 x 512 (tetra 2048 x 2048),
 five levels, one ray for each pixel, one thread, in turns; of three turns the least processor time counts, and of
 POV-Ray's two ways to find things the better one. *Ready* is parsing and bounding, loading and building the hierarchy.
 
@@ -67,7 +70,7 @@ up to 12 % more), the nearest of four found without a branch (8 to 24 % more tim
 surface (3 % less to 6 % more), nodes on borders of cache lines (nothing), and for the octree all children on the way at once
 (8 to 20 % more). A build for newer processors (`RUSTFLAGS=-Ctarget-cpu=x86-64-v3`) makes the same pictures in 2 to 9 % less
 time. What is left is to walk with several rays at once, which a loop that follows one ray after the other, as it has to on
-a device, does not do. Some of the time is the price of robustness (`tests/HARD-CASES.md` has it shape by shape), none of it
+a device, does not do. Some of the time is the price of robustness (`tests/reports/remedies.md` has it shape by shape), none of it
 of counting.
 Loading and building take a twentieth to a quarter of POV-Ray's parsing and bounding.
 

@@ -1,7 +1,7 @@
-//! The quality of the samplers at equal cost, as the tables of `tests/quality.md`:
+//! The quality of the samplers at equal cost, as the tables of `tests/reports/quality.md`:
 //!
 //! ```text
-//! cargo run --profile test -p strahl-tests --example quality > tests/quality.md
+//! cargo run --profile test -p strahl-tests --example quality > tests/reports/quality.md
 //! ```
 //!
 //! Each of four scenes is traced with some 16 camera rays in each pixel, by every sampler, and
@@ -181,7 +181,9 @@ fn row(name: &str, measured: &Measured) {
 
 fn main() -> Result<ExitCode, Box<dyn Error>> {
     println!("# Quality of the samplers at equal cost\n");
-    println!("    cargo run --profile test -p strahl-tests --example quality > tests/quality.md\n");
+    println!(
+        "Made by\n\n    cargo run --profile test -p strahl-tests --example quality > tests/reports/quality.md\n"
+    );
     println!(
         "Camera rays in a pixel, the root of the mean square error of sRGB-encoded values (0 to 1), and the\n\
          structural similarity (1 is equal; `strahl compare` has both), against {MANY} rays in each pixel.\n\

@@ -288,7 +288,7 @@ fn named_in(document: &str, text: &str) -> BTreeSet<PathBuf> {
 #[test]
 fn every_path_that_a_document_names_is_there() {
     let mut documents = vec!["README.md".to_owned(), "CHANGELOG.md".to_owned()];
-    for folder in ["scenes", "tests"] {
+    for folder in ["scenes", "tests", "tests/bench", "tests/fuzz", "tests/reports"] {
         let files = fs::read_dir(workspace().join(folder)).unwrap();
         let names = files.map(|file| file.unwrap().file_name().into_string().unwrap());
         documents.extend(names.filter(|name| name.ends_with(".md")).map(|name| format!("{folder}/{name}")));

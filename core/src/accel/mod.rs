@@ -16,7 +16,7 @@
 //!
 //! # When to choose which
 //!
-//! Measured on scenes of 11 to 1,000,000 objects (`tests/accelerators.md`, and `tests/bench` for
+//! Measured on scenes of 11 to 1,000,000 objects (`tests/reports/accelerators.md`, and `tests/bench` for
 //! single rays beside other crates):
 //!
 //! * [`Bare`] or [`List`] for a handful of items: nothing to build, next to no code. From about
