@@ -1,7 +1,8 @@
-//! Building a grid: choose the resolution, then sort the items into the cells by counting.
+//! Construction of a grid: choose the resolution, then sort the items into the cells by counting.
 //!
-//! Count how many items each cell lists, add up where each cell's list begins, fill the lists. No
-//! memory is needed but what the grid keeps, and a cell lists its items by rising number.
+//! The counting sort counts the entries of each cell, accumulates the counts to the start of each cell's
+//! list, and fills the lists. It needs no memory beside that of the grid, and each cell lists its items in
+//! ascending order.
 
 use super::Grid;
 use crate::accel::cell_planes::{CellPlanes, bounds_of_all};
@@ -9,175 +10,192 @@ use crate::accel::{BuildError, Storage};
 use crate::geometry::Aabb;
 use crate::math::{Real, Vec3, floor, greatest, powf, vec3};
 
-/// Cells for each item, where memory allows. On gears, mount, rings, teapot and tetra of the
-/// standard procedural databases, 2 and 4 take the same time within 3 %, and 8 takes 2 to 60 % more;
-/// on the uneven balls and tree 4 takes 15 to 20 % less than 2.
-const DENSITY: Real = 4.0;
+/// Cells per item, where the buffers suffice. With 2 instead, uneven scenes take longer; with 8, even ones
+/// do.
+const CELLS_PER_ITEM: Real = 4.0;
 
-/// Entries for each item that [`GridRoom::of_items`] expects.
-const ENTRIES: usize = 4;
+/// Entries per item that [`GridRoom::of_items`] expects.
+const ENTRIES_PER_ITEM: usize = 4;
 
-/// The most entries for each item that [`GridRoom::comfortable`] asks for: more and large items
-/// that lie in all cells would take memory without end.
-const MOST_ENTRIES: usize = 32;
+/// Largest number of entries per item that [`GridRoom::comfortable`] recommends. Without a limit, many large
+/// items that overlap all cells would take too much memory.
+const MAX_ENTRIES_PER_ITEM: usize = 32;
 
-/// The most cells along an axis: walls' numbers stay exact in `f32`.
-const MOST_CELLS: Real = 65536.0;
+/// Largest number of cells along an axis: indices of planes are exact in `f32`.
+const MAX_CELLS_PER_AXIS: Real = 65536.0;
 
-/// How much memory a grid takes, in numbers of `u32`.
+/// Sizes of the buffers of a grid, as numbers of `u32`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct GridRoom {
-    /// One for each cell, and one more.
+    /// One more than the number of cells.
     pub cells: usize,
-    /// One for each item in each cell that it touches.
+    /// One per item and cell that its bounds overlap.
     pub items: usize,
 }
 
 impl GridRoom {
-    /// What `items` items are expected to take, when nothing is known about their boxes. With
-    /// less the grid is coarser; the floor is 2 cells and as many entries as items.
+    /// The expected sizes for `items` items with unknown bounds. With smaller buffers the grid is coarser;
+    /// the minimum is 2 for the cells and one entry per item.
     pub const fn of_items(items: usize) -> Self {
-        GridRoom { cells: items * DENSITY as usize + 1, items: items * ENTRIES }
+        GridRoom { cells: items * CELLS_PER_ITEM as usize + 1, items: items * ENTRIES_PER_ITEM }
     }
 
-    /// Exactly what the grid of these boxes takes. The answer for boxes that cannot be placed is
-    /// the floor.
-    pub fn comfortable(boxes: &[Aabb]) -> Self {
-        let floor = GridRoom { cells: 2, items: boxes.len() };
-        let Ok((bounds, items)) = bounds_of_all(boxes) else { return floor };
-        let most = GridRoom { cells: u32::MAX as usize, items: items.saturating_mul(MOST_ENTRIES) };
-        Plan::within(boxes, bounds, items, DENSITY, most).map_or(floor, |(_, room)| room)
+    /// The exact sizes for the items with these bounds: those of the finest grid that [`Grid::build`] makes.
+    /// For bounds that it refuses, the minimum.
+    pub fn comfortable(bounds: &[Aabb]) -> Self {
+        let minimum = GridRoom { cells: 2, items: bounds.len() };
+        let Ok((all_bounds, items)) = bounds_of_all(bounds) else { return minimum };
+        let available =
+            GridRoom { cells: u32::MAX as usize, items: items.saturating_mul(MAX_ENTRIES_PER_ITEM) };
+        GridLayout::fit(bounds, all_bounds, items, CELLS_PER_ITEM, available)
+            .map_or(minimum, |(_, size)| size)
     }
 }
 
-impl<'s, const MAILBOX: usize> Grid<'s, MAILBOX> {
-    /// The grid of the items inside `boxes`, one box for each, in their order. Empty boxes
-    /// ([`Aabb::EMPTY`]) have no place in it.
+impl<'s, const MAILBOX_ENTRIES: usize> Grid<'s, MAILBOX_ENTRIES> {
+    /// Builds the grid of the items with these bounds.
     ///
-    /// `cells` and `entries` are lent: as many as [`GridRoom::comfortable`] says, or fewer, for
-    /// a coarser grid. At least 2 cells, and as many entries as there are items that have a place,
-    /// or [`BuildError::StorageTooSmall`] says so.
+    /// `bounds`: one box per item; items with an empty box ([`Aabb::EMPTY`]) are left out. `cells` and
+    /// `entries`: caller-provided buffers of the sizes of [`GridRoom::comfortable`]. With smaller ones the
+    /// grid is coarser; at least 2 cells are needed, and one entry per item that is not left out.
+    ///
+    /// # Errors
+    ///
+    /// * [`BuildError::StorageTooSmall`] for `cells` or `entries`.
+    /// * [`BuildError::NotFinite`] for a box that is not finite.
     pub fn build(
-        boxes: &'s [Aabb],
+        bounds: &'s [Aabb],
         cells: &'s mut [u32],
         entries: &'s mut [u32],
     ) -> Result<Self, BuildError> {
-        Self::with_density(DENSITY, boxes, cells, entries)
+        Self::with_density(CELLS_PER_ITEM, bounds, cells, entries)
     }
 
-    /// The same with so many cells for each item, where the lent memory allows; finite, and more
-    /// than zero.
+    /// As [`Grid::build`], with about `density` cells per item, where the buffers suffice.
+    ///
+    /// `density`: finite and above zero.
+    ///
+    /// # Errors
+    ///
+    /// Those of [`Grid::build`].
     pub fn with_density(
         density: Real,
-        boxes: &'s [Aabb],
+        bounds: &'s [Aabb],
         cells: &'s mut [u32],
         entries: &'s mut [u32],
     ) -> Result<Self, BuildError> {
-        let (bounds, items) = bounds_of_all(boxes)?;
-        let lent = GridRoom { cells: cells.len(), items: entries.len() };
-        let (plan, room) = Plan::within(boxes, bounds, items, density, lent)?;
-        let too_small = |what, needed, lent| BuildError::StorageTooSmall { what, needed, lent };
-        let starts = cells.get_mut(..room.cells).ok_or(too_small(Storage::Cells, room.cells, lent.cells))?;
-        let items = entries.get_mut(..room.items).ok_or(too_small(Storage::Items, room.items, lent.items))?;
-        plan.sort(boxes, starts, items);
-        Ok(Grid { bounds, walls: plan.walls, cells: plan.cells, starts, items, boxes })
+        let (all_bounds, items) = bounds_of_all(bounds)?;
+        let provided = GridRoom { cells: cells.len(), items: entries.len() };
+        let (layout, size) = GridLayout::fit(bounds, all_bounds, items, density, provided)?;
+        let cell_starts =
+            cells.get_mut(..size.cells).ok_or(too_small(Storage::Cells, size.cells, provided.cells))?;
+        let entries =
+            entries.get_mut(..size.items).ok_or(too_small(Storage::Items, size.items, provided.items))?;
+        layout.fill_cells(bounds, cell_starts, entries);
+        let GridLayout { planes, resolution } = layout;
+        Ok(Grid { bounds: all_bounds, planes, resolution, cell_starts, entries, item_bounds: bounds })
     }
 }
 
-/// How space is cut.
-struct Plan {
-    walls: CellPlanes,
-    cells: [u32; 3],
+const fn too_small(what: Storage, needed: usize, lent: usize) -> BuildError {
+    BuildError::StorageTooSmall { what, needed, lent }
 }
 
-impl Plan {
-    /// The finest cut, but not finer than `density` cells for each item, that `most` memory holds;
-    /// and the memory that it takes.
-    fn within(
-        boxes: &[Aabb],
-        bounds: Aabb,
+/// The division of space into cells.
+struct GridLayout {
+    planes: CellPlanes,
+    /// Number of cells along each axis.
+    resolution: [u32; 3],
+}
+
+impl GridLayout {
+    /// The finest layout of at most about `density` cells per item that fits into buffers of the `available`
+    /// sizes, and the sizes that it needs.
+    ///
+    /// `all_bounds` and `items`: union of `bounds`, and number of boxes that are not empty.
+    fn fit(
+        bounds: &[Aabb],
+        all_bounds: Aabb,
         items: usize,
         density: Real,
-        most: GridRoom,
+        available: GridRoom,
     ) -> Result<(Self, GridRoom), BuildError> {
-        let too_small = |what, needed, lent| Err(BuildError::StorageTooSmall { what, needed, lent });
-        if most.cells < 2 {
-            return too_small(Storage::Cells, 2, most.cells);
+        if available.cells < 2 {
+            return Err(too_small(Storage::Cells, 2, available.cells));
         }
-        if most.items < items {
-            return too_small(Storage::Items, items, most.items);
+        if available.items < items {
+            return Err(too_small(Storage::Items, items, available.items));
         }
         if items == 0 {
-            let plan = Plan {
-                walls: CellPlanes::new(Aabb { min: Vec3::ZERO, max: Vec3::ZERO }, Vec3::ONE),
-                cells: [1; 3],
-            };
-            return Ok((plan, GridRoom { cells: 2, items: 0 }));
+            let planes = CellPlanes::new(Aabb { min: Vec3::ZERO, max: Vec3::ZERO }, Vec3::ONE);
+            return Ok((GridLayout { planes, resolution: [1; 3] }, GridRoom { cells: 2, items: 0 }));
         }
-        let mut wanted = items as Real * density;
+        let mut target = items as Real * density;
         loop {
-            let plan = Self::new(bounds, resolution(bounds, wanted));
-            let count = plan.count_cells();
-            let is_coarsest = plan.cells == [1; 3];
-            if count < most.cells as u64 {
-                let entries = plan.count_entries(boxes, most.items);
-                if let Some(entries) = entries {
-                    return Ok((plan, GridRoom { cells: count as usize + 1, items: entries }));
+            let layout = Self::new(all_bounds, cells_per_axis(all_bounds, target));
+            let cell_count = layout.count_cells();
+            let is_coarsest = layout.resolution == [1; 3];
+            if cell_count < available.cells as u64 {
+                let entry_count = layout.count_entries(bounds, available.items);
+                if let Some(entry_count) = entry_count {
+                    return Ok((layout, GridRoom { cells: cell_count as usize + 1, items: entry_count }));
                 }
             }
             if is_coarsest {
-                // One cell lists each item once, so this is only for more items than u32 counts.
-                return too_small(Storage::Items, items, most.items);
+                // A single cell lists each item once, so this happens only for more items than `u32` can
+                // count.
+                return Err(too_small(Storage::Items, items, available.items));
             }
-            wanted *= 0.75;
+            target *= 0.75;
         }
     }
 
     fn new(bounds: Aabb, cells: Vec3) -> Self {
-        let number = |x: Real| x as u32;
-        Plan {
-            walls: CellPlanes::new(bounds, cells),
-            cells: [number(cells.x), number(cells.y), number(cells.z)],
+        let count = |x: Real| x as u32;
+        GridLayout {
+            planes: CellPlanes::new(bounds, cells),
+            resolution: [count(cells.x), count(cells.y), count(cells.z)],
         }
     }
 
     fn count_cells(&self) -> u64 {
-        self.cells.iter().fold(1, |product: u64, cells| product.saturating_mul(u64::from(*cells)))
+        self.resolution.iter().fold(1, |product: u64, cells| product.saturating_mul(u64::from(*cells)))
     }
 
-    /// How many entries there will be, if they are at most `most`.
-    fn count_entries(&self, boxes: &[Aabb], most: usize) -> Option<usize> {
-        let most = (most as u64).min(u64::from(u32::MAX));
+    /// Number of entries of all cells; `None` if it is above `max`.
+    fn count_entries(&self, bounds: &[Aabb], max: usize) -> Option<usize> {
+        let max = (max as u64).min(u64::from(u32::MAX));
         let mut entries = 0_u64;
-        for aabb in boxes.iter().filter(|aabb| !aabb.is_empty()) {
-            let ranges = self.touched(aabb);
+        for aabb in bounds.iter().filter(|aabb| !aabb.is_empty()) {
+            let ranges = self.overlapped_cells(aabb);
             entries +=
                 ranges.iter().fold(1, |product: u64, (first, last)| product * u64::from(last - first + 1));
-            if entries > most {
+            if entries > max {
                 return None;
             }
         }
         Some(entries as usize)
     }
 
-    /// The first and the last cell along each axis that a box touches.
-    fn touched(&self, aabb: &Aabb) -> [(u32, u32); 3] {
-        let (low, high) = (self.walls.fractional_index(aabb.min), self.walls.fractional_index(aabb.max));
-        let [x, y, z] = self.cells;
-        let wall_x = |i: u32| self.walls.position(vec3(i as Real, 0.0, 0.0)).x;
-        let wall_y = |i: u32| self.walls.position(vec3(0.0, i as Real, 0.0)).y;
-        let wall_z = |i: u32| self.walls.position(vec3(0.0, 0.0, i as Real)).z;
+    /// The first and the last cell along each axis that a box overlaps. A box that touches a plane overlaps the
+    /// cells on both sides of it.
+    fn overlapped_cells(&self, aabb: &Aabb) -> [(u32, u32); 3] {
+        let (min, max) = (self.planes.fractional_index(aabb.min), self.planes.fractional_index(aabb.max));
+        let [x, y, z] = self.resolution;
+        let plane_x = |i: u32| self.planes.position(vec3(i as Real, 0.0, 0.0)).x;
+        let plane_y = |i: u32| self.planes.position(vec3(0.0, i as Real, 0.0)).y;
+        let plane_z = |i: u32| self.planes.position(vec3(0.0, 0.0, i as Real)).z;
         [
-            range(x, wall_x, (low.x, high.x), (aabb.min.x, aabb.max.x)),
-            range(y, wall_y, (low.y, high.y), (aabb.min.y, aabb.max.y)),
-            range(z, wall_z, (low.z, high.z), (aabb.min.z, aabb.max.z)),
+            cell_range(x, plane_x, (min.x, max.x), (aabb.min.x, aabb.max.x)),
+            cell_range(y, plane_y, (min.y, max.y), (aabb.min.y, aabb.max.y)),
+            cell_range(z, plane_z, (min.z, max.z), (aabb.min.z, aabb.max.z)),
         ]
     }
 
-    /// Calls `visit` with each cell that a box touches.
-    fn each_cell(&self, aabb: &Aabb, mut visit: impl FnMut(usize)) {
-        let [(x0, x1), (y0, y1), (z0, z1)] = self.touched(aabb);
-        let [width, height, _] = self.cells.map(|n| n as usize);
+    /// Calls `visit` with the index of each cell that a box overlaps.
+    fn for_each_overlapped_cell(&self, aabb: &Aabb, mut visit: impl FnMut(usize)) {
+        let [(x0, x1), (y0, y1), (z0, z1)] = self.overlapped_cells(aabb);
+        let [width, height, _] = self.resolution.map(|n| n as usize);
         for z in z0..=z1 {
             for y in y0..=y1 {
                 let row = (z as usize * height + y as usize) * width;
@@ -188,33 +206,33 @@ impl Plan {
         }
     }
 
-    /// Sorts the items into the cells: `starts` has one more than there are cells.
-    fn sort(&self, boxes: &[Aabb], starts: &mut [u32], items: &mut [u32]) {
-        starts.fill(0);
-        let placed = || boxes.iter().enumerate().filter(|(_, aabb)| !aabb.is_empty());
+    /// Sorts the items into the cells. `cell_starts`: one longer than the number of cells.
+    fn fill_cells(&self, bounds: &[Aabb], cell_starts: &mut [u32], entries: &mut [u32]) {
+        cell_starts.fill(0);
+        let bounded = || bounds.iter().enumerate().filter(|(_, aabb)| !aabb.is_empty());
 
-        // Count.
-        for (_, aabb) in placed() {
-            self.each_cell(aabb, |cell| {
-                if let Some(count) = starts.get_mut(cell) {
+        // Count the entries of each cell.
+        for (_, aabb) in bounded() {
+            self.for_each_overlapped_cell(aabb, |cell| {
+                if let Some(count) = cell_starts.get_mut(cell) {
                     *count += 1;
                 }
             });
         }
 
-        // Add up: each cell's number becomes the place after its list.
+        // Accumulate the counts: each becomes the end of its cell's list.
         let mut end = 0;
-        for start in &mut *starts {
+        for start in &mut *cell_starts {
             end += *start;
             *start = end;
         }
 
-        // Fill, from the back, so that the numbers end as the places where the lists begin.
-        for (item, aabb) in placed().rev() {
-            self.each_cell(aabb, |cell| {
-                if let Some(place) = starts.get_mut(cell) {
-                    *place = place.wrapping_sub(1);
-                    if let Some(entry) = items.get_mut(*place as usize) {
+        // Fill each list from its end, so that the ends become starts.
+        for (item, aabb) in bounded().rev() {
+            self.for_each_overlapped_cell(aabb, |cell| {
+                if let Some(start) = cell_starts.get_mut(cell) {
+                    *start = start.wrapping_sub(1);
+                    if let Some(entry) = entries.get_mut(*start as usize) {
                         *entry = item as u32;
                     }
                 }
@@ -223,69 +241,67 @@ impl Plan {
     }
 }
 
-/// The first and the last of `cells` cells that touch `low..=high`; `about` are guesses.
-fn range(
+/// The first and the last of `cells` cells along an axis that overlap `min..=max`.
+///
+/// `plane`: position by index. `estimates`: approximate positions of `min` and `max` in units of cells.
+fn cell_range(
     cells: u32,
-    wall: impl Fn(u32) -> Real,
-    about: (Real, Real),
-    (low, high): (Real, Real),
+    plane: impl Fn(u32) -> Real,
+    estimates: (Real, Real),
+    (min, max): (Real, Real),
 ) -> (u32, u32) {
-    let last = cells - 1;
-    let guess = |x: Real| (x as u32).min(last);
-    let mut i = guess(about.0);
-    while i > 0 && wall(i) >= low {
-        i -= 1;
+    let last_cell = cells - 1;
+    let estimate = |x: Real| (x as u32).min(last_cell);
+    let mut first = estimate(estimates.0);
+    while first > 0 && plane(first) >= min {
+        first -= 1;
     }
-    while i < last && wall(i + 1) < low {
-        i += 1;
+    while first < last_cell && plane(first + 1) < min {
+        first += 1;
     }
-    let mut j = guess(about.1);
-    while j < last && wall(j + 1) <= high {
-        j += 1;
+    let mut last = estimate(estimates.1);
+    while last < last_cell && plane(last + 1) <= max {
+        last += 1;
     }
-    while j > i && wall(j) > high {
-        j -= 1;
+    while last > first && plane(last) > max {
+        last -= 1;
     }
-    (i, greatest_of(i, j))
+    (first, last.max(first))
 }
 
-fn greatest_of(a: u32, b: u32) -> u32 {
-    if a > b { a } else { b }
-}
-
-/// About `wanted` cells, as cubic as whole numbers allow: how many along each axis.
-fn resolution(bounds: Aabb, wanted: Real) -> Vec3 {
+/// Number of cells along each axis, as integers, for about `target` cells that are as cubic as possible.
+fn cells_per_axis(bounds: Aabb, target: Real) -> Vec3 {
     let extent = bounds.max - bounds.min;
     let longest = greatest(extent.x, greatest(extent.y, extent.z));
-    if !(longest > 0.0 && wanted > 1.0) {
+    if !(longest > 0.0 && target > 1.0) {
         return Vec3::ONE;
     }
     let extent = extent / longest;
-    // An axis that is shorter than a cell has one cell, and the others share what is wanted. The
-    // first round knows no more than that one axis alone would have all cells.
-    let mut open = [true; 3];
-    let mut per_length = wanted;
+    // An axis that is shorter than a cell gets one cell, and the other axes share the target. The first
+    // iteration assumes that one axis is divided into all cells.
+    let mut is_divided = [true; 3];
+    let mut cells_per_length = target;
     for _ in 0..3 {
         let (mut axes, mut product) = (0, 1.0);
-        for (open, side) in open.iter_mut().zip(extent.to_array()) {
-            *open &= side * per_length >= 1.0;
-            if *open {
+        for (is_divided, side) in is_divided.iter_mut().zip(extent.to_array()) {
+            *is_divided &= side * cells_per_length >= 1.0;
+            if *is_divided {
                 axes += 1;
                 product *= side;
             }
         }
-        per_length = if axes > 0 { powf(wanted / product, 1.0 / axes as Real) } else { 1.0 };
+        cells_per_length = if axes > 0 { powf(target / product, 1.0 / axes as Real) } else { 1.0 };
     }
-    let [x, y, z] = open;
-    let number = |side: Real, open: bool| {
-        let cells = floor(side * per_length + 0.5);
-        if !open || !(cells > 1.0) {
+    let [x, y, z] = is_divided;
+    let count = |side: Real, is_divided: bool| {
+        let cells = floor(side * cells_per_length + 0.5);
+        if !is_divided || !(cells > 1.0) {
             1.0
-        } else if cells < MOST_CELLS {
+        } else if cells < MAX_CELLS_PER_AXIS {
             cells
         } else {
-            MOST_CELLS
+            MAX_CELLS_PER_AXIS
         }
     };
-    vec3(number(extent.x, x), number(extent.y, y), number(extent.z, z))
+    vec3(count(extent.x, x), count(extent.y, y), count(extent.z, z))
 }

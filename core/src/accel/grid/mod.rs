@@ -1,127 +1,97 @@
-//! Uniform grid, walked cell by cell along the ray.
+//! Uniform grid, traversed cell by cell along the ray.
 //!
-//! The box of the scene is cut into equal cells; each cell lists the items whose boxes touch it.
-//! A walk keeps, for each axis, the distance of the next wall, and steps over the nearest one. It
-//! ends when that wall lies beyond the query's reach.
+//! The bounds of the scene are divided into equal cells; each cell lists the items whose bounds overlap it.
+//! Traversal keeps, per axis, the `t` of the next cell plane and steps over the nearest one. It ends when
+//! that `t` exceeds `t_max`.
 //!
-//! An item may lie in many cells and be offered again; the mailbox makes this rare and the
+//! An item may overlap many cells and be passed to the query again; the mailbox makes this rare, and the
 //! [`Query`] contract makes it harmless.
 //!
-//! A grid suits items of about one size, evenly spread. Where many small items lie close together
-//! in a large scene, most of them share a cell, whatever the resolution: an octree or a hierarchy
-//! goes to where the items are.
+//! A grid suits items of similar size that are evenly spread. Where many small items lie close together in a
+//! large scene, most of them share a cell at every resolution; an octree or a BVH adapts to such scenes.
+//!
+//! [`Query`]: super::Query
 
+mod axis;
 mod build;
 #[cfg(not(feature = "double"))]
 mod parts;
-mod walk;
+mod traverse;
 
 pub use build::GridRoom;
 #[cfg(not(feature = "double"))]
 pub(crate) use parts::GridParts;
 
-use core::ops::ControlFlow;
-
+use super::BuildError;
 use super::cell_planes::CellPlanes;
-use super::mailbox::{Mailbox, MailboxQuery};
-use super::{Accelerator, BuildError, Query, Regions};
-use crate::geometry::{Aabb, Ray};
-use crate::math::Real;
+use crate::geometry::Aabb;
 
-/// A uniform grid in lent memory; walks remember the items of a ray in `MAILBOX` slots.
+/// A uniform grid in caller-provided buffers, whose traversal uses a mailbox of `MAILBOX_ENTRIES` entries.
 ///
-/// * Shape: `MAILBOX` is zero or a power of two.
-/// * Memory: 4 bytes per cell, and 4 per entry: an item has one in each cell that its box touches.
+/// * `MAILBOX_ENTRIES` is zero or a power of two.
+/// * Memory: 4 bytes per cell, and 4 bytes per entry; an item has an entry in each cell that its bounds
+///   overlap.
 #[derive(Clone, Copy, Debug)]
-pub struct Grid<'s, const MAILBOX: usize> {
-    /// The smallest box round all items.
+pub struct Grid<'s, const MAILBOX_ENTRIES: usize> {
+    /// Union of the bounds of all items.
     bounds: Aabb,
-    walls: CellPlanes,
-    /// How many cells there are along each axis.
-    cells: [u32; 3],
-    /// For each cell, where its items begin; they end where those of the next one begin. The
-    /// cells lie in rows along the first axis, the rows in layers.
-    starts: &'s [u32],
-    /// The items of the cells, one cell after the other.
-    items: &'s [u32],
-    /// The boxes of all items, by their numbers; or none.
-    boxes: &'s [Aabb],
+    planes: CellPlanes,
+    /// Number of cells along each axis.
+    resolution: [u32; 3],
+    /// Index of each cell's first entry; its entries end where those of the next cell begin. Cells are in
+    /// rows along the x axis, rows in layers along y, layers along z.
+    cell_starts: &'s [u32],
+    /// Item indices of the cells, one cell after the other.
+    entries: &'s [u32],
+    /// Bounds by item index, or empty.
+    item_bounds: &'s [Aabb],
 }
 
-impl<'s, const MAILBOX: usize> Grid<'s, MAILBOX> {
-    /// The same grid, walked with a mailbox of another size.
-    pub const fn with_mailbox<const SLOTS: usize>(self) -> Grid<'s, SLOTS> {
-        let Grid { bounds, walls, cells, starts, items, boxes } = self;
-        Grid { bounds, walls, cells, starts, items, boxes }
+impl<'s, const MAILBOX_ENTRIES: usize> Grid<'s, MAILBOX_ENTRIES> {
+    /// The same grid with a mailbox of another size.
+    pub const fn with_mailbox<const ENTRIES: usize>(self) -> Grid<'s, ENTRIES> {
+        let Grid { bounds, planes, resolution, cell_starts, entries, item_bounds } = self;
+        Grid { bounds, planes, resolution, cell_starts, entries, item_bounds }
     }
 
-    /// The same grid, but it gives back the boxes: it takes less memory, and each item of a cell is
-    /// tested, whether the ray comes near it or not.
+    /// The same grid without the bounds of items: it needs less memory, but each item of a cell is tested,
+    /// whether the ray hits its bounds or not.
     pub const fn without_boxes(self) -> Self {
-        Grid { boxes: &[], ..self }
+        Grid { item_bounds: &[], ..self }
     }
 
-    /// How many cells there are along each axis.
+    /// Number of cells along each axis.
     pub const fn cells(&self) -> [u32; 3] {
-        self.cells
+        self.resolution
     }
 
-    /// How many cells there are.
+    /// Number of cells.
     pub const fn regions(&self) -> usize {
-        self.starts.len().saturating_sub(1)
+        self.cell_starts.len().saturating_sub(1)
     }
 
-    /// How many items all cells list, each counted in each cell.
+    /// Number of entries of all cells; an item counts once per cell that lists it.
     pub const fn entries(&self) -> usize {
-        self.items.len()
+        self.entries.len()
     }
 
-    /// The memory it uses, in bytes.
+    /// Size of all buffers that it uses, in bytes.
     pub const fn bytes(&self) -> usize {
-        size_of_val(self.starts) + size_of_val(self.items) + size_of_val(self.boxes)
+        size_of_val(self.cell_starts) + size_of_val(self.entries) + size_of_val(self.item_bounds)
     }
 
-    /// The items of a cell.
+    /// Indices of the items in a cell.
     #[inline(always)]
-    fn items_of(&self, cell: usize) -> &[u32] {
-        let start = self.starts.get(cell).copied().unwrap_or(0) as usize;
-        let end = self.starts.get(cell.wrapping_add(1)).copied().unwrap_or(0) as usize;
-        self.items.get(start..end).unwrap_or(&[])
+    fn cell_entries(&self, cell: usize) -> &[u32] {
+        let start = self.cell_starts.get(cell).copied().unwrap_or(0) as usize;
+        let end = self.cell_starts.get(cell.wrapping_add(1)).copied().unwrap_or(0) as usize;
+        self.entries.get(start..end).unwrap_or(&[])
     }
 }
 
-impl<const MAILBOX: usize> Accelerator for Grid<'_, MAILBOX> {
-    type Scratch = Mailbox<MAILBOX>;
-
-    /// Not inlined: a walk has registers of its own.
-    #[inline(never)]
-    fn walk<Q: Query>(&self, ray: &Ray, mailbox: &mut Mailbox<MAILBOX>, query: &mut Q) {
-        query.boxes(1);
-        let Some(span) = self.bounds.span(ray) else { return };
-        mailbox.begin_ray();
-        let reach = query.reach();
-        let asking = MailboxQuery { ray, item_bounds: self.boxes, mailbox, query };
-        self.along(ray, span, reach, &mut Cells { grid: self, asking });
-    }
-}
-
-/// The cells along a ray, whose items are offered.
-struct Cells<'a, Q, const MAILBOX: usize> {
-    grid: &'a Grid<'a, MAILBOX>,
-    asking: MailboxQuery<'a, Q, MAILBOX>,
-}
-
-impl<Q: Query, const MAILBOX: usize> Regions<usize> for Cells<'_, Q, MAILBOX> {
-    #[inline(always)]
-    fn enter(&mut self, cell: usize) -> ControlFlow<(), Real> {
-        self.asking.test_items(self.grid.items_of(cell))
-    }
-}
-
-/// Memory for a grid, of a size known when compiled.
+/// Buffers for a grid, of a size known at compile time.
 ///
-/// `CELLS` and `ENTRIES` are at least those of a [`GridRoom`], which can be computed in a `const`
-/// at the place of use:
+/// `CELLS` and `ENTRIES` are at least those of a [`GridRoom`], which can be computed in a constant:
 ///
 /// ```
 /// use strahl_core::{Aabb, GridRoom, StaticGrid, Vec3};
@@ -136,22 +106,26 @@ impl<Q: Query, const MAILBOX: usize> Regions<usize> for Cells<'_, Q, MAILBOX> {
 /// ```
 #[derive(Clone, Debug)]
 pub struct StaticGrid<const CELLS: usize, const ENTRIES: usize> {
-    starts: [u32; CELLS],
-    items: [u32; ENTRIES],
+    cell_starts: [u32; CELLS],
+    entries: [u32; ENTRIES],
 }
 
 impl<const CELLS: usize, const ENTRIES: usize> StaticGrid<CELLS, ENTRIES> {
-    /// Memory with nothing in it.
+    /// Empty buffers.
     pub const fn new() -> Self {
-        StaticGrid { starts: [0; CELLS], items: [0; ENTRIES] }
+        StaticGrid { cell_starts: [0; CELLS], entries: [0; ENTRIES] }
     }
 
-    /// The grid of the items inside `boxes`, as [`Grid::build`].
-    pub fn build<'s, const MAILBOX: usize>(
+    /// Builds the grid of the items with these bounds, as [`Grid::build`] does.
+    ///
+    /// # Errors
+    ///
+    /// Those of [`Grid::build`].
+    pub fn build<'s, const MAILBOX_ENTRIES: usize>(
         &'s mut self,
-        boxes: &'s [Aabb],
-    ) -> Result<Grid<'s, MAILBOX>, BuildError> {
-        Grid::build(boxes, &mut self.starts, &mut self.items)
+        bounds: &'s [Aabb],
+    ) -> Result<Grid<'s, MAILBOX_ENTRIES>, BuildError> {
+        Grid::build(bounds, &mut self.cell_starts, &mut self.entries)
     }
 }
 

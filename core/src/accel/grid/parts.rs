@@ -1,11 +1,11 @@
-//! A grid in parts, as a baked scene holds it.
+//! Conversion between a grid and the tables of a baked scene.
 
 use super::Grid;
 use crate::accel::cell_planes::CellPlanes;
 use crate::geometry::Aabb;
 use crate::math::{Real, vec3};
 
-/// What makes a grid, and nothing that follows from it.
+/// The data of a grid that a baked scene stores.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct GridParts<'s> {
     pub(crate) bounds: Aabb,
@@ -14,25 +14,32 @@ pub(crate) struct GridParts<'s> {
     pub(crate) items: &'s [u32],
 }
 
-impl<'s, const MAILBOX: usize> Grid<'s, MAILBOX> {
+impl<'s, const MAILBOX_ENTRIES: usize> Grid<'s, MAILBOX_ENTRIES> {
     pub(crate) const fn parts(&self) -> GridParts<'s> {
-        GridParts { bounds: self.bounds, cells: self.cells, starts: self.starts, items: self.items }
+        GridParts {
+            bounds: self.bounds,
+            cells: self.resolution,
+            starts: self.cell_starts,
+            items: self.entries,
+        }
     }
 
-    /// The grid of parts, for a scene of `count` items; none when an index is out of range.
+    /// The grid of these parts, for a scene of `count` items. `None` if an index is out of range or the lists
+    /// of the cells do not follow each other.
     pub(crate) fn from_parts(parts: GridParts<'s>, count: u32) -> Option<Self> {
-        let GridParts { bounds, cells, starts, items } = parts;
-        let [x, y, z] = cells;
-        let product = x.checked_mul(y)?.checked_mul(z)?;
-        let fits = product > 0 && starts.len() == product.checked_add(1)? as usize;
-        let rises = starts.iter().zip(starts.iter().skip(1)).all(|(a, b)| a <= b);
-        let ends = starts.last().is_some_and(|end| *end as usize == items.len());
-        let known = items.iter().all(|item| *item < count);
-        if !(fits && rises && ends && known && (bounds.is_finite() || items.is_empty())) {
+        let GridParts { bounds, cells: resolution, starts: cell_starts, items: entries } = parts;
+        let [x, y, z] = resolution;
+        let cell_count = x.checked_mul(y)?.checked_mul(z)?;
+        let is_complete = cell_count > 0 && cell_starts.len() == cell_count.checked_add(1)? as usize;
+        let is_sorted = cell_starts.iter().zip(cell_starts.iter().skip(1)).all(|(a, b)| a <= b);
+        let ends_with_entries = cell_starts.last().is_some_and(|end| *end as usize == entries.len());
+        let are_in_range = entries.iter().all(|item| *item < count);
+        let has_bounds = bounds.is_finite() || entries.is_empty();
+        if !(is_complete && is_sorted && ends_with_entries && are_in_range && has_bounds) {
             return None;
         }
-        let around = if items.is_empty() { Aabb::POINT } else { bounds };
-        let walls = CellPlanes::new(around, vec3(x as Real, y as Real, z as Real));
-        Some(Grid { bounds, walls, cells, starts, items, boxes: &[] })
+        let divided = if entries.is_empty() { Aabb::POINT } else { bounds };
+        let planes = CellPlanes::new(divided, vec3(x as Real, y as Real, z as Real));
+        Some(Grid { bounds, planes, resolution, cell_starts, entries, item_bounds: &[] })
     }
 }
