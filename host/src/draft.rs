@@ -1,8 +1,8 @@
 //! A quick coarse picture, to look at before the full one is there.
 
 use strahl_core::{Rgb, Size};
+use strahl_picture::Picture;
 
-use crate::picture::Picture;
 use crate::wanted::{Filter, Sampling, Wanted};
 
 /// This many pixels of the full picture along one side are one of the draft.

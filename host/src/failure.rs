@@ -4,6 +4,8 @@ use std::fmt;
 use std::io;
 use std::path::{Path, PathBuf};
 
+use strahl_picture::FormatError;
+
 use crate::faults::Faults;
 use crate::stop::Stop;
 
@@ -109,3 +111,9 @@ impl fmt::Display for Failure {
 }
 
 impl std::error::Error for Failure {}
+
+impl From<FormatError> for Failure {
+    fn from(error: FormatError) -> Self {
+        Failure::Usage(error.to_string())
+    }
+}

@@ -3,11 +3,11 @@
 use std::time::{Duration, Instant};
 
 use strahl_core::{EffectSet, Scene, Shape};
+use strahl_picture::Picture;
 
 use crate::counts::Counts;
 use crate::description::Description;
 use crate::finding::{self, Finding};
-use crate::picture::Picture;
 use crate::plan::asked_by;
 use crate::precision::Precision;
 use crate::progress::Watch;

@@ -17,10 +17,10 @@ use embedded_graphics::pixelcolor::{Rgb888, RgbColor};
 use embedded_graphics::text::{Alignment, Text};
 use exr::prelude::{AnyChannel, AnyChannels, FlatSamples, Image, Layer, LayerAttributes, WritableImage as _};
 use strahl_core::{RayKind, Size, Tile};
+use strahl_picture::colormap::inferno;
+use strahl_picture::format::EXR_ENCODING;
+use strahl_picture::{Picture, srgb};
 
-use crate::colormap::inferno;
-use crate::picture::format::EXR_ENCODING;
-use crate::picture::{Picture, srgb};
 use crate::sheet::{self, Cost, Sheet};
 use crate::stats::ray_name;
 

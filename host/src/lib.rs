@@ -42,8 +42,7 @@
 //! | [`double`] | `accelerators`, `draw`, `hits`, `job`, `passes` and `workers` for the twin in double precision |
 //! | [`counts`] | how often everything happened |
 //! | [`draft`] | a coarse picture before the full one |
-//! | [`picture`] | linear pictures, their digest, and files of them |
-//! | [`colormap`] | differences to colours |
+//! | [`pixels`] | picture files that a command reads |
 //! | [`output`] | files that are complete or absent |
 //! | [`plan`] | what a scene asks to be simulated, and why |
 //! | [`stats`] | what was counted and measured |
@@ -70,7 +69,6 @@ pub mod args;
 pub mod bake;
 pub mod cast;
 pub mod choose;
-pub mod colormap;
 pub mod compare;
 pub mod cost;
 pub mod counts;
@@ -94,7 +92,7 @@ pub mod mask;
 pub mod output;
 pub mod pace;
 pub mod passes;
-pub mod picture;
+pub mod pixels;
 pub mod plan;
 pub mod precision;
 pub mod procedural;

@@ -7,6 +7,7 @@ use std::sync::Arc;
 use std::time::{Duration, Instant};
 
 use strahl_core::Tile;
+use strahl_picture::{Format, Picture};
 
 use crate::aim::error::{Fixed, Goal};
 use crate::aim::time::Limit;
@@ -20,7 +21,7 @@ use crate::heat::{self, Costs};
 use crate::load::{Files, load_from};
 use crate::mask::Mask;
 use crate::output::{Guard, Output, refuse_terminal, say, tell};
-use crate::picture::{self, Format, Picture};
+use crate::pixels;
 use crate::plan::{Step, leave_out, plan};
 use crate::progress::Watch;
 use crate::settings;
@@ -109,7 +110,10 @@ impl<'a> Job<'a> {
         // Before the work, so that nothing is traced that cannot be kept.
         let mut guard = Guard::of(&scene.inputs);
         let output = guard.prepare(path)?;
-        let report = self.report.as_ref().map(|(form, path)| Ok((form, guard.prepare(path)?))).transpose()?;
+        let report = match &self.report {
+            Some((form, path)) => Some((form, guard.prepare(path)?)),
+            None => None,
+        };
         let heat = aim.cost.as_ref().map(|place| Heat::prepare(place, &mut guard)).transpose()?;
 
         let Loaded { description, left_out, took: load, .. } = scene;
@@ -286,7 +290,7 @@ fn wanted(args: &RenderArgs, scene: &Loaded, counted: bool) -> Result<Wanted, Fa
 
 /// The pixels that are white in the picture at `path`.
 fn mask(files: &Files, path: &Path) -> Result<Arc<Mask>, Failure> {
-    let pixels = picture::read::read_from(files, path)?;
+    let pixels = pixels::read(files, path)?;
     Ok(Arc::new(Mask { size: pixels.size, pixels: pixels.values.are_white() }))
 }
 

@@ -13,8 +13,6 @@ use std::error::Error;
 use std::path::Path;
 use std::process::ExitCode;
 
-use strahl::compare::pair::Pair;
-use strahl::picture::read::Values;
 use strahl::progress::Watch;
 use strahl::sampling::{Agreement, Selecting};
 use strahl::signals::Signals;
@@ -23,6 +21,8 @@ use strahl_core::{
     Bare, Camera, Everything, Limits, Pixel, RayKind, Rgb, Sample, Sampler, Sight, Size, Stream, Tile,
     Tracer, Worker, World, render,
 };
+use strahl_picture::Values;
+use strahl_picture::difference::Pair;
 
 /// The scenes, and what is hard in them.
 const SCENES: [(&str, &str); 4] = [

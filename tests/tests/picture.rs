@@ -19,7 +19,6 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 use strahl::finding::{Bounds, Finding};
-use strahl::picture::{Format, Picture};
 use strahl::progress::Watch;
 use strahl::sampling::Agreement;
 use strahl::signals::Signals;
@@ -28,6 +27,7 @@ use strahl_core::{
     Camera, Effects, Everything, Frame, Limits, List, Rgb, Scene, Single, Size, Tile, Tracer, Worker, World,
     render,
 };
+use strahl_picture::{Format, Picture};
 
 #[path = "../firmware/src/scene.rs"]
 mod constants;

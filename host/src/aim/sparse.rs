@@ -7,9 +7,9 @@
 use std::sync::Arc;
 
 use strahl_core::{Dimension, Pixel, Rgb, Size, Stream, Tile};
+use strahl_picture::srgb::encode;
 
 use crate::mask::Mask;
-use crate::picture::srgb::encode;
 use crate::sheet::{Chosen, Sheet};
 use crate::wanted::Wanted;
 

@@ -9,12 +9,12 @@
 use std::time::{Duration, Instant};
 
 use strahl_core::Rgb;
+use strahl_picture::{Format, Picture};
 
 use super::{Aimed, Target};
 use crate::description::Description;
 use crate::frame::{self, Frame};
 use crate::pace::{Outlook, Pace, Pass, Took};
-use crate::picture::{Format, Picture};
 use crate::progress::Watch;
 use crate::sampling::{Agreement, Confidence, Sampling, Selecting};
 use crate::studio::NoFrame;

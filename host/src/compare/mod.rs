@@ -5,31 +5,24 @@
 //! their largest linear difference is told beside it; an EXR file beside another format is
 //! rounded as it would be if it were written in that format.
 //!
-//! | room | what it does |
-//! |---|---|
-//! | [`pair`] | two files become two pictures of one kind |
-//! | [`measure`] | the measures that look at each pixel for itself |
-//! | [`ssim`] | the measure that looks at structure |
-//! | [`report`] | what is told |
+//! The measures are those of [`strahl_picture::difference`]; [`report`] is what is told of them.
 
 use std::path::Path;
 
 use strahl_core::Size;
+use strahl_picture::colormap::{inferno, step_of};
+use strahl_picture::difference::Pair;
+use strahl_picture::{Format, Picture, Pixels, srgb};
 
 use crate::args::CompareArgs;
-use crate::colormap::{inferno, step_of};
 use crate::failure::{Answer, Failure};
+use crate::load::Files;
 use crate::output::{Guard, Output};
-use crate::picture::read::{Pixels, read};
-use crate::picture::{Format, Picture, srgb};
+use crate::pixels;
 use crate::wrap::{width_of_stdout, wrapped};
-use pair::Pair;
 use report::Report;
 
-pub mod measure;
-pub mod pair;
 pub mod report;
-pub mod ssim;
 
 /// Compares two pictures.
 pub fn run(args: &CompareArgs) -> Result<Answer, Failure> {
@@ -42,8 +35,9 @@ pub fn run(args: &CompareArgs) -> Result<Answer, Failure> {
     }
     let format = args.output.as_deref().map(Format::of).transpose()?;
 
-    let first = read(&args.first)?;
-    let second = read(&args.second)?;
+    let files = Files::on_disk();
+    let first = pixels::read(&files, &args.first)?;
+    let second = pixels::read(&files, &args.second)?;
     let size = same_size(args, &first, &second)?;
     let pair = Pair::of(first.values, second.values);
     let report = Report::new(args, size, &pair);

@@ -4,9 +4,8 @@ use std::fmt::Write as _;
 
 use serde::Serialize;
 use strahl_core::Size;
+use strahl_picture::difference::{Color, Limit, Pair, Peak};
 
-use super::measure::{Color, Limit, Peak};
-use super::pair::Pair;
 use crate::amount::amount;
 use crate::args::CompareArgs;
 

@@ -6,19 +6,17 @@ use std::sync::Arc;
 use std::time::{Duration, Instant};
 
 use strahl_core::{Rgb, Size};
+use strahl_picture::difference::{Limit, Pair};
+use strahl_picture::{Picture, Values};
 
 use super::meter::Meter;
 use super::options::Options;
 use super::plan::time;
 use super::record::{Errors, Role, Run};
-use crate::compare::measure::Limit;
-use crate::compare::pair::Pair;
 use crate::cost::{WEIGHTS, record};
 use crate::description::Description;
 use crate::failure::Failure;
 use crate::frame::{self, Frame};
-use crate::picture::Picture;
-use crate::picture::read::Values;
 use crate::plan::leave_out;
 use crate::progress::Watch;
 use crate::sheet::{Cost, Sheet};

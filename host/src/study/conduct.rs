@@ -8,6 +8,7 @@
 //! all settings alike.
 
 use strahl_core::Limits;
+use strahl_picture::Picture;
 
 use super::afford;
 use super::bench::{Bench, Taken, errors, mean};
@@ -19,7 +20,6 @@ use super::plan::{FINER, Plan, finer, time};
 use super::record::{Errors, Knob, LeftOut, Reference, Role, Technique};
 use super::techniques;
 use crate::failure::Failure;
-use crate::picture::Picture;
 use crate::plan::Effect;
 use crate::sampling::Sampling;
 

@@ -3,15 +3,15 @@
 use base64::Engine as _;
 use base64::engine::general_purpose::STANDARD;
 use strahl_core::Size;
+use strahl_picture::colormap::{inferno, step_of};
+use strahl_picture::{Format, Picture, srgb};
 
 use super::bench::pair;
 use super::conduct::{Conduct, Truth};
 use super::front::{Point, cheapest_within, front};
 use super::record::{Image, Role, Shows};
-use crate::colormap::{inferno, step_of};
 use crate::cost::{Counts, WEIGHTS};
 use crate::failure::Failure;
-use crate::picture::{Format, Picture, srgb};
 use crate::sheet::Cost;
 
 /// Errors for which the cheapest setting is recommended.

@@ -100,11 +100,11 @@ fn an_exr_file_holds_every_float_that_there_is() {
         [f32::INFINITY, f32::NEG_INFINITY, 1e6],
         [f32::NAN, -f32::NAN, f32::from_bits(0x7f80_0001)],
     ];
-    let picture = strahl::picture::Picture {
+    let picture = strahl_picture::Picture {
         size: strahl_core::Size::new(2, 2).unwrap(),
         colors: colors.map(|[r, g, b]| strahl_core::Rgb::new(r, g, b)).to_vec(),
     };
-    let file = strahl::picture::Format::Exr.encode(&picture).unwrap();
+    let file = strahl_picture::Format::Exr.encode(&picture).unwrap();
     let floats = image::load_from_memory(&file).unwrap().into_rgb32f();
     let bits = |values: &[f32]| values.iter().map(|v| v.to_bits()).collect::<Vec<_>>();
     assert_eq!(bits(floats.as_raw()), bits(colors.as_flattened()));

@@ -2,10 +2,11 @@
 
 use maud::{Markup, html};
 
+use strahl_picture::colormap::{inferno, step_of};
+
 use super::super::record::{Image, Role, Shows, Study};
 use super::numbers::{error, percent, seconds};
 use super::options;
-use crate::colormap::{inferno, step_of};
 
 pub fn part(study: &Study) -> Markup {
     let of = |shows: Shows| study.pictures.iter().filter(move |it| it.shows == shows);

@@ -30,7 +30,7 @@ const C2: f64 = 0.03 * 0.03;
 ///
 /// A row of windows needs only the rows that it covers, so nothing as large as the pictures is
 /// made beside them. Rows are added in their order: the same number for any number of threads.
-pub fn ssim<C: Channel>(a: &[[C; 3]], b: &[[C; 3]], width: usize, height: usize) -> f64 {
+pub(super) fn ssim<C: Channel>(a: &[[C; 3]], b: &[[C; 3]], width: usize, height: usize) -> f64 {
     let across: Vec<Window> = (0..width).map(|x| Window::at(x, width)).collect();
     let rows = (0..height).into_par_iter().map(|y| row(a, b, width, &Window::at(y, height), &across));
     let rows: Vec<f64> = rows.collect();
@@ -114,8 +114,8 @@ mod tests {
     }
 
     /// Numbers without a pattern, the same in every run.
-    fn noise(seed: u32, count: usize) -> Vec<[f32; 3]> {
-        let mut state = seed;
+    fn noise(first: u32, count: usize) -> Vec<[f32; 3]> {
+        let mut state = first;
         let mut next = || {
             state = state.wrapping_mul(1_664_525).wrapping_add(1_013_904_223);
             (state >> 8) as f32 / (1 << 24) as f32

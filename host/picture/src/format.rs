@@ -2,8 +2,10 @@
 //!
 //! Equal pictures make equal files: no file holds a date, a name, or anything but the picture.
 
+use std::error::Error;
+use std::fmt;
 use std::io::Cursor;
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
 use exr::prelude::{
     Blocks, Compression, Encoding, Image, LineOrder, SpecificChannels, Vec2, WritableImage as _,
@@ -11,8 +13,7 @@ use exr::prelude::{
 use image::{ExtendedColorType, ImageEncoder, ImageError, codecs};
 use strahl_core::Size;
 
-use super::Picture;
-use crate::failure::Failure;
+use crate::Picture;
 
 /// A format of picture files.
 ///
@@ -37,9 +38,12 @@ pub enum Format {
 /// How much of the picture a JPEG keeps, of 100.
 const JPEG_QUALITY: u8 = 95;
 
+/// The most pixels along a side of a JPEG.
+const JPEG_SIDE: u32 = u16::MAX as u32;
+
 /// ZIP in blocks of 16 lines, which every reader of EXR knows. (The run lengths that `image`
 /// would write make files larger than none at all.)
-pub(crate) const EXR_ENCODING: Encoding = Encoding {
+pub const EXR_ENCODING: Encoding = Encoding {
     compression: Compression::ZIP16,
     blocks: Blocks::ScanLines,
     line_order: LineOrder::Increasing,
@@ -60,7 +64,7 @@ const EXTENSIONS: &[(&str, Format)] = &[
 impl Format {
     /// The format that the extension of `path` names; for the standard output, a pipe or a device
     /// without one PNG.
-    pub fn of(path: &Path) -> Result<Self, Failure> {
+    pub fn of(path: &Path) -> Result<Self, FormatError> {
         if path == Path::new("-") {
             return Ok(Format::Png);
         }
@@ -70,18 +74,14 @@ impl Format {
         }
         match extension {
             "" if path.metadata().is_ok_and(|found| !found.is_file() && !found.is_dir()) => Ok(Format::Png),
-            _ => Err(Failure::Usage(format!(
-                "{} names no picture format; the extension must be .png, .ppm, .qoi, .jpg, .tif or .exr",
-                path.display()
-            ))),
+            _ => Err(FormatError::UnknownExtension(path.to_owned())),
         }
     }
 
     /// Whether a picture of this size can be written at all.
-    pub fn holds(self, size: Size) -> Result<(), Failure> {
-        let most = u32::from(u16::MAX);
-        if self == Format::Jpeg && (size.width() > most || size.height() > most) {
-            return Err(Failure::Usage(format!("a side of a JPEG has at most {most} pixels")));
+    pub fn holds(self, size: Size) -> Result<(), FormatError> {
+        if self == Format::Jpeg && (size.width() > JPEG_SIDE || size.height() > JPEG_SIDE) {
+            return Err(FormatError::TooLargeForJpeg);
         }
         Ok(())
     }
@@ -106,6 +106,31 @@ impl Format {
         Ok(file.into_inner())
     }
 }
+
+/// Why a picture cannot be written in a format.
+#[derive(Clone, Debug, PartialEq, Eq)]
+#[non_exhaustive]
+pub enum FormatError {
+    /// The extension of this file names no format.
+    UnknownExtension(PathBuf),
+    /// A side is longer than a JPEG can have.
+    TooLargeForJpeg,
+}
+
+impl fmt::Display for FormatError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            FormatError::UnknownExtension(path) => write!(
+                f,
+                "{} names no picture format; the extension must be .png, .ppm, .qoi, .jpg, .tif or .exr",
+                path.display()
+            ),
+            FormatError::TooLargeForJpeg => write!(f, "a side of a JPEG has at most {JPEG_SIDE} pixels"),
+        }
+    }
+}
+
+impl Error for FormatError {}
 
 fn eight_bits(encoder: impl ImageEncoder, picture: &Picture) -> Result<(), ImageError> {
     let (width, height) = (picture.size.width(), picture.size.height());

@@ -5,8 +5,8 @@ use strahl_core::{Rgb, Size};
 
 use super::measure::{Channel, Limit, Measures, Peak, differences, measure};
 use super::ssim::ssim;
-use crate::picture::read::Values;
-use crate::picture::srgb;
+use crate::read::Values;
+use crate::srgb;
 
 /// Two pictures of one size.
 #[derive(Debug)]

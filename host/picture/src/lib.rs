@@ -1,23 +1,30 @@
-//! Linear pictures, their digest, and files of them.
+//! Linear pictures of strahl: their digest, files of them, and how two of them differ.
 //!
 //! Inside, a picture is linear light. Files of eight bits hold it in the encoding of sRGB
 //! (IEC 61966-2-1, the exact curve with its straight part, not a power of 2.2), cut off at 0 and
 //! 1; OpenEXR holds the linear floats themselves.
 //!
-//! | room | what it does |
+//! | module | what it does |
 //! |---|---|
 //! | [`srgb`] | the encoding |
 //! | [`format`](mod@format) | pictures to files |
 //! | [`read`] | files to pixels |
+//! | [`difference`] | how two pictures differ |
+//! | [`colormap`] | differences to colours |
+//!
+//! This package knows no scene, no setting and no tracer, and reads and writes bytes, never paths.
 
 use rayon::prelude::*;
 use strahl_core::{Rgb, Size};
 
+pub mod colormap;
+pub mod difference;
 pub mod format;
 pub mod read;
 pub mod srgb;
 
-pub use format::Format;
+pub use format::{Format, FormatError};
+pub use read::{DecodeError, Pixels, Values, decode};
 
 /// Linear light, row by row.
 #[derive(Clone, Debug, PartialEq)]

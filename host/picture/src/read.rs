@@ -4,16 +4,12 @@
 //! of eight and of sixteen bits are taken as sRGB, floats as linear light.
 
 use std::error::Error;
-use std::io::{self, Cursor, Read};
-use std::path::Path;
+use std::fmt;
+use std::io::Cursor;
 
 use exr::meta::{BlockDescription, MetaData};
 use image::{DynamicImage, ImageDecoder, ImageFormat, ImageReader, Limits};
 use strahl_core::{Rgb, Size};
-
-use crate::args::MOST_PIXELS;
-use crate::failure::Failure;
-use crate::load::Files;
 
 /// The pixels of a file, as exactly as it has them.
 #[derive(Clone, Debug, PartialEq)]
@@ -62,68 +58,97 @@ const READ: &str = "PNG, PPM, QOI, JPEG, TIFF, EXR";
 /// So a short file that claims to be a huge picture is known for what it is.
 const DENSEST: u64 = 4096;
 
-/// Reads the picture at `path`; `-` is the standard input.
-pub fn read(path: &Path) -> Result<Pixels, Failure> {
-    read_from(&Files::on_disk(), path)
+/// Why bytes are no picture that can be compared.
+#[derive(Clone, Debug, PartialEq, Eq)]
+#[non_exhaustive]
+pub enum DecodeError {
+    /// They are in no format that is known.
+    UnknownFormat,
+    /// They are in a format that is not read, which has this extension.
+    UnreadFormat(String),
+    /// The decoder gives up, for this reason.
+    Broken(String),
+    /// The picture has no pixels or too many.
+    Size {
+        /// Pixels along the upper side, as the file has it.
+        width: u32,
+        /// Pixels along the left side.
+        height: u32,
+        /// The most pixels that were allowed.
+        most: u64,
+    },
+    /// Some pixels are transparent, and so have no colour.
+    Transparent,
 }
 
-/// The same from these files.
-pub fn read_from(files: &Files, path: &Path) -> Result<Pixels, Failure> {
-    let bytes = if path == Path::new("-") { stdin() } else { files.read(path) };
-    let bytes = bytes.map_err(|error| Failure::Unreadable { path: path.to_owned(), error })?;
-    decode(&bytes).map_err(|reason| Failure::Input { path: path.to_owned(), line: None, reason })
+impl DecodeError {
+    /// Without the bytes that some decoders quote: they may be anything.
+    fn broken(error: impl Error) -> Self {
+        let printable = |c: char| if c.is_control() { ' ' } else { c };
+        DecodeError::Broken(error.to_string().chars().map(printable).collect())
+    }
 }
 
-/// The pixels of a file with these bytes, or why it has none.
-pub fn decode(bytes: &[u8]) -> Result<Pixels, String> {
-    let reader = ImageReader::new(Cursor::new(bytes)).with_guessed_format().map_err(|e| e.to_string())?;
+impl fmt::Display for DecodeError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            DecodeError::UnknownFormat => write!(f, "not a picture of a known format ({READ})"),
+            DecodeError::UnreadFormat(name) => write!(f, "{name} is not read; the formats that are: {READ}"),
+            DecodeError::Broken(reason) => write!(f, "broken: {reason}"),
+            DecodeError::Size { width, height, most } => write!(
+                f,
+                "{width} x {height}, but a picture has 1 to {most} pixels, at most {} to a side",
+                Size::MOST
+            ),
+            DecodeError::Transparent => {
+                f.write_str("some pixels are transparent, and so have no colour to compare")
+            }
+        }
+    }
+}
+
+impl Error for DecodeError {}
+
+/// The pixels of a file with these bytes, of which there may be `most`.
+pub fn decode(bytes: &[u8], most: u64) -> Result<Pixels, DecodeError> {
+    let reader = ImageReader::new(Cursor::new(bytes)).with_guessed_format().map_err(DecodeError::broken)?;
     let Some(format) = reader.format() else {
-        return Err(format!("not a picture of a known format ({READ})"));
+        return Err(DecodeError::UnknownFormat);
     };
     if !format.reading_enabled() {
-        let name = format.extensions_str().first().unwrap_or(&"this").to_ascii_uppercase();
-        return Err(format!("{name} is not read; the formats that are: {READ}"));
+        let extension = format.extensions_str().first().unwrap_or(&"this");
+        return Err(DecodeError::UnreadFormat(extension.to_ascii_uppercase()));
     }
+    let cannot_hold = |what: String| DecodeError::Broken(format!("{} bytes cannot hold {what}", bytes.len()));
     if reader.format() == Some(ImageFormat::OpenExr) && exr_needs(bytes)? / DENSEST > bytes.len() as u64 {
-        return Err(format!("broken: {} bytes cannot hold what its header claims", bytes.len()));
+        return Err(cannot_hold("what its header claims".into()));
     }
-    let mut decoder = reader.into_decoder().map_err(broken)?;
+    let mut decoder = reader.into_decoder().map_err(DecodeError::broken)?;
 
     // The size, before anything of that size is made.
     let (width, height) = decoder.dimensions();
     let size = Size::new(width, height)
-        .filter(|_| u64::from(width) * u64::from(height) <= MOST_PIXELS)
-        .ok_or_else(|| {
-            let most = Size::MOST;
-            format!(
-                "{width} x {height}, but a picture has 1 to {MOST_PIXELS} pixels, at most {most} to a side"
-            )
-        })?;
+        .filter(|_| u64::from(width) * u64::from(height) <= most)
+        .ok_or(DecodeError::Size { width, height, most })?;
     let needed = decoder.total_bytes();
     if needed / DENSEST > bytes.len() as u64 {
-        return Err(format!("broken: {} bytes cannot hold {width} x {height} pixels", bytes.len()));
+        return Err(cannot_hold(format!("{width} x {height} pixels")));
     }
     let mut limits = Limits::no_limits();
     limits.max_alloc = Some(2 * needed + (1 << 20));
-    decoder.set_limits(limits).map_err(broken)?;
+    decoder.set_limits(limits).map_err(DecodeError::broken)?;
 
-    let image = DynamicImage::from_decoder(decoder).map_err(broken)?;
+    let image = DynamicImage::from_decoder(decoder).map_err(DecodeError::broken)?;
     if !is_opaque(&image) {
-        return Err("some pixels are transparent, and so have no colour to compare".into());
+        return Err(DecodeError::Transparent);
     }
     Ok(Pixels { size, values: values(image) })
 }
 
-fn stdin() -> io::Result<Vec<u8>> {
-    let mut bytes = Vec::new();
-    io::stdin().lock().read_to_end(&mut bytes)?;
-    Ok(bytes)
-}
-
 /// Bytes for the largest layer of an EXR file, and for the largest block: they may be larger than
 /// the picture that is shown of it.
-fn exr_needs(bytes: &[u8]) -> Result<u64, String> {
-    let meta = MetaData::read_from_buffered(bytes, false).map_err(broken)?;
+fn exr_needs(bytes: &[u8]) -> Result<u64, DecodeError> {
+    let meta = MetaData::read_from_buffered(bytes, false).map_err(DecodeError::broken)?;
     let needed = meta.headers.iter().map(|header| {
         let (layer, lines) = (header.layer_size, header.compression.scan_lines_per_block());
         let block = match header.blocks {
@@ -138,12 +163,6 @@ fn exr_needs(bytes: &[u8]) -> Result<u64, String> {
         bytes(block).max(bytes((layer.width(), layer.height())))
     });
     Ok(needed.max().unwrap_or(0))
-}
-
-/// Without the bytes that some decoders quote: they may be anything.
-fn broken(error: impl Error) -> String {
-    let text: String = error.to_string().chars().map(|c| if c.is_control() { ' ' } else { c }).collect();
-    format!("broken: {text}")
 }
 
 fn values(image: DynamicImage) -> Values {

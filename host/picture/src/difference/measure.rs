@@ -4,7 +4,7 @@ use rayon::prelude::*;
 use serde::Serialize;
 
 /// One encoded channel of one pixel, in `[0, 1]`.
-pub trait Channel: Copy + Sync {
+pub(super) trait Channel: Copy + Sync {
     /// As a number; black for what is none.
     fn value(self) -> f64;
 
@@ -65,10 +65,10 @@ impl Color {
 
 impl Peak {
     /// No difference.
-    pub const NONE: Peak = Peak { difference: 0.0, x: 0, y: 0, channel: Color::Red };
+    pub(super) const NONE: Peak = Peak { difference: 0.0, x: 0, y: 0, channel: Color::Red };
 
     /// Looks at the differences of one more pixel.
-    pub fn raise(&mut self, x: usize, y: usize, differences: [f64; 3]) {
+    pub(super) fn raise(&mut self, x: usize, y: usize, differences: [f64; 3]) {
         for (channel, difference) in Color::ALL.into_iter().zip(differences) {
             if difference > self.difference {
                 *self = Peak { difference, x, y, channel };
@@ -97,7 +97,7 @@ pub struct Measures {
 /// Compares pixel by pixel; `differs` says whether the one at an index differs at all.
 ///
 /// Rows are added in their order, so that the sums are the same for any number of threads.
-pub fn measure<C: Channel>(
+pub(super) fn measure<C: Channel>(
     a: &[[C; 3]],
     b: &[[C; 3]],
     width: usize,
@@ -127,7 +127,7 @@ pub fn measure<C: Channel>(
 }
 
 /// The largest difference in each pixel.
-pub fn differences<C: Channel>(a: &[[C; 3]], b: &[[C; 3]]) -> Vec<f64> {
+pub(super) fn differences<C: Channel>(a: &[[C; 3]], b: &[[C; 3]]) -> Vec<f64> {
     a.iter().zip(b).map(|(a, b)| largest(channels(*a, *b))).collect()
 }
 

@@ -1,0 +1,27 @@
+//! Picture files that a command reads.
+
+use std::io::{self, Read};
+use std::path::Path;
+
+use strahl_picture::{Pixels, decode};
+
+use crate::args::MOST_PIXELS;
+use crate::failure::Failure;
+use crate::load::Files;
+
+/// Reads the picture at `path` from these files; `-` is the standard input.
+pub fn read(files: &Files, path: &Path) -> Result<Pixels, Failure> {
+    let bytes = if path == Path::new("-") { stdin() } else { files.read(path) };
+    let bytes = bytes.map_err(|error| Failure::Unreadable { path: path.to_owned(), error })?;
+    decode(&bytes, MOST_PIXELS).map_err(|error| Failure::Input {
+        path: path.to_owned(),
+        line: None,
+        reason: error.to_string(),
+    })
+}
+
+fn stdin() -> io::Result<Vec<u8>> {
+    let mut bytes = Vec::new();
+    io::stdin().lock().read_to_end(&mut bytes)?;
+    Ok(bytes)
+}
