@@ -1,176 +1,127 @@
-//! Octree: space is cut into eighths where there are many items, and walked by SMART.
+//! Octree, traversed by the SMART algorithm.
 //!
-//! The nodes lie in one array. The eight children of a node follow each other in the order of
-//! their Morton codes, and so do, depth first, the blocks of eight; a node knows the first of its
-//! children by its place, and nothing else points anywhere. The leaves list the items whose boxes
-//! touch them, in one array as well, in the same order.
+//! Space is divided into eight octants where there are many items. The nodes are in one array: the eight
+//! children of a node follow each other in the order of their Morton codes, and so do the groups of eight,
+//! depth first. A node stores the index of its first child; there are no other links. The leaves list the
+//! items whose bounds overlap them, in one array and in the same order.
 //!
-//! An octree is deep where items are small and close together, so that it suits scenes that are
-//! too uneven for a uniform grid. An item that lies across many leaves is listed in each.
+//! An octree is deep where items are small and close together, so it suits scenes that are too uneven for
+//! a uniform grid. An item that overlaps many leaves is listed in each of them.
 
 mod build;
+mod node_state;
 #[cfg(not(feature = "double"))]
 mod parts;
 mod smart;
+mod traverse;
 
 pub use build::{OctreeLimits, OctreeRoom};
 #[cfg(not(feature = "double"))]
 pub(crate) use parts::OctreeParts;
 
-use core::ops::ControlFlow;
-
 use zerocopy::{Immutable, KnownLayout, TryFromBytes};
 
 use super::cell_planes::CellPlanes;
-use super::mailbox::{Mailbox, MailboxQuery};
-use super::{Accelerator, Query};
-use crate::geometry::{Aabb, Ray};
-use crate::math::{Real, Vec3, floor, largest, morton, vec3};
+use crate::geometry::Aabb;
+use crate::math::{Real, Vec3, largest, morton};
 
-/// How many of the walls stand between the ends of an octree's space, and one more: the walls
-/// of the smallest cells.
-const WALLS: Real = (1_u32 << morton::BITS_PER_AXIS) as Real;
+/// Number of cells of the deepest level along each axis.
+const CELLS_PER_AXIS: Real = (1_u32 << morton::BITS_PER_AXIS) as Real;
 
-/// A node of an octree: one that is cut into eight, or a leaf.
+/// A node of an octree: an inner node with eight children, or a leaf.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, TryFromBytes, KnownLayout, Immutable)]
 #[repr(C)]
 pub struct OctreeNode {
-    /// Of a node that is cut: the place of its first child. Of a leaf: where its items begin.
+    /// Index of the first child, or of a leaf's first entry.
     first: u32,
-    /// Of a node that is cut: [`OctreeNode::CUT`], and which of its children have items, one bit for each. Of a leaf:
-    /// how many items it lists.
+    /// Of an inner node: [`OctreeNode::INNER_BIT`], and one bit per child that has entries. Of a leaf: the
+    /// number of its entries.
     content: u32,
 }
 
 impl OctreeNode {
-    /// A leaf without items.
+    /// A leaf without entries, the initial value for buffers.
     pub const EMPTY: OctreeNode = OctreeNode { first: 0, content: 0 };
 
-    /// Marks a node that is cut. No leaf lists so many items.
-    const CUT: u32 = 1 << 31;
+    /// Marks inner nodes. No leaf has that many entries.
+    const INNER_BIT: u32 = 1 << 31;
 
-    const fn is_cut(self) -> bool {
-        self.content & Self::CUT != 0
+    const fn is_inner(self) -> bool {
+        self.content & Self::INNER_BIT != 0
     }
 }
 
-/// An octree in lent memory; walks remember the items of a ray in `MAILBOX` slots.
+/// An octree in caller-provided buffers, whose traversal uses a mailbox of `MAILBOX_ENTRIES` entries.
 ///
-/// * Shape: `MAILBOX` is zero or a power of two.
-/// * Memory: 8 bytes per node, and 4 per entry: an item has one in each leaf that its box touches.
+/// * `MAILBOX_ENTRIES` is zero or a power of two.
+/// * Memory: 8 bytes per node, and 4 bytes per entry; an item has an entry in each leaf that its bounds
+///   overlap.
 #[derive(Clone, Copy, Debug)]
-pub struct Octree<'s, const MAILBOX: usize> {
-    /// The smallest box round all items.
+pub struct Octree<'s, const MAILBOX_ENTRIES: usize> {
+    /// Union of the bounds of all items.
     bounds: Aabb,
-    walls: CellPlanes,
-    /// The root first; then blocks of eight.
+    planes: CellPlanes,
+    /// The root, then groups of eight siblings.
     nodes: &'s [OctreeNode],
-    /// The items of the leaves, one leaf after the other.
-    items: &'s [u32],
-    /// The boxes of all items, by their numbers; or none.
-    boxes: &'s [Aabb],
-    /// How many leaves list items.
-    regions: u32,
-    /// How often space is cut, at most.
+    /// Item indices of the leaves, one leaf after the other.
+    entries: &'s [u32],
+    /// Bounds by item index, or empty.
+    item_bounds: &'s [Aabb],
+    /// Number of leaves with entries.
+    occupied_leaves: u32,
+    /// Number of edges from the root to the deepest leaf.
     depth: u8,
 }
 
-impl<'s, const MAILBOX: usize> Octree<'s, MAILBOX> {
-    /// The same octree, walked with a mailbox of another size.
-    pub const fn with_mailbox<const SLOTS: usize>(self) -> Octree<'s, SLOTS> {
-        let Octree { bounds, walls, nodes, items, regions, depth, boxes } = self;
-        Octree { bounds, walls, nodes, items, regions, depth, boxes }
+impl<'s, const MAILBOX_ENTRIES: usize> Octree<'s, MAILBOX_ENTRIES> {
+    /// The same octree with a mailbox of another size.
+    pub const fn with_mailbox<const ENTRIES: usize>(self) -> Octree<'s, ENTRIES> {
+        let Octree { bounds, planes, nodes, entries, item_bounds, occupied_leaves, depth } = self;
+        Octree { bounds, planes, nodes, entries, item_bounds, occupied_leaves, depth }
     }
 
-    /// The same octree, but it gives back the boxes: it takes less memory, and each item of a leaf
-    /// is tested, whether the ray comes near it or not.
+    /// The same octree without the bounds of items: it needs less memory, but each item of a leaf is tested,
+    /// whether the ray hits its bounds or not.
     pub const fn without_boxes(self) -> Self {
-        Octree { boxes: &[], ..self }
+        Octree { item_bounds: &[], ..self }
     }
 
-    /// How many leaves list items.
+    /// Number of leaves with entries.
     pub const fn regions(&self) -> usize {
-        self.regions as usize
+        self.occupied_leaves as usize
     }
 
-    /// How many items all leaves list, each counted in each leaf.
+    /// Number of entries of all leaves; an item counts once per leaf that lists it.
     pub const fn entries(&self) -> usize {
-        self.items.len()
+        self.entries.len()
     }
 
-    /// How often space is cut on the way to the deepest leaf; a root that is a leaf has depth 0.
+    /// Number of edges from the root to the deepest leaf; 0 if the root is a leaf.
     pub const fn depth(&self) -> u8 {
         self.depth
     }
 
-    /// How many nodes there are, leaves without items among them.
+    /// Number of nodes, empty leaves included.
     pub const fn nodes(&self) -> usize {
         self.nodes.len()
     }
 
-    /// The memory it uses, in bytes.
+    /// Size of all buffers that it uses, in bytes.
     pub const fn bytes(&self) -> usize {
-        size_of_val(self.nodes) + size_of_val(self.items) + size_of_val(self.boxes)
+        size_of_val(self.nodes) + size_of_val(self.entries) + size_of_val(self.item_bounds)
     }
 
-    /// The items of a leaf.
+    /// Indices of the items in a leaf.
     #[inline(always)]
-    fn items_of(&self, leaf: OctreeNode) -> &[u32] {
+    fn leaf_entries(&self, leaf: OctreeNode) -> &[u32] {
         let start = leaf.first as usize;
-        self.items.get(start..start.wrapping_add(leaf.content as usize)).unwrap_or(&[])
+        self.entries.get(start..start.wrapping_add(leaf.content as usize)).unwrap_or(&[])
     }
 }
 
-/// The space of an octree round `bounds`, in walls of its smallest cells. All cells are cubes, so
-/// that a flat scene is not cut into plates.
-fn space(bounds: Aabb) -> CellPlanes {
+/// The planes of the cells of the deepest level. Cells are cubes, so that a flat scene is not divided into
+/// flat cells.
+fn octree_planes(bounds: Aabb) -> CellPlanes {
     let side = largest(bounds.max - bounds.min);
-    CellPlanes::new(Aabb { min: bounds.min, max: bounds.min + side }, Vec3::splat(WALLS))
-}
-
-impl<const MAILBOX: usize> Accelerator for Octree<'_, MAILBOX> {
-    type Scratch = Mailbox<MAILBOX>;
-
-    fn walk<Q: Query>(&self, ray: &Ray, mailbox: &mut Mailbox<MAILBOX>, query: &mut Q) {
-        query.boxes(1);
-        let Some(span) = self.bounds.span(ray) else { return };
-        mailbox.begin_ray();
-        let mut walk = |ray: &Ray| {
-            let reach = query.reach();
-            let mut asking = MailboxQuery { ray, item_bounds: self.boxes, mailbox, query };
-            self.smart(ray, span, reach, |leaf| asking.test_items(self.items_of(leaf)))
-        };
-        let end = if ray.inverse.is_finite() { walk(ray) } else { self.along_walls(ray, walk) };
-        let (ControlFlow::Continue(()) | ControlFlow::Break(())) = end;
-    }
-}
-
-impl<const MAILBOX: usize> Octree<'_, MAILBOX> {
-    /// Walks along a ray that is parallel to some walls. Where it runs in a wall, it must be walked
-    /// on both sides, for a box that touches the wall lies on one. On which side of such a
-    /// wall a walk goes is decided by the sign of the infinite reciprocal.
-    #[cold]
-    fn along_walls(&self, ray: &Ray, mut walk: impl FnMut(&Ray) -> ControlFlow<()>) -> ControlFlow<()> {
-        let nearest = self.walls.fractional_index(ray.origin);
-        let is_in_wall = |offset: Real| {
-            let number = |x: Real| floor(x + 0.5) + offset;
-            let wall = self.walls.position(vec3(number(nearest.x), number(nearest.y), number(nearest.z)));
-            let runs = |inverse: Real, wall: Real, origin: Real| !inverse.is_finite() && wall == origin;
-            let (i, o) = (ray.inverse, ray.origin);
-            [runs(i.x, wall.x, o.x), runs(i.y, wall.y, o.y), runs(i.z, wall.z, o.z)]
-        };
-        // The nearest wall by rounding, and its neighbours in case of rounding.
-        let [[x0, y0, z0], [x1, y1, z1], [x2, y2, z2]] = [-1.0, 0.0, 1.0].map(is_in_wall);
-        let both = |is_in_wall: bool| if is_in_wall { &[1.0, -1.0][..] } else { &[1.0] };
-        for x in both(x0 | x1 | x2) {
-            for y in both(y0 | y1 | y2) {
-                for z in both(z0 | z1 | z2) {
-                    let mut side = *ray;
-                    side.inverse *= vec3(*x, *y, *z);
-                    walk(&side)?;
-                }
-            }
-        }
-        ControlFlow::Continue(())
-    }
+    CellPlanes::new(Aabb { min: bounds.min, max: bounds.min + side }, Vec3::splat(CELLS_PER_AXIS))
 }

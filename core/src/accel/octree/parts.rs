@@ -1,15 +1,15 @@
-//! An octree in parts, as a baked scene holds it.
+//! Conversion between an octree and the tables of a baked scene.
 
 use heapless::Vec;
 
-use super::{Octree, OctreeNode, space};
+use super::{Octree, OctreeNode, octree_planes};
 use crate::geometry::Aabb;
 use crate::math::morton;
 
-/// Room for the blocks that wait, eight from each level at most.
-const BLOCKS: usize = 8 * morton::BITS_PER_AXIS as usize;
+/// Capacity for the groups of siblings that are still to be checked: at most eight per level.
+const MAX_PENDING_GROUPS: usize = 8 * morton::BITS_PER_AXIS as usize;
 
-/// What makes an octree, and nothing that follows from it.
+/// The data of an octree that a baked scene stores.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct OctreeParts<'s> {
     pub(crate) bounds: Aabb,
@@ -17,53 +17,54 @@ pub(crate) struct OctreeParts<'s> {
     pub(crate) items: &'s [u32],
 }
 
-impl<'s, const MAILBOX: usize> Octree<'s, MAILBOX> {
+impl<'s, const MAILBOX_ENTRIES: usize> Octree<'s, MAILBOX_ENTRIES> {
     pub(crate) const fn parts(&self) -> OctreeParts<'s> {
-        OctreeParts { bounds: self.bounds, nodes: self.nodes, items: self.items }
+        OctreeParts { bounds: self.bounds, nodes: self.nodes, items: self.entries }
     }
 
-    /// The octree of parts, for a scene of `count` items; none when an index is out of range or
-    /// the nodes make no tree of at most the depth that a walk can hold.
+    /// The octree of these parts, for a scene of `count` items. `None` if an index is out of range, or the
+    /// nodes are not a tree of at most the largest depth.
     pub(crate) fn from_parts(parts: OctreeParts<'s>, count: u32) -> Option<Self> {
-        let OctreeParts { bounds, nodes, items } = parts;
-        let is_empty = nodes.is_empty() && items.is_empty();
-        if !(items.iter().all(|item| *item < count) && (bounds.is_finite() || is_empty)) {
+        let OctreeParts { bounds, nodes, items: entries } = parts;
+        let is_empty = nodes.is_empty() && entries.is_empty();
+        if !(entries.iter().all(|item| *item < count) && (bounds.is_finite() || is_empty)) {
             return None;
         }
-        let walls = space(if is_empty { Aabb::POINT } else { bounds });
-        let (mut regions, mut depth) = (0, 0);
+        let planes = octree_planes(if is_empty { Aabb::POINT } else { bounds });
+        let (mut occupied_leaves, mut depth) = (0, 0);
 
-        // Blocks of eight that are still to be looked at, and their first node. A tree of n nodes
-        // has fewer blocks: more are met only where two nodes share one.
-        let mut blocks = Vec::<(u32, u8), BLOCKS>::new();
-        let mut left = nodes.len() / 8;
-        let mut node = |node: OctreeNode, above: u8, blocks: &mut Vec<(u32, u8), BLOCKS>| -> Option<()> {
-            if !node.is_cut() {
-                let content = items.get(node.first as usize..)?.get(..node.content as usize)?;
-                regions += u32::from(!content.is_empty());
-                depth = if above > depth { above } else { depth };
-                return Some(());
-            }
-            left = left.checked_sub(1)?;
-            if u32::from(above) >= morton::BITS_PER_AXIS {
-                return None;
-            }
-            blocks.push((node.first, above + 1)).ok()
-        };
+        // Groups of siblings that are still to be checked: index of the first node, and level. A tree has one
+        // group per eight nodes; more are reached only if two nodes share one.
+        let mut pending = Vec::<(u32, u8), MAX_PENDING_GROUPS>::new();
+        let mut groups_left = nodes.len() / 8;
+        let mut check =
+            |node: OctreeNode, level: u8, pending: &mut Vec<(u32, u8), MAX_PENDING_GROUPS>| -> Option<()> {
+                if !node.is_inner() {
+                    let list = entries.get(node.first as usize..)?.get(..node.content as usize)?;
+                    occupied_leaves += u32::from(!list.is_empty());
+                    depth = if level > depth { level } else { depth };
+                    return Some(());
+                }
+                groups_left = groups_left.checked_sub(1)?;
+                if u32::from(level) >= morton::BITS_PER_AXIS {
+                    return None;
+                }
+                pending.push((node.first, level + 1)).ok()
+            };
         if let Some(root) = nodes.first() {
-            node(*root, 0, &mut blocks)?;
+            check(*root, 0, &mut pending)?;
         }
-        while let Some((first, level)) = blocks.pop() {
+        while let Some((first, level)) = pending.pop() {
             for child in nodes.get(first as usize..)?.get(..8)? {
-                node(*child, level, &mut blocks)?;
+                check(*child, level, &mut pending)?;
             }
         }
-        Some(Octree { bounds, walls, nodes, items, boxes: &[], regions, depth })
+        Some(Octree { bounds, planes, nodes, entries, item_bounds: &[], occupied_leaves, depth })
     }
 }
 
 impl OctreeNode {
-    /// As it lies in memory.
+    /// The node as it is stored in a baked scene.
     pub(crate) const fn words(self) -> [u32; 2] {
         [self.first, self.content]
     }
