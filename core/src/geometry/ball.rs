@@ -1,69 +1,76 @@
-//! Balls round boxes, and the conservative test of a ray against one: yes or no, not where.
+//! Bounding spheres of boxes, and a conservative test whether a ray hits one.
 //!
-//! Round the box of a long item a ball holds much that is not the item; boxes hold less and are
-//! hardly dearer. It is here to be compared ("A 3-Dimensional Representation for Fast Rendering
-//! of Complex Scenes", Rubin and Whitted, 1980, weigh one against the other).
+//! A bounding sphere of an elongated item encloses much empty space. A bounding box encloses less and is
+//! hardly more expensive to test. The spheres exist for comparison.
+//!
+//! Source: Rubin and Whitted, "A 3-Dimensional Representation for Fast Rendering of Complex Scenes",
+//! SIGGRAPH 1980, discuss both.
 
 use super::bounds::Aabb;
 use super::ray::Ray;
 use crate::math::{Real, Vec3, abs, gamma, length, sqrt};
 
-/// A ball that contains a box.
+/// A sphere that contains a box.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Ball {
     center: Vec3,
-    /// Less than zero for the ball of nothing.
+    /// Negative for the empty sphere.
     radius: Real,
 }
 
-/// What of a ray the balls need.
+/// A ray with values precomputed for tests of bounding spheres.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Line<'r> {
     ray: &'r Ray,
-    /// One over the square of the length of its direction, as scaled, and over that length.
-    per_square: Real,
-    per_length: Real,
+    /// Reciprocal of the squared length of the scaled direction.
+    inverse_length_squared: Real,
+    /// Reciprocal of the length of the scaled direction.
+    inverse_length: Real,
 }
 
 impl<'r> Line<'r> {
     pub(crate) fn of(ray: &'r Ray) -> Self {
-        Line { ray, per_square: 1.0 / ray.square, per_length: 1.0 / sqrt(ray.square) }
+        Line {
+            ray,
+            inverse_length_squared: 1.0 / ray.scaled_length_squared,
+            inverse_length: 1.0 / sqrt(ray.scaled_length_squared),
+        }
     }
 }
 
 impl Ball {
-    /// The ball of nothing: no ray meets it.
+    /// The empty sphere: never hit.
     pub const EMPTY: Ball = Ball { center: Vec3::ZERO, radius: -1.0 };
 
-    /// The ball round a box, rounded outward.
+    /// The bounding sphere of a box, rounded outward.
     pub(crate) fn round(aabb: &Aabb) -> Self {
         if aabb.is_empty() {
             return Ball::EMPTY;
         }
         let center = (aabb.min + aabb.max) * 0.5;
-        // To the farthest corner, wherever rounding has put the centre.
+        // The distance from the rounded center to the farthest corner.
         let corner = (aabb.max - center).max(center - aabb.min);
         Ball { center, radius: length(corner) * (1.0 + gamma(8)) }
     }
 
-    /// Whether the ray comes into the ball, at most `reach` lengths of its direction away.
+    /// Whether the ray enters the sphere at `t_max` or before, in lengths of its direction.
     ///
-    /// It says yes wherever [`Aabb::span`] meets the box inside: what that test rounds, and what
-    /// this one does, follows the distance of the ball from the start of the ray.
+    /// It is true if [`Aabb::span`] of the box inside begins at `t_max` or before: the margin of the radius
+    /// covers the rounding errors of both tests, which are relative to the distance from the ray's origin.
     #[inline]
-    pub(crate) fn meets(&self, line: &Line<'_>, reach: Real) -> bool {
+    pub(crate) fn meets(&self, line: &Line<'_>, t_max: Real) -> bool {
         let ray = line.ray;
-        let to = self.center - ray.origin;
-        let middle = to.dot(ray.along) * line.per_square;
-        let beside = to - ray.along * middle;
-        let away = abs(to);
-        let radius = self.radius + (self.radius + away.x + away.y + away.z) * gamma(32);
-        let half = radius * line.per_length;
-        // What is no number leaves the ball in question.
+        let to_center = self.center - ray.origin;
+        let t_center = to_center.dot(ray.scaled_direction) * line.inverse_length_squared;
+        let perpendicular = to_center - ray.scaled_direction * t_center;
+        let distance = abs(to_center);
+        let radius = self.radius + (self.radius + distance.x + distance.y + distance.z) * gamma(32);
+        let half_chord = radius * line.inverse_length;
+        // NaN counts as a hit.
         let misses = self.radius < 0.0
-            || beside.dot(beside) > radius * radius
-            || middle + half < 0.0
-            || (middle - half) * ray.scale > reach * (1.0 + gamma(8));
+            || perpendicular.dot(perpendicular) > radius * radius
+            || t_center + half_chord < 0.0
+            || (t_center - half_chord) * ray.direction_scale > t_max * (1.0 + gamma(8));
         !misses
     }
 }
@@ -73,41 +80,41 @@ mod tests {
     use super::*;
     use crate::math::vec3;
 
-    /// Whether box and ball say that a ray within reach meets the cube from -1 to 1.
-    fn meets(from: Vec3, toward: Vec3, reach: Real) -> [bool; 2] {
+    /// Whether a ray hits the cube from -1 to 1, and whether it hits the bounding sphere of this cube.
+    fn hits(origin: Vec3, direction: Vec3, t_max: Real) -> [bool; 2] {
         let cube = Aabb { min: Vec3::splat(-1.0), max: Vec3::ONE };
-        let ray = Ray::new(from, toward);
-        let in_box = cube.span(&ray).is_some_and(|span| span.entry <= reach);
-        [in_box, Ball::round(&cube).meets(&Line::of(&ray), reach)]
+        let ray = Ray::new(origin, direction);
+        let hits_box = cube.span(&ray).is_some_and(|span| span.entry <= t_max);
+        [hits_box, Ball::round(&cube).meets(&Line::of(&ray), t_max)]
     }
 
     #[test]
-    fn a_ray_that_starts_inside_a_volume_meets_it() {
-        assert_eq!(meets(vec3(0.5, 0.0, 0.0), Vec3::X, 100.0), [true; 2]);
-        assert_eq!(meets(vec3(0.5, 0.0, 0.0), Vec3::X, 0.1), [true; 2], "though it ends inside, too");
+    fn a_ray_that_starts_inside_a_volume_hits() {
+        assert_eq!(hits(vec3(0.5, 0.0, 0.0), Vec3::X, 100.0), [true; 2]);
+        assert_eq!(hits(vec3(0.5, 0.0, 0.0), Vec3::X, 0.1), [true; 2], "and ends inside");
     }
 
     #[test]
-    fn a_ray_that_ends_inside_a_volume_meets_it() {
-        assert_eq!(meets(vec3(-5.0, 0.1, 0.2), Vec3::X, 5.0), [true; 2]);
-        assert_eq!(meets(vec3(-5.0, 0.1, 0.2), Vec3::X * 1e20, 5e-20), [true; 2], "of any length");
+    fn a_ray_that_ends_inside_a_volume_hits() {
+        assert_eq!(hits(vec3(-5.0, 0.1, 0.2), Vec3::X, 5.0), [true; 2]);
+        assert_eq!(hits(vec3(-5.0, 0.1, 0.2), Vec3::X * 1e20, 5e-20), [true; 2], "long direction");
     }
 
     #[test]
-    fn a_ray_that_passes_through_a_volume_meets_it() {
-        assert_eq!(meets(vec3(-5.0, 0.1, 0.2), Vec3::X, 100.0), [true; 2]);
-        assert_eq!(meets(vec3(-5.0, -5.0, -5.0), Vec3::ONE * 1e-20, Real::MAX), [true; 2], "of any length");
+    fn a_ray_that_passes_through_a_volume_hits() {
+        assert_eq!(hits(vec3(-5.0, 0.1, 0.2), Vec3::X, 100.0), [true; 2]);
+        assert_eq!(hits(vec3(-5.0, -5.0, -5.0), Vec3::ONE * 1e-20, Real::MAX), [true; 2], "short direction");
     }
 
     #[test]
-    fn a_ray_that_misses_a_volume_does_not_meet_it() {
-        assert_eq!(meets(vec3(-5.0, 2.0, 0.0), Vec3::X, 100.0), [false; 2], "beside");
-        assert_eq!(meets(vec3(5.0, 0.0, 0.0), Vec3::X, 100.0), [false; 2], "behind");
-        assert_eq!(meets(vec3(-5.0, 0.0, 0.0), Vec3::X, 2.0), [false; 2], "beyond its reach");
+    fn a_ray_beside_behind_or_beyond_t_max_misses() {
+        assert_eq!(hits(vec3(-5.0, 2.0, 0.0), Vec3::X, 100.0), [false; 2], "beside");
+        assert_eq!(hits(vec3(5.0, 0.0, 0.0), Vec3::X, 100.0), [false; 2], "behind");
+        assert_eq!(hits(vec3(-5.0, 0.0, 0.0), Vec3::X, 2.0), [false; 2], "beyond t_max");
         assert_eq!(
-            meets(vec3(-5.0, 1.2, 1.2), Vec3::X, 100.0),
+            hits(vec3(-5.0, 1.2, 1.2), Vec3::X, 100.0),
             [false, true],
-            "only the ball has no corners"
+            "in the sphere, beside an edge of the cube"
         );
         assert!(!Ball::EMPTY.meets(&Line::of(&Ray::new(Vec3::ZERO, Vec3::X)), 1.0));
     }

@@ -1,10 +1,14 @@
-//! Whether the tables of a geometry fit together.
+//! Validation of a geometry: ranges of all numbers, and references between its tables.
 
 use super::{Geometry, ItemId, Shape, ShapeFault, of};
 use crate::math::{is_in_range, is_unit};
 
 impl Geometry<'_> {
-    /// Whether every shape is one and finds what it refers to; else the first that does not.
+    /// Checks all tables: numbers in range, valid indices, consistent planes and bounds.
+    ///
+    /// # Errors
+    ///
+    /// The first invalid item and its error. For a vertex or a vertex normal that is out of range, item 0.
     pub fn check(&self) -> Result<(), (ItemId, ShapeFault)> {
         if self.points.iter().any(|p| !is_in_range(*p)) {
             return Err((ItemId(0), ShapeFault::Place));
@@ -12,53 +16,53 @@ impl Geometry<'_> {
         if self.normals.iter().any(|n| !is_unit(*n)) {
             return Err((ItemId(0), ShapeFault::NotUnit));
         }
-        for (shape, number) in self.shapes.iter().zip(0..) {
-            self.check_shape(*shape, ItemId(number)).map_err(|fault| (ItemId(number), fault))?;
+        for (shape, index) in self.shapes.iter().zip(0..) {
+            self.validate_shape(*shape, ItemId(index)).map_err(|error| (ItemId(index), error))?;
         }
-        // Planes are met through their table, so each must be an item.
-        for (plane, place) in self.planes.iter().zip(0..) {
+        // A tracer tests the table of planes, so every plane in it must be an item.
+        for (plane, index) in self.planes.iter().zip(0..) {
             let shape = self.shape(plane.item).and_then(|shape| self.at_rest(shape)).copied();
-            if shape != Some(Shape::Plane(place)) {
+            if shape != Some(Shape::Plane(index)) {
                 return Err((plane.item, ShapeFault::Plane));
             }
         }
         Ok(())
     }
 
-    fn check_shape(&self, shape: Shape, item: ItemId) -> Result<(), ShapeFault> {
-        if let Shape::Moving(place) = shape {
-            let moving = self.moving(place).ok_or(ShapeFault::Missing)?;
+    fn validate_shape(&self, shape: Shape, item: ItemId) -> Result<(), ShapeFault> {
+        if let Shape::Moving(index) = shape {
+            let moving = self.moving(index).ok_or(ShapeFault::Missing)?;
             moving.check()?;
-            return self.check_rest(moving.shape, item);
+            return self.validate_static_shape(moving.shape, item);
         }
-        self.check_rest(shape, item)
+        self.validate_static_shape(shape, item)
     }
 
-    fn check_rest(&self, shape: Shape, item: ItemId) -> Result<(), ShapeFault> {
+    fn validate_static_shape(&self, shape: Shape, item: ItemId) -> Result<(), ShapeFault> {
         let missing = ShapeFault::Missing;
         match shape {
             Shape::Sphere(sphere) => sphere.check(),
-            Shape::Triangle(corners) => match self.corners(corners) {
+            Shape::Triangle(indices) => match self.corners(indices) {
                 Some(_) => Ok(()),
                 None => Err(missing),
             },
-            Shape::SmoothTriangle(corners) => match (self.corners(corners), self.corner_normals(corners)) {
+            Shape::SmoothTriangle(indices) => match (self.corners(indices), self.corner_normals(indices)) {
                 (Some(_), Some(_)) => Ok(()),
                 _ => Err(missing),
             },
-            Shape::Plane(place) => {
-                let plane = of(self.planes, place).ok_or(missing)?;
+            Shape::Plane(index) => {
+                let plane = of(self.planes, index).ok_or(missing)?;
                 plane.check()?;
                 if plane.item == item { Ok(()) } else { Err(ShapeFault::Plane) }
             }
-            Shape::Disc(place) => of(self.discs, place).ok_or(missing)?.check(),
-            Shape::Polygon(place) => {
-                of(self.polygons, place).ok_or(missing)?.check(self.points, self.normals)
+            Shape::Disc(index) => of(self.discs, index).ok_or(missing)?.check(),
+            Shape::Polygon(index) => {
+                of(self.polygons, index).ok_or(missing)?.check(self.points, self.normals)
             }
-            Shape::Cuboid(place) => of(self.cuboids, place).ok_or(missing)?.check(),
-            Shape::TurnedCuboid(place) => of(self.turned_cuboids, place).ok_or(missing)?.check(),
-            Shape::Cone(place) => of(self.cones, place).ok_or(missing)?.check(),
-            Shape::Torus(place) => of(self.tori, place).ok_or(missing)?.check(),
+            Shape::Cuboid(index) => of(self.cuboids, index).ok_or(missing)?.check(),
+            Shape::TurnedCuboid(index) => of(self.turned_cuboids, index).ok_or(missing)?.check(),
+            Shape::Cone(index) => of(self.cones, index).ok_or(missing)?.check(),
+            Shape::Torus(index) => of(self.tori, index).ok_or(missing)?.check(),
             Shape::Moving(_) => Err(ShapeFault::Moving),
         }
     }

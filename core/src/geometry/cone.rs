@@ -1,55 +1,55 @@
-//! Cone and cylinder: a round side between two circles on one axis, open or with caps.
+//! Cone and cylinder: a lateral surface between two circles on one axis, open or closed by caps.
 //!
-//! The origin is moved along the ray to where it is nearest to the cone's middle, so that all
-//! numbers are about as large as the cone; only then come squares. With `op` and `dp` the
-//! parts of origin and direction upright on the axis, `R` the radius level with the origin and
-//! `k` its slope, the discriminant of the quadratic is
+//! The ray's origin is first moved along the ray to the point closest to the center of the cone, so that
+//! all numbers are about as large as the cone before they are squared. With `op` and `dp` the components of
+//! origin and direction perpendicular to the axis, `R` the radius at the height of the origin and `k` the
+//! slope of the radius, the discriminant of the quadratic is
 //!
 //! ```text
 //! |R dp - k dz op|^2 - (op x dp)^2
 //! ```
 //!
-//! two squares of which the second is the ray's distance from the axis. Nothing cancels there
-//! but the question itself, whether the ray comes nearer to the axis than the side, as the
-//! textbook's `b^2 - ac` would for a hair-thin cylinder.
+//! Both terms are squares, the second is the squared distance of the ray from the axis (times `dp.dp`).
+//! They cancel only if the ray nearly touches the surface. The textbook's `b^2 - a c` also cancels for a
+//! very thin cylinder.
 
 use zerocopy::{Immutable, KnownLayout, TryFromBytes};
 
-use super::disc::disc_reach;
+use super::disc::disc_half_extent;
 use super::{Aabb, Ray, ShapeFault, Surface, check_point, check_unit, ray::LEAVING};
 use crate::math::{FARTHEST, Real, Vec3, abs, gamma, greatest, largest, length, sqrt, unit};
 
-/// A cone, cut off at both ends; a cylinder when both radii are equal.
+/// A truncated cone. It is a cylinder if both radii are equal.
 ///
-/// The normal of the side points away from the axis, those of the caps away from the solid.
+/// The normal of the lateral surface points away from the axis, the normals of the caps out of the solid.
 #[derive(Clone, Copy, Debug, PartialEq, TryFromBytes, KnownLayout, Immutable)]
 #[repr(C)]
 pub struct Cone {
-    /// The middle of the first circle.
+    /// Center of the base circle.
     pub base: Vec3,
-    /// From the first circle to the second, of length one.
+    /// Unit vector from the base circle to the end circle.
     pub axis: Vec3,
-    /// From circle to circle, more than zero.
+    /// Distance between the circles; positive.
     pub height: Real,
-    /// The radius of the first circle; zero is an apex.
+    /// Radius of the base circle; zero for an apex.
     pub base_radius: Real,
-    /// The radius of the second circle; zero is an apex. One of both is more than zero.
+    /// Radius of the end circle; zero for an apex. At least one of the radii is positive.
     pub end_radius: Real,
-    /// Whether the circles are closed by discs.
+    /// Whether discs close both circles.
     pub capped: bool,
 }
 
-/// Where a ray meets it.
+/// A part of the surface.
 #[derive(Clone, Copy, PartialEq)]
-enum Part {
+enum ConePart {
     Side,
-    Base,
-    End,
+    BaseCap,
+    EndCap,
 }
 
 impl Cone {
-    /// The cone between the circle of radius `base_radius` round `base` and that of
-    /// `end_radius` round `end`. None when both points are the same or not finite.
+    /// The cone between the circle of `base_radius` around `base` and the circle of `end_radius` around
+    /// `end`. `None` if the points are equal or not finite.
     pub fn new(base: Vec3, base_radius: Real, end: Vec3, end_radius: Real, capped: bool) -> Option<Self> {
         let axis = unit(end - base)?;
         let height = (end - base).dot(axis);
@@ -70,48 +70,49 @@ impl Cone {
     pub(super) fn bounds(&self) -> Aabb {
         let end = self.base + self.axis * self.height;
         let slack = Vec3::splat(gamma(8) * (largest(self.base) + self.height));
-        Aabb::round(self.base, disc_reach(self.axis, self.base_radius) + slack)
-            .union(Aabb::round(end, disc_reach(self.axis, self.end_radius) + slack))
+        Aabb::round(self.base, disc_half_extent(self.axis, self.base_radius) + slack)
+            .union(Aabb::round(end, disc_half_extent(self.axis, self.end_radius) + slack))
     }
 
-    /// How the radius grows along the axis.
-    fn slope(&self) -> Real {
+    /// Change of the radius per length along the axis.
+    fn radius_slope(&self) -> Real {
         (self.end_radius - self.base_radius) / self.height
     }
 
-    /// Whether a line from `far` along `d`, which is about one long, clearly passes its axis
-    /// farther away than it is wide: most of those that come here do, and need not know where.
+    /// Whether a line certainly passes the axis at more than the largest radius: an early out for most
+    /// misses. `origin` is relative to `base`; `direction` has a length of about one.
     #[inline(always)]
-    fn is_passed(&self, far: Vec3, d: Vec3) -> bool {
-        let across = self.axis.cross(d);
-        let away = abs(far);
-        let apart = far.dot(across).abs() - (away.x + away.y + away.z) * gamma(16);
-        let widest = greatest(self.base_radius, self.end_radius);
-        apart > 0.0 && apart * apart > across.dot(across) * (widest * widest) * (1.0 + gamma(16))
+    fn is_clear_miss(&self, origin: Vec3, direction: Vec3) -> bool {
+        let cross = self.axis.cross(direction);
+        let distance = abs(origin);
+        let separation = origin.dot(cross).abs() - (distance.x + distance.y + distance.z) * gamma(16);
+        let max_radius = greatest(self.base_radius, self.end_radius);
+        separation > 0.0
+            && separation * separation > cross.dot(cross) * (max_radius * max_radius) * (1.0 + gamma(16))
     }
 
-    /// The nearest part in front of the ray's origin.
-    fn nearest(&self, ray: &Ray) -> Option<(Real, Part)> {
-        let d = ray.along;
-        let far = ray.origin - self.base;
-        if self.is_passed(far, d) {
+    /// The nearest hit at a positive `t`, and the part that is hit.
+    fn nearest_part(&self, ray: &Ray) -> Option<(Real, ConePart)> {
+        let d = ray.scaled_direction;
+        let origin = ray.origin - self.base;
+        if self.is_clear_miss(origin, d) {
             return None;
         }
-        let shift = (self.axis * (0.5 * self.height) - far).dot(d) / ray.square;
-        let o = far + d * shift;
+        let shift = (self.axis * (0.5 * self.height) - origin).dot(d) / ray.scaled_length_squared;
+        let o = origin + d * shift;
         let (oz, dz) = (o.dot(self.axis), d.dot(self.axis));
         let (op, dp) = (o - self.axis * oz, d - self.axis * dz);
 
-        let mut nearest = (Real::INFINITY, Part::Side);
-        let mut offer = |t: Real, part: Part| {
-            let t = (shift + t) * ray.scale;
+        let mut nearest = (Real::INFINITY, ConePart::Side);
+        let mut accept_if_nearer = |t: Real, part: ConePart| {
+            let t = (shift + t) * ray.direction_scale;
             if t > 0.0 && t < nearest.0 {
                 nearest = (t, part);
             }
         };
 
         // The side: a t^2 - 2 b t + c = 0.
-        let k = self.slope();
+        let k = self.radius_slope();
         let radius = self.base_radius + k * oz;
         let a = dp.dot(dp) - k * k * (dz * dz);
         let b = k * dz * radius - op.dot(dp);
@@ -121,11 +122,11 @@ impl Cone {
         if w >= x {
             let root = sqrt((w - x) * (w + x));
             let q = if b >= 0.0 { b + root } else { b - root };
-            // A ray along the side leaves a = 0: one root is then infinite, and no hit.
+            // For a ray parallel to the side a = 0: one root is infinite and not a hit.
             for t in [q / a, c / q] {
                 let z = oz + dz * t;
                 if z >= 0.0 && z <= self.height {
-                    offer(t, Part::Side);
+                    accept_if_nearer(t, ConePart::Side);
                 }
             }
         }
@@ -133,12 +134,12 @@ impl Cone {
         // The caps.
         if self.capped {
             for (z, radius, part) in
-                [(0.0, self.base_radius, Part::Base), (self.height, self.end_radius, Part::End)]
+                [(0.0, self.base_radius, ConePart::BaseCap), (self.height, self.end_radius, ConePart::EndCap)]
             {
                 let t = (z - oz) / dz;
                 let p = op + dp * t;
                 if p.dot(p) <= radius * radius {
-                    offer(t, part);
+                    accept_if_nearer(t, part);
                 }
             }
         }
@@ -146,12 +147,12 @@ impl Cone {
     }
 
     pub(super) fn hit(&self, ray: &Ray) -> Option<Real> {
-        self.nearest(ray).map(|(t, _)| t)
+        self.nearest_part(ray).map(|(t, _)| t)
     }
 
     pub(super) fn surface(&self, ray: &Ray, t: Real) -> Option<Surface> {
-        let (_, part) = self.nearest(ray)?;
-        let p = ray.at_from(t, self.base);
+        let (_, part) = self.nearest_part(ray)?;
+        let p = ray.at_relative_to(t, self.base);
         let size = self.height + self.base_radius + self.end_radius;
         let error = (abs(self.base) + Vec3::splat(size)) * gamma(24 + LEAVING);
         let z = p.dot(self.axis);
@@ -159,17 +160,17 @@ impl Cone {
             Surface::flat(self.base + (p + self.axis * (z_cap - z)), error, normal)
         };
         Some(match part {
-            Part::Base => on_cap(0.0, -self.axis),
-            Part::End => on_cap(self.height, self.axis),
-            Part::Side => {
-                let k = self.slope();
+            ConePart::BaseCap => on_cap(0.0, -self.axis),
+            ConePart::EndCap => on_cap(self.height, self.axis),
+            ConePart::Side => {
+                let k = self.radius_slope();
                 match unit(p - self.axis * z) {
-                    Some(out) => {
-                        let normal = unit(out - self.axis * k).unwrap_or(out);
-                        let on = self.axis * z + out * (self.base_radius + k * z);
-                        Surface::flat(self.base + on, error, normal)
+                    Some(radial) => {
+                        let normal = unit(radial - self.axis * k).unwrap_or(radial);
+                        let on_side = self.axis * z + radial * (self.base_radius + k * z);
+                        Surface::flat(self.base + on_side, error, normal)
                     }
-                    // The apex has no normal of its own: it points on along the axis.
+                    // The apex has no normal; use the outward direction of the axis.
                     None => Surface::flat(self.base + p, error, self.axis * if k > 0.0 { -1.0 } else { 1.0 }),
                 }
             }

@@ -1,45 +1,51 @@
-//! Box: upright on the axes, or turned.
+//! Solid boxes: axis-aligned and oriented.
 //!
-//! The slabs are intersected by division: products with the reciprocal are faster but less exact, and an
-//! accelerator makes this test rare.
+//! Source: the slab method of Kay and Kajiya, "Ray Tracing Complex Scenes", SIGGRAPH 1986. Difference: the
+//! distances of the faces are quotients, not products with the reciprocal direction, because the rounding
+//! of the reciprocal would move the faces.
 
 use zerocopy::{Immutable, KnownLayout, TryFromBytes};
 
 use super::{Aabb, Ray, ShapeFault, Surface, check_point, check_unit, ray::LEAVING};
 use crate::math::{Axis, Real, Vec3, abs, gamma, unit};
 
-/// A solid box with its faces upright on the axes; its normal points outward.
+/// An axis-aligned solid box. Its normal points outward.
+///
+/// Bounding volumes are [`Aabb`].
 #[derive(Clone, Copy, Debug, PartialEq, TryFromBytes, KnownLayout, Immutable)]
 #[repr(C)]
 pub struct Cuboid {
-    /// The smallest coordinates.
+    /// Corner with the smallest coordinates.
     pub min: Vec3,
-    /// The largest coordinates; none below those of `min`.
+    /// Corner with the largest coordinates; no coordinate is less than that of `min`.
     pub max: Vec3,
 }
 
-/// A solid box turned in space; its normal points outward.
+/// A solid box with any orientation. Its normal points outward.
 #[derive(Clone, Copy, Debug, PartialEq, TryFromBytes, KnownLayout, Immutable)]
 #[repr(C)]
 pub struct TurnedCuboid {
-    /// The middle.
+    /// Center, world space.
     pub center: Vec3,
-    /// Half of its length along each of its axes; none below zero.
+    /// Half of the edge length along each axis of the box; not negative.
     pub half: Vec3,
-    /// Its axes: of length one, upright on each other.
+    /// Axes of the box, world space: unit vectors, perpendicular to each other.
     pub axes: [Vec3; 3],
 }
 
-/// Where a ray goes through the wall of a box: how far, and the wall's outward normal.
-struct Wall {
+/// Intersection of a ray with a face of an axis-aligned box.
+struct BoxFaceHit {
     t: Real,
+    /// The axis that is perpendicular to the face.
     axis: Axis,
-    outward: Real,
+    /// `1.0` or `-1.0`: direction of the outward normal along `axis`.
+    sign: Real,
 }
 
-impl Wall {
+impl BoxFaceHit {
+    /// Outward unit normal of the face.
     fn normal(&self) -> Vec3 {
-        self.outward
+        self.sign
             * match self.axis {
                 Axis::X => Vec3::X,
                 Axis::Y => Vec3::Y,
@@ -48,36 +54,36 @@ impl Wall {
     }
 }
 
-/// The nearest wall in front of the ray's origin: where it comes in, or goes out when it
-/// starts inside.
+/// The face through which the ray enters the box, or through which it exits if it starts inside. The `t`
+/// of the exit is negative if the box is behind the origin.
 ///
-/// A wall's distance that is NaN (the ray runs in it) takes part in no comparison: such a ray
-/// is inside that pair of walls.
-fn nearest_wall(min: Vec3, max: Vec3, ray: &Ray) -> Option<Wall> {
-    // Quotients and not products with the reciprocal, whose rounding would move the wall.
-    let low = (min - ray.origin) / ray.direction;
-    let high = (max - ray.origin) / ray.direction;
-    let mut enter = Wall { t: Real::NEG_INFINITY, axis: Axis::X, outward: 1.0 };
-    let mut leave = Wall { t: Real::INFINITY, axis: Axis::X, outward: 1.0 };
-    for (axis, inverse, low, high) in [
-        (Axis::X, ray.inverse.x, low.x, high.x),
-        (Axis::Y, ray.inverse.y, low.y, high.y),
-        (Axis::Z, ray.inverse.z, low.z, high.z),
+/// The `t` of a face is NaN if the ray lies in its plane. Comparisons with NaN are false, so such a ray is
+/// inside this slab.
+fn intersect_box(min: Vec3, max: Vec3, ray: &Ray) -> Option<BoxFaceHit> {
+    let t_min_face = (min - ray.origin) / ray.direction;
+    let t_max_face = (max - ray.origin) / ray.direction;
+    let mut entry = BoxFaceHit { t: Real::NEG_INFINITY, axis: Axis::X, sign: 1.0 };
+    let mut exit = BoxFaceHit { t: Real::INFINITY, axis: Axis::X, sign: 1.0 };
+    for (axis, inverse, t_min_face, t_max_face) in [
+        (Axis::X, ray.inverse.x, t_min_face.x, t_max_face.x),
+        (Axis::Y, ray.inverse.y, t_min_face.y, t_max_face.y),
+        (Axis::Z, ray.inverse.z, t_min_face.z, t_max_face.z),
     ] {
-        let (near, far, onward) = if inverse >= 0.0 { (low, high, 1.0) } else { (high, low, -1.0) };
-        if near > enter.t {
-            enter = Wall { t: near, axis, outward: -onward };
+        let (t_near, t_far, sign) =
+            if inverse >= 0.0 { (t_min_face, t_max_face, 1.0) } else { (t_max_face, t_min_face, -1.0) };
+        if t_near > entry.t {
+            entry = BoxFaceHit { t: t_near, axis, sign: -sign };
         }
-        if far < leave.t {
-            leave = Wall { t: far, axis, outward: onward };
+        if t_far < exit.t {
+            exit = BoxFaceHit { t: t_far, axis, sign };
         }
     }
-    if enter.t > leave.t {
+    if entry.t > exit.t {
         None
-    } else if enter.t > 0.0 {
-        Some(enter)
+    } else if entry.t > 0.0 {
+        Some(entry)
     } else {
-        Some(leave)
+        Some(exit)
     }
 }
 
@@ -93,33 +99,33 @@ impl Cuboid {
     }
 
     pub(super) fn hit(&self, ray: &Ray) -> Option<Real> {
-        nearest_wall(self.min, self.max, ray).map(|wall| wall.t)
+        intersect_box(self.min, self.max, ray).map(|face| face.t)
     }
 
     pub(super) fn surface(&self, ray: &Ray, t: Real) -> Option<Surface> {
-        let wall = nearest_wall(self.min, self.max, ray)?;
+        let face = intersect_box(self.min, self.max, ray)?;
         let point = ray.at(t);
-        let face = if wall.outward > 0.0 { self.max } else { self.min };
-        let point = match wall.axis {
-            Axis::X => Vec3::new(face.x, point.y, point.z),
-            Axis::Y => Vec3::new(point.x, face.y, point.z),
-            Axis::Z => Vec3::new(point.x, point.y, face.z),
+        let corner = if face.sign > 0.0 { self.max } else { self.min };
+        let point = match face.axis {
+            Axis::X => Vec3::new(corner.x, point.y, point.z),
+            Axis::Y => Vec3::new(point.x, corner.y, point.z),
+            Axis::Z => Vec3::new(point.x, point.y, corner.z),
         };
-        // Along the normal the point is exact; the step must only outgrow the next test's rounding.
-        Some(Surface::flat(point, abs(point) * gamma(4 + LEAVING), wall.normal()))
+        // The point is exact along the normal. The error covers the rounding of the next ray's test.
+        Some(Surface::flat(point, abs(point) * gamma(4 + LEAVING), face.normal()))
     }
 }
 
 impl TurnedCuboid {
-    /// A box round `center`, `half` of its lengths along its axes: the third is `third`, the
-    /// first is the part of `first` upright on it.
+    /// The box around `center` with the given half extents along its axes.
     ///
-    /// None when the two are parallel or no directions.
-    pub fn new(center: Vec3, half: Vec3, first: Vec3, third: Vec3) -> Option<Self> {
-        let third = unit(third)?;
-        let first = unit(first)?;
-        let second = unit(third.cross(first))?;
-        Some(TurnedCuboid { center, half, axes: [second.cross(third), second, third] })
+    /// Its z axis is the direction of `z_axis`; its x axis is the direction of the component of `x_axis`
+    /// perpendicular to it. `None` if both are parallel, or if one is zero or not finite.
+    pub fn new(center: Vec3, half: Vec3, x_axis: Vec3, z_axis: Vec3) -> Option<Self> {
+        let z_axis = unit(z_axis)?;
+        let x_axis = unit(x_axis)?;
+        let y_axis = unit(z_axis.cross(x_axis))?;
+        Some(TurnedCuboid { center, half, axes: [y_axis.cross(z_axis), y_axis, z_axis] })
     }
 
     pub(super) fn check(&self) -> Result<(), ShapeFault> {
@@ -137,32 +143,34 @@ impl TurnedCuboid {
 
     pub(super) fn bounds(&self) -> Aabb {
         let [x, y, z] = self.axes;
-        let reach = abs(x) * self.half.x + abs(y) * self.half.y + abs(z) * self.half.z;
-        Aabb::round(self.center, reach * (1.0 + gamma(8)))
+        let half_extent = abs(x) * self.half.x + abs(y) * self.half.y + abs(z) * self.half.z;
+        Aabb::round(self.center, half_extent * (1.0 + gamma(8)))
     }
 
-    /// The ray in the box's own frame: the centre is subtracted first, so that errors follow
-    /// the distance between both and not their place.
-    fn turned(&self, ray: &Ray) -> Ray {
+    /// The ray in the frame of the box: its axes, its center as origin.
+    ///
+    /// The center is subtracted first, so that the errors are relative to the distance between ray and box
+    /// and not to their coordinates.
+    fn to_box_frame(&self, ray: &Ray) -> Ray {
         let [x, y, z] = self.axes;
-        let own = |v: Vec3| Vec3::new(v.dot(x), v.dot(y), v.dot(z));
-        Ray::new(own(ray.origin - self.center), own(ray.direction))
+        let rotate = |v: Vec3| Vec3::new(v.dot(x), v.dot(y), v.dot(z));
+        Ray::new(rotate(ray.origin - self.center), rotate(ray.direction))
     }
 
     pub(super) fn hit(&self, ray: &Ray) -> Option<Real> {
-        nearest_wall(-self.half, self.half, &self.turned(ray)).map(|wall| wall.t)
+        intersect_box(-self.half, self.half, &self.to_box_frame(ray)).map(|face| face.t)
     }
 
     pub(super) fn surface(&self, ray: &Ray, t: Real) -> Option<Surface> {
-        let wall = nearest_wall(-self.half, self.half, &self.turned(ray))?;
+        let face = intersect_box(-self.half, self.half, &self.to_box_frame(ray))?;
         let [x, y, z] = self.axes;
-        let (axis, half) = match wall.axis {
+        let (axis, half) = match face.axis {
             Axis::X => (x, self.half.x),
             Axis::Y => (y, self.half.y),
             Axis::Z => (z, self.half.z),
         };
-        let normal = axis * wall.outward;
-        let p = ray.at_from(t, self.center);
+        let normal = axis * face.sign;
+        let p = ray.at_relative_to(t, self.center);
         let point = self.center + (p - normal * (p.dot(normal) - half));
         let error = (abs(self.center) + Vec3::splat(self.half.max_element())) * gamma(16 + LEAVING);
         Some(Surface::flat(point, error, normal))

@@ -1,23 +1,23 @@
-//! Disc: the part of a plane within a radius.
+//! Disc: the points of a plane within a radius of the center.
 //!
-//! The distance to the edge is computed relative to the ray's origin: the coordinates of the hit point are
-//! coarse far from the world's origin.
+//! The distance from the center is computed relative to the ray's origin. World coordinates of the hit
+//! point are too coarse far from the origin.
 
 use zerocopy::{Immutable, KnownLayout, TryFromBytes};
 
-use super::plane::level;
+use super::plane::plane_interaction;
 use super::{Aabb, Ray, ShapeFault, Surface, check_radius, check_unit};
 use crate::math::{Real, Vec3, sqrt};
 
-/// A flat round disc.
+/// A flat disc, hit from both sides.
 #[derive(Clone, Copy, Debug, PartialEq, TryFromBytes, KnownLayout, Immutable)]
 #[repr(C)]
 pub struct Disc {
-    /// The centre.
+    /// Center, world space.
     pub center: Vec3,
-    /// Upright on it, of length one.
+    /// Unit normal.
     pub normal: Vec3,
-    /// The radius, more than zero.
+    /// Radius; positive.
     pub radius: Real,
 }
 
@@ -28,7 +28,7 @@ impl Disc {
     }
 
     pub(super) fn bounds(&self) -> Aabb {
-        Aabb::round(self.center, disc_reach(self.normal, self.radius))
+        Aabb::round(self.center, disc_half_extent(self.normal, self.radius))
     }
 
     pub(super) fn hit(&self, ray: &Ray) -> Option<Real> {
@@ -39,17 +39,21 @@ impl Disc {
     }
 
     pub(super) fn surface(&self, ray: &Ray, t: Real) -> Surface {
-        level(ray, t, self.center, self.normal)
+        plane_interaction(ray, t, self.center, self.normal)
     }
 }
 
-/// How far a disc upright on `normal` reaches along each axis: `r sqrt(1 - n^2)`.
+/// Half extent along each axis of a disc perpendicular to `normal`: `r sqrt(1 - n^2)`.
 ///
-/// Written with the two other components, so that nothing cancels: a disc upright on an axis is
-/// exactly flat.
-pub(super) fn disc_reach(normal: Vec3, radius: Real) -> Vec3 {
+/// `1 - n^2` is computed from the two other components, so that nothing cancels: the box of a disc
+/// perpendicular to an axis is exactly flat.
+pub(super) fn disc_half_extent(normal: Vec3, radius: Real) -> Vec3 {
     let square = normal * normal;
-    let all = normal.dot(normal);
-    let reach = |others: Real| radius * sqrt(others / all);
-    Vec3::new(reach(square.y + square.z), reach(square.z + square.x), reach(square.x + square.y))
+    let length_squared = normal.dot(normal);
+    let half_extent = |others: Real| radius * sqrt(others / length_squared);
+    Vec3::new(
+        half_extent(square.y + square.z),
+        half_extent(square.z + square.x),
+        half_extent(square.x + square.y),
+    )
 }

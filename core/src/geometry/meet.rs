@@ -1,101 +1,102 @@
-//! Where a ray meets a shape, and what that is like there: which shape is asked, and how.
+//! Intersection of a ray with a shape of any kind, and the surface at the hit.
 //!
-//! The inner loops go through here, so it is said what is inlined where. A tracer of few kinds has
-//! the tests of all of them at each of the places that ask. One of many has those of spheres, and goes
-//! elsewhere for the rest: a call is little beside the other tests.
+//! The inner loops call these functions, so inlining is explicit. A tracer of one or two kinds of shapes
+//! inlines their tests at every call. A tracer of more kinds inlines only the test of spheres and calls
+//! one function for all others: beside the other tests a call is cheap.
 
 use super::{Aabb, Geometry, Ray, Shape, ShapeKind, Shapes, Sphere, Surface, of, triangle};
 use crate::math::{Real, Vec3, vec3};
 
-/// Whether it may be how far something is: more than zero, and finite.
-pub(super) fn is_distance(t: &Real) -> bool {
+/// Whether `t` can be a hit: positive and finite.
+pub(super) fn is_valid_t(t: &Real) -> bool {
     *t > 0.0 && *t <= Real::MAX
 }
 
-/// How far along the ray a triangle is met, as [`Geometry::distance`] says.
+/// The `t` at which the ray hits the triangle with the given vertices, as in [`Geometry::distance`].
 #[inline]
-pub(crate) fn triangle_distance(corners: [&Vec3; 3], ray: &Ray) -> Option<Real> {
-    let t = triangle::hit(corners, ray).map(|contact| contact.t).filter(is_distance)?;
-    moved_into(triangle::bounds(corners), t, ray.origin, ray.inverse)
+pub(crate) fn triangle_distance(vertices: [&Vec3; 3], ray: &Ray) -> Option<Real> {
+    let t = triangle::hit(vertices, ray).map(|hit| hit.t).filter(is_valid_t)?;
+    clamp_to_box(triangle::bounds(vertices), t, ray.origin, ray.inverse)
 }
 
-/// The distance nearest to `t` at which the ray is inside a box.
+/// `t` clamped to the interval in which the ray is inside the box. `None` if there is no such interval, or
+/// if the result is not a valid hit.
 #[inline(always)]
-pub(super) fn moved_into(aabb: Aabb, t: Real, origin: Vec3, inverse: Vec3) -> Option<Real> {
-    let span = aabb.span_along(origin, inverse)?;
-    let t = if t < span.entry { span.entry } else { t };
-    let t = if t > span.exit { span.exit } else { t };
-    Some(t).filter(is_distance)
+pub(super) fn clamp_to_box(aabb: Aabb, t: Real, origin: Vec3, inverse_direction: Vec3) -> Option<Real> {
+    let interval = aabb.intersect_components(origin, inverse_direction)?;
+    let t = if t < interval.entry { interval.entry } else { t };
+    let t = if t > interval.exit { interval.exit } else { t };
+    Some(t).filter(is_valid_t)
 }
 
 impl Geometry<'_> {
-    /// How far along the ray a shape is first met, from either side: more than zero and
-    /// finite.
+    /// The `t` of the first hit of a shape, from either side, in lengths of the ray's direction: positive
+    /// and finite.
     ///
-    /// The distance is moved into the interval in which the ray is inside the shape's own box,
-    /// and where there is no such interval there is no hit. Rounding may have put it a little
-    /// outside, and an accelerator that leaves out the box would then give another picture
-    /// than one that does not.
+    /// `t` is clamped to the interval in which the ray is inside the bounds of the shape; without such an
+    /// interval there is no hit. Rounding may have moved `t` slightly out of it, and then an accelerator
+    /// that culls by the bounds and one that does not would produce different pictures.
     #[inline(always)]
     pub fn distance<S: Shapes>(&self, shape: &Shape, ray: &Ray) -> Option<Real> {
-        // Few kinds are worth a copy at each of the places that ask.
+        // The tests of one or two kinds are inlined at every call.
         if S::SHAPES.len() <= 2 && !S::MOTION {
-            return self.rest_distance::<S>(shape, ray);
+            return self.intersect_static::<S>(shape, ray);
         }
-        // Spheres are so cheap that the way there would cost more.
+        // The test of a sphere is so cheap that a call would dominate.
         if S::SHAPES.has(ShapeKind::Sphere)
             && let Shape::Sphere(sphere) = shape
         {
-            return self.sphere_distance::<S>(sphere, shape, ray);
+            return self.intersect_sphere::<S>(sphere, shape, ray);
         }
-        self.distance_there::<S>(shape, ray)
+        self.intersect_outlined::<S>(shape, ray)
     }
 
+    /// [`Geometry::distance`], not inlined.
     #[inline(never)]
-    fn distance_there<S: Shapes>(&self, shape: &Shape, ray: &Ray) -> Option<Real> {
+    fn intersect_outlined<S: Shapes>(&self, shape: &Shape, ray: &Ray) -> Option<Real> {
         if S::MOTION
-            && let Shape::Moving(place) = shape
+            && let Shape::Moving(index) = shape
         {
-            return self.moving_distance::<S>(*place, ray);
+            return self.moving_distance::<S>(*index, ray);
         }
-        self.rest_distance::<S>(shape, ray)
+        self.intersect_static::<S>(shape, ray)
     }
 
-    /// As [`Geometry::distance`], of what does not move.
+    /// [`Geometry::distance`] of a shape that does not move.
     #[inline(always)]
-    pub(super) fn rest_distance<S: Shapes>(&self, shape: &Shape, ray: &Ray) -> Option<Real> {
-        // Guards for each arm, and not one test before all of them, are known when compiling.
-        // The first two are not arms of the match, where they would become a table of the kinds.
-        let can = |kind| S::SHAPES.has(kind);
-        if can(ShapeKind::Sphere)
+    pub(super) fn intersect_static<S: Shapes>(&self, shape: &Shape, ray: &Ray) -> Option<Real> {
+        // The guard of each arm is a constant; one test before the match would not be.
+        // Spheres and polygons are not arms of the match because it would then become a jump table.
+        let supports = |kind| S::SHAPES.has(kind);
+        if supports(ShapeKind::Sphere)
             && let Shape::Sphere(sphere) = shape
         {
-            return self.sphere_distance::<S>(sphere, shape, ray);
+            return self.intersect_sphere::<S>(sphere, shape, ray);
         }
-        if can(ShapeKind::Polygon)
-            && let Shape::Polygon(place) = shape
+        if supports(ShapeKind::Polygon)
+            && let Shape::Polygon(index) = shape
         {
-            return of(self.polygons, *place)?.hit(self.points, ray);
+            return of(self.polygons, *index)?.hit(self.points, ray);
         }
-        let t = self.raw_distance::<S>(shape, ray).filter(is_distance)?;
+        let t = self.intersect_unclamped::<S>(shape, ray).filter(is_valid_t)?;
         match shape {
             Shape::Plane(_) => Some(t),
-            _ => self.within_bounds::<S>(shape, t, ray),
+            _ => self.clamp_to_bounds::<S>(shape, t, ray),
         }
     }
 
     #[inline(always)]
-    fn sphere_distance<S: Shapes>(&self, sphere: &Sphere, shape: &Shape, ray: &Ray) -> Option<Real> {
-        let t = sphere.hit(ray).filter(is_distance)?;
-        if sphere.is_surely_in_its_box(ray, t) { Some(t) } else { self.within_bounds::<S>(shape, t, ray) }
+    fn intersect_sphere<S: Shapes>(&self, sphere: &Sphere, shape: &Shape, ray: &Ray) -> Option<Real> {
+        let t = sphere.hit(ray).filter(is_valid_t)?;
+        if sphere.is_certainly_in_bounds(ray, t) { Some(t) } else { self.clamp_to_bounds::<S>(shape, t, ray) }
     }
 
-    /// The distance moved into the shape's own box.
-    fn within_bounds<S: Shapes>(&self, shape: &Shape, t: Real, ray: &Ray) -> Option<Real> {
-        /// Not inlined, because most rays miss most items, and a miss should be short.
+    /// `t` clamped to the bounds of the shape, as [`clamp_to_box`].
+    fn clamp_to_bounds<S: Shapes>(&self, shape: &Shape, t: Real, ray: &Ray) -> Option<Real> {
+        /// Not inlined because most rays miss most items, and the code for a miss should be short.
         #[inline(never)]
-        #[allow(clippy::too_many_arguments)] // in registers: what lies in memory, all of it must be made for
-        fn apart<S: Shapes>(
+        #[allow(clippy::too_many_arguments)] // in registers: passing a ray would force all its fields into memory
+        fn clamp_outlined<S: Shapes>(
             geometry: &Geometry<'_>,
             shape: &Shape,
             t: Real,
@@ -106,45 +107,46 @@ impl Geometry<'_> {
             dy: Real,
             dz: Real,
         ) -> Option<Real> {
-            // Rays that meet no box then need no reciprocal.
-            let inverse = 1.0 / vec3(dx, dy, dz);
-            moved_into(geometry.rest_bounds::<S>(*shape)?, t, vec3(ox, oy, oz), inverse)
+            // The reciprocal is computed only here, so rays that hit no bounds do not need it.
+            let inverse_direction = 1.0 / vec3(dx, dy, dz);
+            clamp_to_box(geometry.rest_bounds::<S>(*shape)?, t, vec3(ox, oy, oz), inverse_direction)
         }
         let (o, d) = (ray.origin, ray.direction);
-        apart::<S>(self, shape, t, o.x, o.y, o.z, d.x, d.y, d.z)
+        clamp_outlined::<S>(self, shape, t, o.x, o.y, o.z, d.x, d.y, d.z)
     }
 
-    /// Of the shapes that [`Geometry::distance`] has not answered for itself, before the distance
-    /// is moved.
+    /// The `t` before it is clamped, for shapes other than spheres and polygons.
     #[inline(always)]
-    fn raw_distance<S: Shapes>(&self, shape: &Shape, ray: &Ray) -> Option<Real> {
-        let can = |kind| S::SHAPES.has(kind);
+    fn intersect_unclamped<S: Shapes>(&self, shape: &Shape, ray: &Ray) -> Option<Real> {
+        let supports = |kind| S::SHAPES.has(kind);
         match *shape {
-            Shape::Triangle(corners) if can(ShapeKind::Triangle) => self.triangle_distance(corners, ray),
-            Shape::SmoothTriangle(corners) if can(ShapeKind::SmoothTriangle) => {
-                self.triangle_distance(corners, ray)
+            Shape::Triangle(indices) if supports(ShapeKind::Triangle) => {
+                self.intersect_triangle(indices, ray)
             }
-            Shape::Plane(place) if can(ShapeKind::Plane) => of(self.planes, place)?.hit(ray),
-            Shape::Disc(place) if can(ShapeKind::Disc) => of(self.discs, place)?.hit(ray),
-            Shape::Cuboid(place) if can(ShapeKind::Cuboid) => of(self.cuboids, place)?.hit(ray),
-            Shape::TurnedCuboid(place) if can(ShapeKind::TurnedCuboid) => {
-                of(self.turned_cuboids, place)?.hit(ray)
+            Shape::SmoothTriangle(indices) if supports(ShapeKind::SmoothTriangle) => {
+                self.intersect_triangle(indices, ray)
             }
-            Shape::Cone(place) if can(ShapeKind::Cone) => of(self.cones, place)?.hit(ray),
-            Shape::Torus(place) if can(ShapeKind::Torus) => of(self.tori, place)?.hit(ray),
+            Shape::Plane(index) if supports(ShapeKind::Plane) => of(self.planes, index)?.hit(ray),
+            Shape::Disc(index) if supports(ShapeKind::Disc) => of(self.discs, index)?.hit(ray),
+            Shape::Cuboid(index) if supports(ShapeKind::Cuboid) => of(self.cuboids, index)?.hit(ray),
+            Shape::TurnedCuboid(index) if supports(ShapeKind::TurnedCuboid) => {
+                of(self.turned_cuboids, index)?.hit(ray)
+            }
+            Shape::Cone(index) if supports(ShapeKind::Cone) => of(self.cones, index)?.hit(ray),
+            Shape::Torus(index) if supports(ShapeKind::Torus) => of(self.tori, index)?.hit(ray),
             _ => None,
         }
     }
 
     #[inline(always)]
-    fn triangle_distance(&self, corners: [u32; 3], ray: &Ray) -> Option<Real> {
-        triangle::hit(self.corners(corners)?, ray).map(|contact| contact.t)
+    fn intersect_triangle(&self, indices: [u32; 3], ray: &Ray) -> Option<Real> {
+        triangle::hit(self.corners(indices)?, ray).map(|hit| hit.t)
     }
 
-    /// What a shape is like where the ray meets it, `t` away as [`Geometry::distance`] said.
+    /// The surface of a shape at a hit, whose `t` is the result of [`Geometry::distance`].
     #[inline(always)]
     pub fn surface<S: Shapes>(&self, shape: &Shape, ray: &Ray, t: Real) -> Option<Surface> {
-        // As cheap as the way there, again; of few kinds it is one of few arms anyway.
+        // Again a call would dominate. For one or two kinds the match below is inlined anyway.
         if S::SHAPES.len() > 2
             && S::SHAPES.has(ShapeKind::Sphere)
             && let Shape::Sphere(sphere) = shape
@@ -152,43 +154,50 @@ impl Geometry<'_> {
             return Some(sphere.surface(ray, t));
         }
         if S::MOTION
-            && let Shape::Moving(place) = shape
+            && let Shape::Moving(index) = shape
         {
-            return self.moving_surface::<S>(*place, ray, t);
+            return self.moving_surface::<S>(*index, ray, t);
         }
-        self.rest_surface::<S>(shape, ray, t)
+        self.static_surface::<S>(shape, ray, t)
     }
 
-    /// As [`Geometry::surface`], for whoever asks seldom: not inlined.
+    /// [`Geometry::surface`] of a shape that does not move, not inlined: for rare calls.
     #[inline(never)]
-    pub(super) fn surface_there<S: Shapes>(&self, shape: &Shape, ray: &Ray, t: Real) -> Option<Surface> {
-        self.rest_surface::<S>(shape, ray, t)
+    pub(super) fn static_surface_outlined<S: Shapes>(
+        &self,
+        shape: &Shape,
+        ray: &Ray,
+        t: Real,
+    ) -> Option<Surface> {
+        self.static_surface::<S>(shape, ray, t)
     }
 
     #[inline(always)]
-    fn rest_surface<S: Shapes>(&self, shape: &Shape, ray: &Ray, t: Real) -> Option<Surface> {
-        let can = |kind| S::SHAPES.has(kind);
+    fn static_surface<S: Shapes>(&self, shape: &Shape, ray: &Ray, t: Real) -> Option<Surface> {
+        let supports = |kind| S::SHAPES.has(kind);
         match *shape {
-            Shape::Sphere(sphere) if can(ShapeKind::Sphere) => Some(sphere.surface(ray, t)),
-            Shape::Triangle(corners) if can(ShapeKind::Triangle) => {
-                triangle::surface(self.corners(corners)?, None, ray)
+            Shape::Sphere(sphere) if supports(ShapeKind::Sphere) => Some(sphere.surface(ray, t)),
+            Shape::Triangle(indices) if supports(ShapeKind::Triangle) => {
+                triangle::surface(self.corners(indices)?, None, ray)
             }
-            Shape::SmoothTriangle(corners) if can(ShapeKind::SmoothTriangle) => {
-                let normals = if S::SMOOTH { self.corner_normals(corners) } else { None };
-                triangle::surface(self.corners(corners)?, normals, ray)
+            Shape::SmoothTriangle(indices) if supports(ShapeKind::SmoothTriangle) => {
+                let normals = if S::SMOOTH { self.corner_normals(indices) } else { None };
+                triangle::surface(self.corners(indices)?, normals, ray)
             }
-            Shape::Plane(place) if can(ShapeKind::Plane) => Some(of(self.planes, place)?.surface(ray, t)),
-            Shape::Disc(place) if can(ShapeKind::Disc) => Some(of(self.discs, place)?.surface(ray, t)),
-            Shape::Polygon(place) if can(ShapeKind::Polygon) => {
+            Shape::Plane(index) if supports(ShapeKind::Plane) => {
+                Some(of(self.planes, index)?.surface(ray, t))
+            }
+            Shape::Disc(index) if supports(ShapeKind::Disc) => Some(of(self.discs, index)?.surface(ray, t)),
+            Shape::Polygon(index) if supports(ShapeKind::Polygon) => {
                 let normals = if S::SMOOTH { Some(self.normals) } else { None };
-                Some(of(self.polygons, place)?.surface(self.points, normals, ray, t))
+                Some(of(self.polygons, index)?.surface(self.points, normals, ray, t))
             }
-            Shape::Cuboid(place) if can(ShapeKind::Cuboid) => of(self.cuboids, place)?.surface(ray, t),
-            Shape::TurnedCuboid(place) if can(ShapeKind::TurnedCuboid) => {
-                of(self.turned_cuboids, place)?.surface(ray, t)
+            Shape::Cuboid(index) if supports(ShapeKind::Cuboid) => of(self.cuboids, index)?.surface(ray, t),
+            Shape::TurnedCuboid(index) if supports(ShapeKind::TurnedCuboid) => {
+                of(self.turned_cuboids, index)?.surface(ray, t)
             }
-            Shape::Cone(place) if can(ShapeKind::Cone) => of(self.cones, place)?.surface(ray, t),
-            Shape::Torus(place) if can(ShapeKind::Torus) => Some(of(self.tori, place)?.surface(ray, t)),
+            Shape::Cone(index) if supports(ShapeKind::Cone) => of(self.cones, index)?.surface(ray, t),
+            Shape::Torus(index) if supports(ShapeKind::Torus) => Some(of(self.tori, index)?.surface(ray, t)),
             _ => None,
         }
     }

@@ -8,7 +8,7 @@
 
 use zerocopy::{Immutable, KnownLayout, TryFromBytes};
 
-use super::meet::moved_into;
+use super::meet::clamp_to_box;
 use super::ray::LEAVING;
 use super::shape::{Shape, ShapeFault, ShapeKind, Shapes, check_point};
 use super::{Aabb, Geometry, Ray, Surface, of};
@@ -94,10 +94,10 @@ impl<'s> Geometry<'s> {
     #[inline(never)]
     pub(super) fn moving_distance<S: Shapes>(&self, place: u32, ray: &Ray) -> Option<Real> {
         let moving = self.moving(place)?;
-        let t = self.rest_distance::<S>(&moving.shape, &moving.back(ray))?;
+        let t = self.intersect_static::<S>(&moving.shape, &moving.back(ray))?;
         match moving.shape {
             Shape::Plane(_) => Some(t),
-            _ => moved_into(self.moving_bounds::<S>(place)?, t, ray.origin, ray.inverse),
+            _ => clamp_to_box(self.moving_bounds::<S>(place)?, t, ray.origin, ray.inverse),
         }
     }
 
@@ -105,7 +105,7 @@ impl<'s> Geometry<'s> {
     #[inline(never)]
     pub(super) fn moving_surface<S: Shapes>(&self, place: u32, ray: &Ray, t: Real) -> Option<Surface> {
         let moving = self.moving(place)?;
-        let rest = self.surface_there::<S>(&moving.shape, &moving.back(ray), t)?;
+        let rest = self.static_surface_outlined::<S>(&moving.shape, &moving.back(ray), t)?;
         let point = rest.point + moving.offset(ray.time);
         // This sum is off by one rounding, and by another the difference when the next ray asks.
         let error = rest.error + (abs(rest.point) + abs(point)) * gamma(3 + LEAVING);

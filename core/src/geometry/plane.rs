@@ -1,22 +1,22 @@
-//! Plane: all points level with a given one. It has no end, and so no box.
+//! Infinite plane.
 //!
-//! The point is subtracted before anything else: the plane's distance from the world's origin would be
-//! coarse far from there.
+//! It has no bounds, so every ray is tested against it. A plane stores a point, not its distance from the
+//! world origin, because that distance is too coarse far from the origin.
 
 use zerocopy::{Immutable, KnownLayout, TryFromBytes};
 
 use super::{ItemId, Ray, ShapeFault, Surface, check_point, check_unit, ray::LEAVING};
 use crate::math::{Real, Vec3, abs, gamma, largest};
 
-/// An unbounded plane.
+/// An infinite plane, hit from both sides.
 #[derive(Clone, Copy, Debug, PartialEq, TryFromBytes, KnownLayout, Immutable)]
 #[repr(C)]
 pub struct Plane {
-    /// A point on it. Errors grow with the distance from here.
+    /// A point on the plane, world space. Rounding errors grow with the distance from it.
     pub point: Vec3,
-    /// Upright on it, of length one.
+    /// Unit normal.
     pub normal: Vec3,
-    /// The item that it is: planes are tested before everything else, from their own table.
+    /// Item of the scene that is this plane. A tracer tests the table of planes before all other items.
     pub item: ItemId,
 }
 
@@ -31,21 +31,26 @@ impl Plane {
     }
 
     pub(super) fn surface(&self, ray: &Ray, t: Real) -> Surface {
-        level(ray, t, self.point, self.normal)
+        plane_interaction(ray, t, self.point, self.normal)
     }
 }
 
-/// The surface where the ray is at `t`, moved onto the plane through `point` upright on `normal`.
-pub(super) fn level(ray: &Ray, t: Real, point: Vec3, normal: Vec3) -> Surface {
-    let p = ray.at_from(t, point);
-    let point_on = point + (p - normal * p.dot(normal));
-    let error = (abs(point_on) + Vec3::splat(largest(p))) * gamma(12 + LEAVING);
-    Surface::flat(point_on, error, normal)
+/// The surface at `t` of the plane through `point` with the given unit `normal`. The point of the ray is
+/// projected onto the plane.
+pub(super) fn plane_interaction(ray: &Ray, t: Real, point: Vec3, normal: Vec3) -> Surface {
+    let p = ray.at_relative_to(t, point);
+    let projected = point + (p - normal * p.dot(normal));
+    let error = (abs(projected) + Vec3::splat(largest(p))) * gamma(12 + LEAVING);
+    Surface::flat(projected, error, normal)
 }
 
-/// How far off a point the plane upright on the normal of a corner is, on the side of the normals or
-/// on the other; nothing when it lies below the point. The corner is seen from the point.
-pub(super) fn above(corner: Vec3, normal: Vec3, outside: bool) -> Vec3 {
-    let height = corner.dot(normal);
-    if if outside { height > 0.0 } else { height < 0.0 } { normal * height } else { Vec3::ZERO }
+/// Offset from a point to the tangent plane of a vertex, along the unit normal of the vertex.
+///
+/// * `vertex`: relative to the point.
+/// * `front_face`: the side of the surface that needs the offset, that of the normals or the other.
+///
+/// It is zero if the tangent plane is on the other side of the point.
+pub(super) fn tangent_plane_offset(vertex: Vec3, normal: Vec3, front_face: bool) -> Vec3 {
+    let height = vertex.dot(normal);
+    if if front_face { height > 0.0 } else { height < 0.0 } { normal * height } else { Vec3::ZERO }
 }

@@ -1,113 +1,119 @@
-//! Rays, and how one leaves a surface.
+//! Rays, and the origin of a ray that leaves a surface.
 
 use crate::math::{Axis, Real, Vec3, abs, largest, power_of_two, vec3};
 
-/// A half-line from `origin` along `direction`, and what every test of it needs.
+/// A half-line from `origin` along `direction`, with the values that intersection tests derive from it.
 ///
-/// Distances along it (`t`) count in lengths of `direction`.
+/// Parameters along the ray (`t`) are measured in lengths of `direction`.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Ray {
-    /// Where it starts.
+    /// Position, world space.
     pub origin: Vec3,
-    /// Where it goes, of any length; the tracer's own have length one.
+    /// Direction of any length, world space. A tracer uses directions of about unit length.
     pub direction: Vec3,
-    /// One over each component of the direction; infinite where that is zero, with its sign.
+    /// Reciprocal of each component of the direction; infinite for zero, with its sign.
     pub inverse: Vec3,
-    /// When: 0 where the shutter opens, 1 where it closes. Only what moves asks.
+    /// Time in `0..=1` between opening and closing of the shutter. Only moving shapes use it.
     pub time: Real,
-    /// The axis along which the direction reaches farthest.
+    /// Axis of the largest absolute component of the direction.
     pub axis: Axis,
-    /// One over the component of the direction along `axis`.
-    pub(super) third: Real,
-    /// With [`Ray::upward`], what shows a place as the ray sees it: two of its coordinates, less
-    /// what the ray itself moves along them on the way there.
-    pub(super) across: Vec3,
-    pub(super) upward: Vec3,
-    /// The direction times `scale`, about one long: its square is in range, however long the
-    /// direction is.
-    pub(super) along: Vec3,
-    /// The square of the length of `along`; no number when the ray meets nothing.
-    pub(super) square: Real,
+    /// Reciprocal of the component of the direction along `axis`.
+    pub(super) inverse_dominant: Real,
+    /// First row of the matrix that maps the direction to the z axis (Woop et al., JCGT 2013). Its product
+    /// with a point relative to `origin` is the x coordinate in the frame of the ray.
+    pub(super) shear_x: Vec3,
+    /// Second row of that matrix, for the y coordinate.
+    pub(super) shear_y: Vec3,
+    /// The direction times `direction_scale`. Its length is about one, so its square is in range.
+    pub(super) scaled_direction: Vec3,
+    /// Squared length of `scaled_direction`; NaN if the ray hits nothing.
+    pub(super) scaled_length_squared: Real,
     /// A power of two.
-    pub(super) scale: Real,
+    pub(super) direction_scale: Real,
 }
 
 impl Ray {
-    /// The ray from `origin` along `direction`, at the time 0. It meets nothing when one of both is not finite,
-    /// or when the direction is zero or so short that one over it is not finite.
+    /// The ray from `origin` along `direction`, at time 0.
+    ///
+    /// It hits nothing if the origin or the direction is not finite, or if the direction is zero or so short
+    /// that its reciprocal overflows.
     pub fn new(origin: Vec3, direction: Vec3) -> Self {
-        let ray = Self::scaled(origin, direction, 1.0 / power_of_two(largest(direction)), 0.0);
-        // Nothing of what is finite, and no number of what is not.
-        let nothing = origin.dot(Vec3::ZERO) + ray.third * 0.0;
-        Ray { square: ray.square + nothing, ..ray }
+        let ray = Self::with_scale(origin, direction, 1.0 / power_of_two(largest(direction)), 0.0);
+        // Zero for a valid ray, NaN for any other.
+        let nan_if_invalid = origin.dot(Vec3::ZERO) + ray.inverse_dominant * 0.0;
+        Ray { scaled_length_squared: ray.scaled_length_squared + nan_if_invalid, ..ray }
     }
 
-    /// The same ray for less work, where the direction is about one long: between a half and two.
+    /// [`Ray::new`] with less work, for a finite origin and a direction with a length between 0.5 and 2.
     pub(crate) fn near_unit(origin: Vec3, direction: Vec3, time: Real) -> Self {
         debug_assert!(origin.is_finite() && largest(direction) > 0.25 && largest(direction) <= 2.0);
-        Self::scaled(origin, direction, 1.0, time)
+        Self::with_scale(origin, direction, 1.0, time)
     }
 
-    /// Inlined, so that what no shape of the tracer asks for is not made.
+    /// Always inlined, so that fields that no shape of the tracer uses are optimized away.
     #[inline(always)]
-    fn scaled(origin: Vec3, direction: Vec3, scale: Real, time: Real) -> Self {
+    fn with_scale(origin: Vec3, direction: Vec3, direction_scale: Real, time: Real) -> Self {
         let inverse = 1.0 / direction;
         let axis = Axis::largest_of(direction);
-        let (turned, third) = (axis.to_third(direction), axis.to_third(inverse).z);
-        let along = direction * scale;
+        let (permuted, inverse_dominant) = (axis.to_third(direction), axis.to_third(inverse).z);
+        let scaled_direction = direction * direction_scale;
         Ray {
             origin,
             direction,
             inverse,
             time,
             axis,
-            third,
-            across: axis.place_back(vec3(1.0, 0.0, -(turned.x * third))),
-            upward: axis.place_back(vec3(0.0, 1.0, -(turned.y * third))),
-            along,
-            square: along.dot(along),
-            scale,
+            inverse_dominant,
+            shear_x: axis.place_back(vec3(1.0, 0.0, -(permuted.x * inverse_dominant))),
+            shear_y: axis.place_back(vec3(0.0, 1.0, -(permuted.y * inverse_dominant))),
+            scaled_direction,
+            scaled_length_squared: scaled_direction.dot(scaled_direction),
+            direction_scale,
         }
     }
 
-    /// The same ray at another time.
+    /// The same ray at another time, in `0..=1` between opening and closing of the shutter.
     #[inline(always)]
     pub fn at_time(self, time: Real) -> Self {
         Ray { time, ..self }
     }
 
-    /// Whether it can meet anything.
+    /// Whether the ray can hit anything: see [`Ray::new`].
     pub(crate) fn is_sound(&self) -> bool {
-        self.square > 0.0
+        self.scaled_length_squared > 0.0
     }
 
-    /// The point `t` lengths of the direction away.
+    /// The point at `t`, world space.
     pub fn at(&self, t: Real) -> Vec3 {
         self.origin + self.direction * t
     }
 
-    /// The same, seen from `center`. Subtracted first, so that the error follows the distance
-    /// between both and not their place.
-    pub(super) fn at_from(&self, t: Real, center: Vec3) -> Vec3 {
+    /// The point at `t`, relative to `center`.
+    ///
+    /// `center` is subtracted from the origin first, so that the error is relative to the distance between
+    /// both and not to their coordinates.
+    pub(super) fn at_relative_to(&self, t: Real, center: Vec3) -> Vec3 {
         (self.origin - center) + self.direction * t
     }
 }
 
-/// The place near `point` from which a ray leaves a surface to the side of `normal`.
+/// Origin of a ray that leaves a surface: `point` moved along `normal` until it is outside of its error
+/// box.
 ///
-/// `point` lies on the surface to within `error` (a bound for each component); `normal` has
-/// length one and points to the side that the ray goes to. The place certainly lies on that
-/// side: it is moved along the normal just far enough to leave the box that the error spans.
-/// No constant here has a unit, the step follows from the error alone ("Physically Based
-/// Rendering", Pharr, Jakob, Humphreys, 6.8).
+/// * `point`: on the surface to within `error`, world space.
+/// * `error`: absolute bound for each component, in scene lengths.
+/// * `normal`: unit normal of the surface, on the side on which the ray leaves.
 ///
-/// Differs from it: the place is not rounded away from the surface. What rounding takes from
-/// the step is a roundoff of each component of the place, and `error` holds two for it, as that
-/// of a [`Surface`](super::Surface) does.
+/// The result is certainly on that side. The step follows from `error` alone; there is no constant that
+/// depends on the scale of the scene.
+///
+/// Source: Pharr, Jakob and Humphreys, "Physically Based Rendering", 4th edition, 6.8, `OffsetRayOrigin`.
+/// Difference: the result is not rounded away from the surface. This rounding is at most one roundoff per
+/// component, and `error` must include two for it, as the error of a [`Surface`](super::Surface) does.
 #[inline(always)]
 pub fn leave(point: Vec3, error: Vec3, normal: Vec3) -> Vec3 {
     point + normal * abs(normal).dot(error)
 }
 
-/// The roundings that the error of a surface holds for whoever leaves it.
+/// Number of roundings that the error of a surface includes for [`leave`].
 pub(super) const LEAVING: u32 = 2;

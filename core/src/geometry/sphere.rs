@@ -1,22 +1,24 @@
 //! Sphere.
 //!
-//! The schoolbook discriminant loses all digits when the sphere is some thousand radii away.
-//! Here it is taken from the foot of the perpendicular from the centre on the ray, where only
-//! small numbers are left, and the roots without cancellation (Haines, Günther,
-//! Akenine-Möller, "Precision Improvements for Ray/Sphere Intersection", Ray Tracing Gems 7).
+//! The textbook discriminant `b^2 - a c` loses all digits if the sphere is about a thousand radii away.
+//! Here the discriminant is the squared radius minus the squared distance between the center and the ray,
+//! which are small numbers, and the roots are computed without cancellation.
+//!
+//! Source: Haines, Günther and Akenine-Möller, "Precision Improvements for Ray/Sphere Intersection", Ray
+//! Tracing Gems, chapter 7.
 
 use zerocopy::{Immutable, KnownLayout, TryFromBytes};
 
 use super::{Aabb, Ray, ShapeFault, Surface, check_radius, ray::LEAVING};
 use crate::math::{ROUNDOFF, Real, Vec3, abs, gamma, sqrt, unit};
 
-/// A full sphere; its normal points outward.
+/// A solid sphere. Its normal points outward.
 #[derive(Clone, Copy, Debug, PartialEq, TryFromBytes, KnownLayout, Immutable)]
 #[repr(C)]
 pub struct Sphere {
-    /// The centre.
+    /// Center, world space.
     pub center: Vec3,
-    /// The radius, more than zero.
+    /// Radius; positive.
     pub radius: Real,
 }
 
@@ -33,53 +35,54 @@ impl Sphere {
     pub(super) fn hit(&self, ray: &Ray) -> Option<Real> {
         let o = ray.origin - self.center;
         let r2 = self.radius * self.radius;
-        let b = -o.dot(ray.along);
-        let far = o.dot(o);
-        // The schoolbook's discriminant, where it is below zero by more than its own rounding: most
-        // spheres are missed by far. It carries less than 20 roundoffs of `far`.
-        if (far * (1.0 - 24.0 * ROUNDOFF) - r2) * ray.square > b * b {
+        let b = -o.dot(ray.scaled_direction);
+        let distance_squared = o.dot(o);
+        // Early out if even the textbook discriminant is negative by more than its rounding error, which
+        // is less than 20 roundoffs of `distance_squared`. Most rays miss most spheres.
+        if (distance_squared * (1.0 - 24.0 * ROUNDOFF) - r2) * ray.scaled_length_squared > b * b {
             return None;
         }
-        let c = far - r2;
+        let c = distance_squared - r2;
         if b < 0.0 && c > 0.0 {
-            return None; // outside, and going away
+            return None; // outside the sphere, and moving away from it
         }
-        let foot = o + ray.along * (b / ray.square);
-        let room = r2 - foot.dot(foot);
-        if !(room >= 0.0) {
+        // From the center to the closest point of the ray's line.
+        let perpendicular = o + ray.scaled_direction * (b / ray.scaled_length_squared);
+        let remainder = r2 - perpendicular.dot(perpendicular);
+        if !(remainder >= 0.0) {
             return None;
         }
-        let root = sqrt(ray.square * room);
+        let root = sqrt(ray.scaled_length_squared * remainder);
         let t = if b >= 0.0 {
             let q = b + root;
-            if c > 0.0 { c / q } else { q / ray.square }
+            if c > 0.0 { c / q } else { q / ray.scaled_length_squared }
         } else {
             c / (b - root)
         };
-        Some(t * ray.scale)
+        Some(t * ray.direction_scale)
     }
 
-    /// Whether a hit lies so far inside the sphere's own box that the distance need not be moved
-    /// into it: this is the shorter question, and nearly always answered with yes. It may be
-    /// answered with no where yes would be right.
+    /// Whether the hit at `t` is certainly inside the bounds of the sphere, so that clamping `t` to the
+    /// bounds would not change it. This test is cheaper than the clamp and true for nearly all hits. It
+    /// may be false for a hit inside the bounds.
     ///
-    /// Of the point `p` seen from the centre, each component carries three roundings and the
-    /// distance of a wall three, each of what is at most `2 t + 2 r` large along a direction
-    /// whose components are at most two: 16 roundoffs are more than all of them.
+    /// Each component of the hit point relative to the center, and the `t` of each face of the box, carry
+    /// three roundings of numbers of at most `2 t + 2 r`, for directions whose components are at most 2.
+    /// 16 roundoffs of `t + r` are more than all of these.
     #[inline(always)]
-    pub(super) fn is_surely_in_its_box(&self, ray: &Ray, t: Real) -> bool {
-        let p = ray.at_from(t, self.center);
-        let room = self.radius - (t + self.radius) * (16.0 * ROUNDOFF);
-        // Other scales may have rounded the distance again.
-        ray.scale == 1.0 && p.x.abs() < room && p.y.abs() < room && p.z.abs() < room
+    pub(super) fn is_certainly_in_bounds(&self, ray: &Ray, t: Real) -> bool {
+        let p = ray.at_relative_to(t, self.center);
+        let limit = self.radius - (t + self.radius) * (16.0 * ROUNDOFF);
+        // With another scale, `t` may carry one more rounding.
+        ray.direction_scale == 1.0 && p.x.abs() < limit && p.y.abs() < limit && p.z.abs() < limit
     }
 
     #[inline(always)]
     pub(super) fn surface(&self, ray: &Ray, t: Real) -> Surface {
-        let normal = unit(ray.at_from(t, self.center)).unwrap_or(-ray.direction);
+        let normal = unit(ray.at_relative_to(t, self.center)).unwrap_or(-ray.direction);
         let point = self.center + normal * self.radius;
-        // The normal is off by four roundings, the product and the sum by one each; twice that
-        // for the test that starts here, which subtracts the centre and squares again.
+        // The normal carries four roundings, the product and the sum one each. This is doubled for the
+        // test of the next ray, which subtracts the center and squares again.
         let error = (abs(self.center) + Vec3::splat(self.radius)) * gamma(12 + LEAVING);
         Surface::flat(point, error, normal)
     }
@@ -88,38 +91,39 @@ impl Sphere {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::geometry::meet::{is_distance, moved_into};
+    use crate::geometry::meet::{clamp_to_box, is_valid_t};
     use crate::math::{Dimension, Stream, vec3};
 
     #[test]
-    fn what_is_surely_in_the_box_of_a_sphere_is_not_moved_into_it() {
-        let random = |n: u32, most: Real| {
+    fn hits_certainly_in_bounds_are_unchanged_by_the_clamp() {
+        let random = |n: u32, max: Real| {
             let [x, y] = Stream::new(n, 1, 0, 7).pair(Dimension::PIXEL);
             let [z, _] = Stream::new(n, 2, 0, 7).pair(Dimension::PIXEL);
-            (vec3(x, y, z) - Vec3::splat(0.5)) * (2.0 * most)
+            (vec3(x, y, z) - Vec3::splat(0.5)) * (2.0 * max)
         };
-        let (mut sure, mut met) = (0, 0);
+        let (mut certain, mut hits) = (0, 0);
         for n in 0..20_000 {
-            // From near by to a thousand radii away, and at every pole where sphere and box touch.
+            // Origins up to some thousand radii away. Every second ray hits near a pole, where sphere and
+            // box touch.
             let radius = [1.0, 1e-3, 50.0][n as usize % 3];
             let center = random(4 * n, 10.0);
-            let aside = if n % 2 == 0 { random(4 * n + 1, 1.0) } else { Vec3::X + random(4 * n + 1, 1e-3) };
-            let Some(aside) = unit(aside) else { continue };
+            let target = if n % 2 == 0 { random(4 * n + 1, 1.0) } else { Vec3::X + random(4 * n + 1, 1e-3) };
+            let Some(target) = unit(target) else { continue };
             let origin =
                 center + random(4 * n + 2, 1.0) * (radius * [2.0, 100.0, 1000.0][n as usize / 3 % 3]);
-            let Some(direction) = unit(center + aside * radius - origin) else { continue };
+            let Some(direction) = unit(center + target * radius - origin) else { continue };
             let (sphere, ray) = (Sphere { center, radius }, Ray::near_unit(origin, direction, 0.0));
-            let Some(t) = sphere.hit(&ray).filter(is_distance) else { continue };
-            met += 1;
-            if sphere.is_surely_in_its_box(&ray, t) {
-                sure += 1;
+            let Some(t) = sphere.hit(&ray).filter(is_valid_t) else { continue };
+            hits += 1;
+            if sphere.is_certainly_in_bounds(&ray, t) {
+                certain += 1;
                 assert_eq!(
-                    moved_into(sphere.bounds(), t, origin, ray.inverse),
+                    clamp_to_box(sphere.bounds(), t, origin, ray.inverse),
                     Some(t),
                     "{sphere:?} {ray:?}"
                 );
             }
         }
-        assert!(met > 15_000 && sure * 2 > met, "{sure} of {met}");
+        assert!(hits > 15_000 && certain * 2 > hits, "{certain} of {hits}");
     }
 }

@@ -1,29 +1,33 @@
-//! The line between light and shadow on smooth shapes.
+//! Shadow terminator correction for smooth triangles and polygons.
 //!
-//! A smooth shape is flat and only looks round. Where its shading normal still faces a light that
-//! stands under the horizon of the flat face, a ray towards the light would go into the shape at
-//! once, and whole faces would be dark: the shadow's edge follows the faces. The round surface
-//! that is meant lies farther out. So such a ray starts from there: the point is lifted to where
-//! the planes upright on the normals of the corners are, in the mean ("Hacking the Shadow
-//! Terminator", Hanika, Ray Tracing Gems II 4).
+//! A smooth shape is flat; only its shading normals are those of a curved surface. If a shading normal
+//! faces a light below the horizon of the flat face, a shadow ray from the face would immediately enter the
+//! shape, and the boundary of the shadow would follow the edges of the faces. The curved surface lies
+//! farther out, so such a shadow ray starts there: at the point plus the interpolated offsets to the
+//! tangent planes of the vertices.
 //!
-//! Rays towards a light above the horizon start from the face itself, so that nothing between the
-//! face and the round surface is skipped by them: a ray that is lifted was dark before.
+//! Shadow rays to lights above the horizon start at the face, so they skip no occluder between the face and
+//! the curved surface.
+//!
+//! Source: Hanika, "Hacking the Shadow Terminator", Ray Tracing Gems II, chapter 4.
 
 use super::{Geometry, Shape, ShapeKind, Shapes, of, triangle};
 use crate::math::Vec3;
 
 impl Geometry<'_> {
-    /// How far off a point of a smooth shape the round surface is that is meant, on the side of its
-    /// normals or on the other; nothing for any other shape.
-    pub(crate) fn lift<S: Shapes>(&self, shape: Shape, point: Vec3, outside: bool) -> Option<Vec3> {
-        let can = |kind| S::SMOOTH && S::SHAPES.has(kind);
+    /// Offset from a point of a smooth shape to the curved surface that its shading normals represent;
+    /// `None` for other shapes.
+    ///
+    /// `front_face`: the side of the offset, that of the normals or the other.
+    pub(crate) fn lift<S: Shapes>(&self, shape: Shape, point: Vec3, front_face: bool) -> Option<Vec3> {
+        let supports = |kind| S::SMOOTH && S::SHAPES.has(kind);
         match shape {
-            Shape::SmoothTriangle(corners) if can(ShapeKind::SmoothTriangle) => {
-                Some(triangle::lift(self.corners(corners)?, self.corner_normals(corners)?, point, outside))
+            Shape::SmoothTriangle(indices) if supports(ShapeKind::SmoothTriangle) => {
+                let (vertices, normals) = (self.corners(indices)?, self.corner_normals(indices)?);
+                Some(triangle::terminator_offset(vertices, normals, point, front_face))
             }
-            Shape::Polygon(place) if can(ShapeKind::Polygon) => {
-                of(self.polygons, place)?.lift(self.points, self.normals, point, outside)
+            Shape::Polygon(index) if supports(ShapeKind::Polygon) => {
+                of(self.polygons, index)?.terminator_offset(self.points, self.normals, point, front_face)
             }
             _ => None,
         }

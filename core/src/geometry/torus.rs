@@ -1,40 +1,43 @@
-//! Torus: a tube round a circle.
+//! Torus: a tube around a circle.
 //!
-//! A ray meets it up to four times, and the distances are the roots of a quartic. In single
-//! precision that quartic is useless: far away for its coefficients, and for a thin tube because
-//! its roots come in pairs that it cannot part. So the origin is first moved along the ray to
-//! where it is nearest to the centre, and everything is divided by the torus' size: then all
-//! numbers are at most about 1. And the quartic only says where to look: between its turning
-//! points, which lie where the ray comes nearest to the tube's middle and are well parted, the
-//! ray goes in or out once. Whether it does, and where, is asked of the distance to the tube's
-//! middle, which is right to the last digits.
+//! A ray hits it up to four times, at the roots of a quartic. In single precision the quartic itself is
+//! not accurate enough: its coefficients cancel far from the torus, and the roots of a thin tube are
+//! nearly double. Therefore:
 //!
-//! Ferrari's formula takes fewer instructions, but in single precision it is wrong for most rays from
-//! ten sizes away.
+//! * The origin is moved along the ray to the point closest to the center, and all lengths are divided by
+//!   the outer radius. All numbers are then at most about 1.
+//! * The quartic only provides its turning points, the roots of a cubic. They are where the ray is closest
+//!   to the center circle of the tube, and they are well separated. Between two of them the ray enters or
+//!   leaves the tube at most once.
+//! * Whether it does, and at which `t`, follows from the distance to the center circle, which is accurate
+//!   to the last digits.
+//!
+//! Ferrari's formula is faster, but in single precision it is wrong for most rays from far away.
 
 use zerocopy::{Immutable, KnownLayout, TryFromBytes};
 
-use super::{Aabb, Ray, ShapeFault, Surface, check_point, check_unit, disc::disc_reach, ray::LEAVING};
+use super::{Aabb, Ray, ShapeFault, Surface, check_point, check_unit, disc::disc_half_extent, ray::LEAVING};
 use crate::math::{
     CubicRoots, FARTHEST, ROUNDOFF, Real, Vec3, abs, cubic_roots, gamma, length, root_between, sqrt, unit,
 };
 
-/// A torus; its normal points out of the tube.
+/// A torus. Its normal points out of the tube.
 #[derive(Clone, Copy, Debug, PartialEq, TryFromBytes, KnownLayout, Immutable)]
 #[repr(C)]
 pub struct Torus {
-    /// The middle of the hole.
+    /// Center, world space.
     pub center: Vec3,
-    /// Upright on the circle, of length one.
+    /// Unit vector perpendicular to the center circle.
     pub axis: Vec3,
-    /// From the centre to the middle of the tube.
+    /// Radius of the center circle of the tube.
     pub major: Real,
-    /// The radius of the tube: more than zero, at most `major`.
+    /// Radius of the tube; positive, at most `major`.
     pub minor: Real,
 }
 
-/// A little more than the torus' own size, so that rounding shuts out no root.
-const ROOM: Real = 1.0 + 1e-4;
+/// Squared radius of the bounding sphere relative to the torus: more than 1, so that rounding excludes no
+/// root.
+const BOUND_MARGIN: Real = 1.0 + 1e-4;
 
 impl Torus {
     pub(super) fn check(&self) -> Result<(), ShapeFault> {
@@ -45,119 +48,122 @@ impl Torus {
     }
 
     pub(super) fn bounds(&self) -> Aabb {
-        let reach = disc_reach(self.axis, self.major) + Vec3::splat(self.minor);
-        Aabb::round(self.center, reach * (1.0 + gamma(8)))
+        let half_extent = disc_half_extent(self.axis, self.major) + Vec3::splat(self.minor);
+        Aabb::round(self.center, half_extent * (1.0 + gamma(8)))
     }
 
     pub(super) fn hit(&self, ray: &Ray) -> Option<Real> {
         let size = self.major + self.minor;
-        let speed = sqrt(ray.square);
-        let d = ray.along / speed;
-        let far = (ray.origin - self.center) / size;
-        let shift = -far.dot(d);
-        let o = far + d * shift;
-        // The part of the ray inside the sphere round the torus, which a ray from afar knows only
-        // with the rounding of the way.
-        let room = ROOM + 32.0 * ROUNDOFF * shift.abs() - o.dot(o);
-        if !(room > 0.0) {
+        let direction_length = sqrt(ray.scaled_length_squared);
+        let d = ray.scaled_direction / direction_length;
+        let origin = (ray.origin - self.center) / size;
+        let t_closest = -origin.dot(d);
+        let o = origin + d * t_closest;
+        // Clip the ray to the bounding sphere, whose margin grows with the rounding of the moved origin.
+        let half_chord_squared = BOUND_MARGIN + 32.0 * ROUNDOFF * t_closest.abs() - o.dot(o);
+        if !(half_chord_squared > 0.0) {
             return None;
         }
-        let reach = sqrt(room);
-        if shift + reach < 0.0 {
+        let half_chord = sqrt(half_chord_squared);
+        if t_closest + half_chord < 0.0 {
             return None;
         }
-        let start = if -shift > -reach { -shift } else { -reach };
+        let start = if -t_closest > -half_chord { -t_closest } else { -half_chord };
 
         let (major, minor) = (self.major / size, self.minor / size);
-        let line = Line::new(o, d, self.axis, major);
+        let local_ray = TorusRay::new(o, d, self.axis, major);
         let f = |t: Real| {
-            let (tube, change) = line.tube(t);
-            (tube - minor, change)
+            let (distance, derivative) = local_ray.tube_distance(t);
+            (distance - minor, derivative)
         };
         let mut left = start;
-        let mut inside = f(left).0 < 0.0;
-        let turns = line.turns(minor, start, reach);
-        for right in turns.iter().chain([reach]) {
-            let right = if minor < THIN * major { line.nearest(right) } else { right };
-            let goes_inside = f(right).0 < 0.0;
-            if inside != goes_inside {
-                let t = shift + root_between(f, left, right, inside);
+        let mut is_inside = f(left).0 < 0.0;
+        let turning_points = local_ray.turning_points(minor, start, half_chord);
+        for right in turning_points.iter().chain([half_chord]) {
+            let right =
+                if minor < THIN_TUBE_RATIO * major { local_ray.refine_turning_point(right) } else { right };
+            let is_inside_next = f(right).0 < 0.0;
+            if is_inside != is_inside_next {
+                let t = t_closest + root_between(f, left, right, is_inside);
                 if t > 0.0 {
-                    return Some(t * size / speed * ray.scale);
+                    return Some(t * size / direction_length * ray.direction_scale);
                 }
             }
-            (left, inside) = (right, goes_inside);
+            (left, is_inside) = (right, is_inside_next);
         }
         None
     }
 
     pub(super) fn surface(&self, ray: &Ray, t: Real) -> Surface {
-        let p = ray.at_from(t, self.center);
+        let p = ray.at_relative_to(t, self.center);
         let z = p.dot(self.axis);
-        let middle = unit(p - self.axis * z).unwrap_or(self.axis.any_orthonormal_vector()) * self.major;
-        let normal = unit(p - middle).unwrap_or(self.axis);
-        let point = self.center + (middle + normal * self.minor);
+        let on_circle = unit(p - self.axis * z).unwrap_or(self.axis.any_orthonormal_vector()) * self.major;
+        let normal = unit(p - on_circle).unwrap_or(self.axis);
+        let point = self.center + (on_circle + normal * self.minor);
         let error = (abs(self.center) + Vec3::splat(self.major + self.minor)) * gamma(24 + LEAVING);
         Surface::flat(point, error, normal)
     }
 }
 
-/// A ray and the circle in the middle of the tube, in the torus' own measure.
-struct Line {
-    /// The origin along the axis and upright on it, and the direction.
+/// A ray relative to the torus: its center as origin, its outer radius as unit of length.
+struct TorusRay {
+    /// Components of the origin and of the direction along the axis.
     z: Real,
     dz: Real,
-    flat: Vec3,
-    flat_d: Vec3,
-    /// Origin times origin, and origin times direction, which is nearly zero.
-    square: Real,
-    beta: Real,
+    /// Components of the origin and of the direction perpendicular to the axis.
+    radial: Vec3,
+    radial_direction: Vec3,
+    /// Dot product of the origin with itself.
+    oo: Real,
+    /// Dot product of origin and direction, nearly zero.
+    od: Real,
+    /// Radius of the center circle of the tube.
     major: Real,
 }
 
-impl Line {
+impl TorusRay {
     fn new(o: Vec3, d: Vec3, axis: Vec3, major: Real) -> Self {
         let (z, dz) = (o.dot(axis), d.dot(axis));
-        let (flat, flat_d) = (o - axis * z, d - axis * dz);
-        Line { z, dz, flat, flat_d, square: o.dot(o), beta: o.dot(d), major }
+        let (radial, radial_direction) = (o - axis * z, d - axis * dz);
+        TorusRay { z, dz, radial, radial_direction, oo: o.dot(o), od: o.dot(d), major }
     }
 
-    /// How far from the axis, beyond the circle, and along the axis the ray is at `t`; and how the
-    /// first two change.
+    /// Cylindrical coordinates of the point at `t`: distance `rho` from the axis, `rho - major`, height
+    /// along the axis, and the derivative of `rho`.
     fn at(&self, t: Real) -> (Real, Real, Real, Real) {
-        let flat = self.flat + self.flat_d * t;
-        let rho = length(flat);
-        (rho, rho - self.major, self.z + self.dz * t, flat.dot(self.flat_d) / rho)
+        let radial = self.radial + self.radial_direction * t;
+        let rho = length(radial);
+        (rho, rho - self.major, self.z + self.dz * t, radial.dot(self.radial_direction) / rho)
     }
 
-    /// How far from the circle the ray is at `t`, and how that changes.
-    fn tube(&self, t: Real) -> (Real, Real) {
-        let (_, beyond, z, d_rho) = self.at(t);
-        let tube = sqrt(beyond * beyond + z * z);
-        (tube, (beyond * d_rho + z * self.dz) / tube)
+    /// Distance of the point at `t` from the center circle of the tube, and its derivative.
+    fn tube_distance(&self, t: Real) -> (Real, Real) {
+        let (_, from_circle, z, d_rho) = self.at(t);
+        let distance = sqrt(from_circle * from_circle + z * z);
+        (distance, (from_circle * d_rho + z * self.dz) / distance)
     }
 
     /// The turning points of `(p.p - (R^2 + r^2))^2 - 4 R^2 (r^2 - z^2)`, where `p = o + d t`.
-    fn turns(&self, minor: Real, low: Real, high: Real) -> CubicRoots {
-        let (major, beta) = (self.major, self.beta);
+    fn turning_points(&self, minor: Real, low: Real, high: Real) -> CubicRoots {
+        let (major, od) = (self.major, self.od);
         let m = 4.0 * major * major;
-        let g = self.square - (major * major + minor * minor);
-        let c1 = 4.0 * beta * g + 2.0 * m * self.z * self.dz;
-        let c2 = 4.0 * beta * beta + 2.0 * g + m * self.dz * self.dz;
-        cubic_roots([c1, 2.0 * c2, 12.0 * beta, 4.0], low, high)
+        let g = self.oo - (major * major + minor * minor);
+        let c1 = 4.0 * od * g + 2.0 * m * self.z * self.dz;
+        let c2 = 4.0 * od * od + 2.0 * g + m * self.dz * self.dz;
+        cubic_roots([c1, 2.0 * c2, 12.0 * od, 4.0], low, high)
     }
 
-    /// A turning point, moved by Newton's steps to where the distance to the circle turns: beside
-    /// a thin tube it must be right to less than the tube.
-    fn nearest(&self, mut t: Real) -> Real {
+    /// Refines a turning point by Newton's method on the derivative of the squared distance from the
+    /// center circle. For a thin tube its error must be less than the radius of the tube.
+    fn refine_turning_point(&self, mut t: Real) -> Real {
         for _ in 0..2 {
-            let (rho, beyond, z, d_rho) = self.at(t);
-            let slope = beyond * d_rho + z * self.dz;
-            let bend = d_rho * d_rho
+            let (rho, from_circle, z, d_rho) = self.at(t);
+            let slope = from_circle * d_rho + z * self.dz;
+            let curvature = d_rho * d_rho
                 + self.dz * self.dz
-                + beyond * (self.flat_d.dot(self.flat_d) - d_rho * d_rho) / rho;
-            let step = slope / bend;
-            if !(step.abs() <= NEAR) {
+                + from_circle * (self.radial_direction.dot(self.radial_direction) - d_rho * d_rho) / rho;
+            let step = slope / curvature;
+            if !(step.abs() <= MAX_NEWTON_STEP) {
                 break;
             }
             t -= step;
@@ -166,8 +172,9 @@ impl Line {
     }
 }
 
-/// A tube of less than this share of the circle is thin.
-const THIN: Real = 1.0 / 16.0;
+/// Ratio of the radii below which turning points are refined.
+const THIN_TUBE_RATIO: Real = 1.0 / 16.0;
 
-/// How far off a turning point can be by the rounding of the quartic: its root.
-const NEAR: Real = 1e-3;
+/// Largest error of a turning point due to the rounding of the quartic: about the square root of the
+/// rounding error.
+const MAX_NEWTON_STEP: Real = 1e-3;

@@ -1,47 +1,50 @@
-//! Triangle, flat or smooth, and watertight.
+//! Triangle, flat or smooth: watertight intersection.
 //!
-//! The corners are looked at along the ray, in a frame in which it starts in the origin and runs
-//! along the third axis; then the question is only on which side of three lines in the plane the
-//! origin lies. Two triangles that share an edge ask the same question of it with the same
-//! numbers, so that no ray slips between them ("Watertight Ray/Triangle Intersection", Woop,
-//! Benthin, Wald, JCGT 2013).
+//! The vertices are transformed into a frame in which the ray starts at the origin and runs along the z
+//! axis. The signs of three two-dimensional edge functions then decide whether it hits. Two triangles with
+//! a common edge evaluate the same function of the same numbers, so no ray passes between them.
 //!
-//! Differs from it: the axes are not permuted for each corner, but the two lines of the ray's
-//! matrix, once for each ray. And edge functions are computed again, with the errors of their
-//! products (which the `f64` twin can do as well as a wider type), not only where one of them
-//! rounds to zero but wherever much of the products cancels: the distance of a needle, and what
-//! leaves it, is then as good as that of any other triangle. Only rays that meet pay for asking.
+//! Source: Woop, Benthin and Wald, "Watertight Ray/Triangle Intersection", JCGT 2013.
+//!
+//! Differences:
+//!
+//! * The rows of the shear matrix are permuted once per ray, not the axes of each vertex.
+//! * Edge functions are computed again, with the errors of their products instead of a wider type, not only
+//!   if one rounds to zero but also if much of the products cancels. So `t` and the barycentric coordinates
+//!   of a sliver are as accurate as those of any other triangle. Only hits pay for this.
 
-use super::{Aabb, Ray, Surface, plane::above, ray::LEAVING};
+use super::{Aabb, Ray, Surface, plane::tangent_plane_offset, ray::LEAVING};
 use crate::math::{
     ROUNDOFF, Real, Vec3, abs, difference_error, difference_of_products, gamma, greatest, largest, least,
     unit, vec3,
 };
 
-/// Where a ray meets a triangle: how far, and the shares of the three corners.
-pub(super) struct Contact {
+/// Intersection of a ray with a triangle.
+pub(super) struct TriangleHit {
     pub(super) t: Real,
-    shares: [Real; 3],
+    /// Barycentric coordinates of the hit point.
+    barycentric: [Real; 3],
 }
 
-pub(super) fn bounds(corners: [&Vec3; 3]) -> Aabb {
-    Aabb::around(corners.map(|corner| *corner))
+pub(super) fn bounds(vertices: [&Vec3; 3]) -> Aabb {
+    Aabb::around(vertices.map(|vertex| *vertex))
 }
 
-/// How small an area is, beside the square of what it is measured from, before the roundings of
-/// the products that make it count.
-const SLIM: Real = 1.0 / 8.0;
+/// Ratio of an area to the product of the lengths that it is computed from, below which the rounding
+/// errors of the products matter.
+const SLIVER_RATIO: Real = 1.0 / 8.0;
 
-/// `(v1 - v0) x (v2 - v0)`, as long as twice the area: right to some roundoffs of itself, and
-/// zero where that cannot be told from no area. With corners within
-/// [`FARTHEST`](crate::math::FARTHEST) it stays in range.
+/// `(b - a) x (c - a)`, whose length is twice the area, with a relative error of some roundoffs. Zero if it
+/// cannot be distinguished from zero.
+///
+/// It does not overflow if coordinates are at most [`FARTHEST`](crate::math::FARTHEST).
 fn area([a, b, c]: [Vec3; 3]) -> Vec3 {
     let (e, f) = (b - a, c - a);
-    let (rough, square) = (e.cross(f), largest(e) * largest(f));
-    if largest(rough) > SLIM * square {
-        return rough;
+    let (rounded, square) = (e.cross(f), largest(e) * largest(f));
+    if largest(rounded) > SLIVER_RATIO * square {
+        return rounded;
     }
-    // A needle: what rounding takes from the products and from the sides turns the normal.
+    // A sliver: rounding errors of the products and of the edges would rotate the normal.
     let (de, df) = (difference_error(b, a, e), difference_error(c, a, f));
     let exact = vec3(
         difference_of_products(e.y, f.z, e.z, f.y),
@@ -49,78 +52,80 @@ fn area([a, b, c]: [Vec3; 3]) -> Vec3 {
         difference_of_products(e.x, f.y, e.y, f.x),
     );
     let area = exact + (e.cross(df) - f.cross(de));
-    if largest(area) > NOTHING * square { area } else { Vec3::ZERO }
+    if largest(area) > MIN_RELATIVE_AREA * square { area } else { Vec3::ZERO }
 }
 
-/// Whether the tracer sees any area between three corners. What has none is never met.
-pub fn has_area(corners: [Vec3; 3]) -> bool {
-    area(corners) != Vec3::ZERO
+/// Whether the triangle with the given vertices has an area that is distinguishable from zero. A triangle
+/// without area is never hit.
+pub fn has_area(vertices: [Vec3; 3]) -> bool {
+    area(vertices) != Vec3::ZERO
 }
 
-/// How much of the product of two sides is left of their exact cross product by rounding alone.
-const NOTHING: Real = 16.0 * ROUNDOFF * ROUNDOFF;
+/// Relative error of the exact cross product of two edges: a smaller area counts as zero.
+const MIN_RELATIVE_AREA: Real = 16.0 * ROUNDOFF * ROUNDOFF;
 
-/// Where the ray meets the triangle, edges and corners included.
+/// The intersection of the ray with the triangle, which contains its edges and vertices.
 #[inline]
-pub(super) fn hit([a, b, c]: [&Vec3; 3], ray: &Ray) -> Option<Contact> {
-    let [at, bt, ct] = [a, b, c].map(|corner| seen(*corner, ray));
-    let sides = sides(at, bt, ct);
-    if is_beside(sides) { None } else { contact([a, b, c], [at, bt, ct], sides, ray) }
+pub(super) fn hit([a, b, c]: [&Vec3; 3], ray: &Ray) -> Option<TriangleHit> {
+    let [pa, pb, pc] = [a, b, c].map(|vertex| to_ray_space(*vertex, ray));
+    let edges = edge_functions(pa, pb, pc);
+    if is_outside(edges) { None } else { complete_hit([a, b, c], [pa, pb, pc], edges, ray) }
 }
 
-/// A corner, seen along the ray.
+/// The coordinates of a vertex perpendicular to the ray, in the frame in which the ray is the z axis.
 #[inline(always)]
-fn seen(corner: Vec3, ray: &Ray) -> [Real; 2] {
-    let p = corner - ray.origin;
-    [p.dot(ray.across), p.dot(ray.upward)]
+fn to_ray_space(vertex: Vec3, ray: &Ray) -> [Real; 2] {
+    let p = vertex - ray.origin;
+    [p.dot(ray.shear_x), p.dot(ray.shear_y)]
 }
 
-/// On which side of each edge the ray passes. The products are rounded, but never past each
-/// other: the sign may be lost, and is not wrong.
+/// The edge functions: the sign of each says on which side of an edge the ray passes. Rounding may turn a
+/// value into zero, but never changes its sign.
 #[inline(always)]
-fn sides(a: [Real; 2], b: [Real; 2], c: [Real; 2]) -> [Real; 3] {
+fn edge_functions(a: [Real; 2], b: [Real; 2], c: [Real; 2]) -> [Real; 3] {
     [c[0] * b[1] - c[1] * b[0], a[0] * c[1] - a[1] * c[0], b[0] * a[1] - b[1] * a[0]]
 }
 
-/// Not inlined: most rays miss most triangles, and need not carry its numbers.
+/// Computes `t` and the barycentric coordinates of a probable hit, or rejects it.
+///
+/// Not inlined because most rays miss most triangles and need no registers for these numbers.
 #[inline(never)]
-fn contact(
-    corners: [&Vec3; 3],
+fn complete_hit(
+    vertices: [&Vec3; 3],
     [a, b, c]: [[Real; 2]; 3],
-    mut sides: [Real; 3],
+    mut edges: [Real; 3],
     ray: &Ray,
-) -> Option<Contact> {
-    let [u, v, w] = sides;
+) -> Option<TriangleHit> {
+    let [u, v, w] = edges;
     let extent = |[x, y]: [Real; 2]| greatest(x.abs(), y.abs());
     let extent = greatest(extent(a), greatest(extent(b), extent(c)));
-    // A needle, one seen on edge, or one met at its edge.
-    if !((u + v + w).abs() > SLIM * (extent * extent)) || u == 0.0 || v == 0.0 || w == 0.0 {
-        sides = exact_sides(a, b, c);
-        // What has no area is no surface, though rounding may have given it some width here.
-        if is_beside(sides) || !has_area(corners.map(|corner| *corner)) {
+    // A sliver, a triangle seen nearly edge-on, or a hit on an edge.
+    if !((u + v + w).abs() > SLIVER_RATIO * (extent * extent)) || u == 0.0 || v == 0.0 || w == 0.0 {
+        edges = exact_edge_functions(a, b, c);
+        // Rounding of the projection can give a width to a triangle without area.
+        if is_outside(edges) || !has_area(vertices.map(|vertex| *vertex)) {
             return None;
         }
     }
-    let [u, v, w] = sides;
+    let [u, v, w] = edges;
     let sum = u + v + w;
-    // Three quotients and not one reciprocal: that of a tiny sum would leave the range.
-    let shares = [u / sum, v / sum, w / sum];
-    let [a, b, c] = corners.map(|corner| ray.axis.to_third(*corner - ray.origin).z);
-    let t = (shares[0] * a + shares[1] * b + shares[2] * c) * ray.third;
-    Some(Contact { t, shares })
+    // Quotients, because the reciprocal of a tiny sum would overflow.
+    let barycentric = [u / sum, v / sum, w / sum];
+    let [a, b, c] = vertices.map(|vertex| ray.axis.to_third(*vertex - ray.origin).z);
+    let t = (barycentric[0] * a + barycentric[1] * b + barycentric[2] * c) * ray.inverse_dominant;
+    Some(TriangleHit { t, barycentric })
 }
 
-/// Whether two edges have the ray on different sides.
+/// Whether the edge functions have different signs: the ray misses the triangle.
 #[inline(always)]
-fn is_beside([u, v, w]: [Real; 3]) -> bool {
+fn is_outside([u, v, w]: [Real; 3]) -> bool {
     least(u, least(v, w)) < 0.0 && greatest(u, greatest(v, w)) > 0.0
 }
 
-/// The edge functions where they are small differences of large products, which are found with
-/// the errors of these.
+/// The edge functions, computed with the rounding errors of their products.
 #[cold]
 #[inline(never)]
-fn exact_sides(a: [Real; 2], b: [Real; 2], c: [Real; 2]) -> [Real; 3] {
+fn exact_edge_functions(a: [Real; 2], b: [Real; 2], c: [Real; 2]) -> [Real; 3] {
     [
         difference_of_products(c[0], b[1], c[1], b[0]),
         difference_of_products(a[0], c[1], a[1], c[0]),
@@ -128,30 +133,37 @@ fn exact_sides(a: [Real; 2], b: [Real; 2], c: [Real; 2]) -> [Real; 3] {
     ]
 }
 
-/// How far off `point` the round surface is that is meant.
-pub(super) fn lift(corners: [&Vec3; 3], normals: [Vec3; 3], point: Vec3, outside: bool) -> Vec3 {
-    let seen = corners.map(|corner| *corner - point);
-    let [a, b, c] = seen;
-    let upright = (b - a).cross(c - a);
-    let all = upright.dot(upright);
-    // Each corner counts as much as the area opposite it.
-    let shares = [b.cross(c), c.cross(a), a.cross(b)].map(|area| area.dot(upright) / all);
-    let share = |sum: Vec3, ((corner, normal), share)| sum + above(corner, normal, outside) * share;
-    seen.into_iter().zip(normals).zip(shares).fold(Vec3::ZERO, share)
+/// The offset of a shadow ray's origin at `point`, as in [`Geometry::lift`](super::Geometry::lift).
+pub(super) fn terminator_offset(
+    vertices: [&Vec3; 3],
+    normals: [Vec3; 3],
+    point: Vec3,
+    front_face: bool,
+) -> Vec3 {
+    let relative = vertices.map(|vertex| *vertex - point);
+    let [a, b, c] = relative;
+    let area = (b - a).cross(c - a);
+    let area_squared = area.dot(area);
+    // The barycentric coordinate of a vertex is proportional to the area opposite to it.
+    let barycentric = [b.cross(c), c.cross(a), a.cross(b)].map(|opposite| opposite.dot(area) / area_squared);
+    let add = |sum: Vec3, ((vertex, normal), weight)| {
+        sum + tangent_plane_offset(vertex, normal, front_face) * weight
+    };
+    relative.into_iter().zip(normals).zip(barycentric).fold(Vec3::ZERO, add)
 }
 
-pub(super) fn surface(corners: [&Vec3; 3], normals: Option<[Vec3; 3]>, ray: &Ray) -> Option<Surface> {
-    let contact = hit(corners, ray)?;
-    let corners = corners.map(|corner| *corner);
-    let mix = |v: [Vec3; 3]| v[0] * contact.shares[0] + v[1] * contact.shares[1] + v[2] * contact.shares[2];
-    let flat = unit(area(corners))?;
-    let point = mix(corners);
-    // The shares of the corners add up to one within three roundings, and each product and
-    // sum adds one; twice that for the test that starts here. What that test rounds besides
-    // follows the distance of the corners, also where their coordinates are small, and so does
-    // what a place that is left there loses.
-    let away = corners.iter().fold(0.0, |away, corner| greatest(away, largest(*corner - point)));
-    let error = mix(corners.map(abs)) * gamma(16 + LEAVING) + Vec3::splat(away) * gamma(10 + LEAVING);
-    let shading = normals.and_then(|normals| unit(mix(normals))).unwrap_or(flat);
-    Some(Surface { point, error, normal: flat, shading })
+pub(super) fn surface(vertices: [&Vec3; 3], normals: Option<[Vec3; 3]>, ray: &Ray) -> Option<Surface> {
+    let [wa, wb, wc] = hit(vertices, ray)?.barycentric;
+    let vertices = vertices.map(|vertex| *vertex);
+    let interpolate = |[a, b, c]: [Vec3; 3]| a * wa + b * wb + c * wc;
+    let normal = unit(area(vertices))?;
+    let point = interpolate(vertices);
+    // The barycentric coordinates add up to one within three roundings, and each product and sum adds one.
+    // This is doubled for the test of the next ray. The other rounding errors of that test, and of the
+    // offset of its origin, are relative to the distance of the vertices, even if coordinates are small.
+    let max_distance = vertices.iter().fold(0.0, |max, vertex| greatest(max, largest(*vertex - point)));
+    let error = interpolate(vertices.map(abs)) * gamma(16 + LEAVING)
+        + Vec3::splat(max_distance) * gamma(10 + LEAVING);
+    let shading = normals.and_then(|normals| unit(interpolate(normals))).unwrap_or(normal);
+    Some(Surface { point, error, normal, shading })
 }
