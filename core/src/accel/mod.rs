@@ -1,40 +1,35 @@
-//! Finding what a ray may meet: the contract between those who know where items lie and those
-//! who know what they are.
+//! Spatial acceleration structures, and the two traits between them and the scene.
 //!
-//! An [`Accelerator`] sees boxes and numbers of items, never shapes. It walks along a ray and
-//! offers items to a [`Query`], nearer ones first as far as it knows. The query tests them,
-//! and is the only owner of the far limit: an accelerator asks for [`Query::reach`] and leaves
-//! out only what begins strictly *beyond* it, because of two items equally far away the one
-//! with the lower number wins.
+//! An [`Accelerator`] stores bounds and item ids, never shapes. It traverses its nodes or cells along a ray,
+//! roughly front to back, and passes their items to a [`Query`], which intersects them. The query owns
+//! `t_max`; an accelerator skips only what begins strictly beyond it, because of two items at the same `t`
+//! the one with the lower [`ItemId`] wins. Nearest-hit and any-hit queries use the same traversal: the first
+//! kind reduces `t_max` at each hit, the second kind breaks at the first hit.
 //!
-//! One walk serves both questions that a ray tracer asks. The nearest item: the query shortens
-//! its reach at every hit and goes on. Any item in the way of light: it breaks at the first.
+//! * An item may be passed more than once, and items in any order: the result is the same.
+//! * An item whose bounds the ray hits within `t_max`, by [`Aabb::span`], is always passed.
+//! * Unbounded items (planes) are not in an accelerator; the scene tests them itself.
 //!
-//! * An item may be offered more than once, and items in any order: the answer is the same.
-//! * An item within reach, whose box the ray meets by [`Aabb::span`], is never withheld.
-//! * Unbounded items (planes) are no business of an accelerator.
+//! # Choosing an accelerator
 //!
-//! # When to choose which
+//! Measured on scenes of 11 to 1,000,000 items (`tests/reports/accelerators.md`), and beside other crates
+//! (`tests/bench`):
 //!
-//! Measured on scenes of 11 to 1,000,000 objects (`tests/reports/accelerators.md`, and `tests/bench` for
-//! single rays beside other crates):
+//! * [`Bare`] or [`List`] for a handful of items: no construction and little code. From about ten items on a
+//!   BVH is faster; up to some hundred, a list with boxes is about as fast as grid and octree.
+//! * [`Bvh`] for everything else, unless there is a reason against it: the fastest on every measured scene,
+//!   and its time grows slowest with the number of items, like that of the octree. It needs about 60 bytes
+//!   per item, half as much again as the octree, and takes the longest to build. Its queue is best a stack
+//!   ([`LastFirst`]); the heap ([`NearestFirst`]) visits hardly fewer nodes and takes longer per node.
+//!   Triangles are best stored in [`Run`]s, if there is memory for them.
+//! * [`Octree`] where memory is small and sizes of items differ: 8 bytes per node, and a traversal by
+//!   integers.
+//! * [`Grid`] for many items of similar size that are evenly spread: fast to build, and few operations per
+//!   cell. Where small items are close together in a large scene, a few cells hold nearly all of them, and
+//!   the time grows with their number.
 //!
-//! * [`Bare`] or [`List`] for a handful of items: nothing to build, next to no code. From about
-//!   ten items on a hierarchy is quicker; up to some hundreds a list with boxes still keeps up
-//!   with grid and octree.
-//! * [`Bvh`] for everything else, unless there is a reason: the quickest on every scene measured, and
-//!   its time grows slowest with their number, as the octree's does. It takes some 60 bytes for
-//!   each item, half as much again as the octree, and is the slowest to build. By a stack
-//!   ([`LastFirst`]); the heap ([`NearestFirst`]) visits hardly fewer nodes and takes longer for
-//!   each. Triangles go into [`Run`]s where there is the memory for it.
-//! * [`Octree`] where memory has to be small and in one piece, and sizes differ: 8 bytes a node,
-//!   steps of whole numbers.
-//! * [`Grid`] for many items of like size that are evenly spread: quick to build, and walked in
-//!   few operations a cell. Where small things stand in much space (`balls`, `tree`, a teapot in a
-//!   stadium) nearly all of them share a few cells, and the time grows with their number.
-//!
-//! A [`Mailbox`] pays where items reach through many cells and are dear to test; it never pays in
-//! a hierarchy, which offers each item once.
+//! A [`Mailbox`] is worth its memory where items overlap many cells and are expensive to test. A BVH needs
+//! none: it stores each item once.
 //!
 //! [`Aabb::span`]: crate::geometry::Aabb::span
 
@@ -66,54 +61,54 @@ use core::ops::ControlFlow;
 use crate::geometry::{ItemId, Ray};
 use crate::math::Real;
 
-/// Somebody who knows where items lie.
+/// A spatial data structure over the bounds of items.
 pub trait Accelerator {
-    /// What a walk needs to remember. It belongs to the worker, and dropping it between two
-    /// rays changes nothing but the time.
+    /// Scratch memory of a traversal. Each worker has its own; dropping it between two rays changes only the
+    /// time.
     type Scratch: Default;
 
-    /// Offers the items along `ray` to `query`.
+    /// Passes the items along `ray` to `query`.
     fn walk<Q: Query>(&self, ray: &Ray, scratch: &mut Self::Scratch, query: &mut Q);
 }
 
-/// Somebody who knows what items are, and what is being looked for.
+/// A search along a ray: it knows the shapes of items, and what counts as a result.
 pub trait Query {
-    /// Whether a nearer item spares the farther ones; else any order is as good.
+    /// Whether visiting nearer items first saves tests. If false, an accelerator may visit them in any order.
     const ORDERED: bool = true;
 
-    /// How far an item may be and still matter, in lengths of the ray's direction. Finite, and
-    /// never grows.
+    /// Largest `t` at which a hit is still accepted, in lengths of the ray's direction. Finite; never
+    /// increases during a query.
     fn reach(&self) -> Real;
 
-    /// An item that the ray may meet. `Break` when the walk may end.
+    /// Tests an item. `Break` ends the traversal.
     fn test(&mut self, item: ItemId) -> ControlFlow<()>;
 
-    /// The items `0..count`, in their order. `Break` when the walk may end.
+    /// Tests the items `0..count`, in this order. `Break` ends the traversal.
     fn all(&mut self, count: u32) -> ControlFlow<()> {
         (0..count).try_for_each(|item| self.test(ItemId(item)))
     }
 
-    /// Items that lie together. `Break` when the walk may end.
-    fn run(&mut self, run: &Run) -> ControlFlow<()> {
-        run.items().try_for_each(|item| self.test(item))
+    /// Tests the items of a block. `Break` ends the traversal.
+    fn run(&mut self, block: &Run) -> ControlFlow<()> {
+        block.items().try_for_each(|item| self.test(item))
     }
 
-    /// This many boxes were held against the ray.
+    /// Counts `count` tests of the ray against bounds.
     fn boxes(&mut self, count: u32);
 
-    /// A region was entered.
+    /// Counts a visit of a leaf or cell.
     fn enter(&mut self);
 
-    /// An item was not offered, because this ray had been offered it before.
+    /// Counts an item that was not tested, because the mailbox had it already.
     fn skipped(&mut self);
 }
 
-/// Somebody who is told the regions along a ray.
+/// Visits the cells along a ray.
 ///
-/// No closure: a walk tells of regions at two places, the usual one and a rare one, and only the usual
-/// one is to be inlined. What a closure holds would lie in memory for both.
+/// A trait instead of closures, because a traversal calls it at two places, of which only the common one is
+/// to be inlined; the captures of a closure would be in memory for both.
 trait Regions<R> {
-    /// The ray is in this region. Answers with the reach that is left, or breaks.
+    /// Visits a cell. Returns the remaining `t_max`, or breaks.
     fn enter(&mut self, region: R) -> ControlFlow<(), Real>;
 }
 
