@@ -293,10 +293,10 @@ impl<E: Effects, T: Tally, G: Goal> Query for Search<'_, E, T, G> {
         if Self::TRIANGLES == [false, false] {
             return run.items().try_for_each(|item| self.test(item));
         }
-        let may = run.may_meet(self.ray);
-        run.picked(!may).for_each(|item| self.tested(item));
-        let mut left = may;
-        while let Some(Candidate { item, corners }) = run.next(&mut left) {
+        let hits = run.possible_hits(self.ray);
+        run.items_in_mask(!hits).for_each(|item| self.tested(item));
+        let mut mask = hits;
+        while let Some(Candidate { item, corners }) = run.take_candidate(&mut mask) {
             match corners {
                 Some(corners) if self.can_meet(item) => {
                     self.tested(item);

@@ -68,12 +68,12 @@ impl Run {
 
     /// Its items.
     pub fn items(&self) -> impl Iterator<Item = ItemId> + '_ {
-        self.picked(u32::MAX)
+        self.items_in_mask(u32::MAX)
     }
 
     /// A mask of the items that the ray may hit; the ray certainly misses the others.
     #[inline(always)]
-    pub(crate) fn may_meet(&self, ray: &Ray) -> u32 {
+    pub(crate) fn possible_hits(&self, ray: &Ray) -> u32 {
         let triangle_mask = u32::from(self.triangle_mask);
         let hits = if triangle_mask == 0 { 0 } else { self.triangles.may_meet(ray) };
         u32::from(self.item_mask) & (hits | !triangle_mask)
@@ -82,7 +82,7 @@ impl Run {
     /// The items in `mask`. The number of steps does not depend on `mask`, so that a loop without effect is
     /// optimized away.
     #[inline(always)]
-    pub(crate) fn picked(&self, mask: u32) -> impl Iterator<Item = ItemId> + '_ {
+    pub(crate) fn items_in_mask(&self, mask: u32) -> impl Iterator<Item = ItemId> + '_ {
         let mask = mask & u32::from(self.item_mask);
         self.items
             .iter()
@@ -94,7 +94,7 @@ impl Run {
     /// Removes the lowest bit of `mask` and returns its item. It is no iterator, because the optimizer keeps
     /// those in memory, and most blocks have at most one candidate.
     #[inline(always)]
-    pub(crate) fn next(&self, mask: &mut u32) -> Option<Candidate> {
+    pub(crate) fn take_candidate(&self, mask: &mut u32) -> Option<Candidate> {
         let index = mask.trailing_zeros();
         let entry = self.items.get(index as usize)?;
         *mask &= *mask - 1;

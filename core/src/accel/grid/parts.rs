@@ -9,25 +9,25 @@ use crate::math::{Real, vec3};
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct GridParts<'s> {
     pub(crate) bounds: Aabb,
-    pub(crate) cells: [u32; 3],
-    pub(crate) starts: &'s [u32],
-    pub(crate) items: &'s [u32],
+    pub(crate) resolution: [u32; 3],
+    pub(crate) cell_starts: &'s [u32],
+    pub(crate) entries: &'s [u32],
 }
 
 impl<'s, const MAILBOX_ENTRIES: usize> Grid<'s, MAILBOX_ENTRIES> {
     pub(crate) const fn parts(&self) -> GridParts<'s> {
         GridParts {
             bounds: self.bounds,
-            cells: self.resolution,
-            starts: self.cell_starts,
-            items: self.entries,
+            resolution: self.resolution,
+            cell_starts: self.cell_starts,
+            entries: self.entries,
         }
     }
 
     /// The grid of these parts, for a scene of `count` items. `None` if an index is out of range or the lists
     /// of the cells do not follow each other.
     pub(crate) fn from_parts(parts: GridParts<'s>, count: u32) -> Option<Self> {
-        let GridParts { bounds, cells: resolution, starts: cell_starts, items: entries } = parts;
+        let GridParts { bounds, resolution, cell_starts, entries } = parts;
         let [x, y, z] = resolution;
         let cell_count = x.checked_mul(y)?.checked_mul(z)?;
         let is_complete = cell_count > 0 && cell_starts.len() == cell_count.checked_add(1)? as usize;

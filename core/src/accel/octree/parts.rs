@@ -14,18 +14,18 @@ const MAX_PENDING_GROUPS: usize = 8 * morton::BITS_PER_AXIS as usize;
 pub(crate) struct OctreeParts<'s> {
     pub(crate) bounds: Aabb,
     pub(crate) nodes: &'s [OctreeNode],
-    pub(crate) items: &'s [u32],
+    pub(crate) entries: &'s [u32],
 }
 
 impl<'s, const MAILBOX_ENTRIES: usize> Octree<'s, MAILBOX_ENTRIES> {
     pub(crate) const fn parts(&self) -> OctreeParts<'s> {
-        OctreeParts { bounds: self.bounds, nodes: self.nodes, items: self.entries }
+        OctreeParts { bounds: self.bounds, nodes: self.nodes, entries: self.entries }
     }
 
     /// The octree of these parts, for a scene of `count` items. `None` if an index is out of range, or the
     /// nodes are not a tree of at most the largest depth.
     pub(crate) fn from_parts(parts: OctreeParts<'s>, count: u32) -> Option<Self> {
-        let OctreeParts { bounds, nodes, items: entries } = parts;
+        let OctreeParts { bounds, nodes, entries } = parts;
         let is_empty = nodes.is_empty() && entries.is_empty();
         if !(entries.iter().all(|item| *item < count) && (bounds.is_finite() || is_empty)) {
             return None;
@@ -65,7 +65,7 @@ impl<'s, const MAILBOX_ENTRIES: usize> Octree<'s, MAILBOX_ENTRIES> {
 
 impl OctreeNode {
     /// The node as it is stored in a baked scene.
-    pub(crate) const fn words(self) -> [u32; 2] {
+    pub(crate) const fn to_words(self) -> [u32; 2] {
         [self.first, self.content]
     }
 }

@@ -147,9 +147,10 @@ impl<'s> Pack<'s> {
     pub fn grid<const MAILBOX: usize>(&self) -> Result<Grid<'s, MAILBOX>, PackError> {
         let (header, bytes) = (self.header, self.bytes);
         header.must_have(header::GRID)?;
-        let starts = header.table(bytes, Content::Nodes)?;
-        let items = header.table(bytes, Content::Items)?;
-        let parts = GridParts { bounds: header.bounds, cells: header.cells, starts, items };
+        let cell_starts = header.table(bytes, Content::Nodes)?;
+        let entries = header.table(bytes, Content::Items)?;
+        let (bounds, resolution) = (header.bounds, header.cells);
+        let parts = GridParts { bounds, resolution, cell_starts, entries };
         Grid::from_parts(parts, self.count()).ok_or(PackError::Part(PackPart::Finder))
     }
 
@@ -158,8 +159,8 @@ impl<'s> Pack<'s> {
         let (header, bytes) = (self.header, self.bytes);
         header.must_have(header::OCTREE)?;
         let nodes = header.table(bytes, Content::Nodes)?;
-        let items = header.table(bytes, Content::Items)?;
-        let parts = OctreeParts { bounds: header.bounds, nodes, items };
+        let entries = header.table(bytes, Content::Items)?;
+        let parts = OctreeParts { bounds: header.bounds, nodes, entries };
         Octree::from_parts(parts, self.count()).ok_or(PackError::Part(PackPart::Finder))
     }
 
@@ -169,8 +170,8 @@ impl<'s> Pack<'s> {
         let (header, bytes) = (self.header, self.bytes);
         header.must_have(header::BVH)?;
         let nodes = header.table(bytes, Content::Nodes)?;
-        let items = header.table(bytes, Content::Items)?;
-        let parts = BvhParts { nodes, items, depth: header.depth };
+        let entries = header.table(bytes, Content::Items)?;
+        let parts = BvhParts { nodes, entries, depth: header.depth };
         Bvh::from_parts(parts, self.count()).ok_or(PackError::Part(PackPart::Finder))
     }
 

@@ -86,7 +86,7 @@ impl Baking<'_> {
         let nothing = (Aabb::POINT, [0; 3], 0);
         let (kind, (bounds, cells, depth)) = match finder {
             Finder::Bare(_) => (BARE, nothing),
-            Finder::Grid(grid) => (GRID, (grid.parts().bounds, grid.parts().cells, 0)),
+            Finder::Grid(grid) => (GRID, (grid.parts().bounds, grid.parts().resolution, 0)),
             Finder::Octree(octree) => (OCTREE, (octree.parts().bounds, [0; 3], 0)),
             Finder::Bvh(bvh) => (BVH, (Aabb::POINT, [0; 3], bvh.parts().depth)),
         };
@@ -125,16 +125,16 @@ impl Baking<'_> {
                 w.table::<u32>(&[]);
             }
             Finder::Grid(grid) => {
-                w.table(grid.parts().starts);
-                w.table(grid.parts().items);
+                w.table(grid.parts().cell_starts);
+                w.table(grid.parts().entries);
             }
             Finder::Octree(octree) => {
                 w.table(octree.parts().nodes);
-                w.table(octree.parts().items);
+                w.table(octree.parts().entries);
             }
             Finder::Bvh(bvh) => {
                 w.table(bvh.parts().nodes);
-                w.table(bvh.parts().items);
+                w.table(bvh.parts().entries);
             }
         }
     }
