@@ -36,6 +36,7 @@
 #![allow(clippy::neg_cmp_op_on_partial_ord)]
 
 mod math;
+#[cfg(not(feature = "double"))]
 mod set;
 
 mod geometry;
@@ -52,7 +53,6 @@ mod trace;
 
 mod image;
 
-mod counters;
 mod render;
 
 pub use accel::{
@@ -60,7 +60,6 @@ pub use accel::{
     Mailbox, NearestFirst, Node, Octree, OctreeLimits, OctreeNode, OctreeRoom, Query, Run, Slot, StaticGrid,
     Storage, Waiting, groups_of,
 };
-pub use counters::{Counters, RayCounters};
 pub use geometry::{
     Aabb, Ball, Cone, Cuboid, Disc, Geometry, Hit, ItemId, Moving, Plane, Polygon, Ray, Shape, ShapeFault,
     ShapeKind, ShapeSet, Shapes, Span, Sphere, Surface, Torus, TurnedCuboid, has_area, leave,
@@ -85,5 +84,7 @@ pub use scene::{
 #[cfg(not(feature = "double"))]
 pub use scene::{Baking, Finder, Pack, PackError, PackPart};
 pub use shade::{Crossing, Media, Refraction, absorbed, index, reflected, refracted};
-pub use tally::{Event, Fate, Lit, RayKind, Step, Tally};
+pub use tally::{
+    Counters, Event, Fate, Lit, PerRayKind, PerShapeKind, RayCounters, RayKind, Step, Tally, UnsentRays,
+};
 pub use trace::{Limits, Met, Sight, Tracer, TracerError, Worker};

@@ -9,9 +9,7 @@
 
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
-use strahl_core::RayKind;
-
-use crate::counts;
+use strahl_core::{Counters, RayKind};
 
 /// What was counted; the lists are by kind of ray: camera, reflected, transmitted, shadow.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
@@ -81,15 +79,15 @@ pub const WEIGHTS: Weights = Weights {
 };
 
 /// As `study.json` has it.
-pub fn record(counts: &counts::Counts) -> Counts {
+pub fn record(counts: &Counters) -> Counts {
     Counts {
-        rays: RayKind::ALL.map(|kind| counts.rays(kind)),
-        boxes: RayKind::ALL.map(|kind| counts.boxes(kind)),
-        shapes: RayKind::ALL.map(|kind| counts.shapes(kind)),
-        regions: RayKind::ALL.map(|kind| counts.regions(kind)),
-        skipped: RayKind::ALL.map(|kind| counts.skipped(kind)),
-        cache_asked: counts.shadow_cache_asked(),
-        cache_hits: counts.shadow_cache_hits(),
+        rays: RayKind::ALL.map(|kind| counts.rays[kind]),
+        boxes: RayKind::ALL.map(|kind| counts.boxes[kind]),
+        shapes: RayKind::ALL.map(|kind| counts.shapes[kind]),
+        regions: RayKind::ALL.map(|kind| counts.regions[kind]),
+        skipped: RayKind::ALL.map(|kind| counts.skipped[kind]),
+        cache_asked: counts.shadow_cache_asked,
+        cache_hits: counts.shadow_cache_hits,
     }
 }
 

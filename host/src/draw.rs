@@ -7,7 +7,9 @@ use super::accelerators::{Purpose, build};
 use super::choose;
 use super::job::{Job, Pixels, Traced};
 use super::passes;
-use super::strahl::{Accelerator, Camera, Counters, Everything, RayKind, Sample, Scene, Sight, Size, World};
+use super::strahl::{
+    Accelerator, Camera, Counters, Everything, PerRayKind, RayKind, Sample, Scene, Sight, Size, World,
+};
 use super::tables::{Stock, view};
 use super::workers::{self, Eye, Eyes};
 use crate::description::View;
@@ -82,7 +84,6 @@ where
     fn drawn(&self, wanted: &Wanted, all: &dyn Fn(&dyn Eyes, Size) -> Pixels) -> Result<Drawn, NoFrame> {
         let (clock, cpu) = (Instant::now(), cpu_time());
         let size = wanted.size;
-        let size = Size::new(size.width(), size.height()).ok_or_else(|| NoFrame::wrong("no such size"))?;
         let camera = Camera::new(&self.view, size).map_err(NoFrame::wrong)?;
         let charged = |eyes: &dyn Eyes| match &wanted.sheet {
             Some(sheet) => all(&Charging { eyes, sheet }, size),
@@ -139,14 +140,14 @@ impl Eye for Charged<'_> {
     fn look(&mut self, sample: Sample) -> Sight {
         let sight = self.eye.look(sample);
         let Some(counters) = self.eye.take() else { return sight };
-        let spent = |of: fn(&Counters, RayKind) -> u64| RayKind::ALL.map(|kind| of(&counters, kind) as u32);
+        let spent = |counts: PerRayKind| RayKind::ALL.map(|kind| counts[kind] as u32);
         let cost = Cost {
-            rays: spent(Counters::rays),
-            boxes: spent(Counters::boxes),
-            shapes: spent(Counters::shapes),
-            regions: spent(Counters::regions),
-            skipped: spent(Counters::skipped),
-            level: counters.deepest(),
+            rays: spent(counters.rays),
+            boxes: spent(counters.boxes),
+            shapes: spent(counters.shapes),
+            regions: spent(counters.regions),
+            skipped: spent(counters.skipped),
+            level: counters.deepest,
         };
         #[allow(clippy::useless_conversion)] // in double precision
         self.sheet.charge(sample.place.x.into(), sample.place.y.into(), &cost);

@@ -2,10 +2,9 @@
 
 use std::time::{Duration, Instant};
 
-use strahl_core::{EffectSet, Scene, Shape};
+use strahl_core::{Counters, EffectSet, Scene, Shape};
 use strahl_picture::Picture;
 
-use crate::counts::Counts;
 use crate::description::Description;
 use crate::finding::{self, Finding};
 use crate::plan::asked_by;
@@ -28,7 +27,7 @@ pub struct Frame {
     /// How items were found.
     pub accelerator: finding::Facts,
     /// The work, where it was counted.
-    pub counters: Option<Counts>,
+    pub counters: Option<Counters>,
     /// Wall-clock time of making the tables and the accelerator.
     pub build: Duration,
     /// Wall-clock time of tracing.

@@ -3,11 +3,10 @@
 use std::marker::PhantomData;
 
 use super::strahl::{
-    Accelerator, Camera, Counters, EffectSet, Effects, Event, Limits, RayCounters, RayKind, Real, Rgb,
-    Sample, Sight, Step, Tally, Tracer, Worker, World,
+    Accelerator, Camera, Counters, EffectSet, Effects, Event, Limits, RayCounters, Real, Rgb, Sample, Sight,
+    Step, Tally, Tracer, Worker, World,
 };
 use super::workers::{self, Eye, Eyes, LEVELS};
-use crate::counts::Counts;
 use crate::progress::Watch;
 use crate::stop::Stop;
 use crate::studio::NoFrame;
@@ -26,7 +25,7 @@ pub struct Job<'j, 's, A> {
 }
 
 /// Colours, and the work: that of tests where it was to be counted.
-pub type Traced = (Vec<strahl_core::Rgb>, Option<Counts>);
+pub type Traced = (Vec<strahl_core::Rgb>, Option<Counters>);
 
 impl<'s, A: Accelerator + Sync> Job<'_, 's, A> {
     /// What the scene and the camera ask for.
@@ -56,7 +55,7 @@ impl<'s, A: Accelerator + Sync> Job<'_, 's, A> {
         let eyes =
             Tracing { tracer, shadow_cache: self.wanted.shadow_cache, tally: PhantomData::<fn() -> T> };
         let (colors, counted) = (self.all)(&eyes).map_err(NoFrame::Stopped)?;
-        Ok((rounded(colors), counted.as_ref().map(counts)))
+        Ok((rounded(colors), counted))
     }
 }
 
@@ -138,7 +137,7 @@ trait Count: Tally + Default {
 
 impl Count for RayCounters {
     fn take(&mut self) -> Option<Counters> {
-        Some(*std::mem::take(self).counters())
+        Some(std::mem::take(self).counters)
     }
 }
 
@@ -153,26 +152,4 @@ fn rounded(colors: Vec<Rgb>) -> Vec<strahl_core::Rgb> {
     #[allow(clippy::unnecessary_cast)] // in single precision
     let narrow = |c: Rgb| strahl_core::Rgb::new(c.r as f32, c.g as f32, c.b as f32);
     colors.into_iter().map(narrow).collect()
-}
-
-/// Counts that are the same for either precision.
-fn counts(counters: &Counters) -> Counts {
-    use super::strahl::ShapeKind;
-    Counts {
-        rays: RayKind::ALL.map(|kind| counters.rays(kind)),
-        camera_hits: counters.camera_hits(),
-        boxes: RayKind::ALL.map(|kind| counters.boxes(kind)),
-        shapes: RayKind::ALL.map(|kind| counters.shapes(kind)),
-        regions: RayKind::ALL.map(|kind| counters.regions(kind)),
-        skipped: RayKind::ALL.map(|kind| counters.skipped(kind)),
-        shadow_cache_asked: counters.shadow_cache_asked(),
-        shadow_cache_hits: counters.shadow_cache_hits(),
-        by_shape: ShapeKind::ALL.map(|kind| counters.by_shape(kind)),
-        deepest: counters.deepest(),
-        level_limit: counters.level_limit(),
-        level_limit_weight: counters.level_limit_weight(),
-        cutoff: counters.cutoff(),
-        cutoff_weight: counters.cutoff_weight(),
-        media_full: counters.media_full(),
-    }
 }

@@ -40,7 +40,6 @@
 //! | [`sheet`] | what each pixel costs |
 //! | [`heat`] | costs as a picture |
 //! | [`double`] | `accelerators`, `draw`, `hits`, `job`, `passes` and `workers` for the twin in double precision |
-//! | [`counts`] | how often everything happened |
 //! | [`draft`] | a coarse picture before the full one |
 //! | [`pixels`] | picture files that a command reads |
 //! | [`output`] | files that are complete or absent |
@@ -71,7 +70,6 @@ pub mod cast;
 pub mod choose;
 pub mod compare;
 pub mod cost;
-pub mod counts;
 pub mod description;
 pub mod double;
 pub mod draft;

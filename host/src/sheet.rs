@@ -196,11 +196,11 @@ mod tests {
                 };
                 let sums = [sum(|it| it.rays), sum(|it| it.boxes), sum(|it| it.shapes), sum(|it| it.regions)];
                 let whole =
-                    [counts.rays(kind), counts.boxes(kind), counts.shapes(kind), counts.regions(kind)];
+                    [counts.rays[kind], counts.boxes[kind], counts.shapes[kind], counts.regions[kind]];
                 assert_eq!(sums, whole, "{sampler} {kind:?}");
             }
-            assert_eq!(costs.iter().map(|cost| cost.level).max(), Some(counts.deepest()), "{sampler}");
-            assert!(counts.deepest() > 2);
+            assert_eq!(costs.iter().map(|cost| cost.level).max(), Some(counts.deepest), "{sampler}");
+            assert!(counts.deepest > 2);
             let free = Wanted { sheet: None, ..wanted };
             let plain = crate::frame::trace(&scene, &free, &watch).unwrap();
             assert_eq!(plain.picture.digest(), frame.picture.digest(), "{sampler}");

@@ -4,11 +4,10 @@ use std::fmt::Write as _;
 
 use serde::Serialize;
 use std::collections::BTreeMap;
-use strahl_core::{RayKind, ShapeKind};
+use strahl_core::{Counters, RayKind, ShapeKind};
 
 use crate::aim::Aimed;
 use crate::amount::amount;
-use crate::counts::Counts;
 use crate::frame::Frame;
 use crate::plan::{self, Effect};
 use crate::summary::percent;
@@ -160,15 +159,15 @@ fn steps(step: &plan::Step) -> impl Iterator<Item = Step> + '_ {
 
 impl Stats {
     /// The report on a frame whose work was counted as `counters`.
-    pub fn new(plan: &[plan::Step], frame: &Frame, counters: &Counts) -> Self {
+    pub fn new(plan: &[plan::Step], frame: &Frame, counters: &Counters) -> Self {
         let (facts, accelerator) = (&frame.facts, &frame.accelerator);
         let by_ray = |kind| TestsByRay {
-            boxes: counters.boxes(kind),
-            shapes: counters.shapes(kind),
-            regions: counters.regions(kind),
-            mailbox_skips: counters.skipped(kind),
+            boxes: counters.boxes[kind],
+            shapes: counters.shapes[kind],
+            regions: counters.regions[kind],
+            mailbox_skips: counters.skipped[kind],
         };
-        let tested = ShapeKind::ALL.map(|kind| (kind.name(), counters.by_shape(kind)));
+        let tested = ShapeKind::ALL.map(|kind| (kind.name(), counters.by_shape[kind]));
         Stats {
             scene: SceneStats {
                 objects: facts.objects,
@@ -180,19 +179,19 @@ impl Stats {
             picture: PictureStats { width: frame.picture.size.width(), height: frame.picture.size.height() },
             precision: frame.precision.name(),
             rays: Rays {
-                camera: counters.rays(RayKind::Camera),
-                camera_hits: counters.camera_hits(),
-                reflected: counters.rays(RayKind::Reflected),
-                transmitted: counters.rays(RayKind::Transmitted),
-                shadow: counters.rays(RayKind::Shadow),
+                camera: counters.rays[RayKind::Camera],
+                camera_hits: counters.camera_hits,
+                reflected: counters.rays[RayKind::Reflected],
+                transmitted: counters.rays[RayKind::Transmitted],
+                shadow: counters.rays[RayKind::Shadow],
             },
             tests: Tests {
-                boxes: RayKind::ALL.map(|kind| counters.boxes(kind)).iter().sum(),
-                shapes: RayKind::ALL.map(|kind| counters.shapes(kind)).iter().sum(),
+                boxes: counters.boxes.sum(),
+                shapes: counters.shapes.sum(),
                 by_shape: tested.into_iter().filter(|(_, count)| *count > 0).collect(),
                 by_ray: RayKind::ALL.map(|kind| (ray_name(kind), by_ray(kind))).into(),
             },
-            levels: Levels { deepest: counters.deepest() },
+            levels: Levels { deepest: counters.deepest },
             accelerator: AcceleratorStats {
                 kind: accelerator.choice.kind.name(),
                 choice: accelerator.choice.to_string(),
@@ -201,16 +200,16 @@ impl Stats {
                 regions: accelerator.regions,
                 items_per_region: accelerator.items_per_region(),
                 depth: accelerator.depth,
-                mailbox_skips: RayKind::ALL.map(|kind| counters.skipped(kind)).iter().sum(),
+                mailbox_skips: counters.skipped.sum(),
             },
             shadow_cache: ShadowCache {
-                asked: counters.shadow_cache_asked(),
-                hits: counters.shadow_cache_hits(),
+                asked: counters.shadow_cache_asked,
+                hits: counters.shadow_cache_hits,
             },
-            media: Media { overfull: counters.media_full() },
+            media: Media { overfull: counters.media_full },
             cut: Cut {
-                by_levels: counters.level_limit(),
-                by_cutoff: counters.cutoff(),
+                by_levels: counters.level_limit.rays,
+                by_cutoff: counters.cutoff.rays,
                 share_by_levels: counters.cut()[0],
                 share_by_cutoff: counters.cut()[1],
             },

@@ -11,9 +11,9 @@ macro_rules! stock {
         $(#[$doc])*
         pub mod $precision {
             use $core::{
-                Background, Cone, Cuboid, Disc, Falloff, Geometry, Interface, ItemId, Light, Material,
+                Background, Cone, Cuboid, Disc, Falloff, Geometry, ItemId, Light, Material,
                 MaterialId, Moving, PI, Parts, Plane, Polygon, Projection, Real, Rgb, Scene, SceneError, Shape,
-                Source, Sphere, Texture, TextureId, Torus, TurnedCuboid, Vec3, View, unit, vec3,
+                Source, Sphere, Texture, Torus, TurnedCuboid, Vec3, View, unit, vec3,
             };
 
             use crate::description::{self, Description, Form, Object, Triple};
@@ -256,17 +256,14 @@ macro_rules! stock {
                 Material {
                     ambient: color(material.ambient),
                     diffuse: color(material.diffuse),
-                    texture: TextureId(material.texture.0),
+                    texture: material.texture,
                     highlight: color(material.highlight),
                     exponent: Real::from(material.exponent),
                     mirror: color(material.mirror),
                     transmitted: color(material.transmitted),
                     roughness: Real::from(material.roughness),
                     index: Real::from(material.index),
-                    interface: match material.interface {
-                        strahl_core::Interface::Constant => Interface::Constant,
-                        strahl_core::Interface::Fresnel => Interface::Fresnel,
-                    },
+                    interface: material.interface,
                     clarity: color(material.clarity),
                     priority: material.priority,
                     two_sided: material.two_sided,

@@ -5,9 +5,8 @@ use std::error::Error;
 use std::fmt;
 use std::time::Duration;
 
-use strahl_core::Rgb;
+use strahl_core::{Counters, Rgb};
 
-use crate::counts::Counts;
 use crate::finding::Facts;
 use crate::pace::Pace;
 use crate::progress::Watch;
@@ -34,7 +33,7 @@ pub struct Drawn {
     /// How items were found.
     pub accelerator: Facts,
     /// The work, where it was counted.
-    pub counts: Option<Counts>,
+    pub counts: Option<Counters>,
     /// Wall-clock time of tracing.
     pub trace: Duration,
     /// Processor time of tracing, the sum over all threads.

@@ -6,10 +6,9 @@ use std::time::Duration;
 
 use anstyle::{AnsiColor, Effects, Style};
 use indicatif::{HumanBytes, HumanCount};
-use strahl_core::RayKind;
+use strahl_core::{Counters, RayKind};
 
 use crate::amount::amount;
-use crate::counts::Counts;
 use crate::frame::Frame;
 use crate::plan::{Effect, Step};
 use crate::precision::Precision;
@@ -27,7 +26,7 @@ const TITLE: Style = AnsiColor::Green.on_default().effects(Effects::BOLD);
 pub fn summary(
     path: &Path,
     frame: &Frame,
-    counters: &Counts,
+    counters: &Counters,
     plan: &[Step],
     sampling: Sampling,
     load: Duration,
@@ -53,7 +52,7 @@ pub fn summary(
             s(write)
         ),
     );
-    let rays = |kind| count(counters.rays(kind));
+    let rays = |kind| count(counters.rays[kind]);
     line(
         "rays",
         format!(
@@ -93,16 +92,16 @@ pub fn summary(
     if !not_called_for.is_empty() {
         line("left out", format!("{}: not called for", not_called_for.join(", ")));
     }
-    let (levels, cutoff) = (counters.level_limit(), counters.cutoff());
+    let (levels, cutoff) = (counters.level_limit.rays, counters.cutoff.rays);
     if levels + cutoff > 0 {
         let [by_levels, by_cutoff] = counters.cut();
         let rays = format!("{} at the last level, {} below the cutoff", amount(levels, "ray"), count(cutoff));
         line("cut", format!("{} of the light: {rays}", percent(by_levels + by_cutoff)));
     }
-    if counters.media_full() > 0 {
-        line("cut", format!("{} into a fifth body at once", amount(counters.media_full(), "entry")));
+    if counters.media_full > 0 {
+        line("cut", format!("{} into a fifth body at once", amount(counters.media_full, "entry")));
     }
-    if counters.camera_hits() == 0 && frame.facts.objects > 0 {
+    if counters.camera_hits == 0 && frame.facts.objects > 0 {
         line("note", "no ray from the camera meets anything".into());
     }
     let noisy: Vec<_> = plan

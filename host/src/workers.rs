@@ -67,14 +67,9 @@ pub fn trace(eyes: &dyn Eyes, wanted: &Wanted, size: Size, watch: &Watch) -> Res
 /// The pixels of the picture that is made, of which `size` is the whole.
 pub fn whole(wanted: &Wanted, size: Size) -> Tile {
     match wanted.region {
-        Some(region) => tile(region).within(Tile::whole(size)),
+        Some(region) => region.within(Tile::whole(size)),
         None => Tile::whole(size),
     }
-}
-
-/// The same in this precision's own type.
-fn tile(it: strahl_core::Tile) -> Tile {
-    Tile { first: Pixel { x: it.first.x, y: it.first.y }, width: it.width, height: it.height }
 }
 
 /// What is done, and what is wanted.
@@ -244,7 +239,7 @@ fn draw<R: Record>(
 
 /// Whether a pixel is wanted.
 pub fn is_wanted(wanted: &Wanted, pixel: Pixel) -> bool {
-    wanted.mask.as_ref().is_none_or(|mask| mask.has(strahl_core::Pixel { x: pixel.x, y: pixel.y }))
+    wanted.mask.as_ref().is_none_or(|mask| mask.has(pixel))
 }
 
 /// Memory for the places that are kept while `tile` is worked on.

@@ -17,7 +17,6 @@ use std::path::Path;
 use std::process::ExitCode;
 
 use strahl::args::GenerateArgs;
-use strahl::counts::Counts;
 use strahl::finding::{Finding, Kind};
 use strahl::frame::{self, Frame};
 use strahl::generate;
@@ -25,7 +24,7 @@ use strahl::procedural::What;
 use strahl::progress::Watch;
 use strahl::signals::Signals;
 use strahl::wanted::{Cut, Wanted};
-use strahl_core::{Limits, RayKind, Size};
+use strahl_core::{Limits, Size};
 
 /// What is made, and how large.
 const SCENES: [(What, u32); 10] = [
@@ -116,10 +115,7 @@ fn scene(what: What, size: u32, path: &Path, rows: &mut Vec<Row>) -> Result<bool
         let frame = quickest.ok_or("no turn")?;
         let counts = trace(&Wanted { counted: true, ..wanted })?.counters.ok_or("nothing was counted")?;
         let (each, facts) = (1.0 / objects as f64, &frame.accelerator);
-        let sum = |of: fn(&Counts, RayKind) -> u64| {
-            RayKind::ALL.map(|kind| of(&counts, kind)).iter().sum::<u64>() as f64
-        };
-        let (rays, seconds) = (sum(Counts::rays), frame.trace_cpu.as_secs_f64());
+        let (rays, seconds) = (counts.rays.sum() as f64, frame.trace_cpu.as_secs_f64());
         println!(
             "| {what} | {objects} | {} | {:.2} | {:.0} | {} | {:.1} | {:.1} | {:.1} | {seconds:.3} | {:.2} |",
             kind.name(),
@@ -127,8 +123,8 @@ fn scene(what: What, size: u32, path: &Path, rows: &mut Vec<Row>) -> Result<bool
             facts.bytes as f64 * each,
             facts.regions,
             facts.items_per_region(),
-            sum(Counts::boxes) / rays,
-            sum(Counts::shapes) / rays,
+            counts.boxes.sum() as f64 / rays,
+            counts.shapes.sum() as f64 / rays,
             1e-6 * rays / seconds,
         );
         digests.push(frame.picture.digest().to_string());

@@ -20,7 +20,7 @@ use strahl::frame;
 use strahl::progress::Watch;
 use strahl::signals::Signals;
 use strahl::wanted::{Cut, Wanted};
-use strahl_core::{Limits, RayKind, Size};
+use strahl_core::{Limits, Size};
 
 /// The scenes, and pixels along a side.
 const SCENES: [(&str, u32); 7] = [
@@ -135,7 +135,7 @@ fn strahl(scene: &Path, side: u32, kind: Kind) -> Result<Took, Box<dyn Error>> {
     Ok(Took {
         ready: (load + frame.build).as_secs_f64(),
         trace: frame.trace_cpu.as_secs_f64(),
-        rays: RayKind::ALL.map(|ray| counts.rays(ray)).iter().sum::<u64>() as f64,
+        rays: counts.rays.sum() as f64,
     })
 }
 

@@ -113,7 +113,7 @@ impl Scene {
 
     fn traced(&self, wanted: &Wanted) -> Result<(Vec<Rgb>, f64), Box<dyn Error>> {
         let frame = strahl::frame::trace(&self.description, wanted, &Watch::silent(Signals::default()))?;
-        let rays = frame.counters.ok_or("nothing was counted")?.rays(RayKind::Camera);
+        let rays = frame.counters.ok_or("nothing was counted")?.rays[RayKind::Camera];
         let pixels = u64::from(self.size.width()) * u64::from(self.size.height());
         Ok((frame.picture.colors, rays as f64 / pixels as f64))
     }

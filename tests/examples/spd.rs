@@ -20,13 +20,12 @@ use std::error::Error;
 use std::path::PathBuf;
 use std::process::ExitCode;
 
-use strahl::counts::Counts;
 use strahl::finding::{Choice, Finding, Kind};
 use strahl::frame::Frame;
 use strahl::progress::Watch;
 use strahl::signals::Signals;
 use strahl::wanted::{Sampling, Wanted};
-use strahl_core::{Limits, RayKind, Size};
+use strahl_core::{Counters, Limits, RayKind, Size};
 
 /// Camera rays that hit, reflected, refracted and shadow rays, and how far off they may be.
 ///
@@ -43,9 +42,9 @@ const PUBLISHED: [(&str, [u64; 4], f64); 7] = [
     ("tree", [169_836, 0, 0, 1_097_419], 0.01),
 ];
 
-fn counts(counters: &Counts) -> [u64; 4] {
-    let rays = |kind| counters.rays(kind);
-    [counters.camera_hits(), rays(RayKind::Reflected), rays(RayKind::Transmitted), rays(RayKind::Shadow)]
+fn counts(counters: &Counters) -> [u64; 4] {
+    let rays = |kind| counters.rays[kind];
+    [counters.camera_hits, rays(RayKind::Reflected), rays(RayKind::Transmitted), rays(RayKind::Shadow)]
 }
 
 /// How far what is chosen may be from the best.
@@ -62,7 +61,7 @@ fn ways() -> Vec<Finding> {
 }
 
 /// Holds the counts against the published ones, and tells them; whether they are near enough.
-fn hold(name: &str, counters: &Counts, published: [u64; 4], limit: f64) -> bool {
+fn hold(name: &str, counters: &Counters, published: [u64; 4], limit: f64) -> bool {
     let ours = counts(counters);
     let off = |(ours, published): (&u64, &u64)| {
         let difference = ours.abs_diff(*published) as f64;
@@ -76,21 +75,19 @@ fn hold(name: &str, counters: &Counts, published: [u64; 4], limit: f64) -> bool 
         100.0 * worst,
         100.0 * limit,
     );
-    worst <= limit && counters.rays(RayKind::Camera) == 513 * 513
+    worst <= limit && counters.rays[RayKind::Camera] == 513 * 513
 }
 
 /// Tells the work of one way to find; the processor seconds that it took.
-fn tell(frame: &Frame, counters: &Counts) -> f64 {
-    let sum =
-        |of: fn(&Counts, RayKind) -> u64| RayKind::ALL.map(|kind| of(counters, kind)).iter().sum::<u64>();
-    let (shapes, skipped) = (sum(Counts::shapes), sum(Counts::skipped));
+fn tell(frame: &Frame, counters: &Counters) -> f64 {
+    let (shapes, skipped) = (counters.shapes.sum(), counters.skipped.sum());
     let share = 100.0 * skipped as f64 / (shapes + skipped).max(1) as f64;
     let seconds = frame.trace_cpu.as_secs_f64();
     println!(
         "  {:28} {:>11} boxes {shapes:>10} shapes {:>9} regions {share:>5.1} % left out {seconds:>7.2} s",
         frame.accelerator.choice.to_string(),
-        sum(Counts::boxes),
-        sum(Counts::regions),
+        counters.boxes.sum(),
+        counters.regions.sum(),
     );
     seconds
 }
@@ -105,7 +102,7 @@ fn main() -> Result<ExitCode, Box<dyn Error>> {
     let mut all_hold = true;
     for (name, published, limit) in PUBLISHED {
         let description = strahl::load::load(&folder.join(name).with_extension("nff"))?;
-        let mut first: Option<(String, Counts)> = None;
+        let mut first: Option<(String, Counters)> = None;
         let mut seconds = Vec::new();
         for finding in ways() {
             let wanted = Wanted { finding, ..wanted.clone() };

@@ -16,7 +16,7 @@ const FLOORS: [&[&str]; 9] = [
     &["shade"],
     &["trace"],
     &["image"],
-    &["render", "counters"],
+    &["render"],
 ];
 
 /// The most lines of a room, without its tests.

@@ -9,7 +9,7 @@ use strahl::mask::Mask;
 use strahl::progress::Watch;
 use strahl::signals::Signals;
 use strahl::wanted::{Cut, Wanted};
-use strahl_core::{Pixel, RayKind, Rgb, Size, Tile};
+use strahl_core::{Counters, Pixel, RayKind, Rgb, Size, Tile};
 
 /// Every sampler and pixel-selected tracing in the words of the command line, and whether its
 /// tiles share anything but what is traced before them: then the number of rays depends on the
@@ -114,7 +114,7 @@ fn the_pixels_of_a_mask_are_the_same_and_the_others_cost_nothing() {
         for ((some, all), is_white) in some.picture.colors.iter().zip(&all.picture.colors).zip(&pixels) {
             assert_eq!(*some, if *is_white { *all } else { Rgb::BLACK }, "{way:?}");
         }
-        let rays = |frame: &Frame| frame.counters.unwrap().rays(RayKind::Camera);
+        let rays = |frame: &Frame| frame.counters.unwrap().rays[RayKind::Camera];
         let most = match way.1 {
             None => 0.45, // a little more than the share of the ring, for corners that are not shared
             Some(_) => 0.9,
@@ -163,12 +163,12 @@ fn counting_changes_nothing() {
     let silent = traced(&scene, &Wanted { counted: false, ..wanted(WAYS[0]) });
     assert_eq!(counted.picture, silent.picture);
     let [all, few] = [counted, silent].map(|frame| frame.counters.unwrap());
-    let tests = |counts: &strahl::counts::Counts| RayKind::ALL.map(|kind| counts.shapes(kind));
+    let tests = |counts: &Counters| RayKind::ALL.map(|kind| counts.shapes[kind]);
     assert!(tests(&all).iter().all(|count| *count > 0) && tests(&few) == [0; 4]);
     // Rays and what was cut are counted either way.
-    let rays = |counts: &strahl::counts::Counts| (RayKind::ALL.map(|kind| counts.rays(kind)), counts.cut());
+    let rays = |counts: &Counters| (RayKind::ALL.map(|kind| counts.rays[kind]), counts.cut());
     assert_eq!(rays(&all), rays(&few));
-    assert_eq!((all.camera_hits(), all.deepest()), (few.camera_hits(), few.deepest()));
+    assert_eq!((all.camera_hits, all.deepest), (few.camera_hits, few.deepest));
 }
 
 #[test]
@@ -187,10 +187,10 @@ fn a_shadow_cache_answers_often_and_changes_no_bit() {
     let without = traced(&scene, &Wanted { shadow_cache: false, ..wanted(WAYS[0]) });
     assert_eq!(with.picture, without.picture);
     let [with, without] = [with, without].map(|frame| frame.counters.unwrap());
-    assert_eq!((without.shadow_cache_asked(), without.shadow_cache_hits()), (0, 0));
-    let (asked, hits) = (with.shadow_cache_asked(), with.shadow_cache_hits());
+    assert_eq!((without.shadow_cache_asked, without.shadow_cache_hits), (0, 0));
+    let (asked, hits) = (with.shadow_cache_asked, with.shadow_cache_hits);
     // Of pixels this large, neighbours often lie in the shadows of different things.
     assert!(asked > hits && 3 * hits > asked, "{hits} of {asked}");
-    let boxes = |counts: &strahl::counts::Counts| counts.boxes(RayKind::Shadow);
+    let boxes = |counts: &Counters| counts.boxes[RayKind::Shadow];
     assert!(boxes(&with) < boxes(&without), "{} of {}", boxes(&with), boxes(&without));
 }

@@ -35,17 +35,26 @@
 
 mod bvh;
 mod cell_planes;
+#[cfg(not(feature = "double"))]
+mod error;
 mod grid;
 mod list;
 mod mailbox;
 mod octree;
+#[cfg(not(feature = "double"))]
+mod room;
 #[cfg(test)]
 mod test_rays;
+
+// Without `Real`: one type for both precisions.
+#[cfg(feature = "double")]
+use strahl_core::{self as error, self as room};
 
 #[cfg(not(feature = "double"))]
 pub(crate) use bvh::BvhParts;
 pub(crate) use bvh::Candidate;
-pub use bvh::{Bvh, BvhRoom, Grown, LastFirst, Leaf, Leaves, NearestFirst, Node, Run, Slot, Waiting};
+pub use bvh::{Bvh, Grown, LastFirst, Leaf, Leaves, NearestFirst, Node, Run, Slot, Waiting};
+pub use error::{BuildError, Storage};
 #[cfg(not(feature = "double"))]
 pub(crate) use grid::GridParts;
 pub use grid::{Grid, GridRoom, StaticGrid};
@@ -53,9 +62,9 @@ pub use list::{Bare, List, groups_of};
 pub use mailbox::Mailbox;
 #[cfg(not(feature = "double"))]
 pub(crate) use octree::OctreeParts;
-pub use octree::{Octree, OctreeLimits, OctreeNode, OctreeRoom};
+pub use octree::{Octree, OctreeNode};
+pub use room::{BvhRoom, OctreeLimits, OctreeRoom};
 
-use core::fmt;
 use core::ops::ControlFlow;
 
 use crate::geometry::{ItemId, Ray};
@@ -118,62 +127,3 @@ impl<R, F: FnMut(R) -> ControlFlow<(), Real>> Regions<R> for F {
         self(region)
     }
 }
-
-/// Memory that a builder is lent.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-#[non_exhaustive]
-pub enum Storage {
-    /// Boxes or balls round items.
-    Boxes,
-    /// Boxes or balls round groups of items.
-    Groups,
-    /// Where the lists of a grid's cells begin.
-    Cells,
-    /// Nodes of a tree.
-    Nodes,
-    /// Places for items in the leaves of a tree or the cells of a grid.
-    Items,
-    /// Runs of items.
-    Runs,
-}
-
-/// Why an accelerator could not be built.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-#[non_exhaustive]
-pub enum BuildError {
-    /// Even the coarsest structure needs more than was lent.
-    StorageTooSmall {
-        /// Of what there was too little.
-        what: Storage,
-        /// How many of them it takes.
-        needed: usize,
-        /// How many were lent.
-        lent: usize,
-    },
-    /// The box of this item has no end, so that it has no place in space.
-    NotFinite {
-        /// Which.
-        item: ItemId,
-    },
-}
-
-impl fmt::Display for BuildError {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self {
-            BuildError::StorageTooSmall { what, needed, lent } => {
-                let what = match what {
-                    Storage::Boxes => "boxes",
-                    Storage::Groups => "groups",
-                    Storage::Cells => "cells",
-                    Storage::Nodes => "nodes",
-                    Storage::Items => "places for items",
-                    Storage::Runs => "runs",
-                };
-                write!(f, "{needed} {what} needed, {lent} lent")
-            }
-            BuildError::NotFinite { item } => write!(f, "object {}: its box has no end", item.0),
-        }
-    }
-}
-
-impl core::error::Error for BuildError {}

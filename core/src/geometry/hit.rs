@@ -1,16 +1,7 @@
 //! What a ray finds: which item and how far, and what its surface is like there.
 
-use zerocopy::{Immutable, KnownLayout, TryFromBytes};
-
+use super::ItemId;
 use crate::math::{Real, Vec3};
-
-/// The number of an item: its place in the scene, counted from 0.
-///
-/// It is the number of the object in the scene file. Building an accelerator may reorder
-/// items, but never renumbers them.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash, TryFromBytes, KnownLayout, Immutable)]
-#[repr(transparent)]
-pub struct ItemId(pub u32);
 
 /// The nearest item along a ray.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -10,8 +10,14 @@ mod check;
 mod cone;
 mod cuboid;
 mod disc;
+#[cfg(not(feature = "double"))]
+mod fault;
 mod four;
 mod hit;
+#[cfg(not(feature = "double"))]
+mod item;
+#[cfg(not(feature = "double"))]
+mod kind;
 mod meet;
 mod moving;
 mod plane;
@@ -23,6 +29,10 @@ mod terminator;
 mod torus;
 mod triangle;
 
+// Without `Real`: one type for both precisions.
+#[cfg(feature = "double")]
+use strahl_core::{self as fault, self as item, self as kind};
+
 pub use ball::Ball;
 pub(crate) use ball::Line;
 pub(crate) use bounds::WIDEN;
@@ -30,14 +40,17 @@ pub use bounds::{Aabb, Span};
 pub use cone::Cone;
 pub use cuboid::{Cuboid, TurnedCuboid};
 pub use disc::Disc;
+pub use fault::ShapeFault;
 pub(crate) use four::FourTriangles;
-pub use hit::{Hit, ItemId, Surface};
+pub use hit::{Hit, Surface};
+pub use item::ItemId;
+pub use kind::{ShapeKind, ShapeSet};
 pub(crate) use meet::triangle_distance;
 pub use moving::Moving;
 pub use plane::Plane;
 pub use polygon::Polygon;
 pub use ray::{Ray, leave};
-pub use shape::{Shape, ShapeFault, ShapeKind, ShapeSet, Shapes};
+pub use shape::{Shape, Shapes};
 pub use sphere::Sphere;
 pub use torus::Torus;
 pub use triangle::has_area;

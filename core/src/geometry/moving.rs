@@ -10,8 +10,8 @@ use zerocopy::{Immutable, KnownLayout, TryFromBytes};
 
 use super::meet::clamp_to_box;
 use super::ray::LEAVING;
-use super::shape::{Shape, ShapeFault, ShapeKind, Shapes, check_point};
-use super::{Aabb, Geometry, Ray, Surface, of};
+use super::shape::check_point;
+use super::{Aabb, Geometry, Ray, Shape, ShapeFault, ShapeKind, Shapes, Surface, of};
 use crate::math::{Real, Vec3, abs, gamma, within};
 
 /// A shape that moves evenly along a straight line while the shutter is open.

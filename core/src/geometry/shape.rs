@@ -1,10 +1,9 @@
-//! What an item can be, and why a shape can be refused.
+//! What an item can be.
 
 use zerocopy::{Immutable, KnownLayout, TryFromBytes};
 
-use super::Sphere;
+use super::{ShapeFault, ShapeKind, ShapeSet, Sphere};
 use crate::math::{FARTHEST, Real, Vec3, is_in_range, is_unit};
-use crate::set::set_of;
 
 /// One item of the scene.
 #[derive(Clone, Copy, Debug, PartialEq, TryFromBytes, KnownLayout, Immutable)]
@@ -38,59 +37,6 @@ pub enum Shape {
 // Larger shapes belong into tables, or every item of every scene would pay for them.
 #[cfg(not(feature = "double"))]
 const _: () = assert!(size_of::<Shape>() <= 20);
-
-/// What kind of shape an item is.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
-#[allow(missing_docs)] // they name what `Shape` describes
-pub enum ShapeKind {
-    Sphere,
-    Triangle,
-    SmoothTriangle,
-    Plane,
-    Disc,
-    Polygon,
-    Cuboid,
-    TurnedCuboid,
-    Cone,
-    Torus,
-}
-
-impl ShapeKind {
-    /// Every kind.
-    pub const ALL: [ShapeKind; 10] = [
-        ShapeKind::Sphere,
-        ShapeKind::Triangle,
-        ShapeKind::SmoothTriangle,
-        ShapeKind::Plane,
-        ShapeKind::Disc,
-        ShapeKind::Polygon,
-        ShapeKind::Cuboid,
-        ShapeKind::TurnedCuboid,
-        ShapeKind::Cone,
-        ShapeKind::Torus,
-    ];
-
-    /// The name in reports.
-    pub const fn name(self) -> &'static str {
-        match self {
-            ShapeKind::Sphere => "sphere",
-            ShapeKind::Triangle => "triangle",
-            ShapeKind::SmoothTriangle => "smooth triangle",
-            ShapeKind::Plane => "plane",
-            ShapeKind::Disc => "disc",
-            ShapeKind::Polygon => "polygon",
-            ShapeKind::Cuboid => "box",
-            ShapeKind::TurnedCuboid => "turned box",
-            ShapeKind::Cone => "cone",
-            ShapeKind::Torus => "torus",
-        }
-    }
-}
-
-set_of! {
-    /// Kinds of shapes.
-    ShapeSet of ShapeKind
-}
 
 /// What a tracer's geometry can do. Every arm outside is compiled away.
 pub trait Shapes {
@@ -126,48 +72,6 @@ impl Shape {
         })
     }
 }
-
-/// Why a shape cannot be part of a scene.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-#[non_exhaustive]
-pub enum ShapeFault {
-    /// A coordinate is no number, or farther from zero than [`FARTHEST`].
-    Place,
-    /// A radius is no number, out of range, or leaves no shape.
-    Radius,
-    /// A length is no number, out of range, or leaves no shape.
-    Size,
-    /// A direction does not have length one.
-    NotUnit,
-    /// The axes of a turned box are not upright on each other.
-    Axes,
-    /// It refers to a place outside its table, or a polygon has fewer than three corners.
-    Missing,
-    /// The box of a polygon is not the one round its corners.
-    Bounds,
-    /// A plane does not stand in the table of planes under its own item.
-    Plane,
-    /// What moves is itself something that moves.
-    Moving,
-}
-
-impl core::fmt::Display for ShapeFault {
-    fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
-        f.write_str(match self {
-            ShapeFault::Place => "a coordinate is not within 1e15 of zero",
-            ShapeFault::Radius => "its radius leaves no shape, or is over 1e15",
-            ShapeFault::Size => "its size leaves no shape, or is over 1e15",
-            ShapeFault::NotUnit => "a direction does not have length one",
-            ShapeFault::Axes => "its axes are not upright on each other",
-            ShapeFault::Missing => "it refers to a place outside its table",
-            ShapeFault::Bounds => "its box is not the one round its corners",
-            ShapeFault::Plane => "its place in the table of planes names another item",
-            ShapeFault::Moving => "what moves is itself something that moves",
-        })
-    }
-}
-
-impl core::error::Error for ShapeFault {}
 
 pub(super) fn check_point(p: Vec3) -> Result<(), ShapeFault> {
     if is_in_range(p) { Ok(()) } else { Err(ShapeFault::Place) }

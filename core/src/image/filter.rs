@@ -1,10 +1,4 @@
-//! Reconstruction filters: how much of a pixel's surroundings counts in it.
-//!
-//! A filter weighs what is seen by where it is seen. Here the places are drawn from the filter
-//! itself, so that all samples weigh the same and a pixel needs only its own ("Filter
-//! Importance Sampling", Ernst, Stamminger, Greiner, 2006).
-
-use crate::math::{Real, normal, tent};
+//! Which reconstruction filters there are.
 
 /// How much of its surroundings counts in a pixel.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -16,51 +10,4 @@ pub enum Filter {
     Tent,
     /// A round normal distribution of deviation 0.5 pixels, cut off at 1.5.
     Gaussian,
-}
-
-impl Filter {
-    /// Where a point that lies evenly in the unit square comes to lie, from the pixel's upper
-    /// left corner.
-    pub(super) fn place(self, [x, y]: [Real; 2]) -> [Real; 2] {
-        match self {
-            Filter::Box => [x, y],
-            Filter::Tent => [0.5 + tent(x), 0.5 + tent(y)],
-            Filter::Gaussian => normal([x, y], 3.0).map(|way| 0.5 + 0.5 * way),
-        }
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-    use crate::math::Stream;
-
-    /// Mean and variance along x of many places.
-    fn moments(filter: Filter) -> (Real, Real) {
-        let (mut sum, mut squares) = (0.0, 0.0);
-        for index in 0..4096 {
-            let [x, y] = filter.place(Stream::new(0, 0, index, 0).pair(crate::math::Dimension::PIXEL));
-            assert!((-1.0..=2.0).contains(&x) && (-1.0..=2.0).contains(&y));
-            sum += x;
-            squares += x * x;
-        }
-        let mean = sum / 4096.0;
-        (mean, squares / 4096.0 - mean * mean)
-    }
-
-    #[test]
-    fn places_have_the_mean_and_the_variance_of_their_filter() {
-        // Of an even distribution of length one, of a tent of half-width one, and of a normal
-        // distribution of deviation 1/2 that is cut off at three deviations: then the variance
-        // is less by 4.5 e^-4.5 / (1 - e^-4.5) of itself.
-        for (filter, variance) in [
-            (Filter::Box, 1.0 / 12.0),
-            (Filter::Tent, 1.0 / 6.0),
-            (Filter::Gaussian, 0.25 * (1.0 - 0.050_55)),
-        ] {
-            let (mean, got) = moments(filter);
-            assert!((mean - 0.5).abs() < 1e-3, "{filter:?}: {mean}");
-            assert!((got - variance).abs() < 2e-3, "{filter:?}: {got}");
-        }
-    }
 }

@@ -5,8 +5,11 @@ mod agreement;
 mod corners;
 #[cfg(feature = "display")]
 mod display;
+#[cfg(not(feature = "double"))]
 mod filter;
+mod filter_sample;
 mod kept;
+#[cfg(not(feature = "double"))]
 mod pixel;
 mod quarter;
 mod regular;
@@ -15,6 +18,10 @@ mod selected;
 mod single;
 mod sink;
 mod stochastic;
+
+// Without `Real`: one type for both precisions.
+#[cfg(feature = "double")]
+use strahl_core::{self as filter, self as pixel};
 
 pub use adaptive::{Adaptive, Corner, Part, Parting};
 pub use agreement::Agreement;

@@ -1,6 +1,7 @@
 //! Regular supersampling: each pixel is cut into n times n cells with a ray through each.
 
 use super::filter::Filter;
+use super::filter_sample::filtered;
 use super::pixel::Pixel;
 use super::sampler::{Mean, Sampler, inside, stream};
 use crate::math::Real;
@@ -45,7 +46,7 @@ impl Sampler for Regular {
         let mut index = 0;
         for y in 0..self.n {
             for x in 0..self.n {
-                let [x, y] = self.filter.place([middle(x), middle(y)]);
+                let [x, y] = filtered(self.filter, [middle(x), middle(y)]);
                 mean.add(shoot(Sample {
                     place: inside(pixel, x, y),
                     stream: stream(pixel, index, self.seed),

@@ -24,6 +24,7 @@
 //! [`Stream`]: crate::math::Stream
 
 use super::filter::Filter;
+use super::filter_sample::filtered;
 use super::pixel::Pixel;
 use super::sampler::{Mean, Sampler, inside, stream};
 use crate::math::{Dimension, Real, Rgb, sqrt};
@@ -101,7 +102,7 @@ impl Stochastic {
             }
             let place = stream(pixel, mean.count, self.seed).pair(Dimension::PIXEL);
             let stream = stream(pixel, number(mean.count, place, self.least), self.seed);
-            let [x, y] = self.filter.place(place);
+            let [x, y] = filtered(self.filter, place);
             let sight = shoot(Sample { place: inside(pixel, x, y), stream });
             mean.add(sight);
             if is_ruled {

@@ -2,39 +2,9 @@
 
 use zerocopy::{Immutable, KnownLayout, TryFromBytes};
 
+use super::{Size, ViewFault};
 use crate::geometry::Ray;
 use crate::math::{FARTHEST, PI, Real, Stream, Vec3, disc, is_in_range, tan, unit};
-
-/// A picture's width and height in pixels, both at least 1.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Size {
-    width: u32,
-    height: u32,
-}
-
-impl Size {
-    /// The most pixels along one side: places stay exact in single precision, with room for
-    /// samples inside a pixel.
-    pub const MOST: u32 = 1 << 16;
-
-    /// A size; none when a side is 0 or more than [`Size::MOST`].
-    pub const fn new(width: u32, height: u32) -> Option<Self> {
-        if width == 0 || height == 0 || width > Self::MOST || height > Self::MOST {
-            return None;
-        }
-        Some(Size { width, height })
-    }
-
-    /// Pixels in a row.
-    pub const fn width(self) -> u32 {
-        self.width
-    }
-
-    /// Rows.
-    pub const fn height(self) -> u32 {
-        self.height
-    }
-}
 
 /// A place in the picture, in pixels from its upper left corner; the middle of the first pixel
 /// is (0.5, 0.5).
@@ -97,36 +67,6 @@ pub enum Projection {
     },
 }
 
-/// Why a view shows nothing.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-#[non_exhaustive]
-pub enum ViewFault {
-    /// A coordinate is no number or too far away.
-    Place,
-    /// The eye is at the point it looks at.
-    NoDirection,
-    /// Up is zero or parallel to the line of sight.
-    NoUp,
-    /// The angle is not between zero and half a turn, or the height not more than zero.
-    Angle,
-    /// The radius of the lens or its focus is out of range.
-    Lens,
-}
-
-impl core::fmt::Display for ViewFault {
-    fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
-        f.write_str(match self {
-            ViewFault::Place => "the view has a coordinate that is not within 1e15 of zero",
-            ViewFault::NoDirection => "the eye is at the point it looks at",
-            ViewFault::NoUp => "up is parallel to the line of sight",
-            ViewFault::Angle => "the angle of view leaves no picture",
-            ViewFault::Lens => "the radius or the focus of the lens is out of range",
-        })
-    }
-}
-
-impl core::error::Error for ViewFault {}
-
 /// Turns places in the picture into rays.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Camera {
@@ -157,7 +97,7 @@ impl Camera {
         }
         let right = unit(right).ok_or(ViewFault::NoUp)?;
         let down = forward.cross(right);
-        let rows = if size.height > 1 { size.height - 1 } else { 1 } as Real;
+        let rows = if size.height() > 1 { size.height() - 1 } else { 1 } as Real;
         let mut lens = [0.0; 2];
         let (height, parallel) = match view.projection {
             Projection::Perspective { angle } if angle > 0.0 && angle < PI => (2.0 * tan(0.5 * angle), false),
@@ -172,7 +112,7 @@ impl Camera {
             _ => return Err(ViewFault::Angle),
         };
         let step = height / rows;
-        let middle = Place { x: 0.5 * size.width as Real, y: 0.5 * size.height as Real };
+        let middle = Place { x: 0.5 * size.width() as Real, y: 0.5 * size.height() as Real };
         Ok(Camera {
             from: view.from,
             forward,

@@ -6,10 +6,10 @@
 
 use zerocopy::{Immutable, KnownLayout, TryFromBytes};
 
+use super::{LightKind, LightSet};
 use crate::math::{
     FARTHEST, Real, Rgb, Vec3, across, disc, is_in_range, is_unit, sqrt, unit, unit_and_length, within,
 };
-use crate::set::set_of;
 use crate::tally::Lit;
 
 /// A light.
@@ -108,28 +108,6 @@ impl Falloff {
         let share = 1.0 / divisor;
         if share < Rgb::BRIGHTEST { share } else { Rgb::BRIGHTEST }
     }
-}
-
-/// What kind of light it is.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-#[allow(missing_docs)] // they name what `Source` describes
-pub enum LightKind {
-    Point,
-    Directional,
-    Spot,
-    Sphere,
-    Rectangle,
-}
-
-impl LightKind {
-    /// Every kind.
-    pub const ALL: [LightKind; 5] =
-        [LightKind::Point, LightKind::Directional, LightKind::Spot, LightKind::Sphere, LightKind::Rectangle];
-}
-
-set_of! {
-    /// Kinds of lights.
-    LightSet of LightKind
 }
 
 /// Light that arrives at a surface, if nothing stands in its way.

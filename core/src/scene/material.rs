@@ -2,22 +2,8 @@
 
 use zerocopy::{Immutable, KnownLayout, TryFromBytes};
 
+use super::{Interface, MaterialFault, TextureId};
 use crate::math::{Real, Rgb};
-
-/// A place in the scene's table of materials.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, TryFromBytes, KnownLayout, Immutable)]
-#[repr(transparent)]
-pub struct MaterialId(pub u16);
-
-/// A place in the scene's table of textures.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, TryFromBytes, KnownLayout, Immutable)]
-#[repr(transparent)]
-pub struct TextureId(pub u16);
-
-impl TextureId {
-    /// No texture: no table is so long that it has this place.
-    pub const NONE: TextureId = TextureId(u16::MAX);
-}
 
 /// How a surface answers light, and what light meets behind it.
 ///
@@ -62,17 +48,6 @@ pub struct Material {
 /// As single precision has it: a scene is in range for both precisions or for none.
 #[allow(clippy::unnecessary_cast)] // it is one in the twin
 const LEAST_INDEX: Real = 0.01_f32 as Real;
-
-/// What happens to the transmitted share of light at a surface.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, TryFromBytes, KnownLayout, Immutable)]
-#[repr(u8)]
-pub enum Interface {
-    /// All of it passes, unless all of it is thrown back (Whitted).
-    Constant,
-    /// Fresnel's formulas for unpolarised light say how much of it passes; the rest is
-    /// mirrored.
-    Fresnel,
-}
 
 impl Material {
     /// White, matte, opaque, two-sided.
@@ -145,39 +120,3 @@ impl Material {
         Ok(())
     }
 }
-
-/// Why a material cannot be part of a scene.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-#[non_exhaustive]
-pub enum MaterialFault {
-    /// A colour has a channel outside `0..=1e6`.
-    Color,
-    /// A mirrored or transmitted share has a channel outside `0..=1`.
-    Share,
-    /// The exponent of the highlight is outside `0..=1e6`.
-    Exponent,
-    /// The index of refraction is outside `0.01..=100`.
-    Index,
-    /// The roughness is outside `0..=1`.
-    Roughness,
-    /// The clarity is zero, below zero or no number.
-    Clarity,
-    /// The texture is outside its table.
-    Texture,
-}
-
-impl core::fmt::Display for MaterialFault {
-    fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
-        f.write_str(match self {
-            MaterialFault::Color => "a colour is not in 0..=1e6",
-            MaterialFault::Share => "a mirrored or transmitted share is not in 0..=1",
-            MaterialFault::Exponent => "the highlight's exponent is not in 0..=1e6",
-            MaterialFault::Index => "the index of refraction is not in 0.01..=100",
-            MaterialFault::Roughness => "the roughness is not in 0..=1",
-            MaterialFault::Clarity => "the clarity is not more than zero",
-            MaterialFault::Texture => "the texture does not exist",
-        })
-    }
-}
-
-impl core::error::Error for MaterialFault {}

@@ -1,29 +1,51 @@
 //! The scene: borrowed slices, checked once.
 
 mod camera;
+#[cfg(not(feature = "double"))]
+mod effect_set;
 mod effects;
+#[cfg(not(feature = "double"))]
+mod error;
+#[cfg(not(feature = "double"))]
+mod interface;
+#[cfg(not(feature = "double"))]
+mod kind;
 mod light;
 mod material;
 #[cfg(not(feature = "double"))]
 mod pack;
+#[cfg(not(feature = "double"))]
+mod reference;
+#[cfg(not(feature = "double"))]
+mod size;
 mod texture;
 mod world;
 
-pub use camera::{Camera, Place, Projection, Sample, Size, View, ViewFault};
-pub use effects::{EffectSet, Effects, Everything, LastLevel};
+// Without `Real`: one type for both precisions.
+#[cfg(feature = "double")]
+use strahl_core::{
+    self as effect_set, self as error, self as interface, self as kind, self as reference, self as size,
+};
+
+pub use camera::{Camera, Place, Projection, Sample, View};
+pub use effect_set::{EffectSet, LastLevel};
+pub use effects::{Effects, Everything};
+pub use error::{MaterialFault, SceneError, ViewFault};
+pub use interface::Interface;
+pub use kind::{LightKind, LightSet, TextureKind, TextureSet};
 pub(crate) use light::Beam;
-pub use light::{Falloff, Light, LightKind, LightSet, Source};
-pub use material::{Interface, Material, MaterialFault, MaterialId, TextureId};
+pub use light::{Falloff, Light, Source};
+pub use material::Material;
 #[cfg(not(feature = "double"))]
 pub use pack::{Baking, Finder, Pack, PackError, PackPart};
-pub use texture::{Texture, TextureKind, TextureSet};
+pub use reference::{MaterialId, TextureId};
+pub use size::Size;
+pub use texture::Texture;
 pub use world::World;
 
 use zerocopy::{Immutable, KnownLayout, TryFromBytes};
 
-use core::fmt;
-
-use crate::geometry::{Geometry, ItemId, Shape, ShapeFault};
+use crate::geometry::{Geometry, ItemId, Shape};
 use crate::math::{Rgb, Vec3, is_unit, within};
 
 /// What a ray sees that meets nothing.
@@ -115,42 +137,6 @@ pub struct Scene<'s> {
     parts: Parts<'s>,
     asks: EffectSet,
 }
-
-/// Why parts do not make a scene.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-#[non_exhaustive]
-pub enum SceneError {
-    /// There are more items than numbers for them.
-    TooManyItems,
-    /// This shape is none.
-    Shape(ItemId, ShapeFault),
-    /// This material, a place in its table, is out of range.
-    Material(MaterialId, MaterialFault),
-    /// The material of this item is not told or does not exist.
-    NoMaterial(ItemId),
-    /// The light at this place in the table is out of range.
-    Light(usize),
-    /// The texture at this place in the table is out of range.
-    Texture(usize),
-    /// The ambient light or the background is out of range.
-    Surroundings,
-}
-
-impl fmt::Display for SceneError {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self {
-            SceneError::TooManyItems => write!(f, "more items than a scene can number"),
-            SceneError::Shape(item, fault) => write!(f, "object {}: {fault}", item.0),
-            SceneError::Material(material, fault) => write!(f, "material {}: {fault}", material.0),
-            SceneError::NoMaterial(item) => write!(f, "object {}: it has no material", item.0),
-            SceneError::Light(light) => write!(f, "light {light}: a number is out of range"),
-            SceneError::Texture(texture) => write!(f, "texture {texture}: a number is out of range"),
-            SceneError::Surroundings => write!(f, "ambient light or background: a number is out of range"),
-        }
-    }
-}
-
-impl core::error::Error for SceneError {}
 
 impl<'s> Scene<'s> {
     /// The scene of these parts, or what is wrong with the first of them that does not fit.
@@ -249,7 +235,7 @@ fn asked_by(parts: &Parts<'_>) -> EffectSet {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::geometry::{Plane, Sphere};
+    use crate::geometry::{Plane, ShapeFault, Sphere};
     use crate::math::{Real, vec3};
 
     const BALL: Shape = Shape::Sphere(Sphere { center: Vec3::ZERO, radius: 1.0 });

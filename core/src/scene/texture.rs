@@ -2,8 +2,8 @@
 
 use zerocopy::{Immutable, KnownLayout, TryFromBytes};
 
+use super::{TextureKind, TextureSet};
 use crate::math::{FARTHEST, PI, Real, Rgb, Vec3, cos, floor, is_in_range, largest, within};
-use crate::set::set_of;
 
 /// A colour for each point of space, in the frame of the world.
 #[derive(Clone, Copy, Debug, PartialEq, TryFromBytes, KnownLayout, Immutable)]
@@ -44,25 +44,6 @@ pub enum Texture {
         /// Returns per square of the distance; at least 0, at most 1e15.
         frequency: Real,
     },
-}
-
-/// What kind of texture it is.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-#[allow(missing_docs)] // they name what `Texture` describes
-pub enum TextureKind {
-    Checker,
-    Gradient,
-    ZonePlate,
-}
-
-impl TextureKind {
-    /// Every kind.
-    pub const ALL: [TextureKind; 3] = [TextureKind::Checker, TextureKind::Gradient, TextureKind::ZonePlate];
-}
-
-set_of! {
-    /// Kinds of textures.
-    TextureSet of TextureKind
 }
 
 impl Texture {

@@ -6,31 +6,23 @@
 //! databases' balls, gears and teapot (callgrind, below [`Tracer::look`](crate::Tracer::look)): the
 //! optimiser lays the loop out a little differently.
 
+mod count;
+#[cfg(not(feature = "double"))]
+mod counters;
+#[cfg(not(feature = "double"))]
+mod kind;
 mod step;
 
-pub use step::{Fate, Lit, Step};
+// Without `Real`: one type for both precisions.
+#[cfg(feature = "double")]
+use strahl_core::{self as counters, self as kind};
+
+pub use counters::{Counters, PerRayKind, PerShapeKind, RayCounters, UnsentRays};
+pub use kind::{Fate, RayKind};
+pub use step::{Lit, Step};
 
 use crate::geometry::ShapeKind;
 use crate::math::Rgb;
-
-/// Why a ray was sent.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum RayKind {
-    /// From the eye, through the picture.
-    Camera,
-    /// From a mirror, or thrown back inside glass.
-    Reflected,
-    /// Through glass.
-    Transmitted,
-    /// Towards a light.
-    Shadow,
-}
-
-impl RayKind {
-    /// Every kind.
-    pub const ALL: [RayKind; 4] =
-        [RayKind::Camera, RayKind::Reflected, RayKind::Transmitted, RayKind::Shadow];
-}
 
 /// Something that happened while a picture was traced.
 #[derive(Clone, Copy, Debug, PartialEq)]

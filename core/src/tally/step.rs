@@ -6,7 +6,7 @@
 //! stack, and the sum of all that is added, in this order, is the colour of the camera ray, bit for
 //! bit.
 
-use super::RayKind;
+use super::{Fate, RayKind};
 use crate::geometry::{Hit, ItemId};
 use crate::math::{Real, Rgb, Vec3};
 
@@ -124,15 +124,4 @@ pub enum Lit {
         /// What the surface sends of it along the ray.
         adds: Rgb,
     },
-}
-
-/// Whether a ray is sent.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Fate {
-    /// It is.
-    Sent,
-    /// Too little of what it finds would count.
-    TooLittle,
-    /// The levels end here.
-    TooDeep,
 }

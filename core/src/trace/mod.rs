@@ -5,13 +5,23 @@
 //! by itself, and no ray waits for another's answer ("An Improved Illumination Model for Shaded
 //! Display", CACM 1980).
 
+#[cfg(not(feature = "double"))]
+mod error;
 mod limits;
+#[cfg(not(feature = "double"))]
+mod met;
 mod sight;
 mod task;
 mod worker;
 
-pub use limits::{Limits, TracerError};
-pub use sight::{Met, Sight};
+// Without `Real`: one type for both precisions.
+#[cfg(feature = "double")]
+use strahl_core::{self as error, self as met};
+
+pub use error::TracerError;
+pub use limits::Limits;
+pub use met::Met;
+pub use sight::Sight;
 pub use worker::Worker;
 
 use core::marker::PhantomData;

@@ -51,7 +51,7 @@ impl Search<'_> {
         for levels in ladder {
             let limits = Limits { levels: *levels, cutoff: finest };
             let (drawn, price) = self.look(Setting { limits, rays })?;
-            let is_whole = drawn.counts.as_ref().is_some_and(|counts| counts.level_limit() == 0);
+            let is_whole = drawn.counts.as_ref().is_some_and(|counts| counts.level_limit.rays == 0);
             let change = by_levels.last().map(|(_, last, _)| self.sparse.error(&drawn.colors, last).error);
             by_levels.push((*levels, drawn.colors, price));
             settled = if change.is_some_and(|change| change <= SETTLED * goal) { settled + 1 } else { 0 };

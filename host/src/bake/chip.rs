@@ -3,9 +3,8 @@
 //! `tests/firmware/check` measures the stack of every set below on the chip, holds the estimates
 //! against the instructions of all its scenes, and fails where this room is wrong.
 
-use strahl_core::{EffectSet, LightKind, LightSet, RayKind, ShapeKind, ShapeSet};
+use strahl_core::{Counters, EffectSet, LightKind, LightSet, ShapeKind, ShapeSet};
 
-use crate::counts::Counts;
 use crate::finding::Kind;
 
 /// The most bytes of stack that a tracer of this set takes, the worker among them.
@@ -59,15 +58,12 @@ pub const DOUBT: f64 = 1.5;
 ///
 /// Fitted to five scenes whose instructions are counted on the chip. A step into a region is part of
 /// what its boxes cost.
-pub fn instructions(counts: &Counts, accelerator: Kind) -> u64 {
-    let all = |count: fn(&Counts, RayKind) -> u64| {
-        RayKind::ALL.into_iter().map(|kind| count(counts, kind)).sum::<u64>()
-    };
+pub fn instructions(counts: &Counters, accelerator: Kind) -> u64 {
     // A hierarchy holds the boxes of a node against a ray one after the other; a grid and an octree
     // hold one box, for an item that they have looked up.
     let per_box = if accelerator == Kind::Bvh { 62 } else { 125 };
-    let shapes = ShapeKind::ALL.into_iter().map(|kind| counts.by_shape(kind) * per_shape(kind)).sum::<u64>();
-    PER_RAY * all(Counts::rays) + per_box * all(Counts::boxes) + shapes
+    let shapes = ShapeKind::ALL.into_iter().map(|kind| counts.by_shape[kind] * per_shape(kind)).sum::<u64>();
+    PER_RAY * counts.rays.sum() + per_box * counts.boxes.sum() + shapes
 }
 
 /// Making a ray, and shading what it meets.

@@ -7,13 +7,12 @@ use std::fmt::Write as _;
 use std::path::Path;
 
 use strahl_core::{
-    Aabb, Baking, Bare, Bvh, BvhRoom, EffectSet, Finder, Grid, GridRoom, LastFirst, Limits, Mailbox, Node,
-    Octree, OctreeNode, OctreeRoom, Pack, Projection, Scene, Size, Slot, View, Worker,
+    Aabb, Baking, Bare, Bvh, BvhRoom, Counters, EffectSet, Finder, Grid, GridRoom, LastFirst, Limits,
+    Mailbox, Node, Octree, OctreeNode, OctreeRoom, Pack, Projection, Scene, Size, Slot, View, Worker,
 };
 
 use crate::amount::amount;
 use crate::args::BakeArgs;
-use crate::counts::Counts;
 use crate::description::{Description, Settings};
 use crate::failure::Failure;
 use crate::finding::{Accel, Bounds, Finding, Kind, MAILBOX, Walk};
@@ -132,7 +131,7 @@ pub fn counted(description: &Description, asked: &Asked) -> Result<Counted, NoFr
 #[derive(Clone, Copy, Debug)]
 pub struct Counted {
     /// How often everything.
-    pub counts: Counts,
+    pub counts: Counters,
     /// How many pixels.
     pub pixels: u64,
 }

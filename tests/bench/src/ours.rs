@@ -117,7 +117,7 @@ pub fn counted(tables: &Tables, room: &mut Room, rays: &[Ray]) -> [[f64; 3]; 2] 
         let _ = world.blocker::<Triangles, _>(ray, WAY, RayKind::Shadow, &mut scratch, &mut counters);
     }
     [RayKind::Camera, RayKind::Shadow].map(|kind| {
-        [counters.boxes(kind), counters.regions(kind), counters.shapes(kind)]
+        [counters.boxes[kind], counters.regions[kind], counters.shapes[kind]]
             .map(|count| count as f64 / rays.len() as f64)
     })
 }

@@ -133,7 +133,7 @@ fn rays<A: Accelerator>(
     rooms: &mut Rooms<'_>,
 ) -> Result<u64, &'static str> {
     let counted = picture(world, wanted, sampling, Counters::new(), rooms, || 0, |_| true)?;
-    Ok(RayKind::ALL.into_iter().map(|kind| counted.tally.rays(kind)).sum())
+    Ok(RayKind::ALL.into_iter().map(|kind| counted.tally.rays[kind]).sum())
 }
 
 type Rooms<'m> = (&'m mut [Bytes], &'m mut [Sight], &'m mut [Kept]);

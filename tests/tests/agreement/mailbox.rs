@@ -79,10 +79,10 @@ fn a_hit_beyond_the_region_that_offers_it_is_not_lost_when_the_mailbox_leaves_it
     for (with, without) in [(2, 0), (5, 3)] {
         let (with, without) = (&counters[with], &counters[without]);
         let kind = RayKind::Camera;
-        assert_eq!(without.skipped(kind), 0);
-        assert!(with.skipped(kind) > 3, "{with:?}");
-        assert_eq!(with.shapes(kind) + with.skipped(kind), without.shapes(kind), "skipped or tested");
-        assert_eq!(with.regions(kind), without.regions(kind), "the walk is the same");
+        assert_eq!(without.skipped[kind], 0);
+        assert!(with.skipped[kind] > 3, "{with:?}");
+        assert_eq!(with.shapes[kind] + with.skipped[kind], without.shapes[kind], "skipped or tested");
+        assert_eq!(with.regions[kind], without.regions[kind], "the walk is the same");
     }
     // And when the hit is out of reach it is no hit, wherever it was offered.
     assert_eq!(met(&stage, &ray, hit.unwrap().t.next_down()).0, None);

@@ -440,14 +440,14 @@ fn boxes_save_tests_of_shapes_and_groups_save_tests_of_boxes() {
         boxed.nearest::<Everything, _>(ray, Real::MAX, RayKind::Camera, &mut (), &mut with);
     }
     let kind = RayKind::Camera;
-    assert_eq!((without.shapes(kind), without.boxes(kind), without.regions(kind)), (32_000, 0, 100));
-    assert!(by_balls.shapes(kind) < 6_400 && by_balls.shapes(kind) >= with.shapes(kind), "{by_balls:?}");
+    assert_eq!((without.shapes[kind], without.boxes[kind], without.regions[kind]), (32_000, 0, 100));
+    assert!(by_balls.shapes[kind] < 6_400 && by_balls.shapes[kind] >= with.shapes[kind], "{by_balls:?}");
     // A tenth of the shapes, and half of the boxes, is far more than what is found.
-    assert!(with.shapes(kind) < 3_200, "{with:?}");
-    assert!(with.boxes(kind) >= 2_000 && with.boxes(kind) < 16_000, "{with:?}");
+    assert!(with.shapes[kind] < 3_200, "{with:?}");
+    assert!(with.boxes[kind] >= 2_000 && with.boxes[kind] < 16_000, "{with:?}");
     assert_eq!(
-        with.boxes(kind),
-        2_000 + 16 * with.regions(kind),
+        with.boxes[kind],
+        2_000 + 16 * with.regions[kind],
         "groups, and the content of those that were met"
     );
 }

@@ -225,10 +225,10 @@ fn no_ray_is_sent_for_what_the_scene_does_not_call_for() {
     let rays = |stage: &Stage| {
         let world = World::new(stage.scene(), List::bare(stage.len()));
         let (_, counters) = picture::<_, Everything, 5>(&world, size(24, 16), Limits::DEFAULT, &mut Single);
-        assert_eq!(counters.rays(RayKind::Camera), 24 * 16);
+        assert_eq!(counters.rays[RayKind::Camera], 24 * 16);
         RayKind::ALL.map(|kind| {
-            let rays = counters.rays(kind);
-            assert_eq!(counters.shapes(kind) > 0, rays > 0);
+            let rays = counters.rays[kind];
+            assert_eq!(counters.shapes[kind] > 0, rays > 0);
             rays > 0
         })
     };

@@ -49,10 +49,10 @@ fn a_full_tree_of_rays_needs_no_more_room_than_levels() {
     ] {
         let children = (1 << (levels - 1)) - 1;
         assert_eq!(color, Rgb::gray(0.25 * levels as Real), "{levels}");
-        assert_eq!(counters.rays(RayKind::Camera), 1);
-        assert_eq!(counters.rays(RayKind::Reflected), children, "{levels}");
-        assert_eq!(counters.rays(RayKind::Transmitted), children, "{levels}");
-        assert_eq!(counters.rays(RayKind::Shadow), 0);
+        assert_eq!(counters.rays[RayKind::Camera], 1);
+        assert_eq!(counters.rays[RayKind::Reflected], children, "{levels}");
+        assert_eq!(counters.rays[RayKind::Transmitted], children, "{levels}");
+        assert_eq!(counters.rays[RayKind::Shadow], 0);
     }
 }
 
@@ -133,8 +133,8 @@ fn a_thing_in_more_bodies_than_a_list_of_media_holds_is_told() {
     }
     let limits = Limits { levels: 64, cutoff: 0.0 };
     let (_, counters) = stage.look_and_count(vec3(0.0, 0.0, 20.0), vec3(0.1, 0.2, 0.0), limits);
-    assert_eq!(counters.media_full(), 2);
-    assert_eq!(counters.rays(RayKind::Transmitted), 12, "it goes on all the same");
+    assert_eq!(counters.media_full, 2);
+    assert_eq!(counters.rays[RayKind::Transmitted], 12, "it goes on all the same");
 }
 
 #[test]

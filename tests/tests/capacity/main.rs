@@ -163,7 +163,7 @@ fn the_core_asks_for_no_memory() {
         let blocks = selection.blocks(tile).pixels();
         let Ok(()) = render_selected(&tracer, &mut selected, &mut worker, blocks, &mut frame);
         assert!(
-            worker.tally().rays(RayKind::Transmitted) > 100 && worker.tally().rays(RayKind::Reflected) > 100
+            worker.tally().rays[RayKind::Transmitted] > 100 && worker.tally().rays[RayKind::Reflected] > 100
         );
     });
     assert_eq!(asked, 0);

@@ -30,12 +30,12 @@ fn corners_are_the_same_from_any_memory_and_none_is_traced_twice() {
         let s = size(w, h);
         let corners = u64::from((w + 1) * (h + 1));
         let (truth, counters) = picture::<_, Everything, 5>(&world, s, Limits::DEFAULT, &mut FourCorners);
-        assert_eq!(counters.rays(RayKind::Camera), u64::from(4 * w * h));
+        assert_eq!(counters.rays[RayKind::Camera], u64::from(4 * w * h));
 
         let mut row = vec![Sight::DARK; w as usize + 1];
         let mut sampler = Adaptive::new(corners_alone(), CornerRow::new(&mut row), &mut []);
         let (colors, counters) = picture::<_, Everything, 5>(&world, s, Limits::DEFAULT, &mut sampler);
-        assert_eq!((colors, counters.rays(RayKind::Camera)), (truth.clone(), corners), "{w}x{h}");
+        assert_eq!((colors, counters.rays[RayKind::Camera]), (truth.clone(), corners), "{w}x{h}");
 
         let camera = Camera::new(&VIEW, s).unwrap();
         let tracer = Tracer::<_, Everything, 5>::new(&world, camera, Limits::DEFAULT).unwrap();
@@ -49,7 +49,7 @@ fn corners_are_the_same_from_any_memory_and_none_is_traced_twice() {
             let Ok(()) =
                 render(&tracer, &mut Corner(corners_alone()), &mut worker, tile.pixels(), &mut frame);
         }
-        assert_eq!(worker.tally().rays(RayKind::Camera), corners);
+        assert_eq!(worker.tally().rays[RayKind::Camera], corners);
         let mut lattice = Adaptive::new(corners_alone(), Lattice::new(whole, &memory).unwrap(), &mut []);
         let (colors, counters) = picture::<_, Everything, 5>(&world, s, Limits::DEFAULT, &mut lattice);
         assert_eq!((colors, counters), (truth, Counters::new()), "{w}x{h}");
@@ -69,7 +69,7 @@ fn a_row_of_corners_that_is_too_short_costs_rays_and_changes_nothing() {
             let (colors, counters) =
                 picture::<_, Everything, 5>(&world, size(w, h), Limits::DEFAULT, &mut sampler);
             assert_eq!(colors, truth, "{room} corners for rows of {w} pixels");
-            let rays = counters.rays(RayKind::Camera);
+            let rays = counters.rays[RayKind::Camera];
             assert!(rays <= u64::from(4 * w * h) && rays >= u64::from((w + 1) * (h + 1)));
             if room <= w as usize + 1 {
                 assert!(rays <= most, "{room} corners");
@@ -112,6 +112,6 @@ fn a_sink_that_is_full_ends_the_picture() {
         let result = render(&tracer, &mut Single, &mut worker, Tile::whole(s).pixels(), &mut Full { room });
         assert_eq!(result, end);
         let pixels = if end.is_ok() { room } else { room + 1 };
-        assert_eq!(worker.tally().rays(RayKind::Camera), pixels as u64);
+        assert_eq!(worker.tally().rays[RayKind::Camera], pixels as u64);
     }
 }

@@ -67,7 +67,7 @@ fn a_ball_of_glass_turns_light_by_twice_the_difference_of_the_angles() {
         let turned = 2.0 * (a - behind(a, 1.5));
         let eye = vec3(-5.0, h as Real, 0.0);
         let (color, counters) = stage.look_and_count(eye, eye + Vec3::X, ALL);
-        assert_eq!(counters.rays(RayKind::Transmitted), 2);
+        assert_eq!(counters.rays[RayKind::Transmitted], 2);
         let want = 0.5 - 0.5 * turned.sin();
         assert!(
             (f64::from(color.r) - want).abs() <= 4.0 * ROUNDINGS / a.cos(),
@@ -121,7 +121,7 @@ fn a_constant_interface_gives_the_shares_that_the_material_names() {
         let (color, counters) = slanted_and_counted(&stage, [0.0, 1.0], a, ALL);
         // ks times the ceiling, kt times the floor, whatever the angle.
         assert_eq!(color, Rgb::new(0.5625, 0.625, 0.25), "{a}");
-        assert_eq!((counters.rays(RayKind::Reflected), counters.rays(RayKind::Transmitted)), (1, 1));
+        assert_eq!((counters.rays[RayKind::Reflected], counters.rays[RayKind::Transmitted]), (1, 1));
     }
 }
 
@@ -178,14 +178,14 @@ fn beyond_the_critical_angle_the_transmitted_share_goes_where_a_mirror_sends_it(
     for a in [critical + 1e-4, 0.9, 1.1, 1.2] {
         let upward = std::f64::consts::PI - a;
         let (color, counters) = slanted_and_counted(&stage, [0.0, -1.0], upward, ALL);
-        assert_eq!((counters.rays(RayKind::Reflected), counters.rays(RayKind::Transmitted)), (1, 0), "{a}");
+        assert_eq!((counters.rays[RayKind::Reflected], counters.rays[RayKind::Transmitted]), (1, 0), "{a}");
         // One up and two down.
         let (x, want) = (place(color * (1.0 / kt)), 3.0 * a.tan());
         assert!((x - want).abs() <= 8.0 * READING / a.cos(), "{a}: {x} is not {want}");
     }
     let (color, counters) =
         slanted_and_counted(&stage, [0.0, -1.0], std::f64::consts::PI - critical + 1e-4, ALL);
-    assert_eq!((counters.rays(RayKind::Reflected), counters.rays(RayKind::Transmitted)), (0, 1));
+    assert_eq!((counters.rays[RayKind::Reflected], counters.rays[RayKind::Transmitted]), (0, 1));
     assert_eq!(color, Rgb::BLACK, "there is nothing above");
 }
 
@@ -204,7 +204,7 @@ fn around_the_critical_angle_no_light_is_lost() {
         let eye = vec3(0.0, -1.0, 0.0);
         let (color, counters) = stage.look_and_count(eye, vec3(slope, 0.0, 0.0), ALL);
         assert_gray(color, 1.0, ROUNDINGS);
-        passed += counters.rays(RayKind::Transmitted);
+        passed += counters.rays[RayKind::Transmitted];
         slope = slope.next_up();
     }
     // Half of them, but for some roundings of the angle.

@@ -98,7 +98,7 @@ fn where_two_bodies_overlap_the_higher_priority_fills_space() {
     let across = |stage: &Stage, a: f64, water: f64, glass: f64| {
         let (color, counters) = slanted_and_counted(stage, [0.0, 1.0], a, ALL);
         // In at two surfaces and out at two, hidden or not.
-        assert_eq!((counters.rays(RayKind::Transmitted), counters.rays(RayKind::Reflected)), (4, 0));
+        assert_eq!((counters.rays[RayKind::Transmitted], counters.rays[RayKind::Reflected]), (4, 0));
         // One through air above and one below.
         let want = 2.0 * a.tan() + water * behind(a, 1.33).tan() + glass * behind(a, 1.5).tan();
         let x = place(color);
@@ -124,8 +124,8 @@ fn a_hidden_surface_does_nothing_but_take_a_level() {
     plate(&mut stage, body(1.5, CLEAR, 1), -3.0, 0.0);
     plate(&mut stage, painted, -2.0, -1.0);
     let (color, counters) = slanted_and_counted(&stage, [0.0, 1.0], 0.3, ALL);
-    assert_eq!((color, counters.rays(RayKind::Reflected)), (Rgb::gray(0.5), 0));
-    assert_eq!(counters.rays(RayKind::Transmitted), 4);
+    assert_eq!((color, counters.rays[RayKind::Reflected]), (Rgb::gray(0.5), 0));
+    assert_eq!(counters.rays[RayKind::Transmitted], 4);
     assert_eq!(slanted(&stage, [0.0, 1.0], 0.3, levels(4)), Rgb::BLACK);
     assert_eq!(slanted(&stage, [0.0, 1.0], 0.3, levels(5)), Rgb::gray(0.5));
 }

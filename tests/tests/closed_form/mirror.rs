@@ -15,8 +15,8 @@ fn facing(mirror: Rgb) -> Stage {
 
 fn look(stage: &Stage, limits: Limits) -> (Rgb, u64) {
     let (color, counters) = stage.look_and_count(Vec3::ZERO, Vec3::X, limits);
-    assert_eq!(counters.rays(RayKind::Camera), 1);
-    (color, counters.rays(RayKind::Reflected))
+    assert_eq!(counters.rays[RayKind::Camera], 1);
+    (color, counters.rays[RayKind::Reflected])
 }
 
 #[test]

@@ -40,7 +40,7 @@ fn the_brightest_mirrors_and_glass_give_a_finite_pixel_after_64_levels() {
         stage.lights.push(Light { source, color: BRIGHTEST, shadows: false });
     }
     let (color, counters) = stage.look_and_count(Vec3::ZERO, Vec3::X, ALL);
-    assert_eq!(counters.rays(RayKind::Transmitted) + counters.rays(RayKind::Reflected), 63);
+    assert_eq!(counters.rays[RayKind::Transmitted] + counters.rays[RayKind::Reflected], 63);
     // Each of the 64 surfaces counts as 1e15 and not more.
     assert_gray(color, 64e15, 64.0 * 6e-8);
 }
@@ -58,7 +58,7 @@ fn a_full_tree_of_perfect_mirrors_and_panes_gives_a_finite_pixel() {
     stage.ambient = BRIGHTEST;
     let (color, counters) = stage.look_and_count(Vec3::ZERO, Vec3::X, levels(n));
     let surfaces = (1_u64 << n) - 1;
-    assert_eq!(counters.rays(RayKind::Transmitted) + counters.rays(RayKind::Reflected), surfaces - 1);
+    assert_eq!(counters.rays[RayKind::Transmitted] + counters.rays[RayKind::Reflected], surfaces - 1);
     // 1e6 times 1e6 of each; the sum rounds as often as there are surfaces.
     assert_gray(color, 1e12 * surfaces as f64, surfaces as f64 * 6e-8);
 }

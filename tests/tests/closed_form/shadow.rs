@@ -25,7 +25,7 @@ fn floor(light: Light, put: impl FnOnce(&mut Stage)) -> Stage {
 /// Whether light falls on the floor at (x, 0, 0), seen from low beside it.
 fn is_lit(stage: &Stage, x: f64) -> bool {
     let (color, counters) = stage.look_and_count(vec3(x as Real, 0.25, 6.0), vec3(x as Real, 0.0, 0.0), ALL);
-    assert_eq!(counters.rays(RayKind::Shadow), 1);
+    assert_eq!(counters.rays[RayKind::Shadow], 1);
     !color.is_black()
 }
 
@@ -88,7 +88,7 @@ fn every_shape_casts_a_shadow() {
         let mut stage = floor(lamp(0.0, 3.0, 0.0), put);
         stage.lights[0].shadows = false;
         let (color, counters) = stage.look_and_count(vec3(0.0, 0.25, 6.0), Vec3::ZERO, ALL);
-        assert_eq!((color.is_black(), counters.rays(RayKind::Shadow)), (false, 0));
+        assert_eq!((color.is_black(), counters.rays[RayKind::Shadow]), (false, 0));
     }
 }
 
@@ -168,7 +168,7 @@ fn a_light_on_any_surface_is_not_in_its_own_way() {
         stage.lights.push(lamp(place.x, place.y, place.z));
         let before = from + unit(place - from).unwrap() * 0.5;
         let (color, counters) = stage.look_and_count(before, from, ALL);
-        if counters.rays(RayKind::Shadow) == 1 {
+        if counters.rays[RayKind::Shadow] == 1 {
             assert!(!color.is_black(), "{round}: {kind:?} {contact:?}");
             asked += 1;
         }
@@ -192,7 +192,7 @@ fn glass_casts_a_full_shadow() {
 fn a_light_behind_the_surface_is_not_asked_for() {
     let stage = floor(lamp(0.0, -3.0, 0.0), |_| ());
     let (color, counters) = stage.look_and_count(vec3(0.0, 0.25, 6.0), Vec3::ZERO, ALL);
-    assert_eq!((color, counters.rays(RayKind::Shadow)), (Rgb::BLACK, 0));
+    assert_eq!((color, counters.rays[RayKind::Shadow]), (Rgb::BLACK, 0));
 }
 
 #[test]

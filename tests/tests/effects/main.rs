@@ -5,7 +5,6 @@
 
 use std::path::Path;
 
-use strahl::counts::Counts;
 use strahl::description::Description;
 use strahl::frame::{self, Frame};
 use strahl::plan::{Effect, asked_by, leave_out, plan};
@@ -15,8 +14,8 @@ use strahl::signals::Signals;
 use strahl::stock::single::{Stock, view};
 use strahl::wanted::Wanted;
 use strahl_core::{
-    Bare, Camera, EffectSet, Effects, Everything, LightSet, Limits, RayKind, Rgb, ShapeSet, Size, Stochastic,
-    TextureSet, Tile, Tracer, Worker, World, render,
+    Bare, Camera, Counters, EffectSet, Effects, Everything, LightSet, Limits, RayKind, Rgb, ShapeSet, Size,
+    Stochastic, TextureSet, Tile, Tracer, Worker, World, render,
 };
 
 const SIZE: Size = Size::new(48, 36).unwrap();
@@ -107,7 +106,7 @@ fn smallest(effect: Effect) -> [Seen; 2] {
     }
 }
 
-fn counted(description: &Description, seed: u32) -> (Frame, Counts) {
+fn counted(description: &Description, seed: u32) -> (Frame, Counters) {
     let wanted = Wanted { seed, sampling: Sampling::Regular(2), ..Wanted::of(SIZE) };
     let frame = frame::trace(description, &wanted, &Watch::silent(Signals::default())).unwrap();
     let counts = frame.counters.unwrap();
@@ -132,16 +131,16 @@ fn what_a_scene_does_not_ask_for_sends_no_ray_and_takes_no_number_of_chance() {
         let asks = asks(&description);
         let has = |effect| asks.contains(&effect);
         let (frame, counts) = counted(&description, 0);
-        assert_eq!(counts.rays(RayKind::Camera), 4 * 48 * 36, "{name}");
+        assert_eq!(counts.rays[RayKind::Camera], 4 * 48 * 36, "{name}");
         let reflects = has(Effect::Reflection);
-        assert_eq!(counts.rays(RayKind::Reflected) > 0, reflects, "{name}");
-        assert_eq!(counts.rays(RayKind::Transmitted) > 0, has(Effect::Transmission), "{name}");
-        for happened in [counts.rays(RayKind::Shadow), counts.shapes(RayKind::Shadow)] {
+        assert_eq!(counts.rays[RayKind::Reflected] > 0, reflects, "{name}");
+        assert_eq!(counts.rays[RayKind::Transmitted] > 0, has(Effect::Transmission), "{name}");
+        for happened in [counts.rays[RayKind::Shadow], counts.shapes[RayKind::Shadow]] {
             assert_eq!(happened > 0, has(Effect::Shadows), "{name}");
         }
         // Where light passes through glass the shadow cache is not asked.
         let caches = has(Effect::Shadows) && !has(Effect::ColoredShadows);
-        assert_eq!(counts.shadow_cache_asked() > 0, caches, "{name}");
+        assert_eq!(counts.shadow_cache_asked > 0, caches, "{name}");
         // Of a raster's rays nothing is left to chance but by these.
         let by_chance = [Effect::Penumbra, Effect::Lens, Effect::Gloss, Effect::Motion].into_iter().any(has);
         assert_eq!(frame.picture != counted(&description, 1).0.picture, by_chance, "{name}");

@@ -5,8 +5,8 @@ use core::marker::PhantomData;
 
 use super::node::{Node, NodeRef, PackedNodeRef, Slot};
 use super::top_down::{BuiltTree, build_top_down};
-use super::{Bvh, BvhRoom, Run};
-use crate::accel::{BuildError, Storage};
+use super::{Bvh, Run};
+use crate::accel::{BuildError, BvhRoom, Storage};
 use crate::geometry::{Aabb, Geometry, ItemId};
 
 /// A finished tree whose leaves are not laid out yet: [`Grown::singly`] keeps single entries,

@@ -64,22 +64,6 @@ impl<Queue, Element> Clone for Bvh<'_, Queue, Element> {
 
 impl<Queue, Element> Copy for Bvh<'_, Queue, Element> {}
 
-/// What a builder would like to be lent.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct BvhRoom {
-    /// Nodes. With fewer, down to one, leaves are larger.
-    pub nodes: usize,
-    /// Places for items. All are needed.
-    pub items: usize,
-}
-
-impl BvhRoom {
-    /// For a hierarchy of `items` items.
-    pub const fn comfortable(items: usize) -> BvhRoom {
-        BvhRoom { nodes: items.div_ceil(3) + items.div_ceil(3), items }
-    }
-}
-
 impl<'s, Queue, Element: Leaf> Bvh<'s, Queue, Element> {
     /// Size of all buffers that it uses, in bytes.
     pub const fn bytes(&self) -> usize {

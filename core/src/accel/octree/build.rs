@@ -9,47 +9,13 @@
 
 use super::{Octree, OctreeNode, octree_planes};
 use crate::accel::cell_planes::{CellPlanes, bounds_of_all};
-use crate::accel::{BuildError, Storage};
+use crate::accel::{BuildError, OctreeLimits, Storage};
 use crate::geometry::Aabb;
 use crate::math::{Real, Vec3, morton, vec3};
-
-/// How far an octree is cut.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct OctreeLimits {
-    /// How often space is cut, at most; more than 21 is taken for 21.
-    pub depth: u8,
-    /// A leaf with at most so many items is not cut.
-    pub leaf: u32,
-}
-
-impl OctreeLimits {
-    /// What is good for most scenes. On the standard procedural databases leaves of 8, 12, 16 and
-    /// 24 items take times within 5 % of each other, leaves of 4 up to 8 % more; memory halves from
-    /// 8 to 16. The depth ends where cutting does not pay: 5 to 16 there, 13 for 597,872 spheres of
-    /// a sphereflake, which take 2.2 times as long as 7,382.
-    pub const DEFAULT: OctreeLimits = OctreeLimits { depth: morton::BITS_PER_AXIS as u8, leaf: 12 };
-}
 
 /// A node is subdivided only if the lists of its children hold at most this many times the entries of its own
 /// list.
 const MAX_ENTRY_GROWTH: u64 = 3;
-
-/// How much memory an octree takes.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct OctreeRoom {
-    /// Nodes: one, and eight for each node that is cut.
-    pub nodes: usize,
-    /// Entries: one for each item in each leaf that it touches, and room to cut the root.
-    pub items: usize,
-}
-
-impl OctreeRoom {
-    /// What is comfortable for `items` items. With less, leaves are larger; the floor is one node
-    /// and as many entries as items.
-    pub const fn comfortable(items: usize) -> Self {
-        OctreeRoom { nodes: items * 4 + 1, items: items * 8 }
-    }
-}
 
 impl<'s, const MAILBOX_ENTRIES: usize> Octree<'s, MAILBOX_ENTRIES> {
     /// Builds the octree of the items with these bounds, with [`OctreeLimits::DEFAULT`].

@@ -15,7 +15,6 @@ mod parts;
 mod smart;
 mod traverse;
 
-pub use build::{OctreeLimits, OctreeRoom};
 #[cfg(not(feature = "double"))]
 pub(crate) use parts::OctreeParts;
 

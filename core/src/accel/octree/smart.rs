@@ -116,7 +116,8 @@ mod tests {
     use heapless::Vec;
 
     use super::Octree;
-    use crate::accel::octree::{OctreeLimits, OctreeNode};
+    use crate::accel::OctreeLimits;
+    use crate::accel::octree::OctreeNode;
     use crate::accel::test_rays::SplitMix64;
     use crate::geometry::{Aabb, Ray};
     use crate::math::{Real, Vec3, morton, vec3};

@@ -21,8 +21,7 @@ mod write;
 pub use error::{PackError, PackPart};
 pub use write::Baking;
 
-use super::camera::{Camera, Size, View, ViewFault};
-use super::{Parts, Scene};
+use super::{Camera, Parts, Scene, Size, View, ViewFault};
 use crate::accel::{Bare, Bvh, BvhParts, Grid, GridParts, Octree, OctreeParts};
 use crate::geometry::Geometry;
 use crate::math::Real;

@@ -17,7 +17,6 @@
 
 mod accel;
 mod any;
-mod counters;
 mod geometry;
 mod image;
 mod math;
@@ -55,7 +54,6 @@ fn main() -> ! {
         shade::doors();
         image::doors();
         trace::doors();
-        counters::doors();
         #[cfg(feature = "canary")]
         canary();
     }

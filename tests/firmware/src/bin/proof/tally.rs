@@ -9,6 +9,22 @@ pub fn doors() {
     ().count(any(Event::MediaFull));
     ().tell(any(Step::ThrownBack));
     used((any(Fate::Sent), any(Lit::Dark)));
+    counters();
+}
+
+/// Tallies that count.
+fn counters() {
+    let mut counters = any(Counters::new());
+    counters.count(any(Event::MediaFull));
+    counters.add(&any(Counters::default()));
+    let (kind, shape) = (any(RayKind::Camera), any(ShapeKind::Sphere));
+    let (by_ray, by_shape): (PerRayKind, PerShapeKind) = (counters.rays, counters.by_shape);
+    used((by_ray[kind], by_ray.sum(), by_shape[shape], by_shape.sum()));
+    let unsent: UnsentRays = any(counters.cutoff);
+    used((unsent.weight(), counters.cut()));
+    let mut rays = any(RayCounters::new());
+    rays.count(any(Event::MediaFull));
+    used(rays.counters);
 }
 
 /// Hears of everything and remembers nothing.

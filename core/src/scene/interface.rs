@@ -1,0 +1,14 @@
+//! How a surface parts the light that it transmits.
+
+use zerocopy::{Immutable, KnownLayout, TryFromBytes};
+
+/// What happens to the transmitted share of light at a surface.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, TryFromBytes, KnownLayout, Immutable)]
+#[repr(u8)]
+pub enum Interface {
+    /// All of it passes, unless all of it is thrown back (Whitted).
+    Constant,
+    /// Fresnel's formulas for unpolarised light say how much of it passes; the rest is
+    /// mirrored.
+    Fresnel,
+}

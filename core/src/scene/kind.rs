@@ -1,0 +1,44 @@
+//! What kinds of lights and textures there are.
+
+use crate::set::set_of;
+
+/// What kind of light it is.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[allow(missing_docs)] // they name what `Source` describes
+pub enum LightKind {
+    Point,
+    Directional,
+    Spot,
+    Sphere,
+    Rectangle,
+}
+
+impl LightKind {
+    /// Every kind.
+    pub const ALL: [LightKind; 5] =
+        [LightKind::Point, LightKind::Directional, LightKind::Spot, LightKind::Sphere, LightKind::Rectangle];
+}
+
+set_of! {
+    /// Kinds of lights.
+    LightSet of LightKind
+}
+
+/// What kind of texture it is.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[allow(missing_docs)] // they name what `Texture` describes
+pub enum TextureKind {
+    Checker,
+    Gradient,
+    ZonePlate,
+}
+
+impl TextureKind {
+    /// Every kind.
+    pub const ALL: [TextureKind; 3] = [TextureKind::Checker, TextureKind::Gradient, TextureKind::ZonePlate];
+}
+
+set_of! {
+    /// Kinds of textures.
+    TextureSet of TextureKind
+}

@@ -1,0 +1,18 @@
+//! Places in the tables of a scene.
+
+use zerocopy::{Immutable, KnownLayout, TryFromBytes};
+
+/// A place in the scene's table of materials.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, TryFromBytes, KnownLayout, Immutable)]
+#[repr(transparent)]
+pub struct MaterialId(pub u16);
+
+/// A place in the scene's table of textures.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, TryFromBytes, KnownLayout, Immutable)]
+#[repr(transparent)]
+pub struct TextureId(pub u16);
+
+impl TextureId {
+    /// No texture: no table is so long that it has this place.
+    pub const NONE: TextureId = TextureId(u16::MAX);
+}

@@ -1,0 +1,32 @@
+//! How large a picture is.
+
+/// A picture's width and height in pixels, both at least 1.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Size {
+    width: u32,
+    height: u32,
+}
+
+impl Size {
+    /// The most pixels along one side: places stay exact in single precision, with room for
+    /// samples inside a pixel.
+    pub const MOST: u32 = 1 << 16;
+
+    /// A size; none when a side is 0 or more than [`Size::MOST`].
+    pub const fn new(width: u32, height: u32) -> Option<Self> {
+        if width == 0 || height == 0 || width > Self::MOST || height > Self::MOST {
+            return None;
+        }
+        Some(Size { width, height })
+    }
+
+    /// Pixels in a row.
+    pub const fn width(self) -> u32 {
+        self.width
+    }
+
+    /// Rows.
+    pub const fn height(self) -> u32 {
+        self.height
+    }
+}

@@ -1,0 +1,31 @@
+//! Why a ray was sent.
+
+/// Why a ray was sent.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum RayKind {
+    /// From the eye, through the picture.
+    Camera,
+    /// From a mirror, or thrown back inside glass.
+    Reflected,
+    /// Through glass.
+    Transmitted,
+    /// Towards a light.
+    Shadow,
+}
+
+impl RayKind {
+    /// Every kind.
+    pub const ALL: [RayKind; 4] =
+        [RayKind::Camera, RayKind::Reflected, RayKind::Transmitted, RayKind::Shadow];
+}
+
+/// Whether a ray is sent.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Fate {
+    /// It is.
+    Sent,
+    /// Too little of what it finds would count.
+    TooLittle,
+    /// The levels end here.
+    TooDeep,
+}
