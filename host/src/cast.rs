@@ -1,7 +1,6 @@
 //! The command `cast`: rays in as CSV, what they hit out as CSV.
 //!
-//! What a ray hits is found in [`hits`], which is compiled for either precision; [`rays`](crate::rays)
-//! brings the rays there and the answers back.
+//! A [`Session`] finds what a ray hits; [`rays`](crate::rays) brings the rays there and the answers back.
 
 use std::fs::File;
 use std::io::{IsTerminal, Read, stdin};
@@ -13,11 +12,11 @@ use crate::args::CastArgs;
 use crate::failure::Failure;
 use crate::load::{Files, load_from};
 use crate::output::{Guard, say};
-use crate::precision::Precision;
-use crate::rays::{Cast, NoCast, Stream};
+use crate::rays::{Cast, Stream};
+use crate::render_output::RenderError;
+use crate::session::{SceneStorage, Session};
 use crate::signals::Signals;
 use crate::wanted::DEFAULT_SIZE;
-use crate::{double, hits, stock};
 
 /// Casts rays into one scene.
 pub fn run(args: &CastArgs) -> Result<(), Failure> {
@@ -37,17 +36,14 @@ pub fn run(args: &CastArgs) -> Result<(), Failure> {
     let finding = args.finding.over(description.settings.finding)?;
     let threads = args.threads.or(std::thread::available_parallelism().ok().map(usize::from)).unwrap_or(1);
     let stream = Stream { input, name, output, precision, threads, signals };
-    let cast = match precision {
-        Precision::Single => hits::cast(&stock::single::Stock::new(&description), &finding, stream),
-        Precision::Double => double::hits::cast(&stock::double::Stock::new(&description), &finding, stream),
-    };
-    let wrong =
-        |error: NoCast| Failure::Input { path: args.scene.clone(), line: None, reason: error.to_string() };
-    let (facts, cast) = cast.map_err(wrong)?;
-    let Cast { rays, hits } = cast?;
+    let wrong = |error: RenderError| Failure::input(&args.scene, error.to_string());
+    let mut storage = SceneStorage::new(&description, precision);
+    let session = Session::new(&description, &mut storage, &finding).map_err(wrong)?;
+    let Cast { rays, hits } = stream.run(|| session.ray_caster())?;
     if !args.quiet {
+        let choice = &session.accelerator().choice;
         let (rays, hits, seconds) = (amount(rays, "ray"), amount(hits, "hit"), clock.elapsed().as_secs_f64());
-        say(format_args!("{rays}, {hits}, {seconds:.2} s; {} ({})", facts.choice, facts.choice.reason));
+        say(format_args!("{rays}, {hits}, {seconds:.2} s; {} ({})", choice, choice.reason));
     }
     Ok(())
 }

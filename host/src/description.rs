@@ -119,6 +119,13 @@ pub enum Projection {
     Orthographic(f32),
 }
 
+impl Projection {
+    /// Whether rays come from a lens.
+    pub fn has_lens(&self) -> bool {
+        matches!(self, Projection::Lens { .. })
+    }
+}
+
 /// What is behind everything.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Background {

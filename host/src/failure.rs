@@ -7,7 +7,7 @@ use std::path::{Path, PathBuf};
 use strahl_picture::FormatError;
 
 use crate::faults::Faults;
-use crate::stop::Stop;
+use crate::interrupt::Interrupt;
 
 /// How a command ends in which nothing went wrong.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -17,7 +17,7 @@ pub enum Answer {
     /// Two pictures differ, a check does not hold.
     No,
     /// It would have gone on without end, and was ended.
-    Ended(Stop),
+    Ended(Interrupt),
 }
 
 impl Answer {
@@ -26,7 +26,7 @@ impl Answer {
         match self {
             Answer::Yes => 0,
             Answer::No => 1,
-            Answer::Ended(stop) => stop.status(),
+            Answer::Ended(stop) => status(stop),
         }
     }
 }
@@ -62,14 +62,19 @@ pub enum Failure {
         error: io::Error,
     },
     /// Stopped from outside before it was done, with nothing written.
-    Stopped(Stop),
+    Stopped(Interrupt),
     /// Stopped from outside in the middle of a stream.
-    StoppedAmid(Stop),
+    StoppedAmid(Interrupt),
     /// The time that was given does not suffice, and what would: it may be tried again with that.
     Late(String),
 }
 
 impl Failure {
+    /// A wrong input as a whole.
+    pub fn input(path: &Path, reason: impl Into<String>) -> Self {
+        Failure::Input { path: path.to_owned(), line: None, reason: reason.into() }
+    }
+
     /// A wrong input at a line.
     pub fn at(path: &Path, line: usize, reason: impl Into<String>) -> Self {
         Failure::Input { path: path.to_owned(), line: Some(line), reason: reason.into() }
@@ -82,9 +87,17 @@ impl Failure {
             Failure::Input { .. } | Failure::Faults(_) => 65,
             Failure::Unreadable { .. } => 66,
             Failure::Unwritable { .. } => 74,
-            Failure::Stopped(stop) | Failure::StoppedAmid(stop) => stop.status(),
-            Failure::Late(_) => Stop::Late.status(),
+            Failure::Stopped(stop) | Failure::StoppedAmid(stop) => status(*stop),
+            Failure::Late(_) => status(Interrupt::TimeLimit),
         }
+    }
+}
+
+/// The exit status of a command that was stopped.
+fn status(interrupt: Interrupt) -> u8 {
+    match interrupt {
+        Interrupt::Interrupted => 130,
+        Interrupt::Terminated | Interrupt::Outdated | Interrupt::TimeLimit => 75,
     }
 }
 

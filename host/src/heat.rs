@@ -21,7 +21,7 @@ use strahl_picture::colormap::inferno;
 use strahl_picture::format::EXR_ENCODING;
 use strahl_picture::{Picture, srgb};
 
-use crate::sheet::{self, Cost, Sheet};
+use crate::cost_map::{self, CostMap, PixelCost};
 use crate::stats::ray_name;
 
 /// How wide a panel is at least: the pixels of small pictures become squares.
@@ -46,13 +46,13 @@ const INK: Rgb888 = Rgb888::new(28, 28, 28);
 #[derive(Clone, Debug)]
 pub struct Costs {
     area: Tile,
-    pixels: Vec<Cost>,
+    pixels: Vec<PixelCost>,
 }
 
 impl Costs {
     /// Of this part of a whole picture.
-    pub fn of(sheet: &Sheet, area: Tile) -> Self {
-        let (whole, all) = (Tile::whole(sheet.size()), sheet.costs());
+    pub fn of(cost_map: &CostMap, area: Tile) -> Self {
+        let (whole, all) = (Tile::whole(cost_map.size()), cost_map.costs());
         let cost = |pixel| whole.place(pixel).and_then(|place| all.get(place)).copied().unwrap_or_default();
         Costs { area, pixels: area.pixels().map(cost).collect() }
     }
@@ -111,7 +111,7 @@ impl Scale {
 }
 
 impl Panel {
-    fn of(name: &'static str, costs: &Costs, value: fn(&Cost) -> u64) -> Self {
+    fn of(name: &'static str, costs: &Costs, value: fn(&PixelCost) -> u64) -> Self {
         let values: Vec<u64> = costs.pixels.iter().map(value).collect();
         let most = values.iter().copied().max().unwrap_or(0) as f64;
         let least = values.iter().copied().filter(|value| *value > 0).min().unwrap_or(1) as f64;
@@ -134,8 +134,8 @@ impl Panel {
 /// The three panels; none where they are too large for one picture.
 pub fn picture(costs: &Costs) -> Option<Picture> {
     let panels = [
-        Panel::of("rays", costs, Cost::all_rays),
-        Panel::of("tests", costs, Cost::tests),
+        Panel::of("rays", costs, PixelCost::all_rays),
+        Panel::of("tests", costs, PixelCost::tests),
         Panel::of("levels", costs, |cost| cost.level.into()),
     ];
     let (width, height) = (costs.area.width, costs.area.height);
@@ -173,15 +173,15 @@ pub fn picture(costs: &Costs) -> Option<Picture> {
 /// The numbers as channels of an EXR file: `rays`, `rays.camera` and so on, `tests.boxes`,
 /// `tests.shapes`, `levels`.
 pub fn exr(costs: &Costs) -> Result<Vec<u8>, exr::error::Error> {
-    let channel = |name: &str, value: &dyn Fn(&Cost) -> u64| {
+    let channel = |name: &str, value: &dyn Fn(&PixelCost) -> u64| {
         // Exact up to 16 million.
         let values = costs.pixels.iter().map(|cost| value(cost) as f32).collect();
         AnyChannel::new(name, FlatSamples::F32(values))
     };
     let mut channels = vec![
-        channel("rays", &Cost::all_rays),
-        channel("tests.boxes", &|cost| sheet::sum(cost.boxes)),
-        channel("tests.shapes", &|cost| sheet::sum(cost.shapes)),
+        channel("rays", &PixelCost::all_rays),
+        channel("tests.boxes", &|cost| cost_map::sum(cost.boxes)),
+        channel("tests.shapes", &|cost| cost_map::sum(cost.shapes)),
         channel("levels", &|cost| cost.level.into()),
     ];
     for kind in RayKind::ALL {
@@ -263,10 +263,14 @@ mod tests {
     use strahl_core::Pixel;
 
     fn costs() -> Costs {
-        let cost =
-            |number| Cost { rays: [1, 0, 0, number], boxes: [9 * number; 4], level: 1, ..Cost::default() };
+        let cost = |number| PixelCost {
+            rays: [1, 0, 0, number],
+            boxes: [9 * number; 4],
+            level: 1,
+            ..PixelCost::default()
+        };
         let area = Tile { first: Pixel { x: 0, y: 0 }, width: 3, height: 2 };
-        let pixels = (0..6).map(|place| if place == 5 { Cost::default() } else { cost(place) });
+        let pixels = (0..6).map(|place| if place == 5 { PixelCost::default() } else { cost(place) });
         Costs { area, pixels: pixels.collect() }
     }
 

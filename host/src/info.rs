@@ -6,12 +6,12 @@ use std::path::Path;
 
 use indicatif::{HumanBytes, HumanCount};
 use serde::Serialize;
-use strahl_core::{Aabb, Accelerator, Scene, ShapeKind};
+use strahl_core::{Aabb, Scene, ShapeKind};
 
-use crate::accelerators::{Purpose, build};
 use crate::amount::{self, amount};
 use crate::args::InfoArgs;
 use crate::description::Description;
+use crate::engine::accelerators;
 use crate::failure::Failure;
 use crate::finding::{Choice, Facts, Finding, Kind};
 use crate::load::load;
@@ -27,11 +27,7 @@ pub fn run(args: &InfoArgs) -> Result<(), Failure> {
         say(format_args!("{}: warning: {warning}", args.scene.display()));
     }
     let stock = Stock::new(&description);
-    let scene = stock.scene().map_err(|error| Failure::Input {
-        path: args.scene.clone(),
-        line: None,
-        reason: error.to_string(),
-    })?;
+    let scene = stock.scene().map_err(|error| Failure::input(&args.scene, error.to_string()))?;
     let info = Info::new(&description, &scene);
     let text = if args.json {
         info.to_json()
@@ -106,17 +102,6 @@ struct Auto {
     reason: &'static str,
 }
 
-/// Builds an accelerator only to see what it is like.
-struct Look;
-
-impl Purpose for Look {
-    type Answer = Facts;
-
-    fn with<A: Accelerator + Sync>(self, _: A, facts: Facts) -> Facts {
-        facts
-    }
-}
-
 impl Info {
     fn new(description: &Description, scene: &Scene<'_>) -> Self {
         let parts = scene.parts();
@@ -133,7 +118,7 @@ impl Info {
         let bounded = boxes.iter().filter(|aabb| !aabb.is_empty()).count();
         let Choice { kind, reason, .. } = Finding::default().choice(bounded);
         let auto = Auto { kind: kind.name(), reason };
-        let built = Kind::ALL.map(|kind| build(scene, &Finding::by(kind), Look));
+        let built = Kind::ALL.map(|kind| accelerators::stats(*scene, &Finding::by(kind)));
         let accelerators = built.iter().flatten().map(AcceleratorFacts::of).collect();
 
         let asks = asked_by(description, scene);

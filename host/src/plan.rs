@@ -127,8 +127,7 @@ pub fn leave_out(description: &mut Description, effects: &[Effect]) -> Vec<Step>
 
 /// What a scene asks for, the camera included.
 pub fn asked_by(description: &Description, scene: &Scene<'_>) -> EffectSet {
-    let lens = matches!(description.view.projection, Projection::Lens { .. });
-    EffectSet { lens, ..scene.effects() }
+    EffectSet { lens: description.view.projection.has_lens(), ..scene.effects() }
 }
 
 impl fmt::Display for Effect {

@@ -13,23 +13,24 @@ use crate::aim::error::{Fixed, Goal};
 use crate::aim::time::Limit;
 use crate::aim::{self, Aimed};
 use crate::args::{AimArgs, RenderArgs, StatsForm};
+use crate::cost_map::CostMap;
 use crate::description::{Description, Settings};
 use crate::draft;
 use crate::failure::{Answer, Failure};
-use crate::frame::{self, Frame};
 use crate::heat::{self, Costs};
 use crate::load::{Files, load_from};
 use crate::mask::Mask;
 use crate::output::{Guard, Output, refuse_terminal, say, tell};
 use crate::pixels;
 use crate::plan::{Step, leave_out, plan};
-use crate::progress::Watch;
+use crate::progress::Progress;
+use crate::render_output::{RenderError, RenderOutput};
+use crate::session;
 use crate::settings;
-use crate::sheet::Sheet;
 use crate::signals::Signals;
 use crate::stats::Stats;
-use crate::studio::NoFrame;
 use crate::summary::{self, summary};
+use crate::terminal::TerminalProgress;
 use crate::wanted::{Cut, DEFAULT_SIZE, Wanted};
 use crate::wrap::{width_of_stderr, wrapped};
 
@@ -38,9 +39,9 @@ pub fn run(args: &RenderArgs, aim: &AimArgs) -> Result<Answer, Failure> {
     let begun = Instant::now();
     refuse_terminal(args.output.as_deref().unwrap_or(Path::new("")), "the picture")?;
     let job = Job { aim: aim.clone(), begun, ..Job::of(args)? };
-    let watch = job.watch(Signals::listen()?);
+    let progress = job.progress(Signals::listen()?);
     let scene = job.load(&Files::on_disk())?;
-    job.render(&scene, &watch)
+    job.render(&scene, &progress)
 }
 
 /// Tells how a scene would be rendered.
@@ -84,9 +85,13 @@ impl<'a> Job<'a> {
         Ok(Job { args, aim: AimArgs::default(), begun: Instant::now(), path, format, report })
     }
 
-    /// Who is told how far the work is.
-    pub fn watch(&self, signals: Signals) -> Watch {
-        if self.args.quiet { Watch::silent(signals) } else { Watch::on_terminal(signals) }
+    /// Shows how far the work is, unless that is switched off.
+    pub fn progress(&self, signals: Signals) -> TerminalProgress {
+        if self.args.quiet {
+            TerminalProgress::silent(signals)
+        } else {
+            TerminalProgress::on_terminal(signals)
+        }
     }
 
     /// Loads the scene and the mask, and says what their user should know of.
@@ -105,7 +110,7 @@ impl<'a> Job<'a> {
     }
 
     /// Traces the picture and writes it, and whatever is to be told of it.
-    pub fn render(&self, scene: &Loaded, watch: &Watch) -> Result<Answer, Failure> {
+    pub fn render(&self, scene: &Loaded, progress: &TerminalProgress) -> Result<Answer, Failure> {
         let Job { args, path, format, aim, .. } = self;
         // Before the work, so that nothing is traced that cannot be kept.
         let mut guard = Guard::of(&scene.inputs);
@@ -118,21 +123,21 @@ impl<'a> Job<'a> {
 
         let Loaded { description, left_out, took: load, .. } = scene;
         let wanted = wanted(args, scene, report.is_some())?;
-        let sheet = heat.is_some().then(|| Arc::new(Sheet::new(wanted.size)));
-        let wanted = Wanted { sheet, ..wanted };
+        let cost_map = heat.is_some().then(|| Arc::new(CostMap::new(wanted.size)));
+        let wanted = Wanted { cost_map, ..wanted };
         format.holds(wanted.picture())?;
-        let (frame, aimed) = self.aimed(description, &wanted, watch)?;
+        let (frame, aimed) = self.aimed(description, &wanted, progress)?;
         let clock = Instant::now();
-        self.write(&frame.picture, output, watch)?;
-        if let (Some(heat), Some(sheet)) = (heat, &wanted.sheet) {
-            heat.write(&Costs::of(sheet, wanted.area()))?;
+        self.write(&frame.picture, output, progress)?;
+        if let (Some(heat), Some(cost_map)) = (heat, &wanted.cost_map) {
+            heat.write(&Costs::of(cost_map, wanted.area()))?;
         }
         let write = clock.elapsed();
 
-        let mut plan = plan(description, &frame.facts.asks);
+        let mut plan = plan(description, &frame.scene.asks);
         plan.extend_from_slice(left_out);
-        if let (Some((form, output)), Some(counters)) = (report, &frame.counters) {
-            let mut stats = Stats::new(&plan, &frame, counters);
+        if let Some((form, output)) = report {
+            let mut stats = Stats::new(&plan, &frame);
             stats.aim = aimed.clone();
             stats.seconds.load = load.as_secs_f64();
             stats.seconds.write = write.as_secs_f64();
@@ -143,8 +148,8 @@ impl<'a> Job<'a> {
             output.commit(text.as_bytes())?;
         }
         let taken = aimed.as_ref().map_or(&wanted, |aimed| &aimed.taken);
-        if let (Some(counters), false) = (&frame.counters, args.quiet) {
-            let mut summary = summary(path, &frame, counters, &plan, taken.sampling, *load, write);
+        if !args.quiet {
+            let mut summary = summary(path, &frame, &plan, taken.sampling, *load, write);
             if let Some(aimed) = &aimed {
                 summary.push_str(&summary::lines(&aimed.lines()));
             }
@@ -158,8 +163,8 @@ impl<'a> Job<'a> {
         &self,
         description: &Description,
         wanted: &Wanted,
-        watch: &Watch,
-    ) -> Result<(Frame, Option<Aimed>), Failure> {
+        progress: &TerminalProgress,
+    ) -> Result<(RenderOutput, Option<Aimed>), Failure> {
         let Job { args, aim, begun, format, .. } = self;
         let traced = if let Some(error) = aim.target_error {
             let fixed = Fixed {
@@ -168,48 +173,53 @@ impl<'a> Job<'a> {
                 sampling: args.picture.sampler.is_some(),
                 selecting: args.select.is_some(),
             };
-            aim::error::trace(description, wanted, Goal { error, fixed, verify: aim.verify }, watch)
+            aim::error::trace(description, wanted, Goal { error, fixed, verify: aim.verify }, progress)
         } else if let Some(time) = aim.time_limit {
             let limit = Limit { begun: *begun, time, format: *format };
-            aim::time::trace(description, wanted, limit, watch)
+            aim::time::trace(description, wanted, limit, progress)
         } else {
-            return Ok((self.trace(description, wanted, watch)?, None));
+            return Ok((self.trace(description, wanted, progress)?, None));
         };
-        watch.end();
+        progress.end();
         let (frame, aimed) = traced.map_err(|error| self.failure(error))?;
         let command = aim::command(args, &aimed.taken, &self.path);
         Ok((frame, Some(Aimed { command, ..aimed })))
     }
 
     /// Traces and writes a coarse picture, where that is quicker.
-    pub fn draft(&self, scene: &Loaded, watch: &Watch) -> Result<(), Failure> {
+    pub fn draft(&self, scene: &Loaded, progress: &TerminalProgress) -> Result<(), Failure> {
         let wanted = wanted(self.args, scene, false)?;
         self.format.holds(wanted.size)?;
         let Some(coarse) = draft::of(&wanted) else { return Ok(()) };
         let output = Guard::of(&scene.inputs).prepare(&self.path)?;
-        let frame = self.trace(&scene.description, &coarse, watch)?;
-        self.write(&draft::enlarged(&frame.picture, wanted.size), output, watch)
+        let frame = self.trace(&scene.description, &coarse, progress)?;
+        self.write(&draft::enlarged(&frame.picture, wanted.size), output, progress)
     }
 
-    fn trace(&self, description: &Description, wanted: &Wanted, watch: &Watch) -> Result<Frame, Failure> {
-        let frame = frame::trace(description, wanted, watch);
-        watch.end();
+    fn trace(
+        &self,
+        description: &Description,
+        wanted: &Wanted,
+        progress: &TerminalProgress,
+    ) -> Result<RenderOutput, Failure> {
+        let frame = session::render(description, wanted, progress);
+        progress.end();
         frame.map_err(|error| self.failure(error))
     }
 
-    fn failure(&self, error: NoFrame) -> Failure {
+    fn failure(&self, error: RenderError) -> Failure {
         match error {
-            NoFrame::Stopped(stop) => Failure::Stopped(stop),
-            error => Failure::Input { path: self.args.scene.clone(), line: None, reason: error.to_string() },
+            RenderError::Interrupted(interrupt) => Failure::Stopped(interrupt),
+            error => Failure::input(&self.args.scene, error.to_string()),
         }
     }
 
-    fn write(&self, picture: &Picture, output: Output, watch: &Watch) -> Result<(), Failure> {
+    fn write(&self, picture: &Picture, output: Output, progress: &TerminalProgress) -> Result<(), Failure> {
         let file = self.format.encode(picture).map_err(|error| Failure::Unwritable {
             path: Some(self.path.clone()),
             error: std::io::Error::other(error),
         })?;
-        watch.check().map_err(Failure::Stopped)?;
+        progress.check().map_err(Failure::Stopped)?;
         output.commit(&file)
     }
 }

@@ -6,7 +6,7 @@ use std::sync::atomic::{AtomicBool, Ordering};
 use signal_hook::consts::{SIGINT, SIGTERM};
 
 use crate::failure::Failure;
-use crate::stop::Stop;
+use crate::interrupt::Interrupt;
 
 /// Flags that signals and news raise, and that work asks between two pixels.
 #[derive(Clone, Debug, Default)]
@@ -32,13 +32,13 @@ impl Signals {
     }
 
     /// `Err` once a signal has come.
-    pub fn check(&self) -> Result<(), Stop> {
+    pub fn check(&self) -> Result<(), Interrupt> {
         if self.interrupted.load(Ordering::Relaxed) {
-            Err(Stop::Interrupted)
+            Err(Interrupt::Interrupted)
         } else if self.terminated.load(Ordering::Relaxed) {
-            Err(Stop::Terminated)
+            Err(Interrupt::Terminated)
         } else if self.outdated.load(Ordering::Relaxed) {
-            Err(Stop::Outdated)
+            Err(Interrupt::Outdated)
         } else {
             Ok(())
         }

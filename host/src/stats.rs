@@ -4,12 +4,12 @@ use std::fmt::Write as _;
 
 use serde::Serialize;
 use std::collections::BTreeMap;
-use strahl_core::{Counters, RayKind, ShapeKind};
+use strahl_core::{RayKind, ShapeKind};
 
 use crate::aim::Aimed;
 use crate::amount::amount;
-use crate::frame::Frame;
 use crate::plan::{self, Effect};
+use crate::render_output::RenderOutput;
 use crate::summary::percent;
 
 /// A report on one picture. Field by field as the command line promises it.
@@ -158,9 +158,9 @@ fn steps(step: &plan::Step) -> impl Iterator<Item = Step> + '_ {
 }
 
 impl Stats {
-    /// The report on a frame whose work was counted as `counters`.
-    pub fn new(plan: &[plan::Step], frame: &Frame, counters: &Counters) -> Self {
-        let (facts, accelerator) = (&frame.facts, &frame.accelerator);
+    /// The report on a picture whose tests were counted.
+    pub fn new(plan: &[plan::Step], frame: &RenderOutput) -> Self {
+        let RenderOutput { scene: facts, accelerator, counters, .. } = frame;
         let by_ray = |kind| TestsByRay {
             boxes: counters.boxes[kind],
             shapes: counters.shapes[kind],

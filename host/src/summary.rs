@@ -6,12 +6,12 @@ use std::time::Duration;
 
 use anstyle::{AnsiColor, Effects, Style};
 use indicatif::{HumanBytes, HumanCount};
-use strahl_core::{Counters, RayKind};
+use strahl_core::RayKind;
 
 use crate::amount::amount;
-use crate::frame::Frame;
 use crate::plan::{Effect, Step};
 use crate::precision::Precision;
+use crate::render_output::RenderOutput;
 use crate::sampling::Sampling;
 
 /// Where the text of the lines begins.
@@ -25,14 +25,13 @@ const TITLE: Style = AnsiColor::Green.on_default().effects(Effects::BOLD);
 /// The lines about a picture at `path`, styled for a terminal.
 pub fn summary(
     path: &Path,
-    frame: &Frame,
-    counters: &Counters,
+    frame: &RenderOutput,
     plan: &[Step],
     sampling: Sampling,
     load: Duration,
     write: Duration,
 ) -> String {
-    let size = frame.picture.size;
+    let (size, counters) = (frame.picture.size, &frame.counters);
     let mut text = format!("{TITLE}{}{TITLE:#}  {} x {}\n", path.display(), size.width(), size.height());
     let mut line = |label: &str, says: String| {
         // Writing to a string cannot fail.
@@ -101,7 +100,7 @@ pub fn summary(
     if counters.media_full > 0 {
         line("cut", format!("{} into a fifth body at once", amount(counters.media_full, "entry")));
     }
-    if counters.camera_hits == 0 && frame.facts.objects > 0 {
+    if counters.camera_hits == 0 && frame.scene.objects > 0 {
         line("note", "no ray from the camera meets anything".into());
     }
     let noisy: Vec<_> = plan

@@ -5,12 +5,12 @@ use std::sync::Arc;
 pub use strahl_core::Limits;
 use strahl_core::{Size, Tile};
 
+use crate::cost_map::CostMap;
 use crate::description::Settings;
 use crate::finding::Finding;
 use crate::mask::Mask;
 use crate::precision::Precision;
 pub use crate::sampling::{Filter, Sampling, Selecting};
-use crate::sheet::Sheet;
 
 /// The size of a picture where neither the scene nor anybody else says one.
 pub const DEFAULT_SIZE: Size = Size::new(640, 480).unwrap();
@@ -50,8 +50,8 @@ pub struct Wanted {
     pub cut: Cut,
     /// Whether tests are counted, which takes its time; rays always are.
     pub counted: bool,
-    /// Where the costs of each pixel go, if anybody wants to know them; counted if this is.
-    pub sheet: Option<Arc<Sheet>>,
+    /// Where the costs of each pixel go, if they are asked for; tests are counted then.
+    pub cost_map: Option<Arc<CostMap>>,
 }
 
 impl Wanted {
@@ -71,7 +71,7 @@ impl Wanted {
             shadow_cache: true,
             cut: Cut::threads(0),
             counted: true,
-            sheet: None,
+            cost_map: None,
         }
     }
 }

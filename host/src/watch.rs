@@ -18,11 +18,11 @@ use notify::{Config, Event, PollWatcher, RecommendedWatcher, RecursiveMode, Watc
 
 use crate::args::RenderArgs;
 use crate::failure::Failure;
+use crate::interrupt::Interrupt;
 use crate::load::Files;
 use crate::output::{complain, say};
 use crate::render::Job;
 use crate::signals::Signals;
-use crate::stop::Stop;
 
 /// How long nothing must happen before files are taken for whole.
 const QUIET: Duration = Duration::from_millis(50);
@@ -34,7 +34,7 @@ const HEARTBEAT: Duration = Duration::from_millis(100);
 const POLL: Duration = Duration::from_millis(500);
 
 /// Renders a scene at every change, until a signal comes.
-pub fn run(args: &RenderArgs) -> Result<Stop, Failure> {
+pub fn run(args: &RenderArgs) -> Result<Interrupt, Failure> {
     if args.output.as_deref() == Some(Path::new("-")) {
         return Err(Failure::Usage("a picture that follows its scene needs a file, not `-`".into()));
     }
@@ -50,7 +50,7 @@ pub fn run(args: &RenderArgs) -> Result<Stop, Failure> {
     }
     let job = Job::of(args)?;
     let signals = Signals::listen()?;
-    let watch = job.watch(signals.clone());
+    let progress = job.progress(signals.clone());
     let mut changes = Changes::new(&signals)?;
     let mut is_first = true;
     loop {
@@ -62,12 +62,12 @@ pub fn run(args: &RenderArgs) -> Result<Stop, Failure> {
             say(format_args!("watching {} and what it names; Ctrl-C ends", args.scene.display()));
         }
         let done = loaded.and_then(|scene| {
-            job.draft(&scene, &watch)?;
-            job.render(&scene, &watch).map(|_| ())
+            job.draft(&scene, &progress)?;
+            job.render(&scene, &progress).map(|_| ())
         });
         let is_done = match done {
             Ok(()) => true,
-            Err(Failure::Stopped(Stop::Outdated)) => false,
+            Err(Failure::Stopped(Interrupt::Outdated)) => false,
             Err(Failure::Stopped(stop)) => return Ok(stop),
             // A name that was never there is a slip of the command line.
             Err(Failure::Unreadable { path, error })
@@ -161,10 +161,10 @@ impl Changes {
     }
 
     /// Waits for news and then for quiet; `Err` once a signal has come.
-    fn wait(&mut self, signals: &Signals) -> Result<(), Stop> {
+    fn wait(&mut self, signals: &Signals) -> Result<(), Interrupt> {
         loop {
             match signals.check() {
-                Ok(()) | Err(Stop::Outdated) => {}
+                Ok(()) | Err(Interrupt::Outdated) => {}
                 Err(stop) => return Err(stop),
             }
             match self.news.recv_timeout(HEARTBEAT) {

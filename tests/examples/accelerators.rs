@@ -18,11 +18,11 @@ use std::process::ExitCode;
 
 use strahl::args::GenerateArgs;
 use strahl::finding::{Finding, Kind};
-use strahl::frame::{self, Frame};
 use strahl::generate;
 use strahl::procedural::What;
-use strahl::progress::Watch;
-use strahl::signals::Signals;
+use strahl::progress::NoProgress;
+use strahl::render_output::RenderOutput;
+use strahl::session;
 use strahl::wanted::{Cut, Wanted};
 use strahl_core::{Limits, Size};
 
@@ -103,8 +103,8 @@ fn scene(what: What, size: u32, path: &Path, rows: &mut Vec<Row>) -> Result<bool
             counted: false,
             ..Wanted::of(Size::new(512, 512).ok_or("no size")?)
         };
-        let trace = |wanted: &Wanted| frame::trace(&description, wanted, &Watch::silent(Signals::default()));
-        let (mut quickest, mut build): (Option<Frame>, f64) = (None, f64::INFINITY);
+        let trace = |wanted: &Wanted| session::render(&description, wanted, &NoProgress);
+        let (mut quickest, mut build): (Option<RenderOutput>, f64) = (None, f64::INFINITY);
         for _ in 0..TURNS {
             let frame = trace(&wanted)?;
             build = build.min(frame.accelerator.build.as_secs_f64());
@@ -113,7 +113,7 @@ fn scene(what: What, size: u32, path: &Path, rows: &mut Vec<Row>) -> Result<bool
             }
         }
         let frame = quickest.ok_or("no turn")?;
-        let counts = trace(&Wanted { counted: true, ..wanted })?.counters.ok_or("nothing was counted")?;
+        let counts = trace(&Wanted { counted: true, ..wanted })?.counters;
         let (each, facts) = (1.0 / objects as f64, &frame.accelerator);
         let (rays, seconds) = (counts.rays.sum() as f64, frame.trace_cpu.as_secs_f64());
         println!(

@@ -23,15 +23,12 @@ use strahl::aim::notches::{Notch, limits_of_truth};
 use strahl::aim::plan::{Rays, SAVES, rays};
 use strahl::aim::sparse::rmse;
 use strahl::aim::truth::truth;
+use strahl::cost_map::CostMap;
 use strahl::description::Description;
-use strahl::frame;
 use strahl::load::load;
-use strahl::plan::asked_by;
-use strahl::progress::Watch;
-use strahl::sheet::Sheet;
-use strahl::signals::Signals;
-use strahl::stock::single::Stock;
-use strahl::studio::{Drawn, NoFrame, Studio};
+use strahl::progress::NoProgress;
+use strahl::render_output::RenderError;
+use strahl::session::{SceneStorage, Session};
 use strahl::wanted::Wanted;
 use strahl_core::{Rgb, Size};
 
@@ -101,66 +98,59 @@ fn hold(name: &str, limit: f64, size: Size) -> Row {
     let path: PathBuf = Path::new(env!("CARGO_MANIFEST_DIR")).parent().unwrap().join("scenes").join(name);
     let description = load(&path).unwrap_or_else(|error| panic!("{name}: {error}"));
     let wanted = Wanted { size, ..wanted(&description) };
-    let watch = Watch::silent(Signals::default());
     let goal = Goal { error: limit, fixed: Fixed::default(), verify: true };
-    let (_, aimed) = trace(&description, &wanted, goal, &watch).unwrap();
+    let (_, aimed) = trace(&description, &wanted, goal, &NoProgress).unwrap();
     let Target::Error { estimate, at_most, measured, .. } = aimed.target else { unreachable!() };
     let taken = aimed.taken;
 
     let mut best = None;
-    let mut price_of_taken = 0.0;
-    let stock = Stock::new(&description);
-    let asks = asked_by(&description, &stock.scene().unwrap());
-    frame::open(&description, wanted.precision, &wanted.finding, &mut |studio| {
-        let mut search = Search::new(studio, &wanted, goal, &watch);
-        let notches = search.notches(&asks)?;
-        let reference = truth(&wanted, limits_of_truth(&notches, limit), limit, 1);
-        let reference = studio.trace(&reference, &watch)?.colors;
-        let whole = Whole { studio, wanted: &wanted, reference: &reference, watch: &watch };
-        let (drawn, price, _) = whole.look(&taken)?;
-        price_of_taken = price;
+    let mut storage = SceneStorage::new(&description, wanted.precision);
+    let session = Session::new(&description, &mut storage, &wanted.finding).unwrap();
+    let mut search = Search::new(&session, &wanted, goal, &NoProgress);
+    let notches = search.notches(&session.scene().asks).unwrap();
+    let reference = truth(&wanted, limits_of_truth(&notches, limit), limit, 1);
+    let reference = session.render(&reference, &NoProgress).unwrap().picture.colors;
+    let whole = Whole { session: &session, wanted: &wanted, reference: &reference };
+    let (price_of_taken, _) = whole.look(&taken).unwrap();
 
-        let mut cheapest = f64::INFINITY;
-        // What was seen at the finest levels and cutoff: rays, their error and their price.
-        let mut seen: Vec<(Rays, f64, f64)> = Vec::new();
-        // The most that coarser ones can save.
-        let part = notches.last().map_or(1.0, |notch| notch.price);
-        for rays in rays(wanted.filter, limit) {
-            let is_dear = |(before, _, price): &(Rays, f64, f64)| {
-                rays.times(*before).is_some_and(|times| SAVES * times * part * price > cheapest)
-            };
-            if seen.iter().any(|it| is_dear(it) || is_hopeless(it.0, it.1, rays, limit)) {
-                continue;
+    let mut cheapest = f64::INFINITY;
+    // What was seen at the finest levels and cutoff: rays, their error and their price.
+    let mut seen: Vec<(Rays, f64, f64)> = Vec::new();
+    // The most that coarser ones can save.
+    let part = notches.last().map_or(1.0, |notch| notch.price);
+    for rays in rays(wanted.filter, limit) {
+        let is_dear = |(before, _, price): &(Rays, f64, f64)| {
+            rays.times(*before).is_some_and(|times| SAVES * times * part * price > cheapest)
+        };
+        if seen.iter().any(|it| is_dear(it) || is_hopeless(it.0, it.1, rays, limit)) {
+            continue;
+        }
+        let look = |notch: &Notch| {
+            let setting = Setting { limits: notch.limits, rays };
+            let (price, error) = whole.look(&setting.of(&wanted)).unwrap();
+            (setting, price, error)
+        };
+        // What the finest levels and cutoff do not keep, no others do.
+        let (setting, price, error) = look(&notches[0]);
+        seen.push((rays, error, price));
+        if error > limit {
+            continue;
+        }
+        if price < cheapest {
+            (cheapest, best) = (price, Some((setting, error, price)));
+        }
+        // From the cheapest on: the first that keeps it is the cheapest of these rays.
+        for notch in notches[1..].iter().rev() {
+            if 0.9 * price * notch.price > cheapest {
+                break;
             }
-            let look = |notch: &Notch| {
-                let setting = Setting { limits: notch.limits, rays };
-                let (_, price, error) = whole.look(&setting.of(&wanted))?;
-                Ok((setting, price, error))
-            };
-            // What the finest levels and cutoff do not keep, no others do.
-            let (setting, price, error) = look(&notches[0])?;
-            seen.push((rays, error, price));
-            if error > limit {
-                continue;
-            }
-            if price < cheapest {
+            let (setting, price, error) = look(notch);
+            if error <= limit && price < cheapest {
                 (cheapest, best) = (price, Some((setting, error, price)));
-            }
-            // From the cheapest on: the first that keeps it is the cheapest of these rays.
-            for notch in notches[1..].iter().rev() {
-                if 0.9 * price * notch.price > cheapest {
-                    break;
-                }
-                let (setting, price, error) = look(notch)?;
-                if error <= limit && price < cheapest {
-                    (cheapest, best) = (price, Some((setting, error, price)));
-                    break;
-                }
+                break;
             }
         }
-        Ok((taken.clone(), drawn))
-    })
-    .unwrap();
+    }
     let (setting, best_error, best_price) = best.unwrap_or_else(|| panic!("{name}: nothing keeps {limit}"));
     Row {
         taken: words(&taken),
@@ -201,20 +191,19 @@ fn words(wanted: &Wanted) -> String {
 
 /// All pixels, held against the truth.
 struct Whole<'w> {
-    studio: &'w dyn Studio,
+    session: &'w Session<'w>,
     wanted: &'w Wanted,
     reference: &'w [Rgb],
-    watch: &'w Watch,
 }
 
 impl Whole<'_> {
-    fn look(&self, wanted: &Wanted) -> Result<(Drawn, f64, f64), NoFrame> {
+    fn look(&self, wanted: &Wanted) -> Result<(f64, f64), RenderError> {
         debug_assert_eq!(wanted.size, self.wanted.size);
-        let sheet = Arc::new(Sheet::new(wanted.size));
-        let wanted = Wanted { sheet: Some(Arc::clone(&sheet)), ..wanted.clone() };
-        let drawn = self.studio.trace(&wanted, self.watch)?;
-        let price = sheet.work(drawn.accelerator.choice.kind);
-        let error = rmse(&drawn.colors, self.reference);
-        Ok((drawn, price, error))
+        let cost_map = Arc::new(CostMap::new(wanted.size));
+        let wanted = Wanted { cost_map: Some(Arc::clone(&cost_map)), ..wanted.clone() };
+        let output = self.session.render(&wanted, &NoProgress)?;
+        let price = cost_map.work(output.accelerator.choice.kind);
+        let error = rmse(&output.picture.colors, self.reference);
+        Ok((price, error))
     }
 }

@@ -5,7 +5,7 @@
 //! ```
 //!
 //! Each scene is traced by the tracer that the program has for it
-//! (`strahl::choose`), by one of all shapes and exactly its effects, by one of exactly its shapes
+//! (`strahl::effects`), by one of all shapes and exactly its effects, by one of exactly its shapes
 //! and effects, and by the one that can do everything. Callgrind counts the instructions below
 //! `Tracer::look`. Exit status 1 when a scene pays more than 1 % in the program,
 //! or when not all pictures are the same, bit for bit. Needs valgrind.
@@ -14,7 +14,7 @@ use std::error::Error;
 use std::path::Path;
 use std::process::{Command, ExitCode};
 
-use strahl::choose::{Purpose, fitting};
+use strahl::effects::{self, prepared_for};
 use strahl::finding::{Finding, Kind};
 use strahl::stock::single;
 use strahl_core::{
@@ -137,14 +137,20 @@ fn hash<A: Accelerator, E: Effects>(
     Ok(hash)
 }
 
-/// The way by the tracer that the program has for a scene, whatever that is called.
-struct Chain;
-
-impl Purpose for Chain {
-    type Answer = (&'static str, Way);
-
-    fn with<E: Effects + Sync>(self, name: &'static str) -> Self::Answer {
-        (name, traced::<E>)
+/// The way by a prepared effect set of the program.
+fn prepared(name: &str) -> Result<Way, Box<dyn Error>> {
+    macro_rules! ways {
+        ($($name:ident)*) => {
+            match name {
+                $(stringify!($name) => Ok(traced::<effects::$name>),)*
+                "Everything" => Ok(traced::<Everything>),
+                _ => Err(format!("there is no prepared effect set {name} here").into()),
+            }
+        };
+    }
+    ways! {
+        Unlit Matte SoftShadows Mirrors SmoothMirrors Moving Clear Soft LampMirrors LampClear LampSoft Glass Whitted
+        Stained
     }
 }
 
@@ -168,7 +174,7 @@ fn main() -> Result<ExitCode, Box<dyn Error>> {
         let way = match way.as_str() {
             "exact" => row.exact,
             "effects" => row.exact_effects,
-            "chain" => fitting(&row.asks, Chain).1,
+            "prepared" => prepared(prepared_for(&row.asks))?,
             "everything" => traced::<Everything>,
             _ => return Err("no such way".into()),
         };
@@ -184,7 +190,7 @@ fn main() -> Result<ExitCode, Box<dyn Error>> {
          with boxes where there are few items, else by the hierarchy; loading and building are not in it. A tracer is\n\
          compiled for a set of effects. *Own set*: the tracer of all shapes and of exactly the effects, lights and\n\
          textures that the scene asks for. Against that: *prepared*, the one that the program takes\n\
-         (`host/src/choose.rs`); *everything*, the one that can do everything; *shapes*, one of the own set and of the\n\
+         (`host/src/effects.rs`); *everything*, the one that can do everything; *shapes*, one of the own set and of the\n\
          scene's shapes alone, as a device may have it. All four pictures are the same, bit for bit.\n",
         SIZE.0, SIZE.1
     );
@@ -196,8 +202,8 @@ fn main() -> Result<ExitCode, Box<dyn Error>> {
         if asked(&scenes.join(row.scene))? != row.asks {
             return Err(format!("{} asks for something else than is written here", row.scene).into());
         }
-        let name = fitting(&row.asks, Chain).0;
-        let ways = ["effects", "chain", "everything", "exact"].map(|way| measured(row.scene, way));
+        let name = prepared_for(&row.asks);
+        let ways = ["effects", "prepared", "everything", "exact"].map(|way| measured(row.scene, way));
         let [own, prepared, everything, exact] = ways;
         let (own, prepared, everything, exact) = (own?, prepared?, everything?, exact?);
         let over = |it: &(f64, String)| 100.0 * (it.0 / own.0 - 1.0);

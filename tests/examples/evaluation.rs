@@ -14,7 +14,7 @@ use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 use std::time::Duration;
 
-use strahl::frame::Facts;
+use strahl::engine::session::scene_stats;
 use strahl::load::load;
 use strahl::signals::Signals;
 use strahl::stock::single::Stock;
@@ -68,7 +68,7 @@ fn evaluate(path: &Path) -> Result<Evaluated, Box<dyn Error>> {
     let name = path.file_stem().unwrap_or_default().to_string_lossy().into_owned();
     let runs = taken.into_iter().map(|taken| taken.run).collect();
     let stock = Stock::new(&scene);
-    let objects = Facts::of(&scene, &stock.scene()?).objects;
+    let objects = scene_stats(&scene, &stock.scene()?).objects;
     Ok(Evaluated { name, objects, techniques, runs })
 }
 

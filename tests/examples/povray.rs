@@ -16,9 +16,8 @@ use std::process::{Command, Stdio};
 use std::time::Instant;
 
 use strahl::finding::{Finding, Kind};
-use strahl::frame;
-use strahl::progress::Watch;
-use strahl::signals::Signals;
+use strahl::progress::NoProgress;
+use strahl::session;
 use strahl::wanted::{Cut, Wanted};
 use strahl_core::{Limits, Size};
 
@@ -130,8 +129,8 @@ fn strahl(scene: &Path, side: u32, kind: Kind) -> Result<Took, Box<dyn Error>> {
         counted: false,
         ..Wanted::of(Size::new(side, side).ok_or("no size")?)
     };
-    let frame = frame::trace(&description, &wanted, &Watch::silent(Signals::default()))?;
-    let counts = frame.counters.ok_or("nothing was counted")?;
+    let frame = session::render(&description, &wanted, &NoProgress)?;
+    let counts = frame.counters;
     Ok(Took {
         ready: (load + frame.build).as_secs_f64(),
         trace: frame.trace_cpu.as_secs_f64(),

@@ -13,9 +13,8 @@ use std::error::Error;
 use std::path::Path;
 use std::process::ExitCode;
 
-use strahl::progress::Watch;
+use strahl::progress::NoProgress;
 use strahl::sampling::{Agreement, Selecting};
-use strahl::signals::Signals;
 use strahl::wanted::{Sampling, Wanted};
 use strahl_core::{
     Bare, Camera, Everything, Limits, Pixel, RayKind, Rgb, Sample, Sampler, Sight, Size, Stream, Tile,
@@ -112,8 +111,8 @@ impl Scene {
     }
 
     fn traced(&self, wanted: &Wanted) -> Result<(Vec<Rgb>, f64), Box<dyn Error>> {
-        let frame = strahl::frame::trace(&self.description, wanted, &Watch::silent(Signals::default()))?;
-        let rays = frame.counters.ok_or("nothing was counted")?.rays[RayKind::Camera];
+        let frame = strahl::session::render(&self.description, wanted, &NoProgress)?;
+        let rays = frame.counters.rays[RayKind::Camera];
         let pixels = u64::from(self.size.width()) * u64::from(self.size.height());
         Ok((frame.picture.colors, rays as f64 / pixels as f64))
     }

@@ -21,9 +21,8 @@ use std::path::PathBuf;
 use std::process::ExitCode;
 
 use strahl::finding::{Choice, Finding, Kind};
-use strahl::frame::Frame;
-use strahl::progress::Watch;
-use strahl::signals::Signals;
+use strahl::progress::NoProgress;
+use strahl::render_output::RenderOutput;
 use strahl::wanted::{Sampling, Wanted};
 use strahl_core::{Counters, Limits, RayKind, Size};
 
@@ -79,7 +78,7 @@ fn hold(name: &str, counters: &Counters, published: [u64; 4], limit: f64) -> boo
 }
 
 /// Tells the work of one way to find; the processor seconds that it took.
-fn tell(frame: &Frame, counters: &Counters) -> f64 {
+fn tell(frame: &RenderOutput, counters: &Counters) -> f64 {
     let (shapes, skipped) = (counters.shapes.sum(), counters.skipped.sum());
     let share = 100.0 * skipped as f64 / (shapes + skipped).max(1) as f64;
     let seconds = frame.trace_cpu.as_secs_f64();
@@ -106,8 +105,8 @@ fn main() -> Result<ExitCode, Box<dyn Error>> {
         let mut seconds = Vec::new();
         for finding in ways() {
             let wanted = Wanted { finding, ..wanted.clone() };
-            let frame = strahl::frame::trace(&description, &wanted, &Watch::silent(Signals::default()))?;
-            let counters = frame.counters.ok_or("nothing was counted")?;
+            let frame = strahl::session::render(&description, &wanted, &NoProgress)?;
+            let counters = frame.counters;
             let digest = frame.picture.digest().to_string();
             let (same, rays) = first.get_or_insert_with(|| {
                 all_hold &= hold(name, &counters, published, limit);

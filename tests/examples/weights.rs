@@ -16,9 +16,8 @@ use std::process::{Command, ExitCode};
 
 use strahl::cost::{Counts, record};
 use strahl::finding::{Finding, Kind};
-use strahl::progress::Watch;
+use strahl::progress::NoProgress;
 use strahl::sampling::Sampling;
-use strahl::signals::Signals;
 use strahl::wanted::{Cut, Wanted};
 use strahl_core::{Limits, Size};
 
@@ -60,8 +59,8 @@ fn trace(scene: &str, kind: &str, sampler: &str, size: &str) -> Result<(), Box<d
         cut: Cut::threads(1),
         ..Wanted::of(size)
     };
-    let frame = strahl::frame::trace(&scene, &wanted, &Watch::silent(Signals::default()))?;
-    let counts = record(&frame.counters.ok_or("nothing was counted")?);
+    let frame = strahl::session::render(&scene, &wanted, &NoProgress)?;
+    let counts = record(&frame.counters);
     println!("{}", serde_json::to_string(&counts)?);
     Ok(())
 }

@@ -3,22 +3,21 @@
 use std::path::Path;
 use std::sync::Arc;
 
-use strahl::frame;
+use strahl::cost_map::{CostMap, PixelCost};
 use strahl::load::load;
-use strahl::progress::Watch;
-use strahl::sheet::{Cost, Sheet};
-use strahl::signals::Signals;
+use strahl::progress::NoProgress;
+use strahl::session;
 use strahl::wanted::{Cut, Wanted};
 use strahl_core::Size;
 
 const SIZE: Size = Size::new(50, 41).unwrap();
 
-fn costs(wanted: &Wanted) -> Vec<Cost> {
+fn costs(wanted: &Wanted) -> Vec<PixelCost> {
     let path = Path::new(env!("CARGO_MANIFEST_DIR")).parent().unwrap().join("scenes/glass.toml");
-    let sheet = Arc::new(Sheet::new(SIZE));
-    let wanted = Wanted { sheet: Some(Arc::clone(&sheet)), ..wanted.clone() };
-    frame::trace(&load(&path).unwrap(), &wanted, &Watch::silent(Signals::default())).unwrap();
-    sheet.costs()
+    let cost_map = Arc::new(CostMap::new(SIZE));
+    let wanted = Wanted { cost_map: Some(Arc::clone(&cost_map)), ..wanted.clone() };
+    session::render(&load(&path).unwrap(), &wanted, &NoProgress).unwrap();
+    cost_map.costs()
 }
 
 #[test]

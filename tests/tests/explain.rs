@@ -6,10 +6,9 @@ use serde_json::Value;
 use strahl::description::Description;
 use strahl::explain::pixel::{Traced, trace};
 use strahl::load::load;
-use strahl::progress::Watch;
+use strahl::progress::NoProgress;
 use strahl::sampling::Sampling;
-use strahl::signals::Signals;
-use strahl::{frame, wanted::Wanted};
+use strahl::{session, wanted::Wanted};
 use strahl_core::{Pixel, Rgb, Size, Tile};
 
 fn scene(name: &str) -> Description {
@@ -30,7 +29,7 @@ fn wanted(description: &Description, sampling: Sampling) -> Wanted {
 fn rendered(description: &Description, wanted: &Wanted, pixel: Pixel) -> Rgb {
     let region = Some(Tile { first: pixel, width: 1, height: 1 });
     let wanted = Wanted { region, ..wanted.clone() };
-    let frame = frame::trace(description, &wanted, &Watch::silent(Signals::default())).unwrap();
+    let frame = session::render(description, &wanted, &NoProgress).unwrap();
     frame.picture.colors[0]
 }
 

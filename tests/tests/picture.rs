@@ -19,9 +19,8 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 use strahl::finding::{Bounds, Finding};
-use strahl::progress::Watch;
+use strahl::progress::NoProgress;
 use strahl::sampling::Agreement;
-use strahl::signals::Signals;
 use strahl::wanted::{Sampling, Wanted};
 use strahl_core::{
     Camera, Effects, Everything, Frame, Limits, List, Rgb, Scene, Single, Size, Tile, Tracer, Worker, World,
@@ -123,11 +122,11 @@ fn scene_file(name: &str, width: u32, height: u32, levels: Option<u8>, sampling:
     let traced = |width, height, finding| {
         let size = Size::new(width, height).unwrap();
         let wanted = Wanted { limits, sampling, finding, counted: false, ..Wanted::of(size) };
-        strahl::frame::trace(&description, &wanted, &Watch::silent(Signals::default())).unwrap()
+        strahl::session::render(&description, &wanted, &NoProgress).unwrap()
     };
     let quarter = |finding| traced(width / 4, height / 4, finding);
     let frame = quarter(Finding::default());
-    let is_affordable = |it: &Finding| it.bounds != Some(Bounds::None) || frame.facts.objects <= FEW;
+    let is_affordable = |it: &Finding| it.bounds != Some(Bounds::None) || frame.scene.objects <= FEW;
     for finding in Finding::every().into_iter().filter(is_affordable) {
         // Not by `assert_eq`, which would print all of both.
         assert!(quarter(finding).picture == frame.picture, "{name} by {finding:?} is another picture");

@@ -4,10 +4,10 @@ use std::sync::Arc;
 
 use strahl::description::Description;
 use strahl::finding::{Bounds, Finding, Kind};
-use strahl::frame::{self, Frame};
 use strahl::mask::Mask;
-use strahl::progress::Watch;
-use strahl::signals::Signals;
+use strahl::progress::NoProgress;
+use strahl::render_output::RenderOutput;
+use strahl::session;
 use strahl::wanted::{Cut, Wanted};
 use strahl_core::{Counters, Pixel, RayKind, Rgb, Size, Tile};
 
@@ -52,8 +52,8 @@ fn wanted((sampler, select, _): (&str, Option<&str>, bool)) -> Wanted {
     Wanted { sampling: sampler.parse().unwrap(), selecting, ..Wanted::of(SIZE) }
 }
 
-fn traced(scene: &Description, wanted: &Wanted) -> Frame {
-    frame::trace(scene, wanted, &Watch::silent(Signals::default())).unwrap()
+fn traced(scene: &Description, wanted: &Wanted) -> RenderOutput {
+    session::render(scene, wanted, &NoProgress).unwrap()
 }
 
 #[test]
@@ -114,7 +114,7 @@ fn the_pixels_of_a_mask_are_the_same_and_the_others_cost_nothing() {
         for ((some, all), is_white) in some.picture.colors.iter().zip(&all.picture.colors).zip(&pixels) {
             assert_eq!(*some, if *is_white { *all } else { Rgb::BLACK }, "{way:?}");
         }
-        let rays = |frame: &Frame| frame.counters.unwrap().rays[RayKind::Camera];
+        let rays = |frame: &RenderOutput| frame.counters.rays[RayKind::Camera];
         let most = match way.1 {
             None => 0.45, // a little more than the share of the ring, for corners that are not shared
             Some(_) => 0.9,
@@ -162,7 +162,7 @@ fn counting_changes_nothing() {
     let counted = traced(&scene, &wanted(WAYS[0]));
     let silent = traced(&scene, &Wanted { counted: false, ..wanted(WAYS[0]) });
     assert_eq!(counted.picture, silent.picture);
-    let [all, few] = [counted, silent].map(|frame| frame.counters.unwrap());
+    let [all, few] = [counted, silent].map(|frame| frame.counters);
     let tests = |counts: &Counters| RayKind::ALL.map(|kind| counts.shapes[kind]);
     assert!(tests(&all).iter().all(|count| *count > 0) && tests(&few) == [0; 4]);
     // Rays and what was cut are counted either way.
@@ -186,7 +186,7 @@ fn a_shadow_cache_answers_often_and_changes_no_bit() {
     let with = traced(&scene, &wanted(WAYS[0]));
     let without = traced(&scene, &Wanted { shadow_cache: false, ..wanted(WAYS[0]) });
     assert_eq!(with.picture, without.picture);
-    let [with, without] = [with, without].map(|frame| frame.counters.unwrap());
+    let [with, without] = [with, without].map(|frame| frame.counters);
     assert_eq!((without.shadow_cache_asked, without.shadow_cache_hits), (0, 0));
     let (asked, hits) = (with.shadow_cache_asked, with.shadow_cache_hits);
     // Of pixels this large, neighbours often lie in the shadows of different things.

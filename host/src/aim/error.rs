@@ -19,11 +19,9 @@ use super::sparse::{Estimate, Sparse, rmse};
 use super::truth::truth;
 use super::{Aimed, Target};
 use crate::description::Description;
-use crate::frame::{self, Frame};
-use crate::plan::asked_by;
-use crate::progress::Watch;
-use crate::stock::single::Stock;
-use crate::studio::{Drawn, NoFrame, Studio};
+use crate::progress::Progress;
+use crate::render_output::{RenderError, RenderOutput};
+use crate::session::{SceneStorage, Session};
 use crate::wanted::{Limits, Wanted};
 
 /// What is not to be changed.
@@ -60,53 +58,45 @@ pub fn trace(
     description: &Description,
     wanted: &Wanted,
     goal: Goal,
-    watch: &Watch,
-) -> Result<(Frame, Aimed), NoFrame> {
-    let mut aimed = None;
-    let stock = Stock::new(description);
-    let asks = asked_by(description, &stock.scene().map_err(NoFrame::wrong)?);
-    drop(stock);
-    let frame = frame::open(description, wanted.precision, &wanted.finding, &mut |studio| {
-        let clock = Instant::now();
-        let mut search = Search::new(studio, wanted, goal, watch);
-        let found = search.find(&asks)?;
-        let seconds = clock.elapsed().as_secs_f64();
-        let taken = found.setting.of(wanted);
-        let drawn = studio.trace(&taken, watch)?;
-        let measured = match goal.verify {
-            true => {
-                let truth = studio.trace(&truth(wanted, found.limits, goal.error, 1), watch)?;
-                Some(rmse(&drawn.colors, &truth.colors))
-            }
-            false => None,
-        };
-        let Estimate { error: estimate, at_most } = found.estimate;
-        let what = truth(wanted, found.limits, goal.error, 0);
-        aimed = Some(Aimed {
-            taken: taken.clone(),
-            kept: at_most <= goal.error && measured.is_none_or(|error| error <= goal.error),
-            target: Target::Error {
-                asked: goal.error,
-                estimate,
-                at_most,
-                pixels: search.sparse.pixels(),
-                tried: search.tried,
-                truth: format!(
-                    "{} with {} levels and cutoff {}",
-                    what.sampling, what.limits.levels, what.limits.cutoff
-                ),
-                measured,
-                seconds,
-            },
-            why: found.why(goal.error),
-            command: String::new(),
-        });
-        Ok((taken, drawn))
-    })?;
-    match aimed {
-        Some(aimed) => Ok((frame, aimed)),
-        None => Err(NoFrame::wrong("nothing was aimed at")),
-    }
+    progress: &dyn Progress,
+) -> Result<(RenderOutput, Aimed), RenderError> {
+    let mut storage = SceneStorage::new(description, wanted.precision);
+    let session = Session::new(description, &mut storage, &wanted.finding)?;
+    let clock = Instant::now();
+    let mut search = Search::new(&session, wanted, goal, progress);
+    let found = search.find(&session.scene().asks)?;
+    let seconds = clock.elapsed().as_secs_f64();
+    let taken = found.setting.of(wanted);
+    let output = session.render(&taken, progress)?;
+    let measured = match goal.verify {
+        true => {
+            let truth = session.render(&truth(wanted, found.limits, goal.error, 1), progress)?;
+            Some(rmse(&output.picture.colors, &truth.picture.colors))
+        }
+        false => None,
+    };
+    let Estimate { error: estimate, at_most } = found.estimate;
+    let what = truth(wanted, found.limits, goal.error, 0);
+    let aimed = Aimed {
+        kept: at_most <= goal.error && measured.is_none_or(|error| error <= goal.error),
+        target: Target::Error {
+            asked: goal.error,
+            estimate,
+            at_most,
+            pixels: search.sparse.pixels(),
+            tried: search.tried,
+            truth: format!(
+                "{} with {} levels and cutoff {}",
+                what.sampling, what.limits.levels, what.limits.cutoff
+            ),
+            measured,
+            seconds,
+        },
+        why: found.why(goal.error),
+        command: String::new(),
+        taken,
+    };
+    Ok((output, aimed))
 }
 
 /// Levels, cutoff and rays.
@@ -152,10 +142,10 @@ impl Found {
 
 /// A search on a sample of pixels.
 pub struct Search<'s> {
-    studio: &'s dyn Studio,
+    session: &'s Session<'s>,
     pub(super) wanted: Wanted,
     pub(super) goal: Goal,
-    watch: &'s Watch,
+    progress: &'s dyn Progress,
     /// The pixels that are looked at.
     pub sparse: Sparse,
     /// How many settings were looked at.
@@ -164,38 +154,38 @@ pub struct Search<'s> {
 
 impl<'s> Search<'s> {
     /// For the picture that is wanted.
-    pub fn new(studio: &'s dyn Studio, wanted: &Wanted, goal: Goal, watch: &'s Watch) -> Self {
+    pub fn new(session: &'s Session<'s>, wanted: &Wanted, goal: Goal, progress: &'s dyn Progress) -> Self {
         let sparse = Sparse::of(wanted);
         let wanted = sparse.only(wanted);
-        Search { studio, wanted, goal, watch, sparse, tried: 0 }
+        Search { session, wanted, goal, progress, sparse, tried: 0 }
     }
 
     /// Traces the sample; its price in instructions.
-    pub(super) fn look(&mut self, setting: Setting) -> Result<(Drawn, f64), NoFrame> {
+    pub(super) fn look(&mut self, setting: Setting) -> Result<(RenderOutput, f64), RenderError> {
         self.tried += 1;
-        let sheet = self.sparse.sheet();
-        let wanted = Wanted { sheet: Some(Arc::clone(&sheet)), ..setting.of(&self.wanted) };
-        let drawn = self.studio.trace(&wanted, self.watch)?;
-        let price = sheet.work(drawn.accelerator.choice.kind);
+        let cost_map = self.sparse.cost_map();
+        let wanted = Wanted { cost_map: Some(Arc::clone(&cost_map)), ..setting.of(&self.wanted) };
+        let drawn = self.session.render(&wanted, self.progress)?;
+        let price = cost_map.work(drawn.accelerator.choice.kind);
         Ok((drawn, price))
     }
 
     /// The cheapest setting that keeps the error.
-    pub fn find(&mut self, asks: &EffectSet) -> Result<Found, NoFrame> {
+    pub fn find(&mut self, asks: &EffectSet) -> Result<Found, RenderError> {
         let notches = self.notches(asks)?;
         let Some(working) = cheapest_within(&notches, WORKING * self.goal.error) else {
-            return Err(NoFrame::wrong("there are no levels"));
+            return Err(RenderError::invalid("there are no levels"));
         };
         let limits = limits_of_truth(&notches, self.goal.error);
         let truth = truth(&self.wanted, limits, self.goal.error, 0);
-        let truth = self.studio.trace(&truth, self.watch)?.colors;
+        let truth = self.session.render(&truth, self.progress)?.picture.colors;
 
         // The most that coarser levels and cutoffs can save.
         let part = notches.last().map_or(1.0, |notch| notch.price / working.price);
         let seen = self.rays(working.limits, part, &truth)?;
         // The best that there is, if nothing keeps the error.
         let best = seen.iter().min_by(|a, b| a.estimate.at_most.total_cmp(&b.estimate.at_most));
-        let Some(mut best) = best.copied() else { return Err(NoFrame::wrong("there are no rays")) };
+        let Some(mut best) = best.copied() else { return Err(RenderError::invalid("there are no rays")) };
         if let Some(cheapest) = seen
             .iter()
             .filter(|it| it.estimate.at_most <= self.goal.error)
@@ -223,7 +213,7 @@ impl<'s> Search<'s> {
                 break;
             }
             let (drawn, price) = self.look(setting)?;
-            let estimate = self.sparse.error(&drawn.colors, &truth);
+            let estimate = self.sparse.error(&drawn.picture.colors, &truth);
             let keeps = estimate.at_most <= self.goal.error;
             if keeps && (price < best.price || best.estimate.at_most > self.goal.error) {
                 best = Seen { setting, estimate, price };
@@ -235,7 +225,7 @@ impl<'s> Search<'s> {
 
     /// What rays cost and how far they are from the truth, with levels and a cutoff that lose little;
     /// others may take this part of the price.
-    fn rays(&mut self, limits: Limits, part: f64, truth: &[Rgb]) -> Result<Vec<Seen>, NoFrame> {
+    fn rays(&mut self, limits: Limits, part: f64, truth: &[Rgb]) -> Result<Vec<Seen>, RenderError> {
         let Goal { error: goal, fixed, .. } = self.goal;
         let mut list = rays(self.wanted.filter, goal);
         if fixed.sampling {
@@ -257,7 +247,7 @@ impl<'s> Search<'s> {
             }
             let setting = Setting { limits, rays };
             let (drawn, price) = self.look(setting)?;
-            let estimate = self.sparse.error(&drawn.colors, truth);
+            let estimate = self.sparse.error(&drawn.picture.colors, truth);
             if estimate.at_most <= goal && price < cheapest {
                 cheapest = price;
             }

@@ -7,8 +7,8 @@ use strahl_core::{EffectSet, Rgb};
 
 use super::error::{Goal, Search, Setting};
 use super::plan::{LEVELS, Rays, cutoffs};
+use crate::render_output::RenderError;
 use crate::sampling::Sampling;
-use crate::studio::NoFrame;
 use crate::wanted::Limits;
 
 /// How small a change of levels or cutoff is, as a part of the error that is aimed at, after which
@@ -33,7 +33,7 @@ pub struct Notch {
 
 impl Search<'_> {
     /// Levels and cutoffs, the finest first, none of which is dearer than another that loses less.
-    pub fn notches(&mut self, asks: &EffectSet) -> Result<Vec<Notch>, NoFrame> {
+    pub fn notches(&mut self, asks: &EffectSet) -> Result<Vec<Notch>, RenderError> {
         let Goal { error: goal, fixed, .. } = self.goal;
         let asked = self.wanted.limits;
         let branches = asks.reflection || asks.transmission;
@@ -51,9 +51,10 @@ impl Search<'_> {
         for levels in ladder {
             let limits = Limits { levels: *levels, cutoff: finest };
             let (drawn, price) = self.look(Setting { limits, rays })?;
-            let is_whole = drawn.counts.as_ref().is_some_and(|counts| counts.level_limit.rays == 0);
-            let change = by_levels.last().map(|(_, last, _)| self.sparse.error(&drawn.colors, last).error);
-            by_levels.push((*levels, drawn.colors, price));
+            let is_whole = drawn.counters.level_limit.rays == 0;
+            let change =
+                by_levels.last().map(|(_, last, _)| self.sparse.error(&drawn.picture.colors, last).error);
+            by_levels.push((*levels, drawn.picture.colors, price));
             settled = if change.is_some_and(|change| change <= SETTLED * goal) { settled + 1 } else { 0 };
             if is_whole || settled >= 2 {
                 break;
@@ -65,7 +66,7 @@ impl Search<'_> {
         if branches && !fixed.cutoff {
             for cutoff in cutoffs().filter(|cutoff| *cutoff > finest) {
                 let (drawn, price) = self.look(Setting { limits: Limits { cutoff, ..limits }, rays })?;
-                by_cutoff.push((cutoff, self.sparse.error(&drawn.colors, best).error, price / whole));
+                by_cutoff.push((cutoff, self.sparse.error(&drawn.picture.colors, best).error, price / whole));
             }
         }
 

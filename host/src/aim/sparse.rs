@@ -9,8 +9,8 @@ use std::sync::Arc;
 use strahl_core::{Dimension, Pixel, Rgb, Size, Stream, Tile};
 use strahl_picture::srgb::encode;
 
+use crate::cost_map::{ChosenPixels, CostMap};
 use crate::mask::Mask;
-use crate::sheet::{Chosen, Sheet};
 use crate::wanted::Wanted;
 
 /// Pixels along a side of a square.
@@ -26,7 +26,7 @@ const CONFIDENCE: f64 = 1.6449;
 /// Some pixels of a picture.
 pub struct Sparse {
     mask: Arc<Mask>,
-    chosen: Chosen,
+    chosen: ChosenPixels,
     /// Their places in the picture, square by square.
     squares: Vec<Vec<usize>>,
     /// Which share of all pixels they are.
@@ -61,7 +61,7 @@ impl Sparse {
         let squares: Vec<_> = tiles.into_iter().map(inside).filter(|places| !places.is_empty()).collect();
         let count: usize = squares.iter().map(Vec::len).sum();
         let mask = Arc::new(mask(wanted.size, area, &squares));
-        let chosen = Chosen::by(&mask);
+        let chosen = ChosenPixels::by(&mask);
         Sparse { mask, chosen, squares, share: count as f64 / all.max(1) as f64 }
     }
 
@@ -95,8 +95,8 @@ impl Sparse {
     }
 
     /// On which it can be written what these pixels cost.
-    pub fn sheet(&self) -> Arc<Sheet> {
-        Arc::new(Sheet::only(self.mask.size, &self.chosen))
+    pub fn cost_map(&self) -> Arc<CostMap> {
+        Arc::new(CostMap::only(self.mask.size, &self.chosen))
     }
 }
 

@@ -13,11 +13,11 @@ use strahl_picture::{Format, Picture};
 
 use super::{Aimed, Target};
 use crate::description::Description;
-use crate::frame::{self, Frame};
-use crate::pace::{Outlook, Pace, Pass, Took};
-use crate::progress::Watch;
+use crate::progress::Progress;
+use crate::render_output::{RenderError, RenderOutput};
 use crate::sampling::{Agreement, Confidence, Sampling, Selecting};
-use crate::studio::NoFrame;
+use crate::scheduler::{Outlook, Pass, PassStats, Scheduler};
+use crate::session::{SceneStorage, Session};
 use crate::wanted::Wanted;
 
 /// When the picture must be written.
@@ -36,25 +36,21 @@ pub fn trace(
     description: &Description,
     wanted: &Wanted,
     limit: Limit,
-    watch: &Watch,
-) -> Result<(Frame, Aimed), NoFrame> {
+    progress: &dyn Progress,
+) -> Result<(RenderOutput, Aimed), RenderError> {
     let mut clock = Clock::new(limit, wanted);
-    let mut taken = None;
-    let frame = frame::open(description, wanted.precision, &wanted.finding, &mut |studio| {
-        let drawn = studio.refine(wanted, watch, &mut clock)?;
-        let pass = clock.last.unwrap_or(COARSEST);
-        let wanted = Wanted { sampling: pass.sampling, selecting: pass.selecting, ..wanted.clone() };
-        taken = Some(wanted.clone());
-        Ok((wanted, drawn))
-    })?;
-    let Some(taken) = taken else { return Err(NoFrame::wrong("nothing was traced")) };
+    let mut storage = SceneStorage::new(description, wanted.precision);
+    let session = Session::new(description, &mut storage, &wanted.finding)?;
+    let output = session.refine(wanted, progress, &mut clock)?;
+    let pass = clock.last.unwrap_or(COARSEST);
+    let taken = Wanted { sampling: pass.sampling, selecting: pass.selecting, ..wanted.clone() };
     let why = clock.why(&taken);
     let target = Target::Time {
         asked: limit.time.as_secs_f64(),
         passes: clock.passes,
         given_up: clock.begun > clock.passes,
     };
-    Ok((frame, Aimed { taken, kept: true, target, why, command: String::new() }))
+    Ok((output, Aimed { taken, kept: true, target, why, command: String::new() }))
 }
 
 /// Everything between two pixels that are this far apart is guessed.
@@ -206,7 +202,7 @@ fn rounded(tolerance: f64) -> f32 {
     format!("{:.7}", libm::ceil(tolerance / step) * step).parse().unwrap_or(1.0)
 }
 
-impl Pace for Clock {
+impl Scheduler for Clock {
     fn next(&mut self, outlook: &Outlook<'_>) -> Option<Pass> {
         self.begun += 1;
         let Some(last) = self.last else {
@@ -233,16 +229,16 @@ impl Pace for Clock {
         }
     }
 
-    fn done(&mut self, pass: &Pass, took: Took, picture: Vec<Rgb>) {
+    fn done(&mut self, pass: &Pass, stats: PassStats, picture: Vec<Rgb>) {
         self.passes += 1;
         // A few rays tell no speed.
-        if took.rays > 0 && took.seconds > 0.0 {
-            self.speed = took.rays as f64 / took.seconds;
+        if stats.rays > 0 && stats.seconds > 0.0 {
+            self.speed = stats.rays as f64 / stats.seconds;
         }
         let is_new = match (self.last, pass.sampling) {
             (None, _) | (_, Sampling::Single) => true,
             (Some(last), Sampling::Stochastic { .. }) => {
-                self.rays += took.rays;
+                self.rays += stats.rays;
                 last.sampling == Sampling::Single
             }
             _ => false,

@@ -24,7 +24,7 @@ pub fn truth(wanted: &Wanted, limits: Limits, goal: f64, other: u32) -> Wanted {
         selecting: None,
         limits,
         seed: wanted.seed.wrapping_add(0x7275_7468).wrapping_add(other),
-        sheet: None,
+        cost_map: None,
         ..wanted.clone()
     }
 }

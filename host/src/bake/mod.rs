@@ -16,14 +16,13 @@ use crate::args::BakeArgs;
 use crate::description::{Description, Settings};
 use crate::failure::Failure;
 use crate::finding::{Accel, Bounds, Finding, Kind, MAILBOX, Walk};
-use crate::frame;
 use crate::load::{Files, load_from};
 use crate::output::{Guard, refuse_terminal, say, tell};
 use crate::precision::Precision;
-use crate::progress::Watch;
-use crate::signals::Signals;
+use crate::progress::NoProgress;
+use crate::render_output::RenderError;
+use crate::session;
 use crate::stock::single::{self, Stock};
-use crate::studio::NoFrame;
 use crate::wanted::{DEFAULT_SIZE, Filter, Sampling, Wanted};
 
 /// What is baked beside the scene.
@@ -107,7 +106,7 @@ pub fn source(path: &Path, scene: &Scene<'_>, asked: &Asked) -> String {
 
 /// What happens in the picture that is asked for, or in one of its shape of at most so many pixels:
 /// more of them would tell no more about one.
-pub fn counted(description: &Description, asked: &Asked) -> Result<Counted, NoFrame> {
+pub fn counted(description: &Description, asked: &Asked) -> Result<Counted, RenderError> {
     const MOST: u64 = 160 * 120;
     let (width, height) = (asked.size.width(), asked.size.height());
     let pixels = u64::from(width) * u64::from(height);
@@ -122,9 +121,9 @@ pub fn counted(description: &Description, asked: &Asked) -> Result<Counted, NoFr
     };
     let limits = Limits { levels: asked.levels, cutoff: asked.cutoff };
     let wanted = Wanted { limits, finding, ..Wanted::of(size) };
-    let frame = frame::trace(description, &wanted, &Watch::silent(Signals::default()))?;
+    let output = session::render(description, &wanted, &NoProgress)?;
     let pixels = u64::from(size.width()) * u64::from(size.height());
-    Ok(Counted { counts: frame.counters.unwrap_or_default(), pixels })
+    Ok(Counted { counts: output.counters, pixels })
 }
 
 /// What happened in some pixels.

@@ -13,9 +13,9 @@ use super::names::Names;
 use super::record::{MOST_RAYS, Record};
 use super::tree::{Part, Sample, Sum, triple};
 use crate::description::Description;
-use crate::samplers::{Any, Shared};
+use crate::engine::samplers::{Any, Shared};
+use crate::render_output::RenderError;
 use crate::stock::single::{Stock, view};
-use crate::studio::NoFrame;
 use crate::wanted::{LEVELS, Wanted};
 
 /// The colour of a pixel, and how it comes about.
@@ -29,15 +29,15 @@ pub struct Traced {
 }
 
 /// Traces one pixel of the picture that is wanted.
-pub fn trace(description: &Description, wanted: &Wanted, pixel: Pixel) -> Result<Traced, NoFrame> {
+pub fn trace(description: &Description, wanted: &Wanted, pixel: Pixel) -> Result<Traced, RenderError> {
     let stock = Stock::new(description);
-    let scene = stock.scene().map_err(NoFrame::wrong)?;
-    let camera = Camera::new(&view(&description.view), wanted.size).map_err(NoFrame::wrong)?;
+    let scene = stock.scene().map_err(RenderError::invalid)?;
+    let camera = Camera::new(&view(&description.view), wanted.size).map_err(RenderError::invalid)?;
     let boxes: Vec<Aabb> = scene.parts().geometry.all_bounds().collect();
     let mut groups = vec![Aabb::EMPTY; groups_of(boxes.len())];
-    let world = World::new(scene, List::boxed(&boxes, &mut groups).map_err(NoFrame::wrong)?);
+    let world = World::new(scene, List::boxed(&boxes, &mut groups).map_err(RenderError::invalid)?);
     let tracer =
-        Tracer::<_, Everything, LEVELS>::new(&world, camera, wanted.limits).map_err(NoFrame::wrong)?;
+        Tracer::<_, Everything, LEVELS>::new(&world, camera, wanted.limits).map_err(RenderError::invalid)?;
     let names = Names::new(description, &world);
 
     let mut seen = Seen { samples: Vec::new(), places: Vec::new() };
@@ -73,7 +73,7 @@ pub fn trace(description: &Description, wanted: &Wanted, pixel: Pixel) -> Result
         let reason = format!(
             "a ray through the picture leads to more than {MOST_RAYS} others: fewer --levels or a higher --cutoff tell less"
         );
-        return Err(NoFrame::wrong(reason));
+        return Err(RenderError::invalid(reason));
     }
 
     let sum = match parts {

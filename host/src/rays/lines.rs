@@ -4,23 +4,13 @@ use std::fmt;
 
 use crate::amount::amount;
 use crate::precision::Precision;
+use crate::ray_query::RayQuery;
 
 /// The longest line that may be one, in bytes.
 pub(super) const LONGEST: usize = 1 << 16;
 
 /// The names of the fields; the last may be missing.
 const NAMES: [&str; 7] = ["ox", "oy", "oz", "dx", "dy", "dz", "tmax"];
-
-/// A ray as a line tells it. Any number may be one that no ray has: infinite, or none at all.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Line {
-    /// Where it starts.
-    pub origin: [f64; 3],
-    /// Where it goes.
-    pub direction: [f64; 3],
-    /// How far what counts may be, in lengths of the direction.
-    pub reach: f64,
-}
 
 /// What is wrong with a line.
 #[derive(Clone, Debug, PartialEq)]
@@ -74,34 +64,32 @@ fn fields(line: &[u8]) -> impl Iterator<Item = &[u8]> {
     line.split(|byte| *byte == b',').map(<[u8]>::trim_ascii)
 }
 
-impl Line {
-    /// The ray of a line.
-    pub(super) fn read(line: &[u8], precision: Precision) -> Result<Self, LineFault> {
-        if line.len() > LONGEST {
-            return Err(LineFault::Long);
-        }
-        let mut numbers = [f64::INFINITY; NAMES.len()];
-        let mut count = 0;
-        let mut wrong = None;
-        for field in fields(line) {
-            if let Some(place) = numbers.get_mut(count) {
-                match number(field, precision) {
-                    Some(number) => *place = number,
-                    None => wrong = wrong.or(Some((count, field))),
-                }
-            }
-            count += 1;
-        }
-        if count != NAMES.len() && count != NAMES.len() - 1 {
-            return Err(LineFault::Fields(count));
-        }
-        if let Some((place, word)) = wrong {
-            let word: String = String::from_utf8_lossy(word).chars().take(40).collect();
-            return Err(LineFault::Word(place, word));
-        }
-        let [ox, oy, oz, dx, dy, dz, reach] = numbers;
-        Ok(Line { origin: [ox, oy, oz], direction: [dx, dy, dz], reach })
+/// The ray of a line.
+pub(super) fn read(line: &[u8], precision: Precision) -> Result<RayQuery, LineFault> {
+    if line.len() > LONGEST {
+        return Err(LineFault::Long);
     }
+    let mut numbers = [f64::INFINITY; NAMES.len()];
+    let mut count = 0;
+    let mut wrong = None;
+    for field in fields(line) {
+        if let Some(place) = numbers.get_mut(count) {
+            match number(field, precision) {
+                Some(number) => *place = number,
+                None => wrong = wrong.or(Some((count, field))),
+            }
+        }
+        count += 1;
+    }
+    if count != NAMES.len() && count != NAMES.len() - 1 {
+        return Err(LineFault::Fields(count));
+    }
+    if let Some((place, word)) = wrong {
+        let word: String = String::from_utf8_lossy(word).chars().take(40).collect();
+        return Err(LineFault::Word(place, word));
+    }
+    let [ox, oy, oz, dx, dy, dz, t_max] = numbers;
+    Ok(RayQuery { origin: [ox, oy, oz], direction: [dx, dy, dz], t_max })
 }
 
 /// Whether a line names its fields: there are as many as of a ray, and none of them is a number. They
@@ -126,16 +114,16 @@ pub(super) fn is_header(line: &[u8]) -> Result<bool, LineFault> {
 mod tests {
     use super::*;
 
-    fn read(line: &str) -> Result<Line, LineFault> {
-        Line::read(line.as_bytes(), Precision::Single)
+    fn of(line: &str) -> Result<RayQuery, LineFault> {
+        read(line.as_bytes(), Precision::Single)
     }
 
     #[test]
     fn a_line_of_six_numbers_has_no_limit_and_the_seventh_is_the_limit() {
-        let line = Line { origin: [1.0, -2.0, 0.5], direction: [0.0, 0.0, -1.0], reach: f64::INFINITY };
-        assert_eq!(read("1,-2,0.5,0,0,-1"), Ok(line));
-        assert_eq!(read(" 1 ,\t-2.0,.5,0e0,-0,-1.,inf\r"), Ok(line));
-        assert_eq!(read("+1,-2e0,5E-1,0,0,-1,2.5"), Ok(Line { reach: 2.5, ..line }));
+        let line = RayQuery { origin: [1.0, -2.0, 0.5], direction: [0.0, 0.0, -1.0], t_max: f64::INFINITY };
+        assert_eq!(of("1,-2,0.5,0,0,-1"), Ok(line));
+        assert_eq!(of(" 1 ,\t-2.0,.5,0e0,-0,-1.,inf\r"), Ok(line));
+        assert_eq!(of("+1,-2e0,5E-1,0,0,-1,2.5"), Ok(RayQuery { t_max: 2.5, ..line }));
     }
 
     #[test]
@@ -149,12 +137,12 @@ mod tests {
             ("-1e999999999999", f64::NEG_INFINITY),
             ("1e-60", 0.0),
         ] {
-            assert_eq!(read(&format!("{word},0,0,0,0,1")).unwrap().origin[0], is, "{word}");
+            assert_eq!(of(&format!("{word},0,0,0,0,1")).unwrap().origin[0], is, "{word}");
         }
         for word in ["nan", "NaN", "NAN", "-nan", "+nan"] {
-            assert!(read(&format!("0,0,0,0,0,{word}")).unwrap().direction[2].is_nan(), "{word}");
+            assert!(of(&format!("0,0,0,0,0,{word}")).unwrap().direction[2].is_nan(), "{word}");
         }
-        assert!(read("0,0,0,0,0,1,-0").unwrap().reach.is_sign_negative());
+        assert!(of("0,0,0,0,0,1,-0").unwrap().t_max.is_sign_negative());
     }
 
     #[test]
@@ -162,9 +150,9 @@ mod tests {
         // Just above the middle between 1 and the next float: rounded to double first, it would be
         // that middle, and then go down to 1.
         let line = "1.00000005960464477539062500000000000000000001,0.1,0,0,0,1";
-        let single = read(line).unwrap();
+        let single = of(line).unwrap();
         assert_eq!(single.origin, [f64::from(1.0_f32.next_up()), f64::from(0.1_f32), 0.0]);
-        assert_eq!(Line::read(line.as_bytes(), Precision::Double).unwrap().origin[1], 0.1);
+        assert_eq!(read(line.as_bytes(), Precision::Double).unwrap().origin[1], 0.1);
     }
 
     #[test]
@@ -181,13 +169,13 @@ mod tests {
             ("1 2,2,3,4,5,6", "ox is `1 2`"),
             ("\"1\",2,3,4,5,6", "ox is `\"1\"`"),
         ] {
-            let said = read(line).unwrap_err().to_string();
+            let said = of(line).unwrap_err().to_string();
             assert!(said.starts_with(says), "{line}: {said}");
         }
         let long = format!("1,2,3,4,5,{}6", "0".repeat(LONGEST));
-        assert_eq!(read(&long), Err(LineFault::Long));
+        assert_eq!(of(&long), Err(LineFault::Long));
         assert_eq!(
-            Line::read(b"\xff,2,3,4,5,6", Precision::Single).unwrap_err().to_string(),
+            read(b"\xff,2,3,4,5,6", Precision::Single).unwrap_err().to_string(),
             "ox is `\u{fffd}`, which is no number"
         );
     }

@@ -1,4 +1,4 @@
-//! Rays as lines of text, and their way to who knows what they hit.
+//! Rays as lines of text, and what they hit as lines of text.
 //!
 //! | room | what it does |
 //! |---|---|
@@ -10,9 +10,4 @@ mod lines;
 mod rows;
 mod stream;
 
-pub use lines::Line;
-pub use rows::Found;
 pub use stream::{Cast, Stream};
-
-/// Why no ray was cast.
-pub type NoCast = Box<dyn std::error::Error + Send + Sync>;

@@ -4,27 +4,14 @@ use std::fmt::{Display, LowerExp};
 use std::io::Write;
 
 use crate::precision::Precision;
+use crate::ray_query::RayHit;
 
 /// The names of the fields.
 pub(super) const HEADER: &str = "hit,t,object,px,py,pz,nx,ny,nz\n";
 
-/// What a ray hits.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Found {
-    /// How far, in lengths of the direction given. It may be out of the range of single precision
-    /// where the direction is very long or very short.
-    pub t: f64,
-    /// The number of the object.
-    pub object: u32,
-    /// The point.
-    pub point: [f64; 3],
-    /// The geometric normal, of length one.
-    pub normal: [f64; 3],
-}
-
 /// Adds the row of an answer.
-pub(super) fn add(rows: &mut Vec<u8>, found: Option<Found>, precision: Precision) {
-    let Some(Found { t, object, point, normal }) = found else {
+pub(super) fn add(rows: &mut Vec<u8>, hit: Option<RayHit>, precision: Precision) {
+    let Some(RayHit { t, object, point, normal }) = hit else {
         rows.extend_from_slice(b"0,,,,,,,,\n");
         return;
     };
@@ -124,7 +111,7 @@ mod tests {
         let mut rows = Vec::new();
         add(&mut rows, None, Precision::Single);
         assert_eq!(rows, b"0,,,,,,,,\n");
-        let found = Found { t: 2.5, object: 7, point: [1.0, 2.0, -0.5], normal: [0.0, 0.0, 1.0] };
+        let found = RayHit { t: 2.5, object: 7, point: [1.0, 2.0, -0.5], normal: [0.0, 0.0, 1.0] };
         rows.clear();
         add(&mut rows, Some(found), Precision::Single);
         assert_eq!(rows, b"1,2.5,7,1,2,-0.5,0,0,1\n");

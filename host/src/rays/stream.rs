@@ -14,11 +14,12 @@ use std::sync::mpsc::{self, Receiver, RecvTimeoutError, Sender};
 use std::thread;
 use std::time::Duration;
 
-use super::lines::{LONGEST, Line, LineFault, is_header};
-use super::rows::{self, Found};
+use super::lines::{self, LONGEST, LineFault, is_header};
+use super::rows;
 use crate::failure::Failure;
 use crate::output::Output;
 use crate::precision::Precision;
+use crate::ray_query::{RayCaster, RayHit, RayQuery};
 use crate::signals::Signals;
 
 /// How much is read at once, in bytes: some hundred rays, so that all threads have work to the end.
@@ -85,10 +86,7 @@ enum Event {
 
 impl Stream {
     /// Answers every ray by what `caster` makes, one for each thread.
-    pub fn run<F: FnMut(&Line) -> Option<Found>>(
-        self,
-        caster: impl Fn() -> F + Sync,
-    ) -> Result<Cast, Failure> {
+    pub fn run<'c>(self, caster: impl Fn() -> RayCaster<'c> + Sync) -> Result<Cast, Failure> {
         let Stream { input, name, output, precision, threads, signals } = self;
         let (events, news) = mpsc::channel();
         let (buffers, free) = mpsc::channel();
@@ -190,7 +188,7 @@ fn answer(
     piece: Piece,
     precision: Precision,
     is_over: &AtomicBool,
-    cast: &mut impl FnMut(&Line) -> Option<Found>,
+    cast: &mut impl FnMut(&RayQuery) -> Option<RayHit>,
 ) -> Answer {
     let Piece { number, line, text } = piece;
     let mut answer = Answer { number, rows: Vec::with_capacity(2 * text.len()), ..Answer::default() };
@@ -205,7 +203,7 @@ fn answer(
             answer.rows.extend_from_slice(rows::HEADER.as_bytes());
             continue;
         }
-        let read = is_header.and_then(|_| Line::read(text, precision));
+        let read = is_header.and_then(|_| lines::read(text, precision));
         match read {
             Ok(ray) => {
                 let found = cast(&ray);

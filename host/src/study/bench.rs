@@ -14,15 +14,16 @@ use super::options::Options;
 use super::plan::time;
 use super::record::{Errors, Role, Run};
 use crate::cost::{WEIGHTS, record};
+use crate::cost_map::{CostMap, PixelCost};
 use crate::description::Description;
 use crate::failure::Failure;
-use crate::frame::{self, Frame};
+use crate::interrupt::Interrupt;
 use crate::plan::leave_out;
-use crate::progress::Watch;
-use crate::sheet::{Cost, Sheet};
+use crate::progress::Deadline;
+use crate::render_output::{RenderError, RenderOutput};
+use crate::session;
 use crate::signals::Signals;
-use crate::stop::Stop;
-use crate::studio::NoFrame;
+use crate::terminal::TerminalProgress;
 use crate::wanted::Wanted;
 
 /// One scene at one size, and a clock.
@@ -82,18 +83,18 @@ impl<'b> Bench<'b> {
     }
 
     /// Traces it once; none where that takes more seconds than `most`, or than are left of all.
-    pub fn trace(&self, options: &Options, most: f64) -> Result<Option<Frame>, Failure> {
+    pub fn trace(&self, options: &Options, most: f64) -> Result<Option<RenderOutput>, Failure> {
         self.traced(options, &options.wanted(self.size), most)
     }
 
     /// What each pixel costs, row by row; none where no time is left for it.
-    pub fn costs(&self, options: &Options) -> Result<Option<Vec<Cost>>, Failure> {
-        let sheet = Arc::new(Sheet::new(self.size));
-        let wanted = Wanted { sheet: Some(Arc::clone(&sheet)), ..options.wanted(self.size) };
-        Ok(self.traced(options, &wanted, f64::INFINITY)?.map(|_| sheet.costs()))
+    pub fn costs(&self, options: &Options) -> Result<Option<Vec<PixelCost>>, Failure> {
+        let cost_map = Arc::new(CostMap::new(self.size));
+        let wanted = Wanted { cost_map: Some(Arc::clone(&cost_map)), ..options.wanted(self.size) };
+        Ok(self.traced(options, &wanted, f64::INFINITY)?.map(|_| cost_map.costs()))
     }
 
-    fn traced(&self, options: &Options, wanted: &Wanted, most: f64) -> Result<Option<Frame>, Failure> {
+    fn traced(&self, options: &Options, wanted: &Wanted, most: f64) -> Result<Option<RenderOutput>, Failure> {
         self.meter.about(options);
         // Nothing lasts longer than the study may, whatever it is allowed to.
         let (most, left) = (most + self.build.get(), self.share(time::TRACED) - self.elapsed());
@@ -101,34 +102,29 @@ impl<'b> Bench<'b> {
         if most <= 0.0 {
             return Ok(None);
         }
-        let watch = Watch::silent(self.signals.clone());
+        let progress = TerminalProgress::silent(self.signals.clone());
         // What is longer than a clock can say has no end.
         let end = Duration::try_from_secs_f64(most).ok().and_then(|most| Instant::now().checked_add(most));
-        let watch = match end {
-            Some(end) => watch.until(end),
-            None => watch,
-        };
+        let progress = Deadline::new(&progress, end);
         let traced = if options.without.is_empty() {
-            frame::trace(self.scene, wanted, &watch)
+            session::render(self.scene, wanted, &progress)
         } else {
             let mut scene = self.scene.clone();
             leave_out(&mut scene, &options.without);
-            frame::trace(&scene, wanted, &watch)
+            session::render(&scene, wanted, &progress)
         };
         match traced {
-            Ok(frame) => Ok(Some(frame)),
-            Err(NoFrame::Stopped(Stop::Late)) => Ok(None),
-            Err(NoFrame::Stopped(stop)) => Err(Failure::Stopped(stop)),
-            Err(wrong) => {
-                Err(Failure::Input { path: self.path.to_owned(), line: None, reason: wrong.to_string() })
-            }
+            Ok(output) => Ok(Some(output)),
+            Err(RenderError::Interrupted(Interrupt::TimeLimit)) => Ok(None),
+            Err(RenderError::Interrupted(stop)) => Err(Failure::Stopped(stop)),
+            Err(error) => Err(Failure::input(self.path, error.to_string())),
         }
     }
 
     /// Traces it for the first time.
     pub fn take(&self, role: Role, options: &Options, most: f64) -> Result<Option<Taken>, Failure> {
         let Some(frame) = self.trace(options, most)? else { return Ok(None) };
-        let counts = frame.counters.as_ref().map(record).unwrap_or_default();
+        let counts = record(&frame.counters);
         let choice = &frame.accelerator.choice;
         let run = Run {
             role,
@@ -139,7 +135,7 @@ impl<'b> Bench<'b> {
             work: WEIGHTS.work(&counts, choice.kind.name()),
             counts,
             error: Errors::default(),
-            cut: frame.counters.as_ref().map(|counts| counts.cut()).unwrap_or_default(),
+            cut: frame.counters.cut(),
             digest: frame.picture.digest().to_hex().to_string(),
         };
         Ok(Some(Taken { options: options.clone(), run, picture: Some(frame.picture) }))

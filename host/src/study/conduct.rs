@@ -184,7 +184,7 @@ impl<'b> Conduct<'b> {
             // Half of the time for each; a first that takes longer than that is not waited for.
             let Some(one) = self.bench.trace(&of(1), 0.5 * left())? else { continue };
             let Some(other) = self.bench.trace(&of(2), left())? else { continue };
-            let cut = one.counters.as_ref().map(|counts| counts.cut()).unwrap_or_default();
+            let cut = one.counters.cut();
             let reference = Reference {
                 setting: of(1).record(&one.accelerator.choice),
                 // The mean of two has half of the variance of their difference, halved again.

@@ -11,8 +11,8 @@ use super::conduct::{Conduct, Truth};
 use super::front::{Point, cheapest_within, front};
 use super::record::{Image, Role, Shows};
 use crate::cost::{Counts, WEIGHTS};
+use crate::cost_map::PixelCost;
 use crate::failure::Failure;
-use crate::sheet::Cost;
 
 /// Errors for which the cheapest setting is recommended.
 pub const LIMITS: [f64; 5] = [0.05, 0.02, 0.01, 0.005, 0.002];
@@ -71,7 +71,7 @@ fn costs(conduct: &Conduct<'_>) -> Result<Vec<Image>, Failure> {
 }
 
 /// What was counted for a pixel.
-fn counts(cost: &Cost) -> Counts {
+fn counts(cost: &PixelCost) -> Counts {
     let wide = |of: [u32; 4]| of.map(u64::from);
     Counts {
         rays: wide(cost.rays),

@@ -39,8 +39,8 @@ use strahl_core::Size;
 use crate::args::StudyArgs;
 use crate::cost::WEIGHTS;
 use crate::description::{Description, Settings};
+use crate::engine::session::scene_stats;
 use crate::failure::Failure;
-use crate::frame::Facts;
 use crate::load::{Files, load_from};
 use crate::output::{Guard, Output, say, tell};
 use crate::plan::Effect;
@@ -145,8 +145,7 @@ fn study(
     let (load, date) = (machine::load(), machine::now());
     let facts = {
         let stock = Stock::new(scene);
-        let wrong = |reason: String| Failure::Input { path: path.to_owned(), line: None, reason };
-        Facts::of(scene, &stock.scene().map_err(|error| wrong(error.to_string()))?)
+        scene_stats(scene, &stock.scene().map_err(|error| Failure::input(path, error.to_string()))?)
     };
     let asks: Vec<Effect> = Effect::ALL.into_iter().filter(|effect| effect.is_in(&facts.asks)).collect();
 

@@ -6,11 +6,11 @@
 use std::path::Path;
 
 use strahl::description::Description;
-use strahl::frame::{self, Frame};
 use strahl::plan::{Effect, asked_by, leave_out, plan};
-use strahl::progress::Watch;
+use strahl::progress::NoProgress;
+use strahl::render_output::RenderOutput;
 use strahl::sampling::Sampling;
-use strahl::signals::Signals;
+use strahl::session;
 use strahl::stock::single::{Stock, view};
 use strahl::wanted::Wanted;
 use strahl_core::{
@@ -106,10 +106,10 @@ fn smallest(effect: Effect) -> [Seen; 2] {
     }
 }
 
-fn counted(description: &Description, seed: u32) -> (Frame, Counters) {
+fn counted(description: &Description, seed: u32) -> (RenderOutput, Counters) {
     let wanted = Wanted { seed, sampling: Sampling::Regular(2), ..Wanted::of(SIZE) };
-    let frame = frame::trace(description, &wanted, &Watch::silent(Signals::default())).unwrap();
-    let counts = frame.counters.unwrap();
+    let frame = session::render(description, &wanted, &NoProgress).unwrap();
+    let counts = frame.counters;
     (frame, counts)
 }
 

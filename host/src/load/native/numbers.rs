@@ -11,7 +11,7 @@ use toml::de::DeValue;
 
 use super::table::{Read, Reader, Value};
 use crate::faults::Fault;
-use crate::workers::LEVELS;
+use crate::wanted::LEVELS;
 
 /// The numbers that are allowed.
 #[derive(Clone, Copy, Debug)]

@@ -3,7 +3,7 @@
 //! Each pass makes a whole picture, the very one that a plain render of its settings makes, and
 //! goes on from what the passes before have traced: a pixel that a coarse raster has seen is not
 //! traced again by a finer one, and a pixel of many samples goes on where it stopped. What comes
-//! next, and when it is enough, is said by somebody else ([`Pace`]).
+//! next, and when it is enough, is decided by a [`Scheduler`].
 
 use std::sync::OnceLock;
 use std::sync::atomic::{AtomicU64, Ordering};
@@ -11,13 +11,14 @@ use std::time::Instant;
 
 use rayon::prelude::*;
 
+use super::ray_tracer::{RayTracer, RayTracerFactory};
 use super::samplers::{Any, Shared};
-use super::strahl::{Counters, Gathered, Kept, Pixel, Rgb, Sample, Sight, Size, Stochastic, Tile};
-use super::workers::{self, Eye, Eyes, Traced};
-use crate::pace::{Outlook, Pace, Pass, Took};
-use crate::progress::Watch;
+use super::strahl::{Counters, Gathered, Kept, Pixel, Rgb, Sample, Sight, Stochastic, Tile};
+use super::tiles::{self, Traced};
+use crate::interrupt::Interrupt;
+use crate::progress::{Deadline, Progress};
 use crate::sampling::Sampling;
-use crate::stop::Stop;
+use crate::scheduler::{Outlook, Pass, PassStats, Scheduler};
 use crate::wanted::Wanted;
 
 /// So many rays are sent before the clock is asked again.
@@ -25,19 +26,18 @@ const BETWEEN: u32 = 16;
 
 /// Traces passes until there is none to come, or the time is over; the last that was completed.
 pub fn trace(
-    eyes: &dyn Eyes,
+    ray_tracers: &dyn RayTracerFactory,
     wanted: &Wanted,
-    size: Size,
-    watch: &Watch,
-    pace: &mut dyn Pace,
-) -> Result<Traced<Rgb>, Stop> {
-    let whole = workers::whole(wanted, size);
+    progress: &dyn Progress,
+    scheduler: &mut dyn Scheduler,
+) -> Result<Traced<Rgb>, Interrupt> {
+    let whole = wanted.area();
     let known = Known { whole, sights: std::iter::repeat_with(OnceLock::new).take(whole.len()).collect() };
     let rays = AtomicU64::new(0);
-    let remembering = Remembering { eyes, known: Some(&known), rays: &rays };
-    let counting = Remembering { eyes, known: None, rays: &rays };
+    let remembering = Remembering { ray_tracers, known: Some(&known), rays: &rays };
+    let counting = Remembering { ray_tracers, known: None, rays: &rays };
     let mut grown: Option<Grown> = None;
-    let mut last = (Vec::new(), None);
+    let mut last = (Vec::new(), Counters::default());
     let pool = rayon::ThreadPoolBuilder::new().num_threads(wanted.cut.threads).build();
     loop {
         let outlook = Outlook {
@@ -45,37 +45,34 @@ pub fn trace(
             pixels: whole.len() as u64,
             needs: &|tolerance| grown.as_ref().map_or(0, |grown| grown.needs(tolerance)),
         };
-        let Some(pass) = pace.next(&outlook) else { break };
-        let watch = match pass.until {
-            Some(end) => watch.clone().until(end),
-            None => watch.clone(),
-        };
+        let Some(pass) = scheduler.next(&outlook) else { break };
+        let progress = &Deadline::new(progress, pass.until);
         let settings = Wanted { sampling: pass.sampling, selecting: pass.selecting, ..wanted.clone() };
         let clock = Instant::now();
         rays.store(0, Ordering::Relaxed);
         let traced = match (pass.sampling, stochastic(&settings)) {
-            (Sampling::Single, _) => workers::trace(&remembering, &settings, size, &watch),
+            (Sampling::Single, _) => tiles::trace(&remembering, &settings, progress),
             (_, Some(rule)) => {
                 let grown = grown.get_or_insert_with(|| Grown::new(whole, wanted.cut.tile, &pass));
-                let mut run = || grown.go_on(&counting, &settings, &rule, &watch);
+                let mut run = || grown.go_on(&counting, &settings, &rule, progress);
                 match &pool {
                     Ok(pool) => pool.install(run),
                     Err(_) => run(),
                 }
             }
             // Whatever else has nothing to go on from.
-            _ => workers::trace(&counting, &settings, size, &watch),
+            _ => tiles::trace(&counting, &settings, progress),
         };
         match traced {
             Ok((colors, counts)) => {
-                workers::add(&mut last.1, counts);
+                last.1.add(&counts);
                 last.0 = colors;
-                let took =
-                    Took { seconds: clock.elapsed().as_secs_f64(), rays: rays.load(Ordering::Relaxed) };
+                let stats =
+                    PassStats { seconds: clock.elapsed().as_secs_f64(), rays: rays.load(Ordering::Relaxed) };
                 let picture = last.0.iter().map(|c| narrow(*c)).collect();
-                pace.done(&pass, took, picture);
+                scheduler.done(&pass, stats, picture);
             }
-            Err(Stop::Late) if !last.0.is_empty() => break,
+            Err(Interrupt::TimeLimit) if !last.0.is_empty() => break,
             Err(stop) => return Err(stop),
         }
     }
@@ -115,37 +112,37 @@ impl Known {
 /// Counts the rays that it traces, and where something is known of the middles of pixels, traces
 /// none of these twice.
 struct Remembering<'e> {
-    eyes: &'e dyn Eyes,
+    ray_tracers: &'e dyn RayTracerFactory,
     known: Option<&'e Known>,
     rays: &'e AtomicU64,
 }
 
-impl Eyes for Remembering<'_> {
-    fn open<'e>(&'e self, watch: &'e Watch) -> Box<dyn Eye + 'e> {
-        Box::new(Minding { eye: self.eyes.open(watch), all: self, rays: 0 })
+impl RayTracerFactory for Remembering<'_> {
+    fn ray_tracer<'t>(&'t self, progress: &'t dyn Progress) -> Box<dyn RayTracer + 't> {
+        Box::new(Minding { ray_tracer: self.ray_tracers.ray_tracer(progress), all: self, rays: 0 })
     }
 }
 
 struct Minding<'m> {
-    eye: Box<dyn Eye + 'm>,
+    ray_tracer: Box<dyn RayTracer + 'm>,
     all: &'m Remembering<'m>,
     rays: u64,
 }
 
-impl Eye for Minding<'_> {
-    fn look(&mut self, sample: Sample) -> Sight {
+impl RayTracer for Minding<'_> {
+    fn trace(&mut self, sample: Sample) -> Sight {
         let Some(slot) = self.all.known.and_then(|known| known.slot(&sample)) else {
             self.rays += 1;
-            return self.eye.look(sample);
+            return self.ray_tracer.trace(sample);
         };
         *slot.get_or_init(|| {
             self.rays += 1;
-            self.eye.look(sample)
+            self.ray_tracer.trace(sample)
         })
     }
 
-    fn take(&mut self) -> Option<Counters> {
-        self.eye.take()
+    fn take_counters(&mut self) -> Counters {
+        self.ray_tracer.take_counters()
     }
 }
 
@@ -211,35 +208,34 @@ impl Grown {
     /// Goes on with every pixel that is wanted, until it fulfils the rule.
     fn go_on(
         &mut self,
-        eyes: &Remembering<'_>,
+        ray_tracers: &Remembering<'_>,
         wanted: &Wanted,
         rule: &Stochastic,
-        watch: &Watch,
-    ) -> Result<Traced<Rgb>, Stop> {
-        watch.begin(self.whole.len());
+        progress: &dyn Progress,
+    ) -> Result<Traced<Rgb>, Interrupt> {
+        progress.begin(self.whole.len());
         let work = |(tile, pixels): &mut (Tile, Vec<Gathered>)| {
-            let mut eye = eyes.open(watch);
+            let mut ray_tracer = ray_tracers.ray_tracer(progress);
             // A pixel may take many rays, and the time may be over before the last of them: what is
             // seen then does not matter any more, for the whole pass is given up.
             let (mut rays, mut is_over) = (0_u32, false);
             let mut look = |sample| {
                 rays = rays.wrapping_add(1);
-                is_over = is_over || rays % BETWEEN == 0 && watch.check().is_err();
-                if is_over { Sight::DARK } else { eye.look(sample) }
+                is_over = is_over || rays % BETWEEN == 0 && progress.check().is_err();
+                if is_over { Sight::DARK } else { ray_tracer.trace(sample) }
             };
             for (pixel, gathered) in tile.pixels().zip(pixels.iter_mut()) {
-                if workers::is_wanted(wanted, pixel) {
+                if tiles::is_wanted(wanted, pixel) {
                     rule.look_on(pixel, gathered, &mut look);
                 }
-                watch.check()?;
+                progress.check()?;
             }
-            watch.done(tile.len());
-            Ok(eye.take())
+            progress.done(tile.len());
+            Ok(ray_tracer.take_counters())
         };
-        let counted: Vec<Option<Counters>> =
-            self.tiles.par_iter_mut().map(work).collect::<Result<_, Stop>>()?;
-        let mut counts = None;
-        counted.into_iter().for_each(|counted| workers::add(&mut counts, counted));
+        let counted: Vec<Counters> = self.tiles.par_iter_mut().map(work).collect::<Result<_, Interrupt>>()?;
+        let mut counts = Counters::default();
+        counted.iter().for_each(|counted| counts.add(counted));
 
         self.doubts = self.doubts();
         let mut colors = vec![Rgb::BLACK; self.whole.len()];

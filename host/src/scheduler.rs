@@ -1,4 +1,4 @@
-//! What a picture that becomes better pass by pass is to do next.
+//! What comes next in a picture that becomes better pass by pass.
 
 use std::time::Instant;
 
@@ -29,18 +29,18 @@ pub struct Outlook<'o> {
 
 /// What a pass took.
 #[derive(Clone, Copy, Debug)]
-pub struct Took {
+pub struct PassStats {
     /// Seconds of the clock.
     pub seconds: f64,
     /// Rays through the picture.
     pub rays: u64,
 }
 
-/// Somebody who says what comes next.
-pub trait Pace {
+/// Decides what comes next.
+pub trait Scheduler {
     /// The next pass; none when it is enough.
     fn next(&mut self, outlook: &Outlook<'_>) -> Option<Pass>;
 
     /// A pass was completed, and this is its picture, row by row.
-    fn done(&mut self, pass: &Pass, took: Took, picture: Vec<Rgb>);
+    fn done(&mut self, pass: &Pass, stats: PassStats, picture: Vec<Rgb>);
 }

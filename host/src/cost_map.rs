@@ -18,7 +18,7 @@ const KINDS: usize = RayKind::ALL.len();
 
 /// What was counted for one pixel, by kind of ray.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub struct Cost {
+pub struct PixelCost {
     /// Rays.
     pub rays: [u32; KINDS],
     /// Tests of boxes.
@@ -33,7 +33,7 @@ pub struct Cost {
     pub level: u8,
 }
 
-impl Cost {
+impl PixelCost {
     fn fields(&self) -> [[u32; KINDS]; 5] {
         [self.rays, self.boxes, self.shapes, self.regions, self.skipped]
     }
@@ -70,22 +70,22 @@ struct Cell {
 
 /// A picture of costs, on which all threads write at once.
 #[derive(Debug)]
-pub struct Sheet {
+pub struct CostMap {
     size: Size,
     cells: Vec<Cell>,
     /// The cell of each pixel, where not every pixel has its own.
-    chosen: Option<Chosen>,
+    chosen: Option<ChosenPixels>,
 }
 
 /// The pixels of a picture to which something can be charged.
 #[derive(Clone, Debug)]
-pub struct Chosen {
+pub struct ChosenPixels {
     /// The cell of each pixel of the picture; that of the others is not there.
     cells: Arc<[u32]>,
     count: usize,
 }
 
-impl Chosen {
+impl ChosenPixels {
     /// Those of a mask.
     pub fn by(mask: &Mask) -> Self {
         let mut count = 0;
@@ -95,20 +95,20 @@ impl Chosen {
             cell
         };
         let cells = mask.pixels.iter().map(cell).collect();
-        Chosen { cells, count: count as usize }
+        ChosenPixels { cells, count: count as usize }
     }
 }
 
-impl Sheet {
+impl CostMap {
     /// Nothing is charged yet.
     pub fn new(size: Size) -> Self {
         let count = size.width() as usize * size.height() as usize;
-        Sheet { size, cells: cells(count), chosen: None }
+        CostMap { size, cells: cells(count), chosen: None }
     }
 
     /// The same for some pixels only; what the others cost is not written down.
-    pub fn only(size: Size, chosen: &Chosen) -> Self {
-        Sheet { size, cells: cells(chosen.count), chosen: Some(chosen.clone()) }
+    pub fn only(size: Size, chosen: &ChosenPixels) -> Self {
+        CostMap { size, cells: cells(chosen.count), chosen: Some(chosen.clone()) }
     }
 
     /// Width and height.
@@ -117,7 +117,7 @@ impl Sheet {
     }
 
     /// Charges the pixel at a place of the picture, or the nearest of its rim.
-    pub fn charge(&self, x: f64, y: f64, cost: &Cost) {
+    pub fn charge(&self, x: f64, y: f64, cost: &PixelCost) {
         // What is below zero or no number becomes zero.
         let pixel =
             Pixel { x: (x as u32).min(self.size.width() - 1), y: (y as u32).min(self.size.height() - 1) };
@@ -141,13 +141,13 @@ impl Sheet {
     }
 
     /// What was charged, row by row.
-    pub fn costs(&self) -> Vec<Cost> {
+    pub fn costs(&self) -> Vec<PixelCost> {
         let cost = |Cell { counts, level }: &Cell| {
             let of = |field: usize| {
                 std::array::from_fn(|kind| counts[field * KINDS + kind].load(Ordering::Relaxed))
             };
             let level = level.load(Ordering::Relaxed);
-            Cost { rays: of(0), boxes: of(1), shapes: of(2), regions: of(3), skipped: of(4), level }
+            PixelCost { rays: of(0), boxes: of(1), shapes: of(2), regions: of(3), skipped: of(4), level }
         };
         self.cells.iter().map(cost).collect()
     }
@@ -162,8 +162,7 @@ mod tests {
     use super::*;
     use crate::load::load;
     use crate::precision::Precision;
-    use crate::progress::Watch;
-    use crate::signals::Signals;
+    use crate::progress::NoProgress;
     use crate::wanted::Wanted;
     use std::path::Path;
 
@@ -178,20 +177,19 @@ mod tests {
             ("stochastic:3", Some("4:0.05"), Precision::Single),
             ("regular:2", None, Precision::Double),
         ] {
-            let sheet = Arc::new(Sheet::new(size));
+            let cost_map = Arc::new(CostMap::new(size));
             let wanted = Wanted {
                 sampling: sampler.parse().unwrap(),
                 selecting: select.map(|text: &str| text.parse().unwrap()),
                 precision,
-                sheet: Some(Arc::clone(&sheet)),
+                cost_map: Some(Arc::clone(&cost_map)),
                 ..Wanted::of(size)
             };
-            let watch = Watch::silent(Signals::default());
-            let frame = crate::frame::trace(&scene, &wanted, &watch).unwrap();
-            let counts = frame.counters.unwrap();
-            let costs = sheet.costs();
+            let frame = crate::session::render(&scene, &wanted, &NoProgress).unwrap();
+            let counts = frame.counters;
+            let costs = cost_map.costs();
             for kind in RayKind::ALL {
-                let sum = |of: fn(&Cost) -> [u32; KINDS]| {
+                let sum = |of: fn(&PixelCost) -> [u32; KINDS]| {
                     costs.iter().map(|cost| u64::from(of(cost)[kind as usize])).sum::<u64>()
                 };
                 let sums = [sum(|it| it.rays), sum(|it| it.boxes), sum(|it| it.shapes), sum(|it| it.regions)];
@@ -201,30 +199,31 @@ mod tests {
             }
             assert_eq!(costs.iter().map(|cost| cost.level).max(), Some(counts.deepest), "{sampler}");
             assert!(counts.deepest > 2);
-            let free = Wanted { sheet: None, ..wanted };
-            let plain = crate::frame::trace(&scene, &free, &watch).unwrap();
+            let free = Wanted { cost_map: None, ..wanted };
+            let plain = crate::session::render(&scene, &free, &NoProgress).unwrap();
             assert_eq!(plain.picture.digest(), frame.picture.digest(), "{sampler}");
         }
     }
 
     #[test]
     fn what_lies_beyond_the_rim_is_charged_to_the_rim() {
-        let sheet = Sheet::new(Size::new(3, 2).unwrap());
-        let one = Cost { rays: [1, 0, 0, 0], ..Cost::default() };
+        let cost_map = CostMap::new(Size::new(3, 2).unwrap());
+        let one = PixelCost { rays: [1, 0, 0, 0], ..PixelCost::default() };
         for (x, y) in [(-0.5, -3.0), (2.9, 1.9), (3.0, 2.0), (1.0, 0.0), (f64::NAN, 0.0)] {
-            sheet.charge(x, y, &one);
+            cost_map.charge(x, y, &one);
         }
-        assert_eq!(sheet.costs().iter().map(|cost| cost.rays[0]).collect::<Vec<_>>(), [2, 1, 0, 0, 0, 2]);
+        assert_eq!(cost_map.costs().iter().map(|cost| cost.rays[0]).collect::<Vec<_>>(), [2, 1, 0, 0, 0, 2]);
     }
 
     #[test]
     fn some_pixels_are_charged_as_they_are_among_all() {
         let size = Size::new(4, 3).unwrap();
         let pixels = (0..12).map(|place| place % 5 == 1).collect();
-        let [all, some] = [Sheet::new(size), Sheet::only(size, &Chosen::by(&Mask { size, pixels }))];
+        let [all, some] =
+            [CostMap::new(size), CostMap::only(size, &ChosenPixels::by(&Mask { size, pixels }))];
         for place in 0..24_u32 {
             let (x, y) = (f64::from(place % 4), f64::from(place / 4 % 3));
-            let cost = Cost { rays: [place, 0, 0, 1], level: place as u8, ..Cost::default() };
+            let cost = PixelCost { rays: [place, 0, 0, 1], level: place as u8, ..PixelCost::default() };
             all.charge(x, y, &cost);
             some.charge(x, y, &cost);
         }

@@ -7,51 +7,29 @@
 
 use rayon::prelude::*;
 
+use super::ray_tracer::{RayTracer, RayTracerFactory};
 use super::samplers::{Any, Shared, parting, selection};
 use super::strahl::{
-    Corner, Counters, Kept, Lattice, Met, Parting, Pixel, Record, Rgb, Sample, Sampler, Selected, Selection,
-    Sight, Sink, Size, Tile,
+    Corner, Counters, Kept, Lattice, Met, Parting, Pixel, Record, Rgb, Sampler, Selected, Selection, Sight,
+    Sink, Tile,
 };
-use crate::progress::Watch;
-use crate::stop::Stop;
+use crate::interrupt::Interrupt;
+use crate::progress::Progress;
 use crate::wanted::Wanted;
-pub use crate::wanted::{Cut, LEVELS, Sampling};
 
 /// The most places that a sampler keeps in one tile.
 const MOST_KEPT: usize = 1 << 14;
 
-/// A tracer with a worker of its own, whatever their types: it is asked once for each ray
-/// through the picture, so that all that is done with the answers is compiled once and not for
-/// each tracer.
-pub trait Eye {
-    /// What is seen there.
-    fn look(&mut self, sample: Sample) -> Sight;
+/// Records of pixels, row by row, and the work.
+pub type Traced<R> = (Vec<R>, Counters);
 
-    /// What the worker has counted since it was asked the last time, if it counts.
-    fn take(&mut self) -> Option<Counters>;
-}
-
-/// A tracer of which each tile gets an eye.
-pub trait Eyes: Sync {
-    /// One that remembers nothing yet. When `watch` says that the work is to stop, what it sees may
-    /// lack something.
-    fn open<'e>(&'e self, watch: &'e Watch) -> Box<dyn Eye + 'e>;
-}
-
-/// Colours, and the work where it was counted.
-pub type Traced<R> = (Vec<R>, Option<Counters>);
-
-/// Adds up what tiles have counted.
-pub fn add(sum: &mut Option<Counters>, other: Option<Counters>) {
-    match (sum, other) {
-        (Some(sum), Some(other)) => sum.add(&other),
-        (sum, other) => *sum = sum.take().or(other),
-    }
-}
-
-/// Traces the picture that is wanted, of which `size` is the whole.
-pub fn trace(eyes: &dyn Eyes, wanted: &Wanted, size: Size, watch: &Watch) -> Result<Traced<Rgb>, Stop> {
-    let work = Work { eyes, wanted, whole: whole(wanted, size), watch };
+/// Traces the picture that is wanted.
+pub fn trace(
+    ray_tracers: &dyn RayTracerFactory,
+    wanted: &Wanted,
+    progress: &dyn Progress,
+) -> Result<Traced<Rgb>, Interrupt> {
+    let work = Work { ray_tracers, wanted, whole: wanted.area(), progress };
     let pool = rayon::ThreadPoolBuilder::new().num_threads(wanted.cut.threads).build();
     // Without a pool of its own the work is done by the pool of the process.
     let run = || match selection(wanted) {
@@ -64,21 +42,13 @@ pub fn trace(eyes: &dyn Eyes, wanted: &Wanted, size: Size, watch: &Watch) -> Res
     }
 }
 
-/// The pixels of the picture that is made, of which `size` is the whole.
-pub fn whole(wanted: &Wanted, size: Size) -> Tile {
-    match wanted.region {
-        Some(region) => region.within(Tile::whole(size)),
-        None => Tile::whole(size),
-    }
-}
-
 /// What is done, and what is wanted.
 struct Work<'w> {
-    eyes: &'w dyn Eyes,
+    ray_tracers: &'w dyn RayTracerFactory,
     wanted: &'w Wanted,
     /// The pixels of the picture.
     whole: Tile,
-    watch: &'w Watch,
+    progress: &'w dyn Progress,
 }
 
 /// What pixels are traced for.
@@ -94,7 +64,7 @@ enum Rays<'c> {
 
 impl Work<'_> {
     /// Traces every pixel that is wanted.
-    fn all(&self) -> Result<Traced<Rgb>, Stop> {
+    fn all(&self) -> Result<Traced<Rgb>, Interrupt> {
         // All corners first, where all pixels are wanted, so that none is traced twice.
         let (lattice, mut counts): Traced<Sight> = match parting(self.wanted) {
             Some(parting) if self.wanted.mask.is_none() => {
@@ -104,12 +74,12 @@ impl Work<'_> {
         };
         let corners = Lattice::new(self.whole, &lattice).map_or(Shared::Loose, Shared::Lattice);
         let (colors, counted) = self.pixels(self.whole, Rays::Themselves(corners))?;
-        add(&mut counts, counted);
+        counts.add(&counted);
         Ok((colors, counts))
     }
 
     /// Traces some pixels, and guesses the others that are wanted.
-    fn selected(&self, selection: Selection) -> Result<Traced<Rgb>, Stop> {
+    fn selected(&self, selection: Selection) -> Result<Traced<Rgb>, Interrupt> {
         let blocks = selection.blocks(self.whole);
         let (raster, mut counts): Traced<Sight> = match self.wanted.mask {
             None => self.pixels(Lattice::tile(blocks), Rays::Raster(selection))?,
@@ -122,7 +92,7 @@ impl Work<'_> {
         let area = |blocks| selection.area(blocks).within(self.whole);
         let (colors, counted) = self.tiles(blocks, side, area, |blocks, canvas| {
             let (mut lent, mut kept) = (self.lend(area(blocks)), lend(area(blocks)));
-            let mut eye = self.eyes.open(self.watch);
+            let mut ray_tracer = self.ray_tracers.ray_tracer(self.progress);
             let sampler = Any::of(self.wanted, Shared::Loose, &mut lent);
             let mut selected = Selected::new(selection, sampler, corners, &mut kept);
             let is_wanted = |block: &Pixel| {
@@ -133,41 +103,41 @@ impl Work<'_> {
             selected.begin();
             for block in blocks {
                 let mut put = Ok(());
-                selected.block(block, &mut |sample| eye.look(sample), &mut |pixel, sight| {
+                selected.block(block, &mut |sample| ray_tracer.trace(sample), &mut |pixel, sight| {
                     if put.is_ok() {
                         put = canvas.put_sight(pixel, sight);
                     }
                 });
                 put?;
             }
-            Ok(eye.take())
+            Ok(ray_tracer.take_counters())
         })?;
-        add(&mut counts, counted);
+        counts.add(&counted);
         Ok((colors, counts))
     }
 
     /// Traces the pixels of `area` that are wanted.
-    fn pixels<R: Record + Send>(&self, area: Tile, rays: Rays<'_>) -> Result<Traced<R>, Stop> {
+    fn pixels<R: Record + Send>(&self, area: Tile, rays: Rays<'_>) -> Result<Traced<R>, Interrupt> {
         self.tiles(
             area,
             self.wanted.cut.tile,
             |tile| tile,
             |tile, canvas| {
                 let mut lent = self.lend(tile);
-                let mut eye = self.eyes.open(self.watch);
-                let (eye_of, all) = (eye.as_mut(), tile.pixels());
+                let mut ray_tracer = self.ray_tracers.ray_tracer(self.progress);
+                let (tracer, all) = (ray_tracer.as_mut(), tile.pixels());
                 match rays {
-                    Rays::Corners(parting) => draw(eye_of, &mut Corner(parting), all, canvas)?,
+                    Rays::Corners(parting) => draw(tracer, &mut Corner(parting), all, canvas)?,
                     Rays::Raster(selection) => {
                         let sampler = Any::of(self.wanted, Shared::Loose, &mut lent);
-                        draw(eye_of, &mut selection.raster(sampler), all, canvas)?;
+                        draw(tracer, &mut selection.raster(sampler), all, canvas)?;
                     }
                     Rays::Themselves(corners) => {
                         let mut sampler = Any::of(self.wanted, corners, &mut lent);
-                        draw(eye_of, &mut sampler, all.filter(|pixel| self.has(*pixel)), canvas)?;
+                        draw(tracer, &mut sampler, all.filter(|pixel| self.has(*pixel)), canvas)?;
                     }
                 }
-                Ok(eye.take())
+                Ok(ray_tracer.take_counters())
             },
         )
     }
@@ -179,25 +149,25 @@ impl Work<'_> {
         cells: Tile,
         side: u32,
         area: impl Fn(Tile) -> Tile + Sync,
-        work: impl Fn(Tile, &mut Canvas<'_, R>) -> Result<Option<Counters>, Stop> + Sync,
-    ) -> Result<Traced<R>, Stop> {
+        work: impl Fn(Tile, &mut Canvas<'_, R>) -> Result<Counters, Interrupt> + Sync,
+    ) -> Result<Traced<R>, Interrupt> {
         let whole = area(cells);
-        self.watch.begin(whole.len());
+        self.progress.begin(whole.len());
         let list: Vec<Tile> = cells.tiles(side).collect();
-        let traced: Vec<(Tile, Vec<R>, Option<Counters>)> = list
+        let traced: Vec<(Tile, Vec<R>, Counters)> = list
             .into_par_iter()
             .map(|cells| {
                 let tile = area(cells);
                 let mut records = vec![R::NONE; tile.len()];
-                let (wanted, watch) = (self.wanted, self.watch);
-                let counts = work(cells, &mut Canvas { tile, records: &mut records, wanted, watch })?;
-                self.watch.done(tile.len());
+                let (wanted, progress) = (self.wanted, self.progress);
+                let counts = work(cells, &mut Canvas { tile, records: &mut records, wanted, progress })?;
+                self.progress.done(tile.len());
                 Ok((tile, records, counts))
             })
-            .collect::<Result<_, Stop>>()?;
+            .collect::<Result<_, Interrupt>>()?;
 
         let mut picture = vec![R::NONE; whole.len()];
-        let mut counts = None;
+        let mut counts = Counters::default();
         for (tile, records, counted) in traced {
             // A tile of cells that lie beyond the picture's edge has no pixel.
             let rows = records.chunks(tile.width.max(1) as usize).zip(tile.first.y..);
@@ -206,7 +176,7 @@ impl Work<'_> {
                     picture[start..start + row.len()].copy_from_slice(row);
                 }
             }
-            add(&mut counts, counted);
+            counts.add(&counted);
         }
         Ok((picture, counts))
     }
@@ -224,14 +194,14 @@ impl Work<'_> {
 
 /// Puts what a sampler makes of each pixel onto the canvas.
 fn draw<R: Record>(
-    eye: &mut dyn Eye,
+    ray_tracer: &mut dyn RayTracer,
     sampler: &mut impl Sampler,
     pixels: impl Iterator<Item = Pixel>,
     canvas: &mut Canvas<'_, R>,
-) -> Result<(), Stop> {
+) -> Result<(), Interrupt> {
     sampler.begin();
     for pixel in pixels {
-        let sight = sampler.look(pixel, &mut |sample| eye.look(sample));
+        let sight = sampler.look(pixel, &mut |sample| ray_tracer.trace(sample));
         canvas.put_sight(pixel, sight)?;
     }
     Ok(())
@@ -252,22 +222,22 @@ struct Canvas<'m, R> {
     tile: Tile,
     records: &'m mut [R],
     wanted: &'m Wanted,
-    watch: &'m Watch,
+    progress: &'m dyn Progress,
 }
 
 impl<R: Record> Sink for Canvas<'_, R> {
-    type Error = Stop;
+    type Error = Interrupt;
 
-    fn put(&mut self, pixel: Pixel, color: Rgb) -> Result<(), Stop> {
+    fn put(&mut self, pixel: Pixel, color: Rgb) -> Result<(), Interrupt> {
         self.put_sight(pixel, Sight { color, met: Met::Nothing })
     }
 
-    fn put_sight(&mut self, pixel: Pixel, sight: Sight) -> Result<(), Stop> {
+    fn put_sight(&mut self, pixel: Pixel, sight: Sight) -> Result<(), Interrupt> {
         if let Some(place) = self.tile.place(pixel)
             && is_wanted(self.wanted, pixel)
         {
             self.records[place] = R::of(sight);
         }
-        self.watch.check()
+        self.progress.check()
     }
 }

@@ -1,51 +1,53 @@
-//! Values become types, once, around the whole render.
+//! The prepared effect sets: which ray tracer a scene gets.
 //!
-//! The tracer's loop is compiled for each combination of accelerator, effects and tally; the
-//! loop itself holds no mode. Of the prepared sets of effects the smallest that holds what the
-//! scene asks for is taken. (The accelerator's type is chosen before, in
-//! [`accelerators`](crate::accelerators).)
+//! The ray tracer's loop is compiled for each combination of accelerator, effects and tally; the loop itself holds no
+//! mode. Of the prepared effect sets the smallest is taken that contains what the scene asks for.
 //!
-//! Copies of the loop are a budget, for they make the program and its build large: the hierarchy
-//! and the list, one of which is taken where nobody asks for another, with fifteen sets and one that
-//! counts are 32, grid and octree with three and one 8, eight seldom ones 8, and the twin has 13.
-//! What a scene pays for what it does not use is in `tests/reports/effects.md`; a further set is worth its
-//! copies where that is much.
+//! Copies of the loop are a budget, for they make the program and its build large: hierarchy and list, one of which
+//! `auto` chooses, with fifteen sets and one that counts tests are 32, grid and octree with three and one 8, eight
+//! rarely used accelerators 8, and double precision has 13. What a scene pays for what it does not use is in
+//! `tests/reports/effects.md`; another set is worth its copies where that is much.
 
 use strahl_core::{Accelerator, EffectSet, Effects, Everything, LightKind, LightSet, ShapeSet, TextureSet};
 
-use crate::job::{Job, Traced};
-use crate::studio::NoFrame;
-pub use crate::wanted::Wanted;
+use crate::engine::request::{Chosen, Request};
 
-/// A use for a set of effects.
-pub trait Purpose {
-    /// What comes of it.
-    type Answer;
-
-    /// Uses it; `name` is for the reader.
-    fn with<E: Effects + Sync>(self, name: &'static str) -> Self::Answer;
-}
-
-/// The prepared sets, from the smallest on. The last holds everything.
-macro_rules! prepared {
+/// The prepared sets, from the smallest on, and the choice between them.
+macro_rules! prepared_sets {
     ($($(#[$doc:meta])* $name:ident = $set:expr;)*) => {
         $(
             $(#[$doc])*
-            struct $name;
+            pub struct $name;
 
             impl Effects for $name {
                 const SET: EffectSet = $set;
             }
         )*
 
-        /// Uses the first of the prepared sets that holds all that is asked for.
-        pub fn fitting<P: Purpose>(asks: &EffectSet, purpose: P) -> P::Answer {
+        /// The name of the first prepared set that contains all of `asks`.
+        pub fn prepared_for(asks: &EffectSet) -> &'static str {
             $(
                 if $name::SET.contains(asks) {
-                    return purpose.with::<$name>(stringify!($name));
+                    return stringify!($name);
                 }
             )*
-            purpose.with::<Everything>("Everything")
+            "Everything"
+        }
+
+        /// Ray tracers with all prepared sets to choose from.
+        ///
+        /// Every set counts the same, and a caller who counts tests does not hurry: one set does it.
+        pub fn usual<'w, A: Accelerator + Sync>(request: &Request<'w, '_, A>) -> Chosen<'w> {
+            let asks = request.asks();
+            if request.is_counted() {
+                return request.counting_tests::<Everything>();
+            }
+            $(
+                if $name::SET.contains(&asks) {
+                    return request.counting_rays::<$name>();
+                }
+            )*
+            request.counting_rays::<Everything>()
         }
     };
 }
@@ -53,7 +55,7 @@ macro_rules! prepared {
 /// Lights with a place but no extent, and those without a place.
 const LAMPS: LightSet = LightSet::of(&[LightKind::Point, LightKind::Directional, LightKind::Spot]);
 
-prepared! {
+prepared_sets! {
     /// Colours alone.
     Unlit = EffectSet { shapes: ShapeSet::ALL, textures: TextureSet::ALL, ..EffectSet::NONE };
     /// Matte things and mirrors in the light and shadow of the sun.
@@ -106,31 +108,21 @@ prepared! {
     Stained = EffectSet { absorption: true, colored_shadows: true, ..Clear::SET };
 }
 
-/// Traces the picture that is wanted, with one of all the prepared sets.
-///
-/// What is counted is the same in all loops, and who counts does not hurry: one loop does it.
-pub fn trace<A: Accelerator + Sync>(job: &Job<'_, '_, A>) -> Result<Traced, NoFrame> {
-    if job.is_counted() { job.counting_all::<Everything>() } else { fitting(&job.asks(), job) }
-}
-
-/// The same with few of them, by what is taken only where it is asked for.
-pub fn trace_as_asked<A: Accelerator + Sync>(job: &Job<'_, '_, A>) -> Result<Traced, NoFrame> {
-    let asks = job.asks();
-    if job.is_counted() {
-        job.counting_all::<Everything>()
+/// Ray tracers with few sets to choose from, for accelerators that are asked for by name.
+pub fn by_name<'w, A: Accelerator + Sync>(request: &Request<'w, '_, A>) -> Chosen<'w> {
+    let asks = request.asks();
+    if request.is_counted() {
+        request.counting_tests::<Everything>()
     } else if LampMirrors::SET.contains(&asks) {
-        job.counting_rays::<LampMirrors>()
+        request.counting_rays::<LampMirrors>()
     } else if Whitted::SET.contains(&asks) {
-        job.counting_rays::<Whitted>()
+        request.counting_rays::<Whitted>()
     } else {
-        job.counting_rays::<Everything>()
+        request.counting_rays::<Everything>()
     }
 }
 
-impl<A: Accelerator + Sync> Purpose for &Job<'_, '_, A> {
-    type Answer = Result<Traced, NoFrame>;
-
-    fn with<E: Effects + Sync>(self, _: &'static str) -> Self::Answer {
-        self.counting_rays::<E>()
-    }
+/// Ray tracers of one set, for accelerators whose sizes only comparisons use.
+pub fn rarely_used<'w, A: Accelerator + Sync>(request: &Request<'w, '_, A>) -> Chosen<'w> {
+    request.counting_tests::<Everything>()
 }

@@ -1,0 +1,169 @@
+//! Builds the accelerator that the settings ask for.
+//!
+//! This is the one module that knows every accelerator: the settings become a type here, and [`open`] returns it
+//! behind a pointer. For another accelerator: a name in [`finding`](crate::finding), and an arm in [`open`].
+//!
+//! Sizes that are constants of a type come from short lists ([`MAILBOXES`], [`HEAPS`]). The ray tracer is compiled for
+//! all prepared effect sets only for the accelerators that `auto` chooses, for few of them where an accelerator is
+//! asked for by name, and for one where its size is not the usual one (module [`effects`]).
+//!
+//! [`MAILBOXES`]: crate::finding::MAILBOXES
+//! [`HEAPS`]: crate::finding::HEAPS
+
+use std::time::Instant;
+
+use super::effects;
+use super::request::ChooseRayTracers;
+use super::session::{AnyWorld, OpenWorld};
+use super::strahl::{
+    Aabb, Accelerator, Ball, BuildError, BvhRoom, Grid, GridRoom, Grown, LastFirst, Leaves, List,
+    NearestFirst, Node, Octree, OctreeNode, OctreeRoom, Run, Scene, Slot, Waiting, World, groups_of,
+};
+use crate::finding::{Bounds, Choice, Facts, Finding, Kind, MAILBOX, STACK, Walk};
+
+/// The memory of an accelerator. The caller keeps it as long as the accelerator is used.
+#[derive(Debug, Default)]
+pub struct AccelMemory {
+    boxes: Vec<Aabb>,
+    groups: Vec<Aabb>,
+    spheres: Vec<Ball>,
+    sphere_groups: Vec<Ball>,
+    cells: Vec<u32>,
+    items: Vec<u32>,
+    octree_nodes: Vec<OctreeNode>,
+    nodes: Vec<Node>,
+    slots: Vec<Slot>,
+    runs: Vec<Run>,
+}
+
+/// A scene with an accelerator of some type, and what that accelerator is like.
+pub type Opened<'s> = (Box<dyn AnyWorld + 's>, Facts);
+
+/// Builds the accelerator that is asked for, or one that suits the scene.
+pub fn open<'s>(
+    scene: Scene<'s>,
+    finding: &Finding,
+    memory: &'s mut AccelMemory,
+) -> Result<Opened<'s>, BuildError> {
+    let clock = Instant::now();
+    memory.boxes = scene.parts().geometry.all_bounds().collect();
+    let choice = finding.choice(memory.boxes.iter().filter(|aabb| !aabb.is_empty()).count());
+    let building = Building { scene, choice, clock, memory };
+    match (choice.kind, choice.mailbox, choice.walk, choice.heap) {
+        (Kind::List, ..) => building.list(effects::usual),
+        (Kind::Grid, MAILBOX, ..) => building.grid::<MAILBOX>(effects::by_name),
+        (Kind::Grid, 8, ..) => building.grid::<8>(effects::rarely_used),
+        (Kind::Grid, ..) => building.grid::<0>(effects::rarely_used),
+        (Kind::Octree, MAILBOX, ..) => building.octree::<MAILBOX>(effects::by_name),
+        (Kind::Octree, 8, ..) => building.octree::<8>(effects::rarely_used),
+        (Kind::Octree, ..) => building.octree::<0>(effects::rarely_used),
+        (Kind::Bvh, _, Walk::Stack, _) => building.bvh::<LastFirst<STACK>>(effects::usual),
+        (Kind::Bvh, _, Walk::Heap, 64) => building.bvh::<NearestFirst<64>>(effects::rarely_used),
+        (Kind::Bvh, _, Walk::Heap, 4) => building.bvh::<NearestFirst<4>>(effects::rarely_used),
+        (Kind::Bvh, _, Walk::Heap, 1) => building.bvh::<NearestFirst<1>>(effects::rarely_used),
+        (Kind::Bvh, _, Walk::Heap, _) => building.bvh::<NearestFirst<0>>(effects::rarely_used),
+    }
+}
+
+/// What the accelerator that is asked for would be like.
+pub fn stats(scene: Scene<'_>, finding: &Finding) -> Result<Facts, BuildError> {
+    open(scene, finding, &mut AccelMemory::default()).map(|(_, facts)| facts)
+}
+
+/// What an accelerator is built of.
+struct Building<'s> {
+    scene: Scene<'s>,
+    choice: Choice,
+    clock: Instant,
+    memory: &'s mut AccelMemory,
+}
+
+/// How large an accelerator is.
+struct Extent {
+    bytes: usize,
+    regions: usize,
+    entries: usize,
+    depth: Option<u32>,
+}
+
+impl<'s> Building<'s> {
+    fn list(self, choose: ChooseRayTracers<List<'s>>) -> Result<Opened<'s>, BuildError> {
+        let Building { scene, choice, clock, memory } = self;
+        let entries = memory.boxes.len();
+        let (list, regions) = match choice.bounds {
+            Bounds::None => (List::bare(entries as u32), 1),
+            Bounds::Sphere => {
+                let regions = groups_of(entries);
+                memory.spheres = vec![Ball::EMPTY; entries];
+                memory.sphere_groups = vec![Ball::EMPTY; regions];
+                (List::balled(&memory.boxes, &mut memory.spheres, &mut memory.sphere_groups)?, regions)
+            }
+            Bounds::Box => {
+                let regions = groups_of(entries);
+                memory.groups = vec![Aabb::EMPTY; regions];
+                (List::boxed(&memory.boxes, &mut memory.groups)?, regions)
+            }
+        };
+        let extent = Extent { bytes: list.bytes(), regions, entries, depth: None };
+        Ok(opened(scene, list, choose, extent.facts(choice, clock)))
+    }
+
+    fn grid<const MAILBOX: usize>(
+        self,
+        choose: ChooseRayTracers<Grid<'s, MAILBOX>>,
+    ) -> Result<Opened<'s>, BuildError> {
+        let Building { scene, choice, clock, memory } = self;
+        let room = GridRoom::comfortable(&memory.boxes);
+        (memory.cells, memory.items) = (vec![0; room.cells], vec![0; room.items]);
+        let grid = Grid::build(&memory.boxes, &mut memory.cells, &mut memory.items)?;
+        let (bytes, regions, entries) = (grid.bytes(), grid.regions(), grid.entries());
+        let extent = Extent { bytes, regions, entries, depth: None };
+        Ok(opened(scene, grid, choose, extent.facts(choice, clock)))
+    }
+
+    fn octree<const MAILBOX: usize>(
+        self,
+        choose: ChooseRayTracers<Octree<'s, MAILBOX>>,
+    ) -> Result<Opened<'s>, BuildError> {
+        let Building { scene, choice, clock, memory } = self;
+        let room = OctreeRoom::comfortable(memory.boxes.len());
+        (memory.octree_nodes, memory.items) = (vec![OctreeNode::EMPTY; room.nodes], vec![0; room.items]);
+        let tree = Octree::build(&memory.boxes, &mut memory.octree_nodes, &mut memory.items)?;
+        let (bytes, regions, entries) = (tree.bytes(), tree.regions(), tree.entries());
+        let extent = Extent { bytes, regions, entries, depth: Some(u32::from(tree.depth())) };
+        Ok(opened(scene, tree, choose, extent.facts(choice, clock)))
+    }
+
+    fn bvh<W: Waiting + 's>(
+        self,
+        choose: ChooseRayTracers<super::strahl::Bvh<'s, W, Run>>,
+    ) -> Result<Opened<'s>, BuildError> {
+        let Building { scene, choice, clock, memory } = self;
+        let geometry = scene.parts().geometry;
+        let room = BvhRoom::comfortable(memory.boxes.len());
+        (memory.nodes, memory.slots) = (vec![Node::EMPTY; room.nodes], vec![Slot::EMPTY; room.items]);
+        let leaves = Leaves::Runs(&geometry);
+        let grown = Grown::build(&memory.boxes, leaves, &mut memory.nodes, &mut memory.slots)?;
+        memory.runs = vec![Run::EMPTY; grown.runs()];
+        let tree = grown.in_runs::<W>(&geometry, &mut memory.runs)?;
+        let (bytes, regions, entries) = (tree.bytes(), tree.regions(), tree.entries());
+        let extent = Extent { bytes, regions, entries, depth: Some(tree.depth()) };
+        Ok(opened(scene, tree, choose, extent.facts(choice, clock)))
+    }
+}
+
+impl Extent {
+    fn facts(self, choice: Choice, clock: Instant) -> Facts {
+        let Extent { bytes, regions, entries, depth } = self;
+        Facts { choice, bytes, regions, entries, depth, build: clock.elapsed() }
+    }
+}
+
+fn opened<'s, A: Accelerator + Sync + 's>(
+    scene: Scene<'s>,
+    accelerator: A,
+    choose: ChooseRayTracers<A>,
+    facts: Facts,
+) -> Opened<'s> {
+    (Box::new(OpenWorld { world: World::new(scene, accelerator), choose }), facts)
+}

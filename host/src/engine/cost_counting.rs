@@ -1,0 +1,51 @@
+//! Charges every camera ray, with all that comes of it, to its pixel.
+
+use super::ray_tracer::{RayTracer, RayTracerFactory};
+use super::strahl::{Counters, PerRayKind, RayKind, Sample, Sight};
+use crate::cost_map::{CostMap, PixelCost};
+use crate::progress::Progress;
+
+/// Ray tracers that charge what they count to the pixels of a cost map.
+pub struct CostCounting<'c> {
+    /// Those that do the work.
+    pub ray_tracers: &'c dyn RayTracerFactory,
+    /// Where the costs go.
+    pub cost_map: &'c CostMap,
+}
+
+impl RayTracerFactory for CostCounting<'_> {
+    fn ray_tracer<'t>(&'t self, progress: &'t dyn Progress) -> Box<dyn RayTracer + 't> {
+        let ray_tracer = self.ray_tracers.ray_tracer(progress);
+        Box::new(CostCountingRayTracer { ray_tracer, cost_map: self.cost_map, sum: Counters::default() })
+    }
+}
+
+struct CostCountingRayTracer<'c> {
+    ray_tracer: Box<dyn RayTracer + 'c>,
+    cost_map: &'c CostMap,
+    sum: Counters,
+}
+
+impl RayTracer for CostCountingRayTracer<'_> {
+    fn trace(&mut self, sample: Sample) -> Sight {
+        let sight = self.ray_tracer.trace(sample);
+        let counters = self.ray_tracer.take_counters();
+        let count = |counts: PerRayKind| RayKind::ALL.map(|kind| counts[kind] as u32);
+        let cost = PixelCost {
+            rays: count(counters.rays),
+            boxes: count(counters.boxes),
+            shapes: count(counters.shapes),
+            regions: count(counters.regions),
+            skipped: count(counters.skipped),
+            level: counters.deepest,
+        };
+        #[allow(clippy::useless_conversion)] // in double precision
+        self.cost_map.charge(sample.place.x.into(), sample.place.y.into(), &cost);
+        self.sum.add(&counters);
+        sight
+    }
+
+    fn take_counters(&mut self) -> Counters {
+        std::mem::take(&mut self.sum)
+    }
+}

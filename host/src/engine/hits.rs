@@ -1,0 +1,41 @@
+//! What single rays hit.
+//!
+//! Their numbers may be anything. What is no ray of this precision is a miss: a number that is not finite, a direction
+//! without length, an origin farther away than a scene may reach.
+
+use super::strahl::{Accelerator, Everything, FARTHEST, Ray, RayKind, Real, Vec3, World, vec3};
+use crate::ray_query::{RayHit, RayQuery};
+
+/// The nearest hit of a query.
+///
+/// The tracer's own directions have length one, and squares of what is much longer or shorter
+/// leave the range. So the direction is scaled to a largest component from 1 up to 2, by a power
+/// of two, which rounds nothing; `t` is scaled back, also without rounding.
+#[allow(clippy::useless_conversion, clippy::unnecessary_cast)] // in double precision
+pub fn nearest<A: Accelerator>(
+    world: &World<'_, A>,
+    query: &RayQuery,
+    scratch: &mut A::Scratch,
+) -> Option<RayHit> {
+    let RayQuery { origin, direction, t_max } = *query;
+    let is_near = |x: f64| x.abs() <= f64::from(FARTHEST);
+    let size = direction.into_iter().map(f64::abs).fold(0.0, |a, b| if a > b { a } else { b });
+    let is_ray = origin.into_iter().all(is_near) && direction.into_iter().all(f64::is_finite) && size > 0.0;
+    if !is_ray || t_max.is_nan() || t_max <= 0.0 {
+        return None;
+    }
+    let power = libm::ilogb(size);
+    let narrow = |[x, y, z]: [f64; 3]| vec3(x as Real, y as Real, z as Real);
+    let ray = Ray::new(narrow(origin), narrow(direction.map(|x| libm::scalbn(x, -power))));
+
+    // Rounded to a neighbour, perhaps a farther one; what is beyond is left out below.
+    let farthest = (libm::scalbn(t_max, power) as Real).next_up();
+    let hit = world.nearest::<Everything, _>(&ray, farthest, RayKind::Camera, scratch, &mut ())?;
+    let t = libm::scalbn(f64::from(hit.t), -power);
+    if !(t > 0.0 && t <= t_max && t.is_finite()) {
+        return None;
+    }
+    let surface = world.surface::<Everything>(&ray, hit)?;
+    let wide = |v: Vec3| [f64::from(v.x), f64::from(v.y), f64::from(v.z)];
+    Some(RayHit { t, object: hit.item.0, point: wide(surface.point), normal: wide(surface.normal) })
+}

@@ -1,0 +1,136 @@
+//! One ray tracer for each tile, whatever the types behind it.
+//!
+//! Samplers, tiles and threads ask a [`RayTracer`] once for each camera ray, so that all that is done with the answers
+//! is compiled once and not for every accelerator and effect set.
+
+use std::marker::PhantomData;
+
+use super::request::{Chosen, Request};
+use super::strahl::{
+    Accelerator, Counters, Effects, Event, Limits, RayCounters, Real, Sample, Sight, Step, Tally, Tracer,
+    Worker,
+};
+use crate::progress::Progress;
+use crate::wanted::LEVELS;
+
+/// A tracer with a worker of its own.
+pub trait RayTracer {
+    /// What is seen along one camera ray.
+    fn trace(&mut self, sample: Sample) -> Sight;
+
+    /// What has been counted since the last call.
+    fn take_counters(&mut self) -> Counters;
+}
+
+/// Makes a ray tracer for each tile.
+pub trait RayTracerFactory: Sync {
+    /// One that remembers nothing yet. Once `progress` stops the work, its answers may be incomplete.
+    fn ray_tracer<'t>(&'t self, progress: &'t dyn Progress) -> Box<dyn RayTracer + 't>;
+}
+
+/// A tracer whose workers report to a `T`.
+pub struct Tracing<'w, 's, A, E, T> {
+    tracer: Tracer<'w, 's, A, E, LEVELS>,
+    shadow_cache: bool,
+    tally: PhantomData<fn() -> T>,
+}
+
+impl<'w, 's, A, E, T> Tracing<'w, 's, A, E, T>
+where
+    A: Accelerator + Sync,
+    E: Effects + Sync + 'w,
+    T: CounterTally + 'w,
+{
+    /// The tracer for a request.
+    pub fn boxed(request: &Request<'w, 's, A>) -> Chosen<'w> {
+        let Request { world, camera, settings } = *request;
+        let limits = Limits { levels: settings.limits.levels, cutoff: Real::from(settings.limits.cutoff) };
+        let tracer = Tracer::new(world, camera, limits)?;
+        let shadow_cache = settings.shadow_cache;
+        Ok(Box::new(Tracing::<A, E, T> { tracer, shadow_cache, tally: PhantomData }))
+    }
+}
+
+impl<A: Accelerator + Sync, E: Effects + Sync, T: CounterTally> RayTracerFactory
+    for Tracing<'_, '_, A, E, T>
+{
+    fn ray_tracer<'t>(&'t self, progress: &'t dyn Progress) -> Box<dyn RayTracer + 't> {
+        let worker = Worker::new(Stoppable { tally: T::default(), progress, left: BETWEEN });
+        let worker = if self.shadow_cache { worker } else { worker.without_shadow_cache() };
+        Box::new(Working { tracer: &self.tracer, worker })
+    }
+}
+
+/// A tracer and its worker.
+struct Working<'t, 'w, 's, A: Accelerator, E, T> {
+    tracer: &'t Tracer<'w, 's, A, E, LEVELS>,
+    worker: Worker<A, Stoppable<'t, T>, LEVELS>,
+}
+
+impl<A: Accelerator, E: Effects, T: CounterTally> RayTracer for Working<'_, '_, '_, A, E, T> {
+    fn trace(&mut self, sample: Sample) -> Sight {
+        self.tracer.look(sample, &mut self.worker)
+    }
+
+    fn take_counters(&mut self) -> Counters {
+        self.worker.tally_mut().tally.take()
+    }
+}
+
+/// So many rays of one tree are traced before it is asked again whether to stop.
+const BETWEEN: u32 = 1 << 12;
+
+/// A tally that gives up a tree of rays when the work is to stop.
+struct Stoppable<'p, T> {
+    tally: T,
+    progress: &'p dyn Progress,
+    /// Rays until the next check.
+    left: u32,
+}
+
+impl<T: Tally> Tally for Stoppable<'_, T> {
+    const TESTS: bool = T::TESTS;
+
+    #[inline(always)]
+    fn count(&mut self, event: Event) {
+        self.tally.count(event);
+    }
+
+    #[inline(always)]
+    fn tell(&mut self, step: Step) {
+        self.tally.tell(step);
+    }
+
+    #[inline(always)]
+    fn gives_up(&mut self) -> bool {
+        match self.left.checked_sub(1) {
+            Some(left) => {
+                self.left = left;
+                false
+            }
+            None => {
+                let stops = self.progress.check().is_err();
+                self.left = if stops { 0 } else { BETWEEN };
+                stops
+            }
+        }
+    }
+}
+
+/// A tally that counts.
+pub trait CounterTally: Tally + Default {
+    /// What has been counted since the last call.
+    fn take(&mut self) -> Counters;
+}
+
+impl CounterTally for RayCounters {
+    fn take(&mut self) -> Counters {
+        std::mem::take(self).counters
+    }
+}
+
+impl CounterTally for Counters {
+    fn take(&mut self) -> Counters {
+        std::mem::take(self)
+    }
+}

@@ -1,0 +1,93 @@
+//! What comes of rendering, or why nothing does.
+
+use std::error::Error;
+use std::fmt;
+use std::time::Duration;
+
+use strahl_core::{Counters, EffectSet, Rgb};
+
+use crate::finding;
+use crate::interrupt::Interrupt;
+use crate::precision::Precision;
+use strahl_picture::Picture;
+
+/// What an engine has rendered.
+#[derive(Debug)]
+pub struct Rendered {
+    /// Linear colours, row by row.
+    pub colors: Vec<Rgb>,
+    /// The work.
+    pub counters: Counters,
+    /// Wall-clock time.
+    pub trace: Duration,
+    /// Processor time, the sum over all threads.
+    pub trace_cpu: Duration,
+}
+
+/// A picture, and what it took.
+#[derive(Debug)]
+pub struct RenderOutput {
+    /// The picture.
+    pub picture: Picture,
+    /// The work; that of tests where it was to be counted.
+    pub counters: Counters,
+    /// What was computed with.
+    pub precision: Precision,
+    /// What is in the scene.
+    pub scene: SceneStats,
+    /// The accelerator.
+    pub accelerator: finding::Facts,
+    /// Wall-clock time of making the tables and the accelerator.
+    pub build: Duration,
+    /// Wall-clock time of tracing.
+    pub trace: Duration,
+    /// Processor time of tracing, the sum over all threads.
+    pub trace_cpu: Duration,
+}
+
+/// What is in a scene.
+#[derive(Clone, Copy, Debug)]
+pub struct SceneStats {
+    /// All items.
+    pub objects: usize,
+    /// Those that are triangles.
+    pub triangles: usize,
+    /// All lights.
+    pub lights: usize,
+    /// The effects that it asks for.
+    pub asks: EffectSet,
+}
+
+/// Why there is no picture.
+#[derive(Debug)]
+#[non_exhaustive]
+pub enum RenderError {
+    /// The scene, or what is requested of it, is refused by the core.
+    Invalid(Box<dyn Error + Send + Sync>),
+    /// The work was stopped before it was done.
+    Interrupted(Interrupt),
+}
+
+impl RenderError {
+    /// Because of an error of one of the cores.
+    pub(crate) fn invalid(error: impl Into<Box<dyn Error + Send + Sync>>) -> Self {
+        RenderError::Invalid(error.into())
+    }
+}
+
+impl From<Interrupt> for RenderError {
+    fn from(interrupt: Interrupt) -> Self {
+        RenderError::Interrupted(interrupt)
+    }
+}
+
+impl fmt::Display for RenderError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            RenderError::Invalid(error) => error.fmt(f),
+            RenderError::Interrupted(interrupt) => interrupt.fmt(f),
+        }
+    }
+}
+
+impl Error for RenderError {}
