@@ -11,6 +11,9 @@ use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use strahl_core::{Counters, RayKind};
 
+use crate::cost_map::{CostMap, PixelCost};
+use crate::finding::Kind;
+
 /// What was counted; the lists are by kind of ray: camera, reflected, transmitted, shadow.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
@@ -115,6 +118,22 @@ impl Weights {
                 + steps.boxes * count(&counts.boxes)
                 + steps.region * count(&counts.regions)
         })
+    }
+
+    /// About how many instructions the pixels of a cost map take on a workstation, by an accelerator of this kind.
+    pub fn work_of_map(&self, costs: &CostMap, kind: Kind) -> f64 {
+        costs.costs().iter().map(|cost| self.work_of_pixel(cost, kind)).sum()
+    }
+
+    /// The same for one pixel.
+    pub fn work_of_pixel(&self, cost: &PixelCost, kind: Kind) -> f64 {
+        let [rays, boxes, shapes, regions, skipped] =
+            [cost.rays, cost.boxes, cost.shapes, cost.regions, cost.skipped]
+                .map(|by_kind| by_kind.map(u64::from));
+        self.work(
+            &Counts { rays, boxes, shapes, regions, skipped, cache_asked: 0, cache_hits: 0 },
+            kind.name(),
+        )
     }
 
     /// Instructions in all.

@@ -10,8 +10,6 @@ use std::sync::atomic::{AtomicU8, AtomicU32, Ordering};
 
 use strahl_core::{Pixel, RayKind, Size, Tile};
 
-use crate::cost::{Counts, WEIGHTS};
-use crate::finding::Kind;
 use crate::mask::Mask;
 
 const KINDS: usize = RayKind::ALL.len();
@@ -46,13 +44,6 @@ impl PixelCost {
     /// Tests of boxes and shapes by rays of all kinds.
     pub fn tests(&self) -> u64 {
         sum(self.boxes) + sum(self.shapes)
-    }
-
-    /// About how many instructions that takes on a workstation, by an accelerator of this kind.
-    pub fn work(&self, kind: Kind) -> f64 {
-        let [rays, boxes, shapes, regions, skipped] = self.fields().map(|by_kind| by_kind.map(u64::from));
-        let counts = Counts { rays, boxes, shapes, regions, skipped, cache_asked: 0, cache_hits: 0 };
-        WEIGHTS.work(&counts, kind.name())
     }
 }
 
@@ -133,11 +124,6 @@ impl CostMap {
             }
         }
         cell.level.fetch_max(cost.level, Ordering::Relaxed);
-    }
-
-    /// What was charged in all, as work of an accelerator of this kind.
-    pub fn work(&self, kind: Kind) -> f64 {
-        self.costs().iter().map(|cost| cost.work(kind)).sum()
     }
 
     /// What was charged, row by row.

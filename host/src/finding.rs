@@ -27,7 +27,6 @@
 //! | bvh, heap | 0.29 | 0.78 | 0.34 | 0.84 | 0.20 | 0.05 | 0.13 |
 
 use std::fmt;
-use std::time::Duration;
 
 use clap::ValueEnum;
 
@@ -286,29 +285,5 @@ impl fmt::Display for Choice {
                 Walk::Stack => write!(f, "{kind} with a stack"),
             },
         }
-    }
-}
-
-/// What an accelerator is like.
-#[derive(Clone, Copy, Debug)]
-pub struct Facts {
-    /// Which it is.
-    pub choice: Choice,
-    /// The memory it uses.
-    pub bytes: usize,
-    /// Its regions: groups, cells, leaves with items.
-    pub regions: usize,
-    /// The items of all regions, each counted in each.
-    pub entries: usize,
-    /// Steps from the root to the deepest region.
-    pub depth: Option<u32>,
-    /// How long it took to build, with the boxes round all items.
-    pub build: Duration,
-}
-
-impl Facts {
-    /// How many items a region has, in the mean.
-    pub fn items_per_region(&self) -> f64 {
-        if self.regions == 0 { 0.0 } else { self.entries as f64 / self.regions as f64 }
     }
 }

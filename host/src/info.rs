@@ -13,10 +13,11 @@ use crate::args::InfoArgs;
 use crate::description::Description;
 use crate::engine::accelerators;
 use crate::failure::Failure;
-use crate::finding::{Choice, Facts, Finding, Kind};
+use crate::finding::{Choice, Finding, Kind};
 use crate::load::load;
 use crate::output::{Output, say};
 use crate::plan::{Effect, Step, asked_by, plan};
+use crate::render_output::AccelStats;
 use crate::stock::single::Stock;
 use crate::wrap::{width_of_stdout, wrapped};
 
@@ -83,7 +84,7 @@ struct AcceleratorFacts {
 }
 
 impl AcceleratorFacts {
-    fn of(facts: &Facts) -> Self {
+    fn of(facts: &AccelStats) -> Self {
         AcceleratorFacts {
             kind: facts.choice.kind.name(),
             bytes: facts.bytes,

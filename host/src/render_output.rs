@@ -6,7 +6,7 @@ use std::time::Duration;
 
 use strahl_core::{Counters, EffectSet, Rgb};
 
-use crate::finding;
+use crate::finding::Choice;
 use crate::interrupt::Interrupt;
 use crate::precision::Precision;
 use strahl_picture::Picture;
@@ -36,7 +36,7 @@ pub struct RenderOutput {
     /// What is in the scene.
     pub scene: SceneStats,
     /// The accelerator.
-    pub accelerator: finding::Facts,
+    pub accelerator: AccelStats,
     /// Wall-clock time of making the tables and the accelerator.
     pub build: Duration,
     /// Wall-clock time of tracing.
@@ -56,6 +56,30 @@ pub struct SceneStats {
     pub lights: usize,
     /// The effects that it asks for.
     pub asks: EffectSet,
+}
+
+/// What an accelerator is like.
+#[derive(Clone, Copy, Debug)]
+pub struct AccelStats {
+    /// Which it is.
+    pub choice: Choice,
+    /// The memory it uses.
+    pub bytes: usize,
+    /// Its regions: groups, cells, leaves with items.
+    pub regions: usize,
+    /// The items of all regions, each counted in each.
+    pub entries: usize,
+    /// Steps from the root to the deepest region.
+    pub depth: Option<u32>,
+    /// How long it took to build, with the boxes round all items.
+    pub build: Duration,
+}
+
+impl AccelStats {
+    /// How many items a region has, in the mean.
+    pub fn items_per_region(&self) -> f64 {
+        if self.regions == 0 { 0.0 } else { self.entries as f64 / self.regions as f64 }
+    }
 }
 
 /// Why there is no picture.

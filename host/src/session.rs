@@ -3,11 +3,11 @@
 use std::time::{Duration, Instant};
 
 use crate::description::Description;
-use crate::finding::{Facts, Finding};
+use crate::finding::Finding;
 use crate::precision::Precision;
 use crate::progress::Progress;
 use crate::ray_query::RayCaster;
-use crate::render_output::{RenderError, RenderOutput, Rendered, SceneStats};
+use crate::render_output::{AccelStats, RenderError, RenderOutput, Rendered, SceneStats};
 use crate::scheduler::Scheduler;
 use crate::wanted::Wanted;
 use crate::{double, engine, stock};
@@ -19,7 +19,7 @@ pub trait Engine: Sync {
     fn scene(&self) -> &SceneStats;
 
     /// The accelerator.
-    fn accelerator(&self) -> &Facts;
+    fn accelerator(&self) -> &AccelStats;
 
     /// Renders a picture.
     fn render(&self, settings: &Wanted, progress: &dyn Progress) -> Result<Rendered, RenderError>;
@@ -100,7 +100,7 @@ impl<'s> Session<'s> {
     }
 
     /// The accelerator.
-    pub fn accelerator(&self) -> &Facts {
+    pub fn accelerator(&self) -> &AccelStats {
         self.engine.accelerator()
     }
 

@@ -23,6 +23,7 @@ use strahl::aim::notches::{Notch, limits_of_truth};
 use strahl::aim::plan::{Rays, SAVES, rays};
 use strahl::aim::sparse::rmse;
 use strahl::aim::truth::truth;
+use strahl::cost::WEIGHTS;
 use strahl::cost_map::CostMap;
 use strahl::description::Description;
 use strahl::load::load;
@@ -202,7 +203,7 @@ impl Whole<'_> {
         let cost_map = Arc::new(CostMap::new(wanted.size));
         let wanted = Wanted { cost_map: Some(Arc::clone(&cost_map)), ..wanted.clone() };
         let output = self.session.render(&wanted, &NoProgress)?;
-        let price = cost_map.work(output.accelerator.choice.kind);
+        let price = WEIGHTS.work_of_map(&cost_map, output.accelerator.choice.kind);
         let error = rmse(&output.picture.colors, self.reference);
         Ok((price, error))
     }

@@ -18,6 +18,7 @@ use super::plan::{Rays, SAVES, rays};
 use super::sparse::{Estimate, Sparse, rmse};
 use super::truth::truth;
 use super::{Aimed, Target};
+use crate::cost::WEIGHTS;
 use crate::description::Description;
 use crate::progress::Progress;
 use crate::render_output::{RenderError, RenderOutput};
@@ -166,7 +167,7 @@ impl<'s> Search<'s> {
         let cost_map = self.sparse.cost_map();
         let wanted = Wanted { cost_map: Some(Arc::clone(&cost_map)), ..setting.of(&self.wanted) };
         let drawn = self.session.render(&wanted, self.progress)?;
-        let price = cost_map.work(drawn.accelerator.choice.kind);
+        let price = WEIGHTS.work_of_map(&cost_map, drawn.accelerator.choice.kind);
         Ok((drawn, price))
     }
 

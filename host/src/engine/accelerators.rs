@@ -19,7 +19,8 @@ use super::strahl::{
     Aabb, Accelerator, Ball, BuildError, BvhRoom, Grid, GridRoom, Grown, LastFirst, Leaves, List,
     NearestFirst, Node, Octree, OctreeNode, OctreeRoom, Run, Scene, Slot, Waiting, World, groups_of,
 };
-use crate::finding::{Bounds, Choice, Facts, Finding, Kind, MAILBOX, STACK, Walk};
+use crate::finding::{Bounds, Choice, Finding, Kind, MAILBOX, STACK, Walk};
+use crate::render_output::AccelStats;
 
 /// The memory of an accelerator. The caller keeps it as long as the accelerator is used.
 #[derive(Debug, Default)]
@@ -37,7 +38,7 @@ pub struct AccelMemory {
 }
 
 /// A scene with an accelerator of some type, and what that accelerator is like.
-pub type Opened<'s> = (Box<dyn AnyWorld + 's>, Facts);
+pub type Opened<'s> = (Box<dyn AnyWorld + 's>, AccelStats);
 
 /// Builds the accelerator that is asked for, or one that suits the scene.
 pub fn open<'s>(
@@ -66,8 +67,8 @@ pub fn open<'s>(
 }
 
 /// What the accelerator that is asked for would be like.
-pub fn stats(scene: Scene<'_>, finding: &Finding) -> Result<Facts, BuildError> {
-    open(scene, finding, &mut AccelMemory::default()).map(|(_, facts)| facts)
+pub fn stats(scene: Scene<'_>, finding: &Finding) -> Result<AccelStats, BuildError> {
+    open(scene, finding, &mut AccelMemory::default()).map(|(_, stats)| stats)
 }
 
 /// What an accelerator is built of.
@@ -105,7 +106,7 @@ impl<'s> Building<'s> {
             }
         };
         let extent = Extent { bytes: list.bytes(), regions, entries, depth: None };
-        Ok(opened(scene, list, choose, extent.facts(choice, clock)))
+        Ok(opened(scene, list, choose, extent.stats(choice, clock)))
     }
 
     fn grid<const MAILBOX: usize>(
@@ -118,7 +119,7 @@ impl<'s> Building<'s> {
         let grid = Grid::build(&memory.boxes, &mut memory.cells, &mut memory.items)?;
         let (bytes, regions, entries) = (grid.bytes(), grid.regions(), grid.entries());
         let extent = Extent { bytes, regions, entries, depth: None };
-        Ok(opened(scene, grid, choose, extent.facts(choice, clock)))
+        Ok(opened(scene, grid, choose, extent.stats(choice, clock)))
     }
 
     fn octree<const MAILBOX: usize>(
@@ -131,7 +132,7 @@ impl<'s> Building<'s> {
         let tree = Octree::build(&memory.boxes, &mut memory.octree_nodes, &mut memory.items)?;
         let (bytes, regions, entries) = (tree.bytes(), tree.regions(), tree.entries());
         let extent = Extent { bytes, regions, entries, depth: Some(u32::from(tree.depth())) };
-        Ok(opened(scene, tree, choose, extent.facts(choice, clock)))
+        Ok(opened(scene, tree, choose, extent.stats(choice, clock)))
     }
 
     fn bvh<W: Waiting + 's>(
@@ -148,14 +149,14 @@ impl<'s> Building<'s> {
         let tree = grown.in_runs::<W>(&geometry, &mut memory.runs)?;
         let (bytes, regions, entries) = (tree.bytes(), tree.regions(), tree.entries());
         let extent = Extent { bytes, regions, entries, depth: Some(tree.depth()) };
-        Ok(opened(scene, tree, choose, extent.facts(choice, clock)))
+        Ok(opened(scene, tree, choose, extent.stats(choice, clock)))
     }
 }
 
 impl Extent {
-    fn facts(self, choice: Choice, clock: Instant) -> Facts {
+    fn stats(self, choice: Choice, clock: Instant) -> AccelStats {
         let Extent { bytes, regions, entries, depth } = self;
-        Facts { choice, bytes, regions, entries, depth, build: clock.elapsed() }
+        AccelStats { choice, bytes, regions, entries, depth, build: clock.elapsed() }
     }
 }
 
@@ -163,7 +164,7 @@ fn opened<'s, A: Accelerator + Sync + 's>(
     scene: Scene<'s>,
     accelerator: A,
     choose: ChooseRayTracers<A>,
-    facts: Facts,
+    stats: AccelStats,
 ) -> Opened<'s> {
-    (Box::new(OpenWorld { world: World::new(scene, accelerator), choose }), facts)
+    (Box::new(OpenWorld { world: World::new(scene, accelerator), choose }), stats)
 }

@@ -12,11 +12,11 @@ use super::strahl::{Accelerator, Camera, EffectSet, Rgb, Scene, Shape, View, Wor
 use super::tables::{Stock, view};
 use super::tiles::{self, Traced};
 use crate::description::Description;
-use crate::finding::{Facts, Finding};
+use crate::finding::Finding;
 use crate::interrupt::Interrupt;
 use crate::progress::Progress;
 use crate::ray_query::RayCaster;
-use crate::render_output::{RenderError, Rendered, SceneStats};
+use crate::render_output::{AccelStats, RenderError, Rendered, SceneStats};
 use crate::scheduler::Scheduler;
 use crate::session::Engine;
 use crate::wanted::Wanted;
@@ -26,7 +26,7 @@ pub struct Session<'s> {
     world: Box<dyn AnyWorld + 's>,
     view: View,
     scene: SceneStats,
-    accelerator: Facts,
+    accelerator: AccelStats,
 }
 
 impl<'s> Session<'s> {
@@ -70,7 +70,7 @@ impl Engine for Session<'_> {
         &self.scene
     }
 
-    fn accelerator(&self) -> &Facts {
+    fn accelerator(&self) -> &AccelStats {
         &self.accelerator
     }
 
