@@ -22,7 +22,6 @@ use strahl_picture::format::EXR_ENCODING;
 use strahl_picture::{Picture, srgb};
 
 use crate::cost_map::{self, CostMap, PixelCost};
-use crate::stats::ray_name;
 
 /// How wide a panel is at least: the pixels of small pictures become squares.
 const LEAST_WIDTH: u32 = 280;
@@ -185,7 +184,7 @@ pub fn exr(costs: &Costs) -> Result<Vec<u8>, exr::error::Error> {
         channel("levels", &|cost| cost.level.into()),
     ];
     for kind in RayKind::ALL {
-        channels.push(channel(&format!("rays.{}", ray_name(kind)), &|cost| cost.rays[kind as usize].into()));
+        channels.push(channel(&format!("rays.{}", kind.name()), &|cost| cost.rays[kind as usize].into()));
     }
     let size = (costs.area.width as usize, costs.area.height as usize);
     let channels = AnyChannels::sort(channels.into_iter().collect());

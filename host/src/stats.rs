@@ -136,16 +136,6 @@ pub struct Seconds {
     pub write: f64,
 }
 
-/// What a kind of ray is called.
-pub(crate) fn ray_name(kind: RayKind) -> &'static str {
-    match kind {
-        RayKind::Camera => "camera",
-        RayKind::Reflected => "reflected",
-        RayKind::Transmitted => "transmitted",
-        RayKind::Shadow => "shadow",
-    }
-}
-
 /// A step of the plan, reason by reason.
 fn steps(step: &plan::Step) -> impl Iterator<Item = Step> + '_ {
     step.reasons.iter().map(|reason| Step {
@@ -189,7 +179,7 @@ impl Stats {
                 boxes: counters.boxes.sum(),
                 shapes: counters.shapes.sum(),
                 by_shape: tested.into_iter().filter(|(_, count)| *count > 0).collect(),
-                by_ray: RayKind::ALL.map(|kind| (ray_name(kind), by_ray(kind))).into(),
+                by_ray: RayKind::ALL.map(|kind| (kind.name(), by_ray(kind))).into(),
             },
             levels: Levels { deepest: counters.deepest },
             accelerator: AcceleratorStats {

@@ -17,6 +17,16 @@ impl RayKind {
     /// Every kind.
     pub const ALL: [RayKind; 4] =
         [RayKind::Camera, RayKind::Reflected, RayKind::Transmitted, RayKind::Shadow];
+
+    /// Its name in reports.
+    pub const fn name(self) -> &'static str {
+        match self {
+            RayKind::Camera => "camera",
+            RayKind::Reflected => "reflected",
+            RayKind::Transmitted => "transmitted",
+            RayKind::Shadow => "shadow",
+        }
+    }
 }
 
 /// Whether a ray is sent.

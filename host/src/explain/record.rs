@@ -4,7 +4,6 @@ use strahl_core::{Event, Fate, ItemId, Lit, RayKind, Real, Rgb, Step, Tally, Vec
 
 use super::names::Names;
 use super::tree::{Blocker, Hit, Light, Passage, Ray, Sent, Triple, triple, xyz};
-use crate::stats::ray_name;
 
 /// The most rays of one sample that are told, and can be waited for.
 pub const MOST_RAYS: usize = 1 << 18;
@@ -116,7 +115,7 @@ impl Tally for Record<'_> {
     fn tell(&mut self, step: Step) {
         match step {
             Step::Follows { kind, level, origin, direction, weight } => self.follows(Ray {
-                kind: ray_name(kind),
+                kind: kind.name(),
                 level,
                 origin: xyz(origin),
                 direction: xyz(direction),
@@ -176,8 +175,7 @@ impl Record<'_> {
             Fate::TooLittle => Some("cutoff"),
             Fate::TooDeep => Some("levels"),
         };
-        let sent =
-            Sent { kind: ray_name(kind), share: triple(share), weight: triple(weight), ray: None, cut };
+        let sent = Sent { kind: kind.name(), share: triple(share), weight: triple(weight), ray: None, cut };
         let sender = self.rays.len().saturating_sub(1);
         let place = self.rays.last().map_or(0, |ray| ray.sends.len());
         if cut.is_none() {

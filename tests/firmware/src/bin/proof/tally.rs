@@ -6,6 +6,7 @@ use crate::any::{any, used};
 
 pub fn doors() {
     RayKind::ALL.into_iter().for_each(used);
+    used(any(RayKind::Camera).name());
     ().count(any(Event::MediaFull));
     ().tell(any(Step::ThrownBack));
     used((any(Fate::Sent), any(Lit::Dark)));
