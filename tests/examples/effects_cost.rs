@@ -149,8 +149,7 @@ fn prepared(name: &str) -> Result<Way, Box<dyn Error>> {
         };
     }
     ways! {
-        Unlit Matte SoftShadows Mirrors SmoothMirrors Moving Clear Soft LampMirrors LampClear LampSoft Glass Whitted
-        Stained
+        Unlit Opaque Clear Distributed Whitted Stained
     }
 }
 
