@@ -1,6 +1,6 @@
 //! Validation of a geometry: ranges of all numbers, and references between its tables.
 
-use super::{Geometry, ItemId, Shape, ShapeFault, of};
+use super::{Geometry, ItemId, Shape, ShapeFault, get};
 use crate::math::{is_in_range, is_unit};
 
 impl Geometry<'_> {
@@ -46,23 +46,23 @@ impl Geometry<'_> {
                 Some(_) => Ok(()),
                 None => Err(missing),
             },
-            Shape::SmoothTriangle(indices) => match (self.corners(indices), self.corner_normals(indices)) {
+            Shape::SmoothTriangle(indices) => match (self.corners(indices), self.vertex_normals(indices)) {
                 (Some(_), Some(_)) => Ok(()),
                 _ => Err(missing),
             },
             Shape::Plane(index) => {
-                let plane = of(self.planes, index).ok_or(missing)?;
+                let plane = get(self.planes, index).ok_or(missing)?;
                 plane.check()?;
                 if plane.item == item { Ok(()) } else { Err(ShapeFault::Plane) }
             }
-            Shape::Disc(index) => of(self.discs, index).ok_or(missing)?.check(),
+            Shape::Disc(index) => get(self.discs, index).ok_or(missing)?.check(),
             Shape::Polygon(index) => {
-                of(self.polygons, index).ok_or(missing)?.check(self.points, self.normals)
+                get(self.polygons, index).ok_or(missing)?.check(self.points, self.normals)
             }
-            Shape::Cuboid(index) => of(self.cuboids, index).ok_or(missing)?.check(),
-            Shape::TurnedCuboid(index) => of(self.turned_cuboids, index).ok_or(missing)?.check(),
-            Shape::Cone(index) => of(self.cones, index).ok_or(missing)?.check(),
-            Shape::Torus(index) => of(self.tori, index).ok_or(missing)?.check(),
+            Shape::Cuboid(index) => get(self.cuboids, index).ok_or(missing)?.check(),
+            Shape::TurnedCuboid(index) => get(self.turned_cuboids, index).ok_or(missing)?.check(),
+            Shape::Cone(index) => get(self.cones, index).ok_or(missing)?.check(),
+            Shape::Torus(index) => get(self.tori, index).ok_or(missing)?.check(),
             Shape::Moving(_) => Err(ShapeFault::Moving),
         }
     }

@@ -16,7 +16,7 @@
 use zerocopy::{Immutable, KnownLayout, TryFromBytes};
 
 use super::disc::disc_half_extent;
-use super::{Aabb, Ray, ShapeFault, Surface, check_point, check_unit, ray::LEAVING};
+use super::{Aabb, Ray, ShapeFault, Surface, ray::LEAVING, validate_direction, validate_point};
 use crate::math::{FARTHEST, Real, Vec3, abs, gamma, greatest, largest, length, sqrt, unit};
 
 /// A truncated cone. It is a cylinder if both radii are equal.
@@ -57,8 +57,8 @@ impl Cone {
     }
 
     pub(super) fn check(&self) -> Result<(), ShapeFault> {
-        check_point(self.base)?;
-        check_unit(self.axis)?;
+        validate_point(self.base)?;
+        validate_direction(self.axis)?;
         let (r0, r1) = (self.base_radius, self.end_radius);
         let ok = |r: Real| r >= 0.0 && r <= FARTHEST;
         if !(ok(r0) && ok(r1) && (r0 > 0.0 || r1 > 0.0)) {

@@ -6,7 +6,7 @@
 
 use zerocopy::{Immutable, KnownLayout, TryFromBytes};
 
-use super::{Aabb, Ray, ShapeFault, Surface, check_point, check_unit, ray::LEAVING};
+use super::{Aabb, Ray, ShapeFault, Surface, ray::LEAVING, validate_direction, validate_point};
 use crate::math::{Axis, Real, Vec3, abs, gamma, unit};
 
 /// An axis-aligned solid box. Its normal points outward.
@@ -89,8 +89,8 @@ fn intersect_box(min: Vec3, max: Vec3, ray: &Ray) -> Option<BoxFaceHit> {
 
 impl Cuboid {
     pub(super) fn check(&self) -> Result<(), ShapeFault> {
-        check_point(self.min)?;
-        check_point(self.max)?;
+        validate_point(self.min)?;
+        validate_point(self.max)?;
         if self.min.cmple(self.max).all() { Ok(()) } else { Err(ShapeFault::Size) }
     }
 
@@ -129,11 +129,11 @@ impl TurnedCuboid {
     }
 
     pub(super) fn check(&self) -> Result<(), ShapeFault> {
-        check_point(self.center)?;
-        check_point(self.half)?;
+        validate_point(self.center)?;
+        validate_point(self.half)?;
         let [x, y, z] = self.axes;
         for axis in [x, y, z] {
-            check_unit(axis)?;
+            validate_direction(axis)?;
         }
         if abs(Vec3::new(x.dot(y), y.dot(z), z.dot(x))).max_element() > 1e-5 {
             return Err(ShapeFault::Axes);

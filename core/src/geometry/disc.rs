@@ -6,7 +6,7 @@
 use zerocopy::{Immutable, KnownLayout, TryFromBytes};
 
 use super::plane::plane_interaction;
-use super::{Aabb, Ray, ShapeFault, Surface, check_radius, check_unit};
+use super::{Aabb, Ray, ShapeFault, Surface, validate_direction, validate_radius};
 use crate::math::{Real, Vec3, sqrt};
 
 /// A flat disc, hit from both sides.
@@ -23,8 +23,8 @@ pub struct Disc {
 
 impl Disc {
     pub(super) fn check(&self) -> Result<(), ShapeFault> {
-        check_radius(self.center, self.radius)?;
-        check_unit(self.normal)
+        validate_radius(self.center, self.radius)?;
+        validate_direction(self.normal)
     }
 
     pub(super) fn bounds(&self) -> Aabb {

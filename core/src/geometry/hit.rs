@@ -1,34 +1,34 @@
-//! What a ray finds: which item and how far, and what its surface is like there.
+//! Hits of rays, and the surface at a hit.
 
 use super::ItemId;
 use crate::math::{Real, Vec3};
 
-/// The nearest item along a ray.
+/// The closest hit of a ray.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Hit {
-    /// How far, in lengths of the ray's direction. More than zero and finite.
+    /// Parameter of the hit, in lengths of the ray's direction; positive and finite.
     pub t: Real,
-    /// Which.
+    /// Item that was hit.
     pub item: ItemId,
 }
 
-/// What a shape is like where a ray meets it.
+/// The surface of a shape at a hit.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Surface {
-    /// The point, moved onto the shape as well as its numbers allow.
+    /// Position, projected onto the shape, world space.
     pub point: Vec3,
-    /// How far each component of `point` may be off the shape, times a small safety, and what is
-    /// taken from the step of a ray that leaves it.
+    /// Bound on the absolute error of each component of `point`, in scene lengths. It includes the rounding
+    /// errors of the next ray's origin ([`leave`](super::leave)).
     pub error: Vec3,
-    /// The geometric normal, of length one: outward for solids, away from the axis for cones,
-    /// by the right hand round the corners for triangles and polygons. It decides sides.
+    /// Geometric unit normal. It points out of solids, away from the axis of cones, and is right-handed
+    /// around the vertices of triangles and polygons. It defines the front side of the surface.
     pub normal: Vec3,
-    /// The normal that shades, of length one: the geometric one unless the shape is smooth.
+    /// Shading unit normal: interpolated for smooth shapes, equal to `normal` for all others.
     pub shading: Vec3,
 }
 
 impl Surface {
-    /// A surface that shades with its geometric normal.
+    /// A surface whose shading normal is its geometric normal.
     pub(super) fn flat(point: Vec3, error: Vec3, normal: Vec3) -> Self {
         Surface { point, error, normal, shading: normal }
     }

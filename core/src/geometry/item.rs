@@ -1,11 +1,11 @@
-//! The number of an item.
+//! Ids of items.
 
 use zerocopy::{Immutable, KnownLayout, TryFromBytes};
 
-/// The number of an item: its place in the scene, counted from 0.
+/// Index of an item in the table of shapes of its scene, from 0.
 ///
-/// It is the number of the object in the scene file. Building an accelerator may reorder
-/// items, but never renumbers them.
+/// It is the object number in the scene file. Accelerators may store items in another order, but never
+/// renumber them.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash, TryFromBytes, KnownLayout, Immutable)]
 #[repr(transparent)]
 pub struct ItemId(pub u32);

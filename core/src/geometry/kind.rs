@@ -1,10 +1,10 @@
-//! What kind of shape an item is.
+//! Kinds of shapes, and sets of them.
 
 use crate::set::set_of;
 
-/// What kind of shape an item is.
+/// The kind of a shape, without its data.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
-#[allow(missing_docs)] // they name what `Shape` describes
+#[allow(missing_docs)] // the variants of `Shape` have docs
 pub enum ShapeKind {
     Sphere,
     Triangle,
@@ -19,7 +19,7 @@ pub enum ShapeKind {
 }
 
 impl ShapeKind {
-    /// Every kind.
+    /// All kinds, in the order of their declaration.
     pub const ALL: [ShapeKind; 10] = [
         ShapeKind::Sphere,
         ShapeKind::Triangle,
@@ -33,7 +33,7 @@ impl ShapeKind {
         ShapeKind::Torus,
     ];
 
-    /// The name in reports.
+    /// The name in reports, in lower case.
     pub const fn name(self) -> &'static str {
         match self {
             ShapeKind::Sphere => "sphere",
@@ -51,6 +51,6 @@ impl ShapeKind {
 }
 
 set_of! {
-    /// Kinds of shapes.
+    /// A set of kinds of shapes.
     ShapeSet of ShapeKind
 }

@@ -4,7 +4,7 @@
 //! inlines their tests at every call. A tracer of more kinds inlines only the test of spheres and calls
 //! one function for all others: beside the other tests a call is cheap.
 
-use super::{Aabb, Geometry, Ray, Shape, ShapeKind, Shapes, Sphere, Surface, of, triangle};
+use super::{Aabb, Geometry, Ray, Shape, ShapeKind, Shapes, Sphere, Surface, get, triangle};
 use crate::math::{Real, Vec3, vec3};
 
 /// Whether `t` can be a hit: positive and finite.
@@ -57,7 +57,7 @@ impl Geometry<'_> {
         if S::MOTION
             && let Shape::Moving(index) = shape
         {
-            return self.moving_distance::<S>(*index, ray);
+            return self.intersect_moving::<S>(*index, ray);
         }
         self.intersect_static::<S>(shape, ray)
     }
@@ -76,7 +76,7 @@ impl Geometry<'_> {
         if supports(ShapeKind::Polygon)
             && let Shape::Polygon(index) = shape
         {
-            return of(self.polygons, *index)?.hit(self.points, ray);
+            return get(self.polygons, *index)?.hit(self.points, ray);
         }
         let t = self.intersect_unclamped::<S>(shape, ray).filter(is_valid_t)?;
         match shape {
@@ -109,7 +109,7 @@ impl Geometry<'_> {
         ) -> Option<Real> {
             // The reciprocal is computed only here, so rays that hit no bounds do not need it.
             let inverse_direction = 1.0 / vec3(dx, dy, dz);
-            clamp_to_box(geometry.rest_bounds::<S>(*shape)?, t, vec3(ox, oy, oz), inverse_direction)
+            clamp_to_box(geometry.static_bounds::<S>(*shape)?, t, vec3(ox, oy, oz), inverse_direction)
         }
         let (o, d) = (ray.origin, ray.direction);
         clamp_outlined::<S>(self, shape, t, o.x, o.y, o.z, d.x, d.y, d.z)
@@ -126,14 +126,14 @@ impl Geometry<'_> {
             Shape::SmoothTriangle(indices) if supports(ShapeKind::SmoothTriangle) => {
                 self.intersect_triangle(indices, ray)
             }
-            Shape::Plane(index) if supports(ShapeKind::Plane) => of(self.planes, index)?.hit(ray),
-            Shape::Disc(index) if supports(ShapeKind::Disc) => of(self.discs, index)?.hit(ray),
-            Shape::Cuboid(index) if supports(ShapeKind::Cuboid) => of(self.cuboids, index)?.hit(ray),
+            Shape::Plane(index) if supports(ShapeKind::Plane) => get(self.planes, index)?.hit(ray),
+            Shape::Disc(index) if supports(ShapeKind::Disc) => get(self.discs, index)?.hit(ray),
+            Shape::Cuboid(index) if supports(ShapeKind::Cuboid) => get(self.cuboids, index)?.hit(ray),
             Shape::TurnedCuboid(index) if supports(ShapeKind::TurnedCuboid) => {
-                of(self.turned_cuboids, index)?.hit(ray)
+                get(self.turned_cuboids, index)?.hit(ray)
             }
-            Shape::Cone(index) if supports(ShapeKind::Cone) => of(self.cones, index)?.hit(ray),
-            Shape::Torus(index) if supports(ShapeKind::Torus) => of(self.tori, index)?.hit(ray),
+            Shape::Cone(index) if supports(ShapeKind::Cone) => get(self.cones, index)?.hit(ray),
+            Shape::Torus(index) if supports(ShapeKind::Torus) => get(self.tori, index)?.hit(ray),
             _ => None,
         }
     }
@@ -181,23 +181,23 @@ impl Geometry<'_> {
                 triangle::surface(self.corners(indices)?, None, ray)
             }
             Shape::SmoothTriangle(indices) if supports(ShapeKind::SmoothTriangle) => {
-                let normals = if S::SMOOTH { self.corner_normals(indices) } else { None };
+                let normals = if S::SMOOTH { self.vertex_normals(indices) } else { None };
                 triangle::surface(self.corners(indices)?, normals, ray)
             }
             Shape::Plane(index) if supports(ShapeKind::Plane) => {
-                Some(of(self.planes, index)?.surface(ray, t))
+                Some(get(self.planes, index)?.surface(ray, t))
             }
-            Shape::Disc(index) if supports(ShapeKind::Disc) => Some(of(self.discs, index)?.surface(ray, t)),
+            Shape::Disc(index) if supports(ShapeKind::Disc) => Some(get(self.discs, index)?.surface(ray, t)),
             Shape::Polygon(index) if supports(ShapeKind::Polygon) => {
                 let normals = if S::SMOOTH { Some(self.normals) } else { None };
-                Some(of(self.polygons, index)?.surface(self.points, normals, ray, t))
+                Some(get(self.polygons, index)?.surface(self.points, normals, ray, t))
             }
-            Shape::Cuboid(index) if supports(ShapeKind::Cuboid) => of(self.cuboids, index)?.surface(ray, t),
+            Shape::Cuboid(index) if supports(ShapeKind::Cuboid) => get(self.cuboids, index)?.surface(ray, t),
             Shape::TurnedCuboid(index) if supports(ShapeKind::TurnedCuboid) => {
-                of(self.turned_cuboids, index)?.surface(ray, t)
+                get(self.turned_cuboids, index)?.surface(ray, t)
             }
-            Shape::Cone(index) if supports(ShapeKind::Cone) => of(self.cones, index)?.surface(ray, t),
-            Shape::Torus(index) if supports(ShapeKind::Torus) => Some(of(self.tori, index)?.surface(ray, t)),
+            Shape::Cone(index) if supports(ShapeKind::Cone) => get(self.cones, index)?.surface(ray, t),
+            Shape::Torus(index) if supports(ShapeKind::Torus) => Some(get(self.tori, index)?.surface(ray, t)),
             _ => None,
         }
     }

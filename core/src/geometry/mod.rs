@@ -1,8 +1,8 @@
-//! Shapes: what a ray can meet, where, and what the surface is like there.
+//! Shapes, rays, bounding volumes and intersection tests.
 //!
-//! All items lie in one slice of [`Shape`]s. Small shapes stand there themselves; a larger one
-//! is the index of its place in a table of its own, and triangles are indices into shared
-//! tables of points. So an item takes 20 bytes, and a mesh no more than its triangles.
+//! All items of a scene are in one slice of [`Shape`]s. A sphere is stored there directly, a triangle as
+//! indices into shared tables of vertices and vertex normals, any other shape as an index into a table of
+//! its kind ([`Geometry`]). So an item takes 20 bytes in single precision.
 
 mod ball;
 mod bounds;
@@ -56,46 +56,46 @@ pub use torus::Torus;
 pub use triangle::has_area;
 
 use crate::math::Vec3;
-use shape::{AllShapes, check_point, check_radius, check_unit};
+use shape::{AllShapes, validate_direction, validate_point, validate_radius};
 
-/// All shapes of a scene, and the tables that they refer to.
+/// The shapes of all items of a scene, and the tables that they index.
 ///
-/// Plain borrowed slices, which may lie in flash. [`Geometry::check`] says whether they fit
-/// together; a reference that does not would be a miss, never a fault.
+/// The tables are borrowed slices, which may be in flash. [`Geometry::check`] validates them. An index that
+/// is out of range is treated as a miss and never panics.
 #[derive(Clone, Copy, Debug)]
 pub struct Geometry<'s> {
-    /// The items, by their number.
+    /// The shape of each item, by [`ItemId`].
     pub shapes: &'s [Shape],
-    /// Corners of triangles and polygons.
+    /// Vertices of triangles and polygons, world space.
     pub points: &'s [Vec3],
-    /// Normals of length one of those of the corners that smooth shapes refer to: the normal of
-    /// a corner has the corner's place.
+    /// Unit normals of the vertices of smooth shapes, with the indices of their vertices. The table may end
+    /// before that of the vertices if later vertices belong to flat shapes only.
     pub normals: &'s [Vec3],
-    /// All planes.
+    /// Planes.
     pub planes: &'s [Plane],
-    /// All discs.
+    /// Discs.
     pub discs: &'s [Disc],
-    /// All polygons.
+    /// Polygons.
     pub polygons: &'s [Polygon],
-    /// All upright boxes.
+    /// Axis-aligned boxes.
     pub cuboids: &'s [Cuboid],
-    /// All turned boxes.
+    /// Oriented boxes.
     pub turned_cuboids: &'s [TurnedCuboid],
-    /// All cones and cylinders.
+    /// Cones and cylinders.
     pub cones: &'s [Cone],
-    /// All tori.
+    /// Tori.
     pub tori: &'s [Torus],
-    /// All that moves while the shutter is open.
+    /// Shapes that move while the shutter is open.
     pub moving: &'s [Moving],
 }
 
-/// An entry of a table.
-fn of<T>(table: &[T], place: u32) -> Option<&T> {
-    table.get(place as usize)
+/// The entry of a table at `index`.
+fn get<T>(table: &[T], index: u32) -> Option<&T> {
+    table.get(index as usize)
 }
 
 impl<'s> Geometry<'s> {
-    /// Nothing at all; a scene names what it has and takes the rest from here.
+    /// A geometry without items, for struct update syntax: `Geometry { shapes, ..Geometry::EMPTY }`.
     pub const EMPTY: Geometry<'static> = Geometry {
         shapes: &[],
         points: &[],
@@ -110,7 +110,7 @@ impl<'s> Geometry<'s> {
         moving: &[],
     };
 
-    /// The memory that all tables take, in bytes.
+    /// Size of all tables, in bytes.
     pub const fn bytes(&self) -> usize {
         size_of_val(self.shapes)
             + size_of_val(self.points)
@@ -125,63 +125,67 @@ impl<'s> Geometry<'s> {
             + size_of_val(self.moving)
     }
 
-    /// The shape of an item.
+    /// The shape of an item; `None` if there is no such item.
     pub fn shape(&self, item: ItemId) -> Option<&'s Shape> {
-        of(self.shapes, item.0)
+        get(self.shapes, item.0)
     }
 
-    /// The shape itself, or the one that moves.
+    /// The shape itself, or the shape inside a moving shape.
     pub(crate) fn at_rest(&self, shape: &'s Shape) -> Option<&'s Shape> {
         match shape {
-            Shape::Moving(place) => Some(&self.moving(*place)?.shape),
+            Shape::Moving(index) => Some(&self.moving(*index)?.shape),
             _ => Some(shape),
         }
     }
 
+    /// The vertices of a triangle.
     pub(crate) fn corners(&self, [a, b, c]: [u32; 3]) -> Option<[&'s Vec3; 3]> {
-        Some([of(self.points, a)?, of(self.points, b)?, of(self.points, c)?])
+        Some([get(self.points, a)?, get(self.points, b)?, get(self.points, c)?])
     }
 
-    fn corner_normals(&self, [a, b, c]: [u32; 3]) -> Option<[Vec3; 3]> {
-        Some([*of(self.normals, a)?, *of(self.normals, b)?, *of(self.normals, c)?])
+    /// The vertex normals of a smooth triangle.
+    fn vertex_normals(&self, [a, b, c]: [u32; 3]) -> Option<[Vec3; 3]> {
+        Some([*get(self.normals, a)?, *get(self.normals, b)?, *get(self.normals, c)?])
     }
 
-    /// The box round an item, rounded outward; none for a plane, which has no end.
+    /// Bounds of an item, rounded outward; `None` for a plane, which is infinite.
     pub fn bounds(&self, item: ItemId) -> Option<Aabb> {
-        self.shape_bounds::<AllShapes>(*self.shape(item)?)
+        self.bounds_of_shape::<AllShapes>(*self.shape(item)?)
     }
 
-    /// The boxes round all items, in their order; planes have [`Aabb::EMPTY`].
+    /// Bounds of all items, by [`ItemId`]; [`Aabb::EMPTY`] for planes.
     pub fn all_bounds(&self) -> impl Iterator<Item = Aabb> + '_ {
         let geometry = *self;
-        self.shapes.iter().map(move |shape| geometry.shape_bounds::<AllShapes>(*shape).unwrap_or(Aabb::EMPTY))
+        let bounds = move |shape: &Shape| geometry.bounds_of_shape::<AllShapes>(*shape);
+        self.shapes.iter().map(move |shape| bounds(shape).unwrap_or(Aabb::EMPTY))
     }
 
-    fn shape_bounds<S: Shapes>(&self, shape: Shape) -> Option<Aabb> {
+    fn bounds_of_shape<S: Shapes>(&self, shape: Shape) -> Option<Aabb> {
         if S::MOTION
-            && let Shape::Moving(place) = shape
+            && let Shape::Moving(index) = shape
         {
-            return self.moving_bounds::<S>(place);
+            return self.moving_bounds::<S>(index);
         }
-        self.rest_bounds::<S>(shape)
+        self.static_bounds::<S>(shape)
     }
 
-    fn rest_bounds<S: Shapes>(&self, shape: Shape) -> Option<Aabb> {
+    /// Bounds of a shape that does not move.
+    fn static_bounds<S: Shapes>(&self, shape: Shape) -> Option<Aabb> {
         if !shape.kind().is_some_and(|kind| S::SHAPES.has(kind)) {
             return None;
         }
         match shape {
             Shape::Sphere(sphere) => Some(sphere.bounds()),
-            Shape::Triangle(corners) | Shape::SmoothTriangle(corners) => {
-                self.corners(corners).map(triangle::bounds)
+            Shape::Triangle(indices) | Shape::SmoothTriangle(indices) => {
+                self.corners(indices).map(triangle::bounds)
             }
             Shape::Plane(_) => None,
-            Shape::Disc(place) => of(self.discs, place).map(Disc::bounds),
-            Shape::Polygon(place) => of(self.polygons, place).map(|polygon| polygon.bounds),
-            Shape::Cuboid(place) => of(self.cuboids, place).map(Cuboid::bounds),
-            Shape::TurnedCuboid(place) => of(self.turned_cuboids, place).map(TurnedCuboid::bounds),
-            Shape::Cone(place) => of(self.cones, place).map(Cone::bounds),
-            Shape::Torus(place) => of(self.tori, place).map(Torus::bounds),
+            Shape::Disc(index) => get(self.discs, index).map(Disc::bounds),
+            Shape::Polygon(index) => get(self.polygons, index).map(|polygon| polygon.bounds),
+            Shape::Cuboid(index) => get(self.cuboids, index).map(Cuboid::bounds),
+            Shape::TurnedCuboid(index) => get(self.turned_cuboids, index).map(TurnedCuboid::bounds),
+            Shape::Cone(index) => get(self.cones, index).map(Cone::bounds),
+            Shape::Torus(index) => get(self.tori, index).map(Torus::bounds),
             Shape::Moving(_) => None,
         }
     }

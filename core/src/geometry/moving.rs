@@ -1,34 +1,34 @@
-//! Items that move while the shutter is open.
+//! Motion blur: shapes that move while the shutter is open.
 //!
-//! A shape that has moved is met by a ray exactly as the shape at rest is met by the ray moved
-//! back. So shapes know nothing of time: an item that moves names its shape and where that is
-//! when the shutter opens and closes, and only the ray's origin changes before it is asked
-//! ("Distributed Ray Tracing", Cook, Porter, Carpenter, SIGGRAPH 1984, has the idea of a moment
-//! for each ray). Accelerators hold the box over all the time.
+//! A ray hits a translated shape exactly as the ray translated back hits the shape at rest. So a moving
+//! shape stores a static shape and its offsets when the shutter opens and closes, and only the origin of
+//! the ray changes before the intersection test. Accelerators use the bounds of the whole motion.
+//!
+//! Source: Cook, Porter and Carpenter, "Distributed Ray Tracing", SIGGRAPH 1984 (a time for each ray).
 
 use zerocopy::{Immutable, KnownLayout, TryFromBytes};
 
 use super::meet::clamp_to_box;
 use super::ray::LEAVING;
-use super::shape::check_point;
-use super::{Aabb, Geometry, Ray, Shape, ShapeFault, ShapeKind, Shapes, Surface, of};
+use super::shape::validate_point;
+use super::{Aabb, Geometry, Ray, Shape, ShapeFault, ShapeKind, Shapes, Surface, get};
 use crate::math::{Real, Vec3, abs, gamma, within};
 
-/// A shape that moves evenly along a straight line while the shutter is open.
+/// A shape that moves along a straight line at constant speed while the shutter is open.
 #[derive(Clone, Copy, Debug, PartialEq, TryFromBytes, KnownLayout, Immutable)]
 #[repr(C)]
 pub struct Moving {
-    /// The shape, where its own numbers put it; none that moves itself.
+    /// The shape at rest; not itself a moving shape.
     pub shape: Shape,
-    /// How far away from there it is when the shutter opens.
+    /// Offset from the shape at rest when the shutter opens, in scene lengths.
     pub opening: Vec3,
-    /// How far away from there it is when the shutter closes.
+    /// Offset from the shape at rest when the shutter closes, in scene lengths.
     pub closing: Vec3,
 }
 
 impl Moving {
-    /// How far away from its own place it is at `time`, which is 0 when the shutter opens and 1
-    /// when it closes; before and after it stands still.
+    /// Offset from the shape at rest at `time`: 0 is the opening, 1 the closing of the shutter. Times outside
+    /// are clamped.
     pub fn offset(&self, time: Real) -> Vec3 {
         self.opening + (self.closing - self.opening) * within(time, 0.0, 1.0)
     }
@@ -37,20 +37,20 @@ impl Moving {
         if let Shape::Moving(_) = self.shape {
             return Err(ShapeFault::Moving);
         }
-        check_point(self.opening)?;
-        check_point(self.closing)
+        validate_point(self.opening)?;
+        validate_point(self.closing)
     }
 
-    /// The ray as the shape at rest meets it.
-    fn back(&self, ray: &Ray) -> Ray {
+    /// The ray in the frame of the shape at rest.
+    fn ray_at_rest(&self, ray: &Ray) -> Ray {
         Ray { origin: ray.origin - self.offset(ray.time), ..*ray }
     }
 
-    /// The box over all the time of a shape whose box at rest this is, rounded outward.
-    fn swept(&self, rest: Aabb) -> Aabb {
+    /// Bounds of the whole motion, rounded outward. `rest`: bounds of the shape at rest.
+    fn swept_bounds(&self, rest: Aabb) -> Aabb {
         let at = |offset: Vec3| {
-            // The sum takes one rounding, the offset between both ends three, what is left of
-            // them makes up for the margin's own.
+            // The sum takes one rounding, the interpolated offset three. The rest of both bounds covers the
+            // roundings of the margin itself.
             let margin = (abs(rest.min) + abs(rest.max)) * gamma(2)
                 + (abs(self.opening) + abs(self.closing)) * gamma(6);
             Aabb { min: rest.min + offset - margin, max: rest.max + offset + margin }
@@ -60,54 +60,55 @@ impl Moving {
 }
 
 impl<'s> Geometry<'s> {
-    /// What moves at a place of the table.
-    pub(super) fn moving(&self, place: u32) -> Option<&'s Moving> {
-        of(self.moving, place)
+    /// The entry of the table of moving shapes at `index`.
+    pub(super) fn moving(&self, index: u32) -> Option<&'s Moving> {
+        get(self.moving, index)
     }
 
-    /// What kind a shape is, or the shape that moves; none where that is not there.
+    /// The kind of a shape, or of the shape inside a moving shape. `None` if the index of a moving shape is
+    /// out of range.
     #[inline(always)]
     pub fn kind(&self, shape: &Shape) -> Option<ShapeKind> {
         match shape {
-            Shape::Moving(place) => self.moving(*place)?.shape.kind(),
+            Shape::Moving(index) => self.moving(*index)?.shape.kind(),
             _ => shape.kind(),
         }
     }
 
-    /// How far away from its own place an item is at `time`, as [`Moving::offset`] says: zero for
-    /// what does not move.
+    /// Offset of a shape from its position at rest at `time` ([`Moving::offset`]); zero for a shape that does
+    /// not move.
     pub fn offset(&self, shape: &Shape, time: Real) -> Vec3 {
         match shape {
-            Shape::Moving(place) => self.moving(*place).map_or(Vec3::ZERO, |moving| moving.offset(time)),
+            Shape::Moving(index) => self.moving(*index).map_or(Vec3::ZERO, |moving| moving.offset(time)),
             _ => Vec3::ZERO,
         }
     }
 
-    /// The box over all the time.
-    pub(super) fn moving_bounds<S: Shapes>(&self, place: u32) -> Option<Aabb> {
-        let moving = self.moving(place)?;
-        Some(moving.swept(self.rest_bounds::<S>(moving.shape)?))
+    /// Bounds of the whole motion.
+    pub(super) fn moving_bounds<S: Shapes>(&self, index: u32) -> Option<Aabb> {
+        let moving = self.moving(index)?;
+        Some(moving.swept_bounds(self.static_bounds::<S>(moving.shape)?))
     }
 
-    /// As [`Geometry::distance`]: moved into the box over all the time, which is what accelerators
-    /// see.
+    /// [`Geometry::distance`] of a moving shape. `t` is clamped to the bounds of the whole motion, which
+    /// accelerators use.
     #[inline(never)]
-    pub(super) fn moving_distance<S: Shapes>(&self, place: u32, ray: &Ray) -> Option<Real> {
-        let moving = self.moving(place)?;
-        let t = self.intersect_static::<S>(&moving.shape, &moving.back(ray))?;
+    pub(super) fn intersect_moving<S: Shapes>(&self, index: u32, ray: &Ray) -> Option<Real> {
+        let moving = self.moving(index)?;
+        let t = self.intersect_static::<S>(&moving.shape, &moving.ray_at_rest(ray))?;
         match moving.shape {
             Shape::Plane(_) => Some(t),
-            _ => clamp_to_box(self.moving_bounds::<S>(place)?, t, ray.origin, ray.inverse),
+            _ => clamp_to_box(self.moving_bounds::<S>(index)?, t, ray.origin, ray.inverse),
         }
     }
 
-    /// As [`Geometry::surface`].
+    /// [`Geometry::surface`] of a moving shape.
     #[inline(never)]
-    pub(super) fn moving_surface<S: Shapes>(&self, place: u32, ray: &Ray, t: Real) -> Option<Surface> {
-        let moving = self.moving(place)?;
-        let rest = self.static_surface_outlined::<S>(&moving.shape, &moving.back(ray), t)?;
+    pub(super) fn moving_surface<S: Shapes>(&self, index: u32, ray: &Ray, t: Real) -> Option<Surface> {
+        let moving = self.moving(index)?;
+        let rest = self.static_surface_outlined::<S>(&moving.shape, &moving.ray_at_rest(ray), t)?;
         let point = rest.point + moving.offset(ray.time);
-        // This sum is off by one rounding, and by another the difference when the next ray asks.
+        // The sum takes one rounding, and the subtraction for the next ray another.
         let error = rest.error + (abs(rest.point) + abs(point)) * gamma(3 + LEAVING);
         Some(Surface { point, error, ..rest })
     }
@@ -128,7 +129,7 @@ mod tests {
         const MOTION: bool = true;
     }
 
-    const BALL: Moving = Moving {
+    const MOVING_SPHERE: Moving = Moving {
         shape: Shape::Sphere(Sphere { center: vec3(0.0, 0.0, -5.0), radius: 1.0 }),
         opening: vec3(-2.0, 0.0, 0.0),
         closing: vec3(6.0, 0.0, 0.0),
@@ -139,15 +140,15 @@ mod tests {
     }
 
     #[test]
-    fn a_moving_shape_is_met_where_it_is_at_the_time_of_the_ray() {
-        let geometry = Geometry { shapes: &[Shape::Moving(0)], moving: &[BALL], ..Geometry::EMPTY };
+    fn a_moving_shape_is_hit_at_its_position_at_the_time_of_the_ray() {
+        let geometry = Geometry { shapes: &[Shape::Moving(0)], moving: &[MOVING_SPHERE], ..Geometry::EMPTY };
         geometry.check().unwrap();
-        let met = |x, time| geometry.distance::<All>(&Shape::Moving(0), &ray(x, time));
-        assert_eq!((met(-2.0, 0.0), met(2.0, 0.5), met(6.0, 1.0)), (Some(4.0), Some(4.0), Some(4.0)));
-        assert_eq!((met(-2.0, 0.5), met(2.0, 0.0), met(6.0, 0.5)), (None, None, None));
-        // Beyond its time it stands still, and so it does where there is no time.
-        assert_eq!((met(6.0, 3.0), met(-2.0, -1.0)), (Some(4.0), Some(4.0)));
-        assert_eq!(met(-2.0, Real::NAN), Some(4.0));
+        let hit = |x, time| geometry.distance::<All>(&Shape::Moving(0), &ray(x, time));
+        assert_eq!((hit(-2.0, 0.0), hit(2.0, 0.5), hit(6.0, 1.0)), (Some(4.0), Some(4.0), Some(4.0)));
+        assert_eq!((hit(-2.0, 0.5), hit(2.0, 0.0), hit(6.0, 0.5)), (None, None, None));
+        // Times outside of 0..=1 are clamped; NaN counts as 0.
+        assert_eq!((hit(6.0, 3.0), hit(-2.0, -1.0)), (Some(4.0), Some(4.0)));
+        assert_eq!(hit(-2.0, Real::NAN), Some(4.0));
         let surface = geometry.surface::<All>(&Shape::Moving(0), &ray(2.0, 0.5), 4.0).unwrap();
         assert_eq!((surface.point, surface.normal), (vec3(2.0, 0.0, -4.0), Vec3::Z));
         assert_eq!(geometry.kind(&Shape::Moving(0)), Some(ShapeKind::Sphere));
@@ -155,40 +156,41 @@ mod tests {
     }
 
     #[test]
-    fn the_box_holds_it_at_all_times() {
-        let geometry = Geometry { shapes: &[Shape::Moving(0)], moving: &[BALL], ..Geometry::EMPTY };
+    fn the_bounds_contain_the_shape_at_all_times() {
+        let geometry = Geometry { shapes: &[Shape::Moving(0)], moving: &[MOVING_SPHERE], ..Geometry::EMPTY };
         let aabb = geometry.bounds(ItemId(0)).unwrap();
         for step in 0..=100 {
-            let center = vec3(0.0, 0.0, -5.0) + BALL.offset(step as Real / 100.0);
-            let ball = Sphere { center, radius: 1.0 }.bounds();
-            assert_eq!(aabb.union(ball), aabb, "{step}");
+            let center = vec3(0.0, 0.0, -5.0) + MOVING_SPHERE.offset(step as Real / 100.0);
+            let bounds = Sphere { center, radius: 1.0 }.bounds();
+            assert_eq!(aabb.union(bounds), aabb, "{step}");
         }
         assert!(aabb.max.x < 7.001 && aabb.min.x > -3.001);
     }
 
     #[test]
-    fn a_tracer_without_motion_does_not_see_it() {
-        struct Still;
-        impl Shapes for Still {
+    fn a_tracer_without_motion_blur_never_hits_a_moving_shape() {
+        struct Static;
+        impl Shapes for Static {
             const SHAPES: ShapeSet = ShapeSet::ALL;
             const SMOOTH: bool = true;
         }
-        let geometry = Geometry { shapes: &[Shape::Moving(0)], moving: &[BALL], ..Geometry::EMPTY };
-        assert_eq!(geometry.distance::<Still>(&Shape::Moving(0), &ray(-2.0, 0.0)), None);
+        let geometry = Geometry { shapes: &[Shape::Moving(0)], moving: &[MOVING_SPHERE], ..Geometry::EMPTY };
+        assert_eq!(geometry.distance::<Static>(&Shape::Moving(0), &ray(-2.0, 0.0)), None);
     }
 
     #[test]
-    fn what_moves_twice_or_is_not_there_is_refused() {
+    fn invalid_moving_shapes_are_errors() {
         let check = |shapes: &[Shape], moving: &[Moving]| {
-            Geometry { shapes, moving, ..Geometry::EMPTY }.check().map_err(|(_, fault)| fault)
+            Geometry { shapes, moving, ..Geometry::EMPTY }.check().map_err(|(_, error)| error)
         };
-        let twice = Moving { shape: Shape::Moving(0), ..BALL };
-        assert_eq!(check(&[Shape::Moving(0)], &[twice]), Err(ShapeFault::Moving));
-        assert_eq!(check(&[Shape::Moving(1)], &[BALL]), Err(ShapeFault::Missing));
-        let far = Moving { closing: vec3(0.0, 2e15, 0.0), ..BALL };
+        let nested = Moving { shape: Shape::Moving(0), ..MOVING_SPHERE };
+        assert_eq!(check(&[Shape::Moving(0)], &[nested]), Err(ShapeFault::Moving));
+        assert_eq!(check(&[Shape::Moving(1)], &[MOVING_SPHERE]), Err(ShapeFault::Missing));
+        let far = Moving { closing: vec3(0.0, 2e15, 0.0), ..MOVING_SPHERE };
         assert_eq!(check(&[Shape::Moving(0)], &[far]), Err(ShapeFault::Place));
-        let flat = Moving { shape: Shape::Sphere(Sphere { center: Vec3::ZERO, radius: 0.0 }), ..BALL };
-        assert_eq!(check(&[Shape::Moving(0)], &[flat]), Err(ShapeFault::Radius));
+        let empty =
+            Moving { shape: Shape::Sphere(Sphere { center: Vec3::ZERO, radius: 0.0 }), ..MOVING_SPHERE };
+        assert_eq!(check(&[Shape::Moving(0)], &[empty]), Err(ShapeFault::Radius));
     }
 
     #[test]

@@ -5,7 +5,7 @@
 
 use zerocopy::{Immutable, KnownLayout, TryFromBytes};
 
-use super::{ItemId, Ray, ShapeFault, Surface, check_point, check_unit, ray::LEAVING};
+use super::{ItemId, Ray, ShapeFault, Surface, ray::LEAVING, validate_direction, validate_point};
 use crate::math::{Real, Vec3, abs, gamma, largest};
 
 /// An infinite plane, hit from both sides.
@@ -22,8 +22,8 @@ pub struct Plane {
 
 impl Plane {
     pub(super) fn check(&self) -> Result<(), ShapeFault> {
-        check_point(self.point)?;
-        check_unit(self.normal)
+        validate_point(self.point)?;
+        validate_direction(self.normal)
     }
 
     pub(super) fn hit(&self, ray: &Ray) -> Option<Real> {

@@ -12,7 +12,7 @@ use zerocopy::{Immutable, KnownLayout, TryFromBytes};
 
 use super::meet::clamp_to_box;
 use super::plane::{plane_interaction, tangent_plane_offset};
-use super::{Aabb, Ray, ShapeFault, Surface, check_point, check_unit};
+use super::{Aabb, Ray, ShapeFault, Surface, validate_direction, validate_point};
 use crate::math::{Axis, Real, Vec3, abs, gamma, length, unit, vec3};
 
 /// A flat polygon, hit from both sides. Its vertices are in the vertex table of the scene.
@@ -55,8 +55,8 @@ impl Polygon {
     }
 
     pub(super) fn check(&self, vertices: &[Vec3], normals: &[Vec3]) -> Result<(), ShapeFault> {
-        check_point(self.point)?;
-        check_unit(self.normal)?;
+        validate_point(self.point)?;
+        validate_direction(self.normal)?;
         let own_vertices = self.slice_of(vertices).ok_or(ShapeFault::Missing)?;
         if self.count < 3 || self.smooth && self.slice_of(normals).is_none() {
             return Err(ShapeFault::Missing);

@@ -1,60 +1,62 @@
-//! What an item can be.
+//! The shape of an item, and the kinds of shapes that a tracer supports.
 
 use zerocopy::{Immutable, KnownLayout, TryFromBytes};
 
 use super::{ShapeFault, ShapeKind, ShapeSet, Sphere};
 use crate::math::{FARTHEST, Real, Vec3, is_in_range, is_unit};
 
-/// One item of the scene.
+/// The shape of one item. Larger shapes are indices into tables of [`Geometry`](super::Geometry).
 #[derive(Clone, Copy, Debug, PartialEq, TryFromBytes, KnownLayout, Immutable)]
 #[repr(u32)]
 pub enum Shape {
     /// A sphere.
     Sphere(Sphere),
-    /// A triangle: the places of its corners in the table of points.
+    /// A flat triangle: indices of its vertices.
     Triangle([u32; 3]),
-    /// A triangle whose shading normal is interpolated: the places of its corners in the table
-    /// of points, and of their normals in that of the normals.
+    /// A triangle with interpolated shading normals: indices of its vertices, which are also the indices of
+    /// their normals.
     SmoothTriangle([u32; 3]),
-    /// The place in the table of planes.
+    /// An infinite plane: index in the table of planes.
     Plane(u32),
-    /// The place in the table of discs.
+    /// A disc: index in the table of discs.
     Disc(u32),
-    /// The place in the table of polygons.
+    /// A polygon: index in the table of polygons.
     Polygon(u32),
-    /// The place in the table of upright boxes.
+    /// An axis-aligned box: index in the table of cuboids.
     Cuboid(u32),
-    /// The place in the table of turned boxes.
+    /// An oriented box: index in the table of oriented cuboids.
     TurnedCuboid(u32),
-    /// The place in the table of cones and cylinders.
+    /// A cone or cylinder: index in the table of cones.
     Cone(u32),
-    /// The place in the table of tori.
+    /// A torus: index in the table of tori.
     Torus(u32),
-    /// The place in the table of what moves, which has its shape.
+    /// A moving shape of any kind: index in the table of moving shapes.
     Moving(u32),
 }
 
-// Larger shapes belong into tables, or every item of every scene would pay for them.
+// A larger shape would increase the size of all items.
 #[cfg(not(feature = "double"))]
 const _: () = assert!(size_of::<Shape>() <= 20);
 
-/// What a tracer's geometry can do. Every arm outside is compiled away.
+/// The shapes that a tracer supports, as constants. Code for all others is not compiled, and rays never hit
+/// them.
 pub trait Shapes {
-    /// The shapes that can be met.
+    /// Supported kinds of shapes.
     const SHAPES: ShapeSet;
-    /// Whether shading normals are interpolated over smooth triangles and polygons.
+    /// Whether shading normals of smooth triangles and polygons are interpolated.
     const SMOOTH: bool;
-    /// Whether what moves can be met.
+    /// Whether moving shapes are supported.
     const MOTION: bool = false;
 }
 
 impl Shape {
-    /// Whether it is a triangle, smooth or flat.
+    /// Whether the shape is a flat or smooth triangle.
     pub(crate) const fn is_triangle(self) -> bool {
         matches!(self, Shape::Triangle(_) | Shape::SmoothTriangle(_))
     }
 
-    /// What kind it is; none for what moves: [`Geometry::kind`](super::Geometry::kind) knows of its shape.
+    /// The kind of the shape; `None` for a moving shape, whose kind is
+    /// [`Geometry::kind`](super::Geometry::kind).
     #[inline(always)]
     pub const fn kind(self) -> Option<ShapeKind> {
         Some(match self {
@@ -73,20 +75,20 @@ impl Shape {
     }
 }
 
-pub(super) fn check_point(p: Vec3) -> Result<(), ShapeFault> {
+pub(super) fn validate_point(p: Vec3) -> Result<(), ShapeFault> {
     if is_in_range(p) { Ok(()) } else { Err(ShapeFault::Place) }
 }
 
-pub(super) fn check_unit(n: Vec3) -> Result<(), ShapeFault> {
+pub(super) fn validate_direction(n: Vec3) -> Result<(), ShapeFault> {
     if is_unit(n) { Ok(()) } else { Err(ShapeFault::NotUnit) }
 }
 
-pub(super) fn check_radius(center: Vec3, radius: Real) -> Result<(), ShapeFault> {
-    check_point(center)?;
+pub(super) fn validate_radius(center: Vec3, radius: Real) -> Result<(), ShapeFault> {
+    validate_point(center)?;
     if radius > 0.0 && radius <= FARTHEST { Ok(()) } else { Err(ShapeFault::Radius) }
 }
 
-/// Every shape there is.
+/// Supports all shapes.
 pub(super) struct AllShapes;
 
 impl Shapes for AllShapes {

@@ -9,7 +9,7 @@
 
 use zerocopy::{Immutable, KnownLayout, TryFromBytes};
 
-use super::{Aabb, Ray, ShapeFault, Surface, check_radius, ray::LEAVING};
+use super::{Aabb, Ray, ShapeFault, Surface, ray::LEAVING, validate_radius};
 use crate::math::{ROUNDOFF, Real, Vec3, abs, gamma, sqrt, unit};
 
 /// A solid sphere. Its normal points outward.
@@ -24,7 +24,7 @@ pub struct Sphere {
 
 impl Sphere {
     pub(super) fn check(&self) -> Result<(), ShapeFault> {
-        check_radius(self.center, self.radius)
+        validate_radius(self.center, self.radius)
     }
 
     pub(super) fn bounds(&self) -> Aabb {

@@ -11,7 +11,7 @@
 //!
 //! Source: Hanika, "Hacking the Shadow Terminator", Ray Tracing Gems II, chapter 4.
 
-use super::{Geometry, Shape, ShapeKind, Shapes, of, triangle};
+use super::{Geometry, Shape, ShapeKind, Shapes, get, triangle};
 use crate::math::Vec3;
 
 impl Geometry<'_> {
@@ -23,11 +23,11 @@ impl Geometry<'_> {
         let supports = |kind| S::SMOOTH && S::SHAPES.has(kind);
         match shape {
             Shape::SmoothTriangle(indices) if supports(ShapeKind::SmoothTriangle) => {
-                let (vertices, normals) = (self.corners(indices)?, self.corner_normals(indices)?);
+                let (vertices, normals) = (self.corners(indices)?, self.vertex_normals(indices)?);
                 Some(triangle::terminator_offset(vertices, normals, point, front_face))
             }
             Shape::Polygon(index) if supports(ShapeKind::Polygon) => {
-                of(self.polygons, index)?.terminator_offset(self.points, self.normals, point, front_face)
+                get(self.polygons, index)?.terminator_offset(self.points, self.normals, point, front_face)
             }
             _ => None,
         }

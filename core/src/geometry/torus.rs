@@ -16,7 +16,9 @@
 
 use zerocopy::{Immutable, KnownLayout, TryFromBytes};
 
-use super::{Aabb, Ray, ShapeFault, Surface, check_point, check_unit, disc::disc_half_extent, ray::LEAVING};
+use super::{
+    Aabb, Ray, ShapeFault, Surface, disc::disc_half_extent, ray::LEAVING, validate_direction, validate_point,
+};
 use crate::math::{
     CubicRoots, FARTHEST, ROUNDOFF, Real, Vec3, abs, cubic_roots, gamma, length, root_between, sqrt, unit,
 };
@@ -41,8 +43,8 @@ const BOUND_MARGIN: Real = 1.0 + 1e-4;
 
 impl Torus {
     pub(super) fn check(&self) -> Result<(), ShapeFault> {
-        check_point(self.center)?;
-        check_unit(self.axis)?;
+        validate_point(self.center)?;
+        validate_direction(self.axis)?;
         let ok = self.minor > 0.0 && self.minor <= self.major && self.major <= FARTHEST;
         if ok { Ok(()) } else { Err(ShapeFault::Radius) }
     }
