@@ -92,7 +92,7 @@ impl Slot {
 
     /// The entry as it is stored in a baked scene.
     #[cfg(not(feature = "double"))]
-    pub(crate) const fn to_word(self) -> u32 {
+    pub(crate) const fn word(self) -> u32 {
         self.0
     }
 
@@ -178,7 +178,7 @@ impl Node {
 
     /// The node as it is stored in a baked scene.
     #[cfg(not(feature = "double"))]
-    pub(crate) fn to_words(&self) -> [u32; 32] {
+    pub(crate) fn words(&self) -> [u32; 32] {
         let mut words = [0; 32];
         let planes = self.bounds.iter().flatten().flat_map(|lanes| lanes.0).map(f32::to_bits);
         let rest = self.children.iter().map(|child| child.0).chain([self.skip_link]);

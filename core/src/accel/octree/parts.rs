@@ -65,7 +65,7 @@ impl<'s, const MAILBOX_ENTRIES: usize> Octree<'s, MAILBOX_ENTRIES> {
 
 impl OctreeNode {
     /// The node as it is stored in a baked scene.
-    pub(crate) const fn to_words(self) -> [u32; 2] {
+    pub(crate) const fn words(self) -> [u32; 2] {
         [self.first, self.content]
     }
 }

@@ -139,19 +139,19 @@ newtypes!(ItemId MaterialId TextureId);
 
 impl Put for OctreeNode {
     fn put(&self, w: &mut Writer<'_>) {
-        self.to_words().whole(w);
+        self.words().whole(w);
     }
 }
 
 impl Put for Node {
     fn put(&self, w: &mut Writer<'_>) {
-        self.to_words().whole(w);
+        self.words().whole(w);
     }
 }
 
 impl Put for Slot {
     fn put(&self, w: &mut Writer<'_>) {
-        self.to_word().whole(w);
+        self.word().whole(w);
     }
 }
 
