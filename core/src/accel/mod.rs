@@ -33,6 +33,7 @@
 //!
 //! [`Aabb::span`]: crate::geometry::Aabb::span
 
+mod accelerator;
 mod bvh;
 mod cell_planes;
 #[cfg(not(feature = "double"))]
@@ -45,15 +46,16 @@ mod octree;
 mod room;
 #[cfg(test)]
 mod test_rays;
+mod triangle_block;
 
 // Without `Real`: one type for both precisions.
 #[cfg(feature = "double")]
 use strahl_core::{self as error, self as room};
 
+pub use accelerator::{Accelerator, Query};
 #[cfg(not(feature = "double"))]
 pub(crate) use bvh::BvhParts;
-pub(crate) use bvh::Candidate;
-pub use bvh::{Bvh, Grown, LastFirst, Leaf, Leaves, NearestFirst, Node, Run, Slot, Waiting};
+pub use bvh::{Bvh, Grown, LastFirst, Leaf, Leaves, NearestFirst, Node, Slot, Waiting};
 pub use error::{BuildError, Storage};
 #[cfg(not(feature = "double"))]
 pub(crate) use grid::GridParts;
@@ -64,66 +66,5 @@ pub use mailbox::Mailbox;
 pub(crate) use octree::OctreeParts;
 pub use octree::{Octree, OctreeNode};
 pub use room::{BvhRoom, OctreeLimits, OctreeRoom};
-
-use core::ops::ControlFlow;
-
-use crate::geometry::{ItemId, Ray};
-use crate::math::Real;
-
-/// A spatial data structure over the bounds of items.
-pub trait Accelerator {
-    /// Scratch memory of a traversal. Each worker has its own; dropping it between two rays changes only the
-    /// time.
-    type Scratch: Default;
-
-    /// Passes the items along `ray` to `query`.
-    fn walk<Q: Query>(&self, ray: &Ray, scratch: &mut Self::Scratch, query: &mut Q);
-}
-
-/// A search along a ray: it knows the shapes of items, and what counts as a result.
-pub trait Query {
-    /// Whether visiting nearer items first saves tests. If false, an accelerator may visit them in any order.
-    const ORDERED: bool = true;
-
-    /// Largest `t` at which a hit is still accepted, in lengths of the ray's direction. Finite; never
-    /// increases during a query.
-    fn reach(&self) -> Real;
-
-    /// Tests an item. `Break` ends the traversal.
-    fn test(&mut self, item: ItemId) -> ControlFlow<()>;
-
-    /// Tests the items `0..count`, in this order. `Break` ends the traversal.
-    fn all(&mut self, count: u32) -> ControlFlow<()> {
-        (0..count).try_for_each(|item| self.test(ItemId(item)))
-    }
-
-    /// Tests the items of a block. `Break` ends the traversal.
-    fn run(&mut self, block: &Run) -> ControlFlow<()> {
-        block.items().try_for_each(|item| self.test(item))
-    }
-
-    /// Counts `count` tests of the ray against bounds.
-    fn boxes(&mut self, count: u32);
-
-    /// Counts a visit of a leaf or cell.
-    fn enter(&mut self);
-
-    /// Counts an item that was not tested, because the mailbox had it already.
-    fn skipped(&mut self);
-}
-
-/// Visits the cells along a ray.
-///
-/// A trait instead of closures, because a traversal calls it at two places, of which only the common one is
-/// to be inlined; the captures of a closure would be in memory for both.
-trait Regions<R> {
-    /// Visits a cell. Returns the remaining `t_max`, or breaks.
-    fn enter(&mut self, region: R) -> ControlFlow<(), Real>;
-}
-
-#[cfg(test)]
-impl<R, F: FnMut(R) -> ControlFlow<(), Real>> Regions<R> for F {
-    fn enter(&mut self, region: R) -> ControlFlow<(), Real> {
-        self(region)
-    }
-}
+pub(crate) use triangle_block::Candidate;
+pub use triangle_block::Run;

@@ -3,10 +3,10 @@
 use core::iter::from_fn;
 use core::marker::PhantomData;
 
+use super::Bvh;
 use super::node::{Node, NodeRef, PackedNodeRef, Slot};
 use super::top_down::{BuiltTree, build_top_down};
-use super::{Bvh, Run};
-use crate::accel::{BuildError, BvhRoom, Storage};
+use crate::accel::{BuildError, BvhRoom, Run, Storage};
 use crate::geometry::{Aabb, Geometry, ItemId};
 
 /// A finished tree whose leaves are not laid out yet: [`Grown::singly`] keeps single entries,
@@ -132,7 +132,8 @@ impl<'s> Grown<'s> {
                 for (chunk, block) in chunks.zip(&mut unused) {
                     blocks_left -= 1;
                     block_count += 1;
-                    *block = Run::new(geometry, chunk, blocks_left > 0);
+                    let items = chunk.iter().map(|entry| entry.item());
+                    *block = Run::new(geometry, items, blocks_left > 0);
                 }
             }
         }

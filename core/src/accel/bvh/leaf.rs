@@ -3,8 +3,7 @@
 use core::ops::ControlFlow;
 
 use super::node::Slot;
-use super::triangle_block::Run;
-use crate::accel::Query;
+use crate::accel::{Query, Run};
 
 /// An element of a leaf. The elements of a leaf are consecutive; the last one is marked.
 pub trait Leaf: Copy {

@@ -24,7 +24,6 @@ mod queue;
 mod split;
 mod top_down;
 mod traverse;
-mod triangle_block;
 
 pub use build::{Grown, Leaves};
 pub use leaf::Leaf;
@@ -32,8 +31,6 @@ pub use node::{Node, Slot};
 #[cfg(not(feature = "double"))]
 pub(crate) use parts::BvhParts;
 pub use queue::{LastFirst, NearestFirst, Waiting};
-pub(crate) use triangle_block::Candidate;
-pub use triangle_block::Run;
 
 use core::marker::PhantomData;
 
@@ -45,6 +42,8 @@ use node::NodeRef;
 /// * Memory, in single precision: 128 bytes per [`Node`]; in leaves, 4 bytes per item or 164 bytes per [`Run`].
 ///   A leaf of one item that is in no block is stored in its node.
 /// * A scene without bounded items has no node; its traversal tests nothing.
+///
+/// [`Run`]: super::Run
 #[derive(Debug)]
 pub struct Bvh<'s, Queue, Element = Slot> {
     /// In depth-first order.

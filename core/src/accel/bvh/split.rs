@@ -10,8 +10,8 @@
 
 use core::mem::swap;
 
-use super::Run;
 use super::node::Slot;
+use crate::accel::Run;
 use crate::geometry::Aabb;
 use crate::math::{Real, Vec3};
 

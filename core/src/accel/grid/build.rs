@@ -177,8 +177,8 @@ impl GridLayout {
         Some(entries as usize)
     }
 
-    /// The first and the last cell along each axis that a box overlaps. A box that touches a plane overlaps the
-    /// cells on both sides of it.
+    /// The first and the last cell along each axis that a box overlaps. A box that touches a plane overlaps
+    /// the cells on both sides of it.
     fn overlapped_cells(&self, aabb: &Aabb) -> [(u32, u32); 3] {
         let (min, max) = (self.planes.fractional_index(aabb.min), self.planes.fractional_index(aabb.max));
         let [x, y, z] = self.resolution;

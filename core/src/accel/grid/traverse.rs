@@ -18,7 +18,7 @@ use core::ops::ControlFlow;
 use super::Grid;
 use super::axis::AxisTraversal;
 use crate::accel::mailbox::{Mailbox, MailboxQuery};
-use crate::accel::{Accelerator, Query, Regions};
+use crate::accel::{Accelerator, Query};
 use crate::geometry::{Ray, Span, WIDEN};
 use crate::math::Real;
 
@@ -37,15 +37,31 @@ impl<const MAILBOX_ENTRIES: usize> Accelerator for Grid<'_, MAILBOX_ENTRIES> {
     }
 }
 
+/// Visits the cells along a ray.
+///
+/// A trait instead of a closure, because a traversal calls it at two places, of which only the common one is
+/// to be inlined; the captures of a closure would be in memory for both.
+trait CellVisitor {
+    /// Visits a cell, by its index. Returns the remaining `t_max`, or breaks.
+    fn visit_cell(&mut self, cell: usize) -> ControlFlow<(), Real>;
+}
+
+#[cfg(test)]
+impl<F: FnMut(usize) -> ControlFlow<(), Real>> CellVisitor for F {
+    fn visit_cell(&mut self, cell: usize) -> ControlFlow<(), Real> {
+        self(cell)
+    }
+}
+
 /// Tests the items of each visited cell.
 struct GridVisitor<'a, Q, const MAILBOX_ENTRIES: usize> {
     grid: &'a Grid<'a, MAILBOX_ENTRIES>,
     query: MailboxQuery<'a, Q, MAILBOX_ENTRIES>,
 }
 
-impl<Q: Query, const MAILBOX_ENTRIES: usize> Regions<usize> for GridVisitor<'_, Q, MAILBOX_ENTRIES> {
+impl<Q: Query, const MAILBOX_ENTRIES: usize> CellVisitor for GridVisitor<'_, Q, MAILBOX_ENTRIES> {
     #[inline(always)]
-    fn enter(&mut self, cell: usize) -> ControlFlow<(), Real> {
+    fn visit_cell(&mut self, cell: usize) -> ControlFlow<(), Real> {
         self.query.test_items(self.grid.cell_entries(cell))
     }
 }
@@ -55,7 +71,7 @@ impl<const MAILBOX_ENTRIES: usize> Grid<'_, MAILBOX_ENTRIES> {
     ///
     /// `span`: the interval of the ray in the bounds. `t_max`: finite.
     #[inline(always)]
-    fn visit_cells(&self, ray: &Ray, span: Span, mut t_max: Real, visitor: &mut impl Regions<usize>) {
+    fn visit_cells(&self, ray: &Ray, span: Span, mut t_max: Real, visitor: &mut impl CellVisitor) {
         let t_begin = if span.entry > 0.0 { span.entry } else { 0.0 };
         if t_begin > t_max {
             return;
@@ -70,7 +86,7 @@ impl<const MAILBOX_ENTRIES: usize> Grid<'_, MAILBOX_ENTRIES> {
         let (mut z, z0) = AxisTraversal::new((o.z, d.z, i.z), (first.z, spacing.z), depth, layer, t_begin);
         let mut cell = x0 as usize + y0 as usize * row + z0 as usize * layer;
         loop {
-            match visitor.enter(cell) {
+            match visitor.visit_cell(cell) {
                 ControlFlow::Continue(remaining) => t_max = remaining,
                 ControlFlow::Break(()) => return,
             }
@@ -97,7 +113,7 @@ fn step_axis(
     third: &AxisTraversal,
     cell: &mut usize,
     t_max: &mut Real,
-    visitor: &mut impl Regions<usize>,
+    visitor: &mut impl CellVisitor,
 ) -> ControlFlow<()> {
     // The end only if strictly beyond: at equal `t` the item with the lower id wins, and it may be in the
     // next cell.
@@ -121,7 +137,7 @@ fn visit_corner_cells(
     cell: usize,
     widened_t: Real,
     mut t_max: Real,
-    visitor: &mut impl Regions<usize>,
+    visitor: &mut impl CellVisitor,
 ) -> ControlFlow<(), Real> {
     let (first_count, second_count) = (first.planes_within(widened_t), second.planes_within(widened_t));
     let mut row = cell;
@@ -129,7 +145,7 @@ fn visit_corner_cells(
         let mut cell = row;
         for i in 0..=first_count {
             if (i, j) != (0, 0) {
-                t_max = visitor.enter(cell)?;
+                t_max = visitor.visit_cell(cell)?;
             }
             cell = cell.wrapping_add(first.stride);
         }

@@ -5,7 +5,6 @@
 //! vectorized test rejects most of them at once. The remaining candidates are tested as usual, with the same
 //! vertices, so blocks change the time and never the result.
 
-use super::node::Slot;
 use crate::geometry::{FourTriangles, Geometry, ItemId, Ray, Shape};
 use crate::math::{LANES, Vec3};
 
@@ -16,7 +15,7 @@ use crate::math::{LANES, Vec3};
 #[repr(C)]
 pub struct Run {
     triangles: FourTriangles,
-    items: [Slot; LANES],
+    items: [ItemId; LANES],
     /// One bit per entry in use.
     item_mask: u8,
     /// One bit per entry that is a triangle.
@@ -43,20 +42,19 @@ impl Run {
     /// The initial value for buffers.
     pub const EMPTY: Run = Run {
         triangles: FourTriangles::ZERO,
-        items: [Slot::EMPTY; LANES],
+        items: [ItemId(0); LANES],
         item_mask: 0,
         triangle_mask: 0,
         has_next: false,
     };
 
     /// A block of the first four of `items`.
-    pub(super) fn new(geometry: &Geometry<'_>, items: &[Slot], has_next: bool) -> Self {
+    pub(super) fn new(geometry: &Geometry<'_>, items: impl Iterator<Item = ItemId>, has_next: bool) -> Self {
         let mut block = Run { has_next, ..Run::EMPTY };
         for ((index, entry), item) in block.items.iter_mut().enumerate().zip(items) {
-            *entry = *item;
+            *entry = item;
             block.item_mask |= 1 << index;
-            if let Some(Shape::Triangle(corners) | Shape::SmoothTriangle(corners)) =
-                geometry.shape(item.item())
+            if let Some(Shape::Triangle(corners) | Shape::SmoothTriangle(corners)) = geometry.shape(item)
                 && let Some(corners) = geometry.corners(*corners)
             {
                 block.triangles.put(index, corners);
@@ -84,11 +82,7 @@ impl Run {
     #[inline(always)]
     pub(crate) fn items_in_mask(&self, mask: u32) -> impl Iterator<Item = ItemId> + '_ {
         let mask = mask & u32::from(self.item_mask);
-        self.items
-            .iter()
-            .zip(0..)
-            .filter(move |(_, index)| mask >> index & 1 != 0)
-            .map(|(entry, _)| entry.item())
+        self.items.iter().zip(0..).filter(move |(_, index)| mask >> index & 1 != 0).map(|(item, _)| *item)
     }
 
     /// Removes the lowest bit of `mask` and returns its item. It is no iterator, because the optimizer keeps
@@ -96,11 +90,11 @@ impl Run {
     #[inline(always)]
     pub(crate) fn take_candidate(&self, mask: &mut u32) -> Option<Candidate> {
         let index = mask.trailing_zeros();
-        let entry = self.items.get(index as usize)?;
+        let item = *self.items.get(index as usize)?;
         *mask &= *mask - 1;
         let is_triangle = u32::from(self.triangle_mask) >> index & 1 != 0;
         let corners = if is_triangle { self.triangles.corners(index as usize) } else { None };
-        Some(Candidate { item: entry.item(), corners })
+        Some(Candidate { item, corners })
     }
 
     #[inline(always)]

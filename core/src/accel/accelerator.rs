@@ -1,0 +1,53 @@
+//! The two sides of a traversal: the accelerator, and the query that it passes items to.
+//!
+//! The contract between them is in the head of [`accel`].
+//!
+//! [`accel`]: super
+
+use core::ops::ControlFlow;
+
+use super::triangle_block::Run;
+use crate::geometry::{ItemId, Ray};
+use crate::math::Real;
+
+/// A spatial data structure over the bounds of items.
+pub trait Accelerator {
+    /// Scratch memory of a traversal. Each worker has its own; dropping it between two rays changes only the
+    /// time.
+    type Scratch: Default;
+
+    /// Passes the items along `ray` to `query`.
+    fn walk<Q: Query>(&self, ray: &Ray, scratch: &mut Self::Scratch, query: &mut Q);
+}
+
+/// A search along a ray: it knows the shapes of items, and what counts as a result.
+pub trait Query {
+    /// Whether visiting nearer items first saves tests. If false, an accelerator may visit them in any order.
+    const ORDERED: bool = true;
+
+    /// Largest `t` at which a hit is still accepted, in lengths of the ray's direction. Finite; never
+    /// increases during a query.
+    fn reach(&self) -> Real;
+
+    /// Tests an item. `Break` ends the traversal.
+    fn test(&mut self, item: ItemId) -> ControlFlow<()>;
+
+    /// Tests the items `0..count`, in this order. `Break` ends the traversal.
+    fn all(&mut self, count: u32) -> ControlFlow<()> {
+        (0..count).try_for_each(|item| self.test(ItemId(item)))
+    }
+
+    /// Tests the items of a block. `Break` ends the traversal.
+    fn run(&mut self, block: &Run) -> ControlFlow<()> {
+        block.items().try_for_each(|item| self.test(item))
+    }
+
+    /// Counts `count` tests of the ray against bounds.
+    fn boxes(&mut self, count: u32);
+
+    /// Counts a visit of a leaf or cell.
+    fn enter(&mut self);
+
+    /// Counts an item that was not tested, because the mailbox had it already.
+    fn skipped(&mut self);
+}
