@@ -34,6 +34,20 @@
 #![no_std]
 // Comparisons that are false for NaN are written as they are meant: `!(x > 0.0)`.
 #![allow(clippy::neg_cmp_op_on_partial_ord)]
+// Law 4. The panic proof checks what is reachable; these lints name the line.
+#![cfg_attr(
+    not(test),
+    deny(
+        clippy::unwrap_used,
+        clippy::expect_used,
+        clippy::panic,
+        clippy::unreachable,
+        clippy::todo,
+        clippy::unimplemented,
+        clippy::indexing_slicing,
+        clippy::dbg_macro
+    )
+)]
 
 mod math;
 #[cfg(not(feature = "double"))]

@@ -1,6 +1,7 @@
 //! What both cores can be asked, in numbers that hold the answers of both exactly.
 
-use crate::thing::{Line, Thing, Vector};
+use crate::thing::{Line, Thing};
+use crate::vector::Vector;
 
 /// What a core says of the place where a ray meets something.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -18,8 +18,10 @@ mod random;
 pub mod single;
 pub mod textbook;
 mod thing;
+mod vector;
 
 pub use cast::{Core, Found};
 pub use picture::{assert_picture, picture};
 pub use random::{Random, rounded};
-pub use thing::{Kind, Line, Thing, Vector, vector};
+pub use thing::{Kind, Line, Thing};
+pub use vector::{Vector, vector};

@@ -10,7 +10,8 @@
 //! agree the truth is [`Truth::Unclear`]. A flat thing is unclear where the border is within
 //! the band of the point that is met.
 
-use crate::thing::{Line, Thing, Vector, area, unit, upright, vector};
+use crate::thing::{Line, Thing};
+use crate::vector::{Vector, area, unit, upright, vector};
 
 /// What is true of a ray and a thing.
 #[derive(Clone, Copy, Debug)]

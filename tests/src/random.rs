@@ -1,6 +1,6 @@
 //! Random numbers that are the same in every run.
 
-use crate::thing::{Vector, vector};
+use crate::vector::{Vector, vector};
 
 /// Numbers from a seed ("Fast splittable pseudorandom number generators", Steele, Lea, Flood
 /// 2014). All of them are numbers that `f32` holds exactly, so that both cores see the same.

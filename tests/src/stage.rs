@@ -7,7 +7,8 @@ use super::strahl::{
     Vec3, View, Worker, World, groups_of, leave, unit, vec3,
 };
 use crate::cast::{Core, Found};
-use crate::thing::{Line, Thing, Vector, vector};
+use crate::thing::{Line, Thing};
+use crate::vector::{Vector, vector};
 
 /// A scene with tables of its own. Things are put on it one by one, each made of the material
 /// that was named last: [`Material::MATTE`] at first.

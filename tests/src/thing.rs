@@ -1,14 +1,7 @@
 //! Things and lines: shapes and rays in numbers that both cores hold exactly.
 
 use crate::random::{Random, rounded};
-
-/// A point or a direction in double precision.
-pub type Vector = strahl_core_double::Vec3;
-
-/// A vector from its components.
-pub fn vector(x: f64, y: f64, z: f64) -> Vector {
-    Vector::new(x, y, z)
-}
+use crate::vector::{Vector, area, unit, upright, vector};
 
 /// A ray. Its direction may have any length.
 #[derive(Clone, Copy, Debug)]
@@ -87,19 +80,6 @@ impl Kind {
 /// Each component rounded to what `f32` holds.
 fn held(v: Vector) -> Vector {
     vector(rounded(v.x), rounded(v.y), rounded(v.z))
-}
-
-/// A vector of length one.
-pub(crate) fn unit(v: Vector) -> Vector {
-    v / v.dot(v).sqrt()
-}
-
-/// Two directions upright on `n` and on each other, right-handed: `x` cross `y` is along `n`.
-pub(crate) fn upright(n: Vector) -> (Vector, Vector) {
-    let n = unit(n);
-    let other = if n.x.abs() < 0.5 { Vector::X } else { Vector::Y };
-    let x = unit(other.cross(n));
-    (x, n.cross(x))
 }
 
 impl Thing {
@@ -241,13 +221,6 @@ impl Thing {
             Thing::Torus { center, major, minor, .. } => (*center, major + minor),
         }
     }
-}
-
-/// The sum of the areas that the corners span, as a vector upright on them.
-pub(crate) fn area(corners: &[Vector]) -> Vector {
-    let round = corners.iter().skip(1).chain(corners.first());
-    let start = corners[0];
-    corners.iter().zip(round).map(|(a, b)| (*a - start).cross(*b - start)).sum()
 }
 
 /// Normals of corners that lean away from the middle, so that the flat thing looks like a cap.

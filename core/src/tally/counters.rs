@@ -26,14 +26,16 @@ macro_rules! counts_per {
             type Output = u64;
 
             #[inline(always)]
+            #[expect(clippy::indexing_slicing, reason = "there are as many counts as kinds")]
             fn index(&self, kind: $Kind) -> &u64 {
-                // There are as many counts as kinds: the compiler leaves the check out.
+                // The compiler leaves the check out.
                 &self.0[kind as usize]
             }
         }
 
         impl IndexMut<$Kind> for $Counts {
             #[inline(always)]
+            #[expect(clippy::indexing_slicing, reason = "there are as many counts as kinds")]
             fn index_mut(&mut self, kind: $Kind) -> &mut u64 {
                 &mut self.0[kind as usize]
             }

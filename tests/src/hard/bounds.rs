@@ -1,10 +1,11 @@
 //! Hard rays at boxes round things, held against whole numbers: the slab test must never miss a
 //! box that the exact ray meets, and meet none that is farther away than rounding reaches.
 
-use super::{Case, Solver, Tally};
+use super::case::{Case, Solver, Tally};
 use crate::Random;
 use crate::textbook;
-use crate::thing::{Line, vector};
+use crate::thing::Line;
+use crate::vector::vector;
 
 const fn case(name: &'static str, naive: &'static str, check: fn(&mut Random) -> [Tally; 3]) -> Case {
     Case::own("slab test", name, naive, 0.0, check)

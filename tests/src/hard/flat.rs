@@ -1,8 +1,9 @@
 //! Hard rays at what is flat: triangles, polygons, planes, discs and boxes.
 
-use super::{Aim, Case, about_one, aside, held, length, towards};
+use super::case::{Aim, Case, about_one, aside, held, length, towards};
 use crate::Random;
-use crate::thing::{Line, Thing, Vector, vector};
+use crate::thing::{Line, Thing};
+use crate::vector::{Vector, vector};
 
 /// Rays at one thing.
 const RAYS: usize = 25;

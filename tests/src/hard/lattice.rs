@@ -1,8 +1,9 @@
 //! Boxes and rays that are hard for whoever cuts space into cells.
 
-use super::{held, towards};
+use super::case::{held, towards};
 use crate::Random;
-use crate::thing::{Line, Thing, Vector, vector};
+use crate::thing::{Line, Thing};
+use crate::vector::{Vector, vector};
 
 /// Boxes upright on the axes, and rays.
 pub(super) type Scene = (Vec<Thing>, Vec<Line>);

@@ -1,10 +1,11 @@
 //! Rays that start on a surface.
 
-use super::{Case, Solver, Tally, ULP, answers, held, length, towards};
+use super::case::{Case, Solver, Tally, ULP, answers, held, length, towards};
 use crate::cast::{Core, Found};
 use crate::oracle::distance;
 use crate::textbook::{self, Form};
-use crate::thing::{Kind, Line, Thing, Vector, vector};
+use crate::thing::{Kind, Line, Thing};
+use crate::vector::{Vector, vector};
 use crate::{Random, double, single};
 
 const fn case(name: &'static str, naive: &'static str, check: fn(&mut Random) -> [Tally; 3]) -> Case {

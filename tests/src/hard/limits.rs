@@ -1,9 +1,10 @@
 //! Other sizes, rays that are none, and the end of a ray.
 
-use super::{Answer, Case, Solver, Tally, answers, towards};
+use super::case::{Answer, Case, Solver, Tally, answers, towards};
 use crate::Random;
 use crate::textbook::Form;
-use crate::thing::{Kind, Line, Thing, Vector, vector};
+use crate::thing::{Kind, Line, Thing};
+use crate::vector::{Vector, vector};
 
 pub(super) const CASES: [Case; 3] = [
     Case::own("scale", "every kind, times 2^-30 to 2^30", "thresholds and fourth powers", 0.0, scaled),

@@ -2,9 +2,10 @@
 
 use strahl_core::{Geometry, Ray, Shape, ShapeKind, ShapeSet, Shapes, Vec3, vec3};
 
-use super::{Case, Solver, Tally, held};
+use super::case::{Case, Solver, Tally, held};
 use crate::textbook::Form;
-use crate::thing::{Line, Thing, Vector, upright, vector};
+use crate::thing::{Line, Thing};
+use crate::vector::{Vector, upright, vector};
 use crate::{Random, rounded};
 
 const fn case(name: &'static str, mesh: fn(&mut Random) -> [Tally; 3]) -> Case {
@@ -57,7 +58,7 @@ impl Mesh {
         for (a, b) in [(1.0, g), (-1.0, g), (1.0, -g), (-1.0, -g)] {
             points.extend([vector(a, b, 0.0), vector(0.0, a, b), vector(b, 0.0, a)]);
         }
-        let mut points: Vec<Vector> = points.into_iter().map(crate::thing::unit).collect();
+        let mut points: Vec<Vector> = points.into_iter().map(crate::vector::unit).collect();
         // Of all triples those whose corners are neighbours.
         let near = |a: usize, b: usize, points: &[Vector]| points[a].dot(points[b]) > 0.4;
         let mut triangles = Vec::new();
@@ -79,7 +80,7 @@ impl Mesh {
             for [a, b, c] in triangles {
                 let [ab, bc, ca] = [(a, b), (b, c), (c, a)].map(|(a, b)| {
                     *halves.entry((a.min(b), a.max(b))).or_insert_with(|| {
-                        points.push(crate::thing::unit(points[a as usize] + points[b as usize]));
+                        points.push(crate::vector::unit(points[a as usize] + points[b as usize]));
                         points.len() as u32 - 1
                     })
                 });
@@ -105,7 +106,7 @@ impl Mesh {
 
     /// A cone whose side is `slivers` triangles that meet in its apex, and whose base as many.
     pub fn fan(slivers: u32, center: Vector, size: f64) -> Mesh {
-        let axis = crate::thing::unit(vector(0.3, 0.5, 0.8));
+        let axis = crate::vector::unit(vector(0.3, 0.5, 0.8));
         let (x, y) = upright(axis);
         let rim = |i: u32| {
             let angle = f64::from(i) * std::f64::consts::TAU / f64::from(slivers);
@@ -124,7 +125,7 @@ impl Mesh {
 
     /// A slanting flat sheet of `side` times `side` squares, each of two triangles.
     pub fn sheet(side: u32, center: Vector, size: f64) -> Mesh {
-        let normal = crate::thing::unit(vector(0.1, 0.9, 0.2));
+        let normal = crate::vector::unit(vector(0.1, 0.9, 0.2));
         let (x, y) = upright(normal);
         let place = |i: u32, j: u32| i * (side + 1) + j;
         let step = 2.0 * size / f64::from(side);

@@ -1,8 +1,8 @@
 //! Light at and beyond the critical angle.
 
-use super::{Case, Solver, Tally, ULP, aside, held, length};
+use super::case::{Case, Solver, Tally, ULP, aside, held, length};
 use crate::textbook;
-use crate::thing::{Vector, vector};
+use crate::vector::{Vector, vector};
 use crate::{Random, rounded};
 
 pub(super) const CASES: [Case; 2] = [

@@ -1,8 +1,9 @@
 //! A picture of hard cases: rays that fail in red, for the textbook's formula and for the core.
 
-use super::{Solver, answers, held, judged, towards};
+use super::case::{Solver, answers, held, judged, towards};
 use crate::oracle::{Truth, meet};
-use crate::thing::{Line, Thing, Vector, upright, vector};
+use crate::thing::{Line, Thing};
+use crate::vector::{Vector, upright, vector};
 
 /// Pixels along each side of a panel.
 const SIDE: usize = 112;

@@ -1,7 +1,8 @@
 //! Hard rays at what is round: spheres, cones and cylinders, tori.
 
-use super::{Aim, Case, about_one, aside, held, length, towards};
-use crate::thing::{Line, Thing, Vector};
+use super::case::{Aim, Case, about_one, aside, held, length, towards};
+use crate::thing::{Line, Thing};
+use crate::vector::Vector;
 use crate::{Random, rounded};
 
 /// Rays at one thing.

@@ -3,7 +3,7 @@
 use std::fmt::Write;
 use std::path::{Path, PathBuf};
 
-use super::{Case, Tally};
+use super::case::{Case, Tally};
 
 /// The paths of the report and of its picture.
 pub fn report() -> (PathBuf, PathBuf) {

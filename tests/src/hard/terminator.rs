@@ -1,10 +1,12 @@
 //! The line between light and shadow on coarse smooth balls: a point whose shading normal faces the
 //! light must not stand in the shadow of its own ball, and in that of something else it must.
 
-use super::{Case, Mesh, Solver, Tally, held, length, towards};
+use super::case::{Case, Solver, Tally, aside, held, length, towards};
+use super::mesh::Mesh;
 use crate::cast::{Core, Found};
 use crate::textbook;
-use crate::thing::{Line, Thing, Vector, vector};
+use crate::thing::{Line, Thing};
+use crate::vector::{Vector, vector};
 use crate::{Random, single};
 
 const fn case(name: &'static str, naive: &'static str, check: fn(&mut Random) -> [Tally; 3]) -> Case {
@@ -44,7 +46,7 @@ fn ball(level: u32, center: Vector, radius: f64, plate: Option<Vector>) -> Vec<T
 /// the plate.
 fn eyes(center: Vector, radius: f64, light: Vector, random: &mut Random) -> Vec<Line> {
     let ray = |_| {
-        let side = super::aside(light, random) - light * random.between(-0.4, 0.6);
+        let side = aside(light, random) - light * random.between(-0.4, 0.6);
         let eye = held(center + side * (radius * random.between(2.0, 9.0)));
         towards(eye, random.near(center, radius))
     };

@@ -1,8 +1,8 @@
 //! Rays in the walls, edges and corners of an accelerator's cells, and scenes that are hard to cut
 //! up: every accelerator must find what the list finds, to the last bit.
 
+use super::case::{Case, Solver, Tally};
 use super::lattice::{Scene, hard_to_cut, lattice, row, uneven};
-use super::{Case, Solver, Tally};
 use crate::Random;
 use crate::textbook::walks::{self, Found};
 use crate::thing::{Line, Thing};

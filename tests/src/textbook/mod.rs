@@ -11,7 +11,8 @@ pub mod walks;
 
 use strahl_core::Vec3;
 
-use crate::thing::{Line, Thing, Vector, area, unit};
+use crate::thing::{Line, Thing};
+use crate::vector::{Vector, area, unit};
 
 /// What the textbook finds of a thing.
 #[derive(Clone, Copy, Debug)]

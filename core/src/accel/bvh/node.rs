@@ -229,6 +229,7 @@ impl Node {
     pub(super) fn intersect(&self, ray: &TraversalRay, t_max: Real) -> BoxHits {
         let (mut t_entry, mut t_exit) = (Lanes::splat(0.0), Lanes::splat(Real::MAX));
         for (planes, axis) in self.bounds.iter().zip(&ray.0) {
+            #[expect(clippy::indexing_slicing, reason = "0 or 1, of two")]
             let (near, far) = (planes[usize::from(axis.is_negative)], planes[usize::from(!axis.is_negative)]);
             t_entry = ((near - axis.origin) * axis.inverse).greatest(t_entry);
             t_exit = ((far - axis.origin) * axis.inverse).least(t_exit);

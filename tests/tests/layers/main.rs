@@ -1,0 +1,160 @@
+//! The order of modules, which no compiler checks: in the core a module uses only what lies below it, and
+//! nowhere do modules use each other in a circle.
+
+mod circles;
+mod documents;
+mod names;
+mod proof;
+mod source;
+
+use std::collections::BTreeSet;
+use std::fs;
+use std::path::{Path, PathBuf};
+use std::process::Command;
+
+use circles::circles;
+use names::Names;
+use source::{Crate, Module};
+use syn::Item;
+
+/// The modules at the root of the core, lowest first. Those in one line do not use each other.
+const LAYERS: [&[&str]; 9] = [
+    &["math", "set"],
+    &["geometry"],
+    &["tally"],
+    &["accel"],
+    &["scene"],
+    &["shade"],
+    &["trace"],
+    &["image"],
+    &["render"],
+];
+
+/// Circles that are known and still to be broken: the package, and the module around them.
+const KNOWN_CIRCLES: [(&str, &str); 17] = [
+    ("strahl-core", "geometry"),
+    ("strahl-core", "tally"),
+    ("strahl-core", "accel"),
+    ("strahl-core", "scene::pack"),
+    ("strahl-core", "shade"),
+    // The engine is on its way to packages of its own.
+    ("strahl", ""),
+    ("strahl", "double"),
+    ("strahl", "double::engine"),
+    ("strahl", "engine"),
+    ("strahl", "aim"),
+    ("strahl", "bake"),
+    ("strahl", "load"),
+    ("strahl", "load::mesh"),
+    ("strahl", "load::mesh::ply"),
+    ("strahl", "load::native"),
+    ("strahl", "study"),
+    ("strahl", "study::page"),
+];
+
+/// The most lines of a module of the core, without its unit tests.
+const MOST_LINES: usize = 350;
+
+fn workspace() -> PathBuf {
+    Path::new(env!("CARGO_MANIFEST_DIR")).parent().unwrap().to_owned()
+}
+
+fn core() -> Crate {
+    let core = Crate::read(&workspace().join("core/src/lib.rs"));
+    assert!(core.modules.len() > 50, "only {} modules found", core.modules.len());
+    core
+}
+
+/// Every library, program, example and test of the workspace's packages: the package, and the file of its
+/// root module. `core/double` has the sources of the core.
+fn targets() -> Vec<(String, PathBuf)> {
+    let output = Command::new(env!("CARGO"))
+        .args(["metadata", "--no-deps", "--offline", "--format-version", "1"])
+        .current_dir(workspace())
+        .output()
+        .unwrap();
+    assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr));
+    let metadata: serde_json::Value = serde_json::from_slice(&output.stdout).unwrap();
+    let mut targets: Vec<(String, PathBuf)> = Vec::new();
+    for package in metadata["packages"].as_array().unwrap() {
+        for target in package["targets"].as_array().unwrap() {
+            let root = fs::canonicalize(target["src_path"].as_str().unwrap()).unwrap();
+            if targets.iter().all(|(_, known)| *known != root) {
+                targets.push((package["name"].as_str().unwrap().to_owned(), root));
+            }
+        }
+    }
+    targets
+}
+
+#[test]
+fn a_module_of_the_core_uses_only_layers_below_its_own() {
+    let core = core();
+    let names = Names::of(&core);
+    let layer = |module: &Module| {
+        let name = module.path.first()?;
+        let layer = LAYERS.iter().position(|layer| layer.contains(&name.as_str()));
+        Some(layer.unwrap_or_else(|| panic!("{name} is in no layer")))
+    };
+    let mut uses = 0;
+    // The root of the core names all of them.
+    for (index, user) in core.modules.iter().enumerate().skip(1) {
+        for used in names.used_by(index) {
+            let used = &core.modules[used];
+            let is_below = used.path.first() == user.path.first() || layer(used) < layer(user);
+            let (user, used) = (user.path.join("::"), used.path.join("::"));
+            assert!(is_below, "{user} uses crate::{used}, which does not lie below it");
+            uses += 1;
+        }
+    }
+    assert!(uses > 200, "only {uses} uses found");
+}
+
+#[test]
+fn no_modules_use_each_other_in_a_circle() {
+    let mut found = Vec::new();
+    for (package, root) in targets() {
+        for circle in circles(&Crate::read(&root)) {
+            let (around, _) = circle.name.split_once(": ").unwrap();
+            if !KNOWN_CIRCLES.contains(&(&package, around)) {
+                found.push(format!("{package}, {}\n    {}", circle.name, circle.uses.join("\n    ")));
+            }
+        }
+    }
+    assert!(found.is_empty(), "in a circle:\n{}", found.join("\n"));
+}
+
+#[test]
+fn the_core_takes_in_no_library_but_alloc_by_its_feature() {
+    for module in core().modules {
+        for item in &module.items {
+            if let Item::ExternCrate(it) = item {
+                let is_by_feature = source::features(&it.attrs).contains(&"alloc".to_owned());
+                assert!(
+                    it.ident == "alloc" && is_by_feature,
+                    "{} takes in {}",
+                    module.file.display(),
+                    it.ident
+                );
+            }
+        }
+    }
+}
+
+#[test]
+fn only_one_file_of_the_core_names_libm() {
+    let core = core();
+    let names = Names::of(&core);
+    let named = (0..core.modules.len()).filter(|module| names.names_crate(*module, "libm"));
+    let files: BTreeSet<&Path> = named.map(|module| core.modules[module].file.as_path()).collect();
+    assert_eq!(Vec::from_iter(files), [workspace().join("core/src/math/float.rs")]);
+}
+
+#[test]
+fn no_module_of_the_core_is_too_long() {
+    for module in core().modules {
+        let text = fs::read_to_string(&module.file).unwrap();
+        let lines = text.lines().take_while(|line| line.trim() != "mod tests {").count();
+        assert!(lines <= MOST_LINES, "{} has {lines} lines", module.file.display());
+    }
+}

@@ -1,0 +1,163 @@
+//! Source files as the compiler sees them: the modules of a crate, each with its items.
+
+use std::collections::HashMap;
+use std::fs;
+use std::path::{Path, PathBuf};
+
+use syn::punctuated::Punctuated;
+use syn::{Attribute, Expr, ExprLit, Item, ItemMod, Lit, Meta, Token};
+
+/// The modules of a library, a program, a test or an example. The first is its root.
+pub struct Crate {
+    pub modules: Vec<Module>,
+    indices: HashMap<Vec<String>, usize>,
+}
+
+/// A module: its own items without those of the modules in it, and without what is compiled for unit tests
+/// only.
+pub struct Module {
+    /// The names that lead to it from the root.
+    pub path: Vec<String>,
+    pub items: Vec<Item>,
+    /// The file that it is in.
+    pub file: PathBuf,
+}
+
+impl Crate {
+    /// Reads the file of the root module, and those of all modules that it declares.
+    pub fn read(root: &Path) -> Crate {
+        let mut read = Crate { modules: Vec::new(), indices: HashMap::new() };
+        let file = parsed(root);
+        let folder = root.parent().unwrap();
+        read.add(Vec::new(), file.items, root, [folder; 2]);
+        read
+    }
+
+    /// A crate with all of its modules in one text.
+    pub fn of(text: &str) -> Crate {
+        let mut read = Crate { modules: Vec::new(), indices: HashMap::new() };
+        let file = syn::parse_file(text).unwrap_or_else(|error| panic!("{error}"));
+        read.add(Vec::new(), file.items, Path::new("lib.rs"), [Path::new("."); 2]);
+        read
+    }
+
+    /// The index of the module of this path.
+    pub fn index(&self, path: &[String]) -> Option<usize> {
+        self.indices.get(path).copied()
+    }
+
+    /// The index of a module that is declared in another.
+    pub fn child(&self, parent: usize, name: &str) -> Option<usize> {
+        let mut path = self.modules[parent].path.clone();
+        path.push(name.to_owned());
+        self.index(&path)
+    }
+
+    /// Adds a module and all of those in it. Files of modules that it declares are in the first folder, and
+    /// where an attribute names them, relative to the second.
+    fn add(&mut self, path: Vec<String>, items: Vec<Item>, file: &Path, folders: [&Path; 2]) {
+        let index = self.modules.len();
+        self.indices.insert(path.clone(), index);
+        self.modules.push(Module { path: path.clone(), items: Vec::new(), file: file.to_owned() });
+        for item in items {
+            match item {
+                item if is_for_tests(attributes(&item)) => {}
+                Item::Mod(module) => {
+                    let mut path = path.clone();
+                    path.push(module.ident.to_string());
+                    self.add_declared(path, module, file, folders);
+                }
+                item => self.modules[index].items.push(item),
+            }
+        }
+    }
+
+    fn add_declared(&mut self, path: Vec<String>, module: ItemMod, file: &Path, [folder, base]: [&Path; 2]) {
+        let name = module.ident.to_string();
+        let named = value(&module.attrs, "path").map(|named| base.join(named));
+        if let Some((_, items)) = module.content {
+            let folder = named.unwrap_or_else(|| folder.join(&name));
+            self.add(path, items, file, [&folder; 2]);
+            return;
+        }
+        // The modules of `a.rs` are in the folder `a`, those of `mod.rs` and of named files beside them.
+        let (source, inner) = match named {
+            Some(source) => (source.clone(), source.parent().unwrap().to_owned()),
+            None if folder.join(&name).with_extension("rs").exists() => {
+                (folder.join(&name).with_extension("rs"), folder.join(&name))
+            }
+            None => (folder.join(&name).join("mod.rs"), folder.join(&name)),
+        };
+        let items = parsed(&source).items;
+        self.add(path, items, &source, [&inner, source.parent().unwrap()]);
+    }
+}
+
+fn parsed(path: &Path) -> syn::File {
+    let text = fs::read_to_string(path).unwrap_or_else(|error| panic!("{}: {error}", path.display()));
+    syn::parse_file(&text).unwrap_or_else(|error| panic!("{}: {error}", path.display()))
+}
+
+/// Whether these attributes leave something out where no unit tests are compiled.
+fn is_for_tests(attributes: &[Attribute]) -> bool {
+    fn needs_test(meta: &Meta) -> bool {
+        match meta {
+            Meta::Path(path) => path.is_ident("test"),
+            Meta::List(list) if list.path.is_ident("all") => list
+                .parse_args_with(Punctuated::<Meta, Token![,]>::parse_terminated)
+                .is_ok_and(|all| all.iter().any(needs_test)),
+            _ => false,
+        }
+    }
+    attributes
+        .iter()
+        .filter(|attribute| attribute.path().is_ident("cfg"))
+        .any(|attribute| attribute.parse_args::<Meta>().is_ok_and(|meta| needs_test(&meta)))
+}
+
+/// The features without which an item is left out.
+pub fn features(attributes: &[Attribute]) -> Vec<String> {
+    let cfgs = attributes.iter().filter(|attribute| attribute.path().is_ident("cfg"));
+    let feature = |attribute: &Attribute| match attribute.parse_args::<Meta>().ok()? {
+        Meta::NameValue(it) if it.path.is_ident("feature") => text(&it.value),
+        _ => None,
+    };
+    cfgs.filter_map(feature).collect()
+}
+
+/// The value of `#[name = "value"]`.
+fn value(attributes: &[Attribute], name: &str) -> Option<String> {
+    attributes.iter().find_map(|attribute| match &attribute.meta {
+        Meta::NameValue(it) if it.path.is_ident(name) => text(&it.value),
+        _ => None,
+    })
+}
+
+fn text(value: &Expr) -> Option<String> {
+    match value {
+        Expr::Lit(ExprLit { lit: Lit::Str(text), .. }) => Some(text.value()),
+        _ => None,
+    }
+}
+
+/// What is written above an item.
+pub fn attributes(item: &Item) -> &[Attribute] {
+    match item {
+        Item::Const(it) => &it.attrs,
+        Item::Enum(it) => &it.attrs,
+        Item::ExternCrate(it) => &it.attrs,
+        Item::Fn(it) => &it.attrs,
+        Item::ForeignMod(it) => &it.attrs,
+        Item::Impl(it) => &it.attrs,
+        Item::Macro(it) => &it.attrs,
+        Item::Mod(it) => &it.attrs,
+        Item::Static(it) => &it.attrs,
+        Item::Struct(it) => &it.attrs,
+        Item::Trait(it) => &it.attrs,
+        Item::TraitAlias(it) => &it.attrs,
+        Item::Type(it) => &it.attrs,
+        Item::Union(it) => &it.attrs,
+        Item::Use(it) => &it.attrs,
+        _ => &[],
+    }
+}
