@@ -10,18 +10,7 @@
 //! valgrind --tool=callgrind target/release/examples/local_light everything-shapes
 //! ```
 //!
-//! All print the same hash of the picture; callgrind tells their instructions. On x86-64:
-//!
-//! | tracer | millions of instructions | |
-//! |---|---|---|
-//! | `smallest`, the scene's own set | 53.6 | |
-//! | `local-shapes`, its shapes, all lights and textures, highlights, smooth shapes | 58.4 | 9 % more |
-//! | `local`, all shapes as well | 64.8 | 11 % more than that: for each of 26 items and ray it is asked whether it is a sphere, and rays are made for all shapes; when spheres were tested out of line, as the other shapes are, it was 87.8 |
-//! | `everything-shapes`, its shapes and all effects | 67.7 | |
-//! | `everything` | 69.2 | 7 % more than `local`, which is why the program has such a set |
-//!
-//! This is the worst case, a bare list of the cheapest shape. What the scenes of `scenes/` pay is in
-//! `tests/reports/effects.md`.
+//! All print the same hash of the picture; callgrind counts their instructions (`tests/reports/local-light.md`).
 
 use std::process::ExitCode;
 

@@ -3,9 +3,7 @@
 //! Time on a machine with other work is noise, and it is the time of that machine only. The
 //! counts are the same everywhere and every time; each event is weighed with what it takes in the
 //! mean. `tests/examples/weights.rs` measures the weights anew, under callgrind, over all scenes of
-//! `scenes/` and the Standard Procedural Databases. What they say of a picture is off by 6 % in the
-//! middle for the list and the hierarchy, by 9 to 11 % for grid and octree, and by 38 % at most:
-//! for gears, whose polygons have 144 corners where others have four.
+//! `scenes/` and the Standard Procedural Databases, and how well they fit (`tests/reports/weights.md`).
 
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};

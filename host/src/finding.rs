@@ -1,30 +1,6 @@
 //! How items are found: what can be asked for, what is chosen, and what comes of it.
 //!
-//! # What `auto` takes
-//!
-//! The hierarchy, but for few items the list. Both rules are measured: processor time of tracing
-//! on one thread, AMD EPYC, in milliseconds.
-//!
-//! Spheres at random places, two lights, mirrors, 256 x 256 pixels, the best of seven: up to eight items
-//! nothing is won by the hierarchy, and it takes its time to build.
-//!
-//! | items | 1 | 2 | 4 | 8 | 12 | 16 | 24 | 32 |
-//! |---|---|---|---|---|---|---|---|---|
-//! | list | 3.6 | 3.9 | 7.2 | 9.6 | 12.6 | 19.5 | 24.9 | 33.4 |
-//! | grid | 3.5 | 3.9 | 10.2 | 12.7 | 15.7 | 23.4 | 27.6 | 32.4 |
-//! | bvh | 3.7 | 4.0 | 6.8 | 9.4 | 11.5 | 18.1 | 21.5 | 26.5 |
-//!
-//! The procedural databases at 512 x 512, five levels, no cutoff, in seconds; the hierarchy is the
-//! fastest but for gears, where the octree takes 6 % less. `tests/examples/spd.rs` measures them
-//! anew, and fails where `auto` takes more than 1.3 times the best.
-//!
-//! | | balls | gears | mount | rings | teapot | tetra | tree |
-//! |---|---|---|---|---|---|---|---|
-//! | list | 2.28 | 3.61 | 2.09 | 3.01 | 1.85 | 0.28 | 2.38 |
-//! | grid | 1.10 | 0.77 | 0.44 | 0.94 | 0.40 | 0.09 | 2.25 |
-//! | octree | 0.48 | 0.67 | 0.35 | 0.97 | 0.30 | 0.05 | 0.40 |
-//! | bvh, stack | 0.26 | 0.71 | 0.32 | 0.72 | 0.18 | 0.05 | 0.12 |
-//! | bvh, heap | 0.29 | 0.78 | 0.34 | 0.84 | 0.20 | 0.05 | 0.13 |
+//! `auto` takes the hierarchy, and for few items the list (`tests/reports/auto.md`).
 
 use std::fmt;
 

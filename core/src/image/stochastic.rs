@@ -2,8 +2,7 @@
 //!
 //! The places of a pixel are those of a scrambled low-discrepancy sequence, another scrambling
 //! for each pixel ([`Stream`]). At equal numbers of rays its error is smaller than that of
-//! jittered cells: at an edge by a quarter to a third, in a zone plate by half and more
-//! (`core/examples/sequence.rs`).
+//! jittered cells (`core/examples/sequence.rs`, `tests/reports/quality.md`).
 //!
 //! What a ray leaves to chance (the place on a light, on the lens, the moment) comes of sequences of
 //! their own. Which of their points goes with which place in the pixel is no matter of chance: rays
