@@ -96,6 +96,11 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
             _ => {}
         }
     };
-    let Ok(()) = render(&tracer, &mut Single, &mut Worker::new(()), Tile::whole(SIZE).pixels(), &mut letters);
+    let Ok(()) = render(
+        &mut tracer.with_worker(&mut Worker::new(())),
+        &mut Single,
+        Tile::whole(SIZE).pixels(),
+        &mut letters,
+    );
     Ok(())
 }

@@ -101,7 +101,12 @@ fn hash<E: Effects>() -> u64 {
             hash = (hash ^ u64::from(channel.to_bits())).wrapping_mul(0x100_0000_01b3);
         }
     };
-    let Ok(()) = render(&tracer, &mut Single, &mut Worker::new(()), Tile::whole(size).pixels(), &mut sink);
+    let Ok(()) = render(
+        &mut tracer.with_worker(&mut Worker::new(())),
+        &mut Single,
+        Tile::whole(size).pixels(),
+        &mut sink,
+    );
     hash
 }
 

@@ -23,9 +23,9 @@ use std::error::Error;
 use std::path::{Path, PathBuf};
 
 use strahl_core::{
-    Agreement, Bare, Camera, CornerRow, Everything, Falloff, Geometry, ItemId, Kept, Light, Limits, Material,
-    MaterialId, Parts, Plane, Projection, Rgb, Scene, Selected, Selection, Shape, Sight, Single, Size,
-    Source, Sphere, Texture, TextureId, Tile, Tracer, Vec3, View, Worker, World, vec3,
+    Agreement, Bare, Camera, CameraSample, CornerRow, Everything, Falloff, Geometry, ItemId, Kept, Light,
+    Limits, Material, MaterialId, Parts, PixelSample, Plane, Projection, Rgb, Scene, Selected, Selection,
+    Shape, Single, Size, Source, Sphere, Texture, TextureId, Tile, Tracer, Vec3, View, Worker, World, vec3,
 };
 
 const STEP: u32 = 8;
@@ -69,7 +69,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     let tracer = Tracer::<_, Everything, 3>::new(&world, Camera::new(&view, size)?, limits)?;
 
     // All the memory that there is beside the display.
-    let mut row = [Sight::DARK; 41];
+    let mut row = [PixelSample::BLACK; 41];
     let mut lent = [Kept::NOTHING; 2048];
     let agreement = Agreement::of_colors(0.04).ok_or("no such threshold")?;
     let selection = Selection::new(STEP, agreement).ok_or("no such step")?;
@@ -83,13 +83,13 @@ fn main() -> Result<(), Box<dyn Error>> {
     selected.begin();
     for side in selection.sides() {
         for block in selection.blocks(tile).pixels() {
-            let mut shoot = |sample| {
+            let mut trace = |sample: CameraSample| {
                 rays += 1;
-                tracer.look(sample, &mut worker)
+                tracer.trace(sample, &mut worker)
             };
-            selected.refine(block, side, &mut shoot, &mut |pixel, sight| {
+            selected.refine_block(block, side, &mut trace, &mut |pixel, sample| {
                 if let Some(slot) = tile.place(pixel).and_then(|place| display.get_mut(place)) {
-                    *slot = sight.color;
+                    *slot = sample.color;
                     puts += 1;
                 }
             });

@@ -17,7 +17,10 @@
 //! At one straight edge that no raster is aligned with, and where texture is coarser than the
 //! raster, the regular one is hard to beat; it pays where there is structure to alias with.
 
-use strahl_core::{Dimension, Met, Pixel, Place, Regular, Rgb, Sample, Sampler, Sight, Stochastic, Stream};
+use strahl_core::{
+    CameraSample, Dimension, FilmPoint, HitId, Pixel, PixelSample, RayTracer, Regular, Rgb, Sampler,
+    Stochastic, Stream,
+};
 
 /// n times n cells with a ray through a random place of each.
 struct Jittered {
@@ -25,19 +28,21 @@ struct Jittered {
 }
 
 impl Sampler for Jittered {
-    fn look(&mut self, pixel: Pixel, shoot: &mut impl FnMut(Sample) -> Sight) -> Sight {
+    fn sample_pixel<R: RayTracer + ?Sized>(&mut self, pixel: Pixel, tracer: &mut R) -> PixelSample {
         let n = self.n;
         let mut sum = Rgb::BLACK;
         for index in 0..n * n {
             // Another seed for each cell, so that they have nothing to do with each other.
             let [x, y] = Stream::new(pixel.x, pixel.y, 0, index + 1).pair(Dimension::PIXEL);
-            let place = Place {
+            let place = FilmPoint {
                 x: pixel.x as f32 + ((index % n) as f32 + x) / n as f32,
                 y: pixel.y as f32 + ((index / n) as f32 + y) / n as f32,
             };
-            sum += shoot(Sample { place, stream: Stream::new(pixel.x, pixel.y, index, 0) }).color;
+            sum += tracer
+                .trace(CameraSample { point: place, stream: Stream::new(pixel.x, pixel.y, index, 0) })
+                .color;
         }
-        Sight { color: sum * (1.0 / (n * n) as f32), met: Met::Nothing }
+        PixelSample { color: sum * (1.0 / (n * n) as f32), hit: HitId::Nothing }
     }
 }
 
@@ -45,22 +50,24 @@ impl Sampler for Jittered {
 const SIDE: u32 = 64;
 
 /// White on one side of a slanted line.
-fn edge(place: Place) -> f32 {
+fn edge(place: FilmPoint) -> f32 {
     if 0.83 * place.x + 0.31 * place.y < 36.1 { 1.0 } else { 0.0 }
 }
 
 /// Rings that are finer than pixels far from the middle.
-fn plate(place: Place) -> f32 {
+fn plate(place: FilmPoint) -> f32 {
     let (x, y) = (place.x - 31.7, place.y - 32.4);
     0.5 + 0.5 * libm::cosf(0.05 * (x * x + y * y))
 }
 
-fn error(mut sampler: impl Sampler, scene: fn(Place) -> f32) -> f64 {
-    let mut see = |sample: Sample| Sight { color: Rgb::gray(scene(sample.place)), met: Met::Nothing };
+fn error(mut sampler: impl Sampler, scene: fn(FilmPoint) -> f32) -> f64 {
+    let mut see =
+        |sample: CameraSample| PixelSample { color: Rgb::gray(scene(sample.point)), hit: HitId::Nothing };
     let mut truth = Regular::new(96).unwrap_or(Regular::ONE);
     let mut squares = 0.0;
     for pixel in (0..SIDE).flat_map(|y| (0..SIDE).map(move |x| Pixel { x, y })) {
-        let difference = sampler.look(pixel, &mut see).color.r - truth.look(pixel, &mut see).color.r;
+        let difference =
+            sampler.sample_pixel(pixel, &mut see).color.r - truth.sample_pixel(pixel, &mut see).color.r;
         squares += f64::from(difference * difference);
     }
     (squares / f64::from(SIDE * SIDE)).sqrt()
@@ -69,7 +76,7 @@ fn error(mut sampler: impl Sampler, scene: fn(Place) -> f32) -> f64 {
 fn main() {
     for (name, sampler) in [("regular", 0), ("jittered", 1), ("stochastic", 2)] {
         let mut row = format!("| {name} |");
-        for scene in [edge as fn(Place) -> f32, plate] {
+        for scene in [edge as fn(FilmPoint) -> f32, plate] {
             for n in [4_u16, 16] {
                 let rays = u32::from(n) * u32::from(n);
                 let error = match sampler {

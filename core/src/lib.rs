@@ -91,9 +91,9 @@ pub use math::{
 };
 pub use render::{render, render_refined, render_selected};
 pub use scene::{
-    Background, Camera, EffectSet, Effects, Everything, Falloff, Interface, LastLevel, Light, LightKind,
-    LightSet, Material, MaterialFault, MaterialId, Parts, Place, Projection, Sample, Scene, SceneError, Size,
-    Source, Texture, TextureId, TextureKind, TextureSet, View, ViewFault, World,
+    Background, Camera, CameraSample, EffectSet, Effects, Everything, Falloff, FilmPoint, Interface,
+    LastLevel, Light, LightKind, LightSet, Material, MaterialFault, MaterialId, Parts, Projection, Scene,
+    SceneError, Size, Source, Texture, TextureId, TextureKind, TextureSet, View, ViewFault, World,
 };
 #[cfg(not(feature = "double"))]
 pub use scene::{Baking, Finder, Pack, PackError, PackPart};
@@ -101,4 +101,4 @@ pub use shade::{Crossing, Media, Refraction, absorbed, index, reflected, refract
 pub use tally::{
     Counters, Event, Fate, Lit, PerRayKind, PerShapeKind, RayCounters, RayKind, Step, Tally, UnsentRays,
 };
-pub use trace::{Limits, Met, Sight, Tracer, TracerError, Worker};
+pub use trace::{HitId, Limits, PixelSample, RayTracer, Tracer, TracerError, Worker};

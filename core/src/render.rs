@@ -1,10 +1,7 @@
 //! The front door.
 
-use crate::accel::Accelerator;
 use crate::image::{Corners, Pixel, Sampler, Selected, Sink, Tile};
-use crate::scene::Effects;
-use crate::tally::Tally;
-use crate::trace::{Tracer, Worker};
+use crate::trace::RayTracer;
 
 /// Traces `pixels`, in their order, into `sink`; ends early only when the sink fails.
 ///
@@ -36,31 +33,28 @@ use crate::trace::{Tracer, Worker};
 ///
 /// let mut picture = [Rgb::BLACK; 9];
 /// let mut frame = Frame::new(Tile::whole(size), &mut picture).unwrap();
-/// let Ok(()) = render(&tracer, &mut Single, &mut Worker::new(()), Tile::whole(size).pixels(), &mut frame);
+/// let Ok(()) = render(&mut tracer.with_worker(&mut Worker::new(())), &mut Single, Tile::whole(size).pixels(), &mut frame);
 ///
 /// let (ball, space) = (Rgb::gray(0.5), Rgb::BLACK);
 /// assert_eq!(picture, [space, space, space, space, ball, space, space, space, space]);
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
-pub fn render<A, E, T, S, K, const LEVELS: usize, const SHADOWS: usize>(
-    tracer: &Tracer<'_, '_, A, E, LEVELS>,
+pub fn render<R, S, K>(
+    tracer: &mut R,
     sampler: &mut S,
-    worker: &mut Worker<A, T, LEVELS, SHADOWS>,
     pixels: impl IntoIterator<Item = Pixel>,
     sink: &mut K,
 ) -> Result<(), K::Error>
 where
-    A: Accelerator,
-    E: Effects,
-    T: Tally,
+    R: RayTracer + ?Sized,
     S: Sampler,
     K: Sink,
 {
-    worker.forget();
+    tracer.begin();
     sampler.begin();
     for pixel in pixels {
-        let sight = sampler.look(pixel, &mut |sample| tracer.look(sample, worker));
-        sink.put_sight(pixel, sight)?;
+        let sample = sampler.sample_pixel(pixel, tracer);
+        sink.put_sample(pixel, sample)?;
     }
     Ok(())
 }
@@ -71,28 +65,23 @@ where
 /// [`Selection::blocks`](crate::Selection::blocks) lists the blocks of a picture or of a part
 /// of it. The sink also gets the pixels of these blocks that lie outside of it, beyond the
 /// right and the lower edge.
-pub fn render_selected<A, E, T, C, S, K, const LEVELS: usize, const SHADOWS: usize>(
-    tracer: &Tracer<'_, '_, A, E, LEVELS>,
-    selected: &mut Selected<'_, C, S>,
-    worker: &mut Worker<A, T, LEVELS, SHADOWS>,
+pub fn render_selected<R, K>(
+    tracer: &mut R,
+    selected: &mut Selected<'_, impl Corners, impl Sampler>,
     blocks: impl IntoIterator<Item = Pixel>,
     sink: &mut K,
 ) -> Result<(), K::Error>
 where
-    A: Accelerator,
-    E: Effects,
-    T: Tally,
-    C: Corners,
-    S: Sampler,
+    R: RayTracer + ?Sized,
     K: Sink,
 {
-    worker.forget();
+    tracer.begin();
     selected.begin();
     for block in blocks {
         let mut result = Ok(());
-        selected.block(block, &mut |sample| tracer.look(sample, worker), &mut |pixel, sight| {
+        selected.sample_block(block, tracer, &mut |pixel, sample| {
             if result.is_ok() {
-                result = sink.put_sight(pixel, sight);
+                result = sink.put_sample(pixel, sample);
             }
         });
         result?;
@@ -107,30 +96,25 @@ where
 /// For a display that is looked at while it is drawn: it needs no memory for the picture, and gets
 /// those pixels anew that have changed. As there, it also gets pixels beyond the right and the
 /// lower edge.
-pub fn render_refined<A, E, T, C, S, K, const LEVELS: usize, const SHADOWS: usize>(
-    tracer: &Tracer<'_, '_, A, E, LEVELS>,
-    selected: &mut Selected<'_, C, S>,
-    worker: &mut Worker<A, T, LEVELS, SHADOWS>,
+pub fn render_refined<R, K>(
+    tracer: &mut R,
+    selected: &mut Selected<'_, impl Corners, impl Sampler>,
     tile: Tile,
     sink: &mut K,
 ) -> Result<(), K::Error>
 where
-    A: Accelerator,
-    E: Effects,
-    T: Tally,
-    C: Corners,
-    S: Sampler,
+    R: RayTracer + ?Sized,
     K: Sink,
 {
-    worker.forget();
+    tracer.begin();
     selected.begin();
     let selection = *selected.selection();
     for side in selection.sides() {
         for block in selection.blocks(tile).pixels() {
             let mut result = Ok(());
-            selected.refine(block, side, &mut |sample| tracer.look(sample, worker), &mut |pixel, sight| {
+            selected.refine_block(block, side, tracer, &mut |pixel, sample| {
                 if result.is_ok() {
-                    result = sink.put_sight(pixel, sight);
+                    result = sink.put_sample(pixel, sample);
                 }
             });
             result?;

@@ -74,7 +74,7 @@ fn traced(limits: Limits, sampler: &mut impl Sampler) -> Result<Vec<Rgb>, Failur
     let tile = Tile::whole(SIZE);
     let mut colors = vec![Rgb::BLACK; tile.len()];
     let mut frame = Frame::new(tile, &mut colors).ok_or("the frame has another size")?;
-    let Ok(()) = render(&tracer, sampler, &mut Worker::new(()), tile.pixels(), &mut frame);
+    let Ok(()) = render(&mut tracer.with_worker(&mut Worker::new(())), sampler, tile.pixels(), &mut frame);
     Ok(colors)
 }
 

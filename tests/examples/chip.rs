@@ -152,7 +152,8 @@ fn bake_and_draw(
     let tile = Tile::whole(asked.size);
     let mut colors = vec![Rgb::BLACK; tile.len()];
     let mut frame = Frame::new(tile, &mut colors).ok_or("the frame has another size")?;
-    let Ok(()) = render(&tracer, &mut Single, &mut Worker::new(()), tile.pixels(), &mut frame);
+    let Ok(()) =
+        render(&mut tracer.with_worker(&mut Worker::new(())), &mut Single, tile.pixels(), &mut frame);
     let bytes: Vec<u8> = colors.iter().flat_map(|c| [c.r, c.g, c.b]).flat_map(f32::to_le_bytes).collect();
     Ok(std::fs::write(folder.join(name).with_extension("f32"), bytes)?)
 }

@@ -7,7 +7,7 @@
 //! Each scene is traced by the tracer that the program has for it
 //! (`strahl::effects`), by one of all shapes and exactly its effects, by one of exactly its shapes
 //! and effects, and by the one that can do everything. Callgrind counts the instructions below
-//! `Tracer::look`. Exit status 1 when a scene pays more than 1 % in the program,
+//! `Tracer::trace`. Exit status 1 when a scene pays more than 1 % in the program,
 //! or when not all pictures are the same, bit for bit. Needs valgrind.
 
 use std::error::Error;
@@ -133,7 +133,8 @@ fn hash<A: Accelerator, E: Effects>(
         }
     };
     let mut worker = Worker::new(RayCounters::new());
-    let Ok(()) = render(&tracer, &mut Single, &mut worker, Tile::whole(size).pixels(), &mut sink);
+    let Ok(()) =
+        render(&mut tracer.with_worker(&mut worker), &mut Single, Tile::whole(size).pixels(), &mut sink);
     Ok(hash)
 }
 
@@ -153,10 +154,10 @@ fn prepared(name: &str) -> Result<Way, Box<dyn Error>> {
     }
 }
 
-/// The instructions below `look`, and the hash of the picture.
+/// The instructions below `trace`, and the hash of the picture.
 fn measured(scene: &str, way: &str) -> Result<(f64, String), Box<dyn Error>> {
     let done = Command::new("valgrind")
-        .args(["--tool=callgrind", "--callgrind-out-file=/dev/null", "--toggle-collect=*Tracer*look*"])
+        .args(["--tool=callgrind", "--callgrind-out-file=/dev/null", "--toggle-collect=*Tracer<*>::trace*"])
         .arg(std::env::current_exe()?)
         .args([scene, way])
         .output()?;

@@ -17,8 +17,8 @@ use strahl::progress::NoProgress;
 use strahl::sampling::{Agreement, Selecting};
 use strahl::wanted::{Sampling, Wanted};
 use strahl_core::{
-    Bare, Camera, Everything, Limits, Pixel, RayKind, Rgb, Sample, Sampler, Sight, Size, Stream, Tile,
-    Tracer, Worker, World, render,
+    Bare, Camera, CameraSample, Everything, Limits, Pixel, PixelSample, RayKind, RayTracer, Rgb, Sampler,
+    Size, Stream, Tile, Tracer, Worker, World, render,
 };
 use strahl_picture::Values;
 use strahl_picture::difference::Pair;
@@ -69,20 +69,22 @@ struct Jittered {
 }
 
 impl Sampler for Jittered {
-    fn look(&mut self, pixel: Pixel, shoot: &mut impl FnMut(Sample) -> Sight) -> Sight {
+    fn sample_pixel<R: RayTracer + ?Sized>(&mut self, pixel: Pixel, tracer: &mut R) -> PixelSample {
         let n = self.n;
         let mut sum = Rgb::BLACK;
         for index in 0..n * n {
             // A place of its own for each cell, so that they have nothing to do with each other.
             let chance =
                 Stream::new(pixel.x, pixel.y, self.seed, index + 1).pair(strahl_core::Dimension::PIXEL);
-            let place = strahl_core::Place {
+            let place = strahl_core::FilmPoint {
                 x: pixel.x as f32 + ((index % n) as f32 + chance[0]) / n as f32,
                 y: pixel.y as f32 + ((index / n) as f32 + chance[1]) / n as f32,
             };
-            sum += shoot(Sample { place, stream: Stream::new(pixel.x, pixel.y, index, self.seed) }).color;
+            sum += tracer
+                .trace(CameraSample { point: place, stream: Stream::new(pixel.x, pixel.y, index, self.seed) })
+                .color;
         }
-        Sight { color: sum * (1.0 / (n * n) as f32), ..Sight::DARK }
+        PixelSample { color: sum * (1.0 / (n * n) as f32), ..PixelSample::BLACK }
     }
 }
 
@@ -168,7 +170,8 @@ impl Scene {
             let mut sink = |_: Pixel, color: Rgb| colors.push(color);
             let mut sampler = Jittered { n: RAYS.isqrt(), seed };
             let pixels = Tile::whole(self.size).pixels();
-            let Ok(()) = render(&tracer, &mut sampler, &mut Worker::new(()), pixels, &mut sink);
+            let Ok(()) =
+                render(&mut tracer.with_worker(&mut Worker::new(())), &mut sampler, pixels, &mut sink);
             Ok(self.measured((colors, f64::from(RAYS))))
         })
     }

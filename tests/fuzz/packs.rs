@@ -75,5 +75,5 @@ fn trace<A: Accelerator>(pack: &Pack<'_>, world: World<'_, A>) {
         return;
     };
     let mut sink = |_, color: Rgb| assert!(color.r.is_finite() && color.g.is_finite() && color.b.is_finite());
-    let Ok(()) = render(&tracer, &mut Single, &mut Worker::new(()), tile.pixels(), &mut sink);
+    let Ok(()) = render(&mut tracer.with_worker(&mut Worker::new(())), &mut Single, tile.pixels(), &mut sink);
 }

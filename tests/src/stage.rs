@@ -1,10 +1,10 @@
 //! A scene with tables of its own, for the core that the room above names `strahl`.
 
 use super::strahl::{
-    Aabb, Background, Camera, Cone, Counters, Cuboid, Disc, Everything, Geometry, Hit, ItemId, Light, Limits,
-    List, Material, MaterialId, Moving, Parts, Place, Plane, Polygon, Projection, ROUNDOFF, Ray, RayKind,
-    Real, Rgb, Sample, Scene, Shape, Size, Sphere, Stream, Texture, TextureId, Torus, Tracer, TurnedCuboid,
-    Vec3, View, Worker, World, groups_of, leave, unit, vec3,
+    Aabb, Background, Camera, CameraSample, Cone, Counters, Cuboid, Disc, Everything, FilmPoint, Geometry,
+    Hit, ItemId, Light, Limits, List, Material, MaterialId, Moving, Parts, Plane, Polygon, Projection,
+    ROUNDOFF, Ray, RayKind, Real, Rgb, Scene, Shape, Size, Sphere, Stream, Texture, TextureId, Torus, Tracer,
+    TurnedCuboid, Vec3, View, Worker, World, groups_of, leave, unit, vec3,
 };
 use crate::cast::{Core, Found};
 use crate::thing::{Line, Thing};
@@ -266,8 +266,9 @@ impl Stage {
         let mut worker = Worker::new(());
         let mut sum = [0.0; 3];
         for index in 0..n {
-            let sample = Sample { place: Place { x: 0.5, y: 0.5 }, stream: Stream::new(7, 5, index, seed) };
-            let color = tracer.look(sample, &mut worker).color;
+            let sample =
+                CameraSample { point: FilmPoint { x: 0.5, y: 0.5 }, stream: Stream::new(7, 5, index, seed) };
+            let color = tracer.trace(sample, &mut worker).color;
             #[allow(clippy::useless_conversion)] // in the twin
             for (sum, channel) in sum.iter_mut().zip([color.r, color.g, color.b]) {
                 *sum += f64::from(channel) / f64::from(n);
@@ -286,8 +287,8 @@ impl Stage {
         let world = World::new(self.scene(), List::bare(self.len()));
         let tracer = Tracer::<_, Everything, 64>::new(&world, straight(eye, target), limits).unwrap();
         let mut worker = Worker::new(Counters::new());
-        let sample = Sample { place: Place { x: 0.5, y: 0.5 }, stream: Stream::new(0, 0, 0, 0) };
-        let color = tracer.look(sample, &mut worker).color;
+        let sample = CameraSample { point: FilmPoint { x: 0.5, y: 0.5 }, stream: Stream::new(0, 0, 0, 0) };
+        let color = tracer.trace(sample, &mut worker).color;
         assert!(color.is_within(Real::MAX), "{color:?} is no light");
         (color, worker.into_tally())
     }

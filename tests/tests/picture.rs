@@ -143,7 +143,8 @@ fn constants<E: Effects>() -> Picture {
     let tile = Tile::whole(size);
     let mut colors = vec![Rgb::BLACK; tile.len()];
     let mut frame = Frame::new(tile, &mut colors).unwrap();
-    let Ok(()) = render(&tracer, &mut Single, &mut Worker::new(()), tile.pixels(), &mut frame);
+    let Ok(()) =
+        render(&mut tracer.with_worker(&mut Worker::new(())), &mut Single, tile.pixels(), &mut frame);
     Picture { size, colors }
 }
 

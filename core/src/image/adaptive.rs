@@ -13,8 +13,8 @@ use super::pixel::Pixel;
 use super::quarter::{MOST_DEPTH, Square, quarter};
 use super::sampler::Sampler;
 use crate::math::{Real, Rgb, Stream};
-use crate::scene::{Place, Sample};
-use crate::trace::Sight;
+use crate::scene::{CameraSample, FilmPoint};
+use crate::trace::{PixelSample, RayTracer};
 
 /// How a pixel is parted.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -41,12 +41,12 @@ impl Parting {
 
     /// The ray through the place that lies `x` and `y` of the finest steps from the picture's
     /// corner.
-    fn sample(&self, x: u32, y: u32) -> Sample {
+    fn sample(&self, x: u32, y: u32) -> CameraSample {
         let step = 1.0 / (1_u32 << self.depth) as Real;
-        let place = Place { x: x as Real * step, y: y as Real * step };
+        let place = FilmPoint { x: x as Real * step, y: y as Real * step };
         // In the steps of the greatest depth, so that the numbers do not depend on this one.
         let shift = MOST_DEPTH - self.depth;
-        Sample { place, stream: Stream::new(x << shift, y << shift, 0, self.seed) }
+        CameraSample { point: place, stream: Stream::new(x << shift, y << shift, 0, self.seed) }
     }
 }
 
@@ -56,9 +56,9 @@ impl Parting {
 pub struct Corner(pub Parting);
 
 impl Sampler for Corner {
-    fn look(&mut self, pixel: Pixel, shoot: &mut impl FnMut(Sample) -> Sight) -> Sight {
+    fn sample_pixel<R: RayTracer + ?Sized>(&mut self, pixel: Pixel, tracer: &mut R) -> PixelSample {
         let Corner(parting) = self;
-        shoot(parting.sample(pixel.x << parting.depth, pixel.y << parting.depth))
+        tracer.trace(parting.sample(pixel.x << parting.depth, pixel.y << parting.depth))
     }
 }
 
@@ -82,44 +82,44 @@ impl<'m, C: Corners> Adaptive<'m, C> {
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Part {
     /// Its upper left corner.
-    pub place: Place,
+    pub place: FilmPoint,
     /// The length of its sides, in pixels.
     pub side: Real,
     /// What is seen at its corners: upper left, upper right, lower left, lower right.
-    pub corners: [Sight; 4],
+    pub corners: [PixelSample; 4],
 }
 
 impl<C: Corners> Adaptive<'_, C> {
-    /// What is seen in `pixel`, of which `told` hears part by part: the colour is the sum of
+    /// Samples `pixel` and passes each of its parts to `part_done`: the colour is the sum of
     /// `mean * side^2`, in this order, where `mean` is `((a + b) + (c + d)) / 4` of the corners.
-    pub fn look_by_parts(
+    pub fn sample_by_parts(
         &mut self,
         pixel: Pixel,
-        shoot: &mut impl FnMut(Sample) -> Sight,
-        told: &mut impl FnMut(Part),
-    ) -> Sight {
+        tracer: &mut (impl RayTracer + ?Sized),
+        part_done: &mut impl FnMut(Part),
+    ) -> PixelSample {
         let Adaptive { parting, corners, memory } = self;
         let depth = parting.depth;
-        let mut find = |x, y| memory.find(x, y, || shoot(parting.sample(x, y)));
+        let mut find = |x, y| memory.find(x, y, || tracer.trace(parting.sample(x, y)));
         let corners = corners.corners(pixel, &mut |corner| find(corner.x << depth, corner.y << depth));
         let whole = Square { x: pixel.x << depth, y: pixel.y << depth, side: 1 << depth, corners };
 
-        let (mut sum, mut met) = (Rgb::BLACK, whole.met());
+        let (mut sum, mut hit) = (Rgb::BLACK, whole.hit());
         let steps = whole.side as Real;
         quarter(whole, &parting.agreement, 1, &mut find, &mut |part| {
             let side = part.side as Real / steps;
             sum += part.mean() * (side * side);
-            met = met.and(part.met());
-            let place = Place { x: part.x as Real / steps, y: part.y as Real / steps };
-            told(Part { place, side, corners: part.corners });
+            hit = hit.and(part.hit());
+            let place = FilmPoint { x: part.x as Real / steps, y: part.y as Real / steps };
+            part_done(Part { place, side, corners: part.corners });
         });
-        Sight { color: sum, met }
+        PixelSample { color: sum, hit }
     }
 }
 
 impl<C: Corners> Sampler for Adaptive<'_, C> {
-    fn look(&mut self, pixel: Pixel, shoot: &mut impl FnMut(Sample) -> Sight) -> Sight {
-        self.look_by_parts(pixel, shoot, &mut |_| {})
+    fn sample_pixel<R: RayTracer + ?Sized>(&mut self, pixel: Pixel, tracer: &mut R) -> PixelSample {
+        self.sample_by_parts(pixel, tracer, &mut |_| {})
     }
 
     fn begin(&mut self) {
@@ -132,12 +132,12 @@ impl<C: Corners> Sampler for Adaptive<'_, C> {
 mod tests {
     use super::*;
     use crate::image::{CornerRow, Lattice, Loose, Tile};
-    use crate::trace::Met;
+    use crate::trace::HitId;
 
     /// Half of the plane is white: what lies above a slanted line.
-    fn half(sample: Sample) -> Sight {
-        let inside = sample.place.y < 2.3 + 0.37 * sample.place.x;
-        Sight { color: if inside { Rgb::WHITE } else { Rgb::BLACK }, met: Met::Nothing }
+    fn half(sample: CameraSample) -> PixelSample {
+        let inside = sample.point.y < 2.3 + 0.37 * sample.point.x;
+        PixelSample { color: if inside { Rgb::WHITE } else { Rgb::BLACK }, hit: HitId::Nothing }
     }
 
     fn parting(depth: u8, threshold: Real) -> Parting {
@@ -151,34 +151,34 @@ mod tests {
         let parting = parting(4, 0.1);
         let mut nothing = [Kept::NOTHING; 0];
         let mut bare = Adaptive::new(parting, Loose, &mut nothing);
-        let mut truth = [Sight::DARK; 30];
+        let mut truth = [PixelSample::BLACK; 30];
         let mut most = 0;
         for (slot, pixel) in truth.iter_mut().zip(CELLS.pixels()) {
-            *slot = bare.look(pixel, &mut |sample| {
+            *slot = bare.sample_pixel(pixel, &mut |sample: CameraSample| {
                 most += 1;
                 half(sample)
             });
         }
 
-        let mut lattice = [Sight::DARK; 42];
+        let mut lattice = [PixelSample::BLACK; 42];
         for (slot, corner) in lattice.iter_mut().zip(Lattice::tile(CELLS).pixels()) {
-            *slot = Corner(parting).look(corner, &mut half);
+            *slot = Corner(parting).sample_pixel(corner, &mut half);
         }
         let mut rays = 42;
         for slots in [1, 1000] {
             let mut lent = [Kept::NOTHING; 1000];
             let mut lent_too = [Kept::NOTHING; 1000];
-            let mut row = [Sight::DARK; 6];
+            let mut row = [PixelSample::BLACK; 6];
             let mut with_lattice =
                 Adaptive::new(parting, Lattice::new(CELLS, &lattice).unwrap(), &mut lent[..slots]);
             let mut with_row = Adaptive::new(parting, CornerRow::new(&mut row), &mut lent_too[..slots]);
             for (truth, pixel) in truth.iter().zip(CELLS.pixels()) {
-                let seen = with_lattice.look(pixel, &mut |sample| {
+                let seen = with_lattice.sample_pixel(pixel, &mut |sample: CameraSample| {
                     rays += i32::from(slots == 1000);
                     half(sample)
                 });
                 assert_eq!(seen, *truth, "{pixel:?}");
-                assert_eq!(with_row.look(pixel, &mut half), *truth, "{pixel:?}");
+                assert_eq!(with_row.sample_pixel(pixel, &mut half), *truth, "{pixel:?}");
             }
         }
         assert!(4 * rays < 3 * most, "{rays} of {most}");
@@ -191,7 +191,7 @@ mod tests {
         let pixel = Pixel { x: 1, y: 2 };
         let dark = 0.33 * 0.892 / 2.0;
         for (depth, tolerance) in [(2, 0.1), (4, 0.02), (6, 0.005)] {
-            let seen = Adaptive::new(parting(depth, 0.1), Loose, &mut lent).look(pixel, &mut half);
+            let seen = Adaptive::new(parting(depth, 0.1), Loose, &mut lent).sample_pixel(pixel, &mut half);
             assert!((seen.color.r - (1.0 - dark)).abs() < tolerance, "{depth}: {}", seen.color.r);
         }
     }
@@ -200,7 +200,7 @@ mod tests {
     fn the_parts_of_a_pixel_cover_it_and_make_its_colour() {
         let pixel = Pixel { x: 1, y: 2 };
         let (mut sum, mut area, mut count) = (Rgb::BLACK, 0.0, 0);
-        let seen = Adaptive::new(parting(4, 0.1), Loose, &mut []).look_by_parts(
+        let seen = Adaptive::new(parting(4, 0.1), Loose, &mut []).sample_by_parts(
             pixel,
             &mut half,
             &mut |Part { place, side, corners: [a, b, c, d] }| {
@@ -218,27 +218,33 @@ mod tests {
     #[test]
     fn at_depth_zero_a_pixel_is_the_mean_of_its_corners() {
         let mut rays = 0;
-        let seen = Adaptive::new(parting(0, 0.0), Loose, &mut []).look(Pixel { x: 3, y: 5 }, &mut |sample| {
-            rays += 1;
-            Sight { color: Rgb::new(sample.place.x, sample.place.y, 1.0), met: Met::Nothing }
-        });
+        let seen = Adaptive::new(parting(0, 0.0), Loose, &mut []).sample_pixel(
+            Pixel { x: 3, y: 5 },
+            &mut |sample: CameraSample| {
+                rays += 1;
+                PixelSample { color: Rgb::new(sample.point.x, sample.point.y, 1.0), hit: HitId::Nothing }
+            },
+        );
         assert_eq!((rays, seen.color), (4, Rgb::new(3.5, 5.5, 1.0)));
         assert!(Parting::new(Parting::MOST_DEPTH + 1, Agreement::of_colors(0.0).unwrap()).is_none());
     }
 
     #[test]
     fn items_that_look_alike_part_a_pixel_only_on_request() {
-        let two = |sample: Sample| {
-            let met = Met::Item(crate::geometry::ItemId(u32::from(sample.place.x > 0.3)));
-            Sight { color: Rgb::WHITE, met }
+        let two = |sample: CameraSample| {
+            let hit = HitId::Item(crate::geometry::ItemId(u32::from(sample.point.x > 0.3)));
+            PixelSample { color: Rgb::WHITE, hit }
         };
         let rays = |agreement| {
             let mut rays = 0;
             let parting = Parting::new(3, agreement).unwrap();
-            Adaptive::new(parting, Loose, &mut []).look(Pixel { x: 0, y: 0 }, &mut |sample| {
-                rays += 1;
-                two(sample)
-            });
+            Adaptive::new(parting, Loose, &mut []).sample_pixel(
+                Pixel { x: 0, y: 0 },
+                &mut |sample: CameraSample| {
+                    rays += 1;
+                    two(sample)
+                },
+            );
             rays
         };
         let colors = Agreement::of_colors(0.0).unwrap();

@@ -1,7 +1,7 @@
 //! When neighbours in the picture are taken to look the same.
 
 use crate::math::{Real, Rgb};
-use crate::trace::{Met, Sight};
+use crate::trace::{HitId, PixelSample};
 
 /// How much neighbours may differ and still agree.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -17,16 +17,16 @@ impl Agreement {
         (threshold >= 0.0 && threshold <= 1.0).then_some(Agreement { threshold, items: false })
     }
 
-    /// The same, and only where all rays met the same item.
+    /// The same, and only where all rays hit the same item.
     pub fn and_items(self) -> Self {
         Agreement { items: true, ..self }
     }
 
     /// Whether the corners of a square agree.
-    pub(super) fn holds(&self, corners: &[Sight; 4]) -> bool {
+    pub(super) fn holds(&self, corners: &[PixelSample; 4]) -> bool {
         let same_item = || {
             let [first, rest @ ..] = corners;
-            rest.iter().fold(first.met, |met, corner| met.and(corner.met)) != Met::Several
+            rest.iter().fold(first.hit, |hit, corner| hit.and(corner.hit)) != HitId::Several
         };
         (!self.items || same_item())
             && Rgb::contrast(corners.iter().map(|corner| corner.color)) <= self.threshold

@@ -8,8 +8,7 @@
 
 use super::pixel::{Pixel, Tile};
 use super::sampler::Sampler;
-use crate::scene::Sample;
-use crate::trace::Sight;
+use crate::trace::{PixelSample, RayTracer};
 
 /// Somebody who knows what is seen at the corners of cells.
 ///
@@ -17,7 +16,7 @@ use crate::trace::Sight;
 pub trait Corners {
     /// Upper left, upper right, lower left and lower right corner of `cell`. `find` says what is
     /// seen at a corner.
-    fn corners(&mut self, cell: Pixel, find: &mut impl FnMut(Pixel) -> Sight) -> [Sight; 4];
+    fn corners(&mut self, cell: Pixel, find: &mut impl FnMut(Pixel) -> PixelSample) -> [PixelSample; 4];
 
     /// A new picture begins: what was kept of another is forgotten.
     fn begin(&mut self) {}
@@ -33,7 +32,7 @@ fn names(Pixel { x, y }: Pixel) -> [Pixel; 4] {
 pub struct Loose;
 
 impl Corners for Loose {
-    fn corners(&mut self, cell: Pixel, find: &mut impl FnMut(Pixel) -> Sight) -> [Sight; 4] {
+    fn corners(&mut self, cell: Pixel, find: &mut impl FnMut(Pixel) -> PixelSample) -> [PixelSample; 4] {
         names(cell).map(find)
     }
 }
@@ -42,7 +41,7 @@ impl Corners for Loose {
 #[derive(Clone, Copy, Debug)]
 pub struct Lattice<'m> {
     tile: Tile,
-    corners: &'m [Sight],
+    corners: &'m [PixelSample],
 }
 
 impl<'m> Lattice<'m> {
@@ -53,14 +52,14 @@ impl<'m> Lattice<'m> {
 
     /// The corners of `cells`, row by row; none when they are not as many as
     /// [`Lattice::tile`] has.
-    pub fn new(cells: Tile, corners: &'m [Sight]) -> Option<Self> {
+    pub fn new(cells: Tile, corners: &'m [PixelSample]) -> Option<Self> {
         let tile = Self::tile(cells);
         (corners.len() == tile.len()).then_some(Lattice { tile, corners })
     }
 }
 
 impl Corners for Lattice<'_> {
-    fn corners(&mut self, cell: Pixel, find: &mut impl FnMut(Pixel) -> Sight) -> [Sight; 4] {
+    fn corners(&mut self, cell: Pixel, find: &mut impl FnMut(Pixel) -> PixelSample) -> [PixelSample; 4] {
         names(cell).map(|corner| {
             let kept = self.tile.place(corner).and_then(|place| self.corners.get(place));
             kept.copied().unwrap_or_else(|| find(corner))
@@ -75,36 +74,36 @@ impl Corners for Lattice<'_> {
 #[derive(Debug)]
 pub struct CornerRow<'m> {
     /// The corners above the cells to come, and below those that have been.
-    row: &'m mut [Sight],
+    row: &'m mut [PixelSample],
     /// The cell that shares corners with the last one.
     next: Option<Pixel>,
     first: u32,
     /// Whether `row` holds the corners above the cells to come.
     above: bool,
     /// The last cell's lower right corner.
-    last: Sight,
+    last: PixelSample,
 }
 
 impl<'m> CornerRow<'m> {
     /// For rows of `row.len() - 1` cells. With less than two corners it remembers nothing, and
     /// asks for all four of every cell.
-    pub fn new(row: &'m mut [Sight]) -> Self {
-        CornerRow { row, next: None, first: 0, above: false, last: Sight::DARK }
+    pub fn new(row: &'m mut [PixelSample]) -> Self {
+        CornerRow { row, next: None, first: 0, above: false, last: PixelSample::BLACK }
     }
 
-    fn at(&self, place: u32) -> Sight {
-        self.row.get(place as usize).copied().unwrap_or(Sight::DARK)
+    fn at(&self, place: u32) -> PixelSample {
+        self.row.get(place as usize).copied().unwrap_or(PixelSample::BLACK)
     }
 
-    fn set(&mut self, place: u32, sight: Sight) {
+    fn set(&mut self, place: u32, sample: PixelSample) {
         if let Some(slot) = self.row.get_mut(place as usize) {
-            *slot = sight;
+            *slot = sample;
         }
     }
 }
 
 impl Corners for CornerRow<'_> {
-    fn corners(&mut self, cell: Pixel, find: &mut impl FnMut(Pixel) -> Sight) -> [Sight; 4] {
+    fn corners(&mut self, cell: Pixel, find: &mut impl FnMut(Pixel) -> PixelSample) -> [PixelSample; 4] {
         let width = self.row.len().saturating_sub(1) as u32;
         if self.next != Some(cell) {
             // A new beginning: only the corners of this cell are needed, and none is known.
@@ -153,8 +152,9 @@ pub struct Every<S> {
 }
 
 impl<S: Sampler> Sampler for Every<S> {
-    fn look(&mut self, Pixel { x, y }: Pixel, shoot: &mut impl FnMut(Sample) -> Sight) -> Sight {
-        self.sampler.look(Pixel { x: x.wrapping_mul(self.side), y: y.wrapping_mul(self.side) }, shoot)
+    fn sample_pixel<R: RayTracer + ?Sized>(&mut self, Pixel { x, y }: Pixel, tracer: &mut R) -> PixelSample {
+        self.sampler
+            .sample_pixel(Pixel { x: x.wrapping_mul(self.side), y: y.wrapping_mul(self.side) }, tracer)
     }
 
     fn begin(&mut self) {
@@ -166,27 +166,27 @@ impl<S: Sampler> Sampler for Every<S> {
 mod tests {
     use super::*;
     use crate::math::{Real, Rgb};
-    use crate::trace::Met;
+    use crate::trace::HitId;
 
-    fn sight(Pixel { x, y }: Pixel) -> Sight {
-        Sight { color: Rgb::new((x * y) as Real, x as Real, (y * y) as Real), met: Met::Nothing }
+    fn sample(Pixel { x, y }: Pixel) -> PixelSample {
+        PixelSample { color: Rgb::new((x * y) as Real, x as Real, (y * y) as Real), hit: HitId::Nothing }
     }
 
-    fn truth(cell: Pixel) -> [Sight; 4] {
-        names(cell).map(sight)
+    fn truth(cell: Pixel) -> [PixelSample; 4] {
+        names(cell).map(sample)
     }
 
     #[test]
     fn a_row_of_memory_finds_each_corner_once() {
         for (w, h) in [(1, 1), (1, 4), (4, 1), (5, 3)] {
-            let mut memory = [Sight::DARK; 8];
+            let mut memory = [PixelSample::BLACK; 8];
             let mut row = CornerRow::new(&mut memory[..w as usize + 1]);
             let mut found = 0;
             let tile = Tile { first: Pixel { x: 2, y: 7 }, width: w, height: h };
             for cell in tile.pixels() {
                 let mut find = |corner| {
                     found += 1;
-                    sight(corner)
+                    sample(corner)
                 };
                 assert_eq!(row.corners(cell, &mut find), truth(cell), "{cell:?} of {w}x{h}");
             }
@@ -196,27 +196,27 @@ mod tests {
 
     #[test]
     fn a_row_of_memory_is_right_in_any_order() {
-        let mut memory = [Sight::DARK; 4];
+        let mut memory = [PixelSample::BLACK; 4];
         let mut row = CornerRow::new(&mut memory);
         for (x, y) in [(1, 0), (2, 0), (0, 1), (2, 0), (3, 0), (4, 0), (2, 1), (3, 1), (1, 2), (9, 9)] {
             let cell = Pixel { x, y };
-            assert_eq!(row.corners(cell, &mut sight), truth(cell), "{cell:?}");
+            assert_eq!(row.corners(cell, &mut sample), truth(cell), "{cell:?}");
         }
     }
 
     #[test]
     fn a_lattice_gives_the_same_and_finds_only_what_lies_outside() {
         let cells = Tile { first: Pixel { x: 5, y: 1 }, width: 3, height: 2 };
-        let mut memory = [Sight::DARK; 12];
+        let mut memory = [PixelSample::BLACK; 12];
         for (slot, corner) in memory.iter_mut().zip(Lattice::tile(cells).pixels()) {
-            *slot = sight(corner);
+            *slot = sample(corner);
         }
         let mut lattice = Lattice::new(cells, &memory).unwrap();
         for cell in cells.pixels() {
             assert_eq!(lattice.corners(cell, &mut |_| unreachable!()), truth(cell));
         }
         let outside = Pixel { x: 0, y: 0 };
-        assert_eq!(lattice.corners(outside, &mut sight), truth(outside));
+        assert_eq!(lattice.corners(outside, &mut sample), truth(outside));
         assert!(Lattice::new(cells, &memory[..11]).is_none());
     }
 }

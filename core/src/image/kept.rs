@@ -1,17 +1,17 @@
 //! What was seen at places in the picture, kept in lent memory.
 
-use crate::trace::Sight;
+use crate::trace::PixelSample;
 
 /// A place and what was seen there.
 #[derive(Clone, Copy, Debug)]
 pub struct Kept {
     place: Option<(u32, u32)>,
-    sight: Sight,
+    sample: PixelSample,
 }
 
 impl Kept {
     /// Nothing yet.
-    pub const NOTHING: Kept = Kept { place: None, sight: Sight::DARK };
+    pub const NOTHING: Kept = Kept { place: None, sample: PixelSample::BLACK };
 }
 
 /// A table of places. Each has one slot, which it shares with others: the later replaces the
@@ -31,16 +31,16 @@ impl<'m> Memory<'m> {
     }
 
     /// What is seen at a place: what was kept, else what `trace` sees.
-    pub(super) fn find(&mut self, x: u32, y: u32, trace: impl FnOnce() -> Sight) -> Sight {
+    pub(super) fn find(&mut self, x: u32, y: u32, trace: impl FnOnce() -> PixelSample) -> PixelSample {
         let place = Some((x, y));
         let slot = slot(x, y, self.0.len());
         match self.0.get_mut(slot) {
             None => trace(),
-            Some(kept) if kept.place == place => kept.sight,
+            Some(kept) if kept.place == place => kept.sample,
             Some(kept) => {
-                let sight = trace();
-                *kept = Kept { place, sight };
-                sight
+                let sample = trace();
+                *kept = Kept { place, sample };
+                sample
             }
         }
     }
@@ -59,7 +59,7 @@ fn slot(x: u32, y: u32, slots: usize) -> usize {
 mod tests {
     use super::*;
     use crate::math::{Real, Rgb};
-    use crate::trace::Met;
+    use crate::trace::HitId;
 
     #[test]
     fn what_is_kept_is_never_taken_for_another_place() {
@@ -70,7 +70,8 @@ mod tests {
             for round in 0..3 {
                 for x in 0..8 {
                     for y in 0..8 {
-                        let truth = Sight { color: Rgb::gray((8 * x + y) as Real), met: Met::Nothing };
+                        let truth =
+                            PixelSample { color: Rgb::gray((8 * x + y) as Real), hit: HitId::Nothing };
                         let seen = memory.find(x, y, || {
                             traced += 1;
                             truth

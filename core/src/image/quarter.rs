@@ -8,7 +8,7 @@ use heapless::Vec;
 
 use super::agreement::Agreement;
 use crate::math::{Real, Rgb};
-use crate::trace::{Met, Sight};
+use crate::trace::{HitId, PixelSample};
 
 /// How often a square can be quartered.
 pub(super) const MOST_DEPTH: u8 = 6;
@@ -26,7 +26,7 @@ pub(super) struct Square {
     /// The length of its sides: a power of two.
     pub(super) side: u32,
     /// Upper left, upper right, lower left, lower right.
-    pub(super) corners: [Sight; 4],
+    pub(super) corners: [PixelSample; 4],
 }
 
 impl Square {
@@ -36,9 +36,9 @@ impl Square {
         ((a + b) + (c + d)) * 0.25
     }
 
-    /// What was met at its corners.
-    pub(super) fn met(&self) -> Met {
-        let [a, b, c, d] = self.corners.map(|corner| corner.met);
+    /// What was hit at its corners.
+    pub(super) fn hit(&self) -> HitId {
+        let [a, b, c, d] = self.corners.map(|corner| corner.hit);
         a.and(b).and(c.and(d))
     }
 
@@ -49,7 +49,7 @@ impl Square {
     }
 
     /// Its quarters, in the order of its corners. `find` says what is seen at a place.
-    fn quarters(&self, find: &mut impl FnMut(u32, u32) -> Sight) -> [Square; 4] {
+    fn quarters(&self, find: &mut impl FnMut(u32, u32) -> PixelSample) -> [Square; 4] {
         let Square { x, y, corners: [a, b, c, d], .. } = *self;
         let side = self.side / 2;
         let (middle_x, middle_y) = (x + side, y + side);
@@ -73,7 +73,7 @@ pub(super) fn quarter(
     whole: Square,
     agreement: &Agreement,
     least: u32,
-    find: &mut impl FnMut(u32, u32) -> Sight,
+    find: &mut impl FnMut(u32, u32) -> PixelSample,
     part: &mut impl FnMut(&Square),
 ) {
     let mut waiting: Vec<Square, MOST_WAITING> = Vec::new();
@@ -97,10 +97,10 @@ pub(super) fn quarter(
 mod tests {
     use super::*;
 
-    fn sight(x: u32, y: u32) -> Sight {
+    fn sample(x: u32, y: u32) -> PixelSample {
         // A circle.
         let inside = x * x + y * y < 45 * 45;
-        Sight { color: if inside { Rgb::WHITE } else { Rgb::BLACK }, met: Met::Nothing }
+        PixelSample { color: if inside { Rgb::WHITE } else { Rgb::BLACK }, hit: HitId::Nothing }
     }
 
     #[test]
@@ -109,14 +109,14 @@ mod tests {
             x: 0,
             y: 0,
             side: 64,
-            corners: [(0, 0), (64, 0), (0, 64), (64, 64)].map(|(x, y)| sight(x, y)),
+            corners: [(0, 0), (64, 0), (0, 64), (64, 64)].map(|(x, y)| sample(x, y)),
         };
         let mut covered = [[0; 64]; 64];
         let (mut area, mut traced) = (0.0, 0);
         let agreement = Agreement::of_colors(0.5).unwrap();
         let mut find = |x, y| {
             traced += 1;
-            sight(x, y)
+            sample(x, y)
         };
         quarter(whole, &agreement, 1, &mut find, &mut |part| {
             for row in &mut covered[part.y as usize..][..part.side as usize] {
@@ -135,7 +135,7 @@ mod tests {
 
     #[test]
     fn colours_between_corners_are_those_of_the_corners_at_the_corners() {
-        let gray = |value: Real| Sight { color: Rgb::gray(value), met: Met::Nothing };
+        let gray = |value: Real| PixelSample { color: Rgb::gray(value), hit: HitId::Nothing };
         let square = Square { x: 0, y: 0, side: 1, corners: [0.0, 1.0, 2.0, 4.0].map(gray) };
         for (x, y, want) in
             [(0.0, 0.0, 0.0), (1.0, 0.0, 1.0), (0.0, 1.0, 2.0), (1.0, 1.0, 4.0), (0.5, 0.5, 1.75)]

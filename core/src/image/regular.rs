@@ -5,8 +5,8 @@ use super::filter_sample::filtered;
 use super::pixel::Pixel;
 use super::sampler::{Mean, Sampler, inside, stream};
 use crate::math::Real;
-use crate::scene::Sample;
-use crate::trace::Sight;
+use crate::scene::CameraSample;
+use crate::trace::{PixelSample, RayTracer};
 
 /// Rays through the middles of `n` times `n` equal cells; the mean of what they see.
 #[derive(Clone, Copy, Debug)]
@@ -39,7 +39,7 @@ impl Regular {
 }
 
 impl Sampler for Regular {
-    fn look(&mut self, pixel: Pixel, shoot: &mut impl FnMut(Sample) -> Sight) -> Sight {
+    fn sample_pixel<R: RayTracer + ?Sized>(&mut self, pixel: Pixel, tracer: &mut R) -> PixelSample {
         let n = Real::from(self.n);
         let middle = |cell: u16| (Real::from(cell) + 0.5) / n;
         let mut mean = Mean::NONE;
@@ -47,14 +47,14 @@ impl Sampler for Regular {
         for y in 0..self.n {
             for x in 0..self.n {
                 let [x, y] = filtered(self.filter, [middle(x), middle(y)]);
-                mean.add(shoot(Sample {
-                    place: inside(pixel, x, y),
+                mean.add(tracer.trace(CameraSample {
+                    point: inside(pixel, x, y),
                     stream: stream(pixel, index, self.seed),
                 }));
                 index += 1;
             }
         }
-        mean.sight()
+        mean.sample()
     }
 }
 
@@ -63,22 +63,22 @@ mod tests {
     use super::*;
     use crate::image::Single;
     use crate::math::Rgb;
-    use crate::trace::Met;
+    use crate::trace::HitId;
 
     #[test]
     fn one_cell_is_the_middle_of_the_pixel() {
         let pixel = Pixel { x: 3, y: 2 };
         let mut samples = [None; 2];
-        Single.look(pixel, &mut |sample| {
+        Single.sample_pixel(pixel, &mut |sample: CameraSample| {
             samples[0] = Some(sample);
-            Sight::DARK
+            PixelSample::BLACK
         });
-        Regular::new(1).unwrap().look(pixel, &mut |sample| {
+        Regular::new(1).unwrap().sample_pixel(pixel, &mut |sample: CameraSample| {
             samples[1] = Some(sample);
-            Sight::DARK
+            PixelSample::BLACK
         });
         assert_eq!(samples[0], samples[1]);
-        let place = samples[0].unwrap().place;
+        let place = samples[0].unwrap().point;
         assert_eq!((place.x, place.y), (3.5, 2.5));
     }
 
@@ -86,10 +86,13 @@ mod tests {
     fn the_cells_have_the_mean_of_a_slope() {
         for filter in [Filter::Box, Filter::Tent] {
             let mut rays = 0;
-            let mean = Regular::new(4).unwrap().filtered(filter).look(Pixel { x: 0, y: 0 }, &mut |sample| {
-                rays += 1;
-                Sight { color: Rgb::new(sample.place.x, sample.place.y, 1.0), met: Met::Nothing }
-            });
+            let mean = Regular::new(4).unwrap().filtered(filter).sample_pixel(
+                Pixel { x: 0, y: 0 },
+                &mut |sample: CameraSample| {
+                    rays += 1;
+                    PixelSample { color: Rgb::new(sample.point.x, sample.point.y, 1.0), hit: HitId::Nothing }
+                },
+            );
             assert_eq!((rays, mean.color), (16, Rgb::new(0.5, 0.5, 1.0)));
         }
         assert!(Regular::new(0).is_none() && Regular::new(257).is_none());

@@ -2,13 +2,13 @@
 
 use super::pixel::Pixel;
 use crate::math::{Real, Rgb, Stream};
-use crate::scene::{Place, Sample};
-use crate::trace::{Met, Sight};
+use crate::scene::FilmPoint;
+use crate::trace::{HitId, PixelSample, RayTracer};
 
 /// Chooses the places of a pixel that rays are sent through, and makes one colour of them.
 pub trait Sampler {
-    /// What is seen in `pixel`. `shoot` traces one camera ray.
-    fn look(&mut self, pixel: Pixel, shoot: &mut impl FnMut(Sample) -> Sight) -> Sight;
+    /// Samples `pixel` with camera rays that `tracer` traces.
+    fn sample_pixel<R: RayTracer + ?Sized>(&mut self, pixel: Pixel, tracer: &mut R) -> PixelSample;
 
     /// A new picture begins: what was kept of another is forgotten.
     fn begin(&mut self) {}
@@ -16,8 +16,8 @@ pub trait Sampler {
 
 /// A sampler that somebody else goes on using.
 impl<S: Sampler> Sampler for &mut S {
-    fn look(&mut self, pixel: Pixel, shoot: &mut impl FnMut(Sample) -> Sight) -> Sight {
-        S::look(self, pixel, shoot)
+    fn sample_pixel<R: RayTracer + ?Sized>(&mut self, pixel: Pixel, tracer: &mut R) -> PixelSample {
+        S::sample_pixel(self, pixel, tracer)
     }
 
     fn begin(&mut self) {
@@ -26,8 +26,8 @@ impl<S: Sampler> Sampler for &mut S {
 }
 
 /// The place `(x, y)` inside a pixel, from its upper left corner; both in `0..=1`.
-pub(super) fn inside(pixel: Pixel, x: Real, y: Real) -> Place {
-    Place { x: pixel.x as Real + x, y: pixel.y as Real + y }
+pub(super) fn inside(pixel: Pixel, x: Real, y: Real) -> FilmPoint {
+    FilmPoint { x: pixel.x as Real + x, y: pixel.y as Real + y }
 }
 
 /// The numbers of the sample `index` of a pixel.
@@ -35,26 +35,26 @@ pub(super) fn stream(pixel: Pixel, index: u32, seed: u32) -> Stream {
     Stream::new(pixel.x, pixel.y, index, seed)
 }
 
-/// The mean of some sights, as they come.
+/// The mean of some samples, as they come.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Mean {
     sum: Rgb,
-    met: Option<Met>,
+    hit: Option<HitId>,
     pub(super) count: u32,
 }
 
 impl Mean {
-    pub(super) const NONE: Mean = Mean { sum: Rgb::BLACK, met: None, count: 0 };
+    pub(super) const NONE: Mean = Mean { sum: Rgb::BLACK, hit: None, count: 0 };
 
-    pub(super) fn add(&mut self, sight: Sight) {
-        self.sum += sight.color;
-        self.met = Some(self.met.map_or(sight.met, |met| met.and(sight.met)));
+    pub(super) fn add(&mut self, sample: PixelSample) {
+        self.sum += sample.color;
+        self.hit = Some(self.hit.map_or(sample.hit, |hit| hit.and(sample.hit)));
         self.count += 1;
     }
 
     /// Of nothing: darkness.
-    pub(super) fn sight(&self) -> Sight {
+    pub(super) fn sample(&self) -> PixelSample {
         let share = if self.count > 0 { 1.0 / self.count as Real } else { 0.0 };
-        Sight { color: self.sum * share, met: self.met.unwrap_or(Met::Nothing) }
+        PixelSample { color: self.sum * share, hit: self.hit.unwrap_or(HitId::Nothing) }
     }
 }

@@ -8,7 +8,7 @@
 //! block beyond the picture's edge.
 //!
 //! For a display that is looked at while it is drawn, the same picture comes coarse at first: whole
-//! blocks, then quarters of those that do not agree, and so on ([`Selected::refine`]). It takes no
+//! blocks, then quarters of those that do not agree, and so on ([`Selected::refine_block`]). It takes no
 //! memory for the picture, and puts no pixel anew that has not changed.
 
 use super::agreement::Agreement;
@@ -18,8 +18,7 @@ use super::pixel::{Pixel, Tile};
 use super::quarter::{MOST_DEPTH, Square, quarter};
 use super::sampler::Sampler;
 use crate::math::Real;
-use crate::scene::Sample;
-use crate::trace::Sight;
+use crate::trace::{PixelSample, RayTracer};
 
 /// The raster of pixels that are traced first, and when what lies between may be guessed.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -106,30 +105,30 @@ impl<'m, C: Corners, S: Sampler> Selected<'m, C, S> {
 
     /// The pixels of one block, handed to `put` part by part. Those at its right and lower
     /// end may lie outside the picture.
-    pub fn block(
+    pub fn sample_block(
         &mut self,
         block: Pixel,
-        shoot: &mut impl FnMut(Sample) -> Sight,
-        put: &mut impl FnMut(Pixel, Sight),
+        tracer: &mut (impl RayTracer + ?Sized),
+        put: &mut impl FnMut(Pixel, PixelSample),
     ) {
-        self.parts(block, 1, self.selection.step(), shoot, put);
+        self.parts(block, 1, self.selection.step(), tracer, put);
     }
 
     /// Of one block what changes when its parts may be as small as `side` pixels, one of
     /// [`Selection::sides`], and no longer twice as large: the pixels of those that are. The first
     /// pass is that of the block's own side, and after the last, of side 1, every pixel is what
-    /// [`Selected::block`] makes of it.
+    /// [`Selected::sample_block`] makes of it.
     ///
     /// What was kept of the passes before is not traced again, for a picture that begins once
     /// ([`Selected::begin`]).
-    pub fn refine(
+    pub fn refine_block(
         &mut self,
         block: Pixel,
         side: u32,
-        shoot: &mut impl FnMut(Sample) -> Sight,
-        put: &mut impl FnMut(Pixel, Sight),
+        tracer: &mut (impl RayTracer + ?Sized),
+        put: &mut impl FnMut(Pixel, PixelSample),
     ) {
-        self.parts(block, side, side, shoot, put);
+        self.parts(block, side, side, tracer, put);
     }
 
     /// The parts whose sides are from `least` to `most`.
@@ -138,12 +137,12 @@ impl<'m, C: Corners, S: Sampler> Selected<'m, C, S> {
         block: Pixel,
         least: u32,
         most: u32,
-        shoot: &mut impl FnMut(Sample) -> Sight,
-        put: &mut impl FnMut(Pixel, Sight),
+        tracer: &mut (impl RayTracer + ?Sized),
+        put: &mut impl FnMut(Pixel, PixelSample),
     ) {
         let Selected { selection, sampler, corners, memory } = self;
         let depth = selection.depth;
-        let mut find = |x, y| memory.find(x, y, || sampler.look(Pixel { x, y }, shoot));
+        let mut find = |x, y| memory.find(x, y, || sampler.sample_pixel(Pixel { x, y }, tracer));
         let corners = corners.corners(block, &mut |corner| find(corner.x << depth, corner.y << depth));
         let whole = Square { x: block.x << depth, y: block.y << depth, side: 1 << depth, corners };
         quarter(whole, &selection.agreement, least, &mut find, &mut |part| {
@@ -155,13 +154,13 @@ impl<'m, C: Corners, S: Sampler> Selected<'m, C, S> {
             let step = 1.0 / side as Real;
             for pixel in (Tile { first: Pixel { x, y }, width: side, height: side }).pixels() {
                 let (right, down) = (pixel.x - x, pixel.y - y);
-                let sight = if right == 0 && down == 0 {
+                let sample = if right == 0 && down == 0 {
                     corner
                 } else {
                     let color = part.between(right as Real * step, down as Real * step);
-                    Sight { color, met: part.met() }
+                    PixelSample { color, hit: part.hit() }
                 };
-                put(pixel, sight);
+                put(pixel, sample);
             }
         });
     }
@@ -172,14 +171,15 @@ mod tests {
     use super::*;
     use crate::image::{CornerRow, Lattice, Loose, Single};
     use crate::math::Rgb;
-    use crate::trace::Met;
+    use crate::scene::CameraSample;
+    use crate::trace::HitId;
 
     /// A bright disc on a slope.
-    fn scene(sample: Sample) -> Sight {
-        let (x, y) = (sample.place.x - 20.0, sample.place.y - 15.0);
-        let slope = 0.2 + 0.004 * sample.place.x;
+    fn scene(sample: CameraSample) -> PixelSample {
+        let (x, y) = (sample.point.x - 20.0, sample.point.y - 15.0);
+        let slope = 0.2 + 0.004 * sample.point.x;
         let inside = x * x + y * y < 40.0;
-        Sight { color: Rgb::gray(if inside { 0.9 } else { slope }), met: Met::Nothing }
+        PixelSample { color: Rgb::gray(if inside { 0.9 } else { slope }), hit: HitId::Nothing }
     }
 
     fn selection(step: u32, threshold: Real) -> Selection {
@@ -189,22 +189,22 @@ mod tests {
     const PICTURE: Tile = Tile { first: Pixel { x: 0, y: 0 }, width: 37, height: 29 };
 
     /// The pixels of `tile`, and how many were traced.
-    fn selected(selection: Selection, tile: Tile, slots: usize) -> ([Option<Sight>; 37 * 29], usize) {
+    fn selected(selection: Selection, tile: Tile, slots: usize) -> ([Option<PixelSample>; 37 * 29], usize) {
         let mut lent = [Kept::NOTHING; 2000];
         let mut picture = [None; 37 * 29];
         let mut rays = 0;
         let mut selected = Selected::new(selection, Single, Loose, &mut lent[..slots]);
         for block in selection.blocks(tile).pixels() {
-            selected.block(
+            selected.sample_block(
                 block,
                 &mut |sample| {
                     rays += 1;
                     scene(sample)
                 },
-                &mut |pixel, sight| {
+                &mut |pixel, sample| {
                     if let (Some(_), Some(place)) = (tile.place(pixel), PICTURE.place(pixel)) {
                         assert!(picture[place].is_none(), "{pixel:?} comes twice");
-                        picture[place] = Some(sight);
+                        picture[place] = Some(sample);
                     }
                 },
             );
@@ -218,9 +218,9 @@ mod tests {
         assert!(picture.iter().all(Option::is_some));
         assert!(rays < picture.len() / 2, "{rays} of {}", picture.len());
         let mut most: Real = 0.0;
-        for (sight, pixel) in picture.iter().zip(PICTURE.pixels()) {
-            let truth = Single.look(pixel, &mut scene);
-            most = crate::math::greatest(most, (sight.unwrap().color.r - truth.color.r).abs());
+        for (sample, pixel) in picture.iter().zip(PICTURE.pixels()) {
+            let truth = Single.sample_pixel(pixel, &mut scene);
+            most = crate::math::greatest(most, (sample.unwrap().color.r - truth.color.r).abs());
         }
         assert!(most < 0.01, "{most}");
     }
@@ -229,8 +229,8 @@ mod tests {
     fn with_nothing_to_agree_on_every_pixel_is_traced_and_true() {
         let none = Selection::new(4, Agreement::of_colors(0.0).unwrap()).unwrap();
         let (picture, _) = selected(none, PICTURE, 2000);
-        for (sight, pixel) in picture.iter().zip(PICTURE.pixels()) {
-            assert_eq!(*sight, Some(Single.look(pixel, &mut scene)), "{pixel:?}");
+        for (sample, pixel) in picture.iter().zip(PICTURE.pixels()) {
+            assert_eq!(*sample, Some(Single.sample_pixel(pixel, &mut scene)), "{pixel:?}");
         }
     }
 
@@ -255,15 +255,15 @@ mod tests {
         let selection = selection(8, 0.1);
         let (whole, _) = selected(selection, PICTURE, 0);
         let blocks = selection.blocks(PICTURE);
-        let mut corners = [Sight::DARK; 6 * 5];
+        let mut corners = [PixelSample::BLACK; 6 * 5];
         for (slot, corner) in corners.iter_mut().zip(Lattice::tile(blocks).pixels()) {
-            *slot = selection.raster(Single).look(corner, &mut scene);
+            *slot = selection.raster(Single).sample_pixel(corner, &mut scene);
         }
         let mut lattice = Selected::new(selection, Single, Lattice::new(blocks, &corners).unwrap(), &mut []);
         for block in blocks.pixels() {
-            lattice.block(block, &mut scene, &mut |pixel, sight| {
+            lattice.sample_block(block, &mut scene, &mut |pixel, sample| {
                 if let Some(place) = PICTURE.place(pixel) {
-                    assert_eq!(Some(sight), whole[place]);
+                    assert_eq!(Some(sample), whole[place]);
                 }
             });
         }
@@ -275,23 +275,23 @@ mod tests {
         let (truth, once) = selected(selection, PICTURE, 2000);
         for slots in [0, 50, 2000] {
             let mut lent = [Kept::NOTHING; 2000];
-            let mut row = [Sight::DARK; 6];
+            let mut row = [PixelSample::BLACK; 6];
             let mut picture = [None; 37 * 29];
             let (mut rays, mut puts) = (0, [0; 4]);
             let mut selected = Selected::new(selection, Single, CornerRow::new(&mut row), &mut lent[..slots]);
             selected.begin();
             for (side, puts) in selection.sides().zip(&mut puts) {
                 for block in selection.blocks(PICTURE).pixels() {
-                    selected.refine(
+                    selected.refine_block(
                         block,
                         side,
                         &mut |sample| {
                             rays += 1;
                             scene(sample)
                         },
-                        &mut |pixel, sight| {
+                        &mut |pixel, sample| {
                             if let Some(place) = PICTURE.place(pixel) {
-                                picture[place] = Some(sight);
+                                picture[place] = Some(sample);
                                 *puts += 1;
                             }
                         },

@@ -2,8 +2,8 @@
 
 use super::pixel::Pixel;
 use super::sampler::{Sampler, inside, stream};
-use crate::scene::Sample;
-use crate::trace::Sight;
+use crate::scene::CameraSample;
+use crate::trace::{PixelSample, RayTracer};
 
 /// One ray through the middle, with the numbers of seed 0. With another seed it is
 /// [`Regular::ONE`](super::Regular::ONE).
@@ -11,7 +11,7 @@ use crate::trace::Sight;
 pub struct Single;
 
 impl Sampler for Single {
-    fn look(&mut self, pixel: Pixel, shoot: &mut impl FnMut(Sample) -> Sight) -> Sight {
-        shoot(Sample { place: inside(pixel, 0.5, 0.5), stream: stream(pixel, 0, 0) })
+    fn sample_pixel<R: RayTracer + ?Sized>(&mut self, pixel: Pixel, tracer: &mut R) -> PixelSample {
+        tracer.trace(CameraSample { point: inside(pixel, 0.5, 0.5), stream: stream(pixel, 0, 0) })
     }
 }

@@ -4,7 +4,7 @@ use core::convert::Infallible;
 
 use super::pixel::{Pixel, Tile};
 use crate::math::Rgb;
-use crate::trace::{Met, Sight};
+use crate::trace::{HitId, PixelSample};
 
 /// Somebody who takes pixels: memory, a display, a line to a computer.
 pub trait Sink {
@@ -15,8 +15,8 @@ pub trait Sink {
     fn put(&mut self, pixel: Pixel, color: Rgb) -> Result<(), Self::Error>;
 
     /// Takes what is seen in one pixel; who wants no more than its colour leaves this as it is.
-    fn put_sight(&mut self, pixel: Pixel, sight: Sight) -> Result<(), Self::Error> {
-        self.put(pixel, sight.color)
+    fn put_sample(&mut self, pixel: Pixel, sample: PixelSample) -> Result<(), Self::Error> {
+        self.put(pixel, sample.color)
     }
 }
 
@@ -36,24 +36,24 @@ pub trait Record: Copy {
     const NONE: Self;
 
     /// Of what was seen in it.
-    fn of(sight: Sight) -> Self;
+    fn of(sample: PixelSample) -> Self;
 }
 
 /// Its light alone.
 impl Record for Rgb {
     const NONE: Self = Rgb::BLACK;
 
-    fn of(sight: Sight) -> Self {
-        sight.color
+    fn of(sample: PixelSample) -> Self {
+        sample.color
     }
 }
 
 /// Everything, as a [`Lattice`](super::Lattice) needs it.
-impl Record for Sight {
-    const NONE: Self = Sight::DARK;
+impl Record for PixelSample {
+    const NONE: Self = PixelSample::BLACK;
 
-    fn of(sight: Sight) -> Self {
-        sight
+    fn of(sample: PixelSample) -> Self {
+        sample
     }
 }
 
@@ -75,12 +75,12 @@ impl<R: Record> Sink for Frame<'_, R> {
     type Error = Infallible;
 
     fn put(&mut self, pixel: Pixel, color: Rgb) -> Result<(), Infallible> {
-        self.put_sight(pixel, Sight { color, met: Met::Nothing })
+        self.put_sample(pixel, PixelSample { color, hit: HitId::Nothing })
     }
 
-    fn put_sight(&mut self, pixel: Pixel, sight: Sight) -> Result<(), Infallible> {
+    fn put_sample(&mut self, pixel: Pixel, sample: PixelSample) -> Result<(), Infallible> {
         if let Some(slot) = self.tile.place(pixel).and_then(|place| self.records.get_mut(place)) {
-            *slot = R::of(sight);
+            *slot = R::of(sample);
         }
         Ok(())
     }

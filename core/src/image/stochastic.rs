@@ -27,8 +27,8 @@ use super::filter_sample::filtered;
 use super::pixel::Pixel;
 use super::sampler::{Mean, Sampler, inside, stream};
 use crate::math::{Dimension, Real, Rgb, sqrt};
-use crate::scene::Sample;
-use crate::trace::Sight;
+use crate::scene::CameraSample;
+use crate::trace::{PixelSample, RayTracer};
 
 /// Rays through places that follow no raster; the mean of what they see.
 #[derive(Clone, Copy, Debug)]
@@ -87,7 +87,12 @@ impl Stochastic {
     /// Goes on with a pixel for which some rays have been `gathered`, by this rule or by one of
     /// the same numbers and confidence with a larger tolerance: what is seen then is the same as
     /// if this rule had begun it.
-    pub fn look_on(&self, pixel: Pixel, gathered: &mut Gathered, shoot: &mut impl FnMut(Sample) -> Sight) {
+    pub fn continue_pixel(
+        &self,
+        pixel: Pixel,
+        gathered: &mut Gathered,
+        tracer: &mut (impl RayTracer + ?Sized),
+    ) {
         let Gathered { mean, spread } = gathered;
         let is_ruled = self.least < self.most;
         // Before these, rays have been asked for: they are none, or a multiple of the least number.
@@ -102,10 +107,10 @@ impl Stochastic {
             let place = stream(pixel, mean.count, self.seed).pair(Dimension::PIXEL);
             let stream = stream(pixel, number(mean.count, place, self.least), self.seed);
             let [x, y] = filtered(self.filter, place);
-            let sight = shoot(Sample { place: inside(pixel, x, y), stream });
-            mean.add(sight);
+            let sample = tracer.trace(CameraSample { point: inside(pixel, x, y), stream });
+            mean.add(sample);
             if is_ruled {
-                spread.add(sight.color);
+                spread.add(sample.color);
             }
         }
     }
@@ -129,10 +134,10 @@ fn part([x, y]: [Real; 2], count: u32) -> u32 {
 }
 
 impl Sampler for Stochastic {
-    fn look(&mut self, pixel: Pixel, shoot: &mut impl FnMut(Sample) -> Sight) -> Sight {
+    fn sample_pixel<R: RayTracer + ?Sized>(&mut self, pixel: Pixel, tracer: &mut R) -> PixelSample {
         let mut gathered = Gathered::NONE;
-        self.look_on(pixel, &mut gathered, shoot);
-        gathered.sight()
+        self.continue_pixel(pixel, &mut gathered, tracer);
+        gathered.sample()
     }
 }
 
@@ -148,8 +153,8 @@ impl Gathered {
     pub const NONE: Gathered = Gathered { mean: Mean::NONE, spread: Spread::NONE };
 
     /// The mean of what they have seen.
-    pub fn sight(&self) -> Sight {
-        self.mean.sight()
+    pub fn sample(&self) -> PixelSample {
+        self.mean.sample()
     }
 
     /// How many they are.
@@ -206,26 +211,26 @@ impl Spread {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::trace::Met;
+    use crate::trace::HitId;
 
     const PIXEL: Pixel = Pixel { x: 40, y: 9 };
 
-    fn gray(value: Real) -> Sight {
-        Sight { color: Rgb::gray(value), met: Met::Nothing }
+    fn gray(value: Real) -> PixelSample {
+        PixelSample { color: Rgb::gray(value), hit: HitId::Nothing }
     }
 
     #[test]
     fn the_places_lie_in_the_pixel_and_have_the_mean_of_a_slope() {
         let mut rays = 0;
-        let sight = Stochastic::new(64).unwrap().look(PIXEL, &mut |sample| {
+        let sample = Stochastic::new(64).unwrap().sample_pixel(PIXEL, &mut |sample: CameraSample| {
             rays += 1;
-            let (x, y) = (sample.place.x - 40.0, sample.place.y - 9.0);
+            let (x, y) = (sample.point.x - 40.0, sample.point.y - 9.0);
             assert!((0.0..1.0).contains(&x) && (0.0..1.0).contains(&y), "{x} {y}");
             gray(x)
         });
         // One place in each of 64 columns, somewhere in it.
         assert_eq!(rays, 64);
-        assert!((sight.color.r - 0.5).abs() < 0.5 / 64.0, "{sight:?}");
+        assert!((sample.color.r - 0.5).abs() < 0.5 / 64.0, "{sample:?}");
     }
 
     #[test]
@@ -233,12 +238,12 @@ mod tests {
         let places = |n, seed| {
             let mut places = [(0.0, 0.0); 16];
             let mut rays = 0;
-            Stochastic::new(n).unwrap().seeded(seed).look(PIXEL, &mut |sample| {
+            Stochastic::new(n).unwrap().seeded(seed).sample_pixel(PIXEL, &mut |sample: CameraSample| {
                 if let Some(slot) = places.get_mut(rays) {
-                    *slot = (sample.place.x, sample.place.y);
+                    *slot = (sample.point.x, sample.point.y);
                 }
                 rays += 1;
-                Sight::DARK
+                PixelSample::BLACK
             });
             places
         };
@@ -248,9 +253,9 @@ mod tests {
 
     #[test]
     fn a_pixel_that_is_gone_on_with_is_the_one_that_was_begun_with_the_last_rule() {
-        let see = |sample: Sample| {
+        let see = |sample: CameraSample| {
             let [x, y] = sample.stream.pair(Dimension::light(1, 0));
-            Sight { color: Rgb::new(x, y, x * y), met: Met::Nothing }
+            PixelSample { color: Rgb::new(x, y, x * y), hit: HitId::Nothing }
         };
         for (least, most) in [(1, 50), (4, 300), (7, 30), (6, 6)] {
             let rule = |tolerance| {
@@ -260,13 +265,13 @@ mod tests {
             let mut gathered = Gathered::NONE;
             for tolerance in [1.0, 0.2, 0.1, 0.09, 0.04, 0.0] {
                 let before = gathered.rays();
-                rule(tolerance).look_on(PIXEL, &mut gathered, &mut |sample| see(sample));
+                rule(tolerance).continue_pixel(PIXEL, &mut gathered, &mut |sample| see(sample));
                 let mut rays = 0;
-                let begun = rule(tolerance).look(PIXEL, &mut |sample| {
+                let begun = rule(tolerance).sample_pixel(PIXEL, &mut |sample: CameraSample| {
                     rays += 1;
                     see(sample)
                 });
-                assert_eq!((gathered.sight(), gathered.rays()), (begun, rays), "{least} {tolerance}");
+                assert_eq!((gathered.sample(), gathered.rays()), (begun, rays), "{least} {tolerance}");
                 assert!(rays >= before);
                 assert!(rays == most || gathered.doubt(1.5) <= tolerance);
             }
@@ -279,13 +284,13 @@ mod tests {
         for n in [1_u32, 2, 8, 16, 48, 64] {
             let mut numbers = [0; 64];
             let mut index = 0;
-            Stochastic::new(n).unwrap().look(PIXEL, &mut |sample| {
-                let place = [sample.place.x - 40.0, sample.place.y - 9.0];
+            Stochastic::new(n).unwrap().sample_pixel(PIXEL, &mut |sample: CameraSample| {
+                let place = [sample.point.x - 40.0, sample.point.y - 9.0];
                 let number = number(index, place, n);
                 assert_eq!(sample.stream, stream(PIXEL, number, 0));
                 numbers[number as usize] += 1;
                 index += 1;
-                Sight::DARK
+                PixelSample::BLACK
             });
             assert!(numbers.iter().take(n as usize).all(|count| *count == 1), "{n}: {numbers:?}");
         }
@@ -299,9 +304,9 @@ mod tests {
         let rays = |colors: fn(Real) -> Real, tolerance| {
             let mut rays = 0;
             let ends = Confidence { errors: 1.96, tolerance };
-            Stochastic::between(8, 100, ends).unwrap().look(PIXEL, &mut |sample| {
+            Stochastic::between(8, 100, ends).unwrap().sample_pixel(PIXEL, &mut |sample: CameraSample| {
                 rays += 1;
-                gray(colors(sample.place.x - 40.0))
+                gray(colors(sample.point.x - 40.0))
             });
             rays
         };
@@ -315,9 +320,9 @@ mod tests {
     fn what_is_brighter_than_the_screen_needs_no_more_rays() {
         let mut rays = 0;
         let ends = Confidence { errors: 2.0, tolerance: 0.001 };
-        Stochastic::between(4, 1000, ends).unwrap().look(PIXEL, &mut |sample| {
+        Stochastic::between(4, 1000, ends).unwrap().sample_pixel(PIXEL, &mut |sample: CameraSample| {
             rays += 1;
-            gray(50.0 + sample.place.x)
+            gray(50.0 + sample.point.x)
         });
         assert_eq!(rays, 4);
     }

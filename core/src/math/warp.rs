@@ -61,7 +61,7 @@ pub fn facet(n: Vec3, view_direction: Vec3, alpha: Real, [u, v]: [Real; 2]) -> V
     let cos_theta = if cos_theta > 0.0 { cos_theta } else { 0.0 };
     let stretched = vec3(alpha * view_direction.dot(x_axis), alpha * view_direction.dot(y_axis), cos_theta);
     let view = unit(stretched).unwrap_or(Vec3::Z);
-    // Sample uniformly the spherical cap of directions that the hemisphere reflects into `view`.
+    // CameraSample uniformly the spherical cap of directions that the hemisphere reflects into `view`.
     let z = (1.0 - v) * (1.0 + view.z) - view.z;
     let sin_theta = sqrt(if z * z < 1.0 { 1.0 - z * z } else { 0.0 });
     let angle = 2.0 * PI * u;

@@ -9,18 +9,18 @@ use crate::math::{FARTHEST, PI, Real, Stream, Vec3, disc, is_in_range, tan, unit
 /// A place in the picture, in pixels from its upper left corner; the middle of the first pixel
 /// is (0.5, 0.5).
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Place {
+pub struct FilmPoint {
     /// To the right.
     pub x: Real,
     /// Down.
     pub y: Real,
 }
 
-/// One camera ray: where it goes through the picture, and the numbers that belong to it.
+/// One camera ray: where it goes through the film, and its random numbers.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Sample {
+pub struct CameraSample {
     /// Where.
-    pub place: Place,
+    pub point: FilmPoint,
     /// The numbers from which everything is taken that the ray leaves to chance.
     pub stream: Stream,
 }
@@ -76,7 +76,7 @@ pub struct Camera {
     right: Vec3,
     down: Vec3,
     /// The middle of the picture.
-    middle: Place,
+    middle: FilmPoint,
     parallel: bool,
     /// The radius of the lens, zero for none, and its focus.
     lens: [Real; 2],
@@ -112,7 +112,7 @@ impl Camera {
             _ => return Err(ViewFault::Angle),
         };
         let step = height / rows;
-        let middle = Place { x: 0.5 * size.width() as Real, y: 0.5 * size.height() as Real };
+        let middle = FilmPoint { x: 0.5 * size.width() as Real, y: 0.5 * size.height() as Real };
         Ok(Camera {
             from: view.from,
             forward,
@@ -131,7 +131,7 @@ impl Camera {
 
     /// The ray through a place, and through the point of the lens that `chance` says, a point of
     /// the unit square, whose middle stands for that of the lens.
-    pub(crate) fn lens_ray(&self, place: Place, chance: [Real; 2]) -> Ray {
+    pub(crate) fn lens_ray(&self, place: FilmPoint, chance: [Real; 2]) -> Ray {
         let [radius, focus] = self.lens;
         let across = self.right * (place.x - self.middle.x) + self.down * (place.y - self.middle.y);
         let [x, y] = disc(chance);
@@ -144,7 +144,7 @@ impl Camera {
     }
 
     /// The ray through a place, from the middle of the lens where there is one, with a direction of length one.
-    pub fn ray(&self, place: Place) -> Ray {
+    pub fn ray(&self, place: FilmPoint) -> Ray {
         let across = self.right * (place.x - self.middle.x) + self.down * (place.y - self.middle.y);
         if self.parallel {
             Ray::near_unit(self.from + across, self.forward, 0.0)
@@ -166,8 +166,8 @@ mod tests {
         projection: Projection::Perspective { angle: 0.8 },
     };
 
-    fn place(x: Real, y: Real) -> Place {
-        Place { x, y }
+    fn place(x: Real, y: Real) -> FilmPoint {
+        FilmPoint { x, y }
     }
 
     #[test]

@@ -27,7 +27,7 @@ use strahl_core::{
     self as effect_set, self as error, self as interface, self as kind, self as reference, self as size,
 };
 
-pub use camera::{Camera, Place, Projection, Sample, View};
+pub use camera::{Camera, CameraSample, FilmPoint, Projection, View};
 pub use effect_set::{EffectSet, LastLevel};
 pub use effects::{Effects, Everything};
 pub use error::{MaterialFault, SceneError, ViewFault};

@@ -7,21 +7,23 @@
 
 #[cfg(not(feature = "double"))]
 mod error;
-mod limits;
 #[cfg(not(feature = "double"))]
-mod met;
-mod sight;
+mod hit_id;
+mod limits;
+mod pixel_sample;
+mod ray_tracer;
 mod task;
 mod worker;
 
 // Without `Real`: one type for both precisions.
 #[cfg(feature = "double")]
-use strahl_core::{self as error, self as met};
+use strahl_core::{self as error, self as hit_id};
 
 pub use error::TracerError;
+pub use hit_id::HitId;
 pub use limits::Limits;
-pub use met::Met;
-pub use sight::Sight;
+pub use pixel_sample::PixelSample;
+pub use ray_tracer::RayTracer;
 pub use worker::Worker;
 
 use core::marker::PhantomData;
@@ -29,7 +31,7 @@ use core::marker::PhantomData;
 use crate::accel::Accelerator;
 use crate::geometry::{Hit, Ray};
 use crate::math::{Dimension, Real, Rgb, Stream, Vec3, facet};
-use crate::scene::{Camera, EffectSet, Effects, Interface, LastLevel, Material, Sample, World};
+use crate::scene::{Camera, CameraSample, EffectSet, Effects, Interface, LastLevel, Material, World};
 use crate::shade::{
     Arrival, Crossing, Media, Seen, crossing, index, left_after, local, reflected, refracted,
 };
@@ -74,11 +76,11 @@ impl<'w, 's, A: Accelerator, E: Effects, const LEVELS: usize> Tracer<'w, 's, A, 
     /// Not inlined: samplers call it once for each camera ray, and the loop should exist once
     /// for each tracer, not for each sampler.
     #[inline(never)]
-    pub fn look<T: Tally, const SHADOWS: usize>(
+    pub fn trace<T: Tally, const SHADOWS: usize>(
         &self,
-        sample: Sample,
+        sample: CameraSample,
         worker: &mut Worker<A, T, LEVELS, SHADOWS>,
-    ) -> Sight {
+    ) -> PixelSample {
         // When all rays of this tree are sent.
         let time = if E::SET.motion && self.world.scene().effects().motion {
             let [time, _] = sample.stream.pair(Dimension::SHUTTER);
@@ -87,17 +89,17 @@ impl<'w, 's, A: Accelerator, E: Effects, const LEVELS: usize> Tracer<'w, 's, A, 
             0.0
         };
         let ray = if E::SET.lens && self.camera.has_lens() {
-            self.camera.lens_ray(sample.place, sample.stream.pair(Dimension::LENS))
+            self.camera.lens_ray(sample.point, sample.stream.pair(Dimension::LENS))
         } else {
-            self.camera.ray(sample.place)
+            self.camera.ray(sample.point)
         };
         let Ray { origin, direction, .. } = ray;
         let mut sum = Rgb::BLACK;
-        let mut met = Met::Nothing;
+        let mut hit = HitId::Nothing;
         let (kind, media) = (RayKind::Camera, Media::NONE);
         let mut task = Task { origin, direction, weight: Rgb::WHITE, level: 1, kind, media };
         loop {
-            sum += self.follow(&mut task, sample.stream, time, &mut met, worker);
+            sum += self.follow(&mut task, sample.stream, time, &mut hit, worker);
             let Some(next) = worker.tasks.pop() else { break };
             if worker.tally.gives_up() {
                 worker.tasks.clear();
@@ -106,7 +108,7 @@ impl<'w, 's, A: Accelerator, E: Effects, const LEVELS: usize> Tracer<'w, 's, A, 
             task = next;
         }
         // Once, here: no part is below zero, so that a sum that was too large stays so.
-        Sight { color: sum.at_most(BRIGHTEST_PLACE), met }
+        PixelSample { color: sum.at_most(BRIGHTEST_PLACE), hit }
     }
 
     /// What a task adds to the pixel by itself; its children go onto the stack.
@@ -115,7 +117,7 @@ impl<'w, 's, A: Accelerator, E: Effects, const LEVELS: usize> Tracer<'w, 's, A, 
         task: &mut Task,
         stream: Stream,
         time: Real,
-        first: &mut Met,
+        first: &mut HitId,
         worker: &mut Worker<A, T, LEVELS, SHADOWS>,
     ) -> Rgb {
         let Worker { memory, tasks, tally } = worker;
@@ -130,7 +132,7 @@ impl<'w, 's, A: Accelerator, E: Effects, const LEVELS: usize> Tracer<'w, 's, A, 
         };
         if task.kind == RayKind::Camera {
             tally.count(Event::CameraHit);
-            *first = Met::Item(hit.item);
+            *first = HitId::Item(hit.item);
         }
 
         let seen = Seen::new(surface, task.direction);

@@ -54,9 +54,9 @@ impl<A: Accelerator, T, const LEVELS: usize, const SHADOWS: usize> Worker<A, T, 
         self.tally
     }
 
-    /// Forgets all that it remembers of earlier rays, so that the work of a picture does not
-    /// depend on what was traced before.
-    pub(crate) fn forget(&mut self) {
+    /// Forgets all that it remembers of earlier rays, so that the work that follows does not depend on
+    /// what was traced before. The tally stays as it is.
+    pub fn forget(&mut self) {
         self.memory.forget();
     }
 }

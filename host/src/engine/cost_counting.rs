@@ -1,7 +1,7 @@
 //! Charges every camera ray, with all that comes of it, to its pixel.
 
-use super::ray_tracer::{RayTracer, RayTracerFactory};
-use super::strahl::{Counters, PerRayKind, RayKind, Sample, Sight};
+use super::ray_tracer::{CountingRayTracer, RayTracerFactory};
+use super::strahl::{CameraSample, Counters, PerRayKind, PixelSample, RayKind, RayTracer};
 use crate::cost_map::{CostMap, PixelCost};
 use crate::progress::Progress;
 
@@ -14,21 +14,21 @@ pub struct CostCounting<'c> {
 }
 
 impl RayTracerFactory for CostCounting<'_> {
-    fn ray_tracer<'t>(&'t self, progress: &'t dyn Progress) -> Box<dyn RayTracer + 't> {
+    fn ray_tracer<'t>(&'t self, progress: &'t dyn Progress) -> Box<dyn CountingRayTracer + 't> {
         let ray_tracer = self.ray_tracers.ray_tracer(progress);
         Box::new(CostCountingRayTracer { ray_tracer, cost_map: self.cost_map, sum: Counters::default() })
     }
 }
 
 struct CostCountingRayTracer<'c> {
-    ray_tracer: Box<dyn RayTracer + 'c>,
+    ray_tracer: Box<dyn CountingRayTracer + 'c>,
     cost_map: &'c CostMap,
     sum: Counters,
 }
 
 impl RayTracer for CostCountingRayTracer<'_> {
-    fn trace(&mut self, sample: Sample) -> Sight {
-        let sight = self.ray_tracer.trace(sample);
+    fn trace(&mut self, sample: CameraSample) -> PixelSample {
+        let seen = self.ray_tracer.trace(sample);
         let counters = self.ray_tracer.take_counters();
         let count = |counts: PerRayKind| RayKind::ALL.map(|kind| counts[kind] as u32);
         let cost = PixelCost {
@@ -40,11 +40,13 @@ impl RayTracer for CostCountingRayTracer<'_> {
             level: counters.deepest,
         };
         #[allow(clippy::useless_conversion)] // in double precision
-        self.cost_map.charge(sample.place.x.into(), sample.place.y.into(), &cost);
+        self.cost_map.charge(sample.point.x.into(), sample.point.y.into(), &cost);
         self.sum.add(&counters);
-        sight
+        seen
     }
+}
 
+impl CountingRayTracer for CostCountingRayTracer<'_> {
     fn take_counters(&mut self) -> Counters {
         std::mem::take(&mut self.sum)
     }

@@ -11,9 +11,11 @@ use std::time::Instant;
 
 use rayon::prelude::*;
 
-use super::ray_tracer::{RayTracer, RayTracerFactory};
+use super::ray_tracer::{CountingRayTracer, RayTracerFactory};
 use super::samplers::{Any, Shared};
-use super::strahl::{Counters, Gathered, Kept, Pixel, Rgb, Sample, Sight, Stochastic, Tile};
+use super::strahl::{
+    CameraSample, Counters, Gathered, Kept, Pixel, PixelSample, RayTracer, Rgb, Stochastic, Tile,
+};
 use super::tiles::{self, Traced};
 use crate::interrupt::Interrupt;
 use crate::progress::{Deadline, Progress};
@@ -94,13 +96,13 @@ fn stochastic(wanted: &Wanted) -> Option<Stochastic> {
 /// What is seen through the middle of pixels.
 struct Known {
     whole: Tile,
-    sights: Vec<OnceLock<Sight>>,
+    sights: Vec<OnceLock<PixelSample>>,
 }
 
 impl Known {
     /// Where what is seen along a ray is kept, if that goes through the middle of a pixel.
-    fn slot(&self, sample: &Sample) -> Option<&OnceLock<Sight>> {
-        let (x, y) = (sample.place.x, sample.place.y);
+    fn slot(&self, sample: &CameraSample) -> Option<&OnceLock<PixelSample>> {
+        let (x, y) = (sample.point.x, sample.point.y);
         let pixel = Pixel { x: x as u32, y: y as u32 };
         let is_middle =
             x - pixel.x as super::strahl::Real == 0.5 && y - pixel.y as super::strahl::Real == 0.5;
@@ -118,19 +120,19 @@ struct Remembering<'e> {
 }
 
 impl RayTracerFactory for Remembering<'_> {
-    fn ray_tracer<'t>(&'t self, progress: &'t dyn Progress) -> Box<dyn RayTracer + 't> {
+    fn ray_tracer<'t>(&'t self, progress: &'t dyn Progress) -> Box<dyn CountingRayTracer + 't> {
         Box::new(Minding { ray_tracer: self.ray_tracers.ray_tracer(progress), all: self, rays: 0 })
     }
 }
 
 struct Minding<'m> {
-    ray_tracer: Box<dyn RayTracer + 'm>,
+    ray_tracer: Box<dyn CountingRayTracer + 'm>,
     all: &'m Remembering<'m>,
     rays: u64,
 }
 
 impl RayTracer for Minding<'_> {
-    fn trace(&mut self, sample: Sample) -> Sight {
+    fn trace(&mut self, sample: CameraSample) -> PixelSample {
         let Some(slot) = self.all.known.and_then(|known| known.slot(&sample)) else {
             self.rays += 1;
             return self.ray_tracer.trace(sample);
@@ -140,7 +142,9 @@ impl RayTracer for Minding<'_> {
             self.ray_tracer.trace(sample)
         })
     }
+}
 
+impl CountingRayTracer for Minding<'_> {
     fn take_counters(&mut self) -> Counters {
         self.ray_tracer.take_counters()
     }
@@ -219,14 +223,14 @@ impl Grown {
             // A pixel may take many rays, and the time may be over before the last of them: what is
             // seen then does not matter any more, for the whole pass is given up.
             let (mut rays, mut is_over) = (0_u32, false);
-            let mut look = |sample| {
+            let mut trace = |sample: CameraSample| {
                 rays = rays.wrapping_add(1);
                 is_over = is_over || rays % BETWEEN == 0 && progress.check().is_err();
-                if is_over { Sight::DARK } else { ray_tracer.trace(sample) }
+                if is_over { PixelSample::BLACK } else { ray_tracer.trace(sample) }
             };
             for (pixel, gathered) in tile.pixels().zip(pixels.iter_mut()) {
                 if tiles::is_wanted(wanted, pixel) {
-                    rule.look_on(pixel, gathered, &mut look);
+                    rule.continue_pixel(pixel, gathered, &mut trace);
                 }
                 progress.check()?;
             }
@@ -242,7 +246,7 @@ impl Grown {
         for (tile, pixels) in &self.tiles {
             for (pixel, gathered) in tile.pixels().zip(pixels) {
                 if let Some(place) = self.whole.place(pixel) {
-                    colors[place] = gathered.sight().color;
+                    colors[place] = gathered.sample().color;
                 }
             }
         }

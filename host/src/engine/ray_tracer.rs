@@ -1,23 +1,20 @@
 //! One ray tracer for each tile, whatever the types behind it.
 //!
-//! Samplers, tiles and threads ask a [`RayTracer`] once for each camera ray, so that all that is done with the answers
-//! is compiled once and not for every accelerator and effect set.
+//! Samplers, tiles and threads call a `dyn` [`CountingRayTracer`] once for each camera ray, so that all that is done with
+//! the answers is compiled once and not for every accelerator and effect set.
 
 use std::marker::PhantomData;
 
 use super::request::{Chosen, Request};
 use super::strahl::{
-    Accelerator, Counters, Effects, Event, Limits, RayCounters, Real, Sample, Sight, Step, Tally, Tracer,
-    Worker,
+    Accelerator, CameraSample, Counters, Effects, Event, Limits, PixelSample, RayCounters, RayTracer, Real,
+    Step, Tally, Tracer, Worker,
 };
 use crate::progress::Progress;
 use crate::wanted::LEVELS;
 
-/// A tracer with a worker of its own.
-pub trait RayTracer {
-    /// What is seen along one camera ray.
-    fn trace(&mut self, sample: Sample) -> Sight;
-
+/// A tracer with a worker of its own, which may count.
+pub trait CountingRayTracer: RayTracer {
     /// What has been counted since the last call.
     fn take_counters(&mut self) -> Counters;
 }
@@ -25,7 +22,7 @@ pub trait RayTracer {
 /// Makes a ray tracer for each tile.
 pub trait RayTracerFactory: Sync {
     /// One that remembers nothing yet. Once `progress` stops the work, its answers may be incomplete.
-    fn ray_tracer<'t>(&'t self, progress: &'t dyn Progress) -> Box<dyn RayTracer + 't>;
+    fn ray_tracer<'t>(&'t self, progress: &'t dyn Progress) -> Box<dyn CountingRayTracer + 't>;
 }
 
 /// A tracer whose workers report to a `T`.
@@ -54,7 +51,7 @@ where
 impl<A: Accelerator + Sync, E: Effects + Sync, T: CounterTally> RayTracerFactory
     for Tracing<'_, '_, A, E, T>
 {
-    fn ray_tracer<'t>(&'t self, progress: &'t dyn Progress) -> Box<dyn RayTracer + 't> {
+    fn ray_tracer<'t>(&'t self, progress: &'t dyn Progress) -> Box<dyn CountingRayTracer + 't> {
         let worker = Worker::new(Stoppable { tally: T::default(), progress, left: BETWEEN });
         let worker = if self.shadow_cache { worker } else { worker.without_shadow_cache() };
         Box::new(Working { tracer: &self.tracer, worker })
@@ -68,10 +65,12 @@ struct Working<'t, 'w, 's, A: Accelerator, E, T> {
 }
 
 impl<A: Accelerator, E: Effects, T: CounterTally> RayTracer for Working<'_, '_, '_, A, E, T> {
-    fn trace(&mut self, sample: Sample) -> Sight {
-        self.tracer.look(sample, &mut self.worker)
+    fn trace(&mut self, sample: CameraSample) -> PixelSample {
+        self.tracer.trace(sample, &mut self.worker)
     }
+}
 
+impl<A: Accelerator, E: Effects, T: CounterTally> CountingRayTracer for Working<'_, '_, '_, A, E, T> {
     fn take_counters(&mut self) -> Counters {
         self.worker.tally_mut().tally.take()
     }

@@ -5,8 +5,8 @@
 //! once for a ray.
 
 use super::strahl::{
-    self, Adaptive, Corners, Kept, Lattice, Loose, Parting, Pixel, Real, Regular, Sample, Sampler, Selection,
-    Sight, Stochastic,
+    self, Adaptive, Corners, Kept, Lattice, Loose, Parting, Pixel, PixelSample, RayTracer, Real, Regular,
+    Sampler, Selection, Stochastic,
 };
 use crate::sampling::{self, Sampling};
 use crate::wanted::Wanted;
@@ -31,7 +31,7 @@ pub enum Shared<'m> {
 }
 
 impl Corners for Shared<'_> {
-    fn corners(&mut self, cell: Pixel, find: &mut impl FnMut(Pixel) -> Sight) -> [Sight; 4] {
+    fn corners(&mut self, cell: Pixel, find: &mut impl FnMut(Pixel) -> PixelSample) -> [PixelSample; 4] {
         match self {
             Shared::Lattice(lattice) => lattice.corners(cell, find),
             Shared::Loose => Loose.corners(cell, find),
@@ -40,12 +40,11 @@ impl Corners for Shared<'_> {
 }
 
 impl Sampler for Any<'_> {
-    fn look(&mut self, pixel: Pixel, shoot: &mut impl FnMut(Sample) -> Sight) -> Sight {
-        let mut shoot: &mut dyn FnMut(Sample) -> Sight = shoot;
+    fn sample_pixel<R: RayTracer + ?Sized>(&mut self, pixel: Pixel, tracer: &mut R) -> PixelSample {
         match self {
-            Any::Regular(it) => it.look(pixel, &mut shoot),
-            Any::Stochastic(it) => it.look(pixel, &mut shoot),
-            Any::Adaptive(it) => it.look(pixel, &mut shoot),
+            Any::Regular(it) => it.sample_pixel(pixel, tracer),
+            Any::Stochastic(it) => it.sample_pixel(pixel, tracer),
+            Any::Adaptive(it) => it.sample_pixel(pixel, tracer),
         }
     }
 

@@ -7,11 +7,11 @@
 
 use rayon::prelude::*;
 
-use super::ray_tracer::{RayTracer, RayTracerFactory};
+use super::ray_tracer::RayTracerFactory;
 use super::samplers::{Any, Shared, parting, selection};
 use super::strahl::{
-    Corner, Counters, Kept, Lattice, Met, Parting, Pixel, Record, Rgb, Sampler, Selected, Selection, Sight,
-    Sink, Tile,
+    Corner, Counters, HitId, Kept, Lattice, Parting, Pixel, PixelSample, Record, Rgb, Selected, Selection,
+    Sink, Tile, render, render_selected,
 };
 use crate::interrupt::Interrupt;
 use crate::progress::Progress;
@@ -66,7 +66,7 @@ impl Work<'_> {
     /// Traces every pixel that is wanted.
     fn all(&self) -> Result<Traced<Rgb>, Interrupt> {
         // All corners first, where all pixels are wanted, so that none is traced twice.
-        let (lattice, mut counts): Traced<Sight> = match parting(self.wanted) {
+        let (lattice, mut counts): Traced<PixelSample> = match parting(self.wanted) {
             Some(parting) if self.wanted.mask.is_none() => {
                 self.pixels(Lattice::tile(self.whole), Rays::Corners(parting))?
             }
@@ -81,7 +81,7 @@ impl Work<'_> {
     /// Traces some pixels, and guesses the others that are wanted.
     fn selected(&self, selection: Selection) -> Result<Traced<Rgb>, Interrupt> {
         let blocks = selection.blocks(self.whole);
-        let (raster, mut counts): Traced<Sight> = match self.wanted.mask {
+        let (raster, mut counts): Traced<PixelSample> = match self.wanted.mask {
             None => self.pixels(Lattice::tile(blocks), Rays::Raster(selection))?,
             Some(_) => Default::default(),
         };
@@ -100,16 +100,7 @@ impl Work<'_> {
                 self.wanted.mask.is_none() || selection.area(block).pixels().any(|pixel| self.has(pixel))
             };
             let blocks = blocks.pixels().filter(is_wanted);
-            selected.begin();
-            for block in blocks {
-                let mut put = Ok(());
-                selected.block(block, &mut |sample| ray_tracer.trace(sample), &mut |pixel, sight| {
-                    if put.is_ok() {
-                        put = canvas.put_sight(pixel, sight);
-                    }
-                });
-                put?;
-            }
+            render_selected(ray_tracer.as_mut(), &mut selected, blocks, canvas)?;
             Ok(ray_tracer.take_counters())
         })?;
         counts.add(&counted);
@@ -127,14 +118,14 @@ impl Work<'_> {
                 let mut ray_tracer = self.ray_tracers.ray_tracer(self.progress);
                 let (tracer, all) = (ray_tracer.as_mut(), tile.pixels());
                 match rays {
-                    Rays::Corners(parting) => draw(tracer, &mut Corner(parting), all, canvas)?,
+                    Rays::Corners(parting) => render(tracer, &mut Corner(parting), all, canvas)?,
                     Rays::Raster(selection) => {
                         let sampler = Any::of(self.wanted, Shared::Loose, &mut lent);
-                        draw(tracer, &mut selection.raster(sampler), all, canvas)?;
+                        render(tracer, &mut selection.raster(sampler), all, canvas)?;
                     }
                     Rays::Themselves(corners) => {
                         let mut sampler = Any::of(self.wanted, corners, &mut lent);
-                        draw(tracer, &mut sampler, all.filter(|pixel| self.has(*pixel)), canvas)?;
+                        render(tracer, &mut sampler, all.filter(|pixel| self.has(*pixel)), canvas)?;
                     }
                 }
                 Ok(ray_tracer.take_counters())
@@ -192,21 +183,6 @@ impl Work<'_> {
     }
 }
 
-/// Puts what a sampler makes of each pixel onto the canvas.
-fn draw<R: Record>(
-    ray_tracer: &mut dyn RayTracer,
-    sampler: &mut impl Sampler,
-    pixels: impl Iterator<Item = Pixel>,
-    canvas: &mut Canvas<'_, R>,
-) -> Result<(), Interrupt> {
-    sampler.begin();
-    for pixel in pixels {
-        let sight = sampler.look(pixel, &mut |sample| ray_tracer.trace(sample));
-        canvas.put_sight(pixel, sight)?;
-    }
-    Ok(())
-}
-
 /// Whether a pixel is wanted.
 pub fn is_wanted(wanted: &Wanted, pixel: Pixel) -> bool {
     wanted.mask.as_ref().is_none_or(|mask| mask.has(pixel))
@@ -229,14 +205,14 @@ impl<R: Record> Sink for Canvas<'_, R> {
     type Error = Interrupt;
 
     fn put(&mut self, pixel: Pixel, color: Rgb) -> Result<(), Interrupt> {
-        self.put_sight(pixel, Sight { color, met: Met::Nothing })
+        self.put_sample(pixel, PixelSample { color, hit: HitId::Nothing })
     }
 
-    fn put_sight(&mut self, pixel: Pixel, sight: Sight) -> Result<(), Interrupt> {
+    fn put_sample(&mut self, pixel: Pixel, sample: PixelSample) -> Result<(), Interrupt> {
         if let Some(place) = self.tile.place(pixel)
             && is_wanted(self.wanted, pixel)
         {
-            self.records[place] = R::of(sight);
+            self.records[place] = R::of(sample);
         }
         self.progress.check()
     }

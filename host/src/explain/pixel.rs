@@ -5,8 +5,8 @@
 //! somebody who listens.
 
 use strahl_core::{
-    Aabb, Camera, Everything, Kept, List, Pixel, Rgb, Sample as Place, Sampler, Sight, Tracer, Worker, World,
-    groups_of,
+    Aabb, Camera, CameraSample, Everything, Kept, List, Pixel, PixelSample, Rgb, Sampler, Tracer, Worker,
+    World, groups_of,
 };
 
 use super::names::Names;
@@ -41,11 +41,11 @@ pub fn trace(description: &Description, wanted: &Wanted, pixel: Pixel) -> Result
     let names = Names::new(description, &world);
 
     let mut seen = Seen { samples: Vec::new(), places: Vec::new() };
-    let mut shoot = |place: Place| {
+    let mut trace = |place: CameraSample| {
         let mut worker = Worker::<_, _, LEVELS>::new(Record::new(&names));
-        let sight = tracer.look(place, &mut worker);
+        let sight = tracer.trace(place, &mut worker);
         let rays = worker.into_tally().into_rays();
-        let (number, Place { place: at, .. }) = (seen.samples.len() + 1, place);
+        let (number, CameraSample { point: at, .. }) = (seen.samples.len() + 1, place);
         seen.samples.push(Sample { number, x: at.x, y: at.y, color: triple(sight.color), rays });
         seen.places.push((place, sight));
         sight
@@ -54,19 +54,19 @@ pub fn trace(description: &Description, wanted: &Wanted, pixel: Pixel) -> Result
         Any::Adaptive(mut sampler) => {
             let mut parts = Vec::new();
             // Parts share their corners, and none is told twice.
-            let mut known: Vec<(Place, Sight)> = Vec::new();
-            let mut once = |place: Place| match known.iter().find(|(other, _)| *other == place) {
+            let mut known: Vec<(CameraSample, PixelSample)> = Vec::new();
+            let mut once = |place: CameraSample| match known.iter().find(|(other, _)| *other == place) {
                 Some((_, sight)) => *sight,
                 None => {
-                    let sight = shoot(place);
+                    let sight = trace(place);
                     known.push((place, sight));
                     sight
                 }
             };
-            let sight = sampler.look_by_parts(pixel, &mut once, &mut |part| parts.push(part));
+            let sight = sampler.sample_by_parts(pixel, &mut once, &mut |part| parts.push(part));
             (sight.color, Some(parts))
         }
-        mut sampler => (sampler.look(pixel, &mut shoot).color, None),
+        mut sampler => (sampler.sample_pixel(pixel, &mut trace).color, None),
     };
 
     if seen.samples.iter().any(|sample| sample.rays.len() >= MOST_RAYS) {
@@ -86,7 +86,7 @@ pub fn trace(description: &Description, wanted: &Wanted, pixel: Pixel) -> Result
 /// What has been traced.
 struct Seen {
     samples: Vec<Sample>,
-    places: Vec<(Place, Sight)>,
+    places: Vec<(CameraSample, PixelSample)>,
 }
 
 impl Seen {
@@ -95,7 +95,7 @@ impl Seen {
         let strahl_core::Part { place, side, .. } = *part;
         let (right, below) = (place.x + side, place.y + side);
         let number = |(x, y): (f32, f32)| {
-            let found = self.places.iter().position(|(it, _)| it.place.x == x && it.place.y == y);
+            let found = self.places.iter().position(|(it, _)| it.point.x == x && it.point.y == y);
             found.map_or(0, |found| found + 1)
         };
         let corners = [(place.x, place.y), (right, place.y), (place.x, below), (right, below)];

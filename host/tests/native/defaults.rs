@@ -1,7 +1,7 @@
 //! What a file does not say.
 
 use strahl::description::{Background, Form, Projection, Settings, Source, Texture, View};
-use strahl_core::{Camera, Interface, Material, Place, Rgb, Size, Sphere, vec3};
+use strahl_core::{Camera, FilmPoint, Interface, Material, Rgb, Size, Sphere, vec3};
 
 use crate::text::{loaded, wrong};
 
@@ -159,7 +159,7 @@ fn a_camera_that_is_not_told_sees_everything() {
             let s = pixel as f32 / 99.0;
             let middle = [(s * w, 0.5), (s * w, h - 0.5), (0.5, s * h), (w - 0.5, s * h)];
             for (x, y) in middle {
-                let ray = camera.ray(Place { x, y });
+                let ray = camera.ray(FilmPoint { x, y });
                 let way = ball.center - ray.origin;
                 let near = way.dot(ray.direction);
                 let distance = way.dot(way) - near * near;

@@ -11,7 +11,7 @@ use core::fmt;
 
 use strahl_core::{
     Aabb, Accelerator, Adaptive, Agreement, Camera, CornerRow, Counters, Kept, Limits, List, Parting,
-    RayKind, Real, Regular, Sampler, Scene, Sight, Single, Stochastic, Tally, World, groups_of,
+    PixelSample, RayKind, Real, Regular, Sampler, Scene, Single, Stochastic, Tally, World, groups_of,
 };
 
 use crate::draw::{Bytes, Took, Wanted, bytes, draw};
@@ -83,7 +83,7 @@ pub struct Lent {
     boxes: [Aabb; ITEMS],
     groups: [Aabb; groups_of(ITEMS)],
     row: [Bytes; WIDTH],
-    corners: [Sight; WIDTH + 1],
+    corners: [PixelSample; WIDTH + 1],
     kept: [Kept; 64],
 }
 
@@ -93,7 +93,7 @@ impl Lent {
         boxes: [Aabb::EMPTY; ITEMS],
         groups: [Aabb::EMPTY; groups_of(ITEMS)],
         row: [[[0; size_of::<f32>()]; 3]; WIDTH],
-        corners: [Sight::DARK; WIDTH + 1],
+        corners: [PixelSample::BLACK; WIDTH + 1],
         kept: [Kept::NOTHING; 64],
     };
 }
@@ -136,7 +136,7 @@ fn rays<A: Accelerator>(
     Ok(RayKind::ALL.into_iter().map(|kind| counted.tally.rays[kind]).sum())
 }
 
-type Rooms<'m> = (&'m mut [Bytes], &'m mut [Sight], &'m mut [Kept]);
+type Rooms<'m> = (&'m mut [Bytes], &'m mut [PixelSample], &'m mut [Kept]);
 
 fn picture<A: Accelerator, T: Tally>(
     world: &World<'_, A>,

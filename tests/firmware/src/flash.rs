@@ -168,7 +168,8 @@ pub fn picture<S: Step>(mut send: impl FnMut([u8; 4])) -> Option<()> {
     let mut sink = |pixel, color| {
         sink(pixel, color);
     };
-    let Ok(()) = render(&tracer, &mut Single, &mut worker, Tile::whole(SIZE).pixels(), &mut sink);
+    let Ok(()) =
+        render(&mut tracer.with_worker(&mut worker), &mut Single, Tile::whole(SIZE).pixels(), &mut sink);
     Some(())
 }
 

@@ -63,7 +63,8 @@ fn seen_by<E: Effects>(stage: &Stage, view: &View) -> Vec<Rgb> {
     let mut colors = vec![Rgb::BLACK; tile.len()];
     let mut frame = Frame::new(tile, &mut colors).unwrap();
     let mut sampler = Stochastic::new(4).unwrap();
-    let Ok(()) = render(&tracer, &mut sampler, &mut Worker::new(()), tile.pixels(), &mut frame);
+    let Ok(()) =
+        render(&mut tracer.with_worker(&mut Worker::new(())), &mut sampler, tile.pixels(), &mut frame);
     colors
 }
 

@@ -20,7 +20,8 @@ fn panes(levels: usize) -> Stage {
 }
 
 /// The ray through the middle of the first pixel.
-const MIDDLE: Sample = Sample { place: Place { x: 0.5, y: 0.5 }, stream: Stream::new(0, 0, 0, 0) };
+const MIDDLE: CameraSample =
+    CameraSample { point: FilmPoint { x: 0.5, y: 0.5 }, stream: Stream::new(0, 0, 0, 0) };
 
 /// A ray straight at the panes, with room for `LEVELS` levels.
 fn full_tree<const LEVELS: usize>(levels: u8) -> (Rgb, Counters) {
@@ -32,7 +33,7 @@ fn full_tree<const LEVELS: usize>(levels: u8) -> (Rgb, Counters) {
         Tracer::<_, Everything, LEVELS>::new(&world, Camera::new(&view, size(1, 1)).unwrap(), limits)
             .unwrap();
     let mut worker = Worker::new(Counters::new());
-    (tracer.look(MIDDLE, &mut worker).color, worker.into_tally())
+    (tracer.trace(MIDDLE, &mut worker).color, worker.into_tally())
 }
 
 #[test]
@@ -82,7 +83,7 @@ fn a_tree_that_is_given_up_ends_at_once_with_what_its_rays_have_brought() {
     // Of the first levels, one ray of each: a quarter of light times a half, a quarter, ...
     for (rays, light) in [(1, 0.25), (2, 0.375), (3, 0.4375), (1, 0.25)] {
         worker.tally_mut().0 = rays;
-        assert_eq!(tracer.look(MIDDLE, &mut worker).color, Rgb::gray(light), "{rays}");
+        assert_eq!(tracer.trace(MIDDLE, &mut worker).color, Rgb::gray(light), "{rays}");
         assert_eq!(worker.tally().0, 0);
     }
 }
@@ -154,7 +155,7 @@ fn the_background_stands_for_what_the_levels_end_and_for_what_lies_out_of_sight(
         let camera = Camera::new(&View { up: Vec3::Y, ..view }, size(1, 1)).unwrap();
         let limits = Limits { levels, cutoff: 0.0 };
         let tracer = Tracer::<_, ShortSighted, 3>::new(&world, camera, limits).unwrap();
-        tracer.look(MIDDLE, &mut Worker::new(())).color
+        tracer.trace(MIDDLE, &mut Worker::new(())).color
     };
     // The pane, and the background for both of its children: the mirrored ray would meet the other pane.
     assert_eq!(color(0.0, 1), Rgb::gray(0.25 + 8.0));

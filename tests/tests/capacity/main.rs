@@ -119,7 +119,7 @@ fn picture<A: Accelerator, E: Effects, const LEVELS: usize>(
     let mut colors = vec![Rgb::BLACK; tile.len()];
     let mut frame = Frame::new(tile, &mut colors).unwrap();
     let mut worker = Worker::new(Counters::new());
-    let Ok(()) = render(&tracer, sampler, &mut worker, tile.pixels(), &mut frame);
+    let Ok(()) = render(&mut tracer.with_worker(&mut worker), sampler, tile.pixels(), &mut frame);
     (colors, worker.into_tally())
 }
 
@@ -132,8 +132,8 @@ fn the_core_asks_for_no_memory() {
     let size = size(24, 16);
     let tile = Tile::whole(size);
     let mut colors = vec![Rgb::BLACK; tile.len()];
-    let mut corners = vec![Sight::DARK; Lattice::tile(tile).len()];
-    let mut row = vec![Sight::DARK; 25];
+    let mut corners = vec![PixelSample::BLACK; Lattice::tile(tile).len()];
+    let mut row = vec![PixelSample::BLACK; 25];
     let mut kept = vec![Kept::NOTHING; 500];
     let colors_agree = Agreement::of_colors(0.05).unwrap();
 
@@ -145,23 +145,29 @@ fn the_core_asks_for_no_memory() {
         let tracer = Tracer::<_, Everything, 5>::new(&world, camera, Limits::DEFAULT).unwrap();
         let mut worker = Worker::new(Counters::new());
         let mut frame = Frame::new(tile, &mut colors).unwrap();
-        let Ok(()) = render(&tracer, &mut Single, &mut worker, tile.pixels(), &mut frame);
-        let Ok(()) = render(&tracer, &mut Regular::new(2).unwrap(), &mut worker, tile.pixels(), &mut frame);
+        let Ok(()) = render(&mut tracer.with_worker(&mut worker), &mut Single, tile.pixels(), &mut frame);
+        let Ok(()) = render(
+            &mut tracer.with_worker(&mut worker),
+            &mut Regular::new(2).unwrap(),
+            tile.pixels(),
+            &mut frame,
+        );
         let ends = Confidence { errors: 2.0, tolerance: 0.02 };
         let mut stochastic = Stochastic::between(4, 16, ends).unwrap().filtered(Filter::Gaussian);
-        let Ok(()) = render(&tracer, &mut stochastic, &mut worker, tile.pixels(), &mut frame);
+        let Ok(()) = render(&mut tracer.with_worker(&mut worker), &mut stochastic, tile.pixels(), &mut frame);
         let parting = Parting::new(3, colors_agree).unwrap();
         let mut adaptive = Adaptive::new(parting, CornerRow::new(&mut row), &mut kept);
-        let Ok(()) = render(&tracer, &mut adaptive, &mut worker, tile.pixels(), &mut frame);
+        let Ok(()) = render(&mut tracer.with_worker(&mut worker), &mut adaptive, tile.pixels(), &mut frame);
         let all = Lattice::tile(tile);
         let mut lattice = Frame::new(all, &mut corners).unwrap();
-        let Ok(()) = render(&tracer, &mut Corner(parting), &mut worker, all.pixels(), &mut lattice);
+        let Ok(()) =
+            render(&mut tracer.with_worker(&mut worker), &mut Corner(parting), all.pixels(), &mut lattice);
         let mut adaptive = Adaptive::new(parting, Lattice::new(tile, &corners).unwrap(), &mut kept);
-        let Ok(()) = render(&tracer, &mut adaptive, &mut worker, tile.pixels(), &mut frame);
+        let Ok(()) = render(&mut tracer.with_worker(&mut worker), &mut adaptive, tile.pixels(), &mut frame);
         let selection = Selection::new(8, colors_agree).unwrap();
         let mut selected = Selected::new(selection, Single, Loose, &mut kept);
         let blocks = selection.blocks(tile).pixels();
-        let Ok(()) = render_selected(&tracer, &mut selected, &mut worker, blocks, &mut frame);
+        let Ok(()) = render_selected(&mut tracer.with_worker(&mut worker), &mut selected, blocks, &mut frame);
         assert!(
             worker.tally().rays[RayKind::Transmitted] > 100 && worker.tally().rays[RayKind::Reflected] > 100
         );

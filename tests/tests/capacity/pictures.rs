@@ -7,13 +7,13 @@ use crate::*;
 struct FourCorners;
 
 impl Sampler for FourCorners {
-    fn look(&mut self, Pixel { x, y }: Pixel, shoot: &mut impl FnMut(Sample) -> Sight) -> Sight {
+    fn sample_pixel<R: RayTracer + ?Sized>(&mut self, Pixel { x, y }: Pixel, tracer: &mut R) -> PixelSample {
         let mut corner = |dx, dy| {
-            let place = Place { x: (x + dx) as Real, y: (y + dy) as Real };
-            shoot(Sample { place, stream: Stream::new(0, 0, 0, 0) }).color
+            let place = FilmPoint { x: (x + dx) as Real, y: (y + dy) as Real };
+            tracer.trace(CameraSample { point: place, stream: Stream::new(0, 0, 0, 0) }).color
         };
         let (upper, lower) = (corner(0, 0) + corner(1, 0), corner(0, 1) + corner(1, 1));
-        Sight { color: (upper + lower) * 0.25, met: Met::Nothing }
+        PixelSample { color: (upper + lower) * 0.25, hit: HitId::Nothing }
     }
 }
 
@@ -32,7 +32,7 @@ fn corners_are_the_same_from_any_memory_and_none_is_traced_twice() {
         let (truth, counters) = picture::<_, Everything, 5>(&world, s, Limits::DEFAULT, &mut FourCorners);
         assert_eq!(counters.rays[RayKind::Camera], u64::from(4 * w * h));
 
-        let mut row = vec![Sight::DARK; w as usize + 1];
+        let mut row = vec![PixelSample::BLACK; w as usize + 1];
         let mut sampler = Adaptive::new(corners_alone(), CornerRow::new(&mut row), &mut []);
         let (colors, counters) = picture::<_, Everything, 5>(&world, s, Limits::DEFAULT, &mut sampler);
         assert_eq!((colors, counters.rays[RayKind::Camera]), (truth.clone(), corners), "{w}x{h}");
@@ -40,14 +40,18 @@ fn corners_are_the_same_from_any_memory_and_none_is_traced_twice() {
         let camera = Camera::new(&VIEW, s).unwrap();
         let tracer = Tracer::<_, Everything, 5>::new(&world, camera, Limits::DEFAULT).unwrap();
         let whole = Tile::whole(s);
-        let mut memory = vec![Sight::DARK; Lattice::tile(whole).len()];
+        let mut memory = vec![PixelSample::BLACK; Lattice::tile(whole).len()];
         let mut frame = Frame::new(Lattice::tile(whole), &mut memory).unwrap();
         let mut worker = Worker::new(Counters::new());
         // In any order: here the last tile first.
         let tiles: Vec<Tile> = Lattice::tile(whole).tiles(5).collect();
         for tile in tiles.into_iter().rev() {
-            let Ok(()) =
-                render(&tracer, &mut Corner(corners_alone()), &mut worker, tile.pixels(), &mut frame);
+            let Ok(()) = render(
+                &mut tracer.with_worker(&mut worker),
+                &mut Corner(corners_alone()),
+                tile.pixels(),
+                &mut frame,
+            );
         }
         assert_eq!(worker.tally().rays[RayKind::Camera], corners);
         let mut lattice = Adaptive::new(corners_alone(), Lattice::new(whole, &memory).unwrap(), &mut []);
@@ -62,7 +66,7 @@ fn a_row_of_corners_that_is_too_short_costs_rays_and_changes_nothing() {
     let world = World::new(stage.scene(), List::bare(stage.len()));
     for (w, h) in [(1, 5), (6, 5)] {
         let (truth, _) = picture::<_, Everything, 5>(&world, size(w, h), Limits::DEFAULT, &mut FourCorners);
-        let mut row = [Sight::DARK; 10];
+        let mut row = [PixelSample::BLACK; 10];
         let mut most = u64::MAX;
         for room in 0..=w as usize + 3 {
             let mut sampler = Adaptive::new(corners_alone(), CornerRow::new(&mut row[..room]), &mut []);
@@ -82,7 +86,7 @@ fn a_row_of_corners_that_is_too_short_costs_rays_and_changes_nothing() {
 #[test]
 fn frames_and_lattices_of_another_size_are_refused() {
     let s = size(3, 2);
-    let mut memory = vec![Sight::DARK; 20];
+    let mut memory = vec![PixelSample::BLACK; 20];
     for lent in 0..20 {
         assert_eq!(Frame::new(Tile::whole(s), &mut memory[..lent]).is_some(), lent == 6, "{lent}");
         assert_eq!(Lattice::new(Tile::whole(s), &memory[..lent]).is_some(), lent == 12, "{lent}");
@@ -109,7 +113,12 @@ fn a_sink_that_is_full_ends_the_picture() {
     let tracer = Tracer::<_, Everything, 5>::new(&world, camera, Limits::DEFAULT).unwrap();
     for (room, end) in [(0, Err(Pixel { x: 0, y: 0 })), (5, Err(Pixel { x: 1, y: 1 })), (12, Ok(()))] {
         let mut worker = Worker::new(Counters::new());
-        let result = render(&tracer, &mut Single, &mut worker, Tile::whole(s).pixels(), &mut Full { room });
+        let result = render(
+            &mut tracer.with_worker(&mut worker),
+            &mut Single,
+            Tile::whole(s).pixels(),
+            &mut Full { room },
+        );
         assert_eq!(result, end);
         let pixels = if end.is_ok() { room } else { room + 1 };
         assert_eq!(worker.tally().rays[RayKind::Camera], pixels as u64);

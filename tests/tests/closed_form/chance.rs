@@ -273,7 +273,7 @@ fn a_point_out_of_focus_is_a_disc_of_confusion() {
         };
         let mut sampler = Stochastic::new(256).unwrap();
         let pixels = Tile::whole(size).pixels();
-        let Ok(()) = render(&tracer, &mut sampler, &mut Worker::new(()), pixels, &mut sink);
+        let Ok(()) = render(&mut tracer.with_worker(&mut Worker::new(())), &mut sampler, pixels, &mut sink);
         // A disc of radius r has the second moment r^2 / 2. Two of them, that of confusion and the
         // ball, add up, and so does the pixel: 1/12 for each axis. In pixels:
         let pixel = |length: f64, distance: f64| {

@@ -17,7 +17,12 @@ fn picture(stage: &Stage, view: &View, width: u32, height: u32) -> Vec<Rgb> {
     let tracer = Tracer::<_, Everything, 64>::new(&world, Camera::new(view, size).unwrap(), ALL).unwrap();
     let mut colors = vec![Rgb::BLACK; width as usize * height as usize];
     let mut frame = Frame::new(Tile::whole(size), &mut colors).unwrap();
-    let Ok(()) = render(&tracer, &mut Single, &mut Worker::new(()), Tile::whole(size).pixels(), &mut frame);
+    let Ok(()) = render(
+        &mut tracer.with_worker(&mut Worker::new(())),
+        &mut Single,
+        Tile::whole(size).pixels(),
+        &mut frame,
+    );
     colors
 }
 

@@ -85,7 +85,12 @@ fn seen_by<E: Effects>(description: &Description) -> Vec<u32> {
     let mut bits = Vec::new();
     let mut sink = |_, color: Rgb| bits.extend([color.r, color.g, color.b].map(f32::to_bits));
     let mut sampler = Stochastic::new(4).unwrap();
-    let Ok(()) = render(&tracer, &mut sampler, &mut Worker::new(()), Tile::whole(SIZE).pixels(), &mut sink);
+    let Ok(()) = render(
+        &mut tracer.with_worker(&mut Worker::new(())),
+        &mut sampler,
+        Tile::whole(SIZE).pixels(),
+        &mut sink,
+    );
     bits
 }
 

@@ -191,26 +191,26 @@ proptest! {
         let agreement = Agreement::of_colors(0.05).unwrap();
         let mut kept = [Kept::NOTHING; 8];
         let Ok(()) = match sampler {
-            0 => render(&tracer, &mut Single, &mut worker, tile.pixels(), &mut frame),
+            0 => render(&mut tracer.with_worker(&mut worker), &mut Single, tile.pixels(), &mut frame),
             1 => {
                 let mut regular = Regular::new(2).unwrap().filtered(Filter::Gaussian);
-                render(&tracer, &mut regular, &mut worker, tile.pixels(), &mut frame)
+                render(&mut tracer.with_worker(&mut worker), &mut regular, tile.pixels(), &mut frame)
             }
             2 => {
                 let parting = Parting::new(2, agreement).unwrap();
                 let mut adaptive = Adaptive::new(parting, Loose, &mut kept);
-                render(&tracer, &mut adaptive, &mut worker, tile.pixels(), &mut frame)
+                render(&mut tracer.with_worker(&mut worker), &mut adaptive, tile.pixels(), &mut frame)
             }
             3 => {
                 let ends = Confidence { errors: 2.0, tolerance: 0.02 };
                 let mut stochastic = Stochastic::between(4, 8, ends).unwrap();
-                render(&tracer, &mut stochastic, &mut worker, tile.pixels(), &mut frame)
+                render(&mut tracer.with_worker(&mut worker), &mut stochastic, tile.pixels(), &mut frame)
             }
             _ => {
                 let selection = Selection::new(2, agreement).unwrap();
                 let blocks = selection.blocks(tile).pixels();
                 let mut selected = Selected::new(selection, Single, Loose, &mut kept);
-                render_selected(&tracer, &mut selected, &mut worker, blocks, &mut frame)
+                render_selected(&mut tracer.with_worker(&mut worker), &mut selected, blocks, &mut frame)
             }
         };
         for color in colors {

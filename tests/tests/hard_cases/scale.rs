@@ -103,7 +103,8 @@ fn picture(scale: f32, has_lens: bool) -> Vec<[u32; 3]> {
     let tile = Tile::whole(size);
     let mut colors = vec![Rgb::BLACK; tile.len()];
     let mut frame = Frame::new(tile, &mut colors).unwrap();
-    let Ok(()) = render(&tracer, &mut Single, &mut Worker::new(()), tile.pixels(), &mut frame);
+    let Ok(()) =
+        render(&mut tracer.with_worker(&mut Worker::new(())), &mut Single, tile.pixels(), &mut frame);
     colors.iter().map(|color| [color.r, color.g, color.b].map(f32::to_bits)).collect()
 }
 

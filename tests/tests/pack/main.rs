@@ -135,7 +135,7 @@ fn picture<A: Accelerator>(scene: Scene<'_>, accelerator: A, camera: Camera) -> 
     let mut colors = Vec::new();
     let mut sink = |_: Pixel, color: Rgb| colors.push([color.r, color.g, color.b].map(f32::to_bits));
     let pixels = Tile::whole(SIZE).pixels();
-    let Ok(()) = render(&tracer, &mut Single, &mut Worker::new(()), pixels, &mut sink);
+    let Ok(()) = render(&mut tracer.with_worker(&mut Worker::new(())), &mut Single, pixels, &mut sink);
     colors
 }
 

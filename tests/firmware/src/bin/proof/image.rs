@@ -34,8 +34,8 @@ pub fn sampled<A: Accelerator, E: Effects, T: Tally, const LEVELS: usize>(
     let ends = any(Confidence { errors: 1.0, tolerance: 0.1 });
     if let Some(mut stochastic) = Stochastic::between(any(1), any(2), ends) {
         let mut gathered = any(Gathered::NONE);
-        stochastic.look_on(any(Pixel { x: 0, y: 0 }), &mut gathered, &mut |_| any(Sight::DARK));
-        used((gathered.sight(), gathered.rays(), gathered.doubt(number())));
+        stochastic.continue_pixel(any(Pixel { x: 0, y: 0 }), &mut gathered, &mut any_trace);
+        used((gathered.sample(), gathered.rays(), gathered.doubt(number())));
         rendered(tracer, worker, &mut stochastic.seeded(seed));
         stochastic.begin();
     }
@@ -53,20 +53,20 @@ fn corners<A: Accelerator, E: Effects, T: Tally, const LEVELS: usize>(
     worker: &mut Worker<A, T, LEVELS>,
 ) {
     let Some(agreement) = agreement() else { return };
-    used(Corners::corners(&mut Loose, any(Pixel { x: 0, y: 0 }), &mut |_| any(Sight::DARK)));
-    used((<Rgb as Record>::of(any(Sight::DARK)), <Sight as Record>::of(any(Sight::DARK))));
-    let sights = any([Sight::DARK; 4]);
-    let (mut row, mut kept) = (any([Sight::DARK; 4]), any([Kept::NOTHING; 4]));
+    used(Corners::corners(&mut Loose, any(Pixel { x: 0, y: 0 }), &mut |_| any(PixelSample::BLACK)));
+    used((<Rgb as Record>::of(any(PixelSample::BLACK)), <PixelSample as Record>::of(any(PixelSample::BLACK))));
+    let samples = any([PixelSample::BLACK; 4]);
+    let (mut row, mut kept) = (any([PixelSample::BLACK; 4]), any([Kept::NOTHING; 4]));
     if let Some(parting) = Parting::new(any(1), agreement) {
         let parting = parting.seeded(any(0));
         rendered(tracer, worker, Corner(parting));
         rendered(tracer, worker, Adaptive::new(parting, Loose, any(&mut kept[..])));
         let mut parted = Adaptive::new(parting, Loose, any(&mut kept[..]));
         let pixel = any(Pixel { x: 0, y: 0 });
-        used(parted.look_by_parts(pixel, &mut |_| any(Sight::DARK), &mut |part: Part| used(part)));
+        used(parted.sample_by_parts(pixel, &mut any_trace, &mut |part: Part| used(part)));
         let row = CornerRow::new(any(&mut row[..]));
         rendered(tracer, worker, Adaptive::new(parting, row, any(&mut kept[..])));
-        if let Some(lattice) = Lattice::new(any_tile(), any(&sights[..])) {
+        if let Some(lattice) = Lattice::new(any_tile(), any(&samples[..])) {
             rendered(tracer, worker, Adaptive::new(parting, lattice, any(&mut kept[..])));
         }
     }
@@ -83,9 +83,14 @@ fn corners<A: Accelerator, E: Effects, T: Tally, const LEVELS: usize>(
 struct Somewhere;
 
 impl Sampler for Somewhere {
-    fn look(&mut self, _: Pixel, shoot: &mut impl FnMut(Sample) -> Sight) -> Sight {
-        let sight = shoot(any_sample());
-        used(sight.met.and(any(Met::Several)));
-        sight
+    fn sample_pixel<R: RayTracer + ?Sized>(&mut self, _: Pixel, tracer: &mut R) -> PixelSample {
+        let sample = tracer.trace(any_sample());
+        used(sample.hit.and(any(HitId::Several)));
+        sample
     }
+}
+
+/// A ray tracer of which nothing is known.
+pub fn any_trace(sample: CameraSample) -> PixelSample {
+    any((sample, PixelSample::BLACK)).1
 }

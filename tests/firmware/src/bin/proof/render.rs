@@ -8,7 +8,7 @@ use embedded_graphics_core::primitives::Rectangle;
 use strahl_core::*;
 
 use crate::any::{any, used};
-use crate::image::any_tile;
+use crate::image::{any_tile, any_trace};
 
 /// Into memory, a function, and a screen.
 pub fn rendered<A: Accelerator, E: Effects, T: Tally, const LEVELS: usize>(
@@ -18,14 +18,14 @@ pub fn rendered<A: Accelerator, E: Effects, T: Tally, const LEVELS: usize>(
 ) {
     let mut colors = [Rgb::BLACK; 4];
     if let Some(mut frame) = Frame::new(any_tile(), any(&mut colors[..])) {
-        let Ok(()) = render(tracer, &mut sampler, worker, any_tile().pixels(), &mut frame);
+        let Ok(()) = render(&mut tracer.with_worker(worker), &mut sampler, any_tile().pixels(), &mut frame);
     }
     let Ok(()) =
-        render(tracer, &mut sampler, worker, any_tile().pixels(), &mut |pixel, color| used((pixel, color)));
-    used(render(tracer, &mut sampler, worker, [any(Pixel { x: 0, y: 0 })], &mut Screen));
+        render(&mut tracer.with_worker(worker), &mut sampler, any_tile().pixels(), &mut |pixel, color| used((pixel, color)));
+    used(render(&mut tracer.with_worker(worker), &mut sampler, [any(Pixel { x: 0, y: 0 })], &mut Screen));
     let mut screen = Screen;
     let mut display = Display::new(&mut screen, Point::new(any(0), any(0)), any(Dither::Ordered));
-    used(render(tracer, &mut sampler, worker, [any(Pixel { x: 0, y: 0 })], &mut display));
+    used(render(&mut tracer.with_worker(worker), &mut sampler, [any(Pixel { x: 0, y: 0 })], &mut display));
     used(<Rgb565 as Steps>::of(any([0; 3])));
 }
 
@@ -35,17 +35,17 @@ pub fn selected<A: Accelerator, E: Effects, T: Tally, const LEVELS: usize>(
     worker: &mut Worker<A, T, LEVELS>,
     mut selected: Selected<'_, Loose, Single>,
 ) {
-    used(render_selected(tracer, &mut selected, worker, any_tile().pixels(), &mut Screen));
-    used(render_refined(tracer, &mut selected, worker, any_tile(), &mut Screen));
+    used(render_selected(&mut tracer.with_worker(worker), &mut selected, any_tile().pixels(), &mut Screen));
+    used(render_refined(&mut tracer.with_worker(worker), &mut selected, any_tile(), &mut Screen));
     used(*selected.selection());
     selected.begin();
-    selected.refine(
+    selected.refine_block(
         any(Pixel { x: 0, y: 0 }),
         any(4),
-        &mut |sample| any((sample, Sight::DARK)).1,
+        &mut any_trace,
         &mut |_, _| {},
     );
-    selected.block(any(Pixel { x: 0, y: 0 }), &mut |sample| any((sample, Sight::DARK)).1, &mut |_, _| {});
+    selected.sample_block(any(Pixel { x: 0, y: 0 }), &mut any_trace, &mut |_, _| {});
 }
 
 /// A screen whose wire may break.

@@ -99,9 +99,9 @@ pub fn any_camera() -> Option<Camera> {
 
 fn looked_at() {
     used((any_size().width(), any_size().height()));
-    used(any_camera().map(|camera| (camera.ray(any(Place { x: 0.0, y: 0.0 })), camera.has_lens())));
+    used(any_camera().map(|camera| (camera.ray(any(FilmPoint { x: 0.0, y: 0.0 })), camera.has_lens())));
 }
 
-pub fn any_sample() -> Sample {
-    any(Sample { place: Place { x: 0.0, y: 0.0 }, stream: Stream::new(0, 0, 0, 0) })
+pub fn any_sample() -> CameraSample {
+    any(CameraSample { point: FilmPoint { x: 0.0, y: 0.0 }, stream: Stream::new(0, 0, 0, 0) })
 }

@@ -27,10 +27,11 @@ pub fn traced<A: Accelerator, E: Effects, T: Tally, const LEVELS: usize>(world: 
     let limits = any(Limits::DEFAULT);
     let Ok(tracer) = Tracer::<A, E, LEVELS>::new(world, camera, limits) else { return };
     let mut bare = Worker::<A, (), LEVELS, 0>::of_any_size(()).without_shadow_cache();
-    used((tracer.look(any_sample(), &mut bare), any(Worker::<A, (), LEVELS, 0>::BYTES)));
+    used((tracer.trace(any_sample(), &mut bare), any(Worker::<A, (), LEVELS, 0>::BYTES)));
     let mut worker = Worker::new(tally);
-    used(tracer.look(any_sample(), &mut worker));
+    used(tracer.trace(any_sample(), &mut worker));
 
+    worker.forget();
     image::sampled(&tracer, &mut worker);
 
     used(worker.tally());
