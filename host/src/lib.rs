@@ -8,7 +8,8 @@
 //! | [`mod@cast`] | the command `cast` |
 //! | [`watch`] | the command `watch` |
 //! | [`bake`] | the command `bake` |
-//! | [`study`] | the command `study` |
+//! | [`study_command`] | the command `study` |
+//! | [`study`] | what accuracy costs in time |
 //! | [`info`] | the command `info` |
 //! | [`explain`] | the command `explain` |
 //! | [`compare`] | the command `compare` |
@@ -32,6 +33,7 @@
 //! | [`rays`] | rays as lines of text, and their way there and back |
 //! | [`scheduler`] | what comes next in a picture that becomes better pass by pass |
 //! | [`aim`] | the settings that keep an error or a time |
+//! | [`aim_report`] | what was aimed at, for the report and for a person |
 //! | [`cost`] | what was counted, in instructions |
 //! | [`cost_map`] | what each pixel costs |
 //! | [`heat`] | costs as a picture |
@@ -58,6 +60,7 @@ use strahl_core as strahl;
 use stock::single as tables;
 
 pub mod aim;
+pub mod aim_report;
 pub mod amount;
 pub mod args;
 pub mod bake;
@@ -99,6 +102,7 @@ pub mod signals;
 pub mod stats;
 pub mod stock;
 pub mod study;
+pub mod study_command;
 pub mod summary;
 pub mod terminal;
 pub mod wanted;

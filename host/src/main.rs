@@ -20,7 +20,7 @@ fn main() -> ExitCode {
         Command::Bake(args) => strahl::bake::run(&args).map(yes),
         Command::Explain(args) => strahl::explain::run(&args).map(yes),
         Command::Info(args) => strahl::info::run(&args).map(yes),
-        Command::Study(args) => strahl::study::run(&args).map(yes),
+        Command::Study(args) => strahl::study_command::run(&args).map(yes),
         Command::Schema { what } => {
             let schema = match what {
                 Schema::Scene => native::schema(),

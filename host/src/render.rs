@@ -9,9 +9,10 @@ use std::time::{Duration, Instant};
 use strahl_core::Tile;
 use strahl_picture::{Format, Picture};
 
+use crate::aim;
 use crate::aim::error::{Fixed, Goal};
 use crate::aim::time::Limit;
-use crate::aim::{self, Aimed};
+use crate::aim_report::AimReport;
 use crate::args::{AimArgs, RenderArgs, StatsForm};
 use crate::cost_map::CostMap;
 use crate::description::{Description, Settings};
@@ -147,15 +148,15 @@ impl<'a> Job<'a> {
             };
             output.commit(text.as_bytes())?;
         }
-        let taken = aimed.as_ref().map_or(&wanted, |aimed| &aimed.taken);
+        let taken = aimed.as_ref().map_or(&wanted, |report| &report.aimed.taken);
         if !args.quiet {
             let mut summary = summary(path, &frame, &plan, taken.sampling, *load, write);
-            if let Some(aimed) = &aimed {
-                summary.push_str(&summary::lines(&aimed.lines()));
+            if let Some(report) = &aimed {
+                summary.push_str(&summary::lines(&report.lines()));
             }
             tell(wrapped(&summary, width_of_stderr(), summary::INDENT));
         }
-        Ok(if aimed.is_none_or(|aimed| aimed.kept) { Answer::Yes } else { Answer::No })
+        Ok(if aimed.is_none_or(|report| report.aimed.kept) { Answer::Yes } else { Answer::No })
     }
 
     /// Traces the picture, with what was found where something is aimed at.
@@ -164,7 +165,7 @@ impl<'a> Job<'a> {
         description: &Description,
         wanted: &Wanted,
         progress: &TerminalProgress,
-    ) -> Result<(RenderOutput, Option<Aimed>), Failure> {
+    ) -> Result<(RenderOutput, Option<AimReport>), Failure> {
         let Job { args, aim, begun, format, .. } = self;
         let traced = if let Some(error) = aim.target_error {
             let fixed = Fixed {
@@ -182,8 +183,7 @@ impl<'a> Job<'a> {
         };
         progress.end();
         let (frame, aimed) = traced.map_err(|error| self.failure(error))?;
-        let command = aim::command(args, &aimed.taken, &self.path);
-        Ok((frame, Some(Aimed { command, ..aimed })))
+        Ok((frame, Some(AimReport::new(args, aimed, &self.path))))
     }
 
     /// Traces and writes a coarse picture, where that is quicker.

@@ -6,7 +6,7 @@ use serde::Serialize;
 use std::collections::BTreeMap;
 use strahl_core::{RayKind, ShapeKind};
 
-use crate::aim::Aimed;
+use crate::aim_report::AimReport;
 use crate::amount::amount;
 use crate::plan::{self, Effect};
 use crate::render_output::RenderOutput;
@@ -28,7 +28,7 @@ pub struct Stats {
     cut: Cut,
     /// What was aimed at, if anything was.
     #[serde(skip_serializing_if = "Option::is_none")]
-    pub aim: Option<Aimed>,
+    pub aim: Option<AimReport>,
     /// How long everything took.
     pub seconds: Seconds,
     digest: String,

@@ -16,11 +16,10 @@ use std::time::Duration;
 
 use strahl::engine::session::scene_stats;
 use strahl::load::load;
-use strahl::signals::Signals;
+use strahl::progress::NoProgress;
 use strahl::stock::single::Stock;
 use strahl::study::bench::Bench;
 use strahl::study::conduct::Conduct;
-use strahl::study::meter::Meter;
 use strahl::study::options::Options;
 use strahl::study::page::numbers;
 use strahl::study::plan::Plan;
@@ -59,7 +58,7 @@ fn evaluate(path: &Path) -> Result<Evaluated, Box<dyn Error>> {
     let size = Size::new(SIDE, SIDE).ok_or("no size")?;
     let plan = Plan { repeats: 3, ..Plan::QUICK };
     let limit = Some(Duration::from_secs(SECONDS));
-    let bench = Bench::new(path, &scene, size, Signals::default(), Meter::silent(), limit);
+    let bench = Bench::new(&scene, size, &NoProgress, limit);
     let levels = scene.settings.levels.unwrap_or(Limits::DEFAULT.levels);
     let wanted = Wanted { limits: Limits { levels, ..Limits::DEFAULT }, ..Wanted::of(size) };
     let mut conduct = Conduct::new(&bench, &plan);

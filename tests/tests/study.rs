@@ -12,11 +12,10 @@ use clap::Parser;
 use strahl::args::StudyArgs;
 use strahl::load::load;
 use strahl::plan::Effect;
-use strahl::signals::Signals;
+use strahl::progress::NoProgress;
 use strahl::study::bench::Bench;
 use strahl::study::conduct::{Conduct, Truth};
 use strahl::study::front::{Point, front};
-use strahl::study::meter::Meter;
 use strahl::study::options::Options;
 use strahl::study::plan::Plan;
 use strahl::study::record::Step;
@@ -32,7 +31,7 @@ fn studied<T>(name: &str, plan: &Plan, asks: &[Effect], then: impl FnOnce(&Condu
     let path = scene(name);
     let scene = load(&path).unwrap();
     let size = Size::new(40, 25).unwrap();
-    let bench = Bench::new(&path, &scene, size, Signals::default(), Meter::silent(), None);
+    let bench = Bench::new(&scene, size, &NoProgress, None);
     let mut conduct = Conduct::new(&bench, plan);
     let truth = conduct.run(&Options::of(&Wanted::of(size), 2), asks).unwrap();
     then(&conduct, &truth)
@@ -238,7 +237,7 @@ fn the_page_shows_its_plots_in_a_browser_and_fetches_nothing() {
     let out = folder.path().join("out");
     let words = ["study", path.to_str().unwrap(), "-o", out.to_str().unwrap(), "--size", "48x36"];
     let args = StudyArgs::parse_from([&words[..], &["--time-limit", "4s", "--quiet"]].concat());
-    strahl::study::run(&args).unwrap();
+    strahl::study_command::run(&args).unwrap();
     let server = Server::of(fs::read(out.join("report.html")).unwrap());
     let shown = |page: &str, width, scheme: &[&str]| {
         shown(browser, folder.path(), &format!("http://{}/{page}", server.address), width, scheme)

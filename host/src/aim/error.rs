@@ -94,7 +94,6 @@ pub fn trace(
             seconds,
         },
         why: found.why(goal.error),
-        command: String::new(),
         taken,
     };
     Ok((output, aimed))

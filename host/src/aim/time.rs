@@ -50,7 +50,7 @@ pub fn trace(
         passes: clock.passes,
         given_up: clock.begun > clock.passes,
     };
-    Ok((output, Aimed { taken, kept: true, target, why, command: String::new() }))
+    Ok((output, Aimed { taken, kept: true, target, why }))
 }
 
 /// Everything between two pixels that are this far apart is guessed.

@@ -10,10 +10,10 @@ use std::time::Duration;
 use strahl_core::Size;
 
 use super::bench::Bench;
+use super::error::StudyError;
 use super::options::Options;
 use super::plan::{Plan, time};
 use super::record::{Role, Run};
-use crate::failure::Failure;
 
 /// The probe has at most so many pixels.
 const PROBE: u32 = 1 << 10;
@@ -78,7 +78,7 @@ pub(super) fn choose(
     plan: &Plan,
     own: &Options,
     is_free: bool,
-) -> Result<(), Failure> {
+) -> Result<(), StudyError> {
     let Some(limit) = bench.limit.map(|limit| limit.as_secs_f64()) else { return Ok(()) };
     let size = bench.size;
     let pixels = f64::from(size.width()) * f64::from(size.height());
@@ -110,7 +110,7 @@ pub(super) fn choose(
 }
 
 /// That the time does not suffice, and how many seconds would, where that is known.
-pub(super) fn short(bench: &Bench<'_>, enough: Option<f64>) -> Failure {
+pub(super) fn short(bench: &Bench<'_>, enough: Option<f64>) -> StudyError {
     let limit = bench.limit.unwrap_or_default();
     // As one word of the command line.
     let told = |seconds| humantime::format_duration(round(seconds)).to_string().replace(' ', "");
@@ -123,10 +123,9 @@ pub(super) fn short(bench: &Bench<'_>, enough: Option<f64>) -> Failure {
             )
         }
     };
-    Failure::Late(format!(
-        "{}: {} is too short to make a reference that is no coarser than the scene's own setting: {enough}, or a \
+    StudyError::TooShort(format!(
+        "{} is too short to make a reference that is no coarser than the scene's own setting: {enough}, or a \
          smaller --size",
-        bench.path.display(),
         humantime::format_duration(limit),
     ))
 }

@@ -1,7 +1,6 @@
 //! Where settings are measured: one scene at one size, against a clock.
 
 use std::cell::Cell;
-use std::path::Path;
 use std::sync::Arc;
 use std::time::{Duration, Instant};
 
@@ -9,35 +8,30 @@ use strahl_core::{Rgb, Size};
 use strahl_picture::difference::{Limit, Pair};
 use strahl_picture::{Picture, Values};
 
-use super::meter::Meter;
 use super::options::Options;
 use super::plan::time;
+use super::progress::StudyProgress;
 use super::record::{Errors, Role, Run};
 use crate::cost::{WEIGHTS, record};
 use crate::cost_map::{CostMap, PixelCost};
 use crate::description::Description;
-use crate::failure::Failure;
 use crate::interrupt::Interrupt;
 use crate::plan::leave_out;
 use crate::progress::Deadline;
 use crate::render_output::{RenderError, RenderOutput};
 use crate::session;
-use crate::signals::Signals;
-use crate::terminal::TerminalProgress;
 use crate::wanted::Wanted;
 
 /// One scene at one size, and a clock.
 pub struct Bench<'b> {
-    /// The file, for messages.
-    pub path: &'b Path,
     /// The scene.
     pub scene: &'b Description,
     /// The size of all pictures.
     pub size: Size,
-    /// When to stop.
-    pub signals: Signals,
-    /// Who is told how far it is.
-    pub meter: Meter,
+    /// Told how far it is.
+    pub progress: &'b dyn StudyProgress,
+    /// When it began.
+    pub begun: Instant,
     /// How long all of it may take.
     pub limit: Option<Duration>,
     /// Seconds that tables and accelerator take before anything is traced.
@@ -55,16 +49,14 @@ pub struct Taken {
 }
 
 impl<'b> Bench<'b> {
-    /// Pictures of `size`, while `meter` runs and until `limit` is over.
+    /// Pictures of `size`, from now on and until `limit` is over.
     pub fn new(
-        path: &'b Path,
         scene: &'b Description,
         size: Size,
-        signals: Signals,
-        meter: Meter,
+        progress: &'b dyn StudyProgress,
         limit: Option<Duration>,
     ) -> Self {
-        Bench { path, scene, size, signals, meter, limit, build: Cell::new(0.0) }
+        Bench { scene, size, progress, begun: Instant::now(), limit, build: Cell::new(0.0) }
     }
 
     /// To make tables and accelerator takes so many seconds: no setting is charged for it.
@@ -74,7 +66,12 @@ impl<'b> Bench<'b> {
 
     /// Seconds since the study began.
     pub fn elapsed(&self) -> f64 {
-        self.meter.elapsed()
+        self.begun.elapsed().as_secs_f64()
+    }
+
+    /// About so many seconds are left.
+    pub(super) fn left(&self, seconds: f64) {
+        self.progress.time(self.elapsed(), seconds);
     }
 
     /// This share of the time that is given, in seconds.
@@ -83,29 +80,33 @@ impl<'b> Bench<'b> {
     }
 
     /// Traces it once; none where that takes more seconds than `most`, or than are left of all.
-    pub fn trace(&self, options: &Options, most: f64) -> Result<Option<RenderOutput>, Failure> {
+    pub fn trace(&self, options: &Options, most: f64) -> Result<Option<RenderOutput>, RenderError> {
         self.traced(options, &options.wanted(self.size), most)
     }
 
     /// What each pixel costs, row by row; none where no time is left for it.
-    pub fn costs(&self, options: &Options) -> Result<Option<Vec<PixelCost>>, Failure> {
+    pub fn costs(&self, options: &Options) -> Result<Option<Vec<PixelCost>>, RenderError> {
         let cost_map = Arc::new(CostMap::new(self.size));
         let wanted = Wanted { cost_map: Some(Arc::clone(&cost_map)), ..options.wanted(self.size) };
         Ok(self.traced(options, &wanted, f64::INFINITY)?.map(|_| cost_map.costs()))
     }
 
-    fn traced(&self, options: &Options, wanted: &Wanted, most: f64) -> Result<Option<RenderOutput>, Failure> {
-        self.meter.about(options);
+    fn traced(
+        &self,
+        options: &Options,
+        wanted: &Wanted,
+        most: f64,
+    ) -> Result<Option<RenderOutput>, RenderError> {
+        self.progress.measuring(&options.words());
         // Nothing lasts longer than the study may, whatever it is allowed to.
         let (most, left) = (most + self.build.get(), self.share(time::TRACED) - self.elapsed());
         let most = if most < left { most } else { left };
         if most <= 0.0 {
             return Ok(None);
         }
-        let progress = TerminalProgress::silent(self.signals.clone());
         // What is longer than a clock can say has no end.
         let end = Duration::try_from_secs_f64(most).ok().and_then(|most| Instant::now().checked_add(most));
-        let progress = Deadline::new(&progress, end);
+        let progress = Deadline::new(self.progress, end);
         let traced = if options.without.is_empty() {
             session::render(self.scene, wanted, &progress)
         } else {
@@ -116,13 +117,12 @@ impl<'b> Bench<'b> {
         match traced {
             Ok(output) => Ok(Some(output)),
             Err(RenderError::Interrupted(Interrupt::TimeLimit)) => Ok(None),
-            Err(RenderError::Interrupted(stop)) => Err(Failure::Stopped(stop)),
-            Err(error) => Err(Failure::input(self.path, error.to_string())),
+            Err(error) => Err(error),
         }
     }
 
     /// Traces it for the first time.
-    pub fn take(&self, role: Role, options: &Options, most: f64) -> Result<Option<Taken>, Failure> {
+    pub fn take(&self, role: Role, options: &Options, most: f64) -> Result<Option<Taken>, RenderError> {
         let Some(frame) = self.trace(options, most)? else { return Ok(None) };
         let counts = record(&frame.counters);
         let choice = &frame.accelerator.choice;
@@ -142,7 +142,7 @@ impl<'b> Bench<'b> {
     }
 
     /// Traces it once more.
-    pub fn repeat(&self, taken: &mut Taken) -> Result<(), Failure> {
+    pub fn repeat(&self, taken: &mut Taken) -> Result<(), RenderError> {
         if let Some(frame) = self.trace(&taken.options, f64::INFINITY)? {
             taken.run.cpu.push(frame.trace_cpu.as_secs_f64());
             taken.run.wall.push(frame.trace.as_secs_f64());

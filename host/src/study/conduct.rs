@@ -12,6 +12,7 @@ use strahl_picture::Picture;
 
 use super::afford;
 use super::bench::{Bench, Taken, errors, mean};
+use super::error::StudyError;
 use super::front::{Point, front};
 use super::knobs;
 use super::mixtures;
@@ -19,7 +20,6 @@ use super::options::Options;
 use super::plan::{FINER, Plan, finer, time};
 use super::record::{Errors, Knob, LeftOut, Reference, Role, Technique};
 use super::techniques;
-use crate::failure::Failure;
 use crate::plan::Effect;
 use crate::sampling::Sampling;
 
@@ -86,7 +86,7 @@ impl<'b> Conduct<'b> {
     }
 
     /// Measures a scene whose own settings are `own`, and which asks for `asks`.
-    pub fn run(&mut self, own: &Options, asks: &[Effect]) -> Result<Truth, Failure> {
+    pub fn run(&mut self, own: &Options, asks: &[Effect]) -> Result<Truth, StudyError> {
         let best = self.limits(own)?;
         let truth = self.reference(best, own)?;
         for taken in &mut self.taken {
@@ -108,10 +108,10 @@ impl<'b> Conduct<'b> {
 
     /// Measures nothing but the techniques, and `repeats` times in all; there is no reference, so the errors of
     /// runs are those against the picture of `own`.
-    pub fn evaluate(&mut self, own: &Options) -> Result<(), Failure> {
+    pub fn evaluate(&mut self, own: &Options) -> Result<(), StudyError> {
         let begun = self.bench.elapsed();
         let frame = self.bench.trace(own, f64::INFINITY)?;
-        let frame = frame.ok_or_else(|| Failure::Usage("the picture took for ever".into()))?;
+        let frame = frame.ok_or_else(|| StudyError::TooShort("the picture takes too long".into()))?;
         let setting = own.record(&frame.accelerator.choice);
         let reference = Reference { setting, noise: 0.0, cut: 0.0, seconds: self.bench.elapsed() - begun };
         techniques::all(self, own, &Truth { picture: frame.picture, reference })?;
@@ -120,7 +120,7 @@ impl<'b> Conduct<'b> {
 
     /// Goes from the scene's own levels and cutoff to finer ones, until nothing is cut or a reference with them
     /// would take too long; the place of the finest.
-    fn limits(&mut self, own: &Options) -> Result<usize, Failure> {
+    fn limits(&mut self, own: &Options) -> Result<usize, StudyError> {
         let coarse = own.coarse();
         let seconds = self.bench.share(time::REFERENCE);
         let first =
@@ -162,7 +162,7 @@ impl<'b> Conduct<'b> {
 
     /// Makes the reference with the limits of the run at `best`, and where that takes too long with the scene's
     /// own.
-    fn reference(&mut self, best: usize, own: &Options) -> Result<Truth, Failure> {
+    fn reference(&mut self, best: usize, own: &Options) -> Result<Truth, StudyError> {
         let begun = self.bench.elapsed();
         let (fewest, seconds) = (self.plan.fewest(own), self.bounded(time::REFERENCE));
         let Taken { options: finest, run, .. } = &self.taken[best];
@@ -170,7 +170,7 @@ impl<'b> Conduct<'b> {
         let samples = self.plan.samples(fewest, single, seconds);
         let rays = self.plan.rays(own.filter, samples);
         self.foretold = begun + single * (f64::from(samples) + rays * self.plan.repeats as f64);
-        self.bench.meter.left(self.ahead());
+        self.bench.left(self.ahead());
         // As well as it was meant, with as few rays as may be, and as coarse as may be.
         let mut tries = vec![(finest.clone(), samples), (finest, fewest), (own.coarse(), fewest)];
         tries.dedup();
@@ -213,7 +213,7 @@ impl<'b> Conduct<'b> {
         options: &Options,
         most: f64,
         truth: &Picture,
-    ) -> Result<Option<usize>, Failure> {
+    ) -> Result<Option<usize>, StudyError> {
         let is_same = |taken: &Taken| taken.options == *options;
         if let Some(place) = self.taken.iter().position(is_same) {
             if role == Role::Own {
@@ -238,7 +238,7 @@ impl<'b> Conduct<'b> {
         };
         judge(&mut taken, truth);
         self.taken.push(taken);
-        self.bench.meter.left(self.ahead());
+        self.bench.left(self.ahead());
         Ok(Some(self.taken.len() - 1))
     }
 
@@ -248,7 +248,7 @@ impl<'b> Conduct<'b> {
         options: &Options,
         seconds: f64,
         truth: &Picture,
-    ) -> Result<Option<usize>, Failure> {
+    ) -> Result<Option<usize>, StudyError> {
         let most = self.bench.share(time::SETTING);
         if seconds > 1.5 * most {
             self.leave(options, format!("about {seconds:.0} s; a larger --time-limit allows more"));
@@ -304,7 +304,7 @@ impl<'b> Conduct<'b> {
     }
 
     /// Measures times again, round by round, until they are known or the time is over.
-    fn repeat(&mut self) -> Result<(), Failure> {
+    fn repeat(&mut self) -> Result<(), StudyError> {
         self.forget();
         let (places, points) = self.points();
         let kept: Vec<usize> = front(&points).into_iter().map(|place| places[place]).collect();
@@ -323,7 +323,7 @@ impl<'b> Conduct<'b> {
                 self.bench.repeat(&mut self.taken[*place])?;
                 let rounds = (self.plan.repeats - round) as f64 - done as f64 / wanted.len() as f64;
                 let all: f64 = wanted.iter().map(|place| self.taken[*place].run.wall[0]).sum();
-                self.bench.meter.left((rounds * all).min(left));
+                self.bench.left((rounds * all).min(left));
             }
         }
         Ok(())

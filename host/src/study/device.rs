@@ -4,12 +4,10 @@
 //! every other line is a setting. `instructions` and `rays` are those of the whole picture. `rmse`
 //! may be empty.
 
-use std::path::Path;
-
 use serde::Deserialize;
 
+use super::error::ParseError;
 use super::front::Point;
-use crate::failure::Failure;
 
 /// The first line.
 pub const HEADER: [&str; 10] =
@@ -62,13 +60,6 @@ impl Row {
 }
 
 impl Device {
-    /// Reads the file at `path`.
-    pub fn read(path: &Path) -> Result<Self, Failure> {
-        let text =
-            std::fs::read(path).map_err(|error| Failure::Unreadable { path: path.to_owned(), error })?;
-        Device::parse(path, &text)
-    }
-
     /// The scenes, each once, in the order of the file.
     pub fn scenes(&self) -> Vec<&str> {
         let mut names: Vec<&str> = Vec::new();
@@ -80,7 +71,8 @@ impl Device {
         names
     }
 
-    fn parse(path: &Path, text: &[u8]) -> Result<Self, Failure> {
+    /// Reads the bytes of the file with this name.
+    pub fn parse(name: &str, text: &[u8]) -> Result<Self, ParseError> {
         let mut reader = csv::ReaderBuilder::new().trim(csv::Trim::All).from_reader(text);
         let at = |error: csv::Error, names: &[&str]| {
             // Fields are told by their names.
@@ -99,25 +91,24 @@ impl Device {
                 (csv::ErrorKind::Utf8 { .. }, _) => "this is no UTF-8".into(),
                 _ => error.to_string(),
             };
-            Failure::at(path, line as usize, reason)
+            ParseError::at(line as usize, reason)
         };
         let header = reader.headers().map_err(|error| at(error, &HEADER))?.clone();
         if header.iter().ne(HEADER) {
-            return Err(Failure::at(path, 1, format!("the first line must be {}", HEADER.join(","))));
+            return Err(ParseError::at(1, format!("the first line must be {}", HEADER.join(","))));
         }
         let mut rows = Vec::new();
         let mut record = csv::StringRecord::new();
         while reader.read_record(&mut record).map_err(|error| at(error, &HEADER))? {
             let line = record.position().map_or(1, |position| position.line()) as usize;
             let row: Row = record.deserialize(Some(&header)).map_err(|error| at(error, &HEADER))?;
-            sensible(&row).map_err(|reason| Failure::at(path, line, reason))?;
+            sensible(&row).map_err(|reason| ParseError::at(line, reason))?;
             rows.push(row);
         }
         if rows.is_empty() {
-            return Err(Failure::at(path, 2, "there is no setting below the first line"));
+            return Err(ParseError::at(2, "there is no setting below the first line"));
         }
-        let name = path.file_name().unwrap_or_default().to_string_lossy().into_owned();
-        Ok(Device { name, rows })
+        Ok(Device { name: name.to_owned(), rows })
     }
 }
 
@@ -143,7 +134,7 @@ mod tests {
 
     fn parse(rows: &str) -> Result<Device, String> {
         let text = format!("{}\n{rows}", HEADER.join(","));
-        Device::parse(Path::new("chip.csv"), text.as_bytes()).map_err(|failure| failure.to_string())
+        Device::parse("chip.csv", text.as_bytes()).map_err(|failure| failure.to_string())
     }
 
     #[test]
@@ -161,19 +152,19 @@ mod tests {
     fn what_is_wrong_is_told_with_its_line() {
         let good = "a,1,1,single,5,0,single,9,8,0\n";
         for (row, says) in [
-            ("a,1,1,single,5,0,single,9,8", "chip.csv:3: 10 fields are expected, here are 9"),
-            ("a,x,1,single,5,0,single,9,8,0", "chip.csv:3: width: invalid digit"),
-            ("a,1,1,single,500,0,single,9,8,0", "chip.csv:3: levels:"),
-            ("a,0,1,single,5,0,single,9,8,0", "chip.csv:3: width and height"),
-            ("a,1,1,single,5,2,single,9,8,0", "chip.csv:3: cutoff"),
-            ("a,1,1,single,5,0,single,0,8,0", "chip.csv:3: instructions"),
-            ("a,1,1,single,5,0,single,9,8,-1", "chip.csv:3: rmse"),
+            ("a,1,1,single,5,0,single,9,8", "line 3: 10 fields are expected, here are 9"),
+            ("a,x,1,single,5,0,single,9,8,0", "line 3: width: invalid digit"),
+            ("a,1,1,single,500,0,single,9,8,0", "line 3: levels:"),
+            ("a,0,1,single,5,0,single,9,8,0", "line 3: width and height"),
+            ("a,1,1,single,5,2,single,9,8,0", "line 3: cutoff"),
+            ("a,1,1,single,5,0,single,0,8,0", "line 3: instructions"),
+            ("a,1,1,single,5,0,single,9,8,-1", "line 3: rmse"),
         ] {
             let error = parse(&format!("{good}{row}\n")).unwrap_err();
             assert!(error.contains(says), "{row}: {error}");
         }
         assert!(parse("").unwrap_err().contains("no setting"));
-        let error = Device::parse(Path::new("chip.csv"), b"a,b\n1,2\n").unwrap_err().to_string();
-        assert!(error.contains("chip.csv:1: the first line must be scene,width"), "{error}");
+        let error = Device::parse("chip.csv", b"a,b\n1,2\n").unwrap_err().to_string();
+        assert!(error.contains("line 1: the first line must be scene,width"), "{error}");
     }
 }

@@ -1,12 +1,10 @@
 //! `study.json`: written, read and checked.
 
-use std::path::Path;
-
 use serde::Deserialize;
 use serde_json::error::Category;
 
+use super::error::ParseError;
 use super::record::{Errors, FORMAT, Study, VERSION};
-use crate::failure::Failure;
 
 impl Study {
     /// The file.
@@ -16,22 +14,16 @@ impl Study {
         json
     }
 
-    /// Reads the file at `path`.
-    pub fn read(path: &Path) -> Result<Self, Failure> {
-        let unreadable = |error| Failure::Unreadable { path: path.to_owned(), error };
-        let bytes = std::fs::read(path).map_err(unreadable)?;
-        Study::parse(path, &bytes)
-    }
-
-    fn parse(path: &Path, bytes: &[u8]) -> Result<Self, Failure> {
+    /// Reads the bytes of a file.
+    pub fn parse(bytes: &[u8]) -> Result<Self, ParseError> {
         /// What every version begins with.
         #[derive(Deserialize)]
         struct Head {
             format: Option<String>,
             version: Option<u32>,
         }
-        let wrong = |reason: String| Failure::Input { path: path.to_owned(), line: None, reason };
-        let at = |error: serde_json::Error| Failure::at(path, error.line(), reason(&error));
+        let wrong = ParseError::from;
+        let at = |error: serde_json::Error| ParseError::at(error.line(), reason(&error));
         let other = || format!("this is no study.json: that begins with \"format\": \"{FORMAT}\"");
         let head: Head = serde_json::from_slice(bytes).map_err(|error| match error.classify() {
             // It is JSON, but of something else.

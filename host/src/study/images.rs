@@ -8,11 +8,11 @@ use strahl_picture::{Format, Picture, srgb};
 
 use super::bench::pair;
 use super::conduct::{Conduct, Truth};
+use super::error::StudyError;
 use super::front::{Point, cheapest_within, front};
 use super::record::{Image, Role, Shows};
 use crate::cost::{Counts, WEIGHTS};
 use crate::cost_map::PixelCost;
-use crate::failure::Failure;
 
 /// Errors for which the cheapest setting is recommended.
 pub const LIMITS: [f64; 5] = [0.05, 0.02, 0.01, 0.005, 0.002];
@@ -27,7 +27,7 @@ const KINDS: [&str; 4] = ["camera rays", "reflected rays", "transmitted rays", "
 const MOST: usize = 6;
 
 /// The reference, and the most telling runs with their errors.
-pub fn all(conduct: &Conduct<'_>, truth: &Truth) -> Result<Vec<Image>, Failure> {
+pub fn all(conduct: &Conduct<'_>, truth: &Truth) -> Result<Vec<Image>, StudyError> {
     let mut images = vec![image(Shows::Reference, None, "the reference", None, &truth.picture)?];
     for run in shown(conduct) {
         let taken = &conduct.taken[run];
@@ -42,7 +42,7 @@ pub fn all(conduct: &Conduct<'_>, truth: &Truth) -> Result<Vec<Image>, Failure> 
 }
 
 /// What every pixel of the scene's own picture costs: in all, and by kind of ray.
-fn costs(conduct: &Conduct<'_>) -> Result<Vec<Image>, Failure> {
+fn costs(conduct: &Conduct<'_>) -> Result<Vec<Image>, StudyError> {
     let Some(run) = conduct.taken.iter().position(|taken| taken.run.role == Role::Own) else {
         return Ok(Vec::new());
     };
@@ -124,10 +124,8 @@ fn image(
     title: &str,
     range: Option<[f64; 2]>,
     picture: &Picture,
-) -> Result<Image, Failure> {
-    let file = Format::Png
-        .encode(picture)
-        .map_err(|error| Failure::Unwritable { path: None, error: std::io::Error::other(error) })?;
+) -> Result<Image, StudyError> {
+    let file = Format::Png.encode(picture).map_err(|error| StudyError::Picture(error.into()))?;
     Ok(Image {
         shows,
         run,

@@ -8,10 +8,10 @@ use strahl_core::Limits;
 
 use super::bench::{Taken, errors};
 use super::conduct::{Conduct, Truth};
+use super::error::StudyError;
 use super::options::{Options, cutoff};
 use super::plan::{LEVELS, most_of};
 use super::record::{Knob, Run, Step};
-use crate::failure::Failure;
 use crate::plan::Effect;
 use crate::sampling::Sampling;
 
@@ -19,7 +19,7 @@ use crate::sampling::Sampling;
 const MANY: u32 = 16;
 
 /// The levels from one to those that cut as little as can be.
-pub(super) fn levels(study: &mut Conduct<'_>, best: usize, truth: &Truth) -> Result<(), Failure> {
+pub(super) fn levels(study: &mut Conduct<'_>, best: usize, truth: &Truth) -> Result<(), StudyError> {
     let Taken { options: base, run, .. } = &study.taken[best];
     let (base, seconds, has_more) = (base.clone(), run.wall[0], has_secondary(run));
     let before = study.missing();
@@ -57,7 +57,7 @@ fn has_secondary(run: &Run) -> bool {
 }
 
 /// The cutoff from coarse to none.
-pub(super) fn cutoffs(study: &mut Conduct<'_>, best: usize, truth: &Truth) -> Result<(), Failure> {
+pub(super) fn cutoffs(study: &mut Conduct<'_>, best: usize, truth: &Truth) -> Result<(), StudyError> {
     let Taken { options: base, run, .. } = &study.taken[best];
     let (base, seconds, has_more) = (base.clone(), run.wall[0], has_secondary(run));
     let before = study.missing();
@@ -83,7 +83,7 @@ pub(super) fn cutoffs(study: &mut Conduct<'_>, best: usize, truth: &Truth) -> Re
 }
 
 /// The samplers, from few rays to many.
-pub(super) fn samplers(study: &mut Conduct<'_>, best: usize, truth: &Truth) -> Result<(), Failure> {
+pub(super) fn samplers(study: &mut Conduct<'_>, best: usize, truth: &Truth) -> Result<(), StudyError> {
     let Taken { options: base, run, .. } = &study.taken[best];
     let (base, single) = (base.clone(), run.wall[0]);
     let samples = truth.reference.setting.sampler.parse::<Sampling>().map_or(1, |it| 2 * most_of(&it));
@@ -119,7 +119,7 @@ pub(super) fn samplers(study: &mut Conduct<'_>, best: usize, truth: &Truth) -> R
 }
 
 /// Which pixels are traced, from few to all.
-pub(super) fn selections(study: &mut Conduct<'_>, best: usize, truth: &Truth) -> Result<(), Failure> {
+pub(super) fn selections(study: &mut Conduct<'_>, best: usize, truth: &Truth) -> Result<(), StudyError> {
     let Taken { options: base, run, .. } = &study.taken[best];
     let (base, seconds) = (base.clone(), run.wall[0]);
     let before = study.missing();
@@ -153,7 +153,7 @@ pub(super) fn effects(
     best: usize,
     truth: &Truth,
     asks: &[Effect],
-) -> Result<(), Failure> {
+) -> Result<(), StudyError> {
     let Taken { options: base, run, .. } = &study.taken[best];
     let is_many = [Effect::Penumbra, Effect::Lens, Effect::Gloss, Effect::Motion]
         .iter()

@@ -3,17 +3,17 @@
 use strahl_core::Limits;
 
 use super::conduct::{Conduct, NO_TIME, Truth};
+use super::error::StudyError;
 use super::mix::{Hunt, Notch};
 use super::options::Options;
 use super::plan::time;
 use super::record::{Role, Step};
-use crate::failure::Failure;
 
 /// The knobs that are mixed.
 const KNOBS: [&str; 4] = ["levels", "cutoff", "sampler", "select"];
 
 /// Measures the mixtures that may be on the front. At the run at `best` every knob is at its best.
-pub(super) fn all(study: &mut Conduct<'_>, best: usize, truth: &Truth) -> Result<(), Failure> {
+pub(super) fn all(study: &mut Conduct<'_>, best: usize, truth: &Truth) -> Result<(), StudyError> {
     let (base, work) = (study.taken[best].options.clone(), study.taken[best].run.work.max(1.0));
     let single = study.taken[best].run.wall[0];
     let (runs, notches): (Vec<_>, Vec<_>) =

@@ -6,10 +6,10 @@
 use strahl_core::Limits;
 
 use super::conduct::{Conduct, Truth};
+use super::error::StudyError;
 use super::knobs;
 use super::options::{Options, cutoff};
 use super::record::{Role, Technique};
-use crate::failure::Failure;
 use crate::finding::{Bounds, Finding, Kind, MAILBOX, Walk};
 use crate::precision::Precision;
 use crate::sampling::{Agreement, Sampling, Selecting};
@@ -42,7 +42,7 @@ fn base(own: &Options) -> Options {
 }
 
 /// Measures every technique.
-pub(super) fn all(study: &mut Conduct<'_>, own: &Options, truth: &Truth) -> Result<(), Failure> {
+pub(super) fn all(study: &mut Conduct<'_>, own: &Options, truth: &Truth) -> Result<(), StudyError> {
     for pair in pairs(&base(own)) {
         let patience = study.patience();
         let with = study.take(Role::Technique, &pair.with, patience, &truth.picture)?;
@@ -57,7 +57,7 @@ pub(super) fn all(study: &mut Conduct<'_>, own: &Options, truth: &Truth) -> Resu
 }
 
 /// Measures both precisions.
-pub(super) fn precision(study: &mut Conduct<'_>, own: &Options, truth: &Truth) -> Result<(), Failure> {
+pub(super) fn precision(study: &mut Conduct<'_>, own: &Options, truth: &Truth) -> Result<(), StudyError> {
     let base = base(own);
     let of = |precision| Options { precision, ..base.clone() };
     let patience = study.patience();
@@ -68,7 +68,7 @@ pub(super) fn precision(study: &mut Conduct<'_>, own: &Options, truth: &Truth) -
 }
 
 /// Measures one thread, and twice as many each time.
-pub(super) fn threads(study: &mut Conduct<'_>, own: &Options, truth: &Truth) -> Result<(), Failure> {
+pub(super) fn threads(study: &mut Conduct<'_>, own: &Options, truth: &Truth) -> Result<(), StudyError> {
     let mut threads = 1;
     while threads <= own.threads {
         let (patience, options) = (study.patience(), Options { threads, ..base(own) });

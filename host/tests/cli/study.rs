@@ -31,7 +31,7 @@ fn folder() -> &'static Folder {
 }
 
 fn study() -> Study {
-    Study::read(&folder().path("out/study.json")).unwrap()
+    Study::parse(&std::fs::read(folder().path("out/study.json")).unwrap()).unwrap()
 }
 
 fn page(folder: &str) -> String {
@@ -236,7 +236,8 @@ fn no_reference_is_coarser_than_the_scene_asks_for_however_short_the_time() {
         // To write the page takes some time, too.
         assert!(took < Duration::from_secs(limit) + Duration::from_secs(1), "{limit} s: {took:?}");
         if said.status == Some(0) {
-            let study = Study::read(&folder.path(format!("out{limit}/study.json"))).unwrap();
+            let study =
+                Study::parse(&std::fs::read(folder.path(format!("out{limit}/study.json"))).unwrap()).unwrap();
             let setting = &study.reference.setting;
             assert!(setting.levels >= 14 && setting.cutoff <= 0.001, "{setting:?}");
             // Twice as many make the reference, and no fewer than the 49 of the scene.

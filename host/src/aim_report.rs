@@ -1,0 +1,75 @@
+//! What was aimed at, for the report and for a person.
+
+use std::path::Path;
+
+use serde::Serialize;
+
+use crate::aim::{Aimed, Target};
+use crate::amount::amount;
+use crate::args::RenderArgs;
+use crate::settings::{self, Source};
+use crate::wanted::Wanted;
+
+/// What was aimed at, and the command that makes the same picture.
+#[derive(Clone, Debug, Serialize)]
+pub struct AimReport {
+    /// What was aimed at, and what came of it.
+    #[serde(flatten)]
+    pub aimed: Aimed,
+    /// The plain command that makes the same bytes, without search and clock.
+    command: String,
+}
+
+impl AimReport {
+    /// Of a picture that goes to `output`.
+    pub fn new(args: &RenderArgs, aimed: Aimed, output: &Path) -> Self {
+        let command = command(args, &aimed.taken, output);
+        AimReport { aimed, command }
+    }
+
+    /// Lines for a person, each with its label.
+    pub fn lines(&self) -> Vec<(&'static str, String)> {
+        let AimReport { aimed, .. } = self;
+        let mut lines = Vec::new();
+        match &aimed.target {
+            Target::Error { asked, estimate, at_most, pixels, tried, truth, measured, seconds } => {
+                let kept = match (aimed.kept, measured) {
+                    (true, _) => "",
+                    (false, Some(_)) => ": not kept",
+                    (false, None) => ": no setting keeps it",
+                };
+                lines.push(("aim", format!("an error of at most {asked}{kept}")));
+                lines.push((
+                    "error",
+                    format!(
+                        "estimated {estimate:.5}, with 95 % confidence at most {at_most:.5}, on {pixels} \
+                         pixels against {truth}"
+                    ),
+                ));
+                if let Some(measured) = measured {
+                    lines.push((
+                        "",
+                        format!("true {measured:.5}, on all pixels and with other random numbers"),
+                    ));
+                }
+                lines.push(("taken", format!("{} ({tried} tried in {seconds:.2} s)", aimed.why)));
+            }
+            Target::Time { asked, passes, given_up } => {
+                lines.push(("aim", format!("a picture in {asked} s")));
+                let more = if *given_up { ", and one that was given up" } else { "" };
+                lines.push(("taken", format!("{}, after {}{more}", aimed.why, amount(*passes, "pass"))));
+            }
+        }
+        lines.push(("same as", self.command.clone()));
+        lines
+    }
+}
+
+/// The plain command that makes the picture with these settings.
+fn command(args: &RenderArgs, taken: &Wanted, output: &Path) -> String {
+    let mut all = settings::settings(args, taken, output, &Default::default());
+    // What nobody has set is the same without being named.
+    let is_taken = |name: &str| ["levels", "cutoff", "sampler", "select", "output"].contains(&name);
+    all.retain(|setting| setting.source == Source::CommandLine || is_taken(setting.name));
+    settings::command(&args.scene, &all)
+}

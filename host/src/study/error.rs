@@ -1,0 +1,72 @@
+//! Why there is no study.
+
+use std::error::Error;
+use std::fmt;
+
+use crate::render_output::RenderError;
+
+/// Why a scene could not be studied.
+#[derive(Debug)]
+#[non_exhaustive]
+pub enum StudyError {
+    /// The settings of the scene contradict each other.
+    Settings(String),
+    /// The scene cannot be rendered, or the work was stopped.
+    Render(RenderError),
+    /// The time limit is too short, and what would be enough.
+    TooShort(String),
+    /// A picture of the study cannot be encoded.
+    Picture(Box<dyn Error + Send + Sync>),
+}
+
+impl From<RenderError> for StudyError {
+    fn from(error: RenderError) -> Self {
+        StudyError::Render(error)
+    }
+}
+
+impl fmt::Display for StudyError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            StudyError::Settings(reason) | StudyError::TooShort(reason) => f.write_str(reason),
+            StudyError::Render(error) => error.fmt(f),
+            StudyError::Picture(error) => error.fmt(f),
+        }
+    }
+}
+
+impl Error for StudyError {}
+
+/// What is wrong in the text of a file.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct ParseError {
+    /// Counted from 1, where it is known.
+    pub line: Option<usize>,
+    /// What is wrong there.
+    pub reason: String,
+}
+
+impl ParseError {
+    /// At a line.
+    pub(crate) fn at(line: usize, reason: impl Into<String>) -> Self {
+        ParseError { line: Some(line), reason: reason.into() }
+    }
+}
+
+/// Of the text as a whole.
+impl From<String> for ParseError {
+    fn from(reason: String) -> Self {
+        ParseError { line: None, reason }
+    }
+}
+
+impl fmt::Display for ParseError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self.line {
+            Some(line) => write!(f, "line {line}: {}", self.reason),
+            None => f.write_str(&self.reason),
+        }
+    }
+}
+
+impl Error for ParseError {}

@@ -1,0 +1,233 @@
+//! The command `study`: what accuracy costs in time.
+
+use std::collections::HashMap;
+use std::path::{Path, PathBuf};
+use std::time::{Duration, Instant};
+use std::{fs, io, iter};
+
+use indicatif::{ProgressBar, ProgressStyle};
+
+use crate::args::StudyArgs;
+use crate::description::Description;
+use crate::failure::Failure;
+use crate::interrupt::Interrupt;
+use crate::load::{Files, load_from};
+use crate::output::{Guard, Output, say, tell};
+use crate::progress::Progress;
+use crate::render_output::RenderError;
+use crate::signals::Signals;
+use crate::study::device::Device;
+use crate::study::error::{ParseError, StudyError};
+use crate::study::progress::StudyProgress;
+use crate::study::record::Study;
+use crate::study::{StudySettings, page, stem, study, table};
+use crate::wanted::DEFAULT_SIZE;
+use crate::wrap::{width_of_stderr, wrapped};
+
+/// Studies a scene, or makes the page of a study again.
+pub fn run(args: &StudyArgs) -> Result<(), Failure> {
+    let device = args
+        .device
+        .as_deref()
+        .map(|path| read(path, |bytes| Device::parse(&name_of(path), bytes)))
+        .transpose()?;
+    match (&args.scene, &args.from) {
+        (_, Some(file)) => {
+            let study = read(file, Study::parse)?;
+            let place = args.output.clone().unwrap_or_else(|| folder_of(file));
+            let guard = Guard::of(iter::once(file).chain(&args.device));
+            // The page says that the numbers are beside it. What is there already is not replaced unless that is
+            // asked for.
+            let copy = place.join("study.json");
+            let is_same = fs::canonicalize(&copy).ok() == fs::canonicalize(file).ok();
+            let is_copied = !is_same && (args.output.is_some() || !copy.exists());
+            let names = ["report.html", "study.csv", "study.json"];
+            let mut folder = Folder::prepare(&place, guard, &names[..if is_copied { 3 } else { 2 }])?;
+            folder.write("study.json", study.to_json().as_bytes())?;
+            folder.write("report.html", page::page(&study, device.as_ref()).as_bytes())?;
+            folder.write("study.csv", table::table(&study).as_bytes())?;
+            args.tell(&format!("{}\n", folder.path.join("report.html").display()));
+            Ok(())
+        }
+        (Some(path), None) => {
+            let signals = Signals::listen()?;
+            let begun = Instant::now();
+            let files = Files::on_disk();
+            let scene = load(&files, path, args)?;
+            // Before the work, so that nothing is measured that cannot be kept.
+            let guard = Guard::of(files.named().iter().chain(&args.device));
+            let folder = args.output.clone().unwrap_or_else(|| folder_for(path));
+            let mut folder = Folder::prepare(&folder, guard, &["study.json", "study.csv", "report.html"])?;
+            let meter = if args.quiet { Meter::silent(signals) } else { Meter::on_terminal(signals) };
+            let settings = StudySettings {
+                size: args.size,
+                full: args.full,
+                time_limit: args.time_limit,
+                threads: args.threads,
+                begun,
+            };
+            let study = study(path, &scene, &settings, &meter);
+            meter.end();
+            let study = study.map_err(|error| failure(path, error))?;
+            folder.write("study.json", study.to_json().as_bytes())?;
+            folder.write("study.csv", table::table(&study).as_bytes())?;
+            folder.write("report.html", page::page(&study, device.as_ref()).as_bytes())?;
+            args.tell(&page::summary(&study, &folder.path.join("report.html")));
+            Ok(())
+        }
+        (None, None) => Err(Failure::Usage("a scene is missing, or --from study.json".into())),
+    }
+}
+
+/// Loads the scene, and says what its user should know of.
+fn load(files: &Files, path: &Path, args: &StudyArgs) -> Result<Description, Failure> {
+    let scene = load_from(files, path, args.size.unwrap_or(DEFAULT_SIZE))?;
+    for warning in scene.warnings.iter().filter(|_| !args.quiet) {
+        say(format_args!("{}: warning: {warning}", path.display()));
+    }
+    Ok(scene)
+}
+
+/// What a file holds.
+fn read<T>(path: &Path, parse: impl FnOnce(&[u8]) -> Result<T, ParseError>) -> Result<T, Failure> {
+    let bytes = fs::read(path).map_err(|error| Failure::Unreadable { path: path.to_owned(), error })?;
+    parse(&bytes).map_err(|ParseError { line, reason }| Failure::Input {
+        path: path.to_owned(),
+        line,
+        reason,
+    })
+}
+
+/// Why the scene at `path` could not be studied.
+fn failure(path: &Path, error: StudyError) -> Failure {
+    match error {
+        StudyError::Settings(reason) => Failure::Usage(reason),
+        StudyError::Render(RenderError::Interrupted(interrupt)) => Failure::Stopped(interrupt),
+        StudyError::TooShort(reason) => Failure::Late(format!("{}: {reason}", path.display())),
+        StudyError::Picture(error) => Failure::Unwritable { path: None, error: io::Error::other(error) },
+        error => Failure::input(path, error.to_string()),
+    }
+}
+
+/// A bar over the time that a study is expected to take.
+struct Meter {
+    signals: Signals,
+    bar: ProgressBar,
+    /// Letters that have room behind the bar.
+    room: usize,
+}
+
+/// Parts of the bar.
+const PARTS: u64 = 1000;
+
+impl Meter {
+    /// Shows nothing, and stops only for `signals`.
+    fn silent(signals: Signals) -> Self {
+        Meter { signals, bar: ProgressBar::hidden(), room: 0 }
+    }
+
+    /// Shows a bar on the standard error, if that is a terminal.
+    fn on_terminal(signals: Signals) -> Self {
+        let bar = ProgressBar::new(PARTS);
+        let width = width_of_stderr();
+        let length = width.saturating_sub(70).clamp(8, 32);
+        let template = format!("{{bar:{length}}} {{percent:>3}} %  {{prefix}}  {{msg}}");
+        if let Ok(style) = ProgressStyle::with_template(&template) {
+            bar.set_style(style.progress_chars("━━─"));
+        }
+        bar.enable_steady_tick(Duration::from_millis(200));
+        Meter { signals, bar, room: width.saturating_sub(length + 24) }
+    }
+
+    /// It is over: the bar is gone.
+    fn end(&self) {
+        self.bar.disable_steady_tick();
+        self.bar.finish_and_clear();
+    }
+}
+
+impl Progress for Meter {
+    fn check(&self) -> Result<(), Interrupt> {
+        self.signals.check()
+    }
+}
+
+impl StudyProgress for Meter {
+    fn measuring(&self, setting: &str) {
+        let short: String = setting.replace("--", "").chars().take(self.room).collect();
+        self.bar.set_message(short);
+    }
+
+    fn time(&self, elapsed: f64, left: f64) {
+        let whole = elapsed + left.max(0.0);
+        self.bar.set_position((PARTS as f64 * elapsed / whole.max(1e-9)) as u64);
+        self.bar.set_prefix(if left < 100.0 {
+            format!("{:.0} s left", left.max(0.0))
+        } else {
+            format!("{:.0} min left", (left / 60.0).ceil())
+        });
+    }
+}
+
+/// Where a study goes. What was made for it goes with this value, unless something is in it.
+struct Folder {
+    path: PathBuf,
+    /// The files that are still to be written there.
+    files: HashMap<&'static str, Output>,
+    /// Folders that were not there before, the innermost first.
+    made: Vec<PathBuf>,
+}
+
+impl Folder {
+    /// Makes it, if it is not there, and makes sure that these files can be written in it.
+    fn prepare(path: &Path, mut guard: Guard, names: &[&'static str]) -> Result<Self, Failure> {
+        let unwritable = |error| Failure::Unwritable { path: Some(path.to_owned()), error };
+        let is_new = |folder: &&Path| *folder != Path::new("") && !folder.exists();
+        let made = path.ancestors().take_while(is_new).map(Path::to_owned).collect();
+        let mut folder = Folder { path: path.to_owned(), files: HashMap::new(), made };
+        fs::create_dir_all(path).map_err(unwritable)?;
+        for name in names {
+            folder.files.insert(name, guard.prepare(&path.join(name))?);
+        }
+        Ok(folder)
+    }
+
+    /// Lets one of the files appear.
+    fn write(&mut self, name: &str, bytes: &[u8]) -> Result<(), Failure> {
+        self.files.remove(name).map_or(Ok(()), |output| output.commit(bytes))
+    }
+}
+
+impl Drop for Folder {
+    fn drop(&mut self) {
+        // What was not written goes first; a folder with something in it is not removed.
+        self.files.clear();
+        self.made.iter().all(|folder| fs::remove_dir(folder).is_ok());
+    }
+}
+
+impl StudyArgs {
+    /// Tells a person.
+    fn tell(&self, text: &str) {
+        if !self.quiet {
+            tell(wrapped(text, width_of_stderr(), page::INDENT));
+        }
+    }
+}
+
+/// The folder of a file.
+fn folder_of(file: &Path) -> PathBuf {
+    match file.parent() {
+        Some(folder) if folder != Path::new("") => folder.to_owned(),
+        _ => PathBuf::from("."),
+    }
+}
+
+/// The scene's name with `-study`, in the current folder.
+fn folder_for(scene: &Path) -> PathBuf {
+    PathBuf::from(format!("{}-study", stem(scene)))
+}
+
+fn name_of(file: &Path) -> String {
+    file.file_name().unwrap_or_default().to_string_lossy().into_owned()
+}
