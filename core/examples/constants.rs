@@ -78,12 +78,12 @@ const SIZE: Size = Size::new(72, 44).unwrap();
 const LEVELS: usize = 3;
 
 /// A device that has less finds it out when compiling.
-const _: () = assert!(Worker::<Bare, (), LEVELS>::BYTES <= 512);
+const _: () = assert!(Worker::<BareList, (), LEVELS>::BYTES <= 512);
 
 fn main() -> Result<(), Box<dyn std::error::Error>> {
     let scene = Scene::new(PARTS)?;
     assert_eq!(scene.effects(), Asked::SET);
-    let world = World::new(scene, Bare(SHAPES.len() as u32));
+    let world = World::new(scene, BareList(SHAPES.len() as u32));
     let limits = Limits { levels: LEVELS as u8, ..Limits::DEFAULT };
     let tracer = Tracer::<_, Asked, LEVELS>::new(&world, Camera::new(&VIEW, SIZE)?, limits)?;
     let mut letters = |pixel: Pixel, color: Rgb| {

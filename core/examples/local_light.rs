@@ -15,7 +15,7 @@
 use std::process::ExitCode;
 
 use strahl_core::{
-    Bare, Camera, EffectSet, Effects, Everything, Falloff, Geometry, ItemId, Light, LightKind, LightSet,
+    BareList, Camera, EffectSet, Effects, Everything, Falloff, Geometry, ItemId, Light, LightKind, LightSet,
     Limits, Material, MaterialId, Parts, Pixel, Plane, Projection, Rgb, Scene, Shape, ShapeKind, ShapeSet,
     Single, Size, Source, Sphere, Tile, Tracer, Vec3, View, Worker, World, render, vec3,
 };
@@ -91,7 +91,7 @@ fn hash<E: Effects>() -> u64 {
         projection: Projection::Perspective { angle: 0.7 },
     };
     let size = Size::new(160, 120).expect("a size");
-    let world = World::new(scene, Bare(ITEMS as u32));
+    let world = World::new(scene, BareList(ITEMS as u32));
     let camera = Camera::new(&view, size).expect("a view");
     let tracer = Tracer::<_, E, 5>::new(&world, camera, Limits::DEFAULT).expect("it can do that");
     // FNV-1a of the bits.

@@ -23,7 +23,7 @@ use std::error::Error;
 use std::path::{Path, PathBuf};
 
 use strahl_core::{
-    Agreement, Bare, Camera, CameraSample, CornerRow, Everything, Falloff, Geometry, ItemId, Kept, Light,
+    Agreement, BareList, Camera, CameraSample, CornerRow, Everything, Falloff, Geometry, ItemId, Kept, Light,
     Limits, Material, MaterialId, Parts, PixelSample, Plane, Projection, Rgb, Scene, Selected, Selection,
     Shape, Single, Size, Source, Sphere, Texture, TextureId, Tile, Tracer, Vec3, View, Worker, World, vec3,
 };
@@ -64,7 +64,7 @@ fn main() -> Result<(), Box<dyn Error>> {
         up: Vec3::Y,
         projection: Projection::Perspective { angle: 0.6 },
     };
-    let world = World::new(scene, Bare(shapes.len() as u32));
+    let world = World::new(scene, BareList(shapes.len() as u32));
     let limits = Limits { levels: 3, ..Limits::DEFAULT };
     let tracer = Tracer::<_, Everything, 3>::new(&world, Camera::new(&view, size)?, limits)?;
 

@@ -70,9 +70,9 @@ mod image;
 mod render;
 
 pub use accel::{
-    Accelerator, Bare, BuildError, Bvh, BvhRoom, Grid, GridRoom, Grown, LastFirst, Leaf, Leaves, List,
-    Mailbox, NearestFirst, Node, Octree, OctreeLimits, OctreeNode, OctreeRoom, Query, Run, Slot, StaticGrid,
-    Storage, Waiting, groups_of,
+    Accelerator, BareList, Buffer, BuildError, Bvh, BvhBuilder, BvhNode, BvhSize, Grid, GridSize,
+    LeafElement, LeafEntry, LeafLayout, List, Mailbox, Octree, OctreeLimits, OctreeNode, OctreeSize, Query,
+    StaticGrid, TraversalHeap, TraversalQueue, TraversalStack, TriangleBlock, group_count,
 };
 pub use geometry::{
     Aabb, Ball, Cone, Cuboid, Disc, Geometry, Hit, ItemId, Moving, Plane, Polygon, Ray, Shape, ShapeFault,

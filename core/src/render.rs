@@ -20,7 +20,7 @@ use crate::trace::RayTracer;
 ///     ambient: Rgb::gray(0.5),
 ///     ..Parts::EMPTY
 /// })?;
-/// let world = World::new(scene, List::bare(1));
+/// let world = World::new(scene, List::without_bounds(1));
 /// let view = View {
 ///     from: vec3(0.0, 0.0, 0.0),
 ///     at: vec3(0.0, 0.0, -1.0),

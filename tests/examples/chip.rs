@@ -20,8 +20,8 @@ use strahl::finding::Kind;
 use strahl::load::load_for;
 use strahl::stock::single::{Stock, view};
 use strahl_core::{
-    Aabb, Camera, Everything, Frame, Limits, List, Rgb, Single, Size, Tile, Tracer, Worker, World, groups_of,
-    render,
+    Aabb, Camera, Everything, Frame, Limits, List, Rgb, Single, Size, Tile, Tracer, Worker, World,
+    group_count, render,
 };
 
 /// A scene that is drawn on the chip.
@@ -144,8 +144,8 @@ fn bake_and_draw(
     std::fs::write(folder.join(name).with_extension("strahl"), bake(tables, asked)?)?;
 
     let boxes: Vec<Aabb> = tables.parts().geometry.all_bounds().collect();
-    let mut groups = vec![Aabb::EMPTY; groups_of(boxes.len())];
-    let world = World::new(*tables, List::boxed(&boxes, &mut groups)?);
+    let mut groups = vec![Aabb::EMPTY; group_count(boxes.len())];
+    let world = World::new(*tables, List::with_boxes(&boxes, &mut groups)?);
     let limits = Limits { levels: asked.levels, cutoff: asked.cutoff };
     let camera = Camera::new(&asked.view, asked.size)?;
     let tracer = Tracer::<_, Everything, 6>::new(&world, camera, limits)?;

@@ -18,9 +18,10 @@ use strahl::effects::{self, prepared_for};
 use strahl::finding::{Finding, Kind};
 use strahl::stock::single;
 use strahl_core::{
-    Aabb, Accelerator, BvhRoom, Camera, EffectSet, Effects, Everything, Grown, LastFirst, Leaves, LightKind,
-    LightSet, Limits, List, Node, Pixel, RayCounters, Rgb, Run, ShapeKind, ShapeSet, Single, Size, Slot,
-    TextureKind, TextureSet, Tile, Tracer, Worker, World, groups_of, render,
+    Aabb, Accelerator, BvhBuilder, BvhNode, BvhSize, Camera, EffectSet, Effects, Everything, LeafEntry,
+    LeafLayout, LightKind, LightSet, Limits, List, Pixel, RayCounters, Rgb, ShapeKind, ShapeSet, Single,
+    Size, TextureKind, TextureSet, Tile, Tracer, TraversalStack, TriangleBlock, Worker, World, group_count,
+    render,
 };
 
 /// Pixels of the picture.
@@ -98,14 +99,14 @@ fn traced<E: Effects>(path: &Path) -> Result<u64, Box<dyn Error>> {
     let limits = Limits { levels, ..Limits::DEFAULT };
     let bounded = boxes.iter().filter(|aabb| !aabb.is_empty()).count();
     if Finding::default().choice(bounded).kind == Kind::List {
-        let mut groups = vec![Aabb::EMPTY; groups_of(boxes.len())];
-        return hash::<_, E>(&World::new(scene, List::boxed(&boxes, &mut groups)?), camera, limits);
+        let mut groups = vec![Aabb::EMPTY; group_count(boxes.len())];
+        return hash::<_, E>(&World::new(scene, List::with_boxes(&boxes, &mut groups)?), camera, limits);
     }
-    let room = BvhRoom::comfortable(boxes.len());
-    let (mut nodes, mut items) = (vec![Node::EMPTY; room.nodes], vec![Slot::EMPTY; room.items]);
-    let grown = Grown::build(&boxes, Leaves::Runs(&geometry), &mut nodes, &mut items)?;
-    let mut runs = vec![Run::EMPTY; grown.runs()];
-    let tree = grown.in_runs::<LastFirst<64>>(&geometry, &mut runs)?;
+    let room = BvhSize::recommended(boxes.len());
+    let (mut nodes, mut items) = (vec![BvhNode::EMPTY; room.nodes], vec![LeafEntry::EMPTY; room.entries]);
+    let grown = BvhBuilder::new(&boxes, LeafLayout::TriangleBlocks(&geometry), &mut nodes, &mut items)?;
+    let mut runs = vec![TriangleBlock::EMPTY; grown.block_count()];
+    let tree = grown.into_bvh_with_blocks::<TraversalStack<64>>(&geometry, &mut runs)?;
     hash::<_, E>(&World::new(scene, tree), camera, limits)
 }
 

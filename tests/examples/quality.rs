@@ -17,7 +17,7 @@ use strahl::progress::NoProgress;
 use strahl::sampling::{Agreement, Selecting};
 use strahl::wanted::{Sampling, Wanted};
 use strahl_core::{
-    Bare, Camera, CameraSample, Everything, Limits, Pixel, PixelSample, RayKind, RayTracer, Rgb, Sampler,
+    BareList, Camera, CameraSample, Everything, Limits, Pixel, PixelSample, RayKind, RayTracer, Rgb, Sampler,
     Size, Stream, Tile, Tracer, Worker, World, render,
 };
 use strahl_picture::Values;
@@ -161,7 +161,7 @@ impl Scene {
         let stock = strahl::stock::single::Stock::new(&self.description);
         let scene = stock.scene()?;
         let items = scene.parts().geometry.shapes.len() as u32;
-        let world = World::new(scene, Bare(items));
+        let world = World::new(scene, BareList(items));
         let camera = Camera::new(&strahl::stock::single::view(&self.description.view), self.size)?;
         let limits = self.wanted(Sampling::Single).limits;
         let tracer = Tracer::<_, Everything, 64>::new(&world, camera, limits)?;

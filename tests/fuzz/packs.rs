@@ -2,8 +2,8 @@
 //! of them, and where they are taken for one, a picture of finite colours from every way of walking.
 
 use strahl_core::{
-    Accelerator, Everything, Finder, LastFirst, Limits, Pack, Rgb, Single, Size, Tile, Tracer, Worker, World,
-    render,
+    Accelerator, Everything, Finder, Limits, Pack, Rgb, Single, Size, Tile, Tracer, TraversalStack, Worker,
+    World, render,
 };
 
 /// Bytes of a baked scene: as they are, and with the begin that a host would have written, lest a
@@ -62,7 +62,7 @@ fn draw(bytes: &[u8]) {
         Finder::Bare(bare) => trace(&pack, World::new(scene, bare)),
         Finder::Grid(grid) => trace(&pack, World::new(scene, grid.with_mailbox::<8>())),
         Finder::Octree(octree) => trace(&pack, World::new(scene, octree.with_mailbox::<8>())),
-        Finder::Bvh(bvh) => trace(&pack, World::new(scene, bvh.walked::<LastFirst<8>>())),
+        Finder::Bvh(bvh) => trace(&pack, World::new(scene, bvh.with_queue::<TraversalStack<8>>())),
     }
 }
 

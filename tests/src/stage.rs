@@ -4,7 +4,7 @@ use super::strahl::{
     Aabb, Background, Camera, CameraSample, Cone, Counters, Cuboid, Disc, Everything, FilmPoint, Geometry,
     Hit, ItemId, Light, Limits, List, Material, MaterialId, Moving, Parts, Plane, Polygon, Projection,
     ROUNDOFF, Ray, RayKind, Real, Rgb, Scene, Shape, Size, Sphere, Stream, Texture, TextureId, Torus, Tracer,
-    TurnedCuboid, Vec3, View, Worker, World, groups_of, leave, unit, vec3,
+    TurnedCuboid, Vec3, View, Worker, World, group_count, leave, unit, vec3,
 };
 use crate::cast::{Core, Found};
 use crate::thing::{Line, Thing};
@@ -261,7 +261,7 @@ impl Stage {
 
     /// The mean of what `n` camera rays see that differ in nothing but what they leave to chance.
     pub fn look_often(&self, eye: Vec3, target: Vec3, limits: Limits, n: u32, seed: u32) -> [f64; 3] {
-        let world = World::new(self.scene(), List::bare(self.len()));
+        let world = World::new(self.scene(), List::without_bounds(self.len()));
         let tracer = Tracer::<_, Everything, 64>::new(&world, straight(eye, target), limits).unwrap();
         let mut worker = Worker::new(());
         let mut sum = [0.0; 3];
@@ -284,7 +284,7 @@ impl Stage {
 
     /// The same, and what it took.
     pub fn look_and_count(&self, eye: Vec3, target: Vec3, limits: Limits) -> (Rgb, Counters) {
-        let world = World::new(self.scene(), List::bare(self.len()));
+        let world = World::new(self.scene(), List::without_bounds(self.len()));
         let tracer = Tracer::<_, Everything, 64>::new(&world, straight(eye, target), limits).unwrap();
         let mut worker = Worker::new(Counters::new());
         let sample = CameraSample { point: FilmPoint { x: 0.5, y: 0.5 }, stream: Stream::new(0, 0, 0, 0) };
@@ -328,10 +328,10 @@ impl Core for Stage {
     }
 
     fn cast(&self, rays: &[Line]) -> Vec<Option<Found>> {
-        let bare = World::new(self.scene(), List::bare(self.len()));
+        let bare = World::new(self.scene(), List::without_bounds(self.len()));
         let boxes = self.boxes();
-        let mut groups = vec![Aabb::EMPTY; groups_of(boxes.len())];
-        let boxed = World::new(self.scene(), List::boxed(&boxes, &mut groups).unwrap());
+        let mut groups = vec![Aabb::EMPTY; group_count(boxes.len())];
+        let boxed = World::new(self.scene(), List::with_boxes(&boxes, &mut groups).unwrap());
 
         #[allow(clippy::useless_conversion)] // in the twin
         let cast = |line: &Line| {

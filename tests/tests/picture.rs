@@ -137,7 +137,8 @@ fn scene_file(name: &str, width: u32, height: u32, levels: Option<u8>, sampling:
 /// Renders the scene that the firmware has as constants.
 fn constants<E: Effects>() -> Picture {
     let size = constants::SIZE;
-    let world = World::new(Scene::new(constants::parts()).unwrap(), List::bare(constants::ITEMS as u32));
+    let world =
+        World::new(Scene::new(constants::parts()).unwrap(), List::without_bounds(constants::ITEMS as u32));
     let camera = Camera::new(&constants::VIEW, size).unwrap();
     let tracer = Tracer::<_, E, { constants::LEVELS }>::new(&world, camera, constants::LIMITS).unwrap();
     let tile = Tile::whole(size);

@@ -6,7 +6,7 @@
 
 use core::ops::ControlFlow;
 
-use super::triangle_block::Run;
+use super::triangle_block::TriangleBlock;
 use crate::geometry::{ItemId, Ray};
 use crate::math::Real;
 
@@ -17,7 +17,7 @@ pub trait Accelerator {
     type Scratch: Default;
 
     /// Passes the items along `ray` to `query`.
-    fn walk<Q: Query>(&self, ray: &Ray, scratch: &mut Self::Scratch, query: &mut Q);
+    fn traverse<Q: Query>(&self, ray: &Ray, scratch: &mut Self::Scratch, query: &mut Q);
 }
 
 /// A search along a ray: it knows the shapes of items, and what counts as a result.
@@ -27,27 +27,27 @@ pub trait Query {
 
     /// Largest `t` at which a hit is still accepted, in lengths of the ray's direction. Finite; never
     /// increases during a query.
-    fn reach(&self) -> Real;
+    fn t_max(&self) -> Real;
 
     /// Tests an item. `Break` ends the traversal.
-    fn test(&mut self, item: ItemId) -> ControlFlow<()>;
+    fn test_item(&mut self, item: ItemId) -> ControlFlow<()>;
 
     /// Tests the items `0..count`, in this order. `Break` ends the traversal.
-    fn all(&mut self, count: u32) -> ControlFlow<()> {
-        (0..count).try_for_each(|item| self.test(ItemId(item)))
+    fn test_range(&mut self, count: u32) -> ControlFlow<()> {
+        (0..count).try_for_each(|item| self.test_item(ItemId(item)))
     }
 
     /// Tests the items of a block. `Break` ends the traversal.
-    fn run(&mut self, block: &Run) -> ControlFlow<()> {
-        block.items().try_for_each(|item| self.test(item))
+    fn test_block(&mut self, block: &TriangleBlock) -> ControlFlow<()> {
+        block.items().try_for_each(|item| self.test_item(item))
     }
 
     /// Counts `count` tests of the ray against bounds.
-    fn boxes(&mut self, count: u32);
+    fn count_box_tests(&mut self, count: u32);
 
     /// Counts a visit of a leaf or cell.
-    fn enter(&mut self);
+    fn count_leaf_visit(&mut self);
 
     /// Counts an item that was not tested, because the mailbox had it already.
-    fn skipped(&mut self);
+    fn count_mailbox_hit(&mut self);
 }

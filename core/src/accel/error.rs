@@ -4,40 +4,40 @@ use core::fmt;
 
 use crate::geometry::ItemId;
 
-/// Memory that a builder is lent.
+/// A caller-provided buffer.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[non_exhaustive]
-pub enum Storage {
-    /// Boxes or balls round items.
-    Boxes,
-    /// Boxes or balls round groups of items.
-    Groups,
-    /// Where the lists of a grid's cells begin.
+pub enum Buffer {
+    /// Bounding boxes or spheres of items.
+    ItemBounds,
+    /// Bounding boxes or spheres of groups of items.
+    GroupBounds,
+    /// Starts of the lists of a grid's cells.
     Cells,
     /// Nodes of a tree.
     Nodes,
-    /// Places for items in the leaves of a tree or the cells of a grid.
-    Items,
-    /// Runs of items.
-    Runs,
+    /// Entries of the leaves of a tree or of the cells of a grid.
+    Entries,
+    /// Triangle blocks of the leaves of a BVH.
+    TriangleBlocks,
 }
 
 /// Why an accelerator could not be built.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum BuildError {
-    /// Even the coarsest structure needs more than was lent.
-    StorageTooSmall {
-        /// Of what there was too little.
-        what: Storage,
-        /// How many of them it takes.
+    /// Even the coarsest structure needs more than was provided.
+    BufferTooSmall {
+        /// The buffer that is too small.
+        buffer: Buffer,
+        /// Number of elements that are needed.
         needed: usize,
-        /// How many were lent.
-        lent: usize,
+        /// Number of elements that were provided.
+        provided: usize,
     },
-    /// The box of this item has no end, so that it has no place in space.
+    /// The bounds of an item are not finite.
     NotFinite {
-        /// Which.
+        /// The item.
         item: ItemId,
     },
 }
@@ -45,16 +45,16 @@ pub enum BuildError {
 impl fmt::Display for BuildError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
-            BuildError::StorageTooSmall { what, needed, lent } => {
-                let what = match what {
-                    Storage::Boxes => "boxes",
-                    Storage::Groups => "groups",
-                    Storage::Cells => "cells",
-                    Storage::Nodes => "nodes",
-                    Storage::Items => "places for items",
-                    Storage::Runs => "runs",
+            BuildError::BufferTooSmall { buffer, needed, provided } => {
+                let name = match buffer {
+                    Buffer::ItemBounds => "boxes",
+                    Buffer::GroupBounds => "groups",
+                    Buffer::Cells => "cells",
+                    Buffer::Nodes => "nodes",
+                    Buffer::Entries => "places for items",
+                    Buffer::TriangleBlocks => "runs",
                 };
-                write!(f, "{needed} {what} needed, {lent} lent")
+                write!(f, "{needed} {name} needed, {provided} lent")
             }
             BuildError::NotFinite { item } => write!(f, "object {}: its box has no end", item.0),
         }

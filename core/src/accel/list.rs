@@ -6,15 +6,15 @@
 
 use core::ops::ControlFlow;
 
-use super::{Accelerator, BuildError, Query, Storage};
+use super::{Accelerator, Buffer, BuildError, Query};
 use crate::geometry::{Aabb, Ball, ItemId, Line, Ray};
 use crate::math::Real;
 
 /// Number of items that share the bounding volume of a group.
 const GROUP_SIZE: usize = 16;
 
-/// Number of group volumes that [`List::boxed`] and [`List::balled`] need for `items` items.
-pub const fn groups_of(items: usize) -> usize {
+/// Number of group volumes that [`List::with_boxes`] and [`List::with_spheres`] need for `items` items.
+pub const fn group_count(items: usize) -> usize {
     items.div_ceil(GROUP_SIZE)
 }
 
@@ -26,13 +26,13 @@ fn group_chunks<V>(volumes: &[V]) -> impl Iterator<Item = &[V]> {
 
 /// The items `0..self.0` in order, without code for bounding volumes: for devices with a handful of items.
 #[derive(Clone, Copy, Debug)]
-pub struct Bare(pub u32);
+pub struct BareList(pub u32);
 
-impl Accelerator for Bare {
+impl Accelerator for BareList {
     type Scratch = ();
 
     #[inline(always)]
-    fn walk<Q: Query>(&self, _: &Ray, _: &mut (), query: &mut Q) {
+    fn traverse<Q: Query>(&self, _: &Ray, _: &mut (), query: &mut Q) {
         let (ControlFlow::Continue(()) | ControlFlow::Break(())) = test_all(self.0, query);
     }
 }
@@ -54,27 +54,27 @@ enum BoundingVolumes<'s> {
     Spheres { items: &'s [Ball], groups: &'s [Ball] },
 }
 
-const fn too_small(what: Storage, needed: usize, lent: usize) -> BuildError {
-    BuildError::StorageTooSmall { what, needed, lent }
+const fn too_small(buffer: Buffer, needed: usize, provided: usize) -> BuildError {
+    BuildError::BufferTooSmall { buffer, needed, provided }
 }
 
 impl<'s> List<'s> {
     /// The list of the items `0..items`, without bounding volumes.
-    pub const fn bare(items: u32) -> Self {
+    pub const fn without_bounds(items: u32) -> Self {
         List { items, volumes: BoundingVolumes::None }
     }
 
     /// The list of the items with these bounds, which are also the bounding volumes.
     ///
     /// `bounds`: one box per item. `groups`: caller-provided buffer for the boxes of groups, at least
-    /// [`groups_of`] long.
+    /// [`group_count`] long.
     ///
     /// # Errors
     ///
-    /// [`BuildError::StorageTooSmall`] for `groups`.
-    pub fn boxed(bounds: &'s [Aabb], groups: &'s mut [Aabb]) -> Result<Self, BuildError> {
+    /// [`BuildError::BufferTooSmall`] for `groups`.
+    pub fn with_boxes(bounds: &'s [Aabb], groups: &'s mut [Aabb]) -> Result<Self, BuildError> {
         let items = item_count(bounds)?;
-        let groups = checked_prefix(groups, Storage::Groups, groups_of(bounds.len()))?;
+        let groups = checked_prefix(groups, Buffer::GroupBounds, group_count(bounds.len()))?;
         for (group, aabb) in groups.iter_mut().zip(group_boxes(bounds)) {
             *group = aabb;
         }
@@ -84,19 +84,19 @@ impl<'s> List<'s> {
     /// The list of the items with these bounds, with bounding spheres.
     ///
     /// `bounds`: one box per item; not kept. `spheres` and `groups`: caller-provided buffers for the spheres
-    /// of items and of groups, at least as long as `bounds` and as [`groups_of`].
+    /// of items and of groups, at least as long as `bounds` and as [`group_count`].
     ///
     /// # Errors
     ///
-    /// [`BuildError::StorageTooSmall`] for `spheres` or `groups`.
-    pub fn balled(
+    /// [`BuildError::BufferTooSmall`] for `spheres` or `groups`.
+    pub fn with_spheres(
         bounds: &[Aabb],
         spheres: &'s mut [Ball],
         groups: &'s mut [Ball],
     ) -> Result<Self, BuildError> {
         let items = item_count(bounds)?;
-        let spheres = checked_prefix(spheres, Storage::Boxes, bounds.len())?;
-        let groups = checked_prefix(groups, Storage::Groups, groups_of(bounds.len()))?;
+        let spheres = checked_prefix(spheres, Buffer::ItemBounds, bounds.len())?;
+        let groups = checked_prefix(groups, Buffer::GroupBounds, group_count(bounds.len()))?;
         for (sphere, aabb) in spheres.iter_mut().zip(bounds) {
             *sphere = Ball::round(aabb);
         }
@@ -107,7 +107,7 @@ impl<'s> List<'s> {
     }
 
     /// Size of all buffers that it uses, in bytes.
-    pub const fn bytes(&self) -> usize {
+    pub const fn size_in_bytes(&self) -> usize {
         match self.volumes {
             BoundingVolumes::None => 0,
             BoundingVolumes::Boxes { items, groups } => size_of_val(items) + size_of_val(groups),
@@ -118,13 +118,13 @@ impl<'s> List<'s> {
 
 /// Number of items with these bounds, as a `u32`.
 fn item_count(bounds: &[Aabb]) -> Result<u32, BuildError> {
-    u32::try_from(bounds.len()).map_err(|_| too_small(Storage::Boxes, bounds.len(), u32::MAX as usize))
+    u32::try_from(bounds.len()).map_err(|_| too_small(Buffer::ItemBounds, bounds.len(), u32::MAX as usize))
 }
 
 /// The first `needed` elements of a caller-provided buffer.
-fn checked_prefix<V>(volumes: &mut [V], what: Storage, needed: usize) -> Result<&mut [V], BuildError> {
+fn checked_prefix<V>(volumes: &mut [V], buffer: Buffer, needed: usize) -> Result<&mut [V], BuildError> {
     let provided = volumes.len();
-    volumes.get_mut(..needed).ok_or(too_small(what, needed, provided))
+    volumes.get_mut(..needed).ok_or(too_small(buffer, needed, provided))
 }
 
 /// The box of each group of items with these bounds.
@@ -135,7 +135,7 @@ fn group_boxes(bounds: &[Aabb]) -> impl Iterator<Item = Aabb> {
 impl Accelerator for List<'_> {
     type Scratch = ();
 
-    fn walk<Q: Query>(&self, ray: &Ray, _: &mut (), query: &mut Q) {
+    fn traverse<Q: Query>(&self, ray: &Ray, _: &mut (), query: &mut Q) {
         // A miss only if strictly beyond: at equal `t` the item with the lower id wins, and it may be this
         // one.
         let hits_box = |aabb: &Aabb, t_max| aabb.span(ray).is_some_and(|span| span.entry <= t_max);
@@ -154,8 +154,8 @@ impl Accelerator for List<'_> {
 /// Tests the items `0..items`.
 #[inline(always)]
 fn test_all<Q: Query>(items: u32, query: &mut Q) -> ControlFlow<()> {
-    query.enter();
-    query.all(items)
+    query.count_leaf_visit();
+    query.test_range(items)
 }
 
 /// Tests the items whose own volume and whose group's volume are hit within `t_max`.
@@ -165,16 +165,16 @@ fn test_bounded<V, Q: Query>(
     query: &mut Q,
     is_hit: impl Fn(&V, Real) -> bool,
 ) -> ControlFlow<()> {
-    query.boxes(groups.len() as u32);
+    query.count_box_tests(groups.len() as u32);
     for ((group, volumes), group_index) in groups.iter().zip(group_chunks(items)).zip(0..) {
-        if !is_hit(group, query.reach()) {
+        if !is_hit(group, query.t_max()) {
             continue;
         }
-        query.enter();
-        query.boxes(volumes.len() as u32);
+        query.count_leaf_visit();
+        query.count_box_tests(volumes.len() as u32);
         for (volume, index) in volumes.iter().zip(0..) {
-            if is_hit(volume, query.reach()) {
-                query.test(ItemId(group_index * GROUP_SIZE as u32 + index))?;
+            if is_hit(volume, query.t_max()) {
+                query.test_item(ItemId(group_index * GROUP_SIZE as u32 + index))?;
             }
         }
     }

@@ -53,7 +53,7 @@ impl<const ENTRIES: usize> Mailbox<ENTRIES> {
     }
 
     /// Removes all entries.
-    pub fn forget(&mut self) {
+    pub fn clear(&mut self) {
         *self = Self::new();
     }
 
@@ -61,7 +61,7 @@ impl<const ENTRIES: usize> Mailbox<ENTRIES> {
     #[inline]
     pub(super) fn begin_ray(&mut self) {
         if self.ray_stamp == u32::MAX {
-            self.forget();
+            self.clear();
         }
         self.ray_stamp += 1;
     }
@@ -100,23 +100,23 @@ impl<Q: Query, const ENTRIES: usize> MailboxQuery<'_, Q, ENTRIES> {
     /// Tests the items of one cell. Continues with the remaining `t_max`.
     #[inline(always)]
     pub(super) fn test_items(&mut self, items: &[u32]) -> ControlFlow<(), Real> {
-        self.query.enter();
+        self.query.count_leaf_visit();
         for item in items {
             if self.mailbox.check_and_insert(*item) {
-                self.query.skipped();
+                self.query.count_mailbox_hit();
                 continue;
             }
             if let Some(aabb) = self.item_bounds.get(*item as usize) {
-                self.query.boxes(1);
+                self.query.count_box_tests(1);
                 // Only if strictly beyond: at equal `t` the item with the lower id wins, and it may be this
                 // one.
-                if !aabb.span(self.ray).is_some_and(|span| span.entry <= self.query.reach()) {
+                if !aabb.span(self.ray).is_some_and(|span| span.entry <= self.query.t_max()) {
                     continue;
                 }
             }
-            self.query.test(ItemId(*item))?;
+            self.query.test_item(ItemId(*item))?;
         }
-        ControlFlow::Continue(self.query.reach())
+        ControlFlow::Continue(self.query.t_max())
     }
 }
 
@@ -164,7 +164,7 @@ mod tests {
         let mut mailbox = Mailbox::<8>::new();
         mailbox.begin_ray();
         assert!(!mailbox.check_and_insert(5));
-        mailbox.forget();
+        mailbox.clear();
         mailbox.begin_ray();
         assert!(!mailbox.check_and_insert(5));
     }

@@ -15,13 +15,13 @@
 //! Measured on scenes of 11 to 1,000,000 items (`tests/reports/accelerators.md`), and beside other crates
 //! (`tests/bench`):
 //!
-//! * [`Bare`] or [`List`] for a handful of items: no construction and little code. From about ten items on a
-//!   BVH is faster; up to some hundred, a list with boxes is about as fast as grid and octree.
+//! * [`BareList`] or [`List`] for a handful of items: no construction and little code. From about ten items
+//!   on a BVH is faster; up to some hundred, a list with boxes is about as fast as grid and octree.
 //! * [`Bvh`] for everything else, unless there is a reason against it: the fastest on every measured scene,
 //!   and its time grows slowest with the number of items, like that of the octree. It needs about 60 bytes
 //!   per item, half as much again as the octree, and takes the longest to build. Its queue is best a stack
-//!   ([`LastFirst`]); the heap ([`NearestFirst`]) visits hardly fewer nodes and takes longer per node.
-//!   Triangles are best stored in [`Run`]s, if there is memory for them.
+//!   ([`TraversalStack`]); the heap ([`TraversalHeap`]) visits hardly fewer nodes and takes longer per node.
+//!   Triangles are best stored in [`TriangleBlock`]s, if there is memory for them.
 //! * [`Octree`] where memory is small and sizes of items differ: 8 bytes per node, and a traversal by
 //!   integers.
 //! * [`Grid`] for many items of similar size that are evenly spread: fast to build, and few operations per
@@ -43,28 +43,31 @@ mod list;
 mod mailbox;
 mod octree;
 #[cfg(not(feature = "double"))]
-mod room;
+mod size;
 #[cfg(test)]
 mod test_rays;
 mod triangle_block;
 
 // Without `Real`: one type for both precisions.
 #[cfg(feature = "double")]
-use strahl_core::{self as error, self as room};
+use strahl_core::{self as error, self as size};
 
 pub use accelerator::{Accelerator, Query};
 #[cfg(not(feature = "double"))]
 pub(crate) use bvh::BvhParts;
-pub use bvh::{Bvh, Grown, LastFirst, Leaf, Leaves, NearestFirst, Node, Slot, Waiting};
-pub use error::{BuildError, Storage};
+pub use bvh::{
+    Bvh, BvhBuilder, BvhNode, LeafElement, LeafEntry, LeafLayout, TraversalHeap, TraversalQueue,
+    TraversalStack,
+};
+pub use error::{Buffer, BuildError};
 #[cfg(not(feature = "double"))]
 pub(crate) use grid::GridParts;
-pub use grid::{Grid, GridRoom, StaticGrid};
-pub use list::{Bare, List, groups_of};
+pub use grid::{Grid, GridSize, StaticGrid};
+pub use list::{BareList, List, group_count};
 pub use mailbox::Mailbox;
 #[cfg(not(feature = "double"))]
 pub(crate) use octree::OctreeParts;
 pub use octree::{Octree, OctreeNode};
-pub use room::{BvhRoom, OctreeLimits, OctreeRoom};
+pub use size::{BvhSize, OctreeLimits, OctreeSize};
 pub(crate) use triangle_block::Candidate;
-pub use triangle_block::Run;
+pub use triangle_block::TriangleBlock;

@@ -13,7 +13,7 @@ use crate::math::{LANES, Vec3};
 /// * Memory: 164 bytes in single precision.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[repr(C)]
-pub struct Run {
+pub struct TriangleBlock {
     triangles: FourTriangles,
     items: [ItemId; LANES],
     /// One bit per entry in use.
@@ -25,7 +25,7 @@ pub struct Run {
 }
 
 #[cfg(not(feature = "double"))]
-const _: () = assert!(size_of::<Run>() == 164);
+const _: () = assert!(size_of::<TriangleBlock>() == 164);
 
 /// An item of a block that the ray may hit.
 #[derive(Clone, Copy, Debug)]
@@ -35,12 +35,12 @@ pub(crate) struct Candidate {
     pub(crate) corners: Option<[Vec3; 3]>,
 }
 
-impl Run {
+impl TriangleBlock {
     /// Largest number of items of a block.
-    pub const ITEMS: usize = LANES;
+    pub const CAPACITY: usize = LANES;
 
     /// The initial value for buffers.
-    pub const EMPTY: Run = Run {
+    pub const EMPTY: TriangleBlock = TriangleBlock {
         triangles: FourTriangles::ZERO,
         items: [ItemId(0); LANES],
         item_mask: 0,
@@ -50,7 +50,7 @@ impl Run {
 
     /// A block of the first four of `items`.
     pub(super) fn new(geometry: &Geometry<'_>, items: impl Iterator<Item = ItemId>, has_next: bool) -> Self {
-        let mut block = Run { has_next, ..Run::EMPTY };
+        let mut block = TriangleBlock { has_next, ..TriangleBlock::EMPTY };
         for ((index, entry), item) in block.items.iter_mut().enumerate().zip(items) {
             *entry = item;
             block.item_mask |= 1 << index;

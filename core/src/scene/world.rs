@@ -5,7 +5,7 @@ use core::ops::ControlFlow;
 
 use super::Scene;
 use super::effects::Effects;
-use crate::accel::{Accelerator, Candidate, Query, Run};
+use crate::accel::{Accelerator, Candidate, Query, TriangleBlock};
 use crate::geometry::{Geometry, Hit, ItemId, Ray, Shape, ShapeKind, Surface, triangle_distance};
 use crate::math::{Real, Vec3};
 use crate::tally::{Event, RayKind, Tally};
@@ -110,7 +110,7 @@ impl<'s, A: Accelerator> World<'s, A> {
         tally: &mut T,
     ) -> bool {
         let mut search = Search::<E, T, _>::new(self, ray, reach, kind, tally, Blocker(None));
-        search.test(item).is_break()
+        search.test_item(item).is_break()
     }
 
     /// What the item that was hit is like there.
@@ -142,12 +142,12 @@ impl<'s, A: Accelerator> World<'s, A> {
     fn ask<E: Effects, Q: Query>(&self, ray: &Ray, scratch: &mut A::Scratch, query: &mut Q) {
         if E::SET.shapes.has(ShapeKind::Plane) {
             for plane in self.scene.parts().geometry.planes {
-                if query.test(plane.item).is_break() {
+                if query.test_item(plane.item).is_break() {
                     return;
                 }
             }
         }
-        self.accelerator.walk(ray, scratch, query);
+        self.accelerator.traverse(ray, scratch, query);
     }
 }
 
@@ -267,12 +267,12 @@ impl<'q, E: Effects, T: Tally, G: Goal> Search<'q, E, T, G> {
 impl<E: Effects, T: Tally, G: Goal> Query for Search<'_, E, T, G> {
     const ORDERED: bool = G::ORDERED;
 
-    fn reach(&self) -> Real {
+    fn t_max(&self) -> Real {
         self.reach
     }
 
     #[inline(always)]
-    fn test(&mut self, item: ItemId) -> ControlFlow<()> {
+    fn test_item(&mut self, item: ItemId) -> ControlFlow<()> {
         match self.geometry.shape(item) {
             Some(shape) => self.test_shape(item, shape),
             None => ControlFlow::Continue(()),
@@ -280,7 +280,7 @@ impl<E: Effects, T: Tally, G: Goal> Query for Search<'_, E, T, G> {
     }
 
     #[inline(always)]
-    fn all(&mut self, count: u32) -> ControlFlow<()> {
+    fn test_range(&mut self, count: u32) -> ControlFlow<()> {
         // A loop of its own: an iterator's would be called where two places ask.
         for (shape, item) in self.geometry.shapes.iter().zip(0..count) {
             self.test_shape(ItemId(item), shape)?;
@@ -289,35 +289,35 @@ impl<E: Effects, T: Tally, G: Goal> Query for Search<'_, E, T, G> {
     }
 
     #[inline(always)]
-    fn run(&mut self, run: &Run) -> ControlFlow<()> {
+    fn test_block(&mut self, block: &TriangleBlock) -> ControlFlow<()> {
         if Self::TRIANGLES == [false, false] {
-            return run.items().try_for_each(|item| self.test(item));
+            return block.items().try_for_each(|item| self.test_item(item));
         }
-        let hits = run.possible_hits(self.ray);
-        run.items_in_mask(!hits).for_each(|item| self.tested(item));
+        let hits = block.possible_hits(self.ray);
+        block.items_in_mask(!hits).for_each(|item| self.tested(item));
         let mut mask = hits;
-        while let Some(Candidate { item, corners }) = run.take_candidate(&mut mask) {
+        while let Some(Candidate { item, corners }) = block.take_candidate(&mut mask) {
             match corners {
                 Some(corners) if self.can_meet(item) => {
                     self.tested(item);
                     self.meet(item, triangle_distance(corners.each_ref(), self.ray))?;
                 }
                 Some(_) => {}
-                None => self.test(item)?,
+                None => self.test_item(item)?,
             }
         }
         ControlFlow::Continue(())
     }
 
-    fn boxes(&mut self, count: u32) {
+    fn count_box_tests(&mut self, count: u32) {
         self.tally.count(Event::Boxes(self.kind, count));
     }
 
-    fn enter(&mut self) {
+    fn count_leaf_visit(&mut self) {
         self.tally.count(Event::Region(self.kind));
     }
 
-    fn skipped(&mut self) {
+    fn count_mailbox_hit(&mut self) {
         self.tally.count(Event::Skipped(self.kind));
     }
 }

@@ -7,8 +7,9 @@ use std::fmt::Write as _;
 use std::path::Path;
 
 use strahl_core::{
-    Aabb, Baking, Bare, Bvh, BvhRoom, Counters, EffectSet, Finder, Grid, GridRoom, LastFirst, Limits,
-    Mailbox, Node, Octree, OctreeNode, OctreeRoom, Pack, Projection, Scene, Size, Slot, View, Worker,
+    Aabb, Baking, BareList, Bvh, BvhNode, BvhSize, Counters, EffectSet, Finder, Grid, GridSize, LeafEntry,
+    Limits, Mailbox, Octree, OctreeNode, OctreeSize, Pack, Projection, Scene, Size, TraversalStack, View,
+    Worker,
 };
 
 use crate::amount::amount;
@@ -150,20 +151,21 @@ pub fn bake(scene: &Scene<'_>, asked: &Asked) -> Result<Vec<u8>, String> {
     };
     let most = |wanted: usize| asked.nodes.map_or(wanted, |most| wanted.min(most));
     match asked.accelerator {
-        Kind::List => with(Finder::Bare(Bare(boxes.len() as u32))),
+        Kind::List => with(Finder::Bare(BareList(boxes.len() as u32))),
         Kind::Grid => {
-            let room = GridRoom::comfortable(&boxes);
-            let (mut cells, mut items) = (vec![0; room.cells], vec![0; room.items]);
+            let room = GridSize::recommended(&boxes);
+            let (mut cells, mut items) = (vec![0; room.cells], vec![0; room.entries]);
             with(Finder::Grid(Grid::build(&boxes, &mut cells, &mut items).map_err(fault)?))
         }
         Kind::Octree => {
-            let room = OctreeRoom::comfortable(boxes.len());
-            let (mut nodes, mut items) = (vec![OctreeNode::EMPTY; most(room.nodes)], vec![0; room.items]);
+            let room = OctreeSize::recommended(boxes.len());
+            let (mut nodes, mut items) = (vec![OctreeNode::EMPTY; most(room.nodes)], vec![0; room.entries]);
             with(Finder::Octree(Octree::build(&boxes, &mut nodes, &mut items).map_err(fault)?))
         }
         Kind::Bvh => {
-            let room = BvhRoom::comfortable(boxes.len());
-            let (mut nodes, mut items) = (vec![Node::EMPTY; most(room.nodes)], vec![Slot::EMPTY; room.items]);
+            let room = BvhSize::recommended(boxes.len());
+            let (mut nodes, mut items) =
+                (vec![BvhNode::EMPTY; most(room.nodes)], vec![LeafEntry::EMPTY; room.entries]);
             with(Finder::Bvh(Bvh::build(&boxes, &mut nodes, &mut items).map_err(fault)?))
         }
     }
@@ -175,12 +177,12 @@ fn needs(path: &Path, scene: &Scene<'_>, asked: &Asked, bytes: usize, counted: &
     const PLACES: usize = 32;
     let tables = scene.parts().bytes();
     let frame = bytes.saturating_sub(tables).saturating_sub(Pack::HEADER);
-    let task = Worker::<Bare, (), 2>::BYTES - Worker::<Bare, (), 1>::BYTES;
+    let task = Worker::<BareList, (), 2>::BYTES - Worker::<BareList, (), 1>::BYTES;
     let levels = usize::from(asked.levels);
     let (what, memory) = match asked.accelerator {
         Kind::List => ("the bare list", 0),
         Kind::Grid | Kind::Octree => ("a mailbox of 64 slots", size_of::<Mailbox<SLOTS>>()),
-        Kind::Bvh => ("a stack of 32 places", size_of::<LastFirst<PLACES>>()),
+        Kind::Bvh => ("a stack of 32 places", size_of::<TraversalStack<PLACES>>()),
     };
     let mut text = String::new();
     let _ = writeln!(

@@ -16,8 +16,9 @@ use super::effects;
 use super::request::ChooseRayTracers;
 use super::session::{AnyWorld, OpenWorld};
 use super::strahl::{
-    Aabb, Accelerator, Ball, BuildError, BvhRoom, Grid, GridRoom, Grown, LastFirst, Leaves, List,
-    NearestFirst, Node, Octree, OctreeNode, OctreeRoom, Run, Scene, Slot, Waiting, World, groups_of,
+    Aabb, Accelerator, Ball, BuildError, BvhBuilder, BvhNode, BvhSize, Grid, GridSize, LeafEntry, LeafLayout,
+    List, Octree, OctreeNode, OctreeSize, Scene, TraversalHeap, TraversalQueue, TraversalStack,
+    TriangleBlock, World, group_count,
 };
 use crate::finding::{Bounds, Choice, Finding, Kind, MAILBOX, STACK, Walk};
 use crate::render_output::AccelStats;
@@ -32,9 +33,9 @@ pub struct AccelMemory {
     cells: Vec<u32>,
     items: Vec<u32>,
     octree_nodes: Vec<OctreeNode>,
-    nodes: Vec<Node>,
-    slots: Vec<Slot>,
-    runs: Vec<Run>,
+    nodes: Vec<BvhNode>,
+    slots: Vec<LeafEntry>,
+    runs: Vec<TriangleBlock>,
 }
 
 /// A scene with an accelerator of some type, and what that accelerator is like.
@@ -58,11 +59,11 @@ pub fn open<'s>(
         (Kind::Octree, MAILBOX, ..) => building.octree::<MAILBOX>(effects::by_name),
         (Kind::Octree, 8, ..) => building.octree::<8>(effects::rarely_used),
         (Kind::Octree, ..) => building.octree::<0>(effects::rarely_used),
-        (Kind::Bvh, _, Walk::Stack, _) => building.bvh::<LastFirst<STACK>>(effects::usual),
-        (Kind::Bvh, _, Walk::Heap, 64) => building.bvh::<NearestFirst<64>>(effects::rarely_used),
-        (Kind::Bvh, _, Walk::Heap, 4) => building.bvh::<NearestFirst<4>>(effects::rarely_used),
-        (Kind::Bvh, _, Walk::Heap, 1) => building.bvh::<NearestFirst<1>>(effects::rarely_used),
-        (Kind::Bvh, _, Walk::Heap, _) => building.bvh::<NearestFirst<0>>(effects::rarely_used),
+        (Kind::Bvh, _, Walk::Stack, _) => building.bvh::<TraversalStack<STACK>>(effects::usual),
+        (Kind::Bvh, _, Walk::Heap, 64) => building.bvh::<TraversalHeap<64>>(effects::rarely_used),
+        (Kind::Bvh, _, Walk::Heap, 4) => building.bvh::<TraversalHeap<4>>(effects::rarely_used),
+        (Kind::Bvh, _, Walk::Heap, 1) => building.bvh::<TraversalHeap<1>>(effects::rarely_used),
+        (Kind::Bvh, _, Walk::Heap, _) => building.bvh::<TraversalHeap<0>>(effects::rarely_used),
     }
 }
 
@@ -92,20 +93,20 @@ impl<'s> Building<'s> {
         let Building { scene, choice, clock, memory } = self;
         let entries = memory.boxes.len();
         let (list, regions) = match choice.bounds {
-            Bounds::None => (List::bare(entries as u32), 1),
+            Bounds::None => (List::without_bounds(entries as u32), 1),
             Bounds::Sphere => {
-                let regions = groups_of(entries);
+                let regions = group_count(entries);
                 memory.spheres = vec![Ball::EMPTY; entries];
                 memory.sphere_groups = vec![Ball::EMPTY; regions];
-                (List::balled(&memory.boxes, &mut memory.spheres, &mut memory.sphere_groups)?, regions)
+                (List::with_spheres(&memory.boxes, &mut memory.spheres, &mut memory.sphere_groups)?, regions)
             }
             Bounds::Box => {
-                let regions = groups_of(entries);
+                let regions = group_count(entries);
                 memory.groups = vec![Aabb::EMPTY; regions];
-                (List::boxed(&memory.boxes, &mut memory.groups)?, regions)
+                (List::with_boxes(&memory.boxes, &mut memory.groups)?, regions)
             }
         };
-        let extent = Extent { bytes: list.bytes(), regions, entries, depth: None };
+        let extent = Extent { bytes: list.size_in_bytes(), regions, entries, depth: None };
         Ok(opened(scene, list, choose, extent.stats(choice, clock)))
     }
 
@@ -114,10 +115,10 @@ impl<'s> Building<'s> {
         choose: ChooseRayTracers<Grid<'s, MAILBOX>>,
     ) -> Result<Opened<'s>, BuildError> {
         let Building { scene, choice, clock, memory } = self;
-        let room = GridRoom::comfortable(&memory.boxes);
-        (memory.cells, memory.items) = (vec![0; room.cells], vec![0; room.items]);
+        let room = GridSize::recommended(&memory.boxes);
+        (memory.cells, memory.items) = (vec![0; room.cells], vec![0; room.entries]);
         let grid = Grid::build(&memory.boxes, &mut memory.cells, &mut memory.items)?;
-        let (bytes, regions, entries) = (grid.bytes(), grid.regions(), grid.entries());
+        let (bytes, regions, entries) = (grid.size_in_bytes(), grid.cell_count(), grid.entry_count());
         let extent = Extent { bytes, regions, entries, depth: None };
         Ok(opened(scene, grid, choose, extent.stats(choice, clock)))
     }
@@ -127,27 +128,29 @@ impl<'s> Building<'s> {
         choose: ChooseRayTracers<Octree<'s, MAILBOX>>,
     ) -> Result<Opened<'s>, BuildError> {
         let Building { scene, choice, clock, memory } = self;
-        let room = OctreeRoom::comfortable(memory.boxes.len());
-        (memory.octree_nodes, memory.items) = (vec![OctreeNode::EMPTY; room.nodes], vec![0; room.items]);
+        let room = OctreeSize::recommended(memory.boxes.len());
+        (memory.octree_nodes, memory.items) = (vec![OctreeNode::EMPTY; room.nodes], vec![0; room.entries]);
         let tree = Octree::build(&memory.boxes, &mut memory.octree_nodes, &mut memory.items)?;
-        let (bytes, regions, entries) = (tree.bytes(), tree.regions(), tree.entries());
+        let (bytes, regions, entries) =
+            (tree.size_in_bytes(), tree.occupied_leaf_count(), tree.entry_count());
         let extent = Extent { bytes, regions, entries, depth: Some(u32::from(tree.depth())) };
         Ok(opened(scene, tree, choose, extent.stats(choice, clock)))
     }
 
-    fn bvh<W: Waiting + 's>(
+    fn bvh<W: TraversalQueue + 's>(
         self,
-        choose: ChooseRayTracers<super::strahl::Bvh<'s, W, Run>>,
+        choose: ChooseRayTracers<super::strahl::Bvh<'s, W, TriangleBlock>>,
     ) -> Result<Opened<'s>, BuildError> {
         let Building { scene, choice, clock, memory } = self;
         let geometry = scene.parts().geometry;
-        let room = BvhRoom::comfortable(memory.boxes.len());
-        (memory.nodes, memory.slots) = (vec![Node::EMPTY; room.nodes], vec![Slot::EMPTY; room.items]);
-        let leaves = Leaves::Runs(&geometry);
-        let grown = Grown::build(&memory.boxes, leaves, &mut memory.nodes, &mut memory.slots)?;
-        memory.runs = vec![Run::EMPTY; grown.runs()];
-        let tree = grown.in_runs::<W>(&geometry, &mut memory.runs)?;
-        let (bytes, regions, entries) = (tree.bytes(), tree.regions(), tree.entries());
+        let room = BvhSize::recommended(memory.boxes.len());
+        (memory.nodes, memory.slots) =
+            (vec![BvhNode::EMPTY; room.nodes], vec![LeafEntry::EMPTY; room.entries]);
+        let leaves = LeafLayout::TriangleBlocks(&geometry);
+        let grown = BvhBuilder::new(&memory.boxes, leaves, &mut memory.nodes, &mut memory.slots)?;
+        memory.runs = vec![TriangleBlock::EMPTY; grown.block_count()];
+        let tree = grown.into_bvh_with_blocks::<W>(&geometry, &mut memory.runs)?;
+        let (bytes, regions, entries) = (tree.size_in_bytes(), tree.leaf_count(), tree.entry_count());
         let extent = Extent { bytes, regions, entries, depth: Some(tree.depth()) };
         Ok(opened(scene, tree, choose, extent.stats(choice, clock)))
     }

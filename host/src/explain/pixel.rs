@@ -6,7 +6,7 @@
 
 use strahl_core::{
     Aabb, Camera, CameraSample, Everything, Kept, List, Pixel, PixelSample, Rgb, Sampler, Tracer, Worker,
-    World, groups_of,
+    World, group_count,
 };
 
 use super::names::Names;
@@ -34,8 +34,8 @@ pub fn trace(description: &Description, wanted: &Wanted, pixel: Pixel) -> Result
     let scene = stock.scene().map_err(RenderError::invalid)?;
     let camera = Camera::new(&view(&description.view), wanted.size).map_err(RenderError::invalid)?;
     let boxes: Vec<Aabb> = scene.parts().geometry.all_bounds().collect();
-    let mut groups = vec![Aabb::EMPTY; groups_of(boxes.len())];
-    let world = World::new(scene, List::boxed(&boxes, &mut groups).map_err(RenderError::invalid)?);
+    let mut groups = vec![Aabb::EMPTY; group_count(boxes.len())];
+    let world = World::new(scene, List::with_boxes(&boxes, &mut groups).map_err(RenderError::invalid)?);
     let tracer =
         Tracer::<_, Everything, LEVELS>::new(&world, camera, wanted.limits).map_err(RenderError::invalid)?;
     let names = Names::new(description, &world);

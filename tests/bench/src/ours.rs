@@ -1,9 +1,9 @@
 //! strahl's own ways of finding.
 
 use strahl_core::{
-    Aabb, Accelerator, Bvh, BvhRoom, Counters, EffectSet, Effects, Geometry, Grown, LastFirst, Leaves,
-    Material, MaterialId, NearestFirst, Node, Parts, Ray, RayKind, Run, Scene, Shape, ShapeKind, ShapeSet,
-    Slot, World,
+    Aabb, Accelerator, Bvh, BvhBuilder, BvhNode, BvhSize, Counters, EffectSet, Effects, Geometry, LeafEntry,
+    LeafLayout, Material, MaterialId, Parts, Ray, RayKind, Scene, Shape, ShapeKind, ShapeSet, TraversalHeap,
+    TraversalStack, TriangleBlock, World,
 };
 
 use crate::contest::{Contender, Found, WAY};
@@ -68,34 +68,35 @@ impl<A: Accelerator> Contender for Asked<'_, A> {
 
 /// The memory of a hierarchy.
 pub struct Room {
-    nodes: Vec<Node>,
-    items: Vec<Slot>,
-    runs: Vec<Run>,
+    nodes: Vec<BvhNode>,
+    items: Vec<LeafEntry>,
+    runs: Vec<TriangleBlock>,
 }
 
 impl Room {
     pub fn of(items: usize) -> Self {
-        let BvhRoom { nodes, items } = BvhRoom::comfortable(items);
-        Room { nodes: vec![Node::EMPTY; nodes], items: vec![Slot::EMPTY; items], runs: Vec::new() }
+        let BvhSize { nodes, entries: items } = BvhSize::recommended(items);
+        Room { nodes: vec![BvhNode::EMPTY; nodes], items: vec![LeafEntry::EMPTY; items], runs: Vec::new() }
     }
 }
 
 /// Builds the hierarchy with its leaves in runs.
-fn tree<'s>(tables: &Tables, room: &'s mut Room) -> Bvh<'s, (), Run> {
+fn tree<'s>(tables: &Tables, room: &'s mut Room) -> Bvh<'s, (), TriangleBlock> {
     let Room { nodes, items, runs } = room;
     let geometry = tables.scene().parts().geometry;
-    let grown = Grown::build(&tables.boxes, Leaves::Runs(&geometry), nodes, items).expect("there is room");
-    runs.resize(grown.runs(), Run::EMPTY);
-    grown.in_runs(&geometry, runs).expect("there is room")
+    let grown = BvhBuilder::new(&tables.boxes, LeafLayout::TriangleBlocks(&geometry), nodes, items)
+        .expect("there is room");
+    runs.resize(grown.block_count(), TriangleBlock::EMPTY);
+    grown.into_bvh_with_blocks(&geometry, runs).expect("there is room")
 }
 
 /// Builds, and answers by a stack and by a heap.
 pub fn hierarchy<'s>(tables: &'s Tables, room: &'s mut Room) -> [(&'static str, Box<dyn Contender + 's>); 2] {
     let tree = tree(tables, room);
-    let bytes = tree.bytes() + tables.scene().parts().geometry.bytes();
+    let bytes = tree.size_in_bytes() + tables.scene().parts().geometry.bytes();
     [
-        ("strahl, stack", asked(tables, tree.walked::<LastFirst<64>>(), bytes)),
-        ("strahl, heap", asked(tables, tree.walked::<NearestFirst<64>>(), bytes)),
+        ("strahl, stack", asked(tables, tree.with_queue::<TraversalStack<64>>(), bytes)),
+        ("strahl, heap", asked(tables, tree.with_queue::<TraversalHeap<64>>(), bytes)),
     ]
 }
 
@@ -109,9 +110,9 @@ fn asked<'s, A: Accelerator + 's>(
 
 /// What walks count: boxes, leaves and triangles per ray, for the closest hit and for any.
 pub fn counted(tables: &Tables, room: &mut Room, rays: &[Ray]) -> [[f64; 3]; 2] {
-    let world = World::new(tables.scene(), tree(tables, room).walked::<LastFirst<64>>());
+    let world = World::new(tables.scene(), tree(tables, room).with_queue::<TraversalStack<64>>());
     let mut counters = Counters::new();
-    let mut scratch = LastFirst::default();
+    let mut scratch = TraversalStack::default();
     for ray in rays {
         let _ = world.nearest::<Triangles, _>(ray, f32::MAX, RayKind::Camera, &mut scratch, &mut counters);
         let _ = world.blocker::<Triangles, _>(ray, WAY, RayKind::Shadow, &mut scratch, &mut counters);

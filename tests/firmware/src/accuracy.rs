@@ -11,7 +11,7 @@ use core::fmt;
 
 use strahl_core::{
     Aabb, Accelerator, Adaptive, Agreement, Camera, CornerRow, Counters, Kept, Limits, List, Parting,
-    PixelSample, RayKind, Real, Regular, Sampler, Scene, Single, Stochastic, Tally, World, groups_of,
+    PixelSample, RayKind, Real, Regular, Sampler, Scene, Single, Stochastic, Tally, World, group_count,
 };
 
 use crate::draw::{Bytes, Took, Wanted, bytes, draw};
@@ -81,7 +81,7 @@ const WIDTH: usize = SIZE.width() as usize;
 /// What is lent to a list and to an adaptive sampler: static RAM.
 pub struct Lent {
     boxes: [Aabb; ITEMS],
-    groups: [Aabb; groups_of(ITEMS)],
+    groups: [Aabb; group_count(ITEMS)],
     row: [Bytes; WIDTH],
     corners: [PixelSample; WIDTH + 1],
     kept: [Kept; 64],
@@ -91,7 +91,7 @@ impl Lent {
     /// Nothing in it.
     pub const NEW: Lent = Lent {
         boxes: [Aabb::EMPTY; ITEMS],
-        groups: [Aabb::EMPTY; groups_of(ITEMS)],
+        groups: [Aabb::EMPTY; group_count(ITEMS)],
         row: [[[0; size_of::<f32>()]; 3]; WIDTH],
         corners: [PixelSample::BLACK; WIDTH + 1],
         kept: [Kept::NOTHING; 64],
@@ -111,7 +111,7 @@ pub fn all(
     for (place, item) in lent.boxes.iter_mut().zip(parts().geometry.all_bounds()) {
         *place = item;
     }
-    let list = List::boxed(&lent.boxes, &mut lent.groups).map_err(|_| "too few boxes")?;
+    let list = List::with_boxes(&lent.boxes, &mut lent.groups).map_err(|_| "too few boxes")?;
     let world = World::new(scene, list);
     let camera = Camera::new(&VIEW, SIZE).map_err(|_| "the view shows nothing")?;
     for run in &RUNS {

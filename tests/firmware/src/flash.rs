@@ -9,7 +9,7 @@
 use core::hint::black_box;
 
 use strahl_core::{
-    Background, Bare, Camera, EffectSet, Effects, Falloff, Geometry, Interface, ItemId, Light, LightKind,
+    Background, BareList, Camera, EffectSet, Effects, Falloff, Geometry, Interface, ItemId, Light, LightKind,
     LightSet, Limits, Material, MaterialId, Parts, Pixel, Plane, Projection, Rgb, Scene, Shape, ShapeKind,
     ShapeSet, Single, Size, Source, Sphere, Tile, Tracer, Vec3, View, Worker, World, render, vec3,
 };
@@ -160,7 +160,7 @@ impl Step for Distributed {
 #[inline(never)]
 pub fn picture<S: Step>(mut send: impl FnMut([u8; 4])) -> Option<()> {
     // As if it came from elsewhere: no number of the scene is folded into the code.
-    let world = World::new(Scene::new(black_box(S::PARTS)).ok()?, Bare(ITEMS as u32));
+    let world = World::new(Scene::new(black_box(S::PARTS)).ok()?, BareList(ITEMS as u32));
     let camera = Camera::new(&black_box(S::VIEW), SIZE).ok()?;
     let tracer = Tracer::<_, S, LEVELS>::new(&world, camera, LIMITS).ok()?;
     let mut worker = Worker::new(());

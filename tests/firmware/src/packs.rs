@@ -5,8 +5,8 @@
 use core::sync::atomic::{AtomicUsize, Ordering};
 
 use strahl_core::{
-    Accelerator, Bare, Camera, Effects, Everything, Finder, LastFirst, Limits, Pack, PackError, Scene,
-    Single, World, include_pack,
+    Accelerator, BareList, Camera, Effects, Everything, Finder, Limits, Pack, PackError, Scene, Single,
+    TraversalStack, World, include_pack,
 };
 
 use crate::draw::{Bytes, Row, Took, Wanted, bytes, draw};
@@ -73,7 +73,7 @@ pub fn picture(
         let scene = Scene::new(PARTS).map_err(|_| "its parts make no scene")?;
         let camera = Camera::new(&VIEW, SIZE).map_err(|_| "the view shows nothing")?;
         let wanted = Wanted { size: SIZE, camera, limits: LIMITS };
-        let (world, row) = (World::new(scene, Bare(ITEMS)), of(row, &wanted)?);
+        let (world, row) = (World::new(scene, BareList(ITEMS)), of(row, &wanted)?);
         return drawn::<_, Asked>(&world, wanted, row, clock, take);
     };
     let pack = Pack::open(written).map_err(refused)?;
@@ -90,7 +90,7 @@ pub fn picture(
             drawn::<_, E>(&World::new(scene, octree), wanted, row, clock, take)
         }
         Finder::Bvh(bvh) => {
-            let bvh = bvh.walked::<LastFirst<32>>();
+            let bvh = bvh.with_queue::<TraversalStack<32>>();
             drawn::<_, E>(&World::new(scene, bvh), wanted, row, clock, take)
         }
     }

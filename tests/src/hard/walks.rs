@@ -106,8 +106,8 @@ macro_rules! core {
     ($room:ident, $core:ident, $stage:path) => {
         mod $room {
             use $core::{
-                Accelerator, Bvh, BvhRoom, Everything, Grid, GridRoom, LastFirst, List, Node, Octree,
-                OctreeNode, OctreeRoom, Ray, RayKind, Real, Slot, World, vec3,
+                Accelerator, Bvh, BvhNode, BvhSize, Everything, Grid, GridSize, LeafEntry, List, Octree,
+                OctreeNode, OctreeSize, Ray, RayKind, Real, TraversalStack, World, vec3,
             };
 
             use $stage as Stage;
@@ -137,7 +137,7 @@ macro_rules! core {
 
             pub fn list(things: &[Thing], lines: &[Line]) -> Vec<Option<Found>> {
                 let stage = Stage::with(things);
-                nearest(&stage, List::bare(stage.len()), lines)
+                nearest(&stage, List::without_bounds(stage.len()), lines)
             }
 
             pub fn walked(kind: Kind, things: &[Thing], lines: &[Line]) -> Vec<Option<Found>> {
@@ -145,21 +145,21 @@ macro_rules! core {
                 let boxes = stage.boxes();
                 match kind {
                     Kind::Grid => {
-                        let room = GridRoom::comfortable(&boxes);
-                        let (mut cells, mut items) = (vec![0; room.cells], vec![0; room.items]);
+                        let room = GridSize::recommended(&boxes);
+                        let (mut cells, mut items) = (vec![0; room.cells], vec![0; room.entries]);
                         nearest(&stage, Grid::<8>::build(&boxes, &mut cells, &mut items).unwrap(), lines)
                     }
                     Kind::Octree => {
-                        let room = OctreeRoom::comfortable(boxes.len());
+                        let room = OctreeSize::recommended(boxes.len());
                         let (mut nodes, mut items) =
-                            (vec![OctreeNode::EMPTY; room.nodes], vec![0; room.items]);
+                            (vec![OctreeNode::EMPTY; room.nodes], vec![0; room.entries]);
                         nearest(&stage, Octree::<8>::build(&boxes, &mut nodes, &mut items).unwrap(), lines)
                     }
                     Kind::Hierarchy => {
-                        let room = BvhRoom::comfortable(boxes.len());
+                        let room = BvhSize::recommended(boxes.len());
                         let (mut nodes, mut items) =
-                            (vec![Node::EMPTY; room.nodes], vec![Slot::EMPTY; room.items]);
-                        let tree = Bvh::<LastFirst<64>>::build(&boxes, &mut nodes, &mut items).unwrap();
+                            (vec![BvhNode::EMPTY; room.nodes], vec![LeafEntry::EMPTY; room.entries]);
+                        let tree = Bvh::<TraversalStack<64>>::build(&boxes, &mut nodes, &mut items).unwrap();
                         nearest(&stage, tree, lines)
                     }
                 }

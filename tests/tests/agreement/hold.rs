@@ -1,9 +1,9 @@
 //! What every accelerator is held to: the answers of the bare list.
 
 use strahl_core::{
-    Aabb, Accelerator, Bvh, BvhRoom, Everything, Grid, GridRoom, Grown, Hit, ItemId, LastFirst, Leaves, List,
-    NearestFirst, Node, Octree, OctreeLimits, OctreeNode, OctreeRoom, Ray, RayKind, Real, Run, Slot, Surface,
-    World,
+    Aabb, Accelerator, Bvh, BvhBuilder, BvhNode, BvhSize, Everything, Grid, GridSize, Hit, ItemId, LeafEntry,
+    LeafLayout, List, Octree, OctreeLimits, OctreeNode, OctreeSize, Ray, RayKind, Real, Surface,
+    TraversalHeap, TraversalStack, TriangleBlock, World,
 };
 use strahl_tests::Random;
 use strahl_tests::single::Stage;
@@ -69,7 +69,7 @@ pub struct Hold<'s> {
 impl<'s> Hold<'s> {
     /// The cases of these rays.
     pub fn new(stage: &'s Stage, rays: &[Ray], random: &mut Random) -> Self {
-        let bare = World::new(stage.scene(), List::bare(stage.len()));
+        let bare = World::new(stage.scene(), List::without_bounds(stage.len()));
         Hold { stage, boxes: stage.boxes(), cases: Case::all(&bare, rays, random) }
     }
 
@@ -90,38 +90,40 @@ impl<'s> Hold<'s> {
 
     /// A hierarchy in each of its walks.
     pub fn against_hierarchy(&self, lent: usize) {
-        let room = BvhRoom::comfortable(self.boxes.len());
-        let mut nodes = vec![Node::EMPTY; lent];
-        let mut items = vec![Slot::EMPTY; room.items];
-        let tree = Bvh::<LastFirst<64>>::build(&self.boxes, &mut nodes, &mut items).unwrap();
+        let room = BvhSize::recommended(self.boxes.len());
+        let mut nodes = vec![BvhNode::EMPTY; lent];
+        let mut items = vec![LeafEntry::EMPTY; room.entries];
+        let tree = Bvh::<TraversalStack<64>>::build(&self.boxes, &mut nodes, &mut items).unwrap();
         self.against("by a stack", tree);
-        self.against("by a stack of one", tree.walked::<LastFirst<1>>());
-        self.against("by no stack", tree.walked::<LastFirst<0>>());
-        self.against("by a heap", tree.walked::<NearestFirst<64>>());
-        self.against("by a heap of four", tree.walked::<NearestFirst<4>>());
-        self.against("by a heap of one", tree.walked::<NearestFirst<1>>());
-        self.against("by no heap", tree.walked::<NearestFirst<0>>());
+        self.against("by a stack of one", tree.with_queue::<TraversalStack<1>>());
+        self.against("by no stack", tree.with_queue::<TraversalStack<0>>());
+        self.against("by a heap", tree.with_queue::<TraversalHeap<64>>());
+        self.against("by a heap of four", tree.with_queue::<TraversalHeap<4>>());
+        self.against("by a heap of one", tree.with_queue::<TraversalHeap<1>>());
+        self.against("by no heap", tree.with_queue::<TraversalHeap<0>>());
 
         let geometry = self.stage.scene().parts().geometry;
-        let (mut nodes, mut items) = (vec![Node::EMPTY; lent], vec![Slot::EMPTY; room.items]);
-        let grown = Grown::build(&self.boxes, Leaves::Runs(&geometry), &mut nodes, &mut items).unwrap();
-        let mut runs = vec![Run::EMPTY; grown.runs()];
-        let tree = grown.in_runs::<LastFirst<64>>(&geometry, &mut runs).unwrap();
-        assert_eq!(tree.entries(), self.boxes.iter().filter(|aabb| !aabb.is_empty()).count());
+        let (mut nodes, mut items) = (vec![BvhNode::EMPTY; lent], vec![LeafEntry::EMPTY; room.entries]);
+        let grown =
+            BvhBuilder::new(&self.boxes, LeafLayout::TriangleBlocks(&geometry), &mut nodes, &mut items)
+                .unwrap();
+        let mut runs = vec![TriangleBlock::EMPTY; grown.block_count()];
+        let tree = grown.into_bvh_with_blocks::<TraversalStack<64>>(&geometry, &mut runs).unwrap();
+        assert_eq!(tree.entry_count(), self.boxes.iter().filter(|aabb| !aabb.is_empty()).count());
         self.against("in runs, by a stack", tree);
-        self.against("in runs, by a heap of one", tree.walked::<NearestFirst<1>>());
+        self.against("in runs, by a heap of one", tree.with_queue::<TraversalHeap<1>>());
     }
 
     /// A grid and an octree in this much memory, with a mailbox.
-    pub fn against_subdivisions<const MAILBOX: usize>(&self, grid: GridRoom, octree: OctreeRoom) {
-        let (mut cells, mut items) = (vec![0; grid.cells], vec![0; grid.items]);
+    pub fn against_subdivisions<const MAILBOX: usize>(&self, grid: GridSize, octree: OctreeSize) {
+        let (mut cells, mut items) = (vec![0; grid.cells], vec![0; grid.entries]);
         let lattice = Grid::<MAILBOX>::build(&self.boxes, &mut cells, &mut items).unwrap();
         self.against(&format!("{grid:?}, mailbox {MAILBOX}"), lattice);
-        self.against(&format!("{grid:?}, mailbox {MAILBOX}, no boxes"), lattice.without_boxes());
-        let (mut nodes, mut items) = (vec![OctreeNode::EMPTY; octree.nodes], vec![0; octree.items]);
-        let limits = OctreeLimits { leaf: 1, ..OctreeLimits::DEFAULT };
+        self.against(&format!("{grid:?}, mailbox {MAILBOX}, no boxes"), lattice.without_item_bounds());
+        let (mut nodes, mut items) = (vec![OctreeNode::EMPTY; octree.nodes], vec![0; octree.entries]);
+        let limits = OctreeLimits { max_leaf_items: 1, ..OctreeLimits::DEFAULT };
         let tree = Octree::<MAILBOX>::with_limits(limits, &self.boxes, &mut nodes, &mut items).unwrap();
         self.against(&format!("{octree:?}, mailbox {MAILBOX}"), tree);
-        self.against(&format!("{octree:?}, mailbox {MAILBOX}, no boxes"), tree.without_boxes());
+        self.against(&format!("{octree:?}, mailbox {MAILBOX}, no boxes"), tree.without_item_bounds());
     }
 }

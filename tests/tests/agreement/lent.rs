@@ -1,7 +1,7 @@
 //! Memory buys time, never truth: whatever a subdivision is lent, from the floor upwards.
 
 use strahl_core::{
-    Aabb, BuildError, Grid, GridRoom, ItemId, Octree, OctreeNode, OctreeRoom, Ray, Real, StaticGrid, Storage,
+    Aabb, Buffer, BuildError, Grid, GridSize, ItemId, Octree, OctreeNode, OctreeSize, Ray, Real, StaticGrid,
     Vec3, vec3,
 };
 use strahl_tests::Random;
@@ -19,16 +19,16 @@ fn every_size_of_memory_from_the_floor_on_gives_the_right_answer() {
     let rays: Vec<Ray> = (0..20).map(|_| random_ray(9.0, &mut random)).collect();
     let hold = Hold::new(&stage, &rays, &mut random);
     let items = hold.boxes.iter().filter(|aabb| **aabb != Aabb::EMPTY).count();
-    let (grid, octree) = (GridRoom::comfortable(&hold.boxes), OctreeRoom::comfortable(items));
-    assert!(grid.cells > 100 && grid.items > items && items < 40, "{grid:?}");
+    let (grid, octree) = (GridSize::recommended(&hold.boxes), OctreeSize::recommended(items));
+    assert!(grid.cells > 100 && grid.entries > items && items < 40, "{grid:?}");
     for cells in 2..grid.cells {
         let more = items + cells % 50;
-        let octree = OctreeRoom { nodes: 1 + cells % octree.nodes, items: more };
-        hold.against_subdivisions::<8>(GridRoom { cells, items: grid.items }, octree);
+        let octree = OctreeSize { nodes: 1 + cells % octree.nodes, entries: more };
+        hold.against_subdivisions::<8>(GridSize { cells, entries: grid.entries }, octree);
     }
-    for items in items..grid.items {
-        let octree = OctreeRoom { items, ..octree };
-        hold.against_subdivisions::<8>(GridRoom { cells: grid.cells, items }, octree);
+    for items in items..grid.entries {
+        let octree = OctreeSize { entries: items, ..octree };
+        hold.against_subdivisions::<8>(GridSize { cells: grid.cells, entries: items }, octree);
     }
 }
 
@@ -40,20 +40,20 @@ fn one_too_little_is_refused_with_the_numbers_to_act_on() {
     let boxes = stage.boxes();
     let needed = boxes.iter().filter(|aabb| **aabb != Aabb::EMPTY).count();
     assert!(needed < 30, "planes have no place");
-    let too_small = |what, needed, lent| Some(BuildError::StorageTooSmall { what, needed, lent });
+    let too_small = |buffer, needed, provided| Some(BuildError::BufferTooSmall { buffer, needed, provided });
 
     let (mut cells, mut nodes) = (vec![0; 2], vec![OctreeNode::EMPTY; 1]);
     let mut items = vec![0; needed];
     let grid = |cells: &mut [u32], items: &mut [u32]| Grid::<8>::build(&boxes, cells, items).err();
-    assert_eq!(grid(&mut cells[..0], &mut items), too_small(Storage::Cells, 2, 0));
-    assert_eq!(grid(&mut cells[..1], &mut items), too_small(Storage::Cells, 2, 1));
-    assert_eq!(grid(&mut cells, &mut items[..needed - 1]), too_small(Storage::Items, needed, needed - 1));
+    assert_eq!(grid(&mut cells[..0], &mut items), too_small(Buffer::Cells, 2, 0));
+    assert_eq!(grid(&mut cells[..1], &mut items), too_small(Buffer::Cells, 2, 1));
+    assert_eq!(grid(&mut cells, &mut items[..needed - 1]), too_small(Buffer::Entries, needed, needed - 1));
     assert_eq!(grid(&mut cells, &mut items), None);
     let octree = |nodes: &mut [OctreeNode], items: &mut [u32]| Octree::<8>::build(&boxes, nodes, items).err();
-    assert_eq!(octree(&mut nodes[..0], &mut items), too_small(Storage::Nodes, 1, 0));
-    assert_eq!(octree(&mut nodes, &mut items[..needed - 1]), too_small(Storage::Items, needed, needed - 1));
+    assert_eq!(octree(&mut nodes[..0], &mut items), too_small(Buffer::Nodes, 1, 0));
+    assert_eq!(octree(&mut nodes, &mut items[..needed - 1]), too_small(Buffer::Entries, needed, needed - 1));
     assert_eq!(octree(&mut nodes, &mut items), None);
-    assert_eq!(too_small(Storage::Cells, 2, 1).unwrap().to_string(), "2 cells needed, 1 lent");
+    assert_eq!(too_small(Buffer::Cells, 2, 1).unwrap().to_string(), "2 cells needed, 1 lent");
 }
 
 #[test]
@@ -61,17 +61,20 @@ fn comfortable_memory_is_exactly_what_a_grid_takes() {
     let mut random = Random::new(SEED + 2);
     for items in [1, 2, 10, 100, 1000] {
         let boxes = random_stage(items, &mut random).boxes();
-        let room = GridRoom::comfortable(&boxes);
-        let (mut cells, mut entries) = (vec![0; room.cells], vec![0; room.items]);
+        let room = GridSize::recommended(&boxes);
+        let (mut cells, mut entries) = (vec![0; room.cells], vec![0; room.entries]);
         let grid = Grid::<8>::build(&boxes, &mut cells, &mut entries).unwrap();
-        assert_eq!((grid.regions() + 1, grid.entries()), (room.cells, room.items));
-        let bytes = 4 * (room.cells + room.items) + size_of_val(&boxes[..]);
-        assert_eq!((grid.bytes(), grid.without_boxes().bytes()), (bytes, bytes - size_of_val(&boxes[..])));
+        assert_eq!((grid.cell_count() + 1, grid.entry_count()), (room.cells, room.entries));
+        let bytes = 4 * (room.cells + room.entries) + size_of_val(&boxes[..]);
+        assert_eq!(
+            (grid.size_in_bytes(), grid.without_item_bounds().size_in_bytes()),
+            (bytes, bytes - size_of_val(&boxes[..]))
+        );
         // One less of either is a coarser grid.
         for (less_cells, less_items) in [(1, 0), (0, 1)].into_iter().filter(|_| items >= 100) {
             let (cells, entries) =
-                (&mut vec![0; room.cells - less_cells], &mut vec![0; room.items - less_items]);
-            assert!(Grid::<8>::build(&boxes, cells, entries).unwrap().regions() < room.cells - 1);
+                (&mut vec![0; room.cells - less_cells], &mut vec![0; room.entries - less_items]);
+            assert!(Grid::<8>::build(&boxes, cells, entries).unwrap().cell_count() < room.cells - 1);
         }
     }
 }
@@ -89,8 +92,11 @@ fn more_memory_makes_leaves_of_an_octree_smaller() {
     let mean = |lent: usize| {
         let (mut nodes, mut items) = (vec![OctreeNode::EMPTY; lent], vec![0; 8000]);
         let tree = Octree::<8>::build(&boxes, &mut nodes, &mut items).unwrap();
-        assert!(tree.nodes() <= lent && tree.bytes() >= 4 * tree.entries() + 8 * tree.nodes());
-        tree.entries() as f64 / tree.regions() as f64
+        assert!(
+            tree.node_count() <= lent
+                && tree.size_in_bytes() >= 4 * tree.entry_count() + 8 * tree.node_count()
+        );
+        tree.entry_count() as f64 / tree.occupied_leaf_count() as f64
     };
     let means = [1, 9, 80, 400, 4001].map(mean);
     assert!(means.is_sorted_by(|more, less| more > less), "{means:?}");
@@ -116,12 +122,12 @@ fn a_box_without_end_is_refused_by_its_number() {
 #[test]
 fn a_grid_whose_memory_is_sized_when_compiled_answers_like_the_list() {
     const ITEMS: usize = 50;
-    const ROOM: GridRoom = GridRoom::of_items(ITEMS);
+    const SIZE: GridSize = GridSize::estimated(ITEMS);
     let mut random = Random::new(SEED + 4);
     let stage = random_stage(ITEMS as u32, &mut random);
     let rays: Vec<Ray> = (0..200).map(|_| random_ray(9.0, &mut random)).collect();
     let hold = Hold::new(&stage, &rays, &mut random);
-    let mut memory = StaticGrid::<{ ROOM.cells }, { ROOM.items }>::new();
+    let mut memory = StaticGrid::<{ SIZE.cells }, { SIZE.entries }>::new();
     hold.against("static", memory.build::<8>(&hold.boxes).unwrap());
     let mut smallest = StaticGrid::<2, ITEMS>::new();
     hold.against("static and small", smallest.build::<0>(&hold.boxes).unwrap());

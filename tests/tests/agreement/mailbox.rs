@@ -2,7 +2,7 @@
 //! offers it neither ends the walk nor is lost.
 
 use strahl_core::{
-    Accelerator, Counters, Everything, Grid, GridRoom, Hit, ItemId, Octree, OctreeLimits, OctreeNode, Ray,
+    Accelerator, Counters, Everything, Grid, GridSize, Hit, ItemId, Octree, OctreeLimits, OctreeNode, Ray,
     RayKind, Real, Vec3, World, vec3,
 };
 use strahl_tests::single::Stage;
@@ -36,13 +36,19 @@ fn met(stage: &Stage, ray: &Ray, reach: Real) -> (Option<Hit>, Vec<Counters>) {
         (hit, counters)
     }
     let boxes = stage.boxes();
-    let room = GridRoom::comfortable(&boxes);
-    let (mut cells, mut items) = (vec![0; room.cells], vec![0; room.items]);
-    let grid = Grid::<0>::build(&boxes, &mut cells, &mut items).unwrap().without_boxes();
+    let room = GridSize::recommended(&boxes);
+    let (mut cells, mut items) = (vec![0; room.cells], vec![0; room.entries]);
+    let grid = Grid::<0>::build(&boxes, &mut cells, &mut items).unwrap().without_item_bounds();
     let (mut nodes, mut items) = (vec![OctreeNode::EMPTY; 1 + 8 * 300], vec![0; 3000]);
-    let limits = OctreeLimits { depth: 4, leaf: 1 };
-    let octree = Octree::<0>::with_limits(limits, &boxes, &mut nodes, &mut items).unwrap().without_boxes();
-    assert!(grid.regions() > 100 && octree.regions() > 60, "{} {}", grid.regions(), octree.regions());
+    let limits = OctreeLimits { max_depth: 4, max_leaf_items: 1 };
+    let octree =
+        Octree::<0>::with_limits(limits, &boxes, &mut nodes, &mut items).unwrap().without_item_bounds();
+    assert!(
+        grid.cell_count() > 100 && octree.occupied_leaf_count() > 60,
+        "{} {}",
+        grid.cell_count(),
+        octree.occupied_leaf_count()
+    );
     let answers = [
         ask(stage, grid, ray, reach),
         ask(stage, grid.with_mailbox::<1>(), ray, reach),

@@ -9,8 +9,8 @@ use std::ops::ControlFlow;
 
 use hold::{Case, Hold, blocker, nearest};
 use strahl_core::{
-    Aabb, Accelerator, Ball, BuildError, BvhRoom, Counters, Everything, GridRoom, Hit, ItemId, List,
-    OctreeRoom, Query, Ray, RayKind, Real, Storage, Vec3, World, groups_of, vec3,
+    Aabb, Accelerator, Ball, Buffer, BuildError, BvhSize, Counters, Everything, GridSize, Hit, ItemId, List,
+    OctreeSize, Query, Ray, RayKind, Real, Vec3, World, group_count, vec3,
 };
 use strahl_tests::single::Stage;
 use strahl_tests::{Kind, Random, Thing, Vector, vector};
@@ -24,8 +24,8 @@ struct Offered(Vec<u32>);
 impl Accelerator for Offered {
     type Scratch = ();
 
-    fn walk<Q: Query>(&self, _: &Ray, _: &mut (), query: &mut Q) {
-        let end = self.0.iter().try_for_each(|item| query.test(ItemId(*item)));
+    fn traverse<Q: Query>(&self, _: &Ray, _: &mut (), query: &mut Q) {
+        let end = self.0.iter().try_for_each(|item| query.test_item(ItemId(*item)));
         let (ControlFlow::Continue(()) | ControlFlow::Break(())) = end;
     }
 }
@@ -48,32 +48,36 @@ impl Offered {
 fn all_agree(stage: &Stage, rays: &[Ray], random: &mut Random) -> usize {
     // The scenes of a test do not depend on how many numbers are taken here.
     let random = &mut Random::new(random.bits());
-    let bare = World::new(stage.scene(), List::bare(stage.len()));
+    let bare = World::new(stage.scene(), List::without_bounds(stage.len()));
     let hold = Hold::new(stage, rays, random);
     let Hold { boxes, cases, .. } = &hold;
 
-    let mut groups = vec![Aabb::EMPTY; groups_of(boxes.len())];
-    let boxed = List::boxed(boxes, &mut groups).unwrap();
+    let mut groups = vec![Aabb::EMPTY; group_count(boxes.len())];
+    let boxed = List::with_boxes(boxes, &mut groups).unwrap();
     hold.against("with boxes", boxed);
-    let (mut balls, mut round) = (vec![Ball::EMPTY; boxes.len()], vec![Ball::EMPTY; groups_of(boxes.len())]);
-    hold.against("with balls", List::balled(boxes, &mut balls, &mut round).unwrap());
+    let (mut balls, mut round) =
+        (vec![Ball::EMPTY; boxes.len()], vec![Ball::EMPTY; group_count(boxes.len())]);
+    hold.against("with balls", List::with_spheres(boxes, &mut balls, &mut round).unwrap());
     hold.against("in another order", Offered::any(stage.len(), random));
 
     // Any memory from the floor upwards.
-    let nodes = BvhRoom::comfortable(boxes.len()).nodes;
+    let nodes = BvhSize::recommended(boxes.len()).nodes;
     hold.against_hierarchy(if nodes == 0 { 0 } else { 1 + rays.len() % nodes });
     let items = boxes.iter().filter(|aabb| **aabb != Aabb::EMPTY).count();
-    let (grid, octree) = (GridRoom::comfortable(boxes), OctreeRoom::comfortable(boxes.len()));
+    let (grid, octree) = (GridSize::recommended(boxes), OctreeSize::recommended(boxes.len()));
     hold.against_subdivisions::<64>(grid, octree);
-    hold.against_subdivisions::<0>(GridRoom { cells: 2, items }, OctreeRoom { nodes: 1, items });
+    hold.against_subdivisions::<0>(
+        GridSize { cells: 2, entries: items },
+        OctreeSize { nodes: 1, entries: items },
+    );
     let mut any = |floor: usize, most: usize| floor + random.below((most - floor + 1) as u32) as usize;
     hold.against_subdivisions::<1>(
-        GridRoom { cells: any(2, grid.cells), items: any(items, grid.items) },
-        OctreeRoom { nodes: any(1, octree.nodes), items: any(items, octree.items) },
+        GridSize { cells: any(2, grid.cells), entries: any(items, grid.entries) },
+        OctreeSize { nodes: any(1, octree.nodes), entries: any(items, octree.entries) },
     );
     hold.against_subdivisions::<8>(
-        GridRoom { cells: grid.cells, items: any(items, grid.items) },
-        OctreeRoom { nodes: octree.nodes, items: any(items, octree.items) },
+        GridSize { cells: grid.cells, entries: any(items, grid.entries) },
+        OctreeSize { nodes: octree.nodes, entries: any(items, octree.entries) },
     );
 
     let boxed = World::new(stage.scene(), boxed);
@@ -181,8 +185,8 @@ fn a_thing_that_moves_is_met_like_one_that_stands_where_it_is() {
         for _ in 0..10 {
             let ray = random_ray(4.0, &mut random);
             let ray = Ray::new(exact(ray.origin), ray.direction).at_time(0.25);
-            let world = World::new(moves.scene(), List::bare(1));
-            let truth = World::new(stands.scene(), List::bare(1));
+            let world = World::new(moves.scene(), List::without_bounds(1));
+            let truth = World::new(stands.scene(), List::without_bounds(1));
             let (hit, want) = (nearest(&world, &ray, Real::MAX), nearest(&truth, &ray, Real::MAX));
             // The box of the one that stands is tighter: so a few grazing hits may differ.
             if let (Some(hit), Some(want)) = (hit, want) {
@@ -230,11 +234,11 @@ fn the_nearest_of_all_is_the_nearest_of_each_alone() {
             stage
         })
         .collect();
-    let all = World::new(stage.scene(), List::bare(stage.len()));
+    let all = World::new(stage.scene(), List::without_bounds(stage.len()));
     for _ in 0..2_000 {
         let ray = random_ray(4.0, &mut random);
         let hits = alone.iter().zip(0..).filter_map(|(stage, number)| {
-            let hit = nearest(&World::new(stage.scene(), List::bare(1)), &ray, Real::MAX)?;
+            let hit = nearest(&World::new(stage.scene(), List::without_bounds(1)), &ray, Real::MAX)?;
             Some(Hit { item: ItemId(number), ..hit })
         });
         let first = hits.min_by(|a, b| (a.t, a.item).partial_cmp(&(b.t, b.item)).unwrap());
@@ -350,7 +354,7 @@ fn a_ray_along_an_axis_through_a_raster_of_boxes_meets_the_first_of_its_row() {
     let mut random = Random::new(SEED + 6);
     assert_eq!(all_agree(&stage, &rays, &mut random), rays.len());
     // On paper: the row of boxes numbers 4 (y + 4 z), of two boxes beside a wall the lower one.
-    let world = World::new(stage.scene(), List::bare(64));
+    let world = World::new(stage.scene(), List::without_bounds(64));
     for (y, z, row) in
         [(0.5, 0.5, 0), (1.5, 2.5, 4 * (1 + 4 * 2)), (1.0, 0.5, 0), (4.0, 4.0, 60), (2.0, 3.0, 36)]
     {
@@ -364,7 +368,7 @@ fn a_hit_at_the_very_reach_counts_and_one_beyond_does_not() {
     let mut stage = Stage::new();
     stage.sphere(vec3(0.0, 0.0, -5.0), 1.0);
     stage.plane(vec3(0.0, 0.0, -7.0), Vec3::Z);
-    let world = World::new(stage.scene(), List::bare(2));
+    let world = World::new(stage.scene(), List::without_bounds(2));
     let ray = Ray::new(Vec3::ZERO, -Vec3::Z);
     for (reach, item) in
         [(4.0, Some(0)), (4.0_f32.next_down(), None), (100.0, Some(0)), (0.0, None), (-1.0, None)]
@@ -379,32 +383,35 @@ fn a_hit_at_the_very_reach_counts_and_one_beyond_does_not() {
 fn an_empty_scene_is_met_by_nothing() {
     let stage = Stage::new();
     assert_eq!(all_agree(&stage, &[Ray::new(Vec3::ZERO, Vec3::X)], &mut Random::new(SEED + 7)), 0);
-    assert_eq!(groups_of(0), 0);
-    assert!(List::boxed(&[], &mut []).is_ok_and(|list| list.bytes() == 0));
+    assert_eq!(group_count(0), 0);
+    assert!(List::with_boxes(&[], &mut []).is_ok_and(|list| list.size_in_bytes() == 0));
 }
 
 #[test]
 fn too_few_groups_are_refused_with_the_numbers_to_act_on() {
     for (items, needed) in [(1, 1), (16, 1), (17, 2), (32, 2), (33, 3), (1000, 63)] {
-        assert_eq!(groups_of(items), needed);
+        assert_eq!(group_count(items), needed);
         let boxes = vec![Aabb { min: Vec3::ZERO, max: Vec3::ONE }; items];
         let mut groups = vec![Aabb::EMPTY; needed + 1];
         for lent in 0..needed {
-            let error = List::boxed(&boxes, &mut groups[..lent]).unwrap_err();
-            assert_eq!(error, BuildError::StorageTooSmall { what: Storage::Groups, needed, lent });
+            let error = List::with_boxes(&boxes, &mut groups[..lent]).unwrap_err();
+            assert_eq!(
+                error,
+                BuildError::BufferTooSmall { buffer: Buffer::GroupBounds, needed, provided: lent }
+            );
             assert_eq!(error.to_string(), format!("{needed} groups needed, {lent} lent"));
         }
         let mut balls = vec![Ball::EMPTY; items];
-        let error = List::balled(&boxes, &mut balls[1..], &mut []).unwrap_err();
+        let error = List::with_spheres(&boxes, &mut balls[1..], &mut []).unwrap_err();
         assert_eq!(
             error,
-            BuildError::StorageTooSmall { what: Storage::Boxes, needed: items, lent: items - 1 }
+            BuildError::BufferTooSmall { buffer: Buffer::ItemBounds, needed: items, provided: items - 1 }
         );
-        let error = List::balled(&boxes, &mut balls, &mut []).unwrap_err();
-        assert_eq!(error, BuildError::StorageTooSmall { what: Storage::Groups, needed, lent: 0 });
+        let error = List::with_spheres(&boxes, &mut balls, &mut []).unwrap_err();
+        assert_eq!(error, BuildError::BufferTooSmall { buffer: Buffer::GroupBounds, needed, provided: 0 });
         for lent in [needed, needed + 1] {
-            let list = List::boxed(&boxes, &mut groups[..lent]).unwrap();
-            assert_eq!(list.bytes(), (items + needed) * size_of::<Aabb>());
+            let list = List::with_boxes(&boxes, &mut groups[..lent]).unwrap();
+            assert_eq!(list.size_in_bytes(), (items + needed) * size_of::<Aabb>());
         }
     }
 }
@@ -419,11 +426,12 @@ fn boxes_save_tests_of_shapes_and_groups_save_tests_of_boxes() {
         stage.thing(&Thing::random(Kind::Sphere, place, 0.5, &mut random));
     }
     let boxes = stage.boxes();
-    let mut groups = vec![Aabb::EMPTY; groups_of(boxes.len())];
-    let boxed = World::new(stage.scene(), List::boxed(&boxes, &mut groups).unwrap());
-    let (mut balls, mut round) = (vec![Ball::EMPTY; boxes.len()], vec![Ball::EMPTY; groups_of(boxes.len())]);
-    let balled = World::new(stage.scene(), List::balled(&boxes, &mut balls, &mut round).unwrap());
-    let bare = World::new(stage.scene(), List::bare(stage.len()));
+    let mut groups = vec![Aabb::EMPTY; group_count(boxes.len())];
+    let boxed = World::new(stage.scene(), List::with_boxes(&boxes, &mut groups).unwrap());
+    let (mut balls, mut round) =
+        (vec![Ball::EMPTY; boxes.len()], vec![Ball::EMPTY; group_count(boxes.len())]);
+    let balled = World::new(stage.scene(), List::with_spheres(&boxes, &mut balls, &mut round).unwrap());
+    let bare = World::new(stage.scene(), List::without_bounds(stage.len()));
     let rays: Vec<Ray> = (0..100)
         .map(|_| {
             let origin = random.near(vector(0.0, 100.0, 0.0), 50.0);

@@ -4,7 +4,7 @@ use std::cell::Cell;
 
 use proptest::prelude::*;
 use proptest::test_runner::{Config, RngAlgorithm, TestRng, TestRunner};
-use strahl_core::{BvhRoom, GridRoom, OctreeRoom, Ray, Real, Vec3, vec3};
+use strahl_core::{BvhSize, GridSize, OctreeSize, Ray, Real, Vec3, vec3};
 use strahl_tests::Random;
 use strahl_tests::single::Stage;
 
@@ -90,17 +90,17 @@ fn in_any_scene_every_ray_is_answered_as_by_the_list() {
             let random = &mut Random::new(seed);
             let hold = Hold::new(&stage, &rays, random);
             let (items, boxes) = (stage.len() as usize, &hold.boxes);
-            let (grid, octree) = (GridRoom::comfortable(boxes), OctreeRoom::comfortable(items));
+            let (grid, octree) = (GridSize::recommended(boxes), OctreeSize::recommended(items));
             let mut any =
                 |floor: usize, most: usize| floor + random.below((most - floor + 1) as u32) as usize;
-            let coarse = GridRoom { cells: any(2, grid.cells), items: grid.items };
-            let shallow = OctreeRoom { nodes: any(1, octree.nodes), items: octree.items };
+            let coarse = GridSize { cells: any(2, grid.cells), entries: grid.entries };
+            let shallow = OctreeSize { nodes: any(1, octree.nodes), entries: octree.entries };
             hits.set(hits.get() + hold.hits());
             hold.against_subdivisions::<8>(grid, octree);
             hold.against_subdivisions::<0>(coarse, shallow);
             hold.against_subdivisions::<1>(grid, shallow);
             hold.against_subdivisions::<64>(coarse, octree);
-            hold.against_hierarchy(BvhRoom::comfortable(items).nodes);
+            hold.against_hierarchy(BvhSize::recommended(items).nodes);
             Ok(())
         })
         .unwrap_or_else(|fault| panic!("{fault}"));

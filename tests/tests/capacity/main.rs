@@ -128,7 +128,7 @@ fn the_core_asks_for_no_memory() {
     // The caller brings all of it.
     let stage = fair();
     let boxes = stage.boxes();
-    let mut groups = vec![Aabb::EMPTY; groups_of(boxes.len())];
+    let mut groups = vec![Aabb::EMPTY; group_count(boxes.len())];
     let size = size(24, 16);
     let tile = Tile::whole(size);
     let mut colors = vec![Rgb::BLACK; tile.len()];
@@ -139,7 +139,7 @@ fn the_core_asks_for_no_memory() {
 
     assert_eq!(allocations(|| drop(std::hint::black_box(Box::new(1)))), 1, "the count counts");
     let asked = allocations(|| {
-        let boxed = List::boxed(&boxes, &mut groups).unwrap();
+        let boxed = List::with_boxes(&boxes, &mut groups).unwrap();
         let world = World::new(Scene::new(stage.parts()).unwrap(), boxed);
         let camera = Camera::new(&VIEW, size).unwrap();
         let tracer = Tracer::<_, Everything, 5>::new(&world, camera, Limits::DEFAULT).unwrap();

@@ -262,7 +262,7 @@ fn a_point_out_of_focus_is_a_disc_of_confusion() {
         let projection =
             Projection::Lens { angle: angle as Real, radius: radius as Real, focus: focus as Real };
         let view = View { from: Vec3::ZERO, at: -Vec3::Z, up: Vec3::Y, projection };
-        let world = World::new(stage.scene(), List::bare(1));
+        let world = World::new(stage.scene(), List::without_bounds(1));
         let camera = Camera::new(&view, size).unwrap();
         let tracer = Tracer::<_, Everything, 1>::new(&world, camera, levels(1)).unwrap();
         let (mut light, mut second) = (0.0, 0.0);

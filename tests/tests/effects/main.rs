@@ -14,8 +14,8 @@ use strahl::session;
 use strahl::stock::single::{Stock, view};
 use strahl::wanted::Wanted;
 use strahl_core::{
-    Bare, Camera, Counters, EffectSet, Effects, Everything, LightSet, Limits, RayKind, Rgb, ShapeSet, Size,
-    Stochastic, TextureSet, Tile, Tracer, Worker, World, render,
+    BareList, Camera, Counters, EffectSet, Effects, Everything, LightSet, Limits, RayKind, Rgb, ShapeSet,
+    Size, Stochastic, TextureSet, Tile, Tracer, Worker, World, render,
 };
 
 const SIZE: Size = Size::new(48, 36).unwrap();
@@ -79,7 +79,7 @@ tracers! {
 fn seen_by<E: Effects>(description: &Description) -> Vec<u32> {
     let stock = Stock::new(description);
     let scene = stock.scene().unwrap();
-    let world = World::new(scene, Bare(scene.parts().made_of.len() as u32));
+    let world = World::new(scene, BareList(scene.parts().made_of.len() as u32));
     let camera = Camera::new(&view(&description.view), SIZE).unwrap();
     let tracer = Tracer::<_, E, 5>::new(&world, camera, Limits::DEFAULT).unwrap();
     let mut bits = Vec::new();

@@ -1,8 +1,8 @@
 //! Every accelerator answers every hard ray like the list, to the last bit.
 
 use strahl_core::{
-    Accelerator, Bvh, BvhRoom, Everything, Grid, GridRoom, Hit, LastFirst, List, NearestFirst, Node, Octree,
-    OctreeNode, OctreeRoom, Ray, RayKind, Real, Slot, Vec3, World, vec3,
+    Accelerator, Bvh, BvhNode, BvhSize, Everything, Grid, GridSize, Hit, LeafEntry, List, Octree, OctreeNode,
+    OctreeSize, Ray, RayKind, Real, TraversalHeap, TraversalStack, Vec3, World, vec3,
 };
 use strahl_tests::hard::{Case, cases};
 use strahl_tests::single::Stage;
@@ -34,24 +34,24 @@ fn hold(about: &str, aims: &[(Thing, Vec<Line>)]) -> usize {
     aims.iter().for_each(|(thing, _)| _ = stage.thing(thing));
     let rays: Vec<Ray> = aims.iter().flat_map(|(_, lines)| lines).map(ray).collect();
     let boxes = stage.boxes();
-    let truth = answers(&stage, List::bare(stage.len()), &rays);
+    let truth = answers(&stage, List::without_bounds(stage.len()), &rays);
     let hold = |name: &str, got: Vec<_>| {
         for ((ray, truth), got) in rays.iter().zip(&truth).zip(&got) {
             assert_eq!(got, truth, "{name}; {about}: {ray:?}");
         }
     };
 
-    let room = BvhRoom::comfortable(boxes.len());
-    let (mut nodes, mut items) = (vec![Node::EMPTY; room.nodes], vec![Slot::EMPTY; room.items]);
-    let tree = Bvh::<LastFirst<64>>::build(&boxes, &mut nodes, &mut items).unwrap();
+    let room = BvhSize::recommended(boxes.len());
+    let (mut nodes, mut items) = (vec![BvhNode::EMPTY; room.nodes], vec![LeafEntry::EMPTY; room.entries]);
+    let tree = Bvh::<TraversalStack<64>>::build(&boxes, &mut nodes, &mut items).unwrap();
     hold("hierarchy by a stack", answers(&stage, tree, &rays));
-    hold("hierarchy by a heap", answers(&stage, tree.walked::<NearestFirst<64>>(), &rays));
-    hold("hierarchy by nothing", answers(&stage, tree.walked::<LastFirst<0>>(), &rays));
-    let room = GridRoom::comfortable(&boxes);
-    let (mut cells, mut items) = (vec![0; room.cells], vec![0; room.items]);
+    hold("hierarchy by a heap", answers(&stage, tree.with_queue::<TraversalHeap<64>>(), &rays));
+    hold("hierarchy by nothing", answers(&stage, tree.with_queue::<TraversalStack<0>>(), &rays));
+    let room = GridSize::recommended(&boxes);
+    let (mut cells, mut items) = (vec![0; room.cells], vec![0; room.entries]);
     hold("grid", answers(&stage, Grid::<8>::build(&boxes, &mut cells, &mut items).unwrap(), &rays));
-    let room = OctreeRoom::comfortable(boxes.len());
-    let (mut nodes, mut items) = (vec![OctreeNode::EMPTY; room.nodes], vec![0; room.items]);
+    let room = OctreeSize::recommended(boxes.len());
+    let (mut nodes, mut items) = (vec![OctreeNode::EMPTY; room.nodes], vec![0; room.entries]);
     hold("octree", answers(&stage, Octree::<8>::build(&boxes, &mut nodes, &mut items).unwrap(), &rays));
     truth.iter().filter(|(hit, _)| hit.is_some()).count()
 }

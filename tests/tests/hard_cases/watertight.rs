@@ -1,8 +1,8 @@
 //! No ray gets through a closed mesh between its triangles.
 
 use strahl_core::{
-    Bvh, BvhRoom, Everything, Geometry, Grid, GridRoom, LastFirst, List, Material, MaterialId, Node, Octree,
-    OctreeNode, OctreeRoom, Parts, Ray, RayKind, Real, Scene, Slot, World, vec3,
+    Bvh, BvhNode, BvhSize, Everything, Geometry, Grid, GridSize, LeafEntry, List, Material, MaterialId,
+    Octree, OctreeNode, OctreeSize, Parts, Ray, RayKind, Real, Scene, TraversalStack, World, vec3,
 };
 use strahl_tests::hard::{Mesh, escapes, odd_crossings};
 use strahl_tests::{Random, Vector, vector};
@@ -90,17 +90,17 @@ fn no_accelerator_lets_a_ray_through() {
             };
         }
 
-        let room = BvhRoom::comfortable(boxes.len());
-        let (mut nodes, mut items) = (vec![Node::EMPTY; room.nodes], vec![Slot::EMPTY; room.items]);
-        hold!("hierarchy", Bvh::<LastFirst<64>>::build(&boxes, &mut nodes, &mut items).unwrap());
-        let room = GridRoom::comfortable(&boxes);
-        let (mut cells, mut items) = (vec![0; room.cells], vec![0; room.items]);
+        let room = BvhSize::recommended(boxes.len());
+        let (mut nodes, mut items) = (vec![BvhNode::EMPTY; room.nodes], vec![LeafEntry::EMPTY; room.entries]);
+        hold!("hierarchy", Bvh::<TraversalStack<64>>::build(&boxes, &mut nodes, &mut items).unwrap());
+        let room = GridSize::recommended(&boxes);
+        let (mut cells, mut items) = (vec![0; room.cells], vec![0; room.entries]);
         hold!("grid", Grid::<64>::build(&boxes, &mut cells, &mut items).unwrap());
-        let room = OctreeRoom::comfortable(boxes.len());
-        let (mut nodes, mut items) = (vec![OctreeNode::EMPTY; room.nodes], vec![0; room.items]);
+        let room = OctreeSize::recommended(boxes.len());
+        let (mut nodes, mut items) = (vec![OctreeNode::EMPTY; room.nodes], vec![0; room.entries]);
         hold!("octree", Octree::<64>::build(&boxes, &mut nodes, &mut items).unwrap());
         // The list takes each of thousands of triangles: some rays are enough.
-        let world = World::new(scene, List::bare(shapes.len() as u32));
+        let world = World::new(scene, List::without_bounds(shapes.len() as u32));
         for (ray, truth) in rays.iter().zip(&truth).take(100) {
             let hit = world.nearest::<Everything, _>(ray, Real::MAX, RayKind::Camera, &mut (), &mut ());
             assert_eq!(hit, *truth, "{name}, list: {ray:?}");

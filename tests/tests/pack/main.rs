@@ -114,17 +114,17 @@ fn baked(scene: Scene<'_>, finder: Finder<'_>) -> Vec<u8> {
 /// The four ways to find an item, each baked.
 fn every_pack(stage: &Stage) -> Vec<Vec<u8>> {
     let boxes = stage.boxes();
-    let room = GridRoom::comfortable(&boxes);
-    let (mut cells, mut entries) = (vec![0; room.cells], vec![0; room.items]);
+    let room = GridSize::recommended(&boxes);
+    let (mut cells, mut entries) = (vec![0; room.cells], vec![0; room.entries]);
     let grid = Grid::build(&boxes, &mut cells, &mut entries).unwrap();
-    let room = OctreeRoom::comfortable(boxes.len());
-    let (mut octants, mut listed) = (vec![OctreeNode::EMPTY; room.nodes], vec![0; room.items]);
+    let room = OctreeSize::recommended(boxes.len());
+    let (mut octants, mut listed) = (vec![OctreeNode::EMPTY; room.nodes], vec![0; room.entries]);
     let octree = Octree::build(&boxes, &mut octants, &mut listed).unwrap();
-    let room = BvhRoom::comfortable(boxes.len());
-    let (mut nodes, mut items) = (vec![Node::EMPTY; room.nodes], vec![Slot::EMPTY; room.items]);
+    let room = BvhSize::recommended(boxes.len());
+    let (mut nodes, mut items) = (vec![BvhNode::EMPTY; room.nodes], vec![LeafEntry::EMPTY; room.entries]);
     let bvh = Bvh::build(&boxes, &mut nodes, &mut items).unwrap();
     let finders =
-        [Finder::Bare(Bare(stage.len())), Finder::Grid(grid), Finder::Octree(octree), Finder::Bvh(bvh)];
+        [Finder::Bare(BareList(stage.len())), Finder::Grid(grid), Finder::Octree(octree), Finder::Bvh(bvh)];
     finders.into_iter().map(|finder| baked(stage.scene(), finder)).collect()
 }
 
@@ -146,6 +146,6 @@ fn picture_of(pack: &Pack<'_>) -> Result<Vec<[u32; 3]>, PackError> {
         Finder::Bare(bare) => picture(scene, bare, camera),
         Finder::Grid(grid) => picture(scene, grid.with_mailbox::<8>(), camera),
         Finder::Octree(octree) => picture(scene, octree.with_mailbox::<8>(), camera),
-        Finder::Bvh(bvh) => picture(scene, bvh.walked::<LastFirst<16>>(), camera),
+        Finder::Bvh(bvh) => picture(scene, bvh.with_queue::<TraversalStack<16>>(), camera),
     })
 }

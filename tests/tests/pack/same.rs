@@ -22,7 +22,7 @@ fn a_baked_scene_is_opened_as_it_was() {
 fn a_baked_scene_has_the_same_picture_bit_for_bit() {
     let stage = fair();
     let camera = Camera::new(&VIEW, SIZE).unwrap();
-    let truth = picture(stage.scene(), List::bare(stage.len()), camera);
+    let truth = picture(stage.scene(), List::without_bounds(stage.len()), camera);
     for bytes in every_pack(&stage) {
         let aligned = Aligned::of(&bytes);
         let pack = Pack::open(aligned.bytes()).unwrap();

@@ -4,36 +4,38 @@ use core::iter::from_fn;
 use core::marker::PhantomData;
 
 use super::Bvh;
-use super::node::{Node, NodeRef, PackedNodeRef, Slot};
+use super::node::{BvhNode, LeafEntry, NodeRef, PackedNodeRef};
 use super::top_down::{BuiltTree, build_top_down};
-use crate::accel::{BuildError, BvhRoom, Run, Storage};
+use crate::accel::{Buffer, BuildError, BvhSize, TriangleBlock};
 use crate::geometry::{Aabb, Geometry, ItemId};
 
-/// A finished tree whose leaves are not laid out yet: [`Grown::singly`] keeps single entries,
-/// [`Grown::in_runs`] makes blocks of triangles.
+/// A finished tree whose leaves are not laid out yet: [`BvhBuilder::into_bvh`] keeps single entries,
+/// [`BvhBuilder::into_bvh_with_blocks`] makes blocks of triangles.
 #[derive(Debug)]
-pub struct Grown<'s> {
-    nodes: &'s mut [Node],
-    entries: &'s mut [Slot],
+pub struct BvhBuilder<'s> {
+    nodes: &'s mut [BvhNode],
+    entries: &'s mut [LeafEntry],
     depth: u32,
 }
 
 /// How the items of a leaf are stored and tested.
 #[derive(Clone, Copy, Debug)]
-pub enum Leaves<'g> {
-    /// As single [`Slot`]s, tested one after the other.
-    Singly,
-    /// In [`Run`]s, whose triangles are tested four at a time. The geometry tells triangles from other
-    /// shapes.
-    Runs(&'g Geometry<'g>),
+pub enum LeafLayout<'g> {
+    /// As single [`LeafEntry`]s, tested one after the other.
+    Entries,
+    /// In [`TriangleBlock`]s, whose triangles are tested four at a time. The geometry tells triangles from
+    /// other shapes.
+    TriangleBlocks(&'g Geometry<'g>),
 }
 
-impl Leaves<'_> {
+impl LeafLayout<'_> {
     /// Whether an item is tested together with others of its leaf.
     fn puts_in_block(self, item: ItemId) -> bool {
         match self {
-            Leaves::Singly => false,
-            Leaves::Runs(geometry) => geometry.shape(item).is_some_and(|shape| shape.is_triangle()),
+            LeafLayout::Entries => false,
+            LeafLayout::TriangleBlocks(geometry) => {
+                geometry.shape(item).is_some_and(|shape| shape.is_triangle())
+            }
         }
     }
 }
@@ -42,81 +44,81 @@ impl<'s, Queue> Bvh<'s, Queue> {
     /// Builds the hierarchy of the items with these bounds.
     ///
     /// `bounds`: one box per item; items with an empty box are left out. `nodes` and `entries`:
-    /// caller-provided buffers of the sizes of [`BvhRoom::comfortable`]. With fewer nodes, leaves are larger;
+    /// caller-provided buffers of the sizes of [`BvhSize::recommended`]. With fewer nodes, leaves are larger;
     /// at least one is needed unless all boxes are empty. One entry per item is needed.
     ///
     /// # Errors
     ///
-    /// * [`BuildError::StorageTooSmall`] for `nodes` or `entries`.
+    /// * [`BuildError::BufferTooSmall`] for `nodes` or `entries`.
     /// * [`BuildError::NotFinite`] for a box that is not finite.
     pub fn build(
         bounds: &[Aabb],
-        nodes: &'s mut [Node],
-        entries: &'s mut [Slot],
+        nodes: &'s mut [BvhNode],
+        entries: &'s mut [LeafEntry],
     ) -> Result<Self, BuildError> {
-        Grown::build(bounds, Leaves::Singly, nodes, entries).map(Grown::singly)
+        BvhBuilder::new(bounds, LeafLayout::Entries, nodes, entries).map(BvhBuilder::into_bvh)
     }
 }
 
-impl<'s> Grown<'s> {
+impl<'s> BvhBuilder<'s> {
     /// Builds the tree as [`Bvh::build`] does, for leaves with this layout: the layout determines which
     /// splits are expected to be cheap.
     ///
     /// # Errors
     ///
     /// Those of [`Bvh::build`].
-    pub fn build(
+    pub fn new(
         bounds: &[Aabb],
-        layout: Leaves<'_>,
-        nodes: &'s mut [Node],
-        entries: &'s mut [Slot],
+        layout: LeafLayout<'_>,
+        nodes: &'s mut [BvhNode],
+        entries: &'s mut [LeafEntry],
     ) -> Result<Self, BuildError> {
         let bounded_count = count_bounded(bounds)?;
         let min_nodes = usize::from(bounded_count > 0);
         if nodes.len() < min_nodes {
-            return Err(too_small(Storage::Nodes, min_nodes, nodes.len()));
+            return Err(too_small(Buffer::Nodes, min_nodes, nodes.len()));
         }
         let provided = entries.len();
         let entries =
-            entries.get_mut(..bounded_count).ok_or(too_small(Storage::Items, bounded_count, provided))?;
+            entries.get_mut(..bounded_count).ok_or(too_small(Buffer::Entries, bounded_count, provided))?;
         for (entry, item) in entries.iter_mut().zip(bounded_items(bounds)) {
-            *entry = Slot::new(item, layout.puts_in_block(item));
+            *entry = LeafEntry::new(item, layout.puts_in_block(item));
         }
 
-        let recommended = BvhRoom::comfortable(bounded_count).nodes;
+        let recommended = BvhSize::recommended(bounded_count).nodes;
         let node_budget = if recommended < nodes.len() { recommended } else { nodes.len() };
         let BuiltTree { nodes, entries, depth } = build_top_down(bounds, nodes, entries, node_budget as u32);
         set_skip_links(nodes);
-        Ok(Grown { nodes, entries, depth })
+        Ok(BvhBuilder { nodes, entries, depth })
     }
 
     /// The hierarchy with single entries as leaf elements.
-    pub fn singly<Queue>(self) -> Bvh<'s, Queue> {
-        let Grown { nodes, entries, depth } = self;
+    pub fn into_bvh<Queue>(self) -> Bvh<'s, Queue> {
+        let BvhBuilder { nodes, entries, depth } = self;
         Bvh { nodes, leaf_elements: entries, depth, queue: PhantomData }
     }
 
-    /// Number of blocks that [`Grown::in_runs`] needs.
-    pub fn runs(&self) -> usize {
-        split_leaves(self.entries).map(|leaf| leaf.len().div_ceil(Run::ITEMS)).sum()
+    /// Number of blocks that [`BvhBuilder::into_bvh_with_blocks`] needs.
+    pub fn block_count(&self) -> usize {
+        split_leaves(self.entries).map(|leaf| leaf.len().div_ceil(TriangleBlock::CAPACITY)).sum()
     }
 
     /// The hierarchy with blocks as leaf elements.
     ///
     /// `geometry`: the one that the bounds were computed from. `blocks`: caller-provided buffer, at least
-    /// [`Grown::runs`] long.
+    /// [`BvhBuilder::block_count`] long.
     ///
     /// # Errors
     ///
-    /// [`BuildError::StorageTooSmall`] for `blocks`.
-    pub fn in_runs<Queue>(
+    /// [`BuildError::BufferTooSmall`] for `blocks`.
+    pub fn into_bvh_with_blocks<Queue>(
         self,
         geometry: &Geometry<'_>,
-        blocks: &'s mut [Run],
-    ) -> Result<Bvh<'s, Queue, Run>, BuildError> {
-        let (needed, provided) = (self.runs(), blocks.len());
-        let Grown { nodes, entries, depth } = self;
-        let blocks = blocks.get_mut(..needed).ok_or(too_small(Storage::Runs, needed, provided))?;
+        blocks: &'s mut [TriangleBlock],
+    ) -> Result<Bvh<'s, Queue, TriangleBlock>, BuildError> {
+        let (needed, provided) = (self.block_count(), blocks.len());
+        let BvhBuilder { nodes, entries, depth } = self;
+        let blocks = blocks.get_mut(..needed).ok_or(too_small(Buffer::TriangleBlocks, needed, provided))?;
         let (mut block_count, mut unused) = (0, blocks.iter_mut());
         // In the order of the nodes, so that leaves visited together are near each other in memory.
         for node in nodes.iter_mut() {
@@ -127,13 +129,13 @@ impl<'s> Grown<'s> {
                     continue;
                 };
                 node.set_child(child, PackedNodeRef::leaf(block_count));
-                let chunks = leaf.chunks(Run::ITEMS);
+                let chunks = leaf.chunks(TriangleBlock::CAPACITY);
                 let mut blocks_left = chunks.len();
                 for (chunk, block) in chunks.zip(&mut unused) {
                     blocks_left -= 1;
                     block_count += 1;
                     let items = chunk.iter().map(|entry| entry.item());
-                    *block = Run::new(geometry, items, blocks_left > 0);
+                    *block = TriangleBlock::new(geometry, items, blocks_left > 0);
                 }
             }
         }
@@ -141,12 +143,12 @@ impl<'s> Grown<'s> {
     }
 }
 
-const fn too_small(what: Storage, needed: usize, lent: usize) -> BuildError {
-    BuildError::StorageTooSmall { what, needed, lent }
+const fn too_small(buffer: Buffer, needed: usize, provided: usize) -> BuildError {
+    BuildError::BufferTooSmall { buffer, needed, provided }
 }
 
 /// The entries of one leaf after the other.
-fn split_leaves(entries: &[Slot]) -> impl Iterator<Item = &[Slot]> {
+fn split_leaves(entries: &[LeafEntry]) -> impl Iterator<Item = &[LeafEntry]> {
     let mut rest = entries;
     from_fn(move || {
         let (leaf, others) = rest.split_at_checked(rest.iter().position(|entry| entry.is_last())? + 1)?;
@@ -157,8 +159,8 @@ fn split_leaves(entries: &[Slot]) -> impl Iterator<Item = &[Slot]> {
 
 /// Number of items whose bounds are not empty.
 fn count_bounded(bounds: &[Aabb]) -> Result<usize, BuildError> {
-    if bounds.len() > Slot::MAX_ITEMS {
-        return Err(too_small(Storage::Items, bounds.len(), Slot::MAX_ITEMS));
+    if bounds.len() > LeafEntry::MAX_ITEMS {
+        return Err(too_small(Buffer::Entries, bounds.len(), LeafEntry::MAX_ITEMS));
     }
     let mut count = 0;
     for (aabb, index) in bounds.iter().zip(0..).filter(|(aabb, _)| !aabb.is_empty()) {
@@ -176,10 +178,10 @@ fn bounded_items(bounds: &[Aabb]) -> impl Iterator<Item = ItemId> + '_ {
 }
 
 /// Sets the skip link of every node, from the last to the first.
-fn set_skip_links(nodes: &mut [Node]) {
+fn set_skip_links(nodes: &mut [BvhNode]) {
     for index in (0..nodes.len()).rev() {
         let skip_link_of = |child: PackedNodeRef| match child.unpack() {
-            NodeRef::Inner(inner) => nodes.get(inner as usize).map(Node::skip_link),
+            NodeRef::Inner(inner) => nodes.get(inner as usize).map(BvhNode::skip_link),
             NodeRef::Leaf(_) | NodeRef::Item(_) => None,
         };
         let Some(node) = nodes.get(index) else { continue };

@@ -2,11 +2,11 @@
 
 use core::ops::ControlFlow;
 
-use super::node::Slot;
-use crate::accel::{Query, Run};
+use super::node::LeafEntry;
+use crate::accel::{Query, TriangleBlock};
 
 /// An element of a leaf. The elements of a leaf are consecutive; the last one is marked.
-pub trait Leaf: Copy {
+pub trait LeafElement: Copy {
     /// Passes its items to `query`.
     fn test_items<Q: Query>(&self, query: &mut Q) -> ControlFlow<()>;
 
@@ -17,15 +17,15 @@ pub trait Leaf: Copy {
     fn item_count(&self) -> usize;
 }
 
-impl Leaf for Slot {
+impl LeafElement for LeafEntry {
     #[inline(always)]
     fn test_items<Q: Query>(&self, query: &mut Q) -> ControlFlow<()> {
-        query.test(self.item())
+        query.test_item(self.item())
     }
 
     #[inline(always)]
     fn is_last(&self) -> bool {
-        Slot::is_last(*self)
+        LeafEntry::is_last(*self)
     }
 
     fn item_count(&self) -> usize {
@@ -33,10 +33,10 @@ impl Leaf for Slot {
     }
 }
 
-impl Leaf for Run {
+impl LeafElement for TriangleBlock {
     #[inline(always)]
     fn test_items<Q: Query>(&self, query: &mut Q) -> ControlFlow<()> {
-        query.run(self)
+        query.test_block(self)
     }
 
     #[inline(always)]

@@ -5,12 +5,12 @@
 //! one visit tests all of them. Traversal continues with the nearest child, queues the others, and ends when
 //! all queued nodes begin beyond `t_max`.
 //!
-//! The queue is a type parameter. [`NearestFirst`] is a heap: of all pending nodes the nearest comes first.
-//! [`LastFirst`] is a stack: cheaper, and it visits hardly more nodes, because the nearest child of a node is
-//! not queued. Both have a fixed capacity. When a queue is full, the subtree that does not fit is traversed
-//! at once in the order of storage, by skip links, which needs no memory: nodes are stored depth first, and
-//! each has the index of the first node after its subtree. A smaller capacity makes a traversal slower and
-//! never changes the result.
+//! The queue is a type parameter. [`TraversalHeap`] is a heap: of all pending nodes the nearest comes first.
+//! [`TraversalStack`] is a stack: cheaper, and it visits hardly more nodes, because the nearest child of a
+//! node is not queued. Both have a fixed capacity. When a queue is full, the subtree that does not fit is
+//! traversed at once in the order of storage, by skip links, which needs no memory: nodes are stored depth
+//! first, and each has the index of the first node after its subtree. A smaller capacity makes a traversal
+//! slower and never changes the result.
 //!
 //! Sources: Kay and Kajiya, "Ray Tracing Complex Scenes", SIGGRAPH 1986 (heap); Smits, "Efficiency Issues for
 //! Ray Tracing", JGT 3(2), 1998 (skip links); those of the construction are in its modules.
@@ -25,29 +25,29 @@ mod split;
 mod top_down;
 mod traverse;
 
-pub use build::{Grown, Leaves};
-pub use leaf::Leaf;
-pub use node::{Node, Slot};
+pub use build::{BvhBuilder, LeafLayout};
+pub use leaf::LeafElement;
+pub use node::{BvhNode, LeafEntry};
 #[cfg(not(feature = "double"))]
 pub(crate) use parts::BvhParts;
-pub use queue::{LastFirst, NearestFirst, Waiting};
+pub use queue::{TraversalHeap, TraversalQueue, TraversalStack};
 
 use core::marker::PhantomData;
 
 use node::NodeRef;
 
-/// A bounding volume hierarchy with a traversal queue of type `Queue`. Its leaves consist of [`Slot`]s
-/// (single items) or of [`Run`]s.
+/// A bounding volume hierarchy with a traversal queue of type `Queue`. Its leaves consist of [`LeafEntry`]s
+/// (single items) or of [`TriangleBlock`]s.
 ///
-/// * Memory, in single precision: 128 bytes per [`Node`]; in leaves, 4 bytes per item or 164 bytes per [`Run`].
-///   A leaf of one item that is in no block is stored in its node.
+/// * Memory, in single precision: 128 bytes per [`BvhNode`]; in leaves, 4 bytes per item or 164 bytes per
+///   [`TriangleBlock`]. A leaf of one item that is in no block is stored in its node.
 /// * A scene without bounded items has no node; its traversal tests nothing.
 ///
-/// [`Run`]: super::Run
+/// [`TriangleBlock`]: super::TriangleBlock
 #[derive(Debug)]
-pub struct Bvh<'s, Queue, Element = Slot> {
+pub struct Bvh<'s, Queue, Element = LeafEntry> {
     /// In depth-first order.
-    nodes: &'s [Node],
+    nodes: &'s [BvhNode],
     /// The elements of the leaves that are not stored in their node, one leaf after the other.
     leaf_elements: &'s [Element],
     /// Number of edges from the root to the deepest leaf.
@@ -63,32 +63,32 @@ impl<Queue, Element> Clone for Bvh<'_, Queue, Element> {
 
 impl<Queue, Element> Copy for Bvh<'_, Queue, Element> {}
 
-impl<'s, Queue, Element: Leaf> Bvh<'s, Queue, Element> {
+impl<'s, Queue, Element: LeafElement> Bvh<'s, Queue, Element> {
     /// Size of all buffers that it uses, in bytes.
-    pub const fn bytes(&self) -> usize {
+    pub const fn size_in_bytes(&self) -> usize {
         size_of_val(self.nodes) + size_of_val(self.leaf_elements)
     }
 
     /// The same hierarchy with another traversal queue.
-    pub const fn walked<OtherQueue>(self) -> Bvh<'s, OtherQueue, Element> {
+    pub const fn with_queue<OtherQueue>(self) -> Bvh<'s, OtherQueue, Element> {
         let Bvh { nodes, leaf_elements, depth, .. } = self;
         Bvh { nodes, leaf_elements, depth, queue: PhantomData }
     }
 
     /// Number of leaves.
-    pub fn regions(&self) -> usize {
+    pub fn leaf_count(&self) -> usize {
         self.single_item_leaf_count() + self.leaf_elements.iter().filter(|element| element.is_last()).count()
     }
 
     /// Number of items in all leaves; each item is in exactly one.
-    pub fn entries(&self) -> usize {
+    pub fn entry_count(&self) -> usize {
         let in_elements: usize = self.leaf_elements.iter().map(|element| element.item_count()).sum();
         self.single_item_leaf_count() + in_elements
     }
 
     /// Number of leaves that are a single item and stored in their node.
     fn single_item_leaf_count(&self) -> usize {
-        let children = self.nodes.iter().flat_map(Node::children);
+        let children = self.nodes.iter().flat_map(BvhNode::children);
         children.filter(|child| matches!(child.unpack(), NodeRef::Item(_))).count()
     }
 

@@ -11,7 +11,7 @@ pub(super) const CHILDREN: usize = LANES;
 /// An inner node with up to four children.
 #[derive(Clone, Copy, Debug, PartialEq, TryFromBytes, KnownLayout, Immutable)]
 #[repr(C)]
-pub struct Node {
+pub struct BvhNode {
     /// Per axis, the lower planes and then the upper planes of all children, so that one test serves all of
     /// them. An unused child has the bounds of [`Aabb::EMPTY`], which no ray hits.
     bounds: [[Lanes; 2]; 3],
@@ -23,7 +23,7 @@ pub struct Node {
 }
 
 #[cfg(not(feature = "double"))]
-const _: () = assert!(size_of::<Node>() == 128);
+const _: () = assert!(size_of::<BvhNode>() == 128);
 
 /// A [`NodeRef`] in 32 bits.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, TryFromBytes, KnownLayout, Immutable)]
@@ -41,7 +41,7 @@ pub(super) enum NodeRef {
     Item(ItemId),
 }
 
-/// Of a [`PackedNodeRef`]: set for leaves. Of a [`Slot`]: set for the last item of a leaf.
+/// Of a [`PackedNodeRef`]: set for leaves. Of a [`LeafEntry`]: set for the last item of a leaf.
 const LEAF_BIT: u32 = 1 << 31;
 
 /// Of a [`PackedNodeRef`] with [`LEAF_BIT`]: set if the leaf is a single item.
@@ -74,7 +74,7 @@ impl PackedNodeRef {
     }
 }
 
-/// Of a [`Slot`] during construction: set if the item will be in a block.
+/// Of a [`LeafEntry`] during construction: set if the item will be in a block.
 const BLOCK_BIT: u32 = 1 << 30;
 
 /// An item of a leaf, and whether it is the last one.
@@ -82,11 +82,11 @@ const BLOCK_BIT: u32 = 1 << 30;
 /// Ids have 30 bits; the bit above them is used during construction.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, TryFromBytes, KnownLayout, Immutable)]
 #[repr(transparent)]
-pub struct Slot(u32);
+pub struct LeafEntry(u32);
 
-impl Slot {
+impl LeafEntry {
     /// The initial value for buffers.
-    pub const EMPTY: Slot = Slot(LEAF_BIT);
+    pub const EMPTY: LeafEntry = LeafEntry(LEAF_BIT);
     /// Largest number of items of a hierarchy.
     pub(super) const MAX_ITEMS: usize = BLOCK_BIT as usize;
 
@@ -97,7 +97,7 @@ impl Slot {
     }
 
     pub(super) const fn new(item: ItemId, is_in_block: bool) -> Self {
-        Slot(item.0 & !(LEAF_BIT | BLOCK_BIT) | if is_in_block { BLOCK_BIT } else { 0 })
+        LeafEntry(item.0 & !(LEAF_BIT | BLOCK_BIT) | if is_in_block { BLOCK_BIT } else { 0 })
     }
 
     /// Whether the item will be tested in a block, together with others of its leaf. Valid during
@@ -155,9 +155,9 @@ pub(super) struct BoxHits {
     pub(super) mask: u32,
 }
 
-impl Node {
+impl BvhNode {
     /// A node without children, the initial value for buffers.
-    pub const EMPTY: Node = Node {
+    pub const EMPTY: BvhNode = BvhNode {
         bounds: [[Lanes::splat(Real::INFINITY), Lanes::splat(Real::NEG_INFINITY)]; 3],
         children: [PackedNodeRef::EMPTY; CHILDREN],
         skip_link: 0,
@@ -265,7 +265,7 @@ mod tests {
                 continue;
             }
             let ray = Ray::new(origin, direction);
-            let mut node = Node::EMPTY;
+            let mut node = BvhNode::EMPTY;
             for (aabb, child) in boxes.iter().zip(0..CHILDREN - 1) {
                 node.set_bounds(child, aabb);
             }

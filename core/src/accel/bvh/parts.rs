@@ -3,13 +3,13 @@
 use core::marker::PhantomData;
 
 use super::Bvh;
-use super::node::{Node, NodeRef, PackedNodeRef, Slot};
+use super::node::{BvhNode, LeafEntry, NodeRef, PackedNodeRef};
 
 /// The data of a BVH that a baked scene stores.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct BvhParts<'s> {
-    pub(crate) nodes: &'s [Node],
-    pub(crate) entries: &'s [Slot],
+    pub(crate) nodes: &'s [BvhNode],
+    pub(crate) entries: &'s [LeafEntry],
     pub(crate) depth: u32,
 }
 
@@ -39,13 +39,13 @@ impl<'s, Queue> Bvh<'s, Queue> {
 
 /// Whether the inner children of `nodes[index]` follow it, one subtree after the other, its own skip link is
 /// that of the last one, and its other children refer to existing leaves or to items below `count`.
-fn is_depth_first(parts: &BvhParts<'_>, count: u32, node: &Node, index: u32) -> bool {
+fn is_depth_first(parts: &BvhParts<'_>, count: u32, node: &BvhNode, index: u32) -> bool {
     let BvhParts { nodes, entries, .. } = *parts;
     let index_after = |next: u32, child: PackedNodeRef| match child.unpack() {
         NodeRef::Item(item) => (item.0 < count).then_some(next),
         NodeRef::Leaf(first) => ((first as usize) < entries.len()).then_some(next),
         NodeRef::Inner(inner) if inner == next => {
-            nodes.get(inner as usize).map(Node::skip_link).filter(|skip_link| *skip_link > next)
+            nodes.get(inner as usize).map(BvhNode::skip_link).filter(|skip_link| *skip_link > next)
         }
         NodeRef::Inner(_) => None,
     };

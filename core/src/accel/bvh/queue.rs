@@ -38,7 +38,7 @@ impl PartialEq for PendingNode {
 impl Eq for PendingNode {}
 
 /// A queue of the nodes that a traversal still has to visit, with fixed capacity.
-pub trait Waiting: Default {
+pub trait TraversalQueue: Default {
     /// Removes all nodes.
     fn clear(&mut self);
 
@@ -56,9 +56,9 @@ pub trait Waiting: Default {
 
 /// A stack: the node that was pushed last comes first.
 #[derive(Clone, Debug, Default)]
-pub struct LastFirst<const CAPACITY: usize>(Vec<PendingNode, CAPACITY>);
+pub struct TraversalStack<const CAPACITY: usize>(Vec<PendingNode, CAPACITY>);
 
-impl<const CAPACITY: usize> Waiting for LastFirst<CAPACITY> {
+impl<const CAPACITY: usize> TraversalQueue for TraversalStack<CAPACITY> {
     #[inline(always)]
     fn clear(&mut self) {
         self.0.clear();
@@ -89,9 +89,9 @@ impl<const CAPACITY: usize> Waiting for LastFirst<CAPACITY> {
 
 /// A heap: the nearest node comes first. If it begins beyond `t_max`, so do all others.
 #[derive(Clone, Debug, Default)]
-pub struct NearestFirst<const CAPACITY: usize>(BinaryHeap<PendingNode, Min, CAPACITY>);
+pub struct TraversalHeap<const CAPACITY: usize>(BinaryHeap<PendingNode, Min, CAPACITY>);
 
-impl<const CAPACITY: usize> Waiting for NearestFirst<CAPACITY> {
+impl<const CAPACITY: usize> TraversalQueue for TraversalHeap<CAPACITY> {
     fn clear(&mut self) {
         self.0.clear();
     }

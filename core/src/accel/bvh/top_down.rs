@@ -8,7 +8,7 @@ use core::array;
 
 use heapless::Vec;
 
-use super::node::{CHILDREN, Node, PackedNodeRef, Slot};
+use super::node::{BvhNode, CHILDREN, LeafEntry, PackedNodeRef};
 use super::split::{Split, half_area, split};
 use crate::geometry::Aabb;
 
@@ -23,9 +23,9 @@ const MAX_PENDING: usize = 3 * (EQUAL_COUNTS_DEPTH as usize + 31) + 1;
 /// The result of [`build_top_down`].
 pub(super) struct BuiltTree<'s> {
     /// In depth-first order; skip links are not set.
-    pub(super) nodes: &'s mut [Node],
+    pub(super) nodes: &'s mut [BvhNode],
     /// The entries of the leaves that are not stored in their node, one leaf after the other.
-    pub(super) entries: &'s mut [Slot],
+    pub(super) entries: &'s mut [LeafEntry],
     /// Number of edges from the root to the deepest leaf.
     pub(super) depth: u32,
 }
@@ -35,8 +35,8 @@ pub(super) struct BuiltTree<'s> {
 /// `bounds`: by item index.
 pub(super) fn build_top_down<'s>(
     bounds: &[Aabb],
-    nodes: &'s mut [Node],
-    entries: &'s mut [Slot],
+    nodes: &'s mut [BvhNode],
+    entries: &'s mut [LeafEntry],
     node_budget: u32,
 ) -> BuiltTree<'s> {
     let mut build = TopDownBuild { bounds, nodes, node_count: 0, entries, finished_entries: 0, depth: 0 };
@@ -52,9 +52,9 @@ pub(super) fn build_top_down<'s>(
 /// The state of the construction.
 struct TopDownBuild<'b, 's> {
     bounds: &'b [Aabb],
-    nodes: &'s mut [Node],
+    nodes: &'s mut [BvhNode],
     node_count: u32,
-    entries: &'s mut [Slot],
+    entries: &'s mut [LeafEntry],
     /// Number of entries of finished leaves, which are at the front of `entries`.
     finished_entries: u32,
     depth: u32,
@@ -135,7 +135,7 @@ impl TopDownBuild<'_, '_> {
     /// in the order of their entries.
     fn make_leaf(&mut self, range: ItemRange) -> PackedNodeRef {
         let ItemRange { first, count, .. } = range;
-        let entry_at = |entries: &[Slot], index: u32| entries.get(index as usize).copied();
+        let entry_at = |entries: &[LeafEntry], index: u32| entries.get(index as usize).copied();
         if count == 1
             && let Some(entry) = entry_at(self.entries, first)
             && !entry.is_in_block()
@@ -215,14 +215,14 @@ impl TopDownBuild<'_, '_> {
         ])
     }
 
-    fn entries_of(&mut self, range: ItemRange) -> Option<&mut [Slot]> {
+    fn entries_of(&mut self, range: ItemRange) -> Option<&mut [LeafEntry]> {
         self.entries.get_mut(range.first as usize..)?.get_mut(..range.count as usize)
     }
 
     /// Index of a new, empty node; `None` if the buffer is full.
     fn allocate_node(&mut self) -> Option<u32> {
         let index = self.node_count;
-        *self.nodes.get_mut(index as usize)? = Node::EMPTY;
+        *self.nodes.get_mut(index as usize)? = BvhNode::EMPTY;
         self.node_count += 1;
         Some(index)
     }

@@ -3,22 +3,22 @@
 use core::mem::replace;
 use core::ops::ControlFlow;
 
-use super::node::{BoxHits, CHILDREN, Node, NodeRef, PackedNodeRef, TraversalRay};
-use super::queue::{PendingNode, Waiting};
-use super::{Bvh, Leaf};
+use super::node::{BoxHits, BvhNode, CHILDREN, NodeRef, PackedNodeRef, TraversalRay};
+use super::queue::{PendingNode, TraversalQueue};
+use super::{Bvh, LeafElement};
 use crate::accel::{Accelerator, Query};
 use crate::geometry::{ItemId, Ray};
 
-impl<Queue: Waiting, Element: Leaf> Accelerator for Bvh<'_, Queue, Element> {
+impl<Queue: TraversalQueue, Element: LeafElement> Accelerator for Bvh<'_, Queue, Element> {
     type Scratch = Queue;
 
     #[inline]
-    fn walk<Q: Query>(&self, ray: &Ray, queue: &mut Queue, query: &mut Q) {
+    fn traverse<Q: Query>(&self, ray: &Ray, queue: &mut Queue, query: &mut Q) {
         let (ControlFlow::Continue(()) | ControlFlow::Break(())) = self.traverse_queued(ray, queue, query);
     }
 }
 
-impl<Queue: Waiting, Element: Leaf> Bvh<'_, Queue, Element> {
+impl<Queue: TraversalQueue, Element: LeafElement> Bvh<'_, Queue, Element> {
     #[inline(never)]
     fn traverse_queued<Q: Query>(&self, ray: &Ray, queue: &mut Queue, query: &mut Q) -> ControlFlow<()> {
         let ray = TraversalRay::new(ray);
@@ -36,8 +36,8 @@ impl<Queue: Waiting, Element: Leaf> Bvh<'_, Queue, Element> {
                 }
                 NodeRef::Inner(index) => {
                     let Some(node) = self.nodes.get(index as usize) else { return ControlFlow::Continue(()) };
-                    query.boxes(CHILDREN as u32);
-                    let mut hits = node.intersect(&ray, query.reach());
+                    query.count_box_tests(CHILDREN as u32);
+                    let mut hits = node.intersect(&ray, query.t_max());
                     let mut nearest = hits.take_next(node);
                     while let Some(child) = hits.take_next(node) {
                         let other = match &mut nearest {
@@ -55,7 +55,7 @@ impl<Queue: Waiting, Element: Leaf> Bvh<'_, Queue, Element> {
             };
             let next = match nearest_child {
                 Some(child) => Some(queue.push_pop(child)),
-                None => queue.pop(query.reach()),
+                None => queue.pop(query.t_max()),
             };
             match next {
                 Some(pending) => current = pending.node,
@@ -66,7 +66,7 @@ impl<Queue: Waiting, Element: Leaf> Bvh<'_, Queue, Element> {
 
     #[inline(always)]
     fn visit_leaf<Q: Query>(&self, first: u32, query: &mut Q) -> ControlFlow<()> {
-        query.enter();
+        query.count_leaf_visit();
         for element in self.leaf_elements.get(first as usize..).unwrap_or_default() {
             element.test_items(query)?;
             if element.is_last() {
@@ -89,14 +89,14 @@ impl<Queue: Waiting, Element: Leaf> Bvh<'_, Queue, Element> {
             NodeRef::Leaf(first) => return self.visit_leaf(first, query),
             NodeRef::Inner(index) => index,
         };
-        let end = self.nodes.get(index as usize).map_or(0, Node::skip_link);
+        let end = self.nodes.get(index as usize).map_or(0, BvhNode::skip_link);
         while index < end
             && let Some(node) = self.nodes.get(index as usize)
         {
-            query.boxes(CHILDREN as u32);
+            query.count_box_tests(CHILDREN as u32);
             // The next node is the first inner child that is hit; without one, the node after the subtree.
             let mut next = node.skip_link();
-            let mut hits = node.intersect(ray, query.reach());
+            let mut hits = node.intersect(ray, query.t_max());
             while let Some(child) = hits.take_next(node) {
                 match child.node.unpack() {
                     NodeRef::Item(item) => visit_item(item, query)?,
@@ -115,15 +115,15 @@ impl<Queue: Waiting, Element: Leaf> Bvh<'_, Queue, Element> {
 /// Visits a leaf that is a single item.
 #[inline(always)]
 fn visit_item<Q: Query>(item: ItemId, query: &mut Q) -> ControlFlow<()> {
-    query.enter();
-    query.test(item)
+    query.count_leaf_visit();
+    query.test_item(item)
 }
 
 impl BoxHits {
     /// Removes and returns the first child of `node` that is hit. It is no iterator, because the optimizer
     /// keeps those in memory, and this is the innermost loop of a traversal.
     #[inline(always)]
-    fn take_next(&mut self, node: &Node) -> Option<PendingNode> {
+    fn take_next(&mut self, node: &BvhNode) -> Option<PendingNode> {
         let child = self.mask.trailing_zeros() as usize;
         let t_entry = *self.t_entry.0.get(child)?;
         self.mask &= self.mask - 1;

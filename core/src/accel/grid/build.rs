@@ -6,7 +6,7 @@
 
 use super::Grid;
 use crate::accel::cell_planes::{CellPlanes, bounds_of_all};
-use crate::accel::{BuildError, Storage};
+use crate::accel::{Buffer, BuildError};
 use crate::geometry::Aabb;
 use crate::math::{Real, Vec3, floor, greatest, powf, vec3};
 
@@ -14,10 +14,10 @@ use crate::math::{Real, Vec3, floor, greatest, powf, vec3};
 /// do.
 const CELLS_PER_ITEM: Real = 4.0;
 
-/// Entries per item that [`GridRoom::of_items`] expects.
+/// Entries per item that [`GridSize::estimated`] expects.
 const ENTRIES_PER_ITEM: usize = 4;
 
-/// Largest number of entries per item that [`GridRoom::comfortable`] recommends. Without a limit, many large
+/// Largest number of entries per item that [`GridSize::recommended`] recommends. Without a limit, many large
 /// items that overlap all cells would take too much memory.
 const MAX_ENTRIES_PER_ITEM: usize = 32;
 
@@ -26,27 +26,27 @@ const MAX_CELLS_PER_AXIS: Real = 65536.0;
 
 /// Sizes of the buffers of a grid, as numbers of `u32`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct GridRoom {
+pub struct GridSize {
     /// One more than the number of cells.
     pub cells: usize,
     /// One per item and cell that its bounds overlap.
-    pub items: usize,
+    pub entries: usize,
 }
 
-impl GridRoom {
+impl GridSize {
     /// The expected sizes for `items` items with unknown bounds. With smaller buffers the grid is coarser;
     /// the minimum is 2 for the cells and one entry per item.
-    pub const fn of_items(items: usize) -> Self {
-        GridRoom { cells: items * CELLS_PER_ITEM as usize + 1, items: items * ENTRIES_PER_ITEM }
+    pub const fn estimated(items: usize) -> Self {
+        GridSize { cells: items * CELLS_PER_ITEM as usize + 1, entries: items * ENTRIES_PER_ITEM }
     }
 
     /// The exact sizes for the items with these bounds: those of the finest grid that [`Grid::build`] makes.
     /// For bounds that it refuses, the minimum.
-    pub fn comfortable(bounds: &[Aabb]) -> Self {
-        let minimum = GridRoom { cells: 2, items: bounds.len() };
+    pub fn recommended(bounds: &[Aabb]) -> Self {
+        let minimum = GridSize { cells: 2, entries: bounds.len() };
         let Ok((all_bounds, items)) = bounds_of_all(bounds) else { return minimum };
         let available =
-            GridRoom { cells: u32::MAX as usize, items: items.saturating_mul(MAX_ENTRIES_PER_ITEM) };
+            GridSize { cells: u32::MAX as usize, entries: items.saturating_mul(MAX_ENTRIES_PER_ITEM) };
         GridLayout::fit(bounds, all_bounds, items, CELLS_PER_ITEM, available)
             .map_or(minimum, |(_, size)| size)
     }
@@ -56,12 +56,12 @@ impl<'s, const MAILBOX_ENTRIES: usize> Grid<'s, MAILBOX_ENTRIES> {
     /// Builds the grid of the items with these bounds.
     ///
     /// `bounds`: one box per item; items with an empty box ([`Aabb::EMPTY`]) are left out. `cells` and
-    /// `entries`: caller-provided buffers of the sizes of [`GridRoom::comfortable`]. With smaller ones the
+    /// `entries`: caller-provided buffers of the sizes of [`GridSize::recommended`]. With smaller ones the
     /// grid is coarser; at least 2 cells are needed, and one entry per item that is not left out.
     ///
     /// # Errors
     ///
-    /// * [`BuildError::StorageTooSmall`] for `cells` or `entries`.
+    /// * [`BuildError::BufferTooSmall`] for `cells` or `entries`.
     /// * [`BuildError::NotFinite`] for a box that is not finite.
     pub fn build(
         bounds: &'s [Aabb],
@@ -85,20 +85,23 @@ impl<'s, const MAILBOX_ENTRIES: usize> Grid<'s, MAILBOX_ENTRIES> {
         entries: &'s mut [u32],
     ) -> Result<Self, BuildError> {
         let (all_bounds, items) = bounds_of_all(bounds)?;
-        let provided = GridRoom { cells: cells.len(), items: entries.len() };
+        let provided = GridSize { cells: cells.len(), entries: entries.len() };
         let (layout, size) = GridLayout::fit(bounds, all_bounds, items, density, provided)?;
         let cell_starts =
-            cells.get_mut(..size.cells).ok_or(too_small(Storage::Cells, size.cells, provided.cells))?;
-        let entries =
-            entries.get_mut(..size.items).ok_or(too_small(Storage::Items, size.items, provided.items))?;
+            cells.get_mut(..size.cells).ok_or(too_small(Buffer::Cells, size.cells, provided.cells))?;
+        let entries = entries.get_mut(..size.entries).ok_or(too_small(
+            Buffer::Entries,
+            size.entries,
+            provided.entries,
+        ))?;
         layout.fill_cells(bounds, cell_starts, entries);
         let GridLayout { planes, resolution } = layout;
         Ok(Grid { bounds: all_bounds, planes, resolution, cell_starts, entries, item_bounds: bounds })
     }
 }
 
-const fn too_small(what: Storage, needed: usize, lent: usize) -> BuildError {
-    BuildError::StorageTooSmall { what, needed, lent }
+const fn too_small(buffer: Buffer, needed: usize, provided: usize) -> BuildError {
+    BuildError::BufferTooSmall { buffer, needed, provided }
 }
 
 /// The division of space into cells.
@@ -118,17 +121,17 @@ impl GridLayout {
         all_bounds: Aabb,
         items: usize,
         density: Real,
-        available: GridRoom,
-    ) -> Result<(Self, GridRoom), BuildError> {
+        available: GridSize,
+    ) -> Result<(Self, GridSize), BuildError> {
         if available.cells < 2 {
-            return Err(too_small(Storage::Cells, 2, available.cells));
+            return Err(too_small(Buffer::Cells, 2, available.cells));
         }
-        if available.items < items {
-            return Err(too_small(Storage::Items, items, available.items));
+        if available.entries < items {
+            return Err(too_small(Buffer::Entries, items, available.entries));
         }
         if items == 0 {
             let planes = CellPlanes::new(Aabb { min: Vec3::ZERO, max: Vec3::ZERO }, Vec3::ONE);
-            return Ok((GridLayout { planes, resolution: [1; 3] }, GridRoom { cells: 2, items: 0 }));
+            return Ok((GridLayout { planes, resolution: [1; 3] }, GridSize { cells: 2, entries: 0 }));
         }
         let mut target = items as Real * density;
         loop {
@@ -136,15 +139,15 @@ impl GridLayout {
             let cell_count = layout.count_cells();
             let is_coarsest = layout.resolution == [1; 3];
             if cell_count < available.cells as u64 {
-                let entry_count = layout.count_entries(bounds, available.items);
+                let entry_count = layout.count_entries(bounds, available.entries);
                 if let Some(entry_count) = entry_count {
-                    return Ok((layout, GridRoom { cells: cell_count as usize + 1, items: entry_count }));
+                    return Ok((layout, GridSize { cells: cell_count as usize + 1, entries: entry_count }));
                 }
             }
             if is_coarsest {
                 // A single cell lists each item once, so this happens only for more items than `u32` can
                 // count.
-                return Err(too_small(Storage::Items, items, available.items));
+                return Err(too_small(Buffer::Entries, items, available.entries));
             }
             target *= 0.75;
         }

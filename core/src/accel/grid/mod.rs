@@ -18,7 +18,7 @@ mod build;
 mod parts;
 mod traverse;
 
-pub use build::GridRoom;
+pub use build::GridSize;
 #[cfg(not(feature = "double"))]
 pub(crate) use parts::GridParts;
 
@@ -56,27 +56,27 @@ impl<'s, const MAILBOX_ENTRIES: usize> Grid<'s, MAILBOX_ENTRIES> {
 
     /// The same grid without the bounds of items: it needs less memory, but each item of a cell is tested,
     /// whether the ray hits its bounds or not.
-    pub const fn without_boxes(self) -> Self {
+    pub const fn without_item_bounds(self) -> Self {
         Grid { item_bounds: &[], ..self }
     }
 
     /// Number of cells along each axis.
-    pub const fn cells(&self) -> [u32; 3] {
+    pub const fn resolution(&self) -> [u32; 3] {
         self.resolution
     }
 
     /// Number of cells.
-    pub const fn regions(&self) -> usize {
+    pub const fn cell_count(&self) -> usize {
         self.cell_starts.len().saturating_sub(1)
     }
 
     /// Number of entries of all cells; an item counts once per cell that lists it.
-    pub const fn entries(&self) -> usize {
+    pub const fn entry_count(&self) -> usize {
         self.entries.len()
     }
 
     /// Size of all buffers that it uses, in bytes.
-    pub const fn bytes(&self) -> usize {
+    pub const fn size_in_bytes(&self) -> usize {
         size_of_val(self.cell_starts) + size_of_val(self.entries) + size_of_val(self.item_bounds)
     }
 
@@ -91,17 +91,17 @@ impl<'s, const MAILBOX_ENTRIES: usize> Grid<'s, MAILBOX_ENTRIES> {
 
 /// Buffers for a grid, of a size known at compile time.
 ///
-/// `CELLS` and `ENTRIES` are at least those of a [`GridRoom`], which can be computed in a constant:
+/// `CELLS` and `ENTRIES` are at least those of a [`GridSize`], which can be computed in a constant:
 ///
 /// ```
-/// use strahl_core::{Aabb, GridRoom, StaticGrid, Vec3};
+/// use strahl_core::{Aabb, GridSize, StaticGrid, Vec3};
 ///
 /// const ITEMS: usize = 3;
-/// const ROOM: GridRoom = GridRoom::of_items(ITEMS);
-/// let mut memory = StaticGrid::<{ ROOM.cells }, { ROOM.items }>::new();
+/// const SIZE: GridSize = GridSize::estimated(ITEMS);
+/// let mut buffers = StaticGrid::<{ SIZE.cells }, { SIZE.entries }>::new();
 /// let boxes = [Aabb { min: Vec3::ZERO, max: Vec3::ONE }; ITEMS];
-/// let grid = memory.build::<8>(&boxes)?;
-/// assert!(grid.regions() >= 1 && grid.entries() >= 3);
+/// let grid = buffers.build::<8>(&boxes)?;
+/// assert!(grid.cell_count() >= 1 && grid.entry_count() >= 3);
 /// # Ok::<(), strahl_core::BuildError>(())
 /// ```
 #[derive(Clone, Debug)]

@@ -27,11 +27,11 @@ impl<const MAILBOX_ENTRIES: usize> Accelerator for Grid<'_, MAILBOX_ENTRIES> {
 
     /// Not inlined, so that the loop has the registers to itself.
     #[inline(never)]
-    fn walk<Q: Query>(&self, ray: &Ray, mailbox: &mut Mailbox<MAILBOX_ENTRIES>, query: &mut Q) {
-        query.boxes(1);
+    fn traverse<Q: Query>(&self, ray: &Ray, mailbox: &mut Mailbox<MAILBOX_ENTRIES>, query: &mut Q) {
+        query.count_box_tests(1);
         let Some(span) = self.bounds.span(ray) else { return };
         mailbox.begin_ray();
-        let t_max = query.reach();
+        let t_max = query.t_max();
         let query = MailboxQuery { ray, item_bounds: self.item_bounds, mailbox, query };
         self.visit_cells(ray, span, t_max, &mut GridVisitor { grid: self, query });
     }
@@ -161,7 +161,7 @@ mod tests {
     use heapless::Vec;
 
     use crate::accel::test_rays::SplitMix64;
-    use crate::accel::{Grid, GridRoom};
+    use crate::accel::{Grid, GridSize};
     use crate::geometry::{Aabb, Ray, Span, WIDEN};
     use crate::math::{Real, Vec3, vec3};
 
@@ -205,7 +205,7 @@ mod tests {
             last = if entry > last { entry } else { last };
         }
         let is_parallel = [ray.inverse.x, ray.inverse.y, ray.inverse.z].map(|i| i.is_infinite());
-        for cell in 0..grid.regions() {
+        for cell in 0..grid.cell_count() {
             let is_hit = span(cell).is_some() && grid.bounds.span(ray).is_some();
             // Of the cells on both sides of a plane that contains the ray, one is visited.
             let is_beside = |other: &usize| {
@@ -278,11 +278,14 @@ mod tests {
 
     #[test]
     fn an_empty_grid_visits_no_cell() {
-        let size = GridRoom::comfortable(&[]);
-        assert_eq!((size.cells, size.items), (2, 0));
+        let size = GridSize::recommended(&[]);
+        assert_eq!((size.cells, size.entries), (2, 0));
         let mut cells = [7; 2];
         let grid = Grid::<0>::build(&[Aabb::EMPTY; 3], &mut cells, &mut []).unwrap();
-        assert_eq!((grid.regions(), grid.entries(), grid.bytes()), (1, 0, 8 + 3 * size_of::<Aabb>()));
+        assert_eq!(
+            (grid.cell_count(), grid.entry_count(), grid.size_in_bytes()),
+            (1, 0, 8 + 3 * size_of::<Aabb>())
+        );
         assert_eq!(check(&grid, &Ray::new(Vec3::ZERO, Vec3::X)), 0);
     }
 }

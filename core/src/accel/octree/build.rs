@@ -9,7 +9,7 @@
 
 use super::{Octree, OctreeNode, octree_planes};
 use crate::accel::cell_planes::{CellPlanes, bounds_of_all};
-use crate::accel::{BuildError, OctreeLimits, Storage};
+use crate::accel::{Buffer, BuildError, OctreeLimits};
 use crate::geometry::Aabb;
 use crate::math::{Real, Vec3, morton, vec3};
 
@@ -21,13 +21,15 @@ impl<'s, const MAILBOX_ENTRIES: usize> Octree<'s, MAILBOX_ENTRIES> {
     /// Builds the octree of the items with these bounds, with [`OctreeLimits::DEFAULT`].
     ///
     /// `bounds`: one box per item; items with an empty box ([`Aabb::EMPTY`]) are left out. `nodes` and
-    /// `entries`: caller-provided buffers of the sizes of [`OctreeRoom::comfortable`]. With smaller ones,
+    /// `entries`: caller-provided buffers of the sizes of [`OctreeSize::recommended`]. With smaller ones,
     /// leaves are larger; at least one node is needed, and one entry per item that is not left out.
     ///
     /// # Errors
     ///
-    /// * [`BuildError::StorageTooSmall`] for `nodes` or `entries`.
+    /// * [`BuildError::BufferTooSmall`] for `nodes` or `entries`.
     /// * [`BuildError::NotFinite`] for a box that is not finite.
+    ///
+    /// [`OctreeSize::recommended`]: crate::accel::OctreeSize::recommended
     pub fn build(
         bounds: &'s [Aabb],
         nodes: &'s mut [OctreeNode],
@@ -49,10 +51,10 @@ impl<'s, const MAILBOX_ENTRIES: usize> Octree<'s, MAILBOX_ENTRIES> {
     ) -> Result<Self, BuildError> {
         let (all_bounds, items) = bounds_of_all(bounds)?;
         if nodes.is_empty() {
-            return Err(too_small(Storage::Nodes, 1, 0));
+            return Err(too_small(Buffer::Nodes, 1, 0));
         }
         if entries.len() < items {
-            return Err(too_small(Storage::Items, items, entries.len()));
+            return Err(too_small(Buffer::Entries, items, entries.len()));
         }
         if items == 0 {
             return Ok(Octree {
@@ -83,8 +85,8 @@ impl<'s, const MAILBOX_ENTRIES: usize> Octree<'s, MAILBOX_ENTRIES> {
     }
 }
 
-const fn too_small(what: Storage, needed: usize, lent: usize) -> BuildError {
-    BuildError::StorageTooSmall { what, needed, lent }
+const fn too_small(buffer: Buffer, needed: usize, provided: usize) -> BuildError {
+    BuildError::BufferTooSmall { buffer, needed, provided }
 }
 
 /// The state of the construction.
@@ -200,9 +202,9 @@ impl<'s> OctreeBuilder<'_, 's> {
     /// Subdivides the first pending node and returns the index of its first child; `None` if that is not
     /// worth it, or the limits or buffers do not allow it.
     fn subdivide(&mut self, index: usize, code: morton::MortonCode, level: usize) -> Option<usize> {
-        let max_depth = usize::from(self.limits.depth).min(morton::BITS_PER_AXIS as usize);
+        let max_depth = usize::from(self.limits.max_depth).min(morton::BITS_PER_AXIS as usize);
         let count = self.pending_entries(index);
-        if level >= max_depth || count <= self.limits.leaf as usize {
+        if level >= max_depth || count <= self.limits.max_leaf_items as usize {
             return None;
         }
         let center = self.planes.position(center_planes(code, level));

@@ -81,17 +81,17 @@ impl<'s, const MAILBOX_ENTRIES: usize> Octree<'s, MAILBOX_ENTRIES> {
 
     /// The same octree without the bounds of items: it needs less memory, but each item of a leaf is tested,
     /// whether the ray hits its bounds or not.
-    pub const fn without_boxes(self) -> Self {
+    pub const fn without_item_bounds(self) -> Self {
         Octree { item_bounds: &[], ..self }
     }
 
     /// Number of leaves with entries.
-    pub const fn regions(&self) -> usize {
+    pub const fn occupied_leaf_count(&self) -> usize {
         self.occupied_leaves as usize
     }
 
     /// Number of entries of all leaves; an item counts once per leaf that lists it.
-    pub const fn entries(&self) -> usize {
+    pub const fn entry_count(&self) -> usize {
         self.entries.len()
     }
 
@@ -101,12 +101,12 @@ impl<'s, const MAILBOX_ENTRIES: usize> Octree<'s, MAILBOX_ENTRIES> {
     }
 
     /// Number of nodes, empty leaves included.
-    pub const fn nodes(&self) -> usize {
+    pub const fn node_count(&self) -> usize {
         self.nodes.len()
     }
 
     /// Size of all buffers that it uses, in bytes.
-    pub const fn bytes(&self) -> usize {
+    pub const fn size_in_bytes(&self) -> usize {
         size_of_val(self.nodes) + size_of_val(self.entries) + size_of_val(self.item_bounds)
     }
 

@@ -212,7 +212,7 @@ mod tests {
 
     fn with_tree(boxes: &[Aabb], test: impl FnOnce(&Octree<'_, 0>)) {
         let (mut nodes, mut entries) = ([OctreeNode::EMPTY; MAX_NODES], [0; 2 * MAX_NODES]);
-        let limits = OctreeLimits { depth: 21, leaf: 1 };
+        let limits = OctreeLimits { max_depth: 21, max_leaf_items: 1 };
         test(&Octree::with_limits(limits, boxes, &mut nodes, &mut entries).unwrap());
     }
 
@@ -238,7 +238,7 @@ mod tests {
             with_tree(&boxes(&mut random), |tree| {
                 let leaves = leaves(tree);
                 max_depth = if tree.depth() > max_depth { tree.depth() } else { max_depth };
-                assert_eq!(leaves.len(), tree.regions());
+                assert_eq!(leaves.len(), tree.occupied_leaf_count());
                 for _ in 0..50_000 {
                     let plane = |random: &mut SplitMix64| {
                         let bounds = leaves[random.below(leaves.len() as u32) as usize].bounds;

@@ -11,12 +11,12 @@ use crate::math::{Real, Vec3, floor, vec3};
 impl<const MAILBOX_ENTRIES: usize> Accelerator for Octree<'_, MAILBOX_ENTRIES> {
     type Scratch = Mailbox<MAILBOX_ENTRIES>;
 
-    fn walk<Q: Query>(&self, ray: &Ray, mailbox: &mut Mailbox<MAILBOX_ENTRIES>, query: &mut Q) {
-        query.boxes(1);
+    fn traverse<Q: Query>(&self, ray: &Ray, mailbox: &mut Mailbox<MAILBOX_ENTRIES>, query: &mut Q) {
+        query.count_box_tests(1);
         let Some(span) = self.bounds.span(ray) else { return };
         mailbox.begin_ray();
         let mut traverse = |ray: &Ray| {
-            let t_max = query.reach();
+            let t_max = query.t_max();
             let mut query = MailboxQuery { ray, item_bounds: self.item_bounds, mailbox, query };
             self.traverse_smart(ray, span, t_max, |leaf| query.test_items(self.leaf_entries(leaf)))
         };

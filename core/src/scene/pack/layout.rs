@@ -3,7 +3,7 @@
 //! The bytes between fields and behind the shorter variants of an enum have no value that could be
 //! copied, so each type is taken apart. Without `..`, so that a new field is an error here.
 
-use crate::accel::{Node, OctreeNode, Slot};
+use crate::accel::{BvhNode, LeafEntry, OctreeNode};
 use crate::geometry::{
     Aabb, Cone, Cuboid, Disc, ItemId, Moving, Plane, Polygon, Shape, Sphere, Torus, TurnedCuboid,
 };
@@ -143,13 +143,13 @@ impl Put for OctreeNode {
     }
 }
 
-impl Put for Node {
+impl Put for BvhNode {
     fn put(&self, w: &mut Writer<'_>) {
         self.words().whole(w);
     }
 }
 
-impl Put for Slot {
+impl Put for LeafEntry {
     fn put(&self, w: &mut Writer<'_>) {
         self.word().whole(w);
     }

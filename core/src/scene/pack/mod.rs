@@ -22,7 +22,7 @@ pub use error::{PackError, PackPart};
 pub use write::Baking;
 
 use super::{Camera, Parts, Scene, Size, View, ViewFault};
-use crate::accel::{Bare, Bvh, BvhParts, Grid, GridParts, Octree, OctreeParts};
+use crate::accel::{BareList, Bvh, BvhParts, Grid, GridParts, Octree, OctreeParts};
 use crate::geometry::Geometry;
 use crate::math::Real;
 use header::{Content, Header};
@@ -31,7 +31,7 @@ use header::{Content, Header};
 #[derive(Clone, Copy, Debug)]
 pub enum Finder<'s> {
     /// Every item in order.
-    Bare(Bare),
+    Bare(BareList),
     /// A uniform grid.
     Grid(Grid<'s, 0>),
     /// An octree.
@@ -138,8 +138,8 @@ impl<'s> Pack<'s> {
     }
 
     /// Every item in order: an accelerator that needs nothing.
-    pub fn bare(&self) -> Bare {
-        Bare(self.count())
+    pub fn bare(&self) -> BareList {
+        BareList(self.count())
     }
 
     /// The grid, checked here; [`PackPart::Finder`] is in error when there is none.

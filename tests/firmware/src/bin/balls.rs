@@ -9,7 +9,7 @@
 use cortex_m_rt::entry;
 use semihosting::{fs::File, io::Write, println, process};
 use strahl_core::{
-    EffectSet, Effects, LastFirst, LightKind, LightSet, Pack, ShapeKind, ShapeSet, Single, World,
+    EffectSet, Effects, LightKind, LightSet, Pack, ShapeKind, ShapeSet, Single, TraversalStack, World,
     include_pack,
 };
 use strahl_firmware::draw::{DARK, Row, bytes, draw};
@@ -50,7 +50,7 @@ fn picture(row: &mut Row) -> Result<(), &'static str> {
     if pack.scene().effects() != Mirrors::SET {
         return Err("the scene does not ask for exactly what the tracer can do");
     }
-    let bvh = pack.bvh::<LastFirst<32>>().map_err(|_| "there is no hierarchy")?;
+    let bvh = pack.bvh::<TraversalStack<32>>().map_err(|_| "there is no hierarchy")?;
     let wanted = wanted(&pack)?;
     let mut file = File::create(c"balls.f32").map_err(|_| "balls.f32 cannot be created")?;
     let row = row.get_mut(..wanted.size.width() as usize).ok_or("a row is too wide")?;

@@ -10,7 +10,7 @@ use core::hint::black_box;
 
 use cortex_m_rt::entry;
 use semihosting::{fs::File, io::Write, println, process};
-use strahl_core::{Bare, Camera, Effects, Scene, Single, World};
+use strahl_core::{BareList, Camera, Effects, Scene, Single, World};
 use strahl_firmware::draw::{Wanted, draw};
 use strahl_firmware::peer::{ITEMS, LEVELS, LIMITS, PARTS, Peer, SIZE, VIEW, quantised};
 use strahl_firmware::{count, stack};
@@ -36,7 +36,7 @@ fn picture(row: &mut [[u8; 3]; WIDTH]) -> Result<(), &'static str> {
     if scene.effects() != Peer::SET {
         return Err("the scene does not ask for exactly what the tracer can do");
     }
-    let world = World::new(scene, Bare(ITEMS as u32));
+    let world = World::new(scene, BareList(ITEMS as u32));
     let camera = Camera::new(&VIEW, SIZE).map_err(|_| "the view shows nothing")?;
     let mut file = File::create(c"peer.ppm").map_err(|_| "peer.ppm cannot be created")?;
     file.write_all(b"P6\n160 120\n255\n").map_err(|_| "peer.ppm cannot be written")?;

@@ -20,7 +20,7 @@ pub fn doors() {
     if let Ok(octree) = pack.octree::<8>() {
         traced::<_, Few, _, 2>(&World::new(*pack.scene(), octree.with_mailbox::<16>()), ());
     }
-    if let Ok(bvh) = pack.bvh::<LastFirst<8>>() {
+    if let Ok(bvh) = pack.bvh::<TraversalStack<8>>() {
         traced::<_, Few, _, 2>(&World::new(*pack.scene(), bvh), ());
     }
 }

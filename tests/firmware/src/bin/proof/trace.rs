@@ -16,8 +16,8 @@ pub fn doors() {
         traced::<_, Everything, _, 5>(&World::new(scene, list), ());
     }
     traced::<_, Few, _, 1>(&World::new(scene, Stranger), Told);
-    traced::<_, Few, _, 1>(&World::new(scene, Bare(any(1))), RayCounters::new());
-    traced::<_, ShortSighted, _, 2>(&World::new(scene, Bare(any(1))), ());
+    traced::<_, Few, _, 1>(&World::new(scene, BareList(any(1))), RayCounters::new());
+    traced::<_, ShortSighted, _, 2>(&World::new(scene, BareList(any(1))), ());
     displayed(any(TracerError::Cutoff));
 }
 
