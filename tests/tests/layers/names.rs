@@ -5,7 +5,7 @@ use std::collections::{BTreeSet, HashSet};
 use proc_macro2::{TokenStream, TokenTree};
 use syn::ext::IdentExt;
 use syn::visit::{self, Visit};
-use syn::{Ident, Item, ItemUse, Macro, Path, UseTree};
+use syn::{Ident, Item, ItemUse, Macro, Path, UseTree, Visibility};
 
 use crate::source::Crate;
 
@@ -27,17 +27,32 @@ pub enum Target {
 #[derive(Default)]
 struct Scope {
     defined: HashSet<String>,
+    /// Those of them that are `pub`.
+    public: HashSet<String>,
     /// Words in macro calls that stand for items: they may be names of what these define.
     made: HashSet<String>,
     imports: Vec<Import>,
-    globs: Vec<Vec<String>>,
+    globs: Vec<Glob>,
     mentioned: Vec<Vec<String>>,
 }
 
 struct Import {
     name: String,
     path: Vec<String>,
-    is_public: bool,
+    seen: Seen,
+}
+
+struct Glob {
+    path: Vec<String>,
+    seen: Seen,
+}
+
+/// From where an import is seen.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum Seen {
+    Here,
+    InTheCrate,
+    Everywhere,
 }
 
 impl<'c> Names<'c> {
@@ -65,9 +80,46 @@ impl<'c> Names<'c> {
         }
         for import in &scope.imports {
             let found = self.resolved(module, &import.path, &mut HashSet::new());
-            targets.extend(found.into_iter().filter(|it| !import.is_public || !self.is_inside(*it, module)));
+            targets.extend(
+                found.into_iter().filter(|it| import.seen == Seen::Here || !self.is_inside(*it, module)),
+            );
         }
         targets.into_iter().map(Target::module).filter(|used| *used != module).collect()
+    }
+
+    /// What other crates can name: each item by the module that defines it and its name there.
+    pub fn exported(&self) -> BTreeSet<(usize, String)> {
+        let (mut exported, mut open, mut seen) = (BTreeSet::new(), vec![0], HashSet::new());
+        while let Some(module) = open.pop() {
+            if !seen.insert(module) {
+                continue;
+            }
+            let scope = &self.scopes[module];
+            exported.extend(scope.public.iter().map(|name| (module, name.clone())));
+            let children = (0..self.of.modules.len()).filter(|child| {
+                let child = &self.of.modules[*child];
+                child.is_public
+                    && child.path.split_last().is_some_and(|(_, above)| above == self.of.modules[module].path)
+            });
+            open.extend(children);
+            for import in scope.imports.iter().filter(|import| import.seen == Seen::Everywhere) {
+                for target in self.resolved(module, &import.path, &mut HashSet::new()) {
+                    match target {
+                        // A private module may have the name of an item in it.
+                        Target::Module(of) if self.of.modules[of].is_public => open.push(of),
+                        Target::Module(_) => {}
+                        Target::ItemIn(of) => _ = exported.insert((of, import.path.last().unwrap().clone())),
+                    }
+                }
+            }
+            for glob in scope.globs.iter().filter(|glob| glob.seen == Seen::Everywhere) {
+                let targets = self.resolved(module, &glob.path, &mut HashSet::new());
+                open.extend(
+                    targets.into_iter().filter(|it| matches!(it, Target::Module(_))).map(Target::module),
+                );
+            }
+        }
+        exported
     }
 
     fn is_inside(&self, target: Target, module: usize) -> bool {
@@ -75,10 +127,16 @@ impl<'c> Names<'c> {
         path(target.module()).starts_with(path(module))
     }
 
+    /// What a name in the code of a module stands for: one thing, or several of the same name.
+    pub fn looked_up(&self, module: usize, name: &str) -> Vec<Target> {
+        self.found(module, name, &mut HashSet::new())
+    }
+
     /// Whether some code of this module names something of another crate.
     pub fn names_crate(&self, module: usize, name: &str) -> bool {
         let scope = &self.scopes[module];
-        let imported = scope.imports.iter().map(|import| &import.path).chain(&scope.globs);
+        let globs = scope.globs.iter().map(|glob| &glob.path);
+        let imported = scope.imports.iter().map(|import| &import.path).chain(globs);
         let is_there = |path: &Vec<String>| path.first().is_some_and(|first| first == name);
         self.found(module, name, &mut HashSet::new()).is_empty()
             && imported.chain(&scope.mentioned).any(is_there)
@@ -98,7 +156,7 @@ impl<'c> Names<'c> {
         }
         if found.is_empty() {
             for glob in &scope.globs {
-                for target in self.resolved(module, glob, seen) {
+                for target in self.resolved(module, &glob.path, seen) {
                     if let Target::Module(other) = target {
                         found.extend(self.found(other, name, seen));
                     }
@@ -150,50 +208,50 @@ impl Target {
 
 impl Scope {
     fn define(&mut self, item: &Item) {
-        let name = match item {
-            Item::Const(it) => &it.ident,
-            Item::Enum(it) => &it.ident,
-            Item::Fn(it) => &it.sig.ident,
-            Item::Static(it) => &it.ident,
-            Item::Struct(it) => &it.ident,
-            Item::Trait(it) => &it.ident,
-            Item::TraitAlias(it) => &it.ident,
-            Item::Type(it) => &it.ident,
-            Item::Union(it) => &it.ident,
+        let (name, visibility) = match item {
+            Item::Const(it) => (&it.ident, &it.vis),
+            Item::Enum(it) => (&it.ident, &it.vis),
+            Item::Fn(it) => (&it.sig.ident, &it.vis),
+            Item::Static(it) => (&it.ident, &it.vis),
+            Item::Struct(it) => (&it.ident, &it.vis),
+            Item::Trait(it) => (&it.ident, &it.vis),
+            Item::TraitAlias(it) => (&it.ident, &it.vis),
+            Item::Type(it) => (&it.ident, &it.vis),
+            Item::Union(it) => (&it.ident, &it.vis),
             Item::Macro(it) => match &it.ident {
-                Some(name) => name,
-                None => {
-                    words(it.mac.tokens.clone(), &mut self.made);
-                    return;
-                }
+                Some(name) => (name, &Visibility::Inherited),
+                None => return words(it.mac.tokens.clone(), &mut self.made),
             },
             _ => return,
         };
         self.defined.insert(text(name));
-    }
-
-    /// Takes in the paths of a `use`.
-    fn import(&mut self, tree: &UseTree, mut before: Vec<String>, is_public: bool) {
-        match tree {
-            UseTree::Path(it) => {
-                before.push(text(&it.ident));
-                self.import(&it.tree, before, is_public);
-            }
-            UseTree::Group(it) => {
-                it.items.iter().for_each(|tree| self.import(tree, before.clone(), is_public));
-            }
-            UseTree::Name(it) => self.import_as(&it.ident, &it.ident, before, is_public),
-            UseTree::Rename(it) => self.import_as(&it.ident, &it.rename, before, is_public),
-            UseTree::Glob(_) => self.globs.push(before),
+        if matches!(visibility, Visibility::Public(_)) {
+            self.public.insert(text(name));
         }
     }
 
-    fn import_as(&mut self, name: &Ident, rename: &Ident, mut path: Vec<String>, is_public: bool) {
+    /// Takes in the paths of a `use`.
+    fn import(&mut self, tree: &UseTree, mut before: Vec<String>, seen: Seen) {
+        match tree {
+            UseTree::Path(it) => {
+                before.push(text(&it.ident));
+                self.import(&it.tree, before, seen);
+            }
+            UseTree::Group(it) => {
+                it.items.iter().for_each(|tree| self.import(tree, before.clone(), seen));
+            }
+            UseTree::Name(it) => self.import_as(&it.ident, &it.ident, before, seen),
+            UseTree::Rename(it) => self.import_as(&it.ident, &it.rename, before, seen),
+            UseTree::Glob(_) => self.globs.push(Glob { path: before, seen }),
+        }
+    }
+
+    fn import_as(&mut self, name: &Ident, rename: &Ident, mut path: Vec<String>, seen: Seen) {
         if name != "self" || path.is_empty() {
             path.push(text(name));
         }
         let own = if rename == "self" { path.last().cloned() } else { Some(text(rename)) };
-        self.imports.push(Import { name: own.unwrap_or_default(), path, is_public });
+        self.imports.push(Import { name: own.unwrap_or_default(), path, seen });
     }
 
     /// Takes in the paths in the tokens of a macro: words with `::` between them, after `before`.
@@ -232,7 +290,12 @@ impl Scope {
 impl<'ast> Visit<'ast> for Scope {
     fn visit_item_use(&mut self, it: &'ast ItemUse) {
         if it.leading_colon.is_none() {
-            self.import(&it.tree, Vec::new(), !matches!(it.vis, syn::Visibility::Inherited));
+            let seen = match it.vis {
+                Visibility::Inherited => Seen::Here,
+                Visibility::Restricted(_) => Seen::InTheCrate,
+                Visibility::Public(_) => Seen::Everywhere,
+            };
+            self.import(&it.tree, Vec::new(), seen);
         }
     }
 
@@ -249,7 +312,7 @@ impl<'ast> Visit<'ast> for Scope {
     }
 
     // `pub(in path)` and attributes use nothing.
-    fn visit_visibility(&mut self, _: &'ast syn::Visibility) {}
+    fn visit_visibility(&mut self, _: &'ast Visibility) {}
 
     fn visit_attribute(&mut self, _: &'ast syn::Attribute) {}
 }
@@ -357,6 +420,20 @@ mod tests {
             [""; 0]
         );
         assert_eq!(beside("#[cfg(not(test))] use crate::b::B;"), ["b"]);
+    }
+
+    #[test]
+    fn what_other_crates_can_name_is_found() {
+        let of = Crate::of(
+            "pub mod a { pub struct A; struct P; pub(crate) struct C; pub mod b { pub fn f() {} } mod c { pub fn g() {} } } \
+             mod d { pub struct D; pub struct Hidden; pub mod e { pub const E: u8 = 0; } make!(Made); } \
+             mod h { pub fn h() {} } pub use d::{D, Made, e}; pub use h::h; pub(crate) use d::Hidden;",
+        );
+        let exported = Names::of(&of).exported();
+        let name =
+            |(module, name): &(usize, String)| format!("{}::{name}", of.modules[*module].path.join("::"));
+        let names: Vec<String> = exported.iter().map(name).collect();
+        assert_eq!(names, ["a::A", "a::b::f", "d::D", "d::Made", "d::e::E", "h::h"]);
     }
 
     #[test]

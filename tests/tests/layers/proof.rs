@@ -1,207 +1,281 @@
-//! Every public function of the core is called in the panic proof, or is for hosts only.
+//! The panic proof (`tests/firmware/src/bin/proof`) calls every public function of the core, or the function
+//! is listed here as one for hosts only.
+//!
+//! A function is known by its type: the proof has to call `Type::function` by this path, for a method call does
+//! not say whose method it is. What implements a trait is called by the functions that take it.
 
-use std::collections::{BTreeMap, BTreeSet};
-use std::fs;
-use std::path::{Path, PathBuf};
+use std::collections::{BTreeMap, BTreeSet, HashMap};
 
-use crate::workspace;
+use proc_macro2::{Delimiter, TokenStream, TokenTree};
+use syn::ext::IdentExt;
+use syn::visit::{self, Visit};
+use syn::{Expr, ExprCall, ImplItem, Item, ItemImpl, ItemMacro, Macro, Path, Type, Visibility};
 
-/// Public doors of the core that no firmware needs, so that nothing is proven of them.
-const FOR_HOSTS_ONLY: [&str; 1] = ["pour"];
+use crate::expansion::{Rule, has_public_functions};
+use crate::names::Names;
+use crate::source::{Crate, attributes, features};
+use crate::{core, workspace};
 
-/// A room: its path below the folder of all of them, and its code without comments and tests.
-struct Room {
-    path: String,
-    code: String,
-}
+/// Public types and functions that no firmware needs, so that nothing is proven of them.
+const FOR_HOSTS_ONLY: [&str; 1] = ["Baking"];
 
-fn read(path: &Path) -> String {
-    fs::read_to_string(path).unwrap_or_else(|error| panic!("{}: {error}", path.display()))
-}
+/// A feature by which the core needs a heap: what is behind it is for hosts.
+const HEAP: &str = "alloc";
 
-/// The rooms of the core.
-fn rooms() -> Vec<Room> {
-    let rooms = rooms_of("core/src");
-    assert!(rooms.len() > 30, "only {} rooms found", rooms.len());
-    rooms
-}
-
-/// The rooms below a folder of the workspace.
-fn rooms_of(folder: &str) -> Vec<Room> {
-    fn collect(folder: &Path, base: &Path, rooms: &mut Vec<Room>) {
-        let mut paths: Vec<PathBuf> =
-            fs::read_dir(folder).unwrap().map(|entry| entry.unwrap().path()).collect();
-        paths.sort();
-        for path in paths {
-            if path.is_dir() {
-                collect(&path, base, rooms);
-            } else if path.extension().is_some_and(|extension| extension == "rs") {
-                let name = path.strip_prefix(base).unwrap().to_str().unwrap().replace('\\', "/");
-                rooms.push(Room { path: name, code: code(&read(&path)) });
+/// The public functions of a crate, `function` or `Type::function`, each with its module.
+fn public_functions(of: &Crate) -> BTreeMap<String, String> {
+    let names = Names::of(of);
+    let exported = names.exported();
+    let mut functions = BTreeMap::new();
+    for (index, module) in of.modules.iter().enumerate() {
+        let mut add = |function: String| _ = functions.insert(function, module.path.join("::"));
+        let without_heap = |item: &&Item| !features(attributes(item)).contains(&HEAP.to_owned());
+        let is_for_hosts = module.features.contains(&HEAP.to_owned());
+        for item in module.items.iter().filter(|_| !is_for_hosts).filter(without_heap) {
+            match item {
+                Item::Fn(it) if exported.contains(&(index, it.sig.ident.to_string())) => {
+                    add(it.sig.ident.to_string())
+                }
+                Item::Impl(it) => {
+                    let Some(subject) = subject(it) else { continue };
+                    let is_exported =
+                        |target: crate::names::Target| exported.contains(&(target.module(), subject.clone()));
+                    if names.looked_up(index, &subject).into_iter().any(is_exported) {
+                        public_in(it).for_each(|function| add(format!("{subject}::{function}")));
+                    }
+                }
+                // A definition is no function: its calls are expanded.
+                Item::Macro(it) if it.ident.is_none() => {
+                    let path = module.path.join("::");
+                    assert!(
+                        !names_a_macro_with_functions(of, it),
+                        "a macro call in {path} cannot be expanded"
+                    );
+                }
+                _ => {}
             }
         }
     }
-    let base = workspace().join(folder);
-    let mut rooms = Vec::new();
-    collect(&base, &base, &mut rooms);
-    rooms
+    functions
 }
 
-/// The lines that are code: no comments, no strings' content, and nothing that is marked
-/// `#[cfg(test)]`. The test module of a room is its end.
-fn code(text: &str) -> String {
-    let mut lines = Vec::new();
-    let mut marked = false;
-    for line in text.lines() {
-        let line = without_comment(line);
-        let trimmed = line.trim();
-        if marked && trimmed.starts_with("mod tests") {
-            break;
+/// Whether a call is of a macro of the crate that makes public functions.
+fn names_a_macro_with_functions(of: &Crate, call: &ItemMacro) -> bool {
+    let name = call.mac.path.segments.last().map(|name| &name.ident);
+    of.modules.iter().flat_map(|module| &module.items).any(|item| match item {
+        Item::Macro(it) => it.ident.as_ref() == name && has_public_functions(it.mac.tokens.clone()),
+        _ => false,
+    })
+}
+
+/// The type that an `impl` without a trait is of.
+fn subject(it: &ItemImpl) -> Option<String> {
+    match (&it.trait_, &*it.self_ty) {
+        (None, Type::Path(path)) => Some(path.path.segments.last()?.ident.to_string()),
+        _ => None,
+    }
+}
+
+fn public_in(it: &ItemImpl) -> impl Iterator<Item = String> {
+    it.items.iter().filter_map(|item| match item {
+        ImplItem::Fn(it)
+            if matches!(it.vis, Visibility::Public(_)) && !features(&it.attrs).contains(&HEAP.to_owned()) =>
+        {
+            Some(it.sig.ident.to_string())
         }
-        if marked && !trimmed.starts_with("#[") && !trimmed.is_empty() {
-            // An import or a small function: to its end.
-            marked = !(trimmed.ends_with(';') || trimmed == "}");
-            continue;
-        }
-        marked |= trimmed == "#[cfg(test)]";
-        if !marked {
-            lines.push(line);
+        _ => None,
+    })
+}
+
+/// What a crate calls by its path, `function` or `Type::function`; and all the words in its code.
+#[derive(Default)]
+struct Called {
+    functions: BTreeSet<String>,
+    words: BTreeSet<String>,
+    /// The simple macros that were defined before.
+    rules: HashMap<String, Rule>,
+}
+
+impl Called {
+    fn by(of: &Crate) -> Called {
+        let mut called = Called::default();
+        of.modules.iter().flat_map(|module| &module.items).for_each(|item| called.visit_item(item));
+        called
+    }
+
+    fn tokens(&mut self, tokens: TokenStream) {
+        // The last four.
+        let mut before = [const { String::new() }; 4];
+        for token in tokens {
+            match &token {
+                TokenTree::Group(group) => {
+                    if group.delimiter() == Delimiter::Parenthesis && is_name(&before[3]) && before[2] != ":"
+                    {
+                        self.functions.insert(before[3].clone());
+                    }
+                    self.tokens(group.stream());
+                }
+                TokenTree::Ident(it) => _ = self.words.insert(it.to_string()),
+                _ => {}
+            }
+            before.rotate_left(1);
+            before[3] = token.to_string();
+            let [subject, one, other, function] = &before;
+            if one == ":" && other == ":" && is_name(subject) && is_name(function) {
+                self.functions.insert(format!("{subject}::{function}"));
+            }
         }
     }
-    lines.join("\n")
 }
 
-/// A line without its comment and without what stands between quotes.
-fn without_comment(line: &str) -> String {
-    let mut code = String::new();
-    let mut quoted = false;
-    let mut before = ' ';
-    for c in line.chars() {
-        if c == '"' && before != '\\' && before != '\'' {
-            quoted = !quoted;
+impl<'ast> Visit<'ast> for Called {
+    fn visit_expr_call(&mut self, it: &'ast ExprCall) {
+        if let Expr::Path(path) = &*it.func {
+            let name = &path.path.segments.last().unwrap().ident;
+            // A function of a type is one by its path only.
+            if path.qself.is_none()
+                && path.path.segments.iter().rev().nth(1).is_none_or(|it| is_module(&it.ident))
+            {
+                self.functions.insert(name.unraw().to_string());
+            }
         }
-        if !quoted && c == '/' && before == '/' {
-            code.pop();
-            break;
-        }
-        if !quoted || c == '"' {
-            code.push(c);
-        }
-        before = c;
+        visit::visit_expr_call(self, it);
     }
-    code
+
+    fn visit_path(&mut self, it: &'ast Path) {
+        let names: Vec<String> =
+            it.segments.iter().map(|segment| segment.ident.unraw().to_string()).collect();
+        if let [.., subject, function] = &names[..] {
+            self.functions.insert(format!("{subject}::{function}"));
+        }
+        self.words.extend(names);
+        visit::visit_path(self, it);
+    }
+
+    fn visit_item_macro(&mut self, it: &'ast ItemMacro) {
+        if let (Some(name), Some(rule)) = (&it.ident, Rule::of(it.mac.tokens.clone())) {
+            self.rules.insert(name.to_string(), rule);
+        }
+    }
+
+    fn visit_macro(&mut self, it: &'ast Macro) {
+        let rule = it.path.get_ident().and_then(|name| self.rules.get(&name.to_string()));
+        let expanded = rule.and_then(|rule| rule.expanded(it.tokens.clone()));
+        self.tokens(expanded.unwrap_or_else(|| it.tokens.clone()));
+    }
 }
 
-/// The words of some code: names and numbers.
-fn words(code: &str) -> Vec<&str> {
-    code.split(|c: char| !c.is_alphanumeric() && c != '_').filter(|word| !word.is_empty()).collect()
+fn is_module(name: &syn::Ident) -> bool {
+    name.to_string().starts_with(|c: char| c.is_lowercase())
 }
 
-/// What comes right after each place where `before` stands.
-fn after<'c>(code: &'c str, before: &'c str) -> impl Iterator<Item = &'c str> {
-    code.match_indices(before).map(move |(at, _)| &code[at + before.len()..])
+fn is_name(token: &str) -> bool {
+    token.starts_with(|c: char| c.is_alphabetic() || c == '_')
+}
+
+fn proof() -> Crate {
+    Crate::read(&workspace().join("tests/firmware/src/bin/proof/main.rs"))
 }
 
 #[test]
-fn what_the_tests_take_for_code_is_code() {
-    let text = "use a; // not b\n#[cfg(test)]\nuse c::{\n    d,\n};\nlet e = \"f // g\";\n/// h\n#[cfg(test)]\n#[inline]\nfn i() {\n    j();\n}\nk\n#[cfg(test)]\nmod tests {\n    l\n}\n";
-    assert_eq!(words(&code(text)), ["use", "a", "let", "e", "k"]);
-}
-
-/// The functions that can be called from outside the core: their names, and where they are.
-fn doors() -> BTreeMap<String, String> {
-    let rooms = rooms();
-    let map = &rooms.iter().find(|room| room.path == "lib.rs").unwrap().code;
-    let exported: BTreeSet<&str> =
-        after(map, "pub use ").flat_map(|exports| words(exports.split(';').next().unwrap())).collect();
-    let mut doors = BTreeMap::new();
-    for Room { path, code } in &rooms {
-        // What the code at the left margin belongs to; a macro makes types that are exported.
-        let mut owner_is_public = false;
-        for line in code.lines() {
-            let indented = line.starts_with(' ');
-            let line = line.trim();
-            if line.starts_with("impl") {
-                // `impl<..> Type<..> {`, `impl<..> Trait for Type<..> {`: the last name before generics.
-                let subject = line.rsplit(" for ").next().unwrap();
-                let subject = if subject.starts_with("impl<") { after_generics(subject) } else { subject };
-                let name = words(subject).into_iter().find(|word| *word != "impl");
-                owner_is_public = subject.contains('$') || name.is_some_and(|name| exported.contains(name));
-            } else if !indented && line.starts_with('}') {
-                owner_is_public = false;
-            }
-            let Some(declared) =
-                ["pub fn ", "pub const fn "].iter().find_map(|start| line.strip_prefix(start))
-            else {
-                continue;
-            };
-            let name = words(declared)[0];
-            if owner_is_public || !indented && exported.contains(name) {
-                doors.insert(name.to_owned(), path.clone());
-            }
-        }
-    }
-    doors
-}
-
-/// What follows `impl<..>`.
-fn after_generics(line: &str) -> &str {
-    let mut depth = 0;
-    let end = line.find(|c| {
-        depth += i32::from(c == '<') - i32::from(c == '>');
-        c == '>' && depth == 0
-    });
-    end.map_or(line, |end| &line[end + 1..])
-}
-
-/// The names of what is called, which a function is not where it is declared.
-fn calls(code: &str) -> BTreeSet<&str> {
-    let called = |at: usize| {
-        let mut before = code[..at].rsplit(|c: char| !c.is_alphanumeric() && c != '_');
-        let name = before.next().filter(|name| !name.is_empty())?;
-        (before.next() != Some("fn")).then_some(name)
+fn the_proof_calls_every_public_function_that_is_not_for_hosts_only() {
+    let Called { functions: called, .. } = Called::by(&proof());
+    let functions = public_functions(&core());
+    assert!(functions.len() > 100, "only {} found", functions.len());
+    let is_for_hosts = |function: &str| {
+        let subject = function.split("::").next().unwrap();
+        FOR_HOSTS_ONLY.contains(&function) || FOR_HOSTS_ONLY.contains(&subject)
     };
-    ["(", "::<"].iter().flat_map(|call| code.match_indices(call)).filter_map(|(at, _)| called(at)).collect()
+    let is_proven = |function: &str| called.contains(function) != is_for_hosts(function);
+    let unproven: Vec<String> = functions
+        .iter()
+        .filter(|(function, _)| !is_proven(function))
+        .map(|(function, module)| format!("{function} in {module}"))
+        .collect();
+    assert!(
+        unproven.is_empty(),
+        "not called by its path in the proof, or for hosts and called:\n{}",
+        unproven.join("\n")
+    );
 }
 
 #[test]
-fn what_is_called_is_found_and_what_is_only_declared_is_not() {
-    let code = "fn a(b: &mut (C, D)) {\n    e((f::<8>(), g.h(3)));\n    I::j(&(k, l))\n}";
-    assert_eq!(calls(code), BTreeSet::from(["e", "f", "h", "j"]));
+fn the_proof_names_everything_that_is_public() {
+    let Called { words, .. } = Called::by(&proof());
+    let core = core();
+    let exported = Names::of(&core).exported();
+    let is_for_hosts = |module: usize| core.modules[module].features.contains(&HEAP.to_owned());
+    let unnamed: Vec<&str> = exported
+        .iter()
+        .filter(|(module, name)| {
+            !is_for_hosts(*module) && !words.contains(name) && !FOR_HOSTS_ONLY.contains(&name.as_str())
+        })
+        .map(|(_, name)| name.as_str())
+        .collect();
+    assert!(unnamed.is_empty(), "not named in the proof: {unnamed:?}");
 }
 
 #[test]
-fn the_doors_of_the_core_are_found() {
-    let doors = doors();
-    // Free, of a type, constant, of a type with parameters, made by a macro.
-    for known in
-        ["render", "leave", "to_srgb8", "group_count", "with_boxes", "trace", "nearest", "with", "color"]
-    {
-        assert_eq!(doors.contains_key(known), known != "color", "{known}: {doors:?}");
+fn no_function_of_the_proof_has_the_name_of_a_public_one() {
+    let functions = public_functions(&core());
+    let proof = proof();
+    for item in proof.modules.iter().flat_map(|module| &module.items) {
+        if let Item::Fn(it) = item {
+            assert!(
+                !functions.contains_key(&it.sig.ident.to_string()),
+                "{} is a function of the core",
+                it.sig.ident
+            );
+        }
     }
-    assert!(!doors.contains_key("powf") && !doors.contains_key("product_error"), "{doors:?}");
 }
 
-#[test]
-fn every_public_door_is_proven_free_of_panics_or_for_hosts_only() {
-    let rooms: Vec<String> =
-        rooms_of("tests/firmware/src/bin/proof").into_iter().map(|room| room.code).collect();
-    let proof = rooms.join("\n");
-    let calls = calls(&proof);
-    let doors = doors();
-    for (door, room) in &doors {
-        let is_for_hosts = FOR_HOSTS_ONLY.contains(&door.as_str());
-        let is_called = calls.contains(door.as_str());
-        assert!(is_called || is_for_hosts, "{door} in {room} is not called in the proof");
-        assert!(!(is_called && is_for_hosts), "{door} is called in the proof, and is not for hosts only");
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn functions(source: &str) -> Vec<String> {
+        public_functions(&Crate::of(source)).into_keys().collect()
     }
-    for host in FOR_HOSTS_ONLY {
-        assert!(doors.contains_key(host), "{host} is no door");
+
+    #[test]
+    fn functions_of_public_types_are_public() {
+        let source = "pub mod a { pub struct A<T>(T); impl<T> A<T> { pub const fn f() {} fn p() {} pub(crate) fn c() {} } pub fn g() {} } \
+                      mod b { pub struct B; impl B { pub fn h(&self) {} } struct P; impl P { pub fn i() {} } pub fn j() {} } pub use b::B;";
+        assert_eq!(functions(source), ["A::f", "B::h", "g"]);
     }
-    // Whoever called one of these would seem to call the door.
-    for line in proof.lines() {
-        let declared = ["fn ", "pub fn "].iter().find_map(|start| line.strip_prefix(start));
-        let name = declared.map_or("", |declared| words(declared)[0]);
-        assert!(!doors.contains_key(name), "{name} in the proof has the name of a door");
+
+    #[test]
+    fn a_function_belongs_to_its_type_wherever_it_is_implemented() {
+        let source = "mod a { pub struct A; } mod b { use super::a::A; impl A { pub fn f() {} } impl Clone for A { fn clone() {} } } pub use a::A;";
+        assert_eq!(functions(source), ["A::f"]);
+    }
+
+    #[test]
+    fn functions_that_a_macro_makes_belong_to_the_types_that_it_is_called_for() {
+        let source = "macro_rules! set { ($Set:ident of $Kind:ident) => { pub struct $Set; impl $Set { pub const fn of(kind: $Kind) {} \
+                      /// doc\n #[inline] pub fn has() {} fn p() {} } impl core::fmt::Debug for $Set { fn fmt() {} } } } \
+                      /// doc\n set! { A of B } set!(C of D);";
+        assert_eq!(functions(source), ["A::has", "A::of", "C::has", "C::of"]);
+    }
+
+    #[test]
+    fn what_needs_a_heap_is_for_hosts() {
+        let source = "#[cfg(feature = \"alloc\")] pub mod a { pub fn f() {} } pub struct B; \
+                      #[cfg(feature = \"alloc\")] impl B { pub fn g() {} } impl B { #[cfg(feature = \"alloc\")] pub fn h() {} pub fn i() {} }";
+        assert_eq!(functions(source), ["B::i"]);
+    }
+
+    #[test]
+    fn what_is_called_by_its_path_is_found_and_what_is_only_declared_is_not() {
+        let source = "fn a(b: &mut (C, D)) { e((f::<8>(), g.h(3))); I::<2>::j(&(k, l)); m.map(N::o); p::q() } \
+                      fn r() { macro_rules! s { ($T:ident) => { $T::t(u(1)) } } s!(V); s!(W); w!(X::x) }";
+        let Called { functions, .. } = Called::by(&Crate::of(source));
+        assert_eq!(
+            functions,
+            BTreeSet::from(
+                ["I::j", "N::o", "V::t", "W::t", "X::x", "e", "f", "p::q", "q", "u"].map(str::to_owned)
+            )
+        );
     }
 }

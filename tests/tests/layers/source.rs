@@ -5,7 +5,9 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 use syn::punctuated::Punctuated;
-use syn::{Attribute, Expr, ExprLit, Item, ItemMod, Lit, Meta, Token};
+use syn::{Attribute, Expr, ExprLit, Item, ItemMacro, ItemMod, Lit, Meta, Token, Visibility};
+
+use crate::expansion::Rule;
 
 /// The modules of a library, a program, a test or an example. The first is its root.
 pub struct Crate {
@@ -21,6 +23,10 @@ pub struct Module {
     pub items: Vec<Item>,
     /// The file that it is in.
     pub file: PathBuf,
+    /// Whether it is declared by `pub mod`.
+    pub is_public: bool,
+    /// The features without which it is left out.
+    pub features: Vec<String>,
 }
 
 impl Crate {
@@ -29,7 +35,8 @@ impl Crate {
         let mut read = Crate { modules: Vec::new(), indices: HashMap::new() };
         let file = parsed(root);
         let folder = root.parent().unwrap();
-        read.add(Vec::new(), file.items, root, [folder; 2]);
+        read.add(Module::root(root), file.items, [folder; 2]);
+        read.expand();
         read
     }
 
@@ -37,8 +44,34 @@ impl Crate {
     pub fn of(text: &str) -> Crate {
         let mut read = Crate { modules: Vec::new(), indices: HashMap::new() };
         let file = syn::parse_file(text).unwrap_or_else(|error| panic!("{error}"));
-        read.add(Vec::new(), file.items, Path::new("lib.rs"), [Path::new("."); 2]);
+        read.add(Module::root("lib.rs".as_ref()), file.items, [".".as_ref(); 2]);
+        read.expand();
         read
+    }
+
+    /// Puts items in place of the macro calls that stand for them, where the macro is one of the crate and simple.
+    fn expand(&mut self) {
+        let mut rules = HashMap::new();
+        for item in self.modules.iter().flat_map(|module| &module.items) {
+            if let Item::Macro(ItemMacro { ident: Some(name), mac, .. }) = item
+                && let Some(rule) = Rule::of(mac.tokens.clone())
+            {
+                rules.insert(name.to_string(), rule);
+            }
+        }
+        let expanded = |item: Item| match &item {
+            Item::Macro(ItemMacro { ident: None, mac, .. }) => {
+                let rule = mac.path.segments.last().and_then(|name| rules.get(&name.ident.to_string()));
+                let items = rule.and_then(|rule| rule.expanded(mac.tokens.clone()));
+                items
+                    .and_then(|items| syn::parse2::<syn::File>(items).ok())
+                    .map_or(vec![item], |file| file.items)
+            }
+            _ => vec![item],
+        };
+        for module in &mut self.modules {
+            module.items = std::mem::take(&mut module.items).into_iter().flat_map(expanded).collect();
+        }
     }
 
     /// The index of the module of this path.
@@ -55,29 +88,33 @@ impl Crate {
 
     /// Adds a module and all of those in it. Files of modules that it declares are in the first folder, and
     /// where an attribute names them, relative to the second.
-    fn add(&mut self, path: Vec<String>, items: Vec<Item>, file: &Path, folders: [&Path; 2]) {
+    fn add(&mut self, module: Module, items: Vec<Item>, folders: [&Path; 2]) {
         let index = self.modules.len();
-        self.indices.insert(path.clone(), index);
-        self.modules.push(Module { path: path.clone(), items: Vec::new(), file: file.to_owned() });
+        self.indices.insert(module.path.clone(), index);
+        self.modules.push(module);
         for item in items {
             match item {
                 item if is_for_tests(attributes(&item)) => {}
-                Item::Mod(module) => {
-                    let mut path = path.clone();
-                    path.push(module.ident.to_string());
-                    self.add_declared(path, module, file, folders);
-                }
+                Item::Mod(declared) => self.add_declared(index, declared, folders),
                 item => self.modules[index].items.push(item),
             }
         }
     }
 
-    fn add_declared(&mut self, path: Vec<String>, module: ItemMod, file: &Path, [folder, base]: [&Path; 2]) {
-        let name = module.ident.to_string();
-        let named = value(&module.attrs, "path").map(|named| base.join(named));
-        if let Some((_, items)) = module.content {
+    fn add_declared(&mut self, parent: usize, declared: ItemMod, [folder, base]: [&Path; 2]) {
+        let name = declared.ident.to_string();
+        let named = value(&declared.attrs, "path").map(|named| base.join(named));
+        let parent = &self.modules[parent];
+        let mut module = Module {
+            path: [&parent.path[..], std::slice::from_ref(&name)].concat(),
+            items: Vec::new(),
+            file: parent.file.clone(),
+            is_public: matches!(declared.vis, Visibility::Public(_)),
+            features: [&parent.features[..], &features(&declared.attrs)].concat(),
+        };
+        if let Some((_, items)) = declared.content {
             let folder = named.unwrap_or_else(|| folder.join(&name));
-            self.add(path, items, file, [&folder; 2]);
+            self.add(module, items, [&folder; 2]);
             return;
         }
         // The modules of `a.rs` are in the folder `a`, those of `mod.rs` and of named files beside them.
@@ -89,7 +126,15 @@ impl Crate {
             None => (folder.join(&name).join("mod.rs"), folder.join(&name)),
         };
         let items = parsed(&source).items;
-        self.add(path, items, &source, [&inner, source.parent().unwrap()]);
+        module.file.clone_from(&source);
+        self.add(module, items, [&inner, source.parent().unwrap()]);
+    }
+}
+
+impl Module {
+    fn root(file: &Path) -> Module {
+        let (path, items, features) = Default::default();
+        Module { path, items, file: file.to_owned(), is_public: true, features }
     }
 }
 

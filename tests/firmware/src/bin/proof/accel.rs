@@ -11,7 +11,7 @@ use crate::text::displayed;
 pub fn doors() {
     used(group_count(any(1)));
     for list in lists(&mut [Aabb::EMPTY], [&mut [Ball::EMPTY], &mut [Ball::EMPTY]]) {
-        used(list.size_in_bytes());
+        used(List::size_in_bytes(&list));
         list.traverse(&any_ray(), &mut (), &mut Anybody);
     }
     tree::<TraversalStack<2>>();
@@ -85,13 +85,14 @@ fn tree<W: TraversalQueue>() {
     match any(LeafLayout::TriangleBlocks(&geometry)) {
         LeafLayout::Entries => {
             let Ok(tree) = Bvh::<()>::build(boxes, nodes, items) else { return };
-            hierarchy(tree.with_queue::<W>());
+            hierarchy(Bvh::with_queue::<W>(tree));
         }
         leaves => {
             let Ok(grown) = BvhBuilder::new(boxes, leaves, nodes, items) else { return };
-            used(grown.block_count());
+            used(BvhBuilder::block_count(&grown));
             let mut runs = [TriangleBlock::EMPTY; 2];
-            let Ok(tree) = grown.into_bvh_with_blocks::<W>(&geometry, any(runs.as_mut_slice())) else {
+            let Ok(tree) = BvhBuilder::into_bvh_with_blocks::<W>(grown, &geometry, any(runs.as_mut_slice()))
+            else {
                 return;
             };
             hierarchy(tree);
@@ -100,32 +101,34 @@ fn tree<W: TraversalQueue>() {
     if let Ok(grown) =
         BvhBuilder::new(boxes, any(LeafLayout::Entries), &mut [BvhNode::EMPTY], &mut [LeafEntry::EMPTY])
     {
-        hierarchy(grown.into_bvh::<W>());
+        hierarchy(BvhBuilder::into_bvh::<W>(grown));
     }
 }
 
 fn hierarchy<W: TraversalQueue, L: LeafElement>(tree: Bvh<'_, W, L>) {
-    used((tree.size_in_bytes(), tree.leaf_count(), tree.entry_count(), tree.depth()));
-    tree.with_queue::<W>().traverse(&any_ray(), &mut W::default(), &mut Anybody);
-    used(any(TriangleBlock::EMPTY).items().count());
+    used((Bvh::size_in_bytes(&tree), Bvh::leaf_count(&tree), Bvh::entry_count(&tree), Bvh::depth(&tree)));
+    Bvh::with_queue::<W>(tree).traverse(&any_ray(), &mut W::default(), &mut Anybody);
+    used(TriangleBlock::items(&any(TriangleBlock::EMPTY)).count());
 }
 
 /// A grid and an octree of anything, in lent memory of any length.
 fn subdivisions<const MAILBOX: usize>() {
     let boxes = slice(&[Aabb::EMPTY]);
     let mut mailbox = any(Mailbox::<MAILBOX>::new());
-    mailbox.clear();
+    Mailbox::clear(&mut mailbox);
     used((GridSize::recommended(boxes), GridSize::estimated(any(1)), OctreeSize::recommended(any(1))));
 
     let (mut cells, mut items) = ([0; 2], [0; 2]);
     let (cells, items) = (any(cells.as_mut_slice()), any(items.as_mut_slice()));
+    used(Grid::<MAILBOX>::build(boxes, cells, items).is_ok());
     if let Ok(grid) = Grid::<MAILBOX>::with_density(number(), boxes, cells, items) {
-        used((grid.size_in_bytes(), grid.cell_count(), grid.entry_count(), grid.resolution()));
+        used((Grid::size_in_bytes(&grid), Grid::cell_count(&grid), Grid::entry_count(&grid)));
+        used(Grid::resolution(&grid));
         grid.traverse(&any_ray(), &mut mailbox, &mut Anybody);
-        grid.without_item_bounds().traverse(&any_ray(), &mut mailbox, &mut Anybody);
+        Grid::without_item_bounds(grid).traverse(&any_ray(), &mut mailbox, &mut Anybody);
     }
     let mut memory = StaticGrid::<5, 7>::new();
-    if let Ok(grid) = memory.build::<MAILBOX>(boxes) {
+    if let Ok(grid) = StaticGrid::build::<MAILBOX>(&mut memory, boxes) {
         grid.traverse(&any_ray(), &mut mailbox, &mut Anybody);
     }
 
@@ -134,13 +137,13 @@ fn subdivisions<const MAILBOX: usize>() {
     used(Octree::<MAILBOX>::build(boxes, nodes, items).is_ok());
     if let Ok(tree) = Octree::<MAILBOX>::with_limits(any(OctreeLimits::DEFAULT), boxes, nodes, items) {
         used((
-            tree.size_in_bytes(),
-            tree.occupied_leaf_count(),
-            tree.entry_count(),
-            tree.node_count(),
-            tree.depth(),
+            Octree::size_in_bytes(&tree),
+            Octree::occupied_leaf_count(&tree),
+            Octree::entry_count(&tree),
+            Octree::node_count(&tree),
+            Octree::depth(&tree),
         ));
         tree.traverse(&any_ray(), &mut mailbox, &mut Anybody);
-        tree.without_item_bounds().traverse(&any_ray(), &mut mailbox, &mut Anybody);
+        Octree::without_item_bounds(tree).traverse(&any_ray(), &mut mailbox, &mut Anybody);
     }
 }

@@ -36,5 +36,5 @@ pub fn any_item() -> ItemId {
 }
 
 pub fn any_ray() -> Ray {
-    Ray::new(vector(), vector()).at_time(number())
+    Ray::at_time(Ray::new(vector(), vector()), number())
 }

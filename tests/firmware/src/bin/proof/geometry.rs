@@ -15,13 +15,14 @@ fn one_by_one() {
     used(Cone::new(vector(), number(), vector(), number(), any(true)));
     used(TurnedCuboid::new(vector(), vector(), vector(), vector()));
     used(Polygon::new(any(0), slice(&[Vec3::X]), any(true)));
-    used((any(SHAPES[0]).kind(), any(ShapeKind::Sphere).name()));
+    used((Shape::kind(any(SHAPES[0])), ShapeKind::name(any(ShapeKind::Sphere))));
 
-    let aabb = Aabb::around(slice(&[Vec3::X]).iter().copied()).union(Aabb::round(vector(), vector()));
-    let span: Option<Span> = aabb.span(&any_ray());
-    used((span, aabb.is_empty(), any(Aabb::EMPTY), Aabb::of_points(slice(&[Vec3::X]))));
+    let around = Aabb::around(slice(&[Vec3::X]).iter().copied());
+    let aabb = Aabb::union(around, Aabb::round(vector(), vector()));
+    let span: Option<Span> = Aabb::span(&aabb, &any_ray());
+    used((span, Aabb::is_empty(&aabb), any(Aabb::EMPTY), Aabb::of_points(slice(&[Vec3::X]))));
 
-    used((any_ray().at(number()), leave(vector(), vector(), vector())));
+    used((Ray::at(&any_ray(), number()), leave(vector(), vector(), vector())));
     used(has_area([vector(), vector(), vector()]));
 }
 
@@ -84,14 +85,20 @@ fn in_tables() {
         const MOTION: bool = true;
     }
     fn met<S: Shapes>(geometry: &Geometry<'_>) {
-        used((geometry.kind(&any(SHAPES[0])), geometry.offset(&any(SHAPES[0]), number())));
-        used(geometry.distance::<S>(any(&SHAPES[0]), &any_ray()));
-        let surface: Option<Surface> = geometry.surface::<S>(any(&SHAPES[0]), &any_ray(), number());
+        used((
+            Geometry::kind(geometry, &any(SHAPES[0])),
+            Geometry::offset(geometry, &any(SHAPES[0]), number()),
+        ));
+        used(Geometry::distance::<S>(geometry, any(&SHAPES[0]), &any_ray()));
+        let surface: Option<Surface> =
+            Geometry::surface::<S>(geometry, any(&SHAPES[0]), &any_ray(), number());
         used(surface);
     }
     let geometry = any_geometry();
-    used((geometry.check(), geometry.shape(any_item()), geometry.bounds(any_item())));
-    geometry.all_bounds().for_each(used);
+    used((Geometry::check(&geometry), Geometry::shape(&geometry, any_item())));
+    used((Geometry::bounds(&geometry, any_item()), Geometry::bytes(&geometry)));
+    Geometry::all_bounds(&geometry).for_each(used);
+    geometry.moving.first().map(|moving| Moving::offset(moving, number())).into_iter().for_each(used);
     met::<Bare>(&geometry);
     met::<Everything>(&geometry);
 }

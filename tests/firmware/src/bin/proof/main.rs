@@ -2,15 +2,18 @@
 //!
 //! The panic handler calls a function that nobody defines. Where the optimiser could not remove
 //! every path to it, the linker asks for `a_panic_is_reachable`. What is not called is not
-//! proven, so every public door of the core is opened here, with numbers of which the optimiser
+//! proven, so every public function of the core is called here, with numbers of which the optimiser
 //! knows nothing. To be linked, never to be run.
 //!
 //! When it does not link: let the handler loop, link, and look in `objdump -d -C` for who calls
 //! `core::panicking`.
 //!
-//! The doors of a room of the core are opened in the room of the same name here: in its `doors`, or, where
-//! they ask for a tracer, in what `trace` calls. Baked scenes have a room of their own, `pack`; what all
-//! rooms ask for is in `any` and `text`.
+//! The functions of a module of the core are called in the module of the same name here: in its `doors`, or, where
+//! they need a tracer, in what `trace` calls. Baked scenes have a module of their own, `pack`; what all modules need
+//! is in `any` and `text`.
+//!
+//! Functions are called by their path, `Type::function(value)`: a test (`tests/tests/layers/proof.rs`) checks that none
+//! is missing, and a method call does not say whose method it is.
 
 #![no_std]
 #![no_main]

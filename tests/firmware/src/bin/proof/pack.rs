@@ -10,17 +10,18 @@ use crate::trace::traced;
 pub fn doors() {
     displayed(any(PackError::Checksum));
     let Ok(pack) = Pack::open(slice(&[0_u8])) else { return };
-    used((pack.size(), pack.levels(), pack.cutoff(), pack.view(), pack.camera(any_size()), pack.bare()));
-    let finder: Result<Finder<'_>, PackError> = pack.finder();
+    used((Pack::size(&pack), Pack::levels(&pack), Pack::cutoff(&pack), Pack::view(&pack)));
+    used(Pack::camera(&pack, any_size()));
+    let finder: Result<Finder<'_>, PackError> = Pack::finder(&pack);
     used((finder, any(PackPart::Finder), any(TextureId::NONE)));
-    traced::<_, Everything, _, 5>(&World::new(*pack.scene(), pack.bare()), ());
-    if let Ok(grid) = pack.grid::<8>() {
-        traced::<_, Few, _, 2>(&World::new(*pack.scene(), grid.with_mailbox::<16>()), ());
+    traced::<_, Everything, _, 5>(&World::new(*Pack::scene(&pack), Pack::bare(&pack)), ());
+    if let Ok(grid) = Pack::grid::<8>(&pack) {
+        traced::<_, Few, _, 2>(&World::new(*Pack::scene(&pack), Grid::with_mailbox::<16>(grid)), ());
     }
-    if let Ok(octree) = pack.octree::<8>() {
-        traced::<_, Few, _, 2>(&World::new(*pack.scene(), octree.with_mailbox::<16>()), ());
+    if let Ok(octree) = Pack::octree::<8>(&pack) {
+        traced::<_, Few, _, 2>(&World::new(*Pack::scene(&pack), Octree::with_mailbox::<16>(octree)), ());
     }
-    if let Ok(bvh) = pack.bvh::<TraversalStack<8>>() {
-        traced::<_, Few, _, 2>(&World::new(*pack.scene(), bvh), ());
+    if let Ok(bvh) = Pack::bvh::<TraversalStack<8>>(&pack) {
+        traced::<_, Few, _, 2>(&World::new(*Pack::scene(&pack), bvh), ());
     }
 }

@@ -18,14 +18,33 @@ pub fn rendered<A: Accelerator, E: Effects, T: Tally, const LEVELS: usize>(
 ) {
     let mut colors = [Rgb::BLACK; 4];
     if let Some(mut frame) = Frame::new(any_tile(), any(&mut colors[..])) {
-        let Ok(()) = render(&mut tracer.with_worker(worker), &mut sampler, any_tile().pixels(), &mut frame);
+        let Ok(()) = render(
+            &mut Tracer::with_worker(tracer, worker),
+            &mut sampler,
+            Tile::pixels(any_tile()),
+            &mut frame,
+        );
     }
-    let Ok(()) =
-        render(&mut tracer.with_worker(worker), &mut sampler, any_tile().pixels(), &mut |pixel, color| used((pixel, color)));
-    used(render(&mut tracer.with_worker(worker), &mut sampler, [any(Pixel { x: 0, y: 0 })], &mut Screen));
+    let Ok(()) = render(
+        &mut Tracer::with_worker(tracer, worker),
+        &mut sampler,
+        Tile::pixels(any_tile()),
+        &mut |pixel, color| used((pixel, color)),
+    );
+    used(render(
+        &mut Tracer::with_worker(tracer, worker),
+        &mut sampler,
+        [any(Pixel { x: 0, y: 0 })],
+        &mut Screen,
+    ));
     let mut screen = Screen;
     let mut display = Display::new(&mut screen, Point::new(any(0), any(0)), any(Dither::Ordered));
-    used(render(&mut tracer.with_worker(worker), &mut sampler, [any(Pixel { x: 0, y: 0 })], &mut display));
+    used(render(
+        &mut Tracer::with_worker(tracer, worker),
+        &mut sampler,
+        [any(Pixel { x: 0, y: 0 })],
+        &mut display,
+    ));
     used(<Rgb565 as Steps>::of(any([0; 3])));
 }
 
@@ -35,17 +54,17 @@ pub fn selected<A: Accelerator, E: Effects, T: Tally, const LEVELS: usize>(
     worker: &mut Worker<A, T, LEVELS>,
     mut selected: Selected<'_, Loose, Single>,
 ) {
-    used(render_selected(&mut tracer.with_worker(worker), &mut selected, any_tile().pixels(), &mut Screen));
-    used(render_refined(&mut tracer.with_worker(worker), &mut selected, any_tile(), &mut Screen));
-    used(*selected.selection());
-    selected.begin();
-    selected.refine_block(
-        any(Pixel { x: 0, y: 0 }),
-        any(4),
-        &mut any_trace,
-        &mut |_, _| {},
-    );
-    selected.sample_block(any(Pixel { x: 0, y: 0 }), &mut any_trace, &mut |_, _| {});
+    used(render_selected(
+        &mut Tracer::with_worker(tracer, worker),
+        &mut selected,
+        Tile::pixels(any_tile()),
+        &mut Screen,
+    ));
+    used(render_refined(&mut Tracer::with_worker(tracer, worker), &mut selected, any_tile(), &mut Screen));
+    used(*Selected::selection(&selected));
+    Selected::begin(&mut selected);
+    Selected::refine_block(&mut selected, any(Pixel { x: 0, y: 0 }), any(4), &mut any_trace, &mut |_, _| {});
+    Selected::sample_block(&mut selected, any(Pixel { x: 0, y: 0 }), &mut any_trace, &mut |_, _| {});
 }
 
 /// A screen whose wire may break.

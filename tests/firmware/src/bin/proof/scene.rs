@@ -41,19 +41,23 @@ pub fn any_parts() -> Parts<'static> {
 
 fn described() {
     let Ok(scene) = Scene::new(any_parts()) else { return };
-    used((scene.parts(), scene.effects(), scene.material(any_item())));
-    used((Scene::new(any(Parts::EMPTY)).is_ok(), any(Background::Color(Rgb::BLACK)).toward(vector())));
+    used((Scene::parts(&scene), Scene::effects(&scene), Scene::material(&scene, any_item())));
+    used(Parts::bytes(Scene::parts(&scene)));
+    used((
+        Scene::new(any(Parts::EMPTY)).is_ok(),
+        Background::toward(&any(Background::Color(Rgb::BLACK)), vector()),
+    ));
 
     let material = any(Material { interface: any(Interface::Fresnel), ..Material::MATTE });
     used((
-        material.is_transmitting(),
-        material.is_shiny(),
-        material.is_absorbing(),
-        material.is_lit(),
-        material.is_rough(),
+        Material::is_transmitting(&material),
+        Material::is_shiny(&material),
+        Material::is_absorbing(&material),
+        Material::is_lit(&material),
+        Material::is_rough(&material),
     ));
-    if let (Some(light), Some(texture)) = (scene.parts().lights.first(), scene.parts().textures.first()) {
-        used((light.kind(), light.is_soft(), texture.kind(), any(Falloff::NONE)));
+    if let (Some(light), Some(texture)) = (any_parts().lights.first(), any_parts().textures.first()) {
+        used((Light::kind(light), Light::is_soft(light), Texture::kind(texture), any(Falloff::NONE)));
     }
 
     let mut lent = [Aabb::EMPTY];
@@ -81,11 +85,11 @@ impl Effects for ShortSighted {
 
 fn asked<A: Accelerator, E: Effects>(world: World<'_, A>) {
     let (kind, mut scratch) = (any(RayKind::Shadow), A::Scratch::default());
-    used((world.scene(), world.accelerator()));
-    used(world.nearest::<E, _>(&any_ray(), number(), kind, &mut scratch, &mut Told));
-    used(world.blocker::<E, _>(&any_ray(), number(), kind, &mut scratch, &mut Told));
-    used(world.blocks::<E, _>(any_item(), &any_ray(), number(), kind, &mut Told));
-    used(world.surface::<E>(&any_ray(), any(Hit { t: 1.0, item: ItemId(0) })));
+    used((World::scene(&world), World::accelerator(&world)));
+    used(World::nearest::<E, _>(&world, &any_ray(), number(), kind, &mut scratch, &mut Told));
+    used(World::blocker::<E, _>(&world, &any_ray(), number(), kind, &mut scratch, &mut Told));
+    used(World::blocks::<E, _>(&world, any_item(), &any_ray(), number(), kind, &mut Told));
+    used(World::surface::<E>(&world, &any_ray(), any(Hit { t: 1.0, item: ItemId(0) })));
 }
 
 pub fn any_size() -> Size {
@@ -98,8 +102,9 @@ pub fn any_camera() -> Option<Camera> {
 }
 
 fn looked_at() {
-    used((any_size().width(), any_size().height()));
-    used(any_camera().map(|camera| (camera.ray(any(FilmPoint { x: 0.0, y: 0.0 })), camera.has_lens())));
+    used((Size::width(any_size()), Size::height(any_size())));
+    let place = any(FilmPoint { x: 0.0, y: 0.0 });
+    used(any_camera().map(|camera| (Camera::ray(&camera, place), Camera::has_lens(&camera))));
 }
 
 pub fn any_sample() -> CameraSample {

@@ -8,9 +8,11 @@ use crate::text::debugged;
 pub fn doors() {
     macro_rules! set {
         ($Set:ident of $Kind:ident) => {{
-            let set = $Set::of(slice(&$Kind::ALL)).with(any($Kind::ALL[0])).union(any($Set::NONE));
-            used((set.len(), set.is_empty(), set.has(any($Kind::ALL[0])), set.contains(any($Set::ALL))));
-            set.iter().for_each(used);
+            let set = $Set::with($Set::of(slice(&$Kind::ALL)), any($Kind::ALL[0]));
+            let set = $Set::union(set, any($Set::NONE));
+            used(($Set::len(set), $Set::is_empty(set)));
+            used(($Set::has(set, any($Kind::ALL[0])), $Set::contains(set, any($Set::ALL))));
+            $Set::iter(set).for_each(used);
             debugged(&set);
             set
         }};
@@ -19,5 +21,5 @@ pub fn doors() {
     set.shapes = set!(ShapeSet of ShapeKind);
     set.lights = set!(LightSet of LightKind);
     set.textures = set!(TextureSet of TextureKind);
-    used(set.contains(&any(EffectSet::ALL)));
+    used(EffectSet::contains(&set, &any(EffectSet::ALL)));
 }

@@ -12,12 +12,16 @@ pub fn doors() {
     let (materials, body) = (slice(&MATERIALS), any(MaterialId(0)));
     let mut media = Media::NONE;
     while any(true) {
-        let crossing: Crossing =
-            if any(true) { media.entering(body, materials) } else { media.leaving(body, materials) };
-        used((media.in_force(materials), index(crossing.behind, materials), &crossing));
+        let crossing: Crossing = if any(true) {
+            Media::entering(media, body, materials)
+        } else {
+            Media::leaving(media, body, materials)
+        };
+        used((Media::in_force(media, materials), index(crossing.behind, materials), &crossing));
         media = crossing.media;
     }
     // Not only what a way through bodies leads to.
     let media = any(Media::NONE);
-    used((media.in_force(materials), media.entering(body, materials), media.leaving(body, materials)));
+    used(Media::in_force(media, materials));
+    used((Media::entering(media, body, materials), Media::leaving(media, body, materials)));
 }

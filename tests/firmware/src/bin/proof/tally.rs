@@ -6,7 +6,7 @@ use crate::any::{any, used};
 
 pub fn doors() {
     RayKind::ALL.into_iter().for_each(used);
-    used(any(RayKind::Camera).name());
+    used(RayKind::name(any(RayKind::Camera)));
     ().count(any(Event::MediaFull));
     ().tell(any(Step::ThrownBack));
     used((any(Fate::Sent), any(Lit::Dark)));
@@ -17,12 +17,13 @@ pub fn doors() {
 fn counters() {
     let mut counters = any(Counters::new());
     counters.count(any(Event::MediaFull));
-    counters.add(&any(Counters::default()));
+    Counters::add(&mut counters, &any(Counters::default()));
     let (kind, shape) = (any(RayKind::Camera), any(ShapeKind::Sphere));
     let (by_ray, by_shape): (PerRayKind, PerShapeKind) = (counters.rays, counters.by_shape);
-    used((by_ray[kind], by_ray.sum(), by_shape[shape], by_shape.sum()));
-    let unsent: UnsentRays = any(counters.cutoff);
-    used((unsent.weight(), counters.cut()));
+    used((by_ray[kind], PerRayKind::sum(&by_ray), by_shape[shape], PerShapeKind::sum(&by_shape)));
+    let mut unsent = any(counters.cutoff);
+    UnsentRays::add(&mut unsent, &any(counters.cutoff));
+    used((UnsentRays::weight(&unsent), Counters::cut(&counters)));
     let mut rays = any(RayCounters::new());
     rays.count(any(Event::MediaFull));
     used(rays.counters);

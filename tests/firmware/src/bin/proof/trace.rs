@@ -26,15 +26,16 @@ pub fn traced<A: Accelerator, E: Effects, T: Tally, const LEVELS: usize>(world: 
     let Some(camera) = any_camera() else { return };
     let limits = any(Limits::DEFAULT);
     let Ok(tracer) = Tracer::<A, E, LEVELS>::new(world, camera, limits) else { return };
-    let mut bare = Worker::<A, (), LEVELS, 0>::of_any_size(()).without_shadow_cache();
-    used((tracer.trace(any_sample(), &mut bare), any(Worker::<A, (), LEVELS, 0>::BYTES)));
+    let mut bare = Worker::<A, (), LEVELS, 0>::of_any_size(());
+    bare = Worker::without_shadow_cache(bare);
+    used((Tracer::trace(&tracer, any_sample(), &mut bare), any(Worker::<A, (), LEVELS, 0>::BYTES)));
     let mut worker = Worker::new(tally);
-    used(tracer.trace(any_sample(), &mut worker));
+    used(Tracer::trace(&tracer, any_sample(), &mut worker));
 
-    worker.forget();
+    Worker::forget(&mut worker);
     image::sampled(&tracer, &mut worker);
 
-    used(worker.tally());
-    used(worker.tally_mut());
-    used(worker.into_tally());
+    used(Worker::tally(&worker));
+    used(Worker::tally_mut(&mut worker));
+    used(Worker::into_tally(worker));
 }
