@@ -49,6 +49,9 @@
     )
 )]
 
+#[cfg(feature = "alloc")]
+extern crate alloc;
+
 mod math;
 #[cfg(not(feature = "double"))]
 mod set;
@@ -97,6 +100,8 @@ pub use scene::{
 };
 #[cfg(not(feature = "double"))]
 pub use scene::{Baking, Finder, Pack, PackError, PackPart};
+#[cfg(feature = "alloc")]
+pub use scene::{SceneTables, Shading};
 pub use shade::{Crossing, Media, Refraction, absorbed, index, reflected, refracted};
 pub use tally::{
     Counters, Event, Fate, Lit, PerRayKind, PerShapeKind, RayCounters, RayKind, Step, Tally, UnsentRays,

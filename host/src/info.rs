@@ -18,7 +18,7 @@ use crate::load::load;
 use crate::output::{Output, say};
 use crate::plan::{Effect, Step, asked_by, plan};
 use crate::render_output::AccelStats;
-use crate::stock::single::Stock;
+use crate::stock::single::scene_tables;
 use crate::wrap::{width_of_stdout, wrapped};
 
 /// Tells what is in one scene.
@@ -27,7 +27,7 @@ pub fn run(args: &InfoArgs) -> Result<(), Failure> {
     for warning in &description.warnings {
         say(format_args!("{}: warning: {warning}", args.scene.display()));
     }
-    let stock = Stock::new(&description);
+    let stock = scene_tables(&description);
     let scene = stock.scene().map_err(|error| Failure::input(&args.scene, error.to_string()))?;
     let info = Info::new(&description, &scene);
     let text = if args.json {

@@ -7,7 +7,7 @@ use strahl_core::{EffectSet, Material, Rgb, Scene};
 
 use crate::amount::amount;
 use crate::description::{Description, Form, Light, Object, Projection, Source};
-use crate::stock::single::Stock;
+use crate::stock::single::scene_tables;
 
 /// An effect that a scene can ask for and a user can switch off, by its name on the command line.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
@@ -115,7 +115,7 @@ pub fn leave_out(description: &mut Description, effects: &[Effect]) -> Vec<Step>
     if effects.is_empty() {
         return Vec::new();
     }
-    let stock = Stock::new(description);
+    let stock = scene_tables(description);
     // What is no scene asks for nothing; the tracer says what is wrong with it.
     let asks = stock.scene().map_or(EffectSet::NONE, |scene| asked_by(description, &scene));
     let mut steps = plan(description, &asks);

@@ -45,8 +45,8 @@ pub struct SceneStorage {
 
 #[derive(Debug)]
 enum Tables {
-    Single(Box<stock::single::Stock>, engine::accelerators::AccelMemory),
-    Double(Box<stock::double::Stock>, double::engine::accelerators::AccelMemory),
+    Single(Box<strahl_core::SceneTables>, engine::accelerators::AccelMemory),
+    Double(Box<strahl_core_double::SceneTables>, double::engine::accelerators::AccelMemory),
 }
 
 impl SceneStorage {
@@ -55,10 +55,10 @@ impl SceneStorage {
         let clock = Instant::now();
         let tables = match precision {
             Precision::Single => {
-                Tables::Single(Box::new(stock::single::Stock::new(description)), Default::default())
+                Tables::Single(Box::new(stock::single::scene_tables(description)), Default::default())
             }
             Precision::Double => {
-                Tables::Double(Box::new(stock::double::Stock::new(description)), Default::default())
+                Tables::Double(Box::new(stock::double::scene_tables(description)), Default::default())
             }
         };
         SceneStorage { tables, build: clock.elapsed() }

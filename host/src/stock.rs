@@ -11,167 +11,101 @@ macro_rules! stock {
         $(#[$doc])*
         pub mod $precision {
             use $core::{
-                Background, Cone, Cuboid, Disc, Falloff, Geometry, ItemId, Light, Material,
-                MaterialId, Moving, PI, Parts, Plane, Polygon, Projection, Real, Rgb, Scene, SceneError, Shape,
-                Source, Sphere, Texture, Torus, TurnedCuboid, Vec3, View, unit, vec3,
+                Background, Cone, Cuboid, Disc, Falloff, ItemId, Light, Material, MaterialId, PI, Projection, Real, Rgb,
+                SceneTables, Shading, Source, Sphere, Texture, Torus, TurnedCuboid, Vec3, View, unit, vec3,
             };
 
             use crate::description::{self, Description, Form, Object, Triple};
 
-            /// The tables of a scene.
-            #[derive(Clone, Debug, Default)]
-            pub struct Stock {
-                shapes: Vec<Shape>,
-                points: Vec<Vec3>,
-                normals: Vec<Vec3>,
-                planes: Vec<Plane>,
-                discs: Vec<Disc>,
-                polygons: Vec<Polygon>,
-                cuboids: Vec<Cuboid>,
-                turned_cuboids: Vec<TurnedCuboid>,
-                cones: Vec<Cone>,
-                tori: Vec<Torus>,
-                moving: Vec<Moving>,
-                made_of: Vec<MaterialId>,
-                materials: Vec<Material>,
-                textures: Vec<Texture>,
-                lights: Vec<Light>,
-                ambient: Rgb,
-                background: Option<Background>,
-                colored_shadows: bool,
+            /// The tables of the scene that is described.
+            pub fn scene_tables(description: &Description) -> SceneTables {
+                let mut tables = SceneTables::new();
+                let vertices: Vec<Vec3> = description.points.iter().map(|p| vector(*p)).collect();
+                let normals = description.normals.iter().map(|n| unit(vector(*n)).unwrap_or(Vec3::Z));
+                tables.add_vertices(&vertices, &normals.collect::<Vec<_>>());
+                for it in &description.materials {
+                    tables.add_material(material(&it.it));
+                }
+                for it in &description.textures {
+                    tables.add_texture(texture(it));
+                }
+                tables.lights.extend(description.lights.iter().map(|l| light(&l.it)));
+                tables.ambient = color(description.ambient);
+                tables.background = background(&description.background);
+                tables.colored_shadows = description.colored_shadows.is_some();
+                let mut moving = description.moving.iter().peekable();
+                for (object, place) in description.objects.iter().zip(0..) {
+                    let first = tables.len() as u32;
+                    add(&mut tables, object, &description.triangles);
+                    if let Some(motion) = moving.next_if(|motion| motion.object == place) {
+                        let [opening, closing] =
+                            description.shutter.map(|time| vector(motion.velocity) * Real::from(time));
+                        for item in first..tables.len() as u32 {
+                            tables.set_motion(ItemId(item), opening, closing);
+                        }
+                    }
+                }
+                tables
             }
 
-            impl Stock {
-                /// The tables of the scene that is described.
-                pub fn new(description: &Description) -> Self {
-                    let mut stock = Stock {
-                        points: description.points.iter().map(|p| vector(*p)).collect(),
-                        normals: description
-                            .normals
-                            .iter()
-                            .map(|n| unit(vector(*n)).unwrap_or(Vec3::Z))
-                            .collect(),
-                        materials: description.materials.iter().map(|m| material(&m.it)).collect(),
-                        textures: description.textures.iter().map(texture).collect(),
-                        lights: description.lights.iter().map(|l| light(&l.it)).collect(),
-                        ambient: color(description.ambient),
-                        background: Some(background(&description.background)),
-                        colored_shadows: description.colored_shadows.is_some(),
-                        ..Stock::default()
-                    };
-                    let mut moving = description.moving.iter().peekable();
-                    for (object, place) in description.objects.iter().zip(0..) {
-                        let first = stock.shapes.len();
-                        stock.add(object, &description.triangles);
-                        if let Some(motion) = moving.next_if(|motion| motion.object == place) {
-                            stock.set_moving(first, motion.velocity, description.shutter);
-                        }
+            /// Adds the items of an object; where nothing is left of a shape, an empty triangle in its place.
+            fn add(tables: &mut SceneTables, object: &Object, triangles: &[[u32; 3]]) {
+                let material = MaterialId(object.material);
+                if let Form::Mesh { first, count, smooth } = object.form {
+                    let end = first as usize + count as usize;
+                    let triangles = triangles.get(first as usize..end).unwrap_or_default();
+                    tables.add_triangles(triangles, shading(smooth), material);
+                } else if add_shape(tables, object.form, material).is_none() {
+                    if tables.parts().geometry.points.is_empty() {
+                        tables.add_vertices(&[Vec3::ZERO], &[]);
                     }
-                    stock
+                    tables.add_triangles(&[[0; 3]], Shading::Flat, material);
                 }
+            }
 
-                fn add(&mut self, object: &Object, triangles: &[[u32; 3]]) {
-                    if let Form::Mesh { first, count, smooth } = object.form {
-                        let end = first as usize + count as usize;
-                        let triangles = triangles.get(first as usize..end).unwrap_or_default();
-                        let shape = if smooth { Shape::SmoothTriangle } else { Shape::Triangle };
-                        self.shapes.extend(triangles.iter().map(|corners| shape(*corners)));
-                    } else {
-                        let shape = self.shape(object.form).unwrap_or_else(|| self.nothing());
-                        self.shapes.push(shape);
+            /// Adds an object that is one shape; none when nothing is left of it.
+            fn add_shape(tables: &mut SceneTables, form: Form, material: MaterialId) -> Option<ItemId> {
+                Some(match form {
+                    Form::Sphere { center, radius } => {
+                        let sphere = Sphere { center: vector(center), radius: Real::from(radius) };
+                        tables.add_sphere(sphere, material)
                     }
-                    self.made_of.resize(self.shapes.len(), MaterialId(object.material));
-                }
-
-                /// Makes everything from the shape `first` on move.
-                fn set_moving(&mut self, first: usize, velocity: Triple, shutter: [f32; 2]) {
-                    let [opening, closing] = shutter.map(|time| vector(velocity) * Real::from(time));
-                    for shape in self.shapes.iter_mut().skip(first) {
-                        let moving = Moving { shape: *shape, opening, closing };
-                        *shape = Shape::Moving(push(&mut self.moving, moving));
+                    Form::Plane { point, normal } => {
+                        tables.add_plane(vector(point), unit(vector(normal))?, material)
                     }
-                }
-
-                /// The shape of an object that is one; none when nothing is left of it.
-                fn shape(&mut self, form: Form) -> Option<Shape> {
-                    Some(match form {
-                        Form::Sphere { center, radius } => {
-                            Shape::Sphere(Sphere { center: vector(center), radius: Real::from(radius) })
-                        }
-                        Form::Plane { point, normal } => {
-                            let item = ItemId(self.shapes.len() as u32);
-                            let plane = Plane { point: vector(point), normal: unit(vector(normal))?, item };
-                            Shape::Plane(push(&mut self.planes, plane))
-                        }
-                        Form::Disc { center, normal, radius } => {
-                            let (center, radius) = (vector(center), Real::from(radius));
-                            let disc = Disc { center, normal: unit(vector(normal))?, radius };
-                            Shape::Disc(push(&mut self.discs, disc))
-                        }
-                        Form::Cuboid { min, max } => {
-                            let cuboid = Cuboid { min: vector(min), max: vector(max) };
-                            Shape::Cuboid(push(&mut self.cuboids, cuboid))
-                        }
-                        Form::TurnedCuboid { center, half, first, third } => {
-                            let (center, half) = (vector(center), vector(half));
-                            let cuboid = TurnedCuboid::new(center, half, vector(first), vector(third))?;
-                            Shape::TurnedCuboid(push(&mut self.turned_cuboids, cuboid))
-                        }
-                        Form::Cone { base, base_radius, end, end_radius, capped } => {
-                            let (r0, r1) = (Real::from(base_radius), Real::from(end_radius));
-                            let cone = Cone::new(vector(base), r0, vector(end), r1, capped)?;
-                            Shape::Cone(push(&mut self.cones, cone))
-                        }
-                        Form::Torus { center, axis, major, minor } => {
-                            let (major, minor) = (Real::from(major), Real::from(minor));
-                            let torus = Torus { center: vector(center), axis: unit(vector(axis))?, major, minor };
-                            Shape::Torus(push(&mut self.tori, torus))
-                        }
-                        Form::Triangle { corners, smooth: false } => Shape::Triangle(corners),
-                        Form::Triangle { corners, smooth: true } => Shape::SmoothTriangle(corners),
-                        Form::Polygon { first, count, smooth } => {
-                            let end = first as usize + count as usize;
-                            let corners = self.points.get(first as usize..end)?;
-                            let polygon = Polygon::new(first, corners, smooth)?;
-                            Shape::Polygon(push(&mut self.polygons, polygon))
-                        }
-                        Form::Mesh { .. } | Form::Nothing => return None,
-                    })
-                }
-
-                /// A triangle whose corners are all the same.
-                fn nothing(&mut self) -> Shape {
-                    if self.points.is_empty() {
-                        self.points.push(Vec3::ZERO);
+                    Form::Disc { center, normal, radius } => {
+                        let (center, radius) = (vector(center), Real::from(radius));
+                        tables.add_disc(Disc { center, normal: unit(vector(normal))?, radius }, material)
                     }
-                    Shape::Triangle([0; 3])
-                }
+                    Form::Cuboid { min, max } => {
+                        tables.add_cuboid(Cuboid { min: vector(min), max: vector(max) }, material)
+                    }
+                    Form::TurnedCuboid { center, half, first, third } => {
+                        let (center, half) = (vector(center), vector(half));
+                        let cuboid = TurnedCuboid::new(center, half, vector(first), vector(third))?;
+                        tables.add_turned_cuboid(cuboid, material)
+                    }
+                    Form::Cone { base, base_radius, end, end_radius, capped } => {
+                        let (r0, r1) = (Real::from(base_radius), Real::from(end_radius));
+                        tables.add_cone(Cone::new(vector(base), r0, vector(end), r1, capped)?, material)
+                    }
+                    Form::Torus { center, axis, major, minor } => {
+                        let (major, minor) = (Real::from(major), Real::from(minor));
+                        let (center, axis) = (vector(center), unit(vector(axis))?);
+                        tables.add_torus(Torus { center, axis, major, minor }, material)
+                    }
+                    Form::Triangle { corners, smooth } => {
+                        tables.add_triangles(&[corners], shading(smooth), material).start
+                    }
+                    Form::Polygon { first, count, smooth } => {
+                        tables.add_polygon(first..first.checked_add(count)?, shading(smooth), material).ok()?
+                    }
+                    Form::Mesh { .. } | Form::Nothing => return None,
+                })
+            }
 
-                /// The scene of these tables.
-                pub fn scene(&self) -> Result<Scene<'_>, SceneError> {
-                    Scene::new(Parts {
-                        geometry: Geometry {
-                            shapes: &self.shapes,
-                            points: &self.points,
-                            normals: &self.normals,
-                            planes: &self.planes,
-                            discs: &self.discs,
-                            polygons: &self.polygons,
-                            cuboids: &self.cuboids,
-                            turned_cuboids: &self.turned_cuboids,
-                            cones: &self.cones,
-                            tori: &self.tori,
-                            moving: &self.moving,
-                        },
-                        made_of: &self.made_of,
-                        materials: &self.materials,
-                        textures: &self.textures,
-                        lights: &self.lights,
-                        ambient: self.ambient,
-                        background: self.background.unwrap_or(Parts::EMPTY.background),
-                        colored_shadows: self.colored_shadows,
-                    })
-                }
+            fn shading(is_smooth: bool) -> Shading {
+                if is_smooth { Shading::Smooth } else { Shading::Flat }
             }
 
             /// The view that is described.
@@ -194,11 +128,6 @@ macro_rules! stock {
                         }
                     },
                 }
-            }
-
-            fn push<T>(table: &mut Vec<T>, entry: T) -> u32 {
-                table.push(entry);
-                table.len() as u32 - 1
             }
 
             fn vector([x, y, z]: Triple) -> Vec3 {

@@ -18,7 +18,7 @@ use std::path::{Path, PathBuf};
 use strahl::bake::{Asked, bake, chip, counted, source};
 use strahl::finding::Kind;
 use strahl::load::load_for;
-use strahl::stock::single::{Stock, view};
+use strahl::stock::single::{scene_tables, view};
 use strahl_core::{
     Aabb, Camera, Everything, Frame, Limits, List, Rgb, Single, Size, Tile, Tracer, Worker, World,
     group_count, render,
@@ -113,7 +113,7 @@ fn in_any_format(name: &Path) -> PathBuf {
 /// Bakes and draws the scene of a file.
 fn make(scene: &Scene, file: &Path, folder: &Path) -> Result<(), Box<dyn Error>> {
     let description = load_for(file, scene.size).map_err(|error| error.to_string())?;
-    let stock = Stock::new(&description);
+    let stock = scene_tables(&description);
     let Scene { name, accelerator, size, levels, nodes, .. } = *scene;
     let cutoff = Limits::DEFAULT.cutoff;
     let asked = Asked { accelerator, nodes, view: view(&description.view), size, levels, cutoff };

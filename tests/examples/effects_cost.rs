@@ -89,7 +89,7 @@ fn rows() -> impl Iterator<Item = Row> {
 /// the hierarchy.
 fn traced<E: Effects>(path: &Path) -> Result<u64, Box<dyn Error>> {
     let description = strahl::load::load(path)?;
-    let stock = single::Stock::new(&description);
+    let stock = single::scene_tables(&description);
     let scene = stock.scene()?;
     let geometry = scene.parts().geometry;
     let boxes: Vec<_> = geometry.all_bounds().collect();
@@ -113,7 +113,7 @@ fn traced<E: Effects>(path: &Path) -> Result<u64, Box<dyn Error>> {
 /// What a scene asks for.
 fn asked(path: &Path) -> Result<EffectSet, Box<dyn Error>> {
     let description = strahl::load::load(path)?;
-    let stock = single::Stock::new(&description);
+    let stock = single::scene_tables(&description);
     let size = Size::new(SIZE.0, SIZE.1).ok_or("no size")?;
     let camera = Camera::new(&single::view(&description.view), size)?;
     Ok(EffectSet { lens: camera.has_lens(), ..stock.scene()?.effects() })

@@ -17,7 +17,7 @@ use std::time::Duration;
 use strahl::engine::session::scene_stats;
 use strahl::load::load;
 use strahl::progress::NoProgress;
-use strahl::stock::single::Stock;
+use strahl::stock::single::scene_tables;
 use strahl::study::bench::Bench;
 use strahl::study::conduct::Conduct;
 use strahl::study::options::Options;
@@ -66,7 +66,7 @@ fn evaluate(path: &Path) -> Result<Evaluated, Box<dyn Error>> {
     let Conduct { taken, techniques, .. } = conduct;
     let name = path.file_stem().unwrap_or_default().to_string_lossy().into_owned();
     let runs = taken.into_iter().map(|taken| taken.run).collect();
-    let stock = Stock::new(&scene);
+    let stock = scene_tables(&scene);
     let objects = scene_stats(&scene, &stock.scene()?).objects;
     Ok(Evaluated { name, objects, techniques, runs })
 }

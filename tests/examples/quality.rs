@@ -158,7 +158,7 @@ impl Scene {
     }
 
     fn jittered(&self) -> Result<Measured, Box<dyn Error>> {
-        let stock = strahl::stock::single::Stock::new(&self.description);
+        let stock = strahl::stock::single::scene_tables(&self.description);
         let scene = stock.scene()?;
         let items = scene.parts().geometry.shapes.len() as u32;
         let world = World::new(scene, BareList(items));

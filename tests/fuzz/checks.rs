@@ -80,9 +80,9 @@ fn is_bearable(most: usize, bound: usize) {
 
 /// What is loaded is a scene in either precision.
 fn is_scene(it: &Description) {
-    let single = stock::single::Stock::new(it);
+    let single = stock::single::scene_tables(it);
     assert_eq!(single.scene().err(), None);
-    assert!(stock::double::Stock::new(it).scene().is_ok());
+    assert!(stock::double::scene_tables(it).scene().is_ok());
     assert!(it.normals.is_empty() || it.normals.len() <= it.points.len());
     assert!(!it.normals.contains(&[0.0; 3]));
     assert!(it.warnings.iter().all(|warning| is_harmless(warning)), "{:?}", it.warnings);

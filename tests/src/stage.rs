@@ -1,10 +1,12 @@
 //! A scene with tables of its own, for the core that the room above names `strahl`.
 
+use std::ops::{Deref, DerefMut};
+
 use super::strahl::{
-    Aabb, Background, Camera, CameraSample, Cone, Counters, Cuboid, Disc, Everything, FilmPoint, Geometry,
-    Hit, ItemId, Light, Limits, List, Material, MaterialId, Moving, Parts, Plane, Polygon, Projection,
-    ROUNDOFF, Ray, RayKind, Real, Rgb, Scene, Shape, Size, Sphere, Stream, Texture, TextureId, Torus, Tracer,
-    TurnedCuboid, Vec3, View, Worker, World, group_count, leave, unit, vec3,
+    Aabb, Camera, CameraSample, Cone, Counters, Cuboid, Disc, Everything, FilmPoint, Hit, ItemId, Limits,
+    List, Material, MaterialId, Projection, ROUNDOFF, Ray, RayKind, Real, Rgb, Scene, SceneTables, Shading,
+    Size, Sphere, Stream, Torus, Tracer, TurnedCuboid, Vec3, View, Worker, World, group_count, leave, unit,
+    vec3,
 };
 use crate::cast::{Core, Found};
 use crate::thing::{Line, Thing};
@@ -14,58 +16,31 @@ use crate::vector::{Vector, vector};
 /// that was named last: [`Material::MATTE`] at first.
 #[derive(Clone, Debug)]
 pub struct Stage {
-    shapes: Vec<Shape>,
-    points: Vec<Vec3>,
-    normals: Vec<Vec3>,
-    planes: Vec<Plane>,
-    discs: Vec<Disc>,
-    polygons: Vec<Polygon>,
-    cuboids: Vec<Cuboid>,
-    turned_cuboids: Vec<TurnedCuboid>,
-    cones: Vec<Cone>,
-    tori: Vec<Torus>,
-    moving: Vec<Moving>,
-    made_of: Vec<MaterialId>,
-    materials: Vec<Material>,
-    textures: Vec<Texture>,
-    /// The lights.
-    pub lights: Vec<Light>,
-    /// Light from everywhere.
-    pub ambient: Rgb,
-    /// What is behind everything.
-    pub background: Background,
-    /// Whether light passes through bodies on its way from a light.
-    pub colored_shadows: bool,
+    tables: SceneTables,
+    /// The material of what comes next.
+    made_of: MaterialId,
 }
 
 impl Default for Stage {
     fn default() -> Self {
-        Stage {
-            shapes: Vec::new(),
-            points: Vec::new(),
-            normals: Vec::new(),
-            planes: Vec::new(),
-            discs: Vec::new(),
-            polygons: Vec::new(),
-            cuboids: Vec::new(),
-            turned_cuboids: Vec::new(),
-            cones: Vec::new(),
-            tori: Vec::new(),
-            moving: Vec::new(),
-            made_of: Vec::new(),
-            materials: vec![Material::MATTE],
-            textures: Vec::new(),
-            lights: Vec::new(),
-            ambient: Rgb::BLACK,
-            background: Background::Color(Rgb::BLACK),
-            colored_shadows: false,
-        }
+        let mut tables = SceneTables::new();
+        let made_of = tables.add_material(Material::MATTE);
+        Stage { tables, made_of }
     }
 }
 
-/// The number of entries, as a place for the next.
-fn next<T>(table: &[T]) -> u32 {
-    table.len() as u32
+impl Deref for Stage {
+    type Target = SceneTables;
+
+    fn deref(&self) -> &SceneTables {
+        &self.tables
+    }
+}
+
+impl DerefMut for Stage {
+    fn deref_mut(&mut self) -> &mut SceneTables {
+        &mut self.tables
+    }
 }
 
 impl Stage {
@@ -76,112 +51,68 @@ impl Stage {
 
     /// Names the material of everything that comes next.
     pub fn material(&mut self, material: Material) -> MaterialId {
-        self.materials.push(material);
-        MaterialId(next(&self.materials) as u16 - 1)
-    }
-
-    /// All materials, to change them.
-    pub fn materials_mut(&mut self) -> &mut [Material] {
-        &mut self.materials
-    }
-
-    /// A texture for materials to name.
-    pub fn texture(&mut self, texture: Texture) -> TextureId {
-        self.textures.push(texture);
-        TextureId(next(&self.textures) as u16 - 1)
-    }
-
-    fn item(&mut self, shape: Shape) -> ItemId {
-        self.shapes.push(shape);
-        self.made_of.push(MaterialId(next(&self.materials) as u16 - 1));
-        ItemId(next(&self.shapes) - 1)
+        self.made_of = self.tables.add_material(material);
+        self.made_of
     }
 
     /// A sphere.
     pub fn sphere(&mut self, center: Vec3, radius: Real) -> ItemId {
-        self.item(Shape::Sphere(Sphere { center, radius }))
+        self.tables.add_sphere(Sphere { center, radius }, self.made_of)
     }
 
     /// A plane. `normal` may have any length.
     pub fn plane(&mut self, point: Vec3, normal: Vec3) -> ItemId {
-        let item = ItemId(next(&self.shapes));
-        self.planes.push(Plane { point, normal: unit(normal).unwrap(), item });
-        self.item(Shape::Plane(next(&self.planes) - 1))
+        self.tables.add_plane(point, unit(normal).unwrap(), self.made_of)
     }
 
     /// A disc. `normal` may have any length.
     pub fn disc(&mut self, center: Vec3, normal: Vec3, radius: Real) -> ItemId {
-        self.discs.push(Disc { center, normal: unit(normal).unwrap(), radius });
-        self.item(Shape::Disc(next(&self.discs) - 1))
-    }
-
-    /// Corners, and one normal for each. The table of normals is as long as that of the points.
-    fn corners(&mut self, corners: &[Vec3], normals: &[Vec3]) -> u32 {
-        let first = next(&self.points);
-        self.points.extend_from_slice(corners);
-        self.normals.extend(normals.iter().map(|normal| unit(*normal).unwrap()));
-        self.normals.resize(self.points.len(), Vec3::Z);
-        first
+        self.tables.add_disc(Disc { center, normal: unit(normal).unwrap(), radius }, self.made_of)
     }
 
     /// A flat triangle.
     pub fn triangle(&mut self, corners: [Vec3; 3]) -> ItemId {
-        let first = self.corners(&corners, &[]);
-        self.item(Shape::Triangle([first, first + 1, first + 2]))
+        self.tables.add_mesh(&corners, &[], &[[0, 1, 2]], self.made_of).start
     }
 
     /// A smooth triangle. The normals may have any length.
     pub fn smooth_triangle(&mut self, corners: [Vec3; 3], normals: [Vec3; 3]) -> ItemId {
-        let first = self.corners(&corners, &normals);
-        self.item(Shape::SmoothTriangle([first, first + 1, first + 2]))
+        let normals = normals.map(|normal| unit(normal).unwrap());
+        self.tables.add_mesh(&corners, &normals, &[[0, 1, 2]], self.made_of).start
     }
 
     /// A polygon: smooth when there are normals, which may have any length.
     pub fn polygon(&mut self, corners: &[Vec3], normals: &[Vec3]) -> ItemId {
-        let first = self.corners(corners, normals);
-        self.polygons.push(Polygon::new(first, corners, !normals.is_empty()).unwrap());
-        self.item(Shape::Polygon(next(&self.polygons) - 1))
+        let shading = if normals.is_empty() { Shading::Flat } else { Shading::Smooth };
+        let normals: Vec<Vec3> = normals.iter().map(|normal| unit(*normal).unwrap()).collect();
+        let first = self.tables.add_vertices(corners, &normals);
+        self.tables.add_polygon(first..first + corners.len() as u32, shading, self.made_of).unwrap()
     }
 
     /// An upright box.
     pub fn cuboid(&mut self, min: Vec3, max: Vec3) -> ItemId {
-        self.cuboids.push(Cuboid { min, max });
-        self.item(Shape::Cuboid(next(&self.cuboids) - 1))
+        self.tables.add_cuboid(Cuboid { min, max }, self.made_of)
     }
 
     /// A turned box.
     pub fn turned_cuboid(&mut self, center: Vec3, half: Vec3, first: Vec3, third: Vec3) -> ItemId {
-        self.turned_cuboids.push(TurnedCuboid::new(center, half, first, third).unwrap());
-        self.item(Shape::TurnedCuboid(next(&self.turned_cuboids) - 1))
+        let cuboid = TurnedCuboid::new(center, half, first, third).unwrap();
+        self.tables.add_turned_cuboid(cuboid, self.made_of)
     }
 
     /// A cone or cylinder.
     pub fn cone(&mut self, cone: Cone) -> ItemId {
-        self.cones.push(cone);
-        self.item(Shape::Cone(next(&self.cones) - 1))
+        self.tables.add_cone(cone, self.made_of)
     }
 
     /// A torus. `axis` may have any length.
     pub fn torus(&mut self, center: Vec3, axis: Vec3, major: Real, minor: Real) -> ItemId {
-        self.tori.push(Torus { center, axis: unit(axis).unwrap(), major, minor });
-        self.item(Shape::Torus(next(&self.tori) - 1))
-    }
-
-    /// Lets an item move while the shutter is open, from one distance from its place to another.
-    pub fn moving(&mut self, item: ItemId, opening: Vec3, closing: Vec3) {
-        let place = next(&self.moving);
-        let shape = &mut self.shapes[item.0 as usize];
-        self.moving.push(Moving { shape: *shape, opening, closing });
-        *shape = Shape::Moving(place);
+        self.tables.add_torus(Torus { center, axis: unit(axis).unwrap(), major, minor }, self.made_of)
     }
 
     /// Lets everything stand in its place.
     pub fn stand_still(&mut self) {
-        for shape in &mut self.shapes {
-            if let Shape::Moving(place) = *shape {
-                *shape = self.moving[place as usize].shape;
-            }
-        }
+        (0..self.len()).for_each(|item| self.tables.clear_motion(ItemId(item)));
     }
 
     /// Any thing.
@@ -215,48 +146,12 @@ impl Stage {
 
     /// How many items there are.
     pub fn len(&self) -> u32 {
-        next(&self.shapes)
-    }
-
-    /// Whether there is nothing.
-    pub fn is_empty(&self) -> bool {
-        self.shapes.is_empty()
-    }
-
-    /// What the scene is made of.
-    pub fn parts(&self) -> Parts<'_> {
-        Parts {
-            geometry: Geometry {
-                shapes: &self.shapes,
-                points: &self.points,
-                normals: &self.normals,
-                planes: &self.planes,
-                discs: &self.discs,
-                polygons: &self.polygons,
-                cuboids: &self.cuboids,
-                turned_cuboids: &self.turned_cuboids,
-                cones: &self.cones,
-                tori: &self.tori,
-                moving: &self.moving,
-            },
-            made_of: &self.made_of,
-            materials: &self.materials,
-            textures: &self.textures,
-            lights: &self.lights,
-            ambient: self.ambient,
-            background: self.background,
-            colored_shadows: self.colored_shadows,
-        }
+        self.tables.len() as u32
     }
 
     /// The scene.
     pub fn scene(&self) -> Scene<'_> {
-        Scene::new(self.parts()).unwrap()
-    }
-
-    /// The boxes round all items.
-    pub fn boxes(&self) -> Vec<Aabb> {
-        self.parts().geometry.all_bounds().collect()
+        self.tables.scene().unwrap()
     }
 
     /// The mean of what `n` camera rays see that differ in nothing but what they leave to chance.
@@ -329,7 +224,7 @@ impl Core for Stage {
 
     fn cast(&self, rays: &[Line]) -> Vec<Option<Found>> {
         let bare = World::new(self.scene(), List::without_bounds(self.len()));
-        let boxes = self.boxes();
+        let boxes = self.bounds();
         let mut groups = vec![Aabb::EMPTY; group_count(boxes.len())];
         let boxed = World::new(self.scene(), List::with_boxes(&boxes, &mut groups).unwrap());
 

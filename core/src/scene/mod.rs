@@ -16,12 +16,18 @@ mod material;
 mod pack;
 #[cfg(not(feature = "double"))]
 mod reference;
+#[cfg(all(feature = "alloc", not(feature = "double")))]
+mod shading;
 #[cfg(not(feature = "double"))]
 mod size;
+#[cfg(feature = "alloc")]
+mod tables;
 mod texture;
 mod world;
 
 // Without `Real`: one type for both precisions.
+#[cfg(all(feature = "alloc", feature = "double"))]
+use strahl_core as shading;
 #[cfg(feature = "double")]
 use strahl_core::{
     self as effect_set, self as error, self as interface, self as kind, self as reference, self as size,
@@ -39,7 +45,11 @@ pub use material::Material;
 #[cfg(not(feature = "double"))]
 pub use pack::{Baking, Finder, Pack, PackError, PackPart};
 pub use reference::{MaterialId, TextureId};
+#[cfg(feature = "alloc")]
+pub use shading::Shading;
 pub use size::Size;
+#[cfg(feature = "alloc")]
+pub use tables::SceneTables;
 pub use texture::Texture;
 pub use world::World;
 

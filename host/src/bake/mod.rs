@@ -23,7 +23,7 @@ use crate::precision::Precision;
 use crate::progress::NoProgress;
 use crate::render_output::RenderError;
 use crate::session;
-use crate::stock::single::{self, Stock};
+use crate::stock::single::{self, scene_tables};
 use crate::wanted::{DEFAULT_SIZE, Filter, Sampling, Wanted};
 
 /// What is baked beside the scene.
@@ -59,7 +59,7 @@ pub fn run(args: &BakeArgs) -> Result<(), Failure> {
     }
     let output = Guard::of(files.named()).prepare(&args.output)?;
     let wrong = |reason: String| Failure::Input { path: args.scene.clone(), line: None, reason };
-    let stock = Stock::new(&description);
+    let stock = scene_tables(&description);
     let scene = stock.scene().map_err(|error| wrong(error.to_string()))?;
     let settings = &description.settings;
     let asked = Asked {

@@ -8,8 +8,8 @@ use super::hits::nearest;
 use super::passes;
 use super::ray_tracer::RayTracerFactory;
 use super::request::{ChooseRayTracers, Chosen, Request};
-use super::strahl::{Accelerator, Camera, EffectSet, Rgb, Scene, Shape, View, World};
-use super::tables::{Stock, view};
+use super::strahl::{Accelerator, Camera, EffectSet, Rgb, Scene, SceneTables, Shape, View, World};
+use super::tables::view;
 use super::tiles::{self, Traced};
 use crate::description::Description;
 use crate::finding::Finding;
@@ -33,7 +33,7 @@ impl<'s> Session<'s> {
     /// Builds the accelerator that is asked for in `memory`.
     pub fn new(
         description: &Description,
-        tables: &'s Stock,
+        tables: &'s SceneTables,
         finding: &Finding,
         memory: &'s mut AccelMemory,
     ) -> Result<Self, RenderError> {

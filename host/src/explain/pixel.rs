@@ -15,7 +15,7 @@ use super::tree::{Part, Sample, Sum, triple};
 use crate::description::Description;
 use crate::engine::samplers::{Any, Shared};
 use crate::render_output::RenderError;
-use crate::stock::single::{Stock, view};
+use crate::stock::single::{scene_tables, view};
 use crate::wanted::{LEVELS, Wanted};
 
 /// The colour of a pixel, and how it comes about.
@@ -30,7 +30,7 @@ pub struct Traced {
 
 /// Traces one pixel of the picture that is wanted.
 pub fn trace(description: &Description, wanted: &Wanted, pixel: Pixel) -> Result<Traced, RenderError> {
-    let stock = Stock::new(description);
+    let stock = scene_tables(description);
     let scene = stock.scene().map_err(RenderError::invalid)?;
     let camera = Camera::new(&view(&description.view), wanted.size).map_err(RenderError::invalid)?;
     let boxes: Vec<Aabb> = scene.parts().geometry.all_bounds().collect();

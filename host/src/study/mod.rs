@@ -38,7 +38,7 @@ use crate::description::{Description, Settings};
 use crate::engine::session::scene_stats;
 use crate::plan::Effect;
 use crate::render_output::RenderError;
-use crate::stock::single::Stock;
+use crate::stock::single::scene_tables;
 use crate::wanted::{DEFAULT_SIZE, Wanted};
 use afford::smaller;
 use bench::Bench;
@@ -101,7 +101,7 @@ pub fn study(
 ) -> Result<Study, StudyError> {
     let (load, date) = (machine::load(), machine::now());
     let facts = {
-        let stock = Stock::new(scene);
+        let stock = scene_tables(scene);
         scene_stats(scene, &stock.scene().map_err(RenderError::invalid)?)
     };
     let asks: Vec<Effect> = Effect::ALL.into_iter().filter(|effect| effect.is_in(&facts.asks)).collect();

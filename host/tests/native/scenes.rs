@@ -53,7 +53,7 @@ fn every_scene_of_the_repository_loads() {
         let path = entry.unwrap().path();
         if path.extension().is_some_and(|extension| extension == "toml") {
             let it = load::load(&path).unwrap_or_else(|failure| panic!("{failure}"));
-            assert!(strahl::stock::single::Stock::new(&it).scene().is_ok());
+            assert!(strahl::stock::single::scene_tables(&it).scene().is_ok());
             assert!(!it.objects.is_empty() && it.warnings.is_empty(), "{:?}", it.warnings);
             scenes += 1;
         }

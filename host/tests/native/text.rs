@@ -149,8 +149,8 @@ pub fn load_in(folder: &Path, bytes: &[u8]) -> Result<Description, Failure> {
 /// What a file of this text describes, which is a scene in either precision.
 pub fn loaded(text: &str) -> Description {
     let it = load(text.as_bytes()).unwrap_or_else(|failure| panic!("{failure}\n{text}"));
-    assert_eq!(stock::single::Stock::new(&it).scene().err(), None, "{text}");
-    assert!(stock::double::Stock::new(&it).scene().is_ok(), "{text}");
+    assert_eq!(stock::single::scene_tables(&it).scene().err(), None, "{text}");
+    assert!(stock::double::scene_tables(&it).scene().is_ok(), "{text}");
     it
 }
 

@@ -142,7 +142,7 @@ macro_rules! core {
 
             pub fn walked(kind: Kind, things: &[Thing], lines: &[Line]) -> Vec<Option<Found>> {
                 let stage = Stage::with(things);
-                let boxes = stage.boxes();
+                let boxes = stage.bounds();
                 match kind {
                     Kind::Grid => {
                         let room = GridSize::recommended(&boxes);

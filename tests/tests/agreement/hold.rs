@@ -70,7 +70,7 @@ impl<'s> Hold<'s> {
     /// The cases of these rays.
     pub fn new(stage: &'s Stage, rays: &[Ray], random: &mut Random) -> Self {
         let bare = World::new(stage.scene(), List::without_bounds(stage.len()));
-        Hold { stage, boxes: stage.boxes(), cases: Case::all(&bare, rays, random) }
+        Hold { stage, boxes: stage.bounds(), cases: Case::all(&bare, rays, random) }
     }
 
     /// How many of the rays hit something.

@@ -37,7 +37,7 @@ fn one_too_little_is_refused_with_the_numbers_to_act_on() {
     let mut random = Random::new(SEED + 1);
     let mut stage = random_stage(29, &mut random);
     stage.plane(Vec3::ZERO, Vec3::Z);
-    let boxes = stage.boxes();
+    let boxes = stage.bounds();
     let needed = boxes.iter().filter(|aabb| **aabb != Aabb::EMPTY).count();
     assert!(needed < 30, "planes have no place");
     let too_small = |buffer, needed, provided| Some(BuildError::BufferTooSmall { buffer, needed, provided });
@@ -60,7 +60,7 @@ fn one_too_little_is_refused_with_the_numbers_to_act_on() {
 fn comfortable_memory_is_exactly_what_a_grid_takes() {
     let mut random = Random::new(SEED + 2);
     for items in [1, 2, 10, 100, 1000] {
-        let boxes = random_stage(items, &mut random).boxes();
+        let boxes = random_stage(items, &mut random).bounds();
         let room = GridSize::recommended(&boxes);
         let (mut cells, mut entries) = (vec![0; room.cells], vec![0; room.entries]);
         let grid = Grid::<8>::build(&boxes, &mut cells, &mut entries).unwrap();

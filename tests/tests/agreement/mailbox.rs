@@ -35,7 +35,7 @@ fn met(stage: &Stage, ray: &Ray, reach: Real) -> (Option<Hit>, Vec<Counters>) {
         );
         (hit, counters)
     }
-    let boxes = stage.boxes();
+    let boxes = stage.bounds();
     let room = GridSize::recommended(&boxes);
     let (mut cells, mut items) = (vec![0; room.cells], vec![0; room.entries]);
     let grid = Grid::<0>::build(&boxes, &mut cells, &mut items).unwrap().without_item_bounds();

@@ -150,7 +150,7 @@ fn moving_stage(items: u32, random: &mut Random) -> Stage {
             1 => (Vec3::ZERO, Vec3::X * way().x),
             _ => (way(), way()),
         };
-        stage.moving(ItemId(item), opening, closing);
+        stage.set_motion(ItemId(item), opening, closing);
     }
     stage
 }
@@ -180,7 +180,7 @@ fn a_thing_that_moves_is_met_like_one_that_stands_where_it_is() {
         let way = exact(narrow(random.near(Vector::ZERO, 4.0)));
         let (mut moves, mut stands) = (Stage::new(), Stage::new());
         let ball = moves.sphere(center - way, radius);
-        moves.moving(ball, Vec3::ZERO, way * 4.0);
+        moves.set_motion(ball, Vec3::ZERO, way * 4.0);
         stands.sphere(center, radius);
         for _ in 0..10 {
             let ray = random_ray(4.0, &mut random);
@@ -425,7 +425,7 @@ fn boxes_save_tests_of_shapes_and_groups_save_tests_of_boxes() {
         let place = vector(f64::from(i) - 160.0, 0.0, 0.0);
         stage.thing(&Thing::random(Kind::Sphere, place, 0.5, &mut random));
     }
-    let boxes = stage.boxes();
+    let boxes = stage.bounds();
     let mut groups = vec![Aabb::EMPTY; group_count(boxes.len())];
     let boxed = World::new(stage.scene(), List::with_boxes(&boxes, &mut groups).unwrap());
     let (mut balls, mut round) =

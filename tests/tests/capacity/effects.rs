@@ -40,7 +40,7 @@ fn all_effects() -> (Stage, View) {
     let mut stage = fair();
     stage.material(Material { mirror: Rgb::gray(0.4), roughness: 0.4, ..Material::MATTE });
     let ball = stage.sphere(vec3(2.0, 2.0, 2.0), 0.7);
-    stage.moving(ball, -Vec3::X, Vec3::Y);
+    stage.set_motion(ball, -Vec3::X, Vec3::Y);
     let falloff = Falloff::NONE;
     let half = [Vec3::X, Vec3::Z];
     for source in [
@@ -141,7 +141,7 @@ fn a_tracer_refuses_a_scene_that_asks_for_what_it_cannot_do() {
     refuses::<PointLights>(|stage, _, light| stage.lights.push(light));
     refuses::<Checkers>(|stage, material, _| {
         let (from, to) = (Rgb::BLACK, Rgb::WHITE);
-        let texture = stage.texture(Texture::Gradient { from, to, origin: Vec3::ZERO, along: Vec3::X });
+        let texture = stage.add_texture(Texture::Gradient { from, to, origin: Vec3::ZERO, along: Vec3::X });
         ball(stage, Material { texture, ..material });
     });
     refuses::<Dull>(|stage, material, light| {
@@ -159,7 +159,7 @@ fn a_tracer_refuses_a_scene_that_asks_for_what_it_cannot_do() {
     refuses::<Polished>(|stage, material, _| {
         ball(stage, Material { mirror: Rgb::WHITE, roughness: 0.1, ..material });
     });
-    refuses::<Standing>(|stage, _, _| stage.moving(ItemId(0), Vec3::ZERO, Vec3::X));
+    refuses::<Standing>(|stage, _, _| stage.set_motion(ItemId(0), Vec3::ZERO, Vec3::X));
     refuses::<Uncolored>(|stage, material, light| {
         ball(stage, glass(material));
         stage.lights.push(Light { shadows: true, ..light });

@@ -61,7 +61,7 @@ fn size(width: u32, height: u32) -> Size {
 fn fair() -> Stage {
     let mut random = Random::new(SEED);
     let mut stage = Stage::new();
-    let checker = stage.texture(Texture::Checker {
+    let checker = stage.add_texture(Texture::Checker {
         even: Rgb::WHITE,
         odd: Rgb::gray(0.25),
         origin: Vec3::ZERO,
@@ -127,7 +127,7 @@ fn picture<A: Accelerator, E: Effects, const LEVELS: usize>(
 fn the_core_asks_for_no_memory() {
     // The caller brings all of it.
     let stage = fair();
-    let boxes = stage.boxes();
+    let boxes = stage.bounds();
     let mut groups = vec![Aabb::EMPTY; group_count(boxes.len())];
     let size = size(24, 16);
     let tile = Tile::whole(size);

@@ -195,7 +195,7 @@ fn a_moving_disc_covers_a_place_as_long_as_it_is_over_it() {
     stage.material(shining(Rgb::WHITE));
     stage.ambient = Rgb::WHITE;
     let disc = stage.disc(Vec3::ZERO, Vec3::Y, radius as Real);
-    stage.moving(disc, vec3(-2.0, 0.0, 0.0), vec3((way - 2.0) as Real, 0.0, 0.0));
+    stage.set_motion(disc, vec3(-2.0, 0.0, 0.0), vec3((way - 2.0) as Real, 0.0, 0.0));
     for (x, z) in [(0.05, 0.0), (0.3, 0.5), (-1.7, 0.2), (2.4, -0.3), (0.1, 0.74)] {
         // Half of the chord, and when its middle comes to lie over the place.
         let half = (square(radius) - square(z)).sqrt();
@@ -219,11 +219,11 @@ fn a_texture_moves_with_what_it_is_on() {
     let mut stage = Stage::new();
     stage.ambient = Rgb::WHITE;
     let (from, to) = (Rgb::BLACK, Rgb::WHITE);
-    let texture = stage.texture(Texture::Gradient { from, to, origin: -Vec3::X, along: 2.0 * Vec3::X });
+    let texture = stage.add_texture(Texture::Gradient { from, to, origin: -Vec3::X, along: 2.0 * Vec3::X });
     stage.material(Material { texture, ..shining(Rgb::WHITE) });
     let disc = stage.disc(Vec3::ZERO, Vec3::Y, 1.0);
     // At the end of the time its left rim is over the place, at the beginning its middle.
-    stage.moving(disc, Vec3::ZERO, Vec3::X);
+    stage.set_motion(disc, Vec3::ZERO, Vec3::X);
     let mean = |n, seed| stage.look_often(3.0 * Vec3::Y, Vec3::ZERO, levels(1), n, seed)[0];
     converges(mean, 0.25, 1e-3, -0.9);
 }
@@ -233,7 +233,7 @@ fn shadows_and_mirrors_see_the_time_of_the_camera_ray() {
     // A disc over the floor, seen beside its shadow: a place is either covered or shadowed.
     let mut stage = floor(Source::Directional { toward: Vec3::Y });
     let disc = stage.disc(vec3(0.0, 1.0, 0.0), Vec3::Y, 0.5);
-    stage.moving(disc, -Vec3::X, Vec3::X);
+    stage.set_motion(disc, -Vec3::X, Vec3::X);
     let got = at(&stage, 0.0, 4096, 3);
     assert!((got - 0.5).abs() < 1e-3, "in its shadow half of the time: {got}");
     // In a mirror under it, seen past it: half of the time dark, and never both.
@@ -244,7 +244,7 @@ fn shadows_and_mirrors_see_the_time_of_the_camera_ray() {
     stage.background = Background::Color(Rgb::WHITE);
     stage.material(shining(Rgb::BLACK));
     let disc = stage.disc(vec3(0.0, 1.0, 1.0), Vec3::Y, 0.5);
-    stage.moving(disc, -Vec3::X, Vec3::X);
+    stage.set_motion(disc, -Vec3::X, Vec3::X);
     let got = stage.look_often(vec3(0.0, 2.0, -2.0), Vec3::ZERO, ALL, 4096, 3)[0];
     assert!((got - 0.5).abs() < 1e-3, "{got}");
 }

@@ -124,7 +124,8 @@ fn a_spot_with_a_sharp_edge_has_no_between() {
 fn ambient_light_is_a_product_and_needs_no_lamp() {
     let mut stage = Stage::new();
     let (even, odd) = (Rgb::new(0.5, 1.0, 0.25), Rgb::BLACK);
-    let texture = stage.texture(Texture::Checker { even, odd, origin: Vec3::ZERO, frequency: Vec3::ZERO });
+    let texture =
+        stage.add_texture(Texture::Checker { even, odd, origin: Vec3::ZERO, frequency: Vec3::ZERO });
     stage.material(Material { ambient: Rgb::new(0.5, 0.25, 1.0), texture, ..Material::MATTE });
     stage.plane(Vec3::ZERO, Vec3::Y);
     stage.ambient = Rgb::new(0.25, 1.0, 0.5);

@@ -52,7 +52,7 @@ const REACH: f64 = 8.0;
 /// A wall level with `height`, seen from both sides, whose brightness tells where it is seen.
 fn ruler(stage: &mut Stage, height: f64) {
     let reach = REACH as Real;
-    let texture = stage.texture(Texture::Gradient {
+    let texture = stage.add_texture(Texture::Gradient {
         from: Rgb::BLACK,
         to: Rgb::WHITE,
         origin: vec3(-reach, 0.0, 0.0),

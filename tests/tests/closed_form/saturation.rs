@@ -21,7 +21,7 @@ fn the_brightest_mirrors_and_glass_give_a_finite_pixel_after_64_levels() {
     // Two facing mirrors with a plate of glass between them; a lamp that lies in the plate's
     // face, so that it is as near as can be; paint on everything.
     let mut stage = Stage::new();
-    let texture = stage.texture(Texture::Checker {
+    let texture = stage.add_texture(Texture::Checker {
         even: BRIGHTEST,
         odd: BRIGHTEST,
         origin: Vec3::ZERO,
@@ -103,7 +103,7 @@ fn whatever_a_scene_may_name_gives_a_number() {
             vec3(p.x as Real, p.y as Real, p.z as Real)
         };
         let mut stage = Stage::new();
-        let texture = stage.texture(match r.below(3) {
+        let texture = stage.add_texture(match r.below(3) {
             0 => Texture::Checker {
                 even: color(&bright, r),
                 odd: color(&bright, r),
@@ -144,7 +144,7 @@ fn whatever_a_scene_may_name_gives_a_number() {
             let item = stage.thing(&Thing::random(kind, place, scale, r));
             if r.below(3) == 0 {
                 let far = one_of(&[1e-15, 1.0, 1e15], r);
-                stage.moving(item, near(r) * 0.1, Vec3::X * far);
+                stage.set_motion(item, near(r) * 0.1, Vec3::X * far);
             }
         }
         for _ in 0..r.below(4) {

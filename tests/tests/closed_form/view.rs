@@ -34,10 +34,10 @@ fn wall() -> Stage {
     let across = gradient(Rgb::new(1.0, 0.0, 0.0), vec3(-8.0, 0.0, 0.0), vec3(16.0, 0.0, 0.0));
     let down = gradient(Rgb::new(0.0, 1.0, 0.0), vec3(0.0, 8.0, 0.0), vec3(0.0, -16.0, 0.0));
     // A pane before a wall: what both show is added.
-    let texture = stage.texture(across);
+    let texture = stage.add_texture(across);
     stage.material(Material { texture, transmitted: Rgb::WHITE, ..shining(Rgb::WHITE) });
     stage.plane(vec3(0.0, 0.0, -5.0), Vec3::Z);
-    let texture = stage.texture(down);
+    let texture = stage.add_texture(down);
     stage.material(Material { texture, ..shining(Rgb::WHITE) });
     stage.plane(vec3(0.0, 0.0, -5.0625), Vec3::Z);
     stage.ambient = Rgb::WHITE;
@@ -113,7 +113,7 @@ fn up_is_up_and_right_is_right_from_every_side() {
 #[test]
 fn a_checkered_floor_changes_at_every_cell() {
     let mut stage = Stage::new();
-    let texture = stage.texture(Texture::Checker {
+    let texture = stage.add_texture(Texture::Checker {
         even: Rgb::WHITE,
         odd: Rgb::gray(0.5),
         origin: vec3(0.0, 7.0, 0.0),

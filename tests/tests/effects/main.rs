@@ -11,7 +11,7 @@ use strahl::progress::NoProgress;
 use strahl::render_output::RenderOutput;
 use strahl::sampling::Sampling;
 use strahl::session;
-use strahl::stock::single::{Stock, view};
+use strahl::stock::single::{scene_tables, view};
 use strahl::wanted::Wanted;
 use strahl_core::{
     BareList, Camera, Counters, EffectSet, Effects, Everything, LightSet, Limits, RayKind, Rgb, ShapeSet,
@@ -27,7 +27,7 @@ fn scene(name: &str) -> Description {
 
 /// What a scene asks for, by the names of the command line.
 fn asks(description: &Description) -> Vec<Effect> {
-    let stock = Stock::new(description);
+    let stock = scene_tables(description);
     let set = asked_by(description, &stock.scene().unwrap());
     plan(description, &set).iter().map(|step| step.effect).collect()
 }
@@ -77,7 +77,7 @@ tracers! {
 
 /// The bits of a picture, four rays in each pixel.
 fn seen_by<E: Effects>(description: &Description) -> Vec<u32> {
-    let stock = Stock::new(description);
+    let stock = scene_tables(description);
     let scene = stock.scene().unwrap();
     let world = World::new(scene, BareList(scene.parts().made_of.len() as u32));
     let camera = Camera::new(&view(&description.view), SIZE).unwrap();

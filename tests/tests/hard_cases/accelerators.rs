@@ -33,7 +33,7 @@ fn hold(about: &str, aims: &[(Thing, Vec<Line>)]) -> usize {
     let mut stage = Stage::new();
     aims.iter().for_each(|(thing, _)| _ = stage.thing(thing));
     let rays: Vec<Ray> = aims.iter().flat_map(|(_, lines)| lines).map(ray).collect();
-    let boxes = stage.boxes();
+    let boxes = stage.bounds();
     let truth = answers(&stage, List::without_bounds(stage.len()), &rays);
     let hold = |name: &str, got: Vec<_>| {
         for ((ray, truth), got) in rays.iter().zip(&truth).zip(&got) {

@@ -153,7 +153,7 @@ fn sight() -> impl Strategy<Value = Sight> {
 fn stage(sight: &Sight) -> Stage {
     let mut stage = Stage::new();
     let scale = f64::from(sight.scale);
-    let texture = stage.texture(sight.texture);
+    let texture = stage.add_texture(sight.texture);
     for (kind, seed, material) in &sight.things {
         let material = sight.materials[*material];
         stage.material(if seed % 4 == 0 { Material { texture, ..material } } else { material });
@@ -251,7 +251,7 @@ fn a_ray_that_is_none_meets_nothing_and_asks_for_nothing() {
     for kind in Kind::ALL {
         stage.thing(&Thing::random(kind, random.near(Vector::ZERO, 2.0), 1.5, &mut random));
     }
-    let boxes = stage.boxes();
+    let boxes = stage.bounds();
     let bad = [f32::NAN, f32::INFINITY, f32::NEG_INFINITY];
     let mut rays = vec![Ray::new(Vec3::ZERO, Vec3::ZERO), Ray::new(Vec3::ONE, vec3(0.0, -0.0, 0.0))];
     rays.push(Ray::new(Vec3::ZERO, vec3(1e-40, 0.0, 0.0)));

@@ -21,19 +21,19 @@ fn picture(scale: f32, has_lens: bool) -> Vec<[u32; 3]> {
     let wide = f64::from(scale);
     let mut random = Random::new(SEED);
     let mut stage = Stage::new();
-    let checker = stage.texture(Texture::Checker {
+    let checker = stage.add_texture(Texture::Checker {
         even: Rgb::WHITE,
         odd: Rgb::gray(0.25),
         origin: vec3(0.3, 0.2, 0.1) * scale,
         frequency: vec3(1.3, 0.7, 1.1) / scale,
     });
-    let gradient = stage.texture(Texture::Gradient {
+    let gradient = stage.add_texture(Texture::Gradient {
         from: Rgb::WHITE,
         to: Rgb::new(0.9, 0.5, 0.1),
         origin: vec3(0.0, -2.0, 0.0) * scale,
         along: vec3(0.3, 4.0, 0.1) * scale,
     });
-    let zones = stage.texture(Texture::ZonePlate {
+    let zones = stage.add_texture(Texture::ZonePlate {
         from: Rgb::WHITE,
         to: Rgb::new(0.2, 0.7, 0.9),
         origin: vec3(0.5, 0.1, -0.4) * scale,

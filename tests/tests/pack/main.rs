@@ -37,13 +37,13 @@ const SIZE: Size = Size::new(24, 16).unwrap();
 /// One of everything, and a swarm of small spheres.
 fn fair() -> Stage {
     let mut stage = Stage::new();
-    let checker = stage.texture(Texture::Checker {
+    let checker = stage.add_texture(Texture::Checker {
         even: Rgb::WHITE,
         odd: Rgb::gray(0.25),
         origin: Vec3::ZERO,
         frequency: vec3(1.0, 0.0, 1.0),
     });
-    let gradient = stage.texture(Texture::Gradient {
+    let gradient = stage.add_texture(Texture::Gradient {
         from: Rgb::new(0.9, 0.1, 0.2),
         to: Rgb::WHITE,
         origin: Vec3::ZERO,
@@ -63,7 +63,7 @@ fn fair() -> Stage {
     );
     stage.material(Material { mirror: Rgb::new(0.7, 0.8, 0.9), ..shiny });
     let block = stage.cuboid(vec3(-1.0, -1.5, -1.0), vec3(0.0, -0.5, 0.0));
-    stage.moving(block, Vec3::ZERO, vec3(0.0, 0.3, 0.5));
+    stage.set_motion(block, Vec3::ZERO, vec3(0.0, 0.3, 0.5));
     stage.turned_cuboid(vec3(1.5, -1.0, 1.0), vec3(0.4, 0.3, 0.2), vec3(1.0, 0.5, 0.0), Vec3::Z);
     stage.material(Material {
         transmitted: Rgb::gray(0.9),
@@ -113,7 +113,7 @@ fn baked(scene: Scene<'_>, finder: Finder<'_>) -> Vec<u8> {
 
 /// The four ways to find an item, each baked.
 fn every_pack(stage: &Stage) -> Vec<Vec<u8>> {
-    let boxes = stage.boxes();
+    let boxes = stage.bounds();
     let room = GridSize::recommended(&boxes);
     let (mut cells, mut entries) = (vec![0; room.cells], vec![0; room.entries]);
     let grid = Grid::build(&boxes, &mut cells, &mut entries).unwrap();

@@ -16,7 +16,7 @@ use crate::faults::Fault;
 use crate::finding::{Finding, Walk};
 use crate::load::fit::{Gaze, V, larger};
 use crate::sampling;
-use crate::stock::{self, single::Stock};
+use crate::stock::{self, single::scene_tables};
 
 /// What is up.
 pub(super) const UP: Triple = [0.0, 1.0, 0.0];
@@ -201,7 +201,7 @@ impl Maker<'_> {
 
     /// Moves the parts of the view that are free so that everything with an end is in the picture.
     fn see_everything(&self, view: &mut View, move_eye: bool, move_aim: bool) {
-        let stock = Stock::new(&self.description);
+        let stock = scene_tables(&self.description);
         let Ok(scene) = stock.scene() else { return };
         let boxes = scene.parts().geometry.all_bounds().filter(|b| b.min.cmple(b.max).all());
         let mut boxes: Vec<Aabb> = boxes.collect();

@@ -1,0 +1,391 @@
+//! A scene that owns its tables, for programs with a heap.
+//!
+//! Tables grow as shapes, materials, textures and lights are added. Adding returns the index under which the
+//! entry can be referred to, so that no index has to be counted by hand; [`SceneTables::scene`] checks all of
+//! them and borrows the [`Scene`].
+
+use alloc::vec::Vec;
+use core::ops::Range;
+
+use super::{Background, Light, Material, MaterialId, Parts, Scene, SceneError, Shading, Texture, TextureId};
+use crate::geometry::{
+    Aabb, Cone, Cuboid, Disc, Geometry, ItemId, Moving, Plane, Polygon, Shape, ShapeFault, Sphere, Torus,
+    TurnedCuboid,
+};
+use crate::math::{Rgb, Vec3};
+
+/// An owned scene: tables that grow. Needs the feature `alloc`.
+///
+/// Nothing is checked until [`SceneTables::scene`] is called. Points, lengths and directions have the units
+/// and ranges of the types that take them; normals and axes have length one.
+///
+/// ```
+/// use strahl_core::{Material, Rgb, SceneTables, Sphere, vec3};
+///
+/// let mut tables = SceneTables::new();
+/// let red = tables.add_material(Material { diffuse: Rgb::new(0.8, 0.1, 0.1), ..Material::MATTE });
+/// let ball = tables.add_sphere(Sphere { center: vec3(0.0, 1.0, 0.0), radius: 1.0 }, red);
+/// let floor = tables.add_plane(vec3(0.0, 0.0, 0.0), vec3(0.0, 1.0, 0.0), red);
+/// assert_eq!((ball.0, floor.0), (0, 1));
+///
+/// let scene = tables.scene()?;
+/// assert_eq!(scene.parts().geometry.shapes.len(), 2);
+/// # Ok::<(), strahl_core::SceneError>(())
+/// ```
+#[derive(Clone, Debug)]
+pub struct SceneTables {
+    shapes: Vec<Shape>,
+    vertices: Vec<Vec3>,
+    normals: Vec<Vec3>,
+    planes: Vec<Plane>,
+    discs: Vec<Disc>,
+    polygons: Vec<Polygon>,
+    cuboids: Vec<Cuboid>,
+    turned_cuboids: Vec<TurnedCuboid>,
+    cones: Vec<Cone>,
+    tori: Vec<Torus>,
+    moving: Vec<Moving>,
+    made_of: Vec<MaterialId>,
+    materials: Vec<Material>,
+    textures: Vec<Texture>,
+    /// The lights.
+    pub lights: Vec<Light>,
+    /// Ambient light, which arrives at every surface from all directions.
+    pub ambient: Rgb,
+    /// What rays see that hit nothing.
+    pub background: Background,
+    /// Whether shadow rays pass through transmitting bodies, as of [`Parts::colored_shadows`].
+    pub colored_shadows: bool,
+}
+
+impl Default for SceneTables {
+    fn default() -> Self {
+        Self::new()
+    }
+}
+
+impl SceneTables {
+    /// Empty, dark space.
+    pub const fn new() -> Self {
+        SceneTables {
+            shapes: Vec::new(),
+            vertices: Vec::new(),
+            normals: Vec::new(),
+            planes: Vec::new(),
+            discs: Vec::new(),
+            polygons: Vec::new(),
+            cuboids: Vec::new(),
+            turned_cuboids: Vec::new(),
+            cones: Vec::new(),
+            tori: Vec::new(),
+            moving: Vec::new(),
+            made_of: Vec::new(),
+            materials: Vec::new(),
+            textures: Vec::new(),
+            lights: Vec::new(),
+            ambient: Rgb::BLACK,
+            background: Parts::EMPTY.background,
+            colored_shadows: false,
+        }
+    }
+
+    /// Adds a material, for shapes to be made of.
+    pub fn add_material(&mut self, material: Material) -> MaterialId {
+        MaterialId(push(&mut self.materials, material) as u16)
+    }
+
+    /// All materials, in the order in which they were added.
+    pub fn materials_mut(&mut self) -> &mut [Material] {
+        &mut self.materials
+    }
+
+    /// Adds a texture, for materials to refer to.
+    pub fn add_texture(&mut self, texture: Texture) -> TextureId {
+        TextureId(push(&mut self.textures, texture) as u16)
+    }
+
+    /// Adds a light. Returns its index in [`SceneTables::lights`].
+    pub fn add_light(&mut self, light: Light) -> usize {
+        push(&mut self.lights, light) as usize
+    }
+
+    /// Adds a sphere.
+    pub fn add_sphere(&mut self, sphere: Sphere, material: MaterialId) -> ItemId {
+        self.add_shape(Shape::Sphere(sphere), material)
+    }
+
+    /// Adds an infinite plane through `point`.
+    pub fn add_plane(&mut self, point: Vec3, normal: Vec3, material: MaterialId) -> ItemId {
+        let item = self.next_item();
+        let plane = push(&mut self.planes, Plane { point, normal, item });
+        self.add_shape(Shape::Plane(plane), material)
+    }
+
+    /// Adds a disc.
+    pub fn add_disc(&mut self, disc: Disc, material: MaterialId) -> ItemId {
+        let disc = push(&mut self.discs, disc);
+        self.add_shape(Shape::Disc(disc), material)
+    }
+
+    /// Adds an axis-aligned box.
+    pub fn add_cuboid(&mut self, cuboid: Cuboid, material: MaterialId) -> ItemId {
+        let cuboid = push(&mut self.cuboids, cuboid);
+        self.add_shape(Shape::Cuboid(cuboid), material)
+    }
+
+    /// Adds an oriented box.
+    pub fn add_turned_cuboid(&mut self, cuboid: TurnedCuboid, material: MaterialId) -> ItemId {
+        let cuboid = push(&mut self.turned_cuboids, cuboid);
+        self.add_shape(Shape::TurnedCuboid(cuboid), material)
+    }
+
+    /// Adds a cone or cylinder.
+    pub fn add_cone(&mut self, cone: Cone, material: MaterialId) -> ItemId {
+        let cone = push(&mut self.cones, cone);
+        self.add_shape(Shape::Cone(cone), material)
+    }
+
+    /// Adds a torus.
+    pub fn add_torus(&mut self, torus: Torus, material: MaterialId) -> ItemId {
+        let torus = push(&mut self.tori, torus);
+        self.add_shape(Shape::Torus(torus), material)
+    }
+
+    /// Adds vertices for triangles and polygons to share, with a normal for each, or for the first of them,
+    /// or none. Returns the index of the first.
+    ///
+    /// Smooth triangles and polygons need the normals of all their vertices.
+    pub fn add_vertices(&mut self, vertices: &[Vec3], normals: &[Vec3]) -> u32 {
+        let first = self.vertices.len();
+        self.vertices.extend_from_slice(vertices);
+        if !normals.is_empty() {
+            // Normals have the indices of their vertices.
+            self.normals.resize(first, Vec3::Z);
+            self.normals.extend_from_slice(normals);
+        }
+        first as u32
+    }
+
+    /// Adds triangles by the indices of their vertices ([`SceneTables::add_vertices`]).
+    pub fn add_triangles(
+        &mut self,
+        triangles: &[[u32; 3]],
+        shading: Shading,
+        material: MaterialId,
+    ) -> Range<ItemId> {
+        self.add_triangles_from(0, triangles, shading, material)
+    }
+
+    /// Triangles whose vertices are counted from `first`.
+    fn add_triangles_from(
+        &mut self,
+        first: u32,
+        triangles: &[[u32; 3]],
+        shading: Shading,
+        material: MaterialId,
+    ) -> Range<ItemId> {
+        let start = self.next_item();
+        let shape = match shading {
+            Shading::Flat => Shape::Triangle,
+            Shading::Smooth => Shape::SmoothTriangle,
+        };
+        // An index that is out of range stays so.
+        let indices = triangles.iter().map(|vertices| vertices.map(|vertex| first.saturating_add(vertex)));
+        self.shapes.extend(indices.map(shape));
+        self.made_of.resize(self.shapes.len(), material);
+        start..self.next_item()
+    }
+
+    /// Adds a polygon by the indices of its vertices ([`SceneTables::add_vertices`]); the normal is right-handed around
+    /// them.
+    ///
+    /// # Errors
+    ///
+    /// [`ShapeFault::Missing`] for vertices that are not there, for fewer than three, and where the
+    /// area is zero.
+    pub fn add_polygon(
+        &mut self,
+        vertices: Range<u32>,
+        shading: Shading,
+        material: MaterialId,
+    ) -> Result<ItemId, ShapeFault> {
+        let own = self.vertices.get(vertices.start as usize..vertices.end as usize);
+        let polygon = own.and_then(|own| Polygon::new(vertices.start, own, shading == Shading::Smooth));
+        let polygon = push(&mut self.polygons, polygon.ok_or(ShapeFault::Missing)?);
+        Ok(self.add_shape(Shape::Polygon(polygon), material))
+    }
+
+    /// Adds a triangle mesh with vertices of its own; `triangles` are indices into them. It is smooth where there is a
+    /// normal for each vertex, flat without normals.
+    pub fn add_mesh(
+        &mut self,
+        vertices: &[Vec3],
+        normals: &[Vec3],
+        triangles: &[[u32; 3]],
+        material: MaterialId,
+    ) -> Range<ItemId> {
+        let first = self.add_vertices(vertices, normals);
+        let shading = if normals.is_empty() { Shading::Flat } else { Shading::Smooth };
+        self.add_triangles_from(first, triangles, shading, material)
+    }
+
+    /// Makes an item move along a straight line while the shutter is open, between these offsets from where it was
+    /// added. Unit: scene lengths.
+    ///
+    /// Does nothing for an item that is not there.
+    pub fn set_motion(&mut self, item: ItemId, opening: Vec3, closing: Vec3) {
+        self.clear_motion(item);
+        if let Some(shape) = self.shapes.get_mut(item.0 as usize) {
+            let moving = push(&mut self.moving, Moving { shape: *shape, opening, closing });
+            *shape = Shape::Moving(moving);
+        }
+    }
+
+    /// Makes an item stand still.
+    pub fn clear_motion(&mut self, item: ItemId) {
+        let shape = self.shapes.get_mut(item.0 as usize);
+        if let Some(shape) = shape
+            && let Shape::Moving(index) = *shape
+            && let Some(moving) = self.moving.get(index as usize)
+        {
+            *shape = moving.shape;
+        }
+    }
+
+    /// The number of items.
+    pub fn len(&self) -> usize {
+        self.shapes.len()
+    }
+
+    /// Whether there is no item.
+    pub fn is_empty(&self) -> bool {
+        self.shapes.is_empty()
+    }
+
+    /// The bounds of all items, from which accelerators are built ([`Geometry::all_bounds`]).
+    pub fn bounds(&self) -> Vec<Aabb> {
+        self.parts().geometry.all_bounds().collect()
+    }
+
+    /// The tables, not yet checked.
+    pub fn parts(&self) -> Parts<'_> {
+        Parts {
+            geometry: Geometry {
+                shapes: &self.shapes,
+                points: &self.vertices,
+                normals: &self.normals,
+                planes: &self.planes,
+                discs: &self.discs,
+                polygons: &self.polygons,
+                cuboids: &self.cuboids,
+                turned_cuboids: &self.turned_cuboids,
+                cones: &self.cones,
+                tori: &self.tori,
+                moving: &self.moving,
+            },
+            made_of: &self.made_of,
+            materials: &self.materials,
+            textures: &self.textures,
+            lights: &self.lights,
+            ambient: self.ambient,
+            background: self.background,
+            colored_shadows: self.colored_shadows,
+        }
+    }
+
+    /// The scene of these tables, checked.
+    ///
+    /// # Errors
+    ///
+    /// As of [`Scene::new`], for the first entry that is out of range or refers to nothing.
+    pub fn scene(&self) -> Result<Scene<'_>, SceneError> {
+        Scene::new(self.parts())
+    }
+
+    fn next_item(&self) -> ItemId {
+        ItemId(self.shapes.len() as u32)
+    }
+
+    fn add_shape(&mut self, shape: Shape, material: MaterialId) -> ItemId {
+        let item = self.next_item();
+        self.shapes.push(shape);
+        self.made_of.push(material);
+        item
+    }
+}
+
+/// Appends an entry and returns its index.
+fn push<T>(table: &mut Vec<T>, entry: T) -> u32 {
+    let index = table.len() as u32;
+    table.push(entry);
+    index
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::math::vec3;
+
+    const CORNERS: [Vec3; 4] = [Vec3::ZERO, vec3(1.0, 0.0, 0.0), vec3(1.0, 1.0, 0.0), vec3(0.0, 1.0, 0.0)];
+    const BALL: Sphere = Sphere { center: Vec3::ZERO, radius: 1.0 };
+
+    #[test]
+    fn every_kind_of_shape_that_is_added_makes_a_scene() {
+        let mut tables = SceneTables::new();
+        let matte = tables.add_material(Material::MATTE);
+        tables.add_plane(Vec3::ZERO, Vec3::Y, matte);
+        tables.add_sphere(BALL, matte);
+        tables.add_disc(Disc { center: Vec3::ZERO, normal: Vec3::Y, radius: 1.0 }, matte);
+        tables.add_cuboid(Cuboid { min: Vec3::ZERO, max: Vec3::ONE }, matte);
+        tables.add_turned_cuboid(TurnedCuboid::new(Vec3::ZERO, Vec3::ONE, Vec3::X, Vec3::Z).unwrap(), matte);
+        tables.add_cone(Cone::new(Vec3::ZERO, 1.0, Vec3::Y, 0.5, true).unwrap(), matte);
+        tables.add_torus(Torus { center: Vec3::ZERO, axis: Vec3::Y, major: 1.0, minor: 0.25 }, matte);
+        tables.add_mesh(&CORNERS, &[], &[[0, 1, 2], [0, 2, 3]], matte);
+        let smooth = tables.add_mesh(&CORNERS, &[Vec3::Z; 4], &[[0, 1, 2]], matte);
+        let first = tables.add_vertices(&CORNERS, &[]);
+        tables.add_polygon(first..first + 4, Shading::Flat, matte).unwrap();
+        tables.set_motion(smooth.start, Vec3::ZERO, Vec3::X);
+        assert_eq!(tables.len(), 11);
+        let effects = tables.scene().unwrap().effects();
+        assert_eq!(effects.shapes, crate::geometry::ShapeSet::ALL);
+        assert!(effects.motion && effects.smooth);
+    }
+
+    #[test]
+    fn a_mesh_refers_to_its_own_vertices() {
+        let mut tables = SceneTables::new();
+        let matte = tables.add_material(Material::MATTE);
+        let a = tables.add_mesh(&CORNERS, &[], &[[0, 1, 2]], matte);
+        let b = tables.add_mesh(&CORNERS, &[Vec3::Z; 4], &[[0, 1, 2], [0, 2, 3]], matte);
+        assert_eq!((a, b), (ItemId(0)..ItemId(1), ItemId(1)..ItemId(3)));
+        let shapes = tables.parts().geometry.shapes;
+        assert_eq!(shapes[1], Shape::SmoothTriangle([4, 5, 6]));
+        tables.scene().unwrap();
+    }
+
+    #[test]
+    fn an_index_that_refers_to_nothing_is_an_error() {
+        let mut tables = SceneTables::new();
+        let item = tables.add_sphere(BALL, MaterialId(3));
+        assert_eq!(tables.scene().unwrap_err(), SceneError::NoMaterial(item));
+        let mut tables = SceneTables::new();
+        let matte = tables.add_material(Material::MATTE);
+        let mesh = tables.add_mesh(&CORNERS, &[], &[[0, 1, 4]], matte);
+        assert_eq!(tables.scene().unwrap_err(), SceneError::Shape(mesh.start, ShapeFault::Missing));
+        assert_eq!(tables.add_polygon(2..5, Shading::Flat, matte), Err(ShapeFault::Missing));
+    }
+
+    #[test]
+    fn motion_is_replaced_and_cleared() {
+        let mut tables = SceneTables::new();
+        let matte = tables.add_material(Material::MATTE);
+        let item = tables.add_sphere(BALL, matte);
+        tables.set_motion(item, Vec3::X, Vec3::Y);
+        tables.set_motion(item, Vec3::ZERO, Vec3::Z);
+        assert!(tables.scene().unwrap().effects().motion);
+        tables.clear_motion(item);
+        assert_eq!(tables.parts().geometry.shapes, [Shape::Sphere(BALL)]);
+        tables.set_motion(ItemId(7), Vec3::X, Vec3::Y);
+        assert!(!tables.scene().unwrap().effects().motion);
+    }
+}
