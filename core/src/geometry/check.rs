@@ -1,6 +1,7 @@
 //! Validation of a geometry: ranges of all numbers, and references between its tables.
 
-use super::{Geometry, ItemId, Shape, ShapeFault, get};
+use super::tables::get;
+use super::{Geometry, ItemId, Shape, ShapeFault};
 use crate::math::{is_in_range, is_unit};
 
 impl Geometry<'_> {

@@ -16,7 +16,9 @@
 use zerocopy::{Immutable, KnownLayout, TryFromBytes};
 
 use super::disc::disc_half_extent;
-use super::{Aabb, Ray, ShapeFault, Surface, ray::LEAVING, validate_direction, validate_point};
+use super::ray::LEAVING;
+use super::validate::{validate_direction, validate_point};
+use super::{Aabb, Ray, ShapeFault, Surface};
 use crate::math::{FARTHEST, Real, Vec3, abs, gamma, greatest, largest, length, sqrt, unit};
 
 /// A truncated cone. It is a cylinder if both radii are equal.

@@ -6,7 +6,9 @@
 
 use zerocopy::{Immutable, KnownLayout, TryFromBytes};
 
-use super::{Aabb, Ray, ShapeFault, Surface, ray::LEAVING, validate_direction, validate_point};
+use super::ray::LEAVING;
+use super::validate::{validate_direction, validate_point};
+use super::{Aabb, Ray, ShapeFault, Surface};
 use crate::math::{Axis, Real, Vec3, abs, gamma, unit};
 
 /// An axis-aligned solid box. Its normal points outward.

@@ -6,7 +6,8 @@
 use zerocopy::{Immutable, KnownLayout, TryFromBytes};
 
 use super::plane::plane_interaction;
-use super::{Aabb, Ray, ShapeFault, Surface, validate_direction, validate_radius};
+use super::validate::{validate_direction, validate_radius};
+use super::{Aabb, Ray, ShapeFault, Surface};
 use crate::math::{Real, Vec3, sqrt};
 
 /// A flat disc, hit from both sides.

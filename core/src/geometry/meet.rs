@@ -4,29 +4,16 @@
 //! inlines their tests at every call. A tracer of more kinds inlines only the test of spheres and calls
 //! one function for all others: beside the other tests a call is cheap.
 
-use super::{Aabb, Geometry, Ray, Shape, ShapeKind, Shapes, Sphere, Surface, get, triangle};
+use super::clamp::{clamp_to_box, is_valid_t};
+use super::tables::get;
+use super::{Geometry, Ray, Shape, ShapeKind, Shapes, Sphere, Surface, triangle};
 use crate::math::{Real, Vec3, vec3};
-
-/// Whether `t` can be a hit: positive and finite.
-pub(super) fn is_valid_t(t: &Real) -> bool {
-    *t > 0.0 && *t <= Real::MAX
-}
 
 /// The `t` at which the ray hits the triangle with the given vertices, as in [`Geometry::distance`].
 #[inline]
 pub(crate) fn triangle_distance(vertices: [&Vec3; 3], ray: &Ray) -> Option<Real> {
     let t = triangle::hit(vertices, ray).map(|hit| hit.t).filter(is_valid_t)?;
     clamp_to_box(triangle::bounds(vertices), t, ray.origin, ray.inverse)
-}
-
-/// `t` clamped to the interval in which the ray is inside the box. `None` if there is no such interval, or
-/// if the result is not a valid hit.
-#[inline(always)]
-pub(super) fn clamp_to_box(aabb: Aabb, t: Real, origin: Vec3, inverse_direction: Vec3) -> Option<Real> {
-    let interval = aabb.intersect_components(origin, inverse_direction)?;
-    let t = if t < interval.entry { interval.entry } else { t };
-    let t = if t > interval.exit { interval.exit } else { t };
-    Some(t).filter(is_valid_t)
 }
 
 impl Geometry<'_> {

@@ -5,7 +5,9 @@
 
 use zerocopy::{Immutable, KnownLayout, TryFromBytes};
 
-use super::{ItemId, Ray, ShapeFault, Surface, ray::LEAVING, validate_direction, validate_point};
+use super::ray::LEAVING;
+use super::validate::{validate_direction, validate_point};
+use super::{ItemId, Ray, ShapeFault, Surface};
 use crate::math::{Real, Vec3, abs, gamma, largest};
 
 /// An infinite plane, hit from both sides.

@@ -10,9 +10,10 @@
 
 use zerocopy::{Immutable, KnownLayout, TryFromBytes};
 
-use super::meet::clamp_to_box;
+use super::clamp::clamp_to_box;
 use super::plane::{plane_interaction, tangent_plane_offset};
-use super::{Aabb, Ray, ShapeFault, Surface, validate_direction, validate_point};
+use super::validate::{validate_direction, validate_point};
+use super::{Aabb, Ray, ShapeFault, Surface};
 use crate::math::{Axis, Real, Vec3, abs, gamma, length, unit, vec3};
 
 /// A flat polygon, hit from both sides. Its vertices are in the vertex table of the scene.

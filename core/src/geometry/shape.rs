@@ -2,8 +2,7 @@
 
 use zerocopy::{Immutable, KnownLayout, TryFromBytes};
 
-use super::{ShapeFault, ShapeKind, ShapeSet, Sphere};
-use crate::math::{FARTHEST, Real, Vec3, is_in_range, is_unit};
+use super::{ShapeKind, ShapeSet, Sphere};
 
 /// The shape of one item. Larger shapes are indices into tables of [`Geometry`](super::Geometry).
 #[derive(Clone, Copy, Debug, PartialEq, TryFromBytes, KnownLayout, Immutable)]
@@ -73,19 +72,6 @@ impl Shape {
             Shape::Moving(_) => return None,
         })
     }
-}
-
-pub(super) fn validate_point(p: Vec3) -> Result<(), ShapeFault> {
-    if is_in_range(p) { Ok(()) } else { Err(ShapeFault::Place) }
-}
-
-pub(super) fn validate_direction(n: Vec3) -> Result<(), ShapeFault> {
-    if is_unit(n) { Ok(()) } else { Err(ShapeFault::NotUnit) }
-}
-
-pub(super) fn validate_radius(center: Vec3, radius: Real) -> Result<(), ShapeFault> {
-    validate_point(center)?;
-    if radius > 0.0 && radius <= FARTHEST { Ok(()) } else { Err(ShapeFault::Radius) }
 }
 
 /// Supports all shapes.

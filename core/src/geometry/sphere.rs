@@ -9,7 +9,9 @@
 
 use zerocopy::{Immutable, KnownLayout, TryFromBytes};
 
-use super::{Aabb, Ray, ShapeFault, Surface, ray::LEAVING, validate_radius};
+use super::ray::LEAVING;
+use super::validate::validate_radius;
+use super::{Aabb, Ray, ShapeFault, Surface};
 use crate::math::{ROUNDOFF, Real, Vec3, abs, gamma, sqrt, unit};
 
 /// A solid sphere. Its normal points outward.
@@ -91,7 +93,7 @@ impl Sphere {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::geometry::meet::{clamp_to_box, is_valid_t};
+    use crate::geometry::clamp::{clamp_to_box, is_valid_t};
     use crate::math::{Dimension, Stream, vec3};
 
     #[test]

@@ -11,7 +11,8 @@
 //!
 //! Source: Hanika, "Hacking the Shadow Terminator", Ray Tracing Gems II, chapter 4.
 
-use super::{Geometry, Shape, ShapeKind, Shapes, get, triangle};
+use super::tables::get;
+use super::{Geometry, Shape, ShapeKind, Shapes, triangle};
 use crate::math::Vec3;
 
 impl Geometry<'_> {

@@ -16,9 +16,10 @@
 
 use zerocopy::{Immutable, KnownLayout, TryFromBytes};
 
-use super::{
-    Aabb, Ray, ShapeFault, Surface, disc::disc_half_extent, ray::LEAVING, validate_direction, validate_point,
-};
+use super::disc::disc_half_extent;
+use super::ray::LEAVING;
+use super::validate::{validate_direction, validate_point};
+use super::{Aabb, Ray, ShapeFault, Surface};
 use crate::math::{
     CubicRoots, FARTHEST, ROUNDOFF, Real, Vec3, abs, cubic_roots, gamma, length, root_between, sqrt, unit,
 };
