@@ -17,7 +17,7 @@ use crate::source::{Crate, attributes, features};
 use crate::{core, workspace};
 
 /// Public types and functions that no firmware needs, so that nothing is proven of them.
-const FOR_HOSTS_ONLY: [&str; 1] = ["Baking"];
+const FOR_HOSTS_ONLY: [&str; 2] = ["Baking", "Shading"];
 
 /// A feature by which the core needs a heap: what is behind it is for hosts.
 const HEAP: &str = "alloc";
