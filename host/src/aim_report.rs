@@ -3,12 +3,12 @@
 use std::path::Path;
 
 use serde::Serialize;
+use strahl_settings::Resolved;
 
 use crate::aim::{Aimed, Target};
 use crate::amount::amount;
 use crate::args::RenderArgs;
-use crate::settings::{self, Source};
-use crate::wanted::Wanted;
+use crate::settings;
 
 /// What was aimed at, and the command that makes the same picture.
 #[derive(Clone, Debug, Serialize)]
@@ -22,8 +22,9 @@ pub struct AimReport {
 
 impl AimReport {
     /// Of a picture that goes to `output`.
-    pub fn new(args: &RenderArgs, aimed: Aimed, output: &Path) -> Self {
-        let command = command(args, &aimed.taken, output);
+    pub fn new(args: &RenderArgs, resolved: &Resolved, aimed: Aimed, output: &Path) -> Self {
+        let taken = aimed.taken.settings(resolved.settings.clone());
+        let command = settings::changed(args, resolved, &taken, output);
         AimReport { aimed, command }
     }
 
@@ -63,13 +64,4 @@ impl AimReport {
         lines.push(("same as", self.command.clone()));
         lines
     }
-}
-
-/// The plain command that makes the picture with these settings.
-fn command(args: &RenderArgs, taken: &Wanted, output: &Path) -> String {
-    let mut all = settings::settings(args, taken, output, &Default::default());
-    // What nobody has set is the same without being named.
-    let is_taken = |name: &str| ["levels", "cutoff", "sampler", "select", "output"].contains(&name);
-    all.retain(|setting| setting.source == Source::CommandLine || is_taken(setting.name));
-    settings::command(&args.scene, &all)
 }

@@ -7,6 +7,8 @@ use std::io::{IsTerminal, Read, stdin};
 use std::path::{Path, PathBuf};
 use std::time::Instant;
 
+use strahl_settings::Settings;
+
 use crate::amount::amount;
 use crate::args::CastArgs;
 use crate::failure::Failure;
@@ -32,9 +34,8 @@ pub fn run(args: &CastArgs) -> Result<(), Failure> {
     let output = Guard::of(files.named().iter().chain([&args.rays])).prepare(&args.output)?;
     let (input, name) = rays(&args.rays, args.quiet)?;
 
-    let precision = args.precision.or(description.settings.precision).unwrap_or_default();
-    let finding = args.finding.over(description.settings.finding)?;
-    let threads = args.threads.or(std::thread::available_parallelism().ok().map(usize::from)).unwrap_or(1);
+    let settings = Settings::resolve(&args.settings.given, &description.settings)?;
+    let (precision, threads, finding) = (settings.precision, settings.threads, settings.acceleration());
     let stream = Stream { input, name, output, precision, threads, signals };
     let wrong = |error: RenderError| Failure::input(&args.scene, error.to_string());
     let mut storage = SceneStorage::new(&description, precision);

@@ -6,11 +6,8 @@
 
 use std::collections::BTreeMap;
 
-use strahl_core::{Material, Rgb, Size};
-
-use crate::finding::Finding;
-use crate::precision::Precision;
-use crate::sampling::{Filter, Sampling};
+use strahl_core::{Material, Rgb};
+use strahl_settings::PartialSettings;
 
 /// A point or a direction.
 pub type Triple = [f32; 3];
@@ -24,10 +21,10 @@ pub struct Description {
     pub view_line: usize,
     /// The line that lets light pass through bodies on its way from a light, if one does.
     pub colored_shadows: Option<usize>,
-    /// What picture the file asks for.
-    pub settings: Settings,
+    /// The settings that the file has; the command line wins.
+    pub settings: PartialSettings,
     /// The lines of those settings, by their keys.
-    pub setting_lines: BTreeMap<String, usize>,
+    pub setting_lines: BTreeMap<&'static str, usize>,
     /// What is behind everything.
     pub background: Background,
     /// Light from everywhere.
@@ -52,29 +49,6 @@ pub struct Description {
     pub shutter: [f32; 2],
     /// What a user should know of that is no error.
     pub warnings: Vec<String>,
-}
-
-/// What picture a file asks for; the command line wins.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct Settings {
-    /// Width and height.
-    pub size: Option<Size>,
-    /// Levels of rays, 1 to [`LEVELS`](crate::wanted::LEVELS).
-    pub levels: Option<u8>,
-    /// The cutoff, in `0..=1`.
-    pub cutoff: Option<f32>,
-    /// Rays in each pixel.
-    pub sampling: Option<Sampling>,
-    /// How much of its surroundings counts in a pixel.
-    pub filter: Option<Filter>,
-    /// Another seed.
-    pub seed: Option<u32>,
-    /// How items are found.
-    pub finding: Finding,
-    /// Whether who last stood in a light is asked first.
-    pub shadow_cache: Option<bool>,
-    /// What is computed with.
-    pub precision: Option<Precision>,
 }
 
 /// Something with its place in the scene file.

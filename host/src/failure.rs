@@ -5,6 +5,7 @@ use std::io;
 use std::path::{Path, PathBuf};
 
 use strahl_picture::FormatError;
+use strahl_settings::SettingsError;
 
 use crate::faults::Faults;
 use crate::interrupt::Interrupt;
@@ -124,6 +125,12 @@ impl fmt::Display for Failure {
 }
 
 impl std::error::Error for Failure {}
+
+impl From<SettingsError> for Failure {
+    fn from(error: SettingsError) -> Self {
+        Failure::Usage(error.to_string())
+    }
+}
 
 impl From<FormatError> for Failure {
     fn from(error: FormatError) -> Self {

@@ -26,10 +26,8 @@
 //! | [`render_output`] | what comes of rendering, or why nothing does |
 //! | [`ray_query`] | single rays and what they hit |
 //! | [`wanted`] | what picture is wanted, and how the work is done |
-//! | [`precision`] | what is computed with |
 //! | [`mask`] | which pixels are wanted, where not all are |
 //! | [`finding`] | how items are found: what can be asked for, and what there is |
-//! | [`sampling`] | which rays make a pixel, in the words of the command line |
 //! | [`rays`] | rays as lines of text, and their way there and back |
 //! | [`scheduler`] | what comes next in a picture that becomes better pass by pass |
 //! | [`aim`] | the settings that keep an error or a time |
@@ -59,6 +57,8 @@ use strahl_core as strahl;
 
 use stock::single as tables;
 
+pub use strahl_settings::{precision, sampling};
+
 pub mod aim;
 pub mod aim_report;
 pub mod amount;
@@ -87,14 +87,12 @@ pub mod mask;
 pub mod output;
 pub mod pixels;
 pub mod plan;
-pub mod precision;
 pub mod procedural;
 pub mod progress;
 pub mod ray_query;
 pub mod rays;
 pub mod render;
 pub mod render_output;
-pub mod sampling;
 pub mod scheduler;
 pub mod session;
 pub mod settings;

@@ -4,8 +4,8 @@ use std::io::{self, Read};
 use std::path::Path;
 
 use strahl_picture::{Pixels, decode};
+use strahl_settings::domain::MOST_PIXELS;
 
-use crate::args::MOST_PIXELS;
 use crate::failure::Failure;
 use crate::load::Files;
 

@@ -2,79 +2,23 @@
 
 use std::fmt;
 
-use clap::ValueEnum;
 use strahl_core::{EffectSet, Material, Rgb, Scene};
+pub use strahl_settings::Effect;
 
 use crate::amount::amount;
 use crate::description::{Description, Form, Light, Object, Projection, Source};
 use crate::stock::single::scene_tables;
 
-/// An effect that a scene can ask for and a user can switch off, by its name on the command line.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
-pub enum Effect {
-    /// Things stand in the way of light.
-    Shadows,
-    /// Mirrors.
-    Reflection,
-    /// Light passes through bodies.
-    Transmission,
-    /// Light passes through bodies on its way from a light.
-    ColoredShadows,
-    /// Lights with an extent: shadows with soft rims.
-    Penumbra,
-    /// A lens: only what is in focus is sharp.
-    Lens,
-    /// Rough mirrors and rough glass.
-    Gloss,
-    /// Things that move while the shutter is open.
-    Motion,
+/// What asks for an effect, and how it is left out.
+trait Asked {
+    /// Whether a material asks for it.
+    fn is_asked_by(self, material: &Material) -> bool;
+
+    /// Makes a scene that does not ask for it.
+    fn leave_out(self, description: &mut Description);
 }
 
-impl Effect {
-    /// Those of which one ray sees a part by chance, so that a pixel needs many.
-    pub const DISTRIBUTED: [Effect; 4] = [Effect::Penumbra, Effect::Lens, Effect::Gloss, Effect::Motion];
-
-    /// Every effect.
-    pub const ALL: [Effect; 8] = [
-        Effect::Shadows,
-        Effect::Reflection,
-        Effect::Transmission,
-        Effect::ColoredShadows,
-        Effect::Penumbra,
-        Effect::Lens,
-        Effect::Gloss,
-        Effect::Motion,
-    ];
-
-    /// The name on the command line.
-    pub fn name(self) -> &'static str {
-        match self {
-            Effect::Shadows => "shadows",
-            Effect::Reflection => "reflection",
-            Effect::Transmission => "transmission",
-            Effect::ColoredShadows => "colored-shadows",
-            Effect::Penumbra => "penumbra",
-            Effect::Lens => "lens",
-            Effect::Gloss => "gloss",
-            Effect::Motion => "motion",
-        }
-    }
-
-    /// Whether it is in a set.
-    pub fn is_in(self, set: &EffectSet) -> bool {
-        match self {
-            Effect::Shadows => set.shadows,
-            Effect::Reflection => set.reflection,
-            Effect::Transmission => set.transmission,
-            Effect::ColoredShadows => set.colored_shadows,
-            Effect::Penumbra => set.penumbra,
-            Effect::Lens => set.lens,
-            Effect::Gloss => set.gloss,
-            Effect::Motion => set.motion,
-        }
-    }
-
-    /// Whether a material asks for it.
+impl Asked for Effect {
     fn is_asked_by(self, material: &Material) -> bool {
         match self {
             Effect::Reflection => !material.mirror.is_black(),
@@ -84,7 +28,6 @@ impl Effect {
         }
     }
 
-    /// Makes a scene that does not ask for it.
     fn leave_out(self, description: &mut Description) {
         let lights = description.lights.iter_mut().map(|light| &mut light.it);
         let materials = description.materials.iter_mut().map(|material| &mut material.it);
@@ -128,12 +71,6 @@ pub fn leave_out(description: &mut Description, effects: &[Effect]) -> Vec<Step>
 /// What a scene asks for, the camera included.
 pub fn asked_by(description: &Description, scene: &Scene<'_>) -> EffectSet {
     EffectSet { lens: description.view.projection.has_lens(), ..scene.effects() }
-}
-
-impl fmt::Display for Effect {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(self.name())
-    }
 }
 
 /// One thing in the file that asks for an effect.

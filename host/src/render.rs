@@ -6,8 +6,8 @@ use std::path::{Path, PathBuf};
 use std::sync::Arc;
 use std::time::{Duration, Instant};
 
-use strahl_core::Tile;
 use strahl_picture::{Format, Picture};
+use strahl_settings::Resolved;
 
 use crate::aim;
 use crate::aim::error::{Fixed, Goal};
@@ -15,7 +15,7 @@ use crate::aim::time::Limit;
 use crate::aim_report::AimReport;
 use crate::args::{AimArgs, RenderArgs, StatsForm};
 use crate::cost_map::CostMap;
-use crate::description::{Description, Settings};
+use crate::description::Description;
 use crate::draft;
 use crate::failure::{Answer, Failure};
 use crate::heat::{self, Costs};
@@ -32,7 +32,7 @@ use crate::signals::Signals;
 use crate::stats::Stats;
 use crate::summary::{self, summary};
 use crate::terminal::TerminalProgress;
-use crate::wanted::{Cut, DEFAULT_SIZE, Wanted};
+use crate::wanted::{DEFAULT_SIZE, Wanted};
 use crate::wrap::{width_of_stderr, wrapped};
 
 /// Renders one scene. No is the answer where an error was aimed at that is not kept.
@@ -49,11 +49,10 @@ pub fn run(args: &RenderArgs, aim: &AimArgs) -> Result<Answer, Failure> {
 pub fn print_settings(args: &RenderArgs) -> Result<(), Failure> {
     let job = Job::of(args)?;
     let scene = job.load(&Files::on_disk())?;
-    let wanted = wanted(args, &scene, false)?;
-    job.format.holds(wanted.picture())?;
-    let mut settings = settings::settings(args, &wanted, &job.path, &scene.description.setting_lines);
-    settings.push(settings::colored_shadows(args, &scene.description));
-    Output::Stdout.commit(settings::text(&args.scene, &settings).as_bytes())
+    let resolved = resolved(args, &scene)?;
+    job.format.holds(resolved.settings.picture_size())?;
+    let text = settings::text(args, &resolved, &job.path, &scene.description.setting_lines);
+    Output::Stdout.commit(text.as_bytes())
 }
 
 /// A picture that is asked for, and where it goes.
@@ -99,11 +98,13 @@ impl<'a> Job<'a> {
     pub fn load(&self, files: &Files) -> Result<Loaded, Failure> {
         let clock = Instant::now();
         let Job { args, .. } = self;
-        let mut description = load_from(files, &args.scene, args.picture.frame.size.unwrap_or(DEFAULT_SIZE))?;
+        let mut description =
+            load_from(files, &args.scene, args.settings.given.size.unwrap_or(DEFAULT_SIZE))?;
         for warning in description.warnings.iter().filter(|_| !args.quiet) {
             say(format_args!("{}: warning: {warning}", args.scene.display()));
         }
-        let left_out = leave_out(&mut description, &args.without);
+        let left_out =
+            leave_out(&mut description, args.settings.given.without.as_deref().unwrap_or_default());
         let mask = args.mask.as_deref().map(|path| mask(files, path)).transpose()?;
         let mut inputs = files.named();
         inputs.extend(args.mask.clone());
@@ -168,11 +169,12 @@ impl<'a> Job<'a> {
     ) -> Result<(RenderOutput, Option<AimReport>), Failure> {
         let Job { args, aim, begun, format, .. } = self;
         let traced = if let Some(error) = aim.target_error {
+            let given = &args.settings.given;
             let fixed = Fixed {
-                levels: args.picture.frame.levels.is_some(),
-                cutoff: args.picture.frame.cutoff.is_some(),
-                sampling: args.picture.sampler.is_some(),
-                selecting: args.select.is_some(),
+                levels: given.levels.is_some(),
+                cutoff: given.cutoff.is_some(),
+                sampling: given.sampler.is_some(),
+                selecting: given.select.is_some(),
             };
             aim::error::trace(description, wanted, Goal { error, fixed, verify: aim.verify }, progress)
         } else if let Some(time) = aim.time_limit {
@@ -183,7 +185,8 @@ impl<'a> Job<'a> {
         };
         progress.end();
         let (frame, aimed) = traced.map_err(|error| self.failure(error))?;
-        Ok((frame, Some(AimReport::new(args, aimed, &self.path))))
+        let resolved = Resolved::new(&args.settings.given, &description.settings)?;
+        Ok((frame, Some(AimReport::new(args, &resolved, aimed, &self.path))))
     }
 
     /// Traces and writes a coarse picture, where that is quicker.
@@ -260,25 +263,12 @@ impl<'h> Heat<'h> {
 }
 
 /// What the command line asks for, else the scene, else the defaults.
-fn wanted(args: &RenderArgs, scene: &Loaded, counted: bool) -> Result<Wanted, Failure> {
-    let asked = Settings {
-        finding: args.finding.asked()?,
-        shadow_cache: args.no_shadow_cache.then_some(false),
-        precision: args.precision,
-        ..args.picture.asked()
-    };
-    let wanted = Wanted::asked(&asked, &scene.description.settings).map_err(Failure::Usage)?;
-    let size = wanted.size;
-    if let Some(region) = args.region
-        && region.within(Tile::whole(size)) != region
-    {
-        let (width, height) = (size.width(), size.height());
-        return Err(Failure::Usage(format!("the region reaches beyond the picture of {width}x{height}")));
-    }
+fn resolved(args: &RenderArgs, scene: &Loaded) -> Result<Resolved, Failure> {
+    let resolved = Resolved::new(&args.settings.given, &scene.description.settings)?;
     if let (Some(path), Some(mask)) = (&args.mask, &scene.mask)
-        && mask.size != size
+        && mask.size != resolved.settings.size
     {
-        let (is, wanted) = (mask.size, size);
+        let (is, wanted) = (mask.size, resolved.settings.size);
         let reason = format!(
             "the mask has {}x{} pixels, the picture {}x{}",
             is.width(),
@@ -288,14 +278,13 @@ fn wanted(args: &RenderArgs, scene: &Loaded, counted: bool) -> Result<Wanted, Fa
         );
         return Err(Failure::Input { path: path.clone(), line: None, reason });
     }
-    Ok(Wanted {
-        selecting: args.select,
-        region: args.region,
-        mask: scene.mask.clone(),
-        cut: Cut::threads(args.threads.unwrap_or(0)),
-        counted,
-        ..wanted
-    })
+    Ok(resolved)
+}
+
+/// The picture that is asked for.
+fn wanted(args: &RenderArgs, scene: &Loaded, counted: bool) -> Result<Wanted, Failure> {
+    let Resolved { settings, .. } = resolved(args, scene)?;
+    Ok(Wanted { mask: scene.mask.clone(), counted, ..Wanted::new(&settings) })
 }
 
 /// The pixels that are white in the picture at `path`.

@@ -4,7 +4,7 @@ use std::time::Instant;
 
 use strahl_core::Rgb;
 
-use crate::sampling::{Sampling, Selecting};
+use crate::sampling::{PixelSelection as Selecting, Sampling};
 
 /// One pass: a whole picture.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -63,7 +63,7 @@ pub fn run(args: &StudyArgs) -> Result<(), Failure> {
                 size: args.size,
                 full: args.full,
                 time_limit: args.time_limit,
-                threads: args.threads,
+                threads: args.settings.given.threads,
                 begun,
             };
             let study = study(path, &scene, &settings, &meter);
@@ -101,7 +101,7 @@ fn read<T>(path: &Path, parse: impl FnOnce(&[u8]) -> Result<T, ParseError>) -> R
 /// Why the scene at `path` could not be studied.
 fn failure(path: &Path, error: StudyError) -> Failure {
     match error {
-        StudyError::Settings(reason) => Failure::Usage(reason),
+        StudyError::Settings(error) => error.into(),
         StudyError::Render(RenderError::Interrupted(interrupt)) => Failure::Stopped(interrupt),
         StudyError::TooShort(reason) => Failure::Late(format!("{}: {reason}", path.display())),
         StudyError::Picture(error) => Failure::Unwritable { path: None, error: io::Error::other(error) },

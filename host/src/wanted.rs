@@ -4,19 +4,16 @@ use std::sync::Arc;
 
 pub use strahl_core::Limits;
 use strahl_core::{Size, Tile};
+use strahl_settings::Settings;
+pub use strahl_settings::{Filter, LEVELS, PixelSelection as Selecting, Sampling};
 
 use crate::cost_map::CostMap;
-use crate::description::Settings;
 use crate::finding::Finding;
 use crate::mask::Mask;
 use crate::precision::Precision;
-pub use crate::sampling::{Filter, Sampling, Selecting};
 
 /// The size of a picture where neither the scene nor anybody else says one.
 pub const DEFAULT_SIZE: Size = Size::new(640, 480).unwrap();
-
-/// The most levels of rays.
-pub const LEVELS: usize = 64;
 
 /// Pixels along one side of a tile. Small enough to keep all threads busy to the end.
 const TILE: u32 = 32;
@@ -77,28 +74,28 @@ impl Wanted {
 }
 
 impl Wanted {
-    /// The picture that is asked for, of what nobody asks for that of the scene, and else the
-    /// defaults of the command line; or why there is none.
-    pub fn asked(asked: &Settings, scene: &Settings) -> Result<Self, String> {
-        let default = Wanted::of(asked.size.or(scene.size).unwrap_or(DEFAULT_SIZE));
-        let sampling = asked.sampling.or(scene.sampling).unwrap_or(default.sampling);
-        let filter = asked.filter.or(scene.filter).unwrap_or(default.filter);
-        if filter != Filter::Box && !sampling.takes_filter() {
-            return Err(format!("`{sampling}` fills the pixel by itself: no filter but box goes with it"));
+    /// The picture that these settings are of.
+    pub fn new(settings: &Settings) -> Self {
+        Wanted {
+            size: settings.size,
+            limits: settings.limits(),
+            sampling: settings.sampler,
+            filter: settings.filter,
+            seed: settings.seed,
+            selecting: settings.select,
+            region: settings.region,
+            precision: settings.precision,
+            finding: settings.acceleration(),
+            shadow_cache: settings.shadow_cache,
+            cut: Cut::threads(settings.threads),
+            ..Wanted::of(settings.size)
         }
-        Ok(Wanted {
-            limits: Limits {
-                levels: asked.levels.or(scene.levels).unwrap_or(default.limits.levels),
-                cutoff: asked.cutoff.or(scene.cutoff).unwrap_or(default.limits.cutoff),
-            },
-            sampling,
-            filter,
-            seed: asked.seed.or(scene.seed).unwrap_or(default.seed),
-            precision: asked.precision.or(scene.precision).unwrap_or(default.precision),
-            finding: asked.finding.or(scene.finding),
-            shadow_cache: asked.shadow_cache.or(scene.shadow_cache).unwrap_or(default.shadow_cache),
-            ..default
-        })
+    }
+
+    /// The settings of this picture, what it does not know being as in others.
+    pub fn settings(&self, others: Settings) -> Settings {
+        let (sampler, select) = (self.sampling, self.selecting);
+        Settings { sampler, select, ..others.with_limits(self.limits) }
     }
 
     /// The size of the picture that is made.

@@ -32,6 +32,7 @@ use strahl::render_output::RenderError;
 use strahl::session::{SceneStorage, Session};
 use strahl::wanted::Wanted;
 use strahl_core::{Rgb, Size};
+use strahl_settings::{PartialSettings, Settings};
 
 /// Scenes of different kinds, each with limits that ask for little or much.
 const PAIRS: [(&str, f64); 10] = [
@@ -179,7 +180,7 @@ fn is_hopeless(before: Rays, error: f64, rays: Rays, limit: f64) -> bool {
 
 /// What the scene asks for, but for its rays and limits, which are looked for.
 fn wanted(description: &Description) -> Wanted {
-    Wanted::asked(&Default::default(), &description.settings).unwrap()
+    Wanted::new(&Settings::resolve(&PartialSettings::default(), &description.settings).unwrap())
 }
 
 fn words(wanted: &Wanted) -> String {

@@ -14,7 +14,7 @@ use std::path::Path;
 use std::process::ExitCode;
 
 use strahl::progress::NoProgress;
-use strahl::sampling::{Agreement, Selecting};
+use strahl::sampling::{Agreement, PixelSelection as Selecting};
 use strahl::wanted::{Sampling, Wanted};
 use strahl_core::{
     BareList, Camera, CameraSample, Everything, Limits, Pixel, PixelSample, RayKind, RayTracer, Rgb, Sampler,

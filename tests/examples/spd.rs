@@ -55,7 +55,7 @@ const NOISE: f64 = 0.05;
 /// Accelerators, and how much they are asked to remember.
 fn ways() -> Vec<Finding> {
     let with_mailbox = Kind::ALL.map(Finding::by);
-    let without = [Kind::Grid, Kind::Octree].map(|kind| Finding { mailbox: Some(0), ..Finding::by(kind) });
+    let without = [Kind::Grid, Kind::Octree].map(|kind| Finding { mailbox: 0, ..Finding::by(kind) });
     [&with_mailbox[..], &without].concat()
 }
 

@@ -10,6 +10,7 @@ use strahl::progress::NoProgress;
 use strahl::sampling::Sampling;
 use strahl::{session, wanted::Wanted};
 use strahl_core::{Pixel, Rgb, Size, Tile};
+use strahl_settings::{PartialSettings, Settings};
 
 fn scene(name: &str) -> Description {
     let path: PathBuf = Path::new(env!("CARGO_MANIFEST_DIR")).parent().unwrap().join("scenes").join(name);
@@ -17,12 +18,9 @@ fn scene(name: &str) -> Description {
 }
 
 fn wanted(description: &Description, sampling: Sampling) -> Wanted {
-    let settings = strahl::description::Settings {
-        size: Size::new(40, 30),
-        sampling: Some(sampling),
-        ..Default::default()
-    };
-    Wanted::asked(&settings, &description.settings).unwrap()
+    let given =
+        PartialSettings { size: Size::new(40, 30), sampler: Some(sampling), ..PartialSettings::default() };
+    Wanted::new(&Settings::resolve(&given, &description.settings).unwrap())
 }
 
 /// The pixel as `render` traces it, with whatever it takes to find items.

@@ -126,7 +126,7 @@ fn scene_file(name: &str, width: u32, height: u32, levels: Option<u8>, sampling:
     };
     let quarter = |finding| traced(width / 4, height / 4, finding);
     let frame = quarter(Finding::default());
-    let is_affordable = |it: &Finding| it.bounds != Some(Bounds::None) || frame.scene.objects <= FEW;
+    let is_affordable = |it: &Finding| it.bounds != Bounds::None || frame.scene.objects <= FEW;
     for finding in Finding::every().into_iter().filter(is_affordable) {
         // Not by `assert_eq`, which would print all of both.
         assert!(quarter(finding).picture == frame.picture, "{name} by {finding:?} is another picture");

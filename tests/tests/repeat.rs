@@ -133,7 +133,7 @@ fn accelerators_do_not_change_the_picture() {
     let scene = effects();
     for way in WAYS {
         let by = |finding| traced(&scene, &Wanted { finding, ..wanted(way) }).picture;
-        let truth = by(Finding { bounds: Some(Bounds::None), ..Finding::by(Kind::List) });
+        let truth = by(Finding { bounds: Bounds::None, ..Finding::by(Kind::List) });
         assert!(truth.colors.iter().all(|color| color.is_within(f32::MAX)), "{way:?}");
         for finding in [Kind::List, Kind::Grid, Kind::Octree, Kind::Bvh].map(Finding::by) {
             assert_eq!(by(finding), truth, "{way:?}, {finding:?}");

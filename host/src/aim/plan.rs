@@ -1,6 +1,6 @@
 //! Which settings are looked at for the cheapest that keep an error.
 
-use crate::sampling::{Agreement, Confidence, Filter, Sampling, Selecting};
+use crate::sampling::{Agreement, Confidence, Filter, PixelSelection as Selecting, Sampling};
 use crate::wanted::Wanted;
 
 /// Levels that are tried.

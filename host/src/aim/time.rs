@@ -15,7 +15,7 @@ use super::{Aimed, Target};
 use crate::description::Description;
 use crate::progress::Progress;
 use crate::render_output::{RenderError, RenderOutput};
-use crate::sampling::{Agreement, Confidence, Sampling, Selecting};
+use crate::sampling::{Agreement, Confidence, PixelSelection as Selecting, Sampling};
 use crate::scheduler::{Outlook, Pass, PassStats, Scheduler};
 use crate::session::{SceneStorage, Session};
 use crate::wanted::Wanted;

@@ -3,7 +3,9 @@
 use std::path::PathBuf;
 use std::time::Duration;
 
-use super::values::{not_too_long, share};
+use strahl_settings::domain::share;
+
+use super::times::not_too_long;
 
 /// What settings are to keep, and what is told of the work.
 #[derive(Clone, Debug, Default, clap::Args)]

@@ -4,8 +4,10 @@ use std::path::PathBuf;
 
 use clap::Parser;
 
-use super::picture::FrameArgs;
-use crate::finding::{Accel, Kind};
+use strahl_settings::{Accel, AccelKind};
+
+use super::names::name_of;
+use super::settings::{OfFrame, SettingArgs};
 
 /// What to bake, and how.
 #[derive(Debug, Parser)]
@@ -19,7 +21,7 @@ pub struct BakeArgs {
     pub output: PathBuf,
 
     /// How items are found on the device; `auto` is the hierarchy [default: auto].
-    #[arg(long, value_name = "KIND")]
+    #[arg(long, value_name = "KIND", value_parser = name_of::<Accel>())]
     pub accel: Option<Accel>,
 
     /// The most nodes of the hierarchy or the octree: less flash for larger leaves [default: as
@@ -29,7 +31,7 @@ pub struct BakeArgs {
 
     /// What the picture is to be like.
     #[command(flatten)]
-    pub frame: FrameArgs,
+    pub settings: SettingArgs<OfFrame>,
 
     /// Say nothing but errors.
     #[arg(short, long)]
@@ -51,7 +53,7 @@ impl BakeArgs {
             return Some(format!("--{name} has no meaning for a .rs file: constants have no accelerator"));
         }
         match self.accel.and_then(Accel::kind) {
-            Some(kind @ (Kind::List | Kind::Grid)) if self.nodes.is_some() => {
+            Some(kind @ (AccelKind::List | AccelKind::Grid)) if self.nodes.is_some() => {
                 Some(format!("--nodes has no meaning for --accel {kind}"))
             }
             _ => None,

@@ -4,9 +4,7 @@ use std::path::PathBuf;
 
 use clap::Parser;
 
-use super::finding::FindingArgs;
-use super::values::threads;
-use crate::precision::Precision;
+use super::settings::{OfRays, SettingArgs};
 
 /// What to cast, and how.
 #[derive(Debug, Parser)]
@@ -22,18 +20,9 @@ pub struct CastArgs {
     #[arg(short, long, value_name = "FILE", default_value = "-")]
     pub output: PathBuf,
 
-    /// What is computed with, and what rays are read and hits are written in; the numbers of a scene
-    /// are rounded to single precision either way [default: the scene's, or single].
-    #[arg(long, value_name = "PRECISION")]
-    pub precision: Option<Precision>,
-
-    /// How items are found.
+    /// What rays are computed with, which they are read and hits are written in too, and how items are found.
     #[command(flatten)]
-    pub finding: FindingArgs,
-
-    /// Threads [default: one for each core].
-    #[arg(long, value_name = "N", value_parser = threads, allow_negative_numbers = true)]
-    pub threads: Option<usize>,
+    pub settings: SettingArgs<OfRays>,
 
     /// Say nothing but errors.
     #[arg(short, long)]

@@ -4,7 +4,7 @@ use std::path::PathBuf;
 
 use clap::Parser;
 
-use super::values::share;
+use strahl_settings::domain::share;
 
 /// What to compare, and how much it may differ.
 #[derive(Debug, Parser)]

@@ -5,8 +5,7 @@ use std::path::PathBuf;
 use clap::Parser;
 use strahl_core::Pixel;
 
-use super::picture::PictureArgs;
-use crate::plan::Effect;
+use super::settings::{OfPixel, SettingArgs};
 
 /// How `explain` is called.
 pub(super) const EXAMPLES: &str = "\
@@ -28,11 +27,7 @@ pub struct ExplainArgs {
 
     /// Which picture it is of.
     #[command(flatten)]
-    pub picture: PictureArgs,
-
-    /// Leave out these effects, whatever the scene asks for.
-    #[arg(long, value_name = "EFFECT", value_delimiter = ',')]
-    pub without: Vec<Effect>,
+    pub settings: SettingArgs<OfPixel>,
 
     /// Show the tree of this sample only, counted from 1; --json tells them all, --svg draws one
     /// [default of --svg: 1].
@@ -55,11 +50,11 @@ pub struct ExplainArgs {
 fn pixel(text: &str) -> Result<Pixel, String> {
     let parts = text.split_once(',').and_then(|(x, y)| Some((x.parse().ok()?, y.parse().ok()?)));
     let Some((x, y)) = parts else {
-        return Err("two whole numbers from 0 with a comma between them are expected, as in 320,240".into());
+        return Err("two integers from 0 with a comma between them are expected, as in 320,240".into());
     };
     Ok(Pixel { x, y })
 }
 
 fn sample(text: &str) -> Result<usize, String> {
-    text.parse().ok().filter(|number| *number >= 1).ok_or_else(|| "a whole number from 1 is expected".into())
+    text.parse().ok().filter(|number| *number >= 1).ok_or_else(|| "an integer from 1 is expected".into())
 }

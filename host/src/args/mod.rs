@@ -6,23 +6,23 @@
 //! | `aim` | those of `render` alone: what settings are to keep |
 //! | `cast`, `info`, `study`, `explain`, `bake`, `compare`, `generate` | those of the command of this name |
 //! | `manual` | those of `man` and `schema` |
-//! | `picture` | which picture is wanted: options that several commands share |
-//! | `finding` | how items are found: options that several commands share |
-//! | `values` | words become numbers and sizes, by rules that several options share |
+//! | `settings` | the options of settings, which several commands share |
+//! | `names` | options whose values have names |
+//! | `times` | options whose values are times |
 
 mod aim;
 mod bake;
 mod cast;
 mod compare;
 mod explain;
-mod finding;
 mod generate;
 mod info;
 mod manual;
-mod picture;
+mod names;
 mod render;
+mod settings;
 mod study;
-mod values;
+mod times;
 
 use clap::{Parser, Subcommand};
 use clap_complete::Shell;
@@ -32,14 +32,12 @@ pub use bake::BakeArgs;
 pub use cast::CastArgs;
 pub use compare::CompareArgs;
 pub use explain::ExplainArgs;
-pub use finding::FindingArgs;
 pub use generate::GenerateArgs;
 pub use info::InfoArgs;
 pub use manual::{ManArgs, Schema};
-pub use picture::{FrameArgs, PictureArgs};
 pub use render::{RenderArgs, StatsForm};
+pub use settings::{Groups, OfPixel, SettingArgs};
 pub use study::StudyArgs;
-pub use values::MOST_PIXELS;
 
 /// What the exit status says.
 const STATUS: &str = "\

@@ -3,14 +3,8 @@
 use std::path::PathBuf;
 
 use clap::{Parser, ValueEnum};
-use strahl_core::{Pixel, Size, Tile};
 
-use super::finding::FindingArgs;
-use super::picture::PictureArgs;
-use super::values::threads;
-use crate::plan::Effect;
-use crate::precision::Precision;
-use crate::wanted::Selecting;
+use super::settings::{EverySetting, SettingArgs};
 
 /// How `render` is called.
 pub(super) const EXAMPLES: &str = "\
@@ -33,46 +27,14 @@ pub struct RenderArgs {
     #[arg(short, long, value_name = "FILE")]
     pub output: Option<PathBuf>,
 
-    /// Which picture.
-    #[command(flatten)]
-    pub picture: PictureArgs,
-
-    /// Trace one pixel in STEP times STEP, and those between only where these differ more than
-    /// THRESHOLD (sRGB, 0 to 1), or with `:items` where they meet different objects; else guess
-    /// them. STEP is 2, 4, 8, 16, 32 or 64.
-    #[arg(long, value_name = "STEP:THRESHOLD")]
-    pub select: Option<Selecting>,
-
-    /// Make only this part of the picture: its upper left pixel, and how large it is.
-    #[arg(long, value_name = "X,Y,WxH", value_parser = region, allow_hyphen_values = true)]
-    pub region: Option<Tile>,
-
     /// Trace only the pixels that are white in this picture, of the same size; the others stay
     /// black.
     #[arg(long, value_name = "IMAGE")]
     pub mask: Option<PathBuf>,
 
-    /// Leave out these effects, whatever the scene asks for; the summary says so.
-    #[arg(long, value_name = "EFFECT", value_delimiter = ',')]
-    pub without: Vec<Effect>,
-
-    /// What is computed with; the numbers of a scene are rounded to single precision either way
-    /// [default: the scene's, or single].
-    #[arg(long, value_name = "PRECISION")]
-    pub precision: Option<Precision>,
-
-    /// How items are found.
+    /// Which picture, and how the work is done.
     #[command(flatten)]
-    pub finding: FindingArgs,
-
-    /// Do not ask first who stood last in the way of a light, which changes the time and nothing
-    /// else.
-    #[arg(long)]
-    pub no_shadow_cache: bool,
-
-    /// Threads [default: one for each core].
-    #[arg(long, value_name = "N", value_parser = threads, allow_negative_numbers = true)]
-    pub threads: Option<usize>,
+    pub settings: SettingArgs<EverySetting>,
 
     /// Report what was counted and measured, on the standard output or in --stats-file.
     #[arg(long, value_name = "FORM")]
@@ -94,18 +56,4 @@ pub enum StatsForm {
     Text,
     /// For programs.
     Json,
-}
-
-fn region(text: &str) -> Result<Tile, String> {
-    let wrong = || "X,Y,WxH is expected, as in 100,50,320x200".to_string();
-    let mut words = text.splitn(3, ',');
-    let mut next = || words.next().ok_or_else(wrong);
-    let (x, y, size) = (next()?, next()?, next()?);
-    let (width, height) = size.split_once(['x', 'X']).ok_or_else(wrong)?;
-    let number = |text: &str| text.parse::<u32>().map_err(|_| wrong());
-    let (x, y, width, height) = (number(x)?, number(y)?, number(width)?, number(height)?);
-    match Size::new(width, height) {
-        Some(_) => Ok(Tile { first: Pixel { x, y }, width, height }),
-        None => Err(format!("each side must be between 1 and {}", Size::MOST)),
-    }
 }

@@ -5,8 +5,10 @@ use std::time::Duration;
 
 use clap::Parser;
 use strahl_core::Size;
+use strahl_settings::{Domain, Value};
 
-use super::values::{duration, size, threads};
+use super::settings::{OfWork, SettingArgs};
+use super::times::duration;
 
 /// What to study, and how thoroughly.
 #[derive(Debug, Parser)]
@@ -33,9 +35,9 @@ pub struct StudyArgs {
     #[arg(long, value_name = "TIME", value_parser = duration)]
     pub time_limit: Option<Duration>,
 
-    /// Threads [default: one for each core].
-    #[arg(long, value_name = "N", value_parser = threads, allow_negative_numbers = true)]
-    pub threads: Option<usize>,
+    /// How the work is divided.
+    #[command(flatten)]
+    pub settings: SettingArgs<OfWork>,
 
     /// Measure nothing: make the page and the table of this study.json again.
     #[arg(long, value_name = "STUDY.JSON", conflicts_with_all = ["scene", "size", "full", "time_limit", "threads"])]
@@ -49,4 +51,8 @@ pub struct StudyArgs {
     /// Say nothing but errors.
     #[arg(short, long)]
     pub quiet: bool,
+}
+
+fn size(word: &str) -> Result<Size, String> {
+    Size::parse(word, &Domain::Size)
 }

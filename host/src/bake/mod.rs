@@ -11,20 +11,20 @@ use strahl_core::{
     Limits, Mailbox, Octree, OctreeNode, OctreeSize, Pack, Projection, Scene, Size, TraversalStack, View,
     Worker,
 };
+use strahl_settings::{Group, PartialSettings, SETTINGS, Setting, Settings};
 
 use crate::amount::amount;
 use crate::args::BakeArgs;
-use crate::description::{Description, Settings};
+use crate::description::Description;
 use crate::failure::Failure;
-use crate::finding::{Accel, Bounds, Finding, Kind, MAILBOX, Walk};
+use crate::finding::{Accel, Bounds, Finding, Kind, MAILBOX};
 use crate::load::{Files, load_from};
 use crate::output::{Guard, refuse_terminal, say, tell};
-use crate::precision::Precision;
 use crate::progress::NoProgress;
 use crate::render_output::RenderError;
 use crate::session;
 use crate::stock::single::{self, scene_tables};
-use crate::wanted::{DEFAULT_SIZE, Filter, Sampling, Wanted};
+use crate::wanted::{DEFAULT_SIZE, Wanted};
 
 /// What is baked beside the scene.
 #[derive(Clone, Copy, Debug)]
@@ -50,7 +50,7 @@ pub fn run(args: &BakeArgs) -> Result<(), Failure> {
     }
     refuse_terminal(&args.output, "the baked scene")?;
     let files = Files::on_disk();
-    let description = load_from(&files, &args.scene, args.frame.size.unwrap_or(DEFAULT_SIZE))?;
+    let description = load_from(&files, &args.scene, args.settings.given.size.unwrap_or(DEFAULT_SIZE))?;
     for warning in description.warnings.iter().filter(|_| !args.quiet) {
         say(format_args!("{}: warning: {warning}", args.scene.display()));
     }
@@ -61,14 +61,15 @@ pub fn run(args: &BakeArgs) -> Result<(), Failure> {
     let wrong = |reason: String| Failure::Input { path: args.scene.clone(), line: None, reason };
     let stock = scene_tables(&description);
     let scene = stock.scene().map_err(|error| wrong(error.to_string()))?;
-    let settings = &description.settings;
+    let Settings { size, levels, cutoff, .. } =
+        Settings::resolve(&args.settings.given, &description.settings)?;
     let asked = Asked {
         accelerator: args.accel.and_then(Accel::kind).unwrap_or(Kind::Bvh),
         nodes: args.nodes.map(|nodes| nodes as usize),
         view: single::view(&description.view),
-        size: args.frame.size.or(settings.size).unwrap_or(DEFAULT_SIZE),
-        levels: args.frame.levels.or(settings.levels).unwrap_or(Limits::DEFAULT.levels),
-        cutoff: args.frame.cutoff.or(settings.cutoff).unwrap_or(Limits::DEFAULT.cutoff),
+        size,
+        levels,
+        cutoff,
     };
 
     if args.is_source() {
@@ -84,20 +85,17 @@ pub fn run(args: &BakeArgs) -> Result<(), Failure> {
 }
 
 /// What a scene asks for that no baked scene holds: the firmware is built for it.
-fn left_out(settings: &Settings) -> Vec<String> {
-    let sampler = settings.sampling.filter(|sampling| *sampling != Sampling::Single);
-    let filter = settings.filter.filter(|filter| *filter != Filter::Box);
-    let precision = settings.precision.filter(|precision| *precision != Precision::Single);
-    let asked = [
-        ("sampler", sampler.map(|sampling| sampling.to_string())),
-        ("filter", filter.map(|filter| filter.name().to_owned())),
-        ("precision", precision.map(|precision| precision.name().to_owned())),
-    ];
-    let asked = asked.into_iter().filter_map(|(key, value)| Some((key, value?)));
-    let told = |(key, value)| {
-        format!("asks for the {key} `{value}`, which a baked scene does not hold: the firmware chooses it")
+fn left_out(settings: &PartialSettings) -> Vec<String> {
+    let (asked, default) = (Settings::from(settings.clone()), Settings::default());
+    let is_of_firmware = |it: &&Setting| matches!(it.group, Group::Sampling | Group::Precision);
+    let told = |setting: &Setting| {
+        let word = setting.word(&asked).filter(|word| Some(word) != setting.word(&default).as_ref())?;
+        let name = setting.name;
+        Some(format!(
+            "asks for the {name} `{word}`, which a baked scene does not hold: the firmware chooses it"
+        ))
     };
-    asked.map(told).collect()
+    SETTINGS.iter().filter(is_of_firmware).filter_map(told).collect()
 }
 
 /// The scene as Rust constants, named after a file.
@@ -114,12 +112,7 @@ pub fn counted(description: &Description, asked: &Asked) -> Result<Counted, Rend
     let shrink = if pixels > MOST { (pixels as f64 / MOST as f64).sqrt() } else { 1.0 };
     let smaller = |side: u32| ((f64::from(side) / shrink) as u32).max(1);
     let size = Size::new(smaller(width), smaller(height)).unwrap_or(asked.size);
-    let finding = Finding {
-        walk: Some(Walk::Stack),
-        bounds: Some(Bounds::None),
-        mailbox: Some(MAILBOX),
-        ..Finding::by(asked.accelerator)
-    };
+    let finding = Finding { bounds: Bounds::None, ..Finding::by(asked.accelerator) };
     let limits = Limits { levels: asked.levels, cutoff: asked.cutoff };
     let wanted = Wanted { limits, finding, ..Wanted::of(size) };
     let output = session::render(description, &wanted, &NoProgress)?;

@@ -12,16 +12,16 @@
 use std::path::Path;
 
 use strahl_core::{Pixel, Rgb, Tile};
+use strahl_settings::{Precision, Settings};
 
 use crate::args::ExplainArgs;
 use crate::failure::Failure;
 use crate::load::{Files, load_from};
 use crate::output::{Guard, Output, say};
-use crate::plan::{Effect, leave_out};
-use crate::precision::Precision;
+use crate::plan::leave_out;
 use crate::wanted::{DEFAULT_SIZE, Wanted};
 use crate::wrap::{width_of_stdout, wrapped};
-use tree::{Asked, Explained, VERSION, triple};
+use tree::{Explained, VERSION, triple};
 
 pub mod names;
 pub mod pixel;
@@ -59,13 +59,14 @@ pub fn run(args: &ExplainArgs) -> Result<(), Failure> {
 
 /// Traces the pixel that is asked for.
 fn explained(args: &ExplainArgs, files: &Files) -> Result<Explained, Failure> {
-    let mut description = load_from(files, &args.scene, args.picture.frame.size.unwrap_or(DEFAULT_SIZE))?;
+    let mut description = load_from(files, &args.scene, args.settings.given.size.unwrap_or(DEFAULT_SIZE))?;
     for warning in description.warnings.iter().filter(|_| !args.quiet) {
         say(format_args!("{}: warning: {warning}", args.scene.display()));
     }
-    leave_out(&mut description, &args.without);
-    let wanted = Wanted::asked(&args.picture.asked(), &description.settings).map_err(Failure::Usage)?;
-    if wanted.precision == Precision::Double && !args.quiet {
+    let settings = Settings::resolve(&args.settings.given, &description.settings)?;
+    leave_out(&mut description, &settings.without);
+    let wanted = Wanted::new(&settings);
+    if settings.precision == Precision::Double && !args.quiet {
         let scene = args.scene.display();
         say(format_args!("{scene}: the scene asks for double precision; the tree is traced in single"));
     }
@@ -98,14 +99,7 @@ fn explained(args: &ExplainArgs, files: &Files) -> Result<Explained, Failure> {
         height: size.height(),
         x,
         y,
-        settings: Asked {
-            levels: wanted.limits.levels,
-            cutoff: wanted.limits.cutoff,
-            sampler: wanted.sampling.to_string(),
-            filter: wanted.filter.name(),
-            seed: wanted.seed,
-            without: args.without.iter().copied().map(Effect::name).collect(),
-        },
+        settings,
         color: triple(color),
         srgb: color.to_srgb8(),
         sum: traced.sum,

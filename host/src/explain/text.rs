@@ -2,8 +2,7 @@
 
 use std::fmt::Write as _;
 
-use super::tree::{Explained, Hit, Light, Named, Part, Ray, Sample, Sent, Sum, Thing, Triple};
-use crate::amount::amount;
+use super::tree::{Explained, Hit, Light, Named, Part, Ray, Sample, Sent, Sum, Thing, Triple, shown};
 
 /// Where a line goes on that is broken.
 pub const INDENT: usize = 12;
@@ -15,18 +14,8 @@ pub fn text(explained: &Explained, only: Option<usize>) -> String {
     let mut text = format!("{scene}: pixel {x},{y} of {width}x{height}\n");
     // Writing to a string cannot fail.
     let _ = writeln!(text, "  color     {}, in sRGB {r} {g} {b}", channels(*color));
-    let _ = writeln!(
-        text,
-        "  settings  {}, cutoff {}, sampler {}, filter {}, seed {}",
-        amount(settings.levels, "level"),
-        number(settings.cutoff),
-        settings.sampler,
-        settings.filter,
-        settings.seed
-    );
-    if !settings.without.is_empty() {
-        let _ = writeln!(text, "  without   {}", settings.without.join(", "));
-    }
+    let words = shown().filter_map(|setting| Some(format!("{} {}", setting.name, setting.word(settings)?)));
+    let _ = writeln!(text, "  settings  {}", words.collect::<Vec<_>>().join(", "));
     for sample in samples.iter().filter(|sample| only.is_none_or(|only| sample.number == only)) {
         let Sample { number, x, y, color, .. } = sample;
         let _ = match samples.len() {

@@ -3,8 +3,12 @@
 //! Colours, shares and weights are linear, red, green and blue; lengths are those of the scene.
 //! Numbers have the shortest form that is read back exactly, so that every sum can be done again.
 
-use serde::Serialize;
+use serde::{Serialize, Serializer};
 use strahl_core::{Rgb, Vec3};
+use strahl_settings::{SETTINGS, Setting, Settings};
+
+use crate::args::{Groups, OfPixel};
+use crate::settings;
 
 /// The version of the form of all this; it grows when a field changes its meaning or goes.
 pub const VERSION: u32 = 1;
@@ -28,7 +32,8 @@ pub struct Explained {
     /// Row, from 0 at the top.
     pub y: u32,
     /// The settings that make it.
-    pub settings: Asked,
+    #[serde(serialize_with = "serialize_settings")]
+    pub settings: Settings,
     /// Its colour.
     pub color: Triple,
     /// The same in eight bits of sRGB.
@@ -39,21 +44,15 @@ pub struct Explained {
     pub samples: Vec<Sample>,
 }
 
-/// Which picture is meant.
-#[derive(Debug, Serialize)]
-pub struct Asked {
-    /// Levels of rays.
-    pub levels: u8,
-    /// The least weight of a ray.
-    pub cutoff: f32,
-    /// Which rays make a pixel.
-    pub sampler: String,
-    /// How much of its surroundings counts.
-    pub filter: &'static str,
-    /// The seed of chance.
-    pub seed: u32,
-    /// Effects that are left out.
-    pub without: Vec<&'static str>,
+/// The settings that `explain` has options for.
+pub fn shown() -> impl Iterator<Item = &'static Setting> {
+    SETTINGS
+        .iter()
+        .filter(|setting| OfPixel::GROUPS.contains(&setting.group) && setting.option_name().is_some())
+}
+
+fn serialize_settings<S: Serializer>(settings: &Settings, serializer: S) -> Result<S::Ok, S::Error> {
+    settings::serialize(settings, shown(), serializer)
 }
 
 /// How the colour of a pixel comes of its samples.

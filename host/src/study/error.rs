@@ -3,6 +3,8 @@
 use std::error::Error;
 use std::fmt;
 
+use strahl_settings::SettingsError;
+
 use crate::render_output::RenderError;
 
 /// Why a scene could not be studied.
@@ -10,7 +12,7 @@ use crate::render_output::RenderError;
 #[non_exhaustive]
 pub enum StudyError {
     /// The settings of the scene contradict each other.
-    Settings(String),
+    Settings(SettingsError),
     /// The scene cannot be rendered, or the work was stopped.
     Render(RenderError),
     /// The time limit is too short, and what would be enough.
@@ -28,7 +30,8 @@ impl From<RenderError> for StudyError {
 impl fmt::Display for StudyError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
-            StudyError::Settings(reason) | StudyError::TooShort(reason) => f.write_str(reason),
+            StudyError::Settings(error) => error.fmt(f),
+            StudyError::TooShort(reason) => f.write_str(reason),
             StudyError::Render(error) => error.fmt(f),
             StudyError::Picture(error) => error.fmt(f),
         }

@@ -32,9 +32,10 @@ use std::path::Path;
 use std::time::{Duration, Instant};
 
 use strahl_core::Size;
+use strahl_settings::{PartialSettings, Settings};
 
 use crate::cost::WEIGHTS;
-use crate::description::{Description, Settings};
+use crate::description::Description;
 use crate::engine::session::scene_stats;
 use crate::plan::Effect;
 use crate::render_output::RenderError;
@@ -159,9 +160,9 @@ pub fn study(
 
 /// The scene's own settings, where it has none the defaults.
 fn own(scene: &Description, size: Size, threads: Option<usize>) -> Result<Options, StudyError> {
-    let asked = Settings { size: Some(size), ..Settings::default() };
-    let wanted = Wanted::asked(&asked, &scene.settings).map_err(StudyError::Settings)?;
-    Ok(Options::of(&wanted, threads.unwrap_or_else(machine::cores)))
+    let given = PartialSettings { size: Some(size), threads, ..PartialSettings::default() };
+    let settings = Settings::resolve(&given, &scene.settings).map_err(StudyError::Settings)?;
+    Ok(Options::of(&Wanted::new(&settings), settings.threads))
 }
 
 /// The name of a scene.

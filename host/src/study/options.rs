@@ -3,7 +3,7 @@
 use strahl_core::{Limits, Size};
 
 use super::record;
-use crate::finding::{Bounds, Choice, Finding, Kind, Walk};
+use crate::finding::{Choice, Finding, Kind, Walk};
 use crate::plan::Effect;
 use crate::precision::Precision;
 use crate::wanted::{Cut, Filter, Sampling, Selecting, Wanted};
@@ -121,22 +121,21 @@ impl Options {
             add(format!("precision {}", self.precision.name()));
         }
         let Finding { accel, walk, heap, bounds, mailbox } = self.finding;
-        if let Some(kind) = accel.and_then(|accel| accel.kind()) {
+        let usual = Finding::default();
+        if let Some(kind) = accel.kind() {
             add(format!("accel {kind}"));
-            match bounds.filter(|_| kind == Kind::List) {
-                Some(Bounds::None) => add("bounds none".into()),
-                Some(Bounds::Sphere) => add("bounds sphere".into()),
-                Some(Bounds::Box) | None => {}
-            }
         }
-        if walk == Some(Walk::Heap) {
+        let kind = accel.kind();
+        let is_one_of = |kinds: &[Kind]| kind.is_none_or(|kind| kinds.contains(&kind));
+        if bounds != usual.bounds && is_one_of(&[Kind::List]) {
+            add(format!("bounds {bounds}"));
+        }
+        if walk == Walk::Heap && is_one_of(&[Kind::Bvh]) {
             add("walk heap".into());
+            add(format!("heap {heap}"));
         }
-        if let Some(places) = heap {
-            add(format!("heap {places}"));
-        }
-        if let Some(slots) = mailbox {
-            add(format!("mailbox {slots}"));
+        if mailbox != usual.mailbox && is_one_of(&[Kind::Grid, Kind::Octree]) {
+            add(format!("mailbox {mailbox}"));
         }
         if !self.shadow_cache {
             add("no-shadow-cache".into());

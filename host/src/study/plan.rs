@@ -3,7 +3,7 @@
 use strahl_core::Limits;
 
 use super::options::Options;
-use crate::sampling::{Agreement, Sampling, Selecting};
+use crate::sampling::{Agreement, PixelSelection as Selecting, Sampling};
 use crate::wanted::Filter;
 
 /// How thorough a study is.

@@ -10,9 +10,9 @@ use super::error::StudyError;
 use super::knobs;
 use super::options::{Options, cutoff};
 use super::record::{Role, Technique};
-use crate::finding::{Bounds, Finding, Kind, MAILBOX, Walk};
+use crate::finding::{Bounds, Finding, Kind, MAILBOX};
 use crate::precision::Precision;
-use crate::sampling::{Agreement, Sampling, Selecting};
+use crate::sampling::{Agreement, Filter, PixelSelection as Selecting, Sampling};
 
 /// One technique: how it is done without, and with it.
 struct Pair {
@@ -81,9 +81,9 @@ pub(super) fn threads(study: &mut Conduct<'_>, own: &Options, truth: &Truth) -> 
 
 fn pairs(base: &Options) -> Vec<Pair> {
     let by = |finding| Options { finding, ..base.clone() };
-    let list = |bounds| by(Finding { bounds: Some(bounds), ..Finding::by(Kind::List) });
-    let remembering = |kind, slots| by(Finding { mailbox: Some(slots), ..Finding::by(kind) });
-    let heap = |places| by(Finding { walk: Some(Walk::Heap), heap: Some(places), ..Finding::by(Kind::Bvh) });
+    let list = |bounds| by(Finding { bounds, ..Finding::by(Kind::List) });
+    let remembering = |kind, mailbox| by(Finding { mailbox, ..Finding::by(kind) });
+    let heap = |places| by(Finding::by_heap(places));
     let boxes = || list(Bounds::Box);
     let exact = |name, part, (off, without): (&str, Options), (on, with): (&str, Options)| Pair {
         name,
@@ -110,7 +110,7 @@ fn pairs(base: &Options) -> Vec<Pair> {
             "hierarchy, by a stack",
             "5.4",
             ("by a heap", heap(64)),
-            ("by a stack", by(Finding { walk: Some(Walk::Stack), ..Finding::by(Kind::Bvh) })),
+            ("by a stack", by(Finding::by(Kind::Bvh))),
         ),
         exact("room in the heap", "5.4", ("none", heap(0)), ("64 nodes", heap(64))),
     ];
@@ -158,7 +158,7 @@ fn pairs(base: &Options) -> Vec<Pair> {
             sampled(stopping),
         ),
     ];
-    pairs.extend(inexact.into_iter().filter(|it| base.filter == Default::default() || it.1 != "4.2").map(
+    pairs.extend(inexact.into_iter().filter(|it| base.filter == Filter::Box || it.1 != "4.2").map(
         |(name, part, off, on, without, with)| Pair { name, part, off, on, without, with, exact: false },
     ));
     pairs

@@ -1,7 +1,8 @@
 //! What a file does not say.
 
-use strahl::description::{Background, Form, Projection, Settings, Source, Texture, View};
+use strahl::description::{Background, Form, Projection, Source, Texture, View};
 use strahl_core::{Camera, FilmPoint, Interface, Material, Rgb, Size, Sphere, vec3};
+use strahl_settings::PartialSettings;
 
 use crate::text::{loaded, wrong};
 
@@ -11,7 +12,7 @@ fn a_file_of_one_sphere_is_a_scene() {
     assert_eq!(it.objects[0].form, Form::Sphere { center: [0.0; 3], radius: 2.0 });
     assert_eq!(it.materials.len(), 1);
     assert_eq!(it.materials[0].it, Material::MATTE);
-    assert_eq!(it.settings, Settings::default());
+    assert_eq!(it.settings, PartialSettings::default());
     assert_eq!(it.background, Background::Color(Rgb::BLACK));
     assert_eq!(it.ambient, Rgb::gray(0.1));
     assert_eq!(it.lights.len(), 1);

@@ -1,12 +1,10 @@
 //! What good files describe.
 
 use strahl::description::{
-    Background, Form, Light, Motion, Object, Placed, Projection, Settings, Source, Texture, View,
+    Background, Form, Light, Motion, Object, Placed, Projection, Source, Texture, View,
 };
-use strahl::finding::{Accel, Bounds, Finding, Walk};
-use strahl::precision::Precision;
-use strahl::wanted::{Filter, Sampling};
 use strahl_core::{Interface, Material, Rgb, Size, TextureId};
+use strahl_settings::{Accel, Bounds, Filter, PartialSettings, Precision, Sampling, Walk};
 
 use crate::text::{ALL, loaded};
 
@@ -22,16 +20,12 @@ fn every_light_and_setting_becomes_what_the_format_says() {
         projection: Projection::Perspective(40.0),
     };
     assert_eq!(it.view, view);
-    let settings = Settings {
+    let settings = PartialSettings {
         size: Size::new(40, 30),
         levels: Some(7),
         cutoff: Some(0.25),
-        sampling: Some(Sampling::Regular(3)),
-        filter: None,
-        seed: None,
-        shadow_cache: None,
-        precision: None,
-        finding: Finding::default(),
+        sampler: Some(Sampling::Regular(3)),
+        ..PartialSettings::default()
     };
     assert_eq!(it.settings, settings);
     let (below, above) = (Rgb::BLACK, Rgb::new(0.5, 0.25, 1.0));
@@ -65,16 +59,17 @@ fn the_time_that_a_picture_takes_can_be_a_setting_as_well() {
     let it = loaded(
         "[render]\nprecision = \"double\"\naccel = \"bvh\"\nwalk = \"heap\"\nheap = 4\nbounds = \"none\"\nmailbox = 0\nshadow_cache = false\n",
     );
-    assert_eq!(it.settings.shadow_cache, Some(false));
-    assert_eq!(it.settings.precision, Some(Precision::Double));
-    let finding = Finding {
+    let settings = PartialSettings {
+        precision: Some(Precision::Double),
         accel: Some(Accel::Bvh),
         walk: Some(Walk::Heap),
         heap: Some(4),
         bounds: Some(Bounds::None),
         mailbox: Some(0),
+        shadow_cache: Some(false),
+        ..PartialSettings::default()
     };
-    assert_eq!(it.settings.finding, finding);
+    assert_eq!(it.settings, settings);
 }
 
 #[test]
@@ -82,7 +77,7 @@ fn samplers_have_the_words_of_the_command_line() {
     let it =
         loaded("[render]\nsampler = \"stochastic:8..64:0.9\"\nfilter = \"tent\"\nseed = 0xff\n").settings;
     let sampling: Sampling = "stochastic:8..64:0.9:1/128".parse().unwrap();
-    assert_eq!((it.sampling, it.filter, it.seed), (Some(sampling), Some(Filter::Tent), Some(255)));
+    assert_eq!((it.sampler, it.filter, it.seed), (Some(sampling), Some(Filter::Tent), Some(255)));
 }
 
 #[test]

@@ -14,10 +14,11 @@
 use std::collections::BTreeMap;
 
 use strahl_core::{Material, Rgb, Size};
+use strahl_settings::PartialSettings;
 
 use super::Mesh;
 use crate::description::{
-    Background, Description, Form, Light, Object, Placed, Projection, SHUTTER, Settings, Source, Triple, View,
+    Background, Description, Form, Light, Object, Placed, Projection, SHUTTER, Source, Triple, View,
 };
 use crate::load::fit::{Gaze, V, cross, larger, sin_cos};
 
@@ -88,7 +89,7 @@ pub(super) fn staged(mesh: Mesh, up: Up, size: Size) -> Result<Description, Stri
         view,
         view_line: 1,
         colored_shadows: None,
-        settings: Settings::default(),
+        settings: PartialSettings::default(),
         setting_lines: BTreeMap::new(),
         background: Background::Gradient {
             up: rounded(frame.up),

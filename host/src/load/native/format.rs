@@ -3,20 +3,14 @@
 //! What is said of a table and of a key here is what an editor shows, by way of the schema.
 //! An `Option` has a default, which is told with the key; everything else must be there.
 
-use super::choices::{Heap, Mailbox, Word};
 use super::colors::{Clarity, Color, Share};
 use super::materials::Surface;
 use super::numbers::{
-    BrightAngle, ConeAngle, Cutoff, Index, Intensity, Length, Levels, Priority, Roughness, Seed, Shininess,
-    Size, ViewAngle,
+    BrightAngle, ConeAngle, Index, Intensity, Length, Priority, Roughness, Shininess, Size, ViewAngle,
 };
-use super::places::{
-    Direction, Directions, Falloff, Pair, PictureSize, Point, Points, Scale, Shutter, Sizes, Turn,
-};
+use super::places::{Direction, Directions, Falloff, Pair, Point, Points, Scale, Shutter, Sizes, Turn};
+use super::render::Render;
 use super::table::{At, Many, One, tables};
-use super::view::{Filter, Sampler};
-use crate::finding::{Accel, Bounds, Walk};
-use crate::precision::Precision;
 
 tables! {
     /// A scene for strahl.
@@ -85,43 +79,6 @@ tables! {
         /// When its shutter opens and closes, for things with a velocity; one number is how long it
         /// is open from the time 0 on. Default: [0, 1].
         shutter: Option<At<Shutter>>,
-    }
-
-    /// What picture is wanted; the command line wins.
-    struct Render {
-        /// Width and height in pixels. Default: [640, 480].
-        size: Option<PictureSize>,
-        /// Levels of rays; 1 sends no ray from a surface. Default: 5.
-        levels: Option<Levels>,
-        /// A ray is sent when more than this share of what it finds counts in the pixel.
-        /// Default: 1/512.
-        cutoff: Option<Cutoff>,
-        /// Rays in each pixel, as on the command line: "single", "regular:3", "adaptive:3:0.05",
-        /// "stochastic:64", "stochastic:16..256:0.95". Default: "single".
-        sampler: Option<At<Sampler>>,
-        /// How much of its surroundings counts in a pixel: "box", "tent" or "gaussian".
-        /// Default: "box".
-        filter: Option<At<Filter>>,
-        /// Another seed, other numbers in place of chance. Default: 0.
-        seed: Option<Seed>,
-        /// What is computed with: "single" or "double". Default: "single".
-        precision: Option<Word<Precision>>,
-        /// How items are found, which changes the time and nothing else. Default: "auto", which
-        /// takes what suits the scene.
-        accel: Option<Word<Accel>>,
-        /// How a hierarchy is walked: "stack" or "heap". Default: "stack".
-        walk: Option<At<Word<Walk>>>,
-        /// Places in the heap. Default: 64.
-        heap: Option<At<Heap>>,
-        /// What the list puts round items and groups of them. Default: "box".
-        bounds: Option<Word<Bounds>>,
-        /// Slots of the mailbox of grid and octree; 0 is none. Default: 64.
-        mailbox: Option<Mailbox>,
-        /// Whether who last stood in a light is asked first whether he still does. Default: true.
-        shadow_cache: Option<bool>,
-        /// Whether light passes through glass on its way from a light, coloured but not bent.
-        /// Default: false, glass casts shadows like everything.
-        colored_shadows: Option<At<bool>>,
     }
 
     /// What is behind everything: one colour, or two that pass into each other.

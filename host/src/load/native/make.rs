@@ -4,6 +4,7 @@ use std::collections::BTreeMap;
 use std::ops::Range;
 
 use strahl_core::{Rgb, Size, Vec3, vec3};
+use strahl_settings::PartialSettings;
 
 use super::format::File;
 use super::forms::{Thing, things};
@@ -12,9 +13,7 @@ use super::meshes::Meshes;
 use super::table::Reader;
 use super::view;
 use crate::amount::amount;
-use crate::description::{
-    Background, Description, Form, Motion, Object, Projection, SHUTTER, Settings, Triple, View,
-};
+use crate::description::{Background, Description, Form, Motion, Object, Projection, SHUTTER, Triple, View};
 use crate::faults::Lines;
 
 /// A description that grows, and what is wrong with what it is made of.
@@ -45,7 +44,7 @@ impl<'m> Maker<'m> {
             view,
             view_line: 1,
             colored_shadows: None,
-            settings: Settings::default(),
+            settings: PartialSettings::default(),
             setting_lines: BTreeMap::new(),
             background: Background::Color(Rgb::BLACK),
             ambient: Rgb::BLACK,
@@ -73,7 +72,9 @@ impl<'m> Maker<'m> {
     }
 
     /// Makes everything, and answers with it and what is wrong.
-    pub(super) fn scene(mut self, file: &File) -> (Description, Reader<'m>) {
+    pub(super) fn scene(mut self, mut file: File) -> (Description, Reader<'m>) {
+        self.settings(std::mem::take(&mut file.render));
+        let file = &file;
         self.materials(&file.material);
         self.shutter(&file.camera);
         // Objects are numbered by their places in the file, whatever they are.
@@ -83,7 +84,6 @@ impl<'m> Maker<'m> {
             thing.add(span, &mut self);
         }
         self.warn();
-        self.settings(&file.render);
         self.lights(file);
         self.view(file);
         self.background(&file.background);

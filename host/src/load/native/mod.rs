@@ -4,7 +4,8 @@
 //! |---|---|
 //! | `format` | the tables and their keys, as users and editors see them |
 //! | `table` | tables of keys become values of types |
-//! | `numbers`, `choices`, `places`, `colors` | what keys can hold |
+//! | `render` | the table of settings |
+//! | `numbers`, `places`, `colors` | what keys can hold |
 //! | `similar` | what somebody may have meant |
 //! | `make` | what was read becomes a description, by way of: |
 //! | `materials`, `forms`, `meshes`, `lights`, `view` | the parts of it |
@@ -13,7 +14,6 @@
 //! A file is read in two steps, and whatever is wrong in either of them is told at once: first
 //! every key by itself, then what only several keys together can get wrong.
 
-mod choices;
 mod colors;
 mod format;
 mod forms;
@@ -23,6 +23,7 @@ mod materials;
 mod meshes;
 mod numbers;
 mod places;
+mod render;
 mod similar;
 mod syntax;
 mod table;
@@ -76,11 +77,7 @@ pub(super) fn read(files: &Files, path: &Path, bytes: &[u8], size: Size) -> Resu
     let lines = Lines::of(text);
     let folder = path.parent().unwrap_or(Path::new(""));
     let maker = Maker::new(reader, &lines, Meshes::of(files, folder), size);
-    let (mut description, reader) = maker.scene(&file.unwrap_or_default());
-    if let Some(DeValue::Table(render)) = document.get_ref().get("render").map(Spanned::get_ref) {
-        let line = |key: &Spanned<_>| lines.line(key.span().start);
-        description.setting_lines = render.keys().map(|key| (key.get_ref().to_string(), line(key))).collect();
-    }
+    let (description, reader) = maker.scene(file.unwrap_or_default());
     let Found { kept, count } = reader.faults;
     if count == 0 {
         return Ok(description);

@@ -11,7 +11,6 @@ use toml::de::DeValue;
 
 use super::table::{Read, Reader, Value};
 use crate::faults::Fault;
-use crate::wanted::LEVELS;
 
 /// The numbers that are allowed.
 #[derive(Clone, Copy, Debug)]
@@ -157,7 +156,7 @@ pub(super) fn number_in(range: Range, value: &Value<'_>, key: &str, reader: &mut
     })
 }
 
-/// A whole number in a range.
+/// An integer in a range.
 pub(super) fn whole_in(
     low: u32,
     high: u32,
@@ -165,7 +164,7 @@ pub(super) fn whole_in(
     key: &str,
     reader: &mut Reader<'_>,
 ) -> Option<u32> {
-    let needs = format!("a whole number between {low} and {high}");
+    let needs = format!("an integer between {low} and {high}");
     match value.get_ref() {
         DeValue::Integer(whole) => match u32::from_str_radix(whole.as_str(), whole.radix()) {
             Ok(number) if number >= low && number <= high => Some(number),
@@ -228,11 +227,9 @@ numbers! {
     Index: Range::within(0.01, 100.0);
     /// How rough a surface is.
     Roughness: Range::SHARE;
-    /// The share of a pixel below which no ray is sent.
-    Cutoff: Range::SHARE;
 }
 
-/// Declares types for whole numbers in ranges.
+/// Declares types for integers in ranges.
 macro_rules! wholes {
     ($($(#[$doc:meta])* $Name:ident: $low:expr, $high:expr;)*) => {$(
         $(#[$doc])*
@@ -260,32 +257,8 @@ macro_rules! wholes {
 }
 
 wholes! {
-    /// Levels of rays.
-    Levels: 1, LEVELS as u32;
     /// Which body wins.
     Priority: 0, 255;
-}
-
-/// A seed.
-#[derive(Clone, Copy, Debug)]
-pub(super) struct Seed(pub(super) u32);
-
-impl Read for Seed {
-    fn read(value: &Value<'_>, key: &str, reader: &mut Reader<'_>) -> Option<Self> {
-        whole_in(0, u32::MAX, value, key, reader).map(Seed)
-    }
-}
-
-impl JsonSchema for Seed {
-    fn inline_schema() -> bool {
-        true
-    }
-    fn schema_name() -> std::borrow::Cow<'static, str> {
-        "Seed".into()
-    }
-    fn json_schema(_: &mut SchemaGenerator) -> Schema {
-        json_schema!({ "type": "integer", "minimum": 0, "maximum": u32::MAX })
-    }
 }
 
 impl Read for bool {

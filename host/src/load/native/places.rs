@@ -3,11 +3,10 @@
 use schemars::{JsonSchema, Schema, SchemaGenerator, json_schema};
 use toml::de::DeValue;
 
-use super::numbers::{Length, Range, is_number, number_in, whole_in};
+use super::numbers::{Length, Range, is_number, number_in};
 use super::table::{At, Read, Reader, Value};
 use crate::description::Triple;
 use crate::faults::Fault;
-use crate::load::MOST_PIXELS;
 
 /// The values of an array of three.
 pub(super) fn three<'v, 't>(
@@ -281,50 +280,5 @@ impl JsonSchema for Shutter {
         let time = Range::SPACE.schema();
         let both = json_schema!({ "type": "array", "items": time, "minItems": 2, "maxItems": 2 });
         json_schema!({ "anyOf": [Range::SIZE.schema(), both] })
-    }
-}
-
-/// The size of a picture.
-#[derive(Clone, Copy, Debug)]
-pub(super) struct PictureSize(pub(super) strahl_core::Size);
-
-impl Read for PictureSize {
-    fn read(value: &Value<'_>, key: &str, reader: &mut Reader<'_>) -> Option<Self> {
-        let needs = "two whole numbers, as in [640, 480]";
-        let DeValue::Array(list) = value.get_ref() else {
-            return reader.mismatch(value, key, needs);
-        };
-        let [width, height] = &list[..] else {
-            let count = list.len();
-            return reader.wrong(Fault::new(value.span(), format!("`{key}` must be {needs}, not {count}")));
-        };
-        let most = strahl_core::Size::MOST;
-        let [width, height] = [width, height].map(|value| whole_in(1, most, value, key, reader));
-        let (width, height) = (width?, height?);
-        match strahl_core::Size::new(width, height) {
-            Some(size) if u64::from(width) * u64::from(height) <= MOST_PIXELS => Some(PictureSize(size)),
-            _ => {
-                let what = format!("{width} x {height} pixels are more than a file may ask for");
-                let help = format!("up to {MOST_PIXELS} pixels, or use --size on the command line");
-                reader.wrong(Fault::new(value.span(), what).help(help))
-            }
-        }
-    }
-}
-
-impl JsonSchema for PictureSize {
-    fn inline_schema() -> bool {
-        true
-    }
-    fn schema_name() -> std::borrow::Cow<'static, str> {
-        "PictureSize".into()
-    }
-    fn json_schema(_: &mut SchemaGenerator) -> Schema {
-        json_schema!({
-            "type": "array",
-            "items": { "type": "integer", "minimum": 1, "maximum": strahl_core::Size::MOST },
-            "minItems": 2,
-            "maxItems": 2
-        })
     }
 }

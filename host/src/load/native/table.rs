@@ -251,6 +251,11 @@ impl<'v, 't> Keys<'v, 't> {
         Some(Keys { name, table, span: value.span(), meant: guesses })
     }
 
+    /// A key with its value, where the table has it.
+    pub(super) fn entry(&self, key: &str) -> Option<(Range<usize>, &'v Value<'t>)> {
+        self.table.get_key_value(key).map(|(key, value)| (key.span(), value))
+    }
+
     /// The value of a key.
     pub(super) fn get<T: Read>(&self, key: &str, reader: &mut Reader<'_>) -> Option<T> {
         if let Some(value) = self.table.get(key) {

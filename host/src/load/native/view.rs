@@ -1,21 +1,18 @@
 //! How the scene is looked at, what is behind it, and what picture is wanted; and what is chosen
 //! when the file says nothing about it.
 
-use std::str::FromStr;
+use std::ops::Range;
 
-use schemars::{JsonSchema, Schema, SchemaGenerator, json_schema};
 use strahl_core::{Aabb, Camera, FARTHEST, Rgb, Size, Vec3, ViewFault, unit};
 
-use super::choices::Word;
 use super::format::{self, File};
 use super::make::{Maker, vector};
 use super::places::Point;
-use super::table::{At, One, Read, Reader, Value};
-use crate::description::{Background, Light, Placed, Projection, Settings, Source, Triple, View};
+use super::render::Render;
+use super::table::{At, One};
+use crate::description::{Background, Light, Placed, Projection, Source, Triple, View};
 use crate::faults::Fault;
-use crate::finding::{Finding, Walk};
 use crate::load::fit::{Gaze, V, larger};
-use crate::sampling;
 use crate::stock::{self, single::scene_tables};
 
 /// What is up.
@@ -27,83 +24,19 @@ const TOWARD_EYE: V = [0.35, 0.3, 1.0];
 /// The share of the picture's half side that may be taken, so that nothing touches its edge.
 const FILLED: f64 = 0.91;
 
-/// Declares types for what has the words of the command line.
-macro_rules! words {
-    ($($(#[$doc:meta])* $Name:ident($Type:ty): $what:literal;)*) => {$(
-        $(#[$doc])*
-        #[derive(Clone, Copy, Debug)]
-        pub(super) struct $Name(pub(super) $Type);
-
-        impl Read for $Name {
-            fn read(value: &Value<'_>, key: &str, reader: &mut Reader<'_>) -> Option<Self> {
-                let words = String::read(value, key, reader)?;
-                match <$Type as FromStr>::from_str(&words) {
-                    Ok(it) => Some($Name(it)),
-                    Err(reason) => {
-                        let fault = Fault::new(value.span(), concat!("this is no ", $what));
-                        reader.wrong(fault.help(reason))
-                    }
-                }
-            }
-        }
-
-        impl JsonSchema for $Name {
-            fn inline_schema() -> bool {
-                true
-            }
-            fn schema_name() -> std::borrow::Cow<'static, str> {
-                stringify!($Name).into()
-            }
-            fn json_schema(_: &mut SchemaGenerator) -> Schema {
-                json_schema!({ "type": "string" })
-            }
-        }
-    )*};
-}
-
-words! {
-    /// Rays in a pixel.
-    Sampler(sampling::Sampling): "sampler";
-    /// How much of its surroundings counts in a pixel.
-    Filter(sampling::Filter): "filter";
-}
-
 impl Maker<'_> {
-    /// What picture is wanted.
-    pub(super) fn settings(&mut self, render: &One<format::Render>) {
-        let Some(At { it, .. }) = &render.0 else { return };
-        self.description.settings = Settings {
-            size: it.size.map(|size| size.0),
-            levels: it.levels.map(|levels| levels.0),
-            cutoff: it.cutoff.map(|cutoff| cutoff.0),
-            sampling: it.sampler.as_ref().map(|sampler| sampler.it.0),
-            filter: it.filter.as_ref().map(|filter| filter.it.0),
-            seed: it.seed.map(|seed| seed.0),
-            precision: it.precision.map(|word| word.0),
-            shadow_cache: it.shadow_cache,
-            finding: Finding {
-                accel: it.accel.map(|word| word.0),
-                walk: it.walk.as_ref().map(|walk| walk.it.0),
-                heap: it.heap.as_ref().map(|heap| heap.it.0),
-                bounds: it.bounds.map(|word| word.0),
-                mailbox: it.mailbox.map(|slots| slots.0),
-            },
-        };
-        if let Some(At { it: true, span }) = &it.colored_shadows {
-            self.description.colored_shadows = Some(self.lines.line(span.start));
+    /// The settings of the file.
+    pub(super) fn settings(&mut self, render: One<Render>) {
+        let Some(At { it, .. }) = render.0 else { return };
+        it.faults().into_iter().for_each(|fault| self.reader.faults.push(fault));
+        let line = |place: &Range<usize>| self.lines.line(place.start);
+        let lines = it.places.iter().map(|(key, place)| (*key, line(&place.key)));
+        self.description.setting_lines = lines.collect();
+        if it.settings.colored_shadows == Some(true) {
+            self.description.colored_shadows =
+                it.places.get("colored_shadows").map(|place| line(&place.value));
         }
-        if let (Some(sampler), Some(filter)) = (&it.sampler, &it.filter)
-            && filter.it.0 != sampling::Filter::Box
-            && !sampler.it.0.takes_filter()
-        {
-            let fault = Fault::new(filter.span.clone(), "no filter but \"box\" goes with this sampler");
-            let fault = fault.also(sampler.span.clone(), "it fills the pixel by itself");
-            self.reader.faults.push(fault);
-        }
-        if let (Some(At { it: Word(Walk::Stack), span }), Some(heap)) = (&it.walk, &it.heap) {
-            let fault = Fault::new(heap.span.clone(), "a walk with a stack has no `heap`");
-            self.reader.faults.push(fault.also(span.clone(), "the walk"));
-        }
+        self.description.settings = it.settings;
     }
 
     /// When the shutter is open, which objects ask for that move.

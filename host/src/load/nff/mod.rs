@@ -17,10 +17,11 @@ use std::collections::{BTreeMap, HashMap};
 use std::path::Path;
 
 use strahl_core::{Camera, Cone, FARTHEST, Material, Polygon, Rgb, Size, vec3};
+use strahl_settings::PartialSettings;
 
 use crate::amount::amount;
 use crate::description::{
-    Background, Description, Form, Light, Object, Placed, Projection, SHUTTER, Settings, Source, Triple, View,
+    Background, Description, Form, Light, Object, Placed, Projection, SHUTTER, Source, Triple, View,
 };
 use crate::failure::Failure;
 use crate::load::MOST_PIXELS;
@@ -318,8 +319,8 @@ impl<'t> Reader<'t> {
             view,
             view_line: 1,
             colored_shadows: None,
-            settings: Settings { size: Some(size), ..Settings::default() },
-            setting_lines: BTreeMap::from([("size".into(), line)]),
+            settings: PartialSettings { size: Some(size), ..PartialSettings::default() },
+            setting_lines: BTreeMap::from([("size", line)]),
             background: Background::Color(self.background.map_or(Rgb::BLACK, |b| b.it)),
             ambient: intensity,
             lights: lights.collect(),

@@ -106,14 +106,14 @@ impl<'t> Words<'t> {
         Ok(Rgb::new(channel()?, channel()?, channel()?))
     }
 
-    /// A whole number in a range.
+    /// An integer in a range.
     pub(super) fn whole(&mut self, low: u32, high: u32, what: &str, of: Word<'_>) -> Read<u32> {
         let word = self.needed(what, of)?;
         match word.text.parse::<u32>() {
             Ok(number) if number >= low && number <= high => Ok(number),
             _ => {
                 let shown = word.shown();
-                word.wrong(format!("{what} must be a whole number between {low} and {high}, not {shown}"))
+                word.wrong(format!("{what} must be an integer between {low} and {high}, not {shown}"))
             }
         }
     }

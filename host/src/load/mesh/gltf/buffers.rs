@@ -21,7 +21,7 @@ pub(super) struct Kind {
 /// Three single-precision numbers.
 pub(super) const VECTOR: Kind = Kind { components: &[FLOAT], kind: "VEC3", parts: 3 };
 
-/// One whole number.
+/// One integer.
 pub(super) const INDEX: Kind = Kind { components: &[BYTE, SHORT, INT], kind: "SCALAR", parts: 1 };
 
 const BYTE: u32 = 5121;
@@ -168,7 +168,7 @@ impl Entries<'_> {
         Some([number(0)?, number(1)?, number(2)?])
     }
 
-    /// A whole number; none beyond the end.
+    /// An integer; none beyond the end.
     pub(super) fn index(&self, place: usize) -> Option<u32> {
         let bytes = self.at(place)?;
         match self.component {

@@ -159,7 +159,7 @@ impl Header {
             _ => (None, type_of(first)?),
         };
         if list.is_some_and(|list| !list.is_whole()) {
-            return wrong("the length of a list must be a whole number".into());
+            return wrong("the length of a list must be an integer".into());
         }
         let name = next();
         if name.is_empty() || element.has(name) {

@@ -1,7 +1,7 @@
 //! PLY, the polygon files of Stanford: ascii, and binary of either byte order.
 //!
 //! Of the element `vertex` the properties `x y z` count, of any type, and `nx ny nz` when all
-//! three are there; of `face` the list `vertex_indices` or `vertex_index` of whole numbers.
+//! three are there; of `face` the list `vertex_indices` or `vertex_index` of integers.
 //! Anything else is read over. Ascii numbers may stand in any lines.
 //!
 //! Read by hand, element by element into the mesh: the usual crate keeps every face as a list
@@ -87,7 +87,7 @@ impl<'h> Plan<'h> {
         if kind == Kind::Faces {
             let list = element.properties.iter().find(|p| p.name == of_face);
             if !list.is_some_and(|p| p.list.is_some() && p.of.is_whole()) {
-                return element.wrong("the element `face` needs a list `vertex_indices` of whole numbers");
+                return element.wrong("the element `face` needs a list `vertex_indices` of integers");
             }
             if !has_vertices && element.count > 0 {
                 return element.wrong("the faces stand before the vertices, or there are none");
@@ -139,7 +139,7 @@ impl<'h> Plan<'h> {
     }
 }
 
-/// The whole number that `number` is, if it is one and not more than `most`.
+/// The integer that `number` is, if it is one and not more than `most`.
 fn whole(number: f64, most: usize) -> Option<usize> {
     let cast = number as usize;
     (cast as f64 == number && cast <= most).then_some(cast)

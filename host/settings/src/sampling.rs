@@ -1,10 +1,11 @@
-//! Which rays make a pixel, in the words of the command line.
+//! Which rays make a pixel, and which pixels are traced.
 
 use std::fmt;
 use std::str::FromStr;
 
-use clap::ValueEnum;
 use strahl_core::{Parting, Regular, Selection, Stochastic};
+
+use crate::choices;
 
 /// Which rays make a pixel.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -51,41 +52,22 @@ pub struct Confidence {
 
 /// Which pixels are traced, where not all are.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Selecting {
+pub struct PixelSelection {
     /// The distance of those that are traced first: 2, 4, 8, 16, 32 or 64.
     pub step: u32,
     /// When those between are guessed.
     pub agreement: Agreement,
 }
 
-/// How much of its surroundings counts in a pixel.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, ValueEnum)]
-pub enum Filter {
-    /// Nothing but the pixel.
-    #[default]
-    Box,
-    /// Up to the next pixels, the less the farther.
-    Tent,
-    /// Up to one pixel and a half, by a normal distribution.
-    Gaussian,
-}
-
-impl Filter {
-    /// The name on the command line.
-    pub fn name(self) -> &'static str {
-        match self {
-            Filter::Box => "box",
-            Filter::Tent => "tent",
-            Filter::Gaussian => "gaussian",
-        }
-    }
-}
-
-impl FromStr for Filter {
-    type Err = String;
-
-    fn from_str(text: &str) -> Result<Self, String> {
-        <Self as ValueEnum>::from_str(text, false).map_err(|_| "box, tent or gaussian is expected".into())
+choices! {
+    /// How much of its surroundings counts in a pixel.
+    pub enum Filter {
+        /// Nothing but the pixel.
+        Box = "box",
+        /// Up to the next pixels, the less the farther.
+        Tent = "tent",
+        /// Up to one pixel and a half, by a normal distribution.
+        Gaussian = "gaussian",
     }
 }
 
@@ -199,7 +181,7 @@ impl FromStr for Sampling {
     }
 }
 
-impl FromStr for Selecting {
+impl FromStr for PixelSelection {
     type Err = String;
 
     fn from_str(text: &str) -> Result<Self, String> {
@@ -207,7 +189,7 @@ impl FromStr for Selecting {
         let step = words.next().and_then(|step| step.parse::<u32>().ok());
         let is_step = |step: &u32| step.is_power_of_two() && *step >= 2 && *step <= Selection::MOST;
         let step = step.filter(is_step).ok_or("in STEP:THRESHOLD, STEP must be 2, 4, 8, 16, 32 or 64")?;
-        Ok(Selecting { step, agreement: agreement(&words.collect::<Vec<_>>())? })
+        Ok(PixelSelection { step, agreement: agreement(&words.collect::<Vec<_>>())? })
     }
 }
 
@@ -233,7 +215,7 @@ impl fmt::Display for Sampling {
 }
 
 /// As the command line has it.
-impl fmt::Display for Selecting {
+impl fmt::Display for PixelSelection {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         write!(f, "{}:{}", self.step, self.agreement)
     }
@@ -257,7 +239,7 @@ mod tests {
             let sampling: Sampling = text.parse().unwrap();
             assert_eq!(sampling.to_string(), text);
         }
-        let selecting: Selecting = "8:0.05:items".parse().unwrap();
+        let selecting: PixelSelection = "8:0.05:items".parse().unwrap();
         assert_eq!(selecting.to_string(), "8:0.05:items");
         assert_eq!("adaptive:3:1/32".parse(), "adaptive:3:0.03125".parse::<Sampling>());
     }
@@ -282,7 +264,7 @@ mod tests {
             assert!(error.contains(says), "{text}: {error}");
         }
         for (text, says) in [("3:0.1", "STEP"), ("8", "missing"), ("128:0", "STEP"), ("8:x", "THRESHOLD")] {
-            let error = text.parse::<Selecting>().unwrap_err();
+            let error = text.parse::<PixelSelection>().unwrap_err();
             assert!(error.contains(says), "{text}: {error}");
         }
     }

@@ -1,0 +1,131 @@
+//! Types of a few values, each of which has a name.
+
+/// A value's name, and what it means.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Named {
+    /// As it is written.
+    pub name: &'static str,
+    /// Other names that are understood.
+    pub aliases: &'static [&'static str],
+    /// As it stands in the documentation.
+    pub doc: &'static str,
+}
+
+impl Named {
+    /// What it means, without the full stop at its end.
+    pub fn about(&self) -> &'static str {
+        self.doc.trim().trim_end_matches('.')
+    }
+}
+
+/// A type of a few values, each of which has a name. [`choices!`](crate::choices) makes them.
+pub trait Choice: Copy + PartialEq + 'static {
+    /// Every value.
+    const VALUES: &'static [Self];
+
+    /// Their names, in the same order.
+    const NAMES: &'static [Named];
+
+    /// The name of this value.
+    fn name_of(self) -> &'static str {
+        let index = Self::VALUES.iter().position(|it| *it == self);
+        index.and_then(|index| Self::NAMES.get(index)).map_or("", |named| named.name)
+    }
+
+    /// The value of this name.
+    fn of(name: &str) -> Option<Self> {
+        let has_name = |it: &Named| it.name == name || it.aliases.contains(&name);
+        Self::NAMES.iter().position(has_name).and_then(|index| Self::VALUES.get(index)).copied()
+    }
+}
+
+/// Declares types of a few values, each with its name.
+///
+/// ```
+/// use strahl_settings::{Choice, choices};
+///
+/// choices! {
+///     /// How loud.
+///     pub enum Volume {
+///         /// Nobody hears it.
+///         Silent = "silent",
+///         /// Everybody does.
+///         Loud = "loud" | "noisy",
+///     }
+/// }
+///
+/// assert_eq!(Volume::of("noisy"), Some(Volume::Loud));
+/// assert_eq!(Volume::Silent.to_string(), "silent");
+/// assert_eq!(Volume::NAMES[1].about(), "Everybody does");
+/// ```
+#[macro_export]
+macro_rules! choices {
+    ($(
+        $(#[doc = $type_doc:literal])+
+        pub enum $Type:ident {
+            $( $(#[doc = $doc:literal])+ $Value:ident = $name:literal $(| $alias:literal)*, )+
+        }
+    )+) => {$(
+        $(#[doc = $type_doc])+
+        #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+        pub enum $Type {
+            $( $(#[doc = $doc])+ $Value, )+
+        }
+
+        impl $Type {
+            /// Every value.
+            pub const ALL: [Self; [$(stringify!($Value)),+].len()] = [$($Type::$Value),+];
+
+            /// Its name.
+            pub fn name(self) -> &'static str {
+                $crate::Choice::name_of(self)
+            }
+        }
+
+        impl $crate::Choice for $Type {
+            const VALUES: &'static [Self] = &Self::ALL;
+            const NAMES: &'static [$crate::Named] = &[$($crate::Named {
+                name: $name,
+                aliases: &[$($alias),*],
+                doc: concat!($($doc),+),
+            }),+];
+        }
+
+        impl core::fmt::Display for $Type {
+            fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
+                f.write_str(self.name())
+            }
+        }
+    )+};
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    choices! {
+        /// Of two lines,
+        /// one sentence.
+        pub enum Side {
+            /// To the west
+            /// on maps.
+            Left = "left" | "west",
+            /// The other.
+            Right = "right",
+        }
+    }
+
+    #[test]
+    fn a_value_is_found_by_its_name_and_by_its_other_names_only() {
+        assert_eq!(["left", "west", "right"].map(Side::of), [Side::Left, Side::Left, Side::Right].map(Some));
+        assert_eq!(["", "Left", "lef", "left "].map(Side::of), [None; 4]);
+    }
+
+    #[test]
+    fn lines_of_documentation_become_one() {
+        assert_eq!(
+            Side::NAMES.iter().map(Named::about).collect::<Vec<_>>(),
+            ["To the west on maps", "The other"]
+        );
+    }
+}

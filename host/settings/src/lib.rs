@@ -1,0 +1,38 @@
+//! The settings of strahl: what a render is asked for.
+//!
+//! Each setting is declared once, in [`settings`], with its type, its default, its values, its name and its help.
+//! From that declaration come the options of the command line, the keys of a scene's `[render]` table and their JSON
+//! Schema, the settings that are printed, and the columns of a study: their code goes through [`SETTINGS`] and names
+//! no setting.
+//!
+//! | module | what it holds |
+//! |---|---|
+//! | [`settings`] | the declaration; [`Settings`], and [`PartialSettings`] as a scene or a command line has them |
+//! | [`resolve`] | command line over scene over defaults, and which of them set what |
+//! | [`setting`] | what is known of one setting: [`Setting`] |
+//! | [`domain`] | the values that a setting may have, and the words for them |
+//! | [`choice`] | types whose values have names |
+//! | [`sampling`], [`accelerator`], [`precision`], [`effect`] | the types of settings |
+//!
+//! This package knows no command line, no file format and no tracer. It uses plain types of `strahl-core`, whose
+//! limits are those of the settings.
+
+pub mod accelerator;
+pub mod choice;
+pub mod domain;
+pub mod effect;
+pub mod precision;
+pub mod resolve;
+pub mod sampling;
+pub mod setting;
+pub mod settings;
+
+pub use accelerator::{Accel, AccelChoice, AccelKind, AccelSettings, Bounds, Walk};
+pub use choice::{Choice, Named};
+pub use domain::{Domain, Value};
+pub use effect::Effect;
+pub use precision::Precision;
+pub use resolve::{Resolved, SettingsError, Source};
+pub use sampling::{Agreement, Confidence, Filter, PixelSelection, Sampling};
+pub use setting::{Affects, CommandOption, Group, Scope, Setting};
+pub use settings::{LEVELS, PartialSettings, SETTINGS, Settings};

@@ -1,0 +1,246 @@
+//! Command line over scene over defaults: which settings hold, and what set each of them.
+
+use std::error::Error;
+use std::fmt;
+
+use strahl_core::{Size, Tile};
+
+use crate::accelerator::Walk;
+use crate::effect::Effect;
+use crate::sampling::{Filter, Sampling};
+use crate::setting::Setting;
+use crate::settings::{PartialSettings, SETTINGS, Settings};
+
+/// The settings that hold, and what set each of them.
+#[derive(Clone, Debug)]
+pub struct Resolved {
+    /// Those that hold.
+    pub settings: Settings,
+    command_line: PartialSettings,
+    scene: PartialSettings,
+}
+
+/// What set a setting.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Source {
+    /// Nothing: it has its default.
+    Default,
+    /// The scene.
+    Scene,
+    /// The command line.
+    CommandLine,
+}
+
+/// Why settings do not go together.
+#[derive(Clone, Debug, PartialEq)]
+#[non_exhaustive]
+pub enum SettingsError {
+    /// A filter is asked for beside this sampler, which fills the pixel by itself.
+    FilterNotUsed(Sampling),
+    /// An option is given for which another leaves no use.
+    OptionNotUsed {
+        /// Its name, without the dashes.
+        option: &'static str,
+        /// The other, as it is written.
+        by: String,
+    },
+    /// The region is not inside a picture of this size.
+    RegionOutside(Size),
+}
+
+impl fmt::Display for SettingsError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            SettingsError::FilterNotUsed(sampling) => {
+                write!(f, "`{sampling}` fills the pixel by itself: no filter but box goes with it")
+            }
+            SettingsError::OptionNotUsed { option, by } => write!(f, "--{option} has no meaning for {by}"),
+            SettingsError::RegionOutside(size) => {
+                write!(f, "the region reaches beyond the picture of {}x{}", size.width(), size.height())
+            }
+        }
+    }
+}
+
+impl Error for SettingsError {}
+
+impl Resolved {
+    /// The settings of the command line, where it has none those of the scene, and else the defaults.
+    pub fn new(command_line: &PartialSettings, scene: &PartialSettings) -> Result<Self, SettingsError> {
+        let (mut command_line, mut scene) = (command_line.clone(), scene.clone());
+        // An option for which others leave no use is a mistake. A key of the scene is not: the command line has changed
+        // what it was for.
+        let alone = Settings::from(command_line.clone());
+        for setting in SETTINGS.iter().filter(|setting| setting.is_set(&command_line)) {
+            if let (Some(option), Some(by)) = (setting.option_name(), setting.ruled_out(&alone)) {
+                return Err(SettingsError::OptionNotUsed { option, by });
+            }
+        }
+        // Another walk, or a heap for it, replaces both.
+        if command_line.walk.is_some() {
+            scene.heap = None;
+        }
+        if command_line.heap.is_some() {
+            scene.walk = None;
+        }
+        if command_line.without.as_ref().is_some_and(|without| without.contains(&Effect::ColoredShadows)) {
+            command_line.colored_shadows = Some(false);
+        }
+
+        let settings = Settings::from(command_line.clone().or(scene.clone()));
+        if settings.filter != Filter::Box && !settings.sampler.takes_filter() {
+            return Err(SettingsError::FilterNotUsed(settings.sampler));
+        }
+        if let Some(region) = settings.region
+            && region.within(Tile::whole(settings.size)) != region
+        {
+            return Err(SettingsError::RegionOutside(settings.size));
+        }
+        Ok(Resolved { settings, command_line, scene })
+    }
+
+    /// What set one of them.
+    pub fn source(&self, setting: &Setting) -> Source {
+        if setting.is_set(&self.command_line) {
+            Source::CommandLine
+        } else if setting.is_set(&self.scene) {
+            Source::Scene
+        } else {
+            Source::Default
+        }
+    }
+}
+
+impl From<PartialSettings> for Settings {
+    fn from(partial: PartialSettings) -> Self {
+        // A capacity of the heap asks for the walk that has one.
+        let walk = partial.walk.or(partial.heap.map(|_| Walk::Heap));
+        PartialSettings { walk, ..partial }.or_default()
+    }
+}
+
+impl Settings {
+    /// The settings of the command line, where it has none those of the scene, and else the defaults.
+    pub fn resolve(command_line: &PartialSettings, scene: &PartialSettings) -> Result<Self, SettingsError> {
+        Ok(Resolved::new(command_line, scene)?.settings)
+    }
+
+    /// All those that have a use, with their declarations.
+    pub fn in_use(&self) -> impl Iterator<Item = &'static Setting> {
+        SETTINGS.iter().filter(|setting| setting.ruled_out(self).is_none())
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::setting::{Affects, CommandOption};
+
+    /// The settings of some options.
+    fn of(options: &[(&str, &str)]) -> PartialSettings {
+        let parse = |(name, word): &(&str, &str)| {
+            let setting = SETTINGS.iter().find(|setting| setting.name == *name).unwrap();
+            setting.parse(word).unwrap()
+        };
+        options.iter().map(parse).fold(PartialSettings::default(), PartialSettings::or)
+    }
+
+    fn source(resolved: &Resolved, name: &str) -> Source {
+        resolved.source(SETTINGS.iter().find(|setting| setting.name == name).unwrap())
+    }
+
+    #[test]
+    fn the_command_line_wins_over_the_scene_and_the_scene_over_defaults() {
+        let (command_line, scene) = (of(&[("levels", "7")]), of(&[("levels", "3"), ("size", "8x6")]));
+        let resolved = Resolved::new(&command_line, &scene).unwrap();
+        assert_eq!((resolved.settings.levels, resolved.settings.size), (7, Size::new(8, 6).unwrap()));
+        let sources = ["levels", "size", "cutoff"].map(|name| source(&resolved, name));
+        assert_eq!(sources, [Source::CommandLine, Source::Scene, Source::Default]);
+    }
+
+    #[test]
+    fn every_word_reads_back_as_the_same_and_nothing_else_is_set() {
+        let all = of(&[
+            ("size", "8x6"),
+            ("levels", "7"),
+            ("cutoff", "1/3"),
+            ("sampler", "stochastic:4..16:0.9:0.01"),
+            ("filter", "tent"),
+            ("seed", "9"),
+            ("select", "8:0.05:items"),
+            ("region", "1,2,3x4"),
+            ("without", "lens,motion"),
+            ("colored_shadows", "true"),
+            ("precision", "double"),
+            ("accel", "bvh"),
+            ("walk", "heap"),
+            ("heap", "4"),
+            ("bounds", "none"),
+            ("mailbox", "8"),
+            ("shadow_cache", "false"),
+            ("threads", "3"),
+        ]);
+        let settings = Settings::from(all);
+        for setting in SETTINGS {
+            let word = setting.word(&settings).unwrap();
+            let parsed = setting.parse(&word).unwrap();
+            assert_eq!(SETTINGS.iter().filter(|other| other.is_set(&parsed)).count(), 1, "{word}");
+            assert_eq!(setting.word(&Settings::from(parsed)), Some(word));
+            assert_ne!(
+                setting.word(&settings),
+                setting.word(&Settings { threads: 1, ..Settings::default() })
+            );
+        }
+    }
+
+    #[test]
+    fn a_heap_asks_for_its_walk_and_another_walk_forgets_the_heap_of_the_scene() {
+        let walked = |command_line: &[(&str, &str)], scene: &[(&str, &str)]| {
+            let settings = Settings::resolve(&of(command_line), &of(scene)).unwrap();
+            (settings.walk, settings.heap)
+        };
+        assert_eq!(walked(&[("heap", "4")], &[]), (Walk::Heap, 4));
+        assert_eq!(walked(&[("heap", "4")], &[("walk", "stack")]), (Walk::Heap, 4));
+        assert_eq!(walked(&[("walk", "heap")], &[("heap", "4")]), (Walk::Heap, 64));
+        assert_eq!(walked(&[("walk", "stack")], &[("heap", "4")]), (Walk::Stack, 64));
+        assert_eq!(walked(&[], &[("heap", "4")]), (Walk::Heap, 4));
+    }
+
+    #[test]
+    fn what_does_not_go_together_on_the_command_line_is_refused() {
+        let refused = |options: &[(&str, &str)]| {
+            Settings::resolve(&of(options), &PartialSettings::default()).unwrap_err().to_string()
+        };
+        assert_eq!(refused(&[("accel", "grid"), ("walk", "heap")]), "--walk has no meaning for --accel grid");
+        assert_eq!(refused(&[("walk", "stack"), ("heap", "4")]), "--heap has no meaning for --walk stack");
+        assert_eq!(
+            refused(&[("accel", "bvh"), ("bounds", "box")]),
+            "--bounds has no meaning for --accel bvh"
+        );
+        assert!(refused(&[("sampler", "adaptive:2:0.1"), ("filter", "tent")]).contains("no filter but box"));
+        assert!(refused(&[("size", "4x3"), ("region", "1,0,4x3")]).contains("beyond the picture of 4x3"));
+        // The scene asked for what the command line has no use for any more.
+        assert!(Settings::resolve(&of(&[("accel", "list")]), &of(&[("mailbox", "8")])).is_ok());
+    }
+
+    #[test]
+    fn colored_shadows_that_are_left_out_are_off_because_of_the_command_line() {
+        let resolved =
+            Resolved::new(&of(&[("without", "colored-shadows")]), &of(&[("colored_shadows", "true")]));
+        let resolved = resolved.unwrap();
+        assert!(!resolved.settings.colored_shadows);
+        assert_eq!(source(&resolved, "colored_shadows"), Source::CommandLine);
+    }
+
+    #[test]
+    fn every_setting_can_be_set_somewhere_and_has_words_about_it() {
+        for setting in SETTINGS {
+            assert!(setting.is_in_scenes() || setting.option != CommandOption::Never, "{}", setting.name);
+            assert!(setting.option_name().is_none_or(|name| !name.contains('_')), "{}", setting.name);
+            assert!(!setting.about().is_empty() && !setting.about().ends_with('.'), "{}", setting.name);
+        }
+        let time: Vec<_> =
+            SETTINGS.iter().filter(|it| it.affects == Affects::Time).map(|it| it.name).collect();
+        assert_eq!(time, ["accel", "walk", "heap", "bounds", "mailbox", "shadow_cache", "threads"]);
+    }
+}

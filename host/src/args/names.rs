@@ -1,0 +1,15 @@
+//! Options whose values have names.
+
+use clap::builder::{PossibleValue, PossibleValuesParser, TypedValueParser};
+use strahl_settings::{Choice, Named};
+
+/// One of a type's values, by its name.
+pub(super) fn name_of<T: Choice + Send + Sync>() -> impl TypedValueParser<Value = T> {
+    parser(T::NAMES).try_map(|name| T::of(&name).ok_or("there is no such name"))
+}
+
+/// One of these names.
+pub(super) fn parser(names: &'static [Named]) -> PossibleValuesParser {
+    let value = |it: &Named| PossibleValue::new(it.name).help(it.about()).aliases(it.aliases);
+    PossibleValuesParser::new(names.iter().map(value))
+}
