@@ -23,8 +23,8 @@ pub struct BvhBuilder<'s> {
 pub enum LeafLayout<'g> {
     /// As single [`LeafEntry`]s, tested one after the other.
     Entries,
-    /// In [`TriangleBlock`]s, whose triangles are tested four at a time. The geometry tells triangles from
-    /// other shapes.
+    /// In [`TriangleBlock`]s, whose triangles are tested four at a time. The geometry identifies the
+    /// triangles.
     TriangleBlocks(&'g Geometry<'g>),
 }
 

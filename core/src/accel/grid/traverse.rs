@@ -39,7 +39,7 @@ impl<const MAILBOX_ENTRIES: usize> Accelerator for Grid<'_, MAILBOX_ENTRIES> {
 
 /// Visits the cells along a ray.
 ///
-/// A trait instead of a closure, because a traversal calls it at two places, of which only the common one is
+/// A trait instead of a closure, because the traversal has two calls of it, of which only the common one is
 /// to be inlined; the captures of a closure would be in memory for both.
 trait CellVisitor {
     /// Visits a cell, by its index. Returns the remaining `t_max`, or breaks.
