@@ -32,6 +32,7 @@
 //! The package `strahl-core-double` compiles these sources with `Real = f64`.
 
 #![no_std]
+#![cfg_attr(docsrs, feature(doc_cfg))]
 // Comparisons that are false for NaN are written as they are meant: `!(x > 0.0)`.
 #![allow(clippy::neg_cmp_op_on_partial_ord)]
 // Law 4. The panic proof checks what is reachable; these lints name the line.
