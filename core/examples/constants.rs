@@ -21,11 +21,11 @@ static CORNERS: [Vec3; 4] =
     [vec3(-3.0, 0.0, 2.0), vec3(3.0, 0.0, 2.0), vec3(3.0, 0.0, -2.0), vec3(-3.0, 0.0, -2.0)];
 
 static FLOOR: [Polygon; 1] = [Polygon {
-    first: 0,
-    count: 4,
+    first_vertex: 0,
+    vertex_count: 4,
     point: Vec3::ZERO,
     normal: Vec3::Y,
-    bounds: Aabb::of_points(&CORNERS),
+    bounds: Aabb::from_points(&CORNERS),
     smooth: false,
 }];
 
@@ -43,7 +43,7 @@ static LIGHTS: [Light; 1] = [Light {
 }];
 
 const PARTS: Parts<'static> = Parts {
-    geometry: Geometry { shapes: &SHAPES, points: &CORNERS, polygons: &FLOOR, ..Geometry::EMPTY },
+    geometry: Geometry { shapes: &SHAPES, vertices: &CORNERS, polygons: &FLOOR, ..Geometry::EMPTY },
     made_of: &[MaterialId(0), MaterialId(1), MaterialId(2)],
     materials: &MATERIALS,
     lights: &LIGHTS,

@@ -19,7 +19,7 @@
 
 use strahl_core::{
     CameraSample, Dimension, FilmPoint, HitId, Pixel, PixelSample, RayTracer, Regular, Rgb, Sampler,
-    Stochastic, Stream,
+    SobolSequence, Stochastic,
 };
 
 /// n times n cells with a ray through a random place of each.
@@ -33,13 +33,13 @@ impl Sampler for Jittered {
         let mut sum = Rgb::BLACK;
         for index in 0..n * n {
             // Another seed for each cell, so that they have nothing to do with each other.
-            let [x, y] = Stream::new(pixel.x, pixel.y, 0, index + 1).pair(Dimension::PIXEL);
+            let [x, y] = SobolSequence::new(pixel.x, pixel.y, 0, index + 1).sample_2d(Dimension::PIXEL);
             let place = FilmPoint {
                 x: pixel.x as f32 + ((index % n) as f32 + x) / n as f32,
                 y: pixel.y as f32 + ((index / n) as f32 + y) / n as f32,
             };
             sum += tracer
-                .trace(CameraSample { point: place, stream: Stream::new(pixel.x, pixel.y, index, 0) })
+                .trace(CameraSample { point: place, stream: SobolSequence::new(pixel.x, pixel.y, index, 0) })
                 .color;
         }
         PixelSample { color: sum * (1.0 / (n * n) as f32), hit: HitId::Nothing }

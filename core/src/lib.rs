@@ -79,8 +79,9 @@ pub use accel::{
     StaticGrid, TraversalHeap, TraversalQueue, TraversalStack, TriangleBlock, group_count,
 };
 pub use geometry::{
-    Aabb, Ball, Cone, Cuboid, Disc, Geometry, Hit, ItemId, Moving, Plane, Polygon, Ray, Shape, ShapeFault,
-    ShapeKind, ShapeSet, Shapes, Span, Sphere, Surface, Torus, TurnedCuboid, has_area, leave,
+    Aabb, BoundingSphere, Cone, Cuboid, Disc, Geometry, Hit, ItemId, MovingShape, OrientedCuboid, Plane,
+    Polygon, Ray, RayInterval, Shape, ShapeError, ShapeFeatures, ShapeKind, ShapeSet, Sphere,
+    SurfaceInteraction, Torus, has_area, offset_origin,
 };
 pub use image::{
     Adaptive, Agreement, Confidence, Corner, CornerRow, Corners, Every, Filter, Frame, Gathered, Kept,
@@ -90,8 +91,8 @@ pub use image::{
 #[cfg(feature = "display")]
 pub use image::{Display, Dither, Steps};
 pub use math::{
-    Axis, CubicRoots, Dimension, FARTHEST, PI, ROUNDOFF, Real, Rgb, Stream, Vec3, cubic_roots,
-    difference_of_products, gamma, root_between, sqrt, unit, vec3,
+    Axis, CubicRoots, Dimension, MAX_COORDINATE, PI, ROUNDOFF, Real, Rgb, SobolSequence, Vec3,
+    bracketed_root, cubic_roots, difference_of_products, gamma, sqrt, try_normalize, vec3,
 };
 pub use render::{render, render_refined, render_selected};
 pub use scene::{

@@ -31,12 +31,12 @@ macro_rules! set_of {
 
             /// Whether `kind` is in this set.
             #[inline(always)]
-            pub const fn has(self, kind: $Kind) -> bool {
+            pub const fn contains(self, kind: $Kind) -> bool {
                 self.0 & 1 << kind as u16 != 0
             }
 
             /// Whether every kind in `other` is in this set.
-            pub const fn contains(self, other: Self) -> bool {
+            pub const fn is_superset(self, other: Self) -> bool {
                 other.0 & !self.0 == 0
             }
 
@@ -57,7 +57,7 @@ macro_rules! set_of {
 
             /// The kinds in this set, in the order of their declaration.
             pub fn iter(self) -> impl Iterator<Item = $Kind> {
-                $Kind::ALL.into_iter().filter(move |kind| self.has(*kind))
+                $Kind::ALL.into_iter().filter(move |kind| self.contains(*kind))
             }
         }
 

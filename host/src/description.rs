@@ -273,7 +273,7 @@ pub enum Form {
         max: Triple,
     },
     /// A box turned in space.
-    TurnedCuboid {
+    OrientedCuboid {
         /// The middle.
         center: Triple,
         /// Half of its length along each of its axes.
@@ -343,7 +343,7 @@ impl Form {
             Form::Sphere { .. } => "sphere",
             Form::Plane { .. } => "plane",
             Form::Disc { .. } => "disc",
-            Form::Cuboid { .. } | Form::TurnedCuboid { .. } => "box",
+            Form::Cuboid { .. } | Form::OrientedCuboid { .. } => "box",
             Form::Cone { base_radius, end_radius, .. } if base_radius == end_radius => "cylinder",
             Form::Cone { .. } => "cone",
             Form::Torus { .. } => "torus",

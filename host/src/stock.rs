@@ -12,7 +12,7 @@ macro_rules! stock {
         pub mod $precision {
             use $core::{
                 Background, Cone, Cuboid, Disc, Falloff, ItemId, Light, Material, MaterialId, PI, Projection, Real, Rgb,
-                SceneTables, Shading, Source, Sphere, Texture, Torus, TurnedCuboid, Vec3, View, unit, vec3,
+                SceneTables, Shading, Source, Sphere, Texture, Torus, OrientedCuboid, Vec3, View, try_normalize, vec3,
             };
 
             use crate::description::{self, Description, Form, Object, Triple};
@@ -21,7 +21,7 @@ macro_rules! stock {
             pub fn scene_tables(description: &Description) -> SceneTables {
                 let mut tables = SceneTables::new();
                 let vertices: Vec<Vec3> = description.points.iter().map(|p| vector(*p)).collect();
-                let normals = description.normals.iter().map(|n| unit(vector(*n)).unwrap_or(Vec3::Z));
+                let normals = description.normals.iter().map(|n| try_normalize(vector(*n)).unwrap_or(Vec3::Z));
                 tables.add_vertices(&vertices, &normals.collect::<Vec<_>>());
                 for it in &description.materials {
                     tables.add_material(material(&it.it));
@@ -56,7 +56,7 @@ macro_rules! stock {
                     let triangles = triangles.get(first as usize..end).unwrap_or_default();
                     tables.add_triangles(triangles, shading(smooth), material);
                 } else if add_shape(tables, object.form, material).is_none() {
-                    if tables.parts().geometry.points.is_empty() {
+                    if tables.parts().geometry.vertices.is_empty() {
                         tables.add_vertices(&[Vec3::ZERO], &[]);
                     }
                     tables.add_triangles(&[[0; 3]], Shading::Flat, material);
@@ -71,18 +71,18 @@ macro_rules! stock {
                         tables.add_sphere(sphere, material)
                     }
                     Form::Plane { point, normal } => {
-                        tables.add_plane(vector(point), unit(vector(normal))?, material)
+                        tables.add_plane(vector(point), try_normalize(vector(normal))?, material)
                     }
                     Form::Disc { center, normal, radius } => {
                         let (center, radius) = (vector(center), Real::from(radius));
-                        tables.add_disc(Disc { center, normal: unit(vector(normal))?, radius }, material)
+                        tables.add_disc(Disc { center, normal: try_normalize(vector(normal))?, radius }, material)
                     }
                     Form::Cuboid { min, max } => {
                         tables.add_cuboid(Cuboid { min: vector(min), max: vector(max) }, material)
                     }
-                    Form::TurnedCuboid { center, half, first, third } => {
+                    Form::OrientedCuboid { center, half, first, third } => {
                         let (center, half) = (vector(center), vector(half));
-                        let cuboid = TurnedCuboid::new(center, half, vector(first), vector(third))?;
+                        let cuboid = OrientedCuboid::new(center, half, vector(first), vector(third))?;
                         tables.add_turned_cuboid(cuboid, material)
                     }
                     Form::Cone { base, base_radius, end, end_radius, capped } => {
@@ -90,9 +90,9 @@ macro_rules! stock {
                         tables.add_cone(Cone::new(vector(base), r0, vector(end), r1, capped)?, material)
                     }
                     Form::Torus { center, axis, major, minor } => {
-                        let (major, minor) = (Real::from(major), Real::from(minor));
-                        let (center, axis) = (vector(center), unit(vector(axis))?);
-                        tables.add_torus(Torus { center, axis, major, minor }, material)
+                        let (major_radius, minor_radius) = (Real::from(major), Real::from(minor));
+                        let (center, axis) = (vector(center), try_normalize(vector(axis))?);
+                        tables.add_torus(Torus { center, axis, major_radius, minor_radius }, material)
                     }
                     Form::Triangle { corners, smooth } => {
                         tables.add_triangles(&[corners], shading(smooth), material).start
@@ -136,7 +136,7 @@ macro_rules! stock {
 
             /// The direction of `v`; up for none.
             fn direction(v: Triple) -> Vec3 {
-                unit(vector(v)).unwrap_or(Vec3::Z)
+                try_normalize(vector(v)).unwrap_or(Vec3::Z)
             }
 
             fn color(c: strahl_core::Rgb) -> Rgb {

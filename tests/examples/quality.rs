@@ -18,7 +18,7 @@ use strahl::sampling::{Agreement, PixelSelection as Selecting};
 use strahl::wanted::{Sampling, Wanted};
 use strahl_core::{
     BareList, Camera, CameraSample, Everything, Limits, Pixel, PixelSample, RayKind, RayTracer, Rgb, Sampler,
-    Size, Stream, Tile, Tracer, Worker, World, render,
+    Size, SobolSequence, Tile, Tracer, Worker, World, render,
 };
 use strahl_picture::Values;
 use strahl_picture::difference::Pair;
@@ -74,14 +74,17 @@ impl Sampler for Jittered {
         let mut sum = Rgb::BLACK;
         for index in 0..n * n {
             // A place of its own for each cell, so that they have nothing to do with each other.
-            let chance =
-                Stream::new(pixel.x, pixel.y, self.seed, index + 1).pair(strahl_core::Dimension::PIXEL);
+            let chance = SobolSequence::new(pixel.x, pixel.y, self.seed, index + 1)
+                .sample_2d(strahl_core::Dimension::PIXEL);
             let place = strahl_core::FilmPoint {
                 x: pixel.x as f32 + ((index % n) as f32 + chance[0]) / n as f32,
                 y: pixel.y as f32 + ((index / n) as f32 + chance[1]) / n as f32,
             };
             sum += tracer
-                .trace(CameraSample { point: place, stream: Stream::new(pixel.x, pixel.y, index, self.seed) })
+                .trace(CameraSample {
+                    point: place,
+                    stream: SobolSequence::new(pixel.x, pixel.y, index, self.seed),
+                })
                 .color;
         }
         PixelSample { color: sum * (1.0 / (n * n) as f32), ..PixelSample::BLACK }

@@ -104,7 +104,7 @@ pub fn distance(thing: &Thing, p: Vector) -> f64 {
     match thing {
         Thing::Sphere { center, radius } => length(p - *center) - radius,
         Thing::Cuboid { min, max } => box_distance(p - (*min + *max) * 0.5, (*max - *min) * 0.5),
-        Thing::TurnedCuboid { center, half, first, third } => {
+        Thing::OrientedCuboid { center, half, first, third } => {
             let z = unit(*third);
             let y = unit(z.cross(*first));
             let q = p - *center;
@@ -171,7 +171,7 @@ fn normal_at(thing: &Thing, p: Vector) -> Vector {
     match thing {
         Thing::Sphere { center, .. } => unit(p - *center),
         Thing::Cuboid { min, max } => of_box(p - (*min + *max) * 0.5, (*max - *min) * 0.5),
-        Thing::TurnedCuboid { center, half, first, third } => {
+        Thing::OrientedCuboid { center, half, first, third } => {
             let z = unit(*third);
             let y = unit(z.cross(*first));
             let (x, q) = (y.cross(z), p - *center);
@@ -209,7 +209,7 @@ fn edge_distance(thing: &Thing, p: Vector) -> f64 {
     };
     match thing {
         Thing::Cuboid { min, max } => of_box(p - (*min + *max) * 0.5, (*max - *min) * 0.5),
-        Thing::TurnedCuboid { center, half, first, third } => {
+        Thing::OrientedCuboid { center, half, first, third } => {
             let z = unit(*third);
             let y = unit(z.cross(*first));
             let q = p - *center;

@@ -5,7 +5,7 @@ use strahl_core::Rgb;
 /// The picture as text: a dot for black, and for everything else a sign that is the heavier,
 /// the more light there is in the brightest channel: `+` up to a third, `o` up to two, `#`.
 pub fn picture(colors: &[Rgb], width: usize) -> String {
-    let sign = |color: &Rgb| match color.largest() {
+    let sign = |color: &Rgb| match color.max_component() {
         0.0 => '.',
         x if x <= 1.0 / 3.0 => '+',
         x if x <= 2.0 / 3.0 => 'o',

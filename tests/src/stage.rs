@@ -4,9 +4,9 @@ use std::ops::{Deref, DerefMut};
 
 use super::strahl::{
     Aabb, Camera, CameraSample, Cone, Counters, Cuboid, Disc, Everything, FilmPoint, Hit, ItemId, Limits,
-    List, Material, MaterialId, Projection, ROUNDOFF, Ray, RayKind, Real, Rgb, Scene, SceneTables, Shading,
-    Size, Sphere, Stream, Torus, Tracer, TurnedCuboid, Vec3, View, Worker, World, group_count, leave, unit,
-    vec3,
+    List, Material, MaterialId, OrientedCuboid, Projection, ROUNDOFF, Ray, RayKind, Real, Rgb, Scene,
+    SceneTables, Shading, Size, SobolSequence, Sphere, Torus, Tracer, Vec3, View, Worker, World, group_count,
+    offset_origin, try_normalize, vec3,
 };
 use crate::cast::{Core, Found};
 use crate::thing::{Line, Thing};
@@ -62,12 +62,12 @@ impl Stage {
 
     /// A plane. `normal` may have any length.
     pub fn plane(&mut self, point: Vec3, normal: Vec3) -> ItemId {
-        self.tables.add_plane(point, unit(normal).unwrap(), self.made_of)
+        self.tables.add_plane(point, try_normalize(normal).unwrap(), self.made_of)
     }
 
     /// A disc. `normal` may have any length.
     pub fn disc(&mut self, center: Vec3, normal: Vec3, radius: Real) -> ItemId {
-        self.tables.add_disc(Disc { center, normal: unit(normal).unwrap(), radius }, self.made_of)
+        self.tables.add_disc(Disc { center, normal: try_normalize(normal).unwrap(), radius }, self.made_of)
     }
 
     /// A flat triangle.
@@ -77,14 +77,14 @@ impl Stage {
 
     /// A smooth triangle. The normals may have any length.
     pub fn smooth_triangle(&mut self, corners: [Vec3; 3], normals: [Vec3; 3]) -> ItemId {
-        let normals = normals.map(|normal| unit(normal).unwrap());
+        let normals = normals.map(|normal| try_normalize(normal).unwrap());
         self.tables.add_mesh(&corners, &normals, &[[0, 1, 2]], self.made_of).start
     }
 
     /// A polygon: smooth when there are normals, which may have any length.
     pub fn polygon(&mut self, corners: &[Vec3], normals: &[Vec3]) -> ItemId {
         let shading = if normals.is_empty() { Shading::Flat } else { Shading::Smooth };
-        let normals: Vec<Vec3> = normals.iter().map(|normal| unit(*normal).unwrap()).collect();
+        let normals: Vec<Vec3> = normals.iter().map(|normal| try_normalize(*normal).unwrap()).collect();
         let first = self.tables.add_vertices(corners, &normals);
         self.tables.add_polygon(first..first + corners.len() as u32, shading, self.made_of).unwrap()
     }
@@ -96,7 +96,7 @@ impl Stage {
 
     /// A turned box.
     pub fn turned_cuboid(&mut self, center: Vec3, half: Vec3, first: Vec3, third: Vec3) -> ItemId {
-        let cuboid = TurnedCuboid::new(center, half, first, third).unwrap();
+        let cuboid = OrientedCuboid::new(center, half, first, third).unwrap();
         self.tables.add_turned_cuboid(cuboid, self.made_of)
     }
 
@@ -107,7 +107,10 @@ impl Stage {
 
     /// A torus. `axis` may have any length.
     pub fn torus(&mut self, center: Vec3, axis: Vec3, major: Real, minor: Real) -> ItemId {
-        self.tables.add_torus(Torus { center, axis: unit(axis).unwrap(), major, minor }, self.made_of)
+        self.tables.add_torus(
+            Torus { center, axis: try_normalize(axis).unwrap(), major_radius: major, minor_radius: minor },
+            self.made_of,
+        )
     }
 
     /// Lets everything stand in its place.
@@ -131,7 +134,7 @@ impl Stage {
             Thing::Polygon { corners } => self.polygon(&all(corners), &[]),
             Thing::SmoothPolygon { corners, normals } => self.polygon(&all(corners), &all(normals)),
             Thing::Cuboid { min, max } => self.cuboid(narrow(*min), narrow(*max)),
-            Thing::TurnedCuboid { center, half, first, third } => {
+            Thing::OrientedCuboid { center, half, first, third } => {
                 self.turned_cuboid(narrow(*center), narrow(*half), narrow(*first), narrow(*third))
             }
             Thing::Cone { base, base_radius, end, end_radius, capped } => self.cone(
@@ -161,8 +164,10 @@ impl Stage {
         let mut worker = Worker::new(());
         let mut sum = [0.0; 3];
         for index in 0..n {
-            let sample =
-                CameraSample { point: FilmPoint { x: 0.5, y: 0.5 }, stream: Stream::new(7, 5, index, seed) };
+            let sample = CameraSample {
+                point: FilmPoint { x: 0.5, y: 0.5 },
+                stream: SobolSequence::new(7, 5, index, seed),
+            };
             let color = tracer.trace(sample, &mut worker).color;
             #[allow(clippy::useless_conversion)] // in the twin
             for (sum, channel) in sum.iter_mut().zip([color.r, color.g, color.b]) {
@@ -182,9 +187,10 @@ impl Stage {
         let world = World::new(self.scene(), List::without_bounds(self.len()));
         let tracer = Tracer::<_, Everything, 64>::new(&world, straight(eye, target), limits).unwrap();
         let mut worker = Worker::new(Counters::new());
-        let sample = CameraSample { point: FilmPoint { x: 0.5, y: 0.5 }, stream: Stream::new(0, 0, 0, 0) };
+        let sample =
+            CameraSample { point: FilmPoint { x: 0.5, y: 0.5 }, stream: SobolSequence::new(0, 0, 0, 0) };
         let color = tracer.trace(sample, &mut worker).color;
-        assert!(color.is_within(Real::MAX), "{color:?} is no light");
+        assert!(color.is_in_range(Real::MAX), "{color:?} is no light");
         (color, worker.into_tally())
     }
 }
@@ -244,15 +250,15 @@ impl Core for Stage {
                 item: hit.item.0,
                 t: hit.t.into(),
                 point: wide(surface.point),
-                error: wide(surface.error),
+                error: wide(surface.point_error),
                 normal: wide(surface.normal),
-                shading: wide(surface.shading),
+                shading: wide(surface.shading_normal),
             })
         };
         rays.iter().map(cast).collect()
     }
 
     fn leave(found: &Found, side: Vector) -> Vector {
-        wide(leave(narrow(found.point), narrow(found.error), narrow(side)))
+        wide(offset_origin(narrow(found.point), narrow(found.error), narrow(side)))
     }
 }

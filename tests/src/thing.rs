@@ -31,7 +31,7 @@ pub enum Thing {
     Polygon { corners: Vec<Vector> },
     SmoothPolygon { corners: Vec<Vector>, normals: Vec<Vector> },
     Cuboid { min: Vector, max: Vector },
-    TurnedCuboid { center: Vector, half: Vector, first: Vector, third: Vector },
+    OrientedCuboid { center: Vector, half: Vector, first: Vector, third: Vector },
     Cone { base: Vector, base_radius: f64, end: Vector, end_radius: f64, capped: bool },
     Torus { center: Vector, axis: Vector, major: f64, minor: f64 },
 }
@@ -49,7 +49,7 @@ pub enum Kind {
     Polygon,
     SmoothPolygon,
     Cuboid,
-    TurnedCuboid,
+    OrientedCuboid,
     OpenCone,
     CappedCone,
     OpenCylinder,
@@ -68,7 +68,7 @@ impl Kind {
         Kind::Polygon,
         Kind::SmoothPolygon,
         Kind::Cuboid,
-        Kind::TurnedCuboid,
+        Kind::OrientedCuboid,
         Kind::OpenCone,
         Kind::CappedCone,
         Kind::OpenCylinder,
@@ -109,7 +109,7 @@ impl Thing {
                 let half = vector(length(r), length(r), length(r));
                 Thing::Cuboid { min: held(center - half), max: held(center + half) }
             }
-            Kind::TurnedCuboid => {
+            Kind::OrientedCuboid => {
                 let third = r.direction();
                 let first = loop {
                     let first = r.direction();
@@ -118,7 +118,7 @@ impl Thing {
                     }
                 };
                 let half = vector(length(r), length(r), length(r));
-                Thing::TurnedCuboid { center, half, first, third }
+                Thing::OrientedCuboid { center, half, first, third }
             }
             Kind::OpenCone | Kind::CappedCone => {
                 let capped = kind == Kind::CappedCone;
@@ -178,7 +178,7 @@ impl Thing {
                 let (a, b) = (map(*min), map(*max));
                 Thing::Cuboid { min: a.min(b), max: a.max(b) }
             }
-            Thing::TurnedCuboid { center, half, first, third } => Thing::TurnedCuboid {
+            Thing::OrientedCuboid { center, half, first, third } => Thing::OrientedCuboid {
                 center: map(*center),
                 half: *half * scale,
                 first: turn(*first),
@@ -213,7 +213,7 @@ impl Thing {
             Thing::Triangle { corners } | Thing::SmoothTriangle { corners, .. } => round(corners),
             Thing::Polygon { corners } | Thing::SmoothPolygon { corners, .. } => round(corners),
             Thing::Cuboid { min, max } => round(&[*min, *max]),
-            Thing::TurnedCuboid { center, half, .. } => (*center, half.dot(*half).sqrt()),
+            Thing::OrientedCuboid { center, half, .. } => (*center, half.dot(*half).sqrt()),
             Thing::Cone { base, base_radius, end, end_radius, .. } => {
                 let (middle, half) = round(&[*base, *end]);
                 (middle, half + base_radius.max(*end_radius))

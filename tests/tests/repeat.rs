@@ -134,7 +134,7 @@ fn accelerators_do_not_change_the_picture() {
     for way in WAYS {
         let by = |finding| traced(&scene, &Wanted { finding, ..wanted(way) }).picture;
         let truth = by(Finding { bounds: Bounds::None, ..Finding::by(Kind::List) });
-        assert!(truth.colors.iter().all(|color| color.is_within(f32::MAX)), "{way:?}");
+        assert!(truth.colors.iter().all(|color| color.is_in_range(f32::MAX)), "{way:?}");
         for finding in [Kind::List, Kind::Grid, Kind::Octree, Kind::Bvh].map(Finding::by) {
             assert_eq!(by(finding), truth, "{way:?}, {finding:?}");
         }

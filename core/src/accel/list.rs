@@ -7,7 +7,7 @@
 use core::ops::ControlFlow;
 
 use super::{Accelerator, Buffer, BuildError, Query};
-use crate::geometry::{Aabb, Ball, ItemId, Line, Ray};
+use crate::geometry::{Aabb, BoundingSphere, BoundingSphereRay, ItemId, Ray};
 use crate::math::Real;
 
 /// Number of items that share the bounding volume of a group.
@@ -51,7 +51,7 @@ pub struct List<'s> {
 enum BoundingVolumes<'s> {
     None,
     Boxes { items: &'s [Aabb], groups: &'s [Aabb] },
-    Spheres { items: &'s [Ball], groups: &'s [Ball] },
+    Spheres { items: &'s [BoundingSphere], groups: &'s [BoundingSphere] },
 }
 
 const fn too_small(buffer: Buffer, needed: usize, provided: usize) -> BuildError {
@@ -91,17 +91,17 @@ impl<'s> List<'s> {
     /// [`BuildError::BufferTooSmall`] for `spheres` or `groups`.
     pub fn with_spheres(
         bounds: &[Aabb],
-        spheres: &'s mut [Ball],
-        groups: &'s mut [Ball],
+        spheres: &'s mut [BoundingSphere],
+        groups: &'s mut [BoundingSphere],
     ) -> Result<Self, BuildError> {
         let items = item_count(bounds)?;
         let spheres = checked_prefix(spheres, Buffer::ItemBounds, bounds.len())?;
         let groups = checked_prefix(groups, Buffer::GroupBounds, group_count(bounds.len()))?;
         for (sphere, aabb) in spheres.iter_mut().zip(bounds) {
-            *sphere = Ball::round(aabb);
+            *sphere = BoundingSphere::of_box(aabb);
         }
         for (group, aabb) in groups.iter_mut().zip(group_boxes(bounds)) {
-            *group = Ball::round(&aabb);
+            *group = BoundingSphere::of_box(&aabb);
         }
         Ok(List { items, volumes: BoundingVolumes::Spheres { items: spheres, groups } })
     }
@@ -138,13 +138,13 @@ impl Accelerator for List<'_> {
     fn traverse<Q: Query>(&self, ray: &Ray, _: &mut (), query: &mut Q) {
         // A miss only if strictly beyond: at equal `t` the item with the lower id wins, and it may be this
         // one.
-        let hits_box = |aabb: &Aabb, t_max| aabb.span(ray).is_some_and(|span| span.entry <= t_max);
+        let hits_box = |aabb: &Aabb, t_max| aabb.intersect(ray).is_some_and(|span| span.t_entry <= t_max);
         let end = match self.volumes {
             BoundingVolumes::None => test_all(self.items, query),
             BoundingVolumes::Boxes { items, groups } => test_bounded(items, groups, query, hits_box),
             BoundingVolumes::Spheres { items, groups } => {
-                let line = Line::of(ray);
-                test_bounded(items, groups, query, |sphere, t_max| sphere.meets(&line, t_max))
+                let line = BoundingSphereRay::new(ray);
+                test_bounded(items, groups, query, |sphere, t_max| sphere.is_hit(&line, t_max))
             }
         };
         let (ControlFlow::Continue(()) | ControlFlow::Break(())) = end;

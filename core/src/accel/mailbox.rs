@@ -110,7 +110,7 @@ impl<Q: Query, const ENTRIES: usize> MailboxQuery<'_, Q, ENTRIES> {
                 self.query.count_box_tests(1);
                 // Only if strictly beyond: at equal `t` the item with the lower id wins, and it may be this
                 // one.
-                if !aabb.span(self.ray).is_some_and(|span| span.entry <= self.query.t_max()) {
+                if !aabb.intersect(self.ray).is_some_and(|span| span.t_entry <= self.query.t_max()) {
                     continue;
                 }
             }

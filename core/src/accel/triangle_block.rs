@@ -5,8 +5,8 @@
 //! vectorized test rejects most of them at once. The remaining candidates are tested as usual, with the same
 //! vertices, so blocks change the time and never the result.
 
-use crate::geometry::{FourTriangles, Geometry, ItemId, Ray, Shape};
-use crate::math::{LANES, Vec3};
+use crate::geometry::{Geometry, ItemId, Ray, Shape, Triangle4};
+use crate::math::{SIMD_WIDTH, Vec3};
 
 /// Up to four items of a leaf. Items that are not triangles are stored by id only.
 ///
@@ -14,8 +14,8 @@ use crate::math::{LANES, Vec3};
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[repr(C)]
 pub struct TriangleBlock {
-    triangles: FourTriangles,
-    items: [ItemId; LANES],
+    triangles: Triangle4,
+    items: [ItemId; SIMD_WIDTH],
     /// One bit per entry in use.
     item_mask: u8,
     /// One bit per entry that is a triangle.
@@ -37,12 +37,12 @@ pub(crate) struct Candidate {
 
 impl TriangleBlock {
     /// Largest number of items of a block.
-    pub const CAPACITY: usize = LANES;
+    pub const CAPACITY: usize = SIMD_WIDTH;
 
     /// The initial value for buffers.
     pub const EMPTY: TriangleBlock = TriangleBlock {
-        triangles: FourTriangles::ZERO,
-        items: [ItemId(0); LANES],
+        triangles: Triangle4::ZERO,
+        items: [ItemId(0); SIMD_WIDTH],
         item_mask: 0,
         triangle_mask: 0,
         has_next: false,
@@ -55,9 +55,9 @@ impl TriangleBlock {
             *entry = item;
             block.item_mask |= 1 << index;
             if let Some(Shape::Triangle(corners) | Shape::SmoothTriangle(corners)) = geometry.shape(item)
-                && let Some(corners) = geometry.corners(*corners)
+                && let Some(corners) = geometry.vertices(*corners)
             {
-                block.triangles.put(index, corners);
+                block.triangles.set(index, corners);
                 block.triangle_mask |= 1 << index;
             }
         }
@@ -73,7 +73,7 @@ impl TriangleBlock {
     #[inline(always)]
     pub(crate) fn possible_hits(&self, ray: &Ray) -> u32 {
         let triangle_mask = u32::from(self.triangle_mask);
-        let hits = if triangle_mask == 0 { 0 } else { self.triangles.may_meet(ray) };
+        let hits = if triangle_mask == 0 { 0 } else { self.triangles.possible_hits(ray) };
         u32::from(self.item_mask) & (hits | !triangle_mask)
     }
 
@@ -93,7 +93,7 @@ impl TriangleBlock {
         let item = *self.items.get(index as usize)?;
         *mask &= *mask - 1;
         let is_triangle = u32::from(self.triangle_mask) >> index & 1 != 0;
-        let corners = if is_triangle { self.triangles.corners(index as usize) } else { None };
+        let corners = if is_triangle { self.triangles.vertices(index as usize) } else { None };
         Some(Candidate { item, corners })
     }
 

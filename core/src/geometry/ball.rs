@@ -12,7 +12,7 @@ use crate::math::{Real, Vec3, abs, gamma, length, sqrt};
 
 /// A sphere that contains a box.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Ball {
+pub struct BoundingSphere {
     center: Vec3,
     /// Negative for the empty sphere.
     radius: Real,
@@ -20,7 +20,7 @@ pub struct Ball {
 
 /// A ray with values precomputed for tests of bounding spheres.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Line<'r> {
+pub(crate) struct BoundingSphereRay<'r> {
     ray: &'r Ray,
     /// Reciprocal of the squared length of the scaled direction.
     inverse_length_squared: Real,
@@ -28,9 +28,9 @@ pub(crate) struct Line<'r> {
     inverse_length: Real,
 }
 
-impl<'r> Line<'r> {
-    pub(crate) fn of(ray: &'r Ray) -> Self {
-        Line {
+impl<'r> BoundingSphereRay<'r> {
+    pub(crate) fn new(ray: &'r Ray) -> Self {
+        BoundingSphereRay {
             ray,
             inverse_length_squared: 1.0 / ray.scaled_length_squared,
             inverse_length: 1.0 / sqrt(ray.scaled_length_squared),
@@ -38,19 +38,19 @@ impl<'r> Line<'r> {
     }
 }
 
-impl Ball {
+impl BoundingSphere {
     /// The empty sphere: never hit.
-    pub const EMPTY: Ball = Ball { center: Vec3::ZERO, radius: -1.0 };
+    pub const EMPTY: BoundingSphere = BoundingSphere { center: Vec3::ZERO, radius: -1.0 };
 
     /// The bounding sphere of a box, rounded outward.
-    pub(crate) fn round(aabb: &Aabb) -> Self {
+    pub(crate) fn of_box(aabb: &Aabb) -> Self {
         if aabb.is_empty() {
-            return Ball::EMPTY;
+            return BoundingSphere::EMPTY;
         }
         let center = (aabb.min + aabb.max) * 0.5;
         // The distance from the rounded center to the farthest corner.
         let corner = (aabb.max - center).max(center - aabb.min);
-        Ball { center, radius: length(corner) * (1.0 + gamma(8)) }
+        BoundingSphere { center, radius: length(corner) * (1.0 + gamma(8)) }
     }
 
     /// Whether the ray enters the sphere at `t_max` or before, in lengths of its direction.
@@ -58,7 +58,7 @@ impl Ball {
     /// It is true if [`Aabb::span`] of the box inside begins at `t_max` or before: the margin of the radius
     /// covers the rounding errors of both tests, which are relative to the distance from the ray's origin.
     #[inline]
-    pub(crate) fn meets(&self, line: &Line<'_>, t_max: Real) -> bool {
+    pub(crate) fn is_hit(&self, line: &BoundingSphereRay<'_>, t_max: Real) -> bool {
         let ray = line.ray;
         let to_center = self.center - ray.origin;
         let t_center = to_center.dot(ray.scaled_direction) * line.inverse_length_squared;
@@ -84,8 +84,8 @@ mod tests {
     fn hits(origin: Vec3, direction: Vec3, t_max: Real) -> [bool; 2] {
         let cube = Aabb { min: Vec3::splat(-1.0), max: Vec3::ONE };
         let ray = Ray::new(origin, direction);
-        let hits_box = cube.span(&ray).is_some_and(|span| span.entry <= t_max);
-        [hits_box, Ball::round(&cube).meets(&Line::of(&ray), t_max)]
+        let hits_box = cube.intersect(&ray).is_some_and(|span| span.t_entry <= t_max);
+        [hits_box, BoundingSphere::of_box(&cube).is_hit(&BoundingSphereRay::new(&ray), t_max)]
     }
 
     #[test]
@@ -116,6 +116,6 @@ mod tests {
             [false, true],
             "in the sphere, beside an edge of the cube"
         );
-        assert!(!Ball::EMPTY.meets(&Line::of(&Ray::new(Vec3::ZERO, Vec3::X)), 1.0));
+        assert!(!BoundingSphere::EMPTY.is_hit(&BoundingSphereRay::new(&Ray::new(Vec3::ZERO, Vec3::X)), 1.0));
     }
 }

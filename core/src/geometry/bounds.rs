@@ -33,11 +33,11 @@ pub struct Aabb {
 /// The interval of `t` in which a ray is inside a box, widened for rounding errors: `entry <= exit`,
 /// `exit >= 0`. In lengths of the ray's direction.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Span {
+pub struct RayInterval {
     /// Start of the interval; zero or negative if the ray starts inside.
-    pub entry: Real,
+    pub t_entry: Real,
     /// End of the interval.
-    pub exit: Real,
+    pub t_exit: Real,
 }
 
 impl Aabb {
@@ -46,7 +46,7 @@ impl Aabb {
 
     /// The box that contains the origin only.
     #[cfg(not(feature = "double"))]
-    pub(crate) const POINT: Aabb = Aabb { min: Vec3::ZERO, max: Vec3::ZERO };
+    pub(crate) const ORIGIN: Aabb = Aabb { min: Vec3::ZERO, max: Vec3::ZERO };
 
     /// Whether the box is not empty and no difference of its coordinates overflows.
     #[cfg(not(feature = "double"))]
@@ -61,12 +61,12 @@ impl Aabb {
     }
 
     /// The smallest box that contains all `points`.
-    pub fn around(points: impl IntoIterator<Item = Vec3>) -> Self {
+    pub fn enclosing(points: impl IntoIterator<Item = Vec3>) -> Self {
         points.into_iter().fold(Self::EMPTY, |bounds, p| bounds.union(Aabb { min: p, max: p }))
     }
 
     /// The smallest box that contains all `points`, usable in constants.
-    pub const fn of_points(mut points: &[Vec3]) -> Self {
+    pub const fn from_points(mut points: &[Vec3]) -> Self {
         const fn low(a: Real, b: Real) -> Real {
             if b < a { b } else { a }
         }
@@ -83,7 +83,7 @@ impl Aabb {
     }
 
     /// The box around `center` with the given half extent along each axis, rounded outward.
-    pub fn round(center: Vec3, half_extent: Vec3) -> Self {
+    pub fn from_center(center: Vec3, half_extent: Vec3) -> Self {
         // Two roundings for the half extent, one for the sum, and three for the margin itself.
         let margin = half_extent * (1.0 + gamma(6)) + abs(center) * gamma(2);
         Aabb { min: center - margin, max: center + margin }
@@ -112,13 +112,13 @@ impl Aabb {
     /// lies in a face. Comparisons with NaN are false and then leave the interval unchanged, so such a ray
     /// is inside that slab.
     #[inline]
-    pub fn span(&self, ray: &Ray) -> Option<Span> {
-        self.intersect_components(ray.origin, ray.inverse)
+    pub fn intersect(&self, ray: &Ray) -> Option<RayInterval> {
+        self.intersect_components(ray.origin, ray.inverse_direction)
     }
 
     /// [`Aabb::span`] of the ray with the given origin and reciprocal direction.
     #[inline(always)]
-    pub(super) fn intersect_components(&self, origin: Vec3, inverse_direction: Vec3) -> Option<Span> {
+    pub(super) fn intersect_components(&self, origin: Vec3, inverse_direction: Vec3) -> Option<RayInterval> {
         let t_min_face = (self.min - origin) * inverse_direction;
         let t_max_face = (self.max - origin) * inverse_direction;
         let order = |inverse: Real, a: Real, b: Real| if inverse >= 0.0 { (a, b) } else { (b, a) };
@@ -134,7 +134,8 @@ impl Aabb {
             exit = if t_far < exit { t_far } else { exit };
         }
         let exit = exit * WIDEN;
-        (entry <= exit && exit >= 0.0 && entry <= Real::MAX).then_some(Span { entry, exit })
+        (entry <= exit && exit >= 0.0 && entry <= Real::MAX)
+            .then_some(RayInterval { t_entry: entry, t_exit: exit })
     }
 }
 
@@ -146,7 +147,7 @@ mod tests {
 
     fn unit_cube_interval(origin: [f32; 3], direction: [f32; 3]) -> Option<(Real, Real)> {
         let v = |a: [f32; 3]| vec3(a[0] as Real, a[1] as Real, a[2] as Real);
-        UNIT.span(&Ray::new(v(origin), v(direction))).map(|s| (s.entry, s.exit))
+        UNIT.intersect(&Ray::new(v(origin), v(direction))).map(|s| (s.t_entry, s.t_exit))
     }
 
     #[test]
@@ -177,13 +178,13 @@ mod tests {
     fn a_flat_box_is_hit_at_its_plane() {
         let flat = Aabb { min: vec3(0.0, 0.0, 0.3), max: vec3(1.0, 1.0, 0.3) };
         let ray = Ray::new(vec3(0.2, 0.3, -0.7), vec3(0.1, 0.2, 0.9));
-        let interval = flat.span(&ray).unwrap();
-        assert!(interval.entry <= interval.exit && (interval.entry - 1.0 / 0.9).abs() < 1e-6);
+        let interval = flat.intersect(&ray).unwrap();
+        assert!(interval.t_entry <= interval.t_exit && (interval.t_entry - 1.0 / 0.9).abs() < 1e-6);
     }
 
     #[test]
     fn the_empty_box_is_never_hit() {
-        assert!(Aabb::EMPTY.is_empty() && Aabb::EMPTY.span(&Ray::new(Vec3::ZERO, Vec3::X)).is_none());
+        assert!(Aabb::EMPTY.is_empty() && Aabb::EMPTY.intersect(&Ray::new(Vec3::ZERO, Vec3::X)).is_none());
         assert_eq!(Aabb::EMPTY.union(UNIT), UNIT);
     }
 }

@@ -13,7 +13,7 @@ pub(super) fn is_valid_t(t: &Real) -> bool {
 #[inline(always)]
 pub(super) fn clamp_to_box(aabb: Aabb, t: Real, origin: Vec3, inverse_direction: Vec3) -> Option<Real> {
     let interval = aabb.intersect_components(origin, inverse_direction)?;
-    let t = if t < interval.entry { interval.entry } else { t };
-    let t = if t > interval.exit { interval.exit } else { t };
+    let t = if t < interval.t_entry { interval.t_entry } else { t };
+    let t = if t > interval.t_exit { interval.t_exit } else { t };
     Some(t).filter(is_valid_t)
 }

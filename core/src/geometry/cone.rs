@@ -16,10 +16,12 @@
 use zerocopy::{Immutable, KnownLayout, TryFromBytes};
 
 use super::disc::disc_half_extent;
-use super::ray::LEAVING;
+use super::ray::OFFSET_ROUNDINGS;
 use super::validate::{validate_direction, validate_point};
-use super::{Aabb, Ray, ShapeFault, Surface};
-use crate::math::{FARTHEST, Real, Vec3, abs, gamma, greatest, largest, length, sqrt, unit};
+use super::{Aabb, Ray, ShapeError, SurfaceInteraction};
+use crate::math::{
+    MAX_COORDINATE, Real, Vec3, abs, gamma, length, max, max_abs_component, sqrt, try_normalize,
+};
 
 /// A truncated cone. It is a cylinder if both radii are equal.
 ///
@@ -53,27 +55,27 @@ impl Cone {
     /// The cone between the circle of `base_radius` around `base` and the circle of `end_radius` around
     /// `end`. `None` if the points are equal or not finite.
     pub fn new(base: Vec3, base_radius: Real, end: Vec3, end_radius: Real, capped: bool) -> Option<Self> {
-        let axis = unit(end - base)?;
+        let axis = try_normalize(end - base)?;
         let height = (end - base).dot(axis);
         Some(Cone { base, axis, height, base_radius, end_radius, capped })
     }
 
-    pub(super) fn check(&self) -> Result<(), ShapeFault> {
+    pub(super) fn validate(&self) -> Result<(), ShapeError> {
         validate_point(self.base)?;
         validate_direction(self.axis)?;
         let (r0, r1) = (self.base_radius, self.end_radius);
-        let ok = |r: Real| r >= 0.0 && r <= FARTHEST;
+        let ok = |r: Real| r >= 0.0 && r <= MAX_COORDINATE;
         if !(ok(r0) && ok(r1) && (r0 > 0.0 || r1 > 0.0)) {
-            return Err(ShapeFault::Radius);
+            return Err(ShapeError::Radius);
         }
-        if self.height > 0.0 && self.height <= FARTHEST { Ok(()) } else { Err(ShapeFault::Size) }
+        if self.height > 0.0 && self.height <= MAX_COORDINATE { Ok(()) } else { Err(ShapeError::Size) }
     }
 
     pub(super) fn bounds(&self) -> Aabb {
         let end = self.base + self.axis * self.height;
-        let slack = Vec3::splat(gamma(8) * (largest(self.base) + self.height));
-        Aabb::round(self.base, disc_half_extent(self.axis, self.base_radius) + slack)
-            .union(Aabb::round(end, disc_half_extent(self.axis, self.end_radius) + slack))
+        let slack = Vec3::splat(gamma(8) * (max_abs_component(self.base) + self.height));
+        Aabb::from_center(self.base, disc_half_extent(self.axis, self.base_radius) + slack)
+            .union(Aabb::from_center(end, disc_half_extent(self.axis, self.end_radius) + slack))
     }
 
     /// Change of the radius per length along the axis.
@@ -88,7 +90,7 @@ impl Cone {
         let cross = self.axis.cross(direction);
         let distance = abs(origin);
         let separation = origin.dot(cross).abs() - (distance.x + distance.y + distance.z) * gamma(16);
-        let max_radius = greatest(self.base_radius, self.end_radius);
+        let max_radius = max(self.base_radius, self.end_radius);
         separation > 0.0
             && separation * separation > cross.dot(cross) * (max_radius * max_radius) * (1.0 + gamma(16))
     }
@@ -148,32 +150,40 @@ impl Cone {
         (nearest.0 < Real::INFINITY).then_some(nearest)
     }
 
-    pub(super) fn hit(&self, ray: &Ray) -> Option<Real> {
+    pub(super) fn intersect(&self, ray: &Ray) -> Option<Real> {
         self.nearest_part(ray).map(|(t, _)| t)
     }
 
-    pub(super) fn surface(&self, ray: &Ray, t: Real) -> Option<Surface> {
+    pub(super) fn surface_interaction(&self, ray: &Ray, t: Real) -> Option<SurfaceInteraction> {
         let (_, part) = self.nearest_part(ray)?;
         let p = ray.at_relative_to(t, self.base);
         let size = self.height + self.base_radius + self.end_radius;
-        let error = (abs(self.base) + Vec3::splat(size)) * gamma(24 + LEAVING);
+        let error = (abs(self.base) + Vec3::splat(size)) * gamma(24 + OFFSET_ROUNDINGS);
         let z = p.dot(self.axis);
         let on_cap = |z_cap: Real, normal: Vec3| {
-            Surface::flat(self.base + (p + self.axis * (z_cap - z)), error, normal)
+            SurfaceInteraction::with_geometric_normal(
+                self.base + (p + self.axis * (z_cap - z)),
+                error,
+                normal,
+            )
         };
         Some(match part {
             ConePart::BaseCap => on_cap(0.0, -self.axis),
             ConePart::EndCap => on_cap(self.height, self.axis),
             ConePart::Side => {
                 let k = self.radius_slope();
-                match unit(p - self.axis * z) {
+                match try_normalize(p - self.axis * z) {
                     Some(radial) => {
-                        let normal = unit(radial - self.axis * k).unwrap_or(radial);
+                        let normal = try_normalize(radial - self.axis * k).unwrap_or(radial);
                         let on_side = self.axis * z + radial * (self.base_radius + k * z);
-                        Surface::flat(self.base + on_side, error, normal)
+                        SurfaceInteraction::with_geometric_normal(self.base + on_side, error, normal)
                     }
                     // The apex has no normal; use the outward direction of the axis.
-                    None => Surface::flat(self.base + p, error, self.axis * if k > 0.0 { -1.0 } else { 1.0 }),
+                    None => SurfaceInteraction::with_geometric_normal(
+                        self.base + p,
+                        error,
+                        self.axis * if k > 0.0 { -1.0 } else { 1.0 },
+                    ),
                 }
             }
         })

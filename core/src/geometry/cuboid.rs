@@ -6,10 +6,10 @@
 
 use zerocopy::{Immutable, KnownLayout, TryFromBytes};
 
-use super::ray::LEAVING;
+use super::ray::OFFSET_ROUNDINGS;
 use super::validate::{validate_direction, validate_point};
-use super::{Aabb, Ray, ShapeFault, Surface};
-use crate::math::{Axis, Real, Vec3, abs, gamma, unit};
+use super::{Aabb, Ray, ShapeError, SurfaceInteraction};
+use crate::math::{Axis, Real, Vec3, abs, gamma, try_normalize};
 
 /// An axis-aligned solid box. Its normal points outward.
 ///
@@ -26,11 +26,11 @@ pub struct Cuboid {
 /// A solid box with any orientation. Its normal points outward.
 #[derive(Clone, Copy, Debug, PartialEq, TryFromBytes, KnownLayout, Immutable)]
 #[repr(C)]
-pub struct TurnedCuboid {
+pub struct OrientedCuboid {
     /// Center, world space.
     pub center: Vec3,
     /// Half of the edge length along each axis of the box; not negative.
-    pub half: Vec3,
+    pub half_extents: Vec3,
     /// Axes of the box, world space: unit vectors, perpendicular to each other.
     pub axes: [Vec3; 3],
 }
@@ -67,9 +67,9 @@ fn intersect_box(min: Vec3, max: Vec3, ray: &Ray) -> Option<BoxFaceHit> {
     let mut entry = BoxFaceHit { t: Real::NEG_INFINITY, axis: Axis::X, sign: 1.0 };
     let mut exit = BoxFaceHit { t: Real::INFINITY, axis: Axis::X, sign: 1.0 };
     for (axis, inverse, t_min_face, t_max_face) in [
-        (Axis::X, ray.inverse.x, t_min_face.x, t_max_face.x),
-        (Axis::Y, ray.inverse.y, t_min_face.y, t_max_face.y),
-        (Axis::Z, ray.inverse.z, t_min_face.z, t_max_face.z),
+        (Axis::X, ray.inverse_direction.x, t_min_face.x, t_max_face.x),
+        (Axis::Y, ray.inverse_direction.y, t_min_face.y, t_max_face.y),
+        (Axis::Z, ray.inverse_direction.z, t_min_face.z, t_max_face.z),
     ] {
         let (t_near, t_far, sign) =
             if inverse >= 0.0 { (t_min_face, t_max_face, 1.0) } else { (t_max_face, t_min_face, -1.0) };
@@ -90,10 +90,10 @@ fn intersect_box(min: Vec3, max: Vec3, ray: &Ray) -> Option<BoxFaceHit> {
 }
 
 impl Cuboid {
-    pub(super) fn check(&self) -> Result<(), ShapeFault> {
+    pub(super) fn check(&self) -> Result<(), ShapeError> {
         validate_point(self.min)?;
         validate_point(self.max)?;
-        if self.min.cmple(self.max).all() { Ok(()) } else { Err(ShapeFault::Size) }
+        if self.min.cmple(self.max).all() { Ok(()) } else { Err(ShapeError::Size) }
     }
 
     pub(super) fn bounds(&self) -> Aabb {
@@ -104,7 +104,7 @@ impl Cuboid {
         intersect_box(self.min, self.max, ray).map(|face| face.t)
     }
 
-    pub(super) fn surface(&self, ray: &Ray, t: Real) -> Option<Surface> {
+    pub(super) fn surface(&self, ray: &Ray, t: Real) -> Option<SurfaceInteraction> {
         let face = intersect_box(self.min, self.max, ray)?;
         let point = ray.at(t);
         let corner = if face.sign > 0.0 { self.max } else { self.min };
@@ -114,39 +114,44 @@ impl Cuboid {
             Axis::Z => Vec3::new(point.x, point.y, corner.z),
         };
         // The point is exact along the normal. The error covers the rounding of the next ray's test.
-        Some(Surface::flat(point, abs(point) * gamma(4 + LEAVING), face.normal()))
+        Some(SurfaceInteraction::with_geometric_normal(
+            point,
+            abs(point) * gamma(4 + OFFSET_ROUNDINGS),
+            face.normal(),
+        ))
     }
 }
 
-impl TurnedCuboid {
+impl OrientedCuboid {
     /// The box around `center` with the given half extents along its axes.
     ///
     /// Its z axis is the direction of `z_axis`; its x axis is the direction of the component of `x_axis`
     /// perpendicular to it. `None` if both are parallel, or if one is zero or not finite.
     pub fn new(center: Vec3, half: Vec3, x_axis: Vec3, z_axis: Vec3) -> Option<Self> {
-        let z_axis = unit(z_axis)?;
-        let x_axis = unit(x_axis)?;
-        let y_axis = unit(z_axis.cross(x_axis))?;
-        Some(TurnedCuboid { center, half, axes: [y_axis.cross(z_axis), y_axis, z_axis] })
+        let z_axis = try_normalize(z_axis)?;
+        let x_axis = try_normalize(x_axis)?;
+        let y_axis = try_normalize(z_axis.cross(x_axis))?;
+        Some(OrientedCuboid { center, half_extents: half, axes: [y_axis.cross(z_axis), y_axis, z_axis] })
     }
 
-    pub(super) fn check(&self) -> Result<(), ShapeFault> {
+    pub(super) fn check(&self) -> Result<(), ShapeError> {
         validate_point(self.center)?;
-        validate_point(self.half)?;
+        validate_point(self.half_extents)?;
         let [x, y, z] = self.axes;
         for axis in [x, y, z] {
             validate_direction(axis)?;
         }
         if abs(Vec3::new(x.dot(y), y.dot(z), z.dot(x))).max_element() > 1e-5 {
-            return Err(ShapeFault::Axes);
+            return Err(ShapeError::NotOrthogonal);
         }
-        if self.half.cmpge(Vec3::ZERO).all() { Ok(()) } else { Err(ShapeFault::Size) }
+        if self.half_extents.cmpge(Vec3::ZERO).all() { Ok(()) } else { Err(ShapeError::Size) }
     }
 
     pub(super) fn bounds(&self) -> Aabb {
         let [x, y, z] = self.axes;
-        let half_extent = abs(x) * self.half.x + abs(y) * self.half.y + abs(z) * self.half.z;
-        Aabb::round(self.center, half_extent * (1.0 + gamma(8)))
+        let half_extent =
+            abs(x) * self.half_extents.x + abs(y) * self.half_extents.y + abs(z) * self.half_extents.z;
+        Aabb::from_center(self.center, half_extent * (1.0 + gamma(8)))
     }
 
     /// The ray in the frame of the box: its axes, its center as origin.
@@ -160,21 +165,22 @@ impl TurnedCuboid {
     }
 
     pub(super) fn hit(&self, ray: &Ray) -> Option<Real> {
-        intersect_box(-self.half, self.half, &self.to_box_frame(ray)).map(|face| face.t)
+        intersect_box(-self.half_extents, self.half_extents, &self.to_box_frame(ray)).map(|face| face.t)
     }
 
-    pub(super) fn surface(&self, ray: &Ray, t: Real) -> Option<Surface> {
-        let face = intersect_box(-self.half, self.half, &self.to_box_frame(ray))?;
+    pub(super) fn surface(&self, ray: &Ray, t: Real) -> Option<SurfaceInteraction> {
+        let face = intersect_box(-self.half_extents, self.half_extents, &self.to_box_frame(ray))?;
         let [x, y, z] = self.axes;
         let (axis, half) = match face.axis {
-            Axis::X => (x, self.half.x),
-            Axis::Y => (y, self.half.y),
-            Axis::Z => (z, self.half.z),
+            Axis::X => (x, self.half_extents.x),
+            Axis::Y => (y, self.half_extents.y),
+            Axis::Z => (z, self.half_extents.z),
         };
         let normal = axis * face.sign;
         let p = ray.at_relative_to(t, self.center);
         let point = self.center + (p - normal * (p.dot(normal) - half));
-        let error = (abs(self.center) + Vec3::splat(self.half.max_element())) * gamma(16 + LEAVING);
-        Some(Surface::flat(point, error, normal))
+        let error =
+            (abs(self.center) + Vec3::splat(self.half_extents.max_element())) * gamma(16 + OFFSET_ROUNDINGS);
+        Some(SurfaceInteraction::with_geometric_normal(point, error, normal))
     }
 }

@@ -7,7 +7,7 @@ use zerocopy::{Immutable, KnownLayout, TryFromBytes};
 
 use super::plane::plane_interaction;
 use super::validate::{validate_direction, validate_radius};
-use super::{Aabb, Ray, ShapeFault, Surface};
+use super::{Aabb, Ray, ShapeError, SurfaceInteraction};
 use crate::math::{Real, Vec3, sqrt};
 
 /// A flat disc, hit from both sides.
@@ -23,23 +23,23 @@ pub struct Disc {
 }
 
 impl Disc {
-    pub(super) fn check(&self) -> Result<(), ShapeFault> {
+    pub(super) fn validate(&self) -> Result<(), ShapeError> {
         validate_radius(self.center, self.radius)?;
         validate_direction(self.normal)
     }
 
     pub(super) fn bounds(&self) -> Aabb {
-        Aabb::round(self.center, disc_half_extent(self.normal, self.radius))
+        Aabb::from_center(self.center, disc_half_extent(self.normal, self.radius))
     }
 
-    pub(super) fn hit(&self, ray: &Ray) -> Option<Real> {
+    pub(super) fn intersect(&self, ray: &Ray) -> Option<Real> {
         let o = self.center - ray.origin;
         let t = o.dot(self.normal) / ray.direction.dot(self.normal);
         let p = ray.direction * t - o;
         (p.dot(p) <= self.radius * self.radius).then_some(t)
     }
 
-    pub(super) fn surface(&self, ray: &Ray, t: Real) -> Surface {
+    pub(super) fn surface_interaction(&self, ray: &Ray, t: Real) -> SurfaceInteraction {
         plane_interaction(ray, t, self.center, self.normal)
     }
 }

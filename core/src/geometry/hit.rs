@@ -14,22 +14,22 @@ pub struct Hit {
 
 /// The surface of a shape at a hit.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Surface {
+pub struct SurfaceInteraction {
     /// Position, projected onto the shape, world space.
     pub point: Vec3,
     /// Bound on the absolute error of each component of `point`, in scene lengths. It includes the rounding
     /// errors of the next ray's origin ([`leave`](super::leave)).
-    pub error: Vec3,
+    pub point_error: Vec3,
     /// Geometric unit normal. It points out of solids, away from the axis of cones, and is right-handed
     /// around the vertices of triangles and polygons. It defines the front side of the surface.
     pub normal: Vec3,
     /// Shading unit normal: interpolated for smooth shapes, equal to `normal` for all others.
-    pub shading: Vec3,
+    pub shading_normal: Vec3,
 }
 
-impl Surface {
+impl SurfaceInteraction {
     /// A surface whose shading normal is its geometric normal.
-    pub(super) fn flat(point: Vec3, error: Vec3, normal: Vec3) -> Self {
-        Surface { point, error, normal, shading: normal }
+    pub(super) fn with_geometric_normal(point: Vec3, error: Vec3, normal: Vec3) -> Self {
+        SurfaceInteraction { point, point_error: error, normal, shading_normal: normal }
     }
 }

@@ -13,7 +13,7 @@ pub enum ShapeKind {
     Disc,
     Polygon,
     Cuboid,
-    TurnedCuboid,
+    OrientedCuboid,
     Cone,
     Torus,
 }
@@ -28,7 +28,7 @@ impl ShapeKind {
         ShapeKind::Disc,
         ShapeKind::Polygon,
         ShapeKind::Cuboid,
-        ShapeKind::TurnedCuboid,
+        ShapeKind::OrientedCuboid,
         ShapeKind::Cone,
         ShapeKind::Torus,
     ];
@@ -43,7 +43,7 @@ impl ShapeKind {
             ShapeKind::Disc => "disc",
             ShapeKind::Polygon => "polygon",
             ShapeKind::Cuboid => "box",
-            ShapeKind::TurnedCuboid => "turned box",
+            ShapeKind::OrientedCuboid => "turned box",
             ShapeKind::Cone => "cone",
             ShapeKind::Torus => "torus",
         }

@@ -6,14 +6,14 @@
 
 use super::clamp::{clamp_to_box, is_valid_t};
 use super::tables::get;
-use super::{Geometry, Ray, Shape, ShapeKind, Shapes, Sphere, Surface, triangle};
+use super::{Geometry, Ray, Shape, ShapeFeatures, ShapeKind, Sphere, SurfaceInteraction, triangle};
 use crate::math::{Real, Vec3, vec3};
 
-/// The `t` at which the ray hits the triangle with the given vertices, as in [`Geometry::distance`].
+/// The `t` at which the ray hits the triangle with the given vertices, as in [`Geometry::intersect`].
 #[inline]
-pub(crate) fn triangle_distance(vertices: [&Vec3; 3], ray: &Ray) -> Option<Real> {
-    let t = triangle::hit(vertices, ray).map(|hit| hit.t).filter(is_valid_t)?;
-    clamp_to_box(triangle::bounds(vertices), t, ray.origin, ray.inverse)
+pub(crate) fn intersect_triangle(vertices: [&Vec3; 3], ray: &Ray) -> Option<Real> {
+    let t = triangle::intersect(vertices, ray).map(|hit| hit.t).filter(is_valid_t)?;
+    clamp_to_box(triangle::bounds(vertices), t, ray.origin, ray.inverse_direction)
 }
 
 impl Geometry<'_> {
@@ -24,13 +24,13 @@ impl Geometry<'_> {
     /// interval there is no hit. Rounding may have moved `t` slightly out of it, and then an accelerator
     /// that culls by the bounds and one that does not would produce different pictures.
     #[inline(always)]
-    pub fn distance<S: Shapes>(&self, shape: &Shape, ray: &Ray) -> Option<Real> {
+    pub fn intersect<S: ShapeFeatures>(&self, shape: &Shape, ray: &Ray) -> Option<Real> {
         // The tests of one or two kinds are inlined at every call.
-        if S::SHAPES.len() <= 2 && !S::MOTION {
+        if S::SHAPES.len() <= 2 && !S::MOTION_BLUR {
             return self.intersect_static::<S>(shape, ray);
         }
         // The test of a sphere is so cheap that a call would dominate.
-        if S::SHAPES.has(ShapeKind::Sphere)
+        if S::SHAPES.contains(ShapeKind::Sphere)
             && let Shape::Sphere(sphere) = shape
         {
             return self.intersect_sphere::<S>(sphere, shape, ray);
@@ -38,10 +38,10 @@ impl Geometry<'_> {
         self.intersect_outlined::<S>(shape, ray)
     }
 
-    /// [`Geometry::distance`], not inlined.
+    /// [`Geometry::intersect`], not inlined.
     #[inline(never)]
-    fn intersect_outlined<S: Shapes>(&self, shape: &Shape, ray: &Ray) -> Option<Real> {
-        if S::MOTION
+    fn intersect_outlined<S: ShapeFeatures>(&self, shape: &Shape, ray: &Ray) -> Option<Real> {
+        if S::MOTION_BLUR
             && let Shape::Moving(index) = shape
         {
             return self.intersect_moving::<S>(*index, ray);
@@ -49,12 +49,12 @@ impl Geometry<'_> {
         self.intersect_static::<S>(shape, ray)
     }
 
-    /// [`Geometry::distance`] of a shape that does not move.
+    /// [`Geometry::intersect`] of a shape that does not move.
     #[inline(always)]
-    pub(super) fn intersect_static<S: Shapes>(&self, shape: &Shape, ray: &Ray) -> Option<Real> {
+    pub(super) fn intersect_static<S: ShapeFeatures>(&self, shape: &Shape, ray: &Ray) -> Option<Real> {
         // The guard of each arm is a constant; one test before the match would not be.
         // Spheres and polygons are not arms of the match because it would then become a jump table.
-        let supports = |kind| S::SHAPES.has(kind);
+        let supports = |kind| S::SHAPES.contains(kind);
         if supports(ShapeKind::Sphere)
             && let Shape::Sphere(sphere) = shape
         {
@@ -63,7 +63,7 @@ impl Geometry<'_> {
         if supports(ShapeKind::Polygon)
             && let Shape::Polygon(index) = shape
         {
-            return get(self.polygons, *index)?.hit(self.points, ray);
+            return get(self.polygons, *index)?.intersect(self.vertices, ray);
         }
         let t = self.intersect_unclamped::<S>(shape, ray).filter(is_valid_t)?;
         match shape {
@@ -73,17 +73,17 @@ impl Geometry<'_> {
     }
 
     #[inline(always)]
-    fn intersect_sphere<S: Shapes>(&self, sphere: &Sphere, shape: &Shape, ray: &Ray) -> Option<Real> {
-        let t = sphere.hit(ray).filter(is_valid_t)?;
+    fn intersect_sphere<S: ShapeFeatures>(&self, sphere: &Sphere, shape: &Shape, ray: &Ray) -> Option<Real> {
+        let t = sphere.intersect(ray).filter(is_valid_t)?;
         if sphere.is_certainly_in_bounds(ray, t) { Some(t) } else { self.clamp_to_bounds::<S>(shape, t, ray) }
     }
 
     /// `t` clamped to the bounds of the shape, as [`clamp_to_box`].
-    fn clamp_to_bounds<S: Shapes>(&self, shape: &Shape, t: Real, ray: &Ray) -> Option<Real> {
+    fn clamp_to_bounds<S: ShapeFeatures>(&self, shape: &Shape, t: Real, ray: &Ray) -> Option<Real> {
         /// Not inlined because most rays miss most items, and the code for a miss should be short.
         #[inline(never)]
         #[allow(clippy::too_many_arguments)] // in registers: passing a ray would force all its fields into memory
-        fn clamp_outlined<S: Shapes>(
+        fn clamp_outlined<S: ShapeFeatures>(
             geometry: &Geometry<'_>,
             shape: &Shape,
             t: Real,
@@ -104,8 +104,8 @@ impl Geometry<'_> {
 
     /// The `t` before it is clamped, for shapes other than spheres and polygons.
     #[inline(always)]
-    fn intersect_unclamped<S: Shapes>(&self, shape: &Shape, ray: &Ray) -> Option<Real> {
-        let supports = |kind| S::SHAPES.has(kind);
+    fn intersect_unclamped<S: ShapeFeatures>(&self, shape: &Shape, ray: &Ray) -> Option<Real> {
+        let supports = |kind| S::SHAPES.contains(kind);
         match *shape {
             Shape::Triangle(indices) if supports(ShapeKind::Triangle) => {
                 self.intersect_triangle(indices, ray)
@@ -113,78 +113,94 @@ impl Geometry<'_> {
             Shape::SmoothTriangle(indices) if supports(ShapeKind::SmoothTriangle) => {
                 self.intersect_triangle(indices, ray)
             }
-            Shape::Plane(index) if supports(ShapeKind::Plane) => get(self.planes, index)?.hit(ray),
-            Shape::Disc(index) if supports(ShapeKind::Disc) => get(self.discs, index)?.hit(ray),
+            Shape::Plane(index) if supports(ShapeKind::Plane) => get(self.planes, index)?.intersect(ray),
+            Shape::Disc(index) if supports(ShapeKind::Disc) => get(self.discs, index)?.intersect(ray),
             Shape::Cuboid(index) if supports(ShapeKind::Cuboid) => get(self.cuboids, index)?.hit(ray),
-            Shape::TurnedCuboid(index) if supports(ShapeKind::TurnedCuboid) => {
-                get(self.turned_cuboids, index)?.hit(ray)
+            Shape::OrientedCuboid(index) if supports(ShapeKind::OrientedCuboid) => {
+                get(self.oriented_cuboids, index)?.hit(ray)
             }
-            Shape::Cone(index) if supports(ShapeKind::Cone) => get(self.cones, index)?.hit(ray),
-            Shape::Torus(index) if supports(ShapeKind::Torus) => get(self.tori, index)?.hit(ray),
+            Shape::Cone(index) if supports(ShapeKind::Cone) => get(self.cones, index)?.intersect(ray),
+            Shape::Torus(index) if supports(ShapeKind::Torus) => get(self.tori, index)?.intersect(ray),
             _ => None,
         }
     }
 
     #[inline(always)]
     fn intersect_triangle(&self, indices: [u32; 3], ray: &Ray) -> Option<Real> {
-        triangle::hit(self.corners(indices)?, ray).map(|hit| hit.t)
+        triangle::intersect(self.vertices(indices)?, ray).map(|hit| hit.t)
     }
 
-    /// The surface of a shape at a hit, whose `t` is the result of [`Geometry::distance`].
+    /// The surface of a shape at a hit, whose `t` is the result of [`Geometry::intersect`].
     #[inline(always)]
-    pub fn surface<S: Shapes>(&self, shape: &Shape, ray: &Ray, t: Real) -> Option<Surface> {
-        // Again a call would dominate. For one or two kinds the match below is inlined anyway.
-        if S::SHAPES.len() > 2
-            && S::SHAPES.has(ShapeKind::Sphere)
-            && let Shape::Sphere(sphere) = shape
-        {
-            return Some(sphere.surface(ray, t));
-        }
-        if S::MOTION
-            && let Shape::Moving(index) = shape
-        {
-            return self.moving_surface::<S>(*index, ray, t);
-        }
-        self.static_surface::<S>(shape, ray, t)
-    }
-
-    /// [`Geometry::surface`] of a shape that does not move, not inlined: for rare calls.
-    #[inline(never)]
-    pub(super) fn static_surface_outlined<S: Shapes>(
+    pub fn surface_interaction<S: ShapeFeatures>(
         &self,
         shape: &Shape,
         ray: &Ray,
         t: Real,
-    ) -> Option<Surface> {
-        self.static_surface::<S>(shape, ray, t)
+    ) -> Option<SurfaceInteraction> {
+        // Again a call would dominate. For one or two kinds the match below is inlined anyway.
+        if S::SHAPES.len() > 2
+            && S::SHAPES.contains(ShapeKind::Sphere)
+            && let Shape::Sphere(sphere) = shape
+        {
+            return Some(sphere.surface_interaction(ray, t));
+        }
+        if S::MOTION_BLUR
+            && let Shape::Moving(index) = shape
+        {
+            return self.moving_surface_interaction::<S>(*index, ray, t);
+        }
+        self.static_surface_interaction::<S>(shape, ray, t)
+    }
+
+    /// [`Geometry::surface_interaction`] of a shape that does not move, not inlined: for rare calls.
+    #[inline(never)]
+    pub(super) fn static_surface_interaction_outlined<S: ShapeFeatures>(
+        &self,
+        shape: &Shape,
+        ray: &Ray,
+        t: Real,
+    ) -> Option<SurfaceInteraction> {
+        self.static_surface_interaction::<S>(shape, ray, t)
     }
 
     #[inline(always)]
-    fn static_surface<S: Shapes>(&self, shape: &Shape, ray: &Ray, t: Real) -> Option<Surface> {
-        let supports = |kind| S::SHAPES.has(kind);
+    fn static_surface_interaction<S: ShapeFeatures>(
+        &self,
+        shape: &Shape,
+        ray: &Ray,
+        t: Real,
+    ) -> Option<SurfaceInteraction> {
+        let supports = |kind| S::SHAPES.contains(kind);
         match *shape {
-            Shape::Sphere(sphere) if supports(ShapeKind::Sphere) => Some(sphere.surface(ray, t)),
+            Shape::Sphere(sphere) if supports(ShapeKind::Sphere) => Some(sphere.surface_interaction(ray, t)),
             Shape::Triangle(indices) if supports(ShapeKind::Triangle) => {
-                triangle::surface(self.corners(indices)?, None, ray)
+                triangle::surface_interaction(self.vertices(indices)?, None, ray)
             }
             Shape::SmoothTriangle(indices) if supports(ShapeKind::SmoothTriangle) => {
-                let normals = if S::SMOOTH { self.vertex_normals(indices) } else { None };
-                triangle::surface(self.corners(indices)?, normals, ray)
+                let normals = if S::SMOOTH_SHADING { self.vertex_normals(indices) } else { None };
+                triangle::surface_interaction(self.vertices(indices)?, normals, ray)
             }
             Shape::Plane(index) if supports(ShapeKind::Plane) => {
-                Some(get(self.planes, index)?.surface(ray, t))
+                Some(get(self.planes, index)?.surface_interaction(ray, t))
             }
-            Shape::Disc(index) if supports(ShapeKind::Disc) => Some(get(self.discs, index)?.surface(ray, t)),
+            Shape::Disc(index) if supports(ShapeKind::Disc) => {
+                Some(get(self.discs, index)?.surface_interaction(ray, t))
+            }
             Shape::Polygon(index) if supports(ShapeKind::Polygon) => {
-                let normals = if S::SMOOTH { Some(self.normals) } else { None };
-                Some(get(self.polygons, index)?.surface(self.points, normals, ray, t))
+                let normals = if S::SMOOTH_SHADING { Some(self.vertex_normals) } else { None };
+                Some(get(self.polygons, index)?.surface_interaction(self.vertices, normals, ray, t))
             }
             Shape::Cuboid(index) if supports(ShapeKind::Cuboid) => get(self.cuboids, index)?.surface(ray, t),
-            Shape::TurnedCuboid(index) if supports(ShapeKind::TurnedCuboid) => {
-                get(self.turned_cuboids, index)?.surface(ray, t)
+            Shape::OrientedCuboid(index) if supports(ShapeKind::OrientedCuboid) => {
+                get(self.oriented_cuboids, index)?.surface(ray, t)
             }
-            Shape::Cone(index) if supports(ShapeKind::Cone) => get(self.cones, index)?.surface(ray, t),
-            Shape::Torus(index) if supports(ShapeKind::Torus) => Some(get(self.tori, index)?.surface(ray, t)),
+            Shape::Cone(index) if supports(ShapeKind::Cone) => {
+                get(self.cones, index)?.surface_interaction(ray, t)
+            }
+            Shape::Torus(index) if supports(ShapeKind::Torus) => {
+                Some(get(self.tori, index)?.surface_interaction(ray, t))
+            }
             _ => None,
         }
     }

@@ -1,8 +1,8 @@
 //! Bounds, hits and surfaces of moving shapes.
 
 use super::clamp::clamp_to_box;
-use super::ray::LEAVING;
-use super::{Aabb, Geometry, Ray, Shape, ShapeKind, Shapes, Surface};
+use super::ray::OFFSET_ROUNDINGS;
+use super::{Aabb, Geometry, Ray, Shape, ShapeFeatures, ShapeKind, SurfaceInteraction};
 use crate::math::{Real, Vec3, abs, gamma};
 
 impl Geometry<'_> {
@@ -11,94 +11,104 @@ impl Geometry<'_> {
     #[inline(always)]
     pub fn kind(&self, shape: &Shape) -> Option<ShapeKind> {
         match shape {
-            Shape::Moving(index) => self.moving(*index)?.shape.kind(),
+            Shape::Moving(index) => self.moving_shape(*index)?.shape.kind(),
             _ => shape.kind(),
         }
     }
 
-    /// Offset of a shape from its position at rest at `time` ([`Moving::offset`]); zero for a shape that does
+    /// Offset of a shape from its position at rest at `time` ([`MovingShape::offset`]); zero for a shape that does
     /// not move.
-    pub fn offset(&self, shape: &Shape, time: Real) -> Vec3 {
+    pub fn motion_offset(&self, shape: &Shape, time: Real) -> Vec3 {
         match shape {
-            Shape::Moving(index) => self.moving(*index).map_or(Vec3::ZERO, |moving| moving.offset(time)),
+            Shape::Moving(index) => {
+                self.moving_shape(*index).map_or(Vec3::ZERO, |moving| moving.offset(time))
+            }
             _ => Vec3::ZERO,
         }
     }
 
     /// Bounds of the whole motion.
-    pub(super) fn moving_bounds<S: Shapes>(&self, index: u32) -> Option<Aabb> {
-        let moving = self.moving(index)?;
+    pub(super) fn moving_bounds<S: ShapeFeatures>(&self, index: u32) -> Option<Aabb> {
+        let moving = self.moving_shape(index)?;
         Some(moving.swept_bounds(self.static_bounds::<S>(moving.shape)?))
     }
 
-    /// [`Geometry::distance`] of a moving shape. `t` is clamped to the bounds of the whole motion, which
+    /// [`Geometry::intersect`] of a moving shape. `t` is clamped to the bounds of the whole motion, which
     /// accelerators use.
     #[inline(never)]
-    pub(super) fn intersect_moving<S: Shapes>(&self, index: u32, ray: &Ray) -> Option<Real> {
-        let moving = self.moving(index)?;
+    pub(super) fn intersect_moving<S: ShapeFeatures>(&self, index: u32, ray: &Ray) -> Option<Real> {
+        let moving = self.moving_shape(index)?;
         let t = self.intersect_static::<S>(&moving.shape, &moving.ray_at_rest(ray))?;
         match moving.shape {
             Shape::Plane(_) => Some(t),
-            _ => clamp_to_box(self.moving_bounds::<S>(index)?, t, ray.origin, ray.inverse),
+            _ => clamp_to_box(self.moving_bounds::<S>(index)?, t, ray.origin, ray.inverse_direction),
         }
     }
 
-    /// [`Geometry::surface`] of a moving shape.
+    /// [`Geometry::surface_interaction`] of a moving shape.
     #[inline(never)]
-    pub(super) fn moving_surface<S: Shapes>(&self, index: u32, ray: &Ray, t: Real) -> Option<Surface> {
-        let moving = self.moving(index)?;
-        let rest = self.static_surface_outlined::<S>(&moving.shape, &moving.ray_at_rest(ray), t)?;
+    pub(super) fn moving_surface_interaction<S: ShapeFeatures>(
+        &self,
+        index: u32,
+        ray: &Ray,
+        t: Real,
+    ) -> Option<SurfaceInteraction> {
+        let moving = self.moving_shape(index)?;
+        let rest =
+            self.static_surface_interaction_outlined::<S>(&moving.shape, &moving.ray_at_rest(ray), t)?;
         let point = rest.point + moving.offset(ray.time);
         // The sum takes one rounding, and the subtraction for the next ray another.
-        let error = rest.error + (abs(rest.point) + abs(point)) * gamma(3 + LEAVING);
-        Some(Surface { point, error, ..rest })
+        let point_error = rest.point_error + (abs(rest.point) + abs(point)) * gamma(3 + OFFSET_ROUNDINGS);
+        Some(SurfaceInteraction { point, point_error, ..rest })
     }
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::geometry::{ItemId, Moving, ShapeFault, ShapeSet};
+    use crate::geometry::{ItemId, MovingShape, ShapeError, ShapeSet};
     use crate::geometry::{Plane, Sphere};
     use crate::math::vec3;
 
     struct All;
 
-    impl Shapes for All {
+    impl ShapeFeatures for All {
         const SHAPES: ShapeSet = ShapeSet::ALL;
-        const SMOOTH: bool = true;
-        const MOTION: bool = true;
+        const SMOOTH_SHADING: bool = true;
+        const MOTION_BLUR: bool = true;
     }
 
-    const MOVING_SPHERE: Moving = Moving {
+    const MOVING_SPHERE: MovingShape = MovingShape {
         shape: Shape::Sphere(Sphere { center: vec3(0.0, 0.0, -5.0), radius: 1.0 }),
-        opening: vec3(-2.0, 0.0, 0.0),
-        closing: vec3(6.0, 0.0, 0.0),
+        offset_at_open: vec3(-2.0, 0.0, 0.0),
+        offset_at_close: vec3(6.0, 0.0, 0.0),
     };
 
     fn ray(x: Real, time: Real) -> Ray {
-        Ray::new(vec3(x, 0.0, 0.0), -Vec3::Z).at_time(time)
+        Ray::new(vec3(x, 0.0, 0.0), -Vec3::Z).with_time(time)
     }
 
     #[test]
     fn a_moving_shape_is_hit_at_its_position_at_the_time_of_the_ray() {
-        let geometry = Geometry { shapes: &[Shape::Moving(0)], moving: &[MOVING_SPHERE], ..Geometry::EMPTY };
-        geometry.check().unwrap();
-        let hit = |x, time| geometry.distance::<All>(&Shape::Moving(0), &ray(x, time));
+        let geometry =
+            Geometry { shapes: &[Shape::Moving(0)], moving_shapes: &[MOVING_SPHERE], ..Geometry::EMPTY };
+        geometry.validate().unwrap();
+        let hit = |x, time| geometry.intersect::<All>(&Shape::Moving(0), &ray(x, time));
         assert_eq!((hit(-2.0, 0.0), hit(2.0, 0.5), hit(6.0, 1.0)), (Some(4.0), Some(4.0), Some(4.0)));
         assert_eq!((hit(-2.0, 0.5), hit(2.0, 0.0), hit(6.0, 0.5)), (None, None, None));
         // Times outside of 0..=1 are clamped; NaN counts as 0.
         assert_eq!((hit(6.0, 3.0), hit(-2.0, -1.0)), (Some(4.0), Some(4.0)));
         assert_eq!(hit(-2.0, Real::NAN), Some(4.0));
-        let surface = geometry.surface::<All>(&Shape::Moving(0), &ray(2.0, 0.5), 4.0).unwrap();
+        let surface = geometry.surface_interaction::<All>(&Shape::Moving(0), &ray(2.0, 0.5), 4.0).unwrap();
         assert_eq!((surface.point, surface.normal), (vec3(2.0, 0.0, -4.0), Vec3::Z));
         assert_eq!(geometry.kind(&Shape::Moving(0)), Some(ShapeKind::Sphere));
-        assert_eq!(geometry.offset(&Shape::Moving(0), 0.25), vec3(0.0, 0.0, 0.0));
+        assert_eq!(geometry.motion_offset(&Shape::Moving(0), 0.25), vec3(0.0, 0.0, 0.0));
     }
 
     #[test]
     fn the_bounds_contain_the_shape_at_all_times() {
-        let geometry = Geometry { shapes: &[Shape::Moving(0)], moving: &[MOVING_SPHERE], ..Geometry::EMPTY };
+        let geometry =
+            Geometry { shapes: &[Shape::Moving(0)], moving_shapes: &[MOVING_SPHERE], ..Geometry::EMPTY };
         let aabb = geometry.bounds(ItemId(0)).unwrap();
         for step in 0..=100 {
             let center = vec3(0.0, 0.0, -5.0) + MOVING_SPHERE.offset(step as Real / 100.0);
@@ -111,38 +121,44 @@ mod tests {
     #[test]
     fn a_tracer_without_motion_blur_never_hits_a_moving_shape() {
         struct Static;
-        impl Shapes for Static {
+        impl ShapeFeatures for Static {
             const SHAPES: ShapeSet = ShapeSet::ALL;
-            const SMOOTH: bool = true;
+            const SMOOTH_SHADING: bool = true;
         }
-        let geometry = Geometry { shapes: &[Shape::Moving(0)], moving: &[MOVING_SPHERE], ..Geometry::EMPTY };
-        assert_eq!(geometry.distance::<Static>(&Shape::Moving(0), &ray(-2.0, 0.0)), None);
+        let geometry =
+            Geometry { shapes: &[Shape::Moving(0)], moving_shapes: &[MOVING_SPHERE], ..Geometry::EMPTY };
+        assert_eq!(geometry.intersect::<Static>(&Shape::Moving(0), &ray(-2.0, 0.0)), None);
     }
 
     #[test]
     fn invalid_moving_shapes_are_errors() {
-        let check = |shapes: &[Shape], moving: &[Moving]| {
-            Geometry { shapes, moving, ..Geometry::EMPTY }.check().map_err(|(_, error)| error)
+        let check = |shapes: &[Shape], moving_shapes: &[MovingShape]| {
+            Geometry { shapes, moving_shapes, ..Geometry::EMPTY }.validate().map_err(|(_, error)| error)
         };
-        let nested = Moving { shape: Shape::Moving(0), ..MOVING_SPHERE };
-        assert_eq!(check(&[Shape::Moving(0)], &[nested]), Err(ShapeFault::Moving));
-        assert_eq!(check(&[Shape::Moving(1)], &[MOVING_SPHERE]), Err(ShapeFault::Missing));
-        let far = Moving { closing: vec3(0.0, 2e15, 0.0), ..MOVING_SPHERE };
-        assert_eq!(check(&[Shape::Moving(0)], &[far]), Err(ShapeFault::Place));
+        let nested = MovingShape { shape: Shape::Moving(0), ..MOVING_SPHERE };
+        assert_eq!(check(&[Shape::Moving(0)], &[nested]), Err(ShapeError::NestedMotion));
+        assert_eq!(check(&[Shape::Moving(1)], &[MOVING_SPHERE]), Err(ShapeError::IndexOutOfRange));
+        let far = MovingShape { offset_at_close: vec3(0.0, 2e15, 0.0), ..MOVING_SPHERE };
+        assert_eq!(check(&[Shape::Moving(0)], &[far]), Err(ShapeError::Coordinate));
         let empty =
-            Moving { shape: Shape::Sphere(Sphere { center: Vec3::ZERO, radius: 0.0 }), ..MOVING_SPHERE };
-        assert_eq!(check(&[Shape::Moving(0)], &[empty]), Err(ShapeFault::Radius));
+            MovingShape { shape: Shape::Sphere(Sphere { center: Vec3::ZERO, radius: 0.0 }), ..MOVING_SPHERE };
+        assert_eq!(check(&[Shape::Moving(0)], &[empty]), Err(ShapeError::Radius));
     }
 
     #[test]
     fn a_plane_may_move() {
         let planes = [Plane { point: Vec3::ZERO, normal: Vec3::Y, item: ItemId(0) }];
-        let moving = [Moving { shape: Shape::Plane(0), opening: Vec3::ZERO, closing: -Vec3::Y }];
-        let geometry =
-            Geometry { shapes: &[Shape::Moving(0)], planes: &planes, moving: &moving, ..Geometry::EMPTY };
-        geometry.check().unwrap();
+        let moving =
+            [MovingShape { shape: Shape::Plane(0), offset_at_open: Vec3::ZERO, offset_at_close: -Vec3::Y }];
+        let geometry = Geometry {
+            shapes: &[Shape::Moving(0)],
+            planes: &planes,
+            moving_shapes: &moving,
+            ..Geometry::EMPTY
+        };
+        geometry.validate().unwrap();
         assert_eq!(geometry.bounds(ItemId(0)), None);
-        let ray = Ray::new(Vec3::Y, -Vec3::Y).at_time(0.5);
-        assert_eq!(geometry.distance::<All>(&Shape::Moving(0), &ray), Some(1.5));
+        let ray = Ray::new(Vec3::Y, -Vec3::Y).with_time(0.5);
+        assert_eq!(geometry.intersect::<All>(&Shape::Moving(0), &ray), Some(1.5));
     }
 }

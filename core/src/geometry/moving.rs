@@ -9,34 +9,34 @@
 use zerocopy::{Immutable, KnownLayout, TryFromBytes};
 
 use super::validate::validate_point;
-use super::{Aabb, Ray, Shape, ShapeFault};
-use crate::math::{Real, Vec3, abs, gamma, within};
+use super::{Aabb, Ray, Shape, ShapeError};
+use crate::math::{Real, Vec3, abs, clamp, gamma};
 
 /// A shape that moves along a straight line at constant speed while the shutter is open.
 #[derive(Clone, Copy, Debug, PartialEq, TryFromBytes, KnownLayout, Immutable)]
 #[repr(C)]
-pub struct Moving {
+pub struct MovingShape {
     /// The shape at rest; not itself a moving shape.
     pub shape: Shape,
     /// Offset from the shape at rest when the shutter opens, in scene lengths.
-    pub opening: Vec3,
+    pub offset_at_open: Vec3,
     /// Offset from the shape at rest when the shutter closes, in scene lengths.
-    pub closing: Vec3,
+    pub offset_at_close: Vec3,
 }
 
-impl Moving {
+impl MovingShape {
     /// Offset from the shape at rest at `time`: 0 is the opening, 1 the closing of the shutter. Times outside
     /// are clamped.
     pub fn offset(&self, time: Real) -> Vec3 {
-        self.opening + (self.closing - self.opening) * within(time, 0.0, 1.0)
+        self.offset_at_open + (self.offset_at_close - self.offset_at_open) * clamp(time, 0.0, 1.0)
     }
 
-    pub(super) fn check(&self) -> Result<(), ShapeFault> {
+    pub(super) fn validate(&self) -> Result<(), ShapeError> {
         if let Shape::Moving(_) = self.shape {
-            return Err(ShapeFault::Moving);
+            return Err(ShapeError::NestedMotion);
         }
-        validate_point(self.opening)?;
-        validate_point(self.closing)
+        validate_point(self.offset_at_open)?;
+        validate_point(self.offset_at_close)
     }
 
     /// The ray in the frame of the shape at rest.
@@ -50,9 +50,9 @@ impl Moving {
             // The sum takes one rounding, the interpolated offset three. The rest of both bounds covers the
             // roundings of the margin itself.
             let margin = (abs(rest.min) + abs(rest.max)) * gamma(2)
-                + (abs(self.opening) + abs(self.closing)) * gamma(6);
+                + (abs(self.offset_at_open) + abs(self.offset_at_close)) * gamma(6);
             Aabb { min: rest.min + offset - margin, max: rest.max + offset + margin }
         };
-        at(self.opening).union(at(self.closing))
+        at(self.offset_at_open).union(at(self.offset_at_close))
     }
 }

@@ -5,10 +5,10 @@
 
 use zerocopy::{Immutable, KnownLayout, TryFromBytes};
 
-use super::ray::LEAVING;
+use super::ray::OFFSET_ROUNDINGS;
 use super::validate::{validate_direction, validate_point};
-use super::{ItemId, Ray, ShapeFault, Surface};
-use crate::math::{Real, Vec3, abs, gamma, largest};
+use super::{ItemId, Ray, ShapeError, SurfaceInteraction};
+use crate::math::{Real, Vec3, abs, gamma, max_abs_component};
 
 /// An infinite plane, hit from both sides.
 #[derive(Clone, Copy, Debug, PartialEq, TryFromBytes, KnownLayout, Immutable)]
@@ -23,27 +23,27 @@ pub struct Plane {
 }
 
 impl Plane {
-    pub(super) fn check(&self) -> Result<(), ShapeFault> {
+    pub(super) fn validate(&self) -> Result<(), ShapeError> {
         validate_point(self.point)?;
         validate_direction(self.normal)
     }
 
-    pub(super) fn hit(&self, ray: &Ray) -> Option<Real> {
+    pub(super) fn intersect(&self, ray: &Ray) -> Option<Real> {
         Some((self.point - ray.origin).dot(self.normal) / ray.direction.dot(self.normal))
     }
 
-    pub(super) fn surface(&self, ray: &Ray, t: Real) -> Surface {
+    pub(super) fn surface_interaction(&self, ray: &Ray, t: Real) -> SurfaceInteraction {
         plane_interaction(ray, t, self.point, self.normal)
     }
 }
 
 /// The surface at `t` of the plane through `point` with the given unit `normal`. The point of the ray is
 /// projected onto the plane.
-pub(super) fn plane_interaction(ray: &Ray, t: Real, point: Vec3, normal: Vec3) -> Surface {
+pub(super) fn plane_interaction(ray: &Ray, t: Real, point: Vec3, normal: Vec3) -> SurfaceInteraction {
     let p = ray.at_relative_to(t, point);
     let projected = point + (p - normal * p.dot(normal));
-    let error = (abs(projected) + Vec3::splat(largest(p))) * gamma(12 + LEAVING);
-    Surface::flat(projected, error, normal)
+    let error = (abs(projected) + Vec3::splat(max_abs_component(p))) * gamma(12 + OFFSET_ROUNDINGS);
+    SurfaceInteraction::with_geometric_normal(projected, error, normal)
 }
 
 /// Offset from a point to the tangent plane of a vertex, along the unit normal of the vertex.

@@ -13,17 +13,17 @@ use zerocopy::{Immutable, KnownLayout, TryFromBytes};
 use super::clamp::clamp_to_box;
 use super::plane::{plane_interaction, tangent_plane_offset};
 use super::validate::{validate_direction, validate_point};
-use super::{Aabb, Ray, ShapeFault, Surface};
-use crate::math::{Axis, Real, Vec3, abs, gamma, length, unit, vec3};
+use super::{Aabb, Ray, ShapeError, SurfaceInteraction};
+use crate::math::{Axis, Real, Vec3, abs, gamma, length, try_normalize, vec3};
 
 /// A flat polygon, hit from both sides. Its vertices are in the vertex table of the scene.
 #[derive(Clone, Copy, Debug, PartialEq, TryFromBytes, KnownLayout, Immutable)]
 #[repr(C)]
 pub struct Polygon {
     /// Index of the first vertex in the table.
-    pub first: u32,
+    pub first_vertex: u32,
     /// Number of vertices, consecutive in the table; at least 3.
-    pub count: u32,
+    pub vertex_count: u32,
     /// A point on the plane, near the vertices.
     pub point: Vec3,
     /// Unit normal, right-handed around the vertices.
@@ -46,41 +46,48 @@ impl Polygon {
         let size = relative().map(abs).fold(Vec3::ZERO, Vec3::max).max_element();
         let next = relative().skip(1).chain(relative().take(1));
         let area = relative().zip(next).fold(Vec3::ZERO, |sum, (a, b)| sum + (a / size).cross(b / size));
-        let normal = unit(area)?;
+        let normal = try_normalize(area)?;
         // The area of three collinear vertices is almost exact; more vertices accumulate rounding errors.
         if length(area) <= gamma(4 * count.min(1 << 16)) && !(count == 3 && length(area) > gamma(2)) {
             return None;
         }
         let centroid = start + relative().fold(Vec3::ZERO, |sum, p| sum + p) / count as Real;
-        Some(Polygon { first, count, point: centroid, normal, bounds: Aabb::of_points(vertices), smooth })
+        Some(Polygon {
+            first_vertex: first,
+            vertex_count: count,
+            point: centroid,
+            normal,
+            bounds: Aabb::from_points(vertices),
+            smooth,
+        })
     }
 
-    pub(super) fn check(&self, vertices: &[Vec3], normals: &[Vec3]) -> Result<(), ShapeFault> {
+    pub(super) fn validate(&self, vertices: &[Vec3], normals: &[Vec3]) -> Result<(), ShapeError> {
         validate_point(self.point)?;
         validate_direction(self.normal)?;
-        let own_vertices = self.slice_of(vertices).ok_or(ShapeFault::Missing)?;
-        if self.count < 3 || self.smooth && self.slice_of(normals).is_none() {
-            return Err(ShapeFault::Missing);
+        let own_vertices = self.slice_of(vertices).ok_or(ShapeError::IndexOutOfRange)?;
+        if self.vertex_count < 3 || self.smooth && self.slice_of(normals).is_none() {
+            return Err(ShapeError::IndexOutOfRange);
         }
-        if self.bounds == Aabb::of_points(own_vertices) { Ok(()) } else { Err(ShapeFault::Bounds) }
+        if self.bounds == Aabb::from_points(own_vertices) { Ok(()) } else { Err(ShapeError::Bounds) }
     }
 
     /// The entries of this polygon in a table of all vertices or vertex normals.
     fn slice_of<'t>(&self, table: &'t [Vec3]) -> Option<&'t [Vec3]> {
-        let first = self.first as usize;
-        table.get(first..first.checked_add(self.count as usize)?)
+        let first = self.first_vertex as usize;
+        table.get(first..first.checked_add(self.vertex_count as usize)?)
     }
 
-    /// The `t` of the hit, clamped to the bounds as in [`Geometry::distance`](super::Geometry::distance).
+    /// The `t` of the hit, clamped to the bounds as in [`Geometry::intersect`](super::Geometry::distance).
     #[inline(always)]
-    pub(super) fn hit(&self, vertices: &[Vec3], ray: &Ray) -> Option<Real> {
+    pub(super) fn intersect(&self, vertices: &[Vec3], ray: &Ray) -> Option<Real> {
         let t = (self.point - ray.origin).dot(self.normal) / ray.direction.dot(self.normal);
         // `is_inside` rejects an infinite `t`: all projections are then infinite with one sign, or NaN.
         if !(t > 0.0) {
             return None;
         }
         let (o, d) = (ray.origin, ray.direction);
-        self.hit_at(vertices, t, o.x, o.y, o.z, d.x, d.y, d.z)
+        self.intersect_at(vertices, t, o.x, o.y, o.z, d.x, d.y, d.z)
     }
 
     /// As `hit`, for a ray that intersects the plane at `t`.
@@ -88,7 +95,7 @@ impl Polygon {
     /// Not inlined because most rays miss the plane or intersect it behind their origin.
     #[inline(never)]
     #[allow(clippy::too_many_arguments)] // passed in registers
-    fn hit_at(
+    fn intersect_at(
         &self,
         vertices: &[Vec3],
         t: Real,
@@ -103,7 +110,7 @@ impl Polygon {
         let displacement = d * t;
         let vertices = self.slice_of(vertices)?;
         // Project along the dominant axis of the normal.
-        let inside = match Axis::largest_of(self.normal) {
+        let inside = match Axis::dominant(self.normal) {
             Axis::X => {
                 self.is_inside(vertices, |p| (p.y - o.y) - displacement.y, |p| (p.z - o.z) - displacement.z)
             }
@@ -148,7 +155,7 @@ impl Polygon {
     }
 
     /// The offset of a shadow ray's origin at `point`, as in
-    /// [`Geometry::lift`](super::Geometry::lift). `None` if the polygon is not smooth.
+    /// [`Geometry::terminator_offset`](super::Geometry::lift). `None` if the polygon is not smooth.
     pub(super) fn terminator_offset(
         &self,
         vertices: &[Vec3],
@@ -165,18 +172,24 @@ impl Polygon {
         Some(sum / weight)
     }
 
-    pub(super) fn surface(&self, vertices: &[Vec3], normals: Option<&[Vec3]>, ray: &Ray, t: Real) -> Surface {
+    pub(super) fn surface_interaction(
+        &self,
+        vertices: &[Vec3],
+        normals: Option<&[Vec3]>,
+        ray: &Ray,
+        t: Real,
+    ) -> SurfaceInteraction {
         let mut surface = plane_interaction(ray, t, self.point, self.normal);
         // Vertices, and with them the bounds, may be some roundings off the plane.
-        surface.error += abs(self.point) * gamma(4);
+        surface.point_error += abs(self.point) * gamma(4);
         if self.smooth
             && let Some(normals) = normals
             && let (Some(vertices), Some(normals)) = (self.slice_of(vertices), self.slice_of(normals))
             && let Some((sum, _)) =
                 mean_value_interpolate(surface.point, self.normal, vertices, normals, |_, normal| normal)
-            && let Some(shading) = unit(sum)
+            && let Some(shading) = try_normalize(sum)
         {
-            surface.shading = shading;
+            surface.shading_normal = shading;
         }
         surface
     }
@@ -298,7 +311,7 @@ mod tests {
             let Some(polygon) = Polygon::new(0, &vertices[..count], false) else { continue };
             for [x, y] in (0..81).map(|index| [index % 9, index / 9]) {
                 let ray = Ray::new(vec3(x as Real, y as Real, 1.0), vec3(0.0, 0.0, -1.0));
-                let hit = polygon.hit(&vertices, &ray);
+                let hit = polygon.intersect(&vertices, &ray);
                 assert_eq!(hit.is_some(), contains(flat, [x, y]), "{x}, {y} in {flat:?}");
                 hits += u32::from(hit.is_some());
             }

@@ -1,6 +1,6 @@
 //! Rays, and the origin of a ray that leaves a surface.
 
-use crate::math::{Axis, Real, Vec3, abs, largest, power_of_two, vec3};
+use crate::math::{Axis, Real, Vec3, abs, floor_power_of_two, max_abs_component, vec3};
 
 /// A half-line from `origin` along `direction`, with the values that intersection tests derive from it.
 ///
@@ -12,11 +12,11 @@ pub struct Ray {
     /// Direction of any length, world space. A tracer uses directions of about unit length.
     pub direction: Vec3,
     /// Reciprocal of each component of the direction; infinite for zero, with its sign.
-    pub inverse: Vec3,
+    pub inverse_direction: Vec3,
     /// Time in `0..=1` between opening and closing of the shutter. Only moving shapes use it.
     pub time: Real,
     /// Axis of the largest absolute component of the direction.
-    pub axis: Axis,
+    pub dominant_axis: Axis,
     /// Reciprocal of the component of the direction along `axis`.
     pub(super) inverse_dominant: Real,
     /// First row of the matrix that maps the direction to the z axis (Woop et al., JCGT 2013). Its product
@@ -38,15 +38,18 @@ impl Ray {
     /// It hits nothing if the origin or the direction is not finite, or if the direction is zero or so short
     /// that its reciprocal overflows.
     pub fn new(origin: Vec3, direction: Vec3) -> Self {
-        let ray = Self::with_scale(origin, direction, 1.0 / power_of_two(largest(direction)), 0.0);
+        let ray =
+            Self::with_scale(origin, direction, 1.0 / floor_power_of_two(max_abs_component(direction)), 0.0);
         // Zero for a valid ray, NaN for any other.
         let nan_if_invalid = origin.dot(Vec3::ZERO) + ray.inverse_dominant * 0.0;
         Ray { scaled_length_squared: ray.scaled_length_squared + nan_if_invalid, ..ray }
     }
 
     /// [`Ray::new`] with less work, for a finite origin and a direction with a length between 0.5 and 2.
-    pub(crate) fn near_unit(origin: Vec3, direction: Vec3, time: Real) -> Self {
-        debug_assert!(origin.is_finite() && largest(direction) > 0.25 && largest(direction) <= 2.0);
+    pub(crate) fn with_near_unit_direction(origin: Vec3, direction: Vec3, time: Real) -> Self {
+        debug_assert!(
+            origin.is_finite() && max_abs_component(direction) > 0.25 && max_abs_component(direction) <= 2.0
+        );
         Self::with_scale(origin, direction, 1.0, time)
     }
 
@@ -54,18 +57,18 @@ impl Ray {
     #[inline(always)]
     fn with_scale(origin: Vec3, direction: Vec3, direction_scale: Real, time: Real) -> Self {
         let inverse = 1.0 / direction;
-        let axis = Axis::largest_of(direction);
-        let (permuted, inverse_dominant) = (axis.to_third(direction), axis.to_third(inverse).z);
+        let axis = Axis::dominant(direction);
+        let (permuted, inverse_dominant) = (axis.permute_to_z(direction), axis.permute_to_z(inverse).z);
         let scaled_direction = direction * direction_scale;
         Ray {
             origin,
             direction,
-            inverse,
+            inverse_direction: inverse,
             time,
-            axis,
+            dominant_axis: axis,
             inverse_dominant,
-            shear_x: axis.place_back(vec3(1.0, 0.0, -(permuted.x * inverse_dominant))),
-            shear_y: axis.place_back(vec3(0.0, 1.0, -(permuted.y * inverse_dominant))),
+            shear_x: axis.permute_from_z(vec3(1.0, 0.0, -(permuted.x * inverse_dominant))),
+            shear_y: axis.permute_from_z(vec3(0.0, 1.0, -(permuted.y * inverse_dominant))),
             scaled_direction,
             scaled_length_squared: scaled_direction.dot(scaled_direction),
             direction_scale,
@@ -74,12 +77,12 @@ impl Ray {
 
     /// The same ray at another time, in `0..=1` between opening and closing of the shutter.
     #[inline(always)]
-    pub fn at_time(self, time: Real) -> Self {
+    pub fn with_time(self, time: Real) -> Self {
         Ray { time, ..self }
     }
 
     /// Whether the ray can hit anything: see [`Ray::new`].
-    pub(crate) fn is_sound(&self) -> bool {
+    pub(crate) fn is_valid(&self) -> bool {
         self.scaled_length_squared > 0.0
     }
 
@@ -111,9 +114,9 @@ impl Ray {
 /// Difference: the result is not rounded away from the surface. This rounding is at most one roundoff per
 /// component, and `error` must include two for it, as the error of a [`Surface`](super::Surface) does.
 #[inline(always)]
-pub fn leave(point: Vec3, error: Vec3, normal: Vec3) -> Vec3 {
+pub fn offset_origin(point: Vec3, error: Vec3, normal: Vec3) -> Vec3 {
     point + normal * abs(normal).dot(error)
 }
 
 /// Number of roundings that the error of a surface includes for [`leave`].
-pub(super) const LEAVING: u32 = 2;
+pub(super) const OFFSET_ROUNDINGS: u32 = 2;

@@ -24,7 +24,7 @@ pub enum Shape {
     /// An axis-aligned box: index in the table of cuboids.
     Cuboid(u32),
     /// An oriented box: index in the table of oriented cuboids.
-    TurnedCuboid(u32),
+    OrientedCuboid(u32),
     /// A cone or cylinder: index in the table of cones.
     Cone(u32),
     /// A torus: index in the table of tori.
@@ -39,13 +39,13 @@ const _: () = assert!(size_of::<Shape>() <= 20);
 
 /// The shapes that a tracer supports, as constants. Code for all others is not compiled, and rays never hit
 /// them.
-pub trait Shapes {
+pub trait ShapeFeatures {
     /// Supported kinds of shapes.
     const SHAPES: ShapeSet;
     /// Whether shading normals of smooth triangles and polygons are interpolated.
-    const SMOOTH: bool;
+    const SMOOTH_SHADING: bool;
     /// Whether moving shapes are supported.
-    const MOTION: bool = false;
+    const MOTION_BLUR: bool = false;
 }
 
 impl Shape {
@@ -66,7 +66,7 @@ impl Shape {
             Shape::Disc(_) => ShapeKind::Disc,
             Shape::Polygon(_) => ShapeKind::Polygon,
             Shape::Cuboid(_) => ShapeKind::Cuboid,
-            Shape::TurnedCuboid(_) => ShapeKind::TurnedCuboid,
+            Shape::OrientedCuboid(_) => ShapeKind::OrientedCuboid,
             Shape::Cone(_) => ShapeKind::Cone,
             Shape::Torus(_) => ShapeKind::Torus,
             Shape::Moving(_) => return None,
@@ -77,8 +77,8 @@ impl Shape {
 /// Supports all shapes.
 pub(super) struct AllShapes;
 
-impl Shapes for AllShapes {
+impl ShapeFeatures for AllShapes {
     const SHAPES: ShapeSet = ShapeSet::ALL;
-    const SMOOTH: bool = true;
-    const MOTION: bool = true;
+    const SMOOTH_SHADING: bool = true;
+    const MOTION_BLUR: bool = true;
 }

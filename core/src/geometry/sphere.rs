@@ -9,10 +9,10 @@
 
 use zerocopy::{Immutable, KnownLayout, TryFromBytes};
 
-use super::ray::LEAVING;
+use super::ray::OFFSET_ROUNDINGS;
 use super::validate::validate_radius;
-use super::{Aabb, Ray, ShapeFault, Surface};
-use crate::math::{ROUNDOFF, Real, Vec3, abs, gamma, sqrt, unit};
+use super::{Aabb, Ray, ShapeError, SurfaceInteraction};
+use crate::math::{ROUNDOFF, Real, Vec3, abs, gamma, sqrt, try_normalize};
 
 /// A solid sphere. Its normal points outward.
 #[derive(Clone, Copy, Debug, PartialEq, TryFromBytes, KnownLayout, Immutable)]
@@ -25,16 +25,16 @@ pub struct Sphere {
 }
 
 impl Sphere {
-    pub(super) fn check(&self) -> Result<(), ShapeFault> {
+    pub(super) fn validate(&self) -> Result<(), ShapeError> {
         validate_radius(self.center, self.radius)
     }
 
     pub(super) fn bounds(&self) -> Aabb {
-        Aabb::round(self.center, Vec3::splat(self.radius))
+        Aabb::from_center(self.center, Vec3::splat(self.radius))
     }
 
     #[inline]
-    pub(super) fn hit(&self, ray: &Ray) -> Option<Real> {
+    pub(super) fn intersect(&self, ray: &Ray) -> Option<Real> {
         let o = ray.origin - self.center;
         let r2 = self.radius * self.radius;
         let b = -o.dot(ray.scaled_direction);
@@ -80,13 +80,13 @@ impl Sphere {
     }
 
     #[inline(always)]
-    pub(super) fn surface(&self, ray: &Ray, t: Real) -> Surface {
-        let normal = unit(ray.at_relative_to(t, self.center)).unwrap_or(-ray.direction);
+    pub(super) fn surface_interaction(&self, ray: &Ray, t: Real) -> SurfaceInteraction {
+        let normal = try_normalize(ray.at_relative_to(t, self.center)).unwrap_or(-ray.direction);
         let point = self.center + normal * self.radius;
         // The normal carries four roundings, the product and the sum one each. This is doubled for the
         // test of the next ray, which subtracts the center and squares again.
-        let error = (abs(self.center) + Vec3::splat(self.radius)) * gamma(12 + LEAVING);
-        Surface::flat(point, error, normal)
+        let error = (abs(self.center) + Vec3::splat(self.radius)) * gamma(12 + OFFSET_ROUNDINGS);
+        SurfaceInteraction::with_geometric_normal(point, error, normal)
     }
 }
 
@@ -94,13 +94,13 @@ impl Sphere {
 mod tests {
     use super::*;
     use crate::geometry::clamp::{clamp_to_box, is_valid_t};
-    use crate::math::{Dimension, Stream, vec3};
+    use crate::math::{Dimension, SobolSequence, vec3};
 
     #[test]
     fn hits_certainly_in_bounds_are_unchanged_by_the_clamp() {
         let random = |n: u32, max: Real| {
-            let [x, y] = Stream::new(n, 1, 0, 7).pair(Dimension::PIXEL);
-            let [z, _] = Stream::new(n, 2, 0, 7).pair(Dimension::PIXEL);
+            let [x, y] = SobolSequence::new(n, 1, 0, 7).sample_2d(Dimension::PIXEL);
+            let [z, _] = SobolSequence::new(n, 2, 0, 7).sample_2d(Dimension::PIXEL);
             (vec3(x, y, z) - Vec3::splat(0.5)) * (2.0 * max)
         };
         let (mut certain, mut hits) = (0, 0);
@@ -110,17 +110,18 @@ mod tests {
             let radius = [1.0, 1e-3, 50.0][n as usize % 3];
             let center = random(4 * n, 10.0);
             let target = if n % 2 == 0 { random(4 * n + 1, 1.0) } else { Vec3::X + random(4 * n + 1, 1e-3) };
-            let Some(target) = unit(target) else { continue };
+            let Some(target) = try_normalize(target) else { continue };
             let origin =
                 center + random(4 * n + 2, 1.0) * (radius * [2.0, 100.0, 1000.0][n as usize / 3 % 3]);
-            let Some(direction) = unit(center + target * radius - origin) else { continue };
-            let (sphere, ray) = (Sphere { center, radius }, Ray::near_unit(origin, direction, 0.0));
-            let Some(t) = sphere.hit(&ray).filter(is_valid_t) else { continue };
+            let Some(direction) = try_normalize(center + target * radius - origin) else { continue };
+            let (sphere, ray) =
+                (Sphere { center, radius }, Ray::with_near_unit_direction(origin, direction, 0.0));
+            let Some(t) = sphere.intersect(&ray).filter(is_valid_t) else { continue };
             hits += 1;
             if sphere.is_certainly_in_bounds(&ray, t) {
                 certain += 1;
                 assert_eq!(
-                    clamp_to_box(sphere.bounds(), t, origin, ray.inverse),
+                    clamp_to_box(sphere.bounds(), t, origin, ray.inverse_direction),
                     Some(t),
                     "{sphere:?} {ray:?}"
                 );

@@ -2,23 +2,24 @@
 
 use super::shape::AllShapes;
 use super::{
-    Aabb, Cone, Cuboid, Disc, ItemId, Moving, Plane, Polygon, Shape, Shapes, Torus, TurnedCuboid, triangle,
+    Aabb, Cone, Cuboid, Disc, ItemId, MovingShape, OrientedCuboid, Plane, Polygon, Shape, ShapeFeatures,
+    Torus, triangle,
 };
 use crate::math::Vec3;
 
 /// The shapes of all items of a scene, and the tables that they index.
 ///
-/// The tables are borrowed slices, which may be in flash. [`Geometry::check`] validates them. An index that
+/// The tables are borrowed slices, which may be in flash. [`Geometry::validate`] validates them. An index that
 /// is out of range is treated as a miss and never panics.
 #[derive(Clone, Copy, Debug)]
 pub struct Geometry<'s> {
     /// The shape of each item, by [`ItemId`].
     pub shapes: &'s [Shape],
     /// Vertices of triangles and polygons, world space.
-    pub points: &'s [Vec3],
+    pub vertices: &'s [Vec3],
     /// Unit normals of the vertices of smooth shapes, with the indices of their vertices. The table may end
     /// before that of the vertices if later vertices belong to flat shapes only.
-    pub normals: &'s [Vec3],
+    pub vertex_normals: &'s [Vec3],
     /// Planes.
     pub planes: &'s [Plane],
     /// Discs.
@@ -28,13 +29,13 @@ pub struct Geometry<'s> {
     /// Axis-aligned boxes.
     pub cuboids: &'s [Cuboid],
     /// Oriented boxes.
-    pub turned_cuboids: &'s [TurnedCuboid],
+    pub oriented_cuboids: &'s [OrientedCuboid],
     /// Cones and cylinders.
     pub cones: &'s [Cone],
     /// Tori.
     pub tori: &'s [Torus],
     /// Shapes that move while the shutter is open.
-    pub moving: &'s [Moving],
+    pub moving_shapes: &'s [MovingShape],
 }
 
 /// The entry of a table at `index`.
@@ -46,31 +47,31 @@ impl<'s> Geometry<'s> {
     /// A geometry without items, for struct update syntax: `Geometry { shapes, ..Geometry::EMPTY }`.
     pub const EMPTY: Geometry<'static> = Geometry {
         shapes: &[],
-        points: &[],
-        normals: &[],
+        vertices: &[],
+        vertex_normals: &[],
         planes: &[],
         discs: &[],
         polygons: &[],
         cuboids: &[],
-        turned_cuboids: &[],
+        oriented_cuboids: &[],
         cones: &[],
         tori: &[],
-        moving: &[],
+        moving_shapes: &[],
     };
 
     /// Size of all tables, in bytes.
-    pub const fn bytes(&self) -> usize {
+    pub const fn size_in_bytes(&self) -> usize {
         size_of_val(self.shapes)
-            + size_of_val(self.points)
-            + size_of_val(self.normals)
+            + size_of_val(self.vertices)
+            + size_of_val(self.vertex_normals)
             + size_of_val(self.planes)
             + size_of_val(self.discs)
             + size_of_val(self.polygons)
             + size_of_val(self.cuboids)
-            + size_of_val(self.turned_cuboids)
+            + size_of_val(self.oriented_cuboids)
             + size_of_val(self.cones)
             + size_of_val(self.tori)
-            + size_of_val(self.moving)
+            + size_of_val(self.moving_shapes)
     }
 
     /// The shape of an item; `None` if there is no such item.
@@ -79,26 +80,26 @@ impl<'s> Geometry<'s> {
     }
 
     /// The entry of the table of moving shapes at `index`.
-    pub(super) fn moving(&self, index: u32) -> Option<&'s Moving> {
-        get(self.moving, index)
+    pub(super) fn moving_shape(&self, index: u32) -> Option<&'s MovingShape> {
+        get(self.moving_shapes, index)
     }
 
     /// The shape itself, or the shape inside a moving shape.
-    pub(crate) fn at_rest(&self, shape: &'s Shape) -> Option<&'s Shape> {
+    pub(crate) fn static_shape(&self, shape: &'s Shape) -> Option<&'s Shape> {
         match shape {
-            Shape::Moving(index) => Some(&self.moving(*index)?.shape),
+            Shape::Moving(index) => Some(&self.moving_shape(*index)?.shape),
             _ => Some(shape),
         }
     }
 
     /// The vertices of a triangle.
-    pub(crate) fn corners(&self, [a, b, c]: [u32; 3]) -> Option<[&'s Vec3; 3]> {
-        Some([get(self.points, a)?, get(self.points, b)?, get(self.points, c)?])
+    pub(crate) fn vertices(&self, [a, b, c]: [u32; 3]) -> Option<[&'s Vec3; 3]> {
+        Some([get(self.vertices, a)?, get(self.vertices, b)?, get(self.vertices, c)?])
     }
 
     /// The vertex normals of a smooth triangle.
     pub(super) fn vertex_normals(&self, [a, b, c]: [u32; 3]) -> Option<[Vec3; 3]> {
-        Some([*get(self.normals, a)?, *get(self.normals, b)?, *get(self.normals, c)?])
+        Some([*get(self.vertex_normals, a)?, *get(self.vertex_normals, b)?, *get(self.vertex_normals, c)?])
     }
 
     /// Bounds of an item, rounded outward; `None` for a plane, which is infinite.
@@ -113,8 +114,8 @@ impl<'s> Geometry<'s> {
         self.shapes.iter().map(move |shape| bounds(shape).unwrap_or(Aabb::EMPTY))
     }
 
-    fn bounds_of_shape<S: Shapes>(&self, shape: Shape) -> Option<Aabb> {
-        if S::MOTION
+    fn bounds_of_shape<S: ShapeFeatures>(&self, shape: Shape) -> Option<Aabb> {
+        if S::MOTION_BLUR
             && let Shape::Moving(index) = shape
         {
             return self.moving_bounds::<S>(index);
@@ -123,20 +124,20 @@ impl<'s> Geometry<'s> {
     }
 
     /// Bounds of a shape that does not move.
-    pub(super) fn static_bounds<S: Shapes>(&self, shape: Shape) -> Option<Aabb> {
-        if !shape.kind().is_some_and(|kind| S::SHAPES.has(kind)) {
+    pub(super) fn static_bounds<S: ShapeFeatures>(&self, shape: Shape) -> Option<Aabb> {
+        if !shape.kind().is_some_and(|kind| S::SHAPES.contains(kind)) {
             return None;
         }
         match shape {
             Shape::Sphere(sphere) => Some(sphere.bounds()),
             Shape::Triangle(indices) | Shape::SmoothTriangle(indices) => {
-                self.corners(indices).map(triangle::bounds)
+                self.vertices(indices).map(triangle::bounds)
             }
             Shape::Plane(_) => None,
             Shape::Disc(index) => get(self.discs, index).map(Disc::bounds),
             Shape::Polygon(index) => get(self.polygons, index).map(|polygon| polygon.bounds),
             Shape::Cuboid(index) => get(self.cuboids, index).map(Cuboid::bounds),
-            Shape::TurnedCuboid(index) => get(self.turned_cuboids, index).map(TurnedCuboid::bounds),
+            Shape::OrientedCuboid(index) => get(self.oriented_cuboids, index).map(OrientedCuboid::bounds),
             Shape::Cone(index) => get(self.cones, index).map(Cone::bounds),
             Shape::Torus(index) => get(self.tori, index).map(Torus::bounds),
             Shape::Moving(_) => None,

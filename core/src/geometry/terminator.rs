@@ -12,7 +12,7 @@
 //! Source: Hanika, "Hacking the Shadow Terminator", Ray Tracing Gems II, chapter 4.
 
 use super::tables::get;
-use super::{Geometry, Shape, ShapeKind, Shapes, triangle};
+use super::{Geometry, Shape, ShapeFeatures, ShapeKind, triangle};
 use crate::math::Vec3;
 
 impl Geometry<'_> {
@@ -20,16 +20,20 @@ impl Geometry<'_> {
     /// `None` for other shapes.
     ///
     /// `front_face`: the side of the offset, that of the normals or the other.
-    pub(crate) fn lift<S: Shapes>(&self, shape: Shape, point: Vec3, front_face: bool) -> Option<Vec3> {
-        let supports = |kind| S::SMOOTH && S::SHAPES.has(kind);
+    pub(crate) fn terminator_offset<S: ShapeFeatures>(
+        &self,
+        shape: Shape,
+        point: Vec3,
+        front_face: bool,
+    ) -> Option<Vec3> {
+        let supports = |kind| S::SMOOTH_SHADING && S::SHAPES.contains(kind);
         match shape {
             Shape::SmoothTriangle(indices) if supports(ShapeKind::SmoothTriangle) => {
-                let (vertices, normals) = (self.corners(indices)?, self.vertex_normals(indices)?);
+                let (vertices, normals) = (self.vertices(indices)?, self.vertex_normals(indices)?);
                 Some(triangle::terminator_offset(vertices, normals, point, front_face))
             }
-            Shape::Polygon(index) if supports(ShapeKind::Polygon) => {
-                get(self.polygons, index)?.terminator_offset(self.points, self.normals, point, front_face)
-            }
+            Shape::Polygon(index) if supports(ShapeKind::Polygon) => get(self.polygons, index)?
+                .terminator_offset(self.vertices, self.vertex_normals, point, front_face),
             _ => None,
         }
     }

@@ -17,11 +17,12 @@
 use zerocopy::{Immutable, KnownLayout, TryFromBytes};
 
 use super::disc::disc_half_extent;
-use super::ray::LEAVING;
+use super::ray::OFFSET_ROUNDINGS;
 use super::validate::{validate_direction, validate_point};
-use super::{Aabb, Ray, ShapeFault, Surface};
+use super::{Aabb, Ray, ShapeError, SurfaceInteraction};
 use crate::math::{
-    CubicRoots, FARTHEST, ROUNDOFF, Real, Vec3, abs, cubic_roots, gamma, length, root_between, sqrt, unit,
+    CubicRoots, MAX_COORDINATE, ROUNDOFF, Real, Vec3, abs, bracketed_root, cubic_roots, gamma, length, sqrt,
+    try_normalize,
 };
 
 /// A torus. Its normal points out of the tube.
@@ -33,9 +34,9 @@ pub struct Torus {
     /// Unit vector perpendicular to the center circle.
     pub axis: Vec3,
     /// Radius of the center circle of the tube.
-    pub major: Real,
+    pub major_radius: Real,
     /// Radius of the tube; positive, at most `major`.
-    pub minor: Real,
+    pub minor_radius: Real,
 }
 
 /// Squared radius of the bounding sphere relative to the torus: more than 1, so that rounding excludes no
@@ -43,20 +44,22 @@ pub struct Torus {
 const BOUND_MARGIN: Real = 1.0 + 1e-4;
 
 impl Torus {
-    pub(super) fn check(&self) -> Result<(), ShapeFault> {
+    pub(super) fn validate(&self) -> Result<(), ShapeError> {
         validate_point(self.center)?;
         validate_direction(self.axis)?;
-        let ok = self.minor > 0.0 && self.minor <= self.major && self.major <= FARTHEST;
-        if ok { Ok(()) } else { Err(ShapeFault::Radius) }
+        let ok = self.minor_radius > 0.0
+            && self.minor_radius <= self.major_radius
+            && self.major_radius <= MAX_COORDINATE;
+        if ok { Ok(()) } else { Err(ShapeError::Radius) }
     }
 
     pub(super) fn bounds(&self) -> Aabb {
-        let half_extent = disc_half_extent(self.axis, self.major) + Vec3::splat(self.minor);
-        Aabb::round(self.center, half_extent * (1.0 + gamma(8)))
+        let half_extent = disc_half_extent(self.axis, self.major_radius) + Vec3::splat(self.minor_radius);
+        Aabb::from_center(self.center, half_extent * (1.0 + gamma(8)))
     }
 
-    pub(super) fn hit(&self, ray: &Ray) -> Option<Real> {
-        let size = self.major + self.minor;
+    pub(super) fn intersect(&self, ray: &Ray) -> Option<Real> {
+        let size = self.major_radius + self.minor_radius;
         let direction_length = sqrt(ray.scaled_length_squared);
         let d = ray.scaled_direction / direction_length;
         let origin = (ray.origin - self.center) / size;
@@ -73,7 +76,7 @@ impl Torus {
         }
         let start = if -t_closest > -half_chord { -t_closest } else { -half_chord };
 
-        let (major, minor) = (self.major / size, self.minor / size);
+        let (major, minor) = (self.major_radius / size, self.minor_radius / size);
         let local_ray = TorusRay::new(o, d, self.axis, major);
         let f = |t: Real| {
             let (distance, derivative) = local_ray.tube_distance(t);
@@ -87,7 +90,7 @@ impl Torus {
                 if minor < THIN_TUBE_RATIO * major { local_ray.refine_turning_point(right) } else { right };
             let is_inside_next = f(right).0 < 0.0;
             if is_inside != is_inside_next {
-                let t = t_closest + root_between(f, left, right, is_inside);
+                let t = t_closest + bracketed_root(f, left, right, is_inside);
                 if t > 0.0 {
                     return Some(t * size / direction_length * ray.direction_scale);
                 }
@@ -97,14 +100,16 @@ impl Torus {
         None
     }
 
-    pub(super) fn surface(&self, ray: &Ray, t: Real) -> Surface {
+    pub(super) fn surface_interaction(&self, ray: &Ray, t: Real) -> SurfaceInteraction {
         let p = ray.at_relative_to(t, self.center);
         let z = p.dot(self.axis);
-        let on_circle = unit(p - self.axis * z).unwrap_or(self.axis.any_orthonormal_vector()) * self.major;
-        let normal = unit(p - on_circle).unwrap_or(self.axis);
-        let point = self.center + (on_circle + normal * self.minor);
-        let error = (abs(self.center) + Vec3::splat(self.major + self.minor)) * gamma(24 + LEAVING);
-        Surface::flat(point, error, normal)
+        let on_circle = try_normalize(p - self.axis * z).unwrap_or(self.axis.any_orthonormal_vector())
+            * self.major_radius;
+        let normal = try_normalize(p - on_circle).unwrap_or(self.axis);
+        let point = self.center + (on_circle + normal * self.minor_radius);
+        let error = (abs(self.center) + Vec3::splat(self.major_radius + self.minor_radius))
+            * gamma(24 + OFFSET_ROUNDINGS);
+        SurfaceInteraction::with_geometric_normal(point, error, normal)
     }
 }
 

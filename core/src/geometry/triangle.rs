@@ -13,10 +13,10 @@
 //!   if one rounds to zero but also if much of the products cancels. So `t` and the barycentric coordinates
 //!   of a sliver are as accurate as those of any other triangle. Only hits pay for this.
 
-use super::{Aabb, Ray, Surface, plane::tangent_plane_offset, ray::LEAVING};
+use super::{Aabb, Ray, SurfaceInteraction, plane::tangent_plane_offset, ray::OFFSET_ROUNDINGS};
 use crate::math::{
-    ROUNDOFF, Real, Vec3, abs, difference_error, difference_of_products, gamma, greatest, largest, least,
-    unit, vec3,
+    ROUNDOFF, Real, Vec3, abs, difference_error, difference_of_products, gamma, max, max_abs_component, min,
+    try_normalize, vec3,
 };
 
 /// Intersection of a ray with a triangle.
@@ -27,7 +27,7 @@ pub(super) struct TriangleHit {
 }
 
 pub(super) fn bounds(vertices: [&Vec3; 3]) -> Aabb {
-    Aabb::around(vertices.map(|vertex| *vertex))
+    Aabb::enclosing(vertices.map(|vertex| *vertex))
 }
 
 /// Ratio of an area to the product of the lengths that it is computed from, below which the rounding
@@ -40,8 +40,8 @@ const SLIVER_RATIO: Real = 1.0 / 8.0;
 /// It does not overflow if coordinates are at most [`FARTHEST`](crate::math::FARTHEST).
 fn area([a, b, c]: [Vec3; 3]) -> Vec3 {
     let (e, f) = (b - a, c - a);
-    let (rounded, square) = (e.cross(f), largest(e) * largest(f));
-    if largest(rounded) > SLIVER_RATIO * square {
+    let (rounded, square) = (e.cross(f), max_abs_component(e) * max_abs_component(f));
+    if max_abs_component(rounded) > SLIVER_RATIO * square {
         return rounded;
     }
     // A sliver: rounding errors of the products and of the edges would rotate the normal.
@@ -52,7 +52,7 @@ fn area([a, b, c]: [Vec3; 3]) -> Vec3 {
         difference_of_products(e.x, f.y, e.y, f.x),
     );
     let area = exact + (e.cross(df) - f.cross(de));
-    if largest(area) > MIN_RELATIVE_AREA * square { area } else { Vec3::ZERO }
+    if max_abs_component(area) > MIN_RELATIVE_AREA * square { area } else { Vec3::ZERO }
 }
 
 /// Whether the triangle with the given vertices has an area that is distinguishable from zero. A triangle
@@ -66,7 +66,7 @@ const MIN_RELATIVE_AREA: Real = 16.0 * ROUNDOFF * ROUNDOFF;
 
 /// The intersection of the ray with the triangle, which contains its edges and vertices.
 #[inline]
-pub(super) fn hit([a, b, c]: [&Vec3; 3], ray: &Ray) -> Option<TriangleHit> {
+pub(super) fn intersect([a, b, c]: [&Vec3; 3], ray: &Ray) -> Option<TriangleHit> {
     let [pa, pb, pc] = [a, b, c].map(|vertex| to_ray_space(*vertex, ray));
     let edges = edge_functions(pa, pb, pc);
     if is_outside(edges) { None } else { complete_hit([a, b, c], [pa, pb, pc], edges, ray) }
@@ -97,8 +97,8 @@ fn complete_hit(
     ray: &Ray,
 ) -> Option<TriangleHit> {
     let [u, v, w] = edges;
-    let extent = |[x, y]: [Real; 2]| greatest(x.abs(), y.abs());
-    let extent = greatest(extent(a), greatest(extent(b), extent(c)));
+    let extent = |[x, y]: [Real; 2]| max(x.abs(), y.abs());
+    let extent = max(extent(a), max(extent(b), extent(c)));
     // A sliver, a triangle seen nearly edge-on, or a hit on an edge.
     if !((u + v + w).abs() > SLIVER_RATIO * (extent * extent)) || u == 0.0 || v == 0.0 || w == 0.0 {
         edges = exact_edge_functions(a, b, c);
@@ -111,7 +111,7 @@ fn complete_hit(
     let sum = u + v + w;
     // Quotients, because the reciprocal of a tiny sum would overflow.
     let barycentric = [u / sum, v / sum, w / sum];
-    let [a, b, c] = vertices.map(|vertex| ray.axis.to_third(*vertex - ray.origin).z);
+    let [a, b, c] = vertices.map(|vertex| ray.dominant_axis.permute_to_z(*vertex - ray.origin).z);
     let t = (barycentric[0] * a + barycentric[1] * b + barycentric[2] * c) * ray.inverse_dominant;
     Some(TriangleHit { t, barycentric })
 }
@@ -119,7 +119,7 @@ fn complete_hit(
 /// Whether the edge functions have different signs: the ray misses the triangle.
 #[inline(always)]
 fn is_outside([u, v, w]: [Real; 3]) -> bool {
-    least(u, least(v, w)) < 0.0 && greatest(u, greatest(v, w)) > 0.0
+    min(u, min(v, w)) < 0.0 && max(u, max(v, w)) > 0.0
 }
 
 /// The edge functions, computed with the rounding errors of their products.
@@ -152,18 +152,23 @@ pub(super) fn terminator_offset(
     relative.into_iter().zip(normals).zip(barycentric).fold(Vec3::ZERO, add)
 }
 
-pub(super) fn surface(vertices: [&Vec3; 3], normals: Option<[Vec3; 3]>, ray: &Ray) -> Option<Surface> {
-    let [wa, wb, wc] = hit(vertices, ray)?.barycentric;
+pub(super) fn surface_interaction(
+    vertices: [&Vec3; 3],
+    normals: Option<[Vec3; 3]>,
+    ray: &Ray,
+) -> Option<SurfaceInteraction> {
+    let [wa, wb, wc] = intersect(vertices, ray)?.barycentric;
     let vertices = vertices.map(|vertex| *vertex);
     let interpolate = |[a, b, c]: [Vec3; 3]| a * wa + b * wb + c * wc;
-    let normal = unit(area(vertices))?;
+    let normal = try_normalize(area(vertices))?;
     let point = interpolate(vertices);
     // The barycentric coordinates add up to one within three roundings, and each product and sum adds one.
     // This is doubled for the test of the next ray. The other rounding errors of that test, and of the
     // offset of its origin, are relative to the distance of the vertices, even if coordinates are small.
-    let max_distance = vertices.iter().fold(0.0, |max, vertex| greatest(max, largest(*vertex - point)));
-    let error = interpolate(vertices.map(abs)) * gamma(16 + LEAVING)
-        + Vec3::splat(max_distance) * gamma(10 + LEAVING);
-    let shading = normals.and_then(|normals| unit(interpolate(normals))).unwrap_or(normal);
-    Some(Surface { point, error, normal, shading })
+    let max_distance =
+        vertices.iter().fold(0.0, |distance, vertex| max(distance, max_abs_component(*vertex - point)));
+    let error = interpolate(vertices.map(abs)) * gamma(16 + OFFSET_ROUNDINGS)
+        + Vec3::splat(max_distance) * gamma(10 + OFFSET_ROUNDINGS);
+    let shading = normals.and_then(|normals| try_normalize(interpolate(normals))).unwrap_or(normal);
+    Some(SurfaceInteraction { point, point_error: error, normal, shading_normal: shading })
 }

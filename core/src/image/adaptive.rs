@@ -12,7 +12,7 @@ use super::kept::{Kept, Memory};
 use super::pixel::Pixel;
 use super::quarter::{MOST_DEPTH, Square, quarter};
 use super::sampler::Sampler;
-use crate::math::{Real, Rgb, Stream};
+use crate::math::{Real, Rgb, SobolSequence};
 use crate::scene::{CameraSample, FilmPoint};
 use crate::trace::{PixelSample, RayTracer};
 
@@ -46,7 +46,7 @@ impl Parting {
         let place = FilmPoint { x: x as Real * step, y: y as Real * step };
         // In the steps of the greatest depth, so that the numbers do not depend on this one.
         let shift = MOST_DEPTH - self.depth;
-        CameraSample { point: place, stream: Stream::new(x << shift, y << shift, 0, self.seed) }
+        CameraSample { point: place, stream: SobolSequence::new(x << shift, y << shift, 0, self.seed) }
     }
 }
 

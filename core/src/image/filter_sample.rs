@@ -5,28 +5,29 @@
 //! Importance Sampling", Ernst, Stamminger, Greiner, 2006).
 
 use super::filter::Filter;
-use crate::math::{Real, normal, tent};
+use crate::math::{Real, sample_tent, sample_truncated_gaussian};
 
 /// Where a point that lies evenly in the unit square comes to lie by a filter, from the pixel's upper
 /// left corner.
 pub(super) fn filtered(filter: Filter, [x, y]: [Real; 2]) -> [Real; 2] {
     match filter {
         Filter::Box => [x, y],
-        Filter::Tent => [0.5 + tent(x), 0.5 + tent(y)],
-        Filter::Gaussian => normal([x, y], 3.0).map(|way| 0.5 + 0.5 * way),
+        Filter::Tent => [0.5 + sample_tent(x), 0.5 + sample_tent(y)],
+        Filter::Gaussian => sample_truncated_gaussian([x, y], 3.0).map(|way| 0.5 + 0.5 * way),
     }
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::math::Stream;
+    use crate::math::SobolSequence;
 
     /// Mean and variance along x of many places.
     fn moments(filter: Filter) -> (Real, Real) {
         let (mut sum, mut squares) = (0.0, 0.0);
         for index in 0..4096 {
-            let [x, y] = filtered(filter, Stream::new(0, 0, index, 0).pair(crate::math::Dimension::PIXEL));
+            let [x, y] =
+                filtered(filter, SobolSequence::new(0, 0, index, 0).sample_2d(crate::math::Dimension::PIXEL));
             assert!((-1.0..=2.0).contains(&x) && (-1.0..=2.0).contains(&y));
             sum += x;
             squares += x * x;

@@ -45,7 +45,7 @@ impl Square {
     /// The colour at the place `(x, y)` of the square, both in `0..=1`, between those of its corners.
     pub(super) fn between(&self, x: Real, y: Real) -> Rgb {
         let [a, b, c, d] = self.corners.map(|corner| corner.color);
-        a.toward(b, x).toward(c.toward(d, x), y)
+        a.lerp(b, x).lerp(c.lerp(d, x), y)
     }
 
     /// Its quarters, in the order of its corners. `find` says what is seen at a place.

@@ -1,7 +1,7 @@
 //! Which rays make a pixel.
 
 use super::pixel::Pixel;
-use crate::math::{Real, Rgb, Stream};
+use crate::math::{Real, Rgb, SobolSequence};
 use crate::scene::FilmPoint;
 use crate::trace::{HitId, PixelSample, RayTracer};
 
@@ -31,8 +31,8 @@ pub(super) fn inside(pixel: Pixel, x: Real, y: Real) -> FilmPoint {
 }
 
 /// The numbers of the sample `index` of a pixel.
-pub(super) fn stream(pixel: Pixel, index: u32, seed: u32) -> Stream {
-    Stream::new(pixel.x, pixel.y, index, seed)
+pub(super) fn stream(pixel: Pixel, index: u32, seed: u32) -> SobolSequence {
+    SobolSequence::new(pixel.x, pixel.y, index, seed)
 }
 
 /// The mean of some samples, as they come.

@@ -220,7 +220,7 @@ mod tests {
         let mut most: Real = 0.0;
         for (sample, pixel) in picture.iter().zip(PICTURE.pixels()) {
             let truth = Single.sample_pixel(pixel, &mut scene);
-            most = crate::math::greatest(most, (sample.unwrap().color.r - truth.color.r).abs());
+            most = crate::math::max(most, (sample.unwrap().color.r - truth.color.r).abs());
         }
         assert!(most < 0.01, "{most}");
     }

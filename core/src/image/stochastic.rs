@@ -104,7 +104,7 @@ impl Stochastic {
                 }
                 next += self.least;
             }
-            let place = stream(pixel, mean.count, self.seed).pair(Dimension::PIXEL);
+            let place = stream(pixel, mean.count, self.seed).sample_2d(Dimension::PIXEL);
             let stream = stream(pixel, number(mean.count, place, self.least), self.seed);
             let [x, y] = filtered(self.filter, place);
             let sample = tracer.trace(CameraSample { point: inside(pixel, x, y), stream });
@@ -254,7 +254,7 @@ mod tests {
     #[test]
     fn a_pixel_that_is_gone_on_with_is_the_one_that_was_begun_with_the_last_rule() {
         let see = |sample: CameraSample| {
-            let [x, y] = sample.stream.pair(Dimension::light(1, 0));
+            let [x, y] = sample.stream.sample_2d(Dimension::light(1, 0));
             PixelSample { color: Rgb::new(x, y, x * y), hit: HitId::Nothing }
         };
         for (least, most) in [(1, 50), (4, 300), (7, 30), (6, 6)] {

@@ -5,7 +5,7 @@ use zerocopy::{Immutable, KnownLayout, TryFromBytes};
 use core::ops::{Add, AddAssign, Mul, MulAssign};
 
 use super::srgb::{encode_srgb, encode_srgb8};
-use super::{Real, greatest, least};
+use super::{Real, max, min};
 
 /// Linear red, green and blue, with the primaries of sRGB: a color, a reflectance or a radiance.
 ///
@@ -27,7 +27,7 @@ impl Rgb {
     /// One in every channel.
     pub const WHITE: Rgb = Rgb::gray(1.0);
     /// Largest channel of a color or intensity in a scene.
-    pub const BRIGHTEST: Real = 1e6;
+    pub const MAX_CHANNEL: Real = 1e6;
 
     /// A color with the given channels.
     pub const fn new(r: Real, g: Real, b: Real) -> Self {
@@ -40,8 +40,8 @@ impl Rgb {
     }
 
     /// The largest channel.
-    pub fn largest(self) -> Real {
-        greatest(self.r, greatest(self.g, self.b))
+    pub fn max_component(self) -> Real {
+        max(self.r, max(self.g, self.b))
     }
 
     /// Whether no channel is above zero.
@@ -51,7 +51,7 @@ impl Rgb {
 
     /// Whether every channel is in `0..=max`. False for NaN.
     #[inline(never)] // validation calls it often: code size matters there, time does not
-    pub fn is_within(self, max: Real) -> bool {
+    pub fn is_in_range(self, max: Real) -> bool {
         let ok = |v: Real| v >= 0.0 && v <= max;
         ok(self.r) && ok(self.g) && ok(self.b)
     }
@@ -59,13 +59,13 @@ impl Rgb {
     /// Limits every channel to `max`. NaN becomes `max`.
     ///
     /// Sums and products of colors stay finite if every term is limited.
-    pub fn at_most(self, max: Real) -> Self {
+    pub fn clamp_max(self, max: Real) -> Self {
         let limit = |v: Real| if v < max { v } else { max };
         Rgb { r: limit(self.r), g: limit(self.g), b: limit(self.b) }
     }
 
     /// Linear interpolation: `self` at `t = 0`, `end` at `t = 1`.
-    pub fn toward(self, end: Rgb, t: Real) -> Self {
+    pub fn lerp(self, end: Rgb, t: Real) -> Self {
         self * (1.0 - t) + end * t
     }
 
@@ -82,19 +82,15 @@ impl Rgb {
         let Some(first) = colors.next() else { return 0.0 };
         let (mut low, mut high) = (first, first);
         for color in colors {
-            low = Rgb { r: least(low.r, color.r), g: least(low.g, color.g), b: least(low.b, color.b) };
-            high = Rgb {
-                r: greatest(high.r, color.r),
-                g: greatest(high.g, color.g),
-                b: greatest(high.b, color.b),
-            };
+            low = Rgb { r: min(low.r, color.r), g: min(low.g, color.g), b: min(low.b, color.b) };
+            high = Rgb { r: max(high.r, color.r), g: max(high.g, color.g), b: max(high.b, color.b) };
         }
         // The encoding is monotone, so encoding the extremes is enough.
         let encoded_difference =
             |low: Real, high: Real| if low < high { encode_srgb(high) - encode_srgb(low) } else { 0.0 };
-        greatest(
+        max(
             encoded_difference(low.r, high.r),
-            greatest(encoded_difference(low.g, high.g), encoded_difference(low.b, high.b)),
+            max(encoded_difference(low.g, high.g), encoded_difference(low.b, high.b)),
         )
     }
 
@@ -164,6 +160,6 @@ mod tests {
 
     #[test]
     fn an_infinite_channel_is_limited() {
-        assert_eq!(Rgb::new(Real::INFINITY, 5.0, 0.5).at_most(5.0), Rgb::new(5.0, 5.0, 0.5));
+        assert_eq!(Rgb::new(Real::INFINITY, 5.0, 0.5).clamp_max(5.0), Rgb::new(5.0, 5.0, 0.5));
     }
 }

@@ -7,55 +7,55 @@ use core::ops::{Add, Mul, Sub};
 
 use zerocopy::{Immutable, KnownLayout, TryFromBytes};
 
-use super::{Real, greatest, least};
+use super::{Real, max, min};
 
 /// Number of elements of a vector.
-pub const LANES: usize = 4;
+pub const SIMD_WIDTH: usize = 4;
 
 /// Four scalars.
 #[derive(Clone, Copy, Debug, PartialEq, TryFromBytes, KnownLayout, Immutable)]
 #[repr(transparent)]
-pub struct Lanes(pub [Real; LANES]);
+pub struct Real4(pub [Real; SIMD_WIDTH]);
 
-impl Lanes {
+impl Real4 {
     /// A vector with `x` in every element.
     #[inline(always)]
     pub const fn splat(x: Real) -> Self {
-        Lanes([x; LANES])
+        Real4([x; SIMD_WIDTH])
     }
 
     /// Applies `operation` to each pair of elements.
     #[inline(always)]
     fn zip_with(self, other: Self, operation: impl Fn(Real, Real) -> Real) -> Self {
         let ([a, b, c, d], [e, f, g, h]) = (self.0, other.0);
-        Lanes([operation(a, e), operation(b, f), operation(c, g), operation(d, h)])
+        Real4([operation(a, e), operation(b, f), operation(c, g), operation(d, h)])
     }
 
     /// Element-wise [`greatest`].
     #[inline(always)]
-    pub fn greatest(self, other: Self) -> Self {
-        self.zip_with(other, greatest)
+    pub fn max(self, other: Self) -> Self {
+        self.zip_with(other, max)
     }
 
     /// Element-wise [`least`].
     #[inline(always)]
-    pub fn least(self, other: Self) -> Self {
-        self.zip_with(other, least)
+    pub fn min(self, other: Self) -> Self {
+        self.zip_with(other, min)
     }
 
     /// The mask with a bit for every element.
-    pub const ALL: u32 = 0b1111;
+    pub const FULL_MASK: u32 = 0b1111;
 
     /// The mask of the elements for which `predicate` is true: bit `i` for element `i`.
     #[inline(always)]
-    pub fn bits(self, other: Self, predicate: impl Fn(Real, Real) -> bool) -> u32 {
+    pub fn compare(self, other: Self, predicate: impl Fn(Real, Real) -> bool) -> u32 {
         let ([a, b, c, d], [e, f, g, h]) = (self.0, other.0);
         let bit = |is_set: bool, index: u32| u32::from(is_set) << index;
         bit(predicate(a, e), 0) | bit(predicate(b, f), 1) | bit(predicate(c, g), 2) | bit(predicate(d, h), 3)
     }
 }
 
-impl Add for Lanes {
+impl Add for Real4 {
     type Output = Self;
 
     #[inline(always)]
@@ -64,7 +64,7 @@ impl Add for Lanes {
     }
 }
 
-impl Sub for Lanes {
+impl Sub for Real4 {
     type Output = Self;
 
     #[inline(always)]
@@ -73,7 +73,7 @@ impl Sub for Lanes {
     }
 }
 
-impl Mul for Lanes {
+impl Mul for Real4 {
     type Output = Self;
 
     #[inline(always)]

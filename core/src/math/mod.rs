@@ -19,11 +19,13 @@ mod warp;
 pub use color::Rgb;
 #[cfg(test)]
 pub use float::acos;
-pub use float::{cos, exp, floor, ln, power, powf, sin, sqrt, tan};
-pub use lanes::{LANES, Lanes};
-pub use roots::{CubicRoots, cubic_roots, root_between};
-pub use sobol::{Dimension, Stream};
-pub use warp::{across, disc, facet, normal, tent};
+pub use float::{cos, exp, floor, ln, pow_positive, powf, sin, sqrt, tan};
+pub use lanes::{Real4, SIMD_WIDTH};
+pub use roots::{CubicRoots, bracketed_root, cubic_roots};
+pub use sobol::{Dimension, SobolSequence};
+pub use warp::{
+    orthonormal_basis, sample_disc_concentric, sample_tent, sample_truncated_gaussian, sample_visible_normal,
+};
 
 #[cfg(feature = "double")]
 mod precision {
@@ -58,7 +60,7 @@ pub const PI: Real = precision::consts::PI;
 pub const ROUNDOFF: Real = Real::EPSILON / 2.0;
 
 /// Largest absolute coordinate in a scene, in scene lengths. Its square is far inside the range of `f32`.
-pub const FARTHEST: Real = 1e15;
+pub const MAX_COORDINATE: Real = 1e15;
 
 /// Bound on the relative error of `n` rounded operations in sequence.
 ///
@@ -74,27 +76,27 @@ pub const fn vec3(x: Real, y: Real, z: Real) -> Vec3 {
 }
 
 /// The larger of `a` and `b`; `b` if they are equal or one is NaN.
-pub fn greatest(a: Real, b: Real) -> Real {
+pub fn max(a: Real, b: Real) -> Real {
     if a > b { a } else { b }
 }
 
 /// The smaller of `a` and `b`; `b` if they are equal or one is NaN.
-pub fn least(a: Real, b: Real) -> Real {
+pub fn min(a: Real, b: Real) -> Real {
     if a < b { a } else { b }
 }
 
 /// `x` limited to `low..=high`; `low` if `x` is NaN.
-pub fn within(x: Real, low: Real, high: Real) -> Real {
+pub fn clamp(x: Real, low: Real, high: Real) -> Real {
     if x > low { if x < high { x } else { high } } else { low }
 }
 
 /// The largest power of two that is at most `|x|`.
 ///
 /// It is the smallest positive normal number for zero and for subnormal `x`.
-pub fn power_of_two(x: Real) -> Real {
+pub fn floor_power_of_two(x: Real) -> Real {
     // The bits of infinity are a mask of the exponent's bits.
     let power = Real::from_bits(x.to_bits() & Real::INFINITY.to_bits());
-    greatest(power, Real::MIN_POSITIVE)
+    max(power, Real::MIN_POSITIVE)
 }
 
 /// The vector of absolute components.
@@ -103,14 +105,14 @@ pub fn abs(v: Vec3) -> Vec3 {
 }
 
 /// The largest absolute component.
-pub fn largest(v: Vec3) -> Real {
-    greatest(v.x.abs(), greatest(v.y.abs(), v.z.abs()))
+pub fn max_abs_component(v: Vec3) -> Real {
+    max(v.x.abs(), max(v.y.abs(), v.z.abs()))
 }
 
 /// Whether the absolute value of every component is at most [`FARTHEST`]. False for NaN.
 #[inline(never)] // validation calls it often: code size matters there, time does not
 pub fn is_in_range(v: Vec3) -> bool {
-    v.x.abs() <= FARTHEST && v.y.abs() <= FARTHEST && v.z.abs() <= FARTHEST
+    v.x.abs() <= MAX_COORDINATE && v.y.abs() <= MAX_COORDINATE && v.z.abs() <= MAX_COORDINATE
 }
 
 /// The length of `v`, if its square is in range (lengths of about 1e-19 to 1e19 in `f32`).
@@ -122,13 +124,13 @@ pub fn length(v: Vec3) -> Real {
 ///
 /// The result for `v` times a power of two is the same, bit for bit.
 #[inline(always)]
-pub fn unit(v: Vec3) -> Option<Vec3> {
-    unit_and_length(v).map(|(unit, _)| unit)
+pub fn try_normalize(v: Vec3) -> Option<Vec3> {
+    try_normalize_and_length(v).map(|(unit, _)| unit)
 }
 
 /// The unit vector in the direction of `v`, and the length of `v`; `None` if `v` is zero or not finite.
 #[inline(always)]
-pub fn unit_and_length(v: Vec3) -> Option<(Vec3, Real)> {
+pub fn try_normalize_and_length(v: Vec3) -> Option<(Vec3, Real)> {
     let square = v.dot(v);
     if is_safe_square(square) {
         let length = sqrt(square);
@@ -158,7 +160,7 @@ fn is_safe_square(square: Real) -> bool {
 #[inline(never)]
 fn normalize_extreme(x: Real, y: Real, z: Real) -> Option<(Vec3, Real)> {
     let v = vec3(x, y, z);
-    let scale = power_of_two(largest(v));
+    let scale = floor_power_of_two(max_abs_component(v));
     let v = v / scale;
     let square = v.dot(v);
     if !is_safe_square(square) {
@@ -170,7 +172,7 @@ fn normalize_extreme(x: Real, y: Real, z: Real) -> Option<(Vec3, Real)> {
 
 /// Whether `v` is a unit vector: its squared length differs from 1 by at most 1e-5.
 #[inline(never)] // as `is_in_range`
-pub fn is_unit(v: Vec3) -> bool {
+pub fn is_normalized(v: Vec3) -> bool {
     (v.dot(v) - 1.0).abs() <= 1e-5
 }
 
@@ -219,7 +221,7 @@ pub enum Axis {
 
 impl Axis {
     /// The axis of the largest absolute component of `v`; the last one of several equal ones.
-    pub fn largest_of(v: Vec3) -> Self {
+    pub fn dominant(v: Vec3) -> Self {
         let a = abs(v);
         if a.x > a.y && a.x > a.z {
             Axis::X
@@ -231,7 +233,7 @@ impl Axis {
     }
 
     /// `v` with its components permuted cyclically so that the one of this axis becomes `z`.
-    pub fn to_third(self, v: Vec3) -> Vec3 {
+    pub fn permute_to_z(self, v: Vec3) -> Vec3 {
         match self {
             Axis::X => vec3(v.y, v.z, v.x),
             Axis::Y => vec3(v.z, v.x, v.y),
@@ -240,7 +242,7 @@ impl Axis {
     }
 
     /// The inverse of [`Axis::to_third`].
-    pub(crate) fn place_back(self, v: Vec3) -> Vec3 {
+    pub(crate) fn permute_from_z(self, v: Vec3) -> Vec3 {
         match self {
             Axis::X => vec3(v.z, v.x, v.y),
             Axis::Y => vec3(v.y, v.z, v.x),
@@ -256,15 +258,15 @@ mod tests {
     #[test]
     fn a_unit_vector_does_not_depend_on_the_length_of_its_source() {
         let v = vec3(1.0, -2.5, 0.3);
-        let n = unit(v).unwrap();
+        let n = try_normalize(v).unwrap();
         assert!((length(n) - 1.0).abs() <= 2.0 * Real::EPSILON);
         for k in [-100, -20, -1, 1, 20, 100] {
             let scale = if k < 0 { 1.0 / pow2(-k) } else { pow2(k) };
-            assert_eq!(unit(v * scale), Some(n), "2^{k}");
+            assert_eq!(try_normalize(v * scale), Some(n), "2^{k}");
         }
-        assert_eq!(unit(Vec3::ZERO), None);
-        assert_eq!(unit(vec3(Real::NAN, 1.0, 0.0)), None);
-        assert_eq!(unit(vec3(Real::INFINITY, 1.0, 0.0)), None);
+        assert_eq!(try_normalize(Vec3::ZERO), None);
+        assert_eq!(try_normalize(vec3(Real::NAN, 1.0, 0.0)), None);
+        assert_eq!(try_normalize(vec3(Real::INFINITY, 1.0, 0.0)), None);
     }
 
     fn pow2(k: i32) -> Real {

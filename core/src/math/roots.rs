@@ -5,7 +5,7 @@
 //! as a fallback finds that root. Here the roots of a quadratic separate those of a cubic, in a bounded
 //! interval and with a bounded number of iterations, so that rounding loses no single root.
 
-use super::{ROUNDOFF, Real, greatest, sqrt};
+use super::{ROUNDOFF, Real, max, sqrt};
 
 /// The real roots of a cubic in an interval, in ascending order.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -42,7 +42,7 @@ pub fn cubic_roots(c: [Real; 4], low: Real, high: Real) -> CubicRoots {
     for right in turning_points.iter().chain([high]) {
         let at_right = evaluate_polynomial(&c, right);
         if (at_left < 0.0) != (at_right < 0.0) {
-            roots.push(root_between(value_and_slope, left, right, at_left < 0.0));
+            roots.push(bracketed_root(value_and_slope, left, right, at_left < 0.0));
         }
         (left, at_left) = (right, at_right);
     }
@@ -83,13 +83,13 @@ const MAX_ITERATIONS: u32 = Real::MANTISSA_DIGITS + 8;
 ///
 /// The iteration ends when a step is at most one unit roundoff of the larger bound. Smaller steps would
 /// follow the rounding errors of `f`.
-pub fn root_between(
+pub fn bracketed_root(
     f: impl Fn(Real) -> (Real, Real),
     mut left: Real,
     mut right: Real,
     is_increasing: bool,
 ) -> Real {
-    let tolerance = ROUNDOFF * greatest(left.abs(), right.abs());
+    let tolerance = ROUNDOFF * max(left.abs(), right.abs());
     let mut x = 0.5 * (left + right);
     for _ in 0..MAX_ITERATIONS {
         let (y, slope) = f(x);
@@ -145,8 +145,8 @@ mod tests {
         for is_increasing in [true, false] {
             let sign = if is_increasing { 1.0 } else { -1.0 };
             let f = |x: Real| (sign * (x * x - 0.25), sign * 2.0 * x);
-            assert_eq!(root_between(f, 0.0, 1.0, is_increasing), 0.5);
-            let root = root_between(f, 0.1, 1.7, is_increasing);
+            assert_eq!(bracketed_root(f, 0.0, 1.0, is_increasing), 0.5);
+            let root = bracketed_root(f, 0.1, 1.7, is_increasing);
             assert!((root - 0.5).abs() <= 2.0 * Real::EPSILON, "{root}");
         }
     }
@@ -154,7 +154,7 @@ mod tests {
     #[test]
     fn a_root_is_found_without_a_useful_derivative() {
         // With a derivative of zero only bisection remains.
-        let root = root_between(|x| (x - 0.3, 0.0), -1.0, 1.0, true);
+        let root = bracketed_root(|x| (x - 0.3, 0.0), -1.0, 1.0, true);
         assert!((root - 0.3).abs() <= Real::EPSILON);
     }
 }

@@ -27,7 +27,7 @@ impl Dimension {
     pub const SHUTTER: Dimension = Dimension(2);
 
     /// Microfacet normal of a rough surface hit by a ray of the given level.
-    pub const fn lobe(level: u8) -> Self {
+    pub const fn microfacet(level: u8) -> Self {
         Dimension(3 | (level as u32) << 8)
     }
 
@@ -39,23 +39,23 @@ impl Dimension {
 
 /// The sample points of all dimensions for one sample of one pixel.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Stream {
+pub struct SobolSequence {
     /// Hash of pixel and seed.
     pixel_hash: u32,
     /// Index of the sample in the pixel.
     index: u32,
 }
 
-impl Stream {
+impl SobolSequence {
     /// The sample with the given `index` in the pixel `(x, y)` of a picture with the given `seed`.
     pub const fn new(x: u32, y: u32, index: u32, seed: u32) -> Self {
-        Stream { pixel_hash: hash(hash(hash(seed) ^ x) ^ y), index }
+        SobolSequence { pixel_hash: hash(hash(hash(seed) ^ x) ^ y), index }
     }
 
     /// The point in the unit square for `dimension`, each coordinate in `[0, 1)`.
     ///
     /// Coordinates are multiples of `2^-24`, so they are the same in both precisions.
-    pub const fn pair(self, Dimension(dimension): Dimension) -> [Real; 2] {
+    pub const fn sample_2d(self, Dimension(dimension): Dimension) -> [Real; 2] {
         let key = hash(self.pixel_hash ^ hash(dimension));
         // The index is scrambled, too, so that the points of two dimensions are not correlated.
         let index = owen_scramble(self.index.reverse_bits(), key).reverse_bits();
@@ -105,7 +105,7 @@ mod tests {
     use super::*;
 
     fn points(x: u32, dimension: Dimension) -> impl Iterator<Item = [Real; 2]> {
-        (0..).map(move |index| Stream::new(x, 7, index, 1).pair(dimension))
+        (0..).map(move |index| SobolSequence::new(x, 7, index, 1).sample_2d(dimension))
     }
 
     #[test]
@@ -129,7 +129,7 @@ mod tests {
         // The (0,2) property of the first 64 points: of 64 equal rectangles whose sides are powers of two,
         // each contains exactly one point.
         for pixel_x in 0..20 {
-            for dimension in [Dimension::PIXEL, Dimension::lobe(3), Dimension::light(1, 2)] {
+            for dimension in [Dimension::PIXEL, Dimension::microfacet(3), Dimension::light(1, 2)] {
                 for exponent in 0..=6 {
                     let (columns, rows) = (1 << exponent, 64 >> exponent);
                     let mut counts = [0; 64];
@@ -147,14 +147,19 @@ mod tests {
     fn pixels_dimensions_and_seeds_are_uncorrelated() {
         // Independent values of 4096 pixels have a correlation with a standard deviation of 1/64.
         let pairs: [fn(u32) -> (Real, Real); 5] = [
-            |n| (at(n, 0, 0).pair(Dimension::PIXEL)[0], at(n, 0, 0).pair(Dimension::PIXEL)[1]),
-            |n| (at(n, 0, 0).pair(Dimension::PIXEL)[0], at(n, 0, 0).pair(Dimension::LENS)[0]),
-            |n| (at(n, 0, 0).pair(Dimension::PIXEL)[0], at(n + 1, 0, 0).pair(Dimension::PIXEL)[0]),
-            |n| (at(n, 0, 0).pair(Dimension::PIXEL)[0], at(n, 0, 1).pair(Dimension::PIXEL)[0]),
-            |n| (at(n, 1, 0).pair(Dimension::lobe(1))[1], at(n, 1, 0).pair(Dimension::lobe(2))[1]),
+            |n| (at(n, 0, 0).sample_2d(Dimension::PIXEL)[0], at(n, 0, 0).sample_2d(Dimension::PIXEL)[1]),
+            |n| (at(n, 0, 0).sample_2d(Dimension::PIXEL)[0], at(n, 0, 0).sample_2d(Dimension::LENS)[0]),
+            |n| (at(n, 0, 0).sample_2d(Dimension::PIXEL)[0], at(n + 1, 0, 0).sample_2d(Dimension::PIXEL)[0]),
+            |n| (at(n, 0, 0).sample_2d(Dimension::PIXEL)[0], at(n, 0, 1).sample_2d(Dimension::PIXEL)[0]),
+            |n| {
+                (
+                    at(n, 1, 0).sample_2d(Dimension::microfacet(1))[1],
+                    at(n, 1, 0).sample_2d(Dimension::microfacet(2))[1],
+                )
+            },
         ];
-        fn at(n: u32, index: u32, seed: u32) -> Stream {
-            Stream::new(n % 64, n / 64, index, seed)
+        fn at(n: u32, index: u32, seed: u32) -> SobolSequence {
+            SobolSequence::new(n % 64, n / 64, index, seed)
         }
         for (index, pair) in pairs.iter().enumerate() {
             let mut sum = 0.0;
@@ -170,7 +175,7 @@ mod tests {
 
     #[test]
     fn both_precisions_have_the_same_sample_points() {
-        let [x, y] = Stream::new(3, 4, 5, 6).pair(Dimension::LENS);
+        let [x, y] = SobolSequence::new(3, 4, 5, 6).sample_2d(Dimension::LENS);
         assert_eq!([x * 16_777_216.0, y * 16_777_216.0], [12_800_099.0, 12_084_261.0]);
     }
 }

@@ -2,10 +2,10 @@
 //!
 //! They are continuous almost everywhere, so a well distributed set of points stays well distributed.
 
-use super::{PI, Real, Vec3, cos, exp, ln, sin, sqrt, unit, vec3};
+use super::{PI, Real, Vec3, cos, exp, ln, sin, sqrt, try_normalize, vec3};
 
 /// Maps a uniform `u` in `[0, 1)` to the tent distribution with density `1 - |x|`, `x` in `[-1, 1)`.
-pub fn tent(u: Real) -> Real {
+pub fn sample_tent(u: Real) -> Real {
     if u < 0.5 { sqrt(2.0 * u) - 1.0 } else { 1.0 - sqrt(2.0 * (1.0 - u)) }
 }
 
@@ -14,7 +14,7 @@ pub fn tent(u: Real) -> Real {
 ///
 /// Source: Box and Muller, "A Note on the Generation of Random Normal Deviates", 1958. Difference: the
 /// truncation.
-pub fn normal([u, v]: [Real; 2], radius: Real) -> [Real; 2] {
+pub fn sample_truncated_gaussian([u, v]: [Real; 2], radius: Real) -> [Real; 2] {
     let probability_inside = 1.0 - exp(-0.5 * radius * radius);
     let r = sqrt(-2.0 * ln(1.0 - u * probability_inside));
     let angle = 2.0 * PI * v;
@@ -25,7 +25,7 @@ pub fn normal([u, v]: [Real; 2], radius: Real) -> [Real; 2] {
 /// concentric circles.
 ///
 /// Source: Shirley and Chiu, "A Low Distortion Map Between Disk and Square", JGT 1997.
-pub fn disc([u, v]: [Real; 2]) -> [Real; 2] {
+pub fn sample_disc_concentric([u, v]: [Real; 2]) -> [Real; 2] {
     let (x, y) = (2.0 * u - 1.0, 2.0 * v - 1.0);
     if x == 0.0 && y == 0.0 {
         return [0.0, 0.0];
@@ -38,7 +38,7 @@ pub fn disc([u, v]: [Real; 2]) -> [Real; 2] {
 /// Two unit vectors that are perpendicular to each other and to the unit vector `n`.
 ///
 /// Source: Duff et al., "Building an Orthonormal Basis, Revisited", JCGT 2017.
-pub fn across(n: Vec3) -> [Vec3; 2] {
+pub fn orthonormal_basis(n: Vec3) -> [Vec3; 2] {
     let sign = if n.z < 0.0 { -1.0 } else { 1.0 };
     let a = -1.0 / (sign + n.z);
     let b = n.x * n.y * a;
@@ -54,38 +54,38 @@ pub fn across(n: Vec3) -> [Vec3; 2] {
 ///
 /// Sources: Walter et al., "Microfacet Models for Refraction through Rough Surfaces", EGSR 2007; Dupuy and
 /// Benyoub, "Sampling Visible GGX Normals with Spherical Caps", HPG 2023.
-pub fn facet(n: Vec3, view_direction: Vec3, alpha: Real, [u, v]: [Real; 2]) -> Vec3 {
-    let [x_axis, y_axis] = across(n);
+pub fn sample_visible_normal(n: Vec3, view_direction: Vec3, alpha: Real, [u, v]: [Real; 2]) -> Vec3 {
+    let [x_axis, y_axis] = orthonormal_basis(n);
     // Stretch the surface, so that its microfacet normals become uniform on the hemisphere.
     let cos_theta = view_direction.dot(n);
     let cos_theta = if cos_theta > 0.0 { cos_theta } else { 0.0 };
     let stretched = vec3(alpha * view_direction.dot(x_axis), alpha * view_direction.dot(y_axis), cos_theta);
-    let view = unit(stretched).unwrap_or(Vec3::Z);
-    // CameraSample uniformly the spherical cap of directions that the hemisphere reflects into `view`.
+    let view = try_normalize(stretched).unwrap_or(Vec3::Z);
+    // Sample uniformly the spherical cap of directions that the hemisphere reflects into `view`.
     let z = (1.0 - v) * (1.0 + view.z) - view.z;
     let sin_theta = sqrt(if z * z < 1.0 { 1.0 - z * z } else { 0.0 });
     let angle = 2.0 * PI * u;
     let half_vector = vec3(sin_theta * cos(angle), sin_theta * sin(angle), z) + view;
     // Undo the stretching.
     let normal = x_axis * (alpha * half_vector.x) + y_axis * (alpha * half_vector.y) + n * half_vector.z;
-    unit(normal).unwrap_or(n)
+    try_normalize(normal).unwrap_or(n)
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::math::{Dimension, Stream, length};
+    use crate::math::{Dimension, SobolSequence, length};
 
     fn points() -> impl Iterator<Item = [Real; 2]> {
-        (0..4096).map(|index| Stream::new(0, 0, index, 0).pair(Dimension::LENS))
+        (0..4096).map(|index| SobolSequence::new(0, 0, index, 0).sample_2d(Dimension::LENS))
     }
 
     #[test]
     fn disc_samples_are_uniform() {
-        assert_eq!(disc([0.5, 0.5]), [0.0, 0.0]);
+        assert_eq!(sample_disc_concentric([0.5, 0.5]), [0.0, 0.0]);
         let (mut inside, mut right, mut upper) = (0, 0, 0);
         for point in points() {
-            let [x, y] = disc(point);
+            let [x, y] = sample_disc_concentric(point);
             let r2 = x * x + y * y;
             assert!(r2 <= 1.0 + 1e-6);
             inside += i32::from(r2 < 0.3);
@@ -101,7 +101,7 @@ mod tests {
     #[test]
     fn the_basis_is_orthonormal() {
         for n in [Vec3::X, Vec3::Y, Vec3::Z, -Vec3::Z, vec3(0.6, 0.0, -0.8), vec3(0.48, 0.6, 0.64)] {
-            let [a, b] = across(n);
+            let [a, b] = orthonormal_basis(n);
             for dot in [a.dot(b), a.dot(n), b.dot(n), a.dot(a) - 1.0, b.dot(b) - 1.0] {
                 assert!(dot.abs() < 1e-6, "{n}");
             }
@@ -115,7 +115,7 @@ mod tests {
         for alpha in [0.1, 0.4, 1.0] {
             let (mut sum, mut expected) = (0.0, 0.0);
             for (point, index) in points().zip(0..) {
-                let h = facet(Vec3::Y, Vec3::Y, alpha, point);
+                let h = sample_visible_normal(Vec3::Y, Vec3::Y, alpha, point);
                 assert!((length(h) - 1.0).abs() < 1e-5);
                 sum += h.y * h.y;
                 let t = (index as Real + 0.5) / 4096.0;
@@ -125,7 +125,7 @@ mod tests {
         }
         let view_direction = vec3(0.8, 0.6, 0.0);
         for point in points() {
-            let h = facet(Vec3::Y, view_direction, 0.5, point);
+            let h = sample_visible_normal(Vec3::Y, view_direction, 0.5, point);
             assert!(h.dot(view_direction) > -1e-5 && h.y > -1e-5, "{h}");
         }
     }

@@ -4,7 +4,9 @@ use zerocopy::{Immutable, KnownLayout, TryFromBytes};
 
 use super::{Size, ViewFault};
 use crate::geometry::Ray;
-use crate::math::{FARTHEST, PI, Real, Stream, Vec3, disc, is_in_range, tan, unit};
+use crate::math::{
+    MAX_COORDINATE, PI, Real, SobolSequence, Vec3, is_in_range, sample_disc_concentric, tan, try_normalize,
+};
 
 /// A place in the picture, in pixels from its upper left corner; the middle of the first pixel
 /// is (0.5, 0.5).
@@ -22,7 +24,7 @@ pub struct CameraSample {
     /// Where.
     pub point: FilmPoint,
     /// The numbers from which everything is taken that the ray leaves to chance.
-    pub stream: Stream,
+    pub stream: SobolSequence,
 }
 
 /// How the scene is looked at, whatever the size of the picture.
@@ -88,21 +90,21 @@ impl Camera {
         if !(is_in_range(view.from) && is_in_range(view.at) && view.up.is_finite()) {
             return Err(ViewFault::Place);
         }
-        let forward = unit(view.at - view.from).ok_or(ViewFault::NoDirection)?;
-        let up = unit(view.up).ok_or(ViewFault::NoUp)?;
+        let forward = try_normalize(view.at - view.from).ok_or(ViewFault::NoDirection)?;
+        let up = try_normalize(view.up).ok_or(ViewFault::NoUp)?;
         let right = forward.cross(up);
         // Below some roundings the direction of what is left is noise.
         if right.dot(right) <= 1e-10 {
             return Err(ViewFault::NoUp);
         }
-        let right = unit(right).ok_or(ViewFault::NoUp)?;
+        let right = try_normalize(right).ok_or(ViewFault::NoUp)?;
         let down = forward.cross(right);
         let rows = if size.height() > 1 { size.height() - 1 } else { 1 } as Real;
         let mut lens = [0.0; 2];
         let (height, parallel) = match view.projection {
             Projection::Perspective { angle } if angle > 0.0 && angle < PI => (2.0 * tan(0.5 * angle), false),
             Projection::Lens { angle, radius, focus } if angle > 0.0 && angle < PI => {
-                if !(radius > 0.0 && radius <= FARTHEST && focus > 0.0 && focus <= FARTHEST) {
+                if !(radius > 0.0 && radius <= MAX_COORDINATE && focus > 0.0 && focus <= MAX_COORDINATE) {
                     return Err(ViewFault::Lens);
                 }
                 lens = [radius, focus];
@@ -134,22 +136,26 @@ impl Camera {
     pub(crate) fn lens_ray(&self, place: FilmPoint, chance: [Real; 2]) -> Ray {
         let [radius, focus] = self.lens;
         let across = self.right * (place.x - self.middle.x) + self.down * (place.y - self.middle.y);
-        let [x, y] = disc(chance);
-        let right = unit(self.right).unwrap_or(Vec3::ZERO);
-        let down = unit(self.down).unwrap_or(Vec3::ZERO);
+        let [x, y] = sample_disc_concentric(chance);
+        let right = try_normalize(self.right).unwrap_or(Vec3::ZERO);
+        let down = try_normalize(self.down).unwrap_or(Vec3::ZERO);
         let aside = (right * x + down * y) * radius;
         // All rays through a place meet in the plane of focus.
         let way = (self.forward + across) * focus - aside;
-        Ray::new(self.from + aside, unit(way).unwrap_or(self.forward))
+        Ray::new(self.from + aside, try_normalize(way).unwrap_or(self.forward))
     }
 
     /// The ray through a place, from the middle of the lens where there is one, with a direction of length one.
     pub fn ray(&self, place: FilmPoint) -> Ray {
         let across = self.right * (place.x - self.middle.x) + self.down * (place.y - self.middle.y);
         if self.parallel {
-            Ray::near_unit(self.from + across, self.forward, 0.0)
+            Ray::with_near_unit_direction(self.from + across, self.forward, 0.0)
         } else {
-            Ray::near_unit(self.from, unit(self.forward + across).unwrap_or(self.forward), 0.0)
+            Ray::with_near_unit_direction(
+                self.from,
+                try_normalize(self.forward + across).unwrap_or(self.forward),
+                0.0,
+            )
         }
     }
 }

@@ -78,9 +78,9 @@ impl EffectSet {
         const fn implied(asked: bool, able: bool) -> bool {
             able || !asked
         }
-        self.shapes.contains(other.shapes)
-            && self.lights.contains(other.lights)
-            && self.textures.contains(other.textures)
+        self.shapes.is_superset(other.shapes)
+            && self.lights.is_superset(other.lights)
+            && self.textures.is_superset(other.textures)
             && implied(other.smooth, self.smooth)
             && implied(other.highlight, self.highlight)
             && implied(other.shadows, self.shadows)

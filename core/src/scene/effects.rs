@@ -5,7 +5,7 @@
 //! refuses a scene that asks for more than it can do.
 
 use super::{EffectSet, LastLevel};
-use crate::geometry::{ShapeSet, Shapes};
+use crate::geometry::{ShapeFeatures, ShapeSet};
 use crate::math::Real;
 
 /// What a tracer can do, as a constant of a type of its own.
@@ -37,10 +37,10 @@ pub trait Effects {
     const LAST: LastLevel = LastLevel::Nothing;
 }
 
-impl<E: Effects> Shapes for E {
+impl<E: Effects> ShapeFeatures for E {
     const SHAPES: ShapeSet = E::SET.shapes;
-    const SMOOTH: bool = E::SET.smooth;
-    const MOTION: bool = E::SET.motion;
+    const SMOOTH_SHADING: bool = E::SET.smooth;
+    const MOTION_BLUR: bool = E::SET.motion;
 }
 
 /// Everything that strahl can do.

@@ -3,7 +3,7 @@
 use core::fmt;
 
 use super::MaterialId;
-use crate::geometry::{ItemId, ShapeFault};
+use crate::geometry::{ItemId, ShapeError};
 
 /// Why parts do not make a scene.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -12,7 +12,7 @@ pub enum SceneError {
     /// There are more items than numbers for them.
     TooManyItems,
     /// This shape is none.
-    Shape(ItemId, ShapeFault),
+    Shape(ItemId, ShapeError),
     /// This material, a place in its table, is out of range.
     Material(MaterialId, MaterialFault),
     /// The material of this item is not told or does not exist.

@@ -8,7 +8,8 @@ use zerocopy::{Immutable, KnownLayout, TryFromBytes};
 
 use super::{LightKind, LightSet};
 use crate::math::{
-    FARTHEST, Real, Rgb, Vec3, across, disc, is_in_range, is_unit, sqrt, unit, unit_and_length, within,
+    MAX_COORDINATE, Real, Rgb, Vec3, clamp, is_in_range, is_normalized, orthonormal_basis,
+    sample_disc_concentric, sqrt, try_normalize, try_normalize_and_length,
 };
 use crate::tally::Lit;
 
@@ -106,7 +107,7 @@ impl Falloff {
         let divisor = self.constant + d * (self.linear + d * self.quadratic);
         // Close to a light that has no constant part this grows without bound; it is held.
         let share = 1.0 / divisor;
-        if share < Rgb::BRIGHTEST { share } else { Rgb::BRIGHTEST }
+        if share < Rgb::MAX_CHANNEL { share } else { Rgb::MAX_CHANNEL }
     }
 }
 
@@ -147,27 +148,27 @@ impl Light {
     pub(super) fn is_valid(&self) -> bool {
         let source = match self.source {
             Source::Point { position, falloff } => is_in_range(position) && falloff.is_valid(),
-            Source::Directional { toward } => is_unit(toward),
+            Source::Directional { toward } => is_normalized(toward),
             Source::Spot { position, direction, cos_bright, cos_dark, falloff } => {
                 is_in_range(position)
-                    && is_unit(direction)
+                    && is_normalized(direction)
                     && cos_dark >= -1.0
                     && cos_dark <= cos_bright
                     && cos_bright <= 1.0
                     && falloff.is_valid()
             }
             Source::Sphere { position, radius, falloff } => {
-                is_in_range(position) && radius >= 0.0 && radius <= FARTHEST && falloff.is_valid()
+                is_in_range(position) && radius >= 0.0 && radius <= MAX_COORDINATE && falloff.is_valid()
             }
             Source::Rectangle { position, half: [a, b], falloff, .. } => {
                 is_in_range(position)
                     && is_in_range(a)
                     && is_in_range(b)
-                    && unit(a.cross(b)).is_some()
+                    && try_normalize(a.cross(b)).is_some()
                     && falloff.is_valid()
             }
         };
-        source && self.color.is_within(Rgb::BRIGHTEST)
+        source && self.color.is_in_range(Rgb::MAX_CHANNEL)
     }
 
     /// The light that would arrive at `point`, on a surface upright on `normal`, from the place of
@@ -189,18 +190,20 @@ impl Light {
             if !(facing > 0.0) {
                 return Err(Lit::Behind);
             }
-            let (toward, distance) = unit_and_length(way).ok_or(Lit::Dark)?;
+            let (toward, distance) = try_normalize_and_length(way).ok_or(Lit::Dark)?;
             Ok(Beam { toward, cos: facing / distance, distance, color: self.color * falloff.at(distance) })
         };
         match &self.source {
-            Source::Point { position, falloff } if able.has(LightKind::Point) => from(*position, falloff),
-            Source::Directional { toward } if able.has(LightKind::Directional) => {
+            Source::Point { position, falloff } if able.contains(LightKind::Point) => {
+                from(*position, falloff)
+            }
+            Source::Directional { toward } if able.contains(LightKind::Directional) => {
                 let cos = normal.dot(*toward);
                 let beam = Beam { toward: *toward, cos, distance: Real::MAX, color: self.color };
                 if cos > 0.0 { Ok(beam) } else { Err(Lit::Behind) }
             }
             Source::Spot { position, direction, cos_bright, cos_dark, falloff }
-                if able.has(LightKind::Spot) =>
+                if able.contains(LightKind::Spot) =>
             {
                 let mut beam = from(*position, falloff)?;
                 let cos = -beam.toward.dot(*direction);
@@ -208,21 +211,21 @@ impl Light {
                     return Err(Lit::Dark);
                 }
                 // From dark to bright without a crease at either end (smoothstep).
-                let s = within((cos - cos_dark) / (cos_bright - cos_dark), 0.0, 1.0);
+                let s = clamp((cos - cos_dark) / (cos_bright - cos_dark), 0.0, 1.0);
                 let s = if cos >= *cos_bright { 1.0 } else { s };
                 beam.color = beam.color * (s * s * (3.0 - 2.0 * s));
                 Ok(beam)
             }
-            Source::Sphere { position, radius, falloff } if able.has(LightKind::Sphere) => {
+            Source::Sphere { position, radius, falloff } if able.contains(LightKind::Sphere) => {
                 if !(*radius > 0.0) {
                     return from(*position, falloff);
                 }
                 // A place on the disc that faces the point.
                 let middle = *position - point;
-                let (toward, distance) = unit_and_length(middle).ok_or(Lit::Dark)?;
-                let [first, second] = across(toward);
-                let [x, y] = disc(chance());
-                let toward = unit(middle + (first * x + second * y) * *radius).ok_or(Lit::Dark)?;
+                let (toward, distance) = try_normalize_and_length(middle).ok_or(Lit::Dark)?;
+                let [first, second] = orthonormal_basis(toward);
+                let [x, y] = sample_disc_concentric(chance());
+                let toward = try_normalize(middle + (first * x + second * y) * *radius).ok_or(Lit::Dark)?;
                 let cos = normal.dot(toward);
                 // The way ends where it enters the sphere: what is inside does not count.
                 let along = middle.dot(toward);
@@ -237,11 +240,13 @@ impl Light {
                 };
                 if cos > 0.0 { Ok(beam) } else { Err(Lit::Behind) }
             }
-            Source::Rectangle { position, half: [a, b], soft, falloff } if able.has(LightKind::Rectangle) => {
+            Source::Rectangle { position, half: [a, b], soft, falloff }
+                if able.contains(LightKind::Rectangle) =>
+            {
                 let [u, v] = if *soft { chance() } else { [0.5, 0.5] };
                 let place = *position + *a * (2.0 * u - 1.0) + *b * (2.0 * v - 1.0);
                 let mut beam = from(place, falloff)?;
-                let cos = -beam.toward.dot(unit(a.cross(*b)).ok_or(Lit::Dark)?);
+                let cos = -beam.toward.dot(try_normalize(a.cross(*b)).ok_or(Lit::Dark)?);
                 beam.color = beam.color * cos;
                 if cos > 0.0 { Ok(beam) } else { Err(Lit::Dark) }
             }

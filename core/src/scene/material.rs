@@ -94,11 +94,11 @@ impl Material {
     }
 
     pub(super) fn check(&self, textures: usize) -> Result<(), MaterialFault> {
-        let bright = |c: Rgb| c.is_within(Rgb::BRIGHTEST);
+        let bright = |c: Rgb| c.is_in_range(Rgb::MAX_CHANNEL);
         if !(bright(self.ambient) && bright(self.diffuse) && bright(self.highlight)) {
             return Err(MaterialFault::Color);
         }
-        if !(self.mirror.is_within(1.0) && self.transmitted.is_within(1.0)) {
+        if !(self.mirror.is_in_range(1.0) && self.transmitted.is_in_range(1.0)) {
             return Err(MaterialFault::Share);
         }
         if !(self.exponent >= 0.0 && self.exponent <= 1e6) {

@@ -56,7 +56,7 @@ pub use world::World;
 use zerocopy::{Immutable, KnownLayout, TryFromBytes};
 
 use crate::geometry::{Geometry, ItemId, Shape};
-use crate::math::{Rgb, Vec3, is_unit, within};
+use crate::math::{Rgb, Vec3, clamp, is_normalized};
 
 /// What a ray sees that meets nothing.
 #[derive(Clone, Copy, Debug, PartialEq, TryFromBytes, KnownLayout, Immutable)]
@@ -78,9 +78,11 @@ pub enum Background {
 impl Background {
     fn is_valid(&self) -> bool {
         match *self {
-            Background::Color(color) => color.is_within(Rgb::BRIGHTEST),
+            Background::Color(color) => color.is_in_range(Rgb::MAX_CHANNEL),
             Background::Gradient { up, below, above } => {
-                is_unit(up) && below.is_within(Rgb::BRIGHTEST) && above.is_within(Rgb::BRIGHTEST)
+                is_normalized(up)
+                    && below.is_in_range(Rgb::MAX_CHANNEL)
+                    && above.is_in_range(Rgb::MAX_CHANNEL)
             }
         }
     }
@@ -90,7 +92,7 @@ impl Background {
         match *self {
             Background::Color(color) => color,
             Background::Gradient { up, below, above } => {
-                below.toward(above, within(0.5 + 0.5 * direction.dot(up), 0.0, 1.0))
+                below.lerp(above, clamp(0.5 + 0.5 * direction.dot(up), 0.0, 1.0))
             }
         }
     }
@@ -133,7 +135,7 @@ impl Parts<'_> {
 
     /// The memory that all tables take, in bytes.
     pub const fn bytes(&self) -> usize {
-        self.geometry.bytes()
+        self.geometry.size_in_bytes()
             + size_of_val(self.made_of)
             + size_of_val(self.materials)
             + size_of_val(self.textures)
@@ -169,7 +171,7 @@ impl<'s> Scene<'s> {
         if u32::try_from(parts.geometry.shapes.len()).is_err() {
             return Err(SceneError::TooManyItems);
         }
-        parts.geometry.check().map_err(|(item, fault)| SceneError::Shape(item, fault))?;
+        parts.geometry.validate().map_err(|(item, fault)| SceneError::Shape(item, fault))?;
         for (material, place) in parts.materials.iter().zip(0..=u16::MAX) {
             let wrong = |fault| SceneError::Material(MaterialId(place), fault);
             material.check(parts.textures.len()).map_err(wrong)?;
@@ -186,7 +188,7 @@ impl<'s> Scene<'s> {
         if let Some(place) = parts.textures.iter().position(|texture| !texture.is_valid()) {
             return Err(SceneError::Texture(place));
         }
-        if !(parts.ambient.is_within(Rgb::BRIGHTEST) && parts.background.is_valid()) {
+        if !(parts.ambient.is_in_range(Rgb::MAX_CHANNEL) && parts.background.is_valid()) {
             return Err(SceneError::Surroundings);
         }
         Ok(Scene { parts, asks: asked_by(&parts) })
@@ -215,7 +217,7 @@ fn asked_by(parts: &Parts<'_>) -> EffectSet {
     let mut lit = false;
     for (shape, made_of) in parts.geometry.shapes.iter().zip(parts.made_of) {
         asks.motion |= matches!(shape, Shape::Moving(_));
-        let Some(shape) = parts.geometry.at_rest(shape) else { continue };
+        let Some(shape) = parts.geometry.static_shape(shape) else { continue };
         asks.shapes = shape.kind().map_or(asks.shapes, |kind| asks.shapes.with(kind));
         asks.smooth |= match *shape {
             Shape::SmoothTriangle(_) => true,
@@ -245,7 +247,7 @@ fn asked_by(parts: &Parts<'_>) -> EffectSet {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::geometry::{Plane, ShapeFault, Sphere};
+    use crate::geometry::{Plane, ShapeError, Sphere};
     use crate::math::{Real, vec3};
 
     const BALL: Shape = Shape::Sphere(Sphere { center: Vec3::ZERO, radius: 1.0 });
@@ -285,12 +287,12 @@ mod tests {
         let matte = [Material::MATTE];
         let fault = |parts| Scene::new(parts).unwrap_err();
         let flat = [Shape::Sphere(Sphere { center: Vec3::ZERO, radius: 0.0 })];
-        assert_eq!(fault(parts(&flat, &matte)), SceneError::Shape(ItemId(0), ShapeFault::Radius));
+        assert_eq!(fault(parts(&flat, &matte)), SceneError::Shape(ItemId(0), ShapeError::Radius));
         let far = [Shape::Sphere(Sphere { center: vec3(2e15, 0.0, 0.0), radius: 1.0 })];
-        assert_eq!(fault(parts(&far, &matte)), SceneError::Shape(ItemId(0), ShapeFault::Place));
+        assert_eq!(fault(parts(&far, &matte)), SceneError::Shape(ItemId(0), ShapeError::Coordinate));
         assert_eq!(
             fault(parts(&[Shape::Triangle([0, 1, 2])], &matte)),
-            SceneError::Shape(ItemId(0), ShapeFault::Missing)
+            SceneError::Shape(ItemId(0), ShapeError::IndexOutOfRange)
         );
         assert_eq!(fault(parts(&[BALL], &[])), SceneError::NoMaterial(ItemId(0)));
         let dark = [Material { clarity: Rgb::BLACK, ..Material::MATTE }];
@@ -305,6 +307,6 @@ mod tests {
         let planes = [Plane { point: Vec3::ZERO, normal: Vec3::Y, item: ItemId(1) }];
         let geometry = Geometry { shapes: &[Shape::Plane(0)], planes: &planes, ..Geometry::EMPTY };
         let fault = Scene::new(Parts { geometry, ..parts(&[], &matte) }).unwrap_err();
-        assert_eq!(fault, SceneError::Shape(ItemId(0), ShapeFault::Plane));
+        assert_eq!(fault, SceneError::Shape(ItemId(0), ShapeError::PlaneItem));
     }
 }

@@ -9,8 +9,8 @@ use core::ops::Range;
 
 use super::{Background, Light, Material, MaterialId, Parts, Scene, SceneError, Shading, Texture, TextureId};
 use crate::geometry::{
-    Aabb, Cone, Cuboid, Disc, Geometry, ItemId, Moving, Plane, Polygon, Shape, ShapeFault, Sphere, Torus,
-    TurnedCuboid,
+    Aabb, Cone, Cuboid, Disc, Geometry, ItemId, MovingShape, OrientedCuboid, Plane, Polygon, Shape,
+    ShapeError, Sphere, Torus,
 };
 use crate::math::{Rgb, Vec3};
 
@@ -36,15 +36,15 @@ use crate::math::{Rgb, Vec3};
 pub struct SceneTables {
     shapes: Vec<Shape>,
     vertices: Vec<Vec3>,
-    normals: Vec<Vec3>,
+    vertex_normals: Vec<Vec3>,
     planes: Vec<Plane>,
     discs: Vec<Disc>,
     polygons: Vec<Polygon>,
     cuboids: Vec<Cuboid>,
-    turned_cuboids: Vec<TurnedCuboid>,
+    oriented_cuboids: Vec<OrientedCuboid>,
     cones: Vec<Cone>,
     tori: Vec<Torus>,
-    moving: Vec<Moving>,
+    moving_shapes: Vec<MovingShape>,
     made_of: Vec<MaterialId>,
     materials: Vec<Material>,
     textures: Vec<Texture>,
@@ -70,15 +70,15 @@ impl SceneTables {
         SceneTables {
             shapes: Vec::new(),
             vertices: Vec::new(),
-            normals: Vec::new(),
+            vertex_normals: Vec::new(),
             planes: Vec::new(),
             discs: Vec::new(),
             polygons: Vec::new(),
             cuboids: Vec::new(),
-            turned_cuboids: Vec::new(),
+            oriented_cuboids: Vec::new(),
             cones: Vec::new(),
             tori: Vec::new(),
-            moving: Vec::new(),
+            moving_shapes: Vec::new(),
             made_of: Vec::new(),
             materials: Vec::new(),
             textures: Vec::new(),
@@ -134,9 +134,9 @@ impl SceneTables {
     }
 
     /// Adds an oriented box.
-    pub fn add_turned_cuboid(&mut self, cuboid: TurnedCuboid, material: MaterialId) -> ItemId {
-        let cuboid = push(&mut self.turned_cuboids, cuboid);
-        self.add_shape(Shape::TurnedCuboid(cuboid), material)
+    pub fn add_turned_cuboid(&mut self, cuboid: OrientedCuboid, material: MaterialId) -> ItemId {
+        let cuboid = push(&mut self.oriented_cuboids, cuboid);
+        self.add_shape(Shape::OrientedCuboid(cuboid), material)
     }
 
     /// Adds a cone or cylinder.
@@ -160,8 +160,8 @@ impl SceneTables {
         self.vertices.extend_from_slice(vertices);
         if !normals.is_empty() {
             // Normals have the indices of their vertices.
-            self.normals.resize(first, Vec3::Z);
-            self.normals.extend_from_slice(normals);
+            self.vertex_normals.resize(first, Vec3::Z);
+            self.vertex_normals.extend_from_slice(normals);
         }
         first as u32
     }
@@ -201,17 +201,17 @@ impl SceneTables {
     ///
     /// # Errors
     ///
-    /// [`ShapeFault::Missing`] for vertices that are not there, for fewer than three, and where the
+    /// [`ShapeError::IndexOutOfRange`] for vertices that are not there, for fewer than three, and where the
     /// area is zero.
     pub fn add_polygon(
         &mut self,
         vertices: Range<u32>,
         shading: Shading,
         material: MaterialId,
-    ) -> Result<ItemId, ShapeFault> {
+    ) -> Result<ItemId, ShapeError> {
         let own = self.vertices.get(vertices.start as usize..vertices.end as usize);
         let polygon = own.and_then(|own| Polygon::new(vertices.start, own, shading == Shading::Smooth));
-        let polygon = push(&mut self.polygons, polygon.ok_or(ShapeFault::Missing)?);
+        let polygon = push(&mut self.polygons, polygon.ok_or(ShapeError::IndexOutOfRange)?);
         Ok(self.add_shape(Shape::Polygon(polygon), material))
     }
 
@@ -233,10 +233,11 @@ impl SceneTables {
     /// added. Unit: scene lengths.
     ///
     /// Does nothing for an item that is not there.
-    pub fn set_motion(&mut self, item: ItemId, opening: Vec3, closing: Vec3) {
+    pub fn set_motion(&mut self, item: ItemId, offset_at_open: Vec3, offset_at_close: Vec3) {
         self.clear_motion(item);
         if let Some(shape) = self.shapes.get_mut(item.0 as usize) {
-            let moving = push(&mut self.moving, Moving { shape: *shape, opening, closing });
+            let moving =
+                push(&mut self.moving_shapes, MovingShape { shape: *shape, offset_at_open, offset_at_close });
             *shape = Shape::Moving(moving);
         }
     }
@@ -246,7 +247,7 @@ impl SceneTables {
         let shape = self.shapes.get_mut(item.0 as usize);
         if let Some(shape) = shape
             && let Shape::Moving(index) = *shape
-            && let Some(moving) = self.moving.get(index as usize)
+            && let Some(moving) = self.moving_shapes.get(index as usize)
         {
             *shape = moving.shape;
         }
@@ -272,16 +273,16 @@ impl SceneTables {
         Parts {
             geometry: Geometry {
                 shapes: &self.shapes,
-                points: &self.vertices,
-                normals: &self.normals,
+                vertices: &self.vertices,
+                vertex_normals: &self.vertex_normals,
                 planes: &self.planes,
                 discs: &self.discs,
                 polygons: &self.polygons,
                 cuboids: &self.cuboids,
-                turned_cuboids: &self.turned_cuboids,
+                oriented_cuboids: &self.oriented_cuboids,
                 cones: &self.cones,
                 tori: &self.tori,
-                moving: &self.moving,
+                moving_shapes: &self.moving_shapes,
             },
             made_of: &self.made_of,
             materials: &self.materials,
@@ -337,9 +338,13 @@ mod tests {
         tables.add_sphere(BALL, matte);
         tables.add_disc(Disc { center: Vec3::ZERO, normal: Vec3::Y, radius: 1.0 }, matte);
         tables.add_cuboid(Cuboid { min: Vec3::ZERO, max: Vec3::ONE }, matte);
-        tables.add_turned_cuboid(TurnedCuboid::new(Vec3::ZERO, Vec3::ONE, Vec3::X, Vec3::Z).unwrap(), matte);
+        tables
+            .add_turned_cuboid(OrientedCuboid::new(Vec3::ZERO, Vec3::ONE, Vec3::X, Vec3::Z).unwrap(), matte);
         tables.add_cone(Cone::new(Vec3::ZERO, 1.0, Vec3::Y, 0.5, true).unwrap(), matte);
-        tables.add_torus(Torus { center: Vec3::ZERO, axis: Vec3::Y, major: 1.0, minor: 0.25 }, matte);
+        tables.add_torus(
+            Torus { center: Vec3::ZERO, axis: Vec3::Y, major_radius: 1.0, minor_radius: 0.25 },
+            matte,
+        );
         tables.add_mesh(&CORNERS, &[], &[[0, 1, 2], [0, 2, 3]], matte);
         let smooth = tables.add_mesh(&CORNERS, &[Vec3::Z; 4], &[[0, 1, 2]], matte);
         let first = tables.add_vertices(&CORNERS, &[]);
@@ -371,8 +376,8 @@ mod tests {
         let mut tables = SceneTables::new();
         let matte = tables.add_material(Material::MATTE);
         let mesh = tables.add_mesh(&CORNERS, &[], &[[0, 1, 4]], matte);
-        assert_eq!(tables.scene().unwrap_err(), SceneError::Shape(mesh.start, ShapeFault::Missing));
-        assert_eq!(tables.add_polygon(2..5, Shading::Flat, matte), Err(ShapeFault::Missing));
+        assert_eq!(tables.scene().unwrap_err(), SceneError::Shape(mesh.start, ShapeError::IndexOutOfRange));
+        assert_eq!(tables.add_polygon(2..5, Shading::Flat, matte), Err(ShapeError::IndexOutOfRange));
     }
 
     #[test]

@@ -3,7 +3,7 @@
 use zerocopy::{Immutable, KnownLayout, TryFromBytes};
 
 use super::{TextureKind, TextureSet};
-use crate::math::{FARTHEST, PI, Real, Rgb, Vec3, cos, floor, is_in_range, largest, within};
+use crate::math::{MAX_COORDINATE, PI, Real, Rgb, Vec3, clamp, cos, floor, is_in_range, max_abs_component};
 
 /// A colour for each point of space, in the frame of the world.
 #[derive(Clone, Copy, Debug, PartialEq, TryFromBytes, KnownLayout, Immutable)]
@@ -57,7 +57,7 @@ impl Texture {
     }
 
     pub(super) fn is_valid(&self) -> bool {
-        let is_color = |c: Rgb| c.is_within(Rgb::BRIGHTEST);
+        let is_color = |c: Rgb| c.is_in_range(Rgb::MAX_CHANNEL);
         match *self {
             Texture::Checker { even, odd, origin, frequency } => {
                 is_color(even) && is_color(odd) && is_in_range(origin) && is_in_range(frequency)
@@ -67,7 +67,7 @@ impl Texture {
                 is_color(from) && is_color(to) && is_in_range(origin) && length > 0.0 && length <= Real::MAX
             }
             Texture::ZonePlate { from, to, origin, frequency } => {
-                let is_frequency = frequency >= 0.0 && frequency <= FARTHEST;
+                let is_frequency = frequency >= 0.0 && frequency <= MAX_COORDINATE;
                 is_color(from) && is_color(to) && is_in_range(origin) && is_frequency
             }
         }
@@ -78,20 +78,20 @@ impl Texture {
     #[inline(always)]
     pub(crate) fn at(&self, point: Vec3, able: TextureSet) -> Rgb {
         match *self {
-            Texture::Checker { even, odd, origin, frequency } if able.has(TextureKind::Checker) => {
+            Texture::Checker { even, odd, origin, frequency } if able.contains(TextureKind::Checker) => {
                 let cell = (point - origin) * frequency;
                 if is_even(cell) { even } else { odd }
             }
-            Texture::Gradient { from, to, origin, along } if able.has(TextureKind::Gradient) => {
+            Texture::Gradient { from, to, origin, along } if able.contains(TextureKind::Gradient) => {
                 let s = (point - origin).dot(along) / along.dot(along);
-                from.toward(to, within(s, 0.0, 1.0))
+                from.lerp(to, clamp(s, 0.0, 1.0))
             }
-            Texture::ZonePlate { from, to, origin, frequency } if able.has(TextureKind::ZonePlate) => {
+            Texture::ZonePlate { from, to, origin, frequency } if able.contains(TextureKind::ZonePlate) => {
                 let way = point - origin;
                 let turns = way.dot(way) * frequency;
                 // The whole turns would cost the cosine its digits; what is not finite has none.
-                let turn = within(turns - floor(turns), 0.0, 1.0);
-                from.toward(to, within(0.5 - 0.5 * cos(2.0 * PI * turn), 0.0, 1.0))
+                let turn = clamp(turns - floor(turns), 0.0, 1.0);
+                from.lerp(to, clamp(0.5 - 0.5 * cos(2.0 * PI * turn), 0.0, 1.0))
             }
             _ => Rgb::WHITE,
         }
@@ -101,7 +101,7 @@ impl Texture {
 /// Whether the whole numbers next below the coordinates have an even sum.
 #[inline(always)]
 fn is_even(cell: Vec3) -> bool {
-    if largest(cell) < 1e9 {
+    if max_abs_component(cell) < 1e9 {
         let below = |x: Real| x as i32 - i32::from((x as i32) as Real > x);
         return (below(cell.x) ^ below(cell.y) ^ below(cell.z)) & 1 == 0;
     }

@@ -6,7 +6,7 @@ use core::ops::ControlFlow;
 use super::Scene;
 use super::effects::Effects;
 use crate::accel::{Accelerator, Candidate, Query, TriangleBlock};
-use crate::geometry::{Geometry, Hit, ItemId, Ray, Shape, ShapeKind, Surface, triangle_distance};
+use crate::geometry::{Geometry, Hit, ItemId, Ray, Shape, ShapeKind, SurfaceInteraction, intersect_triangle};
 use crate::math::{Real, Vec3};
 use crate::tally::{Event, RayKind, Tally};
 
@@ -48,7 +48,7 @@ impl<'s, A: Accelerator> World<'s, A> {
         scratch: &mut A::Scratch,
         tally: &mut T,
     ) -> Option<Hit> {
-        if ray.is_sound() { self.nearest_sound::<E, T>(ray, reach, kind, scratch, tally) } else { None }
+        if ray.is_valid() { self.nearest_sound::<E, T>(ray, reach, kind, scratch, tally) } else { None }
     }
 
     /// The same of a ray that is known to be sound. For the loop: what else asks has the other door,
@@ -81,7 +81,7 @@ impl<'s, A: Accelerator> World<'s, A> {
         scratch: &mut A::Scratch,
         tally: &mut T,
     ) -> Option<ItemId> {
-        if ray.is_sound() { self.blocker_sound::<E, T>(ray, reach, kind, scratch, tally) } else { None }
+        if ray.is_valid() { self.blocker_sound::<E, T>(ray, reach, kind, scratch, tally) } else { None }
     }
 
     /// The same of a ray that is known to be sound.
@@ -115,16 +115,16 @@ impl<'s, A: Accelerator> World<'s, A> {
 
     /// What the item that was hit is like there.
     #[inline(always)]
-    pub fn surface<E: Effects>(&self, ray: &Ray, hit: Hit) -> Option<Surface> {
+    pub fn surface<E: Effects>(&self, ray: &Ray, hit: Hit) -> Option<SurfaceInteraction> {
         let geometry = &self.scene.parts().geometry;
-        geometry.surface::<E>(geometry.shape(hit.item)?, ray, hit.t)
+        geometry.surface_interaction::<E>(geometry.shape(hit.item)?, ray, hit.t)
     }
 
     /// How far off a point of a smooth item the round surface is that is meant, where it is to stand
     /// in no light of its own; none for other items. `point`: where the item is at rest. `outside`: on the side of its normals.
     pub(crate) fn lift<E: Effects>(&self, item: ItemId, point: Vec3, outside: bool) -> Option<Vec3> {
         let geometry = &self.scene.parts().geometry;
-        geometry.lift::<E>(*geometry.at_rest(geometry.shape(item)?)?, point, outside)
+        geometry.terminator_offset::<E>(*geometry.static_shape(geometry.shape(item)?)?, point, outside)
     }
 
     /// How far away from its own place an item is at `time`; zero where nothing moves.
@@ -134,13 +134,13 @@ impl<'s, A: Accelerator> World<'s, A> {
             return Vec3::ZERO;
         }
         let geometry = &self.scene.parts().geometry;
-        geometry.shape(item).map_or(Vec3::ZERO, |shape| geometry.offset(shape, time))
+        geometry.shape(item).map_or(Vec3::ZERO, |shape| geometry.motion_offset(shape, time))
     }
 
     /// Planes have no box, so they are tested here and first: what they leave in reach is less.
     #[inline(always)]
     fn ask<E: Effects, Q: Query>(&self, ray: &Ray, scratch: &mut A::Scratch, query: &mut Q) {
-        if E::SET.shapes.has(ShapeKind::Plane) {
+        if E::SET.shapes.contains(ShapeKind::Plane) {
             for plane in self.scene.parts().geometry.planes {
                 if query.test_item(plane.item).is_break() {
                     return;
@@ -204,7 +204,7 @@ impl Goal for Blocker {
 impl<'q, E: Effects, T: Tally, G: Goal> Search<'q, E, T, G> {
     /// Which of both sorts of triangles can be met.
     const TRIANGLES: [bool; 2] =
-        [E::SET.shapes.has(ShapeKind::Triangle), E::SET.shapes.has(ShapeKind::SmoothTriangle)];
+        [E::SET.shapes.contains(ShapeKind::Triangle), E::SET.shapes.contains(ShapeKind::SmoothTriangle)];
 
     fn new<A>(
         world: &'q World<'_, A>,
@@ -230,7 +230,7 @@ impl<'q, E: Effects, T: Tally, G: Goal> Search<'q, E, T, G> {
     #[inline(always)]
     fn test_shape(&mut self, item: ItemId, shape: &Shape) -> ControlFlow<()> {
         self.count(shape);
-        self.meet(item, self.geometry.distance::<E>(shape, self.ray))
+        self.meet(item, self.geometry.intersect::<E>(shape, self.ray))
     }
 
     #[inline(always)]
@@ -300,7 +300,7 @@ impl<E: Effects, T: Tally, G: Goal> Query for Search<'_, E, T, G> {
             match corners {
                 Some(corners) if self.can_meet(item) => {
                     self.tested(item);
-                    self.meet(item, triangle_distance(corners.each_ref(), self.ray))?;
+                    self.meet(item, intersect_triangle(corners.each_ref(), self.ray))?;
                 }
                 Some(_) => {}
                 None => self.test_item(item)?,

@@ -13,8 +13,8 @@ pub use optics::{Refraction, absorbed, reflected, refracted};
 pub(crate) use passage::{crossing, left_after};
 
 use crate::accel::Accelerator;
-use crate::geometry::{ItemId, Surface, leave};
-use crate::math::{Dimension, Real, Rgb, Stream, Vec3, largest, power};
+use crate::geometry::{ItemId, SurfaceInteraction, offset_origin};
+use crate::math::{Dimension, Real, Rgb, SobolSequence, Vec3, max_abs_component, pow_positive};
 
 use crate::scene::{Beam, Effects, Material, World};
 use crate::tally::{Lit, Step, Tally};
@@ -25,7 +25,7 @@ use shadow::{Start, Way};
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Seen {
     /// The surface.
-    pub(crate) surface: Surface,
+    pub(crate) surface: SurfaceInteraction,
     /// The direction of the ray, of length one.
     pub(crate) along: Vec3,
     /// Whether the ray comes from the side that the normal points to.
@@ -37,10 +37,16 @@ pub(crate) struct Seen {
 }
 
 impl Seen {
-    pub(crate) fn new(surface: Surface, along: Vec3) -> Self {
+    pub(crate) fn new(surface: SurfaceInteraction, along: Vec3) -> Self {
         let outside = surface.normal.dot(along) <= 0.0;
         let turned = |n: Vec3| if outside { n } else { -n };
-        Seen { surface, along, outside, facing: turned(surface.normal), shading: turned(surface.shading) }
+        Seen {
+            surface,
+            along,
+            outside,
+            facing: turned(surface.normal),
+            shading: turned(surface.shading_normal),
+        }
     }
 
     /// The normal that mirrors and breaks light: the shading one, or the geometric one where the
@@ -57,13 +63,13 @@ impl Seen {
     /// Where a ray starts that stays on the side that the surface is seen from.
     #[inline(always)]
     pub(crate) fn before(&self) -> Vec3 {
-        leave(self.surface.point, self.surface.error, self.facing)
+        offset_origin(self.surface.point, self.surface.point_error, self.facing)
     }
 
     /// Where a ray starts that goes on through the surface.
     #[inline(always)]
     pub(crate) fn behind(&self) -> Vec3 {
-        leave(self.surface.point, self.surface.error, -self.facing)
+        offset_origin(self.surface.point, self.surface.point_error, -self.facing)
     }
 }
 
@@ -72,7 +78,7 @@ pub(crate) struct Arrival<'r> {
     /// What it has met.
     pub(crate) item: ItemId,
     /// The numbers that belong to the camera ray.
-    pub(crate) stream: Stream,
+    pub(crate) stream: SobolSequence,
     /// When.
     pub(crate) time: Real,
     /// How far away from its own place the item is then; its texture moves with it.
@@ -117,19 +123,19 @@ pub(crate) fn local<A: Accelerator, E: Effects, T: Tally, const SHADOWS: usize>(
     let (normal, side) = if material.two_sided {
         (seen.shading, seen.facing)
     } else {
-        (seen.surface.shading, seen.surface.normal)
+        (seen.surface.shading_normal, seen.surface.normal)
     };
     let shiny = E::SET.highlight && material.is_shiny();
     let mirrored = if shiny { 2.0 * normal.dot(seen.along) } else { 0.0 };
     let scatters = !diffuse.is_black();
-    let from = leave(seen.surface.point, seen.surface.error, side);
+    let from = offset_origin(seen.surface.point, seen.surface.point_error, side);
     let start = Start { point: seen.surface.point, from, time: arrival.time };
     for (source, number) in parts.lights.iter().zip(0..) {
         let chance = || {
             if !E::SET.penumbra {
                 return [0.5, 0.5];
             }
-            arrival.stream.pair(Dimension::light(arrival.level, number))
+            arrival.stream.sample_2d(Dimension::light(arrival.level, number))
         };
         let mut skip = |lit| tally.tell(Step::Light { number, lit });
         let beam = match source.beam(seen.surface.point, normal, E::SET.lights, chance) {
@@ -211,7 +217,7 @@ fn passes<A: Accelerator, E: Effects, T: Tally, const SHADOWS: usize>(
 
 /// A place from which a light stands under the horizon of its smooth shape.
 struct Below {
-    surface: Surface,
+    surface: SurfaceInteraction,
     /// The geometric normal, on the side that is lit.
     side: Vec3,
     item: ItemId,
@@ -232,8 +238,8 @@ fn passes_from_below<A: Accelerator, E: Effects, T: Tally, const SHADOWS: usize>
     tally: &mut T,
 ) -> Option<Rgb> {
     let lift = world.lift::<E>(item, surface.point - offset, side.dot(surface.normal) > 0.0);
-    let lift = lift.filter(|lift| largest(*lift) < 0.25 * beam.distance).unwrap_or(Vec3::ZERO);
-    let from = leave(surface.point, surface.error, side) + lift;
+    let lift = lift.filter(|lift| max_abs_component(*lift) < 0.25 * beam.distance).unwrap_or(Vec3::ZERO);
+    let from = offset_origin(surface.point, surface.point_error, side) + lift;
     let start = Start { point: surface.point, from, time };
     passes::<A, E, T, SHADOWS>(world, &start, way, &beam, memory, tally)
 }
@@ -247,7 +253,7 @@ fn cosine_power(cos: Real, exponent: Real) -> Real {
     if lack * exponent > NOTHING {
         0.0
     } else if lack > 0.0 {
-        power(cos, exponent)
+        pow_positive(cos, exponent)
     } else {
         1.0
     }

@@ -5,7 +5,7 @@
 //!
 //! Total reflection is found before any root is taken, so that no NaN arises.
 
-use crate::math::{Real, Rgb, Vec3, exp, greatest, sqrt};
+use crate::math::{Real, Rgb, Vec3, exp, max, sqrt};
 
 /// The mirrored direction.
 pub fn reflected(d: Vec3, n: Vec3) -> Vec3 {
@@ -27,7 +27,7 @@ pub fn refracted(d: Vec3, n: Vec3, ratio: Real) -> Option<Refraction> {
     if ratio == 1.0 {
         return Some(Refraction { direction: d, mirrored: 0.0 });
     }
-    let cos = greatest(-d.dot(n), 0.0);
+    let cos = max(-d.dot(n), 0.0);
     // The part along the surface, as it is behind it. Its square is right also where neither
     // direction is exactly one long, which that of `1 - cos^2` is not.
     let flat = (d + n * cos) * ratio;

@@ -7,7 +7,7 @@ use super::optics::refracted;
 use super::passage::{crossing, left_after};
 use crate::accel::Accelerator;
 use crate::geometry::Ray;
-use crate::math::{ROUNDOFF, Real, Rgb, Vec3, largest};
+use crate::math::{ROUNDOFF, Real, Rgb, Vec3, max_abs_component};
 use crate::scene::{Beam, Effects, Interface, LightKind, Material, World};
 use crate::tally::{Event, RayKind, Step, Tally};
 
@@ -43,12 +43,12 @@ impl Way<'_> {
     /// to stand between.
     fn direction<E: Effects>(&self) -> Option<Vec3> {
         let (start, beam) = (self.start, self.beam);
-        if E::SET.lights.has(LightKind::Directional) && beam.distance == Real::MAX {
+        if E::SET.lights.contains(LightKind::Directional) && beam.distance == Real::MAX {
             return Some(beam.toward); // of a light without a place, whose rays are parallel
         }
         // Started beside the point, the ray must not end beside the light.
         let aside = start.point - start.from;
-        (largest(aside) < beam.distance).then(|| beam.toward + aside / beam.distance)
+        (max_abs_component(aside) < beam.distance).then(|| beam.toward + aside / beam.distance)
     }
 
     /// How far something may be and still stand in the way.
@@ -69,7 +69,7 @@ pub(super) fn is_dark<A: Accelerator, E: Effects, T: Tally, const SHADOWS: usize
     tally.count(Event::Ray(RayKind::Shadow));
     let Some(direction) = way.direction::<E>() else { return false };
     tally.tell(Step::Asks { origin: way.start.from, direction, reach: way.reach() });
-    let ray = Ray::near_unit(way.start.from, direction, way.start.time);
+    let ray = Ray::with_near_unit_direction(way.start.from, direction, way.start.time);
     if let Some(last) = memory.shadows.last(way.toward) {
         let still = world.blocks::<E, T>(last, &ray, way.reach(), RayKind::Shadow, tally);
         tally.count(Event::ShadowCache { hit: still });
@@ -114,7 +114,7 @@ pub(super) fn passing<A: Accelerator, E: Effects, T: Tally>(
     let (mut from, mut reach) = (way.start.from, way.reach());
     tally.tell(Step::Asks { origin: from, direction, reach });
     for _ in 0..MOST_SURFACES {
-        let ray = Ray::near_unit(from, direction, way.start.time);
+        let ray = Ray::with_near_unit_direction(from, direction, way.start.time);
         let hit = world.nearest::<E, T>(&ray, reach, RayKind::Shadow, scratch, tally);
         let met = hit.and_then(|hit| Some((hit, world.surface::<E>(&ray, hit)?)));
         let Some((hit, surface)) = met else {

@@ -30,7 +30,7 @@ use core::marker::PhantomData;
 
 use crate::accel::Accelerator;
 use crate::geometry::{Hit, Ray};
-use crate::math::{Dimension, Real, Rgb, Stream, Vec3, facet};
+use crate::math::{Dimension, Real, Rgb, SobolSequence, Vec3, sample_visible_normal};
 use crate::scene::{Camera, CameraSample, EffectSet, Effects, Interface, LastLevel, Material, World};
 use crate::shade::{
     Arrival, Crossing, Media, Seen, crossing, index, left_after, local, reflected, refracted,
@@ -83,13 +83,13 @@ impl<'w, 's, A: Accelerator, E: Effects, const LEVELS: usize> Tracer<'w, 's, A, 
     ) -> PixelSample {
         // When all rays of this tree are sent.
         let time = if E::SET.motion && self.world.scene().effects().motion {
-            let [time, _] = sample.stream.pair(Dimension::SHUTTER);
+            let [time, _] = sample.stream.sample_2d(Dimension::SHUTTER);
             time
         } else {
             0.0
         };
         let ray = if E::SET.lens && self.camera.has_lens() {
-            self.camera.lens_ray(sample.point, sample.stream.pair(Dimension::LENS))
+            self.camera.lens_ray(sample.point, sample.stream.sample_2d(Dimension::LENS))
         } else {
             self.camera.ray(sample.point)
         };
@@ -108,14 +108,14 @@ impl<'w, 's, A: Accelerator, E: Effects, const LEVELS: usize> Tracer<'w, 's, A, 
             task = next;
         }
         // Once, here: no part is below zero, so that a sum that was too large stays so.
-        PixelSample { color: sum.at_most(BRIGHTEST_PLACE), hit }
+        PixelSample { color: sum.clamp_max(BRIGHTEST_PLACE), hit }
     }
 
     /// What a task adds to the pixel by itself; its children go onto the stack.
     fn follow<T: Tally, const SHADOWS: usize>(
         &self,
         task: &mut Task,
-        stream: Stream,
+        stream: SobolSequence,
         time: Real,
         first: &mut HitId,
         worker: &mut Worker<A, T, LEVELS, SHADOWS>,
@@ -124,7 +124,7 @@ impl<'w, 's, A: Accelerator, E: Effects, const LEVELS: usize> Tracer<'w, 's, A, 
         tally.count(Event::Ray(task.kind));
         tally.count(Event::Level(task.level));
         tally.tell(task.begins());
-        let ray = Ray::near_unit(task.origin, task.direction, time);
+        let ray = Ray::with_near_unit_direction(task.origin, task.direction, time);
         let found = self.world.nearest_sound::<E, T>(&ray, E::SIGHT, task.kind, &mut memory.scratch, tally);
         let met = found.and_then(|hit| Some((hit, self.world.surface::<E>(&ray, hit)?)));
         let Some((hit, surface)) = met else {
@@ -176,7 +176,7 @@ impl<'w, 's, A: Accelerator, E: Effects, const LEVELS: usize> Tracer<'w, 's, A, 
             Arrival { item: hit.item, stream, time, offset, level: task.level, before: &task.media, behind };
         let light = local::<A, E, T, SHADOWS>(self.world, material, &seen, &arrival, memory, tally);
         let unsent = self.leave_children(task, material, &seen, crossing.as_ref(), stream, tasks, tally);
-        let adds = task.weight * light.at_most(BRIGHTEST_SURFACE) + unsent;
+        let adds = task.weight * light.clamp_max(BRIGHTEST_SURFACE) + unsent;
         tally.tell(Step::Adds(adds));
         adds
     }
@@ -220,7 +220,7 @@ impl<'w, 's, A: Accelerator, E: Effects, const LEVELS: usize> Tracer<'w, 's, A, 
         let Child { origin, direction, share, kind, media } = child;
         let weight = task.weight * share;
         let mut tell = |fate| tally.tell(Step::Sends { kind, share, weight, fate });
-        if !(weight.largest() > self.limits.cutoff) {
+        if !(weight.max_component() > self.limits.cutoff) {
             tell(Fate::TooLittle);
             tally.count(Event::Cutoff(weight));
         } else if task.level >= self.limits.levels {
@@ -245,7 +245,7 @@ impl<'w, 's, A: Accelerator, E: Effects, const LEVELS: usize> Tracer<'w, 's, A, 
         material: &Material,
         seen: &Seen,
         crossing: Option<&Crossing>,
-        stream: Stream,
+        stream: SobolSequence,
         tasks: &mut Tasks<LEVELS>,
         tally: &mut T,
     ) -> Rgb {
@@ -259,8 +259,8 @@ impl<'w, 's, A: Accelerator, E: Effects, const LEVELS: usize> Tracer<'w, 's, A, 
         if E::SET.gloss && material.is_rough() {
             // Mirrors and glass see one of the facets that make up the surface.
             let slope = material.roughness * material.roughness;
-            let chance = stream.pair(Dimension::lobe(task.level));
-            optical = seen.unless_turned_away(facet(optical, -task.direction, slope, chance));
+            let chance = stream.sample_2d(Dimension::microfacet(task.level));
+            optical = seen.unless_turned_away(sample_visible_normal(optical, -task.direction, slope, chance));
         }
 
         // Refract, unless all light stays on this side.

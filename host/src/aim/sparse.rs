@@ -6,7 +6,7 @@
 
 use std::sync::Arc;
 
-use strahl_core::{Dimension, Pixel, Rgb, Size, Stream, Tile};
+use strahl_core::{Dimension, Pixel, Rgb, Size, SobolSequence, Tile};
 use strahl_picture::srgb::encode;
 
 use crate::cost_map::{ChosenPixels, CostMap};
@@ -118,7 +118,7 @@ pub fn rmse(a: &[Rgb], b: &[Rgb]) -> f64 {
 /// A square somewhere in a cell.
 fn square(cell: Tile, area: Tile) -> Tile {
     let Tile { first: Pixel { x, y }, width, height } = cell;
-    let [u, v] = Stream::new(x, y, 0, 0).pair(Dimension::PIXEL);
+    let [u, v] = SobolSequence::new(x, y, 0, 0).sample_2d(Dimension::PIXEL);
     let place = |first: u32, length: u32, chance: f32| {
         first + (length.saturating_sub(SIDE - 1) as f32 * chance) as u32
     };

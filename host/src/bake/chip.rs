@@ -73,7 +73,7 @@ const PER_RAY: u64 = 570;
 fn per_shape(kind: ShapeKind) -> u64 {
     match kind {
         ShapeKind::Sphere | ShapeKind::Plane | ShapeKind::Polygon | ShapeKind::Disc => 60,
-        ShapeKind::Cuboid | ShapeKind::TurnedCuboid | ShapeKind::Cone => 150,
+        ShapeKind::Cuboid | ShapeKind::OrientedCuboid | ShapeKind::Cone => 150,
         ShapeKind::Triangle | ShapeKind::SmoothTriangle => 200,
         ShapeKind::Torus => 600,
     }

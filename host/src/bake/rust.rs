@@ -5,8 +5,8 @@ use std::path::Path;
 
 use strahl_core::{
     Aabb, Background, Cone, Cuboid, Disc, EffectSet, Falloff, Interface, ItemId, Light, Material, MaterialId,
-    Moving, Plane, Polygon, Projection, Rgb, Scene, Shape, Source, Sphere, Texture, TextureId, Torus,
-    TurnedCuboid, Vec3, View,
+    MovingShape, OrientedCuboid, Plane, Polygon, Projection, Rgb, Scene, Shape, Source, Sphere, Texture,
+    TextureId, Torus, Vec3, View,
 };
 
 use super::Asked;
@@ -35,16 +35,16 @@ pub(super) fn source(path: &Path, scene: &Scene<'_>, asked: &Asked) -> String {
     out += "/// The scene, not yet checked.\npub static PARTS: Parts<'static> = Parts {\n    geometry: Geometry {\n";
     for field in [
         "shapes",
-        "points",
-        "normals",
+        "vertices",
+        "vertex_normals",
         "planes",
         "discs",
         "polygons",
         "cuboids",
-        "turned_cuboids",
+        "oriented_cuboids",
         "cones",
         "tori",
-        "moving",
+        "moving_shapes",
     ] {
         let _ = writeln!(out, "        {field}: &{},", field.to_uppercase());
     }
@@ -57,16 +57,16 @@ pub(super) fn source(path: &Path, scene: &Scene<'_>, asked: &Asked) -> String {
         parts.colored_shadows,
     );
     table(&mut out, "SHAPES", "Shape", g.shapes);
-    table(&mut out, "POINTS", "Vec3", g.points);
-    table(&mut out, "NORMALS", "Vec3", g.normals);
+    table(&mut out, "VERTICES", "Vec3", g.vertices);
+    table(&mut out, "VERTEX_NORMALS", "Vec3", g.vertex_normals);
     table(&mut out, "PLANES", "Plane", g.planes);
     table(&mut out, "DISCS", "Disc", g.discs);
     table(&mut out, "POLYGONS", "Polygon", g.polygons);
     table(&mut out, "CUBOIDS", "Cuboid", g.cuboids);
-    table(&mut out, "TURNED_CUBOIDS", "TurnedCuboid", g.turned_cuboids);
+    table(&mut out, "ORIENTED_CUBOIDS", "OrientedCuboid", g.oriented_cuboids);
     table(&mut out, "CONES", "Cone", g.cones);
     table(&mut out, "TORI", "Torus", g.tori);
-    table(&mut out, "MOVING", "Moving", g.moving);
+    table(&mut out, "MOVING_SHAPES", "MovingShape", g.moving_shapes);
     table(&mut out, "MADE_OF", "MaterialId", parts.made_of);
     table(&mut out, "MATERIALS", "Material", parts.materials);
     table(&mut out, "TEXTURES", "Texture", parts.textures);
@@ -199,12 +199,12 @@ structs! {
     Sphere { center, radius }
     Plane { point, normal, item }
     Disc { center, normal, radius }
-    Polygon { first, count, point, normal, bounds, smooth }
+    Polygon { first_vertex, vertex_count, point, normal, bounds, smooth }
     Cuboid { min, max }
-    TurnedCuboid { center, half, axes }
+    OrientedCuboid { center, half_extents, axes }
     Cone { base, axis, height, base_radius, end_radius, capped }
-    Torus { center, axis, major, minor }
-    Moving { shape, opening, closing }
+    Torus { center, axis, major_radius, minor_radius }
+    MovingShape { shape, offset_at_open, offset_at_close }
     Material {
         ambient, diffuse, texture, highlight, exponent, mirror, transmitted, roughness, index, interface, clarity,
         priority, two_sided
@@ -272,7 +272,7 @@ impl Literal for Shape {
             | Shape::Disc(place)
             | Shape::Polygon(place)
             | Shape::Cuboid(place)
-            | Shape::TurnedCuboid(place)
+            | Shape::OrientedCuboid(place)
             | Shape::Cone(place)
             | Shape::Torus(place)
             | Shape::Moving(place) => text(place),

@@ -16,8 +16,8 @@ use super::effects;
 use super::request::ChooseRayTracers;
 use super::session::{AnyWorld, OpenWorld};
 use super::strahl::{
-    Aabb, Accelerator, Ball, BuildError, BvhBuilder, BvhNode, BvhSize, Grid, GridSize, LeafEntry, LeafLayout,
-    List, Octree, OctreeNode, OctreeSize, Scene, TraversalHeap, TraversalQueue, TraversalStack,
+    Aabb, Accelerator, BoundingSphere, BuildError, BvhBuilder, BvhNode, BvhSize, Grid, GridSize, LeafEntry,
+    LeafLayout, List, Octree, OctreeNode, OctreeSize, Scene, TraversalHeap, TraversalQueue, TraversalStack,
     TriangleBlock, World, group_count,
 };
 use crate::finding::{Bounds, Choice, Finding, Kind, MAILBOX, STACK, Walk};
@@ -28,8 +28,8 @@ use crate::render_output::AccelStats;
 pub struct AccelMemory {
     boxes: Vec<Aabb>,
     groups: Vec<Aabb>,
-    spheres: Vec<Ball>,
-    sphere_groups: Vec<Ball>,
+    spheres: Vec<BoundingSphere>,
+    sphere_groups: Vec<BoundingSphere>,
     cells: Vec<u32>,
     items: Vec<u32>,
     octree_nodes: Vec<OctreeNode>,
@@ -96,8 +96,8 @@ impl<'s> Building<'s> {
             Bounds::None => (List::without_bounds(entries as u32), 1),
             Bounds::Sphere => {
                 let regions = group_count(entries);
-                memory.spheres = vec![Ball::EMPTY; entries];
-                memory.sphere_groups = vec![Ball::EMPTY; regions];
+                memory.spheres = vec![BoundingSphere::EMPTY; entries];
+                memory.sphere_groups = vec![BoundingSphere::EMPTY; regions];
                 (List::with_spheres(&memory.boxes, &mut memory.spheres, &mut memory.sphere_groups)?, regions)
             }
             Bounds::Box => {

@@ -3,7 +3,7 @@
 //! Their numbers may be anything. What is no ray of this precision is a miss: a number that is not finite, a direction
 //! without length, an origin farther away than a scene may reach.
 
-use super::strahl::{Accelerator, Everything, FARTHEST, Ray, RayKind, Real, Vec3, World, vec3};
+use super::strahl::{Accelerator, Everything, MAX_COORDINATE, Ray, RayKind, Real, Vec3, World, vec3};
 use crate::ray_query::{RayHit, RayQuery};
 
 /// The nearest hit of a query.
@@ -18,7 +18,7 @@ pub fn nearest<A: Accelerator>(
     scratch: &mut A::Scratch,
 ) -> Option<RayHit> {
     let RayQuery { origin, direction, t_max } = *query;
-    let is_near = |x: f64| x.abs() <= f64::from(FARTHEST);
+    let is_near = |x: f64| x.abs() <= f64::from(MAX_COORDINATE);
     let size = direction.into_iter().map(f64::abs).fold(0.0, |a, b| if a > b { a } else { b });
     let is_ray = origin.into_iter().all(is_near) && direction.into_iter().all(f64::is_finite) && size > 0.0;
     if !is_ray || t_max.is_nan() || t_max <= 0.0 {

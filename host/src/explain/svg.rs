@@ -294,7 +294,7 @@ fn edge(svg: &mut String, class: &str, label: &str, (x0, y0): (f64, f64), (x1, y
 }
 
 fn largest([r, g, b]: Triple) -> f32 {
-    Rgb::new(r, g, b).largest()
+    Rgb::new(r, g, b).max_component()
 }
 
 /// A number with three digits that count: all of them stand in the text.

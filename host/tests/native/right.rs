@@ -96,8 +96,8 @@ fn velocities_and_the_shutter_become_what_moves() {
     let stock = strahl::stock::single::scene_tables(&it);
     let scene = stock.scene().unwrap();
     let geometry = &scene.parts().geometry;
-    assert_eq!(geometry.offset(&geometry.shapes[0], 0.0).to_array(), [-0.5, -1.0, -1.5]);
-    assert_eq!(geometry.offset(&geometry.shapes[0], 1.0).to_array(), [0.25, 0.5, 0.75]);
+    assert_eq!(geometry.motion_offset(&geometry.shapes[0], 0.0).to_array(), [-0.5, -1.0, -1.5]);
+    assert_eq!(geometry.motion_offset(&geometry.shapes[0], 1.0).to_array(), [0.25, 0.5, 0.75]);
     assert!(scene.effects().motion);
 }
 
@@ -185,7 +185,7 @@ fn every_object_becomes_what_the_format_says_and_stands_in_the_order_of_the_file
         end_radius,
         capped,
     };
-    let turned = Form::TurnedCuboid {
+    let turned = Form::OrientedCuboid {
         center: [1.0; 3],
         half: [1.0, 2.0, 3.0],
         first: [0.0, 1.0, 0.0],

@@ -37,7 +37,7 @@ impl Tables {
     }
 
     pub fn scene(&self) -> Scene<'_> {
-        let geometry = Geometry { shapes: &self.shapes, points: &self.points, ..Geometry::EMPTY };
+        let geometry = Geometry { shapes: &self.shapes, vertices: &self.points, ..Geometry::EMPTY };
         Scene::new(Parts { geometry, made_of: &self.made_of, materials: &[Material::MATTE], ..Parts::EMPTY })
             .expect("a mesh is a scene")
     }
@@ -93,7 +93,7 @@ fn tree<'s>(tables: &Tables, room: &'s mut Room) -> Bvh<'s, (), TriangleBlock> {
 /// Builds, and answers by a stack and by a heap.
 pub fn hierarchy<'s>(tables: &'s Tables, room: &'s mut Room) -> [(&'static str, Box<dyn Contender + 's>); 2] {
     let tree = tree(tables, room);
-    let bytes = tree.size_in_bytes() + tables.scene().parts().geometry.bytes();
+    let bytes = tree.size_in_bytes() + tables.scene().parts().geometry.size_in_bytes();
     [
         ("strahl, stack", asked(tables, tree.with_queue::<TraversalStack<64>>(), bytes)),
         ("strahl, heap", asked(tables, tree.with_queue::<TraversalHeap<64>>(), bytes)),

@@ -55,14 +55,14 @@ impl Effects for Peer {
 /// Eight bits for each channel: what is brighter than white is dimmed until it fits, then cut
 /// off to whole steps. No gamma.
 pub fn quantised(color: Rgb) -> [u8; 3] {
-    let brightest = color.largest();
+    let brightest = color.max_component();
     let scale = if brightest > 1.0 { 255.0 / brightest } else { 255.0 };
     [color.r, color.g, color.b].map(|channel| (channel * scale) as i32 as u8)
 }
 
 /// The scene, not yet checked.
 pub const PARTS: Parts<'static> = Parts {
-    geometry: Geometry { shapes: &SHAPES, points: &CORNERS, polygons: &[FLOOR], ..Geometry::EMPTY },
+    geometry: Geometry { shapes: &SHAPES, vertices: &CORNERS, polygons: &[FLOOR], ..Geometry::EMPTY },
     made_of: &[MaterialId(0), MaterialId(1), MaterialId(2), MaterialId(3), MaterialId(4)],
     materials: &MATERIALS,
     textures: &[TILES],
@@ -130,11 +130,11 @@ static CORNERS: [Vec3; 4] =
     [vec3(-10.0, -4.0, -10.0), vec3(10.0, -4.0, -10.0), vec3(10.0, -4.0, -30.0), vec3(-10.0, -4.0, -30.0)];
 
 const FLOOR: Polygon = Polygon {
-    first: 0,
-    count: 4,
+    first_vertex: 0,
+    vertex_count: 4,
     point: vec3(0.0, -4.0, -20.0),
     normal: Vec3::Y,
-    bounds: Aabb::of_points(&CORNERS),
+    bounds: Aabb::from_points(&CORNERS),
     smooth: false,
 };
 

@@ -60,8 +60,8 @@ pub fn parts() -> Parts<'static> {
     Parts {
         geometry: Geometry {
             shapes: &SHAPES,
-            points: &POINTS,
-            normals: &NORMALS,
+            vertices: &POINTS,
+            vertex_normals: &NORMALS,
             planes: &[FLOOR],
             polygons: &[DART],
             cones: &[CONE],
@@ -150,11 +150,11 @@ static NORMALS: [Vec3; 3] = [vec3(-0.6, 0.0, 0.8), vec3(0.6, 0.0, 0.8), vec3(0.0
 
 /// Concave, in the plane z = -1.5: the middle of its corners and the axis upright on it.
 const DART: Polygon = Polygon {
-    first: 3,
-    count: 4,
+    first_vertex: 3,
+    vertex_count: 4,
     point: vec3(2.9, 1.0, -1.5),
     normal: Vec3::Z,
-    bounds: Aabb::of_points(POINTS.split_at(3).1),
+    bounds: Aabb::from_points(POINTS.split_at(3).1),
     smooth: false,
 };
 
@@ -168,8 +168,12 @@ const CONE: Cone = Cone {
 };
 
 /// Leans back and touches the floor.
-const RING: Torus =
-    Torus { center: vec3(0.55, 0.42, 2.3), axis: vec3(0.0, 0.8, 0.6), major: 0.45, minor: 0.15 };
+const RING: Torus = Torus {
+    center: vec3(0.55, 0.42, 2.3),
+    axis: vec3(0.0, 0.8, 0.6),
+    major_radius: 0.45,
+    minor_radius: 0.15,
+};
 
 /// One cell without end upwards, so that rounding never chooses between two.
 const TILES: Texture = Texture::Checker {

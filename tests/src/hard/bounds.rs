@@ -75,12 +75,12 @@ fn answer(solver: Solver, asked: &Asked) -> bool {
             textbook::slabs(asked.aabb.min, asked.aabb.max, narrow(origin), narrow(direction))
         }
         Solver::Single => {
-            asked.aabb.span(&strahl_core::Ray::new(narrow(origin), narrow(direction))).is_some()
+            asked.aabb.intersect(&strahl_core::Ray::new(narrow(origin), narrow(direction))).is_some()
         }
         Solver::Double => {
             let wide = |v: strahl_core::Vec3| vector(v.x.into(), v.y.into(), v.z.into());
             let aabb = strahl_core_double::Aabb { min: wide(asked.aabb.min), max: wide(asked.aabb.max) };
-            aabb.span(&strahl_core_double::Ray::new(origin, direction)).is_some()
+            aabb.intersect(&strahl_core_double::Ray::new(origin, direction)).is_some()
         }
     }
 }

@@ -284,7 +284,7 @@ fn any_turned(place: f64, random: &mut Random) -> (Thing, Vector, Vector, [Vecto
     let half = held(vector(random.scale(0.1, 1.0), random.scale(0.1, 1.0), random.scale(0.1, 1.0)) * size);
     let z = third / length(third);
     let y = z.cross(first) / length(z.cross(first));
-    (Thing::TurnedCuboid { center, half, first, third }, center, half, [y.cross(z), y, z])
+    (Thing::OrientedCuboid { center, half, first, third }, center, half, [y.cross(z), y, z])
 }
 
 fn placed_box(random: &mut Random) -> (Thing, Vec<Line>) {

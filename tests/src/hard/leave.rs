@@ -25,7 +25,7 @@ pub(super) const CASES: [Case; 15] = [
     case("a capped cone", FIXED, |random| again(Kind::CappedCone, random)),
     case("a torus", FIXED, |random| again(Kind::Torus, random)),
     case("a box", FIXED, |random| again(Kind::Cuboid, random)),
-    case("a turned box", FIXED, |random| again(Kind::TurnedCuboid, random)),
+    case("a turned box", FIXED, |random| again(Kind::OrientedCuboid, random)),
     case("a plane", FIXED, |random| again(Kind::Plane, random)),
     case("a disc", FIXED, |random| again(Kind::Disc, random)),
     case("a triangle", FIXED, |random| again(Kind::Triangle, random)),

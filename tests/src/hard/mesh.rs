@@ -1,6 +1,6 @@
 //! Closed meshes: no ray from inside gets out, also when it is aimed at an edge or a corner.
 
-use strahl_core::{Geometry, Ray, Shape, ShapeKind, ShapeSet, Shapes, Vec3, vec3};
+use strahl_core::{Geometry, Ray, Shape, ShapeFeatures, ShapeKind, ShapeSet, Vec3, vec3};
 
 use super::case::{Case, Solver, Tally, held};
 use crate::textbook::Form;
@@ -176,20 +176,21 @@ impl Mesh {
 /// What the core needs to know for meshes.
 struct Triangles;
 
-impl Shapes for Triangles {
+impl ShapeFeatures for Triangles {
     const SHAPES: ShapeSet = ShapeSet::of(&[ShapeKind::Triangle]);
-    const SMOOTH: bool = false;
+    const SMOOTH_SHADING: bool = false;
 }
 
 /// How many of so many rays get through the mesh between its triangles.
 pub fn escapes(mesh: &Mesh, rays: usize, random: &mut Random) -> usize {
     let (points, shapes) = mesh.tables();
-    let geometry = Geometry { points: &points, shapes: &shapes, ..Geometry::EMPTY };
+    let geometry = Geometry { vertices: &points, shapes: &shapes, ..Geometry::EMPTY };
     let escapes = |_: &usize| {
         let (line, near) = mesh.aim(random);
         let narrow = |v: Vector| vec3(v.x as f32, v.y as f32, v.z as f32);
         let ray = Ray::new(narrow(line.origin), narrow(line.direction));
-        let is_met = |number: &u32| geometry.distance::<Triangles>(&shapes[*number as usize], &ray).is_some();
+        let is_met =
+            |number: &u32| geometry.intersect::<Triangles>(&shapes[*number as usize], &ray).is_some();
         !near.iter().any(is_met)
     };
     (0..rays).filter(escapes).count()
@@ -203,7 +204,7 @@ pub fn escapes(mesh: &Mesh, rays: usize, random: &mut Random) -> usize {
 /// touches it, or goes in and out at once.
 pub fn odd_crossings(mesh: &Mesh, rays: usize, random: &mut Random) -> usize {
     let (points, shapes) = mesh.tables();
-    let geometry = Geometry { points: &points, shapes: &shapes, ..Geometry::EMPTY };
+    let geometry = Geometry { vertices: &points, shapes: &shapes, ..Geometry::EMPTY };
     let is_odd = |_: &usize| {
         let origin = held(mesh.eye.0 + random.direction() * (mesh.eye.1 * random.between(4.0, 20.0)));
         let (line, _) = mesh.aim_from(origin, random);
@@ -211,7 +212,7 @@ pub fn odd_crossings(mesh: &Mesh, rays: usize, random: &mut Random) -> usize {
         let ray = Ray::new(narrow(line.origin), narrow(line.direction));
         let mut hits: Vec<(f32, [u32; 3], bool)> = Vec::new();
         for (shape, corners) in shapes.iter().zip(&mesh.triangles) {
-            if let Some(t) = geometry.distance::<Triangles>(shape, &ray) {
+            if let Some(t) = geometry.intersect::<Triangles>(shape, &ray) {
                 let [a, b, c] = corners.map(|corner| mesh.points[corner as usize]);
                 hits.push((t, *corners, (b - a).cross(c - a).dot(line.direction) < 0.0));
             }
@@ -238,12 +239,12 @@ fn tried(mesh: &Mesh, random: &mut Random) -> [Tally; 3] {
     let double = |random: &mut Random| {
         use strahl_core_double::{Geometry, Ray, Shape};
         let shapes: Vec<Shape> = mesh.triangles.iter().copied().map(Shape::Triangle).collect();
-        let geometry = Geometry { points: &mesh.points, shapes: &shapes, ..Geometry::EMPTY };
+        let geometry = Geometry { vertices: &mesh.points, shapes: &shapes, ..Geometry::EMPTY };
         let escapes = |_: &usize| {
             let (line, near) = mesh.aim(random);
             let ray = Ray::new(line.origin, line.direction);
             let is_met = |number: &u32| {
-                geometry.distance::<DoubleTriangles>(&shapes[*number as usize], &ray).is_some()
+                geometry.intersect::<DoubleTriangles>(&shapes[*number as usize], &ray).is_some()
             };
             !near.iter().any(is_met)
         };
@@ -278,8 +279,8 @@ fn tried(mesh: &Mesh, random: &mut Random) -> [Tally; 3] {
 /// The same for the twin.
 struct DoubleTriangles;
 
-impl strahl_core_double::Shapes for DoubleTriangles {
+impl strahl_core_double::ShapeFeatures for DoubleTriangles {
     const SHAPES: strahl_core_double::ShapeSet =
         strahl_core_double::ShapeSet::of(&[strahl_core_double::ShapeKind::Triangle]);
-    const SMOOTH: bool = false;
+    const SMOOTH_SHADING: bool = false;
 }

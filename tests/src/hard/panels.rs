@@ -63,7 +63,7 @@ fn panels() -> [Panel; 5] {
             bound: 4.0,
         },
         Panel {
-            thing: Thing::TurnedCuboid {
+            thing: Thing::OrientedCuboid {
                 center: placed,
                 half: vector(0.75, 0.5, 0.625),
                 first: held(vector(0.8, 0.1, -0.6)),

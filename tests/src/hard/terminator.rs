@@ -103,7 +103,7 @@ fn in_textbook(things: &[Thing], eyes: &[Line], light: Vector) -> (Vec<Option<Fo
 macro_rules! core {
     ($room:ident, $core:ident, $stage:path) => {
         mod $room {
-            use $core::{Light, Limits, Rgb, Source, unit, vec3};
+            use $core::{Light, Limits, Rgb, Source, try_normalize, vec3};
 
             use $stage as Stage;
 
@@ -113,7 +113,7 @@ macro_rules! core {
                 let narrow = |v: Vector| vec3(v.x as _, v.y as _, v.z as _);
                 let mut stage = Stage::with(things);
                 let found = stage.cast(eyes);
-                let toward = unit(narrow(light)).unwrap();
+                let toward = try_normalize(narrow(light)).unwrap();
                 let source = Source::Directional { toward };
                 stage.lights.push(Light { source, color: Rgb::WHITE, shadows: true });
                 let look = |eye: &Line| {

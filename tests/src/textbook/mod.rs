@@ -65,7 +65,7 @@ pub enum Form {
         max: Vec3,
     },
     /// The centre in the box's own frame, and the frame.
-    TurnedCuboid {
+    OrientedCuboid {
         center: Vec3,
         half: Vec3,
         axes: [Vec3; 3],
@@ -111,12 +111,12 @@ impl Form {
                 Form::Polygon { corners, normal, d }
             }
             Thing::Cuboid { min, max } => Form::Cuboid { min: narrow(*min), max: narrow(*max) },
-            Thing::TurnedCuboid { center, half, first, third } => {
+            Thing::OrientedCuboid { center, half, first, third } => {
                 let z = narrow(*third).normalize();
                 let y = z.cross(narrow(*first)).normalize();
                 let axes = [y.cross(z), y, z];
                 let center = narrow(*center);
-                Form::TurnedCuboid { center: turned(center, &axes), half: narrow(*half), axes }
+                Form::OrientedCuboid { center: turned(center, &axes), half: narrow(*half), axes }
             }
             Thing::Cone { base, base_radius, end, end_radius, capped } => {
                 let (base, end) = (narrow(*base), narrow(*end));
@@ -168,7 +168,7 @@ impl Form {
                 is_inside(corners, *normal, o + d * t).then_some(Met { t, normal: *normal })
             }
             Form::Cuboid { min, max } => cuboid(*min, *max, o, d),
-            Form::TurnedCuboid { center, half, axes } => {
+            Form::OrientedCuboid { center, half, axes } => {
                 let met = cuboid(*center - *half, *center + *half, turned(o, axes), turned(d, axes))?;
                 let n = met.normal;
                 Some(Met { t: met.t, normal: axes[0] * n.x + axes[1] * n.y + axes[2] * n.z })

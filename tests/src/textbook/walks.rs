@@ -31,7 +31,7 @@ impl Boxes {
 
     fn bounds(&self) -> (Vec3, Vec3) {
         let all = self.cuboids.iter().flat_map(|cuboid| [cuboid.min, cuboid.max]);
-        let Aabb { min, max } = Aabb::around(all);
+        let Aabb { min, max } = Aabb::enclosing(all);
         (min, max)
     }
 
@@ -39,7 +39,7 @@ impl Boxes {
     fn test(&self, item: u32, line: &Line, best: &mut Option<(f32, u32)>) {
         let geometry = Geometry { cuboids: &self.cuboids, ..Geometry::EMPTY };
         let ray = Ray::new(narrow(line.origin), narrow(line.direction));
-        if let Some(t) = geometry.distance::<Everything>(&Shape::Cuboid(item), &ray)
+        if let Some(t) = geometry.intersect::<Everything>(&Shape::Cuboid(item), &ray)
             && best.is_none_or(|best| t < best.0)
         {
             *best = Some((t, item));
@@ -246,7 +246,7 @@ impl Hierarchy {
         };
         items.sort_by(|a, b| middle(a).total_cmp(&middle(b)));
         let of = |item: &u32| boxes.cuboids[*item as usize];
-        let Aabb { min, max } = Aabb::around(items.iter().flat_map(|item| [of(item).min, of(item).max]));
+        let Aabb { min, max } = Aabb::enclosing(items.iter().flat_map(|item| [of(item).min, of(item).max]));
         let other = items.split_off(items.len() / 2);
         let part = |items| Hierarchy::of_items(boxes, items, (axis + 1) % 3);
         Hierarchy::Parts(min, max, Box::new([part(items), part(other)]))

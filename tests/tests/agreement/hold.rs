@@ -2,7 +2,7 @@
 
 use strahl_core::{
     Aabb, Accelerator, Bvh, BvhBuilder, BvhNode, BvhSize, Everything, Grid, GridSize, Hit, ItemId, LeafEntry,
-    LeafLayout, List, Octree, OctreeLimits, OctreeNode, OctreeSize, Ray, RayKind, Real, Surface,
+    LeafLayout, List, Octree, OctreeLimits, OctreeNode, OctreeSize, Ray, RayKind, Real, SurfaceInteraction,
     TraversalHeap, TraversalStack, TriangleBlock, World,
 };
 use strahl_tests::Random;
@@ -13,7 +13,7 @@ use strahl_tests::single::Stage;
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Answer {
     pub hit: Option<(ItemId, u32)>,
-    surface: Option<Surface>,
+    surface: Option<SurfaceInteraction>,
     pub is_blocked: bool,
 }
 

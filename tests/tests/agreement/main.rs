@@ -9,8 +9,8 @@ use std::ops::ControlFlow;
 
 use hold::{Case, Hold, blocker, nearest};
 use strahl_core::{
-    Aabb, Accelerator, Ball, Buffer, BuildError, BvhSize, Counters, Everything, GridSize, Hit, ItemId, List,
-    OctreeSize, Query, Ray, RayKind, Real, Vec3, World, group_count, vec3,
+    Aabb, Accelerator, BoundingSphere, Buffer, BuildError, BvhSize, Counters, Everything, GridSize, Hit,
+    ItemId, List, OctreeSize, Query, Ray, RayKind, Real, Vec3, World, group_count, vec3,
 };
 use strahl_tests::single::Stage;
 use strahl_tests::{Kind, Random, Thing, Vector, vector};
@@ -56,7 +56,7 @@ fn all_agree(stage: &Stage, rays: &[Ray], random: &mut Random) -> usize {
     let boxed = List::with_boxes(boxes, &mut groups).unwrap();
     hold.against("with boxes", boxed);
     let (mut balls, mut round) =
-        (vec![Ball::EMPTY; boxes.len()], vec![Ball::EMPTY; group_count(boxes.len())]);
+        (vec![BoundingSphere::EMPTY; boxes.len()], vec![BoundingSphere::EMPTY; group_count(boxes.len())]);
     hold.against("with balls", List::with_spheres(boxes, &mut balls, &mut round).unwrap());
     hold.against("in another order", Offered::any(stage.len(), random));
 
@@ -137,7 +137,7 @@ fn random_stage(items: u32, random: &mut Random) -> Stage {
 /// The same at some time, often at one of the ends.
 fn timed_ray(radius: f64, random: &mut Random) -> Ray {
     let time = [0.0, 1.0, 0.5, random.unit() as Real][random.below(4) as usize];
-    random_ray(radius, random).at_time(time)
+    random_ray(radius, random).with_time(time)
 }
 
 /// Random things, and every third of them moves: not at all, along an axis, anywhere.
@@ -184,7 +184,7 @@ fn a_thing_that_moves_is_met_like_one_that_stands_where_it_is() {
         stands.sphere(center, radius);
         for _ in 0..10 {
             let ray = random_ray(4.0, &mut random);
-            let ray = Ray::new(exact(ray.origin), ray.direction).at_time(0.25);
+            let ray = Ray::new(exact(ray.origin), ray.direction).with_time(0.25);
             let world = World::new(moves.scene(), List::without_bounds(1));
             let truth = World::new(stands.scene(), List::without_bounds(1));
             let (hit, want) = (nearest(&world, &ray, Real::MAX), nearest(&truth, &ray, Real::MAX));
@@ -197,7 +197,7 @@ fn a_thing_that_moves_is_met_like_one_that_stands_where_it_is() {
                     (world.surface::<Everything>(&ray, hit), truth.surface::<Everything>(&ray, want));
                 let (Some(it), Some(want)) = surfaces else { panic!("no surface") };
                 let off = (it.point - want.point).abs();
-                assert!(off.cmple(it.error + want.error).all(), "{off}");
+                assert!(off.cmple(it.point_error + want.point_error).all(), "{off}");
             } else {
                 assert_eq!(hit, want, "{ray:?}");
             }
@@ -401,7 +401,7 @@ fn too_few_groups_are_refused_with_the_numbers_to_act_on() {
             );
             assert_eq!(error.to_string(), format!("{needed} groups needed, {lent} lent"));
         }
-        let mut balls = vec![Ball::EMPTY; items];
+        let mut balls = vec![BoundingSphere::EMPTY; items];
         let error = List::with_spheres(&boxes, &mut balls[1..], &mut []).unwrap_err();
         assert_eq!(
             error,
@@ -429,7 +429,7 @@ fn boxes_save_tests_of_shapes_and_groups_save_tests_of_boxes() {
     let mut groups = vec![Aabb::EMPTY; group_count(boxes.len())];
     let boxed = World::new(stage.scene(), List::with_boxes(&boxes, &mut groups).unwrap());
     let (mut balls, mut round) =
-        (vec![Ball::EMPTY; boxes.len()], vec![Ball::EMPTY; group_count(boxes.len())]);
+        (vec![BoundingSphere::EMPTY; boxes.len()], vec![BoundingSphere::EMPTY; group_count(boxes.len())]);
     let balled = World::new(stage.scene(), List::with_spheres(&boxes, &mut balls, &mut round).unwrap());
     let bare = World::new(stage.scene(), List::without_bounds(stage.len()));
     let rays: Vec<Ray> = (0..100)

@@ -218,7 +218,7 @@ fn the_smallest_tracer_and_the_one_that_can_everything_give_the_same_picture() {
         picture::<_, Everything, 64>(&world, size(48, 32), Limits { levels: 64, cutoff: 0.0 }, &mut Single);
     assert_eq!(small, all);
     assert_eq!(counters, same);
-    assert!(small.iter().any(|color| color.largest() > 0.5));
+    assert!(small.iter().any(|color| color.max_component() > 0.5));
 }
 
 #[test]

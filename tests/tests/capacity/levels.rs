@@ -21,7 +21,7 @@ fn panes(levels: usize) -> Stage {
 
 /// The ray through the middle of the first pixel.
 const MIDDLE: CameraSample =
-    CameraSample { point: FilmPoint { x: 0.5, y: 0.5 }, stream: Stream::new(0, 0, 0, 0) };
+    CameraSample { point: FilmPoint { x: 0.5, y: 0.5 }, stream: SobolSequence::new(0, 0, 0, 0) };
 
 /// A ray straight at the panes, with room for `LEVELS` levels.
 fn full_tree<const LEVELS: usize>(levels: u8) -> (Rgb, Counters) {

@@ -92,7 +92,7 @@ fn fair() -> Stage {
     }
     let falloff = Falloff { constant: 1.0, linear: 0.01, quadratic: 0.0 };
     let position = vec3(6.0, 8.0, 3.0);
-    let direction = unit(-position).unwrap();
+    let direction = try_normalize(-position).unwrap();
     for source in [
         Source::Point { position: vec3(-5.0, 9.0, 6.0), falloff },
         Source::Directional { toward: Vec3::Y },

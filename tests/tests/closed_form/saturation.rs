@@ -4,7 +4,7 @@ use strahl_tests::{Kind, Random, Thing, Vector};
 
 use crate::*;
 
-const BRIGHTEST: Rgb = Rgb::gray(Rgb::BRIGHTEST);
+const BRIGHTEST: Rgb = Rgb::gray(Rgb::MAX_CHANNEL);
 
 fn glaring() -> Material {
     Material {
@@ -153,7 +153,7 @@ fn whatever_a_scene_may_name_gives_a_number() {
                 linear: one_of(&[0.0, 1e-30, 1e15], r),
                 quadratic: one_of(&[1e-30, 1.0, 1e15], r),
             };
-            let toward = unit(near(r)).unwrap();
+            let toward = try_normalize(near(r)).unwrap();
             let source = match r.below(5) {
                 0 => Source::Point { position: near(r), falloff },
                 1 => Source::Directional { toward },

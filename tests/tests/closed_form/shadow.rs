@@ -166,7 +166,7 @@ fn a_light_on_any_surface_is_not_in_its_own_way() {
         stage.material(Material { ambient: Rgb::BLACK, ..Material::MATTE });
         stage.disc(from, place - from, 1e-3);
         stage.lights.push(lamp(place.x, place.y, place.z));
-        let before = from + unit(place - from).unwrap() * 0.5;
+        let before = from + try_normalize(place - from).unwrap() * 0.5;
         let (color, counters) = stage.look_and_count(before, from, ALL);
         if counters.rays[RayKind::Shadow] == 1 {
             assert!(!color.is_black(), "{round}: {kind:?} {contact:?}");

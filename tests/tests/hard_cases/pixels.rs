@@ -6,7 +6,7 @@ use strahl_core::{
     Adaptive, Agreement, Background, Camera, Confidence, Everything, Falloff, Filter, Frame, Interface, Kept,
     Light, Limits, List, Loose, Material, Parting, Projection, Ray, RayKind, Real, Regular, Rgb, Selected,
     Selection, Single, Size, Source, Stochastic, Texture, Tile, Tracer, Vec3, View, Worker, World, render,
-    render_selected, unit, vec3,
+    render_selected, try_normalize, vec3,
 };
 use strahl_tests::single::Stage;
 use strahl_tests::{Kind, Random, Thing, Vector};
@@ -49,7 +49,7 @@ fn place() -> impl Strategy<Value = Vec3> {
 
 fn direction() -> impl Strategy<Value = Vec3> {
     let axes = prop::sample::select(vec![Vec3::X, Vec3::Y, -Vec3::Z]);
-    prop_oneof![place().prop_map(|v| unit(v).unwrap_or(Vec3::Y)), axes]
+    prop_oneof![place().prop_map(|v| try_normalize(v).unwrap_or(Vec3::Y)), axes]
 }
 
 prop_compose! {
@@ -67,7 +67,7 @@ prop_compose! {
             2 => Source::Sphere { position, radius: 0.0, falloff },
             3 => Source::Sphere { position, radius: extent * scale, falloff },
             4 => {
-                let side = unit(direction.cross(vec3(0.3, 0.5, 0.8))).unwrap();
+                let side = try_normalize(direction.cross(vec3(0.3, 0.5, 0.8))).unwrap();
                 let half = [side, direction.cross(side)].map(|side| side * (extent * scale));
                 Source::Rectangle { position, half, soft: shadows, falloff }
             }
@@ -214,7 +214,7 @@ proptest! {
             }
         };
         for color in colors {
-            prop_assert!(color.is_within(Real::MAX), "{color:?}");
+            prop_assert!(color.is_in_range(Real::MAX), "{color:?}");
         }
     }
 
@@ -231,8 +231,8 @@ proptest! {
             prop_assert!(hit.t > 0.0 && hit.t <= Real::MAX);
             let surface = world.surface::<Everything>(&ray, hit);
             let surface = surface.expect("what was hit has a surface");
-            prop_assert!(surface.point.is_finite() && surface.error.is_finite(), "{surface:?}");
-            for normal in [surface.normal, surface.shading] {
+            prop_assert!(surface.point.is_finite() && surface.point_error.is_finite(), "{surface:?}");
+            for normal in [surface.normal, surface.shading_normal] {
                 prop_assert!((normal.dot(normal) - 1.0).abs() <= 2e-6, "{surface:?}");
             }
         }

@@ -2,7 +2,7 @@
 
 use strahl_core::{
     Background, Camera, Everything, Falloff, Frame, Interface, Light, Limits, List, Material, Projection,
-    Rgb, Single, Size, Source, Texture, Tile, Tracer, Vec3, View, Worker, World, render, unit, vec3,
+    Rgb, Single, Size, Source, Texture, Tile, Tracer, Vec3, View, Worker, World, render, try_normalize, vec3,
 };
 use strahl_tests::hard::cases;
 use strahl_tests::oracle::{Truth, meet, size};
@@ -65,7 +65,7 @@ fn picture(scale: f32, has_lens: bool) -> Vec<[u32; 3]> {
     }
     let falloff = Falloff { constant: 1.0, linear: 0.01 / scale, quadratic: 0.001 / (scale * scale) };
     let position = vec3(6.0, 8.0, 3.0);
-    let direction = unit(-position).unwrap();
+    let direction = try_normalize(-position).unwrap();
     for source in [
         Source::Point { position: vec3(-5.0, 9.0, 6.0) * scale, falloff },
         Source::Directional { toward: Vec3::Y },

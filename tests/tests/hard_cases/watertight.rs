@@ -53,7 +53,7 @@ fn from_outside_a_closed_mesh_is_crossed_an_even_number_of_times() {
 fn no_accelerator_lets_a_ray_through() {
     for (name, mesh, _) in meshes() {
         let (points, shapes) = mesh.tables();
-        let geometry = Geometry { points: &points, shapes: &shapes, ..Geometry::EMPTY };
+        let geometry = Geometry { vertices: &points, shapes: &shapes, ..Geometry::EMPTY };
         let made_of = vec![MaterialId(0); shapes.len()];
         let parts = Parts { geometry, made_of: &made_of, materials: &[Material::MATTE], ..Parts::EMPTY };
         let scene = Scene::new(parts).unwrap();

@@ -112,7 +112,7 @@ fn used(bytes: &[u8]) -> bool {
         let mut worker = Worker::new(());
         for place in 0..12 {
             let pixel = Pixel { x: 2 * place, y: place + 2 };
-            let mut sink = |_: Pixel, color: Rgb| assert!(color.is_within(Real::MAX), "{color:?}");
+            let mut sink = |_: Pixel, color: Rgb| assert!(color.is_in_range(Real::MAX), "{color:?}");
             let Ok(()) = render(&mut tracer.with_worker(&mut worker), &mut Single, [pixel], &mut sink);
         }
     }

@@ -87,7 +87,7 @@ macro_rules! for_every_kind {
             a_polygon: Polygon,
             a_smooth_polygon: SmoothPolygon,
             a_box: Cuboid,
-            a_turned_box: TurnedCuboid,
+            a_turned_box: OrientedCuboid,
             an_open_cone: OpenCone,
             a_capped_cone: CappedCone,
             an_open_cylinder: OpenCylinder,

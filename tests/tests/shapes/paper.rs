@@ -233,7 +233,7 @@ fn a_corner_level_with_the_point_counts_once() {
 #[test]
 fn a_box_is_met_at_all_six_faces_from_outside_and_inside() {
     let cuboid = Thing::Cuboid { min: vector(-1.0, -2.0, -3.0), max: vector(1.0, 2.0, 3.0) };
-    let turned = Thing::TurnedCuboid {
+    let turned = Thing::OrientedCuboid {
         center: Vector::ZERO,
         half: vector(1.0, 2.0, 3.0),
         first: vector(5.0, 0.0, 0.0),
@@ -260,7 +260,7 @@ fn a_box_is_met_at_all_six_faces_from_outside_and_inside() {
 fn a_box_on_its_edge_is_met_at_the_edge() {
     // Turned by an eighth, half of its diagonal is the root of 2.
     let root = 2.0_f64.sqrt();
-    let thing = Thing::TurnedCuboid {
+    let thing = Thing::OrientedCuboid {
         center: vector(0.0, 0.0, -3.0),
         half: Vector::ONE,
         first: vector(1.0, 0.0, 1.0),

@@ -3,10 +3,10 @@
 use zerocopy::{Immutable, KnownLayout, TryFromBytes};
 
 use crate::geometry::{Aabb, ItemId, Ray, WIDEN};
-use crate::math::{LANES, Lanes, Real};
+use crate::math::{Real, Real4, SIMD_WIDTH};
 
 /// Largest number of children of a node.
-pub(super) const CHILDREN: usize = LANES;
+pub(super) const CHILDREN: usize = SIMD_WIDTH;
 
 /// An inner node with up to four children.
 #[derive(Clone, Copy, Debug, PartialEq, TryFromBytes, KnownLayout, Immutable)]
@@ -14,7 +14,7 @@ pub(super) const CHILDREN: usize = LANES;
 pub struct BvhNode {
     /// Per axis, the lower planes and then the upper planes of all children, so that one test serves all of
     /// them. An unused child has the bounds of [`Aabb::EMPTY`], which no ray hits.
-    bounds: [[Lanes; 2]; 3],
+    bounds: [[Real4; 2]; 3],
     children: [PackedNodeRef; CHILDREN],
     /// Index of the first node after the subtree.
     skip_link: u32,
@@ -128,8 +128,8 @@ pub(super) struct TraversalRay([TraversalAxis; 3]);
 /// One axis of a [`TraversalRay`].
 #[derive(Clone, Copy, Debug)]
 struct TraversalAxis {
-    origin: Lanes,
-    inverse: Lanes,
+    origin: Real4,
+    inverse: Real4,
     /// Whether the direction is negative: the ray enters a box through its upper plane.
     is_negative: bool,
 }
@@ -137,11 +137,11 @@ struct TraversalAxis {
 impl TraversalRay {
     pub(super) fn new(ray: &Ray) -> Self {
         let axis = |origin, inverse| TraversalAxis {
-            origin: Lanes::splat(origin),
-            inverse: Lanes::splat(inverse),
+            origin: Real4::splat(origin),
+            inverse: Real4::splat(inverse),
             is_negative: !(inverse >= 0.0),
         };
-        let (o, i) = (ray.origin, ray.inverse);
+        let (o, i) = (ray.origin, ray.inverse_direction);
         TraversalRay([axis(o.x, i.x), axis(o.y, i.y), axis(o.z, i.z)])
     }
 }
@@ -150,7 +150,7 @@ impl TraversalRay {
 #[derive(Clone, Copy, Debug)]
 pub(super) struct BoxHits {
     /// The `t` at which the ray enters each box; zero if its origin is inside.
-    pub(super) t_entry: Lanes,
+    pub(super) t_entry: Real4,
     /// One bit per child: set if the ray enters its box within `t_max`.
     pub(super) mask: u32,
 }
@@ -158,7 +158,7 @@ pub(super) struct BoxHits {
 impl BvhNode {
     /// A node without children, the initial value for buffers.
     pub const EMPTY: BvhNode = BvhNode {
-        bounds: [[Lanes::splat(Real::INFINITY), Lanes::splat(Real::NEG_INFINITY)]; 3],
+        bounds: [[Real4::splat(Real::INFINITY), Real4::splat(Real::NEG_INFINITY)]; 3],
         children: [PackedNodeRef::EMPTY; CHILDREN],
         skip_link: 0,
         padding: [0; 3],
@@ -227,15 +227,15 @@ impl BvhNode {
     /// for bit, except that negative ones become zero.
     #[inline(always)]
     pub(super) fn intersect(&self, ray: &TraversalRay, t_max: Real) -> BoxHits {
-        let (mut t_entry, mut t_exit) = (Lanes::splat(0.0), Lanes::splat(Real::MAX));
+        let (mut t_entry, mut t_exit) = (Real4::splat(0.0), Real4::splat(Real::MAX));
         for (planes, axis) in self.bounds.iter().zip(&ray.0) {
             #[expect(clippy::indexing_slicing, reason = "0 or 1, of two")]
             let (near, far) = (planes[usize::from(axis.is_negative)], planes[usize::from(!axis.is_negative)]);
-            t_entry = ((near - axis.origin) * axis.inverse).greatest(t_entry);
-            t_exit = ((far - axis.origin) * axis.inverse).least(t_exit);
+            t_entry = ((near - axis.origin) * axis.inverse).max(t_entry);
+            t_exit = ((far - axis.origin) * axis.inverse).min(t_exit);
         }
-        let t_last = (t_exit * Lanes::splat(WIDEN)).least(Lanes::splat(t_max));
-        BoxHits { t_entry, mask: t_entry.bits(t_last, |entry, last| entry <= last) }
+        let t_last = (t_exit * Real4::splat(WIDEN)).min(Real4::splat(t_max));
+        BoxHits { t_entry, mask: t_entry.compare(t_last, |entry, last| entry <= last) }
     }
 }
 
@@ -259,7 +259,7 @@ mod tests {
         let mut hit_count = 0;
         for _ in 0..20_000 {
             let boxes =
-                [(); CHILDREN].map(|()| Aabb::around([coordinates(&mut seed), coordinates(&mut seed)]));
+                [(); CHILDREN].map(|()| Aabb::enclosing([coordinates(&mut seed), coordinates(&mut seed)]));
             let (origin, direction) = (coordinates(&mut seed), coordinates(&mut seed));
             if direction == Vec3::ZERO {
                 continue;
@@ -272,11 +272,11 @@ mod tests {
             let t_max = 1.5;
             let hits = node.intersect(&TraversalRay::new(&ray), t_max);
             for (aabb, child) in boxes.iter().zip(0..CHILDREN - 1) {
-                let span = aabb.span(&ray).filter(|span| span.entry <= t_max);
+                let span = aabb.intersect(&ray).filter(|span| span.t_entry <= t_max);
                 assert_eq!(hits.mask >> child & 1 != 0, span.is_some(), "{aabb:?} {ray:?}");
                 if let Some(span) = span {
                     hit_count += 1;
-                    let t_entry = if span.entry > 0.0 { span.entry } else { 0.0 };
+                    let t_entry = if span.t_entry > 0.0 { span.t_entry } else { 0.0 };
                     assert_eq!(hits.t_entry.0[child], t_entry, "{aabb:?} {ray:?}");
                 }
             }

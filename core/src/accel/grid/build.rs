@@ -8,7 +8,7 @@ use super::Grid;
 use crate::accel::cell_planes::{CellPlanes, bounds_of_all};
 use crate::accel::{Buffer, BuildError};
 use crate::geometry::Aabb;
-use crate::math::{Real, Vec3, floor, greatest, powf, vec3};
+use crate::math::{Real, Vec3, floor, max, powf, vec3};
 
 /// Cells per item, where the buffers suffice. With 2 instead, uneven scenes take longer; with 8, even ones
 /// do.
@@ -275,7 +275,7 @@ fn cell_range(
 /// Number of cells along each axis, as integers, for about `target` cells that are as cubic as possible.
 fn cells_per_axis(bounds: Aabb, target: Real) -> Vec3 {
     let extent = bounds.max - bounds.min;
-    let longest = greatest(extent.x, greatest(extent.y, extent.z));
+    let longest = max(extent.x, max(extent.y, extent.z));
     if !(longest > 0.0 && target > 1.0) {
         return Vec3::ONE;
     }

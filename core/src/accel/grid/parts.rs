@@ -38,7 +38,7 @@ impl<'s, const MAILBOX_ENTRIES: usize> Grid<'s, MAILBOX_ENTRIES> {
         if !(is_complete && is_sorted && ends_with_entries && are_in_range && has_bounds) {
             return None;
         }
-        let divided = if entries.is_empty() { Aabb::POINT } else { bounds };
+        let divided = if entries.is_empty() { Aabb::ORIGIN } else { bounds };
         let planes = CellPlanes::new(divided, vec3(x as Real, y as Real, z as Real));
         Some(Grid { bounds, planes, resolution, cell_starts, entries, item_bounds: &[] })
     }

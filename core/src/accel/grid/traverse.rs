@@ -19,7 +19,7 @@ use super::Grid;
 use super::axis::AxisTraversal;
 use crate::accel::mailbox::{Mailbox, MailboxQuery};
 use crate::accel::{Accelerator, Query};
-use crate::geometry::{Ray, Span, WIDEN};
+use crate::geometry::{Ray, RayInterval, WIDEN};
 use crate::math::Real;
 
 impl<const MAILBOX_ENTRIES: usize> Accelerator for Grid<'_, MAILBOX_ENTRIES> {
@@ -29,7 +29,7 @@ impl<const MAILBOX_ENTRIES: usize> Accelerator for Grid<'_, MAILBOX_ENTRIES> {
     #[inline(never)]
     fn traverse<Q: Query>(&self, ray: &Ray, mailbox: &mut Mailbox<MAILBOX_ENTRIES>, query: &mut Q) {
         query.count_box_tests(1);
-        let Some(span) = self.bounds.span(ray) else { return };
+        let Some(span) = self.bounds.intersect(ray) else { return };
         mailbox.begin_ray();
         let t_max = query.t_max();
         let query = MailboxQuery { ray, item_bounds: self.item_bounds, mailbox, query };
@@ -71,8 +71,8 @@ impl<const MAILBOX_ENTRIES: usize> Grid<'_, MAILBOX_ENTRIES> {
     ///
     /// `span`: the interval of the ray in the bounds. `t_max`: finite.
     #[inline(always)]
-    fn visit_cells(&self, ray: &Ray, span: Span, mut t_max: Real, visitor: &mut impl CellVisitor) {
-        let t_begin = if span.entry > 0.0 { span.entry } else { 0.0 };
+    fn visit_cells(&self, ray: &Ray, span: RayInterval, mut t_max: Real, visitor: &mut impl CellVisitor) {
+        let t_begin = if span.t_entry > 0.0 { span.t_entry } else { 0.0 };
         if t_begin > t_max {
             return;
         }
@@ -80,7 +80,7 @@ impl<const MAILBOX_ENTRIES: usize> Grid<'_, MAILBOX_ENTRIES> {
         let row = width as usize;
         let layer = row * height as usize;
         let (first, spacing) = self.planes.first_and_spacing();
-        let Ray { origin: o, direction: d, inverse: i, .. } = *ray;
+        let Ray { origin: o, direction: d, inverse_direction: i, .. } = *ray;
         let (mut x, x0) = AxisTraversal::new((o.x, d.x, i.x), (first.x, spacing.x), width, 1, t_begin);
         let (mut y, y0) = AxisTraversal::new((o.y, d.y, i.y), (first.y, spacing.y), height, row, t_begin);
         let (mut z, z0) = AxisTraversal::new((o.z, d.z, i.z), (first.z, spacing.z), depth, layer, t_begin);
@@ -162,7 +162,7 @@ mod tests {
 
     use crate::accel::test_rays::SplitMix64;
     use crate::accel::{Grid, GridSize};
-    use crate::geometry::{Aabb, Ray, Span, WIDEN};
+    use crate::geometry::{Aabb, Ray, RayInterval, WIDEN};
     use crate::math::{Real, Vec3, vec3};
 
     const MAX_CELLS: usize = 200;
@@ -191,22 +191,25 @@ mod tests {
     /// of `t_entry`. Returns their number.
     fn check(grid: &Grid<'_, 0>, ray: &Ray) -> usize {
         let mut visited = Vec::<usize, MAX_CELLS>::new();
-        if let Some(span) = grid.bounds.span(ray) {
+        if let Some(span) = grid.bounds.intersect(ray) {
             grid.visit_cells(ray, span, Real::MAX, &mut |cell| {
                 visited.push(cell).expect("no cell is visited twice");
                 ControlFlow::Continue(Real::MAX)
             });
         }
-        let span = |cell: usize| cell_bounds(grid, cell).span(ray);
+        let span = |cell: usize| cell_bounds(grid, cell).intersect(ray);
         let mut last = Real::NEG_INFINITY;
         for cell in &visited {
-            let Some(Span { entry, .. }) = span(*cell) else { panic!("{ray:?} misses cell {cell}") };
+            let Some(RayInterval { t_entry: entry, .. }) = span(*cell) else {
+                panic!("{ray:?} misses cell {cell}")
+            };
             assert!(last <= 0.0 || entry * WIDEN >= last, "{entry} after {last}: {ray:?}");
             last = if entry > last { entry } else { last };
         }
-        let is_parallel = [ray.inverse.x, ray.inverse.y, ray.inverse.z].map(|i| i.is_infinite());
+        let is_parallel = [ray.inverse_direction.x, ray.inverse_direction.y, ray.inverse_direction.z]
+            .map(|i| i.is_infinite());
         for cell in 0..grid.cell_count() {
-            let is_hit = span(cell).is_some() && grid.bounds.span(ray).is_some();
+            let is_hit = span(cell).is_some() && grid.bounds.intersect(ray).is_some();
             // Of the cells on both sides of a plane that contains the ray, one is visited.
             let is_beside = |other: &usize| {
                 let (a, b) = (cell_coordinates(grid, cell), cell_coordinates(grid, *other));
@@ -259,7 +262,7 @@ mod tests {
     fn traversal_ends_at_the_first_plane_beyond_t_max() {
         with_grid(Vec3::ONE, 16.0, |grid| {
             let ray = Ray::new(vec3(-2.0, 0.1, 0.1), Vec3::X);
-            let span = grid.bounds.span(&ray).unwrap();
+            let span = grid.bounds.intersect(&ray).unwrap();
             let plane_t = |index: Real| grid.planes.position(Vec3::splat(index)).x + 2.0;
             let count = |t_max: Real| {
                 let mut cells = 0;

@@ -22,7 +22,7 @@ use zerocopy::{Immutable, KnownLayout, TryFromBytes};
 
 use super::cell_planes::CellPlanes;
 use crate::geometry::Aabb;
-use crate::math::{Real, Vec3, largest, morton};
+use crate::math::{Real, Vec3, max_abs_component, morton};
 
 /// Number of cells of the deepest level along each axis.
 const CELLS_PER_AXIS: Real = (1_u32 << morton::BITS_PER_AXIS) as Real;
@@ -121,6 +121,6 @@ impl<'s, const MAILBOX_ENTRIES: usize> Octree<'s, MAILBOX_ENTRIES> {
 /// The planes of the cells of the deepest level. Cells are cubes, so that a flat scene is not divided into
 /// flat cells.
 fn octree_planes(bounds: Aabb) -> CellPlanes {
-    let side = largest(bounds.max - bounds.min);
+    let side = max_abs_component(bounds.max - bounds.min);
     CellPlanes::new(Aabb { min: bounds.min, max: bounds.min + side }, Vec3::splat(CELLS_PER_AXIS))
 }

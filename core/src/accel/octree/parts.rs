@@ -30,7 +30,7 @@ impl<'s, const MAILBOX_ENTRIES: usize> Octree<'s, MAILBOX_ENTRIES> {
         if !(entries.iter().all(|item| *item < count) && (bounds.is_finite() || is_empty)) {
             return None;
         }
-        let planes = octree_planes(if is_empty { Aabb::POINT } else { bounds });
+        let planes = octree_planes(if is_empty { Aabb::ORIGIN } else { bounds });
         let (mut occupied_leaves, mut depth) = (0, 0);
 
         // Groups of siblings that are still to be checked: index of the first node, and level. A tree has one

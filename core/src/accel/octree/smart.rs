@@ -26,7 +26,7 @@ use heapless::Vec;
 
 use super::node_state::{MIN_ORDERED_T, NodeState, ordered_bits};
 use super::{Octree, OctreeNode};
-use crate::geometry::{Ray, Span};
+use crate::geometry::{Ray, RayInterval};
 use crate::math::{Ordered, Real, Vec3, morton, vec3};
 
 impl<const MAILBOX_ENTRIES: usize> Octree<'_, MAILBOX_ENTRIES> {
@@ -38,14 +38,14 @@ impl<const MAILBOX_ENTRIES: usize> Octree<'_, MAILBOX_ENTRIES> {
     pub(super) fn traverse_smart(
         &self,
         ray: &Ray,
-        span: Span,
+        span: RayInterval,
         t_max: Real,
         mut visit: impl FnMut(OctreeNode) -> ControlFlow<(), Real>,
     ) -> ControlFlow<()> {
         let mut t_max = ordered_bits(t_max);
-        let t_begin = ordered_bits(span.entry).max(MIN_ORDERED_T);
+        let t_begin = ordered_bits(span.t_entry).max(MIN_ORDERED_T);
         let Some(root) = self.nodes.first().copied() else { return ControlFlow::Continue(()) };
-        if ordered_bits(span.entry) > t_max {
+        if ordered_bits(span.t_entry) > t_max {
             return ControlFlow::Continue(());
         }
         if !root.is_inner() {
@@ -54,14 +54,14 @@ impl<const MAILBOX_ENTRIES: usize> Octree<'_, MAILBOX_ENTRIES> {
         }
         // Converts relative to absolute Morton indices and back, by XOR: the octant that the ray comes from.
         let is_negative = |x: Real| u8::from(x.is_sign_negative());
-        let Vec3 { x, y, z } = ray.inverse;
+        let Vec3 { x, y, z } = ray.inverse_direction;
         let direction_mask = is_negative(x) | is_negative(y) << 1 | is_negative(z) << 2;
 
         // The ancestors of `node`, as many as the tree is deep at most.
         let mut stack = Vec::<NodeState, { morton::BITS_PER_AXIS as usize }>::new();
         // Per axis, the index of the node's first plane; and half the number of cells that it covers.
         let (mut first, mut half) = ([0_u32; 3], 1_u32 << (morton::BITS_PER_AXIS - 1));
-        let t_end = ordered_bits(span.exit);
+        let t_end = ordered_bits(span.t_exit);
         let mut node = self.step_vertical(ray, root, first.map(|plane| plane + half), t_begin, t_end);
         loop {
             let octant = node.child ^ direction_mask;
@@ -104,7 +104,7 @@ impl<const MAILBOX_ENTRIES: usize> Octree<'_, MAILBOX_ENTRIES> {
         t_end: Ordered,
     ) -> NodeState {
         let [x, y, z] = center.map(|plane| plane as i32 as Real);
-        let center_t = (self.planes.position(vec3(x, y, z)) - ray.origin) * ray.inverse;
+        let center_t = (self.planes.position(vec3(x, y, z)) - ray.origin) * ray.inverse_direction;
         NodeState::new(node, center_t, t_begin, t_end)
     }
 }
@@ -160,10 +160,10 @@ mod tests {
 
     /// Interval of `t` in the box, by the arithmetic of the slab test but without its widening.
     fn interval(bounds: &Aabb, ray: &Ray) -> (Real, Real) {
-        let min = ((bounds.min - ray.origin) * ray.inverse).to_array();
-        let max = ((bounds.max - ray.origin) * ray.inverse).to_array();
+        let min = ((bounds.min - ray.origin) * ray.inverse_direction).to_array();
+        let max = ((bounds.max - ray.origin) * ray.inverse_direction).to_array();
         let (mut t_entry, mut t_exit) = (Real::NEG_INFINITY, Real::MAX);
-        for ((a, b), inverse) in min.into_iter().zip(max).zip(ray.inverse.to_array()) {
+        for ((a, b), inverse) in min.into_iter().zip(max).zip(ray.inverse_direction.to_array()) {
             let (near, far) = if inverse >= 0.0 { (a, b) } else { (b, a) };
             t_entry = if near > t_entry { near } else { t_entry };
             t_exit = if far < t_exit { far } else { t_exit };
@@ -175,7 +175,7 @@ mod tests {
     /// of `t_entry`. Returns their number.
     fn check(tree: &Octree<'_, 0>, leaves: &[TestLeaf], ray: &Ray) -> usize {
         let mut visited = Vec::<OctreeNode, MAX_NODES>::new();
-        if let Some(span) = tree.bounds.span(ray) {
+        if let Some(span) = tree.bounds.intersect(ray) {
             let _ = tree.traverse_smart(ray, span, Real::MAX, |node| {
                 assert!(!visited.contains(&node), "{node:?} is visited twice: {ray:?}");
                 visited.push(node).unwrap();
@@ -193,17 +193,18 @@ mod tests {
             assert!(last <= 0.0 || t_entry * tolerance >= last, "{t_entry} after {last}: {ray:?}");
             last = if t_entry > last { t_entry } else { last };
         }
-        let is_parallel = [ray.inverse.x, ray.inverse.y, ray.inverse.z].map(|i| i.is_infinite());
-        if tree.bounds.span(ray).is_some() && is_parallel == [false; 3] {
+        let is_parallel = [ray.inverse_direction.x, ray.inverse_direction.y, ray.inverse_direction.z]
+            .map(|i| i.is_infinite());
+        if tree.bounds.intersect(ray).is_some() && is_parallel == [false; 3] {
             // There are no hits at `t = 0`.
-            let is_hit = |leaf: &&TestLeaf| leaf.bounds.span(ray).is_some_and(|span| span.exit > 0.0);
+            let is_hit = |leaf: &&TestLeaf| leaf.bounds.intersect(ray).is_some_and(|span| span.t_exit > 0.0);
             for leaf in leaves.iter().filter(is_hit) {
                 assert!(
                     visited.contains(&leaf.node),
                     "{:?} is not visited: {ray:?} {:?} {:?}",
                     leaf,
-                    leaf.bounds.span(ray),
-                    tree.bounds.span(ray)
+                    leaf.bounds.intersect(ray),
+                    tree.bounds.intersect(ray)
                 );
             }
         }

@@ -13,14 +13,18 @@ impl<const MAILBOX_ENTRIES: usize> Accelerator for Octree<'_, MAILBOX_ENTRIES> {
 
     fn traverse<Q: Query>(&self, ray: &Ray, mailbox: &mut Mailbox<MAILBOX_ENTRIES>, query: &mut Q) {
         query.count_box_tests(1);
-        let Some(span) = self.bounds.span(ray) else { return };
+        let Some(span) = self.bounds.intersect(ray) else { return };
         mailbox.begin_ray();
         let mut traverse = |ray: &Ray| {
             let t_max = query.t_max();
             let mut query = MailboxQuery { ray, item_bounds: self.item_bounds, mailbox, query };
             self.traverse_smart(ray, span, t_max, |leaf| query.test_items(self.leaf_entries(leaf)))
         };
-        let end = if ray.inverse.is_finite() { traverse(ray) } else { self.traverse_parallel(ray, traverse) };
+        let end = if ray.inverse_direction.is_finite() {
+            traverse(ray)
+        } else {
+            self.traverse_parallel(ray, traverse)
+        };
         let (ControlFlow::Continue(()) | ControlFlow::Break(())) = end;
     }
 }
@@ -42,7 +46,7 @@ impl<const MAILBOX_ENTRIES: usize> Octree<'_, MAILBOX_ENTRIES> {
             let Vec3 { x, y, z } = fractional_index;
             let plane = self.planes.position(vec3(index(x), index(y), index(z)));
             let lies_in = |inverse: Real, plane: Real, origin: Real| !inverse.is_finite() && plane == origin;
-            let (i, o) = (ray.inverse, ray.origin);
+            let (i, o) = (ray.inverse_direction, ray.origin);
             [lies_in(i.x, plane.x, o.x), lies_in(i.y, plane.y, o.y), lies_in(i.z, plane.z, o.z)]
         };
         // The nearest plane, and its neighbors in case the index is inaccurate.
@@ -52,7 +56,7 @@ impl<const MAILBOX_ENTRIES: usize> Octree<'_, MAILBOX_ENTRIES> {
             for y in signs(y0 | y1 | y2) {
                 for z in signs(z0 | z1 | z2) {
                     let mut side = *ray;
-                    side.inverse *= vec3(*x, *y, *z);
+                    side.inverse_direction *= vec3(*x, *y, *z);
                     traverse(&side)?;
                 }
             }

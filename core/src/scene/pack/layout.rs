@@ -5,7 +5,7 @@
 
 use crate::accel::{BvhNode, LeafEntry, OctreeNode};
 use crate::geometry::{
-    Aabb, Cone, Cuboid, Disc, ItemId, Moving, Plane, Polygon, Shape, Sphere, Torus, TurnedCuboid,
+    Aabb, Cone, Cuboid, Disc, ItemId, MovingShape, OrientedCuboid, Plane, Polygon, Shape, Sphere, Torus,
 };
 use crate::math::{Rgb, Vec3};
 use crate::scene::{
@@ -110,12 +110,12 @@ structs! {
     Sphere { center, radius }
     Plane { point, normal, item }
     Disc { center, normal, radius }
-    Polygon { first, count, point, normal, bounds, smooth }
+    Polygon { first_vertex, vertex_count, point, normal, bounds, smooth }
     Cuboid { min, max }
-    TurnedCuboid { center, half, axes }
+    OrientedCuboid { center, half_extents, axes }
     Cone { base, axis, height, base_radius, end_radius, capped }
-    Torus { center, axis, major, minor }
-    Moving { shape, opening, closing }
+    Torus { center, axis, major_radius, minor_radius }
+    MovingShape { shape, offset_at_open, offset_at_close }
     Material {
         ambient, diffuse, texture, highlight, exponent, mirror, transmitted, roughness, index, interface, clarity,
         priority, two_sided
@@ -180,7 +180,7 @@ impl Put for Shape {
             Shape::Disc(place) => variant!(w, 4, place),
             Shape::Polygon(place) => variant!(w, 5, place),
             Shape::Cuboid(place) => variant!(w, 6, place),
-            Shape::TurnedCuboid(place) => variant!(w, 7, place),
+            Shape::OrientedCuboid(place) => variant!(w, 7, place),
             Shape::Cone(place) => variant!(w, 8, place),
             Shape::Torus(place) => variant!(w, 9, place),
             Shape::Moving(place) => variant!(w, 10, place),

@@ -74,16 +74,16 @@ impl<'s> Pack<'s> {
         let header = Header::of(bytes)?;
         let geometry = Geometry {
             shapes: header.table(bytes, Content::Shapes)?,
-            points: header.table(bytes, Content::Points)?,
-            normals: header.table(bytes, Content::Normals)?,
+            vertices: header.table(bytes, Content::Points)?,
+            vertex_normals: header.table(bytes, Content::Normals)?,
             planes: header.table(bytes, Content::Planes)?,
             discs: header.table(bytes, Content::Discs)?,
             polygons: header.table(bytes, Content::Polygons)?,
             cuboids: header.table(bytes, Content::Cuboids)?,
-            turned_cuboids: header.table(bytes, Content::TurnedCuboids)?,
+            oriented_cuboids: header.table(bytes, Content::TurnedCuboids)?,
             cones: header.table(bytes, Content::Cones)?,
             tori: header.table(bytes, Content::Tori)?,
-            moving: header.table(bytes, Content::Moving)?,
+            moving_shapes: header.table(bytes, Content::Moving)?,
         };
         let parts = Parts {
             geometry,

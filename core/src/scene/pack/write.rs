@@ -83,12 +83,12 @@ impl Baking<'_> {
         scene.parts().ambient.whole(w);
         scene.parts().background.whole(w);
         u32::from(scene.parts().colored_shadows).whole(w);
-        let nothing = (Aabb::POINT, [0; 3], 0);
+        let nothing = (Aabb::ORIGIN, [0; 3], 0);
         let (kind, (bounds, cells, depth)) = match finder {
             Finder::Bare(_) => (BARE, nothing),
             Finder::Grid(grid) => (GRID, (grid.parts().bounds, grid.parts().resolution, 0)),
             Finder::Octree(octree) => (OCTREE, (octree.parts().bounds, [0; 3], 0)),
-            Finder::Bvh(bvh) => (BVH, (Aabb::POINT, [0; 3], bvh.parts().depth)),
+            Finder::Bvh(bvh) => (BVH, (Aabb::ORIGIN, [0; 3], bvh.parts().depth)),
         };
         kind.whole(w);
         bounds.whole(w);
@@ -105,16 +105,16 @@ impl Baking<'_> {
         let geometry = &parts.geometry;
         const _: () = assert!(Content::Moving as usize == 10 && Content::Items as usize == 16);
         w.table(geometry.shapes);
-        w.table(geometry.points);
-        w.table(geometry.normals);
+        w.table(geometry.vertices);
+        w.table(geometry.vertex_normals);
         w.table(geometry.planes);
         w.table(geometry.discs);
         w.table(geometry.polygons);
         w.table(geometry.cuboids);
-        w.table(geometry.turned_cuboids);
+        w.table(geometry.oriented_cuboids);
         w.table(geometry.cones);
         w.table(geometry.tori);
-        w.table(geometry.moving);
+        w.table(geometry.moving_shapes);
         w.table(parts.made_of);
         w.table(parts.materials);
         w.table(parts.textures);

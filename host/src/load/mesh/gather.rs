@@ -1,7 +1,7 @@
 //! What the readers of all formats do with the corners and faces that they find.
 
 use indicatif::HumanCount;
-use strahl_core::{FARTHEST, Material};
+use strahl_core::{MAX_COORDINATE, Material};
 
 use super::triangulate::{self, Cut};
 use super::{Group, Mesh};
@@ -164,10 +164,10 @@ impl Gather {
 
 /// A number as a coordinate: what is wrong with it, if it is none.
 pub(super) fn coordinate(number: f32) -> Result<f32, String> {
-    if number >= -FARTHEST && number <= FARTHEST {
+    if number >= -MAX_COORDINATE && number <= MAX_COORDINATE {
         Ok(number)
     } else if number.is_finite() {
-        Err(format!("a coordinate must be between {} and {FARTHEST}, not {number}", -FARTHEST))
+        Err(format!("a coordinate must be between {} and {MAX_COORDINATE}, not {number}", -MAX_COORDINATE))
     } else {
         Err(format!("a coordinate is not a finite number but {number}"))
     }

@@ -120,8 +120,8 @@ impl Words {
             diffuse: kept,
             highlight: if self.model >= 2 { self.specular } else { Rgb::BLACK },
             exponent: if self.model >= 2 { self.exponent } else { 0.0 },
-            mirror: if self.model >= 3 { self.specular.at_most(1.0) } else { Rgb::BLACK },
-            transmitted: (self.filter * passes).at_most(1.0),
+            mirror: if self.model >= 3 { self.specular.clamp_max(1.0) } else { Rgb::BLACK },
+            transmitted: (self.filter * passes).clamp_max(1.0),
             // Files have a zero where the index has no meaning.
             index: if is_glass && passes > 0.0 && self.index >= 0.01 { self.index } else { 1.0 },
             interface: if self.model == 7 { Interface::Fresnel } else { Interface::Constant },
@@ -140,8 +140,8 @@ fn color(line: Line<'_>) -> Result<Rgb, Wrong> {
         1 => line.numbers::<1>("a colour").map(|[gray]| [gray; 3])?,
         _ => line.numbers::<3>("a colour")?,
     };
-    match [r, g, b].iter().find(|x| !(**x >= 0.0 && **x <= Rgb::BRIGHTEST)) {
-        Some(x) => line.wrong(format!("a colour must be between 0 and {}, not {x}", Rgb::BRIGHTEST)),
+    match [r, g, b].iter().find(|x| !(**x >= 0.0 && **x <= Rgb::MAX_CHANNEL)) {
+        Some(x) => line.wrong(format!("a colour must be between 0 and {}, not {x}", Rgb::MAX_CHANNEL)),
         None => Ok(Rgb::new(r, g, b)),
     }
 }

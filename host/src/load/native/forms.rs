@@ -2,7 +2,7 @@
 
 use std::ops::Range;
 
-use strahl_core::{Cone, FARTHEST, Polygon, Vec3};
+use strahl_core::{Cone, MAX_COORDINATE, Polygon, Vec3};
 
 use super::format::{self, File};
 use super::make::{Maker, vector};
@@ -167,7 +167,7 @@ fn normals(corners: usize, normals: &Option<At<Directions>>, maker: &mut Maker<'
 fn axis(base: Triple, end: &At<Point>, maker: &mut Maker<'_>) -> Option<Triple> {
     let what = match Cone::new(vector(base), 1.0, vector(end.it.0), 1.0, false) {
         None => "it ends where it begins: `base` and `end` are the same".into(),
-        Some(cone) if cone.height > FARTHEST => format!("it is longer than {FARTHEST:e}"),
+        Some(cone) if cone.height > MAX_COORDINATE => format!("it is longer than {MAX_COORDINATE:e}"),
         Some(_) => return Some(end.it.0),
     };
     maker.reader.wrong(Fault::new(end.span.clone(), what))
@@ -190,8 +190,8 @@ fn cuboid(it: &format::Box, span: &Range<usize>, maker: &mut Maker<'_>) -> Optio
             let half = size.it.0.map(|size| 0.5 * size);
             let corner = |sign: f32| std::array::from_fn(|axis| center[axis] + sign * half[axis]);
             let (min, max): (Triple, Triple) = (corner(-1.0), corner(1.0));
-            if min.iter().chain(&max).any(|x| x.abs() > FARTHEST) {
-                let what = format!("the box reaches beyond {FARTHEST:e}");
+            if min.iter().chain(&max).any(|x| x.abs() > MAX_COORDINATE) {
+                let what = format!("the box reaches beyond {MAX_COORDINATE:e}");
                 return maker.reader.wrong(Fault::new(size.span.clone(), what));
             }
             (min, max)
@@ -226,5 +226,5 @@ fn cuboid(it: &format::Box, span: &Range<usize>, maker: &mut Maker<'_>) -> Optio
         Some(size) => size.it.0.map(|size| 0.5 * size),
         None => std::array::from_fn(|axis| 0.5 * (max[axis] - min[axis])),
     };
-    Some(Form::TurnedCuboid { center, half, first, third })
+    Some(Form::OrientedCuboid { center, half, first, third })
 }

@@ -2,7 +2,7 @@
 
 use std::ops::Range;
 
-use strahl_core::{Rgb, unit, vec3};
+use strahl_core::{Rgb, try_normalize, vec3};
 
 use super::colors::Color;
 use super::format::{File, RectangleLight, SpotLight};
@@ -96,7 +96,7 @@ impl Maker<'_> {
     fn rectangle(&mut self, it: &RectangleLight, span: &Range<usize>) -> Option<Source> {
         let position = it.position.0;
         let names = ("rectangle_light", "`at` is a place in front of its middle");
-        let front = unit(vector(self.aim(position, &it.at, &it.direction, names, span)?))?;
+        let front = try_normalize(vector(self.aim(position, &it.at, &it.direction, names, span)?))?;
         let Pair([width, height]) = it.size;
         let up = match &it.up {
             Some(up) => vector(up.it.0),
@@ -104,7 +104,7 @@ impl Maker<'_> {
             None if front.x == 0.0 && front.z == 0.0 => vec3(0.0, 0.0, 1.0),
             None => vec3(0.0, 1.0, 0.0),
         };
-        let Some(right) = unit(up).and_then(|up| unit(up.cross(front))) else {
+        let Some(right) = try_normalize(up).and_then(|up| try_normalize(up.cross(front))) else {
             let span = it.up.as_ref().map_or(span, |up| &up.span);
             let fault = Fault::new(span.clone(), "`up` is where the light shines");
             return self.reader.wrong(fault.help("give it another direction for its height"));
@@ -150,8 +150,8 @@ impl Maker<'_> {
         let base = color.as_ref().map_or(Rgb::WHITE, |color| color.it.0);
         let Some(At { it: Intensity(factor), span }) = intensity else { return Some(base) };
         let shining = base * *factor;
-        if !shining.is_within(Rgb::BRIGHTEST) {
-            let what = format!("`color` times `intensity` must be at most {}", Rgb::BRIGHTEST);
+        if !shining.is_in_range(Rgb::MAX_CHANNEL) {
+            let what = format!("`color` times `intensity` must be at most {}", Rgb::MAX_CHANNEL);
             return self.reader.wrong(Fault::new(span.clone(), what));
         }
         Some(shining)

@@ -189,7 +189,7 @@ impl Maker<'_> {
         let highlight = it.highlight.map_or(if asks { Rgb::gray(0.5) } else { Rgb::BLACK }, |c| c.0);
         let exponent = it.shininess.map_or(if highlight.is_black() { 0.0 } else { 50.0 }, |s| s.0);
         let times = |share: Rgb| {
-            Rgb::new(color.r * share.r, color.g * share.g, color.b * share.b).at_most(Rgb::BRIGHTEST)
+            Rgb::new(color.r * share.r, color.g * share.g, color.b * share.b).clamp_max(Rgb::MAX_CHANNEL)
         };
         if transmitted.is_black() {
             self.idle(it);

@@ -4,7 +4,7 @@ use std::collections::HashMap;
 use std::ops::Range;
 use std::path::{Path, PathBuf};
 
-use strahl_core::FARTHEST;
+use strahl_core::MAX_COORDINATE;
 
 use super::format;
 use super::forms::Thing;
@@ -133,9 +133,9 @@ impl format::Mesh {
     ) {
         let transform = Transform::of(self);
         let points: Vec<Triple> = mesh.points.iter().map(|p| transform.point(*p)).collect();
-        let is_near = |x: &f32| x.abs() <= FARTHEST;
+        let is_near = |x: &f32| x.abs() <= MAX_COORDINATE;
         if !points.iter().flatten().all(is_near) {
-            let what = format!("its transform moves the mesh beyond {FARTHEST:e}");
+            let what = format!("its transform moves the mesh beyond {MAX_COORDINATE:e}");
             maker.reader.faults.push(Fault::new(span.clone(), what));
             return;
         }

@@ -6,7 +6,7 @@
 use std::fmt;
 
 use schemars::{JsonSchema, Schema, SchemaGenerator, json_schema};
-use strahl_core::{FARTHEST, Rgb};
+use strahl_core::{MAX_COORDINATE, Rgb};
 use toml::de::DeValue;
 
 use super::table::{Read, Reader, Value};
@@ -23,11 +23,11 @@ pub(super) struct Range {
 
 impl Range {
     /// Coordinates and directions.
-    pub(super) const SPACE: Range = Range::within(-FARTHEST, FARTHEST);
+    pub(super) const SPACE: Range = Range::within(-MAX_COORDINATE, MAX_COORDINATE);
     /// Sizes that may be nothing.
-    pub(super) const SIZE: Range = Range::within(0.0, FARTHEST);
+    pub(super) const SIZE: Range = Range::within(0.0, MAX_COORDINATE);
     /// Channels of colours and of what multiplies them.
-    pub(super) const BRIGHTNESS: Range = Range::within(0.0, Rgb::BRIGHTEST);
+    pub(super) const BRIGHTNESS: Range = Range::within(0.0, Rgb::MAX_CHANNEL);
     /// Parts of a whole.
     pub(super) const SHARE: Range = Range::within(0.0, 1.0);
     /// More than nothing, and without end.
@@ -97,7 +97,7 @@ struct End(f32);
 
 impl fmt::Display for End {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        if self.0.abs() == FARTHEST { write!(f, "{:e}", self.0) } else { write!(f, "{}", self.0) }
+        if self.0.abs() == MAX_COORDINATE { write!(f, "{:e}", self.0) } else { write!(f, "{}", self.0) }
     }
 }
 
@@ -210,7 +210,7 @@ macro_rules! numbers {
 
 numbers! {
     /// A length of something, in scene lengths.
-    Length: Range::above(0.0, FARTHEST);
+    Length: Range::above(0.0, MAX_COORDINATE);
     /// A length that may be nothing.
     Size: Range::SIZE;
     /// An angle of view, in degrees.

@@ -3,7 +3,7 @@
 
 use std::ops::Range;
 
-use strahl_core::{Aabb, Camera, FARTHEST, Rgb, Size, Vec3, ViewFault, unit};
+use strahl_core::{Aabb, Camera, MAX_COORDINATE, Rgb, Size, Vec3, ViewFault, try_normalize};
 
 use super::format::{self, File};
 use super::make::{Maker, vector};
@@ -50,10 +50,10 @@ impl Maker<'_> {
     pub(super) fn velocity(&mut self, velocity: &Option<At<Point>>) -> Option<Triple> {
         let Some(At { it: Point(velocity), span }) = velocity else { return Some([0.0; 3]) };
         let ways = velocity.iter().flat_map(|v| self.description.shutter.map(|time| v * time));
-        if ways.into_iter().all(|way| way.abs() <= FARTHEST) {
+        if ways.into_iter().all(|way| way.abs() <= MAX_COORDINATE) {
             return Some(*velocity);
         }
-        let what = format!("it moves farther than {FARTHEST:e} while the shutter is open");
+        let what = format!("it moves farther than {MAX_COORDINATE:e} while the shutter is open");
         self.reader.wrong(Fault::new(span.clone(), what))
     }
 
@@ -96,7 +96,7 @@ impl Maker<'_> {
         }
         if let (Some(radius), Projection::Perspective(angle)) = (lens, view.projection) {
             let way = vector(view.at) - vector(view.from);
-            let distance = unit(way).map_or(1.0, |toward| way.dot(toward));
+            let distance = try_normalize(way).map_or(1.0, |toward| way.dot(toward));
             let focus = focus.map_or(distance, |focus| focus.it.0);
             view.projection = Projection::Lens { angle, radius: radius.it.0, focus };
         }
@@ -199,9 +199,9 @@ impl Maker<'_> {
 
 /// White light from behind the eye, from above and from the left.
 fn default_light(view: &View) -> Placed<Light> {
-    let back = unit(vector(view.from) - vector(view.at)).unwrap_or(Vec3::Z);
-    let up = unit(vector(view.up)).unwrap_or(Vec3::Y);
-    let left = unit(back.cross(up)).unwrap_or(-Vec3::X);
+    let back = try_normalize(vector(view.from) - vector(view.at)).unwrap_or(Vec3::Z);
+    let up = try_normalize(vector(view.up)).unwrap_or(Vec3::Y);
+    let left = try_normalize(back.cross(up)).unwrap_or(-Vec3::X);
     let toward = back + up * 0.8 + left * 0.6;
     let source = Source::Directional { toward: toward.to_array() };
     let it = Light { source, color: Rgb::WHITE, shadows: true };

@@ -16,7 +16,7 @@ mod words;
 use std::collections::{BTreeMap, HashMap};
 use std::path::Path;
 
-use strahl_core::{Camera, Cone, FARTHEST, Material, Polygon, Rgb, Size, vec3};
+use strahl_core::{Camera, Cone, MAX_COORDINATE, Material, Polygon, Rgb, Size, vec3};
 use strahl_settings::PartialSettings;
 
 use crate::amount::amount;
@@ -186,12 +186,12 @@ impl<'t> Reader<'t> {
     fn fill(&mut self, of: Word<'_>) -> Read<()> {
         let words = &mut self.words;
         let color = words.color("a channel of the surface", of)?;
-        let kd = words.number_in(0.0, Rgb::BRIGHTEST, "the diffuse share Kd", of)?;
+        let kd = words.number_in(0.0, Rgb::MAX_CHANNEL, "the diffuse share Kd", of)?;
         let ks = words.number_in(0.0, 1.0, "the mirrored share Ks", of)?;
         let shine = words.number_in(0.0, 1e6, "the exponent Shine", of)?;
         let t = words.number_in(0.0, 1.0, "the transmitted share T", of)?;
         // Many files have no use for the index, and a zero there.
-        let (least, most) = if t > 0.0 { (0.01, 100.0) } else { (-FARTHEST, FARTHEST) };
+        let (least, most) = if t > 0.0 { (0.01, 100.0) } else { (-MAX_COORDINATE, MAX_COORDINATE) };
         let index = words.number_in(least, most, "the index of refraction", of)?;
 
         let key = [color.r, color.g, color.b, kd, ks, shine, t, index].map(f32::to_bits);
@@ -202,7 +202,7 @@ impl<'t> Reader<'t> {
         let Ok(place) = u16::try_from(self.materials.len()) else {
             return of.wrong(format!("more than {} different surfaces", self.materials.len()));
         };
-        let scattered = (color * kd).at_most(Rgb::BRIGHTEST);
+        let scattered = (color * kd).clamp_max(Rgb::MAX_CHANNEL);
         let material = Material {
             ambient: scattered,
             diffuse: scattered,
@@ -244,8 +244,8 @@ impl<'t> Reader<'t> {
         let place = |[x, y, z]: Triple| vec3(x, y, z);
         match Cone::new(place(base), base_radius, place(end), end_radius, false) {
             None => return of.wrong("the cone's base and apex are at the same place"),
-            Some(cone) if cone.height > FARTHEST => {
-                return of.wrong(format!("the cone is longer than {FARTHEST}"));
+            Some(cone) if cone.height > MAX_COORDINATE => {
+                return of.wrong(format!("the cone is longer than {MAX_COORDINATE}"));
             }
             Some(_) => {}
         }

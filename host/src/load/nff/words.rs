@@ -1,6 +1,6 @@
 //! The words of an NFF file, and the numbers among them.
 
-use strahl_core::{FARTHEST, Rgb};
+use strahl_core::{MAX_COORDINATE, Rgb};
 
 use crate::description::Triple;
 use crate::load::shown::shown;
@@ -94,7 +94,7 @@ impl<'t> Words<'t> {
     }
 
     pub(super) fn coordinate(&mut self, what: &str, of: Word<'_>) -> Read<f32> {
-        self.number_in(-FARTHEST, FARTHEST, what, of)
+        self.number_in(-MAX_COORDINATE, MAX_COORDINATE, what, of)
     }
 
     pub(super) fn triple(&mut self, what: &str, of: Word<'_>) -> Read<Triple> {
@@ -102,7 +102,7 @@ impl<'t> Words<'t> {
     }
 
     pub(super) fn color(&mut self, what: &str, of: Word<'_>) -> Read<Rgb> {
-        let mut channel = || self.number_in(0.0, Rgb::BRIGHTEST, what, of);
+        let mut channel = || self.number_in(0.0, Rgb::MAX_CHANNEL, what, of);
         Ok(Rgb::new(channel()?, channel()?, channel()?))
     }
 

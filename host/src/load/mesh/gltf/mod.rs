@@ -315,7 +315,7 @@ fn surface(material: &json::Material) -> Result<Material, String> {
     Ok(Material {
         ambient: kept,
         diffuse: kept,
-        highlight: Rgb::gray(0.5).toward(base, m) * polish,
+        highlight: Rgb::gray(0.5).lerp(base, m) * polish,
         exponent: if exponent > 1e4 { 1e4 } else { exponent },
         mirror: base * (m * polish),
         transmitted,

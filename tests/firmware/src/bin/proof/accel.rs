@@ -10,7 +10,7 @@ use crate::text::displayed;
 
 pub fn doors() {
     used(group_count(any(1)));
-    for list in lists(&mut [Aabb::EMPTY], [&mut [Ball::EMPTY], &mut [Ball::EMPTY]]) {
+    for list in lists(&mut [Aabb::EMPTY], [&mut [BoundingSphere::EMPTY], &mut [BoundingSphere::EMPTY]]) {
         used(List::size_in_bytes(&list));
         list.traverse(&any_ray(), &mut (), &mut Anybody);
     }
@@ -64,7 +64,7 @@ impl Query for Anybody {
 }
 
 /// Lists of any length, in lent memory of any length.
-pub fn lists<'s>(lent: &'s mut [Aabb], balls: [&'s mut [Ball]; 2]) -> [List<'s>; 3] {
+pub fn lists<'s>(lent: &'s mut [Aabb], balls: [&'s mut [BoundingSphere]; 2]) -> [List<'s>; 3] {
     let bare = List::without_bounds(any(1));
     let boxes = slice(&[Aabb::EMPTY]);
     let [items, groups] = balls.map(any);

@@ -36,5 +36,5 @@ pub fn any_item() -> ItemId {
 }
 
 pub fn any_ray() -> Ray {
-    Ray::at_time(Ray::new(vector(), vector()), number())
+    Ray::with_time(Ray::new(vector(), vector()), number())
 }

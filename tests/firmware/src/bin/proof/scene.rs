@@ -13,7 +13,7 @@ pub fn doors() {
     looked_at();
     displayed(any(ViewFault::NoUp));
     displayed(any(MaterialFault::Color));
-    displayed(any(SceneError::Shape(ItemId(0), ShapeFault::Radius)));
+    displayed(any(SceneError::Shape(ItemId(0), ShapeError::Radius)));
 }
 
 pub static MATERIALS: [Material; 1] = [Material::MATTE];
@@ -108,5 +108,5 @@ fn looked_at() {
 }
 
 pub fn any_sample() -> CameraSample {
-    any(CameraSample { point: FilmPoint { x: 0.0, y: 0.0 }, stream: Stream::new(0, 0, 0, 0) })
+    any(CameraSample { point: FilmPoint { x: 0.0, y: 0.0 }, stream: SobolSequence::new(0, 0, 0, 0) })
 }

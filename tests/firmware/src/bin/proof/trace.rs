@@ -11,7 +11,7 @@ use crate::text::displayed;
 
 pub fn doors() {
     let Ok(scene) = Scene::new(any_parts()) else { return };
-    for list in lists(&mut [Aabb::EMPTY], [&mut [Ball::EMPTY], &mut [Ball::EMPTY]]) {
+    for list in lists(&mut [Aabb::EMPTY], [&mut [BoundingSphere::EMPTY], &mut [BoundingSphere::EMPTY]]) {
         traced::<_, Everything, _, 64>(&World::new(scene, list), Counters::new());
         traced::<_, Everything, _, 5>(&World::new(scene, list), ());
     }
