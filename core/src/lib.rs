@@ -100,7 +100,7 @@ pub use scene::{
     LastLevel, Light, LightKind, LightSet, Material, MaterialFault, MaterialId, Parts, Projection, Scene,
     SceneError, Size, Source, Texture, TextureId, TextureKind, TextureSet, View, ViewFault, World,
 };
-#[cfg(not(feature = "double"))]
+#[cfg(feature = "baked")]
 pub use scene::{Baking, Finder, Pack, PackError, PackPart};
 #[cfg(feature = "alloc")]
 pub use scene::{SceneTables, Shading};

@@ -53,19 +53,19 @@ mod triangle_block;
 use strahl_core::{self as error, self as size};
 
 pub use accelerator::{Accelerator, Query};
-#[cfg(not(feature = "double"))]
+#[cfg(feature = "baked")]
 pub(crate) use bvh::BvhParts;
 pub use bvh::{
     Bvh, BvhBuilder, BvhNode, LeafElement, LeafEntry, LeafLayout, TraversalHeap, TraversalQueue,
     TraversalStack,
 };
 pub use error::{Buffer, BuildError};
-#[cfg(not(feature = "double"))]
+#[cfg(feature = "baked")]
 pub(crate) use grid::GridParts;
 pub use grid::{Grid, GridSize, StaticGrid};
 pub use list::{BareList, List, group_count};
 pub use mailbox::Mailbox;
-#[cfg(not(feature = "double"))]
+#[cfg(feature = "baked")]
 pub(crate) use octree::OctreeParts;
 pub use octree::{Octree, OctreeNode};
 pub use size::{BvhSize, OctreeLimits, OctreeSize};

@@ -8,8 +8,6 @@
 //! Sources: Kay and Kajiya, "Ray Tracing Complex Scenes", SIGGRAPH 1986 (slabs); Ize, "Robust BVH Ray
 //! Traversal", JCGT 2013 (widening).
 
-use zerocopy::{Immutable, KnownLayout, TryFromBytes};
-
 use super::ray::Ray;
 use crate::math::{Real, Vec3, abs, gamma, vec3};
 
@@ -21,7 +19,8 @@ use crate::math::{Real, Vec3, abs, gamma, vec3};
 pub(crate) const WIDEN: Real = 1.0 + 4.0 * Real::EPSILON;
 
 /// An axis-aligned bounding box. It contains its faces.
-#[derive(Clone, Copy, Debug, PartialEq, TryFromBytes, KnownLayout, Immutable)]
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "baked", derive(zerocopy::TryFromBytes, zerocopy::KnownLayout, zerocopy::Immutable))]
 #[repr(C)]
 pub struct Aabb {
     /// Corner with the smallest coordinates.
@@ -45,11 +44,11 @@ impl Aabb {
     pub const EMPTY: Aabb = Aabb { min: Vec3::splat(Real::INFINITY), max: Vec3::splat(Real::NEG_INFINITY) };
 
     /// The box that contains the origin only.
-    #[cfg(not(feature = "double"))]
+    #[cfg(feature = "baked")]
     pub(crate) const ORIGIN: Aabb = Aabb { min: Vec3::ZERO, max: Vec3::ZERO };
 
     /// Whether the box is not empty and no difference of its coordinates overflows.
-    #[cfg(not(feature = "double"))]
+    #[cfg(feature = "baked")]
     pub(crate) fn is_finite(&self) -> bool {
         const MAX_FACE_COORDINATE: Real = Real::MAX / 8.0;
         let is_in_range = |v: Vec3| {

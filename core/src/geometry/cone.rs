@@ -13,8 +13,6 @@
 //! They cancel only if the ray nearly touches the surface. The textbook's `b^2 - a c` also cancels for a
 //! very thin cylinder.
 
-use zerocopy::{Immutable, KnownLayout, TryFromBytes};
-
 use super::disc::disc_half_extent;
 use super::ray::OFFSET_ROUNDINGS;
 use super::validate::{validate_direction, validate_point};
@@ -26,7 +24,8 @@ use crate::math::{
 /// A truncated cone. It is a cylinder if both radii are equal.
 ///
 /// The normal of the lateral surface points away from the axis, the normals of the caps out of the solid.
-#[derive(Clone, Copy, Debug, PartialEq, TryFromBytes, KnownLayout, Immutable)]
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "baked", derive(zerocopy::TryFromBytes, zerocopy::KnownLayout, zerocopy::Immutable))]
 #[repr(C)]
 pub struct Cone {
     /// Center of the base circle.

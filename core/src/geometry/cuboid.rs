@@ -4,8 +4,6 @@
 //! distances of the faces are quotients, not products with the reciprocal direction, because the rounding
 //! of the reciprocal would move the faces.
 
-use zerocopy::{Immutable, KnownLayout, TryFromBytes};
-
 use super::ray::OFFSET_ROUNDINGS;
 use super::validate::{validate_direction, validate_point};
 use super::{Aabb, Ray, ShapeError, SurfaceInteraction};
@@ -14,7 +12,8 @@ use crate::math::{Axis, Real, Vec3, abs, gamma, try_normalize};
 /// An axis-aligned solid box. Its normal points outward.
 ///
 /// Bounding volumes are [`Aabb`].
-#[derive(Clone, Copy, Debug, PartialEq, TryFromBytes, KnownLayout, Immutable)]
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "baked", derive(zerocopy::TryFromBytes, zerocopy::KnownLayout, zerocopy::Immutable))]
 #[repr(C)]
 pub struct Cuboid {
     /// Corner with the smallest coordinates.
@@ -24,7 +23,8 @@ pub struct Cuboid {
 }
 
 /// A solid box with any orientation. Its normal points outward.
-#[derive(Clone, Copy, Debug, PartialEq, TryFromBytes, KnownLayout, Immutable)]
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "baked", derive(zerocopy::TryFromBytes, zerocopy::KnownLayout, zerocopy::Immutable))]
 #[repr(C)]
 pub struct OrientedCuboid {
     /// Center, world space.

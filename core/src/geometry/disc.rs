@@ -3,15 +3,14 @@
 //! The distance from the center is computed relative to the ray's origin. World coordinates of the hit
 //! point are too coarse far from the origin.
 
-use zerocopy::{Immutable, KnownLayout, TryFromBytes};
-
 use super::plane::plane_interaction;
 use super::validate::{validate_direction, validate_radius};
 use super::{Aabb, Ray, ShapeError, SurfaceInteraction};
 use crate::math::{Real, Vec3, sqrt};
 
 /// A flat disc, hit from both sides.
-#[derive(Clone, Copy, Debug, PartialEq, TryFromBytes, KnownLayout, Immutable)]
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "baked", derive(zerocopy::TryFromBytes, zerocopy::KnownLayout, zerocopy::Immutable))]
 #[repr(C)]
 pub struct Disc {
     /// Center, world space.

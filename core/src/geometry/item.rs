@@ -1,11 +1,10 @@
 //! Ids of items.
 
-use zerocopy::{Immutable, KnownLayout, TryFromBytes};
-
 /// Index of an item in the table of shapes of its scene, from 0.
 ///
 /// It is the object number in the scene file. Accelerators may store items in another order, but never
 /// renumber them.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash, TryFromBytes, KnownLayout, Immutable)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+#[cfg_attr(feature = "baked", derive(zerocopy::TryFromBytes, zerocopy::KnownLayout, zerocopy::Immutable))]
 #[repr(transparent)]
 pub struct ItemId(pub u32);

@@ -6,14 +6,13 @@
 //!
 //! Source: Cook, Porter and Carpenter, "Distributed Ray Tracing", SIGGRAPH 1984 (a time for each ray).
 
-use zerocopy::{Immutable, KnownLayout, TryFromBytes};
-
 use super::validate::validate_point;
 use super::{Aabb, Ray, Shape, ShapeError};
 use crate::math::{Real, Vec3, abs, clamp, gamma};
 
 /// A shape that moves along a straight line at constant speed while the shutter is open.
-#[derive(Clone, Copy, Debug, PartialEq, TryFromBytes, KnownLayout, Immutable)]
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "baked", derive(zerocopy::TryFromBytes, zerocopy::KnownLayout, zerocopy::Immutable))]
 #[repr(C)]
 pub struct MovingShape {
     /// The shape at rest; not itself a moving shape.

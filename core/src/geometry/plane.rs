@@ -3,15 +3,14 @@
 //! It has no bounds, so every ray is tested against it. A plane stores a point, not its distance from the
 //! world origin, because that distance is too coarse far from the origin.
 
-use zerocopy::{Immutable, KnownLayout, TryFromBytes};
-
 use super::ray::OFFSET_ROUNDINGS;
 use super::validate::{validate_direction, validate_point};
 use super::{ItemId, Ray, ShapeError, SurfaceInteraction};
 use crate::math::{Real, Vec3, abs, gamma, max_abs_component};
 
 /// An infinite plane, hit from both sides.
-#[derive(Clone, Copy, Debug, PartialEq, TryFromBytes, KnownLayout, Immutable)]
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "baked", derive(zerocopy::TryFromBytes, zerocopy::KnownLayout, zerocopy::Immutable))]
 #[repr(C)]
 pub struct Plane {
     /// A point on the plane, world space. Rounding errors grow with the distance from it.

@@ -8,8 +8,6 @@
 //!
 //! Source: Haines, "Point in Polygon Strategies", Graphics Gems IV.
 
-use zerocopy::{Immutable, KnownLayout, TryFromBytes};
-
 use super::clamp::clamp_to_box;
 use super::plane::{plane_interaction, tangent_plane_offset};
 use super::validate::{validate_direction, validate_point};
@@ -17,7 +15,8 @@ use super::{Aabb, Ray, ShapeError, SurfaceInteraction};
 use crate::math::{Axis, Real, Vec3, abs, gamma, length, try_normalize, vec3};
 
 /// A flat polygon, hit from both sides. Its vertices are in the vertex table of the scene.
-#[derive(Clone, Copy, Debug, PartialEq, TryFromBytes, KnownLayout, Immutable)]
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "baked", derive(zerocopy::TryFromBytes, zerocopy::KnownLayout, zerocopy::Immutable))]
 #[repr(C)]
 pub struct Polygon {
     /// Index of the first vertex in the table.

@@ -1,11 +1,10 @@
 //! The shape of an item, and the kinds of shapes that a tracer supports.
 
-use zerocopy::{Immutable, KnownLayout, TryFromBytes};
-
 use super::{ShapeKind, ShapeSet, Sphere};
 
 /// The shape of one item. Larger shapes are indices into tables of [`Geometry`](super::Geometry).
-#[derive(Clone, Copy, Debug, PartialEq, TryFromBytes, KnownLayout, Immutable)]
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "baked", derive(zerocopy::TryFromBytes, zerocopy::KnownLayout, zerocopy::Immutable))]
 #[repr(u32)]
 pub enum Shape {
     /// A sphere.

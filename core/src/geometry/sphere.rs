@@ -7,15 +7,14 @@
 //! Source: Haines, Günther and Akenine-Möller, "Precision Improvements for Ray/Sphere Intersection", Ray
 //! Tracing Gems, chapter 7.
 
-use zerocopy::{Immutable, KnownLayout, TryFromBytes};
-
 use super::ray::OFFSET_ROUNDINGS;
 use super::validate::validate_radius;
 use super::{Aabb, Ray, ShapeError, SurfaceInteraction};
 use crate::math::{ROUNDOFF, Real, Vec3, abs, gamma, sqrt, try_normalize};
 
 /// A solid sphere. Its normal points outward.
-#[derive(Clone, Copy, Debug, PartialEq, TryFromBytes, KnownLayout, Immutable)]
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "baked", derive(zerocopy::TryFromBytes, zerocopy::KnownLayout, zerocopy::Immutable))]
 #[repr(C)]
 pub struct Sphere {
     /// Center, world space.

@@ -14,8 +14,6 @@
 //!
 //! Ferrari's formula is faster, but in single precision it is wrong for most rays from far away.
 
-use zerocopy::{Immutable, KnownLayout, TryFromBytes};
-
 use super::disc::disc_half_extent;
 use super::ray::OFFSET_ROUNDINGS;
 use super::validate::{validate_direction, validate_point};
@@ -26,7 +24,8 @@ use crate::math::{
 };
 
 /// A torus. Its normal points out of the tube.
-#[derive(Clone, Copy, Debug, PartialEq, TryFromBytes, KnownLayout, Immutable)]
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "baked", derive(zerocopy::TryFromBytes, zerocopy::KnownLayout, zerocopy::Immutable))]
 #[repr(C)]
 pub struct Torus {
     /// Center, world space.

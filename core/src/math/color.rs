@@ -1,7 +1,5 @@
 //! Linear colors with three channels.
 
-use zerocopy::{Immutable, KnownLayout, TryFromBytes};
-
 use core::ops::{Add, AddAssign, Mul, MulAssign};
 
 use super::srgb::{encode_srgb, encode_srgb8};
@@ -10,7 +8,8 @@ use super::{Real, max, min};
 /// Linear red, green and blue, with the primaries of sRGB: a color, a reflectance or a radiance.
 ///
 /// Channels may exceed 1. Only [`Rgb::to_srgb8`] clamps them.
-#[derive(Clone, Copy, Debug, Default, PartialEq, TryFromBytes, KnownLayout, Immutable)]
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[cfg_attr(feature = "baked", derive(zerocopy::TryFromBytes, zerocopy::KnownLayout, zerocopy::Immutable))]
 #[repr(C)]
 pub struct Rgb {
     /// Red.

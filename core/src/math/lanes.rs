@@ -5,15 +5,14 @@
 
 use core::ops::{Add, Mul, Sub};
 
-use zerocopy::{Immutable, KnownLayout, TryFromBytes};
-
 use super::{Real, max, min};
 
 /// Number of elements of a vector.
 pub const SIMD_WIDTH: usize = 4;
 
 /// Four scalars.
-#[derive(Clone, Copy, Debug, PartialEq, TryFromBytes, KnownLayout, Immutable)]
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "baked", derive(zerocopy::TryFromBytes, zerocopy::KnownLayout, zerocopy::Immutable))]
 #[repr(transparent)]
 pub struct Real4(pub [Real; SIMD_WIDTH]);
 

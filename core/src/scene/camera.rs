@@ -1,7 +1,5 @@
 //! From a place in the picture to a ray.
 
-use zerocopy::{Immutable, KnownLayout, TryFromBytes};
-
 use super::{Size, ViewFault};
 use crate::geometry::Ray;
 use crate::math::{
@@ -28,7 +26,8 @@ pub struct CameraSample {
 }
 
 /// How the scene is looked at, whatever the size of the picture.
-#[derive(Clone, Copy, Debug, PartialEq, TryFromBytes, KnownLayout, Immutable)]
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "baked", derive(zerocopy::TryFromBytes, zerocopy::KnownLayout, zerocopy::Immutable))]
 #[repr(C)]
 pub struct View {
     /// The eye.
@@ -42,7 +41,8 @@ pub struct View {
 }
 
 /// How rays run from the eye through the picture.
-#[derive(Clone, Copy, Debug, PartialEq, TryFromBytes, KnownLayout, Immutable)]
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "baked", derive(zerocopy::TryFromBytes, zerocopy::KnownLayout, zerocopy::Immutable))]
 #[repr(u32)]
 pub enum Projection {
     /// All from one point.

@@ -1,9 +1,8 @@
 //! How a surface parts the light that it transmits.
 
-use zerocopy::{Immutable, KnownLayout, TryFromBytes};
-
 /// What happens to the transmitted share of light at a surface.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, TryFromBytes, KnownLayout, Immutable)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "baked", derive(zerocopy::TryFromBytes, zerocopy::KnownLayout, zerocopy::Immutable))]
 #[repr(u8)]
 pub enum Interface {
     /// All of it passes, unless all of it is thrown back (Whitted).

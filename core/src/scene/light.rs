@@ -4,8 +4,6 @@
 //! each: so shadows get soft rims that many rays fill ("Distributed Ray Tracing", Cook, Porter,
 //! Carpenter, SIGGRAPH 1984). From its middle it is a light without extent.
 
-use zerocopy::{Immutable, KnownLayout, TryFromBytes};
-
 use super::{LightKind, LightSet};
 use crate::math::{
     MAX_COORDINATE, Real, Rgb, Vec3, clamp, is_in_range, is_normalized, orthonormal_basis,
@@ -14,7 +12,8 @@ use crate::math::{
 use crate::tally::Lit;
 
 /// A light.
-#[derive(Clone, Copy, Debug, PartialEq, TryFromBytes, KnownLayout, Immutable)]
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "baked", derive(zerocopy::TryFromBytes, zerocopy::KnownLayout, zerocopy::Immutable))]
 #[repr(C)]
 pub struct Light {
     /// Where it is and where it shines.
@@ -26,7 +25,8 @@ pub struct Light {
 }
 
 /// Where a light is and where it shines.
-#[derive(Clone, Copy, Debug, PartialEq, TryFromBytes, KnownLayout, Immutable)]
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "baked", derive(zerocopy::TryFromBytes, zerocopy::KnownLayout, zerocopy::Immutable))]
 #[repr(u32)]
 pub enum Source {
     /// From one place in all directions.
@@ -81,7 +81,8 @@ pub enum Source {
 
 /// How a light fades with the distance `d`: it is divided by
 /// `constant + linear d + quadratic d^2`.
-#[derive(Clone, Copy, Debug, PartialEq, TryFromBytes, KnownLayout, Immutable)]
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "baked", derive(zerocopy::TryFromBytes, zerocopy::KnownLayout, zerocopy::Immutable))]
 #[repr(C)]
 pub struct Falloff {
     /// No unit.

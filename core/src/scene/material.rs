@@ -1,14 +1,13 @@
 //! What surfaces and bodies are made of.
 
-use zerocopy::{Immutable, KnownLayout, TryFromBytes};
-
 use super::{Interface, MaterialFault, TextureId};
 use crate::math::{Real, Rgb};
 
 /// How a surface answers light, and what light meets behind it.
 ///
 /// A scene starts from [`Material::MATTE`] and names what is different.
-#[derive(Clone, Copy, Debug, PartialEq, TryFromBytes, KnownLayout, Immutable)]
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "baked", derive(zerocopy::TryFromBytes, zerocopy::KnownLayout, zerocopy::Immutable))]
 #[repr(C)]
 pub struct Material {
     /// The share of the scene's ambient light that is given back.

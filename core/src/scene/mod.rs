@@ -12,11 +12,12 @@ mod interface;
 mod kind;
 mod light;
 mod material;
-#[cfg(not(feature = "double"))]
+#[cfg(feature = "baked")]
 mod pack;
 #[cfg(not(feature = "double"))]
 mod reference;
-#[cfg(all(feature = "alloc", not(feature = "double")))]
+#[cfg(feature = "alloc")]
+#[cfg(not(feature = "double"))]
 mod shading;
 #[cfg(not(feature = "double"))]
 mod size;
@@ -42,7 +43,7 @@ pub use kind::{LightKind, LightSet, TextureKind, TextureSet};
 pub(crate) use light::Beam;
 pub use light::{Falloff, Light, Source};
 pub use material::Material;
-#[cfg(not(feature = "double"))]
+#[cfg(feature = "baked")]
 pub use pack::{Baking, Finder, Pack, PackError, PackPart};
 pub use reference::{MaterialId, TextureId};
 #[cfg(feature = "alloc")]
@@ -53,13 +54,12 @@ pub use tables::SceneTables;
 pub use texture::Texture;
 pub use world::World;
 
-use zerocopy::{Immutable, KnownLayout, TryFromBytes};
-
 use crate::geometry::{Geometry, ItemId, Shape};
 use crate::math::{Rgb, Vec3, clamp, is_normalized};
 
 /// What a ray sees that meets nothing.
-#[derive(Clone, Copy, Debug, PartialEq, TryFromBytes, KnownLayout, Immutable)]
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "baked", derive(zerocopy::TryFromBytes, zerocopy::KnownLayout, zerocopy::Immutable))]
 #[repr(u32)]
 pub enum Background {
     /// One colour.

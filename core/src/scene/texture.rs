@@ -1,12 +1,11 @@
 //! Colour that changes from place to place by a formula.
 
-use zerocopy::{Immutable, KnownLayout, TryFromBytes};
-
 use super::{TextureKind, TextureSet};
 use crate::math::{MAX_COORDINATE, PI, Real, Rgb, Vec3, clamp, cos, floor, is_in_range, max_abs_component};
 
 /// A colour for each point of space, in the frame of the world.
-#[derive(Clone, Copy, Debug, PartialEq, TryFromBytes, KnownLayout, Immutable)]
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "baked", derive(zerocopy::TryFromBytes, zerocopy::KnownLayout, zerocopy::Immutable))]
 #[repr(u32)]
 pub enum Texture {
     /// Two colours in turn, in cells upright on the axes.

@@ -18,7 +18,7 @@
 mod build;
 mod leaf;
 mod node;
-#[cfg(not(feature = "double"))]
+#[cfg(feature = "baked")]
 mod parts;
 mod queue;
 mod split;
@@ -28,7 +28,7 @@ mod traverse;
 pub use build::{BvhBuilder, LeafLayout};
 pub use leaf::LeafElement;
 pub use node::{BvhNode, LeafEntry};
-#[cfg(not(feature = "double"))]
+#[cfg(feature = "baked")]
 pub(crate) use parts::BvhParts;
 pub use queue::{TraversalHeap, TraversalQueue, TraversalStack};
 

@@ -1,7 +1,5 @@
 //! BVH nodes: the bounds of up to four children side by side, and a reference to each child.
 
-use zerocopy::{Immutable, KnownLayout, TryFromBytes};
-
 use crate::geometry::{Aabb, ItemId, Ray, WIDEN};
 use crate::math::{Real, Real4, SIMD_WIDTH};
 
@@ -9,7 +7,8 @@ use crate::math::{Real, Real4, SIMD_WIDTH};
 pub(super) const CHILDREN: usize = SIMD_WIDTH;
 
 /// An inner node with up to four children.
-#[derive(Clone, Copy, Debug, PartialEq, TryFromBytes, KnownLayout, Immutable)]
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "baked", derive(zerocopy::TryFromBytes, zerocopy::KnownLayout, zerocopy::Immutable))]
 #[repr(C)]
 pub struct BvhNode {
     /// Per axis, the lower planes and then the upper planes of all children, so that one test serves all of
@@ -26,7 +25,8 @@ pub struct BvhNode {
 const _: () = assert!(size_of::<BvhNode>() == 128);
 
 /// A [`NodeRef`] in 32 bits.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, TryFromBytes, KnownLayout, Immutable)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+#[cfg_attr(feature = "baked", derive(zerocopy::TryFromBytes, zerocopy::KnownLayout, zerocopy::Immutable))]
 #[repr(transparent)]
 pub struct PackedNodeRef(u32);
 
@@ -80,7 +80,8 @@ const BLOCK_BIT: u32 = 1 << 30;
 /// An item of a leaf, and whether it is the last one.
 ///
 /// Ids have 30 bits; the bit above them is used during construction.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, TryFromBytes, KnownLayout, Immutable)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "baked", derive(zerocopy::TryFromBytes, zerocopy::KnownLayout, zerocopy::Immutable))]
 #[repr(transparent)]
 pub struct LeafEntry(u32);
 
@@ -91,7 +92,7 @@ impl LeafEntry {
     pub(super) const MAX_ITEMS: usize = BLOCK_BIT as usize;
 
     /// The entry as it is stored in a baked scene.
-    #[cfg(not(feature = "double"))]
+    #[cfg(feature = "baked")]
     pub(crate) const fn word(self) -> u32 {
         self.0
     }
@@ -177,7 +178,7 @@ impl BvhNode {
     }
 
     /// The node as it is stored in a baked scene.
-    #[cfg(not(feature = "double"))]
+    #[cfg(feature = "baked")]
     pub(crate) fn words(&self) -> [u32; 32] {
         let mut words = [0; 32];
         let planes = self.bounds.iter().flatten().flat_map(|lanes| lanes.0).map(f32::to_bits);
@@ -189,7 +190,7 @@ impl BvhNode {
     }
 
     /// All four children, unused ones included.
-    #[cfg(not(feature = "double"))]
+    #[cfg(feature = "baked")]
     pub(super) const fn all_children(&self) -> [PackedNodeRef; CHILDREN] {
         self.children
     }

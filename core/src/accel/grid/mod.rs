@@ -14,12 +14,12 @@
 
 mod axis;
 mod build;
-#[cfg(not(feature = "double"))]
+#[cfg(feature = "baked")]
 mod parts;
 mod traverse;
 
 pub use build::GridSize;
-#[cfg(not(feature = "double"))]
+#[cfg(feature = "baked")]
 pub(crate) use parts::GridParts;
 
 use super::BuildError;

@@ -10,15 +10,13 @@
 
 mod build;
 mod node_state;
-#[cfg(not(feature = "double"))]
+#[cfg(feature = "baked")]
 mod parts;
 mod smart;
 mod traverse;
 
-#[cfg(not(feature = "double"))]
+#[cfg(feature = "baked")]
 pub(crate) use parts::OctreeParts;
-
-use zerocopy::{Immutable, KnownLayout, TryFromBytes};
 
 use super::cell_planes::CellPlanes;
 use crate::geometry::Aabb;
@@ -28,7 +26,8 @@ use crate::math::{Real, Vec3, max_abs_component, morton};
 const CELLS_PER_AXIS: Real = (1_u32 << morton::BITS_PER_AXIS) as Real;
 
 /// A node of an octree: an inner node with eight children, or a leaf.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, TryFromBytes, KnownLayout, Immutable)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "baked", derive(zerocopy::TryFromBytes, zerocopy::KnownLayout, zerocopy::Immutable))]
 #[repr(C)]
 pub struct OctreeNode {
     /// Index of the first child, or of a leaf's first entry.
