@@ -13,7 +13,7 @@
 //! | the scene | [`Scene`], [`Camera`], [`Material`], [`Light`], [`Texture`], [`Effects`], [`World`] |
 //! | finding | [`Accelerator`] and [`Query`]: the contract; [`List`], [`Grid`], [`Octree`], the [`Mailbox`] |
 //! | reports | [`Tally`], [`Event`], [`Step`] |
-//! | things | [`Shape`]s, [`Ray`], [`Aabb`], [`Hit`] and [`Surface`] |
+//! | things | [`Shape`]s, [`Ray`], [`Aabb`], [`Hit`] and [`SurfaceInteraction`] |
 //! | ground | [`Real`], [`Vec3`], [`Rgb`], roots |
 //!
 //! # The laws

@@ -2,7 +2,7 @@
 
 /// Declares `$Set`, a set of values of `$Kind`: an enum without data, with at most 16 variants and a
 /// constant `ALL` with all of them.
-macro_rules! set_of {
+macro_rules! bit_set {
     ($(#[$doc:meta])* $Set:ident of $Kind:ident) => {
         $(#[$doc])*
         #[derive(Clone, Copy, PartialEq, Eq)]
@@ -68,4 +68,4 @@ macro_rules! set_of {
         }
     };
 }
-pub(crate) use set_of;
+pub(crate) use bit_set;

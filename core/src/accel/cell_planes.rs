@@ -1,7 +1,7 @@
 //! The planes that divide space into equal cells, and the proof that no item is lost between cells.
 //!
 //! Traversals of grid and octree ask for one number only: the `t` of a cell plane. It is computed exactly as
-//! in the slab test ([`Aabb::span`]): subtract the origin, multiply by the reciprocal of the direction. Each
+//! in the slab test ([`Aabb::intersect`]): subtract the origin, multiply by the reciprocal of the direction. Each
 //! of these operations is monotone in floating point. So of a cell plane and a face of a box, the one that
 //! comes first along the ray in space has the smaller computed `t`, or both are equal, and bounds need no
 //! margin when they are sorted into cells. The slab test does one thing more: it multiplies the exit of its
@@ -26,7 +26,7 @@
 //! that its bounds touch. An octree, whose planes often coincide with faces, lists the item on its own side
 //! and traverses such a ray twice.
 //!
-//! [`Aabb::span`]: crate::geometry::Aabb::span
+//! [`Aabb::intersect`]: crate::geometry::Aabb::intersect
 //! [`WIDEN`]: crate::geometry::WIDEN
 
 use super::BuildError;

@@ -7,7 +7,7 @@
 //! kind reduces `t_max` at each hit, the second kind breaks at the first hit.
 //!
 //! * An item may be passed more than once, and items in any order: the result is the same.
-//! * An item whose bounds the ray hits within `t_max`, by [`Aabb::span`], is always passed.
+//! * An item whose bounds the ray hits within `t_max`, by [`Aabb::intersect`], is always passed.
 //! * Unbounded items (planes) are not in an accelerator; the scene tests them itself.
 //!
 //! # Choosing an accelerator
@@ -31,7 +31,8 @@
 //! A [`Mailbox`] is worth its memory where items overlap many cells and are expensive to test. A BVH needs
 //! none: it stores each item once.
 //!
-//! [`Aabb::span`]: crate::geometry::Aabb::span
+//! [`Aabb::intersect`]: crate::geometry::Aabb::intersect
+//! [`ItemId`]: crate::geometry::ItemId
 
 mod accelerator;
 mod bvh;

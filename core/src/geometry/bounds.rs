@@ -115,7 +115,7 @@ impl Aabb {
         self.intersect_components(ray.origin, ray.inverse_direction)
     }
 
-    /// [`Aabb::span`] of the ray with the given origin and reciprocal direction.
+    /// [`Aabb::intersect`] of the ray with the given origin and reciprocal direction.
     #[inline(always)]
     pub(super) fn intersect_components(&self, origin: Vec3, inverse_direction: Vec3) -> Option<RayInterval> {
         let t_min_face = (self.min - origin) * inverse_direction;

@@ -14,8 +14,8 @@
 //! very thin cylinder.
 
 use super::disc::disc_half_extent;
+use super::ranges::{validate_direction, validate_point};
 use super::ray::OFFSET_ROUNDINGS;
-use super::validate::{validate_direction, validate_point};
 use super::{Aabb, Ray, ShapeError, SurfaceInteraction};
 use crate::math::{
     MAX_COORDINATE, Real, Vec3, abs, gamma, length, max, max_abs_component, sqrt, try_normalize,

@@ -4,8 +4,8 @@
 //! distances of the faces are quotients, not products with the reciprocal direction, because the rounding
 //! of the reciprocal would move the faces.
 
+use super::ranges::{validate_direction, validate_point};
 use super::ray::OFFSET_ROUNDINGS;
-use super::validate::{validate_direction, validate_point};
 use super::{Aabb, Ray, ShapeError, SurfaceInteraction};
 use crate::math::{Axis, Real, Vec3, abs, gamma, try_normalize};
 
@@ -158,18 +158,18 @@ impl OrientedCuboid {
     ///
     /// The center is subtracted first, so that the errors are relative to the distance between ray and box
     /// and not to their coordinates.
-    fn to_box_frame(&self, ray: &Ray) -> Ray {
+    fn ray_in_box_frame(&self, ray: &Ray) -> Ray {
         let [x, y, z] = self.axes;
         let rotate = |v: Vec3| Vec3::new(v.dot(x), v.dot(y), v.dot(z));
         Ray::new(rotate(ray.origin - self.center), rotate(ray.direction))
     }
 
     pub(super) fn hit(&self, ray: &Ray) -> Option<Real> {
-        intersect_box(-self.half_extents, self.half_extents, &self.to_box_frame(ray)).map(|face| face.t)
+        intersect_box(-self.half_extents, self.half_extents, &self.ray_in_box_frame(ray)).map(|face| face.t)
     }
 
     pub(super) fn surface(&self, ray: &Ray, t: Real) -> Option<SurfaceInteraction> {
-        let face = intersect_box(-self.half_extents, self.half_extents, &self.to_box_frame(ray))?;
+        let face = intersect_box(-self.half_extents, self.half_extents, &self.ray_in_box_frame(ray))?;
         let [x, y, z] = self.axes;
         let (axis, half) = match face.axis {
             Axis::X => (x, self.half_extents.x),

@@ -4,7 +4,7 @@
 //! point are too coarse far from the origin.
 
 use super::plane::plane_interaction;
-use super::validate::{validate_direction, validate_radius};
+use super::ranges::{validate_direction, validate_radius};
 use super::{Aabb, Ray, ShapeError, SurfaceInteraction};
 use crate::math::{Real, Vec3, sqrt};
 

@@ -18,7 +18,7 @@ pub struct SurfaceInteraction {
     /// Position, projected onto the shape, world space.
     pub point: Vec3,
     /// Bound on the absolute error of each component of `point`, in scene lengths. It includes the rounding
-    /// errors of the next ray's origin ([`leave`](super::leave)).
+    /// errors of the next ray's origin ([`offset_origin`](super::offset_origin)).
     pub point_error: Vec3,
     /// Geometric unit normal. It points out of solids, away from the axis of cones, and is right-handed
     /// around the vertices of triangles and polygons. It defines the front side of the surface.

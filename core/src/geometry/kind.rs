@@ -1,6 +1,6 @@
 //! Kinds of shapes, and sets of them.
 
-use crate::set::set_of;
+use crate::set::bit_set;
 
 /// The kind of a shape, without its data.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
@@ -50,7 +50,7 @@ impl ShapeKind {
     }
 }
 
-set_of! {
+bit_set! {
     /// A set of kinds of shapes.
     ShapeSet of ShapeKind
 }

@@ -4,26 +4,25 @@
 //! indices into shared tables of vertices and vertex normals, any other shape as an index into a table of
 //! its kind ([`Geometry`]). So an item takes 20 bytes in single precision.
 
-mod ball;
+mod bounding_sphere;
 mod bounds;
-mod check;
 mod clamp;
 mod cone;
 mod cuboid;
 mod disc;
 #[cfg(not(feature = "double"))]
-mod fault;
-mod four;
+mod error;
 mod hit;
+mod intersection;
 #[cfg(not(feature = "double"))]
 mod item;
 #[cfg(not(feature = "double"))]
 mod kind;
-mod meet;
 mod motion;
 mod moving;
 mod plane;
 mod polygon;
+mod ranges;
 mod ray;
 mod shape;
 mod sphere;
@@ -31,25 +30,25 @@ mod tables;
 mod terminator;
 mod torus;
 mod triangle;
+mod triangle4;
 mod validate;
 
 // Without `Real`: one type for both precisions.
 #[cfg(feature = "double")]
-use strahl_core::{self as fault, self as item, self as kind};
+use strahl_core::{self as error, self as item, self as kind};
 
-pub use ball::BoundingSphere;
-pub(crate) use ball::BoundingSphereRay;
+pub use bounding_sphere::BoundingSphere;
+pub(crate) use bounding_sphere::BoundingSphereRay;
 pub(crate) use bounds::WIDEN;
 pub use bounds::{Aabb, RayInterval};
 pub use cone::Cone;
 pub use cuboid::{Cuboid, OrientedCuboid};
 pub use disc::Disc;
-pub use fault::ShapeError;
-pub(crate) use four::Triangle4;
+pub use error::ShapeError;
 pub use hit::{Hit, SurfaceInteraction};
+pub(crate) use intersection::intersect_triangle;
 pub use item::ItemId;
 pub use kind::{ShapeKind, ShapeSet};
-pub(crate) use meet::intersect_triangle;
 pub use moving::MovingShape;
 pub use plane::Plane;
 pub use polygon::Polygon;
@@ -59,3 +58,4 @@ pub use sphere::Sphere;
 pub use tables::Geometry;
 pub use torus::Torus;
 pub use triangle::has_area;
+pub(crate) use triangle4::Triangle4;

@@ -16,8 +16,8 @@ impl Geometry<'_> {
         }
     }
 
-    /// Offset of a shape from its position at rest at `time` ([`MovingShape::offset`]); zero for a shape that does
-    /// not move.
+    /// Offset of a shape from its position at rest at `time`, as in
+    /// [`MovingShape::offset`](super::MovingShape::offset); zero for a shape that does not move.
     pub fn motion_offset(&self, shape: &Shape, time: Real) -> Vec3 {
         match shape {
             Shape::Moving(index) => {

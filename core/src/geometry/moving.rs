@@ -6,7 +6,7 @@
 //!
 //! Source: Cook, Porter and Carpenter, "Distributed Ray Tracing", SIGGRAPH 1984 (a time for each ray).
 
-use super::validate::validate_point;
+use super::ranges::validate_point;
 use super::{Aabb, Ray, Shape, ShapeError};
 use crate::math::{Real, Vec3, abs, clamp, gamma};
 

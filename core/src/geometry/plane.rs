@@ -3,8 +3,8 @@
 //! It has no bounds, so every ray is tested against it. A plane stores a point, not its distance from the
 //! world origin, because that distance is too coarse far from the origin.
 
+use super::ranges::{validate_direction, validate_point};
 use super::ray::OFFSET_ROUNDINGS;
-use super::validate::{validate_direction, validate_point};
 use super::{ItemId, Ray, ShapeError, SurfaceInteraction};
 use crate::math::{Real, Vec3, abs, gamma, max_abs_component};
 

@@ -10,7 +10,7 @@
 
 use super::clamp::clamp_to_box;
 use super::plane::{plane_interaction, tangent_plane_offset};
-use super::validate::{validate_direction, validate_point};
+use super::ranges::{validate_direction, validate_point};
 use super::{Aabb, Ray, ShapeError, SurfaceInteraction};
 use crate::math::{Axis, Real, Vec3, abs, gamma, length, try_normalize, vec3};
 
@@ -27,7 +27,7 @@ pub struct Polygon {
     pub point: Vec3,
     /// Unit normal, right-handed around the vertices.
     pub normal: Vec3,
-    /// Bounds of the vertices ([`Aabb::of_points`]).
+    /// Bounds of the vertices ([`Aabb::from_points`]).
     pub bounds: Aabb,
     /// Whether the shading normal is interpolated between the vertex normals.
     pub smooth: bool,
@@ -77,7 +77,7 @@ impl Polygon {
         table.get(first..first.checked_add(self.vertex_count as usize)?)
     }
 
-    /// The `t` of the hit, clamped to the bounds as in [`Geometry::intersect`](super::Geometry::distance).
+    /// The `t` of the hit, clamped to the bounds as in [`Geometry::intersect`](super::Geometry::intersect).
     #[inline(always)]
     pub(super) fn intersect(&self, vertices: &[Vec3], ray: &Ray) -> Option<Real> {
         let t = (self.point - ray.origin).dot(self.normal) / ray.direction.dot(self.normal);
@@ -153,8 +153,8 @@ impl Polygon {
         inside
     }
 
-    /// The offset of a shadow ray's origin at `point`, as in
-    /// [`Geometry::terminator_offset`](super::Geometry::lift). `None` if the polygon is not smooth.
+    /// [`Geometry::terminator_offset`](super::Geometry::terminator_offset) of a polygon; `None` if it is not
+    /// smooth.
     pub(super) fn terminator_offset(
         &self,
         vertices: &[Vec3],

@@ -112,11 +112,12 @@ impl Ray {
 ///
 /// Source: Pharr, Jakob and Humphreys, "Physically Based Rendering", 4th edition, 6.8, `OffsetRayOrigin`.
 /// Difference: the result is not rounded away from the surface. This rounding is at most one roundoff per
-/// component, and `error` must include two for it, as the error of a [`Surface`](super::Surface) does.
+/// component, and `error` must include two for it, as
+/// [`SurfaceInteraction::point_error`](super::SurfaceInteraction::point_error) does.
 #[inline(always)]
 pub fn offset_origin(point: Vec3, error: Vec3, normal: Vec3) -> Vec3 {
     point + normal * abs(normal).dot(error)
 }
 
-/// Number of roundings that the error of a surface includes for [`leave`].
+/// Number of roundings that the error of a surface includes for [`offset_origin`].
 pub(super) const OFFSET_ROUNDINGS: u32 = 2;

@@ -7,8 +7,8 @@
 //! Source: Haines, Günther and Akenine-Möller, "Precision Improvements for Ray/Sphere Intersection", Ray
 //! Tracing Gems, chapter 7.
 
+use super::ranges::validate_radius;
 use super::ray::OFFSET_ROUNDINGS;
-use super::validate::validate_radius;
 use super::{Aabb, Ray, ShapeError, SurfaceInteraction};
 use crate::math::{ROUNDOFF, Real, Vec3, abs, gamma, sqrt, try_normalize};
 

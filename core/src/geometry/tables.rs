@@ -9,7 +9,7 @@ use crate::math::Vec3;
 
 /// The shapes of all items of a scene, and the tables that they index.
 ///
-/// The tables are borrowed slices, which may be in flash. [`Geometry::validate`] validates them. An index that
+/// The tables are borrowed slices, which may be in flash. [`Geometry::validate`] checks them. An index that
 /// is out of range is treated as a miss and never panics.
 #[derive(Clone, Copy, Debug)]
 pub struct Geometry<'s> {

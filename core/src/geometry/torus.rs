@@ -15,8 +15,8 @@
 //! Ferrari's formula is faster, but in single precision it is wrong for most rays from far away.
 
 use super::disc::disc_half_extent;
+use super::ranges::{validate_direction, validate_point};
 use super::ray::OFFSET_ROUNDINGS;
-use super::validate::{validate_direction, validate_point};
 use super::{Aabb, Ray, ShapeError, SurfaceInteraction};
 use crate::math::{
     CubicRoots, MAX_COORDINATE, ROUNDOFF, Real, Vec3, abs, bracketed_root, cubic_roots, gamma, length, sqrt,

@@ -37,7 +37,7 @@ const SLIVER_RATIO: Real = 1.0 / 8.0;
 /// `(b - a) x (c - a)`, whose length is twice the area, with a relative error of some roundoffs. Zero if it
 /// cannot be distinguished from zero.
 ///
-/// It does not overflow if coordinates are at most [`FARTHEST`](crate::math::FARTHEST).
+/// It does not overflow if coordinates are at most [`MAX_COORDINATE`](crate::math::MAX_COORDINATE).
 fn area([a, b, c]: [Vec3; 3]) -> Vec3 {
     let (e, f) = (b - a, c - a);
     let (rounded, square) = (e.cross(f), max_abs_component(e) * max_abs_component(f));
@@ -133,7 +133,7 @@ fn exact_edge_functions(a: [Real; 2], b: [Real; 2], c: [Real; 2]) -> [Real; 3] {
     ]
 }
 
-/// The offset of a shadow ray's origin at `point`, as in [`Geometry::lift`](super::Geometry::lift).
+/// [`Geometry::terminator_offset`](super::Geometry::terminator_offset) of a smooth triangle.
 pub(super) fn terminator_offset(
     vertices: [&Vec3; 3],
     normals: [Vec3; 3],

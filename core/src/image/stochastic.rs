@@ -1,7 +1,7 @@
 //! Stochastic supersampling: places without a raster turn aliasing into noise.
 //!
 //! The places of a pixel are those of a scrambled low-discrepancy sequence, another scrambling
-//! for each pixel ([`Stream`]). At equal numbers of rays its error is smaller than that of
+//! for each pixel ([`SobolSequence`]). At equal numbers of rays its error is smaller than that of
 //! jittered cells (`core/examples/sequence.rs`, `tests/reports/quality.md`).
 //!
 //! What a ray leaves to chance (the place on a light, on the lens, the moment) comes of sequences of
@@ -20,7 +20,7 @@
 //! missed, and small things get a little darker the smaller the least number is ("Unbiased
 //! Sampling Techniques for Image Synthesis", Kirk, Arvo, SIGGRAPH 1991).
 //!
-//! [`Stream`]: crate::math::Stream
+//! [`SobolSequence`]: crate::math::SobolSequence
 
 use super::filter::Filter;
 use super::filter_sample::filtered;

@@ -9,8 +9,8 @@
 
 mod color;
 mod float;
-mod lanes;
 pub mod morton;
+mod real4;
 mod roots;
 mod sobol;
 mod srgb;
@@ -20,7 +20,7 @@ pub use color::Rgb;
 #[cfg(test)]
 pub use float::acos;
 pub use float::{cos, exp, floor, ln, pow_positive, powf, sin, sqrt, tan};
-pub use lanes::{Real4, SIMD_WIDTH};
+pub use real4::{Real4, SIMD_WIDTH};
 pub use roots::{CubicRoots, bracketed_root, cubic_roots};
 pub use sobol::{Dimension, SobolSequence};
 pub use warp::{
@@ -37,7 +37,7 @@ mod precision {
 
     /// The integer as wide as a [`Real`]. Bits of non-negative [`Real`]s, read as this type, have the
     /// order of the numbers.
-    pub type Ordered = i64;
+    pub type OrderedBits = i64;
 }
 #[cfg(not(feature = "double"))]
 mod precision {
@@ -49,9 +49,9 @@ mod precision {
 
     /// The integer as wide as a [`Real`]. Bits of non-negative [`Real`]s, read as this type, have the
     /// order of the numbers.
-    pub type Ordered = i32;
+    pub type OrderedBits = i32;
 }
-pub use precision::{Ordered, Real, Vec3};
+pub use precision::{OrderedBits, Real, Vec3};
 
 /// The ratio of a circle's circumference to its diameter.
 pub const PI: Real = precision::consts::PI;
@@ -109,7 +109,7 @@ pub fn max_abs_component(v: Vec3) -> Real {
     max(v.x.abs(), max(v.y.abs(), v.z.abs()))
 }
 
-/// Whether the absolute value of every component is at most [`FARTHEST`]. False for NaN.
+/// Whether the absolute value of every component is at most [`MAX_COORDINATE`]. False for NaN.
 #[inline(never)] // validation calls it often: code size matters there, time does not
 pub fn is_in_range(v: Vec3) -> bool {
     v.x.abs() <= MAX_COORDINATE && v.y.abs() <= MAX_COORDINATE && v.z.abs() <= MAX_COORDINATE
@@ -152,8 +152,8 @@ fn is_safe_square(square: Real) -> bool {
     square.to_bits().wrapping_sub(MIN.to_bits()) <= MAX.to_bits() - MIN.to_bits()
 }
 
-/// [`unit_and_length`] for vectors whose squared length is not safe: an exact power of two scales the
-/// largest component to about one.
+/// [`try_normalize_and_length`] for vectors whose squared length is not safe: an exact power of two scales
+/// the largest component to about one.
 ///
 /// The components are separate parameters so that they are passed in registers.
 #[cold]
@@ -241,7 +241,7 @@ impl Axis {
         }
     }
 
-    /// The inverse of [`Axis::to_third`].
+    /// The inverse of [`Axis::permute_to_z`].
     pub(crate) fn permute_from_z(self, v: Vec3) -> Vec3 {
         match self {
             Axis::X => vec3(v.z, v.x, v.y),

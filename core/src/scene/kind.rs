@@ -1,6 +1,6 @@
 //! What kinds of lights and textures there are.
 
-use crate::set::set_of;
+use crate::set::bit_set;
 
 /// What kind of light it is.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -19,7 +19,7 @@ impl LightKind {
         [LightKind::Point, LightKind::Directional, LightKind::Spot, LightKind::Sphere, LightKind::Rectangle];
 }
 
-set_of! {
+bit_set! {
     /// Kinds of lights.
     LightSet of LightKind
 }
@@ -38,7 +38,7 @@ impl TextureKind {
     pub const ALL: [TextureKind; 3] = [TextureKind::Checker, TextureKind::Gradient, TextureKind::ZonePlate];
 }
 
-set_of! {
+bit_set! {
     /// Kinds of textures.
     TextureSet of TextureKind
 }

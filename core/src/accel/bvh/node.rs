@@ -224,7 +224,7 @@ impl BvhNode {
 
     /// Tests the ray against the bounds of all children.
     ///
-    /// It does the operations of [`Aabb::span`] in the same order, so that each `t_entry` is the same, bit
+    /// It does the operations of [`Aabb::intersect`] in the same order, so that each `t_entry` is the same, bit
     /// for bit, except that negative ones become zero.
     #[inline(always)]
     pub(super) fn intersect(&self, ray: &TraversalRay, t_max: Real) -> BoxHits {

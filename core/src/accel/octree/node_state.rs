@@ -5,29 +5,29 @@
 
 use super::OctreeNode;
 use crate::geometry::WIDEN;
-use crate::math::{Ordered, Real, Vec3};
+use crate::math::{OrderedBits, Real, Vec3};
 
 /// The bits of a crossing that hold its axis instead of its `t`: bit `a` for axis `a`.
-pub(super) const AXIS_MASK: Ordered = 7;
+pub(super) const AXIS_MASK: OrderedBits = 7;
 
 /// Largest difference between two ordered `t` at which the widening of the slab test reaches from one plane
 /// to the other: 8 steps for the widening (a step is at least half an epsilon of the number), and up to 7
 /// that the axis bits hide in each of the two.
-const CROSSING_TOLERANCE: Ordered = 24;
+const CROSSING_TOLERANCE: OrderedBits = 24;
 const _: () = assert!(WIDEN <= 1.0 + 4.0 * Real::EPSILON);
 
 /// The smallest begin of a node. Crossings behind the origin of the ray, whose `t` is 0, are before it by
 /// more than [`CROSSING_TOLERANCE`].
-pub(super) const MIN_ORDERED_T: Ordered = CROSSING_TOLERANCE + AXIS_MASK + 1;
+pub(super) const MIN_ORDERED_T: OrderedBits = CROSSING_TOLERANCE + AXIS_MASK + 1;
 
 /// A plane that the ray does not cross inside the node, or has crossed already. Larger than every crossing.
-const NO_CROSSING: Ordered = Ordered::MAX;
+const NO_CROSSING: OrderedBits = OrderedBits::MAX;
 
 /// `t` as an integer with the same order; 0 if it is negative or NaN.
 #[inline(always)]
-pub(super) fn ordered_bits(t: Real) -> Ordered {
+pub(super) fn ordered_bits(t: Real) -> OrderedBits {
     let non_negative = if t > 0.0 { t } else { 0.0 };
-    non_negative.to_bits() as Ordered
+    non_negative.to_bits() as OrderedBits
 }
 
 /// The state of a traversal in an inner node. All `t` are ordered integers.
@@ -35,11 +35,11 @@ pub(super) fn ordered_bits(t: Real) -> Ordered {
 pub(super) struct NodeState {
     /// The decision vector: the crossings of center planes that are ahead, nearest first, then
     /// [`NO_CROSSING`].
-    crossings: [Ordered; 3],
+    crossings: [OrderedBits; 3],
     /// The `t` at which the ray leaves the node.
-    t_end: Ordered,
+    t_end: OrderedBits,
     /// The `t` at which the ray enters the current child.
-    pub(super) t_begin: Ordered,
+    pub(super) t_begin: OrderedBits,
     /// Index of the first child.
     pub(super) first_child: u32,
     /// One bit per child that has entries, by absolute Morton index.
@@ -54,9 +54,9 @@ pub(super) struct NodeState {
 impl NodeState {
     /// The state where the ray enters `node`. `center_t`: the `t` of the center plane of each axis.
     #[inline(always)]
-    pub(super) fn new(node: OctreeNode, center_t: Vec3, t_begin: Ordered, t_end: Ordered) -> Self {
+    pub(super) fn new(node: OctreeNode, center_t: Vec3, t_begin: OrderedBits, t_end: OrderedBits) -> Self {
         let mut child = 0;
-        let mut crossing = |t: Real, axis: Ordered| {
+        let mut crossing = |t: Real, axis: OrderedBits| {
             let crossing = ordered_bits(t) & !AXIS_MASK | axis;
             let is_before = sign_mask(crossing + CROSSING_TOLERANCE - t_begin);
             let is_after = sign_mask(t_end + CROSSING_TOLERANCE - crossing);
@@ -81,7 +81,7 @@ impl NodeState {
     /// The `t` at which the ray leaves the current child: that of the next crossing, or of the end of the
     /// node.
     #[inline(always)]
-    pub(super) fn child_end(&self) -> Ordered {
+    pub(super) fn child_end(&self) -> OrderedBits {
         if self.corner_axes != 0 {
             // Some of the crossings at this corner are still ahead.
             return (self.t_begin + 2 * CROSSING_TOLERANCE).min(self.t_end);
@@ -92,7 +92,7 @@ impl NodeState {
 
     /// Steps to the next sibling. Returns false if there is none that begins within `t_max`.
     #[inline(always)]
-    pub(super) fn step_horizontal(&mut self, t_max: Ordered) -> bool {
+    pub(super) fn step_horizontal(&mut self, t_max: OrderedBits) -> bool {
         if self.corner_axes != 0 {
             self.next_corner_sibling();
             return true;
@@ -143,12 +143,12 @@ impl NodeState {
 
 /// All bits set if `x` is negative, else 0.
 #[inline(always)]
-fn sign_mask(x: Ordered) -> Ordered {
-    x >> (Ordered::BITS - 1)
+fn sign_mask(x: OrderedBits) -> OrderedBits {
+    x >> (OrderedBits::BITS - 1)
 }
 
 /// The axis of a crossing, as a bit.
 #[inline(always)]
-fn axis_of(crossing: Ordered) -> u8 {
+fn axis_of(crossing: OrderedBits) -> u8 {
     (crossing & AXIS_MASK) as u8
 }

@@ -27,7 +27,7 @@ use heapless::Vec;
 use super::node_state::{MIN_ORDERED_T, NodeState, ordered_bits};
 use super::{Octree, OctreeNode};
 use crate::geometry::{Ray, RayInterval};
-use crate::math::{Ordered, Real, Vec3, morton, vec3};
+use crate::math::{OrderedBits, Real, Vec3, morton, vec3};
 
 impl<const MAILBOX_ENTRIES: usize> Octree<'_, MAILBOX_ENTRIES> {
     /// Calls `visit` with the leaves along the ray that have entries and begin within `t_max`. `visit`
@@ -100,8 +100,8 @@ impl<const MAILBOX_ENTRIES: usize> Octree<'_, MAILBOX_ENTRIES> {
         ray: &Ray,
         node: OctreeNode,
         center: [u32; 3],
-        t_begin: Ordered,
-        t_end: Ordered,
+        t_begin: OrderedBits,
+        t_end: OrderedBits,
     ) -> NodeState {
         let [x, y, z] = center.map(|plane| plane as i32 as Real);
         let center_t = (self.planes.position(vec3(x, y, z)) - ray.origin) * ray.inverse_direction;

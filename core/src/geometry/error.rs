@@ -6,13 +6,14 @@ use core::fmt;
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum ShapeError {
-    /// A coordinate is NaN, or its absolute value is more than [`MAX_COORDINATE`](crate::FARTHEST).
+    /// A coordinate is NaN, or its absolute value is more than [`MAX_COORDINATE`](crate::MAX_COORDINATE).
     Coordinate,
-    /// A radius is NaN, negative, more than [`MAX_COORDINATE`](crate::FARTHEST), or zero where the shape would
-    /// vanish; or the minor radius of a torus is more than its major radius.
+    /// A radius is NaN, negative or more than [`MAX_COORDINATE`](crate::MAX_COORDINATE); or the radius of a
+    /// sphere or disc, or both radii of a cone are zero; or the minor radius of a torus is zero or more than
+    /// its major radius.
     Radius,
-    /// A length is NaN, more than [`MAX_COORDINATE`](crate::FARTHEST), or too small: the height of a cone must be
-    /// positive, the size of a box must not be negative.
+    /// The height of a cone is NaN, not positive or more than [`MAX_COORDINATE`](crate::MAX_COORDINATE), or
+    /// the size of a box is negative.
     Size,
     /// A normal or an axis is not a unit vector.
     NotNormalized,
@@ -33,7 +34,7 @@ impl fmt::Display for ShapeError {
         f.write_str(match self {
             ShapeError::Coordinate => "a coordinate is NaN, or its absolute value exceeds 1e15",
             ShapeError::Radius => {
-                "a radius is not positive or exceeds 1e15, or the minor radius of a torus exceeds the major one"
+                "a radius is not positive or exceeds 1e15, or a torus has a larger minor than major radius"
             }
             ShapeError::Size => "a length is not positive or exceeds 1e15",
             ShapeError::NotNormalized => "a normal or an axis is not a unit vector",

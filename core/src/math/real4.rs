@@ -30,13 +30,13 @@ impl Real4 {
         Real4([operation(a, e), operation(b, f), operation(c, g), operation(d, h)])
     }
 
-    /// Element-wise [`greatest`].
+    /// Element-wise [`max`].
     #[inline(always)]
     pub fn max(self, other: Self) -> Self {
         self.zip_with(other, max)
     }
 
-    /// Element-wise [`least`].
+    /// Element-wise [`min`].
     #[inline(always)]
     pub fn min(self, other: Self) -> Self {
         self.zip_with(other, min)

@@ -82,7 +82,7 @@ impl Geometry<'_> {
     fn clamp_to_bounds<S: ShapeFeatures>(&self, shape: &Shape, t: Real, ray: &Ray) -> Option<Real> {
         /// Not inlined because most rays miss most items, and the code for a miss should be short.
         #[inline(never)]
-        #[allow(clippy::too_many_arguments)] // in registers: passing a ray would force all its fields into memory
+        #[allow(clippy::too_many_arguments)] // in registers: for a reference all of the ray must be in memory
         fn clamp_outlined<S: ShapeFeatures>(
             geometry: &Geometry<'_>,
             shape: &Shape,

@@ -55,8 +55,9 @@ impl BoundingSphere {
 
     /// Whether the ray enters the sphere at `t_max` or before, in lengths of its direction.
     ///
-    /// It is true if [`Aabb::span`] of the box inside begins at `t_max` or before: the margin of the radius
-    /// covers the rounding errors of both tests, which are relative to the distance from the ray's origin.
+    /// It is true if [`Aabb::intersect`] of the enclosed box begins at `t_max` or before: the margin of the
+    /// radius covers the rounding errors of both tests, which are relative to the distance from the ray's
+    /// origin.
     #[inline]
     pub(crate) fn is_hit(&self, line: &BoundingSphereRay<'_>, t_max: Real) -> bool {
         let ray = line.ray;

@@ -1,0 +1,17 @@
+//! Ranges of the numbers that shapes are made of.
+
+use super::error::ShapeError;
+use crate::math::{MAX_COORDINATE, Real, Vec3, is_in_range, is_normalized};
+
+pub(super) fn validate_point(p: Vec3) -> Result<(), ShapeError> {
+    if is_in_range(p) { Ok(()) } else { Err(ShapeError::Coordinate) }
+}
+
+pub(super) fn validate_direction(n: Vec3) -> Result<(), ShapeError> {
+    if is_normalized(n) { Ok(()) } else { Err(ShapeError::NotNormalized) }
+}
+
+pub(super) fn validate_radius(center: Vec3, radius: Real) -> Result<(), ShapeError> {
+    validate_point(center)?;
+    if radius > 0.0 && radius <= MAX_COORDINATE { Ok(()) } else { Err(ShapeError::Radius) }
+}
