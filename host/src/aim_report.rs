@@ -23,8 +23,7 @@ pub struct AimReport {
 impl AimReport {
     /// Of a picture that goes to `output`.
     pub fn new(args: &RenderArgs, resolved: &Resolved, aimed: Aimed, output: &Path) -> Self {
-        let taken = aimed.taken.settings(resolved.settings.clone());
-        let command = settings::changed(args, resolved, &taken, output);
+        let command = settings::changed(args, resolved, &aimed.taken, output);
         AimReport { aimed, command }
     }
 

@@ -18,7 +18,7 @@ use crate::rays::{Cast, Stream};
 use crate::render_output::RenderError;
 use crate::session::{SceneStorage, Session};
 use crate::signals::Signals;
-use crate::wanted::DEFAULT_SIZE;
+use strahl_settings::DEFAULT_SIZE;
 
 /// Casts rays into one scene.
 pub fn run(args: &CastArgs) -> Result<(), Failure> {

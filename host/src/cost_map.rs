@@ -146,10 +146,12 @@ fn cells(count: usize) -> Vec<Cell> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use strahl_settings::Settings;
+
     use crate::load::load;
     use crate::precision::Precision;
     use crate::progress::NoProgress;
-    use crate::wanted::Wanted;
+    use crate::render_request::RenderRequest;
     use std::path::Path;
 
     #[test]
@@ -164,14 +166,16 @@ mod tests {
             ("regular:2", None, Precision::Double),
         ] {
             let cost_map = Arc::new(CostMap::new(size));
-            let wanted = Wanted {
-                sampling: sampler.parse().unwrap(),
-                selecting: select.map(|text: &str| text.parse().unwrap()),
-                precision,
+            let request = RenderRequest {
                 cost_map: Some(Arc::clone(&cost_map)),
-                ..Wanted::of(size)
+                ..RenderRequest::new(Settings {
+                    sampler: sampler.parse().unwrap(),
+                    select: select.map(|text: &str| text.parse().unwrap()),
+                    precision,
+                    ..Settings::of_size(size)
+                })
             };
-            let frame = crate::session::render(&scene, &wanted, &NoProgress).unwrap();
+            let frame = crate::session::render(&scene, &request, &NoProgress).unwrap();
             let counts = frame.counters;
             let costs = cost_map.costs();
             for kind in RayKind::ALL {
@@ -185,7 +189,7 @@ mod tests {
             }
             assert_eq!(costs.iter().map(|cost| cost.level).max(), Some(counts.deepest), "{sampler}");
             assert!(counts.deepest > 2);
-            let free = Wanted { cost_map: None, ..wanted };
+            let free = RenderRequest { cost_map: None, ..request };
             let plain = crate::session::render(&scene, &free, &NoProgress).unwrap();
             assert_eq!(plain.picture.digest(), frame.picture.digest(), "{sampler}");
         }

@@ -25,7 +25,7 @@
 //! | [`effects`] | the prepared effect sets: which ray tracer a scene gets |
 //! | [`render_output`] | what comes of rendering, or why nothing does |
 //! | [`ray_query`] | single rays and what they hit |
-//! | [`wanted`] | what picture is wanted, and how the work is done |
+//! | [`render_request`] | what a session renders |
 //! | [`mask`] | which pixels are wanted, where not all are |
 //! | [`finding`] | how items are found: what can be asked for, and what there is |
 //! | [`rays`] | rays as lines of text, and their way there and back |
@@ -93,6 +93,7 @@ pub mod ray_query;
 pub mod rays;
 pub mod render;
 pub mod render_output;
+pub mod render_request;
 pub mod scheduler;
 pub mod session;
 pub mod settings;
@@ -103,6 +104,5 @@ pub mod study;
 pub mod study_command;
 pub mod summary;
 pub mod terminal;
-pub mod wanted;
 pub mod watch;
 pub mod wrap;

@@ -26,14 +26,15 @@ use crate::pixels;
 use crate::plan::{Step, leave_out, plan};
 use crate::progress::Progress;
 use crate::render_output::{RenderError, RenderOutput};
+use crate::render_request::RenderRequest;
 use crate::session;
 use crate::settings;
 use crate::signals::Signals;
 use crate::stats::Stats;
 use crate::summary::{self, summary};
 use crate::terminal::TerminalProgress;
-use crate::wanted::{DEFAULT_SIZE, Wanted};
 use crate::wrap::{width_of_stderr, wrapped};
+use strahl_settings::DEFAULT_SIZE;
 
 /// Renders one scene. No is the answer where an error was aimed at that is not kept.
 pub fn run(args: &RenderArgs, aim: &AimArgs) -> Result<Answer, Failure> {
@@ -124,15 +125,15 @@ impl<'a> Job<'a> {
         let heat = aim.cost.as_ref().map(|place| Heat::prepare(place, &mut guard)).transpose()?;
 
         let Loaded { description, left_out, took: load, .. } = scene;
-        let wanted = wanted(args, scene, report.is_some())?;
-        let cost_map = heat.is_some().then(|| Arc::new(CostMap::new(wanted.size)));
-        let wanted = Wanted { cost_map, ..wanted };
-        format.holds(wanted.picture())?;
-        let (frame, aimed) = self.aimed(description, &wanted, progress)?;
+        let request = request(args, scene, report.is_some())?;
+        let cost_map = heat.is_some().then(|| Arc::new(CostMap::new(request.settings.size)));
+        let request = RenderRequest { cost_map, ..request };
+        format.holds(request.settings.picture_size())?;
+        let (frame, aimed) = self.aimed(description, &request, progress)?;
         let clock = Instant::now();
         self.write(&frame.picture, output, progress)?;
-        if let (Some(heat), Some(cost_map)) = (heat, &wanted.cost_map) {
-            heat.write(&Costs::of(cost_map, wanted.area()))?;
+        if let (Some(heat), Some(cost_map)) = (heat, &request.cost_map) {
+            heat.write(&Costs::of(cost_map, request.settings.area()))?;
         }
         let write = clock.elapsed();
 
@@ -149,9 +150,9 @@ impl<'a> Job<'a> {
             };
             output.commit(text.as_bytes())?;
         }
-        let taken = aimed.as_ref().map_or(&wanted, |report| &report.aimed.taken);
+        let taken = aimed.as_ref().map_or(&request.settings, |report| &report.aimed.taken);
         if !args.quiet {
-            let mut summary = summary(path, &frame, &plan, taken.sampling, *load, write);
+            let mut summary = summary(path, &frame, &plan, taken.sampler, *load, write);
             if let Some(report) = &aimed {
                 summary.push_str(&summary::lines(&report.lines()));
             }
@@ -164,7 +165,7 @@ impl<'a> Job<'a> {
     fn aimed(
         &self,
         description: &Description,
-        wanted: &Wanted,
+        request: &RenderRequest,
         progress: &TerminalProgress,
     ) -> Result<(RenderOutput, Option<AimReport>), Failure> {
         let Job { args, aim, begun, format, .. } = self;
@@ -176,12 +177,12 @@ impl<'a> Job<'a> {
                 sampling: given.sampler.is_some(),
                 selecting: given.select.is_some(),
             };
-            aim::error::trace(description, wanted, Goal { error, fixed, verify: aim.verify }, progress)
+            aim::error::trace(description, request, Goal { error, fixed, verify: aim.verify }, progress)
         } else if let Some(time) = aim.time_limit {
             let limit = Limit { begun: *begun, time, format: *format };
-            aim::time::trace(description, wanted, limit, progress)
+            aim::time::trace(description, request, limit, progress)
         } else {
-            return Ok((self.trace(description, wanted, progress)?, None));
+            return Ok((self.trace(description, request, progress)?, None));
         };
         progress.end();
         let (frame, aimed) = traced.map_err(|error| self.failure(error))?;
@@ -191,21 +192,21 @@ impl<'a> Job<'a> {
 
     /// Traces and writes a coarse picture, where that is quicker.
     pub fn draft(&self, scene: &Loaded, progress: &TerminalProgress) -> Result<(), Failure> {
-        let wanted = wanted(self.args, scene, false)?;
-        self.format.holds(wanted.size)?;
-        let Some(coarse) = draft::of(&wanted) else { return Ok(()) };
+        let request = request(self.args, scene, false)?;
+        self.format.holds(request.settings.size)?;
+        let Some(coarse) = draft::of(&request) else { return Ok(()) };
         let output = Guard::of(&scene.inputs).prepare(&self.path)?;
         let frame = self.trace(&scene.description, &coarse, progress)?;
-        self.write(&draft::enlarged(&frame.picture, wanted.size), output, progress)
+        self.write(&draft::enlarged(&frame.picture, request.settings.size), output, progress)
     }
 
     fn trace(
         &self,
         description: &Description,
-        wanted: &Wanted,
+        request: &RenderRequest,
         progress: &TerminalProgress,
     ) -> Result<RenderOutput, Failure> {
-        let frame = session::render(description, wanted, progress);
+        let frame = session::render(description, request, progress);
         progress.end();
         frame.map_err(|error| self.failure(error))
     }
@@ -268,13 +269,13 @@ fn resolved(args: &RenderArgs, scene: &Loaded) -> Result<Resolved, Failure> {
     if let (Some(path), Some(mask)) = (&args.mask, &scene.mask)
         && mask.size != resolved.settings.size
     {
-        let (is, wanted) = (mask.size, resolved.settings.size);
+        let (is, needed) = (mask.size, resolved.settings.size);
         let reason = format!(
             "the mask has {}x{} pixels, the picture {}x{}",
             is.width(),
             is.height(),
-            wanted.width(),
-            wanted.height()
+            needed.width(),
+            needed.height()
         );
         return Err(Failure::Input { path: path.clone(), line: None, reason });
     }
@@ -282,9 +283,9 @@ fn resolved(args: &RenderArgs, scene: &Loaded) -> Result<Resolved, Failure> {
 }
 
 /// The picture that is asked for.
-fn wanted(args: &RenderArgs, scene: &Loaded, counted: bool) -> Result<Wanted, Failure> {
+fn request(args: &RenderArgs, scene: &Loaded, counted: bool) -> Result<RenderRequest, Failure> {
     let Resolved { settings, .. } = resolved(args, scene)?;
-    Ok(Wanted { mask: scene.mask.clone(), counted, ..Wanted::new(&settings) })
+    Ok(RenderRequest { mask: scene.mask.clone(), counted, ..RenderRequest::new(settings) })
 }
 
 /// The pixels that are white in the picture at `path`.

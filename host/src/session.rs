@@ -8,8 +8,8 @@ use crate::precision::Precision;
 use crate::progress::Progress;
 use crate::ray_query::RayCaster;
 use crate::render_output::{AccelStats, RenderError, RenderOutput, Rendered, SceneStats};
+use crate::render_request::RenderRequest;
 use crate::scheduler::Scheduler;
-use crate::wanted::Wanted;
 use crate::{double, engine, stock};
 use strahl_picture::Picture;
 
@@ -22,12 +22,12 @@ pub trait Engine: Sync {
     fn accelerator(&self) -> &AccelStats;
 
     /// Renders a picture.
-    fn render(&self, settings: &Wanted, progress: &dyn Progress) -> Result<Rendered, RenderError>;
+    fn render(&self, request: &RenderRequest, progress: &dyn Progress) -> Result<Rendered, RenderError>;
 
     /// Renders a picture that becomes better pass by pass, as `scheduler` says; the last that was completed.
     fn refine(
         &self,
-        settings: &Wanted,
+        request: &RenderRequest,
         progress: &dyn Progress,
         scheduler: &mut dyn Scheduler,
     ) -> Result<Rendered, RenderError>;
@@ -107,18 +107,22 @@ impl<'s> Session<'s> {
     /// Renders a picture.
     ///
     /// Precision and accelerator are those of the session, whatever else the settings ask for.
-    pub fn render(&self, settings: &Wanted, progress: &dyn Progress) -> Result<RenderOutput, RenderError> {
-        Ok(self.output(settings, self.engine.render(settings, progress)?))
+    pub fn render(
+        &self,
+        request: &RenderRequest,
+        progress: &dyn Progress,
+    ) -> Result<RenderOutput, RenderError> {
+        Ok(self.output(request, self.engine.render(request, progress)?))
     }
 
     /// Renders a picture that becomes better pass by pass, as `scheduler` says; the last that was completed.
     pub fn refine(
         &self,
-        settings: &Wanted,
+        request: &RenderRequest,
         progress: &dyn Progress,
         scheduler: &mut dyn Scheduler,
     ) -> Result<RenderOutput, RenderError> {
-        Ok(self.output(settings, self.engine.refine(settings, progress, scheduler)?))
+        Ok(self.output(request, self.engine.refine(request, progress, scheduler)?))
     }
 
     /// Finds the nearest hits of rays, for one thread.
@@ -126,10 +130,10 @@ impl<'s> Session<'s> {
         self.engine.ray_caster()
     }
 
-    fn output(&self, settings: &Wanted, rendered: Rendered) -> RenderOutput {
+    fn output(&self, request: &RenderRequest, rendered: Rendered) -> RenderOutput {
         let Rendered { colors, counters, trace, trace_cpu } = rendered;
         RenderOutput {
-            picture: Picture { size: settings.picture(), colors },
+            picture: Picture { size: request.settings.picture_size(), colors },
             counters,
             precision: self.precision,
             scene: *self.scene(),
@@ -144,9 +148,9 @@ impl<'s> Session<'s> {
 /// Opens a scene and renders one picture of it.
 pub fn render(
     description: &Description,
-    settings: &Wanted,
+    request: &RenderRequest,
     progress: &dyn Progress,
 ) -> Result<RenderOutput, RenderError> {
-    let mut storage = SceneStorage::new(description, settings.precision);
-    Session::new(description, &mut storage, &settings.finding)?.render(settings, progress)
+    let mut storage = SceneStorage::new(description, request.settings.precision);
+    Session::new(description, &mut storage, &request.settings.acceleration())?.render(request, progress)
 }

@@ -21,8 +21,8 @@ use crate::study::error::{ParseError, StudyError};
 use crate::study::progress::StudyProgress;
 use crate::study::record::Study;
 use crate::study::{StudySettings, page, stem, study, table};
-use crate::wanted::DEFAULT_SIZE;
 use crate::wrap::{width_of_stderr, wrapped};
+use strahl_settings::DEFAULT_SIZE;
 
 /// Studies a scene, or makes the page of a study again.
 pub fn run(args: &StudyArgs) -> Result<(), Failure> {

@@ -22,9 +22,10 @@ use strahl::generate;
 use strahl::procedural::What;
 use strahl::progress::NoProgress;
 use strahl::render_output::RenderOutput;
+use strahl::render_request::RenderRequest;
 use strahl::session;
-use strahl::wanted::{Cut, Wanted};
-use strahl_core::{Limits, Size};
+use strahl_core::Size;
+use strahl_settings::Settings;
 
 /// What is made, and how large.
 const SCENES: [(What, u32); 10] = [
@@ -96,24 +97,21 @@ fn scene(what: What, size: u32, path: &Path, rows: &mut Vec<Row>) -> Result<bool
     let objects = description.objects.len();
     let mut digests = Vec::new();
     for kind in Kind::ALL.into_iter().filter(|kind| *kind != Kind::List || objects <= LISTED) {
-        let wanted = Wanted {
-            limits: Limits { levels: 5, cutoff: 0.0 },
-            finding: Finding::by(kind),
-            cut: Cut::threads(1),
-            counted: false,
-            ..Wanted::of(Size::new(512, 512).ok_or("no size")?)
-        };
-        let trace = |wanted: &Wanted| session::render(&description, wanted, &NoProgress);
+        let size = Size::new(512, 512).ok_or("no size")?;
+        let settings = Settings { levels: 5, cutoff: 0.0, threads: 1, ..Settings::of_size(size) };
+        let settings = settings.with_acceleration(Finding::by(kind));
+        let request = RenderRequest { counted: false, ..RenderRequest::new(settings) };
+        let trace = |request: &RenderRequest| session::render(&description, request, &NoProgress);
         let (mut quickest, mut build): (Option<RenderOutput>, f64) = (None, f64::INFINITY);
         for _ in 0..TURNS {
-            let frame = trace(&wanted)?;
+            let frame = trace(&request)?;
             build = build.min(frame.accelerator.build.as_secs_f64());
             if quickest.as_ref().is_none_or(|quickest| frame.trace_cpu < quickest.trace_cpu) {
                 quickest = Some(frame);
             }
         }
         let frame = quickest.ok_or("no turn")?;
-        let counts = trace(&Wanted { counted: true, ..wanted })?.counters;
+        let counts = trace(&RenderRequest { counted: true, ..request })?.counters;
         let (each, facts) = (1.0 / objects as f64, &frame.accelerator);
         let (rays, seconds) = (counts.rays.sum() as f64, frame.trace_cpu.as_secs_f64());
         println!(

@@ -25,12 +25,11 @@ use strahl::aim::sparse::rmse;
 use strahl::aim::truth::truth;
 use strahl::cost::WEIGHTS;
 use strahl::cost_map::CostMap;
-use strahl::description::Description;
 use strahl::load::load;
 use strahl::progress::NoProgress;
 use strahl::render_output::RenderError;
+use strahl::render_request::RenderRequest;
 use strahl::session::{SceneStorage, Session};
-use strahl::wanted::Wanted;
 use strahl_core::{Rgb, Size};
 use strahl_settings::{PartialSettings, Settings};
 
@@ -99,28 +98,29 @@ struct Row {
 fn hold(name: &str, limit: f64, size: Size) -> Row {
     let path: PathBuf = Path::new(env!("CARGO_MANIFEST_DIR")).parent().unwrap().join("scenes").join(name);
     let description = load(&path).unwrap_or_else(|error| panic!("{name}: {error}"));
-    let wanted = Wanted { size, ..wanted(&description) };
+    let settings = Settings::resolve(&PartialSettings::default(), &description.settings).unwrap();
+    let request = RenderRequest::new(Settings { size, ..settings });
     let goal = Goal { error: limit, fixed: Fixed::default(), verify: true };
-    let (_, aimed) = trace(&description, &wanted, goal, &NoProgress).unwrap();
+    let (_, aimed) = trace(&description, &request, goal, &NoProgress).unwrap();
     let Target::Error { estimate, at_most, measured, .. } = aimed.target else { unreachable!() };
     let taken = aimed.taken;
 
     let mut best = None;
-    let mut storage = SceneStorage::new(&description, wanted.precision);
-    let session = Session::new(&description, &mut storage, &wanted.finding).unwrap();
-    let mut search = Search::new(&session, &wanted, goal, &NoProgress);
+    let mut storage = SceneStorage::new(&description, request.settings.precision);
+    let session = Session::new(&description, &mut storage, &request.settings.acceleration()).unwrap();
+    let mut search = Search::new(&session, &request, goal, &NoProgress);
     let notches = search.notches(&session.scene().asks).unwrap();
-    let reference = truth(&wanted, limits_of_truth(&notches, limit), limit, 1);
+    let reference = truth(&request, limits_of_truth(&notches, limit), limit, 1);
     let reference = session.render(&reference, &NoProgress).unwrap().picture.colors;
-    let whole = Whole { session: &session, wanted: &wanted, reference: &reference };
-    let (price_of_taken, _) = whole.look(&taken).unwrap();
+    let whole = Whole { session: &session, request: &request, reference: &reference };
+    let (price_of_taken, _) = whole.look(&request.with(taken.clone())).unwrap();
 
     let mut cheapest = f64::INFINITY;
     // What was seen at the finest levels and cutoff: rays, their error and their price.
     let mut seen: Vec<(Rays, f64, f64)> = Vec::new();
     // The most that coarser ones can save.
     let part = notches.last().map_or(1.0, |notch| notch.price);
-    for rays in rays(wanted.filter, limit) {
+    for rays in rays(request.settings.filter, limit) {
         let is_dear = |(before, _, price): &(Rays, f64, f64)| {
             rays.times(*before).is_some_and(|times| SAVES * times * part * price > cheapest)
         };
@@ -129,7 +129,7 @@ fn hold(name: &str, limit: f64, size: Size) -> Row {
         }
         let look = |notch: &Notch| {
             let setting = Setting { limits: notch.limits, rays };
-            let (price, error) = whole.look(&setting.of(&wanted)).unwrap();
+            let (price, error) = whole.look(&setting.of(&request)).unwrap();
             (setting, price, error)
         };
         // What the finest levels and cutoff do not keep, no others do.
@@ -159,7 +159,7 @@ fn hold(name: &str, limit: f64, size: Size) -> Row {
         estimate,
         at_most,
         true_error: measured.unwrap(),
-        best: words(&setting.of(&wanted)),
+        best: words(&setting.of(&request).settings),
         best_error,
         ratio: price_of_taken / best_price,
     }
@@ -178,32 +178,27 @@ fn is_hopeless(before: Rays, error: f64, rays: Rays, limit: f64) -> bool {
     }
 }
 
-/// What the scene asks for, but for its rays and limits, which are looked for.
-fn wanted(description: &Description) -> Wanted {
-    Wanted::new(&Settings::resolve(&PartialSettings::default(), &description.settings).unwrap())
-}
-
-fn words(wanted: &Wanted) -> String {
-    let select = wanted.selecting.map(|it| format!(" --select {it}")).unwrap_or_default();
+fn words(settings: &Settings) -> String {
+    let select = settings.select.map(|it| format!(" --select {it}")).unwrap_or_default();
     format!(
         "--levels {} --cutoff {} --sampler {}{select}",
-        wanted.limits.levels, wanted.limits.cutoff, wanted.sampling
+        settings.levels, settings.cutoff, settings.sampler
     )
 }
 
 /// All pixels, held against the truth.
 struct Whole<'w> {
     session: &'w Session<'w>,
-    wanted: &'w Wanted,
+    request: &'w RenderRequest,
     reference: &'w [Rgb],
 }
 
 impl Whole<'_> {
-    fn look(&self, wanted: &Wanted) -> Result<(f64, f64), RenderError> {
-        debug_assert_eq!(wanted.size, self.wanted.size);
-        let cost_map = Arc::new(CostMap::new(wanted.size));
-        let wanted = Wanted { cost_map: Some(Arc::clone(&cost_map)), ..wanted.clone() };
-        let output = self.session.render(&wanted, &NoProgress)?;
+    fn look(&self, request: &RenderRequest) -> Result<(f64, f64), RenderError> {
+        debug_assert_eq!(request.settings.size, self.request.settings.size);
+        let cost_map = Arc::new(CostMap::new(request.settings.size));
+        let request = RenderRequest { cost_map: Some(Arc::clone(&cost_map)), ..request.clone() };
+        let output = self.session.render(&request, &NoProgress)?;
         let price = WEIGHTS.work_of_map(&cost_map, output.accelerator.choice.kind);
         let error = rmse(&output.picture.colors, self.reference);
         Ok((price, error))

@@ -24,8 +24,8 @@ use strahl::study::options::Options;
 use strahl::study::page::numbers;
 use strahl::study::plan::Plan;
 use strahl::study::record::{Run, Technique};
-use strahl::wanted::Wanted;
 use strahl_core::{Limits, Size};
+use strahl_settings::Settings;
 
 /// The procedural databases, and what they are.
 const DATABASES: [&str; 7] = ["balls", "gears", "mount", "rings", "teapot", "tetra", "tree"];
@@ -60,9 +60,9 @@ fn evaluate(path: &Path) -> Result<Evaluated, Box<dyn Error>> {
     let limit = Some(Duration::from_secs(SECONDS));
     let bench = Bench::new(&scene, size, &NoProgress, limit);
     let levels = scene.settings.levels.unwrap_or(Limits::DEFAULT.levels);
-    let wanted = Wanted { limits: Limits { levels, ..Limits::DEFAULT }, ..Wanted::of(size) };
+    let settings = Settings { levels, threads: 1, ..Settings::of_size(size) };
     let mut conduct = Conduct::new(&bench, &plan);
-    conduct.evaluate(&Options::of(&wanted, 1))?;
+    conduct.evaluate(&Options::of(&settings))?;
     let Conduct { taken, techniques, .. } = conduct;
     let name = path.file_stem().unwrap_or_default().to_string_lossy().into_owned();
     let runs = taken.into_iter().map(|taken| taken.run).collect();

@@ -17,9 +17,10 @@ use std::time::Instant;
 
 use strahl::finding::{Finding, Kind};
 use strahl::progress::NoProgress;
+use strahl::render_request::RenderRequest;
 use strahl::session;
-use strahl::wanted::{Cut, Wanted};
-use strahl_core::{Limits, Size};
+use strahl_core::Size;
+use strahl_settings::Settings;
 
 /// The scenes, and pixels along a side.
 const SCENES: [(&str, u32); 7] = [
@@ -122,14 +123,11 @@ fn strahl(scene: &Path, side: u32, kind: Kind) -> Result<Took, Box<dyn Error>> {
     let clock = Instant::now();
     let description = strahl::load::load(scene)?;
     let load = clock.elapsed();
-    let wanted = Wanted {
-        limits: Limits { levels: 5, cutoff: 0.0 },
-        finding: Finding::by(kind),
-        cut: Cut::threads(1),
-        counted: false,
-        ..Wanted::of(Size::new(side, side).ok_or("no size")?)
-    };
-    let frame = session::render(&description, &wanted, &NoProgress)?;
+    let size = Size::new(side, side).ok_or("no size")?;
+    let settings = Settings { levels: 5, cutoff: 0.0, threads: 1, ..Settings::of_size(size) };
+    let settings = settings.with_acceleration(Finding::by(kind));
+    let request = RenderRequest { counted: false, ..RenderRequest::new(settings) };
+    let frame = session::render(&description, &request, &NoProgress)?;
     let counts = frame.counters;
     Ok(Took {
         ready: (load + frame.build).as_secs_f64(),

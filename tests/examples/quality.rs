@@ -14,14 +14,14 @@ use std::path::Path;
 use std::process::ExitCode;
 
 use strahl::progress::NoProgress;
-use strahl::sampling::{Agreement, PixelSelection as Selecting};
-use strahl::wanted::{Sampling, Wanted};
+use strahl::render_request::RenderRequest;
 use strahl_core::{
     BareList, Camera, CameraSample, Everything, Limits, Pixel, PixelSample, RayKind, RayTracer, Rgb, Sampler,
     Size, SobolSequence, Tile, Tracer, Worker, World, render,
 };
 use strahl_picture::Values;
 use strahl_picture::difference::Pair;
+use strahl_settings::{Agreement, PixelSelection as Selecting, Sampling, Settings};
 
 /// The scenes, and what is hard in them.
 const SCENES: [(&str, &str); 4] = [
@@ -105,18 +105,19 @@ impl Scene {
         // A tenth of the picture's side and more.
         let size = Size::new(whole.width() / 8, whole.height() / 8).ok_or("too small")?;
         let mut scene = Scene { description, size, reference: Vec::new() };
-        let wanted = Wanted { seed: 1, ..scene.wanted(Sampling::stochastic(MANY)) };
-        scene.reference = scene.traced(&wanted)?.0;
+        let settings = Settings { seed: 1, ..scene.settings(Sampling::stochastic(MANY)) };
+        scene.reference = scene.traced(&settings)?.0;
         Ok(scene)
     }
 
-    fn wanted(&self, sampling: Sampling) -> Wanted {
+    fn settings(&self, sampler: Sampling) -> Settings {
         let levels = self.description.settings.levels.unwrap_or(Limits::DEFAULT.levels);
-        Wanted { sampling, limits: Limits { levels, ..Limits::DEFAULT }, ..Wanted::of(self.size) }
+        Settings { sampler, levels, ..Settings::of_size(self.size) }
     }
 
-    fn traced(&self, wanted: &Wanted) -> Result<(Vec<Rgb>, f64), Box<dyn Error>> {
-        let frame = strahl::session::render(&self.description, wanted, &NoProgress)?;
+    fn traced(&self, settings: &Settings) -> Result<(Vec<Rgb>, f64), Box<dyn Error>> {
+        let frame =
+            strahl::session::render(&self.description, &RenderRequest::new(settings.clone()), &NoProgress)?;
         let rays = frame.counters.rays[RayKind::Camera];
         let pixels = u64::from(self.size.width()) * u64::from(self.size.height());
         Ok((frame.picture.colors, rays as f64 / pixels as f64))
@@ -137,7 +138,7 @@ impl Scene {
     }
 
     fn by(&self, sampling: Sampling) -> Result<Measured, Box<dyn Error>> {
-        Measured::mean(|seed| Ok(self.measured(self.traced(&Wanted { seed, ..self.wanted(sampling) })?)))
+        Measured::mean(|seed| Ok(self.measured(self.traced(&Settings { seed, ..self.settings(sampling) })?)))
     }
 
     /// With the threshold that takes the most rays, but no more than the others.
@@ -166,7 +167,7 @@ impl Scene {
         let items = scene.parts().geometry.shapes.len() as u32;
         let world = World::new(scene, BareList(items));
         let camera = Camera::new(&strahl::stock::single::view(&self.description.view), self.size)?;
-        let limits = self.wanted(Sampling::Single).limits;
+        let limits = self.settings(Sampling::Single).limits();
         let tracer = Tracer::<_, Everything, 64>::new(&world, camera, limits)?;
         Measured::mean(|seed| {
             let mut colors = Vec::new();
@@ -226,9 +227,9 @@ fn main() -> Result<ExitCode, Box<dyn Error>> {
     for (name, step, threshold) in [("stained", 4, 0.03), ("stained", 8, 0.03), ("stained", 8, 0.1)] {
         let mut scene = Scene::of_all_pixels(name)?;
         let selecting = Some(Selecting { step, agreement: Agreement { threshold, items: true } });
-        let wanted = Wanted { selecting, ..scene.wanted(Sampling::Single) };
-        scene.reference = scene.traced(&scene.wanted(Sampling::Single))?.0;
-        let it = scene.measured(scene.traced(&wanted)?);
+        let settings = Settings { select: selecting, ..scene.settings(Sampling::Single) };
+        scene.reference = scene.traced(&scene.settings(Sampling::Single))?.0;
+        let it = scene.measured(scene.traced(&settings)?);
         println!(
             "| `{name}.toml` | `{step}:{threshold}:items` | {:.2} | {:.4} | {:.4} |",
             it.rays, it.rmse, it.ssim

@@ -23,8 +23,9 @@ use std::process::ExitCode;
 use strahl::finding::{Choice, Finding, Kind};
 use strahl::progress::NoProgress;
 use strahl::render_output::RenderOutput;
-use strahl::wanted::{Sampling, Wanted};
-use strahl_core::{Counters, Limits, RayKind, Size};
+use strahl::render_request::RenderRequest;
+use strahl_core::{Counters, RayKind, Size};
+use strahl_settings::{Sampling, Settings};
 
 /// Camera rays that hit, reflected, refracted and shadow rays, and how far off they may be.
 ///
@@ -93,19 +94,16 @@ fn tell(frame: &RenderOutput, counters: &Counters) -> f64 {
 
 fn main() -> Result<ExitCode, Box<dyn Error>> {
     let folder = PathBuf::from(std::env::args_os().nth(1).ok_or("usage: spd FOLDER")?);
-    let wanted = Wanted {
-        limits: Limits { levels: 5, cutoff: 0.0 },
-        sampling: Sampling::CORNERS,
-        ..Wanted::of(Size::new(512, 512).ok_or("no size")?)
-    };
+    let size = Size::new(512, 512).ok_or("no size")?;
+    let settings = Settings { levels: 5, cutoff: 0.0, sampler: Sampling::CORNERS, ..Settings::of_size(size) };
     let mut all_hold = true;
     for (name, published, limit) in PUBLISHED {
         let description = strahl::load::load(&folder.join(name).with_extension("nff"))?;
         let mut first: Option<(String, Counters)> = None;
         let mut seconds = Vec::new();
         for finding in ways() {
-            let wanted = Wanted { finding, ..wanted.clone() };
-            let frame = strahl::session::render(&description, &wanted, &NoProgress)?;
+            let request = RenderRequest::new(settings.clone().with_acceleration(finding));
+            let frame = strahl::session::render(&description, &request, &NoProgress)?;
             let counters = frame.counters;
             let digest = frame.picture.digest().to_string();
             let (same, rays) = first.get_or_insert_with(|| {

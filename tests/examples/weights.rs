@@ -17,9 +17,10 @@ use std::process::{Command, ExitCode};
 use strahl::cost::{Counts, record};
 use strahl::finding::{Finding, Kind};
 use strahl::progress::NoProgress;
+use strahl::render_request::RenderRequest;
 use strahl::sampling::Sampling;
-use strahl::wanted::{Cut, Wanted};
 use strahl_core::{Limits, Size};
+use strahl_settings::Settings;
 
 /// Pixels of the small and of the tiny picture.
 const SIZES: [&str; 2] = ["48x36", "2x2"];
@@ -52,14 +53,10 @@ fn trace(scene: &str, kind: &str, sampler: &str, size: &str) -> Result<(), Box<d
     let size = Size::new(width.parse()?, height.parse()?).ok_or("no size")?;
     let scene = strahl::load::load(Path::new(scene))?;
     let levels = scene.settings.levels.unwrap_or(Limits::DEFAULT.levels);
-    let wanted = Wanted {
-        finding: Finding::by(kind),
-        sampling: sampler.parse::<Sampling>()?,
-        limits: Limits { levels, ..Limits::DEFAULT },
-        cut: Cut::threads(1),
-        ..Wanted::of(size)
-    };
-    let frame = strahl::session::render(&scene, &wanted, &NoProgress)?;
+    let sampler = sampler.parse::<Sampling>()?;
+    let settings = Settings { sampler, levels, threads: 1, ..Settings::of_size(size) };
+    let request = RenderRequest::new(settings.with_acceleration(Finding::by(kind)));
+    let frame = strahl::session::render(&scene, &request, &NoProgress)?;
     let counts = record(&frame.counters);
     println!("{}", serde_json::to_string(&counts)?);
     Ok(())

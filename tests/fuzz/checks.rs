@@ -10,7 +10,7 @@ use strahl::description::Description;
 use strahl::failure::Failure;
 use strahl::load::{Files, load_from};
 use strahl::stock;
-use strahl::wanted::DEFAULT_SIZE;
+use strahl_settings::DEFAULT_SIZE;
 
 use counting::{Bound, most_held};
 

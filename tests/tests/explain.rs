@@ -7,8 +7,9 @@ use strahl::description::Description;
 use strahl::explain::pixel::{Traced, trace};
 use strahl::load::load;
 use strahl::progress::NoProgress;
+use strahl::render_request::RenderRequest;
 use strahl::sampling::Sampling;
-use strahl::{session, wanted::Wanted};
+use strahl::session;
 use strahl_core::{Pixel, Rgb, Size, Tile};
 use strahl_settings::{PartialSettings, Settings};
 
@@ -17,17 +18,17 @@ fn scene(name: &str) -> Description {
     load(&path).unwrap_or_else(|error| panic!("{name}: {error}"))
 }
 
-fn wanted(description: &Description, sampling: Sampling) -> Wanted {
+fn settings(description: &Description, sampling: Sampling) -> Settings {
     let given =
         PartialSettings { size: Size::new(40, 30), sampler: Some(sampling), ..PartialSettings::default() };
-    Wanted::new(&Settings::resolve(&given, &description.settings).unwrap())
+    Settings::resolve(&given, &description.settings).unwrap()
 }
 
 /// The pixel as `render` traces it, with whatever it takes to find items.
-fn rendered(description: &Description, wanted: &Wanted, pixel: Pixel) -> Rgb {
+fn rendered(description: &Description, settings: &Settings, pixel: Pixel) -> Rgb {
     let region = Some(Tile { first: pixel, width: 1, height: 1 });
-    let wanted = Wanted { region, ..wanted.clone() };
-    let frame = session::render(description, &wanted, &NoProgress).unwrap();
+    let request = RenderRequest::new(Settings { region, ..settings.clone() });
+    let frame = session::render(description, &request, &NoProgress).unwrap();
     frame.picture.colors[0]
 }
 
@@ -101,12 +102,12 @@ fn bits(color: [f32; 3]) -> [u32; 3] {
 /// Compares some pixels of a scene; how many rays, and how many of them were cut.
 fn hold(name: &str, sampler: &str) -> (usize, usize) {
     let description = scene(name);
-    let wanted = wanted(&description, sampler.parse().unwrap());
+    let settings = settings(&description, sampler.parse().unwrap());
     let (mut rays, mut cut) = (0, 0);
     for (x, y) in [(0, 0), (39, 29), (20, 15), (13, 18), (27, 12), (9, 22), (31, 21), (22, 24)] {
         let pixel = Pixel { x, y };
-        let Traced { color, sum, samples } = trace(&description, &wanted, pixel).unwrap();
-        let truth = rendered(&description, &wanted, pixel);
+        let Traced { color, sum, samples } = trace(&description, &settings, pixel).unwrap();
+        let truth = rendered(&description, &settings, pixel);
         let [truth, color] = [truth, color].map(|c| [c.r, c.g, c.b]);
         assert_eq!(bits(color), bits(truth), "{name} {sampler} {pixel:?}");
 
@@ -160,11 +161,11 @@ fn the_trees_of_many_rays_make_the_pixel() {
 #[test]
 fn lights_are_seen_or_it_is_told_what_stands_in_their_way() {
     let description = scene("classic.toml");
-    let wanted = wanted(&description, Sampling::Single);
+    let settings = settings(&description, Sampling::Single);
     let mut outcomes = std::collections::BTreeMap::new();
     for y in 0..30 {
         for x in 0..40 {
-            let Traced { samples, .. } = trace(&description, &wanted, Pixel { x, y }).unwrap();
+            let Traced { samples, .. } = trace(&description, &settings, Pixel { x, y }).unwrap();
             for light in samples.iter().flat_map(|sample| &sample.rays).flat_map(|ray| &ray.lights) {
                 *outcomes.entry(light.outcome).or_insert(0) += 1;
                 assert_eq!(light.blocker.is_some(), light.outcome == "blocked");

@@ -20,13 +20,14 @@ use std::path::{Path, PathBuf};
 
 use strahl::finding::{Bounds, Finding};
 use strahl::progress::NoProgress;
+use strahl::render_request::RenderRequest;
 use strahl::sampling::Agreement;
-use strahl::wanted::{Sampling, Wanted};
 use strahl_core::{
     Camera, Effects, Everything, Frame, Limits, List, Rgb, Scene, Single, Size, Tile, Tracer, Worker, World,
     render,
 };
 use strahl_picture::{Format, Picture};
+use strahl_settings::{Sampling, Settings};
 
 #[path = "../firmware/src/scene.rs"]
 mod constants;
@@ -121,8 +122,10 @@ fn scene_file(name: &str, width: u32, height: u32, levels: Option<u8>, sampling:
     };
     let traced = |width, height, finding| {
         let size = Size::new(width, height).unwrap();
-        let wanted = Wanted { limits, sampling, finding, counted: false, ..Wanted::of(size) };
-        strahl::session::render(&description, &wanted, &NoProgress).unwrap()
+        let settings = Settings { sampler: sampling, ..Settings::of_size(size) };
+        let settings = settings.with_limits(limits).with_acceleration(finding);
+        let request = RenderRequest { counted: false, ..RenderRequest::new(settings) };
+        strahl::session::render(&description, &request, &NoProgress).unwrap()
     };
     let quarter = |finding| traced(width / 4, height / 4, finding);
     let frame = quarter(Finding::default());

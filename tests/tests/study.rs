@@ -19,8 +19,8 @@ use strahl::study::front::{Point, front};
 use strahl::study::options::Options;
 use strahl::study::plan::Plan;
 use strahl::study::record::Step;
-use strahl::wanted::Wanted;
 use strahl_core::Size;
+use strahl_settings::Settings;
 
 fn scene(name: &str) -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("../scenes").join(name)
@@ -33,7 +33,7 @@ fn studied<T>(name: &str, plan: &Plan, asks: &[Effect], then: impl FnOnce(&Condu
     let size = Size::new(40, 25).unwrap();
     let bench = Bench::new(&scene, size, &NoProgress, None);
     let mut conduct = Conduct::new(&bench, plan);
-    let truth = conduct.run(&Options::of(&Wanted::of(size), 2), asks).unwrap();
+    let truth = conduct.run(&Options::of(&Settings { threads: 2, ..Settings::of_size(size) }), asks).unwrap();
     then(&conduct, &truth)
 }
 

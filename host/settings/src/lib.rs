@@ -35,4 +35,4 @@ pub use precision::Precision;
 pub use resolve::{Resolved, SettingsError, Source};
 pub use sampling::{Agreement, Confidence, Filter, PixelSelection, Sampling};
 pub use setting::{Affects, CommandOption, Group, Scope, Setting};
-pub use settings::{LEVELS, PartialSettings, SETTINGS, Settings};
+pub use settings::{DEFAULT_SIZE, LEVELS, PartialSettings, SETTINGS, Settings};

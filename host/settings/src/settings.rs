@@ -13,6 +13,9 @@ use crate::precision::Precision;
 use crate::sampling::{Filter, PixelSelection, Sampling};
 use crate::setting::{Affects, CommandOption, Group, Scope, Setting};
 
+/// The size of a picture where nothing sets one.
+pub const DEFAULT_SIZE: Size = Size::new(640, 480).unwrap();
+
 /// The most levels of rays.
 pub const LEVELS: usize = 64;
 
@@ -87,7 +90,7 @@ use CommandOption::{Never, Off, Value as With};
 // can be set, what it has an effect on, and which option leaves no use for it.
 settings! {
     /// Width and height in pixels.
-    size: Size = Size::new(640, 480).unwrap(),
+    size: Size = DEFAULT_SIZE,
         Domain::Size, With("WxH"), Frame, Scene, Picture;
 
     /// Levels of rays; 1 sends no ray from a surface, mirrors stay black.
@@ -175,6 +178,11 @@ settings! {
 }
 
 impl Settings {
+    /// The defaults for a picture of this size.
+    pub fn of_size(size: Size) -> Self {
+        Settings { size, ..Settings::default() }
+    }
+
     /// Levels and cutoff.
     pub fn limits(&self) -> Limits {
         Limits { levels: self.levels, cutoff: self.cutoff }

@@ -22,8 +22,9 @@ use crate::cost::WEIGHTS;
 use crate::description::Description;
 use crate::progress::Progress;
 use crate::render_output::{RenderError, RenderOutput};
+use crate::render_request::RenderRequest;
 use crate::session::{SceneStorage, Session};
-use crate::wanted::{Limits, Wanted};
+use strahl_core::Limits;
 
 /// What is not to be changed.
 #[derive(Clone, Copy, Debug, Default)]
@@ -57,27 +58,27 @@ const MOST_TRIED: usize = 24;
 /// Finds settings that keep the goal and traces the picture with them.
 pub fn trace(
     description: &Description,
-    wanted: &Wanted,
+    request: &RenderRequest,
     goal: Goal,
     progress: &dyn Progress,
 ) -> Result<(RenderOutput, Aimed), RenderError> {
-    let mut storage = SceneStorage::new(description, wanted.precision);
-    let session = Session::new(description, &mut storage, &wanted.finding)?;
+    let mut storage = SceneStorage::new(description, request.settings.precision);
+    let session = Session::new(description, &mut storage, &request.settings.acceleration())?;
     let clock = Instant::now();
-    let mut search = Search::new(&session, wanted, goal, progress);
+    let mut search = Search::new(&session, request, goal, progress);
     let found = search.find(&session.scene().asks)?;
     let seconds = clock.elapsed().as_secs_f64();
-    let taken = found.setting.of(wanted);
+    let taken = found.setting.of(request);
     let output = session.render(&taken, progress)?;
     let measured = match goal.verify {
         true => {
-            let truth = session.render(&truth(wanted, found.limits, goal.error, 1), progress)?;
+            let truth = session.render(&truth(request, found.limits, goal.error, 1), progress)?;
             Some(rmse(&output.picture.colors, &truth.picture.colors))
         }
         false => None,
     };
     let Estimate { error: estimate, at_most } = found.estimate;
-    let what = truth(wanted, found.limits, goal.error, 0);
+    let what = truth(request, found.limits, goal.error, 0);
     let aimed = Aimed {
         kept: at_most <= goal.error && measured.is_none_or(|error| error <= goal.error),
         target: Target::Error {
@@ -88,13 +89,13 @@ pub fn trace(
             tried: search.tried,
             truth: format!(
                 "{} with {} levels and cutoff {}",
-                what.sampling, what.limits.levels, what.limits.cutoff
+                what.settings.sampler, what.settings.levels, what.settings.cutoff
             ),
             measured,
             seconds,
         },
         why: found.why(goal.error),
-        taken,
+        taken: taken.settings,
     };
     Ok((output, aimed))
 }
@@ -109,9 +110,10 @@ pub struct Setting {
 }
 
 impl Setting {
-    /// The picture that is wanted, so made.
-    pub fn of(self, wanted: &Wanted) -> Wanted {
-        Wanted { limits: self.limits, ..self.rays.of(wanted) }
+    /// The picture that is requested, so made.
+    pub fn of(self, request: &RenderRequest) -> RenderRequest {
+        let request = self.rays.of(request);
+        request.with(request.settings.clone().with_limits(self.limits))
     }
 }
 
@@ -143,7 +145,7 @@ impl Found {
 /// A search on a sample of pixels.
 pub struct Search<'s> {
     session: &'s Session<'s>,
-    pub(super) wanted: Wanted,
+    pub(super) request: RenderRequest,
     pub(super) goal: Goal,
     progress: &'s dyn Progress,
     /// The pixels that are looked at.
@@ -153,19 +155,24 @@ pub struct Search<'s> {
 }
 
 impl<'s> Search<'s> {
-    /// For the picture that is wanted.
-    pub fn new(session: &'s Session<'s>, wanted: &Wanted, goal: Goal, progress: &'s dyn Progress) -> Self {
-        let sparse = Sparse::of(wanted);
-        let wanted = sparse.only(wanted);
-        Search { session, wanted, goal, progress, sparse, tried: 0 }
+    /// For the picture that is requested.
+    pub fn new(
+        session: &'s Session<'s>,
+        request: &RenderRequest,
+        goal: Goal,
+        progress: &'s dyn Progress,
+    ) -> Self {
+        let sparse = Sparse::of(request);
+        let request = sparse.only(request);
+        Search { session, request, goal, progress, sparse, tried: 0 }
     }
 
     /// Traces the sample; its price in instructions.
     pub(super) fn look(&mut self, setting: Setting) -> Result<(RenderOutput, f64), RenderError> {
         self.tried += 1;
         let cost_map = self.sparse.cost_map();
-        let wanted = Wanted { cost_map: Some(Arc::clone(&cost_map)), ..setting.of(&self.wanted) };
-        let drawn = self.session.render(&wanted, self.progress)?;
+        let request = RenderRequest { cost_map: Some(Arc::clone(&cost_map)), ..setting.of(&self.request) };
+        let drawn = self.session.render(&request, self.progress)?;
         let price = WEIGHTS.work_of_map(&cost_map, drawn.accelerator.choice.kind);
         Ok((drawn, price))
     }
@@ -177,7 +184,7 @@ impl<'s> Search<'s> {
             return Err(RenderError::invalid("there are no levels"));
         };
         let limits = limits_of_truth(&notches, self.goal.error);
-        let truth = truth(&self.wanted, limits, self.goal.error, 0);
+        let truth = truth(&self.request, limits, self.goal.error, 0);
         let truth = self.session.render(&truth, self.progress)?.picture.colors;
 
         // The most that coarser levels and cutoffs can save.
@@ -227,15 +234,15 @@ impl<'s> Search<'s> {
     /// others may take this part of the price.
     fn rays(&mut self, limits: Limits, part: f64, truth: &[Rgb]) -> Result<Vec<Seen>, RenderError> {
         let Goal { error: goal, fixed, .. } = self.goal;
-        let mut list = rays(self.wanted.filter, goal);
+        let mut list = rays(self.request.settings.filter, goal);
         if fixed.sampling {
             list.retain(|rays| rays.selecting.is_some());
-            list.iter_mut().for_each(|rays| rays.sampling = self.wanted.sampling);
-            list.push(Rays { sampling: self.wanted.sampling, selecting: None });
+            list.iter_mut().for_each(|rays| rays.sampling = self.request.settings.sampler);
+            list.push(Rays { sampling: self.request.settings.sampler, selecting: None });
         }
         if fixed.selecting {
             list.retain(|rays| rays.selecting.is_none());
-            list.iter_mut().for_each(|rays| rays.selecting = self.wanted.selecting);
+            list.iter_mut().for_each(|rays| rays.selecting = self.request.settings.select);
         }
         let mut seen: Vec<Seen> = Vec::new();
         let mut cheapest = f64::INFINITY;

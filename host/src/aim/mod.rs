@@ -11,7 +11,7 @@
 
 use serde::Serialize;
 
-use crate::wanted::Wanted;
+use strahl_settings::Settings;
 
 pub mod error;
 pub mod notches;
@@ -25,7 +25,7 @@ pub mod truth;
 pub struct Aimed {
     /// The settings that were taken.
     #[serde(skip)]
-    pub taken: Wanted,
+    pub taken: Settings,
     /// Whether it is kept, as far as that is known.
     pub kept: bool,
     /// What was asked for, estimated and found.

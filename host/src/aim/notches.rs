@@ -9,7 +9,7 @@ use super::error::{Goal, Search, Setting};
 use super::plan::{LEVELS, Rays, cutoffs};
 use crate::render_output::RenderError;
 use crate::sampling::Sampling;
-use crate::wanted::Limits;
+use strahl_core::Limits;
 
 /// How small a change of levels or cutoff is, as a part of the error that is aimed at, after which
 /// no more are looked for.
@@ -35,7 +35,7 @@ impl Search<'_> {
     /// Levels and cutoffs, the finest first, none of which is dearer than another that loses less.
     pub fn notches(&mut self, asks: &EffectSet) -> Result<Vec<Notch>, RenderError> {
         let Goal { error: goal, fixed, .. } = self.goal;
-        let asked = self.wanted.limits;
+        let asked = self.request.settings.limits();
         let branches = asks.reflection || asks.transmission;
         let finest = if fixed.cutoff || !branches {
             asked.cutoff

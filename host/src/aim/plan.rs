@@ -1,7 +1,7 @@
 //! Which settings are looked at for the cheapest that keep an error.
 
-use crate::sampling::{Agreement, Confidence, Filter, PixelSelection as Selecting, Sampling};
-use crate::wanted::Wanted;
+use crate::render_request::RenderRequest;
+use strahl_settings::{Agreement, Confidence, Filter, PixelSelection as Selecting, Sampling, Settings};
 
 /// Levels that are tried.
 pub const LEVELS: [u8; 15] = [1, 2, 3, 4, 5, 6, 8, 10, 12, 16, 20, 24, 32, 48, 64];
@@ -32,9 +32,9 @@ impl Rays {
         Rays { sampling, selecting: None }
     }
 
-    /// The picture that is wanted, by these rays.
-    pub fn of(self, wanted: &Wanted) -> Wanted {
-        Wanted { sampling: self.sampling, selecting: self.selecting, ..wanted.clone() }
+    /// The picture that is requested, by these rays.
+    pub fn of(self, request: &RenderRequest) -> RenderRequest {
+        request.with(Settings { sampler: self.sampling, select: self.selecting, ..request.settings.clone() })
     }
 
     /// How many there are in each pixel, where that is known before.

@@ -11,7 +11,7 @@ use strahl_picture::srgb::encode;
 
 use crate::cost_map::{ChosenPixels, CostMap};
 use crate::mask::Mask;
-use crate::wanted::Wanted;
+use crate::render_request::RenderRequest;
 
 /// Pixels along a side of a square.
 const SIDE: u32 = 4;
@@ -43,10 +43,10 @@ pub struct Estimate {
 }
 
 impl Sparse {
-    /// Of the pixels that are wanted.
-    pub fn of(wanted: &Wanted) -> Self {
-        let area = wanted.area();
-        let is_wanted = |pixel: Pixel| wanted.mask.as_ref().is_none_or(|mask| mask.has(pixel));
+    /// Of the pixels that are requested.
+    pub fn of(request: &RenderRequest) -> Self {
+        let area = request.settings.area();
+        let is_wanted = |pixel: Pixel| request.mask.as_ref().is_none_or(|mask| mask.has(pixel));
         let all = area.pixels().filter(|pixel| is_wanted(*pixel)).count();
         let tiles: Vec<Tile> = if all <= FEW {
             area.tiles(SIDE).collect()
@@ -60,7 +60,7 @@ impl Sparse {
         };
         let squares: Vec<_> = tiles.into_iter().map(inside).filter(|places| !places.is_empty()).collect();
         let count: usize = squares.iter().map(Vec::len).sum();
-        let mask = Arc::new(mask(wanted.size, area, &squares));
+        let mask = Arc::new(mask(request.settings.size, area, &squares));
         let chosen = ChosenPixels::by(&mask);
         Sparse { mask, chosen, squares, share: count as f64 / all.max(1) as f64 }
     }
@@ -71,8 +71,8 @@ impl Sparse {
     }
 
     /// The same picture of these pixels only.
-    pub fn only(&self, wanted: &Wanted) -> Wanted {
-        Wanted { mask: Some(Arc::clone(&self.mask)), ..wanted.clone() }
+    pub fn only(&self, request: &RenderRequest) -> RenderRequest {
+        RenderRequest { mask: Some(Arc::clone(&self.mask)), ..request.clone() }
     }
 
     /// How far a picture is from another. Squares that differ much from each other make it uncertain.
@@ -140,12 +140,14 @@ fn mask(size: Size, area: Tile, squares: &[Vec<usize>]) -> Mask {
 
 #[cfg(test)]
 mod tests {
+    use strahl_settings::Settings;
+
     use super::*;
 
     #[test]
     fn a_small_picture_is_looked_at_as_a_whole_and_its_error_is_certain() {
-        let wanted = Wanted::of(Size::new(101, 37).unwrap());
-        let sparse = Sparse::of(&wanted);
+        let request = RenderRequest::new(Settings::of_size(Size::new(101, 37).unwrap()));
+        let sparse = Sparse::of(&request);
         assert_eq!(sparse.pixels(), 101 * 37);
         let (black, gray) = (vec![Rgb::BLACK; 101 * 37], vec![Rgb::gray(0.2140411); 101 * 37]);
         let estimate = sparse.error(&black, &gray);
@@ -157,7 +159,7 @@ mod tests {
     #[test]
     fn some_pixels_of_a_large_picture_tell_its_error_within_what_they_say() {
         let size = Size::new(640, 480).unwrap();
-        let sparse = Sparse::of(&Wanted::of(size));
+        let sparse = Sparse::of(&RenderRequest::new(Settings::of_size(size)));
         let pixels = sparse.pixels();
         assert!((6000..12000).contains(&pixels), "{pixels}");
         // Much error in a fifth of the picture, and little elsewhere.
@@ -176,8 +178,8 @@ mod tests {
     fn no_pixel_is_looked_at_that_is_not_wanted() {
         let size = Size::new(300, 200).unwrap();
         let region = Tile { first: Pixel { x: 20, y: 10 }, width: 200, height: 150 };
-        let wanted = Wanted { region: Some(region), ..Wanted::of(size) };
-        let only = Sparse::of(&wanted).only(&wanted);
+        let request = RenderRequest::new(Settings { region: Some(region), ..Settings::of_size(size) });
+        let only = Sparse::of(&request).only(&request);
         let mask = only.mask.unwrap();
         let asked: Vec<Pixel> = Tile::whole(size).pixels().filter(|pixel| mask.has(*pixel)).collect();
         assert!(asked.len() > 2000 && asked.iter().all(|pixel| region.place(*pixel).is_some()));

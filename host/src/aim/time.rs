@@ -15,10 +15,10 @@ use super::{Aimed, Target};
 use crate::description::Description;
 use crate::progress::Progress;
 use crate::render_output::{RenderError, RenderOutput};
-use crate::sampling::{Agreement, Confidence, PixelSelection as Selecting, Sampling};
+use crate::render_request::RenderRequest;
 use crate::scheduler::{Outlook, Pass, PassStats, Scheduler};
 use crate::session::{SceneStorage, Session};
-use crate::wanted::Wanted;
+use strahl_settings::{Agreement, Confidence, PixelSelection as Selecting, Sampling, Settings};
 
 /// When the picture must be written.
 #[derive(Clone, Copy, Debug)]
@@ -34,16 +34,16 @@ pub struct Limit {
 /// Traces as good a picture as is written in time.
 pub fn trace(
     description: &Description,
-    wanted: &Wanted,
+    request: &RenderRequest,
     limit: Limit,
     progress: &dyn Progress,
 ) -> Result<(RenderOutput, Aimed), RenderError> {
-    let mut clock = Clock::new(limit, wanted);
-    let mut storage = SceneStorage::new(description, wanted.precision);
-    let session = Session::new(description, &mut storage, &wanted.finding)?;
-    let output = session.refine(wanted, progress, &mut clock)?;
+    let mut clock = Clock::new(limit, request);
+    let mut storage = SceneStorage::new(description, request.settings.precision);
+    let session = Session::new(description, &mut storage, &request.settings.acceleration())?;
+    let output = session.refine(request, progress, &mut clock)?;
     let pass = clock.last.unwrap_or(COARSEST);
-    let taken = Wanted { sampling: pass.sampling, selecting: pass.selecting, ..wanted.clone() };
+    let taken = Settings { sampler: pass.sampling, select: pass.selecting, ..request.settings.clone() };
     let why = clock.why(&taken);
     let target = Target::Time {
         asked: limit.time.as_secs_f64(),
@@ -114,10 +114,10 @@ struct Clock {
 }
 
 impl Clock {
-    fn new(limit: Limit, wanted: &Wanted) -> Self {
+    fn new(limit: Limit, request: &RenderRequest) -> Self {
         Clock {
             limit,
-            size: wanted.picture(),
+            size: request.settings.picture_size(),
             last: None,
             passes: 0,
             begun: 0,
@@ -177,10 +177,10 @@ impl Clock {
         Some(stochastic(least, tolerance))
     }
 
-    fn why(&self, taken: &Wanted) -> String {
-        let what = match taken.selecting {
-            Some(selecting) => format!("selection {selecting}, {}", taken.sampling),
-            None => taken.sampling.to_string(),
+    fn why(&self, taken: &Settings) -> String {
+        let what = match taken.select {
+            Some(selecting) => format!("selection {selecting}, {}", taken.sampler),
+            None => taken.sampler.to_string(),
         };
         match self.last {
             Some(pass) if pass == COARSEST => format!("{what}: the coarsest, there was no time for more"),

@@ -1,8 +1,9 @@
 //! What a picture is held against: the same picture with many samples, levels and no cutoff that
 //! matters, by other random numbers.
 
-use crate::sampling::{Confidence, Sampling};
-use crate::wanted::{Limits, Wanted};
+use crate::render_request::RenderRequest;
+use strahl_core::Limits;
+use strahl_settings::{Confidence, Sampling, Settings};
 
 /// The least rays in a pixel.
 const LEAST: u32 = 32;
@@ -17,14 +18,13 @@ const PART: f64 = 0.5;
 
 /// The picture of high quality that a picture of this error is held against. Its random numbers have
 /// nothing to do with those of the picture; `other` gives others again.
-pub fn truth(wanted: &Wanted, limits: Limits, goal: f64, other: u32) -> Wanted {
+pub fn truth(request: &RenderRequest, limits: Limits, goal: f64, other: u32) -> RenderRequest {
     let confidence = Confidence { level: LEVEL, tolerance: (PART * goal) as f32 };
-    Wanted {
-        sampling: Sampling::Stochastic { least: LEAST, most: MOST, confidence },
-        selecting: None,
-        limits,
-        seed: wanted.seed.wrapping_add(0x7275_7468).wrapping_add(other),
-        cost_map: None,
-        ..wanted.clone()
-    }
+    let settings = Settings {
+        sampler: Sampling::Stochastic { least: LEAST, most: MOST, confidence },
+        select: None,
+        seed: request.settings.seed.wrapping_add(0x7275_7468).wrapping_add(other),
+        ..request.settings.clone()
+    };
+    RenderRequest { cost_map: None, ..request.with(settings.with_limits(limits)) }
 }

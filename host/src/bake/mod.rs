@@ -8,8 +8,7 @@ use std::path::Path;
 
 use strahl_core::{
     Aabb, Baking, BareList, Bvh, BvhNode, BvhSize, Counters, EffectSet, Finder, Grid, GridSize, LeafEntry,
-    Limits, Mailbox, Octree, OctreeNode, OctreeSize, Pack, Projection, Scene, Size, TraversalStack, View,
-    Worker,
+    Mailbox, Octree, OctreeNode, OctreeSize, Pack, Projection, Scene, Size, TraversalStack, View, Worker,
 };
 use strahl_settings::{Group, PartialSettings, SETTINGS, Setting, Settings};
 
@@ -22,9 +21,10 @@ use crate::load::{Files, load_from};
 use crate::output::{Guard, refuse_terminal, say, tell};
 use crate::progress::NoProgress;
 use crate::render_output::RenderError;
+use crate::render_request::RenderRequest;
 use crate::session;
 use crate::stock::single::{self, scene_tables};
-use crate::wanted::{DEFAULT_SIZE, Wanted};
+use strahl_settings::DEFAULT_SIZE;
 
 /// What is baked beside the scene.
 #[derive(Clone, Copy, Debug)]
@@ -113,9 +113,9 @@ pub fn counted(description: &Description, asked: &Asked) -> Result<Counted, Rend
     let smaller = |side: u32| ((f64::from(side) / shrink) as u32).max(1);
     let size = Size::new(smaller(width), smaller(height)).unwrap_or(asked.size);
     let finding = Finding { bounds: Bounds::None, ..Finding::by(asked.accelerator) };
-    let limits = Limits { levels: asked.levels, cutoff: asked.cutoff };
-    let wanted = Wanted { limits, finding, ..Wanted::of(size) };
-    let output = session::render(description, &wanted, &NoProgress)?;
+    let (levels, cutoff) = (asked.levels, asked.cutoff);
+    let settings = Settings { levels, cutoff, ..Settings::of_size(size) }.with_acceleration(finding);
+    let output = session::render(description, &RenderRequest::new(settings), &NoProgress)?;
     let pixels = u64::from(size.width()) * u64::from(size.height());
     Ok(Counted { counts: output.counters, pixels })
 }

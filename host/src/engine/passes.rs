@@ -19,9 +19,10 @@ use super::strahl::{
 use super::tiles::{self, Traced};
 use crate::interrupt::Interrupt;
 use crate::progress::{Deadline, Progress};
+use crate::render_request::RenderRequest;
 use crate::sampling::Sampling;
 use crate::scheduler::{Outlook, Pass, PassStats, Scheduler};
-use crate::wanted::Wanted;
+use strahl_settings::Settings;
 
 /// So many rays are sent before the clock is asked again.
 const BETWEEN: u32 = 16;
@@ -29,18 +30,18 @@ const BETWEEN: u32 = 16;
 /// Traces passes until there is none to come, or the time is over; the last that was completed.
 pub fn trace(
     ray_tracers: &dyn RayTracerFactory,
-    wanted: &Wanted,
+    request: &RenderRequest,
     progress: &dyn Progress,
     scheduler: &mut dyn Scheduler,
 ) -> Result<Traced<Rgb>, Interrupt> {
-    let whole = wanted.area();
+    let whole = request.settings.area();
     let known = Known { whole, sights: std::iter::repeat_with(OnceLock::new).take(whole.len()).collect() };
     let rays = AtomicU64::new(0);
     let remembering = Remembering { ray_tracers, known: Some(&known), rays: &rays };
     let counting = Remembering { ray_tracers, known: None, rays: &rays };
     let mut grown: Option<Grown> = None;
     let mut last = (Vec::new(), Counters::default());
-    let pool = rayon::ThreadPoolBuilder::new().num_threads(wanted.cut.threads).build();
+    let pool = rayon::ThreadPoolBuilder::new().num_threads(request.settings.threads).build();
     loop {
         let outlook = Outlook {
             missing: known.sights.iter().filter(|sight| sight.get().is_none()).count() as u64,
@@ -49,21 +50,23 @@ pub fn trace(
         };
         let Some(pass) = scheduler.next(&outlook) else { break };
         let progress = &Deadline::new(progress, pass.until);
-        let settings = Wanted { sampling: pass.sampling, selecting: pass.selecting, ..wanted.clone() };
+        let settings =
+            Settings { sampler: pass.sampling, select: pass.selecting, ..request.settings.clone() };
+        let request = &request.with(settings);
         let clock = Instant::now();
         rays.store(0, Ordering::Relaxed);
-        let traced = match (pass.sampling, stochastic(&settings)) {
-            (Sampling::Single, _) => tiles::trace(&remembering, &settings, progress),
+        let traced = match (pass.sampling, stochastic(&request.settings)) {
+            (Sampling::Single, _) => tiles::trace(&remembering, request, progress),
             (_, Some(rule)) => {
-                let grown = grown.get_or_insert_with(|| Grown::new(whole, wanted.cut.tile, &pass));
-                let mut run = || grown.go_on(&counting, &settings, &rule, progress);
+                let grown = grown.get_or_insert_with(|| Grown::new(whole, request.tile, &pass));
+                let mut run = || grown.go_on(&counting, request, &rule, progress);
                 match &pool {
                     Ok(pool) => pool.install(run),
                     Err(_) => run(),
                 }
             }
             // Whatever else has nothing to go on from.
-            _ => tiles::trace(&counting, &settings, progress),
+            _ => tiles::trace(&counting, request, progress),
         };
         match traced {
             Ok((colors, counts)) => {
@@ -86,8 +89,8 @@ fn narrow(c: Rgb) -> strahl_core::Rgb {
     strahl_core::Rgb::new(c.r as f32, c.g as f32, c.b as f32)
 }
 
-fn stochastic(wanted: &Wanted) -> Option<Stochastic> {
-    match Any::of(wanted, Shared::Loose, &mut [Kept::NOTHING; 0]) {
+fn stochastic(settings: &Settings) -> Option<Stochastic> {
+    match Any::of(settings, Shared::Loose, &mut [Kept::NOTHING; 0]) {
         Any::Stochastic(rule) => Some(rule),
         _ => None,
     }
@@ -209,11 +212,11 @@ impl Grown {
         pixels.step_by(self.stride()).map(|pixel| (pixel.rays(), doubt(pixel))).collect()
     }
 
-    /// Goes on with every pixel that is wanted, until it fulfils the rule.
+    /// Goes on with every pixel that is requested, until it fulfils the rule.
     fn go_on(
         &mut self,
         ray_tracers: &Remembering<'_>,
-        wanted: &Wanted,
+        request: &RenderRequest,
         rule: &Stochastic,
         progress: &dyn Progress,
     ) -> Result<Traced<Rgb>, Interrupt> {
@@ -229,7 +232,7 @@ impl Grown {
                 if is_over { PixelSample::BLACK } else { ray_tracer.trace(sample) }
             };
             for (pixel, gathered) in tile.pixels().zip(pixels.iter_mut()) {
-                if tiles::is_wanted(wanted, pixel) {
+                if tiles::is_wanted(request, pixel) {
                     rule.continue_pixel(pixel, gathered, &mut trace);
                 }
                 progress.check()?;

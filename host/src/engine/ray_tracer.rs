@@ -11,7 +11,7 @@ use super::strahl::{
     Step, Tally, Tracer, Worker,
 };
 use crate::progress::Progress;
-use crate::wanted::LEVELS;
+use strahl_settings::LEVELS;
 
 /// A tracer with a worker of its own, which may count.
 pub trait CountingRayTracer: RayTracer {
@@ -40,8 +40,9 @@ where
 {
     /// The tracer for a request.
     pub fn boxed(request: &Request<'w, 's, A>) -> Chosen<'w> {
-        let Request { world, camera, settings } = *request;
-        let limits = Limits { levels: settings.limits.levels, cutoff: Real::from(settings.limits.cutoff) };
+        let Request { world, camera, render } = *request;
+        let settings = &render.settings;
+        let limits = Limits { levels: settings.levels, cutoff: Real::from(settings.cutoff) };
         let tracer = Tracer::new(world, camera, limits)?;
         let shadow_cache = settings.shadow_cache;
         Ok(Box::new(Tracing::<A, E, T> { tracer, shadow_cache, tally: PhantomData }))

@@ -2,7 +2,7 @@
 
 use super::ray_tracer::{RayTracerFactory, Tracing};
 use super::strahl::{Accelerator, Camera, Counters, EffectSet, Effects, RayCounters, TracerError, World};
-use crate::wanted::Wanted;
+use crate::render_request::RenderRequest;
 
 /// Chooses the effect set and the tally of the ray tracers for a world with this accelerator.
 pub type ChooseRayTracers<A> = for<'w, 's> fn(&Request<'w, 's, A>) -> Chosen<'w>;
@@ -17,7 +17,7 @@ pub struct Request<'w, 's, A> {
     /// The camera.
     pub camera: Camera,
     /// Levels, cutoff, and what is counted.
-    pub settings: &'w Wanted,
+    pub render: &'w RenderRequest,
 }
 
 impl<'w, A: Accelerator + Sync> Request<'w, '_, A> {
@@ -28,7 +28,7 @@ impl<'w, A: Accelerator + Sync> Request<'w, '_, A> {
 
     /// Whether every test is to be counted, and not only rays.
     pub fn is_counted(&self) -> bool {
-        self.settings.counted || self.settings.cost_map.is_some()
+        self.render.counted || self.render.cost_map.is_some()
     }
 
     /// Ray tracers that count rays.

@@ -1,4 +1,4 @@
-//! The sampler that is wanted, for either precision.
+//! The sampler that is requested, for either precision.
 //!
 //! One type for all of them, so that the loop that calls it is compiled once for each tracer
 //! and not once for each sampler: a sampler is asked once for a pixel, and calls the tracer
@@ -8,8 +8,7 @@ use super::strahl::{
     self, Adaptive, Corners, Kept, Lattice, Loose, Parting, Pixel, PixelSample, RayTracer, Real, Regular,
     Sampler, Selection, Stochastic,
 };
-use crate::sampling::{self, Sampling};
-use crate::wanted::Wanted;
+use strahl_settings::{Sampling, Settings, sampling};
 
 /// Any of the samplers.
 pub enum Any<'m> {
@@ -58,16 +57,16 @@ impl Sampler for Any<'_> {
 }
 
 impl<'m> Any<'m> {
-    /// The sampler that is wanted. `corners` and `lent` are for one that shares corners.
+    /// The sampler that is requested. `corners` and `lent` are for one that shares corners.
     ///
     /// Numbers out of range, which the command line refuses, become one ray in each pixel.
-    pub fn of(wanted: &Wanted, corners: Shared<'m>, lent: &'m mut [Kept]) -> Self {
-        let (filter, seed) = (filter(wanted.filter), wanted.seed);
+    pub fn of(settings: &Settings, corners: Shared<'m>, lent: &'m mut [Kept]) -> Self {
+        let (filter, seed) = (filter(settings.filter), settings.seed);
         let regular = |n| Regular::new(n).unwrap_or(Regular::ONE).filtered(filter).seeded(seed);
-        match wanted.sampling {
+        match settings.sampler {
             Sampling::Single => Any::Regular(regular(1)),
             Sampling::Regular(n) => Any::Regular(regular(n)),
-            Sampling::Adaptive { .. } => match parting(wanted) {
+            Sampling::Adaptive { .. } => match parting(settings) {
                 Some(parting) => Any::Adaptive(Adaptive::new(parting, corners, lent)),
                 None => Any::Regular(regular(1)),
             },
@@ -87,18 +86,18 @@ impl<'m> Any<'m> {
 }
 
 /// How pixels are parted, where they are.
-pub fn parting(wanted: &Wanted) -> Option<Parting> {
-    match wanted.sampling {
+pub fn parting(settings: &Settings) -> Option<Parting> {
+    match settings.sampler {
         Sampling::Adaptive { depth, agreement: it } => {
-            Some(Parting::new(depth, agreement(it)?)?.seeded(wanted.seed))
+            Some(Parting::new(depth, agreement(it)?)?.seeded(settings.seed))
         }
         _ => None,
     }
 }
 
 /// Which pixels are traced, where not all are.
-pub fn selection(wanted: &Wanted) -> Option<Selection> {
-    let selecting = wanted.selecting?;
+pub fn selection(settings: &Settings) -> Option<Selection> {
+    let selecting = settings.select?;
     Selection::new(selecting.step, agreement(selecting.agreement)?)
 }
 

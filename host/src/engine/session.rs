@@ -17,9 +17,9 @@ use crate::interrupt::Interrupt;
 use crate::progress::Progress;
 use crate::ray_query::RayCaster;
 use crate::render_output::{AccelStats, RenderError, Rendered, SceneStats};
+use crate::render_request::RenderRequest;
 use crate::scheduler::Scheduler;
 use crate::session::Engine;
-use crate::wanted::Wanted;
 
 /// A scene with an accelerator, of which pictures are rendered one after another.
 pub struct Session<'s> {
@@ -46,13 +46,13 @@ impl<'s> Session<'s> {
     /// Renders a picture, all pixels of which `trace` traces.
     fn rendered(
         &self,
-        settings: &Wanted,
+        request: &RenderRequest,
         trace: impl FnOnce(&dyn RayTracerFactory) -> Result<Traced<Rgb>, Interrupt>,
     ) -> Result<Rendered, RenderError> {
         let (clock, cpu) = (Instant::now(), cpu_time());
-        let camera = Camera::new(&self.view, settings.size).map_err(RenderError::invalid)?;
-        let ray_tracers = self.world.ray_tracers(camera, settings).map_err(RenderError::invalid)?;
-        let (colors, counters) = match &settings.cost_map {
+        let camera = Camera::new(&self.view, request.settings.size).map_err(RenderError::invalid)?;
+        let ray_tracers = self.world.ray_tracers(camera, request).map_err(RenderError::invalid)?;
+        let (colors, counters) = match &request.cost_map {
             Some(cost_map) => trace(&CostCounting { ray_tracers: &*ray_tracers, cost_map })?,
             None => trace(&*ray_tracers)?,
         };
@@ -74,17 +74,17 @@ impl Engine for Session<'_> {
         &self.accelerator
     }
 
-    fn render(&self, settings: &Wanted, progress: &dyn Progress) -> Result<Rendered, RenderError> {
-        self.rendered(settings, |ray_tracers| tiles::trace(ray_tracers, settings, progress))
+    fn render(&self, request: &RenderRequest, progress: &dyn Progress) -> Result<Rendered, RenderError> {
+        self.rendered(request, |ray_tracers| tiles::trace(ray_tracers, request, progress))
     }
 
     fn refine(
         &self,
-        settings: &Wanted,
+        request: &RenderRequest,
         progress: &dyn Progress,
         scheduler: &mut dyn Scheduler,
     ) -> Result<Rendered, RenderError> {
-        self.rendered(settings, |ray_tracers| passes::trace(ray_tracers, settings, progress, scheduler))
+        self.rendered(request, |ray_tracers| passes::trace(ray_tracers, request, progress, scheduler))
     }
 
     fn ray_caster(&self) -> RayCaster<'_> {
@@ -107,7 +107,7 @@ pub fn scene_stats(description: &Description, scene: &Scene<'_>) -> SceneStats {
 /// A scene with an accelerator of any type.
 pub trait AnyWorld: Sync {
     /// Ray tracers whose effect set suits the scene and the settings.
-    fn ray_tracers<'w>(&'w self, camera: Camera, settings: &'w Wanted) -> Chosen<'w>;
+    fn ray_tracers<'w>(&'w self, camera: Camera, request: &'w RenderRequest) -> Chosen<'w>;
 
     /// Finds the nearest hits of rays.
     fn ray_caster(&self) -> RayCaster<'_>;
@@ -122,8 +122,8 @@ pub struct OpenWorld<'s, A> {
 }
 
 impl<A: Accelerator + Sync> AnyWorld for OpenWorld<'_, A> {
-    fn ray_tracers<'w>(&'w self, camera: Camera, settings: &'w Wanted) -> Chosen<'w> {
-        (self.choose)(&Request { world: &self.world, camera, settings })
+    fn ray_tracers<'w>(&'w self, camera: Camera, request: &'w RenderRequest) -> Chosen<'w> {
+        (self.choose)(&Request { world: &self.world, camera, render: request })
     }
 
     fn ray_caster(&self) -> RayCaster<'_> {

@@ -15,7 +15,7 @@ use super::strahl::{
 };
 use crate::interrupt::Interrupt;
 use crate::progress::Progress;
-use crate::wanted::Wanted;
+use crate::render_request::RenderRequest;
 
 /// The most places that a sampler keeps in one tile.
 const MOST_KEPT: usize = 1 << 14;
@@ -23,16 +23,16 @@ const MOST_KEPT: usize = 1 << 14;
 /// Records of pixels, row by row, and the work.
 pub type Traced<R> = (Vec<R>, Counters);
 
-/// Traces the picture that is wanted.
+/// Traces the picture that is requested.
 pub fn trace(
     ray_tracers: &dyn RayTracerFactory,
-    wanted: &Wanted,
+    request: &RenderRequest,
     progress: &dyn Progress,
 ) -> Result<Traced<Rgb>, Interrupt> {
-    let work = Work { ray_tracers, wanted, whole: wanted.area(), progress };
-    let pool = rayon::ThreadPoolBuilder::new().num_threads(wanted.cut.threads).build();
+    let work = Work { ray_tracers, request, whole: request.settings.area(), progress };
+    let pool = rayon::ThreadPoolBuilder::new().num_threads(request.settings.threads).build();
     // Without a pool of its own the work is done by the pool of the process.
-    let run = || match selection(wanted) {
+    let run = || match selection(&request.settings) {
         Some(selection) => work.selected(selection),
         None => work.all(),
     };
@@ -42,10 +42,10 @@ pub fn trace(
     }
 }
 
-/// What is done, and what is wanted.
+/// What is done, and what is requested.
 struct Work<'w> {
     ray_tracers: &'w dyn RayTracerFactory,
-    wanted: &'w Wanted,
+    request: &'w RenderRequest,
     /// The pixels of the picture.
     whole: Tile,
     progress: &'w dyn Progress,
@@ -63,11 +63,11 @@ enum Rays<'c> {
 }
 
 impl Work<'_> {
-    /// Traces every pixel that is wanted.
+    /// Traces every pixel that is requested.
     fn all(&self) -> Result<Traced<Rgb>, Interrupt> {
-        // All corners first, where all pixels are wanted, so that none is traced twice.
-        let (lattice, mut counts): Traced<PixelSample> = match parting(self.wanted) {
-            Some(parting) if self.wanted.mask.is_none() => {
+        // All corners first, where all pixels are requested, so that none is traced twice.
+        let (lattice, mut counts): Traced<PixelSample> = match parting(&self.request.settings) {
+            Some(parting) if self.request.mask.is_none() => {
                 self.pixels(Lattice::tile(self.whole), Rays::Corners(parting))?
             }
             _ => Default::default(),
@@ -78,26 +78,26 @@ impl Work<'_> {
         Ok((colors, counts))
     }
 
-    /// Traces some pixels, and guesses the others that are wanted.
+    /// Traces some pixels, and guesses the others that are requested.
     fn selected(&self, selection: Selection) -> Result<Traced<Rgb>, Interrupt> {
         let blocks = selection.blocks(self.whole);
-        let (raster, mut counts): Traced<PixelSample> = match self.wanted.mask {
+        let (raster, mut counts): Traced<PixelSample> = match self.request.mask {
             None => self.pixels(Lattice::tile(blocks), Rays::Raster(selection))?,
             Some(_) => Default::default(),
         };
         let corners = Lattice::new(blocks, &raster).map_or(Shared::Loose, Shared::Lattice);
 
         // Blocks share what lies between them within a tile, so tiles are larger.
-        let side = (2 * self.wanted.cut.tile / selection.step()).max(1);
+        let side = (2 * self.request.tile / selection.step()).max(1);
         let area = |blocks| selection.area(blocks).within(self.whole);
         let (colors, counted) = self.tiles(blocks, side, area, |blocks, canvas| {
             let (mut lent, mut kept) = (self.lend(area(blocks)), lend(area(blocks)));
             let mut ray_tracer = self.ray_tracers.ray_tracer(self.progress);
-            let sampler = Any::of(self.wanted, Shared::Loose, &mut lent);
+            let sampler = Any::of(&self.request.settings, Shared::Loose, &mut lent);
             let mut selected = Selected::new(selection, sampler, corners, &mut kept);
             let is_wanted = |block: &Pixel| {
                 let block = Tile { first: *block, width: 1, height: 1 };
-                self.wanted.mask.is_none() || selection.area(block).pixels().any(|pixel| self.has(pixel))
+                self.request.mask.is_none() || selection.area(block).pixels().any(|pixel| self.has(pixel))
             };
             let blocks = blocks.pixels().filter(is_wanted);
             render_selected(ray_tracer.as_mut(), &mut selected, blocks, canvas)?;
@@ -107,11 +107,11 @@ impl Work<'_> {
         Ok((colors, counts))
     }
 
-    /// Traces the pixels of `area` that are wanted.
+    /// Traces the pixels of `area` that are requested.
     fn pixels<R: Record + Send>(&self, area: Tile, rays: Rays<'_>) -> Result<Traced<R>, Interrupt> {
         self.tiles(
             area,
-            self.wanted.cut.tile,
+            self.request.tile,
             |tile| tile,
             |tile, canvas| {
                 let mut lent = self.lend(tile);
@@ -120,11 +120,11 @@ impl Work<'_> {
                 match rays {
                     Rays::Corners(parting) => render(tracer, &mut Corner(parting), all, canvas)?,
                     Rays::Raster(selection) => {
-                        let sampler = Any::of(self.wanted, Shared::Loose, &mut lent);
+                        let sampler = Any::of(&self.request.settings, Shared::Loose, &mut lent);
                         render(tracer, &mut selection.raster(sampler), all, canvas)?;
                     }
                     Rays::Themselves(corners) => {
-                        let mut sampler = Any::of(self.wanted, corners, &mut lent);
+                        let mut sampler = Any::of(&self.request.settings, corners, &mut lent);
                         render(tracer, &mut sampler, all.filter(|pixel| self.has(*pixel)), canvas)?;
                     }
                 }
@@ -150,8 +150,8 @@ impl Work<'_> {
             .map(|cells| {
                 let tile = area(cells);
                 let mut records = vec![R::NONE; tile.len()];
-                let (wanted, progress) = (self.wanted, self.progress);
-                let counts = work(cells, &mut Canvas { tile, records: &mut records, wanted, progress })?;
+                let (request, progress) = (self.request, self.progress);
+                let counts = work(cells, &mut Canvas { tile, records: &mut records, request, progress })?;
                 self.progress.done(tile.len());
                 Ok((tile, records, counts))
             })
@@ -174,18 +174,18 @@ impl Work<'_> {
 
     /// Memory for a sampler that keeps places; to make it takes longer than an easy pixel.
     fn lend(&self, tile: Tile) -> Vec<Kept> {
-        if parting(self.wanted).is_some() { lend(tile) } else { Vec::new() }
+        if parting(&self.request.settings).is_some() { lend(tile) } else { Vec::new() }
     }
 
-    /// Whether a pixel is wanted.
+    /// Whether a pixel is requested.
     fn has(&self, pixel: Pixel) -> bool {
-        is_wanted(self.wanted, pixel)
+        is_wanted(self.request, pixel)
     }
 }
 
-/// Whether a pixel is wanted.
-pub fn is_wanted(wanted: &Wanted, pixel: Pixel) -> bool {
-    wanted.mask.as_ref().is_none_or(|mask| mask.has(pixel))
+/// Whether a pixel is requested.
+pub fn is_wanted(request: &RenderRequest, pixel: Pixel) -> bool {
+    request.mask.as_ref().is_none_or(|mask| mask.has(pixel))
 }
 
 /// Memory for the places that are kept while `tile` is worked on.
@@ -197,7 +197,7 @@ fn lend(tile: Tile) -> Vec<Kept> {
 struct Canvas<'m, R> {
     tile: Tile,
     records: &'m mut [R],
-    wanted: &'m Wanted,
+    request: &'m RenderRequest,
     progress: &'m dyn Progress,
 }
 
@@ -210,7 +210,7 @@ impl<R: Record> Sink for Canvas<'_, R> {
 
     fn put_sample(&mut self, pixel: Pixel, sample: PixelSample) -> Result<(), Interrupt> {
         if let Some(place) = self.tile.place(pixel)
-            && is_wanted(self.wanted, pixel)
+            && is_wanted(self.request, pixel)
         {
             self.records[place] = R::of(sample);
         }

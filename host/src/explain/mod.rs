@@ -19,8 +19,8 @@ use crate::failure::Failure;
 use crate::load::{Files, load_from};
 use crate::output::{Guard, Output, say};
 use crate::plan::leave_out;
-use crate::wanted::{DEFAULT_SIZE, Wanted};
 use crate::wrap::{width_of_stdout, wrapped};
+use strahl_settings::DEFAULT_SIZE;
 use tree::{Explained, VERSION, triple};
 
 pub mod names;
@@ -65,12 +65,11 @@ fn explained(args: &ExplainArgs, files: &Files) -> Result<Explained, Failure> {
     }
     let settings = Settings::resolve(&args.settings.given, &description.settings)?;
     leave_out(&mut description, &settings.without);
-    let wanted = Wanted::new(&settings);
     if settings.precision == Precision::Double && !args.quiet {
         let scene = args.scene.display();
         say(format_args!("{scene}: the scene asks for double precision; the tree is traced in single"));
     }
-    let (Pixel { x, y }, size) = (args.pixel, wanted.size);
+    let (Pixel { x, y }, size) = (args.pixel, settings.size);
     if Tile::whole(size).place(args.pixel).is_none() {
         let (width, height) = (size.width(), size.height());
         let what = format!(
@@ -80,7 +79,7 @@ fn explained(args: &ExplainArgs, files: &Files) -> Result<Explained, Failure> {
         );
         return Err(Failure::Usage(what));
     }
-    let traced = pixel::trace(&description, &wanted, args.pixel).map_err(|error| Failure::Input {
+    let traced = pixel::trace(&description, &settings, args.pixel).map_err(|error| Failure::Input {
         path: args.scene.clone(),
         line: None,
         reason: error.to_string(),

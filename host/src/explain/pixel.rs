@@ -16,7 +16,7 @@ use crate::description::Description;
 use crate::engine::samplers::{Any, Shared};
 use crate::render_output::RenderError;
 use crate::stock::single::{scene_tables, view};
-use crate::wanted::{LEVELS, Wanted};
+use strahl_settings::{LEVELS, Settings};
 
 /// The colour of a pixel, and how it comes about.
 pub struct Traced {
@@ -28,16 +28,16 @@ pub struct Traced {
     pub samples: Vec<Sample>,
 }
 
-/// Traces one pixel of the picture that is wanted.
-pub fn trace(description: &Description, wanted: &Wanted, pixel: Pixel) -> Result<Traced, RenderError> {
+/// Traces one pixel of the picture that is requested.
+pub fn trace(description: &Description, settings: &Settings, pixel: Pixel) -> Result<Traced, RenderError> {
     let stock = scene_tables(description);
     let scene = stock.scene().map_err(RenderError::invalid)?;
-    let camera = Camera::new(&view(&description.view), wanted.size).map_err(RenderError::invalid)?;
+    let camera = Camera::new(&view(&description.view), settings.size).map_err(RenderError::invalid)?;
     let boxes: Vec<Aabb> = scene.parts().geometry.all_bounds().collect();
     let mut groups = vec![Aabb::EMPTY; group_count(boxes.len())];
     let world = World::new(scene, List::with_boxes(&boxes, &mut groups).map_err(RenderError::invalid)?);
-    let tracer =
-        Tracer::<_, Everything, LEVELS>::new(&world, camera, wanted.limits).map_err(RenderError::invalid)?;
+    let tracer = Tracer::<_, Everything, LEVELS>::new(&world, camera, settings.limits())
+        .map_err(RenderError::invalid)?;
     let names = Names::new(description, &world);
 
     let mut seen = Seen { samples: Vec::new(), places: Vec::new() };
@@ -50,7 +50,7 @@ pub fn trace(description: &Description, wanted: &Wanted, pixel: Pixel) -> Result
         seen.places.push((place, sight));
         sight
     };
-    let (color, parts) = match Any::of(wanted, Shared::Loose, &mut [Kept::NOTHING; 0]) {
+    let (color, parts) = match Any::of(settings, Shared::Loose, &mut [Kept::NOTHING; 0]) {
         Any::Adaptive(mut sampler) => {
             let mut parts = Vec::new();
             // Parts share their corners, and none is told twice.

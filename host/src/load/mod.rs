@@ -13,7 +13,7 @@ use strahl_core::Size;
 
 use crate::description::Description;
 use crate::failure::Failure;
-use crate::wanted::DEFAULT_SIZE;
+use strahl_settings::DEFAULT_SIZE;
 
 pub use files::Files;
 

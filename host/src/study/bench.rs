@@ -19,8 +19,8 @@ use crate::interrupt::Interrupt;
 use crate::plan::leave_out;
 use crate::progress::Deadline;
 use crate::render_output::{RenderError, RenderOutput};
+use crate::render_request::RenderRequest;
 use crate::session;
-use crate::wanted::Wanted;
 
 /// One scene at one size, and a clock.
 pub struct Bench<'b> {
@@ -81,20 +81,20 @@ impl<'b> Bench<'b> {
 
     /// Traces it once; none where that takes more seconds than `most`, or than are left of all.
     pub fn trace(&self, options: &Options, most: f64) -> Result<Option<RenderOutput>, RenderError> {
-        self.traced(options, &options.wanted(self.size), most)
+        self.traced(options, &options.request(self.size), most)
     }
 
     /// What each pixel costs, row by row; none where no time is left for it.
     pub fn costs(&self, options: &Options) -> Result<Option<Vec<PixelCost>>, RenderError> {
         let cost_map = Arc::new(CostMap::new(self.size));
-        let wanted = Wanted { cost_map: Some(Arc::clone(&cost_map)), ..options.wanted(self.size) };
-        Ok(self.traced(options, &wanted, f64::INFINITY)?.map(|_| cost_map.costs()))
+        let request = RenderRequest { cost_map: Some(Arc::clone(&cost_map)), ..options.request(self.size) };
+        Ok(self.traced(options, &request, f64::INFINITY)?.map(|_| cost_map.costs()))
     }
 
     fn traced(
         &self,
         options: &Options,
-        wanted: &Wanted,
+        request: &RenderRequest,
         most: f64,
     ) -> Result<Option<RenderOutput>, RenderError> {
         self.progress.measuring(&options.words());
@@ -108,11 +108,11 @@ impl<'b> Bench<'b> {
         let end = Duration::try_from_secs_f64(most).ok().and_then(|most| Instant::now().checked_add(most));
         let progress = Deadline::new(self.progress, end);
         let traced = if options.without.is_empty() {
-            session::render(self.scene, wanted, &progress)
+            session::render(self.scene, request, &progress)
         } else {
             let mut scene = self.scene.clone();
             leave_out(&mut scene, &options.without);
-            session::render(&scene, wanted, &progress)
+            session::render(&scene, request, &progress)
         };
         match traced {
             Ok(output) => Ok(Some(output)),

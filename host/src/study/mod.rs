@@ -40,7 +40,6 @@ use crate::engine::session::scene_stats;
 use crate::plan::Effect;
 use crate::render_output::RenderError;
 use crate::stock::single::scene_tables;
-use crate::wanted::{DEFAULT_SIZE, Wanted};
 use afford::smaller;
 use bench::Bench;
 use conduct::Conduct;
@@ -49,6 +48,7 @@ use options::Options;
 use plan::Plan;
 use progress::StudyProgress;
 use record::Study;
+use strahl_settings::DEFAULT_SIZE;
 
 mod afford;
 pub mod bench;
@@ -162,7 +162,7 @@ pub fn study(
 fn own(scene: &Description, size: Size, threads: Option<usize>) -> Result<Options, StudyError> {
     let given = PartialSettings { size: Some(size), threads, ..PartialSettings::default() };
     let settings = Settings::resolve(&given, &scene.settings).map_err(StudyError::Settings)?;
-    Ok(Options::of(&Wanted::new(&settings), settings.threads))
+    Ok(Options::of(&settings))
 }
 
 /// The name of a scene.

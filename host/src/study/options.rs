@@ -6,7 +6,8 @@ use super::record;
 use crate::finding::{Choice, Finding, Kind, Walk};
 use crate::plan::Effect;
 use crate::precision::Precision;
-use crate::wanted::{Cut, Filter, Sampling, Selecting, Wanted};
+use crate::render_request::RenderRequest;
+use strahl_settings::{Filter, PixelSelection as Selecting, Sampling, Settings};
 
 /// Everything that decides about a picture and its time.
 #[derive(Clone, Debug, PartialEq)]
@@ -34,19 +35,19 @@ pub struct Options {
 }
 
 impl Options {
-    /// What is wanted, with so many threads.
-    pub fn of(wanted: &Wanted, threads: usize) -> Self {
+    /// Those of a render.
+    pub fn of(settings: &Settings) -> Self {
         Options {
-            limits: wanted.limits,
-            sampling: wanted.sampling,
-            filter: wanted.filter,
-            selecting: wanted.selecting,
+            limits: settings.limits(),
+            sampling: settings.sampler,
+            filter: settings.filter,
+            selecting: settings.select,
             without: Vec::new(),
-            precision: wanted.precision,
-            finding: wanted.finding,
-            shadow_cache: wanted.shadow_cache,
-            threads,
-            seed: wanted.seed,
+            precision: settings.precision,
+            finding: settings.acceleration(),
+            shadow_cache: settings.shadow_cache,
+            threads: settings.threads,
+            seed: settings.seed,
         }
     }
 
@@ -61,20 +62,19 @@ impl Options {
         }
     }
 
-    /// What is to be traced.
-    pub fn wanted(&self, size: Size) -> Wanted {
-        Wanted {
-            limits: self.limits,
-            sampling: self.sampling,
+    /// What is to be rendered.
+    pub fn request(&self, size: Size) -> RenderRequest {
+        let settings = Settings {
+            sampler: self.sampling,
             filter: self.filter,
             seed: self.seed,
-            selecting: self.selecting,
+            select: self.selecting,
             precision: self.precision,
-            finding: self.finding,
             shadow_cache: self.shadow_cache,
-            cut: Cut::threads(self.threads),
-            ..Wanted::of(size)
-        }
+            threads: self.threads,
+            ..Settings::of_size(size)
+        };
+        RenderRequest::new(settings.with_limits(self.limits).with_acceleration(self.finding))
     }
 
     /// As `study.json` has it; items were found by `choice`.

@@ -4,7 +4,7 @@ use strahl_core::Limits;
 
 use super::options::Options;
 use crate::sampling::{Agreement, PixelSelection as Selecting, Sampling};
-use crate::wanted::Filter;
+use strahl_settings::Filter;
 
 /// How thorough a study is.
 #[derive(Clone, Copy, Debug)]
@@ -191,7 +191,7 @@ mod tests {
     use strahl_core::Size;
 
     use super::*;
-    use crate::wanted::Wanted;
+    use strahl_settings::Settings;
 
     #[test]
     fn every_sampler_of_a_plan_is_one_of_the_command_line() {
@@ -220,9 +220,9 @@ mod tests {
     #[test]
     fn a_reference_has_no_fewer_samples_than_the_scene_asks_for() {
         let fewest = |sampler: &str| {
-            let wanted =
-                Wanted { sampling: sampler.parse().unwrap(), ..Wanted::of(Size::new(4, 4).unwrap()) };
-            Plan::QUICK.fewest(&Options::of(&wanted, 1))
+            let sampler = sampler.parse().unwrap();
+            let settings = Settings { sampler, ..Settings::of_size(Size::new(4, 4).unwrap()) };
+            Plan::QUICK.fewest(&Options::of(&settings))
         };
         let samplers = [
             "single",

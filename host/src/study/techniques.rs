@@ -169,12 +169,12 @@ mod tests {
     use strahl_core::Size;
 
     use super::*;
-    use crate::wanted::Wanted;
+    use strahl_settings::Settings;
 
     #[test]
     fn techniques_that_buy_time_only_differ_in_nothing_that_decides_about_the_picture() {
         let size = Size::new(4, 4).unwrap();
-        let own = Options::of(&Wanted::of(size), 1);
+        let own = Options::of(&Settings { threads: 1, ..Settings::of_size(size) });
         let all = pairs(&base(&own));
         assert!(all.len() >= 12);
         for Pair { name, without, with, exact, .. } in all {

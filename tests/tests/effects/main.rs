@@ -9,14 +9,15 @@ use strahl::description::Description;
 use strahl::plan::{Effect, asked_by, leave_out, plan};
 use strahl::progress::NoProgress;
 use strahl::render_output::RenderOutput;
+use strahl::render_request::RenderRequest;
 use strahl::sampling::Sampling;
 use strahl::session;
 use strahl::stock::single::{scene_tables, view};
-use strahl::wanted::Wanted;
 use strahl_core::{
     BareList, Camera, Counters, EffectSet, Effects, Everything, LightSet, Limits, RayKind, Rgb, ShapeSet,
     Size, Stochastic, TextureSet, Tile, Tracer, Worker, World, render,
 };
+use strahl_settings::Settings;
 
 const SIZE: Size = Size::new(48, 36).unwrap();
 
@@ -112,8 +113,8 @@ fn smallest(effect: Effect) -> [Seen; 2] {
 }
 
 fn counted(description: &Description, seed: u32) -> (RenderOutput, Counters) {
-    let wanted = Wanted { seed, sampling: Sampling::Regular(2), ..Wanted::of(SIZE) };
-    let frame = session::render(description, &wanted, &NoProgress).unwrap();
+    let settings = Settings { seed, sampler: Sampling::Regular(2), ..Settings::of_size(SIZE) };
+    let frame = session::render(description, &RenderRequest::new(settings), &NoProgress).unwrap();
     let counts = frame.counters;
     (frame, counts)
 }
