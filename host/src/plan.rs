@@ -12,14 +12,14 @@ use crate::stock::single::scene_tables;
 /// What asks for an effect, and how it is left out.
 trait Asked {
     /// Whether a material asks for it.
-    fn is_asked_by(self, material: &Material) -> bool;
+    fn needed_by(self, material: &Material) -> bool;
 
     /// Makes a scene that does not ask for it.
     fn leave_out(self, description: &mut Description);
 }
 
 impl Asked for Effect {
-    fn is_asked_by(self, material: &Material) -> bool {
+    fn needed_by(self, material: &Material) -> bool {
         match self {
             Effect::Reflection => !material.mirror.is_black(),
             Effect::Transmission => material.is_transmitting(),
@@ -146,7 +146,7 @@ fn lights(description: &Description, asks: fn(&Light) -> bool) -> Vec<Reason> {
 
 fn materials(description: &Description, made_of: &[usize], effect: Effect) -> Vec<Reason> {
     let used = description.materials.iter().zip(made_of).filter(|(_, objects)| **objects > 0);
-    let asking = used.filter(|(material, _)| effect.is_asked_by(&material.it));
+    let asking = used.filter(|(material, _)| effect.needed_by(&material.it));
     asking
         .map(|(material, objects)| Reason {
             what: named("material", &material.name),
