@@ -115,7 +115,7 @@ impl Stage {
 
     /// Lets everything stand in its place.
     pub fn stand_still(&mut self) {
-        (0..self.len()).for_each(|item| self.tables.clear_motion(ItemId(item)));
+        (0..self.item_count()).for_each(|item| self.tables.clear_motion(ItemId(item)));
     }
 
     /// Any thing.
@@ -148,7 +148,7 @@ impl Stage {
     }
 
     /// How many items there are.
-    pub fn len(&self) -> u32 {
+    pub fn item_count(&self) -> u32 {
         self.tables.len() as u32
     }
 
@@ -159,7 +159,7 @@ impl Stage {
 
     /// The mean of what `n` camera rays see that differ in nothing but what they leave to chance.
     pub fn look_often(&self, eye: Vec3, target: Vec3, limits: Limits, n: u32, seed: u32) -> [f64; 3] {
-        let world = World::new(self.scene(), List::without_bounds(self.len()));
+        let world = World::new(self.scene(), List::without_bounds(self.item_count()));
         let tracer = Tracer::<_, Everything, 64>::new(&world, straight(eye, target), limits).unwrap();
         let mut worker = Worker::new(());
         let mut sum = [0.0; 3];
@@ -184,7 +184,7 @@ impl Stage {
 
     /// The same, and what it took.
     pub fn look_and_count(&self, eye: Vec3, target: Vec3, limits: Limits) -> (Rgb, Counters) {
-        let world = World::new(self.scene(), List::without_bounds(self.len()));
+        let world = World::new(self.scene(), List::without_bounds(self.item_count()));
         let tracer = Tracer::<_, Everything, 64>::new(&world, straight(eye, target), limits).unwrap();
         let mut worker = Worker::new(Counters::new());
         let sample =
@@ -229,7 +229,7 @@ impl Core for Stage {
     }
 
     fn cast(&self, rays: &[Line]) -> Vec<Option<Found>> {
-        let bare = World::new(self.scene(), List::without_bounds(self.len()));
+        let bare = World::new(self.scene(), List::without_bounds(self.item_count()));
         let boxes = self.bounds();
         let mut groups = vec![Aabb::EMPTY; group_count(boxes.len())];
         let boxed = World::new(self.scene(), List::with_boxes(&boxes, &mut groups).unwrap());

@@ -114,7 +114,7 @@ macro_rules! core {
 
             pub fn ends(thing: &Thing, lines: &[Line]) -> Vec<[bool; 3]> {
                 let stage = Stage::with(std::slice::from_ref(thing));
-                let world = World::new(stage.scene(), List::without_bounds(stage.len()));
+                let world = World::new(stage.scene(), List::without_bounds(stage.item_count()));
                 let ends = |line: &Line| {
                     let (o, d) = (line.origin, line.direction);
                     let ray =

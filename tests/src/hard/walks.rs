@@ -137,7 +137,7 @@ macro_rules! core {
 
             pub fn list(things: &[Thing], lines: &[Line]) -> Vec<Option<Found>> {
                 let stage = Stage::with(things);
-                nearest(&stage, List::without_bounds(stage.len()), lines)
+                nearest(&stage, List::without_bounds(stage.item_count()), lines)
             }
 
             pub fn walked(kind: Kind, things: &[Thing], lines: &[Line]) -> Vec<Option<Found>> {

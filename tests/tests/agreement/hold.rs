@@ -69,7 +69,7 @@ pub struct Hold<'s> {
 impl<'s> Hold<'s> {
     /// The cases of these rays.
     pub fn new(stage: &'s Stage, rays: &[Ray], random: &mut Random) -> Self {
-        let bare = World::new(stage.scene(), List::without_bounds(stage.len()));
+        let bare = World::new(stage.scene(), List::without_bounds(stage.item_count()));
         Hold { stage, boxes: stage.bounds(), cases: Case::all(&bare, rays, random) }
     }
 

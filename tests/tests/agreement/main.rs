@@ -48,7 +48,7 @@ impl Offered {
 fn all_agree(stage: &Stage, rays: &[Ray], random: &mut Random) -> usize {
     // The scenes of a test do not depend on how many numbers are taken here.
     let random = &mut Random::new(random.bits());
-    let bare = World::new(stage.scene(), List::without_bounds(stage.len()));
+    let bare = World::new(stage.scene(), List::without_bounds(stage.item_count()));
     let hold = Hold::new(stage, rays, random);
     let Hold { boxes, cases, .. } = &hold;
 
@@ -58,7 +58,7 @@ fn all_agree(stage: &Stage, rays: &[Ray], random: &mut Random) -> usize {
     let (mut balls, mut round) =
         (vec![BoundingSphere::EMPTY; boxes.len()], vec![BoundingSphere::EMPTY; group_count(boxes.len())]);
     hold.against("with balls", List::with_spheres(boxes, &mut balls, &mut round).unwrap());
-    hold.against("in another order", Offered::any(stage.len(), random));
+    hold.against("in another order", Offered::any(stage.item_count(), random));
 
     // Any memory from the floor upwards.
     let nodes = BvhSize::recommended(boxes.len()).nodes;
@@ -234,7 +234,7 @@ fn the_nearest_of_all_is_the_nearest_of_each_alone() {
             stage
         })
         .collect();
-    let all = World::new(stage.scene(), List::without_bounds(stage.len()));
+    let all = World::new(stage.scene(), List::without_bounds(stage.item_count()));
     for _ in 0..2_000 {
         let ray = random_ray(4.0, &mut random);
         let hits = alone.iter().zip(0..).filter_map(|(stage, number)| {
@@ -300,7 +300,7 @@ fn of_two_things_at_one_distance_the_lower_number_wins_from_any_order() {
             put[(first + i) % put.len()](&mut stage, corners);
         }
         for _ in 0..20 {
-            let world = World::new(stage.scene(), Offered::any(stage.len(), &mut random));
+            let world = World::new(stage.scene(), Offered::any(stage.item_count(), &mut random));
             assert_eq!(nearest(&world, &down, Real::MAX), Some(Hit { t: 4.0, item: ItemId(0) }), "{first}");
         }
         assert_eq!(all_agree(&stage, &[down], &mut random), 1);
@@ -431,7 +431,7 @@ fn boxes_save_tests_of_shapes_and_groups_save_tests_of_boxes() {
     let (mut balls, mut round) =
         (vec![BoundingSphere::EMPTY; boxes.len()], vec![BoundingSphere::EMPTY; group_count(boxes.len())]);
     let balled = World::new(stage.scene(), List::with_spheres(&boxes, &mut balls, &mut round).unwrap());
-    let bare = World::new(stage.scene(), List::without_bounds(stage.len()));
+    let bare = World::new(stage.scene(), List::without_bounds(stage.item_count()));
     let rays: Vec<Ray> = (0..100)
         .map(|_| {
             let origin = random.near(vector(0.0, 100.0, 0.0), 50.0);

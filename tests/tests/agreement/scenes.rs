@@ -89,7 +89,7 @@ fn in_any_scene_every_ray_is_answered_as_by_the_list() {
             let rays: Vec<Ray> = rays.into_iter().map(|(from, way)| Ray::new(from, way)).collect();
             let random = &mut Random::new(seed);
             let hold = Hold::new(&stage, &rays, random);
-            let (items, boxes) = (stage.len() as usize, &hold.boxes);
+            let (items, boxes) = (stage.item_count() as usize, &hold.boxes);
             let (grid, octree) = (GridSize::recommended(boxes), OctreeSize::recommended(items));
             let mut any =
                 |floor: usize, most: usize| floor + random.below((most - floor + 1) as u32) as usize;

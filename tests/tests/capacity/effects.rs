@@ -55,7 +55,7 @@ fn all_effects() -> (Stage, View) {
 }
 
 fn seen_by<E: Effects>(stage: &Stage, view: &View) -> Vec<Rgb> {
-    let world = World::new(stage.scene(), List::without_bounds(stage.len()));
+    let world = World::new(stage.scene(), List::without_bounds(stage.item_count()));
     let size = size(24, 16);
     let camera = Camera::new(view, size).unwrap();
     let tracer = Tracer::<_, E, 5>::new(&world, camera, Limits::DEFAULT).unwrap();
@@ -111,7 +111,7 @@ fn a_tracer_refuses_a_scene_that_asks_for_what_it_cannot_do() {
         stage.sphere(Vec3::ZERO, 1.0);
         let camera = Camera::new(&VIEW, size(2, 2)).unwrap();
         let is_refused = |stage: &Stage| {
-            let world = World::new(stage.scene(), List::without_bounds(stage.len()));
+            let world = World::new(stage.scene(), List::without_bounds(stage.item_count()));
             match Tracer::<_, E, 5>::new(&world, camera, Limits::DEFAULT) {
                 Ok(_) => false,
                 Err(error) => {
@@ -173,7 +173,7 @@ fn a_tracer_refuses_a_scene_that_asks_for_what_it_cannot_do() {
 #[test]
 fn a_tracer_without_a_lens_refuses_a_camera_that_has_one() {
     let stage = local();
-    let world = World::new(stage.scene(), List::without_bounds(stage.len()));
+    let world = World::new(stage.scene(), List::without_bounds(stage.item_count()));
     let (_, view) = all_effects();
     let camera = Camera::new(&view, size(2, 2)).unwrap();
     let asks = EffectSet { lens: true, ..stage.scene().effects() };
@@ -211,7 +211,7 @@ fn local() -> Stage {
 fn the_smallest_tracer_and_the_one_that_can_everything_give_the_same_picture() {
     let stage = local();
     assert_eq!(stage.scene().effects(), Local::SET);
-    let world = World::new(stage.scene(), List::without_bounds(stage.len()));
+    let world = World::new(stage.scene(), List::without_bounds(stage.item_count()));
     let (small, counters) =
         picture::<_, Local, 1>(&world, size(48, 32), Limits { levels: 1, cutoff: 0.0 }, &mut Single);
     let (all, same) =
@@ -224,7 +224,7 @@ fn the_smallest_tracer_and_the_one_that_can_everything_give_the_same_picture() {
 #[test]
 fn no_ray_is_sent_for_what_the_scene_does_not_call_for() {
     let rays = |stage: &Stage| {
-        let world = World::new(stage.scene(), List::without_bounds(stage.len()));
+        let world = World::new(stage.scene(), List::without_bounds(stage.item_count()));
         let (_, counters) = picture::<_, Everything, 5>(&world, size(24, 16), Limits::DEFAULT, &mut Single);
         assert_eq!(counters.rays[RayKind::Camera], 24 * 16);
         RayKind::ALL.map(|kind| {

@@ -26,7 +26,7 @@ const MIDDLE: CameraSample =
 /// A ray straight at the panes, with room for `LEVELS` levels.
 fn full_tree<const LEVELS: usize>(levels: u8) -> (Rgb, Counters) {
     let stage = panes(levels.into());
-    let world = World::new(stage.scene(), List::without_bounds(stage.len()));
+    let world = World::new(stage.scene(), List::without_bounds(stage.item_count()));
     let view = View { from: Vec3::ZERO, at: Vec3::X, up: Vec3::Y, ..VIEW };
     let limits = Limits { levels, cutoff: 0.0 };
     let tracer =
@@ -73,7 +73,7 @@ impl Tally for Enough {
 #[test]
 fn a_tree_that_is_given_up_ends_at_once_with_what_its_rays_have_brought() {
     let stage = panes(64);
-    let world = World::new(stage.scene(), List::without_bounds(stage.len()));
+    let world = World::new(stage.scene(), List::without_bounds(stage.item_count()));
     let view = View { from: Vec3::ZERO, at: Vec3::X, up: Vec3::Y, ..VIEW };
     let camera = Camera::new(&view, size(1, 1)).unwrap();
     // The whole tree has 2^64 rays.
@@ -91,7 +91,7 @@ fn a_tree_that_is_given_up_ends_at_once_with_what_its_rays_have_brought() {
 #[test]
 fn room_for_more_levels_gives_the_same_picture() {
     let stage = fair();
-    let world = World::new(stage.scene(), List::without_bounds(stage.len()));
+    let world = World::new(stage.scene(), List::without_bounds(stage.item_count()));
     let shoot = |levels| Limits { levels, ..Limits::DEFAULT };
     let s = size(24, 16);
     let one = picture::<_, Everything, 1>(&world, s, shoot(1), &mut Single);
@@ -150,7 +150,7 @@ fn the_background_stands_for_what_the_levels_end_and_for_what_lies_out_of_sight(
     let mut stage = panes(1);
     stage.background = Background::Color(Rgb::gray(8.0));
     let color = |from: Real, levels| {
-        let world = World::new(stage.scene(), BareList(stage.len()));
+        let world = World::new(stage.scene(), BareList(stage.item_count()));
         let view = View { from: vec3(from, 0.0, 0.0), at: vec3(from + 1.0, 0.0, 0.0), ..VIEW };
         let camera = Camera::new(&View { up: Vec3::Y, ..view }, size(1, 1)).unwrap();
         let limits = Limits { levels, cutoff: 0.0 };

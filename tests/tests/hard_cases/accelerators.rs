@@ -34,7 +34,7 @@ fn hold(about: &str, aims: &[(Thing, Vec<Line>)]) -> usize {
     aims.iter().for_each(|(thing, _)| _ = stage.thing(thing));
     let rays: Vec<Ray> = aims.iter().flat_map(|(_, lines)| lines).map(ray).collect();
     let boxes = stage.bounds();
-    let truth = answers(&stage, List::without_bounds(stage.len()), &rays);
+    let truth = answers(&stage, List::without_bounds(stage.item_count()), &rays);
     let hold = |name: &str, got: Vec<_>| {
         for ((ray, truth), got) in rays.iter().zip(&truth).zip(&got) {
             assert_eq!(got, truth, "{name}; {about}: {ray:?}");

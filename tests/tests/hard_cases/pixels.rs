@@ -181,7 +181,7 @@ proptest! {
         let size = Size::new(width, height).unwrap();
         // A view of nothing is refused at the door.
         let Ok(camera) = Camera::new(&sight.view, size) else { return Ok(()) };
-        let world = World::new(stage.scene(), List::without_bounds(stage.len()));
+        let world = World::new(stage.scene(), List::without_bounds(stage.item_count()));
         let limits = Limits { levels: 6, cutoff: 0.0 };
         let tracer = Tracer::<_, Everything, 6>::new(&world, camera, limits).unwrap();
         let tile = Tile::whole(size);
@@ -223,7 +223,7 @@ proptest! {
         sight in sight(), origin in place(), way in place(), length in -30..30_i32,
     ) {
         let stage = stage(&sight);
-        let world = World::new(stage.scene(), List::without_bounds(stage.len()));
+        let world = World::new(stage.scene(), List::without_bounds(stage.item_count()));
         let scale = (0..length.abs()).fold(1.0, |x, _| if length < 0 { x * 0.1 } else { x * 10.0 });
         let ray = Ray::new(origin * sight.scale, way * scale);
         let hit = world.nearest::<Everything, _>(&ray, Real::MAX, RayKind::Camera, &mut (), &mut ());
@@ -285,7 +285,7 @@ fn a_ray_that_is_none_meets_nothing_and_asks_for_nothing() {
         };
     }
 
-    hold!(List::without_bounds(stage.len()));
+    hold!(List::without_bounds(stage.item_count()));
     let room = BvhSize::recommended(boxes.len());
     let (mut nodes, mut items) = (vec![BvhNode::EMPTY; room.nodes], vec![LeafEntry::EMPTY; room.entries]);
     hold!(Bvh::<TraversalStack<64>>::build(&boxes, &mut nodes, &mut items).unwrap());

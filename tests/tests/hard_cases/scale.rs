@@ -97,7 +97,7 @@ fn picture(scale: f32, has_lens: bool) -> Vec<[u32; 3]> {
         },
     };
     let camera = Camera::new(&view, size).unwrap();
-    let world = World::new(stage.scene(), List::without_bounds(stage.len()));
+    let world = World::new(stage.scene(), List::without_bounds(stage.item_count()));
     let limits = Limits { levels: 6, cutoff: 0.0 };
     let tracer = Tracer::<_, Everything, 6>::new(&world, camera, limits).unwrap();
     let tile = Tile::whole(size);

@@ -22,7 +22,7 @@ fn opened(bytes: &[u8]) -> Option<PackError> {
 #[test]
 fn what_is_no_pack_is_told_by_its_reason() {
     let stage = fair();
-    let bytes = baked(stage.scene(), Finder::Bare(BareList(stage.len())));
+    let bytes = baked(stage.scene(), Finder::Bare(BareList(stage.item_count())));
     let with = |place: usize, word: u32| {
         let mut bytes = bytes.clone();
         bytes[place..place + 4].copy_from_slice(&word.to_le_bytes());
@@ -45,7 +45,7 @@ fn what_is_no_pack_is_told_by_its_reason() {
 #[test]
 fn a_pack_that_is_cut_anywhere_is_too_short() {
     let stage = fair();
-    let bytes = baked(stage.scene(), Finder::Bare(BareList(stage.len())));
+    let bytes = baked(stage.scene(), Finder::Bare(BareList(stage.item_count())));
     for length in 0..bytes.len() {
         let error = opened(&bytes[..length]);
         assert!(matches!(error, Some(PackError::TooShort { .. })), "{length}: {error:?}");
@@ -55,7 +55,7 @@ fn a_pack_that_is_cut_anywhere_is_too_short() {
 #[test]
 fn a_bit_that_flips_is_noticed() {
     let stage = fair();
-    let bytes = baked(stage.scene(), Finder::Bare(BareList(stage.len())));
+    let bytes = baked(stage.scene(), Finder::Bare(BareList(stage.item_count())));
     for place in 0..bytes.len() {
         let mut bytes = bytes.clone();
         bytes[place] ^= 1 << (place % 8);

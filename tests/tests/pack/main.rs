@@ -123,8 +123,12 @@ fn every_pack(stage: &Stage) -> Vec<Vec<u8>> {
     let room = BvhSize::recommended(boxes.len());
     let (mut nodes, mut items) = (vec![BvhNode::EMPTY; room.nodes], vec![LeafEntry::EMPTY; room.entries]);
     let bvh = Bvh::build(&boxes, &mut nodes, &mut items).unwrap();
-    let finders =
-        [Finder::Bare(BareList(stage.len())), Finder::Grid(grid), Finder::Octree(octree), Finder::Bvh(bvh)];
+    let finders = [
+        Finder::Bare(BareList(stage.item_count())),
+        Finder::Grid(grid),
+        Finder::Octree(octree),
+        Finder::Bvh(bvh),
+    ];
     finders.into_iter().map(|finder| baked(stage.scene(), finder)).collect()
 }
 

@@ -22,7 +22,7 @@ fn a_baked_scene_is_opened_as_it_was() {
 fn a_baked_scene_has_the_same_picture_bit_for_bit() {
     let stage = fair();
     let camera = Camera::new(&VIEW, SIZE).unwrap();
-    let truth = picture(stage.scene(), List::without_bounds(stage.len()), camera);
+    let truth = picture(stage.scene(), List::without_bounds(stage.item_count()), camera);
     for bytes in every_pack(&stage) {
         let aligned = Aligned::of(&bytes);
         let pack = Pack::open(aligned.bytes()).unwrap();
@@ -48,7 +48,7 @@ fn a_pack_says_which_accelerator_it_has() {
         let pack = Pack::open(aligned.bytes()).unwrap();
         (pack.grid::<0>().err(), pack.octree::<0>().err(), pack.bvh::<()>().err(), pack.bare().0)
     };
-    let count = fair().len();
+    let count = fair().item_count();
     assert_eq!(open(&bare), (Some(wrong), Some(wrong), Some(wrong), count));
     assert_eq!(open(&grid), (None, Some(wrong), Some(wrong), count));
     assert_eq!(open(&octree), (Some(wrong), None, Some(wrong), count));
