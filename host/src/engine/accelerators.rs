@@ -5,7 +5,7 @@
 //!
 //! Sizes that are constants of a type come from short lists ([`MAILBOXES`], [`HEAPS`]). The ray tracer is compiled for
 //! all prepared effect sets only for the accelerators that `auto` chooses, for few of them where an accelerator is
-//! asked for by name, and for one where its size is not the usual one (module [`effects`]).
+//! asked for by name, and for one where its size is not the usual one (module `effects`).
 //!
 //! [`MAILBOXES`]: crate::finding::MAILBOXES
 //! [`HEAPS`]: crate::finding::HEAPS
