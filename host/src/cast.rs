@@ -7,7 +7,8 @@ use std::io::{IsTerminal, Read, stdin};
 use std::path::{Path, PathBuf};
 use std::time::Instant;
 
-use strahl_settings::Settings;
+use strahl_engine::RenderError;
+use strahl_settings::{DEFAULT_SIZE, Settings};
 
 use crate::amount::amount;
 use crate::args::CastArgs;
@@ -15,10 +16,8 @@ use crate::failure::Failure;
 use crate::load::{Files, load_from};
 use crate::output::{Guard, say};
 use crate::rays::{Cast, Stream};
-use crate::render_output::RenderError;
 use crate::session::{SceneStorage, Session};
 use crate::signals::Signals;
-use strahl_settings::DEFAULT_SIZE;
 
 /// Casts rays into one scene.
 pub fn run(args: &CastArgs) -> Result<(), Failure> {
@@ -39,7 +38,7 @@ pub fn run(args: &CastArgs) -> Result<(), Failure> {
     let stream = Stream { input, name, output, precision, threads, signals };
     let wrong = |error: RenderError| Failure::input(&args.scene, error.to_string());
     let mut storage = SceneStorage::new(&description, precision);
-    let session = Session::new(&description, &mut storage, &finding).map_err(wrong)?;
+    let session = Session::new(&mut storage, &finding).map_err(wrong)?;
     let Cast { rays, hits } = stream.run(|| session.ray_caster())?;
     if !args.quiet {
         let choice = &session.accelerator().choice;

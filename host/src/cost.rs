@@ -8,9 +8,9 @@
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use strahl_core::{Counters, RayKind};
-
-use crate::cost_map::{CostMap, PixelCost};
-use crate::finding::Kind;
+use strahl_engine::CostMap;
+use strahl_engine::cost_map::PixelCost;
+use strahl_settings::AccelKind;
 
 /// What was counted; the lists are by kind of ray: camera, reflected, transmitted, shadow.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
@@ -80,7 +80,7 @@ pub const WEIGHTS: Weights = Weights {
 };
 
 /// As `study.json` has it.
-pub fn record(counts: &Counters) -> Counts {
+pub fn recorded(counts: &Counters) -> Counts {
     Counts {
         rays: RayKind::ALL.map(|kind| counts.rays[kind]),
         boxes: RayKind::ALL.map(|kind| counts.boxes[kind]),
@@ -119,12 +119,12 @@ impl Weights {
     }
 
     /// About how many instructions the pixels of a cost map take on a workstation, by an accelerator of this kind.
-    pub fn work_of_map(&self, costs: &CostMap, kind: Kind) -> f64 {
+    pub fn work_of_map(&self, costs: &CostMap, kind: AccelKind) -> f64 {
         costs.costs().iter().map(|cost| self.work_of_pixel(cost, kind)).sum()
     }
 
     /// The same for one pixel.
-    pub fn work_of_pixel(&self, cost: &PixelCost, kind: Kind) -> f64 {
+    pub fn work_of_pixel(&self, cost: &PixelCost, kind: AccelKind) -> f64 {
         let [rays, boxes, shapes, regions, skipped] =
             [cost.rays, cost.boxes, cost.shapes, cost.regions, cost.skipped]
                 .map(|by_kind| by_kind.map(u64::from));

@@ -2,8 +2,6 @@
 
 use strahl_core::{Rgb, Size};
 use strahl_picture::Picture;
-
-use crate::render_request::RenderRequest;
 use strahl_settings::{Filter, Sampling, Settings};
 
 /// This many pixels of the full picture along one side are one of the draft.
@@ -12,18 +10,16 @@ const COARSE: u32 = 4;
 /// A full picture of so few pixels is there at once.
 const QUICK: u32 = 128 * 96;
 
-/// What is rendered for a draft of a picture; none where it would save no time.
-pub fn of(request: &RenderRequest) -> Option<RenderRequest> {
-    let settings = &request.settings;
+/// The settings of a draft of a whole picture; none where it would save no time.
+pub fn of(settings: &Settings) -> Option<Settings> {
     let (width, height) = (settings.size.width(), settings.size.height());
     // A part of a picture is small already.
-    if width.saturating_mul(height) <= QUICK || settings.region.is_some() || request.mask.is_some() {
+    if width.saturating_mul(height) <= QUICK || settings.region.is_some() {
         return None;
     }
     let size = Size::new(width.div_ceil(COARSE), height.div_ceil(COARSE))?;
     let (sampler, filter) = (Sampling::Single, Filter::Box);
-    let settings = Settings { size, sampler, filter, select: None, ..settings.clone() };
-    Some(RenderRequest { counted: false, ..request.with(settings) })
+    Some(Settings { size, sampler, filter, select: None, ..settings.clone() })
 }
 
 /// The draft in the size of the full picture, so that who looks at it sees it become sharp.
@@ -44,7 +40,7 @@ mod tests {
     #[test]
     fn a_draft_has_a_sixteenth_of_the_pixels_and_becomes_as_large_as_the_picture() {
         let size = Size::new(401, 302).unwrap();
-        let draft = of(&RenderRequest::new(Settings::of_size(size))).unwrap().settings;
+        let draft = of(&Settings { size: size, ..Settings::default() }).unwrap();
         assert_eq!((draft.size.width(), draft.size.height()), (101, 76));
         let colors = (0..101 * 76).map(|place| Rgb::gray(place as f32)).collect();
         let whole = enlarged(&Picture { size: draft.size, colors }, size);
@@ -57,6 +53,6 @@ mod tests {
 
     #[test]
     fn a_small_picture_has_no_draft() {
-        assert!(of(&RenderRequest::new(Settings::of_size(Size::new(40, 30).unwrap()))).is_none());
+        assert!(of(&Settings { size: Size::new(40, 30).unwrap(), ..Settings::default() }).is_none());
     }
 }

@@ -4,11 +4,11 @@ use std::fmt;
 use std::io;
 use std::path::{Path, PathBuf};
 
+use strahl_engine::Interrupt;
 use strahl_picture::FormatError;
 use strahl_settings::SettingsError;
 
 use crate::faults::Faults;
-use crate::interrupt::Interrupt;
 
 /// How a command ends in which nothing went wrong.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

@@ -17,11 +17,11 @@ use embedded_graphics::pixelcolor::{Rgb888, RgbColor};
 use embedded_graphics::text::{Alignment, Text};
 use exr::prelude::{AnyChannel, AnyChannels, FlatSamples, Image, Layer, LayerAttributes, WritableImage as _};
 use strahl_core::{RayKind, Size, Tile};
+use strahl_engine::CostMap;
+use strahl_engine::cost_map::{self, PixelCost};
 use strahl_picture::colormap::inferno;
 use strahl_picture::format::EXR_ENCODING;
 use strahl_picture::{Picture, srgb};
-
-use crate::cost_map::{self, CostMap, PixelCost};
 
 /// How wide a panel is at least: the pixels of small pictures become squares.
 const LEAST_WIDTH: u32 = 280;

@@ -7,17 +7,17 @@ use std::path::Path;
 use indicatif::{HumanBytes, HumanCount};
 use serde::Serialize;
 use strahl_core::{Aabb, Scene, ShapeKind};
+use strahl_engine::AccelStats;
+use strahl_engine::accelerators;
+use strahl_settings::{AccelChoice, AccelKind, AccelSettings};
 
 use crate::amount::{self, amount};
 use crate::args::InfoArgs;
 use crate::description::Description;
-use crate::engine::accelerators;
 use crate::failure::Failure;
-use crate::finding::{Choice, Finding, Kind};
 use crate::load::load;
 use crate::output::{Output, say};
 use crate::plan::{Effect, Step, asked_by, plan};
-use crate::render_output::AccelStats;
 use crate::stock::single::scene_tables;
 use crate::wrap::{width_of_stdout, wrapped};
 
@@ -117,9 +117,9 @@ impl Info {
         let boxes: Vec<Aabb> = parts.geometry.all_bounds().collect();
         let all = boxes.iter().fold(Aabb::EMPTY, |all, item| all.union(*item));
         let bounded = boxes.iter().filter(|aabb| !aabb.is_empty()).count();
-        let Choice { kind, reason, .. } = Finding::default().choice(bounded);
+        let AccelChoice { kind, reason, .. } = AccelSettings::DEFAULT.choice(bounded);
         let auto = Auto { kind: kind.name(), reason };
-        let built = Kind::ALL.map(|kind| accelerators::stats(*scene, &Finding::by(kind)));
+        let built = AccelKind::ALL.map(|kind| accelerators::stats(*scene, &AccelSettings::by(kind)));
         let accelerators = built.iter().flatten().map(AcceleratorFacts::of).collect();
 
         let asks = asked_by(description, scene);

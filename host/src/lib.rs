@@ -20,20 +20,10 @@
 //! | [`description`] | a scene in neutral numbers |
 //! | [`stock`] | the owned tables of a scene, for either precision |
 //! | [`session`] | a scene opened in the precision that is asked for: pictures, and what rays hit |
-//! | [`engine`] | one scene in one precision: accelerator, ray tracers, tiles and threads |
-//! | [`double`] | the engine for the twin in double precision |
-//! | [`effects`] | the prepared effect sets: which ray tracer a scene gets |
-//! | [`render_output`] | what comes of rendering, or why nothing does |
-//! | [`ray_query`] | single rays and what they hit |
-//! | [`render_request`] | what a session renders |
-//! | [`mask`] | which pixels are wanted, where not all are |
-//! | [`finding`] | how items are found: what can be asked for, and what there is |
 //! | [`rays`] | rays as lines of text, and their way there and back |
-//! | [`scheduler`] | what comes next in a picture that becomes better pass by pass |
 //! | [`aim`] | the settings that keep an error or a time |
 //! | [`aim_report`] | what was aimed at, for the report and for a person |
 //! | [`cost`] | what was counted, in instructions |
-//! | [`cost_map`] | what each pixel costs |
 //! | [`heat`] | costs as a picture |
 //! | [`draft`] | a coarse picture before the full one |
 //! | [`pixels`] | picture files that a command reads |
@@ -41,23 +31,13 @@
 //! | [`plan`] | what a scene asks to be simulated, and why |
 //! | [`stats`] | what was counted and measured |
 //! | [`settings`] | what is in force, and who has set it |
-//! | [`progress`] | how far the work is, and whether it should go on |
 //! | [`terminal`] | progress on the terminal |
 //! | [`summary`] | what was done, for a person |
 //! | [`amount`] | numbers with their nouns |
 //! | [`wrap`] | text that fits the screen |
 //! | [`signals`] | when to stop |
-//! | [`interrupt`] | why work ends before it is done |
 //! | [`faults`] | what is wrong in a text, shown as a compiler would |
 //! | [`failure`] | what went wrong, and the exit status for it |
-
-// The modules that are compiled for either precision find the core, the tables and the effect sets for it by these
-// names: here, and in `double`.
-use strahl_core as strahl;
-
-use stock::single as tables;
-
-pub use strahl_settings::{precision, sampling};
 
 pub mod aim;
 pub mod aim_report;
@@ -67,34 +47,22 @@ pub mod bake;
 pub mod cast;
 pub mod compare;
 pub mod cost;
-pub mod cost_map;
 pub mod description;
-pub mod double;
 pub mod draft;
-pub mod effects;
-pub mod engine;
 pub mod explain;
 pub mod failure;
 pub mod faults;
-pub mod finding;
 pub mod generate;
 pub mod heat;
 pub mod info;
-pub mod interrupt;
 pub mod load;
 pub mod manual;
-pub mod mask;
 pub mod output;
 pub mod pixels;
 pub mod plan;
 pub mod procedural;
-pub mod progress;
-pub mod ray_query;
 pub mod rays;
 pub mod render;
-pub mod render_output;
-pub mod render_request;
-pub mod scheduler;
 pub mod session;
 pub mod settings;
 pub mod signals;

@@ -3,38 +3,32 @@
 use std::ffi::OsStr;
 use std::io;
 use std::path::{Path, PathBuf};
-use std::sync::Arc;
 use std::time::{Duration, Instant};
 
+use strahl_engine::{CostMap, Mask, Progress, RenderError, RenderOptions};
 use strahl_picture::{Format, Picture};
-use strahl_settings::Resolved;
+use strahl_settings::{DEFAULT_SIZE, Resolved, Settings};
 
 use crate::aim;
-use crate::aim::error::{Fixed, Goal};
+use crate::aim::search::{Fixed, Goal};
 use crate::aim::time::Limit;
 use crate::aim_report::AimReport;
 use crate::args::{AimArgs, RenderArgs, StatsForm};
-use crate::cost_map::CostMap;
 use crate::description::Description;
 use crate::draft;
 use crate::failure::{Answer, Failure};
 use crate::heat::{self, Costs};
 use crate::load::{Files, load_from};
-use crate::mask::Mask;
 use crate::output::{Guard, Output, refuse_terminal, say, tell};
 use crate::pixels;
 use crate::plan::{Step, leave_out, plan};
-use crate::progress::Progress;
-use crate::render_output::{RenderError, RenderOutput};
-use crate::render_request::RenderRequest;
-use crate::session;
+use crate::session::{self, RenderOutput};
 use crate::settings;
 use crate::signals::Signals;
 use crate::stats::Stats;
 use crate::summary::{self, summary};
 use crate::terminal::TerminalProgress;
 use crate::wrap::{width_of_stderr, wrapped};
-use strahl_settings::DEFAULT_SIZE;
 
 /// Renders one scene. No is the answer where an error was aimed at that is not kept.
 pub fn run(args: &RenderArgs, aim: &AimArgs) -> Result<Answer, Failure> {
@@ -69,7 +63,7 @@ pub struct Job<'a> {
 /// A scene with the mask of its picture, and how long it took to load them.
 pub struct Loaded {
     description: Description,
-    mask: Option<Arc<Mask>>,
+    mask: Option<Mask>,
     /// What was read for it, or named there.
     inputs: Vec<PathBuf>,
     /// What it asked for and is not to be simulated.
@@ -125,19 +119,25 @@ impl<'a> Job<'a> {
         let heat = aim.cost.as_ref().map(|place| Heat::prepare(place, &mut guard)).transpose()?;
 
         let Loaded { description, left_out, took: load, .. } = scene;
-        let request = request(args, scene, report.is_some())?;
-        let cost_map = heat.is_some().then(|| Arc::new(CostMap::new(request.settings.size)));
-        let request = RenderRequest { cost_map, ..request };
-        format.holds(request.settings.picture_size())?;
-        let (frame, aimed) = self.aimed(description, &request, progress)?;
+        let resolved = resolved(args, scene)?;
+        let settings = &resolved.settings;
+        format.holds(settings.picture_size())?;
+        let cost_map = heat.is_some().then(|| CostMap::new(settings.size));
+        let options = RenderOptions {
+            mask: scene.mask.as_ref(),
+            count_tests: report.is_some(),
+            cost_map: cost_map.as_ref(),
+            ..RenderOptions::default()
+        };
+        let (frame, aimed) = self.aimed(description, &resolved, &options, progress)?;
         let clock = Instant::now();
         self.write(&frame.picture, output, progress)?;
-        if let (Some(heat), Some(cost_map)) = (heat, &request.cost_map) {
-            heat.write(&Costs::of(cost_map, request.settings.area()))?;
+        if let (Some(heat), Some(cost_map)) = (heat, &cost_map) {
+            heat.write(&Costs::of(cost_map, settings.area()))?;
         }
         let write = clock.elapsed();
 
-        let mut plan = plan(description, &frame.scene.asks);
+        let mut plan = plan(description, &frame.scene.effects);
         plan.extend_from_slice(left_out);
         if let Some((form, output)) = report {
             let mut stats = Stats::new(&plan, &frame);
@@ -150,7 +150,7 @@ impl<'a> Job<'a> {
             };
             output.commit(text.as_bytes())?;
         }
-        let taken = aimed.as_ref().map_or(&request.settings, |report| &report.aimed.taken);
+        let taken = aimed.as_ref().map_or(settings, |report| &report.aimed.taken);
         if !args.quiet {
             let mut summary = summary(path, &frame, &plan, taken.sampler, *load, write);
             if let Some(report) = &aimed {
@@ -165,48 +165,50 @@ impl<'a> Job<'a> {
     fn aimed(
         &self,
         description: &Description,
-        request: &RenderRequest,
+        resolved: &Resolved,
+        options: &RenderOptions<'_>,
         progress: &TerminalProgress,
     ) -> Result<(RenderOutput, Option<AimReport>), Failure> {
-        let Job { args, aim, begun, format, .. } = self;
+        let (Job { args, aim, begun, format, .. }, settings) = (self, &resolved.settings);
         let traced = if let Some(error) = aim.target_error {
             let given = &args.settings.given;
             let fixed = Fixed {
                 levels: given.levels.is_some(),
                 cutoff: given.cutoff.is_some(),
-                sampling: given.sampler.is_some(),
-                selecting: given.select.is_some(),
+                sampler: given.sampler.is_some(),
+                select: given.select.is_some(),
             };
-            aim::error::trace(description, request, Goal { error, fixed, verify: aim.verify }, progress)
+            let goal = Goal { error, fixed, verify: aim.verify };
+            aim::error::trace(description, settings, options, goal, progress)
         } else if let Some(time) = aim.time_limit {
             let limit = Limit { begun: *begun, time, format: *format };
-            aim::time::trace(description, request, limit, progress)
+            aim::time::trace(description, settings, options, limit, progress)
         } else {
-            return Ok((self.trace(description, request, progress)?, None));
+            return Ok((self.trace(description, settings, options, progress)?, None));
         };
         progress.end();
         let (frame, aimed) = traced.map_err(|error| self.failure(error))?;
-        let resolved = Resolved::new(&args.settings.given, &description.settings)?;
-        Ok((frame, Some(AimReport::new(args, &resolved, aimed, &self.path))))
+        Ok((frame, Some(AimReport::new(args, resolved, aimed, &self.path))))
     }
 
     /// Traces and writes a coarse picture, where that is quicker.
     pub fn draft(&self, scene: &Loaded, progress: &TerminalProgress) -> Result<(), Failure> {
-        let request = request(self.args, scene, false)?;
-        self.format.holds(request.settings.size)?;
-        let Some(coarse) = draft::of(&request) else { return Ok(()) };
+        let Resolved { settings, .. } = resolved(self.args, scene)?;
+        self.format.holds(settings.size)?;
+        let Some(coarse) = draft::of(&settings).filter(|_| scene.mask.is_none()) else { return Ok(()) };
         let output = Guard::of(&scene.inputs).prepare(&self.path)?;
-        let frame = self.trace(&scene.description, &coarse, progress)?;
-        self.write(&draft::enlarged(&frame.picture, request.settings.size), output, progress)
+        let frame = self.trace(&scene.description, &coarse, &RenderOptions::default(), progress)?;
+        self.write(&draft::enlarged(&frame.picture, settings.size), output, progress)
     }
 
     fn trace(
         &self,
         description: &Description,
-        request: &RenderRequest,
+        settings: &Settings,
+        options: &RenderOptions<'_>,
         progress: &TerminalProgress,
     ) -> Result<RenderOutput, Failure> {
-        let frame = session::render(description, request, progress);
+        let frame = session::render(description, settings, options, progress);
         progress.end();
         frame.map_err(|error| self.failure(error))
     }
@@ -269,29 +271,23 @@ fn resolved(args: &RenderArgs, scene: &Loaded) -> Result<Resolved, Failure> {
     if let (Some(path), Some(mask)) = (&args.mask, &scene.mask)
         && mask.size != resolved.settings.size
     {
-        let (is, needed) = (mask.size, resolved.settings.size);
+        let (is, wanted) = (mask.size, resolved.settings.size);
         let reason = format!(
             "the mask has {}x{} pixels, the picture {}x{}",
             is.width(),
             is.height(),
-            needed.width(),
-            needed.height()
+            wanted.width(),
+            wanted.height()
         );
         return Err(Failure::Input { path: path.clone(), line: None, reason });
     }
     Ok(resolved)
 }
 
-/// The picture that is asked for.
-fn request(args: &RenderArgs, scene: &Loaded, counted: bool) -> Result<RenderRequest, Failure> {
-    let Resolved { settings, .. } = resolved(args, scene)?;
-    Ok(RenderRequest { mask: scene.mask.clone(), counted, ..RenderRequest::new(settings) })
-}
-
 /// The pixels that are white in the picture at `path`.
-fn mask(files: &Files, path: &Path) -> Result<Arc<Mask>, Failure> {
+fn mask(files: &Files, path: &Path) -> Result<Mask, Failure> {
     let pixels = pixels::read(files, path)?;
-    Ok(Arc::new(Mask { size: pixels.size, pixels: pixels.values.are_white() }))
+    Ok(Mask { size: pixels.size, pixels: pixels.values.are_white() })
 }
 
 /// The scene's name with .png, in the current folder.

@@ -2,39 +2,16 @@
 
 use std::time::{Duration, Instant};
 
-use crate::description::Description;
-use crate::finding::Finding;
-use crate::precision::Precision;
-use crate::progress::Progress;
-use crate::ray_query::RayCaster;
-use crate::render_output::{AccelStats, RenderError, RenderOutput, Rendered, SceneStats};
-use crate::render_request::RenderRequest;
-use crate::scheduler::Scheduler;
-use crate::{double, engine, stock};
+use strahl_core::Counters;
+use strahl_engine::{
+    AccelMemory, AccelStats, Engine, Progress, RayCaster, RenderError, RenderOptions, Rendered, SceneEngine,
+    SceneStats, Scheduler,
+};
 use strahl_picture::Picture;
+use strahl_settings::{AccelSettings, Precision, Settings};
 
-/// A scene with its accelerator, whatever precision it computes with.
-pub trait Engine: Sync {
-    /// What is in the scene.
-    fn scene(&self) -> &SceneStats;
-
-    /// The accelerator.
-    fn accelerator(&self) -> &AccelStats;
-
-    /// Renders a picture.
-    fn render(&self, request: &RenderRequest, progress: &dyn Progress) -> Result<Rendered, RenderError>;
-
-    /// Renders a picture that becomes better pass by pass, as `scheduler` says; the last that was completed.
-    fn refine(
-        &self,
-        request: &RenderRequest,
-        progress: &dyn Progress,
-        scheduler: &mut dyn Scheduler,
-    ) -> Result<Rendered, RenderError>;
-
-    /// Finds the nearest hits of rays, for one thread.
-    fn ray_caster(&self) -> RayCaster<'_>;
-}
+use crate::description::Description;
+use crate::stock::{double, single};
 
 /// The tables of a scene, and memory for its accelerator. The caller keeps it as long as the session.
 #[derive(Debug)]
@@ -45,23 +22,40 @@ pub struct SceneStorage {
 
 #[derive(Debug)]
 enum Tables {
-    Single(Box<strahl_core::SceneTables>, engine::accelerators::AccelMemory),
-    Double(Box<strahl_core_double::SceneTables>, double::engine::accelerators::AccelMemory),
+    Single(Box<strahl_core::SceneTables>, strahl_core::View, AccelMemory),
+    Double(Box<strahl_core_double::SceneTables>, strahl_core_double::View, strahl_engine_double::AccelMemory),
 }
 
 impl SceneStorage {
     /// The tables of a scene in this precision.
     pub fn new(description: &Description, precision: Precision) -> Self {
         let clock = Instant::now();
+        let view = &description.view;
         let tables = match precision {
             Precision::Single => {
-                Tables::Single(Box::new(stock::single::scene_tables(description)), Default::default())
+                let tables = Box::new(single::scene_tables(description));
+                Tables::Single(tables, single::view(view), AccelMemory::default())
             }
             Precision::Double => {
-                Tables::Double(Box::new(stock::double::scene_tables(description)), Default::default())
+                let tables = Box::new(double::scene_tables(description));
+                Tables::Double(tables, double::view(view), strahl_engine_double::AccelMemory::default())
             }
         };
         SceneStorage { tables, build: clock.elapsed() }
+    }
+
+    /// What is in the scene.
+    pub fn scene_stats(&self) -> Result<SceneStats, RenderError> {
+        match &self.tables {
+            Tables::Single(tables, view, _) => {
+                let scene = tables.scene().map_err(RenderError::invalid)?;
+                Ok(strahl_engine::scene_engine::scene_stats(&scene, view))
+            }
+            Tables::Double(tables, view, _) => {
+                let scene = tables.scene().map_err(RenderError::invalid)?;
+                Ok(strahl_engine_double::scene_engine::scene_stats(&scene, view))
+            }
+        }
     }
 }
 
@@ -74,21 +68,18 @@ pub struct Session<'s> {
 
 impl<'s> Session<'s> {
     /// Builds the accelerator that is asked for.
-    pub fn new(
-        description: &Description,
-        storage: &'s mut SceneStorage,
-        finding: &Finding,
-    ) -> Result<Self, RenderError> {
+    pub fn new(storage: &'s mut SceneStorage, accelerator: &AccelSettings) -> Result<Self, RenderError> {
         let clock = Instant::now();
         let SceneStorage { tables, build } = storage;
         let (engine, precision): (Box<dyn Engine + 's>, _) = match tables {
-            Tables::Single(tables, memory) => {
-                let session = engine::session::Session::new(description, tables, finding, memory)?;
-                (Box::new(session), Precision::Single)
+            Tables::Single(tables, view, memory) => {
+                let scene = tables.scene().map_err(RenderError::invalid)?;
+                (Box::new(SceneEngine::new(scene, *view, accelerator, memory)?), Precision::Single)
             }
-            Tables::Double(tables, memory) => {
-                let session = double::engine::session::Session::new(description, tables, finding, memory)?;
-                (Box::new(session), Precision::Double)
+            Tables::Double(tables, view, memory) => {
+                let scene = tables.scene().map_err(RenderError::invalid)?;
+                let engine = strahl_engine_double::SceneEngine::new(scene, *view, accelerator, memory)?;
+                (Box::new(engine), Precision::Double)
             }
         };
         Ok(Session { engine, precision, build: *build + clock.elapsed() })
@@ -109,20 +100,22 @@ impl<'s> Session<'s> {
     /// Precision and accelerator are those of the session, whatever else the settings ask for.
     pub fn render(
         &self,
-        request: &RenderRequest,
+        settings: &Settings,
+        options: &RenderOptions<'_>,
         progress: &dyn Progress,
     ) -> Result<RenderOutput, RenderError> {
-        Ok(self.output(request, self.engine.render(request, progress)?))
+        Ok(self.output(settings, self.engine.render(settings, options, progress)?))
     }
 
-    /// Renders a picture that becomes better pass by pass, as `scheduler` says; the last that was completed.
+    /// Renders a picture that becomes better pass by pass, as `scheduler` decides; the last that was completed.
     pub fn refine(
         &self,
-        request: &RenderRequest,
+        settings: &Settings,
+        options: &RenderOptions<'_>,
         progress: &dyn Progress,
         scheduler: &mut dyn Scheduler,
     ) -> Result<RenderOutput, RenderError> {
-        Ok(self.output(request, self.engine.refine(request, progress, scheduler)?))
+        Ok(self.output(settings, self.engine.refine(settings, options, progress, scheduler)?))
     }
 
     /// Finds the nearest hits of rays, for one thread.
@@ -130,10 +123,10 @@ impl<'s> Session<'s> {
         self.engine.ray_caster()
     }
 
-    fn output(&self, request: &RenderRequest, rendered: Rendered) -> RenderOutput {
+    fn output(&self, settings: &Settings, rendered: Rendered) -> RenderOutput {
         let Rendered { colors, counters, trace, trace_cpu } = rendered;
         RenderOutput {
-            picture: Picture { size: request.settings.picture_size(), colors },
+            picture: Picture { size: settings.picture_size(), colors },
             counters,
             precision: self.precision,
             scene: *self.scene(),
@@ -145,12 +138,34 @@ impl<'s> Session<'s> {
     }
 }
 
+/// A picture, and what it took.
+#[derive(Debug)]
+pub struct RenderOutput {
+    /// The picture.
+    pub picture: Picture,
+    /// The work; that of tests where it was to be counted.
+    pub counters: Counters,
+    /// What was computed with.
+    pub precision: Precision,
+    /// What is in the scene.
+    pub scene: SceneStats,
+    /// The accelerator.
+    pub accelerator: AccelStats,
+    /// Wall-clock time of making the tables and the accelerator.
+    pub build: Duration,
+    /// Wall-clock time of tracing.
+    pub trace: Duration,
+    /// Processor time of tracing, the sum over all threads.
+    pub trace_cpu: Duration,
+}
+
 /// Opens a scene and renders one picture of it.
 pub fn render(
     description: &Description,
-    request: &RenderRequest,
+    settings: &Settings,
+    options: &RenderOptions<'_>,
     progress: &dyn Progress,
 ) -> Result<RenderOutput, RenderError> {
-    let mut storage = SceneStorage::new(description, request.settings.precision);
-    Session::new(description, &mut storage, &request.settings.acceleration())?.render(request, progress)
+    let mut storage = SceneStorage::new(description, settings.precision);
+    Session::new(&mut storage, &settings.acceleration())?.render(settings, options, progress)
 }

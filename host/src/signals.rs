@@ -4,9 +4,9 @@ use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
 
 use signal_hook::consts::{SIGINT, SIGTERM};
+use strahl_engine::Interrupt;
 
 use crate::failure::Failure;
-use crate::interrupt::Interrupt;
 
 /// Flags that signals and news raise, and that work asks between two pixels.
 #[derive(Clone, Debug, Default)]

@@ -9,7 +9,7 @@ use strahl_core::{RayKind, ShapeKind};
 use crate::aim_report::AimReport;
 use crate::amount::amount;
 use crate::plan::{self, Effect};
-use crate::render_output::RenderOutput;
+use crate::session::RenderOutput;
 use crate::summary::percent;
 
 /// A report on one picture. Field by field as the command line promises it.
@@ -163,7 +163,11 @@ impl Stats {
                 objects: facts.objects,
                 triangles: facts.triangles,
                 lights: facts.lights,
-                effects: Effect::ALL.into_iter().filter(|e| e.is_in(&facts.asks)).map(Effect::name).collect(),
+                effects: Effect::ALL
+                    .into_iter()
+                    .filter(|e| e.is_in(&facts.effects))
+                    .map(Effect::name)
+                    .collect(),
             },
             plan: plan.iter().flat_map(steps).collect(),
             picture: PictureStats { width: frame.picture.size.width(), height: frame.picture.size.height() },

@@ -6,15 +6,14 @@ use std::time::{Duration, Instant};
 use std::{fs, io, iter};
 
 use indicatif::{ProgressBar, ProgressStyle};
+use strahl_engine::{Interrupt, Progress, RenderError};
+use strahl_settings::Settings;
 
 use crate::args::StudyArgs;
 use crate::description::Description;
 use crate::failure::Failure;
-use crate::interrupt::Interrupt;
 use crate::load::{Files, load_from};
 use crate::output::{Guard, Output, say, tell};
-use crate::progress::Progress;
-use crate::render_output::RenderError;
 use crate::signals::Signals;
 use crate::study::device::Device;
 use crate::study::error::{ParseError, StudyError};

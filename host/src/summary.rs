@@ -7,12 +7,12 @@ use std::time::Duration;
 use anstyle::{AnsiColor, Effects, Style};
 use indicatif::{HumanBytes, HumanCount};
 use strahl_core::RayKind;
+use strahl_settings::Precision;
 
 use crate::amount::amount;
 use crate::plan::{Effect, Step};
-use crate::precision::Precision;
-use crate::render_output::RenderOutput;
-use crate::sampling::Sampling;
+use crate::session::RenderOutput;
+use strahl_settings::Sampling;
 
 /// Where the text of the lines begins.
 pub const INDENT: usize = 12;

@@ -3,9 +3,8 @@
 use std::time::Duration;
 
 use indicatif::{HumanCount, ProgressBar, ProgressState, ProgressStyle};
+use strahl_engine::{Interrupt, Progress};
 
-use crate::interrupt::Interrupt;
-use crate::progress::Progress;
 use crate::signals::Signals;
 use crate::wrap::width_of_stderr;
 

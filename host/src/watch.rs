@@ -15,10 +15,10 @@ use std::{io, iter};
 
 use notify::event::{AccessKind, AccessMode, EventKind, ModifyKind};
 use notify::{Config, Event, PollWatcher, RecommendedWatcher, RecursiveMode, Watcher};
+use strahl_engine::Interrupt;
 
 use crate::args::RenderArgs;
 use crate::failure::Failure;
-use crate::interrupt::Interrupt;
 use crate::load::Files;
 use crate::output::{complain, say};
 use crate::render::Job;

@@ -17,15 +17,12 @@ use std::path::Path;
 use std::process::ExitCode;
 
 use strahl::args::GenerateArgs;
-use strahl::finding::{Finding, Kind};
 use strahl::generate;
 use strahl::procedural::What;
-use strahl::progress::NoProgress;
-use strahl::render_output::RenderOutput;
-use strahl::render_request::RenderRequest;
-use strahl::session;
+use strahl::session::{self, RenderOutput};
 use strahl_core::Size;
-use strahl_settings::Settings;
+use strahl_engine::{NoProgress, RenderOptions};
+use strahl_settings::{AccelKind, AccelSettings, Settings};
 
 /// What is made, and how large.
 const SCENES: [(What, u32); 10] = [
@@ -51,7 +48,7 @@ const TURNS: usize = 3;
 struct Row {
     what: What,
     objects: usize,
-    kind: Kind,
+    kind: AccelKind,
     build: f64,
     trace: f64,
 }
@@ -96,22 +93,21 @@ fn scene(what: What, size: u32, path: &Path, rows: &mut Vec<Row>) -> Result<bool
     let description = strahl::load::load(path)?;
     let objects = description.objects.len();
     let mut digests = Vec::new();
-    for kind in Kind::ALL.into_iter().filter(|kind| *kind != Kind::List || objects <= LISTED) {
+    for kind in AccelKind::ALL.into_iter().filter(|kind| *kind != AccelKind::List || objects <= LISTED) {
         let size = Size::new(512, 512).ok_or("no size")?;
-        let settings = Settings { levels: 5, cutoff: 0.0, threads: 1, ..Settings::of_size(size) };
-        let settings = settings.with_acceleration(Finding::by(kind));
-        let request = RenderRequest { counted: false, ..RenderRequest::new(settings) };
-        let trace = |request: &RenderRequest| session::render(&description, request, &NoProgress);
+        let settings = Settings { size, levels: 5, cutoff: 0.0, threads: 1, ..Settings::default() };
+        let settings = settings.with_acceleration(AccelSettings::by(kind));
+        let trace = |options| session::render(&description, &settings, &options, &NoProgress);
         let (mut quickest, mut build): (Option<RenderOutput>, f64) = (None, f64::INFINITY);
         for _ in 0..TURNS {
-            let frame = trace(&request)?;
+            let frame = trace(RenderOptions::default())?;
             build = build.min(frame.accelerator.build.as_secs_f64());
             if quickest.as_ref().is_none_or(|quickest| frame.trace_cpu < quickest.trace_cpu) {
                 quickest = Some(frame);
             }
         }
         let frame = quickest.ok_or("no turn")?;
-        let counts = trace(&RenderRequest { counted: true, ..request })?.counters;
+        let counts = trace(RenderOptions::COUNT_TESTS)?.counters;
         let (each, facts) = (1.0 / objects as f64, &frame.accelerator);
         let (rays, seconds) = (counts.rays.sum() as f64, frame.trace_cpu.as_secs_f64());
         println!(
@@ -142,7 +138,7 @@ fn growth(rows: &[Row]) {
     let of = |kind, objects| {
         rows.iter().find(|row| row.what == What::Sphereflake && row.kind == kind && row.objects == objects)
     };
-    for kind in Kind::ALL {
+    for kind in AccelKind::ALL {
         if let (Some(few), Some(many)) = (of(kind, 7_382), of(kind, 597_872)) {
             let [trace, build] = [many.trace / few.trace, many.build / few.build];
             println!("| {} | {trace:.2} times | {build:.0} times |", kind.name());

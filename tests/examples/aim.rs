@@ -15,22 +15,20 @@
 
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
-use std::sync::Arc;
 
 use strahl::aim::Target;
-use strahl::aim::error::{Fixed, Goal, Search, Setting, trace};
-use strahl::aim::notches::{Notch, limits_of_truth};
+use strahl::aim::error::trace;
+use strahl::aim::limits::{PricedLimits, limits_of_reference, priced_limits};
 use strahl::aim::plan::{Rays, SAVES, rays};
+use strahl::aim::reference::reference;
+use strahl::aim::search::{Candidate, Fixed, Goal, Search};
 use strahl::aim::sparse::rmse;
-use strahl::aim::truth::truth;
 use strahl::cost::WEIGHTS;
-use strahl::cost_map::CostMap;
+use strahl::description::Description;
 use strahl::load::load;
-use strahl::progress::NoProgress;
-use strahl::render_output::RenderError;
-use strahl::render_request::RenderRequest;
 use strahl::session::{SceneStorage, Session};
 use strahl_core::{Rgb, Size};
+use strahl_engine::{CostMap, NoProgress, RenderError, RenderOptions};
 use strahl_settings::{PartialSettings, Settings};
 
 /// Scenes of different kinds, each with limits that ask for little or much.
@@ -98,42 +96,42 @@ struct Row {
 fn hold(name: &str, limit: f64, size: Size) -> Row {
     let path: PathBuf = Path::new(env!("CARGO_MANIFEST_DIR")).parent().unwrap().join("scenes").join(name);
     let description = load(&path).unwrap_or_else(|error| panic!("{name}: {error}"));
-    let settings = Settings::resolve(&PartialSettings::default(), &description.settings).unwrap();
-    let request = RenderRequest::new(Settings { size, ..settings });
+    let settings = Settings { size, ..settings(&description) };
+    let options = RenderOptions::default();
     let goal = Goal { error: limit, fixed: Fixed::default(), verify: true };
-    let (_, aimed) = trace(&description, &request, goal, &NoProgress).unwrap();
+    let (_, aimed) = trace(&description, &settings, &options, goal, &NoProgress).unwrap();
     let Target::Error { estimate, at_most, measured, .. } = aimed.target else { unreachable!() };
     let taken = aimed.taken;
 
     let mut best = None;
-    let mut storage = SceneStorage::new(&description, request.settings.precision);
-    let session = Session::new(&description, &mut storage, &request.settings.acceleration()).unwrap();
-    let mut search = Search::new(&session, &request, goal, &NoProgress);
-    let notches = search.notches(&session.scene().asks).unwrap();
-    let reference = truth(&request, limits_of_truth(&notches, limit), limit, 1);
-    let reference = session.render(&reference, &NoProgress).unwrap().picture.colors;
-    let whole = Whole { session: &session, request: &request, reference: &reference };
-    let (price_of_taken, _) = whole.look(&request.with(taken.clone())).unwrap();
+    let mut storage = SceneStorage::new(&description, settings.precision);
+    let session = Session::new(&mut storage, &settings.acceleration()).unwrap();
+    let mut search = Search::new(&session, &settings, options, goal, &NoProgress);
+    let priced = priced_limits(&mut search, &session.scene().effects).unwrap();
+    let reference = reference(&settings, limits_of_reference(&priced, limit), limit, 1);
+    let reference = session.render(&reference, &options, &NoProgress).unwrap().picture.colors;
+    let whole = Whole { session: &session, reference: &reference };
+    let (price_of_taken, _) = whole.look(&taken).unwrap();
 
     let mut cheapest = f64::INFINITY;
     // What was seen at the finest levels and cutoff: rays, their error and their price.
     let mut seen: Vec<(Rays, f64, f64)> = Vec::new();
     // The most that coarser ones can save.
-    let part = notches.last().map_or(1.0, |notch| notch.price);
-    for rays in rays(request.settings.filter, limit) {
+    let part = priced.last().map_or(1.0, |it| it.cost);
+    for rays in rays(settings.filter, limit) {
         let is_dear = |(before, _, price): &(Rays, f64, f64)| {
             rays.times(*before).is_some_and(|times| SAVES * times * part * price > cheapest)
         };
         if seen.iter().any(|it| is_dear(it) || is_hopeless(it.0, it.1, rays, limit)) {
             continue;
         }
-        let look = |notch: &Notch| {
-            let setting = Setting { limits: notch.limits, rays };
-            let (price, error) = whole.look(&setting.of(&request)).unwrap();
+        let look = |of: &PricedLimits| {
+            let setting = Candidate { limits: of.limits, rays };
+            let (price, error) = whole.look(&setting.apply(&settings)).unwrap();
             (setting, price, error)
         };
         // What the finest levels and cutoff do not keep, no others do.
-        let (setting, price, error) = look(&notches[0]);
+        let (setting, price, error) = look(&priced[0]);
         seen.push((rays, error, price));
         if error > limit {
             continue;
@@ -142,11 +140,11 @@ fn hold(name: &str, limit: f64, size: Size) -> Row {
             (cheapest, best) = (price, Some((setting, error, price)));
         }
         // From the cheapest on: the first that keeps it is the cheapest of these rays.
-        for notch in notches[1..].iter().rev() {
-            if 0.9 * price * notch.price > cheapest {
+        for of in priced[1..].iter().rev() {
+            if 0.9 * price * of.cost > cheapest {
                 break;
             }
-            let (setting, price, error) = look(notch);
+            let (setting, price, error) = look(of);
             if error <= limit && price < cheapest {
                 (cheapest, best) = (price, Some((setting, error, price)));
                 break;
@@ -159,7 +157,7 @@ fn hold(name: &str, limit: f64, size: Size) -> Row {
         estimate,
         at_most,
         true_error: measured.unwrap(),
-        best: words(&setting.of(&request).settings),
+        best: words(&setting.apply(&settings)),
         best_error,
         ratio: price_of_taken / best_price,
     }
@@ -168,7 +166,7 @@ fn hold(name: &str, limit: f64, size: Size) -> Row {
 /// Whether this many rays cannot keep the limit, because the error of a sampler falls at most as the number
 /// of its rays rises (twice as many, half the error), which the best of sequences do.
 fn is_hopeless(before: Rays, error: f64, rays: Rays, limit: f64) -> bool {
-    let same = std::mem::discriminant(&before.sampling) == std::mem::discriminant(&rays.sampling);
+    let same = std::mem::discriminant(&before.sampler) == std::mem::discriminant(&rays.sampler);
     match (before.count(), rays.count()) {
         // Single rays are no sampler; two or three rays tell little.
         (Some(known), Some(count)) if same && known >= 4 && count > known => {
@@ -176,6 +174,11 @@ fn is_hopeless(before: Rays, error: f64, rays: Rays, limit: f64) -> bool {
         }
         _ => false,
     }
+}
+
+/// What the scene asks for, but for its rays and limits, which are looked for.
+fn settings(description: &Description) -> Settings {
+    Settings::resolve(&PartialSettings::default(), &description.settings).unwrap()
 }
 
 fn words(settings: &Settings) -> String {
@@ -189,16 +192,14 @@ fn words(settings: &Settings) -> String {
 /// All pixels, held against the truth.
 struct Whole<'w> {
     session: &'w Session<'w>,
-    request: &'w RenderRequest,
     reference: &'w [Rgb],
 }
 
 impl Whole<'_> {
-    fn look(&self, request: &RenderRequest) -> Result<(f64, f64), RenderError> {
-        debug_assert_eq!(request.settings.size, self.request.settings.size);
-        let cost_map = Arc::new(CostMap::new(request.settings.size));
-        let request = RenderRequest { cost_map: Some(Arc::clone(&cost_map)), ..request.clone() };
-        let output = self.session.render(&request, &NoProgress)?;
+    fn look(&self, settings: &Settings) -> Result<(f64, f64), RenderError> {
+        let cost_map = CostMap::new(settings.size);
+        let options = RenderOptions { cost_map: Some(&cost_map), ..RenderOptions::default() };
+        let output = self.session.render(settings, &options, &NoProgress)?;
         let price = WEIGHTS.work_of_map(&cost_map, output.accelerator.choice.kind);
         let error = rmse(&output.picture.colors, self.reference);
         Ok((price, error))

@@ -16,19 +16,19 @@ use std::error::Error;
 use std::path::{Path, PathBuf};
 
 use strahl::bake::{Asked, bake, chip, counted, source};
-use strahl::finding::Kind;
 use strahl::load::load_for;
 use strahl::stock::single::{scene_tables, view};
 use strahl_core::{
     Aabb, Camera, Everything, Frame, Limits, List, Rgb, Single, Size, Tile, Tracer, Worker, World,
     group_count, render,
 };
+use strahl_settings::AccelKind;
 
 /// A scene that is drawn on the chip.
 struct Scene {
     name: &'static str,
     file: &'static str,
-    accelerator: Kind,
+    accelerator: AccelKind,
     size: Size,
     levels: u8,
     /// The most nodes of the hierarchy: for what flash there is.
@@ -43,21 +43,28 @@ const SCENES: [Scene; 4] = [
     Scene {
         name: "classic",
         file: "classic",
-        accelerator: Kind::Octree,
+        accelerator: AccelKind::Octree,
         size: SMALL,
         levels: 6,
         nodes: None,
     },
-    Scene { name: "rotunda", file: "rotunda", accelerator: Kind::Grid, size: SMALL, levels: 6, nodes: None },
-    Scene { name: "mesh", file: "", accelerator: Kind::Bvh, size: SMALL, levels: 6, nodes: None },
-    Scene { name: "first", file: "first", accelerator: Kind::List, size: SMALL, levels: 6, nodes: None },
+    Scene {
+        name: "rotunda",
+        file: "rotunda",
+        accelerator: AccelKind::Grid,
+        size: SMALL,
+        levels: 6,
+        nodes: None,
+    },
+    Scene { name: "mesh", file: "", accelerator: AccelKind::Bvh, size: SMALL, levels: 6, nodes: None },
+    Scene { name: "first", file: "first", accelerator: AccelKind::List, size: SMALL, levels: 6, nodes: None },
 ];
 
 /// The sphereflake of the procedural databases.
 const BALLS: Scene = Scene {
     name: "balls",
     file: "balls.nff",
-    accelerator: Kind::Bvh,
+    accelerator: AccelKind::Bvh,
     size: Size::new(128, 96).unwrap(),
     levels: 5,
     nodes: Some(1800),
@@ -80,7 +87,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     let constants = strahl_core::Scene::new(golden::parts())?;
     let (view, size, limits) = (golden::VIEW, golden::SIZE, golden::LIMITS);
     let Limits { levels, cutoff } = limits;
-    let asked = Asked { accelerator: Kind::Grid, nodes: None, view, size, levels, cutoff };
+    let asked = Asked { accelerator: AccelKind::Grid, nodes: None, view, size, levels, cutoff };
     bake_and_draw("golden", &constants, &asked, &folder)?;
     if let Some(databases) = arguments.next() {
         make(&BALLS, &databases.join(BALLS.file), &folder)?;

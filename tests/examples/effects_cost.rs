@@ -5,7 +5,7 @@
 //! ```
 //!
 //! Each scene is traced by the tracer that the program has for it
-//! (`strahl::effects`), by one of all shapes and exactly its effects, by one of exactly its shapes
+//! (`strahl_engine::prepared`), by one of all shapes and exactly its effects, by one of exactly its shapes
 //! and effects, and by the one that can do everything. Callgrind counts the instructions below
 //! `Tracer::trace`. Exit status 1 when a scene pays more than 1 % in the program,
 //! or when not all pictures are the same, bit for bit. Needs valgrind.
@@ -14,8 +14,6 @@ use std::error::Error;
 use std::path::Path;
 use std::process::{Command, ExitCode};
 
-use strahl::effects::{self, prepared_for};
-use strahl::finding::{Finding, Kind};
 use strahl::stock::single;
 use strahl_core::{
     Aabb, Accelerator, BvhBuilder, BvhNode, BvhSize, Camera, EffectSet, Effects, Everything, LeafEntry,
@@ -23,6 +21,8 @@ use strahl_core::{
     Size, TextureKind, TextureSet, Tile, Tracer, TraversalStack, TriangleBlock, Worker, World, group_count,
     render,
 };
+use strahl_engine::prepared::{self, prepared_for};
+use strahl_settings::{AccelKind, AccelSettings};
 
 /// Pixels of the picture.
 const SIZE: (u32, u32) = (64, 48);
@@ -98,7 +98,7 @@ fn traced<E: Effects>(path: &Path) -> Result<u64, Box<dyn Error>> {
     let levels = description.settings.levels.unwrap_or(Limits::DEFAULT.levels);
     let limits = Limits { levels, ..Limits::DEFAULT };
     let bounded = boxes.iter().filter(|aabb| !aabb.is_empty()).count();
-    if Finding::default().choice(bounded).kind == Kind::List {
+    if AccelSettings::DEFAULT.choice(bounded).kind == AccelKind::List {
         let mut groups = vec![Aabb::EMPTY; group_count(boxes.len())];
         return hash::<_, E>(&World::new(scene, List::with_boxes(&boxes, &mut groups)?), camera, limits);
     }
@@ -144,7 +144,7 @@ fn prepared(name: &str) -> Result<Way, Box<dyn Error>> {
     macro_rules! ways {
         ($($name:ident)*) => {
             match name {
-                $(stringify!($name) => Ok(traced::<effects::$name>),)*
+                $(stringify!($name) => Ok(traced::<prepared::$name>),)*
                 "Everything" => Ok(traced::<Everything>),
                 _ => Err(format!("there is no prepared effect set {name} here").into()),
             }
@@ -191,7 +191,7 @@ fn main() -> Result<ExitCode, Box<dyn Error>> {
          with boxes where there are few items, else by the hierarchy; loading and building are not in it. A tracer is\n\
          compiled for a set of effects. *Own set*: the tracer of all shapes and of exactly the effects, lights and\n\
          textures that the scene asks for. Against that: *prepared*, the one that the program takes\n\
-         (`host/src/effects.rs`); *everything*, the one that can do everything; *shapes*, one of the own set and of the\n\
+         (`host/engine/src/prepared.rs`); *everything*, the one that can do everything; *shapes*, one of the own set and of the\n\
          scene's shapes alone, as a device may have it. All four pictures are the same, bit for bit.\n",
         SIZE.0, SIZE.1
     );

@@ -14,18 +14,16 @@ use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 use std::time::Duration;
 
-use strahl::engine::session::scene_stats;
 use strahl::load::load;
-use strahl::progress::NoProgress;
-use strahl::stock::single::scene_tables;
+use strahl::session::SceneStorage;
 use strahl::study::bench::Bench;
 use strahl::study::conduct::Conduct;
-use strahl::study::options::Options;
 use strahl::study::page::numbers;
 use strahl::study::plan::Plan;
 use strahl::study::record::{Run, Technique};
-use strahl_core::{Limits, Size};
-use strahl_settings::Settings;
+use strahl_core::Size;
+use strahl_engine::NoProgress;
+use strahl_settings::{Precision, Settings};
 
 /// The procedural databases, and what they are.
 const DATABASES: [&str; 7] = ["balls", "gears", "mount", "rings", "teapot", "tetra", "tree"];
@@ -59,15 +57,15 @@ fn evaluate(path: &Path) -> Result<Evaluated, Box<dyn Error>> {
     let plan = Plan { repeats: 3, ..Plan::QUICK };
     let limit = Some(Duration::from_secs(SECONDS));
     let bench = Bench::new(&scene, size, &NoProgress, limit);
-    let levels = scene.settings.levels.unwrap_or(Limits::DEFAULT.levels);
-    let settings = Settings { levels, threads: 1, ..Settings::of_size(size) };
+    let default = Settings::default();
+    let levels = scene.settings.levels.unwrap_or(default.levels);
+    let settings = Settings { size, levels, threads: 1, ..default };
     let mut conduct = Conduct::new(&bench, &plan);
-    conduct.evaluate(&Options::of(&settings))?;
+    conduct.evaluate(&settings)?;
     let Conduct { taken, techniques, .. } = conduct;
     let name = path.file_stem().unwrap_or_default().to_string_lossy().into_owned();
     let runs = taken.into_iter().map(|taken| taken.run).collect();
-    let stock = scene_tables(&scene);
-    let objects = scene_stats(&scene, &stock.scene()?).objects;
+    let objects = SceneStorage::new(&scene, Precision::Single).scene_stats()?.objects;
     Ok(Evaluated { name, objects, techniques, runs })
 }
 

@@ -15,12 +15,10 @@ use std::path::Path;
 use std::process::{Command, Stdio};
 use std::time::Instant;
 
-use strahl::finding::{Finding, Kind};
-use strahl::progress::NoProgress;
-use strahl::render_request::RenderRequest;
 use strahl::session;
 use strahl_core::Size;
-use strahl_settings::Settings;
+use strahl_engine::{NoProgress, RenderOptions};
+use strahl_settings::{AccelKind, AccelSettings, Settings};
 
 /// The scenes, and pixels along a side.
 const SCENES: [(&str, u32); 7] = [
@@ -42,7 +40,7 @@ const WAYS: [&str; 2] = ["+MB3", "+BM2"];
 const TURNS: usize = 3;
 
 /// Ours, from the one that is held against every limit on.
-const KINDS: [Kind; 3] = [Kind::Bvh, Kind::Octree, Kind::Grid];
+const KINDS: [AccelKind; 3] = [AccelKind::Bvh, AccelKind::Octree, AccelKind::Grid];
 
 /// Before the table.
 const HEAD: &str = "\
@@ -119,15 +117,14 @@ fn povray(scene: &Path, side: u32, way: &str) -> Result<Took, Box<dyn Error>> {
 }
 
 /// One turn of ours.
-fn strahl(scene: &Path, side: u32, kind: Kind) -> Result<Took, Box<dyn Error>> {
+fn strahl(scene: &Path, side: u32, kind: AccelKind) -> Result<Took, Box<dyn Error>> {
     let clock = Instant::now();
     let description = strahl::load::load(scene)?;
     let load = clock.elapsed();
     let size = Size::new(side, side).ok_or("no size")?;
-    let settings = Settings { levels: 5, cutoff: 0.0, threads: 1, ..Settings::of_size(size) };
-    let settings = settings.with_acceleration(Finding::by(kind));
-    let request = RenderRequest { counted: false, ..RenderRequest::new(settings) };
-    let frame = session::render(&description, &request, &NoProgress)?;
+    let settings = Settings { size, levels: 5, cutoff: 0.0, threads: 1, ..Settings::default() };
+    let settings = settings.with_acceleration(AccelSettings::by(kind));
+    let frame = session::render(&description, &settings, &RenderOptions::default(), &NoProgress)?;
     let counts = frame.counters;
     Ok(Took {
         ready: (load + frame.build).as_secs_f64(),
@@ -171,7 +168,7 @@ fn main() -> Result<(), Box<dyn Error>> {
         );
         for ((took, kind), (sum, count)) in ours.iter().zip(KINDS).zip(&mut means) {
             let times = best / took.trace;
-            if kind != Kind::Grid || GRIDDED.contains(&name) {
+            if kind != AccelKind::Grid || GRIDDED.contains(&name) {
                 *sum += times.ln();
                 *count += 1.0;
             }

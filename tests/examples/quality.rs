@@ -13,15 +13,14 @@ use std::error::Error;
 use std::path::Path;
 use std::process::ExitCode;
 
-use strahl::progress::NoProgress;
-use strahl::render_request::RenderRequest;
 use strahl_core::{
-    BareList, Camera, CameraSample, Everything, Limits, Pixel, PixelSample, RayKind, RayTracer, Rgb, Sampler,
-    Size, SobolSequence, Tile, Tracer, Worker, World, render,
+    BareList, Camera, CameraSample, Everything, Pixel, PixelSample, RayKind, RayTracer, Rgb, Sampler, Size,
+    SobolSequence, Tile, Tracer, Worker, World, render,
 };
+use strahl_engine::{NoProgress, RenderOptions};
 use strahl_picture::Values;
 use strahl_picture::difference::Pair;
-use strahl_settings::{Agreement, PixelSelection as Selecting, Sampling, Settings};
+use strahl_settings::{Agreement, PixelSelection, Sampling, Settings};
 
 /// The scenes, and what is hard in them.
 const SCENES: [(&str, &str); 4] = [
@@ -111,13 +110,14 @@ impl Scene {
     }
 
     fn settings(&self, sampler: Sampling) -> Settings {
-        let levels = self.description.settings.levels.unwrap_or(Limits::DEFAULT.levels);
-        Settings { sampler, levels, ..Settings::of_size(self.size) }
+        let default = Settings::default();
+        let levels = self.description.settings.levels.unwrap_or(default.levels);
+        Settings { size: self.size, sampler, levels, ..default }
     }
 
     fn traced(&self, settings: &Settings) -> Result<(Vec<Rgb>, f64), Box<dyn Error>> {
-        let frame =
-            strahl::session::render(&self.description, &RenderRequest::new(settings.clone()), &NoProgress)?;
+        let options = RenderOptions::COUNT_TESTS;
+        let frame = strahl::session::render(&self.description, settings, &options, &NoProgress)?;
         let rays = frame.counters.rays[RayKind::Camera];
         let pixels = u64::from(self.size.width()) * u64::from(self.size.height());
         Ok((frame.picture.colors, rays as f64 / pixels as f64))
@@ -226,8 +226,8 @@ fn main() -> Result<ExitCode, Box<dyn Error>> {
     );
     for (name, step, threshold) in [("stained", 4, 0.03), ("stained", 8, 0.03), ("stained", 8, 0.1)] {
         let mut scene = Scene::of_all_pixels(name)?;
-        let selecting = Some(Selecting { step, agreement: Agreement { threshold, items: true } });
-        let settings = Settings { select: selecting, ..scene.settings(Sampling::Single) };
+        let select = Some(PixelSelection { step, agreement: Agreement { threshold, items: true } });
+        let settings = Settings { select, ..scene.settings(Sampling::Single) };
         scene.reference = scene.traced(&scene.settings(Sampling::Single))?.0;
         let it = scene.measured(scene.traced(&settings)?);
         println!(

@@ -20,12 +20,10 @@ use std::error::Error;
 use std::path::PathBuf;
 use std::process::ExitCode;
 
-use strahl::finding::{Choice, Finding, Kind};
-use strahl::progress::NoProgress;
-use strahl::render_output::RenderOutput;
-use strahl::render_request::RenderRequest;
+use strahl::session::RenderOutput;
 use strahl_core::{Counters, RayKind, Size};
-use strahl_settings::{Sampling, Settings};
+use strahl_engine::{NoProgress, RenderOptions};
+use strahl_settings::{AccelChoice, AccelKind, AccelSettings, Sampling, Settings};
 
 /// Camera rays that hit, reflected, refracted and shadow rays, and how far off they may be.
 ///
@@ -54,9 +52,10 @@ const GOOD_ENOUGH: f64 = 1.3;
 const NOISE: f64 = 0.05;
 
 /// Accelerators, and how much they are asked to remember.
-fn ways() -> Vec<Finding> {
-    let with_mailbox = Kind::ALL.map(Finding::by);
-    let without = [Kind::Grid, Kind::Octree].map(|kind| Finding { mailbox: 0, ..Finding::by(kind) });
+fn ways() -> Vec<AccelSettings> {
+    let with_mailbox = AccelKind::ALL.map(AccelSettings::by);
+    let without = [AccelKind::Grid, AccelKind::Octree]
+        .map(|kind| AccelSettings { mailbox: 0, ..AccelSettings::by(kind) });
     [&with_mailbox[..], &without].concat()
 }
 
@@ -95,15 +94,17 @@ fn tell(frame: &RenderOutput, counters: &Counters) -> f64 {
 fn main() -> Result<ExitCode, Box<dyn Error>> {
     let folder = PathBuf::from(std::env::args_os().nth(1).ok_or("usage: spd FOLDER")?);
     let size = Size::new(512, 512).ok_or("no size")?;
-    let settings = Settings { levels: 5, cutoff: 0.0, sampler: Sampling::CORNERS, ..Settings::of_size(size) };
+    let settings =
+        Settings { size, levels: 5, cutoff: 0.0, sampler: Sampling::CORNERS, ..Settings::default() };
     let mut all_hold = true;
     for (name, published, limit) in PUBLISHED {
         let description = strahl::load::load(&folder.join(name).with_extension("nff"))?;
         let mut first: Option<(String, Counters)> = None;
         let mut seconds = Vec::new();
-        for finding in ways() {
-            let request = RenderRequest::new(settings.clone().with_acceleration(finding));
-            let frame = strahl::session::render(&description, &request, &NoProgress)?;
+        for accel in ways() {
+            let settings = settings.clone().with_acceleration(accel);
+            let options = RenderOptions::COUNT_TESTS;
+            let frame = strahl::session::render(&description, &settings, &options, &NoProgress)?;
             let counters = frame.counters;
             let digest = frame.picture.digest().to_string();
             let (same, rays) = first.get_or_insert_with(|| {
@@ -116,8 +117,9 @@ fn main() -> Result<ExitCode, Box<dyn Error>> {
                 all_hold = false;
             }
         }
-        let taken = Finding::default().choice(description.objects.len());
-        let is_taken = |(choice, _): &&(Choice, f64)| Choice { reason: taken.reason, ..*choice } == taken;
+        let taken = AccelSettings::DEFAULT.choice(description.objects.len());
+        let is_taken =
+            |(choice, _): &&(AccelChoice, f64)| AccelChoice { reason: taken.reason, ..*choice } == taken;
         let by_auto = seconds.iter().find(is_taken).ok_or("auto takes another way")?.1;
         let best = seconds.iter().map(|(_, seconds)| *seconds).fold(f64::INFINITY, f64::min);
         println!("  auto takes the {taken} ({}): {:.2} times the best", taken.reason, by_auto / best);

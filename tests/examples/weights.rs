@@ -14,23 +14,20 @@ use std::error::Error;
 use std::path::{Path, PathBuf};
 use std::process::{Command, ExitCode};
 
-use strahl::cost::{Counts, record};
-use strahl::finding::{Finding, Kind};
-use strahl::progress::NoProgress;
-use strahl::render_request::RenderRequest;
-use strahl::sampling::Sampling;
-use strahl_core::{Limits, Size};
-use strahl_settings::Settings;
+use strahl::cost::{Counts, recorded};
+use strahl_core::Size;
+use strahl_engine::{NoProgress, RenderOptions};
+use strahl_settings::{AccelKind, AccelSettings, Settings};
 
 /// Pixels of the small and of the tiny picture.
 const SIZES: [&str; 2] = ["48x36", "2x2"];
 
 /// What is weighed: three kinds of rays, shapes, tests that mailboxes saved, and for each
 /// accelerator boxes and regions.
-const EVENTS: usize = 5 + 2 * Kind::ALL.len();
+const EVENTS: usize = 5 + 2 * AccelKind::ALL.len();
 
 /// Counts in the order of [`EVENTS`].
-fn events(counts: &Counts, kind: Kind) -> [f64; EVENTS] {
+fn events(counts: &Counts, kind: AccelKind) -> [f64; EVENTS] {
     let sum = |of: [u64; 4]| of.iter().sum::<u64>() as f64;
     let [camera, reflected, transmitted, shadow] = counts.rays.map(|count| count as f64);
     let mut events = [0.0; EVENTS];
@@ -48,22 +45,27 @@ fn events(counts: &Counts, kind: Kind) -> [f64; EVENTS] {
 
 /// Traces one picture, and prints what was counted: what runs under callgrind.
 fn trace(scene: &str, kind: &str, sampler: &str, size: &str) -> Result<(), Box<dyn Error>> {
-    let kind = Kind::ALL.into_iter().find(|it| it.name() == kind).ok_or("no such accelerator")?;
+    let kind = AccelKind::ALL.into_iter().find(|it| it.name() == kind).ok_or("no such accelerator")?;
     let (width, height) = size.split_once('x').ok_or("no size")?;
     let size = Size::new(width.parse()?, height.parse()?).ok_or("no size")?;
     let scene = strahl::load::load(Path::new(scene))?;
-    let levels = scene.settings.levels.unwrap_or(Limits::DEFAULT.levels);
-    let sampler = sampler.parse::<Sampling>()?;
-    let settings = Settings { sampler, levels, threads: 1, ..Settings::of_size(size) };
-    let request = RenderRequest::new(settings.with_acceleration(Finding::by(kind)));
-    let frame = strahl::session::render(&scene, &request, &NoProgress)?;
-    let counts = record(&frame.counters);
+    let default = Settings::default();
+    let levels = scene.settings.levels.unwrap_or(default.levels);
+    let settings = Settings { size, sampler: sampler.parse()?, levels, threads: 1, ..default };
+    let settings = settings.with_acceleration(AccelSettings::by(kind));
+    let frame = strahl::session::render(&scene, &settings, &RenderOptions::COUNT_TESTS, &NoProgress)?;
+    let counts = recorded(&frame.counters);
     println!("{}", serde_json::to_string(&counts)?);
     Ok(())
 }
 
 /// The instructions of tracing a picture, and what was counted.
-fn measured(scene: &Path, kind: Kind, sampler: &str, size: &str) -> Result<(f64, Counts), Box<dyn Error>> {
+fn measured(
+    scene: &Path,
+    kind: AccelKind,
+    sampler: &str,
+    size: &str,
+) -> Result<(f64, Counts), Box<dyn Error>> {
     let done = Command::new("valgrind")
         .args(["--tool=callgrind", "--callgrind-out-file=/dev/null"])
         .arg(std::env::current_exe()?)
@@ -116,10 +118,10 @@ fn main() -> Result<ExitCode, Box<dyn Error>> {
     let mut rows = Vec::new();
     let mut names = Vec::new();
     for scene in &scenes {
-        for kind in Kind::ALL {
+        for kind in AccelKind::ALL {
             for sampler in ["single", "regular:2"] {
                 // Four times the rays tell nothing new of a long list.
-                if sampler != "single" && kind != Kind::Bvh {
+                if sampler != "single" && kind != AccelKind::Bvh {
                     continue;
                 }
                 let [(small, counts), (tiny, few)] =
@@ -141,7 +143,7 @@ fn main() -> Result<ExitCode, Box<dyn Error>> {
         let told: f64 = events.iter().zip(&weights).map(|(count, weight)| count * weight).sum();
         off.entry(kind.name()).or_default().push((told / instructions - 1.0, name));
     }
-    for kind in Kind::ALL {
+    for kind in AccelKind::ALL {
         let mut its = off.remove(kind.name()).unwrap_or_default();
         its.sort_by(|a, b| a.0.abs().total_cmp(&b.0.abs()));
         let at = |share: f64| its.get(((its.len() - 1) as f64 * share) as usize).copied().unwrap_or_default();

@@ -1,45 +1,87 @@
-//! What pixels cost is the same for any number of threads.
+//! What pixels cost: the same for any number of threads, and together what the picture costs.
 
 use std::path::Path;
-use std::sync::Arc;
 
-use strahl::cost_map::{CostMap, PixelCost};
+use strahl::description::Description;
 use strahl::load::load;
-use strahl::progress::NoProgress;
-use strahl::render_request::RenderRequest;
 use strahl::session;
-use strahl_core::Size;
-use strahl_settings::Settings;
+use strahl_core::{PerRayKind, RayKind, Size};
+use strahl_engine::cost_map::PixelCost;
+use strahl_engine::{CostMap, NoProgress, RenderOptions};
+use strahl_settings::{Precision, Settings};
 
 const SIZE: Size = Size::new(50, 41).unwrap();
 
+fn scene(name: &str) -> Description {
+    load(&Path::new(env!("CARGO_MANIFEST_DIR")).parent().unwrap().join("scenes").join(name)).unwrap()
+}
+
 fn costs(settings: &Settings) -> Vec<PixelCost> {
-    let path = Path::new(env!("CARGO_MANIFEST_DIR")).parent().unwrap().join("scenes/glass.toml");
-    let cost_map = Arc::new(CostMap::new(SIZE));
-    let cost_map_of = Some(Arc::clone(&cost_map));
-    let request = RenderRequest { cost_map: cost_map_of, ..RenderRequest::new(settings.clone()) };
-    session::render(&load(&path).unwrap(), &request, &NoProgress).unwrap();
+    let cost_map = CostMap::new(SIZE);
+    let options = RenderOptions { cost_map: Some(&cost_map), ..RenderOptions::default() };
+    session::render(&scene("glass.toml"), settings, &options, &NoProgress).unwrap();
     cost_map.costs()
+}
+
+fn settings() -> Settings {
+    Settings { size: SIZE, ..Settings::default() }
 }
 
 #[test]
 fn threads_change_no_pixels_cost() {
     let samplers = ["single", "regular:2", "adaptive:2:0.05", "stochastic:2..16:0.9:0.02"];
     let mut pictures: Vec<Settings> =
-        samplers.map(|it| Settings { sampler: it.parse().unwrap(), ..Settings::of_size(SIZE) }).to_vec();
-    pictures.push(Settings { select: Some("8:0.05".parse().unwrap()), ..Settings::of_size(SIZE) });
-    for settings in pictures {
-        let by = |threads| costs(&Settings { threads, ..settings.clone() });
-        assert!(by(1) == by(3), "{} {:?}", settings.sampler, settings.select);
+        samplers.map(|it| Settings { sampler: it.parse().unwrap(), ..settings() }).to_vec();
+    pictures.push(Settings { select: Some("8:0.05".parse().unwrap()), ..settings() });
+    for picture in pictures {
+        let by = |threads| costs(&Settings { threads, ..picture.clone() });
+        assert!(by(1) == by(3), "{} {:?}", picture.sampler, picture.select);
     }
 }
 
 #[test]
 fn one_ray_in_each_pixel_costs_a_camera_ray_and_what_follows() {
-    let costs = costs(&Settings::of_size(SIZE));
+    let costs = costs(&settings());
     assert!(costs.iter().all(|cost| cost.rays[0] == 1 && cost.level >= 1));
     let deep = costs.iter().filter(|cost| cost.level > 3).count();
     assert!(deep > 50 && deep < costs.len() / 2, "{deep}");
     // No deeper than there are rays.
     assert!(costs.iter().all(|cost| cost.rays[..3].iter().sum::<u32>() >= cost.level.into()));
+}
+
+#[test]
+fn all_pixels_together_cost_what_the_picture_costs() {
+    let scene = scene("classic.toml");
+    let size = Size::new(40, 30).unwrap();
+    for (sampler, select, precision) in [
+        ("single", None, Precision::Single),
+        ("adaptive:2:0.1", None, Precision::Single),
+        ("stochastic:3", Some("4:0.05"), Precision::Single),
+        ("regular:2", None, Precision::Double),
+    ] {
+        let cost_map = CostMap::new(size);
+        let settings = Settings {
+            size,
+            sampler: sampler.parse().unwrap(),
+            select: select.map(|text: &str| text.parse().unwrap()),
+            precision,
+            ..Settings::default()
+        };
+        let options = RenderOptions { cost_map: Some(&cost_map), ..RenderOptions::default() };
+        let output = session::render(&scene, &settings, &options, &NoProgress).unwrap();
+        let (counts, costs) = (output.counters, cost_map.costs());
+        for kind in RayKind::ALL {
+            let sum = |of: fn(&PixelCost) -> [u32; RayKind::ALL.len()]| {
+                costs.iter().map(|cost| u64::from(of(cost)[kind as usize])).sum::<u64>()
+            };
+            let sums = [sum(|it| it.rays), sum(|it| it.boxes), sum(|it| it.shapes), sum(|it| it.regions)];
+            let whole = |of: PerRayKind| of[kind];
+            let wholes = [counts.rays, counts.boxes, counts.shapes, counts.regions].map(whole);
+            assert_eq!(sums, wholes, "{sampler} {kind:?}");
+        }
+        assert_eq!(costs.iter().map(|cost| cost.level).max(), Some(counts.deepest), "{sampler}");
+        assert!(counts.deepest > 2);
+        let plain = session::render(&scene, &settings, &RenderOptions::default(), &NoProgress).unwrap();
+        assert_eq!(plain.picture.digest(), output.picture.digest(), "{sampler}");
+    }
 }

@@ -6,12 +6,10 @@ use serde_json::Value;
 use strahl::description::Description;
 use strahl::explain::pixel::{Traced, trace};
 use strahl::load::load;
-use strahl::progress::NoProgress;
-use strahl::render_request::RenderRequest;
-use strahl::sampling::Sampling;
 use strahl::session;
 use strahl_core::{Pixel, Rgb, Size, Tile};
-use strahl_settings::{PartialSettings, Settings};
+use strahl_engine::{NoProgress, RenderOptions};
+use strahl_settings::{PartialSettings, Sampling, Settings};
 
 fn scene(name: &str) -> Description {
     let path: PathBuf = Path::new(env!("CARGO_MANIFEST_DIR")).parent().unwrap().join("scenes").join(name);
@@ -27,9 +25,9 @@ fn settings(description: &Description, sampling: Sampling) -> Settings {
 /// The pixel as `render` traces it, with whatever it takes to find items.
 fn rendered(description: &Description, settings: &Settings, pixel: Pixel) -> Rgb {
     let region = Some(Tile { first: pixel, width: 1, height: 1 });
-    let request = RenderRequest::new(Settings { region, ..settings.clone() });
-    let frame = session::render(description, &request, &NoProgress).unwrap();
-    frame.picture.colors[0]
+    let settings = Settings { region, ..settings.clone() };
+    let output = session::render(description, &settings, &RenderOptions::default(), &NoProgress).unwrap();
+    output.picture.colors[0]
 }
 
 /// The channels of a colour that stands in JSON.

@@ -18,16 +18,12 @@ use std::collections::BTreeMap;
 use std::fs;
 use std::path::{Path, PathBuf};
 
-use strahl::finding::{Bounds, Finding};
-use strahl::progress::NoProgress;
-use strahl::render_request::RenderRequest;
-use strahl::sampling::Agreement;
 use strahl_core::{
-    Camera, Effects, Everything, Frame, Limits, List, Rgb, Scene, Single, Size, Tile, Tracer, Worker, World,
-    render,
+    Camera, Effects, Everything, Frame, List, Rgb, Scene, Single, Size, Tile, Tracer, Worker, World, render,
 };
+use strahl_engine::{NoProgress, RenderOptions};
 use strahl_picture::{Format, Picture};
-use strahl_settings::{Sampling, Settings};
+use strahl_settings::{AccelSettings, Agreement, Bounds, Sampling, Settings};
 
 #[path = "../firmware/src/scene.rs"]
 mod constants;
@@ -115,26 +111,26 @@ const FEW: usize = 1000;
 fn scene_file(name: &str, width: u32, height: u32, levels: Option<u8>, sampling: Sampling) -> Picture {
     let path = root().join("scenes").join(name);
     let description = strahl::load::load(&path).unwrap();
-    let (asked, default) = (&description.settings, Limits::DEFAULT);
-    let limits = Limits {
-        levels: levels.or(asked.levels).unwrap_or(default.levels),
-        cutoff: asked.cutoff.unwrap_or(default.cutoff),
+    let (scene, default) = (&description.settings, Settings::default());
+    let settings = Settings {
+        levels: levels.or(scene.levels).unwrap_or(default.levels),
+        cutoff: scene.cutoff.unwrap_or(default.cutoff),
+        sampler: sampling,
+        ..default
     };
-    let traced = |width, height, finding| {
-        let size = Size::new(width, height).unwrap();
-        let settings = Settings { sampler: sampling, ..Settings::of_size(size) };
-        let settings = settings.with_limits(limits).with_acceleration(finding);
-        let request = RenderRequest { counted: false, ..RenderRequest::new(settings) };
-        strahl::session::render(&description, &request, &NoProgress).unwrap()
+    let rendered = |width, height, accel| {
+        let settings = Settings { size: Size::new(width, height).unwrap(), ..settings.clone() };
+        let settings = settings.with_acceleration(accel);
+        strahl::session::render(&description, &settings, &RenderOptions::default(), &NoProgress).unwrap()
     };
-    let quarter = |finding| traced(width / 4, height / 4, finding);
-    let frame = quarter(Finding::default());
-    let is_affordable = |it: &Finding| it.bounds != Bounds::None || frame.scene.objects <= FEW;
-    for finding in Finding::every().into_iter().filter(is_affordable) {
+    let quarter = |accel| rendered(width / 4, height / 4, accel);
+    let output = quarter(AccelSettings::DEFAULT);
+    let is_affordable = |it: &AccelSettings| it.bounds != Bounds::None || output.scene.objects <= FEW;
+    for accel in AccelSettings::every().into_iter().filter(is_affordable) {
         // Not by `assert_eq`, which would print all of both.
-        assert!(quarter(finding).picture == frame.picture, "{name} by {finding:?} is another picture");
+        assert!(quarter(accel).picture == output.picture, "{name} by {accel:?} is another picture");
     }
-    traced(width, height, Finding::default()).picture
+    rendered(width, height, AccelSettings::DEFAULT).picture
 }
 
 /// Renders the scene that the firmware has as constants.

@@ -1,16 +1,10 @@
 //! Memory and order buy time, never truth: threads, tiles and tallies change no bit.
 
-use std::sync::Arc;
-
 use strahl::description::Description;
-use strahl::finding::{Bounds, Finding, Kind};
-use strahl::mask::Mask;
-use strahl::progress::NoProgress;
-use strahl::render_output::RenderOutput;
-use strahl::render_request::RenderRequest;
-use strahl::session;
+use strahl::session::{self, RenderOutput};
 use strahl_core::{Counters, Pixel, RayKind, Rgb, Size, Tile};
-use strahl_settings::Settings;
+use strahl_engine::{Mask, NoProgress, RenderOptions};
+use strahl_settings::{AccelKind, AccelSettings, Bounds, Settings};
 
 /// Every sampler and pixel-selected tracing in the words of the command line, and whether its
 /// tiles share anything but what is traced before them: then the number of rays depends on the
@@ -50,23 +44,23 @@ fn both() -> [Description; 2] {
 
 fn settings((sampler, select, _): (&str, Option<&str>, bool)) -> Settings {
     let select = select.map(|words| words.parse().unwrap());
-    Settings { sampler: sampler.parse().unwrap(), select, ..Settings::of_size(SIZE) }
+    Settings { size: SIZE, sampler: sampler.parse().unwrap(), select, ..Settings::default() }
 }
 
-fn rendered(scene: &Description, request: &RenderRequest) -> RenderOutput {
-    session::render(scene, request, &NoProgress).unwrap()
+fn rendered(scene: &Description, settings: &Settings) -> RenderOutput {
+    rendered_with(scene, settings, RenderOptions::COUNT_TESTS)
 }
 
-fn traced(scene: &Description, settings: &Settings) -> RenderOutput {
-    rendered(scene, &RenderRequest::new(settings.clone()))
+fn rendered_with(scene: &Description, settings: &Settings, options: RenderOptions<'_>) -> RenderOutput {
+    session::render(scene, settings, &options, &NoProgress).unwrap()
 }
 
 #[test]
 fn threads_change_neither_picture_nor_counts() {
     for (scene, way) in both().iter().flat_map(|scene| WAYS.map(|way| (scene, way))) {
-        let one = traced(scene, &Settings { threads: 1, ..settings(way) });
+        let one = rendered(scene, &Settings { threads: 1, ..settings(way) });
         for threads in [2, 7] {
-            let many = traced(scene, &Settings { threads, ..settings(way) });
+            let many = rendered(scene, &Settings { threads, ..settings(way) });
             assert_eq!(many.picture, one.picture, "{way:?}, {threads} threads");
             assert_eq!(many.counters, one.counters, "{way:?}, {threads} threads");
         }
@@ -77,14 +71,16 @@ fn threads_change_neither_picture_nor_counts() {
 fn tiles_do_not_change_the_picture() {
     for (scene, way) in both().iter().flat_map(|scene| WAYS.map(|way| (scene, way))) {
         // What a cache saves depends on what was traced before it in the same tile.
-        let settings = Settings { shadow_cache: false, threads: 2, ..settings(way) };
-        let by = |tile| rendered(scene, &RenderRequest { tile, ..RenderRequest::new(settings.clone()) });
-        let truth = by(1000);
+        let by = |threads, tile_side| {
+            let settings = Settings { shadow_cache: false, threads, ..settings(way) };
+            rendered_with(scene, &settings, RenderOptions { tile_side, ..RenderOptions::COUNT_TESTS })
+        };
+        let whole = by(1, 1000);
         for tile in [1, 5, 32] {
-            let cut = by(tile);
-            assert_eq!(cut.picture, truth.picture, "{way:?}, tiles of {tile}");
+            let cut = by(2, tile);
+            assert_eq!(cut.picture, whole.picture, "{way:?}, tiles of {tile}");
             if !way.2 {
-                assert_eq!(cut.counters, truth.counters, "{way:?}, tiles of {tile}");
+                assert_eq!(cut.counters, whole.counters, "{way:?}, tiles of {tile}");
             }
         }
     }
@@ -93,10 +89,10 @@ fn tiles_do_not_change_the_picture() {
 #[test]
 fn a_region_is_the_same_as_in_the_whole_picture() {
     for (scene, way) in both().iter().flat_map(|scene| WAYS.map(|way| (scene, way))) {
-        let whole = traced(scene, &settings(way)).picture;
+        let whole = rendered(scene, &settings(way)).picture;
         for (x, y, width, height) in [(0, 0, 61, 37), (7, 11, 30, 13), (60, 36, 1, 1)] {
             let region = Tile { first: Pixel { x, y }, width, height };
-            let part = traced(scene, &Settings { region: Some(region), ..settings(way) }).picture;
+            let part = rendered(scene, &Settings { region: Some(region), ..settings(way) }).picture;
             assert_eq!((part.size.width(), part.size.height()), (width, height));
             for (color, pixel) in part.colors.iter().zip(region.pixels()) {
                 let place = Tile::whole(SIZE).place(pixel).unwrap();
@@ -110,13 +106,14 @@ fn a_region_is_the_same_as_in_the_whole_picture() {
 fn the_pixels_of_a_mask_are_the_same_and_the_others_cost_nothing() {
     let scene = scene();
     for way in WAYS {
-        let all = traced(&scene, &settings(way));
+        let all = rendered(&scene, &settings(way));
         // A ring.
         let is_white =
             |Pixel { x, y }: Pixel| (100..300).contains(&((x as i32 - 30).pow(2) + (y as i32 - 18).pow(2)));
         let pixels: Vec<bool> = Tile::whole(SIZE).pixels().map(is_white).collect();
-        let mask = Some(Arc::new(Mask { size: SIZE, pixels: pixels.clone() }));
-        let some = rendered(&scene, &RenderRequest { mask, ..RenderRequest::new(settings(way)) });
+        let mask = Mask { size: SIZE, pixels: pixels.clone() };
+        let options = RenderOptions { mask: Some(&mask), ..RenderOptions::COUNT_TESTS };
+        let some = rendered_with(&scene, &settings(way), options);
         for ((some, all), is_white) in some.picture.colors.iter().zip(&all.picture.colors).zip(&pixels) {
             assert_eq!(*some, if *is_white { *all } else { Rgb::BLACK }, "{way:?}");
         }
@@ -138,18 +135,18 @@ fn the_pixels_of_a_mask_are_the_same_and_the_others_cost_nothing() {
 fn accelerators_do_not_change_the_picture() {
     let scene = effects();
     for way in WAYS {
-        let by = |finding| traced(&scene, &settings(way).with_acceleration(finding)).picture;
-        let truth = by(Finding { bounds: Bounds::None, ..Finding::by(Kind::List) });
+        let by = |accel| rendered(&scene, &settings(way).with_acceleration(accel)).picture;
+        let truth = by(AccelSettings { bounds: Bounds::None, ..AccelSettings::by(AccelKind::List) });
         assert!(truth.colors.iter().all(|color| color.is_in_range(f32::MAX)), "{way:?}");
-        for finding in [Kind::List, Kind::Grid, Kind::Octree, Kind::Bvh].map(Finding::by) {
-            assert_eq!(by(finding), truth, "{way:?}, {finding:?}");
+        for accel in AccelKind::ALL.map(AccelSettings::by) {
+            assert_eq!(by(accel), truth, "{way:?}, {accel:?}");
         }
     }
     // With every mailbox, heap and stack.
-    let truth = traced(&scene, &settings(WAYS[0])).picture;
-    for finding in Finding::every() {
-        let picture = traced(&scene, &settings(WAYS[0]).with_acceleration(finding)).picture;
-        assert_eq!(picture, truth, "{finding:?}");
+    let truth = rendered(&scene, &settings(WAYS[0])).picture;
+    for accel in AccelSettings::every() {
+        let picture = rendered(&scene, &settings(WAYS[0]).with_acceleration(accel)).picture;
+        assert_eq!(picture, truth, "{accel:?}");
     }
 }
 
@@ -158,7 +155,7 @@ fn seeds_change_what_is_left_to_chance_and_nothing_else() {
     let scene = scene();
     for way in WAYS {
         let (one, other) =
-            (traced(&scene, &settings(way)), traced(&scene, &Settings { seed: 1, ..settings(way) }));
+            (rendered(&scene, &settings(way)), rendered(&scene, &Settings { seed: 1, ..settings(way) }));
         assert_eq!(one.picture != other.picture, way.0.starts_with("stochastic"), "{way:?}");
     }
 }
@@ -166,8 +163,8 @@ fn seeds_change_what_is_left_to_chance_and_nothing_else() {
 #[test]
 fn counting_changes_nothing() {
     let scene = scene();
-    let counted = traced(&scene, &settings(WAYS[0]));
-    let silent = rendered(&scene, &RenderRequest { counted: false, ..RenderRequest::new(settings(WAYS[0])) });
+    let counted = rendered(&scene, &settings(WAYS[0]));
+    let silent = rendered_with(&scene, &settings(WAYS[0]), RenderOptions::default());
     assert_eq!(counted.picture, silent.picture);
     let [all, few] = [counted, silent].map(|frame| frame.counters);
     let tests = |counts: &Counters| RayKind::ALL.map(|kind| counts.shapes[kind]);
@@ -180,7 +177,7 @@ fn counting_changes_nothing() {
 
 #[test]
 fn a_digest_tells_pictures_apart_by_one_bit() {
-    let mut picture = traced(&scene(), &settings(WAYS[0])).picture;
+    let mut picture = rendered(&scene(), &settings(WAYS[0])).picture;
     let digest = picture.digest();
     assert_eq!(picture.clone().digest(), digest);
     picture.colors[100].g = picture.colors[100].g.next_up();
@@ -190,8 +187,8 @@ fn a_digest_tells_pictures_apart_by_one_bit() {
 #[test]
 fn a_shadow_cache_answers_often_and_changes_no_bit() {
     let scene = scene();
-    let with = traced(&scene, &settings(WAYS[0]));
-    let without = traced(&scene, &Settings { shadow_cache: false, ..settings(WAYS[0]) });
+    let with = rendered(&scene, &settings(WAYS[0]));
+    let without = rendered(&scene, &Settings { shadow_cache: false, ..settings(WAYS[0]) });
     assert_eq!(with.picture, without.picture);
     let [with, without] = [with, without].map(|frame| frame.counters);
     assert_eq!((without.shadow_cache_asked, without.shadow_cache_hits), (0, 0));

@@ -12,14 +12,13 @@ use clap::Parser;
 use strahl::args::StudyArgs;
 use strahl::load::load;
 use strahl::plan::Effect;
-use strahl::progress::NoProgress;
 use strahl::study::bench::Bench;
 use strahl::study::conduct::{Conduct, Truth};
 use strahl::study::front::{Point, front};
-use strahl::study::options::Options;
 use strahl::study::plan::Plan;
 use strahl::study::record::Step;
 use strahl_core::Size;
+use strahl_engine::NoProgress;
 use strahl_settings::Settings;
 
 fn scene(name: &str) -> PathBuf {
@@ -33,7 +32,7 @@ fn studied<T>(name: &str, plan: &Plan, asks: &[Effect], then: impl FnOnce(&Condu
     let size = Size::new(40, 25).unwrap();
     let bench = Bench::new(&scene, size, &NoProgress, None);
     let mut conduct = Conduct::new(&bench, plan);
-    let truth = conduct.run(&Options::of(&Settings { threads: 2, ..Settings::of_size(size) }), asks).unwrap();
+    let truth = conduct.run(&Settings { size, threads: 2, ..Settings::default() }, asks).unwrap();
     then(&conduct, &truth)
 }
 

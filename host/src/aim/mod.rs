@@ -1,24 +1,25 @@
 //! Settings that keep what is aimed at: an error, or a time.
 //!
-//! | room | what it does |
+//! | module | what it does |
 //! |---|---|
 //! | [`error`] | the cheapest settings whose error is below a limit |
-//! | [`notches`] | levels and cutoffs, what they lose and what they cost |
+//! | [`limits`] | levels and cutoffs, what they lose and what they cost |
+//! | [`search`] | settings are tried on a sample of pixels |
 //! | [`plan`] | which settings are looked at |
 //! | [`sparse`] | some pixels that stand for all |
-//! | [`truth`] | what a picture is held against |
+//! | [`reference`](mod@reference) | what a picture is compared with |
 //! | [`time`] | the best picture that is there in time |
 
 use serde::Serialize;
-
 use strahl_settings::Settings;
 
 pub mod error;
-pub mod notches;
+pub mod limits;
 pub mod plan;
+pub mod reference;
+pub mod search;
 pub mod sparse;
 pub mod time;
-pub mod truth;
 
 /// What was aimed at, and what came of it.
 #[derive(Clone, Debug, Serialize)]

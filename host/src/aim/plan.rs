@@ -1,7 +1,6 @@
 //! Which settings are looked at for the cheapest that keep an error.
 
-use crate::render_request::RenderRequest;
-use strahl_settings::{Agreement, Confidence, Filter, PixelSelection as Selecting, Sampling, Settings};
+use strahl_settings::{Agreement, Confidence, Filter, PixelSelection, Sampling, Settings};
 
 /// Levels that are tried.
 pub const LEVELS: [u8; 15] = [1, 2, 3, 4, 5, 6, 8, 10, 12, 16, 20, 24, 32, 48, 64];
@@ -21,29 +20,29 @@ pub const SAVES: f64 = 0.9;
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Rays {
     /// In a pixel.
-    pub sampling: Sampling,
+    pub sampler: Sampling,
     /// Which pixels are traced, where not all are.
-    pub selecting: Option<Selecting>,
+    pub select: Option<PixelSelection>,
 }
 
 impl Rays {
     /// In every pixel.
-    const fn all(sampling: Sampling) -> Self {
-        Rays { sampling, selecting: None }
+    const fn all(sampler: Sampling) -> Self {
+        Rays { sampler, select: None }
     }
 
-    /// The picture that is requested, by these rays.
-    pub fn of(self, request: &RenderRequest) -> RenderRequest {
-        request.with(Settings { sampler: self.sampling, select: self.selecting, ..request.settings.clone() })
+    /// The same settings with these rays.
+    pub fn apply(self, settings: &Settings) -> Settings {
+        Settings { sampler: self.sampler, select: self.select, ..settings.clone() }
     }
 
     /// How many there are in each pixel, where that is known before.
     pub fn count(self) -> Option<u32> {
         match self {
-            Rays { selecting: Some(_), .. } => None,
-            Rays { sampling: Sampling::Single, .. } => Some(1),
-            Rays { sampling: Sampling::Regular(n), .. } => Some(u32::from(n) * u32::from(n)),
-            Rays { sampling: Sampling::Stochastic { least, most, .. }, .. } if least == most => Some(most),
+            Rays { select: Some(_), .. } => None,
+            Rays { sampler: Sampling::Single, .. } => Some(1),
+            Rays { sampler: Sampling::Regular(n), .. } => Some(u32::from(n) * u32::from(n)),
+            Rays { sampler: Sampling::Stochastic { least, most, .. }, .. } if least == most => Some(most),
             _ => None,
         }
     }
@@ -51,10 +50,10 @@ impl Rays {
     /// How many there are in each pixel at least, where all pixels are traced.
     fn least(self) -> Option<u32> {
         match self {
-            Rays { selecting: Some(_), .. } => None,
+            Rays { select: Some(_), .. } => None,
             // Corners are shared by neighbours.
-            Rays { sampling: Sampling::Adaptive { .. }, .. } => Some(1),
-            Rays { sampling: Sampling::Stochastic { least, .. }, .. } => Some(least),
+            Rays { sampler: Sampling::Adaptive { .. }, .. } => Some(1),
+            Rays { sampler: Sampling::Stochastic { least, .. }, .. } => Some(least),
             _ => self.count(),
         }
     }
@@ -65,11 +64,11 @@ impl Rays {
             return Some(f64::from(least) / f64::from(count));
         }
         let is_more = match (self, other) {
-            (Rays { selecting: Some(a), .. }, Rays { selecting: Some(b), .. }) => {
+            (Rays { select: Some(a), .. }, Rays { select: Some(b), .. }) => {
                 a.step <= b.step && a.agreement.threshold <= b.agreement.threshold
             }
-            (Rays { selecting: Some(_), .. }, _) | (_, Rays { selecting: Some(_), .. }) => false,
-            (Rays { sampling: a, .. }, Rays { sampling: b, .. }) => is_finer(a, b),
+            (Rays { select: Some(_), .. }, _) | (_, Rays { select: Some(_), .. }) => false,
+            (Rays { sampler: a, .. }, Rays { sampler: b, .. }) => is_finer(a, b),
         };
         is_more.then_some(1.0)
     }
@@ -96,8 +95,8 @@ fn is_finer(a: Sampling, b: Sampling) -> bool {
 pub fn rays(filter: Filter, goal: f64) -> Vec<Rays> {
     let agreement = |threshold| Agreement { threshold, items: false };
     let selected = |(step, threshold)| Rays {
-        sampling: Sampling::Single,
-        selecting: Some(Selecting { step, agreement: agreement(threshold) }),
+        sampler: Sampling::Single,
+        select: Some(PixelSelection { step, agreement: agreement(threshold) }),
     };
     let adaptive =
         |(depth, threshold)| Rays::all(Sampling::Adaptive { depth, agreement: agreement(threshold) });
@@ -168,7 +167,7 @@ mod tests {
         assert_eq!(times("adaptive:3:0.2", "adaptive:2:0.1"), None);
         assert_eq!(times("single", "adaptive:0:0"), None);
         let mut selected = of("single");
-        selected.selecting = Some("8:0.1".parse().unwrap());
+        selected.select = Some("8:0.1".parse().unwrap());
         assert_eq!((selected.times(of("single")), of("single").times(selected)), (None, None));
     }
 }

@@ -4,14 +4,11 @@
 //! somewhere: so the squares lie evenly and follow no raster. Within a square the corners of pixels
 //! are shared, so that it costs what it costs in the whole picture.
 
-use std::sync::Arc;
-
 use strahl_core::{Dimension, Pixel, Rgb, Size, SobolSequence, Tile};
+use strahl_engine::cost_map::ChosenPixels;
+use strahl_engine::{CostMap, Mask, RenderOptions};
 use strahl_picture::srgb::encode;
-
-use crate::cost_map::{ChosenPixels, CostMap};
-use crate::mask::Mask;
-use crate::render_request::RenderRequest;
+use strahl_settings::Settings;
 
 /// Pixels along a side of a square.
 const SIDE: u32 = 4;
@@ -25,7 +22,7 @@ const CONFIDENCE: f64 = 1.6449;
 
 /// Some pixels of a picture.
 pub struct Sparse {
-    mask: Arc<Mask>,
+    mask: Mask,
     chosen: ChosenPixels,
     /// Their places in the picture, square by square.
     squares: Vec<Vec<usize>>,
@@ -44,10 +41,9 @@ pub struct Estimate {
 
 impl Sparse {
     /// Of the pixels that are requested.
-    pub fn of(request: &RenderRequest) -> Self {
-        let area = request.settings.area();
-        let is_wanted = |pixel: Pixel| request.mask.as_ref().is_none_or(|mask| mask.has(pixel));
-        let all = area.pixels().filter(|pixel| is_wanted(*pixel)).count();
+    pub fn new(settings: &Settings, options: &RenderOptions<'_>) -> Self {
+        let area = settings.area();
+        let all = area.pixels().filter(|pixel| options.is_requested(*pixel)).count();
         let tiles: Vec<Tile> = if all <= FEW {
             area.tiles(SIDE).collect()
         } else {
@@ -55,12 +51,12 @@ impl Sparse {
             area.tiles(cell).map(|cell| square(cell, area)).collect()
         };
         let inside = |tile: Tile| {
-            let places = tile.pixels().filter(|pixel| is_wanted(*pixel));
+            let places = tile.pixels().filter(|pixel| options.is_requested(*pixel));
             places.filter_map(|pixel| area.place(pixel)).collect::<Vec<_>>()
         };
         let squares: Vec<_> = tiles.into_iter().map(inside).filter(|places| !places.is_empty()).collect();
         let count: usize = squares.iter().map(Vec::len).sum();
-        let mask = Arc::new(mask(request.settings.size, area, &squares));
+        let mask = mask(settings.size, area, &squares);
         let chosen = ChosenPixels::by(&mask);
         Sparse { mask, chosen, squares, share: count as f64 / all.max(1) as f64 }
     }
@@ -70,16 +66,16 @@ impl Sparse {
         self.squares.iter().map(Vec::len).sum()
     }
 
-    /// The same picture of these pixels only.
-    pub fn only(&self, request: &RenderRequest) -> RenderRequest {
-        RenderRequest { mask: Some(Arc::clone(&self.mask)), ..request.clone() }
+    /// These pixels.
+    pub fn mask(&self) -> &Mask {
+        &self.mask
     }
 
     /// How far a picture is from another. Squares that differ much from each other make it uncertain.
-    pub fn error(&self, picture: &[Rgb], truth: &[Rgb]) -> Estimate {
+    pub fn error(&self, picture: &[Rgb], reference: &[Rgb]) -> Estimate {
         let (mut sum, mut squares, mut pixels) = (0.0, 0.0, 0.0);
         for square in &self.squares {
-            let differences = square.iter().map(|place| difference(picture[*place], truth[*place]));
+            let differences = square.iter().map(|place| difference(picture[*place], reference[*place]));
             let of_square: f64 = differences.sum();
             sum += of_square;
             pixels += square.len() as f64;
@@ -94,9 +90,9 @@ impl Sparse {
         Estimate { error: mean.sqrt(), at_most: (mean + CONFIDENCE * spread).sqrt() }
     }
 
-    /// On which it can be written what these pixels cost.
-    pub fn cost_map(&self) -> Arc<CostMap> {
-        Arc::new(CostMap::only(self.mask.size, &self.chosen))
+    /// A map of the costs of these pixels.
+    pub fn cost_map(&self) -> CostMap {
+        CostMap::only(self.mask.size, &self.chosen)
     }
 }
 
@@ -140,14 +136,12 @@ fn mask(size: Size, area: Tile, squares: &[Vec<usize>]) -> Mask {
 
 #[cfg(test)]
 mod tests {
-    use strahl_settings::Settings;
-
     use super::*;
 
     #[test]
     fn a_small_picture_is_looked_at_as_a_whole_and_its_error_is_certain() {
-        let request = RenderRequest::new(Settings::of_size(Size::new(101, 37).unwrap()));
-        let sparse = Sparse::of(&request);
+        let settings = Settings { size: Size::new(101, 37).unwrap(), ..Settings::default() };
+        let sparse = Sparse::new(&settings, &RenderOptions::default());
         assert_eq!(sparse.pixels(), 101 * 37);
         let (black, gray) = (vec![Rgb::BLACK; 101 * 37], vec![Rgb::gray(0.2140411); 101 * 37]);
         let estimate = sparse.error(&black, &gray);
@@ -159,7 +153,7 @@ mod tests {
     #[test]
     fn some_pixels_of_a_large_picture_tell_its_error_within_what_they_say() {
         let size = Size::new(640, 480).unwrap();
-        let sparse = Sparse::of(&RenderRequest::new(Settings::of_size(size)));
+        let sparse = Sparse::new(&Settings { size, ..Settings::default() }, &RenderOptions::default());
         let pixels = sparse.pixels();
         assert!((6000..12000).contains(&pixels), "{pixels}");
         // Much error in a fifth of the picture, and little elsewhere.
@@ -178,9 +172,9 @@ mod tests {
     fn no_pixel_is_looked_at_that_is_not_wanted() {
         let size = Size::new(300, 200).unwrap();
         let region = Tile { first: Pixel { x: 20, y: 10 }, width: 200, height: 150 };
-        let request = RenderRequest::new(Settings { region: Some(region), ..Settings::of_size(size) });
-        let only = Sparse::of(&request).only(&request);
-        let mask = only.mask.unwrap();
+        let settings = Settings { size, region: Some(region), ..Settings::default() };
+        let sparse = Sparse::new(&settings, &RenderOptions::default());
+        let mask = sparse.mask();
         let asked: Vec<Pixel> = Tile::whole(size).pixels().filter(|pixel| mask.has(*pixel)).collect();
         assert!(asked.len() > 2000 && asked.iter().all(|pixel| region.place(*pixel).is_some()));
     }

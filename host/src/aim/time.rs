@@ -9,16 +9,14 @@
 use std::time::{Duration, Instant};
 
 use strahl_core::Rgb;
+use strahl_engine::scheduler::{Outlook, Pass, PassStats};
+use strahl_engine::{Progress, RenderError, RenderOptions, Scheduler};
 use strahl_picture::{Format, Picture};
+use strahl_settings::{Agreement, Confidence, PixelSelection, Sampling, Settings};
 
 use super::{Aimed, Target};
 use crate::description::Description;
-use crate::progress::Progress;
-use crate::render_output::{RenderError, RenderOutput};
-use crate::render_request::RenderRequest;
-use crate::scheduler::{Outlook, Pass, PassStats, Scheduler};
-use crate::session::{SceneStorage, Session};
-use strahl_settings::{Agreement, Confidence, PixelSelection as Selecting, Sampling, Settings};
+use crate::session::{RenderOutput, SceneStorage, Session};
 
 /// When the picture must be written.
 #[derive(Clone, Copy, Debug)]
@@ -34,16 +32,17 @@ pub struct Limit {
 /// Traces as good a picture as is written in time.
 pub fn trace(
     description: &Description,
-    request: &RenderRequest,
+    settings: &Settings,
+    options: &RenderOptions<'_>,
     limit: Limit,
     progress: &dyn Progress,
 ) -> Result<(RenderOutput, Aimed), RenderError> {
-    let mut clock = Clock::new(limit, request);
-    let mut storage = SceneStorage::new(description, request.settings.precision);
-    let session = Session::new(description, &mut storage, &request.settings.acceleration())?;
-    let output = session.refine(request, progress, &mut clock)?;
+    let mut clock = Clock::new(limit, settings);
+    let mut storage = SceneStorage::new(description, settings.precision);
+    let session = Session::new(&mut storage, &settings.acceleration())?;
+    let output = session.refine(settings, options, progress, &mut clock)?;
     let pass = clock.last.unwrap_or(COARSEST);
-    let taken = Settings { sampler: pass.sampling, select: pass.selecting, ..request.settings.clone() };
+    let taken = Settings { sampler: pass.sampler, select: pass.select, ..settings.clone() };
     let why = clock.why(&taken);
     let target = Target::Time {
         asked: limit.time.as_secs_f64(),
@@ -56,8 +55,8 @@ pub fn trace(
 /// Everything between two pixels that are this far apart is guessed.
 const fn coarse(step: u32, threshold: f32) -> Pass {
     let agreement = Agreement { threshold, items: false };
-    let selecting = Some(Selecting { step, agreement });
-    Pass { sampling: Sampling::Single, selecting, until: None }
+    let select = Some(PixelSelection { step, agreement });
+    Pass { sampler: Sampling::Single, select, until: None }
 }
 
 /// Takes no time at all, but where the tree of a single ray does.
@@ -114,10 +113,10 @@ struct Clock {
 }
 
 impl Clock {
-    fn new(limit: Limit, request: &RenderRequest) -> Self {
+    fn new(limit: Limit, settings: &Settings) -> Self {
         Clock {
             limit,
-            size: request.settings.picture_size(),
+            size: settings.picture_size(),
             last: None,
             passes: 0,
             begun: 0,
@@ -149,7 +148,7 @@ impl Clock {
     /// What comes after all pixels have been traced once.
     fn samples(&mut self, outlook: &Outlook<'_>) -> Option<Pass> {
         let affordable = PLANNED * self.affordable();
-        let (least, before) = match self.last.map(|pass| pass.sampling) {
+        let (least, before) = match self.last.map(|pass| pass.sampler) {
             Some(Sampling::Stochastic { least, confidence, .. }) => (least, confidence.tolerance),
             _ => {
                 let fits = |least: &u32| f64::from(*least) * outlook.pixels as f64 <= 0.5 * affordable;
@@ -179,7 +178,7 @@ impl Clock {
 
     fn why(&self, taken: &Settings) -> String {
         let what = match taken.select {
-            Some(selecting) => format!("selection {selecting}, {}", taken.sampler),
+            Some(select) => format!("selection {select}, {}", taken.sampler),
             None => taken.sampler.to_string(),
         };
         match self.last {
@@ -192,8 +191,8 @@ impl Clock {
 
 fn stochastic(least: u32, tolerance: f32) -> Pass {
     let confidence = Confidence { level: LEVEL, tolerance };
-    let sampling = Sampling::Stochastic { least, most: MOST, confidence };
-    Pass { sampling, selecting: None, until: None }
+    let sampler = Sampling::Stochastic { least, most: MOST, confidence };
+    Pass { sampler, select: None, until: None }
 }
 
 /// With three digits, which can be typed.
@@ -214,10 +213,10 @@ impl Scheduler for Clock {
             self.begun -= 1;
             return None;
         }
-        if outlook.missing > 0 && last.selecting.is_some() {
+        if outlook.missing > 0 && last.select.is_some() {
             let fits = outlook.missing as f64 <= 0.5 * self.affordable();
             let raster = if fits { None } else { self.rasters.next().copied() };
-            let all = Pass { sampling: Sampling::Single, selecting: None, until };
+            let all = Pass { sampler: Sampling::Single, select: None, until };
             return Some(raster.map_or(all, |raster| Pass { until, ..raster }));
         }
         match self.samples(outlook) {
@@ -235,11 +234,11 @@ impl Scheduler for Clock {
         if stats.rays > 0 && stats.seconds > 0.0 {
             self.speed = stats.rays as f64 / stats.seconds;
         }
-        let is_new = match (self.last, pass.sampling) {
+        let is_new = match (self.last, pass.sampler) {
             (None, _) | (_, Sampling::Single) => true,
             (Some(last), Sampling::Stochastic { .. }) => {
                 self.rays += stats.rays;
-                last.sampling == Sampling::Single
+                last.sampler == Sampling::Single
             }
             _ => false,
         };

@@ -3,7 +3,6 @@
 use std::path::PathBuf;
 
 use clap::Parser;
-
 use strahl_settings::{Accel, AccelKind};
 
 use super::names::name_of;

@@ -3,7 +3,6 @@
 use std::path::PathBuf;
 
 use clap::Parser;
-
 use strahl_settings::domain::share;
 
 /// What to compare, and how much it may differ.

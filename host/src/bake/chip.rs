@@ -4,8 +4,7 @@
 //! against the instructions of all its scenes, and fails where this room is wrong.
 
 use strahl_core::{Counters, EffectSet, LightKind, LightSet, ShapeKind, ShapeSet};
-
-use crate::finding::Kind;
+use strahl_settings::AccelKind;
 
 /// The most bytes of stack that a tracer of this set takes, the worker among them.
 pub struct Stack {
@@ -58,10 +57,10 @@ pub const DOUBT: f64 = 1.5;
 ///
 /// Fitted to five scenes whose instructions are counted on the chip. A step into a region is part of
 /// what its boxes cost.
-pub fn instructions(counts: &Counters, accelerator: Kind) -> u64 {
+pub fn instructions(counts: &Counters, accelerator: AccelKind) -> u64 {
     // A hierarchy holds the boxes of a node against a ray one after the other; a grid and an octree
     // hold one box, for an item that they have looked up.
-    let per_box = if accelerator == Kind::Bvh { 62 } else { 125 };
+    let per_box = if accelerator == AccelKind::Bvh { 62 } else { 125 };
     let shapes = ShapeKind::ALL.into_iter().map(|kind| counts.by_shape[kind] * per_shape(kind)).sum::<u64>();
     PER_RAY * counts.rays.sum() + per_box * counts.boxes.sum() + shapes
 }

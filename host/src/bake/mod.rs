@@ -10,27 +10,27 @@ use strahl_core::{
     Aabb, Baking, BareList, Bvh, BvhNode, BvhSize, Counters, EffectSet, Finder, Grid, GridSize, LeafEntry,
     Mailbox, Octree, OctreeNode, OctreeSize, Pack, Projection, Scene, Size, TraversalStack, View, Worker,
 };
-use strahl_settings::{Group, PartialSettings, SETTINGS, Setting, Settings};
+use strahl_engine::{NoProgress, RenderError, RenderOptions};
+use strahl_settings::accelerator::MAILBOX;
+use strahl_settings::{
+    Accel, AccelKind, AccelSettings, Bounds, DEFAULT_SIZE, Group, PartialSettings, SETTINGS, Setting,
+    Settings,
+};
 
 use crate::amount::amount;
 use crate::args::BakeArgs;
 use crate::description::Description;
 use crate::failure::Failure;
-use crate::finding::{Accel, Bounds, Finding, Kind, MAILBOX};
 use crate::load::{Files, load_from};
 use crate::output::{Guard, refuse_terminal, say, tell};
-use crate::progress::NoProgress;
-use crate::render_output::RenderError;
-use crate::render_request::RenderRequest;
 use crate::session;
 use crate::stock::single::{self, scene_tables};
-use strahl_settings::DEFAULT_SIZE;
 
 /// What is baked beside the scene.
 #[derive(Clone, Copy, Debug)]
 pub struct Asked {
     /// How items are found.
-    pub accelerator: Kind,
+    pub accelerator: AccelKind,
     /// The most nodes of a hierarchy or an octree: less flash for larger leaves.
     pub nodes: Option<usize>,
     /// How it is looked at.
@@ -64,7 +64,7 @@ pub fn run(args: &BakeArgs) -> Result<(), Failure> {
     let Settings { size, levels, cutoff, .. } =
         Settings::resolve(&args.settings.given, &description.settings)?;
     let asked = Asked {
-        accelerator: args.accel.and_then(Accel::kind).unwrap_or(Kind::Bvh),
+        accelerator: args.accel.and_then(Accel::kind).unwrap_or(AccelKind::Bvh),
         nodes: args.nodes.map(|nodes| nodes as usize),
         view: single::view(&description.view),
         size,
@@ -112,10 +112,10 @@ pub fn counted(description: &Description, asked: &Asked) -> Result<Counted, Rend
     let shrink = if pixels > MOST { (pixels as f64 / MOST as f64).sqrt() } else { 1.0 };
     let smaller = |side: u32| ((f64::from(side) / shrink) as u32).max(1);
     let size = Size::new(smaller(width), smaller(height)).unwrap_or(asked.size);
-    let finding = Finding { bounds: Bounds::None, ..Finding::by(asked.accelerator) };
-    let (levels, cutoff) = (asked.levels, asked.cutoff);
-    let settings = Settings { levels, cutoff, ..Settings::of_size(size) }.with_acceleration(finding);
-    let output = session::render(description, &RenderRequest::new(settings), &NoProgress)?;
+    let accelerator = AccelSettings { bounds: Bounds::None, ..AccelSettings::by(asked.accelerator) };
+    let settings = Settings { size, levels: asked.levels, cutoff: asked.cutoff, ..Settings::default() };
+    let settings = settings.with_acceleration(accelerator);
+    let output = session::render(description, &settings, &RenderOptions::COUNT_TESTS, &NoProgress)?;
     let pixels = u64::from(size.width()) * u64::from(size.height());
     Ok(Counted { counts: output.counters, pixels })
 }
@@ -144,18 +144,18 @@ pub fn bake(scene: &Scene<'_>, asked: &Asked) -> Result<Vec<u8>, String> {
     };
     let most = |wanted: usize| asked.nodes.map_or(wanted, |most| wanted.min(most));
     match asked.accelerator {
-        Kind::List => with(Finder::Bare(BareList(boxes.len() as u32))),
-        Kind::Grid => {
+        AccelKind::List => with(Finder::Bare(BareList(boxes.len() as u32))),
+        AccelKind::Grid => {
             let room = GridSize::recommended(&boxes);
             let (mut cells, mut items) = (vec![0; room.cells], vec![0; room.entries]);
             with(Finder::Grid(Grid::build(&boxes, &mut cells, &mut items).map_err(fault)?))
         }
-        Kind::Octree => {
+        AccelKind::Octree => {
             let room = OctreeSize::recommended(boxes.len());
             let (mut nodes, mut items) = (vec![OctreeNode::EMPTY; most(room.nodes)], vec![0; room.entries]);
             with(Finder::Octree(Octree::build(&boxes, &mut nodes, &mut items).map_err(fault)?))
         }
-        Kind::Bvh => {
+        AccelKind::Bvh => {
             let room = BvhSize::recommended(boxes.len());
             let (mut nodes, mut items) =
                 (vec![BvhNode::EMPTY; most(room.nodes)], vec![LeafEntry::EMPTY; room.entries]);
@@ -173,9 +173,9 @@ fn needs(path: &Path, scene: &Scene<'_>, asked: &Asked, bytes: usize, counted: &
     let task = Worker::<BareList, (), 2>::BYTES - Worker::<BareList, (), 1>::BYTES;
     let levels = usize::from(asked.levels);
     let (what, memory) = match asked.accelerator {
-        Kind::List => ("the bare list", 0),
-        Kind::Grid | Kind::Octree => ("a mailbox of 64 slots", size_of::<Mailbox<SLOTS>>()),
-        Kind::Bvh => ("a stack of 32 places", size_of::<TraversalStack<PLACES>>()),
+        AccelKind::List => ("the bare list", 0),
+        AccelKind::Grid | AccelKind::Octree => ("a mailbox of 64 slots", size_of::<Mailbox<SLOTS>>()),
+        AccelKind::Bvh => ("a stack of 32 places", size_of::<TraversalStack<PLACES>>()),
     };
     let mut text = String::new();
     let _ = writeln!(

@@ -12,7 +12,8 @@
 use std::path::Path;
 
 use strahl_core::{Pixel, Rgb, Tile};
-use strahl_settings::{Precision, Settings};
+use strahl_settings::{DEFAULT_SIZE, Precision, Settings};
+use tree::{Explained, VERSION, triple};
 
 use crate::args::ExplainArgs;
 use crate::failure::Failure;
@@ -20,8 +21,6 @@ use crate::load::{Files, load_from};
 use crate::output::{Guard, Output, say};
 use crate::plan::leave_out;
 use crate::wrap::{width_of_stdout, wrapped};
-use strahl_settings::DEFAULT_SIZE;
-use tree::{Explained, VERSION, triple};
 
 pub mod names;
 pub mod pixel;

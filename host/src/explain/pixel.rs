@@ -8,15 +8,15 @@ use strahl_core::{
     Aabb, Camera, CameraSample, Everything, Kept, List, Pixel, PixelSample, Rgb, Sampler, Tracer, Worker,
     World, group_count,
 };
+use strahl_engine::RenderError;
+use strahl_engine::samplers::{Any, Shared};
+use strahl_settings::{LEVELS, Settings};
 
 use super::names::Names;
 use super::record::{MOST_RAYS, Record};
 use super::tree::{Part, Sample, Sum, triple};
 use crate::description::Description;
-use crate::engine::samplers::{Any, Shared};
-use crate::render_output::RenderError;
 use crate::stock::single::{scene_tables, view};
-use strahl_settings::{LEVELS, Settings};
 
 /// The colour of a pixel, and how it comes about.
 pub struct Traced {
@@ -28,7 +28,7 @@ pub struct Traced {
     pub samples: Vec<Sample>,
 }
 
-/// Traces one pixel of the picture that is requested.
+/// Traces one pixel of the picture that is asked for.
 pub fn trace(description: &Description, settings: &Settings, pixel: Pixel) -> Result<Traced, RenderError> {
     let stock = scene_tables(description);
     let scene = stock.scene().map_err(RenderError::invalid)?;

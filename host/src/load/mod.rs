@@ -10,10 +10,10 @@ mod shown;
 use std::path::Path;
 
 use strahl_core::Size;
+use strahl_settings::DEFAULT_SIZE;
 
 use crate::description::Description;
 use crate::failure::Failure;
-use strahl_settings::DEFAULT_SIZE;
 
 pub use files::Files;
 

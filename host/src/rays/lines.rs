@@ -2,9 +2,10 @@
 
 use std::fmt;
 
+use strahl_engine::RayQuery;
+use strahl_settings::Precision;
+
 use crate::amount::amount;
-use crate::precision::Precision;
-use crate::ray_query::RayQuery;
 
 /// The longest line that may be one, in bytes.
 pub(super) const LONGEST: usize = 1 << 16;

@@ -3,8 +3,8 @@
 use std::fmt::{Display, LowerExp};
 use std::io::Write;
 
-use crate::precision::Precision;
-use crate::ray_query::RayHit;
+use strahl_engine::RayHit;
+use strahl_settings::Precision;
 
 /// The names of the fields.
 pub(super) const HEADER: &str = "hit,t,object,px,py,pz,nx,ny,nz\n";

@@ -14,12 +14,13 @@ use std::sync::mpsc::{self, Receiver, RecvTimeoutError, Sender};
 use std::thread;
 use std::time::Duration;
 
+use strahl_engine::{RayCaster, RayHit, RayQuery};
+use strahl_settings::Precision;
+
 use super::lines::{self, LONGEST, LineFault, is_header};
 use super::rows;
 use crate::failure::Failure;
 use crate::output::Output;
-use crate::precision::Precision;
-use crate::ray_query::{RayCaster, RayHit, RayQuery};
 use crate::signals::Signals;
 
 /// How much is read at once, in bytes: some hundred rays, so that all threads have work to the end.

@@ -8,10 +8,11 @@
 use std::time::Duration;
 
 use strahl_core::Size;
+use strahl_settings::Settings;
 
 use super::bench::Bench;
 use super::error::StudyError;
-use super::options::Options;
+use super::options::coarse;
 use super::plan::{Plan, time};
 use super::record::{Role, Run};
 
@@ -76,7 +77,7 @@ impl Cost {
 pub(super) fn choose(
     bench: &mut Bench<'_>,
     plan: &Plan,
-    own: &Options,
+    own: &Settings,
     is_free: bool,
 ) -> Result<(), StudyError> {
     let Some(limit) = bench.limit.map(|limit| limit.as_secs_f64()) else { return Ok(()) };
@@ -88,7 +89,7 @@ pub(super) fn choose(
     let mut probe: Option<Run> = None;
     for _ in 0..PROBES {
         let left = bench.share(time::PROBE) - (bench.elapsed() - begun);
-        let Some(taken) = bench.take(Role::Knob, &own.coarse(), left)? else { break };
+        let Some(taken) = bench.take(Role::Knob, &coarse(own), left)? else { break };
         // The quickest: other work on the machine makes it slower only.
         probe = Some(match probe {
             Some(probe) if probe.wall[0] <= taken.run.wall[0] => probe,

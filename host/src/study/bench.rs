@@ -1,26 +1,25 @@
 //! Where settings are measured: one scene at one size, against a clock.
 
 use std::cell::Cell;
-use std::sync::Arc;
 use std::time::{Duration, Instant};
 
 use strahl_core::{Rgb, Size};
+use strahl_engine::cost_map::PixelCost;
+use strahl_engine::progress::Deadline;
+use strahl_engine::{CostMap, Interrupt, RenderError, RenderOptions};
 use strahl_picture::difference::{Limit, Pair};
 use strahl_picture::{Picture, Values};
+use strahl_settings::Settings;
 
-use super::options::Options;
+use super::options::{record, words};
 use super::plan::time;
 use super::progress::StudyProgress;
 use super::record::{Errors, Role, Run};
-use crate::cost::{WEIGHTS, record};
-use crate::cost_map::{CostMap, PixelCost};
+use crate::cost::{WEIGHTS, recorded};
 use crate::description::Description;
-use crate::interrupt::Interrupt;
 use crate::plan::leave_out;
-use crate::progress::Deadline;
-use crate::render_output::{RenderError, RenderOutput};
-use crate::render_request::RenderRequest;
 use crate::session;
+use crate::session::RenderOutput;
 
 /// One scene at one size, and a clock.
 pub struct Bench<'b> {
@@ -41,7 +40,7 @@ pub struct Bench<'b> {
 /// A setting that was traced.
 pub struct Taken {
     /// Which.
-    pub options: Options,
+    pub options: Settings,
     /// What it took; its errors are still to be measured.
     pub run: Run,
     /// What came of it, until nobody needs it any more.
@@ -80,24 +79,24 @@ impl<'b> Bench<'b> {
     }
 
     /// Traces it once; none where that takes more seconds than `most`, or than are left of all.
-    pub fn trace(&self, options: &Options, most: f64) -> Result<Option<RenderOutput>, RenderError> {
-        self.traced(options, &options.request(self.size), most)
+    pub fn trace(&self, options: &Settings, most: f64) -> Result<Option<RenderOutput>, RenderError> {
+        self.traced(options, &RenderOptions::COUNT_TESTS, most)
     }
 
     /// What each pixel costs, row by row; none where no time is left for it.
-    pub fn costs(&self, options: &Options) -> Result<Option<Vec<PixelCost>>, RenderError> {
-        let cost_map = Arc::new(CostMap::new(self.size));
-        let request = RenderRequest { cost_map: Some(Arc::clone(&cost_map)), ..options.request(self.size) };
-        Ok(self.traced(options, &request, f64::INFINITY)?.map(|_| cost_map.costs()))
+    pub fn costs(&self, options: &Settings) -> Result<Option<Vec<PixelCost>>, RenderError> {
+        let cost_map = CostMap::new(self.size);
+        let counting = RenderOptions { cost_map: Some(&cost_map), ..RenderOptions::default() };
+        Ok(self.traced(options, &counting, f64::INFINITY)?.map(|_| cost_map.costs()))
     }
 
     fn traced(
         &self,
-        options: &Options,
-        request: &RenderRequest,
+        settings: &Settings,
+        options: &RenderOptions<'_>,
         most: f64,
     ) -> Result<Option<RenderOutput>, RenderError> {
-        self.progress.measuring(&options.words());
+        self.progress.measuring(&words(settings));
         // Nothing lasts longer than the study may, whatever it is allowed to.
         let (most, left) = (most + self.build.get(), self.share(time::TRACED) - self.elapsed());
         let most = if most < left { most } else { left };
@@ -107,12 +106,13 @@ impl<'b> Bench<'b> {
         // What is longer than a clock can say has no end.
         let end = Duration::try_from_secs_f64(most).ok().and_then(|most| Instant::now().checked_add(most));
         let progress = Deadline::new(self.progress, end);
-        let traced = if options.without.is_empty() {
-            session::render(self.scene, request, &progress)
+        let settings = &Settings { size: self.size, ..settings.clone() };
+        let traced = if settings.without.is_empty() {
+            session::render(self.scene, settings, options, &progress)
         } else {
             let mut scene = self.scene.clone();
-            leave_out(&mut scene, &options.without);
-            session::render(&scene, request, &progress)
+            leave_out(&mut scene, &settings.without);
+            session::render(&scene, settings, options, &progress)
         };
         match traced {
             Ok(output) => Ok(Some(output)),
@@ -122,13 +122,13 @@ impl<'b> Bench<'b> {
     }
 
     /// Traces it for the first time.
-    pub fn take(&self, role: Role, options: &Options, most: f64) -> Result<Option<Taken>, RenderError> {
+    pub fn take(&self, role: Role, options: &Settings, most: f64) -> Result<Option<Taken>, RenderError> {
         let Some(frame) = self.trace(options, most)? else { return Ok(None) };
-        let counts = record(&frame.counters);
+        let counts = recorded(&frame.counters);
         let choice = &frame.accelerator.choice;
         let run = Run {
             role,
-            setting: options.record(choice),
+            setting: record(options, choice),
             cpu: vec![frame.trace_cpu.as_secs_f64()],
             wall: vec![frame.trace.as_secs_f64()],
             build: frame.build.as_secs_f64(),

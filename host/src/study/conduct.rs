@@ -7,8 +7,8 @@
 //! left, everything again, round by round, so that what disturbs the machine for a while disturbs
 //! all settings alike.
 
-use strahl_core::Limits;
 use strahl_picture::Picture;
+use strahl_settings::{Sampling, Settings};
 
 use super::afford;
 use super::bench::{Bench, Taken, errors, mean};
@@ -16,12 +16,11 @@ use super::error::StudyError;
 use super::front::{Point, front};
 use super::knobs;
 use super::mixtures;
-use super::options::Options;
+use super::options::{coarse, record, words};
 use super::plan::{FINER, Plan, finer, time};
 use super::record::{Errors, Knob, LeftOut, Reference, Role, Technique};
 use super::techniques;
 use crate::plan::Effect;
-use crate::sampling::Sampling;
 
 /// Why most of what is left out is.
 pub(super) const NO_TIME: &str = "no time was left";
@@ -51,9 +50,9 @@ pub struct Conduct<'b> {
     /// After how many seconds all of it should be over, if nothing bounds it.
     foretold: f64,
     /// What was given up, and after how many seconds.
-    given_up: Vec<(Options, f64)>,
+    given_up: Vec<(Settings, f64)>,
     /// Each setting that is in `left_out`.
-    missing: Vec<Options>,
+    missing: Vec<Settings>,
 }
 
 /// What everything is held against.
@@ -86,7 +85,7 @@ impl<'b> Conduct<'b> {
     }
 
     /// Measures a scene whose own settings are `own`, and which asks for `asks`.
-    pub fn run(&mut self, own: &Options, asks: &[Effect]) -> Result<Truth, StudyError> {
+    pub fn run(&mut self, own: &Settings, asks: &[Effect]) -> Result<Truth, StudyError> {
         let best = self.limits(own)?;
         let truth = self.reference(best, own)?;
         for taken in &mut self.taken {
@@ -108,11 +107,11 @@ impl<'b> Conduct<'b> {
 
     /// Measures nothing but the techniques, and `repeats` times in all; there is no reference, so the errors of
     /// runs are those against the picture of `own`.
-    pub fn evaluate(&mut self, own: &Options) -> Result<(), StudyError> {
+    pub fn evaluate(&mut self, own: &Settings) -> Result<(), StudyError> {
         let begun = self.bench.elapsed();
         let frame = self.bench.trace(own, f64::INFINITY)?;
         let frame = frame.ok_or_else(|| StudyError::TooShort("the picture takes too long".into()))?;
-        let setting = own.record(&frame.accelerator.choice);
+        let setting = record(own, &frame.accelerator.choice);
         let reference = Reference { setting, noise: 0.0, cut: 0.0, seconds: self.bench.elapsed() - begun };
         techniques::all(self, own, &Truth { picture: frame.picture, reference })?;
         self.repeat()
@@ -120,8 +119,8 @@ impl<'b> Conduct<'b> {
 
     /// Goes from the scene's own levels and cutoff to finer ones, until nothing is cut or a reference with them
     /// would take too long; the place of the finest.
-    fn limits(&mut self, own: &Options) -> Result<usize, StudyError> {
-        let coarse = own.coarse();
+    fn limits(&mut self, own: &Settings) -> Result<usize, StudyError> {
+        let coarse = coarse(own);
         let seconds = self.bench.share(time::REFERENCE);
         let first =
             self.bench.take(Role::Knob, &coarse, seconds)?.ok_or_else(|| afford::short(self.bench, None))?;
@@ -131,9 +130,9 @@ impl<'b> Conduct<'b> {
         let most = if most < MINUTE { most } else { MINUTE };
         let (mut best, mut may) = (0, [true; 2]);
         while let Some((which, limits)) =
-            finer(self.taken[best].options.limits, self.taken[best].run.cut, may)
+            finer(self.taken[best].options.limits(), self.taken[best].run.cut, may)
         {
-            let options = Options { limits, ..coarse.clone() };
+            let options = coarse.clone().with_limits(limits);
             match self.bench.take(Role::Knob, &options, most)? {
                 Some(taken) => {
                     self.taken.push(taken);
@@ -150,8 +149,8 @@ impl<'b> Conduct<'b> {
         }
         // Where the cutoff cuts nothing the same rays are sent without any.
         let Taken { options, run, .. } = &self.taken[best];
-        if run.cut[1] == 0.0 && options.limits.cutoff > 0.0 {
-            let options = Options { limits: Limits { cutoff: 0.0, ..options.limits }, ..options.clone() };
+        if run.cut[1] == 0.0 && options.cutoff > 0.0 {
+            let options = Settings { cutoff: 0.0, ..options.clone() };
             if let Some(taken) = self.bench.take(Role::Knob, &options, 3.0 * most)? {
                 self.taken.push(taken);
                 best = self.taken.len() - 1;
@@ -162,7 +161,7 @@ impl<'b> Conduct<'b> {
 
     /// Makes the reference with the limits of the run at `best`, and where that takes too long with the scene's
     /// own.
-    fn reference(&mut self, best: usize, own: &Options) -> Result<Truth, StudyError> {
+    fn reference(&mut self, best: usize, own: &Settings) -> Result<Truth, StudyError> {
         let begun = self.bench.elapsed();
         let (fewest, seconds) = (self.plan.fewest(own), self.bounded(time::REFERENCE));
         let Taken { options: finest, run, .. } = &self.taken[best];
@@ -172,11 +171,11 @@ impl<'b> Conduct<'b> {
         self.foretold = begun + single * (f64::from(samples) + rays * self.plan.repeats as f64);
         self.bench.left(self.ahead());
         // As well as it was meant, with as few rays as may be, and as coarse as may be.
-        let mut tries = vec![(finest.clone(), samples), (finest, fewest), (own.coarse(), fewest)];
+        let mut tries = vec![(finest.clone(), samples), (finest, fewest), (coarse(own), fewest)];
         tries.dedup();
         for (options, samples) in tries {
-            let of = |seed| Options {
-                sampling: Sampling::stochastic((samples / 2).max(1)),
+            let of = |seed| Settings {
+                sampler: Sampling::stochastic((samples / 2).max(1)),
                 seed,
                 ..options.clone()
             };
@@ -186,7 +185,7 @@ impl<'b> Conduct<'b> {
             let Some(other) = self.bench.trace(&of(2), left())? else { continue };
             let cut = one.counters.cut();
             let reference = Reference {
-                setting: of(1).record(&one.accelerator.choice),
+                setting: record(&of(1), &one.accelerator.choice),
                 // The mean of two has half of the variance of their difference, halved again.
                 noise: 0.5 * errors(&one.picture, &other.picture).rmse,
                 cut: cut[0] + cut[1],
@@ -210,7 +209,7 @@ impl<'b> Conduct<'b> {
     pub(super) fn take(
         &mut self,
         role: Role,
-        options: &Options,
+        options: &Settings,
         most: f64,
         truth: &Picture,
     ) -> Result<Option<usize>, StudyError> {
@@ -245,7 +244,7 @@ impl<'b> Conduct<'b> {
     /// Measures a setting of one knob that is expected to take `seconds`, unless that is too long.
     pub(super) fn turn(
         &mut self,
-        options: &Options,
+        options: &Settings,
         seconds: f64,
         truth: &Picture,
     ) -> Result<Option<usize>, StudyError> {
@@ -258,7 +257,7 @@ impl<'b> Conduct<'b> {
     }
 
     /// After how many seconds of wall-clock time a setting was given up, if it was.
-    pub(super) fn given_up_after(&self, options: &Options) -> Option<f64> {
+    pub(super) fn given_up_after(&self, options: &Settings) -> Option<f64> {
         self.given_up.iter().rev().find(|(it, _)| it == options).map(|(_, after)| *after)
     }
 
@@ -274,10 +273,10 @@ impl<'b> Conduct<'b> {
     }
 
     /// Tells, once, that a setting is not measured.
-    pub(super) fn leave(&mut self, options: &Options, why: String) {
+    pub(super) fn leave(&mut self, options: &Settings, why: String) {
         if !self.missing.contains(options) {
             self.missing.push(options.clone());
-            self.left_out.push(LeftOut { setting: options.words(), why });
+            self.left_out.push(LeftOut { setting: words(options), why });
         }
     }
 

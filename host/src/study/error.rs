@@ -3,9 +3,8 @@
 use std::error::Error;
 use std::fmt;
 
+use strahl_engine::RenderError;
 use strahl_settings::SettingsError;
-
-use crate::render_output::RenderError;
 
 /// Why a scene could not be studied.
 #[derive(Debug)]

@@ -3,6 +3,7 @@
 use base64::Engine as _;
 use base64::engine::general_purpose::STANDARD;
 use strahl_core::Size;
+use strahl_engine::cost_map::PixelCost;
 use strahl_picture::colormap::{inferno, step_of};
 use strahl_picture::{Format, Picture, srgb};
 
@@ -10,9 +11,9 @@ use super::bench::pair;
 use super::conduct::{Conduct, Truth};
 use super::error::StudyError;
 use super::front::{Point, cheapest_within, front};
+use super::options::words;
 use super::record::{Image, Role, Shows};
 use crate::cost::{Counts, WEIGHTS};
-use crate::cost_map::PixelCost;
 
 /// Errors for which the cheapest setting is recommended.
 pub const LIMITS: [f64; 5] = [0.05, 0.02, 0.01, 0.005, 0.002];
@@ -32,7 +33,7 @@ pub fn all(conduct: &Conduct<'_>, truth: &Truth) -> Result<Vec<Image>, StudyErro
     for run in shown(conduct) {
         let taken = &conduct.taken[run];
         let Some(picture) = &taken.picture else { continue };
-        let title = taken.options.words();
+        let title = words(&taken.options);
         images.push(image(Shows::Picture, Some(run), &title, None, picture)?);
         let map = errors(picture, &truth.picture);
         images.push(image(Shows::Error, Some(run), &title, Some([0.0, 1.0]), &map)?);

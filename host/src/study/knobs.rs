@@ -4,16 +4,16 @@
 //! best: the same rays through the picture, so that nothing else is between the two pictures. Of
 //! samplers, and of effects that need many rays, it is the difference from the reference.
 
-use strahl_core::Limits;
+use strahl_settings::domain::share_word;
+use strahl_settings::{Sampling, Settings};
 
 use super::bench::{Taken, errors};
 use super::conduct::{Conduct, Truth};
 use super::error::StudyError;
-use super::options::{Options, cutoff};
+use super::options::words;
 use super::plan::{LEVELS, most_of};
 use super::record::{Knob, Run, Step};
 use crate::plan::Effect;
-use crate::sampling::Sampling;
 
 /// Samples for effects that need many: enough to see what they do.
 const MANY: u32 = 16;
@@ -25,12 +25,12 @@ pub(super) fn levels(study: &mut Conduct<'_>, best: usize, truth: &Truth) -> Res
     let before = study.missing();
     let mut steps: Vec<Step> = Vec::new();
     let is_whole = |study: &Conduct<'_>, step: &Step| study.taken[step.run].run.cut[0] == 0.0;
-    for levels in LEVELS.into_iter().filter(|levels| has_more && *levels < base.limits.levels) {
+    for levels in LEVELS.into_iter().filter(|levels| has_more && *levels < base.levels) {
         // The rest would be the same picture.
         if steps.last().is_some_and(|step| is_whole(study, step)) {
             break;
         }
-        let options = Options { limits: Limits { levels, ..base.limits }, ..base.clone() };
+        let options = Settings { levels, ..base.clone() };
         if let Some(run) = study.turn(&options, seconds, &truth.picture)? {
             let alone = study.between(run, best).unwrap_or_default();
             steps.push(Step { value: levels.to_string(), run, alone });
@@ -38,13 +38,13 @@ pub(super) fn levels(study: &mut Conduct<'_>, best: usize, truth: &Truth) -> Res
     }
     if !steps.last().is_some_and(|step| is_whole(study, step)) {
         let alone = study.between(best, best).unwrap_or_default();
-        steps.push(Step { value: base.limits.levels.to_string(), run: best, alone });
+        steps.push(Step { value: base.levels.to_string(), run: best, alone });
     }
     study.knobs.push(Knob {
         name: "levels".into(),
         about: "How many times light may be mirrored or pass a surface before the eye.".into(),
-        fixed: format!("--cutoff {} --sampler {}", cutoff(base.limits.cutoff), base.sampling),
-        against: format!("{} levels", base.limits.levels),
+        fixed: format!("--cutoff {} --sampler {}", share_word(base.cutoff), base.sampler),
+        against: format!("{} levels", base.levels),
         steps,
         left_out: study.missing() - before,
     });
@@ -62,20 +62,20 @@ pub(super) fn cutoffs(study: &mut Conduct<'_>, best: usize, truth: &Truth) -> Re
     let (base, seconds, has_more) = (base.clone(), run.wall[0], has_secondary(run));
     let before = study.missing();
     let mut steps = Vec::new();
-    for value in study.plan.cutoffs().filter(|value| has_more && *value > base.limits.cutoff) {
-        let options = Options { limits: Limits { cutoff: value, ..base.limits }, ..base.clone() };
+    for value in study.plan.cutoffs().filter(|value| has_more && *value > base.cutoff) {
+        let options = Settings { cutoff: value, ..base.clone() };
         if let Some(run) = study.turn(&options, seconds, &truth.picture)? {
             let alone = study.between(run, best).unwrap_or_default();
-            steps.push(Step { value: cutoff(value), run, alone });
+            steps.push(Step { value: share_word(value), run, alone });
         }
     }
     let alone = study.between(best, best).unwrap_or_default();
-    steps.push(Step { value: cutoff(base.limits.cutoff), run: best, alone });
+    steps.push(Step { value: share_word(base.cutoff), run: best, alone });
     study.knobs.push(Knob {
         name: "cutoff".into(),
         about: "Rays that would count less than this in their pixel are not sent.".into(),
-        fixed: format!("--levels {} --sampler {}", base.limits.levels, base.sampling),
-        against: format!("cutoff {}", cutoff(base.limits.cutoff)),
+        fixed: format!("--levels {} --sampler {}", base.levels, base.sampler),
+        against: format!("cutoff {}", share_word(base.cutoff)),
         steps,
         left_out: study.missing() - before,
     });
@@ -89,10 +89,10 @@ pub(super) fn samplers(study: &mut Conduct<'_>, best: usize, truth: &Truth) -> R
     let samples = truth.reference.setting.sampler.parse::<Sampling>().map_or(1, |it| 2 * most_of(&it));
     let before = study.missing();
     let mut runs = vec![best];
-    for (sampling, rays) in study.plan.samplers(base.filter) {
-        let options = Options { sampling, ..base.clone() };
+    for (sampler, rays) in study.plan.samplers(base.filter) {
+        let options = Settings { sampler, ..base.clone() };
         // The reference must be the finer one by far.
-        if most_of(&sampling) * super::plan::FINER > samples {
+        if most_of(&sampler) * super::plan::FINER > samples {
             study.leave(
                 &options,
                 format!("a reference of only {samples} rays in a pixel is too coarse for it"),
@@ -104,13 +104,13 @@ pub(super) fn samplers(study: &mut Conduct<'_>, best: usize, truth: &Truth) -> R
     runs.sort_by_key(|run| study.taken[*run].run.counts.rays[0]);
     let step = |run: usize| {
         let Taken { options, run: found, .. } = &study.taken[run];
-        Step { value: options.sampling.to_string(), run, alone: found.error }
+        Step { value: options.sampler.to_string(), run, alone: found.error }
     };
     let steps = runs.into_iter().map(step).collect();
     study.knobs.push(Knob {
         name: "sampler".into(),
         about: "How many rays make a pixel, and through which places.".into(),
-        fixed: format!("--levels {} --cutoff {}", base.limits.levels, cutoff(base.limits.cutoff)),
+        fixed: format!("--levels {} --cutoff {}", base.levels, share_word(base.cutoff)),
         against: "the reference".into(),
         steps,
         left_out: study.missing() - before,
@@ -125,7 +125,7 @@ pub(super) fn selections(study: &mut Conduct<'_>, best: usize, truth: &Truth) ->
     let before = study.missing();
     let mut steps = Vec::new();
     for selecting in study.plan.selections() {
-        let options = Options { selecting: Some(selecting), ..base.clone() };
+        let options = Settings { select: Some(selecting), ..base.clone() };
         if let Some(run) = study.turn(&options, seconds, &truth.picture)? {
             let alone = study.between(run, best).unwrap_or_default();
             steps.push(Step { value: selecting.to_string(), run, alone });
@@ -139,7 +139,7 @@ pub(super) fn selections(study: &mut Conduct<'_>, best: usize, truth: &Truth) ->
             "One pixel in so many times so many is traced first; where neighbours agree, those between are \
                 guessed."
                 .into(),
-        fixed: base.words().replace(" --select", ""),
+        fixed: words(&base).replace(" --select", ""),
         against: "every pixel traced".into(),
         steps,
         left_out: study.missing() - before,
@@ -160,11 +160,11 @@ pub(super) fn effects(
         .any(|effect| asks.contains(effect));
     let rays = if is_many { MANY } else { 4 };
     let seconds = f64::from(rays) * run.wall[0];
-    let base = Options { sampling: Sampling::stochastic(rays), ..base.clone() };
+    let base = Settings { sampler: Sampling::stochastic(rays), ..base.clone() };
     let before = study.missing();
     let mut steps = Vec::new();
     for effect in asks {
-        let options = Options { without: vec![*effect], ..base.clone() };
+        let options = Settings { without: vec![*effect], ..base.clone() };
         if let Some(run) = study.turn(&options, seconds, &truth.picture)? {
             steps.push(Step { value: effect.name().into(), run, alone: study.taken[run].run.error });
         }
@@ -179,7 +179,7 @@ pub(super) fn effects(
     study.knobs.push(Knob {
         name: "without".into(),
         about: "What every effect that the scene asks for costs, and what its picture is without.".into(),
-        fixed: base.words(),
+        fixed: words(&base),
         against: "the reference, which has all of them".into(),
         steps,
         left_out: study.missing() - before,

@@ -1,11 +1,10 @@
 //! Several knobs turned at once, as long as that promises anything and time is left.
 
-use strahl_core::Limits;
+use strahl_settings::Settings;
 
 use super::conduct::{Conduct, NO_TIME, Truth};
 use super::error::StudyError;
 use super::mix::{Hunt, Notch};
-use super::options::Options;
 use super::plan::time;
 use super::record::{Role, Step};
 
@@ -52,12 +51,13 @@ fn turned(study: &Conduct<'_>, name: &str, best: usize, work: f64) -> (Vec<usize
 }
 
 /// `base` with all knobs turned: each to the notch that its run at that place has.
-fn mixed(study: &Conduct<'_>, base: &Options, runs: &[Vec<usize>], places: &[usize]) -> Options {
+fn mixed(study: &Conduct<'_>, base: &Settings, runs: &[Vec<usize>], places: &[usize]) -> Settings {
     let of = |knob: usize| &study.taken[runs[knob][places[knob]]].options;
-    Options {
-        limits: Limits { levels: of(0).limits.levels, cutoff: of(1).limits.cutoff },
-        sampling: of(2).sampling,
-        selecting: of(3).selecting,
+    Settings {
+        levels: of(0).levels,
+        cutoff: of(1).cutoff,
+        sampler: of(2).sampler,
+        select: of(3).select,
         ..base.clone()
     }
 }

@@ -31,24 +31,19 @@ use std::ffi::OsStr;
 use std::path::Path;
 use std::time::{Duration, Instant};
 
-use strahl_core::Size;
-use strahl_settings::{PartialSettings, Settings};
-
-use crate::cost::WEIGHTS;
-use crate::description::Description;
-use crate::engine::session::scene_stats;
-use crate::plan::Effect;
-use crate::render_output::RenderError;
-use crate::stock::single::scene_tables;
 use afford::smaller;
 use bench::Bench;
 use conduct::Conduct;
 use error::StudyError;
-use options::Options;
 use plan::Plan;
 use progress::StudyProgress;
 use record::Study;
-use strahl_settings::DEFAULT_SIZE;
+use strahl_core::Size;
+use strahl_settings::{DEFAULT_SIZE, Effect, PartialSettings, Precision, Settings};
+
+use crate::cost::WEIGHTS;
+use crate::description::Description;
+use crate::session::SceneStorage;
 
 mod afford;
 pub mod bench;
@@ -101,11 +96,8 @@ pub fn study(
     progress: &dyn StudyProgress,
 ) -> Result<Study, StudyError> {
     let (load, date) = (machine::load(), machine::now());
-    let facts = {
-        let stock = scene_tables(scene);
-        scene_stats(scene, &stock.scene().map_err(RenderError::invalid)?)
-    };
-    let asks: Vec<Effect> = Effect::ALL.into_iter().filter(|effect| effect.is_in(&facts.asks)).collect();
+    let facts = SceneStorage::new(scene, Precision::Single).scene_stats()?;
+    let asks: Vec<Effect> = Effect::ALL.into_iter().filter(|effect| effect.is_in(&facts.effects)).collect();
 
     let plan = if settings.full { Plan::FULL } else { Plan::QUICK };
     let limit = settings.time_limit.or((!settings.full).then_some(QUICK));
@@ -159,10 +151,9 @@ pub fn study(
 }
 
 /// The scene's own settings, where it has none the defaults.
-fn own(scene: &Description, size: Size, threads: Option<usize>) -> Result<Options, StudyError> {
+fn own(scene: &Description, size: Size, threads: Option<usize>) -> Result<Settings, StudyError> {
     let given = PartialSettings { size: Some(size), threads, ..PartialSettings::default() };
-    let settings = Settings::resolve(&given, &scene.settings).map_err(StudyError::Settings)?;
-    Ok(Options::of(&settings))
+    Settings::resolve(&given, &scene.settings).map_err(StudyError::Settings)
 }
 
 /// The name of a scene.

@@ -1,10 +1,7 @@
 //! What is measured: the notches of every knob, and how much time each part may take.
 
 use strahl_core::Limits;
-
-use super::options::Options;
-use crate::sampling::{Agreement, PixelSelection as Selecting, Sampling};
-use strahl_settings::Filter;
+use strahl_settings::{Agreement, Filter, PixelSelection, Sampling, Settings};
 
 /// How thorough a study is.
 #[derive(Clone, Copy, Debug)]
@@ -116,8 +113,8 @@ impl Plan {
     }
 
     /// Which pixels are traced.
-    pub fn selections(&self) -> impl Iterator<Item = Selecting> {
-        let with = |(step, threshold): &(u32, f32)| Selecting {
+    pub fn selections(&self) -> impl Iterator<Item = PixelSelection> {
+        let with = |(step, threshold): &(u32, f32)| PixelSelection {
             step: *step,
             agreement: Agreement { threshold: *threshold, items: true },
         };
@@ -144,9 +141,9 @@ impl Plan {
 
     /// Samples in a pixel of the reference at least: no fewer than the scene's own setting has. A power of
     /// two, for which the sequence is best.
-    pub fn fewest(&self, own: &Options) -> u32 {
+    pub fn fewest(&self, own: &Settings) -> u32 {
         let [least, _] = self.reference;
-        let rays = most_of(&own.sampling);
+        let rays = most_of(&own.sampler);
         let least = if rays > least { rays } else { least };
         least.checked_next_power_of_two().unwrap_or(least)
     }
@@ -188,10 +185,7 @@ pub fn most_of(sampling: &Sampling) -> u32 {
 
 #[cfg(test)]
 mod tests {
-    use strahl_core::Size;
-
     use super::*;
-    use strahl_settings::Settings;
 
     #[test]
     fn every_sampler_of_a_plan_is_one_of_the_command_line() {
@@ -220,9 +214,7 @@ mod tests {
     #[test]
     fn a_reference_has_no_fewer_samples_than_the_scene_asks_for() {
         let fewest = |sampler: &str| {
-            let sampler = sampler.parse().unwrap();
-            let settings = Settings { sampler, ..Settings::of_size(Size::new(4, 4).unwrap()) };
-            Plan::QUICK.fewest(&Options::of(&settings))
+            Plan::QUICK.fewest(&Settings { sampler: sampler.parse().unwrap(), ..Settings::default() })
         };
         let samplers = [
             "single",

@@ -1,6 +1,6 @@
 //! How far a study is: what is measured now, and how much time is left.
 
-use crate::progress::{NoProgress, Progress};
+use strahl_engine::{NoProgress, Progress};
 
 /// Told what a study measures and how much time is left; it may stop the study.
 pub trait StudyProgress: Progress {

@@ -7,17 +7,14 @@ use std::path::Path;
 
 use strahl::description::Description;
 use strahl::plan::{Effect, asked_by, leave_out, plan};
-use strahl::progress::NoProgress;
-use strahl::render_output::RenderOutput;
-use strahl::render_request::RenderRequest;
-use strahl::sampling::Sampling;
-use strahl::session;
+use strahl::session::{self, RenderOutput};
 use strahl::stock::single::{scene_tables, view};
 use strahl_core::{
     BareList, Camera, Counters, EffectSet, Effects, Everything, LightSet, Limits, RayKind, Rgb, ShapeSet,
     Size, Stochastic, TextureSet, Tile, Tracer, Worker, World, render,
 };
-use strahl_settings::Settings;
+use strahl_engine::{NoProgress, RenderOptions};
+use strahl_settings::{Sampling, Settings};
 
 const SIZE: Size = Size::new(48, 36).unwrap();
 
@@ -113,8 +110,8 @@ fn smallest(effect: Effect) -> [Seen; 2] {
 }
 
 fn counted(description: &Description, seed: u32) -> (RenderOutput, Counters) {
-    let settings = Settings { seed, sampler: Sampling::Regular(2), ..Settings::of_size(SIZE) };
-    let frame = session::render(description, &RenderRequest::new(settings), &NoProgress).unwrap();
+    let settings = Settings { size: SIZE, seed, sampler: Sampling::Regular(2), ..Settings::default() };
+    let frame = session::render(description, &settings, &RenderOptions::COUNT_TESTS, &NoProgress).unwrap();
     let counts = frame.counters;
     (frame, counts)
 }

@@ -18,6 +18,7 @@ use std::path::Path;
 
 use strahl_core::{Camera, Cone, MAX_COORDINATE, Material, Polygon, Rgb, Size, vec3};
 use strahl_settings::PartialSettings;
+use words::{Read, Word, Words, Wrong};
 
 use crate::amount::amount;
 use crate::description::{
@@ -26,7 +27,6 @@ use crate::description::{
 use crate::failure::Failure;
 use crate::load::MOST_PIXELS;
 use crate::stock;
-use words::{Read, Word, Words, Wrong};
 
 /// Reads the bytes of the file at `path`.
 ///

@@ -1,9 +1,9 @@
 //! What firmware has measured, beside what the workstation has.
 
 use maud::{Markup, html};
+use strahl_settings::domain::share_word;
 
 use super::super::device::{Device, Row};
-use super::super::options::cutoff;
 use super::super::record::{Run, Study};
 use super::family::Family;
 use super::numbers::{count, error};
@@ -55,7 +55,7 @@ fn plot(scene: &str, rows: &[&Row]) -> Markup {
 
 fn words(row: &Row) -> String {
     let Row { levels, sampler, precision, .. } = row;
-    format!("levels {levels} cutoff {} sampler {sampler} precision {precision}", cutoff(row.cutoff))
+    format!("levels {levels} cutoff {} sampler {sampler} precision {precision}", share_word(row.cutoff))
 }
 
 /// The run of the study with the same setting, if the scene is the same.

@@ -1,27 +1,32 @@
 //! Builds the accelerator that the settings ask for.
 //!
 //! This is the one module that knows every accelerator: the settings become a type here, and [`open`] returns it
-//! behind a pointer. For another accelerator: a name in [`finding`](crate::finding), and an arm in [`open`].
+//! behind a pointer. For another accelerator: a name in [`strahl_settings::accelerator`], and an arm in [`open`].
 //!
 //! Sizes that are constants of a type come from short lists ([`MAILBOXES`], [`HEAPS`]). The ray tracer is compiled for
 //! all prepared effect sets only for the accelerators that `auto` chooses, for few of them where an accelerator is
-//! asked for by name, and for one where its size is not the usual one (module `effects`).
+//! asked for by name, and for one where its size is not the usual one (module `prepared`).
 //!
-//! [`MAILBOXES`]: crate::finding::MAILBOXES
-//! [`HEAPS`]: crate::finding::HEAPS
+//! [`MAILBOXES`]: strahl_settings::accelerator::MAILBOXES
+//! [`HEAPS`]: strahl_settings::accelerator::HEAPS
 
 use std::time::Instant;
 
-use super::effects;
-use super::request::ChooseRayTracers;
-use super::session::{AnyWorld, OpenWorld};
-use super::strahl::{
-    Aabb, Accelerator, BoundingSphere, BuildError, BvhBuilder, BvhNode, BvhSize, Grid, GridSize, LeafEntry,
-    LeafLayout, List, Octree, OctreeNode, OctreeSize, Scene, TraversalHeap, TraversalQueue, TraversalStack,
-    TriangleBlock, World, group_count,
+use strahl_core::{
+    Aabb, Accelerator, BoundingSphere, BuildError, Bvh, BvhBuilder, BvhNode, BvhSize, Grid, GridSize,
+    LeafEntry, LeafLayout, List, Octree, OctreeNode, OctreeSize, Scene, TraversalHeap, TraversalQueue,
+    TraversalStack, TriangleBlock, World, group_count,
 };
-use crate::finding::{Bounds, Choice, Finding, Kind, MAILBOX, STACK, Walk};
-use crate::render_output::AccelStats;
+use strahl_settings::accelerator::{MAILBOX, STACK};
+use strahl_settings::{AccelChoice, AccelKind, AccelSettings, Bounds, Walk};
+
+use crate::effects::{ChooseRayTracers, rarely_used};
+#[cfg(feature = "double")]
+use crate::effects::{rarely_used as by_name, rarely_used as usual};
+use crate::output::AccelStats;
+#[cfg(not(feature = "double"))]
+use crate::prepared::{by_name, usual};
+use crate::world::{AnyWorld, TypedWorld};
 
 /// The memory of an accelerator. The caller keeps it as long as the accelerator is used.
 #[derive(Debug, Default)]
@@ -44,38 +49,38 @@ pub type Opened<'s> = (Box<dyn AnyWorld + 's>, AccelStats);
 /// Builds the accelerator that is asked for, or one that suits the scene.
 pub fn open<'s>(
     scene: Scene<'s>,
-    finding: &Finding,
+    settings: &AccelSettings,
     memory: &'s mut AccelMemory,
 ) -> Result<Opened<'s>, BuildError> {
     let clock = Instant::now();
     memory.boxes = scene.parts().geometry.all_bounds().collect();
-    let choice = finding.choice(memory.boxes.iter().filter(|aabb| !aabb.is_empty()).count());
+    let choice = settings.choice(memory.boxes.iter().filter(|aabb| !aabb.is_empty()).count());
     let building = Building { scene, choice, clock, memory };
     match (choice.kind, choice.mailbox, choice.walk, choice.heap) {
-        (Kind::List, ..) => building.list(effects::usual),
-        (Kind::Grid, MAILBOX, ..) => building.grid::<MAILBOX>(effects::by_name),
-        (Kind::Grid, 8, ..) => building.grid::<8>(effects::rarely_used),
-        (Kind::Grid, ..) => building.grid::<0>(effects::rarely_used),
-        (Kind::Octree, MAILBOX, ..) => building.octree::<MAILBOX>(effects::by_name),
-        (Kind::Octree, 8, ..) => building.octree::<8>(effects::rarely_used),
-        (Kind::Octree, ..) => building.octree::<0>(effects::rarely_used),
-        (Kind::Bvh, _, Walk::Stack, _) => building.bvh::<TraversalStack<STACK>>(effects::usual),
-        (Kind::Bvh, _, Walk::Heap, 64) => building.bvh::<TraversalHeap<64>>(effects::rarely_used),
-        (Kind::Bvh, _, Walk::Heap, 4) => building.bvh::<TraversalHeap<4>>(effects::rarely_used),
-        (Kind::Bvh, _, Walk::Heap, 1) => building.bvh::<TraversalHeap<1>>(effects::rarely_used),
-        (Kind::Bvh, _, Walk::Heap, _) => building.bvh::<TraversalHeap<0>>(effects::rarely_used),
+        (AccelKind::List, ..) => building.list(usual),
+        (AccelKind::Grid, MAILBOX, ..) => building.grid::<MAILBOX>(by_name),
+        (AccelKind::Grid, 8, ..) => building.grid::<8>(rarely_used),
+        (AccelKind::Grid, ..) => building.grid::<0>(rarely_used),
+        (AccelKind::Octree, MAILBOX, ..) => building.octree::<MAILBOX>(by_name),
+        (AccelKind::Octree, 8, ..) => building.octree::<8>(rarely_used),
+        (AccelKind::Octree, ..) => building.octree::<0>(rarely_used),
+        (AccelKind::Bvh, _, Walk::Stack, _) => building.bvh::<TraversalStack<STACK>>(usual),
+        (AccelKind::Bvh, _, Walk::Heap, 64) => building.bvh::<TraversalHeap<64>>(rarely_used),
+        (AccelKind::Bvh, _, Walk::Heap, 4) => building.bvh::<TraversalHeap<4>>(rarely_used),
+        (AccelKind::Bvh, _, Walk::Heap, 1) => building.bvh::<TraversalHeap<1>>(rarely_used),
+        (AccelKind::Bvh, _, Walk::Heap, _) => building.bvh::<TraversalHeap<0>>(rarely_used),
     }
 }
 
 /// What the accelerator that is asked for would be like.
-pub fn stats(scene: Scene<'_>, finding: &Finding) -> Result<AccelStats, BuildError> {
-    open(scene, finding, &mut AccelMemory::default()).map(|(_, stats)| stats)
+pub fn stats(scene: Scene<'_>, settings: &AccelSettings) -> Result<AccelStats, BuildError> {
+    open(scene, settings, &mut AccelMemory::default()).map(|(_, stats)| stats)
 }
 
 /// What an accelerator is built of.
 struct Building<'s> {
     scene: Scene<'s>,
-    choice: Choice,
+    choice: AccelChoice,
     clock: Instant,
     memory: &'s mut AccelMemory,
 }
@@ -139,7 +144,7 @@ impl<'s> Building<'s> {
 
     fn bvh<W: TraversalQueue + 's>(
         self,
-        choose: ChooseRayTracers<super::strahl::Bvh<'s, W, TriangleBlock>>,
+        choose: ChooseRayTracers<Bvh<'s, W, TriangleBlock>>,
     ) -> Result<Opened<'s>, BuildError> {
         let Building { scene, choice, clock, memory } = self;
         let geometry = scene.parts().geometry;
@@ -157,7 +162,7 @@ impl<'s> Building<'s> {
 }
 
 impl Extent {
-    fn stats(self, choice: Choice, clock: Instant) -> AccelStats {
+    fn stats(self, choice: AccelChoice, clock: Instant) -> AccelStats {
         let Extent { bytes, regions, entries, depth } = self;
         AccelStats { choice, bytes, regions, entries, depth, build: clock.elapsed() }
     }
@@ -169,5 +174,5 @@ fn opened<'s, A: Accelerator + Sync + 's>(
     choose: ChooseRayTracers<A>,
     stats: AccelStats,
 ) -> Opened<'s> {
-    (Box::new(OpenWorld { world: World::new(scene, accelerator), choose }), stats)
+    (Box::new(TypedWorld { world: World::new(scene, accelerator), choose }), stats)
 }

@@ -1,4 +1,4 @@
-//! Tiles and threads, for either precision.
+//! Tiles and threads.
 //!
 //! The picture is cut into tiles, which idle threads take one by one. Each tile is traced by a
 //! worker of its own into memory of its own, so the threads change neither the picture nor the
@@ -7,15 +7,17 @@
 
 use rayon::prelude::*;
 
-use super::ray_tracer::RayTracerFactory;
-use super::samplers::{Any, Shared, parting, selection};
-use super::strahl::{
+use strahl_core::{
     Corner, Counters, HitId, Kept, Lattice, Parting, Pixel, PixelSample, Record, Rgb, Selected, Selection,
     Sink, Tile, render, render_selected,
 };
-use crate::interrupt::Interrupt;
-use crate::progress::Progress;
-use crate::render_request::RenderRequest;
+use strahl_settings::Settings;
+
+use crate::options::RenderOptions;
+use crate::output::Color;
+use crate::progress::{Interrupt, Progress};
+use crate::ray_tracer::RayTracerFactory;
+use crate::samplers::{Any, Shared, parting, selection};
 
 /// The most places that a sampler keeps in one tile.
 const MOST_KEPT: usize = 1 << 14;
@@ -26,13 +28,14 @@ pub type Traced<R> = (Vec<R>, Counters);
 /// Traces the picture that is requested.
 pub fn trace(
     ray_tracers: &dyn RayTracerFactory,
-    request: &RenderRequest,
+    settings: &Settings,
+    options: &RenderOptions<'_>,
     progress: &dyn Progress,
 ) -> Result<Traced<Rgb>, Interrupt> {
-    let work = Work { ray_tracers, request, whole: request.settings.area(), progress };
-    let pool = rayon::ThreadPoolBuilder::new().num_threads(request.settings.threads).build();
+    let work = Work { ray_tracers, settings, options, whole: settings.area(), progress };
+    let pool = rayon::ThreadPoolBuilder::new().num_threads(settings.threads).build();
     // Without a pool of its own the work is done by the pool of the process.
-    let run = || match selection(&request.settings) {
+    let run = || match selection(settings) {
         Some(selection) => work.selected(selection),
         None => work.all(),
     };
@@ -42,10 +45,18 @@ pub fn trace(
     }
 }
 
+/// Colours in single precision; those of single precision stay where they are.
+pub fn single_precision(colors: Vec<Rgb>) -> Vec<Color> {
+    #[allow(clippy::unnecessary_cast)] // in single precision
+    let narrow = |c: Rgb| Color::new(c.r as f32, c.g as f32, c.b as f32);
+    colors.into_iter().map(narrow).collect()
+}
+
 /// What is done, and what is requested.
 struct Work<'w> {
     ray_tracers: &'w dyn RayTracerFactory,
-    request: &'w RenderRequest,
+    settings: &'w Settings,
+    options: &'w RenderOptions<'w>,
     /// The pixels of the picture.
     whole: Tile,
     progress: &'w dyn Progress,
@@ -66,8 +77,8 @@ impl Work<'_> {
     /// Traces every pixel that is requested.
     fn all(&self) -> Result<Traced<Rgb>, Interrupt> {
         // All corners first, where all pixels are requested, so that none is traced twice.
-        let (lattice, mut counts): Traced<PixelSample> = match parting(&self.request.settings) {
-            Some(parting) if self.request.mask.is_none() => {
+        let (lattice, mut counts): Traced<PixelSample> = match parting(self.settings) {
+            Some(parting) if self.options.mask.is_none() => {
                 self.pixels(Lattice::tile(self.whole), Rays::Corners(parting))?
             }
             _ => Default::default(),
@@ -78,28 +89,29 @@ impl Work<'_> {
         Ok((colors, counts))
     }
 
-    /// Traces some pixels, and guesses the others that are requested.
+    /// Traces some pixels, and interpolates the others that are requested.
     fn selected(&self, selection: Selection) -> Result<Traced<Rgb>, Interrupt> {
         let blocks = selection.blocks(self.whole);
-        let (raster, mut counts): Traced<PixelSample> = match self.request.mask {
+        let (raster, mut counts): Traced<PixelSample> = match self.options.mask {
             None => self.pixels(Lattice::tile(blocks), Rays::Raster(selection))?,
             Some(_) => Default::default(),
         };
         let corners = Lattice::new(blocks, &raster).map_or(Shared::Loose, Shared::Lattice);
 
         // Blocks share what lies between them within a tile, so tiles are larger.
-        let side = (2 * self.request.tile / selection.step()).max(1);
+        let side = (2 * self.options.tile_side / selection.step()).max(1);
         let area = |blocks| selection.area(blocks).within(self.whole);
         let (colors, counted) = self.tiles(blocks, side, area, |blocks, canvas| {
             let (mut lent, mut kept) = (self.lend(area(blocks)), lend(area(blocks)));
             let mut ray_tracer = self.ray_tracers.ray_tracer(self.progress);
-            let sampler = Any::of(&self.request.settings, Shared::Loose, &mut lent);
+            let sampler = Any::of(self.settings, Shared::Loose, &mut lent);
             let mut selected = Selected::new(selection, sampler, corners, &mut kept);
-            let is_wanted = |block: &Pixel| {
+            let is_requested = |block: &Pixel| {
                 let block = Tile { first: *block, width: 1, height: 1 };
-                self.request.mask.is_none() || selection.area(block).pixels().any(|pixel| self.has(pixel))
+                self.options.mask.is_none()
+                    || selection.area(block).pixels().any(|pixel| self.options.is_requested(pixel))
             };
-            let blocks = blocks.pixels().filter(is_wanted);
+            let blocks = blocks.pixels().filter(is_requested);
             render_selected(ray_tracer.as_mut(), &mut selected, blocks, canvas)?;
             Ok(ray_tracer.take_counters())
         })?;
@@ -111,7 +123,7 @@ impl Work<'_> {
     fn pixels<R: Record + Send>(&self, area: Tile, rays: Rays<'_>) -> Result<Traced<R>, Interrupt> {
         self.tiles(
             area,
-            self.request.tile,
+            self.options.tile_side,
             |tile| tile,
             |tile, canvas| {
                 let mut lent = self.lend(tile);
@@ -120,12 +132,17 @@ impl Work<'_> {
                 match rays {
                     Rays::Corners(parting) => render(tracer, &mut Corner(parting), all, canvas)?,
                     Rays::Raster(selection) => {
-                        let sampler = Any::of(&self.request.settings, Shared::Loose, &mut lent);
+                        let sampler = Any::of(self.settings, Shared::Loose, &mut lent);
                         render(tracer, &mut selection.raster(sampler), all, canvas)?;
                     }
                     Rays::Themselves(corners) => {
-                        let mut sampler = Any::of(&self.request.settings, corners, &mut lent);
-                        render(tracer, &mut sampler, all.filter(|pixel| self.has(*pixel)), canvas)?;
+                        let mut sampler = Any::of(self.settings, corners, &mut lent);
+                        render(
+                            tracer,
+                            &mut sampler,
+                            all.filter(|pixel| self.options.is_requested(*pixel)),
+                            canvas,
+                        )?;
                     }
                 }
                 Ok(ray_tracer.take_counters())
@@ -150,8 +167,8 @@ impl Work<'_> {
             .map(|cells| {
                 let tile = area(cells);
                 let mut records = vec![R::NONE; tile.len()];
-                let (request, progress) = (self.request, self.progress);
-                let counts = work(cells, &mut Canvas { tile, records: &mut records, request, progress })?;
+                let (options, progress) = (self.options, self.progress);
+                let counts = work(cells, &mut Canvas { tile, records: &mut records, options, progress })?;
                 self.progress.done(tile.len());
                 Ok((tile, records, counts))
             })
@@ -174,18 +191,8 @@ impl Work<'_> {
 
     /// Memory for a sampler that keeps places; to make it takes longer than an easy pixel.
     fn lend(&self, tile: Tile) -> Vec<Kept> {
-        if parting(&self.request.settings).is_some() { lend(tile) } else { Vec::new() }
+        if parting(self.settings).is_some() { lend(tile) } else { Vec::new() }
     }
-
-    /// Whether a pixel is requested.
-    fn has(&self, pixel: Pixel) -> bool {
-        is_wanted(self.request, pixel)
-    }
-}
-
-/// Whether a pixel is requested.
-pub fn is_wanted(request: &RenderRequest, pixel: Pixel) -> bool {
-    request.mask.as_ref().is_none_or(|mask| mask.has(pixel))
 }
 
 /// Memory for the places that are kept while `tile` is worked on.
@@ -197,7 +204,7 @@ fn lend(tile: Tile) -> Vec<Kept> {
 struct Canvas<'m, R> {
     tile: Tile,
     records: &'m mut [R],
-    request: &'m RenderRequest,
+    options: &'m RenderOptions<'m>,
     progress: &'m dyn Progress,
 }
 
@@ -210,7 +217,7 @@ impl<R: Record> Sink for Canvas<'_, R> {
 
     fn put_sample(&mut self, pixel: Pixel, sample: PixelSample) -> Result<(), Interrupt> {
         if let Some(place) = self.tile.place(pixel)
-            && is_wanted(self.request, pixel)
+            && self.options.is_requested(pixel)
         {
             self.records[place] = R::of(sample);
         }

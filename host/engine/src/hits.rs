@@ -3,7 +3,8 @@
 //! Their numbers may be anything. What is no ray of this precision is a miss: a number that is not finite, a direction
 //! without length, an origin farther away than a scene may reach.
 
-use super::strahl::{Accelerator, Everything, MAX_COORDINATE, Ray, RayKind, Real, Vec3, World, vec3};
+use strahl_core::{Accelerator, Everything, MAX_COORDINATE, Ray, RayKind, Real, Vec3, World, vec3};
+
 use crate::ray_query::{RayHit, RayQuery};
 
 /// The nearest hit of a query.

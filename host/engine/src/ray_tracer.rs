@@ -5,13 +5,13 @@
 
 use std::marker::PhantomData;
 
-use super::request::{Chosen, Request};
-use super::strahl::{
-    Accelerator, CameraSample, Counters, Effects, Event, Limits, PixelSample, RayCounters, RayTracer, Real,
-    Step, Tally, Tracer, Worker,
+use strahl_core::{
+    Accelerator, Camera, CameraSample, Counters, Effects, Event, Limits, PixelSample, RayCounters, RayTracer,
+    Step, Tally, Tracer, TracerError, Worker, World,
 };
-use crate::progress::Progress;
 use strahl_settings::LEVELS;
+
+use crate::progress::Progress;
 
 /// A tracer with a worker of its own, which may count.
 pub trait CountingRayTracer: RayTracer {
@@ -26,31 +26,27 @@ pub trait RayTracerFactory: Sync {
 }
 
 /// A tracer whose workers report to a `T`.
-pub struct Tracing<'w, 's, A, E, T> {
+pub struct TracerFactory<'w, 's, A, E, T> {
     tracer: Tracer<'w, 's, A, E, LEVELS>,
     shadow_cache: bool,
     tally: PhantomData<fn() -> T>,
 }
 
-impl<'w, 's, A, E, T> Tracing<'w, 's, A, E, T>
-where
-    A: Accelerator + Sync,
-    E: Effects + Sync + 'w,
-    T: CounterTally + 'w,
-{
-    /// The tracer for a request.
-    pub fn boxed(request: &Request<'w, 's, A>) -> Chosen<'w> {
-        let Request { world, camera, render } = *request;
-        let settings = &render.settings;
-        let limits = Limits { levels: settings.levels, cutoff: Real::from(settings.cutoff) };
+impl<'w, 's, A: Accelerator, E: Effects, T> TracerFactory<'w, 's, A, E, T> {
+    /// For a scene and a camera.
+    pub fn new(
+        world: &'w World<'s, A>,
+        camera: Camera,
+        limits: Limits,
+        shadow_cache: bool,
+    ) -> Result<Self, TracerError> {
         let tracer = Tracer::new(world, camera, limits)?;
-        let shadow_cache = settings.shadow_cache;
-        Ok(Box::new(Tracing::<A, E, T> { tracer, shadow_cache, tally: PhantomData }))
+        Ok(TracerFactory { tracer, shadow_cache, tally: PhantomData })
     }
 }
 
 impl<A: Accelerator + Sync, E: Effects + Sync, T: CounterTally> RayTracerFactory
-    for Tracing<'_, '_, A, E, T>
+    for TracerFactory<'_, '_, A, E, T>
 {
     fn ray_tracer<'t>(&'t self, progress: &'t dyn Progress) -> Box<dyn CountingRayTracer + 't> {
         let worker = Worker::new(Stoppable { tally: T::default(), progress, left: BETWEEN });

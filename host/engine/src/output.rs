@@ -4,44 +4,24 @@ use std::error::Error;
 use std::fmt;
 use std::time::Duration;
 
-use strahl_core::{Counters, EffectSet, Rgb};
+use strahl_core::{Counters, EffectSet};
+use strahl_settings::AccelChoice;
 
-use crate::finding::Choice;
-use crate::interrupt::Interrupt;
-use crate::precision::Precision;
-use strahl_picture::Picture;
+use crate::progress::Interrupt;
+
+/// A linear colour in single precision, whatever precision computes it.
+pub type Color = strahl_core::Rgb;
 
 /// What an engine has rendered.
 #[derive(Debug)]
 pub struct Rendered {
     /// Linear colours, row by row.
-    pub colors: Vec<Rgb>,
+    pub colors: Vec<Color>,
     /// The work.
     pub counters: Counters,
     /// Wall-clock time.
     pub trace: Duration,
     /// Processor time, the sum over all threads.
-    pub trace_cpu: Duration,
-}
-
-/// A picture, and what it took.
-#[derive(Debug)]
-pub struct RenderOutput {
-    /// The picture.
-    pub picture: Picture,
-    /// The work; that of tests where it was to be counted.
-    pub counters: Counters,
-    /// What was computed with.
-    pub precision: Precision,
-    /// What is in the scene.
-    pub scene: SceneStats,
-    /// The accelerator.
-    pub accelerator: AccelStats,
-    /// Wall-clock time of making the tables and the accelerator.
-    pub build: Duration,
-    /// Wall-clock time of tracing.
-    pub trace: Duration,
-    /// Processor time of tracing, the sum over all threads.
     pub trace_cpu: Duration,
 }
 
@@ -55,14 +35,14 @@ pub struct SceneStats {
     /// All lights.
     pub lights: usize,
     /// The effects that it asks for.
-    pub asks: EffectSet,
+    pub effects: EffectSet,
 }
 
 /// What an accelerator is like.
 #[derive(Clone, Copy, Debug)]
 pub struct AccelStats {
     /// Which it is.
-    pub choice: Choice,
+    pub choice: AccelChoice,
     /// The memory it uses.
     pub bytes: usize,
     /// Its regions: groups, cells, leaves with items.
@@ -93,8 +73,8 @@ pub enum RenderError {
 }
 
 impl RenderError {
-    /// Because of an error of one of the cores.
-    pub(crate) fn invalid(error: impl Into<Box<dyn Error + Send + Sync>>) -> Self {
+    /// Because of an error of the core.
+    pub fn invalid(error: impl Into<Box<dyn Error + Send + Sync>>) -> Self {
         RenderError::Invalid(error.into())
     }
 }

@@ -2,24 +2,24 @@
 
 use std::time::Instant;
 
-use strahl_core::Rgb;
+use strahl_settings::{PixelSelection, Sampling};
 
-use crate::sampling::{PixelSelection as Selecting, Sampling};
+use crate::output::Color;
 
 /// One pass: a whole picture.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Pass {
     /// Which rays make a pixel: one, or as many as a stochastic rule asks for.
-    pub sampling: Sampling,
+    pub sampler: Sampling,
     /// Which pixels are traced, where not all are.
-    pub selecting: Option<Selecting>,
+    pub select: Option<PixelSelection>,
     /// When it is given up; with the first pass, all is.
     pub until: Option<Instant>,
 }
 
 /// What is ahead.
 pub struct Outlook<'o> {
-    /// Pixels through whose middle no ray has gone yet.
+    /// Pixels through whose center no ray has been sent yet.
     pub missing: u64,
     /// All pixels.
     pub pixels: u64,
@@ -42,5 +42,5 @@ pub trait Scheduler {
     fn next(&mut self, outlook: &Outlook<'_>) -> Option<Pass>;
 
     /// A pass was completed, and this is its picture, row by row.
-    fn done(&mut self, pass: &Pass, stats: PassStats, picture: Vec<Rgb>);
+    fn done(&mut self, pass: &Pass, stats: PassStats, picture: Vec<Color>);
 }

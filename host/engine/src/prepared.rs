@@ -1,16 +1,15 @@
-//! The prepared effect sets: which ray tracer a scene gets.
+//! The prepared effect sets, from which a scene gets the smallest that contains what it asks for.
 //!
-//! The ray tracer's loop is compiled for each combination of accelerator, effects and tally; the loop itself holds no
-//! mode. Of the prepared effect sets the smallest is taken that contains what the scene asks for.
-//!
-//! Copies of the loop are a budget, for they make the program and its build large: hierarchy and list, one of which
-//! `auto` chooses, with seven sets and one that counts tests are 16, grid and octree with two and one 6, eight
-//! rarely used accelerators 8, and double precision has 13. What a scene pays for what it does not use is in
+//! Copies of the ray tracer's loop are a budget, for they make the program and its build large: hierarchy and list, one of
+//! which `auto` chooses, with seven sets and one that counts tests are 16, grid and octree with two and one 6, eight rarely
+//! used accelerators 8, and double precision has 13. What a scene pays for what it does not use is in
 //! `tests/reports/effects.md`; another set is worth its copies where that is much.
 
-use strahl_core::{Accelerator, EffectSet, Effects, Everything, LightKind, LightSet, ShapeSet, TextureSet};
+use strahl_core::{
+    Accelerator, Camera, EffectSet, Effects, Everything, LightKind, LightSet, ShapeSet, TextureSet, World,
+};
 
-use crate::engine::request::{Chosen, Request};
+use crate::effects::{ChosenRayTracers, TracerRequest, counting_rays, counting_tests, required_effects};
 
 /// The prepared sets, from the smallest on, and the choice between them.
 macro_rules! prepared_sets {
@@ -37,17 +36,21 @@ macro_rules! prepared_sets {
         /// Ray tracers with all prepared sets to choose from.
         ///
         /// Every set counts the same, and a caller who counts tests does not hurry: one set does it.
-        pub fn usual<'w, A: Accelerator + Sync>(request: &Request<'w, '_, A>) -> Chosen<'w> {
-            let asks = request.asks();
-            if request.is_counted() {
-                return request.counting_tests::<Everything>();
+        pub fn usual<'w, A: Accelerator + Sync>(
+            world: &'w World<'_, A>,
+            camera: Camera,
+            request: TracerRequest,
+        ) -> ChosenRayTracers<'w> {
+            let asks = required_effects(world.scene(), &camera);
+            if request.count_tests {
+                return counting_tests::<A, Everything>(world, camera, request);
             }
             $(
                 if $name::SET.contains(&asks) {
-                    return request.counting_rays::<$name>();
+                    return counting_rays::<A, $name>(world, camera, request);
                 }
             )*
-            request.counting_rays::<Everything>()
+            counting_rays::<A, Everything>(world, camera, request)
         }
     };
 }
@@ -79,18 +82,17 @@ prepared_sets! {
 }
 
 /// Ray tracers with few sets to choose from, for accelerators that are asked for by name.
-pub fn by_name<'w, A: Accelerator + Sync>(request: &Request<'w, '_, A>) -> Chosen<'w> {
-    let asks = request.asks();
-    if request.is_counted() {
-        request.counting_tests::<Everything>()
+pub fn by_name<'w, A: Accelerator + Sync>(
+    world: &'w World<'_, A>,
+    camera: Camera,
+    request: TracerRequest,
+) -> ChosenRayTracers<'w> {
+    let asks = required_effects(world.scene(), &camera);
+    if request.count_tests {
+        counting_tests::<A, Everything>(world, camera, request)
     } else if Whitted::SET.contains(&asks) {
-        request.counting_rays::<Whitted>()
+        counting_rays::<A, Whitted>(world, camera, request)
     } else {
-        request.counting_rays::<Everything>()
+        counting_rays::<A, Everything>(world, camera, request)
     }
-}
-
-/// Ray tracers of one set, for accelerators whose sizes only comparisons use.
-pub fn rarely_used<'w, A: Accelerator + Sync>(request: &Request<'w, '_, A>) -> Chosen<'w> {
-    request.counting_tests::<Everything>()
 }

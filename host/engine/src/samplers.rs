@@ -1,14 +1,14 @@
-//! The sampler that is requested, for either precision.
+//! The sampler that the settings ask for.
 //!
 //! One type for all of them, so that the loop that calls it is compiled once for each tracer
 //! and not once for each sampler: a sampler is asked once for a pixel, and calls the tracer
 //! once for a ray.
 
-use super::strahl::{
-    self, Adaptive, Corners, Kept, Lattice, Loose, Parting, Pixel, PixelSample, RayTracer, Real, Regular,
-    Sampler, Selection, Stochastic,
+use strahl_core::{
+    Adaptive, Corners, Kept, Lattice, Loose, Parting, Pixel, PixelSample, RayTracer, Real, Regular, Sampler,
+    Selection, Stochastic,
 };
-use strahl_settings::{Sampling, Settings, sampling};
+use strahl_settings::{Sampling, Settings};
 
 /// Any of the samplers.
 pub enum Any<'m> {
@@ -57,7 +57,7 @@ impl Sampler for Any<'_> {
 }
 
 impl<'m> Any<'m> {
-    /// The sampler that is requested. `corners` and `lent` are for one that shares corners.
+    /// The sampler that the settings ask for. `corners` and `lent` are for one that shares corners.
     ///
     /// Numbers out of range, which the command line refuses, become one ray in each pixel.
     pub fn of(settings: &Settings, corners: Shared<'m>, lent: &'m mut [Kept]) -> Self {
@@ -72,7 +72,7 @@ impl<'m> Any<'m> {
             },
             Sampling::Stochastic { least, most, confidence } => {
                 #[allow(clippy::unnecessary_cast)] // in double precision
-                let ends = strahl::Confidence {
+                let ends = strahl_core::Confidence {
                     errors: confidence.errors() as Real,
                     tolerance: Real::from(confidence.tolerance),
                 };
@@ -97,19 +97,19 @@ pub fn parting(settings: &Settings) -> Option<Parting> {
 
 /// Which pixels are traced, where not all are.
 pub fn selection(settings: &Settings) -> Option<Selection> {
-    let selecting = settings.select?;
-    Selection::new(selecting.step, agreement(selecting.agreement)?)
+    let it = settings.select?;
+    Selection::new(it.step, agreement(it.agreement)?)
 }
 
-fn agreement(it: sampling::Agreement) -> Option<strahl::Agreement> {
-    let colors = strahl::Agreement::of_colors(Real::from(it.threshold))?;
+fn agreement(it: strahl_settings::Agreement) -> Option<strahl_core::Agreement> {
+    let colors = strahl_core::Agreement::of_colors(Real::from(it.threshold))?;
     Some(if it.items { colors.and_items() } else { colors })
 }
 
-fn filter(filter: sampling::Filter) -> strahl::Filter {
+fn filter(filter: strahl_settings::Filter) -> strahl_core::Filter {
     match filter {
-        sampling::Filter::Box => strahl::Filter::Box,
-        sampling::Filter::Tent => strahl::Filter::Tent,
-        sampling::Filter::Gaussian => strahl::Filter::Gaussian,
+        strahl_settings::Filter::Box => strahl_core::Filter::Box,
+        strahl_settings::Filter::Tent => strahl_core::Filter::Tent,
+        strahl_settings::Filter::Gaussian => strahl_core::Filter::Gaussian,
     }
 }

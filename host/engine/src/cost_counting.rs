@@ -1,9 +1,10 @@
 //! Charges every camera ray, with all that comes of it, to its pixel.
 
-use super::ray_tracer::{CountingRayTracer, RayTracerFactory};
-use super::strahl::{CameraSample, Counters, PerRayKind, PixelSample, RayKind, RayTracer};
+use strahl_core::{CameraSample, Counters, PerRayKind, PixelSample, RayKind, RayTracer};
+
 use crate::cost_map::{CostMap, PixelCost};
 use crate::progress::Progress;
+use crate::ray_tracer::{CountingRayTracer, RayTracerFactory};
 
 /// Ray tracers that charge what they count to the pixels of a cost map.
 pub struct CostCounting<'c> {

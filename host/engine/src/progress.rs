@@ -1,8 +1,7 @@
 //! How far the work is, and whether it should go on: reported to the caller, which may stop it.
 
+use std::fmt;
 use std::time::Instant;
-
-use crate::interrupt::Interrupt;
 
 /// Told how far the work is, and asked between two pixels whether it should go on. Called by all threads.
 pub trait Progress: Sync {
@@ -15,6 +14,30 @@ pub trait Progress: Sync {
     /// `Err` when the work should stop.
     fn check(&self) -> Result<(), Interrupt> {
         Ok(())
+    }
+}
+
+/// Why work was stopped before it was done.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Interrupt {
+    /// Ctrl-C.
+    Interrupted,
+    /// SIGTERM: the same command may be tried again.
+    Terminated,
+    /// The input files have changed since the work began.
+    Outdated,
+    /// The time limit is over.
+    TimeLimit,
+}
+
+impl fmt::Display for Interrupt {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(match self {
+            Interrupt::Interrupted => "interrupted",
+            Interrupt::Terminated => "stopped by SIGTERM",
+            Interrupt::Outdated => "the scene has changed",
+            Interrupt::TimeLimit => "the time is over",
+        })
     }
 }
 

@@ -146,54 +146,6 @@ fn cells(count: usize) -> Vec<Cell> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use strahl_settings::Settings;
-
-    use crate::load::load;
-    use crate::precision::Precision;
-    use crate::progress::NoProgress;
-    use crate::render_request::RenderRequest;
-    use std::path::Path;
-
-    #[test]
-    fn all_pixels_together_cost_what_the_picture_costs() {
-        let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("../scenes/classic.toml");
-        let scene = load(&path).unwrap();
-        let size = Size::new(40, 30).unwrap();
-        for (sampler, select, precision) in [
-            ("single", None, Precision::Single),
-            ("adaptive:2:0.1", None, Precision::Single),
-            ("stochastic:3", Some("4:0.05"), Precision::Single),
-            ("regular:2", None, Precision::Double),
-        ] {
-            let cost_map = Arc::new(CostMap::new(size));
-            let request = RenderRequest {
-                cost_map: Some(Arc::clone(&cost_map)),
-                ..RenderRequest::new(Settings {
-                    sampler: sampler.parse().unwrap(),
-                    select: select.map(|text: &str| text.parse().unwrap()),
-                    precision,
-                    ..Settings::of_size(size)
-                })
-            };
-            let frame = crate::session::render(&scene, &request, &NoProgress).unwrap();
-            let counts = frame.counters;
-            let costs = cost_map.costs();
-            for kind in RayKind::ALL {
-                let sum = |of: fn(&PixelCost) -> [u32; KINDS]| {
-                    costs.iter().map(|cost| u64::from(of(cost)[kind as usize])).sum::<u64>()
-                };
-                let sums = [sum(|it| it.rays), sum(|it| it.boxes), sum(|it| it.shapes), sum(|it| it.regions)];
-                let whole =
-                    [counts.rays[kind], counts.boxes[kind], counts.shapes[kind], counts.regions[kind]];
-                assert_eq!(sums, whole, "{sampler} {kind:?}");
-            }
-            assert_eq!(costs.iter().map(|cost| cost.level).max(), Some(counts.deepest), "{sampler}");
-            assert!(counts.deepest > 2);
-            let free = RenderRequest { cost_map: None, ..request };
-            let plain = crate::session::render(&scene, &free, &NoProgress).unwrap();
-            assert_eq!(plain.picture.digest(), frame.picture.digest(), "{sampler}");
-        }
-    }
 
     #[test]
     fn what_lies_beyond_the_rim_is_charged_to_the_rim() {

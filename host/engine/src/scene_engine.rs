@@ -1,0 +1,128 @@
+//! A scene with its accelerator: pictures and ray queries.
+
+use std::time::{Duration, Instant};
+
+use strahl_core::{Camera, EffectSet, Projection, Rgb, Scene, Shape, View};
+use strahl_settings::{AccelSettings, Settings};
+
+use crate::accelerators::{AccelMemory, open};
+use crate::cost_counting::CostCounting;
+use crate::effects::TracerRequest;
+use crate::engine::Engine;
+use crate::options::RenderOptions;
+use crate::output::{AccelStats, RenderError, Rendered, SceneStats};
+use crate::passes;
+use crate::progress::{Interrupt, Progress};
+use crate::ray_query::RayCaster;
+use crate::ray_tracer::RayTracerFactory;
+use crate::scheduler::Scheduler;
+use crate::tiles::{self, Traced, single_precision};
+use crate::world::AnyWorld;
+
+/// A scene with its accelerator, of which pictures are rendered one after another.
+pub struct SceneEngine<'s> {
+    world: Box<dyn AnyWorld + 's>,
+    view: View,
+    scene: SceneStats,
+    accelerator: AccelStats,
+}
+
+impl<'s> SceneEngine<'s> {
+    /// Builds the accelerator that is asked for in `memory`, which the caller keeps, as it does the scene's tables.
+    pub fn new(
+        scene: Scene<'s>,
+        view: View,
+        accelerator: &AccelSettings,
+        memory: &'s mut AccelMemory,
+    ) -> Result<Self, RenderError> {
+        let stats = scene_stats(&scene, &view);
+        let (world, accelerator) = open(scene, accelerator, memory).map_err(RenderError::invalid)?;
+        Ok(SceneEngine { world, view, scene: stats, accelerator })
+    }
+
+    /// Renders a picture, all pixels of which are traced by `trace`.
+    fn rendered(
+        &self,
+        settings: &Settings,
+        options: &RenderOptions<'_>,
+        trace: impl FnOnce(&dyn RayTracerFactory) -> Result<Traced<Rgb>, Interrupt>,
+    ) -> Result<Rendered, RenderError> {
+        let (clock, cpu) = (Instant::now(), cpu_time());
+        let camera = Camera::new(&self.view, settings.size).map_err(RenderError::invalid)?;
+        let Settings { levels, cutoff, shadow_cache, .. } = *settings;
+        let request = TracerRequest { levels, cutoff, shadow_cache, count_tests: options.counts_tests() };
+        let ray_tracers = self.world.ray_tracers(camera, request).map_err(RenderError::invalid)?;
+        let (colors, counters) = match options.cost_map {
+            Some(cost_map) => trace(&CostCounting { ray_tracers: &*ray_tracers, cost_map })?,
+            None => trace(&*ray_tracers)?,
+        };
+        Ok(Rendered {
+            colors: single_precision(colors),
+            counters,
+            trace: clock.elapsed(),
+            trace_cpu: cpu_time().saturating_sub(cpu),
+        })
+    }
+}
+
+impl Engine for SceneEngine<'_> {
+    fn scene(&self) -> &SceneStats {
+        &self.scene
+    }
+
+    fn accelerator(&self) -> &AccelStats {
+        &self.accelerator
+    }
+
+    fn render(
+        &self,
+        settings: &Settings,
+        options: &RenderOptions<'_>,
+        progress: &dyn Progress,
+    ) -> Result<Rendered, RenderError> {
+        let trace =
+            |ray_tracers: &dyn RayTracerFactory| tiles::trace(ray_tracers, settings, options, progress);
+        self.rendered(settings, options, trace)
+    }
+
+    fn refine(
+        &self,
+        settings: &Settings,
+        options: &RenderOptions<'_>,
+        progress: &dyn Progress,
+        scheduler: &mut dyn Scheduler,
+    ) -> Result<Rendered, RenderError> {
+        self.rendered(settings, options, |ray_tracers| {
+            passes::trace(ray_tracers, settings, options, progress, scheduler)
+        })
+    }
+
+    fn ray_caster(&self) -> RayCaster<'_> {
+        self.world.ray_caster()
+    }
+}
+
+/// What is in a scene, and the effects that it requires, those of the view included.
+pub fn scene_stats(scene: &Scene<'_>, view: &View) -> SceneStats {
+    let parts = scene.parts();
+    let is_triangle = |shape: &&Shape| matches!(shape, Shape::Triangle(_) | Shape::SmoothTriangle(_));
+    SceneStats {
+        objects: parts.geometry.shapes.len(),
+        triangles: parts.geometry.shapes.iter().filter(is_triangle).count(),
+        lights: parts.lights.len(),
+        effects: EffectSet { lens: matches!(view.projection, Projection::Lens { .. }), ..scene.effects() },
+    }
+}
+
+/// The processor time that this process has used on all threads.
+#[cfg(unix)]
+fn cpu_time() -> Duration {
+    let now = rustix::time::clock_gettime(rustix::time::ClockId::ProcessCPUTime);
+    Duration::new(now.tv_sec.unsigned_abs(), now.tv_nsec.unsigned_abs() as u32)
+}
+
+/// Not known here.
+#[cfg(not(unix))]
+fn cpu_time() -> Duration {
+    Duration::ZERO
+}
