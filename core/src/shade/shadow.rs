@@ -1,10 +1,10 @@
 //! Whether light arrives.
 
-use super::Seen;
 use super::cache::{Memory, Toward};
 use super::media::{Crossing, Media, index};
 use super::optics::refracted;
 use super::passage::{crossing, left_after};
+use super::seen::Seen;
 use crate::accel::Accelerator;
 use crate::geometry::Ray;
 use crate::math::{ROUNDOFF, Real, Rgb, Vec3, max_abs_component};

@@ -2,13 +2,16 @@
 
 use zerocopy::{ConvertError, Immutable, KnownLayout, TryFromBytes};
 
-use super::{Pack, PackError, PackPart};
+use super::error::{PackError, PackPart};
 use crate::geometry::Aabb;
 use crate::math::{Real, Rgb};
 use crate::scene::{Background, View};
 
 /// The first word: `strl`.
 pub(super) const MAGIC: u32 = u32::from_le_bytes(*b"strl");
+
+/// The version of the format that is written and read.
+pub(super) const VERSION: u32 = 3;
 
 /// Kinds of accelerators.
 pub(super) const BARE: u32 = 0;
@@ -102,12 +105,12 @@ impl Header {
             let word = bytes.get(4 * place..)?.first_chunk::<4>()?;
             Some(u32::from_ne_bytes(*word))
         };
-        let too_short = PackError::TooShort { needed: Pack::HEADER, given };
+        let too_short = PackError::TooShort { needed: size_of::<Header>(), given };
         if words(0).ok_or(too_short)? != MAGIC {
             return Err(PackError::NotAPack);
         }
         let found = words(1).ok_or(too_short)?;
-        if found != Pack::VERSION {
+        if found != VERSION {
             return Err(PackError::Version { found });
         }
         let needed = words(2).ok_or(too_short)? as usize;

@@ -61,7 +61,7 @@ pub struct Pack<'s> {
 
 impl<'s> Pack<'s> {
     /// The version of the format that is written and read.
-    pub const VERSION: u32 = 3;
+    pub const VERSION: u32 = header::VERSION;
 
     /// The fewest bytes that a baked scene has.
     pub const HEADER: usize = size_of::<Header>();
