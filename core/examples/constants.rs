@@ -7,7 +7,14 @@
 //!
 //! draws it in letters. `strahl bake SCENE -o FILE.rs` writes such a room from any scene.
 
-use strahl_core::*;
+use strahl_core::geometry::{Aabb, Polygon, ShapeKind, ShapeSet};
+use strahl_core::image::Pixel;
+use strahl_core::scene::{EffectSet, Effects, LightKind, LightSet};
+use strahl_core::{
+    Background, BareList, Camera, Falloff, Geometry, Light, Limits, Material, MaterialId, Parts, Projection,
+    Resolution, Rgb, Scene, Shape, Single, Source, Sphere, Tile, Tracer, Vec3, View, Worker, World, render,
+    vec3,
+};
 
 /// A floor, and two balls on it.
 static SHAPES: [Shape; 3] = [
@@ -73,7 +80,7 @@ const VIEW: View = View {
 };
 
 /// Letters are about twice as high as wide: of the lines every second is drawn.
-const SIZE: Size = Size::new(72, 44).unwrap();
+const SIZE: Resolution = Resolution::new(72, 44).unwrap();
 
 const LEVELS: usize = 3;
 

@@ -14,10 +14,13 @@
 
 use std::process::ExitCode;
 
+use strahl_core::geometry::{ItemId, ShapeKind, ShapeSet};
+use strahl_core::image::Pixel;
+use strahl_core::scene::{EffectSet, Effects, LightKind, LightSet};
 use strahl_core::{
-    BareList, Camera, EffectSet, Effects, Everything, Falloff, Geometry, ItemId, Light, LightKind, LightSet,
-    Limits, Material, MaterialId, Parts, Pixel, Plane, Projection, Rgb, Scene, Shape, ShapeKind, ShapeSet,
-    Single, Size, Source, Sphere, Tile, Tracer, Vec3, View, Worker, World, render, vec3,
+    AllEffects, BareList, Camera, Falloff, Geometry, Light, Limits, Material, MaterialId, Parts, Plane,
+    Projection, Resolution, Rgb, Scene, Shape, Single, Source, Sphere, Tile, Tracer, Vec3, View, Worker,
+    World, render, vec3,
 };
 
 /// Exactly what the scene asks for.
@@ -90,7 +93,7 @@ fn hash<E: Effects>() -> u64 {
         up: Vec3::Y,
         projection: Projection::Perspective { angle: 0.7 },
     };
-    let size = Size::new(160, 120).expect("a size");
+    let size = Resolution::new(160, 120).expect("a size");
     let world = World::new(scene, BareList(ITEMS as u32));
     let camera = Camera::new(&view, size).expect("a view");
     let tracer = Tracer::<_, E, 5>::new(&world, camera, Limits::DEFAULT).expect("it can do that");
@@ -114,7 +117,7 @@ fn main() -> ExitCode {
     let hash = match std::env::args().nth(1).as_deref() {
         Some("smallest") => hash::<Smallest>(),
         Some("local") => hash::<Local>(),
-        Some("everything") => hash::<Everything>(),
+        Some("everything") => hash::<AllEffects>(),
         Some("local-shapes") => hash::<LocalOfItsShapes>(),
         Some("everything-shapes") => hash::<EverythingOfItsShapes>(),
         _ => {

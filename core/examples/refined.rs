@@ -22,10 +22,14 @@
 use std::error::Error;
 use std::path::{Path, PathBuf};
 
+use strahl_core::geometry::ItemId;
+use strahl_core::image::{Agreement, CornerRow, Kept, Selected, Selection};
+use strahl_core::scene::{CameraSample, Texture, TextureId};
+use strahl_core::trace::PixelSample;
 use strahl_core::{
-    Agreement, BareList, Camera, CameraSample, CornerRow, Everything, Falloff, Geometry, ItemId, Kept, Light,
-    Limits, Material, MaterialId, Parts, PixelSample, Plane, Projection, Rgb, Scene, Selected, Selection,
-    Shape, Single, Size, Source, Sphere, Texture, TextureId, Tile, Tracer, Vec3, View, Worker, World, vec3,
+    AllEffects, BareList, Camera, Falloff, Geometry, Light, Limits, Material, MaterialId, Parts, Plane,
+    Projection, Resolution, Rgb, Scene, Shape, Single, Source, Sphere, Tile, Tracer, Vec3, View, Worker,
+    World, vec3,
 };
 
 const STEP: u32 = 8;
@@ -33,7 +37,7 @@ const STEP: u32 = 8;
 fn main() -> Result<(), Box<dyn Error>> {
     let folder = std::env::args_os().nth(1).map(PathBuf::from);
     let (width, height) = if folder.is_some() { (320, 240) } else { (72, 36) };
-    let size = Size::new(width, height).ok_or("no such size")?;
+    let size = Resolution::new(width, height).ok_or("no such size")?;
 
     let tiles = [Texture::Checker {
         even: Rgb::gray(0.9),
@@ -66,7 +70,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     };
     let world = World::new(scene, BareList(shapes.len() as u32));
     let limits = Limits { levels: 3, ..Limits::DEFAULT };
-    let tracer = Tracer::<_, Everything, 3>::new(&world, Camera::new(&view, size)?, limits)?;
+    let tracer = Tracer::<_, AllEffects, 3>::new(&world, Camera::new(&view, size)?, limits)?;
 
     // All the memory that there is beside the display.
     let mut row = [PixelSample::BLACK; 41];
@@ -104,7 +108,7 @@ fn main() -> Result<(), Box<dyn Error>> {
 }
 
 /// As text, the brighter the more ink.
-fn draw(size: Size, display: &[Rgb]) {
+fn draw(size: Resolution, display: &[Rgb]) {
     const INK: &[u8] = b" .:-=+*#%@";
     for row in display.chunks(size.width() as usize) {
         let ink = |color: &Rgb| {
@@ -115,7 +119,7 @@ fn draw(size: Size, display: &[Rgb]) {
     }
 }
 
-fn write(path: &Path, size: Size, display: &[Rgb]) -> std::io::Result<()> {
+fn write(path: &Path, size: Resolution, display: &[Rgb]) -> std::io::Result<()> {
     let mut bytes = format!("P6\n{} {}\n255\n", size.width(), size.height()).into_bytes();
     bytes.extend(display.iter().flat_map(|color| color.to_srgb8()));
     std::fs::write(path, bytes)

@@ -17,10 +17,11 @@
 //! At one straight edge that no raster is aligned with, and where texture is coarser than the
 //! raster, the regular one is hard to beat; it pays where there is structure to alias with.
 
-use strahl_core::{
-    CameraSample, Dimension, FilmPoint, HitId, Pixel, PixelSample, RayTracer, Regular, Rgb, Sampler,
-    SobolSequence, Stochastic,
-};
+use strahl_core::Rgb;
+use strahl_core::image::{Pixel, Regular, Sampler, Stochastic};
+use strahl_core::math::{Dimension, SobolSequence};
+use strahl_core::scene::{CameraSample, FilmPoint};
+use strahl_core::trace::{HitId, PixelSample, RayTracer};
 
 /// n times n cells with a ray through a random place of each.
 struct Jittered {

@@ -1,35 +1,75 @@
 //! strahl's core: a Whitted ray tracer that needs no operating system, no heap and no recursion.
 //!
-//! # The house
+//! # Modules
 //!
-//! A floor uses only what lies below it.
+//! The root has the names that a first program needs; everything else is in the module of its layer. A
+//! module uses only those below it.
 //!
-//! | floor | rooms |
+//! | module | contents |
 //! |---|---|
-//! | the front door | [`render()`], [`Counters`], [`RayCounters`] |
-//! | pictures | pixels, [`Sampler`]s, [`Sink`]s |
-//! | rays | the loop ([`Tracer`]), its tasks, the [`Worker`] |
-//! | light | the local model, shadows, optics, media |
-//! | the scene | [`Scene`], [`Camera`], [`Material`], [`Light`], [`Texture`], [`Effects`], [`World`] |
-//! | finding | [`Accelerator`] and [`Query`]: the contract; [`List`], [`Grid`], [`Octree`], the [`Mailbox`] |
-//! | reports | [`Tally`], [`Event`], [`Step`] |
-//! | things | [`Shape`]s, [`Ray`], [`Aabb`], [`Hit`] and [`SurfaceInteraction`] |
-//! | ground | [`Real`], [`Vec3`], [`Rgb`], roots |
+//! | [`render`](mod@render) | [`render()`], and pictures of which only some pixels are traced |
+//! | [`image`] | pixels, samplers, where pixels go |
+//! | [`trace`] | [`Tracer`], [`Worker`], [`RayTracer`](trace::RayTracer), [`Limits`] |
+//! | [`shade`] | reflection, refraction, media |
+//! | [`baked`] | scenes in bytes, traced where they lie (feature `baked`) |
+//! | [`scene`] | [`Scene`], [`Camera`], materials, lights, textures, effects, [`World`] |
+//! | [`accel`] | accelerators: lists, grid, octree, bounding volume hierarchy |
+//! | [`tally`] | reports of the tracer's work, and what counts them |
+//! | [`geometry`] | shapes, rays, bounds, hits |
+//! | [`math`] | [`Real`], [`Vec3`], [`Rgb`], roots, random numbers |
 //!
-//! # The laws
+//! # Rules
 //!
 //! 1. *Memory buys time, never truth.* Accelerator, worker, order of pixels: each may change
 //!    how long a picture takes, none may change one bit of it.
 //! 2. *The same bits everywhere.* Only IEEE 754's basic operations and libm, in one order.
-//! 3. *Pay only for what the scene calls for.* [`Effects`] is a constant of a tracer's type:
+//! 3. *Pay only for what the scene calls for.* [`Effects`](scene::Effects) is a constant of a tracer's type:
 //!    what is outside is compiled away.
-//! 4. *The tracing loop cannot fail.* Errors live at the doors: [`Scene::new`],
-//!    [`Camera::new`], [`Tracer::new`], builders of accelerators.
-//! 5. *The far limit has one owner*, the [`Query`].
+//! 4. *The tracing loop cannot fail.* Errors are returned by [`Scene::new`],
+//!    [`Camera::new`], [`Tracer::new`] and builders of accelerators.
+//! 5. *`t_max` has one owner*, the [`Query`](accel::Query).
 //!
-//! # The twin
+//! # Features
 //!
-//! The package `strahl-core-double` compiles these sources with `Real = f64`.
+//! * `alloc`: [`scene::SceneTables`], a scene that owns its tables.
+//! * `baked`: [`baked`], scenes in bytes.
+//! * `display`: [`image::Display`], which draws on every target of `embedded-graphics`.
+//!
+//! The names of the root stand beside `embedded_graphics::prelude`:
+//!
+#![cfg_attr(feature = "display", doc = "```")]
+#![cfg_attr(not(feature = "display"), doc = "```ignore")]
+//! use embedded_graphics::mock_display::MockDisplay;
+//! use embedded_graphics::pixelcolor::Rgb565;
+//! use embedded_graphics::prelude::*;
+//! use strahl_core::image::{Display, Dither};
+//! use strahl_core::*;
+//!
+//! let scene = Scene::new(Parts { background: Background::Color(Rgb::WHITE), ..Parts::EMPTY })?;
+//! let world = World::new(scene, BareList(0));
+//! let projection = Projection::Perspective { angle: 1.0 };
+//! let view = View { from: Vec3::ZERO, at: vec3(0.0, 0.0, -1.0), up: Vec3::Y, projection };
+//! let resolution = Resolution::new(2, 1).unwrap();
+//! let tracer = Tracer::<_, AllEffects, 1>::new(
+//!     &world,
+//!     Camera::new(&view, resolution)?,
+//!     Limits { levels: 1, ..Limits::DEFAULT },
+//! )?;
+//!
+//! let mut screen = MockDisplay::<Rgb565>::new();
+//! Pixel(Point::new(3, 0), Rgb565::RED).draw(&mut screen)?;
+//! let mut display = Display::new(&mut screen, Point::zero(), Dither::None);
+//! let pixels = Tile::whole(resolution).pixels();
+//! render(&mut tracer.with_worker(&mut Worker::new(())), &mut Single, pixels, &mut display)?;
+//! screen.assert_pattern(&["WW R"]);
+//! assert_eq!(screen.affected_area().size, Resolution::new(4, 1));
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
+//!
+//! # Double precision
+//!
+//! The package `strahl-core-double` compiles these sources with `Real = f64`. Types that hold no [`Real`] are
+//! one type for both.
 
 #![no_std]
 #![cfg_attr(docsrs, feature(doc_cfg))]
@@ -53,59 +93,38 @@
 #[cfg(feature = "alloc")]
 extern crate alloc;
 
-mod math;
+pub mod math;
 #[cfg(not(feature = "double"))]
 mod set;
 
-mod geometry;
+pub mod geometry;
 
-mod tally;
+pub mod tally;
 
-mod accel;
+pub mod accel;
 
-mod scene;
+pub mod scene;
 
-mod shade;
-
-mod trace;
-
-mod image;
-
-mod render;
-
-pub use accel::{
-    Accelerator, BareList, Buffer, BuildError, Bvh, BvhBuilder, BvhNode, BvhSize, Grid, GridSize,
-    LeafElement, LeafEntry, LeafLayout, List, Mailbox, Octree, OctreeLimits, OctreeNode, OctreeSize, Query,
-    StaticGrid, TraversalHeap, TraversalQueue, TraversalStack, TriangleBlock, group_count,
-};
-pub use geometry::{
-    Aabb, BoundingSphere, Cone, Cuboid, Disc, Geometry, Hit, ItemId, MovingShape, OrientedCuboid, Plane,
-    Polygon, Ray, RayInterval, Shape, ShapeError, ShapeFeatures, ShapeKind, ShapeSet, Sphere,
-    SurfaceInteraction, Torus, has_area, offset_origin,
-};
-pub use image::{
-    Adaptive, Agreement, Confidence, Corner, CornerRow, Corners, Every, Filter, Frame, Gathered, Kept,
-    Lattice, Loose, Part, Parting, Pixel, Record, Regular, Sampler, Selected, Selection, Single, Sink,
-    Stochastic, Tile,
-};
-#[cfg(feature = "display")]
-pub use image::{Display, Dither, Steps};
-pub use math::{
-    Axis, CubicRoots, Dimension, MAX_COORDINATE, PI, ROUNDOFF, Real, Rgb, SobolSequence, Vec3,
-    bracketed_root, cubic_roots, difference_of_products, gamma, sqrt, try_normalize, vec3,
-};
-pub use render::{render, render_refined, render_selected};
-pub use scene::{
-    Background, Camera, CameraSample, EffectSet, Effects, Everything, Falloff, FilmPoint, Interface,
-    LastLevel, Light, LightKind, LightSet, Material, MaterialFault, MaterialId, Parts, Projection, Scene,
-    SceneError, Size, Source, Texture, TextureId, TextureKind, TextureSet, View, ViewFault, World,
-};
 #[cfg(feature = "baked")]
-pub use scene::{Baking, Finder, Pack, PackError, PackPart};
+pub mod baked;
+
+pub mod shade;
+
+pub mod trace;
+
+pub mod image;
+
+pub mod render;
+
+pub use accel::BareList;
+pub use geometry::{Geometry, Plane, Shape, Sphere};
+pub use image::{Single, Tile};
+pub use math::{Real, Rgb, Vec3, vec3};
+pub use render::render;
 #[cfg(feature = "alloc")]
-pub use scene::{SceneTables, Shading};
-pub use shade::{Crossing, Media, Refraction, absorbed, index, reflected, refracted};
-pub use tally::{
-    Counters, Event, Fate, Lit, PerRayKind, PerShapeKind, RayCounters, RayKind, Step, Tally, UnsentRays,
+pub use scene::SceneTables;
+pub use scene::{
+    AllEffects, Background, Camera, Falloff, Light, Material, MaterialId, Parts, Projection, Resolution,
+    Scene, Source, View, World,
 };
-pub use trace::{HitId, Limits, PixelSample, RayTracer, Tracer, TracerError, Worker};
+pub use trace::{Limits, Tracer, Worker};

@@ -10,6 +10,7 @@ use crate::trace::RayTracer;
 /// earlier calls either.
 ///
 /// ```
+/// use strahl_core::image::Frame;
 /// use strahl_core::*;
 ///
 /// let shapes = [Shape::Sphere(Sphere { center: vec3(0.0, 0.0, -5.0), radius: 1.0 })];
@@ -20,20 +21,22 @@ use crate::trace::RayTracer;
 ///     ambient: Rgb::gray(0.5),
 ///     ..Parts::EMPTY
 /// })?;
-/// let world = World::new(scene, List::without_bounds(1));
+/// let world = World::new(scene, BareList(1));
 /// let view = View {
 ///     from: vec3(0.0, 0.0, 0.0),
 ///     at: vec3(0.0, 0.0, -1.0),
 ///     up: vec3(0.0, 1.0, 0.0),
 ///     projection: Projection::Perspective { angle: 1.0 },
 /// };
-/// let size = Size::new(3, 3).unwrap();
-/// let camera = Camera::new(&view, size)?;
-/// let tracer = Tracer::<_, Everything, 5>::new(&world, camera, Limits::DEFAULT)?;
+/// let resolution = Resolution::new(3, 3).unwrap();
+/// let camera = Camera::new(&view, resolution)?;
+/// let tracer = Tracer::<_, AllEffects, 5>::new(&world, camera, Limits::DEFAULT)?;
+/// let mut worker = Worker::new(());
 ///
 /// let mut picture = [Rgb::BLACK; 9];
-/// let mut frame = Frame::new(Tile::whole(size), &mut picture).unwrap();
-/// let Ok(()) = render(&mut tracer.with_worker(&mut Worker::new(())), &mut Single, Tile::whole(size).pixels(), &mut frame);
+/// let whole = Tile::whole(resolution);
+/// let mut frame = Frame::new(whole, &mut picture).unwrap();
+/// let Ok(()) = render(&mut tracer.with_worker(&mut worker), &mut Single, whole.pixels(), &mut frame);
 ///
 /// let (ball, space) = (Rgb::gray(0.5), Rgb::BLACK);
 /// assert_eq!(picture, [space, space, space, space, ball, space, space, space, space]);
@@ -62,7 +65,7 @@ where
 /// Traces some pixels of each of `blocks`, guesses the others, and puts them all into `sink`,
 /// block by block; ends early only when the sink fails.
 ///
-/// [`Selection::blocks`](crate::Selection::blocks) lists the blocks of a picture or of a part
+/// [`Selection::blocks`](crate::image::Selection::blocks) lists the blocks of a picture or of a part
 /// of it. The sink also gets the pixels of these blocks that lie outside of it, beyond the
 /// right and the lower edge.
 pub fn render_selected<R, K>(

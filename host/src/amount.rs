@@ -21,7 +21,7 @@ pub fn of(number: u64, noun: &str) -> String {
 
 #[cfg(test)]
 mod tests {
-    use strahl_core::ShapeKind;
+    use strahl_core::geometry::ShapeKind;
 
     use super::*;
 

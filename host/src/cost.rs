@@ -7,7 +7,7 @@
 
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
-use strahl_core::{Counters, RayKind};
+use strahl_core::tally::{Counters, RayKind};
 use strahl_engine::CostMap;
 use strahl_engine::cost_map::PixelCost;
 use strahl_settings::AccelKind;

@@ -1,6 +1,6 @@
 //! A quick coarse picture, to look at before the full one is there.
 
-use strahl_core::{Rgb, Size};
+use strahl_core::{Resolution, Rgb};
 use strahl_picture::Picture;
 use strahl_settings::{Filter, Sampling, Settings};
 
@@ -17,13 +17,13 @@ pub fn of(settings: &Settings) -> Option<Settings> {
     if width.saturating_mul(height) <= QUICK || settings.region.is_some() {
         return None;
     }
-    let size = Size::new(width.div_ceil(COARSE), height.div_ceil(COARSE))?;
+    let size = Resolution::new(width.div_ceil(COARSE), height.div_ceil(COARSE))?;
     let (sampler, filter) = (Sampling::Single, Filter::Box);
     Some(Settings { size, sampler, filter, select: None, ..settings.clone() })
 }
 
 /// The draft in the size of the full picture, so that who looks at it sees it become sharp.
-pub fn enlarged(draft: &Picture, size: Size) -> Picture {
+pub fn enlarged(draft: &Picture, size: Resolution) -> Picture {
     let (width, height) = (draft.size.width() as usize, draft.size.height() as usize);
     let colors = (0..size.height() as usize).flat_map(|y| {
         let row = (y / COARSE as usize).min(height - 1) * width;
@@ -39,7 +39,7 @@ mod tests {
 
     #[test]
     fn a_draft_has_a_sixteenth_of_the_pixels_and_becomes_as_large_as_the_picture() {
-        let size = Size::new(401, 302).unwrap();
+        let size = Resolution::new(401, 302).unwrap();
         let draft = of(&Settings { size: size, ..Settings::default() }).unwrap();
         assert_eq!((draft.size.width(), draft.size.height()), (101, 76));
         let colors = (0..101 * 76).map(|place| Rgb::gray(place as f32)).collect();
@@ -53,6 +53,6 @@ mod tests {
 
     #[test]
     fn a_small_picture_has_no_draft() {
-        assert!(of(&Settings { size: Size::new(40, 30).unwrap(), ..Settings::default() }).is_none());
+        assert!(of(&Settings { size: Resolution::new(40, 30).unwrap(), ..Settings::default() }).is_none());
     }
 }

@@ -16,7 +16,8 @@ use embedded_graphics::mono_font::iso_8859_1::{FONT_7X13, FONT_7X13_BOLD};
 use embedded_graphics::pixelcolor::{Rgb888, RgbColor};
 use embedded_graphics::text::{Alignment, Text};
 use exr::prelude::{AnyChannel, AnyChannels, FlatSamples, Image, Layer, LayerAttributes, WritableImage as _};
-use strahl_core::{RayKind, Size, Tile};
+use strahl_core::tally::RayKind;
+use strahl_core::{Resolution, Tile};
 use strahl_engine::CostMap;
 use strahl_engine::cost_map::{self, PixelCost};
 use strahl_picture::colormap::inferno;
@@ -142,7 +143,7 @@ pub fn picture(costs: &Costs) -> Option<Picture> {
     let (wide, high) = (width * zoom, height * zoom);
     let step = if wide > WIDE { (0, TITLE + high + LEGEND) } else { (wide + 2 * MARGIN, 0) };
     let size = (wide + 2 * step.0 + 2 * MARGIN, TITLE + high + LEGEND + 2 * step.1 + 2 * MARGIN);
-    let mut canvas = Canvas::of(Size::new(size.0, size.1)?);
+    let mut canvas = Canvas::of(Resolution::new(size.0, size.1)?);
     let colors = inferno();
     for (panel, place) in panels.iter().zip(0..) {
         let (left, top) = (MARGIN + place * step.0, MARGIN + place * step.1);
@@ -196,7 +197,7 @@ pub fn exr(costs: &Costs) -> Result<Vec<u8>, exr::error::Error> {
 
 /// Paper.
 struct Canvas {
-    size: Size,
+    size: Resolution,
     dots: Vec<[u8; 3]>,
 }
 
@@ -206,7 +207,7 @@ enum Weight {
 }
 
 impl Canvas {
-    fn of(size: Size) -> Self {
+    fn of(size: Resolution) -> Self {
         Canvas { size, dots: vec![PAPER; size.width() as usize * size.height() as usize] }
     }
 
@@ -259,7 +260,7 @@ impl DrawTarget for Canvas {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use strahl_core::Pixel;
+    use strahl_core::image::Pixel;
 
     fn costs() -> Costs {
         let cost = |number| PixelCost {

@@ -6,7 +6,8 @@ use std::path::Path;
 
 use indicatif::{HumanBytes, HumanCount};
 use serde::Serialize;
-use strahl_core::{Aabb, Scene, ShapeKind};
+use strahl_core::Scene;
+use strahl_core::geometry::{Aabb, ShapeKind};
 use strahl_engine::AccelStats;
 use strahl_engine::accelerators;
 use strahl_settings::{AccelChoice, AccelKind, AccelSettings};

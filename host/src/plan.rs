@@ -2,7 +2,8 @@
 
 use std::fmt;
 
-use strahl_core::{EffectSet, Material, Rgb, Scene};
+use strahl_core::scene::EffectSet;
+use strahl_core::{Material, Rgb, Scene};
 pub use strahl_settings::Effect;
 
 use crate::amount::amount;

@@ -2,7 +2,7 @@
 
 use std::time::{Duration, Instant};
 
-use strahl_core::Counters;
+use strahl_core::tally::Counters;
 use strahl_engine::{
     AccelMemory, AccelStats, Engine, Progress, RayCaster, RenderError, RenderOptions, Rendered, SceneEngine,
     SceneStats, Scheduler,

@@ -4,7 +4,8 @@ use std::fmt::Write as _;
 
 use serde::Serialize;
 use std::collections::BTreeMap;
-use strahl_core::{RayKind, ShapeKind};
+use strahl_core::geometry::ShapeKind;
+use strahl_core::tally::RayKind;
 
 use crate::aim_report::AimReport;
 use crate::amount::amount;

@@ -10,10 +10,10 @@ macro_rules! stock {
     ($(#[$doc:meta])* $precision:ident, $core:ident) => {
         $(#[$doc])*
         pub mod $precision {
-            use $core::{
-                Background, Cone, Cuboid, Disc, Falloff, ItemId, Light, Material, MaterialId, PI, Projection, Real, Rgb,
-                SceneTables, Shading, Source, Sphere, Texture, Torus, OrientedCuboid, Vec3, View, try_normalize, vec3,
-            };
+            use $core::geometry::{Cone, Cuboid, Disc, ItemId, OrientedCuboid, Torus};
+            use $core::math::{PI, try_normalize};
+            use $core::scene::{Shading, Texture};
+            use $core::{Background, Falloff, Light, Material, MaterialId, Projection, Real, Rgb, SceneTables, Source, Sphere, Vec3, View, vec3};
 
             use crate::description::{self, Description, Form, Object, Triple};
 

@@ -7,7 +7,6 @@ use std::{fs, io, iter};
 
 use indicatif::{ProgressBar, ProgressStyle};
 use strahl_engine::{Interrupt, Progress, RenderError};
-use strahl_settings::Settings;
 
 use crate::args::StudyArgs;
 use crate::description::Description;

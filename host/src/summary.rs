@@ -6,7 +6,7 @@ use std::time::Duration;
 
 use anstyle::{AnsiColor, Effects, Style};
 use indicatif::{HumanBytes, HumanCount};
-use strahl_core::RayKind;
+use strahl_core::tally::RayKind;
 use strahl_settings::Precision;
 
 use crate::amount::amount;

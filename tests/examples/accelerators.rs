@@ -20,7 +20,7 @@ use strahl::args::GenerateArgs;
 use strahl::generate;
 use strahl::procedural::What;
 use strahl::session::{self, RenderOutput};
-use strahl_core::Size;
+use strahl_core::Resolution;
 use strahl_engine::{NoProgress, RenderOptions};
 use strahl_settings::{AccelKind, AccelSettings, Settings};
 
@@ -94,7 +94,7 @@ fn scene(what: What, size: u32, path: &Path, rows: &mut Vec<Row>) -> Result<bool
     let objects = description.objects.len();
     let mut digests = Vec::new();
     for kind in AccelKind::ALL.into_iter().filter(|kind| *kind != AccelKind::List || objects <= LISTED) {
-        let size = Size::new(512, 512).ok_or("no size")?;
+        let size = Resolution::new(512, 512).ok_or("no size")?;
         let settings = Settings { size, levels: 5, cutoff: 0.0, threads: 1, ..Settings::default() };
         let settings = settings.with_acceleration(AccelSettings::by(kind));
         let trace = |options| session::render(&description, &settings, &options, &NoProgress);

@@ -22,10 +22,10 @@ use std::path::PathBuf;
 
 use accuracy::{RUNS, Run, Sampling};
 use scene::{Golden, ITEMS, LEVELS, SIZE, VIEW, parts};
-use strahl_core::{
-    Adaptive, Agreement, Camera, Effects, Everything, Frame, Limits, List, Loose, Parting, Regular, Rgb,
-    Sampler, Scene, Single, Stochastic, Tile, Tracer, Worker, World, render,
-};
+use strahl_core::accel::List;
+use strahl_core::image::{Adaptive, Agreement, Frame, Loose, Parting, Regular, Sampler, Stochastic};
+use strahl_core::scene::Effects;
+use strahl_core::{AllEffects, Camera, Limits, Rgb, Scene, Single, Tile, Tracer, Worker, World, render};
 
 type Failure = Box<dyn Error>;
 
@@ -70,7 +70,7 @@ fn traced(limits: Limits, sampler: &mut impl Sampler) -> Result<Vec<Rgb>, Failur
     assert_eq!(scene.effects(), Golden::SET);
     let world = World::new(scene, List::without_bounds(ITEMS as u32));
     const { assert!(LEVELS <= 16) };
-    let tracer = Tracer::<_, Everything, 16>::new(&world, Camera::new(&VIEW, SIZE)?, limits)?;
+    let tracer = Tracer::<_, AllEffects, 16>::new(&world, Camera::new(&VIEW, SIZE)?, limits)?;
     let tile = Tile::whole(SIZE);
     let mut colors = vec![Rgb::BLACK; tile.len()];
     let mut frame = Frame::new(tile, &mut colors).ok_or("the frame has another size")?;

@@ -27,7 +27,7 @@ use strahl::cost::WEIGHTS;
 use strahl::description::Description;
 use strahl::load::load;
 use strahl::session::{SceneStorage, Session};
-use strahl_core::{Rgb, Size};
+use strahl_core::{Resolution, Rgb};
 use strahl_engine::{CostMap, NoProgress, RenderError, RenderOptions};
 use strahl_settings::{PartialSettings, Settings};
 
@@ -52,9 +52,9 @@ fn main() -> ExitCode {
     let words: Vec<String> = std::env::args().skip(1).collect();
     let size = words.first().and_then(|word| {
         let (width, height) = word.split_once('x')?;
-        Size::new(width.parse().ok()?, height.parse().ok()?)
+        Resolution::new(width.parse().ok()?, height.parse().ok()?)
     });
-    let size = size.unwrap_or(Size::new(200, 150).unwrap());
+    let size = size.unwrap_or(Resolution::new(200, 150).unwrap());
     let asked: Vec<(&str, f64)> = words
         .get(1..)
         .unwrap_or_default()
@@ -93,7 +93,7 @@ struct Row {
     ratio: f64,
 }
 
-fn hold(name: &str, limit: f64, size: Size) -> Row {
+fn hold(name: &str, limit: f64, size: Resolution) -> Row {
     let path: PathBuf = Path::new(env!("CARGO_MANIFEST_DIR")).parent().unwrap().join("scenes").join(name);
     let description = load(&path).unwrap_or_else(|error| panic!("{name}: {error}"));
     let settings = Settings { size, ..settings(&description) };

@@ -18,10 +18,10 @@ use std::path::{Path, PathBuf};
 use strahl::bake::{Asked, bake, chip, counted, source};
 use strahl::load::load_for;
 use strahl::stock::single::{scene_tables, view};
-use strahl_core::{
-    Aabb, Camera, Everything, Frame, Limits, List, Rgb, Single, Size, Tile, Tracer, Worker, World,
-    group_count, render,
-};
+use strahl_core::accel::{List, group_count};
+use strahl_core::geometry::Aabb;
+use strahl_core::image::Frame;
+use strahl_core::{AllEffects, Camera, Limits, Resolution, Rgb, Single, Tile, Tracer, Worker, World, render};
 use strahl_settings::AccelKind;
 
 /// A scene that is drawn on the chip.
@@ -29,13 +29,13 @@ struct Scene {
     name: &'static str,
     file: &'static str,
     accelerator: AccelKind,
-    size: Size,
+    size: Resolution,
     levels: u8,
     /// The most nodes of the hierarchy: for what flash there is.
     nodes: Option<usize>,
 }
 
-const SMALL: Size = Size::new(64, 48).unwrap();
+const SMALL: Resolution = Resolution::new(64, 48).unwrap();
 
 /// Those of the project: Whitted's classic in an octree, columns round a glass sphere in a grid,
 /// a mesh in a hierarchy, and a list.
@@ -65,7 +65,7 @@ const BALLS: Scene = Scene {
     name: "balls",
     file: "balls.nff",
     accelerator: AccelKind::Bvh,
-    size: Size::new(128, 96).unwrap(),
+    size: Resolution::new(128, 96).unwrap(),
     levels: 5,
     nodes: Some(1800),
 };
@@ -138,7 +138,7 @@ fn make(scene: &Scene, file: &Path, folder: &Path) -> Result<(), Box<dyn Error>>
 /// The scene that is drawn from Rust constants as well.
 const CONSTANTS: &str = "first";
 
-fn pixels(size: Size) -> u64 {
+fn pixels(size: Resolution) -> u64 {
     u64::from(size.width()) * u64::from(size.height())
 }
 
@@ -155,7 +155,7 @@ fn bake_and_draw(
     let world = World::new(*tables, List::with_boxes(&boxes, &mut groups)?);
     let limits = Limits { levels: asked.levels, cutoff: asked.cutoff };
     let camera = Camera::new(&asked.view, asked.size)?;
-    let tracer = Tracer::<_, Everything, 6>::new(&world, camera, limits)?;
+    let tracer = Tracer::<_, AllEffects, 6>::new(&world, camera, limits)?;
     let tile = Tile::whole(asked.size);
     let mut colors = vec![Rgb::BLACK; tile.len()];
     let mut frame = Frame::new(tile, &mut colors).ok_or("the frame has another size")?;

@@ -15,12 +15,15 @@ use std::path::Path;
 use std::process::{Command, ExitCode};
 
 use strahl::stock::single;
-use strahl_core::{
-    Aabb, Accelerator, BvhBuilder, BvhNode, BvhSize, Camera, EffectSet, Effects, Everything, LeafEntry,
-    LeafLayout, LightKind, LightSet, Limits, List, Pixel, RayCounters, Rgb, ShapeKind, ShapeSet, Single,
-    Size, TextureKind, TextureSet, Tile, Tracer, TraversalStack, TriangleBlock, Worker, World, group_count,
-    render,
+use strahl_core::accel::{
+    Accelerator, BvhBuilder, BvhNode, BvhSize, LeafEntry, LeafLayout, List, TraversalStack, TriangleBlock,
+    group_count,
 };
+use strahl_core::geometry::{Aabb, ShapeKind, ShapeSet};
+use strahl_core::image::Pixel;
+use strahl_core::scene::{EffectSet, Effects, LightKind, LightSet, TextureKind, TextureSet};
+use strahl_core::tally::RayCounters;
+use strahl_core::{AllEffects, Camera, Limits, Resolution, Rgb, Single, Tile, Tracer, Worker, World, render};
 use strahl_engine::prepared::{self, prepared_for};
 use strahl_settings::{AccelKind, AccelSettings};
 
@@ -93,7 +96,7 @@ fn traced<E: Effects>(path: &Path) -> Result<u64, Box<dyn Error>> {
     let scene = stock.scene()?;
     let geometry = scene.parts().geometry;
     let boxes: Vec<_> = geometry.all_bounds().collect();
-    let size = Size::new(SIZE.0, SIZE.1).ok_or("no size")?;
+    let size = Resolution::new(SIZE.0, SIZE.1).ok_or("no size")?;
     let camera = Camera::new(&single::view(&description.view), size)?;
     let levels = description.settings.levels.unwrap_or(Limits::DEFAULT.levels);
     let limits = Limits { levels, ..Limits::DEFAULT };
@@ -114,7 +117,7 @@ fn traced<E: Effects>(path: &Path) -> Result<u64, Box<dyn Error>> {
 fn asked(path: &Path) -> Result<EffectSet, Box<dyn Error>> {
     let description = strahl::load::load(path)?;
     let stock = single::scene_tables(&description);
-    let size = Size::new(SIZE.0, SIZE.1).ok_or("no size")?;
+    let size = Resolution::new(SIZE.0, SIZE.1).ok_or("no size")?;
     let camera = Camera::new(&single::view(&description.view), size)?;
     Ok(EffectSet { lens: camera.has_lens(), ..stock.scene()?.effects() })
 }
@@ -125,7 +128,7 @@ fn hash<A: Accelerator, E: Effects>(
     camera: Camera,
     limits: Limits,
 ) -> Result<u64, Box<dyn Error>> {
-    let size = Size::new(SIZE.0, SIZE.1).ok_or("no size")?;
+    let size = Resolution::new(SIZE.0, SIZE.1).ok_or("no size")?;
     let tracer = Tracer::<_, E, 64>::new(world, camera, limits)?;
     let mut hash = 0xcbf2_9ce4_8422_2325_u64;
     let mut sink = |_: Pixel, color: Rgb| {
@@ -145,7 +148,7 @@ fn prepared(name: &str) -> Result<Way, Box<dyn Error>> {
         ($($name:ident)*) => {
             match name {
                 $(stringify!($name) => Ok(traced::<prepared::$name>),)*
-                "Everything" => Ok(traced::<Everything>),
+                "AllEffects" => Ok(traced::<AllEffects>),
                 _ => Err(format!("there is no prepared effect set {name} here").into()),
             }
         };
@@ -176,7 +179,7 @@ fn main() -> Result<ExitCode, Box<dyn Error>> {
             "exact" => row.exact,
             "effects" => row.exact_effects,
             "prepared" => prepared(prepared_for(&row.asks))?,
-            "everything" => traced::<Everything>,
+            "everything" => traced::<AllEffects>,
             _ => return Err("no such way".into()),
         };
         println!("{:016x}", way(&scenes.join(scene))?);

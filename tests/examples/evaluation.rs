@@ -21,7 +21,7 @@ use strahl::study::conduct::Conduct;
 use strahl::study::page::numbers;
 use strahl::study::plan::Plan;
 use strahl::study::record::{Run, Technique};
-use strahl_core::Size;
+use strahl_core::Resolution;
 use strahl_engine::NoProgress;
 use strahl_settings::{Precision, Settings};
 
@@ -53,7 +53,7 @@ struct Evaluated {
 
 fn evaluate(path: &Path) -> Result<Evaluated, Box<dyn Error>> {
     let scene = load(path)?;
-    let size = Size::new(SIDE, SIDE).ok_or("no size")?;
+    let size = Resolution::new(SIDE, SIDE).ok_or("no size")?;
     let plan = Plan { repeats: 3, ..Plan::QUICK };
     let limit = Some(Duration::from_secs(SECONDS));
     let bench = Bench::new(&scene, size, &NoProgress, limit);

@@ -16,7 +16,7 @@ use std::process::{Command, Stdio};
 use std::time::Instant;
 
 use strahl::session;
-use strahl_core::Size;
+use strahl_core::Resolution;
 use strahl_engine::{NoProgress, RenderOptions};
 use strahl_settings::{AccelKind, AccelSettings, Settings};
 
@@ -121,7 +121,7 @@ fn strahl(scene: &Path, side: u32, kind: AccelKind) -> Result<Took, Box<dyn Erro
     let clock = Instant::now();
     let description = strahl::load::load(scene)?;
     let load = clock.elapsed();
-    let size = Size::new(side, side).ok_or("no size")?;
+    let size = Resolution::new(side, side).ok_or("no size")?;
     let settings = Settings { size, levels: 5, cutoff: 0.0, threads: 1, ..Settings::default() };
     let settings = settings.with_acceleration(AccelSettings::by(kind));
     let frame = session::render(&description, &settings, &RenderOptions::default(), &NoProgress)?;

@@ -13,10 +13,12 @@ use std::error::Error;
 use std::path::Path;
 use std::process::ExitCode;
 
-use strahl_core::{
-    BareList, Camera, CameraSample, Everything, Pixel, PixelSample, RayKind, RayTracer, Rgb, Sampler, Size,
-    SobolSequence, Tile, Tracer, Worker, World, render,
-};
+use strahl_core::image::{Pixel, Sampler};
+use strahl_core::math::SobolSequence;
+use strahl_core::scene::CameraSample;
+use strahl_core::tally::RayKind;
+use strahl_core::trace::{PixelSample, RayTracer};
+use strahl_core::{AllEffects, BareList, Camera, Resolution, Rgb, Tile, Tracer, Worker, World, render};
 use strahl_engine::{NoProgress, RenderOptions};
 use strahl_picture::Values;
 use strahl_picture::difference::Pair;
@@ -74,8 +76,8 @@ impl Sampler for Jittered {
         for index in 0..n * n {
             // A place of its own for each cell, so that they have nothing to do with each other.
             let chance = SobolSequence::new(pixel.x, pixel.y, self.seed, index + 1)
-                .sample_2d(strahl_core::Dimension::PIXEL);
-            let place = strahl_core::FilmPoint {
+                .sample_2d(strahl_core::math::Dimension::PIXEL);
+            let place = strahl_core::scene::FilmPoint {
                 x: pixel.x as f32 + ((index % n) as f32 + chance[0]) / n as f32,
                 y: pixel.y as f32 + ((index / n) as f32 + chance[1]) / n as f32,
             };
@@ -92,7 +94,7 @@ impl Sampler for Jittered {
 
 struct Scene {
     description: strahl::description::Description,
-    size: Size,
+    size: Resolution,
     reference: Vec<Rgb>,
 }
 
@@ -102,7 +104,7 @@ impl Scene {
         let description = strahl::load::load(&path)?;
         let whole = description.settings.size.ok_or("the scene has no size")?;
         // A tenth of the picture's side and more.
-        let size = Size::new(whole.width() / 8, whole.height() / 8).ok_or("too small")?;
+        let size = Resolution::new(whole.width() / 8, whole.height() / 8).ok_or("too small")?;
         let mut scene = Scene { description, size, reference: Vec::new() };
         let settings = Settings { seed: 1, ..scene.settings(Sampling::stochastic(MANY)) };
         scene.reference = scene.traced(&settings)?.0;
@@ -168,7 +170,7 @@ impl Scene {
         let world = World::new(scene, BareList(items));
         let camera = Camera::new(&strahl::stock::single::view(&self.description.view), self.size)?;
         let limits = self.settings(Sampling::Single).limits();
-        let tracer = Tracer::<_, Everything, 64>::new(&world, camera, limits)?;
+        let tracer = Tracer::<_, AllEffects, 64>::new(&world, camera, limits)?;
         Measured::mean(|seed| {
             let mut colors = Vec::new();
             let mut sink = |_: Pixel, color: Rgb| colors.push(color);

@@ -21,7 +21,8 @@ use std::path::PathBuf;
 use std::process::ExitCode;
 
 use strahl::session::RenderOutput;
-use strahl_core::{Counters, RayKind, Size};
+use strahl_core::Resolution;
+use strahl_core::tally::{Counters, RayKind};
 use strahl_engine::{NoProgress, RenderOptions};
 use strahl_settings::{AccelChoice, AccelKind, AccelSettings, Sampling, Settings};
 
@@ -93,7 +94,7 @@ fn tell(frame: &RenderOutput, counters: &Counters) -> f64 {
 
 fn main() -> Result<ExitCode, Box<dyn Error>> {
     let folder = PathBuf::from(std::env::args_os().nth(1).ok_or("usage: spd FOLDER")?);
-    let size = Size::new(512, 512).ok_or("no size")?;
+    let size = Resolution::new(512, 512).ok_or("no size")?;
     let settings =
         Settings { size, levels: 5, cutoff: 0.0, sampler: Sampling::CORNERS, ..Settings::default() };
     let mut all_hold = true;

@@ -15,7 +15,7 @@ use std::path::{Path, PathBuf};
 use std::process::{Command, ExitCode};
 
 use strahl::cost::{Counts, recorded};
-use strahl_core::Size;
+use strahl_core::Resolution;
 use strahl_engine::{NoProgress, RenderOptions};
 use strahl_settings::{AccelKind, AccelSettings, Settings};
 
@@ -47,7 +47,7 @@ fn events(counts: &Counts, kind: AccelKind) -> [f64; EVENTS] {
 fn trace(scene: &str, kind: &str, sampler: &str, size: &str) -> Result<(), Box<dyn Error>> {
     let kind = AccelKind::ALL.into_iter().find(|it| it.name() == kind).ok_or("no such accelerator")?;
     let (width, height) = size.split_once('x').ok_or("no size")?;
-    let size = Size::new(width.parse()?, height.parse()?).ok_or("no size")?;
+    let size = Resolution::new(width.parse()?, height.parse()?).ok_or("no size")?;
     let scene = strahl::load::load(Path::new(scene))?;
     let default = Settings::default();
     let levels = scene.settings.levels.unwrap_or(default.levels);

@@ -1,10 +1,9 @@
 //! What must hold of any bytes that a device is told to be a baked scene: no panic, no read outside
 //! of them, and where they are taken for one, a picture of finite colours from every way of walking.
 
-use strahl_core::{
-    Accelerator, Everything, Finder, Limits, Pack, Rgb, Single, Size, Tile, Tracer, TraversalStack, Worker,
-    World, render,
-};
+use strahl_core::accel::{Accelerator, TraversalStack};
+use strahl_core::baked::{Finder, Pack};
+use strahl_core::{AllEffects, Limits, Resolution, Rgb, Single, Tile, Tracer, Worker, World, render};
 
 /// Bytes of a baked scene: as they are, and with the begin that a host would have written, lest a
 /// checksum keep everything away from what lies behind it.
@@ -68,10 +67,10 @@ fn draw(bytes: &[u8]) {
 
 fn trace<A: Accelerator>(pack: &Pack<'_>, world: World<'_, A>) {
     const LEVELS: u8 = 4;
-    let tile = Tile::whole(Size::new(6, 4).expect("a size"));
-    let Ok(camera) = pack.camera(Size::new(6, 4).expect("a size")) else { return };
+    let tile = Tile::whole(Resolution::new(6, 4).expect("a size"));
+    let Ok(camera) = pack.camera(Resolution::new(6, 4).expect("a size")) else { return };
     let limits = Limits { levels: pack.levels().min(LEVELS), cutoff: pack.cutoff() };
-    let Ok(tracer) = Tracer::<_, Everything, { LEVELS as usize }>::new(&world, camera, limits) else {
+    let Ok(tracer) = Tracer::<_, AllEffects, { LEVELS as usize }>::new(&world, camera, limits) else {
         return;
     };
     let mut sink = |_, color: Rgb| assert!(color.r.is_finite() && color.g.is_finite() && color.b.is_finite());

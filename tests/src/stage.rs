@@ -2,11 +2,16 @@
 
 use std::ops::{Deref, DerefMut};
 
+use super::strahl::accel::{List, group_count};
+use super::strahl::geometry::{
+    Aabb, Cone, Cuboid, Disc, Hit, ItemId, OrientedCuboid, Ray, Torus, offset_origin,
+};
+use super::strahl::math::{ROUNDOFF, SobolSequence, try_normalize};
+use super::strahl::scene::{CameraSample, FilmPoint, Shading};
+use super::strahl::tally::{Counters, RayKind};
 use super::strahl::{
-    Aabb, Camera, CameraSample, Cone, Counters, Cuboid, Disc, Everything, FilmPoint, Hit, ItemId, Limits,
-    List, Material, MaterialId, OrientedCuboid, Projection, ROUNDOFF, Ray, RayKind, Real, Rgb, Scene,
-    SceneTables, Shading, Size, SobolSequence, Sphere, Torus, Tracer, Vec3, View, Worker, World, group_count,
-    offset_origin, try_normalize, vec3,
+    AllEffects, Camera, Limits, Material, MaterialId, Projection, Real, Resolution, Rgb, Scene, SceneTables,
+    Sphere, Tracer, Vec3, View, Worker, World, vec3,
 };
 use crate::cast::{Core, Found};
 use crate::thing::{Line, Thing};
@@ -160,7 +165,7 @@ impl Stage {
     /// The mean of what `n` camera rays see that differ in nothing but what they leave to chance.
     pub fn look_often(&self, eye: Vec3, target: Vec3, limits: Limits, n: u32, seed: u32) -> [f64; 3] {
         let world = World::new(self.scene(), List::without_bounds(self.item_count()));
-        let tracer = Tracer::<_, Everything, 64>::new(&world, straight(eye, target), limits).unwrap();
+        let tracer = Tracer::<_, AllEffects, 64>::new(&world, straight(eye, target), limits).unwrap();
         let mut worker = Worker::new(());
         let mut sum = [0.0; 3];
         for index in 0..n {
@@ -185,7 +190,7 @@ impl Stage {
     /// The same, and what it took.
     pub fn look_and_count(&self, eye: Vec3, target: Vec3, limits: Limits) -> (Rgb, Counters) {
         let world = World::new(self.scene(), List::without_bounds(self.item_count()));
-        let tracer = Tracer::<_, Everything, 64>::new(&world, straight(eye, target), limits).unwrap();
+        let tracer = Tracer::<_, AllEffects, 64>::new(&world, straight(eye, target), limits).unwrap();
         let mut worker = Worker::new(Counters::new());
         let sample =
             CameraSample { point: FilmPoint { x: 0.5, y: 0.5 }, stream: SobolSequence::new(0, 0, 0, 0) };
@@ -202,7 +207,7 @@ fn straight(eye: Vec3, target: Vec3) -> Camera {
     let up = if way.x.abs() < way.y.abs() { Vec3::X } else { Vec3::Y };
     let projection = Projection::Orthographic { height: 1.0 };
     let view = View { from: eye, at: target, up, projection };
-    Camera::new(&view, Size::new(1, 1).unwrap()).unwrap()
+    Camera::new(&view, Resolution::new(1, 1).unwrap()).unwrap()
 }
 
 /// To the core's own numbers; exact for what [`crate::Random`] gives.
@@ -237,14 +242,14 @@ impl Core for Stage {
         #[allow(clippy::useless_conversion)] // in the twin
         let cast = |line: &Line| {
             let ray = Ray::new(narrow(line.origin), narrow(line.direction));
-            let hit = bare.nearest::<Everything, _>(&ray, Real::INFINITY, RayKind::Camera, &mut (), &mut ());
+            let hit = bare.nearest::<AllEffects, _>(&ray, Real::INFINITY, RayKind::Camera, &mut (), &mut ());
             let other =
-                boxed.nearest::<Everything, _>(&ray, Real::INFINITY, RayKind::Camera, &mut (), &mut ());
+                boxed.nearest::<AllEffects, _>(&ray, Real::INFINITY, RayKind::Camera, &mut (), &mut ());
             let bits = |hit: Hit| (hit.item, hit.t.to_bits());
             assert_eq!(hit.map(bits), other.map(bits), "with boxes: {line:?}");
             let hit = hit?;
-            let surface = bare.surface::<Everything>(&ray, hit);
-            assert_eq!(surface, boxed.surface::<Everything>(&ray, hit));
+            let surface = bare.surface::<AllEffects>(&ray, hit);
+            assert_eq!(surface, boxed.surface::<AllEffects>(&ray, hit));
             let surface = surface.expect("what was hit has a surface");
             Some(Found {
                 item: hit.item.0,

@@ -5,12 +5,13 @@ use std::path::Path;
 use strahl::description::Description;
 use strahl::load::load;
 use strahl::session;
-use strahl_core::{PerRayKind, RayKind, Size};
+use strahl_core::Resolution;
+use strahl_core::tally::{PerRayKind, RayKind};
 use strahl_engine::cost_map::PixelCost;
 use strahl_engine::{CostMap, NoProgress, RenderOptions};
 use strahl_settings::{Precision, Settings};
 
-const SIZE: Size = Size::new(50, 41).unwrap();
+const SIZE: Resolution = Resolution::new(50, 41).unwrap();
 
 fn scene(name: &str) -> Description {
     load(&Path::new(env!("CARGO_MANIFEST_DIR")).parent().unwrap().join("scenes").join(name)).unwrap()
@@ -52,7 +53,7 @@ fn one_ray_in_each_pixel_costs_a_camera_ray_and_what_follows() {
 #[test]
 fn all_pixels_together_cost_what_the_picture_costs() {
     let scene = scene("classic.toml");
-    let size = Size::new(40, 30).unwrap();
+    let size = Resolution::new(40, 30).unwrap();
     for (sampler, select, precision) in [
         ("single", None, Precision::Single),
         ("adaptive:2:0.1", None, Precision::Single),

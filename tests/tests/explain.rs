@@ -7,7 +7,8 @@ use strahl::description::Description;
 use strahl::explain::pixel::{Traced, trace};
 use strahl::load::load;
 use strahl::session;
-use strahl_core::{Pixel, Rgb, Size, Tile};
+use strahl_core::image::Pixel;
+use strahl_core::{Resolution, Rgb, Tile};
 use strahl_engine::{NoProgress, RenderOptions};
 use strahl_settings::{PartialSettings, Sampling, Settings};
 
@@ -17,8 +18,11 @@ fn scene(name: &str) -> Description {
 }
 
 fn settings(description: &Description, sampling: Sampling) -> Settings {
-    let given =
-        PartialSettings { size: Size::new(40, 30), sampler: Some(sampling), ..PartialSettings::default() };
+    let given = PartialSettings {
+        size: Resolution::new(40, 30),
+        sampler: Some(sampling),
+        ..PartialSettings::default()
+    };
     Settings::resolve(&given, &description.settings).unwrap()
 }
 

@@ -18,9 +18,10 @@ use std::collections::BTreeMap;
 use std::fs;
 use std::path::{Path, PathBuf};
 
-use strahl_core::{
-    Camera, Effects, Everything, Frame, List, Rgb, Scene, Single, Size, Tile, Tracer, Worker, World, render,
-};
+use strahl_core::accel::List;
+use strahl_core::image::Frame;
+use strahl_core::scene::Effects;
+use strahl_core::{AllEffects, Camera, Resolution, Rgb, Scene, Single, Tile, Tracer, Worker, World, render};
 use strahl_engine::{NoProgress, RenderOptions};
 use strahl_picture::{Format, Picture};
 use strahl_settings::{AccelSettings, Agreement, Bounds, Sampling, Settings};
@@ -95,7 +96,7 @@ fn the_rotunda_without_secondary_rays_looks_as_it_did() {
 fn the_scene_of_the_firmware_looks_as_it_did() {
     let picture = constants::<constants::Golden>();
     golden("firmware", &picture).unwrap();
-    assert_eq!(constants::<Everything>(), picture, "the smallest tracer and the one that can do everything");
+    assert_eq!(constants::<AllEffects>(), picture, "the smallest tracer and the one that can do everything");
 }
 
 /// The name of a file without its extension.
@@ -119,7 +120,7 @@ fn scene_file(name: &str, width: u32, height: u32, levels: Option<u8>, sampling:
         ..default
     };
     let rendered = |width, height, accel| {
-        let settings = Settings { size: Size::new(width, height).unwrap(), ..settings.clone() };
+        let settings = Settings { size: Resolution::new(width, height).unwrap(), ..settings.clone() };
         let settings = settings.with_acceleration(accel);
         strahl::session::render(&description, &settings, &RenderOptions::default(), &NoProgress).unwrap()
     };

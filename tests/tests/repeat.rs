@@ -2,7 +2,9 @@
 
 use strahl::description::Description;
 use strahl::session::{self, RenderOutput};
-use strahl_core::{Counters, Pixel, RayKind, Rgb, Size, Tile};
+use strahl_core::image::Pixel;
+use strahl_core::tally::{Counters, RayKind};
+use strahl_core::{Resolution, Rgb, Tile};
 use strahl_engine::{Mask, NoProgress, RenderOptions};
 use strahl_settings::{AccelKind, AccelSettings, Bounds, Settings};
 
@@ -22,7 +24,7 @@ const WAYS: [(&str, Option<&str>, bool); 9] = [
 ];
 
 // Neither side a multiple of a tile.
-const SIZE: Size = Size::new(61, 37).unwrap();
+const SIZE: Resolution = Resolution::new(61, 37).unwrap();
 
 fn loaded(name: &str) -> Description {
     strahl::load::load(&std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join(name)).unwrap()

@@ -17,7 +17,7 @@ use strahl::study::conduct::{Conduct, Truth};
 use strahl::study::front::{Point, front};
 use strahl::study::plan::Plan;
 use strahl::study::record::Step;
-use strahl_core::Size;
+use strahl_core::Resolution;
 use strahl_engine::NoProgress;
 use strahl_settings::Settings;
 
@@ -29,7 +29,7 @@ fn scene(name: &str) -> PathBuf {
 fn studied<T>(name: &str, plan: &Plan, asks: &[Effect], then: impl FnOnce(&Conduct<'_>, &Truth) -> T) -> T {
     let path = scene(name);
     let scene = load(&path).unwrap();
-    let size = Size::new(40, 25).unwrap();
+    let size = Resolution::new(40, 25).unwrap();
     let bench = Bench::new(&scene, size, &NoProgress, None);
     let mut conduct = Conduct::new(&bench, plan);
     let truth = conduct.run(&Settings { size, threads: 2, ..Settings::default() }, asks).unwrap();

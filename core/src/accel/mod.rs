@@ -51,7 +51,7 @@ mod triangle_block;
 
 // Without `Real`: one type for both precisions.
 #[cfg(feature = "double")]
-use strahl_core::{self as error, self as size};
+use strahl_core::accel::{self as error, self as size};
 
 pub use accelerator::{Accelerator, Query};
 #[cfg(feature = "baked")]

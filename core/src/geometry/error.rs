@@ -6,13 +6,13 @@ use core::fmt;
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum ShapeError {
-    /// A coordinate is NaN, or its absolute value is more than [`MAX_COORDINATE`](crate::MAX_COORDINATE).
+    /// A coordinate is NaN, or its absolute value is more than [`MAX_COORDINATE`](crate::math::MAX_COORDINATE).
     Coordinate,
-    /// A radius is NaN, negative or more than [`MAX_COORDINATE`](crate::MAX_COORDINATE); or the radius of a
+    /// A radius is NaN, negative or more than [`MAX_COORDINATE`](crate::math::MAX_COORDINATE); or the radius of a
     /// sphere or disc, or both radii of a cone are zero; or the minor radius of a torus is zero or more than
     /// its major radius.
     Radius,
-    /// The height of a cone is NaN, not positive or more than [`MAX_COORDINATE`](crate::MAX_COORDINATE), or
+    /// The height of a cone is NaN, not positive or more than [`MAX_COORDINATE`](crate::math::MAX_COORDINATE), or
     /// the size of a box is negative.
     Size,
     /// A normal or an axis is not a unit vector.

@@ -35,7 +35,7 @@ mod validate;
 
 // Without `Real`: one type for both precisions.
 #[cfg(feature = "double")]
-use strahl_core::{self as error, self as item, self as kind};
+use strahl_core::geometry::{self as error, self as item, self as kind};
 
 pub use bounding_sphere::BoundingSphere;
 pub(crate) use bounding_sphere::BoundingSphereRay;

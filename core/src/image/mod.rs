@@ -21,7 +21,7 @@ mod stochastic;
 
 // Without `Real`: one type for both precisions.
 #[cfg(feature = "double")]
-use strahl_core::{self as filter, self as pixel};
+use strahl_core::image::{self as filter, self as pixel};
 
 pub use adaptive::{Adaptive, Corner, Part, Parting};
 pub use agreement::Agreement;

@@ -1,6 +1,6 @@
 //! Pixels, and rectangles of them.
 
-use crate::scene::Size;
+use crate::scene::Resolution;
 
 /// A pixel, counted from the upper left corner of the picture.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -24,7 +24,7 @@ pub struct Tile {
 
 impl Tile {
     /// The whole picture.
-    pub fn whole(size: Size) -> Self {
+    pub fn whole(size: Resolution) -> Self {
         Tile { first: Pixel { x: 0, y: 0 }, width: size.width(), height: size.height() }
     }
 

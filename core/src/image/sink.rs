@@ -48,7 +48,7 @@ impl Record for Rgb {
     }
 }
 
-/// Everything, as a [`Lattice`](super::Lattice) needs it.
+/// AllEffects, as a [`Lattice`](super::Lattice) needs it.
 impl Record for PixelSample {
     const NONE: Self = PixelSample::BLACK;
 

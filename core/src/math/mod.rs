@@ -9,7 +9,7 @@
 
 mod color;
 mod float;
-pub mod morton;
+pub(crate) mod morton;
 mod real4;
 mod roots;
 mod sobol;
@@ -18,12 +18,13 @@ mod warp;
 
 pub use color::Rgb;
 #[cfg(test)]
-pub use float::acos;
-pub use float::{cos, exp, floor, ln, pow_positive, powf, sin, sqrt, tan};
-pub use real4::{Real4, SIMD_WIDTH};
+pub(crate) use float::acos;
+pub use float::sqrt;
+pub(crate) use float::{cos, exp, floor, ln, pow_positive, powf, sin, tan};
+pub(crate) use real4::{Real4, SIMD_WIDTH};
 pub use roots::{CubicRoots, bracketed_root, cubic_roots};
 pub use sobol::{Dimension, SobolSequence};
-pub use warp::{
+pub(crate) use warp::{
     orthonormal_basis, sample_disc_concentric, sample_tent, sample_truncated_gaussian, sample_visible_normal,
 };
 
@@ -51,7 +52,8 @@ mod precision {
     /// order of the numbers.
     pub type OrderedBits = i32;
 }
-pub use precision::{OrderedBits, Real, Vec3};
+pub(crate) use precision::OrderedBits;
+pub use precision::{Real, Vec3};
 
 /// The ratio of a circle's circumference to its diameter.
 pub const PI: Real = precision::consts::PI;
@@ -76,47 +78,47 @@ pub const fn vec3(x: Real, y: Real, z: Real) -> Vec3 {
 }
 
 /// The larger of `a` and `b`; `b` if they are equal or one is NaN.
-pub fn max(a: Real, b: Real) -> Real {
+pub(crate) fn max(a: Real, b: Real) -> Real {
     if a > b { a } else { b }
 }
 
 /// The smaller of `a` and `b`; `b` if they are equal or one is NaN.
-pub fn min(a: Real, b: Real) -> Real {
+pub(crate) fn min(a: Real, b: Real) -> Real {
     if a < b { a } else { b }
 }
 
 /// `x` limited to `low..=high`; `low` if `x` is NaN.
-pub fn clamp(x: Real, low: Real, high: Real) -> Real {
+pub(crate) fn clamp(x: Real, low: Real, high: Real) -> Real {
     if x > low { if x < high { x } else { high } } else { low }
 }
 
 /// The largest power of two that is at most `|x|`.
 ///
 /// It is the smallest positive normal number for zero and for subnormal `x`.
-pub fn floor_power_of_two(x: Real) -> Real {
+pub(crate) fn floor_power_of_two(x: Real) -> Real {
     // The bits of infinity are a mask of the exponent's bits.
     let power = Real::from_bits(x.to_bits() & Real::INFINITY.to_bits());
     max(power, Real::MIN_POSITIVE)
 }
 
 /// The vector of absolute components.
-pub fn abs(v: Vec3) -> Vec3 {
+pub(crate) fn abs(v: Vec3) -> Vec3 {
     vec3(v.x.abs(), v.y.abs(), v.z.abs())
 }
 
 /// The largest absolute component.
-pub fn max_abs_component(v: Vec3) -> Real {
+pub(crate) fn max_abs_component(v: Vec3) -> Real {
     max(v.x.abs(), max(v.y.abs(), v.z.abs()))
 }
 
 /// Whether the absolute value of every component is at most [`MAX_COORDINATE`]. False for NaN.
 #[inline(never)] // validation calls it often: code size matters there, time does not
-pub fn is_in_range(v: Vec3) -> bool {
+pub(crate) fn is_in_range(v: Vec3) -> bool {
     v.x.abs() <= MAX_COORDINATE && v.y.abs() <= MAX_COORDINATE && v.z.abs() <= MAX_COORDINATE
 }
 
 /// The length of `v`, if its square is in range (lengths of about 1e-19 to 1e19 in `f32`).
-pub fn length(v: Vec3) -> Real {
+pub(crate) fn length(v: Vec3) -> Real {
     sqrt(v.dot(v))
 }
 
@@ -130,7 +132,7 @@ pub fn try_normalize(v: Vec3) -> Option<Vec3> {
 
 /// The unit vector in the direction of `v`, and the length of `v`; `None` if `v` is zero or not finite.
 #[inline(always)]
-pub fn try_normalize_and_length(v: Vec3) -> Option<(Vec3, Real)> {
+pub(crate) fn try_normalize_and_length(v: Vec3) -> Option<(Vec3, Real)> {
     let square = v.dot(v);
     if is_safe_square(square) {
         let length = sqrt(square);
@@ -172,7 +174,7 @@ fn normalize_extreme(x: Real, y: Real, z: Real) -> Option<(Vec3, Real)> {
 
 /// Whether `v` is a unit vector: its squared length differs from 1 by at most 1e-5.
 #[inline(never)] // as `is_in_range`
-pub fn is_normalized(v: Vec3) -> bool {
+pub(crate) fn is_normalized(v: Vec3) -> bool {
     (v.dot(v) - 1.0).abs() <= 1e-5
 }
 
@@ -203,7 +205,7 @@ fn product_error(a: Real, b: Real, p: Real) -> Real {
 /// `(a - b) - d`, exactly, where `d` is the rounded difference.
 ///
 /// Source: TwoSum in Knuth, "The Art of Computer Programming", volume 2, 4.2.2.
-pub fn difference_error(a: Vec3, b: Vec3, d: Vec3) -> Vec3 {
+pub(crate) fn difference_error(a: Vec3, b: Vec3, d: Vec3) -> Vec3 {
     let negative_b = d - a;
     (a - (d - negative_b)) - (b + negative_b)
 }

@@ -1,6 +1,6 @@
 //! From a place in the picture to a ray.
 
-use super::{Size, ViewFault};
+use super::{Resolution, ViewFault};
 use crate::geometry::Ray;
 use crate::math::{
     MAX_COORDINATE, PI, Real, SobolSequence, Vec3, is_in_range, sample_disc_concentric, tan, try_normalize,
@@ -86,7 +86,7 @@ pub struct Camera {
 
 impl Camera {
     /// The camera of `view` for pictures of `size`.
-    pub fn new(view: &View, size: Size) -> Result<Self, ViewFault> {
+    pub fn new(view: &View, size: Resolution) -> Result<Self, ViewFault> {
         if !(is_in_range(view.from) && is_in_range(view.at) && view.up.is_finite()) {
             return Err(ViewFault::Place);
         }
@@ -178,7 +178,7 @@ mod tests {
 
     #[test]
     fn the_angle_runs_from_the_middle_of_the_first_row_to_that_of_the_last() {
-        let camera = Camera::new(&VIEW, Size::new(7, 5).unwrap()).unwrap();
+        let camera = Camera::new(&VIEW, Resolution::new(7, 5).unwrap()).unwrap();
         let (top, bottom) = (camera.ray(place(3.5, 0.5)), camera.ray(place(3.5, 4.5)));
         assert!((acos(top.direction.dot(bottom.direction)) - 0.8).abs() < 1e-6);
         assert!(top.direction.y > 0.0 && bottom.direction.y < 0.0);
@@ -190,7 +190,7 @@ mod tests {
     #[test]
     fn parallel_rays_start_as_far_apart_as_the_height_says() {
         let view = View { projection: Projection::Orthographic { height: 8.0 }, ..VIEW };
-        let camera = Camera::new(&view, Size::new(5, 5).unwrap()).unwrap();
+        let camera = Camera::new(&view, Resolution::new(5, 5).unwrap()).unwrap();
         let (top, bottom) = (camera.ray(place(2.5, 0.5)), camera.ray(place(2.5, 4.5)));
         assert_eq!(top.direction, bottom.direction);
         assert!((top.origin - bottom.origin - vec3(0.0, 8.0, 0.0)).abs().max_element() < 1e-5);
@@ -198,7 +198,7 @@ mod tests {
 
     #[test]
     fn views_that_show_nothing_are_refused() {
-        let size = Size::new(4, 4).unwrap();
+        let size = Resolution::new(4, 4).unwrap();
         let fault = |view: View| Camera::new(&view, size).unwrap_err();
         assert_eq!(fault(View { at: VIEW.from, ..VIEW }), ViewFault::NoDirection);
         assert_eq!(fault(View { up: vec3(0.0, 0.0, 2.0), ..VIEW }), ViewFault::NoUp);
@@ -208,13 +208,13 @@ mod tests {
             let projection = Projection::Perspective { angle };
             assert_eq!(fault(View { projection, ..VIEW }), ViewFault::Angle);
         }
-        assert!(Size::new(0, 4).is_none() && Size::new(4, Size::MOST + 1).is_none());
+        assert!(Resolution::new(0, 4).is_none() && Resolution::new(4, Resolution::MOST + 1).is_none());
     }
 
     #[test]
     fn a_picture_of_one_row_or_one_column_has_finite_rays() {
         for (w, h) in [(1, 1), (1, 9), (9, 1)] {
-            let camera = Camera::new(&VIEW, Size::new(w, h).unwrap()).unwrap();
+            let camera = Camera::new(&VIEW, Resolution::new(w, h).unwrap()).unwrap();
             assert!(camera.ray(place(0.0, 0.0)).direction.is_finite());
         }
     }

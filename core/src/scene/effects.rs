@@ -11,7 +11,8 @@ use crate::math::Real;
 /// What a tracer can do, as a constant of a type of its own.
 ///
 /// ```
-/// use strahl_core::{EffectSet, Effects, LightKind, LightSet, ShapeKind, ShapeSet};
+/// use strahl_core::geometry::{ShapeKind, ShapeSet};
+/// use strahl_core::scene::{EffectSet, Effects, LightKind, LightSet};
 ///
 /// /// Spheres under point lights, and their shadows.
 /// struct Mine;
@@ -45,8 +46,8 @@ impl<E: Effects> ShapeFeatures for E {
 
 /// Everything that strahl can do.
 #[derive(Clone, Copy, Debug)]
-pub struct Everything;
+pub struct AllEffects;
 
-impl Effects for Everything {
+impl Effects for AllEffects {
     const SET: EffectSet = EffectSet::ALL;
 }

@@ -12,15 +12,13 @@ mod interface;
 mod kind;
 mod light;
 mod material;
-#[cfg(feature = "baked")]
-mod pack;
 #[cfg(not(feature = "double"))]
 mod reference;
+#[cfg(not(feature = "double"))]
+mod resolution;
 #[cfg(feature = "alloc")]
 #[cfg(not(feature = "double"))]
 mod shading;
-#[cfg(not(feature = "double"))]
-mod size;
 #[cfg(feature = "alloc")]
 mod tables;
 mod texture;
@@ -28,27 +26,25 @@ mod world;
 
 // Without `Real`: one type for both precisions.
 #[cfg(all(feature = "alloc", feature = "double"))]
-use strahl_core as shading;
+use strahl_core::scene as shading;
 #[cfg(feature = "double")]
-use strahl_core::{
-    self as effect_set, self as error, self as interface, self as kind, self as reference, self as size,
+use strahl_core::scene::{
+    self as effect_set, self as error, self as interface, self as kind, self as reference, self as resolution,
 };
 
 pub use camera::{Camera, CameraSample, FilmPoint, Projection, View};
 pub use effect_set::{EffectSet, LastLevel};
-pub use effects::{Effects, Everything};
+pub use effects::{AllEffects, Effects};
 pub use error::{MaterialFault, SceneError, ViewFault};
 pub use interface::Interface;
 pub use kind::{LightKind, LightSet, TextureKind, TextureSet};
 pub(crate) use light::Beam;
 pub use light::{Falloff, Light, Source};
 pub use material::Material;
-#[cfg(feature = "baked")]
-pub use pack::{Baking, Finder, Pack, PackError, PackPart};
 pub use reference::{MaterialId, TextureId};
+pub use resolution::Resolution;
 #[cfg(feature = "alloc")]
 pub use shading::Shading;
-pub use size::Size;
 #[cfg(feature = "alloc")]
 pub use tables::SceneTables;
 pub use texture::Texture;
@@ -165,7 +161,7 @@ impl<'s> Scene<'s> {
     ///     ..Parts::EMPTY
     /// })?;
     /// assert!(!scene.effects().shadows); // there is no light that could be in the way of
-    /// # Ok::<(), strahl_core::SceneError>(())
+    /// # Ok::<(), strahl_core::scene::SceneError>(())
     /// ```
     pub fn new(parts: Parts<'s>) -> Result<Self, SceneError> {
         if u32::try_from(parts.geometry.shapes.len()).is_err() {

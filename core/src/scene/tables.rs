@@ -30,7 +30,7 @@ use crate::math::{Rgb, Vec3};
 ///
 /// let scene = tables.scene()?;
 /// assert_eq!(scene.parts().geometry.shapes.len(), 2);
-/// # Ok::<(), strahl_core::SceneError>(())
+/// # Ok::<(), strahl_core::scene::SceneError>(())
 /// ```
 #[derive(Clone, Debug)]
 pub struct SceneTables {

@@ -64,7 +64,7 @@ counts_per! {
 /// How often everything happened.
 ///
 /// ```
-/// use strahl_core::{Counters, RayKind};
+/// use strahl_core::tally::{Counters, RayKind};
 ///
 /// let mut counters = Counters::new();
 /// counters.rays[RayKind::Camera] += 2;

@@ -12,7 +12,7 @@ mod step;
 
 // Without `Real`: one type for both precisions.
 #[cfg(feature = "double")]
-use strahl_core::{self as counters, self as kind};
+use strahl_core::tally::{self as counters, self as kind};
 
 pub use counters::{Counters, PerRayKind, PerShapeKind, RayCounters, UnsentRays};
 pub use kind::{Fate, RayKind};

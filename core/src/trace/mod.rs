@@ -17,7 +17,7 @@ mod worker;
 
 // Without `Real`: one type for both precisions.
 #[cfg(feature = "double")]
-use strahl_core::{self as error, self as hit_id};
+use strahl_core::trace::{self as error, self as hit_id};
 
 pub use error::TracerError;
 pub use hit_id::HitId;

@@ -12,11 +12,13 @@
 
 use std::time::Instant;
 
-use strahl_core::{
-    Aabb, Accelerator, BoundingSphere, BuildError, Bvh, BvhBuilder, BvhNode, BvhSize, Grid, GridSize,
-    LeafEntry, LeafLayout, List, Octree, OctreeNode, OctreeSize, Scene, TraversalHeap, TraversalQueue,
-    TraversalStack, TriangleBlock, World, group_count,
+use strahl_core::accel::{
+    Accelerator, BuildError, Bvh, BvhBuilder, BvhNode, BvhSize, Grid, GridSize, LeafEntry, LeafLayout, List,
+    Octree, OctreeNode, OctreeSize, TraversalHeap, TraversalQueue, TraversalStack, TriangleBlock,
+    group_count,
 };
+use strahl_core::geometry::{Aabb, BoundingSphere};
+use strahl_core::{Scene, World};
 use strahl_settings::accelerator::{MAILBOX, STACK};
 use strahl_settings::{AccelChoice, AccelKind, AccelSettings, Bounds, Walk};
 

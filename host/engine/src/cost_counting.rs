@@ -1,6 +1,8 @@
 //! Charges every camera ray, with all that comes of it, to its pixel.
 
-use strahl_core::{CameraSample, Counters, PerRayKind, PixelSample, RayKind, RayTracer};
+use strahl_core::scene::CameraSample;
+use strahl_core::tally::{Counters, PerRayKind, RayKind};
+use strahl_core::trace::{PixelSample, RayTracer};
 
 use crate::cost_map::{CostMap, PixelCost};
 use crate::progress::Progress;

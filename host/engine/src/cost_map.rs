@@ -8,7 +8,9 @@
 use std::sync::Arc;
 use std::sync::atomic::{AtomicU8, AtomicU32, Ordering};
 
-use strahl_core::{Pixel, RayKind, Size, Tile};
+use strahl_core::image::Pixel;
+use strahl_core::tally::RayKind;
+use strahl_core::{Resolution, Tile};
 
 use crate::mask::Mask;
 
@@ -62,7 +64,7 @@ struct Cell {
 /// A picture of costs, on which all threads write at once.
 #[derive(Debug)]
 pub struct CostMap {
-    size: Size,
+    size: Resolution,
     cells: Vec<Cell>,
     /// The cell of each pixel, where not every pixel has its own.
     chosen: Option<ChosenPixels>,
@@ -92,18 +94,18 @@ impl ChosenPixels {
 
 impl CostMap {
     /// Nothing is charged yet.
-    pub fn new(size: Size) -> Self {
+    pub fn new(size: Resolution) -> Self {
         let count = size.width() as usize * size.height() as usize;
         CostMap { size, cells: cells(count), chosen: None }
     }
 
     /// The same for some pixels only; what the others cost is not written down.
-    pub fn only(size: Size, chosen: &ChosenPixels) -> Self {
+    pub fn only(size: Resolution, chosen: &ChosenPixels) -> Self {
         CostMap { size, cells: cells(chosen.count), chosen: Some(chosen.clone()) }
     }
 
     /// Width and height.
-    pub fn size(&self) -> Size {
+    pub fn size(&self) -> Resolution {
         self.size
     }
 
@@ -149,7 +151,7 @@ mod tests {
 
     #[test]
     fn what_lies_beyond_the_rim_is_charged_to_the_rim() {
-        let cost_map = CostMap::new(Size::new(3, 2).unwrap());
+        let cost_map = CostMap::new(Resolution::new(3, 2).unwrap());
         let one = PixelCost { rays: [1, 0, 0, 0], ..PixelCost::default() };
         for (x, y) in [(-0.5, -3.0), (2.9, 1.9), (3.0, 2.0), (1.0, 0.0), (f64::NAN, 0.0)] {
             cost_map.charge(x, y, &one);
@@ -159,7 +161,7 @@ mod tests {
 
     #[test]
     fn some_pixels_are_charged_as_they_are_among_all() {
-        let size = Size::new(4, 3).unwrap();
+        let size = Resolution::new(4, 3).unwrap();
         let pixels = (0..12).map(|place| place % 5 == 1).collect();
         let [all, some] =
             [CostMap::new(size), CostMap::only(size, &ChosenPixels::by(&Mask { size, pixels }))];

@@ -3,11 +3,13 @@
 //! The ray tracer's loop is compiled for each combination of accelerator, effect set and tally; the loop itself holds no
 //! mode. The values become types here, once for each picture.
 
+use strahl_core::accel::Accelerator;
+use strahl_core::scene::{EffectSet, Effects};
+use strahl_core::tally::Counters;
 #[cfg(not(feature = "double"))]
-use strahl_core::RayCounters;
-use strahl_core::{
-    Accelerator, Camera, Counters, EffectSet, Effects, Everything, Limits, Real, Scene, TracerError, World,
-};
+use strahl_core::tally::RayCounters;
+use strahl_core::trace::TracerError;
+use strahl_core::{AllEffects, Camera, Limits, Real, Scene, World};
 
 use crate::ray_tracer::{RayTracerFactory, TracerFactory};
 
@@ -69,5 +71,5 @@ pub fn rarely_used<'w, A: Accelerator + Sync>(
     camera: Camera,
     request: TracerRequest,
 ) -> ChosenRayTracers<'w> {
-    counting_tests::<A, Everything>(world, camera, request)
+    counting_tests::<A, AllEffects>(world, camera, request)
 }

@@ -3,7 +3,11 @@
 //! Their numbers may be anything. What is no ray of this precision is a miss: a number that is not finite, a direction
 //! without length, an origin farther away than a scene may reach.
 
-use strahl_core::{Accelerator, Everything, MAX_COORDINATE, Ray, RayKind, Real, Vec3, World, vec3};
+use strahl_core::accel::Accelerator;
+use strahl_core::geometry::Ray;
+use strahl_core::math::MAX_COORDINATE;
+use strahl_core::tally::RayKind;
+use strahl_core::{AllEffects, Real, Vec3, World, vec3};
 
 use crate::ray_query::{RayHit, RayQuery};
 
@@ -31,12 +35,12 @@ pub fn nearest<A: Accelerator>(
 
     // Rounded to a neighbour, perhaps a farther one; what is beyond is left out below.
     let farthest = (libm::scalbn(t_max, power) as Real).next_up();
-    let hit = world.nearest::<Everything, _>(&ray, farthest, RayKind::Camera, scratch, &mut ())?;
+    let hit = world.nearest::<AllEffects, _>(&ray, farthest, RayKind::Camera, scratch, &mut ())?;
     let t = libm::scalbn(f64::from(hit.t), -power);
     if !(t > 0.0 && t <= t_max && t.is_finite()) {
         return None;
     }
-    let surface = world.surface::<Everything>(&ray, hit)?;
+    let surface = world.surface::<AllEffects>(&ray, hit)?;
     let wide = |v: Vec3| [f64::from(v.x), f64::from(v.y), f64::from(v.z)];
     Some(RayHit { t, object: hit.item.0, point: wide(surface.point), normal: wide(surface.normal) })
 }

@@ -1,12 +1,13 @@
 //! Which pixels of a picture are wanted, where not all are.
 
-use strahl_core::{Pixel, Size, Tile};
+use strahl_core::image::Pixel;
+use strahl_core::{Resolution, Tile};
 
 /// Some pixels of a picture.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Mask {
     /// Width and height of the picture.
-    pub size: Size,
+    pub size: Resolution,
     /// Row by row, whether it is one of them.
     pub pixels: Vec<bool>,
 }

@@ -1,6 +1,6 @@
 //! What else a render is asked for beside its settings: none of it changes a pixel that is requested.
 
-use strahl_core::Pixel;
+use strahl_core::image::Pixel;
 
 use crate::cost_map::CostMap;
 use crate::mask::Mask;

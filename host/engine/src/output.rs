@@ -4,7 +4,8 @@ use std::error::Error;
 use std::fmt;
 use std::time::Duration;
 
-use strahl_core::{Counters, EffectSet};
+use strahl_core::scene::EffectSet;
+use strahl_core::tally::Counters;
 use strahl_settings::AccelChoice;
 
 use crate::progress::Interrupt;

@@ -9,9 +9,11 @@ use std::sync::atomic::{AtomicU64, Ordering};
 use std::time::Instant;
 
 use rayon::prelude::*;
-use strahl_core::{
-    CameraSample, Counters, Gathered, Kept, Pixel, PixelSample, RayTracer, Real, Rgb, Stochastic, Tile,
-};
+use strahl_core::image::{Gathered, Kept, Pixel, Stochastic};
+use strahl_core::scene::CameraSample;
+use strahl_core::tally::Counters;
+use strahl_core::trace::{PixelSample, RayTracer};
+use strahl_core::{Real, Rgb, Tile};
 use strahl_settings::{Sampling, Settings};
 
 use crate::options::RenderOptions;

@@ -5,9 +5,10 @@
 //! used accelerators 8, and double precision has 13. What a scene pays for what it does not use is in
 //! `tests/reports/effects.md`; another set is worth its copies where that is much.
 
-use strahl_core::{
-    Accelerator, Camera, EffectSet, Effects, Everything, LightKind, LightSet, ShapeSet, TextureSet, World,
-};
+use strahl_core::accel::Accelerator;
+use strahl_core::geometry::ShapeSet;
+use strahl_core::scene::{EffectSet, Effects, LightKind, LightSet, TextureSet};
+use strahl_core::{AllEffects, Camera, World};
 
 use crate::effects::{ChosenRayTracers, TracerRequest, counting_rays, counting_tests, required_effects};
 
@@ -30,7 +31,7 @@ macro_rules! prepared_sets {
                     return stringify!($name);
                 }
             )*
-            "Everything"
+            "AllEffects"
         }
 
         /// Ray tracers with all prepared sets to choose from.
@@ -43,14 +44,14 @@ macro_rules! prepared_sets {
         ) -> ChosenRayTracers<'w> {
             let asks = required_effects(world.scene(), &camera);
             if request.count_tests {
-                return counting_tests::<A, Everything>(world, camera, request);
+                return counting_tests::<A, AllEffects>(world, camera, request);
             }
             $(
                 if $name::SET.contains(&asks) {
                     return counting_rays::<A, $name>(world, camera, request);
                 }
             )*
-            counting_rays::<A, Everything>(world, camera, request)
+            counting_rays::<A, AllEffects>(world, camera, request)
         }
     };
 }
@@ -89,10 +90,10 @@ pub fn by_name<'w, A: Accelerator + Sync>(
 ) -> ChosenRayTracers<'w> {
     let asks = required_effects(world.scene(), &camera);
     if request.count_tests {
-        counting_tests::<A, Everything>(world, camera, request)
+        counting_tests::<A, AllEffects>(world, camera, request)
     } else if Whitted::SET.contains(&asks) {
         counting_rays::<A, Whitted>(world, camera, request)
     } else {
-        counting_rays::<A, Everything>(world, camera, request)
+        counting_rays::<A, AllEffects>(world, camera, request)
     }
 }

@@ -5,10 +5,11 @@
 
 use std::marker::PhantomData;
 
-use strahl_core::{
-    Accelerator, Camera, CameraSample, Counters, Effects, Event, Limits, PixelSample, RayCounters, RayTracer,
-    Step, Tally, Tracer, TracerError, Worker, World,
-};
+use strahl_core::accel::Accelerator;
+use strahl_core::scene::{CameraSample, Effects};
+use strahl_core::tally::{Counters, Event, RayCounters, Step, Tally};
+use strahl_core::trace::{PixelSample, RayTracer, TracerError};
+use strahl_core::{Camera, Limits, Tracer, Worker, World};
 use strahl_settings::LEVELS;
 
 use crate::progress::Progress;

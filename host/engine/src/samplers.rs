@@ -4,10 +4,11 @@
 //! and not once for each sampler: a sampler is asked once for a pixel, and calls the tracer
 //! once for a ray.
 
-use strahl_core::{
-    Adaptive, Corners, Kept, Lattice, Loose, Parting, Pixel, PixelSample, RayTracer, Real, Regular, Sampler,
-    Selection, Stochastic,
+use strahl_core::Real;
+use strahl_core::image::{
+    Adaptive, Corners, Kept, Lattice, Loose, Parting, Pixel, Regular, Sampler, Selection, Stochastic,
 };
+use strahl_core::trace::{PixelSample, RayTracer};
 use strahl_settings::{Sampling, Settings};
 
 /// Any of the samplers.
@@ -72,7 +73,7 @@ impl<'m> Any<'m> {
             },
             Sampling::Stochastic { least, most, confidence } => {
                 #[allow(clippy::unnecessary_cast)] // in double precision
-                let ends = strahl_core::Confidence {
+                let ends = strahl_core::image::Confidence {
                     errors: confidence.errors() as Real,
                     tolerance: Real::from(confidence.tolerance),
                 };
@@ -101,15 +102,15 @@ pub fn selection(settings: &Settings) -> Option<Selection> {
     Selection::new(it.step, agreement(it.agreement)?)
 }
 
-fn agreement(it: strahl_settings::Agreement) -> Option<strahl_core::Agreement> {
-    let colors = strahl_core::Agreement::of_colors(Real::from(it.threshold))?;
+fn agreement(it: strahl_settings::Agreement) -> Option<strahl_core::image::Agreement> {
+    let colors = strahl_core::image::Agreement::of_colors(Real::from(it.threshold))?;
     Some(if it.items { colors.and_items() } else { colors })
 }
 
-fn filter(filter: strahl_settings::Filter) -> strahl_core::Filter {
+fn filter(filter: strahl_settings::Filter) -> strahl_core::image::Filter {
     match filter {
-        strahl_settings::Filter::Box => strahl_core::Filter::Box,
-        strahl_settings::Filter::Tent => strahl_core::Filter::Tent,
-        strahl_settings::Filter::Gaussian => strahl_core::Filter::Gaussian,
+        strahl_settings::Filter::Box => strahl_core::image::Filter::Box,
+        strahl_settings::Filter::Tent => strahl_core::image::Filter::Tent,
+        strahl_settings::Filter::Gaussian => strahl_core::image::Filter::Gaussian,
     }
 }

@@ -2,7 +2,8 @@
 
 use std::time::{Duration, Instant};
 
-use strahl_core::{Camera, EffectSet, Projection, Rgb, Scene, Shape, View};
+use strahl_core::scene::EffectSet;
+use strahl_core::{Camera, Projection, Rgb, Scene, Shape, View};
 use strahl_settings::{AccelSettings, Settings};
 
 use crate::accelerators::{AccelMemory, open};

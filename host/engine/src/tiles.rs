@@ -7,10 +7,11 @@
 
 use rayon::prelude::*;
 
-use strahl_core::{
-    Corner, Counters, HitId, Kept, Lattice, Parting, Pixel, PixelSample, Record, Rgb, Selected, Selection,
-    Sink, Tile, render, render_selected,
-};
+use strahl_core::image::{Corner, Kept, Lattice, Parting, Pixel, Record, Selected, Selection, Sink};
+use strahl_core::render::render_selected;
+use strahl_core::tally::Counters;
+use strahl_core::trace::{HitId, PixelSample};
+use strahl_core::{Rgb, Tile, render};
 use strahl_settings::Settings;
 
 use crate::options::RenderOptions;

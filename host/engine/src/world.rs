@@ -1,6 +1,7 @@
 //! A scene with an accelerator of any type.
 
-use strahl_core::{Accelerator, Camera, World};
+use strahl_core::accel::Accelerator;
+use strahl_core::{Camera, World};
 
 use crate::effects::{ChooseRayTracers, ChosenRayTracers, TracerRequest};
 use crate::hits::nearest;

@@ -11,7 +11,7 @@ use exr::prelude::{
     Blocks, Compression, Encoding, Image, LineOrder, SpecificChannels, Vec2, WritableImage as _,
 };
 use image::{ExtendedColorType, ImageEncoder, ImageError, codecs};
-use strahl_core::Size;
+use strahl_core::Resolution;
 
 use crate::Picture;
 
@@ -79,7 +79,7 @@ impl Format {
     }
 
     /// Whether a picture of this size can be written at all.
-    pub fn holds(self, size: Size) -> Result<(), FormatError> {
+    pub fn holds(self, size: Resolution) -> Result<(), FormatError> {
         if self == Format::Jpeg && (size.width() > JPEG_SIDE || size.height() > JPEG_SIDE) {
             return Err(FormatError::TooLargeForJpeg);
         }

@@ -15,7 +15,7 @@
 //! This package knows no scene, no setting and no tracer, and reads and writes bytes, never paths.
 
 use rayon::prelude::*;
-use strahl_core::{Rgb, Size};
+use strahl_core::{Resolution, Rgb};
 
 pub mod colormap;
 pub mod difference;
@@ -30,7 +30,7 @@ pub use read::{DecodeError, Pixels, Values, decode};
 #[derive(Clone, Debug, PartialEq)]
 pub struct Picture {
     /// Width and height.
-    pub size: Size,
+    pub size: Resolution,
     /// One colour for each pixel.
     pub colors: Vec<Rgb>,
 }

@@ -9,13 +9,13 @@ use std::io::Cursor;
 
 use exr::meta::{BlockDescription, MetaData};
 use image::{DynamicImage, ImageDecoder, ImageFormat, ImageReader, Limits};
-use strahl_core::{Rgb, Size};
+use strahl_core::{Resolution, Rgb};
 
 /// The pixels of a file, as exactly as it has them.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Pixels {
     /// Width and height.
-    pub size: Size,
+    pub size: Resolution,
     /// Row by row.
     pub values: Values,
 }
@@ -98,7 +98,7 @@ impl fmt::Display for DecodeError {
             DecodeError::Size { width, height, most } => write!(
                 f,
                 "{width} x {height}, but a picture has 1 to {most} pixels, at most {} to a side",
-                Size::MOST
+                Resolution::MOST
             ),
             DecodeError::Transparent => {
                 f.write_str("some pixels are transparent, and so have no colour to compare")
@@ -127,7 +127,7 @@ pub fn decode(bytes: &[u8], most: u64) -> Result<Pixels, DecodeError> {
 
     // The size, before anything of that size is made.
     let (width, height) = decoder.dimensions();
-    let size = Size::new(width, height)
+    let size = Resolution::new(width, height)
         .filter(|_| u64::from(width) * u64::from(height) <= most)
         .ok_or(DecodeError::Size { width, height, most })?;
     let needed = decoder.total_bytes();

@@ -2,7 +2,8 @@
 
 use std::fmt;
 
-use strahl_core::{Pixel, Size, Tile};
+use strahl_core::image::Pixel;
+use strahl_core::{Resolution, Tile};
 
 use crate::choice::{Choice, Named};
 use crate::effect::Effect;
@@ -222,16 +223,16 @@ macro_rules! texts {
 }
 texts!(Sampling, PixelSelection);
 
-impl Value for Size {
+impl Value for Resolution {
     fn parse(word: &str, _: &Domain) -> Result<Self, String> {
         let parts = word.split_once(['x', 'X']).and_then(|(w, h)| Some((w.parse().ok()?, h.parse().ok()?)));
         let Some((width, height)) = parts else {
             return Err("two integers with an x between them are expected, as in 640x480".into());
         };
-        match Size::new(width, height) {
+        match Resolution::new(width, height) {
             Some(size) if u64::from(width) * u64::from(height) <= MOST_PIXELS => Ok(size),
             Some(_) => Err(format!("a picture has at most {MOST_PIXELS} pixels")),
-            None => Err(format!("each side must be between 1 and {}", Size::MOST)),
+            None => Err(format!("each side must be between 1 and {}", Resolution::MOST)),
         }
     }
 
@@ -253,9 +254,9 @@ impl Value for Tile {
         let (width, height) = size.split_once(['x', 'X']).ok_or_else(wrong)?;
         let number = |text: &str| text.parse::<u32>().map_err(|_| wrong());
         let (x, y, width, height) = (number(x)?, number(y)?, number(width)?, number(height)?);
-        match Size::new(width, height) {
+        match Resolution::new(width, height) {
             Some(_) => Ok(Tile { first: Pixel { x, y }, width, height }),
-            None => Err(format!("each side must be between 1 and {}", Size::MOST)),
+            None => Err(format!("each side must be between 1 and {}", Resolution::MOST)),
         }
     }
 

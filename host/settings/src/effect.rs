@@ -1,6 +1,6 @@
 //! The effects that a scene can call for and that can be switched off.
 
-use strahl_core::EffectSet;
+use strahl_core::scene::EffectSet;
 
 use crate::choices;
 

@@ -3,7 +3,7 @@
 use std::error::Error;
 use std::fmt;
 
-use strahl_core::{Size, Tile};
+use strahl_core::{Resolution, Tile};
 
 use crate::accelerator::Walk;
 use crate::effect::Effect;
@@ -45,7 +45,7 @@ pub enum SettingsError {
         by: String,
     },
     /// The region is not inside a picture of this size.
-    RegionOutside(Size),
+    RegionOutside(Resolution),
 }
 
 impl fmt::Display for SettingsError {
@@ -153,7 +153,7 @@ mod tests {
     fn the_command_line_wins_over_the_scene_and_the_scene_over_defaults() {
         let (command_line, scene) = (of(&[("levels", "7")]), of(&[("levels", "3"), ("size", "8x6")]));
         let resolved = Resolved::new(&command_line, &scene).unwrap();
-        assert_eq!((resolved.settings.levels, resolved.settings.size), (7, Size::new(8, 6).unwrap()));
+        assert_eq!((resolved.settings.levels, resolved.settings.size), (7, Resolution::new(8, 6).unwrap()));
         let sources = ["levels", "size", "cutoff"].map(|name| source(&resolved, name));
         assert_eq!(sources, [Source::CommandLine, Source::Scene, Source::Default]);
     }

@@ -3,7 +3,7 @@
 use std::fmt;
 use std::str::FromStr;
 
-use strahl_core::{Parting, Regular, Selection, Stochastic};
+use strahl_core::image::{Parting, Regular, Selection, Stochastic};
 
 use crate::choices;
 

@@ -3,7 +3,7 @@
 //! To add a setting, add it to the list at the end: everything that reads, writes or shows settings goes through
 //! [`SETTINGS`].
 
-use strahl_core::{Limits, Size, Tile};
+use strahl_core::{Limits, Resolution, Tile};
 
 use crate::accelerator::{Accel, AccelKind, AccelSettings, Bounds, HEAPS, MAILBOXES, Walk};
 use crate::choice::Choice as _;
@@ -14,7 +14,7 @@ use crate::sampling::{Filter, PixelSelection, Sampling};
 use crate::setting::{Affects, CommandOption, Group, Scope, Setting};
 
 /// The size of a picture where nothing sets one.
-pub const DEFAULT_SIZE: Size = Size::new(640, 480).unwrap();
+pub const DEFAULT_SIZE: Resolution = Resolution::new(640, 480).unwrap();
 
 /// The most levels of rays.
 pub const LEVELS: usize = 64;
@@ -90,7 +90,7 @@ use CommandOption::{Never, Off, Value as With};
 // can be set, what it has an effect on, and which option leaves no use for it.
 settings! {
     /// Width and height in pixels.
-    size: Size = DEFAULT_SIZE,
+    size: Resolution = DEFAULT_SIZE,
         Domain::Size, With("WxH"), Frame, Scene, Picture;
 
     /// Levels of rays; 1 sends no ray from a surface, mirrors stay black.
@@ -179,7 +179,7 @@ settings! {
 
 impl Settings {
     /// The defaults for a picture of this size.
-    pub fn of_size(size: Size) -> Self {
+    pub fn of_size(size: Resolution) -> Self {
         Settings { size, ..Settings::default() }
     }
 
@@ -213,8 +213,8 @@ impl Settings {
     }
 
     /// The size of the picture that is made.
-    pub fn picture_size(&self) -> Size {
+    pub fn picture_size(&self) -> Resolution {
         let Tile { width, height, .. } = self.area();
-        Size::new(width, height).unwrap_or(self.size)
+        Resolution::new(width, height).unwrap_or(self.size)
     }
 }

@@ -10,7 +10,8 @@
 
 use std::time::Instant;
 
-use strahl_core::{EffectSet, Limits, Rgb};
+use strahl_core::scene::EffectSet;
+use strahl_core::{Limits, Rgb};
 use strahl_engine::{Progress, RenderError, RenderOptions};
 use strahl_settings::Settings;
 

@@ -3,7 +3,8 @@
 //! They show with few rays, for these are the same in all pictures that are compared. Levels are raised until nothing is
 //! cut or nothing changes; then the cutoff is lowered as far as that of the reference.
 
-use strahl_core::{EffectSet, Limits, Rgb};
+use strahl_core::scene::EffectSet;
+use strahl_core::{Limits, Rgb};
 use strahl_engine::RenderError;
 use strahl_settings::Sampling;
 

@@ -4,7 +4,9 @@
 //! somewhere: so the squares lie evenly and follow no raster. Within a square the corners of pixels
 //! are shared, so that it costs what it costs in the whole picture.
 
-use strahl_core::{Dimension, Pixel, Rgb, Size, SobolSequence, Tile};
+use strahl_core::image::Pixel;
+use strahl_core::math::{Dimension, SobolSequence};
+use strahl_core::{Resolution, Rgb, Tile};
 use strahl_engine::cost_map::ChosenPixels;
 use strahl_engine::{CostMap, Mask, RenderOptions};
 use strahl_picture::srgb::encode;
@@ -122,7 +124,7 @@ fn square(cell: Tile, area: Tile) -> Tile {
     Tile { first, width: SIDE, height: SIDE }.within(area)
 }
 
-fn mask(size: Size, area: Tile, squares: &[Vec<usize>]) -> Mask {
+fn mask(size: Resolution, area: Tile, squares: &[Vec<usize>]) -> Mask {
     let whole = Tile::whole(size);
     let mut pixels = vec![false; whole.len()];
     for place in squares.iter().flatten() {
@@ -140,7 +142,7 @@ mod tests {
 
     #[test]
     fn a_small_picture_is_looked_at_as_a_whole_and_its_error_is_certain() {
-        let settings = Settings { size: Size::new(101, 37).unwrap(), ..Settings::default() };
+        let settings = Settings { size: Resolution::new(101, 37).unwrap(), ..Settings::default() };
         let sparse = Sparse::new(&settings, &RenderOptions::default());
         assert_eq!(sparse.pixels(), 101 * 37);
         let (black, gray) = (vec![Rgb::BLACK; 101 * 37], vec![Rgb::gray(0.2140411); 101 * 37]);
@@ -152,7 +154,7 @@ mod tests {
 
     #[test]
     fn some_pixels_of_a_large_picture_tell_its_error_within_what_they_say() {
-        let size = Size::new(640, 480).unwrap();
+        let size = Resolution::new(640, 480).unwrap();
         let sparse = Sparse::new(&Settings { size, ..Settings::default() }, &RenderOptions::default());
         let pixels = sparse.pixels();
         assert!((6000..12000).contains(&pixels), "{pixels}");
@@ -170,7 +172,7 @@ mod tests {
 
     #[test]
     fn no_pixel_is_looked_at_that_is_not_wanted() {
-        let size = Size::new(300, 200).unwrap();
+        let size = Resolution::new(300, 200).unwrap();
         let region = Tile { first: Pixel { x: 20, y: 10 }, width: 200, height: 150 };
         let settings = Settings { size, region: Some(region), ..Settings::default() };
         let sparse = Sparse::new(&settings, &RenderOptions::default());

@@ -77,7 +77,7 @@ const RASTERS: [Pass; 5] =
 const LEAST: [u32; 5] = [8, 6, 4, 3, 2];
 
 /// The most.
-const MOST: u32 = strahl_core::Stochastic::MOST;
+const MOST: u32 = strahl_core::image::Stochastic::MOST;
 
 /// How sure the rule is of the mean of a pixel.
 const LEVEL: f64 = 0.9;
@@ -97,7 +97,7 @@ const NOTHING: f64 = 0.03;
 
 struct Clock {
     limit: Limit,
-    size: strahl_core::Size,
+    size: strahl_core::Resolution,
     last: Option<Pass>,
     passes: usize,
     /// Passes that were begun.

@@ -3,7 +3,7 @@
 use std::path::PathBuf;
 
 use clap::Parser;
-use strahl_core::Pixel;
+use strahl_core::image::Pixel;
 
 use super::settings::{OfPixel, SettingArgs};
 

@@ -4,7 +4,7 @@ use std::path::PathBuf;
 use std::time::Duration;
 
 use clap::Parser;
-use strahl_core::Size;
+use strahl_core::Resolution;
 use strahl_settings::{Domain, Value};
 
 use super::settings::{OfWork, SettingArgs};
@@ -24,7 +24,7 @@ pub struct StudyArgs {
 
     /// Width and height in pixels [default: the scene's shape, with at most 65536 pixels].
     #[arg(long, value_name = "WxH", value_parser = size, allow_hyphen_values = true)]
-    pub size: Option<Size>,
+    pub size: Option<Resolution>,
 
     /// More notches of every knob, a finer reference, and more repetitions; takes as long as it takes.
     #[arg(long)]
@@ -53,6 +53,6 @@ pub struct StudyArgs {
     pub quiet: bool,
 }
 
-fn size(word: &str) -> Result<Size, String> {
-    Size::parse(word, &Domain::Size)
+fn size(word: &str) -> Result<Resolution, String> {
+    Resolution::parse(word, &Domain::Size)
 }

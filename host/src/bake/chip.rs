@@ -3,7 +3,9 @@
 //! `tests/firmware/check` measures the stack of every set below on the chip, holds the estimates
 //! against the instructions of all its scenes, and fails where this room is wrong.
 
-use strahl_core::{Counters, EffectSet, LightKind, LightSet, ShapeKind, ShapeSet};
+use strahl_core::geometry::{ShapeKind, ShapeSet};
+use strahl_core::scene::{EffectSet, LightKind, LightSet};
+use strahl_core::tally::Counters;
 use strahl_settings::AccelKind;
 
 /// The most bytes of stack that a tracer of this set takes, the worker among them.

@@ -6,10 +6,14 @@ mod rust;
 use std::fmt::Write as _;
 use std::path::Path;
 
-use strahl_core::{
-    Aabb, Baking, BareList, Bvh, BvhNode, BvhSize, Counters, EffectSet, Finder, Grid, GridSize, LeafEntry,
-    Mailbox, Octree, OctreeNode, OctreeSize, Pack, Projection, Scene, Size, TraversalStack, View, Worker,
+use strahl_core::accel::{
+    Bvh, BvhNode, BvhSize, Grid, GridSize, LeafEntry, Mailbox, Octree, OctreeNode, OctreeSize, TraversalStack,
 };
+use strahl_core::baked::{Baking, Finder, Pack};
+use strahl_core::geometry::Aabb;
+use strahl_core::scene::EffectSet;
+use strahl_core::tally::Counters;
+use strahl_core::{BareList, Projection, Resolution, Scene, View, Worker};
 use strahl_engine::{NoProgress, RenderError, RenderOptions};
 use strahl_settings::accelerator::MAILBOX;
 use strahl_settings::{
@@ -36,7 +40,7 @@ pub struct Asked {
     /// How it is looked at.
     pub view: View,
     /// The size of the picture.
-    pub size: Size,
+    pub size: Resolution,
     /// Levels of rays.
     pub levels: u8,
     /// A ray is sent when more than this of it counts.
@@ -111,7 +115,7 @@ pub fn counted(description: &Description, asked: &Asked) -> Result<Counted, Rend
     let pixels = u64::from(width) * u64::from(height);
     let shrink = if pixels > MOST { (pixels as f64 / MOST as f64).sqrt() } else { 1.0 };
     let smaller = |side: u32| ((f64::from(side) / shrink) as u32).max(1);
-    let size = Size::new(smaller(width), smaller(height)).unwrap_or(asked.size);
+    let size = Resolution::new(smaller(width), smaller(height)).unwrap_or(asked.size);
     let accelerator = AccelSettings { bounds: Bounds::None, ..AccelSettings::by(asked.accelerator) };
     let settings = Settings { size, levels: asked.levels, cutoff: asked.cutoff, ..Settings::default() };
     let settings = settings.with_acceleration(accelerator);
@@ -132,7 +136,7 @@ pub struct Counted {
 /// The bytes of a scene and the accelerator that is asked for.
 pub fn bake(scene: &Scene<'_>, asked: &Asked) -> Result<Vec<u8>, String> {
     let boxes: Vec<Aabb> = scene.parts().geometry.all_bounds().collect();
-    let fault = |error: strahl_core::BuildError| error.to_string();
+    let fault = |error: strahl_core::accel::BuildError| error.to_string();
     let with = |finder: Finder<'_>| {
         let Asked { view, size, levels, cutoff, .. } = *asked;
         let baking = Baking { scene: *scene, view, size, levels, cutoff, finder };

@@ -3,10 +3,11 @@
 use std::fmt::Write as _;
 use std::path::Path;
 
+use strahl_core::geometry::{Aabb, Cone, Cuboid, Disc, ItemId, MovingShape, OrientedCuboid, Polygon, Torus};
+use strahl_core::scene::{EffectSet, Interface, Texture, TextureId};
 use strahl_core::{
-    Aabb, Background, Cone, Cuboid, Disc, EffectSet, Falloff, Interface, ItemId, Light, Material, MaterialId,
-    MovingShape, OrientedCuboid, Plane, Polygon, Projection, Rgb, Scene, Shape, Source, Sphere, Texture,
-    TextureId, Torus, Vec3, View,
+    Background, Falloff, Light, Material, MaterialId, Plane, Projection, Rgb, Scene, Shape, Source, Sphere,
+    Vec3, View,
 };
 
 use super::Asked;
@@ -17,8 +18,8 @@ pub(super) fn source(path: &Path, scene: &Scene<'_>, asked: &Asked) -> String {
     let name = path.file_name().unwrap_or_default().to_string_lossy().replace(['\n', '\r'], " ");
     let (width, height) = (asked.size.width(), asked.size.height());
     let mut out = format!(
-        "// Written by `strahl bake` from {name}.\n\nuse strahl_core::*;\n\n\
-         /// The size of the picture.\npub const SIZE: Size = Size::new({width}, {height}).unwrap();\n\n\
+        "// Written by `strahl bake` from {name}.\n\nuse strahl_core::{{geometry::*, math::*, scene::*, trace::*}};\n\n\
+         /// The size of the picture.\npub const SIZE: Resolution = Resolution::new({width}, {height}).unwrap();\n\n\
          /// Which picture is wanted.\n\
          pub const LIMITS: Limits = Limits {{ levels: {}, cutoff: {} }};\n\n\
          /// How the scene is looked at.\npub const VIEW: View = {};\n\n\

@@ -9,7 +9,7 @@
 
 use std::path::Path;
 
-use strahl_core::Size;
+use strahl_core::Resolution;
 use strahl_picture::colormap::{inferno, step_of};
 use strahl_picture::difference::Pair;
 use strahl_picture::{Format, Picture, Pixels, srgb};
@@ -56,7 +56,7 @@ pub fn run(args: &CompareArgs) -> Result<Answer, Failure> {
     Ok(if report.equal { Answer::Yes } else { Answer::No })
 }
 
-fn same_size(args: &CompareArgs, first: &Pixels, second: &Pixels) -> Result<Size, Failure> {
+fn same_size(args: &CompareArgs, first: &Pixels, second: &Pixels) -> Result<Resolution, Failure> {
     let (a, b) = (first.size, second.size);
     if a == b {
         return Ok(a);
@@ -76,7 +76,7 @@ fn same_size(args: &CompareArgs, first: &Pixels, second: &Pixels) -> Result<Size
 }
 
 /// The largest difference of each pixel as a colour.
-fn map(size: Size, pair: &Pair) -> Picture {
+fn map(size: Resolution, pair: &Pair) -> Picture {
     let (colors, table) = (inferno(), srgb::decode8());
     let color = |difference| srgb::decode(&table, colors[usize::from(step_of(difference))]);
     Picture { size, colors: pair.differences().into_iter().map(color).collect() }

@@ -3,7 +3,7 @@
 use std::fmt::Write as _;
 
 use serde::Serialize;
-use strahl_core::Size;
+use strahl_core::Resolution;
 use strahl_picture::difference::{Color, Limit, Pair, Peak};
 
 use crate::amount::amount;
@@ -73,7 +73,7 @@ pub struct Share {
 
 impl Report {
     /// Measures.
-    pub fn new(args: &CompareArgs, size: Size, pair: &Pair) -> Self {
+    pub fn new(args: &CompareArgs, size: Resolution, pair: &Pair) -> Self {
         let (width, pixels) = (size.width() as usize, size.width() as usize * size.height() as usize);
         let limit = if args.limit > 0.0 { Limit::Within(args.limit) } else { Limit::Identical };
         let measures = pair.measure(width, limit);

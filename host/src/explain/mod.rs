@@ -11,7 +11,8 @@
 
 use std::path::Path;
 
-use strahl_core::{Pixel, Rgb, Tile};
+use strahl_core::image::Pixel;
+use strahl_core::{Rgb, Tile};
 use strahl_settings::{DEFAULT_SIZE, Precision, Settings};
 use tree::{Explained, VERSION, triple};
 

@@ -1,6 +1,9 @@
 //! What the file calls the items, materials and lights of a scene.
 
-use strahl_core::{Everything, ItemId, List, Ray, RayKind, Real, Vec3, World};
+use strahl_core::accel::List;
+use strahl_core::geometry::{ItemId, Ray};
+use strahl_core::tally::RayKind;
+use strahl_core::{AllEffects, Real, Vec3, World};
 
 use super::tree::{Named, Thing};
 use crate::description::{Description, Form};
@@ -62,7 +65,7 @@ impl<'n> Names<'n> {
     /// The nearest item along a shadow ray, and how far away it is.
     pub fn nearest(&self, origin: Vec3, direction: Vec3, reach: Real) -> Option<(ItemId, f32)> {
         let ray = Ray::new(origin, direction);
-        let hit = self.world.nearest::<Everything, _>(&ray, reach, RayKind::Shadow, &mut (), &mut ())?;
+        let hit = self.world.nearest::<AllEffects, _>(&ray, reach, RayKind::Shadow, &mut (), &mut ())?;
         Some((hit.item, hit.t))
     }
 }

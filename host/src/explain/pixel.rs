@@ -4,10 +4,12 @@
 //! tree is the same for every accelerator, and this is the only tracer that is compiled for
 //! somebody who listens.
 
-use strahl_core::{
-    Aabb, Camera, CameraSample, Everything, Kept, List, Pixel, PixelSample, Rgb, Sampler, Tracer, Worker,
-    World, group_count,
-};
+use strahl_core::accel::{List, group_count};
+use strahl_core::geometry::Aabb;
+use strahl_core::image::{Kept, Pixel, Sampler};
+use strahl_core::scene::CameraSample;
+use strahl_core::trace::PixelSample;
+use strahl_core::{AllEffects, Camera, Rgb, Tracer, Worker, World};
 use strahl_engine::RenderError;
 use strahl_engine::samplers::{Any, Shared};
 use strahl_settings::{LEVELS, Settings};
@@ -36,7 +38,7 @@ pub fn trace(description: &Description, settings: &Settings, pixel: Pixel) -> Re
     let boxes: Vec<Aabb> = scene.parts().geometry.all_bounds().collect();
     let mut groups = vec![Aabb::EMPTY; group_count(boxes.len())];
     let world = World::new(scene, List::with_boxes(&boxes, &mut groups).map_err(RenderError::invalid)?);
-    let tracer = Tracer::<_, Everything, LEVELS>::new(&world, camera, settings.limits())
+    let tracer = Tracer::<_, AllEffects, LEVELS>::new(&world, camera, settings.limits())
         .map_err(RenderError::invalid)?;
     let names = Names::new(description, &world);
 
@@ -91,8 +93,8 @@ struct Seen {
 
 impl Seen {
     /// A part of a pixel, with its corners by their numbers.
-    fn part(&self, part: &strahl_core::Part) -> Part {
-        let strahl_core::Part { place, side, .. } = *part;
+    fn part(&self, part: &strahl_core::image::Part) -> Part {
+        let strahl_core::image::Part { place, side, .. } = *part;
         let (right, below) = (place.x + side, place.y + side);
         let number = |(x, y): (f32, f32)| {
             let found = self.places.iter().position(|(it, _)| it.point.x == x && it.point.y == y);

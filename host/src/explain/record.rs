@@ -1,6 +1,8 @@
 //! Somebody who is told the steps of a tracer, and puts the tree of rays together.
 
-use strahl_core::{Event, Fate, ItemId, Lit, RayKind, Real, Rgb, Step, Tally, Vec3};
+use strahl_core::geometry::ItemId;
+use strahl_core::tally::{Event, Fate, Lit, RayKind, Step, Tally};
+use strahl_core::{Real, Rgb, Vec3};
 
 use super::names::Names;
 use super::tree::{Blocker, Hit, Light, Passage, Ray, Sent, Triple, triple, xyz};

@@ -7,7 +7,7 @@
 //!
 //! Reckoned in double precision, because the numbers of a scene may be of any size.
 
-use strahl_core::Size;
+use strahl_core::Resolution;
 
 /// A place or a direction.
 pub(super) type V = [f64; 3];
@@ -33,7 +33,7 @@ pub(super) struct Demands {
 impl Gaze {
     /// From an eye `toward` which one looks away, into a picture of `size` with this vertical angle
     /// in degrees, of which this share is to be filled.
-    pub(super) fn new(toward: V, up: V, degrees: f64, filled: f64, size: Size) -> Self {
+    pub(super) fn new(toward: V, up: V, degrees: f64, filled: f64, size: Resolution) -> Self {
         let back = unit(toward).unwrap_or([0.0, 0.0, 1.0]);
         // Where nothing is up any direction is as good; that this is no view is told elsewhere.
         let right = [up, [0.0, 1.0, 0.0], [1.0, 0.0, 0.0]].into_iter().find_map(|up| unit(cross(up, back)));

@@ -9,7 +9,7 @@ mod shown;
 
 use std::path::Path;
 
-use strahl_core::Size;
+use strahl_core::Resolution;
 use strahl_settings::DEFAULT_SIZE;
 
 use crate::description::Description;
@@ -27,12 +27,12 @@ pub fn load(path: &Path) -> Result<Description, Failure> {
 
 /// Loads the scene file at `path` for a picture of `size`: where the file has no view, one is
 /// chosen that suits it.
-pub fn load_for(path: &Path, size: Size) -> Result<Description, Failure> {
+pub fn load_for(path: &Path, size: Resolution) -> Result<Description, Failure> {
     load_from(&Files::on_disk(), path, size)
 }
 
 /// The same from these files.
-pub fn load_from(files: &Files, path: &Path, size: Size) -> Result<Description, Failure> {
+pub fn load_from(files: &Files, path: &Path, size: Resolution) -> Result<Description, Failure> {
     if mesh::is_mesh(path) {
         return mesh::scene(files, path, size);
     }

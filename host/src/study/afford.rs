@@ -7,7 +7,7 @@
 
 use std::time::Duration;
 
-use strahl_core::Size;
+use strahl_core::Resolution;
 use strahl_settings::Settings;
 
 use super::bench::Bench;
@@ -146,11 +146,11 @@ fn round(seconds: f64) -> Duration {
 }
 
 /// A size of the same shape with at most about so many pixels.
-pub(super) fn smaller(size: Size, pixels: u32) -> Size {
+pub(super) fn smaller(size: Resolution, pixels: u32) -> Resolution {
     let (width, height) = (f64::from(size.width()), f64::from(size.height()));
     let scale = (f64::from(pixels) / (width * height)).sqrt();
     let scaled = |side: f64| (side * scale).round().max(1.0) as u32;
-    if scale < 1.0 { Size::new(scaled(width), scaled(height)).unwrap_or(size) } else { size }
+    if scale < 1.0 { Resolution::new(scaled(width), scaled(height)).unwrap_or(size) } else { size }
 }
 
 #[cfg(test)]
@@ -162,7 +162,7 @@ mod tests {
     #[test]
     fn a_size_is_a_smaller_one_of_the_same_shape() {
         let smaller = |width, height| {
-            let size = smaller(Size::new(width, height).unwrap(), 1 << 16);
+            let size = smaller(Resolution::new(width, height).unwrap(), 1 << 16);
             (size.width(), size.height())
         };
         assert_eq!(smaller(640, 480), (296, 222));

@@ -3,7 +3,7 @@
 use std::cell::Cell;
 use std::time::{Duration, Instant};
 
-use strahl_core::{Rgb, Size};
+use strahl_core::{Resolution, Rgb};
 use strahl_engine::cost_map::PixelCost;
 use strahl_engine::progress::Deadline;
 use strahl_engine::{CostMap, Interrupt, RenderError, RenderOptions};
@@ -26,7 +26,7 @@ pub struct Bench<'b> {
     /// The scene.
     pub scene: &'b Description,
     /// The size of all pictures.
-    pub size: Size,
+    pub size: Resolution,
     /// Told how far it is.
     pub progress: &'b dyn StudyProgress,
     /// When it began.
@@ -51,7 +51,7 @@ impl<'b> Bench<'b> {
     /// Pictures of `size`, from now on and until `limit` is over.
     pub fn new(
         scene: &'b Description,
-        size: Size,
+        size: Resolution,
         progress: &'b dyn StudyProgress,
         limit: Option<Duration>,
     ) -> Self {

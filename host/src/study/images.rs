@@ -2,7 +2,7 @@
 
 use base64::Engine as _;
 use base64::engine::general_purpose::STANDARD;
-use strahl_core::Size;
+use strahl_core::Resolution;
 use strahl_engine::cost_map::PixelCost;
 use strahl_picture::colormap::{inferno, step_of};
 use strahl_picture::{Format, Picture, srgb};
@@ -113,7 +113,7 @@ fn errors(picture: &Picture, truth: &Picture) -> Picture {
 }
 
 /// Steps of the map as a picture.
-fn colored(size: Size, steps: impl Iterator<Item = u8>) -> Picture {
+fn colored(size: Resolution, steps: impl Iterator<Item = u8>) -> Picture {
     let (colors, table) = (inferno(), srgb::decode8());
     let colors = steps.map(|step| srgb::decode(&table, colors[usize::from(step)])).collect();
     Picture { size, colors }

@@ -38,7 +38,7 @@ use error::StudyError;
 use plan::Plan;
 use progress::StudyProgress;
 use record::Study;
-use strahl_core::Size;
+use strahl_core::Resolution;
 use strahl_settings::{DEFAULT_SIZE, Effect, PartialSettings, Precision, Settings};
 
 use crate::cost::WEIGHTS;
@@ -77,7 +77,7 @@ const PIXELS: u32 = 1 << 16;
 #[derive(Clone, Copy, Debug)]
 pub struct StudySettings {
     /// Width and height; none is the scene's shape, with few pixels.
-    pub size: Option<Size>,
+    pub size: Option<Resolution>,
     /// Whether more settings are measured, and more often.
     pub full: bool,
     /// How long it may take; none is the usual time.
@@ -151,7 +151,7 @@ pub fn study(
 }
 
 /// The scene's own settings, where it has none the defaults.
-fn own(scene: &Description, size: Size, threads: Option<usize>) -> Result<Settings, StudyError> {
+fn own(scene: &Description, size: Resolution, threads: Option<usize>) -> Result<Settings, StudyError> {
     let given = PartialSettings { size: Some(size), threads, ..PartialSettings::default() };
     Settings::resolve(&given, &scene.settings).map_err(StudyError::Settings)
 }

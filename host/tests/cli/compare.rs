@@ -6,7 +6,7 @@ use std::io::Cursor;
 
 use image::{DynamicImage, ImageBuffer, ImageFormat, Rgb, RgbImage, RgbaImage};
 use serde_json::{Value, json};
-use strahl_core::Size;
+use strahl_core::Resolution;
 use strahl_picture::{Format, Picture};
 
 use crate::program::{BALL, EMPTY, Folder};
@@ -37,7 +37,7 @@ fn changed(x: u32, y: u32, color: [u8; 3]) -> RgbImage {
 /// Linear floats as an EXR file, in one row.
 fn exr(colors: &[[f32; 3]]) -> Vec<u8> {
     let colors = colors.iter().map(|c| strahl_core::Rgb::new(c[0], c[1], c[2])).collect::<Vec<_>>();
-    let size = Size::new(colors.len() as u32, 1).unwrap();
+    let size = Resolution::new(colors.len() as u32, 1).unwrap();
     Format::Exr.encode(&Picture { size, colors }).unwrap()
 }
 

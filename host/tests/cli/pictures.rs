@@ -101,7 +101,7 @@ fn an_exr_file_holds_every_float_that_there_is() {
         [f32::NAN, -f32::NAN, f32::from_bits(0x7f80_0001)],
     ];
     let picture = strahl_picture::Picture {
-        size: strahl_core::Size::new(2, 2).unwrap(),
+        size: strahl_core::Resolution::new(2, 2).unwrap(),
         colors: colors.map(|[r, g, b]| strahl_core::Rgb::new(r, g, b)).to_vec(),
     };
     let file = strahl_picture::Format::Exr.encode(&picture).unwrap();

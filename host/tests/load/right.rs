@@ -2,7 +2,7 @@
 
 use strahl::description::{Background, Form, Light, Object, Placed, Projection, Source, View};
 use strahl::stock;
-use strahl_core::{Material, Rgb, Size};
+use strahl_core::{Material, Resolution, Rgb};
 
 use crate::table::VIEW;
 use crate::text::{ALL, file_of, loaded, refused};
@@ -31,7 +31,7 @@ fn every_entity_becomes_what_the_format_says() {
         projection: Projection::Perspective(40.0),
     };
     assert_eq!(it.view, view);
-    assert_eq!(it.settings.size, Size::new(40, 30));
+    assert_eq!(it.settings.size, Resolution::new(40, 30));
     assert_eq!(it.background, Background::Color(Rgb::new(0.125, 0.25, 0.5)));
 
     // The root of two over four, for both lights together.
@@ -285,7 +285,7 @@ fn a_normal_of_any_length_but_zero_is_one() {
 fn a_picture_may_have_as_many_pixels_as_a_file_may_ask_for() {
     for (width, height) in [(1, 1), (4096, 4096), (65_536, 256), (256, 65_536)] {
         let it = loaded(&VIEW.replace("4 3", &format!("{width} {height}")));
-        assert_eq!(it.settings.size, Size::new(width, height));
+        assert_eq!(it.settings.size, Resolution::new(width, height));
     }
 }
 

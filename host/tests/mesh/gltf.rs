@@ -1,7 +1,8 @@
 //! What is in glTF files.
 
 use strahl::load::mesh::Mesh;
-use strahl_core::{Interface, Material, Rgb};
+use strahl_core::scene::Interface;
+use strahl_core::{Material, Rgb};
 
 use crate::files::{PLAIN, glb, gltf_of, gltf_with, groups, mesh, read_with, square, square_bytes};
 

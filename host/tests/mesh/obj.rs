@@ -1,7 +1,8 @@
 //! What is in OBJ files and their material libraries.
 
 use strahl::load::mesh::Mesh;
-use strahl_core::{Interface, Material, Rgb};
+use strahl_core::scene::Interface;
+use strahl_core::{Material, Rgb};
 
 use crate::files::{SQUARE_OBJ, groups, is_named, mesh, read_with, square};
 

@@ -3,17 +3,17 @@
 use strahl::description::{Description, Form, Object, Projection};
 use strahl::load::load_for;
 use strahl::stock::single;
-use strahl_core::{Camera, Size};
+use strahl_core::{Camera, Resolution};
 
 use crate::files::{Folder, PLAIN, SQUARE_OBJ, SQUARE_PLY, gltf_of};
 use crate::random::Random;
 
-fn scene(name: &str, text: &str, size: Size) -> Description {
+fn scene(name: &str, text: &str, size: Resolution) -> Description {
     let folder = Folder::of(&[(name, text.as_bytes())]);
     load_for(&folder.path(name), size).unwrap_or_else(|failure| panic!("{failure}\n{text}"))
 }
 
-const WIDE: Size = Size::new(640, 480).unwrap();
+const WIDE: Resolution = Resolution::new(640, 480).unwrap();
 
 #[test]
 fn the_objects_of_the_scene_are_the_triangles_of_the_file() {
@@ -49,7 +49,7 @@ fn y_is_up_except_in_ply_files() {
 }
 
 /// Where a point is in the picture, both sides in -1..1.
-fn place(it: &Description, size: Size, point: [f32; 3]) -> [f64; 2] {
+fn place(it: &Description, size: Resolution, point: [f32; 3]) -> [f64; 2] {
     let Projection::Perspective(angle) = it.view.projection else { panic!() };
     let minus = |a: [f32; 3], b: [f32; 3]| [0, 1, 2].map(|i| f64::from(a[i]) - f64::from(b[i]));
     let dot = |a: [f64; 3], b: [f64; 3]| a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
@@ -70,7 +70,7 @@ fn place(it: &Description, size: Size, point: [f32; 3]) -> [f64; 2] {
 fn the_whole_model_is_in_the_picture_and_fills_it() {
     let mut random = Random(7);
     for (w, h) in [(640, 480), (100, 700), (700, 100), (1, 1), (33, 1)] {
-        let size = Size::new(w, h).unwrap();
+        let size = Resolution::new(w, h).unwrap();
         for scale in [1e-9_f32, 1.0, 1e9] {
             for _ in 0..20 {
                 let stretch = [0, 1, 2].map(|_| scale * (1.0 + random.below(20) as f32));

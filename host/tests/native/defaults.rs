@@ -1,7 +1,8 @@
 //! What a file does not say.
 
 use strahl::description::{Background, Form, Projection, Source, Texture, View};
-use strahl_core::{Camera, FilmPoint, Interface, Material, Rgb, Size, Sphere, vec3};
+use strahl_core::scene::{FilmPoint, Interface};
+use strahl_core::{Camera, Material, Resolution, Rgb, Sphere, vec3};
 use strahl_settings::PartialSettings;
 
 use crate::text::{loaded, wrong};
@@ -151,7 +152,7 @@ fn a_camera_that_is_not_told_sees_everything() {
         ("[[sphere]]\nradius = 1\n[render]\nsize = [30, 90]", [0.0; 3], 1.0),
     ] {
         let it = loaded(text);
-        let size = it.settings.size.unwrap_or(Size::new(640, 480).unwrap());
+        let size = it.settings.size.unwrap_or(Resolution::new(640, 480).unwrap());
         let camera = Camera::new(&strahl::stock::single::view(&it.view), size).unwrap();
         // No ray through the rim of the picture meets the sphere.
         let ball = Sphere { center: vec3(center[0], center[1], center[2]), radius };

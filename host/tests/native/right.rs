@@ -3,7 +3,8 @@
 use strahl::description::{
     Background, Form, Light, Motion, Object, Placed, Projection, Source, Texture, View,
 };
-use strahl_core::{Interface, Material, Rgb, Size, TextureId};
+use strahl_core::scene::{Interface, TextureId};
+use strahl_core::{Material, Resolution, Rgb};
 use strahl_settings::{Accel, Bounds, Filter, PartialSettings, Precision, Sampling, Walk};
 
 use crate::text::{ALL, loaded};
@@ -21,7 +22,7 @@ fn every_light_and_setting_becomes_what_the_format_says() {
     };
     assert_eq!(it.view, view);
     let settings = PartialSettings {
-        size: Size::new(40, 30),
+        size: Resolution::new(40, 30),
         levels: Some(7),
         cutoff: Some(0.25),
         sampler: Some(Sampling::Regular(3)),

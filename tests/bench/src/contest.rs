@@ -2,7 +2,7 @@
 
 use std::time::Duration;
 
-use strahl_core::Ray;
+use strahl_core::geometry::Ray;
 
 /// The nearest triangle.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -1,6 +1,8 @@
 //! Meshes of a chosen size, and rays at them.
 
-use strahl_core::{PI, Ray, Vec3, vec3};
+use strahl_core::geometry::Ray;
+use strahl_core::math::PI;
+use strahl_core::{Vec3, vec3};
 
 /// Triangles.
 pub struct Mesh {

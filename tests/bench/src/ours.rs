@@ -1,10 +1,10 @@
 //! strahl's own ways of finding.
 
-use strahl_core::{
-    Aabb, Accelerator, Bvh, BvhBuilder, BvhNode, BvhSize, Counters, EffectSet, Effects, Geometry, LeafEntry,
-    LeafLayout, Material, MaterialId, Parts, Ray, RayKind, Scene, Shape, ShapeKind, ShapeSet, TraversalHeap,
-    TraversalStack, TriangleBlock, World,
-};
+use strahl_core::accel::{Accelerator, Bvh, BvhBuilder, BvhNode, BvhSize, LeafEntry, LeafLayout, TraversalHeap, TraversalStack, TriangleBlock};
+use strahl_core::geometry::{Aabb, Ray, ShapeKind, ShapeSet};
+use strahl_core::scene::{EffectSet, Effects};
+use strahl_core::tally::{Counters, RayKind};
+use strahl_core::{Geometry, Material, MaterialId, Parts, Scene, Shape, World};
 
 use crate::contest::{Contender, Found, WAY};
 use crate::mesh::Mesh;

@@ -9,10 +9,12 @@
 
 use core::fmt;
 
-use strahl_core::{
-    Aabb, Accelerator, Adaptive, Agreement, Camera, CornerRow, Counters, Kept, Limits, List, Parting,
-    PixelSample, RayKind, Real, Regular, Sampler, Scene, Single, Stochastic, Tally, World, group_count,
-};
+use strahl_core::accel::{Accelerator, List, group_count};
+use strahl_core::geometry::Aabb;
+use strahl_core::image::{Adaptive, Agreement, CornerRow, Kept, Parting, Regular, Sampler, Stochastic};
+use strahl_core::tally::{Counters, RayKind, Tally};
+use strahl_core::trace::PixelSample;
+use strahl_core::{Camera, Limits, Real, Scene, Single, World};
 
 use crate::draw::{Bytes, Took, Wanted, bytes, draw};
 use crate::scene::{Golden, ITEMS, LEVELS, LIMITS, SIZE, VIEW, parts};

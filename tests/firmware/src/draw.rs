@@ -5,10 +5,11 @@
 #![allow(dead_code)]
 #![allow(clippy::too_many_arguments)] // each is one of a kind
 
-use strahl_core::{
-    Accelerator, Camera, Effects, Limits, Pixel, Real, Rgb, Sampler, Sink, Size, Tally, Tile, Tracer, Worker,
-    World, render,
-};
+use strahl_core::accel::Accelerator;
+use strahl_core::image::{Pixel, Sampler, Sink};
+use strahl_core::scene::Effects;
+use strahl_core::tally::Tally;
+use strahl_core::{Camera, Limits, Real, Resolution, Rgb, Tile, Tracer, Worker, World, render};
 
 /// The linear colour of a pixel as little-endian single precision.
 pub type Bytes = [[u8; size_of::<f32>()]; 3];
@@ -33,7 +34,7 @@ pub const DARK: Row = [[[0; size_of::<f32>()]; 3]; WIDEST];
 #[derive(Clone, Copy, Debug)]
 pub struct Wanted {
     /// How large.
-    pub size: Size,
+    pub size: Resolution,
     /// From where.
     pub camera: Camera,
     /// How deep.

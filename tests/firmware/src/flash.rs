@@ -8,10 +8,13 @@
 
 use core::hint::black_box;
 
+use strahl_core::geometry::{ItemId, ShapeKind, ShapeSet};
+use strahl_core::image::Pixel;
+use strahl_core::scene::{EffectSet, Effects, Interface, LightKind, LightSet};
 use strahl_core::{
-    Background, BareList, Camera, EffectSet, Effects, Falloff, Geometry, Interface, ItemId, Light, LightKind,
-    LightSet, Limits, Material, MaterialId, Parts, Pixel, Plane, Projection, Rgb, Scene, Shape, ShapeKind,
-    ShapeSet, Single, Size, Source, Sphere, Tile, Tracer, Vec3, View, Worker, World, render, vec3,
+    Background, BareList, Camera, Falloff, Geometry, Light, Limits, Material, MaterialId, Parts, Plane,
+    Projection, Resolution, Rgb, Scene, Shape, Single, Source, Sphere, Tile, Tracer, Vec3, View, Worker,
+    World, render, vec3,
 };
 
 /// A step of the table: what the tracer can do, and a scene that asks for exactly that.
@@ -28,7 +31,7 @@ pub trait Step: Effects {
 }
 
 /// How large the picture is.
-pub const SIZE: Size = Size::new(64, 48).unwrap();
+pub const SIZE: Resolution = Resolution::new(64, 48).unwrap();
 
 /// Levels of rays.
 pub const LEVELS: usize = 5;

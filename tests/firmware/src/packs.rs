@@ -4,10 +4,10 @@
 #[cfg(target_arch = "arm")]
 use core::sync::atomic::{AtomicUsize, Ordering};
 
-use strahl_core::{
-    Accelerator, BareList, Camera, Effects, Everything, Finder, Limits, Pack, PackError, Scene, Single,
-    TraversalStack, World, include_pack,
-};
+use strahl_core::accel::{Accelerator, TraversalStack};
+use strahl_core::baked::{Finder, Pack, PackError};
+use strahl_core::scene::Effects;
+use strahl_core::{AllEffects, BareList, Camera, Limits, Scene, Single, World, include_pack};
 
 use crate::draw::{Bytes, Row, Took, Wanted, bytes, draw};
 
@@ -65,7 +65,7 @@ pub fn picture(
     clock: impl Fn() -> u32,
     take: impl FnMut(&[Bytes]) -> bool,
 ) -> Result<Took<()>, &'static str> {
-    type E = Everything;
+    type E = AllEffects;
     const { assert!(E::SET.shadows) };
     let refused = |_: PackError| "these bytes are no scene";
     let Written::Bytes(written) = baked.written else {

@@ -8,14 +8,12 @@
 // Who includes this file may use a part of it.
 #![allow(dead_code)]
 
-use strahl_core::{
-    Aabb, Background, EffectSet, Effects, Falloff, Geometry, LastLevel, Light, LightKind, LightSet, Limits,
-    Material, MaterialId, Parts, Polygon, Projection, Rgb, Shape, ShapeKind, ShapeSet, Size, Source, Sphere,
-    Texture, TextureId, TextureKind, TextureSet, Vec3, View, vec3,
-};
+use strahl_core::geometry::{Aabb, Polygon, ShapeKind, ShapeSet};
+use strahl_core::scene::{EffectSet, Effects, LastLevel, LightKind, LightSet, Texture, TextureId, TextureKind, TextureSet};
+use strahl_core::{Background, Falloff, Geometry, Light, Limits, Material, MaterialId, Parts, Projection, Resolution, Rgb, Shape, Source, Sphere, Vec3, View, vec3};
 
 /// How large the picture is.
-pub const SIZE: Size = Size::new(160, 120).unwrap();
+pub const SIZE: Resolution = Resolution::new(160, 120).unwrap();
 
 /// Down the third axis, with an angle of 1.05 from the upper edge of the picture to the lower.
 /// Between the middles of the first row and the last it is

@@ -6,14 +6,17 @@
 // Who includes this file may use a part of it.
 #![allow(dead_code)]
 
+use strahl_core::geometry::{Aabb, Cone, ItemId, Polygon, ShapeKind, ShapeSet, Torus};
+use strahl_core::scene::{
+    EffectSet, Effects, Interface, LightKind, LightSet, Texture, TextureId, TextureKind, TextureSet,
+};
 use strahl_core::{
-    Aabb, Background, Cone, EffectSet, Effects, Falloff, Geometry, Interface, ItemId, Light, LightKind,
-    LightSet, Limits, Material, MaterialId, Parts, Plane, Polygon, Projection, Real, Rgb, Shape, ShapeKind,
-    ShapeSet, Size, Source, Sphere, Texture, TextureId, TextureKind, TextureSet, Torus, Vec3, View, vec3,
+    Background, Falloff, Geometry, Light, Limits, Material, MaterialId, Parts, Plane, Projection, Real,
+    Resolution, Rgb, Shape, Source, Sphere, Vec3, View, vec3,
 };
 
 /// How large the picture is.
-pub const SIZE: Size = Size::new(64, 48).unwrap();
+pub const SIZE: Resolution = Resolution::new(64, 48).unwrap();
 
 /// How the scene is looked at.
 pub const VIEW: View = View {

@@ -38,7 +38,7 @@ struct Whole {
 
 /// A box and a ray as the core takes them, and what is true of them.
 struct Asked {
-    aabb: strahl_core::Aabb,
+    aabb: strahl_core::geometry::Aabb,
     line: Line,
     is_met: bool,
     is_near: bool,
@@ -74,13 +74,15 @@ fn answer(solver: Solver, asked: &Asked) -> bool {
         Solver::Textbook => {
             textbook::slabs(asked.aabb.min, asked.aabb.max, narrow(origin), narrow(direction))
         }
-        Solver::Single => {
-            asked.aabb.intersect(&strahl_core::Ray::new(narrow(origin), narrow(direction))).is_some()
-        }
+        Solver::Single => asked
+            .aabb
+            .intersect(&strahl_core::geometry::Ray::new(narrow(origin), narrow(direction)))
+            .is_some(),
         Solver::Double => {
             let wide = |v: strahl_core::Vec3| vector(v.x.into(), v.y.into(), v.z.into());
-            let aabb = strahl_core_double::Aabb { min: wide(asked.aabb.min), max: wide(asked.aabb.max) };
-            aabb.intersect(&strahl_core_double::Ray::new(origin, direction)).is_some()
+            let aabb =
+                strahl_core_double::geometry::Aabb { min: wide(asked.aabb.min), max: wide(asked.aabb.max) };
+            aabb.intersect(&strahl_core_double::geometry::Ray::new(origin, direction)).is_some()
         }
     }
 }
@@ -139,7 +141,7 @@ impl Whole {
             if d == 0.0 && self.negative[axis] { -0.0 } else { d }
         };
         Asked {
-            aabb: strahl_core::Aabb { min: n(self.min), max: n(self.max) },
+            aabb: strahl_core::geometry::Aabb { min: n(self.min), max: n(self.max) },
             line: Line { origin: v(self.origin), direction: vector(d(0), d(1), d(2)) },
             is_met: self.is_met(0),
             is_near: self.is_met(band),

@@ -105,7 +105,10 @@ fn in_textbook(thing: &Thing, lines: &[Line]) -> Vec<[bool; 3]> {
 macro_rules! core {
     ($room:ident, $core:ident, $stage:path) => {
         mod $room {
-            use $core::{Everything, List, Ray, RayKind, Real, World, vec3};
+            use $core::accel::List;
+            use $core::geometry::Ray;
+            use $core::tally::RayKind;
+            use $core::{AllEffects, Real, World, vec3};
 
             use $stage as Stage;
 
@@ -120,11 +123,11 @@ macro_rules! core {
                     let ray =
                         Ray::new(vec3(o.x as _, o.y as _, o.z as _), vec3(d.x as _, d.y as _, d.z as _));
                     let nearest = |reach: Real| {
-                        world.nearest::<Everything, _>(&ray, reach, RayKind::Camera, &mut (), &mut ())
+                        world.nearest::<AllEffects, _>(&ray, reach, RayKind::Camera, &mut (), &mut ())
                     };
                     let is_met = |reach: Real| {
                         let blocker =
-                            world.blocker::<Everything, _>(&ray, reach, RayKind::Shadow, &mut (), &mut ());
+                            world.blocker::<AllEffects, _>(&ray, reach, RayKind::Shadow, &mut (), &mut ());
                         assert_eq!(nearest(reach).is_some(), blocker.is_some());
                         blocker.is_some()
                     };

@@ -1,6 +1,7 @@
 //! Closed meshes: no ray from inside gets out, also when it is aimed at an edge or a corner.
 
-use strahl_core::{Geometry, Ray, Shape, ShapeFeatures, ShapeKind, ShapeSet, Vec3, vec3};
+use strahl_core::geometry::{Ray, ShapeFeatures, ShapeKind, ShapeSet};
+use strahl_core::{Geometry, Shape, Vec3, vec3};
 
 use super::case::{Case, Solver, Tally, held};
 use crate::textbook::Form;
@@ -237,7 +238,8 @@ pub fn odd_crossings(mesh: &Mesh, rays: usize, random: &mut Random) -> usize {
 fn tried(mesh: &Mesh, random: &mut Random) -> [Tally; 3] {
     const RAYS: usize = 10_000;
     let double = |random: &mut Random| {
-        use strahl_core_double::{Geometry, Ray, Shape};
+        use strahl_core_double::geometry::Ray;
+        use strahl_core_double::{Geometry, Shape};
         let shapes: Vec<Shape> = mesh.triangles.iter().copied().map(Shape::Triangle).collect();
         let geometry = Geometry { vertices: &mesh.points, shapes: &shapes, ..Geometry::EMPTY };
         let escapes = |_: &usize| {
@@ -279,8 +281,8 @@ fn tried(mesh: &Mesh, random: &mut Random) -> [Tally; 3] {
 /// The same for the twin.
 struct DoubleTriangles;
 
-impl strahl_core_double::ShapeFeatures for DoubleTriangles {
-    const SHAPES: strahl_core_double::ShapeSet =
-        strahl_core_double::ShapeSet::of(&[strahl_core_double::ShapeKind::Triangle]);
+impl strahl_core_double::geometry::ShapeFeatures for DoubleTriangles {
+    const SHAPES: strahl_core_double::geometry::ShapeSet =
+        strahl_core_double::geometry::ShapeSet::of(&[strahl_core_double::geometry::ShapeKind::Triangle]);
     const SMOOTH_SHADING: bool = false;
 }

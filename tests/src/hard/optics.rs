@@ -42,9 +42,9 @@ fn answer(solver: Solver, d: Vector, n: Vector, ratio: f64) -> Option<Refraction
             let (direction, mirrored) = textbook::refracted(narrow(d), narrow(n), ratio as f32);
             Some(Refraction { direction: wide(direction), mirrored: mirrored.into() })
         }
-        Solver::Single => strahl_core::refracted(narrow(d), narrow(n), ratio as f32)
+        Solver::Single => strahl_core::shade::refracted(narrow(d), narrow(n), ratio as f32)
             .map(|out| Refraction { direction: wide(out.direction), mirrored: out.mirrored.into() }),
-        Solver::Double => strahl_core_double::refracted(d, n, ratio)
+        Solver::Double => strahl_core_double::shade::refracted(d, n, ratio)
             .map(|out| Refraction { direction: held(out.direction), mirrored: rounded(out.mirrored) }),
     }
 }

@@ -103,7 +103,8 @@ fn in_textbook(things: &[Thing], eyes: &[Line], light: Vector) -> (Vec<Option<Fo
 macro_rules! core {
     ($room:ident, $core:ident, $stage:path) => {
         mod $room {
-            use $core::{Light, Limits, Rgb, Source, try_normalize, vec3};
+            use $core::math::try_normalize;
+            use $core::{Light, Limits, Rgb, Source, vec3};
 
             use $stage as Stage;
 

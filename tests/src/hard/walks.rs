@@ -105,10 +105,13 @@ fn textbook(kind: Kind, things: &[Thing], lines: &[Line]) -> Vec<Option<Found>> 
 macro_rules! core {
     ($room:ident, $core:ident, $stage:path) => {
         mod $room {
-            use $core::{
-                Accelerator, Bvh, BvhNode, BvhSize, Everything, Grid, GridSize, LeafEntry, List, Octree,
-                OctreeNode, OctreeSize, Ray, RayKind, Real, TraversalStack, World, vec3,
+            use $core::accel::{
+                Accelerator, Bvh, BvhNode, BvhSize, Grid, GridSize, LeafEntry, List, Octree, OctreeNode,
+                OctreeSize, TraversalStack,
             };
+            use $core::geometry::Ray;
+            use $core::tally::RayKind;
+            use $core::{AllEffects, Real, World, vec3};
 
             use $stage as Stage;
 
@@ -123,7 +126,7 @@ macro_rules! core {
                     let (o, d) = (line.origin, line.direction);
                     let ray =
                         Ray::new(vec3(o.x as _, o.y as _, o.z as _), vec3(d.x as _, d.y as _, d.z as _));
-                    let hit = world.nearest::<Everything, _>(
+                    let hit = world.nearest::<AllEffects, _>(
                         &ray,
                         Real::MAX,
                         RayKind::Camera,

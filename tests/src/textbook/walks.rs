@@ -3,7 +3,8 @@
 
 #![allow(missing_docs)] // as in the core's own
 
-use strahl_core::{Aabb, Everything, Geometry, Ray, Shape, Vec3, vec3};
+use strahl_core::geometry::{Aabb, Ray};
+use strahl_core::{AllEffects, Geometry, Shape, Vec3, vec3};
 
 use super::{EPSILON, narrow, slabs};
 use crate::thing::{Line, Thing};
@@ -17,13 +18,15 @@ pub struct Found {
 
 /// Upright boxes, tested by the core: only the walks are the textbook's.
 pub struct Boxes {
-    cuboids: Vec<strahl_core::Cuboid>,
+    cuboids: Vec<strahl_core::geometry::Cuboid>,
 }
 
 impl Boxes {
     pub fn of(things: &[Thing]) -> Boxes {
         let cuboid = |thing: &Thing| match thing {
-            Thing::Cuboid { min, max } => strahl_core::Cuboid { min: narrow(*min), max: narrow(*max) },
+            Thing::Cuboid { min, max } => {
+                strahl_core::geometry::Cuboid { min: narrow(*min), max: narrow(*max) }
+            }
             other => unreachable!("{other:?} is no box"),
         };
         Boxes { cuboids: things.iter().map(cuboid).collect() }
@@ -39,7 +42,7 @@ impl Boxes {
     fn test(&self, item: u32, line: &Line, best: &mut Option<(f32, u32)>) {
         let geometry = Geometry { cuboids: &self.cuboids, ..Geometry::EMPTY };
         let ray = Ray::new(narrow(line.origin), narrow(line.direction));
-        if let Some(t) = geometry.intersect::<Everything>(&Shape::Cuboid(item), &ray)
+        if let Some(t) = geometry.intersect::<AllEffects>(&Shape::Cuboid(item), &ray)
             && best.is_none_or(|best| t < best.0)
         {
             *best = Some((t, item));

@@ -1,10 +1,12 @@
 //! What every accelerator is held to: the answers of the bare list.
 
-use strahl_core::{
-    Aabb, Accelerator, Bvh, BvhBuilder, BvhNode, BvhSize, Everything, Grid, GridSize, Hit, ItemId, LeafEntry,
-    LeafLayout, List, Octree, OctreeLimits, OctreeNode, OctreeSize, Ray, RayKind, Real, SurfaceInteraction,
-    TraversalHeap, TraversalStack, TriangleBlock, World,
+use strahl_core::accel::{
+    Accelerator, Bvh, BvhBuilder, BvhNode, BvhSize, Grid, GridSize, LeafEntry, LeafLayout, List, Octree,
+    OctreeLimits, OctreeNode, OctreeSize, TraversalHeap, TraversalStack, TriangleBlock,
 };
+use strahl_core::geometry::{Aabb, Hit, ItemId, Ray, SurfaceInteraction};
+use strahl_core::tally::RayKind;
+use strahl_core::{AllEffects, Real, World};
 use strahl_tests::Random;
 use strahl_tests::single::Stage;
 
@@ -18,19 +20,19 @@ pub struct Answer {
 }
 
 pub fn nearest<A: Accelerator>(world: &World<A>, ray: &Ray, reach: Real) -> Option<Hit> {
-    world.nearest::<Everything, _>(ray, reach, RayKind::Camera, &mut A::Scratch::default(), &mut ())
+    world.nearest::<AllEffects, _>(ray, reach, RayKind::Camera, &mut A::Scratch::default(), &mut ())
 }
 
 pub fn blocker<A: Accelerator>(world: &World<A>, ray: &Ray, reach: Real) -> Option<ItemId> {
-    world.blocker::<Everything, _>(ray, reach, RayKind::Shadow, &mut A::Scratch::default(), &mut ())
+    world.blocker::<AllEffects, _>(ray, reach, RayKind::Shadow, &mut A::Scratch::default(), &mut ())
 }
 
 fn answer<A: Accelerator>(world: &World<A>, ray: &Ray, reach: Real, scratch: &mut A::Scratch) -> Answer {
-    let hit = world.nearest::<Everything, _>(ray, reach, RayKind::Camera, scratch, &mut ());
-    let blocker = world.blocker::<Everything, _>(ray, reach, RayKind::Shadow, scratch, &mut ());
+    let hit = world.nearest::<AllEffects, _>(ray, reach, RayKind::Camera, scratch, &mut ());
+    let blocker = world.blocker::<AllEffects, _>(ray, reach, RayKind::Shadow, scratch, &mut ());
     Answer {
         hit: hit.map(|hit| (hit.item, hit.t.to_bits())),
-        surface: hit.and_then(|hit| world.surface::<Everything>(ray, hit)),
+        surface: hit.and_then(|hit| world.surface::<AllEffects>(ray, hit)),
         is_blocked: blocker.is_some(),
     }
 }

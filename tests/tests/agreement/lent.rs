@@ -1,9 +1,8 @@
 //! Memory buys time, never truth: whatever a subdivision is lent, from the floor upwards.
 
-use strahl_core::{
-    Aabb, Buffer, BuildError, Grid, GridSize, ItemId, Octree, OctreeNode, OctreeSize, Ray, Real, StaticGrid,
-    Vec3, vec3,
-};
+use strahl_core::accel::{Buffer, BuildError, Grid, GridSize, Octree, OctreeNode, OctreeSize, StaticGrid};
+use strahl_core::geometry::{Aabb, ItemId, Ray};
+use strahl_core::{Real, Vec3, vec3};
 use strahl_tests::Random;
 
 use crate::hold::Hold;

@@ -1,10 +1,10 @@
 //! The mailbox's two cases: an item in many regions is tested once, and a hit beyond the region that
 //! offers it neither ends the walk nor is lost.
 
-use strahl_core::{
-    Accelerator, Counters, Everything, Grid, GridSize, Hit, ItemId, Octree, OctreeLimits, OctreeNode, Ray,
-    RayKind, Real, Vec3, World, vec3,
-};
+use strahl_core::accel::{Accelerator, Grid, GridSize, Octree, OctreeLimits, OctreeNode};
+use strahl_core::geometry::{Hit, ItemId, Ray};
+use strahl_core::tally::{Counters, RayKind};
+use strahl_core::{AllEffects, Real, Vec3, World, vec3};
 use strahl_tests::single::Stage;
 
 /// A long needle of a box across the whole scene, to be hit far from where it is first offered; a
@@ -26,7 +26,7 @@ fn met(stage: &Stage, ray: &Ray, reach: Real) -> (Option<Hit>, Vec<Counters>) {
     fn ask<A: Accelerator>(stage: &Stage, accelerator: A, ray: &Ray, reach: Real) -> (Option<Hit>, Counters) {
         let mut counters = Counters::new();
         let world = World::new(stage.scene(), accelerator);
-        let hit = world.nearest::<Everything, _>(
+        let hit = world.nearest::<AllEffects, _>(
             ray,
             reach,
             RayKind::Camera,

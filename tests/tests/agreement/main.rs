@@ -8,10 +8,12 @@ mod scenes;
 use std::ops::ControlFlow;
 
 use hold::{Case, Hold, blocker, nearest};
-use strahl_core::{
-    Aabb, Accelerator, BoundingSphere, Buffer, BuildError, BvhSize, Counters, Everything, GridSize, Hit,
-    ItemId, List, OctreeSize, Query, Ray, RayKind, Real, Vec3, World, group_count, vec3,
+use strahl_core::accel::{
+    Accelerator, Buffer, BuildError, BvhSize, GridSize, List, OctreeSize, Query, group_count,
 };
+use strahl_core::geometry::{Aabb, BoundingSphere, Hit, ItemId, Ray};
+use strahl_core::tally::{Counters, RayKind};
+use strahl_core::{AllEffects, Real, Vec3, World, vec3};
 use strahl_tests::single::Stage;
 use strahl_tests::{Kind, Random, Thing, Vector, vector};
 
@@ -194,7 +196,7 @@ fn a_thing_that_moves_is_met_like_one_that_stands_where_it_is() {
                 let (a, b) = (hit.t, want.t);
                 assert!((a - b).abs() <= 4.0 * Real::EPSILON * b, "{a} {b}");
                 let surfaces =
-                    (world.surface::<Everything>(&ray, hit), truth.surface::<Everything>(&ray, want));
+                    (world.surface::<AllEffects>(&ray, hit), truth.surface::<AllEffects>(&ray, want));
                 let (Some(it), Some(want)) = surfaces else { panic!("no surface") };
                 let off = (it.point - want.point).abs();
                 assert!(off.cmple(it.point_error + want.point_error).all(), "{off}");
@@ -443,9 +445,9 @@ fn boxes_save_tests_of_shapes_and_groups_save_tests_of_boxes() {
     let mut with = Counters::new();
     let mut by_balls = Counters::new();
     for ray in &rays {
-        balled.nearest::<Everything, _>(ray, Real::MAX, RayKind::Camera, &mut (), &mut by_balls);
-        bare.nearest::<Everything, _>(ray, Real::MAX, RayKind::Camera, &mut (), &mut without);
-        boxed.nearest::<Everything, _>(ray, Real::MAX, RayKind::Camera, &mut (), &mut with);
+        balled.nearest::<AllEffects, _>(ray, Real::MAX, RayKind::Camera, &mut (), &mut by_balls);
+        bare.nearest::<AllEffects, _>(ray, Real::MAX, RayKind::Camera, &mut (), &mut without);
+        boxed.nearest::<AllEffects, _>(ray, Real::MAX, RayKind::Camera, &mut (), &mut with);
     }
     let kind = RayKind::Camera;
     assert_eq!((without.shapes[kind], without.boxes[kind], without.regions[kind]), (32_000, 0, 100));

@@ -4,7 +4,9 @@ use std::cell::Cell;
 
 use proptest::prelude::*;
 use proptest::test_runner::{Config, RngAlgorithm, TestRng, TestRunner};
-use strahl_core::{BvhSize, GridSize, OctreeSize, Ray, Real, Vec3, vec3};
+use strahl_core::accel::{BvhSize, GridSize, OctreeSize};
+use strahl_core::geometry::Ray;
+use strahl_core::{Real, Vec3, vec3};
 use strahl_tests::Random;
 use strahl_tests::single::Stage;
 

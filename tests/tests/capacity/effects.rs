@@ -93,12 +93,12 @@ fn a_tracer_that_cannot_do_an_effect_gives_the_same_picture_of_a_scene_without_i
         ("motion", |stage, _| stage.stand_still(), seen_by::<Standing>),
     ];
     let (stage, view) = all_effects();
-    let with = seen_by::<Everything>(&stage, &view);
+    let with = seen_by::<AllEffects>(&stage, &view);
     for (effect, take_away, without) in all {
         let (mut stage, mut view) = (stage.clone(), view);
         take_away(&mut stage, &mut view);
         let picture = without(&stage, &view);
-        assert_eq!(picture, seen_by::<Everything>(&stage, &view), "without {effect}");
+        assert_eq!(picture, seen_by::<AllEffects>(&stage, &view), "without {effect}");
         assert_ne!(picture, with, "{effect} can be seen");
     }
 }
@@ -179,7 +179,7 @@ fn a_tracer_without_a_lens_refuses_a_camera_that_has_one() {
     let asks = EffectSet { lens: true, ..stage.scene().effects() };
     let refused = Tracer::<_, Pinhole, 5>::new(&world, camera, Limits::DEFAULT).err();
     assert_eq!(refused, Some(TracerError::NotBuiltFor { asks }));
-    assert!(Tracer::<_, Everything, 5>::new(&world, camera, Limits::DEFAULT).is_ok());
+    assert!(Tracer::<_, AllEffects, 5>::new(&world, camera, Limits::DEFAULT).is_ok());
 }
 
 /// Just what [`local`] asks for.
@@ -215,7 +215,7 @@ fn the_smallest_tracer_and_the_one_that_can_everything_give_the_same_picture() {
     let (small, counters) =
         picture::<_, Local, 1>(&world, size(48, 32), Limits { levels: 1, cutoff: 0.0 }, &mut Single);
     let (all, same) =
-        picture::<_, Everything, 64>(&world, size(48, 32), Limits { levels: 64, cutoff: 0.0 }, &mut Single);
+        picture::<_, AllEffects, 64>(&world, size(48, 32), Limits { levels: 64, cutoff: 0.0 }, &mut Single);
     assert_eq!(small, all);
     assert_eq!(counters, same);
     assert!(small.iter().any(|color| color.max_component() > 0.5));
@@ -225,7 +225,7 @@ fn the_smallest_tracer_and_the_one_that_can_everything_give_the_same_picture() {
 fn no_ray_is_sent_for_what_the_scene_does_not_call_for() {
     let rays = |stage: &Stage| {
         let world = World::new(stage.scene(), List::without_bounds(stage.item_count()));
-        let (_, counters) = picture::<_, Everything, 5>(&world, size(24, 16), Limits::DEFAULT, &mut Single);
+        let (_, counters) = picture::<_, AllEffects, 5>(&world, size(24, 16), Limits::DEFAULT, &mut Single);
         assert_eq!(counters.rays[RayKind::Camera], 24 * 16);
         RayKind::ALL.map(|kind| {
             let rays = counters.rays[kind];

@@ -30,7 +30,7 @@ fn full_tree<const LEVELS: usize>(levels: u8) -> (Rgb, Counters) {
     let view = View { from: Vec3::ZERO, at: Vec3::X, up: Vec3::Y, ..VIEW };
     let limits = Limits { levels, cutoff: 0.0 };
     let tracer =
-        Tracer::<_, Everything, LEVELS>::new(&world, Camera::new(&view, size(1, 1)).unwrap(), limits)
+        Tracer::<_, AllEffects, LEVELS>::new(&world, Camera::new(&view, size(1, 1)).unwrap(), limits)
             .unwrap();
     let mut worker = Worker::new(Counters::new());
     (tracer.trace(MIDDLE, &mut worker).color, worker.into_tally())
@@ -78,7 +78,7 @@ fn a_tree_that_is_given_up_ends_at_once_with_what_its_rays_have_brought() {
     let camera = Camera::new(&view, size(1, 1)).unwrap();
     // The whole tree has 2^64 rays.
     let limits = Limits { levels: 64, cutoff: 0.0 };
-    let tracer = Tracer::<_, Everything, 64>::new(&world, camera, limits).unwrap();
+    let tracer = Tracer::<_, AllEffects, 64>::new(&world, camera, limits).unwrap();
     let mut worker = Worker::new(Enough(0));
     // Of the first levels, one ray of each: a quarter of light times a half, a quarter, ...
     for (rays, light) in [(1, 0.25), (2, 0.375), (3, 0.4375), (1, 0.25)] {
@@ -94,12 +94,12 @@ fn room_for_more_levels_gives_the_same_picture() {
     let world = World::new(stage.scene(), List::without_bounds(stage.item_count()));
     let shoot = |levels| Limits { levels, ..Limits::DEFAULT };
     let s = size(24, 16);
-    let one = picture::<_, Everything, 1>(&world, s, shoot(1), &mut Single);
-    assert_eq!(picture::<_, Everything, 64>(&world, s, shoot(1), &mut Single), one);
-    let two = picture::<_, Everything, 2>(&world, s, shoot(2), &mut Single);
-    assert_eq!(picture::<_, Everything, 5>(&world, s, shoot(2), &mut Single), two);
-    let five = picture::<_, Everything, 5>(&world, s, shoot(5), &mut Single);
-    assert_eq!(picture::<_, Everything, 64>(&world, s, shoot(5), &mut Single), five);
+    let one = picture::<_, AllEffects, 1>(&world, s, shoot(1), &mut Single);
+    assert_eq!(picture::<_, AllEffects, 64>(&world, s, shoot(1), &mut Single), one);
+    let two = picture::<_, AllEffects, 2>(&world, s, shoot(2), &mut Single);
+    assert_eq!(picture::<_, AllEffects, 5>(&world, s, shoot(2), &mut Single), two);
+    let five = picture::<_, AllEffects, 5>(&world, s, shoot(5), &mut Single);
+    assert_eq!(picture::<_, AllEffects, 64>(&world, s, shoot(5), &mut Single), five);
     assert!(one.0 != two.0 && two.0 != five.0);
 }
 
@@ -109,7 +109,7 @@ fn a_tracer_refuses_limits_that_it_has_no_room_for() {
     let world = World::new(stage.scene(), List::without_bounds(0));
     let camera = Camera::new(&VIEW, size(2, 2)).unwrap();
     let error = |levels, cutoff| {
-        Tracer::<_, Everything, 5>::new(&world, camera, Limits { levels, cutoff })
+        Tracer::<_, AllEffects, 5>::new(&world, camera, Limits { levels, cutoff })
             .err()
             .map(|e| e.to_string())
     };

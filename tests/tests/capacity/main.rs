@@ -10,7 +10,24 @@ mod pictures;
 use std::alloc::{GlobalAlloc, Layout, System};
 use std::cell::Cell;
 
-use strahl_core::*;
+use strahl_core::accel::{Accelerator, List, group_count};
+use strahl_core::geometry::{Aabb, ItemId, ShapeKind, ShapeSet};
+use strahl_core::image::{
+    Adaptive, Agreement, Confidence, Corner, CornerRow, Filter, Frame, Kept, Lattice, Loose, Parting, Pixel,
+    Regular, Sampler, Selected, Selection, Sink, Stochastic,
+};
+use strahl_core::math::{SobolSequence, try_normalize};
+use strahl_core::render::render_selected;
+use strahl_core::scene::{
+    CameraSample, EffectSet, Effects, FilmPoint, Interface, LastLevel, LightKind, LightSet, Texture,
+    TextureKind, TextureSet,
+};
+use strahl_core::tally::{Counters, Event, RayKind, Tally};
+use strahl_core::trace::{HitId, PixelSample, RayTracer, TracerError};
+use strahl_core::{
+    AllEffects, Background, BareList, Camera, Falloff, Light, Limits, Material, Projection, Real, Resolution,
+    Rgb, Scene, Single, Source, Tile, Tracer, Vec3, View, Worker, World, render, vec3,
+};
 use strahl_tests::single::Stage;
 use strahl_tests::{Kind, Random, Thing, Vector};
 
@@ -53,8 +70,8 @@ const VIEW: View = View {
     projection: Projection::Perspective { angle: 0.9 },
 };
 
-fn size(width: u32, height: u32) -> Size {
-    Size::new(width, height).unwrap()
+fn size(width: u32, height: u32) -> Resolution {
+    Resolution::new(width, height).unwrap()
 }
 
 /// A bit of everything: all shapes in glass, mirrors and paint, under all kinds of light.
@@ -109,7 +126,7 @@ fn fair() -> Stage {
 /// Renders a picture with a sampler, and what it took.
 fn picture<A: Accelerator, E: Effects, const LEVELS: usize>(
     world: &World<'_, A>,
-    size: Size,
+    size: Resolution,
     limits: Limits,
     sampler: &mut impl Sampler,
 ) -> (Vec<Rgb>, Counters) {
@@ -142,7 +159,7 @@ fn the_core_asks_for_no_memory() {
         let boxed = List::with_boxes(&boxes, &mut groups).unwrap();
         let world = World::new(Scene::new(stage.parts()).unwrap(), boxed);
         let camera = Camera::new(&VIEW, size).unwrap();
-        let tracer = Tracer::<_, Everything, 5>::new(&world, camera, Limits::DEFAULT).unwrap();
+        let tracer = Tracer::<_, AllEffects, 5>::new(&world, camera, Limits::DEFAULT).unwrap();
         let mut worker = Worker::new(Counters::new());
         let mut frame = Frame::new(tile, &mut colors).unwrap();
         let Ok(()) = render(&mut tracer.with_worker(&mut worker), &mut Single, tile.pixels(), &mut frame);

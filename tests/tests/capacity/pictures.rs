@@ -29,16 +29,16 @@ fn corners_are_the_same_from_any_memory_and_none_is_traced_twice() {
     for (w, h) in [(1, 1), (1, 9), (9, 1), (24, 16)] {
         let s = size(w, h);
         let corners = u64::from((w + 1) * (h + 1));
-        let (truth, counters) = picture::<_, Everything, 5>(&world, s, Limits::DEFAULT, &mut FourCorners);
+        let (truth, counters) = picture::<_, AllEffects, 5>(&world, s, Limits::DEFAULT, &mut FourCorners);
         assert_eq!(counters.rays[RayKind::Camera], u64::from(4 * w * h));
 
         let mut row = vec![PixelSample::BLACK; w as usize + 1];
         let mut sampler = Adaptive::new(corners_alone(), CornerRow::new(&mut row), &mut []);
-        let (colors, counters) = picture::<_, Everything, 5>(&world, s, Limits::DEFAULT, &mut sampler);
+        let (colors, counters) = picture::<_, AllEffects, 5>(&world, s, Limits::DEFAULT, &mut sampler);
         assert_eq!((colors, counters.rays[RayKind::Camera]), (truth.clone(), corners), "{w}x{h}");
 
         let camera = Camera::new(&VIEW, s).unwrap();
-        let tracer = Tracer::<_, Everything, 5>::new(&world, camera, Limits::DEFAULT).unwrap();
+        let tracer = Tracer::<_, AllEffects, 5>::new(&world, camera, Limits::DEFAULT).unwrap();
         let whole = Tile::whole(s);
         let mut memory = vec![PixelSample::BLACK; Lattice::tile(whole).len()];
         let mut frame = Frame::new(Lattice::tile(whole), &mut memory).unwrap();
@@ -55,7 +55,7 @@ fn corners_are_the_same_from_any_memory_and_none_is_traced_twice() {
         }
         assert_eq!(worker.tally().rays[RayKind::Camera], corners);
         let mut lattice = Adaptive::new(corners_alone(), Lattice::new(whole, &memory).unwrap(), &mut []);
-        let (colors, counters) = picture::<_, Everything, 5>(&world, s, Limits::DEFAULT, &mut lattice);
+        let (colors, counters) = picture::<_, AllEffects, 5>(&world, s, Limits::DEFAULT, &mut lattice);
         assert_eq!((colors, counters), (truth, Counters::new()), "{w}x{h}");
     }
 }
@@ -65,13 +65,13 @@ fn a_row_of_corners_that_is_too_short_costs_rays_and_changes_nothing() {
     let stage = fair();
     let world = World::new(stage.scene(), List::without_bounds(stage.item_count()));
     for (w, h) in [(1, 5), (6, 5)] {
-        let (truth, _) = picture::<_, Everything, 5>(&world, size(w, h), Limits::DEFAULT, &mut FourCorners);
+        let (truth, _) = picture::<_, AllEffects, 5>(&world, size(w, h), Limits::DEFAULT, &mut FourCorners);
         let mut row = [PixelSample::BLACK; 10];
         let mut most = u64::MAX;
         for room in 0..=w as usize + 3 {
             let mut sampler = Adaptive::new(corners_alone(), CornerRow::new(&mut row[..room]), &mut []);
             let (colors, counters) =
-                picture::<_, Everything, 5>(&world, size(w, h), Limits::DEFAULT, &mut sampler);
+                picture::<_, AllEffects, 5>(&world, size(w, h), Limits::DEFAULT, &mut sampler);
             assert_eq!(colors, truth, "{room} corners for rows of {w} pixels");
             let rays = counters.rays[RayKind::Camera];
             assert!(rays <= u64::from(4 * w * h) && rays >= u64::from((w + 1) * (h + 1)));
@@ -110,7 +110,7 @@ fn a_sink_that_is_full_ends_the_picture() {
     let world = World::new(stage.scene(), List::without_bounds(stage.item_count()));
     let s = size(4, 3);
     let camera = Camera::new(&VIEW, s).unwrap();
-    let tracer = Tracer::<_, Everything, 5>::new(&world, camera, Limits::DEFAULT).unwrap();
+    let tracer = Tracer::<_, AllEffects, 5>::new(&world, camera, Limits::DEFAULT).unwrap();
     for (room, end) in [(0, Err(Pixel { x: 0, y: 0 })), (5, Err(Pixel { x: 1, y: 1 })), (12, Ok(()))] {
         let mut worker = Worker::new(Counters::new());
         let result = render(

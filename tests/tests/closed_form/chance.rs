@@ -252,7 +252,7 @@ fn shadows_and_mirrors_see_the_time_of_the_camera_ray() {
 #[test]
 fn a_point_out_of_focus_is_a_disc_of_confusion() {
     let (angle, rows, radius, focus, ball): (f64, u32, f64, f64, f64) = (0.5, 65, 0.25, 4.0, 0.02);
-    let size = Size::new(rows, rows).unwrap();
+    let size = Resolution::new(rows, rows).unwrap();
     let mut stage = Stage::new();
     stage.ambient = Rgb::WHITE;
     stage.material(shining(Rgb::WHITE));
@@ -264,7 +264,7 @@ fn a_point_out_of_focus_is_a_disc_of_confusion() {
         let view = View { from: Vec3::ZERO, at: -Vec3::Z, up: Vec3::Y, projection };
         let world = World::new(stage.scene(), List::without_bounds(1));
         let camera = Camera::new(&view, size).unwrap();
-        let tracer = Tracer::<_, Everything, 1>::new(&world, camera, levels(1)).unwrap();
+        let tracer = Tracer::<_, AllEffects, 1>::new(&world, camera, levels(1)).unwrap();
         let (mut light, mut second) = (0.0, 0.0);
         let mut sink = |pixel: Pixel, color: Rgb| {
             let from_middle = |place: u32| f64::from(place) - f64::from(rows - 1) / 2.0;

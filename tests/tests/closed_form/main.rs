@@ -13,7 +13,16 @@ mod saturation;
 mod shadow;
 mod view;
 
-use strahl_core::*;
+use strahl_core::accel::List;
+use strahl_core::geometry::Cone;
+use strahl_core::image::{Frame, Pixel, Stochastic};
+use strahl_core::math::try_normalize;
+use strahl_core::scene::{Interface, Texture, TextureId};
+use strahl_core::tally::{Counters, RayKind};
+use strahl_core::{
+    AllEffects, Background, Camera, Falloff, Light, Limits, Material, Projection, Real, Resolution, Rgb,
+    Single, Source, Tile, Tracer, Vec3, View, Worker, World, render, vec3,
+};
 use strahl_tests::single::Stage;
 
 /// Sixteen roundings of half a unit in the last place.

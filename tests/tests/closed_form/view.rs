@@ -12,9 +12,9 @@ const VIEW: View = View {
 };
 
 fn picture(stage: &Stage, view: &View, width: u32, height: u32) -> Vec<Rgb> {
-    let size = Size::new(width, height).unwrap();
+    let size = Resolution::new(width, height).unwrap();
     let world = World::new(stage.scene(), List::without_bounds(stage.item_count()));
-    let tracer = Tracer::<_, Everything, 64>::new(&world, Camera::new(view, size).unwrap(), ALL).unwrap();
+    let tracer = Tracer::<_, AllEffects, 64>::new(&world, Camera::new(view, size).unwrap(), ALL).unwrap();
     let mut colors = vec![Rgb::BLACK; width as usize * height as usize];
     let mut frame = Frame::new(Tile::whole(size), &mut colors).unwrap();
     let Ok(()) = render(

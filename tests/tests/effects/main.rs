@@ -9,14 +9,17 @@ use strahl::description::Description;
 use strahl::plan::{Effect, asked_by, leave_out, plan};
 use strahl::session::{self, RenderOutput};
 use strahl::stock::single::{scene_tables, view};
+use strahl_core::geometry::ShapeSet;
+use strahl_core::image::Stochastic;
+use strahl_core::scene::{EffectSet, Effects, LightSet, TextureSet};
+use strahl_core::tally::{Counters, RayKind};
 use strahl_core::{
-    BareList, Camera, Counters, EffectSet, Effects, Everything, LightSet, Limits, RayKind, Rgb, ShapeSet,
-    Size, Stochastic, TextureSet, Tile, Tracer, Worker, World, render,
+    AllEffects, BareList, Camera, Limits, Resolution, Rgb, Tile, Tracer, Worker, World, render,
 };
 use strahl_engine::{NoProgress, RenderOptions};
 use strahl_settings::{Sampling, Settings};
 
-const SIZE: Size = Size::new(48, 36).unwrap();
+const SIZE: Resolution = Resolution::new(48, 36).unwrap();
 
 fn scene(name: &str) -> Description {
     let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/effects").join(name).with_extension("toml");
@@ -155,14 +158,14 @@ fn a_tracer_for_one_effect_and_one_for_all_give_the_same_bytes() {
     for effect in Effect::ALL {
         let [with, without] = smallest(effect);
         let mut description = scene(effect.name());
-        let all = seen_by::<Everything>(&description);
+        let all = seen_by::<AllEffects>(&description);
         assert!(with(&description) == all, "with {effect}");
         let steps = leave_out(&mut description, &[effect]);
         assert_eq!(steps.iter().map(|step| step.effect).collect::<Vec<_>>(), [effect]);
-        let left = seen_by::<Everything>(&description);
+        let left = seen_by::<AllEffects>(&description);
         assert!(without(&description) == left, "without {effect}");
         assert!(left != all, "{effect} can be seen");
     }
     let plain = scene("nothing");
-    assert!(seen_by::<Nothing>(&plain) == seen_by::<Everything>(&plain));
+    assert!(seen_by::<Nothing>(&plain) == seen_by::<AllEffects>(&plain));
 }

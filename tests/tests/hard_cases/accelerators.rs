@@ -1,9 +1,12 @@
 //! Every accelerator answers every hard ray like the list, to the last bit.
 
-use strahl_core::{
-    Accelerator, Bvh, BvhNode, BvhSize, Everything, Grid, GridSize, Hit, LeafEntry, List, Octree, OctreeNode,
-    OctreeSize, Ray, RayKind, Real, TraversalHeap, TraversalStack, Vec3, World, vec3,
+use strahl_core::accel::{
+    Accelerator, Bvh, BvhNode, BvhSize, Grid, GridSize, LeafEntry, List, Octree, OctreeNode, OctreeSize,
+    TraversalHeap, TraversalStack,
 };
+use strahl_core::geometry::{Hit, Ray};
+use strahl_core::tally::RayKind;
+use strahl_core::{AllEffects, Real, Vec3, World, vec3};
 use strahl_tests::hard::{Case, cases};
 use strahl_tests::single::Stage;
 use strahl_tests::{Line, Thing, Vector};
@@ -13,10 +16,10 @@ fn answers<A: Accelerator>(stage: &Stage, accelerator: A, rays: &[Ray]) -> Vec<(
     let world = World::new(stage.scene(), accelerator);
     let mut scratch = A::Scratch::default();
     let answer = |ray: &Ray| {
-        let hit = world.nearest::<Everything, _>(ray, Real::MAX, RayKind::Camera, &mut scratch, &mut ());
+        let hit = world.nearest::<AllEffects, _>(ray, Real::MAX, RayKind::Camera, &mut scratch, &mut ());
         let t = hit.map_or(1.0, |hit| hit.t);
         let mut is_blocked = |reach| {
-            world.blocker::<Everything, _>(ray, reach, RayKind::Shadow, &mut scratch, &mut ()).is_some()
+            world.blocker::<AllEffects, _>(ray, reach, RayKind::Shadow, &mut scratch, &mut ()).is_some()
         };
         (hit, [is_blocked(t.next_down()), is_blocked(t)])
     };

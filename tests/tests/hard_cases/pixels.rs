@@ -2,11 +2,19 @@
 
 use proptest::collection::vec;
 use proptest::prelude::*;
+use strahl_core::accel::List;
+use strahl_core::geometry::Ray;
+use strahl_core::image::{
+    Adaptive, Agreement, Confidence, Filter, Frame, Kept, Loose, Parting, Regular, Selected, Selection,
+    Stochastic,
+};
+use strahl_core::math::try_normalize;
+use strahl_core::render::render_selected;
+use strahl_core::scene::{Interface, Texture};
+use strahl_core::tally::RayKind;
 use strahl_core::{
-    Adaptive, Agreement, Background, Camera, Confidence, Everything, Falloff, Filter, Frame, Interface, Kept,
-    Light, Limits, List, Loose, Material, Parting, Projection, Ray, RayKind, Real, Regular, Rgb, Selected,
-    Selection, Single, Size, Source, Stochastic, Texture, Tile, Tracer, Vec3, View, Worker, World, render,
-    render_selected, try_normalize, vec3,
+    AllEffects, Background, Camera, Falloff, Light, Limits, Material, Projection, Real, Resolution, Rgb,
+    Single, Source, Tile, Tracer, Vec3, View, Worker, World, render, vec3,
 };
 use strahl_tests::single::Stage;
 use strahl_tests::{Kind, Random, Thing, Vector};
@@ -178,12 +186,12 @@ proptest! {
         sight in sight(), width in 1_u32..6, height in 1_u32..5, sampler in 0..5,
     ) {
         let stage = stage(&sight);
-        let size = Size::new(width, height).unwrap();
+        let size = Resolution::new(width, height).unwrap();
         // A view of nothing is refused at the door.
         let Ok(camera) = Camera::new(&sight.view, size) else { return Ok(()) };
         let world = World::new(stage.scene(), List::without_bounds(stage.item_count()));
         let limits = Limits { levels: 6, cutoff: 0.0 };
-        let tracer = Tracer::<_, Everything, 6>::new(&world, camera, limits).unwrap();
+        let tracer = Tracer::<_, AllEffects, 6>::new(&world, camera, limits).unwrap();
         let tile = Tile::whole(size);
         let mut colors = vec![Rgb::BLACK; tile.len()];
         let mut frame = Frame::new(tile, &mut colors).unwrap();
@@ -226,10 +234,10 @@ proptest! {
         let world = World::new(stage.scene(), List::without_bounds(stage.item_count()));
         let scale = (0..length.abs()).fold(1.0, |x, _| if length < 0 { x * 0.1 } else { x * 10.0 });
         let ray = Ray::new(origin * sight.scale, way * scale);
-        let hit = world.nearest::<Everything, _>(&ray, Real::MAX, RayKind::Camera, &mut (), &mut ());
+        let hit = world.nearest::<AllEffects, _>(&ray, Real::MAX, RayKind::Camera, &mut (), &mut ());
         if let Some(hit) = hit {
             prop_assert!(hit.t > 0.0 && hit.t <= Real::MAX);
-            let surface = world.surface::<Everything>(&ray, hit);
+            let surface = world.surface::<AllEffects>(&ray, hit);
             let surface = surface.expect("what was hit has a surface");
             prop_assert!(surface.point.is_finite() && surface.point_error.is_finite(), "{surface:?}");
             for normal in [surface.normal, surface.shading_normal] {
@@ -241,10 +249,10 @@ proptest! {
 
 #[test]
 fn a_ray_that_is_none_meets_nothing_and_asks_for_nothing() {
-    use strahl_core::{
-        Bvh, BvhNode, BvhSize, Counters, Grid, GridSize, LeafEntry, Octree, OctreeNode, OctreeSize,
-        TraversalStack,
+    use strahl_core::accel::{
+        Bvh, BvhNode, BvhSize, Grid, GridSize, LeafEntry, Octree, OctreeNode, OctreeSize, TraversalStack,
     };
+    use strahl_core::tally::Counters;
 
     let mut random = Random::new(0x5eed_0009);
     let mut stage = Stage::new();
@@ -274,10 +282,10 @@ fn a_ray_that_is_none_meets_nothing_and_asks_for_nothing() {
             for ray in &rays {
                 for reach in [1.0, Real::MAX, Real::INFINITY, Real::NAN, -1.0] {
                     let hit =
-                        world.nearest::<Everything, _>(ray, reach, RayKind::Camera, &mut scratch, &mut tally);
+                        world.nearest::<AllEffects, _>(ray, reach, RayKind::Camera, &mut scratch, &mut tally);
                     assert_eq!(hit, None, "{ray:?}");
                     let blocker =
-                        world.blocker::<Everything, _>(ray, reach, RayKind::Shadow, &mut scratch, &mut tally);
+                        world.blocker::<AllEffects, _>(ray, reach, RayKind::Shadow, &mut scratch, &mut tally);
                     assert_eq!(blocker, None, "{ray:?}");
                 }
             }

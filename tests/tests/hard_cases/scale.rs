@@ -1,8 +1,12 @@
 //! A scene of another size, mirrored, or with its axes in another order, is the same scene.
 
+use strahl_core::accel::List;
+use strahl_core::image::Frame;
+use strahl_core::math::try_normalize;
+use strahl_core::scene::{Interface, Texture};
 use strahl_core::{
-    Background, Camera, Everything, Falloff, Frame, Interface, Light, Limits, List, Material, Projection,
-    Rgb, Single, Size, Source, Texture, Tile, Tracer, Vec3, View, Worker, World, render, try_normalize, vec3,
+    AllEffects, Background, Camera, Falloff, Light, Limits, Material, Projection, Resolution, Rgb, Single,
+    Source, Tile, Tracer, Vec3, View, Worker, World, render, vec3,
 };
 use strahl_tests::hard::cases;
 use strahl_tests::oracle::{Truth, meet, size};
@@ -85,7 +89,7 @@ fn picture(scale: f32, has_lens: bool) -> Vec<[u32; 3]> {
     stage.background =
         Background::Gradient { up: Vec3::Y, below: Rgb::BLACK, above: Rgb::new(0.2, 0.4, 0.9) };
 
-    let size = Size::new(32, 24).unwrap();
+    let size = Resolution::new(32, 24).unwrap();
     let view = View {
         from: vec3(1.0, 2.0, 11.0) * scale,
         at: vec3(0.1, -0.2, 0.0) * scale,
@@ -99,7 +103,7 @@ fn picture(scale: f32, has_lens: bool) -> Vec<[u32; 3]> {
     let camera = Camera::new(&view, size).unwrap();
     let world = World::new(stage.scene(), List::without_bounds(stage.item_count()));
     let limits = Limits { levels: 6, cutoff: 0.0 };
-    let tracer = Tracer::<_, Everything, 6>::new(&world, camera, limits).unwrap();
+    let tracer = Tracer::<_, AllEffects, 6>::new(&world, camera, limits).unwrap();
     let tile = Tile::whole(size);
     let mut colors = vec![Rgb::BLACK; tile.len()];
     let mut frame = Frame::new(tile, &mut colors).unwrap();

@@ -1,9 +1,11 @@
 //! No ray gets through a closed mesh between its triangles.
 
-use strahl_core::{
-    Bvh, BvhNode, BvhSize, Everything, Geometry, Grid, GridSize, LeafEntry, List, Material, MaterialId,
-    Octree, OctreeNode, OctreeSize, Parts, Ray, RayKind, Real, Scene, TraversalStack, World, vec3,
+use strahl_core::accel::{
+    Bvh, BvhNode, BvhSize, Grid, GridSize, LeafEntry, List, Octree, OctreeNode, OctreeSize, TraversalStack,
 };
+use strahl_core::geometry::Ray;
+use strahl_core::tally::RayKind;
+use strahl_core::{AllEffects, Geometry, Material, MaterialId, Parts, Real, Scene, World, vec3};
 use strahl_tests::hard::{Mesh, escapes, odd_crossings};
 use strahl_tests::{Random, Vector, vector};
 
@@ -74,7 +76,7 @@ fn no_accelerator_lets_a_ray_through() {
                 let world = World::new(scene, $accelerator);
                 let mut scratch = Default::default();
                 for (i, ray) in rays.iter().enumerate() {
-                    let hit = world.nearest::<Everything, _>(
+                    let hit = world.nearest::<AllEffects, _>(
                         ray,
                         Real::MAX,
                         RayKind::Camera,
@@ -102,7 +104,7 @@ fn no_accelerator_lets_a_ray_through() {
         // The list takes each of thousands of triangles: some rays are enough.
         let world = World::new(scene, List::without_bounds(shapes.len() as u32));
         for (ray, truth) in rays.iter().zip(&truth).take(100) {
-            let hit = world.nearest::<Everything, _>(ray, Real::MAX, RayKind::Camera, &mut (), &mut ());
+            let hit = world.nearest::<AllEffects, _>(ray, Real::MAX, RayKind::Camera, &mut (), &mut ());
             assert_eq!(hit, *truth, "{name}, list: {ray:?}");
         }
     }

@@ -19,12 +19,13 @@ use source::{Crate, Module};
 use syn::Item;
 
 /// The modules at the root of the core, lowest first. Those in one line do not use each other.
-const LAYERS: [&[&str]; 9] = [
+const LAYERS: [&[&str]; 10] = [
     &["math", "set"],
     &["geometry"],
     &["tally"],
     &["accel"],
     &["scene"],
+    &["baked"],
     &["shade"],
     &["trace"],
     &["image"],

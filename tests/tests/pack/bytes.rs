@@ -108,7 +108,7 @@ fn used(bytes: &[u8]) -> bool {
     fn few<A: Accelerator>(scene: Scene<'_>, accelerator: A, camera: Camera) {
         let world = World::new(scene, accelerator);
         let tracer =
-            Tracer::<_, Everything, 2>::new(&world, camera, Limits { levels: 2, cutoff: 0.1 }).unwrap();
+            Tracer::<_, AllEffects, 2>::new(&world, camera, Limits { levels: 2, cutoff: 0.1 }).unwrap();
         let mut worker = Worker::new(());
         for place in 0..12 {
             let pixel = Pixel { x: 2 * place, y: place + 2 };

@@ -3,7 +3,18 @@
 mod bytes;
 mod same;
 
-use strahl_core::*;
+use strahl_core::accel::{
+    Accelerator, Bvh, BvhNode, BvhSize, Grid, GridSize, LeafEntry, List, Octree, OctreeNode, OctreeSize,
+    TraversalHeap, TraversalStack,
+};
+use strahl_core::baked::{Baking, Finder, Pack, PackError, PackPart};
+use strahl_core::geometry::Cone;
+use strahl_core::image::Pixel;
+use strahl_core::scene::{Interface, Texture};
+use strahl_core::{
+    AllEffects, Background, BareList, Camera, Falloff, Light, Limits, Material, Projection, Real, Resolution,
+    Rgb, Scene, Single, Source, Tile, Tracer, Vec3, View, Worker, World, render, vec3,
+};
 use strahl_tests::Random;
 use strahl_tests::single::Stage;
 use zerocopy::IntoBytes;
@@ -32,7 +43,7 @@ const VIEW: View = View {
     up: Vec3::Y,
     projection: Projection::Perspective { angle: 0.7 },
 };
-const SIZE: Size = Size::new(24, 16).unwrap();
+const SIZE: Resolution = Resolution::new(24, 16).unwrap();
 
 /// One of everything, and a swarm of small spheres.
 fn fair() -> Stage {
@@ -135,7 +146,7 @@ fn every_pack(stage: &Stage) -> Vec<Vec<u8>> {
 fn picture<A: Accelerator>(scene: Scene<'_>, accelerator: A, camera: Camera) -> Vec<[u32; 3]> {
     let world = World::new(scene, accelerator);
     let limits = Limits { levels: 4, cutoff: 0.01 };
-    let tracer = Tracer::<_, Everything, 4>::new(&world, camera, limits).unwrap();
+    let tracer = Tracer::<_, AllEffects, 4>::new(&world, camera, limits).unwrap();
     let mut colors = Vec::new();
     let mut sink = |_: Pixel, color: Rgb| colors.push([color.r, color.g, color.b].map(f32::to_bits));
     let pixels = Tile::whole(SIZE).pixels();

@@ -3,10 +3,13 @@
 use core::ops::ControlFlow;
 
 use super::node::LeafEntry;
+use super::sealed::Sealed;
 use crate::accel::{Query, TriangleBlock};
 
 /// An element of a leaf. The elements of a leaf are consecutive; the last one is marked.
-pub trait LeafElement: Copy {
+///
+/// Sealed: [`BvhBuilder`](super::BvhBuilder) makes leaves of [`LeafEntry`]s or of [`TriangleBlock`]s.
+pub trait LeafElement: Copy + Sealed {
     /// Passes its items to `query`.
     fn test_items<Q: Query>(&self, query: &mut Q) -> ControlFlow<()>;
 
@@ -16,6 +19,8 @@ pub trait LeafElement: Copy {
     /// Number of its items.
     fn item_count(&self) -> usize;
 }
+
+impl Sealed for LeafEntry {}
 
 impl LeafElement for LeafEntry {
     #[inline(always)]
@@ -32,6 +37,8 @@ impl LeafElement for LeafEntry {
         1
     }
 }
+
+impl Sealed for TriangleBlock {}
 
 impl LeafElement for TriangleBlock {
     #[inline(always)]

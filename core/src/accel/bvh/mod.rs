@@ -21,6 +21,7 @@ mod node;
 #[cfg(feature = "baked")]
 mod parts;
 mod queue;
+mod sealed;
 mod split;
 mod top_down;
 mod traverse;

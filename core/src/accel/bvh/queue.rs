@@ -6,6 +6,7 @@ use heapless::Vec;
 use heapless::binary_heap::{BinaryHeap, Min};
 
 use super::node::PackedNodeRef;
+use super::sealed::Sealed;
 use crate::math::Real;
 
 /// A node that is still to be visited, and the `t` at which the ray enters its bounds.
@@ -38,7 +39,9 @@ impl PartialEq for PendingNode {
 impl Eq for PendingNode {}
 
 /// A queue of the nodes that a traversal still has to visit, with fixed capacity.
-pub trait TraversalQueue: Default {
+///
+/// Sealed: [`TraversalStack`] and [`TraversalHeap`] implement it.
+pub trait TraversalQueue: Default + Sealed {
     /// Removes all nodes.
     fn clear(&mut self);
 
@@ -57,6 +60,8 @@ pub trait TraversalQueue: Default {
 /// A stack: the node that was pushed last comes first.
 #[derive(Clone, Debug, Default)]
 pub struct TraversalStack<const CAPACITY: usize>(Vec<PendingNode, CAPACITY>);
+
+impl<const CAPACITY: usize> Sealed for TraversalStack<CAPACITY> {}
 
 impl<const CAPACITY: usize> TraversalQueue for TraversalStack<CAPACITY> {
     #[inline(always)]
@@ -90,6 +95,8 @@ impl<const CAPACITY: usize> TraversalQueue for TraversalStack<CAPACITY> {
 /// A heap: the nearest node comes first. If it begins beyond `t_max`, so do all others.
 #[derive(Clone, Debug, Default)]
 pub struct TraversalHeap<const CAPACITY: usize>(BinaryHeap<PendingNode, Min, CAPACITY>);
+
+impl<const CAPACITY: usize> Sealed for TraversalHeap<CAPACITY> {}
 
 impl<const CAPACITY: usize> TraversalQueue for TraversalHeap<CAPACITY> {
     fn clear(&mut self) {

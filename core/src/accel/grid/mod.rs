@@ -94,7 +94,9 @@ impl<'s, const MAILBOX_ENTRIES: usize> Grid<'s, MAILBOX_ENTRIES> {
 /// `CELLS` and `ENTRIES` are at least those of a [`GridSize`], which can be computed in a constant:
 ///
 /// ```
-/// use strahl_core::{Aabb, GridSize, StaticGrid, Vec3};
+/// use strahl_core::accel::{GridSize, StaticGrid};
+/// use strahl_core::geometry::Aabb;
+/// use strahl_core::Vec3;
 ///
 /// const ITEMS: usize = 3;
 /// const SIZE: GridSize = GridSize::estimated(ITEMS);
@@ -102,7 +104,7 @@ impl<'s, const MAILBOX_ENTRIES: usize> Grid<'s, MAILBOX_ENTRIES> {
 /// let boxes = [Aabb { min: Vec3::ZERO, max: Vec3::ONE }; ITEMS];
 /// let grid = buffers.build::<8>(&boxes)?;
 /// assert!(grid.cell_count() >= 1 && grid.entry_count() >= 3);
-/// # Ok::<(), strahl_core::BuildError>(())
+/// # Ok::<(), strahl_core::accel::BuildError>(())
 /// ```
 #[derive(Clone, Debug)]
 pub struct StaticGrid<const CELLS: usize, const ENTRIES: usize> {

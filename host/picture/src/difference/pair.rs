@@ -1,7 +1,7 @@
 //! Two files become two pictures of one kind, so that each pixel can be held against the other.
 
 use rayon::prelude::*;
-use strahl_core::{Rgb, Size};
+use strahl_core::{Resolution, Rgb};
 
 use super::measure::{Channel, Limit, Measures, Peak, differences, measure};
 use super::ssim::ssim;
@@ -54,7 +54,7 @@ impl Pair {
     }
 
     /// The structural similarity.
-    pub fn ssim(&self, size: Size) -> f64 {
+    pub fn ssim(&self, size: Resolution) -> f64 {
         let (width, height) = (size.width() as usize, size.height() as usize);
         match self {
             Pair::Eight([a, b]) => ssim(a, b, width, height),

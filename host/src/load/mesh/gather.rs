@@ -1,7 +1,8 @@
 //! What the readers of all formats do with the corners and faces that they find.
 
 use indicatif::HumanCount;
-use strahl_core::{MAX_COORDINATE, Material};
+use strahl_core::Material;
+use strahl_core::math::MAX_COORDINATE;
 
 use super::triangulate::{self, Cut};
 use super::{Group, Mesh};
@@ -179,7 +180,7 @@ const NONE: Triple = [0.0; 3];
 /// Whether the tracer sees no area; in its own words, so that what is counted is what is missed.
 fn is_flat(mesh: &Mesh, corners: &[u32; 3]) -> bool {
     let [a, b, c] = corners.map(|i| mesh.points[i as usize]).map(|[x, y, z]| strahl_core::vec3(x, y, z));
-    !strahl_core::has_area([a, b, c])
+    !strahl_core::geometry::has_area([a, b, c])
 }
 
 /// Upright on the triangle; any direction when it has no area.

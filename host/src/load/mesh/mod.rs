@@ -23,7 +23,7 @@ mod view;
 
 use std::path::Path;
 
-use strahl_core::{Material, Size};
+use strahl_core::{Material, Resolution};
 
 use super::Files;
 use crate::description::{Description, Triple};
@@ -93,7 +93,7 @@ pub fn is_mesh(path: &Path) -> bool {
 }
 
 /// The mesh in the file at `path` as a scene of its own, seen whole in a picture of `size`.
-pub(super) fn scene(files: &Files, path: &Path, size: Size) -> Result<Description, Failure> {
+pub(super) fn scene(files: &Files, path: &Path, size: Resolution) -> Result<Description, Failure> {
     // In PLY files nothing says what is up. Programs that make things stand them on the plane
     // of x and y; OBJ and glTF files have y up by custom and by definition.
     let up = if extension(path) == "ply" { view::Up::Z } else { view::Up::Y };

@@ -12,7 +12,8 @@
 
 use std::iter;
 
-use strahl_core::{Interface, Material, Rgb};
+use strahl_core::scene::Interface;
+use strahl_core::{Material, Rgb};
 
 use super::Wrong;
 use super::gather::Gather;

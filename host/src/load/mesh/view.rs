@@ -13,7 +13,7 @@
 
 use std::collections::BTreeMap;
 
-use strahl_core::{Material, Rgb, Size};
+use strahl_core::{Material, Resolution, Rgb};
 use strahl_settings::PartialSettings;
 
 use super::Mesh;
@@ -54,7 +54,7 @@ const CLAY: Material = Material {
 };
 
 /// The mesh as a scene, for pictures of `size`.
-pub(super) fn staged(mesh: Mesh, up: Up, size: Size) -> Result<Description, String> {
+pub(super) fn staged(mesh: Mesh, up: Up, size: Resolution) -> Result<Description, String> {
     let seen = corners_of_triangles(&mesh);
     let frame = Frame::of(&seen, up);
     let gaze = Gaze::new(frame.toward, frame.up, ANGLE, FILLED, size);
@@ -158,7 +158,7 @@ impl Frame {
     }
 
     /// The nearest view that has every corner inside the picture.
-    fn view(&self, seen: &[V], gaze: &Gaze, size: Size) -> Result<View, String> {
+    fn view(&self, seen: &[V], gaze: &Gaze, size: Resolution) -> Result<View, String> {
         if self.reach == 0.0 {
             return Err("all corners are in the same place, so there is nothing to look at".into());
         }

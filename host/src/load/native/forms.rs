@@ -2,7 +2,9 @@
 
 use std::ops::Range;
 
-use strahl_core::{Cone, MAX_COORDINATE, Polygon, Vec3};
+use strahl_core::Vec3;
+use strahl_core::geometry::{Cone, Polygon};
+use strahl_core::math::MAX_COORDINATE;
 
 use super::format::{self, File};
 use super::make::{Maker, vector};

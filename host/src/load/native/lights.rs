@@ -2,7 +2,8 @@
 
 use std::ops::Range;
 
-use strahl_core::{Rgb, try_normalize, vec3};
+use strahl_core::math::try_normalize;
+use strahl_core::{Rgb, vec3};
 
 use super::colors::Color;
 use super::format::{File, RectangleLight, SpotLight};

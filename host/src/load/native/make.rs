@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 use std::ops::Range;
 
-use strahl_core::{Rgb, Size, Vec3, vec3};
+use strahl_core::{Resolution, Rgb, Vec3, vec3};
 use strahl_settings::PartialSettings;
 
 use super::format::File;
@@ -24,7 +24,7 @@ pub(super) struct Maker<'m> {
     pub(super) made: Made,
     pub(super) meshes: Meshes<'m>,
     /// Of the picture, where the file does not say it.
-    pub(super) size: Size,
+    pub(super) size: Resolution,
     /// Whether it has been told that there are too many materials.
     pub(super) overflown: bool,
     /// Triangles without area, and the line of the first.
@@ -33,7 +33,7 @@ pub(super) struct Maker<'m> {
 
 impl<'m> Maker<'m> {
     /// Nothing, for a picture of `size`.
-    pub(super) fn new(reader: Reader<'m>, lines: &'m Lines, meshes: Meshes<'m>, size: Size) -> Self {
+    pub(super) fn new(reader: Reader<'m>, lines: &'m Lines, meshes: Meshes<'m>, size: Resolution) -> Self {
         let view = View {
             from: [0.0, 0.0, 1.0],
             at: [0.0; 3],

@@ -7,7 +7,8 @@ use std::collections::{BTreeMap, HashMap};
 use std::ops::Range;
 
 use schemars::{JsonSchema, Schema, SchemaGenerator, json_schema};
-use strahl_core::{Interface, Material, Rgb, TextureId};
+use strahl_core::scene::{Interface, TextureId};
+use strahl_core::{Material, Rgb};
 use toml::de::{DeTable, DeValue};
 
 use super::colors::is_color;

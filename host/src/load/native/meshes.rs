@@ -4,7 +4,7 @@ use std::collections::HashMap;
 use std::ops::Range;
 use std::path::{Path, PathBuf};
 
-use strahl_core::MAX_COORDINATE;
+use strahl_core::math::MAX_COORDINATE;
 
 use super::format;
 use super::forms::Thing;

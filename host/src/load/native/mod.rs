@@ -33,7 +33,7 @@ mod view;
 use std::collections::HashSet;
 use std::path::Path;
 
-use strahl_core::Size;
+use strahl_core::Resolution;
 use toml::Spanned;
 use toml::de::{DeTable, DeValue};
 
@@ -50,7 +50,12 @@ use table::{Found, Read, Reader};
 /// Reads the bytes of the file at `path`.
 ///
 /// Where it has no view, one is chosen that suits its size, or `size` where it names none.
-pub(super) fn read(files: &Files, path: &Path, bytes: &[u8], size: Size) -> Result<Description, Failure> {
+pub(super) fn read(
+    files: &Files,
+    path: &Path,
+    bytes: &[u8],
+    size: Resolution,
+) -> Result<Description, Failure> {
     let wrong = |text: &str, list: Vec<Fault>| Failure::Faults(Box::new(Faults::new(path, text, list)));
     let text = match std::str::from_utf8(bytes) {
         Ok(text) => text,

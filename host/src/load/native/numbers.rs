@@ -6,7 +6,8 @@
 use std::fmt;
 
 use schemars::{JsonSchema, Schema, SchemaGenerator, json_schema};
-use strahl_core::{MAX_COORDINATE, Rgb};
+use strahl_core::Rgb;
+use strahl_core::math::MAX_COORDINATE;
 use toml::de::DeValue;
 
 use super::table::{Read, Reader, Value};

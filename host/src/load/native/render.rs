@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 use std::ops::Range;
 
 use schemars::{JsonSchema, Schema, SchemaGenerator, json_schema};
-use strahl_core::Size;
+use strahl_core::Resolution;
 use strahl_settings::{
     Domain, Filter, Named, PartialSettings, SETTINGS, Setting, Settings, Value as _, Walk,
 };
@@ -127,7 +127,7 @@ fn name(names: &[Named], value: &Value<'_>, key: &str, reader: &mut Reader<'_>) 
     reader.wrong(Fault::new(value.span(), format!("{} is no `{key}`", shown(&word))).help(help))
 }
 
-fn size(value: &Value<'_>, key: &str, reader: &mut Reader<'_>) -> Option<Size> {
+fn size(value: &Value<'_>, key: &str, reader: &mut Reader<'_>) -> Option<Resolution> {
     let needs = "two integers, as in [640, 480]";
     let DeValue::Array(list) = value.get_ref() else {
         return reader.mismatch(value, key, needs);
@@ -136,9 +136,9 @@ fn size(value: &Value<'_>, key: &str, reader: &mut Reader<'_>) -> Option<Size> {
         let count = list.len();
         return reader.wrong(Fault::new(value.span(), format!("`{key}` must be {needs}, not {count}")));
     };
-    let [width, height] = [width, height].map(|value| whole_in(1, Size::MOST, value, key, reader));
+    let [width, height] = [width, height].map(|value| whole_in(1, Resolution::MOST, value, key, reader));
     let (width, height) = (width?, height?);
-    match Size::new(width, height) {
+    match Resolution::new(width, height) {
         Some(size) if u64::from(width) * u64::from(height) <= MOST_PIXELS => Some(size),
         _ => {
             let what = format!("{width} x {height} pixels are more than a file may ask for");
@@ -182,7 +182,7 @@ fn schema(setting: &Setting) -> Schema {
         Domain::Names(_) | Domain::Text => json_schema!({ "type": "string" }),
         Domain::Size => json_schema!({
             "type": "array",
-            "items": { "type": "integer", "minimum": 1, "maximum": Size::MOST },
+            "items": { "type": "integer", "minimum": 1, "maximum": Resolution::MOST },
             "minItems": 2,
             "maxItems": 2,
         }),

@@ -3,7 +3,10 @@
 
 use std::ops::Range;
 
-use strahl_core::{Aabb, Camera, MAX_COORDINATE, Rgb, Size, Vec3, ViewFault, try_normalize};
+use strahl_core::geometry::Aabb;
+use strahl_core::math::{MAX_COORDINATE, try_normalize};
+use strahl_core::scene::ViewFault;
+use strahl_core::{Camera, Resolution, Rgb, Vec3};
 
 use super::format::{self, File};
 use super::make::{Maker, vector};
@@ -102,7 +105,7 @@ impl Maker<'_> {
         }
         self.description.view = view;
 
-        let size = Size::new(4, 3).unwrap_or(self.size);
+        let size = Resolution::new(4, 3).unwrap_or(self.size);
         if let Err(fault) = Camera::new(&stock::single::view(&view), size)
             && let Some(camera) = camera
         {

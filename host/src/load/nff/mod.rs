@@ -16,7 +16,9 @@ mod words;
 use std::collections::{BTreeMap, HashMap};
 use std::path::Path;
 
-use strahl_core::{Camera, Cone, MAX_COORDINATE, Material, Polygon, Rgb, Size, vec3};
+use strahl_core::geometry::{Cone, Polygon};
+use strahl_core::math::MAX_COORDINATE;
+use strahl_core::{Camera, Material, Resolution, Rgb, vec3};
 use strahl_settings::PartialSettings;
 use words::{Read, Word, Words, Wrong};
 
@@ -53,7 +55,7 @@ struct Lamp {
 /// The file, and what has been read of it.
 struct Reader<'t> {
     words: Words<'t>,
-    view: Option<Placed<(View, Size, usize)>>,
+    view: Option<Placed<(View, Resolution, usize)>>,
     background: Option<Placed<Rgb>>,
     lamps: Vec<Lamp>,
     materials: Vec<Placed<Material>>,
@@ -153,10 +155,10 @@ impl<'t> Reader<'t> {
         Ok(())
     }
 
-    fn size(&mut self, of: Word<'_>) -> Read<Size> {
-        let width = self.words.whole(1, Size::MOST, "the width of the picture", of)?;
-        let height = self.words.whole(1, Size::MOST, "the height of the picture", of)?;
-        match Size::new(width, height) {
+    fn size(&mut self, of: Word<'_>) -> Read<Resolution> {
+        let width = self.words.whole(1, Resolution::MOST, "the width of the picture", of)?;
+        let height = self.words.whole(1, Resolution::MOST, "the height of the picture", of)?;
+        match Resolution::new(width, height) {
             Some(size) if u64::from(width) * u64::from(height) <= MOST_PIXELS => Ok(size),
             _ => of.wrong(format!(
                 "{width} x {height} pixels are more than a file may ask for ({MOST_PIXELS}); --size may"

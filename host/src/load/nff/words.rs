@@ -1,6 +1,7 @@
 //! The words of an NFF file, and the numbers among them.
 
-use strahl_core::{MAX_COORDINATE, Rgb};
+use strahl_core::Rgb;
+use strahl_core::math::MAX_COORDINATE;
 
 use crate::description::Triple;
 use crate::load::shown::shown;

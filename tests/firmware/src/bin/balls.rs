@@ -8,10 +8,11 @@
 
 use cortex_m_rt::entry;
 use semihosting::{fs::File, io::Write, println, process};
-use strahl_core::{
-    EffectSet, Effects, LightKind, LightSet, Pack, ShapeKind, ShapeSet, Single, TraversalStack, World,
-    include_pack,
-};
+use strahl_core::accel::TraversalStack;
+use strahl_core::baked::Pack;
+use strahl_core::geometry::{ShapeKind, ShapeSet};
+use strahl_core::scene::{EffectSet, Effects, LightKind, LightSet};
+use strahl_core::{Single, World, include_pack};
 use strahl_firmware::draw::{DARK, Row, bytes, draw};
 use strahl_firmware::packs::wanted;
 use strahl_firmware::{count, stack};

@@ -9,7 +9,9 @@
 
 use cortex_m_rt::entry;
 use semihosting::{println, process};
-use strahl_core::{Effects, List, Scene, World};
+use strahl_core::accel::List;
+use strahl_core::scene::Effects;
+use strahl_core::{Scene, World};
 use strahl_firmware::accuracy::Lent;
 use strahl_firmware::scene::{Golden, parts};
 use strahl_firmware::write::write_all;

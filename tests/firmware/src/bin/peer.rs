@@ -10,7 +10,8 @@ use core::hint::black_box;
 
 use cortex_m_rt::entry;
 use semihosting::{fs::File, io::Write, println, process};
-use strahl_core::{BareList, Camera, Effects, Scene, Single, World};
+use strahl_core::scene::Effects;
+use strahl_core::{BareList, Camera, Scene, Single, World};
 use strahl_firmware::draw::{Wanted, draw};
 use strahl_firmware::peer::{ITEMS, LEVELS, LIMITS, PARTS, Peer, SIZE, VIEW, quantised};
 use strahl_firmware::{count, stack};

@@ -9,7 +9,7 @@
 
 use cortex_m_rt::entry;
 use semihosting::{println, process};
-use strahl_core::sqrt;
+use strahl_core::math::sqrt;
 
 /// Mantissas between the ends: an odd step, so that low bits take every pattern.
 const STEP: usize = 4_093;

@@ -24,7 +24,8 @@ mod motion;
 use std::collections::HashMap;
 use std::path::Path;
 
-use strahl_core::{Interface, Material, Rgb};
+use strahl_core::scene::Interface;
+use strahl_core::{Material, Rgb};
 
 use super::gather::{Gather, coordinate};
 use super::{Files, Mesh, Wrong};

@@ -2,7 +2,8 @@
 
 use core::hint::black_box;
 
-use strahl_core::*;
+use strahl_core::geometry::{ItemId, Ray};
+use strahl_core::{Real, Rgb, Vec3};
 
 /// Something in place of the example, of which the optimiser knows no more than the type.
 pub fn any<T>(example: T) -> T {

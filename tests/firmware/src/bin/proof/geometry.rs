@@ -1,6 +1,7 @@
 //! ShapeFeatures, their tables, boxes and rays.
 
-use strahl_core::*;
+use strahl_core::geometry::{Aabb, Cone, Cuboid, Disc, ItemId, MovingShape, OrientedCuboid, Polygon, Ray, RayInterval, ShapeError, ShapeFeatures, ShapeKind, ShapeSet, SurfaceInteraction, Torus, has_area, offset_origin};
+use strahl_core::{AllEffects, Geometry, Plane, Shape, Sphere, Vec3};
 
 use crate::any::{any, any_item, any_ray, number, slice, used, vector};
 use crate::text::displayed;
@@ -109,5 +110,5 @@ fn in_tables() {
         .into_iter()
         .for_each(used);
     met::<Bare>(&geometry);
-    met::<Everything>(&geometry);
+    met::<AllEffects>(&geometry);
 }

@@ -1,6 +1,11 @@
 //! Scenes, what they are made of and what they ask for, and how they are looked at.
 
-use strahl_core::*;
+use strahl_core::accel::{Accelerator};
+use strahl_core::geometry::{Aabb, Hit, ItemId, ShapeError, ShapeKind, ShapeSet};
+use strahl_core::math::{SobolSequence};
+use strahl_core::scene::{CameraSample, EffectSet, Effects, FilmPoint, Interface, LastLevel, LightSet, MaterialFault, SceneError, Texture, ViewFault};
+use strahl_core::tally::{RayKind};
+use strahl_core::{AllEffects, Background, Camera, Falloff, Light, Material, MaterialId, Parts, Projection, Real, Resolution, Rgb, Scene, Source, Vec3, View, World};
 
 use crate::accel::{Stranger, lists};
 use crate::any::{any, any_item, any_ray, color, number, slice, used, vector};
@@ -62,7 +67,7 @@ fn described() {
 
     let mut lent = [Aabb::EMPTY];
     let [list, ..] = lists(&mut lent, [&mut [], &mut []]);
-    asked::<_, Everything>(World::new(scene, list));
+    asked::<_, AllEffects>(World::new(scene, list));
     asked::<_, Few>(World::new(scene, Stranger));
 }
 
@@ -92,8 +97,8 @@ fn asked<A: Accelerator, E: Effects>(world: World<'_, A>) {
     used(World::surface::<E>(&world, &any_ray(), any(Hit { t: 1.0, item: ItemId(0) })));
 }
 
-pub fn any_size() -> Size {
-    any(Size::new(any(1), any(1))).unwrap_or(const { Size::new(1, 1).unwrap() })
+pub fn any_size() -> Resolution {
+    any(Resolution::new(any(1), any(1))).unwrap_or(const { Resolution::new(1, 1).unwrap() })
 }
 
 pub fn any_camera() -> Option<Camera> {
@@ -102,7 +107,7 @@ pub fn any_camera() -> Option<Camera> {
 }
 
 fn looked_at() {
-    used((Size::width(any_size()), Size::height(any_size())));
+    used((Resolution::width(any_size()), Resolution::height(any_size())));
     let place = any(FilmPoint { x: 0.0, y: 0.0 });
     used(any_camera().map(|camera| (Camera::ray(&camera, place), Camera::has_lens(&camera))));
 }

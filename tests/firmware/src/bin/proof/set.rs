@@ -1,6 +1,7 @@
 //! Sets, which are made by the same macro for enums of several rooms.
 
-use strahl_core::*;
+use strahl_core::geometry::{ShapeKind, ShapeSet};
+use strahl_core::scene::{EffectSet, LightKind, LightSet, TextureKind, TextureSet};
 
 use crate::any::{any, slice, used};
 use crate::text::debugged;

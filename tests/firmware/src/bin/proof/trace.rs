@@ -1,6 +1,11 @@
 //! Rays through worlds of anything.
 
-use strahl_core::*;
+use strahl_core::accel::{Accelerator};
+use strahl_core::geometry::{Aabb, BoundingSphere};
+use strahl_core::scene::{Effects};
+use strahl_core::tally::{Counters, RayCounters, Tally};
+use strahl_core::trace::{TracerError};
+use strahl_core::{AllEffects, BareList, Limits, Scene, Tracer, Worker, World};
 
 use crate::accel::{Stranger, lists};
 use crate::any::{any, used};
@@ -12,8 +17,8 @@ use crate::text::displayed;
 pub fn doors() {
     let Ok(scene) = Scene::new(any_parts()) else { return };
     for list in lists(&mut [Aabb::EMPTY], [&mut [BoundingSphere::EMPTY], &mut [BoundingSphere::EMPTY]]) {
-        traced::<_, Everything, _, 64>(&World::new(scene, list), Counters::new());
-        traced::<_, Everything, _, 5>(&World::new(scene, list), ());
+        traced::<_, AllEffects, _, 64>(&World::new(scene, list), Counters::new());
+        traced::<_, AllEffects, _, 5>(&World::new(scene, list), ());
     }
     traced::<_, Few, _, 1>(&World::new(scene, Stranger), Told);
     traced::<_, Few, _, 1>(&World::new(scene, BareList(any(1))), RayCounters::new());

@@ -1,11 +1,11 @@
 //! Writing a baked scene: for hosts.
 
-use super::Finder;
 use super::header::{BARE, BVH, Checksum, Content, GRID, Header, MAGIC, OCTREE, TABLES, UNCHECKED};
 use super::layout::{Put, Writer};
+use super::{Finder, Pack};
 use crate::geometry::Aabb;
 use crate::math::Real;
-use crate::scene::{Pack, Scene, Size, View};
+use crate::scene::{Resolution, Scene, View};
 
 /// What is to be baked.
 #[derive(Clone, Copy, Debug)]
@@ -15,7 +15,7 @@ pub struct Baking<'b> {
     /// How it is looked at.
     pub view: View,
     /// The size of the picture.
-    pub size: Size,
+    pub size: Resolution,
     /// Levels of rays.
     pub levels: u8,
     /// A ray is sent when more than this of it counts.

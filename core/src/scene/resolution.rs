@@ -2,22 +2,22 @@
 
 /// A picture's width and height in pixels, both at least 1.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Size {
+pub struct Resolution {
     width: u32,
     height: u32,
 }
 
-impl Size {
+impl Resolution {
     /// The most pixels along one side: places stay exact in single precision, with room for
     /// samples inside a pixel.
     pub const MOST: u32 = 1 << 16;
 
-    /// A size; none when a side is 0 or more than [`Size::MOST`].
+    /// A size; none when a side is 0 or more than [`Resolution::MOST`].
     pub const fn new(width: u32, height: u32) -> Option<Self> {
         if width == 0 || height == 0 || width > Self::MOST || height > Self::MOST {
             return None;
         }
-        Some(Size { width, height })
+        Some(Resolution { width, height })
     }
 
     /// Pixels in a row.

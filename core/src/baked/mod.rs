@@ -7,7 +7,7 @@
 //!
 //! # The format, version 3
 //!
-//! Little-endian, every part aligned to 4 bytes. First a [`Header`]: a magic word, the version,
+//! Little-endian, every part aligned to 4 bytes. First a header: a magic word, the version,
 //! the length of the whole, a checksum of what follows it (FNV-1a, 32 bits), then what is there
 //! once (size, limits, view, surroundings, the accelerator's own numbers), and for each table
 //! where it begins and how many entries it has. Then the tables, whose entries have the layout
@@ -21,10 +21,10 @@ mod write;
 pub use error::{PackError, PackPart};
 pub use write::Baking;
 
-use super::{Camera, Parts, Scene, Size, View, ViewFault};
 use crate::accel::{BareList, Bvh, BvhParts, Grid, GridParts, Octree, OctreeParts};
 use crate::geometry::Geometry;
 use crate::math::Real;
+use crate::scene::{Camera, Parts, Resolution, Scene, View, ViewFault};
 use header::{Content, Header};
 
 /// What a baked scene is to be walked by.
@@ -43,7 +43,8 @@ pub enum Finder<'s> {
 /// A baked scene that has been checked.
 ///
 /// ```
-/// use strahl_core::{Finder, Pack, PackError, include_pack};
+/// use strahl_core::baked::{Finder, Pack, PackError};
+/// use strahl_core::include_pack;
 ///
 /// # fn bytes() -> &'static [u8] { &[] }
 /// // In firmware: `let bytes = include_pack!("scene.strahl");`
@@ -56,7 +57,7 @@ pub struct Pack<'s> {
     header: &'s Header,
     bytes: &'s [u8],
     scene: Scene<'s>,
-    size: Size,
+    size: Resolution,
 }
 
 impl<'s> Pack<'s> {
@@ -97,7 +98,7 @@ impl<'s> Pack<'s> {
         };
         let scene = Scene::new(parts).map_err(PackError::Scene)?;
         let [width, height] = header.size;
-        let size = Size::new(width, height).ok_or(PackError::Part(PackPart::Size))?;
+        let size = Resolution::new(width, height).ok_or(PackError::Part(PackPart::Size))?;
         Ok(Pack { header, bytes, scene, size })
     }
 
@@ -107,7 +108,7 @@ impl<'s> Pack<'s> {
     }
 
     /// The size of the picture that it was baked for. A device may take another.
-    pub const fn size(&self) -> Size {
+    pub const fn size(&self) -> Resolution {
         self.size
     }
 
@@ -128,7 +129,7 @@ impl<'s> Pack<'s> {
     }
 
     /// The camera of a picture of `size`.
-    pub fn camera(&self, size: Size) -> Result<Camera, ViewFault> {
+    pub fn camera(&self, size: Resolution) -> Result<Camera, ViewFault> {
         Camera::new(self.view(), size)
     }
 
