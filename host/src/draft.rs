@@ -40,7 +40,7 @@ mod tests {
     #[test]
     fn a_draft_has_a_sixteenth_of_the_pixels_and_becomes_as_large_as_the_picture() {
         let size = Resolution::new(401, 302).unwrap();
-        let draft = of(&Settings { size: size, ..Settings::default() }).unwrap();
+        let draft = of(&Settings { size, ..Settings::default() }).unwrap();
         assert_eq!((draft.size.width(), draft.size.height()), (101, 76));
         let colors = (0..101 * 76).map(|place| Rgb::gray(place as f32)).collect();
         let whole = enlarged(&Picture { size: draft.size, colors }, size);

@@ -13,8 +13,9 @@ use strahl::args::StudyArgs;
 use strahl::load::load;
 use strahl::plan::Effect;
 use strahl::study::bench::Bench;
-use strahl::study::conduct::{Conduct, Truth};
+use strahl::study::conduct;
 use strahl::study::front::{Point, front};
+use strahl::study::measurements::{Measurements, ReferencePicture};
 use strahl::study::plan::Plan;
 use strahl::study::record::Step;
 use strahl_core::Resolution;
@@ -26,19 +27,25 @@ fn scene(name: &str) -> PathBuf {
 }
 
 /// Studies a scene without a clock, so that the same is measured on every machine.
-fn studied<T>(name: &str, plan: &Plan, asks: &[Effect], then: impl FnOnce(&Conduct<'_>, &Truth) -> T) -> T {
+fn studied<T>(
+    name: &str,
+    plan: &Plan,
+    asks: &[Effect],
+    then: impl FnOnce(&Measurements<'_>, &ReferencePicture) -> T,
+) -> T {
     let path = scene(name);
     let scene = load(&path).unwrap();
     let size = Resolution::new(40, 25).unwrap();
     let bench = Bench::new(&scene, size, &NoProgress, None);
-    let mut conduct = Conduct::new(&bench, plan);
-    let truth = conduct.run(&Settings { size, threads: 2, ..Settings::default() }, asks).unwrap();
-    then(&conduct, &truth)
+    let mut measured = Measurements::new(&bench, plan);
+    let settings = Settings { size, threads: 2, ..Settings::default() };
+    let reference = conduct::run(&mut measured, &settings, asks).unwrap();
+    then(&measured, &reference)
 }
 
 /// The steps of a knob: values, and the errors that they make alone.
-fn steps<'c>(conduct: &'c Conduct<'_>, knob: &str) -> &'c [Step] {
-    &conduct.knobs.iter().find(|it| it.name == knob).unwrap_or_else(|| panic!("no {knob}")).steps
+fn steps<'c>(measured: &'c Measurements<'_>, knob: &str) -> &'c [Step] {
+    &measured.knobs.iter().find(|it| it.name == knob).unwrap_or_else(|| panic!("no {knob}")).steps
 }
 
 #[test]

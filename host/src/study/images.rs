@@ -8,9 +8,9 @@ use strahl_picture::colormap::{inferno, step_of};
 use strahl_picture::{Format, Picture, srgb};
 
 use super::bench::pair;
-use super::conduct::{Conduct, Truth};
 use super::error::StudyError;
 use super::front::{Point, cheapest_within, front};
+use super::measurements::{Measurements, ReferencePicture};
 use super::options::words;
 use super::record::{Image, Role, Shows};
 use crate::cost::{Counts, WEIGHTS};
@@ -28,27 +28,27 @@ const KINDS: [&str; 4] = ["camera rays", "reflected rays", "transmitted rays", "
 const MOST: usize = 6;
 
 /// The reference, and the most telling runs with their errors.
-pub fn all(conduct: &Conduct<'_>, truth: &Truth) -> Result<Vec<Image>, StudyError> {
-    let mut images = vec![image(Shows::Reference, None, "the reference", None, &truth.picture)?];
-    for run in shown(conduct) {
-        let taken = &conduct.taken[run];
+pub fn all(measured: &Measurements<'_>, reference: &ReferencePicture) -> Result<Vec<Image>, StudyError> {
+    let mut images = vec![image(Shows::Reference, None, "the reference", None, &reference.picture)?];
+    for run in shown(measured) {
+        let taken = &measured.taken[run];
         let Some(picture) = &taken.picture else { continue };
         let title = words(&taken.options);
         images.push(image(Shows::Picture, Some(run), &title, None, picture)?);
-        let map = errors(picture, &truth.picture);
+        let map = errors(picture, &reference.picture);
         images.push(image(Shows::Error, Some(run), &title, Some([0.0, 1.0]), &map)?);
     }
-    images.extend(costs(conduct)?);
+    images.extend(costs(measured)?);
     Ok(images)
 }
 
 /// What every pixel of the scene's own picture costs: in all, and by kind of ray.
-fn costs(conduct: &Conduct<'_>) -> Result<Vec<Image>, StudyError> {
-    let Some(run) = conduct.taken.iter().position(|taken| taken.run.role == Role::Own) else {
+fn costs(measured: &Measurements<'_>) -> Result<Vec<Image>, StudyError> {
+    let Some(run) = measured.taken.iter().position(|taken| taken.run.role == Role::Own) else {
         return Ok(Vec::new());
     };
-    let taken = &conduct.taken[run];
-    let Some(costs) = conduct.bench.costs(&taken.options)? else { return Ok(Vec::new()) };
+    let taken = &measured.taken[run];
+    let Some(costs) = measured.bench.costs(&taken.options)? else { return Ok(Vec::new()) };
     let by_ray: Vec<[f64; 4]> =
         costs.iter().map(|cost| WEIGHTS.by_ray(&counts(cost), taken.run.setting.kind())).collect();
     let whole: Vec<f64> = by_ray.iter().map(|kinds| kinds.iter().sum()).collect();
@@ -58,7 +58,7 @@ fn costs(conduct: &Conduct<'_>) -> Result<Vec<Image>, StudyError> {
     let most = sorted.get((sorted.len() * BRIGHT) / 1000).copied().unwrap_or(1.0).max(1.0);
     let map = |of: &dyn Fn(usize) -> f64| {
         let steps = (0..whole.len()).map(|pixel| (255.0 * of(pixel) / most + 0.5) as u8);
-        colored(conduct.bench.size, steps)
+        colored(measured.bench.size, steps)
     };
     let mut images = Vec::new();
     let range = Some([0.0, most]);
@@ -85,30 +85,30 @@ fn counts(cost: &PixelCost) -> Counts {
 }
 
 /// The cheapest of all, those within the limits, and the scene's own; the cheapest first.
-fn shown(conduct: &Conduct<'_>) -> Vec<usize> {
-    let about = conduct.taken.iter().enumerate().filter(|(_, taken)| taken.run.is_about_accuracy());
+fn shown(measured: &Measurements<'_>) -> Vec<usize> {
+    let about = measured.taken.iter().enumerate().filter(|(_, taken)| taken.run.is_about_accuracy());
     let (places, points): (Vec<usize>, Vec<Point>) =
         about.map(|(place, it)| (place, Point { cost: it.run.work, error: it.run.error.rmse })).unzip();
     let cheapest = front(&points).first().copied();
     let most_accurate = front(&points).last().copied();
     let within = LIMITS.iter().filter_map(|limit| cheapest_within(&points, *limit));
     let telling = cheapest.into_iter().chain(within).chain(most_accurate).map(|place| places[place]);
-    let own = conduct.taken.iter().position(|taken| taken.run.role == Role::Own);
+    let own = measured.taken.iter().position(|taken| taken.run.role == Role::Own);
     let mut runs: Vec<usize> = own.into_iter().collect();
     // The same picture by other settings has nothing to show.
-    let digest = |run: usize| &conduct.taken[run].run.digest;
+    let digest = |run: usize| &measured.taken[run].run.digest;
     for run in telling {
         if runs.len() < MOST && runs.iter().all(|shown| digest(*shown) != digest(run)) {
             runs.push(run);
         }
     }
-    runs.sort_by(|a, b| conduct.taken[*a].run.work.total_cmp(&conduct.taken[*b].run.work));
+    runs.sort_by(|a, b| measured.taken[*a].run.work.total_cmp(&measured.taken[*b].run.work));
     runs
 }
 
 /// The largest difference of each pixel as a colour.
-fn errors(picture: &Picture, truth: &Picture) -> Picture {
-    let steps = pair(picture, truth).differences().into_iter().map(step_of);
+fn errors(picture: &Picture, reference: &Picture) -> Picture {
+    let steps = pair(picture, reference).differences().into_iter().map(step_of);
     colored(picture.size, steps)
 }
 

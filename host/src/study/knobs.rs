@@ -8,8 +8,8 @@ use strahl_settings::domain::share_word;
 use strahl_settings::{Sampling, Settings};
 
 use super::bench::{Taken, errors};
-use super::conduct::{Conduct, Truth};
 use super::error::StudyError;
+use super::measurements::{Measurements, ReferencePicture};
 use super::options::words;
 use super::plan::{LEVELS, most_of};
 use super::record::{Knob, Run, Step};
@@ -19,34 +19,38 @@ use crate::plan::Effect;
 const MANY: u32 = 16;
 
 /// The levels from one to those that cut as little as can be.
-pub(super) fn levels(study: &mut Conduct<'_>, best: usize, truth: &Truth) -> Result<(), StudyError> {
-    let Taken { options: base, run, .. } = &study.taken[best];
+pub(super) fn levels(
+    measured: &mut Measurements<'_>,
+    best: usize,
+    reference: &ReferencePicture,
+) -> Result<(), StudyError> {
+    let Taken { options: base, run, .. } = &measured.taken[best];
     let (base, seconds, has_more) = (base.clone(), run.wall[0], has_secondary(run));
-    let before = study.missing();
+    let before = measured.missing();
     let mut steps: Vec<Step> = Vec::new();
-    let is_whole = |study: &Conduct<'_>, step: &Step| study.taken[step.run].run.cut[0] == 0.0;
+    let is_whole = |measured: &Measurements<'_>, step: &Step| measured.taken[step.run].run.cut[0] == 0.0;
     for levels in LEVELS.into_iter().filter(|levels| has_more && *levels < base.levels) {
         // The rest would be the same picture.
-        if steps.last().is_some_and(|step| is_whole(study, step)) {
+        if steps.last().is_some_and(|step| is_whole(measured, step)) {
             break;
         }
         let options = Settings { levels, ..base.clone() };
-        if let Some(run) = study.turn(&options, seconds, &truth.picture)? {
-            let alone = study.between(run, best).unwrap_or_default();
+        if let Some(run) = measured.turn(&options, seconds, &reference.picture)? {
+            let alone = measured.between(run, best).unwrap_or_default();
             steps.push(Step { value: levels.to_string(), run, alone });
         }
     }
-    if !steps.last().is_some_and(|step| is_whole(study, step)) {
-        let alone = study.between(best, best).unwrap_or_default();
+    if !steps.last().is_some_and(|step| is_whole(measured, step)) {
+        let alone = measured.between(best, best).unwrap_or_default();
         steps.push(Step { value: base.levels.to_string(), run: best, alone });
     }
-    study.knobs.push(Knob {
+    measured.knobs.push(Knob {
         name: "levels".into(),
         about: "How many times light may be mirrored or pass a surface before the eye.".into(),
         fixed: format!("--cutoff {} --sampler {}", share_word(base.cutoff), base.sampler),
         against: format!("{} levels", base.levels),
         steps,
-        left_out: study.missing() - before,
+        left_out: measured.missing() - before,
     });
     Ok(())
 }
@@ -57,83 +61,95 @@ fn has_secondary(run: &Run) -> bool {
 }
 
 /// The cutoff from coarse to none.
-pub(super) fn cutoffs(study: &mut Conduct<'_>, best: usize, truth: &Truth) -> Result<(), StudyError> {
-    let Taken { options: base, run, .. } = &study.taken[best];
+pub(super) fn cutoffs(
+    measured: &mut Measurements<'_>,
+    best: usize,
+    reference: &ReferencePicture,
+) -> Result<(), StudyError> {
+    let Taken { options: base, run, .. } = &measured.taken[best];
     let (base, seconds, has_more) = (base.clone(), run.wall[0], has_secondary(run));
-    let before = study.missing();
+    let before = measured.missing();
     let mut steps = Vec::new();
-    for value in study.plan.cutoffs().filter(|value| has_more && *value > base.cutoff) {
+    for value in measured.plan.cutoffs().filter(|value| has_more && *value > base.cutoff) {
         let options = Settings { cutoff: value, ..base.clone() };
-        if let Some(run) = study.turn(&options, seconds, &truth.picture)? {
-            let alone = study.between(run, best).unwrap_or_default();
+        if let Some(run) = measured.turn(&options, seconds, &reference.picture)? {
+            let alone = measured.between(run, best).unwrap_or_default();
             steps.push(Step { value: share_word(value), run, alone });
         }
     }
-    let alone = study.between(best, best).unwrap_or_default();
+    let alone = measured.between(best, best).unwrap_or_default();
     steps.push(Step { value: share_word(base.cutoff), run: best, alone });
-    study.knobs.push(Knob {
+    measured.knobs.push(Knob {
         name: "cutoff".into(),
         about: "Rays that would count less than this in their pixel are not sent.".into(),
         fixed: format!("--levels {} --sampler {}", base.levels, base.sampler),
         against: format!("cutoff {}", share_word(base.cutoff)),
         steps,
-        left_out: study.missing() - before,
+        left_out: measured.missing() - before,
     });
     Ok(())
 }
 
 /// The samplers, from few rays to many.
-pub(super) fn samplers(study: &mut Conduct<'_>, best: usize, truth: &Truth) -> Result<(), StudyError> {
-    let Taken { options: base, run, .. } = &study.taken[best];
+pub(super) fn samplers(
+    measured: &mut Measurements<'_>,
+    best: usize,
+    reference: &ReferencePicture,
+) -> Result<(), StudyError> {
+    let Taken { options: base, run, .. } = &measured.taken[best];
     let (base, single) = (base.clone(), run.wall[0]);
-    let samples = truth.reference.setting.sampler.parse::<Sampling>().map_or(1, |it| 2 * most_of(&it));
-    let before = study.missing();
+    let samples = reference.reference.setting.sampler.parse::<Sampling>().map_or(1, |it| 2 * most_of(&it));
+    let before = measured.missing();
     let mut runs = vec![best];
-    for (sampler, rays) in study.plan.samplers(base.filter) {
+    for (sampler, rays) in measured.plan.samplers(base.filter) {
         let options = Settings { sampler, ..base.clone() };
         // The reference must be the finer one by far.
         if most_of(&sampler) * super::plan::FINER > samples {
-            study.leave(
+            measured.leave(
                 &options,
                 format!("a reference of only {samples} rays in a pixel is too coarse for it"),
             );
             continue;
         }
-        runs.extend(study.turn(&options, rays * single, &truth.picture)?);
+        runs.extend(measured.turn(&options, rays * single, &reference.picture)?);
     }
-    runs.sort_by_key(|run| study.taken[*run].run.counts.rays[0]);
+    runs.sort_by_key(|run| measured.taken[*run].run.counts.rays[0]);
     let step = |run: usize| {
-        let Taken { options, run: found, .. } = &study.taken[run];
+        let Taken { options, run: found, .. } = &measured.taken[run];
         Step { value: options.sampler.to_string(), run, alone: found.error }
     };
     let steps = runs.into_iter().map(step).collect();
-    study.knobs.push(Knob {
+    measured.knobs.push(Knob {
         name: "sampler".into(),
         about: "How many rays make a pixel, and through which places.".into(),
         fixed: format!("--levels {} --cutoff {}", base.levels, share_word(base.cutoff)),
         against: "the reference".into(),
         steps,
-        left_out: study.missing() - before,
+        left_out: measured.missing() - before,
     });
     Ok(())
 }
 
 /// Which pixels are traced, from few to all.
-pub(super) fn selections(study: &mut Conduct<'_>, best: usize, truth: &Truth) -> Result<(), StudyError> {
-    let Taken { options: base, run, .. } = &study.taken[best];
+pub(super) fn selections(
+    measured: &mut Measurements<'_>,
+    best: usize,
+    reference: &ReferencePicture,
+) -> Result<(), StudyError> {
+    let Taken { options: base, run, .. } = &measured.taken[best];
     let (base, seconds) = (base.clone(), run.wall[0]);
-    let before = study.missing();
+    let before = measured.missing();
     let mut steps = Vec::new();
-    for selecting in study.plan.selections() {
+    for selecting in measured.plan.selections() {
         let options = Settings { select: Some(selecting), ..base.clone() };
-        if let Some(run) = study.turn(&options, seconds, &truth.picture)? {
-            let alone = study.between(run, best).unwrap_or_default();
+        if let Some(run) = measured.turn(&options, seconds, &reference.picture)? {
+            let alone = measured.between(run, best).unwrap_or_default();
             steps.push(Step { value: selecting.to_string(), run, alone });
         }
     }
-    let alone = study.between(best, best).unwrap_or_default();
+    let alone = measured.between(best, best).unwrap_or_default();
     steps.push(Step { value: "all".into(), run: best, alone });
-    study.knobs.push(Knob {
+    measured.knobs.push(Knob {
         name: "select".into(),
         about:
             "One pixel in so many times so many is traced first; where neighbours agree, those between are \
@@ -142,54 +158,54 @@ pub(super) fn selections(study: &mut Conduct<'_>, best: usize, truth: &Truth) ->
         fixed: words(&base).replace(" --select", ""),
         against: "every pixel traced".into(),
         steps,
-        left_out: study.missing() - before,
+        left_out: measured.missing() - before,
     });
     Ok(())
 }
 
 /// Leaves out one after the other what the scene asks for.
 pub(super) fn effects(
-    study: &mut Conduct<'_>,
+    measured: &mut Measurements<'_>,
     best: usize,
-    truth: &Truth,
+    reference: &ReferencePicture,
     asks: &[Effect],
 ) -> Result<(), StudyError> {
-    let Taken { options: base, run, .. } = &study.taken[best];
+    let Taken { options: base, run, .. } = &measured.taken[best];
     let is_many = [Effect::Penumbra, Effect::Lens, Effect::Gloss, Effect::Motion]
         .iter()
         .any(|effect| asks.contains(effect));
     let rays = if is_many { MANY } else { 4 };
     let seconds = f64::from(rays) * run.wall[0];
     let base = Settings { sampler: Sampling::stochastic(rays), ..base.clone() };
-    let before = study.missing();
+    let before = measured.missing();
     let mut steps = Vec::new();
     for effect in asks {
         let options = Settings { without: vec![*effect], ..base.clone() };
-        if let Some(run) = study.turn(&options, seconds, &truth.picture)? {
-            steps.push(Step { value: effect.name().into(), run, alone: study.taken[run].run.error });
+        if let Some(run) = measured.turn(&options, seconds, &reference.picture)? {
+            steps.push(Step { value: effect.name().into(), run, alone: measured.taken[run].run.error });
         }
     }
     steps.sort_by(|a, b| b.alone.rmse.total_cmp(&a.alone.rmse));
     // With nothing left out there is something to hold the others against.
     if !asks.is_empty()
-        && let Some(run) = study.turn(&base, seconds, &truth.picture)?
+        && let Some(run) = measured.turn(&base, seconds, &reference.picture)?
     {
-        steps.push(Step { value: "nothing".into(), run, alone: study.taken[run].run.error });
+        steps.push(Step { value: "nothing".into(), run, alone: measured.taken[run].run.error });
     }
-    study.knobs.push(Knob {
+    measured.knobs.push(Knob {
         name: "without".into(),
         about: "What every effect that the scene asks for costs, and what its picture is without.".into(),
         fixed: words(&base),
         against: "the reference, which has all of them".into(),
         steps,
-        left_out: study.missing() - before,
+        left_out: measured.missing() - before,
     });
     Ok(())
 }
 
 /// Single precision, and double, which is the yardstick.
-pub(super) fn precision(study: &mut Conduct<'_>, runs: [Option<usize>; 2], fixed: String) {
-    let picture = |run: usize| study.taken[run].picture.as_ref();
+pub(super) fn precision(measured: &mut Measurements<'_>, runs: [Option<usize>; 2], fixed: String) {
+    let picture = |run: usize| measured.taken[run].picture.as_ref();
     let alone = |run: usize, double: usize| match (picture(run), picture(double)) {
         (Some(a), Some(b)) => errors(a, b),
         _ => Default::default(),
@@ -201,7 +217,7 @@ pub(super) fn precision(study: &mut Conduct<'_>, runs: [Option<usize>; 2], fixed
         }
         _ => (Vec::new(), runs.iter().filter(|run| run.is_none()).count()),
     };
-    study.knobs.push(Knob {
+    measured.knobs.push(Knob {
         name: "precision".into(),
         about: "What every number is computed with. Those of the scene are of single precision either way. Both are \
                 measured by the same loop."

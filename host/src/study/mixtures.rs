@@ -2,8 +2,8 @@
 
 use strahl_settings::Settings;
 
-use super::conduct::{Conduct, NO_TIME, Truth};
 use super::error::StudyError;
+use super::measurements::{Measurements, NO_TIME, ReferencePicture};
 use super::mix::{Hunt, Notch};
 use super::plan::time;
 use super::record::{Role, Step};
@@ -12,37 +12,41 @@ use super::record::{Role, Step};
 const KNOBS: [&str; 4] = ["levels", "cutoff", "sampler", "select"];
 
 /// Measures the mixtures that may be on the front. At the run at `best` every knob is at its best.
-pub(super) fn all(study: &mut Conduct<'_>, best: usize, truth: &Truth) -> Result<(), StudyError> {
-    let (base, work) = (study.taken[best].options.clone(), study.taken[best].run.work.max(1.0));
-    let single = study.taken[best].run.wall[0];
+pub(super) fn all(
+    measured: &mut Measurements<'_>,
+    best: usize,
+    reference: &ReferencePicture,
+) -> Result<(), StudyError> {
+    let (base, work) = (measured.taken[best].options.clone(), measured.taken[best].run.work.max(1.0));
+    let single = measured.taken[best].run.wall[0];
     let (runs, notches): (Vec<_>, Vec<_>) =
-        KNOBS.map(|name| turned(study, name, best, work)).into_iter().unzip();
+        KNOBS.map(|name| turned(measured, name, best, work)).into_iter().unzip();
     let is_new = |places: &[usize]| {
-        let options = mixed(study, &base, &runs, places);
-        study.taken.iter().all(|taken| taken.options != options)
+        let options = mixed(measured, &base, &runs, places);
+        measured.taken.iter().all(|taken| taken.options != options)
     };
     let mut hunt = Hunt::new(&notches, work, is_new);
-    for _ in 0..study.plan.mixes {
-        let Some(mix) = hunt.next(&study.points().1) else { break };
-        let options = mixed(study, &base, &runs, &mix.places);
+    for _ in 0..measured.plan.mixes {
+        let Some(mix) = hunt.next(&measured.points().1) else { break };
+        let options = mixed(measured, &base, &runs, &mix.places);
         let seconds = single * mix.foretold.cost / work;
-        let left = study.bench.share(time::MIXED) - study.bench.elapsed();
+        let left = measured.bench.share(time::MIXED) - measured.bench.elapsed();
         if seconds > left {
-            study.leave(&options, NO_TIME.into());
+            measured.leave(&options, NO_TIME.into());
             continue;
         }
-        study.take(Role::Mix, &options, f64::INFINITY, &truth.picture)?;
-        study.forget();
+        measured.take(Role::Mix, &options, f64::INFINITY, &reference.picture)?;
+        measured.forget();
     }
-    study.beaten = hunt.beaten;
+    measured.beaten = hunt.beaten;
     Ok(())
 }
 
 /// The runs of a knob that was turned alone, and what its notches do to an error and to `work`.
-fn turned(study: &Conduct<'_>, name: &str, best: usize, work: f64) -> (Vec<usize>, Vec<Notch>) {
-    let steps = study.knobs.iter().filter(|knob| knob.name == name).flat_map(|knob| &knob.steps);
+fn turned(measured: &Measurements<'_>, name: &str, best: usize, work: f64) -> (Vec<usize>, Vec<Notch>) {
+    let steps = measured.knobs.iter().filter(|knob| knob.name == name).flat_map(|knob| &knob.steps);
     let notch = |step: &Step| {
-        let share = study.taken[step.run].run.work / work;
+        let share = measured.taken[step.run].run.work / work;
         (step.run, Notch { error: step.alone.rmse, share })
     };
     let (runs, notches): (Vec<_>, Vec<_>) = steps.map(notch).unzip();
@@ -51,8 +55,8 @@ fn turned(study: &Conduct<'_>, name: &str, best: usize, work: f64) -> (Vec<usize
 }
 
 /// `base` with all knobs turned: each to the notch that its run at that place has.
-fn mixed(study: &Conduct<'_>, base: &Settings, runs: &[Vec<usize>], places: &[usize]) -> Settings {
-    let of = |knob: usize| &study.taken[runs[knob][places[knob]]].options;
+fn mixed(measured: &Measurements<'_>, base: &Settings, runs: &[Vec<usize>], places: &[usize]) -> Settings {
+    let of = |knob: usize| &measured.taken[runs[knob][places[knob]]].options;
     Settings {
         levels: of(0).levels,
         cutoff: of(1).cutoff,

@@ -13,6 +13,7 @@
 //! | `afford` | how large a picture there is time for |
 //! | [`bench`](mod@bench) | one setting is measured |
 //! | [`conduct`] | a study from its beginning to its end |
+//! | [`measurements`] | what was measured so far |
 //! | `knobs` | knobs turned one by one |
 //! | [`mix`] | which mixtures are worth a measurement |
 //! | `mixtures` | they are measured |
@@ -33,8 +34,8 @@ use std::time::{Duration, Instant};
 
 use afford::smaller;
 use bench::Bench;
-use conduct::Conduct;
 use error::StudyError;
+use measurements::Measurements;
 use plan::Plan;
 use progress::StudyProgress;
 use record::Study;
@@ -55,6 +56,7 @@ pub mod front;
 pub mod images;
 mod knobs;
 pub mod machine;
+pub mod measurements;
 pub mod mix;
 mod mixtures;
 pub mod options;
@@ -107,11 +109,11 @@ pub fn study(
     let own = own(scene, full, settings.threads)?;
     afford::choose(&mut bench, &plan, &own, settings.size.is_none())?;
     let size = bench.size;
-    let mut conduct = Conduct::new(&bench, &plan);
-    let truth = conduct.run(&own, &asks)?;
-    let pictures = images::all(&conduct, &truth)?;
+    let mut measured = Measurements::new(&bench, &plan);
+    let reference = conduct::run(&mut measured, &own, &asks)?;
+    let pictures = images::all(&measured, &reference)?;
     let seconds = bench.elapsed();
-    let Conduct { taken, knobs, techniques, threads, left_out, beaten, .. } = conduct;
+    let Measurements { taken, knobs, techniques, threads, left_out, beaten, .. } = measured;
     let method = record::Method {
         program: format!("strahl {}", env!("CARGO_PKG_VERSION")),
         date,
@@ -140,7 +142,7 @@ pub fn study(
             effects: asks.iter().map(|effect| effect.name().into()).collect(),
         },
         method,
-        reference: truth.reference,
+        reference: reference.reference,
         runs: taken.into_iter().map(|taken| taken.run).collect(),
         knobs,
         techniques,

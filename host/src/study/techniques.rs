@@ -9,9 +9,9 @@ use strahl_settings::{
     AccelKind, AccelSettings, Agreement, Bounds, Filter, PixelSelection, Precision, Sampling, Settings,
 };
 
-use super::conduct::{Conduct, Truth};
 use super::error::StudyError;
 use super::knobs;
+use super::measurements::{Measurements, ReferencePicture};
 use super::options::words;
 use super::record::{Role, Technique};
 
@@ -43,38 +43,50 @@ fn base(own: &Settings) -> Settings {
 }
 
 /// Measures every technique.
-pub(super) fn all(study: &mut Conduct<'_>, own: &Settings, truth: &Truth) -> Result<(), StudyError> {
+pub(super) fn all(
+    measured: &mut Measurements<'_>,
+    own: &Settings,
+    reference: &ReferencePicture,
+) -> Result<(), StudyError> {
     for pair in pairs(&base(own)) {
-        let patience = study.patience();
-        let with = study.take(Role::Technique, &pair.with, patience, &truth.picture)?;
-        let without = study.take(Role::Technique, &pair.without, patience, &truth.picture)?;
-        let error = with.zip(without).and_then(|(with, without)| study.between(with, without));
-        let given_up = without.is_none().then(|| study.given_up_after(&pair.without)).flatten();
+        let patience = measured.patience();
+        let with = measured.take(Role::Technique, &pair.with, patience, &reference.picture)?;
+        let without = measured.take(Role::Technique, &pair.without, patience, &reference.picture)?;
+        let error = with.zip(without).and_then(|(with, without)| measured.between(with, without));
+        let given_up = without.is_none().then(|| measured.given_up_after(&pair.without)).flatten();
         let Pair { name, part, off, on, exact, .. } = pair;
         let (name, part) = (name.into(), part.into());
-        study.techniques.push(Technique { name, part, off, on, without, given_up, with, exact, error });
+        measured.techniques.push(Technique { name, part, off, on, without, given_up, with, exact, error });
     }
     Ok(())
 }
 
 /// Measures both precisions.
-pub(super) fn precision(study: &mut Conduct<'_>, own: &Settings, truth: &Truth) -> Result<(), StudyError> {
+pub(super) fn precision(
+    measured: &mut Measurements<'_>,
+    own: &Settings,
+    reference: &ReferencePicture,
+) -> Result<(), StudyError> {
     let base = base(own);
     let of = |precision| Settings { precision, ..base.clone() };
-    let patience = study.patience();
-    let single = study.take(Role::Technique, &of(Precision::Single), patience, &truth.picture)?;
-    let double = study.take(Role::Technique, &of(Precision::Double), patience, &truth.picture)?;
-    knobs::precision(study, [single, double], words(&base));
+    let patience = measured.patience();
+    let single = measured.take(Role::Technique, &of(Precision::Single), patience, &reference.picture)?;
+    let double = measured.take(Role::Technique, &of(Precision::Double), patience, &reference.picture)?;
+    knobs::precision(measured, [single, double], words(&base));
     Ok(())
 }
 
 /// Measures one thread, and twice as many each time.
-pub(super) fn threads(study: &mut Conduct<'_>, own: &Settings, truth: &Truth) -> Result<(), StudyError> {
+pub(super) fn threads(
+    measured: &mut Measurements<'_>,
+    own: &Settings,
+    reference: &ReferencePicture,
+) -> Result<(), StudyError> {
     let mut threads = 1;
     while threads <= own.threads {
-        let (patience, options) = (study.patience(), Settings { threads, ..base(own) });
-        let run = study.take(Role::Threads, &options, patience, &truth.picture)?;
-        study.threads.extend(run);
+        let (patience, options) = (measured.patience(), Settings { threads, ..base(own) });
+        let run = measured.take(Role::Threads, &options, patience, &reference.picture)?;
+        measured.threads.extend(run);
         threads *= 2;
     }
     Ok(())

@@ -6,7 +6,7 @@ use super::super::front::{Point, cheapest_within, front};
 use super::super::images::LIMITS;
 use super::super::record::{Role, Run, Study};
 use super::numbers::{change, error, seconds};
-use super::{options, wide};
+use super::pieces::{options, wide};
 
 /// Runs that tell what accuracy costs, by their work.
 fn points(study: &Study) -> (Vec<&Run>, Vec<Point>) {

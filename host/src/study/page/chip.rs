@@ -7,8 +7,8 @@ use super::super::device::{Device, Row};
 use super::super::record::{Run, Study};
 use super::family::Family;
 use super::numbers::{count, error};
+use super::pieces::{options, wide};
 use super::scatter::{Dot, Scatter, legend};
-use super::{options, wide};
 
 pub fn part(study: &Study, device: &Device) -> Markup {
     html! {

@@ -5,10 +5,11 @@ use maud::{Markup, html};
 use super::super::front::Point;
 use super::super::record::{Role, Run, Study};
 use super::super::statistics::ends;
+use super::super::table::best;
 use super::family::Family;
 use super::numbers::{count, error, percent, seconds};
+use super::pieces::{options, wide, words};
 use super::scatter::{Dot, Scatter, legend};
-use super::{numbered, options, wide, words};
 
 fn dots(study: &Study, cost: fn(&Run) -> f64, spread: fn(&Run) -> Option<[f64; 2]>) -> Vec<Dot> {
     let numbers = numbered(study);
@@ -116,4 +117,21 @@ fn table(study: &Study, places: &[(usize, usize)]) -> Markup {
             }
         }
     }
+}
+
+/// The runs of the front by work that are worth a number, with their numbers from 1. One that is
+/// hardly better than the one before has none, but the last has one.
+fn numbered(study: &Study) -> Vec<(usize, usize)> {
+    const BETTER: f64 = 0.97;
+    let all = best(study, |run| run.work);
+    let mut kept: Vec<usize> = Vec::new();
+    for (index, place) in all.iter().enumerate() {
+        let error = study.runs[*place].error.rmse;
+        let is_last = index + 1 == all.len();
+        let is_better = kept.last().is_none_or(|last| error <= BETTER * study.runs[*last].error.rmse);
+        if is_better || is_last {
+            kept.push(*place);
+        }
+    }
+    kept.into_iter().enumerate().map(|(index, place)| (place, index + 1)).collect()
 }

@@ -5,9 +5,10 @@ use maud::{Markup, html};
 use super::super::record::{Knob, Step, Study};
 use super::super::statistics::ends;
 use super::family::Family;
+use super::missing;
 use super::numbers::{change, error, seconds};
+use super::pieces::{options, plural, wide};
 use super::rows::{Order, Row, draw};
-use super::{missing, options, plural, wide};
 
 pub fn part(study: &Study) -> Markup {
     html! {

@@ -6,7 +6,7 @@ use strahl_picture::colormap::{inferno, step_of};
 
 use super::super::record::{Image, Role, Shows, Study};
 use super::numbers::{error, percent, seconds};
-use super::options;
+use super::pieces::options;
 
 pub fn part(study: &Study) -> Markup {
     let of = |shows: Shows| study.pictures.iter().filter(move |it| it.shows == shows);

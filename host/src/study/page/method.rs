@@ -5,7 +5,7 @@ use maud::{Markup, html};
 use super::super::record::{Run, Study};
 use super::super::statistics::{median, spread};
 use super::numbers::{error, percent, seconds};
-use super::{options, plural};
+use super::pieces::{options, plural};
 
 pub fn part(study: &Study) -> Markup {
     let method = &study.method;

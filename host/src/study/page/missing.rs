@@ -5,7 +5,7 @@ use maud::{Markup, html};
 use super::super::images::LIMITS;
 use super::super::record::{Knob, Study};
 use super::numbers::percent;
-use super::plural;
+use super::pieces::plural;
 
 /// The smallest error that a setting is recommended for, or that can be told from chance.
 fn resolved(study: &Study) -> f64 {

@@ -23,12 +23,11 @@
 use std::fmt::Write as _;
 use std::path::Path;
 
-use indicatif::HumanCount;
 use maud::{DOCTYPE, Markup, PreEscaped, html};
 
 use super::device::Device;
-use super::record::{Run, Study};
-use super::table::best;
+use super::record::Study;
+use pieces::plural;
 
 mod brief;
 mod chip;
@@ -39,6 +38,7 @@ mod looks;
 mod method;
 mod missing;
 pub mod numbers;
+mod pieces;
 mod places;
 mod rows;
 mod scale;
@@ -107,54 +107,6 @@ pub fn page(study: &Study, device: Option<&Device>) -> String {
         }
     };
     page.into_string() + "\n"
-}
-
-/// A number of things.
-fn plural(count: usize, what: &str) -> String {
-    match count {
-        1 => format!("1 {what}"),
-        _ => format!("{} {what}s", HumanCount(count as u64)),
-    }
-}
-
-/// The runs of the front by work that are worth a number, with their numbers from 1. One that is
-/// hardly better than the one before has none, but the last has one.
-fn numbered(study: &Study) -> Vec<(usize, usize)> {
-    const BETTER: f64 = 0.97;
-    let all = best(study, |run| run.work);
-    let mut kept: Vec<usize> = Vec::new();
-    for (index, place) in all.iter().enumerate() {
-        let error = study.runs[*place].error.rmse;
-        let is_last = index + 1 == all.len();
-        let is_better = kept.last().is_none_or(|last| error <= BETTER * study.runs[*last].error.rmse);
-        if is_better || is_last {
-            kept.push(*place);
-        }
-    }
-    kept.into_iter().enumerate().map(|(index, place)| (place, index + 1)).collect()
-}
-
-/// Options of the command line, which are broken between two of them only.
-fn options(text: &str) -> Markup {
-    let separate = if text.contains("--") { " --" } else { " " };
-    html! {
-        code {
-            @for (place, word) in text.split(separate).enumerate() {
-                @if place > 0 { " " }
-                span { @if place > 0 && separate == " --" { "--" } (word) }
-            }
-        }
-    }
-}
-
-/// What a run is, in the words of the command line without the dashes.
-fn words(run: &Run) -> String {
-    run.setting.options.replace("--", "")
-}
-
-/// A table that may be wider than a phone.
-fn wide(table: Markup) -> Markup {
-    html! { div.scroll tabindex="0" { (table) } }
 }
 
 /// What a person is told at the end.

@@ -5,7 +5,7 @@ use maud::{Markup, html};
 use super::super::record::{Role, Run, Shows, Study};
 use super::looks::{picture, ramp};
 use super::numbers::{count, percent};
-use super::{options, wide};
+use super::pieces::{options, wide};
 
 const KINDS: [&str; 4] = ["camera", "reflected", "transmitted", "shadow"];
 

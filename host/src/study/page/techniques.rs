@@ -5,10 +5,11 @@ use maud::{Markup, html};
 use super::super::record::{Run, Study, Technique};
 use super::super::statistics::median;
 use super::family::round;
+use super::missing;
 use super::numbers::{change, count, error, seconds};
+use super::pieces::{plural, wide};
 use super::scale::Log;
 use super::scatter::spaced;
-use super::{missing, plural, wide};
 
 /// A technique both of whose runs are there.
 struct Shown<'s> {
