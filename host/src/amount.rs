@@ -50,7 +50,7 @@ mod tests {
                 "discs",
                 "polygons",
                 "boxes",
-                "turned boxes",
+                "oriented boxes",
                 "cones",
                 "tori"
             ]

@@ -30,7 +30,7 @@
 //! [`WIDEN`]: crate::geometry::WIDEN
 
 use super::BuildError;
-use crate::geometry::{Aabb, ItemId};
+use crate::geometry::{Aabb, ItemId, MAX_FACE_COORDINATE};
 use crate::math::{Real, Vec3, vec3};
 
 /// Equally spaced planes perpendicular to each axis.
@@ -78,9 +78,6 @@ impl CellPlanes {
         (point - self.first) / self.spacing
     }
 }
-
-/// Largest absolute coordinate of bounds, so that no distance between two of them is infinite.
-const MAX_FACE_COORDINATE: Real = Real::MAX / 8.0;
 
 /// Union of the bounds of all items, and the number of items whose bounds are not empty.
 ///

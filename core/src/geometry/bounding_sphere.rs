@@ -29,6 +29,7 @@ pub(crate) struct BoundingSphereRay<'r> {
 }
 
 impl<'r> BoundingSphereRay<'r> {
+    /// Prepares `ray` for tests of many spheres.
     pub(crate) fn new(ray: &'r Ray) -> Self {
         BoundingSphereRay {
             ray,
@@ -59,14 +60,14 @@ impl BoundingSphere {
     /// radius covers the rounding errors of both tests, which are relative to the distance from the ray's
     /// origin.
     #[inline]
-    pub(crate) fn is_hit(&self, line: &BoundingSphereRay<'_>, t_max: Real) -> bool {
-        let ray = line.ray;
+    pub(crate) fn is_hit(&self, prepared: &BoundingSphereRay<'_>, t_max: Real) -> bool {
+        let ray = prepared.ray;
         let to_center = self.center - ray.origin;
-        let t_center = to_center.dot(ray.scaled_direction) * line.inverse_length_squared;
+        let t_center = to_center.dot(ray.scaled_direction) * prepared.inverse_length_squared;
         let perpendicular = to_center - ray.scaled_direction * t_center;
         let distance = abs(to_center);
         let radius = self.radius + (self.radius + distance.x + distance.y + distance.z) * gamma(32);
-        let half_chord = radius * line.inverse_length;
+        let half_chord = radius * prepared.inverse_length;
         // NaN counts as a hit.
         let misses = self.radius < 0.0
             || perpendicular.dot(perpendicular) > radius * radius
@@ -85,7 +86,7 @@ mod tests {
     fn hits(origin: Vec3, direction: Vec3, t_max: Real) -> [bool; 2] {
         let cube = Aabb { min: Vec3::splat(-1.0), max: Vec3::ONE };
         let ray = Ray::new(origin, direction);
-        let hits_box = cube.intersect(&ray).is_some_and(|span| span.t_entry <= t_max);
+        let hits_box = cube.intersect(&ray).is_some_and(|interval| interval.t_entry <= t_max);
         [hits_box, BoundingSphere::of_box(&cube).is_hit(&BoundingSphereRay::new(&ray), t_max)]
     }
 

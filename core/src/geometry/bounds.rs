@@ -18,6 +18,9 @@ use crate::math::{Real, Vec3, abs, gamma, vec3};
 /// `(1 + gamma(3)) / (1 - gamma(3))`, about 6 roundoffs. Two more cover the multiplication by this factor.
 pub(crate) const WIDEN: Real = 1.0 + 4.0 * Real::EPSILON;
 
+/// Largest absolute coordinate of bounds, so that no difference of two coordinates overflows.
+pub(crate) const MAX_FACE_COORDINATE: Real = Real::MAX / 8.0;
+
 /// An axis-aligned bounding box. It contains its faces.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "baked", derive(zerocopy::TryFromBytes, zerocopy::KnownLayout, zerocopy::Immutable))]
@@ -50,7 +53,6 @@ impl Aabb {
     /// Whether the box is not empty and no difference of its coordinates overflows.
     #[cfg(feature = "baked")]
     pub(crate) fn is_finite(&self) -> bool {
-        const MAX_FACE_COORDINATE: Real = Real::MAX / 8.0;
         let is_in_range = |v: Vec3| {
             v.x.abs() <= MAX_FACE_COORDINATE
                 && v.y.abs() <= MAX_FACE_COORDINATE
@@ -146,7 +148,7 @@ mod tests {
 
     fn unit_cube_interval(origin: [f32; 3], direction: [f32; 3]) -> Option<(Real, Real)> {
         let v = |a: [f32; 3]| vec3(a[0] as Real, a[1] as Real, a[2] as Real);
-        UNIT.intersect(&Ray::new(v(origin), v(direction))).map(|s| (s.t_entry, s.t_exit))
+        UNIT.intersect(&Ray::new(v(origin), v(direction))).map(|interval| (interval.t_entry, interval.t_exit))
     }
 
     #[test]

@@ -43,7 +43,7 @@ impl ShapeKind {
             ShapeKind::Disc => "disc",
             ShapeKind::Polygon => "polygon",
             ShapeKind::Cuboid => "box",
-            ShapeKind::OrientedCuboid => "turned box",
+            ShapeKind::OrientedCuboid => "oriented box",
             ShapeKind::Cone => "cone",
             ShapeKind::Torus => "torus",
         }

@@ -39,8 +39,8 @@ use strahl_core::geometry::{self as error, self as item, self as kind};
 
 pub use bounding_sphere::BoundingSphere;
 pub(crate) use bounding_sphere::BoundingSphereRay;
-pub(crate) use bounds::WIDEN;
 pub use bounds::{Aabb, RayInterval};
+pub(crate) use bounds::{MAX_FACE_COORDINATE, WIDEN};
 pub use cone::Cone;
 pub use cuboid::{Cuboid, OrientedCuboid};
 pub use disc::Disc;
