@@ -62,7 +62,7 @@
 //! let pixels = Tile::whole(resolution).pixels();
 //! render(&mut tracer.with_worker(&mut Worker::new(())), &mut Single, pixels, &mut display)?;
 //! screen.assert_pattern(&["WW R"]);
-//! assert_eq!(screen.affected_area().size, Resolution::new(4, 1));
+//! assert_eq!(screen.affected_area().size, Size::new(4, 1));
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 //!

@@ -10,7 +10,7 @@ use strahl_core::image::{Display, Dither, Frame, Loose, Pixel, Sampler, Selected
 use strahl_core::render::{render_refined, render_selected};
 use strahl_core::scene::{Effects};
 use strahl_core::tally::{Tally};
-use strahl_core::{Resolution, Rgb, Single, Tile, Tracer, Worker, render};
+use strahl_core::{Rgb, Single, Tile, Tracer, Worker, render};
 
 use crate::any::{any, used};
 use crate::image::{any_tile, any_trace};
