@@ -23,6 +23,30 @@
 //! | [`scheduler`] | what comes next in a picture that becomes better pass by pass |
 //! | [`cost_map`], [`mask`], [`ray_query`] | costs of pixels, some pixels, single rays |
 //!
+//! ```
+//! use strahl_core::{Material, Projection, Resolution, SceneTables, Sphere, View, vec3};
+//! use strahl_engine::{AccelMemory, Engine, NoProgress, RenderOptions, SceneEngine};
+//! use strahl_settings::{AccelSettings, Settings};
+//!
+//! let mut tables = SceneTables::new();
+//! let matte = tables.add_material(Material::MATTE);
+//! tables.add_sphere(Sphere { center: vec3(0.0, 0.0, -5.0), radius: 1.0 }, matte);
+//! let view = View {
+//!     from: vec3(0.0, 0.0, 0.0),
+//!     at: vec3(0.0, 0.0, -1.0),
+//!     up: vec3(0.0, 1.0, 0.0),
+//!     projection: Projection::Perspective { angle: 1.0 },
+//! };
+//!
+//! let mut memory = AccelMemory::default();
+//! let engine = SceneEngine::new(tables.scene()?, view, &AccelSettings::DEFAULT, &mut memory)?;
+//! let settings = Settings { size: Resolution::new(32, 24).unwrap(), ..Settings::default() };
+//! let rendered = engine.render(&settings, &RenderOptions::default(), &NoProgress)?;
+//! assert_eq!(rendered.colors.len(), 32 * 24);
+//! assert!(rendered.counters.camera_hits > 0);
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
+//!
 //! This package knows no scene file, no command line and no terminal. It is compiled once more, for double precision, as
 //! `strahl-engine-double`: there `strahl_core` is the package `strahl-core-double`, and the modules that hold no `Real` are
 //! those of this package.

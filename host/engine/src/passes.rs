@@ -19,7 +19,7 @@ use strahl_settings::{Sampling, Settings};
 use crate::options::RenderOptions;
 use crate::progress::{Deadline, Interrupt, Progress};
 use crate::ray_tracer::{CountingRayTracer, RayTracerFactory};
-use crate::samplers::{Any, Shared};
+use crate::samplers::{AnySampler, CornerSource};
 use crate::scheduler::{Outlook, Pass, PassStats, Scheduler};
 use crate::tiles::{self, Traced, single_precision};
 
@@ -82,8 +82,8 @@ pub fn trace(
 }
 
 fn stochastic(settings: &Settings) -> Option<Stochastic> {
-    match Any::of(settings, Shared::Loose, &mut [Kept::NOTHING; 0]) {
-        Any::Stochastic(rule) => Some(rule),
+    match AnySampler::new(settings, CornerSource::Retraced, &mut [Kept::NOTHING; 0]) {
+        AnySampler::Stochastic(rule) => Some(rule),
         _ => None,
     }
 }

@@ -1,8 +1,7 @@
 //! The sampler that the settings ask for.
 //!
-//! One type for all of them, so that the loop that calls it is compiled once for each tracer
-//! and not once for each sampler: a sampler is asked once for a pixel, and calls the tracer
-//! once for a ray.
+//! One type for all of them, so that the loop over pixels is compiled once and not for every sampler: a sampler is called
+//! once for each pixel, and calls the ray tracer once for each ray.
 
 use strahl_core::Real;
 use strahl_core::image::{
@@ -12,64 +11,64 @@ use strahl_core::trace::{PixelSample, RayTracer};
 use strahl_settings::{Sampling, Settings};
 
 /// Any of the samplers.
-pub enum Any<'m> {
-    /// Of a fixed raster.
+pub enum AnySampler<'m> {
+    /// On a regular raster.
     Regular(Regular),
-    /// Of no raster.
+    /// Without a raster.
     Stochastic(Stochastic),
-    /// Of the corners, and more.
-    Adaptive(Adaptive<'m, Shared<'m>>),
+    /// Through the corners of pixels, and of their quarters.
+    Adaptive(Adaptive<'m, CornerSource<'m>>),
 }
 
 /// Where corners come from.
 #[derive(Clone, Copy)]
-pub enum Shared<'m> {
-    /// From all of them, traced before.
+pub enum CornerSource<'m> {
+    /// All of them have been traced before.
     Lattice(Lattice<'m>),
-    /// From the sampler's memory.
-    Loose,
+    /// Each pixel traces its own.
+    Retraced,
 }
 
-impl Corners for Shared<'_> {
+impl Corners for CornerSource<'_> {
     fn corners(&mut self, cell: Pixel, find: &mut impl FnMut(Pixel) -> PixelSample) -> [PixelSample; 4] {
         match self {
-            Shared::Lattice(lattice) => lattice.corners(cell, find),
-            Shared::Loose => Loose.corners(cell, find),
+            CornerSource::Lattice(lattice) => lattice.corners(cell, find),
+            CornerSource::Retraced => Loose.corners(cell, find),
         }
     }
 }
 
-impl Sampler for Any<'_> {
+impl Sampler for AnySampler<'_> {
     fn sample_pixel<R: RayTracer + ?Sized>(&mut self, pixel: Pixel, tracer: &mut R) -> PixelSample {
         match self {
-            Any::Regular(it) => it.sample_pixel(pixel, tracer),
-            Any::Stochastic(it) => it.sample_pixel(pixel, tracer),
-            Any::Adaptive(it) => it.sample_pixel(pixel, tracer),
+            AnySampler::Regular(it) => it.sample_pixel(pixel, tracer),
+            AnySampler::Stochastic(it) => it.sample_pixel(pixel, tracer),
+            AnySampler::Adaptive(it) => it.sample_pixel(pixel, tracer),
         }
     }
 
     fn begin(&mut self) {
         match self {
-            Any::Regular(it) => it.begin(),
-            Any::Stochastic(it) => it.begin(),
-            Any::Adaptive(it) => it.begin(),
+            AnySampler::Regular(it) => it.begin(),
+            AnySampler::Stochastic(it) => it.begin(),
+            AnySampler::Adaptive(it) => it.begin(),
         }
     }
 }
 
-impl<'m> Any<'m> {
-    /// The sampler that the settings ask for. `corners` and `lent` are for one that shares corners.
+impl<'m> AnySampler<'m> {
+    /// The sampler that the settings ask for. `corners` and `cache` are for one that shares corners.
     ///
     /// Numbers out of range, which the command line refuses, become one ray in each pixel.
-    pub fn of(settings: &Settings, corners: Shared<'m>, lent: &'m mut [Kept]) -> Self {
+    pub fn new(settings: &Settings, corners: CornerSource<'m>, cache: &'m mut [Kept]) -> Self {
         let (filter, seed) = (filter(settings.filter), settings.seed);
         let regular = |n| Regular::new(n).unwrap_or(Regular::ONE).filtered(filter).seeded(seed);
         match settings.sampler {
-            Sampling::Single => Any::Regular(regular(1)),
-            Sampling::Regular(n) => Any::Regular(regular(n)),
+            Sampling::Single => AnySampler::Regular(regular(1)),
+            Sampling::Regular(n) => AnySampler::Regular(regular(n)),
             Sampling::Adaptive { .. } => match parting(settings) {
-                Some(parting) => Any::Adaptive(Adaptive::new(parting, corners, lent)),
-                None => Any::Regular(regular(1)),
+                Some(parting) => AnySampler::Adaptive(Adaptive::new(parting, corners, cache)),
+                None => AnySampler::Regular(regular(1)),
             },
             Sampling::Stochastic { least, most, confidence } => {
                 #[allow(clippy::unnecessary_cast)] // in double precision
@@ -78,15 +77,15 @@ impl<'m> Any<'m> {
                     tolerance: Real::from(confidence.tolerance),
                 };
                 match Stochastic::between(least, most, ends) {
-                    Some(it) => Any::Stochastic(it.filtered(filter).seeded(seed)),
-                    None => Any::Regular(regular(1)),
+                    Some(it) => AnySampler::Stochastic(it.filtered(filter).seeded(seed)),
+                    None => AnySampler::Regular(regular(1)),
                 }
             }
         }
     }
 }
 
-/// How pixels are parted, where they are.
+/// How pixels are subdivided, where they are.
 pub fn parting(settings: &Settings) -> Option<Parting> {
     match settings.sampler {
         Sampling::Adaptive { depth, agreement: it } => {

@@ -1,9 +1,8 @@
 //! Tiles and threads.
 //!
-//! The picture is cut into tiles, which idle threads take one by one. Each tile is traced by a
-//! worker of its own into memory of its own, so the threads change neither the picture nor the
-//! counts. What tiles share, the corners of pixels or a coarse raster of pixels, is traced
-//! before, in tiles of its own.
+//! The picture is cut into tiles, which idle threads take one by one. Each tile is traced by a ray tracer of its own into
+//! memory of its own, so the number of threads changes neither the picture nor the counts. What tiles share, the corners of
+//! pixels or a coarse raster of pixels, is traced before, in tiles of its own.
 
 use rayon::prelude::*;
 
@@ -18,10 +17,10 @@ use crate::options::RenderOptions;
 use crate::output::Color;
 use crate::progress::{Interrupt, Progress};
 use crate::ray_tracer::RayTracerFactory;
-use crate::samplers::{Any, Shared, parting, selection};
+use crate::samplers::{AnySampler, CornerSource, parting, selection};
 
-/// The most places that a sampler keeps in one tile.
-const MOST_KEPT: usize = 1 << 14;
+/// The most samples that are cached for one tile.
+const MOST_CACHED: usize = 1 << 14;
 
 /// Records of pixels, row by row, and the work.
 pub type Traced<R> = (Vec<R>, Counters);
@@ -33,12 +32,12 @@ pub fn trace(
     options: &RenderOptions<'_>,
     progress: &dyn Progress,
 ) -> Result<Traced<Rgb>, Interrupt> {
-    let work = Work { ray_tracers, settings, options, whole: settings.area(), progress };
+    let renderer = TileRenderer { ray_tracers, settings, options, area: settings.area(), progress };
     let pool = rayon::ThreadPoolBuilder::new().num_threads(settings.threads).build();
     // Without a pool of its own the work is done by the pool of the process.
     let run = || match selection(settings) {
-        Some(selection) => work.selected(selection),
-        None => work.all(),
+        Some(selection) => renderer.selected(selection),
+        None => renderer.all(),
     };
     match pool {
         Ok(pool) => pool.install(run),
@@ -53,60 +52,60 @@ pub fn single_precision(colors: Vec<Rgb>) -> Vec<Color> {
     colors.into_iter().map(narrow).collect()
 }
 
-/// What is done, and what is requested.
-struct Work<'w> {
+/// A picture that is traced tile by tile.
+struct TileRenderer<'w> {
     ray_tracers: &'w dyn RayTracerFactory,
     settings: &'w Settings,
     options: &'w RenderOptions<'w>,
     /// The pixels of the picture.
-    whole: Tile,
+    area: Tile,
     progress: &'w dyn Progress,
 }
 
-/// What pixels are traced for.
+/// What rays are traced for.
 #[derive(Clone, Copy)]
-enum Rays<'c> {
-    /// For their upper left corners, which more than one of them needs.
+enum Target<'c> {
+    /// The upper left corners of pixels, which neighbours share.
     Corners(Parting),
-    /// For a raster of pixels, each at the corner of a block.
+    /// A raster of pixels, each at the corner of a block.
     Raster(Selection),
-    /// For themselves, their corners being known or not.
-    Themselves(Shared<'c>),
+    /// Pixels, whose corners may be known.
+    Pixels(CornerSource<'c>),
 }
 
-impl Work<'_> {
+impl TileRenderer<'_> {
     /// Traces every pixel that is requested.
     fn all(&self) -> Result<Traced<Rgb>, Interrupt> {
         // All corners first, where all pixels are requested, so that none is traced twice.
         let (lattice, mut counts): Traced<PixelSample> = match parting(self.settings) {
             Some(parting) if self.options.mask.is_none() => {
-                self.pixels(Lattice::tile(self.whole), Rays::Corners(parting))?
+                self.pixels(Lattice::tile(self.area), Target::Corners(parting))?
             }
             _ => Default::default(),
         };
-        let corners = Lattice::new(self.whole, &lattice).map_or(Shared::Loose, Shared::Lattice);
-        let (colors, counted) = self.pixels(self.whole, Rays::Themselves(corners))?;
+        let corners = Lattice::new(self.area, &lattice).map_or(CornerSource::Retraced, CornerSource::Lattice);
+        let (colors, counted) = self.pixels(self.area, Target::Pixels(corners))?;
         counts.add(&counted);
         Ok((colors, counts))
     }
 
     /// Traces some pixels, and interpolates the others that are requested.
     fn selected(&self, selection: Selection) -> Result<Traced<Rgb>, Interrupt> {
-        let blocks = selection.blocks(self.whole);
+        let blocks = selection.blocks(self.area);
         let (raster, mut counts): Traced<PixelSample> = match self.options.mask {
-            None => self.pixels(Lattice::tile(blocks), Rays::Raster(selection))?,
+            None => self.pixels(Lattice::tile(blocks), Target::Raster(selection))?,
             Some(_) => Default::default(),
         };
-        let corners = Lattice::new(blocks, &raster).map_or(Shared::Loose, Shared::Lattice);
+        let corners = Lattice::new(blocks, &raster).map_or(CornerSource::Retraced, CornerSource::Lattice);
 
         // Blocks share what lies between them within a tile, so tiles are larger.
         let side = (2 * self.options.tile_side / selection.step()).max(1);
-        let area = |blocks| selection.area(blocks).within(self.whole);
+        let area = |blocks| selection.area(blocks).within(self.area);
         let (colors, counted) = self.tiles(blocks, side, area, |blocks, canvas| {
-            let (mut lent, mut kept) = (self.lend(area(blocks)), lend(area(blocks)));
+            let (mut cache, mut block_cache) = (self.sampler_cache(area(blocks)), cache_for(area(blocks)));
             let mut ray_tracer = self.ray_tracers.ray_tracer(self.progress);
-            let sampler = Any::of(self.settings, Shared::Loose, &mut lent);
-            let mut selected = Selected::new(selection, sampler, corners, &mut kept);
+            let sampler = AnySampler::new(self.settings, CornerSource::Retraced, &mut cache);
+            let mut selected = Selected::new(selection, sampler, corners, &mut block_cache);
             let is_requested = |block: &Pixel| {
                 let block = Tile { first: *block, width: 1, height: 1 };
                 self.options.mask.is_none()
@@ -121,23 +120,23 @@ impl Work<'_> {
     }
 
     /// Traces the pixels of `area` that are requested.
-    fn pixels<R: Record + Send>(&self, area: Tile, rays: Rays<'_>) -> Result<Traced<R>, Interrupt> {
+    fn pixels<R: Record + Send>(&self, area: Tile, target: Target<'_>) -> Result<Traced<R>, Interrupt> {
         self.tiles(
             area,
             self.options.tile_side,
             |tile| tile,
             |tile, canvas| {
-                let mut lent = self.lend(tile);
+                let mut cache = self.sampler_cache(tile);
                 let mut ray_tracer = self.ray_tracers.ray_tracer(self.progress);
                 let (tracer, all) = (ray_tracer.as_mut(), tile.pixels());
-                match rays {
-                    Rays::Corners(parting) => render(tracer, &mut Corner(parting), all, canvas)?,
-                    Rays::Raster(selection) => {
-                        let sampler = Any::of(self.settings, Shared::Loose, &mut lent);
+                match target {
+                    Target::Corners(parting) => render(tracer, &mut Corner(parting), all, canvas)?,
+                    Target::Raster(selection) => {
+                        let sampler = AnySampler::new(self.settings, CornerSource::Retraced, &mut cache);
                         render(tracer, &mut selection.raster(sampler), all, canvas)?;
                     }
-                    Rays::Themselves(corners) => {
-                        let mut sampler = Any::of(self.settings, corners, &mut lent);
+                    Target::Pixels(corners) => {
+                        let mut sampler = AnySampler::new(self.settings, corners, &mut cache);
                         render(
                             tracer,
                             &mut sampler,
@@ -190,18 +189,18 @@ impl Work<'_> {
         Ok((picture, counts))
     }
 
-    /// Memory for a sampler that keeps places; to make it takes longer than an easy pixel.
-    fn lend(&self, tile: Tile) -> Vec<Kept> {
-        if parting(self.settings).is_some() { lend(tile) } else { Vec::new() }
+    /// The cache of a sampler that has one; making it takes longer than an easy pixel.
+    fn sampler_cache(&self, tile: Tile) -> Vec<Kept> {
+        if parting(self.settings).is_some() { cache_for(tile) } else { Vec::new() }
     }
 }
 
-/// Memory for the places that are kept while `tile` is worked on.
-fn lend(tile: Tile) -> Vec<Kept> {
-    vec![Kept::NOTHING; MOST_KEPT.min(16 * tile.len())]
+/// A cache for the samples of a tile.
+fn cache_for(tile: Tile) -> Vec<Kept> {
+    vec![Kept::NOTHING; MOST_CACHED.min(16 * tile.len())]
 }
 
-/// The pixels of one tile, until a signal comes.
+/// The pixels of one tile, until the work is interrupted.
 struct Canvas<'m, R> {
     tile: Tile,
     records: &'m mut [R],

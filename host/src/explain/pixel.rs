@@ -11,7 +11,7 @@ use strahl_core::scene::CameraSample;
 use strahl_core::trace::PixelSample;
 use strahl_core::{AllEffects, Camera, Rgb, Tracer, Worker, World};
 use strahl_engine::RenderError;
-use strahl_engine::samplers::{Any, Shared};
+use strahl_engine::samplers::{AnySampler, CornerSource};
 use strahl_settings::{LEVELS, Settings};
 
 use super::names::Names;
@@ -52,8 +52,8 @@ pub fn trace(description: &Description, settings: &Settings, pixel: Pixel) -> Re
         seen.places.push((place, sight));
         sight
     };
-    let (color, parts) = match Any::of(settings, Shared::Loose, &mut [Kept::NOTHING; 0]) {
-        Any::Adaptive(mut sampler) => {
+    let (color, parts) = match AnySampler::new(settings, CornerSource::Retraced, &mut [Kept::NOTHING; 0]) {
+        AnySampler::Adaptive(mut sampler) => {
             let mut parts = Vec::new();
             // Parts share their corners, and none is told twice.
             let mut known: Vec<(CameraSample, PixelSample)> = Vec::new();
