@@ -15,7 +15,7 @@ mod golden;
 use std::error::Error;
 use std::path::{Path, PathBuf};
 
-use strahl::bake::{Asked, bake, chip, counted, source};
+use strahl::bake::{BakeSettings, bake, chip, counted, source};
 use strahl::load::load_for;
 use strahl::stock::single::{scene_tables, view};
 use strahl_core::accel::{List, group_count};
@@ -87,7 +87,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     let constants = strahl_core::Scene::new(golden::parts())?;
     let (view, size, limits) = (golden::VIEW, golden::SIZE, golden::LIMITS);
     let Limits { levels, cutoff } = limits;
-    let asked = Asked { accelerator: AccelKind::Grid, nodes: None, view, size, levels, cutoff };
+    let asked = BakeSettings { accelerator: AccelKind::Grid, nodes: None, view, size, levels, cutoff };
     bake_and_draw("golden", &constants, &asked, &folder)?;
     if let Some(databases) = arguments.next() {
         make(&BALLS, &databases.join(BALLS.file), &folder)?;
@@ -123,7 +123,7 @@ fn make(scene: &Scene, file: &Path, folder: &Path) -> Result<(), Box<dyn Error>>
     let stock = scene_tables(&description);
     let Scene { name, accelerator, size, levels, nodes, .. } = *scene;
     let cutoff = Limits::DEFAULT.cutoff;
-    let asked = Asked { accelerator, nodes, view: view(&description.view), size, levels, cutoff };
+    let asked = BakeSettings { accelerator, nodes, view: view(&description.view), size, levels, cutoff };
     let tables = stock.scene()?;
     // What the program would say of it.
     let count = counted(&description, &asked)?;
@@ -145,7 +145,7 @@ fn pixels(size: Resolution) -> u64 {
 fn bake_and_draw(
     name: &str,
     tables: &strahl_core::Scene<'_>,
-    asked: &Asked,
+    asked: &BakeSettings,
     folder: &Path,
 ) -> Result<(), Box<dyn Error>> {
     std::fs::write(folder.join(name).with_extension("strahl"), bake(tables, asked)?)?;

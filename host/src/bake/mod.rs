@@ -2,6 +2,9 @@
 
 pub mod chip;
 mod rust;
+mod settings;
+
+pub use settings::BakeSettings;
 
 use std::fmt::Write as _;
 use std::path::Path;
@@ -13,7 +16,7 @@ use strahl_core::baked::{Baking, Finder, Pack};
 use strahl_core::geometry::Aabb;
 use strahl_core::scene::EffectSet;
 use strahl_core::tally::Counters;
-use strahl_core::{BareList, Projection, Resolution, Scene, View, Worker};
+use strahl_core::{BareList, Projection, Resolution, Scene, Worker};
 use strahl_engine::{NoProgress, RenderError, RenderOptions};
 use strahl_settings::accelerator::MAILBOX;
 use strahl_settings::{
@@ -29,23 +32,6 @@ use crate::load::{Files, load_from};
 use crate::output::{Guard, refuse_terminal, say, tell};
 use crate::session;
 use crate::stock::single::{self, scene_tables};
-
-/// What is baked beside the scene.
-#[derive(Clone, Copy, Debug)]
-pub struct Asked {
-    /// How items are found.
-    pub accelerator: AccelKind,
-    /// The most nodes of a hierarchy or an octree: less flash for larger leaves.
-    pub nodes: Option<usize>,
-    /// How it is looked at.
-    pub view: View,
-    /// The size of the picture.
-    pub size: Resolution,
-    /// Levels of rays.
-    pub levels: u8,
-    /// A ray is sent when more than this of it counts.
-    pub cutoff: f32,
-}
 
 /// Bakes one scene.
 pub fn run(args: &BakeArgs) -> Result<(), Failure> {
@@ -67,7 +53,7 @@ pub fn run(args: &BakeArgs) -> Result<(), Failure> {
     let scene = stock.scene().map_err(|error| wrong(error.to_string()))?;
     let Settings { size, levels, cutoff, .. } =
         Settings::resolve(&args.settings.given, &description.settings)?;
-    let asked = Asked {
+    let asked = BakeSettings {
         accelerator: args.accel.and_then(Accel::kind).unwrap_or(AccelKind::Bvh),
         nodes: args.nodes.map(|nodes| nodes as usize),
         view: single::view(&description.view),
@@ -103,13 +89,13 @@ fn left_out(settings: &PartialSettings) -> Vec<String> {
 }
 
 /// The scene as Rust constants, named after a file.
-pub fn source(path: &Path, scene: &Scene<'_>, asked: &Asked) -> String {
+pub fn source(path: &Path, scene: &Scene<'_>, asked: &BakeSettings) -> String {
     rust::source(path, scene, asked)
 }
 
 /// What happens in the picture that is asked for, or in one of its shape of at most so many pixels:
 /// more of them would tell no more about one.
-pub fn counted(description: &Description, asked: &Asked) -> Result<Counted, RenderError> {
+pub fn counted(description: &Description, asked: &BakeSettings) -> Result<Counted, RenderError> {
     const MOST: u64 = 160 * 120;
     let (width, height) = (asked.size.width(), asked.size.height());
     let pixels = u64::from(width) * u64::from(height);
@@ -134,11 +120,11 @@ pub struct Counted {
 }
 
 /// The bytes of a scene and the accelerator that is asked for.
-pub fn bake(scene: &Scene<'_>, asked: &Asked) -> Result<Vec<u8>, String> {
+pub fn bake(scene: &Scene<'_>, asked: &BakeSettings) -> Result<Vec<u8>, String> {
     let boxes: Vec<Aabb> = scene.parts().geometry.all_bounds().collect();
     let fault = |error: strahl_core::accel::BuildError| error.to_string();
     let with = |finder: Finder<'_>| {
-        let Asked { view, size, levels, cutoff, .. } = *asked;
+        let BakeSettings { view, size, levels, cutoff, .. } = *asked;
         let baking = Baking { scene: *scene, view, size, levels, cutoff, finder };
         let mut bytes = Vec::with_capacity(baking.bytes().unwrap_or(0) as usize);
         if !baking.pour(|piece| bytes.extend_from_slice(piece)) {
@@ -169,7 +155,7 @@ pub fn bake(scene: &Scene<'_>, asked: &Asked) -> Result<Vec<u8>, String> {
 }
 
 /// What a device must have for it.
-fn needs(path: &Path, scene: &Scene<'_>, asked: &Asked, bytes: usize, counted: &Counted) -> String {
+fn needs(path: &Path, scene: &Scene<'_>, asked: &BakeSettings, bytes: usize, counted: &Counted) -> String {
     const SLOTS: usize = MAILBOX;
     const PLACES: usize = 32;
     let tables = scene.parts().bytes();

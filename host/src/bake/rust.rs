@@ -10,10 +10,10 @@ use strahl_core::{
     Vec3, View,
 };
 
-use super::Asked;
+use super::settings::BakeSettings;
 
 /// A room of constants: `PARTS`, `VIEW`, `SIZE`, `LIMITS`, `ITEMS`, and `Asked`, the effects.
-pub(super) fn source(path: &Path, scene: &Scene<'_>, asked: &Asked) -> String {
+pub(super) fn source(path: &Path, scene: &Scene<'_>, asked: &BakeSettings) -> String {
     let parts = scene.parts();
     let name = path.file_name().unwrap_or_default().to_string_lossy().replace(['\n', '\r'], " ");
     let (width, height) = (asked.size.width(), asked.size.height());
