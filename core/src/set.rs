@@ -55,6 +55,11 @@ macro_rules! bit_set {
                 Self(self.0 | other.0)
             }
 
+            /// The kinds that are in this set and not in `other`.
+            pub const fn difference(self, other: Self) -> Self {
+                Self(self.0 & !other.0)
+            }
+
             /// The kinds in this set, in the order of their declaration.
             pub fn iter(self) -> impl Iterator<Item = $Kind> {
                 $Kind::ALL.into_iter().filter(move |kind| self.contains(*kind))

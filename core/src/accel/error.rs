@@ -47,16 +47,16 @@ impl fmt::Display for BuildError {
         match self {
             BuildError::BufferTooSmall { buffer, needed, provided } => {
                 let name = match buffer {
-                    Buffer::ItemBounds => "boxes",
-                    Buffer::GroupBounds => "groups",
+                    Buffer::ItemBounds => "item bounds",
+                    Buffer::GroupBounds => "group bounds",
                     Buffer::Cells => "cells",
                     Buffer::Nodes => "nodes",
-                    Buffer::Entries => "places for items",
-                    Buffer::TriangleBlocks => "runs",
+                    Buffer::Entries => "entries",
+                    Buffer::TriangleBlocks => "triangle blocks",
                 };
-                write!(f, "{needed} {name} needed, {provided} lent")
+                write!(f, "{name}: {needed} needed, {provided} provided")
             }
-            BuildError::NotFinite { item } => write!(f, "object {}: its box has no end", item.0),
+            BuildError::NotFinite { item } => write!(f, "object {}: its bounds are not finite", item.0),
         }
     }
 }

@@ -5,7 +5,7 @@ use core::fmt;
 use crate::scene::SceneError;
 
 /// Why bytes are no baked scene.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 #[non_exhaustive]
 pub enum PackError {
     /// They do not begin at an address that 4 divides.

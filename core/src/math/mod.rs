@@ -8,6 +8,8 @@
 //! only square root.
 
 mod color;
+#[cfg(not(feature = "double"))]
+mod decimal;
 mod float;
 pub(crate) mod morton;
 mod real4;
@@ -17,6 +19,8 @@ mod srgb;
 mod warp;
 
 pub use color::Rgb;
+#[cfg(not(feature = "double"))]
+pub(crate) use decimal::Decimal;
 #[cfg(test)]
 pub(crate) use float::acos;
 pub use float::sqrt;

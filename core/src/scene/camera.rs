@@ -1,6 +1,6 @@
 //! From a place in the picture to a ray.
 
-use super::{Resolution, ViewFault};
+use super::{Resolution, ViewFault, check};
 use crate::geometry::Ray;
 use crate::math::{
     MAX_COORDINATE, PI, Real, SobolSequence, Vec3, is_in_range, sample_disc_concentric, tan, try_normalize,
@@ -88,7 +88,7 @@ impl Camera {
     /// The camera of `view` for pictures of `size`.
     pub fn new(view: &View, size: Resolution) -> Result<Self, ViewFault> {
         if !(is_in_range(view.from) && is_in_range(view.at) && view.up.is_finite()) {
-            return Err(ViewFault::Place);
+            return Err(ViewFault::Coordinate);
         }
         let forward = try_normalize(view.at - view.from).ok_or(ViewFault::NoDirection)?;
         let up = try_normalize(view.up).ok_or(ViewFault::NoUp)?;
@@ -102,16 +102,17 @@ impl Camera {
         let rows = if size.height() > 1 { size.height() - 1 } else { 1 } as Real;
         let mut lens = [0.0; 2];
         let (height, parallel) = match view.projection {
-            Projection::Perspective { angle } if angle > 0.0 && angle < PI => (2.0 * tan(0.5 * angle), false),
-            Projection::Lens { angle, radius, focus } if angle > 0.0 && angle < PI => {
-                if !(radius > 0.0 && radius <= MAX_COORDINATE && focus > 0.0 && focus <= MAX_COORDINATE) {
-                    return Err(ViewFault::Lens);
-                }
+            Projection::Perspective { angle } => (film_height(angle)?, false),
+            Projection::Lens { angle, radius, focus } => {
+                positive(radius, ViewFault::Radius)?;
+                positive(focus, ViewFault::Focus)?;
                 lens = [radius, focus];
-                (2.0 * tan(0.5 * angle), false)
+                (film_height(angle)?, false)
             }
-            Projection::Orthographic { height } if height > 0.0 && height <= 1e15 => (height, true),
-            _ => return Err(ViewFault::Angle),
+            Projection::Orthographic { height } => {
+                positive(height, ViewFault::Height)?;
+                (height, true)
+            }
         };
         let step = height / rows;
         let middle = FilmPoint { x: 0.5 * size.width() as Real, y: 0.5 * size.height() as Real };
@@ -160,6 +161,20 @@ impl Camera {
     }
 }
 
+/// The height of the film at a distance of 1 that is seen in `angle`.
+fn film_height(angle: Real) -> Result<Real, ViewFault> {
+    if angle > 0.0 && angle < PI {
+        Ok(2.0 * tan(0.5 * angle))
+    } else {
+        Err(ViewFault::Angle(check::single(angle)))
+    }
+}
+
+/// Whether a length is more than 0 and in range.
+fn positive(length: Real, error: fn(f32) -> ViewFault) -> Result<(), ViewFault> {
+    if length > 0.0 && length <= MAX_COORDINATE { Ok(()) } else { Err(error(check::single(length))) }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -203,10 +218,10 @@ mod tests {
         assert_eq!(fault(View { at: VIEW.from, ..VIEW }), ViewFault::NoDirection);
         assert_eq!(fault(View { up: vec3(0.0, 0.0, 2.0), ..VIEW }), ViewFault::NoUp);
         assert_eq!(fault(View { up: Vec3::ZERO, ..VIEW }), ViewFault::NoUp);
-        assert_eq!(fault(View { from: vec3(Real::NAN, 0.0, 0.0), ..VIEW }), ViewFault::Place);
+        assert_eq!(fault(View { from: vec3(Real::NAN, 0.0, 0.0), ..VIEW }), ViewFault::Coordinate);
         for angle in [0.0, -1.0, PI, 4.0, Real::NAN] {
             let projection = Projection::Perspective { angle };
-            assert_eq!(fault(View { projection, ..VIEW }), ViewFault::Angle);
+            assert!(matches!(fault(View { projection, ..VIEW }), ViewFault::Angle(_)));
         }
         assert!(Resolution::new(0, 4).is_none() && Resolution::new(4, Resolution::MOST + 1).is_none());
     }

@@ -1,5 +1,7 @@
 //! Sets of effects.
 
+use core::fmt;
+
 use super::{LightSet, TextureSet};
 use crate::geometry::ShapeSet;
 
@@ -73,6 +75,26 @@ impl EffectSet {
         motion: true,
     };
 
+    /// What is in this set and not in `other`.
+    pub const fn difference(&self, other: &EffectSet) -> EffectSet {
+        EffectSet {
+            shapes: self.shapes.difference(other.shapes),
+            lights: self.lights.difference(other.lights),
+            textures: self.textures.difference(other.textures),
+            smooth: self.smooth && !other.smooth,
+            highlight: self.highlight && !other.highlight,
+            shadows: self.shadows && !other.shadows,
+            reflection: self.reflection && !other.reflection,
+            transmission: self.transmission && !other.transmission,
+            absorption: self.absorption && !other.absorption,
+            colored_shadows: self.colored_shadows && !other.colored_shadows,
+            penumbra: self.penumbra && !other.penumbra,
+            lens: self.lens && !other.lens,
+            gloss: self.gloss && !other.gloss,
+            motion: self.motion && !other.motion,
+        }
+    }
+
     /// Whether everything in `other` is in this set.
     pub const fn contains(&self, other: &EffectSet) -> bool {
         const fn implied(asked: bool, able: bool) -> bool {
@@ -92,6 +114,35 @@ impl EffectSet {
             && implied(other.lens, self.lens)
             && implied(other.gloss, self.gloss)
             && implied(other.motion, self.motion)
+    }
+}
+
+/// The effects in words, with commas between them.
+impl fmt::Display for EffectSet {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let named = |is_there: bool, name: &'static str| is_there.then_some([name, ""]);
+        let shapes = self.shapes.iter().map(|kind| [kind.name(), " shapes"]);
+        let lights = self.lights.iter().map(|kind| [kind.name(), " lights"]);
+        let textures = self.textures.iter().map(|kind| [kind.name(), " textures"]);
+        let others = [
+            named(self.smooth, "interpolated normals"),
+            named(self.highlight, "highlights"),
+            named(self.shadows, "shadows"),
+            named(self.reflection, "reflection"),
+            named(self.transmission, "transmission"),
+            named(self.absorption, "absorption"),
+            named(self.colored_shadows, "colored shadows"),
+            named(self.penumbra, "penumbra"),
+            named(self.lens, "a lens"),
+            named(self.gloss, "gloss"),
+            named(self.motion, "motion"),
+        ];
+        let all = shapes.chain(lights).chain(textures).chain(others.into_iter().flatten());
+        for ([name, suffix], index) in all.zip(0_u8..) {
+            let separator = if index > 0 { ", " } else { "" };
+            write!(f, "{separator}{name}{suffix}")?;
+        }
+        Ok(())
     }
 }
 

@@ -2,106 +2,90 @@
 
 use core::fmt;
 
-use super::MaterialId;
+use super::{FieldError, MaterialId};
 use crate::geometry::{ItemId, ShapeError};
+use crate::math::Decimal;
 
-/// Why parts do not make a scene.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+/// Why the tables of a scene are not valid.
+#[derive(Clone, Copy, Debug, PartialEq)]
 #[non_exhaustive]
 pub enum SceneError {
     /// There are more items than numbers for them.
     TooManyItems,
-    /// This shape is none.
+    /// There are more materials than a [`MaterialId`] can tell apart: 65,536.
+    TooManyMaterials,
+    /// The shape of this item is invalid.
     Shape(ItemId, ShapeError),
-    /// This material, a place in its table, is out of range.
-    Material(MaterialId, MaterialFault),
-    /// The material of this item is not told or does not exist.
+    /// A field of this material is out of range.
+    Material(MaterialId, FieldError),
+    /// `made_of` has no entry for this item, or one that is not in the table of materials.
     NoMaterial(ItemId),
-    /// The light at this place in the table is out of range.
-    Light(usize),
-    /// The texture at this place in the table is out of range.
-    Texture(usize),
-    /// The ambient light or the background is out of range.
-    Surroundings,
+    /// A field of the light with this index is out of range.
+    Light(usize, FieldError),
+    /// A field of the texture with this index is out of range.
+    Texture(usize, FieldError),
+    /// The ambient light is out of range.
+    Ambient(FieldError),
+    /// A field of the background is out of range.
+    Background(FieldError),
 }
 
 impl fmt::Display for SceneError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             SceneError::TooManyItems => write!(f, "more items than a scene can number"),
-            SceneError::Shape(item, fault) => write!(f, "object {}: {fault}", item.0),
-            SceneError::Material(material, fault) => write!(f, "material {}: {fault}", material.0),
-            SceneError::NoMaterial(item) => write!(f, "object {}: it has no material", item.0),
-            SceneError::Light(light) => write!(f, "light {light}: a number is out of range"),
-            SceneError::Texture(texture) => write!(f, "texture {texture}: a number is out of range"),
-            SceneError::Surroundings => write!(f, "ambient light or background: a number is out of range"),
+            SceneError::TooManyMaterials => write!(f, "more than 65536 materials"),
+            SceneError::Shape(item, error) => write!(f, "object {}: {error}", item.0),
+            SceneError::Material(material, error) => write!(f, "material {}: {error}", material.0),
+            SceneError::NoMaterial(item) => {
+                write!(f, "object {}: `made_of` names no entry of `materials`", item.0)
+            }
+            SceneError::Light(light, error) => write!(f, "light {light}: {error}"),
+            SceneError::Texture(texture, error) => write!(f, "texture {texture}: {error}"),
+            SceneError::Ambient(error) => write!(f, "scene: {error}"),
+            SceneError::Background(error) => write!(f, "background: {error}"),
         }
     }
 }
 
 impl core::error::Error for SceneError {}
 
-/// Why a material cannot be part of a scene.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-#[non_exhaustive]
-pub enum MaterialFault {
-    /// A colour has a channel outside `0..=1e6`.
-    Color,
-    /// A mirrored or transmitted share has a channel outside `0..=1`.
-    Share,
-    /// The exponent of the highlight is outside `0..=1e6`.
-    Exponent,
-    /// The index of refraction is outside `0.01..=100`.
-    Index,
-    /// The roughness is outside `0..=1`.
-    Roughness,
-    /// The clarity is zero, below zero or no number.
-    Clarity,
-    /// The texture is outside its table.
-    Texture,
-}
-
-impl fmt::Display for MaterialFault {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(match self {
-            MaterialFault::Color => "a colour is not in 0..=1e6",
-            MaterialFault::Share => "a mirrored or transmitted share is not in 0..=1",
-            MaterialFault::Exponent => "the highlight's exponent is not in 0..=1e6",
-            MaterialFault::Index => "the index of refraction is not in 0.01..=100",
-            MaterialFault::Roughness => "the roughness is not in 0..=1",
-            MaterialFault::Clarity => "the clarity is not more than zero",
-            MaterialFault::Texture => "the texture does not exist",
-        })
-    }
-}
-
-impl core::error::Error for MaterialFault {}
-
-/// Why a view shows nothing.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+/// Why there is no camera for a view.
+#[derive(Clone, Copy, Debug, PartialEq)]
 #[non_exhaustive]
 pub enum ViewFault {
-    /// A coordinate is no number or too far away.
-    Place,
-    /// The eye is at the point it looks at.
+    /// A coordinate of `from` or `at` is NaN or not within 1e15 of zero, or `up` is not finite.
+    Coordinate,
+    /// `from` and `at` are the same point.
     NoDirection,
-    /// Up is zero or parallel to the line of sight.
+    /// `up` is zero or parallel to the line of sight.
     NoUp,
-    /// The angle is not between zero and half a turn, or the height not more than zero.
-    Angle,
-    /// The radius of the lens or its focus is out of range.
-    Lens,
+    /// The angle of the projection, in radians, is not more than 0 and less than pi.
+    Angle(f32),
+    /// The height of the projection is not more than 0 and at most 1e15.
+    Height(f32),
+    /// The radius of the lens is not more than 0 and at most 1e15.
+    Radius(f32),
+    /// The focal distance of the lens is not more than 0 and at most 1e15.
+    Focus(f32),
 }
 
 impl fmt::Display for ViewFault {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(match self {
-            ViewFault::Place => "the view has a coordinate that is not within 1e15 of zero",
-            ViewFault::NoDirection => "the eye is at the point it looks at",
-            ViewFault::NoUp => "up is parallel to the line of sight",
-            ViewFault::Angle => "the angle of view leaves no picture",
-            ViewFault::Lens => "the radius or the focus of the lens is out of range",
-        })
+        let length = |f: &mut fmt::Formatter<'_>, field: &str, value: &f32| {
+            write!(f, "`{field}` is {}, must be more than 0 and at most 1e15", Decimal(*value))
+        };
+        match self {
+            ViewFault::Coordinate => f.write_str("the view has a coordinate that is not within 1e15 of zero"),
+            ViewFault::NoDirection => f.write_str("the eye is at the point it looks at"),
+            ViewFault::NoUp => f.write_str("up is parallel to the line of sight"),
+            ViewFault::Angle(angle) => {
+                write!(f, "`angle` is {}, must be more than 0 and less than pi (radians)", Decimal(*angle))
+            }
+            ViewFault::Height(height) => length(f, "height", height),
+            ViewFault::Radius(radius) => length(f, "radius", radius),
+            ViewFault::Focus(focus) => length(f, "focus", focus),
+        }
     }
 }
 

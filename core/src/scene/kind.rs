@@ -17,6 +17,17 @@ impl LightKind {
     /// Every kind.
     pub const ALL: [LightKind; 5] =
         [LightKind::Point, LightKind::Directional, LightKind::Spot, LightKind::Sphere, LightKind::Rectangle];
+
+    /// The name in messages.
+    pub const fn name(self) -> &'static str {
+        match self {
+            LightKind::Point => "point",
+            LightKind::Directional => "directional",
+            LightKind::Spot => "spot",
+            LightKind::Sphere => "sphere",
+            LightKind::Rectangle => "rectangle",
+        }
+    }
 }
 
 bit_set! {
@@ -36,6 +47,15 @@ pub enum TextureKind {
 impl TextureKind {
     /// Every kind.
     pub const ALL: [TextureKind; 3] = [TextureKind::Checker, TextureKind::Gradient, TextureKind::ZonePlate];
+
+    /// The name in messages.
+    pub const fn name(self) -> &'static str {
+        match self {
+            TextureKind::Checker => "checker",
+            TextureKind::Gradient => "gradient",
+            TextureKind::ZonePlate => "zone plate",
+        }
+    }
 }
 
 bit_set! {

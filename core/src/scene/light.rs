@@ -4,10 +4,10 @@
 //! each: so shadows get soft rims that many rays fill ("Distributed Ray Tracing", Cook, Porter,
 //! Carpenter, SIGGRAPH 1984). From its middle it is a light without extent.
 
-use super::{LightKind, LightSet};
+use super::{Field, FieldError, LightKind, LightSet, check};
 use crate::math::{
-    MAX_COORDINATE, Real, Rgb, Vec3, clamp, is_in_range, is_normalized, orthonormal_basis,
-    sample_disc_concentric, sqrt, try_normalize, try_normalize_and_length,
+    MAX_COORDINATE, Real, Rgb, Vec3, clamp, orthonormal_basis, sample_disc_concentric, sqrt, try_normalize,
+    try_normalize_and_length,
 };
 use crate::tally::Lit;
 
@@ -99,9 +99,13 @@ impl Falloff {
     /// As physics has it: the full brightness at a distance of one.
     pub const SQUARE: Falloff = Falloff { constant: 0.0, linear: 0.0, quadratic: 1.0 };
 
-    fn is_valid(&self) -> bool {
-        let parts = [self.constant, self.linear, self.quadratic];
-        parts.iter().all(|x| *x >= 0.0 && *x <= 1e15) && parts.iter().any(|x| *x > 0.0)
+    fn check(&self) -> Result<(), FieldError> {
+        let coefficient = |field, x| check::range(field, x, 0.0, 1e15);
+        coefficient(Field::Constant, self.constant)?;
+        coefficient(Field::Linear, self.linear)?;
+        coefficient(Field::Quadratic, self.quadratic)?;
+        let sum = self.constant + self.linear + self.quadratic;
+        if sum > 0.0 { Ok(()) } else { Err(check::error(Field::Falloff, sum)) }
     }
 
     fn at(&self, d: Real) -> Real {
@@ -146,30 +150,36 @@ impl Light {
         }
     }
 
-    pub(super) fn is_valid(&self) -> bool {
-        let source = match self.source {
-            Source::Point { position, falloff } => is_in_range(position) && falloff.is_valid(),
-            Source::Directional { toward } => is_normalized(toward),
+    pub(super) fn check(&self) -> Result<(), FieldError> {
+        match self.source {
+            Source::Point { position, falloff } => {
+                check::point(Field::Position, position)?;
+                falloff.check()?;
+            }
+            Source::Directional { toward } => check::direction(Field::Toward, toward)?,
             Source::Spot { position, direction, cos_bright, cos_dark, falloff } => {
-                is_in_range(position)
-                    && is_normalized(direction)
-                    && cos_dark >= -1.0
-                    && cos_dark <= cos_bright
-                    && cos_bright <= 1.0
-                    && falloff.is_valid()
+                check::point(Field::Position, position)?;
+                check::direction(Field::Direction, direction)?;
+                check::range(Field::CosDark, cos_dark, -1.0, 1.0)?;
+                check::range(Field::CosBright, cos_bright, cos_dark, 1.0)?;
+                falloff.check()?;
             }
             Source::Sphere { position, radius, falloff } => {
-                is_in_range(position) && radius >= 0.0 && radius <= MAX_COORDINATE && falloff.is_valid()
+                check::point(Field::Position, position)?;
+                check::range(Field::Radius, radius, 0.0, MAX_COORDINATE)?;
+                falloff.check()?;
             }
             Source::Rectangle { position, half: [a, b], falloff, .. } => {
-                is_in_range(position)
-                    && is_in_range(a)
-                    && is_in_range(b)
-                    && try_normalize(a.cross(b)).is_some()
-                    && falloff.is_valid()
+                check::point(Field::Position, position)?;
+                check::point(Field::Half, a)?;
+                check::point(Field::Half, b)?;
+                if try_normalize(a.cross(b)).is_none() {
+                    return Err(check::error(Field::HalfArea, 0.0));
+                }
+                falloff.check()?;
             }
-        };
-        source && self.color.is_in_range(Rgb::MAX_CHANNEL)
+        }
+        check::color(Field::Color, self.color, Rgb::MAX_CHANNEL)
     }
 
     /// The light that would arrive at `point`, on a surface upright on `normal`, from the place of

@@ -1,6 +1,6 @@
 //! What surfaces and bodies are made of.
 
-use super::{Interface, MaterialFault, TextureId};
+use super::{Field, FieldError, Interface, TextureId, check};
 use crate::math::{Real, Rgb};
 
 /// How a surface answers light, and what light meets behind it.
@@ -92,29 +92,25 @@ impl Material {
         !self.diffuse.is_black() || self.is_shiny()
     }
 
-    pub(super) fn check(&self, textures: usize) -> Result<(), MaterialFault> {
-        let bright = |c: Rgb| c.is_in_range(Rgb::MAX_CHANNEL);
-        if !(bright(self.ambient) && bright(self.diffuse) && bright(self.highlight)) {
-            return Err(MaterialFault::Color);
+    /// `textures`: how many there are.
+    pub(super) fn check(&self, textures: usize) -> Result<(), FieldError> {
+        check::color(Field::Ambient, self.ambient, Rgb::MAX_CHANNEL)?;
+        check::color(Field::Diffuse, self.diffuse, Rgb::MAX_CHANNEL)?;
+        check::color(Field::Highlight, self.highlight, Rgb::MAX_CHANNEL)?;
+        check::color(Field::Mirror, self.mirror, 1.0)?;
+        check::color(Field::Transmitted, self.transmitted, 1.0)?;
+        check::range(Field::Exponent, self.exponent, 0.0, 1e6)?;
+        check::range(Field::Roughness, self.roughness, 0.0, 1.0)?;
+        if self.is_transmitting() {
+            check::range(Field::Index, self.index, LEAST_INDEX, 100.0)?;
         }
-        if !(self.mirror.is_in_range(1.0) && self.transmitted.is_in_range(1.0)) {
-            return Err(MaterialFault::Share);
-        }
-        if !(self.exponent >= 0.0 && self.exponent <= 1e6) {
-            return Err(MaterialFault::Exponent);
-        }
-        if !(self.roughness >= 0.0 && self.roughness <= 1.0) {
-            return Err(MaterialFault::Roughness);
-        }
-        if self.is_transmitting() && !(self.index >= LEAST_INDEX && self.index <= 100.0) {
-            return Err(MaterialFault::Index);
-        }
-        let clarity = |c: Real| c > 0.0;
-        if !(clarity(self.clarity.r) && clarity(self.clarity.g) && clarity(self.clarity.b)) {
-            return Err(MaterialFault::Clarity);
+        for clarity in [self.clarity.r, self.clarity.g, self.clarity.b] {
+            if !(clarity > 0.0) {
+                return Err(check::error(Field::Clarity, clarity));
+            }
         }
         if self.texture != TextureId::NONE && usize::from(self.texture.0) >= textures {
-            return Err(MaterialFault::Texture);
+            return Err(check::error(Field::Texture, Real::from(self.texture.0)));
         }
         Ok(())
     }

@@ -1,11 +1,14 @@
 //! The scene: borrowed slices, checked once.
 
 mod camera;
+mod check;
 #[cfg(not(feature = "double"))]
 mod effect_set;
 mod effects;
 #[cfg(not(feature = "double"))]
 mod error;
+#[cfg(not(feature = "double"))]
+mod field;
 #[cfg(not(feature = "double"))]
 mod interface;
 #[cfg(not(feature = "double"))]
@@ -29,13 +32,15 @@ mod world;
 use strahl_core::scene as shading;
 #[cfg(feature = "double")]
 use strahl_core::scene::{
-    self as effect_set, self as error, self as interface, self as kind, self as reference, self as resolution,
+    self as effect_set, self as error, self as field, self as interface, self as kind, self as reference,
+    self as resolution,
 };
 
 pub use camera::{Camera, CameraSample, FilmPoint, Projection, View};
 pub use effect_set::{EffectSet, LastLevel};
 pub use effects::{AllEffects, Effects};
-pub use error::{MaterialFault, SceneError, ViewFault};
+pub use error::{SceneError, ViewFault};
+pub use field::{Field, FieldError};
 pub use interface::Interface;
 pub use kind::{LightKind, LightSet, TextureKind, TextureSet};
 pub(crate) use light::Beam;
@@ -51,7 +56,7 @@ pub use texture::Texture;
 pub use world::World;
 
 use crate::geometry::{Geometry, ItemId, Shape};
-use crate::math::{Rgb, Vec3, clamp, is_normalized};
+use crate::math::{Rgb, Vec3, clamp};
 
 /// What a ray sees that meets nothing.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -72,13 +77,13 @@ pub enum Background {
 }
 
 impl Background {
-    fn is_valid(&self) -> bool {
+    fn check(&self) -> Result<(), FieldError> {
         match *self {
-            Background::Color(color) => color.is_in_range(Rgb::MAX_CHANNEL),
+            Background::Color(color) => check::color(Field::Color, color, Rgb::MAX_CHANNEL),
             Background::Gradient { up, below, above } => {
-                is_normalized(up)
-                    && below.is_in_range(Rgb::MAX_CHANNEL)
-                    && above.is_in_range(Rgb::MAX_CHANNEL)
+                check::direction(Field::Up, up)?;
+                check::color(Field::Below, below, Rgb::MAX_CHANNEL)?;
+                check::color(Field::Above, above, Rgb::MAX_CHANNEL)
             }
         }
     }
@@ -168,6 +173,9 @@ impl<'s> Scene<'s> {
             return Err(SceneError::TooManyItems);
         }
         parts.geometry.validate().map_err(|(item, fault)| SceneError::Shape(item, fault))?;
+        if parts.materials.len() > 1 << 16 {
+            return Err(SceneError::TooManyMaterials);
+        }
         for (material, place) in parts.materials.iter().zip(0..=u16::MAX) {
             let wrong = |fault| SceneError::Material(MaterialId(place), fault);
             material.check(parts.textures.len()).map_err(wrong)?;
@@ -178,15 +186,14 @@ impl<'s> Scene<'s> {
                 return Err(SceneError::NoMaterial(ItemId(number as u32)));
             }
         }
-        if let Some(place) = parts.lights.iter().position(|light| !light.is_valid()) {
-            return Err(SceneError::Light(place));
+        for (light, index) in parts.lights.iter().zip(0..) {
+            light.check().map_err(|error| SceneError::Light(index, error))?;
         }
-        if let Some(place) = parts.textures.iter().position(|texture| !texture.is_valid()) {
-            return Err(SceneError::Texture(place));
+        for (texture, index) in parts.textures.iter().zip(0..) {
+            texture.check().map_err(|error| SceneError::Texture(index, error))?;
         }
-        if !(parts.ambient.is_in_range(Rgb::MAX_CHANNEL) && parts.background.is_valid()) {
-            return Err(SceneError::Surroundings);
-        }
+        check::color(Field::Ambient, parts.ambient, Rgb::MAX_CHANNEL).map_err(SceneError::Ambient)?;
+        parts.background.check().map_err(SceneError::Background)?;
         Ok(Scene { parts, asks: asked_by(&parts) })
     }
 
@@ -244,7 +251,7 @@ fn asked_by(parts: &Parts<'_>) -> EffectSet {
 mod tests {
     use super::*;
     use crate::geometry::{Plane, ShapeError, Sphere};
-    use crate::math::{Real, vec3};
+    use crate::math::vec3;
 
     const BALL: Shape = Shape::Sphere(Sphere { center: Vec3::ZERO, radius: 1.0 });
     const LAMP: Light = Light {
@@ -292,9 +299,13 @@ mod tests {
         );
         assert_eq!(fault(parts(&[BALL], &[])), SceneError::NoMaterial(ItemId(0)));
         let dark = [Material { clarity: Rgb::BLACK, ..Material::MATTE }];
-        assert_eq!(fault(parts(&[BALL], &dark)), SceneError::Material(MaterialId(0), MaterialFault::Clarity));
-        let lamp = [Light { color: Rgb::gray(Real::NAN), ..LAMP }];
-        assert_eq!(fault(Parts { lights: &lamp, ..parts(&[BALL], &matte) }), SceneError::Light(0));
+        assert_eq!(
+            fault(parts(&[BALL], &dark)),
+            SceneError::Material(MaterialId(0), FieldError { field: Field::Clarity, value: 0.0 })
+        );
+        let lamp = [Light { color: Rgb::gray(-1.0), ..LAMP }];
+        let dark = FieldError { field: Field::Color, value: -1.0 };
+        assert_eq!(fault(Parts { lights: &lamp, ..parts(&[BALL], &matte) }), SceneError::Light(0, dark));
     }
 
     #[test]

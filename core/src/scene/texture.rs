@@ -1,7 +1,7 @@
 //! Colour that changes from place to place by a formula.
 
-use super::{TextureKind, TextureSet};
-use crate::math::{MAX_COORDINATE, PI, Real, Rgb, Vec3, clamp, cos, floor, is_in_range, max_abs_component};
+use super::{Field, FieldError, TextureKind, TextureSet, check};
+use crate::math::{MAX_COORDINATE, PI, Real, Rgb, Vec3, clamp, cos, floor, max_abs_component};
 
 /// A colour for each point of space, in the frame of the world.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -55,19 +55,28 @@ impl Texture {
         }
     }
 
-    pub(super) fn is_valid(&self) -> bool {
-        let is_color = |c: Rgb| c.is_in_range(Rgb::MAX_CHANNEL);
+    pub(super) fn check(&self) -> Result<(), FieldError> {
+        let color = |field, color| check::color(field, color, Rgb::MAX_CHANNEL);
         match *self {
             Texture::Checker { even, odd, origin, frequency } => {
-                is_color(even) && is_color(odd) && is_in_range(origin) && is_in_range(frequency)
+                color(Field::Even, even)?;
+                color(Field::Odd, odd)?;
+                check::point(Field::Origin, origin)?;
+                check::point(Field::CellFrequency, frequency)
             }
             Texture::Gradient { from, to, origin, along } => {
-                let length = along.dot(along);
-                is_color(from) && is_color(to) && is_in_range(origin) && length > 0.0 && length <= Real::MAX
+                color(Field::From, from)?;
+                color(Field::To, to)?;
+                check::point(Field::Origin, origin)?;
+                let square = along.dot(along);
+                let is_length = square > 0.0 && square <= Real::MAX;
+                if is_length { Ok(()) } else { Err(check::error(Field::Along, square)) }
             }
             Texture::ZonePlate { from, to, origin, frequency } => {
-                let is_frequency = frequency >= 0.0 && frequency <= MAX_COORDINATE;
-                is_color(from) && is_color(to) && is_in_range(origin) && is_frequency
+                color(Field::From, from)?;
+                color(Field::To, to)?;
+                check::point(Field::Origin, origin)?;
+                check::range(Field::RingFrequency, frequency, 0.0, MAX_COORDINATE)
             }
         }
     }

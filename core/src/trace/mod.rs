@@ -59,13 +59,13 @@ impl<'w, 's, A: Accelerator, E: Effects, const LEVELS: usize> Tracer<'w, 's, A, 
     pub fn new(world: &'w World<'s, A>, camera: Camera, limits: Limits) -> Result<Self, TracerError> {
         let asks = EffectSet { lens: camera.has_lens(), ..world.scene().effects() };
         if !E::SET.contains(&asks) {
-            return Err(TracerError::NotBuiltFor { asks });
+            return Err(TracerError::MissingEffects { missing: asks.difference(&E::SET) });
         }
         if limits.levels == 0 || usize::from(limits.levels) > LEVELS {
-            return Err(TracerError::Levels { wanted: limits.levels, most: LEVELS });
+            return Err(TracerError::Levels { requested: limits.levels, max: LEVELS });
         }
         if !(limits.cutoff >= 0.0 && limits.cutoff <= 1.0) {
-            return Err(TracerError::Cutoff);
+            return Err(TracerError::Cutoff(limits.cutoff as f32));
         }
         Ok(Tracer { world, camera, limits, effects: PhantomData })
     }

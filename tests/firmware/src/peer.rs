@@ -9,8 +9,13 @@
 #![allow(dead_code)]
 
 use strahl_core::geometry::{Aabb, Polygon, ShapeKind, ShapeSet};
-use strahl_core::scene::{EffectSet, Effects, LastLevel, LightKind, LightSet, Texture, TextureId, TextureKind, TextureSet};
-use strahl_core::{Background, Falloff, Geometry, Light, Limits, Material, MaterialId, Parts, Projection, Resolution, Rgb, Shape, Source, Sphere, Vec3, View, vec3};
+use strahl_core::scene::{
+    EffectSet, Effects, LastLevel, LightKind, LightSet, Texture, TextureId, TextureKind, TextureSet,
+};
+use strahl_core::{
+    Background, Falloff, Geometry, Light, Limits, Material, MaterialId, Parts, Projection, Resolution, Rgb,
+    Shape, Source, Sphere, Vec3, View, vec3,
+};
 
 /// How large the picture is.
 pub const SIZE: Resolution = Resolution::new(160, 120).unwrap();

@@ -52,7 +52,7 @@ fn one_too_little_is_refused_with_the_numbers_to_act_on() {
     assert_eq!(octree(&mut nodes[..0], &mut items), too_small(Buffer::Nodes, 1, 0));
     assert_eq!(octree(&mut nodes, &mut items[..needed - 1]), too_small(Buffer::Entries, needed, needed - 1));
     assert_eq!(octree(&mut nodes, &mut items), None);
-    assert_eq!(too_small(Buffer::Cells, 2, 1).unwrap().to_string(), "2 cells needed, 1 lent");
+    assert_eq!(too_small(Buffer::Cells, 2, 1).unwrap().to_string(), "cells: 2 needed, 1 provided");
 }
 
 #[test]

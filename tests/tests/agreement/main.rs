@@ -401,7 +401,7 @@ fn too_few_groups_are_refused_with_the_numbers_to_act_on() {
                 error,
                 BuildError::BufferTooSmall { buffer: Buffer::GroupBounds, needed, provided: lent }
             );
-            assert_eq!(error.to_string(), format!("{needed} groups needed, {lent} lent"));
+            assert_eq!(error.to_string(), format!("group bounds: {needed} needed, {lent} provided"));
         }
         let mut balls = vec![BoundingSphere::EMPTY; items];
         let error = List::with_spheres(&boxes, &mut balls[1..], &mut []).unwrap_err();

@@ -115,7 +115,8 @@ fn a_tracer_refuses_a_scene_that_asks_for_what_it_cannot_do() {
             match Tracer::<_, E, 5>::new(&world, camera, Limits::DEFAULT) {
                 Ok(_) => false,
                 Err(error) => {
-                    assert_eq!(error, TracerError::NotBuiltFor { asks: stage.scene().effects() });
+                    let missing = stage.scene().effects().difference(&E::SET);
+                    assert_eq!(error, TracerError::MissingEffects { missing });
                     true
                 }
             }
@@ -176,9 +177,11 @@ fn a_tracer_without_a_lens_refuses_a_camera_that_has_one() {
     let world = World::new(stage.scene(), List::without_bounds(stage.item_count()));
     let (_, view) = all_effects();
     let camera = Camera::new(&view, size(2, 2)).unwrap();
-    let asks = EffectSet { lens: true, ..stage.scene().effects() };
     let refused = Tracer::<_, Pinhole, 5>::new(&world, camera, Limits::DEFAULT).err();
-    assert_eq!(refused, Some(TracerError::NotBuiltFor { asks }));
+    assert_eq!(
+        refused,
+        Some(TracerError::MissingEffects { missing: EffectSet { lens: true, ..EffectSet::NONE } })
+    );
     assert!(Tracer::<_, AllEffects, 5>::new(&world, camera, Limits::DEFAULT).is_ok());
 }
 

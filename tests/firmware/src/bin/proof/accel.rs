@@ -2,9 +2,13 @@
 
 use core::ops::ControlFlow;
 
-use strahl_core::accel::{Accelerator, Buffer, BuildError, Bvh, BvhBuilder, BvhNode, BvhSize, Grid, GridSize, LeafElement, LeafEntry, LeafLayout, List, Mailbox, Octree, OctreeLimits, OctreeNode, OctreeSize, Query, StaticGrid, TraversalHeap, TraversalQueue, TraversalStack, TriangleBlock, group_count};
-use strahl_core::geometry::{Aabb, BoundingSphere, ItemId, Ray};
 use strahl_core::Real;
+use strahl_core::accel::{
+    Accelerator, Buffer, BuildError, Bvh, BvhBuilder, BvhNode, BvhSize, Grid, GridSize, LeafElement,
+    LeafEntry, LeafLayout, List, Mailbox, Octree, OctreeLimits, OctreeNode, OctreeSize, Query, StaticGrid,
+    TraversalHeap, TraversalQueue, TraversalStack, TriangleBlock, group_count,
+};
+use strahl_core::geometry::{Aabb, BoundingSphere, ItemId, Ray};
 
 use crate::any::{any, any_item, any_ray, number, slice, used};
 use crate::geometry::any_geometry;

@@ -1,6 +1,9 @@
 //! ShapeFeatures, their tables, boxes and rays.
 
-use strahl_core::geometry::{Aabb, Cone, Cuboid, Disc, ItemId, MovingShape, OrientedCuboid, Polygon, Ray, RayInterval, ShapeError, ShapeFeatures, ShapeKind, ShapeSet, SurfaceInteraction, Torus, has_area, offset_origin};
+use strahl_core::geometry::{
+    Aabb, Cone, Cuboid, Disc, ItemId, MovingShape, OrientedCuboid, Polygon, Ray, RayInterval, ShapeError,
+    ShapeFeatures, ShapeKind, ShapeSet, SurfaceInteraction, Torus, has_area, offset_origin,
+};
 use strahl_core::{AllEffects, Geometry, Plane, Shape, Sphere, Vec3};
 
 use crate::any::{any, any_item, any_ray, number, slice, used, vector};

@@ -1,9 +1,12 @@
 //! What makes pixels of samples.
 
-use strahl_core::accel::{Accelerator};
-use strahl_core::image::{Adaptive, Agreement, Confidence, Corner, CornerRow, Corners, Every, Filter, Gathered, Kept, Lattice, Loose, Part, Parting, Pixel, Record, Regular, Sampler, Selected, Selection, Stochastic};
+use strahl_core::accel::Accelerator;
+use strahl_core::image::{
+    Adaptive, Agreement, Confidence, Corner, CornerRow, Corners, Every, Filter, Gathered, Kept, Lattice,
+    Loose, Part, Parting, Pixel, Record, Regular, Sampler, Selected, Selection, Stochastic,
+};
 use strahl_core::scene::{CameraSample, Effects};
-use strahl_core::tally::{Tally};
+use strahl_core::tally::Tally;
 use strahl_core::trace::{HitId, PixelSample, RayTracer};
 use strahl_core::{Rgb, Single, Tile, Tracer, Worker};
 

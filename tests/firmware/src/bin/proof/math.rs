@@ -1,6 +1,9 @@
 //! Numbers, roots, colours, and what stands in place of chance.
 
-use strahl_core::math::{Axis, CubicRoots, Dimension, MAX_COORDINATE, PI, ROUNDOFF, SobolSequence, bracketed_root, cubic_roots, difference_of_products, gamma, sqrt, try_normalize};
+use strahl_core::math::{
+    Axis, CubicRoots, Dimension, MAX_COORDINATE, PI, ROUNDOFF, SobolSequence, bracketed_root, cubic_roots,
+    difference_of_products, gamma, sqrt, try_normalize,
+};
 use strahl_core::{Rgb, vec3};
 
 use crate::any::{any, color, number, slice, used, vector};

@@ -2,7 +2,7 @@
 
 use strahl_core::accel::{Grid, Octree, TraversalStack};
 use strahl_core::baked::{Finder, Pack, PackError, PackPart};
-use strahl_core::scene::{TextureId};
+use strahl_core::scene::TextureId;
 use strahl_core::{AllEffects, World};
 
 use crate::any::{any, slice, used};

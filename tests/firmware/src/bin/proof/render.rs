@@ -5,11 +5,11 @@ use embedded_graphics_core::draw_target::DrawTarget;
 use embedded_graphics_core::geometry::{Dimensions, Point, Size as Extent};
 use embedded_graphics_core::pixelcolor::Rgb565;
 use embedded_graphics_core::primitives::Rectangle;
-use strahl_core::accel::{Accelerator};
+use strahl_core::accel::Accelerator;
 use strahl_core::image::{Display, Dither, Frame, Loose, Pixel, Sampler, Selected, Sink, Steps};
 use strahl_core::render::{render_refined, render_selected};
-use strahl_core::scene::{Effects};
-use strahl_core::tally::{Tally};
+use strahl_core::scene::Effects;
+use strahl_core::tally::Tally;
 use strahl_core::{Rgb, Single, Tile, Tracer, Worker, render};
 
 use crate::any::{any, used};

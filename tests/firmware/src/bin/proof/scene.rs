@@ -1,11 +1,17 @@
 //! Scenes, what they are made of and what they ask for, and how they are looked at.
 
-use strahl_core::accel::{Accelerator};
+use strahl_core::accel::Accelerator;
 use strahl_core::geometry::{Aabb, Hit, ItemId, ShapeError, ShapeKind, ShapeSet};
-use strahl_core::math::{SobolSequence};
-use strahl_core::scene::{CameraSample, EffectSet, Effects, FilmPoint, Interface, LastLevel, LightSet, MaterialFault, SceneError, Texture, ViewFault};
-use strahl_core::tally::{RayKind};
-use strahl_core::{AllEffects, Background, Camera, Falloff, Light, Material, MaterialId, Parts, Projection, Real, Resolution, Rgb, Scene, Source, Vec3, View, World};
+use strahl_core::math::SobolSequence;
+use strahl_core::scene::{
+    CameraSample, EffectSet, Effects, Field, FieldError, FilmPoint, Interface, LastLevel, LightSet,
+    SceneError, Texture, ViewFault,
+};
+use strahl_core::tally::RayKind;
+use strahl_core::{
+    AllEffects, Background, Camera, Falloff, Light, Material, MaterialId, Parts, Projection, Real,
+    Resolution, Rgb, Scene, Source, Vec3, View, World,
+};
 
 use crate::accel::{Stranger, lists};
 use crate::any::{any, any_item, any_ray, color, number, slice, used, vector};
@@ -17,7 +23,7 @@ pub fn doors() {
     described();
     looked_at();
     displayed(any(ViewFault::NoUp));
-    displayed(any(MaterialFault::Color));
+    displayed(any(FieldError { field: Field::Color, value: -1.0 }));
     displayed(any(SceneError::Shape(ItemId(0), ShapeError::Radius)));
 }
 

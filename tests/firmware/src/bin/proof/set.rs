@@ -4,7 +4,7 @@ use strahl_core::geometry::{ShapeKind, ShapeSet};
 use strahl_core::scene::{EffectSet, LightKind, LightSet, TextureKind, TextureSet};
 
 use crate::any::{any, slice, used};
-use crate::text::debugged;
+use crate::text::{debugged, displayed};
 
 pub fn doors() {
     macro_rules! set {
@@ -13,7 +13,8 @@ pub fn doors() {
             let set = $Set::union(set, any($Set::NONE));
             used(($Set::len(set), $Set::is_empty(set)));
             used(($Set::contains(set, any($Kind::ALL[0])), $Set::is_superset(set, any($Set::ALL))));
-            $Set::iter(set).for_each(used);
+            used($Set::difference(set, any($Set::ALL)));
+            $Set::iter(set).for_each(|kind| used((kind, $Kind::name(kind))));
             debugged(&set);
             set
         }};
@@ -23,4 +24,5 @@ pub fn doors() {
     set.lights = set!(LightSet of LightKind);
     set.textures = set!(TextureSet of TextureKind);
     used(EffectSet::contains(&set, &any(EffectSet::ALL)));
+    displayed(EffectSet::difference(&set, &any(EffectSet::ALL)));
 }

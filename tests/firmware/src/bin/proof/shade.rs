@@ -1,7 +1,7 @@
 //! Light at surfaces and in bodies.
 
-use strahl_core::shade::{Crossing, Media, Refraction, absorbed, index, reflected, refracted};
 use strahl_core::MaterialId;
+use strahl_core::shade::{Crossing, Media, Refraction, absorbed, index, reflected, refracted};
 
 use crate::any::{any, color, number, slice, used, vector};
 use crate::scene::MATERIALS;

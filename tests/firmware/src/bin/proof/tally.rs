@@ -1,7 +1,9 @@
 //! What happens while a picture is traced, and who hears of it.
 
-use strahl_core::geometry::{ShapeKind};
-use strahl_core::tally::{Counters, Event, Fate, Lit, PerRayKind, PerShapeKind, RayCounters, RayKind, Step, Tally, UnsentRays};
+use strahl_core::geometry::ShapeKind;
+use strahl_core::tally::{
+    Counters, Event, Fate, Lit, PerRayKind, PerShapeKind, RayCounters, RayKind, Step, Tally, UnsentRays,
+};
 
 use crate::any::{any, used};
 

@@ -4,7 +4,7 @@ use core::fmt::{self, Debug, Write};
 
 use crate::any::used;
 
-pub fn displayed(error: impl core::error::Error) {
+pub fn displayed(error: impl core::fmt::Display) {
     let mut line = Line { text: [0; 16], length: 0 };
     used((write!(line, "{error}"), line.text));
 }

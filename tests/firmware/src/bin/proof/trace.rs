@@ -1,10 +1,10 @@
 //! Rays through worlds of anything.
 
-use strahl_core::accel::{Accelerator};
+use strahl_core::accel::Accelerator;
 use strahl_core::geometry::{Aabb, BoundingSphere};
-use strahl_core::scene::{Effects};
+use strahl_core::scene::Effects;
 use strahl_core::tally::{Counters, RayCounters, Tally};
-use strahl_core::trace::{TracerError};
+use strahl_core::trace::TracerError;
 use strahl_core::{AllEffects, BareList, Limits, Scene, Tracer, Worker, World};
 
 use crate::accel::{Stranger, lists};
@@ -23,7 +23,7 @@ pub fn doors() {
     traced::<_, Few, _, 1>(&World::new(scene, Stranger), Told);
     traced::<_, Few, _, 1>(&World::new(scene, BareList(any(1))), RayCounters::new());
     traced::<_, ShortSighted, _, 2>(&World::new(scene, BareList(any(1))), ());
-    displayed(any(TracerError::Cutoff));
+    displayed(any(TracerError::Cutoff(2.0)));
 }
 
 /// Looks along rays, and makes pictures in all ways.
