@@ -65,6 +65,7 @@ impl<'w, 's, A: Accelerator, E: Effects, const LEVELS: usize> Tracer<'w, 's, A, 
             return Err(TracerError::Levels { requested: limits.levels, max: LEVELS });
         }
         if !(limits.cutoff >= 0.0 && limits.cutoff <= 1.0) {
+            #[allow(clippy::unnecessary_cast)] // in single precision
             return Err(TracerError::Cutoff(limits.cutoff as f32));
         }
         Ok(Tracer { world, camera, limits, effects: PhantomData })

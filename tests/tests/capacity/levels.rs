@@ -117,10 +117,10 @@ fn a_tracer_refuses_limits_that_it_has_no_room_for() {
         assert_eq!(error(levels, cutoff), None);
     }
     for levels in [0, 6, 255] {
-        assert_eq!(error(levels, 0.0), Some(format!("{levels} levels wanted, 1 to 5 possible")));
+        assert_eq!(error(levels, 0.0), Some(format!("`levels` is {levels}, must be in 1..=5: `LEVELS` of the tracer")));
     }
-    for cutoff in [-0.001, 1.001, Real::NAN, Real::INFINITY] {
-        assert_eq!(error(5, cutoff).unwrap(), "the cutoff is not in 0..=1");
+    for (cutoff, shown) in [(-0.001, "-0.001"), (1.001, "1.001"), (Real::NAN, "NaN"), (Real::INFINITY, "inf")] {
+        assert_eq!(error(5, cutoff).unwrap(), format!("`cutoff` is {shown}, must be in 0..=1"));
     }
 }
 
