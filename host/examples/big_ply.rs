@@ -22,7 +22,7 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
 
     let megabytes = file.len() as f64 / 1e6;
     let clock = Instant::now();
-    let mesh = strahl::load::mesh::read(Path::new(path))?;
+    let mesh = strahl_scene::mesh::read(Path::new(path))?;
     let seconds = clock.elapsed().as_secs_f64();
     println!(
         "{} triangles, {megabytes:.1} MB in {seconds:.3} s: {:.0} MB/s",

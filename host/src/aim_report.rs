@@ -3,10 +3,10 @@
 use std::path::Path;
 
 use serde::Serialize;
+use strahl_scene::amount::amount;
 use strahl_settings::Resolved;
 
 use crate::aim::{Aimed, Target};
-use crate::amount::amount;
 use crate::args::RenderArgs;
 use crate::settings;
 

@@ -8,12 +8,12 @@ use std::path::{Path, PathBuf};
 use std::time::Instant;
 
 use strahl_engine::RenderError;
+use strahl_scene::amount::amount;
+use strahl_scene::{Files, load_from};
 use strahl_settings::{DEFAULT_SIZE, Settings};
 
-use crate::amount::amount;
 use crate::args::CastArgs;
 use crate::failure::Failure;
-use crate::load::{Files, load_from};
 use crate::output::{Guard, say};
 use crate::rays::{Cast, Stream};
 use crate::session::{SceneStorage, Session};

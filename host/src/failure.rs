@@ -6,9 +6,8 @@ use std::path::{Path, PathBuf};
 
 use strahl_engine::Interrupt;
 use strahl_picture::FormatError;
+use strahl_scene::{Diagnostics, LoadError};
 use strahl_settings::SettingsError;
-
-use crate::faults::Faults;
 
 /// How a command ends in which nothing went wrong.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -47,7 +46,7 @@ pub enum Failure {
         reason: String,
     },
     /// A scene is wrong, at all of these places.
-    Faults(Box<Faults>),
+    Diagnostics(Box<Diagnostics>),
     /// An input cannot be read.
     Unreadable {
         /// The file.
@@ -85,7 +84,7 @@ impl Failure {
     pub fn status(&self) -> u8 {
         match self {
             Failure::Usage(_) => 2,
-            Failure::Input { .. } | Failure::Faults(_) => 65,
+            Failure::Input { .. } | Failure::Diagnostics(_) => 65,
             Failure::Unreadable { .. } => 66,
             Failure::Unwritable { .. } => 74,
             Failure::Stopped(stop) | Failure::StoppedAmid(stop) => status(*stop),
@@ -110,7 +109,7 @@ impl fmt::Display for Failure {
                 write!(f, "{}:{line}: {reason}", path.display())
             }
             Failure::Input { path, line: None, reason } => write!(f, "{}: {reason}", path.display()),
-            Failure::Faults(faults) => write!(f, "{faults}"),
+            Failure::Diagnostics(diagnostics) => diagnostics.fmt(f),
             Failure::Unreadable { path, error } => write!(f, "cannot read {}: {error}", path.display()),
             Failure::Unwritable { path: Some(path), error } => {
                 write!(f, "cannot write {}: {error}", path.display())
@@ -125,6 +124,17 @@ impl fmt::Display for Failure {
 }
 
 impl std::error::Error for Failure {}
+
+impl From<LoadError> for Failure {
+    fn from(error: LoadError) -> Self {
+        match error {
+            LoadError::Unreadable { path, error } => Failure::Unreadable { path, error },
+            LoadError::Invalid { path, line, reason } => Failure::Input { path, line, reason },
+            LoadError::Diagnostics(diagnostics) => Failure::Diagnostics(diagnostics),
+            error => Failure::Usage(error.to_string()),
+        }
+    }
+}
 
 impl From<SettingsError> for Failure {
     fn from(error: SettingsError) -> Self {

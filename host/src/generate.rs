@@ -1,16 +1,16 @@
-//! The command `generate`: one of the [`procedural`](crate::procedural) scenes, into a file.
+//! The command `generate`: one of the [`procedural`](strahl_scene::procedural) scenes, into a file.
 
 use std::ffi::OsStr;
 use std::io::{self, Write};
 use std::path::{Path, PathBuf};
 
 use indicatif::{HumanBytes, HumanCount};
+use strahl_scene::amount::amount;
+use strahl_scene::procedural::{MOST_OBJECTS, ProceduralScene, SceneFormat};
 
-use crate::amount::amount;
 use crate::args::GenerateArgs;
 use crate::failure::Failure;
 use crate::output::{Guard, Output, refuse_terminal, say};
-use crate::procedural::{Form, MOST_OBJECTS, What};
 use crate::signals::Signals;
 
 /// Makes one scene.
@@ -19,13 +19,14 @@ pub fn run(args: &GenerateArgs) -> Result<(), Failure> {
         Signals::listen().map_err(|error| Failure::Usage(format!("cannot listen for signals: {error}")))?;
     let what = args.what;
     let size = size(what, args.size)?;
-    let extension = args.format.unwrap_or(Form::Nff).extension();
+    let extension = args.format.unwrap_or(SceneFormat::Nff).extension();
     let path = args.output.clone().unwrap_or_else(|| PathBuf::from(format!("{what}.{extension}")));
     let form = form(what, &path, args.format)?;
-    if form == Form::Ply {
+    if form == SceneFormat::Ply {
         refuse_terminal(&path, "the PLY file")?;
     }
-    let beside = (form == Form::Toml && what.triangles(size).is_some()).then(|| path.with_extension("ply"));
+    let beside =
+        (form == SceneFormat::Toml && what.triangles(size).is_some()).then(|| path.with_extension("ply"));
     if beside.is_some() && path == Path::new("-") {
         let reason = format!(
             "{what}: in TOML its triangles are in a PLY file of their own: name a file, or use --format nff"
@@ -36,13 +37,15 @@ pub fn run(args: &GenerateArgs) -> Result<(), Failure> {
     let mut guard = Guard::default();
     let output = guard.prepare(&path)?;
     if let Some(ply) = &beside {
-        write(guard.prepare(ply)?, &signals, &mut |out| what.write(size, Form::Ply, args.bare, "", out))?;
+        write(guard.prepare(ply)?, &signals, &mut |out| {
+            what.write(size, SceneFormat::Ply, args.bare, "", out)
+        })?;
     }
     let name = beside.as_deref().and_then(Path::file_name).and_then(OsStr::to_str).unwrap_or_default();
     let bytes = write(output, &signals, &mut |out| what.write(size, form, args.bare, name, out))?;
     if !args.quiet && path != Path::new("-") {
         let beside = beside.map(|ply| format!(" and {}", ply.display())).unwrap_or_default();
-        let objects = if form == Form::Ply { what.triangles(size) } else { what.objects(size) };
+        let objects = if form == SceneFormat::Ply { what.triangles(size) } else { what.objects(size) };
         let objects = amount(objects.unwrap_or(0), "object");
         say(format_args!("{}{beside}: {objects}, {}", path.display(), HumanBytes(bytes)));
     }
@@ -50,7 +53,7 @@ pub fn run(args: &GenerateArgs) -> Result<(), Failure> {
 }
 
 /// The size that is asked for, if there is one like that.
-fn size(what: What, asked: Option<u32>) -> Result<u32, Failure> {
+fn size(what: ProceduralScene, asked: Option<u32>) -> Result<u32, Failure> {
     let size = asked.unwrap_or(what.usual_size());
     if size < what.least_size() {
         return Err(Failure::Usage(format!("{what}: the size must be {} or more", what.least_size())));
@@ -69,10 +72,10 @@ fn size(what: What, asked: Option<u32>) -> Result<u32, Failure> {
 }
 
 /// How the scene is to be written at `path`.
-fn form(what: What, path: &Path, asked: Option<Form>) -> Result<Form, Failure> {
-    let form = match (asked, Form::of(path)) {
+fn form(what: ProceduralScene, path: &Path, asked: Option<SceneFormat>) -> Result<SceneFormat, Failure> {
+    let form = match (asked, SceneFormat::of_file(path)) {
         (Some(form), _) | (None, Some(form)) => form,
-        (None, None) if path == Path::new("-") => Form::Nff,
+        (None, None) if path == Path::new("-") => SceneFormat::Nff,
         (None, None) => {
             let shown = path.display();
             return Err(Failure::Usage(format!(
@@ -80,7 +83,7 @@ fn form(what: What, path: &Path, asked: Option<Form>) -> Result<Form, Failure> {
             )));
         }
     };
-    if form == Form::Ply && !what.is_mesh() {
+    if form == SceneFormat::Ply && !what.is_mesh() {
         let reason = format!("{what}: PLY holds triangles only, and it has other shapes: use .nff or .toml");
         return Err(Failure::Usage(reason));
     }
@@ -135,17 +138,15 @@ impl Write for Watched<'_> {
 
 #[cfg(test)]
 mod tests {
-    use clap::ValueEnum;
-
     use super::*;
 
     #[test]
     fn the_largest_size_is_made_and_the_next_is_not() {
-        for what in What::value_variants() {
+        for what in ProceduralScene::ALL {
             let most = what.most_size();
-            assert!(size(*what, Some(most)).is_ok(), "{what} {most}");
+            assert!(size(what, Some(most)).is_ok(), "{what} {most}");
             for more in [most + 1, 2 * most, 1 << 30, u32::MAX] {
-                let Err(Failure::Usage(reason)) = size(*what, Some(more)) else { panic!("{what} {more}") };
+                let Err(Failure::Usage(reason)) = size(what, Some(more)) else { panic!("{what} {more}") };
                 assert!(reason.ends_with(&format!("which is size {most}")), "{reason}");
             }
         }

@@ -10,15 +10,16 @@ use strahl_core::Scene;
 use strahl_core::geometry::{Aabb, ShapeKind};
 use strahl_engine::AccelStats;
 use strahl_engine::accelerators;
+use strahl_scene::amount::{self, amount};
+use strahl_scene::description::Description;
+use strahl_scene::effects::{PlannedEffect, plan};
+use strahl_scene::load;
+use strahl_settings::Effect;
 use strahl_settings::{AccelChoice, AccelKind, AccelSettings};
 
-use crate::amount::{self, amount};
 use crate::args::InfoArgs;
-use crate::description::Description;
 use crate::failure::Failure;
-use crate::load::load;
 use crate::output::{Output, say};
-use crate::plan::{Effect, Step, asked_by, plan};
 use crate::stock::single::scene_tables;
 use crate::wrap::{width_of_stdout, wrapped};
 
@@ -123,8 +124,9 @@ impl Info {
         let built = AccelKind::ALL.map(|kind| accelerators::stats(*scene, &AccelSettings::by(kind)));
         let accelerators = built.iter().flatten().map(AcceleratorFacts::of).collect();
 
-        let asks = asked_by(description, scene);
-        let missing = Effect::ALL.into_iter().filter(|effect| !effect.is_in(&asks));
+        let plan = plan(description);
+        let missing = Effect::ALL.into_iter().filter(|effect| plan.iter().all(|it| it.effect != *effect));
+        let not_called_for = missing.map(Effect::name).collect();
         Info {
             objects: parts.geometry.shapes.len(),
             by_shape,
@@ -132,8 +134,8 @@ impl Info {
             materials: parts.materials.len(),
             textures: parts.textures.len(),
             bounds: (!all.is_empty()).then(|| [all.min.to_array(), all.max.to_array()]),
-            plan: plan(description, &asks).iter().map(PlanStep::of).collect(),
-            not_called_for: missing.map(Effect::name).collect(),
+            plan: plan.iter().map(PlanStep::of).collect(),
+            not_called_for,
             memory: Memory { scene: parts.bytes(), accelerators },
             auto,
         }
@@ -213,7 +215,7 @@ const INDENT: usize = 19;
 const REASONS: usize = 4;
 
 impl PlanStep {
-    fn of(step: &Step) -> Self {
+    fn of(step: &PlannedEffect) -> Self {
         let asked_by = step.reasons.iter().map(|reason| reason.to_string()).collect();
         PlanStep { effect: step.effect.name(), asked_by }
     }

@@ -15,9 +15,6 @@
 //! | [`compare`] | the command `compare` |
 //! | [`generate`] | the command `generate` |
 //! | [`manual`] | the commands `completions` and `man` |
-//! | [`procedural`] | scenes that formulas make |
-//! | [`load`] | scene files to a [`description`] |
-//! | [`description`] | a scene in neutral numbers |
 //! | [`stock`] | the owned tables of a scene, for either precision |
 //! | [`session`] | a scene opened in the precision that is asked for: pictures, and what rays hit |
 //! | [`rays`] | rays as lines of text, and their way there and back |
@@ -28,39 +25,30 @@
 //! | [`draft`] | a coarse picture before the full one |
 //! | [`pixels`] | picture files that a command reads |
 //! | [`output`] | files that are complete or absent |
-//! | [`plan`] | what a scene asks to be simulated, and why |
 //! | [`stats`] | what was counted and measured |
 //! | [`settings`] | what is in force, and who has set it |
 //! | [`terminal`] | progress on the terminal |
 //! | [`summary`] | what was done, for a person |
-//! | [`amount`] | numbers with their nouns |
 //! | [`wrap`] | text that fits the screen |
 //! | [`signals`] | when to stop |
-//! | [`faults`] | what is wrong in a text, shown as a compiler would |
 //! | [`failure`] | what went wrong, and the exit status for it |
 
 pub mod aim;
 pub mod aim_report;
-pub mod amount;
 pub mod args;
 pub mod bake;
 pub mod cast;
 pub mod compare;
 pub mod cost;
-pub mod description;
 pub mod draft;
 pub mod explain;
 pub mod failure;
-pub mod faults;
 pub mod generate;
 pub mod heat;
 pub mod info;
-pub mod load;
 pub mod manual;
 pub mod output;
 pub mod pixels;
-pub mod plan;
-pub mod procedural;
 pub mod rays;
 pub mod render;
 pub mod session;

@@ -5,9 +5,9 @@ use std::process::ExitCode;
 use clap::Parser;
 use strahl::args::{Args, Command, Schema};
 use strahl::failure::Answer;
-use strahl::load::native;
 use strahl::output::Output;
 use strahl::study::file;
+use strahl_scene::native;
 
 fn main() -> ExitCode {
     let args = Args::parse();

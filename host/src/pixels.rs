@@ -4,10 +4,10 @@ use std::io::{self, Read};
 use std::path::Path;
 
 use strahl_picture::{Pixels, decode};
+use strahl_scene::Files;
 use strahl_settings::domain::MOST_PIXELS;
 
 use crate::failure::Failure;
-use crate::load::Files;
 
 /// Reads the picture at `path` from these files; `-` is the standard input.
 pub fn read(files: &Files, path: &Path) -> Result<Pixels, Failure> {

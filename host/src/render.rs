@@ -7,6 +7,9 @@ use std::time::{Duration, Instant};
 
 use strahl_engine::{CostMap, Mask, Progress, RenderError, RenderOptions};
 use strahl_picture::{Format, Picture};
+use strahl_scene::description::Description;
+use strahl_scene::effects::{PlannedEffect, leave_out, plan};
+use strahl_scene::{Files, load_from};
 use strahl_settings::{DEFAULT_SIZE, Resolved, Settings};
 
 use crate::aim;
@@ -14,14 +17,11 @@ use crate::aim::search::{Fixed, Goal};
 use crate::aim::time::Limit;
 use crate::aim_report::AimReport;
 use crate::args::{AimArgs, RenderArgs, StatsForm};
-use crate::description::Description;
 use crate::draft;
 use crate::failure::{Answer, Failure};
 use crate::heat::{self, Costs};
-use crate::load::{Files, load_from};
 use crate::output::{Guard, Output, refuse_terminal, say, tell};
 use crate::pixels;
-use crate::plan::{Step, leave_out, plan};
 use crate::session::{self, RenderOutput};
 use crate::settings;
 use crate::signals::Signals;
@@ -67,7 +67,7 @@ pub struct Loaded {
     /// What was read for it, or named there.
     inputs: Vec<PathBuf>,
     /// What it asked for and is not to be simulated.
-    left_out: Vec<Step>,
+    left_out: Vec<PlannedEffect>,
     took: Duration,
 }
 
@@ -137,7 +137,7 @@ impl<'a> Job<'a> {
         }
         let write = clock.elapsed();
 
-        let mut plan = plan(description, &frame.scene.effects);
+        let mut plan = plan(description);
         plan.extend_from_slice(left_out);
         if let Some((form, output)) = report {
             let mut stats = Stats::new(&plan, &frame);

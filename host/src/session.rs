@@ -8,9 +8,9 @@ use strahl_engine::{
     SceneStats, Scheduler,
 };
 use strahl_picture::Picture;
+use strahl_scene::description::Description;
 use strahl_settings::{AccelSettings, Precision, Settings};
 
-use crate::description::Description;
 use crate::stock::{double, single};
 
 /// The tables of a scene, and memory for its accelerator. The caller keeps it as long as the session.

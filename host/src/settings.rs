@@ -7,7 +7,6 @@ use std::collections::BTreeMap;
 use std::path::Path;
 
 use serde::Serializer;
-use serde_json::Value;
 use strahl_settings::{Resolved, Setting, Settings, Source};
 
 use crate::args::RenderArgs;
@@ -87,13 +86,7 @@ pub fn serialize<'s, S: Serializer>(
     some: impl Iterator<Item = &'s Setting>,
     serializer: S,
 ) -> Result<S::Ok, S::Error> {
-    serializer.collect_map(some.map(|setting| (setting.name, value(settings, setting))))
-}
-
-/// The value of a setting as JSON has it.
-pub fn value(settings: &Settings, setting: &Setting) -> Value {
-    let literal = setting.literal(settings);
-    literal.and_then(|literal| serde_json::from_str(&literal).ok()).unwrap_or(Value::Null)
+    serializer.collect_map(some.map(|setting| (setting.name, setting.to_json(settings))))
 }
 
 /// A word that a shell leaves as it is.

@@ -1,15 +1,16 @@
 //! What was counted and measured, for programs and for people.
 
+use std::collections::BTreeMap;
 use std::fmt::Write as _;
 
 use serde::Serialize;
-use std::collections::BTreeMap;
 use strahl_core::geometry::ShapeKind;
 use strahl_core::tally::RayKind;
+use strahl_scene::amount::amount;
+use strahl_scene::effects;
+use strahl_settings::Effect;
 
 use crate::aim_report::AimReport;
-use crate::amount::amount;
-use crate::plan::{self, Effect};
 use crate::session::RenderOutput;
 use crate::summary::percent;
 
@@ -138,7 +139,7 @@ pub struct Seconds {
 }
 
 /// A step of the plan, reason by reason.
-fn steps(step: &plan::Step) -> impl Iterator<Item = Step> + '_ {
+fn steps(step: &effects::PlannedEffect) -> impl Iterator<Item = Step> + '_ {
     step.reasons.iter().map(|reason| Step {
         effect: step.effect.name(),
         asked_by: reason.what.clone(),
@@ -150,7 +151,7 @@ fn steps(step: &plan::Step) -> impl Iterator<Item = Step> + '_ {
 
 impl Stats {
     /// The report on a picture whose tests were counted.
-    pub fn new(plan: &[plan::Step], frame: &RenderOutput) -> Self {
+    pub fn new(plan: &[effects::PlannedEffect], frame: &RenderOutput) -> Self {
         let RenderOutput { scene: facts, accelerator, counters, .. } = frame;
         let by_ray = |kind| TestsByRay {
             boxes: counters.boxes[kind],

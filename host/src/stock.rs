@@ -4,7 +4,7 @@
 //! the description, which is single precision, is widened first, and everything derived (units,
 //! planes of polygons, axes of cones) is computed in the core's own precision.
 //!
-//! [`Description`]: crate::description::Description
+//! [`Description`]: strahl_scene::description::Description
 
 macro_rules! stock {
     ($(#[$doc:meta])* $precision:ident, $core:ident) => {
@@ -15,7 +15,7 @@ macro_rules! stock {
             use $core::scene::{Shading, Texture};
             use $core::{Background, Falloff, Light, Material, MaterialId, Projection, Real, Rgb, SceneTables, Source, Sphere, Vec3, View, vec3};
 
-            use crate::description::{self, Description, Form, Object, Triple};
+            use strahl_scene::description::{self, Description, Form, Object, Triple};
 
             /// The tables of the scene that is described.
             pub fn scene_tables(description: &Description) -> SceneTables {

@@ -7,11 +7,12 @@ use std::{fs, io, iter};
 
 use indicatif::{ProgressBar, ProgressStyle};
 use strahl_engine::{Interrupt, Progress, RenderError};
+use strahl_scene::description::Description;
+use strahl_scene::{Files, load_from};
+use strahl_settings::DEFAULT_SIZE;
 
 use crate::args::StudyArgs;
-use crate::description::Description;
 use crate::failure::Failure;
-use crate::load::{Files, load_from};
 use crate::output::{Guard, Output, say, tell};
 use crate::signals::Signals;
 use crate::study::device::Device;
@@ -20,7 +21,6 @@ use crate::study::progress::StudyProgress;
 use crate::study::record::Study;
 use crate::study::{StudySettings, page, stem, study, table};
 use crate::wrap::{width_of_stderr, wrapped};
-use strahl_settings::DEFAULT_SIZE;
 
 /// Studies a scene, or makes the page of a study again.
 pub fn run(args: &StudyArgs) -> Result<(), Failure> {

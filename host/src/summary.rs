@@ -7,12 +7,13 @@ use std::time::Duration;
 use anstyle::{AnsiColor, Effects, Style};
 use indicatif::{HumanBytes, HumanCount};
 use strahl_core::tally::RayKind;
+use strahl_scene::amount::amount;
+use strahl_scene::effects::PlannedEffect;
+use strahl_settings::Effect;
 use strahl_settings::Precision;
-
-use crate::amount::amount;
-use crate::plan::{Effect, Step};
-use crate::session::RenderOutput;
 use strahl_settings::Sampling;
+
+use crate::session::RenderOutput;
 
 /// Where the text of the lines begins.
 pub const INDENT: usize = 12;
@@ -26,7 +27,7 @@ const TITLE: Style = AnsiColor::Green.on_default().effects(Effects::BOLD);
 pub fn summary(
     path: &Path,
     frame: &RenderOutput,
-    plan: &[Step],
+    plan: &[PlannedEffect],
     sampling: Sampling,
     load: Duration,
     write: Duration,
@@ -144,7 +145,7 @@ pub fn percent(share: f64) -> String {
 }
 
 /// An effect and the first that asks for it.
-fn reasons(step: &Step) -> String {
+fn reasons(step: &PlannedEffect) -> String {
     let first = step.reasons.first().map(|reason| format!(": {reason}")).unwrap_or_default();
     match step.reasons.len() {
         0 | 1 => format!("{}{first}", step.effect),

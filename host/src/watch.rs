@@ -16,10 +16,10 @@ use std::{io, iter};
 use notify::event::{AccessKind, AccessMode, EventKind, ModifyKind};
 use notify::{Config, Event, PollWatcher, RecommendedWatcher, RecursiveMode, Watcher};
 use strahl_engine::Interrupt;
+use strahl_scene::Files;
 
 use crate::args::RenderArgs;
 use crate::failure::Failure;
-use crate::load::Files;
 use crate::output::{complain, say};
 use crate::render::Job;
 use crate::signals::Signals;
@@ -75,7 +75,7 @@ pub fn run(args: &RenderArgs) -> Result<Interrupt, Failure> {
             {
                 return Err(Failure::Unreadable { path, error });
             }
-            Err(failure @ (Failure::Input { .. } | Failure::Faults(_) | Failure::Unreadable { .. })) => {
+            Err(failure @ (Failure::Input { .. } | Failure::Diagnostics(_) | Failure::Unreadable { .. })) => {
                 complain(&failure);
                 true
             }

@@ -18,24 +18,24 @@ use std::process::ExitCode;
 
 use strahl::args::GenerateArgs;
 use strahl::generate;
-use strahl::procedural::What;
 use strahl::session::{self, RenderOutput};
 use strahl_core::Resolution;
 use strahl_engine::{NoProgress, RenderOptions};
+use strahl_scene::procedural::ProceduralScene;
 use strahl_settings::{AccelKind, AccelSettings, Settings};
 
-/// What is made, and how large.
-const SCENES: [(What, u32); 10] = [
-    (What::Sphereflake, 1),
-    (What::Sphereflake, 2),
-    (What::Sphereflake, 3),
-    (What::Sphereflake, 4),
-    (What::Sphereflake, 5),
-    (What::Sphereflake, 6),
-    (What::Knot, 1_000),
-    (What::Knot, 100_000),
-    (What::Knot, 1_000_000),
-    (What::Stadium, 10_000),
+/// ProceduralScene is made, and how large.
+const SCENES: [(ProceduralScene, u32); 10] = [
+    (ProceduralScene::Sphereflake, 1),
+    (ProceduralScene::Sphereflake, 2),
+    (ProceduralScene::Sphereflake, 3),
+    (ProceduralScene::Sphereflake, 4),
+    (ProceduralScene::Sphereflake, 5),
+    (ProceduralScene::Sphereflake, 6),
+    (ProceduralScene::Knot, 1_000),
+    (ProceduralScene::Knot, 100_000),
+    (ProceduralScene::Knot, 1_000_000),
+    (ProceduralScene::Stadium, 10_000),
 ];
 
 /// The most objects that are held against every ray.
@@ -46,7 +46,7 @@ const TURNS: usize = 3;
 
 /// One row of the table.
 struct Row {
-    what: What,
+    what: ProceduralScene,
     objects: usize,
     kind: AccelKind,
     build: f64,
@@ -81,7 +81,7 @@ fn main() -> Result<ExitCode, Box<dyn Error>> {
 }
 
 /// Adds the rows of one scene; whether all of its pictures are the same.
-fn scene(what: What, size: u32, path: &Path, rows: &mut Vec<Row>) -> Result<bool, Box<dyn Error>> {
+fn scene(what: ProceduralScene, size: u32, path: &Path, rows: &mut Vec<Row>) -> Result<bool, Box<dyn Error>> {
     generate::run(&GenerateArgs {
         what,
         size: Some(size),
@@ -90,7 +90,7 @@ fn scene(what: What, size: u32, path: &Path, rows: &mut Vec<Row>) -> Result<bool
         bare: false,
         quiet: true,
     })?;
-    let description = strahl::load::load(path)?;
+    let description = strahl_scene::load(path)?;
     let objects = description.objects.len();
     let mut digests = Vec::new();
     for kind in AccelKind::ALL.into_iter().filter(|kind| *kind != AccelKind::List || objects <= LISTED) {
@@ -131,12 +131,14 @@ fn scene(what: What, size: u32, path: &Path, rows: &mut Vec<Row>) -> Result<bool
     Ok(digests.len() == 1)
 }
 
-/// What becomes of the times when a sphereflake has 81 times the objects.
+/// ProceduralScene becomes of the times when a sphereflake has 81 times the objects.
 fn growth(rows: &[Row]) {
     println!("\nFrom the sphereflake of 7,382 objects to that of 597,872, 81 times as many:\n");
     println!("| accelerator | trace | build |\n|---|---:|---:|");
     let of = |kind, objects| {
-        rows.iter().find(|row| row.what == What::Sphereflake && row.kind == kind && row.objects == objects)
+        rows.iter().find(|row| {
+            row.what == ProceduralScene::Sphereflake && row.kind == kind && row.objects == objects
+        })
     };
     for kind in AccelKind::ALL {
         if let (Some(few), Some(many)) = (of(kind, 7_382), of(kind, 597_872)) {
@@ -146,7 +148,7 @@ fn growth(rows: &[Row]) {
     }
 }
 
-/// What the system says of its processor.
+/// ProceduralScene the system says of its processor.
 fn machine() -> String {
     let told = std::fs::read_to_string("/proc/cpuinfo").unwrap_or_default();
     let name = told.lines().find_map(|line| line.strip_prefix("model name")?.split_once(':'));

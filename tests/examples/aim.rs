@@ -24,11 +24,11 @@ use strahl::aim::reference::reference;
 use strahl::aim::search::{Candidate, Fixed, Goal, Search};
 use strahl::aim::sparse::rmse;
 use strahl::cost::WEIGHTS;
-use strahl::description::Description;
-use strahl::load::load;
 use strahl::session::{SceneStorage, Session};
 use strahl_core::{Resolution, Rgb};
 use strahl_engine::{CostMap, NoProgress, RenderError, RenderOptions};
+use strahl_scene::description::Description;
+use strahl_scene::load;
 use strahl_settings::{PartialSettings, Settings};
 
 /// Scenes of different kinds, each with limits that ask for little or much.

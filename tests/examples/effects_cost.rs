@@ -91,7 +91,7 @@ fn rows() -> impl Iterator<Item = Row> {
 /// Traces by what the program takes where nobody asks for anything: the list for few items, else
 /// the hierarchy.
 fn traced<E: Effects>(path: &Path) -> Result<u64, Box<dyn Error>> {
-    let description = strahl::load::load(path)?;
+    let description = strahl_scene::load(path)?;
     let stock = single::scene_tables(&description);
     let scene = stock.scene()?;
     let geometry = scene.parts().geometry;
@@ -115,7 +115,7 @@ fn traced<E: Effects>(path: &Path) -> Result<u64, Box<dyn Error>> {
 
 /// What a scene asks for.
 fn asked(path: &Path) -> Result<EffectSet, Box<dyn Error>> {
-    let description = strahl::load::load(path)?;
+    let description = strahl_scene::load(path)?;
     let stock = single::scene_tables(&description);
     let size = Resolution::new(SIZE.0, SIZE.1).ok_or("no size")?;
     let camera = Camera::new(&single::view(&description.view), size)?;

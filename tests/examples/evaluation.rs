@@ -14,7 +14,6 @@ use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 use std::time::Duration;
 
-use strahl::load::load;
 use strahl::session::SceneStorage;
 use strahl::study::bench::Bench;
 use strahl::study::conduct;
@@ -24,6 +23,7 @@ use strahl::study::plan::Plan;
 use strahl::study::record::{Run, Technique};
 use strahl_core::Resolution;
 use strahl_engine::NoProgress;
+use strahl_scene::load;
 use strahl_settings::{Precision, Settings};
 
 /// The procedural databases, and what they are.

@@ -119,7 +119,7 @@ fn povray(scene: &Path, side: u32, way: &str) -> Result<Took, Box<dyn Error>> {
 /// One turn of ours.
 fn strahl(scene: &Path, side: u32, kind: AccelKind) -> Result<Took, Box<dyn Error>> {
     let clock = Instant::now();
-    let description = strahl::load::load(scene)?;
+    let description = strahl_scene::load(scene)?;
     let load = clock.elapsed();
     let size = Resolution::new(side, side).ok_or("no size")?;
     let settings = Settings { size, levels: 5, cutoff: 0.0, threads: 1, ..Settings::default() };

@@ -93,7 +93,7 @@ impl Sampler for Jittered {
 }
 
 struct Scene {
-    description: strahl::description::Description,
+    description: strahl_scene::description::Description,
     size: Resolution,
     reference: Vec<Rgb>,
 }
@@ -101,7 +101,7 @@ struct Scene {
 impl Scene {
     fn of(name: &str) -> Result<Self, Box<dyn Error>> {
         let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("../scenes").join(name).with_extension("toml");
-        let description = strahl::load::load(&path)?;
+        let description = strahl_scene::load(&path)?;
         let whole = description.settings.size.ok_or("the scene has no size")?;
         // A tenth of the picture's side and more.
         let size = Resolution::new(whole.width() / 8, whole.height() / 8).ok_or("too small")?;
@@ -245,7 +245,7 @@ impl Scene {
     /// At its own size, and still without a reference.
     fn of_all_pixels(name: &str) -> Result<Self, Box<dyn Error>> {
         let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("../scenes").join(name).with_extension("toml");
-        let description = strahl::load::load(&path)?;
+        let description = strahl_scene::load(&path)?;
         let size = description.settings.size.ok_or("the scene has no size")?;
         Ok(Scene { description, size, reference: Vec::new() })
     }

@@ -99,7 +99,7 @@ fn main() -> Result<ExitCode, Box<dyn Error>> {
         Settings { size, levels: 5, cutoff: 0.0, sampler: Sampling::CORNERS, ..Settings::default() };
     let mut all_hold = true;
     for (name, published, limit) in PUBLISHED {
-        let description = strahl::load::load(&folder.join(name).with_extension("nff"))?;
+        let description = strahl_scene::load(&folder.join(name).with_extension("nff"))?;
         let mut first: Option<(String, Counters)> = None;
         let mut seconds = Vec::new();
         for accel in ways() {

@@ -48,7 +48,7 @@ fn trace(scene: &str, kind: &str, sampler: &str, size: &str) -> Result<(), Box<d
     let kind = AccelKind::ALL.into_iter().find(|it| it.name() == kind).ok_or("no such accelerator")?;
     let (width, height) = size.split_once('x').ok_or("no size")?;
     let size = Resolution::new(width.parse()?, height.parse()?).ok_or("no size")?;
-    let scene = strahl::load::load(Path::new(scene))?;
+    let scene = strahl_scene::load(Path::new(scene))?;
     let default = Settings::default();
     let levels = scene.settings.levels.unwrap_or(default.levels);
     let settings = Settings { size, sampler: sampler.parse()?, levels, threads: 1, ..default };

@@ -6,15 +6,15 @@
 
 use std::path::{Path, PathBuf};
 
-use strahl::description::Description;
-use strahl::failure::Failure;
-use strahl::load::{Files, load_from};
 use strahl::stock;
+use strahl_scene::LoadError;
+use strahl_scene::description::Description;
+use strahl_scene::{Files, load_from};
 use strahl_settings::DEFAULT_SIZE;
 
 use counting::{Bound, most_held};
 
-#[path = "../../host/tests/memory/counting.rs"]
+#[path = "../../host/scene/tests/memory/counting.rs"]
 pub mod counting;
 
 /// Bytes of an NFF scene.
@@ -89,20 +89,19 @@ fn is_scene(it: &Description) {
 }
 
 /// What is refused is refused with a place that is there.
-fn is_refusal(failure: &Failure, files: &[(&str, &[u8])]) {
-    assert!(matches!(failure.status(), 65 | 66), "{failure}");
+fn is_refusal(failure: &LoadError, files: &[(&str, &[u8])]) {
     let lines = |path: &Path| {
         let (_, bytes) =
             files.iter().find(|(name, _)| Path::new(name) == path).expect("a file that is there");
         bytes.split_inclusive(|byte| *byte == b'\n').count().max(1)
     };
     match failure {
-        Failure::Input { path, line, reason } => {
+        LoadError::Invalid { path, line, reason } => {
             // What is missing at the end is missed in the line after it.
             assert!(line.is_none_or(|line| line >= 1 && line <= lines(path) + 1), "{line:?}: {reason}");
             assert!(is_harmless(reason) && reason.chars().count() < 400, "{reason:?}");
         }
-        Failure::Faults(faults) => {
+        LoadError::Diagnostics(faults) => {
             assert!(!faults.list().is_empty());
             let last = lines(Path::new(files[0].0));
             for fault in faults.list() {
@@ -113,7 +112,7 @@ fn is_refusal(failure: &Failure, files: &[(&str, &[u8])]) {
             }
             assert!(faults.to_string().lines().all(is_harmless));
         }
-        Failure::Unreadable { path, .. } => {
+        LoadError::Unreadable { path, .. } => {
             assert!(files.iter().all(|(name, _)| Path::new(name) != path), "{failure}");
         }
         _ => unreachable!("{failure}"),

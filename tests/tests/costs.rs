@@ -2,13 +2,13 @@
 
 use std::path::Path;
 
-use strahl::description::Description;
-use strahl::load::load;
 use strahl::session;
 use strahl_core::Resolution;
 use strahl_core::tally::{PerRayKind, RayKind};
 use strahl_engine::cost_map::PixelCost;
 use strahl_engine::{CostMap, NoProgress, RenderOptions};
+use strahl_scene::description::Description;
+use strahl_scene::load;
 use strahl_settings::{Precision, Settings};
 
 const SIZE: Resolution = Resolution::new(50, 41).unwrap();

@@ -3,13 +3,13 @@
 use std::path::{Path, PathBuf};
 
 use serde_json::Value;
-use strahl::description::Description;
 use strahl::explain::pixel::{Traced, trace};
-use strahl::load::load;
 use strahl::session;
 use strahl_core::image::Pixel;
 use strahl_core::{Resolution, Rgb, Tile};
 use strahl_engine::{NoProgress, RenderOptions};
+use strahl_scene::description::Description;
+use strahl_scene::load;
 use strahl_settings::{PartialSettings, Sampling, Settings};
 
 fn scene(name: &str) -> Description {

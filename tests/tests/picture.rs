@@ -111,7 +111,7 @@ const FEW: usize = 1000;
 /// Every way of finding must give the same picture, which is held at a quarter of the size.
 fn scene_file(name: &str, width: u32, height: u32, levels: Option<u8>, sampling: Sampling) -> Picture {
     let path = root().join("scenes").join(name);
-    let description = strahl::load::load(&path).unwrap();
+    let description = strahl_scene::load(&path).unwrap();
     let (scene, default) = (&description.settings, Settings::default());
     let settings = Settings {
         levels: levels.or(scene.levels).unwrap_or(default.levels),

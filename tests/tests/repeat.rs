@@ -1,11 +1,11 @@
 //! Memory and order buy time, never truth: threads, tiles and tallies change no bit.
 
-use strahl::description::Description;
 use strahl::session::{self, RenderOutput};
 use strahl_core::image::Pixel;
 use strahl_core::tally::{Counters, RayKind};
 use strahl_core::{Resolution, Rgb, Tile};
 use strahl_engine::{Mask, NoProgress, RenderOptions};
+use strahl_scene::description::Description;
 use strahl_settings::{AccelKind, AccelSettings, Bounds, Settings};
 
 /// Every sampler and pixel-selected tracing in the words of the command line, and whether its
@@ -27,7 +27,7 @@ const WAYS: [(&str, Option<&str>, bool); 9] = [
 const SIZE: Resolution = Resolution::new(61, 37).unwrap();
 
 fn loaded(name: &str) -> Description {
-    strahl::load::load(&std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join(name)).unwrap()
+    strahl_scene::load(&std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join(name)).unwrap()
 }
 
 /// Many objects, and nothing that is left to chance.

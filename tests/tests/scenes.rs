@@ -4,7 +4,7 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 use strahl::args::GenerateArgs;
-use strahl::procedural::{Form, What};
+use strahl_scene::procedural::{ProceduralScene, SceneFormat};
 
 #[allow(dead_code)]
 #[path = "../examples/models.rs"]
@@ -25,10 +25,10 @@ fn the_turned_models_are_what_their_program_makes() {
     }
 }
 
-/// What `strahl generate` writes into a file of this name.
-fn generated(what: What, size: u32, name: &str, bare: bool) -> Vec<u8> {
+/// ProceduralScene `strahl generate` writes into a file of this name.
+fn generated(what: ProceduralScene, size: u32, name: &str, bare: bool) -> Vec<u8> {
     let path = Path::new(env!("CARGO_TARGET_TMPDIR")).join(name);
-    let (output, format) = (Some(path.clone()), None::<Form>);
+    let (output, format) = (Some(path.clone()), None::<SceneFormat>);
     let args = GenerateArgs { what, size: Some(size), output, format, bare, quiet: true };
     strahl::generate::run(&args).unwrap();
     fs::read(path).unwrap()
@@ -36,9 +36,11 @@ fn generated(what: What, size: u32, name: &str, bare: bool) -> Vec<u8> {
 
 #[test]
 fn the_generated_models_are_what_generate_makes() {
-    for (what, size, name) in
-        [(What::Knot, 5000, "knot.ply"), (What::Tetra, 6, "tetra.ply"), (What::Mountain, 6, "mountain.ply")]
-    {
+    for (what, size, name) in [
+        (ProceduralScene::Knot, 5000, "knot.ply"),
+        (ProceduralScene::Tetra, 6, "tetra.ply"),
+        (ProceduralScene::Mountain, 6, "mountain.ply"),
+    ] {
         let model = fs::read(root().join("scenes/models").join(name)).unwrap();
         assert!(model == generated(what, size, name, false), "{name}");
     }
@@ -46,7 +48,7 @@ fn the_generated_models_are_what_generate_makes() {
 
 #[test]
 fn the_sphereflake_has_the_spheres_that_generate_makes() {
-    let made = String::from_utf8(generated(What::Sphereflake, 3, "flake.toml", true)).unwrap();
+    let made = String::from_utf8(generated(ProceduralScene::Sphereflake, 3, "flake.toml", true)).unwrap();
     let spheres = &made[made.find("[[sphere]]").unwrap()..];
     assert_eq!(spheres.matches("[[sphere]]").count(), 820);
     assert!(text("scenes/sphereflake.toml").ends_with(spheres));

@@ -10,8 +10,6 @@ use std::time::{Duration, Instant};
 
 use clap::Parser;
 use strahl::args::StudyArgs;
-use strahl::load::load;
-use strahl::plan::Effect;
 use strahl::study::bench::Bench;
 use strahl::study::conduct;
 use strahl::study::front::{Point, front};
@@ -20,6 +18,8 @@ use strahl::study::plan::Plan;
 use strahl::study::record::Step;
 use strahl_core::Resolution;
 use strahl_engine::NoProgress;
+use strahl_scene::load;
+use strahl_settings::Effect;
 use strahl_settings::Settings;
 
 fn scene(name: &str) -> PathBuf {

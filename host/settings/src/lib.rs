@@ -7,9 +7,10 @@
 //!
 //! | module | what it holds |
 //! |---|---|
-//! | [`settings`] | the declaration; [`Settings`], and [`PartialSettings`] as a scene or a command line has them |
+//! | [`settings`] | the declaration: the list of every [`Setting`]; [`Settings`], and [`PartialSettings`] as a scene or a command line has them |
 //! | [`resolve`] | command line over scene over defaults, and which of them set what |
-//! | [`setting`] | what is known of one setting: [`Setting`] |
+//! | [`attributes`] | what a setting is like |
+//! | [`json`] | their values in JSON, and the JSON Schema of these |
 //! | [`domain`] | the values that a setting may have, and the words for them |
 //! | [`choice`] | types whose values have names |
 //! | [`sampling`], [`accelerator`], [`precision`], [`effect`] | the types of settings |
@@ -18,21 +19,22 @@
 //! limits are those of the settings.
 
 pub mod accelerator;
+pub mod attributes;
 pub mod choice;
 pub mod domain;
 pub mod effect;
+pub mod json;
 pub mod precision;
 pub mod resolve;
 pub mod sampling;
-pub mod setting;
 pub mod settings;
 
 pub use accelerator::{Accel, AccelChoice, AccelKind, AccelSettings, Bounds, Walk};
+pub use attributes::{Affects, CommandOption, Group, Scope};
 pub use choice::{Choice, Named};
 pub use domain::{Domain, Value};
 pub use effect::Effect;
 pub use precision::Precision;
 pub use resolve::{Resolved, SettingsError, Source};
 pub use sampling::{Agreement, Confidence, Filter, PixelSelection, Sampling};
-pub use setting::{Affects, CommandOption, Group, Scope, Setting};
-pub use settings::{DEFAULT_SIZE, LEVELS, PartialSettings, SETTINGS, Settings};
+pub use settings::{DEFAULT_SIZE, LEVELS, PartialSettings, SETTINGS, Setting, Settings};

@@ -8,8 +8,7 @@ use strahl_core::{Resolution, Tile};
 use crate::accelerator::Walk;
 use crate::effect::Effect;
 use crate::sampling::{Filter, Sampling};
-use crate::setting::Setting;
-use crate::settings::{PartialSettings, SETTINGS, Settings};
+use crate::settings::{PartialSettings, SETTINGS, Setting, Settings};
 
 /// The settings that hold, and what set each of them.
 #[derive(Clone, Debug)]
@@ -134,7 +133,7 @@ impl Settings {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::setting::{Affects, CommandOption};
+    use crate::attributes::{Affects, CommandOption};
 
     /// The settings of some options.
     fn of(options: &[(&str, &str)]) -> PartialSettings {

@@ -6,12 +6,12 @@
 use strahl_core::{Limits, Resolution, Tile};
 
 use crate::accelerator::{Accel, AccelKind, AccelSettings, Bounds, HEAPS, MAILBOXES, Walk};
+use crate::attributes::{Affects, CommandOption, Group, Scope};
 use crate::choice::Choice as _;
 use crate::domain::{Domain, Value};
 use crate::effect::Effect;
 use crate::precision::Precision;
 use crate::sampling::{Filter, PixelSelection, Sampling};
-use crate::setting::{Affects, CommandOption, Group, Scope, Setting};
 
 /// The size of a picture where nothing sets one.
 pub const DEFAULT_SIZE: Resolution = Resolution::new(640, 480).unwrap();
@@ -21,6 +21,30 @@ pub const LEVELS: usize = 64;
 
 /// The most threads.
 const THREADS: u32 = 1024;
+
+/// One setting, as it is declared below.
+#[derive(Clone, Copy, Debug)]
+pub struct Setting {
+    /// The name of its field in [`Settings`], which is its key in the `[render]` table of a scene.
+    pub name: &'static str,
+    /// The lines of its documentation.
+    doc: &'static str,
+    /// The values that it may have.
+    pub domain: Domain,
+    /// How the command line asks for it.
+    pub option: CommandOption,
+    /// Those with which it is an option of the same commands.
+    pub group: Group,
+    /// Where it can be set.
+    pub scope: Scope,
+    /// What it has an effect on.
+    pub affects: Affects,
+    ruled_out: fn(&Settings) -> Option<String>,
+    parse: fn(&str) -> Result<PartialSettings, String>,
+    is_set: fn(&PartialSettings) -> bool,
+    word: fn(&Settings) -> Option<String>,
+    literal: fn(&Settings) -> Option<String>,
+}
 
 /// Declares the settings: their types, and the list of them.
 macro_rules! settings {
@@ -175,6 +199,61 @@ settings! {
     /// Threads [default: one for each core].
     threads: usize = std::thread::available_parallelism().map_or(1, usize::from),
         Domain::Integer(1, THREADS), With("N"), Work, CommandLine, Time;
+}
+
+impl Setting {
+    /// What it is, in one line without a full stop at its end.
+    pub fn about(&self) -> &'static str {
+        self.doc.trim().trim_end_matches('.')
+    }
+
+    /// The name of its option, without the dashes.
+    pub fn option_name(&self) -> Option<&'static str> {
+        match self.option {
+            CommandOption::Value(_) => Some(self.name),
+            CommandOption::Off { option, .. } => Some(option),
+            CommandOption::Never => None,
+        }
+    }
+
+    /// Whether it can be set in a scene.
+    pub fn is_in_scenes(&self) -> bool {
+        self.scope == Scope::Scene
+    }
+
+    /// The settings in which this one has the value of a word and nothing else is set.
+    pub fn parse(&self, word: &str) -> Result<PartialSettings, String> {
+        (self.parse)(word)
+    }
+
+    /// Whether it is set.
+    pub fn is_set(&self, settings: &PartialSettings) -> bool {
+        (self.is_set)(settings)
+    }
+
+    /// Its value as a word, where it has one.
+    pub fn word(&self, settings: &Settings) -> Option<String> {
+        (self.word)(settings)
+    }
+
+    /// Its value as TOML and JSON have it, where it has one.
+    pub fn literal(&self, settings: &Settings) -> Option<String> {
+        (self.literal)(settings)
+    }
+
+    /// The options that ask for its value; none where no option does, or without any it is the same.
+    pub fn option(&self, settings: &Settings) -> Option<String> {
+        let (name, word) = (self.option_name()?, self.word(settings)?);
+        match self.option {
+            CommandOption::Off { .. } => (word == "false").then(|| format!("--{name}")),
+            _ => Some(format!("--{name} {word}")),
+        }
+    }
+
+    /// The option that leaves no use for it, where one of these settings does.
+    pub fn ruled_out(&self, settings: &Settings) -> Option<String> {
+        (self.ruled_out)(settings)
+    }
 }
 
 impl Settings {

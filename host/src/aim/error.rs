@@ -13,6 +13,7 @@ use std::time::Instant;
 use strahl_core::scene::EffectSet;
 use strahl_core::{Limits, Rgb};
 use strahl_engine::{Progress, RenderError, RenderOptions};
+use strahl_scene::description::Description;
 use strahl_settings::Settings;
 
 use super::limits::{HOPE, cheapest_within, limits_of_reference, priced_limits};
@@ -21,7 +22,6 @@ use super::reference::reference;
 use super::search::{Candidate, Goal, Search};
 use super::sparse::{Estimate, rmse};
 use super::{Aimed, Target};
-use crate::description::Description;
 use crate::session::{RenderOutput, SceneStorage, Session};
 
 /// What may be lost by those with which rays are looked for: a twentieth of what is measured then.

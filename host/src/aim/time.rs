@@ -12,10 +12,10 @@ use strahl_core::Rgb;
 use strahl_engine::scheduler::{Outlook, Pass, PassStats};
 use strahl_engine::{Progress, RenderError, RenderOptions, Scheduler};
 use strahl_picture::{Format, Picture};
+use strahl_scene::description::Description;
 use strahl_settings::{Agreement, Confidence, PixelSelection, Sampling, Settings};
 
 use super::{Aimed, Target};
-use crate::description::Description;
 use crate::session::{RenderOutput, SceneStorage, Session};
 
 /// When the picture must be written.

@@ -3,15 +3,16 @@
 use std::path::PathBuf;
 
 use clap::Parser;
+use strahl_scene::procedural::{ProceduralScene, SceneFormat};
 
-use crate::procedural::{Form, What};
+use super::names::name_of;
 
 /// Which scene to make, and where it goes.
 #[derive(Debug, Parser)]
 pub struct GenerateArgs {
-    /// What to make.
-    #[arg(value_name = "WHAT")]
-    pub what: What,
+    /// ProceduralScene to make.
+    #[arg(value_name = "WHAT", value_parser = name_of::<ProceduralScene>())]
+    pub what: ProceduralScene,
 
     /// How large: how often it is divided, or for knot and stadium, how many triangles at least
     /// [default: as below].
@@ -24,8 +25,8 @@ pub struct GenerateArgs {
     pub output: Option<PathBuf>,
 
     /// How it is written, whatever the extension is.
-    #[arg(long, value_name = "FORMAT")]
-    pub format: Option<Form>,
+    #[arg(long, value_name = "FORMAT", value_parser = name_of::<SceneFormat>())]
+    pub format: Option<SceneFormat>,
 
     /// The objects with their materials only, without view, lights and background, to go into a
     /// scene of one's own.

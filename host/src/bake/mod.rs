@@ -18,17 +18,17 @@ use strahl_core::scene::EffectSet;
 use strahl_core::tally::Counters;
 use strahl_core::{BareList, Projection, Resolution, Scene, Worker};
 use strahl_engine::{NoProgress, RenderError, RenderOptions};
+use strahl_scene::amount::amount;
+use strahl_scene::description::Description;
+use strahl_scene::{Files, load_from};
 use strahl_settings::accelerator::MAILBOX;
 use strahl_settings::{
     Accel, AccelKind, AccelSettings, Bounds, DEFAULT_SIZE, Group, PartialSettings, SETTINGS, Setting,
     Settings,
 };
 
-use crate::amount::amount;
 use crate::args::BakeArgs;
-use crate::description::Description;
 use crate::failure::Failure;
-use crate::load::{Files, load_from};
 use crate::output::{Guard, refuse_terminal, say, tell};
 use crate::session;
 use crate::stock::single::{self, scene_tables};

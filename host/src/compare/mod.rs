@@ -13,10 +13,10 @@ use strahl_core::Resolution;
 use strahl_picture::colormap::{inferno, step_of};
 use strahl_picture::difference::Pair;
 use strahl_picture::{Format, Picture, Pixels, srgb};
+use strahl_scene::Files;
 
 use crate::args::CompareArgs;
 use crate::failure::{Answer, Failure};
-use crate::load::Files;
 use crate::output::{Guard, Output};
 use crate::pixels;
 use crate::wrap::{width_of_stdout, wrapped};

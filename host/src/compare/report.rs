@@ -5,8 +5,8 @@ use std::fmt::Write as _;
 use serde::Serialize;
 use strahl_core::Resolution;
 use strahl_picture::difference::{Color, Limit, Pair, Peak};
+use strahl_scene::amount::amount;
 
-use crate::amount::amount;
 use crate::args::CompareArgs;
 
 /// How two pictures differ. Field by field as `--json` prints it; differences are of

@@ -13,15 +13,15 @@ use std::path::Path;
 
 use strahl_core::image::Pixel;
 use strahl_core::{Rgb, Tile};
+use strahl_scene::effects::leave_out;
+use strahl_scene::{Files, load_from};
 use strahl_settings::{DEFAULT_SIZE, Precision, Settings};
-use tree::{Explained, VERSION, triple};
 
 use crate::args::ExplainArgs;
 use crate::failure::Failure;
-use crate::load::{Files, load_from};
 use crate::output::{Guard, Output, say};
-use crate::plan::leave_out;
 use crate::wrap::{width_of_stdout, wrapped};
+use tree::{Explained, VERSION, triple};
 
 pub mod names;
 pub mod pixel;

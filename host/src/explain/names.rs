@@ -4,10 +4,10 @@ use strahl_core::accel::List;
 use strahl_core::geometry::{ItemId, Ray};
 use strahl_core::tally::RayKind;
 use strahl_core::{AllEffects, Real, Vec3, World};
+use strahl_scene::description::{Description, Form};
+use strahl_scene::effects::objects_in;
 
 use super::tree::{Named, Thing};
-use crate::description::{Description, Form};
-use crate::plan::objects_in;
 
 /// A scene and the file that it comes from.
 pub struct Names<'n> {

@@ -12,12 +12,12 @@ use strahl_core::trace::PixelSample;
 use strahl_core::{AllEffects, Camera, Rgb, Tracer, Worker, World};
 use strahl_engine::RenderError;
 use strahl_engine::samplers::{AnySampler, CornerSource};
+use strahl_scene::description::Description;
 use strahl_settings::{LEVELS, Settings};
 
 use super::names::Names;
 use super::record::{MOST_RAYS, Record};
 use super::tree::{Part, Sample, Sum, triple};
-use crate::description::Description;
 use crate::stock::single::{scene_tables, view};
 
 /// The colour of a pixel, and how it comes about.

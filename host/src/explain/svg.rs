@@ -4,9 +4,9 @@
 use std::fmt::Write as _;
 
 use strahl_core::Rgb;
+use strahl_scene::amount::amount;
 
 use super::tree::{Explained, Light, Named, Ray, Sample, Sent, Triple};
-use crate::amount::amount;
 
 /// How wide a box is.
 const WIDTH: f64 = 222.0;

@@ -5,6 +5,7 @@
 //! [`Guard`] that makes it, so that nothing is replaced that the command reads.
 
 mod guard;
+mod screen;
 
 use std::fmt;
 use std::fs::{self, Permissions};
@@ -14,8 +15,6 @@ use std::path::{Path, PathBuf};
 use tempfile::{Builder, NamedTempFile};
 
 use crate::failure::Failure;
-use crate::faults::Screen;
-
 pub use guard::Guard;
 
 /// A place for one output.
@@ -135,7 +134,9 @@ pub fn tell(message: impl fmt::Display) {
 /// show it.
 pub fn complain(failure: &Failure) {
     match failure {
-        Failure::Faults(faults) => tell(format_args!("{}\n", faults.show(Screen::of_stderr()))),
+        Failure::Diagnostics(diagnostics) => {
+            tell(format_args!("{}\n", diagnostics.show(screen::of_stderr())))
+        }
         _ => say(failure),
     }
 }

@@ -3,9 +3,8 @@
 use std::fmt;
 
 use strahl_engine::RayQuery;
+use strahl_scene::amount::amount;
 use strahl_settings::Precision;
-
-use crate::amount::amount;
 
 /// The longest line that may be one, in bytes.
 pub(super) const LONGEST: usize = 1 << 16;

@@ -9,15 +9,15 @@ use strahl_engine::progress::Deadline;
 use strahl_engine::{CostMap, Interrupt, RenderError, RenderOptions};
 use strahl_picture::difference::{Limit, Pair};
 use strahl_picture::{Picture, Values};
+use strahl_scene::description::Description;
+use strahl_scene::effects::leave_out;
 use strahl_settings::Settings;
 
-use super::options::{record, words};
+use super::options::words;
 use super::plan::time;
 use super::progress::StudyProgress;
-use super::record::{Errors, Role, Run};
+use super::record::{Errors, Role, Run, RunSettings};
 use crate::cost::{WEIGHTS, recorded};
-use crate::description::Description;
-use crate::plan::leave_out;
 use crate::session;
 use crate::session::RenderOutput;
 
@@ -128,7 +128,7 @@ impl<'b> Bench<'b> {
         let choice = &frame.accelerator.choice;
         let run = Run {
             role,
-            setting: record(options, choice),
+            setting: RunSettings::new(options, choice),
             cpu: vec![frame.trace_cpu.as_secs_f64()],
             wall: vec![frame.trace.as_secs_f64()],
             build: frame.build.as_secs_f64(),

@@ -15,9 +15,9 @@ use super::error::StudyError;
 use super::knobs;
 use super::measurements::{Measurements, ReferencePicture, judge};
 use super::mixtures;
-use super::options::{coarse, record};
+use super::options::coarse;
 use super::plan::{FINER, finer, time};
-use super::record::{Reference, Role};
+use super::record::{Reference, Role, RunSettings};
 use super::techniques;
 
 /// No step towards the limits of the reference takes longer than this, in seconds, in a plan without end.
@@ -54,7 +54,7 @@ pub fn evaluate(measured: &mut Measurements<'_>, own: &Settings) -> Result<(), S
     let begun = measured.bench.elapsed();
     let frame = measured.bench.trace(own, f64::INFINITY)?;
     let frame = frame.ok_or_else(|| StudyError::TooShort("the picture takes too long".into()))?;
-    let setting = record(own, &frame.accelerator.choice);
+    let setting = RunSettings::new(own, &frame.accelerator.choice);
     let reference = Reference { setting, noise: 0.0, cut: 0.0, seconds: measured.bench.elapsed() - begun };
     techniques::all(measured, own, &ReferencePicture { picture: frame.picture, reference })?;
     measured.repeat()
@@ -131,7 +131,7 @@ fn reference(
         let Some(other) = measured.bench.trace(&of(2), left())? else { continue };
         let cut = one.counters.cut();
         let reference = Reference {
-            setting: record(&of(1), &one.accelerator.choice),
+            setting: RunSettings::new(&of(1), &one.accelerator.choice),
             // The mean of two has half of the variance of their difference, halved again.
             noise: 0.5 * errors(&one.picture, &other.picture).rmse,
             cut: cut[0] + cut[1],

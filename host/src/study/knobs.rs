@@ -4,6 +4,7 @@
 //! best: the same rays through the picture, so that nothing else is between the two pictures. Of
 //! samplers, and of effects that need many rays, it is the difference from the reference.
 
+use strahl_settings::Effect;
 use strahl_settings::domain::share_word;
 use strahl_settings::{Sampling, Settings};
 
@@ -13,7 +14,6 @@ use super::measurements::{Measurements, ReferencePicture};
 use super::options::words;
 use super::plan::{LEVELS, most_of};
 use super::record::{Knob, Run, Step};
-use crate::plan::Effect;
 
 /// Samples for effects that need many: enough to see what they do.
 const MANY: u32 = 16;
@@ -98,7 +98,7 @@ pub(super) fn samplers(
 ) -> Result<(), StudyError> {
     let Taken { options: base, run, .. } = &measured.taken[best];
     let (base, single) = (base.clone(), run.wall[0]);
-    let samples = reference.reference.setting.sampler.parse::<Sampling>().map_or(1, |it| 2 * most_of(&it));
+    let samples = 2 * most_of(&reference.reference.setting.settings.sampler);
     let before = measured.missing();
     let mut runs = vec![best];
     for (sampler, rays) in measured.plan.samplers(base.filter) {

@@ -32,6 +32,13 @@ use std::ffi::OsStr;
 use std::path::Path;
 use std::time::{Duration, Instant};
 
+use strahl_core::Resolution;
+use strahl_scene::description::Description;
+use strahl_scene::effects;
+use strahl_settings::{DEFAULT_SIZE, Effect, PartialSettings, Precision, Settings};
+
+use crate::cost::WEIGHTS;
+use crate::session::SceneStorage;
 use afford::smaller;
 use bench::Bench;
 use error::StudyError;
@@ -39,12 +46,6 @@ use measurements::Measurements;
 use plan::Plan;
 use progress::StudyProgress;
 use record::Study;
-use strahl_core::Resolution;
-use strahl_settings::{DEFAULT_SIZE, Effect, PartialSettings, Precision, Settings};
-
-use crate::cost::WEIGHTS;
-use crate::description::Description;
-use crate::session::SceneStorage;
 
 mod afford;
 pub mod bench;
@@ -99,7 +100,7 @@ pub fn study(
 ) -> Result<Study, StudyError> {
     let (load, date) = (machine::load(), machine::now());
     let facts = SceneStorage::new(scene, Precision::Single).scene_stats()?;
-    let asks: Vec<Effect> = Effect::ALL.into_iter().filter(|effect| effect.is_in(&facts.effects)).collect();
+    let asks: Vec<Effect> = effects::plan(scene).iter().map(|it| it.effect).collect();
 
     let plan = if settings.full { Plan::FULL } else { Plan::QUICK };
     let limit = settings.time_limit.or((!settings.full).then_some(QUICK));

@@ -1,8 +1,6 @@
-//! Settings in a study: as the command line has them, and as `study.json` has them.
+//! Settings in a study, as the command line has them.
 
-use strahl_settings::{AccelChoice, Group, Precision, Sampling, Setting, Settings};
-
-use super::record;
+use strahl_settings::{Group, Precision, Sampling, Setting, Settings};
 
 /// The same levels and cutoff with one ray in each pixel, and nothing else that changes the picture.
 pub fn coarse(settings: &Settings) -> Settings {
@@ -12,24 +10,6 @@ pub fn coarse(settings: &Settings) -> Settings {
         precision: Precision::Single,
         seed: 0,
         ..settings.clone()
-    }
-}
-
-/// As `study.json` has it; items were found by `choice`.
-pub fn record(settings: &Settings, choice: &AccelChoice) -> record::Setting {
-    record::Setting {
-        levels: settings.levels,
-        cutoff: settings.cutoff,
-        sampler: settings.sampler.to_string(),
-        filter: settings.filter.to_string(),
-        select: settings.select.map(|it| it.to_string()),
-        without: settings.without.iter().map(|effect| effect.to_string()).collect(),
-        precision: settings.precision.to_string(),
-        accelerator: choice.to_string(),
-        shadow_cache: settings.shadow_cache,
-        threads: settings.threads,
-        seed: settings.seed,
-        options: words(settings),
     }
 }
 

@@ -1,24 +1,14 @@
 //! `study.csv`: one row for each run, for spreadsheets.
 
 use super::front::{Point, front};
-use super::record::{Run, Study};
+use serde_json::Value;
+
+use super::record::{Run, RunSettings, Study};
 use super::statistics::{ends, median};
 
-/// The first row.
-pub const HEADER: [&str; 34] = [
-    "run",
-    "role",
-    "levels",
-    "cutoff",
-    "sampler",
-    "filter",
-    "select",
-    "without",
-    "precision",
+/// The columns after those of the settings.
+const MEASURED: [&str; 22] = [
     "accelerator",
-    "shadow_cache",
-    "threads",
-    "seed",
     "camera",
     "reflected",
     "transmitted",
@@ -55,27 +45,16 @@ pub fn table(study: &Study) -> String {
     let (by_work, by_time) = (best(study, |run| run.work), best(study, Run::seconds));
     let mut writer = csv::Writer::from_writer(Vec::new());
     // Writing to memory cannot fail.
-    let _ = writer.write_record(HEADER);
+    let settings = RunSettings::recorded().map(|setting| setting.name);
+    let _ = writer.write_record(["run", "role"].into_iter().chain(settings).chain(MEASURED));
     for (place, run) in study.runs.iter().enumerate() {
         let (setting, counts, error) = (&run.setting, &run.counts, &run.error);
         let sum = |of: [u64; 4]| of.iter().sum::<u64>().to_string();
         let [least, most] = ends(&run.cpu);
         let role = format!("{:?}", run.role).to_lowercase();
-        let mut row = vec![
-            place.to_string(),
-            role,
-            setting.levels.to_string(),
-            setting.cutoff.to_string(),
-            setting.sampler.clone(),
-            setting.filter.clone(),
-            setting.select.clone().unwrap_or_default(),
-            setting.without.join(" "),
-            setting.precision.clone(),
-            setting.accelerator.clone(),
-            setting.shadow_cache.to_string(),
-            setting.threads.to_string(),
-            setting.seed.to_string(),
-        ];
+        let mut row = vec![place.to_string(), role];
+        row.extend(RunSettings::recorded().map(|it| cell(&it.to_json(&setting.settings))));
+        row.push(setting.accelerator.clone());
         row.extend(counts.rays.map(|rays| rays.to_string()));
         row.extend([sum(counts.boxes), sum(counts.shapes), sum(counts.regions)]);
         row.extend([run.work, median(&run.cpu), least, most, median(&run.wall)].map(|it| it.to_string()));
@@ -86,4 +65,14 @@ pub fn table(study: &Study) -> String {
         let _ = writer.write_record(&row);
     }
     writer.into_inner().ok().and_then(|bytes| String::from_utf8(bytes).ok()).unwrap_or_default()
+}
+
+/// A value of JSON as spreadsheets take it.
+fn cell(value: &Value) -> String {
+    match value {
+        Value::Null => String::new(),
+        Value::String(text) => text.clone(),
+        Value::Array(list) => list.iter().map(cell).collect::<Vec<_>>().join(" "),
+        other => other.to_string(),
+    }
 }

@@ -181,6 +181,8 @@ fn pairs(base: &Settings) -> Vec<Pair> {
 
 #[cfg(test)]
 mod tests {
+    use strahl_settings::{Affects, SETTINGS};
+
     use super::*;
 
     #[test]
@@ -189,8 +191,13 @@ mod tests {
         assert!(all.len() >= 12);
         for Pair { name, without, with, exact, .. } in all {
             assert_ne!(without, with, "{name}");
-            let picture =
-                |it: &Settings| (it.limits(), it.sampler, it.filter, it.select, it.seed, it.without.clone());
+            let picture = |it: &Settings| {
+                SETTINGS
+                    .iter()
+                    .filter(|setting| setting.affects == Affects::Picture)
+                    .map(|setting| setting.word(it))
+                    .collect::<Vec<_>>()
+            };
             assert_eq!(picture(&without) == picture(&with), exact, "{name}");
         }
     }

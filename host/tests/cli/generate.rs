@@ -3,8 +3,8 @@
 use std::path::{Path, PathBuf};
 
 use serde_json::Value;
-use strahl::description::Form;
-use strahl::load::load;
+use strahl_scene::description::Form;
+use strahl_scene::load;
 
 use crate::program::{EMPTY, Folder};
 

@@ -12,6 +12,7 @@ mod manual;
 mod outputs;
 mod pictures;
 mod program;
+mod scene;
 mod settings;
 mod stats;
 #[cfg(unix)]

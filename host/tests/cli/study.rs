@@ -238,10 +238,10 @@ fn no_reference_is_coarser_than_the_scene_asks_for_however_short_the_time() {
         if said.status == Some(0) {
             let study =
                 Study::parse(&std::fs::read(folder.path(format!("out{limit}/study.json"))).unwrap()).unwrap();
-            let setting = &study.reference.setting;
+            let setting = &study.reference.setting.settings;
             assert!(setting.levels >= 14 && setting.cutoff <= 0.001, "{setting:?}");
             // Twice as many make the reference, and no fewer than the 49 of the scene.
-            let rays: u32 = setting.sampler.strip_prefix("stochastic:").unwrap().parse().unwrap();
+            let rays: u32 = setting.sampler.to_string().strip_prefix("stochastic:").unwrap().parse().unwrap();
             assert!(2 * rays >= 49, "{setting:?}");
         } else {
             said.failed(75, "is too short to make a reference");

@@ -5,8 +5,6 @@
 
 use std::path::Path;
 
-use strahl::description::Description;
-use strahl::plan::{Effect, asked_by, leave_out, plan};
 use strahl::session::{self, RenderOutput};
 use strahl::stock::single::{scene_tables, view};
 use strahl_core::geometry::ShapeSet;
@@ -17,20 +15,27 @@ use strahl_core::{
     AllEffects, BareList, Camera, Limits, Resolution, Rgb, Tile, Tracer, Worker, World, render,
 };
 use strahl_engine::{NoProgress, RenderOptions};
+use strahl_scene::description::Description;
+use strahl_scene::effects::{leave_out, plan};
+use strahl_settings::Effect;
 use strahl_settings::{Sampling, Settings};
 
 const SIZE: Resolution = Resolution::new(48, 36).unwrap();
 
 fn scene(name: &str) -> Description {
     let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/effects").join(name).with_extension("toml");
-    strahl::load::load(&path).unwrap_or_else(|failure| panic!("{failure}"))
+    strahl_scene::load(&path).unwrap_or_else(|failure| panic!("{failure}"))
 }
 
 /// What a scene asks for, by the names of the command line.
 fn asks(description: &Description) -> Vec<Effect> {
-    let stock = scene_tables(description);
-    let set = asked_by(description, &stock.scene().unwrap());
-    plan(description, &set).iter().map(|step| step.effect).collect()
+    let tables = scene_tables(description);
+    let lens = description.view.projection.has_lens();
+    let set = EffectSet { lens, ..tables.scene().unwrap().effects() };
+    let planned: Vec<Effect> = plan(description).iter().map(|it| it.effect).collect();
+    // The plan is what the tracer is asked for.
+    assert_eq!(planned, Effect::ALL.into_iter().filter(|effect| effect.is_in(&set)).collect::<Vec<_>>());
+    planned
 }
 
 /// What an effect is nothing without.

@@ -61,9 +61,9 @@ fn words(row: &Row) -> String {
 /// The run of the study with the same setting, if the scene is the same.
 fn twin<'s>(study: &'s Study, row: &Row) -> Option<&'s Run> {
     let is_same = |run: &&Run| {
-        let it = &run.setting;
-        (it.levels, it.cutoff, &it.sampler, &it.precision)
-            == (row.levels, row.cutoff, &row.sampler, &row.precision)
+        let it = &run.setting.settings;
+        (it.levels, it.cutoff, it.sampler.to_string(), it.precision.name())
+            == (row.levels, row.cutoff, row.sampler.clone(), &row.precision)
             && it.select.is_none()
             && it.without.is_empty()
     };

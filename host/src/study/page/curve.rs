@@ -18,7 +18,7 @@ fn dots(study: &Study, cost: fn(&Run) -> f64, spread: fn(&Run) -> Option<[f64; 2
         .map(|(place, run)| Dot {
             point: Point { cost: cost(run), error: run.error.rmse },
             spread: spread(run),
-            family: Family::of(&run.setting),
+            family: Family::of(&run.setting.settings),
             number: numbers.iter().find(|(at, _)| *at == place).map(|(_, number)| *number),
             is_own: run.role == Role::Own,
             about: format!(

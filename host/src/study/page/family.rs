@@ -2,7 +2,7 @@
 
 use maud::{Markup, html};
 
-use super::super::record::Setting;
+use strahl_settings::Settings;
 
 /// What kind of rays make a picture.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -28,14 +28,14 @@ impl Family {
         Family::Double,
     ];
 
-    /// That of a setting.
-    pub fn of(setting: &Setting) -> Self {
-        if !setting.without.is_empty() {
+    /// That of settings.
+    pub fn of(settings: &Settings) -> Self {
+        if !settings.without.is_empty() {
             Family::Without
-        } else if setting.select.is_some() {
+        } else if settings.select.is_some() {
             Family::Selected
         } else {
-            Family::named(&setting.sampler)
+            Family::named(&settings.sampler.to_string())
         }
     }
 

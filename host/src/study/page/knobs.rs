@@ -32,7 +32,11 @@ fn card(study: &Study, knob: &Knob) -> Markup {
         .map(|step| {
             let run = &study.runs[step.run];
             let is_sampler = knob.name == "sampler";
-            let family = if is_sampler { Family::named(&run.setting.sampler) } else { Family::Regular };
+            let family = if is_sampler {
+                Family::named(&run.setting.settings.sampler.to_string())
+            } else {
+                Family::Regular
+            };
             let (name, error, cost) = (step.value.clone(), step.alone.rmse, run.seconds());
             Row { name, error, cost, spread: ends(&run.cpu), family }
         })

@@ -195,7 +195,7 @@ fn threads(study: &Study) -> Markup {
                 tbody {
                     @for run in &runs {
                         tr {
-                            td { (run.setting.threads) }
+                            td { (run.setting.settings.threads) }
                             td.number { (seconds(median(&run.wall))) }
                             td.number { "× " (format!("{:.2}", median(&one.wall) / median(&run.wall).max(1e-12))) }
                             td.number { (seconds(run.seconds())) }

@@ -9,9 +9,11 @@ use serde::{Deserialize, Serialize};
 
 use crate::cost::Weights;
 
-pub use run::{Errors, Role, Run, Setting};
+pub use run::{Errors, Role, Run};
+pub use settings::RunSettings;
 
 mod run;
+mod settings;
 
 /// The format's name, the first thing in the file.
 pub const FORMAT: &str = "strahl-study";
@@ -107,7 +109,7 @@ pub struct Method {
 pub struct Reference {
     /// Two pictures of this setting with seeds of their own; the reference is their mean. It is never coarser
     /// than the scene's own setting.
-    pub setting: Setting,
+    pub setting: RunSettings,
     /// The root of the mean square of what is left of chance in it: half of the difference of the
     /// two. Errors below it cannot be told from none.
     pub noise: f64,

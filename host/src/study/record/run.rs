@@ -4,38 +4,9 @@
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
+use super::settings::RunSettings;
 use crate::cost::Counts;
 use crate::study::statistics::median;
-
-/// Everything that decides about a picture and its time, in the words of the command line.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
-#[serde(deny_unknown_fields)]
-pub struct Setting {
-    /// `--levels`
-    pub levels: u8,
-    /// `--cutoff`
-    pub cutoff: f32,
-    /// `--sampler`
-    pub sampler: String,
-    /// `--filter`
-    pub filter: String,
-    /// `--select`; null: every pixel is traced.
-    pub select: Option<String>,
-    /// `--without`
-    pub without: Vec<String>,
-    /// `--precision`
-    pub precision: String,
-    /// How items were found, in words.
-    pub accelerator: String,
-    /// Whether who stood last in a light was asked first.
-    pub shadow_cache: bool,
-    /// `--threads`
-    pub threads: usize,
-    /// `--seed`
-    pub seed: u32,
-    /// What the command line says for all of it.
-    pub options: String,
-}
 
 /// What a run was made for.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
@@ -60,7 +31,7 @@ pub struct Run {
     /// What it was made for.
     pub role: Role,
     /// The setting.
-    pub setting: Setting,
+    pub setting: RunSettings,
     /// Processor seconds of tracing, the sum over all threads, once for each repetition.
     pub cpu: Vec<f64>,
     /// Wall-clock seconds of tracing, once for each repetition.
@@ -91,13 +62,6 @@ pub struct Errors {
     pub beyond: f64,
     /// Structural similarity; 1 is equal.
     pub ssim: f64,
-}
-
-impl Setting {
-    /// The kind of accelerator: the first of the words about it.
-    pub fn kind(&self) -> &str {
-        self.accelerator.split(' ').next().unwrap_or_default()
-    }
 }
 
 impl Run {

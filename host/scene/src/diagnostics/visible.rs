@@ -1,0 +1,38 @@
+//! Texts of others, made harmless.
+
+use std::ops::Range;
+
+/// The text with nothing in it that steers a terminal; every place in it stays where it is.
+pub fn harmless(text: &str) -> String {
+    let mut harmless = String::with_capacity(text.len());
+    let mut rest = text.chars().peekable();
+    while let Some(c) = rest.next() {
+        let turns = matches!(c, '\u{202a}'..='\u{202e}' | '\u{2066}'..='\u{2069}' | '\u{200e}' | '\u{200f}');
+        let ends = matches!(c, '\n' | '\t') || c == '\r' && rest.peek() == Some(&'\n');
+        harmless.push(match c.len_utf8() {
+            1 if c.is_control() && !ends => '?',
+            2 if c.is_control() => '·',
+            3 if turns => '\u{fffd}',
+            _ => c,
+        });
+    }
+    harmless
+}
+
+/// The part of a span in its first line, and at least one character.
+pub fn visible(text: &str, span: &Range<usize>) -> Range<usize> {
+    let boundary = |place: usize| (0..=place.min(text.len())).rev().find(|p| text.is_char_boundary(*p));
+    let mut start = boundary(span.start).unwrap_or(0);
+    // Nothing can be shown at the end of a line, or in the empty lines at the end of a file.
+    if text[start..].trim_start().is_empty() {
+        start = text.trim_end().len();
+    }
+    if text[start..].is_empty() || text[start..].starts_with(['\r', '\n']) {
+        let before = text[..start].chars().next_back().filter(|c| *c != '\n');
+        start -= before.map_or(0, char::len_utf8);
+    }
+    let line = text[start..].lines().next().unwrap_or_default();
+    let first = line.chars().next().map_or(0, char::len_utf8);
+    let end = boundary(span.end).unwrap_or(0).min(start + line.len());
+    start..if end > start { end } else { start + first }
+}

@@ -1,0 +1,203 @@
+//! The effects that a scene calls for, and what in the file calls for them.
+
+use std::fmt;
+
+use strahl_core::{Material, Rgb};
+use strahl_settings::Effect;
+
+use crate::amount::amount;
+use crate::description::{Description, Form, Light, Object, Projection, Source};
+
+/// One thing in the file that asks for an effect.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Reason {
+    /// What asks: `light`, or `material` and its name.
+    pub what: String,
+    /// Its line, counted from 1; 0 where no file has it.
+    pub line: usize,
+    /// How many objects are made of it; none for a light.
+    pub objects: Option<usize>,
+}
+
+impl fmt::Display for Reason {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(&self.what)?;
+        if self.line > 0 {
+            write!(f, " (line {})", self.line)?;
+        }
+        match self.objects {
+            Some(objects) => write!(f, " on {}", amount(objects, "object")),
+            None => Ok(()),
+        }
+    }
+}
+
+/// An effect that the scene calls for, with everything that does, in the order of the file.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct PlannedEffect {
+    /// The effect.
+    pub effect: Effect,
+    /// At least one.
+    pub reasons: Vec<Reason>,
+    /// Whether it is simulated, or was switched off.
+    pub simulated: bool,
+}
+
+/// The effects that must be simulated, and why.
+pub fn plan(description: &Description) -> Vec<PlannedEffect> {
+    let used = Used::of(description);
+    let planned = Effect::ALL.into_iter().map(|effect| {
+        let reasons = reasons(description, &used, effect);
+        PlannedEffect { effect, reasons, simulated: true }
+    });
+    planned.filter(|it| !it.reasons.is_empty()).collect()
+}
+
+/// Changes a scene so that it calls for none of these effects; what of them it called for.
+pub fn leave_out(description: &mut Description, effects: &[Effect]) -> Vec<PlannedEffect> {
+    let mut planned = plan(description);
+    planned.retain(|it| effects.contains(&it.effect));
+    planned.iter_mut().for_each(|it| it.simulated = false);
+    effects.iter().for_each(|effect| without(description, *effect));
+    planned
+}
+
+/// The materials that something is made of.
+struct Used {
+    /// How many objects are made of each material.
+    objects: Vec<usize>,
+    /// Whether light changes anything that is seen.
+    is_lit: bool,
+}
+
+impl Used {
+    fn of(description: &Description) -> Self {
+        let objects = made_of(description);
+        let mut used = description.materials.iter().zip(&objects).filter(|(_, objects)| **objects > 0);
+        let is_lit = used.any(|(material, _)| material.it.is_lit());
+        Used { objects, is_lit }
+    }
+}
+
+/// What calls for an effect.
+fn reasons(description: &Description, used: &Used, effect: Effect) -> Vec<Reason> {
+    let one = |what: &str, line| vec![Reason { what: what.into(), line, objects: None }];
+    let is_called_for = |effect| !reasons(description, used, effect).is_empty();
+    match effect {
+        Effect::Shadows => lights(description, used, |light| light.shadows),
+        Effect::Penumbra => lights(description, used, is_soft),
+        Effect::ColoredShadows => match description.colored_shadows {
+            Some(line) if is_called_for(Effect::Shadows) && is_called_for(Effect::Transmission) => {
+                one("render", line)
+            }
+            _ => Vec::new(),
+        },
+        Effect::Lens => match description.view.projection {
+            Projection::Lens { .. } => one("camera", description.view_line),
+            _ => Vec::new(),
+        },
+        Effect::Reflection | Effect::Transmission | Effect::Gloss => {
+            materials(description, &used.objects, effect)
+        }
+        Effect::Motion => moving(description),
+    }
+}
+
+/// Whether a material calls for an effect.
+fn is_called_for_by(effect: Effect, material: &Material) -> bool {
+    match effect {
+        Effect::Reflection => !material.mirror.is_black(),
+        Effect::Transmission => material.is_transmitting(),
+        Effect::Gloss => material.is_rough(),
+        _ => false,
+    }
+}
+
+/// Makes a scene that does not call for an effect.
+fn without(description: &mut Description, effect: Effect) {
+    let lights = description.lights.iter_mut().map(|light| &mut light.it);
+    let materials = description.materials.iter_mut().map(|material| &mut material.it);
+    match effect {
+        Effect::Shadows => lights.for_each(|light| light.shadows = false),
+        Effect::Reflection => materials.for_each(|material| material.mirror = Rgb::BLACK),
+        Effect::Transmission => materials.for_each(|material| material.transmitted = Rgb::BLACK),
+        Effect::ColoredShadows => description.colored_shadows = None,
+        Effect::Penumbra => lights.for_each(|light| match &mut light.source {
+            Source::Sphere { radius, .. } => *radius = 0.0,
+            Source::Rectangle { soft, .. } => *soft = false,
+            _ => {}
+        }),
+        Effect::Lens => {
+            if let Projection::Lens { angle, .. } = description.view.projection {
+                description.view.projection = Projection::Perspective(angle);
+            }
+        }
+        Effect::Gloss => materials.for_each(|material| material.roughness = 0.0),
+        // Everything stands where it is at the time 0.
+        Effect::Motion => description.moving.clear(),
+    }
+}
+
+fn is_soft(light: &Light) -> bool {
+    match light.source {
+        Source::Sphere { radius, .. } => radius > 0.0,
+        Source::Rectangle { soft, .. } => soft,
+        _ => false,
+    }
+}
+
+fn lights(description: &Description, used: &Used, asks: fn(&Light) -> bool) -> Vec<Reason> {
+    let is_asking = |light: &Light| used.is_lit && asks(light) && !light.color.is_black();
+    let lights = description.lights.iter().filter(|light| is_asking(&light.it));
+    lights
+        .map(|light| Reason { what: named("light", &light.name), line: light.line, objects: None })
+        .collect()
+}
+
+fn materials(description: &Description, made_of: &[usize], effect: Effect) -> Vec<Reason> {
+    let used = description.materials.iter().zip(made_of).filter(|(_, objects)| **objects > 0);
+    let asking = used.filter(|(material, _)| is_called_for_by(effect, &material.it));
+    asking
+        .map(|(material, objects)| Reason {
+            what: named("material", &material.name),
+            line: material.line,
+            objects: Some(*objects),
+        })
+        .collect()
+}
+
+fn moving(description: &Description) -> Vec<Reason> {
+    let objects = description.moving.iter().filter_map(|motion| description.objects.get(motion.object));
+    let reasons = objects.map(|object| Reason {
+        what: object.form.name().into(),
+        line: object.line as usize,
+        objects: matches!(object.form, Form::Mesh { .. }).then(|| objects_in(object)),
+    });
+    reasons.collect()
+}
+
+fn named(what: &str, name: &Option<String>) -> String {
+    match name {
+        Some(name) => format!("{what} `{name}`"),
+        None => what.into(),
+    }
+}
+
+/// How many objects are made of each material.
+fn made_of(description: &Description) -> Vec<usize> {
+    let mut made_of = vec![0; description.materials.len()];
+    for object in &description.objects {
+        if let Some(count) = made_of.get_mut(usize::from(object.material)) {
+            *count += objects_in(object);
+        }
+    }
+    made_of
+}
+
+/// How many objects an entry of the description is.
+pub fn objects_in(object: &Object) -> usize {
+    match object.form {
+        Form::Mesh { count, .. } => count as usize,
+        _ => 1,
+    }
+}

@@ -1,0 +1,42 @@
+//! Scenes of strahl: their description, and the formats that they are read from.
+//!
+//! [`load`](load::load) reads a file of any format into a [`Description`](description::Description), which is neutral:
+//! nothing is derived, and both precisions see the same numbers.
+//!
+//! | module | what it does |
+//! |---|---|
+//! | [`load`] | a file of any format becomes a description |
+//! | [`native`] | scenes in TOML |
+//! | `nff` | scenes in NFF |
+//! | [`mesh`] | OBJ with MTL, PLY and glTF |
+//! | [`procedural`] | scenes that formulas make |
+//! | [`effects`] | the effects that a scene calls for, and why |
+//! | `bounds`, `framing` | where things are, and from where all of them are seen |
+//! | [`files`] | the files that a scene is made of |
+//! | [`error`], [`diagnostics`] | why a scene could not be loaded, shown as a compiler would |
+//! | [`description`] | a scene in neutral numbers |
+//! | [`amount`] | numbers with their nouns |
+//!
+//! This package knows no command line, no tracer and no threads. It uses plain types of `strahl-core`.
+
+pub mod amount;
+mod bounds;
+pub mod description;
+pub mod diagnostics;
+pub mod effects;
+pub mod error;
+pub mod files;
+mod framing;
+mod limits;
+pub mod load;
+pub mod mesh;
+pub mod native;
+mod nff;
+pub mod procedural;
+mod shown;
+
+pub use description::Description;
+pub use diagnostics::{Diagnostic, Diagnostics};
+pub use error::LoadError;
+pub use files::Files;
+pub use load::{load, load_for, load_from};

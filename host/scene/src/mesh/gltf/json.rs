@@ -1,0 +1,169 @@
+//! The words of a glTF file that a mesh has a use for; serde reads over all others.
+
+use serde::Deserialize;
+
+/// A whole file.
+#[derive(Deserialize)]
+#[serde(rename_all = "camelCase", default)]
+#[derive(Default)]
+pub struct Root {
+    pub extensions_required: Vec<String>,
+    pub scene: Option<usize>,
+    pub scenes: Vec<Scene>,
+    pub nodes: Vec<Node>,
+    pub meshes: Vec<Mesh>,
+    pub materials: Vec<Material>,
+    pub accessors: Vec<Accessor>,
+    pub buffer_views: Vec<View>,
+    pub buffers: Vec<Buffer>,
+    pub images: Vec<Image>,
+}
+
+/// What is shown together.
+#[derive(Deserialize)]
+pub struct Scene {
+    #[serde(default)]
+    pub nodes: Vec<usize>,
+}
+
+/// A thing with its place, and the things that move with it.
+#[derive(Deserialize)]
+pub struct Node {
+    #[serde(default)]
+    pub children: Vec<usize>,
+    pub mesh: Option<usize>,
+    pub skin: Option<serde::de::IgnoredAny>,
+    /// Column by column. Boxed, as all of these: in the file a node may be two bytes.
+    pub matrix: Option<Box<[f64; 16]>>,
+    pub translation: Option<Box<[f64; 3]>>,
+    pub rotation: Option<Box<[f64; 4]>>,
+    pub scale: Option<Box<[f64; 3]>>,
+}
+
+/// Parts that belong together.
+#[derive(Deserialize)]
+pub struct Mesh {
+    pub primitives: Vec<Primitive>,
+}
+
+/// Triangles of one material.
+#[derive(Deserialize)]
+pub struct Primitive {
+    pub attributes: Attributes,
+    pub indices: Option<usize>,
+    pub material: Option<usize>,
+    pub mode: Option<u32>,
+    #[serde(default)]
+    pub targets: Vec<serde::de::IgnoredAny>,
+}
+
+/// What corners have: places of accessors.
+#[derive(Deserialize)]
+pub struct Attributes {
+    #[serde(rename = "POSITION")]
+    pub position: Option<usize>,
+    #[serde(rename = "NORMAL")]
+    pub normal: Option<usize>,
+    #[serde(rename = "COLOR_0")]
+    pub color: Option<serde::de::IgnoredAny>,
+}
+
+/// Numbers of one kind, in a view.
+#[derive(Deserialize)]
+#[serde(rename_all = "camelCase")]
+pub struct Accessor {
+    pub buffer_view: Option<usize>,
+    #[serde(default)]
+    pub byte_offset: u64,
+    pub component_type: u32,
+    pub count: u64,
+    #[serde(rename = "type")]
+    pub kind: String,
+    pub sparse: Option<serde::de::IgnoredAny>,
+}
+
+/// A piece of a buffer.
+#[derive(Deserialize)]
+#[serde(rename_all = "camelCase")]
+pub struct View {
+    pub buffer: usize,
+    #[serde(default)]
+    pub byte_offset: u64,
+    pub byte_length: u64,
+    pub byte_stride: Option<u64>,
+}
+
+/// Bytes: in a file, in the text, or in the second part of a `.glb`.
+#[derive(Deserialize)]
+#[serde(rename_all = "camelCase")]
+pub struct Buffer {
+    pub byte_length: u64,
+    pub uri: Option<String>,
+}
+
+/// A texture: in a file, in the text, or in a view.
+#[derive(Deserialize)]
+pub struct Image {
+    pub uri: Option<String>,
+}
+
+/// How a surface looks.
+#[derive(Deserialize)]
+#[serde(rename_all = "camelCase")]
+pub struct Material {
+    pub name: Option<String>,
+    #[serde(default)]
+    pub pbr_metallic_roughness: Metallic,
+    pub normal_texture: Option<serde::de::IgnoredAny>,
+    pub emissive_texture: Option<serde::de::IgnoredAny>,
+    pub emissive_factor: Option<Box<[f32; 3]>>,
+    pub alpha_mode: Option<String>,
+    #[serde(default)]
+    pub extensions: Extensions,
+}
+
+/// The usual model of a surface.
+#[derive(Deserialize)]
+#[serde(rename_all = "camelCase", default)]
+pub struct Metallic {
+    pub base_color_factor: [f32; 4],
+    pub metallic_factor: f32,
+    pub roughness_factor: f32,
+    pub base_color_texture: Option<serde::de::IgnoredAny>,
+    pub metallic_roughness_texture: Option<serde::de::IgnoredAny>,
+}
+
+impl Default for Metallic {
+    fn default() -> Self {
+        Metallic {
+            base_color_factor: [1.0; 4],
+            metallic_factor: 1.0,
+            roughness_factor: 1.0,
+            base_color_texture: None,
+            metallic_roughness_texture: None,
+        }
+    }
+}
+
+/// Extensions that say something of glass.
+#[derive(Default, Deserialize)]
+pub struct Extensions {
+    #[serde(rename = "KHR_materials_ior")]
+    pub index: Option<Index>,
+    #[serde(rename = "KHR_materials_transmission")]
+    pub transmission: Option<Transmission>,
+}
+
+/// Of refraction.
+#[derive(Deserialize)]
+pub struct Index {
+    pub ior: Option<f32>,
+}
+
+/// Of light through a surface.
+#[derive(Deserialize)]
+#[serde(rename_all = "camelCase")]
+pub struct Transmission {
+    #[serde(default)]
+    pub transmission_factor: f32,
+}

@@ -1,0 +1,31 @@
+//! The triangles of a file, in groups of one material.
+
+use strahl_core::Material;
+
+use crate::description::Triple;
+
+/// The triangles of a file.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Mesh {
+    /// The corners.
+    pub points: Vec<Triple>,
+    /// Normals of corners: none at all, or one for each point and none of them zero.
+    pub normals: Vec<Triple>,
+    /// The places of the corners of each triangle.
+    pub triangles: Vec<[u32; 3]>,
+    /// Which triangles are of which material; they cover all triangles in order.
+    pub groups: Vec<Group>,
+    /// The materials with their names.
+    pub materials: Vec<(String, Material)>,
+    /// What a user should know of that is no error.
+    pub warnings: Vec<String>,
+}
+
+/// Triangles that follow each other and are of one material.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Group {
+    /// How many triangles.
+    pub count: u32,
+    /// The place of their material; none when the file names none.
+    pub material: Option<u16>,
+}

@@ -1,0 +1,182 @@
+//! OBJ, the object files of Wavefront: `v vn f usemtl mtllib`.
+//!
+//! The format is a custom more than a rule, so the reader is generous with words that it does
+//! not know (they are counted in a warning) and strict with those that it does. Read by hand:
+//! the usual crate gives no lines for what is wrong, and loses track of normals in faces where
+//! only some corners have one.
+//!
+//! * Corners are shared where both place and normal are the same, in the order of their first use.
+//! * Texture coordinates, colours of corners, weights, groups' names and smoothing groups have
+//!   no meaning here.
+//! * A material is known after the `mtllib` that has it, wherever the line stands.
+
+use std::collections::{HashMap, HashSet};
+use std::path::Path;
+
+use super::error::{Wrong, invalid};
+use super::gather::{Gather, coordinate};
+use super::groups::Mesh;
+use super::mtl;
+use super::text::{Line, lines, text_of};
+use crate::description::Triple;
+use crate::error::LoadError;
+use crate::files::Files;
+use crate::shown::shown;
+
+/// Reads the bytes of the file at `path`; material libraries are beside it.
+pub fn read(files: &Files, path: &Path, bytes: &[u8]) -> Result<Mesh, LoadError> {
+    let wrong = |wrong| invalid(path, wrong);
+    let text = text_of(bytes).map_err(wrong)?;
+    let mut reader = Reader::default();
+    // Libraries first: some writers name them after the materials' first use.
+    for line in lines(&text).filter(|line| line.keyword == "mtllib") {
+        reader.library(files, path.parent().unwrap_or(Path::new("")), line)?;
+    }
+    for line in lines(&text) {
+        reader.line(line).map_err(wrong)?;
+    }
+    reader.gather.finish().map_err(|reason| wrong((None, reason)))
+}
+
+/// A corner that has no normal.
+const NO_NORMAL: u32 = u32::MAX;
+
+/// What has been read of the file.
+#[derive(Default)]
+struct Reader {
+    gather: Gather,
+    points: Vec<Triple>,
+    normals: Vec<Triple>,
+    /// Where the corner with this point and this normal stands.
+    known: HashMap<(u32, u32), u32>,
+    materials: HashMap<String, u16>,
+    libraries: HashSet<String>,
+}
+
+impl Reader {
+    fn line(&mut self, line: Line<'_>) -> Result<(), Wrong> {
+        match line.keyword {
+            "v" => self.point(line)?,
+            "vn" => {
+                let normal = line.numbers("a normal")?;
+                self.normals.push(normal);
+            }
+            "f" | "fo" => self.face(line)?,
+            "usemtl" => self.material(line),
+            "vt" | "vp" | "o" | "g" | "s" | "mg" | "mtllib" => {}
+            "l" | "p" => self.gather.left_out("lines and points are left out", Some(line.number)),
+            other => {
+                let what = format!("words {} are not known and left out", shown(other));
+                self.gather.left_out(&what, Some(line.number));
+            }
+        }
+        Ok(())
+    }
+
+    fn point(&mut self, line: Line<'_>) -> Result<(), Wrong> {
+        let mut point = line.numbers("a corner")?;
+        for number in &mut point {
+            *number = coordinate(*number).or_else(|reason| line.wrong(reason))?;
+        }
+        // A fourth number is a weight, which only curves have a use for.
+        if line.words().count() > 4 {
+            self.gather.left_out("colours of corners are left out", Some(line.number));
+        }
+        self.points.push(point);
+        Ok(())
+    }
+
+    fn face(&mut self, line: Line<'_>) -> Result<(), Wrong> {
+        let mut face = self.gather.take_list();
+        for word in line.words() {
+            face.push(self.corner(word, line)?);
+        }
+        self.gather.polygon(&face, Some(line.number));
+        self.gather.give_list(face);
+        Ok(())
+    }
+
+    /// The corner of a word like `1`, `1/2`, `1//3` or `1/2/3`.
+    fn corner(&mut self, word: &str, line: Line<'_>) -> Result<u32, Wrong> {
+        let mut parts = word.split('/');
+        let point = parts.next().unwrap_or_default();
+        let texture = parts.next().unwrap_or_default();
+        let normal = parts.next().unwrap_or_default();
+        if parts.next().is_some() || (!texture.is_empty() && texture.parse::<i64>().is_err()) {
+            return line.wrong(format!("{} is no corner of a face", shown(word)));
+        }
+        let point = place(point, self.points.len(), "corner", word, line)?;
+        let normal = match normal {
+            "" => NO_NORMAL,
+            _ => place(normal, self.normals.len(), "normal", word, line)?,
+        };
+        if let Some(known) = self.known.get(&(point, normal)) {
+            return Ok(*known);
+        }
+        let direction = self.normals.get(normal as usize).copied();
+        let corner = self.gather.corner(self.points[point as usize], direction);
+        let corner = corner.or_else(|reason| line.wrong(reason))?;
+        self.known.insert((point, normal), corner);
+        Ok(corner)
+    }
+
+    fn material(&mut self, line: Line<'_>) {
+        let material = self.materials.get(line.rest).copied();
+        if material.is_none() && !self.materials.is_empty() {
+            let what = format!("uses of the material {}, which no library has", shown(line.rest));
+            self.gather.left_out(&what, Some(line.number));
+        }
+        self.gather.made_of(material);
+    }
+
+    /// Reads one library whose name may have spaces, or several whose names have none.
+    fn library(&mut self, files: &Files, folder: &Path, line: Line<'_>) -> Result<(), LoadError> {
+        if !self.libraries.insert(line.rest.to_owned()) {
+            return Ok(());
+        }
+        if let Ok(bytes) = files.companion(&folder.join(line.rest)) {
+            return self.one_library(files, &folder.join(line.rest), &bytes);
+        }
+        for name in line.words() {
+            if name == line.rest || self.libraries.insert(name.to_owned()) {
+                let path = folder.join(name);
+                match files.companion(&path) {
+                    Ok(bytes) => self.one_library(files, &path, &bytes)?,
+                    Err(error) => {
+                        let (name, line) = (shown(name), line.number);
+                        let what = format!("the materials {name} of line {line} cannot be read: {error}");
+                        self.gather.warn(what);
+                    }
+                }
+            }
+        }
+        Ok(())
+    }
+
+    fn one_library(&mut self, files: &Files, path: &Path, bytes: &[u8]) -> Result<(), LoadError> {
+        let wrong = |wrong| invalid(path, wrong);
+        let mtl::Library { materials, textures } = mtl::read(bytes, &mut self.gather).map_err(wrong)?;
+        let folder = path.parent().unwrap_or(Path::new(""));
+        textures.iter().for_each(|name| files.mention(folder.join(name)));
+        for material in materials {
+            let Some(place) = self.gather.material(material.name.clone(), material.it) else {
+                return Err(wrong((Some(material.line), "more materials than a scene can number".into())));
+            };
+            // Of two with the same name the first counts.
+            self.materials.entry(material.name).or_insert(place);
+        }
+        Ok(())
+    }
+}
+
+/// The place that an index names, which counts from 1, or back from the end when negative.
+fn place(index: &str, count: usize, what: &str, word: &str, line: Line<'_>) -> Result<u32, Wrong> {
+    let Ok(index) = index.parse::<i64>() else {
+        return line.wrong(format!("{} is no corner of a face", shown(word)));
+    };
+    let place = if index < 0 { count as i64 + index } else { index - 1 };
+    match u32::try_from(place) {
+        Ok(place) if (place as usize) < count => Ok(place),
+        _ => line.wrong(format!("there is no {what} {index}; {count} stand above this line")),
+    }
+}

@@ -1,0 +1,61 @@
+//! A file of triangles is read; its extension names the format.
+
+use std::path::Path;
+
+use strahl_core::Resolution;
+
+use super::error::invalid;
+use super::groups::Mesh;
+use super::{gltf, obj, ply, view};
+use crate::description::Description;
+use crate::error::LoadError;
+use crate::files::Files;
+
+/// The extensions of the formats that are read here.
+pub const EXTENSIONS: [&str; 4] = ["obj", "ply", "gltf", "glb"];
+
+/// Reads the mesh in the file at `path`; its extension names the format.
+pub fn read(path: &Path) -> Result<Mesh, LoadError> {
+    read_from(&Files::on_disk(), path)
+}
+
+/// The same from these files.
+pub fn read_from(files: &Files, path: &Path) -> Result<Mesh, LoadError> {
+    parse(files, path, files.read(path))
+}
+
+/// The same of a file that another one names.
+pub(crate) fn read_companion(files: &Files, path: &Path) -> Result<Mesh, LoadError> {
+    parse(files, path, files.companion(path))
+}
+
+fn parse(files: &Files, path: &Path, bytes: std::io::Result<Vec<u8>>) -> Result<Mesh, LoadError> {
+    let bytes = bytes.map_err(|error| LoadError::Unreadable { path: path.to_owned(), error })?;
+    let wrong = |wrong| invalid(path, wrong);
+    match extension(path).as_str() {
+        "obj" => obj::read(files, path, &bytes),
+        "ply" => ply::read(&bytes).map_err(wrong),
+        "gltf" | "glb" => gltf::read(files, path, bytes),
+        _ => {
+            let reason = "not a mesh that strahl reads; the extension must be .obj, .ply, .gltf or .glb";
+            Err(wrong((None, reason.into())))
+        }
+    }
+}
+
+/// Whether the extension of `path` is that of a format that is read here.
+pub fn is_mesh(path: &Path) -> bool {
+    EXTENSIONS.contains(&extension(path).as_str())
+}
+
+/// The mesh in the file at `path` as a scene of its own, seen whole in a picture of `size`.
+pub(crate) fn scene(files: &Files, path: &Path, size: Resolution) -> Result<Description, LoadError> {
+    // In PLY files nothing says what is up. Programs that make things stand them on the plane
+    // of x and y; OBJ and glTF files have y up by custom and by definition.
+    let up = if extension(path) == "ply" { view::Up::Z } else { view::Up::Y };
+    view::staged(read_from(files, path)?, up, size).map_err(|reason| invalid(path, (None, reason)))
+}
+
+fn extension(path: &Path) -> String {
+    path.extension().and_then(|e| e.to_str()).unwrap_or_default().to_ascii_lowercase()
+}

@@ -1,0 +1,99 @@
+//! A description that grows.
+
+use std::collections::HashMap;
+use std::ops::Range;
+
+use strahl_core::{Material, Resolution};
+
+use super::mesh_files::MeshFiles;
+use crate::description::{Description, Form, Motion, Object, Placed, Projection, Triple, View};
+use crate::diagnostics::{Diagnostic, Lines};
+use crate::native::value::Reader;
+
+/// What is up.
+pub const UP: Triple = [0.0, 1.0, 0.0];
+/// The full vertical angle of view in degrees.
+pub const ANGLE: f32 = 45.0;
+
+/// The materials that have been made, by what calls for them.
+#[derive(Default)]
+pub struct Made {
+    pub named: HashMap<String, u16>,
+    pub default: Option<u16>,
+}
+
+/// A description that grows, and what is wrong with what it is made of.
+pub struct SceneBuilder<'m> {
+    pub reader: Reader<'m>,
+    pub lines: &'m Lines,
+    pub description: Description,
+    pub made: Made,
+    pub meshes: MeshFiles<'m>,
+    /// Of the picture, where the file does not say it.
+    pub size: Resolution,
+    /// Whether it has been told that there are too many materials.
+    pub overflown: bool,
+    /// Triangles without area, and the line of the first.
+    pub flat: (usize, usize),
+}
+
+impl<'m> SceneBuilder<'m> {
+    /// Nothing, for a picture of `size`.
+    pub fn new(reader: Reader<'m>, lines: &'m Lines, meshes: MeshFiles<'m>, size: Resolution) -> Self {
+        let from = [0.0, 0.0, 1.0];
+        let view = View { from, at: [0.0; 3], up: UP, projection: Projection::Perspective(ANGLE) };
+        let description = Description::new(view);
+        SceneBuilder {
+            reader,
+            lines,
+            description,
+            made: Made::default(),
+            meshes,
+            size,
+            overflown: false,
+            flat: (0, 0),
+        }
+    }
+
+    /// Puts an object into the table, which moves if there is a velocity.
+    pub fn push(&mut self, form: Form, material: u16, velocity: Triple, span: &Range<usize>) {
+        let line = u32::try_from(self.lines.line(span.start)).unwrap_or(u32::MAX);
+        if let Form::Nothing = form {
+            let first = if self.flat.0 == 0 { line as usize } else { self.flat.1 };
+            self.flat = (self.flat.0 + 1, first);
+        }
+        if velocity != [0.0; 3] {
+            let object = self.description.objects.len();
+            self.description.moving.push(Motion { object, velocity });
+        }
+        self.description.objects.push(Object { form, material, line });
+    }
+
+    /// Puts corners, and normals where there are some, into the tables; the place of the first.
+    pub fn corners(&mut self, points: impl IntoIterator<Item = Triple>, normals: &[Triple]) -> u32 {
+        let it = &mut self.description;
+        let first = it.points.len();
+        it.points.extend(points);
+        if !normals.is_empty() {
+            // The normal of a corner has the corner's place; corners before it may have none.
+            it.normals.resize(first, [0.0, 0.0, 1.0]);
+            it.normals.extend(normals);
+        }
+        u32::try_from(first).unwrap_or(u32::MAX)
+    }
+
+    /// Puts a material into the table.
+    pub fn keep(&mut self, it: Material, name: Option<String>, span: &Range<usize>) -> Option<u16> {
+        let materials = &mut self.description.materials;
+        let Ok(place) = u16::try_from(materials.len()) else {
+            if !std::mem::replace(&mut self.overflown, true) {
+                let what = format!("this is more than {} materials", materials.len());
+                let fault = Diagnostic::new(span.clone(), what);
+                self.reader.faults.push(fault.help("give equal ones one name"));
+            }
+            return None;
+        };
+        materials.push(Placed { it, line: self.lines.line(span.start), name });
+        Some(place)
+    }
+}

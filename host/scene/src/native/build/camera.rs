@@ -1,0 +1,148 @@
+//! How the scene is looked at, and what is chosen when the file does not say it.
+
+use strahl_core::geometry::Aabb;
+use strahl_core::math::try_normalize;
+use strahl_core::scene::ViewFault;
+use strahl_core::{Camera, Resolution, Rgb, Vec3};
+
+use super::builder::{ANGLE, SceneBuilder, UP};
+use crate::bounds::boxes;
+use crate::description::{Light, Placed, Projection, Source, View, vector};
+use crate::diagnostics::Diagnostic;
+use crate::framing::{Gaze, V, larger};
+use crate::native::format::File;
+
+/// From what is seen to the eye: from the front, a little from the right and from above.
+const TOWARD_EYE: V = [0.35, 0.3, 1.0];
+/// The share of the picture's half side that may be taken, so that nothing touches its edge.
+const FILLED: f64 = 0.91;
+
+impl SceneBuilder<'_> {
+    /// The camera, and the light that comes with it when the file has none at all.
+    pub fn view(&mut self, file: &File) {
+        let camera = file.camera.0.as_ref();
+        let it = camera.map(|at| &at.it);
+        let (from, at) = (it.and_then(|it| it.from.as_ref()), it.and_then(|it| it.at.as_ref()));
+        let up = it.and_then(|it| it.up.as_ref());
+        let angle = it.and_then(|it| it.angle.as_ref());
+        let lens = it.and_then(|it| it.lens_radius.as_ref());
+        let focus = it.and_then(|it| it.focus.as_ref());
+        self.description.view_line = camera.map_or(1, |camera| self.lines.line(camera.span.start));
+        let projection = match (it.and_then(|it| it.height.as_ref()), angle) {
+            (Some(height), None) if lens.is_some() => {
+                let fault =
+                    Diagnostic::new(height.span.clone(), "a camera has either a lens or parallel rays");
+                return self.reader.faults.push(fault.help("a lens goes with an `angle`"));
+            }
+            (Some(height), None) => Projection::Orthographic(height.it.0),
+            (None, angle) => Projection::Perspective(angle.map_or(ANGLE, |angle| angle.it.0)),
+            (Some(height), Some(angle)) => {
+                let fault =
+                    Diagnostic::new(height.span.clone(), "a camera has either an `angle` or a `height`");
+                let fault = fault.also(angle.span.clone(), "the other");
+                return self.reader.faults.push(fault.help("with a `height` all rays are parallel"));
+            }
+        };
+        let mut view = View {
+            from: from.map_or([0.0, 0.0, 1.0], |from| from.it.0),
+            at: at.map_or([0.0; 3], |at| at.it.0),
+            up: up.map_or(UP, |up| up.it.0),
+            projection,
+        };
+        if let (Some(focus), None) = (focus, lens) {
+            let fault = Diagnostic::new(focus.span.clone(), "a camera without `lens_radius` has no `focus`");
+            return self.reader.faults.push(fault.help("without a lens everything is sharp"));
+        }
+        // What is wrong may have left out what should be seen.
+        if (from.is_none() || at.is_none()) && self.reader.faults.count == 0 {
+            self.see_everything(&mut view, from.is_none(), at.is_none());
+        }
+        if let (Some(radius), Projection::Perspective(angle)) = (lens, view.projection) {
+            let way = vector(view.at) - vector(view.from);
+            let distance = try_normalize(way).map_or(1.0, |toward| way.dot(toward));
+            let focus = focus.map_or(distance, |focus| focus.it.0);
+            view.projection = Projection::Lens { angle, radius: radius.it.0, focus };
+        }
+        self.description.view = view;
+
+        let size = Resolution::new(4, 3).unwrap_or(self.size);
+        if let Err(fault) = Camera::new(&view.to_core(), size)
+            && let Some(camera) = camera
+        {
+            let is_up = fault == ViewFault::NoUp;
+            let at = at.map(|at| &at.span);
+            let place = if is_up { up.map(|up| &up.span).or(at) } else { at };
+            let place = place.or(from.map(|from| &from.span)).unwrap_or(&camera.span);
+            let fault = Diagnostic::new(place.clone(), fault.to_string());
+            self.reader.faults.push(match (is_up, up) {
+                (false, _) => {
+                    fault.help("`from` and `at` must differ once they are rounded to single precision")
+                }
+                (true, None) => fault.help("`up` is [0, 1, 0] by default"),
+                (true, Some(_)) => {
+                    fault.help("without `up` it is [0, 1, 0]; any direction aslant of the view will do")
+                }
+            });
+        }
+        let is_lit = file.ambient_light.0.is_some()
+            || !file.point_light.0.is_empty()
+            || !file.directional_light.0.is_empty()
+            || !file.spot_light.0.is_empty()
+            || !file.sphere_light.0.is_empty()
+            || !file.rectangle_light.0.is_empty();
+        if !is_lit {
+            self.description.lights.push(default_light(&view));
+        }
+    }
+
+    /// Moves the parts of the view that are free so that everything with an end is in the picture.
+    fn see_everything(&self, view: &mut View, move_eye: bool, move_aim: bool) {
+        let Some(mut boxes) = boxes(&self.description) else { return };
+        boxes.retain(|b| b.min.cmple(b.max).all());
+        let whole = boxes.iter().fold(Aabb::EMPTY, |whole, b| whole.union(*b));
+        // Of nothing, or of a point, the surroundings are shown.
+        let is_something = whole.min.cmple(whole.max).all() && whole.min != whole.max;
+        let middle = if whole.is_empty() { Vec3::ZERO } else { 0.5 * whole.min + 0.5 * whole.max };
+        if !is_something {
+            boxes = vec![Aabb { min: middle - Vec3::ONE, max: middle + Vec3::ONE }];
+        }
+        if move_aim {
+            view.at = middle.to_array();
+        }
+        if move_eye {
+            let angle = match view.projection {
+                Projection::Perspective(angle) | Projection::Lens { angle, .. } => angle,
+                // The height says how much is seen; the eye only must be outside.
+                Projection::Orthographic(_) => ANGLE,
+            };
+            let size = self.description.settings.size.unwrap_or(self.size);
+            let gaze = Gaze::new(TOWARD_EYE, view.up.map(f64::from), f64::from(angle), FILLED, size);
+            let aim = view.at.map(f64::from);
+            let corners = boxes.iter().flat_map(corners_of);
+            let demands = gaze.demands(aim, corners);
+            // Never inside of things, however narrow they are seen.
+            let reach = 0.1 * f64::from((whole.max - whole.min).max_element());
+            let distance = larger(demands.distance(), demands.nearest + reach);
+            let [.., back] = gaze.axes();
+            let from = [0, 1, 2].map(|i| (aim[i] + distance * back[i]) as f32);
+            view.from = from.map(|x| if x.is_finite() { x } else { 0.0 });
+        }
+    }
+}
+
+/// White light from behind the eye, from above and from the left.
+fn default_light(view: &View) -> Placed<Light> {
+    let back = try_normalize(vector(view.from) - vector(view.at)).unwrap_or(Vec3::Z);
+    let up = try_normalize(vector(view.up)).unwrap_or(Vec3::Y);
+    let left = try_normalize(back.cross(up)).unwrap_or(-Vec3::X);
+    let toward = back + up * 0.8 + left * 0.6;
+    let source = Source::Directional { toward: toward.to_array() };
+    let it = Light { source, color: Rgb::WHITE, shadows: true };
+    Placed { it, line: 0, name: Some("default".into()) }
+}
+
+/// The corners of a box.
+fn corners_of(it: &Aabb) -> impl Iterator<Item = V> + use<> {
+    let ends = [it.min.to_array(), it.max.to_array()].map(|end| end.map(f64::from));
+    (0..8).map(move |corner: usize| [0, 1, 2].map(|axis| ends[corner >> axis & 1][axis]))
+}

@@ -1,0 +1,166 @@
+//! Lights become lights of the description, in the order of the file.
+
+use std::ops::Range;
+
+use strahl_core::math::try_normalize;
+use strahl_core::{Rgb, vec3};
+
+use super::builder::SceneBuilder;
+use crate::description::{Light, Placed, Source, Triple, vector};
+use crate::diagnostics::Diagnostic;
+use crate::native::format::{File, RectangleLight, SpotLight};
+use crate::native::value::{Color, Direction, Falloff, Intensity, Pair, Point, Spanned};
+
+/// Light from everywhere, unless the file says something else.
+const AMBIENT: f32 = 0.1;
+
+/// The full angle of a spot light's cone.
+const SPOT: f32 = 40.0;
+
+impl SceneBuilder<'_> {
+    /// Makes all lights of the file.
+    pub fn lights(&mut self, file: &File) {
+        let mut lights: Vec<(usize, Option<Placed<Light>>)> = Vec::new();
+        for Spanned { it, span } in &file.point_light.0 {
+            let source = Source::Point { position: it.position.0, falloff: falloff(it.falloff) };
+            let light = self.light(Some(source), &it.color, &it.intensity, it.shadows, &it.name, span);
+            lights.push((span.start, light));
+        }
+        for Spanned { it, span } in &file.directional_light.0 {
+            let source = Source::Directional { toward: it.direction.0.map(|x| 0.0 - x) };
+            let light = self.light(Some(source), &it.color, &it.intensity, it.shadows, &it.name, span);
+            lights.push((span.start, light));
+        }
+        for Spanned { it, span } in &file.spot_light.0 {
+            let source = self.spot(it, span);
+            let light = self.light(source, &it.color, &it.intensity, it.shadows, &it.name, span);
+            lights.push((span.start, light));
+        }
+        for Spanned { it, span } in &file.sphere_light.0 {
+            let (position, radius, falloff) = (it.position.0, it.radius.0, falloff(it.falloff));
+            let source = Source::Sphere { position, radius, falloff };
+            let light = self.light(Some(source), &it.color, &it.intensity, it.shadows, &it.name, span);
+            lights.push((span.start, light));
+        }
+        for Spanned { it, span } in &file.rectangle_light.0 {
+            let source = self.rectangle(it, span);
+            let light = self.light(source, &it.color, &it.intensity, it.shadows, &it.name, span);
+            lights.push((span.start, light));
+        }
+        lights.sort_by_key(|(place, _)| *place);
+        self.description.lights = lights.into_iter().filter_map(|(_, light)| light).collect();
+
+        let ambient = file.ambient_light.0.as_ref();
+        self.description.ambient = match ambient {
+            Some(Spanned { it, .. }) => {
+                let gray = Spanned { it: Color(Rgb::gray(AMBIENT)), span: 0..0 };
+                let color = Some(it.color.as_ref().map_or(gray, Spanned::clone));
+                self.shining(&color, &it.intensity).unwrap_or(Rgb::BLACK)
+            }
+            None => Rgb::gray(AMBIENT),
+        };
+    }
+
+    /// Where a light shines that has `at` or `direction`. `help` says what `at` is.
+    fn aim(
+        &mut self,
+        position: Triple,
+        at: &Option<Spanned<Point>>,
+        direction: &Option<Spanned<Direction>>,
+        (table, help): (&str, &str),
+        span: &Range<usize>,
+    ) -> Option<Triple> {
+        match (at, direction) {
+            (None, Some(direction)) => Some(direction.it.0),
+            (Some(at), None) => {
+                let direction: Triple = std::array::from_fn(|axis| at.it.0[axis] - position[axis]);
+                if direction == [0.0; 3] {
+                    let fault = Diagnostic::new(at.span.clone(), "the light is at the point it shines at");
+                    return self.reader.wrong(fault);
+                }
+                Some(direction)
+            }
+            (Some(at), Some(direction)) => {
+                let fault =
+                    Diagnostic::new(direction.span.clone(), "a light has either a `direction` or an `at`");
+                self.reader.wrong(fault.also(at.span.clone(), "the other"))
+            }
+            (None, None) => {
+                let what = format!("this `{table}` has neither `at` nor `direction`");
+                self.reader.misses(Diagnostic::new(span.clone(), what).help(help))
+            }
+        }
+    }
+
+    fn rectangle(&mut self, it: &RectangleLight, span: &Range<usize>) -> Option<Source> {
+        let position = it.position.0;
+        let names = ("rectangle_light", "`at` is a place in front of its middle");
+        let front = try_normalize(vector(self.aim(position, &it.at, &it.direction, names, span)?))?;
+        let Pair([width, height]) = it.size;
+        let up = match &it.up {
+            Some(up) => vector(up.it.0),
+            // What looks straight up or down has no side that is up.
+            None if front.x == 0.0 && front.z == 0.0 => vec3(0.0, 0.0, 1.0),
+            None => vec3(0.0, 1.0, 0.0),
+        };
+        let Some(right) = try_normalize(up).and_then(|up| try_normalize(up.cross(front))) else {
+            let span = it.up.as_ref().map_or(span, |up| &up.span);
+            let fault = Diagnostic::new(span.clone(), "`up` is where the light shines");
+            return self.reader.wrong(fault.help("give it another direction for its height"));
+        };
+        let half = [right * (0.5 * width), front.cross(right) * (0.5 * height)];
+        let half = half.map(|half| half.to_array());
+        Some(Source::Rectangle { position, half, soft: true, falloff: falloff(it.falloff) })
+    }
+
+    fn spot(&mut self, it: &SpotLight, span: &Range<usize>) -> Option<Source> {
+        let position = it.position.0;
+        let names = ("spot_light", "`at` is a place in the middle of its cone");
+        let direction = self.aim(position, &it.at, &it.direction, names, span)?;
+        let angle = it.angle.map_or(SPOT, |angle| angle.0);
+        let bright_angle = match &it.bright_angle {
+            Some(Spanned { it: bright, span }) if bright.0 > angle => {
+                let what = format!("`bright_angle` must be at most `angle`, which is {angle}");
+                return self.reader.wrong(Diagnostic::new(span.clone(), what));
+            }
+            Some(bright) => bright.it.0,
+            None => 0.8 * angle,
+        };
+        let (bright, dark) = (0.5 * bright_angle, 0.5 * angle);
+        Some(Source::Spot { position, direction, bright, dark, falloff: falloff(it.falloff) })
+    }
+
+    fn light(
+        &mut self,
+        source: Option<Source>,
+        color: &Option<Spanned<Color>>,
+        intensity: &Option<Spanned<Intensity>>,
+        shadows: Option<bool>,
+        name: &Option<String>,
+        span: &Range<usize>,
+    ) -> Option<Placed<Light>> {
+        let color = self.shining(color, intensity)?;
+        let it = Light { source: source?, color, shadows: shadows != Some(false) };
+        Some(Placed { it, line: self.lines.line(span.start), name: name.clone() })
+    }
+
+    /// A colour times its intensity.
+    fn shining(
+        &mut self,
+        color: &Option<Spanned<Color>>,
+        intensity: &Option<Spanned<Intensity>>,
+    ) -> Option<Rgb> {
+        let base = color.as_ref().map_or(Rgb::WHITE, |color| color.it.0);
+        let Some(Spanned { it: Intensity(factor), span }) = intensity else { return Some(base) };
+        let shining = base * *factor;
+        if !shining.is_in_range(Rgb::MAX_CHANNEL) {
+            let what = format!("`color` times `intensity` must be at most {}", Rgb::MAX_CHANNEL);
+            return self.reader.wrong(Diagnostic::new(span.clone(), what));
+        }
+        Some(shining)
+    }
+}
+
+fn falloff(falloff: Option<Falloff>) -> Triple {
+    falloff.map_or([1.0, 0.0, 0.0], |falloff| falloff.0)
+}

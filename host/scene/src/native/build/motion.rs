@@ -1,0 +1,30 @@
+//! When the shutter is open, and how objects move meanwhile.
+
+use strahl_core::math::MAX_COORDINATE;
+
+use super::builder::SceneBuilder;
+use crate::description::Triple;
+use crate::diagnostics::Diagnostic;
+use crate::native::format;
+use crate::native::table::One;
+use crate::native::value::{Point, Spanned};
+
+impl SceneBuilder<'_> {
+    /// When the shutter is open, which objects ask for that move.
+    pub fn shutter(&mut self, camera: &One<format::Camera>) {
+        if let Some(shutter) = camera.0.as_ref().and_then(|camera| camera.it.shutter.as_ref()) {
+            self.description.shutter = shutter.it.0;
+        }
+    }
+
+    /// How an object moves; none when it would leave space while the shutter is open.
+    pub fn velocity(&mut self, velocity: &Option<Spanned<Point>>) -> Option<Triple> {
+        let Some(Spanned { it: Point(velocity), span }) = velocity else { return Some([0.0; 3]) };
+        let ways = velocity.iter().flat_map(|v| self.description.shutter.map(|time| v * time));
+        if ways.into_iter().all(|way| way.abs() <= MAX_COORDINATE) {
+            return Some(*velocity);
+        }
+        let what = format!("it moves farther than {MAX_COORDINATE:e} while the shutter is open");
+        self.reader.wrong(Diagnostic::new(span.clone(), what))
+    }
+}

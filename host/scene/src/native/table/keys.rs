@@ -1,0 +1,65 @@
+//! The keys of a table.
+//!
+//! Every key is read whatever is wrong with the others, and what no type has a key for is a mistake of its own.
+
+use std::ops::Range;
+
+use toml::de::{DeTable, DeValue};
+
+use crate::diagnostics::Diagnostic;
+use crate::native::value::{Read, Reader, Value, meant};
+use crate::shown::shown;
+
+/// A table while its keys are read.
+pub struct Keys<'v, 't> {
+    name: &'v str,
+    table: &'v DeTable<'t>,
+    span: Range<usize>,
+    /// What unknown keys seem to mean.
+    meant: Vec<String>,
+}
+
+impl<'v, 't> Keys<'v, 't> {
+    /// The table that is the value of `name`, none of whose keys is outside `keys`.
+    pub fn of(value: &'v Value<'t>, name: &'v str, keys: &[&str], reader: &mut Reader<'_>) -> Option<Self> {
+        let DeValue::Table(table) = value.get_ref() else {
+            return reader.mismatch(value, name, "a table");
+        };
+        let mut guesses = Vec::new();
+        for (key, _) in table.iter().filter(|(key, _)| !keys.contains(&key.get_ref().as_ref())) {
+            let word = key.get_ref();
+            let what = match name {
+                "" => format!("a scene has no table {}", shown(word)),
+                _ => format!("`{name}` has no key {}", shown(word)),
+            };
+            let guess = if reader.faults.has_room() { meant(word, keys) } else { None };
+            let help = match &guess {
+                Some(guess) => format!("did you mean {guess}?"),
+                None => format!("there are {}", keys.join(", ")),
+            };
+            reader.faults.push(Diagnostic::new(key.span(), what).help(help));
+            reader.puzzling.insert(value.span().start);
+            guesses.extend(guess);
+        }
+        Some(Keys { name, table, span: value.span(), meant: guesses })
+    }
+
+    /// A key with its value, where the table has it.
+    pub fn entry(&self, key: &str) -> Option<(Range<usize>, &'v Value<'t>)> {
+        self.table.get_key_value(key).map(|(key, value)| (key.span(), value))
+    }
+
+    /// The value of a key.
+    pub fn get<T: Read>(&self, key: &str, reader: &mut Reader<'_>) -> Option<T> {
+        if let Some(value) = self.table.get(key) {
+            return T::read(value, key, reader);
+        }
+        let absent = T::absent();
+        let is_meant = self.meant.iter().any(|guess| guess.contains(&format!("`{key}`")));
+        if absent.is_none() && reader.complete && !is_meant {
+            let fault = Diagnostic::new(self.span.clone(), format!("this `{}` has no `{key}`", self.name));
+            reader.faults.push(fault.help(format!("`{key}` has no default: give it a value")));
+        }
+        absent
+    }
+}

@@ -1,0 +1,29 @@
+//! Triangles in PLY, binary, the low byte first.
+
+use std::io::{self, Write};
+
+use super::pen::{Mesh, rounded};
+
+/// Writes all triangles of a mesh.
+pub fn write(mesh: &dyn Mesh, out: &mut dyn Write) -> io::Result<()> {
+    let (points, triangles) = (mesh.points(), mesh.triangles());
+    let smooth = mesh.point(0).1.is_some();
+    writeln!(out, "ply\nformat binary_little_endian 1.0\nelement vertex {points}")?;
+    for name in ["x", "y", "z", "nx", "ny", "nz"].iter().take(if smooth { 6 } else { 3 }) {
+        writeln!(out, "property float {name}")?;
+    }
+    writeln!(out, "element face {triangles}\nproperty list uchar uint vertex_indices\nend_header")?;
+    for point in 0..points {
+        let (place, normal) = mesh.point(point);
+        for number in rounded(place).into_iter().chain(normal.into_iter().flat_map(rounded)) {
+            out.write_all(&number.to_le_bytes())?;
+        }
+    }
+    for triangle in 0..triangles {
+        out.write_all(&[3])?;
+        for corner in mesh.triangle(triangle) {
+            out.write_all(&corner.to_le_bytes())?;
+        }
+    }
+    Ok(())
+}

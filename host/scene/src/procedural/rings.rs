@@ -1,0 +1,91 @@
+//! Rings: a pyramid of groups of six interlocked rings, each of five tubes and five balls.
+//!
+//! The rings of a group lie in the six planes through its middle that are upright on the
+//! diagonals of an icosahedron; layer k of the pyramid has k times k groups.
+//!
+//! Source: the procedural databases' `rings` (Eric Haines, 1987; after Kay and Kajiya's
+//! pyramid), with its view, lights, surfaces and measures.
+
+use std::io;
+
+use glam::{DVec3, dvec3};
+
+use super::pen::{Head, Pen, Surface, round, turn};
+
+/// Between two layers, 1 / sin(22.5 degrees); two groups of a layer are 2 apart.
+const LAYER: f64 = 2.613_125_929_752_753;
+/// From the middle of a ring to its balls.
+const RING: f64 = 0.930_995;
+/// The radius of tubes and balls.
+const TUBE: f64 = 0.074_12;
+
+const GROUND: Surface = Surface::matte("ground", [1.0; 3], 1.0);
+const RINGS: [Surface; 6] = [
+    ring("red", [1.0, 0.0, 0.0]),
+    ring("green", [0.0, 1.0, 0.0]),
+    ring("blue", [0.0, 0.0, 1.0]),
+    ring("cyan", [0.0, 1.0, 1.0]),
+    ring("magenta", [1.0, 0.0, 1.0]),
+    ring("yellow", [1.0, 1.0, 0.0]),
+];
+
+const fn ring(name: &'static str, color: [f32; 3]) -> Surface {
+    Surface { name, color, kd: 0.5, ks: 0.2, shine: 3.0827, glass: None }
+}
+
+/// Draws it; a size of 1 is one group.
+pub fn draw(size: u32, pen: &mut dyn Pen) -> io::Result<()> {
+    let at = dvec3(-1.0, 1.0 - LAYER, 0.5);
+    pen.head(&Head {
+        from: dvec3(-1.0, -LAYER, 0.5),
+        at,
+        up: dvec3(0.0, 0.0, 1.0),
+        lights: &[dvec3(3.0, -LAYER, 3.0), dvec3(-4.0, -LAYER, 1.0), dvec3(2.0, -LAYER, -4.0)],
+    })?;
+    let n = f64::from(size);
+    // One layer behind the last, and as wide as the databases' at their size.
+    let (wall, reach) = (LAYER * (n + 1.0), 1.405_564 * n);
+    pen.surface(&GROUND)?;
+    pen.polygon(&[
+        dvec3(reach - 1.0, wall, reach + 0.5),
+        dvec3(-reach - 1.0, wall, reach + 0.5),
+        dvec3(-reach - 1.0, wall, 0.5 - reach),
+        dvec3(reach - 1.0, wall, 0.5 - reach),
+    ])?;
+    for layer in 1..=size {
+        let place = |k: u32| 2.0 * f64::from(k) - f64::from(layer - 1);
+        for row in 0..layer {
+            for column in 0..layer {
+                group(dvec3(place(column), LAYER * f64::from(layer), place(row)), pen)?;
+            }
+        }
+    }
+    Ok(())
+}
+
+/// Six rings round a middle.
+fn group(middle: DVec3, pen: &mut dyn Pen) -> io::Result<()> {
+    for (surface, number) in RINGS.iter().zip(0..) {
+        pen.surface(surface)?;
+        let (first, second) = axes(number);
+        let ball = |k: u32| middle + round(turn(f64::from(k) / 5.0), first, second) * RING;
+        for k in 0..5 {
+            pen.cone((ball(k), TUBE), (ball((k + 4) % 5), TUBE))?;
+            pen.sphere(ball(k), TUBE)?;
+        }
+    }
+    Ok(())
+}
+
+/// Two upright directions in the plane of a ring: the first ring is level, the others lean on it.
+fn axes(number: u32) -> (DVec3, DVec3) {
+    if number == 0 {
+        return (dvec3(1.0, 0.0, 0.0), dvec3(0.0, 1.0, 0.0));
+    }
+    let angle = turn(0.1 + 0.2 * f64::from(number - 1));
+    let first = round(angle, dvec3(1.0, 0.0, 0.0), dvec3(0.0, 1.0, 0.0));
+    // The six diagonals of an icosahedron meet at the cosine 1 / sqrt(5).
+    let (up, out) = ((0.2_f64).sqrt(), (0.8_f64).sqrt());
+    let normal = dvec3(first.y * out, -first.x * out, up);
+    (first, normal.cross(first))
+}

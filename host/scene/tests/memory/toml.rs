@@ -1,0 +1,84 @@
+//! What stands in a scene in TOML must not fill the memory: what loading takes is bounded by the
+//! size of the file, whether it is right or wrong.
+//!
+//! The allocator of this program counts, so it has one test and no others beside it.
+
+use strahl_scene::load;
+
+use counting::{Bound, most_held};
+
+mod counting;
+#[path = "../native/table.rs"]
+mod table;
+
+/// One more than a power of two: a table has just been doubled.
+const MANY: usize = (1 << 14) + 1;
+
+/// Long files, made of one thing over and over.
+fn files() -> Vec<String> {
+    let many = |begin: &str, again: &str, end: &str| format!("{begin}{}{end}", again.repeat(MANY));
+    let numbered = |word: &dyn Fn(usize) -> String| (0..MANY).map(word).collect::<String>();
+    vec![
+        many("", "x", ""),
+        many("", "\n", ""),
+        many("", "[", ""),
+        many("", "=\n", ""),
+        many("", "\"", ""),
+        many("", "[a]\n", ""),
+        many("", "[[a]]\n", ""),
+        many("", "a=1\n", ""),
+        many("a=[", "[],", "]"),
+        many("a=[", "{},", "]"),
+        many("a=[", "0,", "]"),
+        many("a=\"", "\\n", "\""),
+        many("a", ".a", "=1"),
+        many("", "[[plane]]\n", ""),
+        many("", "[[sphere]]\n", ""),
+        many("", "[[mesh]]\n", ""),
+        many("", "[[material]]\n", ""),
+        many("", "[[sphere]]\nradius=1\n", ""),
+        many("", "[[sphere]]\nradius=1\nmaterial={}\n", ""),
+        many("sphere=[", "{radius=1},", "]"),
+        many("plane=[", "{},", "]"),
+        many("plane=[", "{material={}},", "]"),
+        many("plane=[", "{material={checker={}}},", "]"),
+        many("plane=[", "{material=0},", "]"),
+        many("sphere=[", "{radius=0},", "]"),
+        many("sphere=[", "{a=0,b=0},", "]"),
+        many("material=[", "{},", "]"),
+        many("[[polygon]]\ncorners=[", "[0,0,0],", "]"),
+        many("[[polygon]]\ncorners=[", "[0,0],", "]"),
+        many(
+            "[[triangle]]\ncorners=[[0,0,0],[1,0,0],[0,1,0]]\n",
+            "[[triangle]]\ncorners=[[0,0,0],[1,0,0],[0,1,0]]\n",
+            "",
+        ),
+        many("", "[[directional_light]]\ndirection=[1,1,1]\n", ""),
+        many("directional_light=[", "{direction=[1,1,1]},", "]"),
+        numbered(&|n| format!("k{n}=0\n")),
+        numbered(&|n| format!("[k{n}]\n")),
+        numbered(&|n| format!("[[material]]\nname='{n}'\n")),
+        numbered(&|n| format!("[[plane]]\nmaterial='{n}'\n")),
+        format!("material=[{}]", numbered(&|n| format!("{{name='{n}'}},"))),
+        format!("plane=[{}]", numbered(&|n| format!("{{a{n}=0}},"))),
+    ]
+}
+
+#[test]
+fn loading_takes_no_more_memory_than_a_small_multiple_of_the_file() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("scene.toml");
+    let wrong = table::WRONG.iter().map(|(text, ..)| (*text).to_owned());
+    for text in wrong.chain(files()) {
+        std::fs::write(&path, &text).unwrap();
+        let (loaded, most) = most_held(|| load(&path));
+        let start: String = text.chars().take(200).collect();
+        let bound = Bound::TOML.of(text.len());
+        assert!(
+            most <= bound,
+            "{most} bytes for a file of {} ({:?}), which begins with {start}",
+            text.len(),
+            loaded.is_ok()
+        );
+    }
+}

@@ -1,0 +1,271 @@
+//! What is wrong with bad files, and where.
+
+use strahl_scene::LoadError;
+
+use crate::files::{
+    Folder, PLAIN, SQUARE_OBJ, SQUARE_PLY, failure, glb, gltf_of, gltf_with, is_named, refused, square_bytes,
+};
+
+#[test]
+fn a_missing_file_and_an_unknown_extension_are_told_apart() {
+    let folder = Folder::of(&[("file.stl", b"solid")]);
+    let missing = strahl_scene::mesh::read(&folder.path("none.obj")).unwrap_err();
+    assert!(matches!(&missing, LoadError::Unreadable { path, .. } if is_named(path, "none.obj")));
+    assert!(matches!(missing, LoadError::Unreadable { .. }));
+    for failure in [
+        strahl_scene::mesh::read(&folder.path("file.stl")).unwrap_err(),
+        strahl_scene::load(&folder.path("file.stl")).unwrap_err(),
+    ] {
+        assert!(matches!(failure, LoadError::Invalid { .. } | LoadError::Diagnostics(_)));
+        let text = failure.to_string();
+        assert!([".obj", ".ply", ".gltf", ".glb"].iter().all(|name| text.contains(name)), "{text}");
+    }
+}
+
+#[test]
+fn a_wrong_obj_file_is_refused_with_the_line_and_the_reason() {
+    for (text, line, says) in [
+        ("", None, "there is no triangle in it"),
+        ("v 0 0 0\nv 1 0 0\nv 0 1 0\n", None, "there is no triangle in it"),
+        ("# a\nv 0 0 0\n\0", Some(3), "this is not text"),
+        ("v 0 0", Some(1), "a corner has 3 numbers; one is missing here"),
+        ("\nv 0 0 x", Some(2), "`x` is no number; a corner is expected"),
+        ("v 0 nan 0", Some(1), "a coordinate is not a finite number but NaN"),
+        ("v 0 -inf 0", Some(1), "a coordinate is not a finite number but -inf"),
+        ("v 0 1e16 0", Some(1), "a coordinate must be between -1000000000000000 and 1000000000000000"),
+        ("v 1e400 0 0", Some(1), "a coordinate is not a finite number but inf"),
+        ("vn 0 0", Some(1), "a normal has 3 numbers; one is missing here"),
+        ("v 0 0 0\nv 1 0 0\nf 1 2 3\nv 0 1 0", Some(3), "there is no corner 3; 2 stand above this line"),
+        ("v 0 0 0\nf 1 0 1", Some(2), "there is no corner 0; 1 stand above this line"),
+        ("v 0 0 0\nf 1 -2 1", Some(2), "there is no corner -2; 1 stand above this line"),
+        ("v 0 0 0\nf 1//1 1 1", Some(2), "there is no normal 1; 0 stand above this line"),
+        (
+            "v 0 0 0\nf 1 1 \\\n\\\n 99999999999999999999",
+            Some(2),
+            "`99999999999999999999` is no corner of a face",
+        ),
+        ("v 0 0 0\nf 1 9223372036854775807 1", Some(2), "there is no corner 9223372036854775807"),
+        ("v 0 0 0\nf -9223372036854775808 1 1", Some(2), "there is no corner -9223372036854775808"),
+        ("v 0 0 0\nf 1/1/1/1 1 1", Some(2), "`1/1/1/1` is no corner of a face"),
+        ("v 0 0 0\nf 1/a 1 1", Some(2), "`1/a` is no corner of a face"),
+        ("v 0 0 0\nf 1.0 1 1", Some(2), "`1.0` is no corner of a face"),
+        ("v 0 0 0\nf / 1 1", Some(2), "`/` is no corner of a face"),
+    ] {
+        let (found, reason) = refused("obj", text);
+        assert_eq!(found, line, "{reason}\n{text}");
+        assert!(reason.contains(says), "`{says}` is not in `{reason}`\n{text}");
+    }
+}
+
+/// The square with one piece of its text replaced.
+fn ply(from: &str, to: &str) -> Vec<u8> {
+    assert!(SQUARE_PLY.contains(from), "{from}");
+    SQUARE_PLY.replacen(from, to, 1).into_bytes()
+}
+
+#[test]
+fn a_wrong_ply_file_is_refused_with_the_line_and_the_reason() {
+    for (bytes, line, says) in [
+        (Vec::new(), Some(1), "does not begin with `ply`"),
+        (b"plyx\n".to_vec(), Some(1), "does not begin with `ply`"),
+        (b"ply\nformat ascii 1.0\n".to_vec(), Some(3), "the file ends inside its header"),
+        (b"ply\nend_header\n".to_vec(), Some(2), "the header has no `format`"),
+        (ply("ascii", "text"), Some(2), "the format `text` is not ascii"),
+        (
+            ply("element vertex", "property int a\nelement vertex"),
+            Some(3),
+            "a property before the first element",
+        ),
+        (ply("vertex 4", "vertex -4"), Some(3), "`-4` is no number of elements `vertex`"),
+        (ply("vertex 4", "vertex 99999999999999999999"), Some(3), "is no number of elements"),
+        (ply("vertex 4", "vertex 4000000000"), Some(3), "take at least 6 bytes each, but 34 bytes are left"),
+        (ply("vertex 4", "vertex 18446744073709551615"), Some(3), "take at least 6 bytes each"),
+        (ply("face 1", "face 40"), Some(7), "40 elements `face` take at least 2 bytes each, but 11 bytes"),
+        (ply("face 1", "vertex 1"), Some(7), "a second element `vertex`"),
+        (ply("float x", "real x"), Some(4), "`real` is no type of a number"),
+        (ply("float x", "float y"), Some(5), "`y` is no name for a property, or is there already"),
+        (ply("float x", "float"), Some(4), "`` is no name for a property"),
+        (ply("float x", "float w"), Some(3), "needs the properties x, y and z"),
+        (ply("float x", "list int float x"), Some(3), "needs the properties x, y and z"),
+        (ply("uchar int", "float int"), Some(8), "the length of a list must be an integer"),
+        (ply("uchar int", "uchar float"), Some(7), "needs a list `vertex_indices` of integers"),
+        (ply("vertex_indices", "corners"), Some(7), "needs a list `vertex_indices`"),
+        (ply("element vertex 4", "element point 4"), Some(7), "the faces stand before the vertices"),
+        (ply("end_header", "end"), Some(9), "`end` does not belong into a header"),
+        (ply("1 1 0", "1 x 0"), Some(12), "`vertex` 2 of 4: `x` is no number"),
+        (ply("1 1 0", "1 nan 0"), Some(12), "a coordinate is not a finite number but NaN"),
+        (ply("1 1 0", "1 1e16 0"), Some(12), "a coordinate must be between"),
+        (ply("4 0 1 2 3", "4 0 1 2 4"), Some(14), "`face` 0 of 1: there is no vertex 4"),
+        (ply("4 0 1 2 3", "4 0 1 2 -1"), Some(14), "there is no vertex -1"),
+        (ply("4 0 1 2 3", "4 0 1 2 1.5"), Some(14), "there is no vertex 1.5"),
+        (ply("4 0 1 2 3", "4 0 1 2"), Some(14), "the file ends here"),
+        (ply("4 0 1 2 3", "-3 0 1 2"), Some(14), "a list of -3 numbers"),
+        (ply("4 0 1 2 3", "1e9 0 1 2"), Some(14), "a list of 1000000000 numbers"),
+        (ply("4 0 1 2 3", "nan 0 1 2"), Some(14), "a list of NaN numbers"),
+        (ply("face 1", "face 0"), None, "there is no triangle in it"),
+    ] {
+        let text = String::from_utf8_lossy(&bytes);
+        let (found, reason) = refused("ply", &bytes);
+        assert!(reason.contains(says), "`{says}` is not in `{reason}`\n{text}");
+        assert_eq!(found, line, "{reason}\n{text}");
+    }
+}
+
+#[test]
+fn a_cut_binary_ply_file_is_refused_with_its_byte() {
+    let header = SQUARE_PLY.replace("ascii", "binary_little_endian");
+    let header = &header[..header.find("end_header").unwrap() + 11];
+    let mut file = header.as_bytes().to_vec();
+    file.extend(crate::files::floats(&[0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 1.0, 1.0, 0.0, 0.0, 1.0, 0.0]));
+    file.push(4);
+    file.extend([0, 1, 2, 3].iter().flat_map(|i: &i32| i.to_le_bytes()));
+    assert_eq!(crate::files::mesh("ply", &file), crate::files::square());
+    for end in header.len()..file.len() {
+        let (line, reason) = refused("ply", &file[..end]);
+        let is_promise = reason.contains("bytes are left in the file");
+        assert!(line.is_some() == is_promise, "{reason}");
+        assert!(is_promise || reason.contains("before byte "), "{reason}");
+    }
+    let mut wrong = file.clone();
+    let place = wrong.len() - 4;
+    wrong[place] = 9;
+    let says = format!("`face` 0 of 1 before byte {}: there is no vertex 9", file.len());
+    assert_eq!(refused("ply", wrong), (None, says));
+}
+
+#[test]
+fn a_wrong_gltf_file_is_refused_with_the_place_and_the_reason() {
+    let plain = gltf_of(PLAIN);
+    let with = |from: &str, to: &str| {
+        assert!(plain.contains(from), "{from}");
+        plain.replacen(from, to, 1)
+    };
+    for (text, line, says) in [
+        (String::new(), Some(1), "EOF while parsing a value"),
+        ("{\n\"nodes\":[}".into(), Some(2), "expected value"),
+        ("[]".into(), None, "there is no triangle in it"),
+        ("{}".into(), None, "there is no triangle in it"),
+        (
+            with("\"asset\"", r#""extensionsRequired":["KHR_draco"],"asset""#),
+            None,
+            "requires the extension `KHR_draco`",
+        ),
+        (with("\"scene\":0", "\"scene\":1"), None, "there is no scenes[1]"),
+        (with("\"nodes\":[0]", "\"nodes\":[7]"), None, "there is no nodes[7]"),
+        (with("\"nodes\":[0]", "\"nodes\":[0,0]"), None, "nodes[0]: is reached twice"),
+        (with("{\"mesh\":0}", r#"{"mesh":0,"children":[0]}"#), None, "nodes[0]: is reached twice"),
+        (with("{\"mesh\":0}", r#"{"mesh":3}"#), None, "nodes[0]: there is no meshes[3]"),
+        (with("{\"mesh\":0}", r#"{"mesh":0,"rotation":[0,0,0,0]}"#), None, "moves by no finite numbers"),
+        (
+            with("{\"mesh\":0}", r#"{"mesh":0,"scale":[1e300,1,1]}"#),
+            None,
+            "a coordinate is not a finite number but inf",
+        ),
+        (
+            with("{\"mesh\":0}", r#"{"mesh":0,"translation":[2e15,0,0]}"#),
+            None,
+            "a coordinate must be between",
+        ),
+        (with("{\"mesh\":0}", r#"{"mesh":0,"matrix":[1,2]}"#), Some(1), "invalid length 2"),
+        (with("\"POSITION\":0", "\"POSITION\":9"), None, "meshes[0].primitives[0]: there is no accessors[9]"),
+        (
+            with("\"POSITION\":0", "\"POSITION\":2"),
+            None,
+            "accessors[2]: holds `SCALAR` of component type 5123",
+        ),
+        (with("\"POSITION\":0", "\"NORMAL\":1"), None, "has no POSITION"),
+        (with("\"indices\":2", "\"indices\":0"), None, "accessors[0]: holds `VEC3`"),
+        (with("\"indices\":2", "\"indices\":2,\"mode\":9"), None, "`mode` is 9"),
+        (with("\"indices\":2", "\"indices\":2,\"material\":0"), None, "there is no materials[0]"),
+        (with("\"count\":6", "\"count\":5"), None, "5 corners are not three for each triangle"),
+        (with("\"count\":6", "\"count\":9"), None, "accessors[2]: is not inside bufferViews[2]"),
+        (with("\"count\":6", "\"count\":18446744073709551615"), None, "is not inside bufferViews[2]"),
+        (with("\"count\":4", "\"count\":3"), None, "index 5 names corner 3 of 3"),
+        (with("\"bufferView\":0", "\"bufferView\":7"), None, "there is no bufferViews[7]"),
+        (with("\"bufferView\":0,", ""), None, "accessors[0]: has no `bufferView`"),
+        (with("\"bufferView\":0", "\"sparse\":{},\"bufferView\":0"), None, "sparse accessors are not read"),
+        (with("\"byteLength\":48", "\"byteLength\":480"), None, "bufferViews[0] is not inside its buffer"),
+        (
+            with("\"byteLength\":48", "\"byteOffset\":18446744073709551615,\"byteLength\":48"),
+            None,
+            "is not inside",
+        ),
+        (
+            with("\"byteLength\":48", "\"byteLength\":48,\"byteStride\":4"),
+            None,
+            "is not inside bufferViews[0]",
+        ),
+        (
+            with("\"byteLength\":48", "\"byteLength\":48,\"byteStride\":18446744073709551615"),
+            None,
+            "is not inside",
+        ),
+        (
+            with("\"byteLength\":108", "\"byteLength\":109"),
+            None,
+            "buffers[0]: has 108 bytes; `byteLength` says 109",
+        ),
+        (with(";base64", ""), None, "buffers[0]: the `data:` in `uri` is not in base64"),
+        (with(";base64,", ";base64,*"), None, "buffers[0]: the base64 in `uri` is wrong"),
+        (gltf_with("", PLAIN), None, "buffers[0]: has no `uri`, and there is no binary part"),
+        (gltf_with(r#""uri":"web://host/a.bin","#, PLAIN), None, "nothing is fetched from elsewhere"),
+        (
+            gltf_of(&format!(r#"{PLAIN},"materials":[{{"pbrMetallicRoughness":{{"metallicFactor":2}}}}]"#)),
+            None,
+            "materials[0]: a factor",
+        ),
+    ] {
+        let (found, reason) = refused("gltf", &text);
+        assert!(reason.contains(says), "`{says}` is not in `{reason}`\n{text}");
+        assert_eq!(found, line, "{reason}\n{text}");
+    }
+}
+
+#[test]
+fn a_missing_buffer_is_named() {
+    let text = gltf_with(r#""uri":"none.bin","#, PLAIN);
+    let (failure, _) = failure("file.gltf", text.as_bytes(), &[]);
+    assert!(
+        matches!(&failure, LoadError::Unreadable { path, .. } if is_named(path, "none.bin")),
+        "{failure}"
+    );
+    assert!(matches!(failure, LoadError::Unreadable { .. }));
+}
+
+#[test]
+fn a_cut_glb_file_is_refused() {
+    let file = glb(&gltf_with("", PLAIN), Some(&square_bytes()));
+    for end in 0..file.len() {
+        refused("glb", &file[..end]);
+        // The same, with a length that fits.
+        let mut cut = file[..end].to_vec();
+        if end >= 12 {
+            cut[8..12].copy_from_slice(&(end as u32).to_le_bytes());
+        }
+        refused("glb", cut);
+    }
+}
+
+#[test]
+fn nodes_that_copy_without_measure_are_refused() {
+    // 100,000 nodes of a mesh of 200 parts: 40 million triangles out of two megabytes.
+    let part = r#"{"attributes":{"POSITION":0},"indices":2},"#.repeat(200);
+    let nodes = r#"{"mesh":0},"#.repeat(100_000);
+    let text = gltf_of(&format!(
+        r#""nodes":[{}],"meshes":[{{"primitives":[{}]}}]"#,
+        nodes.trim_end_matches(','),
+        part.trim_end_matches(',')
+    ));
+    let (_, reason) = refused("gltf", text);
+    assert!(reason.contains("more than 16777216 corners, triangles or copies of parts"), "{reason}");
+}
+
+#[test]
+fn reasons_are_one_short_line() {
+    for bytes in
+        [format!("v {}\u{7}\u{7}", "9".repeat(500)), format!("{SQUARE_OBJ}f {}\u{1b}[3m", "x".repeat(900))]
+    {
+        let (_, reason) = refused("obj", bytes);
+        assert!(!reason.contains(|c: char| c.is_control()) && reason.chars().count() < 200, "{reason:?}");
+    }
+}

@@ -1,0 +1,216 @@
+//! What a file does not say.
+
+use strahl_core::scene::{FilmPoint, Interface};
+use strahl_core::{Camera, Material, Resolution, Rgb, Sphere, vec3};
+use strahl_scene::description::{Background, Form, Projection, Source, Texture, View};
+use strahl_settings::PartialSettings;
+
+use crate::text::{loaded, wrong};
+
+#[test]
+fn a_file_of_one_sphere_is_a_scene() {
+    let it = loaded("[[sphere]]\nradius = 2\n");
+    assert_eq!(it.objects[0].form, Form::Sphere { center: [0.0; 3], radius: 2.0 });
+    assert_eq!(it.materials.len(), 1);
+    assert_eq!(it.materials[0].it, Material::MATTE);
+    assert_eq!(it.settings, PartialSettings::default());
+    assert_eq!(it.background, Background::Color(Rgb::BLACK));
+    assert_eq!(it.ambient, Rgb::gray(0.1));
+    assert_eq!(it.lights.len(), 1);
+    assert!(it.lights[0].it.shadows && it.lights[0].it.color == Rgb::WHITE);
+    assert!(matches!(it.lights[0].it.source, Source::Directional { .. }));
+    assert_eq!(it.view.at, [0.0; 3]);
+    assert_eq!(it.view.up, [0.0, 1.0, 0.0]);
+    assert_eq!(it.view.projection, Projection::Perspective(45.0));
+    assert!(it.warnings.is_empty());
+}
+
+#[test]
+fn a_scene_without_objects_is_warned_of_and_an_empty_file_is_none() {
+    let it = loaded("[camera]\n");
+    assert!(it.objects.is_empty());
+    assert_eq!(it.warnings, ["there is no object in the scene"]);
+    for text in ["", "\n", "# nothing\n", "\u{feff}"] {
+        let list = wrong(text);
+        assert!(list.len() == 1 && list[0].3.contains("no scene"), "{list:?}");
+    }
+}
+
+#[test]
+fn every_shape_has_its_place_and_direction_by_default() {
+    let it = loaded(
+        "[[plane]]\n[[disc]]\nradius = 1\n[[cylinder]]\nend = [0, 2, 0]\nradius = 1\n\
+         [[cone]]\nend = [0, 2, 0]\nradius = 1\n[[torus]]\nradius = 2\ntube = 1\n[[box]]\nsize = 2\n",
+    );
+    let up = [0.0, 1.0, 0.0];
+    let (base, end) = ([0.0; 3], [0.0, 2.0, 0.0]);
+    let forms: Vec<Form> = it.objects.iter().map(|object| object.form).collect();
+    assert_eq!(
+        forms,
+        [
+            Form::Plane { point: base, normal: up },
+            Form::Disc { center: base, normal: up, radius: 1.0 },
+            Form::Cone { base, base_radius: 1.0, end, end_radius: 1.0, capped: true },
+            Form::Cone { base, base_radius: 1.0, end, end_radius: 0.0, capped: true },
+            Form::Torus { center: base, axis: up, major: 2.0, minor: 1.0 },
+            Form::Cuboid { min: [-1.0; 3], max: [1.0; 3] },
+        ]
+    );
+    // All of them are made of one material.
+    assert_eq!(it.materials.len(), 1);
+}
+
+#[test]
+fn lights_are_white_and_do_not_fade_by_default() {
+    let it = loaded("[[point_light]]\nposition = [1, 2, 3]\n[[directional_light]]\ndirection = [0, -1, 0]\n");
+    let point = Source::Point { position: [1.0, 2.0, 3.0], falloff: [1.0, 0.0, 0.0] };
+    assert_eq!(it.lights[0].it.source, point);
+    assert_eq!(it.lights[1].it.source, Source::Directional { toward: [0.0, 1.0, 0.0] });
+    assert!(it.lights.iter().all(|light| light.it.color == Rgb::WHITE && light.it.shadows));
+    assert_eq!(it.ambient, Rgb::gray(0.1));
+}
+
+#[test]
+fn a_file_with_any_light_gets_no_other() {
+    for light in [
+        "[ambient_light]",
+        "[[point_light]]\nposition = [1, 2, 3]",
+        "[[directional_light]]\ndirection = [0, -1, 0]",
+        "[[spot_light]]\nposition = [1, 2, 3]\nat = [0, 0, 0]",
+    ] {
+        let it = loaded(light);
+        assert_eq!(it.lights.len(), usize::from(!light.starts_with("[ambient")), "{light}");
+        assert_eq!(it.ambient, Rgb::gray(0.1), "{light}");
+    }
+}
+
+/// The material of a sphere with these keys.
+fn material(keys: &str) -> Material {
+    loaded(&format!("[[sphere]]\nradius = 1\nmaterial = {{ {keys} }}\n")).materials[0].it
+}
+
+#[test]
+fn the_parts_of_a_material_follow_from_each_other() {
+    assert_eq!(material(""), Material::MATTE);
+    let it = material("mirror = 0.25");
+    assert_eq!((it.diffuse, it.ambient, it.mirror), (Rgb::gray(0.75), Rgb::gray(0.75), Rgb::gray(0.25)));
+    let it = material("mirror = 0.25, transmission = [0.5, 1, 0]");
+    assert_eq!(it.diffuse, Rgb::new(0.25, 0.0, 0.75));
+    assert_eq!((it.index, it.interface, it.priority), (1.5, Interface::Constant, 0));
+    assert_eq!(it.clarity, Rgb::gray(f32::INFINITY));
+    let it = material("diffuse = 0.5, color = [1, 0.5, 0]");
+    assert_eq!((it.diffuse, it.ambient), (Rgb::new(0.5, 0.25, 0.0), Rgb::new(0.5, 0.25, 0.0)));
+    assert_eq!(material("mirror = 1, diffuse = 0.5").diffuse, Rgb::gray(0.5));
+
+    assert_eq!((it.highlight, it.exponent), (Rgb::BLACK, 0.0));
+    let it = material("shininess = 20");
+    assert_eq!((it.highlight, it.exponent), (Rgb::gray(0.5), 20.0));
+    let it = material("highlight = 0.75");
+    assert_eq!((it.highlight, it.exponent), (Rgb::gray(0.75), 50.0));
+    let it = material("highlight = 0");
+    assert_eq!((it.highlight, it.exponent), (Rgb::BLACK, 0.0));
+}
+
+#[test]
+fn textures_are_for_floors_and_from_black_to_white_by_default() {
+    let it = loaded(
+        "[[plane]]\nmaterial = { checker = {} }\n[[plane]]\nmaterial = { gradient = { start = [0, 0, 0], end = [0, 1, 0] } }\n",
+    );
+    let checker =
+        Texture::Checker { even: Rgb::WHITE, odd: Rgb::gray(0.1), origin: [0.0; 3], size: [1.0, 0.0, 1.0] };
+    let gradient =
+        Texture::Gradient { from: Rgb::BLACK, to: Rgb::WHITE, start: [0.0; 3], end: [0.0, 1.0, 0.0] };
+    assert_eq!(it.textures, [checker, gradient]);
+}
+
+#[test]
+fn what_only_a_body_has_is_warned_of_where_there_is_none() {
+    let it = loaded("[[material]]\nname = \"a\"\nindex = 1.5\nclarity = 2\nfresnel = false\n");
+    assert_eq!(
+        it.warnings[..2],
+        [
+            "`index` in line 3 has no effect without `transmission`",
+            "`clarity` in line 4 has no effect without `transmission`"
+        ]
+    );
+}
+
+#[test]
+fn a_background_of_two_colours_has_the_camera_s_up() {
+    let it = loaded("background = { below = 0, above = 1 }\n[camera]\nfrom = [1, 0, 0]\nup = [0, 0, 3]\n");
+    let up = [0.0, 0.0, 3.0];
+    assert_eq!(it.background, Background::Gradient { up, below: Rgb::BLACK, above: Rgb::WHITE });
+}
+
+#[test]
+fn a_camera_that_is_not_told_sees_everything() {
+    for (text, center, radius) in [
+        ("[[sphere]]\nradius = 2\ncenter = [5, 6, 7]", [5.0, 6.0, 7.0], 2.0),
+        ("[[sphere]]\nradius = 2e9\n[[plane]]", [0.0; 3], 2e9),
+        ("[[sphere]]\nradius = 0.001\n[camera]\nangle = 100", [0.0; 3], 0.001),
+        ("[[sphere]]\nradius = 1\n[camera]\nangle = 10\nat = [3, 0, 0]", [0.0; 3], 1.0),
+        ("[[sphere]]\nradius = 1\n[render]\nsize = [30, 90]", [0.0; 3], 1.0),
+    ] {
+        let it = loaded(text);
+        let size = it.settings.size.unwrap_or(Resolution::new(640, 480).unwrap());
+        let camera = Camera::new(&strahl::stock::single::view(&it.view), size).unwrap();
+        // No ray through the rim of the picture meets the sphere.
+        let ball = Sphere { center: vec3(center[0], center[1], center[2]), radius };
+        let (w, h) = (size.width() as f32, size.height() as f32);
+        for pixel in 0..100 {
+            let s = pixel as f32 / 99.0;
+            let middle = [(s * w, 0.5), (s * w, h - 0.5), (0.5, s * h), (w - 0.5, s * h)];
+            for (x, y) in middle {
+                let ray = camera.ray(FilmPoint { x, y });
+                let way = ball.center - ray.origin;
+                let near = way.dot(ray.direction);
+                let distance = way.dot(way) - near * near;
+                assert!(distance > radius * radius, "{text}: {x} {y}");
+            }
+        }
+        assert_eq!(it.view.up, [0.0, 1.0, 0.0]);
+    }
+}
+
+#[test]
+fn a_camera_with_a_height_has_parallel_rays() {
+    let it = loaded("[[sphere]]\nradius = 1\n[camera]\nheight = 3\nfrom = [0, 0, 9]\n");
+    let view = View {
+        from: [0.0, 0.0, 9.0],
+        at: [0.0; 3],
+        up: [0.0, 1.0, 0.0],
+        projection: Projection::Orthographic(3.0),
+    };
+    assert_eq!(it.view, view);
+}
+
+#[test]
+fn what_has_no_default_is_missed() {
+    for (table, key) in [
+        ("[[sphere]]", "radius"),
+        ("[[disc]]", "radius"),
+        ("[[triangle]]", "corners"),
+        ("[[polygon]]", "corners"),
+        ("[[box]]", "extent"),
+        ("[[cylinder]]\nradius = 1", "end"),
+        ("[[cylinder]]\nend = [1, 1, 1]", "radius"),
+        ("[[cone]]\nradius = 1", "end"),
+        ("[[cone]]\nend = [1, 1, 1]", "radius"),
+        ("[[torus]]\nradius = 1", "tube"),
+        ("[[torus]]\ntube = 1", "radius"),
+        ("[[mesh]]", "file"),
+        ("[[material]]", "name"),
+        ("[[point_light]]", "position"),
+        ("[[directional_light]]", "direction"),
+        ("[[spot_light]]\nat = [1, 1, 1]", "position"),
+        ("[[spot_light]]\nposition = [1, 1, 1]", "neither `at` nor `direction`"),
+        ("[background]", "colour"),
+    ] {
+        let list = wrong(&format!("\n{table}\n"));
+        assert_eq!(list.len(), 1, "{table} {list:?}");
+        let (line, column, underlined, said) = &list[0];
+        assert_eq!((*line, *column), (2, 1), "{table}");
+        assert_eq!(Some(underlined.as_str()), table.lines().next());
+        assert!(said.contains(key), "{said}");
+    }
+}

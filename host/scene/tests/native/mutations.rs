@@ -1,0 +1,155 @@
+//! A good scene, damaged in many ways: it loads, or it is refused with places that it has.
+
+use std::panic::catch_unwind;
+
+use strahl::stock;
+use strahl_scene::LoadError;
+
+use crate::text::{ALL, load_in};
+
+/// Words that do harm where another stood.
+const NASTY: &[&str] = &[
+    "[[sphere]]",
+    "[sphere]",
+    "[[material]]",
+    "[camera]",
+    "[[box]]",
+    "[[mesh]]",
+    "[",
+    "]",
+    "{",
+    "}",
+    "=",
+    ",",
+    "\"",
+    "'",
+    "\"\"\"",
+    "#",
+    "\n",
+    "\r",
+    "\0",
+    "\u{feff}",
+    "é",
+    "radius",
+    "material",
+    "name = 1",
+    "\"gold\"",
+    "\"glass\"",
+    "\"#12345é\"",
+    "true",
+    "0",
+    "-0.0",
+    "1",
+    "-1",
+    "2",
+    "1.5",
+    "64",
+    "65536",
+    "4294967296",
+    "1e15",
+    "-1e15",
+    "1.1e15",
+    "1e-45",
+    "1e-60",
+    "1e38",
+    "1e400",
+    "nan",
+    "inf",
+    "-inf",
+    "0x10",
+    "1979-05-27",
+    "[0, 0, 0]",
+    "[1e-30, 0, 0]",
+    "[1e15, -1e15, 1e15]",
+    "[]",
+    "{}",
+    "[[]]",
+    "360",
+    "180",
+    "1e6",
+    "1000001",
+];
+
+/// Numbers without order, always the same (SplitMix64, "Fast Splittable Pseudorandom Number
+/// Generators", OOPSLA 2014).
+struct Random(u64);
+
+impl Random {
+    /// Less than `end`; 0 when that is 0.
+    fn below(&mut self, end: usize) -> usize {
+        self.0 = self.0.wrapping_add(0x9E37_79B9_7F4A_7C15);
+        let mut z = self.0;
+        z = (z ^ (z >> 30)).wrapping_mul(0xBF58_476D_1CE4_E5B9);
+        z = (z ^ (z >> 27)).wrapping_mul(0x94D0_49BB_1331_11EB);
+        ((z ^ (z >> 31)) % end.max(1) as u64) as usize
+    }
+
+    /// A piece of `length` things, at most 40 long.
+    fn piece(&mut self, length: usize) -> std::ops::Range<usize> {
+        let start = self.below(length);
+        start..length.min(start + 1 + self.below(40))
+    }
+}
+
+/// The file with one more damage.
+fn damaged(mut file: Vec<u8>, random: &mut Random) -> Vec<u8> {
+    if file.is_empty() {
+        return file;
+    }
+    let place = random.below(file.len());
+    match random.below(12) {
+        0 => file[place] ^= 1 << random.below(8),
+        1 => file[place] = random.below(128) as u8,
+        2 => {
+            let piece = random.piece(file.len());
+            file.drain(piece);
+        }
+        3 => {
+            let copy = file[random.piece(file.len())].to_vec();
+            file.splice(place..place, copy);
+        }
+        4 if random.below(8) == 0 => file.truncate(place),
+        _ => {
+            let is_end = |byte: &u8| byte.is_ascii_whitespace() || b",[]{}=".contains(byte);
+            let start = file[..place].iter().rposition(is_end).map_or(0, |end| end + 1);
+            let end = file[place..].iter().position(is_end).map_or(file.len(), |end| place + end);
+            let word = NASTY[random.below(NASTY.len())];
+            file.splice(start..end.max(start), word.bytes());
+        }
+    }
+    file
+}
+
+#[test]
+fn a_damaged_scene_is_a_scene_or_is_refused_in_its_own_lines() {
+    let folder = tempfile::tempdir().unwrap();
+    let (mut good, mut refused) = (0, 0);
+    let mut random = Random(1986);
+    for _ in 0..6_000 {
+        let mut file = ALL.as_bytes().to_vec();
+        for _ in 0..=random.below(2) {
+            file = damaged(file, &mut random);
+        }
+        let text = String::from_utf8_lossy(&file);
+        let lines = text.split_inclusive('\n').count().max(1);
+        match catch_unwind(|| load_in(folder.path(), &file)).unwrap_or_else(|_| panic!("a panic\n{text}")) {
+            Ok(it) => {
+                assert_eq!(stock::single::scene_tables(&it).scene().err(), None, "{text}");
+                assert!(stock::double::scene_tables(&it).scene().is_ok(), "{text}");
+                good += 1;
+            }
+            Err(LoadError::Diagnostics(faults)) => {
+                assert!(!faults.list().is_empty(), "{text}");
+                for fault in faults.list() {
+                    assert!(faults.place(fault).0 <= lines, "{faults}\n{text}");
+                }
+                let shown = faults.to_string();
+                assert!(!shown.contains(['\u{1b}', '\0']), "{shown:?}");
+                refused += 1;
+            }
+            Err(other) => panic!("{other}\n{text}"),
+        }
+    }
+    // Both happen often enough to say something.
+    assert!(good > 200 && refused > 200, "{good} good, {refused} refused");
+}

@@ -1,0 +1,288 @@
+//! What good files describe.
+
+use strahl_core::scene::{Interface, TextureId};
+use strahl_core::{Material, Resolution, Rgb};
+use strahl_scene::description::{
+    Background, Form, Light, Motion, Object, Placed, Projection, Source, Texture, View,
+};
+use strahl_settings::{Accel, Bounds, Filter, PartialSettings, Precision, Sampling, Walk};
+
+use crate::text::{ALL, loaded};
+
+const RED: Rgb = Rgb::new(1.0, 0.0, 0.0);
+
+#[test]
+fn every_light_and_setting_becomes_what_the_format_says() {
+    let it = loaded(ALL);
+    let view = View {
+        from: [0.0, -8.0, 1.0],
+        at: [0.0, 0.0, 0.5],
+        up: [0.0, 0.0, 1.0],
+        projection: Projection::Perspective(40.0),
+    };
+    assert_eq!(it.view, view);
+    let settings = PartialSettings {
+        size: Resolution::new(40, 30),
+        levels: Some(7),
+        cutoff: Some(0.25),
+        sampler: Some(Sampling::Regular(3)),
+        ..PartialSettings::default()
+    };
+    assert_eq!(it.settings, settings);
+    let (below, above) = (Rgb::BLACK, Rgb::new(0.5, 0.25, 1.0));
+    assert_eq!(it.background, Background::Gradient { up: [0.0, 0.0, 2.0], below, above });
+    assert_eq!(it.ambient, Rgb::new(0.25, 0.125, 0.0625));
+
+    let spot = Source::Spot {
+        position: [0.0, 0.0, 4.0],
+        direction: [0.0, 0.0, -3.0],
+        bright: 15.0,
+        dark: 30.0,
+        falloff: [0.0, 0.0, 1.0],
+    };
+    let point = Source::Point { position: [4.0, -3.0, 2.0], falloff: [1.0, 0.5, 0.25] };
+    let sun = Source::Directional { toward: [-1.0, -2.0, 3.0] };
+    let placed = |source, color, shadows, line, name: Option<&str>| Placed {
+        it: Light { source, color, shadows },
+        line,
+        name: name.map(String::from),
+    };
+    let lights = [
+        placed(spot, Rgb::gray(2.0), true, 20, Some("lamp")),
+        placed(sun, Rgb::gray(0.5), false, 30, None),
+        placed(point, Rgb::new(1.0, 0.5, 0.25), true, 35, None),
+    ];
+    assert_eq!(it.lights, lights);
+}
+
+#[test]
+fn the_time_that_a_picture_takes_can_be_a_setting_as_well() {
+    let it = loaded(
+        "[render]\nprecision = \"double\"\naccel = \"bvh\"\nwalk = \"heap\"\nheap = 4\nbounds = \"none\"\nmailbox = 0\nshadow_cache = false\n",
+    );
+    let settings = PartialSettings {
+        precision: Some(Precision::Double),
+        accel: Some(Accel::Bvh),
+        walk: Some(Walk::Heap),
+        heap: Some(4),
+        bounds: Some(Bounds::None),
+        mailbox: Some(0),
+        shadow_cache: Some(false),
+        ..PartialSettings::default()
+    };
+    assert_eq!(it.settings, settings);
+}
+
+#[test]
+fn samplers_have_the_words_of_the_command_line() {
+    let it =
+        loaded("[render]\nsampler = \"stochastic:8..64:0.9\"\nfilter = \"tent\"\nseed = 0xff\n").settings;
+    let sampling: Sampling = "stochastic:8..64:0.9:1/128".parse().unwrap();
+    assert_eq!((it.sampler, it.filter, it.seed), (Some(sampling), Some(Filter::Tent), Some(255)));
+}
+
+#[test]
+fn velocities_and_the_shutter_become_what_moves() {
+    let it = loaded(
+        "[camera]\nshutter = [-0.5, 0.25]\n[[sphere]]\nradius = 1\nvelocity = [1, 2, 3]\n[[plane]]\n\
+         [[box]]\nsize = 1\nvelocity = [0, 0, 0]\n[[torus]]\nradius = 1\ntube = 0.5\nvelocity = [0, -1, 0]\n",
+    );
+    assert_eq!(it.shutter, [-0.5, 0.25]);
+    let motion = |object, velocity| Motion { object, velocity };
+    assert_eq!(it.moving, [motion(0, [1.0, 2.0, 3.0]), motion(3, [0.0, -1.0, 0.0])]);
+    assert_eq!(loaded("[camera]\nshutter = 0.5\n[[plane]]\n").shutter, [0.0, 0.5]);
+    assert_eq!(loaded("[[plane]]\n").shutter, [0.0, 1.0]);
+
+    // In the tables of the core, where they are when the shutter opens and closes.
+    let stock = strahl::stock::single::scene_tables(&it);
+    let scene = stock.scene().unwrap();
+    let geometry = &scene.parts().geometry;
+    assert_eq!(geometry.motion_offset(&geometry.shapes[0], 0.0).to_array(), [-0.5, -1.0, -1.5]);
+    assert_eq!(geometry.motion_offset(&geometry.shapes[0], 1.0).to_array(), [0.25, 0.5, 0.75]);
+    assert!(scene.effects().motion);
+}
+
+#[test]
+fn lenses_lights_with_an_extent_and_rough_surfaces_become_what_the_format_says() {
+    let it = loaded(
+        "[camera]\nfrom = [0, 3, 4]\nat = [0, 0, 0]\nangle = 40\nlens_radius = 0.5\n\
+         [render]\ncolored_shadows = true\n\
+         [[rectangle_light]]\nposition = [0, 5, 0]\ndirection = [0, -2, 0]\nsize = [2, 6]\n\
+         [[sphere_light]]\nposition = [1, 2, 3]\nradius = 0.25\nfalloff = \"square\"\n\
+         [[plane]]\nmaterial = { mirror = 0.5, roughness = 0.75 }\n",
+    );
+    // In focus is what is looked at.
+    assert_eq!(it.view.projection, Projection::Lens { angle: 40.0, radius: 0.5, focus: 5.0 });
+    assert_eq!((it.view_line, it.colored_shadows), (1, Some(7)));
+    let half = [[1.0, 0.0, 0.0], [0.0, 0.0, 3.0]].map(|h| h.map(f32::abs));
+    let Source::Rectangle { position, half: got, soft: true, falloff } = it.lights[0].it.source else {
+        panic!()
+    };
+    assert_eq!((position, got.map(|h| h.map(f32::abs)), falloff), ([0.0, 5.0, 0.0], half, [1.0, 0.0, 0.0]));
+    // The front is below.
+    let [a, b] = got;
+    assert!(a[2] * b[0] - a[0] * b[2] < 0.0, "{got:?}");
+    let sphere = Source::Sphere { position: [1.0, 2.0, 3.0], radius: 0.25, falloff: [0.0, 0.0, 1.0] };
+    assert_eq!(it.lights[1].it.source, sphere);
+    assert_eq!(it.materials[0].it.roughness, 0.75);
+    assert!(it.warnings.is_empty(), "{:?}", it.warnings);
+    let it = loaded("[[plane]]\nmaterial = { roughness = 0.5 }\n");
+    assert_eq!(it.warnings, ["`roughness` in line 2 has no effect without `mirror` or `transmission`"]);
+}
+
+#[test]
+fn every_material_becomes_what_the_format_says() {
+    let it = loaded(ALL);
+    let glass = Material {
+        ambient: Rgb::BLACK,
+        diffuse: Rgb::BLACK,
+        mirror: Rgb::gray(0.125),
+        transmitted: Rgb::new(0.75, 0.5, 0.25),
+        index: 1.25,
+        interface: Interface::Fresnel,
+        clarity: Rgb::new(f32::INFINITY, 2.0, 0.5),
+        priority: 3,
+        two_sided: false,
+        ..Material::MATTE
+    };
+    let half = Rgb::gray(0.5);
+    let floor = Material { ambient: half, diffuse: half, texture: TextureId(0), ..Material::MATTE };
+    let fading = Material { texture: TextureId(1), ..Material::MATTE };
+    let own = Material {
+        ambient: RED * 0.5,
+        diffuse: RED,
+        highlight: Rgb::gray(0.25),
+        exponent: 8.0,
+        ..Material::MATTE
+    };
+    let named = |it, line, name: &str| Placed { it, line, name: Some(name.into()) };
+    let materials = [
+        named(glass, 101, "glass"),
+        named(floor, 112, "floor"),
+        named(fading, 121, "fading"),
+        Placed { it: Material::MATTE, line: 56, name: None },
+        Placed { it: own, line: 69, name: None },
+    ];
+    assert_eq!(it.materials, materials);
+    let checker = Texture::Checker {
+        even: Rgb::WHITE,
+        odd: Rgb::new(0.0, 0.0, 0.5),
+        origin: [0.5, 0.0, 0.0],
+        size: [2.0, 2.0, 0.0],
+    };
+    let gradient =
+        Texture::Gradient { from: Rgb::BLACK, to: Rgb::WHITE, start: [0.0; 3], end: [0.0, 0.0, 2.0] };
+    assert_eq!(it.textures, [checker, gradient]);
+}
+
+#[test]
+fn every_object_becomes_what_the_format_says_and_stands_in_the_order_of_the_file() {
+    let it = loaded(ALL);
+    let object = |form, material, line| Object { form, material, line };
+    let cone = |base, base_radius, end, end_radius, capped| Form::Cone {
+        base,
+        base_radius,
+        end,
+        end_radius,
+        capped,
+    };
+    let turned = Form::OrientedCuboid {
+        center: [1.0; 3],
+        half: [1.0, 2.0, 3.0],
+        first: [0.0, 1.0, 0.0],
+        third: [0.0, 0.0, 1.0],
+    };
+    let objects = [
+        object(Form::Sphere { center: [0.0, 0.0, 1.0], radius: 1.0 }, 0, 40),
+        object(Form::Plane { point: [0.0, 0.0, -1.0], normal: [0.0, 0.0, 2.0] }, 1, 45),
+        object(Form::Disc { center: [1.0, 2.0, 3.0], normal: [0.0, 3.0, 0.0], radius: 2.5 }, 2, 50),
+        object(Form::Triangle { corners: [0, 1, 2], smooth: false }, 3, 56),
+        object(Form::Polygon { first: 3, count: 5, smooth: true }, 3, 59),
+        object(Form::Cuboid { min: [-1.0, -2.0, -3.0], max: [1.0, 2.0, 3.0] }, 3, 63),
+        object(Form::Sphere { center: [0.0; 3], radius: 0.5 }, 4, 67),
+        object(turned, 3, 71),
+        object(cone([0.0; 3], 0.5, [0.0, 0.0, 2.0], 0.5, false), 3, 76),
+        object(cone([0.0, 0.0, 1.0], 1.0, [0.0, 0.0, 3.0], 0.25, true), 3, 82),
+        object(Form::Torus { center: [1.0, 0.0, 0.0], axis: [0.0, 0.0, 4.0], major: 2.0, minor: 0.5 }, 3, 88),
+        object(Form::Triangle { corners: [8, 9, 10], smooth: true }, 3, 94),
+        object(Form::Nothing, 3, 98),
+    ];
+    let offset = it.objects[0].line - objects[0].line;
+    assert_eq!(offset, 0);
+    for (found, expected) in it.objects.iter().zip(&objects) {
+        assert_eq!(found, expected);
+    }
+    assert_eq!(it.objects.len(), objects.len());
+    assert_eq!(it.points.len(), 11);
+    // The normal of a corner has the corner's place; the first triangle has none.
+    assert_eq!(it.normals.len(), 11);
+    assert_eq!(it.normals[4], [1.0, 0.0, 1.0]);
+    assert_eq!(it.normals[8..], [[0.0, 0.0, 1.0], [0.0, 1.0, 1.0], [1.0, 0.0, 1.0]]);
+}
+
+#[test]
+fn triangles_without_area_keep_their_numbers_and_are_told_in_one_warning() {
+    let flat = "[[triangle]]\ncorners = [[0, 0, 0], [1, 1, 1], [2, 2, 2]]\n";
+    let it = loaded(&format!("[[sphere]]\nradius = 1\n{flat}{flat}[[sphere]]\nradius = 2\n"));
+    let forms: Vec<bool> = it.objects.iter().map(|object| object.form == Form::Nothing).collect();
+    assert_eq!(forms, [false, true, true, false]);
+    assert_eq!(it.warnings, ["2 triangles have no area and are never hit (the first in line 3)"]);
+}
+
+#[test]
+fn the_order_is_that_of_the_file_in_tables_written_in_one_line_too() {
+    let it = loaded(
+        "sphere = [{ radius = 1 },\n  { radius = 3 }]\n\nbox = [{ size = 2 }]\n[[plane]]\n\n[[disc]]\nradius = 4\n",
+    );
+    let lines: Vec<u32> = it.objects.iter().map(|object| object.line).collect();
+    assert_eq!(lines, [1, 2, 4, 5, 7]);
+    assert!(matches!(it.objects[1].form, Form::Sphere { radius: 3.0, .. }));
+}
+
+#[test]
+fn a_number_may_be_written_in_every_way_that_toml_has() {
+    for one in ["1", "1.0", "+1", "1e0", "0x1", "0b1", "0o1", "1_0e-1"] {
+        let it = loaded(&format!("[[sphere]]\nradius = {one}\n"));
+        assert!(matches!(it.objects[0].form, Form::Sphere { radius: 1.0, .. }), "{one}");
+    }
+}
+
+#[test]
+fn colours_are_linear_numbers_grays_bytes_and_names() {
+    let half = 0.215_860_5;
+    for (written, color) in [
+        ("[1, 0.5, 0]", Rgb::new(1.0, 0.5, 0.0)),
+        ("0.25", Rgb::gray(0.25)),
+        ("1000000", Rgb::gray(1e6)),
+        ("\"#808080\"", Rgb::gray(half)),
+        ("'#FF0000'", RED),
+        ("\"gray\"", Rgb::gray(half)),
+        ("\"white\"", Rgb::WHITE),
+    ] {
+        let it = loaded(&format!("background = {{ color = {written} }}\n"));
+        assert_eq!(it.background, Background::Color(color), "{written}");
+    }
+}
+
+#[test]
+fn what_is_turned_may_have_its_extent_in_either_way() {
+    let one = loaded("[[box]]\nmin = [-1, -2, 0]\nmax = [3, 2, 2]\nrotate = [30, 40, 50]\n");
+    let other = loaded("[[box]]\ncenter = [1, 0, 1]\nsize = [4, 4, 2]\nrotate = [30, 40, 50]\n");
+    assert_eq!(one.objects, other.objects);
+    let upright = loaded("[[box]]\ncenter = [1, 0, 1]\nsize = [4, 4, 2]\nrotate = [0, 0, 0]\n");
+    assert_eq!(upright.objects[0].form, Form::Cuboid { min: [-1.0, -2.0, 0.0], max: [3.0, 2.0, 2.0] });
+}
+
+#[test]
+fn a_light_spots_a_place_or_a_direction() {
+    let it = loaded("[[spot_light]]\nposition = [0, 9, 0]\ndirection = [0, -1, 0]\n");
+    let Source::Spot { direction, bright, dark, falloff, .. } = it.lights[0].it.source else { panic!() };
+    assert_eq!((direction, bright, dark, falloff), ([0.0, -1.0, 0.0], 16.0, 20.0, [1.0, 0.0, 0.0]));
+}
+
+#[test]
+fn all_line_ends_and_a_byte_order_mark_are_read() {
+    let unix = loaded(ALL);
+    assert_eq!(loaded(&ALL.replace('\n', "\r\n")), unix);
+    assert_eq!(loaded(&format!("\u{feff}{ALL}")), unix);
+}

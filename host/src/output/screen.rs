@@ -1,0 +1,35 @@
+//! What diagnostics are drawn on: the standard error.
+
+use std::io::{self, IsTerminal};
+
+use strahl_scene::diagnostics::{Drawing, Screen};
+
+/// The standard error. Its terminal's colours are used unless `NO_COLOR` or a dumb terminal
+/// forbid it.
+pub fn of_stderr() -> Screen {
+    if !io::stderr().is_terminal() {
+        return Screen::PLAIN;
+    }
+    let is_set = |name| std::env::var_os(name).is_some_and(|value| !value.is_empty());
+    let has_colors = !is_set("NO_COLOR") && std::env::var("TERM").as_deref() != Ok("dumb");
+    let drawing = match (speaks_unicode(), has_colors) {
+        (false, false) => Drawing::Plain,
+        (false, true) => Drawing::PlainColors,
+        (true, false) => Drawing::Lines,
+        (true, true) => Drawing::Colors,
+    };
+    let width = terminal_size::terminal_size_of(io::stderr()).map_or(80, |(width, _)| width.0.into());
+    Screen { width, drawing }
+}
+
+/// Whether the locale, as far as one is told, has more than ASCII.
+fn speaks_unicode() -> bool {
+    let locale = ["LC_ALL", "LC_CTYPE", "LANG"].iter().find_map(|name| {
+        let value = std::env::var(name).unwrap_or_default();
+        (!value.is_empty()).then_some(value.to_ascii_uppercase())
+    });
+    match locale {
+        Some(locale) => locale.contains("UTF-8") || locale.contains("UTF8"),
+        None => cfg!(windows),
+    }
+}
