@@ -85,7 +85,7 @@ const SIZE: Resolution = Resolution::new(72, 44).unwrap();
 const LEVELS: usize = 3;
 
 /// A device that has less finds it out when compiling.
-const _: () = assert!(Worker::<BareList, (), LEVELS>::BYTES <= 512);
+const _: () = assert!(Worker::<BareList, (), LEVELS>::SIZE_IN_BYTES <= 512);
 
 fn main() -> Result<(), Box<dyn std::error::Error>> {
     let scene = Scene::new(PARTS)?;

@@ -53,7 +53,7 @@ where
     S: Sampler,
     K: Sink,
 {
-    tracer.begin();
+    tracer.reset();
     sampler.begin();
     for pixel in pixels {
         let sample = sampler.sample_pixel(pixel, tracer);
@@ -78,7 +78,7 @@ where
     R: RayTracer + ?Sized,
     K: Sink,
 {
-    tracer.begin();
+    tracer.reset();
     selected.begin();
     for block in blocks {
         let mut result = Ok(());
@@ -99,7 +99,7 @@ where
 /// For a display that is looked at while it is drawn: it needs no memory for the picture, and gets
 /// those pixels anew that have changed. As there, it also gets pixels beyond the right and the
 /// lower edge.
-pub fn render_refined<R, K>(
+pub fn render_progressive<R, K>(
     tracer: &mut R,
     selected: &mut Selected<'_, impl Corners, impl Sampler>,
     tile: Tile,
@@ -109,7 +109,7 @@ where
     R: RayTracer + ?Sized,
     K: Sink,
 {
-    tracer.begin();
+    tracer.reset();
     selected.begin();
     let selection = *selected.selection();
     for side in selection.sides() {

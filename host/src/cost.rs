@@ -83,11 +83,11 @@ pub const WEIGHTS: Weights = Weights {
 pub fn recorded(counts: &Counters) -> Counts {
     Counts {
         rays: RayKind::ALL.map(|kind| counts.rays[kind]),
-        boxes: RayKind::ALL.map(|kind| counts.boxes[kind]),
-        shapes: RayKind::ALL.map(|kind| counts.shapes[kind]),
-        regions: RayKind::ALL.map(|kind| counts.regions[kind]),
-        skipped: RayKind::ALL.map(|kind| counts.skipped[kind]),
-        cache_asked: counts.shadow_cache_asked,
+        boxes: RayKind::ALL.map(|kind| counts.box_tests[kind]),
+        shapes: RayKind::ALL.map(|kind| counts.shape_tests[kind]),
+        regions: RayKind::ALL.map(|kind| counts.leaf_visits[kind]),
+        skipped: RayKind::ALL.map(|kind| counts.mailbox_hits[kind]),
+        cache_asked: counts.shadow_cache_lookups,
         cache_hits: counts.shadow_cache_hits,
     }
 }

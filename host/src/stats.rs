@@ -154,12 +154,12 @@ impl Stats {
     pub fn new(plan: &[effects::PlannedEffect], frame: &RenderOutput) -> Self {
         let RenderOutput { scene: facts, accelerator, counters, .. } = frame;
         let by_ray = |kind| TestsByRay {
-            boxes: counters.boxes[kind],
-            shapes: counters.shapes[kind],
-            regions: counters.regions[kind],
-            mailbox_skips: counters.skipped[kind],
+            boxes: counters.box_tests[kind],
+            shapes: counters.shape_tests[kind],
+            regions: counters.leaf_visits[kind],
+            mailbox_skips: counters.mailbox_hits[kind],
         };
-        let tested = ShapeKind::ALL.map(|kind| (kind.name(), counters.by_shape[kind]));
+        let tested = ShapeKind::ALL.map(|kind| (kind.name(), counters.shape_tests_by_kind[kind]));
         Stats {
             scene: SceneStats {
                 objects: facts.objects,
@@ -182,12 +182,12 @@ impl Stats {
                 shadow: counters.rays[RayKind::Shadow],
             },
             tests: Tests {
-                boxes: counters.boxes.sum(),
-                shapes: counters.shapes.sum(),
+                boxes: counters.box_tests.sum(),
+                shapes: counters.shape_tests.sum(),
                 by_shape: tested.into_iter().filter(|(_, count)| *count > 0).collect(),
                 by_ray: RayKind::ALL.map(|kind| (kind.name(), by_ray(kind))).into(),
             },
-            levels: Levels { deepest: counters.deepest },
+            levels: Levels { deepest: counters.max_level },
             accelerator: AcceleratorStats {
                 kind: accelerator.choice.kind.name(),
                 choice: accelerator.choice.to_string(),
@@ -196,18 +196,18 @@ impl Stats {
                 regions: accelerator.regions,
                 items_per_region: accelerator.items_per_region(),
                 depth: accelerator.depth,
-                mailbox_skips: counters.skipped.sum(),
+                mailbox_skips: counters.mailbox_hits.sum(),
             },
             shadow_cache: ShadowCache {
-                asked: counters.shadow_cache_asked,
+                asked: counters.shadow_cache_lookups,
                 hits: counters.shadow_cache_hits,
             },
-            media: Media { overfull: counters.media_full },
+            media: Media { overfull: counters.medium_stack_full },
             cut: Cut {
                 by_levels: counters.level_limit.rays,
                 by_cutoff: counters.cutoff.rays,
-                share_by_levels: counters.cut()[0],
-                share_by_cutoff: counters.cut()[1],
+                share_by_levels: counters.cut_fractions()[0],
+                share_by_cutoff: counters.cut_fractions()[1],
             },
             aim: None,
             seconds: Seconds {

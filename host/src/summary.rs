@@ -94,12 +94,12 @@ pub fn summary(
     }
     let (levels, cutoff) = (counters.level_limit.rays, counters.cutoff.rays);
     if levels + cutoff > 0 {
-        let [by_levels, by_cutoff] = counters.cut();
+        let [by_levels, by_cutoff] = counters.cut_fractions();
         let rays = format!("{} at the last level, {} below the cutoff", amount(levels, "ray"), count(cutoff));
         line("cut", format!("{} of the light: {rays}", percent(by_levels + by_cutoff)));
     }
-    if counters.media_full > 0 {
-        line("cut", format!("{} into a fifth body at once", amount(counters.media_full, "entry")));
+    if counters.medium_stack_full > 0 {
+        line("cut", format!("{} into a fifth body at once", amount(counters.medium_stack_full, "entry")));
     }
     if counters.camera_hits == 0 && frame.scene.objects > 0 {
         line("note", "no ray from the camera meets anything".into());

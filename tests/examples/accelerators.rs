@@ -117,8 +117,8 @@ fn scene(what: ProceduralScene, size: u32, path: &Path, rows: &mut Vec<Row>) -> 
             facts.bytes as f64 * each,
             facts.regions,
             facts.items_per_region(),
-            counts.boxes.sum() as f64 / rays,
-            counts.shapes.sum() as f64 / rays,
+            counts.box_tests.sum() as f64 / rays,
+            counts.shape_tests.sum() as f64 / rays,
             1e-6 * rays / seconds,
         );
         digests.push(frame.picture.digest().to_string());

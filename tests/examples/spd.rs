@@ -80,14 +80,14 @@ fn hold(name: &str, counters: &Counters, published: [u64; 4], limit: f64) -> boo
 
 /// Tells the work of one way to find; the processor seconds that it took.
 fn tell(frame: &RenderOutput, counters: &Counters) -> f64 {
-    let (shapes, skipped) = (counters.shapes.sum(), counters.skipped.sum());
+    let (shapes, skipped) = (counters.shape_tests.sum(), counters.mailbox_hits.sum());
     let share = 100.0 * skipped as f64 / (shapes + skipped).max(1) as f64;
     let seconds = frame.trace_cpu.as_secs_f64();
     println!(
         "  {:28} {:>11} boxes {shapes:>10} shapes {:>9} regions {share:>5.1} % left out {seconds:>7.2} s",
         frame.accelerator.choice.to_string(),
-        counters.boxes.sum(),
-        counters.regions.sum(),
+        counters.box_tests.sum(),
+        counters.leaf_visits.sum(),
     );
     seconds
 }

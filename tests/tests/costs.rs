@@ -77,11 +77,11 @@ fn all_pixels_together_cost_what_the_picture_costs() {
             };
             let sums = [sum(|it| it.rays), sum(|it| it.boxes), sum(|it| it.shapes), sum(|it| it.regions)];
             let whole = |of: PerRayKind| of[kind];
-            let wholes = [counts.rays, counts.boxes, counts.shapes, counts.regions].map(whole);
+            let wholes = [counts.rays, counts.box_tests, counts.shape_tests, counts.leaf_visits].map(whole);
             assert_eq!(sums, wholes, "{sampler} {kind:?}");
         }
-        assert_eq!(costs.iter().map(|cost| cost.level).max(), Some(counts.deepest), "{sampler}");
-        assert!(counts.deepest > 2);
+        assert_eq!(costs.iter().map(|cost| cost.level).max(), Some(counts.max_level), "{sampler}");
+        assert!(counts.max_level > 2);
         let plain = session::render(&scene, &settings, &RenderOptions::default(), &NoProgress).unwrap();
         assert_eq!(plain.picture.digest(), output.picture.digest(), "{sampler}");
     }

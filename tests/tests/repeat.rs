@@ -169,12 +169,12 @@ fn counting_changes_nothing() {
     let silent = rendered_with(&scene, &settings(WAYS[0]), RenderOptions::default());
     assert_eq!(counted.picture, silent.picture);
     let [all, few] = [counted, silent].map(|frame| frame.counters);
-    let tests = |counts: &Counters| RayKind::ALL.map(|kind| counts.shapes[kind]);
+    let tests = |counts: &Counters| RayKind::ALL.map(|kind| counts.shape_tests[kind]);
     assert!(tests(&all).iter().all(|count| *count > 0) && tests(&few) == [0; 4]);
     // Rays and what was cut are counted either way.
-    let rays = |counts: &Counters| (RayKind::ALL.map(|kind| counts.rays[kind]), counts.cut());
+    let rays = |counts: &Counters| (RayKind::ALL.map(|kind| counts.rays[kind]), counts.cut_fractions());
     assert_eq!(rays(&all), rays(&few));
-    assert_eq!((all.camera_hits, all.deepest), (few.camera_hits, few.deepest));
+    assert_eq!((all.camera_hits, all.max_level), (few.camera_hits, few.max_level));
 }
 
 #[test]
@@ -193,10 +193,10 @@ fn a_shadow_cache_answers_often_and_changes_no_bit() {
     let without = rendered(&scene, &Settings { shadow_cache: false, ..settings(WAYS[0]) });
     assert_eq!(with.picture, without.picture);
     let [with, without] = [with, without].map(|frame| frame.counters);
-    assert_eq!((without.shadow_cache_asked, without.shadow_cache_hits), (0, 0));
-    let (asked, hits) = (with.shadow_cache_asked, with.shadow_cache_hits);
+    assert_eq!((without.shadow_cache_lookups, without.shadow_cache_hits), (0, 0));
+    let (asked, hits) = (with.shadow_cache_lookups, with.shadow_cache_hits);
     // Of pixels this large, neighbours often lie in the shadows of different things.
     assert!(asked > hits && 3 * hits > asked, "{hits} of {asked}");
-    let boxes = |counts: &Counters| counts.boxes[RayKind::Shadow];
+    let boxes = |counts: &Counters| counts.box_tests[RayKind::Shadow];
     assert!(boxes(&with) < boxes(&without), "{} of {}", boxes(&with), boxes(&without));
 }

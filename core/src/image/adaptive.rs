@@ -109,7 +109,7 @@ impl<C: Corners> Adaptive<'_, C> {
         quarter(whole, &parting.agreement, 1, &mut find, &mut |part| {
             let side = part.side as Real / steps;
             sum += part.mean() * (side * side);
-            hit = hit.and(part.hit());
+            hit = hit.merged(part.hit());
             let place = FilmPoint { x: part.x as Real / steps, y: part.y as Real / steps };
             part_done(Part { place, side, corners: part.corners });
         });

@@ -26,7 +26,7 @@ impl Agreement {
     pub(super) fn holds(&self, corners: &[PixelSample; 4]) -> bool {
         let same_item = || {
             let [first, rest @ ..] = corners;
-            rest.iter().fold(first.hit, |hit, corner| hit.and(corner.hit)) != HitId::Several
+            rest.iter().fold(first.hit, |hit, corner| hit.merged(corner.hit)) != HitId::Mixed
         };
         (!self.items || same_item())
             && Rgb::contrast(corners.iter().map(|corner| corner.color)) <= self.threshold

@@ -39,7 +39,7 @@ impl Square {
     /// What was hit at its corners.
     pub(super) fn hit(&self) -> HitId {
         let [a, b, c, d] = self.corners.map(|corner| corner.hit);
-        a.and(b).and(c.and(d))
+        a.merged(b).merged(c.merged(d))
     }
 
     /// The colour at the place `(x, y)` of the square, both in `0..=1`, between those of its corners.

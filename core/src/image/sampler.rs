@@ -48,7 +48,7 @@ impl Mean {
 
     pub(super) fn add(&mut self, sample: PixelSample) {
         self.sum += sample.color;
-        self.hit = Some(self.hit.map_or(sample.hit, |hit| hit.and(sample.hit)));
+        self.hit = Some(self.hit.map_or(sample.hit, |hit| hit.merged(sample.hit)));
         self.count += 1;
     }
 

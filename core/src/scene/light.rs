@@ -9,7 +9,7 @@ use crate::math::{
     MAX_COORDINATE, Real, Rgb, Vec3, clamp, orthonormal_basis, sample_disc_concentric, sqrt, try_normalize,
     try_normalize_and_length,
 };
-use crate::tally::Lit;
+use crate::tally::LightOutcome;
 
 /// A light.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -193,15 +193,15 @@ impl Light {
         normal: Vec3,
         able: LightSet,
         chance: impl FnOnce() -> [Real; 2],
-    ) -> Result<Beam, Lit> {
+    ) -> Result<Beam, LightOutcome> {
         let from = |position: Vec3, falloff: &Falloff| {
             let way = position - point;
             // Asked before any root is taken.
             let facing = normal.dot(way);
             if !(facing > 0.0) {
-                return Err(Lit::Behind);
+                return Err(LightOutcome::BackFacing);
             }
-            let (toward, distance) = try_normalize_and_length(way).ok_or(Lit::Dark)?;
+            let (toward, distance) = try_normalize_and_length(way).ok_or(LightOutcome::NoEmission)?;
             Ok(Beam { toward, cos: facing / distance, distance, color: self.color * falloff.at(distance) })
         };
         match &self.source {
@@ -211,7 +211,7 @@ impl Light {
             Source::Directional { toward } if able.contains(LightKind::Directional) => {
                 let cos = normal.dot(*toward);
                 let beam = Beam { toward: *toward, cos, distance: Real::MAX, color: self.color };
-                if cos > 0.0 { Ok(beam) } else { Err(Lit::Behind) }
+                if cos > 0.0 { Ok(beam) } else { Err(LightOutcome::BackFacing) }
             }
             Source::Spot { position, direction, cos_bright, cos_dark, falloff }
                 if able.contains(LightKind::Spot) =>
@@ -219,7 +219,7 @@ impl Light {
                 let mut beam = from(*position, falloff)?;
                 let cos = -beam.toward.dot(*direction);
                 if cos < *cos_dark {
-                    return Err(Lit::Dark);
+                    return Err(LightOutcome::NoEmission);
                 }
                 // From dark to bright without a crease at either end (smoothstep).
                 let s = clamp((cos - cos_dark) / (cos_bright - cos_dark), 0.0, 1.0);
@@ -233,10 +233,11 @@ impl Light {
                 }
                 // A place on the disc that faces the point.
                 let middle = *position - point;
-                let (toward, distance) = try_normalize_and_length(middle).ok_or(Lit::Dark)?;
+                let (toward, distance) = try_normalize_and_length(middle).ok_or(LightOutcome::NoEmission)?;
                 let [first, second] = orthonormal_basis(toward);
                 let [x, y] = sample_disc_concentric(chance());
-                let toward = try_normalize(middle + (first * x + second * y) * *radius).ok_or(Lit::Dark)?;
+                let toward = try_normalize(middle + (first * x + second * y) * *radius)
+                    .ok_or(LightOutcome::NoEmission)?;
                 let cos = normal.dot(toward);
                 // The way ends where it enters the sphere: what is inside does not count.
                 let along = middle.dot(toward);
@@ -249,7 +250,7 @@ impl Light {
                     distance: if entry > 0.0 { entry } else { 0.0 },
                     color: self.color * falloff.at(distance),
                 };
-                if cos > 0.0 { Ok(beam) } else { Err(Lit::Behind) }
+                if cos > 0.0 { Ok(beam) } else { Err(LightOutcome::BackFacing) }
             }
             Source::Rectangle { position, half: [a, b], soft, falloff }
                 if able.contains(LightKind::Rectangle) =>
@@ -257,11 +258,11 @@ impl Light {
                 let [u, v] = if *soft { chance() } else { [0.5, 0.5] };
                 let place = *position + *a * (2.0 * u - 1.0) + *b * (2.0 * v - 1.0);
                 let mut beam = from(place, falloff)?;
-                let cos = -beam.toward.dot(try_normalize(a.cross(*b)).ok_or(Lit::Dark)?);
+                let cos = -beam.toward.dot(try_normalize(a.cross(*b)).ok_or(LightOutcome::NoEmission)?);
                 beam.color = beam.color * cos;
-                if cos > 0.0 { Ok(beam) } else { Err(Lit::Dark) }
+                if cos > 0.0 { Ok(beam) } else { Err(LightOutcome::NoEmission) }
             }
-            _ => Err(Lit::Dark),
+            _ => Err(LightOutcome::NoEmission),
         }
     }
 }

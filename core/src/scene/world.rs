@@ -8,7 +8,7 @@ use super::effects::Effects;
 use crate::accel::{Accelerator, Candidate, Query, TriangleBlock};
 use crate::geometry::{Geometry, Hit, ItemId, Ray, Shape, ShapeKind, SurfaceInteraction, intersect_triangle};
 use crate::math::{Real, Vec3};
-use crate::tally::{Event, RayKind, Tally};
+use crate::tally::{CountedEvent, RayKind, Tally};
 
 /// A scene that can be asked what a ray meets.
 #[derive(Clone, Copy, Debug)]
@@ -235,10 +235,10 @@ impl<'q, E: Effects, T: Tally, G: Goal> Search<'q, E, T, G> {
 
     #[inline(always)]
     fn count(&mut self, shape: &Shape) {
-        if T::TESTS
+        if T::COUNTS_TESTS
             && let Some(kind) = self.geometry.kind(shape)
         {
-            self.tally.count(Event::Shape(self.kind, kind));
+            self.tally.count(CountedEvent::ShapeTest(self.kind, kind));
         }
     }
 
@@ -310,14 +310,14 @@ impl<E: Effects, T: Tally, G: Goal> Query for Search<'_, E, T, G> {
     }
 
     fn count_box_tests(&mut self, count: u32) {
-        self.tally.count(Event::Boxes(self.kind, count));
+        self.tally.count(CountedEvent::BoxTests(self.kind, count));
     }
 
     fn count_leaf_visit(&mut self) {
-        self.tally.count(Event::Region(self.kind));
+        self.tally.count(CountedEvent::LeafVisit(self.kind));
     }
 
     fn count_mailbox_hit(&mut self) {
-        self.tally.count(Event::Skipped(self.kind));
+        self.tally.count(CountedEvent::MailboxHit(self.kind));
     }
 }

@@ -8,7 +8,7 @@
 use crate::math::{Real, Rgb, Vec3, exp, max, sqrt};
 
 /// The mirrored direction.
-pub fn reflected(d: Vec3, n: Vec3) -> Vec3 {
+pub fn reflect(d: Vec3, n: Vec3) -> Vec3 {
     d - n * (2.0 * d.dot(n))
 }
 
@@ -18,14 +18,14 @@ pub struct Refraction {
     /// Where it goes, of length one.
     pub direction: Vec3,
     /// The share that Fresnel's formulas mirror instead, of unpolarised light.
-    pub mirrored: Real,
+    pub reflectance: Real,
 }
 
 /// The broken direction by Snell's law, where `ratio` is the index of refraction on the side
 /// that light comes from over that of the other side. None when all light is thrown back.
-pub fn refracted(d: Vec3, n: Vec3, ratio: Real) -> Option<Refraction> {
+pub fn refract(d: Vec3, n: Vec3, ratio: Real) -> Option<Refraction> {
     if ratio == 1.0 {
-        return Some(Refraction { direction: d, mirrored: 0.0 });
+        return Some(Refraction { direction: d, reflectance: 0.0 });
     }
     let cos = max(-d.dot(n), 0.0);
     // The part along the surface, as it is behind it. Its square is right also where neither
@@ -40,11 +40,11 @@ pub fn refracted(d: Vec3, n: Vec3, ratio: Real) -> Option<Refraction> {
     let direction = flat - n * cos_behind;
     let across = (ratio * cos - cos_behind) / (ratio * cos + cos_behind);
     let along = (cos - ratio * cos_behind) / (cos + ratio * cos_behind);
-    Some(Refraction { direction, mirrored: 0.5 * (across * across + along * along) })
+    Some(Refraction { direction, reflectance: 0.5 * (across * across + along * along) })
 }
 
 /// What is left of light after a way through a medium (Beer's law).
-pub fn absorbed(clarity: Rgb, way: Real) -> Rgb {
+pub fn transmittance(clarity: Rgb, way: Real) -> Rgb {
     clarity.map(|clarity| if clarity < Real::INFINITY { exp(-(way / clarity)) } else { 1.0 })
 }
 
@@ -60,14 +60,14 @@ mod tests {
 
     #[test]
     fn a_mirror_keeps_the_angle() {
-        assert!(length(reflected(at(0.3), Vec3::Y) - vec3(sin(0.3), cos(0.3), 0.0)) < 1e-6);
+        assert!(length(reflect(at(0.3), Vec3::Y) - vec3(sin(0.3), cos(0.3), 0.0)) < 1e-6);
     }
 
     #[test]
     fn snells_law_holds_on_the_way_in_and_out() {
         for angle in [0.0, 0.1, 0.6, 1.2, 1.5] {
             for ratio in [1.0 / 1.5, 1.5, 1.0 / 2.4] {
-                let Some(out) = refracted(at(angle), Vec3::Y, ratio) else {
+                let Some(out) = refract(at(angle), Vec3::Y, ratio) else {
                     assert!(sin(angle) * ratio >= 1.0);
                     continue;
                 };
@@ -81,7 +81,7 @@ mod tests {
     fn fresnels_share_meets_its_known_values() {
         // Upright: ((n - 1) / (n + 1))^2, from either side. Brewster's angle: 0 for one half of
         // the light; the other half mirrors ((n^2 - 1) / (n^2 + 1))^2.
-        let share = |angle, ratio| refracted(at(angle), Vec3::Y, ratio).unwrap().mirrored;
+        let share = |angle, ratio| refract(at(angle), Vec3::Y, ratio).unwrap().reflectance;
         assert!((share(0.0, 1.0 / 1.5) - 0.04).abs() < 1e-6);
         assert!((share(0.0, 1.5) - 0.04).abs() < 1e-6);
         let angle = crate::math::acos(1.0 / sqrt(1.0 + 1.5 * 1.5)); // its tangent is 1.5
@@ -94,13 +94,13 @@ mod tests {
     #[test]
     fn beyond_the_critical_angle_no_light_passes() {
         let critical = PI / 2.0 - crate::math::acos(1.0 / 1.5);
-        assert!(refracted(at(critical - 1e-3), Vec3::Y, 1.5).is_some());
-        assert!(refracted(at(critical + 1e-3), Vec3::Y, 1.5).is_none());
+        assert!(refract(at(critical - 1e-3), Vec3::Y, 1.5).is_some());
+        assert!(refract(at(critical + 1e-3), Vec3::Y, 1.5).is_none());
     }
 
     #[test]
     fn one_over_e_is_left_after_one_clarity() {
-        let left = absorbed(Rgb::new(2.0, Real::INFINITY, 1e-30), 2.0);
+        let left = transmittance(Rgb::new(2.0, Real::INFINITY, 1e-30), 2.0);
         assert!((left.r - 0.367_879_44).abs() < 1e-6);
         assert_eq!((left.g, left.b), (1.0, 0.0));
     }

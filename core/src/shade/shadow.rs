@@ -1,91 +1,95 @@
 //! Whether light arrives.
 
-use super::cache::{Memory, Toward};
-use super::media::{Crossing, Media, index};
-use super::optics::refracted;
-use super::passage::{crossing, left_after};
-use super::seen::Seen;
+use super::medium_stack::{Crossing, MediumStack, refractive_index};
+use super::optics::refract;
+use super::shading_point::ShadingPoint;
+use super::shadow_cache::{ShadowCacheKey, WorkerCaches};
+use super::transmission::{cross_surface, medium_transmittance};
 use crate::accel::Accelerator;
 use crate::geometry::Ray;
 use crate::math::{ROUNDOFF, Real, Rgb, Vec3, max_abs_component};
 use crate::scene::{Beam, Effects, Interface, LightKind, Material, World};
-use crate::tally::{Event, RayKind, Step, Tally};
+use crate::tally::{CountedEvent, RayKind, Tally, TraceEvent};
 
 /// How much of the way to a light is asked for: not the last few roundoffs, so that a surface
 /// in which the light lies does not stand in its own light.
-const NEARLY_THERE: Real = 1.0 - 16.0 * ROUNDOFF;
+const T_MAX_FACTOR: Real = 1.0 - 16.0 * ROUNDOFF;
 
 /// The most surfaces that light passes on its way; behind more it is dark.
-const MOST_SURFACES: u32 = 64;
+const MAX_SURFACES: u32 = 64;
 
 /// Where the ways to all lights start.
-pub(super) struct Start {
+pub(super) struct ShadowRayOrigin {
     /// On the surface.
     pub(super) point: Vec3,
     /// Beside it, where rays leave it.
-    pub(super) from: Vec3,
+    pub(super) offset_point: Vec3,
     /// When.
     pub(super) time: Real,
 }
 
 /// The way from a point to a light.
-pub(super) struct Way<'b> {
+pub(super) struct ShadowRay<'b> {
     /// Where it starts.
-    pub(super) start: &'b Start,
+    pub(super) start: &'b ShadowRayOrigin,
     /// What would arrive.
-    pub(super) beam: &'b Beam,
+    pub(super) light_sample: &'b Beam,
     /// From which level to which light.
-    pub(super) toward: Toward,
+    pub(super) cache_key: ShadowCacheKey,
 }
 
-impl Way<'_> {
+impl ShadowRay<'_> {
     /// The direction of the ray towards the light; none when the light is too near for anything
     /// to stand between.
     fn direction<E: Effects>(&self) -> Option<Vec3> {
-        let (start, beam) = (self.start, self.beam);
+        let (start, beam) = (self.start, self.light_sample);
         if E::SET.lights.contains(LightKind::Directional) && beam.distance == Real::MAX {
             return Some(beam.toward); // of a light without a place, whose rays are parallel
         }
         // Started beside the point, the ray must not end beside the light.
-        let aside = start.point - start.from;
+        let aside = start.point - start.offset_point;
         (max_abs_component(aside) < beam.distance).then(|| beam.toward + aside / beam.distance)
     }
 
     /// How far something may be and still stand in the way.
-    fn reach(&self) -> Real {
-        self.beam.distance * NEARLY_THERE
+    fn t_max(&self) -> Real {
+        self.light_sample.distance * T_MAX_FACTOR
     }
 }
 
 /// Whether anything stands in the way. What lies behind the light does not count; glass counts
 /// as if it were opaque.
 #[inline(always)]
-pub(super) fn is_dark<A: Accelerator, E: Effects, T: Tally, const SHADOWS: usize>(
+pub(super) fn is_occluded<A: Accelerator, E: Effects, T: Tally, const SHADOWS: usize>(
     world: &World<'_, A>,
-    way: &Way<'_>,
-    memory: &mut Memory<A, SHADOWS>,
+    way: &ShadowRay<'_>,
+    memory: &mut WorkerCaches<A, SHADOWS>,
     tally: &mut T,
 ) -> bool {
-    tally.count(Event::Ray(RayKind::Shadow));
+    tally.count(CountedEvent::Ray(RayKind::Shadow));
     let Some(direction) = way.direction::<E>() else { return false };
-    tally.tell(Step::Asks { origin: way.start.from, direction, reach: way.reach() });
-    let ray = Ray::with_near_unit_direction(way.start.from, direction, way.start.time);
-    if let Some(last) = memory.shadows.last(way.toward) {
-        let still = world.blocks::<E, T>(last, &ray, way.reach(), RayKind::Shadow, tally);
-        tally.count(Event::ShadowCache { hit: still });
+    tally.trace_event(TraceEvent::ShadowRay {
+        origin: way.start.offset_point,
+        direction,
+        t_max: way.t_max(),
+    });
+    let ray = Ray::with_near_unit_direction(way.start.offset_point, direction, way.start.time);
+    if let Some(last) = memory.shadow_cache.last_occluder(way.cache_key) {
+        let still = world.blocks::<E, T>(last, &ray, way.t_max(), RayKind::Shadow, tally);
+        tally.count(CountedEvent::ShadowCacheLookup { hit: still });
         if still {
-            tally.tell(Step::Blocked { item: last, distance: None });
+            tally.trace_event(TraceEvent::Occluded { item: last, t: None });
             return true;
         }
     }
-    match world.blocker_sound::<E, T>(&ray, way.reach(), RayKind::Shadow, &mut memory.scratch, tally) {
+    match world.blocker_sound::<E, T>(&ray, way.t_max(), RayKind::Shadow, &mut memory.scratch, tally) {
         Some(item) => {
-            tally.tell(Step::Blocked { item, distance: None });
-            memory.shadows.remember(way.toward, item);
+            tally.trace_event(TraceEvent::Occluded { item, t: None });
+            memory.shadow_cache.insert(way.cache_key, item);
             true
         }
         None => {
-            memory.shadows.forget(way.toward);
+            memory.shadow_cache.remove(way.cache_key);
             false
         }
     }
@@ -100,49 +104,57 @@ pub(super) fn is_dark<A: Accelerator, E: Effects, T: Tally, const SHADOWS: usize
 ///
 /// Not inlined: few scenes ask for it, and where it stands in the loop the others pay for it.
 #[inline(never)]
-pub(super) fn passing<A: Accelerator, E: Effects, T: Tally>(
+pub(super) fn colored_transmittance<A: Accelerator, E: Effects, T: Tally>(
     world: &World<'_, A>,
-    way: &Way<'_>,
-    media: &Media,
+    way: &ShadowRay<'_>,
+    media: &MediumStack,
     scratch: &mut A::Scratch,
     tally: &mut T,
 ) -> Rgb {
-    tally.count(Event::Ray(RayKind::Shadow));
+    tally.count(CountedEvent::Ray(RayKind::Shadow));
     let parts = world.scene().parts();
     let (mut share, mut media) = (Rgb::WHITE, *media);
     let Some(direction) = way.direction::<E>() else { return share };
-    let (mut from, mut reach) = (way.start.from, way.reach());
-    tally.tell(Step::Asks { origin: from, direction, reach });
-    for _ in 0..MOST_SURFACES {
+    let (mut from, mut reach) = (way.start.offset_point, way.t_max());
+    tally.trace_event(TraceEvent::ShadowRay { origin: from, direction, t_max: reach });
+    for _ in 0..MAX_SURFACES {
         let ray = Ray::with_near_unit_direction(from, direction, way.start.time);
         let hit = world.nearest::<E, T>(&ray, reach, RayKind::Shadow, scratch, tally);
         let met = hit.and_then(|hit| Some((hit, world.surface::<E>(&ray, hit)?)));
         let Some((hit, surface)) = met else {
-            return share * left_after::<E>(parts.materials, media.in_force(parts.materials), reach);
+            return share * medium_transmittance::<E>(parts.materials, media.current(parts.materials), reach);
         };
         let material = world.scene().material(hit.item).unwrap_or(&Material::MATTE);
-        let seen = Seen::new(surface, direction);
-        let Some(crossing) = crossing(parts, hit.item, material, media, seen.outside) else { break };
-        share *= left_after::<E>(parts.materials, crossing.before, hit.t);
-        if !crossing.hidden {
-            share *= material.transmitted * (1.0 - mirrored(&crossing, material, &seen, parts.materials));
+        let seen = ShadingPoint::new(surface, direction);
+        let Some(crossing) = cross_surface(parts, hit.item, material, media, seen.front_face) else { break };
+        share *= medium_transmittance::<E>(parts.materials, crossing.medium_before, hit.t);
+        if !crossing.is_hidden {
+            share *= material.transmitted * (1.0 - reflectance(&crossing, material, &seen, parts.materials));
         }
         if share.is_black() {
-            tally.tell(Step::Blocked { item: hit.item, distance: Some(hit.t) });
+            tally.trace_event(TraceEvent::Occluded { item: hit.item, t: Some(hit.t) });
             break;
         }
-        tally.tell(Step::Passes { hit, share });
-        (media, from, reach) = (crossing.media, seen.behind(), reach - hit.t);
+        tally.trace_event(TraceEvent::ShadowTransmission { hit, transmittance: share });
+        (media, from, reach) = (crossing.stack_behind, seen.origin_behind(), reach - hit.t);
     }
     Rgb::BLACK
 }
 
 /// The share that is mirrored of light that comes in from the thinner of both sides.
-fn mirrored(crossing: &Crossing, material: &Material, seen: &Seen, materials: &[Material]) -> Real {
+fn reflectance(
+    crossing: &Crossing,
+    material: &Material,
+    seen: &ShadingPoint,
+    materials: &[Material],
+) -> Real {
     if material.interface == Interface::Constant {
         return 0.0;
     }
-    let (before, behind) = (index(crossing.before, materials), index(crossing.behind, materials));
+    let (before, behind) = (
+        refractive_index(crossing.medium_before, materials),
+        refractive_index(crossing.medium_behind, materials),
+    );
     let ratio = if before < behind { before / behind } else { behind / before };
-    refracted(seen.along, seen.shading, ratio).map_or(1.0, |refraction| refraction.mirrored)
+    refract(seen.ray_direction, seen.shading_normal, ratio).map_or(1.0, |refraction| refraction.reflectance)
 }

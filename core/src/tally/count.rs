@@ -1,55 +1,55 @@
 //! How counters count events.
 
-use super::{Counters, Event, RayCounters, Tally, UnsentRays};
+use super::{CountedEvent, Counters, RayCounters, Tally, UnsentRays};
 use crate::math::{Real, Rgb};
 
 /// Counts a ray of this weight.
 fn unsent(counter: &mut UnsentRays, weight: Rgb) {
     let steps = ((weight.r + weight.g + weight.b) * (UnsentRays::WEIGHT_ONE as Real / 3.0)) as u64;
-    counter.add(&UnsentRays { rays: 1, weight_steps: steps });
+    counter.merge(&UnsentRays { rays: 1, weight_units: steps });
 }
 
 impl Tally for Counters {
-    fn count(&mut self, event: Event) {
+    fn count(&mut self, event: CountedEvent) {
         match event {
-            Event::Ray(kind) => self.rays[kind] += 1,
-            Event::Level(level) => self.deepest = self.deepest.max(level),
-            Event::CameraHit => self.camera_hits += 1,
-            Event::Boxes(kind, count) => self.boxes[kind] += u64::from(count),
-            Event::Shape(kind, shape) => {
-                self.shapes[kind] += 1;
-                self.by_shape[shape] += 1;
+            CountedEvent::Ray(kind) => self.rays[kind] += 1,
+            CountedEvent::Level(level) => self.max_level = self.max_level.max(level),
+            CountedEvent::CameraHit => self.camera_hits += 1,
+            CountedEvent::BoxTests(kind, count) => self.box_tests[kind] += u64::from(count),
+            CountedEvent::ShapeTest(kind, shape) => {
+                self.shape_tests[kind] += 1;
+                self.shape_tests_by_kind[shape] += 1;
             }
-            Event::Region(kind) => self.regions[kind] += 1,
-            Event::Skipped(kind) => self.skipped[kind] += 1,
-            Event::ShadowCache { hit } => {
-                self.shadow_cache_asked += 1;
+            CountedEvent::LeafVisit(kind) => self.leaf_visits[kind] += 1,
+            CountedEvent::MailboxHit(kind) => self.mailbox_hits[kind] += 1,
+            CountedEvent::ShadowCacheLookup { hit } => {
+                self.shadow_cache_lookups += 1;
                 self.shadow_cache_hits += u64::from(hit);
             }
-            Event::LevelLimit(weight) => unsent(&mut self.level_limit, weight),
-            Event::Cutoff(weight) => unsent(&mut self.cutoff, weight),
-            Event::MediaFull => self.media_full += 1,
+            CountedEvent::LevelLimit(weight) => unsent(&mut self.level_limit, weight),
+            CountedEvent::Cutoff(weight) => unsent(&mut self.cutoff, weight),
+            CountedEvent::MediumStackFull => self.medium_stack_full += 1,
         }
     }
 }
 
 impl Tally for RayCounters {
-    const TESTS: bool = false;
+    const COUNTS_TESTS: bool = false;
 
     #[inline(always)]
-    fn count(&mut self, event: Event) {
+    fn count(&mut self, event: CountedEvent) {
         match event {
-            Event::Ray(_)
-            | Event::Level(_)
-            | Event::CameraHit
-            | Event::LevelLimit(_)
-            | Event::Cutoff(_)
-            | Event::MediaFull => self.counters.count(event),
-            Event::Boxes(..)
-            | Event::Shape(..)
-            | Event::ShadowCache { .. }
-            | Event::Region(_)
-            | Event::Skipped(_) => {}
+            CountedEvent::Ray(_)
+            | CountedEvent::Level(_)
+            | CountedEvent::CameraHit
+            | CountedEvent::LevelLimit(_)
+            | CountedEvent::Cutoff(_)
+            | CountedEvent::MediumStackFull => self.counters.count(event),
+            CountedEvent::BoxTests(..)
+            | CountedEvent::ShapeTest(..)
+            | CountedEvent::ShadowCacheLookup { .. }
+            | CountedEvent::LeafVisit(_)
+            | CountedEvent::MailboxHit(_) => {}
         }
     }
 }

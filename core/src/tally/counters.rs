@@ -5,7 +5,7 @@
 
 use core::ops::{AddAssign, Index, IndexMut};
 
-use super::kind::RayKind;
+use super::ray_kind::RayKind;
 use crate::geometry::ShapeKind;
 
 /// One count for each value of an enum, indexed by that value.
@@ -77,19 +77,19 @@ pub struct Counters {
     /// Camera rays that met something.
     pub camera_hits: u64,
     /// The level of the deepest ray; the camera ray has level 1. Zero where there was none.
-    pub deepest: u8,
+    pub max_level: u8,
     /// Tests of rays against boxes.
-    pub boxes: PerRayKind,
+    pub box_tests: PerRayKind,
     /// Tests of rays against shapes.
-    pub shapes: PerRayKind,
+    pub shape_tests: PerRayKind,
     /// Tests of rays against shapes, by the kind of the shape.
-    pub by_shape: PerShapeKind,
+    pub shape_tests_by_kind: PerShapeKind,
     /// Regions of the accelerator entered.
-    pub regions: PerRayKind,
+    pub leaf_visits: PerRayKind,
     /// Tests of rays against shapes that mailboxes have saved.
-    pub skipped: PerRayKind,
+    pub mailbox_hits: PerRayKind,
     /// How often a shadow cache was asked.
-    pub shadow_cache_asked: u64,
+    pub shadow_cache_lookups: u64,
     /// How often it answered: its occluder still stood in the way.
     pub shadow_cache_hits: u64,
     /// Rays that were not sent because the levels ended.
@@ -97,7 +97,7 @@ pub struct Counters {
     /// Rays that were not sent because their weight was not above the cutoff.
     pub cutoff: UnsentRays,
     /// Rays that went into a fifth body at once, and were taken to stay in the fourth.
-    pub media_full: u64,
+    pub medium_stack_full: u64,
 }
 
 impl Counters {
@@ -107,25 +107,25 @@ impl Counters {
     }
 
     /// Adds what another worker has counted.
-    pub fn add(&mut self, other: &Counters) {
+    pub fn merge(&mut self, other: &Counters) {
         self.rays += other.rays;
         self.camera_hits += other.camera_hits;
-        self.deepest = self.deepest.max(other.deepest);
-        self.boxes += other.boxes;
-        self.shapes += other.shapes;
-        self.by_shape += other.by_shape;
-        self.regions += other.regions;
-        self.skipped += other.skipped;
-        self.shadow_cache_asked += other.shadow_cache_asked;
+        self.max_level = self.max_level.max(other.max_level);
+        self.box_tests += other.box_tests;
+        self.shape_tests += other.shape_tests;
+        self.shape_tests_by_kind += other.shape_tests_by_kind;
+        self.leaf_visits += other.leaf_visits;
+        self.mailbox_hits += other.mailbox_hits;
+        self.shadow_cache_lookups += other.shadow_cache_lookups;
         self.shadow_cache_hits += other.shadow_cache_hits;
-        self.level_limit.add(&other.level_limit);
-        self.cutoff.add(&other.cutoff);
-        self.media_full += other.media_full;
+        self.level_limit.merge(&other.level_limit);
+        self.cutoff.merge(&other.cutoff);
+        self.medium_stack_full += other.medium_stack_full;
     }
 
     /// Which share of the light was cut, by the levels and by the cutoff: of what all camera rays
     /// could have brought if everything were equally bright. In `[0, 1]`.
-    pub fn cut(&self) -> [f64; 2] {
+    pub fn cut_fractions(&self) -> [f64; 2] {
         let rays = self.rays[RayKind::Camera];
         let whole = if rays > 0 { rays as f64 } else { 1.0 };
         [self.level_limit.weight() / whole, self.cutoff.weight() / whole]
@@ -139,7 +139,7 @@ pub struct UnsentRays {
     pub rays: u64,
     /// The mean of the three channels of each weight, in units of one over
     /// [`UnsentRays::WEIGHT_ONE`], summed. Saturates.
-    pub weight_steps: u64,
+    pub weight_units: u64,
 }
 
 impl UnsentRays {
@@ -148,13 +148,13 @@ impl UnsentRays {
 
     /// The sum of their weights. Unit: weights of camera rays.
     pub fn weight(&self) -> f64 {
-        self.weight_steps as f64 / f64::from(Self::WEIGHT_ONE)
+        self.weight_units as f64 / f64::from(Self::WEIGHT_ONE)
     }
 
     /// Adds the rays that another worker has counted.
-    pub fn add(&mut self, other: &UnsentRays) {
+    pub fn merge(&mut self, other: &UnsentRays) {
         self.rays += other.rays;
-        self.weight_steps = self.weight_steps.saturating_add(other.weight_steps);
+        self.weight_units = self.weight_units.saturating_add(other.weight_units);
     }
 }
 

@@ -10,12 +10,12 @@ pub enum HitId {
     /// This item.
     Item(ItemId),
     /// Not all of them the same.
-    Several,
+    Mixed,
 }
 
 impl HitId {
     /// What both hit, or [`HitId::Several`].
-    pub fn and(self, other: HitId) -> HitId {
-        if self == other { self } else { HitId::Several }
+    pub fn merged(self, other: HitId) -> HitId {
+        if self == other { self } else { HitId::Mixed }
     }
 }

@@ -33,17 +33,18 @@ use crate::geometry::{Hit, Ray};
 use crate::math::{Dimension, Real, Rgb, SobolSequence, Vec3, sample_visible_normal};
 use crate::scene::{Camera, CameraSample, EffectSet, Effects, Interface, LastLevel, Material, World};
 use crate::shade::{
-    Arrival, Crossing, Media, Seen, crossing, index, left_after, local, reflected, refracted,
+    Crossing, MediumStack, ShadingContext, ShadingPoint, cross_surface, local_illumination,
+    medium_transmittance, reflect, refract, refractive_index,
 };
-use crate::tally::{Event, Fate, RayKind, Step, Tally};
-use task::{Task, Tasks};
+use crate::tally::{CountedEvent, RayKind, RayOutcome, Tally, TraceEvent};
+use task::{Task, TaskStack};
 
 /// The brightest that a surface is taken to be. With weights below `2^64` (two rays of weight
 /// one at each of 64 levels) no product and no sum here leaves the range of `f32`.
-const BRIGHTEST_SURFACE: Real = 1e15;
+const MAX_SURFACE_RADIANCE: Real = 1e15;
 
 /// The brightest that a place in the picture can be.
-const BRIGHTEST_PLACE: Real = 1e30;
+const MAX_SAMPLE_RADIANCE: Real = 1e30;
 
 /// Traces a world through a camera with the effects `E`, at most `LEVELS` levels deep.
 #[derive(Debug)]
@@ -97,23 +98,23 @@ impl<'w, 's, A: Accelerator, E: Effects, const LEVELS: usize> Tracer<'w, 's, A, 
         let Ray { origin, direction, .. } = ray;
         let mut sum = Rgb::BLACK;
         let mut hit = HitId::Nothing;
-        let (kind, media) = (RayKind::Camera, Media::NONE);
+        let (kind, media) = (RayKind::Camera, MediumStack::EMPTY);
         let mut task = Task { origin, direction, weight: Rgb::WHITE, level: 1, kind, media };
         loop {
-            sum += self.follow(&mut task, sample.stream, time, &mut hit, worker);
+            sum += self.trace_task(&mut task, sample.stream, time, &mut hit, worker);
             let Some(next) = worker.tasks.pop() else { break };
-            if worker.tally.gives_up() {
+            if worker.tally.is_cancelled() {
                 worker.tasks.clear();
                 break;
             }
             task = next;
         }
         // Once, here: no part is below zero, so that a sum that was too large stays so.
-        PixelSample { color: sum.clamp_max(BRIGHTEST_PLACE), hit }
+        PixelSample { color: sum.clamp_max(MAX_SAMPLE_RADIANCE), hit }
     }
 
     /// What a task adds to the pixel by itself; its children go onto the stack.
-    fn follow<T: Tally, const SHADOWS: usize>(
+    fn trace_task<T: Tally, const SHADOWS: usize>(
         &self,
         task: &mut Task,
         stream: SobolSequence,
@@ -121,117 +122,150 @@ impl<'w, 's, A: Accelerator, E: Effects, const LEVELS: usize> Tracer<'w, 's, A, 
         first: &mut HitId,
         worker: &mut Worker<A, T, LEVELS, SHADOWS>,
     ) -> Rgb {
-        let Worker { memory, tasks, tally } = worker;
-        tally.count(Event::Ray(task.kind));
-        tally.count(Event::Level(task.level));
-        tally.tell(task.begins());
+        let Worker { caches: memory, tasks, tally } = worker;
+        tally.count(CountedEvent::Ray(task.kind));
+        tally.count(CountedEvent::Level(task.level));
+        tally.trace_event(task.start_event());
         let ray = Ray::with_near_unit_direction(task.origin, task.direction, time);
         let found = self.world.nearest_sound::<E, T>(&ray, E::SIGHT, task.kind, &mut memory.scratch, tally);
         let met = found.and_then(|hit| Some((hit, self.world.surface::<E>(&ray, hit)?)));
         let Some((hit, surface)) = met else {
-            return self.beyond(task, tally);
+            return self.miss_radiance(task, tally);
         };
         if task.kind == RayKind::Camera {
-            tally.count(Event::CameraHit);
+            tally.count(CountedEvent::CameraHit);
             *first = HitId::Item(hit.item);
         }
 
-        let seen = Seen::new(surface, task.direction);
+        let seen = ShadingPoint::new(surface, task.direction);
         let material = self.world.scene().material(hit.item).unwrap_or(&Material::MATTE);
-        let crossing = self.crossing(task, hit, material, &seen);
+        let crossing = self.cross_surface(task, hit, material, &seen);
         let materials = self.world.scene().parts().materials;
         let within = match &crossing {
-            Some(crossing) => crossing.before,
-            None => task.media.in_force(materials),
+            Some(crossing) => crossing.medium_before,
+            None => task.media.current(materials),
         };
-        let left = if self.absorbs() { left_after::<E>(materials, within, hit.t) } else { Rgb::WHITE };
-        let hidden = crossing.as_ref().is_some_and(|crossing| crossing.hidden);
-        let (point, outside) = (seen.surface.point, seen.outside);
+        let left = if self.has_absorption() {
+            medium_transmittance::<E>(materials, within, hit.t)
+        } else {
+            Rgb::WHITE
+        };
+        let hidden = crossing.as_ref().is_some_and(|crossing| crossing.is_hidden);
+        let (point, outside) = (seen.surface.point, seen.front_face);
         let number = within.map(|material| material.0);
-        tally.tell(Step::Meets { hit, point, outside, within: number, left, hidden });
+        tally.trace_event(TraceEvent::Hit {
+            hit,
+            point,
+            front_face: outside,
+            medium: number,
+            transmittance: left,
+            is_hidden: hidden,
+        });
         if let Some(crossing) = &crossing {
-            if crossing.full {
-                tally.count(Event::MediaFull);
+            if crossing.is_stack_full {
+                tally.count(CountedEvent::MediumStackFull);
             }
-            if self.absorbs() {
+            if self.has_absorption() {
                 task.weight *= left;
             }
-            if crossing.hidden {
+            if crossing.is_hidden {
                 // The surface is hidden inside another body: straight on.
-                let child = Child {
-                    origin: seen.behind(),
+                let child = SecondaryRay {
+                    origin: seen.origin_behind(),
                     direction: task.direction,
-                    share: Rgb::WHITE,
+                    factor: Rgb::WHITE,
                     kind: RayKind::Transmitted,
-                    media: crossing.media,
+                    media: crossing.stack_behind,
                 };
-                let unsent = self.send(task, child, tasks, tally);
-                tally.tell(Step::Adds(unsent));
+                let unsent = self.spawn_ray(task, child, tasks, tally);
+                tally.trace_event(TraceEvent::RayEnd(unsent));
                 return unsent;
             }
         }
 
-        let behind = crossing.as_ref().map_or(&task.media, |crossing| &crossing.media);
+        let behind = crossing.as_ref().map_or(&task.media, |crossing| &crossing.stack_behind);
         let offset = self.world.offset::<E>(hit.item, time);
-        let arrival =
-            Arrival { item: hit.item, stream, time, offset, level: task.level, before: &task.media, behind };
-        let light = local::<A, E, T, SHADOWS>(self.world, material, &seen, &arrival, memory, tally);
-        let unsent = self.leave_children(task, material, &seen, crossing.as_ref(), stream, tasks, tally);
-        let adds = task.weight * light.clamp_max(BRIGHTEST_SURFACE) + unsent;
-        tally.tell(Step::Adds(adds));
+        let arrival = ShadingContext {
+            item: hit.item,
+            stream,
+            time,
+            motion_offset: offset,
+            level: task.level,
+            media_in_front: &task.media,
+            media_behind: behind,
+        };
+        let light =
+            local_illumination::<A, E, T, SHADOWS>(self.world, material, &seen, &arrival, memory, tally);
+        let unsent =
+            self.spawn_secondary_rays(task, material, &seen, crossing.as_ref(), stream, tasks, tally);
+        let adds = task.weight * light.clamp_max(MAX_SURFACE_RADIANCE) + unsent;
+        tally.trace_event(TraceEvent::RayEnd(adds));
         adds
     }
 
     /// What a ray brings that meets nothing: the background, or nothing through a medium that
     /// takes light away, which then never ends.
-    fn beyond<T: Tally>(&self, task: &Task, tally: &mut T) -> Rgb {
+    fn miss_radiance<T: Tally>(&self, task: &Task, tally: &mut T) -> Rgb {
         let parts = self.world.scene().parts();
         let mut light = parts.background.toward(task.direction);
-        if self.absorbs() {
-            let medium = task.media.in_force(parts.materials);
-            light *= left_after::<E>(parts.materials, medium, Real::INFINITY);
+        if self.has_absorption() {
+            let medium = task.media.current(parts.materials);
+            light *= medium_transmittance::<E>(parts.materials, medium, Real::INFINITY);
         }
-        tally.tell(Step::Beyond { light });
+        tally.trace_event(TraceEvent::Miss { radiance: light });
         let adds = task.weight * light;
-        tally.tell(Step::Adds(adds));
+        tally.trace_event(TraceEvent::RayEnd(adds));
         adds
     }
 
     /// Whether anything in the scene takes light away as it passes.
-    fn absorbs(&self) -> bool {
+    fn has_absorption(&self) -> bool {
         E::SET.absorption && self.world.scene().effects().absorption
     }
 
     /// What happens to the media at the hit, where there may be any.
-    fn crossing(&self, task: &Task, hit: Hit, material: &Material, seen: &Seen) -> Option<Crossing> {
+    fn cross_surface(
+        &self,
+        task: &Task,
+        hit: Hit,
+        material: &Material,
+        seen: &ShadingPoint,
+    ) -> Option<Crossing> {
         // Whoever asks for the medium before something opaque asks what it absorbs.
         if !E::SET.transmission {
             return None;
         }
-        if !self.absorbs() && !material.is_transmitting() {
+        if !self.has_absorption() && !material.is_transmitting() {
             return None;
         }
-        crossing(self.world.scene().parts(), hit.item, material, task.media, seen.outside)
+        cross_surface(self.world.scene().parts(), hit.item, material, task.media, seen.front_face)
     }
 
     /// Sends a ray from where `task` has arrived, unless the levels end or too little of it counts:
     /// then what stands for it. Inlined, or the child would be put into memory twice.
     #[inline(always)]
-    fn send<T: Tally>(&self, task: &Task, child: Child, tasks: &mut Tasks<LEVELS>, tally: &mut T) -> Rgb {
-        let Child { origin, direction, share, kind, media } = child;
+    fn spawn_ray<T: Tally>(
+        &self,
+        task: &Task,
+        child: SecondaryRay,
+        tasks: &mut TaskStack<LEVELS>,
+        tally: &mut T,
+    ) -> Rgb {
+        let SecondaryRay { origin, direction, factor: share, kind, media } = child;
         let weight = task.weight * share;
-        let mut tell = |fate| tally.tell(Step::Sends { kind, share, weight, fate });
+        let mut tell =
+            |fate| tally.trace_event(TraceEvent::SecondaryRay { kind, factor: share, weight, outcome: fate });
         if !(weight.max_component() > self.limits.cutoff) {
-            tell(Fate::TooLittle);
-            tally.count(Event::Cutoff(weight));
+            tell(RayOutcome::BelowCutoff);
+            tally.count(CountedEvent::Cutoff(weight));
         } else if task.level >= self.limits.levels {
-            tell(Fate::TooDeep);
-            tally.count(Event::LevelLimit(weight));
+            tell(RayOutcome::LevelLimit);
+            tally.count(CountedEvent::LevelLimit(weight));
             if E::LAST == LastLevel::Background {
                 return weight * self.world.scene().parts().background.toward(direction);
             }
         } else {
-            tell(Fate::Sent);
+            tell(RayOutcome::Sent);
             tasks.push(Task { origin, direction, weight, level: task.level + 1, kind, media });
         }
         Rgb::BLACK
@@ -240,14 +274,14 @@ impl<'w, 's, A: Accelerator, E: Effects, const LEVELS: usize> Tracer<'w, 's, A, 
     /// The rays that go on from a surface: through it, and back from it. What stands for those
     /// that are not sent.
     #[allow(clippy::too_many_arguments)] // what the loop has at hand
-    fn leave_children<T: Tally>(
+    fn spawn_secondary_rays<T: Tally>(
         &self,
         task: &Task,
         material: &Material,
-        seen: &Seen,
+        seen: &ShadingPoint,
         crossing: Option<&Crossing>,
         stream: SobolSequence,
-        tasks: &mut Tasks<LEVELS>,
+        tasks: &mut TaskStack<LEVELS>,
         tally: &mut T,
     ) -> Rgb {
         let mut unsent = Rgb::BLACK;
@@ -256,39 +290,41 @@ impl<'w, 's, A: Accelerator, E: Effects, const LEVELS: usize> Tracer<'w, 's, A, 
         if crossing.is_none() && mirrored.is_black() {
             return unsent;
         }
-        let mut optical = seen.optical();
+        let mut optical = seen.optical_normal();
         if E::SET.gloss && material.is_rough() {
             // Mirrors and glass see one of the facets that make up the surface.
             let slope = material.roughness * material.roughness;
             let chance = stream.sample_2d(Dimension::microfacet(task.level));
-            optical = seen.unless_turned_away(sample_visible_normal(optical, -task.direction, slope, chance));
+            optical =
+                seen.normal_or_geometric(sample_visible_normal(optical, -task.direction, slope, chance));
         }
 
         // Refract, unless all light stays on this side.
         if let Some(crossing) = crossing {
             let materials = self.world.scene().parts().materials;
-            let ratio = index(crossing.before, materials) / index(crossing.behind, materials);
-            let refraction = refracted(task.direction, optical, ratio)
+            let ratio = refractive_index(crossing.medium_before, materials)
+                / refractive_index(crossing.medium_behind, materials);
+            let refraction = refract(task.direction, optical, ratio)
                 // An interpolated normal may break light back to the side that it came from.
-                .filter(|refraction| refraction.direction.dot(seen.facing) < 0.0);
+                .filter(|refraction| refraction.direction.dot(seen.geometric_normal) < 0.0);
             match refraction {
                 Some(refraction) => {
                     let kept = match material.interface {
                         Interface::Constant => 0.0,
-                        Interface::Fresnel => refraction.mirrored,
+                        Interface::Fresnel => refraction.reflectance,
                     };
                     mirrored += material.transmitted * kept;
-                    let through = Child {
-                        origin: seen.behind(),
+                    let through = SecondaryRay {
+                        origin: seen.origin_behind(),
                         direction: refraction.direction,
-                        share: material.transmitted * (1.0 - kept),
+                        factor: material.transmitted * (1.0 - kept),
                         kind: RayKind::Transmitted,
-                        media: crossing.media,
+                        media: crossing.stack_behind,
                     };
-                    unsent += self.send(task, through, tasks, tally);
+                    unsent += self.spawn_ray(task, through, tasks, tally);
                 }
                 None => {
-                    tally.tell(Step::ThrownBack);
+                    tally.trace_event(TraceEvent::TotalInternalReflection);
                     mirrored += material.transmitted;
                 }
             }
@@ -296,30 +332,36 @@ impl<'w, 's, A: Accelerator, E: Effects, const LEVELS: usize> Tracer<'w, 's, A, 
 
         // Reflect, on the geometric normal where the interpolated one points into the surface.
         if (E::SET.reflection || E::SET.transmission) && !mirrored.is_black() {
-            let direction = reflected(task.direction, optical);
-            let outward = direction.dot(seen.facing) > 0.0;
+            let direction = reflect(task.direction, optical);
+            let outward = direction.dot(seen.geometric_normal) > 0.0;
             let direction = if outward {
                 direction
             } else if E::SET.gloss && material.is_rough() {
                 // From this facet light meets another, which turns it out again.
-                reflected(direction, seen.facing)
+                reflect(direction, seen.geometric_normal)
             } else {
-                reflected(task.direction, seen.facing)
+                reflect(task.direction, seen.geometric_normal)
             };
             let kind = RayKind::Reflected;
-            let back = Child { origin: seen.before(), direction, share: mirrored, kind, media: task.media };
-            unsent += self.send(task, back, tasks, tally);
+            let back = SecondaryRay {
+                origin: seen.origin_in_front(),
+                direction,
+                factor: mirrored,
+                kind,
+                media: task.media,
+            };
+            unsent += self.spawn_ray(task, back, tasks, tally);
         }
         unsent
     }
 }
 
 /// A ray that goes on from a surface.
-struct Child {
+struct SecondaryRay {
     origin: Vec3,
     direction: Vec3,
     /// Of the light that arrives along it.
-    share: Rgb,
+    factor: Rgb,
     kind: RayKind,
-    media: Media,
+    media: MediumStack,
 }

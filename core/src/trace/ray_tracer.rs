@@ -15,7 +15,7 @@ pub trait RayTracer {
 
     /// Forgets what is remembered of earlier samples, so that the work that follows does not depend on
     /// them. The light never does.
-    fn begin(&mut self) {}
+    fn reset(&mut self) {}
 }
 
 impl<F: FnMut(CameraSample) -> PixelSample> RayTracer for F {
@@ -48,7 +48,7 @@ impl<'w, 's, A: Accelerator, E: Effects, T: Tally, const LEVELS: usize, const SH
         self.tracer.trace(sample, self.worker)
     }
 
-    fn begin(&mut self) {
-        self.worker.forget();
+    fn reset(&mut self) {
+        self.worker.clear_caches();
     }
 }

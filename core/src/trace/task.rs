@@ -3,8 +3,8 @@
 use heapless::Vec;
 
 use crate::math::{Rgb, Vec3};
-use crate::shade::Media;
-use crate::tally::{RayKind, Step};
+use crate::shade::MediumStack;
+use crate::tally::{RayKind, TraceEvent};
 
 /// A ray that is still to be traced.
 #[derive(Clone, Copy, Debug)]
@@ -20,14 +20,14 @@ pub(crate) struct Task {
     /// Why it was sent.
     pub(crate) kind: RayKind,
     /// The bodies that it starts inside of.
-    pub(crate) media: Media,
+    pub(crate) media: MediumStack,
 }
 
 impl Task {
     /// What is told when it is followed.
-    pub(crate) fn begins(&self) -> Step {
+    pub(crate) fn start_event(&self) -> TraceEvent {
         let Task { origin, direction, weight, level, kind, .. } = *self;
-        Step::Follows { kind, level, origin, direction, weight }
+        TraceEvent::RayStart { kind, level, origin, direction, weight }
     }
 }
 
@@ -38,12 +38,12 @@ impl Task {
 /// `2..=l`; its two children make that `l + 1` at most, and there are children only where `l` is
 /// less than `LEVELS`.
 #[derive(Debug)]
-pub(crate) struct Tasks<const LEVELS: usize>(Vec<Task, LEVELS>);
+pub(crate) struct TaskStack<const LEVELS: usize>(Vec<Task, LEVELS>);
 
-impl<const LEVELS: usize> Tasks<LEVELS> {
+impl<const LEVELS: usize> TaskStack<LEVELS> {
     pub(crate) const fn new() -> Self {
         const { assert!(LEVELS >= 1 && LEVELS <= 64) };
-        Tasks(Vec::new())
+        TaskStack(Vec::new())
     }
 
     pub(crate) fn push(&mut self, task: Task) {

@@ -1,8 +1,8 @@
 //! All that changes while a picture is traced.
 
-use super::task::Tasks;
+use super::task::TaskStack;
 use crate::accel::Accelerator;
-use crate::shade::Memory;
+use crate::shade::WorkerCaches;
 
 /// What one thread of control needs beside the world, which all share.
 ///
@@ -10,15 +10,15 @@ use crate::shade::Memory;
 /// `LEVELS` is how many levels of rays there is room for, 1 to 64; `SHADOWS` how many slots
 /// the shadow cache has, zero (no cache) or a power of two.
 pub struct Worker<A: Accelerator, T, const LEVELS: usize, const SHADOWS: usize = 16> {
-    pub(super) memory: Memory<A, SHADOWS>,
-    pub(super) tasks: Tasks<LEVELS>,
+    pub(super) caches: WorkerCaches<A, SHADOWS>,
+    pub(super) tasks: TaskStack<LEVELS>,
     pub(super) tally: T,
 }
 
 impl<A: Accelerator, T, const LEVELS: usize> Worker<A, T, LEVELS> {
     /// A worker with a shadow cache of the usual size, that reports to `tally`.
     pub fn new(tally: T) -> Self {
-        Worker::of_any_size(tally)
+        Worker::with_cache_size(tally)
     }
 }
 
@@ -26,16 +26,16 @@ impl<A: Accelerator, T, const LEVELS: usize, const SHADOWS: usize> Worker<A, T, 
     /// How many bytes one takes, known when compiling: a task for each
     /// level, what the accelerator's walk remembers, 4 for each slot of the shadow cache, and the
     /// tally.
-    pub const BYTES: usize = size_of::<Self>();
+    pub const SIZE_IN_BYTES: usize = size_of::<Self>();
 
     /// A worker with a shadow cache of `SHADOWS` slots, that reports to `tally`.
-    pub fn of_any_size(tally: T) -> Self {
-        Worker { memory: Memory::new(), tasks: Tasks::new(), tally }
+    pub fn with_cache_size(tally: T) -> Self {
+        Worker { caches: WorkerCaches::new(), tasks: TaskStack::new(), tally }
     }
 
     /// Turns the shadow cache off: nobody is asked first whether he still stands in the light.
     pub fn without_shadow_cache(mut self) -> Self {
-        self.memory.shadows.turn_off();
+        self.caches.shadow_cache.disable();
         self
     }
 
@@ -56,7 +56,7 @@ impl<A: Accelerator, T, const LEVELS: usize, const SHADOWS: usize> Worker<A, T, 
 
     /// Forgets all that it remembers of earlier rays, so that the work that follows does not depend on
     /// what was traced before. The tally stays as it is.
-    pub fn forget(&mut self) {
-        self.memory.forget();
+    pub fn clear_caches(&mut self) {
+        self.caches.clear();
     }
 }

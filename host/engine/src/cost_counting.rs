@@ -36,15 +36,15 @@ impl RayTracer for CostCountingRayTracer<'_> {
         let count = |counts: PerRayKind| RayKind::ALL.map(|kind| counts[kind] as u32);
         let cost = PixelCost {
             rays: count(counters.rays),
-            boxes: count(counters.boxes),
-            shapes: count(counters.shapes),
-            regions: count(counters.regions),
-            skipped: count(counters.skipped),
-            level: counters.deepest,
+            boxes: count(counters.box_tests),
+            shapes: count(counters.shape_tests),
+            regions: count(counters.leaf_visits),
+            skipped: count(counters.mailbox_hits),
+            level: counters.max_level,
         };
         #[allow(clippy::useless_conversion)] // in double precision
         self.cost_map.charge(sample.point.x.into(), sample.point.y.into(), &cost);
-        self.sum.add(&counters);
+        self.sum.merge(&counters);
         seen
     }
 }

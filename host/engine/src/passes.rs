@@ -69,7 +69,7 @@ pub fn trace(
         };
         match traced {
             Ok((colors, counters)) => {
-                last.1.add(&counters);
+                last.1.merge(&counters);
                 last.0 = colors;
                 let (seconds, rays) = (clock.elapsed().as_secs_f64(), rays.load(Ordering::Relaxed));
                 scheduler.done(&pass, PassStats { seconds, rays }, single_precision(last.0.clone()));
@@ -240,7 +240,7 @@ impl Estimates {
         };
         let counted: Vec<Counters> = self.tiles.par_iter_mut().map(work).collect::<Result<_, Interrupt>>()?;
         let mut counters = Counters::default();
-        counted.iter().for_each(|counted| counters.add(counted));
+        counted.iter().for_each(|counted| counters.merge(counted));
 
         self.radii = self.radii();
         let mut colors = vec![Rgb::BLACK; self.area.len()];

@@ -7,7 +7,7 @@ use std::marker::PhantomData;
 
 use strahl_core::accel::Accelerator;
 use strahl_core::scene::{CameraSample, Effects};
-use strahl_core::tally::{Counters, Event, RayCounters, Step, Tally};
+use strahl_core::tally::{CountedEvent, Counters, RayCounters, Tally, TraceEvent};
 use strahl_core::trace::{PixelSample, RayTracer, TracerError};
 use strahl_core::{Camera, Limits, Tracer, Worker, World};
 use strahl_settings::LEVELS;
@@ -86,20 +86,20 @@ struct Stoppable<'p, T> {
 }
 
 impl<T: Tally> Tally for Stoppable<'_, T> {
-    const TESTS: bool = T::TESTS;
+    const COUNTS_TESTS: bool = T::COUNTS_TESTS;
 
     #[inline(always)]
-    fn count(&mut self, event: Event) {
+    fn count(&mut self, event: CountedEvent) {
         self.tally.count(event);
     }
 
     #[inline(always)]
-    fn tell(&mut self, step: Step) {
-        self.tally.tell(step);
+    fn trace_event(&mut self, step: TraceEvent) {
+        self.tally.trace_event(step);
     }
 
     #[inline(always)]
-    fn gives_up(&mut self) -> bool {
+    fn is_cancelled(&mut self) -> bool {
         match self.left.checked_sub(1) {
             Some(left) => {
                 self.left = left;

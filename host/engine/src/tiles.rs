@@ -85,7 +85,7 @@ impl TileRenderer<'_> {
         };
         let corners = Lattice::new(self.area, &lattice).map_or(CornerSource::Retraced, CornerSource::Lattice);
         let (colors, counted) = self.pixels(self.area, Target::Pixels(corners))?;
-        counts.add(&counted);
+        counts.merge(&counted);
         Ok((colors, counts))
     }
 
@@ -115,7 +115,7 @@ impl TileRenderer<'_> {
             render_selected(ray_tracer.as_mut(), &mut selected, blocks, canvas)?;
             Ok(ray_tracer.take_counters())
         })?;
-        counts.add(&counted);
+        counts.merge(&counted);
         Ok((colors, counts))
     }
 
@@ -184,7 +184,7 @@ impl TileRenderer<'_> {
                     picture[start..start + row.len()].copy_from_slice(row);
                 }
             }
-            counts.add(&counted);
+            counts.merge(&counted);
         }
         Ok((picture, counts))
     }

@@ -63,8 +63,11 @@ pub fn instructions(counts: &Counters, accelerator: AccelKind) -> u64 {
     // A hierarchy holds the boxes of a node against a ray one after the other; a grid and an octree
     // hold one box, for an item that they have looked up.
     let per_box = if accelerator == AccelKind::Bvh { 62 } else { 125 };
-    let shapes = ShapeKind::ALL.into_iter().map(|kind| counts.by_shape[kind] * per_shape(kind)).sum::<u64>();
-    PER_RAY * counts.rays.sum() + per_box * counts.boxes.sum() + shapes
+    let shapes = ShapeKind::ALL
+        .into_iter()
+        .map(|kind| counts.shape_tests_by_kind[kind] * per_shape(kind))
+        .sum::<u64>();
+    PER_RAY * counts.rays.sum() + per_box * counts.box_tests.sum() + shapes
 }
 
 /// Making a ray, and shading what it meets.

@@ -160,7 +160,7 @@ fn needs(path: &Path, scene: &Scene<'_>, asked: &BakeSettings, bytes: usize, cou
     const PLACES: usize = 32;
     let tables = scene.parts().bytes();
     let frame = bytes.saturating_sub(tables).saturating_sub(Pack::HEADER);
-    let task = Worker::<BareList, (), 2>::BYTES - Worker::<BareList, (), 1>::BYTES;
+    let task = Worker::<BareList, (), 2>::SIZE_IN_BYTES - Worker::<BareList, (), 1>::SIZE_IN_BYTES;
     let levels = usize::from(asked.levels);
     let (what, memory) = match asked.accelerator {
         AccelKind::List => ("the bare list", 0),

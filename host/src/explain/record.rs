@@ -1,7 +1,7 @@
 //! Somebody who is told the steps of a tracer, and puts the tree of rays together.
 
 use strahl_core::geometry::ItemId;
-use strahl_core::tally::{Event, Fate, Lit, RayKind, Step, Tally};
+use strahl_core::tally::{CountedEvent, LightOutcome, RayKind, RayOutcome, Tally, TraceEvent};
 use strahl_core::{Real, Rgb, Vec3};
 
 use super::names::Names;
@@ -51,7 +51,7 @@ impl<'n> Record<'n> {
         self.rays.push(Ray { number, parent: sender.map(|(sender, _)| sender + 1), ..ray });
     }
 
-    fn light(&mut self, number: u16, lit: Lit) {
+    fn light(&mut self, number: u16, lit: LightOutcome) {
         let Asked { way, through, blocker, .. } = std::mem::take(&mut self.asked);
         let mut light = Light {
             number,
@@ -65,20 +65,20 @@ impl<'n> Record<'n> {
             blocker: None,
         };
         match lit {
-            Lit::Arrives { toward, distance, color, adds } => {
+            LightOutcome::Arrived { direction: toward, distance, color, contribution: adds } => {
                 light.toward = Some(xyz(toward));
                 light.distance = (distance < Real::MAX).then_some(distance);
                 light.arrives = Some(triple(color));
                 light.adds = Some(triple(adds));
             }
             // The tracer is content with whatever stands in the way; a reader looks for the nearest.
-            Lit::Shadowed if light.through.is_empty() => {
+            LightOutcome::Occluded if light.through.is_empty() => {
                 let nearest =
                     way.and_then(|(origin, direction, reach)| self.names.nearest(origin, direction, reach));
                 light.blocker = nearest.or(blocker).map(|it| self.blocker(it));
             }
-            Lit::Shadowed => light.blocker = blocker.map(|it| self.blocker(it)),
-            Lit::Dark | Lit::Behind | Lit::Unseen => {}
+            LightOutcome::Occluded => light.blocker = blocker.map(|it| self.blocker(it)),
+            LightOutcome::NoEmission | LightOutcome::BackFacing | LightOutcome::OutsideHighlight => {}
         }
         self.with_last(|ray| ray.lights.push(light));
     }
@@ -95,13 +95,13 @@ impl<'n> Record<'n> {
     }
 }
 
-fn outcome(lit: Lit) -> &'static str {
+fn outcome(lit: LightOutcome) -> &'static str {
     match lit {
-        Lit::Dark => "dark",
-        Lit::Behind => "behind",
-        Lit::Unseen => "unseen",
-        Lit::Shadowed => "blocked",
-        Lit::Arrives { .. } => "seen",
+        LightOutcome::NoEmission => "dark",
+        LightOutcome::BackFacing => "behind",
+        LightOutcome::OutsideHighlight => "unseen",
+        LightOutcome::Occluded => "blocked",
+        LightOutcome::Arrived { .. } => "seen",
     }
 }
 
@@ -112,11 +112,11 @@ fn product(a: Triple, b: Triple) -> Triple {
 
 impl Tally for Record<'_> {
     /// Nothing is counted.
-    fn count(&mut self, _: Event) {}
+    fn count(&mut self, _: CountedEvent) {}
 
-    fn tell(&mut self, step: Step) {
+    fn trace_event(&mut self, step: TraceEvent) {
         match step {
-            Step::Follows { kind, level, origin, direction, weight } => self.follows(Ray {
+            TraceEvent::RayStart { kind, level, origin, direction, weight } => self.follows(Ray {
                 kind: kind.name(),
                 level,
                 origin: xyz(origin),
@@ -125,8 +125,15 @@ impl Tally for Record<'_> {
                 weight_there: triple(weight),
                 ..Ray::default()
             }),
-            Step::Beyond { light } => self.with_last(|ray| ray.light = triple(light)),
-            Step::Meets { hit, point, outside, within, left, hidden } => {
+            TraceEvent::Miss { radiance: light } => self.with_last(|ray| ray.light = triple(light)),
+            TraceEvent::Hit {
+                hit,
+                point,
+                front_face: outside,
+                medium: within,
+                transmittance: left,
+                is_hidden: hidden,
+            } => {
                 let hit = Hit {
                     thing: self.names.thing(hit.item),
                     distance: hit.t,
@@ -141,41 +148,43 @@ impl Tally for Record<'_> {
                     ray.hit = Some(hit);
                 });
             }
-            Step::Ambient(light) => self.with_last(|ray| ray.ambient = Some(triple(light))),
-            Step::Asks { origin, direction, reach } => {
+            TraceEvent::Ambient(light) => self.with_last(|ray| ray.ambient = Some(triple(light))),
+            TraceEvent::ShadowRay { origin, direction, t_max: reach } => {
                 self.asked = Asked { way: Some((origin, direction, reach)), ..Asked::default() };
             }
-            Step::Passes { hit, share } => {
+            TraceEvent::ShadowTransmission { hit, transmittance: share } => {
                 let Asked { through, gone, .. } = &mut self.asked;
                 *gone += hit.t;
                 let thing = self.names.thing(hit.item);
                 through.push(Passage { thing, distance: *gone, share: triple(share) });
             }
-            Step::Blocked { item, distance } => {
+            TraceEvent::Occluded { item, t: distance } => {
                 let gone = self.asked.gone + distance.unwrap_or(0.0);
                 self.asked.blocker = Some((item, gone));
             }
-            Step::Light { number, lit } => self.light(number, lit),
-            Step::Local(light) => self.with_last(|ray| ray.light = triple(light)),
-            Step::ThrownBack => self.with_last(|ray| ray.total_reflection = true),
-            Step::Sends { kind, share, weight, fate } => self.sends(kind, share, weight, fate),
-            Step::Adds(light) => self.with_last(|ray| ray.adds = triple(light)),
+            TraceEvent::LightContribution { light: number, outcome: lit } => self.light(number, lit),
+            TraceEvent::LocalIllumination(light) => self.with_last(|ray| ray.light = triple(light)),
+            TraceEvent::TotalInternalReflection => self.with_last(|ray| ray.total_reflection = true),
+            TraceEvent::SecondaryRay { kind, factor: share, weight, outcome: fate } => {
+                self.sends(kind, share, weight, fate)
+            }
+            TraceEvent::RayEnd(light) => self.with_last(|ray| ray.adds = triple(light)),
             // Whatever else a later core tells.
             _ => {}
         }
     }
 
-    fn gives_up(&mut self) -> bool {
+    fn is_cancelled(&mut self) -> bool {
         self.rays.len() >= MOST_RAYS
     }
 }
 
 impl Record<'_> {
-    fn sends(&mut self, kind: RayKind, share: Rgb, weight: Rgb, fate: Fate) {
+    fn sends(&mut self, kind: RayKind, share: Rgb, weight: Rgb, fate: RayOutcome) {
         let cut = match fate {
-            Fate::Sent => None,
-            Fate::TooLittle => Some("cutoff"),
-            Fate::TooDeep => Some("levels"),
+            RayOutcome::Sent => None,
+            RayOutcome::BelowCutoff => Some("cutoff"),
+            RayOutcome::LevelLimit => Some("levels"),
         };
         let sent = Sent { kind: kind.name(), share: triple(share), weight: triple(weight), ray: None, cut };
         let sender = self.rays.len().saturating_sub(1);

@@ -135,7 +135,7 @@ impl<'b> Bench<'b> {
             work: WEIGHTS.work(&counts, choice.kind.name()),
             counts,
             error: Errors::default(),
-            cut: frame.counters.cut(),
+            cut: frame.counters.cut_fractions(),
             digest: frame.picture.digest().to_hex().to_string(),
         };
         Ok(Some(Taken { options: options.clone(), run, picture: Some(frame.picture) }))

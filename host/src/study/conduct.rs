@@ -129,7 +129,7 @@ fn reference(
         // Half of the time for each; a first that takes longer than that is not waited for.
         let Some(one) = measured.bench.trace(&of(1), 0.5 * left())? else { continue };
         let Some(other) = measured.bench.trace(&of(2), left())? else { continue };
-        let cut = one.counters.cut();
+        let cut = one.counters.cut_fractions();
         let reference = Reference {
             setting: RunSettings::new(&of(1), &one.accelerator.choice),
             // The mean of two has half of the variance of their difference, halved again.

@@ -1,6 +1,9 @@
 //! strahl's own ways of finding.
 
-use strahl_core::accel::{Accelerator, Bvh, BvhBuilder, BvhNode, BvhSize, LeafEntry, LeafLayout, TraversalHeap, TraversalStack, TriangleBlock};
+use strahl_core::accel::{
+    Accelerator, Bvh, BvhBuilder, BvhNode, BvhSize, LeafEntry, LeafLayout, TraversalHeap, TraversalStack,
+    TriangleBlock,
+};
 use strahl_core::geometry::{Aabb, Ray, ShapeKind, ShapeSet};
 use strahl_core::scene::{EffectSet, Effects};
 use strahl_core::tally::{Counters, RayKind};
@@ -118,7 +121,7 @@ pub fn counted(tables: &Tables, room: &mut Room, rays: &[Ray]) -> [[f64; 3]; 2] 
         let _ = world.blocker::<Triangles, _>(ray, WAY, RayKind::Shadow, &mut scratch, &mut counters);
     }
     [RayKind::Camera, RayKind::Shadow].map(|kind| {
-        [counters.boxes[kind], counters.regions[kind], counters.shapes[kind]]
+        [counters.box_tests[kind], counters.leaf_visits[kind], counters.shape_tests[kind]]
             .map(|count| count as f64 / rays.len() as f64)
     })
 }

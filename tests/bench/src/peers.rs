@@ -6,8 +6,8 @@ use bvh::bounding_hierarchy::BHShape;
 use nalgebra::{Point3, Vector3};
 use obvhs::bvh2::Bvh2;
 use obvhs::ray::RayHit;
-use strahl_core::geometry::Ray;
 use strahl_core::Vec3;
+use strahl_core::geometry::Ray;
 
 use crate::contest::{Contender, Found};
 use crate::mesh::Mesh;

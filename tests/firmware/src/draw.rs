@@ -76,7 +76,7 @@ pub fn draw<A: Accelerator, E: Effects, S: Sampler, P, T: Tally, const LEVELS: u
     let mut rows = Rows { row, filled: 0, pixel, take, clock, start, instructions: 0 };
     render(&mut tracer.with_worker(&mut worker), sampler, Tile::whole(size).pixels(), &mut rows)?;
     let instructions = rows.instructions;
-    Ok(Took { instructions, worker: Worker::<A, (), LEVELS>::BYTES, tally: worker.into_tally() })
+    Ok(Took { instructions, worker: Worker::<A, (), LEVELS>::SIZE_IN_BYTES, tally: worker.into_tally() })
 }
 
 /// Gathers pixels into rows, and counts what is between one row and the next.

@@ -42,10 +42,10 @@ fn answer(solver: Solver, d: Vector, n: Vector, ratio: f64) -> Option<Refraction
             let (direction, mirrored) = textbook::refracted(narrow(d), narrow(n), ratio as f32);
             Some(Refraction { direction: wide(direction), mirrored: mirrored.into() })
         }
-        Solver::Single => strahl_core::shade::refracted(narrow(d), narrow(n), ratio as f32)
-            .map(|out| Refraction { direction: wide(out.direction), mirrored: out.mirrored.into() }),
-        Solver::Double => strahl_core_double::shade::refracted(d, n, ratio)
-            .map(|out| Refraction { direction: held(out.direction), mirrored: rounded(out.mirrored) }),
+        Solver::Single => strahl_core::shade::refract(narrow(d), narrow(n), ratio as f32)
+            .map(|out| Refraction { direction: wide(out.direction), mirrored: out.reflectance.into() }),
+        Solver::Double => strahl_core_double::shade::refract(d, n, ratio)
+            .map(|out| Refraction { direction: held(out.direction), mirrored: rounded(out.reflectance) }),
     }
 }
 

@@ -85,10 +85,14 @@ fn a_hit_beyond_the_region_that_offers_it_is_not_lost_when_the_mailbox_leaves_it
     for (with, without) in [(2, 0), (5, 3)] {
         let (with, without) = (&counters[with], &counters[without]);
         let kind = RayKind::Camera;
-        assert_eq!(without.skipped[kind], 0);
-        assert!(with.skipped[kind] > 3, "{with:?}");
-        assert_eq!(with.shapes[kind] + with.skipped[kind], without.shapes[kind], "skipped or tested");
-        assert_eq!(with.regions[kind], without.regions[kind], "the walk is the same");
+        assert_eq!(without.mailbox_hits[kind], 0);
+        assert!(with.mailbox_hits[kind] > 3, "{with:?}");
+        assert_eq!(
+            with.shape_tests[kind] + with.mailbox_hits[kind],
+            without.shape_tests[kind],
+            "skipped or tested"
+        );
+        assert_eq!(with.leaf_visits[kind], without.leaf_visits[kind], "the walk is the same");
     }
     // And when the hit is out of reach it is no hit, wherever it was offered.
     assert_eq!(met(&stage, &ray, hit.unwrap().t.next_down()).0, None);

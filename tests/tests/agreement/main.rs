@@ -450,14 +450,20 @@ fn boxes_save_tests_of_shapes_and_groups_save_tests_of_boxes() {
         boxed.nearest::<AllEffects, _>(ray, Real::MAX, RayKind::Camera, &mut (), &mut with);
     }
     let kind = RayKind::Camera;
-    assert_eq!((without.shapes[kind], without.boxes[kind], without.regions[kind]), (32_000, 0, 100));
-    assert!(by_balls.shapes[kind] < 6_400 && by_balls.shapes[kind] >= with.shapes[kind], "{by_balls:?}");
-    // A tenth of the shapes, and half of the boxes, is far more than what is found.
-    assert!(with.shapes[kind] < 3_200, "{with:?}");
-    assert!(with.boxes[kind] >= 2_000 && with.boxes[kind] < 16_000, "{with:?}");
     assert_eq!(
-        with.boxes[kind],
-        2_000 + 16 * with.regions[kind],
+        (without.shape_tests[kind], without.box_tests[kind], without.leaf_visits[kind]),
+        (32_000, 0, 100)
+    );
+    assert!(
+        by_balls.shape_tests[kind] < 6_400 && by_balls.shape_tests[kind] >= with.shape_tests[kind],
+        "{by_balls:?}"
+    );
+    // A tenth of the shapes, and half of the boxes, is far more than what is found.
+    assert!(with.shape_tests[kind] < 3_200, "{with:?}");
+    assert!(with.box_tests[kind] >= 2_000 && with.box_tests[kind] < 16_000, "{with:?}");
+    assert_eq!(
+        with.box_tests[kind],
+        2_000 + 16 * with.leaf_visits[kind],
         "groups, and the content of those that were met"
     );
 }

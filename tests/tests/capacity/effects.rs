@@ -232,7 +232,7 @@ fn no_ray_is_sent_for_what_the_scene_does_not_call_for() {
         assert_eq!(counters.rays[RayKind::Camera], 24 * 16);
         RayKind::ALL.map(|kind| {
             let rays = counters.rays[kind];
-            assert_eq!(counters.shapes[kind] > 0, rays > 0);
+            assert_eq!(counters.shape_tests[kind] > 0, rays > 0);
             rays > 0
         })
     };

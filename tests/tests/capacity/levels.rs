@@ -61,11 +61,11 @@ fn a_full_tree_of_rays_needs_no_more_room_than_levels() {
 struct Enough(u64);
 
 impl Tally for Enough {
-    fn count(&mut self, event: Event) {
-        self.0 = self.0.saturating_sub(u64::from(matches!(event, Event::Ray(_))));
+    fn count(&mut self, event: CountedEvent) {
+        self.0 = self.0.saturating_sub(u64::from(matches!(event, CountedEvent::Ray(_))));
     }
 
-    fn gives_up(&mut self) -> bool {
+    fn is_cancelled(&mut self) -> bool {
         self.0 == 0
     }
 }
@@ -117,9 +117,13 @@ fn a_tracer_refuses_limits_that_it_has_no_room_for() {
         assert_eq!(error(levels, cutoff), None);
     }
     for levels in [0, 6, 255] {
-        assert_eq!(error(levels, 0.0), Some(format!("`levels` is {levels}, must be in 1..=5: `LEVELS` of the tracer")));
+        assert_eq!(
+            error(levels, 0.0),
+            Some(format!("`levels` is {levels}, must be in 1..=5: `LEVELS` of the tracer"))
+        );
     }
-    for (cutoff, shown) in [(-0.001, "-0.001"), (1.001, "1.001"), (Real::NAN, "NaN"), (Real::INFINITY, "inf")] {
+    for (cutoff, shown) in [(-0.001, "-0.001"), (1.001, "1.001"), (Real::NAN, "NaN"), (Real::INFINITY, "inf")]
+    {
         assert_eq!(error(5, cutoff).unwrap(), format!("`cutoff` is {shown}, must be in 0..=1"));
     }
 }
@@ -134,7 +138,7 @@ fn a_thing_in_more_bodies_than_a_list_of_media_holds_is_told() {
     }
     let limits = Limits { levels: 64, cutoff: 0.0 };
     let (_, counters) = stage.look_and_count(vec3(0.0, 0.0, 20.0), vec3(0.1, 0.2, 0.0), limits);
-    assert_eq!(counters.media_full, 2);
+    assert_eq!(counters.medium_stack_full, 2);
     assert_eq!(counters.rays[RayKind::Transmitted], 12, "it goes on all the same");
 }
 

@@ -22,7 +22,7 @@ use strahl_core::scene::{
     CameraSample, EffectSet, Effects, FilmPoint, Interface, LastLevel, LightKind, LightSet, Texture,
     TextureKind, TextureSet,
 };
-use strahl_core::tally::{Counters, Event, RayKind, Tally};
+use strahl_core::tally::{CountedEvent, Counters, RayKind, Tally};
 use strahl_core::trace::{HitId, PixelSample, RayTracer, TracerError};
 use strahl_core::{
     AllEffects, Background, BareList, Camera, Falloff, Light, Limits, Material, Projection, Real, Resolution,

@@ -146,12 +146,12 @@ fn what_a_scene_does_not_ask_for_sends_no_ray_and_takes_no_number_of_chance() {
         let reflects = has(Effect::Reflection);
         assert_eq!(counts.rays[RayKind::Reflected] > 0, reflects, "{name}");
         assert_eq!(counts.rays[RayKind::Transmitted] > 0, has(Effect::Transmission), "{name}");
-        for happened in [counts.rays[RayKind::Shadow], counts.shapes[RayKind::Shadow]] {
+        for happened in [counts.rays[RayKind::Shadow], counts.shape_tests[RayKind::Shadow]] {
             assert_eq!(happened > 0, has(Effect::Shadows), "{name}");
         }
         // Where light passes through glass the shadow cache is not asked.
         let caches = has(Effect::Shadows) && !has(Effect::ColoredShadows);
-        assert_eq!(counts.shadow_cache_asked > 0, caches, "{name}");
+        assert_eq!(counts.shadow_cache_lookups > 0, caches, "{name}");
         // Of a raster's rays nothing is left to chance but by these.
         let by_chance = [Effect::Penumbra, Effect::Lens, Effect::Gloss, Effect::Motion].into_iter().any(has);
         assert_eq!(frame.picture != counted(&description, 1).0.picture, by_chance, "{name}");

@@ -99,7 +99,7 @@ struct Somewhere;
 impl Sampler for Somewhere {
     fn sample_pixel<R: RayTracer + ?Sized>(&mut self, _: Pixel, tracer: &mut R) -> PixelSample {
         let sample = tracer.trace(any_sample());
-        used(HitId::and(sample.hit, any(HitId::Several)));
+        used(HitId::merged(sample.hit, any(HitId::Mixed)));
         sample
     }
 }

@@ -7,7 +7,7 @@ use embedded_graphics_core::pixelcolor::Rgb565;
 use embedded_graphics_core::primitives::Rectangle;
 use strahl_core::accel::Accelerator;
 use strahl_core::image::{Display, Dither, Frame, Loose, Pixel, Sampler, Selected, Sink, Steps};
-use strahl_core::render::{render_refined, render_selected};
+use strahl_core::render::{render_progressive, render_selected};
 use strahl_core::scene::Effects;
 use strahl_core::tally::Tally;
 use strahl_core::{Rgb, Single, Tile, Tracer, Worker, render};
@@ -65,7 +65,12 @@ pub fn selected<A: Accelerator, E: Effects, T: Tally, const LEVELS: usize>(
         Tile::pixels(any_tile()),
         &mut Screen,
     ));
-    used(render_refined(&mut Tracer::with_worker(tracer, worker), &mut selected, any_tile(), &mut Screen));
+    used(render_progressive(
+        &mut Tracer::with_worker(tracer, worker),
+        &mut selected,
+        any_tile(),
+        &mut Screen,
+    ));
     used(*Selected::selection(&selected));
     Selected::begin(&mut selected);
     Selected::refine_block(&mut selected, any(Pixel { x: 0, y: 0 }), any(4), &mut any_trace, &mut |_, _| {});

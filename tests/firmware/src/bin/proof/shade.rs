@@ -1,28 +1,34 @@
 //! Light at surfaces and in bodies.
 
 use strahl_core::MaterialId;
-use strahl_core::shade::{Crossing, Media, Refraction, absorbed, index, reflected, refracted};
+use strahl_core::shade::{
+    Crossing, MediumStack, Refraction, reflect, refract, refractive_index, transmittance,
+};
 
 use crate::any::{any, color, number, slice, used, vector};
 use crate::scene::MATERIALS;
 
 pub fn doors() {
-    let refraction: Option<Refraction> = refracted(vector(), vector(), number());
-    used((reflected(vector(), vector()), refraction, absorbed(color(), number())));
+    let refraction: Option<Refraction> = refract(vector(), vector(), number());
+    used((reflect(vector(), vector()), refraction, transmittance(color(), number())));
 
     let (materials, body) = (slice(&MATERIALS), any(MaterialId(0)));
-    let mut media = Media::NONE;
+    let mut media = MediumStack::EMPTY;
     while any(true) {
         let crossing: Crossing = if any(true) {
-            Media::entering(media, body, materials)
+            MediumStack::enter(media, body, materials)
         } else {
-            Media::leaving(media, body, materials)
+            MediumStack::exit(media, body, materials)
         };
-        used((Media::in_force(media, materials), index(crossing.behind, materials), &crossing));
-        media = crossing.media;
+        used((
+            MediumStack::current(media, materials),
+            refractive_index(crossing.medium_behind, materials),
+            &crossing,
+        ));
+        media = crossing.stack_behind;
     }
     // Not only what a way through bodies leads to.
-    let media = any(Media::NONE);
-    used(Media::in_force(media, materials));
-    used((Media::entering(media, body, materials), Media::leaving(media, body, materials)));
+    let media = any(MediumStack::EMPTY);
+    used(MediumStack::current(media, materials));
+    used((MediumStack::enter(media, body, materials), MediumStack::exit(media, body, materials)));
 }

@@ -2,7 +2,8 @@
 
 use strahl_core::geometry::ShapeKind;
 use strahl_core::tally::{
-    Counters, Event, Fate, Lit, PerRayKind, PerShapeKind, RayCounters, RayKind, Step, Tally, UnsentRays,
+    CountedEvent, Counters, LightOutcome, PerRayKind, PerShapeKind, RayCounters, RayKind, RayOutcome, Tally,
+    TraceEvent, UnsentRays,
 };
 
 use crate::any::{any, used};
@@ -10,25 +11,25 @@ use crate::any::{any, used};
 pub fn doors() {
     RayKind::ALL.into_iter().for_each(used);
     used(RayKind::name(any(RayKind::Camera)));
-    ().count(any(Event::MediaFull));
-    ().tell(any(Step::ThrownBack));
-    used((any(Fate::Sent), any(Lit::Dark)));
+    ().count(any(CountedEvent::MediumStackFull));
+    ().trace_event(any(TraceEvent::TotalInternalReflection));
+    used((any(RayOutcome::Sent), any(LightOutcome::NoEmission)));
     counters();
 }
 
 /// Tallies that count.
 fn counters() {
     let mut counters = any(Counters::new());
-    counters.count(any(Event::MediaFull));
-    Counters::add(&mut counters, &any(Counters::default()));
+    counters.count(any(CountedEvent::MediumStackFull));
+    Counters::merge(&mut counters, &any(Counters::default()));
     let (kind, shape) = (any(RayKind::Camera), any(ShapeKind::Sphere));
-    let (by_ray, by_shape): (PerRayKind, PerShapeKind) = (counters.rays, counters.by_shape);
+    let (by_ray, by_shape): (PerRayKind, PerShapeKind) = (counters.rays, counters.shape_tests_by_kind);
     used((by_ray[kind], PerRayKind::sum(&by_ray), by_shape[shape], PerShapeKind::sum(&by_shape)));
     let mut unsent = any(counters.cutoff);
-    UnsentRays::add(&mut unsent, &any(counters.cutoff));
-    used((UnsentRays::weight(&unsent), Counters::cut(&counters)));
+    UnsentRays::merge(&mut unsent, &any(counters.cutoff));
+    used((UnsentRays::weight(&unsent), Counters::cut_fractions(&counters)));
     let mut rays = any(RayCounters::new());
-    rays.count(any(Event::MediaFull));
+    rays.count(any(CountedEvent::MediumStackFull));
     used(rays.counters);
 }
 
@@ -36,11 +37,11 @@ fn counters() {
 pub struct Told;
 
 impl Tally for Told {
-    fn count(&mut self, event: Event) {
+    fn count(&mut self, event: CountedEvent) {
         used(event);
     }
 
-    fn tell(&mut self, step: Step) {
+    fn trace_event(&mut self, step: TraceEvent) {
         used(step);
     }
 }

@@ -31,13 +31,13 @@ pub fn traced<A: Accelerator, E: Effects, T: Tally, const LEVELS: usize>(world: 
     let Some(camera) = any_camera() else { return };
     let limits = any(Limits::DEFAULT);
     let Ok(tracer) = Tracer::<A, E, LEVELS>::new(world, camera, limits) else { return };
-    let mut bare = Worker::<A, (), LEVELS, 0>::of_any_size(());
+    let mut bare = Worker::<A, (), LEVELS, 0>::with_cache_size(());
     bare = Worker::without_shadow_cache(bare);
-    used((Tracer::trace(&tracer, any_sample(), &mut bare), any(Worker::<A, (), LEVELS, 0>::BYTES)));
+    used((Tracer::trace(&tracer, any_sample(), &mut bare), any(Worker::<A, (), LEVELS, 0>::SIZE_IN_BYTES)));
     let mut worker = Worker::new(tally);
     used(Tracer::trace(&tracer, any_sample(), &mut worker));
 
-    Worker::forget(&mut worker);
+    Worker::clear_caches(&mut worker);
     image::sampled(&tracer, &mut worker);
 
     used(Worker::tally(&worker));

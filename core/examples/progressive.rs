@@ -3,8 +3,8 @@
 //! lent.
 //!
 //! ```text
-//! cargo run --release -p strahl-core --example refined            # as text, pass by pass
-//! cargo run --release -p strahl-core --example refined -- FOLDER  # 320 x 240 as PPM files, pass by pass
+//! cargo run --release -p strahl-core --example progressive            # as text, pass by pass
+//! cargo run --release -p strahl-core --example progressive -- FOLDER  # 320 x 240 as PPM files, pass by pass
 //! ```
 //!
 //! It tells after each pass how many rays were traced and how many pixels put. At 320 x 240, with
@@ -100,7 +100,7 @@ fn main() -> Result<(), Box<dyn Error>> {
         }
         println!("parts of {side} x {side}: {rays} rays and {puts} pixels so far, of {}", tile.len());
         match &folder {
-            Some(folder) => write(&folder.join(format!("refined-{side}.ppm")), size, &display)?,
+            Some(folder) => write(&folder.join(format!("progressive-{side}.ppm")), size, &display)?,
             None => draw(size, &display),
         }
     }

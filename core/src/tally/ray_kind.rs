@@ -31,11 +31,11 @@ impl RayKind {
 
 /// Whether a ray is sent.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Fate {
+pub enum RayOutcome {
     /// It is.
     Sent,
     /// Too little of what it finds would count.
-    TooLittle,
+    BelowCutoff,
     /// The levels end here.
-    TooDeep,
+    LevelLimit,
 }

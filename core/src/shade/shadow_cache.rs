@@ -21,31 +21,31 @@ use crate::geometry::ItemId;
 /// * Memory: 4 bytes for each slot.
 #[derive(Clone, Debug)]
 pub(crate) struct ShadowCache<const SLOTS: usize> {
-    blockers: [ItemId; SLOTS],
-    is_used: bool,
+    occluders: [ItemId; SLOTS],
+    is_enabled: bool,
 }
 
 /// What is remembered between rays: by the accelerator, and of shadows.
-pub(crate) struct Memory<A: Accelerator, const SHADOWS: usize> {
+pub(crate) struct WorkerCaches<A: Accelerator, const SHADOWS: usize> {
     pub(crate) scratch: A::Scratch,
-    pub(crate) shadows: ShadowCache<SHADOWS>,
+    pub(crate) shadow_cache: ShadowCache<SHADOWS>,
 }
 
-impl<A: Accelerator, const SHADOWS: usize> Memory<A, SHADOWS> {
+impl<A: Accelerator, const SHADOWS: usize> WorkerCaches<A, SHADOWS> {
     pub(crate) fn new() -> Self {
-        Memory { scratch: A::Scratch::default(), shadows: ShadowCache::EMPTY }
+        WorkerCaches { scratch: A::Scratch::default(), shadow_cache: ShadowCache::EMPTY }
     }
 
     /// As new, but no cache is used that was not used before.
-    pub(crate) fn forget(&mut self) {
+    pub(crate) fn clear(&mut self) {
         self.scratch = A::Scratch::default();
-        self.shadows.blockers = ShadowCache::EMPTY.blockers;
+        self.shadow_cache.occluders = ShadowCache::EMPTY.occluders;
     }
 }
 
 /// From a surface that a ray of some level has met to a light.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Toward {
+pub(crate) struct ShadowCacheKey {
     /// Which light.
     pub(crate) light: usize,
     /// The level of the ray.
@@ -53,45 +53,47 @@ pub(crate) struct Toward {
 }
 
 /// No item has the highest number.
-const NOBODY: ItemId = ItemId(u32::MAX);
+const NO_ITEM: ItemId = ItemId(u32::MAX);
 
 /// Levels that do not share a slot while there are slots enough.
-const LEVELS_APART: usize = 8;
+const LEVELS_PER_LIGHT: usize = 8;
 
 impl<const SLOTS: usize> ShadowCache<SLOTS> {
     pub(crate) const EMPTY: Self = {
         const { assert!(SLOTS == 0 || SLOTS.is_power_of_two()) };
-        ShadowCache { blockers: [NOBODY; SLOTS], is_used: SLOTS > 0 }
+        ShadowCache { occluders: [NO_ITEM; SLOTS], is_enabled: SLOTS > 0 }
     };
 
     /// Remembers nobody from now on.
-    pub(crate) fn turn_off(&mut self) {
-        *self = ShadowCache { is_used: false, ..Self::EMPTY };
+    pub(crate) fn disable(&mut self) {
+        *self = ShadowCache { is_enabled: false, ..Self::EMPTY };
     }
 
     /// Who is to be asked first.
-    pub(crate) fn last(&self, toward: Toward) -> Option<ItemId> {
-        self.blockers.get(Self::slot(toward)).copied().filter(|item| *item != NOBODY)
+    pub(crate) fn last_occluder(&self, toward: ShadowCacheKey) -> Option<ItemId> {
+        self.occluders.get(Self::index(toward)).copied().filter(|item| *item != NO_ITEM)
     }
 
     /// Remembers who stands in the way.
-    pub(crate) fn remember(&mut self, toward: Toward, item: ItemId) {
-        if self.is_used
-            && let Some(slot) = self.blockers.get_mut(Self::slot(toward))
+    pub(crate) fn insert(&mut self, toward: ShadowCacheKey, item: ItemId) {
+        if self.is_enabled
+            && let Some(slot) = self.occluders.get_mut(Self::index(toward))
         {
             *slot = item;
         }
     }
 
     /// Light arrives: nobody is to be asked the next time.
-    pub(crate) fn forget(&mut self, toward: Toward) {
-        self.remember(toward, NOBODY);
+    pub(crate) fn remove(&mut self, toward: ShadowCacheKey) {
+        self.insert(toward, NO_ITEM);
     }
 
     /// Without slots, a place that is not there.
-    fn slot(toward: Toward) -> usize {
-        let number =
-            toward.light.wrapping_mul(LEVELS_APART).wrapping_add(usize::from(toward.level) % LEVELS_APART);
+    fn index(toward: ShadowCacheKey) -> usize {
+        let number = toward
+            .light
+            .wrapping_mul(LEVELS_PER_LIGHT)
+            .wrapping_add(usize::from(toward.level) % LEVELS_PER_LIGHT);
         if SLOTS > 0 { number % SLOTS } else { 0 }
     }
 }
@@ -103,25 +105,25 @@ mod tests {
     #[test]
     fn each_light_has_its_own_blocker_on_each_level() {
         let mut cache = ShadowCache::<16>::EMPTY;
-        let [a, b] = [Toward { light: 0, level: 1 }, Toward { light: 1, level: 1 }];
-        cache.remember(a, ItemId(7));
-        assert_eq!((cache.last(a), cache.last(b)), (Some(ItemId(7)), None));
-        cache.remember(b, ItemId(8));
-        cache.remember(Toward { level: 2, ..a }, ItemId(9));
-        assert_eq!((cache.last(a), cache.last(b)), (Some(ItemId(7)), Some(ItemId(8))));
-        cache.forget(a);
-        assert_eq!((cache.last(a), cache.last(b)), (None, Some(ItemId(8))));
+        let [a, b] = [ShadowCacheKey { light: 0, level: 1 }, ShadowCacheKey { light: 1, level: 1 }];
+        cache.insert(a, ItemId(7));
+        assert_eq!((cache.last_occluder(a), cache.last_occluder(b)), (Some(ItemId(7)), None));
+        cache.insert(b, ItemId(8));
+        cache.insert(ShadowCacheKey { level: 2, ..a }, ItemId(9));
+        assert_eq!((cache.last_occluder(a), cache.last_occluder(b)), (Some(ItemId(7)), Some(ItemId(8))));
+        cache.remove(a);
+        assert_eq!((cache.last_occluder(a), cache.last_occluder(b)), (None, Some(ItemId(8))));
     }
 
     #[test]
     fn a_cache_without_slots_or_turned_off_remembers_nobody() {
         let mut cache = ShadowCache::<0>::EMPTY;
-        let toward = Toward { light: 0, level: 1 };
-        cache.remember(toward, ItemId(7));
-        assert_eq!(cache.last(toward), None);
+        let toward = ShadowCacheKey { light: 0, level: 1 };
+        cache.insert(toward, ItemId(7));
+        assert_eq!(cache.last_occluder(toward), None);
         let mut cache = ShadowCache::<16>::EMPTY;
-        cache.turn_off();
-        cache.remember(toward, ItemId(7));
-        assert_eq!(cache.last(toward), None);
+        cache.disable();
+        cache.insert(toward, ItemId(7));
+        assert_eq!(cache.last_occluder(toward), None);
     }
 }
