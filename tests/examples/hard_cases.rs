@@ -8,8 +8,8 @@
 //! With `--watertight` nothing is written: that many rays are aimed from inside at edges and corners of closed
 //! meshes, and those that get through are counted.
 
-use strahl_tests::hard::{Mesh, cases, escapes, panels, table};
-use strahl_tests::{Random, Vector, vector};
+use strahl_tests::hard::{ClosedMesh, cases, escapes, panels, table};
+use strahl_tests::{DVec3, SplitMix64, dvec3};
 
 type Failure = Box<dyn std::error::Error>;
 
@@ -43,21 +43,21 @@ fn write() -> Result<(), Failure> {
 
 /// Rays at edges and corners of closed meshes from inside: how many, and how many get out.
 fn watertight(rays: usize) {
-    let far = vector(2e5, -1.3e5, 0.7e5);
+    let far = dvec3(2e5, -1.3e5, 0.7e5);
     let shares = [
-        ("a sphere of 20,480 triangles", Mesh::icosphere(5, Vector::ZERO, 1.0), 30),
-        ("the same, 2e5 from the origin", Mesh::icosphere(5, far, 100.0), 30),
-        ("a cube", Mesh::cube(vector(0.1, 0.2, 0.3), 1.0), 10),
-        ("the same, 2e5 from the origin", Mesh::cube(far, 3.0), 10),
-        ("a sheet of 5,000", Mesh::sheet(50, Vector::ZERO, 1.0), 9),
-        ("the same, 2e5 from the origin", Mesh::sheet(50, far, 100.0), 9),
-        ("a cone of 1,000 slivers", Mesh::fan(1000, Vector::ZERO, 1.0), 1),
-        ("the same, 2e5 from the origin", Mesh::fan(1000, far, 100.0), 1),
+        ("a sphere of 20,480 triangles", ClosedMesh::icosphere(5, DVec3::ZERO, 1.0), 30),
+        ("the same, 2e5 from the origin", ClosedMesh::icosphere(5, far, 100.0), 30),
+        ("a cube", ClosedMesh::cube(dvec3(0.1, 0.2, 0.3), 1.0), 10),
+        ("the same, 2e5 from the origin", ClosedMesh::cube(far, 3.0), 10),
+        ("a sheet of 5,000", ClosedMesh::sheet(50, DVec3::ZERO, 1.0), 9),
+        ("the same, 2e5 from the origin", ClosedMesh::sheet(50, far, 100.0), 9),
+        ("a cone of 1,000 slivers", ClosedMesh::fan(1000, DVec3::ZERO, 1.0), 1),
+        ("the same, 2e5 from the origin", ClosedMesh::fan(1000, far, 100.0), 1),
     ];
     let (mut all, mut out) = (0, 0);
     for (seed, (name, mesh, share)) in shares.iter().enumerate() {
         let count = rays / 100 * share;
-        let got_out = escapes(mesh, count, &mut Random::new(seed as u64));
+        let got_out = escapes(mesh, count, &mut SplitMix64::new(seed as u64));
         println!("{name}: {count} rays, {got_out} got through");
         all += count;
         out += got_out;

@@ -1,26 +1,26 @@
 //! What both cores can be asked, in numbers that hold the answers of both exactly.
 
-use crate::thing::{Line, Thing};
-use crate::vector::Vector;
+use crate::test_shape::{TestRay, TestShape};
+use crate::vector::DVec3;
 
 /// What a core says of the place where a ray meets something.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Found {
+pub struct CoreHit {
     /// The number of the item.
     pub item: u32,
     /// How far, in lengths of the ray's direction.
     pub t: f64,
     /// The point, moved onto the shape.
-    pub point: Vector,
+    pub point: DVec3,
     /// How far each of its components may be off.
-    pub error: Vector,
+    pub error: DVec3,
     /// The geometric normal.
-    pub normal: Vector,
+    pub normal: DVec3,
     /// The shading normal.
-    pub shading: Vector,
+    pub shading: DVec3,
 }
 
-impl Found {
+impl CoreHit {
     /// Whether every number is one.
     pub fn is_finite(&self) -> bool {
         self.t.is_finite()
@@ -29,7 +29,7 @@ impl Found {
 }
 
 /// One of both cores, with things on its stage.
-pub trait Core {
+pub trait TestedCore {
     /// The unit roundoff of its numbers.
     const ROUNDOFF: f64;
 
@@ -37,13 +37,13 @@ pub trait Core {
     const NAME: &'static str;
 
     /// A stage with these things, in their order.
-    fn with(things: &[Thing]) -> Self;
+    fn with_shapes(shapes: &[TestShape]) -> Self;
 
     /// The nearest thing along each ray, by the bare list. The list with boxes must say the
     /// same, to the last bit, or this panics.
-    fn cast(&self, rays: &[Line]) -> Vec<Option<Found>>;
+    fn cast(&self, rays: &[TestRay]) -> Vec<Option<CoreHit>>;
 
     /// The place from which a ray leaves the surface to the side of `side`, which is its normal
     /// or the opposite.
-    fn leave(found: &Found, side: Vector) -> Vector;
+    fn offset_origin(hit: &CoreHit, side: DVec3) -> DVec3;
 }

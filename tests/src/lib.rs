@@ -1,9 +1,9 @@
 //! What the tests of strahl share.
 //!
-//! * [`Random`]: numbers from a fixed seed, which single precision holds exactly.
-//! * [`Thing`], [`Line`]: shapes and rays in numbers that both cores hold exactly.
-//! * [`single::Stage`], [`double::Stage`]: a scene with tables of its own, for either core; and
-//!   [`Core`], what both can be asked.
+//! * [`SplitMix64`]: numbers from a fixed seed, which single precision holds exactly.
+//! * [`TestShape`], [`TestRay`]: shapes and rays in numbers that both cores hold exactly.
+//! * [`single::TestScene`], [`double::TestScene`]: a scene with tables of its own, for either core; and
+//!   [`TestedCore`], what both can be asked.
 //! * [`oracle`]: where a ray meets a thing, in `f64`, by other ways than the core's.
 //! * [`hard`]: cases in which rounding is known to go wrong, and [`textbook`], the formulas that
 //!   do.
@@ -14,14 +14,14 @@ pub mod double;
 pub mod hard;
 pub mod oracle;
 mod picture;
-mod random;
+mod rng;
 pub mod single;
+mod test_shape;
 pub mod textbook;
-mod thing;
 mod vector;
 
-pub use cast::{Core, Found};
+pub use cast::{CoreHit, TestedCore};
 pub use picture::{assert_picture, picture};
-pub use random::{Random, rounded};
-pub use thing::{Kind, Line, Thing};
-pub use vector::{Vector, vector};
+pub use rng::{SplitMix64, rounded};
+pub use test_shape::{TestRay, TestShape, TestShapeKind};
+pub use vector::{DVec3, dvec3};

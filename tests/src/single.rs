@@ -2,8 +2,8 @@
 
 use strahl_core as strahl;
 
-#[path = "stage.rs"]
-mod stage;
-pub use stage::Stage;
+#[path = "test_scene.rs"]
+mod test_scene;
+pub use test_scene::TestScene;
 
 const NAME: &str = "single";

@@ -1,139 +1,137 @@
 //! Boxes and rays that are hard for whoever cuts space into cells.
 
-use super::case::{held, towards};
-use crate::Random;
-use crate::thing::{Line, Thing};
-use crate::vector::{Vector, vector};
+use super::case::{as_f32, towards};
+use crate::SplitMix64;
+use crate::test_shape::{TestRay, TestShape};
+use crate::vector::{DVec3, dvec3};
 
 /// Boxes upright on the axes, and rays.
-pub(super) type Scene = (Vec<Thing>, Vec<Line>);
+pub(super) type BoxesAndRays = (Vec<TestShape>, Vec<TestRay>);
 
 const RAYS: usize = 250;
 
 /// Boxes with corners in whole numbers, which is where halves and equal parts of the scene end.
-pub(super) fn lattice(random: &mut Random) -> Scene {
+pub(super) fn lattice(rng: &mut SplitMix64) -> BoxesAndRays {
     const SIDE: u32 = 8;
-    let cube = |low: Vector, size: Vector| Thing::Cuboid { min: low, max: low + size };
+    let cube = |low: DVec3, size: DVec3| TestShape::Cuboid { min: low, max: low + size };
     // Two in opposite corners, so that the scene is as large as it should be.
-    let mut things = vec![cube(Vector::ZERO, Vector::ONE), cube(Vector::splat(7.0), Vector::ONE)];
+    let mut shapes = vec![cube(DVec3::ZERO, DVec3::ONE), cube(DVec3::splat(7.0), DVec3::ONE)];
     for _ in 0..60 {
-        let mut place = || f64::from(random.below(SIDE));
-        let low = vector(place(), place(), place());
-        let mut size = || f64::from(random.below(3)) * 0.5;
-        let size = vector(size(), size(), size());
-        things.push(cube(low, size));
+        let mut place = || f64::from(rng.below(SIDE));
+        let low = dvec3(place(), place(), place());
+        let mut size = || f64::from(rng.below(3)) * 0.5;
+        let size = dvec3(size(), size(), size());
+        shapes.push(cube(low, size));
     }
-    let lines = (0..RAYS).map(|_| wall_ray(f64::from(SIDE), random)).collect();
-    (things, lines)
+    let rays = (0..RAYS).map(|_| cell_plane_ray(f64::from(SIDE), rng)).collect();
+    (shapes, rays)
 }
 
 /// A ray through places where walls meet: in a wall, along an edge, through corners, from one of
 /// them, or any.
-fn wall_ray(side: f64, random: &mut Random) -> Line {
-    let whole = |random: &mut Random| f64::from(random.below(2 * side as u32 + 1)) * 0.5;
-    let any = |random: &mut Random| random.between(-0.5 * side, 1.5 * side);
-    let sign = |random: &mut Random| if random.below(2) == 0 { 1.0 } else { -1.0 };
-    let corner = vector(whole(random), whole(random), whole(random));
-    let way = vector(sign(random), sign(random), sign(random));
-    match random.below(5) {
+fn cell_plane_ray(side: f64, rng: &mut SplitMix64) -> TestRay {
+    let whole = |rng: &mut SplitMix64| f64::from(rng.below(2 * side as u32 + 1)) * 0.5;
+    let any = |rng: &mut SplitMix64| rng.between(-0.5 * side, 1.5 * side);
+    let sign = |rng: &mut SplitMix64| if rng.below(2) == 0 { 1.0 } else { -1.0 };
+    let corner = dvec3(whole(rng), whole(rng), whole(rng));
+    let way = dvec3(sign(rng), sign(rng), sign(rng));
+    match rng.below(5) {
         // Through corners of cells: all walls at once.
-        0 => Line { origin: corner - way * 20.0, direction: way * random.scale(0.25, 4.0) },
+        0 => TestRay { origin: corner - way * 20.0, direction: way * rng.log_between(0.25, 4.0) },
         // From a corner, an edge or a wall.
         1 => {
             let mut origin = corner;
-            for _ in 0..random.below(3) {
-                origin[random.below(3) as usize] = any(random);
+            for _ in 0..rng.below(3) {
+                origin[rng.below(3) as usize] = any(rng);
             }
-            Line { origin, direction: held(random.direction()) }
+            TestRay { origin, direction: as_f32(rng.direction()) }
         }
         // In a wall or along an edge.
         2 | 3 => {
-            let (mut origin, mut direction) = (corner - way * 20.0, held(random.direction()));
+            let (mut origin, mut direction) = (corner - way * 20.0, as_f32(rng.direction()));
             for axis in 0..3 {
-                if random.below(2) == 0 {
+                if rng.below(2) == 0 {
                     origin[axis] = corner[axis];
-                    direction[axis] = if random.below(2) == 0 { 0.0 } else { -0.0 };
+                    direction[axis] = if rng.below(2) == 0 { 0.0 } else { -0.0 };
                 }
             }
-            if direction == Vector::ZERO {
-                direction = Vector::X;
+            if direction == DVec3::ZERO {
+                direction = DVec3::X;
             }
-            Line { origin, direction }
+            TestRay { origin, direction }
         }
         _ => {
-            let (from, to) = (
-                vector(any(random), any(random), any(random)),
-                vector(any(random), any(random), any(random)),
-            );
-            Line { origin: from, direction: held(to - from) }
+            let (from, to) = (dvec3(any(rng), any(rng), any(rng)), dvec3(any(rng), any(rng), any(rng)));
+            TestRay { origin: from, direction: as_f32(to - from) }
         }
     }
 }
 
 /// A scene without thickness, of one thing, of many at one place, or with one far away.
-pub(super) fn hard_to_cut(random: &mut Random) -> Scene {
-    let (things, lines) = lattice(random);
-    let bounds = |thing: &Thing| match thing {
-        Thing::Cuboid { min, max } => (*min, *max),
-        _ => (Vector::ZERO, Vector::ZERO),
+pub(super) fn hard_to_cut(rng: &mut SplitMix64) -> BoxesAndRays {
+    let (shapes, rays) = lattice(rng);
+    let bounds = |shape: &TestShape| match shape {
+        TestShape::Cuboid { min, max } => (*min, *max),
+        _ => (DVec3::ZERO, DVec3::ZERO),
     };
-    let pieces = things.iter().map(bounds);
-    let things = match random.below(4) {
+    let pieces = shapes.iter().map(bounds);
+    let shapes = match rng.below(4) {
         0 => {
-            let axis = random.below(3) as usize;
-            let level = |v: Vector| {
+            let axis = rng.below(3) as usize;
+            let level = |v: DVec3| {
                 let mut v = v;
                 v[axis] = 3.0;
                 v
             };
-            pieces.map(|(min, max)| Thing::Cuboid { min: level(min), max: level(max) }).collect()
+            pieces.map(|(min, max)| TestShape::Cuboid { min: level(min), max: level(max) }).collect()
         }
-        1 => vec![things[2 + random.below(60) as usize].clone()],
+        1 => vec![shapes[2 + rng.below(60) as usize].clone()],
         2 => {
-            let (min, _) = bounds(&things[2 + random.below(60) as usize]);
-            (0..100).map(|_| Thing::Cuboid { min, max: min + Vector::splat(1.5) }).collect()
+            let (min, _) = bounds(&shapes[2 + rng.below(60) as usize]);
+            (0..100).map(|_| TestShape::Cuboid { min, max: min + DVec3::splat(1.5) }).collect()
         }
         _ => {
-            let far = held(random.direction() * random.scale(1e3, 1e6));
-            let mut things: Vec<Thing> = pieces.map(|(min, max)| Thing::Cuboid { min, max }).collect();
-            things.push(Thing::Cuboid { min: far, max: held(far + Vector::ONE) });
-            things
+            let far = as_f32(rng.direction() * rng.log_between(1e3, 1e6));
+            let mut shapes: Vec<TestShape> =
+                pieces.map(|(min, max)| TestShape::Cuboid { min, max }).collect();
+            shapes.push(TestShape::Cuboid { min: far, max: as_f32(far + DVec3::ONE) });
+            shapes
         }
     };
-    (things, lines)
+    (shapes, rays)
 }
 
 /// The same as [`lattice`] where no face and no wall is a whole number, so that all that should
 /// be equal is a little off.
-pub(super) fn uneven(random: &mut Random) -> Scene {
-    let (things, lines) = lattice(random);
-    let (size, shift) = (random.scale(0.01, 100.0), random.near(Vector::ZERO, 10.0));
-    let place = |v: Vector| held((v + shift) * size);
-    let thing = |thing: Thing| match thing {
-        Thing::Cuboid { min, max } => Thing::Cuboid { min: place(min), max: place(max) },
+pub(super) fn uneven(rng: &mut SplitMix64) -> BoxesAndRays {
+    let (shapes, rays) = lattice(rng);
+    let (size, shift) = (rng.log_between(0.01, 100.0), rng.in_ball(DVec3::ZERO, 10.0));
+    let place = |v: DVec3| as_f32((v + shift) * size);
+    let shape = |shape: TestShape| match shape {
+        TestShape::Cuboid { min, max } => TestShape::Cuboid { min: place(min), max: place(max) },
         other => other,
     };
-    let line = |line: Line| Line { origin: place(line.origin), ..line };
-    (things.into_iter().map(thing).collect(), lines.into_iter().map(line).collect())
+    let ray = |ray: TestRay| TestRay { origin: place(ray.origin), ..ray };
+    (shapes.into_iter().map(shape).collect(), rays.into_iter().map(ray).collect())
 }
 
 /// Long bars, and small plates across their lower faces: a ray comes to a plate after hundreds of
 /// cells, and to the bar, which it has been told of long before, right behind it.
-pub(super) fn row(random: &mut Random) -> Scene {
+pub(super) fn row(rng: &mut SplitMix64) -> BoxesAndRays {
     const LENGTH: f64 = 3000.0;
-    let (mut things, mut lines) = (Vec::new(), Vec::new());
+    let (mut shapes, mut rays) = (Vec::new(), Vec::new());
     for _ in 0..5 {
-        let (level, aside) = (random.between(0.3, 0.9), random.between(0.1, 0.9));
-        let (y, z) = (Vector::Y * level, Vector::Z * aside);
-        let (min, max) = (y + z - Vector::Z * 0.05, y + z + vector(LENGTH, 0.05, 0.05));
-        things.push(Thing::Cuboid { min: held(min), max: held(max) });
+        let (level, aside) = (rng.between(0.3, 0.9), rng.between(0.1, 0.9));
+        let (y, z) = (DVec3::Y * level, DVec3::Z * aside);
+        let (min, max) = (y + z - DVec3::Z * 0.05, y + z + dvec3(LENGTH, 0.05, 0.05));
+        shapes.push(TestShape::Cuboid { min: as_f32(min), max: as_f32(max) });
         for _ in 0..RAYS / 5 {
-            let at = random.between(10.0, LENGTH);
-            let (place, half) = (Vector::X * at + y + z, vector(0.0, 0.003, 0.003));
-            things.push(Thing::Cuboid { min: held(place - half), max: held(place + half) });
-            let eye = vector(-random.between(1.0, 10.0), level - 0.2, random.between(0.0, 1.0));
-            lines.push(towards(held(eye), held(place + Vector::X * random.scale(1e-3, 0.3))));
+            let at = rng.between(10.0, LENGTH);
+            let (place, half) = (DVec3::X * at + y + z, dvec3(0.0, 0.003, 0.003));
+            shapes.push(TestShape::Cuboid { min: as_f32(place - half), max: as_f32(place + half) });
+            let eye = dvec3(-rng.between(1.0, 10.0), level - 0.2, rng.between(0.0, 1.0));
+            rays.push(towards(as_f32(eye), as_f32(place + DVec3::X * rng.log_between(1e-3, 0.3))));
         }
     }
-    (things, lines)
+    (shapes, rays)
 }

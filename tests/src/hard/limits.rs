@@ -1,15 +1,15 @@
 //! Other sizes, rays that are none, and the end of a ray.
 
-use super::case::{Answer, Case, Solver, Tally, answers, towards};
-use crate::Random;
-use crate::textbook::Form;
-use crate::thing::{Kind, Line, Thing};
-use crate::vector::{Vector, vector};
+use super::case::{HardCase, HardCaseTally, Solver, SolverHit, answers, towards};
+use crate::SplitMix64;
+use crate::test_shape::{TestRay, TestShape, TestShapeKind};
+use crate::textbook::TextbookShape;
+use crate::vector::{DVec3, dvec3};
 
-pub(super) const CASES: [Case; 3] = [
-    Case::own("scale", "every kind, times 2^-30 to 2^30", "thresholds and fourth powers", 0.0, scaled),
-    Case::own("bad rays", "NaN, infinite, without direction", "NaN passes every comparison", 0.0, none),
-    Case::own(
+pub(super) const CASES: [HardCase; 3] = [
+    HardCase::own("scale", "every kind, times 2^-30 to 2^30", "thresholds and fourth powers", 0.0, scaled),
+    HardCase::own("bad rays", "NaN, infinite, without direction", "NaN passes every comparison", 0.0, none),
+    HardCase::own(
         "end of a ray",
         "just before a hit, at it, behind it",
         "`t < tmax` leaves out the end",
@@ -18,35 +18,35 @@ pub(super) const CASES: [Case; 3] = [
     ),
 ];
 
-const THINGS: usize = 8;
+const SHAPES: usize = 8;
 const RAYS: usize = 40;
 
 /// Things of every kind and rays at them.
-fn scenes(random: &mut Random) -> Vec<(Thing, Vec<Line>)> {
-    let scene = |kind: &Kind| {
-        let place = random.near(Vector::ZERO, 5.0);
-        let thing = Thing::random(*kind, place, random.scale(0.1, 3.0), random);
-        let line = |random: &mut Random| towards(random.near(place, 12.0), random.near(place, 2.0));
-        (thing, (0..RAYS).map(|_| line(random)).collect())
+fn scenes(rng: &mut SplitMix64) -> Vec<(TestShape, Vec<TestRay>)> {
+    let scene = |kind: &TestShapeKind| {
+        let place = rng.in_ball(DVec3::ZERO, 5.0);
+        let shape = TestShape::random(*kind, place, rng.log_between(0.1, 3.0), rng);
+        let ray = |rng: &mut SplitMix64| towards(rng.in_ball(place, 12.0), rng.in_ball(place, 2.0));
+        (shape, (0..RAYS).map(|_| ray(rng)).collect())
     };
-    Kind::ALL.iter().cycle().take(THINGS * Kind::ALL.len()).map(scene).collect()
+    TestShapeKind::ALL.iter().cycle().take(SHAPES * TestShapeKind::ALL.len()).map(scene).collect()
 }
 
 /// The distance grows with the scene, and the normal does not change, bit for bit.
-fn scaled(random: &mut Random) -> [Tally; 3] {
-    let mut tallies = [Tally::default(); 3];
-    for (thing, lines) in scenes(random) {
-        let exponent = random.below(61) as i32 - 30;
+fn scaled(rng: &mut SplitMix64) -> [HardCaseTally; 3] {
+    let mut tallies = [HardCaseTally::default(); 3];
+    for (shape, rays) in scenes(rng) {
+        let exponent = rng.below(61) as i32 - 30;
         let scale = libm::scalbn(1.0, exponent);
-        let other = thing.mapped(|p| p * scale, |d| d, scale);
-        let rays: Vec<Line> =
-            lines.iter().map(|line| Line { origin: line.origin * scale, ..*line }).collect();
+        let other = shape.mapped(|p| p * scale, |d| d, scale);
+        let other_rays: Vec<TestRay> =
+            rays.iter().map(|ray| TestRay { origin: ray.origin * scale, ..*ray }).collect();
         for (solver, tally) in Solver::ALL.into_iter().zip(&mut tallies) {
-            let truth = answers(solver, &thing, &lines);
-            for (truth, answer) in truth.into_iter().zip(answers(solver, &other, &rays)) {
+            let truth = answers(solver, &shape, &rays);
+            for (truth, answer) in truth.into_iter().zip(answers(solver, &other, &other_rays)) {
                 let grown = truth.map(|truth| (truth.t * scale, truth.normal));
                 tally.rays += 1;
-                tally.faults += usize::from(answer.map(|Answer { t, normal }| (t, normal)) != grown);
+                tally.faults += usize::from(answer.map(|SolverHit { t, normal }| (t, normal)) != grown);
             }
         }
     }
@@ -54,35 +54,35 @@ fn scaled(random: &mut Random) -> [Tally; 3] {
 }
 
 /// A ray that is none meets nothing.
-fn none(random: &mut Random) -> [Tally; 3] {
-    let mut tallies = [Tally::default(); 3];
-    for (thing, mut lines) in scenes(random) {
-        for line in &mut lines {
-            let bad = [f64::NAN, f64::INFINITY, f64::NEG_INFINITY][random.below(3) as usize];
-            let axis = random.below(3) as usize;
-            match random.below(3) {
-                0 => line.origin[axis] = bad,
-                1 => line.direction[axis] = bad,
-                _ => line.direction = vector(0.0, -0.0, 0.0),
+fn none(rng: &mut SplitMix64) -> [HardCaseTally; 3] {
+    let mut tallies = [HardCaseTally::default(); 3];
+    for (shape, mut rays) in scenes(rng) {
+        for ray in &mut rays {
+            let bad = [f64::NAN, f64::INFINITY, f64::NEG_INFINITY][rng.below(3) as usize];
+            let axis = rng.below(3) as usize;
+            match rng.below(3) {
+                0 => ray.origin[axis] = bad,
+                1 => ray.direction[axis] = bad,
+                _ => ray.direction = dvec3(0.0, -0.0, 0.0),
             }
         }
         for (solver, tally) in Solver::ALL.into_iter().zip(&mut tallies) {
-            tally.rays += lines.len();
-            tally.faults += answers(solver, &thing, &lines).iter().flatten().count();
+            tally.rays += rays.len();
+            tally.faults += answers(solver, &shape, &rays).iter().flatten().count();
         }
     }
     tallies
 }
 
 /// A hit is met by a ray that ends there or behind it, and by none that ends before it.
-fn ends(random: &mut Random) -> [Tally; 3] {
-    let mut tallies = [Tally::default(); 3];
-    for (thing, lines) in scenes(random) {
+fn ends(rng: &mut SplitMix64) -> [HardCaseTally; 3] {
+    let mut tallies = [HardCaseTally::default(); 3];
+    for (shape, rays) in scenes(rng) {
         for (solver, tally) in Solver::ALL.into_iter().zip(&mut tallies) {
             let answers = match solver {
-                Solver::Textbook => in_textbook(&thing, &lines),
-                Solver::Single => in_single::ends(&thing, &lines),
-                Solver::Double => in_double::ends(&thing, &lines),
+                Solver::Textbook => in_textbook(&shape, &rays),
+                Solver::Single => in_single::ends(&shape, &rays),
+                Solver::Double => in_double::ends(&shape, &rays),
             };
             tally.rays += 3 * answers.len();
             tally.faults += answers.iter().flatten().filter(|is_right| !**is_right).count();
@@ -92,53 +92,58 @@ fn ends(random: &mut Random) -> [Tally; 3] {
 }
 
 /// Whether it is right of each ray that meets the thing, when it ends just before, at, and behind.
-fn in_textbook(thing: &Thing, lines: &[Line]) -> Vec<[bool; 3]> {
-    let form = Form::of(thing);
-    let ends = |line: &Line| {
-        let t = form.met(line)?.t;
-        let is_met = |reach: f32| form.met(line).is_some_and(|met| met.t < reach);
+fn in_textbook(shape: &TestShape, rays: &[TestRay]) -> Vec<[bool; 3]> {
+    let form = TextbookShape::of(shape);
+    let ends = |ray: &TestRay| {
+        let t = form.met(ray)?.t;
+        let is_met = |t_max: f32| form.met(ray).is_some_and(|met| met.t < t_max);
         Some([!is_met(t.next_down()), is_met(t), is_met(t.next_up())])
     };
-    lines.iter().filter_map(ends).collect()
+    rays.iter().filter_map(ends).collect()
 }
 
 macro_rules! core {
-    ($room:ident, $core:ident, $stage:path) => {
+    ($room:ident, $core:ident, $scene:path) => {
         mod $room {
             use $core::accel::List;
             use $core::geometry::Ray;
             use $core::tally::RayKind;
             use $core::{AllEffects, Real, World, vec3};
 
-            use $stage as Stage;
+            use $scene as TestScene;
 
-            use super::{Line, Thing};
-            use crate::cast::Core;
+            use super::{TestRay, TestShape};
+            use crate::cast::TestedCore;
 
-            pub fn ends(thing: &Thing, lines: &[Line]) -> Vec<[bool; 3]> {
-                let stage = Stage::with(std::slice::from_ref(thing));
-                let world = World::new(stage.scene(), List::without_bounds(stage.item_count()));
-                let ends = |line: &Line| {
-                    let (o, d) = (line.origin, line.direction);
-                    let ray =
+            pub fn ends(shape: &TestShape, rays: &[TestRay]) -> Vec<[bool; 3]> {
+                let scene = TestScene::with_shapes(std::slice::from_ref(shape));
+                let world = World::new(scene.as_scene(), List::without_bounds(scene.item_count()));
+                let ends = |ray: &TestRay| {
+                    let (o, d) = (ray.origin, ray.direction);
+                    let core_ray =
                         Ray::new(vec3(o.x as _, o.y as _, o.z as _), vec3(d.x as _, d.y as _, d.z as _));
-                    let nearest = |reach: Real| {
-                        world.nearest::<AllEffects, _>(&ray, reach, RayKind::Camera, &mut (), &mut ())
+                    let nearest = |t_max: Real| {
+                        world.nearest::<AllEffects, _>(&core_ray, t_max, RayKind::Camera, &mut (), &mut ())
                     };
-                    let is_met = |reach: Real| {
-                        let blocker =
-                            world.blocker::<AllEffects, _>(&ray, reach, RayKind::Shadow, &mut (), &mut ());
-                        assert_eq!(nearest(reach).is_some(), blocker.is_some());
+                    let is_met = |t_max: Real| {
+                        let blocker = world.blocker::<AllEffects, _>(
+                            &core_ray,
+                            t_max,
+                            RayKind::Shadow,
+                            &mut (),
+                            &mut (),
+                        );
+                        assert_eq!(nearest(t_max).is_some(), blocker.is_some());
                         blocker.is_some()
                     };
                     let t = nearest(Real::INFINITY)?.t;
                     Some([!is_met(t.next_down()), is_met(t), is_met(t.next_up())])
                 };
-                lines.iter().filter_map(ends).collect()
+                rays.iter().filter_map(ends).collect()
             }
         }
     };
 }
 
-core!(in_single, strahl_core, crate::single::Stage);
-core!(in_double, strahl_core_double, crate::double::Stage);
+core!(in_single, strahl_core, crate::single::TestScene);
+core!(in_double, strahl_core_double, crate::double::TestScene);

@@ -3,35 +3,35 @@
 use strahl_core::geometry::{Ray, ShapeFeatures, ShapeKind, ShapeSet};
 use strahl_core::{Geometry, Shape, Vec3, vec3};
 
-use super::case::{Case, Solver, Tally, held};
-use crate::textbook::Form;
-use crate::thing::{Line, Thing};
-use crate::vector::{Vector, upright, vector};
-use crate::{Random, rounded};
+use super::case::{HardCase, HardCaseTally, Solver, as_f32};
+use crate::test_shape::{TestRay, TestShape};
+use crate::textbook::TextbookShape;
+use crate::vector::{DVec3, dvec3, perpendicular_axes};
+use crate::{SplitMix64, rounded};
 
-const fn case(name: &'static str, mesh: fn(&mut Random) -> [Tally; 3]) -> Case {
-    Case::own("mesh", name, "edges belong to neither of their triangles", 0.0, mesh)
+const fn case(name: &'static str, mesh: fn(&mut SplitMix64) -> [HardCaseTally; 3]) -> HardCase {
+    HardCase::own("mesh", name, "edges belong to neither of their triangles", 0.0, mesh)
 }
 
-pub(super) const CASES: [Case; 6] = [
-    case("from inside an icosphere of 20,480 triangles", |random| {
-        tried(&Mesh::icosphere(5, Vector::ZERO, 1.0), random)
+pub(super) const CASES: [HardCase; 6] = [
+    case("from inside an icosphere of 20,480 triangles", |rng| {
+        tried(&ClosedMesh::icosphere(5, DVec3::ZERO, 1.0), rng)
     }),
-    case("the same at 2e5 from the origin", |random| {
-        tried(&Mesh::icosphere(5, vector(2e5, -1.3e5, 0.7e5), 100.0), random)
+    case("the same at 2e5 from the origin", |rng| {
+        tried(&ClosedMesh::icosphere(5, dvec3(2e5, -1.3e5, 0.7e5), 100.0), rng)
     }),
-    case("from inside a cube of 12", |random| tried(&Mesh::cube(Vector::ZERO, 1.0), random)),
-    case("from inside a cone of 4,000 slivers", |random| tried(&Mesh::fan(4000, Vector::ZERO, 1.0), random)),
-    case("the same at 2e5 from the origin", |random| {
-        tried(&Mesh::fan(4000, vector(-2e5, 2e5, 1e5), 100.0), random)
+    case("from inside a cube of 12", |rng| tried(&ClosedMesh::cube(DVec3::ZERO, 1.0), rng)),
+    case("from inside a cone of 4,000 slivers", |rng| tried(&ClosedMesh::fan(4000, DVec3::ZERO, 1.0), rng)),
+    case("the same at 2e5 from the origin", |rng| {
+        tried(&ClosedMesh::fan(4000, dvec3(-2e5, 2e5, 1e5), 100.0), rng)
     }),
-    case("a sheet of 5,000", |random| tried(&Mesh::sheet(50, vector(2e5, 0.0, -2e5), 100.0), random)),
+    case("a sheet of 5,000", |rng| tried(&ClosedMesh::sheet(50, dvec3(2e5, 0.0, -2e5), 100.0), rng)),
 ];
 
 /// Triangles that share corners, and where rays at them start.
-pub struct Mesh {
+pub struct ClosedMesh {
     /// The corners.
-    pub points: Vec<Vector>,
+    pub points: Vec<DVec3>,
     /// Their places, right-handed as seen from outside.
     pub triangles: Vec<[u32; 3]>,
     /// For each corner the triangles that have it.
@@ -39,29 +39,29 @@ pub struct Mesh {
     /// Corners that lie on no border.
     targets: Vec<u32>,
     /// Rays start in the ball round here.
-    eye: (Vector, f64),
+    eye: (DVec3, f64),
 }
 
-impl Mesh {
-    fn new(points: Vec<Vector>, triangles: Vec<[u32; 3]>, targets: Vec<u32>, eye: (Vector, f64)) -> Mesh {
-        let points: Vec<Vector> = points.into_iter().map(held).collect();
+impl ClosedMesh {
+    fn new(points: Vec<DVec3>, triangles: Vec<[u32; 3]>, targets: Vec<u32>, eye: (DVec3, f64)) -> ClosedMesh {
+        let points: Vec<DVec3> = points.into_iter().map(as_f32).collect();
         let mut around = vec![Vec::new(); points.len()];
         for (triangle, number) in triangles.iter().zip(0..) {
             triangle.iter().for_each(|corner| around[*corner as usize].push(number));
         }
-        Mesh { points, triangles, around, targets, eye }
+        ClosedMesh { points, triangles, around, targets, eye }
     }
 
     /// A sphere from an icosahedron, each of whose triangles is quartered `level` times.
-    pub fn icosphere(level: u32, center: Vector, radius: f64) -> Mesh {
+    pub fn icosphere(level: u32, center: DVec3, radius: f64) -> ClosedMesh {
         let g = 0.5 + 0.5 * 5.0_f64.sqrt();
         let mut points = Vec::new();
         for (a, b) in [(1.0, g), (-1.0, g), (1.0, -g), (-1.0, -g)] {
-            points.extend([vector(a, b, 0.0), vector(0.0, a, b), vector(b, 0.0, a)]);
+            points.extend([dvec3(a, b, 0.0), dvec3(0.0, a, b), dvec3(b, 0.0, a)]);
         }
-        let mut points: Vec<Vector> = points.into_iter().map(crate::vector::unit).collect();
+        let mut points: Vec<DVec3> = points.into_iter().map(crate::vector::unit).collect();
         // Of all triples those whose corners are neighbours.
-        let near = |a: usize, b: usize, points: &[Vector]| points[a].dot(points[b]) > 0.4;
+        let near = |a: usize, b: usize, points: &[DVec3]| points[a].dot(points[b]) > 0.4;
         let mut triangles = Vec::new();
         for a in 0..12 {
             for b in a + 1..12 {
@@ -91,29 +91,29 @@ impl Mesh {
         }
         let targets = (0..points.len() as u32).collect();
         let points = points.into_iter().map(|p| center + p * radius).collect();
-        Mesh::new(points, triangles, targets, (center, 0.7 * radius))
+        ClosedMesh::new(points, triangles, targets, (center, 0.7 * radius))
     }
 
     /// A cube of twelve triangles.
-    pub fn cube(center: Vector, half: f64) -> Mesh {
+    pub fn cube(center: DVec3, half: f64) -> ClosedMesh {
         let corner = |i: u32| {
             let side = |bit: u32| if i >> bit & 1 == 0 { -half } else { half };
-            center + vector(side(0), side(1), side(2))
+            center + dvec3(side(0), side(1), side(2))
         };
         let faces = [[0, 2, 3, 1], [4, 5, 7, 6], [0, 1, 5, 4], [2, 6, 7, 3], [0, 4, 6, 2], [1, 3, 7, 5]];
         let triangles = faces.iter().flat_map(|[a, b, c, d]| [[*a, *b, *c], [*a, *c, *d]]).collect();
-        Mesh::new((0..8).map(corner).collect(), triangles, (0..8).collect(), (center, 0.9 * half))
+        ClosedMesh::new((0..8).map(corner).collect(), triangles, (0..8).collect(), (center, 0.9 * half))
     }
 
     /// A cone whose side is `slivers` triangles that meet in its apex, and whose base as many.
-    pub fn fan(slivers: u32, center: Vector, size: f64) -> Mesh {
-        let axis = crate::vector::unit(vector(0.3, 0.5, 0.8));
-        let (x, y) = upright(axis);
+    pub fn fan(slivers: u32, center: DVec3, size: f64) -> ClosedMesh {
+        let axis = crate::vector::unit(dvec3(0.3, 0.5, 0.8));
+        let (x, y) = perpendicular_axes(axis);
         let rim = |i: u32| {
             let angle = f64::from(i) * std::f64::consts::TAU / f64::from(slivers);
             center + (x * libm::cos(angle) + y * libm::sin(angle)) * size
         };
-        let mut points: Vec<Vector> = (0..slivers).map(rim).collect();
+        let mut points: Vec<DVec3> = (0..slivers).map(rim).collect();
         points.extend([center + axis * (0.7 * size), center - axis * (0.4 * size)]);
         let next = |i: u32| (i + 1) % slivers;
         let side = (0..slivers).map(|i| [i, next(i), slivers]);
@@ -121,13 +121,13 @@ impl Mesh {
         let triangles = side.chain(base).collect();
         // The two apices are as likely as all others.
         let targets = (0..slivers).flat_map(|i| [i, slivers + i % 2]).collect();
-        Mesh::new(points, triangles, targets, (center, 0.25 * size))
+        ClosedMesh::new(points, triangles, targets, (center, 0.25 * size))
     }
 
     /// A slanting flat sheet of `side` times `side` squares, each of two triangles.
-    pub fn sheet(side: u32, center: Vector, size: f64) -> Mesh {
-        let normal = crate::vector::unit(vector(0.1, 0.9, 0.2));
-        let (x, y) = upright(normal);
+    pub fn sheet(side: u32, center: DVec3, size: f64) -> ClosedMesh {
+        let normal = crate::vector::unit(dvec3(0.1, 0.9, 0.2));
+        let (x, y) = perpendicular_axes(normal);
         let place = |i: u32, j: u32| i * (side + 1) + j;
         let step = 2.0 * size / f64::from(side);
         let point =
@@ -141,30 +141,30 @@ impl Mesh {
         let triangles = (0..side).flat_map(|i| (0..side).map(move |j| (i, j))).flat_map(square).collect();
         let inner =
             (1..side).flat_map(|i| (1..side).map(move |j| (i, j))).map(|(i, j)| place(i, j)).collect();
-        Mesh::new(points, triangles, inner, (center + normal * size, 0.3 * size))
+        ClosedMesh::new(points, triangles, inner, (center + normal * size, 0.3 * size))
     }
 
     /// A ray from the mesh's own place at a corner or at a point of an edge, and the triangles
     /// of which it must meet one.
-    pub fn aim(&self, random: &mut Random) -> (Line, Vec<u32>) {
-        let origin = random.near(self.eye.0, self.eye.1);
-        self.aim_from(origin, random)
+    pub fn aim(&self, rng: &mut SplitMix64) -> (TestRay, Vec<u32>) {
+        let origin = rng.in_ball(self.eye.0, self.eye.1);
+        self.aim_from(origin, rng)
     }
 
-    fn aim_from(&self, origin: Vector, random: &mut Random) -> (Line, Vec<u32>) {
-        let corner = self.targets[random.below(self.targets.len() as u32) as usize];
+    fn aim_from(&self, origin: DVec3, rng: &mut SplitMix64) -> (TestRay, Vec<u32>) {
+        let corner = self.targets[rng.below(self.targets.len() as u32) as usize];
         let around = &self.around[corner as usize];
         let target = self.points[corner as usize];
-        if random.below(3) == 0 {
-            return (Line { origin, direction: held(target - origin) }, around.clone());
+        if rng.below(3) == 0 {
+            return (TestRay { origin, direction: as_f32(target - origin) }, around.clone());
         }
-        let triangle = self.triangles[around[random.below(around.len() as u32) as usize] as usize];
-        let other = triangle[random.below(3) as usize];
-        let share = if random.below(4) == 0 { 0.5 } else { random.unit() };
+        let triangle = self.triangles[around[rng.below(around.len() as u32) as usize] as usize];
+        let other = triangle[rng.below(3) as usize];
+        let share = if rng.below(4) == 0 { 0.5 } else { rng.unit() };
         let target = target + (self.points[other as usize] - target) * share;
         let mut near = around.clone();
         near.extend(&self.around[other as usize]);
-        (Line { origin, direction: held(target - origin) }, near)
+        (TestRay { origin, direction: as_f32(target - origin) }, near)
     }
 
     /// The mesh as the core keeps it.
@@ -175,23 +175,24 @@ impl Mesh {
 }
 
 /// What the core needs to know for meshes.
-struct Triangles;
+struct TriangleEffects;
 
-impl ShapeFeatures for Triangles {
+impl ShapeFeatures for TriangleEffects {
     const SHAPES: ShapeSet = ShapeSet::of(&[ShapeKind::Triangle]);
     const SMOOTH_SHADING: bool = false;
 }
 
 /// How many of so many rays get through the mesh between its triangles.
-pub fn escapes(mesh: &Mesh, rays: usize, random: &mut Random) -> usize {
+pub fn escapes(mesh: &ClosedMesh, rays: usize, rng: &mut SplitMix64) -> usize {
     let (points, shapes) = mesh.tables();
     let geometry = Geometry { vertices: &points, shapes: &shapes, ..Geometry::EMPTY };
     let escapes = |_: &usize| {
-        let (line, near) = mesh.aim(random);
-        let narrow = |v: Vector| vec3(v.x as f32, v.y as f32, v.z as f32);
-        let ray = Ray::new(narrow(line.origin), narrow(line.direction));
-        let is_met =
-            |number: &u32| geometry.intersect::<Triangles>(&shapes[*number as usize], &ray).is_some();
+        let (ray, near) = mesh.aim(rng);
+        let narrow = |v: DVec3| vec3(v.x as f32, v.y as f32, v.z as f32);
+        let core_ray = Ray::new(narrow(ray.origin), narrow(ray.direction));
+        let is_met = |number: &u32| {
+            geometry.intersect::<TriangleEffects>(&shapes[*number as usize], &core_ray).is_some()
+        };
         !near.iter().any(is_met)
     };
     (0..rays).filter(escapes).count()
@@ -203,19 +204,19 @@ pub fn escapes(mesh: &Mesh, rays: usize, random: &mut Random) -> usize {
 /// A ray through a corner or an edge meets all triangles that have it, at the same distance. If
 /// it meets them from one side it crosses the surface there once; if from both sides it only
 /// touches it, or goes in and out at once.
-pub fn odd_crossings(mesh: &Mesh, rays: usize, random: &mut Random) -> usize {
+pub fn odd_crossings(mesh: &ClosedMesh, rays: usize, rng: &mut SplitMix64) -> usize {
     let (points, shapes) = mesh.tables();
     let geometry = Geometry { vertices: &points, shapes: &shapes, ..Geometry::EMPTY };
     let is_odd = |_: &usize| {
-        let origin = held(mesh.eye.0 + random.direction() * (mesh.eye.1 * random.between(4.0, 20.0)));
-        let (line, _) = mesh.aim_from(origin, random);
-        let narrow = |v: Vector| vec3(v.x as f32, v.y as f32, v.z as f32);
-        let ray = Ray::new(narrow(line.origin), narrow(line.direction));
+        let origin = as_f32(mesh.eye.0 + rng.direction() * (mesh.eye.1 * rng.between(4.0, 20.0)));
+        let (ray, _) = mesh.aim_from(origin, rng);
+        let narrow = |v: DVec3| vec3(v.x as f32, v.y as f32, v.z as f32);
+        let core_ray = Ray::new(narrow(ray.origin), narrow(ray.direction));
         let mut hits: Vec<(f32, [u32; 3], bool)> = Vec::new();
         for (shape, corners) in shapes.iter().zip(&mesh.triangles) {
-            if let Some(t) = geometry.intersect::<Triangles>(shape, &ray) {
+            if let Some(t) = geometry.intersect::<TriangleEffects>(shape, &core_ray) {
                 let [a, b, c] = corners.map(|corner| mesh.points[corner as usize]);
-                hits.push((t, *corners, (b - a).cross(c - a).dot(line.direction) < 0.0));
+                hits.push((t, *corners, (b - a).cross(c - a).dot(ray.direction) < 0.0));
             }
         }
         hits.sort_by(|a, b| a.0.total_cmp(&b.0));
@@ -235,53 +236,55 @@ pub fn odd_crossings(mesh: &Mesh, rays: usize, random: &mut Random) -> usize {
 }
 
 /// 10,000 rays at the mesh.
-fn tried(mesh: &Mesh, random: &mut Random) -> [Tally; 3] {
+fn tried(mesh: &ClosedMesh, rng: &mut SplitMix64) -> [HardCaseTally; 3] {
     const RAYS: usize = 10_000;
-    let double = |random: &mut Random| {
+    let double = |rng: &mut SplitMix64| {
         use strahl_core_double::geometry::Ray;
         use strahl_core_double::{Geometry, Shape};
         let shapes: Vec<Shape> = mesh.triangles.iter().copied().map(Shape::Triangle).collect();
         let geometry = Geometry { vertices: &mesh.points, shapes: &shapes, ..Geometry::EMPTY };
         let escapes = |_: &usize| {
-            let (line, near) = mesh.aim(random);
-            let ray = Ray::new(line.origin, line.direction);
+            let (ray, near) = mesh.aim(rng);
+            let core_ray = Ray::new(ray.origin, ray.direction);
             let is_met = |number: &u32| {
-                geometry.intersect::<DoubleTriangles>(&shapes[*number as usize], &ray).is_some()
+                geometry.intersect::<TriangleEffectsDouble>(&shapes[*number as usize], &core_ray).is_some()
             };
             !near.iter().any(is_met)
         };
         (0..RAYS).filter(escapes).count()
     };
-    let forms: Vec<Form> = mesh
+    let forms: Vec<TextbookShape> = mesh
         .triangles
         .iter()
         .map(|corners| {
-            Form::of(&Thing::Triangle { corners: corners.map(|corner| mesh.points[corner as usize]) })
+            TextbookShape::of(&TestShape::Triangle {
+                corners: corners.map(|corner| mesh.points[corner as usize]),
+            })
         })
         .collect();
-    let textbook = |random: &mut Random| {
+    let textbook = |rng: &mut SplitMix64| {
         let escapes = |_: &usize| {
-            let (line, near) = mesh.aim(random);
-            !near.iter().any(|number| forms[*number as usize].met(&line).is_some())
+            let (ray, near) = mesh.aim(rng);
+            !near.iter().any(|number| forms[*number as usize].met(&ray).is_some())
         };
         (0..RAYS).filter(escapes).count()
     };
     let each = |solver| {
-        let random = &mut random.clone();
+        let rng = &mut rng.clone();
         let faults = match solver {
-            Solver::Textbook => textbook(random),
-            Solver::Single => escapes(mesh, RAYS, random),
-            Solver::Double => double(random),
+            Solver::Textbook => textbook(rng),
+            Solver::Single => escapes(mesh, RAYS, rng),
+            Solver::Double => double(rng),
         };
-        Tally { rays: RAYS, unclear: 0, faults, worst: rounded(0.0) }
+        HardCaseTally { rays: RAYS, unclear: 0, faults, worst: rounded(0.0) }
     };
     Solver::ALL.map(each)
 }
 
 /// The same for the twin.
-struct DoubleTriangles;
+struct TriangleEffectsDouble;
 
-impl strahl_core_double::geometry::ShapeFeatures for DoubleTriangles {
+impl strahl_core_double::geometry::ShapeFeatures for TriangleEffectsDouble {
     const SHAPES: strahl_core_double::geometry::ShapeSet =
         strahl_core_double::geometry::ShapeSet::of(&[strahl_core_double::geometry::ShapeKind::Triangle]);
     const SMOOTH_SHADING: bool = false;

@@ -8,30 +8,30 @@
 
 mod bounds;
 mod case;
+mod curved;
 mod flat;
 mod lattice;
-mod leave;
 mod limits;
 mod mesh;
 mod optics;
 pub mod panels;
-mod round;
+mod ray_offset;
 pub mod table;
 mod terminator;
-mod walks;
+mod traversal;
 
-pub use case::{Case, Solver, Tally, ULP};
-pub use mesh::{Mesh, escapes, odd_crossings};
+pub use case::{HardCase, HardCaseTally, Solver, ULP};
+pub use mesh::{ClosedMesh, escapes, odd_crossings};
 
 /// All cases.
-pub fn cases() -> Vec<Case> {
-    let families: [&[Case]; 9] = [
-        &round::CASES,
+pub fn cases() -> Vec<HardCase> {
+    let families: [&[HardCase]; 9] = [
+        &curved::CASES,
         &flat::CASES,
         &mesh::CASES,
         &bounds::CASES,
-        &walks::CASES,
-        &leave::CASES,
+        &traversal::CASES,
+        &ray_offset::CASES,
         &terminator::CASES,
         &optics::CASES,
         &limits::CASES,

@@ -1,71 +1,72 @@
 //! Light at and beyond the critical angle.
 
-use super::case::{Case, Solver, Tally, ULP, aside, held, length};
+use super::case::{HardCase, HardCaseTally, Solver, ULP, as_f32, aside, length};
 use crate::textbook;
-use crate::vector::{Vector, vector};
-use crate::{Random, rounded};
+use crate::vector::{DVec3, dvec3};
+use crate::{SplitMix64, rounded};
 
-pub(super) const CASES: [Case; 2] = [
-    Case::own(
+pub(super) const CASES: [HardCase; 2] = [
+    HardCase::own(
         "refraction",
         "300 ulps to both sides of the critical angle",
         "the root of less than nothing",
         4.0,
-        |random| refracted(random, critical),
+        |rng| refracted(rng, critical),
     ),
-    Case::own("refraction", "any angle, in and out", "the root of less than nothing", 4.0, |random| {
-        refracted(random, any)
+    HardCase::own("refraction", "any angle, in and out", "the root of less than nothing", 4.0, |rng| {
+        refracted(rng, any)
     }),
 ];
 
 /// A sine near that of the critical angle, and any.
-fn critical(ratio: f64, random: &mut Random) -> f64 {
-    (1.0 + (f64::from(random.below(601)) - 300.0) * ULP) / ratio
+fn critical(ratio: f64, rng: &mut SplitMix64) -> f64 {
+    (1.0 + (f64::from(rng.below(601)) - 300.0) * ULP) / ratio
 }
 
-fn any(_: f64, random: &mut Random) -> f64 {
-    random.scale(1e-6, 1.0)
+fn any(_: f64, rng: &mut SplitMix64) -> f64 {
+    rng.log_between(1e-6, 1.0)
 }
 
 /// The answer of a solver.
 #[derive(Clone, Copy)]
-struct Refraction {
-    direction: Vector,
+struct RefractionAnswer {
+    direction: DVec3,
     mirrored: f64,
 }
 
-fn answer(solver: Solver, d: Vector, n: Vector, ratio: f64) -> Option<Refraction> {
-    let narrow = |v: Vector| strahl_core::vec3(v.x as f32, v.y as f32, v.z as f32);
-    let wide = |v: strahl_core::Vec3| vector(v.x.into(), v.y.into(), v.z.into());
+fn answer(solver: Solver, d: DVec3, n: DVec3, ratio: f64) -> Option<RefractionAnswer> {
+    let narrow = |v: DVec3| strahl_core::vec3(v.x as f32, v.y as f32, v.z as f32);
+    let wide = |v: strahl_core::Vec3| dvec3(v.x.into(), v.y.into(), v.z.into());
     match solver {
         Solver::Textbook => {
             let (direction, mirrored) = textbook::refracted(narrow(d), narrow(n), ratio as f32);
-            Some(Refraction { direction: wide(direction), mirrored: mirrored.into() })
+            Some(RefractionAnswer { direction: wide(direction), mirrored: mirrored.into() })
         }
         Solver::Single => strahl_core::shade::refract(narrow(d), narrow(n), ratio as f32)
-            .map(|out| Refraction { direction: wide(out.direction), mirrored: out.reflectance.into() }),
-        Solver::Double => strahl_core_double::shade::refract(d, n, ratio)
-            .map(|out| Refraction { direction: held(out.direction), mirrored: rounded(out.reflectance) }),
+            .map(|out| RefractionAnswer { direction: wide(out.direction), mirrored: out.reflectance.into() }),
+        Solver::Double => strahl_core_double::shade::refract(d, n, ratio).map(|out| RefractionAnswer {
+            direction: as_f32(out.direction),
+            mirrored: rounded(out.reflectance),
+        }),
     }
 }
 
 /// Light that comes in under an angle of the given sine: its direction, the normal, and the ratio
 /// of the indices.
-fn light(random: &mut Random, sine: fn(f64, &mut Random) -> f64) -> (Vector, Vector, f64) {
-    let ratio =
-        if random.below(4) == 0 { 1.0 / random.between(1.01, 2.5) } else { random.between(1.01, 2.5) };
+fn light(rng: &mut SplitMix64, sine: fn(f64, &mut SplitMix64) -> f64) -> (DVec3, DVec3, f64) {
+    let ratio = if rng.below(4) == 0 { 1.0 / rng.between(1.01, 2.5) } else { rng.between(1.01, 2.5) };
     let ratio = rounded(ratio);
-    let n = random.direction();
-    let sine = sine(ratio, random);
+    let n = rng.direction();
+    let sine = sine(ratio, rng);
     let cosine = (1.0 - (sine * sine).min(1.0)).sqrt();
-    (held(aside(n, random) * sine - n / length(n) * cosine), n, ratio)
+    (as_f32(aside(n, rng) * sine - n / length(n) * cosine), n, ratio)
 }
 
 /// Refracts light whose angle of incidence has the given sine, with each solver.
-fn refracted(random: &mut Random, sine: fn(f64, &mut Random) -> f64) -> [Tally; 3] {
-    let mut tallies = [Tally::default(); 3];
+fn refracted(rng: &mut SplitMix64, sine: fn(f64, &mut SplitMix64) -> f64) -> [HardCaseTally; 3] {
+    let mut tallies = [HardCaseTally::default(); 3];
     for _ in 0..20_000 {
-        let (d, n, ratio) = light(random, sine);
+        let (d, n, ratio) = light(rng, sine);
 
         // What is true of what the numbers are.
         let (unit_d, unit_n) = (d / length(d), n / length(n));
@@ -73,7 +74,7 @@ fn refracted(random: &mut Random, sine: fn(f64, &mut Random) -> f64) -> [Tally; 
         let flat = unit_d + unit_n * cos;
         let room = 1.0 - ratio * ratio * flat.dot(flat);
         let behind = room.max(0.0).sqrt();
-        let truth = Refraction {
+        let truth = RefractionAnswer {
             direction: flat * ratio - unit_n * behind,
             mirrored: {
                 let across = (ratio * cos - behind) / (ratio * cos + behind);
@@ -88,7 +89,7 @@ fn refracted(random: &mut Random, sine: fn(f64, &mut Random) -> f64) -> [Tally; 
             tally.unclear += usize::from(is_unclear);
             let is_right = match answer(solver, d, n, ratio) {
                 None => is_unclear || room < 0.0,
-                Some(Refraction { direction, mirrored }) => {
+                Some(RefractionAnswer { direction, mirrored }) => {
                     // What a rounding of both angles does to the cosine behind, and that to the share.
                     let bent = 1.0 + (1.0 + ratio * ratio * cos) / behind;
                     let sum = ratio * cos + behind;

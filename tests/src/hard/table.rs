@@ -3,7 +3,7 @@
 use std::fmt::Write;
 use std::path::{Path, PathBuf};
 
-use super::case::{Case, Tally};
+use super::case::{HardCase, HardCaseTally};
 
 /// The paths of the report and of its picture.
 pub fn report() -> (PathBuf, PathBuf) {
@@ -12,18 +12,18 @@ pub fn report() -> (PathBuf, PathBuf) {
 }
 
 /// The whole report. Two runs give the same text.
-pub fn text(outcomes: &[(Case, [Tally; 3])]) -> String {
+pub fn text(outcomes: &[(HardCase, [HardCaseTally; 3])]) -> String {
     format!("{HEAD}\n{}{REST}", figures(outcomes))
 }
 
 /// The part of the report that the cases determine.
-pub fn figures(outcomes: &[(Case, [Tally; 3])]) -> String {
+pub fn figures(outcomes: &[(HardCase, [HardCaseTally; 3])]) -> String {
     format!("{}\n{}", sum(outcomes), table(outcomes))
 }
 
 /// All cases in a sentence.
-fn sum(outcomes: &[(Case, [Tally; 3])]) -> String {
-    let of = |count: fn(&[Tally; 3]) -> usize| -> usize {
+fn sum(outcomes: &[(HardCase, [HardCaseTally; 3])]) -> String {
+    let of = |count: fn(&[HardCaseTally; 3]) -> usize| -> usize {
         outcomes.iter().map(|(_, tallies)| count(tallies)).sum()
     };
     let rays = of(|[_, single, _]| single.rays);
@@ -36,7 +36,7 @@ fn sum(outcomes: &[(Case, [Tally; 3])]) -> String {
     )
 }
 
-fn table(outcomes: &[(Case, [Tally; 3])]) -> String {
+fn table(outcomes: &[(HardCase, [HardCaseTally; 3])]) -> String {
     let mut text = String::new();
     let mut line = |line: std::fmt::Arguments| writeln!(text, "{line}").unwrap();
     line(format_args!(
@@ -98,7 +98,7 @@ close to a silhouette or an edge that either answer is right.*
 - *Faults*: hit for miss, miss for hit, a distance or a normal outside the bound, a normal that is not of
   unit length, a NaN.
 - *Error*: of the distance and of the normal, in units in the last place times the conditioning, which is that
-  largest difference over the cosine between ray and normal, plus the distance. For rays that leave a surface (*leaving*)
+  largest difference over the cosine between ray and normal, plus the distance. For rays that offset_origin a surface (*leaving*)
   it is how far they start from it, in units in the last place of its coordinates and its size; a fault is a ray that
   hits the surface again, or starts farther away than the bound. For refraction the conditioning is that of the square
   root at the critical angle.
@@ -125,7 +125,7 @@ Each is tested by `cargo test -p strahl-tests --test` and the words in parenthes
 
 - *Accelerators agree* (`hard_cases accelerators`): for every hard ray, grid, octree and BVH (with a
   stack, with a heap, and with a stack and a heap of capacity 0) find what the list finds, to the last bit.
-- *Every pixel is finite* (`hard_cases pixels`): in random scenes 1e-6 to 1e6 in size, with materials, lights and
+- *Every pixel is finite* (`hard_cases pixels`): in rng scenes 1e-6 to 1e6 in size, with materials, lights and
   cameras as extreme as the public API permits, with every sampler. A ray with NaN or infinity tests no bounds and no shape.
 - *Scale* (`hard_cases scale`): times 2^k, k from -20 to 20, the picture is the same, bit for bit.
 - *Mirrored scenes* (`hard_cases scale`) have the mirrored hits, bit for bit, except at the edges of polygons: an edge

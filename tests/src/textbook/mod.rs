@@ -7,16 +7,16 @@
 // These are not the core: a root by whatever way is the same root.
 #![allow(clippy::disallowed_methods)]
 
-pub mod walks;
+pub mod accelerators;
 
 use strahl_core::Vec3;
 
-use crate::thing::{Line, Thing};
-use crate::vector::{Vector, area, unit};
+use crate::test_shape::{TestRay, TestShape};
+use crate::vector::{DVec3, area, unit};
 
 /// What the textbook finds of a thing.
 #[derive(Clone, Copy, Debug)]
-pub struct Met {
+pub struct TextbookHit {
     /// How far, in lengths of the ray's direction.
     pub t: f32,
     /// The normal there.
@@ -29,14 +29,14 @@ const EPSILON: f32 = 1e-6;
 /// How far a ray is moved off the surface that it leaves, in scene lengths.
 pub const OFFSET: f32 = 1e-4;
 
-fn narrow(v: Vector) -> Vec3 {
+fn narrow(v: DVec3) -> Vec3 {
     Vec3::new(v.x as f32, v.y as f32, v.z as f32)
 }
 
 /// A thing as a textbook would keep it: with what can be computed beforehand.
 #[derive(Clone, Debug)]
-#[allow(missing_docs)] // as in `Thing`
-pub enum Form {
+#[allow(missing_docs)] // as in `TestShape`
+pub enum TextbookShape {
     Sphere {
         center: Vec3,
         radius: f32,
@@ -86,42 +86,42 @@ pub enum Form {
     },
 }
 
-impl Form {
+impl TextbookShape {
     /// The form of a thing.
-    pub fn of(thing: &Thing) -> Form {
-        match thing {
-            Thing::Sphere { center, radius } => {
-                Form::Sphere { center: narrow(*center), radius: *radius as f32 }
+    pub fn of(shape: &TestShape) -> TextbookShape {
+        match shape {
+            TestShape::Sphere { center, radius } => {
+                TextbookShape::Sphere { center: narrow(*center), radius: *radius as f32 }
             }
-            Thing::Plane { point, normal } => {
+            TestShape::Plane { point, normal } => {
                 let normal = narrow(*normal).normalize();
-                Form::Plane { normal, d: normal.dot(narrow(*point)) }
+                TextbookShape::Plane { normal, d: normal.dot(narrow(*point)) }
             }
-            Thing::Disc { center, normal, radius } => {
+            TestShape::Disc { center, normal, radius } => {
                 let (center, normal) = (narrow(*center), narrow(*normal).normalize());
-                Form::Disc { center, normal, d: normal.dot(center), radius: *radius as f32 }
+                TextbookShape::Disc { center, normal, d: normal.dot(center), radius: *radius as f32 }
             }
-            Thing::Triangle { corners } | Thing::SmoothTriangle { corners, .. } => {
-                Form::Triangle { corners: corners.map(narrow) }
+            TestShape::Triangle { corners } | TestShape::SmoothTriangle { corners, .. } => {
+                TextbookShape::Triangle { corners: corners.map(narrow) }
             }
-            Thing::Polygon { corners } | Thing::SmoothPolygon { corners, .. } => {
+            TestShape::Polygon { corners } | TestShape::SmoothPolygon { corners, .. } => {
                 let normal = narrow(unit(area(corners)));
                 let corners: Vec<Vec3> = corners.iter().copied().map(narrow).collect();
                 let d = normal.dot(corners[0]);
-                Form::Polygon { corners, normal, d }
+                TextbookShape::Polygon { corners, normal, d }
             }
-            Thing::Cuboid { min, max } => Form::Cuboid { min: narrow(*min), max: narrow(*max) },
-            Thing::OrientedCuboid { center, half, first, third } => {
+            TestShape::Cuboid { min, max } => TextbookShape::Cuboid { min: narrow(*min), max: narrow(*max) },
+            TestShape::OrientedCuboid { center, half, first, third } => {
                 let z = narrow(*third).normalize();
                 let y = z.cross(narrow(*first)).normalize();
                 let axes = [y.cross(z), y, z];
                 let center = narrow(*center);
-                Form::OrientedCuboid { center: turned(center, &axes), half: narrow(*half), axes }
+                TextbookShape::OrientedCuboid { center: turned(center, &axes), half: narrow(*half), axes }
             }
-            Thing::Cone { base, base_radius, end, end_radius, capped } => {
+            TestShape::Cone { base, base_radius, end, end_radius, capped } => {
                 let (base, end) = (narrow(*base), narrow(*end));
                 let height = (end - base).length();
-                Form::Cone {
+                TextbookShape::Cone {
                     base,
                     axis: (end - base) / height,
                     height,
@@ -130,7 +130,7 @@ impl Form {
                     capped: *capped,
                 }
             }
-            Thing::Torus { center, axis, major, minor } => Form::Torus {
+            TestShape::Torus { center, axis, major, minor } => TextbookShape::Torus {
                 center: narrow(*center),
                 axis: narrow(*axis).normalize(),
                 major: *major as f32,
@@ -140,8 +140,8 @@ impl Form {
     }
 
     /// Where a ray meets it.
-    pub fn met(&self, line: &Line) -> Option<Met> {
-        self.hit(narrow(line.origin), narrow(line.direction))
+    pub fn met(&self, ray: &TestRay) -> Option<TextbookHit> {
+        self.hit(narrow(ray.origin), narrow(ray.direction))
     }
 
     /// How far away the ray from `o` along `d` meets it.
@@ -151,32 +151,34 @@ impl Form {
 
     /// Where the ray from `o` along `d` meets it.
     #[inline]
-    fn hit(&self, o: Vec3, d: Vec3) -> Option<Met> {
+    fn hit(&self, o: Vec3, d: Vec3) -> Option<TextbookHit> {
         match self {
-            Form::Sphere { center, radius } => sphere(*center, *radius, o, d),
-            Form::Plane { normal, d: level } => {
-                plane(*normal, *level, o, d).map(|t| Met { t, normal: *normal })
+            TextbookShape::Sphere { center, radius } => sphere(*center, *radius, o, d),
+            TextbookShape::Plane { normal, d: level } => {
+                plane(*normal, *level, o, d).map(|t| TextbookHit { t, normal: *normal })
             }
-            Form::Disc { center, normal, d: level, radius } => {
+            TextbookShape::Disc { center, normal, d: level, radius } => {
                 let t = plane(*normal, *level, o, d)?;
                 let away = o + d * t - *center;
-                (away.dot(away) <= radius * radius).then_some(Met { t, normal: *normal })
+                (away.dot(away) <= radius * radius).then_some(TextbookHit { t, normal: *normal })
             }
-            Form::Triangle { corners } => triangle(corners, o, d),
-            Form::Polygon { corners, normal, d: level } => {
+            TextbookShape::Triangle { corners } => triangle(corners, o, d),
+            TextbookShape::Polygon { corners, normal, d: level } => {
                 let t = plane(*normal, *level, o, d)?;
-                is_inside(corners, *normal, o + d * t).then_some(Met { t, normal: *normal })
+                is_inside(corners, *normal, o + d * t).then_some(TextbookHit { t, normal: *normal })
             }
-            Form::Cuboid { min, max } => cuboid(*min, *max, o, d),
-            Form::OrientedCuboid { center, half, axes } => {
+            TextbookShape::Cuboid { min, max } => cuboid(*min, *max, o, d),
+            TextbookShape::OrientedCuboid { center, half, axes } => {
                 let met = cuboid(*center - *half, *center + *half, turned(o, axes), turned(d, axes))?;
                 let n = met.normal;
-                Some(Met { t: met.t, normal: axes[0] * n.x + axes[1] * n.y + axes[2] * n.z })
+                Some(TextbookHit { t: met.t, normal: axes[0] * n.x + axes[1] * n.y + axes[2] * n.z })
             }
-            Form::Cone { base, axis, height, base_radius, end_radius, capped } => {
+            TextbookShape::Cone { base, axis, height, base_radius, end_radius, capped } => {
                 cone(*base, *axis, *height, *base_radius, *end_radius, *capped, o, d)
             }
-            Form::Torus { center, axis, major, minor } => torus(*center, *axis, *major, *minor, o, d),
+            TextbookShape::Torus { center, axis, major, minor } => {
+                torus(*center, *axis, *major, *minor, o, d)
+            }
         }
     }
 }
@@ -195,11 +197,11 @@ fn quadratic(a: f32, b: f32, c: f32) -> Option<[f32; 2]> {
     Some(if x < y { [x, y] } else { [y, x] })
 }
 
-fn sphere(center: Vec3, radius: f32, o: Vec3, d: Vec3) -> Option<Met> {
+fn sphere(center: Vec3, radius: f32, o: Vec3, d: Vec3) -> Option<TextbookHit> {
     let p = o - center;
     let t =
         quadratic(d.dot(d), 2.0 * p.dot(d), p.dot(p) - radius * radius)?.into_iter().find(|t| *t > 0.0)?;
-    Some(Met { t, normal: (o + d * t - center) / radius })
+    Some(TextbookHit { t, normal: (o + d * t - center) / radius })
 }
 
 fn plane(normal: Vec3, level: f32, o: Vec3, d: Vec3) -> Option<f32> {
@@ -212,7 +214,7 @@ fn plane(normal: Vec3, level: f32, o: Vec3, d: Vec3) -> Option<f32> {
 }
 
 /// "Fast, Minimum Storage Ray/Triangle Intersection", Moeller, Trumbore 1997.
-fn triangle([a, b, c]: &[Vec3; 3], o: Vec3, d: Vec3) -> Option<Met> {
+fn triangle([a, b, c]: &[Vec3; 3], o: Vec3, d: Vec3) -> Option<TextbookHit> {
     let (e, f) = (*b - *a, *c - *a);
     let p = d.cross(f);
     let determinant = e.dot(p);
@@ -227,7 +229,7 @@ fn triangle([a, b, c]: &[Vec3; 3], o: Vec3, d: Vec3) -> Option<Met> {
         return None;
     }
     let t = f.dot(q) / determinant;
-    (t > 0.0).then_some(Met { t, normal: e.cross(f).normalize() })
+    (t > 0.0).then_some(TextbookHit { t, normal: e.cross(f).normalize() })
 }
 
 /// Counts the edges that a line to the right crosses, both ends of an edge included.
@@ -257,7 +259,7 @@ fn is_inside(corners: &[Vec3], normal: Vec3, p: Vec3) -> bool {
 
 /// "Efficiency Issues for Ray Tracing", Smits 1998: the order of the walls by the sign of the
 /// direction.
-fn cuboid(min: Vec3, max: Vec3, o: Vec3, d: Vec3) -> Option<Met> {
+fn cuboid(min: Vec3, max: Vec3, o: Vec3, d: Vec3) -> Option<TextbookHit> {
     let (mut near, mut far) = (f32::NEG_INFINITY, f32::INFINITY);
     let (mut in_axis, mut out_axis) = (0, 0);
     for axis in 0..3 {
@@ -282,7 +284,7 @@ fn cuboid(min: Vec3, max: Vec3, o: Vec3, d: Vec3) -> Option<Met> {
         normal[out_axis] = d[out_axis].signum();
         far
     };
-    Some(Met { t, normal })
+    Some(TextbookHit { t, normal })
 }
 
 /// Whether a ray meets a box: the order of the walls by the sign of the direction, and each
@@ -308,7 +310,7 @@ fn cone(
     capped: bool,
     o: Vec3,
     d: Vec3,
-) -> Option<Met> {
+) -> Option<TextbookHit> {
     let p = o - base;
     let (z, dz) = (p.dot(axis), d.dot(axis));
     let (q, dq) = (p - axis * z, d - axis * dz);
@@ -317,8 +319,8 @@ fn cone(
     let a = dq.dot(dq) - slope * slope * dz * dz;
     let b = 2.0 * (q.dot(dq) - slope * dz * radius);
     let c = q.dot(q) - radius * radius;
-    let mut best: Option<Met> = None;
-    let mut offer = |met: Met| {
+    let mut best: Option<TextbookHit> = None;
+    let mut offer = |met: TextbookHit| {
         if met.t > 0.0 && best.is_none_or(|best| met.t < best.t) {
             best = Some(met);
         }
@@ -326,7 +328,7 @@ fn cone(
     for t in quadratic(a, b, c).into_iter().flatten() {
         let at = z + dz * t;
         if at >= 0.0 && at <= height {
-            offer(Met { t, normal: ((q + dq * t).normalize() - axis * slope).normalize() });
+            offer(TextbookHit { t, normal: ((q + dq * t).normalize() - axis * slope).normalize() });
         }
     }
     if capped {
@@ -334,7 +336,7 @@ fn cone(
             let t = (at - z) / dz;
             let r = q + dq * t;
             if r.dot(r) <= radius * radius {
-                offer(Met { t, normal });
+                offer(TextbookHit { t, normal });
             }
         }
     }
@@ -343,7 +345,7 @@ fn cone(
 
 /// The quartic in the distance from the ray's origin, by Ferrari's and Cardano's formulas
 /// (Graphics Gems, Schwarze 1990).
-fn torus(center: Vec3, axis: Vec3, major: f32, minor: f32, o: Vec3, d: Vec3) -> Option<Met> {
+fn torus(center: Vec3, axis: Vec3, major: f32, minor: f32, o: Vec3, d: Vec3) -> Option<TextbookHit> {
     let speed = d.length();
     let (p, d) = (o - center, d / speed);
     let (z, dz) = (p.dot(axis), d.dot(axis));
@@ -360,7 +362,7 @@ fn torus(center: Vec3, axis: Vec3, major: f32, minor: f32, o: Vec3, d: Vec3) -> 
     .reduce(f32::min)?;
     let at = p + d * t;
     let ring = (at - axis * at.dot(axis)).normalize() * major;
-    Some(Met { t: t / speed, normal: (at - ring).normalize() })
+    Some(TextbookHit { t: t / speed, normal: (at - ring).normalize() })
 }
 
 /// The real roots of `x^4 + a x^3 + b x^2 + c x + d`.
@@ -400,7 +402,7 @@ fn resolvent(a: f32, b: f32, c: f32) -> f32 {
 }
 
 /// Where a ray starts that leaves a surface to the side of `normal`.
-pub fn leave(point: Vec3, normal: Vec3) -> Vec3 {
+pub fn offset_origin(point: Vec3, normal: Vec3) -> Vec3 {
     point + normal * OFFSET
 }
 

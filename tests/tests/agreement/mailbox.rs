@@ -5,37 +5,42 @@ use strahl_core::accel::{Accelerator, Grid, GridSize, Octree, OctreeLimits, Octr
 use strahl_core::geometry::{Hit, ItemId, Ray};
 use strahl_core::tally::{Counters, RayKind};
 use strahl_core::{AllEffects, Real, Vec3, World, vec3};
-use strahl_tests::single::Stage;
+use strahl_tests::single::TestScene;
 
 /// A long needle of a box across the whole scene, to be hit far from where it is first offered; a
 /// small sphere before that hit; corners of the scene, so that there are many regions.
-fn needle_and_sphere() -> Stage {
-    let mut stage = Stage::new();
+fn needle_and_sphere() -> TestScene {
+    let mut scene = TestScene::new();
     // Number 0 fills a triangle from one end of the scene to the other: its box is all of it.
-    stage.triangle([vec3(-8.0, -8.0, 6.0), vec3(8.0, -8.0, 6.0), vec3(-8.0, 8.0, -6.0)]);
-    stage.sphere(vec3(-4.0, -4.0, 5.0), 0.5);
+    scene.triangle([vec3(-8.0, -8.0, 6.0), vec3(8.0, -8.0, 6.0), vec3(-8.0, 8.0, -6.0)]);
+    scene.sphere(vec3(-4.0, -4.0, 5.0), 0.5);
     for i in 0..64 {
         let (x, y, z) = ((i % 4) as Real, (i / 4 % 4) as Real, (i / 16) as Real);
-        stage.sphere(vec3(x, y, z) * 5.0 - 7.5, 0.01);
+        scene.sphere(vec3(x, y, z) * 5.0 - 7.5, 0.01);
     }
-    stage
+    scene
 }
 
 /// What a ray meets with all mailboxes, and the work with each.
-fn met(stage: &Stage, ray: &Ray, reach: Real) -> (Option<Hit>, Vec<Counters>) {
-    fn ask<A: Accelerator>(stage: &Stage, accelerator: A, ray: &Ray, reach: Real) -> (Option<Hit>, Counters) {
+fn met(scene: &TestScene, ray: &Ray, t_max: Real) -> (Option<Hit>, Vec<Counters>) {
+    fn ask<A: Accelerator>(
+        scene: &TestScene,
+        accelerator: A,
+        ray: &Ray,
+        t_max: Real,
+    ) -> (Option<Hit>, Counters) {
         let mut counters = Counters::new();
-        let world = World::new(stage.scene(), accelerator);
+        let world = World::new(scene.as_scene(), accelerator);
         let hit = world.nearest::<AllEffects, _>(
             ray,
-            reach,
+            t_max,
             RayKind::Camera,
             &mut A::Scratch::default(),
             &mut counters,
         );
         (hit, counters)
     }
-    let boxes = stage.bounds();
+    let boxes = scene.bounds();
     let room = GridSize::recommended(&boxes);
     let (mut cells, mut items) = (vec![0; room.cells], vec![0; room.entries]);
     let grid = Grid::<0>::build(&boxes, &mut cells, &mut items).unwrap().without_item_bounds();
@@ -50,12 +55,12 @@ fn met(stage: &Stage, ray: &Ray, reach: Real) -> (Option<Hit>, Vec<Counters>) {
         octree.occupied_leaf_count()
     );
     let answers = [
-        ask(stage, grid, ray, reach),
-        ask(stage, grid.with_mailbox::<1>(), ray, reach),
-        ask(stage, grid.with_mailbox::<64>(), ray, reach),
-        ask(stage, octree, ray, reach),
-        ask(stage, octree.with_mailbox::<1>(), ray, reach),
-        ask(stage, octree.with_mailbox::<64>(), ray, reach),
+        ask(scene, grid, ray, t_max),
+        ask(scene, grid.with_mailbox::<1>(), ray, t_max),
+        ask(scene, grid.with_mailbox::<64>(), ray, t_max),
+        ask(scene, octree, ray, t_max),
+        ask(scene, octree.with_mailbox::<1>(), ray, t_max),
+        ask(scene, octree.with_mailbox::<64>(), ray, t_max),
     ];
     let hit = answers[0].0;
     assert!(answers.iter().all(|(other, _)| *other == hit), "{answers:?}");
@@ -64,23 +69,23 @@ fn met(stage: &Stage, ray: &Ray, reach: Real) -> (Option<Hit>, Vec<Counters>) {
 
 #[test]
 fn a_hit_beyond_the_region_that_offers_it_does_not_hide_what_lies_before_it() {
-    let stage = needle_and_sphere();
+    let scene = needle_and_sphere();
     // Along x at first it is in regions of the triangle only; it meets the triangle after the sphere.
     let ray = Ray::new(vec3(-4.0, -4.0, 9.0), vec3(0.0, 0.0, -1.0));
-    let (hit, _) = met(&stage, &ray, Real::MAX);
+    let (hit, _) = met(&scene, &ray, Real::MAX);
     assert_eq!(hit, Some(Hit { t: 3.5, item: ItemId(1) }));
     let beside = Ray::new(vec3(-4.0, -5.0, 9.0), vec3(0.0, 0.0, -1.0));
-    assert!(met(&stage, &beside, Real::MAX).0.is_some_and(|hit| hit.item == ItemId(0) && hit.t > 4.0));
+    assert!(met(&scene, &beside, Real::MAX).0.is_some_and(|hit| hit.item == ItemId(0) && hit.t > 4.0));
 }
 
 #[test]
 fn a_hit_beyond_the_region_that_offers_it_is_not_lost_when_the_mailbox_leaves_it_out_later() {
-    let stage = needle_and_sphere();
+    let scene = needle_and_sphere();
     let start = vec3(-7.9, -7.0, -5.5);
     // It runs under the triangle for a long way: offered in the first region, hit in one of the last.
     let target = vec3(2.0, -7.0, 5.25);
     let ray = Ray::new(start, target - start);
-    let (hit, counters) = met(&stage, &ray, Real::MAX);
+    let (hit, counters) = met(&scene, &ray, Real::MAX);
     assert!(hit.is_some_and(|hit| hit.item == ItemId(0) && (hit.t - 1.0).abs() < 1e-5), "{hit:?}");
     for (with, without) in [(2, 0), (5, 3)] {
         let (with, without) = (&counters[with], &counters[without]);
@@ -95,7 +100,7 @@ fn a_hit_beyond_the_region_that_offers_it_is_not_lost_when_the_mailbox_leaves_it
         assert_eq!(with.leaf_visits[kind], without.leaf_visits[kind], "the walk is the same");
     }
     // And when the hit is out of reach it is no hit, wherever it was offered.
-    assert_eq!(met(&stage, &ray, hit.unwrap().t.next_down()).0, None);
-    assert_eq!(met(&stage, &ray, hit.unwrap().t).0, hit);
-    assert_eq!(met(&stage, &Ray::new(Vec3::splat(20.0), Vec3::ONE), Real::MAX).0, None);
+    assert_eq!(met(&scene, &ray, hit.unwrap().t.next_down()).0, None);
+    assert_eq!(met(&scene, &ray, hit.unwrap().t).0, hit);
+    assert_eq!(met(&scene, &Ray::new(Vec3::splat(20.0), Vec3::ONE), Real::MAX).0, None);
 }

@@ -1,29 +1,29 @@
 //! Every way of finding gives the same answer, to the last bit.
 
-mod hold;
-mod lent;
+mod buffers;
+mod check;
 mod mailbox;
 mod scenes;
 
 use std::ops::ControlFlow;
 
-use hold::{Case, Hold, blocker, nearest};
+use check::{AcceleratorCheck, QueryCase, nearest, occluder};
 use strahl_core::accel::{
     Accelerator, Buffer, BuildError, BvhSize, GridSize, List, OctreeSize, Query, group_count,
 };
 use strahl_core::geometry::{Aabb, BoundingSphere, Hit, ItemId, Ray};
 use strahl_core::tally::{Counters, RayKind};
 use strahl_core::{AllEffects, Real, Vec3, World, vec3};
-use strahl_tests::single::Stage;
-use strahl_tests::{Kind, Random, Thing, Vector, vector};
+use strahl_tests::single::TestScene;
+use strahl_tests::{DVec3, SplitMix64, TestShape, TestShapeKind, dvec3};
 
 const SEED: u64 = 0x5eed_0003;
 
 /// Offers the items in any order that it is told, some of them more than once.
 #[derive(Clone, Debug)]
-struct Offered(Vec<u32>);
+struct PermutedList(Vec<u32>);
 
-impl Accelerator for Offered {
+impl Accelerator for PermutedList {
     type Scratch = ();
 
     fn traverse<Q: Query>(&self, _: &Ray, _: &mut (), query: &mut Q) {
@@ -32,85 +32,85 @@ impl Accelerator for Offered {
     }
 }
 
-impl Offered {
+impl PermutedList {
     /// All items in some order, and a few of them again.
-    fn any(items: u32, random: &mut Random) -> Self {
+    fn any(items: u32, rng: &mut SplitMix64) -> Self {
         let mut order: Vec<u32> = (0..items).collect();
         for i in (1..order.len()).rev() {
-            order.swap(i, random.below(i as u32 + 1) as usize);
+            order.swap(i, rng.below(i as u32 + 1) as usize);
         }
         for _ in 0..items / 4 {
-            order.push(random.below(items));
+            order.push(rng.below(items));
         }
-        Offered(order)
+        PermutedList(order)
     }
 }
 
 /// Holds every way of finding against the bare list; answers how many hits there were.
-fn all_agree(stage: &Stage, rays: &[Ray], random: &mut Random) -> usize {
+fn all_agree(scene: &TestScene, rays: &[Ray], rng: &mut SplitMix64) -> usize {
     // The scenes of a test do not depend on how many numbers are taken here.
-    let random = &mut Random::new(random.bits());
-    let bare = World::new(stage.scene(), List::without_bounds(stage.item_count()));
-    let hold = Hold::new(stage, rays, random);
-    let Hold { boxes, cases, .. } = &hold;
+    let rng = &mut SplitMix64::new(rng.bits());
+    let bare = World::new(scene.as_scene(), List::without_bounds(scene.item_count()));
+    let check = AcceleratorCheck::new(scene, rays, rng);
+    let AcceleratorCheck { boxes, cases, .. } = &check;
 
     let mut groups = vec![Aabb::EMPTY; group_count(boxes.len())];
     let boxed = List::with_boxes(boxes, &mut groups).unwrap();
-    hold.against("with boxes", boxed);
+    check.check("with boxes", boxed);
     let (mut balls, mut round) =
         (vec![BoundingSphere::EMPTY; boxes.len()], vec![BoundingSphere::EMPTY; group_count(boxes.len())]);
-    hold.against("with balls", List::with_spheres(boxes, &mut balls, &mut round).unwrap());
-    hold.against("in another order", Offered::any(stage.item_count(), random));
+    check.check("with balls", List::with_spheres(boxes, &mut balls, &mut round).unwrap());
+    check.check("in another order", PermutedList::any(scene.item_count(), rng));
 
     // Any memory from the floor upwards.
     let nodes = BvhSize::recommended(boxes.len()).nodes;
-    hold.against_hierarchy(if nodes == 0 { 0 } else { 1 + rays.len() % nodes });
+    check.check_bvh(if nodes == 0 { 0 } else { 1 + rays.len() % nodes });
     let items = boxes.iter().filter(|aabb| **aabb != Aabb::EMPTY).count();
     let (grid, octree) = (GridSize::recommended(boxes), OctreeSize::recommended(boxes.len()));
-    hold.against_subdivisions::<64>(grid, octree);
-    hold.against_subdivisions::<0>(
+    check.check_grid_and_octree::<64>(grid, octree);
+    check.check_grid_and_octree::<0>(
         GridSize { cells: 2, entries: items },
         OctreeSize { nodes: 1, entries: items },
     );
-    let mut any = |floor: usize, most: usize| floor + random.below((most - floor + 1) as u32) as usize;
-    hold.against_subdivisions::<1>(
+    let mut any = |floor: usize, most: usize| floor + rng.below((most - floor + 1) as u32) as usize;
+    check.check_grid_and_octree::<1>(
         GridSize { cells: any(2, grid.cells), entries: any(items, grid.entries) },
         OctreeSize { nodes: any(1, octree.nodes), entries: any(items, octree.entries) },
     );
-    hold.against_subdivisions::<8>(
+    check.check_grid_and_octree::<8>(
         GridSize { cells: grid.cells, entries: any(items, grid.entries) },
         OctreeSize { nodes: octree.nodes, entries: any(items, octree.entries) },
     );
 
-    let boxed = World::new(stage.scene(), boxed);
-    for Case { ray, reach, truth } in cases {
-        assert_eq!(blocker(&boxed, ray, *reach), blocker(&bare, ray, *reach), "{ray:?} {reach}");
-        if *reach == Real::INFINITY
-            && let Some((_, bits)) = truth.hit
+    let boxed = World::new(scene.as_scene(), boxed);
+    for QueryCase { ray, t_max, expected } in cases {
+        assert_eq!(occluder(&boxed, ray, *t_max), occluder(&bare, ray, *t_max), "{ray:?} {t_max}");
+        if *t_max == Real::INFINITY
+            && let Some((_, bits)) = expected.hit
         {
             let before = nearest(&bare, ray, Real::from_bits(bits).next_down());
             assert_eq!(before, None, "nearer than the nearest: {ray:?}");
         }
     }
-    hold.hits()
+    check.hits()
 }
 
-fn narrow(v: Vector) -> Vec3 {
+fn narrow(v: DVec3) -> Vec3 {
     vec3(v.x as Real, v.y as Real, v.z as Real)
 }
 
 /// A ray through the ball of `radius` round the origin, of any length; one in four along an
 /// axis, and some with zeros of both signs.
-fn random_ray(radius: f64, random: &mut Random) -> Ray {
-    let origin = random.near(Vector::ZERO, 2.0 * radius);
-    let target = random.near(Vector::ZERO, radius);
-    let mut way = (target - origin) * random.scale(0.01, 100.0);
-    if random.below(4) == 0 {
-        let zero = [0.0, -0.0][random.below(2) as usize];
-        match random.below(6) {
-            0 => way = vector(way.x, zero, -zero),
-            1 => way = vector(zero, way.y, zero),
-            2 => way = vector(-zero, zero, way.z),
+fn random_ray(radius: f64, rng: &mut SplitMix64) -> Ray {
+    let origin = rng.in_ball(DVec3::ZERO, 2.0 * radius);
+    let target = rng.in_ball(DVec3::ZERO, radius);
+    let mut way = (target - origin) * rng.log_between(0.01, 100.0);
+    if rng.below(4) == 0 {
+        let zero = [0.0, -0.0][rng.below(2) as usize];
+        match rng.below(6) {
+            0 => way = dvec3(way.x, zero, -zero),
+            1 => way = dvec3(zero, way.y, zero),
+            2 => way = dvec3(-zero, zero, way.z),
             3 => way.x = zero,
             4 => way.y = zero,
             _ => way.z = zero,
@@ -119,53 +119,53 @@ fn random_ray(radius: f64, random: &mut Random) -> Ray {
     Ray::new(narrow(origin), narrow(way))
 }
 
-fn random_stage(items: u32, random: &mut Random) -> Stage {
-    let mut stage = Stage::new();
+fn random_scene(items: u32, rng: &mut SplitMix64) -> TestScene {
+    let mut scene = TestScene::new();
     for _ in 0..items {
         // A plane would hide too much if there were many.
         let kind = loop {
-            let kind = Kind::ALL[random.below(Kind::ALL.len() as u32) as usize];
-            if kind != Kind::Plane || random.below(8) == 0 {
+            let kind = TestShapeKind::ALL[rng.below(TestShapeKind::ALL.len() as u32) as usize];
+            if kind != TestShapeKind::Plane || rng.below(8) == 0 {
                 break kind;
             }
         };
-        let place = random.near(Vector::ZERO, 8.0);
-        let size = random.scale(0.1, 3.0);
-        stage.thing(&Thing::random(kind, place, size, random));
+        let place = rng.in_ball(DVec3::ZERO, 8.0);
+        let size = rng.log_between(0.1, 3.0);
+        scene.add_shape(&TestShape::random(kind, place, size, rng));
     }
-    stage
+    scene
 }
 
 /// The same at some time, often at one of the ends.
-fn timed_ray(radius: f64, random: &mut Random) -> Ray {
-    let time = [0.0, 1.0, 0.5, random.unit() as Real][random.below(4) as usize];
-    random_ray(radius, random).with_time(time)
+fn timed_ray(radius: f64, rng: &mut SplitMix64) -> Ray {
+    let time = [0.0, 1.0, 0.5, rng.unit() as Real][rng.below(4) as usize];
+    random_ray(radius, rng).with_time(time)
 }
 
-/// Random things, and every third of them moves: not at all, along an axis, anywhere.
-fn moving_stage(items: u32, random: &mut Random) -> Stage {
-    let mut stage = random_stage(items, random);
+/// SplitMix64 things, and every third of them moves: not at all, along an axis, anywhere.
+fn moving_scene(items: u32, rng: &mut SplitMix64) -> TestScene {
+    let mut scene = random_scene(items, rng);
     for item in (0..items).filter(|item| item % 3 == 0) {
-        let mut way = || narrow(random.near(Vector::ZERO, 3.0));
+        let mut way = || narrow(rng.in_ball(DVec3::ZERO, 3.0));
         let (opening, closing) = match item % 4 {
             0 => (Vec3::ZERO, Vec3::ZERO),
             1 => (Vec3::ZERO, Vec3::X * way().x),
             _ => (way(), way()),
         };
-        stage.set_motion(ItemId(item), opening, closing);
+        scene.set_motion(ItemId(item), opening, closing);
     }
-    stage
+    scene
 }
 
 #[test]
 fn things_that_move_are_found_at_their_time_by_every_accelerator() {
-    let mut random = Random::new(SEED + 10);
+    let mut rng = SplitMix64::new(SEED + 10);
     let mut hits = 0;
     for _ in 0..30 {
-        let items = 1 + random.below(70);
-        let stage = moving_stage(items, &mut random);
-        let rays: Vec<Ray> = (0..250).map(|_| timed_ray(9.0, &mut random)).collect();
-        hits += all_agree(&stage, &rays, &mut random);
+        let items = 1 + rng.below(70);
+        let scene = moving_scene(items, &mut rng);
+        let rays: Vec<Ray> = (0..250).map(|_| timed_ray(9.0, &mut rng)).collect();
+        hits += all_agree(&scene, &rays, &mut rng);
     }
     assert!(hits > 2_500 && hits < 7_500, "{hits}");
 }
@@ -173,30 +173,30 @@ fn things_that_move_are_found_at_their_time_by_every_accelerator() {
 #[test]
 fn a_thing_that_moves_is_met_like_one_that_stands_where_it_is() {
     // Coordinates in sixteenths, so that moving it rounds nothing.
-    let mut random = Random::new(SEED + 11);
+    let mut rng = SplitMix64::new(SEED + 11);
     let exact = |v: Vec3| (v * 16.0).round() / 16.0;
     let mut hits = 0;
     for _ in 0..400 {
         let (center, radius) =
-            (exact(narrow(random.near(Vector::ZERO, 3.0))), 1.0 + random.below(16) as Real / 16.0);
-        let way = exact(narrow(random.near(Vector::ZERO, 4.0)));
-        let (mut moves, mut stands) = (Stage::new(), Stage::new());
+            (exact(narrow(rng.in_ball(DVec3::ZERO, 3.0))), 1.0 + rng.below(16) as Real / 16.0);
+        let way = exact(narrow(rng.in_ball(DVec3::ZERO, 4.0)));
+        let (mut moves, mut stands) = (TestScene::new(), TestScene::new());
         let ball = moves.sphere(center - way, radius);
         moves.set_motion(ball, Vec3::ZERO, way * 4.0);
         stands.sphere(center, radius);
         for _ in 0..10 {
-            let ray = random_ray(4.0, &mut random);
+            let ray = random_ray(4.0, &mut rng);
             let ray = Ray::new(exact(ray.origin), ray.direction).with_time(0.25);
-            let world = World::new(moves.scene(), List::without_bounds(1));
-            let truth = World::new(stands.scene(), List::without_bounds(1));
-            let (hit, want) = (nearest(&world, &ray, Real::MAX), nearest(&truth, &ray, Real::MAX));
+            let world = World::new(moves.as_scene(), List::without_bounds(1));
+            let expected = World::new(stands.as_scene(), List::without_bounds(1));
+            let (hit, want) = (nearest(&world, &ray, Real::MAX), nearest(&expected, &ray, Real::MAX));
             // The box of the one that stands is tighter: so a few grazing hits may differ.
             if let (Some(hit), Some(want)) = (hit, want) {
                 hits += 1;
                 let (a, b) = (hit.t, want.t);
                 assert!((a - b).abs() <= 4.0 * Real::EPSILON * b, "{a} {b}");
                 let surfaces =
-                    (world.surface::<AllEffects>(&ray, hit), truth.surface::<AllEffects>(&ray, want));
+                    (world.surface::<AllEffects>(&ray, hit), expected.surface::<AllEffects>(&ray, want));
                 let (Some(it), Some(want)) = surfaces else { panic!("no surface") };
                 let off = (it.point - want.point).abs();
                 assert!(off.cmple(it.point_error + want.point_error).all(), "{off}");
@@ -210,37 +210,38 @@ fn a_thing_that_moves_is_met_like_one_that_stands_where_it_is() {
 
 #[test]
 fn the_list_with_boxes_answers_like_the_bare_list() {
-    let mut random = Random::new(SEED);
+    let mut rng = SplitMix64::new(SEED);
     let mut hits = 0;
     for _ in 0..60 {
-        let items = 1 + random.below(70);
-        let stage = random_stage(items, &mut random);
-        let rays: Vec<Ray> = (0..250).map(|_| random_ray(9.0, &mut random)).collect();
-        hits += all_agree(&stage, &rays, &mut random);
+        let items = 1 + rng.below(70);
+        let scene = random_scene(items, &mut rng);
+        let rays: Vec<Ray> = (0..250).map(|_| random_ray(9.0, &mut rng)).collect();
+        hits += all_agree(&scene, &rays, &mut rng);
     }
     assert!(hits > 5_000 && hits < 15_000, "{hits}");
 }
 
 #[test]
 fn the_nearest_of_all_is_the_nearest_of_each_alone() {
-    let mut random = Random::new(SEED + 1);
-    let things: Vec<Thing> =
-        Kind::ALL.map(|kind| Thing::random(kind, random.near(Vector::ZERO, 3.0), 1.5, &mut random)).into();
-    let mut stage = Stage::new();
-    things.iter().for_each(|thing| assert!(stage.thing(thing).0 < 14));
-    let alone: Vec<Stage> = things
+    let mut rng = SplitMix64::new(SEED + 1);
+    let shapes: Vec<TestShape> = TestShapeKind::ALL
+        .map(|kind| TestShape::random(kind, rng.in_ball(DVec3::ZERO, 3.0), 1.5, &mut rng))
+        .into();
+    let mut scene = TestScene::new();
+    shapes.iter().for_each(|shape| assert!(scene.add_shape(shape).0 < 14));
+    let alone: Vec<TestScene> = shapes
         .iter()
-        .map(|thing| {
-            let mut stage = Stage::new();
-            stage.thing(thing);
-            stage
+        .map(|shape| {
+            let mut scene = TestScene::new();
+            scene.add_shape(shape);
+            scene
         })
         .collect();
-    let all = World::new(stage.scene(), List::without_bounds(stage.item_count()));
+    let all = World::new(scene.as_scene(), List::without_bounds(scene.item_count()));
     for _ in 0..2_000 {
-        let ray = random_ray(4.0, &mut random);
-        let hits = alone.iter().zip(0..).filter_map(|(stage, number)| {
-            let hit = nearest(&World::new(stage.scene(), List::without_bounds(1)), &ray, Real::MAX)?;
+        let ray = random_ray(4.0, &mut rng);
+        let hits = alone.iter().zip(0..).filter_map(|(scene, number)| {
+            let hit = nearest(&World::new(scene.as_scene(), List::without_bounds(1)), &ray, Real::MAX)?;
             Some(Hit { item: ItemId(number), ..hit })
         });
         let first = hits.min_by(|a, b| (a.t, a.item).partial_cmp(&(b.t, b.item)).unwrap());
@@ -250,28 +251,28 @@ fn the_nearest_of_all_is_the_nearest_of_each_alone() {
 
 #[test]
 fn groups_that_are_full_or_have_one_more_answer_like_the_bare_list() {
-    let mut random = Random::new(SEED + 2);
+    let mut rng = SplitMix64::new(SEED + 2);
     let mut hits = 0;
     for items in [1, 2, 15, 16, 17, 31, 32, 33, 256, 257] {
-        let stage = random_stage(items, &mut random);
-        let rays: Vec<Ray> = (0..100).map(|_| random_ray(9.0, &mut random)).collect();
-        hits += all_agree(&stage, &rays, &mut random);
+        let scene = random_scene(items, &mut rng);
+        let rays: Vec<Ray> = (0..100).map(|_| random_ray(9.0, &mut rng)).collect();
+        hits += all_agree(&scene, &rays, &mut rng);
     }
     assert!(hits > 200 && hits < 800, "{hits}");
 }
 
 #[test]
 fn many_equal_items_answer_with_the_lowest_number() {
-    let mut random = Random::new(SEED + 3);
-    for kind in Kind::ALL {
-        let thing = Thing::random(kind, vector(0.5, -0.25, 1.0), 2.0, &mut random);
-        let mut stage = Stage::new();
+    let mut rng = SplitMix64::new(SEED + 3);
+    for kind in TestShapeKind::ALL {
+        let shape = TestShape::random(kind, dvec3(0.5, -0.25, 1.0), 2.0, &mut rng);
+        let mut scene = TestScene::new();
         for _ in 0..40 {
-            stage.thing(&thing);
+            scene.add_shape(&shape);
         }
-        let rays: Vec<Ray> = (0..800).map(|_| random_ray(3.0, &mut random)).collect();
-        assert!(all_agree(&stage, &rays, &mut random) > 20, "{kind:?}");
-        let world = World::new(stage.scene(), Offered((0..40).rev().collect()));
+        let rays: Vec<Ray> = (0..800).map(|_| random_ray(3.0, &mut rng)).collect();
+        assert!(all_agree(&scene, &rays, &mut rng) > 20, "{kind:?}");
+        let world = World::new(scene.as_scene(), PermutedList((0..40).rev().collect()));
         for ray in &rays {
             assert!(
                 nearest(&world, ray, Real::MAX).is_none_or(|hit| hit.item == ItemId(0)),
@@ -286,42 +287,42 @@ fn of_two_things_at_one_distance_the_lower_number_wins_from_any_order() {
     let down = Ray::new(vec3(0.25, 0.25, 4.0), vec3(0.0, 0.0, -1.0));
     let corners = [vec3(-1.0, -1.0, 0.0), vec3(3.0, -1.0, 0.0), vec3(-1.0, 3.0, 0.0)];
     // All of them have a part of z = 0 on top.
-    let put: [fn(&mut Stage, [Vec3; 3]) -> ItemId; 6] = [
-        |stage, corners| stage.triangle(corners),
-        |stage, [a, b, c]| stage.triangle([b, c, a]),
-        |stage, corners| stage.polygon(&corners, &[]),
-        |stage, _| stage.disc(Vec3::ZERO, Vec3::Z, 1.0),
-        |stage, _| stage.plane(vec3(5.0, 0.0, 0.0), Vec3::Z),
-        |stage, _| stage.cuboid(vec3(-1.0, -1.0, -1.0), vec3(1.0, 1.0, 0.0)),
+    let put: [fn(&mut TestScene, [Vec3; 3]) -> ItemId; 6] = [
+        |scene, corners| scene.triangle(corners),
+        |scene, [a, b, c]| scene.triangle([b, c, a]),
+        |scene, corners| scene.polygon(&corners, &[]),
+        |scene, _| scene.disc(Vec3::ZERO, Vec3::Z, 1.0),
+        |scene, _| scene.plane(vec3(5.0, 0.0, 0.0), Vec3::Z),
+        |scene, _| scene.cuboid(vec3(-1.0, -1.0, -1.0), vec3(1.0, 1.0, 0.0)),
     ];
-    let mut random = Random::new(SEED + 4);
+    let mut rng = SplitMix64::new(SEED + 4);
     for first in 0..put.len() {
         // Another of them is the first each time.
-        let mut stage = Stage::new();
+        let mut scene = TestScene::new();
         for i in 0..put.len() {
-            put[(first + i) % put.len()](&mut stage, corners);
+            put[(first + i) % put.len()](&mut scene, corners);
         }
         for _ in 0..20 {
-            let world = World::new(stage.scene(), Offered::any(stage.item_count(), &mut random));
+            let world = World::new(scene.as_scene(), PermutedList::any(scene.item_count(), &mut rng));
             assert_eq!(nearest(&world, &down, Real::MAX), Some(Hit { t: 4.0, item: ItemId(0) }), "{first}");
         }
-        assert_eq!(all_agree(&stage, &[down], &mut random), 1);
+        assert_eq!(all_agree(&scene, &[down], &mut rng), 1);
     }
 }
 
 #[test]
 fn flat_items_without_thickness_answer_like_in_the_bare_list() {
-    let mut random = Random::new(SEED + 5);
-    let mut stage = Stage::new();
+    let mut rng = SplitMix64::new(SEED + 5);
+    let mut scene = TestScene::new();
     for level in -3..3 {
         let z = level as Real;
         let square = [vec3(-2.0, -2.0, z), vec3(2.0, -2.0, z), vec3(2.0, 2.0, z), vec3(-2.0, 2.0, z)];
-        stage.polygon(&square, &[]);
-        stage.triangle([square[0], square[1], square[2]]);
-        stage.disc(vec3(0.0, 0.0, z), Vec3::Z, 2.0);
-        stage.cuboid(square[0], square[2]);
+        scene.polygon(&square, &[]);
+        scene.triangle([square[0], square[1], square[2]]);
+        scene.disc(vec3(0.0, 0.0, z), Vec3::Z, 2.0);
+        scene.cuboid(square[0], square[2]);
     }
-    let mut rays: Vec<Ray> = (0..1_000).map(|_| random_ray(4.0, &mut random)).collect();
+    let mut rays: Vec<Ray> = (0..1_000).map(|_| random_ray(4.0, &mut rng)).collect();
     // Down on them; in their planes, along axes and not; from their edges and corners.
     for x in [-2.0, -0.5, 0.0, 0.5, 2.0] {
         for zero in [0.0, -0.0] {
@@ -331,16 +332,16 @@ fn flat_items_without_thickness_answer_like_in_the_bare_list() {
             rays.push(Ray::new(vec3(2.0, x, 1.0), vec3(-1.0, zero, -1.0)));
         }
     }
-    assert!(all_agree(&stage, &rays, &mut random) > 300);
+    assert!(all_agree(&scene, &rays, &mut rng) > 300);
 }
 
 #[test]
 fn a_ray_along_an_axis_through_a_raster_of_boxes_meets_the_first_of_its_row() {
     // Walls touch, and half of the rays run in them.
-    let mut stage = Stage::new();
+    let mut scene = TestScene::new();
     for (x, y, z) in (0..64).map(|i| (i % 4, i / 4 % 4, i / 16)) {
         let min = vec3(x as Real, y as Real, z as Real);
-        stage.cuboid(min, min + Vec3::ONE);
+        scene.cuboid(min, min + Vec3::ONE);
     }
     let mut rays = Vec::new();
     for zero in [0.0, -0.0] {
@@ -353,10 +354,10 @@ fn a_ray_along_an_axis_through_a_raster_of_boxes_meets_the_first_of_its_row() {
             }
         }
     }
-    let mut random = Random::new(SEED + 6);
-    assert_eq!(all_agree(&stage, &rays, &mut random), rays.len());
+    let mut rng = SplitMix64::new(SEED + 6);
+    assert_eq!(all_agree(&scene, &rays, &mut rng), rays.len());
     // On paper: the row of boxes numbers 4 (y + 4 z), of two boxes beside a wall the lower one.
-    let world = World::new(stage.scene(), List::without_bounds(64));
+    let world = World::new(scene.as_scene(), List::without_bounds(64));
     for (y, z, row) in
         [(0.5, 0.5, 0), (1.5, 2.5, 4 * (1 + 4 * 2)), (1.0, 0.5, 0), (4.0, 4.0, 60), (2.0, 3.0, 36)]
     {
@@ -367,24 +368,24 @@ fn a_ray_along_an_axis_through_a_raster_of_boxes_meets_the_first_of_its_row() {
 
 #[test]
 fn a_hit_at_the_very_reach_counts_and_one_beyond_does_not() {
-    let mut stage = Stage::new();
-    stage.sphere(vec3(0.0, 0.0, -5.0), 1.0);
-    stage.plane(vec3(0.0, 0.0, -7.0), Vec3::Z);
-    let world = World::new(stage.scene(), List::without_bounds(2));
+    let mut scene = TestScene::new();
+    scene.sphere(vec3(0.0, 0.0, -5.0), 1.0);
+    scene.plane(vec3(0.0, 0.0, -7.0), Vec3::Z);
+    let world = World::new(scene.as_scene(), List::without_bounds(2));
     let ray = Ray::new(Vec3::ZERO, -Vec3::Z);
-    for (reach, item) in
+    for (t_max, item) in
         [(4.0, Some(0)), (4.0_f32.next_down(), None), (100.0, Some(0)), (0.0, None), (-1.0, None)]
     {
-        assert_eq!(nearest(&world, &ray, reach).map(|hit| hit.item.0), item, "{reach}");
-        assert_eq!(blocker(&world, &ray, reach).is_some(), item.is_some(), "{reach}");
+        assert_eq!(nearest(&world, &ray, t_max).map(|hit| hit.item.0), item, "{t_max}");
+        assert_eq!(occluder(&world, &ray, t_max).is_some(), item.is_some(), "{t_max}");
     }
     assert_eq!(nearest(&world, &ray, Real::NAN).map(|hit| hit.item.0), Some(0), "no number is no limit");
 }
 
 #[test]
 fn an_empty_scene_is_met_by_nothing() {
-    let stage = Stage::new();
-    assert_eq!(all_agree(&stage, &[Ray::new(Vec3::ZERO, Vec3::X)], &mut Random::new(SEED + 7)), 0);
+    let scene = TestScene::new();
+    assert_eq!(all_agree(&scene, &[Ray::new(Vec3::ZERO, Vec3::X)], &mut SplitMix64::new(SEED + 7)), 0);
     assert_eq!(group_count(0), 0);
     assert!(List::with_boxes(&[], &mut []).is_ok_and(|list| list.size_in_bytes() == 0));
 }
@@ -395,13 +396,13 @@ fn too_few_groups_are_refused_with_the_numbers_to_act_on() {
         assert_eq!(group_count(items), needed);
         let boxes = vec![Aabb { min: Vec3::ZERO, max: Vec3::ONE }; items];
         let mut groups = vec![Aabb::EMPTY; needed + 1];
-        for lent in 0..needed {
-            let error = List::with_boxes(&boxes, &mut groups[..lent]).unwrap_err();
+        for provided in 0..needed {
+            let error = List::with_boxes(&boxes, &mut groups[..provided]).unwrap_err();
             assert_eq!(
                 error,
-                BuildError::BufferTooSmall { buffer: Buffer::GroupBounds, needed, provided: lent }
+                BuildError::BufferTooSmall { buffer: Buffer::GroupBounds, needed, provided: provided }
             );
-            assert_eq!(error.to_string(), format!("group bounds: {needed} needed, {lent} provided"));
+            assert_eq!(error.to_string(), format!("group bounds: {needed} needed, {provided} provided"));
         }
         let mut balls = vec![BoundingSphere::EMPTY; items];
         let error = List::with_spheres(&boxes, &mut balls[1..], &mut []).unwrap_err();
@@ -411,8 +412,8 @@ fn too_few_groups_are_refused_with_the_numbers_to_act_on() {
         );
         let error = List::with_spheres(&boxes, &mut balls, &mut []).unwrap_err();
         assert_eq!(error, BuildError::BufferTooSmall { buffer: Buffer::GroupBounds, needed, provided: 0 });
-        for lent in [needed, needed + 1] {
-            let list = List::with_boxes(&boxes, &mut groups[..lent]).unwrap();
+        for provided in [needed, needed + 1] {
+            let list = List::with_boxes(&boxes, &mut groups[..provided]).unwrap();
             assert_eq!(list.size_in_bytes(), (items + needed) * size_of::<Aabb>());
         }
     }
@@ -420,24 +421,24 @@ fn too_few_groups_are_refused_with_the_numbers_to_act_on() {
 
 #[test]
 fn boxes_save_tests_of_shapes_and_groups_save_tests_of_boxes() {
-    let mut random = Random::new(SEED + 8);
-    let mut stage = Stage::new();
+    let mut rng = SplitMix64::new(SEED + 8);
+    let mut scene = TestScene::new();
     for i in 0..320 {
         // Neighbours in the list are neighbours in space, or groups would be of no use.
-        let place = vector(f64::from(i) - 160.0, 0.0, 0.0);
-        stage.thing(&Thing::random(Kind::Sphere, place, 0.5, &mut random));
+        let place = dvec3(f64::from(i) - 160.0, 0.0, 0.0);
+        scene.add_shape(&TestShape::random(TestShapeKind::Sphere, place, 0.5, &mut rng));
     }
-    let boxes = stage.bounds();
+    let boxes = scene.bounds();
     let mut groups = vec![Aabb::EMPTY; group_count(boxes.len())];
-    let boxed = World::new(stage.scene(), List::with_boxes(&boxes, &mut groups).unwrap());
+    let boxed = World::new(scene.as_scene(), List::with_boxes(&boxes, &mut groups).unwrap());
     let (mut balls, mut round) =
         (vec![BoundingSphere::EMPTY; boxes.len()], vec![BoundingSphere::EMPTY; group_count(boxes.len())]);
-    let balled = World::new(stage.scene(), List::with_spheres(&boxes, &mut balls, &mut round).unwrap());
-    let bare = World::new(stage.scene(), List::without_bounds(stage.item_count()));
+    let balled = World::new(scene.as_scene(), List::with_spheres(&boxes, &mut balls, &mut round).unwrap());
+    let bare = World::new(scene.as_scene(), List::without_bounds(scene.item_count()));
     let rays: Vec<Ray> = (0..100)
         .map(|_| {
-            let origin = random.near(vector(0.0, 100.0, 0.0), 50.0);
-            Ray::new(narrow(origin), narrow(random.near(Vector::ZERO, 50.0) - origin))
+            let origin = rng.in_ball(dvec3(0.0, 100.0, 0.0), 50.0);
+            Ray::new(narrow(origin), narrow(rng.in_ball(DVec3::ZERO, 50.0) - origin))
         })
         .collect();
 

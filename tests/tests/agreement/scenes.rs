@@ -7,10 +7,10 @@ use proptest::test_runner::{Config, RngAlgorithm, TestRng, TestRunner};
 use strahl_core::accel::{BvhSize, GridSize, OctreeSize};
 use strahl_core::geometry::Ray;
 use strahl_core::{Real, Vec3, vec3};
-use strahl_tests::Random;
-use strahl_tests::single::Stage;
+use strahl_tests::SplitMix64;
+use strahl_tests::single::TestScene;
 
-use crate::hold::Hold;
+use crate::check::AcceleratorCheck;
 
 /// A number of a raster or not, or one that is hard to tell from one.
 fn place() -> impl Strategy<Value = Real> {
@@ -34,23 +34,23 @@ fn size() -> impl Strategy<Value = Real> {
 
 /// An item by two corners of its box.
 #[derive(Clone, Copy, Debug)]
-enum Item {
+enum ItemBox {
     Box(Vec3, Vec3),
     Sphere(Vec3, Real),
     Triangle(Vec3, Vec3, Vec3),
 }
 
-fn item() -> impl Strategy<Value = Item> {
+fn item() -> impl Strategy<Value = ItemBox> {
     let extent = || (size(), size(), size()).prop_map(|(x, y, z)| vec3(x, y, z));
     prop_oneof![
-        (point(), extent()).prop_map(|(min, extent)| Item::Box(min, min + extent)),
-        (point(), 0.001..3.0_f32).prop_map(|(center, radius)| Item::Sphere(center, radius)),
-        (point(), point(), point()).prop_map(|(a, b, c)| Item::Triangle(a, b, c)),
+        (point(), extent()).prop_map(|(min, extent)| ItemBox::Box(min, min + extent)),
+        (point(), 0.001..3.0_f32).prop_map(|(center, radius)| ItemBox::Sphere(center, radius)),
+        (point(), point(), point()).prop_map(|(a, b, c)| ItemBox::Triangle(a, b, c)),
     ]
 }
 
 /// A few items or none; each is there a number of times, mostly once.
-fn scene() -> impl Strategy<Value = Vec<(Item, usize)>> {
+fn items() -> impl Strategy<Value = Vec<(ItemBox, usize)>> {
     let times = prop_oneof![6 => Just(1_usize), 1 => Just(2), 1 => 3..40_usize];
     prop::collection::vec((item(), times), 0..24)
 }
@@ -64,18 +64,18 @@ fn ray() -> impl Strategy<Value = (Vec3, Vec3)> {
         .prop_filter("no way", |(_, way)| *way != Vec3::ZERO)
 }
 
-fn stage(scene: &[(Item, usize)]) -> Stage {
-    let mut stage = Stage::new();
-    for (item, times) in scene {
+fn built(items: &[(ItemBox, usize)]) -> TestScene {
+    let mut scene = TestScene::new();
+    for (item, times) in items {
         for _ in 0..*times {
             match *item {
-                Item::Box(min, max) => stage.cuboid(min, max),
-                Item::Sphere(center, radius) => stage.sphere(center, radius),
-                Item::Triangle(a, b, c) => stage.triangle([a, b, c]),
+                ItemBox::Box(min, max) => scene.cuboid(min, max),
+                ItemBox::Sphere(center, radius) => scene.sphere(center, radius),
+                ItemBox::Triangle(a, b, c) => scene.triangle([a, b, c]),
             };
         }
     }
-    stage
+    scene
 }
 
 #[test]
@@ -86,23 +86,22 @@ fn in_any_scene_every_ray_is_answered_as_by_the_list() {
     let rays = prop::collection::vec(ray(), 12..24);
     let hits = Cell::new(0);
     runner
-        .run(&(scene(), rays, any::<u64>()), |(scene, rays, seed)| {
-            let stage = stage(&scene);
+        .run(&(items(), rays, any::<u64>()), |(items, rays, seed)| {
+            let scene = built(&items);
             let rays: Vec<Ray> = rays.into_iter().map(|(from, way)| Ray::new(from, way)).collect();
-            let random = &mut Random::new(seed);
-            let hold = Hold::new(&stage, &rays, random);
-            let (items, boxes) = (stage.item_count() as usize, &hold.boxes);
-            let (grid, octree) = (GridSize::recommended(boxes), OctreeSize::recommended(items));
-            let mut any =
-                |floor: usize, most: usize| floor + random.below((most - floor + 1) as u32) as usize;
+            let rng = &mut SplitMix64::new(seed);
+            let check = AcceleratorCheck::new(&scene, &rays, rng);
+            let (count, boxes) = (scene.item_count() as usize, &check.boxes);
+            let (grid, octree) = (GridSize::recommended(boxes), OctreeSize::recommended(count));
+            let mut any = |floor: usize, most: usize| floor + rng.below((most - floor + 1) as u32) as usize;
             let coarse = GridSize { cells: any(2, grid.cells), entries: grid.entries };
             let shallow = OctreeSize { nodes: any(1, octree.nodes), entries: octree.entries };
-            hits.set(hits.get() + hold.hits());
-            hold.against_subdivisions::<8>(grid, octree);
-            hold.against_subdivisions::<0>(coarse, shallow);
-            hold.against_subdivisions::<1>(grid, shallow);
-            hold.against_subdivisions::<64>(coarse, octree);
-            hold.against_hierarchy(BvhSize::recommended(items).nodes);
+            hits.set(hits.get() + check.hits());
+            check.check_grid_and_octree::<8>(grid, octree);
+            check.check_grid_and_octree::<0>(coarse, shallow);
+            check.check_grid_and_octree::<1>(grid, shallow);
+            check.check_grid_and_octree::<64>(coarse, octree);
+            check.check_bvh(BvhSize::recommended(count).nodes);
             Ok(())
         })
         .unwrap_or_else(|fault| panic!("{fault}"));

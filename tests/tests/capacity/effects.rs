@@ -33,29 +33,29 @@ everything_but! {
 
 /// Of the effects that a scene can be without, how to take each away, and the picture of a tracer
 /// that cannot do it.
-type Without = (&'static str, fn(&mut Stage, &mut View), fn(&Stage, &View) -> Vec<Rgb>);
+type Without = (&'static str, fn(&mut TestScene, &mut View), fn(&TestScene, &View) -> Vec<Rgb>);
 
 /// A scene that asks for everything but shapes of its own kind.
-fn all_effects() -> (Stage, View) {
-    let mut stage = fair();
-    stage.material(Material { mirror: Rgb::gray(0.4), roughness: 0.4, ..Material::MATTE });
-    let ball = stage.sphere(vec3(2.0, 2.0, 2.0), 0.7);
-    stage.set_motion(ball, -Vec3::X, Vec3::Y);
+fn all_effects() -> (TestScene, View) {
+    let mut scene = fair();
+    scene.material(Material { mirror: Rgb::gray(0.4), roughness: 0.4, ..Material::MATTE });
+    let ball = scene.sphere(vec3(2.0, 2.0, 2.0), 0.7);
+    scene.set_motion(ball, -Vec3::X, Vec3::Y);
     let falloff = Falloff::NONE;
     let half = [Vec3::X, Vec3::Z];
     for source in [
         Source::Sphere { position: vec3(4.0, 7.0, 3.0), radius: 1.0, falloff },
         Source::Rectangle { position: vec3(-1.0, 6.0, 1.0), half, soft: true, falloff },
     ] {
-        stage.lights.push(Light { source, color: Rgb::gray(0.3), shadows: true });
+        scene.lights.push(Light { source, color: Rgb::gray(0.3), shadows: true });
     }
-    stage.colored_shadows = true;
+    scene.colored_shadows = true;
     let projection = Projection::Lens { angle: 0.9, radius: 0.1, focus: 8.0 };
-    (stage, View { projection, ..VIEW })
+    (scene, View { projection, ..VIEW })
 }
 
-fn seen_by<E: Effects>(stage: &Stage, view: &View) -> Vec<Rgb> {
-    let world = World::new(stage.scene(), List::without_bounds(stage.item_count()));
+fn seen_by<E: Effects>(scene: &TestScene, view: &View) -> Vec<Rgb> {
+    let world = World::new(scene.as_scene(), List::without_bounds(scene.item_count()));
     let size = size(24, 16);
     let camera = Camera::new(view, size).unwrap();
     let tracer = Tracer::<_, E, 5>::new(&world, camera, Limits::DEFAULT).unwrap();
@@ -70,111 +70,111 @@ fn seen_by<E: Effects>(stage: &Stage, view: &View) -> Vec<Rgb> {
 
 #[test]
 fn a_tracer_that_cannot_do_an_effect_gives_the_same_picture_of_a_scene_without_it() {
-    fn each_material(stage: &mut Stage, change: impl Fn(&mut Material)) {
-        stage.materials_mut().iter_mut().for_each(change);
+    fn each_material(scene: &mut TestScene, change: impl Fn(&mut Material)) {
+        scene.materials_mut().iter_mut().for_each(change);
     }
     let all: [Without; 9] = [
         (
             "shadows",
-            |stage, _| stage.lights.iter_mut().for_each(|l| l.shadows = false),
+            |scene, _| scene.lights.iter_mut().for_each(|l| l.shadows = false),
             seen_by::<Shadowless>,
         ),
-        ("reflection", |stage, _| each_material(stage, |m| m.mirror = Rgb::BLACK), seen_by::<Mirrorless>),
-        ("transmission", |stage, _| each_material(stage, |m| m.transmitted = Rgb::BLACK), seen_by::<Opaque>),
+        ("reflection", |scene, _| each_material(scene, |m| m.mirror = Rgb::BLACK), seen_by::<Mirrorless>),
+        ("transmission", |scene, _| each_material(scene, |m| m.transmitted = Rgb::BLACK), seen_by::<Opaque>),
         (
             "absorption",
-            |stage, _| each_material(stage, |m| m.clarity = Material::MATTE.clarity),
+            |scene, _| each_material(scene, |m| m.clarity = Material::MATTE.clarity),
             seen_by::<Clear>,
         ),
-        ("colored shadows", |stage, _| stage.colored_shadows = false, seen_by::<Uncolored>),
-        ("penumbra", |stage, _| stage.lights.retain(|light| !light.is_soft()), seen_by::<Hard>),
+        ("colored shadows", |scene, _| scene.colored_shadows = false, seen_by::<Uncolored>),
+        ("penumbra", |scene, _| scene.lights.retain(|light| !light.is_soft()), seen_by::<Hard>),
         ("lens", |_, view| view.projection = VIEW.projection, seen_by::<Pinhole>),
-        ("gloss", |stage, _| each_material(stage, |m| m.roughness = 0.0), seen_by::<Polished>),
-        ("motion", |stage, _| stage.stand_still(), seen_by::<Standing>),
+        ("gloss", |scene, _| each_material(scene, |m| m.roughness = 0.0), seen_by::<Polished>),
+        ("motion", |scene, _| scene.clear_motions(), seen_by::<Standing>),
     ];
-    let (stage, view) = all_effects();
-    let with = seen_by::<AllEffects>(&stage, &view);
+    let (scene, view) = all_effects();
+    let with = seen_by::<AllEffects>(&scene, &view);
     for (effect, take_away, without) in all {
-        let (mut stage, mut view) = (stage.clone(), view);
-        take_away(&mut stage, &mut view);
-        let picture = without(&stage, &view);
-        assert_eq!(picture, seen_by::<AllEffects>(&stage, &view), "without {effect}");
+        let (mut scene, mut view) = (scene.clone(), view);
+        take_away(&mut scene, &mut view);
+        let picture = without(&scene, &view);
+        assert_eq!(picture, seen_by::<AllEffects>(&scene, &view), "without {effect}");
         assert_ne!(picture, with, "{effect} can be seen");
     }
 }
 
 #[test]
 fn a_tracer_refuses_a_scene_that_asks_for_what_it_cannot_do() {
-    fn refuses<E: Effects>(ask: impl Fn(&mut Stage, Material, Light)) {
+    fn refuses<E: Effects>(ask: impl Fn(&mut TestScene, Material, Light)) {
         let light = |color| Light { source: Source::Directional { toward: Vec3::Y }, color, shadows: false };
-        let mut stage = Stage::new();
-        stage.sphere(Vec3::ZERO, 1.0);
+        let mut scene = TestScene::new();
+        scene.sphere(Vec3::ZERO, 1.0);
         let camera = Camera::new(&VIEW, size(2, 2)).unwrap();
-        let is_refused = |stage: &Stage| {
-            let world = World::new(stage.scene(), List::without_bounds(stage.item_count()));
+        let is_refused = |scene: &TestScene| {
+            let world = World::new(scene.as_scene(), List::without_bounds(scene.item_count()));
             match Tracer::<_, E, 5>::new(&world, camera, Limits::DEFAULT) {
                 Ok(_) => false,
                 Err(error) => {
-                    let missing = stage.scene().effects().difference(&E::SET);
+                    let missing = scene.as_scene().effects().difference(&E::SET);
                     assert_eq!(error, TracerError::MissingEffects { missing });
                     true
                 }
             }
         };
-        assert!(!is_refused(&stage), "{:?}", E::SET);
-        ask(&mut stage, Material::MATTE, light(Rgb::WHITE));
-        assert!(is_refused(&stage), "{:?}", E::SET);
+        assert!(!is_refused(&scene), "{:?}", E::SET);
+        ask(&mut scene, Material::MATTE, light(Rgb::WHITE));
+        assert!(is_refused(&scene), "{:?}", E::SET);
     }
-    let ball = |stage: &mut Stage, material| {
-        stage.material(material);
-        stage.sphere(Vec3::ZERO, 1.0);
+    let ball = |scene: &mut TestScene, material| {
+        scene.material(material);
+        scene.sphere(Vec3::ZERO, 1.0);
     };
     let glass = |material| Material { transmitted: Rgb::WHITE, ..material };
-    refuses::<Spheres>(|stage, _, _| {
-        stage.disc(Vec3::ZERO, Vec3::Y, 1.0);
+    refuses::<Spheres>(|scene, _, _| {
+        scene.disc(Vec3::ZERO, Vec3::Y, 1.0);
     });
-    refuses::<Flat>(|stage, _, _| {
-        stage.smooth_triangle([Vec3::X, Vec3::Y, Vec3::Z], [Vec3::ONE; 3]);
+    refuses::<Flat>(|scene, _, _| {
+        scene.smooth_triangle([Vec3::X, Vec3::Y, Vec3::Z], [Vec3::ONE; 3]);
     });
-    refuses::<Flat>(|stage, _, _| {
-        stage.polygon(&[Vec3::X, Vec3::Y, Vec3::Z], &[Vec3::ONE; 3]);
+    refuses::<Flat>(|scene, _, _| {
+        scene.polygon(&[Vec3::X, Vec3::Y, Vec3::Z], &[Vec3::ONE; 3]);
     });
-    refuses::<PointLights>(|stage, _, light| stage.lights.push(light));
-    refuses::<Checkers>(|stage, material, _| {
+    refuses::<PointLights>(|scene, _, light| scene.lights.push(light));
+    refuses::<Checkers>(|scene, material, _| {
         let (from, to) = (Rgb::BLACK, Rgb::WHITE);
-        let texture = stage.add_texture(Texture::Gradient { from, to, origin: Vec3::ZERO, along: Vec3::X });
-        ball(stage, Material { texture, ..material });
+        let texture = scene.add_texture(Texture::Gradient { from, to, origin: Vec3::ZERO, along: Vec3::X });
+        ball(scene, Material { texture, ..material });
     });
-    refuses::<Dull>(|stage, material, light| {
-        stage.lights.push(light);
-        ball(stage, Material { highlight: Rgb::WHITE, exponent: 2.0, ..material });
+    refuses::<Dull>(|scene, material, light| {
+        scene.lights.push(light);
+        ball(scene, Material { highlight: Rgb::WHITE, exponent: 2.0, ..material });
     });
-    refuses::<Shadowless>(|stage, _, light| stage.lights.push(Light { shadows: true, ..light }));
-    refuses::<Mirrorless>(|stage, material, _| ball(stage, Material { mirror: Rgb::gray(0.01), ..material }));
-    refuses::<Opaque>(|stage, material, _| ball(stage, glass(material)));
-    refuses::<Hard>(|stage, _, light| {
+    refuses::<Shadowless>(|scene, _, light| scene.lights.push(Light { shadows: true, ..light }));
+    refuses::<Mirrorless>(|scene, material, _| ball(scene, Material { mirror: Rgb::gray(0.01), ..material }));
+    refuses::<Opaque>(|scene, material, _| ball(scene, glass(material)));
+    refuses::<Hard>(|scene, _, light| {
         let falloff = Falloff::NONE;
         let source = Source::Sphere { position: Vec3::Y, radius: 1.0, falloff };
-        stage.lights.push(Light { source, ..light });
+        scene.lights.push(Light { source, ..light });
     });
-    refuses::<Polished>(|stage, material, _| {
-        ball(stage, Material { mirror: Rgb::WHITE, roughness: 0.1, ..material });
+    refuses::<Polished>(|scene, material, _| {
+        ball(scene, Material { mirror: Rgb::WHITE, roughness: 0.1, ..material });
     });
-    refuses::<Standing>(|stage, _, _| stage.set_motion(ItemId(0), Vec3::ZERO, Vec3::X));
-    refuses::<Uncolored>(|stage, material, light| {
-        ball(stage, glass(material));
-        stage.lights.push(Light { shadows: true, ..light });
-        stage.colored_shadows = true;
+    refuses::<Standing>(|scene, _, _| scene.set_motion(ItemId(0), Vec3::ZERO, Vec3::X));
+    refuses::<Uncolored>(|scene, material, light| {
+        ball(scene, glass(material));
+        scene.lights.push(Light { shadows: true, ..light });
+        scene.colored_shadows = true;
     });
-    refuses::<Clear>(|stage, material, _| {
-        ball(stage, Material { clarity: Rgb::new(Real::INFINITY, 2.0, 1.0), ..glass(material) });
+    refuses::<Clear>(|scene, material, _| {
+        ball(scene, Material { clarity: Rgb::new(Real::INFINITY, 2.0, 1.0), ..glass(material) });
     });
 }
 
 #[test]
 fn a_tracer_without_a_lens_refuses_a_camera_that_has_one() {
-    let stage = local();
-    let world = World::new(stage.scene(), List::without_bounds(stage.item_count()));
+    let scene = local();
+    let world = World::new(scene.as_scene(), List::without_bounds(scene.item_count()));
     let (_, view) = all_effects();
     let camera = Camera::new(&view, size(2, 2)).unwrap();
     let refused = Tracer::<_, Pinhole, 5>::new(&world, camera, Limits::DEFAULT).err();
@@ -197,24 +197,24 @@ impl Effects for Local {
 }
 
 /// Balls on a floor, lit from one place without shadows.
-fn local() -> Stage {
-    let mut stage = Stage::new();
-    stage.material(Material { ambient: Rgb::gray(0.5), ..Material::MATTE });
-    stage.plane(vec3(0.0, -1.0, 0.0), Vec3::Y);
+fn local() -> TestScene {
+    let mut scene = TestScene::new();
+    scene.material(Material { ambient: Rgb::gray(0.5), ..Material::MATTE });
+    scene.plane(vec3(0.0, -1.0, 0.0), Vec3::Y);
     for x in -2..3 {
-        stage.sphere(vec3(x as Real, -0.5, 0.0), 0.5);
+        scene.sphere(vec3(x as Real, -0.5, 0.0), 0.5);
     }
     let source = Source::Point { position: vec3(3.0, 5.0, 4.0), falloff: Falloff::NONE };
-    stage.lights.push(Light { source, color: Rgb::new(0.9, 0.8, 0.7), shadows: false });
-    stage.ambient = Rgb::gray(0.2);
-    stage
+    scene.lights.push(Light { source, color: Rgb::new(0.9, 0.8, 0.7), shadows: false });
+    scene.ambient = Rgb::gray(0.2);
+    scene
 }
 
 #[test]
 fn the_smallest_tracer_and_the_one_that_can_everything_give_the_same_picture() {
-    let stage = local();
-    assert_eq!(stage.scene().effects(), Local::SET);
-    let world = World::new(stage.scene(), List::without_bounds(stage.item_count()));
+    let scene = local();
+    assert_eq!(scene.as_scene().effects(), Local::SET);
+    let world = World::new(scene.as_scene(), List::without_bounds(scene.item_count()));
     let (small, counters) =
         picture::<_, Local, 1>(&world, size(48, 32), Limits { levels: 1, cutoff: 0.0 }, &mut Single);
     let (all, same) =
@@ -226,8 +226,8 @@ fn the_smallest_tracer_and_the_one_that_can_everything_give_the_same_picture() {
 
 #[test]
 fn no_ray_is_sent_for_what_the_scene_does_not_call_for() {
-    let rays = |stage: &Stage| {
-        let world = World::new(stage.scene(), List::without_bounds(stage.item_count()));
+    let rays = |scene: &TestScene| {
+        let world = World::new(scene.as_scene(), List::without_bounds(scene.item_count()));
         let (_, counters) = picture::<_, AllEffects, 5>(&world, size(24, 16), Limits::DEFAULT, &mut Single);
         assert_eq!(counters.rays[RayKind::Camera], 24 * 16);
         RayKind::ALL.map(|kind| {
@@ -236,9 +236,9 @@ fn no_ray_is_sent_for_what_the_scene_does_not_call_for() {
             rays > 0
         })
     };
-    let stage = local();
-    assert_eq!(rays(&stage), [true, false, false, false]);
-    let mut with_shadows = stage.clone();
+    let scene = local();
+    assert_eq!(rays(&scene), [true, false, false, false]);
+    let mut with_shadows = scene.clone();
     with_shadows.lights[0].shadows = true;
     assert_eq!(rays(&with_shadows), [true, false, false, true]);
     // A light that is off is not asked for.

@@ -5,18 +5,18 @@ use crate::*;
 /// Parallel planes one apart, half mirror and half glass that does not break light, which shine
 /// by themselves: wherever a ray is, there is another plane before it, and both of its children
 /// meet planes as well.
-fn panes(levels: usize) -> Stage {
-    let mut stage = Stage::new();
+fn panes(levels: usize) -> TestScene {
+    let mut scene = TestScene::new();
     let half = Rgb::gray(0.5);
     let diffuse = Rgb::BLACK;
-    stage.material(Material { diffuse, mirror: half, transmitted: half, ..Material::MATTE });
+    scene.material(Material { diffuse, mirror: half, transmitted: half, ..Material::MATTE });
     for i in 0..levels {
         let x = i as Real + 1.0;
-        stage.plane(vec3(x, 0.0, 0.0), Vec3::X);
-        stage.plane(vec3(-x, 0.0, 0.0), Vec3::X);
+        scene.plane(vec3(x, 0.0, 0.0), Vec3::X);
+        scene.plane(vec3(-x, 0.0, 0.0), Vec3::X);
     }
-    stage.ambient = Rgb::gray(0.25);
-    stage
+    scene.ambient = Rgb::gray(0.25);
+    scene
 }
 
 /// The ray through the middle of the first pixel.
@@ -25,8 +25,8 @@ const MIDDLE: CameraSample =
 
 /// A ray straight at the panes, with room for `LEVELS` levels.
 fn full_tree<const LEVELS: usize>(levels: u8) -> (Rgb, Counters) {
-    let stage = panes(levels.into());
-    let world = World::new(stage.scene(), List::without_bounds(stage.item_count()));
+    let scene = panes(levels.into());
+    let world = World::new(scene.as_scene(), List::without_bounds(scene.item_count()));
     let view = View { from: Vec3::ZERO, at: Vec3::X, up: Vec3::Y, ..VIEW };
     let limits = Limits { levels, cutoff: 0.0 };
     let tracer =
@@ -72,8 +72,8 @@ impl Tally for Enough {
 
 #[test]
 fn a_tree_that_is_given_up_ends_at_once_with_what_its_rays_have_brought() {
-    let stage = panes(64);
-    let world = World::new(stage.scene(), List::without_bounds(stage.item_count()));
+    let scene = panes(64);
+    let world = World::new(scene.as_scene(), List::without_bounds(scene.item_count()));
     let view = View { from: Vec3::ZERO, at: Vec3::X, up: Vec3::Y, ..VIEW };
     let camera = Camera::new(&view, size(1, 1)).unwrap();
     // The whole tree has 2^64 rays.
@@ -90,8 +90,8 @@ fn a_tree_that_is_given_up_ends_at_once_with_what_its_rays_have_brought() {
 
 #[test]
 fn room_for_more_levels_gives_the_same_picture() {
-    let stage = fair();
-    let world = World::new(stage.scene(), List::without_bounds(stage.item_count()));
+    let scene = fair();
+    let world = World::new(scene.as_scene(), List::without_bounds(scene.item_count()));
     let shoot = |levels| Limits { levels, ..Limits::DEFAULT };
     let s = size(24, 16);
     let one = picture::<_, AllEffects, 1>(&world, s, shoot(1), &mut Single);
@@ -105,8 +105,8 @@ fn room_for_more_levels_gives_the_same_picture() {
 
 #[test]
 fn a_tracer_refuses_limits_that_it_has_no_room_for() {
-    let stage = Stage::new();
-    let world = World::new(stage.scene(), List::without_bounds(0));
+    let scene = TestScene::new();
+    let world = World::new(scene.as_scene(), List::without_bounds(0));
     let camera = Camera::new(&VIEW, size(2, 2)).unwrap();
     let error = |levels, cutoff| {
         Tracer::<_, AllEffects, 5>::new(&world, camera, Limits { levels, cutoff })
@@ -131,13 +131,13 @@ fn a_tracer_refuses_limits_that_it_has_no_room_for() {
 #[test]
 fn a_thing_in_more_bodies_than_a_list_of_media_holds_is_told() {
     // Six shells of glass round the eye's target: the fifth and sixth are not entered.
-    let mut stage = Stage::new();
-    stage.material(Material { transmitted: Rgb::WHITE, index: 1.1, diffuse: Rgb::BLACK, ..Material::MATTE });
+    let mut scene = TestScene::new();
+    scene.material(Material { transmitted: Rgb::WHITE, index: 1.1, diffuse: Rgb::BLACK, ..Material::MATTE });
     for radius in 1..7 {
-        stage.sphere(Vec3::ZERO, radius as Real);
+        scene.sphere(Vec3::ZERO, radius as Real);
     }
     let limits = Limits { levels: 64, cutoff: 0.0 };
-    let (_, counters) = stage.look_and_count(vec3(0.0, 0.0, 20.0), vec3(0.1, 0.2, 0.0), limits);
+    let (_, counters) = scene.trace_counted(vec3(0.0, 0.0, 20.0), vec3(0.1, 0.2, 0.0), limits);
     assert_eq!(counters.medium_stack_full, 2);
     assert_eq!(counters.rays[RayKind::Transmitted], 12, "it goes on all the same");
 }
@@ -151,10 +151,10 @@ fn the_background_stands_for_what_the_levels_end_and_for_what_lies_out_of_sight(
         const SIGHT: Real = 4.5;
         const LAST: LastLevel = LastLevel::Background;
     }
-    let mut stage = panes(1);
-    stage.background = Background::Color(Rgb::gray(8.0));
+    let mut scene = panes(1);
+    scene.background = Background::Color(Rgb::gray(8.0));
     let color = |from: Real, levels| {
-        let world = World::new(stage.scene(), BareList(stage.item_count()));
+        let world = World::new(scene.as_scene(), BareList(scene.item_count()));
         let view = View { from: vec3(from, 0.0, 0.0), at: vec3(from + 1.0, 0.0, 0.0), ..VIEW };
         let camera = Camera::new(&View { up: Vec3::Y, ..view }, size(1, 1)).unwrap();
         let limits = Limits { levels, cutoff: 0.0 };

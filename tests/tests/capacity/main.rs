@@ -28,8 +28,8 @@ use strahl_core::{
     AllEffects, Background, BareList, Camera, Falloff, Light, Limits, Material, Projection, Real, Resolution,
     Rgb, Scene, Single, Source, Tile, Tracer, Vec3, View, Worker, World, render, vec3,
 };
-use strahl_tests::single::Stage;
-use strahl_tests::{Kind, Random, Thing, Vector};
+use strahl_tests::single::TestScene;
+use strahl_tests::{DVec3, SplitMix64, TestShape, TestShapeKind};
 
 const SEED: u64 = 0x5eed_0004;
 
@@ -75,10 +75,10 @@ fn size(width: u32, height: u32) -> Resolution {
 }
 
 /// A bit of everything: all shapes in glass, mirrors and paint, under all kinds of light.
-fn fair() -> Stage {
-    let mut random = Random::new(SEED);
-    let mut stage = Stage::new();
-    let checker = stage.add_texture(Texture::Checker {
+fn fair() -> TestScene {
+    let mut rng = SplitMix64::new(SEED);
+    let mut scene = TestScene::new();
+    let checker = scene.add_texture(Texture::Checker {
         even: Rgb::WHITE,
         odd: Rgb::gray(0.25),
         origin: Vec3::ZERO,
@@ -97,14 +97,14 @@ fn fair() -> Stage {
             ..paint
         },
     ];
-    stage.material(materials[0]);
-    stage.plane(vec3(0.0, -3.0, 0.0), Vec3::Y);
+    scene.material(materials[0]);
+    scene.plane(vec3(0.0, -3.0, 0.0), Vec3::Y);
     for i in 0..40 {
-        stage.material(materials[i % 3]);
-        let kind = Kind::ALL[i % Kind::ALL.len()];
-        if kind != Kind::Plane {
-            let place = random.near(Vector::ZERO, 3.0);
-            stage.thing(&Thing::random(kind, place, 0.8, &mut random));
+        scene.material(materials[i % 3]);
+        let kind = TestShapeKind::ALL[i % TestShapeKind::ALL.len()];
+        if kind != TestShapeKind::Plane {
+            let place = rng.in_ball(DVec3::ZERO, 3.0);
+            scene.add_shape(&TestShape::random(kind, place, 0.8, &mut rng));
         }
     }
     let falloff = Falloff { constant: 1.0, linear: 0.01, quadratic: 0.0 };
@@ -115,12 +115,12 @@ fn fair() -> Stage {
         Source::Directional { toward: Vec3::Y },
         Source::Spot { position, direction, cos_bright: 0.95, cos_dark: 0.9, falloff },
     ] {
-        stage.lights.push(Light { source, color: Rgb::gray(0.4), shadows: true });
+        scene.lights.push(Light { source, color: Rgb::gray(0.4), shadows: true });
     }
-    stage.ambient = Rgb::gray(0.1);
-    stage.background =
+    scene.ambient = Rgb::gray(0.1);
+    scene.background =
         Background::Gradient { up: Vec3::Y, below: Rgb::BLACK, above: Rgb::new(0.2, 0.4, 0.9) };
-    stage
+    scene
 }
 
 /// Renders a picture with a sampler, and what it took.
@@ -143,8 +143,8 @@ fn picture<A: Accelerator, E: Effects, const LEVELS: usize>(
 #[test]
 fn the_core_asks_for_no_memory() {
     // The caller brings all of it.
-    let stage = fair();
-    let boxes = stage.bounds();
+    let scene = fair();
+    let boxes = scene.bounds();
     let mut groups = vec![Aabb::EMPTY; group_count(boxes.len())];
     let size = size(24, 16);
     let tile = Tile::whole(size);
@@ -157,7 +157,7 @@ fn the_core_asks_for_no_memory() {
     assert_eq!(allocations(|| drop(std::hint::black_box(Box::new(1)))), 1, "the count counts");
     let asked = allocations(|| {
         let boxed = List::with_boxes(&boxes, &mut groups).unwrap();
-        let world = World::new(Scene::new(stage.parts()).unwrap(), boxed);
+        let world = World::new(Scene::new(scene.parts()).unwrap(), boxed);
         let camera = Camera::new(&VIEW, size).unwrap();
         let tracer = Tracer::<_, AllEffects, 5>::new(&world, camera, Limits::DEFAULT).unwrap();
         let mut worker = Worker::new(Counters::new());

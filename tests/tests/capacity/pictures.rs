@@ -24,8 +24,8 @@ fn corners_alone() -> Parting {
 
 #[test]
 fn corners_are_the_same_from_any_memory_and_none_is_traced_twice() {
-    let stage = fair();
-    let world = World::new(stage.scene(), List::without_bounds(stage.item_count()));
+    let scene = fair();
+    let world = World::new(scene.as_scene(), List::without_bounds(scene.item_count()));
     for (w, h) in [(1, 1), (1, 9), (9, 1), (24, 16)] {
         let s = size(w, h);
         let corners = u64::from((w + 1) * (h + 1));
@@ -62,8 +62,8 @@ fn corners_are_the_same_from_any_memory_and_none_is_traced_twice() {
 
 #[test]
 fn a_row_of_corners_that_is_too_short_costs_rays_and_changes_nothing() {
-    let stage = fair();
-    let world = World::new(stage.scene(), List::without_bounds(stage.item_count()));
+    let scene = fair();
+    let world = World::new(scene.as_scene(), List::without_bounds(scene.item_count()));
     for (w, h) in [(1, 5), (6, 5)] {
         let (truth, _) = picture::<_, AllEffects, 5>(&world, size(w, h), Limits::DEFAULT, &mut FourCorners);
         let mut row = [PixelSample::BLACK; 10];
@@ -106,8 +106,8 @@ fn a_sink_that_is_full_ends_the_picture() {
             Ok(())
         }
     }
-    let stage = fair();
-    let world = World::new(stage.scene(), List::without_bounds(stage.item_count()));
+    let scene = fair();
+    let world = World::new(scene.as_scene(), List::without_bounds(scene.item_count()));
     let s = size(4, 3);
     let camera = Camera::new(&VIEW, s).unwrap();
     let tracer = Tracer::<_, AllEffects, 5>::new(&world, camera, Limits::DEFAULT).unwrap();

@@ -8,9 +8,9 @@ const fn glass(index: Real) -> Material {
 }
 
 /// A plate from `bottom` to `top`, without an end to the sides.
-fn plate(stage: &mut Stage, material: Material, bottom: Real, top: Real) {
-    stage.material(material);
-    stage.cuboid(vec3(-1e3, bottom, -1e3), vec3(1e3, top, 1e3));
+fn plate(scene: &mut TestScene, material: Material, bottom: Real, top: Real) {
+    scene.material(material);
+    scene.cuboid(vec3(-1e3, bottom, -1e3), vec3(1e3, top, 1e3));
 }
 
 /// Snell: the angle behind a surface.
@@ -24,9 +24,9 @@ const ANGLES: [f64; 6] = [0.0, 0.1, 0.5, 0.9, 1.2, -0.7];
 fn a_plate_moves_light_sideways_by_snells_offset() {
     for index in [1.33, 1.5, 2.42, 0.8] {
         for depth in [0.25, 1.0] {
-            let mut stage = Stage::new();
-            plate(&mut stage, glass(index), -depth, 0.0);
-            ruler(&mut stage, -2.0);
+            let mut scene = TestScene::new();
+            plate(&mut scene, glass(index), -depth, 0.0);
+            ruler(&mut scene, -2.0);
             let (n, d) = (f64::from(index), f64::from(depth));
             for a in ANGLES.into_iter().filter(|a| a.sin().abs() < 0.79) {
                 let b = behind(a, n);
@@ -34,7 +34,7 @@ fn a_plate_moves_light_sideways_by_snells_offset() {
                 // 1.5 through the air above the plate; across the wall the offset is longer.
                 let want = 3.5 * a.tan() - offset / a.cos();
                 let x = 1.5 * a.tan() - 1.5 * a.tan();
-                let seen = place(slanted(&stage, [x, 1.5], a, ALL));
+                let seen = place(slanted(&scene, [x, 1.5], a, ALL));
                 assert!((seen - want).abs() <= 4.0 * READING / a.cos(), "{index} {a}: {seen} is not {want}");
             }
         }
@@ -44,10 +44,10 @@ fn a_plate_moves_light_sideways_by_snells_offset() {
 #[test]
 fn light_leaves_a_plate_parallel_to_how_it_came() {
     let seen = |height: f64, a: f64| {
-        let mut stage = Stage::new();
-        plate(&mut stage, glass(1.5), -1.0, 0.0);
-        ruler(&mut stage, height);
-        place(slanted(&stage, [0.0, 0.5], a, ALL))
+        let mut scene = TestScene::new();
+        plate(&mut scene, glass(1.5), -1.0, 0.0);
+        ruler(&mut scene, height);
+        place(slanted(&scene, [0.0, 0.5], a, ALL))
     };
     for a in ANGLES {
         let (near, far) = (seen(-1.25, a), seen(-2.75, a));
@@ -57,16 +57,16 @@ fn light_leaves_a_plate_parallel_to_how_it_came() {
 
 #[test]
 fn a_ball_of_glass_turns_light_by_twice_the_difference_of_the_angles() {
-    let mut stage = Stage::new();
-    stage.material(glass(1.5));
-    stage.sphere(Vec3::ZERO, 2.0);
+    let mut scene = TestScene::new();
+    scene.material(glass(1.5));
+    scene.sphere(Vec3::ZERO, 2.0);
     // The background tells how high the direction is.
-    stage.background = Background::Gradient { up: Vec3::Y, below: Rgb::BLACK, above: Rgb::WHITE };
+    scene.background = Background::Gradient { up: Vec3::Y, below: Rgb::BLACK, above: Rgb::WHITE };
     for h in [0.0, 0.25, 1.0, -1.5, 1.9] {
         let a = (h / 2.0_f64).asin();
         let turned = 2.0 * (a - behind(a, 1.5));
         let eye = vec3(-5.0, h as Real, 0.0);
-        let (color, counters) = stage.look_and_count(eye, eye + Vec3::X, ALL);
+        let (color, counters) = scene.trace_counted(eye, eye + Vec3::X, ALL);
         assert_eq!(counters.rays[RayKind::Transmitted], 2);
         let want = 0.5 - 0.5 * turned.sin();
         assert!(
@@ -78,47 +78,47 @@ fn a_ball_of_glass_turns_light_by_twice_the_difference_of_the_angles() {
 
 #[test]
 fn a_pane_of_index_one_does_not_bend_light() {
-    let with = |put: &dyn Fn(&mut Stage)| {
-        let mut stage = Stage::new();
-        put(&mut stage);
-        ruler(&mut stage, -2.0);
-        stage
+    let with = |put: &dyn Fn(&mut TestScene)| {
+        let mut scene = TestScene::new();
+        put(&mut scene);
+        ruler(&mut scene, -2.0);
+        scene
     };
     let air = with(&|_| ());
-    let pane = with(&|stage| {
-        stage.material(glass(1.0));
-        stage.disc(vec3(0.0, 0.5, 0.0), Vec3::Y, 10.0);
+    let pane = with(&|scene| {
+        scene.material(glass(1.0));
+        scene.disc(vec3(0.0, 0.5, 0.0), Vec3::Y, 10.0);
     });
-    let block = with(&|stage| plate(stage, glass(1.0), -1.0, 0.5));
+    let block = with(&|scene| plate(scene, glass(1.0), -1.0, 0.5));
     for a in ANGLES {
         let want = place(slanted(&air, [0.0, 1.0], a, ALL));
-        for stage in [&pane, &block] {
-            let seen = place(slanted(stage, [0.0, 1.0], a, ALL));
+        for scene in [&pane, &block] {
+            let seen = place(slanted(scene, [0.0, 1.0], a, ALL));
             assert!((seen - want).abs() <= READING / a.cos(), "{a}: {seen} is not {want}");
         }
     }
 }
 
 /// Glass below y = 0 with a floor that shines in `inside`, and a ceiling above in `outside`.
-fn half_space(material: Material, inside: Rgb, outside: Rgb) -> Stage {
-    let mut stage = Stage::new();
-    stage.material(material);
-    stage.plane(Vec3::ZERO, Vec3::Y);
-    stage.material(shining(inside));
-    stage.plane(vec3(0.0, -2.0, 0.0), Vec3::Y);
-    stage.material(shining(outside));
-    stage.plane(vec3(0.0, 3.0, 0.0), Vec3::Y);
-    stage.ambient = Rgb::WHITE;
-    stage
+fn half_space(material: Material, inside: Rgb, outside: Rgb) -> TestScene {
+    let mut scene = TestScene::new();
+    scene.material(material);
+    scene.plane(Vec3::ZERO, Vec3::Y);
+    scene.material(shining(inside));
+    scene.plane(vec3(0.0, -2.0, 0.0), Vec3::Y);
+    scene.material(shining(outside));
+    scene.plane(vec3(0.0, 3.0, 0.0), Vec3::Y);
+    scene.ambient = Rgb::WHITE;
+    scene
 }
 
 #[test]
 fn a_constant_interface_gives_the_shares_that_the_material_names() {
     let shares =
         Material { mirror: Rgb::new(0.25, 0.5, 0.0), transmitted: Rgb::new(0.5, 0.25, 1.0), ..glass(1.5) };
-    let stage = half_space(shares, Rgb::new(1.0, 0.5, 0.25), Rgb::new(0.25, 1.0, 0.5));
+    let scene = half_space(shares, Rgb::new(1.0, 0.5, 0.25), Rgb::new(0.25, 1.0, 0.5));
     for a in ANGLES {
-        let (color, counters) = slanted_and_counted(&stage, [0.0, 1.0], a, ALL);
+        let (color, counters) = slanted_and_counted(&scene, [0.0, 1.0], a, ALL);
         // ks times the ceiling, kt times the floor, whatever the angle.
         assert_eq!(color, Rgb::new(0.5625, 0.625, 0.25), "{a}");
         assert_eq!((counters.rays[RayKind::Reflected], counters.rays[RayKind::Transmitted]), (1, 1));
@@ -135,8 +135,8 @@ fn fresnel(a: f64, b: f64) -> f64 {
 #[test]
 fn a_fresnel_interface_mirrors_as_much_as_the_angles_say() {
     let (floor, ceiling) = (Rgb::new(1.0, 0.0, 0.25), Rgb::new(0.0, 1.0, 0.5));
-    let stage = half_space(Material { interface: Interface::Fresnel, ..glass(1.5) }, floor, ceiling);
-    let look = |a| slanted(&stage, [0.0, 1.0], a, ALL);
+    let scene = half_space(Material { interface: Interface::Fresnel, ..glass(1.5) }, floor, ceiling);
+    let look = |a| slanted(&scene, [0.0, 1.0], a, ALL);
     // The mirrored share is a difference of two numbers near one: it is right to some of their
     // roundings, not of its own.
     let near = |color: Rgb, share: f64| {
@@ -154,37 +154,37 @@ fn a_fresnel_interface_mirrors_as_much_as_the_angles_say() {
 #[test]
 fn the_shares_of_a_fresnel_interface_add_up_to_one() {
     let material = Material { interface: Interface::Fresnel, ..glass(1.5) };
-    let stage = half_space(material, Rgb::WHITE, Rgb::WHITE);
+    let scene = half_space(material, Rgb::WHITE, Rgb::WHITE);
     for i in 0..150 {
         let a = 0.01 * f64::from(i);
         // From above into the glass, and from inside it out or not.
-        assert_gray(slanted(&stage, [0.0, 1.0], a, ALL), 1.0, ROUNDINGS);
-        assert_gray(slanted(&stage, [0.0, -1.0], std::f64::consts::PI - a, ALL), 1.0, ROUNDINGS);
+        assert_gray(slanted(&scene, [0.0, 1.0], a, ALL), 1.0, ROUNDINGS);
+        assert_gray(slanted(&scene, [0.0, -1.0], std::f64::consts::PI - a, ALL), 1.0, ROUNDINGS);
     }
     // The paint of the glass itself counts for both.
     let tinted = Material { transmitted: Rgb::new(0.5, 0.25, 0.75), ..material };
-    let stage = half_space(tinted, Rgb::WHITE, Rgb::WHITE);
-    assert_color(slanted(&stage, [0.0, 1.0], 1.0, ALL), [0.5, 0.25, 0.75], ROUNDINGS);
+    let scene = half_space(tinted, Rgb::WHITE, Rgb::WHITE);
+    assert_color(slanted(&scene, [0.0, 1.0], 1.0, ALL), [0.5, 0.25, 0.75], ROUNDINGS);
 }
 
 #[test]
 fn beyond_the_critical_angle_the_transmitted_share_goes_where_a_mirror_sends_it() {
     let kt = 0.75;
-    let mut stage = Stage::new();
-    stage.material(Material { transmitted: Rgb::gray(kt), ..glass(1.5) });
-    stage.plane(Vec3::ZERO, Vec3::Y);
-    ruler(&mut stage, -2.0);
+    let mut scene = TestScene::new();
+    scene.material(Material { transmitted: Rgb::gray(kt), ..glass(1.5) });
+    scene.plane(Vec3::ZERO, Vec3::Y);
+    ruler(&mut scene, -2.0);
     let critical = (1.0_f64 / 1.5).asin();
     for a in [critical + 1e-4, 0.9, 1.1, 1.2] {
         let upward = std::f64::consts::PI - a;
-        let (color, counters) = slanted_and_counted(&stage, [0.0, -1.0], upward, ALL);
+        let (color, counters) = slanted_and_counted(&scene, [0.0, -1.0], upward, ALL);
         assert_eq!((counters.rays[RayKind::Reflected], counters.rays[RayKind::Transmitted]), (1, 0), "{a}");
         // One up and two down.
         let (x, want) = (place(color * (1.0 / kt)), 3.0 * a.tan());
         assert!((x - want).abs() <= 8.0 * READING / a.cos(), "{a}: {x} is not {want}");
     }
     let (color, counters) =
-        slanted_and_counted(&stage, [0.0, -1.0], std::f64::consts::PI - critical + 1e-4, ALL);
+        slanted_and_counted(&scene, [0.0, -1.0], std::f64::consts::PI - critical + 1e-4, ALL);
     assert_eq!((counters.rays[RayKind::Reflected], counters.rays[RayKind::Transmitted]), (0, 1));
     assert_eq!(color, Rgb::BLACK, "there is nothing above");
 }
@@ -192,7 +192,7 @@ fn beyond_the_critical_angle_the_transmitted_share_goes_where_a_mirror_sends_it(
 #[test]
 fn around_the_critical_angle_no_light_is_lost() {
     let material = Material { interface: Interface::Fresnel, ..glass(1.5) };
-    let stage = half_space(material, Rgb::WHITE, Rgb::WHITE);
+    let scene = half_space(material, Rgb::WHITE, Rgb::WHITE);
     // At the surface from below, in single steps of the slope to both sides.
     let critical = (1.0_f64 / 1.5).asin().tan() as Real;
     let mut slope = critical;
@@ -202,7 +202,7 @@ fn around_the_critical_angle_no_light_is_lost() {
     let mut passed = 0;
     for _ in 0..600 {
         let eye = vec3(0.0, -1.0, 0.0);
-        let (color, counters) = stage.look_and_count(eye, vec3(slope, 0.0, 0.0), ALL);
+        let (color, counters) = scene.trace_counted(eye, vec3(slope, 0.0, 0.0), ALL);
         assert_gray(color, 1.0, ROUNDINGS);
         passed += counters.rays[RayKind::Transmitted];
         slope = slope.next_up();

@@ -10,11 +10,11 @@ fn lit(material: Material, source: Source) -> Rgb {
 }
 
 fn look(material: Material, source: Source, eye: Vec3) -> Rgb {
-    let mut stage = Stage::new();
-    stage.material(Material { ambient: Rgb::BLACK, ..material });
-    stage.plane(Vec3::ZERO, Vec3::Y);
-    stage.lights.push(Light { source, color: LAMP, shadows: true });
-    stage.look(eye, Vec3::ZERO, ALL)
+    let mut scene = TestScene::new();
+    scene.material(Material { ambient: Rgb::BLACK, ..material });
+    scene.plane(Vec3::ZERO, Vec3::Y);
+    scene.lights.push(Light { source, color: LAMP, shadows: true });
+    scene.trace(eye, Vec3::ZERO, ALL)
 }
 
 /// A point light 5 away from the origin, at an angle from the upright.
@@ -122,30 +122,30 @@ fn a_spot_with_a_sharp_edge_has_no_between() {
 
 #[test]
 fn ambient_light_is_a_product_and_needs_no_lamp() {
-    let mut stage = Stage::new();
+    let mut scene = TestScene::new();
     let (even, odd) = (Rgb::new(0.5, 1.0, 0.25), Rgb::BLACK);
     let texture =
-        stage.add_texture(Texture::Checker { even, odd, origin: Vec3::ZERO, frequency: Vec3::ZERO });
-    stage.material(Material { ambient: Rgb::new(0.5, 0.25, 1.0), texture, ..Material::MATTE });
-    stage.plane(Vec3::ZERO, Vec3::Y);
-    stage.ambient = Rgb::new(0.25, 1.0, 0.5);
-    let dark = stage.look(Vec3::Y, Vec3::ZERO, ALL);
+        scene.add_texture(Texture::Checker { even, odd, origin: Vec3::ZERO, frequency: Vec3::ZERO });
+    scene.material(Material { ambient: Rgb::new(0.5, 0.25, 1.0), texture, ..Material::MATTE });
+    scene.plane(Vec3::ZERO, Vec3::Y);
+    scene.ambient = Rgb::new(0.25, 1.0, 0.5);
+    let dark = scene.trace(Vec3::Y, Vec3::ZERO, ALL);
     assert_eq!(dark, Rgb::new(0.5 * 0.5 * 0.25, 0.25, 0.25 * 0.5));
     // A lamp comes on top; the paint counts for both.
-    stage.lights.push(Light { source: Source::Directional { toward: Vec3::Y }, color: LAMP, shadows: true });
-    assert_eq!(stage.look(Vec3::Y, Vec3::ZERO, ALL), dark + even * LAMP);
+    scene.lights.push(Light { source: Source::Directional { toward: Vec3::Y }, color: LAMP, shadows: true });
+    assert_eq!(scene.trace(Vec3::Y, Vec3::ZERO, ALL), dark + even * LAMP);
 }
 
 #[test]
 fn lights_add_up() {
-    let mut stage = Stage::new();
-    stage.material(Material { ambient: Rgb::BLACK, ..MATTE });
-    stage.plane(Vec3::ZERO, Vec3::Y);
+    let mut scene = TestScene::new();
+    scene.material(Material { ambient: Rgb::BLACK, ..MATTE });
+    scene.plane(Vec3::ZERO, Vec3::Y);
     let mut sum = 0.0;
     for angle in ANGLES {
-        stage.lights.push(Light { source: point(angle, Falloff::NONE), color: Rgb::WHITE, shadows: true });
+        scene.lights.push(Light { source: point(angle, Falloff::NONE), color: Rgb::WHITE, shadows: true });
         sum += angle.cos();
-        let color = stage.look(vec3(0.0, 4.0, 0.0), Vec3::ZERO, ALL);
+        let color = scene.trace(vec3(0.0, 4.0, 0.0), Vec3::ZERO, ALL);
         assert_color(color, [0.5 * sum, sum, 0.25 * sum], 2.0 * ROUNDINGS);
     }
 }
@@ -198,12 +198,12 @@ fn a_highlight_is_not_seen_beyond_a_right_angle_and_needs_an_exponent() {
 #[test]
 fn a_smooth_surface_is_shaded_by_its_interpolated_normal() {
     // A flat square whose normals lean outward by 45 degrees at the edges, and a light above.
-    let mut stage = Stage::new();
-    stage.material(Material { ambient: Rgb::BLACK, ..Material::MATTE });
+    let mut scene = TestScene::new();
+    scene.material(Material { ambient: Rgb::BLACK, ..Material::MATTE });
     let corners = [(-1.0, 1.0), (1.0, 1.0), (1.0, -1.0), (-1.0, -1.0)].map(|(x, z)| vec3(x, 0.0, z));
     let normals = corners.map(|corner| vec3(corner.x, 1.0, 0.0));
-    stage.polygon(&corners, &normals);
-    stage.lights.push(Light {
+    scene.polygon(&corners, &normals);
+    scene.lights.push(Light {
         source: Source::Directional { toward: Vec3::Y },
         color: Rgb::WHITE,
         shadows: true,
@@ -212,7 +212,7 @@ fn a_smooth_surface_is_shaded_by_its_interpolated_normal() {
         // Linear between the edges, but for the length: (x, root of 2, 0) by halves of the root.
         let lean = x / 2.0_f64.sqrt();
         let want = 0.5_f64.sqrt() / lean.hypot(0.5_f64.sqrt());
-        let got = stage.look(vec3(x as Real, 3.0, 0.25), vec3(x as Real, 0.0, 0.25), ALL);
+        let got = scene.trace(vec3(x as Real, 3.0, 0.25), vec3(x as Real, 0.0, 0.25), ALL);
         assert_gray(got, want, 2.0 * ROUNDINGS);
     }
 }

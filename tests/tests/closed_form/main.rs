@@ -4,7 +4,7 @@
 //! A pixel is the product and sum of some dozen rounded numbers: [`ROUNDINGS`] is what that may
 //! cost, relative to what is expected, unless a test says more.
 
-mod chance;
+mod distributed;
 mod glass;
 mod light;
 mod media;
@@ -23,7 +23,7 @@ use strahl_core::{
     AllEffects, Background, Camera, Falloff, Light, Limits, Material, Projection, Real, Resolution, Rgb,
     Single, Source, Tile, Tracer, Vec3, View, Worker, World, render, vec3,
 };
-use strahl_tests::single::Stage;
+use strahl_tests::single::TestScene;
 
 /// Sixteen roundings of half a unit in the last place.
 const ROUNDINGS: f64 = 16.0 * 6e-8;
@@ -59,17 +59,17 @@ const fn shining(color: Rgb) -> Material {
 const REACH: f64 = 8.0;
 
 /// A wall level with `height`, seen from both sides, whose brightness tells where it is seen.
-fn ruler(stage: &mut Stage, height: f64) {
+fn ruler(scene: &mut TestScene, height: f64) {
     let reach = REACH as Real;
-    let texture = stage.add_texture(Texture::Gradient {
+    let texture = scene.add_texture(Texture::Gradient {
         from: Rgb::BLACK,
         to: Rgb::WHITE,
         origin: vec3(-reach, 0.0, 0.0),
         along: vec3(2.0 * reach, 0.0, 0.0),
     });
-    stage.material(Material { texture, ..shining(Rgb::WHITE) });
-    stage.plane(vec3(0.0, height as Real, 0.0), Vec3::Y);
-    stage.ambient = Rgb::WHITE;
+    scene.material(Material { texture, ..shining(Rgb::WHITE) });
+    scene.plane(vec3(0.0, height as Real, 0.0), Vec3::Y);
+    scene.ambient = Rgb::WHITE;
 }
 
 /// The x at which a ruler is seen.
@@ -81,12 +81,12 @@ fn place(color: Rgb) -> f64 {
 const READING: f64 = 2.0 * REACH * ROUNDINGS;
 
 /// The look from `eye` down at an angle from the upright, towards +x.
-fn slanted(stage: &Stage, eye: [f64; 2], angle: f64, limits: Limits) -> Rgb {
-    slanted_and_counted(stage, eye, angle, limits).0
+fn slanted(scene: &TestScene, eye: [f64; 2], angle: f64, limits: Limits) -> Rgb {
+    slanted_and_counted(scene, eye, angle, limits).0
 }
 
-fn slanted_and_counted(stage: &Stage, [x, y]: [f64; 2], angle: f64, limits: Limits) -> (Rgb, Counters) {
+fn slanted_and_counted(scene: &TestScene, [x, y]: [f64; 2], angle: f64, limits: Limits) -> (Rgb, Counters) {
     let eye = vec3(x as Real, y as Real, 0.0);
     let target = vec3((x + angle.sin()) as Real, (y - angle.cos()) as Real, 0.0);
-    stage.look_and_count(eye, target, limits)
+    scene.trace_counted(eye, target, limits)
 }

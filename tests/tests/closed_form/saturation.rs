@@ -1,6 +1,6 @@
 //! The brightest, largest and smallest that a scene may name: a pixel is always a number.
 
-use strahl_tests::{Kind, Random, Thing, Vector};
+use strahl_tests::{DVec3, SplitMix64, TestShape, TestShapeKind};
 
 use crate::*;
 
@@ -20,26 +20,26 @@ fn glaring() -> Material {
 fn the_brightest_mirrors_and_glass_give_a_finite_pixel_after_64_levels() {
     // Two facing mirrors with a plate of glass between them; a lamp that lies in the plate's
     // face, so that it is as near as can be; paint on everything.
-    let mut stage = Stage::new();
-    let texture = stage.add_texture(Texture::Checker {
+    let mut scene = TestScene::new();
+    let texture = scene.add_texture(Texture::Checker {
         even: BRIGHTEST,
         odd: BRIGHTEST,
         origin: Vec3::ZERO,
         frequency: Vec3::ZERO,
     });
-    stage.material(Material { texture, mirror: Rgb::WHITE, ..glaring() });
-    stage.plane(vec3(3.0, 0.0, 0.0), Vec3::X);
-    stage.plane(vec3(-2.0, 0.0, 0.0), Vec3::X);
-    stage.material(Material { texture, transmitted: Rgb::WHITE, index: 1.5, ..glaring() });
-    stage.cuboid(vec3(1.0, -50.0, -50.0), vec3(2.0, 50.0, 50.0));
-    stage.ambient = BRIGHTEST;
-    stage.background = Background::Color(BRIGHTEST);
+    scene.material(Material { texture, mirror: Rgb::WHITE, ..glaring() });
+    scene.plane(vec3(3.0, 0.0, 0.0), Vec3::X);
+    scene.plane(vec3(-2.0, 0.0, 0.0), Vec3::X);
+    scene.material(Material { texture, transmitted: Rgb::WHITE, index: 1.5, ..glaring() });
+    scene.cuboid(vec3(1.0, -50.0, -50.0), vec3(2.0, 50.0, 50.0));
+    scene.ambient = BRIGHTEST;
+    scene.background = Background::Color(BRIGHTEST);
     for position in [vec3(0.5, 0.1, 0.0), vec3(1.0, 0.0, 0.0)] {
         let source =
             Source::Point { position, falloff: Falloff { constant: 0.0, linear: 0.0, quadratic: 1e-30 } };
-        stage.lights.push(Light { source, color: BRIGHTEST, shadows: false });
+        scene.lights.push(Light { source, color: BRIGHTEST, shadows: false });
     }
-    let (color, counters) = stage.look_and_count(Vec3::ZERO, Vec3::X, ALL);
+    let (color, counters) = scene.trace_counted(Vec3::ZERO, Vec3::X, ALL);
     assert_eq!(counters.rays[RayKind::Transmitted] + counters.rays[RayKind::Reflected], 63);
     // Each of the 64 surfaces counts as 1e15 and not more.
     assert_gray(color, 64e15, 64.0 * 6e-8);
@@ -49,14 +49,14 @@ fn the_brightest_mirrors_and_glass_give_a_finite_pixel_after_64_levels() {
 fn a_full_tree_of_perfect_mirrors_and_panes_gives_a_finite_pixel() {
     // Every ray meets a pane that passes all light and mirrors it as well.
     let n = 14;
-    let mut stage = Stage::new();
-    stage.material(Material { mirror: Rgb::WHITE, transmitted: Rgb::WHITE, ..glaring() });
+    let mut scene = TestScene::new();
+    scene.material(Material { mirror: Rgb::WHITE, transmitted: Rgb::WHITE, ..glaring() });
     for i in 0..n {
-        stage.plane(vec3(Real::from(i) + 1.0, 0.0, 0.0), Vec3::X);
-        stage.plane(vec3(-Real::from(i) - 1.0, 0.0, 0.0), Vec3::X);
+        scene.plane(vec3(Real::from(i) + 1.0, 0.0, 0.0), Vec3::X);
+        scene.plane(vec3(-Real::from(i) - 1.0, 0.0, 0.0), Vec3::X);
     }
-    stage.ambient = BRIGHTEST;
-    let (color, counters) = stage.look_and_count(Vec3::ZERO, Vec3::X, levels(n));
+    scene.ambient = BRIGHTEST;
+    let (color, counters) = scene.trace_counted(Vec3::ZERO, Vec3::X, levels(n));
     let surfaces = (1_u64 << n) - 1;
     assert_eq!(counters.rays[RayKind::Transmitted] + counters.rays[RayKind::Reflected], surfaces - 1);
     // 1e6 times 1e6 of each; the sum rounds as often as there are surfaces.
@@ -65,45 +65,45 @@ fn a_full_tree_of_perfect_mirrors_and_panes_gives_a_finite_pixel() {
 
 #[test]
 fn a_light_at_the_very_point_that_it_lights_gives_nothing_and_no_harm() {
-    let mut stage = Stage::new();
-    stage.material(Material { ambient: Rgb::BLACK, ..glaring() });
-    stage.plane(Vec3::ZERO, Vec3::Y);
+    let mut scene = TestScene::new();
+    scene.material(Material { ambient: Rgb::BLACK, ..glaring() });
+    scene.plane(Vec3::ZERO, Vec3::Y);
     let lamp = |y: Real| Light {
         source: Source::Point { position: vec3(0.0, y, 0.0), falloff: Falloff::SQUARE },
         color: BRIGHTEST,
         shadows: true,
     };
-    stage.lights = vec![lamp(0.0)];
-    assert_eq!(stage.look(Vec3::Y, Vec3::ZERO, ALL), Rgb::BLACK);
+    scene.lights = vec![lamp(0.0)];
+    assert_eq!(scene.trace(Vec3::Y, Vec3::ZERO, ALL), Rgb::BLACK);
     // As near as can be: the falloff is held, and so is the surface.
-    stage.lights = vec![lamp(1e-30)];
-    assert_gray(stage.look(Vec3::Y, Vec3::ZERO, ALL), 1e15, ROUNDINGS);
+    scene.lights = vec![lamp(1e-30)];
+    assert_gray(scene.trace(Vec3::Y, Vec3::ZERO, ALL), 1e15, ROUNDINGS);
 }
 
 /// One of some numbers.
-fn one_of<T: Copy>(numbers: &[T], random: &mut Random) -> T {
-    numbers[random.below(numbers.len() as u32) as usize]
+fn one_of<T: Copy>(numbers: &[T], rng: &mut SplitMix64) -> T {
+    numbers[rng.below(numbers.len() as u32) as usize]
 }
 
-fn color(numbers: &[Real], random: &mut Random) -> Rgb {
-    Rgb::new(one_of(numbers, random), one_of(numbers, random), one_of(numbers, random))
+fn color(numbers: &[Real], rng: &mut SplitMix64) -> Rgb {
+    Rgb::new(one_of(numbers, rng), one_of(numbers, rng), one_of(numbers, rng))
 }
 
 #[test]
 fn whatever_a_scene_may_name_gives_a_number() {
-    let mut random = Random::new(0x5eed_0006);
-    let r = &mut random;
+    let mut rng = SplitMix64::new(0x5eed_0006);
+    let r = &mut rng;
     let bright = [0.0, 1e-30, 1.0, 1e6];
     let share = [0.0, 1e-30, 0.5, 1.0];
     let mut seen = 0;
     for _ in 0..400 {
         let scale = one_of(&[1e-15, 1e-6, 1.0, 1e6, 1e14], r);
-        let near = |r: &mut Random| {
-            let p = r.near(Vector::ZERO, 2.0 * scale);
+        let near = |r: &mut SplitMix64| {
+            let p = r.in_ball(DVec3::ZERO, 2.0 * scale);
             vec3(p.x as Real, p.y as Real, p.z as Real)
         };
-        let mut stage = Stage::new();
-        let texture = stage.add_texture(match r.below(3) {
+        let mut scene = TestScene::new();
+        let texture = scene.add_texture(match r.below(3) {
             0 => Texture::Checker {
                 even: color(&bright, r),
                 odd: color(&bright, r),
@@ -124,7 +124,7 @@ fn whatever_a_scene_may_name_gives_a_number() {
             },
         });
         for _ in 0..1 + r.below(8) {
-            stage.material(Material {
+            scene.material(Material {
                 roughness: one_of(&[0.0, 0.3, 1.0], r),
                 ambient: color(&bright, r),
                 diffuse: color(&bright, r),
@@ -139,12 +139,12 @@ fn whatever_a_scene_may_name_gives_a_number() {
                 priority: r.below(3) as u8,
                 two_sided: r.below(2) == 0,
             });
-            let kind = one_of(&Kind::ALL, r);
-            let place = r.near(Vector::ZERO, scale);
-            let item = stage.thing(&Thing::random(kind, place, scale, r));
+            let kind = one_of(&TestShapeKind::ALL, r);
+            let place = r.in_ball(DVec3::ZERO, scale);
+            let item = scene.add_shape(&TestShape::random(kind, place, scale, r));
             if r.below(3) == 0 {
                 let far = one_of(&[1e-15, 1.0, 1e15], r);
-                stage.set_motion(item, near(r) * 0.1, Vec3::X * far);
+                scene.set_motion(item, near(r) * 0.1, Vec3::X * far);
             }
         }
         for _ in 0..r.below(4) {
@@ -172,16 +172,16 @@ fn whatever_a_scene_may_name_gives_a_number() {
                     Source::Spot { position: near(r), direction: toward, cos_bright, cos_dark, falloff }
                 }
             };
-            stage.lights.push(Light { source, color: color(&bright, r), shadows: r.below(2) == 0 });
+            scene.lights.push(Light { source, color: color(&bright, r), shadows: r.below(2) == 0 });
         }
-        stage.ambient = color(&bright, r);
-        stage.background = Background::Color(color(&bright, r));
-        stage.colored_shadows = r.below(2) == 0;
+        scene.ambient = color(&bright, r);
+        scene.background = Background::Color(color(&bright, r));
+        scene.colored_shadows = r.below(2) == 0;
         for _ in 0..4 {
-            let (eye, target) = (r.near(Vector::ZERO, 3.0 * scale), r.near(Vector::ZERO, scale));
+            let (eye, target) = (r.in_ball(DVec3::ZERO, 3.0 * scale), r.in_ball(DVec3::ZERO, scale));
             let [eye, target] = [eye, target].map(|p| vec3(p.x as Real, p.y as Real, p.z as Real));
             // `look` itself holds that every channel is finite and not below zero.
-            seen += usize::from(!stage.look(eye, target, levels(9)).is_black());
+            seen += usize::from(!scene.trace(eye, target, levels(9)).is_black());
         }
     }
     assert!(seen > 400, "{seen}");

@@ -1,6 +1,6 @@
 //! Hard shadows: where they begin, and what casts none.
 
-use strahl_tests::{Core, Kind, Line, Random, Thing, oracle};
+use strahl_tests::{SplitMix64, TestRay, TestShape, TestShapeKind, TestedCore, oracle};
 
 use crate::*;
 
@@ -13,18 +13,18 @@ fn lamp(x: Real, y: Real, z: Real) -> Light {
 }
 
 /// A matte floor and one light; `put` adds what may stand in its way.
-fn floor(light: Light, put: impl FnOnce(&mut Stage)) -> Stage {
-    let mut stage = Stage::new();
-    stage.material(Material { ambient: Rgb::BLACK, ..Material::MATTE });
-    stage.plane(Vec3::ZERO, Vec3::Y);
-    put(&mut stage);
-    stage.lights.push(light);
-    stage
+fn floor(light: Light, put: impl FnOnce(&mut TestScene)) -> TestScene {
+    let mut scene = TestScene::new();
+    scene.material(Material { ambient: Rgb::BLACK, ..Material::MATTE });
+    scene.plane(Vec3::ZERO, Vec3::Y);
+    put(&mut scene);
+    scene.lights.push(light);
+    scene
 }
 
 /// Whether light falls on the floor at (x, 0, 0), seen from low beside it.
-fn is_lit(stage: &Stage, x: f64) -> bool {
-    let (color, counters) = stage.look_and_count(vec3(x as Real, 0.25, 6.0), vec3(x as Real, 0.0, 0.0), ALL);
+fn is_lit(scene: &TestScene, x: f64) -> bool {
+    let (color, counters) = scene.trace_counted(vec3(x as Real, 0.25, 6.0), vec3(x as Real, 0.0, 0.0), ALL);
     assert_eq!(counters.rays[RayKind::Shadow], 1);
     !color.is_black()
 }
@@ -32,62 +32,62 @@ fn is_lit(stage: &Stage, x: f64) -> bool {
 #[test]
 fn a_shadow_ends_where_paper_says() {
     // The lamp is three times as high as the disc: its shadow is half as large again.
-    let stage = floor(lamp(0.0, 3.0, 0.0), |stage| {
-        stage.disc(Vec3::Y, Vec3::Y, 0.5);
+    let scene = floor(lamp(0.0, 3.0, 0.0), |scene| {
+        scene.disc(Vec3::Y, Vec3::Y, 0.5);
     });
     for (x, lit) in
         [(0.0, false), (0.5, false), (0.7499, false), (0.7501, true), (-0.7499, false), (-2.0, true)]
     {
-        assert_eq!(is_lit(&stage, x), lit, "{x}");
+        assert_eq!(is_lit(&scene, x), lit, "{x}");
     }
     // From infinitely far away it is as large as the disc, and moves with the angle.
     let toward = vec3(0.6, 0.8, 0.0);
-    let stage = floor(white(Source::Directional { toward }), |stage| {
-        stage.disc(Vec3::Y, Vec3::Y, 0.5);
+    let scene = floor(white(Source::Directional { toward }), |scene| {
+        scene.disc(Vec3::Y, Vec3::Y, 0.5);
     });
     for (x, lit) in [(-0.75, false), (-0.2501, false), (-0.2499, true), (-1.2499, false), (-1.2501, true)] {
-        assert_eq!(is_lit(&stage, x), lit, "{x}");
+        assert_eq!(is_lit(&scene, x), lit, "{x}");
     }
 }
 
 #[test]
 fn every_shape_casts_a_shadow() {
-    let put: [fn(&mut Stage); 9] = [
-        |stage| {
-            stage.sphere(Vec3::Y, 0.25);
+    let put: [fn(&mut TestScene); 9] = [
+        |scene| {
+            scene.sphere(Vec3::Y, 0.25);
         },
-        |stage| {
-            stage.plane(Vec3::Y, vec3(0.5, 1.0, 0.0));
+        |scene| {
+            scene.plane(Vec3::Y, vec3(0.5, 1.0, 0.0));
         },
-        |stage| {
-            stage.triangle([vec3(-1.0, 1.0, -1.0), vec3(1.0, 1.0, -1.0), vec3(0.0, 1.0, 1.0)]);
+        |scene| {
+            scene.triangle([vec3(-1.0, 1.0, -1.0), vec3(1.0, 1.0, -1.0), vec3(0.0, 1.0, 1.0)]);
         },
-        |stage| {
+        |scene| {
             let corners = [vec3(-1.0, 1.0, -1.0), vec3(1.0, 1.0, -1.0), vec3(0.0, 1.0, 1.0)];
-            stage.polygon(&corners, &[Vec3::Y; 3]);
+            scene.polygon(&corners, &[Vec3::Y; 3]);
         },
-        |stage| {
-            stage.cuboid(vec3(-0.5, 0.75, -0.5), vec3(0.5, 0.75, 0.5));
+        |scene| {
+            scene.cuboid(vec3(-0.5, 0.75, -0.5), vec3(0.5, 0.75, 0.5));
         },
-        |stage| {
-            stage.turned_cuboid(Vec3::Y, Vec3::splat(0.25), Vec3::ONE, Vec3::Z);
+        |scene| {
+            scene.oriented_cuboid(Vec3::Y, Vec3::splat(0.25), Vec3::ONE, Vec3::Z);
         },
-        |stage| {
-            stage.cone(Cone::new(vec3(-0.5, 1.0, 0.0), 0.25, vec3(0.5, 1.0, 0.0), 0.5, false).unwrap());
+        |scene| {
+            scene.cone(Cone::new(vec3(-0.5, 1.0, 0.0), 0.25, vec3(0.5, 1.0, 0.0), 0.5, false).unwrap());
         },
-        |stage| {
-            stage.torus(vec3(1.0, 1.0, 0.0), Vec3::Y, 1.0, 0.25);
+        |scene| {
+            scene.torus(vec3(1.0, 1.0, 0.0), Vec3::Y, 1.0, 0.25);
         },
-        |stage| {
-            stage.disc(Vec3::Y, vec3(0.0, 1.0, 1.0), 0.25);
+        |scene| {
+            scene.disc(Vec3::Y, vec3(0.0, 1.0, 1.0), 0.25);
         },
     ];
     for put in put {
         assert!(!is_lit(&floor(lamp(0.0, 3.0, 0.0), put), 0.0));
         // A light that casts none asks nobody.
-        let mut stage = floor(lamp(0.0, 3.0, 0.0), put);
-        stage.lights[0].shadows = false;
-        let (color, counters) = stage.look_and_count(vec3(0.0, 0.25, 6.0), Vec3::ZERO, ALL);
+        let mut scene = floor(lamp(0.0, 3.0, 0.0), put);
+        scene.lights[0].shadows = false;
+        let (color, counters) = scene.trace_counted(vec3(0.0, 0.25, 6.0), Vec3::ZERO, ALL);
         assert_eq!((color.is_black(), counters.rays[RayKind::Shadow]), (false, 0));
     }
 }
@@ -95,49 +95,49 @@ fn every_shape_casts_a_shadow() {
 #[test]
 fn what_stands_behind_the_light_casts_no_shadow() {
     for behind in [3.001, 3.5, 100.0] {
-        let stage = floor(lamp(0.0, 3.0, 0.0), |stage| {
-            stage.disc(vec3(0.0, behind, 0.0), Vec3::Y, 50.0);
+        let scene = floor(lamp(0.0, 3.0, 0.0), |scene| {
+            scene.disc(vec3(0.0, behind, 0.0), Vec3::Y, 50.0);
         });
-        assert!(is_lit(&stage, 0.0), "{behind}");
+        assert!(is_lit(&scene, 0.0), "{behind}");
     }
     // And just before it, it does.
-    let stage = floor(lamp(0.0, 3.0, 0.0), |stage| {
-        stage.disc(vec3(0.0, 2.999, 0.0), Vec3::Y, 50.0);
+    let scene = floor(lamp(0.0, 3.0, 0.0), |scene| {
+        scene.disc(vec3(0.0, 2.999, 0.0), Vec3::Y, 50.0);
     });
-    assert!(!is_lit(&stage, 0.0));
+    assert!(!is_lit(&scene, 0.0));
 }
 
 #[test]
 fn a_light_inside_a_body_is_shut_in() {
-    let stage = floor(lamp(0.0, 3.0, 0.0), |stage| {
-        stage.sphere(vec3(0.0, 3.0, 0.0), 0.5);
+    let scene = floor(lamp(0.0, 3.0, 0.0), |scene| {
+        scene.sphere(vec3(0.0, 3.0, 0.0), 0.5);
     });
-    assert!(!is_lit(&stage, 0.0) && !is_lit(&stage, 4.0));
+    assert!(!is_lit(&scene, 0.0) && !is_lit(&scene, 4.0));
 }
 
 #[test]
 fn a_light_that_lies_in_a_surface_shines_on_its_side() {
-    let put: [fn(&mut Stage); 5] = [
-        |stage| {
-            stage.disc(vec3(0.0, 3.0, 0.0), Vec3::Y, 1.0);
+    let put: [fn(&mut TestScene); 5] = [
+        |scene| {
+            scene.disc(vec3(0.0, 3.0, 0.0), Vec3::Y, 1.0);
         },
-        |stage| {
-            stage.plane(vec3(7.0, 3.0, 5.0), Vec3::Y);
+        |scene| {
+            scene.plane(vec3(7.0, 3.0, 5.0), Vec3::Y);
         },
-        |stage| {
-            stage.sphere(vec3(0.0, 3.75, 0.0), 0.75);
+        |scene| {
+            scene.sphere(vec3(0.0, 3.75, 0.0), 0.75);
         },
-        |stage| {
-            stage.cuboid(vec3(-1.0, 3.0, -1.0), vec3(1.0, 4.0, 1.0));
+        |scene| {
+            scene.cuboid(vec3(-1.0, 3.0, -1.0), vec3(1.0, 4.0, 1.0));
         },
-        |stage| {
-            stage.triangle([vec3(-1.0, 3.0, -1.0), vec3(1.0, 3.0, -1.0), vec3(0.0, 3.0, 1.0)]);
+        |scene| {
+            scene.triangle([vec3(-1.0, 3.0, -1.0), vec3(1.0, 3.0, -1.0), vec3(0.0, 3.0, 1.0)]);
         },
     ];
     for put in put {
-        let stage = floor(lamp(0.0, 3.0, 0.0), put);
+        let scene = floor(lamp(0.0, 3.0, 0.0), put);
         for x in [0.0, 0.1, 1.0, 4.0] {
-            assert!(is_lit(&stage, x), "{x}");
+            assert!(is_lit(&scene, x), "{x}");
         }
     }
 }
@@ -147,27 +147,27 @@ fn a_light_on_any_surface_is_not_in_its_own_way() {
     // A light on a random thing, at its place as rounding has it, seen from a point in front of
     // the surface at no grazing angle: it lies before or behind the surface by a few roundings
     // of its coordinates, and so much of its way is not asked for.
-    let mut random = Random::new(0x5eed_0005);
+    let mut rng = SplitMix64::new(0x5eed_0005);
     let mut asked = 0;
     for round in 0..4_000 {
-        let kind = Kind::ALL[round % Kind::ALL.len()];
-        let thing = Thing::random(kind, strahl_tests::Vector::ZERO, 1.0, &mut random);
-        let eye = random.near(strahl_tests::Vector::ZERO, 6.0);
-        let target = random.near(strahl_tests::Vector::ZERO, 0.7);
-        let line = Line { origin: eye, direction: target - eye };
-        let oracle::Truth::Hit(contact) = oracle::meet(&thing, &line) else { continue };
+        let kind = TestShapeKind::ALL[round % TestShapeKind::ALL.len()];
+        let shape = TestShape::random(kind, strahl_tests::DVec3::ZERO, 1.0, &mut rng);
+        let eye = rng.in_ball(strahl_tests::DVec3::ZERO, 6.0);
+        let target = rng.in_ball(strahl_tests::DVec3::ZERO, 0.7);
+        let ray = TestRay { origin: eye, direction: target - eye };
+        let oracle::OracleAnswer::Hit(contact) = oracle::intersect(&shape, &ray) else { continue };
         if contact.slope < 0.5 || contact.way < 2.0 {
             continue;
         }
         let place = vec3(contact.point.x as Real, contact.point.y as Real, contact.point.z as Real);
         let from = vec3(eye.x as Real, eye.y as Real, eye.z as Real);
         // A small disc that faces the light, where the ray began.
-        let mut stage = Stage::with(&[thing]);
-        stage.material(Material { ambient: Rgb::BLACK, ..Material::MATTE });
-        stage.disc(from, place - from, 1e-3);
-        stage.lights.push(lamp(place.x, place.y, place.z));
+        let mut scene = TestScene::with_shapes(&[shape]);
+        scene.material(Material { ambient: Rgb::BLACK, ..Material::MATTE });
+        scene.disc(from, place - from, 1e-3);
+        scene.lights.push(lamp(place.x, place.y, place.z));
         let before = from + try_normalize(place - from).unwrap() * 0.5;
-        let (color, counters) = stage.look_and_count(before, from, ALL);
+        let (color, counters) = scene.trace_counted(before, from, ALL);
         if counters.rays[RayKind::Shadow] == 1 {
             assert!(!color.is_black(), "{round}: {kind:?} {contact:?}");
             asked += 1;
@@ -180,18 +180,18 @@ fn a_light_on_any_surface_is_not_in_its_own_way() {
 fn glass_casts_a_full_shadow() {
     let glass = Material { transmitted: Rgb::WHITE, index: 1.5, diffuse: Rgb::BLACK, ..Material::MATTE };
     for material in [glass, Material { index: 1.0, ..glass }] {
-        let stage = floor(lamp(0.0, 3.0, 0.0), |stage| {
-            stage.material(material);
-            stage.sphere(Vec3::Y, 0.5);
+        let scene = floor(lamp(0.0, 3.0, 0.0), |scene| {
+            scene.material(material);
+            scene.sphere(Vec3::Y, 0.5);
         });
-        assert!(!is_lit(&stage, 0.0) && is_lit(&stage, 2.0));
+        assert!(!is_lit(&scene, 0.0) && is_lit(&scene, 2.0));
     }
 }
 
 #[test]
 fn a_light_behind_the_surface_is_not_asked_for() {
-    let stage = floor(lamp(0.0, -3.0, 0.0), |_| ());
-    let (color, counters) = stage.look_and_count(vec3(0.0, 0.25, 6.0), Vec3::ZERO, ALL);
+    let scene = floor(lamp(0.0, -3.0, 0.0), |_| ());
+    let (color, counters) = scene.trace_counted(vec3(0.0, 0.25, 6.0), Vec3::ZERO, ALL);
     assert_eq!((color, counters.rays[RayKind::Shadow]), (Rgb::BLACK, 0));
 }
 
@@ -201,15 +201,15 @@ fn two_plates_with_a_narrow_gap_cast_shadows_at_every_scale() {
     for k in -20..=20 {
         let scale = (0..20 + k).fold(1.0 / 1_048_576.0, |scale: Real, _| 2.0 * scale);
         let gap = 1e-3 * scale;
-        let mut stage = Stage::new();
-        stage.material(Material { ambient: Rgb::BLACK, ..Material::MATTE });
-        stage.disc(Vec3::ZERO, Vec3::Y, scale);
-        stage.disc(vec3(0.0, gap, 0.0), Vec3::Y, 0.5 * scale);
-        stage.lights.push(lamp(0.0, scale, 0.0));
+        let mut scene = TestScene::new();
+        scene.material(Material { ambient: Rgb::BLACK, ..Material::MATTE });
+        scene.disc(Vec3::ZERO, Vec3::Y, scale);
+        scene.disc(vec3(0.0, gap, 0.0), Vec3::Y, 0.5 * scale);
+        scene.lights.push(lamp(0.0, scale, 0.0));
         // Into the gap from beside it, at half of its height: under the upper plate, and before it.
         let look = |x: Real| {
             let eye = vec3(-scale, 0.5 * gap + 1e-4 * scale, 0.0);
-            let color = stage.look(eye, vec3(x * scale, 0.0, 0.0), ALL);
+            let color = scene.trace(eye, vec3(x * scale, 0.0, 0.0), ALL);
             !color.is_black()
         };
         assert!(!look(-0.499) && !look(-0.25), "2^{k}");

@@ -11,9 +11,9 @@ const VIEW: View = View {
     projection: Projection::Perspective { angle: 1.2 },
 };
 
-fn picture(stage: &Stage, view: &View, width: u32, height: u32) -> Vec<Rgb> {
+fn picture(scene: &TestScene, view: &View, width: u32, height: u32) -> Vec<Rgb> {
     let size = Resolution::new(width, height).unwrap();
-    let world = World::new(stage.scene(), List::without_bounds(stage.item_count()));
+    let world = World::new(scene.as_scene(), List::without_bounds(scene.item_count()));
     let tracer = Tracer::<_, AllEffects, 64>::new(&world, Camera::new(view, size).unwrap(), ALL).unwrap();
     let mut colors = vec![Rgb::BLACK; width as usize * height as usize];
     let mut frame = Frame::new(Tile::whole(size), &mut colors).unwrap();
@@ -28,20 +28,20 @@ fn picture(stage: &Stage, view: &View, width: u32, height: u32) -> Vec<Rgb> {
 
 /// A wall five before the eye that tells by red where it is seen from left to right, and by
 /// green from top to bottom.
-fn wall() -> Stage {
-    let mut stage = Stage::new();
+fn wall() -> TestScene {
+    let mut scene = TestScene::new();
     let gradient = |to, origin, along| Texture::Gradient { from: Rgb::BLACK, to, origin, along };
     let across = gradient(Rgb::new(1.0, 0.0, 0.0), vec3(-8.0, 0.0, 0.0), vec3(16.0, 0.0, 0.0));
     let down = gradient(Rgb::new(0.0, 1.0, 0.0), vec3(0.0, 8.0, 0.0), vec3(0.0, -16.0, 0.0));
     // A pane before a wall: what both show is added.
-    let texture = stage.add_texture(across);
-    stage.material(Material { texture, transmitted: Rgb::WHITE, ..shining(Rgb::WHITE) });
-    stage.plane(vec3(0.0, 0.0, -5.0), Vec3::Z);
-    let texture = stage.add_texture(down);
-    stage.material(Material { texture, ..shining(Rgb::WHITE) });
-    stage.plane(vec3(0.0, 0.0, -5.0625), Vec3::Z);
-    stage.ambient = Rgb::WHITE;
-    stage
+    let texture = scene.add_texture(across);
+    scene.material(Material { texture, transmitted: Rgb::WHITE, ..shining(Rgb::WHITE) });
+    scene.plane(vec3(0.0, 0.0, -5.0), Vec3::Z);
+    let texture = scene.add_texture(down);
+    scene.material(Material { texture, ..shining(Rgb::WHITE) });
+    scene.plane(vec3(0.0, 0.0, -5.0625), Vec3::Z);
+    scene.ambient = Rgb::WHITE;
+    scene
 }
 
 #[test]
@@ -70,10 +70,10 @@ fn an_orthographic_view_spreads_its_height_over_the_rows() {
 
 #[test]
 fn a_sphere_in_the_middle_is_round() {
-    let mut stage = Stage::new();
-    stage.material(shining(Rgb::WHITE));
-    stage.sphere(vec3(0.0, 0.0, -5.0), 3.0);
-    stage.ambient = Rgb::WHITE;
+    let mut scene = TestScene::new();
+    scene.material(shining(Rgb::WHITE));
+    scene.sphere(vec3(0.0, 0.0, -5.0), 3.0);
+    scene.ambient = Rgb::WHITE;
     let round = "
         .........
         ...###...
@@ -86,24 +86,24 @@ fn a_sphere_in_the_middle_is_round() {
     // and a row is 0.3 of that.
     let angle = 2.0 * 0.9_f64.atan();
     let view = View { projection: Projection::Perspective { angle: angle as Real }, ..VIEW };
-    assert_picture(&picture(&stage, &view, 9, 7), 9, round);
+    assert_picture(&picture(&scene, &view, 9, 7), 9, round);
     // From the side of infinity it is 3 in every direction, and a row is 1.2.
     let view = View { projection: Projection::Orthographic { height: 7.2 }, ..VIEW };
-    assert_picture(&picture(&stage, &view, 9, 7), 9, round);
+    assert_picture(&picture(&scene, &view, 9, 7), 9, round);
 }
 
 #[test]
 fn up_is_up_and_right_is_right_from_every_side() {
     // A small ball above the middle and a smaller one to the right of it.
-    let mut stage = Stage::new();
-    stage.material(shining(Rgb::WHITE));
-    stage.sphere(vec3(0.0, 2.0, 0.0), 0.9);
-    stage.material(shining(Rgb::gray(0.25)));
-    stage.sphere(vec3(2.0, 0.0, 0.0), 0.5);
-    stage.ambient = Rgb::WHITE;
+    let mut scene = TestScene::new();
+    scene.material(shining(Rgb::WHITE));
+    scene.sphere(vec3(0.0, 2.0, 0.0), 0.9);
+    scene.material(shining(Rgb::gray(0.25)));
+    scene.sphere(vec3(2.0, 0.0, 0.0), 0.5);
+    scene.ambient = Rgb::WHITE;
     let seen = |from: Vec3, up: Vec3| {
         let view = View { from, at: Vec3::ZERO, up, projection: Projection::Orthographic { height: 4.0 } };
-        picture(&stage, &view, 5, 5)
+        picture(&scene, &view, 5, 5)
     };
     assert_picture(&seen(vec3(0.0, 0.0, 9.0), vec3(0.0, 1.0, -3.0)), 5, "..#.. ..... ....+ ..... .....");
     assert_picture(&seen(vec3(0.0, 0.0, -9.0), Vec3::Y), 5, "..#.. ..... +.... ..... .....");
@@ -112,21 +112,21 @@ fn up_is_up_and_right_is_right_from_every_side() {
 
 #[test]
 fn a_checkered_floor_changes_at_every_cell() {
-    let mut stage = Stage::new();
-    let texture = stage.add_texture(Texture::Checker {
+    let mut scene = TestScene::new();
+    let texture = scene.add_texture(Texture::Checker {
         even: Rgb::WHITE,
         odd: Rgb::gray(0.5),
         origin: vec3(0.0, 7.0, 0.0),
         frequency: vec3(0.5, 0.0, 1.0),
     });
-    stage.material(Material { texture, ..shining(Rgb::WHITE) });
-    stage.disc(Vec3::ZERO, Vec3::Y, 3.3);
-    stage.ambient = Rgb::WHITE;
+    scene.material(Material { texture, ..shining(Rgb::WHITE) });
+    scene.disc(Vec3::ZERO, Vec3::Y, 3.3);
+    scene.ambient = Rgb::WHITE;
     let from = vec3(0.0, 5.0, 0.0);
     let view =
         View { from, at: Vec3::ZERO, up: -Vec3::Z, projection: Projection::Orthographic { height: 7.0 } };
     assert_picture(
-        &picture(&stage, &view, 8, 8),
+        &picture(&scene, &view, 8, 8),
         8,
         "
         ........
@@ -142,24 +142,24 @@ fn a_checkered_floor_changes_at_every_cell() {
 
 #[test]
 fn a_background_changes_with_the_height_of_the_direction() {
-    let mut stage = Stage::new();
+    let mut scene = TestScene::new();
     let (below, above) = (Rgb::new(1.0, 0.0, 0.25), Rgb::new(0.0, 0.5, 0.25));
-    stage.background = Background::Gradient { up: Vec3::Y, below, above };
-    assert_eq!(stage.look(Vec3::ONE, vec3(1.0, 9.0, 1.0), ALL), above);
-    assert_eq!(stage.look(Vec3::ONE, vec3(1.0, -9.0, 1.0), ALL), below);
-    assert_eq!(stage.look(Vec3::ONE, vec3(9.0, 1.0, 5.0), ALL), Rgb::new(0.5, 0.25, 0.25));
+    scene.background = Background::Gradient { up: Vec3::Y, below, above };
+    assert_eq!(scene.trace(Vec3::ONE, vec3(1.0, 9.0, 1.0), ALL), above);
+    assert_eq!(scene.trace(Vec3::ONE, vec3(1.0, -9.0, 1.0), ALL), below);
+    assert_eq!(scene.trace(Vec3::ONE, vec3(9.0, 1.0, 5.0), ALL), Rgb::new(0.5, 0.25, 0.25));
     // 3, 4, 5: up by 0.6 of the way.
-    assert_color(stage.look(Vec3::ZERO, vec3(0.0, 3.0, -4.0), ALL), [0.2, 0.4, 0.25], ROUNDINGS);
+    assert_color(scene.trace(Vec3::ZERO, vec3(0.0, 3.0, -4.0), ALL), [0.2, 0.4, 0.25], ROUNDINGS);
 }
 
 /// What is seen of a square in z = 0, whose front faces +z, with one light on one side.
 fn square(two_sided: bool, eye: Real, light: Real) -> Rgb {
-    let mut stage = Stage::new();
-    stage.material(Material { ambient: Rgb::BLACK, two_sided, ..Material::MATTE });
-    stage.polygon(&[vec3(-1.0, -1.0, 0.0), vec3(1.0, -1.0, 0.0), vec3(0.0, 1.0, 0.0)], &[]);
+    let mut scene = TestScene::new();
+    scene.material(Material { ambient: Rgb::BLACK, two_sided, ..Material::MATTE });
+    scene.polygon(&[vec3(-1.0, -1.0, 0.0), vec3(1.0, -1.0, 0.0), vec3(0.0, 1.0, 0.0)], &[]);
     let source = Source::Point { position: vec3(0.0, 0.0, light), falloff: Falloff::NONE };
-    stage.lights.push(Light { source, color: Rgb::WHITE, shadows: true });
-    stage.look(vec3(0.0, 0.0, eye), Vec3::ZERO, ALL)
+    scene.lights.push(Light { source, color: Rgb::WHITE, shadows: true });
+    scene.trace(vec3(0.0, 0.0, eye), Vec3::ZERO, ALL)
 }
 
 #[test]

@@ -7,12 +7,12 @@ mod watertight;
 
 use std::sync::OnceLock;
 
-use strahl_tests::hard::{Case, Tally, cases, panels, table};
+use strahl_tests::hard::{HardCase, HardCaseTally, cases, panels, table};
 
 /// Every case, what the solvers made of it, and the first things that went wrong.
 struct Outcome {
-    case: Case,
-    tallies: [Tally; 3],
+    case: HardCase,
+    tallies: [HardCaseTally; 3],
     wrong: Vec<String>,
 }
 
@@ -20,9 +20,9 @@ struct Outcome {
 fn outcomes() -> &'static [Outcome] {
     static OUTCOMES: OnceLock<Vec<Outcome>> = OnceLock::new();
     OUTCOMES.get_or_init(|| {
-        let run = |case: Case| {
+        let run = |case: HardCase| {
             let mut wrong = Vec::new();
-            let tallies = case.run_and_tell(&mut |what| {
+            let tallies = case.run_with_faults(&mut |what| {
                 if !what.starts_with("Textbook") && wrong.len() < 3 {
                     wrong.push(what);
                 }
@@ -33,7 +33,7 @@ fn outcomes() -> &'static [Outcome] {
         // Two halves of about the same work: every second case.
         std::thread::scope(|scope| {
             let half = |odd: usize| {
-                let cases: Vec<Case> = all.iter().copied().skip(odd).step_by(2).collect();
+                let cases: Vec<HardCase> = all.iter().copied().skip(odd).step_by(2).collect();
                 scope.spawn(move || cases.into_iter().map(run).collect::<Vec<_>>())
             };
             let (even, odd) = (half(0), half(1));
@@ -86,14 +86,14 @@ fn where_the_textbooks_formula_does_no_harm_the_case_says_so() {
 #[test]
 fn most_hard_rays_have_one_answer() {
     assert_all(|outcome| {
-        let Tally { rays, unclear, .. } = outcome.tallies[1];
+        let HardCaseTally { rays, unclear, .. } = outcome.tallies[1];
         rays >= 990 && unclear * 10 <= rays * 5
     });
 }
 
 #[test]
 fn the_report_has_the_figures_and_the_picture_of_this_code() {
-    let all: Vec<(Case, [Tally; 3])> =
+    let all: Vec<(HardCase, [HardCaseTally; 3])> =
         outcomes().iter().map(|outcome| (outcome.case, outcome.tallies)).collect();
     let (report, picture) = table::report();
     let again = "write it again: cargo run --release -p strahl-tests --example hard_cases";

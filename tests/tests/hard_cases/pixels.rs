@@ -16,8 +16,8 @@ use strahl_core::{
     AllEffects, Background, Camera, Falloff, Light, Limits, Material, Projection, Real, Resolution, Rgb,
     Single, Source, Tile, Tracer, Vec3, View, Worker, World, render, vec3,
 };
-use strahl_tests::single::Stage;
-use strahl_tests::{Kind, Random, Thing, Vector};
+use strahl_tests::single::TestScene;
+use strahl_tests::{DVec3, SplitMix64, TestShape, TestShapeKind};
 
 /// A number from a list of ordinary and extreme ones.
 fn one_of(values: &'static [f32]) -> impl Strategy<Value = f32> {
@@ -121,7 +121,7 @@ fn texture(scale: f32) -> impl Strategy<Value = Texture> {
 #[derive(Clone, Debug)]
 struct Sight {
     scale: f32,
-    things: Vec<(usize, u64, usize)>,
+    shapes: Vec<(usize, u64, usize)>,
     materials: Vec<Material>,
     lights: Vec<Light>,
     ambient: Rgb,
@@ -135,7 +135,7 @@ fn sight() -> impl Strategy<Value = Sight> {
         let scale = (0..k.abs()).fold(1.0, |x, _| if k < 0 { x * 0.5 } else { x * 2.0 });
         (
             Just(scale),
-            vec((0..Kind::ALL.len(), any::<u64>(), 0..3_usize), 1..8),
+            vec((0..TestShapeKind::ALL.len(), any::<u64>(), 0..3_usize), 1..8),
             vec(material(scale), 3),
             vec(light(scale), 0..3),
             color(BRIGHT),
@@ -144,9 +144,9 @@ fn sight() -> impl Strategy<Value = Sight> {
             any::<bool>(),
         )
             .prop_map(
-                |(scale, things, materials, lights, ambient, view, texture, colored_shadows)| Sight {
+                |(scale, shapes, materials, lights, ambient, view, texture, colored_shadows)| Sight {
                     scale,
-                    things,
+                    shapes,
                     materials,
                     lights,
                     ambient,
@@ -158,24 +158,24 @@ fn sight() -> impl Strategy<Value = Sight> {
     })
 }
 
-fn stage(sight: &Sight) -> Stage {
-    let mut stage = Stage::new();
+fn built(sight: &Sight) -> TestScene {
+    let mut scene = TestScene::new();
     let scale = f64::from(sight.scale);
-    let texture = stage.add_texture(sight.texture);
-    for (kind, seed, material) in &sight.things {
+    let texture = scene.add_texture(sight.texture);
+    for (kind, seed, material) in &sight.shapes {
         let material = sight.materials[*material];
-        stage.material(if seed % 4 == 0 { Material { texture, ..material } } else { material });
-        let mut random = Random::new(*seed);
-        let place = random.near(Vector::ZERO, 1.5);
-        let size = random.scale(1e-3, 2.0);
-        let thing = Thing::random(Kind::ALL[*kind], place, size, &mut random);
-        stage.thing(&thing.mapped(|p| p * scale, |d| d, scale));
+        scene.material(if seed % 4 == 0 { Material { texture, ..material } } else { material });
+        let mut rng = SplitMix64::new(*seed);
+        let place = rng.in_ball(DVec3::ZERO, 1.5);
+        let size = rng.log_between(1e-3, 2.0);
+        let shape = TestShape::random(TestShapeKind::ALL[*kind], place, size, &mut rng);
+        scene.add_shape(&shape.mapped(|p| p * scale, |d| d, scale));
     }
-    stage.lights.clone_from(&sight.lights);
-    stage.ambient = sight.ambient;
-    stage.colored_shadows = sight.colored_shadows;
-    stage.background = Background::Gradient { up: Vec3::Y, below: Rgb::gray(1e6), above: Rgb::BLACK };
-    stage
+    scene.lights.clone_from(&sight.lights);
+    scene.ambient = sight.ambient;
+    scene.colored_shadows = sight.colored_shadows;
+    scene.background = Background::Gradient { up: Vec3::Y, below: Rgb::gray(1e6), above: Rgb::BLACK };
+    scene
 }
 
 proptest! {
@@ -185,11 +185,11 @@ proptest! {
     fn every_channel_of_every_pixel_is_a_number(
         sight in sight(), width in 1_u32..6, height in 1_u32..5, sampler in 0..5,
     ) {
-        let stage = stage(&sight);
+        let scene = built(&sight);
         let size = Resolution::new(width, height).unwrap();
         // A view of nothing is refused at the door.
         let Ok(camera) = Camera::new(&sight.view, size) else { return Ok(()) };
-        let world = World::new(stage.scene(), List::without_bounds(stage.item_count()));
+        let world = World::new(scene.as_scene(), List::without_bounds(scene.item_count()));
         let limits = Limits { levels: 6, cutoff: 0.0 };
         let tracer = Tracer::<_, AllEffects, 6>::new(&world, camera, limits).unwrap();
         let tile = Tile::whole(size);
@@ -230,8 +230,8 @@ proptest! {
     fn every_number_that_is_reported_of_a_hit_is_one(
         sight in sight(), origin in place(), way in place(), length in -30..30_i32,
     ) {
-        let stage = stage(&sight);
-        let world = World::new(stage.scene(), List::without_bounds(stage.item_count()));
+        let scene = built(&sight);
+        let world = World::new(scene.as_scene(), List::without_bounds(scene.item_count()));
         let scale = (0..length.abs()).fold(1.0, |x, _| if length < 0 { x * 0.1 } else { x * 10.0 });
         let ray = Ray::new(origin * sight.scale, way * scale);
         let hit = world.nearest::<AllEffects, _>(&ray, Real::MAX, RayKind::Camera, &mut (), &mut ());
@@ -254,12 +254,12 @@ fn a_ray_that_is_none_meets_nothing_and_asks_for_nothing() {
     };
     use strahl_core::tally::Counters;
 
-    let mut random = Random::new(0x5eed_0009);
-    let mut stage = Stage::new();
-    for kind in Kind::ALL {
-        stage.thing(&Thing::random(kind, random.near(Vector::ZERO, 2.0), 1.5, &mut random));
+    let mut rng = SplitMix64::new(0x5eed_0009);
+    let mut scene = TestScene::new();
+    for kind in TestShapeKind::ALL {
+        scene.add_shape(&TestShape::random(kind, rng.in_ball(DVec3::ZERO, 2.0), 1.5, &mut rng));
     }
-    let boxes = stage.bounds();
+    let boxes = scene.bounds();
     let bad = [f32::NAN, f32::INFINITY, f32::NEG_INFINITY];
     let mut rays = vec![Ray::new(Vec3::ZERO, Vec3::ZERO), Ray::new(Vec3::ONE, vec3(0.0, -0.0, 0.0))];
     rays.push(Ray::new(Vec3::ZERO, vec3(1e-40, 0.0, 0.0)));
@@ -276,16 +276,16 @@ fn a_ray_that_is_none_meets_nothing_and_asks_for_nothing() {
 
     macro_rules! hold {
         ($accelerator:expr) => {
-            let world = World::new(stage.scene(), $accelerator);
+            let world = World::new(scene.as_scene(), $accelerator);
             let mut scratch = Default::default();
             let mut tally = Counters::new();
             for ray in &rays {
-                for reach in [1.0, Real::MAX, Real::INFINITY, Real::NAN, -1.0] {
+                for t_max in [1.0, Real::MAX, Real::INFINITY, Real::NAN, -1.0] {
                     let hit =
-                        world.nearest::<AllEffects, _>(ray, reach, RayKind::Camera, &mut scratch, &mut tally);
+                        world.nearest::<AllEffects, _>(ray, t_max, RayKind::Camera, &mut scratch, &mut tally);
                     assert_eq!(hit, None, "{ray:?}");
                     let blocker =
-                        world.blocker::<AllEffects, _>(ray, reach, RayKind::Shadow, &mut scratch, &mut tally);
+                        world.blocker::<AllEffects, _>(ray, t_max, RayKind::Shadow, &mut scratch, &mut tally);
                     assert_eq!(blocker, None, "{ray:?}");
                 }
             }
@@ -293,7 +293,7 @@ fn a_ray_that_is_none_meets_nothing_and_asks_for_nothing() {
         };
     }
 
-    hold!(List::without_bounds(stage.item_count()));
+    hold!(List::without_bounds(scene.item_count()));
     let room = BvhSize::recommended(boxes.len());
     let (mut nodes, mut items) = (vec![BvhNode::EMPTY; room.nodes], vec![LeafEntry::EMPTY; room.entries]);
     hold!(Bvh::<TraversalStack<64>>::build(&boxes, &mut nodes, &mut items).unwrap());

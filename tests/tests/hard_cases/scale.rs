@@ -9,9 +9,9 @@ use strahl_core::{
     Source, Tile, Tracer, Vec3, View, Worker, World, render, vec3,
 };
 use strahl_tests::hard::cases;
-use strahl_tests::oracle::{Truth, meet, size};
-use strahl_tests::single::Stage;
-use strahl_tests::{Core, Found, Kind, Line, Random, Thing, Vector, vector};
+use strahl_tests::oracle::{OracleAnswer, intersect, size};
+use strahl_tests::single::TestScene;
+use strahl_tests::{CoreHit, DVec3, SplitMix64, TestRay, TestShape, TestShapeKind, TestedCore, dvec3};
 
 const SEED: u64 = 0x5eed_0006;
 
@@ -23,21 +23,21 @@ fn power_of_two(k: i32) -> f32 {
 /// which is a power of two, through a lens or none.
 fn picture(scale: f32, has_lens: bool) -> Vec<[u32; 3]> {
     let wide = f64::from(scale);
-    let mut random = Random::new(SEED);
-    let mut stage = Stage::new();
-    let checker = stage.add_texture(Texture::Checker {
+    let mut rng = SplitMix64::new(SEED);
+    let mut scene = TestScene::new();
+    let checker = scene.add_texture(Texture::Checker {
         even: Rgb::WHITE,
         odd: Rgb::gray(0.25),
         origin: vec3(0.3, 0.2, 0.1) * scale,
         frequency: vec3(1.3, 0.7, 1.1) / scale,
     });
-    let gradient = stage.add_texture(Texture::Gradient {
+    let gradient = scene.add_texture(Texture::Gradient {
         from: Rgb::WHITE,
         to: Rgb::new(0.9, 0.5, 0.1),
         origin: vec3(0.0, -2.0, 0.0) * scale,
         along: vec3(0.3, 4.0, 0.1) * scale,
     });
-    let zones = stage.add_texture(Texture::ZonePlate {
+    let zones = scene.add_texture(Texture::ZonePlate {
         from: Rgb::WHITE,
         to: Rgb::new(0.2, 0.7, 0.9),
         origin: vec3(0.5, 0.1, -0.4) * scale,
@@ -57,14 +57,14 @@ fn picture(scale: f32, has_lens: bool) -> Vec<[u32; 3]> {
             ..paint
         },
     ];
-    stage.material(materials[0]);
-    stage.plane(vec3(0.0, -3.0, 0.0) * scale, Vec3::Y);
+    scene.material(materials[0]);
+    scene.plane(vec3(0.0, -3.0, 0.0) * scale, Vec3::Y);
     for i in 0..42 {
-        stage.material(materials[i % materials.len()]);
-        let kind = Kind::ALL[i % Kind::ALL.len()];
-        if kind != Kind::Plane {
-            let thing = Thing::random(kind, random.near(Vector::ZERO, 3.0), 0.8, &mut random);
-            stage.thing(&thing.mapped(|p| p * wide, |d| d, wide));
+        scene.material(materials[i % materials.len()]);
+        let kind = TestShapeKind::ALL[i % TestShapeKind::ALL.len()];
+        if kind != TestShapeKind::Plane {
+            let shape = TestShape::random(kind, rng.in_ball(DVec3::ZERO, 3.0), 0.8, &mut rng);
+            scene.add_shape(&shape.mapped(|p| p * wide, |d| d, wide));
         }
     }
     let falloff = Falloff { constant: 1.0, linear: 0.01 / scale, quadratic: 0.001 / (scale * scale) };
@@ -82,11 +82,11 @@ fn picture(scale: f32, has_lens: bool) -> Vec<[u32; 3]> {
         },
         Source::Spot { position: position * scale, direction, cos_bright: 0.95, cos_dark: 0.9, falloff },
     ] {
-        stage.lights.push(Light { source, color: Rgb::gray(0.4), shadows: true });
+        scene.lights.push(Light { source, color: Rgb::gray(0.4), shadows: true });
     }
-    stage.ambient = Rgb::gray(0.1);
-    stage.colored_shadows = true;
-    stage.background =
+    scene.ambient = Rgb::gray(0.1);
+    scene.colored_shadows = true;
+    scene.background =
         Background::Gradient { up: Vec3::Y, below: Rgb::BLACK, above: Rgb::new(0.2, 0.4, 0.9) };
 
     let size = Resolution::new(32, 24).unwrap();
@@ -101,7 +101,7 @@ fn picture(scale: f32, has_lens: bool) -> Vec<[u32; 3]> {
         },
     };
     let camera = Camera::new(&view, size).unwrap();
-    let world = World::new(stage.scene(), List::without_bounds(stage.item_count()));
+    let world = World::new(scene.as_scene(), List::without_bounds(scene.item_count()));
     let limits = Limits { levels: 6, cutoff: 0.0 };
     let tracer = Tracer::<_, AllEffects, 6>::new(&world, camera, limits).unwrap();
     let tile = Tile::whole(size);
@@ -128,22 +128,22 @@ fn a_scene_of_any_size_gives_the_same_picture_bit_for_bit() {
 }
 
 /// Things of every kind and hard ones, and rays at them.
-fn scenes(random: &mut Random) -> Vec<(Thing, Vec<Line>)> {
+fn scenes(rng: &mut SplitMix64) -> Vec<(TestShape, Vec<TestRay>)> {
     let mut scenes = Vec::new();
-    for kind in Kind::ALL {
+    for kind in TestShapeKind::ALL {
         for _ in 0..20 {
-            let place = random.near(Vector::ZERO, 5.0);
-            let thing = Thing::random(kind, place, random.scale(0.1, 3.0), random);
-            let line = |random: &mut Random| {
-                let (eye, target) = (random.near(place, 12.0), random.near(place, 3.0));
-                let speed = random.scale(0.1, 10.0);
+            let place = rng.in_ball(DVec3::ZERO, 5.0);
+            let shape = TestShape::random(kind, place, rng.log_between(0.1, 3.0), rng);
+            let ray = |rng: &mut SplitMix64| {
+                let (eye, target) = (rng.in_ball(place, 12.0), rng.in_ball(place, 3.0));
+                let speed = rng.log_between(0.1, 10.0);
                 let way = (target - eye) * speed;
-                Line {
+                TestRay {
                     origin: eye,
-                    direction: vector(way.x as f32 as f64, way.y as f32 as f64, way.z as f32 as f64),
+                    direction: dvec3(way.x as f32 as f64, way.y as f32 as f64, way.z as f32 as f64),
                 }
             };
-            scenes.push((thing, (0..30).map(|_| line(random)).collect()));
+            scenes.push((shape, (0..30).map(|_| ray(rng)).collect()));
         }
     }
     // Distances of directions 1e-30 long leave the range by themselves.
@@ -154,24 +154,24 @@ fn scenes(random: &mut Random) -> Vec<(Thing, Vec<Line>)> {
 
 #[test]
 fn distances_grow_with_the_scene_bit_for_bit() {
-    let mut random = Random::new(SEED + 1);
+    let mut rng = SplitMix64::new(SEED + 1);
     let mut hits = 0;
-    for (thing, lines) in scenes(&mut random) {
-        let truth = Stage::with(std::slice::from_ref(&thing)).cast(&lines);
+    for (shape, rays) in scenes(&mut rng) {
+        let truth = TestScene::with_shapes(std::slice::from_ref(&shape)).cast(&rays);
         for k in [-20, -7, -1, 1, 13, 20] {
             let scale = f64::from(power_of_two(k));
-            let larger = thing.mapped(|p| p * scale, |d| d, scale);
-            let rays: Vec<Line> =
-                lines.iter().map(|line| Line { origin: line.origin * scale, ..*line }).collect();
-            let answers = Stage::with(&[larger]).cast(&rays);
-            for ((line, truth), answer) in lines.iter().zip(&truth).zip(answers) {
-                let grown = |found: &Found| Found {
-                    t: found.t * scale,
-                    point: found.point * scale,
-                    error: found.error * scale,
-                    ..*found
+            let larger = shape.mapped(|p| p * scale, |d| d, scale);
+            let other_rays: Vec<TestRay> =
+                rays.iter().map(|ray| TestRay { origin: ray.origin * scale, ..*ray }).collect();
+            let answers = TestScene::with_shapes(&[larger]).cast(&other_rays);
+            for ((ray, truth), answer) in rays.iter().zip(&truth).zip(answers) {
+                let grown = |hit: &CoreHit| CoreHit {
+                    t: hit.t * scale,
+                    point: hit.point * scale,
+                    error: hit.error * scale,
+                    ..*hit
                 };
-                assert_eq!(answer, truth.as_ref().map(grown), "2^{k}: {thing:?}\n{line:?}");
+                assert_eq!(answer, truth.as_ref().map(grown), "2^{k}: {shape:?}\n{ray:?}");
                 hits += usize::from(answer.is_some());
             }
         }
@@ -180,43 +180,42 @@ fn distances_grow_with_the_scene_bit_for_bit() {
 }
 
 /// Whether the normal goes round the corners, so that a mirror turns it over.
-fn is_handed(thing: &Thing) -> bool {
+fn is_handed(shape: &TestShape) -> bool {
     matches!(
-        thing,
-        Thing::Triangle { .. }
-            | Thing::SmoothTriangle { .. }
-            | Thing::Polygon { .. }
-            | Thing::SmoothPolygon { .. }
+        shape,
+        TestShape::Triangle { .. }
+            | TestShape::SmoothTriangle { .. }
+            | TestShape::Polygon { .. }
+            | TestShape::SmoothPolygon { .. }
     )
 }
 
 #[test]
 fn a_mirrored_scene_has_the_mirrored_hits_bit_for_bit() {
-    let mut random = Random::new(SEED + 2);
+    let mut rng = SplitMix64::new(SEED + 2);
     let mut hits = 0;
-    for (thing, lines) in scenes(&mut random) {
-        let truth = Stage::with(std::slice::from_ref(&thing)).cast(&lines);
-        for sides in [vector(-1.0, 1.0, 1.0), vector(1.0, -1.0, 1.0), vector(1.0, 1.0, -1.0)] {
-            let mirrored = |v: Vector| v * sides;
-            let other = thing.mapped(mirrored, mirrored, 1.0);
-            let rays: Vec<Line> = lines
+    for (shape, rays) in scenes(&mut rng) {
+        let truth = TestScene::with_shapes(std::slice::from_ref(&shape)).cast(&rays);
+        for sides in [dvec3(-1.0, 1.0, 1.0), dvec3(1.0, -1.0, 1.0), dvec3(1.0, 1.0, -1.0)] {
+            let mirrored = |v: DVec3| v * sides;
+            let other = shape.mapped(mirrored, mirrored, 1.0);
+            let other_rays: Vec<TestRay> = rays
                 .iter()
-                .map(|line| Line { origin: mirrored(line.origin), direction: mirrored(line.direction) })
+                .map(|ray| TestRay { origin: mirrored(ray.origin), direction: mirrored(ray.direction) })
                 .collect();
-            let answers = Stage::with(&[other]).cast(&rays);
-            for ((line, truth), answer) in lines.iter().zip(&truth).zip(answers) {
+            let answers = TestScene::with_shapes(&[other]).cast(&other_rays);
+            for ((ray, truth), answer) in rays.iter().zip(&truth).zip(answers) {
                 // An edge of a polygon holds its lower end and not its upper one.
-                let may_differ = matches!(thing, Thing::Polygon { .. } | Thing::SmoothPolygon { .. })
-                    && matches!(meet(&thing, line), Truth::Unclear);
+                let may_differ = matches!(shape, TestShape::Polygon { .. } | TestShape::SmoothPolygon { .. })
+                    && matches!(intersect(&shape, ray), OracleAnswer::Unclear);
                 if may_differ {
                     continue;
                 }
-                let over = if is_handed(&thing) { -1.0 } else { 1.0 };
-                let seen = |found: &Found| {
-                    (found.t, mirrored(found.point), mirrored(found.normal) * over, found.error)
-                };
-                let got = answer.map(|found| (found.t, found.point, found.normal, found.error));
-                assert_eq!(got, truth.as_ref().map(seen), "{sides:?}: {thing:?}\n{line:?}");
+                let over = if is_handed(&shape) { -1.0 } else { 1.0 };
+                let seen =
+                    |hit: &CoreHit| (hit.t, mirrored(hit.point), mirrored(hit.normal) * over, hit.error);
+                let got = answer.map(|hit| (hit.t, hit.point, hit.normal, hit.error));
+                assert_eq!(got, truth.as_ref().map(seen), "{sides:?}: {shape:?}\n{ray:?}");
                 hits += usize::from(answer.is_some());
             }
         }
@@ -228,29 +227,33 @@ fn a_mirrored_scene_has_the_mirrored_hits_bit_for_bit() {
 fn a_scene_with_its_axes_in_another_order_has_the_same_hits_but_for_rounding() {
     // Sums of three products round in the order of the axes. What has none is the same to the last
     // bit: triangles, whose test looks along one axis, and upright boxes.
-    let mut random = Random::new(SEED + 3);
+    let mut rng = SplitMix64::new(SEED + 3);
     let mut hits = 0;
-    for (thing, lines) in scenes(&mut random) {
-        let is_exact =
-            matches!(thing, Thing::Triangle { .. } | Thing::SmoothTriangle { .. } | Thing::Cuboid { .. });
-        let truth = Stage::with(std::slice::from_ref(&thing)).cast(&lines);
+    for (shape, rays) in scenes(&mut rng) {
+        let is_exact = matches!(
+            shape,
+            TestShape::Triangle { .. } | TestShape::SmoothTriangle { .. } | TestShape::Cuboid { .. }
+        );
+        let truth = TestScene::with_shapes(std::slice::from_ref(&shape)).cast(&rays);
         for turns in [1, 2] {
-            let turned = |v: Vector| if turns == 1 { vector(v.y, v.z, v.x) } else { vector(v.z, v.x, v.y) };
-            let other = thing.mapped(turned, turned, 1.0);
-            let rays: Vec<Line> = lines
+            let turned = |v: DVec3| if turns == 1 { dvec3(v.y, v.z, v.x) } else { dvec3(v.z, v.x, v.y) };
+            let other = shape.mapped(turned, turned, 1.0);
+            let other_rays: Vec<TestRay> = rays
                 .iter()
-                .map(|line| Line { origin: turned(line.origin), direction: turned(line.direction) })
+                .map(|ray| TestRay { origin: turned(ray.origin), direction: turned(ray.direction) })
                 .collect();
-            for ((line, truth), answer) in lines.iter().zip(&truth).zip(Stage::with(&[other]).cast(&rays)) {
-                let about = || format!("{thing:?}\n{line:?}\n{truth:?}\n{answer:?}");
-                let t = |found: &Found| found.t;
+            for ((ray, truth), answer) in
+                rays.iter().zip(&truth).zip(TestScene::with_shapes(&[other]).cast(&other_rays))
+            {
+                let about = || format!("{shape:?}\n{ray:?}\n{truth:?}\n{answer:?}");
+                let t = |hit: &CoreHit| hit.t;
                 if is_exact {
                     assert_eq!(answer.as_ref().map(t), truth.as_ref().map(t), "{}", about());
-                } else if let Truth::Hit(contact) = meet(&thing, line) {
+                } else if let OracleAnswer::Hit(contact) = intersect(&shape, ray) {
                     let (Some(one), Some(other)) = (truth, answer) else { panic!("{}", about()) };
                     // Each is within 4 units in the last place (8 for cones and tori) of the truth.
-                    let conditioning = size(&thing, line) / contact.slope + contact.way;
-                    let speed = line.direction.dot(line.direction).sqrt();
+                    let conditioning = size(&shape, ray) / contact.slope + contact.way;
+                    let speed = ray.direction.dot(ray.direction).sqrt();
                     let off = (one.t - other.t).abs() * speed;
                     assert!(off <= 8.0 * f64::from(f32::EPSILON) * conditioning, "{}", about());
                 }

@@ -6,26 +6,26 @@ use strahl_core::accel::{
 use strahl_core::geometry::Ray;
 use strahl_core::tally::RayKind;
 use strahl_core::{AllEffects, Geometry, Material, MaterialId, Parts, Real, Scene, World, vec3};
-use strahl_tests::hard::{Mesh, escapes, odd_crossings};
-use strahl_tests::{Random, Vector, vector};
+use strahl_tests::hard::{ClosedMesh, escapes, odd_crossings};
+use strahl_tests::{DVec3, SplitMix64, dvec3};
 
 const SEED: u64 = 0x5eed_0008;
 
 /// Far from the origin, where corners are coarse.
-const FAR: Vector = Vector::new(2e5, -1.3e5, 0.7e5);
+const FAR: DVec3 = DVec3::new(2e5, -1.3e5, 0.7e5);
 
 /// The slivers of a cone meet in its apex, and a ray that is aimed there has to ask all of them:
 /// fewer rays than for other meshes.
-fn meshes() -> Vec<(&'static str, Mesh, usize)> {
+fn meshes() -> Vec<(&'static str, ClosedMesh, usize)> {
     vec![
-        ("a sphere", Mesh::icosphere(5, Vector::ZERO, 1.0), 300_000),
-        ("a sphere far away", Mesh::icosphere(5, FAR, 100.0), 300_000),
-        ("a cube", Mesh::cube(vector(0.1, 0.2, 0.3), 1.0), 100_000),
-        ("a cube far away", Mesh::cube(FAR, 3.0), 100_000),
-        ("a sheet", Mesh::sheet(50, Vector::ZERO, 1.0), 80_000),
-        ("a sheet far away", Mesh::sheet(50, FAR, 100.0), 80_000),
-        ("a cone of slivers", Mesh::fan(1000, Vector::ZERO, 1.0), 20_000),
-        ("a cone of slivers far away", Mesh::fan(1000, FAR, 100.0), 20_000),
+        ("a sphere", ClosedMesh::icosphere(5, DVec3::ZERO, 1.0), 300_000),
+        ("a sphere far away", ClosedMesh::icosphere(5, FAR, 100.0), 300_000),
+        ("a cube", ClosedMesh::cube(dvec3(0.1, 0.2, 0.3), 1.0), 100_000),
+        ("a cube far away", ClosedMesh::cube(FAR, 3.0), 100_000),
+        ("a sheet", ClosedMesh::sheet(50, DVec3::ZERO, 1.0), 80_000),
+        ("a sheet far away", ClosedMesh::sheet(50, FAR, 100.0), 80_000),
+        ("a cone of slivers", ClosedMesh::fan(1000, DVec3::ZERO, 1.0), 20_000),
+        ("a cone of slivers far away", ClosedMesh::fan(1000, FAR, 100.0), 20_000),
     ]
 }
 
@@ -33,7 +33,7 @@ fn meshes() -> Vec<(&'static str, Mesh, usize)> {
 fn a_million_rays_at_edges_and_corners_and_none_gets_through() {
     let mut rays = 0;
     for (name, mesh, count) in meshes() {
-        assert_eq!(escapes(&mesh, count, &mut Random::new(SEED)), 0, "{name}");
+        assert_eq!(escapes(&mesh, count, &mut SplitMix64::new(SEED)), 0, "{name}");
         rays += count;
     }
     assert_eq!(rays, 1_000_000);
@@ -42,12 +42,12 @@ fn a_million_rays_at_edges_and_corners_and_none_gets_through() {
 #[test]
 fn from_outside_a_closed_mesh_is_crossed_an_even_number_of_times() {
     for (name, mesh) in [
-        ("a sphere", Mesh::icosphere(3, Vector::ZERO, 1.0)),
-        ("a sphere far away", Mesh::icosphere(3, FAR, 100.0)),
-        ("a cube", Mesh::cube(vector(0.1, 0.2, 0.3), 1.0)),
-        ("a cube far away", Mesh::cube(FAR, 3.0)),
+        ("a sphere", ClosedMesh::icosphere(3, DVec3::ZERO, 1.0)),
+        ("a sphere far away", ClosedMesh::icosphere(3, FAR, 100.0)),
+        ("a cube", ClosedMesh::cube(dvec3(0.1, 0.2, 0.3), 1.0)),
+        ("a cube far away", ClosedMesh::cube(FAR, 3.0)),
     ] {
-        assert_eq!(odd_crossings(&mesh, 5_000, &mut Random::new(SEED + 1)), 0, "{name}");
+        assert_eq!(odd_crossings(&mesh, 5_000, &mut SplitMix64::new(SEED + 1)), 0, "{name}");
     }
 }
 
@@ -61,12 +61,12 @@ fn no_accelerator_lets_a_ray_through() {
         let scene = Scene::new(parts).unwrap();
         let boxes: Vec<_> = geometry.all_bounds().collect();
 
-        let mut random = Random::new(SEED + 2);
+        let mut rng = SplitMix64::new(SEED + 2);
         let rays: Vec<Ray> = (0..4_000)
             .map(|_| {
-                let (line, _) = mesh.aim(&mut random);
-                let narrow = |v: Vector| vec3(v.x as f32, v.y as f32, v.z as f32);
-                Ray::new(narrow(line.origin), narrow(line.direction))
+                let (ray, _) = mesh.aim(&mut rng);
+                let narrow = |v: DVec3| vec3(v.x as f32, v.y as f32, v.z as f32);
+                Ray::new(narrow(ray.origin), narrow(ray.direction))
             })
             .collect();
         let mut truth = Vec::new();

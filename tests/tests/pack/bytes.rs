@@ -21,8 +21,8 @@ fn opened(bytes: &[u8]) -> Option<PackError> {
 
 #[test]
 fn what_is_no_pack_is_told_by_its_reason() {
-    let stage = fair();
-    let bytes = baked(stage.scene(), Finder::Bare(BareList(stage.item_count())));
+    let scene = fair();
+    let bytes = baked(scene.as_scene(), Finder::Bare(BareList(scene.item_count())));
     let with = |place: usize, word: u32| {
         let mut bytes = bytes.clone();
         bytes[place..place + 4].copy_from_slice(&word.to_le_bytes());
@@ -44,8 +44,8 @@ fn what_is_no_pack_is_told_by_its_reason() {
 
 #[test]
 fn a_pack_that_is_cut_anywhere_is_too_short() {
-    let stage = fair();
-    let bytes = baked(stage.scene(), Finder::Bare(BareList(stage.item_count())));
+    let scene = fair();
+    let bytes = baked(scene.as_scene(), Finder::Bare(BareList(scene.item_count())));
     for length in 0..bytes.len() {
         let error = opened(&bytes[..length]);
         assert!(matches!(error, Some(PackError::TooShort { .. })), "{length}: {error:?}");
@@ -54,8 +54,8 @@ fn a_pack_that_is_cut_anywhere_is_too_short() {
 
 #[test]
 fn a_bit_that_flips_is_noticed() {
-    let stage = fair();
-    let bytes = baked(stage.scene(), Finder::Bare(BareList(stage.item_count())));
+    let scene = fair();
+    let bytes = baked(scene.as_scene(), Finder::Bare(BareList(scene.item_count())));
     for place in 0..bytes.len() {
         let mut bytes = bytes.clone();
         bytes[place] ^= 1 << (place % 8);
@@ -64,7 +64,7 @@ fn a_bit_that_flips_is_noticed() {
 }
 
 /// Bytes with some changes that somebody meant: words of numbers that matter, and a right sum.
-fn forged(bytes: &[u8], random: &mut Random) -> Vec<u8> {
+fn forged(bytes: &[u8], rng: &mut SplitMix64) -> Vec<u8> {
     const WORDS: [u32; 14] = [
         0,
         1,
@@ -82,17 +82,17 @@ fn forged(bytes: &[u8], random: &mut Random) -> Vec<u8> {
         u32::MAX,
     ];
     let mut bytes = bytes.to_vec();
-    for _ in 0..1 + random.below(3) {
+    for _ in 0..1 + rng.below(3) {
         // Half of them in the header, which says where everything is.
-        let end = if random.below(2) == 0 { 400 } else { bytes.len() as u32 / 4 * 4 };
-        let place = random.below(end / 4) as usize * 4;
+        let end = if rng.below(2) == 0 { 400 } else { bytes.len() as u32 / 4 * 4 };
+        let place = rng.below(end / 4) as usize * 4;
         if place < COVERED {
             continue;
         }
-        let word = match random.below(3) {
-            0 => WORDS[random.below(WORDS.len() as u32) as usize],
-            1 => random.below(bytes.len() as u32 + 9),
-            _ => random.below(u32::MAX),
+        let word = match rng.below(3) {
+            0 => WORDS[rng.below(WORDS.len() as u32) as usize],
+            1 => rng.below(bytes.len() as u32 + 9),
+            _ => rng.below(u32::MAX),
         };
         bytes[place..place + 4].copy_from_slice(&word.to_le_bytes());
     }
@@ -128,11 +128,11 @@ fn used(bytes: &[u8]) -> bool {
 
 #[test]
 fn forged_bytes_are_refused_or_traced_but_never_followed_out_of_range() {
-    let mut random = Random::new(41);
+    let mut rng = SplitMix64::new(41);
     let (mut refused, mut traced) = (0, 0);
     for bytes in every_pack(&fair()) {
         for _ in 0..1_500 {
-            if used(&forged(&bytes, &mut random)) { traced += 1 } else { refused += 1 }
+            if used(&forged(&bytes, &mut rng)) { traced += 1 } else { refused += 1 }
         }
     }
     // Both happen, or this test would say nothing.

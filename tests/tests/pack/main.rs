@@ -15,8 +15,8 @@ use strahl_core::{
     AllEffects, Background, BareList, Camera, Falloff, Light, Limits, Material, Projection, Real, Resolution,
     Rgb, Scene, Single, Source, Tile, Tracer, Vec3, View, Worker, World, render, vec3,
 };
-use strahl_tests::Random;
-use strahl_tests::single::Stage;
+use strahl_tests::SplitMix64;
+use strahl_tests::single::TestScene;
 use zerocopy::IntoBytes;
 
 /// Bytes aligned to 4.
@@ -46,37 +46,37 @@ const VIEW: View = View {
 const SIZE: Resolution = Resolution::new(24, 16).unwrap();
 
 /// One of everything, and a swarm of small spheres.
-fn fair() -> Stage {
-    let mut stage = Stage::new();
-    let checker = stage.add_texture(Texture::Checker {
+fn fair() -> TestScene {
+    let mut scene = TestScene::new();
+    let checker = scene.add_texture(Texture::Checker {
         even: Rgb::WHITE,
         odd: Rgb::gray(0.25),
         origin: Vec3::ZERO,
         frequency: vec3(1.0, 0.0, 1.0),
     });
-    let gradient = stage.add_texture(Texture::Gradient {
+    let gradient = scene.add_texture(Texture::Gradient {
         from: Rgb::new(0.9, 0.1, 0.2),
         to: Rgb::WHITE,
         origin: Vec3::ZERO,
         along: Vec3::Y,
     });
     let shiny = Material { highlight: Rgb::gray(0.5), exponent: 20.0, ..Material::MATTE };
-    stage.material(Material { texture: checker, two_sided: false, ..Material::MATTE });
-    stage.plane(vec3(0.0, -2.0, 0.0), Vec3::Y);
-    stage.material(Material { texture: gradient, ..shiny });
-    stage.disc(vec3(-2.0, 0.0, -1.0), vec3(1.0, 0.0, 2.0), 0.8);
-    stage.triangle([vec3(2.0, -1.0, 0.0), vec3(3.0, -1.0, 0.0), vec3(2.5, 1.0, -0.5)]);
+    scene.material(Material { texture: checker, two_sided: false, ..Material::MATTE });
+    scene.plane(vec3(0.0, -2.0, 0.0), Vec3::Y);
+    scene.material(Material { texture: gradient, ..shiny });
+    scene.disc(vec3(-2.0, 0.0, -1.0), vec3(1.0, 0.0, 2.0), 0.8);
+    scene.triangle([vec3(2.0, -1.0, 0.0), vec3(3.0, -1.0, 0.0), vec3(2.5, 1.0, -0.5)]);
     let normals = [vec3(-0.2, 0.0, 1.0), vec3(0.2, 0.0, 1.0), vec3(0.0, 0.2, 1.0)];
-    stage.smooth_triangle([vec3(-3.0, -1.0, 0.0), vec3(-2.0, -1.0, 0.0), vec3(-2.5, 1.0, 0.5)], normals);
-    stage.polygon(
+    scene.smooth_triangle([vec3(-3.0, -1.0, 0.0), vec3(-2.0, -1.0, 0.0), vec3(-2.5, 1.0, 0.5)], normals);
+    scene.polygon(
         &[vec3(0.0, 1.0, -2.0), vec3(1.0, 1.5, -2.0), vec3(2.0, 1.0, -2.0), vec3(1.0, 3.0, -2.0)],
         &[],
     );
-    stage.material(Material { mirror: Rgb::new(0.7, 0.8, 0.9), ..shiny });
-    let block = stage.cuboid(vec3(-1.0, -1.5, -1.0), vec3(0.0, -0.5, 0.0));
-    stage.set_motion(block, Vec3::ZERO, vec3(0.0, 0.3, 0.5));
-    stage.turned_cuboid(vec3(1.5, -1.0, 1.0), vec3(0.4, 0.3, 0.2), vec3(1.0, 0.5, 0.0), Vec3::Z);
-    stage.material(Material {
+    scene.material(Material { mirror: Rgb::new(0.7, 0.8, 0.9), ..shiny });
+    let block = scene.cuboid(vec3(-1.0, -1.5, -1.0), vec3(0.0, -0.5, 0.0));
+    scene.set_motion(block, Vec3::ZERO, vec3(0.0, 0.3, 0.5));
+    scene.oriented_cuboid(vec3(1.5, -1.0, 1.0), vec3(0.4, 0.3, 0.2), vec3(1.0, 0.5, 0.0), Vec3::Z);
+    scene.material(Material {
         transmitted: Rgb::gray(0.9),
         index: 1.5,
         interface: Interface::Fresnel,
@@ -85,13 +85,13 @@ fn fair() -> Stage {
         ..shiny
     });
     let cone = Cone::new(vec3(-1.5, -1.0, 1.5), 0.5, vec3(-1.5, 0.2, 1.5), 0.2, true);
-    stage.cone(cone.unwrap());
-    stage.torus(vec3(0.5, 0.5, 1.0), vec3(0.2, 1.0, 0.3), 0.6, 0.2);
-    stage.material(shiny);
-    let mut random = Random::new(7);
+    scene.cone(cone.unwrap());
+    scene.torus(vec3(0.5, 0.5, 1.0), vec3(0.2, 1.0, 0.3), 0.6, 0.2);
+    scene.material(shiny);
+    let mut rng = SplitMix64::new(7);
     for _ in 0..150 {
-        let mut at = || 4.0 * (random.unit() as Real) - 2.0;
-        stage.sphere(vec3(at(), at(), at()), 0.08);
+        let mut at = || 4.0 * (rng.unit() as Real) - 2.0;
+        scene.sphere(vec3(at(), at(), at()), 0.08);
     }
     let falloff = Falloff { constant: 0.5, linear: 0.01, quadratic: 0.001 };
     let white = Rgb::gray(0.5);
@@ -106,12 +106,12 @@ fn fair() -> Stage {
             falloff,
         },
     ] {
-        stage.lights.push(Light { source, color: white, shadows: true });
+        scene.lights.push(Light { source, color: white, shadows: true });
     }
-    stage.ambient = Rgb::gray(0.1);
-    stage.background =
+    scene.ambient = Rgb::gray(0.1);
+    scene.background =
         Background::Gradient { up: Vec3::Y, below: Rgb::gray(0.8), above: Rgb::new(0.1, 0.2, 0.9) };
-    stage
+    scene
 }
 
 fn baked(scene: Scene<'_>, finder: Finder<'_>) -> Vec<u8> {
@@ -123,8 +123,8 @@ fn baked(scene: Scene<'_>, finder: Finder<'_>) -> Vec<u8> {
 }
 
 /// The four ways to find an item, each baked.
-fn every_pack(stage: &Stage) -> Vec<Vec<u8>> {
-    let boxes = stage.bounds();
+fn every_pack(scene: &TestScene) -> Vec<Vec<u8>> {
+    let boxes = scene.bounds();
     let room = GridSize::recommended(&boxes);
     let (mut cells, mut entries) = (vec![0; room.cells], vec![0; room.entries]);
     let grid = Grid::build(&boxes, &mut cells, &mut entries).unwrap();
@@ -135,12 +135,12 @@ fn every_pack(stage: &Stage) -> Vec<Vec<u8>> {
     let (mut nodes, mut items) = (vec![BvhNode::EMPTY; room.nodes], vec![LeafEntry::EMPTY; room.entries]);
     let bvh = Bvh::build(&boxes, &mut nodes, &mut items).unwrap();
     let finders = [
-        Finder::Bare(BareList(stage.item_count())),
+        Finder::Bare(BareList(scene.item_count())),
         Finder::Grid(grid),
         Finder::Octree(octree),
         Finder::Bvh(bvh),
     ];
-    finders.into_iter().map(|finder| baked(stage.scene(), finder)).collect()
+    finders.into_iter().map(|finder| baked(scene.as_scene(), finder)).collect()
 }
 
 fn picture<A: Accelerator>(scene: Scene<'_>, accelerator: A, camera: Camera) -> Vec<[u32; 3]> {

@@ -4,11 +4,11 @@ use crate::*;
 
 #[test]
 fn a_baked_scene_is_opened_as_it_was() {
-    let stage = fair();
-    for bytes in every_pack(&stage) {
+    let scene = fair();
+    for bytes in every_pack(&scene) {
         let aligned = Aligned::of(&bytes);
         let pack = Pack::open(aligned.bytes()).unwrap();
-        let (was, is) = (stage.scene(), pack.scene());
+        let (was, is) = (scene.as_scene(), pack.scene());
         assert_eq!(format!("{:?}", was.parts()), format!("{:?}", is.parts()));
         assert_eq!(was.effects(), is.effects());
         assert_eq!((*pack.view(), pack.size(), pack.levels(), pack.cutoff()), (VIEW, SIZE, 4, 0.01));
@@ -20,10 +20,10 @@ fn a_baked_scene_is_opened_as_it_was() {
 
 #[test]
 fn a_baked_scene_has_the_same_picture_bit_for_bit() {
-    let stage = fair();
+    let scene = fair();
     let camera = Camera::new(&VIEW, SIZE).unwrap();
-    let truth = picture(stage.scene(), List::without_bounds(stage.item_count()), camera);
-    for bytes in every_pack(&stage) {
+    let truth = picture(scene.as_scene(), List::without_bounds(scene.item_count()), camera);
+    for bytes in every_pack(&scene) {
         let aligned = Aligned::of(&bytes);
         let pack = Pack::open(aligned.bytes()).unwrap();
         assert!(picture_of(&pack).unwrap() == truth);
@@ -32,7 +32,7 @@ fn a_baked_scene_has_the_same_picture_bit_for_bit() {
 
 #[test]
 fn an_empty_scene_is_baked_and_opened() {
-    for bytes in every_pack(&Stage::new()) {
+    for bytes in every_pack(&TestScene::new()) {
         let aligned = Aligned::of(&bytes);
         let pack = Pack::open(aligned.bytes()).unwrap();
         assert!(picture_of(&pack).unwrap().iter().all(|pixel| *pixel == [0; 3]));

@@ -4,73 +4,76 @@ mod leaving;
 mod oracle;
 mod paper;
 
-use strahl_tests::{Core, Found, Kind, Line, Random, Thing, Vector, double, rounded, single, vector};
+use strahl_tests::{
+    CoreHit, DVec3, SplitMix64, TestRay, TestShape, TestShapeKind, TestedCore, double, dvec3, rounded, single,
+};
 
 /// What a ray finds of one thing alone, and where it starts that leaves the surface.
 #[derive(Clone, Copy)]
 struct Caster {
-    cast: fn(&Thing, &[Line]) -> Vec<Option<Found>>,
-    leave: fn(&Found, Vector) -> Vector,
+    cast: fn(&TestShape, &[TestRay]) -> Vec<Option<CoreHit>>,
+    offset_origin: fn(&CoreHit, DVec3) -> DVec3,
     roundoff: f64,
     name: &'static str,
 }
 
 impl Caster {
-    const fn of<C: Core>() -> Self {
-        let cast = |thing: &Thing, lines: &[Line]| C::with(std::slice::from_ref(thing)).cast(lines);
-        Caster { cast, leave: C::leave, roundoff: C::ROUNDOFF, name: C::NAME }
+    const fn of<C: TestedCore>() -> Self {
+        let cast =
+            |shape: &TestShape, rays: &[TestRay]| C::with_shapes(std::slice::from_ref(shape)).cast(rays);
+        Caster { cast, offset_origin: C::offset_origin, roundoff: C::ROUNDOFF, name: C::NAME }
     }
 
-    fn one(&self, thing: &Thing, line: Line) -> Option<Found> {
-        (self.cast)(thing, &[line])[0]
+    fn one(&self, shape: &TestShape, ray: TestRay) -> Option<CoreHit> {
+        (self.cast)(shape, &[ray])[0]
     }
 }
 
-const SINGLE: Caster = Caster::of::<single::Stage>();
-const DOUBLE: Caster = Caster::of::<double::Stage>();
+const SINGLE: Caster = Caster::of::<single::TestScene>();
+const DOUBLE: Caster = Caster::of::<double::TestScene>();
 const CORES: [Caster; 2] = [SINGLE, DOUBLE];
 
-fn length(v: Vector) -> f64 {
+fn length(v: DVec3) -> f64 {
     v.dot(v).sqrt()
 }
 
 /// The ray from one point towards another, `speed` times as fast as to reach it at one.
-fn towards(origin: Vector, target: Vector, speed: f64) -> Line {
+fn towards(origin: DVec3, target: DVec3, speed: f64) -> TestRay {
     let way = (target - origin) * speed;
-    Line { origin, direction: vector(rounded(way.x), rounded(way.y), rounded(way.z)) }
+    TestRay { origin, direction: dvec3(rounded(way.x), rounded(way.y), rounded(way.z)) }
 }
 
 /// A point on the thing or beside it.
-fn target(thing: &Thing, random: &mut Random) -> Vector {
-    let (center, radius) = thing.ball();
-    let among = |corners: &[Vector], random: &mut Random| {
-        let shares: Vec<f64> = corners.iter().map(|_| random.unit()).collect();
-        let mix: Vector = corners.iter().zip(&shares).map(|(corner, share)| *corner * *share).sum();
-        center + (mix / shares.iter().sum::<f64>() - center) * random.between(0.0, 2.5)
+fn target(shape: &TestShape, rng: &mut SplitMix64) -> DVec3 {
+    let (center, radius) = shape.ball();
+    let among = |corners: &[DVec3], rng: &mut SplitMix64| {
+        let shares: Vec<f64> = corners.iter().map(|_| rng.unit()).collect();
+        let mix: DVec3 = corners.iter().zip(&shares).map(|(corner, share)| *corner * *share).sum();
+        center + (mix / shares.iter().sum::<f64>() - center) * rng.between(0.0, 2.5)
     };
-    match thing {
-        Thing::Triangle { corners } | Thing::SmoothTriangle { corners, .. } => among(corners, random),
-        Thing::Polygon { corners } | Thing::SmoothPolygon { corners, .. } => among(corners, random),
-        _ => random.near(center, 1.2 * radius),
+    match shape {
+        TestShape::Triangle { corners } | TestShape::SmoothTriangle { corners, .. } => among(corners, rng),
+        TestShape::Polygon { corners } | TestShape::SmoothPolygon { corners, .. } => among(corners, rng),
+        _ => rng.in_ball(center, 1.2 * radius),
     }
 }
 
 /// A ray that probably meets the thing: from up to a hundred of its sizes away or from inside,
 /// of any length.
-fn random_ray(thing: &Thing, random: &mut Random) -> Line {
-    let (center, radius) = thing.ball();
-    let origin = match random.below(4) {
-        0 => random.near(center, 0.9 * radius),
-        1 => random.near(center, 3.0 * radius),
+fn random_ray(shape: &TestShape, rng: &mut SplitMix64) -> TestRay {
+    let (center, radius) = shape.ball();
+    let origin = match rng.below(4) {
+        0 => rng.in_ball(center, 0.9 * radius),
+        1 => rng.in_ball(center, 3.0 * radius),
         _ => {
-            let away = random.direction() * (random.scale(1.2, 100.0) * radius);
-            random.near(center + away, 0.1 * radius)
+            let away = rng.direction() * (rng.log_between(1.2, 100.0) * radius);
+            rng.in_ball(center + away, 0.1 * radius)
         }
     };
     loop {
-        let target = target(thing, random);
+        let target = target(shape, rng);
         if length(target - origin) > 1e-3 * radius {
-            return towards(origin, target, random.scale(0.01, 100.0));
+            return towards(origin, target, rng.log_between(0.01, 100.0));
         }
     }
 }
@@ -95,11 +98,11 @@ macro_rules! for_every_kind {
             a_torus: Torus,
         }
     };
-    ($check:ident, $name:ident: $($thing:ident: $Kind:ident,)*) => { $(
-        mod $thing {
+    ($check:ident, $name:ident: $($shape:ident: $Kind:ident,)*) => { $(
+        mod $shape {
             #[test]
             fn $name() {
-                super::$check(super::Kind::$Kind);
+                super::$check(super::TestShapeKind::$Kind);
             }
         }
     )* };

@@ -1,13 +1,13 @@
-//! Random shapes of all kinds, from all sides, against an oracle that solves no equation.
+//! SplitMix64 shapes of all kinds, from all sides, against an oracle that solves no equation.
 
-use strahl_tests::oracle::{Contact, PRECISION, Truth, distance, meet, shading, size};
+use strahl_tests::oracle::{OracleAnswer, OracleHit, PRECISION, distance, intersect, shading, size};
 
 use crate::*;
 
 const SEED: u64 = 0x5eed_0001;
 
 /// Things of each kind, and rays for each of them.
-const THINGS: usize = 150;
+const SHAPES: usize = 150;
 const RAYS: usize = 150;
 
 /// How many roundoffs, times [`size`] over slope, a way may be off: 4 units in the last place,
@@ -31,18 +31,18 @@ struct Report {
 }
 
 /// Holds the answers of both cores against the truth.
-fn hold(thing: &Thing, rays: &[Line], reports: &mut [Report; 2]) {
-    let truths: Vec<Truth> = rays.iter().map(|line| meet(thing, line)).collect();
+fn hold(shape: &TestShape, rays: &[TestRay], reports: &mut [Report; 2]) {
+    let truths: Vec<OracleAnswer> = rays.iter().map(|ray| intersect(shape, ray)).collect();
     for (core, report) in CORES.iter().zip(reports) {
-        for ((line, truth), found) in rays.iter().zip(&truths).zip((core.cast)(thing, rays)) {
-            let about = || format!("{}\n{thing:?}\n{line:?}\n{truth:?}\n{found:?}", core.name);
-            assert!(found.is_none_or(|found| found.is_finite()), "{}", about());
-            match (truth, found) {
-                (Truth::Unclear, _) => report.unclear += 1,
-                (Truth::Miss, None) => report.misses += 1,
-                (Truth::Hit(contact), Some(found)) => {
+        for ((ray, truth), hit) in rays.iter().zip(&truths).zip((core.cast)(shape, rays)) {
+            let about = || format!("{}\n{shape:?}\n{ray:?}\n{truth:?}\n{hit:?}", core.name);
+            assert!(hit.is_none_or(|hit| hit.is_finite()), "{}", about());
+            match (truth, hit) {
+                (OracleAnswer::Unclear, _) => report.unclear += 1,
+                (OracleAnswer::Miss, None) => report.misses += 1,
+                (OracleAnswer::Hit(contact), Some(hit)) => {
                     report.hits += 1;
-                    report.check(core, thing, line, contact, &found, &about);
+                    report.check(core, shape, ray, contact, &hit, &about);
                 }
                 _ => panic!("hit or miss is wrong: {}", about()),
             }
@@ -63,32 +63,33 @@ fn conclude(name: &str, reports: &[Report; 2], hits: f64, misses: f64, unclear: 
     }
 }
 
-fn random_thing(kind: Kind, random: &mut Random) -> Thing {
-    let size = random.scale(0.1, 10.0);
-    let place = random.near(Vector::ZERO, 3.0 * size);
-    Thing::random(kind, place, size, random)
+fn random_thing(kind: TestShapeKind, rng: &mut SplitMix64) -> TestShape {
+    let size = rng.log_between(0.1, 10.0);
+    let place = rng.in_ball(DVec3::ZERO, 3.0 * size);
+    TestShape::random(kind, place, size, rng)
 }
 
-fn is_met_where_the_truth_is(kind: Kind) {
-    let mut random = Random::new(SEED + kind as u64);
+fn is_met_where_the_truth_is(kind: TestShapeKind) {
+    let mut rng = SplitMix64::new(SEED + kind as u64);
     let mut reports = CORES.map(|_| Report::default());
-    for _ in 0..THINGS {
-        let thing = random_thing(kind, &mut random);
-        let rays: Vec<Line> = (0..RAYS).map(|_| random_ray(&thing, &mut random)).collect();
-        hold(&thing, &rays, &mut reports);
+    for _ in 0..SHAPES {
+        let shape = random_thing(kind, &mut rng);
+        let rays: Vec<TestRay> = (0..RAYS).map(|_| random_ray(&shape, &mut rng)).collect();
+        hold(&shape, &rays, &mut reports);
     }
     conclude(&format!("{kind:?}"), &reports, 0.25, 0.05, 0.01);
 }
 
 /// Rays ever closer to a silhouette, a rim or an edge, from both sides: between a point where
 /// the thing is met and one beside it the border is found by halving.
-fn rays_at_the_border(thing: &Thing, random: &mut Random) -> Vec<Line> {
-    let (center, radius) = thing.ball();
-    let away = radius * random.scale(2.0, 20.0);
-    let eye = random.near(center, away);
-    let (mut on, mut beside) = (target(thing, random), random.near(center, 2.0 * radius));
-    let is_met =
-        |point: Vector| !matches!(meet(thing, &Line { origin: eye, direction: point - eye }), Truth::Miss);
+fn rays_at_the_border(shape: &TestShape, rng: &mut SplitMix64) -> Vec<TestRay> {
+    let (center, radius) = shape.ball();
+    let away = radius * rng.log_between(2.0, 20.0);
+    let eye = rng.in_ball(center, away);
+    let (mut on, mut beside) = (target(shape, rng), rng.in_ball(center, 2.0 * radius));
+    let is_met = |point: DVec3| {
+        !matches!(intersect(shape, &TestRay { origin: eye, direction: point - eye }), OracleAnswer::Miss)
+    };
     if !is_met(on) || is_met(beside) {
         return Vec::new();
     }
@@ -105,37 +106,37 @@ fn rays_at_the_border(thing: &Thing, random: &mut Random) -> Vec<Line> {
         .collect()
 }
 
-fn ends_where_the_truth_does(kind: Kind) {
-    let mut random = Random::new(SEED + 50 + kind as u64);
+fn ends_where_the_truth_does(kind: TestShapeKind) {
+    let mut rng = SplitMix64::new(SEED + 50 + kind as u64);
     let mut reports = CORES.map(|_| Report::default());
-    for _ in 0..THINGS {
-        let thing = random_thing(kind, &mut random);
-        let rays = rays_at_the_border(&thing, &mut random);
-        hold(&thing, &rays, &mut reports);
+    for _ in 0..SHAPES {
+        let shape = random_thing(kind, &mut rng);
+        let rays = rays_at_the_border(&shape, &mut rng);
+        hold(&shape, &rays, &mut reports);
     }
-    if kind != Kind::Plane {
+    if kind != TestShapeKind::Plane {
         conclude(&format!("the border of {kind:?}"), &reports, 0.2, 0.2, 0.4);
     }
 }
 
 #[test]
 fn a_torus_of_any_proportions_is_met_where_the_oracle_says() {
-    let mut random = Random::new(SEED + 101);
+    let mut rng = SplitMix64::new(SEED + 101);
     let mut reports = CORES.map(|_| Report::default());
-    for _ in 0..THINGS {
-        let major = random.scale(0.1, 10.0);
-        let minor = rounded(major * random.scale(1e-3, 1.0));
-        let (center, axis) = (random.near(Vector::ZERO, 3.0), random.direction());
-        let torus = Thing::Torus { center, axis, major, minor };
+    for _ in 0..SHAPES {
+        let major = rng.log_between(0.1, 10.0);
+        let minor = rounded(major * rng.log_between(1e-3, 1.0));
+        let (center, axis) = (rng.in_ball(DVec3::ZERO, 3.0), rng.direction());
+        let torus = TestShape::Torus { center, axis, major, minor };
         // At the tube, from up to a hundred sizes away.
-        let aim = |random: &mut Random| {
-            let middle = random.direction();
+        let aim = |rng: &mut SplitMix64| {
+            let middle = rng.direction();
             let middle = middle - axis * (middle.dot(axis) / axis.dot(axis));
-            let target = random.near(center + middle * (major / length(middle)), 1.2 * minor);
-            let away = major * random.scale(0.5, 100.0);
-            towards(random.near(center, away), target, 1.0)
+            let target = rng.in_ball(center + middle * (major / length(middle)), 1.2 * minor);
+            let away = major * rng.log_between(0.5, 100.0);
+            towards(rng.in_ball(center, away), target, 1.0)
         };
-        let rays: Vec<Line> = (0..RAYS).map(|_| aim(&mut random)).collect();
+        let rays: Vec<TestRay> = (0..RAYS).map(|_| aim(&mut rng)).collect();
         hold(&torus, &rays, &mut reports);
     }
     conclude("a torus of any proportions", &reports, 0.5, 0.02, 0.1);
@@ -145,15 +146,15 @@ impl Report {
     fn check(
         &mut self,
         core: &Caster,
-        thing: &Thing,
-        line: &Line,
-        truth: &Contact,
-        found: &Found,
+        shape: &TestShape,
+        ray: &TestRay,
+        truth: &OracleHit,
+        hit: &CoreHit,
         about: &dyn Fn() -> String,
     ) {
         // The oracle itself is only so good, and its normals are differences.
         let (u, fine) = (core.roundoff.max(PRECISION), core.roundoff.max(1e-10));
-        let size = size(thing, line);
+        let size = size(shape, ray);
         let conditioning = size / truth.slope;
         let hold = |worst: &mut f64, off: f64, unit: f64, bound: f64| {
             *worst = worst.max(off / unit);
@@ -161,31 +162,31 @@ impl Report {
         };
 
         // How far, in scene lengths.
-        let way = found.t * length(line.direction) - truth.way;
+        let way = hit.t * length(ray.direction) - truth.way;
         hold(&mut self.way, way.abs(), u * conditioning, MULTIPLE);
 
         // The normal: of length one, and as promised whichever side is met.
-        for normal in [found.normal, found.shading] {
+        for normal in [hit.normal, hit.shading] {
             assert!((normal.dot(normal) - 1.0).abs() <= 1e-6, "{}", about());
         }
         let bent = 1.0 + conditioning / truth.curvature;
-        hold(&mut self.normal, length(found.normal - truth.normal), fine * bent, MULTIPLE);
+        hold(&mut self.normal, length(hit.normal - truth.normal), fine * bent, MULTIPLE);
 
         // The point: on the surface as well as it says, which is no empty promise, and where the way says.
-        let promised = found.normal.abs().dot(found.error) + PRECISION * size;
-        hold(&mut self.point, distance(thing, found.point).abs(), promised, 1.0);
-        let coarse = 64.0 * core.roundoff * (length(found.point) + size);
-        assert!(found.error.max_element() <= coarse, "{}", about());
-        let moved = length(found.point - truth.point);
-        assert!(moved <= 2.0 * MULTIPLE * u * (conditioning + length(found.point)), "{}", about());
+        let promised = hit.normal.abs().dot(hit.error) + PRECISION * size;
+        hold(&mut self.point, distance(shape, hit.point).abs(), promised, 1.0);
+        let coarse = 64.0 * core.roundoff * (length(hit.point) + size);
+        assert!(hit.error.max_element() <= coarse, "{}", about());
+        let moved = length(hit.point - truth.point);
+        assert!(moved <= 2.0 * MULTIPLE * u * (conditioning + length(hit.point)), "{}", about());
 
         // The normal that shades.
-        match shading(thing, truth.point) {
-            None => assert_eq!(found.shading, found.normal),
+        match shading(shape, truth.point) {
+            None => assert_eq!(hit.shading, hit.normal),
             Some((shading, corner)) => {
                 let bent = 1.0 + conditioning / corner;
                 // At an edge the shares of a polygon's corners are quotients of small numbers.
-                hold(&mut self.shading, length(found.shading - shading), u * bent, 8.0 * MULTIPLE);
+                hold(&mut self.shading, length(hit.shading - shading), u * bent, 8.0 * MULTIPLE);
             }
         }
     }
@@ -203,27 +204,27 @@ mod at_the_border {
 
 #[test]
 fn both_cores_find_the_same_within_single_precision() {
-    let mut random = Random::new(SEED + 100);
+    let mut rng = SplitMix64::new(SEED + 100);
     let mut hits = 0;
-    for kind in Kind::ALL {
+    for kind in TestShapeKind::ALL {
         for _ in 0..22 {
-            let thing = Thing::random(kind, Vector::ZERO, 1.0, &mut random);
-            let rays: Vec<Line> = (0..100).map(|_| random_ray(&thing, &mut random)).collect();
-            let answers = (SINGLE.cast)(&thing, &rays).into_iter().zip((DOUBLE.cast)(&thing, &rays));
-            for (line, (single, double)) in rays.iter().zip(answers) {
+            let shape = TestShape::random(kind, DVec3::ZERO, 1.0, &mut rng);
+            let rays: Vec<TestRay> = (0..100).map(|_| random_ray(&shape, &mut rng)).collect();
+            let answers = (SINGLE.cast)(&shape, &rays).into_iter().zip((DOUBLE.cast)(&shape, &rays));
+            for (ray, (single, double)) in rays.iter().zip(answers) {
                 let (truth, about) =
-                    (meet(&thing, line), || format!("{thing:?}\n{line:?}\n{single:?}\n{double:?}"));
-                let Truth::Hit(Contact { slope, .. }) = truth else {
+                    (intersect(&shape, ray), || format!("{shape:?}\n{ray:?}\n{single:?}\n{double:?}"));
+                let OracleAnswer::Hit(OracleHit { slope, .. }) = truth else {
                     assert!(
-                        single.is_none() && double.is_none() || matches!(truth, Truth::Unclear),
+                        single.is_none() && double.is_none() || matches!(truth, OracleAnswer::Unclear),
                         "{}",
                         about()
                     );
                     continue;
                 };
                 let (Some(single), Some(double)) = (single, double) else { panic!("{}", about()) };
-                let bound = MULTIPLE * SINGLE.roundoff * size(&thing, line) / slope;
-                assert!((single.t - double.t).abs() * length(line.direction) <= bound, "{}", about());
+                let bound = MULTIPLE * SINGLE.roundoff * size(&shape, ray) / slope;
+                assert!((single.t - double.t).abs() * length(ray.direction) <= bound, "{}", about());
                 hits += 1;
             }
         }

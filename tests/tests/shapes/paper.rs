@@ -8,66 +8,61 @@ use strahl_tests::assert_picture;
 
 use crate::*;
 
-fn line(origin: [f64; 3], direction: [f64; 3]) -> Line {
-    let held = |[x, y, z]: [f64; 3]| vector(rounded(x), rounded(y), rounded(z));
-    Line { origin: held(origin), direction: held(direction) }
+fn ray(origin: [f64; 3], direction: [f64; 3]) -> TestRay {
+    let held = |[x, y, z]: [f64; 3]| dvec3(rounded(x), rounded(y), rounded(z));
+    TestRay { origin: held(origin), direction: held(direction) }
 }
 
 /// Distance and normal, from both cores, which must agree on them to the last bit.
-fn met(thing: &Thing, line: Line) -> Option<(f64, Vector)> {
-    let [one, other] = CORES.map(|core| core.one(thing, line).map(|found| (found.t, found.normal)));
-    assert_eq!(one, other, "{thing:?}\n{line:?}");
+fn met(shape: &TestShape, ray: TestRay) -> Option<(f64, DVec3)> {
+    let [one, other] = CORES.map(|core| core.one(shape, ray).map(|hit| (hit.t, hit.normal)));
+    assert_eq!(one, other, "{shape:?}\n{ray:?}");
     one
 }
 
 /// The same where rounding has its say: distance and normal are right to eight roundoffs of 5,
 /// the largest number in these scenes.
-fn near(thing: &Thing, line: Line, t: f64, normal: Vector) {
+fn near(shape: &TestShape, ray: TestRay, t: f64, normal: DVec3) {
     for core in CORES {
-        let found = core.one(thing, line).unwrap();
+        let hit = core.one(shape, ray).unwrap();
         let bound = 8.0 * 5.0 * core.roundoff;
-        assert!((found.t - t).abs() <= bound, "{}: {} is not {t}\n{thing:?}", core.name, found.t);
-        assert!(
-            length(found.normal - normal) <= bound,
-            "{}: {:?} is not {normal:?}",
-            core.name,
-            found.normal
-        );
+        assert!((hit.t - t).abs() <= bound, "{}: {} is not {t}\n{shape:?}", core.name, hit.t);
+        assert!(length(hit.normal - normal) <= bound, "{}: {:?} is not {normal:?}", core.name, hit.normal);
     }
 }
 
 #[test]
 fn a_sphere_is_met_in_front_behind_and_from_inside() {
-    let sphere = Thing::Sphere { center: vector(0.0, 0.0, -5.0), radius: 1.0 };
-    assert_eq!(met(&sphere, line([0.0; 3], [0.0, 0.0, -1.0])), Some((4.0, Vector::Z)));
-    assert_eq!(met(&sphere, line([0.0; 3], [0.0, 0.0, -0.5])), Some((8.0, Vector::Z)));
-    assert_eq!(met(&sphere, line([0.0, 0.0, -5.0], [0.0, 0.0, -1.0])), Some((1.0, -Vector::Z)));
-    assert_eq!(met(&sphere, line([0.0, 0.0, -5.5], [0.0, 0.0, 1.0])), Some((1.5, Vector::Z)));
-    assert_eq!(met(&sphere, line([0.0; 3], [0.0, 0.0, 1.0])), None);
-    assert_eq!(met(&sphere, line([0.0, 1.5, 0.0], [0.0, 0.0, -1.0])), None);
+    let sphere = TestShape::Sphere { center: dvec3(0.0, 0.0, -5.0), radius: 1.0 };
+    assert_eq!(met(&sphere, ray([0.0; 3], [0.0, 0.0, -1.0])), Some((4.0, DVec3::Z)));
+    assert_eq!(met(&sphere, ray([0.0; 3], [0.0, 0.0, -0.5])), Some((8.0, DVec3::Z)));
+    assert_eq!(met(&sphere, ray([0.0, 0.0, -5.0], [0.0, 0.0, -1.0])), Some((1.0, -DVec3::Z)));
+    assert_eq!(met(&sphere, ray([0.0, 0.0, -5.5], [0.0, 0.0, 1.0])), Some((1.5, DVec3::Z)));
+    assert_eq!(met(&sphere, ray([0.0; 3], [0.0, 0.0, 1.0])), None);
+    assert_eq!(met(&sphere, ray([0.0, 1.5, 0.0], [0.0, 0.0, -1.0])), None);
     // 3, 4, 5.
-    let sphere = Thing::Sphere { center: vector(0.0, 0.0, -5.0), radius: 5.0 };
-    near(&sphere, line([3.0, 0.0, 4.0], [0.0, 0.0, -1.0]), 5.0, vector(0.6, 0.0, 0.8));
+    let sphere = TestShape::Sphere { center: dvec3(0.0, 0.0, -5.0), radius: 5.0 };
+    near(&sphere, ray([3.0, 0.0, 4.0], [0.0, 0.0, -1.0]), 5.0, dvec3(0.6, 0.0, 0.8));
 }
 
 #[test]
 fn a_plane_is_met_from_both_sides_and_never_turns_its_normal() {
-    let plane = Thing::Plane { point: vector(7.0, 2.0, 1.0), normal: vector(0.0, 3.0, 0.0) };
-    assert_eq!(met(&plane, line([0.0, 5.0, 0.0], [1.0, -1.0, 0.5])), Some((3.0, Vector::Y)));
-    assert_eq!(met(&plane, line([0.0, -5.0, 0.0], [1.0, 2.0, 0.5])), Some((3.5, Vector::Y)));
-    assert_eq!(met(&plane, line([0.0, 5.0, 0.0], [1.0, 1.0, 0.5])), None);
-    assert_eq!(met(&plane, line([0.0, 5.0, 0.0], [1.0, 0.0, 0.5])), None, "parallel");
-    assert_eq!(met(&plane, line([0.0, 2.0, 0.0], [1.0, 0.0, 0.5])), None, "in the plane");
+    let plane = TestShape::Plane { point: dvec3(7.0, 2.0, 1.0), normal: dvec3(0.0, 3.0, 0.0) };
+    assert_eq!(met(&plane, ray([0.0, 5.0, 0.0], [1.0, -1.0, 0.5])), Some((3.0, DVec3::Y)));
+    assert_eq!(met(&plane, ray([0.0, -5.0, 0.0], [1.0, 2.0, 0.5])), Some((3.5, DVec3::Y)));
+    assert_eq!(met(&plane, ray([0.0, 5.0, 0.0], [1.0, 1.0, 0.5])), None);
+    assert_eq!(met(&plane, ray([0.0, 5.0, 0.0], [1.0, 0.0, 0.5])), None, "parallel");
+    assert_eq!(met(&plane, ray([0.0, 2.0, 0.0], [1.0, 0.0, 0.5])), None, "in the plane");
 }
 
 #[test]
 fn a_disc_ends_at_its_rim() {
-    let disc = Thing::Disc { center: vector(1.0, 0.0, 0.0), normal: vector(0.0, 0.0, 2.0), radius: 2.0 };
-    let down = |x: f64, y: f64| met(&disc, line([x, y, 4.0], [0.0, 0.0, -1.0]));
-    let up = |x: f64, y: f64| met(&disc, line([x, y, -4.0], [0.0, 0.0, 1.0]));
+    let disc = TestShape::Disc { center: dvec3(1.0, 0.0, 0.0), normal: dvec3(0.0, 0.0, 2.0), radius: 2.0 };
+    let down = |x: f64, y: f64| met(&disc, ray([x, y, 4.0], [0.0, 0.0, -1.0]));
+    let up = |x: f64, y: f64| met(&disc, ray([x, y, -4.0], [0.0, 0.0, 1.0]));
     for (x, y) in [(1.0, 0.0), (2.75, 0.75), (-1.0, 0.0), (1.0, 2.0)] {
-        assert_eq!(down(x, y), Some((4.0, Vector::Z)), "{x} {y}");
-        assert_eq!(up(x, y), Some((4.0, Vector::Z)), "{x} {y}");
+        assert_eq!(down(x, y), Some((4.0, DVec3::Z)), "{x} {y}");
+        assert_eq!(up(x, y), Some((4.0, DVec3::Z)), "{x} {y}");
     }
     for (x, y) in [(3.001, 0.0), (1.0, -2.001), (2.75, 1.0)] {
         assert_eq!((down(x, y), up(x, y)), (None, None), "{x} {y}");
@@ -76,77 +71,77 @@ fn a_disc_ends_at_its_rim() {
 
 #[test]
 fn a_triangle_contains_its_edges_and_corners() {
-    let corners = [vector(0.0, 0.0, 1.0), vector(4.0, 0.0, 1.0), vector(0.0, 4.0, 1.0)];
-    let triangle = Thing::Triangle { corners };
+    let corners = [dvec3(0.0, 0.0, 1.0), dvec3(4.0, 0.0, 1.0), dvec3(0.0, 4.0, 1.0)];
+    let triangle = TestShape::Triangle { corners };
     for (x, y) in [(1.0, 1.0), (0.0, 0.0), (4.0, 0.0), (0.0, 4.0), (2.0, 0.0), (0.0, 1.0), (2.0, 2.0)] {
-        assert_eq!(met(&triangle, line([x, y, 5.0], [0.0, 0.0, -2.0])), Some((2.0, Vector::Z)), "{x} {y}");
-        assert_eq!(met(&triangle, line([x, y, -1.0], [0.0, 0.0, 1.0])), Some((2.0, Vector::Z)), "{x} {y}");
+        assert_eq!(met(&triangle, ray([x, y, 5.0], [0.0, 0.0, -2.0])), Some((2.0, DVec3::Z)), "{x} {y}");
+        assert_eq!(met(&triangle, ray([x, y, -1.0], [0.0, 0.0, 1.0])), Some((2.0, DVec3::Z)), "{x} {y}");
     }
     for (x, y) in [(-0.001, 1.0), (1.0, -0.001), (2.0, 2.001), (4.001, 0.0)] {
-        assert_eq!(met(&triangle, line([x, y, 5.0], [0.0, 0.0, -1.0])), None, "{x} {y}");
+        assert_eq!(met(&triangle, ray([x, y, 5.0], [0.0, 0.0, -1.0])), None, "{x} {y}");
     }
     // The other way round the normal is the other one.
-    let triangle = Thing::Triangle { corners: [corners[0], corners[2], corners[1]] };
-    assert_eq!(met(&triangle, line([1.0, 1.0, 5.0], [0.0, 0.0, -1.0])), Some((4.0, -Vector::Z)));
+    let triangle = TestShape::Triangle { corners: [corners[0], corners[2], corners[1]] };
+    assert_eq!(met(&triangle, ray([1.0, 1.0, 5.0], [0.0, 0.0, -1.0])), Some((4.0, -DVec3::Z)));
 }
 
 #[test]
 fn a_triangle_without_area_is_never_met() {
-    let mut random = Random::new(5);
+    let mut rng = SplitMix64::new(5);
     for round in 0..3000 {
         // On a raster, so that three points on one line are on it exactly.
-        let mut point = |size: f64| (random.near(Vector::ZERO, size) * 64.0).round() / 64.0;
+        let mut point = |size: f64| (rng.in_ball(DVec3::ZERO, size) * 64.0).round() / 64.0;
         let (a, b) = (point(4.0), point(1.0));
         let corners = [[a, a + b, a + b * 3.0], [a, a + b, a], [a, a, a]][round % 3];
-        let triangle = Thing::Triangle { corners };
-        let aim = |random: &mut Random| {
-            let eye = random.near(Vector::ZERO, 6.0);
-            towards(eye, a + b * (3.0 * random.unit()), 1.0)
+        let triangle = TestShape::Triangle { corners };
+        let aim = |rng: &mut SplitMix64| {
+            let eye = rng.in_ball(DVec3::ZERO, 6.0);
+            towards(eye, a + b * (3.0 * rng.unit()), 1.0)
         };
-        let lines: Vec<Line> = (0..10).map(|_| aim(&mut random)).collect();
+        let rays: Vec<TestRay> = (0..10).map(|_| aim(&mut rng)).collect();
         for core in CORES {
-            assert!((core.cast)(&triangle, &lines).iter().all(Option::is_none), "{}: {corners:?}", core.name);
+            assert!((core.cast)(&triangle, &rays).iter().all(Option::is_none), "{}: {corners:?}", core.name);
         }
     }
 }
 
 #[test]
 fn the_shading_normal_in_the_middle_is_the_mean_of_those_of_the_corners() {
-    let corners = [vector(-2.0, -1.0, 0.0), vector(2.0, -1.0, 0.0), vector(0.0, 2.0, 0.0)];
-    let normals = [vector(3.0, 0.0, 4.0), vector(-3.0, 0.0, 4.0), vector(0.0, 0.0, 1.0)];
+    let corners = [dvec3(-2.0, -1.0, 0.0), dvec3(2.0, -1.0, 0.0), dvec3(0.0, 2.0, 0.0)];
+    let normals = [dvec3(3.0, 0.0, 4.0), dvec3(-3.0, 0.0, 4.0), dvec3(0.0, 0.0, 1.0)];
     let smooth = [
-        Thing::SmoothTriangle { corners, normals },
-        Thing::SmoothPolygon { corners: corners.to_vec(), normals: normals.to_vec() },
+        TestShape::SmoothTriangle { corners, normals },
+        TestShape::SmoothPolygon { corners: corners.to_vec(), normals: normals.to_vec() },
     ];
-    for thing in smooth {
+    for shape in smooth {
         for core in CORES {
-            let shading = |x, y| core.one(&thing, line([x, y, 3.0], [0.0, 0.0, -1.0])).unwrap().shading;
-            let near = |n: Vector, want: Vector| {
+            let shading = |x, y| core.one(&shape, ray([x, y, 3.0], [0.0, 0.0, -1.0])).unwrap().shading;
+            let near = |n: DVec3, want: DVec3| {
                 assert!(length(n - want) <= 16.0 * core.roundoff, "{}: {n:?} is not {want:?}", core.name);
             };
-            near(shading(0.0, 0.0), Vector::Z);
+            near(shading(0.0, 0.0), DVec3::Z);
             // In the middle of an edge that of its two ends; close to a corner that of the corner.
-            near(shading(0.0, -1.0 + 1e-7), Vector::Z);
+            near(shading(0.0, -1.0 + 1e-7), DVec3::Z);
             let n = shading(-1.9999, -0.9999);
-            assert!(length(n - vector(0.6, 0.0, 0.8)) <= 1e-4, "{n:?}");
+            assert!(length(n - dvec3(0.6, 0.0, 0.8)) <= 1e-4, "{n:?}");
         }
     }
 }
 
 /// The shape as it is seen along -z, through the middles of the unit squares of a raster.
-fn seen(thing: &Thing, width: i32, height: i32) -> Vec<Rgb> {
+fn seen(shape: &TestShape, width: i32, height: i32) -> Vec<Rgb> {
     let ray =
-        |x: i32, y: i32| line([f64::from(x) + 0.5, f64::from(height - 1 - y) + 0.5, 3.0], [0.0, 0.0, -1.0]);
+        |x: i32, y: i32| ray([f64::from(x) + 0.5, f64::from(height - 1 - y) + 0.5, 3.0], [0.0, 0.0, -1.0]);
     let color = |hit: Option<_>| if hit.is_some() { Rgb::WHITE } else { Rgb::BLACK };
-    (0..height).flat_map(|y| (0..width).map(move |x| color(met(thing, ray(x, y))))).collect()
+    (0..height).flat_map(|y| (0..width).map(move |x| color(met(shape, ray(x, y))))).collect()
 }
 
 /// A polygon, both ways round; the normal follows the way.
-fn polygons(corners: &[(f64, f64)]) -> [Thing; 2] {
-    let mut corners: Vec<Vector> = corners.iter().map(|(x, y)| vector(*x, *y, 0.0)).collect();
-    let left = Thing::Polygon { corners: corners.clone() };
+fn polygons(corners: &[(f64, f64)]) -> [TestShape; 2] {
+    let mut corners: Vec<DVec3> = corners.iter().map(|(x, y)| dvec3(*x, *y, 0.0)).collect();
+    let left = TestShape::Polygon { corners: corners.clone() };
     corners.reverse();
-    [left, Thing::Polygon { corners }]
+    [left, TestShape::Polygon { corners }]
 }
 
 #[test]
@@ -167,8 +162,8 @@ fn a_polygon_may_have_the_form_of_an_l() {
             ######..",
         );
         for z in [3.0, -3.0] {
-            let (t, normal) = met(&polygon, line([1.0, 1.0, z], [0.0, 0.0, -z])).unwrap();
-            assert_eq!((t, normal), (1.0, vector(0.0, 0.0, up)));
+            let (t, normal) = met(&polygon, ray([1.0, 1.0, z], [0.0, 0.0, -z])).unwrap();
+            assert_eq!((t, normal), (1.0, dvec3(0.0, 0.0, up)));
         }
     }
 }
@@ -224,7 +219,7 @@ fn a_polygon_may_have_the_form_of_a_star() {
 #[test]
 fn a_corner_level_with_the_point_counts_once() {
     let [polygon, _] = polygons(&[(0.0, 0.0), (4.0, 0.0), (6.0, 1.0), (4.0, 2.0), (0.0, 2.0), (-2.0, 1.0)]);
-    let hit = |x: f64, y: f64| met(&polygon, line([x, y, 1.0], [0.0, 0.0, -1.0])).is_some();
+    let hit = |x: f64, y: f64| met(&polygon, ray([x, y, 1.0], [0.0, 0.0, -1.0])).is_some();
     assert!([-1.0, 0.0, 2.0, 5.0].iter().all(|x| hit(*x, 1.0)));
     assert!([-3.0, -2.5, 6.5, 9.0].iter().all(|x| !hit(*x, 1.0)));
     assert!(!hit(2.0, -0.5) && !hit(-1.0, 2.5));
@@ -232,24 +227,24 @@ fn a_corner_level_with_the_point_counts_once() {
 
 #[test]
 fn a_box_is_met_at_all_six_faces_from_outside_and_inside() {
-    let cuboid = Thing::Cuboid { min: vector(-1.0, -2.0, -3.0), max: vector(1.0, 2.0, 3.0) };
-    let turned = Thing::OrientedCuboid {
-        center: Vector::ZERO,
-        half: vector(1.0, 2.0, 3.0),
-        first: vector(5.0, 0.0, 0.0),
-        third: Vector::Z,
+    let cuboid = TestShape::Cuboid { min: dvec3(-1.0, -2.0, -3.0), max: dvec3(1.0, 2.0, 3.0) };
+    let turned = TestShape::OrientedCuboid {
+        center: DVec3::ZERO,
+        half: dvec3(1.0, 2.0, 3.0),
+        first: dvec3(5.0, 0.0, 0.0),
+        third: DVec3::Z,
     };
-    for thing in [cuboid, turned] {
-        for (axis, half) in [(Vector::X, 1.0), (Vector::Y, 2.0), (Vector::Z, 3.0)] {
+    for shape in [cuboid, turned] {
+        for (axis, half) in [(DVec3::X, 1.0), (DVec3::Y, 2.0), (DVec3::Z, 3.0)] {
             for side in [axis, -axis] {
                 // Both signs of zero, alone and in pairs.
                 for zero in [0.0, -0.0] {
-                    let inward = Line { origin: side * 5.0, direction: -side + vector(zero, zero, zero) };
-                    assert_eq!(met(&thing, inward), Some((5.0 - half, side)));
-                    let outward = Line { origin: Vector::ZERO, direction: side + vector(zero, zero, zero) };
-                    assert_eq!(met(&thing, outward), Some((half, side)));
-                    let away = Line { origin: side * 5.0, direction: side + vector(zero, zero, zero) };
-                    assert_eq!(met(&thing, away), None);
+                    let inward = TestRay { origin: side * 5.0, direction: -side + dvec3(zero, zero, zero) };
+                    assert_eq!(met(&shape, inward), Some((5.0 - half, side)));
+                    let outward = TestRay { origin: DVec3::ZERO, direction: side + dvec3(zero, zero, zero) };
+                    assert_eq!(met(&shape, outward), Some((half, side)));
+                    let away = TestRay { origin: side * 5.0, direction: side + dvec3(zero, zero, zero) };
+                    assert_eq!(met(&shape, away), None);
                 }
             }
         }
@@ -260,93 +255,92 @@ fn a_box_is_met_at_all_six_faces_from_outside_and_inside() {
 fn a_box_on_its_edge_is_met_at_the_edge() {
     // Turned by an eighth, half of its diagonal is the root of 2.
     let root = 2.0_f64.sqrt();
-    let thing = Thing::OrientedCuboid {
-        center: vector(0.0, 0.0, -3.0),
-        half: Vector::ONE,
-        first: vector(1.0, 0.0, 1.0),
-        third: vector(-1.0, 0.0, 1.0),
+    let shape = TestShape::OrientedCuboid {
+        center: dvec3(0.0, 0.0, -3.0),
+        half: DVec3::ONE,
+        first: dvec3(1.0, 0.0, 1.0),
+        third: dvec3(-1.0, 0.0, 1.0),
     };
     let (x, z) = (0.25, 1.0 / root);
-    near(&thing, line([x, 0.5, 2.0], [0.0, 0.0, -1.0]), 5.0 - root + x, vector(z, 0.0, z));
-    near(&thing, line([-x, 0.5, 2.0], [0.0, 0.0, -1.0]), 5.0 - root + x, vector(-z, 0.0, z));
-    assert_eq!(CORES.map(|core| core.one(&thing, line([1.42, 0.0, 2.0], [0.0, 0.0, -1.0]))), [None; 2]);
+    near(&shape, ray([x, 0.5, 2.0], [0.0, 0.0, -1.0]), 5.0 - root + x, dvec3(z, 0.0, z));
+    near(&shape, ray([-x, 0.5, 2.0], [0.0, 0.0, -1.0]), 5.0 - root + x, dvec3(-z, 0.0, z));
+    assert_eq!(CORES.map(|core| core.one(&shape, ray([1.42, 0.0, 2.0], [0.0, 0.0, -1.0]))), [None; 2]);
 }
 
 #[test]
 fn a_plate_without_thickness_is_met_from_both_sides() {
-    let plate = Thing::Cuboid { min: vector(-1.0, -1.0, 2.0), max: vector(1.0, 1.0, 2.0) };
+    let plate = TestShape::Cuboid { min: dvec3(-1.0, -1.0, 2.0), max: dvec3(1.0, 1.0, 2.0) };
     for (z, side) in [(4.0, 1.0), (0.0, -1.0)] {
-        let (t, normal) = met(&plate, line([0.5, 0.25, z], [0.0, 0.0, -side])).unwrap();
-        assert_eq!((t, normal), (2.0, vector(0.0, 0.0, side)));
+        let (t, normal) = met(&plate, ray([0.5, 0.25, z], [0.0, 0.0, -side])).unwrap();
+        assert_eq!((t, normal), (2.0, dvec3(0.0, 0.0, side)));
     }
 }
 
-fn tube(radius: f64, end_radius: f64, capped: bool) -> Thing {
-    Thing::Cone { base: Vector::ZERO, base_radius: radius, end: vector(0.0, 0.0, 2.0), end_radius, capped }
+fn tube(radius: f64, end_radius: f64, capped: bool) -> TestShape {
+    TestShape::Cone { base: DVec3::ZERO, base_radius: radius, end: dvec3(0.0, 0.0, 2.0), end_radius, capped }
 }
 
 #[test]
 fn a_cylinder_is_met_at_its_side_from_outside_and_inside() {
     for capped in [false, true] {
         let cylinder = tube(1.5, 1.5, capped);
-        assert_eq!(met(&cylinder, line([4.0, 0.0, 1.0], [-1.0, 0.0, 0.0])), Some((2.5, Vector::X)));
+        assert_eq!(met(&cylinder, ray([4.0, 0.0, 1.0], [-1.0, 0.0, 0.0])), Some((2.5, DVec3::X)));
         // From inside the normal still leaves the axis.
-        assert_eq!(met(&cylinder, line([0.0, 0.0, 1.0], [-1.0, 0.0, 0.0])), Some((1.5, -Vector::X)));
-        assert_eq!(met(&cylinder, line([4.0, 0.0, 2.5], [-1.0, 0.0, 0.0])), None);
-        assert_eq!(met(&cylinder, line([4.0, 1.75, 1.0], [-1.0, 0.0, 0.0])), None);
+        assert_eq!(met(&cylinder, ray([0.0, 0.0, 1.0], [-1.0, 0.0, 0.0])), Some((1.5, -DVec3::X)));
+        assert_eq!(met(&cylinder, ray([4.0, 0.0, 2.5], [-1.0, 0.0, 0.0])), None);
+        assert_eq!(met(&cylinder, ray([4.0, 1.75, 1.0], [-1.0, 0.0, 0.0])), None);
     }
 }
 
 #[test]
 fn only_a_capped_cylinder_is_met_along_its_axis() {
     for x in [0.0, 1.0] {
-        let along = line([x, 0.0, -2.0], [0.0, 0.0, 1.0]);
+        let along = ray([x, 0.0, -2.0], [0.0, 0.0, 1.0]);
         assert_eq!(met(&tube(1.5, 1.5, false), along), None);
-        assert_eq!(met(&tube(1.5, 1.5, true), along), Some((2.0, -Vector::Z)));
-        let inside = line([x, 0.0, 0.5], [0.0, 0.0, 1.0]);
-        assert_eq!(met(&tube(1.5, 1.5, true), inside), Some((1.5, Vector::Z)));
+        assert_eq!(met(&tube(1.5, 1.5, true), along), Some((2.0, -DVec3::Z)));
+        let inside = ray([x, 0.0, 0.5], [0.0, 0.0, 1.0]);
+        assert_eq!(met(&tube(1.5, 1.5, true), inside), Some((1.5, DVec3::Z)));
     }
 }
 
 #[test]
 fn a_ray_through_the_open_end_meets_the_inside() {
     // In at (0, 0, 2), and at z = 1 by 1 from the axis.
-    let slanted = line([-1.0, 0.0, 3.0], [1.0, 0.0, -1.0]);
-    assert_eq!(met(&tube(1.0, 1.0, false), slanted), Some((2.0, Vector::X)));
-    assert_eq!(met(&tube(1.0, 1.0, true), slanted), Some((1.0, Vector::Z)));
+    let slanted = ray([-1.0, 0.0, 3.0], [1.0, 0.0, -1.0]);
+    assert_eq!(met(&tube(1.0, 1.0, false), slanted), Some((2.0, DVec3::X)));
+    assert_eq!(met(&tube(1.0, 1.0, true), slanted), Some((1.0, DVec3::Z)));
 }
 
 #[test]
 fn a_cone_is_met_at_its_side_and_its_other_nappe_never() {
     let cone = tube(2.0, 0.0, false);
     let slant = 0.5_f64.sqrt();
-    near(&cone, line([3.0, 0.0, 1.0], [-1.0, 0.0, 0.0]), 2.0, vector(slant, 0.0, slant));
-    near(&cone, line([0.0, 0.0, 0.5], [0.0, -1.0, 0.0]), 1.5, vector(0.0, -slant, slant));
+    near(&cone, ray([3.0, 0.0, 1.0], [-1.0, 0.0, 0.0]), 2.0, dvec3(slant, 0.0, slant));
+    near(&cone, ray([0.0, 0.0, 0.5], [0.0, -1.0, 0.0]), 1.5, dvec3(0.0, -slant, slant));
     // Beyond the apex the same formula has a cone upside down.
-    assert_eq!(met(&cone, line([3.0, 0.0, 3.0], [-1.0, 0.0, 0.0])), None);
-    assert_eq!(met(&cone, line([3.0, 0.0, -0.5], [-1.0, 0.0, 0.0])), None);
+    assert_eq!(met(&cone, ray([3.0, 0.0, 3.0], [-1.0, 0.0, 0.0])), None);
+    assert_eq!(met(&cone, ray([3.0, 0.0, -0.5], [-1.0, 0.0, 0.0])), None);
     // Along the axis through the apex's inside: two thirds out the side is two thirds high.
-    near(&cone, line([1.0, 0.0, -1.0], [0.0, 0.0, 1.0]), 2.0, vector(slant, 0.0, slant));
+    near(&cone, ray([1.0, 0.0, -1.0], [0.0, 0.0, 1.0]), 2.0, dvec3(slant, 0.0, slant));
     // Parallel to one side, so that the equation has only one root: the other side, from inside.
-    near(&cone, line([0.0, 0.0, 0.5], [-1.0, 0.0, 1.0]), 0.75, vector(-slant, 0.0, slant));
+    near(&cone, ray([0.0, 0.0, 0.5], [-1.0, 0.0, 1.0]), 0.75, dvec3(-slant, 0.0, slant));
 }
 
 #[test]
 fn a_ray_through_the_middle_of_a_torus_meets_it_four_times() {
     let torus =
-        Thing::Torus { center: vector(1.0, 0.0, 0.0), axis: vector(0.0, 2.0, 0.0), major: 2.0, minor: 0.5 };
+        TestShape::Torus { center: dvec3(1.0, 0.0, 0.0), axis: dvec3(0.0, 2.0, 0.0), major: 2.0, minor: 0.5 };
     // From the left, from inside the tube, from the hole, from inside the tube beyond.
     for (start, place, side) in [(-4.0, -1.5, -1.0), (-1.25, -0.5, 1.0), (1.0, 2.5, -1.0), (3.25, 3.5, 1.0)] {
-        near(&torus, line([start, 0.0, 0.0], [1.0, 0.0, 0.0]), place - start, vector(side, 0.0, 0.0));
+        near(&torus, ray([start, 0.0, 0.0], [1.0, 0.0, 0.0]), place - start, dvec3(side, 0.0, 0.0));
     }
-    let miss = |origin, direction| {
-        assert_eq!(CORES.map(|core| core.one(&torus, line(origin, direction))), [None; 2])
-    };
+    let miss =
+        |origin, direction| assert_eq!(CORES.map(|core| core.one(&torus, ray(origin, direction))), [None; 2]);
     miss([3.75, 0.0, 0.0], [1.0, 0.0, 0.0]);
     // Through the hole, along the axis and beside it.
     miss([1.0, 4.0, 0.0], [0.0, -1.0, 0.0]);
     miss([2.4, 4.0, 0.0], [0.0, -1.0, 0.0]);
     // On the top of the tube.
-    near(&torus, line([3.0, 4.0, 0.0], [0.0, -1.0, 0.0]), 3.5, Vector::Y);
-    near(&torus, line([1.0, 0.0, 2.0], [0.0, -1.0, 0.0]), 0.5, -Vector::Y);
+    near(&torus, ray([3.0, 4.0, 0.0], [0.0, -1.0, 0.0]), 3.5, DVec3::Y);
+    near(&torus, ray([1.0, 0.0, 2.0], [0.0, -1.0, 0.0]), 0.5, -DVec3::Y);
 }

@@ -7,29 +7,29 @@ use strahl_core::geometry::{Aabb, Ray};
 use strahl_core::{AllEffects, Geometry, Shape, Vec3, vec3};
 
 use super::{EPSILON, narrow, slabs};
-use crate::thing::{Line, Thing};
+use crate::test_shape::{TestRay, TestShape};
 
 /// What is met first.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Found {
+pub struct NearestHit {
     pub item: u32,
     pub t: f64,
 }
 
 /// Upright boxes, tested by the core: only the walks are the textbook's.
-pub struct Boxes {
+pub struct BoxList {
     cuboids: Vec<strahl_core::geometry::Cuboid>,
 }
 
-impl Boxes {
-    pub fn of(things: &[Thing]) -> Boxes {
-        let cuboid = |thing: &Thing| match thing {
-            Thing::Cuboid { min, max } => {
+impl BoxList {
+    pub fn of(shapes: &[TestShape]) -> BoxList {
+        let cuboid = |shape: &TestShape| match shape {
+            TestShape::Cuboid { min, max } => {
                 strahl_core::geometry::Cuboid { min: narrow(*min), max: narrow(*max) }
             }
             other => unreachable!("{other:?} is no box"),
         };
-        Boxes { cuboids: things.iter().map(cuboid).collect() }
+        BoxList { cuboids: shapes.iter().map(cuboid).collect() }
     }
 
     fn bounds(&self) -> (Vec3, Vec3) {
@@ -39,9 +39,9 @@ impl Boxes {
     }
 
     /// Tests an item; of two at the same distance the first that is asked.
-    fn test(&self, item: u32, line: &Line, best: &mut Option<(f32, u32)>) {
+    fn test(&self, item: u32, ray: &TestRay, best: &mut Option<(f32, u32)>) {
         let geometry = Geometry { cuboids: &self.cuboids, ..Geometry::EMPTY };
-        let ray = Ray::new(narrow(line.origin), narrow(line.direction));
+        let ray = Ray::new(narrow(ray.origin), narrow(ray.direction));
         if let Some(t) = geometry.intersect::<AllEffects>(&Shape::Cuboid(item), &ray)
             && best.is_none_or(|best| t < best.0)
         {
@@ -50,15 +50,15 @@ impl Boxes {
     }
 }
 
-fn found(best: Option<(f32, u32)>) -> Option<Found> {
-    best.map(|(t, item)| Found { item, t: t.into() })
+fn nearest_hit(best: Option<(f32, u32)>) -> Option<NearestHit> {
+    best.map(|(t, item)| NearestHit { item, t: t.into() })
 }
 
 /// More steps than any walk needs: one that takes more stands still.
 const MOST_STEPS: u32 = 10_000;
 
 /// "A Fast Voxel Traversal Algorithm for Ray Tracing", Amanatides, Woo 1987.
-pub struct Grid {
+pub struct TextbookGrid {
     min: Vec3,
     max: Vec3,
     size: Vec3,
@@ -70,8 +70,8 @@ pub struct Grid {
 /// How many cells there are for each box.
 const CELLS: f32 = 8.0;
 
-impl Grid {
-    pub fn of(boxes: &Boxes) -> Grid {
+impl TextbookGrid {
+    pub fn of(boxes: &BoxList) -> TextbookGrid {
         let (min, max) = boxes.bounds();
         let extent = max - min;
         let space = extent.element_product();
@@ -83,7 +83,7 @@ impl Grid {
         let sides = extent.to_array().map(|extent| ((extent / side) as i32).clamp(1, 4096));
         let size = extent / Vec3::from_array(sides.map(|side| side as f32));
         let cells = vec![Vec::new(); sides.iter().product::<i32>() as usize];
-        let mut grid = Grid { min, max, size, sides, cells };
+        let mut grid = TextbookGrid { min, max, size, sides, cells };
         for (cuboid, item) in boxes.cuboids.iter().zip(0..) {
             let (low, high) = (grid.cell(cuboid.min), grid.cell(cuboid.max));
             for z in low[2]..=high[2] {
@@ -109,8 +109,8 @@ impl Grid {
         ((z * self.sides[1] + y) * self.sides[0] + x) as usize
     }
 
-    pub fn nearest(&self, boxes: &Boxes, line: &Line) -> Option<Found> {
-        let (o, d) = (narrow(line.origin), narrow(line.direction));
+    pub fn nearest(&self, boxes: &BoxList, ray: &TestRay) -> Option<NearestHit> {
+        let (o, d) = (narrow(ray.origin), narrow(ray.direction));
         let (entry, _) = interval(self.min, self.max, o, d)?;
         let mut cell = self.cell(o + d * entry);
         let step = [0, 1, 2].map(|axis| if d[axis] >= 0.0 { 1 } else { -1 });
@@ -122,7 +122,7 @@ impl Grid {
         let mut best = None;
         for _ in 0..MOST_STEPS {
             for item in &self.cells[self.place(cell)] {
-                boxes.test(*item, line, &mut best);
+                boxes.test(*item, ray, &mut best);
             }
             let axis = if next[0] < next[1] {
                 if next[0] < next[2] { 0 } else { 2 }
@@ -140,7 +140,7 @@ impl Grid {
             }
             next[axis] += delta[axis];
         }
-        found(best)
+        nearest_hit(best)
     }
 }
 
@@ -157,33 +157,33 @@ fn interval(min: Vec3, max: Vec3, o: Vec3, d: Vec3) -> Option<(f32, f32)> {
 }
 
 /// An octree through which a point is moved, each time a little beyond the wall of its cell.
-pub struct Octree {
-    root: Cell,
+pub struct TextbookOctree {
+    root: OctreeCell,
 }
 
-struct Cell {
+struct OctreeCell {
     min: Vec3,
     max: Vec3,
     /// Eight, or none.
-    parts: Vec<Cell>,
+    parts: Vec<OctreeCell>,
     items: Vec<u32>,
 }
 
-impl Octree {
-    pub fn of(boxes: &Boxes) -> Octree {
+impl TextbookOctree {
+    pub fn of(boxes: &BoxList) -> TextbookOctree {
         let (min, max) = boxes.bounds();
         let items = (0..boxes.cuboids.len() as u32).collect();
-        Octree { root: Cell::of(boxes, min, max, items, 4) }
+        TextbookOctree { root: OctreeCell::of(boxes, min, max, items, 4) }
     }
 
-    pub fn nearest(&self, boxes: &Boxes, line: &Line) -> Option<Found> {
-        let (o, d) = (narrow(line.origin), narrow(line.direction));
+    pub fn nearest(&self, boxes: &BoxList, ray: &TestRay) -> Option<NearestHit> {
+        let (o, d) = (narrow(ray.origin), narrow(ray.direction));
         let (entry, exit) = interval(self.root.min, self.root.max, o, d)?;
         let (mut t, mut best) = (entry, None);
         for _ in 0..MOST_STEPS {
             let cell = self.root.at(o + d * (t + EPSILON));
             for item in &cell.items {
-                boxes.test(*item, line, &mut best);
+                boxes.test(*item, ray, &mut best);
             }
             let Some((_, out)) = interval(cell.min, cell.max, o, d) else { break };
             if best.is_some_and(|best| best.0 <= out) || exit <= out {
@@ -191,14 +191,14 @@ impl Octree {
             }
             t = out;
         }
-        found(best)
+        nearest_hit(best)
     }
 }
 
-impl Cell {
-    fn of(boxes: &Boxes, min: Vec3, max: Vec3, items: Vec<u32>, levels: u32) -> Cell {
+impl OctreeCell {
+    fn of(boxes: &BoxList, min: Vec3, max: Vec3, items: Vec<u32>, levels: u32) -> OctreeCell {
         if levels == 0 || items.len() <= 4 {
-            return Cell { min, max, parts: Vec::new(), items };
+            return OctreeCell { min, max, parts: Vec::new(), items };
         }
         let middle = (min + max) * 0.5;
         let part = |number: u32| {
@@ -213,12 +213,12 @@ impl Cell {
                 let cuboid = &boxes.cuboids[**item as usize];
                 cuboid.min.cmple(high).all() && cuboid.max.cmpge(low).all()
             };
-            Cell::of(boxes, low, high, items.iter().filter(is_in).copied().collect(), levels - 1)
+            OctreeCell::of(boxes, low, high, items.iter().filter(is_in).copied().collect(), levels - 1)
         };
-        Cell { min, max, parts: (0..8).map(part).collect(), items: Vec::new() }
+        OctreeCell { min, max, parts: (0..8).map(part).collect(), items: Vec::new() }
     }
 
-    fn at(&self, p: Vec3) -> &Cell {
+    fn at(&self, p: Vec3) -> &OctreeCell {
         if self.parts.is_empty() {
             return self;
         }
@@ -229,19 +229,19 @@ impl Cell {
 }
 
 /// A binary tree of boxes, cut where half of the items lie on either side.
-pub enum Hierarchy {
+pub enum TextbookBvh {
     Leaf(Vec<u32>),
-    Parts(Vec3, Vec3, Box<[Hierarchy; 2]>),
+    Parts(Vec3, Vec3, Box<[TextbookBvh; 2]>),
 }
 
-impl Hierarchy {
-    pub fn of(boxes: &Boxes) -> Hierarchy {
-        Hierarchy::of_items(boxes, (0..boxes.cuboids.len() as u32).collect(), 0)
+impl TextbookBvh {
+    pub fn of(boxes: &BoxList) -> TextbookBvh {
+        TextbookBvh::of_items(boxes, (0..boxes.cuboids.len() as u32).collect(), 0)
     }
 
-    fn of_items(boxes: &Boxes, mut items: Vec<u32>, axis: usize) -> Hierarchy {
+    fn of_items(boxes: &BoxList, mut items: Vec<u32>, axis: usize) -> TextbookBvh {
         if items.len() <= 2 {
-            return Hierarchy::Leaf(items);
+            return TextbookBvh::Leaf(items);
         }
         let middle = |item: &u32| {
             let cuboid = &boxes.cuboids[*item as usize];
@@ -251,22 +251,22 @@ impl Hierarchy {
         let of = |item: &u32| boxes.cuboids[*item as usize];
         let Aabb { min, max } = Aabb::enclosing(items.iter().flat_map(|item| [of(item).min, of(item).max]));
         let other = items.split_off(items.len() / 2);
-        let part = |items| Hierarchy::of_items(boxes, items, (axis + 1) % 3);
-        Hierarchy::Parts(min, max, Box::new([part(items), part(other)]))
+        let part = |items| TextbookBvh::of_items(boxes, items, (axis + 1) % 3);
+        TextbookBvh::Parts(min, max, Box::new([part(items), part(other)]))
     }
 
-    pub fn nearest(&self, boxes: &Boxes, line: &Line) -> Option<Found> {
+    pub fn nearest(&self, boxes: &BoxList, ray: &TestRay) -> Option<NearestHit> {
         let mut best = None;
-        self.walk(boxes, line, &mut best);
-        found(best)
+        self.walk(boxes, ray, &mut best);
+        nearest_hit(best)
     }
 
-    fn walk(&self, boxes: &Boxes, line: &Line, best: &mut Option<(f32, u32)>) {
+    fn walk(&self, boxes: &BoxList, ray: &TestRay, best: &mut Option<(f32, u32)>) {
         match self {
-            Hierarchy::Leaf(items) => items.iter().for_each(|item| boxes.test(*item, line, best)),
-            Hierarchy::Parts(min, max, parts) => {
-                if slabs(*min, *max, narrow(line.origin), narrow(line.direction)) {
-                    parts.iter().for_each(|part| part.walk(boxes, line, best));
+            TextbookBvh::Leaf(items) => items.iter().for_each(|item| boxes.test(*item, ray, best)),
+            TextbookBvh::Parts(min, max, parts) => {
+                if slabs(*min, *max, narrow(ray.origin), narrow(ray.direction)) {
+                    parts.iter().for_each(|part| part.walk(boxes, ray, best));
                 }
             }
         }

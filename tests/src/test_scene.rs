@@ -13,28 +13,28 @@ use super::strahl::{
     AllEffects, Camera, Limits, Material, MaterialId, Projection, Real, Resolution, Rgb, Scene, SceneTables,
     Sphere, Tracer, Vec3, View, Worker, World, vec3,
 };
-use crate::cast::{Core, Found};
-use crate::thing::{Line, Thing};
-use crate::vector::{Vector, vector};
+use crate::cast::{CoreHit, TestedCore};
+use crate::test_shape::{TestRay, TestShape};
+use crate::vector::{DVec3, dvec3};
 
 /// A scene with tables of its own. Things are put on it one by one, each made of the material
 /// that was named last: [`Material::MATTE`] at first.
 #[derive(Clone, Debug)]
-pub struct Stage {
+pub struct TestScene {
     tables: SceneTables,
     /// The material of what comes next.
     made_of: MaterialId,
 }
 
-impl Default for Stage {
+impl Default for TestScene {
     fn default() -> Self {
         let mut tables = SceneTables::new();
         let made_of = tables.add_material(Material::MATTE);
-        Stage { tables, made_of }
+        TestScene { tables, made_of }
     }
 }
 
-impl Deref for Stage {
+impl Deref for TestScene {
     type Target = SceneTables;
 
     fn deref(&self) -> &SceneTables {
@@ -42,13 +42,13 @@ impl Deref for Stage {
     }
 }
 
-impl DerefMut for Stage {
+impl DerefMut for TestScene {
     fn deref_mut(&mut self) -> &mut SceneTables {
         &mut self.tables
     }
 }
 
-impl Stage {
+impl TestScene {
     /// Empty, dark space.
     pub fn new() -> Self {
         Self::default()
@@ -100,7 +100,7 @@ impl Stage {
     }
 
     /// A turned box.
-    pub fn turned_cuboid(&mut self, center: Vec3, half: Vec3, first: Vec3, third: Vec3) -> ItemId {
+    pub fn oriented_cuboid(&mut self, center: Vec3, half: Vec3, first: Vec3, third: Vec3) -> ItemId {
         let cuboid = OrientedCuboid::new(center, half, first, third).unwrap();
         self.tables.add_turned_cuboid(cuboid, self.made_of)
     }
@@ -119,34 +119,34 @@ impl Stage {
     }
 
     /// Lets everything stand in its place.
-    pub fn stand_still(&mut self) {
+    pub fn clear_motions(&mut self) {
         (0..self.item_count()).for_each(|item| self.tables.clear_motion(ItemId(item)));
     }
 
     /// Any thing.
-    pub fn thing(&mut self, thing: &Thing) -> ItemId {
-        let all = |corners: &[Vector]| corners.iter().copied().map(narrow).collect::<Vec<_>>();
-        match thing {
-            Thing::Sphere { center, radius } => self.sphere(narrow(*center), *radius as Real),
-            Thing::Plane { point, normal } => self.plane(narrow(*point), narrow(*normal)),
-            Thing::Disc { center, normal, radius } => {
+    pub fn add_shape(&mut self, shape: &TestShape) -> ItemId {
+        let all = |corners: &[DVec3]| corners.iter().copied().map(narrow).collect::<Vec<_>>();
+        match shape {
+            TestShape::Sphere { center, radius } => self.sphere(narrow(*center), *radius as Real),
+            TestShape::Plane { point, normal } => self.plane(narrow(*point), narrow(*normal)),
+            TestShape::Disc { center, normal, radius } => {
                 self.disc(narrow(*center), narrow(*normal), *radius as Real)
             }
-            Thing::Triangle { corners } => self.triangle(corners.map(narrow)),
-            Thing::SmoothTriangle { corners, normals } => {
+            TestShape::Triangle { corners } => self.triangle(corners.map(narrow)),
+            TestShape::SmoothTriangle { corners, normals } => {
                 self.smooth_triangle(corners.map(narrow), normals.map(narrow))
             }
-            Thing::Polygon { corners } => self.polygon(&all(corners), &[]),
-            Thing::SmoothPolygon { corners, normals } => self.polygon(&all(corners), &all(normals)),
-            Thing::Cuboid { min, max } => self.cuboid(narrow(*min), narrow(*max)),
-            Thing::OrientedCuboid { center, half, first, third } => {
-                self.turned_cuboid(narrow(*center), narrow(*half), narrow(*first), narrow(*third))
+            TestShape::Polygon { corners } => self.polygon(&all(corners), &[]),
+            TestShape::SmoothPolygon { corners, normals } => self.polygon(&all(corners), &all(normals)),
+            TestShape::Cuboid { min, max } => self.cuboid(narrow(*min), narrow(*max)),
+            TestShape::OrientedCuboid { center, half, first, third } => {
+                self.oriented_cuboid(narrow(*center), narrow(*half), narrow(*first), narrow(*third))
             }
-            Thing::Cone { base, base_radius, end, end_radius, capped } => self.cone(
+            TestShape::Cone { base, base_radius, end, end_radius, capped } => self.cone(
                 Cone::new(narrow(*base), *base_radius as Real, narrow(*end), *end_radius as Real, *capped)
                     .unwrap(),
             ),
-            Thing::Torus { center, axis, major, minor } => {
+            TestShape::Torus { center, axis, major, minor } => {
                 self.torus(narrow(*center), narrow(*axis), *major as Real, *minor as Real)
             }
         }
@@ -158,13 +158,13 @@ impl Stage {
     }
 
     /// The scene.
-    pub fn scene(&self) -> Scene<'_> {
+    pub fn as_scene(&self) -> Scene<'_> {
         self.tables.scene().unwrap()
     }
 
     /// The mean of what `n` camera rays see that differ in nothing but what they leave to chance.
-    pub fn look_often(&self, eye: Vec3, target: Vec3, limits: Limits, n: u32, seed: u32) -> [f64; 3] {
-        let world = World::new(self.scene(), List::without_bounds(self.item_count()));
+    pub fn trace_samples(&self, eye: Vec3, target: Vec3, limits: Limits, n: u32, seed: u32) -> [f64; 3] {
+        let world = World::new(self.as_scene(), List::without_bounds(self.item_count()));
         let tracer = Tracer::<_, AllEffects, 64>::new(&world, straight(eye, target), limits).unwrap();
         let mut worker = Worker::new(());
         let mut sum = [0.0; 3];
@@ -183,13 +183,13 @@ impl Stage {
     }
 
     /// What arrives at `eye` from the direction of `target`, by the bare list.
-    pub fn look(&self, eye: Vec3, target: Vec3, limits: Limits) -> Rgb {
-        self.look_and_count(eye, target, limits).0
+    pub fn trace(&self, eye: Vec3, target: Vec3, limits: Limits) -> Rgb {
+        self.trace_counted(eye, target, limits).0
     }
 
     /// The same, and what it took.
-    pub fn look_and_count(&self, eye: Vec3, target: Vec3, limits: Limits) -> (Rgb, Counters) {
-        let world = World::new(self.scene(), List::without_bounds(self.item_count()));
+    pub fn trace_counted(&self, eye: Vec3, target: Vec3, limits: Limits) -> (Rgb, Counters) {
+        let world = World::new(self.as_scene(), List::without_bounds(self.item_count()));
         let tracer = Tracer::<_, AllEffects, 64>::new(&world, straight(eye, target), limits).unwrap();
         let mut worker = Worker::new(Counters::new());
         let sample =
@@ -210,48 +210,49 @@ fn straight(eye: Vec3, target: Vec3) -> Camera {
     Camera::new(&view, Resolution::new(1, 1).unwrap()).unwrap()
 }
 
-/// To the core's own numbers; exact for what [`crate::Random`] gives.
-fn narrow(v: Vector) -> Vec3 {
+/// To the core's own numbers; exact for what [`crate::SplitMix64`] gives.
+fn narrow(v: DVec3) -> Vec3 {
     vec3(v.x as Real, v.y as Real, v.z as Real)
 }
 
 #[allow(clippy::useless_conversion)] // in the twin
-fn wide(v: Vec3) -> Vector {
-    vector(v.x.into(), v.y.into(), v.z.into())
+fn wide(v: Vec3) -> DVec3 {
+    dvec3(v.x.into(), v.y.into(), v.z.into())
 }
 
-impl Core for Stage {
+impl TestedCore for TestScene {
     #[allow(clippy::unnecessary_cast)] // in the twin
     const ROUNDOFF: f64 = ROUNDOFF as f64;
     const NAME: &'static str = super::NAME;
 
-    fn with(things: &[Thing]) -> Self {
-        let mut stage = Stage::new();
-        for thing in things {
-            stage.thing(thing);
+    fn with_shapes(shapes: &[TestShape]) -> Self {
+        let mut scene = TestScene::new();
+        for shape in shapes {
+            scene.add_shape(shape);
         }
-        stage
+        scene
     }
 
-    fn cast(&self, rays: &[Line]) -> Vec<Option<Found>> {
-        let bare = World::new(self.scene(), List::without_bounds(self.item_count()));
+    fn cast(&self, rays: &[TestRay]) -> Vec<Option<CoreHit>> {
+        let bare = World::new(self.as_scene(), List::without_bounds(self.item_count()));
         let boxes = self.bounds();
         let mut groups = vec![Aabb::EMPTY; group_count(boxes.len())];
-        let boxed = World::new(self.scene(), List::with_boxes(&boxes, &mut groups).unwrap());
+        let boxed = World::new(self.as_scene(), List::with_boxes(&boxes, &mut groups).unwrap());
 
         #[allow(clippy::useless_conversion)] // in the twin
-        let cast = |line: &Line| {
-            let ray = Ray::new(narrow(line.origin), narrow(line.direction));
-            let hit = bare.nearest::<AllEffects, _>(&ray, Real::INFINITY, RayKind::Camera, &mut (), &mut ());
+        let cast = |ray: &TestRay| {
+            let core_ray = Ray::new(narrow(ray.origin), narrow(ray.direction));
+            let hit =
+                bare.nearest::<AllEffects, _>(&core_ray, Real::INFINITY, RayKind::Camera, &mut (), &mut ());
             let other =
-                boxed.nearest::<AllEffects, _>(&ray, Real::INFINITY, RayKind::Camera, &mut (), &mut ());
+                boxed.nearest::<AllEffects, _>(&core_ray, Real::INFINITY, RayKind::Camera, &mut (), &mut ());
             let bits = |hit: Hit| (hit.item, hit.t.to_bits());
-            assert_eq!(hit.map(bits), other.map(bits), "with boxes: {line:?}");
+            assert_eq!(hit.map(bits), other.map(bits), "with boxes: {ray:?}");
             let hit = hit?;
-            let surface = bare.surface::<AllEffects>(&ray, hit);
-            assert_eq!(surface, boxed.surface::<AllEffects>(&ray, hit));
+            let surface = bare.surface::<AllEffects>(&core_ray, hit);
+            assert_eq!(surface, boxed.surface::<AllEffects>(&core_ray, hit));
             let surface = surface.expect("what was hit has a surface");
-            Some(Found {
+            Some(CoreHit {
                 item: hit.item.0,
                 t: hit.t.into(),
                 point: wide(surface.point),
@@ -263,7 +264,7 @@ impl Core for Stage {
         rays.iter().map(cast).collect()
     }
 
-    fn leave(found: &Found, side: Vector) -> Vector {
-        wide(offset_origin(narrow(found.point), narrow(found.error), narrow(side)))
+    fn offset_origin(hit: &CoreHit, side: DVec3) -> DVec3 {
+        wide(offset_origin(narrow(hit.point), narrow(hit.error), narrow(side)))
     }
 }

@@ -1,11 +1,11 @@
-//! Random numbers that are the same in every run.
+//! SplitMix64 numbers that are the same in every run.
 
-use crate::vector::{Vector, vector};
+use crate::vector::{DVec3, dvec3};
 
 /// Numbers from a seed ("Fast splittable pseudorandom number generators", Steele, Lea, Flood
 /// 2014). All of them are numbers that `f32` holds exactly, so that both cores see the same.
 #[derive(Clone, Debug)]
-pub struct Random {
+pub struct SplitMix64 {
     state: u64,
 }
 
@@ -14,10 +14,10 @@ pub fn rounded(x: f64) -> f64 {
     f64::from(x as f32)
 }
 
-impl Random {
+impl SplitMix64 {
     /// The numbers of a seed.
     pub fn new(seed: u64) -> Self {
-        Random { state: seed }
+        SplitMix64 { state: seed }
     }
 
     /// 64 random bits.
@@ -40,7 +40,7 @@ impl Random {
 
     /// A number in `[low, high)` whose logarithm is evenly spread: as many below 1 as above,
     /// between a tenth and ten.
-    pub fn scale(&mut self, low: f64, high: f64) -> f64 {
+    pub fn log_between(&mut self, low: f64, high: f64) -> f64 {
         // libm's, for the platform's own functions differ from place to place in the last bits.
         rounded(libm::exp(libm::log(low) + libm::log(high / low) * self.unit()))
     }
@@ -51,24 +51,24 @@ impl Random {
     }
 
     /// A point of the ball of `radius` round `center`, evenly spread.
-    pub fn near(&mut self, center: Vector, radius: f64) -> Vector {
+    pub fn in_ball(&mut self, center: DVec3, radius: f64) -> DVec3 {
         loop {
             let mut side = || 2.0 * self.unit() - 1.0;
-            let p = vector(side(), side(), side());
+            let p = dvec3(side(), side(), side());
             if p.dot(p) <= 1.0 {
                 let p = center + p * radius;
-                return vector(rounded(p.x), rounded(p.y), rounded(p.z));
+                return dvec3(rounded(p.x), rounded(p.y), rounded(p.z));
             }
         }
     }
 
     /// A direction, evenly spread, of length one but for rounding.
-    pub fn direction(&mut self) -> Vector {
+    pub fn direction(&mut self) -> DVec3 {
         loop {
-            let p = self.near(Vector::ZERO, 1.0);
+            let p = self.in_ball(DVec3::ZERO, 1.0);
             if p.dot(p) > 1e-4 {
                 let p = p / p.dot(p).sqrt();
-                return vector(rounded(p.x), rounded(p.y), rounded(p.z));
+                return dvec3(rounded(p.x), rounded(p.y), rounded(p.z));
             }
         }
     }

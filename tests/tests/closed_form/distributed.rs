@@ -28,18 +28,18 @@ fn square(x: f64) -> f64 {
 }
 
 /// A white floor under one light, before nothing.
-fn floor(source: Source) -> Stage {
-    let mut stage = Stage::new();
-    stage.material(Material { ambient: Rgb::BLACK, ..Material::MATTE });
-    stage.plane(Vec3::ZERO, Vec3::Y);
-    stage.lights.push(Light { source, color: Rgb::WHITE, shadows: true });
-    stage
+fn floor(source: Source) -> TestScene {
+    let mut scene = TestScene::new();
+    scene.material(Material { ambient: Rgb::BLACK, ..Material::MATTE });
+    scene.plane(Vec3::ZERO, Vec3::Y);
+    scene.lights.push(Light { source, color: Rgb::WHITE, shadows: true });
+    scene
 }
 
 /// The mean brightness of the floor at `x`, seen from the side.
-fn at(stage: &Stage, x: f64, n: u32, seed: u32) -> f64 {
+fn at(scene: &TestScene, x: f64, n: u32, seed: u32) -> f64 {
     let target = vec3(x as Real, 0.0, 0.0);
-    stage.look_often(target + vec3(0.0, 1.0, -7.0), target, ALL, n, seed)[0]
+    scene.trace_samples(target + vec3(0.0, 1.0, -7.0), target, ALL, n, seed)[0]
 }
 
 /// The mean over a disc of radius one of what is known of each place `(u, v)` on it.
@@ -58,11 +58,11 @@ fn over_disc(of: impl Fn(f64, f64) -> f64) -> f64 {
 
 #[test]
 fn a_round_light_is_hidden_by_a_straight_edge_as_much_as_it_is() {
-    let mut stage =
+    let mut scene =
         floor(Source::Sphere { position: vec3(0.0, 8.0, 0.0), radius: 1.0, falloff: Falloff::NONE });
     // Everything to the right of x = 0, at half the height of the light.
     let corners = [(0.0, -50.0), (50.0, -50.0), (50.0, 50.0), (0.0, 50.0)];
-    stage.polygon(&corners.map(|(x, z)| vec3(x, 4.0, z)), &[]);
+    scene.polygon(&corners.map(|(x, z)| vec3(x, 4.0, z)), &[]);
     for x in [-0.7, -0.3, 0.0, 0.4, 0.8] {
         // The disc that faces the point: one axis along z, the other across the way to its middle.
         let length = f64::hypot(x, 8.0);
@@ -74,7 +74,7 @@ fn a_round_light_is_hidden_by_a_straight_edge_as_much_as_it_is() {
             if crosses < 0.0 { py / (square(px - x) + py * py + v * v).sqrt() } else { 0.0 }
         });
         // Off by at most a two-thousandth of the whole light.
-        converges(|n, seed| at(&stage, x, n, seed), want, 5e-4 / want, -0.6);
+        converges(|n, seed| at(&scene, x, n, seed), want, 5e-4 / want, -0.6);
     }
 }
 
@@ -84,7 +84,7 @@ fn a_rectangle_gives_the_light_of_all_its_places() {
     let source =
         Source::Rectangle { position: vec3(1.0, 3.0, 0.5), half, soft: true, falloff: Falloff::SQUARE };
     // Its front looks down: x cross z is -y.
-    let stage = floor(source);
+    let scene = floor(source);
     let n = 400;
     let place = |i: i32| (f64::from(i) + 0.5) / f64::from(n) * 2.0 - 1.0;
     let mut want = 0.0;
@@ -94,7 +94,7 @@ fn a_rectangle_gives_the_light_of_all_its_places() {
         // The cosine on the floor, that of the light, and the square of the distance.
         want += y * y / square / square / f64::from(n * n);
     }
-    converges(|n, seed| at(&stage, 0.0, n, seed), want, 1e-3, -0.9);
+    converges(|n, seed| at(&scene, 0.0, n, seed), want, 1e-3, -0.9);
     // Nothing behind it.
     let half = [half[1], half[0]];
     let source =
@@ -118,12 +118,12 @@ fn a_light_whose_extent_is_left_out_is_one_in_its_middle() {
 #[test]
 fn a_rough_mirror_shows_the_mean_of_what_its_facets_show() {
     for roughness in [0.2, 0.5, 0.8] {
-        let mut stage = Stage::new();
+        let mut scene = TestScene::new();
         let mirror =
             Material { diffuse: Rgb::BLACK, ambient: Rgb::BLACK, mirror: Rgb::WHITE, ..Material::MATTE };
-        stage.material(Material { roughness, ..mirror });
-        stage.plane(Vec3::ZERO, Vec3::Y);
-        stage.background = Background::Gradient { up: Vec3::Y, below: Rgb::BLACK, above: Rgb::WHITE };
+        scene.material(Material { roughness, ..mirror });
+        scene.plane(Vec3::ZERO, Vec3::Y);
+        scene.background = Background::Gradient { up: Vec3::Y, below: Rgb::BLACK, above: Rgb::WHITE };
         // Facets of the GGX distribution, seen from above: the square of the cosine of their tilt
         // is (1 - t) / (1 + (s^2 - 1) t) for t evenly in 0..1, and light comes from twice the tilt.
         let slope = square(f64::from(roughness));
@@ -137,7 +137,7 @@ fn a_rough_mirror_shows_the_mean_of_what_its_facets_show() {
             .sum::<f64>()
             / f64::from(n);
         let eye = vec3(0.0, 2.0, 0.0);
-        let mean = |n, seed| stage.look_often(eye, Vec3::ZERO, ALL, n, seed)[0];
+        let mean = |n, seed| scene.trace_samples(eye, Vec3::ZERO, ALL, n, seed)[0];
         converges(mean, want, 1e-3, -0.8);
     }
 }
@@ -145,63 +145,63 @@ fn a_rough_mirror_shows_the_mean_of_what_its_facets_show() {
 #[test]
 fn rough_glass_loses_no_light() {
     // Inside of a white room everything is white, however light is broken.
-    let mut stage = Stage::new();
+    let mut scene = TestScene::new();
     let glass =
         Material { transmitted: Rgb::WHITE, index: 1.5, interface: Interface::Fresnel, ..Material::MATTE };
-    stage.material(Material { diffuse: Rgb::BLACK, ambient: Rgb::BLACK, roughness: 0.5, ..glass });
-    stage.sphere(Vec3::ZERO, 1.0);
-    stage.background = Background::Color(Rgb::WHITE);
+    scene.material(Material { diffuse: Rgb::BLACK, ambient: Rgb::BLACK, roughness: 0.5, ..glass });
+    scene.sphere(Vec3::ZERO, 1.0);
+    scene.background = Background::Color(Rgb::WHITE);
     let limits = Limits { levels: 40, cutoff: 1e-4 };
-    let got = stage.look_often(vec3(0.4, 0.3, 5.0), vec3(0.4, 0.3, 0.0), limits, 64, 0)[0];
+    let got = scene.trace_samples(vec3(0.4, 0.3, 5.0), vec3(0.4, 0.3, 0.0), limits, 64, 0)[0];
     assert!((got - 1.0).abs() < 5e-3, "{got}");
 }
 
 #[test]
 fn light_through_panes_and_bodies_has_their_colours() {
     let sun = Source::Directional { toward: Vec3::Y };
-    let look = |stage: &Stage| stage.look(vec3(0.0, 1.0, -7.0), Vec3::ZERO, ALL);
-    let mut stage = floor(sun);
-    stage.colored_shadows = true;
+    let look = |scene: &TestScene| scene.trace(vec3(0.0, 1.0, -7.0), Vec3::ZERO, ALL);
+    let mut scene = floor(sun);
+    scene.colored_shadows = true;
     let tint = Rgb::new(0.5, 0.25, 0.0);
-    stage.material(Material { transmitted: tint, ..Material::MATTE });
-    stage.disc(vec3(0.0, 2.0, 0.0), Vec3::Y, 1.0);
-    assert_color(look(&stage), [0.5, 0.25, 0.0], ROUNDINGS);
+    scene.material(Material { transmitted: tint, ..Material::MATTE });
+    scene.disc(vec3(0.0, 2.0, 0.0), Vec3::Y, 1.0);
+    assert_color(look(&scene), [0.5, 0.25, 0.0], ROUNDINGS);
     // A second pane takes as much again, and without the scene's key none lets light through.
-    stage.disc(vec3(0.0, 3.0, 0.0), Vec3::Y, 1.0);
-    assert_color(look(&stage), [0.25, 0.0625, 0.0], ROUNDINGS);
-    stage.colored_shadows = false;
-    assert_eq!(look(&stage), Rgb::BLACK);
+    scene.disc(vec3(0.0, 3.0, 0.0), Vec3::Y, 1.0);
+    assert_color(look(&scene), [0.25, 0.0625, 0.0], ROUNDINGS);
+    scene.colored_shadows = false;
+    assert_eq!(look(&scene), Rgb::BLACK);
 
     // Through the middle of a ball: two surfaces, each mirrors 4 %, and two lengths of way.
-    let mut stage = floor(sun);
-    stage.colored_shadows = true;
+    let mut scene = floor(sun);
+    scene.colored_shadows = true;
     let clarity = Rgb::new(2.0, 4.0, Real::INFINITY);
     let glass = Material { transmitted: Rgb::WHITE, index: 1.5, clarity, ..Material::MATTE };
-    stage.material(Material { interface: Interface::Fresnel, ..glass });
-    stage.sphere(vec3(0.0, 3.0, 0.0), 1.0);
+    scene.material(Material { interface: Interface::Fresnel, ..glass });
+    scene.sphere(vec3(0.0, 3.0, 0.0), 1.0);
     let through = |clarity: f64| 0.96 * 0.96 * (-2.0 / clarity).exp();
-    assert_color(look(&stage), [through(2.0), through(4.0), 0.96 * 0.96], 1e-5);
+    assert_color(look(&scene), [through(2.0), through(4.0), 0.96 * 0.96], 1e-5);
     // What is opaque stays so behind glass.
-    stage.material(Material::MATTE);
-    stage.disc(vec3(0.0, 6.0, 0.0), Vec3::Y, 1.0);
-    assert_eq!(look(&stage), Rgb::BLACK);
+    scene.material(Material::MATTE);
+    scene.disc(vec3(0.0, 6.0, 0.0), Vec3::Y, 1.0);
+    assert_eq!(look(&scene), Rgb::BLACK);
 }
 
 #[test]
 fn a_moving_disc_covers_a_place_as_long_as_it_is_over_it() {
     // From the left to the right at four lengths in a shutter's time, seen from above.
     let (radius, way): (f64, f64) = (0.75, 4.0);
-    let mut stage = Stage::new();
-    stage.material(shining(Rgb::WHITE));
-    stage.ambient = Rgb::WHITE;
-    let disc = stage.disc(Vec3::ZERO, Vec3::Y, radius as Real);
-    stage.set_motion(disc, vec3(-2.0, 0.0, 0.0), vec3((way - 2.0) as Real, 0.0, 0.0));
+    let mut scene = TestScene::new();
+    scene.material(shining(Rgb::WHITE));
+    scene.ambient = Rgb::WHITE;
+    let disc = scene.disc(Vec3::ZERO, Vec3::Y, radius as Real);
+    scene.set_motion(disc, vec3(-2.0, 0.0, 0.0), vec3((way - 2.0) as Real, 0.0, 0.0));
     for (x, z) in [(0.05, 0.0), (0.3, 0.5), (-1.7, 0.2), (2.4, -0.3), (0.1, 0.74)] {
         // Half of the chord, and when its middle comes to lie over the place.
         let half = (square(radius) - square(z)).sqrt();
         let [begins, ends] = [x - half, x + half].map(|x: f64| ((x + 2.0) / way).clamp(0.0, 1.0));
         let target = vec3(x as Real, 0.0, z as Real);
-        let mean = |n, seed| stage.look_often(target + 3.0 * Vec3::Y, target, levels(1), n, seed)[0];
+        let mean = |n, seed| scene.trace_samples(target + 3.0 * Vec3::Y, target, levels(1), n, seed)[0];
         // Of the many rays one or two may be on the wrong side.
         let want = ends - begins;
         converges(mean, want, 2.0 / 16_384.0 / want, -0.9);
@@ -209,43 +209,43 @@ fn a_moving_disc_covers_a_place_as_long_as_it_is_over_it() {
     // Beside its way, and before and behind it.
     for (x, z) in [(0.0, 0.8), (-2.8, 0.0), (2.8, 0.0)] {
         let target = vec3(x, 0.0, z);
-        assert_eq!(stage.look_often(target + 3.0 * Vec3::Y, target, levels(1), 64, 0)[0], 0.0, "{x} {z}");
+        assert_eq!(scene.trace_samples(target + 3.0 * Vec3::Y, target, levels(1), 64, 0)[0], 0.0, "{x} {z}");
     }
 }
 
 #[test]
 fn a_texture_moves_with_what_it_is_on() {
     // A gradient over the disc, which is over the place with its left half first.
-    let mut stage = Stage::new();
-    stage.ambient = Rgb::WHITE;
+    let mut scene = TestScene::new();
+    scene.ambient = Rgb::WHITE;
     let (from, to) = (Rgb::BLACK, Rgb::WHITE);
-    let texture = stage.add_texture(Texture::Gradient { from, to, origin: -Vec3::X, along: 2.0 * Vec3::X });
-    stage.material(Material { texture, ..shining(Rgb::WHITE) });
-    let disc = stage.disc(Vec3::ZERO, Vec3::Y, 1.0);
+    let texture = scene.add_texture(Texture::Gradient { from, to, origin: -Vec3::X, along: 2.0 * Vec3::X });
+    scene.material(Material { texture, ..shining(Rgb::WHITE) });
+    let disc = scene.disc(Vec3::ZERO, Vec3::Y, 1.0);
     // At the end of the time its left rim is over the place, at the beginning its middle.
-    stage.set_motion(disc, Vec3::ZERO, Vec3::X);
-    let mean = |n, seed| stage.look_often(3.0 * Vec3::Y, Vec3::ZERO, levels(1), n, seed)[0];
+    scene.set_motion(disc, Vec3::ZERO, Vec3::X);
+    let mean = |n, seed| scene.trace_samples(3.0 * Vec3::Y, Vec3::ZERO, levels(1), n, seed)[0];
     converges(mean, 0.25, 1e-3, -0.9);
 }
 
 #[test]
 fn shadows_and_mirrors_see_the_time_of_the_camera_ray() {
     // A disc over the floor, seen beside its shadow: a place is either covered or shadowed.
-    let mut stage = floor(Source::Directional { toward: Vec3::Y });
-    let disc = stage.disc(vec3(0.0, 1.0, 0.0), Vec3::Y, 0.5);
-    stage.set_motion(disc, -Vec3::X, Vec3::X);
-    let got = at(&stage, 0.0, 4096, 3);
+    let mut scene = floor(Source::Directional { toward: Vec3::Y });
+    let disc = scene.disc(vec3(0.0, 1.0, 0.0), Vec3::Y, 0.5);
+    scene.set_motion(disc, -Vec3::X, Vec3::X);
+    let got = at(&scene, 0.0, 4096, 3);
     assert!((got - 0.5).abs() < 1e-3, "in its shadow half of the time: {got}");
     // In a mirror under it, seen past it: half of the time dark, and never both.
-    let mut stage = Stage::new();
+    let mut scene = TestScene::new();
     let mirror = Material { diffuse: Rgb::BLACK, ambient: Rgb::BLACK, mirror: Rgb::WHITE, ..Material::MATTE };
-    stage.material(mirror);
-    stage.plane(Vec3::ZERO, Vec3::Y);
-    stage.background = Background::Color(Rgb::WHITE);
-    stage.material(shining(Rgb::BLACK));
-    let disc = stage.disc(vec3(0.0, 1.0, 1.0), Vec3::Y, 0.5);
-    stage.set_motion(disc, -Vec3::X, Vec3::X);
-    let got = stage.look_often(vec3(0.0, 2.0, -2.0), Vec3::ZERO, ALL, 4096, 3)[0];
+    scene.material(mirror);
+    scene.plane(Vec3::ZERO, Vec3::Y);
+    scene.background = Background::Color(Rgb::WHITE);
+    scene.material(shining(Rgb::BLACK));
+    let disc = scene.disc(vec3(0.0, 1.0, 1.0), Vec3::Y, 0.5);
+    scene.set_motion(disc, -Vec3::X, Vec3::X);
+    let got = scene.trace_samples(vec3(0.0, 2.0, -2.0), Vec3::ZERO, ALL, 4096, 3)[0];
     assert!((got - 0.5).abs() < 1e-3, "{got}");
 }
 
@@ -253,16 +253,16 @@ fn shadows_and_mirrors_see_the_time_of_the_camera_ray() {
 fn a_point_out_of_focus_is_a_disc_of_confusion() {
     let (angle, rows, radius, focus, ball): (f64, u32, f64, f64, f64) = (0.5, 65, 0.25, 4.0, 0.02);
     let size = Resolution::new(rows, rows).unwrap();
-    let mut stage = Stage::new();
-    stage.ambient = Rgb::WHITE;
-    stage.material(shining(Rgb::WHITE));
+    let mut scene = TestScene::new();
+    scene.ambient = Rgb::WHITE;
+    scene.material(shining(Rgb::WHITE));
     for distance in [2.5, focus, 7.0] {
-        let mut stage = stage.clone();
-        stage.sphere(vec3(0.0, 0.0, -distance as Real), ball as Real);
+        let mut scene = scene.clone();
+        scene.sphere(vec3(0.0, 0.0, -distance as Real), ball as Real);
         let projection =
             Projection::Lens { angle: angle as Real, radius: radius as Real, focus: focus as Real };
         let view = View { from: Vec3::ZERO, at: -Vec3::Z, up: Vec3::Y, projection };
-        let world = World::new(stage.scene(), List::without_bounds(1));
+        let world = World::new(scene.as_scene(), List::without_bounds(1));
         let camera = Camera::new(&view, size).unwrap();
         let tracer = Tracer::<_, AllEffects, 1>::new(&world, camera, levels(1)).unwrap();
         let (mut light, mut second) = (0.0, 0.0);

@@ -3,40 +3,40 @@
 use strahl_core::accel::{Buffer, BuildError, Grid, GridSize, Octree, OctreeNode, OctreeSize, StaticGrid};
 use strahl_core::geometry::{Aabb, ItemId, Ray};
 use strahl_core::{Real, Vec3, vec3};
-use strahl_tests::Random;
+use strahl_tests::SplitMix64;
 
-use crate::hold::Hold;
-use crate::{random_ray, random_stage};
+use crate::check::AcceleratorCheck;
+use crate::{random_ray, random_scene};
 
 const SEED: u64 = 0x5eed_0014;
 
 #[test]
 fn every_size_of_memory_from_the_floor_on_gives_the_right_answer() {
-    let mut random = Random::new(SEED);
-    let mut stage = random_stage(39, &mut random);
-    stage.plane(vec3(0.0, 0.0, -9.0), Vec3::Z);
-    let rays: Vec<Ray> = (0..20).map(|_| random_ray(9.0, &mut random)).collect();
-    let hold = Hold::new(&stage, &rays, &mut random);
-    let items = hold.boxes.iter().filter(|aabb| **aabb != Aabb::EMPTY).count();
-    let (grid, octree) = (GridSize::recommended(&hold.boxes), OctreeSize::recommended(items));
+    let mut rng = SplitMix64::new(SEED);
+    let mut scene = random_scene(39, &mut rng);
+    scene.plane(vec3(0.0, 0.0, -9.0), Vec3::Z);
+    let rays: Vec<Ray> = (0..20).map(|_| random_ray(9.0, &mut rng)).collect();
+    let check = AcceleratorCheck::new(&scene, &rays, &mut rng);
+    let items = check.boxes.iter().filter(|aabb| **aabb != Aabb::EMPTY).count();
+    let (grid, octree) = (GridSize::recommended(&check.boxes), OctreeSize::recommended(items));
     assert!(grid.cells > 100 && grid.entries > items && items < 40, "{grid:?}");
     for cells in 2..grid.cells {
         let more = items + cells % 50;
         let octree = OctreeSize { nodes: 1 + cells % octree.nodes, entries: more };
-        hold.against_subdivisions::<8>(GridSize { cells, entries: grid.entries }, octree);
+        check.check_grid_and_octree::<8>(GridSize { cells, entries: grid.entries }, octree);
     }
     for items in items..grid.entries {
         let octree = OctreeSize { entries: items, ..octree };
-        hold.against_subdivisions::<8>(GridSize { cells: grid.cells, entries: items }, octree);
+        check.check_grid_and_octree::<8>(GridSize { cells: grid.cells, entries: items }, octree);
     }
 }
 
 #[test]
 fn one_too_little_is_refused_with_the_numbers_to_act_on() {
-    let mut random = Random::new(SEED + 1);
-    let mut stage = random_stage(29, &mut random);
-    stage.plane(Vec3::ZERO, Vec3::Z);
-    let boxes = stage.bounds();
+    let mut rng = SplitMix64::new(SEED + 1);
+    let mut scene = random_scene(29, &mut rng);
+    scene.plane(Vec3::ZERO, Vec3::Z);
+    let boxes = scene.bounds();
     let needed = boxes.iter().filter(|aabb| **aabb != Aabb::EMPTY).count();
     assert!(needed < 30, "planes have no place");
     let too_small = |buffer, needed, provided| Some(BuildError::BufferTooSmall { buffer, needed, provided });
@@ -57,9 +57,9 @@ fn one_too_little_is_refused_with_the_numbers_to_act_on() {
 
 #[test]
 fn comfortable_memory_is_exactly_what_a_grid_takes() {
-    let mut random = Random::new(SEED + 2);
+    let mut rng = SplitMix64::new(SEED + 2);
     for items in [1, 2, 10, 100, 1000] {
-        let boxes = random_stage(items, &mut random).bounds();
+        let boxes = random_scene(items, &mut rng).bounds();
         let room = GridSize::recommended(&boxes);
         let (mut cells, mut entries) = (vec![0; room.cells], vec![0; room.entries]);
         let grid = Grid::<8>::build(&boxes, &mut cells, &mut entries).unwrap();
@@ -80,19 +80,19 @@ fn comfortable_memory_is_exactly_what_a_grid_takes() {
 
 #[test]
 fn more_memory_makes_leaves_of_an_octree_smaller() {
-    let mut random = Random::new(SEED + 3);
+    let mut rng = SplitMix64::new(SEED + 3);
     let boxes: Vec<Aabb> = (0..1000)
         .map(|_| {
-            let center = random.near(strahl_tests::Vector::ZERO, 10.0);
+            let center = rng.in_ball(strahl_tests::DVec3::ZERO, 10.0);
             let (x, y, z) = (center.x as Real, center.y as Real, center.z as Real);
             Aabb { min: vec3(x, y, z), max: vec3(x, y, z) + 0.1 }
         })
         .collect();
-    let mean = |lent: usize| {
-        let (mut nodes, mut items) = (vec![OctreeNode::EMPTY; lent], vec![0; 8000]);
+    let mean = |provided: usize| {
+        let (mut nodes, mut items) = (vec![OctreeNode::EMPTY; provided], vec![0; 8000]);
         let tree = Octree::<8>::build(&boxes, &mut nodes, &mut items).unwrap();
         assert!(
-            tree.node_count() <= lent
+            tree.node_count() <= provided
                 && tree.size_in_bytes() >= 4 * tree.entry_count() + 8 * tree.node_count()
         );
         tree.entry_count() as f64 / tree.occupied_leaf_count() as f64
@@ -122,12 +122,12 @@ fn a_box_without_end_is_refused_by_its_number() {
 fn a_grid_whose_memory_is_sized_when_compiled_answers_like_the_list() {
     const ITEMS: usize = 50;
     const SIZE: GridSize = GridSize::estimated(ITEMS);
-    let mut random = Random::new(SEED + 4);
-    let stage = random_stage(ITEMS as u32, &mut random);
-    let rays: Vec<Ray> = (0..200).map(|_| random_ray(9.0, &mut random)).collect();
-    let hold = Hold::new(&stage, &rays, &mut random);
+    let mut rng = SplitMix64::new(SEED + 4);
+    let scene = random_scene(ITEMS as u32, &mut rng);
+    let rays: Vec<Ray> = (0..200).map(|_| random_ray(9.0, &mut rng)).collect();
+    let check = AcceleratorCheck::new(&scene, &rays, &mut rng);
     let mut memory = StaticGrid::<{ SIZE.cells }, { SIZE.entries }>::new();
-    hold.against("static", memory.build::<8>(&hold.boxes).unwrap());
+    check.check("static", memory.build::<8>(&check.boxes).unwrap());
     let mut smallest = StaticGrid::<2, ITEMS>::new();
-    hold.against("static and small", smallest.build::<0>(&hold.boxes).unwrap());
+    check.check("static and small", smallest.build::<0>(&check.boxes).unwrap());
 }

@@ -1,0 +1,325 @@
+//! Hard rays at what is round: spheres, cones and cylinders, tori.
+
+use super::case::{AimFunction, HardCase, about_one, as_f32, aside, length, towards};
+use crate::test_shape::{TestRay, TestShape};
+use crate::vector::DVec3;
+use crate::{SplitMix64, rounded};
+
+/// Rays at one thing.
+const RAYS: usize = 50;
+
+const fn sphere(name: &'static str, naive: &'static str, aim: AimFunction) -> HardCase {
+    HardCase::aimed("sphere", name, naive, 4.0, 200, aim)
+}
+
+const fn cone(name: &'static str, naive: &'static str, aim: AimFunction) -> HardCase {
+    HardCase::aimed("cone, cylinder", name, naive, 8.0, 200, aim)
+}
+
+const fn torus(name: &'static str, naive: &'static str, aim: AimFunction) -> HardCase {
+    HardCase::aimed("torus", name, naive, 8.0, 200, aim)
+}
+
+pub(super) const CASES: [HardCase; 21] = [
+    sphere("10 to 1e5 radii away", "`b^2 - 4ac` loses all digits", far_sphere),
+    sphere("of radius 1e-6", "`b^2 - 4ac` loses all digits", tiny_sphere),
+    sphere("of radius 1e6, eye just above it", "`-b + sqrt(d)` cancels", huge_sphere).easy(),
+    sphere("eye inside", "a normal that is not one long", inside_sphere),
+    sphere("at r (1 +- 10^-k) from the centre", "hit and miss change places", grazing_sphere),
+    sphere("directions 1e-30 to 1e30 long", "squares leave the range", any_length),
+    cone("ray along the axis, or nearly", "`a` is all rounding", along_axis),
+    cone("as thin as a hair", "`b^2 - 4ac` loses all digits", hair),
+    cone("almost a cylinder", "`a` cancels", almost_cylinder),
+    cone("apex, and the nappe behind it", "the mirrored nappe is met", apex),
+    cone("eye inside, open ends", "the near root is behind", inside_cone),
+    cone("at the rims", "hit and miss change places", rim),
+    cone("100 to 1e4 sizes away", "`b^2 - 4ac` loses all digits", far_cone),
+    torus("10 to 1e4 sizes away", "the quartic's coefficients lose all digits", far_torus),
+    torus("thin, r/R down to 1e-4", "roots fall together", thin_torus),
+    torus("thin, along the tube", "all roots fall together", along_tube),
+    torus("fat, r/R up to 1 - 1e-6", "roots fall together in the middle", fat_torus),
+    torus("along the axis", "odd coefficients are all rounding", down_the_hole),
+    torus("in the equatorial plane", "four roots, pairs close together", equatorial_torus),
+    torus("tangent to the hole", "a double root is one, two or none", hole_torus),
+    torus("eye inside the tube", "the root at the eye is met again", inside_torus),
+];
+
+fn some<T>(mut one: impl FnMut() -> T) -> Vec<T> {
+    (0..RAYS).map(|_| one()).collect()
+}
+
+fn any_sphere(rng: &mut SplitMix64) -> (DVec3, f64) {
+    let radius = rng.log_between(1e-3, 1e3);
+    (rng.in_ball(DVec3::ZERO, 10.0 * radius), radius)
+}
+
+fn far_sphere(rng: &mut SplitMix64) -> (TestShape, Vec<TestRay>) {
+    let (center, radius) = any_sphere(rng);
+    let eye = as_f32(center + rng.direction() * (radius * rng.log_between(10.0, 1e5)));
+    (TestShape::Sphere { center, radius }, some(|| towards(eye, rng.in_ball(center, 1.3 * radius))))
+}
+
+fn tiny_sphere(rng: &mut SplitMix64) -> (TestShape, Vec<TestRay>) {
+    let radius = rng.between(0.5e-6, 2e-6);
+    let center = rng.in_ball(DVec3::ZERO, 1.0);
+    let eye = as_f32(center + rng.direction() * rng.log_between(1e-5, 1.0));
+    (TestShape::Sphere { center, radius }, some(|| towards(eye, rng.in_ball(center, 1.3 * radius))))
+}
+
+fn huge_sphere(rng: &mut SplitMix64) -> (TestShape, Vec<TestRay>) {
+    let radius = rng.between(0.5e6, 2e6);
+    let up = rng.direction();
+    let center = as_f32(up * -radius);
+    let height = rng.log_between(20.0, 1e4);
+    let eye = as_f32(up * height);
+    let below = up * -height;
+    (TestShape::Sphere { center, radius }, some(|| towards(eye, eye + rng.in_ball(below, 20.0 * height))))
+}
+
+fn inside_sphere(rng: &mut SplitMix64) -> (TestShape, Vec<TestRay>) {
+    let (center, radius) = any_sphere(rng);
+    let ray = |rng: &mut SplitMix64| TestRay {
+        origin: rng.in_ball(center, 0.99 * radius),
+        direction: as_f32(rng.direction() * rng.log_between(0.01, 100.0)),
+    };
+    (TestShape::Sphere { center, radius }, some(|| ray(rng)))
+}
+
+fn grazing_sphere(rng: &mut SplitMix64) -> (TestShape, Vec<TestRay>) {
+    let (center, radius) = any_sphere(rng);
+    let way = rng.direction() * (radius * rng.log_between(1.5, 1000.0));
+    let eye = as_f32(center + way);
+    let ray = |rng: &mut SplitMix64| {
+        let impact = radius * about_one(rng);
+        let away = length(way);
+        towards(eye, center + aside(way, rng) * (impact / (1.0 - (impact / away) * (impact / away)).sqrt()))
+    };
+    (TestShape::Sphere { center, radius }, some(|| ray(rng)))
+}
+
+fn any_length(rng: &mut SplitMix64) -> (TestShape, Vec<TestRay>) {
+    let (center, radius) = any_sphere(rng);
+    let eye = as_f32(center + rng.direction() * (radius * rng.log_between(1.5, 30.0)));
+    let ray = |rng: &mut SplitMix64| {
+        let way = rng.in_ball(center, 1.3 * radius) - eye;
+        TestRay { origin: eye, direction: as_f32(way / length(way) * rng.log_between(1e-30, 1e30)) }
+    };
+    (TestShape::Sphere { center, radius }, some(|| ray(rng)))
+}
+
+/// A cone or a cylinder, and what it is made from.
+struct Tube {
+    base: DVec3,
+    /// As long as the height.
+    axis: DVec3,
+    height: f64,
+    radius: f64,
+    shape: TestShape,
+}
+
+fn tube(radius: f64, end_radius: f64, rng: &mut SplitMix64) -> Tube {
+    let scale = rng.log_between(1e-3, 1e3);
+    let base = rng.in_ball(DVec3::ZERO, 3.0 * scale);
+    let end = as_f32(base + rng.direction() * scale);
+    let (radius, end_radius) = (rounded(radius * scale), rounded(end_radius * scale));
+    let capped = rng.below(2) == 0;
+    let shape = TestShape::Cone { base, base_radius: radius, end, end_radius, capped };
+    Tube { base, axis: end - base, height: length(end - base), radius, shape }
+}
+
+/// A cone or a cylinder of no extreme proportions.
+fn any_tube(rng: &mut SplitMix64) -> Tube {
+    let radius = rng.log_between(0.1, 2.0);
+    let end = [radius, 0.0, radius * rng.log_between(0.3, 3.0)][rng.below(3) as usize];
+    tube(radius, end, rng)
+}
+
+fn along_axis(rng: &mut SplitMix64) -> (TestShape, Vec<TestRay>) {
+    let tube = any_tube(rng);
+    let ray = |rng: &mut SplitMix64| {
+        let start = tube.base - tube.axis * rng.log_between(0.1, 10.0);
+        let origin = as_f32(start + aside(tube.axis, rng) * (1.3 * tube.radius * rng.unit()));
+        let lean = if rng.below(4) == 0 { 0.0 } else { rng.log_between(1e-7, 0.1) };
+        let direction = tube.axis / tube.height + aside(tube.axis, rng) * lean;
+        TestRay { origin, direction: as_f32(direction) }
+    };
+    let rays = some(|| ray(rng));
+    (tube.shape, rays)
+}
+
+/// From `away` heights at the side, and somewhat beside it.
+fn at_side(tube: &Tube, near: f64, far: f64, rng: &mut SplitMix64) -> TestRay {
+    let eye =
+        as_f32(tube.base + tube.axis * 0.5 + rng.direction() * (tube.height * rng.log_between(near, far)));
+    let target = tube.base + tube.axis * rng.between(-0.1, 1.1);
+    towards(eye, target + rng.direction() * (1.5 * tube.radius * rng.unit()))
+}
+
+fn hair(rng: &mut SplitMix64) -> (TestShape, Vec<TestRay>) {
+    let radius = rng.log_between(1e-5, 1e-2);
+    let tube = tube(radius, radius, rng);
+    let rays = some(|| at_side(&tube, 0.6, 10.0, rng));
+    (tube.shape, rays)
+}
+
+fn almost_cylinder(rng: &mut SplitMix64) -> (TestShape, Vec<TestRay>) {
+    let radius = rng.log_between(0.05, 2.0);
+    let tube = tube(radius, radius * about_one(rng), rng);
+    let rays = some(|| at_side(&tube, 1.0, 30.0, rng));
+    (tube.shape, rays)
+}
+
+fn apex(rng: &mut SplitMix64) -> (TestShape, Vec<TestRay>) {
+    let tube = tube(rng.log_between(0.1, 2.0), 0.0, rng);
+    let ray = |rng: &mut SplitMix64| {
+        let eye = as_f32(tube.base + rng.direction() * (tube.height * rng.log_between(0.3, 20.0)));
+        let aside = rng.direction() * (tube.radius * rng.log_between(1e-5, 1.0));
+        towards(eye, tube.base + tube.axis * rng.between(0.9, 2.0) + aside)
+    };
+    let rays = some(|| ray(rng));
+    (tube.shape, rays)
+}
+
+fn inside_cone(rng: &mut SplitMix64) -> (TestShape, Vec<TestRay>) {
+    let tube = any_tube(rng);
+    let ray = |rng: &mut SplitMix64| {
+        let (level, out) = (rng.unit(), rng.unit());
+        let start =
+            tube.base + tube.axis * level + aside(tube.axis, rng) * (tube.radius * out * (1.0 - level));
+        TestRay { origin: as_f32(start), direction: as_f32(rng.direction() * rng.log_between(0.1, 10.0)) }
+    };
+    let rays = some(|| ray(rng));
+    (tube.shape, rays)
+}
+
+fn rim(rng: &mut SplitMix64) -> (TestShape, Vec<TestRay>) {
+    let tube = any_tube(rng);
+    let ray = |rng: &mut SplitMix64| {
+        let eye = as_f32(tube.base + rng.direction() * (tube.height * rng.log_between(1.0, 30.0)));
+        towards(eye, tube.base + aside(tube.axis, rng) * (tube.radius * about_one(rng)))
+    };
+    let rays = some(|| ray(rng));
+    (tube.shape, rays)
+}
+
+fn far_cone(rng: &mut SplitMix64) -> (TestShape, Vec<TestRay>) {
+    let tube = any_tube(rng);
+    let rays = some(|| at_side(&tube, 100.0, 1e4, rng));
+    (tube.shape, rays)
+}
+
+/// A torus of some proportions, and rays at its tube.
+struct Ring {
+    center: DVec3,
+    axis: DVec3,
+    major: f64,
+    minor: f64,
+}
+
+impl Ring {
+    fn new(proportion: f64, rng: &mut SplitMix64) -> Ring {
+        let major = rng.log_between(1e-2, 1e2);
+        let (center, axis) = (rng.in_ball(DVec3::ZERO, 3.0 * major), rng.direction());
+        let minor = rounded(major * proportion);
+        Ring { center, axis, major, minor: if minor < major { minor } else { major } }
+    }
+
+    fn any(rng: &mut SplitMix64) -> Ring {
+        let proportion = rng.log_between(0.1, 0.9);
+        Ring::new(proportion, rng)
+    }
+
+    fn shape(&self) -> TestShape {
+        TestShape::Torus { center: self.center, axis: self.axis, major: self.major, minor: self.minor }
+    }
+
+    /// A point of the tube, or somewhat beside it.
+    fn in_tube(&self, rng: &mut SplitMix64) -> DVec3 {
+        let middle = self.center + aside(self.axis, rng) * self.major;
+        rng.in_ball(middle, 1.2 * self.minor)
+    }
+
+    fn at_tube(&self, near: f64, far: f64, rng: &mut SplitMix64) -> TestRay {
+        let size = self.major + self.minor;
+        let eye = as_f32(self.center + rng.direction() * (size * rng.log_between(near, far)));
+        towards(eye, self.in_tube(rng))
+    }
+}
+
+fn far_torus(rng: &mut SplitMix64) -> (TestShape, Vec<TestRay>) {
+    let ring = Ring::any(rng);
+    (ring.shape(), some(|| ring.at_tube(10.0, 1e4, rng)))
+}
+
+fn thin_torus(rng: &mut SplitMix64) -> (TestShape, Vec<TestRay>) {
+    let ring = Ring::new(rng.log_between(1e-4, 1e-2), rng);
+    (ring.shape(), some(|| ring.at_tube(0.2, 3.0, rng)))
+}
+
+fn along_tube(rng: &mut SplitMix64) -> (TestShape, Vec<TestRay>) {
+    let ring = Ring::new(rng.log_between(1e-4, 1e-2), rng);
+    let ray = |rng: &mut SplitMix64| {
+        let out = aside(ring.axis, rng);
+        let along = ring.axis.cross(out) / length(ring.axis);
+        let target = rng.in_ball(ring.center + out * ring.major, ring.minor);
+        let lean = if rng.below(3) == 0 { 0.0 } else { rng.log_between(1e-6, 0.1) };
+        let way = along + rng.direction() * lean;
+        towards(as_f32(target - way * (ring.major * rng.log_between(0.5, 3.0))), target)
+    };
+    (ring.shape(), some(|| ray(rng)))
+}
+
+fn fat_torus(rng: &mut SplitMix64) -> (TestShape, Vec<TestRay>) {
+    let ring = Ring::new(1.0 - rng.log_between(1e-6, 0.1), rng);
+    (ring.shape(), some(|| ring.at_tube(1.1, 30.0, rng)))
+}
+
+fn down_the_hole(rng: &mut SplitMix64) -> (TestShape, Vec<TestRay>) {
+    let ring = Ring::any(rng);
+    let ray = |rng: &mut SplitMix64| {
+        let out = (ring.major + ring.minor) * 1.1 * rng.unit();
+        let start = ring.center + aside(ring.axis, rng) * out;
+        let lean = if rng.below(3) == 0 { 0.0 } else { rng.log_between(1e-7, 0.1) };
+        let direction = as_f32(-ring.axis + rng.direction() * lean);
+        TestRay { origin: as_f32(start + ring.axis * (ring.major * rng.log_between(1.0, 30.0))), direction }
+    };
+    (ring.shape(), some(|| ray(rng)))
+}
+
+/// Upright on a coordinate axis, so that the plane is hit exactly; and as it comes.
+fn flat_ring(rng: &mut SplitMix64) -> Ring {
+    let ring = Ring::any(rng);
+    let axis = [DVec3::X, DVec3::Y, DVec3::Z, ring.axis][rng.below(4) as usize];
+    Ring { axis, ..ring }
+}
+
+fn equatorial_torus(rng: &mut SplitMix64) -> (TestShape, Vec<TestRay>) {
+    let ring = flat_ring(rng);
+    let ray = |rng: &mut SplitMix64| {
+        let eye = as_f32(ring.center + aside(ring.axis, rng) * (ring.major * rng.log_between(0.1, 10.0)));
+        let direction = aside(ring.axis, rng);
+        TestRay { origin: eye, direction: as_f32(direction) }
+    };
+    (ring.shape(), some(|| ray(rng)))
+}
+
+fn hole_torus(rng: &mut SplitMix64) -> (TestShape, Vec<TestRay>) {
+    let ring = flat_ring(rng);
+    let ray = |rng: &mut SplitMix64| {
+        let out = aside(ring.axis, rng);
+        let closest = ring.center + out * ((ring.major - ring.minor) * about_one(rng));
+        let along = ring.axis.cross(out) / length(ring.axis);
+        towards(as_f32(closest - along * (ring.major * rng.log_between(2.0, 20.0))), closest)
+    };
+    (ring.shape(), some(|| ray(rng)))
+}
+
+fn inside_torus(rng: &mut SplitMix64) -> (TestShape, Vec<TestRay>) {
+    let ring = Ring::any(rng);
+    let ray = |rng: &mut SplitMix64| {
+        let middle = ring.center + aside(ring.axis, rng) * ring.major;
+        let origin = rng.in_ball(middle, 0.95 * ring.minor);
+        TestRay { origin, direction: as_f32(rng.direction() * rng.log_between(0.1, 10.0)) }
+    };
+    (ring.shape(), some(|| ray(rng)))
+}

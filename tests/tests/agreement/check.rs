@@ -1,0 +1,131 @@
+//! What every accelerator is held to: the answers of the bare list.
+
+use strahl_core::accel::{
+    Accelerator, Bvh, BvhBuilder, BvhNode, BvhSize, Grid, GridSize, LeafEntry, LeafLayout, List, Octree,
+    OctreeLimits, OctreeNode, OctreeSize, TraversalHeap, TraversalStack, TriangleBlock,
+};
+use strahl_core::geometry::{Aabb, Hit, ItemId, Ray, SurfaceInteraction};
+use strahl_core::tally::RayKind;
+use strahl_core::{AllEffects, Real, World};
+use strahl_tests::SplitMix64;
+use strahl_tests::single::TestScene;
+
+/// Everything that a world can be asked about a ray, but who is in the way, which may be
+/// anybody.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct QueryAnswer {
+    pub hit: Option<(ItemId, u32)>,
+    surface: Option<SurfaceInteraction>,
+    pub is_occluded: bool,
+}
+
+pub fn nearest<A: Accelerator>(world: &World<A>, ray: &Ray, t_max: Real) -> Option<Hit> {
+    world.nearest::<AllEffects, _>(ray, t_max, RayKind::Camera, &mut A::Scratch::default(), &mut ())
+}
+
+pub fn occluder<A: Accelerator>(world: &World<A>, ray: &Ray, t_max: Real) -> Option<ItemId> {
+    world.blocker::<AllEffects, _>(ray, t_max, RayKind::Shadow, &mut A::Scratch::default(), &mut ())
+}
+
+fn answer<A: Accelerator>(world: &World<A>, ray: &Ray, t_max: Real, scratch: &mut A::Scratch) -> QueryAnswer {
+    let hit = world.nearest::<AllEffects, _>(ray, t_max, RayKind::Camera, scratch, &mut ());
+    let occluder = world.blocker::<AllEffects, _>(ray, t_max, RayKind::Shadow, scratch, &mut ());
+    QueryAnswer {
+        hit: hit.map(|hit| (hit.item, hit.t.to_bits())),
+        surface: hit.and_then(|hit| world.surface::<AllEffects>(ray, hit)),
+        is_occluded: occluder.is_some(),
+    }
+}
+
+/// A question about a ray, and the answer of the bare list.
+pub struct QueryCase {
+    pub ray: Ray,
+    pub t_max: Real,
+    pub expected: QueryAnswer,
+}
+
+impl QueryCase {
+    /// Each ray cut off nowhere, at the hit, just before it, and anywhere.
+    pub fn all(bare: &World<List>, rays: &[Ray], rng: &mut SplitMix64) -> Vec<QueryCase> {
+        let mut cases = Vec::new();
+        for ray in rays {
+            let expected = answer(bare, ray, Real::INFINITY, &mut ());
+            let t = expected.hit.map_or(1.0, |(_, bits)| Real::from_bits(bits));
+            for t_max in [Real::INFINITY, t, t.next_down(), t * rng.unit() as Real * 2.0] {
+                let expected = answer(bare, ray, t_max, &mut ());
+                assert_eq!(expected.hit.is_some(), expected.is_occluded, "{ray:?} {t_max}");
+                cases.push(QueryCase { ray: *ray, t_max, expected });
+            }
+        }
+        cases
+    }
+}
+
+/// What an accelerator is held to: the cases of a scene.
+pub struct AcceleratorCheck<'s> {
+    pub scene: &'s TestScene,
+    pub boxes: Vec<Aabb>,
+    pub cases: Vec<QueryCase>,
+}
+
+impl<'s> AcceleratorCheck<'s> {
+    /// The cases of these rays.
+    pub fn new(scene: &'s TestScene, rays: &[Ray], rng: &mut SplitMix64) -> Self {
+        let bare = World::new(scene.as_scene(), List::without_bounds(scene.item_count()));
+        AcceleratorCheck { scene, boxes: scene.bounds(), cases: QueryCase::all(&bare, rays, rng) }
+    }
+
+    /// How many of the rays hit something.
+    pub fn hits(&self) -> usize {
+        self.cases.iter().filter(|case| case.t_max == Real::INFINITY && case.expected.hit.is_some()).count()
+    }
+
+    /// Holds an accelerator against the truth, from the first case to the last with the same
+    /// scratch, so that it remembers earlier rays.
+    pub fn check<A: Accelerator>(&self, name: &str, accelerator: A) {
+        let world = World::new(self.scene.as_scene(), accelerator);
+        let mut scratch = A::Scratch::default();
+        for QueryCase { ray, t_max, expected } in &self.cases {
+            assert_eq!(answer(&world, ray, *t_max, &mut scratch), *expected, "{name}: {ray:?} {t_max}");
+        }
+    }
+
+    /// A hierarchy in each of its walks.
+    pub fn check_bvh(&self, provided: usize) {
+        let room = BvhSize::recommended(self.boxes.len());
+        let mut nodes = vec![BvhNode::EMPTY; provided];
+        let mut items = vec![LeafEntry::EMPTY; room.entries];
+        let tree = Bvh::<TraversalStack<64>>::build(&self.boxes, &mut nodes, &mut items).unwrap();
+        self.check("by a stack", tree);
+        self.check("by a stack of one", tree.with_queue::<TraversalStack<1>>());
+        self.check("by no stack", tree.with_queue::<TraversalStack<0>>());
+        self.check("by a heap", tree.with_queue::<TraversalHeap<64>>());
+        self.check("by a heap of four", tree.with_queue::<TraversalHeap<4>>());
+        self.check("by a heap of one", tree.with_queue::<TraversalHeap<1>>());
+        self.check("by no heap", tree.with_queue::<TraversalHeap<0>>());
+
+        let geometry = self.scene.as_scene().parts().geometry;
+        let (mut nodes, mut items) = (vec![BvhNode::EMPTY; provided], vec![LeafEntry::EMPTY; room.entries]);
+        let grown =
+            BvhBuilder::new(&self.boxes, LeafLayout::TriangleBlocks(&geometry), &mut nodes, &mut items)
+                .unwrap();
+        let mut runs = vec![TriangleBlock::EMPTY; grown.block_count()];
+        let tree = grown.into_bvh_with_blocks::<TraversalStack<64>>(&geometry, &mut runs).unwrap();
+        assert_eq!(tree.entry_count(), self.boxes.iter().filter(|aabb| !aabb.is_empty()).count());
+        self.check("in runs, by a stack", tree);
+        self.check("in runs, by a heap of one", tree.with_queue::<TraversalHeap<1>>());
+    }
+
+    /// A grid and an octree in this much memory, with a mailbox.
+    pub fn check_grid_and_octree<const MAILBOX: usize>(&self, grid: GridSize, octree: OctreeSize) {
+        let (mut cells, mut items) = (vec![0; grid.cells], vec![0; grid.entries]);
+        let lattice = Grid::<MAILBOX>::build(&self.boxes, &mut cells, &mut items).unwrap();
+        self.check(&format!("{grid:?}, mailbox {MAILBOX}"), lattice);
+        self.check(&format!("{grid:?}, mailbox {MAILBOX}, no boxes"), lattice.without_item_bounds());
+        let (mut nodes, mut items) = (vec![OctreeNode::EMPTY; octree.nodes], vec![0; octree.entries]);
+        let limits = OctreeLimits { max_leaf_items: 1, ..OctreeLimits::DEFAULT };
+        let tree = Octree::<MAILBOX>::with_limits(limits, &self.boxes, &mut nodes, &mut items).unwrap();
+        self.check(&format!("{octree:?}, mailbox {MAILBOX}"), tree);
+        self.check(&format!("{octree:?}, mailbox {MAILBOX}, no boxes"), tree.without_item_bounds());
+    }
+}
