@@ -3,7 +3,7 @@
 use std::path::Path;
 
 use serde::Serialize;
-use strahl_scene::amount::amount;
+use strahl_scene::quantity::quantity;
 use strahl_settings::Resolved;
 
 use crate::aim::{Aimed, Target};
@@ -57,7 +57,7 @@ impl AimReport {
             Target::Time { asked, passes, given_up } => {
                 lines.push(("aim", format!("a picture in {asked} s")));
                 let more = if *given_up { ", and one that was given up" } else { "" };
-                lines.push(("taken", format!("{}, after {}{more}", aimed.why, amount(*passes, "pass"))));
+                lines.push(("taken", format!("{}, after {}{more}", aimed.why, quantity(*passes, "pass"))));
             }
         }
         lines.push(("same as", self.command.clone()));

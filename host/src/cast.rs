@@ -8,8 +8,8 @@ use std::path::{Path, PathBuf};
 use std::time::Instant;
 
 use strahl_engine::RenderError;
-use strahl_scene::amount::amount;
-use strahl_scene::{Files, load_from};
+use strahl_scene::quantity::quantity;
+use strahl_scene::{SourceFiles, load_from};
 use strahl_settings::{DEFAULT_SIZE, Settings};
 
 use crate::args::CastArgs;
@@ -23,14 +23,14 @@ use crate::signals::Signals;
 pub fn run(args: &CastArgs) -> Result<(), Failure> {
     let signals = Signals::listen()?;
     let clock = Instant::now();
-    let files = Files::on_disk();
+    let files = SourceFiles::on_disk();
     let mut description = load_from(&files, &args.scene, DEFAULT_SIZE)?;
     // A ray of the file has no time.
-    description.moving.clear();
+    description.motions.clear();
     for warning in description.warnings.iter().filter(|_| !args.quiet) {
         say(format_args!("{}: warning: {warning}", args.scene.display()));
     }
-    let output = Guard::of(files.named().iter().chain([&args.rays])).prepare(&args.output)?;
+    let output = Guard::of(files.named_paths().iter().chain([&args.rays])).prepare(&args.output)?;
     let (input, name) = rays(&args.rays, args.quiet)?;
 
     let settings = Settings::resolve(&args.settings.given, &description.settings)?;
@@ -42,7 +42,8 @@ pub fn run(args: &CastArgs) -> Result<(), Failure> {
     let Cast { rays, hits } = stream.run(|| session.ray_caster())?;
     if !args.quiet {
         let choice = &session.accelerator().choice;
-        let (rays, hits, seconds) = (amount(rays, "ray"), amount(hits, "hit"), clock.elapsed().as_secs_f64());
+        let (rays, hits, seconds) =
+            (quantity(rays, "ray"), quantity(hits, "hit"), clock.elapsed().as_secs_f64());
         say(format_args!("{rays}, {hits}, {seconds:.2} s; {} ({})", choice, choice.reason));
     }
     Ok(())

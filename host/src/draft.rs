@@ -2,7 +2,7 @@
 
 use strahl_core::{Resolution, Rgb};
 use strahl_picture::Picture;
-use strahl_settings::{Filter, Sampling, Settings};
+use strahl_settings::{Filter, SamplerSettings, Settings};
 
 /// This many pixels of the full picture along one side are one of the draft.
 const COARSE: u32 = 4;
@@ -18,7 +18,7 @@ pub fn of(settings: &Settings) -> Option<Settings> {
         return None;
     }
     let size = Resolution::new(width.div_ceil(COARSE), height.div_ceil(COARSE))?;
-    let (sampler, filter) = (Sampling::Single, Filter::Box);
+    let (sampler, filter) = (SamplerSettings::Single, Filter::Box);
     Some(Settings { size, sampler, filter, select: None, ..settings.clone() })
 }
 

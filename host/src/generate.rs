@@ -5,8 +5,8 @@ use std::io::{self, Write};
 use std::path::{Path, PathBuf};
 
 use indicatif::{HumanBytes, HumanCount};
-use strahl_scene::amount::amount;
-use strahl_scene::procedural::{MOST_OBJECTS, ProceduralScene, SceneFormat};
+use strahl_scene::procedural::{MAX_OBJECTS, ProceduralScene, SceneFormat};
+use strahl_scene::quantity::quantity;
 
 use crate::args::GenerateArgs;
 use crate::failure::Failure;
@@ -46,7 +46,7 @@ pub fn run(args: &GenerateArgs) -> Result<(), Failure> {
     if !args.quiet && path != Path::new("-") {
         let beside = beside.map(|ply| format!(" and {}", ply.display())).unwrap_or_default();
         let objects = if form == SceneFormat::Ply { what.triangles(size) } else { what.objects(size) };
-        let objects = amount(objects.unwrap_or(0), "object");
+        let objects = quantity(objects.unwrap_or(0), "object");
         say(format_args!("{}{beside}: {objects}, {}", path.display(), HumanBytes(bytes)));
     }
     Ok(())
@@ -54,18 +54,18 @@ pub fn run(args: &GenerateArgs) -> Result<(), Failure> {
 
 /// The size that is asked for, if there is one like that.
 fn size(what: ProceduralScene, asked: Option<u32>) -> Result<u32, Failure> {
-    let size = asked.unwrap_or(what.usual_size());
-    if size < what.least_size() {
-        return Err(Failure::Usage(format!("{what}: the size must be {} or more", what.least_size())));
+    let size = asked.unwrap_or(what.default_size());
+    if size < what.min_size() {
+        return Err(Failure::Usage(format!("{what}: the size must be {} or more", what.min_size())));
     }
     match what.objects(size) {
-        Some(objects) if objects <= MOST_OBJECTS => Ok(size),
+        Some(objects) if objects <= MAX_OBJECTS => Ok(size),
         objects => {
-            let has = objects.map_or("more objects than can be counted".into(), |it| amount(it, "object"));
+            let has = objects.map_or("more objects than can be counted".into(), |it| quantity(it, "object"));
             Err(Failure::Usage(format!(
                 "{what}: size {size} would be {has}; at most {} are made, which is size {}",
-                HumanCount(MOST_OBJECTS),
-                what.most_size()
+                HumanCount(MAX_OBJECTS),
+                what.max_size()
             )))
         }
     }
@@ -73,7 +73,7 @@ fn size(what: ProceduralScene, asked: Option<u32>) -> Result<u32, Failure> {
 
 /// How the scene is to be written at `path`.
 fn form(what: ProceduralScene, path: &Path, asked: Option<SceneFormat>) -> Result<SceneFormat, Failure> {
-    let form = match (asked, SceneFormat::of_file(path)) {
+    let form = match (asked, SceneFormat::from_path(path)) {
         (Some(form), _) | (None, Some(form)) => form,
         (None, None) if path == Path::new("-") => SceneFormat::Nff,
         (None, None) => {
@@ -143,7 +143,7 @@ mod tests {
     #[test]
     fn the_largest_size_is_made_and_the_next_is_not() {
         for what in ProceduralScene::ALL {
-            let most = what.most_size();
+            let most = what.max_size();
             assert!(size(what, Some(most)).is_ok(), "{what} {most}");
             for more in [most + 1, 2 * most, 1 << 30, u32::MAX] {
                 let Err(Failure::Usage(reason)) = size(what, Some(more)) else { panic!("{what} {more}") };

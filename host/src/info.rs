@@ -10,12 +10,12 @@ use strahl_core::Scene;
 use strahl_core::geometry::{Aabb, ShapeKind};
 use strahl_engine::AccelStats;
 use strahl_engine::accelerators;
-use strahl_scene::amount::{self, amount};
-use strahl_scene::description::Description;
+use strahl_scene::description::LoadedScene;
 use strahl_scene::effects::{PlannedEffect, plan};
 use strahl_scene::load;
+use strahl_scene::quantity::{self, quantity};
 use strahl_settings::Effect;
-use strahl_settings::{AccelChoice, AccelKind, AccelSettings};
+use strahl_settings::{AccelKind, AccelSettings, ResolvedAccel};
 
 use crate::args::InfoArgs;
 use crate::failure::Failure;
@@ -106,7 +106,7 @@ struct Auto {
 }
 
 impl Info {
-    fn new(description: &Description, scene: &Scene<'_>) -> Self {
+    fn new(description: &LoadedScene, scene: &Scene<'_>) -> Self {
         let parts = scene.parts();
         let mut by_shape = BTreeMap::new();
         for shape in parts.geometry.shapes {
@@ -119,9 +119,9 @@ impl Info {
         let boxes: Vec<Aabb> = parts.geometry.all_bounds().collect();
         let all = boxes.iter().fold(Aabb::EMPTY, |all, item| all.union(*item));
         let bounded = boxes.iter().filter(|aabb| !aabb.is_empty()).count();
-        let AccelChoice { kind, reason, .. } = AccelSettings::DEFAULT.choice(bounded);
+        let ResolvedAccel { kind, reason, .. } = AccelSettings::DEFAULT.resolve(bounded);
         let auto = Auto { kind: kind.name(), reason };
-        let built = AccelKind::ALL.map(|kind| accelerators::stats(*scene, &AccelSettings::by(kind)));
+        let built = AccelKind::ALL.map(|kind| accelerators::stats(*scene, &AccelSettings::with_kind(kind)));
         let accelerators = built.iter().flatten().map(AcceleratorFacts::of).collect();
 
         let plan = plan(description);
@@ -156,7 +156,7 @@ impl Info {
         let count = |number: usize| HumanCount(number as u64).to_string();
         line("objects", count(self.objects));
         for (kind, number) in &self.by_shape {
-            line("", amount(*number, kind));
+            line("", quantity(*number, kind));
         }
         line("lights", count(self.lights));
         line("materials", count(self.materials));
@@ -186,7 +186,7 @@ impl Info {
         for (place, it) in self.memory.accelerators.iter().enumerate() {
             let AcceleratorFacts { kind, bytes, regions, items_per_region, depth, build_seconds } = it;
             let (bytes, noun) =
-                (HumanBytes(*bytes as u64).to_string(), amount::of(*regions as u64, "region"));
+                (HumanBytes(*bytes as u64).to_string(), quantity::plural(*regions as u64, "region"));
             let regions = count(*regions);
             let depth = depth.map(|depth| format!(", depth {depth}")).unwrap_or_default();
             let says = format!(

@@ -3,17 +3,17 @@
 use std::io::{self, Read};
 use std::path::Path;
 
-use strahl_picture::{Pixels, decode};
-use strahl_scene::Files;
-use strahl_settings::domain::MOST_PIXELS;
+use strahl_picture::{DecodedPicture, decode};
+use strahl_scene::SourceFiles;
+use strahl_settings::domain::MAX_PIXELS;
 
 use crate::failure::Failure;
 
 /// Reads the picture at `path` from these files; `-` is the standard input.
-pub fn read(files: &Files, path: &Path) -> Result<Pixels, Failure> {
+pub fn read(files: &SourceFiles, path: &Path) -> Result<DecodedPicture, Failure> {
     let bytes = if path == Path::new("-") { stdin() } else { files.read(path) };
     let bytes = bytes.map_err(|error| Failure::Unreadable { path: path.to_owned(), error })?;
-    decode(&bytes, MOST_PIXELS).map_err(|error| Failure::Input {
+    decode(&bytes, MAX_PIXELS).map_err(|error| Failure::Input {
         path: path.to_owned(),
         line: None,
         reason: error.to_string(),

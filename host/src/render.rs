@@ -6,10 +6,10 @@ use std::path::{Path, PathBuf};
 use std::time::{Duration, Instant};
 
 use strahl_engine::{CostMap, Mask, Progress, RenderError, RenderOptions};
-use strahl_picture::{Format, Picture};
-use strahl_scene::description::Description;
-use strahl_scene::effects::{PlannedEffect, leave_out, plan};
-use strahl_scene::{Files, load_from};
+use strahl_picture::{Picture, PictureFormat};
+use strahl_scene::description::LoadedScene;
+use strahl_scene::effects::{PlannedEffect, disable, plan};
+use strahl_scene::{SourceFiles, load_from};
 use strahl_settings::{DEFAULT_SIZE, Resolved, Settings};
 
 use crate::aim;
@@ -36,16 +36,16 @@ pub fn run(args: &RenderArgs, aim: &AimArgs) -> Result<Answer, Failure> {
     refuse_terminal(args.output.as_deref().unwrap_or(Path::new("")), "the picture")?;
     let job = Job { aim: aim.clone(), begun, ..Job::of(args)? };
     let progress = job.progress(Signals::listen()?);
-    let scene = job.load(&Files::on_disk())?;
+    let scene = job.load(&SourceFiles::on_disk())?;
     job.render(&scene, &progress)
 }
 
 /// Tells how a scene would be rendered.
 pub fn print_settings(args: &RenderArgs) -> Result<(), Failure> {
     let job = Job::of(args)?;
-    let scene = job.load(&Files::on_disk())?;
+    let scene = job.load(&SourceFiles::on_disk())?;
     let resolved = resolved(args, &scene)?;
-    job.format.holds(resolved.settings.picture_size())?;
+    job.format.check_size(resolved.settings.picture_size())?;
     let text = settings::text(args, &resolved, &job.path, &scene.description.setting_lines);
     Output::Stdout.commit(text.as_bytes())
 }
@@ -56,13 +56,13 @@ pub struct Job<'a> {
     aim: AimArgs,
     begun: Instant,
     path: PathBuf,
-    format: Format,
+    format: PictureFormat,
     report: Option<(StatsForm, PathBuf)>,
 }
 
 /// A scene with the mask of its picture, and how long it took to load them.
 pub struct Loaded {
-    description: Description,
+    description: LoadedScene,
     mask: Option<Mask>,
     /// What was read for it, or named there.
     inputs: Vec<PathBuf>,
@@ -76,7 +76,7 @@ impl<'a> Job<'a> {
     pub fn of(args: &'a RenderArgs) -> Result<Self, Failure> {
         let report = report(args)?;
         let path = args.output.clone().unwrap_or_else(|| picture_of(&args.scene));
-        let format = Format::of(&path)?;
+        let format = PictureFormat::from_path(&path)?;
         Ok(Job { args, aim: AimArgs::default(), begun: Instant::now(), path, format, report })
     }
 
@@ -90,7 +90,7 @@ impl<'a> Job<'a> {
     }
 
     /// Loads the scene and the mask, and says what their user should know of.
-    pub fn load(&self, files: &Files) -> Result<Loaded, Failure> {
+    pub fn load(&self, files: &SourceFiles) -> Result<Loaded, Failure> {
         let clock = Instant::now();
         let Job { args, .. } = self;
         let mut description =
@@ -98,10 +98,9 @@ impl<'a> Job<'a> {
         for warning in description.warnings.iter().filter(|_| !args.quiet) {
             say(format_args!("{}: warning: {warning}", args.scene.display()));
         }
-        let left_out =
-            leave_out(&mut description, args.settings.given.without.as_deref().unwrap_or_default());
+        let left_out = disable(&mut description, args.settings.given.without.as_deref().unwrap_or_default());
         let mask = args.mask.as_deref().map(|path| mask(files, path)).transpose()?;
-        let mut inputs = files.named();
+        let mut inputs = files.named_paths();
         inputs.extend(args.mask.clone());
         Ok(Loaded { description, mask, inputs, left_out, took: clock.elapsed() })
     }
@@ -121,7 +120,7 @@ impl<'a> Job<'a> {
         let Loaded { description, left_out, took: load, .. } = scene;
         let resolved = resolved(args, scene)?;
         let settings = &resolved.settings;
-        format.holds(settings.picture_size())?;
+        format.check_size(settings.picture_size())?;
         let cost_map = heat.is_some().then(|| CostMap::new(settings.size));
         let options = RenderOptions {
             mask: scene.mask.as_ref(),
@@ -133,7 +132,7 @@ impl<'a> Job<'a> {
         let clock = Instant::now();
         self.write(&frame.picture, output, progress)?;
         if let (Some(heat), Some(cost_map)) = (heat, &cost_map) {
-            heat.write(&Costs::of(cost_map, settings.area()))?;
+            heat.write(&Costs::of(cost_map, settings.region_or_all()))?;
         }
         let write = clock.elapsed();
 
@@ -164,7 +163,7 @@ impl<'a> Job<'a> {
     /// Traces the picture, with what was found where something is aimed at.
     fn aimed(
         &self,
-        description: &Description,
+        description: &LoadedScene,
         resolved: &Resolved,
         options: &RenderOptions<'_>,
         progress: &TerminalProgress,
@@ -194,7 +193,7 @@ impl<'a> Job<'a> {
     /// Traces and writes a coarse picture, where that is quicker.
     pub fn draft(&self, scene: &Loaded, progress: &TerminalProgress) -> Result<(), Failure> {
         let Resolved { settings, .. } = resolved(self.args, scene)?;
-        self.format.holds(settings.size)?;
+        self.format.check_size(settings.size)?;
         let Some(coarse) = draft::of(&settings).filter(|_| scene.mask.is_none()) else { return Ok(()) };
         let output = Guard::of(&scene.inputs).prepare(&self.path)?;
         let frame = self.trace(&scene.description, &coarse, &RenderOptions::default(), progress)?;
@@ -203,7 +202,7 @@ impl<'a> Job<'a> {
 
     fn trace(
         &self,
-        description: &Description,
+        description: &LoadedScene,
         settings: &Settings,
         options: &RenderOptions<'_>,
         progress: &TerminalProgress,
@@ -233,7 +232,7 @@ impl<'a> Job<'a> {
 /// Where it is shown what each pixel costs.
 struct Heat<'h> {
     path: &'h Path,
-    format: Format,
+    format: PictureFormat,
     output: Output,
 }
 
@@ -242,7 +241,7 @@ impl<'h> Heat<'h> {
         if path == Path::new("-") {
             return Err(Failure::Usage("what pixels cost needs a file, not `-`".into()));
         }
-        let (format, output) = (Format::of(path)?, guard.prepare(path)?);
+        let (format, output) = (PictureFormat::from_path(path)?, guard.prepare(path)?);
         Ok(Heat { path, format, output })
     }
 
@@ -250,14 +249,14 @@ impl<'h> Heat<'h> {
         let Heat { path, format, output } = self;
         let unwritable = |error: io::Error| Failure::Unwritable { path: Some(path.to_owned()), error };
         let file = match format {
-            Format::Exr => heat::exr(costs).map_err(|error| unwritable(io::Error::other(error)))?,
+            PictureFormat::Exr => heat::exr(costs).map_err(|error| unwritable(io::Error::other(error)))?,
             _ => {
                 let Some(picture) = heat::picture(costs) else {
                     let what =
                         "three such pictures side by side are too large; an .exr file holds the numbers";
                     return Err(Failure::Usage(what.into()));
                 };
-                format.holds(picture.size)?;
+                format.check_size(picture.size)?;
                 format.encode(&picture).map_err(|error| unwritable(io::Error::other(error)))?
             }
         };
@@ -285,7 +284,7 @@ fn resolved(args: &RenderArgs, scene: &Loaded) -> Result<Resolved, Failure> {
 }
 
 /// The pixels that are white in the picture at `path`.
-fn mask(files: &Files, path: &Path) -> Result<Mask, Failure> {
+fn mask(files: &SourceFiles, path: &Path) -> Result<Mask, Failure> {
     let pixels = pixels::read(files, path)?;
     Ok(Mask { size: pixels.size, pixels: pixels.values.are_white() })
 }

@@ -8,7 +8,7 @@ use strahl_engine::{
     SceneStats, Scheduler,
 };
 use strahl_picture::Picture;
-use strahl_scene::description::Description;
+use strahl_scene::description::LoadedScene;
 use strahl_settings::{AccelSettings, Precision, Settings};
 
 use crate::stock::{double, single};
@@ -28,9 +28,9 @@ enum Tables {
 
 impl SceneStorage {
     /// The tables of a scene in this precision.
-    pub fn new(description: &Description, precision: Precision) -> Self {
+    pub fn new(description: &LoadedScene, precision: Precision) -> Self {
         let clock = Instant::now();
-        let view = &description.view;
+        let view = &description.camera;
         let tables = match precision {
             Precision::Single => {
                 let tables = Box::new(single::scene_tables(description));
@@ -161,7 +161,7 @@ pub struct RenderOutput {
 
 /// Opens a scene and renders one picture of it.
 pub fn render(
-    description: &Description,
+    description: &LoadedScene,
     settings: &Settings,
     options: &RenderOptions<'_>,
     progress: &dyn Progress,

@@ -7,7 +7,7 @@ use std::collections::BTreeMap;
 use std::path::Path;
 
 use serde::Serializer;
-use strahl_settings::{Resolved, Setting, Settings, Source};
+use strahl_settings::{Resolved, Setting, SettingSource, Settings};
 
 use crate::args::RenderArgs;
 
@@ -18,9 +18,9 @@ pub type Lines = BTreeMap<&'static str, usize>;
 pub fn text(args: &RenderArgs, resolved: &Resolved, output: &Path, lines: &Lines) -> String {
     let settings = &resolved.settings;
     let source = |setting: &Setting| match resolved.source(setting) {
-        Source::Default => "default".to_owned(),
-        Source::CommandLine => "command line".to_owned(),
-        Source::Scene => {
+        SettingSource::Default => "default".to_owned(),
+        SettingSource::CommandLine => "command line".to_owned(),
+        SettingSource::Scene => {
             let line = lines.get(setting.name).map(|line| format!(":{line}")).unwrap_or_default();
             format!("{}{line}", args.scene.display())
         }
@@ -58,7 +58,7 @@ pub fn text(args: &RenderArgs, resolved: &Resolved, output: &Path, lines: &Lines
 pub fn changed(args: &RenderArgs, resolved: &Resolved, settings: &Settings, output: &Path) -> String {
     let is_named = |setting: &&Setting| {
         let is_other = setting.word(settings) != setting.word(&resolved.settings);
-        is_other || resolved.source(setting) == Source::CommandLine
+        is_other || resolved.source(setting) == SettingSource::CommandLine
     };
     let named = settings.in_use().filter(is_named);
     command(args, named.filter_map(|setting| setting.option(settings)).collect(), output)

@@ -6,8 +6,8 @@ use std::fmt::Write as _;
 use serde::Serialize;
 use strahl_core::geometry::ShapeKind;
 use strahl_core::tally::RayKind;
-use strahl_scene::amount::amount;
 use strahl_scene::effects;
+use strahl_scene::quantity::quantity;
 use strahl_settings::Effect;
 
 use crate::aim_report::AimReport;
@@ -142,10 +142,10 @@ pub struct Seconds {
 fn steps(step: &effects::PlannedEffect) -> impl Iterator<Item = Step> + '_ {
     step.reasons.iter().map(|reason| Step {
         effect: step.effect.name(),
-        asked_by: reason.what.clone(),
+        asked_by: reason.source.clone(),
         line: reason.line,
         objects: reason.objects,
-        simulated: step.simulated,
+        simulated: step.enabled,
     })
 }
 
@@ -243,9 +243,9 @@ impl Stats {
             "scene",
             format!(
                 "{} ({}), {}",
-                amount(scene.objects, "object"),
-                amount(scene.triangles, "triangle"),
-                amount(scene.lights, "light")
+                quantity(scene.objects, "object"),
+                quantity(scene.triangles, "triangle"),
+                quantity(scene.lights, "light")
             ),
         );
         for steps in self.plan.chunk_by(|a, b| a.effect == b.effect) {
@@ -281,7 +281,7 @@ impl Stats {
         );
         line("tests", format!("{} of boxes, {} of shapes", tests.boxes, tests.shapes));
         for (kind, count) in &tests.by_shape {
-            line("", amount(*count, kind));
+            line("", quantity(*count, kind));
         }
         for (kind, by) in &tests.by_ray {
             let TestsByRay { boxes, shapes, regions, mailbox_skips } = by;
@@ -294,9 +294,9 @@ impl Stats {
                     "",
                     format!(
                         "{kind}: {}, {}, {}{skips}",
-                        amount(*boxes, "box"),
-                        amount(*shapes, "shape"),
-                        amount(*regions, "region")
+                        quantity(*boxes, "box"),
+                        quantity(*shapes, "shape"),
+                        quantity(*regions, "region")
                     ),
                 );
             }
@@ -307,14 +307,17 @@ impl Stats {
             "",
             format!(
                 "{}, {items_per_region:.2} items in each, {}",
-                amount(*regions, "region"),
-                amount(*bytes, "byte")
+                quantity(*regions, "region"),
+                quantity(*bytes, "byte")
             ),
         );
         if self.media.overfull > 0 {
             line(
                 "media",
-                format!("{} entered a fifth body at once and ignored it", amount(self.media.overfull, "ray")),
+                format!(
+                    "{} entered a fifth body at once and ignored it",
+                    quantity(self.media.overfull, "ray")
+                ),
             );
         }
         line(

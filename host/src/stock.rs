@@ -1,10 +1,10 @@
-//! The owned tables that a scene borrows from, made of a [`Description`] for either precision.
+//! The owned tables that a scene borrows from, made of a [`LoadedScene`] for either precision.
 //!
 //! Both cores compile the same sources, so one macro makes the stock of both: every number of
 //! the description, which is single precision, is widened first, and everything derived (units,
 //! planes of polygons, axes of cones) is computed in the core's own precision.
 //!
-//! [`Description`]: strahl_scene::description::Description
+//! [`LoadedScene`]: strahl_scene::description::LoadedScene
 
 macro_rules! stock {
     ($(#[$doc:meta])* $precision:ident, $core:ident) => {
@@ -15,25 +15,25 @@ macro_rules! stock {
             use $core::scene::{Shading, Texture};
             use $core::{Background, Falloff, Light, Material, MaterialId, Projection, Real, Rgb, SceneTables, Source, Sphere, Vec3, View, vec3};
 
-            use strahl_scene::description::{self, Description, Form, Object, Triple};
+            use strahl_scene::description::{self, Float3, LoadedScene, ObjectDescription, ShapeDescription};
 
             /// The tables of the scene that is described.
-            pub fn scene_tables(description: &Description) -> SceneTables {
+            pub fn scene_tables(description: &LoadedScene) -> SceneTables {
                 let mut tables = SceneTables::new();
-                let vertices: Vec<Vec3> = description.points.iter().map(|p| vector(*p)).collect();
+                let vertices: Vec<Vec3> = description.vertices.iter().map(|p| vector(*p)).collect();
                 let normals = description.normals.iter().map(|n| try_normalize(vector(*n)).unwrap_or(Vec3::Z));
                 tables.add_vertices(&vertices, &normals.collect::<Vec<_>>());
                 for it in &description.materials {
-                    tables.add_material(material(&it.it));
+                    tables.add_material(material(&it.value));
                 }
                 for it in &description.textures {
                     tables.add_texture(texture(it));
                 }
-                tables.lights.extend(description.lights.iter().map(|l| light(&l.it)));
+                tables.lights.extend(description.lights.iter().map(|l| light(&l.value)));
                 tables.ambient = color(description.ambient);
                 tables.background = background(&description.background);
-                tables.colored_shadows = description.colored_shadows.is_some();
-                let mut moving = description.moving.iter().peekable();
+                tables.colored_shadows = description.colored_shadows_line.is_some();
+                let mut moving = description.motions.iter().peekable();
                 for (object, place) in description.objects.iter().zip(0..) {
                     let first = tables.len() as u32;
                     add(&mut tables, object, &description.triangles);
@@ -49,13 +49,13 @@ macro_rules! stock {
             }
 
             /// Adds the items of an object; where nothing is left of a shape, an empty triangle in its place.
-            fn add(tables: &mut SceneTables, object: &Object, triangles: &[[u32; 3]]) {
+            fn add(tables: &mut SceneTables, object: &ObjectDescription, triangles: &[[u32; 3]]) {
                 let material = MaterialId(object.material);
-                if let Form::Mesh { first, count, smooth } = object.form {
+                if let ShapeDescription::Mesh { first, count, smooth } = object.shape {
                     let end = first as usize + count as usize;
                     let triangles = triangles.get(first as usize..end).unwrap_or_default();
                     tables.add_triangles(triangles, shading(smooth), material);
-                } else if add_shape(tables, object.form, material).is_none() {
+                } else if add_shape(tables, object.shape, material).is_none() {
                     if tables.parts().geometry.vertices.is_empty() {
                         tables.add_vertices(&[Vec3::ZERO], &[]);
                     }
@@ -64,43 +64,43 @@ macro_rules! stock {
             }
 
             /// Adds an object that is one shape; none when nothing is left of it.
-            fn add_shape(tables: &mut SceneTables, form: Form, material: MaterialId) -> Option<ItemId> {
-                Some(match form {
-                    Form::Sphere { center, radius } => {
+            fn add_shape(tables: &mut SceneTables, shape: ShapeDescription, material: MaterialId) -> Option<ItemId> {
+                Some(match shape {
+                    ShapeDescription::Sphere { center, radius } => {
                         let sphere = Sphere { center: vector(center), radius: Real::from(radius) };
                         tables.add_sphere(sphere, material)
                     }
-                    Form::Plane { point, normal } => {
+                    ShapeDescription::Plane { point, normal } => {
                         tables.add_plane(vector(point), try_normalize(vector(normal))?, material)
                     }
-                    Form::Disc { center, normal, radius } => {
+                    ShapeDescription::Disc { center, normal, radius } => {
                         let (center, radius) = (vector(center), Real::from(radius));
                         tables.add_disc(Disc { center, normal: try_normalize(vector(normal))?, radius }, material)
                     }
-                    Form::Cuboid { min, max } => {
+                    ShapeDescription::Cuboid { min, max } => {
                         tables.add_cuboid(Cuboid { min: vector(min), max: vector(max) }, material)
                     }
-                    Form::OrientedCuboid { center, half, first, third } => {
-                        let (center, half) = (vector(center), vector(half));
+                    ShapeDescription::OrientedCuboid { center, half_size, first, third } => {
+                        let (center, half) = (vector(center), vector(half_size));
                         let cuboid = OrientedCuboid::new(center, half, vector(first), vector(third))?;
                         tables.add_turned_cuboid(cuboid, material)
                     }
-                    Form::Cone { base, base_radius, end, end_radius, capped } => {
+                    ShapeDescription::Cone { base, base_radius, end, end_radius, capped } => {
                         let (r0, r1) = (Real::from(base_radius), Real::from(end_radius));
                         tables.add_cone(Cone::new(vector(base), r0, vector(end), r1, capped)?, material)
                     }
-                    Form::Torus { center, axis, major, minor } => {
-                        let (major_radius, minor_radius) = (Real::from(major), Real::from(minor));
+                    ShapeDescription::Torus { center, axis, major_radius, minor_radius } => {
+                        let (major_radius, minor_radius) = (Real::from(major_radius), Real::from(minor_radius));
                         let (center, axis) = (vector(center), try_normalize(vector(axis))?);
                         tables.add_torus(Torus { center, axis, major_radius, minor_radius }, material)
                     }
-                    Form::Triangle { corners, smooth } => {
-                        tables.add_triangles(&[corners], shading(smooth), material).start
+                    ShapeDescription::Triangle { vertices, smooth } => {
+                        tables.add_triangles(&[vertices], shading(smooth), material).start
                     }
-                    Form::Polygon { first, count, smooth } => {
+                    ShapeDescription::Polygon { first, count, smooth } => {
                         tables.add_polygon(first..first.checked_add(count)?, shading(smooth), material).ok()?
                     }
-                    Form::Mesh { .. } | Form::Nothing => return None,
+                    ShapeDescription::Mesh { .. } | ShapeDescription::Degenerate => return None,
                 })
             }
 
@@ -109,33 +109,33 @@ macro_rules! stock {
             }
 
             /// The view that is described.
-            pub fn view(view: &description::View) -> View {
+            pub fn view(view: &description::CameraDescription) -> View {
                 View {
                     from: vector(view.from),
                     at: vector(view.at),
                     up: vector(view.up),
                     projection: match view.projection {
-                        description::Projection::Perspective(angle) => {
+                        description::ProjectionDescription::Perspective(angle) => {
                             Projection::Perspective { angle: Real::from(angle) * (PI / 180.0) }
                         }
-                        description::Projection::Lens { angle, radius, focus } => Projection::Lens {
+                        description::ProjectionDescription::Lens { angle, radius, focus } => Projection::Lens {
                             angle: Real::from(angle) * (PI / 180.0),
                             radius: Real::from(radius),
                             focus: Real::from(focus),
                         },
-                        description::Projection::Orthographic(height) => {
+                        description::ProjectionDescription::Orthographic(height) => {
                             Projection::Orthographic { height: Real::from(height) }
                         }
                     },
                 }
             }
 
-            fn vector([x, y, z]: Triple) -> Vec3 {
+            fn vector([x, y, z]: Float3) -> Vec3 {
                 vec3(Real::from(x), Real::from(y), Real::from(z))
             }
 
             /// The direction of `v`; up for none.
-            fn direction(v: Triple) -> Vec3 {
+            fn direction(v: Float3) -> Vec3 {
                 try_normalize(vector(v)).unwrap_or(Vec3::Z)
             }
 
@@ -143,10 +143,10 @@ macro_rules! stock {
                 Rgb::new(Real::from(c.r), Real::from(c.g), Real::from(c.b))
             }
 
-            fn background(background: &description::Background) -> Background {
+            fn background(background: &description::BackgroundDescription) -> Background {
                 match *background {
-                    description::Background::Color(c) => Background::Color(color(c)),
-                    description::Background::Gradient { up, below, above } => Background::Gradient {
+                    description::BackgroundDescription::Color(c) => Background::Color(color(c)),
+                    description::BackgroundDescription::Gradient { up, below, above } => Background::Gradient {
                         up: direction(up),
                         below: color(below),
                         above: color(above),
@@ -154,9 +154,9 @@ macro_rules! stock {
                 }
             }
 
-            fn texture(texture: &description::Texture) -> Texture {
+            fn texture(texture: &description::TextureDescription) -> Texture {
                 match *texture {
-                    description::Texture::Checker { even, odd, origin, size } => {
+                    description::TextureDescription::Checker { even, odd, origin, size } => {
                         let frequency =
                             |size: f32| if size > 0.0 { 1.0 / Real::from(size) } else { 0.0 };
                         Texture::Checker {
@@ -166,13 +166,13 @@ macro_rules! stock {
                             frequency: vec3(frequency(size[0]), frequency(size[1]), frequency(size[2])),
                         }
                     }
-                    description::Texture::Gradient { from, to, start, end } => Texture::Gradient {
+                    description::TextureDescription::Gradient { from, to, start, end } => Texture::Gradient {
                         from: color(from),
                         to: color(to),
                         origin: vector(start),
                         along: vector(end) - vector(start),
                     },
-                    description::Texture::ZonePlate { from, to, origin, frequency } => Texture::ZonePlate {
+                    description::TextureDescription::ZonePlate { from, to, origin, frequency } => Texture::ZonePlate {
                         from: color(from),
                         to: color(to),
                         origin: vector(origin),
@@ -199,8 +199,8 @@ macro_rules! stock {
                 }
             }
 
-            fn light(light: &description::Light) -> Light {
-                let falloff = |[constant, linear, quadratic]: Triple| Falloff {
+            fn light(light: &description::LightDescription) -> Light {
+                let falloff = |[constant, linear, quadratic]: Float3| Falloff {
                     constant: Real::from(constant),
                     linear: Real::from(linear),
                     quadratic: Real::from(quadratic),
@@ -208,29 +208,29 @@ macro_rules! stock {
                 // libm's, which is the same everywhere.
                 let cos = |degrees: f32| libm::cos(f64::from(degrees).to_radians()) as Real;
                 let source = match light.source {
-                    description::Source::Point { position, falloff: f } => {
+                    description::LightSourceDescription::Point { position, falloff: f } => {
                         Source::Point { position: vector(position), falloff: falloff(f) }
                     }
-                    description::Source::Directional { toward } => {
-                        Source::Directional { toward: direction(toward) }
+                    description::LightSourceDescription::Directional { to_light } => {
+                        Source::Directional { toward: direction(to_light) }
                     }
-                    description::Source::Spot { position, direction: d, bright, dark, falloff: f } => {
+                    description::LightSourceDescription::Spot { position, direction: d, inner_angle, outer_angle, falloff: f } => {
                         Source::Spot {
                             position: vector(position),
                             direction: direction(d),
-                            cos_bright: cos(bright),
-                            cos_dark: cos(dark),
+                            cos_bright: cos(inner_angle),
+                            cos_dark: cos(outer_angle),
                             falloff: falloff(f),
                         }
                     }
-                    description::Source::Sphere { position, radius, falloff: f } => Source::Sphere {
+                    description::LightSourceDescription::Sphere { position, radius, falloff: f } => Source::Sphere {
                         position: vector(position),
                         radius: Real::from(radius),
                         falloff: falloff(f),
                     },
-                    description::Source::Rectangle { position, half, soft, falloff: f } => {
-                        let (position, half) = (vector(position), half.map(vector));
-                        Source::Rectangle { position, half, soft, falloff: falloff(f) }
+                    description::LightSourceDescription::Rectangle { position, half_edges, is_sampled, falloff: f } => {
+                        let (position, half) = (vector(position), half_edges.map(vector));
+                        Source::Rectangle { position, half, soft: is_sampled, falloff: falloff(f) }
                     }
                 };
                 Light { source, color: color(light.color), shadows: light.shadows }

@@ -7,8 +7,8 @@ use std::{fs, io, iter};
 
 use indicatif::{ProgressBar, ProgressStyle};
 use strahl_engine::{Interrupt, Progress, RenderError};
-use strahl_scene::description::Description;
-use strahl_scene::{Files, load_from};
+use strahl_scene::description::LoadedScene;
+use strahl_scene::{SourceFiles, load_from};
 use strahl_settings::DEFAULT_SIZE;
 
 use crate::args::StudyArgs;
@@ -50,10 +50,10 @@ pub fn run(args: &StudyArgs) -> Result<(), Failure> {
         (Some(path), None) => {
             let signals = Signals::listen()?;
             let begun = Instant::now();
-            let files = Files::on_disk();
+            let files = SourceFiles::on_disk();
             let scene = load(&files, path, args)?;
             // Before the work, so that nothing is measured that cannot be kept.
-            let guard = Guard::of(files.named().iter().chain(&args.device));
+            let guard = Guard::of(files.named_paths().iter().chain(&args.device));
             let folder = args.output.clone().unwrap_or_else(|| folder_for(path));
             let mut folder = Folder::prepare(&folder, guard, &["study.json", "study.csv", "report.html"])?;
             let meter = if args.quiet { Meter::silent(signals) } else { Meter::on_terminal(signals) };
@@ -78,7 +78,7 @@ pub fn run(args: &StudyArgs) -> Result<(), Failure> {
 }
 
 /// Loads the scene, and says what its user should know of.
-fn load(files: &Files, path: &Path, args: &StudyArgs) -> Result<Description, Failure> {
+fn load(files: &SourceFiles, path: &Path, args: &StudyArgs) -> Result<LoadedScene, Failure> {
     let scene = load_from(files, path, args.size.unwrap_or(DEFAULT_SIZE))?;
     for warning in scene.warnings.iter().filter(|_| !args.quiet) {
         say(format_args!("{}: warning: {warning}", path.display()));

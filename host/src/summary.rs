@@ -7,11 +7,11 @@ use std::time::Duration;
 use anstyle::{AnsiColor, Effects, Style};
 use indicatif::{HumanBytes, HumanCount};
 use strahl_core::tally::RayKind;
-use strahl_scene::amount::amount;
 use strahl_scene::effects::PlannedEffect;
+use strahl_scene::quantity::quantity;
 use strahl_settings::Effect;
 use strahl_settings::Precision;
-use strahl_settings::Sampling;
+use strahl_settings::SamplerSettings;
 
 use crate::session::RenderOutput;
 
@@ -28,7 +28,7 @@ pub fn summary(
     path: &Path,
     frame: &RenderOutput,
     plan: &[PlannedEffect],
-    sampling: Sampling,
+    sampling: SamplerSettings,
     load: Duration,
     write: Duration,
 ) -> String {
@@ -64,7 +64,7 @@ pub fn summary(
         ),
     );
     let found = &frame.accelerator;
-    let regions = amount(found.regions, "region");
+    let regions = quantity(found.regions, "region");
     let precision = match frame.precision {
         Precision::Single => "",
         Precision::Double => "; in double precision",
@@ -78,10 +78,10 @@ pub fn summary(
             HumanBytes(found.bytes as u64)
         ),
     );
-    for (place, step) in plan.iter().filter(|step| step.simulated).enumerate() {
+    for (place, step) in plan.iter().filter(|step| step.enabled).enumerate() {
         line(if place == 0 { "simulated" } else { "" }, reasons(step));
     }
-    for step in plan.iter().filter(|step| !step.simulated) {
+    for step in plan.iter().filter(|step| !step.enabled) {
         line("without", format!("{}, on request", reasons(step)));
     }
     let not_called_for: Vec<_> = Effect::ALL
@@ -95,21 +95,22 @@ pub fn summary(
     let (levels, cutoff) = (counters.level_limit.rays, counters.cutoff.rays);
     if levels + cutoff > 0 {
         let [by_levels, by_cutoff] = counters.cut_fractions();
-        let rays = format!("{} at the last level, {} below the cutoff", amount(levels, "ray"), count(cutoff));
+        let rays =
+            format!("{} at the last level, {} below the cutoff", quantity(levels, "ray"), count(cutoff));
         line("cut", format!("{} of the light: {rays}", percent(by_levels + by_cutoff)));
     }
     if counters.medium_stack_full > 0 {
-        line("cut", format!("{} into a fifth body at once", amount(counters.medium_stack_full, "entry")));
+        line("cut", format!("{} into a fifth body at once", quantity(counters.medium_stack_full, "entry")));
     }
     if counters.camera_hits == 0 && frame.scene.objects > 0 {
         line("note", "no ray from the camera meets anything".into());
     }
     let noisy: Vec<_> = plan
         .iter()
-        .filter(|step| step.simulated && Effect::DISTRIBUTED.contains(&step.effect))
+        .filter(|step| step.enabled && Effect::DISTRIBUTED.contains(&step.effect))
         .map(|step| step.effect.name())
         .collect();
-    if sampling == Sampling::Single && !noisy.is_empty() {
+    if sampling == SamplerSettings::Single && !noisy.is_empty() {
         let noisy = noisy.join(", ");
         line(
             "note",

@@ -16,7 +16,7 @@ use std::{io, iter};
 use notify::event::{AccessKind, AccessMode, EventKind, ModifyKind};
 use notify::{Config, Event, PollWatcher, RecommendedWatcher, RecursiveMode, Watcher};
 use strahl_engine::Interrupt;
-use strahl_scene::Files;
+use strahl_scene::SourceFiles;
 
 use crate::args::RenderArgs;
 use crate::failure::Failure;
@@ -55,9 +55,9 @@ pub fn run(args: &RenderArgs) -> Result<Interrupt, Failure> {
     let mut is_first = true;
     loop {
         signals.outdated().store(false, Ordering::Relaxed);
-        let files = Files::remembered();
+        let files = SourceFiles::tracked();
         let loaded = job.load(&files);
-        changes.follow(&files.asked())?;
+        changes.follow(&files.tracked_paths())?;
         if is_first && !args.quiet {
             say(format_args!("watching {} and what it names; Ctrl-C ends", args.scene.display()));
         }
@@ -86,7 +86,7 @@ pub fn run(args: &RenderArgs) -> Result<Interrupt, Failure> {
             changes.settle();
             continue;
         }
-        while files.are_current() {
+        while files.unchanged() {
             if let Err(stop) = changes.wait(&signals) {
                 return Ok(stop);
             }

@@ -96,7 +96,7 @@ fn scene(what: ProceduralScene, size: u32, path: &Path, rows: &mut Vec<Row>) -> 
     for kind in AccelKind::ALL.into_iter().filter(|kind| *kind != AccelKind::List || objects <= LISTED) {
         let size = Resolution::new(512, 512).ok_or("no size")?;
         let settings = Settings { size, levels: 5, cutoff: 0.0, threads: 1, ..Settings::default() };
-        let settings = settings.with_acceleration(AccelSettings::by(kind));
+        let settings = settings.with_acceleration(AccelSettings::with_kind(kind));
         let trace = |options| session::render(&description, &settings, &options, &NoProgress);
         let (mut quickest, mut build): (Option<RenderOutput>, f64) = (None, f64::INFINITY);
         for _ in 0..TURNS {

@@ -27,9 +27,9 @@ use strahl::cost::WEIGHTS;
 use strahl::session::{SceneStorage, Session};
 use strahl_core::{Resolution, Rgb};
 use strahl_engine::{CostMap, NoProgress, RenderError, RenderOptions};
-use strahl_scene::description::Description;
+use strahl_scene::description::LoadedScene;
 use strahl_scene::load;
-use strahl_settings::{PartialSettings, Settings};
+use strahl_settings::{Settings, SettingsOverrides};
 
 /// Scenes of different kinds, each with limits that ask for little or much.
 const PAIRS: [(&str, f64); 10] = [
@@ -177,8 +177,8 @@ fn is_hopeless(before: Rays, error: f64, rays: Rays, limit: f64) -> bool {
 }
 
 /// What the scene asks for, but for its rays and limits, which are looked for.
-fn settings(description: &Description) -> Settings {
-    Settings::resolve(&PartialSettings::default(), &description.settings).unwrap()
+fn settings(description: &LoadedScene) -> Settings {
+    Settings::resolve(&SettingsOverrides::default(), &description.settings).unwrap()
 }
 
 fn words(settings: &Settings) -> String {

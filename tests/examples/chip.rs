@@ -21,7 +21,7 @@ use strahl_core::accel::{List, group_count};
 use strahl_core::geometry::Aabb;
 use strahl_core::image::Frame;
 use strahl_core::{AllEffects, Camera, Limits, Resolution, Rgb, Single, Tile, Tracer, Worker, World, render};
-use strahl_scene::load_for;
+use strahl_scene::load_for_size;
 use strahl_settings::AccelKind;
 
 /// A scene that is drawn on the chip.
@@ -119,11 +119,11 @@ fn in_any_format(name: &Path) -> PathBuf {
 
 /// Bakes and draws the scene of a file.
 fn make(scene: &Scene, file: &Path, folder: &Path) -> Result<(), Box<dyn Error>> {
-    let description = load_for(file, scene.size).map_err(|error| error.to_string())?;
+    let description = load_for_size(file, scene.size).map_err(|error| error.to_string())?;
     let stock = scene_tables(&description);
     let Scene { name, accelerator, size, levels, nodes, .. } = *scene;
     let cutoff = Limits::DEFAULT.cutoff;
-    let asked = BakeSettings { accelerator, nodes, view: view(&description.view), size, levels, cutoff };
+    let asked = BakeSettings { accelerator, nodes, view: view(&description.camera), size, levels, cutoff };
     let tables = stock.scene()?;
     // What the program would say of it.
     let count = counted(&description, &asked)?;

@@ -97,11 +97,11 @@ fn traced<E: Effects>(path: &Path) -> Result<u64, Box<dyn Error>> {
     let geometry = scene.parts().geometry;
     let boxes: Vec<_> = geometry.all_bounds().collect();
     let size = Resolution::new(SIZE.0, SIZE.1).ok_or("no size")?;
-    let camera = Camera::new(&single::view(&description.view), size)?;
+    let camera = Camera::new(&single::view(&description.camera), size)?;
     let levels = description.settings.levels.unwrap_or(Limits::DEFAULT.levels);
     let limits = Limits { levels, ..Limits::DEFAULT };
     let bounded = boxes.iter().filter(|aabb| !aabb.is_empty()).count();
-    if AccelSettings::DEFAULT.choice(bounded).kind == AccelKind::List {
+    if AccelSettings::DEFAULT.resolve(bounded).kind == AccelKind::List {
         let mut groups = vec![Aabb::EMPTY; group_count(boxes.len())];
         return hash::<_, E>(&World::new(scene, List::with_boxes(&boxes, &mut groups)?), camera, limits);
     }
@@ -118,7 +118,7 @@ fn asked(path: &Path) -> Result<EffectSet, Box<dyn Error>> {
     let description = strahl_scene::load(path)?;
     let stock = single::scene_tables(&description);
     let size = Resolution::new(SIZE.0, SIZE.1).ok_or("no size")?;
-    let camera = Camera::new(&single::view(&description.view), size)?;
+    let camera = Camera::new(&single::view(&description.camera), size)?;
     Ok(EffectSet { lens: camera.has_lens(), ..stock.scene()?.effects() })
 }
 

@@ -123,7 +123,7 @@ fn strahl(scene: &Path, side: u32, kind: AccelKind) -> Result<Took, Box<dyn Erro
     let load = clock.elapsed();
     let size = Resolution::new(side, side).ok_or("no size")?;
     let settings = Settings { size, levels: 5, cutoff: 0.0, threads: 1, ..Settings::default() };
-    let settings = settings.with_acceleration(AccelSettings::by(kind));
+    let settings = settings.with_acceleration(AccelSettings::with_kind(kind));
     let frame = session::render(&description, &settings, &RenderOptions::default(), &NoProgress)?;
     let counts = frame.counters;
     Ok(Took {

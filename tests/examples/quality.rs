@@ -20,9 +20,9 @@ use strahl_core::tally::RayKind;
 use strahl_core::trace::{PixelSample, RayTracer};
 use strahl_core::{AllEffects, BareList, Camera, Resolution, Rgb, Tile, Tracer, Worker, World, render};
 use strahl_engine::{NoProgress, RenderOptions};
-use strahl_picture::Values;
+use strahl_picture::PixelValues;
 use strahl_picture::difference::Pair;
-use strahl_settings::{Agreement, PixelSelection, Sampling, Settings};
+use strahl_settings::{ContrastSettings, SamplerSettings, SelectionSettings, Settings};
 
 /// The scenes, and what is hard in them.
 const SCENES: [(&str, &str); 4] = [
@@ -93,7 +93,7 @@ impl Sampler for Jittered {
 }
 
 struct Scene {
-    description: strahl_scene::description::Description,
+    description: strahl_scene::description::LoadedScene,
     size: Resolution,
     reference: Vec<Rgb>,
 }
@@ -106,12 +106,12 @@ impl Scene {
         // A tenth of the picture's side and more.
         let size = Resolution::new(whole.width() / 8, whole.height() / 8).ok_or("too small")?;
         let mut scene = Scene { description, size, reference: Vec::new() };
-        let settings = Settings { seed: 1, ..scene.settings(Sampling::stochastic(MANY)) };
+        let settings = Settings { seed: 1, ..scene.settings(SamplerSettings::stochastic(MANY)) };
         scene.reference = scene.traced(&settings)?.0;
         Ok(scene)
     }
 
-    fn settings(&self, sampler: Sampling) -> Settings {
+    fn settings(&self, sampler: SamplerSettings) -> Settings {
         let default = Settings::default();
         let levels = self.description.settings.levels.unwrap_or(default.levels);
         Settings { size: self.size, sampler, levels, ..default }
@@ -127,7 +127,7 @@ impl Scene {
 
     /// Holds colours against the reference, as they are seen.
     fn measured(&self, (colors, rays): (Vec<Rgb>, f64)) -> Measured {
-        let pair = Pair::of(Values::Linear(colors), Values::Linear(self.reference.clone()));
+        let pair = Pair::of(PixelValues::Linear(colors), PixelValues::Linear(self.reference.clone()));
         let squares: f64 = match &pair {
             Pair::Floats { encoded: [a, b], .. } => {
                 let differences = a.iter().flatten().zip(b.iter().flatten());
@@ -139,7 +139,7 @@ impl Scene {
         Measured { rays, rmse: squares.sqrt(), ssim: pair.ssim(self.size) }
     }
 
-    fn by(&self, sampling: Sampling) -> Result<Measured, Box<dyn Error>> {
+    fn by(&self, sampling: SamplerSettings) -> Result<Measured, Box<dyn Error>> {
         Measured::mean(|seed| Ok(self.measured(self.traced(&Settings { seed, ..self.settings(sampling) })?)))
     }
 
@@ -149,8 +149,8 @@ impl Scene {
         let mut threshold = 0.5;
         for _ in 0..14 {
             threshold *= 0.7;
-            let agreement = Agreement { threshold, items: false };
-            let measured = self.by(Sampling::Adaptive { depth: DEPTH, agreement })?;
+            let agreement = ContrastSettings { threshold, items: false };
+            let measured = self.by(SamplerSettings::Adaptive { max_depth: DEPTH, contrast: agreement })?;
             let is_too_much = measured.rays > f64::from(RAYS);
             // Where each takes too many, the coarsest stands for them.
             if best.is_none() || !is_too_much {
@@ -168,8 +168,8 @@ impl Scene {
         let scene = stock.scene()?;
         let items = scene.parts().geometry.shapes.len() as u32;
         let world = World::new(scene, BareList(items));
-        let camera = Camera::new(&strahl::stock::single::view(&self.description.view), self.size)?;
-        let limits = self.settings(Sampling::Single).limits();
+        let camera = Camera::new(&strahl::stock::single::view(&self.description.camera), self.size)?;
+        let limits = self.settings(SamplerSettings::Single).limits();
         let tracer = Tracer::<_, AllEffects, 64>::new(&world, camera, limits)?;
         Measured::mean(|seed| {
             let mut colors = Vec::new();
@@ -208,13 +208,13 @@ fn main() -> Result<ExitCode, Box<dyn Error>> {
         let scene = Scene::of(name)?;
         println!("\n## `{name}.toml`: {what}\n");
         println!("| sampler | rays | RMSE | SSIM |\n|---|---|---|---|");
-        let regular = scene.by(Sampling::Regular(RAYS.isqrt() as u16))?;
-        row("`single`", &scene.by(Sampling::Single)?);
+        let regular = scene.by(SamplerSettings::Regular(RAYS.isqrt() as u16))?;
+        row("`single`", &scene.by(SamplerSettings::Single)?);
         row("`regular:4`", &regular);
         let (threshold, adaptive) = scene.adaptive()?;
         row(&format!("`adaptive:{DEPTH}:{threshold:.3}`"), &adaptive);
         row("jittered", &scene.jittered()?);
-        let stochastic = scene.by(Sampling::stochastic(RAYS))?;
+        let stochastic = scene.by(SamplerSettings::stochastic(RAYS))?;
         row("`stochastic:16`", &stochastic);
         row("`stochastic:4..64:0.9:0.06`", &scene.by("stochastic:4..64:0.9:0.06".parse()?)?);
         holds &= stochastic.rmse < regular.rmse;
@@ -228,9 +228,9 @@ fn main() -> Result<ExitCode, Box<dyn Error>> {
     );
     for (name, step, threshold) in [("stained", 4, 0.03), ("stained", 8, 0.03), ("stained", 8, 0.1)] {
         let mut scene = Scene::of_all_pixels(name)?;
-        let select = Some(PixelSelection { step, agreement: Agreement { threshold, items: true } });
-        let settings = Settings { select, ..scene.settings(Sampling::Single) };
-        scene.reference = scene.traced(&scene.settings(Sampling::Single))?.0;
+        let select = Some(SelectionSettings { step, contrast: ContrastSettings { threshold, items: true } });
+        let settings = Settings { select, ..scene.settings(SamplerSettings::Single) };
+        scene.reference = scene.traced(&scene.settings(SamplerSettings::Single))?.0;
         let it = scene.measured(scene.traced(&settings)?);
         println!(
             "| `{name}.toml` | `{step}:{threshold}:items` | {:.2} | {:.4} | {:.4} |",

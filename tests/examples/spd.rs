@@ -24,7 +24,7 @@ use strahl::session::RenderOutput;
 use strahl_core::Resolution;
 use strahl_core::tally::{Counters, RayKind};
 use strahl_engine::{NoProgress, RenderOptions};
-use strahl_settings::{AccelChoice, AccelKind, AccelSettings, Sampling, Settings};
+use strahl_settings::{AccelKind, AccelSettings, ResolvedAccel, SamplerSettings, Settings};
 
 /// Camera rays that hit, reflected, refracted and shadow rays, and how far off they may be.
 ///
@@ -54,9 +54,9 @@ const NOISE: f64 = 0.05;
 
 /// Accelerators, and how much they are asked to remember.
 fn ways() -> Vec<AccelSettings> {
-    let with_mailbox = AccelKind::ALL.map(AccelSettings::by);
+    let with_mailbox = AccelKind::ALL.map(AccelSettings::with_kind);
     let without = [AccelKind::Grid, AccelKind::Octree]
-        .map(|kind| AccelSettings { mailbox: 0, ..AccelSettings::by(kind) });
+        .map(|kind| AccelSettings { mailbox: 0, ..AccelSettings::with_kind(kind) });
     [&with_mailbox[..], &without].concat()
 }
 
@@ -96,7 +96,7 @@ fn main() -> Result<ExitCode, Box<dyn Error>> {
     let folder = PathBuf::from(std::env::args_os().nth(1).ok_or("usage: spd FOLDER")?);
     let size = Resolution::new(512, 512).ok_or("no size")?;
     let settings =
-        Settings { size, levels: 5, cutoff: 0.0, sampler: Sampling::CORNERS, ..Settings::default() };
+        Settings { size, levels: 5, cutoff: 0.0, sampler: SamplerSettings::CORNERS, ..Settings::default() };
     let mut all_hold = true;
     for (name, published, limit) in PUBLISHED {
         let description = strahl_scene::load(&folder.join(name).with_extension("nff"))?;
@@ -118,9 +118,9 @@ fn main() -> Result<ExitCode, Box<dyn Error>> {
                 all_hold = false;
             }
         }
-        let taken = AccelSettings::DEFAULT.choice(description.objects.len());
+        let taken = AccelSettings::DEFAULT.resolve(description.objects.len());
         let is_taken =
-            |(choice, _): &&(AccelChoice, f64)| AccelChoice { reason: taken.reason, ..*choice } == taken;
+            |(choice, _): &&(ResolvedAccel, f64)| ResolvedAccel { reason: taken.reason, ..*choice } == taken;
         let by_auto = seconds.iter().find(is_taken).ok_or("auto takes another way")?.1;
         let best = seconds.iter().map(|(_, seconds)| *seconds).fold(f64::INFINITY, f64::min);
         println!("  auto takes the {taken} ({}): {:.2} times the best", taken.reason, by_auto / best);

@@ -52,7 +52,7 @@ fn trace(scene: &str, kind: &str, sampler: &str, size: &str) -> Result<(), Box<d
     let default = Settings::default();
     let levels = scene.settings.levels.unwrap_or(default.levels);
     let settings = Settings { size, sampler: sampler.parse()?, levels, threads: 1, ..default };
-    let settings = settings.with_acceleration(AccelSettings::by(kind));
+    let settings = settings.with_acceleration(AccelSettings::with_kind(kind));
     let frame = strahl::session::render(&scene, &settings, &RenderOptions::COUNT_TESTS, &NoProgress)?;
     let counts = recorded(&frame.counters);
     println!("{}", serde_json::to_string(&counts)?);

@@ -8,8 +8,8 @@ use std::path::{Path, PathBuf};
 
 use strahl::stock;
 use strahl_scene::LoadError;
-use strahl_scene::description::Description;
-use strahl_scene::{Files, load_from};
+use strahl_scene::description::LoadedScene;
+use strahl_scene::{SourceFiles, load_from};
 use strahl_settings::DEFAULT_SIZE;
 
 use counting::{Bound, most_held};
@@ -57,14 +57,14 @@ pub fn gltf(bytes: &[u8]) {
 fn check(files: &[(&str, &[u8])], bound: Bound) {
     let size: usize = files.iter().map(|(_, bytes)| bytes.len()).sum();
     let held = files.iter().map(|(name, bytes)| (PathBuf::from(name), bytes.to_vec()));
-    let held = Files::held(held);
+    let held = SourceFiles::from_memory(held);
     let path = Path::new(files[0].0);
     let (loaded, most) = most_held(|| load_from(&held, path, DEFAULT_SIZE));
     match loaded {
         Ok(it) => {
             is_scene(&it);
             // One mesh may stand in many places, so copies count as bytes of the file.
-            let copies = 12 * (it.points.len() + it.normals.len() + it.triangles.len());
+            let copies = 12 * (it.vertices.len() + it.normals.len() + it.triangles.len());
             is_bearable(most, bound.of(size.max(copies)));
         }
         Err(failure) => {
@@ -79,11 +79,11 @@ fn is_bearable(most: usize, bound: usize) {
 }
 
 /// What is loaded is a scene in either precision.
-fn is_scene(it: &Description) {
+fn is_scene(it: &LoadedScene) {
     let single = stock::single::scene_tables(it);
     assert_eq!(single.scene().err(), None);
     assert!(stock::double::scene_tables(it).scene().is_ok());
-    assert!(it.normals.is_empty() || it.normals.len() <= it.points.len());
+    assert!(it.normals.is_empty() || it.normals.len() <= it.vertices.len());
     assert!(!it.normals.contains(&[0.0; 3]));
     assert!(it.warnings.iter().all(|warning| is_harmless(warning)), "{:?}", it.warnings);
 }
@@ -105,7 +105,7 @@ fn is_refusal(failure: &LoadError, files: &[(&str, &[u8])]) {
             assert!(!faults.list().is_empty());
             let last = lines(Path::new(files[0].0));
             for fault in faults.list() {
-                let (line, column) = faults.place(fault);
+                let (line, column) = faults.line_and_column(fault);
                 assert!(line >= 1 && line <= last && column >= 1, "{line}:{column} of {last} lines");
                 assert!(is_harmless(&fault.message), "{:?}", fault.message);
                 assert!(fault.help.as_deref().is_none_or(is_harmless), "{:?}", fault.help);

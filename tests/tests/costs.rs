@@ -7,13 +7,13 @@ use strahl_core::Resolution;
 use strahl_core::tally::{PerRayKind, RayKind};
 use strahl_engine::cost_map::PixelCost;
 use strahl_engine::{CostMap, NoProgress, RenderOptions};
-use strahl_scene::description::Description;
+use strahl_scene::description::LoadedScene;
 use strahl_scene::load;
 use strahl_settings::{Precision, Settings};
 
 const SIZE: Resolution = Resolution::new(50, 41).unwrap();
 
-fn scene(name: &str) -> Description {
+fn scene(name: &str) -> LoadedScene {
     load(&Path::new(env!("CARGO_MANIFEST_DIR")).parent().unwrap().join("scenes").join(name)).unwrap()
 }
 

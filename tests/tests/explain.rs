@@ -8,26 +8,26 @@ use strahl::session;
 use strahl_core::image::Pixel;
 use strahl_core::{Resolution, Rgb, Tile};
 use strahl_engine::{NoProgress, RenderOptions};
-use strahl_scene::description::Description;
+use strahl_scene::description::LoadedScene;
 use strahl_scene::load;
-use strahl_settings::{PartialSettings, Sampling, Settings};
+use strahl_settings::{SamplerSettings, Settings, SettingsOverrides};
 
-fn scene(name: &str) -> Description {
+fn scene(name: &str) -> LoadedScene {
     let path: PathBuf = Path::new(env!("CARGO_MANIFEST_DIR")).parent().unwrap().join("scenes").join(name);
     load(&path).unwrap_or_else(|error| panic!("{name}: {error}"))
 }
 
-fn settings(description: &Description, sampling: Sampling) -> Settings {
-    let given = PartialSettings {
+fn settings(description: &LoadedScene, sampling: SamplerSettings) -> Settings {
+    let given = SettingsOverrides {
         size: Resolution::new(40, 30),
         sampler: Some(sampling),
-        ..PartialSettings::default()
+        ..SettingsOverrides::default()
     };
     Settings::resolve(&given, &description.settings).unwrap()
 }
 
 /// The pixel as `render` traces it, with whatever it takes to find items.
-fn rendered(description: &Description, settings: &Settings, pixel: Pixel) -> Rgb {
+fn rendered(description: &LoadedScene, settings: &Settings, pixel: Pixel) -> Rgb {
     let region = Some(Tile { first: pixel, width: 1, height: 1 });
     let settings = Settings { region, ..settings.clone() };
     let output = session::render(description, &settings, &RenderOptions::default(), &NoProgress).unwrap();
@@ -163,7 +163,7 @@ fn the_trees_of_many_rays_make_the_pixel() {
 #[test]
 fn lights_are_seen_or_it_is_told_what_stands_in_their_way() {
     let description = scene("classic.toml");
-    let settings = settings(&description, Sampling::Single);
+    let settings = settings(&description, SamplerSettings::Single);
     let mut outcomes = std::collections::BTreeMap::new();
     for y in 0..30 {
         for x in 0..40 {

@@ -23,38 +23,41 @@ use strahl_core::image::Frame;
 use strahl_core::scene::Effects;
 use strahl_core::{AllEffects, Camera, Resolution, Rgb, Scene, Single, Tile, Tracer, Worker, World, render};
 use strahl_engine::{NoProgress, RenderOptions};
-use strahl_picture::{Format, Picture};
-use strahl_settings::{AccelSettings, Agreement, Bounds, Sampling, Settings};
+use strahl_picture::{Picture, PictureFormat};
+use strahl_settings::{AccelSettings, Bounds, ContrastSettings, SamplerSettings, Settings};
 
 #[path = "../firmware/src/scene.rs"]
 mod constants;
 
 /// The scenes, and how large their golden pictures are.
-const SCENES: [(&str, u32, u32, Sampling); 19] = [
-    ("classic.toml", 96, 72, Sampling::Regular(2)),
-    ("first.toml", 96, 72, Sampling::Regular(2)),
-    ("fjord.toml", 100, 60, Sampling::Single),
-    ("glass.toml", 96, 72, Sampling::Single),
-    ("gloss.toml", 96, 54, Sampling::stochastic(8)),
-    ("knot.toml", 80, 60, Sampling::Single),
-    ("lens.toml", 96, 54, Sampling::stochastic(8)),
-    ("marbles.toml", 96, 72, Sampling::Single),
-    ("motion.toml", 96, 54, Sampling::stochastic(8)),
-    ("paper.toml", 96, 72, Sampling::Single),
-    ("penumbra.toml", 96, 60, Sampling::stochastic(8)),
-    ("pyramid.toml", 80, 60, Sampling::Single),
-    ("rotunda.nff", 160, 100, Sampling::Single),
-    ("shapes.toml", 96, 72, Sampling::Single),
-    ("sphereflake.toml", 96, 72, Sampling::Single),
-    ("stage.toml", 96, 72, Sampling::Regular(2)),
+const SCENES: [(&str, u32, u32, SamplerSettings); 19] = [
+    ("classic.toml", 96, 72, SamplerSettings::Regular(2)),
+    ("first.toml", 96, 72, SamplerSettings::Regular(2)),
+    ("fjord.toml", 100, 60, SamplerSettings::Single),
+    ("glass.toml", 96, 72, SamplerSettings::Single),
+    ("gloss.toml", 96, 54, SamplerSettings::stochastic(8)),
+    ("knot.toml", 80, 60, SamplerSettings::Single),
+    ("lens.toml", 96, 54, SamplerSettings::stochastic(8)),
+    ("marbles.toml", 96, 72, SamplerSettings::Single),
+    ("motion.toml", 96, 54, SamplerSettings::stochastic(8)),
+    ("paper.toml", 96, 72, SamplerSettings::Single),
+    ("penumbra.toml", 96, 60, SamplerSettings::stochastic(8)),
+    ("pyramid.toml", 80, 60, SamplerSettings::Single),
+    ("rotunda.nff", 160, 100, SamplerSettings::Single),
+    ("shapes.toml", 96, 72, SamplerSettings::Single),
+    ("sphereflake.toml", 96, 72, SamplerSettings::Single),
+    ("stage.toml", 96, 72, SamplerSettings::Regular(2)),
     (
         "stained.toml",
         96,
         60,
-        Sampling::Adaptive { depth: 2, agreement: Agreement { threshold: 0.05, items: false } },
+        SamplerSettings::Adaptive {
+            max_depth: 2,
+            contrast: ContrastSettings { threshold: 0.05, items: false },
+        },
     ),
-    ("still-life.toml", 80, 60, Sampling::Single),
-    ("zoneplate.toml", 64, 64, Sampling::stochastic(8)),
+    ("still-life.toml", 80, 60, SamplerSettings::Single),
+    ("zoneplate.toml", 64, 64, SamplerSettings::stochastic(8)),
 ];
 
 #[test]
@@ -88,7 +91,7 @@ fn every_scene_has_a_golden_picture_and_one_in_the_gallery() {
 
 #[test]
 fn the_rotunda_without_secondary_rays_looks_as_it_did() {
-    let picture = scene_file("rotunda.nff", 96, 60, Some(1), Sampling::CORNERS);
+    let picture = scene_file("rotunda.nff", 96, 60, Some(1), SamplerSettings::CORNERS);
     golden("rotunda-level-1", &picture).unwrap();
 }
 
@@ -109,7 +112,7 @@ const FEW: usize = 1000;
 
 /// Renders a scene of the folder `scenes`, with the levels and the cutoff that it asks for itself.
 /// Every way of finding must give the same picture, which is held at a quarter of the size.
-fn scene_file(name: &str, width: u32, height: u32, levels: Option<u8>, sampling: Sampling) -> Picture {
+fn scene_file(name: &str, width: u32, height: u32, levels: Option<u8>, sampling: SamplerSettings) -> Picture {
     let path = root().join("scenes").join(name);
     let description = strahl_scene::load(&path).unwrap();
     let (scene, default) = (&description.settings, Settings::default());
@@ -127,7 +130,7 @@ fn scene_file(name: &str, width: u32, height: u32, levels: Option<u8>, sampling:
     let quarter = |accel| rendered(width / 4, height / 4, accel);
     let output = quarter(AccelSettings::DEFAULT);
     let is_affordable = |it: &AccelSettings| it.bounds != Bounds::None || output.scene.objects <= FEW;
-    for accel in AccelSettings::every().into_iter().filter(is_affordable) {
+    for accel in AccelSettings::all_variants().into_iter().filter(is_affordable) {
         // Not by `assert_eq`, which would print all of both.
         assert!(quarter(accel).picture == output.picture, "{name} by {accel:?} is another picture");
     }
@@ -160,7 +163,7 @@ fn golden(name: &str, picture: &Picture) -> Result<(), String> {
     let digest = picture.digest().to_hex().to_string();
     if std::env::var_os("STRAHL_ACCEPT").is_some() {
         fs::create_dir_all(&folder).unwrap();
-        fs::write(&png, Format::Png.encode(picture).unwrap()).unwrap();
+        fs::write(&png, PictureFormat::Png.encode(picture).unwrap()).unwrap();
         accept(&folder.join("digests"), name, &digest);
         return Ok(());
     }
@@ -178,7 +181,7 @@ fn golden(name: &str, picture: &Picture) -> Result<(), String> {
     let seen = root().join("target/golden");
     fs::create_dir_all(&seen).unwrap();
     let new = seen.join(format!("{name}-new.png"));
-    fs::write(&new, Format::Png.encode(picture).unwrap()).unwrap();
+    fs::write(&new, PictureFormat::Png.encode(picture).unwrap()).unwrap();
     let mut message = format!(
         "{name} is not the golden picture\n  digest of the linear floats: {digest}\n  golden: {:?}\n  8-bit pixels: {}\n  new: {}",
         digests.get(name),

@@ -5,7 +5,7 @@ use strahl_core::image::Pixel;
 use strahl_core::tally::{Counters, RayKind};
 use strahl_core::{Resolution, Rgb, Tile};
 use strahl_engine::{Mask, NoProgress, RenderOptions};
-use strahl_scene::description::Description;
+use strahl_scene::description::LoadedScene;
 use strahl_settings::{AccelKind, AccelSettings, Bounds, Settings};
 
 /// Every sampler and pixel-selected tracing in the words of the command line, and whether its
@@ -26,21 +26,21 @@ const WAYS: [(&str, Option<&str>, bool); 9] = [
 // Neither side a multiple of a tile.
 const SIZE: Resolution = Resolution::new(61, 37).unwrap();
 
-fn loaded(name: &str) -> Description {
+fn loaded(name: &str) -> LoadedScene {
     strahl_scene::load(&std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join(name)).unwrap()
 }
 
 /// Many objects, and nothing that is left to chance.
-fn scene() -> Description {
+fn scene() -> LoadedScene {
     loaded("../scenes/rotunda.nff")
 }
 
 /// Every effect.
-fn effects() -> Description {
+fn effects() -> LoadedScene {
     loaded("tests/effects/all.toml")
 }
 
-fn both() -> [Description; 2] {
+fn both() -> [LoadedScene; 2] {
     [scene(), effects()]
 }
 
@@ -49,11 +49,11 @@ fn settings((sampler, select, _): (&str, Option<&str>, bool)) -> Settings {
     Settings { size: SIZE, sampler: sampler.parse().unwrap(), select, ..Settings::default() }
 }
 
-fn rendered(scene: &Description, settings: &Settings) -> RenderOutput {
+fn rendered(scene: &LoadedScene, settings: &Settings) -> RenderOutput {
     rendered_with(scene, settings, RenderOptions::COUNT_TESTS)
 }
 
-fn rendered_with(scene: &Description, settings: &Settings, options: RenderOptions<'_>) -> RenderOutput {
+fn rendered_with(scene: &LoadedScene, settings: &Settings, options: RenderOptions<'_>) -> RenderOutput {
     session::render(scene, settings, &options, &NoProgress).unwrap()
 }
 
@@ -138,15 +138,15 @@ fn accelerators_do_not_change_the_picture() {
     let scene = effects();
     for way in WAYS {
         let by = |accel| rendered(&scene, &settings(way).with_acceleration(accel)).picture;
-        let truth = by(AccelSettings { bounds: Bounds::None, ..AccelSettings::by(AccelKind::List) });
+        let truth = by(AccelSettings { bounds: Bounds::None, ..AccelSettings::with_kind(AccelKind::List) });
         assert!(truth.colors.iter().all(|color| color.is_in_range(f32::MAX)), "{way:?}");
-        for accel in AccelKind::ALL.map(AccelSettings::by) {
+        for accel in AccelKind::ALL.map(AccelSettings::with_kind) {
             assert_eq!(by(accel), truth, "{way:?}, {accel:?}");
         }
     }
     // With every mailbox, heap and stack.
     let truth = rendered(&scene, &settings(WAYS[0])).picture;
-    for accel in AccelSettings::every() {
+    for accel in AccelSettings::all_variants() {
         let picture = rendered(&scene, &settings(WAYS[0]).with_acceleration(accel)).picture;
         assert_eq!(picture, truth, "{accel:?}");
     }

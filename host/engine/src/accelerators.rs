@@ -19,8 +19,8 @@ use strahl_core::accel::{
 };
 use strahl_core::geometry::{Aabb, BoundingSphere};
 use strahl_core::{Scene, World};
-use strahl_settings::accelerator::{MAILBOX, STACK};
-use strahl_settings::{AccelChoice, AccelKind, AccelSettings, Bounds, Walk};
+use strahl_settings::accelerator::{DEFAULT_MAILBOX_SLOTS, STACK_ENTRIES};
+use strahl_settings::{AccelKind, AccelSettings, Bounds, ResolvedAccel, Walk};
 
 use crate::effects::{ChooseRayTracers, rarely_used};
 #[cfg(feature = "double")]
@@ -56,17 +56,17 @@ pub fn open<'s>(
 ) -> Result<Opened<'s>, BuildError> {
     let clock = Instant::now();
     memory.boxes = scene.parts().geometry.all_bounds().collect();
-    let choice = settings.choice(memory.boxes.iter().filter(|aabb| !aabb.is_empty()).count());
+    let choice = settings.resolve(memory.boxes.iter().filter(|aabb| !aabb.is_empty()).count());
     let building = Building { scene, choice, clock, memory };
     match (choice.kind, choice.mailbox, choice.walk, choice.heap) {
         (AccelKind::List, ..) => building.list(usual),
-        (AccelKind::Grid, MAILBOX, ..) => building.grid::<MAILBOX>(by_name),
+        (AccelKind::Grid, DEFAULT_MAILBOX_SLOTS, ..) => building.grid::<DEFAULT_MAILBOX_SLOTS>(by_name),
         (AccelKind::Grid, 8, ..) => building.grid::<8>(rarely_used),
         (AccelKind::Grid, ..) => building.grid::<0>(rarely_used),
-        (AccelKind::Octree, MAILBOX, ..) => building.octree::<MAILBOX>(by_name),
+        (AccelKind::Octree, DEFAULT_MAILBOX_SLOTS, ..) => building.octree::<DEFAULT_MAILBOX_SLOTS>(by_name),
         (AccelKind::Octree, 8, ..) => building.octree::<8>(rarely_used),
         (AccelKind::Octree, ..) => building.octree::<0>(rarely_used),
-        (AccelKind::Bvh, _, Walk::Stack, _) => building.bvh::<TraversalStack<STACK>>(usual),
+        (AccelKind::Bvh, _, Walk::Stack, _) => building.bvh::<TraversalStack<STACK_ENTRIES>>(usual),
         (AccelKind::Bvh, _, Walk::Heap, 64) => building.bvh::<TraversalHeap<64>>(rarely_used),
         (AccelKind::Bvh, _, Walk::Heap, 4) => building.bvh::<TraversalHeap<4>>(rarely_used),
         (AccelKind::Bvh, _, Walk::Heap, 1) => building.bvh::<TraversalHeap<1>>(rarely_used),
@@ -82,7 +82,7 @@ pub fn stats(scene: Scene<'_>, settings: &AccelSettings) -> Result<AccelStats, B
 /// What an accelerator is built of.
 struct Building<'s> {
     scene: Scene<'s>,
-    choice: AccelChoice,
+    choice: ResolvedAccel,
     clock: Instant,
     memory: &'s mut AccelMemory,
 }
@@ -119,7 +119,7 @@ impl<'s> Building<'s> {
 
     fn grid<const MAILBOX: usize>(
         self,
-        choose: ChooseRayTracers<Grid<'s, MAILBOX>>,
+        choose: ChooseRayTracers<Grid<'s, DEFAULT_MAILBOX_SLOTS>>,
     ) -> Result<Opened<'s>, BuildError> {
         let Building { scene, choice, clock, memory } = self;
         let room = GridSize::recommended(&memory.boxes);
@@ -132,7 +132,7 @@ impl<'s> Building<'s> {
 
     fn octree<const MAILBOX: usize>(
         self,
-        choose: ChooseRayTracers<Octree<'s, MAILBOX>>,
+        choose: ChooseRayTracers<Octree<'s, DEFAULT_MAILBOX_SLOTS>>,
     ) -> Result<Opened<'s>, BuildError> {
         let Building { scene, choice, clock, memory } = self;
         let room = OctreeSize::recommended(memory.boxes.len());
@@ -164,7 +164,7 @@ impl<'s> Building<'s> {
 }
 
 impl Extent {
-    fn stats(self, choice: AccelChoice, clock: Instant) -> AccelStats {
+    fn stats(self, choice: ResolvedAccel, clock: Instant) -> AccelStats {
         let Extent { bytes, regions, entries, depth } = self;
         AccelStats { choice, bytes, regions, entries, depth, build: clock.elapsed() }
     }

@@ -6,7 +6,7 @@ use std::time::Duration;
 
 use strahl_core::scene::EffectSet;
 use strahl_core::tally::Counters;
-use strahl_settings::AccelChoice;
+use strahl_settings::ResolvedAccel;
 
 use crate::progress::Interrupt;
 
@@ -43,7 +43,7 @@ pub struct SceneStats {
 #[derive(Clone, Copy, Debug)]
 pub struct AccelStats {
     /// Which it is.
-    pub choice: AccelChoice,
+    pub choice: ResolvedAccel,
     /// The memory it uses.
     pub bytes: usize,
     /// Its regions: groups, cells, leaves with items.

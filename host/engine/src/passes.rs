@@ -14,7 +14,7 @@ use strahl_core::scene::CameraSample;
 use strahl_core::tally::Counters;
 use strahl_core::trace::{PixelSample, RayTracer};
 use strahl_core::{Real, Rgb, Tile};
-use strahl_settings::{Sampling, Settings};
+use strahl_settings::{SamplerSettings, Settings};
 
 use crate::options::RenderOptions;
 use crate::progress::{Deadline, Interrupt, Progress};
@@ -34,7 +34,7 @@ pub fn trace(
     progress: &dyn Progress,
     scheduler: &mut dyn Scheduler,
 ) -> Result<Traced<Rgb>, Interrupt> {
-    let area = settings.area();
+    let area = settings.region_or_all();
     let centers = Centers::new(area);
     let rays = AtomicU64::new(0);
     let once = PassFactory { ray_tracers, centers: Some(&centers), rays: &rays };
@@ -54,7 +54,7 @@ pub fn trace(
         let clock = Instant::now();
         rays.store(0, Ordering::Relaxed);
         let traced = match (pass.sampler, stochastic(&settings)) {
-            (Sampling::Single, _) => tiles::trace(&once, &settings, options, progress),
+            (SamplerSettings::Single, _) => tiles::trace(&once, &settings, options, progress),
             (_, Some(rule)) => {
                 let estimates =
                     estimates.get_or_insert_with(|| Estimates::new(area, options.tile_side, &pass));
@@ -177,7 +177,9 @@ impl Estimates {
     fn new(area: Tile, side: u32, pass: &Pass) -> Self {
         let tiles = area.tiles(side).map(|tile| (tile, vec![Gathered::NONE; tile.len()])).collect();
         let (least, errors) = match pass.sampler {
-            Sampling::Stochastic { least, confidence, .. } => (least, confidence.errors()),
+            SamplerSettings::Stochastic { min_samples: least, confidence, .. } => {
+                (least, confidence.standard_errors())
+            }
             _ => (1, 1.0),
         };
         Estimates { area, tiles, least, errors, radii: Vec::new() }

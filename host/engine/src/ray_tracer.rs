@@ -10,7 +10,7 @@ use strahl_core::scene::{CameraSample, Effects};
 use strahl_core::tally::{CountedEvent, Counters, RayCounters, Tally, TraceEvent};
 use strahl_core::trace::{PixelSample, RayTracer, TracerError};
 use strahl_core::{Camera, Limits, Tracer, Worker, World};
-use strahl_settings::LEVELS;
+use strahl_settings::MAX_LEVELS;
 
 use crate::progress::Progress;
 
@@ -28,7 +28,7 @@ pub trait RayTracerFactory: Sync {
 
 /// A tracer whose workers report to a `T`.
 pub struct TracerFactory<'w, 's, A, E, T> {
-    tracer: Tracer<'w, 's, A, E, LEVELS>,
+    tracer: Tracer<'w, 's, A, E, MAX_LEVELS>,
     shadow_cache: bool,
     tally: PhantomData<fn() -> T>,
 }
@@ -58,8 +58,8 @@ impl<A: Accelerator + Sync, E: Effects + Sync, T: CounterTally> RayTracerFactory
 
 /// A tracer and its worker.
 struct Working<'t, 'w, 's, A: Accelerator, E, T> {
-    tracer: &'t Tracer<'w, 's, A, E, LEVELS>,
-    worker: Worker<A, Stoppable<'t, T>, LEVELS>,
+    tracer: &'t Tracer<'w, 's, A, E, MAX_LEVELS>,
+    worker: Worker<A, Stoppable<'t, T>, MAX_LEVELS>,
 }
 
 impl<A: Accelerator, E: Effects, T: CounterTally> RayTracer for Working<'_, '_, '_, A, E, T> {

@@ -8,7 +8,7 @@ use strahl_core::image::{
     Adaptive, Corners, Kept, Lattice, Loose, Parting, Pixel, Regular, Sampler, Selection, Stochastic,
 };
 use strahl_core::trace::{PixelSample, RayTracer};
-use strahl_settings::{Sampling, Settings};
+use strahl_settings::{SamplerSettings, Settings};
 
 /// Any of the samplers.
 pub enum AnySampler<'m> {
@@ -64,16 +64,16 @@ impl<'m> AnySampler<'m> {
         let (filter, seed) = (filter(settings.filter), settings.seed);
         let regular = |n| Regular::new(n).unwrap_or(Regular::ONE).filtered(filter).seeded(seed);
         match settings.sampler {
-            Sampling::Single => AnySampler::Regular(regular(1)),
-            Sampling::Regular(n) => AnySampler::Regular(regular(n)),
-            Sampling::Adaptive { .. } => match parting(settings) {
+            SamplerSettings::Single => AnySampler::Regular(regular(1)),
+            SamplerSettings::Regular(n) => AnySampler::Regular(regular(n)),
+            SamplerSettings::Adaptive { .. } => match parting(settings) {
                 Some(parting) => AnySampler::Adaptive(Adaptive::new(parting, corners, cache)),
                 None => AnySampler::Regular(regular(1)),
             },
-            Sampling::Stochastic { least, most, confidence } => {
+            SamplerSettings::Stochastic { min_samples: least, max_samples: most, confidence } => {
                 #[allow(clippy::unnecessary_cast)] // in double precision
                 let ends = strahl_core::image::Confidence {
-                    errors: confidence.errors() as Real,
+                    errors: confidence.standard_errors() as Real,
                     tolerance: Real::from(confidence.tolerance),
                 };
                 match Stochastic::between(least, most, ends) {
@@ -88,7 +88,7 @@ impl<'m> AnySampler<'m> {
 /// How pixels are subdivided, where they are.
 pub fn parting(settings: &Settings) -> Option<Parting> {
     match settings.sampler {
-        Sampling::Adaptive { depth, agreement: it } => {
+        SamplerSettings::Adaptive { max_depth: depth, contrast: it } => {
             Some(Parting::new(depth, agreement(it)?)?.seeded(settings.seed))
         }
         _ => None,
@@ -98,10 +98,10 @@ pub fn parting(settings: &Settings) -> Option<Parting> {
 /// Which pixels are traced, where not all are.
 pub fn selection(settings: &Settings) -> Option<Selection> {
     let it = settings.select?;
-    Selection::new(it.step, agreement(it.agreement)?)
+    Selection::new(it.step, agreement(it.contrast)?)
 }
 
-fn agreement(it: strahl_settings::Agreement) -> Option<strahl_core::image::Agreement> {
+fn agreement(it: strahl_settings::ContrastSettings) -> Option<strahl_core::image::Agreement> {
     let colors = strahl_core::image::Agreement::of_colors(Real::from(it.threshold))?;
     Some(if it.items { colors.and_items() } else { colors })
 }

@@ -2,7 +2,7 @@
 
 use std::time::Instant;
 
-use strahl_settings::{PixelSelection, Sampling};
+use strahl_settings::{SamplerSettings, SelectionSettings};
 
 use crate::output::Color;
 
@@ -10,9 +10,9 @@ use crate::output::Color;
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Pass {
     /// Which rays make a pixel: one, or as many as a stochastic rule asks for.
-    pub sampler: Sampling,
+    pub sampler: SamplerSettings,
     /// Which pixels are traced, where not all are.
-    pub select: Option<PixelSelection>,
+    pub select: Option<SelectionSettings>,
     /// When it is given up; with the first pass, all is.
     pub until: Option<Instant>,
 }

@@ -32,7 +32,7 @@ pub fn trace(
     options: &RenderOptions<'_>,
     progress: &dyn Progress,
 ) -> Result<Traced<Rgb>, Interrupt> {
-    let renderer = TileRenderer { ray_tracers, settings, options, area: settings.area(), progress };
+    let renderer = TileRenderer { ray_tracers, settings, options, area: settings.region_or_all(), progress };
     let pool = rayon::ThreadPoolBuilder::new().num_threads(settings.threads).build();
     // Without a pool of its own the work is done by the pool of the process.
     let run = || match selection(settings) {

@@ -20,7 +20,7 @@ use crate::Picture;
 /// All but EXR have eight bits for each channel, in the encoding of sRGB. All but JPEG give back
 /// every pixel as it was.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Format {
+pub enum PictureFormat {
     /// PNG.
     Png,
     /// Binary PPM.
@@ -50,37 +50,39 @@ pub const EXR_ENCODING: Encoding = Encoding {
 };
 
 /// All extensions, without their dot, in lower case.
-const EXTENSIONS: &[(&str, Format)] = &[
-    ("png", Format::Png),
-    ("ppm", Format::Ppm),
-    ("qoi", Format::Qoi),
-    ("jpg", Format::Jpeg),
-    ("jpeg", Format::Jpeg),
-    ("tif", Format::Tiff),
-    ("tiff", Format::Tiff),
-    ("exr", Format::Exr),
+const EXTENSIONS: &[(&str, PictureFormat)] = &[
+    ("png", PictureFormat::Png),
+    ("ppm", PictureFormat::Ppm),
+    ("qoi", PictureFormat::Qoi),
+    ("jpg", PictureFormat::Jpeg),
+    ("jpeg", PictureFormat::Jpeg),
+    ("tif", PictureFormat::Tiff),
+    ("tiff", PictureFormat::Tiff),
+    ("exr", PictureFormat::Exr),
 ];
 
-impl Format {
+impl PictureFormat {
     /// The format that the extension of `path` names; for the standard output, a pipe or a device
     /// without one PNG.
-    pub fn of(path: &Path) -> Result<Self, FormatError> {
+    pub fn from_path(path: &Path) -> Result<Self, FormatError> {
         if path == Path::new("-") {
-            return Ok(Format::Png);
+            return Ok(PictureFormat::Png);
         }
         let extension = path.extension().and_then(|e| e.to_str()).unwrap_or_default();
         if let Some((_, format)) = EXTENSIONS.iter().find(|(name, _)| extension.eq_ignore_ascii_case(name)) {
             return Ok(*format);
         }
         match extension {
-            "" if path.metadata().is_ok_and(|found| !found.is_file() && !found.is_dir()) => Ok(Format::Png),
+            "" if path.metadata().is_ok_and(|found| !found.is_file() && !found.is_dir()) => {
+                Ok(PictureFormat::Png)
+            }
             _ => Err(FormatError::UnknownExtension(path.to_owned())),
         }
     }
 
     /// Whether a picture of this size can be written at all.
-    pub fn holds(self, size: Resolution) -> Result<(), FormatError> {
-        if self == Format::Jpeg && (size.width() > JPEG_SIDE || size.height() > JPEG_SIDE) {
+    pub fn check_size(self, size: Resolution) -> Result<(), FormatError> {
+        if self == PictureFormat::Jpeg && (size.width() > JPEG_SIDE || size.height() > JPEG_SIDE) {
             return Err(FormatError::TooLargeForJpeg);
         }
         Ok(())
@@ -90,18 +92,18 @@ impl Format {
     pub fn encode(self, picture: &Picture) -> Result<Vec<u8>, ImageError> {
         let mut file = Cursor::new(Vec::new());
         match self {
-            Format::Png => eight_bits(codecs::png::PngEncoder::new(&mut file), picture)?,
-            Format::Ppm => {
+            PictureFormat::Png => eight_bits(codecs::png::PngEncoder::new(&mut file), picture)?,
+            PictureFormat::Ppm => {
                 let binary = codecs::pnm::PnmSubtype::Pixmap(codecs::pnm::SampleEncoding::Binary);
                 eight_bits(codecs::pnm::PnmEncoder::new(&mut file).with_subtype(binary), picture)?;
             }
-            Format::Qoi => eight_bits(codecs::qoi::QoiEncoder::new(&mut file), picture)?,
-            Format::Jpeg => {
+            PictureFormat::Qoi => eight_bits(codecs::qoi::QoiEncoder::new(&mut file), picture)?,
+            PictureFormat::Jpeg => {
                 let encoder = codecs::jpeg::JpegEncoder::new_with_quality(&mut file, JPEG_QUALITY);
                 eight_bits(encoder, picture)?;
             }
-            Format::Tiff => eight_bits(codecs::tiff::TiffEncoder::new(&mut file), picture)?,
-            Format::Exr => floats(&mut file, picture)?,
+            PictureFormat::Tiff => eight_bits(codecs::tiff::TiffEncoder::new(&mut file), picture)?,
+            PictureFormat::Exr => floats(&mut file, picture)?,
         }
         Ok(file.into_inner())
     }

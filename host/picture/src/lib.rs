@@ -23,8 +23,8 @@ pub mod format;
 pub mod read;
 pub mod srgb;
 
-pub use format::{Format, FormatError};
-pub use read::{DecodeError, Pixels, Values, decode};
+pub use format::{FormatError, PictureFormat};
+pub use read::{DecodeError, DecodedPicture, PixelValues, decode};
 
 /// Linear light, row by row.
 #[derive(Clone, Debug, PartialEq)]

@@ -13,35 +13,35 @@ use strahl_core::{Resolution, Rgb};
 
 /// The pixels of a file, as exactly as it has them.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Pixels {
+pub struct DecodedPicture {
     /// Width and height.
     pub size: Resolution,
     /// Row by row.
-    pub values: Values,
+    pub values: PixelValues,
 }
 
 /// One triple of red, green and blue for each pixel.
 #[derive(Clone, Debug, PartialEq)]
-pub enum Values {
+pub enum PixelValues {
     /// Encoded, 255 is 1.
-    Eight(Vec<[u8; 3]>),
+    U8(Vec<[u8; 3]>),
     /// Encoded, 65535 is 1.
-    Sixteen(Vec<[u16; 3]>),
+    U16(Vec<[u16; 3]>),
     /// Linear light.
     Linear(Vec<Rgb>),
 }
 
-impl Values {
+impl PixelValues {
     /// Which pixels are nearer to white than to black, by the mean of their encoded channels.
     pub fn are_white(&self) -> Vec<bool> {
         match self {
-            Values::Eight(pixels) => {
+            PixelValues::U8(pixels) => {
                 pixels.iter().map(|p| p.iter().map(|c| u32::from(*c)).sum::<u32>() > 3 * 127).collect()
             }
-            Values::Sixteen(pixels) => {
+            PixelValues::U16(pixels) => {
                 pixels.iter().map(|p| p.iter().map(|c| u32::from(*c)).sum::<u32>() > 3 * 32_767).collect()
             }
-            Values::Linear(pixels) => pixels
+            PixelValues::Linear(pixels) => pixels
                 .iter()
                 .map(|p| p.to_srgb8().iter().map(|c| u32::from(*c)).sum::<u32>() > 3 * 127)
                 .collect(),
@@ -56,7 +56,7 @@ const READ: &str = "PNG, PPM, QOI, JPEG, TIFF, EXR";
 /// all compressions in these formats, has at most 4096 bytes and takes more than one.
 ///
 /// So a short file that claims to be a huge picture is known for what it is.
-const DENSEST: u64 = 4096;
+const MAX_COMPRESSION_RATIO: u64 = 4096;
 
 /// Why bytes are no picture that can be compared.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -67,7 +67,7 @@ pub enum DecodeError {
     /// They are in a format that is not read, which has this extension.
     UnreadFormat(String),
     /// The decoder gives up, for this reason.
-    Broken(String),
+    Corrupt(String),
     /// The picture has no pixels or too many.
     Size {
         /// Pixels along the upper side, as the file has it.
@@ -85,7 +85,7 @@ impl DecodeError {
     /// Without the bytes that some decoders quote: they may be anything.
     fn broken(error: impl Error) -> Self {
         let printable = |c: char| if c.is_control() { ' ' } else { c };
-        DecodeError::Broken(error.to_string().chars().map(printable).collect())
+        DecodeError::Corrupt(error.to_string().chars().map(printable).collect())
     }
 }
 
@@ -94,7 +94,7 @@ impl fmt::Display for DecodeError {
         match self {
             DecodeError::UnknownFormat => write!(f, "not a picture of a known format ({READ})"),
             DecodeError::UnreadFormat(name) => write!(f, "{name} is not read; the formats that are: {READ}"),
-            DecodeError::Broken(reason) => write!(f, "broken: {reason}"),
+            DecodeError::Corrupt(reason) => write!(f, "broken: {reason}"),
             DecodeError::Size { width, height, most } => write!(
                 f,
                 "{width} x {height}, but a picture has 1 to {most} pixels, at most {} to a side",
@@ -110,7 +110,7 @@ impl fmt::Display for DecodeError {
 impl Error for DecodeError {}
 
 /// The pixels of a file with these bytes, of which there may be `most`.
-pub fn decode(bytes: &[u8], most: u64) -> Result<Pixels, DecodeError> {
+pub fn decode(bytes: &[u8], most: u64) -> Result<DecodedPicture, DecodeError> {
     let reader = ImageReader::new(Cursor::new(bytes)).with_guessed_format().map_err(DecodeError::broken)?;
     let Some(format) = reader.format() else {
         return Err(DecodeError::UnknownFormat);
@@ -119,8 +119,11 @@ pub fn decode(bytes: &[u8], most: u64) -> Result<Pixels, DecodeError> {
         let extension = format.extensions_str().first().unwrap_or(&"this");
         return Err(DecodeError::UnreadFormat(extension.to_ascii_uppercase()));
     }
-    let cannot_hold = |what: String| DecodeError::Broken(format!("{} bytes cannot hold {what}", bytes.len()));
-    if reader.format() == Some(ImageFormat::OpenExr) && exr_needs(bytes)? / DENSEST > bytes.len() as u64 {
+    let cannot_hold =
+        |what: String| DecodeError::Corrupt(format!("{} bytes cannot hold {what}", bytes.len()));
+    if reader.format() == Some(ImageFormat::OpenExr)
+        && exr_needs(bytes)? / MAX_COMPRESSION_RATIO > bytes.len() as u64
+    {
         return Err(cannot_hold("what its header claims".into()));
     }
     let mut decoder = reader.into_decoder().map_err(DecodeError::broken)?;
@@ -131,7 +134,7 @@ pub fn decode(bytes: &[u8], most: u64) -> Result<Pixels, DecodeError> {
         .filter(|_| u64::from(width) * u64::from(height) <= most)
         .ok_or(DecodeError::Size { width, height, most })?;
     let needed = decoder.total_bytes();
-    if needed / DENSEST > bytes.len() as u64 {
+    if needed / MAX_COMPRESSION_RATIO > bytes.len() as u64 {
         return Err(cannot_hold(format!("{width} x {height} pixels")));
     }
     let mut limits = Limits::no_limits();
@@ -142,7 +145,7 @@ pub fn decode(bytes: &[u8], most: u64) -> Result<Pixels, DecodeError> {
     if !is_opaque(&image) {
         return Err(DecodeError::Transparent);
     }
-    Ok(Pixels { size, values: values(image) })
+    Ok(DecodedPicture { size, values: values(image) })
 }
 
 /// Bytes for the largest layer of an EXR file, and for the largest block: they may be larger than
@@ -165,17 +168,19 @@ fn exr_needs(bytes: &[u8]) -> Result<u64, DecodeError> {
     Ok(needed.max().unwrap_or(0))
 }
 
-fn values(image: DynamicImage) -> Values {
+fn values(image: DynamicImage) -> PixelValues {
     match image {
         DynamicImage::ImageRgb32F(_) | DynamicImage::ImageRgba32F(_) => {
             let linear = image.into_rgb32f();
-            Values::Linear(linear.pixels().map(|p| Rgb::new(p.0[0], p.0[1], p.0[2])).collect())
+            PixelValues::Linear(linear.pixels().map(|p| Rgb::new(p.0[0], p.0[1], p.0[2])).collect())
         }
         DynamicImage::ImageLuma16(_)
         | DynamicImage::ImageLumaA16(_)
         | DynamicImage::ImageRgb16(_)
-        | DynamicImage::ImageRgba16(_) => Values::Sixteen(image.into_rgb16().pixels().map(|p| p.0).collect()),
-        _ => Values::Eight(image.into_rgb8().pixels().map(|p| p.0).collect()),
+        | DynamicImage::ImageRgba16(_) => {
+            PixelValues::U16(image.into_rgb16().pixels().map(|p| p.0).collect())
+        }
+        _ => PixelValues::U8(image.into_rgb8().pixels().map(|p| p.0).collect()),
     }
 }
 

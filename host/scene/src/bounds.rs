@@ -5,22 +5,22 @@ use strahl_core::math::try_normalize;
 use strahl_core::scene::{SceneTables, Shading};
 use strahl_core::{Material, MaterialId, Sphere, Vec3};
 
-use crate::description::{Description, Form, vector};
+use crate::description::{LoadedScene, ShapeDescription, vec3_of};
 
 /// The bounding boxes of all items, as the core knows them; none where it cannot take them.
-pub fn boxes(description: &Description) -> Option<Vec<Aabb>> {
+pub fn boxes(description: &LoadedScene) -> Option<Vec<Aabb>> {
     let mut tables = SceneTables::new();
-    let vertices: Vec<Vec3> = description.points.iter().map(|p| vector(*p)).collect();
+    let vertices: Vec<Vec3> = description.vertices.iter().map(|p| vec3_of(*p)).collect();
     tables.add_vertices(&vertices, &[]);
     let material = tables.add_material(Material::MATTE);
-    let mut moving = description.moving.iter().peekable();
+    let mut moving = description.motions.iter().peekable();
     for (index, object) in description.objects.iter().enumerate() {
         let first = tables.len() as u32;
-        if let Form::Mesh { first, count, .. } = object.form {
+        if let ShapeDescription::Mesh { first, count, .. } = object.shape {
             let end = first as usize + count as usize;
             let triangles = description.triangles.get(first as usize..end).unwrap_or_default();
             tables.add_triangles(triangles, Shading::Flat, material);
-        } else if add(&mut tables, object.form, material).is_none() {
+        } else if add(&mut tables, object.shape, material).is_none() {
             // Nothing is left of it: an empty triangle has its number.
             if tables.parts().geometry.vertices.is_empty() {
                 tables.add_vertices(&[Vec3::ZERO], &[]);
@@ -28,7 +28,7 @@ pub fn boxes(description: &Description) -> Option<Vec<Aabb>> {
             tables.add_triangles(&[[0; 3]], Shading::Flat, material);
         }
         if let Some(motion) = moving.next_if(|motion| motion.object == index) {
-            let [opening, closing] = description.shutter.map(|time| vector(motion.velocity) * time);
+            let [opening, closing] = description.shutter.map(|time| vec3_of(motion.velocity) * time);
             (first..tables.len() as u32).for_each(|item| tables.set_motion(ItemId(item), opening, closing));
         }
     }
@@ -36,38 +36,40 @@ pub fn boxes(description: &Description) -> Option<Vec<Aabb>> {
 }
 
 /// Adds an object that is one shape; none when nothing is left of it.
-fn add(tables: &mut SceneTables, form: Form, material: MaterialId) -> Option<ItemId> {
+fn add(tables: &mut SceneTables, form: ShapeDescription, material: MaterialId) -> Option<ItemId> {
     Some(match form {
-        Form::Sphere { center, radius } => {
-            tables.add_sphere(Sphere { center: vector(center), radius }, material)
+        ShapeDescription::Sphere { center, radius } => {
+            tables.add_sphere(Sphere { center: vec3_of(center), radius }, material)
         }
-        Form::Plane { point, normal } => {
-            tables.add_plane(vector(point), try_normalize(vector(normal))?, material)
+        ShapeDescription::Plane { point, normal } => {
+            tables.add_plane(vec3_of(point), try_normalize(vec3_of(normal))?, material)
         }
-        Form::Disc { center, normal, radius } => {
-            let disc = Disc { center: vector(center), normal: try_normalize(vector(normal))?, radius };
+        ShapeDescription::Disc { center, normal, radius } => {
+            let disc = Disc { center: vec3_of(center), normal: try_normalize(vec3_of(normal))?, radius };
             tables.add_disc(disc, material)
         }
-        Form::Cuboid { min, max } => {
-            tables.add_cuboid(Cuboid { min: vector(min), max: vector(max) }, material)
+        ShapeDescription::Cuboid { min, max } => {
+            tables.add_cuboid(Cuboid { min: vec3_of(min), max: vec3_of(max) }, material)
         }
-        Form::OrientedCuboid { center, half, first, third } => {
-            let cuboid = OrientedCuboid::new(vector(center), vector(half), vector(first), vector(third))?;
+        ShapeDescription::OrientedCuboid { center, half_size: half, first, third } => {
+            let cuboid = OrientedCuboid::new(vec3_of(center), vec3_of(half), vec3_of(first), vec3_of(third))?;
             tables.add_turned_cuboid(cuboid, material)
         }
-        Form::Cone { base, base_radius, end, end_radius, capped } => {
-            let cone = Cone::new(vector(base), base_radius, vector(end), end_radius, capped)?;
+        ShapeDescription::Cone { base, base_radius, end, end_radius, capped } => {
+            let cone = Cone::new(vec3_of(base), base_radius, vec3_of(end), end_radius, capped)?;
             tables.add_cone(cone, material)
         }
-        Form::Torus { center, axis, major, minor } => {
-            let (center, axis) = (vector(center), try_normalize(vector(axis))?);
+        ShapeDescription::Torus { center, axis, major_radius: major, minor_radius: minor } => {
+            let (center, axis) = (vec3_of(center), try_normalize(vec3_of(axis))?);
             let torus = Torus { center, axis, major_radius: major, minor_radius: minor };
             tables.add_torus(torus, material)
         }
-        Form::Triangle { corners, .. } => tables.add_triangles(&[corners], Shading::Flat, material).start,
-        Form::Polygon { first, count, .. } => {
+        ShapeDescription::Triangle { vertices: corners, .. } => {
+            tables.add_triangles(&[corners], Shading::Flat, material).start
+        }
+        ShapeDescription::Polygon { first, count, .. } => {
             tables.add_polygon(first..first.checked_add(count)?, Shading::Flat, material).ok()?
         }
-        Form::Mesh { .. } | Form::Nothing => return None,
+        ShapeDescription::Mesh { .. } | ShapeDescription::Degenerate => return None,
     })
 }

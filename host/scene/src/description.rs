@@ -7,44 +7,44 @@
 use std::collections::BTreeMap;
 
 use strahl_core::{Material, Rgb, Vec3, vec3};
-use strahl_settings::PartialSettings;
+use strahl_settings::SettingsOverrides;
 
 /// A point or a direction.
-pub type Triple = [f32; 3];
+pub type Float3 = [f32; 3];
 
 /// Everything that a scene file says.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Description {
+pub struct LoadedScene {
     /// How it is looked at.
-    pub view: View,
+    pub camera: CameraDescription,
     /// The line that says so, counted from 1.
-    pub view_line: usize,
+    pub camera_line: usize,
     /// The line that lets light pass through bodies on its way from a light, if one does.
-    pub colored_shadows: Option<usize>,
+    pub colored_shadows_line: Option<usize>,
     /// The settings that the file has; the command line wins.
-    pub settings: PartialSettings,
+    pub settings: SettingsOverrides,
     /// The lines of those settings, by their keys.
     pub setting_lines: BTreeMap<&'static str, usize>,
     /// What is behind everything.
-    pub background: Background,
+    pub background: BackgroundDescription,
     /// Light from everywhere.
     pub ambient: Rgb,
     /// The lights.
-    pub lights: Vec<Placed<Light>>,
+    pub lights: Vec<Located<LightDescription>>,
     /// The materials. Their textures are places in `textures`.
-    pub materials: Vec<Placed<Material>>,
+    pub materials: Vec<Located<Material>>,
     /// The textures.
-    pub textures: Vec<Texture>,
+    pub textures: Vec<TextureDescription>,
     /// The objects in the order of the file. Every triangle of a mesh counts as one.
-    pub objects: Vec<Object>,
+    pub objects: Vec<ObjectDescription>,
     /// Corners of triangles and polygons.
-    pub points: Vec<Triple>,
+    pub vertices: Vec<Float3>,
     /// Normals of corners, of any length but zero: that of a corner has the corner's place.
-    pub normals: Vec<Triple>,
+    pub normals: Vec<Float3>,
     /// Triangles of meshes: the places of their corners.
     pub triangles: Vec<[u32; 3]>,
     /// What moves, in the order of the objects.
-    pub moving: Vec<Motion>,
+    pub motions: Vec<LinearMotion>,
     /// When the shutter opens and closes, not before.
     pub shutter: [f32; 2],
     /// What a user should know of that is no error.
@@ -53,9 +53,9 @@ pub struct Description {
 
 /// Something with its place in the scene file.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Placed<T> {
+pub struct Located<T> {
     /// The thing.
-    pub it: T,
+    pub value: T,
     /// The line, counted from 1.
     pub line: usize,
     /// What the file calls it.
@@ -64,20 +64,20 @@ pub struct Placed<T> {
 
 /// How the scene is looked at.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct View {
+pub struct CameraDescription {
     /// The eye.
-    pub from: Triple,
+    pub from: Float3,
     /// What is in the middle of the picture.
-    pub at: Triple,
+    pub at: Float3,
     /// What is up.
-    pub up: Triple,
+    pub up: Float3,
     /// How rays run.
-    pub projection: Projection,
+    pub projection: ProjectionDescription,
 }
 
 /// How rays run, by the rules of [`strahl_core::Projection`].
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub enum Projection {
+pub enum ProjectionDescription {
     /// From one point, with a full vertical angle of view in degrees.
     Perspective(f32),
     /// From a lens.
@@ -93,22 +93,22 @@ pub enum Projection {
     Orthographic(f32),
 }
 
-impl Projection {
+impl ProjectionDescription {
     /// Whether rays come from a lens.
     pub fn has_lens(&self) -> bool {
-        matches!(self, Projection::Lens { .. })
+        matches!(self, ProjectionDescription::Lens { .. })
     }
 }
 
 /// What is behind everything.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub enum Background {
+pub enum BackgroundDescription {
     /// One colour.
     Color(Rgb),
     /// From one colour to another, by the height of the direction.
     Gradient {
         /// What is up, of any length.
-        up: Triple,
+        up: Float3,
         /// The colour straight down.
         below: Rgb,
         /// The colour straight up.
@@ -118,9 +118,9 @@ pub enum Background {
 
 /// A light.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Light {
+pub struct LightDescription {
     /// Where it is and where it shines.
-    pub source: Source,
+    pub source: LightSourceDescription,
     /// Its radiance at a surface that faces it, before the falloff.
     pub color: Rgb,
     /// Whether things stand in its way.
@@ -129,58 +129,58 @@ pub struct Light {
 
 /// Where a light is and where it shines.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub enum Source {
+pub enum LightSourceDescription {
     /// From one place in all directions.
     Point {
         /// The place.
-        position: Triple,
+        position: Float3,
         /// Constant, linear and quadratic part of what it is divided by.
-        falloff: Triple,
+        falloff: Float3,
     },
     /// From infinitely far away.
     Directional {
         /// Towards the light, of any length.
-        toward: Triple,
+        to_light: Float3,
     },
     /// From one place into a cone.
     Spot {
         /// The place.
-        position: Triple,
+        position: Float3,
         /// The middle of the cone, away from the light, of any length.
-        direction: Triple,
+        direction: Float3,
         /// Degrees from the middle up to which it is fully bright.
-        bright: f32,
+        inner_angle: f32,
         /// Degrees from the middle beyond which it is dark.
-        dark: f32,
+        outer_angle: f32,
         /// Constant, linear and quadratic part of what it is divided by.
-        falloff: Triple,
+        falloff: Float3,
     },
     /// From a sphere in all directions.
     Sphere {
         /// Its middle.
-        position: Triple,
+        position: Float3,
         /// Its radius, at least 0.
         radius: f32,
         /// Constant, linear and quadratic part of what it is divided by.
-        falloff: Triple,
+        falloff: Float3,
     },
     /// From the front of a rectangle.
     Rectangle {
         /// Its middle.
-        position: Triple,
+        position: Float3,
         /// From the middle to the middles of two edges that meet; the front is where their cross
         /// product points to.
-        half: [Triple; 2],
+        half_edges: [Float3; 2],
         /// Whether its light comes from everywhere in it, or all of it from the middle.
-        soft: bool,
+        is_sampled: bool,
         /// Constant, linear and quadratic part of what it is divided by.
-        falloff: Triple,
+        falloff: Float3,
     },
 }
 
 /// A colour for each point of space.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub enum Texture {
+pub enum TextureDescription {
     /// Two colours in turn, in cells upright on the axes.
     Checker {
         /// The colour of the cell that begins in `origin`.
@@ -188,9 +188,9 @@ pub enum Texture {
         /// The colour of its neighbours.
         odd: Rgb,
         /// A corner of cells.
-        origin: Triple,
+        origin: Float3,
         /// The size of a cell along each axis; zero is one cell without end.
-        size: Triple,
+        size: Float3,
     },
     /// From one colour to another, and constant beyond both.
     Gradient {
@@ -199,9 +199,9 @@ pub enum Texture {
         /// The colour at `end`.
         to: Rgb,
         /// Where it begins.
-        start: Triple,
+        start: Float3,
         /// Where it ends.
-        end: Triple,
+        end: Float3,
     },
     /// Spheres round a point, the finer the farther.
     ZonePlate {
@@ -210,7 +210,7 @@ pub enum Texture {
         /// The colour halfway to the first return.
         to: Rgb,
         /// The middle.
-        origin: Triple,
+        origin: Float3,
         /// Returns per square of the distance.
         frequency: f32,
     },
@@ -218,9 +218,9 @@ pub enum Texture {
 
 /// One object, or one mesh of many.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Object {
+pub struct ObjectDescription {
     /// Its shape.
-    pub form: Form,
+    pub shape: ShapeDescription,
     /// Its place in the table of materials.
     pub material: u16,
     /// Its line in the scene file, counted from 1.
@@ -229,68 +229,68 @@ pub struct Object {
 
 /// That an object moves evenly, and is in its own place at the time 0.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Motion {
+pub struct LinearMotion {
     /// The object's place in the table of objects.
     pub object: usize,
     /// How far it moves in a time of one.
-    pub velocity: Triple,
+    pub velocity: Float3,
 }
 
 /// The shutter that is open from 0 to 1.
-pub const SHUTTER: [f32; 2] = [0.0, 1.0];
+pub const DEFAULT_SHUTTER: [f32; 2] = [0.0, 1.0];
 
 /// The shape of an object.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub enum Form {
+pub enum ShapeDescription {
     /// A sphere.
     Sphere {
         /// The centre.
-        center: Triple,
+        center: Float3,
         /// The radius.
         radius: f32,
     },
     /// A plane without end.
     Plane {
         /// A point on it.
-        point: Triple,
+        point: Float3,
         /// Upright on it, of any length.
-        normal: Triple,
+        normal: Float3,
     },
     /// A flat round disc.
     Disc {
         /// The centre.
-        center: Triple,
+        center: Float3,
         /// Upright on it, of any length.
-        normal: Triple,
+        normal: Float3,
         /// The radius.
         radius: f32,
     },
     /// A box upright on the axes.
     Cuboid {
         /// The smallest coordinates.
-        min: Triple,
+        min: Float3,
         /// The largest coordinates.
-        max: Triple,
+        max: Float3,
     },
     /// A box turned in space.
     OrientedCuboid {
         /// The middle.
-        center: Triple,
+        center: Float3,
         /// Half of its length along each of its axes.
-        half: Triple,
+        half_size: Float3,
         /// Its first axis, of any length; the part upright on the third counts.
-        first: Triple,
+        first: Float3,
         /// Its third axis, of any length.
-        third: Triple,
+        third: Float3,
     },
     /// A cone or cylinder between two circles.
     Cone {
         /// The middle of the first circle.
-        base: Triple,
+        base: Float3,
         /// The radius of the first circle.
         base_radius: f32,
         /// The middle of the second circle.
-        end: Triple,
+        end: Float3,
         /// The radius of the second circle.
         end_radius: f32,
         /// Whether the circles are closed by discs.
@@ -299,18 +299,18 @@ pub enum Form {
     /// A torus.
     Torus {
         /// The middle of the hole.
-        center: Triple,
+        center: Float3,
         /// Upright on the circle, of any length.
-        axis: Triple,
+        axis: Float3,
         /// From the centre to the middle of the tube.
-        major: f32,
+        major_radius: f32,
         /// The radius of the tube.
-        minor: f32,
+        minor_radius: f32,
     },
     /// A triangle: the places of its corners.
     Triangle {
         /// Places in the table of points, and in that of normals for a smooth one.
-        corners: [u32; 3],
+        vertices: [u32; 3],
         /// Whether shading normals are interpolated.
         smooth: bool,
     },
@@ -333,68 +333,70 @@ pub enum Form {
         smooth: bool,
     },
     /// Something without extent, which keeps its number and is never hit.
-    Nothing,
+    Degenerate,
 }
 
-impl Description {
+impl LoadedScene {
     /// Nothing, looked at in this way.
-    pub fn new(view: View) -> Self {
-        Description {
-            view,
-            view_line: 1,
-            colored_shadows: None,
-            settings: PartialSettings::default(),
+    pub fn new(view: CameraDescription) -> Self {
+        LoadedScene {
+            camera: view,
+            camera_line: 1,
+            colored_shadows_line: None,
+            settings: SettingsOverrides::default(),
             setting_lines: BTreeMap::new(),
-            background: Background::Color(Rgb::BLACK),
+            background: BackgroundDescription::Color(Rgb::BLACK),
             ambient: Rgb::BLACK,
             lights: Vec::new(),
             materials: Vec::new(),
             textures: Vec::new(),
             objects: Vec::new(),
-            points: Vec::new(),
+            vertices: Vec::new(),
             normals: Vec::new(),
             triangles: Vec::new(),
-            moving: Vec::new(),
-            shutter: SHUTTER,
+            motions: Vec::new(),
+            shutter: DEFAULT_SHUTTER,
             warnings: Vec::new(),
         }
     }
 }
 
-impl View {
+impl CameraDescription {
     /// As the core has it, in single precision.
     pub(crate) fn to_core(self) -> strahl_core::View {
         let radians = |degrees: f32| degrees * (strahl_core::math::PI / 180.0);
         let projection = match self.projection {
-            Projection::Perspective(angle) => strahl_core::Projection::Perspective { angle: radians(angle) },
-            Projection::Lens { angle, radius, focus } => {
+            ProjectionDescription::Perspective(angle) => {
+                strahl_core::Projection::Perspective { angle: radians(angle) }
+            }
+            ProjectionDescription::Lens { angle, radius, focus } => {
                 strahl_core::Projection::Lens { angle: radians(angle), radius, focus }
             }
-            Projection::Orthographic(height) => strahl_core::Projection::Orthographic { height },
+            ProjectionDescription::Orthographic(height) => strahl_core::Projection::Orthographic { height },
         };
-        strahl_core::View { from: vector(self.from), at: vector(self.at), up: vector(self.up), projection }
+        strahl_core::View { from: vec3_of(self.from), at: vec3_of(self.at), up: vec3_of(self.up), projection }
     }
 }
 
 /// A point or a direction, as the core has it in single precision.
-pub(crate) fn vector([x, y, z]: Triple) -> Vec3 {
+pub(crate) fn vec3_of([x, y, z]: Float3) -> Vec3 {
     vec3(x, y, z)
 }
 
-impl Form {
+impl ShapeDescription {
     /// What a user calls it.
     pub fn name(&self) -> &'static str {
         match self {
-            Form::Sphere { .. } => "sphere",
-            Form::Plane { .. } => "plane",
-            Form::Disc { .. } => "disc",
-            Form::Cuboid { .. } | Form::OrientedCuboid { .. } => "box",
-            Form::Cone { base_radius, end_radius, .. } if base_radius == end_radius => "cylinder",
-            Form::Cone { .. } => "cone",
-            Form::Torus { .. } => "torus",
-            Form::Triangle { .. } | Form::Nothing => "triangle",
-            Form::Polygon { .. } => "polygon",
-            Form::Mesh { .. } => "mesh",
+            ShapeDescription::Sphere { .. } => "sphere",
+            ShapeDescription::Plane { .. } => "plane",
+            ShapeDescription::Disc { .. } => "disc",
+            ShapeDescription::Cuboid { .. } | ShapeDescription::OrientedCuboid { .. } => "box",
+            ShapeDescription::Cone { base_radius, end_radius, .. } if base_radius == end_radius => "cylinder",
+            ShapeDescription::Cone { .. } => "cone",
+            ShapeDescription::Torus { .. } => "torus",
+            ShapeDescription::Triangle { .. } | ShapeDescription::Degenerate => "triangle",
+            ShapeDescription::Polygon { .. } => "polygon",
+            ShapeDescription::Mesh { .. } => "mesh",
         }
     }
 }

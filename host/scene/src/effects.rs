@@ -5,14 +5,17 @@ use std::fmt;
 use strahl_core::{Material, Rgb};
 use strahl_settings::Effect;
 
-use crate::amount::amount;
-use crate::description::{Description, Form, Light, Object, Projection, Source};
+use crate::description::{
+    LightDescription, LightSourceDescription, LoadedScene, ObjectDescription, ProjectionDescription,
+    ShapeDescription,
+};
+use crate::quantity::quantity;
 
 /// One thing in the file that asks for an effect.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Reason {
     /// What asks: `light`, or `material` and its name.
-    pub what: String,
+    pub source: String,
     /// Its line, counted from 1; 0 where no file has it.
     pub line: usize,
     /// How many objects are made of it; none for a light.
@@ -21,12 +24,12 @@ pub struct Reason {
 
 impl fmt::Display for Reason {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(&self.what)?;
+        f.write_str(&self.source)?;
         if self.line > 0 {
             write!(f, " (line {})", self.line)?;
         }
         match self.objects {
-            Some(objects) => write!(f, " on {}", amount(objects, "object")),
+            Some(objects) => write!(f, " on {}", quantity(objects, "object")),
             None => Ok(()),
         }
     }
@@ -40,24 +43,24 @@ pub struct PlannedEffect {
     /// At least one.
     pub reasons: Vec<Reason>,
     /// Whether it is simulated, or was switched off.
-    pub simulated: bool,
+    pub enabled: bool,
 }
 
 /// The effects that must be simulated, and why.
-pub fn plan(description: &Description) -> Vec<PlannedEffect> {
+pub fn plan(description: &LoadedScene) -> Vec<PlannedEffect> {
     let used = Used::of(description);
     let planned = Effect::ALL.into_iter().map(|effect| {
         let reasons = reasons(description, &used, effect);
-        PlannedEffect { effect, reasons, simulated: true }
+        PlannedEffect { effect, reasons, enabled: true }
     });
     planned.filter(|it| !it.reasons.is_empty()).collect()
 }
 
 /// Changes a scene so that it calls for none of these effects; what of them it called for.
-pub fn leave_out(description: &mut Description, effects: &[Effect]) -> Vec<PlannedEffect> {
+pub fn disable(description: &mut LoadedScene, effects: &[Effect]) -> Vec<PlannedEffect> {
     let mut planned = plan(description);
     planned.retain(|it| effects.contains(&it.effect));
-    planned.iter_mut().for_each(|it| it.simulated = false);
+    planned.iter_mut().for_each(|it| it.enabled = false);
     effects.iter().for_each(|effect| without(description, *effect));
     planned
 }
@@ -71,29 +74,29 @@ struct Used {
 }
 
 impl Used {
-    fn of(description: &Description) -> Self {
+    fn of(description: &LoadedScene) -> Self {
         let objects = made_of(description);
         let mut used = description.materials.iter().zip(&objects).filter(|(_, objects)| **objects > 0);
-        let is_lit = used.any(|(material, _)| material.it.is_lit());
+        let is_lit = used.any(|(material, _)| material.value.is_lit());
         Used { objects, is_lit }
     }
 }
 
 /// What calls for an effect.
-fn reasons(description: &Description, used: &Used, effect: Effect) -> Vec<Reason> {
-    let one = |what: &str, line| vec![Reason { what: what.into(), line, objects: None }];
+fn reasons(description: &LoadedScene, used: &Used, effect: Effect) -> Vec<Reason> {
+    let one = |what: &str, line| vec![Reason { source: what.into(), line, objects: None }];
     let is_called_for = |effect| !reasons(description, used, effect).is_empty();
     match effect {
         Effect::Shadows => lights(description, used, |light| light.shadows),
         Effect::Penumbra => lights(description, used, is_soft),
-        Effect::ColoredShadows => match description.colored_shadows {
+        Effect::ColoredShadows => match description.colored_shadows_line {
             Some(line) if is_called_for(Effect::Shadows) && is_called_for(Effect::Transmission) => {
                 one("render", line)
             }
             _ => Vec::new(),
         },
-        Effect::Lens => match description.view.projection {
-            Projection::Lens { .. } => one("camera", description.view_line),
+        Effect::Lens => match description.camera.projection {
+            ProjectionDescription::Lens { .. } => one("camera", description.camera_line),
             _ => Vec::new(),
         },
         Effect::Reflection | Effect::Transmission | Effect::Gloss => {
@@ -114,64 +117,64 @@ fn is_called_for_by(effect: Effect, material: &Material) -> bool {
 }
 
 /// Makes a scene that does not call for an effect.
-fn without(description: &mut Description, effect: Effect) {
-    let lights = description.lights.iter_mut().map(|light| &mut light.it);
-    let materials = description.materials.iter_mut().map(|material| &mut material.it);
+fn without(description: &mut LoadedScene, effect: Effect) {
+    let lights = description.lights.iter_mut().map(|light| &mut light.value);
+    let materials = description.materials.iter_mut().map(|material| &mut material.value);
     match effect {
         Effect::Shadows => lights.for_each(|light| light.shadows = false),
         Effect::Reflection => materials.for_each(|material| material.mirror = Rgb::BLACK),
         Effect::Transmission => materials.for_each(|material| material.transmitted = Rgb::BLACK),
-        Effect::ColoredShadows => description.colored_shadows = None,
+        Effect::ColoredShadows => description.colored_shadows_line = None,
         Effect::Penumbra => lights.for_each(|light| match &mut light.source {
-            Source::Sphere { radius, .. } => *radius = 0.0,
-            Source::Rectangle { soft, .. } => *soft = false,
+            LightSourceDescription::Sphere { radius, .. } => *radius = 0.0,
+            LightSourceDescription::Rectangle { is_sampled: soft, .. } => *soft = false,
             _ => {}
         }),
         Effect::Lens => {
-            if let Projection::Lens { angle, .. } = description.view.projection {
-                description.view.projection = Projection::Perspective(angle);
+            if let ProjectionDescription::Lens { angle, .. } = description.camera.projection {
+                description.camera.projection = ProjectionDescription::Perspective(angle);
             }
         }
         Effect::Gloss => materials.for_each(|material| material.roughness = 0.0),
         // Everything stands where it is at the time 0.
-        Effect::Motion => description.moving.clear(),
+        Effect::Motion => description.motions.clear(),
     }
 }
 
-fn is_soft(light: &Light) -> bool {
+fn is_soft(light: &LightDescription) -> bool {
     match light.source {
-        Source::Sphere { radius, .. } => radius > 0.0,
-        Source::Rectangle { soft, .. } => soft,
+        LightSourceDescription::Sphere { radius, .. } => radius > 0.0,
+        LightSourceDescription::Rectangle { is_sampled: soft, .. } => soft,
         _ => false,
     }
 }
 
-fn lights(description: &Description, used: &Used, asks: fn(&Light) -> bool) -> Vec<Reason> {
-    let is_asking = |light: &Light| used.is_lit && asks(light) && !light.color.is_black();
-    let lights = description.lights.iter().filter(|light| is_asking(&light.it));
+fn lights(description: &LoadedScene, used: &Used, asks: fn(&LightDescription) -> bool) -> Vec<Reason> {
+    let is_asking = |light: &LightDescription| used.is_lit && asks(light) && !light.color.is_black();
+    let lights = description.lights.iter().filter(|light| is_asking(&light.value));
     lights
-        .map(|light| Reason { what: named("light", &light.name), line: light.line, objects: None })
+        .map(|light| Reason { source: named("light", &light.name), line: light.line, objects: None })
         .collect()
 }
 
-fn materials(description: &Description, made_of: &[usize], effect: Effect) -> Vec<Reason> {
+fn materials(description: &LoadedScene, made_of: &[usize], effect: Effect) -> Vec<Reason> {
     let used = description.materials.iter().zip(made_of).filter(|(_, objects)| **objects > 0);
-    let asking = used.filter(|(material, _)| is_called_for_by(effect, &material.it));
+    let asking = used.filter(|(material, _)| is_called_for_by(effect, &material.value));
     asking
         .map(|(material, objects)| Reason {
-            what: named("material", &material.name),
+            source: named("material", &material.name),
             line: material.line,
             objects: Some(*objects),
         })
         .collect()
 }
 
-fn moving(description: &Description) -> Vec<Reason> {
-    let objects = description.moving.iter().filter_map(|motion| description.objects.get(motion.object));
+fn moving(description: &LoadedScene) -> Vec<Reason> {
+    let objects = description.motions.iter().filter_map(|motion| description.objects.get(motion.object));
     let reasons = objects.map(|object| Reason {
-        what: object.form.name().into(),
+        source: object.shape.name().into(),
         line: object.line as usize,
-        objects: matches!(object.form, Form::Mesh { .. }).then(|| objects_in(object)),
+        objects: matches!(object.shape, ShapeDescription::Mesh { .. }).then(|| object_count(object)),
     });
     reasons.collect()
 }
@@ -184,20 +187,20 @@ fn named(what: &str, name: &Option<String>) -> String {
 }
 
 /// How many objects are made of each material.
-fn made_of(description: &Description) -> Vec<usize> {
+fn made_of(description: &LoadedScene) -> Vec<usize> {
     let mut made_of = vec![0; description.materials.len()];
     for object in &description.objects {
         if let Some(count) = made_of.get_mut(usize::from(object.material)) {
-            *count += objects_in(object);
+            *count += object_count(object);
         }
     }
     made_of
 }
 
 /// How many objects an entry of the description is.
-pub fn objects_in(object: &Object) -> usize {
-    match object.form {
-        Form::Mesh { count, .. } => count as usize,
+pub fn object_count(object: &ObjectDescription) -> usize {
+    match object.shape {
+        ShapeDescription::Mesh { count, .. } => count as usize,
         _ => 1,
     }
 }

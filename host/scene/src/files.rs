@@ -14,7 +14,7 @@ use blake3::Hash;
 
 /// Where files are read, and which were asked for.
 #[derive(Debug, Default)]
-pub struct Files {
+pub struct SourceFiles {
     /// All that there are; none for those of the disk.
     held: Option<HashMap<PathBuf, Vec<u8>>>,
     /// All that were asked for or named, there or not.
@@ -23,29 +23,29 @@ pub struct Files {
     found: Option<RefCell<BTreeMap<PathBuf, Option<Hash>>>>,
 }
 
-impl Files {
+impl SourceFiles {
     /// Those of the disk.
     pub fn on_disk() -> Self {
-        Files::default()
+        SourceFiles::default()
     }
 
     /// Those of the disk; what is read is kept in mind.
-    pub fn remembered() -> Self {
-        Files { found: Some(RefCell::default()), ..Files::default() }
+    pub fn tracked() -> Self {
+        SourceFiles { found: Some(RefCell::default()), ..SourceFiles::default() }
     }
 
     /// These and no others.
-    pub fn held(files: impl IntoIterator<Item = (PathBuf, Vec<u8>)>) -> Self {
-        Files { held: Some(files.into_iter().collect()), ..Files::default() }
+    pub fn from_memory(files: impl IntoIterator<Item = (PathBuf, Vec<u8>)>) -> Self {
+        SourceFiles { held: Some(files.into_iter().collect()), ..SourceFiles::default() }
     }
 
     /// All that were asked for, there or not, if they are remembered.
-    pub fn asked(&self) -> Vec<PathBuf> {
+    pub fn tracked_paths(&self) -> Vec<PathBuf> {
         self.found.iter().flat_map(|found| found.borrow().keys().cloned().collect::<Vec<_>>()).collect()
     }
 
     /// All that were asked for or named, there or not, read or not.
-    pub fn named(&self) -> Vec<PathBuf> {
+    pub fn named_paths(&self) -> Vec<PathBuf> {
         self.named.borrow().iter().cloned().collect()
     }
 
@@ -55,7 +55,7 @@ impl Files {
     }
 
     /// Whether all of them still are what they were, if they are remembered.
-    pub fn are_current(&self) -> bool {
+    pub fn unchanged(&self) -> bool {
         let Some(found) = &self.found else { return true };
         found
             .borrow()

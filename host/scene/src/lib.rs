@@ -1,6 +1,6 @@
 //! Scenes of strahl: their description, and the formats that they are read from.
 //!
-//! [`load`](load::load) reads a file of any format into a [`Description`](description::Description), which is neutral:
+//! [`load`](load::load) reads a file of any format into a [`LoadedScene`], which is neutral:
 //! nothing is derived, and both precisions see the same numbers.
 //!
 //! | module | what it does |
@@ -15,11 +15,10 @@
 //! | [`files`] | the files that a scene is made of |
 //! | [`error`], [`diagnostics`] | why a scene could not be loaded, shown as a compiler would |
 //! | [`description`] | a scene in neutral numbers |
-//! | [`amount`] | numbers with their nouns |
+//! | [`quantity`] | numbers with their nouns |
 //!
 //! This package knows no command line, no tracer and no threads. It uses plain types of `strahl-core`.
 
-pub mod amount;
 mod bounds;
 pub mod description;
 pub mod diagnostics;
@@ -33,10 +32,11 @@ pub mod mesh;
 pub mod native;
 mod nff;
 pub mod procedural;
-mod shown;
+pub mod quantity;
+mod quote;
 
-pub use description::Description;
+pub use description::LoadedScene;
 pub use diagnostics::{Diagnostic, Diagnostics};
 pub use error::LoadError;
-pub use files::Files;
-pub use load::{load, load_for, load_from};
+pub use files::SourceFiles;
+pub use load::{load, load_for_size, load_from};

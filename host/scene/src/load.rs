@@ -5,24 +5,24 @@ use std::path::Path;
 use strahl_core::Resolution;
 use strahl_settings::DEFAULT_SIZE;
 
-use crate::description::Description;
+use crate::description::LoadedScene;
 use crate::error::LoadError;
-use crate::files::Files;
+use crate::files::SourceFiles;
 use crate::{mesh, native, nff};
 
 /// Loads the scene file at `path`; its extension names the format.
-pub fn load(path: &Path) -> Result<Description, LoadError> {
-    load_for(path, DEFAULT_SIZE)
+pub fn load(path: &Path) -> Result<LoadedScene, LoadError> {
+    load_for_size(path, DEFAULT_SIZE)
 }
 
 /// Loads the scene file at `path` for a picture of `size`: where the file has no view, one is
 /// chosen that suits it.
-pub fn load_for(path: &Path, size: Resolution) -> Result<Description, LoadError> {
-    load_from(&Files::on_disk(), path, size)
+pub fn load_for_size(path: &Path, size: Resolution) -> Result<LoadedScene, LoadError> {
+    load_from(&SourceFiles::on_disk(), path, size)
 }
 
 /// The same from these files.
-pub fn load_from(files: &Files, path: &Path, size: Resolution) -> Result<Description, LoadError> {
+pub fn load_from(files: &SourceFiles, path: &Path, size: Resolution) -> Result<LoadedScene, LoadError> {
     if mesh::is_mesh(path) {
         return mesh::scene(files, path, size);
     }

@@ -8,19 +8,19 @@ use crate::choice::Choice;
 use crate::choices;
 
 /// The sizes of mailboxes that there are, in entries; 0 is none.
-pub const MAILBOXES: [usize; 3] = [0, 8, MAILBOX];
+pub const MAILBOX_SLOTS: [usize; 3] = [0, 8, DEFAULT_MAILBOX_SLOTS];
 
 /// The usual size of a mailbox.
-pub const MAILBOX: usize = 64;
+pub const DEFAULT_MAILBOX_SLOTS: usize = 64;
 
 /// The capacities of heaps that there are.
-pub const HEAPS: [usize; 4] = [0, 1, 4, HEAP];
+pub const HEAP_ENTRIES: [usize; 4] = [0, 1, 4, DEFAULT_HEAP_ENTRIES];
 
 /// The usual capacity of a heap.
-pub const HEAP: usize = 64;
+pub const DEFAULT_HEAP_ENTRIES: usize = 64;
 
 /// The capacity of a stack: no hierarchy is deeper.
-pub const STACK: usize = 64;
+pub const STACK_ENTRIES: usize = 64;
 
 /// For so many items a hierarchy is not worth its making.
 const FEW: usize = 8;
@@ -73,13 +73,13 @@ choices! {
 
 impl Accel {
     /// Which; none when the scene decides.
-    pub fn kind(self) -> Option<AccelKind> {
-        AccelKind::of(self.name())
+    pub fn explicit_kind(self) -> Option<AccelKind> {
+        AccelKind::from_name(self.name())
     }
 
     /// The option that leaves no use for a setting of these accelerators, if it does.
     pub(crate) fn rules_out(self, kinds: &[AccelKind]) -> Option<String> {
-        self.kind().filter(|kind| !kinds.contains(kind)).map(|kind| format!("--accel {kind}"))
+        self.explicit_kind().filter(|kind| !kinds.contains(kind)).map(|kind| format!("--accel {kind}"))
     }
 }
 
@@ -92,7 +92,7 @@ impl Walk {
 
 impl From<AccelKind> for Accel {
     fn from(kind: AccelKind) -> Self {
-        Accel::of(kind.name()).unwrap_or(Accel::Auto)
+        Accel::from_name(kind.name()).unwrap_or(Accel::Auto)
     }
 }
 
@@ -117,45 +117,45 @@ impl AccelSettings {
     pub const DEFAULT: AccelSettings = AccelSettings {
         accel: Accel::Auto,
         walk: Walk::Stack,
-        heap: HEAP,
+        heap: DEFAULT_HEAP_ENTRIES,
         bounds: Bounds::Box,
-        mailbox: MAILBOX,
+        mailbox: DEFAULT_MAILBOX_SLOTS,
     };
 
     /// This accelerator, everything else as usual.
-    pub fn by(kind: AccelKind) -> Self {
+    pub fn with_kind(kind: AccelKind) -> Self {
         AccelSettings { accel: kind.into(), ..AccelSettings::DEFAULT }
     }
 
     /// A hierarchy that is walked by a heap of this capacity.
-    pub fn by_heap(heap: usize) -> Self {
-        AccelSettings { walk: Walk::Heap, heap, ..AccelSettings::by(AccelKind::Bvh) }
+    pub fn with_heap(heap: usize) -> Self {
+        AccelSettings { walk: Walk::Heap, heap, ..AccelSettings::with_kind(AccelKind::Bvh) }
     }
 
     /// All ways to find the same.
-    pub fn every() -> Vec<Self> {
+    pub fn all_variants() -> Vec<Self> {
         let each = |kind| {
-            let by = AccelSettings::by(kind);
+            let by = AccelSettings::with_kind(kind);
             match kind {
                 AccelKind::List => Bounds::ALL.map(|bounds| AccelSettings { bounds, ..by }).to_vec(),
                 AccelKind::Grid | AccelKind::Octree => {
-                    MAILBOXES.map(|mailbox| AccelSettings { mailbox, ..by }).to_vec()
+                    MAILBOX_SLOTS.map(|mailbox| AccelSettings { mailbox, ..by }).to_vec()
                 }
-                AccelKind::Bvh => [&[by], &HEAPS.map(AccelSettings::by_heap)[..]].concat(),
+                AccelKind::Bvh => [&[by], &HEAP_ENTRIES.map(AccelSettings::with_heap)[..]].concat(),
             }
         };
         AccelKind::ALL.into_iter().flat_map(each).collect()
     }
 
     /// The choice for a scene with so many bounded items.
-    pub fn choice(&self, items: usize) -> AccelChoice {
-        let (kind, reason) = match self.accel.kind() {
+    pub fn resolve(&self, items: usize) -> ResolvedAccel {
+        let (kind, reason) = match self.accel.explicit_kind() {
             Some(kind) => (kind, "as asked for"),
             None if items <= FEW => (AccelKind::List, "few items"),
             None => (AccelKind::Bvh, "many items"),
         };
         let AccelSettings { walk, heap, bounds, mailbox, .. } = *self;
-        AccelChoice { kind, reason, walk, heap, bounds, mailbox }
+        ResolvedAccel { kind, reason, walk, heap, bounds, mailbox }
     }
 }
 
@@ -167,7 +167,7 @@ impl Default for AccelSettings {
 
 /// An accelerator with everything about it. What has no use for it is there all the same.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct AccelChoice {
+pub struct ResolvedAccel {
     /// The accelerator.
     pub kind: AccelKind,
     /// Why it was taken.
@@ -183,7 +183,7 @@ pub struct AccelChoice {
 }
 
 /// With what has a use for it.
-impl fmt::Display for AccelChoice {
+impl fmt::Display for ResolvedAccel {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let kind = self.kind;
         match kind {
@@ -211,16 +211,16 @@ mod tests {
     #[test]
     fn every_kind_is_one_that_can_be_asked_for() {
         for kind in AccelKind::ALL {
-            assert_eq!(Accel::from(kind).kind(), Some(kind));
+            assert_eq!(Accel::from(kind).explicit_kind(), Some(kind));
         }
-        assert_eq!(Accel::Auto.kind(), None);
-        assert_eq!(AccelSettings::every().len(), 3 + 3 + 3 + 5);
+        assert_eq!(Accel::Auto.explicit_kind(), None);
+        assert_eq!(AccelSettings::all_variants().len(), 3 + 3 + 3 + 5);
     }
 
     #[test]
     fn few_items_are_found_by_a_list_and_many_by_a_hierarchy() {
-        let kind = |items| AccelSettings::DEFAULT.choice(items).kind;
+        let kind = |items| AccelSettings::DEFAULT.resolve(items).kind;
         assert_eq!([0, 8, 9].map(kind), [AccelKind::List, AccelKind::List, AccelKind::Bvh]);
-        assert_eq!(AccelSettings::by(AccelKind::Grid).choice(0).kind, AccelKind::Grid);
+        assert_eq!(AccelSettings::with_kind(AccelKind::Grid).resolve(0).kind, AccelKind::Grid);
     }
 }

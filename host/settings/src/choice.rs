@@ -33,7 +33,7 @@ pub trait Choice: Copy + PartialEq + 'static {
     }
 
     /// The value of this name.
-    fn of(name: &str) -> Option<Self> {
+    fn from_name(name: &str) -> Option<Self> {
         let has_name = |it: &Named| it.name == name || it.aliases.contains(&name);
         Self::NAMES.iter().position(has_name).and_then(|index| Self::VALUES.get(index)).copied()
     }
@@ -117,8 +117,11 @@ mod tests {
 
     #[test]
     fn a_value_is_found_by_its_name_and_by_its_other_names_only() {
-        assert_eq!(["left", "west", "right"].map(Side::of), [Side::Left, Side::Left, Side::Right].map(Some));
-        assert_eq!(["", "Left", "lef", "left "].map(Side::of), [None; 4]);
+        assert_eq!(
+            ["left", "west", "right"].map(Side::from_name),
+            [Side::Left, Side::Left, Side::Right].map(Some)
+        );
+        assert_eq!(["", "Left", "lef", "left "].map(Side::from_name), [None; 4]);
     }
 
     #[test]

@@ -7,10 +7,10 @@ use strahl_core::{Resolution, Tile};
 
 use crate::choice::{Choice, Named};
 use crate::effect::Effect;
-use crate::sampling::{PixelSelection, Sampling};
+use crate::sampling::{SamplerSettings, SelectionSettings};
 
 /// The most pixels of a picture: its linear colours take 12 bytes each.
-pub const MOST_PIXELS: u64 = 1 << 28;
+pub const MAX_PIXELS: u64 = 1 << 28;
 
 /// The values that a setting may have.
 #[derive(Clone, Copy, Debug)]
@@ -22,7 +22,7 @@ pub enum Domain {
     /// One of these integers.
     OneOf(&'static [usize]),
     /// A number from 0 to 1. A word may also be a fraction, as in `1/512`.
-    Share,
+    Fraction,
     /// One of these names.
     Name(&'static [Named]),
     /// Some of these names. In a word there are commas between them.
@@ -40,7 +40,7 @@ impl Domain {
     }
 
     /// Whether an integer is in it.
-    pub fn has(&self, number: u64) -> bool {
+    pub fn contains(&self, number: u64) -> bool {
         match *self {
             Domain::Integer(first, last) => u64::from(first) <= number && number <= u64::from(last),
             Domain::OneOf(numbers) => numbers.iter().any(|it| *it as u64 == number),
@@ -62,7 +62,7 @@ impl fmt::Display for Domain {
             Domain::Flag => f.write_str("true or false"),
             Domain::Integer(first, last) => write!(f, "an integer between {first} and {last}"),
             Domain::OneOf(numbers) => f.write_str(&list(numbers.iter().map(usize::to_string).collect())),
-            Domain::Share => f.write_str("a number between 0 and 1"),
+            Domain::Fraction => f.write_str("a number between 0 and 1"),
             Domain::Name(all) | Domain::Names(all) => f.write_str(&names(all)),
             Domain::Size => f.write_str("a width and a height"),
             Domain::Text => f.write_str("a string"),
@@ -98,19 +98,19 @@ fn quoted(word: &str) -> String {
 }
 
 /// The number of a word, which may be a fraction.
-pub fn share(word: &str) -> Result<f64, String> {
+pub fn parse_fraction(word: &str) -> Result<f64, String> {
     let value = match word.split_once('/') {
         Some((part, whole)) => part.parse::<f64>().and_then(|part| Ok(part / whole.parse::<f64>()?)),
         None => word.parse::<f64>(),
     };
     match value {
         Ok(share) if share >= 0.0 && share <= 1.0 => Ok(share),
-        _ => Err(format!("{} is expected, as in 0.01 or 1/255", Domain::Share)),
+        _ => Err(format!("{} is expected, as in 0.01 or 1/255", Domain::Fraction)),
     }
 }
 
 /// The word of a share: one divided by an integer where it is exactly that, as people say it.
-pub fn share_word(share: f32) -> String {
+pub fn fraction_text(share: f32) -> String {
     let whole = libm::round(1.0 / f64::from(share));
     let is_short = whole > 1.0 && whole <= f64::from(1 << 20);
     if is_short && (1.0 / whole) as f32 == share { format!("1/{whole}") } else { share.to_string() }
@@ -134,7 +134,7 @@ macro_rules! integers {
     ($($Integer:ty),+) => {$(
         impl Value for $Integer {
             fn parse(word: &str, domain: &Domain) -> Result<Self, String> {
-                let number = word.parse().ok().filter(|number| domain.has(*number));
+                let number = word.parse().ok().filter(|number| domain.contains(*number));
                 number.and_then(|number| <$Integer>::try_from(number).ok()).ok_or_else(|| format!("{domain} is expected"))
             }
 
@@ -155,12 +155,12 @@ impl Value for f32 {
         // Rounded once.
         match word.parse::<f32>() {
             Ok(number) if number >= 0.0 && number <= 1.0 => Ok(number),
-            _ => share(word).map(|share| share as f32),
+            _ => parse_fraction(word).map(|share| share as f32),
         }
     }
 
     fn word(&self) -> Option<String> {
-        Some(share_word(*self))
+        Some(fraction_text(*self))
     }
 
     fn literal(&self) -> Option<String> {
@@ -170,7 +170,7 @@ impl Value for f32 {
 
 impl<T: Choice> Value for T {
     fn parse(word: &str, domain: &Domain) -> Result<Self, String> {
-        T::of(word).ok_or_else(|| format!("{domain} is expected"))
+        T::from_name(word).ok_or_else(|| format!("{domain} is expected"))
     }
 
     fn word(&self) -> Option<String> {
@@ -221,7 +221,7 @@ macro_rules! texts {
         }
     )+};
 }
-texts!(Sampling, PixelSelection);
+texts!(SamplerSettings, SelectionSettings);
 
 impl Value for Resolution {
     fn parse(word: &str, _: &Domain) -> Result<Self, String> {
@@ -230,8 +230,8 @@ impl Value for Resolution {
             return Err("two integers with an x between them are expected, as in 640x480".into());
         };
         match Resolution::new(width, height) {
-            Some(size) if u64::from(width) * u64::from(height) <= MOST_PIXELS => Ok(size),
-            Some(_) => Err(format!("a picture has at most {MOST_PIXELS} pixels")),
+            Some(size) if u64::from(width) * u64::from(height) <= MAX_PIXELS => Ok(size),
+            Some(_) => Err(format!("a picture has at most {MAX_PIXELS} pixels")),
             None => Err(format!("each side must be between 1 and {}", Resolution::MOST)),
         }
     }
@@ -272,12 +272,12 @@ mod tests {
 
     #[test]
     fn one_over_an_integer_is_written_as_a_fraction_that_reads_back_exactly() {
-        let words = [0.0, 1.0, 0.5, 0.3, 1.0 / 512.0, 1.0 / 255.0, 1.0 / 65536.0].map(share_word);
+        let words = [0.0, 1.0, 0.5, 0.3, 1.0 / 512.0, 1.0 / 255.0, 1.0 / 65536.0].map(fraction_text);
         assert_eq!(words, ["0", "1", "1/2", "0.3", "1/512", "1/255", "1/65536"]);
         for bits in (0..=1.0_f32.to_bits()).step_by(99_991) {
             let share = f32::from_bits(bits);
-            assert_eq!(f32::parse(&share_word(share), &Domain::Share), Ok(share));
-            assert_eq!(f32::parse(&share.literal().unwrap(), &Domain::Share), Ok(share));
+            assert_eq!(f32::parse(&fraction_text(share), &Domain::Fraction), Ok(share));
+            assert_eq!(f32::parse(&share.literal().unwrap(), &Domain::Fraction), Ok(share));
         }
     }
 

@@ -5,7 +5,7 @@ use serde_json::Value as Json;
 
 use crate::choice::Named;
 use crate::domain::Domain;
-use crate::settings::{PartialSettings, Setting, Settings};
+use crate::settings::{Setting, Settings, SettingsOverrides};
 
 impl Setting {
     /// Its value; null where it has none.
@@ -15,14 +15,16 @@ impl Setting {
     }
 
     /// The settings in which this one has a value and nothing else is set; null sets nothing.
-    pub fn parse_json(&self, value: &Json) -> Result<PartialSettings, String> {
+    pub fn parse_json(&self, value: &Json) -> Result<SettingsOverrides, String> {
         let mismatch = || Err(format!("`{}` must be {}, not {value}", self.name, self.domain));
         let word = match (value, self.domain) {
-            (Json::Null, _) => return Ok(PartialSettings::default()),
+            (Json::Null, _) => return Ok(SettingsOverrides::default()),
             (Json::Bool(it), Domain::Flag) => it.to_string(),
-            (Json::Number(it), Domain::Integer(..) | Domain::OneOf(_) | Domain::Share) => it.to_string(),
+            (Json::Number(it), Domain::Integer(..) | Domain::OneOf(_) | Domain::Fraction) => it.to_string(),
             (Json::String(it), Domain::Name(_) | Domain::Text) => it.clone(),
-            (Json::Array(list), Domain::Names(_)) if list.is_empty() => return Ok(PartialSettings::default()),
+            (Json::Array(list), Domain::Names(_)) if list.is_empty() => {
+                return Ok(SettingsOverrides::default());
+            }
             (Json::Array(list), Domain::Names(_)) => joined(list, ",", |it| it.as_str().map(str::to_owned)),
             (Json::Array(list), Domain::Size) => joined(list, "x", |it| it.as_u64().map(|it| it.to_string())),
             _ => return mismatch(),
@@ -39,7 +41,7 @@ impl Setting {
                 json_schema!({ "type": "integer", "minimum": first, "maximum": last })
             }
             Domain::OneOf(numbers) => json_schema!({ "enum": numbers }),
-            Domain::Share => json_schema!({ "type": "number", "minimum": 0, "maximum": 1 }),
+            Domain::Fraction => json_schema!({ "type": "number", "minimum": 0, "maximum": 1 }),
             Domain::Name(all) => json_schema!({ "enum": names(all) }),
             Domain::Names(all) => json_schema!({ "type": "array", "items": { "enum": names(all) } }),
             Domain::Size => json_schema!({

@@ -7,7 +7,7 @@
 //!
 //! | module | what it holds |
 //! |---|---|
-//! | [`settings`] | the declaration: the list of every [`Setting`]; [`Settings`], and [`PartialSettings`] as a scene or a command line has them |
+//! | [`settings`] | the declaration: the list of every [`Setting`]; [`Settings`], and [`SettingsOverrides`] as a scene or a command line has them |
 //! | [`resolve`] | command line over scene over defaults, and which of them set what |
 //! | [`attributes`] | what a setting is like |
 //! | [`json`] | their values in JSON, and the JSON Schema of these |
@@ -29,12 +29,12 @@ pub mod resolve;
 pub mod sampling;
 pub mod settings;
 
-pub use accelerator::{Accel, AccelChoice, AccelKind, AccelSettings, Bounds, Walk};
+pub use accelerator::{Accel, AccelKind, AccelSettings, Bounds, ResolvedAccel, Walk};
 pub use attributes::{Affects, CommandOption, Group, Scope};
 pub use choice::{Choice, Named};
 pub use domain::{Domain, Value};
 pub use effect::Effect;
 pub use precision::Precision;
-pub use resolve::{Resolved, SettingsError, Source};
-pub use sampling::{Agreement, Confidence, Filter, PixelSelection, Sampling};
-pub use settings::{DEFAULT_SIZE, LEVELS, PartialSettings, SETTINGS, Setting, Settings};
+pub use resolve::{Resolved, SettingSource, SettingsError};
+pub use sampling::{ConfidenceSettings, ContrastSettings, Filter, SamplerSettings, SelectionSettings};
+pub use settings::{DEFAULT_SIZE, MAX_LEVELS, SETTINGS, Setting, Settings, SettingsOverrides};

@@ -7,21 +7,21 @@ use strahl_core::{Resolution, Tile};
 
 use crate::accelerator::Walk;
 use crate::effect::Effect;
-use crate::sampling::{Filter, Sampling};
-use crate::settings::{PartialSettings, SETTINGS, Setting, Settings};
+use crate::sampling::{Filter, SamplerSettings};
+use crate::settings::{SETTINGS, Setting, Settings, SettingsOverrides};
 
 /// The settings that hold, and what set each of them.
 #[derive(Clone, Debug)]
 pub struct Resolved {
     /// Those that hold.
     pub settings: Settings,
-    command_line: PartialSettings,
-    scene: PartialSettings,
+    command_line: SettingsOverrides,
+    scene: SettingsOverrides,
 }
 
 /// What set a setting.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Source {
+pub enum SettingSource {
     /// Nothing: it has its default.
     Default,
     /// The scene.
@@ -35,7 +35,7 @@ pub enum Source {
 #[non_exhaustive]
 pub enum SettingsError {
     /// A filter is asked for beside this sampler, which fills the pixel by itself.
-    FilterNotUsed(Sampling),
+    FilterNotUsed(SamplerSettings),
     /// An option is given for which another leaves no use.
     OptionNotUsed {
         /// Its name, without the dashes.
@@ -65,7 +65,7 @@ impl Error for SettingsError {}
 
 impl Resolved {
     /// The settings of the command line, where it has none those of the scene, and else the defaults.
-    pub fn new(command_line: &PartialSettings, scene: &PartialSettings) -> Result<Self, SettingsError> {
+    pub fn new(command_line: &SettingsOverrides, scene: &SettingsOverrides) -> Result<Self, SettingsError> {
         let (mut command_line, mut scene) = (command_line.clone(), scene.clone());
         // An option for which others leave no use is a mistake. A key of the scene is not: the command line has changed
         // what it was for.
@@ -87,7 +87,7 @@ impl Resolved {
         }
 
         let settings = Settings::from(command_line.clone().or(scene.clone()));
-        if settings.filter != Filter::Box && !settings.sampler.takes_filter() {
+        if settings.filter != Filter::Box && !settings.sampler.allows_filter() {
             return Err(SettingsError::FilterNotUsed(settings.sampler));
         }
         if let Some(region) = settings.region
@@ -99,28 +99,31 @@ impl Resolved {
     }
 
     /// What set one of them.
-    pub fn source(&self, setting: &Setting) -> Source {
+    pub fn source(&self, setting: &Setting) -> SettingSource {
         if setting.is_set(&self.command_line) {
-            Source::CommandLine
+            SettingSource::CommandLine
         } else if setting.is_set(&self.scene) {
-            Source::Scene
+            SettingSource::Scene
         } else {
-            Source::Default
+            SettingSource::Default
         }
     }
 }
 
-impl From<PartialSettings> for Settings {
-    fn from(partial: PartialSettings) -> Self {
+impl From<SettingsOverrides> for Settings {
+    fn from(partial: SettingsOverrides) -> Self {
         // A capacity of the heap asks for the walk that has one.
         let walk = partial.walk.or(partial.heap.map(|_| Walk::Heap));
-        PartialSettings { walk, ..partial }.or_default()
+        SettingsOverrides { walk, ..partial }.or_default()
     }
 }
 
 impl Settings {
     /// The settings of the command line, where it has none those of the scene, and else the defaults.
-    pub fn resolve(command_line: &PartialSettings, scene: &PartialSettings) -> Result<Self, SettingsError> {
+    pub fn resolve(
+        command_line: &SettingsOverrides,
+        scene: &SettingsOverrides,
+    ) -> Result<Self, SettingsError> {
         Ok(Resolved::new(command_line, scene)?.settings)
     }
 
@@ -136,15 +139,15 @@ mod tests {
     use crate::attributes::{Affects, CommandOption};
 
     /// The settings of some options.
-    fn of(options: &[(&str, &str)]) -> PartialSettings {
+    fn of(options: &[(&str, &str)]) -> SettingsOverrides {
         let parse = |(name, word): &(&str, &str)| {
             let setting = SETTINGS.iter().find(|setting| setting.name == *name).unwrap();
             setting.parse(word).unwrap()
         };
-        options.iter().map(parse).fold(PartialSettings::default(), PartialSettings::or)
+        options.iter().map(parse).fold(SettingsOverrides::default(), SettingsOverrides::or)
     }
 
-    fn source(resolved: &Resolved, name: &str) -> Source {
+    fn source(resolved: &Resolved, name: &str) -> SettingSource {
         resolved.source(SETTINGS.iter().find(|setting| setting.name == name).unwrap())
     }
 
@@ -154,7 +157,7 @@ mod tests {
         let resolved = Resolved::new(&command_line, &scene).unwrap();
         assert_eq!((resolved.settings.levels, resolved.settings.size), (7, Resolution::new(8, 6).unwrap()));
         let sources = ["levels", "size", "cutoff"].map(|name| source(&resolved, name));
-        assert_eq!(sources, [Source::CommandLine, Source::Scene, Source::Default]);
+        assert_eq!(sources, [SettingSource::CommandLine, SettingSource::Scene, SettingSource::Default]);
     }
 
     #[test]
@@ -208,7 +211,7 @@ mod tests {
     #[test]
     fn what_does_not_go_together_on_the_command_line_is_refused() {
         let refused = |options: &[(&str, &str)]| {
-            Settings::resolve(&of(options), &PartialSettings::default()).unwrap_err().to_string()
+            Settings::resolve(&of(options), &SettingsOverrides::default()).unwrap_err().to_string()
         };
         assert_eq!(refused(&[("accel", "grid"), ("walk", "heap")]), "--walk has no meaning for --accel grid");
         assert_eq!(refused(&[("walk", "stack"), ("heap", "4")]), "--heap has no meaning for --walk stack");
@@ -228,7 +231,7 @@ mod tests {
             Resolved::new(&of(&[("without", "colored-shadows")]), &of(&[("colored_shadows", "true")]));
         let resolved = resolved.unwrap();
         assert!(!resolved.settings.colored_shadows);
-        assert_eq!(source(&resolved, "colored_shadows"), Source::CommandLine);
+        assert_eq!(source(&resolved, "colored_shadows"), SettingSource::CommandLine);
     }
 
     #[test]

@@ -9,7 +9,7 @@ use crate::choices;
 
 /// Which rays make a pixel.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub enum Sampling {
+pub enum SamplerSettings {
     /// One through the middle.
     Single,
     /// n times n.
@@ -17,24 +17,24 @@ pub enum Sampling {
     /// Through the corners, and more where they do not agree.
     Adaptive {
         /// How often a pixel can be quartered.
-        depth: u8,
+        max_depth: u8,
         /// When it is not.
-        agreement: Agreement,
+        contrast: ContrastSettings,
     },
     /// Through places that follow no raster.
     Stochastic {
         /// The least number.
-        least: u32,
+        min_samples: u32,
         /// The largest number.
-        most: u32,
+        max_samples: u32,
         /// When it may be less than that.
-        confidence: Confidence,
+        confidence: ConfidenceSettings,
     },
 }
 
 /// When neighbours are taken to look the same.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Agreement {
+pub struct ContrastSettings {
     /// The largest difference of sRGB-encoded channels, in `0..=1`.
     pub threshold: f32,
     /// Whether they must be of the same item, too.
@@ -43,20 +43,20 @@ pub struct Agreement {
 
 /// When a pixel is known well enough.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Confidence {
+pub struct ConfidenceSettings {
     /// How sure that is to be, between 0 and 1.
-    pub level: f64,
+    pub confidence: f64,
     /// How far off the mean may be: sRGB-encoded, in `0..=1`.
     pub tolerance: f32,
 }
 
 /// Which pixels are traced, where not all are.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct PixelSelection {
+pub struct SelectionSettings {
     /// The distance of those that are traced first: 2, 4, 8, 16, 32 or 64.
     pub step: u32,
     /// When those between are guessed.
-    pub agreement: Agreement,
+    pub contrast: ContrastSettings,
 }
 
 choices! {
@@ -74,33 +74,35 @@ choices! {
 /// The mean may be two steps of eight bits off.
 const TOLERANCE: f32 = 1.0 / 128.0;
 
-impl Sampling {
+impl SamplerSettings {
     /// The corners alone, which neighbours share.
-    pub const CORNERS: Sampling =
-        Sampling::Adaptive { depth: 0, agreement: Agreement { threshold: 0.0, items: false } };
+    pub const CORNERS: SamplerSettings = SamplerSettings::Adaptive {
+        max_depth: 0,
+        contrast: ContrastSettings { threshold: 0.0, items: false },
+    };
 
     /// This many rays, whatever they see.
     pub const fn stochastic(n: u32) -> Self {
-        let confidence = Confidence { level: 0.5, tolerance: 0.0 };
-        Sampling::Stochastic { least: n, most: n, confidence }
+        let confidence = ConfidenceSettings { confidence: 0.5, tolerance: 0.0 };
+        SamplerSettings::Stochastic { min_samples: n, max_samples: n, confidence }
     }
 
     /// Whether a filter can go with it: adaptive supersampling fills the pixel by itself.
-    pub fn takes_filter(&self) -> bool {
-        !matches!(self, Sampling::Adaptive { .. })
+    pub fn allows_filter(&self) -> bool {
+        !matches!(self, SamplerSettings::Adaptive { .. })
     }
 }
 
-impl Confidence {
+impl ConfidenceSettings {
     /// How many standard errors an interval reaches to both sides, in which a normal
     /// distribution lies with this confidence.
-    pub fn errors(&self) -> f64 {
+    pub fn standard_errors(&self) -> f64 {
         // What lies inside grows with the width, so that halving finds it.
         let (mut low, mut high) = (0.0, 10.0);
         for _ in 0..60 {
             let middle = 0.5 * (low + high);
             let inside = libm::erf(middle * std::f64::consts::FRAC_1_SQRT_2);
-            if inside < self.level { low = middle } else { high = middle }
+            if inside < self.confidence { low = middle } else { high = middle }
         }
         high
     }
@@ -115,7 +117,7 @@ fn threshold(text: &str) -> Option<f32> {
 }
 
 /// `THRESHOLD` or `THRESHOLD:items`.
-fn agreement(words: &[&str]) -> Result<Agreement, String> {
+fn agreement(words: &[&str]) -> Result<ContrastSettings, String> {
     let (text, items) = match words {
         [text] => (text, false),
         [text, "items"] => (text, true),
@@ -123,19 +125,19 @@ fn agreement(words: &[&str]) -> Result<Agreement, String> {
         [] => return Err("the threshold is missing".into()),
     };
     match threshold(text) {
-        Some(threshold) => Ok(Agreement { threshold, items }),
+        Some(threshold) => Ok(ContrastSettings { threshold, items }),
         None => Err("THRESHOLD must be between 0 and 1, as in 0.05 or 1/32".into()),
     }
 }
 
-fn stochastic(words: &[&str]) -> Result<Sampling, String> {
+fn stochastic(words: &[&str]) -> Result<SamplerSettings, String> {
     let count = |text: &str| text.parse::<u32>().ok().filter(|n| Stochastic::new(*n).is_some());
     let most = Stochastic::MOST;
     if let [n] = words
         && !n.contains("..")
     {
         let wrong = || format!("in stochastic:N, N must be between 1 and {most}");
-        return count(n).map(Sampling::stochastic).ok_or_else(wrong);
+        return count(n).map(SamplerSettings::stochastic).ok_or_else(wrong);
     }
     let (range, level, tolerance) = match *words {
         [range, level] => (range, level, Some(TOLERANCE)),
@@ -152,24 +154,28 @@ fn stochastic(words: &[&str]) -> Result<Sampling, String> {
     let level = level.parse::<f64>().ok().filter(|level| *level > 0.0 && *level < 1.0);
     let level = level.ok_or("CONFIDENCE must be more than 0 and less than 1, as in 0.95")?;
     let tolerance = tolerance.ok_or("the tolerance must be between 0 and 1, as in 1/128")?;
-    Ok(Sampling::Stochastic { least, most, confidence: Confidence { level, tolerance } })
+    Ok(SamplerSettings::Stochastic {
+        min_samples: least,
+        max_samples: most,
+        confidence: ConfidenceSettings { confidence: level, tolerance },
+    })
 }
 
-impl FromStr for Sampling {
+impl FromStr for SamplerSettings {
     type Err = String;
 
     fn from_str(text: &str) -> Result<Self, String> {
         let mut words = text.split(':');
         let (kind, rest): (_, Vec<_>) = (words.next().unwrap_or_default(), words.collect());
         match (kind, rest.as_slice()) {
-            ("single", []) => Ok(Sampling::Single),
+            ("single", []) => Ok(SamplerSettings::Single),
             ("regular", [n]) => match n.parse::<u16>() {
-                Ok(n) if Regular::new(n).is_some() => Ok(Sampling::Regular(n)),
+                Ok(n) if Regular::new(n).is_some() => Ok(SamplerSettings::Regular(n)),
                 _ => Err(format!("in regular:N, N must be between 1 and {}", Regular::MOST)),
             },
             ("adaptive", [depth, rest @ ..]) => match depth.parse::<u8>() {
                 Ok(depth) if depth <= Parting::MOST_DEPTH => {
-                    Ok(Sampling::Adaptive { depth, agreement: agreement(rest)? })
+                    Ok(SamplerSettings::Adaptive { max_depth: depth, contrast: agreement(rest)? })
                 }
                 _ => Err(format!("in adaptive:DEPTH:THRESHOLD, DEPTH must be 0 to {}", Parting::MOST_DEPTH)),
             },
@@ -181,7 +187,7 @@ impl FromStr for Sampling {
     }
 }
 
-impl FromStr for PixelSelection {
+impl FromStr for SelectionSettings {
     type Err = String;
 
     fn from_str(text: &str) -> Result<Self, String> {
@@ -189,25 +195,33 @@ impl FromStr for PixelSelection {
         let step = words.next().and_then(|step| step.parse::<u32>().ok());
         let is_step = |step: &u32| step.is_power_of_two() && *step >= 2 && *step <= Selection::MOST;
         let step = step.filter(is_step).ok_or("in STEP:THRESHOLD, STEP must be 2, 4, 8, 16, 32 or 64")?;
-        Ok(PixelSelection { step, agreement: agreement(&words.collect::<Vec<_>>())? })
+        Ok(SelectionSettings { step, contrast: agreement(&words.collect::<Vec<_>>())? })
     }
 }
 
-impl fmt::Display for Agreement {
+impl fmt::Display for ContrastSettings {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         write!(f, "{}{}", self.threshold, if self.items { ":items" } else { "" })
     }
 }
 
 /// As the command line has it.
-impl fmt::Display for Sampling {
+impl fmt::Display for SamplerSettings {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
-            Sampling::Single => f.write_str("single"),
-            Sampling::Regular(n) => write!(f, "regular:{n}"),
-            Sampling::Adaptive { depth, agreement } => write!(f, "adaptive:{depth}:{agreement}"),
-            Sampling::Stochastic { least, most, .. } if least == most => write!(f, "stochastic:{most}"),
-            Sampling::Stochastic { least, most, confidence: Confidence { level, tolerance } } => {
+            SamplerSettings::Single => f.write_str("single"),
+            SamplerSettings::Regular(n) => write!(f, "regular:{n}"),
+            SamplerSettings::Adaptive { max_depth: depth, contrast: agreement } => {
+                write!(f, "adaptive:{depth}:{agreement}")
+            }
+            SamplerSettings::Stochastic { min_samples: least, max_samples: most, .. } if least == most => {
+                write!(f, "stochastic:{most}")
+            }
+            SamplerSettings::Stochastic {
+                min_samples: least,
+                max_samples: most,
+                confidence: ConfidenceSettings { confidence: level, tolerance },
+            } => {
                 write!(f, "stochastic:{least}..{most}:{level}:{tolerance}")
             }
         }
@@ -215,9 +229,9 @@ impl fmt::Display for Sampling {
 }
 
 /// As the command line has it.
-impl fmt::Display for PixelSelection {
+impl fmt::Display for SelectionSettings {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(f, "{}:{}", self.step, self.agreement)
+        write!(f, "{}:{}", self.step, self.contrast)
     }
 }
 
@@ -236,12 +250,12 @@ mod tests {
             "stochastic:16",
             "stochastic:8..256:0.95:0.01",
         ] {
-            let sampling: Sampling = text.parse().unwrap();
+            let sampling: SamplerSettings = text.parse().unwrap();
             assert_eq!(sampling.to_string(), text);
         }
-        let selecting: PixelSelection = "8:0.05:items".parse().unwrap();
+        let selecting: SelectionSettings = "8:0.05:items".parse().unwrap();
         assert_eq!(selecting.to_string(), "8:0.05:items");
-        assert_eq!("adaptive:3:1/32".parse(), "adaptive:3:0.03125".parse::<Sampling>());
+        assert_eq!("adaptive:3:1/32".parse(), "adaptive:3:0.03125".parse::<SamplerSettings>());
     }
 
     #[test]
@@ -260,11 +274,11 @@ mod tests {
             ("stochastic:8..9:0.9:2", "tolerance"),
             ("stratified:4", "single, regular:N"),
         ] {
-            let error = text.parse::<Sampling>().unwrap_err();
+            let error = text.parse::<SamplerSettings>().unwrap_err();
             assert!(error.contains(says), "{text}: {error}");
         }
         for (text, says) in [("3:0.1", "STEP"), ("8", "missing"), ("128:0", "STEP"), ("8:x", "THRESHOLD")] {
-            let error = text.parse::<PixelSelection>().unwrap_err();
+            let error = text.parse::<SelectionSettings>().unwrap_err();
             assert!(error.contains(says), "{text}: {error}");
         }
     }
@@ -273,7 +287,7 @@ mod tests {
     fn confidence_is_told_in_standard_errors() {
         // From every table of the normal distribution.
         for (level, errors) in [(0.682_689_5, 1.0), (0.95, 1.959_964), (0.99, 2.575_829)] {
-            let got = Confidence { level, tolerance: 0.0 }.errors();
+            let got = ConfidenceSettings { confidence: level, tolerance: 0.0 }.standard_errors();
             assert!((got - errors).abs() < 1e-6, "{got}");
         }
     }

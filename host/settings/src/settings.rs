@@ -5,19 +5,19 @@
 
 use strahl_core::{Limits, Resolution, Tile};
 
-use crate::accelerator::{Accel, AccelKind, AccelSettings, Bounds, HEAPS, MAILBOXES, Walk};
+use crate::accelerator::{Accel, AccelKind, AccelSettings, Bounds, HEAP_ENTRIES, MAILBOX_SLOTS, Walk};
 use crate::attributes::{Affects, CommandOption, Group, Scope};
 use crate::choice::Choice as _;
 use crate::domain::{Domain, Value};
 use crate::effect::Effect;
 use crate::precision::Precision;
-use crate::sampling::{Filter, PixelSelection, Sampling};
+use crate::sampling::{Filter, SamplerSettings, SelectionSettings};
 
 /// The size of a picture where nothing sets one.
 pub const DEFAULT_SIZE: Resolution = Resolution::new(640, 480).unwrap();
 
 /// The most levels of rays.
-pub const LEVELS: usize = 64;
+pub const MAX_LEVELS: usize = 64;
 
 /// The most threads.
 const THREADS: u32 = 1024;
@@ -40,8 +40,8 @@ pub struct Setting {
     /// What it has an effect on.
     pub affects: Affects,
     ruled_out: fn(&Settings) -> Option<String>,
-    parse: fn(&str) -> Result<PartialSettings, String>,
-    is_set: fn(&PartialSettings) -> bool,
+    parse: fn(&str) -> Result<SettingsOverrides, String>,
+    is_set: fn(&SettingsOverrides) -> bool,
     word: fn(&Settings) -> Option<String>,
     literal: fn(&Settings) -> Option<String>,
 }
@@ -64,7 +64,7 @@ macro_rules! settings {
 
         /// Some settings: those of a scene, or those of a command line.
         #[derive(Clone, Debug, Default, PartialEq)]
-        pub struct PartialSettings {
+        pub struct SettingsOverrides {
             $( $(#[doc = $doc])+ pub $name: Option<$Type>, )+
         }
 
@@ -74,10 +74,10 @@ macro_rules! settings {
             }
         }
 
-        impl PartialSettings {
+        impl SettingsOverrides {
             /// These, and where they are not set, the others.
-            pub fn or(self, others: PartialSettings) -> Self {
-                PartialSettings { $($name: self.$name.or(others.$name),)+ }
+            pub fn or(self, others: SettingsOverrides) -> Self {
+                SettingsOverrides { $($name: self.$name.or(others.$name),)+ }
             }
 
             /// These, and where they are not set, the defaults.
@@ -99,7 +99,7 @@ macro_rules! settings {
             ruled_out: settings!(@ruled_out $($ruled_out)?),
             parse: |word| {
                 let $name = Some(<$Type as Value>::parse(word, &$domain)?);
-                Ok(PartialSettings { $name, ..PartialSettings::default() })
+                Ok(SettingsOverrides { $name, ..SettingsOverrides::default() })
             },
             is_set: |settings| settings.$name.is_some(),
             word: |settings| settings.$name.word(),
@@ -119,18 +119,18 @@ settings! {
 
     /// Levels of rays; 1 sends no ray from a surface, mirrors stay black.
     levels: u8 = Limits::DEFAULT.levels,
-        Domain::Integer(1, LEVELS as u32), With("N"), Frame, Scene, Picture;
+        Domain::Integer(1, MAX_LEVELS as u32), With("N"), Frame, Scene, Picture;
 
     /// A ray is sent when more than this share of what it finds counts in the pixel, 0 to 1.
     cutoff: f32 = Limits::DEFAULT.cutoff,
-        Domain::Share, With("W"), Frame, Scene, Picture;
+        Domain::Fraction, With("W"), Frame, Scene, Picture;
 
     /// Rays in each pixel: `single` through the center; `regular:N` N times N; `adaptive:DEPTH:THRESHOLD` through the
     /// corners, and again through those of its quarters where they differ more than THRESHOLD (sRGB, 0 to 1), up to
     /// DEPTH times, with `:items` also where they meet different objects; `stochastic:N` through places without a
     /// raster; `stochastic:MIN..MAX:CONFIDENCE` until with this confidence (0 to 1) the mean is at most 1/128 off (or
     /// what follows a last `:`).
-    sampler: Sampling = Sampling::Single,
+    sampler: SamplerSettings = SamplerSettings::Single,
         Domain::Text, With("SAMPLER"), Sampling, Scene, Picture;
 
     /// How much of its surroundings counts in a pixel; not with `adaptive`, which fills the pixel.
@@ -143,7 +143,7 @@ settings! {
 
     /// Trace one pixel in STEP times STEP, and those between only where these differ more than THRESHOLD (sRGB, 0 to
     /// 1), or with `:items` where they meet different objects; else interpolate them. STEP is 2, 4, 8, 16, 32 or 64.
-    select: Option<PixelSelection> = None,
+    select: Option<SelectionSettings> = None,
         Domain::Text, With("STEP:THRESHOLD"), Pixels, CommandLine, Picture;
 
     /// Make only this part of the picture: its upper left pixel, and how large it is.
@@ -169,7 +169,7 @@ settings! {
 
     /// Capacity of the heap of that walk: 0, 1, 4 or 64; with less it takes longer.
     heap: usize = AccelSettings::DEFAULT.heap,
-        Domain::OneOf(&HEAPS), With("N"), Acceleration, Scene, Time,
+        Domain::OneOf(&HEAP_ENTRIES), With("N"), Acceleration, Scene, Time,
         |it| it.accel.rules_out(&[AccelKind::Bvh]).or(it.walk.rules_out_heap());
 
     /// What the list puts around items and groups of them.
@@ -180,7 +180,7 @@ settings! {
     /// Size of the mailbox, which remembers the items of grid and octree that a ray has been tested against: 0, 8 or
     /// 64.
     mailbox: usize = AccelSettings::DEFAULT.mailbox,
-        Domain::OneOf(&MAILBOXES), With("SLOTS"), Acceleration, Scene, Time,
+        Domain::OneOf(&MAILBOX_SLOTS), With("SLOTS"), Acceleration, Scene, Time,
         |it| it.accel.rules_out(&[AccelKind::Grid, AccelKind::Octree]);
 
     /// Whether the last occluder of a light is tested first, which changes the time and nothing else.
@@ -222,12 +222,12 @@ impl Setting {
     }
 
     /// The settings in which this one has the value of a word and nothing else is set.
-    pub fn parse(&self, word: &str) -> Result<PartialSettings, String> {
+    pub fn parse(&self, word: &str) -> Result<SettingsOverrides, String> {
         (self.parse)(word)
     }
 
     /// Whether it is set.
-    pub fn is_set(&self, settings: &PartialSettings) -> bool {
+    pub fn is_set(&self, settings: &SettingsOverrides) -> bool {
         (self.is_set)(settings)
     }
 
@@ -286,14 +286,14 @@ impl Settings {
     }
 
     /// The pixels of the picture that is made.
-    pub fn area(&self) -> Tile {
+    pub fn region_or_all(&self) -> Tile {
         let whole = Tile::whole(self.size);
         self.region.map_or(whole, |tile| tile.within(whole))
     }
 
     /// The size of the picture that is made.
     pub fn picture_size(&self) -> Resolution {
-        let Tile { width, height, .. } = self.area();
+        let Tile { width, height, .. } = self.region_or_all();
         Resolution::new(width, height).unwrap_or(self.size)
     }
 }

@@ -13,7 +13,7 @@ use std::time::Instant;
 use strahl_core::scene::EffectSet;
 use strahl_core::{Limits, Rgb};
 use strahl_engine::{Progress, RenderError, RenderOptions};
-use strahl_scene::description::Description;
+use strahl_scene::description::LoadedScene;
 use strahl_settings::Settings;
 
 use super::limits::{HOPE, cheapest_within, limits_of_reference, priced_limits};
@@ -31,7 +31,7 @@ const MOST_TRIED: usize = 24;
 
 /// Finds settings that keep the goal and renders the picture with them.
 pub fn trace(
-    description: &Description,
+    description: &LoadedScene,
     settings: &Settings,
     options: &RenderOptions<'_>,
     goal: Goal,

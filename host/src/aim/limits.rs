@@ -6,7 +6,7 @@
 use strahl_core::scene::EffectSet;
 use strahl_core::{Limits, Rgb};
 use strahl_engine::RenderError;
-use strahl_settings::Sampling;
+use strahl_settings::SamplerSettings;
 
 use super::plan::{LEVELS, Rays, cutoffs};
 use super::search::{Candidate, Goal, Search};
@@ -37,7 +37,7 @@ pub fn priced_limits(search: &mut Search<'_>, effects: &EffectSet) -> Result<Vec
     let branches = effects.reflection || effects.transmission;
     let finest =
         if fixed.cutoff || !branches { asked.cutoff } else { (goal / 64.0).clamp(1e-5, 1.0 / 512.0) as f32 };
-    let rays = Rays { sampler: Sampling::stochastic(2), select: None };
+    let rays = Rays { sampler: SamplerSettings::stochastic(2), select: None };
 
     // More and more levels, until nothing is cut or nothing changes.
     let mut by_levels: Vec<(u8, Vec<Rgb>, f64)> = Vec::new();

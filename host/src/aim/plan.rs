@@ -1,6 +1,8 @@
 //! Which settings are looked at for the cheapest that keep an error.
 
-use strahl_settings::{Agreement, Confidence, Filter, PixelSelection, Sampling, Settings};
+use strahl_settings::{
+    ConfidenceSettings, ContrastSettings, Filter, SamplerSettings, SelectionSettings, Settings,
+};
 
 /// Levels that are tried.
 pub const LEVELS: [u8; 15] = [1, 2, 3, 4, 5, 6, 8, 10, 12, 16, 20, 24, 32, 48, 64];
@@ -20,14 +22,14 @@ pub const SAVES: f64 = 0.9;
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Rays {
     /// In a pixel.
-    pub sampler: Sampling,
+    pub sampler: SamplerSettings,
     /// Which pixels are traced, where not all are.
-    pub select: Option<PixelSelection>,
+    pub select: Option<SelectionSettings>,
 }
 
 impl Rays {
     /// In every pixel.
-    const fn all(sampler: Sampling) -> Self {
+    const fn all(sampler: SamplerSettings) -> Self {
         Rays { sampler, select: None }
     }
 
@@ -40,9 +42,12 @@ impl Rays {
     pub fn count(self) -> Option<u32> {
         match self {
             Rays { select: Some(_), .. } => None,
-            Rays { sampler: Sampling::Single, .. } => Some(1),
-            Rays { sampler: Sampling::Regular(n), .. } => Some(u32::from(n) * u32::from(n)),
-            Rays { sampler: Sampling::Stochastic { least, most, .. }, .. } if least == most => Some(most),
+            Rays { sampler: SamplerSettings::Single, .. } => Some(1),
+            Rays { sampler: SamplerSettings::Regular(n), .. } => Some(u32::from(n) * u32::from(n)),
+            Rays {
+                sampler: SamplerSettings::Stochastic { min_samples: least, max_samples: most, .. },
+                ..
+            } if least == most => Some(most),
             _ => None,
         }
     }
@@ -52,8 +57,8 @@ impl Rays {
         match self {
             Rays { select: Some(_), .. } => None,
             // Corners are shared by neighbours.
-            Rays { sampler: Sampling::Adaptive { .. }, .. } => Some(1),
-            Rays { sampler: Sampling::Stochastic { least, .. }, .. } => Some(least),
+            Rays { sampler: SamplerSettings::Adaptive { .. }, .. } => Some(1),
+            Rays { sampler: SamplerSettings::Stochastic { min_samples: least, .. }, .. } => Some(least),
             _ => self.count(),
         }
     }
@@ -65,7 +70,7 @@ impl Rays {
         }
         let is_more = match (self, other) {
             (Rays { select: Some(a), .. }, Rays { select: Some(b), .. }) => {
-                a.step <= b.step && a.agreement.threshold <= b.agreement.threshold
+                a.step <= b.step && a.contrast.threshold <= b.contrast.threshold
             }
             (Rays { select: Some(_), .. }, _) | (_, Rays { select: Some(_), .. }) => false,
             (Rays { sampler: a, .. }, Rays { sampler: b, .. }) => is_finer(a, b),
@@ -75,17 +80,24 @@ impl Rays {
 }
 
 /// Whether all rays of the one are sent by the other too: both adaptive, or both stochastic.
-fn is_finer(a: Sampling, b: Sampling) -> bool {
+fn is_finer(a: SamplerSettings, b: SamplerSettings) -> bool {
     match (a, b) {
         (
-            Sampling::Adaptive { depth, agreement },
-            Sampling::Adaptive { depth: other, agreement: Agreement { threshold, .. } },
+            SamplerSettings::Adaptive { max_depth: depth, contrast: agreement },
+            SamplerSettings::Adaptive { max_depth: other, contrast: ContrastSettings { threshold, .. } },
         ) => depth >= other && agreement.threshold <= threshold,
         (
-            Sampling::Stochastic { least, most, confidence },
-            Sampling::Stochastic { least: other, most: bound, confidence: Confidence { level, tolerance } },
+            SamplerSettings::Stochastic { min_samples: least, max_samples: most, confidence },
+            SamplerSettings::Stochastic {
+                min_samples: other,
+                max_samples: bound,
+                confidence: ConfidenceSettings { confidence: level, tolerance },
+            },
         ) => {
-            least >= other && most >= bound && confidence.level >= level && confidence.tolerance <= tolerance
+            least >= other
+                && most >= bound
+                && confidence.confidence >= level
+                && confidence.tolerance <= tolerance
         }
         _ => false,
     }
@@ -93,21 +105,26 @@ fn is_finer(a: Sampling, b: Sampling) -> bool {
 
 /// All that may be tried for an error, about from the cheapest on.
 pub fn rays(filter: Filter, goal: f64) -> Vec<Rays> {
-    let agreement = |threshold| Agreement { threshold, items: false };
+    let agreement = |threshold| ContrastSettings { threshold, items: false };
     let selected = |(step, threshold)| Rays {
-        sampler: Sampling::Single,
-        select: Some(PixelSelection { step, agreement: agreement(threshold) }),
+        sampler: SamplerSettings::Single,
+        select: Some(SelectionSettings { step, contrast: agreement(threshold) }),
     };
-    let adaptive =
-        |(depth, threshold)| Rays::all(Sampling::Adaptive { depth, agreement: agreement(threshold) });
+    let adaptive = |(depth, threshold)| {
+        Rays::all(SamplerSettings::Adaptive { max_depth: depth, contrast: agreement(threshold) })
+    };
     let ruled = |(least, most, level, tolerance)| {
-        Rays::all(Sampling::Stochastic { least, most, confidence: Confidence { level, tolerance } })
+        Rays::all(SamplerSettings::Stochastic {
+            min_samples: least,
+            max_samples: most,
+            confidence: ConfidenceSettings { confidence: level, tolerance },
+        })
     };
     let mut list: Vec<Rays> =
         [(16, 0.2), (8, 0.2), (8, 0.1), (8, 0.05), (4, 0.1), (4, 0.05), (2, 0.05), (2, 0.02)]
             .map(selected)
             .to_vec();
-    list.push(Rays::all(Sampling::Single));
+    list.push(Rays::all(SamplerSettings::Single));
     if filter == Filter::Box {
         list.extend(
             [
@@ -139,10 +156,10 @@ pub fn rays(filter: Filter, goal: f64) -> Vec<Rays> {
         let tolerance = format!("{:.1e}", (part * goal).min(1.0)).parse().unwrap_or(1.0);
         list.extend([2, 4, 8].map(|least| ruled((least, 4096, 0.9, tolerance))));
     }
-    let mut counted: Vec<Rays> = (2..=12).map(|n| Rays::all(Sampling::Regular(n))).collect();
+    let mut counted: Vec<Rays> = (2..=12).map(|n| Rays::all(SamplerSettings::Regular(n))).collect();
     counted.extend(
         [2, 3, 4, 6, 8, 12, 16, 24, 32, 48, 64, 96, 128, 192, 256, 384, 512, 768, 1024, 1536, 2048]
-            .map(|n| Rays::all(Sampling::stochastic(n))),
+            .map(|n| Rays::all(SamplerSettings::stochastic(n))),
     );
     counted.sort_by_key(|rays| rays.count());
     list.extend(counted);

@@ -2,7 +2,7 @@
 //! random numbers.
 
 use strahl_core::Limits;
-use strahl_settings::{Confidence, Sampling, Settings};
+use strahl_settings::{ConfidenceSettings, SamplerSettings, Settings};
 
 /// The least rays in a pixel.
 const LEAST: u32 = 32;
@@ -17,9 +17,9 @@ const PART: f64 = 0.5;
 /// The settings of high quality with which a picture of this target error is compared. Its random numbers have nothing to
 /// do with those of the picture; `other` gives others again.
 pub fn reference(settings: &Settings, limits: Limits, target: f64, other: u32) -> Settings {
-    let confidence = Confidence { level: LEVEL, tolerance: (PART * target) as f32 };
+    let confidence = ConfidenceSettings { confidence: LEVEL, tolerance: (PART * target) as f32 };
     let settings = Settings {
-        sampler: Sampling::Stochastic { least: LEAST, most: MOST, confidence },
+        sampler: SamplerSettings::Stochastic { min_samples: LEAST, max_samples: MOST, confidence },
         select: None,
         seed: settings.seed.wrapping_add(0x7275_7468).wrapping_add(other),
         ..settings.clone()

@@ -44,7 +44,7 @@ pub struct Estimate {
 impl Sparse {
     /// Of the pixels that are requested.
     pub fn new(settings: &Settings, options: &RenderOptions<'_>) -> Self {
-        let area = settings.area();
+        let area = settings.region_or_all();
         let all = area.pixels().filter(|pixel| options.is_requested(*pixel)).count();
         let tiles: Vec<Tile> = if all <= FEW {
             area.tiles(SIDE).collect()

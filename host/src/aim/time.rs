@@ -11,9 +11,9 @@ use std::time::{Duration, Instant};
 use strahl_core::Rgb;
 use strahl_engine::scheduler::{Outlook, Pass, PassStats};
 use strahl_engine::{Progress, RenderError, RenderOptions, Scheduler};
-use strahl_picture::{Format, Picture};
-use strahl_scene::description::Description;
-use strahl_settings::{Agreement, Confidence, PixelSelection, Sampling, Settings};
+use strahl_picture::{Picture, PictureFormat};
+use strahl_scene::description::LoadedScene;
+use strahl_settings::{ConfidenceSettings, ContrastSettings, SamplerSettings, SelectionSettings, Settings};
 
 use super::{Aimed, Target};
 use crate::session::{RenderOutput, SceneStorage, Session};
@@ -26,12 +26,12 @@ pub struct Limit {
     /// The time that there is.
     pub time: Duration,
     /// As what it is written.
-    pub format: Format,
+    pub format: PictureFormat,
 }
 
 /// Traces as good a picture as is written in time.
 pub fn trace(
-    description: &Description,
+    description: &LoadedScene,
     settings: &Settings,
     options: &RenderOptions<'_>,
     limit: Limit,
@@ -54,9 +54,9 @@ pub fn trace(
 
 /// Everything between two pixels that are this far apart is guessed.
 const fn coarse(step: u32, threshold: f32) -> Pass {
-    let agreement = Agreement { threshold, items: false };
-    let select = Some(PixelSelection { step, agreement });
-    Pass { sampler: Sampling::Single, select, until: None }
+    let agreement = ContrastSettings { threshold, items: false };
+    let select = Some(SelectionSettings { step, contrast: agreement });
+    Pass { sampler: SamplerSettings::Single, select, until: None }
 }
 
 /// Takes no time at all, but where the tree of a single ray does.
@@ -149,7 +149,9 @@ impl Clock {
     fn samples(&mut self, outlook: &Outlook<'_>) -> Option<Pass> {
         let affordable = PLANNED * self.affordable();
         let (least, before) = match self.last.map(|pass| pass.sampler) {
-            Some(Sampling::Stochastic { least, confidence, .. }) => (least, confidence.tolerance),
+            Some(SamplerSettings::Stochastic { min_samples: least, confidence, .. }) => {
+                (least, confidence.tolerance)
+            }
             _ => {
                 let fits = |least: &u32| f64::from(*least) * outlook.pixels as f64 <= 0.5 * affordable;
                 let least = LEAST.into_iter().find(fits).unwrap_or(LEAST[LEAST.len() - 1]);
@@ -190,8 +192,8 @@ impl Clock {
 }
 
 fn stochastic(least: u32, tolerance: f32) -> Pass {
-    let confidence = Confidence { level: LEVEL, tolerance };
-    let sampler = Sampling::Stochastic { least, most: MOST, confidence };
+    let confidence = ConfidenceSettings { confidence: LEVEL, tolerance };
+    let sampler = SamplerSettings::Stochastic { min_samples: least, max_samples: MOST, confidence };
     Pass { sampler, select: None, until: None }
 }
 
@@ -216,7 +218,7 @@ impl Scheduler for Clock {
         if outlook.missing > 0 && last.select.is_some() {
             let fits = outlook.missing as f64 <= 0.5 * self.affordable();
             let raster = if fits { None } else { self.rasters.next().copied() };
-            let all = Pass { sampler: Sampling::Single, select: None, until };
+            let all = Pass { sampler: SamplerSettings::Single, select: None, until };
             return Some(raster.map_or(all, |raster| Pass { until, ..raster }));
         }
         match self.samples(outlook) {
@@ -235,10 +237,10 @@ impl Scheduler for Clock {
             self.speed = stats.rays as f64 / stats.seconds;
         }
         let is_new = match (self.last, pass.sampler) {
-            (None, _) | (_, Sampling::Single) => true,
-            (Some(last), Sampling::Stochastic { .. }) => {
+            (None, _) | (_, SamplerSettings::Single) => true,
+            (Some(last), SamplerSettings::Stochastic { .. }) => {
                 self.rays += stats.rays;
-                last.sampler == Sampling::Single
+                last.sampler == SamplerSettings::Single
             }
             _ => false,
         };

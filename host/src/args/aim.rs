@@ -3,7 +3,7 @@
 use std::path::PathBuf;
 use std::time::Duration;
 
-use strahl_settings::domain::share;
+use strahl_settings::domain::parse_fraction;
 
 use super::times::not_too_long;
 
@@ -37,7 +37,7 @@ pub struct AimArgs {
 }
 
 fn error(text: &str) -> Result<f64, String> {
-    share(text)
+    parse_fraction(text)
         .ok()
         .filter(|error| *error > 0.0)
         .ok_or_else(|| "a number more than 0 and at most 1 is expected, as in 0.01 or 2/255".into())

@@ -51,7 +51,7 @@ impl BakeArgs {
         {
             return Some(format!("--{name} has no meaning for a .rs file: constants have no accelerator"));
         }
-        match self.accel.and_then(Accel::kind) {
+        match self.accel.and_then(Accel::explicit_kind) {
             Some(kind @ (AccelKind::List | AccelKind::Grid)) if self.nodes.is_some() => {
                 Some(format!("--nodes has no meaning for --accel {kind}"))
             }

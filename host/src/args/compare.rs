@@ -3,7 +3,7 @@
 use std::path::PathBuf;
 
 use clap::Parser;
-use strahl_settings::domain::share;
+use strahl_settings::domain::parse_fraction;
 
 /// What to compare, and how much it may differ.
 #[derive(Debug, Parser)]
@@ -17,11 +17,11 @@ pub struct CompareArgs {
     pub second: PathBuf,
 
     /// How much a channel of a pixel may differ, 0 to 1, as in 0.01 or 1/255; 0: not by one bit.
-    #[arg(long, value_name = "X", value_parser = share, allow_negative_numbers = true, default_value = "0", hide_default_value = true)]
+    #[arg(long, value_name = "X", value_parser = parse_fraction, allow_negative_numbers = true, default_value = "0", hide_default_value = true)]
     pub limit: f64,
 
     /// The share of all pixels that may differ by more than that, 0 to 1 [default: 0].
-    #[arg(long, value_name = "S", value_parser = share, allow_negative_numbers = true, default_value = "0", hide_default_value = true)]
+    #[arg(long, value_name = "S", value_parser = parse_fraction, allow_negative_numbers = true, default_value = "0", hide_default_value = true)]
     pub limit_share: f64,
 
     /// For programs: first second width height identical equal limit limit_share

@@ -5,7 +5,7 @@ use strahl_settings::{Choice, Named};
 
 /// One of a type's values, by its name.
 pub(super) fn name_of<T: Choice + Send + Sync>() -> impl TypedValueParser<Value = T> {
-    parser(T::NAMES).try_map(|name| T::of(&name).ok_or("there is no such name"))
+    parser(T::NAMES).try_map(|name| T::from_name(&name).ok_or("there is no such name"))
 }
 
 /// One of these names.

@@ -6,7 +6,7 @@ use std::marker::PhantomData;
 use clap::builder::ValueParser;
 use clap::error::ErrorKind;
 use clap::{Arg, ArgAction, ArgMatches, Command, Error, FromArgMatches};
-use strahl_settings::{CommandOption, Domain, Group, PartialSettings, SETTINGS, Setting, Settings};
+use strahl_settings::{CommandOption, Domain, Group, SETTINGS, Setting, Settings, SettingsOverrides};
 
 use super::names;
 
@@ -54,7 +54,7 @@ impl Groups for OfWork {
 /// The settings that the command line sets.
 pub struct SettingArgs<G> {
     /// These.
-    pub given: PartialSettings,
+    pub given: SettingsOverrides,
     groups: PhantomData<G>,
 }
 
@@ -88,7 +88,7 @@ impl<G: Groups> clap::Args for SettingArgs<G> {
 
 impl<G: Groups> FromArgMatches for SettingArgs<G> {
     fn from_arg_matches(matches: &ArgMatches) -> Result<Self, Error> {
-        let mut given = PartialSettings::default();
+        let mut given = SettingsOverrides::default();
         for (setting, _) in options::<G>() {
             let word = match setting.option {
                 CommandOption::Off { .. } => matches.get_flag(setting.name).then(|| "false".to_owned()),

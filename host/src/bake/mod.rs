@@ -18,13 +18,13 @@ use strahl_core::scene::EffectSet;
 use strahl_core::tally::Counters;
 use strahl_core::{BareList, Projection, Resolution, Scene, Worker};
 use strahl_engine::{NoProgress, RenderError, RenderOptions};
-use strahl_scene::amount::amount;
-use strahl_scene::description::Description;
-use strahl_scene::{Files, load_from};
-use strahl_settings::accelerator::MAILBOX;
+use strahl_scene::description::LoadedScene;
+use strahl_scene::quantity::quantity;
+use strahl_scene::{SourceFiles, load_from};
+use strahl_settings::accelerator::DEFAULT_MAILBOX_SLOTS;
 use strahl_settings::{
-    Accel, AccelKind, AccelSettings, Bounds, DEFAULT_SIZE, Group, PartialSettings, SETTINGS, Setting,
-    Settings,
+    Accel, AccelKind, AccelSettings, Bounds, DEFAULT_SIZE, Group, SETTINGS, Setting, Settings,
+    SettingsOverrides,
 };
 
 use crate::args::BakeArgs;
@@ -39,7 +39,7 @@ pub fn run(args: &BakeArgs) -> Result<(), Failure> {
         return Err(Failure::Usage(misfit));
     }
     refuse_terminal(&args.output, "the baked scene")?;
-    let files = Files::on_disk();
+    let files = SourceFiles::on_disk();
     let description = load_from(&files, &args.scene, args.settings.given.size.unwrap_or(DEFAULT_SIZE))?;
     for warning in description.warnings.iter().filter(|_| !args.quiet) {
         say(format_args!("{}: warning: {warning}", args.scene.display()));
@@ -47,16 +47,16 @@ pub fn run(args: &BakeArgs) -> Result<(), Failure> {
     for left_out in left_out(&description.settings).iter().filter(|_| !args.quiet) {
         say(format_args!("{}: warning: {left_out}", args.scene.display()));
     }
-    let output = Guard::of(files.named()).prepare(&args.output)?;
+    let output = Guard::of(files.named_paths()).prepare(&args.output)?;
     let wrong = |reason: String| Failure::Input { path: args.scene.clone(), line: None, reason };
     let stock = scene_tables(&description);
     let scene = stock.scene().map_err(|error| wrong(error.to_string()))?;
     let Settings { size, levels, cutoff, .. } =
         Settings::resolve(&args.settings.given, &description.settings)?;
     let asked = BakeSettings {
-        accelerator: args.accel.and_then(Accel::kind).unwrap_or(AccelKind::Bvh),
+        accelerator: args.accel.and_then(Accel::explicit_kind).unwrap_or(AccelKind::Bvh),
         nodes: args.nodes.map(|nodes| nodes as usize),
-        view: single::view(&description.view),
+        view: single::view(&description.camera),
         size,
         levels,
         cutoff,
@@ -75,7 +75,7 @@ pub fn run(args: &BakeArgs) -> Result<(), Failure> {
 }
 
 /// What a scene asks for that no baked scene holds: the firmware is built for it.
-fn left_out(settings: &PartialSettings) -> Vec<String> {
+fn left_out(settings: &SettingsOverrides) -> Vec<String> {
     let (asked, default) = (Settings::from(settings.clone()), Settings::default());
     let is_of_firmware = |it: &&Setting| matches!(it.group, Group::Sampling | Group::Precision);
     let told = |setting: &Setting| {
@@ -95,14 +95,14 @@ pub fn source(path: &Path, scene: &Scene<'_>, asked: &BakeSettings) -> String {
 
 /// What happens in the picture that is asked for, or in one of its shape of at most so many pixels:
 /// more of them would tell no more about one.
-pub fn counted(description: &Description, asked: &BakeSettings) -> Result<Counted, RenderError> {
+pub fn counted(description: &LoadedScene, asked: &BakeSettings) -> Result<Counted, RenderError> {
     const MOST: u64 = 160 * 120;
     let (width, height) = (asked.size.width(), asked.size.height());
     let pixels = u64::from(width) * u64::from(height);
     let shrink = if pixels > MOST { (pixels as f64 / MOST as f64).sqrt() } else { 1.0 };
     let smaller = |side: u32| ((f64::from(side) / shrink) as u32).max(1);
     let size = Resolution::new(smaller(width), smaller(height)).unwrap_or(asked.size);
-    let accelerator = AccelSettings { bounds: Bounds::None, ..AccelSettings::by(asked.accelerator) };
+    let accelerator = AccelSettings { bounds: Bounds::None, ..AccelSettings::with_kind(asked.accelerator) };
     let settings = Settings { size, levels: asked.levels, cutoff: asked.cutoff, ..Settings::default() };
     let settings = settings.with_acceleration(accelerator);
     let output = session::render(description, &settings, &RenderOptions::COUNT_TESTS, &NoProgress)?;
@@ -156,7 +156,7 @@ pub fn bake(scene: &Scene<'_>, asked: &BakeSettings) -> Result<Vec<u8>, String> 
 
 /// What a device must have for it.
 fn needs(path: &Path, scene: &Scene<'_>, asked: &BakeSettings, bytes: usize, counted: &Counted) -> String {
-    const SLOTS: usize = MAILBOX;
+    const SLOTS: usize = DEFAULT_MAILBOX_SLOTS;
     const PLACES: usize = 32;
     let tables = scene.parts().bytes();
     let frame = bytes.saturating_sub(tables).saturating_sub(Pack::HEADER);
@@ -172,7 +172,7 @@ fn needs(path: &Path, scene: &Scene<'_>, asked: &BakeSettings, bytes: usize, cou
         text,
         "{}: {}, walked by {}",
         path.display(),
-        amount(scene.parts().made_of.len(), "item"),
+        quantity(scene.parts().made_of.len(), "item"),
         asked.accelerator.name()
     );
     let _ = writeln!(
@@ -184,7 +184,7 @@ fn needs(path: &Path, scene: &Scene<'_>, asked: &BakeSettings, bytes: usize, cou
         text,
         "  worker  {} bytes of RAM: {} of {task}, {what} {memory}",
         levels * task + memory + size_of::<usize>(),
-        amount(levels, "level"),
+        quantity(levels, "level"),
     );
     let asks = scene.effects();
     let shapes: Vec<&str> = asks.shapes.iter().map(|shape| shape.name()).collect();

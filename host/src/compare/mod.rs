@@ -12,8 +12,8 @@ use std::path::Path;
 use strahl_core::Resolution;
 use strahl_picture::colormap::{inferno, step_of};
 use strahl_picture::difference::Pair;
-use strahl_picture::{Format, Picture, Pixels, srgb};
-use strahl_scene::Files;
+use strahl_picture::{DecodedPicture, Picture, PictureFormat, srgb};
+use strahl_scene::SourceFiles;
 
 use crate::args::CompareArgs;
 use crate::failure::{Answer, Failure};
@@ -33,9 +33,9 @@ pub fn run(args: &CompareArgs) -> Result<Answer, Failure> {
     if args.output.as_deref() == Some(stdin) {
         return Err(Failure::Usage("the report goes to the standard output, so the map needs a file".into()));
     }
-    let format = args.output.as_deref().map(Format::of).transpose()?;
+    let format = args.output.as_deref().map(PictureFormat::from_path).transpose()?;
 
-    let files = Files::on_disk();
+    let files = SourceFiles::on_disk();
     let first = pixels::read(&files, &args.first)?;
     let second = pixels::read(&files, &args.second)?;
     let size = same_size(args, &first, &second)?;
@@ -56,7 +56,11 @@ pub fn run(args: &CompareArgs) -> Result<Answer, Failure> {
     Ok(if report.equal { Answer::Yes } else { Answer::No })
 }
 
-fn same_size(args: &CompareArgs, first: &Pixels, second: &Pixels) -> Result<Resolution, Failure> {
+fn same_size(
+    args: &CompareArgs,
+    first: &DecodedPicture,
+    second: &DecodedPicture,
+) -> Result<Resolution, Failure> {
     let (a, b) = (first.size, second.size);
     if a == b {
         return Ok(a);
@@ -82,8 +86,8 @@ fn map(size: Resolution, pair: &Pair) -> Picture {
     Picture { size, colors: pair.differences().into_iter().map(color).collect() }
 }
 
-fn write_map(args: &CompareArgs, path: &Path, format: Format, map: &Picture) -> Result<(), Failure> {
-    format.holds(map.size)?;
+fn write_map(args: &CompareArgs, path: &Path, format: PictureFormat, map: &Picture) -> Result<(), Failure> {
+    format.check_size(map.size)?;
     let output = Guard::of([&args.first, &args.second]).prepare(path)?;
     let file = format.encode(map).map_err(|error| Failure::Unwritable {
         path: Some(path.to_owned()),

@@ -5,7 +5,7 @@ use std::fmt::Write as _;
 use serde::Serialize;
 use strahl_core::Resolution;
 use strahl_picture::difference::{Color, Limit, Pair, Peak};
-use strahl_scene::amount::amount;
+use strahl_scene::quantity::quantity;
 
 use crate::args::CompareArgs;
 
@@ -166,7 +166,7 @@ impl Place {
 
 impl std::fmt::Display for Share {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        write!(f, "{} ({} %)", amount(self.pixels, "pixel"), percent(self.share))
+        write!(f, "{} ({} %)", quantity(self.pixels, "pixel"), percent(self.share))
     }
 }
 

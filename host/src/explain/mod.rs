@@ -13,8 +13,8 @@ use std::path::Path;
 
 use strahl_core::image::Pixel;
 use strahl_core::{Rgb, Tile};
-use strahl_scene::effects::leave_out;
-use strahl_scene::{Files, load_from};
+use strahl_scene::effects::disable;
+use strahl_scene::{SourceFiles, load_from};
 use strahl_settings::{DEFAULT_SIZE, Precision, Settings};
 
 use crate::args::ExplainArgs;
@@ -36,9 +36,9 @@ pub fn run(args: &ExplainArgs) -> Result<(), Failure> {
     if drawn_to_stdout && args.json {
         return Err(Failure::Usage("both the picture and the JSON would go to the standard output".into()));
     }
-    let files = Files::on_disk();
+    let files = SourceFiles::on_disk();
     let explained = explained(args, &files)?;
-    let mut guard = Guard::of(files.named());
+    let mut guard = Guard::of(files.named_paths());
     let svg = args.svg.as_deref().map(|path| guard.prepare(path)).transpose()?;
     if let Some(output) = svg {
         let sample = explained.samples.get(args.sample.unwrap_or(1) - 1);
@@ -58,13 +58,13 @@ pub fn run(args: &ExplainArgs) -> Result<(), Failure> {
 }
 
 /// Traces the pixel that is asked for.
-fn explained(args: &ExplainArgs, files: &Files) -> Result<Explained, Failure> {
+fn explained(args: &ExplainArgs, files: &SourceFiles) -> Result<Explained, Failure> {
     let mut description = load_from(files, &args.scene, args.settings.given.size.unwrap_or(DEFAULT_SIZE))?;
     for warning in description.warnings.iter().filter(|_| !args.quiet) {
         say(format_args!("{}: warning: {warning}", args.scene.display()));
     }
     let settings = Settings::resolve(&args.settings.given, &description.settings)?;
-    leave_out(&mut description, &settings.without);
+    disable(&mut description, &settings.without);
     if settings.precision == Precision::Double && !args.quiet {
         let scene = args.scene.display();
         say(format_args!("{scene}: the scene asks for double precision; the tree is traced in single"));

@@ -4,14 +4,14 @@ use strahl_core::accel::List;
 use strahl_core::geometry::{ItemId, Ray};
 use strahl_core::tally::RayKind;
 use strahl_core::{AllEffects, Real, Vec3, World};
-use strahl_scene::description::{Description, Form};
-use strahl_scene::effects::objects_in;
+use strahl_scene::description::{LoadedScene, ShapeDescription};
+use strahl_scene::effects::object_count;
 
 use super::tree::{Named, Thing};
 
 /// A scene and the file that it comes from.
 pub struct Names<'n> {
-    description: &'n Description,
+    description: &'n LoadedScene,
     world: &'n World<'n, List<'n>>,
     /// The first item of each object of the description.
     firsts: Vec<u32>,
@@ -19,11 +19,11 @@ pub struct Names<'n> {
 
 impl<'n> Names<'n> {
     /// Of the items of a world that was made of a description.
-    pub fn new(description: &'n Description, world: &'n World<'n, List<'n>>) -> Self {
+    pub fn new(description: &'n LoadedScene, world: &'n World<'n, List<'n>>) -> Self {
         let mut next = 0;
         let firsts = description.objects.iter().map(|object| {
             let first = next;
-            next += objects_in(object) as u32;
+            next += object_count(object) as u32;
             first
         });
         Names { description, world, firsts: firsts.collect() }
@@ -35,7 +35,7 @@ impl<'n> Names<'n> {
         let place = self.firsts.partition_point(|first| *first <= item.0).saturating_sub(1);
         let object = self.description.objects.get(place);
         let first = self.firsts.get(place).copied().unwrap_or(0);
-        let is_mesh = object.is_some_and(|object| matches!(object.form, Form::Mesh { .. }));
+        let is_mesh = object.is_some_and(|object| matches!(object.shape, ShapeDescription::Mesh { .. }));
         let material = parts.made_of.get(item.0 as usize).map_or(0, |material| material.0);
         Thing {
             object: item.0,

@@ -12,8 +12,8 @@ use strahl_core::trace::PixelSample;
 use strahl_core::{AllEffects, Camera, Rgb, Tracer, Worker, World};
 use strahl_engine::RenderError;
 use strahl_engine::samplers::{AnySampler, CornerSource};
-use strahl_scene::description::Description;
-use strahl_settings::{LEVELS, Settings};
+use strahl_scene::description::LoadedScene;
+use strahl_settings::{MAX_LEVELS, Settings};
 
 use super::names::Names;
 use super::record::{MOST_RAYS, Record};
@@ -31,20 +31,20 @@ pub struct Traced {
 }
 
 /// Traces one pixel of the picture that is asked for.
-pub fn trace(description: &Description, settings: &Settings, pixel: Pixel) -> Result<Traced, RenderError> {
+pub fn trace(description: &LoadedScene, settings: &Settings, pixel: Pixel) -> Result<Traced, RenderError> {
     let stock = scene_tables(description);
     let scene = stock.scene().map_err(RenderError::invalid)?;
-    let camera = Camera::new(&view(&description.view), settings.size).map_err(RenderError::invalid)?;
+    let camera = Camera::new(&view(&description.camera), settings.size).map_err(RenderError::invalid)?;
     let boxes: Vec<Aabb> = scene.parts().geometry.all_bounds().collect();
     let mut groups = vec![Aabb::EMPTY; group_count(boxes.len())];
     let world = World::new(scene, List::with_boxes(&boxes, &mut groups).map_err(RenderError::invalid)?);
-    let tracer = Tracer::<_, AllEffects, LEVELS>::new(&world, camera, settings.limits())
+    let tracer = Tracer::<_, AllEffects, MAX_LEVELS>::new(&world, camera, settings.limits())
         .map_err(RenderError::invalid)?;
     let names = Names::new(description, &world);
 
     let mut seen = Seen { samples: Vec::new(), places: Vec::new() };
     let mut trace = |place: CameraSample| {
-        let mut worker = Worker::<_, _, LEVELS>::new(Record::new(&names));
+        let mut worker = Worker::<_, _, MAX_LEVELS>::new(Record::new(&names));
         let sight = tracer.trace(place, &mut worker);
         let rays = worker.into_tally().into_rays();
         let (number, CameraSample { point: at, .. }) = (seen.samples.len() + 1, place);

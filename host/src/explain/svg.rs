@@ -4,7 +4,7 @@
 use std::fmt::Write as _;
 
 use strahl_core::Rgb;
-use strahl_scene::amount::amount;
+use strahl_scene::quantity::quantity;
 
 use super::tree::{Explained, Light, Named, Ray, Sample, Sent, Triple};
 
@@ -89,7 +89,7 @@ fn titles(explained: &Explained, sample: &Sample) -> (String, String) {
         count => format!("sample {} of {count}, ", sample.number),
     };
     let [r, g, b] = sample.color.map(short);
-    let levels = amount(settings.levels, "level");
+    let levels = quantity(settings.levels, "level");
     (title, format!("{of}at most {levels}, cutoff {}: light {r} {g} {b}", short(settings.cutoff)))
 }
 

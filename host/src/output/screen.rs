@@ -2,24 +2,24 @@
 
 use std::io::{self, IsTerminal};
 
-use strahl_scene::diagnostics::{Drawing, Screen};
+use strahl_scene::diagnostics::{TerminalFeatures, TerminalStyle};
 
 /// The standard error. Its terminal's colours are used unless `NO_COLOR` or a dumb terminal
 /// forbid it.
-pub fn of_stderr() -> Screen {
+pub fn of_stderr() -> TerminalStyle {
     if !io::stderr().is_terminal() {
-        return Screen::PLAIN;
+        return TerminalStyle::PLAIN;
     }
     let is_set = |name| std::env::var_os(name).is_some_and(|value| !value.is_empty());
     let has_colors = !is_set("NO_COLOR") && std::env::var("TERM").as_deref() != Ok("dumb");
     let drawing = match (speaks_unicode(), has_colors) {
-        (false, false) => Drawing::Plain,
-        (false, true) => Drawing::PlainColors,
-        (true, false) => Drawing::Lines,
-        (true, true) => Drawing::Colors,
+        (false, false) => TerminalFeatures::Ascii,
+        (false, true) => TerminalFeatures::AsciiColor,
+        (true, false) => TerminalFeatures::Unicode,
+        (true, true) => TerminalFeatures::UnicodeColor,
     };
     let width = terminal_size::terminal_size_of(io::stderr()).map_or(80, |(width, _)| width.0.into());
-    Screen { width, drawing }
+    TerminalStyle { width, features: drawing }
 }
 
 /// Whether the locale, as far as one is told, has more than ASCII.

@@ -3,7 +3,7 @@
 use std::fmt;
 
 use strahl_engine::RayQuery;
-use strahl_scene::amount::amount;
+use strahl_scene::quantity::quantity;
 use strahl_settings::Precision;
 
 /// The longest line that may be one, in bytes.
@@ -32,7 +32,7 @@ impl fmt::Display for LineFault {
                 write!(
                     f,
                     "{}; ox,oy,oz,dx,dy,dz or ox,oy,oz,dx,dy,dz,tmax is expected",
-                    amount(*count, "field")
+                    quantity(*count, "field")
                 )
             }
             LineFault::Word(place, word) if word.is_empty() => {

@@ -8,9 +8,9 @@ use strahl_engine::cost_map::PixelCost;
 use strahl_engine::progress::Deadline;
 use strahl_engine::{CostMap, Interrupt, RenderError, RenderOptions};
 use strahl_picture::difference::{Limit, Pair};
-use strahl_picture::{Picture, Values};
-use strahl_scene::description::Description;
-use strahl_scene::effects::leave_out;
+use strahl_picture::{Picture, PixelValues};
+use strahl_scene::description::LoadedScene;
+use strahl_scene::effects::disable;
 use strahl_settings::Settings;
 
 use super::options::words;
@@ -24,7 +24,7 @@ use crate::session::RenderOutput;
 /// One scene at one size, and a clock.
 pub struct Bench<'b> {
     /// The scene.
-    pub scene: &'b Description,
+    pub scene: &'b LoadedScene,
     /// The size of all pictures.
     pub size: Resolution,
     /// Told how far it is.
@@ -50,7 +50,7 @@ pub struct Taken {
 impl<'b> Bench<'b> {
     /// Pictures of `size`, from now on and until `limit` is over.
     pub fn new(
-        scene: &'b Description,
+        scene: &'b LoadedScene,
         size: Resolution,
         progress: &'b dyn StudyProgress,
         limit: Option<Duration>,
@@ -111,7 +111,7 @@ impl<'b> Bench<'b> {
             session::render(self.scene, settings, options, &progress)
         } else {
             let mut scene = self.scene.clone();
-            leave_out(&mut scene, &settings.without);
+            disable(&mut scene, &settings.without);
             session::render(&scene, settings, options, &progress)
         };
         match traced {
@@ -167,7 +167,7 @@ pub fn errors(picture: &Picture, truth: &Picture) -> Errors {
 
 /// Two pictures, to be held against each other.
 pub fn pair(picture: &Picture, truth: &Picture) -> Pair {
-    Pair::of(Values::Linear(picture.colors.clone()), Values::Linear(truth.colors.clone()))
+    Pair::of(PixelValues::Linear(picture.colors.clone()), PixelValues::Linear(truth.colors.clone()))
 }
 
 /// The mean of two pictures of the same size.

@@ -7,7 +7,7 @@
 //! left, everything again, round by round, so that what disturbs the machine for a while disturbs
 //! all settings alike.
 
-use strahl_settings::{Effect, Sampling, Settings};
+use strahl_settings::{Effect, SamplerSettings, Settings};
 
 use super::afford;
 use super::bench::{Taken, errors, mean};
@@ -123,8 +123,11 @@ fn reference(
     let mut tries = vec![(finest.clone(), samples), (finest, fewest), (coarse(own), fewest)];
     tries.dedup();
     for (options, samples) in tries {
-        let of =
-            |seed| Settings { sampler: Sampling::stochastic((samples / 2).max(1)), seed, ..options.clone() };
+        let of = |seed| Settings {
+            sampler: SamplerSettings::stochastic((samples / 2).max(1)),
+            seed,
+            ..options.clone()
+        };
         let left = || measured.bench.share(time::PATIENCE) - measured.bench.elapsed();
         // Half of the time for each; a first that takes longer than that is not waited for.
         let Some(one) = measured.bench.trace(&of(1), 0.5 * left())? else { continue };

@@ -5,7 +5,7 @@ use base64::engine::general_purpose::STANDARD;
 use strahl_core::Resolution;
 use strahl_engine::cost_map::PixelCost;
 use strahl_picture::colormap::{inferno, step_of};
-use strahl_picture::{Format, Picture, srgb};
+use strahl_picture::{Picture, PictureFormat, srgb};
 
 use super::bench::pair;
 use super::error::StudyError;
@@ -126,7 +126,7 @@ fn image(
     range: Option<[f64; 2]>,
     picture: &Picture,
 ) -> Result<Image, StudyError> {
-    let file = Format::Png.encode(picture).map_err(|error| StudyError::Picture(error.into()))?;
+    let file = PictureFormat::Png.encode(picture).map_err(|error| StudyError::Picture(error.into()))?;
     Ok(Image {
         shows,
         run,

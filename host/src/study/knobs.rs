@@ -5,8 +5,8 @@
 //! samplers, and of effects that need many rays, it is the difference from the reference.
 
 use strahl_settings::Effect;
-use strahl_settings::domain::share_word;
-use strahl_settings::{Sampling, Settings};
+use strahl_settings::domain::fraction_text;
+use strahl_settings::{SamplerSettings, Settings};
 
 use super::bench::{Taken, errors};
 use super::error::StudyError;
@@ -47,7 +47,7 @@ pub(super) fn levels(
     measured.knobs.push(Knob {
         name: "levels".into(),
         about: "How many times light may be mirrored or pass a surface before the eye.".into(),
-        fixed: format!("--cutoff {} --sampler {}", share_word(base.cutoff), base.sampler),
+        fixed: format!("--cutoff {} --sampler {}", fraction_text(base.cutoff), base.sampler),
         against: format!("{} levels", base.levels),
         steps,
         left_out: measured.missing() - before,
@@ -74,16 +74,16 @@ pub(super) fn cutoffs(
         let options = Settings { cutoff: value, ..base.clone() };
         if let Some(run) = measured.turn(&options, seconds, &reference.picture)? {
             let alone = measured.between(run, best).unwrap_or_default();
-            steps.push(Step { value: share_word(value), run, alone });
+            steps.push(Step { value: fraction_text(value), run, alone });
         }
     }
     let alone = measured.between(best, best).unwrap_or_default();
-    steps.push(Step { value: share_word(base.cutoff), run: best, alone });
+    steps.push(Step { value: fraction_text(base.cutoff), run: best, alone });
     measured.knobs.push(Knob {
         name: "cutoff".into(),
         about: "Rays that would count less than this in their pixel are not sent.".into(),
         fixed: format!("--levels {} --sampler {}", base.levels, base.sampler),
-        against: format!("cutoff {}", share_word(base.cutoff)),
+        against: format!("cutoff {}", fraction_text(base.cutoff)),
         steps,
         left_out: measured.missing() - before,
     });
@@ -122,7 +122,7 @@ pub(super) fn samplers(
     measured.knobs.push(Knob {
         name: "sampler".into(),
         about: "How many rays make a pixel, and through which places.".into(),
-        fixed: format!("--levels {} --cutoff {}", base.levels, share_word(base.cutoff)),
+        fixed: format!("--levels {} --cutoff {}", base.levels, fraction_text(base.cutoff)),
         against: "the reference".into(),
         steps,
         left_out: measured.missing() - before,
@@ -176,7 +176,7 @@ pub(super) fn effects(
         .any(|effect| asks.contains(effect));
     let rays = if is_many { MANY } else { 4 };
     let seconds = f64::from(rays) * run.wall[0];
-    let base = Settings { sampler: Sampling::stochastic(rays), ..base.clone() };
+    let base = Settings { sampler: SamplerSettings::stochastic(rays), ..base.clone() };
     let before = measured.missing();
     let mut steps = Vec::new();
     for effect in asks {

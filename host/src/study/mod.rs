@@ -33,9 +33,9 @@ use std::path::Path;
 use std::time::{Duration, Instant};
 
 use strahl_core::Resolution;
-use strahl_scene::description::Description;
+use strahl_scene::description::LoadedScene;
 use strahl_scene::effects;
-use strahl_settings::{DEFAULT_SIZE, Effect, PartialSettings, Precision, Settings};
+use strahl_settings::{DEFAULT_SIZE, Effect, Precision, Settings, SettingsOverrides};
 
 use crate::cost::WEIGHTS;
 use crate::session::SceneStorage;
@@ -94,7 +94,7 @@ pub struct StudySettings {
 /// Measures a scene, which is that of the file at `path`.
 pub fn study(
     path: &Path,
-    scene: &Description,
+    scene: &LoadedScene,
     settings: &StudySettings,
     progress: &dyn StudyProgress,
 ) -> Result<Study, StudyError> {
@@ -154,8 +154,8 @@ pub fn study(
 }
 
 /// The scene's own settings, where it has none the defaults.
-fn own(scene: &Description, size: Resolution, threads: Option<usize>) -> Result<Settings, StudyError> {
-    let given = PartialSettings { size: Some(size), threads, ..PartialSettings::default() };
+fn own(scene: &LoadedScene, size: Resolution, threads: Option<usize>) -> Result<Settings, StudyError> {
+    let given = SettingsOverrides { size: Some(size), threads, ..SettingsOverrides::default() };
     Settings::resolve(&given, &scene.settings).map_err(StudyError::Settings)
 }
 

@@ -1,11 +1,11 @@
 //! Settings in a study, as the command line has them.
 
-use strahl_settings::{Group, Precision, Sampling, Setting, Settings};
+use strahl_settings::{Group, Precision, SamplerSettings, Setting, Settings};
 
 /// The same levels and cutoff with one ray in each pixel, and nothing else that changes the picture.
 pub fn coarse(settings: &Settings) -> Settings {
     Settings {
-        sampler: Sampling::Single,
+        sampler: SamplerSettings::Single,
         select: None,
         precision: Precision::Single,
         seed: 0,

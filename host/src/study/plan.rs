@@ -1,7 +1,7 @@
 //! What is measured: the notches of every knob, and how much time each part may take.
 
 use strahl_core::Limits;
-use strahl_settings::{Agreement, Filter, PixelSelection, Sampling, Settings};
+use strahl_settings::{ContrastSettings, Filter, SamplerSettings, SelectionSettings, Settings};
 
 /// How thorough a study is.
 #[derive(Clone, Copy, Debug)]
@@ -96,27 +96,31 @@ impl Plan {
 
     /// The samplers beside `single`, with the rays that each is expected to take in a pixel. A
     /// filter goes with those only that do not fill the pixel by themselves.
-    pub fn samplers(&self, filter: Filter) -> Vec<(Sampling, f64)> {
-        let agreement = |threshold| Agreement { threshold, items: false };
-        let regular = self.regular.iter().map(|n| (Sampling::Regular(*n), f64::from(*n) * f64::from(*n)));
+    pub fn samplers(&self, filter: Filter) -> Vec<(SamplerSettings, f64)> {
+        let agreement = |threshold| ContrastSettings { threshold, items: false };
+        let regular =
+            self.regular.iter().map(|n| (SamplerSettings::Regular(*n), f64::from(*n) * f64::from(*n)));
         let adaptive = self.adaptive.iter().map(|(depth, threshold)| {
             let most = libm::pow(4.0, f64::from(*depth));
-            (Sampling::Adaptive { depth: *depth, agreement: agreement(*threshold) }, 1.0 + 0.4 * (most - 1.0))
+            (
+                SamplerSettings::Adaptive { max_depth: *depth, contrast: agreement(*threshold) },
+                1.0 + 0.4 * (most - 1.0),
+            )
         });
-        let stochastic = self.stochastic.iter().map(|n| (Sampling::stochastic(*n), f64::from(*n)));
+        let stochastic = self.stochastic.iter().map(|n| (SamplerSettings::stochastic(*n), f64::from(*n)));
         let stopping = self.stopping.iter().filter_map(|text| {
-            let sampling: Sampling = text.parse().ok()?;
+            let sampling: SamplerSettings = text.parse().ok()?;
             Some((sampling, f64::from(most_of(&sampling)) / 2.0))
         });
         let all = regular.chain(adaptive).chain(stochastic).chain(stopping);
-        all.filter(|(sampling, _)| filter == Filter::Box || sampling.takes_filter()).collect()
+        all.filter(|(sampling, _)| filter == Filter::Box || sampling.allows_filter()).collect()
     }
 
     /// Which pixels are traced.
-    pub fn selections(&self) -> impl Iterator<Item = PixelSelection> {
-        let with = |(step, threshold): &(u32, f32)| PixelSelection {
+    pub fn selections(&self) -> impl Iterator<Item = SelectionSettings> {
+        let with = |(step, threshold): &(u32, f32)| SelectionSettings {
             step: *step,
-            agreement: Agreement { threshold: *threshold, items: true },
+            contrast: ContrastSettings { threshold: *threshold, items: true },
         };
         self.selections.iter().map(with)
     }
@@ -174,12 +178,12 @@ pub fn finer(limits: Limits, cut: [f64; 2], may: [bool; 2]) -> Option<(usize, Li
 }
 
 /// The most rays that a sampler without a raster of corners sends through a pixel.
-pub fn most_of(sampling: &Sampling) -> u32 {
+pub fn most_of(sampling: &SamplerSettings) -> u32 {
     match sampling {
-        Sampling::Single => 1,
-        Sampling::Regular(n) => u32::from(*n) * u32::from(*n),
-        Sampling::Adaptive { depth, .. } => 4_u32.saturating_pow(u32::from(*depth)),
-        Sampling::Stochastic { most, .. } => *most,
+        SamplerSettings::Single => 1,
+        SamplerSettings::Regular(n) => u32::from(*n) * u32::from(*n),
+        SamplerSettings::Adaptive { max_depth: depth, .. } => 4_u32.saturating_pow(u32::from(*depth)),
+        SamplerSettings::Stochastic { max_samples: most, .. } => *most,
     }
 }
 
@@ -198,7 +202,7 @@ mod tests {
                 assert_eq!(sampling.to_string().parse(), Ok(*sampling));
                 assert!(*rays >= 1.0);
             }
-            assert!(plan.samplers(Filter::Tent).iter().all(|(sampling, _)| sampling.takes_filter()));
+            assert!(plan.samplers(Filter::Tent).iter().all(|(sampling, _)| sampling.allows_filter()));
             assert!(plan.cutoffs().any(|it| it == 1.0 / 512.0), "the default is among the cutoffs");
         }
     }

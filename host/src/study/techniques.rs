@@ -3,10 +3,11 @@
 //! All of them are measured while everything is counted: by the one loop for that, which every
 //! accelerator and both precisions have, so that nothing but the technique is between two times.
 
-use strahl_settings::accelerator::MAILBOX;
-use strahl_settings::domain::share_word;
+use strahl_settings::accelerator::DEFAULT_MAILBOX_SLOTS;
+use strahl_settings::domain::fraction_text;
 use strahl_settings::{
-    AccelKind, AccelSettings, Agreement, Bounds, Filter, PixelSelection, Precision, Sampling, Settings,
+    AccelKind, AccelSettings, Bounds, ContrastSettings, Filter, Precision, SamplerSettings,
+    SelectionSettings, Settings,
 };
 
 use super::error::StudyError;
@@ -33,7 +34,7 @@ const ADAPTIVE: (u8, f32) = (2, 0.05);
 /// What the techniques are measured with: the scene's levels and cutoff, one ray in each pixel.
 fn base(own: &Settings) -> Settings {
     Settings {
-        sampler: Sampling::Single,
+        sampler: SamplerSettings::Single,
         select: None,
         precision: Precision::Single,
         shadow_cache: true,
@@ -94,9 +95,9 @@ pub(super) fn threads(
 
 fn pairs(base: &Settings) -> Vec<Pair> {
     let by = |accelerator| base.clone().with_acceleration(accelerator);
-    let list = |bounds| by(AccelSettings { bounds, ..AccelSettings::by(AccelKind::List) });
-    let remembering = |kind, mailbox| by(AccelSettings { mailbox, ..AccelSettings::by(kind) });
-    let heap = |places| by(AccelSettings::by_heap(places));
+    let list = |bounds| by(AccelSettings { bounds, ..AccelSettings::with_kind(AccelKind::List) });
+    let remembering = |kind, mailbox| by(AccelSettings { mailbox, ..AccelSettings::with_kind(kind) });
+    let heap = |places| by(AccelSettings::with_heap(places));
     let boxes = || list(Bounds::Box);
     let exact = |name, part, (off, without): (&str, Settings), (on, with): (&str, Settings)| Pair {
         name,
@@ -116,21 +117,31 @@ fn pairs(base: &Settings) -> Vec<Pair> {
             ("every item", list(Bounds::None)),
             ("a list with spheres", list(Bounds::Sphere)),
         ),
-        exact("regular grid", "5.2", (every_box, boxes()), ("a grid", remembering(AccelKind::Grid, MAILBOX))),
-        exact("octree", "5.3", (every_box, boxes()), ("an octree", remembering(AccelKind::Octree, MAILBOX))),
+        exact(
+            "regular grid",
+            "5.2",
+            (every_box, boxes()),
+            ("a grid", remembering(AccelKind::Grid, DEFAULT_MAILBOX_SLOTS)),
+        ),
+        exact(
+            "octree",
+            "5.3",
+            (every_box, boxes()),
+            ("an octree", remembering(AccelKind::Octree, DEFAULT_MAILBOX_SLOTS)),
+        ),
         exact("hierarchy", "5.4", (every_box, boxes()), ("a hierarchy, by a heap", heap(64))),
         exact(
             "hierarchy, by a stack",
             "5.4",
             ("by a heap", heap(64)),
-            ("by a stack", by(AccelSettings::by(AccelKind::Bvh))),
+            ("by a stack", by(AccelSettings::with_kind(AccelKind::Bvh))),
         ),
         exact("room in the heap", "5.4", ("none", heap(0)), ("64 nodes", heap(64))),
     ];
     for (name, kind) in
         [("mailbox of the grid", AccelKind::Grid), ("mailbox of the octree", AccelKind::Octree)]
     {
-        let (none, some) = (remembering(kind, 0), remembering(kind, MAILBOX));
+        let (none, some) = (remembering(kind, 0), remembering(kind, DEFAULT_MAILBOX_SLOTS));
         pairs.push(exact(name, "5.5", ("none", none), ("64 slots", some)));
     }
     let no_cache = Settings { shadow_cache: false, ..base.clone() };
@@ -140,18 +151,19 @@ fn pairs(base: &Settings) -> Vec<Pair> {
     let limited = |cutoff| Settings { cutoff, ..base.clone() };
     let sampled = |sampler| Settings { sampler, ..base.clone() };
     let (depth, threshold) = ADAPTIVE;
-    let agreement = Agreement { threshold, items: false };
-    let adaptive = Sampling::Adaptive { depth, agreement };
-    let regular = Sampling::Regular(1 << depth);
-    let selecting = PixelSelection { step: 4, agreement: Agreement { threshold: 0.05, items: true } };
+    let agreement = ContrastSettings { threshold, items: false };
+    let adaptive = SamplerSettings::Adaptive { max_depth: depth, contrast: agreement };
+    let regular = SamplerSettings::Regular(1 << depth);
+    let selecting =
+        SelectionSettings { step: 4, contrast: ContrastSettings { threshold: 0.05, items: true } };
     let selected = Settings { select: Some(selecting), ..base.clone() };
-    let stopping: Sampling = "stochastic:4..16:0.9:0.02".parse().unwrap_or(Sampling::Single);
+    let stopping: SamplerSettings = "stochastic:4..16:0.9:0.02".parse().unwrap_or(SamplerSettings::Single);
     let inexact = [
         (
             "adaptive depth",
             "5.7",
             "cutoff 0".into(),
-            format!("cutoff {}", share_word(cut)),
+            format!("cutoff {}", fraction_text(cut)),
             limited(0.0),
             limited(cut),
         ),
@@ -167,9 +179,9 @@ fn pairs(base: &Settings) -> Vec<Pair> {
         (
             "samples until it is known",
             "4.3",
-            Sampling::stochastic(16).to_string(),
+            SamplerSettings::stochastic(16).to_string(),
             stopping.to_string(),
-            sampled(Sampling::stochastic(16)),
+            sampled(SamplerSettings::stochastic(16)),
             sampled(stopping),
         ),
     ];

@@ -7,7 +7,7 @@ use std::io::Cursor;
 use image::{DynamicImage, ImageBuffer, ImageFormat, Rgb, RgbImage, RgbaImage};
 use serde_json::{Value, json};
 use strahl_core::Resolution;
-use strahl_picture::{Format, Picture};
+use strahl_picture::{Picture, PictureFormat};
 
 use crate::program::{BALL, EMPTY, Folder};
 
@@ -38,7 +38,7 @@ fn changed(x: u32, y: u32, color: [u8; 3]) -> RgbImage {
 fn exr(colors: &[[f32; 3]]) -> Vec<u8> {
     let colors = colors.iter().map(|c| strahl_core::Rgb::new(c[0], c[1], c[2])).collect::<Vec<_>>();
     let size = Resolution::new(colors.len() as u32, 1).unwrap();
-    Format::Exr.encode(&Picture { size, colors }).unwrap()
+    PictureFormat::Exr.encode(&Picture { size, colors }).unwrap()
 }
 
 /// A folder with these in `a` and `b`; what they are stands inside them.

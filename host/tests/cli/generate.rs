@@ -3,7 +3,7 @@
 use std::path::{Path, PathBuf};
 
 use serde_json::Value;
-use strahl_scene::description::Form;
+use strahl_scene::description::ShapeDescription;
 use strahl_scene::load;
 
 use crate::program::{EMPTY, Folder};
@@ -173,17 +173,20 @@ fn the_scenes_of_the_databases_are_theirs_object_by_object() {
         let near = |a: f32, b: f32| (a - b).abs() <= 6e-6 * (1.0 + b.abs());
         let all_near = |a: &[f32], b: &[f32]| a.iter().zip(b).all(|(a, b)| near(*a, *b));
         assert_eq!(ours.objects.len(), theirs.objects.len(), "{what}");
-        assert!(all_near(&ours.view.from, &theirs.view.from) && all_near(&ours.view.at, &theirs.view.at));
+        assert!(
+            all_near(&ours.camera.from, &theirs.camera.from) && all_near(&ours.camera.at, &theirs.camera.at)
+        );
         assert_eq!((ours.lights.len(), ours.ambient), (theirs.lights.len(), theirs.ambient));
         assert_eq!(ours.materials.len(), theirs.materials.len());
         for (place, (a, b)) in ours.objects.iter().zip(&theirs.objects).enumerate() {
-            let same = match (a.form, b.form) {
-                (Form::Sphere { center: a, radius: r }, Form::Sphere { center: b, radius: s }) => {
-                    all_near(&a, &b) && near(r, s)
-                }
+            let same = match (a.shape, b.shape) {
                 (
-                    Form::Cone { base, base_radius, end, end_radius, capped },
-                    Form::Cone { base: b, base_radius: br, end: e, end_radius: er, capped: c },
+                    ShapeDescription::Sphere { center: a, radius: r },
+                    ShapeDescription::Sphere { center: b, radius: s },
+                ) => all_near(&a, &b) && near(r, s),
+                (
+                    ShapeDescription::Cone { base, base_radius, end, end_radius, capped },
+                    ShapeDescription::Cone { base: b, base_radius: br, end: e, end_radius: er, capped: c },
                 ) => {
                     let radii = near(base_radius, br) && near(end_radius, er);
                     all_near(&base, &b) && all_near(&end, &e) && radii && capped == c
@@ -192,8 +195,8 @@ fn the_scenes_of_the_databases_are_theirs_object_by_object() {
             };
             assert!(same && a.material == b.material, "{what}, object {place}: {a:?} and {b:?}");
         }
-        assert_eq!(ours.points.len(), theirs.points.len());
-        for (a, b) in ours.points.iter().zip(&theirs.points) {
+        assert_eq!(ours.vertices.len(), theirs.vertices.len());
+        for (a, b) in ours.vertices.iter().zip(&theirs.vertices) {
             // The wall of rings is 21 wide, and its measures are not told.
             let far = a.iter().any(|x| x.abs() > 5.0);
             assert!(all_near(a, b) || far && a.iter().zip(b).all(|(a, b)| (a - b).abs() < 1e-4), "{what}");

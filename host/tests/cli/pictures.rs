@@ -104,7 +104,7 @@ fn an_exr_file_holds_every_float_that_there_is() {
         size: strahl_core::Resolution::new(2, 2).unwrap(),
         colors: colors.map(|[r, g, b]| strahl_core::Rgb::new(r, g, b)).to_vec(),
     };
-    let file = strahl_picture::Format::Exr.encode(&picture).unwrap();
+    let file = strahl_picture::PictureFormat::Exr.encode(&picture).unwrap();
     let floats = image::load_from_memory(&file).unwrap().into_rgb32f();
     let bits = |values: &[f32]| values.iter().map(|v| v.to_bits()).collect::<Vec<_>>();
     assert_eq!(bits(floats.as_raw()), bits(colors.as_flattened()));

@@ -15,22 +15,22 @@ use strahl_core::{
     AllEffects, BareList, Camera, Limits, Resolution, Rgb, Tile, Tracer, Worker, World, render,
 };
 use strahl_engine::{NoProgress, RenderOptions};
-use strahl_scene::description::Description;
-use strahl_scene::effects::{leave_out, plan};
+use strahl_scene::description::LoadedScene;
+use strahl_scene::effects::{disable, plan};
 use strahl_settings::Effect;
-use strahl_settings::{Sampling, Settings};
+use strahl_settings::{SamplerSettings, Settings};
 
 const SIZE: Resolution = Resolution::new(48, 36).unwrap();
 
-fn scene(name: &str) -> Description {
+fn scene(name: &str) -> LoadedScene {
     let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/effects").join(name).with_extension("toml");
     strahl_scene::load(&path).unwrap_or_else(|failure| panic!("{failure}"))
 }
 
 /// What a scene asks for, by the names of the command line.
-fn asks(description: &Description) -> Vec<Effect> {
+fn asks(description: &LoadedScene) -> Vec<Effect> {
     let tables = scene_tables(description);
-    let lens = description.view.projection.has_lens();
+    let lens = description.camera.projection.has_lens();
     let set = EffectSet { lens, ..tables.scene().unwrap().effects() };
     let planned: Vec<Effect> = plan(description).iter().map(|it| it.effect).collect();
     // The plan is what the tracer is asked for.
@@ -82,11 +82,11 @@ tracers! {
 }
 
 /// The bits of a picture, four rays in each pixel.
-fn seen_by<E: Effects>(description: &Description) -> Vec<u32> {
+fn seen_by<E: Effects>(description: &LoadedScene) -> Vec<u32> {
     let stock = scene_tables(description);
     let scene = stock.scene().unwrap();
     let world = World::new(scene, BareList(scene.parts().made_of.len() as u32));
-    let camera = Camera::new(&view(&description.view), SIZE).unwrap();
+    let camera = Camera::new(&view(&description.camera), SIZE).unwrap();
     let tracer = Tracer::<_, E, 5>::new(&world, camera, Limits::DEFAULT).unwrap();
     let mut bits = Vec::new();
     let mut sink = |_, color: Rgb| bits.extend([color.r, color.g, color.b].map(f32::to_bits));
@@ -101,7 +101,7 @@ fn seen_by<E: Effects>(description: &Description) -> Vec<u32> {
 }
 
 /// The pictures of a tracer.
-type Seen = fn(&Description) -> Vec<u32>;
+type Seen = fn(&LoadedScene) -> Vec<u32>;
 
 /// The tracer that can do an effect and what it needs, and the one that can do what it needs.
 fn smallest(effect: Effect) -> [Seen; 2] {
@@ -117,8 +117,8 @@ fn smallest(effect: Effect) -> [Seen; 2] {
     }
 }
 
-fn counted(description: &Description, seed: u32) -> (RenderOutput, Counters) {
-    let settings = Settings { size: SIZE, seed, sampler: Sampling::Regular(2), ..Settings::default() };
+fn counted(description: &LoadedScene, seed: u32) -> (RenderOutput, Counters) {
+    let settings = Settings { size: SIZE, seed, sampler: SamplerSettings::Regular(2), ..Settings::default() };
     let frame = session::render(description, &settings, &RenderOptions::COUNT_TESTS, &NoProgress).unwrap();
     let counts = frame.counters;
     (frame, counts)
@@ -165,7 +165,7 @@ fn a_tracer_for_one_effect_and_one_for_all_give_the_same_bytes() {
         let mut description = scene(effect.name());
         let all = seen_by::<AllEffects>(&description);
         assert!(with(&description) == all, "with {effect}");
-        let steps = leave_out(&mut description, &[effect]);
+        let steps = disable(&mut description, &[effect]);
         assert_eq!(steps.iter().map(|step| step.effect).collect::<Vec<_>>(), [effect]);
         let left = seen_by::<AllEffects>(&description);
         assert!(without(&description) == left, "without {effect}");

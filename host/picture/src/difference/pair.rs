@@ -5,7 +5,7 @@ use strahl_core::{Resolution, Rgb};
 
 use super::measure::{Channel, Limit, Measures, Peak, differences, measure};
 use super::ssim::ssim;
-use crate::read::Values;
+use crate::read::PixelValues;
 use crate::srgb;
 
 /// Two pictures of one size.
@@ -27,17 +27,17 @@ pub enum Pair {
 impl Pair {
     /// The finer of two integer kinds is that of the pair, and holds the other exactly. Floats
     /// beside integers are rounded to these.
-    pub fn of(first: Values, second: Values) -> Self {
-        use Values::{Eight, Linear, Sixteen};
+    pub fn of(first: PixelValues, second: PixelValues) -> Self {
+        use PixelValues::{Linear, U8, U16};
         match (first, second) {
-            (Eight(a), Eight(b)) => Pair::Eight([a, b]),
-            (Sixteen(a), Sixteen(b)) => Pair::Sixteen([a, b]),
-            (Eight(a), Sixteen(b)) => Pair::Sixteen([widened(&a), b]),
-            (Sixteen(a), Eight(b)) => Pair::Sixteen([a, widened(&b)]),
-            (Linear(a), Eight(b)) => Pair::Eight([eight(&a), b]),
-            (Eight(a), Linear(b)) => Pair::Eight([a, eight(&b)]),
-            (Linear(a), Sixteen(b)) => Pair::Sixteen([sixteen(&a), b]),
-            (Sixteen(a), Linear(b)) => Pair::Sixteen([a, sixteen(&b)]),
+            (U8(a), U8(b)) => Pair::Eight([a, b]),
+            (U16(a), U16(b)) => Pair::Sixteen([a, b]),
+            (U8(a), U16(b)) => Pair::Sixteen([widened(&a), b]),
+            (U16(a), U8(b)) => Pair::Sixteen([a, widened(&b)]),
+            (Linear(a), U8(b)) => Pair::Eight([eight(&a), b]),
+            (U8(a), Linear(b)) => Pair::Eight([a, eight(&b)]),
+            (Linear(a), U16(b)) => Pair::Sixteen([sixteen(&a), b]),
+            (U16(a), Linear(b)) => Pair::Sixteen([a, sixteen(&b)]),
             (Linear(a), Linear(b)) => Pair::Floats { encoded: [encoded(&a), encoded(&b)], linear: [a, b] },
         }
     }

@@ -12,24 +12,24 @@ pub struct Diagnostic {
     /// What to do about it.
     pub help: Option<String>,
     /// Another place that has to do with it, and how.
-    pub also: Option<(Range<usize>, String)>,
+    pub related: Option<(Range<usize>, String)>,
 }
 
 impl Diagnostic {
     /// Something wrong at a place.
     pub fn new(span: Range<usize>, message: impl Into<String>) -> Self {
-        Diagnostic { message: message.into(), span, help: None, also: None }
+        Diagnostic { message: message.into(), span, help: None, related: None }
     }
 
     /// The same with advice.
-    pub fn help(mut self, help: impl Into<String>) -> Self {
+    pub fn with_help(mut self, help: impl Into<String>) -> Self {
         self.help = Some(help.into());
         self
     }
 
     /// The same with another place.
-    pub fn also(mut self, span: Range<usize>, what: impl Into<String>) -> Self {
-        self.also = Some((span, what.into()));
+    pub fn with_related(mut self, span: Range<usize>, what: impl Into<String>) -> Self {
+        self.related = Some((span, what.into()));
         self
     }
 }

@@ -2,12 +2,12 @@
 
 /// Where the lines of a text begin.
 #[derive(Clone, Debug)]
-pub struct Lines(pub(super) Vec<usize>);
+pub struct LineIndex(pub(super) Vec<usize>);
 
-impl Lines {
+impl LineIndex {
     /// Those of `text`.
-    pub fn of(text: &str) -> Self {
-        Lines(std::iter::once(0).chain(text.match_indices('\n').map(|(end, _)| end + 1)).collect())
+    pub fn new(text: &str) -> Self {
+        LineIndex(std::iter::once(0).chain(text.match_indices('\n').map(|(end, _)| end + 1)).collect())
     }
 
     /// The line of a place, counted from 0.
@@ -16,7 +16,7 @@ impl Lines {
     }
 
     /// The line of a place, counted from 1.
-    pub fn line(&self, place: usize) -> usize {
+    pub fn line_number(&self, place: usize) -> usize {
         self.index(place) + 1
     }
 }

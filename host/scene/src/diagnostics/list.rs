@@ -4,37 +4,37 @@ use std::ops::Range;
 use std::path::{Path, PathBuf};
 
 use super::diagnostic::Diagnostic;
-use super::lines::Lines;
+use super::lines::LineIndex;
 use super::visible::{harmless, visible};
 
 /// More than anybody reads.
-const MOST_SHOWN: usize = 50;
+const MAX_SHOWN: usize = 50;
 
 /// Everything that is wrong in a text.
 #[derive(Clone, Debug)]
 pub struct Diagnostics {
     pub(super) path: PathBuf,
     pub(super) text: String,
-    pub(super) lines: Lines,
+    pub(super) lines: LineIndex,
     /// The first of them.
     pub(super) list: Vec<Diagnostic>,
     /// How many there are.
-    pub(super) count: usize,
+    pub(super) total: usize,
 }
 
 impl Diagnostics {
     /// The faults of the text of a file, in the order of their places.
     pub fn new(path: &Path, text: &str, list: impl IntoIterator<Item = Diagnostic>) -> Self {
         let text = harmless(text);
-        let lines = Lines::of(&text);
+        let lines = LineIndex::new(&text);
         let mut list: Vec<Diagnostic> = list.into_iter().collect();
         list.sort_by_key(|fault| fault.span.start);
         let count = list.len();
-        list.truncate(MOST_SHOWN);
-        let mut faults = Diagnostics { path: path.to_owned(), text, lines, list, count };
+        list.truncate(MAX_SHOWN);
+        let mut faults = Diagnostics { path: path.to_owned(), text, lines, list, total: count };
         for fault in &mut faults.list {
             fault.span = visible(&faults.text, &fault.span);
-            if let Some((span, _)) = &mut fault.also {
+            if let Some((span, _)) = &mut fault.related {
                 *span = visible(&faults.text, span);
             }
         }
@@ -42,8 +42,8 @@ impl Diagnostics {
     }
 
     /// The same, where more have been found than were kept.
-    pub fn counting(mut self, count: usize) -> Self {
-        self.count = self.count.max(count);
+    pub fn with_total(mut self, count: usize) -> Self {
+        self.total = self.total.max(count);
         self
     }
 
@@ -53,8 +53,8 @@ impl Diagnostics {
     }
 
     /// The line and the column of a fault, counted from 1.
-    pub fn place(&self, fault: &Diagnostic) -> (usize, usize) {
-        (self.lines.line(fault.span.start), self.column(fault.span.start) + 1)
+    pub fn line_and_column(&self, fault: &Diagnostic) -> (usize, usize) {
+        (self.lines.line_number(fault.span.start), self.column(fault.span.start) + 1)
     }
 
     /// The characters before a place in its line.

@@ -11,6 +11,6 @@ mod show;
 mod visible;
 
 pub use diagnostic::Diagnostic;
-pub use lines::Lines;
+pub use lines::LineIndex;
 pub use list::Diagnostics;
-pub use screen::{Drawing, Screen};
+pub use screen::{TerminalFeatures, TerminalStyle};

@@ -2,27 +2,27 @@
 
 /// What is drawn on.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Screen {
+pub struct TerminalStyle {
     /// Characters in a row.
     pub width: usize,
     /// What it can show.
-    pub drawing: Drawing,
+    pub features: TerminalFeatures,
 }
 
 /// What a screen can show.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Drawing {
+pub enum TerminalFeatures {
     /// ASCII.
-    Plain,
+    Ascii,
     /// ASCII and colours.
-    PlainColors,
+    AsciiColor,
     /// Lines, but no colours.
-    Lines,
+    Unicode,
     /// Lines and colours.
-    Colors,
+    UnicodeColor,
 }
 
-impl Screen {
+impl TerminalStyle {
     /// A file or a pipe.
-    pub const PLAIN: Screen = Screen { width: 80, drawing: Drawing::Plain };
+    pub const PLAIN: TerminalStyle = TerminalStyle { width: 80, features: TerminalFeatures::Ascii };
 }

@@ -10,17 +10,17 @@ use miette::{
 
 use super::diagnostic::Diagnostic;
 use super::list::Diagnostics;
-use super::screen::{Drawing, Screen};
-use crate::amount::amount;
+use super::screen::{TerminalFeatures, TerminalStyle};
+use crate::quantity::quantity;
 
 impl Diagnostics {
     /// All of them as they are shown on `screen`.
-    pub fn show(&self, screen: Screen) -> String {
-        let theme = match screen.drawing {
-            Drawing::Plain => GraphicalTheme::none(),
-            Drawing::PlainColors => GraphicalTheme::ascii(),
-            Drawing::Lines => GraphicalTheme::unicode_nocolor(),
-            Drawing::Colors => GraphicalTheme::unicode(),
+    pub fn show(&self, screen: TerminalStyle) -> String {
+        let theme = match screen.features {
+            TerminalFeatures::Ascii => GraphicalTheme::none(),
+            TerminalFeatures::AsciiColor => GraphicalTheme::ascii(),
+            TerminalFeatures::Unicode => GraphicalTheme::unicode_nocolor(),
+            TerminalFeatures::UnicodeColor => GraphicalTheme::unicode(),
         };
         let handler = GraphicalReportHandler::new_themed(theme)
             .with_width(screen.width.max(20))
@@ -33,15 +33,15 @@ impl Diagnostics {
             let _ = handler.render_report(&mut shown, &Shown { fault, excerpt: &excerpt });
             shown.push('\n');
         }
-        let many = amount(self.count, "error");
-        let cut = if self.count > self.list.len() { ", of which the first are shown" } else { "" };
+        let many = quantity(self.total, "error");
+        let cut = if self.total > self.list.len() { ", of which the first are shown" } else { "" };
         shown + &format!("{}: {many}{cut}", excerpt.name)
     }
 }
 
 impl fmt::Display for Diagnostics {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(&self.show(Screen::PLAIN))
+        f.write_str(&self.show(TerminalStyle::PLAIN))
     }
 }
 
@@ -126,7 +126,7 @@ impl miette::Diagnostic for Shown<'_> {
 
     fn labels(&self) -> Option<Box<dyn Iterator<Item = LabeledSpan> + '_>> {
         let main = LabeledSpan::new_primary_with_span(None, self.fault.span.clone());
-        let also = self.fault.also.iter();
+        let also = self.fault.related.iter();
         let also = also.map(|(span, what)| LabeledSpan::new_with_span(Some(what.clone()), span.clone()));
         Some(Box::new(std::iter::once(main).chain(also)))
     }
@@ -139,13 +139,14 @@ mod tests {
     use super::*;
 
     fn shown(text: &str, fault: Diagnostic, width: usize) -> String {
-        Diagnostics::new(Path::new("a.toml"), text, [fault]).show(Screen { width, drawing: Drawing::Plain })
+        Diagnostics::new(Path::new("a.toml"), text, [fault])
+            .show(TerminalStyle { width, features: TerminalFeatures::Ascii })
     }
 
     #[test]
     fn a_fault_is_shown_with_its_line_a_caret_and_advice() {
         let text = "[[sphere]]\nradius = -1\ncenter = [0, 0, 0]\n";
-        let shown = shown(text, Diagnostic::new(20..22, "too small").help("larger"), 80);
+        let shown = shown(text, Diagnostic::new(20..22, "too small").with_help("larger"), 80);
         assert_eq!(
             shown,
             "  x too small
@@ -168,7 +169,7 @@ a.toml: 1 error"
                 for end in start..=text.len() + 1 {
                     let faults =
                         Diagnostics::new(Path::new("a.toml"), text, [Diagnostic::new(start..end, "wrong")]);
-                    let (line, column) = faults.place(&faults.list()[0]);
+                    let (line, column) = faults.line_and_column(&faults.list()[0]);
                     assert!(line <= text.lines().count().max(1) && column <= text.chars().count().max(1));
                     let shown = faults.to_string();
                     assert!(shown.contains(&format!("a.toml:{line}:{column}")), "{start}..{end} {shown}");

@@ -3,10 +3,10 @@
 use strahl_core::Material;
 use strahl_core::math::MAX_COORDINATE;
 
-use super::groups::{Group, Mesh};
+use super::groups::{MaterialGroup, TriangleMesh};
 use super::triangulate::{self, Cut};
-use crate::amount::{self, amount};
-use crate::description::Triple;
+use crate::description::Float3;
+use crate::quantity::{self, quantity};
 
 /// How many kinds of things are named that were left out.
 const KINDS: usize = 16;
@@ -14,11 +14,11 @@ const KINDS: usize = 16;
 /// A mesh that grows, and notes about it.
 #[derive(Default)]
 pub struct Gather {
-    mesh: Mesh,
+    mesh: TriangleMesh,
     material: Option<u16>,
     left_out: Vec<Kind>,
     /// For cutting polygons, kept from one to the next.
-    polygon: Vec<Triple>,
+    polygon: Vec<Float3>,
     pieces: Vec<[u32; 3]>,
     list: Vec<u32>,
 }
@@ -32,11 +32,11 @@ struct Kind {
 
 impl Gather {
     /// Adds a corner; a normal that has no direction is as good as none.
-    pub fn corner(&mut self, point: Triple, normal: Option<Triple>) -> Result<u32, String> {
-        let Ok(place) = u32::try_from(self.mesh.points.len()) else {
+    pub fn corner(&mut self, point: Float3, normal: Option<Float3>) -> Result<u32, String> {
+        let Ok(place) = u32::try_from(self.mesh.vertices.len()) else {
             return Err("more corners than a scene can number".into());
         };
-        let Mesh { points, normals, .. } = &mut self.mesh;
+        let TriangleMesh { vertices: points, normals, .. } = &mut self.mesh;
         if let Some(normal) = normal {
             let has_direction = normal.iter().all(|x| x.is_finite()) && normal != NONE;
             normals.resize(points.len(), NONE);
@@ -48,7 +48,7 @@ impl Gather {
                 );
             }
         }
-        self.mesh.points.push(point);
+        self.mesh.vertices.push(point);
         Ok(place)
     }
 
@@ -66,13 +66,13 @@ impl Gather {
 
     /// Makes room for so many more; the caller has seen data for them.
     pub fn expect(&mut self, corners: usize, triangles: usize) {
-        self.mesh.points.reserve(corners);
+        self.mesh.vertices.reserve(corners);
         self.mesh.triangles.reserve(triangles);
     }
 
     /// How many corners there are.
     pub fn corners(&self) -> usize {
-        self.mesh.points.len()
+        self.mesh.vertices.len()
     }
 
     /// How many triangles there are.
@@ -97,7 +97,7 @@ impl Gather {
         self.mesh.triangles.push(corners);
         match self.mesh.groups.last_mut() {
             Some(group) if group.material == self.material => group.count += 1,
-            _ => self.mesh.groups.push(Group { count: 1, material: self.material }),
+            _ => self.mesh.groups.push(MaterialGroup { count: 1, material: self.material }),
         }
     }
 
@@ -108,7 +108,7 @@ impl Gather {
             [a, b, c] => self.triangle([*a, *b, *c]),
             _ => {
                 self.polygon.clear();
-                self.polygon.extend(corners.iter().map(|corner| self.mesh.points[*corner as usize]));
+                self.polygon.extend(corners.iter().map(|corner| self.mesh.vertices[*corner as usize]));
                 let mut pieces = std::mem::take(&mut self.pieces);
                 if triangulate::cut(&self.polygon, &mut pieces) == Cut::Blind {
                     self.left_out(
@@ -143,20 +143,20 @@ impl Gather {
     }
 
     /// The mesh.
-    pub fn finish(mut self) -> Result<Mesh, String> {
+    pub fn finish(mut self) -> Result<TriangleMesh, String> {
         if self.mesh.triangles.is_empty() {
             return Err("there is no triangle in it".into());
         }
         let flat = self.mesh.triangles.iter().filter(|corners| is_flat(&self.mesh, corners)).count();
         if flat > 0 {
             let has = if flat == 1 { "has no area and is" } else { "have no area and are" };
-            self.warn(format!("{} {has} never hit", amount(flat, "triangle")));
+            self.warn(format!("{} {has} never hit", quantity(flat, "triangle")));
         }
         complete_normals(&mut self.mesh)?;
         self.mesh.warnings.extend(self.left_out.iter().map(|Kind { what, count, line }| match line {
             Some(line) if *count == 1 => format!("{what} (1, in line {line})"),
-            Some(line) => format!("{what} ({}, the first in line {line})", amount::count(*count as u64)),
-            None => format!("{what} ({})", amount::count(*count as u64)),
+            Some(line) => format!("{what} ({}, the first in line {line})", quantity::grouped(*count as u64)),
+            None => format!("{what} ({})", quantity::grouped(*count as u64)),
         }));
         Ok(self.mesh)
     }
@@ -174,17 +174,17 @@ pub fn coordinate(number: f32) -> Result<f32, String> {
 }
 
 /// Stands where a corner has no normal.
-const NONE: Triple = [0.0; 3];
+const NONE: Float3 = [0.0; 3];
 
 /// Whether the tracer sees no area; in its own words, so that what is counted is what is missed.
-fn is_flat(mesh: &Mesh, corners: &[u32; 3]) -> bool {
-    let [a, b, c] = corners.map(|i| mesh.points[i as usize]).map(|[x, y, z]| strahl_core::vec3(x, y, z));
+fn is_flat(mesh: &TriangleMesh, corners: &[u32; 3]) -> bool {
+    let [a, b, c] = corners.map(|i| mesh.vertices[i as usize]).map(|[x, y, z]| strahl_core::vec3(x, y, z));
     !strahl_core::geometry::has_area([a, b, c])
 }
 
 /// Upright on the triangle; any direction when it has no area.
-fn upright(mesh: &Mesh, corners: &[u32; 3]) -> Triple {
-    let [a, b, c] = corners.map(|i| mesh.points[i as usize].map(f64::from));
+fn upright(mesh: &TriangleMesh, corners: &[u32; 3]) -> Float3 {
+    let [a, b, c] = corners.map(|i| mesh.vertices[i as usize].map(f64::from));
     let (u, v) = ([0, 1, 2].map(|i| b[i] - a[i]), [0, 1, 2].map(|i| c[i] - a[i]));
     let cross = [u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0]];
     let length = cross.iter().map(|x| x * x).sum::<f64>().sqrt();
@@ -193,8 +193,8 @@ fn upright(mesh: &Mesh, corners: &[u32; 3]) -> Triple {
 
 /// Gives the corners without a normal that of their triangle. A corner that triangles with
 /// different normals share becomes several.
-fn complete_normals(mesh: &mut Mesh) -> Result<(), String> {
-    mesh.normals.resize(if mesh.normals.is_empty() { 0 } else { mesh.points.len() }, NONE);
+fn complete_normals(mesh: &mut TriangleMesh) -> Result<(), String> {
+    mesh.normals.resize(if mesh.normals.is_empty() { 0 } else { mesh.vertices.len() }, NONE);
     if mesh.normals.iter().all(|normal| *normal == NONE) {
         mesh.normals = Vec::new();
         return Ok(());
@@ -218,10 +218,10 @@ fn complete_normals(mesh: &mut Mesh) -> Result<(), String> {
                 mesh.normals[corner] = normal;
                 continue;
             }
-            let Ok(copy) = u32::try_from(mesh.points.len()) else {
+            let Ok(copy) = u32::try_from(mesh.vertices.len()) else {
                 return Err("more corners than a scene can number".into());
             };
-            mesh.points.push(mesh.points[corner]);
+            mesh.vertices.push(mesh.vertices[corner]);
             mesh.normals.push(normal);
             mesh.triangles[place][which] = copy;
         }

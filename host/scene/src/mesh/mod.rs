@@ -24,6 +24,6 @@ mod text;
 mod triangulate;
 mod view;
 
-pub use groups::{Group, Mesh};
+pub use groups::{MaterialGroup, TriangleMesh};
 pub use read::{EXTENSIONS, is_mesh, read, read_from};
 pub(crate) use read::{read_companion, scene};

@@ -18,7 +18,7 @@ use strahl_core::{Material, Rgb};
 use super::error::Wrong;
 use super::gather::Gather;
 use super::text::{Line, lines, text_of};
-use crate::shown::shown;
+use crate::quote::quoted;
 
 /// What a library has.
 #[derive(Default)]
@@ -73,7 +73,7 @@ pub fn read(bytes: &[u8], gather: &mut Gather) -> Result<Library, Wrong> {
         match &mut open {
             _ if !is_known => {}
             Some(words) => words.word(line)?,
-            None => return line.wrong(format!("{} stands before the first `newmtl`", shown(line.keyword))),
+            None => return line.wrong(format!("{} stands before the first `newmtl`", quoted(line.keyword))),
         }
     }
     materials.extend(open.map(Words::finish));
@@ -150,7 +150,7 @@ fn color(line: Line<'_>) -> Result<Rgb, Wrong> {
 fn number_in(low: f32, high: f32, line: Line<'_>) -> Result<f32, Wrong> {
     // `d -halo 0.5` fades towards the rim; the number is what matters.
     let Some(word) = line.words().find(|word| *word != "-halo") else {
-        return line.wrong(format!("{} has no number", shown(line.keyword)));
+        return line.wrong(format!("{} has no number", quoted(line.keyword)));
     };
     let number: f32 = line.number(word, "one")?;
     if number >= low && number <= high {

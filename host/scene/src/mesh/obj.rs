@@ -15,16 +15,16 @@ use std::path::Path;
 
 use super::error::{Wrong, invalid};
 use super::gather::{Gather, coordinate};
-use super::groups::Mesh;
+use super::groups::TriangleMesh;
 use super::mtl;
 use super::text::{Line, lines, text_of};
-use crate::description::Triple;
+use crate::description::Float3;
 use crate::error::LoadError;
-use crate::files::Files;
-use crate::shown::shown;
+use crate::files::SourceFiles;
+use crate::quote::quoted;
 
 /// Reads the bytes of the file at `path`; material libraries are beside it.
-pub fn read(files: &Files, path: &Path, bytes: &[u8]) -> Result<Mesh, LoadError> {
+pub fn read(files: &SourceFiles, path: &Path, bytes: &[u8]) -> Result<TriangleMesh, LoadError> {
     let wrong = |wrong| invalid(path, wrong);
     let text = text_of(bytes).map_err(wrong)?;
     let mut reader = Reader::default();
@@ -45,8 +45,8 @@ const NO_NORMAL: u32 = u32::MAX;
 #[derive(Default)]
 struct Reader {
     gather: Gather,
-    points: Vec<Triple>,
-    normals: Vec<Triple>,
+    points: Vec<Float3>,
+    normals: Vec<Float3>,
     /// Where the corner with this point and this normal stands.
     known: HashMap<(u32, u32), u32>,
     materials: HashMap<String, u16>,
@@ -66,7 +66,7 @@ impl Reader {
             "vt" | "vp" | "o" | "g" | "s" | "mg" | "mtllib" => {}
             "l" | "p" => self.gather.left_out("lines and points are left out", Some(line.number)),
             other => {
-                let what = format!("words {} are not known and left out", shown(other));
+                let what = format!("words {} are not known and left out", quoted(other));
                 self.gather.left_out(&what, Some(line.number));
             }
         }
@@ -103,7 +103,7 @@ impl Reader {
         let texture = parts.next().unwrap_or_default();
         let normal = parts.next().unwrap_or_default();
         if parts.next().is_some() || (!texture.is_empty() && texture.parse::<i64>().is_err()) {
-            return line.wrong(format!("{} is no corner of a face", shown(word)));
+            return line.wrong(format!("{} is no corner of a face", quoted(word)));
         }
         let point = place(point, self.points.len(), "corner", word, line)?;
         let normal = match normal {
@@ -123,14 +123,14 @@ impl Reader {
     fn material(&mut self, line: Line<'_>) {
         let material = self.materials.get(line.rest).copied();
         if material.is_none() && !self.materials.is_empty() {
-            let what = format!("uses of the material {}, which no library has", shown(line.rest));
+            let what = format!("uses of the material {}, which no library has", quoted(line.rest));
             self.gather.left_out(&what, Some(line.number));
         }
         self.gather.made_of(material);
     }
 
     /// Reads one library whose name may have spaces, or several whose names have none.
-    fn library(&mut self, files: &Files, folder: &Path, line: Line<'_>) -> Result<(), LoadError> {
+    fn library(&mut self, files: &SourceFiles, folder: &Path, line: Line<'_>) -> Result<(), LoadError> {
         if !self.libraries.insert(line.rest.to_owned()) {
             return Ok(());
         }
@@ -143,7 +143,7 @@ impl Reader {
                 match files.companion(&path) {
                     Ok(bytes) => self.one_library(files, &path, &bytes)?,
                     Err(error) => {
-                        let (name, line) = (shown(name), line.number);
+                        let (name, line) = (quoted(name), line.number);
                         let what = format!("the materials {name} of line {line} cannot be read: {error}");
                         self.gather.warn(what);
                     }
@@ -153,7 +153,7 @@ impl Reader {
         Ok(())
     }
 
-    fn one_library(&mut self, files: &Files, path: &Path, bytes: &[u8]) -> Result<(), LoadError> {
+    fn one_library(&mut self, files: &SourceFiles, path: &Path, bytes: &[u8]) -> Result<(), LoadError> {
         let wrong = |wrong| invalid(path, wrong);
         let mtl::Library { materials, textures } = mtl::read(bytes, &mut self.gather).map_err(wrong)?;
         let folder = path.parent().unwrap_or(Path::new(""));
@@ -172,7 +172,7 @@ impl Reader {
 /// The place that an index names, which counts from 1, or back from the end when negative.
 fn place(index: &str, count: usize, what: &str, word: &str, line: Line<'_>) -> Result<u32, Wrong> {
     let Ok(index) = index.parse::<i64>() else {
-        return line.wrong(format!("{} is no corner of a face", shown(word)));
+        return line.wrong(format!("{} is no corner of a face", quoted(word)));
     };
     let place = if index < 0 { count as i64 + index } else { index - 1 };
     match u32::try_from(place) {

@@ -5,31 +5,35 @@ use std::path::Path;
 use strahl_core::Resolution;
 
 use super::error::invalid;
-use super::groups::Mesh;
+use super::groups::TriangleMesh;
 use super::{gltf, obj, ply, view};
-use crate::description::Description;
+use crate::description::LoadedScene;
 use crate::error::LoadError;
-use crate::files::Files;
+use crate::files::SourceFiles;
 
 /// The extensions of the formats that are read here.
 pub const EXTENSIONS: [&str; 4] = ["obj", "ply", "gltf", "glb"];
 
 /// Reads the mesh in the file at `path`; its extension names the format.
-pub fn read(path: &Path) -> Result<Mesh, LoadError> {
-    read_from(&Files::on_disk(), path)
+pub fn read(path: &Path) -> Result<TriangleMesh, LoadError> {
+    read_from(&SourceFiles::on_disk(), path)
 }
 
 /// The same from these files.
-pub fn read_from(files: &Files, path: &Path) -> Result<Mesh, LoadError> {
+pub fn read_from(files: &SourceFiles, path: &Path) -> Result<TriangleMesh, LoadError> {
     parse(files, path, files.read(path))
 }
 
 /// The same of a file that another one names.
-pub(crate) fn read_companion(files: &Files, path: &Path) -> Result<Mesh, LoadError> {
+pub(crate) fn read_companion(files: &SourceFiles, path: &Path) -> Result<TriangleMesh, LoadError> {
     parse(files, path, files.companion(path))
 }
 
-fn parse(files: &Files, path: &Path, bytes: std::io::Result<Vec<u8>>) -> Result<Mesh, LoadError> {
+fn parse(
+    files: &SourceFiles,
+    path: &Path,
+    bytes: std::io::Result<Vec<u8>>,
+) -> Result<TriangleMesh, LoadError> {
     let bytes = bytes.map_err(|error| LoadError::Unreadable { path: path.to_owned(), error })?;
     let wrong = |wrong| invalid(path, wrong);
     match extension(path).as_str() {
@@ -49,7 +53,7 @@ pub fn is_mesh(path: &Path) -> bool {
 }
 
 /// The mesh in the file at `path` as a scene of its own, seen whole in a picture of `size`.
-pub(crate) fn scene(files: &Files, path: &Path, size: Resolution) -> Result<Description, LoadError> {
+pub(crate) fn scene(files: &SourceFiles, path: &Path, size: Resolution) -> Result<LoadedScene, LoadError> {
     // In PLY files nothing says what is up. Programs that make things stand them on the plane
     // of x and y; OBJ and glTF files have y up by custom and by definition.
     let up = if extension(path) == "ply" { view::Up::Z } else { view::Up::Y };

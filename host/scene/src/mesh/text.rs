@@ -4,7 +4,7 @@ use std::borrow::Cow;
 use std::str::FromStr;
 
 use super::error::Wrong;
-use crate::shown::shown;
+use crate::quote::quoted;
 
 /// The file as text. What is no UTF-8 is replaced: only names and comments may hold it.
 pub fn text_of(bytes: &[u8]) -> Result<Cow<'_, str>, Wrong> {
@@ -93,7 +93,7 @@ impl<'t> Line<'t> {
     pub fn number<N: FromStr>(&self, word: &str, what: &str) -> Result<N, Wrong> {
         match word.parse() {
             Ok(number) => Ok(number),
-            Err(_) => self.wrong(format!("{} is no number; {what} is expected", shown(word))),
+            Err(_) => self.wrong(format!("{} is no number; {what} is expected", quoted(word))),
         }
     }
 }

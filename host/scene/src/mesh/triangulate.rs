@@ -9,7 +9,7 @@
 //! The work is bounded: what crosses itself, or asks for more tests than its corners earn,
 //! is cut to its end without looking. Every polygon of `n` corners gives `n - 2` triangles.
 
-use crate::description::Triple;
+use crate::description::Float3;
 
 /// Tests of one corner against one triangle, for each corner of a polygon.
 const TESTS: usize = 4096;
@@ -28,7 +28,7 @@ type Flat = [f64; 2];
 
 /// Cuts the polygon with these corners; the triangles name corners by their places, and turn
 /// the way that the polygon does.
-pub fn cut(corners: &[Triple], triangles: &mut Vec<[u32; 3]>) -> Cut {
+pub fn cut(corners: &[Float3], triangles: &mut Vec<[u32; 3]>) -> Cut {
     let count = corners.len() as u32;
     let fan = (2..count).map(|third| [0, third - 1, third]);
     if count <= 3 {
@@ -47,7 +47,7 @@ pub fn cut(corners: &[Triple], triangles: &mut Vec<[u32; 3]>) -> Cut {
 }
 
 /// The corners in the plane of the polygon, counterclockwise; none without area.
-fn flattened(corners: &[Triple]) -> Option<Vec<Flat>> {
+fn flattened(corners: &[Float3]) -> Option<Vec<Flat>> {
     let at = |i: usize| corners[i % corners.len()].map(f64::from);
     let middle = at(0);
     let mut normal = [0.0; 3];

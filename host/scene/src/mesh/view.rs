@@ -13,9 +13,10 @@
 
 use strahl_core::{Material, Resolution, Rgb};
 
-use super::groups::Mesh;
+use super::groups::TriangleMesh;
 use crate::description::{
-    Background, Description, Form, Light, Object, Placed, Projection, Source, Triple, View,
+    BackgroundDescription, CameraDescription, Float3, LightDescription, LightSourceDescription, LoadedScene,
+    Located, ObjectDescription, ProjectionDescription, ShapeDescription,
 };
 use crate::framing::{Gaze, V, cross, larger, sin_cos};
 
@@ -51,14 +52,18 @@ const CLAY: Material = Material {
 };
 
 /// The mesh as a scene, for pictures of `size`.
-pub fn staged(mesh: Mesh, up: Up, size: Resolution) -> Result<Description, String> {
+pub fn staged(mesh: TriangleMesh, up: Up, size: Resolution) -> Result<LoadedScene, String> {
     let seen = corners_of_triangles(&mesh);
     let frame = Frame::of(&seen, up);
     let gaze = Gaze::new(frame.toward, frame.up, ANGLE, FILLED, size);
     let view = frame.view(&seen, &gaze, size)?;
     let lamp = |name: &str, toward: V, color: Rgb, shadows: bool| {
-        let it = Light { source: Source::Directional { toward: rounded(toward) }, color, shadows };
-        Placed { it, line: 0, name: Some(name.into()) }
+        let it = LightDescription {
+            source: LightSourceDescription::Directional { to_light: rounded(toward) },
+            color,
+            shadows,
+        };
+        Located { value: it, line: 0, name: Some(name.into()) }
     };
     let [right, above, back] = gaze.axes();
     let mix = |r: f64, a: f64, b: f64| [0, 1, 2].map(|i| r * right[i] + a * above[i] + b * back[i]);
@@ -68,22 +73,25 @@ pub fn staged(mesh: Mesh, up: Up, size: Resolution) -> Result<Description, Strin
         lamp("rim", mix(0.4, 0.3, -0.9), Rgb::new(0.3, 0.32, 0.35), false),
     ];
 
-    let mut materials: Vec<_> =
-        mesh.materials.into_iter().map(|(name, it)| Placed { it, line: 0, name: Some(name) }).collect();
+    let mut materials: Vec<_> = mesh
+        .materials
+        .into_iter()
+        .map(|(name, it)| Located { value: it, line: 0, name: Some(name) })
+        .collect();
     let has_nameless = mesh.groups.iter().any(|group| group.material.is_none());
     let clay = u16::try_from(materials.len()).map_err(|_| "more materials than a scene can number")?;
     if has_nameless {
-        materials.push(Placed { it: CLAY, line: 0, name: None });
+        materials.push(Located { value: CLAY, line: 0, name: None });
     }
     let smooth = !mesh.normals.is_empty();
     let mut first = 0;
     let objects = mesh.groups.iter().map(|group| {
-        let form = Form::Mesh { first, count: group.count, smooth };
+        let form = ShapeDescription::Mesh { first, count: group.count, smooth };
         first += group.count;
-        Object { form, material: group.material.unwrap_or(clay), line: 0 }
+        ObjectDescription { shape: form, material: group.material.unwrap_or(clay), line: 0 }
     });
-    Ok(Description {
-        background: Background::Gradient {
+    Ok(LoadedScene {
+        background: BackgroundDescription::Gradient {
             up: rounded(frame.up),
             below: Rgb::new(0.03, 0.035, 0.045),
             above: Rgb::new(0.24, 0.3, 0.37),
@@ -92,23 +100,23 @@ pub fn staged(mesh: Mesh, up: Up, size: Resolution) -> Result<Description, Strin
         lights,
         materials,
         objects: objects.collect(),
-        points: mesh.points,
+        vertices: mesh.vertices,
         normals: mesh.normals,
         triangles: mesh.triangles,
         warnings: mesh.warnings,
-        ..Description::new(view)
+        ..LoadedScene::new(view)
     })
 }
 
 /// The corners of all triangles, each once: a file may have others, which nobody sees.
-fn corners_of_triangles(mesh: &Mesh) -> Vec<V> {
-    let mut is_seen = vec![false; mesh.points.len()];
+fn corners_of_triangles(mesh: &TriangleMesh) -> Vec<V> {
+    let mut is_seen = vec![false; mesh.vertices.len()];
     mesh.triangles.as_flattened().iter().for_each(|corner| is_seen[*corner as usize] = true);
-    let seen = mesh.points.iter().zip(is_seen).filter(|(_, is_seen)| *is_seen);
+    let seen = mesh.vertices.iter().zip(is_seen).filter(|(_, is_seen)| *is_seen);
     seen.map(|(point, _)| point.map(f64::from)).collect()
 }
 
-fn rounded(v: V) -> Triple {
+fn rounded(v: V) -> Float3 {
     v.map(|x| x as f32)
 }
 
@@ -148,7 +156,7 @@ impl Frame {
     }
 
     /// The nearest view that has every corner inside the picture.
-    fn view(&self, seen: &[V], gaze: &Gaze, size: Resolution) -> Result<View, String> {
+    fn view(&self, seen: &[V], gaze: &Gaze, size: Resolution) -> Result<CameraDescription, String> {
         if self.reach == 0.0 {
             return Err("all corners are in the same place, so there is nothing to look at".into());
         }
@@ -165,8 +173,9 @@ impl Frame {
         if from.into_iter().chain(at).any(is_lost) {
             return Err("the model is too small for its distance from zero".into());
         }
-        let projection = Projection::Perspective(ANGLE as f32);
-        let view = View { from: rounded(from), at: rounded(at), up: rounded(self.up), projection };
+        let projection = ProjectionDescription::Perspective(ANGLE as f32);
+        let view =
+            CameraDescription { from: rounded(from), at: rounded(at), up: rounded(self.up), projection };
         match strahl_core::Camera::new(&view.to_core(), size) {
             Ok(_) => Ok(view),
             Err(fault) => Err(format!("the model is too large or too far away: {fault}")),

@@ -10,15 +10,20 @@ use super::build::{MeshFiles, SceneBuilder};
 use super::format::File;
 use super::syntax;
 use super::value::{Found, MaterialNames, Read as _, Reader};
-use crate::description::Description;
-use crate::diagnostics::{Diagnostic, Diagnostics, Lines};
+use crate::description::LoadedScene;
+use crate::diagnostics::{Diagnostic, Diagnostics, LineIndex};
 use crate::error::LoadError;
-use crate::files::Files;
+use crate::files::SourceFiles;
 
 /// Reads the bytes of the file at `path`.
 ///
 /// Where it has no view, one is chosen that suits its size, or `size` where it names none.
-pub fn read(files: &Files, path: &Path, bytes: &[u8], size: Resolution) -> Result<Description, LoadError> {
+pub fn read(
+    files: &SourceFiles,
+    path: &Path,
+    bytes: &[u8],
+    size: Resolution,
+) -> Result<LoadedScene, LoadError> {
     let wrong = |text: &str, list: Vec<Diagnostic>| {
         LoadError::Diagnostics(Box::new(Diagnostics::new(path, text, list)))
     };
@@ -33,7 +38,7 @@ pub fn read(files: &Files, path: &Path, bytes: &[u8], size: Resolution) -> Resul
     let (document, errors) = DeTable::parse_recoverable(text);
     if document.get_ref().is_empty() && errors.is_empty() {
         let fault = Diagnostic::new(0..0, "the file has no scene in it");
-        return Err(wrong(text, vec![fault.help("a scene begins with a table, such as [[sphere]]")]));
+        return Err(wrong(text, vec![fault.with_help("a scene begins with a table, such as [[sphere]]")]));
     }
     let names = MaterialNames::of(document.get_ref());
     let (faults, complete) = (Found::default(), errors.is_empty());
@@ -44,7 +49,7 @@ pub fn read(files: &Files, path: &Path, bytes: &[u8], size: Resolution) -> Resul
         return Err(wrong(text, syntax::faults(text, document.get_ref(), errors, reader.faults.kept)));
     }
 
-    let lines = Lines::of(text);
+    let lines = LineIndex::new(text);
     let folder = path.parent().unwrap_or(Path::new(""));
     let builder = SceneBuilder::new(reader, &lines, MeshFiles::of(files, folder), size);
     let (description, reader) = builder.scene(file.unwrap_or_default());
@@ -52,7 +57,7 @@ pub fn read(files: &Files, path: &Path, bytes: &[u8], size: Resolution) -> Resul
     if count == 0 {
         return Ok(description);
     }
-    Err(LoadError::Diagnostics(Box::new(Diagnostics::new(path, text, kept).counting(count))))
+    Err(LoadError::Diagnostics(Box::new(Diagnostics::new(path, text, kept).with_total(count))))
 }
 
 /// The JSON Schema of scenes, for editors.

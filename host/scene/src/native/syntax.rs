@@ -8,7 +8,7 @@ use std::ops::Range;
 
 use toml::de::{DeTable, DeValue, Error};
 
-use crate::diagnostics::{Diagnostic, Lines};
+use crate::diagnostics::{Diagnostic, LineIndex};
 
 /// More mistakes of the parser than anybody reads.
 const MOST: usize = 100;
@@ -21,7 +21,7 @@ pub fn faults(
     errors: Vec<Error>,
     read: Vec<Diagnostic>,
 ) -> Vec<Diagnostic> {
-    let lines = Lines::of(text);
+    let lines = LineIndex::new(text);
     let mut values = Vec::new();
     if let DeValue::Table(table) = document {
         collect(table, &mut values);
@@ -37,7 +37,7 @@ pub fn faults(
     let mut horizon = usize::MAX;
     let is_header: Vec<bool> = text.lines().map(|line| line.trim_start().starts_with('[')).collect();
     for error in errors {
-        let (place, line) = (start(&error), lines.line(start(&error)));
+        let (place, line) = (start(&error), lines.line_number(start(&error)));
         if damaged.last().is_some_and(|damaged| line < damaged.end) {
             continue;
         }
@@ -46,7 +46,7 @@ pub fn faults(
             break;
         }
         let touches = |value: &&Range<usize>| value.start <= place && place <= value.end;
-        let last = values.iter().filter(touches).map(|value| lines.line(value.end)).max();
+        let last = values.iter().filter(touches).map(|value| lines.line_number(value.end)).max();
         if is_header.get(line - 1) == Some(&true) {
             let next = (line..is_header.len()).find(|index| is_header[*index]);
             homeless.push(line..next.unwrap_or(is_header.len()) + 1);
@@ -55,7 +55,7 @@ pub fn faults(
         list.push(fault(text, &error));
     }
     let is_sound = |fault: &Diagnostic| {
-        let (first, last) = (lines.line(fault.span.start), lines.line(fault.span.end));
+        let (first, last) = (lines.line_number(fault.span.start), lines.line_number(fault.span.end));
         let apart = |damaged: &Range<usize>| last < damaged.start || first >= damaged.end;
         first < horizon && damaged.iter().chain(&homeless).all(apart)
     };
@@ -92,9 +92,9 @@ fn fault(text: &str, error: &Error) -> Diagnostic {
     let fault = Diagnostic::new(span, error.message());
     let is_word = !word.is_empty() && word.chars().all(|c| c.is_alphanumeric() || "_-#".contains(c));
     if error.message().starts_with("string values must be quoted") && is_word {
-        fault.help(format!("write \"{word}\""))
+        fault.with_help(format!("write \"{word}\""))
     } else if error.message().starts_with("duplicate key") {
-        fault.help("a key stands only once in a table; [[name]] begins another table of the same kind")
+        fault.with_help("a key stands only once in a table; [[name]] begins another table of the same kind")
     } else {
         fault
     }

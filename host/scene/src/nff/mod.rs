@@ -19,21 +19,22 @@ use std::path::Path;
 use strahl_core::geometry::{Cone, Polygon};
 use strahl_core::math::MAX_COORDINATE;
 use strahl_core::{Camera, Material, Resolution, Rgb, vec3};
-use strahl_settings::PartialSettings;
+use strahl_settings::SettingsOverrides;
 
-use crate::amount::amount;
 use crate::description::{
-    Background, Description, Form, Light, Object, Placed, Projection, Source, Triple, View,
+    BackgroundDescription, CameraDescription, Float3, LightDescription, LightSourceDescription, LoadedScene,
+    Located, ObjectDescription, ProjectionDescription, ShapeDescription,
 };
 use crate::error::LoadError;
 use crate::limits::MOST_PIXELS;
+use crate::quantity::quantity;
 use words::{Read, Word, Words, Wrong};
 
 /// Reads the bytes of the file at `path`.
 ///
 /// Old files have comments in all sorts of encodings: what is no UTF-8 is an error only where it
 /// is no comment.
-pub fn read(path: &Path, bytes: &[u8]) -> Result<Description, LoadError> {
+pub fn read(path: &Path, bytes: &[u8]) -> Result<LoadedScene, LoadError> {
     if let Some(place) = bytes.iter().position(|byte| *byte == 0) {
         let line = 1 + bytes[..place].iter().filter(|byte| **byte == b'\n').count();
         return Err(LoadError::at(path, line, "this is not text, so it is no NFF scene"));
@@ -46,7 +47,7 @@ pub fn read(path: &Path, bytes: &[u8]) -> Result<Description, LoadError> {
 
 /// A light as the file has it.
 struct Lamp {
-    position: Triple,
+    position: Float3,
     color: Option<Rgb>,
     line: usize,
 }
@@ -54,16 +55,16 @@ struct Lamp {
 /// The file, and what has been read of it.
 struct Reader<'t> {
     words: Words<'t>,
-    view: Option<Placed<(View, Resolution, usize)>>,
-    background: Option<Placed<Rgb>>,
+    view: Option<Located<(CameraDescription, Resolution, usize)>>,
+    background: Option<Located<Rgb>>,
     lamps: Vec<Lamp>,
-    materials: Vec<Placed<Material>>,
+    materials: Vec<Located<Material>>,
     /// Where the material with these numbers stands.
     known: HashMap<[u32; 8], u16>,
     material: Option<u16>,
-    objects: Vec<Object>,
-    points: Vec<Triple>,
-    normals: Vec<Triple>,
+    objects: Vec<ObjectDescription>,
+    points: Vec<Float3>,
+    normals: Vec<Float3>,
     /// How many have no area, and the line of the first.
     flat: (usize, usize),
 }
@@ -85,7 +86,7 @@ impl<'t> Reader<'t> {
         }
     }
 
-    fn scene(mut self) -> Read<Description> {
+    fn scene(mut self) -> Read<LoadedScene> {
         if self.words.next.is_none() {
             return Err(Wrong { line: 1, reason: "the file has no scene in it".into() });
         }
@@ -140,17 +141,17 @@ impl<'t> Reader<'t> {
             };
             Wrong { line, reason: format!("the viewpoint of line {} has no `{what}` {found}", of.line) }
         };
-        let view = View {
+        let view = CameraDescription {
             from: from.ok_or_else(|| missing("from"))?,
             at: at.ok_or_else(|| missing("at"))?,
             up: up.ok_or_else(|| missing("up"))?,
-            projection: Projection::Perspective(angle.ok_or_else(|| missing("angle"))?),
+            projection: ProjectionDescription::Perspective(angle.ok_or_else(|| missing("angle"))?),
         };
         let (size, line) = size.ok_or_else(|| missing("resolution"))?;
         if let Err(fault) = Camera::new(&view.to_core(), size) {
             return of.wrong(format!("{fault}"));
         }
-        self.view = Some(Placed { it: (view, size, line), line: of.line, name: None });
+        self.view = Some(Located { value: (view, size, line), line: of.line, name: None });
         Ok(())
     }
 
@@ -170,7 +171,7 @@ impl<'t> Reader<'t> {
             return of.wrong(format!("a second background; the first is in line {}", first.line));
         }
         let color = self.words.color("a channel of the background", of)?;
-        self.background = Some(Placed { it: color, line: of.line, name: None });
+        self.background = Some(Located { value: color, line: of.line, name: None });
         Ok(())
     }
 
@@ -214,17 +215,17 @@ impl<'t> Reader<'t> {
             index: if t > 0.0 { index } else { 1.0 },
             ..Material::MATTE
         };
-        self.materials.push(Placed { it: material, line: of.line, name: None });
+        self.materials.push(Located { value: material, line: of.line, name: None });
         self.known.insert(key, place);
         self.material = Some(place);
         Ok(())
     }
 
-    fn add(&mut self, form: Form, of: Word<'_>) -> Read<()> {
+    fn add(&mut self, form: ShapeDescription, of: Word<'_>) -> Read<()> {
         let Some(material) = self.material else {
             return of.wrong("an object before the first surface (`f`)");
         };
-        self.objects.push(Object { form, material, line: of.line as u32 });
+        self.objects.push(ObjectDescription { shape: form, material, line: of.line as u32 });
         Ok(())
     }
 
@@ -234,7 +235,7 @@ impl<'t> Reader<'t> {
         if radius == 0.0 {
             return of.wrong("the radius of the sphere is 0");
         }
-        self.add(Form::Sphere { center, radius }, of)
+        self.add(ShapeDescription::Sphere { center, radius }, of)
     }
 
     fn cone(&mut self, of: Word<'_>) -> Read<()> {
@@ -242,7 +243,7 @@ impl<'t> Reader<'t> {
         let base_radius = self.words.coordinate("the radius of the base", of)?.abs();
         let end = self.words.triple("the apex of the cone", of)?;
         let end_radius = self.words.coordinate("the radius of the apex", of)?.abs();
-        let place = |[x, y, z]: Triple| vec3(x, y, z);
+        let place = |[x, y, z]: Float3| vec3(x, y, z);
         match Cone::new(place(base), base_radius, place(end), end_radius, false) {
             None => return of.wrong("the cone's base and apex are at the same place"),
             Some(cone) if cone.height > MAX_COORDINATE => {
@@ -253,7 +254,7 @@ impl<'t> Reader<'t> {
         if base_radius == 0.0 && end_radius == 0.0 {
             return of.wrong("both radii of the cone are 0");
         }
-        self.add(Form::Cone { base, base_radius, end, end_radius, capped: false }, of)
+        self.add(ShapeDescription::Cone { base, base_radius, end, end_radius, capped: false }, of)
     }
 
     fn polygon(&mut self, of: Word<'_>, smooth: bool) -> Read<()> {
@@ -283,17 +284,17 @@ impl<'t> Reader<'t> {
         let first = end - count;
         let form = if Polygon::new(first, &corners, smooth).is_none() {
             self.flat = (self.flat.0 + 1, if self.flat.0 == 0 { of.line } else { self.flat.1 });
-            Form::Nothing
+            ShapeDescription::Degenerate
         } else if count == 3 {
-            Form::Triangle { corners: [first, first + 1, first + 2], smooth }
+            ShapeDescription::Triangle { vertices: [first, first + 1, first + 2], smooth }
         } else {
-            Form::Polygon { first, count, smooth }
+            ShapeDescription::Polygon { first, count, smooth }
         };
         self.add(form, of)
     }
 
-    fn finish(self) -> Read<Description> {
-        let Some(Placed { it: (view, size, line), .. }) = self.view else {
+    fn finish(self) -> Read<LoadedScene> {
+        let Some(Located { value: (view, size, line), .. }) = self.view else {
             return Err(Wrong {
                 line: self.words.lines,
                 reason: "the file ends without a viewpoint (`v`)".into(),
@@ -303,9 +304,9 @@ impl<'t> Reader<'t> {
         let n = self.lamps.len().max(1) as f32;
         let intensity = Rgb::gray((f64::from(n).sqrt() / (2.0 * f64::from(n))) as f32);
         let lights = self.lamps.iter().map(|lamp| {
-            let source = Source::Point { position: lamp.position, falloff: [1.0, 0.0, 0.0] };
+            let source = LightSourceDescription::Point { position: lamp.position, falloff: [1.0, 0.0, 0.0] };
             let color = lamp.color.unwrap_or(intensity);
-            Placed { it: Light { source, color, shadows: true }, line: lamp.line, name: None }
+            Located { value: LightDescription { source, color, shadows: true }, line: lamp.line, name: None }
         });
         let mut warnings = Vec::new();
         match self.flat {
@@ -313,21 +314,21 @@ impl<'t> Reader<'t> {
             (1, line) => warnings.push(format!("1 polygon has no area and is never hit (line {line})")),
             (count, line) => warnings.push(format!(
                 "{} have no area and are never hit (the first in line {line})",
-                amount(count, "polygon")
+                quantity(count, "polygon")
             )),
         }
-        Ok(Description {
-            settings: PartialSettings { size: Some(size), ..PartialSettings::default() },
+        Ok(LoadedScene {
+            settings: SettingsOverrides { size: Some(size), ..SettingsOverrides::default() },
             setting_lines: BTreeMap::from([("size", line)]),
-            background: Background::Color(self.background.map_or(Rgb::BLACK, |b| b.it)),
+            background: BackgroundDescription::Color(self.background.map_or(Rgb::BLACK, |b| b.value)),
             ambient: intensity,
             lights: lights.collect(),
             materials: self.materials,
             objects: self.objects,
-            points: self.points,
+            vertices: self.points,
             normals: self.normals,
             warnings,
-            ..Description::new(view)
+            ..LoadedScene::new(view)
         })
     }
 }

@@ -3,8 +3,8 @@
 use strahl_core::Rgb;
 use strahl_core::math::MAX_COORDINATE;
 
-use crate::description::Triple;
-use crate::shown::shown;
+use crate::description::Float3;
+use crate::quote::quoted;
 
 /// What is wrong at a line.
 pub struct Wrong {
@@ -29,7 +29,7 @@ impl Word<'_> {
 
     /// The word as it may stand in a message: short, and without control characters.
     pub fn shown(&self) -> String {
-        shown(self.text)
+        quoted(self.text)
     }
 }
 
@@ -98,7 +98,7 @@ impl<'t> Words<'t> {
         self.number_in(-MAX_COORDINATE, MAX_COORDINATE, what, of)
     }
 
-    pub fn triple(&mut self, what: &str, of: Word<'_>) -> Read<Triple> {
+    pub fn triple(&mut self, what: &str, of: Word<'_>) -> Read<Float3> {
         Ok([self.coordinate(what, of)?, self.coordinate(what, of)?, self.coordinate(what, of)?])
     }
 

@@ -25,7 +25,7 @@ use strahl_settings::{Choice as _, choices};
 use pen::{Mesh, Pen};
 
 /// The most objects of a scene: about a gigabyte of NFF.
-pub const MOST_OBJECTS: u64 = 1 << 24;
+pub const MAX_OBJECTS: u64 = 1 << 24;
 
 choices! {
     /// A scene that a formula makes.
@@ -60,7 +60,7 @@ choices! {
 
 impl ProceduralScene {
     /// Its size when none is asked for: where the databases have it, theirs.
-    pub fn usual_size(self) -> u32 {
+    pub fn default_size(self) -> u32 {
         match self {
             ProceduralScene::Sphereflake => 4,
             ProceduralScene::Tetra | ProceduralScene::Mountain => 6,
@@ -71,7 +71,7 @@ impl ProceduralScene {
     }
 
     /// The smallest size.
-    pub fn least_size(self) -> u32 {
+    pub fn min_size(self) -> u32 {
         match self {
             ProceduralScene::Sphereflake | ProceduralScene::Tree => 0,
             ProceduralScene::Tetra
@@ -104,10 +104,10 @@ impl ProceduralScene {
     }
 
     /// The largest size that is made.
-    pub fn most_size(self) -> u32 {
-        let fits = |size: u32| self.objects(size).is_some_and(|objects| objects <= MOST_OBJECTS);
+    pub fn max_size(self) -> u32 {
+        let fits = |size: u32| self.objects(size).is_some_and(|objects| objects <= MAX_OBJECTS);
         // Objects grow with the size: halve the range that holds the last one that fits.
-        let (mut fit, mut unfit) = (self.least_size(), u32::MAX);
+        let (mut fit, mut unfit) = (self.min_size(), u32::MAX);
         while unfit - fit > 1 {
             let middle = fit + (unfit - fit) / 2;
             if fits(middle) { fit = middle } else { unfit = middle }
@@ -172,8 +172,8 @@ impl ProceduralScene {
 
 impl SceneFormat {
     /// The format that the extension of a file names.
-    pub fn of_file(path: &Path) -> Option<Self> {
-        SceneFormat::of(&path.extension()?.to_str()?.to_ascii_lowercase())
+    pub fn from_path(path: &Path) -> Option<Self> {
+        SceneFormat::from_name(&path.extension()?.to_str()?.to_ascii_lowercase())
     }
 
     /// The extension of such files.

@@ -13,7 +13,7 @@ fn the_databases_sizes_have_the_databases_counts() {
         (ProceduralScene::Tree, 8191),
     ];
     for (what, count) in counts {
-        assert_eq!(what.objects(what.usual_size()), Some(count), "{what}");
+        assert_eq!(what.objects(what.default_size()), Some(count), "{what}");
     }
 }
 

@@ -3,19 +3,22 @@
 use strahl::stock;
 use strahl_core::{Material, Resolution, Rgb};
 use strahl_scene::LoadError;
-use strahl_scene::description::{Background, Form, Light, Object, Placed, Projection, Source, View};
+use strahl_scene::description::{
+    BackgroundDescription, CameraDescription, LightDescription, LightSourceDescription, Located,
+    ObjectDescription, ProjectionDescription, ShapeDescription,
+};
 
 use crate::table::VIEW;
 use crate::text::{ALL, file_of, loaded, refused};
 
 /// What follows the viewpoint of [`VIEW`] describes.
-fn after_view(text: &str) -> strahl_scene::description::Description {
+fn after_view(text: &str) -> strahl_scene::description::LoadedScene {
     loaded(&format!("{VIEW}{text}"))
 }
 
-fn lamp(x: f32, y: f32, z: f32, color: Rgb) -> Light {
-    let source = Source::Point { position: [x, y, z], falloff: [1.0, 0.0, 0.0] };
-    Light { source, color, shadows: true }
+fn lamp(x: f32, y: f32, z: f32, color: Rgb) -> LightDescription {
+    let source = LightSourceDescription::Point { position: [x, y, z], falloff: [1.0, 0.0, 0.0] };
+    LightDescription { source, color, shadows: true }
 }
 
 fn flat(x: f32) -> String {
@@ -25,15 +28,15 @@ fn flat(x: f32) -> String {
 #[test]
 fn every_entity_becomes_what_the_format_says() {
     let it = loaded(ALL);
-    let view = View {
+    let view = CameraDescription {
         from: [0.0, -8.0, 1.0],
         at: [0.0, 0.0, 0.5],
         up: [0.0, 0.0, 1.0],
-        projection: Projection::Perspective(40.0),
+        projection: ProjectionDescription::Perspective(40.0),
     };
-    assert_eq!(it.view, view);
+    assert_eq!(it.camera, view);
     assert_eq!(it.settings.size, Resolution::new(40, 30));
-    assert_eq!(it.background, Background::Color(Rgb::new(0.125, 0.25, 0.5)));
+    assert_eq!(it.background, BackgroundDescription::Color(Rgb::new(0.125, 0.25, 0.5)));
 
     // The root of two over four, for both lights together.
     let rule = Rgb::gray(0.353_553_39);
@@ -42,8 +45,8 @@ fn every_entity_becomes_what_the_format_says() {
     assert_eq!(
         it.lights,
         [
-            Placed { it: lamp(4.0, -3.0, 2.0, rule), line: 10, name: None },
-            Placed { it: colored, line: 11, name: None }
+            Located { value: lamp(4.0, -3.0, 2.0, rule), line: 10, name: None },
+            Located { value: colored, line: 11, name: None }
         ]
     );
 
@@ -66,13 +69,13 @@ fn every_entity_becomes_what_the_format_says() {
     };
     assert_eq!(
         it.materials,
-        [Placed { it: mirror, line: 12, name: None }, Placed { it: glass, line: 27, name: None }]
+        [Located { value: mirror, line: 12, name: None }, Located { value: glass, line: 27, name: None }]
     );
 
     let objects = [
-        (Form::Sphere { center: [0.0; 3], radius: 1.0 }, 0, 13),
+        (ShapeDescription::Sphere { center: [0.0; 3], radius: 1.0 }, 0, 13),
         (
-            Form::Cone {
+            ShapeDescription::Cone {
                 base: [0.0, 0.0, 1.0],
                 base_radius: 0.5,
                 end: [0.0, 0.0, 2.0],
@@ -82,17 +85,17 @@ fn every_entity_becomes_what_the_format_says() {
             0,
             14,
         ),
-        (Form::Triangle { corners: [0, 1, 2], smooth: false }, 0, 17),
-        (Form::Polygon { first: 3, count: 5, smooth: false }, 0, 21),
-        (Form::Triangle { corners: [8, 9, 10], smooth: true }, 1, 28),
-        (Form::Polygon { first: 11, count: 4, smooth: true }, 1, 32),
+        (ShapeDescription::Triangle { vertices: [0, 1, 2], smooth: false }, 0, 17),
+        (ShapeDescription::Polygon { first: 3, count: 5, smooth: false }, 0, 21),
+        (ShapeDescription::Triangle { vertices: [8, 9, 10], smooth: true }, 1, 28),
+        (ShapeDescription::Polygon { first: 11, count: 4, smooth: true }, 1, 32),
     ];
-    assert_eq!(it.objects, objects.map(|(form, material, line)| Object { form, material, line }));
+    assert_eq!(it.objects, objects.map(|(shape, material, line)| ObjectDescription { shape, material, line }));
 
-    assert_eq!(it.points.len(), 15);
-    assert_eq!(it.points[..3], [[-1.0, 0.0, 0.0], [1.0, 0.0, 0.0], [0.0, 0.0, 1.0]]);
-    assert_eq!(it.points[6], [2.0, 1.0, 0.0]);
-    assert_eq!(it.points[14], [0.0, 1.0, 0.0]);
+    assert_eq!(it.vertices.len(), 15);
+    assert_eq!(it.vertices[..3], [[-1.0, 0.0, 0.0], [1.0, 0.0, 0.0], [0.0, 0.0, 1.0]]);
+    assert_eq!(it.vertices[6], [2.0, 1.0, 0.0]);
+    assert_eq!(it.vertices[14], [0.0, 1.0, 0.0]);
     // A normal has its corner's place.
     assert_eq!(it.normals.len(), 15);
     assert_eq!(it.normals[8..11], [[0.0, -1.0, 0.0], [1.0, -1.0, 0.0], [0.0, -1.0, 1.0]]);
@@ -112,7 +115,7 @@ fn what_a_file_describes_makes_a_scene_in_both_precisions() {
 fn an_empty_scene_is_a_scene() {
     let it = loaded("v from 0 0 9 at 0 0 0 up 0 1 0 angle 30 resolution 4 3");
     assert_eq!((it.objects.len(), it.materials.len(), it.lights.len()), (0, 0, 0));
-    assert_eq!(it.background, Background::Color(Rgb::BLACK));
+    assert_eq!(it.background, BackgroundDescription::Color(Rgb::BLACK));
     assert!(stock::single::scene_tables(&it).scene().is_ok());
 }
 
@@ -152,7 +155,7 @@ fn the_parts_of_a_viewpoint_may_stand_in_any_order_and_without_hither() {
 fn entities_may_stand_in_any_order() {
     let first = loaded(&format!("b 0 0.5 1\nl 1 2 3\nf 1 0 0 1 0 0 0 0\ns 0 0 0 1\n{VIEW}"));
     let mut last = after_view("l 1 2 3\nf 1 0 0 1 0 0 0 0\ns 0 0 0 1\nb 0 0.5 1\n");
-    assert_eq!(first.background, Background::Color(Rgb::new(0.0, 0.5, 1.0)));
+    assert_eq!(first.background, BackgroundDescription::Color(Rgb::new(0.0, 0.5, 1.0)));
     assert_eq!((last.lights[0].line, last.materials[0].line), (2, 3));
     last.lights[0].line = first.lights[0].line;
     last.materials[0].line = first.materials[0].line;
@@ -175,7 +178,11 @@ fn numbers_may_be_written_in_every_usual_way() {
         ("-1e15", -1e15),
     ] {
         let it = after_view(&format!("f 1 1 1 1 0 0 0 0\ns {word} 0 0 1"));
-        assert_eq!(it.objects[0].form, Form::Sphere { center: [number, 0.0, 0.0], radius: 1.0 }, "{word}");
+        assert_eq!(
+            it.objects[0].shape,
+            ShapeDescription::Sphere { center: [number, 0.0, 0.0], radius: 1.0 },
+            "{word}"
+        );
     }
 }
 
@@ -184,7 +191,10 @@ fn a_number_is_rounded_once() {
     // Just above the middle between 1 and the next number in single precision, so it rounds up;
     // double precision would round it to the middle, and that would round to the even 1.
     let it = after_view("f 1 1 1 1 0 0 0 0\ns 1.0000000596046447753906250000001 0 0 1");
-    assert_eq!(it.objects[0].form, Form::Sphere { center: [1.0 + f32::EPSILON, 0.0, 0.0], radius: 1.0 });
+    assert_eq!(
+        it.objects[0].shape,
+        ShapeDescription::Sphere { center: [1.0 + f32::EPSILON, 0.0, 0.0], radius: 1.0 }
+    );
 }
 
 #[test]
@@ -195,7 +205,7 @@ fn lights_without_a_colour_share_the_root_of_their_number_over_twice_their_numbe
         let expected = ((n as f64).sqrt() / (2 * n) as f64) as f32;
         assert_eq!(it.ambient, Rgb::gray(expected), "{n}");
         assert_eq!(it.lights.len(), n);
-        assert!(it.lights.iter().all(|l| l.it.color == Rgb::gray(expected)), "{n}");
+        assert!(it.lights.iter().all(|l| l.value.color == Rgb::gray(expected)), "{n}");
     }
 }
 
@@ -204,7 +214,7 @@ fn a_light_with_a_colour_keeps_it_and_counts_among_the_others() {
     let it = after_view("l 1 2 3\nl 1 2 3 0 1 0.5\nl 1 2 3 1e6 0 0\nl 1 2 3\n");
     let colors = [0.25, 0.0, 0.0, 0.25].map(Rgb::gray);
     let colors = [colors[0], Rgb::new(0.0, 1.0, 0.5), Rgb::new(1e6, 0.0, 0.0), colors[3]];
-    assert_eq!(it.lights.iter().map(|l| l.it.color).collect::<Vec<_>>(), colors);
+    assert_eq!(it.lights.iter().map(|l| l.value.color).collect::<Vec<_>>(), colors);
     assert_eq!(it.ambient, Rgb::gray(0.25));
 }
 
@@ -232,8 +242,8 @@ fn a_scene_has_room_for_65536_surfaces_and_no_more() {
 fn an_opaque_surface_may_have_any_index_of_refraction() {
     for index in ["0", "-1", "1.5", "1e9"] {
         let it = after_view(&format!("f 1 1 1 1 0 0 0 {index}\n"));
-        assert_eq!(it.materials[0].it.index, 1.0, "{index}");
-        assert!(!it.materials[0].it.is_transmitting());
+        assert_eq!(it.materials[0].value.index, 1.0, "{index}");
+        assert!(!it.materials[0].value.is_transmitting());
     }
 }
 
@@ -247,7 +257,7 @@ fn the_least_index_of_refraction_makes_a_scene_in_both_precisions() {
 #[test]
 fn a_surface_gives_back_no_more_than_the_brightest_colour() {
     let it = after_view("f 1e6 1 0 10 0 0 0 0\n");
-    assert_eq!(it.materials[0].it.diffuse, Rgb::new(1e6, 10.0, 0.0));
+    assert_eq!(it.materials[0].value.diffuse, Rgb::new(1e6, 10.0, 0.0));
 }
 
 #[test]
@@ -265,9 +275,9 @@ fn polygons_without_area_keep_their_number_and_one_warning_counts_them() {
         flat(2.0),
         "5 5 5 0 0 1 ".repeat(4)
     ));
-    let nothing = |number: usize| it.objects[number].form == Form::Nothing;
+    let nothing = |number: usize| it.objects[number].shape == ShapeDescription::Degenerate;
     assert_eq!([0, 1, 2, 3, 4].map(nothing), [false, true, true, false, true]);
-    assert_eq!(it.objects[3].form, Form::Triangle { corners: [6, 7, 8], smooth: false });
+    assert_eq!(it.objects[3].shape, ShapeDescription::Triangle { vertices: [6, 7, 8], smooth: false });
     assert_eq!(it.warnings.len(), 1);
     let warning = &it.warnings[0];
     assert!(warning.contains("3 polygons") && warning.contains("line 4"), "{warning}");

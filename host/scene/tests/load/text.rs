@@ -3,7 +3,7 @@
 use std::io::Write;
 
 use strahl_scene::LoadError;
-use strahl_scene::description::Description;
+use strahl_scene::description::LoadedScene;
 use tempfile::NamedTempFile;
 
 /// Every entity, in every form that it has.
@@ -54,7 +54,7 @@ pub fn file_of(bytes: &[u8]) -> NamedTempFile {
 }
 
 /// What a file of this text describes.
-pub fn loaded(text: &str) -> Description {
+pub fn loaded(text: &str) -> LoadedScene {
     strahl_scene::load(file_of(text.as_bytes()).path()).unwrap_or_else(|failure| panic!("{failure}\n{text}"))
 }
 

@@ -4,7 +4,7 @@ use std::path::{Path, PathBuf};
 
 use base64::Engine;
 use strahl_scene::LoadError;
-use strahl_scene::mesh::{Group, Mesh, read};
+use strahl_scene::mesh::{MaterialGroup, TriangleMesh, read};
 use tempfile::TempDir;
 
 /// A folder with files.
@@ -25,14 +25,14 @@ impl Folder {
 }
 
 /// The mesh in a file of this name; others may be beside it.
-pub fn read_with(name: &str, bytes: &[u8], others: &[(&str, &[u8])]) -> Mesh {
+pub fn read_with(name: &str, bytes: &[u8], others: &[(&str, &[u8])]) -> TriangleMesh {
     let folder = Folder::of(others);
     std::fs::write(folder.path(name), bytes).unwrap();
     read(&folder.path(name)).unwrap_or_else(|failure| panic!("{failure}\n{}", String::from_utf8_lossy(bytes)))
 }
 
 /// The mesh in a file of this extension.
-pub fn mesh(extension: &str, bytes: impl AsRef<[u8]>) -> Mesh {
+pub fn mesh(extension: &str, bytes: impl AsRef<[u8]>) -> TriangleMesh {
     read_with(&format!("file.{extension}"), bytes.as_ref(), &[])
 }
 
@@ -53,8 +53,8 @@ pub fn refused(extension: &str, bytes: impl AsRef<[u8]>) -> (Option<usize>, Stri
 }
 
 /// Groups of so many triangles, of these materials.
-pub fn groups(groups: &[(u32, Option<u16>)]) -> Vec<Group> {
-    groups.iter().map(|(count, material)| Group { count: *count, material: *material }).collect()
+pub fn groups(groups: &[(u32, Option<u16>)]) -> Vec<MaterialGroup> {
+    groups.iter().map(|(count, material)| MaterialGroup { count: *count, material: *material }).collect()
 }
 
 /// A unit square of two triangles, in OBJ.
@@ -66,12 +66,12 @@ pub const SQUARE_PLY: &str = "ply\nformat ascii 1.0\nelement vertex 4\nproperty 
     0 0 0\n1 0 0\n1 1 0\n0 1 0\n4 0 1 2 3\n";
 
 /// What both hold.
-pub fn square() -> Mesh {
-    Mesh {
-        points: vec![[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [1.0, 1.0, 0.0], [0.0, 1.0, 0.0]],
+pub fn square() -> TriangleMesh {
+    TriangleMesh {
+        vertices: vec![[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [1.0, 1.0, 0.0], [0.0, 1.0, 0.0]],
         triangles: vec![[0, 1, 2], [0, 2, 3]],
         groups: groups(&[(2, None)]),
-        ..Mesh::default()
+        ..TriangleMesh::default()
     }
 }
 

@@ -2,7 +2,7 @@
 
 use strahl_core::scene::Interface;
 use strahl_core::{Material, Rgb};
-use strahl_scene::mesh::Mesh;
+use strahl_scene::mesh::TriangleMesh;
 
 use crate::files::{PLAIN, glb, gltf_of, gltf_with, groups, mesh, read_with, square, square_bytes};
 
@@ -26,8 +26,8 @@ fn a_file_without_scenes_shows_its_topmost_nodes() {
         r#""nodes":[{"mesh":0},{"children":[0],"translation":[0,0,5]}],
         "meshes":[{"primitives":[{"attributes":{"POSITION":0},"indices":2}]}]"#,
     );
-    let points = square().points.iter().map(|[x, y, _]| [*x, *y, 5.0]).collect();
-    assert_eq!(mesh("gltf", text), Mesh { points, ..square() });
+    let points = square().vertices.iter().map(|[x, y, _]| [*x, *y, 5.0]).collect();
+    assert_eq!(mesh("gltf", text), TriangleMesh { vertices: points, ..square() });
 }
 
 #[test]
@@ -41,7 +41,7 @@ fn nodes_move_their_children_by_all_their_motions() {
     ));
     let it = mesh("gltf", text);
     for (point, expected) in
-        it.points.iter().zip([[10.0, 0.0, 0.0], [10.0, 2.0, 0.0], [9.0, 2.0, 0.0], [9.0, 0.0, 0.0]])
+        it.vertices.iter().zip([[10.0, 0.0, 0.0], [10.0, 2.0, 0.0], [9.0, 2.0, 0.0], [9.0, 0.0, 0.0]])
     {
         for (x, e) in point.iter().zip(expected) {
             assert!((x - e).abs() <= 1e-6, "{point:?}");
@@ -59,7 +59,7 @@ fn normals_stay_upright_under_uneven_scales_and_mirrors_turn_triangles() {
         "meshes":[{"primitives":[{"attributes":{"POSITION":0,"NORMAL":1},"indices":2}]}]"#,
     );
     let it = mesh("gltf", text);
-    assert_eq!(it.points, [[0.0, 0.0, 0.0], [-3.0, 0.0, 0.0], [-3.0, 1.0, 1.0], [0.0, 1.0, 1.0]]);
+    assert_eq!(it.vertices, [[0.0, 0.0, 0.0], [-3.0, 0.0, 0.0], [-3.0, 1.0, 1.0], [0.0, 1.0, 1.0]]);
     assert_eq!(
         it.triangles,
         [[0, 1, 2], [0, 3, 1]].map(|t: [u32; 3]| match t {
@@ -85,8 +85,9 @@ fn strips_and_fans_are_triangles_and_lines_are_left_out() {
         ))
     };
     let strip = mesh("gltf", with(5));
-    let places =
-        |it: &Mesh| it.triangles.iter().map(|t| t.map(|c| it.points[c as usize])).collect::<Vec<_>>();
+    let places = |it: &TriangleMesh| {
+        it.triangles.iter().map(|t| t.map(|c| it.vertices[c as usize])).collect::<Vec<_>>()
+    };
     let [a, b, c, d] = [[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [1.0, 1.0, 0.0], [0.0, 1.0, 0.0]];
     assert_eq!(places(&strip), [[a, b, c], [b, d, c]]);
     assert_eq!(strip.warnings, ["primitives are points or lines and are left out (1)"]);
@@ -102,8 +103,8 @@ fn the_same_mesh_may_stand_in_many_places() {
     );
     let it = mesh("gltf", text);
     assert_eq!(it.groups, groups(&[(2, Some(1)), (2, None), (2, Some(1)), (2, None)]));
-    assert_eq!((it.points.len(), it.triangles.len()), (16, 8));
-    assert_eq!(it.points[8], [0.0, 0.0, 1.0]);
+    assert_eq!((it.vertices.len(), it.triangles.len()), (16, 8));
+    assert_eq!(it.vertices[8], [0.0, 0.0, 1.0]);
     let names: Vec<_> = it.materials.iter().map(|(name, _)| name.as_str()).collect();
     assert_eq!(names, ["material 0", "two"]);
 }

@@ -126,7 +126,7 @@ fn survive(name: &str, whole: &[u8], ends: &[u8], rounds: usize) {
                 let single = stock::single::scene_tables(&it);
                 assert_eq!(single.scene().err(), None, "{text}");
                 assert!(stock::double::scene_tables(&it).scene().is_ok(), "{text}");
-                assert!(it.normals.is_empty() || it.normals.len() == it.points.len(), "{text}");
+                assert!(it.normals.is_empty() || it.normals.len() == it.vertices.len(), "{text}");
                 assert!(!it.normals.contains(&[0.0; 3]), "{text}");
                 good += 1;
             }

@@ -2,7 +2,7 @@
 
 use strahl_core::scene::Interface;
 use strahl_core::{Material, Rgb};
-use strahl_scene::mesh::Mesh;
+use strahl_scene::mesh::TriangleMesh;
 
 use crate::files::{SQUARE_OBJ, groups, is_named, mesh, read_with, square};
 
@@ -34,8 +34,8 @@ fn line_ends_comments_continuations_and_relative_places_change_nothing() {
 fn corners_are_shared_where_place_and_normal_are_the_same() {
     let text = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 9 9 9\nv 1 1 0\nvn 0 0 2\nvn 1 0 0\n\
         f 1//1 2//1 3//1\nf 3//1 2//1 5//1\nf 1//2 3//2 2//1\n";
-    let expected = Mesh {
-        points: vec![
+    let expected = TriangleMesh {
+        vertices: vec![
             [0.0, 0.0, 0.0],
             [1.0, 0.0, 0.0],
             [0.0, 1.0, 0.0],
@@ -46,7 +46,7 @@ fn corners_are_shared_where_place_and_normal_are_the_same() {
         normals: [[[0.0, 0.0, 2.0]; 4].as_slice(), &[[1.0, 0.0, 0.0]; 2]].concat(),
         triangles: vec![[0, 1, 2], [2, 1, 3], [4, 5, 1]],
         groups: groups(&[(3, None)]),
-        ..Mesh::default()
+        ..TriangleMesh::default()
     };
     assert_eq!(mesh("obj", text), expected);
 }
@@ -59,14 +59,14 @@ fn corners_without_a_normal_get_that_of_their_triangle_when_others_have_one() {
     let it = mesh("obj", text);
     assert_eq!(it.triangles[..2], [[0, 1, 2], [3, 4, 5]]);
     assert_eq!(it.normals[..6], [[[0.0, 1.0, 1.0]; 3], [[0.0, -1.0, 0.0]; 3]].concat());
-    assert_eq!(it.normals.len(), it.points.len());
+    assert_eq!(it.normals.len(), it.vertices.len());
     for corner in it.triangles[2] {
         assert_eq!(it.normals[corner as usize], [0.0, 0.0, 1.0]);
     }
     // It shares corners without a normal with the second and the third, which face other ways.
     for (corner, place) in it.triangles[3].into_iter().zip([[0.0; 3], [0.0, 1.0, 0.0], [1.0, 0.0, 0.0]]) {
         assert_eq!(it.normals[corner as usize], [0.0, 0.0, -1.0]);
-        assert_eq!(it.points[corner as usize], place);
+        assert_eq!(it.vertices[corner as usize], place);
     }
     let says = "normals are zero or not finite; those of the triangles take their place (2)";
     assert_eq!(it.warnings, [says]);

@@ -11,7 +11,7 @@ type Soup = Vec<[([f32; 3], Option<[f32; 3]>); 3]>;
 
 fn ours(extension: &str, file: &[u8]) -> Soup {
     let it = mesh(extension, file);
-    let corner = |i: u32| (it.points[i as usize], it.normals.get(i as usize).copied());
+    let corner = |i: u32| (it.vertices[i as usize], it.normals.get(i as usize).copied());
     it.triangles.iter().map(|triangle| triangle.map(corner)).collect()
 }
 

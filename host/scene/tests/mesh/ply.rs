@@ -1,6 +1,6 @@
 //! What is in PLY files of every encoding.
 
-use strahl_scene::mesh::Mesh;
+use strahl_scene::mesh::TriangleMesh;
 
 use crate::files::{SQUARE_PLY, groups, mesh, square};
 
@@ -80,11 +80,11 @@ fn every_type_of_number_is_read_in_either_byte_order() {
                     face.iter().for_each(|corner| file.extend(number(index, *corner, big)));
                     file.push(255);
                 }
-                let expected = Mesh {
-                    points: corners.map(|corner| corner.map(|x| x as f32)).to_vec(),
+                let expected = TriangleMesh {
+                    vertices: corners.map(|corner| corner.map(|x| x as f32)).to_vec(),
                     triangles: vec![[0, 1, 2], [2, 1, 0]],
                     groups: groups(&[(2, None)]),
-                    ..Mesh::default()
+                    ..TriangleMesh::default()
                 };
                 assert_eq!(mesh("ply", &file), expected, "{order} {coordinate} {length} {index}");
             }
@@ -104,7 +104,7 @@ fn normals_count_when_all_three_are_there() {
         }
         mesh("ply", text)
     };
-    assert_eq!(with(&["nx", "ny", "nz"]), Mesh { normals: vec![[0.5, 0.0, 2.0]; 4], ..square() });
+    assert_eq!(with(&["nx", "ny", "nz"]), TriangleMesh { normals: vec![[0.5, 0.0, 2.0]; 4], ..square() });
     assert_eq!(with(&["nx", "ny"]), square());
 }
 

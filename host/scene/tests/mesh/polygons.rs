@@ -4,7 +4,7 @@ use crate::files::mesh;
 use crate::random::Random;
 
 /// The mesh of one face with these corners, in OBJ.
-fn face(corners: &[[f64; 3]]) -> strahl_scene::mesh::Mesh {
+fn face(corners: &[[f64; 3]]) -> strahl_scene::mesh::TriangleMesh {
     let mut text: String = corners.iter().map(|[x, y, z]| format!("v {x} {y} {z}\n")).collect();
     text.push('f');
     (1..=corners.len()).for_each(|i| text.push_str(&format!(" {i}")));
@@ -26,7 +26,7 @@ fn assert_covers(corners: &[[f64; 3]]) {
         .map(|i| (corners[i], corners[(i + 1) % corners.len()]))
         .map(|(p, q)| p[0] * q[1] - p[1] * q[0])
         .sum();
-    let turns = it.triangles.iter().map(|t| turn(t.map(|i| it.points[i as usize])) * area.signum());
+    let turns = it.triangles.iter().map(|t| turn(t.map(|i| it.vertices[i as usize])) * area.signum());
     let turns: Vec<f64> = turns.collect();
     assert!(turns.iter().all(|turn| *turn >= 0.0), "{turns:?}\n{corners:?}");
     // Corners are rounded to single precision: some 1e-7 of sides that are below 100.

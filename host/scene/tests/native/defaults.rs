@@ -2,26 +2,29 @@
 
 use strahl_core::scene::{FilmPoint, Interface};
 use strahl_core::{Camera, Material, Resolution, Rgb, Sphere, vec3};
-use strahl_scene::description::{Background, Form, Projection, Source, Texture, View};
-use strahl_settings::PartialSettings;
+use strahl_scene::description::{
+    BackgroundDescription, CameraDescription, LightSourceDescription, ProjectionDescription,
+    ShapeDescription, TextureDescription,
+};
+use strahl_settings::SettingsOverrides;
 
 use crate::text::{loaded, wrong};
 
 #[test]
 fn a_file_of_one_sphere_is_a_scene() {
     let it = loaded("[[sphere]]\nradius = 2\n");
-    assert_eq!(it.objects[0].form, Form::Sphere { center: [0.0; 3], radius: 2.0 });
+    assert_eq!(it.objects[0].shape, ShapeDescription::Sphere { center: [0.0; 3], radius: 2.0 });
     assert_eq!(it.materials.len(), 1);
-    assert_eq!(it.materials[0].it, Material::MATTE);
-    assert_eq!(it.settings, PartialSettings::default());
-    assert_eq!(it.background, Background::Color(Rgb::BLACK));
+    assert_eq!(it.materials[0].value, Material::MATTE);
+    assert_eq!(it.settings, SettingsOverrides::default());
+    assert_eq!(it.background, BackgroundDescription::Color(Rgb::BLACK));
     assert_eq!(it.ambient, Rgb::gray(0.1));
     assert_eq!(it.lights.len(), 1);
-    assert!(it.lights[0].it.shadows && it.lights[0].it.color == Rgb::WHITE);
-    assert!(matches!(it.lights[0].it.source, Source::Directional { .. }));
-    assert_eq!(it.view.at, [0.0; 3]);
-    assert_eq!(it.view.up, [0.0, 1.0, 0.0]);
-    assert_eq!(it.view.projection, Projection::Perspective(45.0));
+    assert!(it.lights[0].value.shadows && it.lights[0].value.color == Rgb::WHITE);
+    assert!(matches!(it.lights[0].value.source, LightSourceDescription::Directional { .. }));
+    assert_eq!(it.camera.at, [0.0; 3]);
+    assert_eq!(it.camera.up, [0.0, 1.0, 0.0]);
+    assert_eq!(it.camera.projection, ProjectionDescription::Perspective(45.0));
     assert!(it.warnings.is_empty());
 }
 
@@ -44,16 +47,16 @@ fn every_shape_has_its_place_and_direction_by_default() {
     );
     let up = [0.0, 1.0, 0.0];
     let (base, end) = ([0.0; 3], [0.0, 2.0, 0.0]);
-    let forms: Vec<Form> = it.objects.iter().map(|object| object.form).collect();
+    let forms: Vec<ShapeDescription> = it.objects.iter().map(|object| object.shape).collect();
     assert_eq!(
         forms,
         [
-            Form::Plane { point: base, normal: up },
-            Form::Disc { center: base, normal: up, radius: 1.0 },
-            Form::Cone { base, base_radius: 1.0, end, end_radius: 1.0, capped: true },
-            Form::Cone { base, base_radius: 1.0, end, end_radius: 0.0, capped: true },
-            Form::Torus { center: base, axis: up, major: 2.0, minor: 1.0 },
-            Form::Cuboid { min: [-1.0; 3], max: [1.0; 3] },
+            ShapeDescription::Plane { point: base, normal: up },
+            ShapeDescription::Disc { center: base, normal: up, radius: 1.0 },
+            ShapeDescription::Cone { base, base_radius: 1.0, end, end_radius: 1.0, capped: true },
+            ShapeDescription::Cone { base, base_radius: 1.0, end, end_radius: 0.0, capped: true },
+            ShapeDescription::Torus { center: base, axis: up, major_radius: 2.0, minor_radius: 1.0 },
+            ShapeDescription::Cuboid { min: [-1.0; 3], max: [1.0; 3] },
         ]
     );
     // All of them are made of one material.
@@ -63,10 +66,10 @@ fn every_shape_has_its_place_and_direction_by_default() {
 #[test]
 fn lights_are_white_and_do_not_fade_by_default() {
     let it = loaded("[[point_light]]\nposition = [1, 2, 3]\n[[directional_light]]\ndirection = [0, -1, 0]\n");
-    let point = Source::Point { position: [1.0, 2.0, 3.0], falloff: [1.0, 0.0, 0.0] };
-    assert_eq!(it.lights[0].it.source, point);
-    assert_eq!(it.lights[1].it.source, Source::Directional { toward: [0.0, 1.0, 0.0] });
-    assert!(it.lights.iter().all(|light| light.it.color == Rgb::WHITE && light.it.shadows));
+    let point = LightSourceDescription::Point { position: [1.0, 2.0, 3.0], falloff: [1.0, 0.0, 0.0] };
+    assert_eq!(it.lights[0].value.source, point);
+    assert_eq!(it.lights[1].value.source, LightSourceDescription::Directional { to_light: [0.0, 1.0, 0.0] });
+    assert!(it.lights.iter().all(|light| light.value.color == Rgb::WHITE && light.value.shadows));
     assert_eq!(it.ambient, Rgb::gray(0.1));
 }
 
@@ -86,7 +89,7 @@ fn a_file_with_any_light_gets_no_other() {
 
 /// The material of a sphere with these keys.
 fn material(keys: &str) -> Material {
-    loaded(&format!("[[sphere]]\nradius = 1\nmaterial = {{ {keys} }}\n")).materials[0].it
+    loaded(&format!("[[sphere]]\nradius = 1\nmaterial = {{ {keys} }}\n")).materials[0].value
 }
 
 #[test]
@@ -116,10 +119,18 @@ fn textures_are_for_floors_and_from_black_to_white_by_default() {
     let it = loaded(
         "[[plane]]\nmaterial = { checker = {} }\n[[plane]]\nmaterial = { gradient = { start = [0, 0, 0], end = [0, 1, 0] } }\n",
     );
-    let checker =
-        Texture::Checker { even: Rgb::WHITE, odd: Rgb::gray(0.1), origin: [0.0; 3], size: [1.0, 0.0, 1.0] };
-    let gradient =
-        Texture::Gradient { from: Rgb::BLACK, to: Rgb::WHITE, start: [0.0; 3], end: [0.0, 1.0, 0.0] };
+    let checker = TextureDescription::Checker {
+        even: Rgb::WHITE,
+        odd: Rgb::gray(0.1),
+        origin: [0.0; 3],
+        size: [1.0, 0.0, 1.0],
+    };
+    let gradient = TextureDescription::Gradient {
+        from: Rgb::BLACK,
+        to: Rgb::WHITE,
+        start: [0.0; 3],
+        end: [0.0, 1.0, 0.0],
+    };
     assert_eq!(it.textures, [checker, gradient]);
 }
 
@@ -139,7 +150,7 @@ fn what_only_a_body_has_is_warned_of_where_there_is_none() {
 fn a_background_of_two_colours_has_the_camera_s_up() {
     let it = loaded("background = { below = 0, above = 1 }\n[camera]\nfrom = [1, 0, 0]\nup = [0, 0, 3]\n");
     let up = [0.0, 0.0, 3.0];
-    assert_eq!(it.background, Background::Gradient { up, below: Rgb::BLACK, above: Rgb::WHITE });
+    assert_eq!(it.background, BackgroundDescription::Gradient { up, below: Rgb::BLACK, above: Rgb::WHITE });
 }
 
 #[test]
@@ -153,7 +164,7 @@ fn a_camera_that_is_not_told_sees_everything() {
     ] {
         let it = loaded(text);
         let size = it.settings.size.unwrap_or(Resolution::new(640, 480).unwrap());
-        let camera = Camera::new(&strahl::stock::single::view(&it.view), size).unwrap();
+        let camera = Camera::new(&strahl::stock::single::view(&it.camera), size).unwrap();
         // No ray through the rim of the picture meets the sphere.
         let ball = Sphere { center: vec3(center[0], center[1], center[2]), radius };
         let (w, h) = (size.width() as f32, size.height() as f32);
@@ -168,20 +179,20 @@ fn a_camera_that_is_not_told_sees_everything() {
                 assert!(distance > radius * radius, "{text}: {x} {y}");
             }
         }
-        assert_eq!(it.view.up, [0.0, 1.0, 0.0]);
+        assert_eq!(it.camera.up, [0.0, 1.0, 0.0]);
     }
 }
 
 #[test]
 fn a_camera_with_a_height_has_parallel_rays() {
     let it = loaded("[[sphere]]\nradius = 1\n[camera]\nheight = 3\nfrom = [0, 0, 9]\n");
-    let view = View {
+    let view = CameraDescription {
         from: [0.0, 0.0, 9.0],
         at: [0.0; 3],
         up: [0.0, 1.0, 0.0],
-        projection: Projection::Orthographic(3.0),
+        projection: ProjectionDescription::Orthographic(3.0),
     };
-    assert_eq!(it.view, view);
+    assert_eq!(it.camera, view);
 }
 
 #[test]

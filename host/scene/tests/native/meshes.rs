@@ -4,7 +4,7 @@ use std::path::Path;
 
 use strahl_core::Rgb;
 use strahl_scene::LoadError;
-use strahl_scene::description::{Description, Form};
+use strahl_scene::description::{LoadedScene, ShapeDescription};
 
 use crate::text::load_in;
 
@@ -20,7 +20,7 @@ fn folder() -> tempfile::TempDir {
     folder
 }
 
-fn loaded(folder: &Path, text: &str) -> Description {
+fn loaded(folder: &Path, text: &str) -> LoadedScene {
     let it = load_in(folder, text.as_bytes()).unwrap_or_else(|failure| panic!("{failure}\n{text}"));
     assert!(strahl::stock::single::scene_tables(&it).scene().is_ok(), "{text}");
     assert!(strahl::stock::double::scene_tables(&it).scene().is_ok(), "{text}");
@@ -34,13 +34,13 @@ fn a_mesh_stands_among_the_objects_with_its_own_materials() {
         folder.path(),
         "[[sphere]]\nradius = 1\n[[mesh]]\nfile = \"sub/m.obj\"\n[[triangle]]\ncorners = [[0, 0, 0], [1, 0, 0], [0, 1, 0]]\n",
     );
-    let forms: Vec<_> = it.objects.iter().map(|object| (object.form, object.line)).collect();
-    assert!(matches!(forms[0], (Form::Sphere { .. }, 1)));
-    assert_eq!(forms[1], (Form::Mesh { first: 0, count: 2, smooth: false }, 3));
-    assert_eq!(forms[2], (Form::Mesh { first: 2, count: 1, smooth: false }, 3));
-    assert!(matches!(forms[3], (Form::Triangle { .. }, 5)));
+    let forms: Vec<_> = it.objects.iter().map(|object| (object.shape, object.line)).collect();
+    assert!(matches!(forms[0], (ShapeDescription::Sphere { .. }, 1)));
+    assert_eq!(forms[1], (ShapeDescription::Mesh { first: 0, count: 2, smooth: false }, 3));
+    assert_eq!(forms[2], (ShapeDescription::Mesh { first: 2, count: 1, smooth: false }, 3));
+    assert!(matches!(forms[3], (ShapeDescription::Triangle { .. }, 5)));
     let red = &it.materials[usize::from(it.objects[1].material)];
-    assert_eq!((red.name.as_deref(), red.it.diffuse), (Some("red"), Rgb::new(1.0, 0.0, 0.0)));
+    assert_eq!((red.name.as_deref(), red.value.diffuse), (Some("red"), Rgb::new(1.0, 0.0, 0.0)));
 }
 
 #[test]
@@ -50,10 +50,10 @@ fn a_mesh_is_scaled_then_turned_then_moved() {
         folder.path(),
         "[[mesh]]\nfile = \"sub/m.obj\"\nmaterial = { mirror = 1 }\nscale = [2, 1, 1]\nrotate = [0, 0, 90]\ntranslate = [5, 0, 0]\n",
     );
-    let corners = it.triangles[0].map(|corner| it.points[corner as usize]);
+    let corners = it.triangles[0].map(|corner| it.vertices[corner as usize]);
     assert_eq!(corners, [[5.0, 0.0, 0.0], [5.0, 2.0, 0.0], [3.0, 0.0, 0.0]]);
     assert!(
-        it.objects.iter().all(|object| it.materials[usize::from(object.material)].it.mirror == Rgb::WHITE)
+        it.objects.iter().all(|object| it.materials[usize::from(object.material)].value.mirror == Rgb::WHITE)
     );
 }
 
@@ -64,7 +64,7 @@ fn a_mirrored_mesh_keeps_its_outside() {
     let mirrored = loaded(folder.path(), "[[mesh]]\nfile = \"sub/m.obj\"\nscale = [1, 1, -1]\n");
     let [a, b, c] = plain.triangles[1];
     assert_eq!(mirrored.triangles[1], [a, c, b]);
-    assert_eq!(mirrored.points[3], [0.0, 0.0, -3.0]);
+    assert_eq!(mirrored.vertices[3], [0.0, 0.0, -3.0]);
 }
 
 #[test]
@@ -74,7 +74,7 @@ fn normals_stay_upright_when_a_mesh_is_stretched() {
     std::fs::write(folder.path().join("slope.obj"), slope).unwrap();
     let it =
         loaded(folder.path(), "[[sphere]]\nradius = 1\n[[mesh]]\nfile = \"slope.obj\"\nscale = [2, 1, 1]\n");
-    assert!(matches!(it.objects[1].form, Form::Mesh { smooth: true, .. }));
+    assert!(matches!(it.objects[1].shape, ShapeDescription::Mesh { smooth: true, .. }));
     let normal = it.normals[it.triangles[0][0] as usize];
     assert_eq!(normal, [-0.5, 1.0, 0.0]);
 }
@@ -84,8 +84,8 @@ fn the_same_file_may_stand_in_a_scene_many_times() {
     let folder = folder();
     let one = "[[mesh]]\nfile = \"sub/m.obj\"\n";
     let it = loaded(folder.path(), &format!("{one}translate = [1, 0, 0]\n{one}translate = [2, 0, 0]\n"));
-    assert_eq!((it.points.len(), it.triangles.len(), it.objects.len()), (2 * 4, 2 * 3, 2 * 2));
-    assert_eq!(it.points[it.triangles[3][0] as usize], [2.0, 0.0, 0.0]);
+    assert_eq!((it.vertices.len(), it.triangles.len(), it.objects.len()), (2 * 4, 2 * 3, 2 * 2));
+    assert_eq!(it.vertices[it.triangles[3][0] as usize], [2.0, 0.0, 0.0]);
 }
 
 #[test]
@@ -105,7 +105,7 @@ fn what_is_wrong_with_a_mesh_is_told_where_it_is_named() {
             panic!("{text}")
         };
         assert_eq!(faults.list().len(), 1, "{faults}");
-        assert_eq!(faults.place(&faults.list()[0]).0, line, "{faults}");
+        assert_eq!(faults.line_and_column(&faults.list()[0]).0, line, "{faults}");
         assert!(faults.list()[0].message.contains(says), "{faults}");
     }
 }

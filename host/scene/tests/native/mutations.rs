@@ -141,7 +141,7 @@ fn a_damaged_scene_is_a_scene_or_is_refused_in_its_own_lines() {
             Err(LoadError::Diagnostics(faults)) => {
                 assert!(!faults.list().is_empty(), "{text}");
                 for fault in faults.list() {
-                    assert!(faults.place(fault).0 <= lines, "{faults}\n{text}");
+                    assert!(faults.line_and_column(fault).0 <= lines, "{faults}\n{text}");
                 }
                 let shown = faults.to_string();
                 assert!(!shown.contains(['\u{1b}', '\0']), "{shown:?}");

@@ -3,9 +3,10 @@
 use strahl_core::scene::{Interface, TextureId};
 use strahl_core::{Material, Resolution, Rgb};
 use strahl_scene::description::{
-    Background, Form, Light, Motion, Object, Placed, Projection, Source, Texture, View,
+    BackgroundDescription, CameraDescription, LightDescription, LightSourceDescription, LinearMotion,
+    Located, ObjectDescription, ProjectionDescription, ShapeDescription, TextureDescription,
 };
-use strahl_settings::{Accel, Bounds, Filter, PartialSettings, Precision, Sampling, Walk};
+use strahl_settings::{Accel, Bounds, Filter, Precision, SamplerSettings, SettingsOverrides, Walk};
 
 use crate::text::{ALL, loaded};
 
@@ -14,36 +15,36 @@ const RED: Rgb = Rgb::new(1.0, 0.0, 0.0);
 #[test]
 fn every_light_and_setting_becomes_what_the_format_says() {
     let it = loaded(ALL);
-    let view = View {
+    let view = CameraDescription {
         from: [0.0, -8.0, 1.0],
         at: [0.0, 0.0, 0.5],
         up: [0.0, 0.0, 1.0],
-        projection: Projection::Perspective(40.0),
+        projection: ProjectionDescription::Perspective(40.0),
     };
-    assert_eq!(it.view, view);
-    let settings = PartialSettings {
+    assert_eq!(it.camera, view);
+    let settings = SettingsOverrides {
         size: Resolution::new(40, 30),
         levels: Some(7),
         cutoff: Some(0.25),
-        sampler: Some(Sampling::Regular(3)),
-        ..PartialSettings::default()
+        sampler: Some(SamplerSettings::Regular(3)),
+        ..SettingsOverrides::default()
     };
     assert_eq!(it.settings, settings);
     let (below, above) = (Rgb::BLACK, Rgb::new(0.5, 0.25, 1.0));
-    assert_eq!(it.background, Background::Gradient { up: [0.0, 0.0, 2.0], below, above });
+    assert_eq!(it.background, BackgroundDescription::Gradient { up: [0.0, 0.0, 2.0], below, above });
     assert_eq!(it.ambient, Rgb::new(0.25, 0.125, 0.0625));
 
-    let spot = Source::Spot {
+    let spot = LightSourceDescription::Spot {
         position: [0.0, 0.0, 4.0],
         direction: [0.0, 0.0, -3.0],
-        bright: 15.0,
-        dark: 30.0,
+        inner_angle: 15.0,
+        outer_angle: 30.0,
         falloff: [0.0, 0.0, 1.0],
     };
-    let point = Source::Point { position: [4.0, -3.0, 2.0], falloff: [1.0, 0.5, 0.25] };
-    let sun = Source::Directional { toward: [-1.0, -2.0, 3.0] };
-    let placed = |source, color, shadows, line, name: Option<&str>| Placed {
-        it: Light { source, color, shadows },
+    let point = LightSourceDescription::Point { position: [4.0, -3.0, 2.0], falloff: [1.0, 0.5, 0.25] };
+    let sun = LightSourceDescription::Directional { to_light: [-1.0, -2.0, 3.0] };
+    let placed = |source, color, shadows, line, name: Option<&str>| Located {
+        value: LightDescription { source, color, shadows },
         line,
         name: name.map(String::from),
     };
@@ -60,7 +61,7 @@ fn the_time_that_a_picture_takes_can_be_a_setting_as_well() {
     let it = loaded(
         "[render]\nprecision = \"double\"\naccel = \"bvh\"\nwalk = \"heap\"\nheap = 4\nbounds = \"none\"\nmailbox = 0\nshadow_cache = false\n",
     );
-    let settings = PartialSettings {
+    let settings = SettingsOverrides {
         precision: Some(Precision::Double),
         accel: Some(Accel::Bvh),
         walk: Some(Walk::Heap),
@@ -68,7 +69,7 @@ fn the_time_that_a_picture_takes_can_be_a_setting_as_well() {
         bounds: Some(Bounds::None),
         mailbox: Some(0),
         shadow_cache: Some(false),
-        ..PartialSettings::default()
+        ..SettingsOverrides::default()
     };
     assert_eq!(it.settings, settings);
 }
@@ -77,7 +78,7 @@ fn the_time_that_a_picture_takes_can_be_a_setting_as_well() {
 fn samplers_have_the_words_of_the_command_line() {
     let it =
         loaded("[render]\nsampler = \"stochastic:8..64:0.9\"\nfilter = \"tent\"\nseed = 0xff\n").settings;
-    let sampling: Sampling = "stochastic:8..64:0.9:1/128".parse().unwrap();
+    let sampling: SamplerSettings = "stochastic:8..64:0.9:1/128".parse().unwrap();
     assert_eq!((it.sampler, it.filter, it.seed), (Some(sampling), Some(Filter::Tent), Some(255)));
 }
 
@@ -88,8 +89,8 @@ fn velocities_and_the_shutter_become_what_moves() {
          [[box]]\nsize = 1\nvelocity = [0, 0, 0]\n[[torus]]\nradius = 1\ntube = 0.5\nvelocity = [0, -1, 0]\n",
     );
     assert_eq!(it.shutter, [-0.5, 0.25]);
-    let motion = |object, velocity| Motion { object, velocity };
-    assert_eq!(it.moving, [motion(0, [1.0, 2.0, 3.0]), motion(3, [0.0, -1.0, 0.0])]);
+    let motion = |object, velocity| LinearMotion { object, velocity };
+    assert_eq!(it.motions, [motion(0, [1.0, 2.0, 3.0]), motion(3, [0.0, -1.0, 0.0])]);
     assert_eq!(loaded("[camera]\nshutter = 0.5\n[[plane]]\n").shutter, [0.0, 0.5]);
     assert_eq!(loaded("[[plane]]\n").shutter, [0.0, 1.0]);
 
@@ -112,19 +113,22 @@ fn lenses_lights_with_an_extent_and_rough_surfaces_become_what_the_format_says()
          [[plane]]\nmaterial = { mirror = 0.5, roughness = 0.75 }\n",
     );
     // In focus is what is looked at.
-    assert_eq!(it.view.projection, Projection::Lens { angle: 40.0, radius: 0.5, focus: 5.0 });
-    assert_eq!((it.view_line, it.colored_shadows), (1, Some(7)));
+    assert_eq!(it.camera.projection, ProjectionDescription::Lens { angle: 40.0, radius: 0.5, focus: 5.0 });
+    assert_eq!((it.camera_line, it.colored_shadows_line), (1, Some(7)));
     let half = [[1.0, 0.0, 0.0], [0.0, 0.0, 3.0]].map(|h| h.map(f32::abs));
-    let Source::Rectangle { position, half: got, soft: true, falloff } = it.lights[0].it.source else {
+    let LightSourceDescription::Rectangle { position, half_edges: got, is_sampled: true, falloff } =
+        it.lights[0].value.source
+    else {
         panic!()
     };
     assert_eq!((position, got.map(|h| h.map(f32::abs)), falloff), ([0.0, 5.0, 0.0], half, [1.0, 0.0, 0.0]));
     // The front is below.
     let [a, b] = got;
     assert!(a[2] * b[0] - a[0] * b[2] < 0.0, "{got:?}");
-    let sphere = Source::Sphere { position: [1.0, 2.0, 3.0], radius: 0.25, falloff: [0.0, 0.0, 1.0] };
-    assert_eq!(it.lights[1].it.source, sphere);
-    assert_eq!(it.materials[0].it.roughness, 0.75);
+    let sphere =
+        LightSourceDescription::Sphere { position: [1.0, 2.0, 3.0], radius: 0.25, falloff: [0.0, 0.0, 1.0] };
+    assert_eq!(it.lights[1].value.source, sphere);
+    assert_eq!(it.materials[0].value.roughness, 0.75);
     assert!(it.warnings.is_empty(), "{:?}", it.warnings);
     let it = loaded("[[plane]]\nmaterial = { roughness = 0.5 }\n");
     assert_eq!(it.warnings, ["`roughness` in line 2 has no effect without `mirror` or `transmission`"]);
@@ -155,57 +159,74 @@ fn every_material_becomes_what_the_format_says() {
         exponent: 8.0,
         ..Material::MATTE
     };
-    let named = |it, line, name: &str| Placed { it, line, name: Some(name.into()) };
+    let named = |it, line, name: &str| Located { value: it, line, name: Some(name.into()) };
     let materials = [
         named(glass, 101, "glass"),
         named(floor, 112, "floor"),
         named(fading, 121, "fading"),
-        Placed { it: Material::MATTE, line: 56, name: None },
-        Placed { it: own, line: 69, name: None },
+        Located { value: Material::MATTE, line: 56, name: None },
+        Located { value: own, line: 69, name: None },
     ];
     assert_eq!(it.materials, materials);
-    let checker = Texture::Checker {
+    let checker = TextureDescription::Checker {
         even: Rgb::WHITE,
         odd: Rgb::new(0.0, 0.0, 0.5),
         origin: [0.5, 0.0, 0.0],
         size: [2.0, 2.0, 0.0],
     };
-    let gradient =
-        Texture::Gradient { from: Rgb::BLACK, to: Rgb::WHITE, start: [0.0; 3], end: [0.0, 0.0, 2.0] };
+    let gradient = TextureDescription::Gradient {
+        from: Rgb::BLACK,
+        to: Rgb::WHITE,
+        start: [0.0; 3],
+        end: [0.0, 0.0, 2.0],
+    };
     assert_eq!(it.textures, [checker, gradient]);
 }
 
 #[test]
 fn every_object_becomes_what_the_format_says_and_stands_in_the_order_of_the_file() {
     let it = loaded(ALL);
-    let object = |form, material, line| Object { form, material, line };
-    let cone = |base, base_radius, end, end_radius, capped| Form::Cone {
+    let object = |form, material, line| ObjectDescription { shape: form, material, line };
+    let cone = |base, base_radius, end, end_radius, capped| ShapeDescription::Cone {
         base,
         base_radius,
         end,
         end_radius,
         capped,
     };
-    let turned = Form::OrientedCuboid {
+    let turned = ShapeDescription::OrientedCuboid {
         center: [1.0; 3],
-        half: [1.0, 2.0, 3.0],
+        half_size: [1.0, 2.0, 3.0],
         first: [0.0, 1.0, 0.0],
         third: [0.0, 0.0, 1.0],
     };
     let objects = [
-        object(Form::Sphere { center: [0.0, 0.0, 1.0], radius: 1.0 }, 0, 40),
-        object(Form::Plane { point: [0.0, 0.0, -1.0], normal: [0.0, 0.0, 2.0] }, 1, 45),
-        object(Form::Disc { center: [1.0, 2.0, 3.0], normal: [0.0, 3.0, 0.0], radius: 2.5 }, 2, 50),
-        object(Form::Triangle { corners: [0, 1, 2], smooth: false }, 3, 56),
-        object(Form::Polygon { first: 3, count: 5, smooth: true }, 3, 59),
-        object(Form::Cuboid { min: [-1.0, -2.0, -3.0], max: [1.0, 2.0, 3.0] }, 3, 63),
-        object(Form::Sphere { center: [0.0; 3], radius: 0.5 }, 4, 67),
+        object(ShapeDescription::Sphere { center: [0.0, 0.0, 1.0], radius: 1.0 }, 0, 40),
+        object(ShapeDescription::Plane { point: [0.0, 0.0, -1.0], normal: [0.0, 0.0, 2.0] }, 1, 45),
+        object(
+            ShapeDescription::Disc { center: [1.0, 2.0, 3.0], normal: [0.0, 3.0, 0.0], radius: 2.5 },
+            2,
+            50,
+        ),
+        object(ShapeDescription::Triangle { vertices: [0, 1, 2], smooth: false }, 3, 56),
+        object(ShapeDescription::Polygon { first: 3, count: 5, smooth: true }, 3, 59),
+        object(ShapeDescription::Cuboid { min: [-1.0, -2.0, -3.0], max: [1.0, 2.0, 3.0] }, 3, 63),
+        object(ShapeDescription::Sphere { center: [0.0; 3], radius: 0.5 }, 4, 67),
         object(turned, 3, 71),
         object(cone([0.0; 3], 0.5, [0.0, 0.0, 2.0], 0.5, false), 3, 76),
         object(cone([0.0, 0.0, 1.0], 1.0, [0.0, 0.0, 3.0], 0.25, true), 3, 82),
-        object(Form::Torus { center: [1.0, 0.0, 0.0], axis: [0.0, 0.0, 4.0], major: 2.0, minor: 0.5 }, 3, 88),
-        object(Form::Triangle { corners: [8, 9, 10], smooth: true }, 3, 94),
-        object(Form::Nothing, 3, 98),
+        object(
+            ShapeDescription::Torus {
+                center: [1.0, 0.0, 0.0],
+                axis: [0.0, 0.0, 4.0],
+                major_radius: 2.0,
+                minor_radius: 0.5,
+            },
+            3,
+            88,
+        ),
+        object(ShapeDescription::Triangle { vertices: [8, 9, 10], smooth: true }, 3, 94),
+        object(ShapeDescription::Degenerate, 3, 98),
     ];
     let offset = it.objects[0].line - objects[0].line;
     assert_eq!(offset, 0);
@@ -213,7 +234,7 @@ fn every_object_becomes_what_the_format_says_and_stands_in_the_order_of_the_file
         assert_eq!(found, expected);
     }
     assert_eq!(it.objects.len(), objects.len());
-    assert_eq!(it.points.len(), 11);
+    assert_eq!(it.vertices.len(), 11);
     // The normal of a corner has the corner's place; the first triangle has none.
     assert_eq!(it.normals.len(), 11);
     assert_eq!(it.normals[4], [1.0, 0.0, 1.0]);
@@ -224,7 +245,8 @@ fn every_object_becomes_what_the_format_says_and_stands_in_the_order_of_the_file
 fn triangles_without_area_keep_their_numbers_and_are_told_in_one_warning() {
     let flat = "[[triangle]]\ncorners = [[0, 0, 0], [1, 1, 1], [2, 2, 2]]\n";
     let it = loaded(&format!("[[sphere]]\nradius = 1\n{flat}{flat}[[sphere]]\nradius = 2\n"));
-    let forms: Vec<bool> = it.objects.iter().map(|object| object.form == Form::Nothing).collect();
+    let forms: Vec<bool> =
+        it.objects.iter().map(|object| object.shape == ShapeDescription::Degenerate).collect();
     assert_eq!(forms, [false, true, true, false]);
     assert_eq!(it.warnings, ["2 triangles have no area and are never hit (the first in line 3)"]);
 }
@@ -236,14 +258,14 @@ fn the_order_is_that_of_the_file_in_tables_written_in_one_line_too() {
     );
     let lines: Vec<u32> = it.objects.iter().map(|object| object.line).collect();
     assert_eq!(lines, [1, 2, 4, 5, 7]);
-    assert!(matches!(it.objects[1].form, Form::Sphere { radius: 3.0, .. }));
+    assert!(matches!(it.objects[1].shape, ShapeDescription::Sphere { radius: 3.0, .. }));
 }
 
 #[test]
 fn a_number_may_be_written_in_every_way_that_toml_has() {
     for one in ["1", "1.0", "+1", "1e0", "0x1", "0b1", "0o1", "1_0e-1"] {
         let it = loaded(&format!("[[sphere]]\nradius = {one}\n"));
-        assert!(matches!(it.objects[0].form, Form::Sphere { radius: 1.0, .. }), "{one}");
+        assert!(matches!(it.objects[0].shape, ShapeDescription::Sphere { radius: 1.0, .. }), "{one}");
     }
 }
 
@@ -260,7 +282,7 @@ fn colours_are_linear_numbers_grays_bytes_and_names() {
         ("\"white\"", Rgb::WHITE),
     ] {
         let it = loaded(&format!("background = {{ color = {written} }}\n"));
-        assert_eq!(it.background, Background::Color(color), "{written}");
+        assert_eq!(it.background, BackgroundDescription::Color(color), "{written}");
     }
 }
 
@@ -270,13 +292,20 @@ fn what_is_turned_may_have_its_extent_in_either_way() {
     let other = loaded("[[box]]\ncenter = [1, 0, 1]\nsize = [4, 4, 2]\nrotate = [30, 40, 50]\n");
     assert_eq!(one.objects, other.objects);
     let upright = loaded("[[box]]\ncenter = [1, 0, 1]\nsize = [4, 4, 2]\nrotate = [0, 0, 0]\n");
-    assert_eq!(upright.objects[0].form, Form::Cuboid { min: [-1.0, -2.0, 0.0], max: [3.0, 2.0, 2.0] });
+    assert_eq!(
+        upright.objects[0].shape,
+        ShapeDescription::Cuboid { min: [-1.0, -2.0, 0.0], max: [3.0, 2.0, 2.0] }
+    );
 }
 
 #[test]
 fn a_light_spots_a_place_or_a_direction() {
     let it = loaded("[[spot_light]]\nposition = [0, 9, 0]\ndirection = [0, -1, 0]\n");
-    let Source::Spot { direction, bright, dark, falloff, .. } = it.lights[0].it.source else { panic!() };
+    let LightSourceDescription::Spot { direction, inner_angle: bright, outer_angle: dark, falloff, .. } =
+        it.lights[0].value.source
+    else {
+        panic!()
+    };
     assert_eq!((direction, bright, dark, falloff), ([0.0, -1.0, 0.0], 16.0, 20.0, [1.0, 0.0, 0.0]));
 }
 

@@ -2,7 +2,7 @@
 
 use std::path::Path;
 
-use strahl_scene::diagnostics::{Diagnostics, Drawing, Screen};
+use strahl_scene::diagnostics::{Diagnostics, TerminalFeatures, TerminalStyle};
 
 use crate::text::faults;
 
@@ -22,7 +22,7 @@ material = "tomato"
 "#;
 
 /// The same on every machine: without the folder's name.
-fn shown(text: &str, screen: Screen) -> String {
+fn shown(text: &str, screen: TerminalStyle) -> String {
     let list = faults(text.as_bytes()).list().to_vec();
     Diagnostics::new(Path::new("first.toml"), text, list).show(screen) + "\n"
 }
@@ -37,12 +37,12 @@ fn assert_kept(name: &str, shown: &str) {
 
 #[test]
 fn five_mistakes_are_shown_in_plain_text() {
-    assert_kept("five.txt", &shown(FIVE, Screen::PLAIN));
+    assert_kept("five.txt", &shown(FIVE, TerminalStyle::PLAIN));
 }
 
 #[test]
 fn a_narrow_screen_is_kept_to() {
-    let screen = Screen { width: 40, drawing: Drawing::Lines };
+    let screen = TerminalStyle { width: 40, features: TerminalFeatures::Unicode };
     let text = shown(FIVE, screen);
     assert!(text.lines().all(|line| line.chars().count() <= 40), "{text}");
     assert_kept("narrow.txt", &text);
@@ -51,15 +51,15 @@ fn a_narrow_screen_is_kept_to() {
 #[test]
 fn two_places_of_one_mistake_are_both_shown() {
     let text = "[[material]]\nname = \"a\"\n\n\n\n\n[[material]]\nname = \"a\"\n";
-    assert_kept("twice.txt", &shown(text, Screen { width: 100, drawing: Drawing::Lines }));
+    assert_kept("twice.txt", &shown(text, TerminalStyle { width: 100, features: TerminalFeatures::Unicode }));
 }
 
 #[test]
 fn only_a_screen_with_colours_gets_them() {
-    let has_colors = |drawing| shown(FIVE, Screen { width: 80, drawing }).contains('\u{1b}');
-    assert!(has_colors(Drawing::Colors) && has_colors(Drawing::PlainColors));
-    assert!(!has_colors(Drawing::Lines) && !has_colors(Drawing::Plain));
-    assert!(shown(FIVE, Screen::PLAIN).is_ascii());
+    let has_colors = |drawing| shown(FIVE, TerminalStyle { width: 80, features: drawing }).contains('\u{1b}');
+    assert!(has_colors(TerminalFeatures::UnicodeColor) && has_colors(TerminalFeatures::AsciiColor));
+    assert!(!has_colors(TerminalFeatures::Unicode) && !has_colors(TerminalFeatures::Ascii));
+    assert!(shown(FIVE, TerminalStyle::PLAIN).is_ascii());
 }
 
 #[test]

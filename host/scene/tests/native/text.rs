@@ -4,7 +4,7 @@ use std::path::Path;
 
 use strahl::stock;
 use strahl_scene::LoadError;
-use strahl_scene::description::Description;
+use strahl_scene::description::LoadedScene;
 use strahl_scene::diagnostics::Diagnostics;
 
 /// Every table, and every key in every form that it has.
@@ -134,20 +134,20 @@ gradient = { from = "black", to = 1, start = [0, 0, 0], end = [0, 0, 2] }
 "##;
 
 /// What a file of these bytes becomes, in a folder of its own.
-pub fn load(bytes: &[u8]) -> Result<Description, LoadError> {
+pub fn load(bytes: &[u8]) -> Result<LoadedScene, LoadError> {
     let folder = tempfile::tempdir().unwrap();
     load_in(folder.path(), bytes)
 }
 
 /// What a file of these bytes in `folder` becomes.
-pub fn load_in(folder: &Path, bytes: &[u8]) -> Result<Description, LoadError> {
+pub fn load_in(folder: &Path, bytes: &[u8]) -> Result<LoadedScene, LoadError> {
     let path = folder.join("a.toml");
     std::fs::write(&path, bytes).unwrap();
     strahl_scene::load(&path)
 }
 
 /// What a file of this text describes, which is a scene in either precision.
-pub fn loaded(text: &str) -> Description {
+pub fn loaded(text: &str) -> LoadedScene {
     let it = load(text.as_bytes()).unwrap_or_else(|failure| panic!("{failure}\n{text}"));
     assert_eq!(stock::single::scene_tables(&it).scene().err(), None, "{text}");
     assert!(stock::double::scene_tables(&it).scene().is_ok(), "{text}");
@@ -168,7 +168,7 @@ pub fn faults(bytes: &[u8]) -> Diagnostics {
 pub fn wrong(text: &str) -> Vec<(usize, usize, String, String)> {
     let faults = faults(text.as_bytes());
     let list = faults.list().iter().map(|fault| {
-        let (line, column) = faults.place(fault);
+        let (line, column) = faults.line_and_column(fault);
         let said = format!("{}\n{}", fault.message, fault.help.as_deref().unwrap_or_default());
         (line, column, text[fault.span.clone()].to_owned(), said)
     });

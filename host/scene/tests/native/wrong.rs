@@ -101,7 +101,7 @@ fn every_value_in_place_of_every_other_is_right_or_wrong_there() {
             if let Err(strahl_scene::LoadError::Diagnostics(faults)) = crate::text::load(text.as_bytes()) {
                 told += 1;
                 // A name that is no longer there is missed where it is used.
-                let is_there = |fault| faults.place(fault).0 == number + 1;
+                let is_there = |fault| faults.line_and_column(fault).0 == number + 1;
                 let is_fine =
                     key == "name" || faults.list().iter().any(is_there) || value == "0" || value == "-1";
                 assert!(is_fine, "line {}: {}\n{faults}", number + 1, lines[number]);
@@ -115,6 +115,6 @@ fn every_value_in_place_of_every_other_is_right_or_wrong_there() {
 fn what_is_no_text_is_told_with_its_place() {
     let list = faults(b"[[sphere]]\nradius = 1\nname = \"\xff\xfe\"\n");
     assert_eq!(list.list().len(), 1);
-    assert_eq!(list.place(&list.list()[0]), (3, 9));
+    assert_eq!(list.line_and_column(&list.list()[0]), (3, 9));
     assert!(list.list()[0].message.contains("no UTF-8"));
 }

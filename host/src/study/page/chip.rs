@@ -1,7 +1,7 @@
 //! What firmware has measured, beside what the workstation has.
 
 use maud::{Markup, html};
-use strahl_settings::domain::share_word;
+use strahl_settings::domain::fraction_text;
 
 use super::super::device::{Device, Row};
 use super::super::record::{Run, Study};
@@ -55,7 +55,7 @@ fn plot(scene: &str, rows: &[&Row]) -> Markup {
 
 fn words(row: &Row) -> String {
     let Row { levels, sampler, precision, .. } = row;
-    format!("levels {levels} cutoff {} sampler {sampler} precision {precision}", share_word(row.cutoff))
+    format!("levels {levels} cutoff {} sampler {sampler} precision {precision}", fraction_text(row.cutoff))
 }
 
 /// The run of the study with the same setting, if the scene is the same.

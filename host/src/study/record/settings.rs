@@ -7,7 +7,7 @@ use serde::de::Error as _;
 use serde::ser::SerializeMap as _;
 use serde::{Deserialize, Deserializer, Serialize, Serializer};
 use serde_json::{Map, Value};
-use strahl_settings::{AccelChoice, Domain, PartialSettings, SETTINGS, Setting, Settings};
+use strahl_settings::{Domain, ResolvedAccel, SETTINGS, Setting, Settings, SettingsOverrides};
 
 use crate::study::options::words;
 
@@ -29,7 +29,7 @@ const OPTIONS: &str = "options";
 
 impl RunSettings {
     /// Of a run where items were found by `choice`.
-    pub fn new(settings: &Settings, choice: &AccelChoice) -> Self {
+    pub fn new(settings: &Settings, choice: &ResolvedAccel) -> Self {
         let (accelerator, options) = (choice.to_string(), words(settings));
         RunSettings { settings: settings.clone(), accelerator, options }
     }
@@ -66,7 +66,7 @@ impl<'de> Deserialize<'de> for RunSettings {
             None => Err(D::Error::missing_field(name)),
         };
         let (accelerator, options) = (text(ACCELERATOR)?, text(OPTIONS)?);
-        let mut settings = PartialSettings::default();
+        let mut settings = SettingsOverrides::default();
         for (name, value) in &fields {
             let Some(setting) = RunSettings::recorded().find(|setting| setting.name == name) else {
                 return Err(D::Error::custom(format!("unknown field `{name}`")));

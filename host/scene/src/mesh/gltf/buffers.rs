@@ -8,8 +8,8 @@ use base64::Engine;
 
 use super::json::{Accessor, Root};
 use crate::error::LoadError;
-use crate::files::Files;
-use crate::shown::shown;
+use crate::files::SourceFiles;
+use crate::quote::quoted;
 
 /// What an accessor may hold: the number of its type, how it is called, its bytes.
 pub struct Kind {
@@ -37,7 +37,7 @@ pub struct Buffers {
 impl Buffers {
     /// Loads the buffers of the file at `path`; `binary` is the second part of a `.glb`.
     pub fn load(
-        files: &Files,
+        files: &SourceFiles,
         path: &Path,
         root: &Root,
         mut binary: Option<Vec<u8>>,
@@ -86,7 +86,7 @@ impl Buffers {
     }
 
     /// Names the files of textures, which are not read.
-    pub fn mention_textures(files: &Files, path: &Path, root: &Root) {
+    pub fn mention_textures(files: &SourceFiles, path: &Path, root: &Root) {
         let beside = |uri: &&str| !uri.starts_with("data:") && !uri.contains("://");
         let uris = root.images.iter().filter_map(|image| image.uri.as_deref()).filter(beside);
         for name in uris.filter_map(unescaped) {
@@ -107,7 +107,7 @@ impl Buffers {
 
     fn find<'b>(&'b self, root: &'b Root, accessor: &Accessor, kind: &Kind) -> Result<Entries<'b>, String> {
         if accessor.kind != kind.kind || !kind.components.contains(&accessor.component_type) {
-            let (is, number) = (shown(&accessor.kind), accessor.component_type);
+            let (is, number) = (quoted(&accessor.kind), accessor.component_type);
             return Err(format!("holds {is} of component type {number}, which cannot stand here"));
         }
         if accessor.sparse.is_some() {

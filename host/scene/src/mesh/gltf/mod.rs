@@ -29,10 +29,10 @@ use strahl_core::{Material, Rgb};
 
 use super::error::{Wrong, invalid};
 use super::gather::{Gather, coordinate};
-use super::groups::Mesh;
+use super::groups::TriangleMesh;
 use crate::error::LoadError;
-use crate::files::Files;
-use crate::shown::shown;
+use crate::files::SourceFiles;
+use crate::quote::quoted;
 use buffers::{Buffers, INDEX, VECTOR};
 use json::{Primitive, Root};
 use motion::Motion;
@@ -41,12 +41,12 @@ use motion::Motion;
 const MOST: usize = 1 << 24;
 
 /// Reads the bytes of the file at `path`; other files may be beside it.
-pub fn read(files: &Files, path: &Path, bytes: Vec<u8>) -> Result<Mesh, LoadError> {
+pub fn read(files: &SourceFiles, path: &Path, bytes: Vec<u8>) -> Result<TriangleMesh, LoadError> {
     let wrong = |wrong| invalid(path, wrong);
     let size = bytes.len();
     let (root, binary) = parts(bytes).map_err(wrong)?;
     if let Some(name) = root.extensions_required.iter().find(|name| !KNOWN.contains(&name.as_str())) {
-        return Err(wrong((None, format!("the file requires the extension {}", shown(name)))));
+        return Err(wrong((None, format!("the file requires the extension {}", quoted(name)))));
     }
     Buffers::mention_textures(files, path, &root);
     let buffers = Buffers::load(files, path, &root, binary)?;
@@ -110,12 +110,12 @@ fn parts(bytes: Vec<u8>) -> Result<(Root, Option<Vec<u8>>), Wrong> {
 fn reason_of(error: &serde_json::Error) -> String {
     let reason = error.to_string();
     let reason = reason.rsplit_once(" at line ").map_or(reason.as_str(), |(reason, _)| reason);
-    let mut shown: String =
+    let mut text: String =
         reason.chars().take(120).flat_map(|c| if c.is_control() { None } else { Some(c) }).collect();
     if reason.chars().nth(120).is_some() {
-        shown.push('…');
+        text.push('…');
     }
-    shown
+    text
 }
 
 /// The file, and what has been read of it.

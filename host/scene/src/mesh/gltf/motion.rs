@@ -1,7 +1,7 @@
 //! Where the nodes of a glTF file put their meshes.
 
 use super::json::Node;
-use crate::description::Triple;
+use crate::description::Float3;
 
 /// A linear map and a shift. In double precision, so that long chains of nodes round once.
 #[derive(Clone, Copy, Debug)]
@@ -47,13 +47,13 @@ impl Motion {
     }
 
     /// Where a point goes.
-    pub fn point(&self, point: Triple) -> Triple {
+    pub fn point(&self, point: Float3) -> Float3 {
         self.moved(point.map(f64::from)).map(|x| x as f32)
     }
 
     /// Where a normal points, of length one: upright on what it was upright on. Zero when
     /// nothing is left of it.
-    pub fn normal(&self, normal: Triple) -> Triple {
+    pub fn normal(&self, normal: Float3) -> Float3 {
         // The columns of the inverse transpose are the cross products of the columns, over the
         // determinant, of which only the sign counts.
         let [a, b, c] = self.columns;

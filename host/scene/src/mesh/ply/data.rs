@@ -2,7 +2,7 @@
 
 use super::header::{Element, Encoding, Header, Property, Type};
 use crate::mesh::error::Wrong;
-use crate::shown::shown;
+use crate::quote::quoted;
 
 /// The data that are not read yet.
 pub struct Data<'b> {
@@ -47,7 +47,7 @@ impl<'b> Data<'b> {
             _ => element.wrong(format!(
                 "{} elements {} take at least {each} bytes each, but {} bytes are left in the file",
                 element.count,
-                shown(&element.name),
+                quoted(&element.name),
                 self.left.len()
             )),
         }
@@ -103,6 +103,6 @@ impl<'b> Data<'b> {
             Type::F32 => text.parse::<f32>().map(f64::from),
             _ => text.parse::<f64>(),
         };
-        number.map_err(|_| format!("{} is no number", shown(&String::from_utf8_lossy(word))))
+        number.map_err(|_| format!("{} is no number", quoted(&String::from_utf8_lossy(word))))
     }
 }

@@ -1,7 +1,7 @@
 //! What a PLY file promises: its elements, their properties, and how numbers are written.
 
 use crate::mesh::error::Wrong;
-use crate::shown::shown;
+use crate::quote::quoted;
 
 /// How a number is kept.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -115,7 +115,7 @@ impl Header {
                         Some("binary_little_endian") => Encoding::Little,
                         Some("binary_big_endian") => Encoding::Big,
                         other => {
-                            let other = shown(other.unwrap_or_default());
+                            let other = quoted(other.unwrap_or_default());
                             return wrong(format!(
                                 "the format {other} is not ascii, binary_little_endian or binary_big_endian"
                             ));
@@ -125,7 +125,7 @@ impl Header {
                 (Some("element"), _) => header.element(words, line)?,
                 (Some("property"), _) => header.property(words, line)?,
                 (Some("end_header"), _) => break,
-                (Some(other), _) => return wrong(format!("{} does not belong into a header", shown(other))),
+                (Some(other), _) => return wrong(format!("{} does not belong into a header", quoted(other))),
             }
         }
         header.encoding = encoding.ok_or((Some(line), "the header has no `format`".into()))?;
@@ -136,11 +136,11 @@ impl Header {
     fn element<'w>(&mut self, mut words: impl Iterator<Item = &'w str>, line: usize) -> Result<(), Wrong> {
         let (name, count) = (words.next().unwrap_or_default(), words.next().unwrap_or_default());
         let Ok(count) = count.parse::<usize>() else {
-            let reason = format!("{} is no number of elements {}", shown(count), shown(name));
+            let reason = format!("{} is no number of elements {}", quoted(count), quoted(name));
             return Err((Some(line), reason));
         };
         if self.elements.iter().any(|element| element.name == name) {
-            return Err((Some(line), format!("a second element {}", shown(name))));
+            return Err((Some(line), format!("a second element {}", quoted(name))));
         }
         self.elements.push(Element { name: name.to_owned(), count, properties: Vec::new(), line });
         Ok(())
@@ -153,7 +153,7 @@ impl Header {
         };
         let mut next = || words.next().unwrap_or_default();
         let type_of = |name: &str| {
-            Type::named(name).ok_or((Some(line), format!("{} is no type of a number", shown(name))))
+            Type::named(name).ok_or((Some(line), format!("{} is no type of a number", quoted(name))))
         };
         let first = next();
         let (list, of) = match first {
@@ -165,7 +165,7 @@ impl Header {
         }
         let name = next();
         if name.is_empty() || element.has(name) {
-            return wrong(format!("{} is no name for a property, or is there already", shown(name)));
+            return wrong(format!("{} is no name for a property, or is there already", quoted(name)));
         }
         element.properties.push(Property { name: name.to_owned(), list, of });
         Ok(())

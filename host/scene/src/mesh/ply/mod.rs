@@ -13,13 +13,13 @@ mod header;
 
 use super::error::Wrong;
 use super::gather::{Gather, coordinate};
-use super::groups::Mesh;
-use crate::shown::shown;
+use super::groups::TriangleMesh;
+use crate::quote::quoted;
 use data::Data;
 use header::{Element, Header, Property};
 
 /// Reads the bytes of a file.
-pub fn read(bytes: &[u8]) -> Result<Mesh, Wrong> {
+pub fn read(bytes: &[u8]) -> Result<TriangleMesh, Wrong> {
     let header = Header::read(bytes)?;
     let mut data = Data::after(&header, bytes);
     let mut gather = Gather::default();
@@ -37,7 +37,7 @@ pub fn read(bytes: &[u8]) -> Result<Mesh, Wrong> {
             Kind::Other => {}
         }
         if element.has("red") && plan.kind != Kind::Other {
-            gather.warn(format!("the colours of the element {} are left out", shown(&element.name)));
+            gather.warn(format!("the colours of the element {} are left out", quoted(&element.name)));
         }
         // What has no properties has no data, however often.
         let count = if element.properties.is_empty() { 0 } else { element.count };
@@ -45,7 +45,7 @@ pub fn read(bytes: &[u8]) -> Result<Mesh, Wrong> {
             // The place is put together only when something is wrong there.
             plan.read(&mut data, &mut gather).map_err(|reason| {
                 let (line, byte) = data.place();
-                let name = shown(&element.name);
+                let name = quoted(&element.name);
                 (line, format!("{name} {number} of {count}{byte}: {reason}"))
             })?;
         }

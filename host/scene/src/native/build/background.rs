@@ -1,7 +1,7 @@
 //! What is behind everything.
 
 use super::builder::SceneBuilder;
-use crate::description::Background;
+use crate::description::BackgroundDescription;
 use crate::diagnostics::Diagnostic;
 use crate::native::format;
 use crate::native::table::One;
@@ -15,22 +15,22 @@ impl SceneBuilder<'_> {
             (Some(color), None, None) => {
                 if let Some(up) = &it.up {
                     let fault = Diagnostic::new(up.span.clone(), "a background of one colour has no `up`");
-                    return self.reader.faults.push(fault.help("`up` goes with `below` and `above`"));
+                    return self.reader.faults.push(fault.with_help("`up` goes with `below` and `above`"));
                 }
-                Background::Color(color.it.0)
+                BackgroundDescription::Color(color.it.0)
             }
-            (None, Some(below), Some(above)) => Background::Gradient {
-                up: it.up.as_ref().map_or(self.description.view.up, |up| up.it.0),
+            (None, Some(below), Some(above)) => BackgroundDescription::Gradient {
+                up: it.up.as_ref().map_or(self.description.camera.up, |up| up.it.0),
                 below: below.it.0,
                 above: above.it.0,
             },
             (Some(color), _, _) => {
                 let fault = Diagnostic::new(color.span.clone(), "a background has one colour or two");
-                return self.reader.faults.push(fault.help("write `color`, or `below` and `above`"));
+                return self.reader.faults.push(fault.with_help("write `color`, or `below` and `above`"));
             }
             (None, _, _) => {
                 let fault = Diagnostic::new(span.clone(), "the colour of the `background` is missing");
-                self.reader.misses::<()>(fault.help("write `color`, or `below` and `above`"));
+                self.reader.misses::<()>(fault.with_help("write `color`, or `below` and `above`"));
                 return;
             }
         };

@@ -6,12 +6,15 @@ use std::ops::Range;
 use strahl_core::{Material, Resolution};
 
 use super::mesh_files::MeshFiles;
-use crate::description::{Description, Form, Motion, Object, Placed, Projection, Triple, View};
-use crate::diagnostics::{Diagnostic, Lines};
+use crate::description::{
+    CameraDescription, Float3, LinearMotion, LoadedScene, Located, ObjectDescription, ProjectionDescription,
+    ShapeDescription,
+};
+use crate::diagnostics::{Diagnostic, LineIndex};
 use crate::native::value::Reader;
 
 /// What is up.
-pub const UP: Triple = [0.0, 1.0, 0.0];
+pub const UP: Float3 = [0.0, 1.0, 0.0];
 /// The full vertical angle of view in degrees.
 pub const ANGLE: f32 = 45.0;
 
@@ -25,8 +28,8 @@ pub struct Made {
 /// A description that grows, and what is wrong with what it is made of.
 pub struct SceneBuilder<'m> {
     pub reader: Reader<'m>,
-    pub lines: &'m Lines,
-    pub description: Description,
+    pub lines: &'m LineIndex,
+    pub description: LoadedScene,
     pub made: Made,
     pub meshes: MeshFiles<'m>,
     /// Of the picture, where the file does not say it.
@@ -39,10 +42,15 @@ pub struct SceneBuilder<'m> {
 
 impl<'m> SceneBuilder<'m> {
     /// Nothing, for a picture of `size`.
-    pub fn new(reader: Reader<'m>, lines: &'m Lines, meshes: MeshFiles<'m>, size: Resolution) -> Self {
+    pub fn new(reader: Reader<'m>, lines: &'m LineIndex, meshes: MeshFiles<'m>, size: Resolution) -> Self {
         let from = [0.0, 0.0, 1.0];
-        let view = View { from, at: [0.0; 3], up: UP, projection: Projection::Perspective(ANGLE) };
-        let description = Description::new(view);
+        let view = CameraDescription {
+            from,
+            at: [0.0; 3],
+            up: UP,
+            projection: ProjectionDescription::Perspective(ANGLE),
+        };
+        let description = LoadedScene::new(view);
         SceneBuilder {
             reader,
             lines,
@@ -56,24 +64,24 @@ impl<'m> SceneBuilder<'m> {
     }
 
     /// Puts an object into the table, which moves if there is a velocity.
-    pub fn push(&mut self, form: Form, material: u16, velocity: Triple, span: &Range<usize>) {
-        let line = u32::try_from(self.lines.line(span.start)).unwrap_or(u32::MAX);
-        if let Form::Nothing = form {
+    pub fn push(&mut self, form: ShapeDescription, material: u16, velocity: Float3, span: &Range<usize>) {
+        let line = u32::try_from(self.lines.line_number(span.start)).unwrap_or(u32::MAX);
+        if let ShapeDescription::Degenerate = form {
             let first = if self.flat.0 == 0 { line as usize } else { self.flat.1 };
             self.flat = (self.flat.0 + 1, first);
         }
         if velocity != [0.0; 3] {
             let object = self.description.objects.len();
-            self.description.moving.push(Motion { object, velocity });
+            self.description.motions.push(LinearMotion { object, velocity });
         }
-        self.description.objects.push(Object { form, material, line });
+        self.description.objects.push(ObjectDescription { shape: form, material, line });
     }
 
     /// Puts corners, and normals where there are some, into the tables; the place of the first.
-    pub fn corners(&mut self, points: impl IntoIterator<Item = Triple>, normals: &[Triple]) -> u32 {
+    pub fn corners(&mut self, points: impl IntoIterator<Item = Float3>, normals: &[Float3]) -> u32 {
         let it = &mut self.description;
-        let first = it.points.len();
-        it.points.extend(points);
+        let first = it.vertices.len();
+        it.vertices.extend(points);
         if !normals.is_empty() {
             // The normal of a corner has the corner's place; corners before it may have none.
             it.normals.resize(first, [0.0, 0.0, 1.0]);
@@ -89,11 +97,11 @@ impl<'m> SceneBuilder<'m> {
             if !std::mem::replace(&mut self.overflown, true) {
                 let what = format!("this is more than {} materials", materials.len());
                 let fault = Diagnostic::new(span.clone(), what);
-                self.reader.faults.push(fault.help("give equal ones one name"));
+                self.reader.faults.push(fault.with_help("give equal ones one name"));
             }
             return None;
         };
-        materials.push(Placed { it, line: self.lines.line(span.start), name });
+        materials.push(Located { value: it, line: self.lines.line_number(span.start), name });
         Some(place)
     }
 }

@@ -7,7 +7,9 @@ use strahl_core::{Camera, Resolution, Rgb, Vec3};
 
 use super::builder::{ANGLE, SceneBuilder, UP};
 use crate::bounds::boxes;
-use crate::description::{Light, Placed, Projection, Source, View, vector};
+use crate::description::{
+    CameraDescription, LightDescription, LightSourceDescription, Located, ProjectionDescription, vec3_of,
+};
 use crate::diagnostics::Diagnostic;
 use crate::framing::{Gaze, V, larger};
 use crate::native::format::File;
@@ -27,23 +29,23 @@ impl SceneBuilder<'_> {
         let angle = it.and_then(|it| it.angle.as_ref());
         let lens = it.and_then(|it| it.lens_radius.as_ref());
         let focus = it.and_then(|it| it.focus.as_ref());
-        self.description.view_line = camera.map_or(1, |camera| self.lines.line(camera.span.start));
+        self.description.camera_line = camera.map_or(1, |camera| self.lines.line_number(camera.span.start));
         let projection = match (it.and_then(|it| it.height.as_ref()), angle) {
             (Some(height), None) if lens.is_some() => {
                 let fault =
                     Diagnostic::new(height.span.clone(), "a camera has either a lens or parallel rays");
-                return self.reader.faults.push(fault.help("a lens goes with an `angle`"));
+                return self.reader.faults.push(fault.with_help("a lens goes with an `angle`"));
             }
-            (Some(height), None) => Projection::Orthographic(height.it.0),
-            (None, angle) => Projection::Perspective(angle.map_or(ANGLE, |angle| angle.it.0)),
+            (Some(height), None) => ProjectionDescription::Orthographic(height.it.0),
+            (None, angle) => ProjectionDescription::Perspective(angle.map_or(ANGLE, |angle| angle.it.0)),
             (Some(height), Some(angle)) => {
                 let fault =
                     Diagnostic::new(height.span.clone(), "a camera has either an `angle` or a `height`");
-                let fault = fault.also(angle.span.clone(), "the other");
-                return self.reader.faults.push(fault.help("with a `height` all rays are parallel"));
+                let fault = fault.with_related(angle.span.clone(), "the other");
+                return self.reader.faults.push(fault.with_help("with a `height` all rays are parallel"));
             }
         };
-        let mut view = View {
+        let mut view = CameraDescription {
             from: from.map_or([0.0, 0.0, 1.0], |from| from.it.0),
             at: at.map_or([0.0; 3], |at| at.it.0),
             up: up.map_or(UP, |up| up.it.0),
@@ -51,19 +53,19 @@ impl SceneBuilder<'_> {
         };
         if let (Some(focus), None) = (focus, lens) {
             let fault = Diagnostic::new(focus.span.clone(), "a camera without `lens_radius` has no `focus`");
-            return self.reader.faults.push(fault.help("without a lens everything is sharp"));
+            return self.reader.faults.push(fault.with_help("without a lens everything is sharp"));
         }
         // What is wrong may have left out what should be seen.
         if (from.is_none() || at.is_none()) && self.reader.faults.count == 0 {
             self.see_everything(&mut view, from.is_none(), at.is_none());
         }
-        if let (Some(radius), Projection::Perspective(angle)) = (lens, view.projection) {
-            let way = vector(view.at) - vector(view.from);
+        if let (Some(radius), ProjectionDescription::Perspective(angle)) = (lens, view.projection) {
+            let way = vec3_of(view.at) - vec3_of(view.from);
             let distance = try_normalize(way).map_or(1.0, |toward| way.dot(toward));
             let focus = focus.map_or(distance, |focus| focus.it.0);
-            view.projection = Projection::Lens { angle, radius: radius.it.0, focus };
+            view.projection = ProjectionDescription::Lens { angle, radius: radius.it.0, focus };
         }
-        self.description.view = view;
+        self.description.camera = view;
 
         let size = Resolution::new(4, 3).unwrap_or(self.size);
         if let Err(fault) = Camera::new(&view.to_core(), size)
@@ -76,11 +78,11 @@ impl SceneBuilder<'_> {
             let fault = Diagnostic::new(place.clone(), fault.to_string());
             self.reader.faults.push(match (is_up, up) {
                 (false, _) => {
-                    fault.help("`from` and `at` must differ once they are rounded to single precision")
+                    fault.with_help("`from` and `at` must differ once they are rounded to single precision")
                 }
-                (true, None) => fault.help("`up` is [0, 1, 0] by default"),
+                (true, None) => fault.with_help("`up` is [0, 1, 0] by default"),
                 (true, Some(_)) => {
-                    fault.help("without `up` it is [0, 1, 0]; any direction aslant of the view will do")
+                    fault.with_help("without `up` it is [0, 1, 0]; any direction aslant of the view will do")
                 }
             });
         }
@@ -96,7 +98,7 @@ impl SceneBuilder<'_> {
     }
 
     /// Moves the parts of the view that are free so that everything with an end is in the picture.
-    fn see_everything(&self, view: &mut View, move_eye: bool, move_aim: bool) {
+    fn see_everything(&self, view: &mut CameraDescription, move_eye: bool, move_aim: bool) {
         let Some(mut boxes) = boxes(&self.description) else { return };
         boxes.retain(|b| b.min.cmple(b.max).all());
         let whole = boxes.iter().fold(Aabb::EMPTY, |whole, b| whole.union(*b));
@@ -111,9 +113,11 @@ impl SceneBuilder<'_> {
         }
         if move_eye {
             let angle = match view.projection {
-                Projection::Perspective(angle) | Projection::Lens { angle, .. } => angle,
+                ProjectionDescription::Perspective(angle) | ProjectionDescription::Lens { angle, .. } => {
+                    angle
+                }
                 // The height says how much is seen; the eye only must be outside.
-                Projection::Orthographic(_) => ANGLE,
+                ProjectionDescription::Orthographic(_) => ANGLE,
             };
             let size = self.description.settings.size.unwrap_or(self.size);
             let gaze = Gaze::new(TOWARD_EYE, view.up.map(f64::from), f64::from(angle), FILLED, size);
@@ -131,14 +135,14 @@ impl SceneBuilder<'_> {
 }
 
 /// White light from behind the eye, from above and from the left.
-fn default_light(view: &View) -> Placed<Light> {
-    let back = try_normalize(vector(view.from) - vector(view.at)).unwrap_or(Vec3::Z);
-    let up = try_normalize(vector(view.up)).unwrap_or(Vec3::Y);
+fn default_light(view: &CameraDescription) -> Located<LightDescription> {
+    let back = try_normalize(vec3_of(view.from) - vec3_of(view.at)).unwrap_or(Vec3::Z);
+    let up = try_normalize(vec3_of(view.up)).unwrap_or(Vec3::Y);
     let left = try_normalize(back.cross(up)).unwrap_or(-Vec3::X);
     let toward = back + up * 0.8 + left * 0.6;
-    let source = Source::Directional { toward: toward.to_array() };
-    let it = Light { source, color: Rgb::WHITE, shadows: true };
-    Placed { it, line: 0, name: Some("default".into()) }
+    let source = LightSourceDescription::Directional { to_light: toward.to_array() };
+    let it = LightDescription { source, color: Rgb::WHITE, shadows: true };
+    Located { value: it, line: 0, name: Some("default".into()) }
 }
 
 /// The corners of a box.

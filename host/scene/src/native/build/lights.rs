@@ -6,7 +6,7 @@ use strahl_core::math::try_normalize;
 use strahl_core::{Rgb, vec3};
 
 use super::builder::SceneBuilder;
-use crate::description::{Light, Placed, Source, Triple, vector};
+use crate::description::{Float3, LightDescription, LightSourceDescription, Located, vec3_of};
 use crate::diagnostics::Diagnostic;
 use crate::native::format::{File, RectangleLight, SpotLight};
 use crate::native::value::{Color, Direction, Falloff, Intensity, Pair, Point, Spanned};
@@ -20,14 +20,15 @@ const SPOT: f32 = 40.0;
 impl SceneBuilder<'_> {
     /// Makes all lights of the file.
     pub fn lights(&mut self, file: &File) {
-        let mut lights: Vec<(usize, Option<Placed<Light>>)> = Vec::new();
+        let mut lights: Vec<(usize, Option<Located<LightDescription>>)> = Vec::new();
         for Spanned { it, span } in &file.point_light.0 {
-            let source = Source::Point { position: it.position.0, falloff: falloff(it.falloff) };
+            let source =
+                LightSourceDescription::Point { position: it.position.0, falloff: falloff(it.falloff) };
             let light = self.light(Some(source), &it.color, &it.intensity, it.shadows, &it.name, span);
             lights.push((span.start, light));
         }
         for Spanned { it, span } in &file.directional_light.0 {
-            let source = Source::Directional { toward: it.direction.0.map(|x| 0.0 - x) };
+            let source = LightSourceDescription::Directional { to_light: it.direction.0.map(|x| 0.0 - x) };
             let light = self.light(Some(source), &it.color, &it.intensity, it.shadows, &it.name, span);
             lights.push((span.start, light));
         }
@@ -38,7 +39,7 @@ impl SceneBuilder<'_> {
         }
         for Spanned { it, span } in &file.sphere_light.0 {
             let (position, radius, falloff) = (it.position.0, it.radius.0, falloff(it.falloff));
-            let source = Source::Sphere { position, radius, falloff };
+            let source = LightSourceDescription::Sphere { position, radius, falloff };
             let light = self.light(Some(source), &it.color, &it.intensity, it.shadows, &it.name, span);
             lights.push((span.start, light));
         }
@@ -64,16 +65,16 @@ impl SceneBuilder<'_> {
     /// Where a light shines that has `at` or `direction`. `help` says what `at` is.
     fn aim(
         &mut self,
-        position: Triple,
+        position: Float3,
         at: &Option<Spanned<Point>>,
         direction: &Option<Spanned<Direction>>,
         (table, help): (&str, &str),
         span: &Range<usize>,
-    ) -> Option<Triple> {
+    ) -> Option<Float3> {
         match (at, direction) {
             (None, Some(direction)) => Some(direction.it.0),
             (Some(at), None) => {
-                let direction: Triple = std::array::from_fn(|axis| at.it.0[axis] - position[axis]);
+                let direction: Float3 = std::array::from_fn(|axis| at.it.0[axis] - position[axis]);
                 if direction == [0.0; 3] {
                     let fault = Diagnostic::new(at.span.clone(), "the light is at the point it shines at");
                     return self.reader.wrong(fault);
@@ -83,22 +84,22 @@ impl SceneBuilder<'_> {
             (Some(at), Some(direction)) => {
                 let fault =
                     Diagnostic::new(direction.span.clone(), "a light has either a `direction` or an `at`");
-                self.reader.wrong(fault.also(at.span.clone(), "the other"))
+                self.reader.wrong(fault.with_related(at.span.clone(), "the other"))
             }
             (None, None) => {
                 let what = format!("this `{table}` has neither `at` nor `direction`");
-                self.reader.misses(Diagnostic::new(span.clone(), what).help(help))
+                self.reader.misses(Diagnostic::new(span.clone(), what).with_help(help))
             }
         }
     }
 
-    fn rectangle(&mut self, it: &RectangleLight, span: &Range<usize>) -> Option<Source> {
+    fn rectangle(&mut self, it: &RectangleLight, span: &Range<usize>) -> Option<LightSourceDescription> {
         let position = it.position.0;
         let names = ("rectangle_light", "`at` is a place in front of its middle");
-        let front = try_normalize(vector(self.aim(position, &it.at, &it.direction, names, span)?))?;
+        let front = try_normalize(vec3_of(self.aim(position, &it.at, &it.direction, names, span)?))?;
         let Pair([width, height]) = it.size;
         let up = match &it.up {
-            Some(up) => vector(up.it.0),
+            Some(up) => vec3_of(up.it.0),
             // What looks straight up or down has no side that is up.
             None if front.x == 0.0 && front.z == 0.0 => vec3(0.0, 0.0, 1.0),
             None => vec3(0.0, 1.0, 0.0),
@@ -106,14 +107,19 @@ impl SceneBuilder<'_> {
         let Some(right) = try_normalize(up).and_then(|up| try_normalize(up.cross(front))) else {
             let span = it.up.as_ref().map_or(span, |up| &up.span);
             let fault = Diagnostic::new(span.clone(), "`up` is where the light shines");
-            return self.reader.wrong(fault.help("give it another direction for its height"));
+            return self.reader.wrong(fault.with_help("give it another direction for its height"));
         };
         let half = [right * (0.5 * width), front.cross(right) * (0.5 * height)];
         let half = half.map(|half| half.to_array());
-        Some(Source::Rectangle { position, half, soft: true, falloff: falloff(it.falloff) })
+        Some(LightSourceDescription::Rectangle {
+            position,
+            half_edges: half,
+            is_sampled: true,
+            falloff: falloff(it.falloff),
+        })
     }
 
-    fn spot(&mut self, it: &SpotLight, span: &Range<usize>) -> Option<Source> {
+    fn spot(&mut self, it: &SpotLight, span: &Range<usize>) -> Option<LightSourceDescription> {
         let position = it.position.0;
         let names = ("spot_light", "`at` is a place in the middle of its cone");
         let direction = self.aim(position, &it.at, &it.direction, names, span)?;
@@ -127,21 +133,27 @@ impl SceneBuilder<'_> {
             None => 0.8 * angle,
         };
         let (bright, dark) = (0.5 * bright_angle, 0.5 * angle);
-        Some(Source::Spot { position, direction, bright, dark, falloff: falloff(it.falloff) })
+        Some(LightSourceDescription::Spot {
+            position,
+            direction,
+            inner_angle: bright,
+            outer_angle: dark,
+            falloff: falloff(it.falloff),
+        })
     }
 
     fn light(
         &mut self,
-        source: Option<Source>,
+        source: Option<LightSourceDescription>,
         color: &Option<Spanned<Color>>,
         intensity: &Option<Spanned<Intensity>>,
         shadows: Option<bool>,
         name: &Option<String>,
         span: &Range<usize>,
-    ) -> Option<Placed<Light>> {
+    ) -> Option<Located<LightDescription>> {
         let color = self.shining(color, intensity)?;
-        let it = Light { source: source?, color, shadows: shadows != Some(false) };
-        Some(Placed { it, line: self.lines.line(span.start), name: name.clone() })
+        let it = LightDescription { source: source?, color, shadows: shadows != Some(false) };
+        Some(Located { value: it, line: self.lines.line_number(span.start), name: name.clone() })
     }
 
     /// A colour times its intensity.
@@ -161,6 +173,6 @@ impl SceneBuilder<'_> {
     }
 }
 
-fn falloff(falloff: Option<Falloff>) -> Triple {
+fn falloff(falloff: Option<Falloff>) -> Float3 {
     falloff.map_or([1.0, 0.0, 0.0], |falloff| falloff.0)
 }

@@ -6,12 +6,12 @@ use strahl_core::scene::{Interface, TextureId};
 use strahl_core::{Material, Rgb};
 
 use super::builder::SceneBuilder;
-use crate::description::{Texture, vector};
+use crate::description::{TextureDescription, vec3_of};
 use crate::diagnostics::Diagnostic;
 use crate::native::format::{self, Surface};
 use crate::native::table::Many;
 use crate::native::value::Spanned;
-use crate::shown::shown;
+use crate::quote::quoted;
 
 /// The core counts cells per length, and no more of them than lengths.
 const LEAST_CELL: f32 = 1e-14;
@@ -22,15 +22,15 @@ impl SceneBuilder<'_> {
         for material in &materials.0 {
             let Some(name) = &material.it.name else {
                 let fault = Diagnostic::new(material.span.clone(), "this `material` has no `name`");
-                self.reader.misses::<()>(fault.help("give it the name that objects call it by"));
+                self.reader.misses::<()>(fault.with_help("give it the name that objects call it by"));
                 continue;
             };
             if let Some(first) = self.reader.names.first(&name.it)
                 && *first != name.span
             {
-                let what = format!("a second material is called {}", shown(&name.it));
+                let what = format!("a second material is called {}", quoted(&name.it));
                 let fault = Diagnostic::new(name.span.clone(), what);
-                self.reader.faults.push(fault.also(first.clone(), "the first"));
+                self.reader.faults.push(fault.with_related(first.clone(), "the first"));
                 continue;
             }
             if let Some(place) = self.material(material, Some(name.it.clone())) {
@@ -84,7 +84,7 @@ impl SceneBuilder<'_> {
             && transmitted.is_black()
             && mirror.is_black()
         {
-            let line = self.lines.line(roughness.span.start);
+            let line = self.lines.line_number(roughness.span.start);
             let warning =
                 format!("`roughness` in line {line} has no effect without `mirror` or `transmission`");
             self.description.warnings.push(warning);
@@ -121,7 +121,7 @@ impl SceneBuilder<'_> {
             ("priority", it.priority.as_ref().map(|at| at.span.start)),
         ];
         for (key, place) in keys.into_iter().filter_map(|(key, place)| Some((key, place?))) {
-            let line = self.lines.line(place);
+            let line = self.lines.line_number(place);
             let warning = format!("`{key}` in line {line} has no effect without `transmission`");
             self.description.warnings.push(warning);
         }
@@ -141,11 +141,11 @@ impl SceneBuilder<'_> {
             let what = format!("a material has either a `{one}` or a `{other}`");
             kinds.sort_by_key(|(_, span)| span.start);
             let fault = Diagnostic::new(kinds[1].1.clone(), what);
-            return self.reader.wrong(fault.also(kinds[0].1.clone(), "the other"));
+            return self.reader.wrong(fault.with_related(kinds[0].1.clone(), "the other"));
         }
         let texture = match (&it.checker, &it.gradient, &it.zone_plate) {
             (None, None, None) => return Some(TextureId::NONE),
-            (_, _, Some(Spanned { it: plate, .. })) => Texture::ZonePlate {
+            (_, _, Some(Spanned { it: plate, .. })) => TextureDescription::ZonePlate {
                 from: plate.from.map_or(Rgb::WHITE, |c| c.0),
                 to: plate.to.map_or(Rgb::BLACK, |c| c.0),
                 origin: plate.origin.map_or([0.0; 3], |p| p.0),
@@ -159,7 +159,7 @@ impl SceneBuilder<'_> {
                     let what = format!("a cell of a checker must be 0 or at least {LEAST_CELL:e}");
                     return self.reader.wrong(Diagnostic::new(at.span.clone(), what));
                 }
-                Texture::Checker {
+                TextureDescription::Checker {
                     even: checker.even.map_or(Rgb::WHITE, |c| c.0),
                     odd: checker.odd.map_or(Rgb::gray(0.1), |c| c.0),
                     origin: checker.origin.map_or([0.0; 3], |p| p.0),
@@ -167,13 +167,13 @@ impl SceneBuilder<'_> {
                 }
             }
             (_, Some(Spanned { it: gradient, .. }), _) => {
-                let along = vector(gradient.end.it.0) - vector(gradient.start.0);
+                let along = vec3_of(gradient.end.it.0) - vec3_of(gradient.start.0);
                 // Its square is what the core divides by.
                 if along.dot(along) <= 0.0 {
                     let fault = Diagnostic::new(gradient.end.span.clone(), "a gradient ends where it starts");
                     return self.reader.wrong(fault);
                 }
-                Texture::Gradient {
+                TextureDescription::Gradient {
                     from: gradient.from.map_or(Rgb::BLACK, |c| c.0),
                     to: gradient.to.map_or(Rgb::WHITE, |c| c.0),
                     start: gradient.start.0,

@@ -3,19 +3,19 @@
 use std::collections::HashMap;
 use std::path::{Path, PathBuf};
 
-use crate::files::Files;
-use crate::mesh::Mesh;
+use crate::files::SourceFiles;
+use crate::mesh::TriangleMesh;
 
 /// The files of meshes, each of which is read once.
 pub struct MeshFiles<'m> {
-    pub files: &'m Files,
+    pub files: &'m SourceFiles,
     pub folder: &'m Path,
-    pub read: HashMap<PathBuf, Option<Mesh>>,
+    pub read: HashMap<PathBuf, Option<TriangleMesh>>,
 }
 
 impl<'m> MeshFiles<'m> {
     /// None yet, of a scene in `folder`.
-    pub fn of(files: &'m Files, folder: &'m Path) -> Self {
+    pub fn of(files: &'m SourceFiles, folder: &'m Path) -> Self {
         MeshFiles { files, folder, read: HashMap::new() }
     }
 }

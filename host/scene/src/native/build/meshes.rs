@@ -8,9 +8,9 @@ use strahl_core::math::MAX_COORDINATE;
 use super::builder::SceneBuilder;
 use super::thing::Thing;
 use super::turn;
-use crate::description::{Form, Triple};
+use crate::description::{Float3, ShapeDescription};
 use crate::diagnostics::Diagnostic;
-use crate::mesh::{self, Mesh};
+use crate::mesh::{self, TriangleMesh};
 use crate::native::format;
 use crate::native::value::Spanned;
 
@@ -36,7 +36,7 @@ impl Transform {
     }
 
     /// Where a point goes.
-    fn point(&self, p: Triple) -> Triple {
+    fn point(&self, p: Float3) -> Float3 {
         let turned = self.turned(std::array::from_fn(|axis| f64::from(p[axis]) * self.scale[axis]));
         std::array::from_fn(|axis| (turned[axis] + self.translate[axis]) as f32)
     }
@@ -44,7 +44,7 @@ impl Transform {
     /// What is upright on the surface then: what becomes longer turns away. Scaled by a power of
     /// two so that its largest part is about one: rounding never leaves nothing of it, and a
     /// normal that is not turned keeps its bits.
-    fn normal(&self, n: Triple) -> Triple {
+    fn normal(&self, n: Float3) -> Float3 {
         let turned = self.turned(std::array::from_fn(|axis| f64::from(n[axis]) / self.scale[axis]));
         let largest = turned.iter().fold(0.0, |most: f64, x| if x.abs() > most { x.abs() } else { most });
         let power = f64::from_bits(largest.to_bits() & f64::INFINITY.to_bits());
@@ -83,7 +83,7 @@ impl Thing for format::Mesh {
 }
 
 /// Reads a file, or says at the place of its name what is wrong with it.
-fn read(path: &Path, file: &Spanned<String>, builder: &mut SceneBuilder<'_>) -> Option<Mesh> {
+fn read(path: &Path, file: &Spanned<String>, builder: &mut SceneBuilder<'_>) -> Option<TriangleMesh> {
     match mesh::read_companion(builder.meshes.files, path) {
         Ok(mesh) => {
             let name = path.display();
@@ -97,7 +97,7 @@ fn read(path: &Path, file: &Spanned<String>, builder: &mut SceneBuilder<'_>) -> 
             let failure: String = failure.to_string().chars().take(400).flat_map(printable).collect();
             let fault =
                 Diagnostic::new(file.span.clone(), format!("this mesh is not there or wrong: {failure}"));
-            builder.reader.wrong(fault.help("its name is relative to the folder of the scene"))
+            builder.reader.wrong(fault.with_help("its name is relative to the folder of the scene"))
         }
     }
 }
@@ -110,21 +110,21 @@ impl format::Mesh {
     /// Adds a mesh group by group.
     fn place(
         &self,
-        mesh: &Mesh,
+        mesh: &TriangleMesh,
         material: Option<u16>,
-        velocity: Triple,
+        velocity: Float3,
         span: &Range<usize>,
         builder: &mut SceneBuilder<'_>,
     ) {
         let transform = Transform::of(self);
-        let points: Vec<Triple> = mesh.points.iter().map(|p| transform.point(*p)).collect();
+        let points: Vec<Float3> = mesh.vertices.iter().map(|p| transform.point(*p)).collect();
         let is_near = |x: &f32| x.abs() <= MAX_COORDINATE;
         if !points.iter().flatten().all(is_near) {
             let what = format!("its transform moves the mesh beyond {MAX_COORDINATE:e}");
             builder.reader.faults.push(Diagnostic::new(span.clone(), what));
             return;
         }
-        let normals: Vec<Triple> = mesh.normals.iter().map(|n| transform.normal(*n)).collect();
+        let normals: Vec<Float3> = mesh.normals.iter().map(|n| transform.normal(*n)).collect();
         let smooth = !normals.is_empty();
         let corners = builder.corners(points, &normals);
         let mut first = builder.description.triangles.len() as u32;
@@ -148,7 +148,12 @@ impl format::Mesh {
                 }
             };
             let Some(material) = material else { return };
-            builder.push(Form::Mesh { first, count: group.count, smooth }, material, velocity, span);
+            builder.push(
+                ShapeDescription::Mesh { first, count: group.count, smooth },
+                material,
+                velocity,
+                span,
+            );
             first += group.count;
         }
     }

@@ -3,7 +3,7 @@
 use strahl_core::math::MAX_COORDINATE;
 
 use super::builder::SceneBuilder;
-use crate::description::Triple;
+use crate::description::Float3;
 use crate::diagnostics::Diagnostic;
 use crate::native::format;
 use crate::native::table::One;
@@ -18,7 +18,7 @@ impl SceneBuilder<'_> {
     }
 
     /// How an object moves; none when it would leave space while the shutter is open.
-    pub fn velocity(&mut self, velocity: &Option<Spanned<Point>>) -> Option<Triple> {
+    pub fn velocity(&mut self, velocity: &Option<Spanned<Point>>) -> Option<Float3> {
         let Some(Spanned { it: Point(velocity), span }) = velocity else { return Some([0.0; 3]) };
         let ways = velocity.iter().flat_map(|v| self.description.shutter.map(|time| v * time));
         if ways.into_iter().all(|way| way.abs() <= MAX_COORDINATE) {

@@ -12,11 +12,11 @@ impl SceneBuilder<'_> {
     pub fn settings(&mut self, render: One<Render>) {
         let Some(Spanned { it, .. }) = render.0 else { return };
         it.faults().into_iter().for_each(|fault| self.reader.faults.push(fault));
-        let line = |place: &Range<usize>| self.lines.line(place.start);
+        let line = |place: &Range<usize>| self.lines.line_number(place.start);
         let lines = it.places.iter().map(|(key, place)| (*key, line(&place.key)));
         self.description.setting_lines = lines.collect();
         if it.settings.colored_shadows == Some(true) {
-            self.description.colored_shadows =
+            self.description.colored_shadows_line =
                 it.places.get("colored_shadows").map(|place| line(&place.value));
         }
         self.description.settings = it.settings;

@@ -1,10 +1,10 @@
 //! Turns in space, in degrees about the three axes.
 
-use crate::description::Triple;
+use crate::description::Float3;
 
 /// A turn about the x axis, then about the y axis, then about the z axis, all of the world: the
 /// rows of its matrix.
-pub fn matrix(degrees: Triple) -> [[f64; 3]; 3] {
+pub fn matrix(degrees: Float3) -> [[f64; 3]; 3] {
     let [(sx, cx), (sy, cy), (sz, cz)] = degrees.map(sin_cos);
     [
         [cz * cy, cz * sy * sx - sz * cx, cz * sy * cx + sz * sx],
@@ -14,7 +14,7 @@ pub fn matrix(degrees: Triple) -> [[f64; 3]; 3] {
 }
 
 /// Where a turn brings the three axes.
-pub fn axes(degrees: Triple) -> [Triple; 3] {
+pub fn axes(degrees: Float3) -> [Float3; 3] {
     let rows = matrix(degrees);
     std::array::from_fn(|axis| rows.map(|row| row[axis] as f32))
 }

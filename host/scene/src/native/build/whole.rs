@@ -4,15 +4,15 @@ use std::ops::Range;
 
 use super::builder::SceneBuilder;
 use super::thing::Thing;
-use crate::amount::amount;
-use crate::description::Description;
+use crate::description::LoadedScene;
 use crate::native::format::File;
 use crate::native::table::Many;
 use crate::native::value::Reader;
+use crate::quantity::quantity;
 
 impl<'m> SceneBuilder<'m> {
     /// Makes everything, and answers with it and what is wrong.
-    pub fn scene(mut self, mut file: File) -> (Description, Reader<'m>) {
+    pub fn scene(mut self, mut file: File) -> (LoadedScene, Reader<'m>) {
         self.settings(std::mem::take(&mut file.render));
         let file = &file;
         self.materials(&file.material);
@@ -38,7 +38,7 @@ impl<'m> SceneBuilder<'m> {
             1 => warnings.push(format!("1 triangle has no area and is never hit (line {line})")),
             _ => warnings.push(format!(
                 "{} have no area and are never hit (the first in line {line})",
-                amount(count, "triangle")
+                quantity(count, "triangle")
             )),
         }
         if self.description.objects.is_empty() {

@@ -5,20 +5,20 @@ use std::ops::Range;
 
 use schemars::{JsonSchema, Schema, SchemaGenerator, json_schema};
 use strahl_core::Resolution;
-use strahl_settings::{Domain, Filter, Named, PartialSettings, SETTINGS, Setting, Value as _, Walk};
+use strahl_settings::{Domain, Filter, Named, SETTINGS, Setting, SettingsOverrides, Value as _, Walk};
 use toml::de::DeValue;
 
 use crate::diagnostics::Diagnostic;
 use crate::limits::MOST_PIXELS;
 use crate::native::table::Keys;
 use crate::native::value::{Range as NumberRange, Read, Reader, Value, meant, number_in, whole_in};
-use crate::shown::shown;
+use crate::quote::quoted;
 
 /// Which picture is asked for; the command line wins.
 #[derive(Debug, Default)]
 pub struct Render {
     /// The settings.
-    pub settings: PartialSettings,
+    pub settings: SettingsOverrides,
     /// Where each of them stands, by its key.
     pub places: BTreeMap<&'static str, Place>,
 }
@@ -35,16 +35,16 @@ impl Render {
     pub fn faults(&self) -> Vec<Diagnostic> {
         let place = |key| self.places.get(key).map_or(0..0, |place| place.value.clone());
         let mut faults = Vec::new();
-        let PartialSettings { sampler, filter, walk, heap, .. } = &self.settings;
+        let SettingsOverrides { sampler, filter, walk, heap, .. } = &self.settings;
         if filter.is_some_and(|filter| filter != Filter::Box)
-            && sampler.is_some_and(|sampler| !sampler.takes_filter())
+            && sampler.is_some_and(|sampler| !sampler.allows_filter())
         {
             let fault = Diagnostic::new(place("filter"), "no filter but \"box\" goes with this sampler");
-            faults.push(fault.also(place("sampler"), "it fills the pixel by itself"));
+            faults.push(fault.with_related(place("sampler"), "it fills the pixel by itself"));
         }
         if *walk == Some(Walk::Stack) && heap.is_some() {
             let fault = Diagnostic::new(place("heap"), "a walk with a stack has no `heap`");
-            faults.push(fault.also(place("walk"), "the walk"));
+            faults.push(fault.with_related(place("walk"), "the walk"));
         }
         faults
     }
@@ -72,12 +72,12 @@ impl Read for Render {
 }
 
 /// The value of a setting.
-fn read(setting: &Setting, value: &Value<'_>, reader: &mut Reader<'_>) -> Option<PartialSettings> {
+fn read(setting: &Setting, value: &Value<'_>, reader: &mut Reader<'_>) -> Option<SettingsOverrides> {
     let word = word(setting, value, reader)?;
     setting.parse(&word).map_or_else(
         |reason| {
             let fault = Diagnostic::new(value.span(), format!("this is no {}", setting.name));
-            reader.wrong(fault.help(reason))
+            reader.wrong(fault.with_help(reason))
         },
         Some,
     )
@@ -90,7 +90,7 @@ fn word(setting: &Setting, value: &Value<'_>, reader: &mut Reader<'_>) -> Option
         Domain::Flag => bool::read(value, key, reader).map(|it| it.to_string()),
         Domain::Integer(first, last) => whole_in(first, last, value, key, reader).map(|it| it.to_string()),
         Domain::OneOf(numbers) => one_of(numbers, value, key, reader).map(|it| it.to_string()),
-        Domain::Share => number_in(NumberRange::SHARE, value, key, reader).map(|it| it.to_string()),
+        Domain::Fraction => number_in(NumberRange::SHARE, value, key, reader).map(|it| it.to_string()),
         Domain::Name(names) => name(names, value, key, reader),
         Domain::Names(_) | Domain::Text => String::read(value, key, reader),
         Domain::Size => size(value, key, reader).and_then(|size| size.word()),
@@ -121,7 +121,7 @@ fn name(names: &[Named], value: &Value<'_>, key: &str, reader: &mut Reader<'_>) 
         Some(meant) => format!("did you mean {meant}?"),
         None => format!("there are {}", names.join(", ")),
     };
-    reader.wrong(Diagnostic::new(value.span(), format!("{} is no `{key}`", shown(&word))).help(help))
+    reader.wrong(Diagnostic::new(value.span(), format!("{} is no `{key}`", quoted(&word))).with_help(help))
 }
 
 fn size(value: &Value<'_>, key: &str, reader: &mut Reader<'_>) -> Option<Resolution> {
@@ -140,7 +140,7 @@ fn size(value: &Value<'_>, key: &str, reader: &mut Reader<'_>) -> Option<Resolut
         _ => {
             let what = format!("{width} x {height} pixels are more than a file may ask for");
             let help = format!("up to {MOST_PIXELS} pixels, or use --size on the command line");
-            reader.wrong(Diagnostic::new(value.span(), what).help(help))
+            reader.wrong(Diagnostic::new(value.span(), what).with_help(help))
         }
     }
 }

@@ -6,7 +6,7 @@ use toml::de::DeValue;
 use super::material::Material;
 use crate::diagnostics::Diagnostic;
 use crate::native::value::{Read, Reader, Spanned, Value, is_color, meant};
-use crate::shown::shown;
+use crate::quote::quoted;
 
 /// What an object is made of.
 #[derive(Debug)]
@@ -26,21 +26,21 @@ impl Read for Surface {
             // It may be in the part that cannot be read.
             DeValue::String(_) if !reader.complete => None,
             DeValue::String(name) => {
-                let fault = Diagnostic::new(value.span(), format!("there is no material {}", shown(name)));
+                let fault = Diagnostic::new(value.span(), format!("there is no material {}", quoted(name)));
                 let names = if reader.faults.has_room() { reader.names.some() } else { Vec::new() };
                 let help = match meant(name, &names) {
                     Some(meant) => format!("did you mean {meant}?"),
                     None if is_color(name) => format!("write {{ color = {:?} }}", short(name)),
                     None => format!("write [[material]] and name = {:?} below it", short(name)),
                 };
-                reader.wrong(fault.help(help))
+                reader.wrong(fault.with_help(help))
             }
             DeValue::Table(_) => {
                 let own: Spanned<Material> = Spanned::read(value, key, reader)?;
                 if let Some(name) = &own.it.name {
                     let fault =
                         Diagnostic::new(name.span.clone(), "a material that stands in an object has no name");
-                    return reader.wrong(fault.help("write it as a [[material]] to use it by name"));
+                    return reader.wrong(fault.with_help("write it as a [[material]] to use it by name"));
                 }
                 Some(Surface::Own(Box::new(own)))
             }

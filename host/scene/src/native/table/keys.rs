@@ -8,7 +8,7 @@ use toml::de::{DeTable, DeValue};
 
 use crate::diagnostics::Diagnostic;
 use crate::native::value::{Read, Reader, Value, meant};
-use crate::shown::shown;
+use crate::quote::quoted;
 
 /// A table while its keys are read.
 pub struct Keys<'v, 't> {
@@ -29,15 +29,15 @@ impl<'v, 't> Keys<'v, 't> {
         for (key, _) in table.iter().filter(|(key, _)| !keys.contains(&key.get_ref().as_ref())) {
             let word = key.get_ref();
             let what = match name {
-                "" => format!("a scene has no table {}", shown(word)),
-                _ => format!("`{name}` has no key {}", shown(word)),
+                "" => format!("a scene has no table {}", quoted(word)),
+                _ => format!("`{name}` has no key {}", quoted(word)),
             };
             let guess = if reader.faults.has_room() { meant(word, keys) } else { None };
             let help = match &guess {
                 Some(guess) => format!("did you mean {guess}?"),
                 None => format!("there are {}", keys.join(", ")),
             };
-            reader.faults.push(Diagnostic::new(key.span(), what).help(help));
+            reader.faults.push(Diagnostic::new(key.span(), what).with_help(help));
             reader.puzzling.insert(value.span().start);
             guesses.extend(guess);
         }
@@ -58,7 +58,7 @@ impl<'v, 't> Keys<'v, 't> {
         let is_meant = self.meant.iter().any(|guess| guess.contains(&format!("`{key}`")));
         if absent.is_none() && reader.complete && !is_meant {
             let fault = Diagnostic::new(self.span.clone(), format!("this `{}` has no `{key}`", self.name));
-            reader.faults.push(fault.help(format!("`{key}` has no default: give it a value")));
+            reader.faults.push(fault.with_help(format!("`{key}` has no default: give it a value")));
         }
         absent
     }

@@ -26,7 +26,7 @@ impl<T: Read> Read for One<T> {
     fn read(value: &Value<'_>, key: &str, reader: &mut Reader<'_>) -> Option<Self> {
         if let DeValue::Array(_) = value.get_ref() {
             let fault = Diagnostic::new(value.span(), format!("there is only one `{key}`"));
-            reader.faults.push(fault.help(format!("write [{key}] instead of [[{key}]]")));
+            reader.faults.push(fault.with_help(format!("write [{key}] instead of [[{key}]]")));
             return Self::absent();
         }
         Some(One(Spanned::read(value, key, reader)))
@@ -58,7 +58,7 @@ impl<T: Read> Read for Many<T> {
             }
             DeValue::Table(_) => {
                 let fault = Diagnostic::new(value.span(), format!("there may be more than one `{key}`"));
-                reader.faults.push(fault.help(format!("write [[{key}]] instead of [{key}]")));
+                reader.faults.push(fault.with_help(format!("write [[{key}]] instead of [{key}]")));
                 // What is wrong inside is told as well.
                 T::read(value, key, reader);
                 Self::absent()

@@ -9,7 +9,7 @@ use super::places::{one_or_three, triple_schema};
 use super::reader::{Read, Reader, Value};
 use super::similar::meant;
 use crate::diagnostics::Diagnostic;
-use crate::shown::shown;
+use crate::quote::quoted;
 
 /// The names, with what CSS means by them (sRGB).
 const NAMES: &[(&str, u32)] = &[
@@ -83,7 +83,7 @@ fn color(range: Range, value: &Value<'_>, key: &str, reader: &mut Reader<'_>) ->
         }
         _ => return reader.mismatch(value, key, "a colour: [r, g, b], a number, \"#rrggbb\" or a name"),
     };
-    reader.wrong(Diagnostic::new(value.span(), wrong.0).help(wrong.1))
+    reader.wrong(Diagnostic::new(value.span(), wrong.0).with_help(wrong.1))
 }
 
 /// The colour that a string says, or what is wrong and what to do about it.
@@ -93,7 +93,8 @@ fn named(text: &str) -> Result<Rgb, (String, String)> {
             6 if digits.bytes().all(|byte| byte.is_ascii_hexdigit()) => u32::from_str_radix(digits, 16).ok(),
             _ => None,
         };
-        let wrong = || (format!("{} is no colour", shown(text)), "six digits of 0-9 and a-f follow #".into());
+        let wrong =
+            || (format!("{} is no colour", quoted(text)), "six digits of 0-9 and a-f follow #".into());
         return code.map(of_srgb).ok_or_else(wrong);
     }
     match NAMES.iter().find(|(name, _)| *name == text) {
@@ -104,7 +105,7 @@ fn named(text: &str) -> Result<Rgb, (String, String)> {
                 Some(meant) => format!("did you mean {meant}?"),
                 None => format!("write \"#rrggbb\", [r, g, b] or one of {}", names.join(", ")),
             };
-            Err((format!("there is no colour {}", shown(text)), help))
+            Err((format!("there is no colour {}", quoted(text)), help))
         }
     }
 }

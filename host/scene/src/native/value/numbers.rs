@@ -152,7 +152,7 @@ pub fn number_in(range: Range, value: &Value<'_>, key: &str, reader: &mut Reader
     };
     let fault = Diagnostic::new(value.span(), format!("`{key}` must be {needs}, not {spelling}"));
     reader.wrong(match range.advice(number) {
-        Some(advice) => fault.help(advice),
+        Some(advice) => fault.with_help(advice),
         None => fault,
     })
 }

@@ -5,7 +5,7 @@ use toml::de::DeValue;
 
 use super::numbers::{Length, Range, is_number, number_in};
 use super::reader::{Read, Reader, Spanned, Value};
-use crate::description::Triple;
+use crate::description::Float3;
 use crate::diagnostics::Diagnostic;
 
 /// The values of an array of three.
@@ -28,7 +28,7 @@ pub fn three<'v, 't>(
 }
 
 /// Three numbers in a range.
-pub fn triple_in(range: Range, value: &Value<'_>, key: &str, reader: &mut Reader<'_>) -> Option<Triple> {
+pub fn triple_in(range: Range, value: &Value<'_>, key: &str, reader: &mut Reader<'_>) -> Option<Float3> {
     let [x, y, z] = three(value, key, "three numbers, as in [0, 1, 2]", reader)?;
     // All of them are read, so that all of them are told.
     let [x, y, z] = [x, y, z].map(|value| number_in(range, value, key, reader));
@@ -36,7 +36,7 @@ pub fn triple_in(range: Range, value: &Value<'_>, key: &str, reader: &mut Reader
 }
 
 /// Three numbers, or one for all three.
-pub fn one_or_three(range: Range, value: &Value<'_>, key: &str, reader: &mut Reader<'_>) -> Option<Triple> {
+pub fn one_or_three(range: Range, value: &Value<'_>, key: &str, reader: &mut Reader<'_>) -> Option<Float3> {
     if is_number(value) {
         return number_in(range, value, key, reader).map(|x| [x; 3]);
     }
@@ -56,7 +56,7 @@ macro_rules! triples {
     ($($(#[$doc:meta])* $Name:ident: $read:expr, $schema:expr;)*) => {$(
         $(#[$doc])*
         #[derive(Clone, Copy, Debug)]
-        pub struct $Name(pub Triple);
+        pub struct $Name(pub Float3);
 
         impl Read for $Name {
             fn read(value: &Value<'_>, key: &str, reader: &mut Reader<'_>) -> Option<Self> {
@@ -100,18 +100,18 @@ fn number_or_three(range: Range) -> Schema {
     json_schema!({ "anyOf": [range.schema(), triple_schema(range)] })
 }
 
-fn direction(value: &Value<'_>, key: &str, reader: &mut Reader<'_>) -> Option<Triple> {
+fn direction(value: &Value<'_>, key: &str, reader: &mut Reader<'_>) -> Option<Float3> {
     match triple_in(Range::SPACE, value, key, reader)? {
         [0.0, 0.0, 0.0] => {
             let fault =
                 Diagnostic::new(value.span(), format!("`{key}` must be a direction, and has no length"));
-            reader.wrong(fault.help("one of its numbers must not be 0"))
+            reader.wrong(fault.with_help("one of its numbers must not be 0"))
         }
         direction => Some(direction),
     }
 }
 
-fn scale(value: &Value<'_>, key: &str, reader: &mut Reader<'_>) -> Option<Triple> {
+fn scale(value: &Value<'_>, key: &str, reader: &mut Reader<'_>) -> Option<Float3> {
     let factors = one_or_three(Range::SPACE, value, key, reader)?;
     if factors.contains(&0.0) {
         return reader.wrong(Diagnostic::new(value.span(), format!("`{key}` must not be 0")));
@@ -119,7 +119,7 @@ fn scale(value: &Value<'_>, key: &str, reader: &mut Reader<'_>) -> Option<Triple
     Some(factors)
 }
 
-fn falloff(value: &Value<'_>, key: &str, reader: &mut Reader<'_>) -> Option<Triple> {
+fn falloff(value: &Value<'_>, key: &str, reader: &mut Reader<'_>) -> Option<Float3> {
     let DeValue::String(name) = value.get_ref() else {
         let needs = "\"none\", \"linear\", \"square\" or three numbers";
         if !matches!(value.get_ref(), DeValue::Array(_)) {
@@ -138,7 +138,7 @@ fn falloff(value: &Value<'_>, key: &str, reader: &mut Reader<'_>) -> Option<Trip
         _ => {
             let what = format!("`{key}` is none of \"none\", \"linear\" and \"square\"");
             let help = "\"square\" is as physics has it; [constant, linear, quadratic] is any other";
-            reader.wrong(Diagnostic::new(value.span(), what).help(help))
+            reader.wrong(Diagnostic::new(value.span(), what).with_help(help))
         }
     }
 }
@@ -256,7 +256,7 @@ impl Read for Shutter {
         if closes < opens {
             let what = format!("the `{key}` closes before it opens");
             let help = format!("did you mean [{closes}, {opens}]?");
-            return reader.wrong(Diagnostic::new(value.span(), what).help(help));
+            return reader.wrong(Diagnostic::new(value.span(), what).with_help(help));
         }
         Some(Shutter([opens, closes]))
     }

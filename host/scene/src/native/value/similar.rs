@@ -2,7 +2,7 @@
 
 use strsim::damerau_levenshtein;
 
-use crate::shown::shown;
+use crate::quote::quoted;
 
 /// Words of other programs, and ours for the same.
 const SAME: &[(&str, &str)] = &[
@@ -70,7 +70,7 @@ pub fn meant<'w>(word: &str, words: &[&'w str]) -> Option<String> {
     // Some of ours are several, of which the first decides.
     let first = |ours: &str| ours.split([',', ' ']).next().unwrap_or_default().to_owned();
     if let Some(ours) = ours.into_iter().find(|ours| words.contains(&first(ours).as_str())) {
-        return Some(ours.split(' ').map(quoted).collect::<Vec<_>>().join(" "));
+        return Some(ours.split(' ').map(quoted_list_word).collect::<Vec<_>>().join(" "));
     }
     let near = |other: &&'w str| {
         if other.len() > 60 {
@@ -80,11 +80,11 @@ pub fn meant<'w>(word: &str, words: &[&'w str]) -> Option<String> {
         (distance <= (other.chars().count() / 3).max(1)).then_some((distance, *other))
     };
     let nearest = words.iter().filter_map(near).min_by_key(|(distance, _)| *distance);
-    nearest.map(|(_, other)| shown(other))
+    nearest.map(|(_, other)| quoted(other))
 }
 
 /// A word of an advice, without the comma and the `or` between them.
-fn quoted(word: &str) -> String {
+fn quoted_list_word(word: &str) -> String {
     match word {
         "or" => word.into(),
         _ => match word.strip_suffix(',') {

@@ -1,14 +1,14 @@
 //! Numbers with their nouns, as a person reads them: `1 region`, `2,048 boxes`.
 
 /// A number, its thousands apart, and its noun, which is named for one.
-pub fn amount(number: impl TryInto<u64>, noun: &str) -> String {
+pub fn quantity(number: impl TryInto<u64>, noun: &str) -> String {
     // No count here is beyond it.
     let number = number.try_into().unwrap_or(u64::MAX);
-    format!("{} {}", count(number), of(number, noun))
+    format!("{} {}", grouped(number), plural(number, noun))
 }
 
 /// A number, its thousands apart.
-pub fn count(number: u64) -> String {
+pub fn grouped(number: u64) -> String {
     let digits = number.to_string();
     let is_apart = |index: usize| index > 0 && (digits.len() - index).is_multiple_of(3);
     let apart =
@@ -17,7 +17,7 @@ pub fn count(number: u64) -> String {
 }
 
 /// The noun of so many things: as it is for one, else in the plural.
-pub fn of(number: u64, noun: &str) -> String {
+pub fn plural(number: u64, noun: &str) -> String {
     let with = |ending: &str, plural: &str| Some(noun.strip_suffix(ending)?.to_owned() + plural);
     if number == 1 {
         return noun.to_owned();
@@ -35,18 +35,18 @@ mod tests {
     #[test]
     fn one_is_in_the_singular_and_everything_else_in_the_plural() {
         assert_eq!(
-            [0, 1, 2, 307_200].map(|n: u64| amount(n, "ray")),
+            [0, 1, 2, 307_200].map(|n: u64| quantity(n, "ray")),
             ["0 rays", "1 ray", "2 rays", "307,200 rays"]
         );
         let nouns = ["pass", "box", "entry", "torus", "smooth triangle", "texture"];
         let plurals = ["passes", "boxes", "entries", "tori", "smooth triangles", "textures"];
-        assert_eq!(nouns.map(|noun| of(2, noun)), plurals);
-        assert_eq!(nouns.map(|noun| of(1, noun)), nouns);
+        assert_eq!(nouns.map(|noun| plural(2, noun)), plurals);
+        assert_eq!(nouns.map(|noun| plural(1, noun)), nouns);
     }
 
     #[test]
     fn shapes_have_plurals() {
-        let plurals = ShapeKind::ALL.map(|kind| of(2, kind.name()));
+        let plurals = ShapeKind::ALL.map(|kind| plural(2, kind.name()));
         assert_eq!(
             plurals,
             [
