@@ -1,148 +1,158 @@
-//! The bodies that a ray is inside of.
+//! Nested dielectrics: the stack of bodies that a ray is inside.
 //!
-//! A ray takes with it a short list of the bodies that it has entered and not left. Where they
-//! overlap, one of them fills space: the one of the highest priority, and of equals the one
-//! that was entered last ("Simple Nested Dielectrics in Ray Traced Images", Schmidt, Budge,
-//! JGT 2002). A body of lower priority is invisible inside another: its surface does nothing.
+//! Each ray carries up to four entered bodies, identified by their materials. Where bodies overlap, the one with the
+//! highest [`Material::priority`] is the medium, of equals the last one entered. The surface of a body with lower
+//! priority is hidden there (a false intersection): the ray goes on unchanged.
+//!
+//! Source: Schmidt and Budge, "Simple Nested Dielectrics in Ray Traced Images", JGT 2002.
 
 use crate::math::Real;
 use crate::scene::{Material, MaterialId};
 
-/// How many bodies a ray can be inside of at once.
+/// Largest number of bodies that a ray can be inside.
 const CAPACITY: usize = 4;
 
-/// The bodies that a ray is inside of, in the order in which it entered them.
+/// The bodies that a ray is inside, in the order in which it entered them; at most four.
+///
+/// A body is identified by its material. Empty space is not on the stack.
+///
+/// ```
+/// use strahl_core::shade::MediumStack;
+/// use strahl_core::{Material, MaterialId};
+///
+/// let (water, glass) = (MaterialId(0), MaterialId(1));
+/// let materials = [Material::MATTE, Material { priority: 1, ..Material::MATTE }];
+///
+/// let inside = MediumStack::EMPTY.enter(glass, &materials).stack_behind;
+/// assert_eq!(inside.current(&materials), Some(glass));
+///
+/// // The surface of the water is hidden inside the glass.
+/// let crossing = inside.enter(water, &materials);
+/// assert!(crossing.is_hidden);
+/// assert_eq!(crossing.stack_behind.current(&materials), Some(glass));
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct MediumStack {
+    /// The first `count` are valid; the rest is zero.
     entered: [MaterialId; CAPACITY],
     count: u8,
 }
 
-/// What happens to the media where a ray meets the surface of a body.
+/// The media on both sides of a surface that a ray hits.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Crossing {
-    /// What fills space before the surface; none is empty space.
+    /// Medium on the side that the ray comes from; `None` is empty space.
     pub medium_before: Option<MaterialId>,
-    /// What fills space behind it.
+    /// Medium on the far side; `None` is empty space.
     pub medium_behind: Option<MaterialId>,
-    /// The list behind it.
+    /// Stack of a ray on the far side.
     pub stack_behind: MediumStack,
-    /// Whether a body of higher priority goes on through the surface, which then is not there.
+    /// Whether the surface is inside a body of higher priority: the ray goes on as if it did not exist.
     pub is_hidden: bool,
-    /// Whether the list was full, so that the body was not entered.
+    /// Whether the stack was full, so the body was not entered.
     pub is_stack_full: bool,
 }
 
 impl MediumStack {
-    /// Outside of everything.
+    /// The stack of a ray in empty space.
     pub const EMPTY: MediumStack = MediumStack { entered: [MaterialId(0); CAPACITY], count: 0 };
 
+    /// The entered bodies, the last one entered last.
     fn as_slice(&self) -> &[MaterialId] {
         self.entered.get(..usize::from(self.count)).unwrap_or_default()
     }
 
-    /// What fills space; none is empty space.
+    /// The medium that the ray is in; `None` is empty space.
+    ///
+    /// `materials`: those of the scene; a material outside of them has priority 0.
     pub fn current(self, materials: &[Material]) -> Option<MaterialId> {
-        // Few rays are inside of more than one.
+        // Common case: at most one body.
         if self.count <= 1 {
             return self.as_slice().first().copied();
         }
-        // The last of equals.
+        // `max_by_key` returns the last of equals.
         self.as_slice().iter().copied().max_by_key(|material| priority(*material, materials))
     }
 
-    /// The ray goes in through the surface of a body.
+    /// The crossing of a ray that enters `body`.
+    ///
+    /// If the stack is full, the body is not entered, and [`Crossing::is_stack_full`] is true.
     pub fn enter(self, body: MaterialId, materials: &[Material]) -> Crossing {
         if self.count == 0 {
-            let nothing = MaterialId(0);
-            let (behind, media) =
-                (Some(body), MediumStack { entered: [body, nothing, nothing, nothing], count: 1 });
+            let unused = MaterialId(0);
             return Crossing {
                 medium_before: None,
-                medium_behind: behind,
-                stack_behind: media,
+                medium_behind: Some(body),
+                stack_behind: MediumStack { entered: [body, unused, unused, unused], count: 1 },
                 is_hidden: false,
                 is_stack_full: false,
             };
         }
-        let before = self.current(materials);
-        let mut media = self;
-        let full = match media.entered.get_mut(usize::from(self.count)) {
-            Some(slot) => {
-                *slot = body;
-                media.count += 1;
+        let medium_before = self.current(materials);
+        let mut stack_behind = self;
+        let is_stack_full = match stack_behind.entered.get_mut(usize::from(self.count)) {
+            Some(top) => {
+                *top = body;
+                stack_behind.count += 1;
                 false
             }
             None => true,
         };
-        let behind = media.current(materials);
-        Crossing {
-            medium_before: before,
-            medium_behind: behind,
-            stack_behind: media,
-            is_hidden: has_higher_priority(before, body, materials),
-            is_stack_full: full,
-        }
+        let medium_behind = stack_behind.current(materials);
+        let is_hidden = has_higher_priority(medium_before, body, materials);
+        Crossing { medium_before, medium_behind, stack_behind, is_hidden, is_stack_full }
     }
 
-    /// The ray goes out through the surface of a body.
+    /// The crossing of a ray that leaves `body`.
     ///
-    /// A body that is not in the list is left all the same: the ray began inside of it, so that
-    /// it filled space before the surface.
+    /// If the body is not on the stack, the ray started inside it: the body was the medium unless one of higher
+    /// priority is on the stack.
     pub fn exit(self, body: MaterialId, materials: &[Material]) -> Crossing {
         if self.as_slice() == [body] {
-            let (before, media) = (Some(body), MediumStack::EMPTY);
             return Crossing {
-                medium_before: before,
+                medium_before: Some(body),
                 medium_behind: None,
-                stack_behind: media,
+                stack_behind: MediumStack::EMPTY,
                 is_hidden: false,
                 is_stack_full: false,
             };
         }
-        let mut media = self;
-        let Some(place) = self.as_slice().iter().rposition(|inside| *inside == body) else {
-            let behind = self.current(materials);
-            let before = if has_higher_priority(behind, body, materials) { behind } else { Some(body) };
-            return Crossing {
-                medium_before: before,
-                medium_behind: behind,
-                stack_behind: media,
-                is_hidden: before == behind,
-                is_stack_full: false,
-            };
+        let mut stack_behind = self;
+        let Some(index) = self.as_slice().iter().rposition(|entered| *entered == body) else {
+            let medium_behind = self.current(materials);
+            let is_inside_higher = has_higher_priority(medium_behind, body, materials);
+            let medium_before = if is_inside_higher { medium_behind } else { Some(body) };
+            let is_hidden = medium_before == medium_behind;
+            return Crossing { medium_before, medium_behind, stack_behind, is_hidden, is_stack_full: false };
         };
         // Close the gap.
-        let mut later = self.as_slice().iter().skip(place + 1);
-        for slot in media.entered.iter_mut().skip(place) {
-            *slot = later.next().copied().unwrap_or(MaterialId(0));
+        let mut later = self.as_slice().iter().skip(index + 1);
+        for entry in stack_behind.entered.iter_mut().skip(index) {
+            *entry = later.next().copied().unwrap_or(MaterialId(0));
         }
-        media.count -= 1;
-        let (before, behind) = (self.current(materials), media.current(materials));
-        Crossing {
-            medium_before: before,
-            medium_behind: behind,
-            stack_behind: media,
-            is_hidden: has_higher_priority(behind, body, materials),
-            is_stack_full: false,
-        }
+        stack_behind.count -= 1;
+        let (medium_before, medium_behind) = (self.current(materials), stack_behind.current(materials));
+        let is_hidden = has_higher_priority(medium_behind, body, materials);
+        Crossing { medium_before, medium_behind, stack_behind, is_hidden, is_stack_full: false }
     }
 }
 
+/// The material, if it exists.
 fn material_of(material: MaterialId, materials: &[Material]) -> Option<&Material> {
     materials.get(usize::from(material.0))
 }
 
+/// The priority of a material; 0 if it does not exist.
 fn priority(material: MaterialId, materials: &[Material]) -> u8 {
     material_of(material, materials).map_or(0, |material| material.priority)
 }
 
-/// Whether what fills space is of higher priority than a body.
-fn has_higher_priority(in_force: Option<MaterialId>, body: MaterialId, materials: &[Material]) -> bool {
-    in_force.is_some_and(|in_force| priority(in_force, materials) > priority(body, materials))
+/// Whether `medium` has a higher priority than `body`.
+fn has_higher_priority(medium: Option<MaterialId>, body: MaterialId, materials: &[Material]) -> bool {
+    medium.is_some_and(|medium| priority(medium, materials) > priority(body, materials))
 }
 
-/// The index of refraction of what fills space.
+/// Refractive index of a medium; 1 in empty space (`None`) and for a material outside of `materials`.
 pub fn refractive_index(medium: Option<MaterialId>, materials: &[Material]) -> Real {
     medium.and_then(|medium| material_of(medium, materials)).map_or(1.0, |material| material.index)
 }
@@ -164,21 +174,21 @@ mod tests {
     }
 
     #[test]
-    fn a_glass_in_water_hides_the_waters_surface_inside_it() {
-        let m = &materials();
-        let glass = MediumStack::EMPTY.enter(GLASS, m);
+    fn the_surface_of_water_is_hidden_inside_a_glass() {
+        let materials = &materials();
+        let glass = MediumStack::EMPTY.enter(GLASS, materials);
         assert_eq!((glass.medium_before, glass.medium_behind, glass.is_hidden), (None, Some(GLASS), false));
-        let both = glass.stack_behind.enter(WATER, m);
+        let both = glass.stack_behind.enter(WATER, materials);
         assert_eq!(
             (both.medium_before, both.medium_behind, both.is_hidden),
             (Some(GLASS), Some(GLASS), true)
         );
-        let water = both.stack_behind.exit(GLASS, m);
+        let water = both.stack_behind.exit(GLASS, materials);
         assert_eq!(
             (water.medium_before, water.medium_behind, water.is_hidden),
             (Some(GLASS), Some(WATER), false)
         );
-        let out = water.stack_behind.exit(WATER, m);
+        let out = water.stack_behind.exit(WATER, materials);
         assert_eq!(
             (out.medium_before, out.medium_behind, out.stack_behind),
             (Some(WATER), None, MediumStack::EMPTY)
@@ -186,19 +196,19 @@ mod tests {
     }
 
     #[test]
-    fn of_equal_priority_the_body_entered_last_fills_space() {
-        let m = &materials();
-        let bubble = MediumStack::EMPTY.enter(GLASS, m).stack_behind.enter(AIR, m);
+    fn of_equal_priorities_the_last_body_entered_is_the_medium() {
+        let materials = &materials();
+        let bubble = MediumStack::EMPTY.enter(GLASS, materials).stack_behind.enter(AIR, materials);
         assert_eq!(
             (bubble.medium_before, bubble.medium_behind, bubble.is_hidden),
             (Some(GLASS), Some(AIR), false)
         );
-        let out = bubble.stack_behind.exit(AIR, m);
+        let out = bubble.stack_behind.exit(AIR, materials);
         assert_eq!((out.medium_before, out.medium_behind), (Some(AIR), Some(GLASS)));
     }
 
     #[test]
-    fn a_body_left_but_never_entered_was_round_the_rays_begin() {
+    fn leaving_a_body_that_was_never_entered_means_the_ray_started_inside() {
         let out = MediumStack::EMPTY.exit(GLASS, &materials());
         assert_eq!(
             (out.medium_before, out.medium_behind, out.stack_behind),
@@ -207,20 +217,20 @@ mod tests {
     }
 
     #[test]
-    fn a_fifth_body_is_not_entered_and_told() {
-        let m = &materials();
-        let mut media = MediumStack::EMPTY;
+    fn a_full_stack_rejects_the_body_and_reports_it() {
+        let materials = &materials();
+        let mut stack = MediumStack::EMPTY;
         for _ in 0..CAPACITY {
-            let crossing = media.enter(WATER, m);
+            let crossing = stack.enter(WATER, materials);
             assert!(!crossing.is_stack_full);
-            media = crossing.stack_behind;
+            stack = crossing.stack_behind;
         }
-        let crossing = media.enter(GLASS, m);
+        let crossing = stack.enter(GLASS, materials);
         assert!(crossing.is_stack_full);
-        assert_eq!((crossing.stack_behind, crossing.medium_behind), (media, Some(WATER)));
+        assert_eq!((crossing.stack_behind, crossing.medium_behind), (stack, Some(WATER)));
         for _ in 0..CAPACITY {
-            media = media.exit(WATER, m).stack_behind;
+            stack = stack.exit(WATER, materials).stack_behind;
         }
-        assert_eq!(media, MediumStack::EMPTY);
+        assert_eq!(stack, MediumStack::EMPTY);
     }
 }

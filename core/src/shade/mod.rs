@@ -1,5 +1,10 @@
-//! What light does at a surface: the local part of Whitted's model, and the optics and media
-//! that the rays from there need.
+//! Shading: local illumination at a hit point, and the optics and media of secondary rays.
+//!
+//! Local illumination is the ambient, diffuse (Lambert) and highlight (Phong) part of Whitted's model, with shadow
+//! rays to all lights. Reflection, refraction, absorption and nested dielectrics serve the secondary rays, which the
+//! tracer sends.
+//!
+//! Source: Whitted, "An Improved Illumination Model for Shaded Display", CACM 1980.
 
 mod medium_stack;
 mod optics;
@@ -17,212 +22,218 @@ pub(crate) use transmission::{cross_surface, medium_transmittance};
 use crate::accel::Accelerator;
 use crate::geometry::{ItemId, SurfaceInteraction, offset_origin};
 use crate::math::{Dimension, Real, Rgb, SobolSequence, Vec3, max_abs_component, pow_positive};
-
 use crate::scene::{Beam, Effects, Material, World};
 use crate::tally::{LightOutcome, Tally, TraceEvent};
 use shadow::{ShadowRay, ShadowRayOrigin};
 use shadow_cache::ShadowCacheKey;
 
-/// The circumstances under which a ray has arrived at a surface.
+/// The ray that hit a surface, as far as local illumination depends on it.
 pub(crate) struct ShadingContext<'r> {
-    /// What it has met.
+    /// Item that was hit.
     pub(crate) item: ItemId,
-    /// The numbers that belong to the camera ray.
+    /// Sample sequence of the camera ray.
     pub(crate) stream: SobolSequence,
-    /// When.
+    /// Time in `0..=1` between shutter open and close.
     pub(crate) time: Real,
-    /// How far away from its own place the item is then; its texture moves with it.
+    /// Displacement of the item at that time; its texture moves with it.
     pub(crate) motion_offset: Vec3,
-    /// The level of the ray.
+    /// Level of the ray.
     pub(crate) level: u8,
-    /// The bodies on the side that it comes from.
+    /// Bodies on the side that the ray comes from.
     pub(crate) media_in_front: &'r MediumStack,
-    /// The bodies behind the surface.
+    /// Bodies on the far side of the surface.
     pub(crate) media_behind: &'r MediumStack,
 }
 
-/// The light that the surface itself sends back along the ray: ambient, and from each light
-/// that reaches it the diffuse part and the highlight (Phong).
+/// Radiance that the surface reflects along the ray: ambient light, and diffuse reflection and highlight of each light
+/// that is not occluded.
 ///
-/// A light is asked for only where the surface faces it and would show it.
-pub(crate) fn local_illumination<A: Accelerator, E: Effects, T: Tally, const SHADOWS: usize>(
+/// Shadow rays are traced only to lights that would contribute.
+pub(crate) fn local_illumination<A: Accelerator, E: Effects, T: Tally, const ENTRIES: usize>(
     world: &World<'_, A>,
     material: &Material,
-    seen: &ShadingPoint,
-    arrival: &ShadingContext<'_>,
-    memory: &mut WorkerCaches<A, SHADOWS>,
+    point: &ShadingPoint,
+    context: &ShadingContext<'_>,
+    caches: &mut WorkerCaches<A, ENTRIES>,
     tally: &mut T,
 ) -> Rgb {
     let parts = world.scene().parts();
+
+    // Texture.
     let (mut diffuse, mut ambient) = (material.diffuse, material.ambient);
     if !E::SET.textures.is_empty()
         && let Some(texture) = parts.textures.get(usize::from(material.texture.0))
     {
-        let paint = texture.at(seen.surface.point - arrival.motion_offset, E::SET.textures);
-        diffuse *= paint;
-        ambient *= paint;
-    }
-    let mut light = ambient * parts.ambient;
-    tally.trace_event(TraceEvent::Ambient(light));
-    if !material.is_lit() || parts.lights.is_empty() {
-        tally.trace_event(TraceEvent::LocalIllumination(light));
-        return light;
+        let texture_color = texture.at(point.surface.point - context.motion_offset, E::SET.textures);
+        diffuse *= texture_color;
+        ambient *= texture_color;
     }
 
-    // A one-sided surface shades as its front does, from wherever it is seen.
+    // Ambient light.
+    let mut radiance = ambient * parts.ambient;
+    tally.trace_event(TraceEvent::Ambient(radiance));
+    if !material.is_lit() || parts.lights.is_empty() {
+        tally.trace_event(TraceEvent::LocalIllumination(radiance));
+        return radiance;
+    }
+
+    // A one-sided surface is shaded as its front, on both sides.
     let (normal, side) = if material.two_sided {
-        (seen.shading_normal, seen.geometric_normal)
+        (point.shading_normal, point.geometric_normal)
     } else {
-        (seen.surface.shading_normal, seen.surface.normal)
+        (point.surface.shading_normal, point.surface.normal)
     };
-    let shiny = E::SET.highlight && material.is_shiny();
-    let mirrored = if shiny { 2.0 * normal.dot(seen.ray_direction) } else { 0.0 };
-    let scatters = !diffuse.is_black();
-    let from = offset_origin(seen.surface.point, seen.surface.point_error, side);
-    let start = ShadowRayOrigin { point: seen.surface.point, offset_point: from, time: arrival.time };
-    for (source, number) in parts.lights.iter().zip(0..) {
-        let chance = || {
+    let has_highlight = E::SET.highlight && material.is_shiny();
+    let twice_cos_ray = if has_highlight { 2.0 * normal.dot(point.ray_direction) } else { 0.0 };
+    let has_diffuse = !diffuse.is_black();
+    let offset_point = offset_origin(point.surface.point, point.surface.point_error, side);
+    let origin = ShadowRayOrigin { point: point.surface.point, offset_point, time: context.time };
+
+    for (light, index) in parts.lights.iter().zip(0..) {
+        // Sample the light.
+        let u = || {
             if !E::SET.penumbra {
                 return [0.5, 0.5];
             }
-            arrival.stream.sample_2d(Dimension::light(arrival.level, number))
+            context.stream.sample_2d(Dimension::light(context.level, index))
         };
-        let mut skip = |lit| tally.trace_event(TraceEvent::LightContribution { light: number, outcome: lit });
-        let beam = match source.beam(seen.surface.point, normal, E::SET.lights, chance) {
-            Ok(beam) => beam,
-            Err(lit) => {
-                skip(lit);
+        let mut report = |outcome| tally.trace_event(TraceEvent::LightContribution { light: index, outcome });
+        let sample = match light.beam(point.surface.point, normal, E::SET.lights, u) {
+            Ok(sample) => sample,
+            Err(outcome) => {
+                report(outcome);
                 continue;
             }
         };
-        if beam.color.is_black() {
-            skip(LightOutcome::NoEmission);
+        if sample.color.is_black() {
+            report(LightOutcome::NoEmission);
             continue;
         }
-        // How much of the highlight shows.
-        let shine = || {
-            // The mirrored light's share of the way to the eye.
-            let toward_eye = beam.toward.dot(seen.ray_direction) - beam.cos * mirrored;
-            if toward_eye > 0.0 { highlight_power(toward_eye, material.exponent) } else { 0.0 }
+
+        // Highlight. Without diffuse reflection most of the surface is outside of it, so it is evaluated before the
+        // shadow ray; with diffuse reflection the light contributes anyway, so it is evaluated after.
+        let highlight_factor = || {
+            // Cosine of the angle between the viewer and the mirrored direction of the light.
+            let cos = sample.toward.dot(point.ray_direction) - sample.cos * twice_cos_ray;
+            if cos > 0.0 { highlight_power(cos, material.exponent) } else { 0.0 }
         };
-        let mut color = beam.color;
-        // A mirror shows a light only where the highlight is, which most of it is not: so ask
-        // for the shadow last. What scatters light shows it wherever it stands in it.
-        let mut share = 0.0;
-        if !scatters {
-            share = if shiny { shine() } else { 0.0 };
-            if !(share > 0.0) {
-                skip(LightOutcome::OutsideHighlight);
+        let mut color = sample.color;
+        let mut highlight = 0.0;
+        if !has_diffuse {
+            highlight = if has_highlight { highlight_factor() } else { 0.0 };
+            if !(highlight > 0.0) {
+                report(LightOutcome::OutsideHighlight);
                 continue;
             }
         }
-        if E::SET.shadows && source.shadows {
+
+        // Shadow ray.
+        if E::SET.shadows && light.shadows {
             let media =
-                if side == seen.geometric_normal { arrival.media_in_front } else { arrival.media_behind };
-            let way = (ShadowCacheKey { light: usize::from(number), level: arrival.level }, media);
-            let passes = if E::SET.smooth && side.dot(beam.toward) <= 0.0 {
-                // Copies, so that the others can stay in registers.
-                let place = BelowHorizon {
-                    surface: seen.surface,
+                if side == point.geometric_normal { context.media_in_front } else { context.media_behind };
+            let shadow_key = (ShadowCacheKey { light: usize::from(index), level: context.level }, media);
+            let transmittance = if E::SET.smooth && side.dot(sample.toward) <= 0.0 {
+                // Passed by value, so that the originals can stay in registers.
+                let below = BelowHorizon {
+                    surface: point.surface,
                     side,
-                    item: arrival.item,
-                    offset: arrival.motion_offset,
+                    item: context.item,
+                    motion_offset: context.motion_offset,
+                    time: context.time,
                 };
-                shadow_transmittance_below_horizon::<A, E, T, SHADOWS>(
-                    world,
-                    place,
-                    arrival.time,
-                    way,
-                    beam,
-                    memory,
-                    tally,
+                shadow_transmittance_below_horizon::<A, E, T, ENTRIES>(
+                    world, below, shadow_key, sample, caches, tally,
                 )
             } else {
-                shadow_transmittance::<A, E, T, SHADOWS>(world, &start, way, &beam, memory, tally)
+                shadow_transmittance::<A, E, T, ENTRIES>(world, &origin, shadow_key, &sample, caches, tally)
             };
-            let Some(passed) = passes else {
-                tally.trace_event(TraceEvent::LightContribution {
-                    light: number,
-                    outcome: LightOutcome::Occluded,
-                });
+            let Some(transmittance) = transmittance else {
+                let outcome = LightOutcome::Occluded;
+                tally.trace_event(TraceEvent::LightContribution { light: index, outcome });
                 continue;
             };
-            color *= passed;
+            color *= transmittance;
         }
-        let mut back = diffuse * beam.cos;
-        if shiny {
-            let share = if scatters { shine() } else { share };
-            back += material.highlight * share;
+
+        // Diffuse reflection and highlight.
+        let mut reflectance = diffuse * sample.cos;
+        if has_highlight {
+            let highlight = if has_diffuse { highlight_factor() } else { highlight };
+            reflectance += material.highlight * highlight;
         }
-        let adds = back * color;
-        let (toward, distance) = (beam.toward, beam.distance);
-        tally.trace_event(TraceEvent::LightContribution {
-            light: number,
-            outcome: LightOutcome::Arrived { direction: toward, distance, color, contribution: adds },
-        });
-        light += adds;
+        let contribution = reflectance * color;
+        let (direction, distance) = (sample.toward, sample.distance);
+        let outcome = LightOutcome::Arrived { direction, distance, color, contribution };
+        tally.trace_event(TraceEvent::LightContribution { light: index, outcome });
+        radiance += contribution;
     }
-    tally.trace_event(TraceEvent::LocalIllumination(light));
-    light
+    tally.trace_event(TraceEvent::LocalIllumination(radiance));
+    radiance
 }
 
-/// The share of the light that passes on its way to a start; none when nothing does.
+/// Fraction of the sampled light that arrives at the point; `None` if the light is occluded.
+///
+/// The key also holds the bodies that the shadow ray starts in.
 #[inline(always)]
-fn shadow_transmittance<A: Accelerator, E: Effects, T: Tally, const SHADOWS: usize>(
+fn shadow_transmittance<A: Accelerator, E: Effects, T: Tally, const ENTRIES: usize>(
     world: &World<'_, A>,
-    start: &ShadowRayOrigin,
-    (toward, media): (ShadowCacheKey, &MediumStack),
-    beam: &Beam,
-    memory: &mut WorkerCaches<A, SHADOWS>,
+    origin: &ShadowRayOrigin,
+    (cache_key, media): (ShadowCacheKey, &MediumStack),
+    light_sample: &Beam,
+    caches: &mut WorkerCaches<A, ENTRIES>,
     tally: &mut T,
 ) -> Option<Rgb> {
-    let way = ShadowRay { start, light_sample: beam, cache_key: toward };
+    let shadow_ray = ShadowRay { origin, light_sample, cache_key };
     if E::SET.colored_shadows && world.scene().parts().colored_shadows {
-        let share = shadow::colored_transmittance::<A, E, T>(world, &way, media, &mut memory.scratch, tally);
-        (!share.is_black()).then_some(share)
+        let scratch = &mut caches.scratch;
+        let transmittance =
+            shadow::colored_transmittance::<A, E, T>(world, &shadow_ray, media, scratch, tally);
+        (!transmittance.is_black()).then_some(transmittance)
     } else {
-        (!shadow::is_occluded::<A, E, T, SHADOWS>(world, &way, memory, tally)).then_some(Rgb::WHITE)
+        let is_occluded = shadow::is_occluded::<A, E, T, ENTRIES>(world, &shadow_ray, caches, tally);
+        (!is_occluded).then_some(Rgb::WHITE)
     }
 }
 
-/// A place from which a light stands under the horizon of its smooth shape.
+/// A point of a smooth shape whose shading normal faces a light that is below the horizon of the geometric face.
 struct BelowHorizon {
     surface: SurfaceInteraction,
-    /// The geometric normal, on the side that is lit.
+    /// Geometric normal on the lit side.
     side: Vec3,
     item: ItemId,
-    offset: Vec3,
+    motion_offset: Vec3,
+    time: Real,
 }
 
-/// As [`passes`], for such a place: rays start farther out, from the round surface that is meant.
-/// Not as far as to come near the light.
+/// As [`shadow_transmittance`], with the shadow terminator offset: the shadow ray starts from the smooth surface that
+/// the normals approximate, unless that is a quarter of the distance to the light away or more.
 #[cold]
 #[inline(never)]
-fn shadow_transmittance_below_horizon<A: Accelerator, E: Effects, T: Tally, const SHADOWS: usize>(
+fn shadow_transmittance_below_horizon<A: Accelerator, E: Effects, T: Tally, const ENTRIES: usize>(
     world: &World<'_, A>,
-    BelowHorizon { surface, side, item, offset }: BelowHorizon,
-    time: Real,
-    way: (ShadowCacheKey, &MediumStack),
-    beam: Beam,
-    memory: &mut WorkerCaches<A, SHADOWS>,
+    BelowHorizon { surface, side, item, motion_offset, time }: BelowHorizon,
+    shadow_key: (ShadowCacheKey, &MediumStack),
+    light_sample: Beam,
+    caches: &mut WorkerCaches<A, ENTRIES>,
     tally: &mut T,
 ) -> Option<Rgb> {
-    let lift = world.lift::<E>(item, surface.point - offset, side.dot(surface.normal) > 0.0);
-    let lift = lift.filter(|lift| max_abs_component(*lift) < 0.25 * beam.distance).unwrap_or(Vec3::ZERO);
-    let from = offset_origin(surface.point, surface.point_error, side) + lift;
-    let start = ShadowRayOrigin { point: surface.point, offset_point: from, time };
-    shadow_transmittance::<A, E, T, SHADOWS>(world, &start, way, &beam, memory, tally)
+    let offset = world.lift::<E>(item, surface.point - motion_offset, side.dot(surface.normal) > 0.0);
+    let is_short = |offset: &Vec3| max_abs_component(*offset) < 0.25 * light_sample.distance;
+    let offset = offset.filter(is_short).unwrap_or(Vec3::ZERO);
+    let offset_point = offset_origin(surface.point, surface.point_error, side) + offset;
+    let origin = ShadowRayOrigin { point: surface.point, offset_point, time };
+    shadow_transmittance::<A, E, T, ENTRIES>(world, &origin, shadow_key, &light_sample, caches, tally)
 }
 
-/// The cosine, which rounding may have put a little above one, to a power.
+/// `cos` to the power `exponent`. `cos` is positive, and above 1 only by rounding.
 fn highlight_power(cos: Real, exponent: Real) -> Real {
-    // The logarithm of a cosine is at most what it lacks to one, and below this one a power is
-    // nearer to zero than to the smallest number. Nearly everywhere on a mirror that is so.
-    const NOTHING: Real = 0.6932 * (Real::MANTISSA_DIGITS as i32 - Real::MIN_EXP + 1) as Real;
-    let lack = 1.0 - cos;
-    if lack * exponent > NOTHING {
+    // ln(cos) <= cos - 1, so beyond this exponent the power is less than half of the smallest positive number and
+    // rounds to zero. For narrow highlights this is the common case.
+    const UNDERFLOW: Real = 0.6932 * (Real::MANTISSA_DIGITS as i32 - Real::MIN_EXP + 1) as Real;
+    let one_minus_cos = 1.0 - cos;
+    if one_minus_cos * exponent > UNDERFLOW {
         0.0
-    } else if lack > 0.0 {
+    } else if one_minus_cos > 0.0 {
         pow_positive(cos, exponent)
     } else {
         1.0

@@ -1,51 +1,75 @@
-//! What a surface does to the direction of light, and how it parts it.
+//! Reflection, refraction and absorption.
 //!
-//! Directions have length one. A ray comes in along `d`, and `n` is the normal on its side, so
-//! that `d . n` is below zero.
-//!
-//! Total reflection is found before any root is taken, so that no NaN arises.
+//! Directions are unit. `d` is the direction of a ray towards the surface, and `n` is the normal on the side that the
+//! ray comes from, so `d · n < 0`. Total internal reflection is detected before a square root is taken, so no NaN
+//! arises.
 
 use crate::math::{Real, Rgb, Vec3, exp, max, sqrt};
 
-/// The mirrored direction.
+/// Direction of specular reflection: `d` mirrored at the plane perpendicular to `n`.
+///
+/// ```
+/// use strahl_core::shade::reflect;
+/// use strahl_core::{Vec3, vec3};
+///
+/// assert_eq!(reflect(vec3(0.6, -0.8, 0.0), Vec3::Y), vec3(0.6, 0.8, 0.0));
+/// ```
 pub fn reflect(d: Vec3, n: Vec3) -> Vec3 {
     d - n * (2.0 * d.dot(n))
 }
 
-/// Light on the other side of a surface.
+/// The refracted ray, and the Fresnel reflectance of the surface.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Refraction {
-    /// Where it goes, of length one.
+    /// Direction of the refracted ray, unit.
     pub direction: Vec3,
-    /// The share that Fresnel's formulas mirror instead, of unpolarised light.
+    /// Fresnel reflectance of a dielectric for unpolarized light, in `0..=1`.
     pub reflectance: Real,
 }
 
-/// The broken direction by Snell's law, where `ratio` is the index of refraction on the side
-/// that light comes from over that of the other side. None when all light is thrown back.
+/// Refraction by Snell's law; `None` in case of total internal reflection.
+///
+/// `ratio`: refractive index on the side that the ray comes from, divided by that on the far side. A ratio of 1
+/// returns `d` unchanged.
+///
+/// ```
+/// use strahl_core::Vec3;
+/// use strahl_core::shade::refract;
+///
+/// // From air into glass, perpendicular to the surface.
+/// let refraction = refract(-Vec3::Y, Vec3::Y, 1.0 / 1.5).unwrap();
+/// assert_eq!(refraction.direction, -Vec3::Y);
+/// assert!((refraction.reflectance - 0.04).abs() < 1e-6);
+/// ```
 pub fn refract(d: Vec3, n: Vec3, ratio: Real) -> Option<Refraction> {
     if ratio == 1.0 {
         return Some(Refraction { direction: d, reflectance: 0.0 });
     }
     let cos = max(-d.dot(n), 0.0);
-    // The part along the surface, as it is behind it. Its square is right also where neither
-    // direction is exactly one long, which that of `1 - cos^2` is not.
-    let flat = (d + n * cos) * ratio;
-    // The square of the sine behind the surface, tested before any root is taken.
-    let sin2 = flat.dot(flat);
+    // Tangential component of the refracted direction. Its square is accurate even if `d` and `n` are not exactly
+    // unit; `1 - cos^2` is not.
+    let tangential = (d + n * cos) * ratio;
+    // Square of the sine of the angle of refraction.
+    let sin2 = tangential.dot(tangential);
     if !(sin2 < 1.0) {
         return None;
     }
-    let cos_behind = sqrt(1.0 - sin2);
-    let direction = flat - n * cos_behind;
-    let across = (ratio * cos - cos_behind) / (ratio * cos + cos_behind);
-    let along = (cos - ratio * cos_behind) / (cos + ratio * cos_behind);
-    Some(Refraction { direction, reflectance: 0.5 * (across * across + along * along) })
+    let cos_refracted = sqrt(1.0 - sin2);
+    let direction = tangential - n * cos_refracted;
+    let r_perpendicular = (ratio * cos - cos_refracted) / (ratio * cos + cos_refracted);
+    let r_parallel = (cos - ratio * cos_refracted) / (cos + ratio * cos_refracted);
+    Some(Refraction {
+        direction,
+        reflectance: 0.5 * (r_perpendicular * r_perpendicular + r_parallel * r_parallel),
+    })
 }
 
-/// What is left of light after a way through a medium (Beer's law).
-pub fn transmittance(clarity: Rgb, way: Real) -> Rgb {
-    clarity.map(|clarity| if clarity < Real::INFINITY { exp(-(way / clarity)) } else { 1.0 })
+/// Transmittance of a homogeneous medium over a distance, per channel, in `0..=1` (Beer-Lambert law).
+///
+/// * `attenuation_length`: distance after which a fraction 1/e of the light is left, positive; infinite is clear.
+/// * `distance`: in the same unit, not negative.
+pub fn transmittance(attenuation_length: Rgb, distance: Real) -> Rgb {
+    attenuation_length.map(|length| if length < Real::INFINITY { exp(-(distance / length)) } else { 1.0 })
 }
 
 #[cfg(test)]
@@ -53,21 +77,21 @@ mod tests {
     use super::*;
     use crate::math::{PI, cos, length, sin, vec3};
 
-    /// Light that comes down at an angle from the upright.
-    fn at(angle: Real) -> Vec3 {
+    /// A downward direction at an angle of incidence to the surface normal +y.
+    fn incident(angle: Real) -> Vec3 {
         vec3(sin(angle), -cos(angle), 0.0)
     }
 
     #[test]
-    fn a_mirror_keeps_the_angle() {
-        assert!(length(reflect(at(0.3), Vec3::Y) - vec3(sin(0.3), cos(0.3), 0.0)) < 1e-6);
+    fn the_angle_of_reflection_is_the_angle_of_incidence() {
+        assert!(length(reflect(incident(0.3), Vec3::Y) - vec3(sin(0.3), cos(0.3), 0.0)) < 1e-6);
     }
 
     #[test]
-    fn snells_law_holds_on_the_way_in_and_out() {
+    fn snells_law_holds_for_entering_and_leaving_rays() {
         for angle in [0.0, 0.1, 0.6, 1.2, 1.5] {
             for ratio in [1.0 / 1.5, 1.5, 1.0 / 2.4] {
-                let Some(out) = refract(at(angle), Vec3::Y, ratio) else {
+                let Some(out) = refract(incident(angle), Vec3::Y, ratio) else {
                     assert!(sin(angle) * ratio >= 1.0);
                     continue;
                 };
@@ -78,28 +102,28 @@ mod tests {
     }
 
     #[test]
-    fn fresnels_share_meets_its_known_values() {
-        // Upright: ((n - 1) / (n + 1))^2, from either side. Brewster's angle: 0 for one half of
-        // the light; the other half mirrors ((n^2 - 1) / (n^2 + 1))^2.
-        let share = |angle, ratio| refract(at(angle), Vec3::Y, ratio).unwrap().reflectance;
-        assert!((share(0.0, 1.0 / 1.5) - 0.04).abs() < 1e-6);
-        assert!((share(0.0, 1.5) - 0.04).abs() < 1e-6);
-        let angle = crate::math::acos(1.0 / sqrt(1.0 + 1.5 * 1.5)); // its tangent is 1.5
-        let half: Real = (1.5 * 1.5 - 1.0) / (1.5 * 1.5 + 1.0);
-        assert!((share(angle, 1.0 / 1.5) - 0.5 * half * half).abs() < 1e-6);
-        // Grazing: everything.
-        assert!(share(PI / 2.0 - 1e-4, 1.0 / 1.5) > 0.999);
+    fn fresnel_reflectance_has_its_known_values() {
+        // Normal incidence: ((n - 1) / (n + 1))^2, from either side. Brewster's angle: 0 for parallel polarization,
+        // ((n^2 - 1) / (n^2 + 1))^2 for perpendicular polarization.
+        let reflectance = |angle, ratio| refract(incident(angle), Vec3::Y, ratio).unwrap().reflectance;
+        assert!((reflectance(0.0, 1.0 / 1.5) - 0.04).abs() < 1e-6);
+        assert!((reflectance(0.0, 1.5) - 0.04).abs() < 1e-6);
+        let brewster = crate::math::acos(1.0 / sqrt(1.0 + 1.5 * 1.5)); // tan = 1.5
+        let r: Real = (1.5 * 1.5 - 1.0) / (1.5 * 1.5 + 1.0);
+        assert!((reflectance(brewster, 1.0 / 1.5) - 0.5 * r * r).abs() < 1e-6);
+        // Grazing incidence: 1.
+        assert!(reflectance(PI / 2.0 - 1e-4, 1.0 / 1.5) > 0.999);
     }
 
     #[test]
-    fn beyond_the_critical_angle_no_light_passes() {
+    fn beyond_the_critical_angle_there_is_total_internal_reflection() {
         let critical = PI / 2.0 - crate::math::acos(1.0 / 1.5);
-        assert!(refract(at(critical - 1e-3), Vec3::Y, 1.5).is_some());
-        assert!(refract(at(critical + 1e-3), Vec3::Y, 1.5).is_none());
+        assert!(refract(incident(critical - 1e-3), Vec3::Y, 1.5).is_some());
+        assert!(refract(incident(critical + 1e-3), Vec3::Y, 1.5).is_none());
     }
 
     #[test]
-    fn one_over_e_is_left_after_one_clarity() {
+    fn one_over_e_is_left_after_one_attenuation_length() {
         let left = transmittance(Rgb::new(2.0, Real::INFINITY, 1e-30), 2.0);
         assert!((left.r - 0.367_879_44).abs() < 1e-6);
         assert_eq!((left.g, left.b), (1.0, 0.0));

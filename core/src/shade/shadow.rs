@@ -1,4 +1,8 @@
-//! Whether light arrives.
+//! Shadow rays: occlusion of a light, and transmittance towards it.
+//!
+//! By default any item between point and light occludes the light, whatever its material ([`is_occluded`]). With
+//! colored shadows, transmitting surfaces attenuate the light instead ([`colored_transmittance`]). Shadow rays are
+//! never refracted, so none has to search for the light.
 
 use super::medium_stack::{Crossing, MediumStack, refractive_index};
 use super::optics::refract;
@@ -11,141 +15,141 @@ use crate::math::{ROUNDOFF, Real, Rgb, Vec3, max_abs_component};
 use crate::scene::{Beam, Effects, Interface, LightKind, Material, World};
 use crate::tally::{CountedEvent, RayKind, Tally, TraceEvent};
 
-/// How much of the way to a light is asked for: not the last few roundoffs, so that a surface
-/// in which the light lies does not stand in its own light.
+/// Fraction of the distance to a light in which items occlude it: 16 unit roundoffs less than 1, so that a surface
+/// that contains the light does not occlude it.
 const T_MAX_FACTOR: Real = 1.0 - 16.0 * ROUNDOFF;
 
-/// The most surfaces that light passes on its way; behind more it is dark.
+/// Most surfaces that a shadow ray passes; behind more the light is occluded.
 const MAX_SURFACES: u32 = 64;
 
-/// Where the ways to all lights start.
+/// Origin of the shadow rays of one shaded point, common to all lights.
 pub(super) struct ShadowRayOrigin {
-    /// On the surface.
+    /// Point on the surface, where the light was sampled.
     pub(super) point: Vec3,
-    /// Beside it, where rays leave it.
+    /// Origin of the rays: the point, offset to the lit side.
     pub(super) offset_point: Vec3,
-    /// When.
+    /// Time in `0..=1` between shutter open and close.
     pub(super) time: Real,
 }
 
-/// The way from a point to a light.
+/// A shadow ray from a surface point to a light.
 pub(super) struct ShadowRay<'b> {
-    /// Where it starts.
-    pub(super) start: &'b ShadowRayOrigin,
-    /// What would arrive.
+    /// Origin.
+    pub(super) origin: &'b ShadowRayOrigin,
+    /// Direction and distance of the light, and its color if it is not occluded.
     pub(super) light_sample: &'b Beam,
-    /// From which level to which light.
+    /// Light and ray level.
     pub(super) cache_key: ShadowCacheKey,
 }
 
 impl ShadowRay<'_> {
-    /// The direction of the ray towards the light; none when the light is too near for anything
-    /// to stand between.
+    /// Direction to the light, approximately unit; `None` if the light is so near that nothing can be in between.
     fn direction<E: Effects>(&self) -> Option<Vec3> {
-        let (start, beam) = (self.start, self.light_sample);
-        if E::SET.lights.contains(LightKind::Directional) && beam.distance == Real::MAX {
-            return Some(beam.toward); // of a light without a place, whose rays are parallel
+        let (origin, light) = (self.origin, self.light_sample);
+        if E::SET.lights.contains(LightKind::Directional) && light.distance == Real::MAX {
+            return Some(light.toward);
         }
-        // Started beside the point, the ray must not end beside the light.
-        let aside = start.point - start.offset_point;
-        (max_abs_component(aside) < beam.distance).then(|| beam.toward + aside / beam.distance)
+        // The light was sampled from the point; correct the direction for the offset of the origin.
+        let offset = origin.point - origin.offset_point;
+        (max_abs_component(offset) < light.distance).then(|| light.toward + offset / light.distance)
     }
 
-    /// How far something may be and still stand in the way.
+    /// Largest `t` of an occluder.
     fn t_max(&self) -> Real {
         self.light_sample.distance * T_MAX_FACTOR
     }
 }
 
-/// Whether anything stands in the way. What lies behind the light does not count; glass counts
-/// as if it were opaque.
+/// Whether an item between the point and the light occludes the light. Transmitting items count as opaque.
 #[inline(always)]
-pub(super) fn is_occluded<A: Accelerator, E: Effects, T: Tally, const SHADOWS: usize>(
+pub(super) fn is_occluded<A: Accelerator, E: Effects, T: Tally, const ENTRIES: usize>(
     world: &World<'_, A>,
-    way: &ShadowRay<'_>,
-    memory: &mut WorkerCaches<A, SHADOWS>,
+    shadow_ray: &ShadowRay<'_>,
+    caches: &mut WorkerCaches<A, ENTRIES>,
     tally: &mut T,
 ) -> bool {
     tally.count(CountedEvent::Ray(RayKind::Shadow));
-    let Some(direction) = way.direction::<E>() else { return false };
+    let Some(direction) = shadow_ray.direction::<E>() else { return false };
     tally.trace_event(TraceEvent::ShadowRay {
-        origin: way.start.offset_point,
+        origin: shadow_ray.origin.offset_point,
         direction,
-        t_max: way.t_max(),
+        t_max: shadow_ray.t_max(),
     });
-    let ray = Ray::with_near_unit_direction(way.start.offset_point, direction, way.start.time);
-    if let Some(last) = memory.shadow_cache.last_occluder(way.cache_key) {
-        let still = world.blocks::<E, T>(last, &ray, way.t_max(), RayKind::Shadow, tally);
-        tally.count(CountedEvent::ShadowCacheLookup { hit: still });
-        if still {
-            tally.trace_event(TraceEvent::Occluded { item: last, t: None });
+    let ray =
+        Ray::with_near_unit_direction(shadow_ray.origin.offset_point, direction, shadow_ray.origin.time);
+    if let Some(occluder) = caches.shadow_cache.last_occluder(shadow_ray.cache_key) {
+        let hit = world.blocks::<E, T>(occluder, &ray, shadow_ray.t_max(), RayKind::Shadow, tally);
+        tally.count(CountedEvent::ShadowCacheLookup { hit });
+        if hit {
+            tally.trace_event(TraceEvent::Occluded { item: occluder, t: None });
             return true;
         }
     }
-    match world.blocker_sound::<E, T>(&ray, way.t_max(), RayKind::Shadow, &mut memory.scratch, tally) {
+    match world.blocker_sound::<E, T>(&ray, shadow_ray.t_max(), RayKind::Shadow, &mut caches.scratch, tally) {
         Some(item) => {
             tally.trace_event(TraceEvent::Occluded { item, t: None });
-            memory.shadow_cache.insert(way.cache_key, item);
+            caches.shadow_cache.insert(shadow_ray.cache_key, item);
             true
         }
         None => {
-            memory.shadow_cache.remove(way.cache_key);
+            caches.shadow_cache.remove(shadow_ray.cache_key);
             false
         }
     }
 }
 
-/// The share of light that comes through, from a point inside of `media`: straight on through
-/// everything that transmits, surface by surface up to the light, and nothing through the rest.
+/// Transmittance between a point inside `media` and the light, along a straight line; black if occluded.
 ///
-/// Each surface takes what it does not transmit, with Fresnel's formulas also what light that
-/// comes in from the thinner side loses by mirroring; each body takes what it absorbs. Light is
-/// not bent, so that no ray has to look for the light.
+/// Surfaces multiply it by what they transmit, less the Fresnel reflectance of light that arrives on the side of the
+/// lower refractive index; bodies multiply it by their transmittance. Opaque surfaces occlude the light.
 ///
-/// Not inlined: few scenes ask for it, and where it stands in the loop the others pay for it.
+/// Not inlined: few scenes have colored shadows, and inlined into the loop it would slow down all others.
 #[inline(never)]
 pub(super) fn colored_transmittance<A: Accelerator, E: Effects, T: Tally>(
     world: &World<'_, A>,
-    way: &ShadowRay<'_>,
+    shadow_ray: &ShadowRay<'_>,
     media: &MediumStack,
     scratch: &mut A::Scratch,
     tally: &mut T,
 ) -> Rgb {
     tally.count(CountedEvent::Ray(RayKind::Shadow));
     let parts = world.scene().parts();
-    let (mut share, mut media) = (Rgb::WHITE, *media);
-    let Some(direction) = way.direction::<E>() else { return share };
-    let (mut from, mut reach) = (way.start.offset_point, way.t_max());
-    tally.trace_event(TraceEvent::ShadowRay { origin: from, direction, t_max: reach });
+    let (mut transmittance, mut media) = (Rgb::WHITE, *media);
+    let Some(direction) = shadow_ray.direction::<E>() else { return transmittance };
+    let (mut origin, mut t_max) = (shadow_ray.origin.offset_point, shadow_ray.t_max());
+    tally.trace_event(TraceEvent::ShadowRay { origin, direction, t_max });
     for _ in 0..MAX_SURFACES {
-        let ray = Ray::with_near_unit_direction(from, direction, way.start.time);
-        let hit = world.nearest::<E, T>(&ray, reach, RayKind::Shadow, scratch, tally);
-        let met = hit.and_then(|hit| Some((hit, world.surface::<E>(&ray, hit)?)));
-        let Some((hit, surface)) = met else {
-            return share * medium_transmittance::<E>(parts.materials, media.current(parts.materials), reach);
+        let ray = Ray::with_near_unit_direction(origin, direction, shadow_ray.origin.time);
+        let hit = world.nearest::<E, T>(&ray, t_max, RayKind::Shadow, scratch, tally);
+        let hit = hit.and_then(|hit| Some((hit, world.surface::<E>(&ray, hit)?)));
+        let Some((hit, surface)) = hit else {
+            let medium = media.current(parts.materials);
+            return transmittance * medium_transmittance::<E>(parts.materials, medium, t_max);
         };
         let material = world.scene().material(hit.item).unwrap_or(&Material::MATTE);
-        let seen = ShadingPoint::new(surface, direction);
-        let Some(crossing) = cross_surface(parts, hit.item, material, media, seen.front_face) else { break };
-        share *= medium_transmittance::<E>(parts.materials, crossing.medium_before, hit.t);
+        let point = ShadingPoint::new(surface, direction);
+        let Some(crossing) = cross_surface(parts, hit.item, material, media, point.front_face) else { break };
+        transmittance *= medium_transmittance::<E>(parts.materials, crossing.medium_before, hit.t);
         if !crossing.is_hidden {
-            share *= material.transmitted * (1.0 - reflectance(&crossing, material, &seen, parts.materials));
+            transmittance *=
+                material.transmitted * (1.0 - reflectance(&crossing, material, &point, parts.materials));
         }
-        if share.is_black() {
+        if transmittance.is_black() {
             tally.trace_event(TraceEvent::Occluded { item: hit.item, t: Some(hit.t) });
             break;
         }
-        tally.trace_event(TraceEvent::ShadowTransmission { hit, transmittance: share });
-        (media, from, reach) = (crossing.stack_behind, seen.origin_behind(), reach - hit.t);
+        tally.trace_event(TraceEvent::ShadowTransmission { hit, transmittance });
+        (media, origin, t_max) = (crossing.stack_behind, point.origin_behind(), t_max - hit.t);
     }
     Rgb::BLACK
 }
 
-/// The share that is mirrored of light that comes in from the thinner of both sides.
+/// Fresnel reflectance for light that arrives on the side of the lower refractive index, where no total internal
+/// reflection occurs; 0 for surfaces with a constant transmittance.
 fn reflectance(
     crossing: &Crossing,
     material: &Material,
-    seen: &ShadingPoint,
+    point: &ShadingPoint,
     materials: &[Material],
 ) -> Real {
     if material.interface == Interface::Constant {
@@ -156,5 +160,5 @@ fn reflectance(
         refractive_index(crossing.medium_behind, materials),
     );
     let ratio = if before < behind { before / behind } else { behind / before };
-    refract(seen.ray_direction, seen.shading_normal, ratio).map_or(1.0, |refraction| refraction.reflectance)
+    refract(point.ray_direction, point.shading_normal, ratio).map_or(1.0, |refraction| refraction.reflectance)
 }

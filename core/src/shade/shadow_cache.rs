@@ -1,100 +1,105 @@
-//! Shadow cache: who stood in the way of a light is asked first the next time.
+//! Shadow cache: the last occluder of a light is tested first.
 //!
-//! Neighbouring points lie in the shadow of the same thing. If that still stands in the way,
-//! the point is dark and nothing needs to be looked for; if it does not, one test was in vain.
-//! Where light arrived the last time nobody is asked.
-//! It is the same test of the same ray, so that the answer is the same either way ("The Light
-//! Buffer: A Shadow-Testing Accelerator", Haines and Greenberg, 1986, has the idea).
+//! Neighboring points usually lie in the shadow of the same item. If the last occluder still occludes the light, no
+//! traversal is needed; if not, one test was superfluous. After an unoccluded shadow ray, nothing is tested first.
+//! The occluder is tested with the same function against the same ray, so the cache never changes a result.
 //!
-//! Where light passes through glass nobody is remembered: how much arrives is found surface by
-//! surface, and to ask out of turn could give another answer where surfaces nearly touch.
+//! Shadow rays that pass through transmitting surfaces do not use the cache: their transmittance is found surface by
+//! surface, and testing out of order could change the result where surfaces nearly touch.
+//!
+//! Source: Haines and Greenberg, "The Light Buffer: A Shadow-Testing Accelerator", IEEE CG&A 1986.
+//! Difference: entries per light and ray level.
 
 use crate::accel::Accelerator;
 use crate::geometry::ItemId;
 
-/// Who stood last in the way of each light, for each level of rays.
+/// A direct-mapped cache of the last occluder of each light, per ray level.
 ///
-/// Slot `i` serves every light and level whose number is `i` modulo `SLOTS`; a later one
-/// replaces an earlier one. It may ask the wrong item, which costs a test and no truth.
+/// Entry `i` serves all pairs of light and level whose number is `i` modulo `ENTRIES`; a later pair evicts an earlier
+/// one. A wrong entry costs one test and never changes a result.
 ///
-/// * Shape: `SLOTS` is zero, which remembers nothing, or a power of two; checked when compiled.
-/// * Memory: 4 bytes for each slot.
+/// * `ENTRIES` is zero (no cache) or a power of two, checked at compile time.
+/// * Memory: 4 bytes per entry.
 #[derive(Clone, Debug)]
-pub(crate) struct ShadowCache<const SLOTS: usize> {
-    occluders: [ItemId; SLOTS],
+pub(crate) struct ShadowCache<const ENTRIES: usize> {
+    occluders: [ItemId; ENTRIES],
     is_enabled: bool,
 }
 
-/// What is remembered between rays: by the accelerator, and of shadows.
-pub(crate) struct WorkerCaches<A: Accelerator, const SHADOWS: usize> {
+/// The caches of a worker: memory that is kept between rays and changes nothing but the time.
+///
+/// `ENTRIES`: size of the shadow cache.
+pub(crate) struct WorkerCaches<A: Accelerator, const ENTRIES: usize> {
+    /// Scratch memory of the accelerator.
     pub(crate) scratch: A::Scratch,
-    pub(crate) shadow_cache: ShadowCache<SHADOWS>,
+    /// The last occluders.
+    pub(crate) shadow_cache: ShadowCache<ENTRIES>,
 }
 
-impl<A: Accelerator, const SHADOWS: usize> WorkerCaches<A, SHADOWS> {
+impl<A: Accelerator, const ENTRIES: usize> WorkerCaches<A, ENTRIES> {
+    /// Empty caches.
     pub(crate) fn new() -> Self {
         WorkerCaches { scratch: A::Scratch::default(), shadow_cache: ShadowCache::EMPTY }
     }
 
-    /// As new, but no cache is used that was not used before.
+    /// Empties the caches. A disabled shadow cache stays disabled.
     pub(crate) fn clear(&mut self) {
         self.scratch = A::Scratch::default();
         self.shadow_cache.occluders = ShadowCache::EMPTY.occluders;
     }
 }
 
-/// From a surface that a ray of some level has met to a light.
+/// What a shadow cache entry is looked up by.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct ShadowCacheKey {
-    /// Which light.
+    /// Index of the light in the scene.
     pub(crate) light: usize,
-    /// The level of the ray.
+    /// Level of the ray that hit the shaded point.
     pub(crate) level: u8,
 }
 
-/// No item has the highest number.
+/// Marks an empty entry: no item has the highest id.
 const NO_ITEM: ItemId = ItemId(u32::MAX);
 
-/// Levels that do not share a slot while there are slots enough.
+/// Entries per light: levels that differ modulo this number do not evict each other in a large cache.
 const LEVELS_PER_LIGHT: usize = 8;
 
-impl<const SLOTS: usize> ShadowCache<SLOTS> {
+impl<const ENTRIES: usize> ShadowCache<ENTRIES> {
+    /// An empty, enabled cache.
     pub(crate) const EMPTY: Self = {
-        const { assert!(SLOTS == 0 || SLOTS.is_power_of_two()) };
-        ShadowCache { occluders: [NO_ITEM; SLOTS], is_enabled: SLOTS > 0 }
+        const { assert!(ENTRIES == 0 || ENTRIES.is_power_of_two()) };
+        ShadowCache { occluders: [NO_ITEM; ENTRIES], is_enabled: ENTRIES > 0 }
     };
 
-    /// Remembers nobody from now on.
+    /// Empties the cache and ignores later insertions.
     pub(crate) fn disable(&mut self) {
         *self = ShadowCache { is_enabled: false, ..Self::EMPTY };
     }
 
-    /// Who is to be asked first.
-    pub(crate) fn last_occluder(&self, toward: ShadowCacheKey) -> Option<ItemId> {
-        self.occluders.get(Self::index(toward)).copied().filter(|item| *item != NO_ITEM)
+    /// The occluder to test first, if there is one.
+    pub(crate) fn last_occluder(&self, key: ShadowCacheKey) -> Option<ItemId> {
+        self.occluders.get(Self::index(key)).copied().filter(|item| *item != NO_ITEM)
     }
 
-    /// Remembers who stands in the way.
-    pub(crate) fn insert(&mut self, toward: ShadowCacheKey, item: ItemId) {
+    /// Stores the last occluder.
+    pub(crate) fn insert(&mut self, key: ShadowCacheKey, item: ItemId) {
         if self.is_enabled
-            && let Some(slot) = self.occluders.get_mut(Self::index(toward))
+            && let Some(entry) = self.occluders.get_mut(Self::index(key))
         {
-            *slot = item;
+            *entry = item;
         }
     }
 
-    /// Light arrives: nobody is to be asked the next time.
-    pub(crate) fn remove(&mut self, toward: ShadowCacheKey) {
-        self.insert(toward, NO_ITEM);
+    /// Removes the entry, because the light is not occluded.
+    pub(crate) fn remove(&mut self, key: ShadowCacheKey) {
+        self.insert(key, NO_ITEM);
     }
 
-    /// Without slots, a place that is not there.
-    fn index(toward: ShadowCacheKey) -> usize {
-        let number = toward
-            .light
-            .wrapping_mul(LEVELS_PER_LIGHT)
-            .wrapping_add(usize::from(toward.level) % LEVELS_PER_LIGHT);
-        if SLOTS > 0 { number % SLOTS } else { 0 }
+    /// Index of the entry; out of range if there are no entries.
+    fn index(key: ShadowCacheKey) -> usize {
+        let hash =
+            key.light.wrapping_mul(LEVELS_PER_LIGHT).wrapping_add(usize::from(key.level) % LEVELS_PER_LIGHT);
+        if ENTRIES > 0 { hash % ENTRIES } else { 0 }
     }
 }
 
@@ -103,7 +108,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn each_light_has_its_own_blocker_on_each_level() {
+    fn occluders_are_kept_per_light_and_level() {
         let mut cache = ShadowCache::<16>::EMPTY;
         let [a, b] = [ShadowCacheKey { light: 0, level: 1 }, ShadowCacheKey { light: 1, level: 1 }];
         cache.insert(a, ItemId(7));
@@ -116,14 +121,14 @@ mod tests {
     }
 
     #[test]
-    fn a_cache_without_slots_or_turned_off_remembers_nobody() {
+    fn an_empty_or_disabled_cache_returns_no_occluder() {
         let mut cache = ShadowCache::<0>::EMPTY;
-        let toward = ShadowCacheKey { light: 0, level: 1 };
-        cache.insert(toward, ItemId(7));
-        assert_eq!(cache.last_occluder(toward), None);
+        let key = ShadowCacheKey { light: 0, level: 1 };
+        cache.insert(key, ItemId(7));
+        assert_eq!(cache.last_occluder(key), None);
         let mut cache = ShadowCache::<16>::EMPTY;
         cache.disable();
-        cache.insert(toward, ItemId(7));
-        assert_eq!(cache.last_occluder(toward), None);
+        cache.insert(key, ItemId(7));
+        assert_eq!(cache.last_occluder(key), None);
     }
 }

@@ -1,4 +1,4 @@
-//! What bodies do to light on its way through them.
+//! Light inside bodies: surface crossings and attenuation.
 
 use super::medium_stack::{Crossing, MediumStack};
 use super::optics::transmittance;
@@ -6,16 +6,18 @@ use crate::geometry::ItemId;
 use crate::math::{Real, Rgb};
 use crate::scene::{Effects, Material, MaterialId, Parts};
 
-/// What happens to the media where a ray meets an item, whose outside is where the ray comes
-/// from, or not.
+/// The media on both sides of the surface of `item` for a ray with the stack `media`.
+///
+/// `entering`: whether the ray arrives on the outside of the item, the side of its geometric normal. `None` if the
+/// item has no material.
 pub(crate) fn cross_surface(
     parts: &Parts<'_>,
     item: ItemId,
     material: &Material,
     media: MediumStack,
-    outside: bool,
+    entering: bool,
 ) -> Option<Crossing> {
-    // Clear stuff that does not break light makes no body: a pane has no other side.
+    // A clear material that does not refract bounds no body: a pane may have a single surface.
     let is_body = material.is_transmitting() && (material.index != 1.0 || material.is_absorbing());
     if !is_body {
         let medium = media.current(parts.materials);
@@ -28,20 +30,20 @@ pub(crate) fn cross_surface(
         });
     }
     let body = parts.made_of.get(item.0 as usize).copied()?;
-    Some(if outside { media.enter(body, parts.materials) } else { media.exit(body, parts.materials) })
+    Some(if entering { media.enter(body, parts.materials) } else { media.exit(body, parts.materials) })
 }
 
-/// What is left of light after a way through a medium.
+/// Transmittance of a medium over `distance` scene lengths; 1 in empty space (`None`).
 pub(crate) fn medium_transmittance<E: Effects>(
     materials: &[Material],
     medium: Option<MaterialId>,
-    way: Real,
+    distance: Real,
 ) -> Rgb {
     if !E::SET.absorption {
         return Rgb::WHITE;
     }
     match medium.and_then(|medium| materials.get(usize::from(medium.0))) {
-        Some(material) => transmittance(material.clarity, way),
+        Some(material) => transmittance(material.clarity, distance),
         None => Rgb::WHITE,
     }
 }

@@ -1,12 +1,12 @@
-//! How counters count events.
+//! [`Counters`] and [`RayCounters`] as tallies.
 
 use super::{CountedEvent, Counters, RayCounters, Tally, UnsentRays};
 use crate::math::{Real, Rgb};
 
-/// Counts a ray of this weight.
-fn unsent(counter: &mut UnsentRays, weight: Rgb) {
-    let steps = ((weight.r + weight.g + weight.b) * (UnsentRays::WEIGHT_ONE as Real / 3.0)) as u64;
-    counter.merge(&UnsentRays { rays: 1, weight_units: steps });
+/// Adds an unsent ray of this weight.
+fn add_unsent(unsent: &mut UnsentRays, weight: Rgb) {
+    let weight_units = ((weight.r + weight.g + weight.b) * (UnsentRays::WEIGHT_ONE as Real / 3.0)) as u64;
+    unsent.merge(&UnsentRays { rays: 1, weight_units });
 }
 
 impl Tally for Counters {
@@ -26,8 +26,8 @@ impl Tally for Counters {
                 self.shadow_cache_lookups += 1;
                 self.shadow_cache_hits += u64::from(hit);
             }
-            CountedEvent::LevelLimit(weight) => unsent(&mut self.level_limit, weight),
-            CountedEvent::Cutoff(weight) => unsent(&mut self.cutoff, weight),
+            CountedEvent::LevelLimit(weight) => add_unsent(&mut self.level_limit, weight),
+            CountedEvent::Cutoff(weight) => add_unsent(&mut self.cutoff, weight),
             CountedEvent::MediumStackFull => self.medium_stack_full += 1,
         }
     }

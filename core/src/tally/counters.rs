@@ -1,14 +1,14 @@
-//! What was counted while a picture was traced.
+//! Statistics of the tracing of a picture.
 //!
-//! Counts are integers, and weights are summed in fixed point, so that the sum of what several workers
-//! have counted does not depend on their order.
+//! Counts are integers and weights are summed in fixed point, so merging the counters of several workers gives the
+//! same result in every order.
 
 use core::ops::{AddAssign, Index, IndexMut};
 
 use super::ray_kind::RayKind;
 use crate::geometry::ShapeKind;
 
-/// One count for each value of an enum, indexed by that value.
+/// Declares `$Counts`: one count per value of the enum `$Kind`, indexed by that value.
 macro_rules! counts_per {
     ($(#[$doc:meta])* $Counts:ident of $Kind:ident) => {
         $(#[$doc])*
@@ -16,7 +16,7 @@ macro_rules! counts_per {
         pub struct $Counts([u64; $Kind::ALL.len()]);
 
         impl $Counts {
-            /// The sum over all kinds.
+            /// Sum over all kinds.
             pub fn sum(&self) -> u64 {
                 self.0.iter().sum()
             }
@@ -26,16 +26,16 @@ macro_rules! counts_per {
             type Output = u64;
 
             #[inline(always)]
-            #[expect(clippy::indexing_slicing, reason = "there are as many counts as kinds")]
+            #[expect(clippy::indexing_slicing, reason = "one count per kind")]
             fn index(&self, kind: $Kind) -> &u64 {
-                // The compiler leaves the check out.
+                // The bounds check is optimized away.
                 &self.0[kind as usize]
             }
         }
 
         impl IndexMut<$Kind> for $Counts {
             #[inline(always)]
-            #[expect(clippy::indexing_slicing, reason = "there are as many counts as kinds")]
+            #[expect(clippy::indexing_slicing, reason = "one count per kind")]
             fn index_mut(&mut self, kind: $Kind) -> &mut u64 {
                 &mut self.0[kind as usize]
             }
@@ -52,16 +52,18 @@ macro_rules! counts_per {
 }
 
 counts_per! {
-    /// One count for each kind of ray.
+    /// One count per kind of ray.
     PerRayKind of RayKind
 }
 
 counts_per! {
-    /// One count for each kind of shape.
+    /// One count per kind of shape.
     PerShapeKind of ShapeKind
 }
 
-/// How often everything happened.
+/// Counts of all events.
+///
+/// As a [`Tally`](super::Tally), it receives them from a tracer. [`RayCounters`] count less and cost almost nothing.
 ///
 /// ```
 /// use strahl_core::tally::{Counters, RayKind};
@@ -72,41 +74,41 @@ counts_per! {
 /// ```
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Counters {
-    /// Rays sent. Shadow rays: lights asked for.
+    /// Rays traced. Of shadow rays: lights tested for occlusion.
     pub rays: PerRayKind,
-    /// Camera rays that met something.
+    /// Camera rays that hit an item.
     pub camera_hits: u64,
-    /// The level of the deepest ray; the camera ray has level 1. Zero where there was none.
+    /// Highest level of a ray; camera rays have level 1. Zero if no ray was traced.
     pub max_level: u8,
-    /// Tests of rays against boxes.
+    /// Tests of rays against boxes and bounding spheres.
     pub box_tests: PerRayKind,
-    /// Tests of rays against shapes.
+    /// Tests of rays against shapes, by the kind of the ray.
     pub shape_tests: PerRayKind,
     /// Tests of rays against shapes, by the kind of the shape.
     pub shape_tests_by_kind: PerShapeKind,
-    /// Regions of the accelerator entered.
+    /// Leaves and cells of the accelerator that rays visited.
     pub leaf_visits: PerRayKind,
-    /// Tests of rays against shapes that mailboxes have saved.
+    /// Tests of rays against items that a mailbox saved.
     pub mailbox_hits: PerRayKind,
-    /// How often a shadow cache was asked.
+    /// Shadow rays for which the shadow cache had an occluder.
     pub shadow_cache_lookups: u64,
-    /// How often it answered: its occluder still stood in the way.
+    /// Of those, the ones that this occluder occluded as well.
     pub shadow_cache_hits: u64,
-    /// Rays that were not sent because the levels ended.
+    /// Rays that were not sent because of the level limit.
     pub level_limit: UnsentRays,
     /// Rays that were not sent because their weight was not above the cutoff.
     pub cutoff: UnsentRays,
-    /// Rays that went into a fifth body at once, and were taken to stay in the fourth.
+    /// Rays that entered a body while their medium stack was full, and stayed in their medium.
     pub medium_stack_full: u64,
 }
 
 impl Counters {
-    /// Nothing counted yet.
+    /// Counters at zero.
     pub fn new() -> Self {
         Self::default()
     }
 
-    /// Adds what another worker has counted.
+    /// Adds the counts of another worker.
     pub fn merge(&mut self, other: &Counters) {
         self.rays += other.rays;
         self.camera_hits += other.camera_hits;
@@ -123,51 +125,54 @@ impl Counters {
         self.medium_stack_full += other.medium_stack_full;
     }
 
-    /// Which share of the light was cut, by the levels and by the cutoff: of what all camera rays
-    /// could have brought if everything were equally bright. In `[0, 1]`.
+    /// Fractions of the light that the level limit and the cutoff removed, in this order.
+    ///
+    /// Weight of the unsent rays over the number of camera rays: the fraction of the radiance if all points were
+    /// equally bright. Zero without camera rays.
     pub fn cut_fractions(&self) -> [f64; 2] {
-        let rays = self.rays[RayKind::Camera];
-        let whole = if rays > 0 { rays as f64 } else { 1.0 };
-        [self.level_limit.weight() / whole, self.cutoff.weight() / whole]
+        let camera_rays = self.rays[RayKind::Camera];
+        let divisor = if camera_rays > 0 { camera_rays as f64 } else { 1.0 };
+        [self.level_limit.weight() / divisor, self.cutoff.weight() / divisor]
     }
 }
 
-/// Rays that were not sent, and the sum of their weights.
+/// Number and total weight of the rays that were not sent for one reason.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct UnsentRays {
-    /// How many.
+    /// Number of rays.
     pub rays: u64,
-    /// The mean of the three channels of each weight, in units of one over
-    /// [`UnsentRays::WEIGHT_ONE`], summed. Saturates.
+    /// Sum of the rays' weights, each the mean of its three channels, in fixed point: a weight of 1 is
+    /// [`UnsentRays::WEIGHT_ONE`] units. Saturates.
     pub weight_units: u64,
 }
 
 impl UnsentRays {
-    /// The weight of a camera ray in `weight_steps`.
+    /// A weight of 1, that of a camera ray, in units of `weight_units`.
     pub const WEIGHT_ONE: u32 = 1 << 24;
 
-    /// The sum of their weights. Unit: weights of camera rays.
+    /// Sum of the rays' weights. The weight of a camera ray is 1.
     pub fn weight(&self) -> f64 {
         self.weight_units as f64 / f64::from(Self::WEIGHT_ONE)
     }
 
-    /// Adds the rays that another worker has counted.
+    /// Adds the rays of another worker.
     pub fn merge(&mut self, other: &UnsentRays) {
         self.rays += other.rays;
         self.weight_units = self.weight_units.saturating_add(other.weight_units);
     }
 }
 
-/// Counts rays and what was cut, but no tests, no regions and no caches: next to nothing for each
-/// ray, where [`Counters`] take a part of the whole.
+/// Counters of rays and of cut light only: no tests, leaf visits or cache lookups.
+///
+/// They cost almost nothing; counting tests in the inner loop, as [`Counters`] do, has a measurable cost.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct RayCounters {
-    /// What was counted; zero for the rest.
+    /// The counts. Those of tests, leaf visits and caches are zero.
     pub counters: Counters,
 }
 
 impl RayCounters {
-    /// Nothing counted yet.
+    /// Counters at zero.
     pub fn new() -> Self {
         Self::default()
     }

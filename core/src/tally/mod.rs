@@ -1,7 +1,9 @@
-//! What a tracer tells about its work.
+//! What a tracer reports about its work, and counters of it.
 //!
-//! The tracer reports events to a [`Tally`], and the steps of the tree of rays. The tally `()`
-//! counts nothing: nothing of the reports is left in the optimised loop (`tests/reports/local-light.md`).
+//! A tracer reports [`CountedEvent`]s (rays, tests, cache lookups) for statistics, and [`TraceEvent`]s (the ray
+//! tree of one camera sample, step by step) for explanations. A [`Tally`] receives both; [`Counters`] and
+//! [`RayCounters`] are tallies that count. The tally `()` ignores everything, and the reports are optimized away
+//! (`tests/reports/local-light.md`). No tally changes a pixel.
 
 mod count;
 #[cfg(not(feature = "double"))]
@@ -21,63 +23,85 @@ pub use trace_event::{LightOutcome, TraceEvent};
 use crate::geometry::ShapeKind;
 use crate::math::Rgb;
 
-/// Something that happened while a picture was traced.
+/// An event that statistics count.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[non_exhaustive]
 pub enum CountedEvent {
-    /// A ray was sent; for shadow rays, a light was asked for, whoever answered.
+    /// A ray was traced. For [`RayKind::Shadow`]: a light was tested for occlusion, by a traversal or by the
+    /// shadow cache.
     Ray(RayKind),
-    /// A ray of this level was sent that is no shadow ray; the camera ray has level 1.
+    /// A camera, reflected or transmitted ray of this level was traced. Camera rays have level 1.
     Level(u8),
-    /// A camera ray met something.
+    /// A camera ray hit an item.
     CameraHit,
-    /// A ray was held against boxes, this many.
+    /// A ray was tested against this many boxes or bounding spheres.
     BoxTests(RayKind, u32),
-    /// A ray was held against a shape.
+    /// A ray was tested against a shape.
     ShapeTest(RayKind, ShapeKind),
-    /// Who stood last in the way of a light was asked first, and still does so or not.
+    /// The shadow cache had an occluder for a shadow ray, which was tested first.
     ShadowCacheLookup {
-        /// Whether he does.
+        /// Whether the cached item occludes the light for this ray as well.
         hit: bool,
     },
-    /// A ray entered a region of the accelerator.
+    /// A ray visited a leaf or a cell of the accelerator, or a group of a list.
     LeafVisit(RayKind),
-    /// A ray was not held against an item, because a mailbox remembered that it had been.
+    /// A mailbox saved the test of an item against a ray.
     MailboxHit(RayKind),
-    /// A ray of this weight was not sent, because the levels end here.
+    /// A ray of this weight was not sent, because the level limit was reached.
     LevelLimit(Rgb),
-    /// A ray of this weight was not sent, because too little of what it finds would count.
+    /// A ray of this weight was not sent, because its weight was not above the cutoff.
     Cutoff(Rgb),
-    /// A ray went into a medium deeper than the list of media can tell, and was taken to stay
-    /// in the one it was in.
+    /// A ray entered a body while its [`MediumStack`](crate::shade::MediumStack) was full. The body was not
+    /// entered: the ray goes on in the medium that it was in.
     MediumStackFull,
 }
 
-/// Somebody who is told what happens.
+/// Receives the events that a tracer reports.
+///
+/// ```
+/// use strahl_core::tally::{CountedEvent, RayKind, Tally};
+///
+/// /// Counts shadow rays.
+/// struct ShadowRays(u64);
+///
+/// impl Tally for ShadowRays {
+///     const COUNTS_TESTS: bool = false;
+///
+///     fn count(&mut self, event: CountedEvent) {
+///         if event == CountedEvent::Ray(RayKind::Shadow) {
+///             self.0 += 1;
+///         }
+///     }
+/// }
+///
+/// let mut tally = ShadowRays(0);
+/// tally.count(CountedEvent::Ray(RayKind::Shadow));
+/// tally.count(CountedEvent::CameraHit);
+/// assert_eq!(tally.0, 1);
+/// ```
 pub trait Tally {
-    /// Whether it hears of tests: for who does not, it is not asked which shape was tested.
+    /// Whether [`CountedEvent::ShapeTest`] is reported. If false, the kind of a tested shape is not determined.
     const COUNTS_TESTS: bool = true;
 
-    /// Hears of one event.
+    /// Receives an event of the statistics.
     fn count(&mut self, event: CountedEvent);
 
-    /// Hears of one step. Who only counts leaves this as it is, and nothing of it is left in the
-    /// optimised loop.
+    /// Receives a step of the ray tree. By default it is ignored, and nothing of it is left in the optimized loop.
     #[inline(always)]
     fn trace_event(&mut self, _: TraceEvent) {}
 
-    /// Whether the tree of rays that is traced is to be given up, asked before each of its rays but
-    /// the first: what they have brought so far is then the answer.
+    /// Whether to stop tracing the current ray tree. Called before each of its rays except the camera ray; if
+    /// true, the sample is what the rays traced so far contribute.
     ///
-    /// A tree of many levels may take longer than anybody waits. Who never gives up leaves this as it
-    /// is, and nothing of it is left in the optimised loop.
+    /// A tree of many levels may take arbitrarily long. By default it is never cancelled, and nothing of the
+    /// question is left in the optimized loop.
     #[inline(always)]
     fn is_cancelled(&mut self) -> bool {
         false
     }
 }
 
-/// Counts nothing and costs nothing.
+/// Ignores all events, at no cost.
 impl Tally for () {
     const COUNTS_TESTS: bool = false;
 

@@ -1,24 +1,24 @@
-//! Why a ray was sent.
+//! Kinds of rays, and whether a secondary ray is sent.
 
-/// Why a ray was sent.
+/// The kind of a ray: where it comes from.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum RayKind {
-    /// From the eye, through the picture.
+    /// A primary ray, from the camera through a point of the film.
     Camera,
-    /// From a mirror, or thrown back inside glass.
+    /// Reflected by a surface, specular, Fresnel or total internal reflection.
     Reflected,
-    /// Through glass.
+    /// Transmitted through a surface, refracted or straight on.
     Transmitted,
-    /// Towards a light.
+    /// From a surface to a light.
     Shadow,
 }
 
 impl RayKind {
-    /// Every kind.
+    /// All kinds, in the order of their declaration.
     pub const ALL: [RayKind; 4] =
         [RayKind::Camera, RayKind::Reflected, RayKind::Transmitted, RayKind::Shadow];
 
-    /// Its name in reports.
+    /// Lowercase name: `camera`, `reflected`, `transmitted` or `shadow`.
     pub const fn name(self) -> &'static str {
         match self {
             RayKind::Camera => "camera",
@@ -29,13 +29,13 @@ impl RayKind {
     }
 }
 
-/// Whether a ray is sent.
+/// Whether a secondary ray is sent, and if not, why.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum RayOutcome {
-    /// It is.
+    /// The ray is sent.
     Sent,
-    /// Too little of what it finds would count.
+    /// Not sent: its weight is not above [`Limits::cutoff`](crate::trace::Limits::cutoff).
     BelowCutoff,
-    /// The levels end here.
+    /// Not sent: its level would exceed [`Limits::levels`](crate::trace::Limits::levels).
     LevelLimit,
 }

@@ -1,127 +1,124 @@
-//! What a tracer tells of the tree of rays, step by step.
+//! The ray tree of a camera sample, reported step by step.
 //!
-//! [`CountedEvent`](super::CountedEvent)s are for counting; steps are for showing how one colour comes about. A
-//! ray begins with [`TraceEvent::RayStart`] and ends with [`TraceEvent::RayEnd`]; what it sends on is told between
-//! the two, and is followed later, the last one sent first. So the tree can be put together with a
-//! stack, and the sum of all that is added, in this order, is the colour of the camera ray, bit for
-//! bit.
+//! Each ray reports [`TraceEvent::RayStart`] first and [`TraceEvent::RayEnd`] last. The secondary rays that it
+//! sends are reported in between and traced later, last in, first out: a receiver rebuilds the tree with a stack.
+//! The contributions of all [`TraceEvent::RayEnd`]s, added in this order, are the color of the camera sample, bit
+//! for bit. Positions and directions are in world space.
 
 use super::{RayKind, RayOutcome};
 use crate::geometry::{Hit, ItemId};
 use crate::math::{Real, Rgb, Vec3};
 
-/// One step through the tree of rays.
+/// A step in the ray tree of one camera sample.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[non_exhaustive]
 pub enum TraceEvent {
-    /// A ray is followed.
+    /// A camera, reflected or transmitted ray starts.
     RayStart {
-        /// Why it was sent.
+        /// Kind of the ray.
         kind: RayKind,
-        /// The camera ray has level 1.
+        /// Level in the ray tree; camera rays have level 1.
         level: u8,
-        /// Where it starts.
+        /// Origin.
         origin: Vec3,
-        /// Where it goes, of length one.
+        /// Direction, unit.
         direction: Vec3,
-        /// How much of what it finds counts in the camera ray.
+        /// Weight of its radiance in the camera sample: the product of the factors along its path.
         weight: Rgb,
     },
-    /// It meets nothing.
+    /// The ray hits nothing.
     Miss {
-        /// What it brings from there: the background, or what a medium without end leaves of it.
+        /// Background radiance, attenuated by the medium that the ray is in.
         radiance: Rgb,
     },
-    /// It meets a surface.
+    /// The ray hits a surface.
     Hit {
-        /// Which item, and how far away.
+        /// Item and `t`, in scene lengths.
         hit: Hit,
-        /// Where.
+        /// Point on the surface.
         point: Vec3,
-        /// Whether on the side that its normal points to.
+        /// Whether the ray arrives on the side that the geometric normal points to.
         front_face: bool,
-        /// The number of the material that fills space on the way there; none is empty space.
+        /// Index of the material whose body the ray came through; `None` is empty space.
         medium: Option<u16>,
-        /// Which share the way there leaves of the ray's weight.
+        /// Transmittance of that medium between the origin and the point.
         transmittance: Rgb,
-        /// Whether the surface lies hidden inside another body, so that the ray goes on as if it
-        /// were not there.
+        /// Whether the surface is inside a body of higher priority: the ray goes on as if it did not exist.
         is_hidden: bool,
     },
-    /// Light from everywhere, which the surface sends back along the ray.
+    /// Reflected ambient light at the hit point.
     Ambient(Rgb),
-    /// It is asked what stands in the way of a light.
+    /// A shadow ray starts. A [`TraceEvent::LightContribution`] follows.
     ShadowRay {
-        /// Where the shadow ray starts.
+        /// Origin.
         origin: Vec3,
-        /// Where it goes, about of length one.
+        /// Direction to the light, approximately unit.
         direction: Vec3,
-        /// How far something may be and still stand in the way.
+        /// Largest `t` of an occluder.
         t_max: Real,
     },
-    /// Light passes through a surface on its way from the light.
+    /// The shadow ray passes a transmitting surface.
     ShadowTransmission {
-        /// Which, and how far away from the surface before.
+        /// Item, and `t` measured from the previous surface.
         hit: Hit,
-        /// Which share has come through everything up to here.
+        /// Transmittance from the origin of the shadow ray to behind this surface.
         transmittance: Rgb,
     },
-    /// Something stands in the way of a light.
+    /// An item occludes the light.
     Occluded {
-        /// What.
+        /// The occluder; not necessarily the nearest.
         item: ItemId,
-        /// How far away from the surface before, where that has been looked for: whatever stands in
-        /// the way answers the question.
+        /// `t` measured from the previous surface; `None` if it was not computed, because any occluder suffices.
         t: Option<Real>,
     },
-    /// What comes of one light.
+    /// A light was evaluated at the hit point.
     LightContribution {
-        /// Its number.
+        /// Index of the light in the scene.
         light: u16,
-        /// What comes of it.
+        /// Whether its light arrives, and what it contributes.
         outcome: LightOutcome,
     },
-    /// All light that the surface itself sends back along the ray: ambient, and then what each
-    /// light adds, in this order.
+    /// Local illumination at the hit point: reflected ambient light plus the contributions of all lights, added
+    /// in the order in which they were reported.
     LocalIllumination(Rgb),
-    /// All light is thrown back at a surface that would let it through.
+    /// Total internal reflection at a transmitting surface: no ray is refracted.
     TotalInternalReflection,
-    /// A ray goes on from the surface.
+    /// A secondary ray at the hit point.
     SecondaryRay {
-        /// Why.
+        /// [`RayKind::Reflected`] or [`RayKind::Transmitted`].
         kind: RayKind,
-        /// Its share of the light that arrives along it.
+        /// Fraction of the radiance along the secondary ray that the surface returns.
         factor: Rgb,
-        /// How much of what it finds would count in the camera ray.
+        /// Weight of the secondary ray in the camera sample: the weight at the hit point times `factor`.
         weight: Rgb,
         /// Whether it is sent.
         outcome: RayOutcome,
     },
-    /// What the ray adds to the colour of the camera ray by itself: what its weight leaves of its
-    /// light, and of what stands for the rays that are not sent.
+    /// The ray ends. Its weighted contribution to the color of the camera sample, without that of its secondary
+    /// rays, with the substitutes of those that were not sent.
     RayEnd(Rgb),
 }
 
-/// What comes of a light at a surface.
+/// Result of evaluating a light at a surface.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum LightOutcome {
-    /// The light does not shine there.
+    /// The light emits nothing towards the point.
     NoEmission,
-    /// The surface faces away from it.
+    /// The light is behind the surface.
     BackFacing,
-    /// The surface would only show it in a mirror, and not in this direction.
+    /// The surface has no diffuse reflection, and the highlight of the light is not visible from here.
     OutsideHighlight,
-    /// Something stands in its way.
+    /// The light is occluded.
     Occluded,
-    /// It arrives.
+    /// Light arrives.
     Arrived {
-        /// Towards the light, of length one.
+        /// Direction to the light, unit.
         direction: Vec3,
-        /// How far away the light is; [`Real::MAX`] when it has no place.
+        /// Distance to the light, in scene lengths; [`Real::MAX`] for directional lights.
         distance: Real,
-        /// What arrives on a surface that faces it.
+        /// Light arriving at a surface that faces the light, after falloff and shadow transmittance.
         color: Rgb,
-        /// What the surface sends of it along the ray.
+        /// Light reflected along the ray: diffuse and highlight.
         contribution: Rgb,
     },
 }

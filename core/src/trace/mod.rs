@@ -78,10 +78,10 @@ impl<'w, 's, A: Accelerator, E: Effects, const LEVELS: usize> Tracer<'w, 's, A, 
     /// Not inlined: samplers call it once for each camera ray, and the loop should exist once
     /// for each tracer, not for each sampler.
     #[inline(never)]
-    pub fn trace<T: Tally, const SHADOWS: usize>(
+    pub fn trace<T: Tally, const SHADOW_CACHE_ENTRIES: usize>(
         &self,
         sample: CameraSample,
-        worker: &mut Worker<A, T, LEVELS, SHADOWS>,
+        worker: &mut Worker<A, T, LEVELS, SHADOW_CACHE_ENTRIES>,
     ) -> PixelSample {
         // When all rays of this tree are sent.
         let time = if E::SET.motion && self.world.scene().effects().motion {
@@ -114,13 +114,13 @@ impl<'w, 's, A: Accelerator, E: Effects, const LEVELS: usize> Tracer<'w, 's, A, 
     }
 
     /// What a task adds to the pixel by itself; its children go onto the stack.
-    fn trace_task<T: Tally, const SHADOWS: usize>(
+    fn trace_task<T: Tally, const SHADOW_CACHE_ENTRIES: usize>(
         &self,
         task: &mut Task,
         stream: SobolSequence,
         time: Real,
         first: &mut HitId,
-        worker: &mut Worker<A, T, LEVELS, SHADOWS>,
+        worker: &mut Worker<A, T, LEVELS, SHADOW_CACHE_ENTRIES>,
     ) -> Rgb {
         let Worker { caches: memory, tasks, tally } = worker;
         tally.count(CountedEvent::Ray(task.kind));
@@ -194,8 +194,9 @@ impl<'w, 's, A: Accelerator, E: Effects, const LEVELS: usize> Tracer<'w, 's, A, 
             media_in_front: &task.media,
             media_behind: behind,
         };
-        let light =
-            local_illumination::<A, E, T, SHADOWS>(self.world, material, &seen, &arrival, memory, tally);
+        let light = local_illumination::<A, E, T, SHADOW_CACHE_ENTRIES>(
+            self.world, material, &seen, &arrival, memory, tally,
+        );
         let unsent =
             self.spawn_secondary_rays(task, material, &seen, crossing.as_ref(), stream, tasks, tally);
         let adds = task.weight * light.clamp_max(MAX_SURFACE_RADIANCE) + unsent;

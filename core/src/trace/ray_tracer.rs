@@ -26,9 +26,9 @@ impl<F: FnMut(CameraSample) -> PixelSample> RayTracer for F {
 
 impl<'w, 's, A: Accelerator, E: Effects, const LEVELS: usize> Tracer<'w, 's, A, E, LEVELS> {
     /// This tracer at work: what [`render()`](crate::render()) and samplers take.
-    pub fn with_worker<'t, T: Tally, const SHADOWS: usize>(
+    pub fn with_worker<'t, T: Tally, const SHADOW_CACHE_ENTRIES: usize>(
         &'t self,
-        worker: &'t mut Worker<A, T, LEVELS, SHADOWS>,
+        worker: &'t mut Worker<A, T, LEVELS, SHADOW_CACHE_ENTRIES>,
     ) -> impl RayTracer {
         TracerWithWorker { tracer: self, worker }
     }
@@ -40,8 +40,9 @@ struct TracerWithWorker<'t, Tracer, Worker> {
     worker: &'t mut Worker,
 }
 
-impl<'w, 's, A: Accelerator, E: Effects, T: Tally, const LEVELS: usize, const SHADOWS: usize> RayTracer
-    for TracerWithWorker<'_, Tracer<'w, 's, A, E, LEVELS>, Worker<A, T, LEVELS, SHADOWS>>
+impl<'w, 's, A: Accelerator, E: Effects, T: Tally, const LEVELS: usize, const SHADOW_CACHE_ENTRIES: usize>
+    RayTracer
+    for TracerWithWorker<'_, Tracer<'w, 's, A, E, LEVELS>, Worker<A, T, LEVELS, SHADOW_CACHE_ENTRIES>>
 {
     #[inline(always)]
     fn trace(&mut self, sample: CameraSample) -> PixelSample {

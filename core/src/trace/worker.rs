@@ -7,10 +7,10 @@ use crate::shade::WorkerCaches;
 /// What one thread of control needs beside the world, which all share.
 ///
 /// Nothing in it changes a picture: a worker that is made anew for every pixel gives the same.
-/// `LEVELS` is how many levels of rays there is room for, 1 to 64; `SHADOWS` how many slots
+/// `LEVELS` is how many levels of rays there is room for, 1 to 64; `SHADOW_CACHE_ENTRIES` how many slots
 /// the shadow cache has, zero (no cache) or a power of two.
-pub struct Worker<A: Accelerator, T, const LEVELS: usize, const SHADOWS: usize = 16> {
-    pub(super) caches: WorkerCaches<A, SHADOWS>,
+pub struct Worker<A: Accelerator, T, const LEVELS: usize, const SHADOW_CACHE_ENTRIES: usize = 16> {
+    pub(super) caches: WorkerCaches<A, SHADOW_CACHE_ENTRIES>,
     pub(super) tasks: TaskStack<LEVELS>,
     pub(super) tally: T,
 }
@@ -22,13 +22,15 @@ impl<A: Accelerator, T, const LEVELS: usize> Worker<A, T, LEVELS> {
     }
 }
 
-impl<A: Accelerator, T, const LEVELS: usize, const SHADOWS: usize> Worker<A, T, LEVELS, SHADOWS> {
+impl<A: Accelerator, T, const LEVELS: usize, const SHADOW_CACHE_ENTRIES: usize>
+    Worker<A, T, LEVELS, SHADOW_CACHE_ENTRIES>
+{
     /// How many bytes one takes, known when compiling: a task for each
     /// level, what the accelerator's walk remembers, 4 for each slot of the shadow cache, and the
     /// tally.
     pub const SIZE_IN_BYTES: usize = size_of::<Self>();
 
-    /// A worker with a shadow cache of `SHADOWS` slots, that reports to `tally`.
+    /// A worker with a shadow cache of `SHADOW_CACHE_ENTRIES` slots, that reports to `tally`.
     pub fn with_cache_size(tally: T) -> Self {
         Worker { caches: WorkerCaches::new(), tasks: TaskStack::new(), tally }
     }
