@@ -1,27 +1,27 @@
-//! Why a tracer may refuse a world.
+//! Errors of building a tracer.
 
 use core::fmt;
 
 use crate::math::Decimal;
 use crate::scene::EffectSet;
 
-/// Why a tracer cannot trace a world.
+/// Why [`Tracer::new`](crate::trace::Tracer::new) cannot build a tracer.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[non_exhaustive]
 pub enum TracerError {
-    /// The scene or the camera needs effects that are not in the tracer's set.
+    /// The scene or the camera needs effects that the tracer's [`Effects::SET`](crate::scene::Effects::SET) lacks.
     MissingEffects {
-        /// The effects that are needed and not in the set.
+        /// The effects that are needed and not in that set.
         missing: EffectSet,
     },
-    /// The limits ask for no level, or for more than the tracer has room for.
+    /// [`Limits::levels`](crate::trace::Limits::levels) is not in `1..=LEVELS`.
     Levels {
-        /// Levels of the limits.
+        /// The requested number of levels.
         requested: u8,
-        /// The tracer's `LEVELS`.
+        /// `LEVELS` of the tracer.
         max: usize,
     },
-    /// The cutoff of the limits is not in `0..=1`.
+    /// [`Limits::cutoff`](crate::trace::Limits::cutoff) has this value, which is not in `0..=1`.
     Cutoff(f32),
 }
 

@@ -1,20 +1,31 @@
-//! What camera rays hit.
+//! The item that camera rays hit.
 
 use crate::geometry::ItemId;
 
-/// What a camera ray hit, or all the camera rays of a pixel.
+/// The item that a camera ray hit, or all camera rays of a pixel.
+///
+/// Samplers use it to find edges of items; images of it are object masks.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum HitId {
-    /// Nothing.
+    /// All rays miss.
     Nothing,
-    /// This item.
+    /// All rays hit this item.
     Item(ItemId),
-    /// Not all of them the same.
+    /// The rays do not all hit the same item.
     Mixed,
 }
 
 impl HitId {
-    /// What both hit, or [`HitId::Several`].
+    /// The common hit of two sets of rays: `self` if both are equal, otherwise [`HitId::Mixed`].
+    ///
+    /// ```
+    /// use strahl_core::geometry::ItemId;
+    /// use strahl_core::trace::HitId;
+    ///
+    /// let item = HitId::Item(ItemId(3));
+    /// assert_eq!(item.merged(item), item);
+    /// assert_eq!(item.merged(HitId::Nothing), HitId::Mixed);
+    /// ```
     pub fn merged(self, other: HitId) -> HitId {
         if self == other { self } else { HitId::Mixed }
     }

@@ -1,17 +1,24 @@
-//! How far the tree of rays is to go.
+//! Limits of the ray tree.
 
 use crate::math::Real;
 
-/// Which picture is wanted: how far the tree of rays goes.
+/// Limits of the ray tree of a camera sample.
+///
+/// ```
+/// use strahl_core::Limits;
+///
+/// let local_illumination_only = Limits { levels: 1, ..Limits::DEFAULT };
+/// # assert_eq!(local_illumination_only.cutoff, 1.0 / 512.0);
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Limits {
-    /// Levels of rays: 1 is the camera ray alone.
+    /// Largest level of a ray, in `1..=LEVELS` of the tracer. Camera rays have level 1, their secondary rays level 2.
     pub levels: u8,
-    /// A ray is sent when its weight in the brightest channel is more than this, in `0..=1`.
+    /// A secondary ray is sent only if the largest channel of its weight is above this, in `0..=1`.
     pub cutoff: Real,
 }
 
 impl Limits {
-    /// Five levels, and what could make half a step of an 8-bit picture.
+    /// Five levels; a cutoff of half a step of an 8-bit picture.
     pub const DEFAULT: Limits = Limits { levels: 5, cutoff: 1.0 / 512.0 };
 }

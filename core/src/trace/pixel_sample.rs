@@ -1,18 +1,18 @@
-//! The light of one camera sample or of one pixel.
+//! The result of tracing a camera sample or a pixel.
 
 use super::HitId;
 use crate::math::Rgb;
 
-/// The light from a point of the film or from a whole pixel, and what is seen there.
+/// Radiance of a camera sample or of a whole pixel, and the item that is visible there.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct PixelSample {
-    /// Linear radiance, finite and not below zero.
+    /// Linear RGB, finite and not negative.
     pub color: Rgb,
-    /// What the camera rays hit.
+    /// The item that the camera rays hit.
     pub hit: HitId,
 }
 
 impl PixelSample {
-    /// No light from nowhere.
+    /// Black, no item hit.
     pub const BLACK: PixelSample = PixelSample { color: Rgb::BLACK, hit: HitId::Nothing };
 }

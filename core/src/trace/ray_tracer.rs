@@ -1,20 +1,19 @@
-//! Tracing one camera sample, whatever the types behind it.
+//! The interface between samplers and tracers.
 
 use super::{PixelSample, Tracer, Worker};
 use crate::accel::Accelerator;
 use crate::scene::{CameraSample, Effects};
 use crate::tally::Tally;
 
-/// Traces camera samples, whatever scene, accelerator, effects and tally are behind it.
+/// Traces camera samples. Hides the types of the scene, accelerator, effects and tally from samplers.
 ///
-/// [`Tracer::with_worker`] makes one, and a closure is one. The trait is object-safe: code that is to be
-/// compiled once for all tracers takes `&mut dyn RayTracer`.
+/// [`Tracer::with_worker`] returns one, and every closure from [`CameraSample`] to [`PixelSample`] is one. The trait is
+/// object-safe: code that is compiled once for all tracers takes `&mut dyn RayTracer`.
 pub trait RayTracer {
-    /// The light that arrives along one camera ray, and what that ray hits.
+    /// Traces one camera sample: its radiance and the item that the camera ray hits.
     fn trace(&mut self, sample: CameraSample) -> PixelSample;
 
-    /// Forgets what is remembered of earlier samples, so that the work that follows does not depend on
-    /// them. The light never does.
+    /// Clears all caches, so that counters of the following samples do not depend on earlier ones. Radiance never does.
     fn reset(&mut self) {}
 }
 
@@ -25,7 +24,9 @@ impl<F: FnMut(CameraSample) -> PixelSample> RayTracer for F {
 }
 
 impl<'w, 's, A: Accelerator, E: Effects, const LEVELS: usize> Tracer<'w, 's, A, E, LEVELS> {
-    /// This tracer at work: what [`render()`](crate::render()) and samplers take.
+    /// This tracer with a worker: the ray tracer that [`render()`](crate::render()) and samplers take.
+    ///
+    /// [`RayTracer::reset`] clears the caches of the worker.
     pub fn with_worker<'t, T: Tally, const SHADOW_CACHE_ENTRIES: usize>(
         &'t self,
         worker: &'t mut Worker<A, T, LEVELS, SHADOW_CACHE_ENTRIES>,
@@ -34,7 +35,7 @@ impl<'w, 's, A: Accelerator, E: Effects, const LEVELS: usize> Tracer<'w, 's, A, 
     }
 }
 
-/// A tracer, and what it changes while it traces.
+/// A tracer and its worker.
 struct TracerWithWorker<'t, Tracer, Worker> {
     tracer: &'t Tracer,
     worker: &'t mut Worker,

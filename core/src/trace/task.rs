@@ -1,4 +1,4 @@
-//! What is still to be traced, and the stack that holds it.
+//! The stack of rays that are still to be traced.
 
 use heapless::Vec;
 
@@ -6,55 +6,58 @@ use crate::math::{Rgb, Vec3};
 use crate::shade::MediumStack;
 use crate::tally::{RayKind, TraceEvent};
 
-/// A ray that is still to be traced.
+/// A ray that is still to be traced, with its weight in the sample.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Task {
-    /// Where it starts.
+    /// Origin, world space.
     pub(crate) origin: Vec3,
-    /// Where it goes, of length one.
+    /// Direction, unit.
     pub(crate) direction: Vec3,
-    /// How much of what it finds counts in the pixel.
+    /// Weight of its radiance in the sample: the product of the factors along its path.
     pub(crate) weight: Rgb,
-    /// The camera ray has level 1.
+    /// Level in the ray tree; the camera ray has level 1.
     pub(crate) level: u8,
-    /// Why it was sent.
+    /// Kind of the ray.
     pub(crate) kind: RayKind,
-    /// The bodies that it starts inside of.
+    /// Bodies that it starts inside.
     pub(crate) media: MediumStack,
 }
 
 impl Task {
-    /// What is told when it is followed.
+    /// The event that reports its start.
     pub(crate) fn start_event(&self) -> TraceEvent {
         let Task { origin, direction, weight, level, kind, .. } = *self;
         TraceEvent::RayStart { kind, level, origin, direction, weight }
     }
 }
 
-/// Room for everything that can be waiting in a tree of `LEVELS` levels.
+/// A stack with the capacity for every ray tree of `LEVELS` levels, 1 to 64.
 ///
-/// The last task in is the first out, and a task of level `l` leaves at most two of level
-/// `l + 1`. So while a task of level `l` is worked on, at most one waits from each of the levels
-/// `2..=l`; its two children make that `l + 1` at most, and there are children only where `l` is
-/// less than `LEVELS`.
+/// Proof: the stack is last in, first out, and tracing a task of level `l` pushes at most two tasks, of level `l + 1`.
+/// So while a task of level `l` is traced, at most one task of each of the levels `2..=l` is on the stack. With its two
+/// secondary rays these are at most `l + 1` tasks, and secondary rays are pushed only if `l < LEVELS`.
 #[derive(Debug)]
 pub(crate) struct TaskStack<const LEVELS: usize>(Vec<Task, LEVELS>);
 
 impl<const LEVELS: usize> TaskStack<LEVELS> {
+    /// An empty stack.
     pub(crate) const fn new() -> Self {
         const { assert!(LEVELS >= 1 && LEVELS <= 64) };
         TaskStack(Vec::new())
     }
 
+    /// Pushes a task. The capacity suffices, see above.
     pub(crate) fn push(&mut self, task: Task) {
         let pushed = self.0.push(task);
         debug_assert!(pushed.is_ok(), "more tasks than levels");
     }
 
+    /// Removes and returns the task that was pushed last.
     pub(crate) fn pop(&mut self) -> Option<Task> {
         self.0.pop()
     }
 
+    /// Removes all tasks.
     pub(crate) fn clear(&mut self) {
         self.0.clear();
     }

@@ -1,14 +1,28 @@
-//! All that changes while a picture is traced.
+//! The memory that changes while a picture is traced.
 
 use super::task::TaskStack;
 use crate::accel::Accelerator;
 use crate::shade::WorkerCaches;
 
-/// What one thread of control needs beside the world, which all share.
+/// The mutable memory of one thread that traces: caches, the stack of rays, and a tally.
 ///
-/// Nothing in it changes a picture: a worker that is made anew for every pixel gives the same.
-/// `LEVELS` is how many levels of rays there is room for, 1 to 64; `SHADOW_CACHE_ENTRIES` how many slots
-/// the shadow cache has, zero (no cache) or a power of two.
+/// Its content never changes a picture: a new worker for every pixel gives the same pixels. It has a fixed size and does
+/// not allocate.
+///
+/// * `T`: tally that receives events, or `()`.
+/// * `LEVELS`: largest number of ray levels, 1 to 64.
+/// * `SHADOW_CACHE_ENTRIES`: size of the shadow cache: zero (no cache) or a power of two.
+///
+/// ```
+/// use strahl_core::tally::Counters;
+/// use strahl_core::{BareList, Worker};
+///
+/// let worker = Worker::<BareList, _, 5>::new(Counters::new());
+/// assert_eq!(worker.into_tally().rays.sum(), 0);
+///
+/// // The size is known at compile time.
+/// const _: () = assert!(Worker::<BareList, (), 5>::SIZE_IN_BYTES < 1024);
+/// ```
 pub struct Worker<A: Accelerator, T, const LEVELS: usize, const SHADOW_CACHE_ENTRIES: usize = 16> {
     pub(super) caches: WorkerCaches<A, SHADOW_CACHE_ENTRIES>,
     pub(super) tasks: TaskStack<LEVELS>,
@@ -16,7 +30,7 @@ pub struct Worker<A: Accelerator, T, const LEVELS: usize, const SHADOW_CACHE_ENT
 }
 
 impl<A: Accelerator, T, const LEVELS: usize> Worker<A, T, LEVELS> {
-    /// A worker with a shadow cache of the usual size, that reports to `tally`.
+    /// A worker with a shadow cache of 16 entries that reports to `tally`.
     pub fn new(tally: T) -> Self {
         Worker::with_cache_size(tally)
     }
@@ -25,39 +39,37 @@ impl<A: Accelerator, T, const LEVELS: usize> Worker<A, T, LEVELS> {
 impl<A: Accelerator, T, const LEVELS: usize, const SHADOW_CACHE_ENTRIES: usize>
     Worker<A, T, LEVELS, SHADOW_CACHE_ENTRIES>
 {
-    /// How many bytes one takes, known when compiling: a task for each
-    /// level, what the accelerator's walk remembers, 4 for each slot of the shadow cache, and the
-    /// tally.
+    /// Size in bytes: one task per level, the scratch memory of the accelerator, 4 bytes per entry of the shadow cache,
+    /// and the tally.
     pub const SIZE_IN_BYTES: usize = size_of::<Self>();
 
-    /// A worker with a shadow cache of `SHADOW_CACHE_ENTRIES` slots, that reports to `tally`.
+    /// A worker with a shadow cache of `SHADOW_CACHE_ENTRIES` entries that reports to `tally`.
     pub fn with_cache_size(tally: T) -> Self {
         Worker { caches: WorkerCaches::new(), tasks: TaskStack::new(), tally }
     }
 
-    /// Turns the shadow cache off: nobody is asked first whether he still stands in the light.
+    /// Disables the shadow cache: every shadow ray is traced through the accelerator.
     pub fn without_shadow_cache(mut self) -> Self {
         self.caches.shadow_cache.disable();
         self
     }
 
-    /// Who has been told.
+    /// The tally.
     pub fn tally(&self) -> &T {
         &self.tally
     }
 
-    /// Who has been told, to be emptied or exchanged.
+    /// The tally, to be reset or replaced.
     pub fn tally_mut(&mut self) -> &mut T {
         &mut self.tally
     }
 
-    /// Who has been told, when the work is done.
+    /// Returns the tally, dropping the rest.
     pub fn into_tally(self) -> T {
         self.tally
     }
 
-    /// Forgets all that it remembers of earlier rays, so that the work that follows does not depend on
-    /// what was traced before. The tally stays as it is.
+    /// Clears all caches, so that counters of the following rays do not depend on earlier ones. The tally is kept.
     pub fn clear_caches(&mut self) {
         self.caches.clear();
     }

@@ -90,7 +90,10 @@ fn every_entity_becomes_what_the_format_says() {
         (ShapeDescription::Triangle { vertices: [8, 9, 10], smooth: true }, 1, 28),
         (ShapeDescription::Polygon { first: 11, count: 4, smooth: true }, 1, 32),
     ];
-    assert_eq!(it.objects, objects.map(|(shape, material, line)| ObjectDescription { shape, material, line }));
+    assert_eq!(
+        it.objects,
+        objects.map(|(shape, material, line)| ObjectDescription { shape, material, line })
+    );
 
     assert_eq!(it.vertices.len(), 15);
     assert_eq!(it.vertices[..3], [[-1.0, 0.0, 0.0], [1.0, 0.0, 0.0], [0.0, 0.0, 1.0]]);

@@ -1,0 +1,357 @@
+//! The tracer: traces the ray tree of a camera sample.
+
+use core::marker::PhantomData;
+
+use super::task::{Task, TaskStack};
+use super::{HitId, Limits, PixelSample, TracerError, Worker};
+use crate::accel::Accelerator;
+use crate::geometry::{Hit, Ray};
+use crate::math::{Dimension, Real, Rgb, SobolSequence, Vec3, sample_visible_normal};
+use crate::scene::{Camera, CameraSample, EffectSet, Effects, Interface, LastLevel, Material, World};
+use crate::shade::{
+    Crossing, MediumStack, ShadingContext, ShadingPoint, cross_surface, local_illumination,
+    medium_transmittance, reflect, refract, refractive_index,
+};
+use crate::tally::{CountedEvent, RayKind, RayOutcome, Tally, TraceEvent};
+
+/// Upper limit of the local illumination of a point, per channel. The weights of a tree sum to less than 2^64 (two rays
+/// of weight 1 at each of 64 levels), so no product and no sum overflows an `f32`.
+const MAX_SURFACE_RADIANCE: Real = 1e15;
+
+/// Upper limit of the radiance of a sample, per channel.
+const MAX_SAMPLE_RADIANCE: Real = 1e30;
+
+/// Traces camera samples of a world.
+///
+/// A tracer is immutable: threads share it, each with its own [`Worker`].
+///
+/// * `A`: accelerator of the world.
+/// * `E`: effects that are compiled; everything else is optimized away.
+/// * `LEVELS`: largest number of ray levels, 1 to 64. It determines the size of a worker.
+#[derive(Debug)]
+pub struct Tracer<'w, 's, A, E, const LEVELS: usize> {
+    world: &'w World<'s, A>,
+    camera: Camera,
+    limits: Limits,
+    effects: PhantomData<E>,
+}
+
+impl<'w, 's, A: Accelerator, E: Effects, const LEVELS: usize> Tracer<'w, 's, A, E, LEVELS> {
+    /// A tracer of `world` as seen by `camera`.
+    ///
+    /// # Errors
+    ///
+    /// * [`TracerError::MissingEffects`]: the scene or the camera needs effects that are not in `E`.
+    /// * [`TracerError::Levels`]: `limits.levels` is not in `1..=LEVELS`.
+    /// * [`TracerError::Cutoff`]: `limits.cutoff` is not in `0..=1`.
+    pub fn new(world: &'w World<'s, A>, camera: Camera, limits: Limits) -> Result<Self, TracerError> {
+        let needed = EffectSet { lens: camera.has_lens(), ..world.scene().effects() };
+        if !E::SET.contains(&needed) {
+            return Err(TracerError::MissingEffects { missing: needed.difference(&E::SET) });
+        }
+        if limits.levels == 0 || usize::from(limits.levels) > LEVELS {
+            return Err(TracerError::Levels { requested: limits.levels, max: LEVELS });
+        }
+        if !(limits.cutoff >= 0.0 && limits.cutoff <= 1.0) {
+            #[allow(clippy::unnecessary_cast)] // needed in double precision
+            return Err(TracerError::Cutoff(limits.cutoff as f32));
+        }
+        Ok(Tracer { world, camera, limits, effects: PhantomData })
+    }
+
+    /// Traces one camera sample: its radiance, always finite, and the item that the camera ray hit.
+    ///
+    /// The result depends on `sample` alone, not on what the worker has traced before.
+    ///
+    /// Not inlined: samplers call it once per camera ray, and the loop should exist once per tracer, not once per
+    /// sampler.
+    #[inline(never)]
+    pub fn trace<T: Tally, const SHADOW_CACHE_ENTRIES: usize>(
+        &self,
+        sample: CameraSample,
+        worker: &mut Worker<A, T, LEVELS, SHADOW_CACHE_ENTRIES>,
+    ) -> PixelSample {
+        // One time for all rays of the tree.
+        let time = if E::SET.motion && self.world.scene().effects().motion {
+            let [time, _] = sample.stream.sample_2d(Dimension::SHUTTER);
+            time
+        } else {
+            0.0
+        };
+        let ray = if E::SET.lens && self.camera.has_lens() {
+            self.camera.lens_ray(sample.point, sample.stream.sample_2d(Dimension::LENS))
+        } else {
+            self.camera.ray(sample.point)
+        };
+        let Ray { origin, direction, .. } = ray;
+        let mut sum = Rgb::BLACK;
+        let mut camera_hit = HitId::Nothing;
+        let (kind, media) = (RayKind::Camera, MediumStack::EMPTY);
+        let mut task = Task { origin, direction, weight: Rgb::WHITE, level: 1, kind, media };
+        loop {
+            sum += self.trace_task(&mut task, sample.stream, time, &mut camera_hit, worker);
+            let Some(next) = worker.tasks.pop() else { break };
+            if worker.tally.is_cancelled() {
+                worker.tasks.clear();
+                break;
+            }
+            task = next;
+        }
+        // One clamp at the end suffices: no contribution is negative.
+        PixelSample { color: sum.clamp_max(MAX_SAMPLE_RADIANCE), hit: camera_hit }
+    }
+
+    /// Traces the ray of a task: returns its own contribution to the sample, and pushes its secondary rays.
+    fn trace_task<T: Tally, const SHADOW_CACHE_ENTRIES: usize>(
+        &self,
+        task: &mut Task,
+        stream: SobolSequence,
+        time: Real,
+        camera_hit: &mut HitId,
+        worker: &mut Worker<A, T, LEVELS, SHADOW_CACHE_ENTRIES>,
+    ) -> Rgb {
+        let Worker { caches, tasks, tally } = worker;
+        // Find the nearest hit.
+        tally.count(CountedEvent::Ray(task.kind));
+        tally.count(CountedEvent::Level(task.level));
+        tally.trace_event(task.start_event());
+        let ray = Ray::with_near_unit_direction(task.origin, task.direction, time);
+        let nearest = self.world.nearest_sound::<E, T>(&ray, E::SIGHT, task.kind, &mut caches.scratch, tally);
+        let nearest = nearest.and_then(|hit| Some((hit, self.world.surface::<E>(&ray, hit)?)));
+        let Some((hit, surface)) = nearest else {
+            return self.miss_radiance(task, tally);
+        };
+        if task.kind == RayKind::Camera {
+            tally.count(CountedEvent::CameraHit);
+            *camera_hit = HitId::Item(hit.item);
+        }
+
+        // Attenuate by the medium that the ray came through.
+        let point = ShadingPoint::new(surface, task.direction);
+        let material = self.world.scene().material(hit.item).unwrap_or(&Material::MATTE);
+        let crossing = self.cross_surface(task, hit, material, &point);
+        let materials = self.world.scene().parts().materials;
+        let medium = match &crossing {
+            Some(crossing) => crossing.medium_before,
+            None => task.media.current(materials),
+        };
+        let transmittance = if self.has_absorption() {
+            medium_transmittance::<E>(materials, medium, hit.t)
+        } else {
+            Rgb::WHITE
+        };
+        tally.trace_event(TraceEvent::Hit {
+            hit,
+            point: point.surface.point,
+            front_face: point.front_face,
+            medium: medium.map(|material| material.0),
+            transmittance,
+            is_hidden: crossing.as_ref().is_some_and(|crossing| crossing.is_hidden),
+        });
+        if let Some(crossing) = &crossing {
+            if crossing.is_stack_full {
+                tally.count(CountedEvent::MediumStackFull);
+            }
+            if self.has_absorption() {
+                task.weight *= transmittance;
+            }
+            if crossing.is_hidden {
+                // A surface inside a body of higher priority does not exist: go straight on.
+                let ray = SecondaryRay {
+                    origin: point.origin_behind(),
+                    direction: task.direction,
+                    factor: Rgb::WHITE,
+                    kind: RayKind::Transmitted,
+                    media: crossing.stack_behind,
+                };
+                let substitute = self.spawn_ray(task, ray, tasks, tally);
+                tally.trace_event(TraceEvent::RayEnd(substitute));
+                return substitute;
+            }
+        }
+
+        // Shade the hit, and send secondary rays.
+        let context = ShadingContext {
+            item: hit.item,
+            stream,
+            time,
+            motion_offset: self.world.offset::<E>(hit.item, time),
+            level: task.level,
+            media_in_front: &task.media,
+            media_behind: crossing.as_ref().map_or(&task.media, |crossing| &crossing.stack_behind),
+        };
+        let radiance = local_illumination::<A, E, T, SHADOW_CACHE_ENTRIES>(
+            self.world, material, &point, &context, caches, tally,
+        );
+        let substitute =
+            self.spawn_secondary_rays(task, material, &point, crossing.as_ref(), stream, tasks, tally);
+        let contribution = task.weight * radiance.clamp_max(MAX_SURFACE_RADIANCE) + substitute;
+        tally.trace_event(TraceEvent::RayEnd(contribution));
+        contribution
+    }
+
+    /// Contribution of a ray that hits nothing: the background, or black if the ray is inside an absorbing medium, which
+    /// then is infinite.
+    fn miss_radiance<T: Tally>(&self, task: &Task, tally: &mut T) -> Rgb {
+        let parts = self.world.scene().parts();
+        let mut radiance = parts.background.toward(task.direction);
+        if self.has_absorption() {
+            let medium = task.media.current(parts.materials);
+            radiance *= medium_transmittance::<E>(parts.materials, medium, Real::INFINITY);
+        }
+        tally.trace_event(TraceEvent::Miss { radiance });
+        let contribution = task.weight * radiance;
+        tally.trace_event(TraceEvent::RayEnd(contribution));
+        contribution
+    }
+
+    /// Whether any medium of the scene absorbs light, and absorption is compiled.
+    fn has_absorption(&self) -> bool {
+        E::SET.absorption && self.world.scene().effects().absorption
+    }
+
+    /// The media on both sides of the hit; `None` if they cannot matter.
+    fn cross_surface(
+        &self,
+        task: &Task,
+        hit: Hit,
+        material: &Material,
+        point: &ShadingPoint,
+    ) -> Option<Crossing> {
+        if !E::SET.transmission {
+            return None;
+        }
+        // The medium in front of an opaque surface matters only if it absorbs.
+        if !self.has_absorption() && !material.is_transmitting() {
+            return None;
+        }
+        cross_surface(self.world.scene().parts(), hit.item, material, task.media, point.front_face)
+    }
+
+    /// Pushes a secondary ray of `task`, unless it is below the cutoff or exceeds the level limit. Returns the
+    /// contribution that substitutes a ray that is not sent.
+    ///
+    /// Inlined, or the ray would be written to memory twice.
+    #[inline(always)]
+    fn spawn_ray<T: Tally>(
+        &self,
+        task: &Task,
+        ray: SecondaryRay,
+        tasks: &mut TaskStack<LEVELS>,
+        tally: &mut T,
+    ) -> Rgb {
+        let SecondaryRay { origin, direction, factor, kind, media } = ray;
+        let weight = task.weight * factor;
+        let mut report =
+            |outcome| tally.trace_event(TraceEvent::SecondaryRay { kind, factor, weight, outcome });
+        if !(weight.max_component() > self.limits.cutoff) {
+            report(RayOutcome::BelowCutoff);
+            tally.count(CountedEvent::Cutoff(weight));
+        } else if task.level >= self.limits.levels {
+            report(RayOutcome::LevelLimit);
+            tally.count(CountedEvent::LevelLimit(weight));
+            if E::LAST == LastLevel::Background {
+                return weight * self.world.scene().parts().background.toward(direction);
+            }
+        } else {
+            report(RayOutcome::Sent);
+            tasks.push(Task { origin, direction, weight, level: task.level + 1, kind, media });
+        }
+        Rgb::BLACK
+    }
+
+    /// Pushes the refracted and the reflected ray of a hit. Returns the contribution that substitutes rays that are not
+    /// sent.
+    #[allow(clippy::too_many_arguments)] // the state of the loop
+    fn spawn_secondary_rays<T: Tally>(
+        &self,
+        task: &Task,
+        material: &Material,
+        point: &ShadingPoint,
+        crossing: Option<&Crossing>,
+        stream: SobolSequence,
+        tasks: &mut TaskStack<LEVELS>,
+        tally: &mut T,
+    ) -> Rgb {
+        let mut substitute = Rgb::BLACK;
+        let mut reflection = if E::SET.reflection { material.mirror } else { Rgb::BLACK };
+        let crossing = crossing.filter(|_| material.is_transmitting());
+        if crossing.is_none() && reflection.is_black() {
+            return substitute;
+        }
+        let mut normal = point.optical_normal();
+        if E::SET.gloss && material.is_rough() {
+            // Rough surfaces: sample a microfacet that is visible from the ray.
+            let alpha = material.roughness * material.roughness;
+            let u = stream.sample_2d(Dimension::microfacet(task.level));
+            normal = point.normal_or_geometric(sample_visible_normal(normal, -task.direction, alpha, u));
+        }
+
+        // Refract, unless total internal reflection occurs.
+        if let Some(crossing) = crossing {
+            let materials = self.world.scene().parts().materials;
+            let ratio = refractive_index(crossing.medium_before, materials)
+                / refractive_index(crossing.medium_behind, materials);
+            let refraction = refract(task.direction, normal, ratio)
+                // With an interpolated normal, the refracted ray may stay on the side that it came from.
+                .filter(|refraction| refraction.direction.dot(point.geometric_normal) < 0.0);
+            match refraction {
+                Some(refraction) => {
+                    let reflectance = match material.interface {
+                        Interface::Constant => 0.0,
+                        Interface::Fresnel => refraction.reflectance,
+                    };
+                    reflection += material.transmitted * reflectance;
+                    let transmitted = SecondaryRay {
+                        origin: point.origin_behind(),
+                        direction: refraction.direction,
+                        factor: material.transmitted * (1.0 - reflectance),
+                        kind: RayKind::Transmitted,
+                        media: crossing.stack_behind,
+                    };
+                    substitute += self.spawn_ray(task, transmitted, tasks, tally);
+                }
+                None => {
+                    tally.trace_event(TraceEvent::TotalInternalReflection);
+                    reflection += material.transmitted;
+                }
+            }
+        }
+
+        // Reflect; at the geometric normal where the shading normal would reflect into the surface.
+        if (E::SET.reflection || E::SET.transmission) && !reflection.is_black() {
+            let direction = reflect(task.direction, normal);
+            let is_outward = direction.dot(point.geometric_normal) > 0.0;
+            let direction = if is_outward {
+                direction
+            } else if E::SET.gloss && material.is_rough() {
+                // Light reflected inward by this microfacet hits another one, which reflects it outward.
+                reflect(direction, point.geometric_normal)
+            } else {
+                reflect(task.direction, point.geometric_normal)
+            };
+            let kind = RayKind::Reflected;
+            let reflected = SecondaryRay {
+                origin: point.origin_in_front(),
+                direction,
+                factor: reflection,
+                kind,
+                media: task.media,
+            };
+            substitute += self.spawn_ray(task, reflected, tasks, tally);
+        }
+        substitute
+    }
+}
+
+/// A reflected or transmitted ray that starts at a hit.
+struct SecondaryRay {
+    origin: Vec3,
+    /// Unit.
+    direction: Vec3,
+    /// Fraction of the radiance along this ray that the surface returns.
+    factor: Rgb,
+    kind: RayKind,
+    /// Bodies that it starts inside.
+    media: MediumStack,
+}
