@@ -1,49 +1,51 @@
-//! What both cores can be asked, in numbers that hold the answers of both exactly.
+//! Ray queries to either core, with results in `f64`, which is exact for both.
 
 use crate::test_shape::{TestRay, TestShape};
 use crate::vector::DVec3;
 
-/// What a core says of the place where a ray meets something.
+/// Hit of a core, with its surface interaction.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct CoreHit {
-    /// The number of the item.
+    /// Id of the item.
     pub item: u32,
-    /// How far, in lengths of the ray's direction.
+    /// Distance, in lengths of the ray's direction.
     pub t: f64,
-    /// The point, moved onto the shape.
+    /// Hit point, projected onto the shape.
     pub point: DVec3,
-    /// How far each of its components may be off.
+    /// Bound of the absolute error of each component of `point`.
     pub error: DVec3,
-    /// The geometric normal.
+    /// Geometric normal.
     pub normal: DVec3,
-    /// The shading normal.
+    /// Shading normal.
     pub shading: DVec3,
 }
 
 impl CoreHit {
-    /// Whether every number is one.
+    /// Whether all numbers are finite.
     pub fn is_finite(&self) -> bool {
         self.t.is_finite()
             && [self.point, self.error, self.normal, self.shading].iter().all(|vector| vector.is_finite())
     }
 }
 
-/// One of both cores, with things on its stage.
+/// A scene of one of the two cores, for ray queries.
 pub trait TestedCore {
-    /// The unit roundoff of its numbers.
+    /// Unit roundoff of the core's `Real`.
     const ROUNDOFF: f64;
 
-    /// The name in messages.
+    /// Name of the precision in messages.
     const NAME: &'static str;
 
-    /// A stage with these things, in their order.
+    /// A scene of these shapes, in this order.
     fn with_shapes(shapes: &[TestShape]) -> Self;
 
-    /// The nearest thing along each ray, by the bare list. The list with boxes must say the
-    /// same, to the last bit, or this panics.
+    /// Nearest hit of each ray, found by the list without bounds.
+    ///
+    /// # Panics
+    ///
+    /// If the list with bounding boxes finds anything else, compared bit by bit.
     fn cast(&self, rays: &[TestRay]) -> Vec<Option<CoreHit>>;
 
-    /// The place from which a ray leaves the surface to the side of `side`, which is its normal
-    /// or the opposite.
+    /// Origin of a ray that leaves the surface on the side of `side`, which is the normal of the hit or its opposite.
     fn offset_origin(hit: &CoreHit, side: DVec3) -> DVec3;
 }

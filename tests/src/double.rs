@@ -1,8 +1,8 @@
-//! The stage of the twin, `strahl-core-double`.
+//! [`TestScene`] of `strahl-core-double`.
 
 use strahl_core_double as strahl;
 
-// Built twice, as the core itself is: its types are another core's.
+// Compiled twice, like the core: each copy has the types of its core.
 #[expect(clippy::duplicate_mod, reason = "each core has types of its own")]
 #[path = "test_scene.rs"]
 mod test_scene;

@@ -1,12 +1,11 @@
-//! What the tests of strahl share.
+//! Code shared by the tests of strahl.
 //!
-//! * [`SplitMix64`]: numbers from a fixed seed, which single precision holds exactly.
-//! * [`TestShape`], [`TestRay`]: shapes and rays in numbers that both cores hold exactly.
-//! * [`single::TestScene`], [`double::TestScene`]: a scene with tables of its own, for either core; and
-//!   [`TestedCore`], what both can be asked.
-//! * [`oracle`]: where a ray meets a thing, in `f64`, by other ways than the core's.
-//! * [`hard`]: cases in which rounding is known to go wrong, and [`textbook`], the formulas that
-//!   do.
+//! * [`SplitMix64`]: random numbers from a fixed seed, exact in `f32`.
+//! * [`TestShape`], [`TestRay`]: shapes and rays whose numbers are exact in `f32`.
+//! * [`single::TestScene`], [`double::TestScene`]: owned scenes of both precisions; [`TestedCore`] is their
+//!   common interface.
+//! * [`oracle`]: intersections in `f64`, computed by methods that differ from the core's.
+//! * [`hard`]: rays that are known to go wrong in single precision, and [`textbook`], formulas that fail there.
 //! * [`picture`], [`assert_picture`]: pictures as text.
 
 mod cast;

@@ -2,8 +2,8 @@
 
 use strahl_core::Rgb;
 
-/// The picture as text: a dot for black, and for everything else a sign that is the heavier,
-/// the more light there is in the brightest channel: `+` up to a third, `o` up to two, `#`.
+/// Returns the picture as text. By the brightest channel, a pixel is `.` (black), `+` (up to 1/3), `o` (up to 2/3)
+/// or `#`.
 pub fn picture(colors: &[Rgb], width: usize) -> String {
     let sign = |color: &Rgb| match color.max_component() {
         0.0 => '.',
@@ -15,7 +15,7 @@ pub fn picture(colors: &[Rgb], width: usize) -> String {
     rows.join("\n")
 }
 
-/// Holds a picture against the expected text, whose lines may be indented.
+/// Asserts that the picture as text equals `expected`, whose lines may be indented.
 pub fn assert_picture(colors: &[Rgb], width: usize, expected: &str) {
     let expected: Vec<&str> = expected.split_whitespace().collect();
     let got = picture(colors, width);

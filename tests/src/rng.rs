@@ -1,21 +1,22 @@
-//! SplitMix64 numbers that are the same in every run.
+//! Deterministic random numbers.
 
 use crate::vector::{DVec3, dvec3};
 
-/// Numbers from a seed ("Fast splittable pseudorandom number generators", Steele, Lea, Flood
-/// 2014). All of them are numbers that `f32` holds exactly, so that both cores see the same.
+/// The generator SplitMix64. All floating-point results are exact in `f32`, so that both cores get the same numbers.
+///
+/// Source: Steele, Lea and Flood, "Fast Splittable Pseudorandom Number Generators", OOPSLA 2014.
 #[derive(Clone, Debug)]
 pub struct SplitMix64 {
     state: u64,
 }
 
-/// The nearest number that `f32` holds.
+/// Rounds to the nearest `f32`.
 pub fn rounded(x: f64) -> f64 {
     f64::from(x as f32)
 }
 
 impl SplitMix64 {
-    /// The numbers of a seed.
+    /// A generator with this seed.
     pub fn new(seed: u64) -> Self {
         SplitMix64 { state: seed }
     }
@@ -38,10 +39,9 @@ impl SplitMix64 {
         rounded(low + (high - low) * self.unit())
     }
 
-    /// A number in `[low, high)` whose logarithm is evenly spread: as many below 1 as above,
-    /// between a tenth and ten.
+    /// A number in `[low, high)`, or `high` by rounding, whose logarithm is uniformly distributed.
     pub fn log_between(&mut self, low: f64, high: f64) -> f64 {
-        // libm's, for the platform's own functions differ from place to place in the last bits.
+        // libm: the platform's functions differ in the last bits.
         rounded(libm::exp(libm::log(low) + libm::log(high / low) * self.unit()))
     }
 
@@ -50,11 +50,11 @@ impl SplitMix64 {
         (self.bits() % u64::from(n)) as u32
     }
 
-    /// A point of the ball of `radius` round `center`, evenly spread.
+    /// A point in the ball of `radius` around `center`, uniformly distributed.
     pub fn in_ball(&mut self, center: DVec3, radius: f64) -> DVec3 {
         loop {
-            let mut side = || 2.0 * self.unit() - 1.0;
-            let p = dvec3(side(), side(), side());
+            let mut coordinate = || 2.0 * self.unit() - 1.0;
+            let p = dvec3(coordinate(), coordinate(), coordinate());
             if p.dot(p) <= 1.0 {
                 let p = center + p * radius;
                 return dvec3(rounded(p.x), rounded(p.y), rounded(p.z));
@@ -62,7 +62,7 @@ impl SplitMix64 {
         }
     }
 
-    /// A direction, evenly spread, of length one but for rounding.
+    /// A unit vector, up to rounding, uniformly distributed.
     pub fn direction(&mut self) -> DVec3 {
         loop {
             let p = self.in_ball(DVec3::ZERO, 1.0);

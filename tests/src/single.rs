@@ -1,4 +1,4 @@
-//! The stage of `strahl-core`.
+//! [`TestScene`] of `strahl-core`.
 
 use strahl_core as strahl;
 

@@ -1,42 +1,42 @@
-//! Things and lines: shapes and rays in numbers that both cores hold exactly.
+//! Shapes and rays whose numbers are exact in `f32`, so that both cores get the same ones.
 
 use crate::rng::{SplitMix64, rounded};
 use crate::vector::{DVec3, area, dvec3, perpendicular_axes, unit};
 
-/// A ray. Its direction may have any length.
+/// A ray. The direction may have any length.
 #[derive(Clone, Copy, Debug)]
 pub struct TestRay {
-    /// Where it starts.
+    /// Origin.
     pub origin: DVec3,
-    /// Where it goes.
+    /// Direction, of any length.
     pub direction: DVec3,
 }
 
 impl TestRay {
-    /// The point `t` lengths of the direction away.
+    /// The point at distance `t`, in lengths of the direction.
     pub fn at(&self, t: f64) -> DVec3 {
         self.origin + self.direction * t
     }
 }
 
-/// A shape. Directions may have any length: each core makes them one long, as well as it can.
+/// A shape. Directions may have any length; each core normalizes them.
 #[derive(Clone, Debug)]
 #[allow(missing_docs)] // as in the core's own shapes
 pub enum TestShape {
     Sphere { center: DVec3, radius: f64 },
     Plane { point: DVec3, normal: DVec3 },
     Disc { center: DVec3, normal: DVec3, radius: f64 },
-    Triangle { corners: [DVec3; 3] },
-    SmoothTriangle { corners: [DVec3; 3], normals: [DVec3; 3] },
-    Polygon { corners: Vec<DVec3> },
-    SmoothPolygon { corners: Vec<DVec3>, normals: Vec<DVec3> },
+    Triangle { vertices: [DVec3; 3] },
+    SmoothTriangle { vertices: [DVec3; 3], normals: [DVec3; 3] },
+    Polygon { vertices: Vec<DVec3> },
+    SmoothPolygon { vertices: Vec<DVec3>, normals: Vec<DVec3> },
     Cuboid { min: DVec3, max: DVec3 },
     OrientedCuboid { center: DVec3, half: DVec3, first: DVec3, third: DVec3 },
     Cone { base: DVec3, base_radius: f64, end: DVec3, end_radius: f64, capped: bool },
     Torus { center: DVec3, axis: DVec3, major: f64, minor: f64 },
 }
 
-/// What random things are made like.
+/// Kind of a random shape.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[allow(missing_docs)]
 pub enum TestShapeKind {
@@ -45,7 +45,7 @@ pub enum TestShapeKind {
     Disc,
     Triangle,
     SmoothTriangle,
-    /// Of three to nine corners, star-shaped, so that most are concave.
+    /// Star-shaped with three to nine vertices; most are concave.
     Polygon,
     SmoothPolygon,
     Cuboid,
@@ -77,33 +77,33 @@ impl TestShapeKind {
     ];
 }
 
-/// Each component rounded to what `f32` holds.
+/// Rounds each component to `f32`.
 fn as_f32(v: DVec3) -> DVec3 {
     dvec3(rounded(v.x), rounded(v.y), rounded(v.z))
 }
 
 impl TestShape {
-    /// A random thing about `size` large, about at `place`.
+    /// A random shape of about `size`, near `position`.
     ///
-    /// No proportions in it are extreme: of three to one, and angles not below some 15 degrees.
-    pub fn random(kind: TestShapeKind, place: DVec3, size: f64, rng: &mut SplitMix64) -> TestShape {
+    /// Proportions are at most about 3 to 1, angles at least about 15 degrees.
+    pub fn random(kind: TestShapeKind, position: DVec3, size: f64, rng: &mut SplitMix64) -> TestShape {
         let r = rng;
-        let center = r.in_ball(place, 0.1 * size);
+        let center = r.in_ball(position, 0.1 * size);
         let length = |r: &mut SplitMix64| r.between(0.35 * size, size);
         match kind {
             TestShapeKind::Sphere => TestShape::Sphere { center, radius: length(r) },
             TestShapeKind::Plane => TestShape::Plane { point: center, normal: r.direction() },
             TestShapeKind::Disc => TestShape::Disc { center, normal: r.direction(), radius: length(r) },
-            TestShapeKind::Triangle => TestShape::Triangle { corners: triangle(center, size, r) },
+            TestShapeKind::Triangle => TestShape::Triangle { vertices: triangle(center, size, r) },
             TestShapeKind::SmoothTriangle => {
-                let corners = triangle(center, size, r);
-                let normals = bent(&corners, center, size);
-                TestShape::SmoothTriangle { corners, normals: [normals[0], normals[1], normals[2]] }
+                let vertices = triangle(center, size, r);
+                let normals = cap_normals(&vertices, center, size);
+                TestShape::SmoothTriangle { vertices, normals: [normals[0], normals[1], normals[2]] }
             }
-            TestShapeKind::Polygon => TestShape::Polygon { corners: star(center, size, r) },
+            TestShapeKind::Polygon => TestShape::Polygon { vertices: star(center, size, r) },
             TestShapeKind::SmoothPolygon => {
-                let corners = star(center, size, r);
-                TestShape::SmoothPolygon { normals: bent(&corners, center, size), corners }
+                let vertices = star(center, size, r);
+                TestShape::SmoothPolygon { normals: cap_normals(&vertices, center, size), vertices }
             }
             TestShapeKind::Cuboid => {
                 let half = dvec3(length(r), length(r), length(r));
@@ -123,7 +123,7 @@ impl TestShape {
             TestShapeKind::OpenCone | TestShapeKind::CappedCone => {
                 let capped = kind == TestShapeKind::CappedCone;
                 let end = as_f32(center + r.direction() * length(r));
-                // Every fourth comes to a point, at one of both ends.
+                // One in four has an apex, at either end.
                 let (base_radius, end_radius) = match r.below(8) {
                     0 => (0.0, length(r)),
                     1 => (length(r), 0.0),
@@ -149,7 +149,7 @@ impl TestShape {
         }
     }
 
-    /// The same thing after a map of space: of points, directions, and lengths.
+    /// The shape after a similarity transform: `map` for points, `turn` for directions, `scale` for lengths.
     pub fn mapped(
         &self,
         map: impl Fn(DVec3) -> DVec3,
@@ -167,13 +167,13 @@ impl TestShape {
             TestShape::Disc { center, normal, radius } => {
                 TestShape::Disc { center: map(*center), normal: turn(*normal), radius: radius * scale }
             }
-            TestShape::Triangle { corners } => TestShape::Triangle { corners: corners.map(map) },
-            TestShape::SmoothTriangle { corners, normals } => {
-                TestShape::SmoothTriangle { corners: corners.map(map), normals: normals.map(turn) }
+            TestShape::Triangle { vertices } => TestShape::Triangle { vertices: vertices.map(map) },
+            TestShape::SmoothTriangle { vertices, normals } => {
+                TestShape::SmoothTriangle { vertices: vertices.map(map), normals: normals.map(turn) }
             }
-            TestShape::Polygon { corners } => TestShape::Polygon { corners: points(corners) },
-            TestShape::SmoothPolygon { corners, normals } => TestShape::SmoothPolygon {
-                corners: points(corners),
+            TestShape::Polygon { vertices } => TestShape::Polygon { vertices: points(vertices) },
+            TestShape::SmoothPolygon { vertices, normals } => TestShape::SmoothPolygon {
+                vertices: points(vertices),
                 normals: normals.iter().map(|n| turn(*n)).collect(),
             },
             TestShape::Cuboid { min, max } => {
@@ -202,45 +202,46 @@ impl TestShape {
         }
     }
 
-    /// A ball round the thing, not much larger than needed; round a part of a plane.
-    pub fn ball(&self) -> (DVec3, f64) {
-        let round = |corners: &[DVec3]| {
-            let middle = corners.iter().sum::<DVec3>() / corners.len() as f64;
-            let reach = corners.iter().map(|c| (*c - middle).dot(*c - middle)).fold(0.0, f64::max);
-            (middle, reach.sqrt())
+    /// Center and radius of a bounding sphere that is not much larger than needed. Of a plane, a unit sphere around its
+    /// point.
+    pub fn bounding_sphere(&self) -> (DVec3, f64) {
+        let around = |vertices: &[DVec3]| {
+            let center = vertices.iter().sum::<DVec3>() / vertices.len() as f64;
+            let square = vertices.iter().map(|c| (*c - center).dot(*c - center)).fold(0.0, f64::max);
+            (center, square.sqrt())
         };
         match self {
             TestShape::Sphere { center, radius } | TestShape::Disc { center, radius, .. } => {
                 (*center, *radius)
             }
             TestShape::Plane { point, .. } => (*point, 1.0),
-            TestShape::Triangle { corners } | TestShape::SmoothTriangle { corners, .. } => round(corners),
-            TestShape::Polygon { corners } | TestShape::SmoothPolygon { corners, .. } => round(corners),
-            TestShape::Cuboid { min, max } => round(&[*min, *max]),
+            TestShape::Triangle { vertices } | TestShape::SmoothTriangle { vertices, .. } => around(vertices),
+            TestShape::Polygon { vertices } | TestShape::SmoothPolygon { vertices, .. } => around(vertices),
+            TestShape::Cuboid { min, max } => around(&[*min, *max]),
             TestShape::OrientedCuboid { center, half, .. } => (*center, half.dot(*half).sqrt()),
             TestShape::Cone { base, base_radius, end, end_radius, .. } => {
-                let (middle, half) = round(&[*base, *end]);
-                (middle, half + base_radius.max(*end_radius))
+                let (center, half) = around(&[*base, *end]);
+                (center, half + base_radius.max(*end_radius))
             }
             TestShape::Torus { center, major, minor, .. } => (*center, major + minor),
         }
     }
 }
 
-/// Normals of corners that lean away from the middle, so that the flat thing looks like a cap.
-fn bent(corners: &[DVec3], center: DVec3, size: f64) -> Vec<DVec3> {
-    let normal = unit(area(corners));
-    corners.iter().map(|corner| as_f32(unit(normal + (*corner - center) * (0.5 / size)))).collect()
+/// Vertex normals that lean away from the center, so that the flat shape is shaded like a cap.
+fn cap_normals(vertices: &[DVec3], center: DVec3, size: f64) -> Vec<DVec3> {
+    let normal = unit(area(vertices));
+    vertices.iter().map(|vertex| as_f32(unit(normal + (*vertex - center) * (0.5 / size)))).collect()
 }
 
 fn triangle(center: DVec3, size: f64, rng: &mut SplitMix64) -> [DVec3; 3] {
     loop {
-        let corners = [(); 3].map(|()| rng.in_ball(center, size));
-        let [a, b, c] = corners;
+        let vertices = [(); 3].map(|()| rng.in_ball(center, size));
+        let [a, b, c] = vertices;
         let side = [b - a, c - b, a - c].map(|side| side.dot(side)).into_iter().fold(0.0, f64::max);
-        let area = area(&corners);
+        let area = area(&vertices);
         if area.dot(area).sqrt() > 0.25 * side && side > 0.25 * size * size {
-            return corners;
+            return vertices;
         }
     }
 }
@@ -248,9 +249,9 @@ fn triangle(center: DVec3, size: f64, rng: &mut SplitMix64) -> [DVec3; 3] {
 fn star(center: DVec3, size: f64, rng: &mut SplitMix64) -> Vec<DVec3> {
     let (x, y) = perpendicular_axes(rng.direction());
     let count = 3 + rng.below(7);
-    let corner = |i: u32| {
+    let vertex = |i: u32| {
         let angle = f64::from(i) * std::f64::consts::TAU / f64::from(count);
         as_f32(center + (x * libm::cos(angle) + y * libm::sin(angle)) * rng.between(0.35 * size, size))
     };
-    (0..count).map(corner).collect()
+    (0..count).map(vertex).collect()
 }

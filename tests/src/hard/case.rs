@@ -1,4 +1,4 @@
-//! A case of hard rays, and what the solvers make of it.
+//! A case of hard rays, and its evaluation for each solver.
 
 use crate::cast::{CoreHit, TestedCore};
 use crate::oracle::{OracleAnswer, OracleHit, PRECISION, intersect, size};
@@ -7,65 +7,65 @@ use crate::textbook::TextbookShape;
 use crate::vector::{DVec3, dvec3, perpendicular_axes};
 use crate::{SplitMix64, double, rounded, single};
 
-/// The distance between neighbouring numbers of single precision, for numbers about one.
+/// Distance between neighboring `f32` in `[1, 2)`.
 pub const ULP: f64 = 1.0 / (1 << 23) as f64;
 
-/// Who answers.
+/// What answers the rays of a case.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Solver {
-    /// The formula of the textbooks, in single precision.
+    /// The textbook's formula, in single precision.
     Textbook,
     /// The core.
     Single,
-    /// The core with double precision inside; its answers are rounded.
+    /// The core with double precision inside; its answers are rounded to `f32`.
     Double,
 }
 
 impl Solver {
-    /// All three.
+    /// All solvers.
     pub const ALL: [Solver; 3] = [Solver::Textbook, Solver::Single, Solver::Double];
 }
 
-/// What a solver has made of a case.
+/// Number of rays, faults and largest error of one solver on one case.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct HardCaseTally {
-    /// Rays tried.
+    /// Rays that were traced.
     pub rays: usize,
-    /// Of these, rays that may be answered either way.
+    /// Rays for which hit and miss are both correct.
     pub unclear: usize,
-    /// Of the others, rays that were answered wrongly: a hit for a miss or the reverse, outside
-    /// the bound, or no number.
+    /// Other rays that were answered wrongly: hit for miss, miss for hit, an error outside the bound, NaN or infinity.
     pub faults: usize,
-    /// The worst error of a hit that was rightly one, in the unit of the case.
+    /// Largest error of a correct hit, in the unit of the case.
     pub worst: f64,
 }
 
-/// One kind of hard rays.
+/// One group of hard rays.
 #[derive(Clone, Copy)]
 pub struct HardCase {
-    /// The shape or the room that it is about.
+    /// Shape or part of the core that is tested.
     pub family: &'static str,
-    /// What is hard.
+    /// What is hard about the rays.
     pub name: &'static str,
     /// What goes wrong in a naive implementation.
     pub naive: &'static str,
-    /// The largest error that is right, in units in the last place times the conditioning.
+    /// Largest correct error, in units in the last place times the conditioning.
     pub bound: f64,
-    /// Whether the textbook's formula is known to fail: else the case guards what is easy.
+    /// Whether the textbook's formula is known to fail. If not, the case guards against regressions.
     pub breaks: bool,
-    run: CaseRays,
+    seed: u64,
+    rays: CaseRays,
 }
 
-/// Where the rays of a case come from.
+/// Source of the rays of a case.
 #[derive(Clone, Copy)]
 enum CaseRays {
-    /// Rays at a thing, held against the oracle: so many rounds.
+    /// Rays at shapes, compared with the oracle: number of rounds, and the generator of a shape and its rays.
     Aimed(usize, AimFunction),
-    /// A check of its own.
+    /// A function that evaluates all solvers.
     Own(fn(&mut SplitMix64) -> [HardCaseTally; 3]),
 }
 
-/// A thing, and rays at it.
+/// Generates a shape, and rays at it.
 pub(super) type AimFunction = fn(&mut SplitMix64) -> (TestShape, Vec<TestRay>);
 
 impl HardCase {
@@ -77,7 +77,15 @@ impl HardCase {
         rounds: usize,
         aim: AimFunction,
     ) -> HardCase {
-        HardCase { family, name, naive, bound, breaks: true, run: CaseRays::Aimed(rounds, aim) }
+        HardCase {
+            family,
+            name,
+            naive,
+            bound,
+            breaks: true,
+            seed: hash(family, name),
+            rays: CaseRays::Aimed(rounds, aim),
+        }
     }
 
     pub(super) const fn own(
@@ -87,83 +95,107 @@ impl HardCase {
         bound: f64,
         check: fn(&mut SplitMix64) -> [HardCaseTally; 3],
     ) -> HardCase {
-        HardCase { family, name, naive, bound, breaks: true, run: CaseRays::Own(check) }
+        HardCase {
+            family,
+            name,
+            naive,
+            bound,
+            breaks: true,
+            seed: hash(family, name),
+            rays: CaseRays::Own(check),
+        }
     }
 
-    /// The same, where the textbook's formula does no harm.
+    /// The case, with a textbook formula that makes no faults.
     pub(super) const fn easy(self) -> HardCase {
         HardCase { breaks: false, ..self }
     }
 
-    fn random(&self) -> SplitMix64 {
-        let letters = self.family.bytes().chain(self.name.bytes());
-        let seed = |seed: u64, byte: u8| (seed ^ u64::from(byte)).wrapping_mul(0x0100_0000_01b3);
-        SplitMix64::new(letters.fold(0x5eed_0005, seed))
+    /// The case with this seed in place of the hash of its names: a renamed case keeps its rays.
+    pub(super) const fn seed(self, seed: u64) -> HardCase {
+        HardCase { seed, ..self }
     }
 
-    /// Some of its things, and the rays at them; nothing for a case that is no rays at a thing.
+    fn rng(&self) -> SplitMix64 {
+        SplitMix64::new(self.seed)
+    }
+
+    /// The first `rounds` shapes and the rays at them; empty for a case that is not of rays at shapes.
     pub fn aims(&self, rounds: usize) -> Vec<(TestShape, Vec<TestRay>)> {
-        let mut rng = self.random();
-        match self.run {
+        let mut rng = self.rng();
+        match self.rays {
             CaseRays::Own(_) => Vec::new(),
             CaseRays::Aimed(_, aim) => (0..rounds).map(|_| aim(&mut rng)).collect(),
         }
     }
 
-    /// All of its things, and the rays at them.
+    /// All shapes and the rays at them; empty for a case that is not of rays at shapes.
     pub fn all_aims(&self) -> Vec<(TestShape, Vec<TestRay>)> {
-        match self.run {
+        match self.rays {
             CaseRays::Own(_) => Vec::new(),
             CaseRays::Aimed(rounds, _) => self.aims(rounds),
         }
     }
 
-    /// All of its rays at things, and what is true of them.
+    /// All shapes and rays, with the oracle's answers.
     fn rays(&self) -> Vec<AimedRays> {
         let aims = self.all_aims();
-        // Two halves side by side: the oracle is slow.
-        let of = |(shape, rays): &(TestShape, Vec<TestRay>)| AimedRays {
-            truths: rays.iter().map(|ray| intersect(shape, ray)).collect(),
+        // In two threads: the oracle is slow.
+        let answered = |(shape, rays): &(TestShape, Vec<TestRay>)| AimedRays {
+            expected: rays.iter().map(|ray| intersect(shape, ray)).collect(),
             shape: shape.clone(),
             rays: rays.clone(),
             bound: self.bound,
         };
         let (one, other) = aims.split_at(aims.len() / 2);
         std::thread::scope(|scope| {
-            let other = scope.spawn(|| other.iter().map(of).collect::<Vec<_>>());
-            let mut all: Vec<AimedRays> = one.iter().map(of).collect();
+            let other = scope.spawn(|| other.iter().map(answered).collect::<Vec<_>>());
+            let mut all: Vec<AimedRays> = one.iter().map(answered).collect();
             all.extend(other.join().expect("the oracle answers every ray"));
             all
         })
     }
 
-    /// What the three solvers make of it: the same in every run.
+    /// Evaluates the three solvers. Deterministic.
     pub fn run(&self) -> [HardCaseTally; 3] {
         self.run_with_faults(&mut |_| ())
     }
 
-    /// The same, and what is wrong with the answers, in words that begin with the solver's name.
+    /// Evaluates the three solvers and reports each fault in a text that begins with the solver's name.
     pub fn run_with_faults(&self, report_fault: &mut dyn FnMut(String)) -> [HardCaseTally; 3] {
-        match self.run {
-            CaseRays::Own(check) => check(&mut self.random()),
+        match self.rays {
+            CaseRays::Own(check) => check(&mut self.rng()),
             CaseRays::Aimed(..) => {
                 let mut tallies = [HardCaseTally::default(); 3];
-                self.rays().iter().for_each(|aimed| assert_case(aimed, &mut tallies, report_fault));
+                self.rays().iter().for_each(|aimed| evaluate(aimed, &mut tallies, report_fault));
                 tallies
             }
         }
     }
 }
 
-/// Rays at a thing, and what is true of them.
+/// A hash of the names of a case (FNV-1a with another start).
+const fn hash(family: &str, name: &str) -> u64 {
+    const fn add(mut hash: u64, text: &[u8]) -> u64 {
+        let mut i = 0;
+        while i < text.len() {
+            hash = (hash ^ text[i] as u64).wrapping_mul(0x0100_0000_01b3);
+            i += 1;
+        }
+        hash
+    }
+    add(add(0x5eed_0005, family.as_bytes()), name.as_bytes())
+}
+
+/// Rays at a shape, and the oracle's answers.
 struct AimedRays {
     shape: TestShape,
     rays: Vec<TestRay>,
-    truths: Vec<OracleAnswer>,
+    expected: Vec<OracleAnswer>,
     bound: f64,
 }
 
-/// A hit, as all solvers can tell it.
+/// A hit, with what all solvers compute.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct SolverHit {
     pub(super) t: f64,
@@ -175,12 +207,12 @@ pub(super) fn answers(solver: Solver, shape: &TestShape, rays: &[TestRay]) -> Ve
     let shapes = std::slice::from_ref(shape);
     match solver {
         Solver::Textbook => {
-            let form = TextbookShape::of(shape);
+            let textbook = TextbookShape::of(shape);
             let wide = |v: strahl_core::Vec3| dvec3(v.x.into(), v.y.into(), v.z.into());
-            let met = |ray: &TestRay| {
-                form.met(ray).map(|met| SolverHit { t: met.t.into(), normal: wide(met.normal) })
+            let hit = |ray: &TestRay| {
+                textbook.intersect(ray).map(|hit| SolverHit { t: hit.t.into(), normal: wide(hit.normal) })
             };
-            rays.iter().map(met).collect()
+            rays.iter().map(hit).collect()
         }
         Solver::Single => single::TestScene::with_shapes(shapes).cast(rays).into_iter().map(of).collect(),
         Solver::Double => double::TestScene::with_shapes(shapes)
@@ -191,36 +223,38 @@ pub(super) fn answers(solver: Solver, shape: &TestShape, rays: &[TestRay]) -> Ve
     }
 }
 
-/// Holds the answers of all solvers against the truth.
-fn assert_case(aimed: &AimedRays, tallies: &mut [HardCaseTally; 3], report_fault: &mut dyn FnMut(String)) {
-    let AimedRays { shape, rays, truths, bound, .. } = aimed;
+/// Compares the answers of all solvers with those of the oracle.
+fn evaluate(aimed: &AimedRays, tallies: &mut [HardCaseTally; 3], report_fault: &mut dyn FnMut(String)) {
+    let AimedRays { shape, rays, expected, bound, .. } = aimed;
     for (solver, tally) in Solver::ALL.into_iter().zip(tallies) {
-        for ((ray, truth), answer) in rays.iter().zip(truths).zip(answers(solver, shape, rays)) {
+        for ((ray, expected), answer) in rays.iter().zip(expected).zip(answers(solver, shape, rays)) {
             tally.rays += 1;
-            tally.unclear += usize::from(matches!(truth, OracleAnswer::Unclear));
-            match judged(shape, ray, truth, answer, *bound) {
+            tally.unclear += usize::from(matches!(expected, OracleAnswer::Unclear));
+            match judged(shape, ray, expected, answer, *bound) {
                 Ok(off) => tally.worst = tally.worst.max(off),
                 Err((fault, off)) => {
                     tally.worst = tally.worst.max(off);
                     tally.faults += 1;
-                    report_fault(format!("{solver:?} {fault}: {shape:?}\n{ray:?}\n{truth:?}\n{answer:?}\n"));
+                    report_fault(format!(
+                        "{solver:?} {fault}: {shape:?}\n{ray:?}\n{expected:?}\n{answer:?}\n"
+                    ));
                 }
             }
         }
     }
 }
 
-/// How far an answer is off, or what is wrong with it.
+/// Returns the error of an answer, or the fault and its error.
 pub(super) fn judged(
     shape: &TestShape,
     ray: &TestRay,
-    truth: &OracleAnswer,
+    expected: &OracleAnswer,
     answer: Option<SolverHit>,
     bound: f64,
 ) -> Result<f64, (&'static str, f64)> {
-    match (truth, answer) {
+    match (expected, answer) {
         (_, Some(SolverHit { t, normal })) if !(t.is_finite() && normal.is_finite()) => {
-            Err(("no number", 0.0))
+            Err(("not finite", 0.0))
         }
         (OracleAnswer::Unclear, _) | (OracleAnswer::Miss, None) => Ok(0.0),
         (OracleAnswer::Hit(contact), Some(answer)) => {
@@ -228,23 +262,23 @@ pub(super) fn judged(
             if off <= bound { Ok(off) } else { Err(("outside the bound", off)) }
         }
         (OracleAnswer::Hit(_), None) => Err(("missed", 0.0)),
-        (OracleAnswer::Miss, Some(_)) => Err(("met what is not there", 0.0)),
+        (OracleAnswer::Miss, Some(_)) => Err(("hit although the ray misses", 0.0)),
     }
 }
 
-/// How far an answer is off, in units in the last place times the conditioning.
-fn error(shape: &TestShape, ray: &TestRay, truth: &OracleHit, answer: &SolverHit) -> f64 {
+/// Error of an answer, in units in the last place times the conditioning.
+fn error(shape: &TestShape, ray: &TestRay, expected: &OracleHit, answer: &SolverHit) -> f64 {
     let speed = ray.direction.dot(ray.direction).sqrt();
-    let conditioning = size(shape, ray) / truth.slope + truth.way;
+    let conditioning = size(shape, ray) / expected.slope + expected.distance;
     let unit = ULP.max(PRECISION) * conditioning;
-    let way = (answer.t * speed - truth.way).abs() / unit;
-    let turned = answer.normal - truth.normal;
-    let normal = turned.dot(turned).sqrt() / (ULP * (1.0 + conditioning / truth.curvature));
+    let distance = (answer.t * speed - expected.distance).abs() / unit;
+    let difference = answer.normal - expected.normal;
+    let normal = difference.dot(difference).sqrt() / (ULP * (1.0 + conditioning / expected.curvature));
     let is_unit = (answer.normal.dot(answer.normal) - 1.0).abs() <= 1e-6;
-    if is_unit { way.max(normal) } else { f64::INFINITY }
+    if is_unit { distance.max(normal) } else { f64::INFINITY }
 }
 
-// What the cases aim with.
+// Building blocks of the cases.
 
 pub(super) fn length(v: DVec3) -> f64 {
     v.dot(v).sqrt()
@@ -255,19 +289,19 @@ pub(super) fn as_f32(v: DVec3) -> DVec3 {
     dvec3(rounded(v.x), rounded(v.y), rounded(v.z))
 }
 
-/// The ray from one point towards another.
+/// The ray from `origin` through `target`, its direction rounded to `f32`.
 pub(super) fn towards(origin: DVec3, target: DVec3) -> TestRay {
     TestRay { origin, direction: as_f32(target - origin) }
 }
 
-/// A direction upright on another.
-pub(super) fn aside(n: DVec3, rng: &mut SplitMix64) -> DVec3 {
+/// A random unit vector perpendicular to `n`.
+pub(super) fn perpendicular(n: DVec3, rng: &mut SplitMix64) -> DVec3 {
     let (x, y) = perpendicular_axes(n);
     let angle = rng.between(0.0, std::f64::consts::TAU);
     x * libm::cos(angle) + y * libm::sin(angle)
 }
 
-/// One, a little more or a little less: by a tenth down to a ten-millionth.
+/// A number that differs from 1 by 1e-7 to 0.1, in either direction.
 pub(super) fn about_one(rng: &mut SplitMix64) -> f64 {
     let off = rng.log_between(1e-7, 0.1);
     if rng.below(2) == 0 { 1.0 + off } else { 1.0 - off }

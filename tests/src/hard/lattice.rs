@@ -1,24 +1,24 @@
-//! Boxes and rays that are hard for whoever cuts space into cells.
+//! Boxes and rays that are hard for accelerators that divide space into cells.
 
 use super::case::{as_f32, towards};
 use crate::SplitMix64;
 use crate::test_shape::{TestRay, TestShape};
 use crate::vector::{DVec3, dvec3};
 
-/// Boxes upright on the axes, and rays.
+/// Axis-aligned boxes, and rays.
 pub(super) type BoxesAndRays = (Vec<TestShape>, Vec<TestRay>);
 
 const RAYS: usize = 250;
 
-/// Boxes with corners in whole numbers, which is where halves and equal parts of the scene end.
+/// Boxes with integer corners, which lie on the cell planes of subdivisions of the scene.
 pub(super) fn lattice(rng: &mut SplitMix64) -> BoxesAndRays {
     const SIDE: u32 = 8;
     let cube = |low: DVec3, size: DVec3| TestShape::Cuboid { min: low, max: low + size };
-    // Two in opposite corners, so that the scene is as large as it should be.
+    // Two boxes in opposite corners fix the size of the scene.
     let mut shapes = vec![cube(DVec3::ZERO, DVec3::ONE), cube(DVec3::splat(7.0), DVec3::ONE)];
     for _ in 0..60 {
-        let mut place = || f64::from(rng.below(SIDE));
-        let low = dvec3(place(), place(), place());
+        let mut coordinate = || f64::from(rng.below(SIDE));
+        let low = dvec3(coordinate(), coordinate(), coordinate());
         let mut size = || f64::from(rng.below(3)) * 0.5;
         let size = dvec3(size(), size(), size());
         shapes.push(cube(low, size));
@@ -27,18 +27,17 @@ pub(super) fn lattice(rng: &mut SplitMix64) -> BoxesAndRays {
     (shapes, rays)
 }
 
-/// A ray through places where walls meet: in a wall, along an edge, through corners, from one of
-/// them, or any.
+/// A ray in a cell plane, along an edge, through corners or from one of them, or a random ray.
 fn cell_plane_ray(side: f64, rng: &mut SplitMix64) -> TestRay {
-    let whole = |rng: &mut SplitMix64| f64::from(rng.below(2 * side as u32 + 1)) * 0.5;
+    let lattice_point = |rng: &mut SplitMix64| f64::from(rng.below(2 * side as u32 + 1)) * 0.5;
     let any = |rng: &mut SplitMix64| rng.between(-0.5 * side, 1.5 * side);
     let sign = |rng: &mut SplitMix64| if rng.below(2) == 0 { 1.0 } else { -1.0 };
-    let corner = dvec3(whole(rng), whole(rng), whole(rng));
-    let way = dvec3(sign(rng), sign(rng), sign(rng));
+    let corner = dvec3(lattice_point(rng), lattice_point(rng), lattice_point(rng));
+    let diagonal = dvec3(sign(rng), sign(rng), sign(rng));
     match rng.below(5) {
-        // Through corners of cells: all walls at once.
-        0 => TestRay { origin: corner - way * 20.0, direction: way * rng.log_between(0.25, 4.0) },
-        // From a corner, an edge or a wall.
+        // Through corners of cells, where three planes meet.
+        0 => TestRay { origin: corner - diagonal * 20.0, direction: diagonal * rng.log_between(0.25, 4.0) },
+        // From a corner, an edge or a plane.
         1 => {
             let mut origin = corner;
             for _ in 0..rng.below(3) {
@@ -46,9 +45,9 @@ fn cell_plane_ray(side: f64, rng: &mut SplitMix64) -> TestRay {
             }
             TestRay { origin, direction: as_f32(rng.direction()) }
         }
-        // In a wall or along an edge.
+        // In a plane or along an edge.
         2 | 3 => {
-            let (mut origin, mut direction) = (corner - way * 20.0, as_f32(rng.direction()));
+            let (mut origin, mut direction) = (corner - diagonal * 20.0, as_f32(rng.direction()));
             for axis in 0..3 {
                 if rng.below(2) == 0 {
                     origin[axis] = corner[axis];
@@ -67,14 +66,14 @@ fn cell_plane_ray(side: f64, rng: &mut SplitMix64) -> TestRay {
     }
 }
 
-/// A scene without thickness, of one thing, of many at one place, or with one far away.
-pub(super) fn hard_to_cut(rng: &mut SplitMix64) -> BoxesAndRays {
+/// A flat scene, a single box, many coincident boxes, or a scene with a distant outlier.
+pub(super) fn degenerate(rng: &mut SplitMix64) -> BoxesAndRays {
     let (shapes, rays) = lattice(rng);
     let bounds = |shape: &TestShape| match shape {
         TestShape::Cuboid { min, max } => (*min, *max),
         _ => (DVec3::ZERO, DVec3::ZERO),
     };
-    let pieces = shapes.iter().map(bounds);
+    let boxes = shapes.iter().map(bounds);
     let shapes = match rng.below(4) {
         0 => {
             let axis = rng.below(3) as usize;
@@ -83,7 +82,7 @@ pub(super) fn hard_to_cut(rng: &mut SplitMix64) -> BoxesAndRays {
                 v[axis] = 3.0;
                 v
             };
-            pieces.map(|(min, max)| TestShape::Cuboid { min: level(min), max: level(max) }).collect()
+            boxes.map(|(min, max)| TestShape::Cuboid { min: level(min), max: level(max) }).collect()
         }
         1 => vec![shapes[2 + rng.below(60) as usize].clone()],
         2 => {
@@ -92,8 +91,7 @@ pub(super) fn hard_to_cut(rng: &mut SplitMix64) -> BoxesAndRays {
         }
         _ => {
             let far = as_f32(rng.direction() * rng.log_between(1e3, 1e6));
-            let mut shapes: Vec<TestShape> =
-                pieces.map(|(min, max)| TestShape::Cuboid { min, max }).collect();
+            let mut shapes: Vec<TestShape> = boxes.map(|(min, max)| TestShape::Cuboid { min, max }).collect();
             shapes.push(TestShape::Cuboid { min: far, max: as_f32(far + DVec3::ONE) });
             shapes
         }
@@ -101,36 +99,36 @@ pub(super) fn hard_to_cut(rng: &mut SplitMix64) -> BoxesAndRays {
     (shapes, rays)
 }
 
-/// The same as [`lattice`] where no face and no wall is a whole number, so that all that should
-/// be equal is a little off.
+/// [`lattice`], scaled and moved so that faces and cell planes are not integers: coordinates that were equal differ by
+/// rounding.
 pub(super) fn uneven(rng: &mut SplitMix64) -> BoxesAndRays {
     let (shapes, rays) = lattice(rng);
     let (size, shift) = (rng.log_between(0.01, 100.0), rng.in_ball(DVec3::ZERO, 10.0));
-    let place = |v: DVec3| as_f32((v + shift) * size);
+    let transform = |v: DVec3| as_f32((v + shift) * size);
     let shape = |shape: TestShape| match shape {
-        TestShape::Cuboid { min, max } => TestShape::Cuboid { min: place(min), max: place(max) },
+        TestShape::Cuboid { min, max } => TestShape::Cuboid { min: transform(min), max: transform(max) },
         other => other,
     };
-    let ray = |ray: TestRay| TestRay { origin: place(ray.origin), ..ray };
+    let ray = |ray: TestRay| TestRay { origin: transform(ray.origin), ..ray };
     (shapes.into_iter().map(shape).collect(), rays.into_iter().map(ray).collect())
 }
 
-/// Long bars, and small plates across their lower faces: a ray comes to a plate after hundreds of
-/// cells, and to the bar, which it has been told of long before, right behind it.
+/// Long bars, and small plates across their lower faces. A ray reaches a plate after hundreds of cells; right behind the
+/// plate is the bar, which the accelerator has offered long before.
 pub(super) fn row(rng: &mut SplitMix64) -> BoxesAndRays {
     const LENGTH: f64 = 3000.0;
     let (mut shapes, mut rays) = (Vec::new(), Vec::new());
     for _ in 0..5 {
-        let (level, aside) = (rng.between(0.3, 0.9), rng.between(0.1, 0.9));
-        let (y, z) = (DVec3::Y * level, DVec3::Z * aside);
+        let (level, perpendicular) = (rng.between(0.3, 0.9), rng.between(0.1, 0.9));
+        let (y, z) = (DVec3::Y * level, DVec3::Z * perpendicular);
         let (min, max) = (y + z - DVec3::Z * 0.05, y + z + dvec3(LENGTH, 0.05, 0.05));
         shapes.push(TestShape::Cuboid { min: as_f32(min), max: as_f32(max) });
         for _ in 0..RAYS / 5 {
             let at = rng.between(10.0, LENGTH);
-            let (place, half) = (DVec3::X * at + y + z, dvec3(0.0, 0.003, 0.003));
-            shapes.push(TestShape::Cuboid { min: as_f32(place - half), max: as_f32(place + half) });
+            let (center, half) = (DVec3::X * at + y + z, dvec3(0.0, 0.003, 0.003));
+            shapes.push(TestShape::Cuboid { min: as_f32(center - half), max: as_f32(center + half) });
             let eye = dvec3(-rng.between(1.0, 10.0), level - 0.2, rng.between(0.0, 1.0));
-            rays.push(towards(as_f32(eye), as_f32(place + DVec3::X * rng.log_between(1e-3, 0.3))));
+            rays.push(towards(as_f32(eye), as_f32(center + DVec3::X * rng.log_between(1e-3, 0.3))));
         }
     }
     (shapes, rays)

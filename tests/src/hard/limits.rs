@@ -1,4 +1,4 @@
-//! Other sizes, rays that are none, and the end of a ray.
+//! Scaled shapes, invalid rays, and the end of a ray.
 
 use super::case::{HardCase, HardCaseTally, Solver, SolverHit, answers, towards};
 use crate::SplitMix64;
@@ -12,7 +12,7 @@ pub(super) const CASES: [HardCase; 3] = [
     HardCase::own(
         "end of a ray",
         "just before a hit, at it, behind it",
-        "`t < tmax` leaves out the end",
+        "`t < t_max` excludes the end",
         0.0,
         ends,
     ),
@@ -21,7 +21,7 @@ pub(super) const CASES: [HardCase; 3] = [
 const SHAPES: usize = 8;
 const RAYS: usize = 40;
 
-/// Things of every kind and rays at them.
+/// Shapes of every kind and rays at them.
 fn scenes(rng: &mut SplitMix64) -> Vec<(TestShape, Vec<TestRay>)> {
     let scene = |kind: &TestShapeKind| {
         let place = rng.in_ball(DVec3::ZERO, 5.0);
@@ -32,7 +32,7 @@ fn scenes(rng: &mut SplitMix64) -> Vec<(TestShape, Vec<TestRay>)> {
     TestShapeKind::ALL.iter().cycle().take(SHAPES * TestShapeKind::ALL.len()).map(scene).collect()
 }
 
-/// The distance grows with the scene, and the normal does not change, bit for bit.
+/// The distance scales with the scene, and the normal does not change, bit for bit.
 fn scaled(rng: &mut SplitMix64) -> [HardCaseTally; 3] {
     let mut tallies = [HardCaseTally::default(); 3];
     for (shape, rays) in scenes(rng) {
@@ -42,9 +42,9 @@ fn scaled(rng: &mut SplitMix64) -> [HardCaseTally; 3] {
         let other_rays: Vec<TestRay> =
             rays.iter().map(|ray| TestRay { origin: ray.origin * scale, ..*ray }).collect();
         for (solver, tally) in Solver::ALL.into_iter().zip(&mut tallies) {
-            let truth = answers(solver, &shape, &rays);
-            for (truth, answer) in truth.into_iter().zip(answers(solver, &other, &other_rays)) {
-                let grown = truth.map(|truth| (truth.t * scale, truth.normal));
+            let expected = answers(solver, &shape, &rays);
+            for (expected, answer) in expected.into_iter().zip(answers(solver, &other, &other_rays)) {
+                let grown = expected.map(|expected| (expected.t * scale, expected.normal));
                 tally.rays += 1;
                 tally.faults += usize::from(answer.map(|SolverHit { t, normal }| (t, normal)) != grown);
             }
@@ -53,7 +53,7 @@ fn scaled(rng: &mut SplitMix64) -> [HardCaseTally; 3] {
     tallies
 }
 
-/// A ray that is none meets nothing.
+/// An invalid ray hits nothing.
 fn none(rng: &mut SplitMix64) -> [HardCaseTally; 3] {
     let mut tallies = [HardCaseTally::default(); 3];
     for (shape, mut rays) in scenes(rng) {
@@ -74,7 +74,7 @@ fn none(rng: &mut SplitMix64) -> [HardCaseTally; 3] {
     tallies
 }
 
-/// A hit is met by a ray that ends there or behind it, and by none that ends before it.
+/// A ray that ends at the hit or behind it hits; a ray that ends before it does not.
 fn ends(rng: &mut SplitMix64) -> [HardCaseTally; 3] {
     let mut tallies = [HardCaseTally::default(); 3];
     for (shape, rays) in scenes(rng) {
@@ -91,20 +91,20 @@ fn ends(rng: &mut SplitMix64) -> [HardCaseTally; 3] {
     tallies
 }
 
-/// Whether it is right of each ray that meets the thing, when it ends just before, at, and behind.
+/// For each ray that hits the shape, whether the answers are correct if it ends just before the hit, at it and behind it.
 fn in_textbook(shape: &TestShape, rays: &[TestRay]) -> Vec<[bool; 3]> {
-    let form = TextbookShape::of(shape);
+    let textbook = TextbookShape::of(shape);
     let ends = |ray: &TestRay| {
-        let t = form.met(ray)?.t;
-        let is_met = |t_max: f32| form.met(ray).is_some_and(|met| met.t < t_max);
-        Some([!is_met(t.next_down()), is_met(t), is_met(t.next_up())])
+        let t = textbook.intersect(ray)?.t;
+        let is_hit = |t_max: f32| textbook.intersect(ray).is_some_and(|hit| hit.t < t_max);
+        Some([!is_hit(t.next_down()), is_hit(t), is_hit(t.next_up())])
     };
     rays.iter().filter_map(ends).collect()
 }
 
 macro_rules! core {
-    ($room:ident, $core:ident, $scene:path) => {
-        mod $room {
+    ($module:ident, $core:ident, $scene:path) => {
+        mod $module {
             use $core::accel::List;
             use $core::geometry::Ray;
             use $core::tally::RayKind;
@@ -125,7 +125,7 @@ macro_rules! core {
                     let nearest = |t_max: Real| {
                         world.nearest::<AllEffects, _>(&core_ray, t_max, RayKind::Camera, &mut (), &mut ())
                     };
-                    let is_met = |t_max: Real| {
+                    let is_hit = |t_max: Real| {
                         let blocker = world.blocker::<AllEffects, _>(
                             &core_ray,
                             t_max,
@@ -137,7 +137,7 @@ macro_rules! core {
                         blocker.is_some()
                     };
                     let t = nearest(Real::INFINITY)?.t;
-                    Some([!is_met(t.next_down()), is_met(t), is_met(t.next_up())])
+                    Some([!is_hit(t.next_down()), is_hit(t), is_hit(t.next_up())])
                 };
                 rays.iter().filter_map(ends).collect()
             }

@@ -1,10 +1,10 @@
-//! Cases in which single precision is known to go wrong, and what three ways make of them: the
-//! textbook's formula, the core, and its twin with double precision inside.
+//! Rays that are known to go wrong in single precision, answered by three solvers: the textbook's formula, the core,
+//! and the core with double precision inside.
 //!
-//! What counts as right is the same for all three. A ray that passes a silhouette, an edge or a
-//! rim within the oracle's band may be answered either way; every other ray has one answer, and
-//! its distance may be off by some units in the last place times the *conditioning*: the largest
-//! difference that has to be formed, over the cosine between ray and normal, and the way itself.
+//! The same answers are correct for all three. For a ray that passes a silhouette or an edge within the oracle's
+//! band, hit and miss are both correct. Every other ray has one answer. The error of its distance is measured in
+//! units in the last place times the *conditioning*: the largest difference that has to be formed over the cosine
+//! between ray and normal, plus the distance itself.
 
 mod bounds;
 mod case;

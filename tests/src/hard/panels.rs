@@ -1,4 +1,4 @@
-//! A picture of hard cases: rays that fail in red, for the textbook's formula and for the core.
+//! A picture of hard cases: wrong answers in red, for the textbook's formula and for the core.
 
 use super::case::{Solver, answers, as_f32, judged, towards};
 use crate::oracle::{OracleAnswer, intersect};
@@ -8,14 +8,14 @@ use crate::vector::{DVec3, dvec3, perpendicular_axes};
 /// Pixels along each side of a panel.
 const SIDE: usize = 112;
 
-/// Between panels.
+/// Pixels between panels.
 const GAP: usize = 4;
 
-/// What a panel shows: a thing, where the eye is, how much of it is seen, and the case's bound.
+/// A panel: a shape, the eye, the half extent of the view, and the error bound of the case.
 struct HardCasePanel {
     shape: TestShape,
     eye: DVec3,
-    reach: f64,
+    half_extent: f64,
     bound: f64,
 }
 
@@ -25,12 +25,12 @@ fn panels() -> [HardCasePanel; 5] {
     let cone = dvec3(0.1, 0.4, -0.3);
     let torus = dvec3(-0.2, 0.1, 0.3);
     let needle = [dvec3(-1.0, -0.62, 0.37), dvec3(1.0, 0.71, -0.46), dvec3(0.11, 0.08, -0.045)].map(as_f32);
-    let placed = as_f32(dvec3(5.3e3, -4.1e3, 6.7e3));
+    let distant = as_f32(dvec3(5.3e3, -4.1e3, 6.7e3));
     [
         HardCasePanel {
             shape: TestShape::Sphere { center: as_f32(sphere), radius: 1.0 },
             eye: far(sphere, 3000.0),
-            reach: 1.15,
+            half_extent: 1.15,
             bound: 4.0,
         },
         HardCasePanel {
@@ -42,7 +42,7 @@ fn panels() -> [HardCasePanel; 5] {
                 capped: false,
             },
             eye: far(cone, 1000.0),
-            reach: 1.3,
+            half_extent: 1.3,
             bound: 8.0,
         },
         HardCasePanel {
@@ -53,24 +53,24 @@ fn panels() -> [HardCasePanel; 5] {
                 minor: 0.3125,
             },
             eye: far(torus, 40.0),
-            reach: 1.4,
+            half_extent: 1.4,
             bound: 8.0,
         },
         HardCasePanel {
-            shape: TestShape::Triangle { corners: needle },
+            shape: TestShape::Triangle { vertices: needle },
             eye: far(DVec3::ZERO, 1.5),
-            reach: 1.0,
+            half_extent: 1.0,
             bound: 4.0,
         },
         HardCasePanel {
             shape: TestShape::OrientedCuboid {
-                center: placed,
+                center: distant,
                 half: dvec3(0.75, 0.5, 0.625),
                 first: as_f32(dvec3(0.8, 0.1, -0.6)),
                 third: as_f32(dvec3(0.3, 0.9, 0.5)),
             },
-            eye: far(placed, 6.0),
-            reach: 1.4,
+            eye: far(distant, 6.0),
+            half_extent: 1.4,
             bound: 4.0,
         },
     ]
@@ -78,31 +78,33 @@ fn panels() -> [HardCasePanel; 5] {
 
 impl HardCasePanel {
     fn rays(&self) -> Vec<TestRay> {
-        let center = self.shape.ball().0;
+        let center = self.shape.bounding_sphere().0;
         let (x, y) = perpendicular_axes(self.eye - center);
-        let place = |i: usize| ((i as f64 + 0.5) / SIDE as f64 * 2.0 - 1.0) * self.reach;
-        let ray = |row: usize, column: usize| towards(self.eye, center + x * place(column) - y * place(row));
+        let coordinate = |i: usize| ((i as f64 + 0.5) / SIDE as f64 * 2.0 - 1.0) * self.half_extent;
+        let ray = |row: usize, column: usize| {
+            towards(self.eye, center + x * coordinate(column) - y * coordinate(row))
+        };
         (0..SIDE).flat_map(|row| (0..SIDE).map(move |column| (row, column))).map(|(r, c)| ray(r, c)).collect()
     }
 
-    /// The colours of the rays: lit by the eye, red where the answer is wrong.
-    fn colors(&self, rays: &[TestRay], truths: &[OracleAnswer], solver: Solver) -> Vec<[u8; 3]> {
+    /// Colors of the rays: lit from the eye, red if the answer is wrong.
+    fn colors(&self, rays: &[TestRay], expected: &[OracleAnswer], solver: Solver) -> Vec<[u8; 3]> {
         let answers = answers(solver, &self.shape, rays);
-        let color = |((ray, truth), answer)| {
-            if judged(&self.shape, ray, truth, answer, self.bound).is_err() {
+        let color = |((ray, expected), answer)| {
+            if judged(&self.shape, ray, expected, answer, self.bound).is_err() {
                 return [220, 30, 30];
             }
-            match truth {
+            match expected {
                 OracleAnswer::Miss => [245, 245, 245],
                 OracleAnswer::Unclear => [120, 140, 170],
                 OracleAnswer::Hit(contact) => [(60.0 + 160.0 * contact.slope) as u8; 3],
             }
         };
-        rays.iter().zip(truths).zip(answers).map(color).collect()
+        rays.iter().zip(expected).zip(answers).map(color).collect()
     }
 }
 
-/// The picture: its width, and its pixels row by row. Above the textbook's formula, below the core.
+/// The picture: its width, and its pixels row by row. The top row of panels is the textbook's, the bottom row the core's.
 pub fn picture() -> (usize, Vec<[u8; 3]>) {
     let panels = panels();
     let width = panels.len() * (SIDE + GAP) + GAP;
@@ -110,10 +112,10 @@ pub fn picture() -> (usize, Vec<[u8; 3]>) {
     let mut pixels = vec![[255; 3]; width * height];
     for (column, panel) in panels.iter().enumerate() {
         let rays = panel.rays();
-        let truths: Vec<OracleAnswer> = rays.iter().map(|ray| intersect(&panel.shape, ray)).collect();
+        let expected: Vec<OracleAnswer> = rays.iter().map(|ray| intersect(&panel.shape, ray)).collect();
         for (row, solver) in [Solver::Textbook, Solver::Single].into_iter().enumerate() {
             let (left, top) = (GAP + column * (SIDE + GAP), GAP + row * (SIDE + GAP));
-            for (i, color) in panel.colors(&rays, &truths, solver).into_iter().enumerate() {
+            for (i, color) in panel.colors(&rays, &expected, solver).into_iter().enumerate() {
                 pixels[(top + i / SIDE) * width + left + i % SIDE] = color;
             }
         }

@@ -1,8 +1,8 @@
-//! Rays that start on a surface.
+//! Rays that start on a surface: they must not hit it again.
 
 use super::case::{HardCase, HardCaseTally, Solver, ULP, answers, as_f32, length, towards};
 use crate::cast::{CoreHit, TestedCore};
-use crate::oracle::distance;
+use crate::oracle::signed_distance;
 use crate::test_shape::{TestRay, TestShape, TestShapeKind};
 use crate::textbook::{self, TextbookShape};
 use crate::vector::{DVec3, dvec3};
@@ -16,44 +16,45 @@ const fn case(
     HardCase::own("leaving", name, naive, BOUND, check)
 }
 
-/// A step off the surface may be some roundings of coordinates and sizes, and no more.
+/// Largest correct distance of an offset origin from its surface, in units in the last place of coordinates and size.
 const BOUND: f64 = 64.0;
 
 const FIXED: &str = "an offset of 1e-4 is too small far away, too large for small things";
 
 pub(super) const CASES: [HardCase; 15] = [
-    case("a sphere", FIXED, |rng| again(TestShapeKind::Sphere, rng)),
-    case("an open cylinder", FIXED, |rng| again(TestShapeKind::OpenCylinder, rng)),
-    case("a capped cylinder", FIXED, |rng| again(TestShapeKind::CappedCylinder, rng)),
-    case("an open cone", FIXED, |rng| again(TestShapeKind::OpenCone, rng)),
-    case("a capped cone", FIXED, |rng| again(TestShapeKind::CappedCone, rng)),
-    case("a torus", FIXED, |rng| again(TestShapeKind::Torus, rng)),
-    case("a box", FIXED, |rng| again(TestShapeKind::Cuboid, rng)),
-    case("a turned box", FIXED, |rng| again(TestShapeKind::OrientedCuboid, rng)),
-    case("a plane", FIXED, |rng| again(TestShapeKind::Plane, rng)),
-    case("a disc", FIXED, |rng| again(TestShapeKind::Disc, rng)),
-    case("a triangle", FIXED, |rng| again(TestShapeKind::Triangle, rng)),
-    case("a smooth triangle", FIXED, |rng| again(TestShapeKind::SmoothTriangle, rng)),
-    case("a polygon", FIXED, |rng| again(TestShapeKind::Polygon, rng)),
-    case("a smooth polygon", FIXED, |rng| again(TestShapeKind::SmoothPolygon, rng)),
+    case("a sphere", FIXED, |rng| self_intersections(TestShapeKind::Sphere, rng)),
+    case("an open cylinder", FIXED, |rng| self_intersections(TestShapeKind::OpenCylinder, rng)),
+    case("a capped cylinder", FIXED, |rng| self_intersections(TestShapeKind::CappedCylinder, rng)),
+    case("an open cone", FIXED, |rng| self_intersections(TestShapeKind::OpenCone, rng)),
+    case("a capped cone", FIXED, |rng| self_intersections(TestShapeKind::CappedCone, rng)),
+    case("a torus", FIXED, |rng| self_intersections(TestShapeKind::Torus, rng)),
+    case("a box", FIXED, |rng| self_intersections(TestShapeKind::Cuboid, rng)),
+    case("an oriented box", FIXED, |rng| self_intersections(TestShapeKind::OrientedCuboid, rng))
+        .seed(0xc239_408c_e7b7_b489),
+    case("a plane", FIXED, |rng| self_intersections(TestShapeKind::Plane, rng)),
+    case("a disc", FIXED, |rng| self_intersections(TestShapeKind::Disc, rng)),
+    case("a triangle", FIXED, |rng| self_intersections(TestShapeKind::Triangle, rng)),
+    case("a smooth triangle", FIXED, |rng| self_intersections(TestShapeKind::SmoothTriangle, rng)),
+    case("a polygon", FIXED, |rng| self_intersections(TestShapeKind::Polygon, rng)),
+    case("a smooth polygon", FIXED, |rng| self_intersections(TestShapeKind::SmoothPolygon, rng)),
     case("between two plates, 1e-3 of their size apart", "the offset skips the other plate", plates),
 ];
 
-/// A direction to the side of `normal`, some of them grazing it.
+/// A direction on the side of `normal`; every other one is grazing.
 fn outward(normal: DVec3, rng: &mut SplitMix64) -> DVec3 {
     let direction = rng.direction();
     let height = direction.dot(normal);
-    let wanted = if rng.below(2) == 0 { height.abs() } else { rng.log_between(2e-4, 1e-1) };
-    as_f32(direction + normal * (wanted.max(2e-4) - height))
+    let target_height = if rng.below(2) == 0 { height.abs() } else { rng.log_between(2e-4, 1e-1) };
+    as_f32(direction + normal * (target_height.max(2e-4) - height))
 }
 
 const SHAPES: usize = 40;
 
-/// A thing, rays that see it, and for each of them the seeds of directions in which rays leave.
+/// A shape, rays that hit it, and for each of them the seeds of directions of further rays.
 struct OffsetCase {
     shape: TestShape,
     radius: f64,
-    eyes: Vec<TestRay>,
+    camera_rays: Vec<TestRay>,
     seeds: Vec<Vec<u64>>,
 }
 
@@ -63,62 +64,61 @@ fn offset_case(kind: TestShapeKind, rng: &mut SplitMix64) -> OffsetCase {
     let size = rng.log_between(1e-4, 1e4);
     let away = if rng.below(3) == 0 { 0.0 } else { size * rng.log_between(1.0, 1e4) };
     let shape = TestShape::random(kind, rng.direction() * away, size, rng);
-    let (center, radius) = shape.ball();
+    let (center, radius) = shape.bounding_sphere();
     let radius = if kind == TestShapeKind::Plane { size } else { radius };
-    let eyes = (0..HITS)
+    let camera_rays = (0..HITS)
         .map(|_| {
             let eye = as_f32(center + rng.direction() * (radius * rng.log_between(1.2, 10.0)));
             towards(eye, rng.in_ball(center, radius))
         })
         .collect();
     let seeds = (0..HITS).map(|_| (0..RAYS).map(|_| rng.bits()).collect()).collect();
-    OffsetCase { shape, radius, eyes, seeds }
+    OffsetCase { shape, radius, camera_rays, seeds }
 }
 
-/// Rays to the side from which hits are seen, of things of sizes from 1e-4 to 1e4, at places up to
-/// 1e4 sizes away: none may meet the thing again where it starts, and none may start farther away
-/// than rounding asks for.
-fn again(kind: TestShapeKind, rng: &mut SplitMix64) -> [HardCaseTally; 3] {
+/// Rays from hits of shapes 1e-4 to 1e4 in size, up to 1e4 sizes from the origin, on the side of the incoming ray. None
+/// may hit the shape again near its origin, and none may start farther from the surface than rounding requires.
+fn self_intersections(kind: TestShapeKind, rng: &mut SplitMix64) -> [HardCaseTally; 3] {
     let mut tallies = [HardCaseTally::default(); 3];
     for _ in 0..SHAPES {
-        let OffsetCase { shape, radius, eyes, seeds } = offset_case(kind, rng);
+        let OffsetCase { shape, radius, camera_rays, seeds } = offset_case(kind, rng);
         for (solver, tally) in Solver::ALL.into_iter().zip(&mut tallies) {
-            let starts = starts(solver, &shape, &eyes);
-            let met = |rays: &[TestRay]| met(solver, &shape, rays);
-            left(&shape, radius, &starts, &seeds, met, tally);
+            let starts = starts(solver, &shape, &camera_rays);
+            let distances = |rays: &[TestRay]| distances(solver, &shape, rays);
+            count_faults(&shape, radius, &starts, &seeds, distances, tally);
         }
     }
     tallies
 }
 
-/// Counts the rays that leave a thing from `starts`, each with the normal there, in directions that
-/// `seeds` say.
-fn left(
+/// Counts the faults of rays from `starts`, each a point with its normal, in the directions of `seeds`.
+fn count_faults(
     shape: &TestShape,
     radius: f64,
     starts: &[Option<(DVec3, DVec3)>],
     seeds: &[Vec<u64>],
-    met: impl Fn(&[TestRay]) -> Vec<Option<f64>>,
+    distances: impl Fn(&[TestRay]) -> Vec<Option<f64>>,
     tally: &mut HardCaseTally,
 ) {
     for (from, seeds) in starts.iter().zip(seeds) {
         let Some((origin, normal)) = *from else { continue };
         let ray = |seed: &u64| TestRay { origin, direction: outward(normal, &mut SplitMix64::new(*seed)) };
         let rays: Vec<TestRay> = seeds.iter().map(ray).collect();
-        let step = distance(shape, origin).abs() / (ULP * (length(origin) + 2.0 * radius));
+        let step = signed_distance(shape, origin).abs() / (ULP * (length(origin) + 2.0 * radius));
         tally.worst = tally.worst.max(step);
-        for (ray, met) in rays.iter().zip(met(&rays)) {
-            let is_right = met.is_none_or(|t| t >= least(shape, origin, ray.direction, normal));
+        for (ray, distances) in rays.iter().zip(distances(&rays)) {
+            let is_right = distances.is_none_or(|t| t >= min_distance(shape, origin, ray.direction, normal));
             tally.rays += 1;
             tally.faults += usize::from(!is_right || step > BOUND);
         }
     }
 }
 
-/// How near a ray may meet a thing again that it leaves at `p` along `direction`, the normal there
-/// being `normal`. What is flat or convex it does not meet again. A hollow of the radius of
-/// curvature `r` it meets not before `2 r` times the cosine to the normal; half of that will do.
-fn least(shape: &TestShape, p: DVec3, direction: DVec3, normal: DVec3) -> f64 {
+/// Smallest correct distance of a second hit, of a ray that leaves the shape at `p` with `normal` in `direction`.
+///
+/// Infinite for flat and convex shapes. A hollow with the radius of curvature `r` is hit again at `2 r` times the cosine
+/// to the normal, or later; half of that is accepted.
+fn min_distance(shape: &TestShape, p: DVec3, direction: DVec3, normal: DVec3) -> f64 {
     let hollow = |radius: f64| radius * direction.dot(normal) / direction.dot(direction);
     match shape {
         TestShape::Cone { base, end, capped: false, .. } => {
@@ -136,30 +136,29 @@ fn least(shape: &TestShape, p: DVec3, direction: DVec3, normal: DVec3) -> f64 {
     }
 }
 
-/// Where rays start that leave the thing to the side from which each line comes, and the normal
-/// there on that side.
+/// Offset origins at the hits of `rays`, on the side of each ray, and the normals on that side.
 fn starts(solver: Solver, shape: &TestShape, rays: &[TestRay]) -> Vec<Option<(DVec3, DVec3)>> {
     let shapes = std::slice::from_ref(shape);
     let facing = |n: DVec3, ray: &TestRay| if n.dot(ray.direction) > 0.0 { -n } else { n };
     match solver {
         Solver::Textbook => {
-            let form = TextbookShape::of(shape);
+            let textbook = TextbookShape::of(shape);
             let start = |ray: &TestRay| {
-                let met = form.met(ray)?;
+                let hit = textbook.intersect(ray)?;
                 let narrow = |v: DVec3| strahl_core::vec3(v.x as f32, v.y as f32, v.z as f32);
                 let wide = |v: strahl_core::Vec3| dvec3(v.x.into(), v.y.into(), v.z.into());
-                let normal = facing(wide(met.normal), ray);
-                let point = narrow(ray.origin) + narrow(ray.direction) * met.t;
+                let normal = facing(wide(hit.normal), ray);
+                let point = narrow(ray.origin) + narrow(ray.direction) * hit.t;
                 Some((wide(textbook::offset_origin(point, narrow(normal))), normal))
             };
             rays.iter().map(start).collect()
         }
-        Solver::Single => with::<single::TestScene>(shapes, rays),
-        Solver::Double => with::<double::TestScene>(shapes, rays),
+        Solver::Single => core_starts::<single::TestScene>(shapes, rays),
+        Solver::Double => core_starts::<double::TestScene>(shapes, rays),
     }
 }
 
-fn with<C: TestedCore>(shapes: &[TestShape], rays: &[TestRay]) -> Vec<Option<(DVec3, DVec3)>> {
+fn core_starts<C: TestedCore>(shapes: &[TestShape], rays: &[TestRay]) -> Vec<Option<(DVec3, DVec3)>> {
     let start = |(hit, ray): (Option<CoreHit>, &TestRay)| {
         let hit = hit?;
         let normal = if hit.normal.dot(ray.direction) > 0.0 { -hit.normal } else { hit.normal };
@@ -168,31 +167,30 @@ fn with<C: TestedCore>(shapes: &[TestShape], rays: &[TestRay]) -> Vec<Option<(DV
     C::with_shapes(shapes).cast(rays).into_iter().zip(rays).map(start).collect()
 }
 
-/// How far away the rays meet the thing.
-fn met(solver: Solver, shape: &TestShape, rays: &[TestRay]) -> Vec<Option<f64>> {
+/// Distances of the nearest hits.
+fn distances(solver: Solver, shape: &TestShape, rays: &[TestRay]) -> Vec<Option<f64>> {
     answers(solver, shape, rays).into_iter().map(|answer| answer.map(|answer| answer.t)).collect()
 }
 
-/// Light between two plates: from the lower one, through the gap, every ray must meet the upper
-/// one, at every scale.
+/// Rays from the lower of two plates through the gap: each must hit the upper one, at every scale.
 fn plates(rng: &mut SplitMix64) -> [HardCaseTally; 3] {
     let mut tallies = [HardCaseTally::default(); 3];
     for _ in 0..200 {
         let size = rng.log_between(1e-6, 1e6);
         let gap = 1e-3 * size;
-        let place = rng.in_ball(DVec3::ZERO, 3.0 * size);
+        let center = rng.in_ball(DVec3::ZERO, 3.0 * size);
         let plate = |z: f64| TestShape::Cuboid {
-            min: as_f32(place + dvec3(-size, -size, z)),
-            max: as_f32(place + dvec3(size, size, z + gap)),
+            min: as_f32(center + dvec3(-size, -size, z)),
+            max: as_f32(center + dvec3(size, size, z + gap)),
         };
         let (lower, upper) = (plate(-gap), plate(gap));
-        let eye = as_f32(place + dvec3(1.5 * size, 0.0, 0.5 * gap));
-        let eyes: Vec<TestRay> = (0..10)
-            .map(|_| towards(eye, place + dvec3(rng.between(-0.5, 0.5), rng.between(-0.5, 0.5), 0.0) * size))
+        let eye = as_f32(center + dvec3(1.5 * size, 0.0, 0.5 * gap));
+        let camera_rays: Vec<TestRay> = (0..10)
+            .map(|_| towards(eye, center + dvec3(rng.between(-0.5, 0.5), rng.between(-0.5, 0.5), 0.0) * size))
             .collect();
         let seeds: Vec<u64> = (0..10).map(|_| rng.bits()).collect();
         for (solver, tally) in Solver::ALL.into_iter().zip(&mut tallies) {
-            for from in starts(solver, &lower, &eyes) {
+            for from in starts(solver, &lower, &camera_rays) {
                 let Some((origin, _)) = from else { continue };
                 let ray = |seed: &u64| {
                     let mut rng = SplitMix64::new(*seed);
@@ -201,9 +199,9 @@ fn plates(rng: &mut SplitMix64) -> [HardCaseTally; 3] {
                 };
                 let rays: Vec<TestRay> = seeds.iter().map(ray).collect();
                 tally.rays += rays.len();
-                let step = distance(&lower, origin).abs() / (ULP * (length(origin) + 2.0 * size));
+                let step = signed_distance(&lower, origin).abs() / (ULP * (length(origin) + 2.0 * size));
                 tally.worst = tally.worst.max(step);
-                tally.faults += met(solver, &upper, &rays).into_iter().filter(Option::is_none).count();
+                tally.faults += distances(solver, &upper, &rays).into_iter().filter(Option::is_none).count();
             }
         }
     }

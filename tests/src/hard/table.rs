@@ -1,17 +1,17 @@
-//! `tests/reports/hard-cases.md`: the hard cases as a table.
+//! The report `tests/reports/hard-cases.md`: the hard cases as a table.
 
 use std::fmt::Write;
 use std::path::{Path, PathBuf};
 
 use super::case::{HardCase, HardCaseTally};
 
-/// The paths of the report and of its picture.
+/// Paths of the report and of its picture.
 pub fn report() -> (PathBuf, PathBuf) {
     let reports = Path::new(env!("CARGO_MANIFEST_DIR")).join("reports");
     (reports.join("hard-cases.md"), reports.join("hard-cases.png"))
 }
 
-/// The whole report. Two runs give the same text.
+/// The whole report. Deterministic.
 pub fn text(outcomes: &[(HardCase, [HardCaseTally; 3])]) -> String {
     format!("{HEAD}\n{}{REST}", figures(outcomes))
 }
@@ -21,7 +21,7 @@ pub fn figures(outcomes: &[(HardCase, [HardCaseTally; 3])]) -> String {
     format!("{}\n{}", sum(outcomes), table(outcomes))
 }
 
-/// All cases in a sentence.
+/// The sums over all cases, as a sentence.
 fn sum(outcomes: &[(HardCase, [HardCaseTally; 3])]) -> String {
     let of = |count: fn(&[HardCaseTally; 3]) -> usize| -> usize {
         outcomes.iter().map(|(_, tallies)| count(tallies)).sum()
@@ -63,7 +63,7 @@ fn table(outcomes: &[(HardCase, [HardCaseTally; 3])]) -> String {
     text
 }
 
-/// An error in few characters.
+/// An error with few characters.
 fn error(x: f64) -> String {
     match x {
         _ if x.is_infinite() => "no unit normal".into(),
@@ -92,21 +92,21 @@ here are those of the code.
 sizes away, a torus 40 sizes away, a needle triangle, an oriented box 9500 from the origin. Red: a wrong answer. Blue: so
 close to a silhouette or an edge that either answer is right.*
 
-- *Either*: rays closer to a silhouette, an edge or a rim than 32 roundoffs of the largest difference
+- *Either*: rays closer to a silhouette or an edge than 32 roundoffs of the largest difference
   that must be formed (the distance between eye and object and its size): either answer is right. Every other ray has
   one right answer.
 - *Faults*: hit for miss, miss for hit, a distance or a normal outside the bound, a normal that is not of
   unit length, a NaN.
 - *Error*: of the distance and of the normal, in units in the last place times the conditioning, which is that
-  largest difference over the cosine between ray and normal, plus the distance. For rays that offset_origin a surface (*leaving*)
+  largest difference over the cosine between ray and normal, plus the distance. For rays that leave a surface (*leaving*)
   it is how far they start from it, in units in the last place of its coordinates and its size; a fault is a ray that
   hits the surface again, or starts farther away than the bound. For refraction the conditioning is that of the square
   root at the critical angle.
 - Where there is no bound, a fault is an answer of another kind: for meshes a ray that
   gets through; for the slab test a box that is missed although the exact ray, in integers, hits it, or hit
-  although it lies beyond the band; for grid, octree and BVH (*hierarchy*) an answer that is not the list's to the last
+  although it lies beyond the band; for grid, octree and BVH an answer that is not the list's to the last
   bit; for the shadow terminator a point whose shading normal faces the light and that lies in the shadow of its own
-  smooth mesh, or a point behind a plate that is lit; for scale an answer that does not scale with the scene,
+  smooth mesh, or a lit point behind a plate; for scale an answer that does not scale with the scene,
   bit for bit.
 
 What each remedy costs is in [remedies.md](remedies.md).
@@ -117,7 +117,7 @@ const REST: &str = "
 
 Each is tested by `cargo test -p strahl-tests --test` and the words in parentheses.
 
-- *Meshes are watertight* (`hard_cases watertight`): of a million rays from inside, aimed at corners and at points of
+- *Meshes are watertight* (`hard_cases watertight`): of a million rays from inside, aimed at vertices and at points of
   edges of spheres, cubes, sheets and cones of slivers, near the origin and 2e5 from it, none gets through, with no
   accelerator; from outside, the number of crossings of a closed mesh is even. Of 10^8 rays none gets through either:
 
@@ -125,7 +125,7 @@ Each is tested by `cargo test -p strahl-tests --test` and the words in parenthes
 
 - *Accelerators agree* (`hard_cases accelerators`): for every hard ray, grid, octree and BVH (with a
   stack, with a heap, and with a stack and a heap of capacity 0) find what the list finds, to the last bit.
-- *Every pixel is finite* (`hard_cases pixels`): in rng scenes 1e-6 to 1e6 in size, with materials, lights and
+- *Every pixel is finite* (`hard_cases pixels`): in random scenes 1e-6 to 1e6 in size, with materials, lights and
   cameras as extreme as the public API permits, with every sampler. A ray with NaN or infinity tests no bounds and no shape.
 - *Scale* (`hard_cases scale`): times 2^k, k from -20 to 20, the picture is the same, bit for bit.
 - *Mirrored scenes* (`hard_cases scale`) have the mirrored hits, bit for bit, except at the edges of polygons: an edge
@@ -138,6 +138,6 @@ Each is tested by `cargo test -p strahl-tests --test` and the words in parenthes
 - *Media* (`closed_form`): glass in water, bodies that overlap, an eye inside glass; at the critical angle no light
   is lost.
 - *Input* (`cargo test -p strahl`): objects without area or size, views that show nothing, NaN and infinities
-  are errors with their place. Triangles without area in a mesh keep their number and are never hit; one warning
+  are errors with their position. Triangles without area in a mesh keep their number and are never hit; one warning
   counts them.
 ";

@@ -1,5 +1,5 @@
-//! Accelerators as they are found in introductions: the walk of Amanatides and Woo with summed
-//! distances, an octree through which a point is moved, and a tree of boxes.
+//! Accelerators as in introductions: a grid traversed with accumulated distances (Amanatides and Woo), an octree through
+//! which a point is moved, and a binary BVH.
 
 #![allow(missing_docs)] // as in the core's own
 
@@ -9,14 +9,14 @@ use strahl_core::{AllEffects, Geometry, Shape, Vec3, vec3};
 use super::{EPSILON, narrow, slabs};
 use crate::test_shape::{TestRay, TestShape};
 
-/// What is met first.
+/// Nearest hit.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct NearestHit {
     pub item: u32,
     pub t: f64,
 }
 
-/// Upright boxes, tested by the core: only the walks are the textbook's.
+/// Axis-aligned boxes, intersected by the core: only the traversals are the textbook's.
 pub struct BoxList {
     cuboids: Vec<strahl_core::geometry::Cuboid>,
 }
@@ -27,7 +27,7 @@ impl BoxList {
             TestShape::Cuboid { min, max } => {
                 strahl_core::geometry::Cuboid { min: narrow(*min), max: narrow(*max) }
             }
-            other => unreachable!("{other:?} is no box"),
+            other => unreachable!("{other:?} is not a box"),
         };
         BoxList { cuboids: shapes.iter().map(cuboid).collect() }
     }
@@ -38,7 +38,7 @@ impl BoxList {
         (min, max)
     }
 
-    /// Tests an item; of two at the same distance the first that is asked.
+    /// Tests an item. Of two items at the same distance the one that is tested first wins.
     fn test(&self, item: u32, ray: &TestRay, best: &mut Option<(f32, u32)>) {
         let geometry = Geometry { cuboids: &self.cuboids, ..Geometry::EMPTY };
         let ray = Ray::new(narrow(ray.origin), narrow(ray.direction));
@@ -54,20 +54,22 @@ fn nearest_hit(best: Option<(f32, u32)>) -> Option<NearestHit> {
     best.map(|(t, item)| NearestHit { item, t: t.into() })
 }
 
-/// More steps than any walk needs: one that takes more stands still.
-const MOST_STEPS: u32 = 10_000;
+/// Step limit of a traversal that makes no progress.
+const MAX_STEPS: u32 = 10_000;
 
-/// "A Fast Voxel Traversal Algorithm for Ray Tracing", Amanatides, Woo 1987.
+/// Uniform grid.
+///
+/// Source: Amanatides and Woo, "A Fast Voxel Traversal Algorithm for Ray Tracing", 1987.
 pub struct TextbookGrid {
     min: Vec3,
     max: Vec3,
     size: Vec3,
-    /// How many cells there are along each axis.
-    sides: [i32; 3],
+    /// Number of cells along each axis.
+    resolution: [i32; 3],
     cells: Vec<Vec<u32>>,
 }
 
-/// How many cells there are for each box.
+/// Number of cells per box.
 const CELLS: f32 = 8.0;
 
 impl TextbookGrid {
@@ -80,17 +82,17 @@ impl TextbookGrid {
         } else {
             extent.max_element() / CELLS
         };
-        let sides = extent.to_array().map(|extent| ((extent / side) as i32).clamp(1, 4096));
-        let size = extent / Vec3::from_array(sides.map(|side| side as f32));
-        let cells = vec![Vec::new(); sides.iter().product::<i32>() as usize];
-        let mut grid = TextbookGrid { min, max, size, sides, cells };
+        let resolution = extent.to_array().map(|extent| ((extent / side) as i32).clamp(1, 4096));
+        let size = extent / Vec3::from_array(resolution.map(|side| side as f32));
+        let cells = vec![Vec::new(); resolution.iter().product::<i32>() as usize];
+        let mut grid = TextbookGrid { min, max, size, resolution, cells };
         for (cuboid, item) in boxes.cuboids.iter().zip(0..) {
             let (low, high) = (grid.cell(cuboid.min), grid.cell(cuboid.max));
             for z in low[2]..=high[2] {
                 for y in low[1]..=high[1] {
                     for x in low[0]..=high[0] {
-                        let place = grid.place([x, y, z]);
-                        grid.cells[place].push(item);
+                        let index = grid.index([x, y, z]);
+                        grid.cells[index].push(item);
                     }
                 }
             }
@@ -100,13 +102,13 @@ impl TextbookGrid {
 
     fn cell(&self, p: Vec3) -> [i32; 3] {
         let along = |axis: usize| {
-            (((p[axis] - self.min[axis]) / self.size[axis]) as i32).clamp(0, self.sides[axis] - 1)
+            (((p[axis] - self.min[axis]) / self.size[axis]) as i32).clamp(0, self.resolution[axis] - 1)
         };
         [0, 1, 2].map(along)
     }
 
-    fn place(&self, [x, y, z]: [i32; 3]) -> usize {
-        ((z * self.sides[1] + y) * self.sides[0] + x) as usize
+    fn index(&self, [x, y, z]: [i32; 3]) -> usize {
+        ((z * self.resolution[1] + y) * self.resolution[0] + x) as usize
     }
 
     pub fn nearest(&self, boxes: &BoxList, ray: &TestRay) -> Option<NearestHit> {
@@ -115,13 +117,13 @@ impl TextbookGrid {
         let mut cell = self.cell(o + d * entry);
         let step = [0, 1, 2].map(|axis| if d[axis] >= 0.0 { 1 } else { -1 });
         let mut next = [0, 1, 2].map(|axis| {
-            let wall = self.min[axis] + (cell[axis] + i32::from(step[axis] > 0)) as f32 * self.size[axis];
-            (wall - o[axis]) / d[axis]
+            let plane = self.min[axis] + (cell[axis] + i32::from(step[axis] > 0)) as f32 * self.size[axis];
+            (plane - o[axis]) / d[axis]
         });
         let delta = [0, 1, 2].map(|axis| self.size[axis] / d[axis].abs());
         let mut best = None;
-        for _ in 0..MOST_STEPS {
-            for item in &self.cells[self.place(cell)] {
+        for _ in 0..MAX_STEPS {
+            for item in &self.cells[self.index(cell)] {
                 boxes.test(*item, ray, &mut best);
             }
             let axis = if next[0] < next[1] {
@@ -135,7 +137,7 @@ impl TextbookGrid {
                 break;
             }
             cell[axis] += step[axis];
-            if cell[axis] < 0 || cell[axis] >= self.sides[axis] {
+            if cell[axis] < 0 || cell[axis] >= self.resolution[axis] {
                 break;
             }
             next[axis] += delta[axis];
@@ -144,7 +146,7 @@ impl TextbookGrid {
     }
 }
 
-/// Where a ray is inside a box.
+/// Interval of a ray inside a box.
 fn interval(min: Vec3, max: Vec3, o: Vec3, d: Vec3) -> Option<(f32, f32)> {
     let (mut near, mut far) = (0.0_f32, f32::INFINITY);
     for axis in 0..3 {
@@ -156,7 +158,7 @@ fn interval(min: Vec3, max: Vec3, o: Vec3, d: Vec3) -> Option<(f32, f32)> {
     (near <= far).then_some((near, far))
 }
 
-/// An octree through which a point is moved, each time a little beyond the wall of its cell.
+/// Octree. A point is moved along the ray, in each step slightly beyond the plane of its cell.
 pub struct TextbookOctree {
     root: OctreeCell,
 }
@@ -164,8 +166,8 @@ pub struct TextbookOctree {
 struct OctreeCell {
     min: Vec3,
     max: Vec3,
-    /// Eight, or none.
-    parts: Vec<OctreeCell>,
+    /// Eight children, or none.
+    children: Vec<OctreeCell>,
     items: Vec<u32>,
 }
 
@@ -180,7 +182,7 @@ impl TextbookOctree {
         let (o, d) = (narrow(ray.origin), narrow(ray.direction));
         let (entry, exit) = interval(self.root.min, self.root.max, o, d)?;
         let (mut t, mut best) = (entry, None);
-        for _ in 0..MOST_STEPS {
+        for _ in 0..MAX_STEPS {
             let cell = self.root.at(o + d * (t + EPSILON));
             for item in &cell.items {
                 boxes.test(*item, ray, &mut best);
@@ -198,16 +200,16 @@ impl TextbookOctree {
 impl OctreeCell {
     fn of(boxes: &BoxList, min: Vec3, max: Vec3, items: Vec<u32>, levels: u32) -> OctreeCell {
         if levels == 0 || items.len() <= 4 {
-            return OctreeCell { min, max, parts: Vec::new(), items };
+            return OctreeCell { min, max, children: Vec::new(), items };
         }
-        let middle = (min + max) * 0.5;
-        let part = |number: u32| {
-            let side = |bit: u32, low: f32, middle: f32, high: f32| {
-                if number >> bit & 1 == 0 { (low, middle) } else { (middle, high) }
+        let center = (min + max) * 0.5;
+        let child = |number: u32| {
+            let side = |bit: u32, low: f32, center: f32, high: f32| {
+                if number >> bit & 1 == 0 { (low, center) } else { (center, high) }
             };
-            let x = side(0, min.x, middle.x, max.x);
-            let y = side(1, min.y, middle.y, max.y);
-            let z = side(2, min.z, middle.z, max.z);
+            let x = side(0, min.x, center.x, max.x);
+            let y = side(1, min.y, center.y, max.y);
+            let z = side(2, min.z, center.z, max.z);
             let (low, high) = (vec3(x.0, y.0, z.0), vec3(x.1, y.1, z.1));
             let is_in = |item: &&u32| {
                 let cuboid = &boxes.cuboids[**item as usize];
@@ -215,23 +217,23 @@ impl OctreeCell {
             };
             OctreeCell::of(boxes, low, high, items.iter().filter(is_in).copied().collect(), levels - 1)
         };
-        OctreeCell { min, max, parts: (0..8).map(part).collect(), items: Vec::new() }
+        OctreeCell { min, max, children: (0..8).map(child).collect(), items: Vec::new() }
     }
 
     fn at(&self, p: Vec3) -> &OctreeCell {
-        if self.parts.is_empty() {
+        if self.children.is_empty() {
             return self;
         }
-        let middle = (self.min + self.max) * 0.5;
-        let bit = |axis: usize| usize::from(p[axis] >= middle[axis]) << axis;
-        self.parts[bit(0) | bit(1) | bit(2)].at(p)
+        let center = (self.min + self.max) * 0.5;
+        let bit = |axis: usize| usize::from(p[axis] >= center[axis]) << axis;
+        self.children[bit(0) | bit(1) | bit(2)].at(p)
     }
 }
 
-/// A binary tree of boxes, cut where half of the items lie on either side.
+/// Binary BVH, split at the median.
 pub enum TextbookBvh {
     Leaf(Vec<u32>),
-    Parts(Vec3, Vec3, Box<[TextbookBvh; 2]>),
+    Children(Vec3, Vec3, Box<[TextbookBvh; 2]>),
 }
 
 impl TextbookBvh {
@@ -243,30 +245,30 @@ impl TextbookBvh {
         if items.len() <= 2 {
             return TextbookBvh::Leaf(items);
         }
-        let middle = |item: &u32| {
+        let center = |item: &u32| {
             let cuboid = &boxes.cuboids[*item as usize];
             cuboid.min[axis] + cuboid.max[axis]
         };
-        items.sort_by(|a, b| middle(a).total_cmp(&middle(b)));
+        items.sort_by(|a, b| center(a).total_cmp(&center(b)));
         let of = |item: &u32| boxes.cuboids[*item as usize];
         let Aabb { min, max } = Aabb::enclosing(items.iter().flat_map(|item| [of(item).min, of(item).max]));
         let other = items.split_off(items.len() / 2);
-        let part = |items| TextbookBvh::of_items(boxes, items, (axis + 1) % 3);
-        TextbookBvh::Parts(min, max, Box::new([part(items), part(other)]))
+        let child = |items| TextbookBvh::of_items(boxes, items, (axis + 1) % 3);
+        TextbookBvh::Children(min, max, Box::new([child(items), child(other)]))
     }
 
     pub fn nearest(&self, boxes: &BoxList, ray: &TestRay) -> Option<NearestHit> {
         let mut best = None;
-        self.walk(boxes, ray, &mut best);
+        self.traverse(boxes, ray, &mut best);
         nearest_hit(best)
     }
 
-    fn walk(&self, boxes: &BoxList, ray: &TestRay, best: &mut Option<(f32, u32)>) {
+    fn traverse(&self, boxes: &BoxList, ray: &TestRay, best: &mut Option<(f32, u32)>) {
         match self {
             TextbookBvh::Leaf(items) => items.iter().for_each(|item| boxes.test(*item, ray, best)),
-            TextbookBvh::Parts(min, max, parts) => {
+            TextbookBvh::Children(min, max, children) => {
                 if slabs(*min, *max, narrow(ray.origin), narrow(ray.direction)) {
-                    parts.iter().for_each(|part| part.walk(boxes, ray, best));
+                    children.iter().for_each(|child| child.traverse(boxes, ray, best));
                 }
             }
         }

@@ -1,10 +1,9 @@
-//! The formulas of the textbooks, in single precision: what the core's remedies are held against.
+//! The textbook's formulas in single precision, for comparison with the core's numerically stable ones.
 //!
-//! Each is what is found in introductions and small ray tracers, written with care for the
-//! formula and none for rounding. Nothing in the project uses them but the tests, which run them
-//! through the same checks as the core and expect them to fail.
+//! They are those of introductions and small ray tracers, correct in exact arithmetic and unprotected against rounding.
+//! Only the tests use them: they run them through the same checks as the core and expect them to fail.
 
-// These are not the core: a root by whatever way is the same root.
+// Not the core: the platform's square root is correctly rounded as well.
 #![allow(clippy::disallowed_methods)]
 
 pub mod accelerators;
@@ -14,26 +13,26 @@ use strahl_core::Vec3;
 use crate::test_shape::{TestRay, TestShape};
 use crate::vector::{DVec3, area, unit};
 
-/// What the textbook finds of a thing.
+/// A hit by the textbook's formula.
 #[derive(Clone, Copy, Debug)]
 pub struct TextbookHit {
-    /// How far, in lengths of the ray's direction.
+    /// Distance, in lengths of the ray's direction.
     pub t: f32,
-    /// The normal there.
+    /// Normal at the hit point.
     pub normal: Vec3,
 }
 
-/// Below this a determinant or a cosine counts as zero, as the textbooks have it.
+/// A determinant or a cosine below this counts as zero.
 const EPSILON: f32 = 1e-6;
 
-/// How far a ray is moved off the surface that it leaves, in scene lengths.
+/// Fixed offset of a ray origin from the surface, in scene lengths.
 pub const OFFSET: f32 = 1e-4;
 
 fn narrow(v: DVec3) -> Vec3 {
     Vec3::new(v.x as f32, v.y as f32, v.z as f32)
 }
 
-/// A thing as a textbook would keep it: with what can be computed beforehand.
+/// A shape in the textbook's representation, with precomputed values.
 #[derive(Clone, Debug)]
 #[allow(missing_docs)] // as in `TestShape`
 pub enum TextbookShape {
@@ -53,10 +52,10 @@ pub enum TextbookShape {
         radius: f32,
     },
     Triangle {
-        corners: [Vec3; 3],
+        vertices: [Vec3; 3],
     },
     Polygon {
-        corners: Vec<Vec3>,
+        vertices: Vec<Vec3>,
         normal: Vec3,
         d: f32,
     },
@@ -64,7 +63,7 @@ pub enum TextbookShape {
         min: Vec3,
         max: Vec3,
     },
-    /// The centre in the box's own frame, and the frame.
+    /// Center in the box's own frame, and the axes of the frame.
     OrientedCuboid {
         center: Vec3,
         half: Vec3,
@@ -87,7 +86,7 @@ pub enum TextbookShape {
 }
 
 impl TextbookShape {
-    /// The form of a thing.
+    /// Converts a test shape.
     pub fn of(shape: &TestShape) -> TextbookShape {
         match shape {
             TestShape::Sphere { center, radius } => {
@@ -101,14 +100,14 @@ impl TextbookShape {
                 let (center, normal) = (narrow(*center), narrow(*normal).normalize());
                 TextbookShape::Disc { center, normal, d: normal.dot(center), radius: *radius as f32 }
             }
-            TestShape::Triangle { corners } | TestShape::SmoothTriangle { corners, .. } => {
-                TextbookShape::Triangle { corners: corners.map(narrow) }
+            TestShape::Triangle { vertices } | TestShape::SmoothTriangle { vertices, .. } => {
+                TextbookShape::Triangle { vertices: vertices.map(narrow) }
             }
-            TestShape::Polygon { corners } | TestShape::SmoothPolygon { corners, .. } => {
-                let normal = narrow(unit(area(corners)));
-                let corners: Vec<Vec3> = corners.iter().copied().map(narrow).collect();
-                let d = normal.dot(corners[0]);
-                TextbookShape::Polygon { corners, normal, d }
+            TestShape::Polygon { vertices } | TestShape::SmoothPolygon { vertices, .. } => {
+                let normal = narrow(unit(area(vertices)));
+                let vertices: Vec<Vec3> = vertices.iter().copied().map(narrow).collect();
+                let d = normal.dot(vertices[0]);
+                TextbookShape::Polygon { vertices, normal, d }
             }
             TestShape::Cuboid { min, max } => TextbookShape::Cuboid { min: narrow(*min), max: narrow(*max) },
             TestShape::OrientedCuboid { center, half, first, third } => {
@@ -116,7 +115,7 @@ impl TextbookShape {
                 let y = z.cross(narrow(*first)).normalize();
                 let axes = [y.cross(z), y, z];
                 let center = narrow(*center);
-                TextbookShape::OrientedCuboid { center: turned(center, &axes), half: narrow(*half), axes }
+                TextbookShape::OrientedCuboid { center: to_frame(center, &axes), half: narrow(*half), axes }
             }
             TestShape::Cone { base, base_radius, end, end_radius, capped } => {
                 let (base, end) = (narrow(*base), narrow(*end));
@@ -139,17 +138,17 @@ impl TextbookShape {
         }
     }
 
-    /// Where a ray meets it.
-    pub fn met(&self, ray: &TestRay) -> Option<TextbookHit> {
+    /// Nearest hit of a ray.
+    pub fn intersect(&self, ray: &TestRay) -> Option<TextbookHit> {
         self.hit(narrow(ray.origin), narrow(ray.direction))
     }
 
-    /// How far away the ray from `o` along `d` meets it.
+    /// Distance of the nearest hit of the ray from `o` in the direction `d`.
     pub fn distance(&self, o: Vec3, d: Vec3) -> Option<f32> {
-        self.hit(o, d).map(|met| met.t)
+        self.hit(o, d).map(|hit| hit.t)
     }
 
-    /// Where the ray from `o` along `d` meets it.
+    /// Nearest hit of the ray from `o` in the direction `d`.
     #[inline]
     fn hit(&self, o: Vec3, d: Vec3) -> Option<TextbookHit> {
         match self {
@@ -162,16 +161,16 @@ impl TextbookShape {
                 let away = o + d * t - *center;
                 (away.dot(away) <= radius * radius).then_some(TextbookHit { t, normal: *normal })
             }
-            TextbookShape::Triangle { corners } => triangle(corners, o, d),
-            TextbookShape::Polygon { corners, normal, d: level } => {
+            TextbookShape::Triangle { vertices } => triangle(vertices, o, d),
+            TextbookShape::Polygon { vertices, normal, d: level } => {
                 let t = plane(*normal, *level, o, d)?;
-                is_inside(corners, *normal, o + d * t).then_some(TextbookHit { t, normal: *normal })
+                is_inside(vertices, *normal, o + d * t).then_some(TextbookHit { t, normal: *normal })
             }
             TextbookShape::Cuboid { min, max } => cuboid(*min, *max, o, d),
             TextbookShape::OrientedCuboid { center, half, axes } => {
-                let met = cuboid(*center - *half, *center + *half, turned(o, axes), turned(d, axes))?;
-                let n = met.normal;
-                Some(TextbookHit { t: met.t, normal: axes[0] * n.x + axes[1] * n.y + axes[2] * n.z })
+                let hit = cuboid(*center - *half, *center + *half, to_frame(o, axes), to_frame(d, axes))?;
+                let n = hit.normal;
+                Some(TextbookHit { t: hit.t, normal: axes[0] * n.x + axes[1] * n.y + axes[2] * n.z })
             }
             TextbookShape::Cone { base, axis, height, base_radius, end_radius, capped } => {
                 cone(*base, *axis, *height, *base_radius, *end_radius, *capped, o, d)
@@ -183,11 +182,11 @@ impl TextbookShape {
     }
 }
 
-fn turned(v: Vec3, axes: &[Vec3; 3]) -> Vec3 {
+fn to_frame(v: Vec3, axes: &[Vec3; 3]) -> Vec3 {
     Vec3::new(v.dot(axes[0]), v.dot(axes[1]), v.dot(axes[2]))
 }
 
-/// The roots of `a x^2 + b x + c`, the smaller first, by the formula that is learnt in school.
+/// The roots of `a x^2 + b x + c` in ascending order, by the quadratic formula.
 fn quadratic(a: f32, b: f32, c: f32) -> Option<[f32; 2]> {
     let d = b * b - 4.0 * a * c;
     if d < 0.0 {
@@ -213,7 +212,7 @@ fn plane(normal: Vec3, level: f32, o: Vec3, d: Vec3) -> Option<f32> {
     (t > 0.0).then_some(t)
 }
 
-/// "Fast, Minimum Storage Ray/Triangle Intersection", Moeller, Trumbore 1997.
+/// Source: Möller and Trumbore, "Fast, Minimum Storage Ray/Triangle Intersection", 1997.
 fn triangle([a, b, c]: &[Vec3; 3], o: Vec3, d: Vec3) -> Option<TextbookHit> {
     let (e, f) = (*b - *a, *c - *a);
     let p = d.cross(f);
@@ -232,8 +231,8 @@ fn triangle([a, b, c]: &[Vec3; 3], o: Vec3, d: Vec3) -> Option<TextbookHit> {
     (t > 0.0).then_some(TextbookHit { t, normal: e.cross(f).normalize() })
 }
 
-/// Counts the edges that a line to the right crosses, both ends of an edge included.
-fn is_inside(corners: &[Vec3], normal: Vec3, p: Vec3) -> bool {
+/// Even-odd rule: counts the edges that a line to the right crosses. An edge contains both of its ends.
+fn is_inside(vertices: &[Vec3], normal: Vec3, p: Vec3) -> bool {
     let n = normal.abs();
     let flat = |v: Vec3| {
         if n.x > n.y && n.x > n.z {
@@ -246,8 +245,8 @@ fn is_inside(corners: &[Vec3], normal: Vec3, p: Vec3) -> bool {
     };
     let (x, y) = flat(p);
     let mut inside = false;
-    for i in 0..corners.len() {
-        let (a, b) = (flat(corners[i]), flat(corners[(i + 1) % corners.len()]));
+    for i in 0..vertices.len() {
+        let (a, b) = (flat(vertices[i]), flat(vertices[(i + 1) % vertices.len()]));
         let (low, high) = if a.1 < b.1 { (a, b) } else { (b, a) };
         if y >= low.1 && y <= high.1 && high.1 > low.1 {
             let across = low.0 + (y - low.1) / (high.1 - low.1) * (high.0 - low.0);
@@ -257,20 +256,21 @@ fn is_inside(corners: &[Vec3], normal: Vec3, p: Vec3) -> bool {
     inside
 }
 
-/// "Efficiency Issues for Ray Tracing", Smits 1998: the order of the walls by the sign of the
-/// direction.
+/// Slab test that orders the planes by the sign of the direction.
+///
+/// Source: Smits, "Efficiency Issues for Ray Tracing", 1998.
 fn cuboid(min: Vec3, max: Vec3, o: Vec3, d: Vec3) -> Option<TextbookHit> {
     let (mut near, mut far) = (f32::NEG_INFINITY, f32::INFINITY);
     let (mut in_axis, mut out_axis) = (0, 0);
     for axis in 0..3 {
         let inverse = 1.0 / d[axis];
         let (a, b) = if d[axis] >= 0.0 { (min[axis], max[axis]) } else { (max[axis], min[axis]) };
-        let (enter, leave) = ((a - o[axis]) * inverse, (b - o[axis]) * inverse);
-        if enter > near {
-            (near, in_axis) = (enter, axis);
+        let (entry, exit) = ((a - o[axis]) * inverse, (b - o[axis]) * inverse);
+        if entry > near {
+            (near, in_axis) = (entry, axis);
         }
-        if leave < far {
-            (far, out_axis) = (leave, axis);
+        if exit < far {
+            (far, out_axis) = (exit, axis);
         }
     }
     if near > far || far <= 0.0 {
@@ -287,8 +287,8 @@ fn cuboid(min: Vec3, max: Vec3, o: Vec3, d: Vec3) -> Option<TextbookHit> {
     Some(TextbookHit { t, normal })
 }
 
-/// Whether a ray meets a box: the order of the walls by the sign of the direction, and each
-/// distance a product with the reciprocal.
+/// Whether a ray hits a box: a slab test that orders the planes by the sign of the direction and multiplies by its
+/// reciprocal.
 pub fn slabs(min: Vec3, max: Vec3, o: Vec3, d: Vec3) -> bool {
     let (mut near, mut far) = (f32::NEG_INFINITY, f32::INFINITY);
     for axis in 0..3 {
@@ -300,7 +300,7 @@ pub fn slabs(min: Vec3, max: Vec3, o: Vec3, d: Vec3) -> bool {
     near <= far && far >= 0.0
 }
 
-#[allow(clippy::too_many_arguments)] // of a cone
+#[allow(clippy::too_many_arguments)] // the fields of a cone, and a ray
 fn cone(
     base: Vec3,
     axis: Vec3,
@@ -343,8 +343,9 @@ fn cone(
     best
 }
 
-/// The quartic in the distance from the ray's origin, by Ferrari's and Cardano's formulas
-/// (Graphics Gems, Schwarze 1990).
+/// Solves the quartic in the distance by the formulas of Ferrari and Cardano.
+///
+/// Source: Schwarze, "Cubic and Quartic Roots", Graphics Gems, 1990.
 fn torus(center: Vec3, axis: Vec3, major: f32, minor: f32, o: Vec3, d: Vec3) -> Option<TextbookHit> {
     let speed = d.length();
     let (p, d) = (o - center, d / speed);
@@ -401,13 +402,12 @@ fn resolvent(a: f32, b: f32, c: f32) -> f32 {
     y - a / 3.0
 }
 
-/// Where a ray starts that leaves a surface to the side of `normal`.
+/// Moves a ray origin off the surface by [`OFFSET`] on the side of `normal`.
 pub fn offset_origin(point: Vec3, normal: Vec3) -> Vec3 {
     point + normal * OFFSET
 }
 
-/// Light on the other side of a surface: its direction and the share that Fresnel's formulas
-/// mirror.
+/// Direction of the refracted ray, and the Fresnel reflectance.
 pub fn refracted(d: Vec3, n: Vec3, ratio: f32) -> (Vec3, f32) {
     let cos = -d.dot(n);
     let cos_behind = (1.0 - ratio * ratio * (1.0 - cos * cos)).sqrt();

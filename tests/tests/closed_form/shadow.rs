@@ -156,7 +156,7 @@ fn a_light_on_any_surface_is_not_in_its_own_way() {
         let target = rng.in_ball(strahl_tests::DVec3::ZERO, 0.7);
         let ray = TestRay { origin: eye, direction: target - eye };
         let oracle::OracleAnswer::Hit(contact) = oracle::intersect(&shape, &ray) else { continue };
-        if contact.slope < 0.5 || contact.way < 2.0 {
+        if contact.slope < 0.5 || contact.distance < 2.0 {
             continue;
         }
         let place = vec3(contact.point.x as Real, contact.point.y as Real, contact.point.z as Real);

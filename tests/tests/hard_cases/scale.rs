@@ -252,7 +252,7 @@ fn a_scene_with_its_axes_in_another_order_has_the_same_hits_but_for_rounding() {
                 } else if let OracleAnswer::Hit(contact) = intersect(&shape, ray) {
                     let (Some(one), Some(other)) = (truth, answer) else { panic!("{}", about()) };
                     // Each is within 4 units in the last place (8 for cones and tori) of the truth.
-                    let conditioning = size(&shape, ray) / contact.slope + contact.way;
+                    let conditioning = size(&shape, ray) / contact.slope + contact.distance;
                     let speed = ray.direction.dot(ray.direction).sqrt();
                     let off = (one.t - other.t).abs() * speed;
                     assert!(off <= 8.0 * f64::from(f32::EPSILON) * conditioning, "{}", about());

@@ -71,12 +71,12 @@ for_every_kind!(is_not_met_again, is_not_met_again_by_a_ray_that_leaves_it);
 #[test]
 fn a_floor_on_a_coordinate_plane_is_not_met_again() {
     // No coordinate of its points is off along the normal: the step must not vanish with them.
-    let corner = |x, z| dvec3(x, 0.0, z);
-    let corners = [corner(-3.0, -2.0), corner(5.0, -1.0), corner(0.5, 7.0)];
+    let vertex = |x, z| dvec3(x, 0.0, z);
+    let vertices = [vertex(-3.0, -2.0), vertex(5.0, -1.0), vertex(0.5, 7.0)];
     let mut rng = SplitMix64::new(SEED + 100);
     for shape in [
-        TestShape::Triangle { corners },
-        TestShape::Polygon { corners: corners.to_vec() },
+        TestShape::Triangle { vertices },
+        TestShape::Polygon { vertices: vertices.to_vec() },
         TestShape::Disc { center: DVec3::ZERO, normal: DVec3::Y, radius: 4.0 },
         TestShape::Plane { point: DVec3::ZERO, normal: DVec3::Y },
         TestShape::Cuboid { min: dvec3(-5.0, -1.0, -5.0), max: dvec3(5.0, 0.0, 5.0) },
@@ -104,13 +104,13 @@ fn a_floor_on_a_coordinate_plane_is_not_met_again() {
 fn through_the_origin(rng: &mut SplitMix64, least: f64, most: f64) -> [DVec3; 3] {
     loop {
         let (a, b) = (rng.in_ball(DVec3::ZERO, 1.0), rng.in_ball(DVec3::ZERO, 1.0));
-        let corners = [[a, b, -(a + b)], [a, -a, b], [DVec3::ZERO, a, b]][rng.below(3) as usize];
-        let corners = corners.map(|c| dvec3(rounded(c.x), rounded(c.y), rounded(c.z)));
-        let [a, b, c] = corners;
+        let vertices = [[a, b, -(a + b)], [a, -a, b], [DVec3::ZERO, a, b]][rng.below(3) as usize];
+        let vertices = vertices.map(|c| dvec3(rounded(c.x), rounded(c.y), rounded(c.z)));
+        let [a, b, c] = vertices;
         let longest = [b - a, c - b, a - c].map(|side| side.dot(side)).into_iter().fold(0.0, f64::max);
         let height = length((b - a).cross(c - a)) / longest;
         if height >= least && height <= most {
-            return corners;
+            return vertices;
         }
     }
 }
@@ -121,14 +121,14 @@ fn met_again_near_the_origin(least: f64, most: f64, as_polygon: bool) -> usize {
     let mut again = 0;
     for core in CORES {
         for _ in 0..2000 {
-            let corners = through_the_origin(&mut rng, least, most);
+            let vertices = through_the_origin(&mut rng, least, most);
             let shape = match as_polygon {
-                true => TestShape::Polygon { corners: corners.to_vec() },
-                false => TestShape::Triangle { corners },
+                true => TestShape::Polygon { vertices: vertices.to_vec() },
+                false => TestShape::Triangle { vertices },
             };
             let aim = |rng: &mut SplitMix64| {
                 let shrunk = rng.log_between(1e-5, 0.3);
-                let target = corners.iter().map(|corner| *corner * (shrunk * rng.unit())).sum();
+                let target = vertices.iter().map(|vertex| *vertex * (shrunk * rng.unit())).sum();
                 towards(rng.in_ball(DVec3::ZERO, 3.0), target, 1.0)
             };
             let rays: Vec<TestRay> = (0..10).map(|_| aim(&mut rng)).collect();

@@ -45,15 +45,15 @@ fn towards(origin: DVec3, target: DVec3, speed: f64) -> TestRay {
 
 /// A point on the thing or beside it.
 fn target(shape: &TestShape, rng: &mut SplitMix64) -> DVec3 {
-    let (center, radius) = shape.ball();
-    let among = |corners: &[DVec3], rng: &mut SplitMix64| {
-        let shares: Vec<f64> = corners.iter().map(|_| rng.unit()).collect();
-        let mix: DVec3 = corners.iter().zip(&shares).map(|(corner, share)| *corner * *share).sum();
+    let (center, radius) = shape.bounding_sphere();
+    let among = |vertices: &[DVec3], rng: &mut SplitMix64| {
+        let shares: Vec<f64> = vertices.iter().map(|_| rng.unit()).collect();
+        let mix: DVec3 = vertices.iter().zip(&shares).map(|(vertex, share)| *vertex * *share).sum();
         center + (mix / shares.iter().sum::<f64>() - center) * rng.between(0.0, 2.5)
     };
     match shape {
-        TestShape::Triangle { corners } | TestShape::SmoothTriangle { corners, .. } => among(corners, rng),
-        TestShape::Polygon { corners } | TestShape::SmoothPolygon { corners, .. } => among(corners, rng),
+        TestShape::Triangle { vertices } | TestShape::SmoothTriangle { vertices, .. } => among(vertices, rng),
+        TestShape::Polygon { vertices } | TestShape::SmoothPolygon { vertices, .. } => among(vertices, rng),
         _ => rng.in_ball(center, 1.2 * radius),
     }
 }
@@ -61,7 +61,7 @@ fn target(shape: &TestShape, rng: &mut SplitMix64) -> DVec3 {
 /// A ray that probably meets the thing: from up to a hundred of its sizes away or from inside,
 /// of any length.
 fn random_ray(shape: &TestShape, rng: &mut SplitMix64) -> TestRay {
-    let (center, radius) = shape.ball();
+    let (center, radius) = shape.bounding_sphere();
     let origin = match rng.below(4) {
         0 => rng.in_ball(center, 0.9 * radius),
         1 => rng.in_ball(center, 3.0 * radius),

@@ -1,6 +1,6 @@
-//! SplitMix64 shapes of all kinds, from all sides, against an oracle that solves no equation.
+//! Random shapes of all kinds, from all sides, compared with an oracle that solves no equation.
 
-use strahl_tests::oracle::{OracleAnswer, OracleHit, PRECISION, distance, intersect, shading, size};
+use strahl_tests::oracle::{OracleAnswer, OracleHit, PRECISION, intersect, shading, signed_distance, size};
 
 use crate::*;
 
@@ -83,7 +83,7 @@ fn is_met_where_the_truth_is(kind: TestShapeKind) {
 /// Rays ever closer to a silhouette, a rim or an edge, from both sides: between a point where
 /// the thing is met and one beside it the border is found by halving.
 fn rays_at_the_border(shape: &TestShape, rng: &mut SplitMix64) -> Vec<TestRay> {
-    let (center, radius) = shape.ball();
+    let (center, radius) = shape.bounding_sphere();
     let away = radius * rng.log_between(2.0, 20.0);
     let eye = rng.in_ball(center, away);
     let (mut on, mut beside) = (target(shape, rng), rng.in_ball(center, 2.0 * radius));
@@ -162,7 +162,7 @@ impl Report {
         };
 
         // How far, in scene lengths.
-        let way = hit.t * length(ray.direction) - truth.way;
+        let way = hit.t * length(ray.direction) - truth.distance;
         hold(&mut self.way, way.abs(), u * conditioning, MULTIPLE);
 
         // The normal: of length one, and as promised whichever side is met.
@@ -174,7 +174,7 @@ impl Report {
 
         // The point: on the surface as well as it says, which is no empty promise, and where the way says.
         let promised = hit.normal.abs().dot(hit.error) + PRECISION * size;
-        hold(&mut self.point, distance(shape, hit.point).abs(), promised, 1.0);
+        hold(&mut self.point, signed_distance(shape, hit.point).abs(), promised, 1.0);
         let coarse = 64.0 * core.roundoff * (length(hit.point) + size);
         assert!(hit.error.max_element() <= coarse, "{}", about());
         let moved = length(hit.point - truth.point);
@@ -183,8 +183,8 @@ impl Report {
         // The normal that shades.
         match shading(shape, truth.point) {
             None => assert_eq!(hit.shading, hit.normal),
-            Some((shading, corner)) => {
-                let bent = 1.0 + conditioning / corner;
+            Some((shading, vertex)) => {
+                let bent = 1.0 + conditioning / vertex;
                 // At an edge the shares of a polygon's corners are quotients of small numbers.
                 hold(&mut self.shading, length(hit.shading - shading), u * bent, 8.0 * MULTIPLE);
             }

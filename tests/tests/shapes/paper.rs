@@ -71,8 +71,8 @@ fn a_disc_ends_at_its_rim() {
 
 #[test]
 fn a_triangle_contains_its_edges_and_corners() {
-    let corners = [dvec3(0.0, 0.0, 1.0), dvec3(4.0, 0.0, 1.0), dvec3(0.0, 4.0, 1.0)];
-    let triangle = TestShape::Triangle { corners };
+    let vertices = [dvec3(0.0, 0.0, 1.0), dvec3(4.0, 0.0, 1.0), dvec3(0.0, 4.0, 1.0)];
+    let triangle = TestShape::Triangle { vertices };
     for (x, y) in [(1.0, 1.0), (0.0, 0.0), (4.0, 0.0), (0.0, 4.0), (2.0, 0.0), (0.0, 1.0), (2.0, 2.0)] {
         assert_eq!(met(&triangle, ray([x, y, 5.0], [0.0, 0.0, -2.0])), Some((2.0, DVec3::Z)), "{x} {y}");
         assert_eq!(met(&triangle, ray([x, y, -1.0], [0.0, 0.0, 1.0])), Some((2.0, DVec3::Z)), "{x} {y}");
@@ -81,7 +81,7 @@ fn a_triangle_contains_its_edges_and_corners() {
         assert_eq!(met(&triangle, ray([x, y, 5.0], [0.0, 0.0, -1.0])), None, "{x} {y}");
     }
     // The other way round the normal is the other one.
-    let triangle = TestShape::Triangle { corners: [corners[0], corners[2], corners[1]] };
+    let triangle = TestShape::Triangle { vertices: [vertices[0], vertices[2], vertices[1]] };
     assert_eq!(met(&triangle, ray([1.0, 1.0, 5.0], [0.0, 0.0, -1.0])), Some((4.0, -DVec3::Z)));
 }
 
@@ -92,26 +92,26 @@ fn a_triangle_without_area_is_never_met() {
         // On a raster, so that three points on one line are on it exactly.
         let mut point = |size: f64| (rng.in_ball(DVec3::ZERO, size) * 64.0).round() / 64.0;
         let (a, b) = (point(4.0), point(1.0));
-        let corners = [[a, a + b, a + b * 3.0], [a, a + b, a], [a, a, a]][round % 3];
-        let triangle = TestShape::Triangle { corners };
+        let vertices = [[a, a + b, a + b * 3.0], [a, a + b, a], [a, a, a]][round % 3];
+        let triangle = TestShape::Triangle { vertices };
         let aim = |rng: &mut SplitMix64| {
             let eye = rng.in_ball(DVec3::ZERO, 6.0);
             towards(eye, a + b * (3.0 * rng.unit()), 1.0)
         };
         let rays: Vec<TestRay> = (0..10).map(|_| aim(&mut rng)).collect();
         for core in CORES {
-            assert!((core.cast)(&triangle, &rays).iter().all(Option::is_none), "{}: {corners:?}", core.name);
+            assert!((core.cast)(&triangle, &rays).iter().all(Option::is_none), "{}: {vertices:?}", core.name);
         }
     }
 }
 
 #[test]
 fn the_shading_normal_in_the_middle_is_the_mean_of_those_of_the_corners() {
-    let corners = [dvec3(-2.0, -1.0, 0.0), dvec3(2.0, -1.0, 0.0), dvec3(0.0, 2.0, 0.0)];
+    let vertices = [dvec3(-2.0, -1.0, 0.0), dvec3(2.0, -1.0, 0.0), dvec3(0.0, 2.0, 0.0)];
     let normals = [dvec3(3.0, 0.0, 4.0), dvec3(-3.0, 0.0, 4.0), dvec3(0.0, 0.0, 1.0)];
     let smooth = [
-        TestShape::SmoothTriangle { corners, normals },
-        TestShape::SmoothPolygon { corners: corners.to_vec(), normals: normals.to_vec() },
+        TestShape::SmoothTriangle { vertices, normals },
+        TestShape::SmoothPolygon { vertices: vertices.to_vec(), normals: normals.to_vec() },
     ];
     for shape in smooth {
         for core in CORES {
@@ -137,11 +137,11 @@ fn seen(shape: &TestShape, width: i32, height: i32) -> Vec<Rgb> {
 }
 
 /// A polygon, both ways round; the normal follows the way.
-fn polygons(corners: &[(f64, f64)]) -> [TestShape; 2] {
-    let mut corners: Vec<DVec3> = corners.iter().map(|(x, y)| dvec3(*x, *y, 0.0)).collect();
-    let left = TestShape::Polygon { corners: corners.clone() };
-    corners.reverse();
-    [left, TestShape::Polygon { corners }]
+fn polygons(vertices: &[(f64, f64)]) -> [TestShape; 2] {
+    let mut vertices: Vec<DVec3> = vertices.iter().map(|(x, y)| dvec3(*x, *y, 0.0)).collect();
+    let left = TestShape::Polygon { vertices: vertices.clone() };
+    vertices.reverse();
+    [left, TestShape::Polygon { vertices }]
 }
 
 #[test]
@@ -171,13 +171,13 @@ fn a_polygon_may_have_the_form_of_an_l() {
 #[test]
 fn a_polygon_may_have_the_form_of_a_comb() {
     // Many corners are level with each other and with the rays.
-    let mut corners = vec![(0.0, 0.0), (9.0, 0.0), (9.0, 3.5)];
+    let mut vertices = vec![(0.0, 0.0), (9.0, 0.0), (9.0, 3.5)];
     for tooth in (0..4).rev() {
         let x = 2.0 * f64::from(tooth);
-        corners.extend([(x + 2.0, 3.5), (x + 2.0, 1.5), (x + 1.0, 1.5), (x + 1.0, 3.5)]);
+        vertices.extend([(x + 2.0, 3.5), (x + 2.0, 1.5), (x + 1.0, 1.5), (x + 1.0, 3.5)]);
     }
-    corners.push((0.0, 3.5));
-    for polygon in polygons(&corners) {
+    vertices.push((0.0, 3.5));
+    for polygon in polygons(&vertices) {
         assert_picture(
             &seen(&polygon, 10, 5),
             10,
