@@ -1,4 +1,4 @@
-//! Memory buys time, never truth: whatever a subdivision is lent, from the floor upwards.
+//! A grid and an octree find the same hits in buffers of any size, from the smallest that is accepted.
 
 use strahl_core::accel::{Buffer, BuildError, Grid, GridSize, Octree, OctreeNode, OctreeSize, StaticGrid};
 use strahl_core::geometry::{Aabb, ItemId, Ray};
@@ -11,7 +11,7 @@ use crate::{random_ray, random_scene};
 const SEED: u64 = 0x5eed_0014;
 
 #[test]
-fn every_size_of_memory_from_the_floor_on_gives_the_right_answer() {
+fn buffers_of_every_accepted_size_give_the_same_hits() {
     let mut rng = SplitMix64::new(SEED);
     let mut scene = random_scene(39, &mut rng);
     scene.plane(vec3(0.0, 0.0, -9.0), Vec3::Z);
@@ -32,13 +32,13 @@ fn every_size_of_memory_from_the_floor_on_gives_the_right_answer() {
 }
 
 #[test]
-fn one_too_little_is_refused_with_the_numbers_to_act_on() {
+fn a_buffer_that_is_one_entry_too_small_is_refused_with_both_sizes() {
     let mut rng = SplitMix64::new(SEED + 1);
     let mut scene = random_scene(29, &mut rng);
     scene.plane(Vec3::ZERO, Vec3::Z);
     let boxes = scene.bounds();
     let needed = boxes.iter().filter(|aabb| **aabb != Aabb::EMPTY).count();
-    assert!(needed < 30, "planes have no place");
+    assert!(needed < 30, "planes have no bounds");
     let too_small = |buffer, needed, provided| Some(BuildError::BufferTooSmall { buffer, needed, provided });
 
     let (mut cells, mut nodes) = (vec![0; 2], vec![OctreeNode::EMPTY; 1]);
@@ -56,30 +56,30 @@ fn one_too_little_is_refused_with_the_numbers_to_act_on() {
 }
 
 #[test]
-fn comfortable_memory_is_exactly_what_a_grid_takes() {
+fn the_recommended_size_is_exactly_what_a_grid_uses() {
     let mut rng = SplitMix64::new(SEED + 2);
     for items in [1, 2, 10, 100, 1000] {
         let boxes = random_scene(items, &mut rng).bounds();
-        let room = GridSize::recommended(&boxes);
-        let (mut cells, mut entries) = (vec![0; room.cells], vec![0; room.entries]);
+        let size = GridSize::recommended(&boxes);
+        let (mut cells, mut entries) = (vec![0; size.cells], vec![0; size.entries]);
         let grid = Grid::<8>::build(&boxes, &mut cells, &mut entries).unwrap();
-        assert_eq!((grid.cell_count() + 1, grid.entry_count()), (room.cells, room.entries));
-        let bytes = 4 * (room.cells + room.entries) + size_of_val(&boxes[..]);
+        assert_eq!((grid.cell_count() + 1, grid.entry_count()), (size.cells, size.entries));
+        let bytes = 4 * (size.cells + size.entries) + size_of_val(&boxes[..]);
         assert_eq!(
             (grid.size_in_bytes(), grid.without_item_bounds().size_in_bytes()),
             (bytes, bytes - size_of_val(&boxes[..]))
         );
-        // One less of either is a coarser grid.
+        // One entry less of either buffer gives a coarser grid.
         for (less_cells, less_items) in [(1, 0), (0, 1)].into_iter().filter(|_| items >= 100) {
             let (cells, entries) =
-                (&mut vec![0; room.cells - less_cells], &mut vec![0; room.entries - less_items]);
-            assert!(Grid::<8>::build(&boxes, cells, entries).unwrap().cell_count() < room.cells - 1);
+                (&mut vec![0; size.cells - less_cells], &mut vec![0; size.entries - less_items]);
+            assert!(Grid::<8>::build(&boxes, cells, entries).unwrap().cell_count() < size.cells - 1);
         }
     }
 }
 
 #[test]
-fn more_memory_makes_leaves_of_an_octree_smaller() {
+fn larger_buffers_give_an_octree_smaller_leaves() {
     let mut rng = SplitMix64::new(SEED + 3);
     let boxes: Vec<Aabb> = (0..1000)
         .map(|_| {
@@ -103,7 +103,7 @@ fn more_memory_makes_leaves_of_an_octree_smaller() {
 }
 
 #[test]
-fn a_box_without_end_is_refused_by_its_number() {
+fn bounds_that_are_not_finite_are_refused_with_their_item() {
     let unit = Aabb { min: Vec3::ZERO, max: Vec3::ONE };
     for bad in [Real::NAN, Real::INFINITY, Real::NEG_INFINITY, Real::MAX] {
         for boxes in [
@@ -119,7 +119,7 @@ fn a_box_without_end_is_refused_by_its_number() {
 }
 
 #[test]
-fn a_grid_whose_memory_is_sized_when_compiled_answers_like_the_list() {
+fn a_grid_with_buffers_of_constant_size_agrees_with_the_list() {
     const ITEMS: usize = 50;
     const SIZE: GridSize = GridSize::estimated(ITEMS);
     let mut rng = SplitMix64::new(SEED + 4);

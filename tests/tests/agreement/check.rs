@@ -1,4 +1,4 @@
-//! What every accelerator is held to: the answers of the bare list.
+//! Comparison of an accelerator with the list without bounds.
 
 use strahl_core::accel::{
     Accelerator, Bvh, BvhBuilder, BvhNode, BvhSize, Grid, GridSize, LeafEntry, LeafLayout, List, Octree,
@@ -10,8 +10,7 @@ use strahl_core::{AllEffects, Real, World};
 use strahl_tests::SplitMix64;
 use strahl_tests::single::TestScene;
 
-/// Everything that a world can be asked about a ray, but who is in the way, which may be
-/// anybody.
+/// Answers of all queries for a ray, without the identity of the occluder, which depends on the accelerator.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct QueryAnswer {
     pub hit: Option<(ItemId, u32)>,
@@ -37,7 +36,7 @@ fn answer<A: Accelerator>(world: &World<A>, ray: &Ray, t_max: Real, scratch: &mu
     }
 }
 
-/// A question about a ray, and the answer of the bare list.
+/// A ray query, and its answer by the list without bounds.
 pub struct QueryCase {
     pub ray: Ray,
     pub t_max: Real,
@@ -45,14 +44,14 @@ pub struct QueryCase {
 }
 
 impl QueryCase {
-    /// Each ray cut off nowhere, at the hit, just before it, and anywhere.
-    pub fn all(bare: &World<List>, rays: &[Ray], rng: &mut SplitMix64) -> Vec<QueryCase> {
+    /// For each ray four queries: unlimited, up to the hit, up to just before it, and up to a random distance.
+    pub fn all(unbounded: &World<List>, rays: &[Ray], rng: &mut SplitMix64) -> Vec<QueryCase> {
         let mut cases = Vec::new();
         for ray in rays {
-            let expected = answer(bare, ray, Real::INFINITY, &mut ());
+            let expected = answer(unbounded, ray, Real::INFINITY, &mut ());
             let t = expected.hit.map_or(1.0, |(_, bits)| Real::from_bits(bits));
             for t_max in [Real::INFINITY, t, t.next_down(), t * rng.unit() as Real * 2.0] {
-                let expected = answer(bare, ray, t_max, &mut ());
+                let expected = answer(unbounded, ray, t_max, &mut ());
                 assert_eq!(expected.hit.is_some(), expected.is_occluded, "{ray:?} {t_max}");
                 cases.push(QueryCase { ray: *ray, t_max, expected });
             }
@@ -61,7 +60,7 @@ impl QueryCase {
     }
 }
 
-/// What an accelerator is held to: the cases of a scene.
+/// The queries of a scene that every accelerator must answer like the list without bounds.
 pub struct AcceleratorCheck<'s> {
     pub scene: &'s TestScene,
     pub boxes: Vec<Aabb>,
@@ -69,19 +68,18 @@ pub struct AcceleratorCheck<'s> {
 }
 
 impl<'s> AcceleratorCheck<'s> {
-    /// The cases of these rays.
+    /// Queries along these rays.
     pub fn new(scene: &'s TestScene, rays: &[Ray], rng: &mut SplitMix64) -> Self {
-        let bare = World::new(scene.as_scene(), List::without_bounds(scene.item_count()));
-        AcceleratorCheck { scene, boxes: scene.bounds(), cases: QueryCase::all(&bare, rays, rng) }
+        let unbounded = World::new(scene.as_scene(), List::without_bounds(scene.item_count()));
+        AcceleratorCheck { scene, boxes: scene.bounds(), cases: QueryCase::all(&unbounded, rays, rng) }
     }
 
-    /// How many of the rays hit something.
+    /// Number of rays that hit an item.
     pub fn hits(&self) -> usize {
         self.cases.iter().filter(|case| case.t_max == Real::INFINITY && case.expected.hit.is_some()).count()
     }
 
-    /// Holds an accelerator against the truth, from the first case to the last with the same
-    /// scratch, so that it remembers earlier rays.
+    /// Asserts that an accelerator gives the expected answers. All queries share one scratch, so that its caches are tested.
     pub fn check<A: Accelerator>(&self, name: &str, accelerator: A) {
         let world = World::new(self.scene.as_scene(), accelerator);
         let mut scratch = A::Scratch::default();
@@ -90,42 +88,42 @@ impl<'s> AcceleratorCheck<'s> {
         }
     }
 
-    /// A hierarchy in each of its walks.
+    /// Checks a BVH in a node buffer of this size with every traversal queue.
     pub fn check_bvh(&self, provided: usize) {
-        let room = BvhSize::recommended(self.boxes.len());
+        let size = BvhSize::recommended(self.boxes.len());
         let mut nodes = vec![BvhNode::EMPTY; provided];
-        let mut items = vec![LeafEntry::EMPTY; room.entries];
+        let mut items = vec![LeafEntry::EMPTY; size.entries];
         let tree = Bvh::<TraversalStack<64>>::build(&self.boxes, &mut nodes, &mut items).unwrap();
-        self.check("by a stack", tree);
-        self.check("by a stack of one", tree.with_queue::<TraversalStack<1>>());
-        self.check("by no stack", tree.with_queue::<TraversalStack<0>>());
-        self.check("by a heap", tree.with_queue::<TraversalHeap<64>>());
-        self.check("by a heap of four", tree.with_queue::<TraversalHeap<4>>());
-        self.check("by a heap of one", tree.with_queue::<TraversalHeap<1>>());
-        self.check("by no heap", tree.with_queue::<TraversalHeap<0>>());
+        self.check("stack", tree);
+        self.check("stack of one", tree.with_queue::<TraversalStack<1>>());
+        self.check("stack of none", tree.with_queue::<TraversalStack<0>>());
+        self.check("heap", tree.with_queue::<TraversalHeap<64>>());
+        self.check("heap of four", tree.with_queue::<TraversalHeap<4>>());
+        self.check("heap of one", tree.with_queue::<TraversalHeap<1>>());
+        self.check("heap of none", tree.with_queue::<TraversalHeap<0>>());
 
         let geometry = self.scene.as_scene().parts().geometry;
-        let (mut nodes, mut items) = (vec![BvhNode::EMPTY; provided], vec![LeafEntry::EMPTY; room.entries]);
-        let grown =
+        let (mut nodes, mut items) = (vec![BvhNode::EMPTY; provided], vec![LeafEntry::EMPTY; size.entries]);
+        let builder =
             BvhBuilder::new(&self.boxes, LeafLayout::TriangleBlocks(&geometry), &mut nodes, &mut items)
                 .unwrap();
-        let mut runs = vec![TriangleBlock::EMPTY; grown.block_count()];
-        let tree = grown.into_bvh_with_blocks::<TraversalStack<64>>(&geometry, &mut runs).unwrap();
+        let mut blocks = vec![TriangleBlock::EMPTY; builder.block_count()];
+        let tree = builder.into_bvh_with_blocks::<TraversalStack<64>>(&geometry, &mut blocks).unwrap();
         assert_eq!(tree.entry_count(), self.boxes.iter().filter(|aabb| !aabb.is_empty()).count());
-        self.check("in runs, by a stack", tree);
-        self.check("in runs, by a heap of one", tree.with_queue::<TraversalHeap<1>>());
+        self.check("triangle blocks, stack", tree);
+        self.check("triangle blocks, heap of one", tree.with_queue::<TraversalHeap<1>>());
     }
 
-    /// A grid and an octree in this much memory, with a mailbox.
+    /// Checks a grid and an octree in buffers of these sizes, with a mailbox.
     pub fn check_grid_and_octree<const MAILBOX: usize>(&self, grid: GridSize, octree: OctreeSize) {
         let (mut cells, mut items) = (vec![0; grid.cells], vec![0; grid.entries]);
-        let lattice = Grid::<MAILBOX>::build(&self.boxes, &mut cells, &mut items).unwrap();
-        self.check(&format!("{grid:?}, mailbox {MAILBOX}"), lattice);
-        self.check(&format!("{grid:?}, mailbox {MAILBOX}, no boxes"), lattice.without_item_bounds());
+        let uniform = Grid::<MAILBOX>::build(&self.boxes, &mut cells, &mut items).unwrap();
+        self.check(&format!("{grid:?}, mailbox {MAILBOX}"), uniform);
+        self.check(&format!("{grid:?}, mailbox {MAILBOX}, no item bounds"), uniform.without_item_bounds());
         let (mut nodes, mut items) = (vec![OctreeNode::EMPTY; octree.nodes], vec![0; octree.entries]);
         let limits = OctreeLimits { max_leaf_items: 1, ..OctreeLimits::DEFAULT };
         let tree = Octree::<MAILBOX>::with_limits(limits, &self.boxes, &mut nodes, &mut items).unwrap();
         self.check(&format!("{octree:?}, mailbox {MAILBOX}"), tree);
-        self.check(&format!("{octree:?}, mailbox {MAILBOX}, no boxes"), tree.without_item_bounds());
+        self.check(&format!("{octree:?}, mailbox {MAILBOX}, no item bounds"), tree.without_item_bounds());
     }
 }

@@ -1,5 +1,5 @@
-//! The mailbox's two cases: an item in many regions is tested once, and a hit beyond the region that
-//! offers it neither ends the walk nor is lost.
+//! The mailbox: an item in many cells is tested once, and a hit beyond the cell that offers it neither ends the traversal
+//! nor is lost.
 
 use strahl_core::accel::{Accelerator, Grid, GridSize, Octree, OctreeLimits, OctreeNode};
 use strahl_core::geometry::{Hit, ItemId, Ray};
@@ -7,11 +7,11 @@ use strahl_core::tally::{Counters, RayKind};
 use strahl_core::{AllEffects, Real, Vec3, World, vec3};
 use strahl_tests::single::TestScene;
 
-/// A long needle of a box across the whole scene, to be hit far from where it is first offered; a
-/// small sphere before that hit; corners of the scene, so that there are many regions.
-fn needle_and_sphere() -> TestScene {
+/// A triangle across the whole scene, which is hit far from the cell that offers it first; a small sphere in front of
+/// that hit; and many tiny spheres, so that there are many cells.
+fn triangle_and_sphere() -> TestScene {
     let mut scene = TestScene::new();
-    // Number 0 fills a triangle from one end of the scene to the other: its box is all of it.
+    // The bounds of item 0 are those of the whole scene.
     scene.triangle([vec3(-8.0, -8.0, 6.0), vec3(8.0, -8.0, 6.0), vec3(-8.0, 8.0, -6.0)]);
     scene.sphere(vec3(-4.0, -4.0, 5.0), 0.5);
     for i in 0..64 {
@@ -21,9 +21,9 @@ fn needle_and_sphere() -> TestScene {
     scene
 }
 
-/// What a ray meets with all mailboxes, and the work with each.
-fn met(scene: &TestScene, ray: &Ray, t_max: Real) -> (Option<Hit>, Vec<Counters>) {
-    fn ask<A: Accelerator>(
+/// The nearest hit, which must be the same with every mailbox, and the counters of each.
+fn traced(scene: &TestScene, ray: &Ray, t_max: Real) -> (Option<Hit>, Vec<Counters>) {
+    fn trace<A: Accelerator>(
         scene: &TestScene,
         accelerator: A,
         ray: &Ray,
@@ -41,8 +41,8 @@ fn met(scene: &TestScene, ray: &Ray, t_max: Real) -> (Option<Hit>, Vec<Counters>
         (hit, counters)
     }
     let boxes = scene.bounds();
-    let room = GridSize::recommended(&boxes);
-    let (mut cells, mut items) = (vec![0; room.cells], vec![0; room.entries]);
+    let size = GridSize::recommended(&boxes);
+    let (mut cells, mut items) = (vec![0; size.cells], vec![0; size.entries]);
     let grid = Grid::<0>::build(&boxes, &mut cells, &mut items).unwrap().without_item_bounds();
     let (mut nodes, mut items) = (vec![OctreeNode::EMPTY; 1 + 8 * 300], vec![0; 3000]);
     let limits = OctreeLimits { max_depth: 4, max_leaf_items: 1 };
@@ -55,12 +55,12 @@ fn met(scene: &TestScene, ray: &Ray, t_max: Real) -> (Option<Hit>, Vec<Counters>
         octree.occupied_leaf_count()
     );
     let answers = [
-        ask(scene, grid, ray, t_max),
-        ask(scene, grid.with_mailbox::<1>(), ray, t_max),
-        ask(scene, grid.with_mailbox::<64>(), ray, t_max),
-        ask(scene, octree, ray, t_max),
-        ask(scene, octree.with_mailbox::<1>(), ray, t_max),
-        ask(scene, octree.with_mailbox::<64>(), ray, t_max),
+        trace(scene, grid, ray, t_max),
+        trace(scene, grid.with_mailbox::<1>(), ray, t_max),
+        trace(scene, grid.with_mailbox::<64>(), ray, t_max),
+        trace(scene, octree, ray, t_max),
+        trace(scene, octree.with_mailbox::<1>(), ray, t_max),
+        trace(scene, octree.with_mailbox::<64>(), ray, t_max),
     ];
     let hit = answers[0].0;
     assert!(answers.iter().all(|(other, _)| *other == hit), "{answers:?}");
@@ -68,24 +68,24 @@ fn met(scene: &TestScene, ray: &Ray, t_max: Real) -> (Option<Hit>, Vec<Counters>
 }
 
 #[test]
-fn a_hit_beyond_the_region_that_offers_it_does_not_hide_what_lies_before_it() {
-    let scene = needle_and_sphere();
-    // Along x at first it is in regions of the triangle only; it meets the triangle after the sphere.
+fn a_hit_beyond_the_cell_that_offers_it_does_not_hide_a_nearer_item() {
+    let scene = triangle_and_sphere();
+    // The first cells contain only the triangle, which is hit behind the sphere.
     let ray = Ray::new(vec3(-4.0, -4.0, 9.0), vec3(0.0, 0.0, -1.0));
-    let (hit, _) = met(&scene, &ray, Real::MAX);
+    let (hit, _) = traced(&scene, &ray, Real::MAX);
     assert_eq!(hit, Some(Hit { t: 3.5, item: ItemId(1) }));
     let beside = Ray::new(vec3(-4.0, -5.0, 9.0), vec3(0.0, 0.0, -1.0));
-    assert!(met(&scene, &beside, Real::MAX).0.is_some_and(|hit| hit.item == ItemId(0) && hit.t > 4.0));
+    assert!(traced(&scene, &beside, Real::MAX).0.is_some_and(|hit| hit.item == ItemId(0) && hit.t > 4.0));
 }
 
 #[test]
-fn a_hit_beyond_the_region_that_offers_it_is_not_lost_when_the_mailbox_leaves_it_out_later() {
-    let scene = needle_and_sphere();
+fn a_hit_beyond_the_cell_that_offers_it_is_kept_when_the_mailbox_skips_the_item_later() {
+    let scene = triangle_and_sphere();
     let start = vec3(-7.9, -7.0, -5.5);
-    // It runs under the triangle for a long way: offered in the first region, hit in one of the last.
+    // The triangle is offered in the first cell and hit in one of the last.
     let target = vec3(2.0, -7.0, 5.25);
     let ray = Ray::new(start, target - start);
-    let (hit, counters) = met(&scene, &ray, Real::MAX);
+    let (hit, counters) = traced(&scene, &ray, Real::MAX);
     assert!(hit.is_some_and(|hit| hit.item == ItemId(0) && (hit.t - 1.0).abs() < 1e-5), "{hit:?}");
     for (with, without) in [(2, 0), (5, 3)] {
         let (with, without) = (&counters[with], &counters[without]);
@@ -97,10 +97,10 @@ fn a_hit_beyond_the_region_that_offers_it_is_not_lost_when_the_mailbox_leaves_it
             without.shape_tests[kind],
             "skipped or tested"
         );
-        assert_eq!(with.leaf_visits[kind], without.leaf_visits[kind], "the walk is the same");
+        assert_eq!(with.leaf_visits[kind], without.leaf_visits[kind], "the traversal is the same");
     }
-    // And when the hit is out of reach it is no hit, wherever it was offered.
-    assert_eq!(met(&scene, &ray, hit.unwrap().t.next_down()).0, None);
-    assert_eq!(met(&scene, &ray, hit.unwrap().t).0, hit);
-    assert_eq!(met(&scene, &Ray::new(Vec3::splat(20.0), Vec3::ONE), Real::MAX).0, None);
+    // A hit beyond `t_max` is not reported, wherever the item was offered.
+    assert_eq!(traced(&scene, &ray, hit.unwrap().t.next_down()).0, None);
+    assert_eq!(traced(&scene, &ray, hit.unwrap().t).0, hit);
+    assert_eq!(traced(&scene, &Ray::new(Vec3::splat(20.0), Vec3::ONE), Real::MAX).0, None);
 }

@@ -1,4 +1,4 @@
-//! Scenes that nobody would think of, made smaller until they are as simple as can be when one fails.
+//! Property tests: generated scenes, which are reduced to a minimal one when a test fails.
 
 use std::cell::Cell;
 
@@ -12,8 +12,8 @@ use strahl_tests::single::TestScene;
 
 use crate::check::AcceleratorCheck;
 
-/// A number of a raster or not, or one that is hard to tell from one.
-fn place() -> impl Strategy<Value = Real> {
+/// A coordinate: on a lattice, next to one of its points, or arbitrary.
+fn coordinate() -> impl Strategy<Value = Real> {
     prop_oneof![
         4 => (-8_i8..=8).prop_map(Real::from),
         2 => (-64_i8..=64).prop_map(|x| Real::from(x) / 8.0),
@@ -24,15 +24,15 @@ fn place() -> impl Strategy<Value = Real> {
 }
 
 fn point() -> impl Strategy<Value = Vec3> {
-    (place(), place(), place()).prop_map(|(x, y, z)| vec3(x, y, z))
+    (coordinate(), coordinate(), coordinate()).prop_map(|(x, y, z)| vec3(x, y, z))
 }
 
-/// How far an item reaches: not at all, a little, a cell, across everything.
+/// Extent of an item: none, tiny, a cell, or the whole scene.
 fn size() -> impl Strategy<Value = Real> {
     prop_oneof![2 => Just(0.0), 2 => Just(1.0), 1 => Just(1e-6), 2 => 0.001..2.0_f32, 1 => Just(16.0)]
 }
 
-/// An item by two corners of its box.
+/// An item.
 #[derive(Clone, Copy, Debug)]
 enum ItemBox {
     Box(Vec3, Vec3),
@@ -49,19 +49,19 @@ fn item() -> impl Strategy<Value = ItemBox> {
     ]
 }
 
-/// A few items or none; each is there a number of times, mostly once.
+/// Up to 23 items, each with the number of its copies, mostly one.
 fn items() -> impl Strategy<Value = Vec<(ItemBox, usize)>> {
     let times = prop_oneof![6 => Just(1_usize), 1 => Just(2), 1 => 3..40_usize];
     prop::collection::vec((item(), times), 0..24)
 }
 
-/// Rays between places of the same kinds, so that many run along walls and through corners.
+/// Rays between such points, so that many run along cell planes and through corners.
 fn ray() -> impl Strategy<Value = (Vec3, Vec3)> {
     let zeros = prop_oneof![3 => Just([1.0, 1.0, 1.0]), 1 => Just([0.0, 1.0, 1.0]), 1 => Just([1.0, 0.0, -0.0]), 1 => Just([-0.0, 0.0, 1.0]), 1 => Just([0.0, 1.0, 0.0])];
     let far = prop_oneof![6 => Just(1.0), 1 => Just(1e5_f32)];
     (point(), point(), zeros, far)
         .prop_map(|(from, to, [x, y, z], far)| (from * far, (to - from * far) * vec3(x, y, z)))
-        .prop_filter("no way", |(_, way)| *way != Vec3::ZERO)
+        .prop_filter("zero direction", |(_, direction)| *direction != Vec3::ZERO)
 }
 
 fn built(items: &[(ItemBox, usize)]) -> TestScene {
@@ -79,7 +79,7 @@ fn built(items: &[(ItemBox, usize)]) -> TestScene {
 }
 
 #[test]
-fn in_any_scene_every_ray_is_answered_as_by_the_list() {
+fn every_accelerator_agrees_with_the_list_in_any_scene() {
     let config = Config { cases: 400, failure_persistence: None, ..Config::default() };
     let random = TestRng::from_seed(RngAlgorithm::ChaCha, &[0x5e; 32]);
     let mut runner = TestRunner::new_with_rng(config, random);
@@ -88,12 +88,13 @@ fn in_any_scene_every_ray_is_answered_as_by_the_list() {
     runner
         .run(&(items(), rays, any::<u64>()), |(items, rays, seed)| {
             let scene = built(&items);
-            let rays: Vec<Ray> = rays.into_iter().map(|(from, way)| Ray::new(from, way)).collect();
+            let rays: Vec<Ray> =
+                rays.into_iter().map(|(from, direction)| Ray::new(from, direction)).collect();
             let rng = &mut SplitMix64::new(seed);
             let check = AcceleratorCheck::new(&scene, &rays, rng);
             let (count, boxes) = (scene.item_count() as usize, &check.boxes);
             let (grid, octree) = (GridSize::recommended(boxes), OctreeSize::recommended(count));
-            let mut any = |floor: usize, most: usize| floor + rng.below((most - floor + 1) as u32) as usize;
+            let mut any = |min: usize, max: usize| min + rng.below((max - min + 1) as u32) as usize;
             let coarse = GridSize { cells: any(2, grid.cells), entries: grid.entries };
             let shallow = OctreeSize { nodes: any(1, octree.nodes), entries: octree.entries };
             hits.set(hits.get() + check.hits());
@@ -104,6 +105,6 @@ fn in_any_scene_every_ray_is_answered_as_by_the_list() {
             check.check_bvh(BvhSize::recommended(count).nodes);
             Ok(())
         })
-        .unwrap_or_else(|fault| panic!("{fault}"));
+        .unwrap_or_else(|error| panic!("{error}"));
     assert!(hits.get() > 1_000, "only {} hits", hits.get());
 }

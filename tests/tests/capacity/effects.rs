@@ -1,9 +1,9 @@
-//! Effects: what a tracer was not built for it refuses, and what a scene does not call for
-//! costs no ray.
+//! Effects: a tracer refuses a scene that requires more than its effect set, and an effect that a scene does not use costs
+//! no ray.
 
 use crate::*;
 
-/// Tracers that can do everything but one thing.
+/// Effect sets with one effect left out.
 macro_rules! everything_but {
     ($($Name:ident { $($part:tt)* })*) => { $(
         struct $Name;
@@ -31,16 +31,15 @@ everything_but! {
     Standing { motion: false }
 }
 
-/// Of the effects that a scene can be without, how to take each away, and the picture of a tracer
-/// that cannot do it.
-type Without = (&'static str, fn(&mut TestScene, &mut View), fn(&TestScene, &View) -> Vec<Rgb>);
+/// An effect, a function that removes it from a scene, and one that renders without it.
+type DisableEffect = (&'static str, fn(&mut TestScene, &mut View), fn(&TestScene, &View) -> Vec<Rgb>);
 
-/// A scene that asks for everything but shapes of its own kind.
+/// A scene that requires every effect.
 fn all_effects() -> (TestScene, View) {
-    let mut scene = fair();
+    let mut scene = mixed_scene();
     scene.material(Material { mirror: Rgb::gray(0.4), roughness: 0.4, ..Material::MATTE });
-    let ball = scene.sphere(vec3(2.0, 2.0, 2.0), 0.7);
-    scene.set_motion(ball, -Vec3::X, Vec3::Y);
+    let moving = scene.sphere(vec3(2.0, 2.0, 2.0), 0.7);
+    scene.set_motion(moving, -Vec3::X, Vec3::Y);
     let falloff = Falloff::NONE;
     let half = [Vec3::X, Vec3::Z];
     for source in [
@@ -54,7 +53,7 @@ fn all_effects() -> (TestScene, View) {
     (scene, View { projection, ..VIEW })
 }
 
-fn seen_by<E: Effects>(scene: &TestScene, view: &View) -> Vec<Rgb> {
+fn rendered<E: Effects>(scene: &TestScene, view: &View) -> Vec<Rgb> {
     let world = World::new(scene.as_scene(), List::without_bounds(scene.item_count()));
     let size = size(24, 16);
     let camera = Camera::new(view, size).unwrap();
@@ -69,43 +68,43 @@ fn seen_by<E: Effects>(scene: &TestScene, view: &View) -> Vec<Rgb> {
 }
 
 #[test]
-fn a_tracer_that_cannot_do_an_effect_gives_the_same_picture_of_a_scene_without_it() {
+fn a_tracer_without_an_effect_gives_the_same_picture_of_a_scene_that_does_not_use_it() {
     fn each_material(scene: &mut TestScene, change: impl Fn(&mut Material)) {
         scene.materials_mut().iter_mut().for_each(change);
     }
-    let all: [Without; 9] = [
+    let all: [DisableEffect; 9] = [
         (
             "shadows",
             |scene, _| scene.lights.iter_mut().for_each(|l| l.shadows = false),
-            seen_by::<Shadowless>,
+            rendered::<Shadowless>,
         ),
-        ("reflection", |scene, _| each_material(scene, |m| m.mirror = Rgb::BLACK), seen_by::<Mirrorless>),
-        ("transmission", |scene, _| each_material(scene, |m| m.transmitted = Rgb::BLACK), seen_by::<Opaque>),
+        ("reflection", |scene, _| each_material(scene, |m| m.mirror = Rgb::BLACK), rendered::<Mirrorless>),
+        ("transmission", |scene, _| each_material(scene, |m| m.transmitted = Rgb::BLACK), rendered::<Opaque>),
         (
             "absorption",
             |scene, _| each_material(scene, |m| m.clarity = Material::MATTE.clarity),
-            seen_by::<Clear>,
+            rendered::<Clear>,
         ),
-        ("colored shadows", |scene, _| scene.colored_shadows = false, seen_by::<Uncolored>),
-        ("penumbra", |scene, _| scene.lights.retain(|light| !light.is_soft()), seen_by::<Hard>),
-        ("lens", |_, view| view.projection = VIEW.projection, seen_by::<Pinhole>),
-        ("gloss", |scene, _| each_material(scene, |m| m.roughness = 0.0), seen_by::<Polished>),
-        ("motion", |scene, _| scene.clear_motions(), seen_by::<Standing>),
+        ("colored shadows", |scene, _| scene.colored_shadows = false, rendered::<Uncolored>),
+        ("penumbra", |scene, _| scene.lights.retain(|light| !light.is_soft()), rendered::<Hard>),
+        ("lens", |_, view| view.projection = VIEW.projection, rendered::<Pinhole>),
+        ("gloss", |scene, _| each_material(scene, |m| m.roughness = 0.0), rendered::<Polished>),
+        ("motion", |scene, _| scene.clear_motions(), rendered::<Standing>),
     ];
     let (scene, view) = all_effects();
-    let with = seen_by::<AllEffects>(&scene, &view);
-    for (effect, take_away, without) in all {
+    let with = rendered::<AllEffects>(&scene, &view);
+    for (effect, remove, without) in all {
         let (mut scene, mut view) = (scene.clone(), view);
-        take_away(&mut scene, &mut view);
+        remove(&mut scene, &mut view);
         let picture = without(&scene, &view);
-        assert_eq!(picture, seen_by::<AllEffects>(&scene, &view), "without {effect}");
-        assert_ne!(picture, with, "{effect} can be seen");
+        assert_eq!(picture, rendered::<AllEffects>(&scene, &view), "without {effect}");
+        assert_ne!(picture, with, "{effect} is visible");
     }
 }
 
 #[test]
-fn a_tracer_refuses_a_scene_that_asks_for_what_it_cannot_do() {
-    fn refuses<E: Effects>(ask: impl Fn(&mut TestScene, Material, Light)) {
+fn a_tracer_refuses_a_scene_that_requires_an_effect_it_lacks() {
+    fn refuses<E: Effects>(require: impl Fn(&mut TestScene, Material, Light)) {
         let light = |color| Light { source: Source::Directional { toward: Vec3::Y }, color, shadows: false };
         let mut scene = TestScene::new();
         scene.sphere(Vec3::ZERO, 1.0);
@@ -122,10 +121,10 @@ fn a_tracer_refuses_a_scene_that_asks_for_what_it_cannot_do() {
             }
         };
         assert!(!is_refused(&scene), "{:?}", E::SET);
-        ask(&mut scene, Material::MATTE, light(Rgb::WHITE));
+        require(&mut scene, Material::MATTE, light(Rgb::WHITE));
         assert!(is_refused(&scene), "{:?}", E::SET);
     }
-    let ball = |scene: &mut TestScene, material| {
+    let sphere = |scene: &mut TestScene, material| {
         scene.material(material);
         scene.sphere(Vec3::ZERO, 1.0);
     };
@@ -143,31 +142,33 @@ fn a_tracer_refuses_a_scene_that_asks_for_what_it_cannot_do() {
     refuses::<Checkers>(|scene, material, _| {
         let (from, to) = (Rgb::BLACK, Rgb::WHITE);
         let texture = scene.add_texture(Texture::Gradient { from, to, origin: Vec3::ZERO, along: Vec3::X });
-        ball(scene, Material { texture, ..material });
+        sphere(scene, Material { texture, ..material });
     });
     refuses::<Dull>(|scene, material, light| {
         scene.lights.push(light);
-        ball(scene, Material { highlight: Rgb::WHITE, exponent: 2.0, ..material });
+        sphere(scene, Material { highlight: Rgb::WHITE, exponent: 2.0, ..material });
     });
     refuses::<Shadowless>(|scene, _, light| scene.lights.push(Light { shadows: true, ..light }));
-    refuses::<Mirrorless>(|scene, material, _| ball(scene, Material { mirror: Rgb::gray(0.01), ..material }));
-    refuses::<Opaque>(|scene, material, _| ball(scene, glass(material)));
+    refuses::<Mirrorless>(|scene, material, _| {
+        sphere(scene, Material { mirror: Rgb::gray(0.01), ..material })
+    });
+    refuses::<Opaque>(|scene, material, _| sphere(scene, glass(material)));
     refuses::<Hard>(|scene, _, light| {
         let falloff = Falloff::NONE;
         let source = Source::Sphere { position: Vec3::Y, radius: 1.0, falloff };
         scene.lights.push(Light { source, ..light });
     });
     refuses::<Polished>(|scene, material, _| {
-        ball(scene, Material { mirror: Rgb::WHITE, roughness: 0.1, ..material });
+        sphere(scene, Material { mirror: Rgb::WHITE, roughness: 0.1, ..material });
     });
     refuses::<Standing>(|scene, _, _| scene.set_motion(ItemId(0), Vec3::ZERO, Vec3::X));
     refuses::<Uncolored>(|scene, material, light| {
-        ball(scene, glass(material));
+        sphere(scene, glass(material));
         scene.lights.push(Light { shadows: true, ..light });
         scene.colored_shadows = true;
     });
     refuses::<Clear>(|scene, material, _| {
-        ball(scene, Material { clarity: Rgb::new(Real::INFINITY, 2.0, 1.0), ..glass(material) });
+        sphere(scene, Material { clarity: Rgb::new(Real::INFINITY, 2.0, 1.0), ..glass(material) });
     });
 }
 
@@ -185,10 +186,10 @@ fn a_tracer_without_a_lens_refuses_a_camera_that_has_one() {
     assert!(Tracer::<_, AllEffects, 5>::new(&world, camera, Limits::DEFAULT).is_ok());
 }
 
-/// Just what [`local`] asks for.
-struct Local;
+/// Exactly the effects of [`local`].
+struct LocalLightEffects;
 
-impl Effects for Local {
+impl Effects for LocalLightEffects {
     const SET: EffectSet = EffectSet {
         shapes: ShapeSet::of(&[ShapeKind::Sphere, ShapeKind::Plane]),
         lights: LightSet::of(&[LightKind::Point]),
@@ -196,7 +197,7 @@ impl Effects for Local {
     };
 }
 
-/// Balls on a floor, lit from one place without shadows.
+/// Spheres on a floor under a point light without shadows.
 fn local() -> TestScene {
     let mut scene = TestScene::new();
     scene.material(Material { ambient: Rgb::gray(0.5), ..Material::MATTE });
@@ -211,12 +212,16 @@ fn local() -> TestScene {
 }
 
 #[test]
-fn the_smallest_tracer_and_the_one_that_can_everything_give_the_same_picture() {
+fn the_smallest_effect_set_and_all_effects_give_the_same_picture() {
     let scene = local();
-    assert_eq!(scene.as_scene().effects(), Local::SET);
+    assert_eq!(scene.as_scene().effects(), LocalLightEffects::SET);
     let world = World::new(scene.as_scene(), List::without_bounds(scene.item_count()));
-    let (small, counters) =
-        picture::<_, Local, 1>(&world, size(48, 32), Limits { levels: 1, cutoff: 0.0 }, &mut Single);
+    let (small, counters) = picture::<_, LocalLightEffects, 1>(
+        &world,
+        size(48, 32),
+        Limits { levels: 1, cutoff: 0.0 },
+        &mut Single,
+    );
     let (all, same) =
         picture::<_, AllEffects, 64>(&world, size(48, 32), Limits { levels: 64, cutoff: 0.0 }, &mut Single);
     assert_eq!(small, all);
@@ -225,7 +230,7 @@ fn the_smallest_tracer_and_the_one_that_can_everything_give_the_same_picture() {
 }
 
 #[test]
-fn no_ray_is_sent_for_what_the_scene_does_not_call_for() {
+fn no_ray_is_traced_for_effects_that_the_scene_does_not_use() {
     let rays = |scene: &TestScene| {
         let world = World::new(scene.as_scene(), List::without_bounds(scene.item_count()));
         let (_, counters) = picture::<_, AllEffects, 5>(&world, size(24, 16), Limits::DEFAULT, &mut Single);
@@ -241,7 +246,7 @@ fn no_ray_is_sent_for_what_the_scene_does_not_call_for() {
     let mut with_shadows = scene.clone();
     with_shadows.lights[0].shadows = true;
     assert_eq!(rays(&with_shadows), [true, false, false, true]);
-    // A light that is off is not asked for.
+    // A black light costs no shadow ray.
     with_shadows.lights[0].color = Rgb::BLACK;
     assert_eq!(rays(&with_shadows), [true, false, false, false]);
 }

@@ -1,10 +1,9 @@
-//! Levels of rays: as many as there is room for, and no more room than that.
+//! Levels of rays: at most `LEVELS`, whose tasks always fit.
 
 use crate::*;
 
-/// Parallel planes one apart, half mirror and half glass that does not break light, which shine
-/// by themselves: wherever a ray is, there is another plane before it, and both of its children
-/// meet planes as well.
+/// Parallel emitting planes, each half mirror and half glass of index 1. Every ray hits a plane, and so do both of its
+/// children.
 fn panes(levels: usize) -> TestScene {
     let mut scene = TestScene::new();
     let half = Rgb::gray(0.5);
@@ -19,11 +18,11 @@ fn panes(levels: usize) -> TestScene {
     scene
 }
 
-/// The ray through the middle of the first pixel.
-const MIDDLE: CameraSample =
+/// The ray through the center of the first pixel.
+const CENTER: CameraSample =
     CameraSample { point: FilmPoint { x: 0.5, y: 0.5 }, stream: SobolSequence::new(0, 0, 0, 0) };
 
-/// A ray straight at the panes, with room for `LEVELS` levels.
+/// A ray perpendicular to the panes, traced with a capacity of `LEVELS` levels.
 fn full_tree<const LEVELS: usize>(levels: u8) -> (Rgb, Counters) {
     let scene = panes(levels.into());
     let world = World::new(scene.as_scene(), List::without_bounds(scene.item_count()));
@@ -33,18 +32,18 @@ fn full_tree<const LEVELS: usize>(levels: u8) -> (Rgb, Counters) {
         Tracer::<_, AllEffects, LEVELS>::new(&world, Camera::new(&view, size(1, 1)).unwrap(), limits)
             .unwrap();
     let mut worker = Worker::new(Counters::new());
-    (tracer.trace(MIDDLE, &mut worker).color, worker.into_tally())
+    (tracer.trace(CENTER, &mut worker).color, worker.into_tally())
 }
 
 #[test]
-fn a_full_tree_of_rays_needs_no_more_room_than_levels() {
+fn a_full_ray_tree_fits_into_a_task_stack_of_one_entry_per_level() {
     // Each level has twice the rays of half the weight, so that each adds the same light.
     for (levels, (color, counters)) in [
         (1, full_tree::<1>(1)),
         (2, full_tree::<2>(2)),
         (5, full_tree::<5>(5)),
         (12, full_tree::<12>(12)),
-        // More room than needed changes nothing.
+        // A larger capacity changes nothing.
         (5, full_tree::<64>(5)),
         (12, full_tree::<64>(12)),
     ] {
@@ -57,10 +56,10 @@ fn a_full_tree_of_rays_needs_no_more_room_than_levels() {
     }
 }
 
-/// Counts rays, and has enough after so many.
-struct Enough(u64);
+/// Stops a trace after this number of rays.
+struct StopAfter(u64);
 
-impl Tally for Enough {
+impl Tally for StopAfter {
     fn count(&mut self, event: CountedEvent) {
         self.0 = self.0.saturating_sub(u64::from(matches!(event, CountedEvent::Ray(_))));
     }
@@ -71,7 +70,7 @@ impl Tally for Enough {
 }
 
 #[test]
-fn a_tree_that_is_given_up_ends_at_once_with_what_its_rays_have_brought() {
+fn a_stopped_trace_ends_at_once_with_the_light_of_its_rays() {
     let scene = panes(64);
     let world = World::new(scene.as_scene(), List::without_bounds(scene.item_count()));
     let view = View { from: Vec3::ZERO, at: Vec3::X, up: Vec3::Y, ..VIEW };
@@ -79,32 +78,32 @@ fn a_tree_that_is_given_up_ends_at_once_with_what_its_rays_have_brought() {
     // The whole tree has 2^64 rays.
     let limits = Limits { levels: 64, cutoff: 0.0 };
     let tracer = Tracer::<_, AllEffects, 64>::new(&world, camera, limits).unwrap();
-    let mut worker = Worker::new(Enough(0));
-    // Of the first levels, one ray of each: a quarter of light times a half, a quarter, ...
+    let mut worker = Worker::new(StopAfter(0));
+    // One ray of each of the first levels: 1/4 times 1, 1/2, 1/4, ...
     for (rays, light) in [(1, 0.25), (2, 0.375), (3, 0.4375), (1, 0.25)] {
         worker.tally_mut().0 = rays;
-        assert_eq!(tracer.trace(MIDDLE, &mut worker).color, Rgb::gray(light), "{rays}");
+        assert_eq!(tracer.trace(CENTER, &mut worker).color, Rgb::gray(light), "{rays}");
         assert_eq!(worker.tally().0, 0);
     }
 }
 
 #[test]
-fn room_for_more_levels_gives_the_same_picture() {
-    let scene = fair();
+fn a_larger_capacity_of_levels_gives_the_same_picture() {
+    let scene = mixed_scene();
     let world = World::new(scene.as_scene(), List::without_bounds(scene.item_count()));
-    let shoot = |levels| Limits { levels, ..Limits::DEFAULT };
+    let limits = |levels| Limits { levels, ..Limits::DEFAULT };
     let s = size(24, 16);
-    let one = picture::<_, AllEffects, 1>(&world, s, shoot(1), &mut Single);
-    assert_eq!(picture::<_, AllEffects, 64>(&world, s, shoot(1), &mut Single), one);
-    let two = picture::<_, AllEffects, 2>(&world, s, shoot(2), &mut Single);
-    assert_eq!(picture::<_, AllEffects, 5>(&world, s, shoot(2), &mut Single), two);
-    let five = picture::<_, AllEffects, 5>(&world, s, shoot(5), &mut Single);
-    assert_eq!(picture::<_, AllEffects, 64>(&world, s, shoot(5), &mut Single), five);
+    let one = picture::<_, AllEffects, 1>(&world, s, limits(1), &mut Single);
+    assert_eq!(picture::<_, AllEffects, 64>(&world, s, limits(1), &mut Single), one);
+    let two = picture::<_, AllEffects, 2>(&world, s, limits(2), &mut Single);
+    assert_eq!(picture::<_, AllEffects, 5>(&world, s, limits(2), &mut Single), two);
+    let five = picture::<_, AllEffects, 5>(&world, s, limits(5), &mut Single);
+    assert_eq!(picture::<_, AllEffects, 64>(&world, s, limits(5), &mut Single), five);
     assert!(one.0 != two.0 && two.0 != five.0);
 }
 
 #[test]
-fn a_tracer_refuses_limits_that_it_has_no_room_for() {
+fn a_tracer_refuses_more_levels_than_its_capacity() {
     let scene = TestScene::new();
     let world = World::new(scene.as_scene(), List::without_bounds(0));
     let camera = Camera::new(&VIEW, size(2, 2)).unwrap();
@@ -129,8 +128,8 @@ fn a_tracer_refuses_limits_that_it_has_no_room_for() {
 }
 
 #[test]
-fn a_thing_in_more_bodies_than_a_list_of_media_holds_is_told() {
-    // Six shells of glass round the eye's target: the fifth and sixth are not entered.
+fn an_overflow_of_the_medium_stack_is_counted() {
+    // Six shells of glass around the target: the fifth and sixth are not entered.
     let mut scene = TestScene::new();
     scene.material(Material { transmitted: Rgb::WHITE, index: 1.1, diffuse: Rgb::BLACK, ..Material::MATTE });
     for radius in 1..7 {
@@ -139,14 +138,14 @@ fn a_thing_in_more_bodies_than_a_list_of_media_holds_is_told() {
     let limits = Limits { levels: 64, cutoff: 0.0 };
     let (_, counters) = scene.trace_counted(vec3(0.0, 0.0, 20.0), vec3(0.1, 0.2, 0.0), limits);
     assert_eq!(counters.medium_stack_full, 2);
-    assert_eq!(counters.rays[RayKind::Transmitted], 12, "it goes on all the same");
+    assert_eq!(counters.rays[RayKind::Transmitted], 12, "tracing continues");
 }
 
 #[test]
-fn the_background_stands_for_what_the_levels_end_and_for_what_lies_out_of_sight() {
-    /// Everything, and the background beyond four and a half lengths and below the last level.
-    struct ShortSighted;
-    impl Effects for ShortSighted {
+fn the_background_replaces_rays_below_the_last_level_and_hits_out_of_sight() {
+    /// All effects, with the background beyond a distance of 4.5 and below the last level.
+    struct LimitedSight;
+    impl Effects for LimitedSight {
         const SET: EffectSet = EffectSet::ALL;
         const SIGHT: Real = 4.5;
         const LAST: LastLevel = LastLevel::Background;
@@ -158,14 +157,14 @@ fn the_background_stands_for_what_the_levels_end_and_for_what_lies_out_of_sight(
         let view = View { from: vec3(from, 0.0, 0.0), at: vec3(from + 1.0, 0.0, 0.0), ..VIEW };
         let camera = Camera::new(&View { up: Vec3::Y, ..view }, size(1, 1)).unwrap();
         let limits = Limits { levels, cutoff: 0.0 };
-        let tracer = Tracer::<_, ShortSighted, 3>::new(&world, camera, limits).unwrap();
-        tracer.trace(MIDDLE, &mut Worker::new(())).color
+        let tracer = Tracer::<_, LimitedSight, 3>::new(&world, camera, limits).unwrap();
+        tracer.trace(CENTER, &mut Worker::new(())).color
     };
-    // The pane, and the background for both of its children: the mirrored ray would meet the other pane.
+    // The pane, and the background for both of its children: the reflected ray would hit the other pane.
     assert_eq!(color(0.0, 1), Rgb::gray(0.25 + 8.0));
-    // That pane is met, and sends two rays in its turn.
+    // That pane is hit, and traces two rays in turn.
     assert_eq!(color(0.0, 2), Rgb::gray(0.25 + 4.0 + 0.5 * (0.25 + 8.0)));
-    // Four lengths before the first of them it is in sight, four and three quarters before it is not.
+    // From a distance of 4 the first pane is visible, from 4.75 it is not.
     assert_eq!(color(-5.0, 1), Rgb::gray(0.25 + 8.0));
     assert_eq!(color(-5.75, 1), Rgb::gray(8.0));
 }

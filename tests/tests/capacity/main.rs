@@ -1,7 +1,7 @@
-//! What memory does: it is lent, bounded and never needed from a heap; too little of it is
-//! refused at the door or costs time, and never changes a picture.
+//! Memory of the core: it is provided by the caller, bounded, and never allocated. Buffers that are too small are refused
+//! or cost time, and never change a picture.
 
-#![expect(unsafe_code, reason = "an allocator that counts is one")]
+#![expect(unsafe_code, reason = "an allocator implements an unsafe trait")]
 
 mod effects;
 mod levels;
@@ -33,30 +33,30 @@ use strahl_tests::{DVec3, SplitMix64, TestShape, TestShapeKind};
 
 const SEED: u64 = 0x5eed_0004;
 
-/// The system's allocator, and how often each thread has asked it for memory.
-struct Counting;
+/// The system's allocator, with a count of the allocations of each thread.
+struct CountingAllocator;
 
 thread_local! {
     static ALLOCATIONS: Cell<u64> = const { Cell::new(0) };
 }
 
-// SAFETY: it hands on every question to the system's allocator. Counting needs no memory: the
-// count has no destructor and is there when its thread begins.
-unsafe impl GlobalAlloc for Counting {
+// SAFETY: all calls are forwarded to the system's allocator. Counting allocates nothing: the count is initialized in a
+// constant and has no destructor.
+unsafe impl GlobalAlloc for CountingAllocator {
     unsafe fn alloc(&self, layout: Layout) -> *mut u8 {
         ALLOCATIONS.set(ALLOCATIONS.get() + 1);
         unsafe { System.alloc(layout) }
     }
 
-    unsafe fn dealloc(&self, at: *mut u8, layout: Layout) {
-        unsafe { System.dealloc(at, layout) }
+    unsafe fn dealloc(&self, pointer: *mut u8, layout: Layout) {
+        unsafe { System.dealloc(pointer, layout) }
     }
 }
 
 #[global_allocator]
-static GLOBAL: Counting = Counting;
+static GLOBAL: CountingAllocator = CountingAllocator;
 
-/// How often `work` asks for memory.
+/// Number of allocations of `work`.
 fn allocations(work: impl FnOnce()) -> u64 {
     let before = ALLOCATIONS.get();
     work();
@@ -74,8 +74,8 @@ fn size(width: u32, height: u32) -> Resolution {
     Resolution::new(width, height).unwrap()
 }
 
-/// A bit of everything: all shapes in glass, mirrors and paint, under all kinds of light.
-fn fair() -> TestScene {
+/// All shapes in matte, mirror and glass materials, under all kinds of light.
+fn mixed_scene() -> TestScene {
     let mut rng = SplitMix64::new(SEED);
     let mut scene = TestScene::new();
     let checker = scene.add_texture(Texture::Checker {
@@ -84,17 +84,17 @@ fn fair() -> TestScene {
         origin: Vec3::ZERO,
         frequency: vec3(1.0, 0.0, 1.0),
     });
-    let paint = Material { highlight: Rgb::gray(0.5), exponent: 20.0, ..Material::MATTE };
+    let shiny = Material { highlight: Rgb::gray(0.5), exponent: 20.0, ..Material::MATTE };
     let materials = [
-        Material { texture: checker, ..paint },
-        Material { mirror: Rgb::gray(0.5), ..paint },
+        Material { texture: checker, ..shiny },
+        Material { mirror: Rgb::gray(0.5), ..shiny },
         Material {
             transmitted: Rgb::gray(0.9),
             index: 1.5,
             interface: Interface::Fresnel,
             clarity: Rgb::new(3.0, 4.0, 5.0),
             diffuse: Rgb::BLACK,
-            ..paint
+            ..shiny
         },
     ];
     scene.material(materials[0]);
@@ -123,7 +123,7 @@ fn fair() -> TestScene {
     scene
 }
 
-/// Renders a picture with a sampler, and what it took.
+/// Renders a picture, and returns it with its counters.
 fn picture<A: Accelerator, E: Effects, const LEVELS: usize>(
     world: &World<'_, A>,
     size: Resolution,
@@ -141,9 +141,9 @@ fn picture<A: Accelerator, E: Effects, const LEVELS: usize>(
 }
 
 #[test]
-fn the_core_asks_for_no_memory() {
-    // The caller brings all of it.
-    let scene = fair();
+fn the_core_allocates_no_memory() {
+    // The caller provides all buffers.
+    let scene = mixed_scene();
     let boxes = scene.bounds();
     let mut groups = vec![Aabb::EMPTY; group_count(boxes.len())];
     let size = size(24, 16);
@@ -154,8 +154,8 @@ fn the_core_asks_for_no_memory() {
     let mut kept = vec![Kept::NOTHING; 500];
     let colors_agree = Agreement::of_colors(0.05).unwrap();
 
-    assert_eq!(allocations(|| drop(std::hint::black_box(Box::new(1)))), 1, "the count counts");
-    let asked = allocations(|| {
+    assert_eq!(allocations(|| drop(std::hint::black_box(Box::new(1)))), 1, "allocations are counted");
+    let count = allocations(|| {
         let boxed = List::with_boxes(&boxes, &mut groups).unwrap();
         let world = World::new(Scene::new(scene.parts()).unwrap(), boxed);
         let camera = Camera::new(&VIEW, size).unwrap();
@@ -189,6 +189,6 @@ fn the_core_asks_for_no_memory() {
             worker.tally().rays[RayKind::Transmitted] > 100 && worker.tally().rays[RayKind::Reflected] > 100
         );
     });
-    assert_eq!(asked, 0);
+    assert_eq!(count, 0);
     assert!(colors.iter().any(|color| !color.is_black()));
 }

@@ -1,41 +1,40 @@
-//! Memory for corners and pixels: too little of it costs rays or is refused, and changes no
-//! picture.
+//! Buffers for corners and pixels: a smaller one costs rays or is refused, and never changes a picture.
 
 use crate::*;
 
-/// The mean of the four corners of each pixel, each traced for itself.
+/// The mean of the four corners of each pixel, each traced separately.
 struct FourCorners;
 
 impl Sampler for FourCorners {
     fn sample_pixel<R: RayTracer + ?Sized>(&mut self, Pixel { x, y }: Pixel, tracer: &mut R) -> PixelSample {
         let mut corner = |dx, dy| {
-            let place = FilmPoint { x: (x + dx) as Real, y: (y + dy) as Real };
-            tracer.trace(CameraSample { point: place, stream: SobolSequence::new(0, 0, 0, 0) }).color
+            let point = FilmPoint { x: (x + dx) as Real, y: (y + dy) as Real };
+            tracer.trace(CameraSample { point, stream: SobolSequence::new(0, 0, 0, 0) }).color
         };
         let (upper, lower) = (corner(0, 0) + corner(1, 0), corner(0, 1) + corner(1, 1));
         PixelSample { color: (upper + lower) * 0.25, hit: HitId::Nothing }
     }
 }
 
-/// Corners and nothing else.
-fn corners_alone() -> Parting {
+/// A subdivision of depth zero: corners only.
+fn corners_only() -> Parting {
     Parting::new(0, Agreement::of_colors(0.0).unwrap()).unwrap()
 }
 
 #[test]
-fn corners_are_the_same_from_any_memory_and_none_is_traced_twice() {
-    let scene = fair();
+fn corners_are_the_same_from_any_buffer_and_none_is_traced_twice() {
+    let scene = mixed_scene();
     let world = World::new(scene.as_scene(), List::without_bounds(scene.item_count()));
     for (w, h) in [(1, 1), (1, 9), (9, 1), (24, 16)] {
         let s = size(w, h);
         let corners = u64::from((w + 1) * (h + 1));
-        let (truth, counters) = picture::<_, AllEffects, 5>(&world, s, Limits::DEFAULT, &mut FourCorners);
+        let (expected, counters) = picture::<_, AllEffects, 5>(&world, s, Limits::DEFAULT, &mut FourCorners);
         assert_eq!(counters.rays[RayKind::Camera], u64::from(4 * w * h));
 
         let mut row = vec![PixelSample::BLACK; w as usize + 1];
-        let mut sampler = Adaptive::new(corners_alone(), CornerRow::new(&mut row), &mut []);
+        let mut sampler = Adaptive::new(corners_only(), CornerRow::new(&mut row), &mut []);
         let (colors, counters) = picture::<_, AllEffects, 5>(&world, s, Limits::DEFAULT, &mut sampler);
-        assert_eq!((colors, counters.rays[RayKind::Camera]), (truth.clone(), corners), "{w}x{h}");
+        assert_eq!((colors, counters.rays[RayKind::Camera]), (expected.clone(), corners), "{w}x{h}");
 
         let camera = Camera::new(&VIEW, s).unwrap();
         let tracer = Tracer::<_, AllEffects, 5>::new(&world, camera, Limits::DEFAULT).unwrap();
@@ -43,41 +42,42 @@ fn corners_are_the_same_from_any_memory_and_none_is_traced_twice() {
         let mut memory = vec![PixelSample::BLACK; Lattice::tile(whole).len()];
         let mut frame = Frame::new(Lattice::tile(whole), &mut memory).unwrap();
         let mut worker = Worker::new(Counters::new());
-        // In any order: here the last tile first.
+        // In any order: here from the last tile to the first.
         let tiles: Vec<Tile> = Lattice::tile(whole).tiles(5).collect();
         for tile in tiles.into_iter().rev() {
             let Ok(()) = render(
                 &mut tracer.with_worker(&mut worker),
-                &mut Corner(corners_alone()),
+                &mut Corner(corners_only()),
                 tile.pixels(),
                 &mut frame,
             );
         }
         assert_eq!(worker.tally().rays[RayKind::Camera], corners);
-        let mut lattice = Adaptive::new(corners_alone(), Lattice::new(whole, &memory).unwrap(), &mut []);
+        let mut lattice = Adaptive::new(corners_only(), Lattice::new(whole, &memory).unwrap(), &mut []);
         let (colors, counters) = picture::<_, AllEffects, 5>(&world, s, Limits::DEFAULT, &mut lattice);
-        assert_eq!((colors, counters), (truth, Counters::new()), "{w}x{h}");
+        assert_eq!((colors, counters), (expected, Counters::new()), "{w}x{h}");
     }
 }
 
 #[test]
-fn a_row_of_corners_that_is_too_short_costs_rays_and_changes_nothing() {
-    let scene = fair();
+fn a_row_of_corners_that_is_too_short_costs_rays_and_changes_no_pixel() {
+    let scene = mixed_scene();
     let world = World::new(scene.as_scene(), List::without_bounds(scene.item_count()));
     for (w, h) in [(1, 5), (6, 5)] {
-        let (truth, _) = picture::<_, AllEffects, 5>(&world, size(w, h), Limits::DEFAULT, &mut FourCorners);
+        let (expected, _) =
+            picture::<_, AllEffects, 5>(&world, size(w, h), Limits::DEFAULT, &mut FourCorners);
         let mut row = [PixelSample::BLACK; 10];
-        let mut most = u64::MAX;
-        for room in 0..=w as usize + 3 {
-            let mut sampler = Adaptive::new(corners_alone(), CornerRow::new(&mut row[..room]), &mut []);
+        let mut max_rays = u64::MAX;
+        for capacity in 0..=w as usize + 3 {
+            let mut sampler = Adaptive::new(corners_only(), CornerRow::new(&mut row[..capacity]), &mut []);
             let (colors, counters) =
                 picture::<_, AllEffects, 5>(&world, size(w, h), Limits::DEFAULT, &mut sampler);
-            assert_eq!(colors, truth, "{room} corners for rows of {w} pixels");
+            assert_eq!(colors, expected, "{capacity} corners for rows of {w} pixels");
             let rays = counters.rays[RayKind::Camera];
             assert!(rays <= u64::from(4 * w * h) && rays >= u64::from((w + 1) * (h + 1)));
-            if room <= w as usize + 1 {
-                assert!(rays <= most, "{room} corners");
-                most = rays;
+            if capacity <= w as usize + 1 {
+                assert!(rays <= max_rays, "{capacity} corners");
+                max_rays = rays;
             }
         }
     }
@@ -87,40 +87,44 @@ fn a_row_of_corners_that_is_too_short_costs_rays_and_changes_nothing() {
 fn frames_and_lattices_of_another_size_are_refused() {
     let s = size(3, 2);
     let mut memory = vec![PixelSample::BLACK; 20];
-    for lent in 0..20 {
-        assert_eq!(Frame::new(Tile::whole(s), &mut memory[..lent]).is_some(), lent == 6, "{lent}");
-        assert_eq!(Lattice::new(Tile::whole(s), &memory[..lent]).is_some(), lent == 12, "{lent}");
+    for provided in 0..20 {
+        assert_eq!(
+            Frame::new(Tile::whole(s), &mut memory[..provided]).is_some(),
+            provided == 6,
+            "{provided}"
+        );
+        assert_eq!(Lattice::new(Tile::whole(s), &memory[..provided]).is_some(), provided == 12, "{provided}");
     }
 }
 
 #[test]
 fn a_sink_that_is_full_ends_the_picture() {
-    struct Full {
-        room: usize,
+    struct FullSink {
+        capacity: usize,
     }
-    impl Sink for Full {
+    impl Sink for FullSink {
         type Error = Pixel;
 
         fn put(&mut self, pixel: Pixel, _: Rgb) -> Result<(), Pixel> {
-            self.room = self.room.checked_sub(1).ok_or(pixel)?;
+            self.capacity = self.capacity.checked_sub(1).ok_or(pixel)?;
             Ok(())
         }
     }
-    let scene = fair();
+    let scene = mixed_scene();
     let world = World::new(scene.as_scene(), List::without_bounds(scene.item_count()));
     let s = size(4, 3);
     let camera = Camera::new(&VIEW, s).unwrap();
     let tracer = Tracer::<_, AllEffects, 5>::new(&world, camera, Limits::DEFAULT).unwrap();
-    for (room, end) in [(0, Err(Pixel { x: 0, y: 0 })), (5, Err(Pixel { x: 1, y: 1 })), (12, Ok(()))] {
+    for (capacity, end) in [(0, Err(Pixel { x: 0, y: 0 })), (5, Err(Pixel { x: 1, y: 1 })), (12, Ok(()))] {
         let mut worker = Worker::new(Counters::new());
         let result = render(
             &mut tracer.with_worker(&mut worker),
             &mut Single,
             Tile::whole(s).pixels(),
-            &mut Full { room },
+            &mut FullSink { capacity },
         );
         assert_eq!(result, end);
-        let pixels = if end.is_ok() { room } else { room + 1 };
+        let pixels = if end.is_ok() { capacity } else { capacity + 1 };
         assert_eq!(worker.tally().rays[RayKind::Camera], pixels as u64);
     }
 }

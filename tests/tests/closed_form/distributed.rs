@@ -1,25 +1,24 @@
-//! What rays leave to chance: its mean is known on paper, and many rays come nearer to it than
-//! few.
+//! Distributed effects: their expected value is known in closed form, and the error falls with the number of rays.
 
 use crate::*;
 
-/// The smallest and the largest number of samples that convergence is looked at with.
-const FEW: u32 = 16;
-const MANY: u32 = 1024;
+/// Numbers of samples between which the convergence is measured.
+const FEW_SAMPLES: u32 = 16;
+const MANY_SAMPLES: u32 = 1024;
 
-/// Holds the mean of many rays against what is known, and looks how fast it comes near: the
-/// error of `n` rays must fall as `n` to the power of `slope` at least.
+/// Asserts that the mean of many rays is the expected value, and that the error of `n` rays falls at least as `n` to the
+/// power of `slope`.
 #[track_caller]
-fn converges(mean: impl Fn(u32, u32) -> f64, want: f64, tolerance: f64, slope: f64) {
+fn assert_converges(mean: impl Fn(u32, u32) -> f64, want: f64, tolerance: f64, slope: f64) {
     let got = mean(16_384, 99);
     assert!((got - want).abs() < tolerance * want, "{got} is not {want}");
-    // Of many seeds, the root of the mean square.
+    // The root mean square over many seeds.
     let error = |n| {
         let squares: f64 = (0..64).map(|seed| square(mean(n, seed) - want)).sum();
         (squares / 64.0).sqrt()
     };
-    let (few, many) = (error(FEW), error(MANY));
-    let got = (many / few).ln() / f64::from(MANY / FEW).ln();
+    let (few, many) = (error(FEW_SAMPLES), error(MANY_SAMPLES));
+    let got = (many / few).ln() / f64::from(MANY_SAMPLES / FEW_SAMPLES).ln();
     assert!(got < slope, "the error falls from {few} to {many}: as n to the power of {got}");
 }
 
@@ -27,7 +26,7 @@ fn square(x: f64) -> f64 {
     x * x
 }
 
-/// A white floor under one light, before nothing.
+/// A white floor under one light, with a black background.
 fn floor(source: Source) -> TestScene {
     let mut scene = TestScene::new();
     scene.material(Material { ambient: Rgb::BLACK, ..Material::MATTE });
@@ -36,20 +35,20 @@ fn floor(source: Source) -> TestScene {
     scene
 }
 
-/// The mean brightness of the floor at `x`, seen from the side.
-fn at(scene: &TestScene, x: f64, n: u32, seed: u32) -> f64 {
+/// Mean brightness of the floor at `x`, seen from the side.
+fn brightness_at(scene: &TestScene, x: f64, n: u32, seed: u32) -> f64 {
     let target = vec3(x as Real, 0.0, 0.0);
     scene.trace_samples(target + vec3(0.0, 1.0, -7.0), target, ALL, n, seed)[0]
 }
 
-/// The mean over a disc of radius one of what is known of each place `(u, v)` on it.
-fn over_disc(of: impl Fn(f64, f64) -> f64) -> f64 {
+/// Mean of a function over the unit disc.
+fn over_disc(function: impl Fn(f64, f64) -> f64) -> f64 {
     // Finer across the edge than along it.
-    let place = |i: i32, n: i32| (f64::from(i) + 0.5) / f64::from(n) * 2.0 - 1.0;
+    let coordinate = |i: i32, n: i32| (f64::from(i) + 0.5) / f64::from(n) * 2.0 - 1.0;
     let (mut sum, mut count) = (0.0, 0.0);
-    for (u, v) in (0..8000).flat_map(|i| (0..125).map(move |j| (place(i, 8000), place(j, 125)))) {
+    for (u, v) in (0..8000).flat_map(|i| (0..125).map(move |j| (coordinate(i, 8000), coordinate(j, 125)))) {
         if u * u + v * v < 1.0 {
-            sum += of(u, v);
+            sum += function(u, v);
             count += 1.0;
         }
     }
@@ -57,66 +56,67 @@ fn over_disc(of: impl Fn(f64, f64) -> f64) -> f64 {
 }
 
 #[test]
-fn a_round_light_is_hidden_by_a_straight_edge_as_much_as_it_is() {
+fn a_straight_edge_occludes_the_part_of_a_sphere_light_behind_it() {
     let mut scene =
         floor(Source::Sphere { position: vec3(0.0, 8.0, 0.0), radius: 1.0, falloff: Falloff::NONE });
     // Everything to the right of x = 0, at half the height of the light.
     let corners = [(0.0, -50.0), (50.0, -50.0), (50.0, 50.0), (0.0, 50.0)];
     scene.polygon(&corners.map(|(x, z)| vec3(x, 4.0, z)), &[]);
     for x in [-0.7, -0.3, 0.0, 0.4, 0.8] {
-        // The disc that faces the point: one axis along z, the other across the way to its middle.
+        // The disc that faces the point: one axis along z, the other perpendicular to the direction of its center.
         let length = f64::hypot(x, 8.0);
         let (along_x, along_y) = (8.0 / length, x / length);
         let want = over_disc(|u, v| {
             let (px, py) = (u * along_x, 8.0 + u * along_y);
-            // Where the way crosses the height of the edge, and the cosine on the floor.
+            // Where the shadow ray crosses the height of the edge, and the cosine on the floor.
             let crosses = x + (px - x) * 4.0 / py;
             if crosses < 0.0 { py / (square(px - x) + py * py + v * v).sqrt() } else { 0.0 }
         });
-        // Off by at most a two-thousandth of the whole light.
-        converges(|n, seed| at(&scene, x, n, seed), want, 5e-4 / want, -0.6);
+        // The tolerance is 1/2000 of the unoccluded light.
+        assert_converges(|n, seed| brightness_at(&scene, x, n, seed), want, 5e-4 / want, -0.6);
     }
 }
 
 #[test]
-fn a_rectangle_gives_the_light_of_all_its_places() {
+fn a_rectangle_light_is_the_integral_over_its_area() {
     let half = [vec3(1.5, 0.0, 0.0), vec3(0.0, 0.0, 0.5)];
     let source =
         Source::Rectangle { position: vec3(1.0, 3.0, 0.5), half, soft: true, falloff: Falloff::SQUARE };
     // Its front looks down: x cross z is -y.
     let scene = floor(source);
     let n = 400;
-    let place = |i: i32| (f64::from(i) + 0.5) / f64::from(n) * 2.0 - 1.0;
+    let coordinate = |i: i32| (f64::from(i) + 0.5) / f64::from(n) * 2.0 - 1.0;
     let mut want = 0.0;
-    for (u, v) in (0..n).flat_map(|i| (0..n).map(move |j| (place(i), place(j)))) {
+    for (u, v) in (0..n).flat_map(|i| (0..n).map(move |j| (coordinate(i), coordinate(j)))) {
         let (x, y, z) = (1.0 + 1.5 * u, 3.0_f64, 0.5 + 0.5 * v);
         let square = x * x + y * y + z * z;
-        // The cosine on the floor, that of the light, and the square of the distance.
+        // The cosines on the floor and at the light, over the squared distance.
         want += y * y / square / square / f64::from(n * n);
     }
-    converges(|n, seed| at(&scene, 0.0, n, seed), want, 1e-3, -0.9);
-    // Nothing behind it.
+    assert_converges(|n, seed| brightness_at(&scene, 0.0, n, seed), want, 1e-3, -0.9);
+    // No light on its back.
     let half = [half[1], half[0]];
     let source =
         Source::Rectangle { position: vec3(1.0, 3.0, 0.5), half, soft: true, falloff: Falloff::SQUARE };
-    assert_eq!(at(&floor(source), 0.0, 64, 0), 0.0);
+    assert_eq!(brightness_at(&floor(source), 0.0, 64, 0), 0.0);
 }
 
 #[test]
-fn a_light_whose_extent_is_left_out_is_one_in_its_middle() {
+fn a_light_without_extent_is_a_point_light_at_its_center() {
     let position = vec3(0.5, 3.0, 1.0);
     let falloff = Falloff::SQUARE;
-    let point = at(&floor(Source::Point { position, falloff }), 0.0, 1, 0);
-    let sphere = at(&floor(Source::Sphere { position, radius: 0.0, falloff }), 0.0, 1, 0);
+    let point = brightness_at(&floor(Source::Point { position, falloff }), 0.0, 1, 0);
+    let sphere = brightness_at(&floor(Source::Sphere { position, radius: 0.0, falloff }), 0.0, 1, 0);
     assert_eq!(point, sphere);
     let half = [Vec3::X, Vec3::Z];
-    let rectangle = at(&floor(Source::Rectangle { position, half, soft: false, falloff }), 0.0, 1, 0);
+    let rectangle =
+        brightness_at(&floor(Source::Rectangle { position, half, soft: false, falloff }), 0.0, 1, 0);
     let cos = 3.0 / f64::sqrt(0.25 + 9.0 + 1.0);
     assert!((rectangle - point * cos).abs() < ROUNDINGS * point);
 }
 
 #[test]
-fn a_rough_mirror_shows_the_mean_of_what_its_facets_show() {
+fn a_rough_mirror_shows_the_mean_over_its_microfacets() {
     for roughness in [0.2, 0.5, 0.8] {
         let mut scene = TestScene::new();
         let mirror =
@@ -124,8 +124,8 @@ fn a_rough_mirror_shows_the_mean_of_what_its_facets_show() {
         scene.material(Material { roughness, ..mirror });
         scene.plane(Vec3::ZERO, Vec3::Y);
         scene.background = Background::Gradient { up: Vec3::Y, below: Rgb::BLACK, above: Rgb::WHITE };
-        // Facets of the GGX distribution, seen from above: the square of the cosine of their tilt
-        // is (1 - t) / (1 + (s^2 - 1) t) for t evenly in 0..1, and light comes from twice the tilt.
+        // Microfacets of the GGX distribution, seen from above: the squared cosine of their tilt is
+        // (1 - t) / (1 + (s^2 - 1) t) for uniform t in 0..1, and the reflected direction has twice the tilt.
         let slope = square(f64::from(roughness));
         let n = 200_000;
         let want: f64 = (0..n)
@@ -138,13 +138,13 @@ fn a_rough_mirror_shows_the_mean_of_what_its_facets_show() {
             / f64::from(n);
         let eye = vec3(0.0, 2.0, 0.0);
         let mean = |n, seed| scene.trace_samples(eye, Vec3::ZERO, ALL, n, seed)[0];
-        converges(mean, want, 1e-3, -0.8);
+        assert_converges(mean, want, 1e-3, -0.8);
     }
 }
 
 #[test]
 fn rough_glass_loses_no_light() {
-    // Inside of a white room everything is white, however light is broken.
+    // In a white environment everything is white, however light is refracted.
     let mut scene = TestScene::new();
     let glass =
         Material { transmitted: Rgb::WHITE, index: 1.5, interface: Interface::Fresnel, ..Material::MATTE };
@@ -157,22 +157,22 @@ fn rough_glass_loses_no_light() {
 }
 
 #[test]
-fn light_through_panes_and_bodies_has_their_colours() {
+fn light_through_panes_and_bodies_has_their_color() {
     let sun = Source::Directional { toward: Vec3::Y };
-    let look = |scene: &TestScene| scene.trace(vec3(0.0, 1.0, -7.0), Vec3::ZERO, ALL);
+    let floor_color = |scene: &TestScene| scene.trace(vec3(0.0, 1.0, -7.0), Vec3::ZERO, ALL);
     let mut scene = floor(sun);
     scene.colored_shadows = true;
     let tint = Rgb::new(0.5, 0.25, 0.0);
     scene.material(Material { transmitted: tint, ..Material::MATTE });
     scene.disc(vec3(0.0, 2.0, 0.0), Vec3::Y, 1.0);
-    assert_color(look(&scene), [0.5, 0.25, 0.0], ROUNDINGS);
-    // A second pane takes as much again, and without the scene's key none lets light through.
+    assert_color(floor_color(&scene), [0.5, 0.25, 0.0], ROUNDINGS);
+    // A second pane absorbs the same factor; without colored shadows each pane occludes.
     scene.disc(vec3(0.0, 3.0, 0.0), Vec3::Y, 1.0);
-    assert_color(look(&scene), [0.25, 0.0625, 0.0], ROUNDINGS);
+    assert_color(floor_color(&scene), [0.25, 0.0625, 0.0], ROUNDINGS);
     scene.colored_shadows = false;
-    assert_eq!(look(&scene), Rgb::BLACK);
+    assert_eq!(floor_color(&scene), Rgb::BLACK);
 
-    // Through the middle of a ball: two surfaces, each mirrors 4 %, and two lengths of way.
+    // Through the center of a sphere: two surfaces that reflect 4 % each, and a distance of 2.
     let mut scene = floor(sun);
     scene.colored_shadows = true;
     let clarity = Rgb::new(2.0, 4.0, Real::INFINITY);
@@ -180,33 +180,33 @@ fn light_through_panes_and_bodies_has_their_colours() {
     scene.material(Material { interface: Interface::Fresnel, ..glass });
     scene.sphere(vec3(0.0, 3.0, 0.0), 1.0);
     let through = |clarity: f64| 0.96 * 0.96 * (-2.0 / clarity).exp();
-    assert_color(look(&scene), [through(2.0), through(4.0), 0.96 * 0.96], 1e-5);
-    // What is opaque stays so behind glass.
+    assert_color(floor_color(&scene), [through(2.0), through(4.0), 0.96 * 0.96], 1e-5);
+    // Opaque objects behind glass occlude.
     scene.material(Material::MATTE);
     scene.disc(vec3(0.0, 6.0, 0.0), Vec3::Y, 1.0);
-    assert_eq!(look(&scene), Rgb::BLACK);
+    assert_eq!(floor_color(&scene), Rgb::BLACK);
 }
 
 #[test]
-fn a_moving_disc_covers_a_place_as_long_as_it_is_over_it() {
-    // From the left to the right at four lengths in a shutter's time, seen from above.
-    let (radius, way): (f64, f64) = (0.75, 4.0);
+fn a_moving_disc_covers_a_point_for_the_time_it_is_over_it() {
+    // From left to right, by 4 while the shutter is open, seen from above.
+    let (radius, distance): (f64, f64) = (0.75, 4.0);
     let mut scene = TestScene::new();
-    scene.material(shining(Rgb::WHITE));
+    scene.material(unlit(Rgb::WHITE));
     scene.ambient = Rgb::WHITE;
     let disc = scene.disc(Vec3::ZERO, Vec3::Y, radius as Real);
-    scene.set_motion(disc, vec3(-2.0, 0.0, 0.0), vec3((way - 2.0) as Real, 0.0, 0.0));
+    scene.set_motion(disc, vec3(-2.0, 0.0, 0.0), vec3((distance - 2.0) as Real, 0.0, 0.0));
     for (x, z) in [(0.05, 0.0), (0.3, 0.5), (-1.7, 0.2), (2.4, -0.3), (0.1, 0.74)] {
-        // Half of the chord, and when its middle comes to lie over the place.
+        // Half of the chord, and the times when its ends are over the point.
         let half = (square(radius) - square(z)).sqrt();
-        let [begins, ends] = [x - half, x + half].map(|x: f64| ((x + 2.0) / way).clamp(0.0, 1.0));
+        let [start, end] = [x - half, x + half].map(|x: f64| ((x + 2.0) / distance).clamp(0.0, 1.0));
         let target = vec3(x as Real, 0.0, z as Real);
         let mean = |n, seed| scene.trace_samples(target + 3.0 * Vec3::Y, target, levels(1), n, seed)[0];
-        // Of the many rays one or two may be on the wrong side.
-        let want = ends - begins;
-        converges(mean, want, 2.0 / 16_384.0 / want, -0.9);
+        // One or two of the many rays may be on the wrong side.
+        let want = end - start;
+        assert_converges(mean, want, 2.0 / 16_384.0 / want, -0.9);
     }
-    // Beside its way, and before and behind it.
+    // Beside its path, and before its start and after its end.
     for (x, z) in [(0.0, 0.8), (-2.8, 0.0), (2.8, 0.0)] {
         let target = vec3(x, 0.0, z);
         assert_eq!(scene.trace_samples(target + 3.0 * Vec3::Y, target, levels(1), 64, 0)[0], 0.0, "{x} {z}");
@@ -214,35 +214,35 @@ fn a_moving_disc_covers_a_place_as_long_as_it_is_over_it() {
 }
 
 #[test]
-fn a_texture_moves_with_what_it_is_on() {
-    // A gradient over the disc, which is over the place with its left half first.
+fn a_texture_moves_with_its_item() {
+    // A gradient over the disc. Only the left half of the disc passes over the point.
     let mut scene = TestScene::new();
     scene.ambient = Rgb::WHITE;
     let (from, to) = (Rgb::BLACK, Rgb::WHITE);
     let texture = scene.add_texture(Texture::Gradient { from, to, origin: -Vec3::X, along: 2.0 * Vec3::X });
-    scene.material(Material { texture, ..shining(Rgb::WHITE) });
+    scene.material(Material { texture, ..unlit(Rgb::WHITE) });
     let disc = scene.disc(Vec3::ZERO, Vec3::Y, 1.0);
-    // At the end of the time its left rim is over the place, at the beginning its middle.
+    // When the shutter opens the center of the disc is over the point, when it closes the left edge.
     scene.set_motion(disc, Vec3::ZERO, Vec3::X);
     let mean = |n, seed| scene.trace_samples(3.0 * Vec3::Y, Vec3::ZERO, levels(1), n, seed)[0];
-    converges(mean, 0.25, 1e-3, -0.9);
+    assert_converges(mean, 0.25, 1e-3, -0.9);
 }
 
 #[test]
-fn shadows_and_mirrors_see_the_time_of_the_camera_ray() {
-    // A disc over the floor, seen beside its shadow: a place is either covered or shadowed.
+fn shadow_rays_and_reflected_rays_have_the_time_of_the_camera_ray() {
+    // A disc over the floor, seen beside its shadow.
     let mut scene = floor(Source::Directional { toward: Vec3::Y });
     let disc = scene.disc(vec3(0.0, 1.0, 0.0), Vec3::Y, 0.5);
     scene.set_motion(disc, -Vec3::X, Vec3::X);
-    let got = at(&scene, 0.0, 4096, 3);
-    assert!((got - 0.5).abs() < 1e-3, "in its shadow half of the time: {got}");
-    // In a mirror under it, seen past it: half of the time dark, and never both.
+    let got = brightness_at(&scene, 0.0, 4096, 3);
+    assert!((got - 0.5).abs() < 1e-3, "shadowed half of the time: {got}");
+    // In a mirror under it, seen past it: black half of the time.
     let mut scene = TestScene::new();
     let mirror = Material { diffuse: Rgb::BLACK, ambient: Rgb::BLACK, mirror: Rgb::WHITE, ..Material::MATTE };
     scene.material(mirror);
     scene.plane(Vec3::ZERO, Vec3::Y);
     scene.background = Background::Color(Rgb::WHITE);
-    scene.material(shining(Rgb::BLACK));
+    scene.material(unlit(Rgb::BLACK));
     let disc = scene.disc(vec3(0.0, 1.0, 1.0), Vec3::Y, 0.5);
     scene.set_motion(disc, -Vec3::X, Vec3::X);
     let got = scene.trace_samples(vec3(0.0, 2.0, -2.0), Vec3::ZERO, ALL, 4096, 3)[0];
@@ -251,14 +251,14 @@ fn shadows_and_mirrors_see_the_time_of_the_camera_ray() {
 
 #[test]
 fn a_point_out_of_focus_is_a_disc_of_confusion() {
-    let (angle, rows, radius, focus, ball): (f64, u32, f64, f64, f64) = (0.5, 65, 0.25, 4.0, 0.02);
+    let (angle, rows, radius, focus, sphere_radius): (f64, u32, f64, f64, f64) = (0.5, 65, 0.25, 4.0, 0.02);
     let size = Resolution::new(rows, rows).unwrap();
     let mut scene = TestScene::new();
     scene.ambient = Rgb::WHITE;
-    scene.material(shining(Rgb::WHITE));
+    scene.material(unlit(Rgb::WHITE));
     for distance in [2.5, focus, 7.0] {
         let mut scene = scene.clone();
-        scene.sphere(vec3(0.0, 0.0, -distance as Real), ball as Real);
+        scene.sphere(vec3(0.0, 0.0, -distance as Real), sphere_radius as Real);
         let projection =
             Projection::Lens { angle: angle as Real, radius: radius as Real, focus: focus as Real };
         let view = View { from: Vec3::ZERO, at: -Vec3::Z, up: Vec3::Y, projection };
@@ -267,23 +267,23 @@ fn a_point_out_of_focus_is_a_disc_of_confusion() {
         let tracer = Tracer::<_, AllEffects, 1>::new(&world, camera, levels(1)).unwrap();
         let (mut light, mut second) = (0.0, 0.0);
         let mut sink = |pixel: Pixel, color: Rgb| {
-            let from_middle = |place: u32| f64::from(place) - f64::from(rows - 1) / 2.0;
+            let from_center = |coordinate: u32| f64::from(coordinate) - f64::from(rows - 1) / 2.0;
             light += f64::from(color.r);
-            second += f64::from(color.r) * (square(from_middle(pixel.x)) + square(from_middle(pixel.y)));
+            second += f64::from(color.r) * (square(from_center(pixel.x)) + square(from_center(pixel.y)));
         };
         let mut sampler = Stochastic::new(256).unwrap();
         let pixels = Tile::whole(size).pixels();
         let Ok(()) = render(&mut tracer.with_worker(&mut Worker::new(())), &mut sampler, pixels, &mut sink);
-        // A disc of radius r has the second moment r^2 / 2. Two of them, that of confusion and the
-        // ball, add up, and so does the pixel: 1/12 for each axis. In pixels:
+        // A disc of radius r has the second moment r^2 / 2. Those of the circle of confusion and of the sphere add up, and that
+        // of the pixel, 1/12 for each axis. In pixels:
         let pixel = |length: f64, distance: f64| {
             length / distance / (2.0 * (angle / 2.0).tan() / f64::from(rows - 1))
         };
         let confusion = pixel(radius * (distance - focus).abs() / distance, focus);
-        let want = (square(confusion) + square(pixel(ball, distance))) / 2.0 + 2.0 / 12.0;
+        let want = (square(confusion) + square(pixel(sphere_radius, distance))) / 2.0 + 2.0 / 12.0;
         let got = second / light;
         if distance == focus {
-            // In focus: a ball of half a pixel, whose light lies in its pixel and some of the next.
+            // In focus: a sphere of half a pixel, whose light is in its pixel and partly in the next.
             assert!(got < 0.5, "{got}");
             continue;
         }

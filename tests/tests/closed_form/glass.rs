@@ -1,27 +1,27 @@
-//! Glass: where light goes that passes it, and how much of it.
+//! Glass: the direction and the amount of transmitted and reflected light.
 
 use crate::*;
 
-/// Clear glass that adds nothing of its own.
+/// Clear glass without color of its own.
 const fn glass(index: Real) -> Material {
-    Material { transmitted: Rgb::WHITE, index, ..shining(Rgb::BLACK) }
+    Material { transmitted: Rgb::WHITE, index, ..unlit(Rgb::BLACK) }
 }
 
-/// A plate from `bottom` to `top`, without an end to the sides.
+/// Adds a wide plate from `bottom` to `top`.
 fn plate(scene: &mut TestScene, material: Material, bottom: Real, top: Real) {
     scene.material(material);
     scene.cuboid(vec3(-1e3, bottom, -1e3), vec3(1e3, top, 1e3));
 }
 
-/// Snell: the angle behind a surface.
-fn behind(angle: f64, index: f64) -> f64 {
+/// Snell's law: the angle behind a surface.
+fn refracted_angle(angle: f64, index: f64) -> f64 {
     (angle.sin() / index).asin()
 }
 
 const ANGLES: [f64; 6] = [0.0, 0.1, 0.5, 0.9, 1.2, -0.7];
 
 #[test]
-fn a_plate_moves_light_sideways_by_snells_offset() {
+fn a_plate_displaces_a_ray_by_the_offset_of_snells_law() {
     for index in [1.33, 1.5, 2.42, 0.8] {
         for depth in [0.25, 1.0] {
             let mut scene = TestScene::new();
@@ -29,46 +29,52 @@ fn a_plate_moves_light_sideways_by_snells_offset() {
             ruler(&mut scene, -2.0);
             let (n, d) = (f64::from(index), f64::from(depth));
             for a in ANGLES.into_iter().filter(|a| a.sin().abs() < 0.79) {
-                let b = behind(a, n);
+                let b = refracted_angle(a, n);
                 let offset = d * a.sin() * (1.0 - a.cos() / (n * b.cos()));
-                // 1.5 through the air above the plate; across the wall the offset is longer.
+                // The ray starts 1.5 above the plate; along the ruler the offset is longer.
                 let want = 3.5 * a.tan() - offset / a.cos();
                 let x = 1.5 * a.tan() - 1.5 * a.tan();
-                let seen = place(slanted(&scene, [x, 1.5], a, ALL));
-                assert!((seen - want).abs() <= 4.0 * READING / a.cos(), "{index} {a}: {seen} is not {want}");
+                let seen = ruler_x(trace_down(&scene, [x, 1.5], a, ALL));
+                assert!(
+                    (seen - want).abs() <= 4.0 * RULER_TOLERANCE / a.cos(),
+                    "{index} {a}: {seen} is not {want}"
+                );
             }
         }
     }
 }
 
 #[test]
-fn light_leaves_a_plate_parallel_to_how_it_came() {
+fn a_ray_leaves_a_plate_parallel_to_the_incident_ray() {
     let seen = |height: f64, a: f64| {
         let mut scene = TestScene::new();
         plate(&mut scene, glass(1.5), -1.0, 0.0);
         ruler(&mut scene, height);
-        place(slanted(&scene, [0.0, 0.5], a, ALL))
+        ruler_x(trace_down(&scene, [0.0, 0.5], a, ALL))
     };
     for a in ANGLES {
         let (near, far) = (seen(-1.25, a), seen(-2.75, a));
-        assert!((far - near - 1.5 * a.tan()).abs() <= 4.0 * READING / a.cos(), "{a}: from {near} to {far}");
+        assert!(
+            (far - near - 1.5 * a.tan()).abs() <= 4.0 * RULER_TOLERANCE / a.cos(),
+            "{a}: from {near} to {far}"
+        );
     }
 }
 
 #[test]
-fn a_ball_of_glass_turns_light_by_twice_the_difference_of_the_angles() {
+fn a_glass_sphere_deflects_a_ray_by_twice_the_difference_of_the_angles() {
     let mut scene = TestScene::new();
     scene.material(glass(1.5));
     scene.sphere(Vec3::ZERO, 2.0);
-    // The background tells how high the direction is.
+    // The background encodes the height of the direction.
     scene.background = Background::Gradient { up: Vec3::Y, below: Rgb::BLACK, above: Rgb::WHITE };
     for h in [0.0, 0.25, 1.0, -1.5, 1.9] {
         let a = (h / 2.0_f64).asin();
-        let turned = 2.0 * (a - behind(a, 1.5));
+        let deflection = 2.0 * (a - refracted_angle(a, 1.5));
         let eye = vec3(-5.0, h as Real, 0.0);
         let (color, counters) = scene.trace_counted(eye, eye + Vec3::X, ALL);
         assert_eq!(counters.rays[RayKind::Transmitted], 2);
-        let want = 0.5 - 0.5 * turned.sin();
+        let want = 0.5 - 0.5 * deflection.sin();
         assert!(
             (f64::from(color.r) - want).abs() <= 4.0 * ROUNDINGS / a.cos(),
             "{h}: {color:?} is not {want}"
@@ -77,10 +83,10 @@ fn a_ball_of_glass_turns_light_by_twice_the_difference_of_the_angles() {
 }
 
 #[test]
-fn a_pane_of_index_one_does_not_bend_light() {
-    let with = |put: &dyn Fn(&mut TestScene)| {
+fn a_pane_of_index_one_does_not_refract() {
+    let with = |add: &dyn Fn(&mut TestScene)| {
         let mut scene = TestScene::new();
-        put(&mut scene);
+        add(&mut scene);
         ruler(&mut scene, -2.0);
         scene
     };
@@ -91,41 +97,41 @@ fn a_pane_of_index_one_does_not_bend_light() {
     });
     let block = with(&|scene| plate(scene, glass(1.0), -1.0, 0.5));
     for a in ANGLES {
-        let want = place(slanted(&air, [0.0, 1.0], a, ALL));
+        let want = ruler_x(trace_down(&air, [0.0, 1.0], a, ALL));
         for scene in [&pane, &block] {
-            let seen = place(slanted(scene, [0.0, 1.0], a, ALL));
-            assert!((seen - want).abs() <= READING / a.cos(), "{a}: {seen} is not {want}");
+            let seen = ruler_x(trace_down(scene, [0.0, 1.0], a, ALL));
+            assert!((seen - want).abs() <= RULER_TOLERANCE / a.cos(), "{a}: {seen} is not {want}");
         }
     }
 }
 
-/// Glass below y = 0 with a floor that shines in `inside`, and a ceiling above in `outside`.
+/// Glass below y = 0 with a floor of the color `inside`, and a ceiling above of the color `outside`.
 fn half_space(material: Material, inside: Rgb, outside: Rgb) -> TestScene {
     let mut scene = TestScene::new();
     scene.material(material);
     scene.plane(Vec3::ZERO, Vec3::Y);
-    scene.material(shining(inside));
+    scene.material(unlit(inside));
     scene.plane(vec3(0.0, -2.0, 0.0), Vec3::Y);
-    scene.material(shining(outside));
+    scene.material(unlit(outside));
     scene.plane(vec3(0.0, 3.0, 0.0), Vec3::Y);
     scene.ambient = Rgb::WHITE;
     scene
 }
 
 #[test]
-fn a_constant_interface_gives_the_shares_that_the_material_names() {
-    let shares =
+fn a_constant_interface_reflects_and_transmits_the_factors_of_the_material() {
+    let factors =
         Material { mirror: Rgb::new(0.25, 0.5, 0.0), transmitted: Rgb::new(0.5, 0.25, 1.0), ..glass(1.5) };
-    let scene = half_space(shares, Rgb::new(1.0, 0.5, 0.25), Rgb::new(0.25, 1.0, 0.5));
+    let scene = half_space(factors, Rgb::new(1.0, 0.5, 0.25), Rgb::new(0.25, 1.0, 0.5));
     for a in ANGLES {
-        let (color, counters) = slanted_and_counted(&scene, [0.0, 1.0], a, ALL);
-        // ks times the ceiling, kt times the floor, whatever the angle.
+        let (color, counters) = trace_down_counted(&scene, [0.0, 1.0], a, ALL);
+        // The reflected factor times the ceiling plus the transmitted factor times the floor, at every angle.
         assert_eq!(color, Rgb::new(0.5625, 0.625, 0.25), "{a}");
         assert_eq!((counters.rays[RayKind::Reflected], counters.rays[RayKind::Transmitted]), (1, 1));
     }
 }
 
-/// Fresnel's formulas by the angles: the mirrored share of unpolarised light.
+/// Fresnel reflectance of unpolarized light, from the angles.
 fn fresnel(a: f64, b: f64) -> f64 {
     let across = (a - b).sin() / (a + b).sin();
     let along = (a - b).tan() / (a + b).tan();
@@ -133,42 +139,41 @@ fn fresnel(a: f64, b: f64) -> f64 {
 }
 
 #[test]
-fn a_fresnel_interface_mirrors_as_much_as_the_angles_say() {
+fn a_fresnel_interface_reflects_the_fresnel_reflectance() {
     let (floor, ceiling) = (Rgb::new(1.0, 0.0, 0.25), Rgb::new(0.0, 1.0, 0.5));
     let scene = half_space(Material { interface: Interface::Fresnel, ..glass(1.5) }, floor, ceiling);
-    let look = |a| slanted(&scene, [0.0, 1.0], a, ALL);
-    // The mirrored share is a difference of two numbers near one: it is right to some of their
-    // roundings, not of its own.
-    let near = |color: Rgb, share: f64| {
-        let want = [1.0 - share, share, 0.25 * (1.0 - share) + 0.5 * share];
+    let color_at = |a| trace_down(&scene, [0.0, 1.0], a, ALL);
+    // The reflectance is a difference of two numbers near one: its error is absolute.
+    let near = |color: Rgb, reflectance: f64| {
+        let want = [1.0 - reflectance, reflectance, 0.25 * (1.0 - reflectance) + 0.5 * reflectance];
         for (got, want) in [color.r, color.g, color.b].map(f64::from).into_iter().zip(want) {
             assert!((got - want).abs() <= ROUNDINGS, "{got} is not {want}");
         }
     };
-    near(look(0.0), 0.04);
+    near(color_at(0.0), 0.04);
     for a in [0.1_f64, 0.5, 0.9, 1.2, -0.7] {
-        near(look(a), fresnel(a.abs(), behind(a.abs(), 1.5)));
+        near(color_at(a), fresnel(a.abs(), refracted_angle(a.abs(), 1.5)));
     }
 }
 
 #[test]
-fn the_shares_of_a_fresnel_interface_add_up_to_one() {
+fn a_fresnel_interface_conserves_light() {
     let material = Material { interface: Interface::Fresnel, ..glass(1.5) };
     let scene = half_space(material, Rgb::WHITE, Rgb::WHITE);
     for i in 0..150 {
         let a = 0.01 * f64::from(i);
-        // From above into the glass, and from inside it out or not.
-        assert_gray(slanted(&scene, [0.0, 1.0], a, ALL), 1.0, ROUNDINGS);
-        assert_gray(slanted(&scene, [0.0, -1.0], std::f64::consts::PI - a, ALL), 1.0, ROUNDINGS);
+        // From above into the glass, and from inside.
+        assert_gray(trace_down(&scene, [0.0, 1.0], a, ALL), 1.0, ROUNDINGS);
+        assert_gray(trace_down(&scene, [0.0, -1.0], std::f64::consts::PI - a, ALL), 1.0, ROUNDINGS);
     }
-    // The paint of the glass itself counts for both.
+    // The transmitted factor of the glass applies to both.
     let tinted = Material { transmitted: Rgb::new(0.5, 0.25, 0.75), ..material };
     let scene = half_space(tinted, Rgb::WHITE, Rgb::WHITE);
-    assert_color(slanted(&scene, [0.0, 1.0], 1.0, ALL), [0.5, 0.25, 0.75], ROUNDINGS);
+    assert_color(trace_down(&scene, [0.0, 1.0], 1.0, ALL), [0.5, 0.25, 0.75], ROUNDINGS);
 }
 
 #[test]
-fn beyond_the_critical_angle_the_transmitted_share_goes_where_a_mirror_sends_it() {
+fn beyond_the_critical_angle_the_transmitted_factor_is_reflected() {
     let kt = 0.75;
     let mut scene = TestScene::new();
     scene.material(Material { transmitted: Rgb::gray(kt), ..glass(1.5) });
@@ -177,23 +182,23 @@ fn beyond_the_critical_angle_the_transmitted_share_goes_where_a_mirror_sends_it(
     let critical = (1.0_f64 / 1.5).asin();
     for a in [critical + 1e-4, 0.9, 1.1, 1.2] {
         let upward = std::f64::consts::PI - a;
-        let (color, counters) = slanted_and_counted(&scene, [0.0, -1.0], upward, ALL);
+        let (color, counters) = trace_down_counted(&scene, [0.0, -1.0], upward, ALL);
         assert_eq!((counters.rays[RayKind::Reflected], counters.rays[RayKind::Transmitted]), (1, 0), "{a}");
-        // One up and two down.
-        let (x, want) = (place(color * (1.0 / kt)), 3.0 * a.tan());
-        assert!((x - want).abs() <= 8.0 * READING / a.cos(), "{a}: {x} is not {want}");
+        // Up by one and down by two.
+        let (x, want) = (ruler_x(color * (1.0 / kt)), 3.0 * a.tan());
+        assert!((x - want).abs() <= 8.0 * RULER_TOLERANCE / a.cos(), "{a}: {x} is not {want}");
     }
     let (color, counters) =
-        slanted_and_counted(&scene, [0.0, -1.0], std::f64::consts::PI - critical + 1e-4, ALL);
+        trace_down_counted(&scene, [0.0, -1.0], std::f64::consts::PI - critical + 1e-4, ALL);
     assert_eq!((counters.rays[RayKind::Reflected], counters.rays[RayKind::Transmitted]), (0, 1));
-    assert_eq!(color, Rgb::BLACK, "there is nothing above");
+    assert_eq!(color, Rgb::BLACK, "the background is black");
 }
 
 #[test]
 fn around_the_critical_angle_no_light_is_lost() {
     let material = Material { interface: Interface::Fresnel, ..glass(1.5) };
     let scene = half_space(material, Rgb::WHITE, Rgb::WHITE);
-    // At the surface from below, in single steps of the slope to both sides.
+    // From below, with the slope in single steps around the critical one.
     let critical = (1.0_f64 / 1.5).asin().tan() as Real;
     let mut slope = critical;
     for _ in 0..300 {
@@ -207,6 +212,6 @@ fn around_the_critical_angle_no_light_is_lost() {
         passed += counters.rays[RayKind::Transmitted];
         slope = slope.next_up();
     }
-    // Half of them, but for some roundings of the angle.
+    // Half of them, up to some roundings of the angle.
     assert!(passed > 290 && passed < 310, "{passed}");
 }

@@ -1,36 +1,36 @@
-//! Lambert, Phong, ambient light, and how lights fade.
+//! Diffuse and specular reflection (Lambert, Phong), ambient light, and falloff.
 
 use crate::*;
 
-const LAMP: Rgb = Rgb::new(0.9, 0.5, 0.25);
+const LIGHT_COLOR: Rgb = Rgb::new(0.9, 0.5, 0.25);
 
-/// A floor of this material under one light, looked at from above straight down at the origin.
+/// Color of a floor under one light, seen vertically from above.
 fn lit(material: Material, source: Source) -> Rgb {
-    look(material, source, vec3(0.0, 4.0, 0.0))
+    lit_from(material, source, vec3(0.0, 4.0, 0.0))
 }
 
-fn look(material: Material, source: Source, eye: Vec3) -> Rgb {
+fn lit_from(material: Material, source: Source, eye: Vec3) -> Rgb {
     let mut scene = TestScene::new();
     scene.material(Material { ambient: Rgb::BLACK, ..material });
     scene.plane(Vec3::ZERO, Vec3::Y);
-    scene.lights.push(Light { source, color: LAMP, shadows: true });
+    scene.lights.push(Light { source, color: LIGHT_COLOR, shadows: true });
     scene.trace(eye, Vec3::ZERO, ALL)
 }
 
-/// A point light 5 away from the origin, at an angle from the upright.
+/// A point light at distance 5 from the origin, at an angle from the vertical.
 fn point(angle: f64, falloff: Falloff) -> Source {
     let position = vec3((5.0 * angle.sin()) as Real, (5.0 * angle.cos()) as Real, 0.0);
     Source::Point { position, falloff }
 }
 
-/// The lamp times these shares.
-fn lamp(share: [f64; 3]) -> [f64; 3] {
-    let [r, g, b] = share;
-    [r * f64::from(LAMP.r), g * f64::from(LAMP.g), b * f64::from(LAMP.b)]
+/// The color of the light times these factors.
+fn lit_color(factors: [f64; 3]) -> [f64; 3] {
+    let [r, g, b] = factors;
+    [r * f64::from(LIGHT_COLOR.r), g * f64::from(LIGHT_COLOR.g), b * f64::from(LIGHT_COLOR.b)]
 }
 
-/// A light at an angle is rounded in its place, which counts the more the lower it stands.
-fn low(angle: f64) -> f64 {
+/// Tolerance for a light at an angle: its position is rounded, which matters more at grazing angles.
+fn grazing_tolerance(angle: f64) -> f64 {
     ROUNDINGS / angle.cos()
 }
 
@@ -39,59 +39,59 @@ const ANGLES: [f64; 7] = [0.0, 0.2, 0.5, 0.8, 1.1, 1.4, 1.5];
 const MATTE: Material = Material { diffuse: Rgb::new(0.5, 1.0, 0.25), ..Material::MATTE };
 
 #[test]
-fn matte_light_falls_with_the_cosine() {
+fn diffuse_light_falls_with_the_cosine() {
     for angle in ANGLES {
         let cos = angle.cos();
-        let want = lamp([0.5 * cos, cos, 0.25 * cos]);
-        assert_color(lit(MATTE, point(angle, Falloff::NONE)), want, low(angle));
+        let want = lit_color([0.5 * cos, cos, 0.25 * cos]);
+        assert_color(lit(MATTE, point(angle, Falloff::NONE)), want, grazing_tolerance(angle));
         let toward = try_normalize(vec3(angle.sin() as Real, angle.cos() as Real, 0.0)).unwrap();
-        assert_color(lit(MATTE, Source::Directional { toward }), want, low(angle));
+        assert_color(lit(MATTE, Source::Directional { toward }), want, grazing_tolerance(angle));
     }
 }
 
 #[test]
-fn a_light_below_the_surface_gives_nothing() {
+fn a_light_below_the_surface_adds_nothing() {
     assert_eq!(lit(MATTE, point(2.0, Falloff::NONE)), Rgb::BLACK);
     assert_eq!(lit(MATTE, Source::Directional { toward: -Vec3::Y }), Rgb::BLACK);
-    // Level with it, too.
+    // A light in the plane of the surface adds nothing either.
     assert_eq!(lit(MATTE, Source::Directional { toward: Vec3::X }), Rgb::BLACK);
 }
 
 #[test]
-fn matte_light_does_not_depend_on_where_it_is_seen_from() {
+fn diffuse_light_does_not_depend_on_the_eye() {
     let source = point(0.5, Falloff::NONE);
     for eye in [vec3(3.0, 1.0, 0.0), vec3(-2.0, 0.25, 5.0), vec3(0.0, 40.0, 1.0)] {
         let cos = 0.5_f64.cos();
-        // The point seen is the origin to some roundings of the eye's distance over its height.
-        assert_color(look(MATTE, source, eye), lamp([0.5 * cos, cos, 0.25 * cos]), 4.0 * ROUNDINGS);
+        // The hit point is the origin up to some roundings of the eye's distance over its height.
+        assert_color(lit_from(MATTE, source, eye), lit_color([0.5 * cos, cos, 0.25 * cos]), 4.0 * ROUNDINGS);
     }
 }
 
 #[test]
-fn light_fades_with_the_distance_as_told() {
+fn light_falls_off_with_the_distance() {
     for (constant, linear, quadratic) in
         [(1.0, 0.0, 0.0), (0.0, 0.5, 0.0), (0.0, 0.0, 1.0), (2.0, 0.25, 0.125)]
     {
         let falloff = Falloff { constant, linear, quadratic };
         let share = 1.0 / f64::from(constant + 5.0 * linear + 25.0 * quadratic);
-        let want = lamp([0.5 * share, share, 0.25 * share]);
+        let want = lit_color([0.5 * share, share, 0.25 * share]);
         assert_color(lit(MATTE, point(0.0, falloff)), want, ROUNDINGS);
     }
-    assert_color(lit(MATTE, point(0.0, Falloff::SQUARE)), lamp([0.02, 0.04, 0.01]), ROUNDINGS);
+    assert_color(lit(MATTE, point(0.0, Falloff::SQUARE)), lit_color([0.02, 0.04, 0.01]), ROUNDINGS);
 }
 
 #[test]
-fn a_spot_is_bright_inside_dark_outside_and_smooth_between() {
+fn a_spot_light_is_bright_inside_dark_outside_and_smooth_between() {
     let spot = |angle: f64| Source::Spot {
         position: vec3(0.0, 4.0, 0.0),
-        // The floor below lies at this angle from the middle of the cone.
+        // The point below is at this angle from the axis of the cone.
         direction: vec3(angle.sin() as Real, -angle.cos() as Real, 0.0),
         cos_bright: 0.75,
         cos_dark: 0.5,
         falloff: Falloff::NONE,
     };
     let bright = |angle: f64, share: f64, tolerance: f64| {
-        assert_color(lit(MATTE, spot(angle)), lamp([0.5 * share, share, 0.25 * share]), tolerance);
+        assert_color(lit(MATTE, spot(angle)), lit_color([0.5 * share, share, 0.25 * share]), tolerance);
     };
     for angle in [0.0, 0.3, 0.75_f64.acos() - 1e-5] {
         bright(angle, 1.0, ROUNDINGS);
@@ -99,15 +99,15 @@ fn a_spot_is_bright_inside_dark_outside_and_smooth_between() {
     for angle in [0.5_f64.acos() + 1e-5, 1.2, 2.0, 3.1] {
         bright(angle, 0.0, 0.0);
     }
-    // s (3 - 2 s) s, where s is how much of the way between the cosines is gone.
+    // The smoothstep s^2 (3 - 2 s), where s is the fraction between the two cosines.
     for s in [0.25_f64, 0.5, 0.75] {
-        // The cosine is rounded, and a quarter of it is the whole way.
+        // The cosine is rounded, and the cosines are a quarter apart.
         bright((0.5 + 0.25 * s).acos(), s * s * (3.0 - 2.0 * s), 8.0 * ROUNDINGS);
     }
 }
 
 #[test]
-fn a_spot_with_a_sharp_edge_has_no_between() {
+fn a_spot_light_with_equal_cosines_has_a_sharp_edge() {
     let spot = |angle: f64| Source::Spot {
         position: vec3(0.0, 4.0, 0.0),
         direction: vec3(angle.sin() as Real, -angle.cos() as Real, 0.0),
@@ -116,12 +116,12 @@ fn a_spot_with_a_sharp_edge_has_no_between() {
         falloff: Falloff::NONE,
     };
     let edge = 0.5_f64.acos();
-    assert_color(lit(MATTE, spot(edge - 1e-5)), lamp([0.5, 1.0, 0.25]), ROUNDINGS);
+    assert_color(lit(MATTE, spot(edge - 1e-5)), lit_color([0.5, 1.0, 0.25]), ROUNDINGS);
     assert_eq!(lit(MATTE, spot(edge + 1e-5)), Rgb::BLACK);
 }
 
 #[test]
-fn ambient_light_is_a_product_and_needs_no_lamp() {
+fn ambient_light_is_a_product_and_needs_no_light_source() {
     let mut scene = TestScene::new();
     let (even, odd) = (Rgb::new(0.5, 1.0, 0.25), Rgb::BLACK);
     let texture =
@@ -129,11 +129,15 @@ fn ambient_light_is_a_product_and_needs_no_lamp() {
     scene.material(Material { ambient: Rgb::new(0.5, 0.25, 1.0), texture, ..Material::MATTE });
     scene.plane(Vec3::ZERO, Vec3::Y);
     scene.ambient = Rgb::new(0.25, 1.0, 0.5);
-    let dark = scene.trace(Vec3::Y, Vec3::ZERO, ALL);
-    assert_eq!(dark, Rgb::new(0.5 * 0.5 * 0.25, 0.25, 0.25 * 0.5));
-    // A lamp comes on top; the paint counts for both.
-    scene.lights.push(Light { source: Source::Directional { toward: Vec3::Y }, color: LAMP, shadows: true });
-    assert_eq!(scene.trace(Vec3::Y, Vec3::ZERO, ALL), dark + even * LAMP);
+    let ambient = scene.trace(Vec3::Y, Vec3::ZERO, ALL);
+    assert_eq!(ambient, Rgb::new(0.5 * 0.5 * 0.25, 0.25, 0.25 * 0.5));
+    // A light is added; the texture applies to both.
+    scene.lights.push(Light {
+        source: Source::Directional { toward: Vec3::Y },
+        color: LIGHT_COLOR,
+        shadows: true,
+    });
+    assert_eq!(scene.trace(Vec3::Y, Vec3::ZERO, ALL), ambient + even * LIGHT_COLOR);
 }
 
 #[test]
@@ -154,14 +158,14 @@ const SHINY: Material =
     Material { diffuse: Rgb::BLACK, highlight: Rgb::new(0.5, 0.25, 1.0), exponent: 20.0, ..Material::MATTE };
 
 #[test]
-fn the_highlight_is_brightest_in_the_mirrored_direction() {
-    // 3, 4, 5. The power of a cosine of nearly one: each rounding of it counts twenty times.
+fn the_highlight_is_brightest_in_the_mirror_direction() {
+    // 3, 4, 5. The power of a cosine near one: the exponent multiplies its rounding error.
     let source = Source::Point { position: vec3(3.0, 4.0, 0.0), falloff: Falloff::NONE };
-    let peak = look(SHINY, source, vec3(-3.0, 4.0, 0.0));
-    assert_color(peak, lamp([0.5, 0.25, 1.0]), 20.0 * 6e-8 + ROUNDINGS);
+    let peak = lit_from(SHINY, source, vec3(-3.0, 4.0, 0.0));
+    assert_color(peak, lit_color([0.5, 0.25, 1.0]), 20.0 * 6e-8 + ROUNDINGS);
     let with_matte = Material { diffuse: Rgb::WHITE, ..SHINY };
-    let both = look(with_matte, source, vec3(-3.0, 4.0, 0.0));
-    assert_color(both, lamp([1.3, 1.05, 1.8]), 20.0 * 6e-8 + ROUNDINGS);
+    let both = lit_from(with_matte, source, vec3(-3.0, 4.0, 0.0));
+    assert_color(both, lit_color([1.3, 1.05, 1.8]), 20.0 * 6e-8 + ROUNDINGS);
 }
 
 #[test]
@@ -169,11 +173,10 @@ fn the_highlight_falls_with_the_power_of_the_cosine() {
     for exponent in [1.0, 5.0, 20.0, 200.0] {
         let material = Material { exponent, ..SHINY };
         for angle in [0.0_f64, 0.1, 0.4, 0.9, 1.5] {
-            // From straight above, the mirrored direction is as far off as the light.
+            // Seen from above, the angle to the mirror direction is that of the light.
             let share = angle.cos().powf(f64::from(exponent));
-            let want = lamp([0.5 * share, 0.25 * share, share]);
-            // A rounding of the cosine counts as often as the exponent says, and below the
-            // smallest numbers nothing is left.
+            let want = lit_color([0.5 * share, 0.25 * share, share]);
+            // The exponent multiplies the rounding error of the cosine, and tiny powers underflow.
             let tolerance = f64::from(exponent) * 4.0 * 6e-8 / angle.cos() + ROUNDINGS;
             let got = lit(material, point(angle, Falloff::NONE));
             if share > 1e-30 {
@@ -186,13 +189,13 @@ fn the_highlight_falls_with_the_power_of_the_cosine() {
 }
 
 #[test]
-fn a_highlight_is_not_seen_beyond_a_right_angle_and_needs_an_exponent() {
-    // The light is at 60 degrees, the eye at 45 on the same side: 105 from the mirrored one.
+fn a_highlight_ends_at_a_right_angle_and_needs_an_exponent() {
+    // The light is at 60 degrees, the eye at 45 on the same side: 105 from the mirror direction.
     let angle = std::f64::consts::FRAC_PI_3;
-    assert_eq!(look(SHINY, point(angle, Falloff::NONE), vec3(4.0, 4.0, 0.0)), Rgb::BLACK);
+    assert_eq!(lit_from(SHINY, point(angle, Falloff::NONE), vec3(4.0, 4.0, 0.0)), Rgb::BLACK);
     let source = Source::Point { position: vec3(3.0, 4.0, 0.0), falloff: Falloff::NONE };
     let dull = Material { exponent: 0.0, ..SHINY };
-    assert_eq!(look(dull, source, vec3(-3.0, 4.0, 0.0)), Rgb::BLACK);
+    assert_eq!(lit_from(dull, source, vec3(-3.0, 4.0, 0.0)), Rgb::BLACK);
 }
 
 #[test]
@@ -209,7 +212,7 @@ fn a_smooth_surface_is_shaded_by_its_interpolated_normal() {
         shadows: true,
     });
     for x in [-0.75, -0.5, -0.125, 0.0, 0.25, 0.625] {
-        // Linear between the edges, but for the length: (x, root of 2, 0) by halves of the root.
+        // Linear between the edges before normalization: (x, root of 2, 0) times half of the root.
         let lean = x / 2.0_f64.sqrt();
         let want = 0.5_f64.sqrt() / lean.hypot(0.5_f64.sqrt());
         let got = scene.trace(vec3(x as Real, 3.0, 0.25), vec3(x as Real, 0.0, 0.25), ALL);

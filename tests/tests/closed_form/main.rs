@@ -1,8 +1,7 @@
-//! Light whose amount is known on paper.
+//! Pixels whose value is known in closed form.
 //!
-//! The scenes have few things at round places, and the answer is a formula, computed in `f64`.
-//! A pixel is the product and sum of some dozen rounded numbers: [`ROUNDINGS`] is what that may
-//! cost, relative to what is expected, unless a test says more.
+//! The scenes are small, and the expected value is a formula that is evaluated in `f64`. A pixel is computed by some dozen
+//! rounded operations; its relative error is at most [`ROUNDINGS`], unless a test states another tolerance.
 
 mod distributed;
 mod glass;
@@ -25,18 +24,18 @@ use strahl_core::{
 };
 use strahl_tests::single::TestScene;
 
-/// Sixteen roundings of half a unit in the last place.
+/// Relative tolerance: sixteen roundings of half a unit in the last place.
 const ROUNDINGS: f64 = 16.0 * 6e-8;
 
-/// All levels, and nothing cut off.
+/// All levels, no cutoff.
 const ALL: Limits = Limits { levels: 64, cutoff: 0.0 };
 
-/// Levels, and nothing cut off.
+/// This number of levels, no cutoff.
 const fn levels(levels: u8) -> Limits {
     Limits { levels, cutoff: 0.0 }
 }
 
-/// Holds a colour against what is known, channel by channel.
+/// Asserts the relative error of each channel.
 #[track_caller]
 fn assert_color(got: Rgb, want: [f64; 3], tolerance: f64) {
     for (got, want) in [got.r, got.g, got.b].map(f64::from).into_iter().zip(want) {
@@ -49,43 +48,42 @@ fn assert_gray(got: Rgb, want: f64, tolerance: f64) {
     assert_color(got, [want; 3], tolerance);
 }
 
-/// A surface that shines by itself and does nothing else: the scene's ambient light must be
-/// white.
-const fn shining(color: Rgb) -> Material {
+/// A material whose surface has this color under any light. The scene's ambient light must be white.
+const fn unlit(color: Rgb) -> Material {
     Material { ambient: color, diffuse: Rgb::BLACK, ..Material::MATTE }
 }
 
-/// How far the walls of [`ruler`] reach to both sides.
-const REACH: f64 = 8.0;
+/// Half of the width of a [`ruler`].
+const RULER_HALF_WIDTH: f64 = 8.0;
 
-/// A wall level with `height`, seen from both sides, whose brightness tells where it is seen.
+/// Adds a horizontal plane at `height` whose brightness encodes the x coordinate.
 fn ruler(scene: &mut TestScene, height: f64) {
-    let reach = REACH as Real;
+    let half_width = RULER_HALF_WIDTH as Real;
     let texture = scene.add_texture(Texture::Gradient {
         from: Rgb::BLACK,
         to: Rgb::WHITE,
-        origin: vec3(-reach, 0.0, 0.0),
-        along: vec3(2.0 * reach, 0.0, 0.0),
+        origin: vec3(-half_width, 0.0, 0.0),
+        along: vec3(2.0 * half_width, 0.0, 0.0),
     });
-    scene.material(Material { texture, ..shining(Rgb::WHITE) });
+    scene.material(Material { texture, ..unlit(Rgb::WHITE) });
     scene.plane(vec3(0.0, height as Real, 0.0), Vec3::Y);
     scene.ambient = Rgb::WHITE;
 }
 
-/// The x at which a ruler is seen.
-fn place(color: Rgb) -> f64 {
-    2.0 * REACH * f64::from(color.r) - REACH
+/// The x coordinate on a ruler with this color.
+fn ruler_x(color: Rgb) -> f64 {
+    2.0 * RULER_HALF_WIDTH * f64::from(color.r) - RULER_HALF_WIDTH
 }
 
-/// How well a ruler can be read: its length, and the ways to it, times some roundings.
-const READING: f64 = 2.0 * REACH * ROUNDINGS;
+/// Absolute tolerance of [`ruler_x`].
+const RULER_TOLERANCE: f64 = 2.0 * RULER_HALF_WIDTH * ROUNDINGS;
 
-/// The look from `eye` down at an angle from the upright, towards +x.
-fn slanted(scene: &TestScene, eye: [f64; 2], angle: f64, limits: Limits) -> Rgb {
-    slanted_and_counted(scene, eye, angle, limits).0
+/// Traces a ray from `eye` downward, at an angle from the vertical towards +x.
+fn trace_down(scene: &TestScene, eye: [f64; 2], angle: f64, limits: Limits) -> Rgb {
+    trace_down_counted(scene, eye, angle, limits).0
 }
 
-fn slanted_and_counted(scene: &TestScene, [x, y]: [f64; 2], angle: f64, limits: Limits) -> (Rgb, Counters) {
+fn trace_down_counted(scene: &TestScene, [x, y]: [f64; 2], angle: f64, limits: Limits) -> (Rgb, Counters) {
     let eye = vec3(x as Real, y as Real, 0.0);
     let target = vec3((x + angle.sin()) as Real, (y - angle.cos()) as Real, 0.0);
     scene.trace_counted(eye, target, limits)

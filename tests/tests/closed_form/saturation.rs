@@ -1,4 +1,4 @@
-//! The brightest, largest and smallest that a scene may name: a pixel is always a number.
+//! Extreme values that a scene accepts: every pixel is finite.
 
 use strahl_tests::{DVec3, SplitMix64, TestShape, TestShapeKind};
 
@@ -18,8 +18,8 @@ fn glaring() -> Material {
 
 #[test]
 fn the_brightest_mirrors_and_glass_give_a_finite_pixel_after_64_levels() {
-    // Two facing mirrors with a plate of glass between them; a lamp that lies in the plate's
-    // face, so that it is as near as can be; paint on everything.
+    // Two facing mirrors with a plate of glass between them; a light in the face of the plate, at distance zero; bright
+    // textures on everything.
     let mut scene = TestScene::new();
     let texture = scene.add_texture(Texture::Checker {
         even: BRIGHTEST,
@@ -41,13 +41,13 @@ fn the_brightest_mirrors_and_glass_give_a_finite_pixel_after_64_levels() {
     }
     let (color, counters) = scene.trace_counted(Vec3::ZERO, Vec3::X, ALL);
     assert_eq!(counters.rays[RayKind::Transmitted] + counters.rays[RayKind::Reflected], 63);
-    // Each of the 64 surfaces counts as 1e15 and not more.
+    // Each of the 64 surfaces is clamped to 1e15.
     assert_gray(color, 64e15, 64.0 * 6e-8);
 }
 
 #[test]
 fn a_full_tree_of_perfect_mirrors_and_panes_gives_a_finite_pixel() {
-    // Every ray meets a pane that passes all light and mirrors it as well.
+    // Every ray hits a pane that transmits and reflects all light.
     let n = 14;
     let mut scene = TestScene::new();
     scene.material(Material { mirror: Rgb::WHITE, transmitted: Rgb::WHITE, ..glaring() });
@@ -64,23 +64,23 @@ fn a_full_tree_of_perfect_mirrors_and_panes_gives_a_finite_pixel() {
 }
 
 #[test]
-fn a_light_at_the_very_point_that_it_lights_gives_nothing_and_no_harm() {
+fn a_light_at_the_point_that_it_lights_adds_nothing() {
     let mut scene = TestScene::new();
     scene.material(Material { ambient: Rgb::BLACK, ..glaring() });
     scene.plane(Vec3::ZERO, Vec3::Y);
-    let lamp = |y: Real| Light {
+    let light = |y: Real| Light {
         source: Source::Point { position: vec3(0.0, y, 0.0), falloff: Falloff::SQUARE },
         color: BRIGHTEST,
         shadows: true,
     };
-    scene.lights = vec![lamp(0.0)];
+    scene.lights = vec![light(0.0)];
     assert_eq!(scene.trace(Vec3::Y, Vec3::ZERO, ALL), Rgb::BLACK);
-    // As near as can be: the falloff is held, and so is the surface.
-    scene.lights = vec![lamp(1e-30)];
+    // As near as possible: falloff and surface are clamped.
+    scene.lights = vec![light(1e-30)];
     assert_gray(scene.trace(Vec3::Y, Vec3::ZERO, ALL), 1e15, ROUNDINGS);
 }
 
-/// One of some numbers.
+/// A random element.
 fn one_of<T: Copy>(numbers: &[T], rng: &mut SplitMix64) -> T {
     numbers[rng.below(numbers.len() as u32) as usize]
 }
@@ -90,12 +90,12 @@ fn color(numbers: &[Real], rng: &mut SplitMix64) -> Rgb {
 }
 
 #[test]
-fn whatever_a_scene_may_name_gives_a_number() {
+fn every_accepted_scene_gives_finite_pixels() {
     let mut rng = SplitMix64::new(0x5eed_0006);
     let r = &mut rng;
     let bright = [0.0, 1e-30, 1.0, 1e6];
-    let share = [0.0, 1e-30, 0.5, 1.0];
-    let mut seen = 0;
+    let factor = [0.0, 1e-30, 0.5, 1.0];
+    let mut lit = 0;
     for _ in 0..400 {
         let scale = one_of(&[1e-15, 1e-6, 1.0, 1e6, 1e14], r);
         let near = |r: &mut SplitMix64| {
@@ -131,8 +131,8 @@ fn whatever_a_scene_may_name_gives_a_number() {
                 texture: one_of(&[TextureId::NONE, texture], r),
                 highlight: color(&bright, r),
                 exponent: one_of(&[0.0, 1e-30, 1.0, 1e6], r),
-                mirror: color(&share, r),
-                transmitted: color(&share, r),
+                mirror: color(&factor, r),
+                transmitted: color(&factor, r),
                 index: one_of(&[0.01, 1.0, 1.5, 100.0], r),
                 interface: one_of(&[Interface::Constant, Interface::Fresnel], r),
                 clarity: color(&[1e-30, 1.0, 1e30, Real::INFINITY], r),
@@ -140,8 +140,8 @@ fn whatever_a_scene_may_name_gives_a_number() {
                 two_sided: r.below(2) == 0,
             });
             let kind = one_of(&TestShapeKind::ALL, r);
-            let place = r.in_ball(DVec3::ZERO, scale);
-            let item = scene.add_shape(&TestShape::random(kind, place, scale, r));
+            let center = r.in_ball(DVec3::ZERO, scale);
+            let item = scene.add_shape(&TestShape::random(kind, center, scale, r));
             if r.below(3) == 0 {
                 let far = one_of(&[1e-15, 1.0, 1e15], r);
                 scene.set_motion(item, near(r) * 0.1, Vec3::X * far);
@@ -180,9 +180,9 @@ fn whatever_a_scene_may_name_gives_a_number() {
         for _ in 0..4 {
             let (eye, target) = (r.in_ball(DVec3::ZERO, 3.0 * scale), r.in_ball(DVec3::ZERO, scale));
             let [eye, target] = [eye, target].map(|p| vec3(p.x as Real, p.y as Real, p.z as Real));
-            // `look` itself holds that every channel is finite and not below zero.
-            seen += usize::from(!scene.trace(eye, target, levels(9)).is_black());
+            // `trace` asserts that every channel is finite and not negative.
+            lit += usize::from(!scene.trace(eye, target, levels(9)).is_black());
         }
     }
-    assert!(seen > 400, "{seen}");
+    assert!(lit > 400, "{lit}");
 }

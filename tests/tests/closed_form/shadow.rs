@@ -1,4 +1,4 @@
-//! Hard shadows: where they begin, and what casts none.
+//! Hard shadows: their edges, and what casts none.
 
 use strahl_tests::{SplitMix64, TestRay, TestShape, TestShapeKind, TestedCore, oracle};
 
@@ -8,21 +8,21 @@ fn white(source: Source) -> Light {
     Light { source, color: Rgb::WHITE, shadows: true }
 }
 
-fn lamp(x: Real, y: Real, z: Real) -> Light {
+fn point_light(x: Real, y: Real, z: Real) -> Light {
     white(Source::Point { position: vec3(x, y, z), falloff: Falloff::NONE })
 }
 
-/// A matte floor and one light; `put` adds what may stand in its way.
-fn floor(light: Light, put: impl FnOnce(&mut TestScene)) -> TestScene {
+/// A matte floor under one light; `add` adds occluders.
+fn floor(light: Light, add: impl FnOnce(&mut TestScene)) -> TestScene {
     let mut scene = TestScene::new();
     scene.material(Material { ambient: Rgb::BLACK, ..Material::MATTE });
     scene.plane(Vec3::ZERO, Vec3::Y);
-    put(&mut scene);
+    add(&mut scene);
     scene.lights.push(light);
     scene
 }
 
-/// Whether light falls on the floor at (x, 0, 0), seen from low beside it.
+/// Whether the floor is lit at (x, 0, 0), seen from a low angle.
 fn is_lit(scene: &TestScene, x: f64) -> bool {
     let (color, counters) = scene.trace_counted(vec3(x as Real, 0.25, 6.0), vec3(x as Real, 0.0, 0.0), ALL);
     assert_eq!(counters.rays[RayKind::Shadow], 1);
@@ -30,9 +30,9 @@ fn is_lit(scene: &TestScene, x: f64) -> bool {
 }
 
 #[test]
-fn a_shadow_ends_where_paper_says() {
-    // The lamp is three times as high as the disc: its shadow is half as large again.
-    let scene = floor(lamp(0.0, 3.0, 0.0), |scene| {
+fn a_shadow_has_the_size_of_similar_triangles() {
+    // The light is three times as high as the disc: the shadow is 1.5 times as large.
+    let scene = floor(point_light(0.0, 3.0, 0.0), |scene| {
         scene.disc(Vec3::Y, Vec3::Y, 0.5);
     });
     for (x, lit) in
@@ -40,7 +40,7 @@ fn a_shadow_ends_where_paper_says() {
     {
         assert_eq!(is_lit(&scene, x), lit, "{x}");
     }
-    // From infinitely far away it is as large as the disc, and moves with the angle.
+    // In directional light it is as large as the disc, and displaced by the angle.
     let toward = vec3(0.6, 0.8, 0.0);
     let scene = floor(white(Source::Directional { toward }), |scene| {
         scene.disc(Vec3::Y, Vec3::Y, 0.5);
@@ -52,7 +52,7 @@ fn a_shadow_ends_where_paper_says() {
 
 #[test]
 fn every_shape_casts_a_shadow() {
-    let put: [fn(&mut TestScene); 9] = [
+    let add: [fn(&mut TestScene); 9] = [
         |scene| {
             scene.sphere(Vec3::Y, 0.25);
         },
@@ -82,10 +82,10 @@ fn every_shape_casts_a_shadow() {
             scene.disc(Vec3::Y, vec3(0.0, 1.0, 1.0), 0.25);
         },
     ];
-    for put in put {
-        assert!(!is_lit(&floor(lamp(0.0, 3.0, 0.0), put), 0.0));
-        // A light that casts none asks nobody.
-        let mut scene = floor(lamp(0.0, 3.0, 0.0), put);
+    for add in add {
+        assert!(!is_lit(&floor(point_light(0.0, 3.0, 0.0), add), 0.0));
+        // A light without shadows traces no shadow ray.
+        let mut scene = floor(point_light(0.0, 3.0, 0.0), add);
         scene.lights[0].shadows = false;
         let (color, counters) = scene.trace_counted(vec3(0.0, 0.25, 6.0), Vec3::ZERO, ALL);
         assert_eq!((color.is_black(), counters.rays[RayKind::Shadow]), (false, 0));
@@ -93,31 +93,31 @@ fn every_shape_casts_a_shadow() {
 }
 
 #[test]
-fn what_stands_behind_the_light_casts_no_shadow() {
+fn an_item_behind_the_light_casts_no_shadow() {
     for behind in [3.001, 3.5, 100.0] {
-        let scene = floor(lamp(0.0, 3.0, 0.0), |scene| {
+        let scene = floor(point_light(0.0, 3.0, 0.0), |scene| {
             scene.disc(vec3(0.0, behind, 0.0), Vec3::Y, 50.0);
         });
         assert!(is_lit(&scene, 0.0), "{behind}");
     }
-    // And just before it, it does.
-    let scene = floor(lamp(0.0, 3.0, 0.0), |scene| {
+    // An item just in front of it does.
+    let scene = floor(point_light(0.0, 3.0, 0.0), |scene| {
         scene.disc(vec3(0.0, 2.999, 0.0), Vec3::Y, 50.0);
     });
     assert!(!is_lit(&scene, 0.0));
 }
 
 #[test]
-fn a_light_inside_a_body_is_shut_in() {
-    let scene = floor(lamp(0.0, 3.0, 0.0), |scene| {
+fn a_light_inside_a_closed_body_is_occluded() {
+    let scene = floor(point_light(0.0, 3.0, 0.0), |scene| {
         scene.sphere(vec3(0.0, 3.0, 0.0), 0.5);
     });
     assert!(!is_lit(&scene, 0.0) && !is_lit(&scene, 4.0));
 }
 
 #[test]
-fn a_light_that_lies_in_a_surface_shines_on_its_side() {
-    let put: [fn(&mut TestScene); 5] = [
+fn a_light_in_a_surface_lights_its_side() {
+    let add: [fn(&mut TestScene); 5] = [
         |scene| {
             scene.disc(vec3(0.0, 3.0, 0.0), Vec3::Y, 1.0);
         },
@@ -134,8 +134,8 @@ fn a_light_that_lies_in_a_surface_shines_on_its_side() {
             scene.triangle([vec3(-1.0, 3.0, -1.0), vec3(1.0, 3.0, -1.0), vec3(0.0, 3.0, 1.0)]);
         },
     ];
-    for put in put {
-        let scene = floor(lamp(0.0, 3.0, 0.0), put);
+    for add in add {
+        let scene = floor(point_light(0.0, 3.0, 0.0), add);
         for x in [0.0, 0.1, 1.0, 4.0] {
             assert!(is_lit(&scene, x), "{x}");
         }
@@ -143,12 +143,11 @@ fn a_light_that_lies_in_a_surface_shines_on_its_side() {
 }
 
 #[test]
-fn a_light_on_any_surface_is_not_in_its_own_way() {
-    // A light on a random thing, at its place as rounding has it, seen from a point in front of
-    // the surface at no grazing angle: it lies before or behind the surface by a few roundings
-    // of its coordinates, and so much of its way is not asked for.
+fn a_light_on_a_surface_is_not_occluded_by_it() {
+    // A light at a rounded point of a random shape, seen from a point in front of the surface at no grazing angle. It is in
+    // front of or behind the surface by a few roundings of its coordinates; shadow rays end before it by that distance.
     let mut rng = SplitMix64::new(0x5eed_0005);
-    let mut asked = 0;
+    let mut shadow_rays = 0;
     for round in 0..4_000 {
         let kind = TestShapeKind::ALL[round % TestShapeKind::ALL.len()];
         let shape = TestShape::random(kind, strahl_tests::DVec3::ZERO, 1.0, &mut rng);
@@ -159,28 +158,28 @@ fn a_light_on_any_surface_is_not_in_its_own_way() {
         if contact.slope < 0.5 || contact.distance < 2.0 {
             continue;
         }
-        let place = vec3(contact.point.x as Real, contact.point.y as Real, contact.point.z as Real);
+        let position = vec3(contact.point.x as Real, contact.point.y as Real, contact.point.z as Real);
         let from = vec3(eye.x as Real, eye.y as Real, eye.z as Real);
-        // A small disc that faces the light, where the ray began.
+        // A small disc that faces the light, at the origin of the ray.
         let mut scene = TestScene::with_shapes(&[shape]);
         scene.material(Material { ambient: Rgb::BLACK, ..Material::MATTE });
-        scene.disc(from, place - from, 1e-3);
-        scene.lights.push(lamp(place.x, place.y, place.z));
-        let before = from + try_normalize(place - from).unwrap() * 0.5;
-        let (color, counters) = scene.trace_counted(before, from, ALL);
+        scene.disc(from, position - from, 1e-3);
+        scene.lights.push(point_light(position.x, position.y, position.z));
+        let eye = from + try_normalize(position - from).unwrap() * 0.5;
+        let (color, counters) = scene.trace_counted(eye, from, ALL);
         if counters.rays[RayKind::Shadow] == 1 {
             assert!(!color.is_black(), "{round}: {kind:?} {contact:?}");
-            asked += 1;
+            shadow_rays += 1;
         }
     }
-    assert!(asked > 1_000, "{asked}");
+    assert!(shadow_rays > 1_000, "{shadow_rays}");
 }
 
 #[test]
 fn glass_casts_a_full_shadow() {
     let glass = Material { transmitted: Rgb::WHITE, index: 1.5, diffuse: Rgb::BLACK, ..Material::MATTE };
     for material in [glass, Material { index: 1.0, ..glass }] {
-        let scene = floor(lamp(0.0, 3.0, 0.0), |scene| {
+        let scene = floor(point_light(0.0, 3.0, 0.0), |scene| {
             scene.material(material);
             scene.sphere(Vec3::Y, 0.5);
         });
@@ -189,15 +188,15 @@ fn glass_casts_a_full_shadow() {
 }
 
 #[test]
-fn a_light_behind_the_surface_is_not_asked_for() {
-    let scene = floor(lamp(0.0, -3.0, 0.0), |_| ());
+fn a_light_behind_the_surface_costs_no_shadow_ray() {
+    let scene = floor(point_light(0.0, -3.0, 0.0), |_| ());
     let (color, counters) = scene.trace_counted(vec3(0.0, 0.25, 6.0), Vec3::ZERO, ALL);
     assert_eq!((color, counters.rays[RayKind::Shadow]), (Rgb::BLACK, 0));
 }
 
 #[test]
 fn two_plates_with_a_narrow_gap_cast_shadows_at_every_scale() {
-    // The gap is a thousandth of what it is seen from; the light stands beside the upper plate.
+    // The gap is 1/1000 of the size; the light is above the upper plate.
     for k in -20..=20 {
         let scale = (0..20 + k).fold(1.0 / 1_048_576.0, |scale: Real, _| 2.0 * scale);
         let gap = 1e-3 * scale;
@@ -205,14 +204,14 @@ fn two_plates_with_a_narrow_gap_cast_shadows_at_every_scale() {
         scene.material(Material { ambient: Rgb::BLACK, ..Material::MATTE });
         scene.disc(Vec3::ZERO, Vec3::Y, scale);
         scene.disc(vec3(0.0, gap, 0.0), Vec3::Y, 0.5 * scale);
-        scene.lights.push(lamp(0.0, scale, 0.0));
-        // Into the gap from beside it, at half of its height: under the upper plate, and before it.
-        let look = |x: Real| {
+        scene.lights.push(point_light(0.0, scale, 0.0));
+        // From the side into the gap, at half of its height: under the upper plate, and beside it.
+        let is_lit = |x: Real| {
             let eye = vec3(-scale, 0.5 * gap + 1e-4 * scale, 0.0);
             let color = scene.trace(eye, vec3(x * scale, 0.0, 0.0), ALL);
             !color.is_black()
         };
-        assert!(!look(-0.499) && !look(-0.25), "2^{k}");
-        assert!(look(-0.5012), "2^{k}");
+        assert!(!is_lit(-0.499) && !is_lit(-0.25), "2^{k}");
+        assert!(is_lit(-0.5012), "2^{k}");
     }
 }

@@ -1,4 +1,4 @@
-//! How the scene is looked at: cameras, sides of surfaces, backgrounds and paint.
+//! Cameras, sides of surfaces, backgrounds and textures.
 
 use strahl_tests::assert_picture;
 
@@ -26,19 +26,18 @@ fn picture(scene: &TestScene, view: &View, width: u32, height: u32) -> Vec<Rgb> 
     colors
 }
 
-/// A wall five before the eye that tells by red where it is seen from left to right, and by
-/// green from top to bottom.
+/// A wall at distance 5 whose red channel encodes x, and whose green channel encodes y, from top to bottom.
 fn wall() -> TestScene {
     let mut scene = TestScene::new();
     let gradient = |to, origin, along| Texture::Gradient { from: Rgb::BLACK, to, origin, along };
     let across = gradient(Rgb::new(1.0, 0.0, 0.0), vec3(-8.0, 0.0, 0.0), vec3(16.0, 0.0, 0.0));
     let down = gradient(Rgb::new(0.0, 1.0, 0.0), vec3(0.0, 8.0, 0.0), vec3(0.0, -16.0, 0.0));
-    // A pane before a wall: what both show is added.
+    // A pane in front of a wall: their colors are added.
     let texture = scene.add_texture(across);
-    scene.material(Material { texture, transmitted: Rgb::WHITE, ..shining(Rgb::WHITE) });
+    scene.material(Material { texture, transmitted: Rgb::WHITE, ..unlit(Rgb::WHITE) });
     scene.plane(vec3(0.0, 0.0, -5.0), Vec3::Z);
     let texture = scene.add_texture(down);
-    scene.material(Material { texture, ..shining(Rgb::WHITE) });
+    scene.material(Material { texture, ..unlit(Rgb::WHITE) });
     scene.plane(vec3(0.0, 0.0, -5.0625), Vec3::Z);
     scene.ambient = Rgb::WHITE;
     scene
@@ -48,7 +47,7 @@ fn wall() -> TestScene {
 fn a_perspective_view_spreads_its_angle_over_the_rows() {
     let (width, height) = (9, 7);
     let colors = picture(&wall(), &VIEW, width, height);
-    // From the middle of the first row to that of the last; pixels are square.
+    // From the center of the first row to that of the last; pixels are square.
     let step = 2.0 * 0.6_f64.tan() / f64::from(height - 1);
     for (color, i) in colors.iter().zip(0..) {
         let (x, y) = (f64::from(i % width) - 4.0, f64::from(i / width) - 3.0);
@@ -69,12 +68,12 @@ fn an_orthographic_view_spreads_its_height_over_the_rows() {
 }
 
 #[test]
-fn a_sphere_in_the_middle_is_round() {
+fn a_centered_sphere_is_a_disc() {
     let mut scene = TestScene::new();
-    scene.material(shining(Rgb::WHITE));
+    scene.material(unlit(Rgb::WHITE));
     scene.sphere(vec3(0.0, 0.0, -5.0), 3.0);
     scene.ambient = Rgb::WHITE;
-    let round = "
+    let disc = "
         .........
         ...###...
         ..#####..
@@ -82,32 +81,35 @@ fn a_sphere_in_the_middle_is_round() {
         ..#####..
         ...###...
         .........";
-    // Its rim is seen at an angle whose sine is 3/5: 0.75 before the eye at a distance of one,
-    // and a row is 0.3 of that.
+    // Its silhouette is at an angle whose sine is 3/5, which is 0.75 at distance 1; a row is 0.3.
     let angle = 2.0 * 0.9_f64.atan();
     let view = View { projection: Projection::Perspective { angle: angle as Real }, ..VIEW };
-    assert_picture(&picture(&scene, &view, 9, 7), 9, round);
-    // From the side of infinity it is 3 in every direction, and a row is 1.2.
+    assert_picture(&picture(&scene, &view, 9, 7), 9, disc);
+    // Orthographic: its radius is 3, and a row is 1.2.
     let view = View { projection: Projection::Orthographic { height: 7.2 }, ..VIEW };
-    assert_picture(&picture(&scene, &view, 9, 7), 9, round);
+    assert_picture(&picture(&scene, &view, 9, 7), 9, disc);
 }
 
 #[test]
-fn up_is_up_and_right_is_right_from_every_side() {
-    // A small ball above the middle and a smaller one to the right of it.
+fn the_camera_keeps_up_and_right_from_every_side() {
+    // A small sphere above the center and a smaller one to the right of it.
     let mut scene = TestScene::new();
-    scene.material(shining(Rgb::WHITE));
+    scene.material(unlit(Rgb::WHITE));
     scene.sphere(vec3(0.0, 2.0, 0.0), 0.9);
-    scene.material(shining(Rgb::gray(0.25)));
+    scene.material(unlit(Rgb::gray(0.25)));
     scene.sphere(vec3(2.0, 0.0, 0.0), 0.5);
     scene.ambient = Rgb::WHITE;
-    let seen = |from: Vec3, up: Vec3| {
+    let picture_from = |from: Vec3, up: Vec3| {
         let view = View { from, at: Vec3::ZERO, up, projection: Projection::Orthographic { height: 4.0 } };
         picture(&scene, &view, 5, 5)
     };
-    assert_picture(&seen(vec3(0.0, 0.0, 9.0), vec3(0.0, 1.0, -3.0)), 5, "..#.. ..... ....+ ..... .....");
-    assert_picture(&seen(vec3(0.0, 0.0, -9.0), Vec3::Y), 5, "..#.. ..... +.... ..... .....");
-    assert_picture(&seen(vec3(0.0, 0.0, 9.0), Vec3::X), 5, "..+.. ..... #.... ..... .....");
+    assert_picture(
+        &picture_from(vec3(0.0, 0.0, 9.0), vec3(0.0, 1.0, -3.0)),
+        5,
+        "..#.. ..... ....+ ..... .....",
+    );
+    assert_picture(&picture_from(vec3(0.0, 0.0, -9.0), Vec3::Y), 5, "..#.. ..... +.... ..... .....");
+    assert_picture(&picture_from(vec3(0.0, 0.0, 9.0), Vec3::X), 5, "..+.. ..... #.... ..... .....");
 }
 
 #[test]
@@ -119,7 +121,7 @@ fn a_checkered_floor_changes_at_every_cell() {
         origin: vec3(0.0, 7.0, 0.0),
         frequency: vec3(0.5, 0.0, 1.0),
     });
-    scene.material(Material { texture, ..shining(Rgb::WHITE) });
+    scene.material(Material { texture, ..unlit(Rgb::WHITE) });
     scene.disc(Vec3::ZERO, Vec3::Y, 3.3);
     scene.ambient = Rgb::WHITE;
     let from = vec3(0.0, 5.0, 0.0);
@@ -148,12 +150,12 @@ fn a_background_changes_with_the_height_of_the_direction() {
     assert_eq!(scene.trace(Vec3::ONE, vec3(1.0, 9.0, 1.0), ALL), above);
     assert_eq!(scene.trace(Vec3::ONE, vec3(1.0, -9.0, 1.0), ALL), below);
     assert_eq!(scene.trace(Vec3::ONE, vec3(9.0, 1.0, 5.0), ALL), Rgb::new(0.5, 0.25, 0.25));
-    // 3, 4, 5: up by 0.6 of the way.
+    // 3, 4, 5: the height of the direction is 0.6.
     assert_color(scene.trace(Vec3::ZERO, vec3(0.0, 3.0, -4.0), ALL), [0.2, 0.4, 0.25], ROUNDINGS);
 }
 
-/// What is seen of a square in z = 0, whose front faces +z, with one light on one side.
-fn square(two_sided: bool, eye: Real, light: Real) -> Rgb {
+/// Color of a triangle in z = 0 whose front faces +z, with one light on one side.
+fn triangle_color(two_sided: bool, eye: Real, light: Real) -> Rgb {
     let mut scene = TestScene::new();
     scene.material(Material { ambient: Rgb::BLACK, two_sided, ..Material::MATTE });
     scene.polygon(&[vec3(-1.0, -1.0, 0.0), vec3(1.0, -1.0, 0.0), vec3(0.0, 1.0, 0.0)], &[]);
@@ -163,15 +165,23 @@ fn square(two_sided: bool, eye: Real, light: Real) -> Rgb {
 }
 
 #[test]
-fn a_two_sided_surface_is_lit_where_the_eye_is() {
+fn a_two_sided_surface_is_lit_on_the_side_of_the_eye() {
     for (eye, light, lit) in [(2.0, 3.0, true), (2.0, -3.0, false), (-2.0, -3.0, true), (-2.0, 3.0, false)] {
-        assert_eq!(square(true, eye, light), if lit { Rgb::WHITE } else { Rgb::BLACK }, "{eye} {light}");
+        assert_eq!(
+            triangle_color(true, eye, light),
+            if lit { Rgb::WHITE } else { Rgb::BLACK },
+            "{eye} {light}"
+        );
     }
 }
 
 #[test]
-fn a_one_sided_surface_seen_from_behind_shades_as_its_front() {
+fn a_one_sided_surface_is_shaded_as_its_front_on_both_sides() {
     for (eye, light, lit) in [(2.0, 3.0, true), (2.0, -3.0, false), (-2.0, -3.0, false), (-2.0, 3.0, true)] {
-        assert_eq!(square(false, eye, light), if lit { Rgb::WHITE } else { Rgb::BLACK }, "{eye} {light}");
+        assert_eq!(
+            triangle_color(false, eye, light),
+            if lit { Rgb::WHITE } else { Rgb::BLACK },
+            "{eye} {light}"
+        );
     }
 }
