@@ -5,8 +5,8 @@ use std::path::Path;
 use serde::Serialize;
 use strahl_scene::quantity::quantity;
 use strahl_settings::Resolved;
+use strahl_study::aim::{Aimed, Target};
 
-use crate::aim::{Aimed, Target};
 use crate::args::RenderArgs;
 use crate::settings;
 

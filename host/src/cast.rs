@@ -1,6 +1,6 @@
 //! The command `cast`: rays in as CSV, what they hit out as CSV.
 //!
-//! A [`Session`] finds what a ray hits; [`rays`](crate::rays) brings the rays there and the answers back.
+//! A [`Session`] finds the nearest hits; a [`RayStream`] reads the rays and writes the rows.
 
 use std::fs::File;
 use std::io::{IsTerminal, Read, stdin};
@@ -10,13 +10,13 @@ use std::time::Instant;
 use strahl_engine::RenderError;
 use strahl_scene::quantity::quantity;
 use strahl_scene::{SourceFiles, load_from};
+use strahl_session::rays::{CastCounts, CastError, RayStream};
+use strahl_session::{SceneStorage, Session};
 use strahl_settings::{DEFAULT_SIZE, Settings};
 
 use crate::args::CastArgs;
 use crate::failure::Failure;
 use crate::output::{Guard, say};
-use crate::rays::{Cast, Stream};
-use crate::session::{SceneStorage, Session};
 use crate::signals::Signals;
 
 /// Casts rays into one scene.
@@ -30,16 +30,25 @@ pub fn run(args: &CastArgs) -> Result<(), Failure> {
     for warning in description.warnings.iter().filter(|_| !args.quiet) {
         say(format_args!("{}: warning: {warning}", args.scene.display()));
     }
-    let output = Guard::of(files.named_paths().iter().chain([&args.rays])).prepare(&args.output)?;
+    let mut output = Guard::of(files.named_paths().iter().chain([&args.rays])).prepare(&args.output)?;
     let (input, name) = rays(&args.rays, args.quiet)?;
 
     let settings = Settings::resolve(&args.settings.given, &description.settings)?;
     let (precision, threads, finding) = (settings.precision, settings.threads, settings.acceleration());
-    let stream = Stream { input, name, output, precision, threads, signals };
     let wrong = |error: RenderError| Failure::input(&args.scene, error.to_string());
     let mut storage = SceneStorage::new(&description, precision);
     let session = Session::new(&mut storage, &finding).map_err(wrong)?;
-    let Cast { rays, hits } = stream.run(|| session.ray_caster())?;
+    let stream = RayStream { input, precision, threads };
+    let CastCounts { rays, hits } = match stream.run(&mut output, &signals, || session.ray_caster()) {
+        Ok(counts) => output.finish().map(|()| counts),
+        // The rows of the lines before it stay.
+        Err(CastError::Line { line, error }) => {
+            output.finish().and(Err(Failure::at(&name, line, error.to_string())))
+        }
+        Err(CastError::Read(error)) => Err(Failure::Unreadable { path: name, error }),
+        Err(CastError::Write(error)) => Err(output.unwritable(error)),
+        Err(CastError::Interrupted(interrupt)) => Err(Failure::StoppedAmid(interrupt)),
+    }?;
     if !args.quiet {
         let choice = &session.accelerator().choice;
         let (rays, hits, seconds) =

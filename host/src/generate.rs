@@ -12,6 +12,7 @@ use crate::args::GenerateArgs;
 use crate::failure::Failure;
 use crate::output::{Guard, Output, refuse_terminal, say};
 use crate::signals::Signals;
+use strahl_engine::Progress as _;
 
 /// Makes one scene.
 pub fn run(args: &GenerateArgs) -> Result<(), Failure> {
@@ -122,7 +123,8 @@ impl Write for Watched<'_> {
             return Err(io::Error::other(failure.to_string()));
         }
         let checked = self.signals.check().map_err(Failure::Stopped);
-        if let Err(failure) = checked.and_then(|()| self.output.write(bytes)) {
+        let write = |()| self.output.write_all(bytes).map_err(|error| self.output.unwritable(error));
+        if let Err(failure) = checked.and_then(write) {
             let error = io::Error::other(failure.to_string());
             self.failure = Some(failure);
             return Err(error);

@@ -9,18 +9,12 @@
 //! | [`watch`] | the command `watch` |
 //! | [`bake`] | the command `bake` |
 //! | [`study_command`] | the command `study` |
-//! | [`study`] | what accuracy costs in time |
 //! | [`info`] | the command `info` |
 //! | [`explain`] | the command `explain` |
 //! | [`compare`] | the command `compare` |
 //! | [`generate`] | the command `generate` |
 //! | [`manual`] | the commands `completions` and `man` |
-//! | [`stock`] | the owned tables of a scene, for either precision |
-//! | [`session`] | a scene opened in the precision that is asked for: pictures, and what rays hit |
-//! | [`rays`] | rays as lines of text, and their way there and back |
-//! | [`aim`] | the settings that keep an error or a time |
 //! | [`aim_report`] | what was aimed at, for the report and for a person |
-//! | [`cost`] | what was counted, in instructions |
 //! | [`heat`] | costs as a picture |
 //! | [`draft`] | a coarse picture before the full one |
 //! | [`pixels`] | picture files that a command reads |
@@ -33,13 +27,11 @@
 //! | [`signals`] | when to stop |
 //! | [`failure`] | what went wrong, and the exit status for it |
 
-pub mod aim;
 pub mod aim_report;
 pub mod args;
 pub mod bake;
 pub mod cast;
 pub mod compare;
-pub mod cost;
 pub mod draft;
 pub mod explain;
 pub mod failure;
@@ -49,14 +41,10 @@ pub mod info;
 pub mod manual;
 pub mod output;
 pub mod pixels;
-pub mod rays;
 pub mod render;
-pub mod session;
 pub mod settings;
 pub mod signals;
 pub mod stats;
-pub mod stock;
-pub mod study;
 pub mod study_command;
 pub mod summary;
 pub mod terminal;

@@ -6,8 +6,8 @@ use clap::Parser;
 use strahl::args::{Args, Command, Schema};
 use strahl::failure::Answer;
 use strahl::output::Output;
-use strahl::study::file;
 use strahl_scene::native;
+use strahl_study::record::file;
 
 fn main() -> ExitCode {
     let args = Args::parse();

@@ -10,11 +10,12 @@ use strahl_picture::{Picture, PictureFormat};
 use strahl_scene::description::LoadedScene;
 use strahl_scene::effects::{PlannedEffect, disable, plan};
 use strahl_scene::{SourceFiles, load_from};
+use strahl_session::RenderOutput;
 use strahl_settings::{DEFAULT_SIZE, Resolved, Settings};
+use strahl_study::aim;
+use strahl_study::aim::search::{Fixed, Goal};
+use strahl_study::aim::time::Limit;
 
-use crate::aim;
-use crate::aim::search::{Fixed, Goal};
-use crate::aim::time::Limit;
 use crate::aim_report::AimReport;
 use crate::args::{AimArgs, RenderArgs, StatsForm};
 use crate::draft;
@@ -22,10 +23,9 @@ use crate::failure::{Answer, Failure};
 use crate::heat::{self, Costs};
 use crate::output::{Guard, Output, refuse_terminal, say, tell};
 use crate::pixels;
-use crate::session::{self, RenderOutput};
 use crate::settings;
 use crate::signals::Signals;
-use crate::stats::Stats;
+use crate::stats::StatsReport;
 use crate::summary::{self, summary};
 use crate::terminal::TerminalProgress;
 use crate::wrap::{width_of_stderr, wrapped};
@@ -139,7 +139,7 @@ impl<'a> Job<'a> {
         let mut plan = plan(description);
         plan.extend_from_slice(left_out);
         if let Some((form, output)) = report {
-            let mut stats = Stats::new(&plan, &frame);
+            let mut stats = StatsReport::new(&plan, &frame);
             stats.aim = aimed.clone();
             stats.seconds.load = load.as_secs_f64();
             stats.seconds.write = write.as_secs_f64();
@@ -207,7 +207,7 @@ impl<'a> Job<'a> {
         options: &RenderOptions<'_>,
         progress: &TerminalProgress,
     ) -> Result<RenderOutput, Failure> {
-        let frame = session::render(description, settings, options, progress);
+        let frame = strahl_session::render(description, settings, options, progress);
         progress.end();
         frame.map_err(|error| self.failure(error))
     }

@@ -6,7 +6,6 @@
 use std::collections::BTreeMap;
 use std::path::Path;
 
-use serde::Serializer;
 use strahl_settings::{Resolved, Setting, SettingSource, Settings};
 
 use crate::args::RenderArgs;
@@ -78,15 +77,6 @@ fn files(args: &RenderArgs, output: &Path) -> impl Iterator<Item = (&'static str
     let word = |path: &Path| quoted(&path.display().to_string());
     let mask = args.mask.as_deref().map(|mask| ("mask", true, word(mask)));
     mask.into_iter().chain([("output", args.output.is_some(), word(output))])
-}
-
-/// Some settings as JSON has them, by their names.
-pub fn serialize<'s, S: Serializer>(
-    settings: &Settings,
-    some: impl Iterator<Item = &'s Setting>,
-    serializer: S,
-) -> Result<S::Ok, S::Error> {
-    serializer.collect_map(some.map(|setting| (setting.name, setting.to_json(settings))))
 }
 
 /// A word that a shell leaves as it is.

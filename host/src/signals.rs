@@ -4,7 +4,7 @@ use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
 
 use signal_hook::consts::{SIGINT, SIGTERM};
-use strahl_engine::Interrupt;
+use strahl_engine::{Interrupt, Progress};
 
 use crate::failure::Failure;
 
@@ -30,9 +30,11 @@ impl Signals {
     pub fn outdated(&self) -> Arc<AtomicBool> {
         Arc::clone(&self.outdated)
     }
+}
 
+impl Progress for Signals {
     /// `Err` once a signal has come.
-    pub fn check(&self) -> Result<(), Interrupt> {
+    fn check(&self) -> Result<(), Interrupt> {
         if self.interrupted.load(Ordering::Relaxed) {
             Err(Interrupt::Interrupted)
         } else if self.terminated.load(Ordering::Relaxed) {

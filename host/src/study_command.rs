@@ -10,16 +10,17 @@ use strahl_engine::{Interrupt, Progress, RenderError};
 use strahl_scene::description::LoadedScene;
 use strahl_scene::{SourceFiles, load_from};
 use strahl_settings::DEFAULT_SIZE;
+use strahl_study::device::Device;
+use strahl_study::error::{ParseError, StudyError};
+use strahl_study::measure::benchmark::StudyProgress;
+use strahl_study::page;
+use strahl_study::record::{Study, table};
+use strahl_study::study::{StudySettings, stem, study};
 
 use crate::args::StudyArgs;
 use crate::failure::Failure;
 use crate::output::{Guard, Output, say, tell};
 use crate::signals::Signals;
-use crate::study::device::Device;
-use crate::study::error::{ParseError, StudyError};
-use crate::study::progress::StudyProgress;
-use crate::study::record::Study;
-use crate::study::{StudySettings, page, stem, study, table};
 use crate::wrap::{width_of_stderr, wrapped};
 
 /// Studies a scene, or makes the page of a study again.

@@ -9,11 +9,8 @@ use indicatif::{HumanBytes, HumanCount};
 use strahl_core::tally::RayKind;
 use strahl_scene::effects::PlannedEffect;
 use strahl_scene::quantity::quantity;
-use strahl_settings::Effect;
-use strahl_settings::Precision;
-use strahl_settings::SamplerSettings;
-
-use crate::session::RenderOutput;
+use strahl_session::RenderOutput;
+use strahl_settings::{Effect, Precision, SamplerSettings};
 
 /// Where the text of the lines begins.
 pub const INDENT: usize = 12;

@@ -15,7 +15,7 @@ use std::{io, iter};
 
 use notify::event::{AccessKind, AccessMode, EventKind, ModifyKind};
 use notify::{Config, Event, PollWatcher, RecommendedWatcher, RecursiveMode, Watcher};
-use strahl_engine::Interrupt;
+use strahl_engine::{Interrupt, Progress as _};
 use strahl_scene::SourceFiles;
 
 use crate::args::RenderArgs;

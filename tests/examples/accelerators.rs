@@ -18,10 +18,10 @@ use std::process::ExitCode;
 
 use strahl::args::GenerateArgs;
 use strahl::generate;
-use strahl::session::{self, RenderOutput};
 use strahl_core::Resolution;
 use strahl_engine::{NoProgress, RenderOptions};
 use strahl_scene::procedural::ProceduralScene;
+use strahl_session::RenderOutput;
 use strahl_settings::{AccelKind, AccelSettings, Settings};
 
 /// ProceduralScene is made, and how large.
@@ -97,7 +97,7 @@ fn scene(what: ProceduralScene, size: u32, path: &Path, rows: &mut Vec<Row>) -> 
         let size = Resolution::new(512, 512).ok_or("no size")?;
         let settings = Settings { size, levels: 5, cutoff: 0.0, threads: 1, ..Settings::default() };
         let settings = settings.with_acceleration(AccelSettings::with_kind(kind));
-        let trace = |options| session::render(&description, &settings, &options, &NoProgress);
+        let trace = |options| strahl_session::render(&description, &settings, &options, &NoProgress);
         let (mut quickest, mut build): (Option<RenderOutput>, f64) = (None, f64::INFINITY);
         for _ in 0..TURNS {
             let frame = trace(RenderOptions::default())?;

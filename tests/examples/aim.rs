@@ -16,20 +16,20 @@
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 
-use strahl::aim::Target;
-use strahl::aim::error::trace;
-use strahl::aim::limits::{PricedLimits, limits_of_reference, priced_limits};
-use strahl::aim::plan::{Rays, SAVES, rays};
-use strahl::aim::reference::reference;
-use strahl::aim::search::{Candidate, Fixed, Goal, Search};
-use strahl::aim::sparse::rmse;
-use strahl::cost::WEIGHTS;
-use strahl::session::{SceneStorage, Session};
 use strahl_core::{Resolution, Rgb};
 use strahl_engine::{CostMap, NoProgress, RenderError, RenderOptions};
 use strahl_scene::description::LoadedScene;
 use strahl_scene::load;
+use strahl_session::{SceneStorage, Session};
 use strahl_settings::{Settings, SettingsOverrides};
+use strahl_study::aim::Target;
+use strahl_study::aim::candidates::{Rays, SAVES, rays};
+use strahl_study::aim::error::trace;
+use strahl_study::aim::limits::{PricedLimits, limits_of_reference, priced_limits};
+use strahl_study::aim::search::reference;
+use strahl_study::aim::search::{Candidate, Fixed, Goal, Search};
+use strahl_study::aim::sparse::rmse;
+use strahl_study::cost_model::WEIGHTS;
 
 /// Scenes of different kinds, each with limits that ask for little or much.
 const PAIRS: [(&str, f64); 10] = [

@@ -16,12 +16,12 @@ use std::error::Error;
 use std::path::{Path, PathBuf};
 
 use strahl::bake::{BakeSettings, bake, chip, counted, source};
-use strahl::stock::single::{scene_tables, view};
 use strahl_core::accel::{List, group_count};
 use strahl_core::geometry::Aabb;
 use strahl_core::image::Frame;
 use strahl_core::{AllEffects, Camera, Limits, Resolution, Rgb, Single, Tile, Tracer, Worker, World, render};
 use strahl_scene::load_for_size;
+use strahl_session::tables::single::{scene_tables, view};
 use strahl_settings::AccelKind;
 
 /// A scene that is drawn on the chip.

@@ -14,7 +14,6 @@ use std::error::Error;
 use std::path::Path;
 use std::process::{Command, ExitCode};
 
-use strahl::stock::single;
 use strahl_core::accel::{
     Accelerator, BvhBuilder, BvhNode, BvhSize, LeafEntry, LeafLayout, List, TraversalStack, TriangleBlock,
     group_count,
@@ -25,6 +24,7 @@ use strahl_core::scene::{EffectSet, Effects, LightKind, LightSet, TextureKind, T
 use strahl_core::tally::RayCounters;
 use strahl_core::{AllEffects, Camera, Limits, Resolution, Rgb, Single, Tile, Tracer, Worker, World, render};
 use strahl_engine::prepared::{self, prepared_for};
+use strahl_session::tables::single;
 use strahl_settings::{AccelKind, AccelSettings};
 
 /// Pixels of the picture.

@@ -14,17 +14,17 @@ use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 use std::time::Duration;
 
-use strahl::session::SceneStorage;
-use strahl::study::bench::Bench;
-use strahl::study::conduct;
-use strahl::study::measurements::Measurements;
-use strahl::study::page::numbers;
-use strahl::study::plan::Plan;
-use strahl::study::record::{Run, Technique};
 use strahl_core::Resolution;
 use strahl_engine::NoProgress;
 use strahl_scene::load;
+use strahl_session::SceneStorage;
 use strahl_settings::{Precision, Settings};
+use strahl_study::measure::benchmark::Bench;
+use strahl_study::measure::experiment;
+use strahl_study::measure::measurements::Measurements;
+use strahl_study::measure::plan::Plan;
+use strahl_study::page::numbers;
+use strahl_study::record::{Run, Technique};
 
 /// The procedural databases, and what they are.
 const DATABASES: [&str; 7] = ["balls", "gears", "mount", "rings", "teapot", "tetra", "tree"];
@@ -62,7 +62,7 @@ fn evaluate(path: &Path) -> Result<Evaluated, Box<dyn Error>> {
     let levels = scene.settings.levels.unwrap_or(default.levels);
     let settings = Settings { size, levels, threads: 1, ..default };
     let mut measured = Measurements::new(&bench, &plan);
-    conduct::evaluate(&mut measured, &settings)?;
+    experiment::evaluate(&mut measured, &settings)?;
     let Measurements { taken, techniques, .. } = measured;
     let name = path.file_stem().unwrap_or_default().to_string_lossy().into_owned();
     let runs = taken.into_iter().map(|taken| taken.run).collect();

@@ -15,7 +15,6 @@ use std::path::Path;
 use std::process::{Command, Stdio};
 use std::time::Instant;
 
-use strahl::session;
 use strahl_core::Resolution;
 use strahl_engine::{NoProgress, RenderOptions};
 use strahl_settings::{AccelKind, AccelSettings, Settings};
@@ -124,7 +123,7 @@ fn strahl(scene: &Path, side: u32, kind: AccelKind) -> Result<Took, Box<dyn Erro
     let size = Resolution::new(side, side).ok_or("no size")?;
     let settings = Settings { size, levels: 5, cutoff: 0.0, threads: 1, ..Settings::default() };
     let settings = settings.with_acceleration(AccelSettings::with_kind(kind));
-    let frame = session::render(&description, &settings, &RenderOptions::default(), &NoProgress)?;
+    let frame = strahl_session::render(&description, &settings, &RenderOptions::default(), &NoProgress)?;
     let counts = frame.counters;
     Ok(Took {
         ready: (load + frame.build).as_secs_f64(),

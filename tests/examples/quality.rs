@@ -119,7 +119,7 @@ impl Scene {
 
     fn traced(&self, settings: &Settings) -> Result<(Vec<Rgb>, f64), Box<dyn Error>> {
         let options = RenderOptions::COUNT_TESTS;
-        let frame = strahl::session::render(&self.description, settings, &options, &NoProgress)?;
+        let frame = strahl_session::render(&self.description, settings, &options, &NoProgress)?;
         let rays = frame.counters.rays[RayKind::Camera];
         let pixels = u64::from(self.size.width()) * u64::from(self.size.height());
         Ok((frame.picture.colors, rays as f64 / pixels as f64))
@@ -164,11 +164,11 @@ impl Scene {
     }
 
     fn jittered(&self) -> Result<Measured, Box<dyn Error>> {
-        let stock = strahl::stock::single::scene_tables(&self.description);
+        let stock = strahl_session::tables::single::scene_tables(&self.description);
         let scene = stock.scene()?;
         let items = scene.parts().geometry.shapes.len() as u32;
         let world = World::new(scene, BareList(items));
-        let camera = Camera::new(&strahl::stock::single::view(&self.description.camera), self.size)?;
+        let camera = Camera::new(&strahl_session::tables::single::view(&self.description.camera), self.size)?;
         let limits = self.settings(SamplerSettings::Single).limits();
         let tracer = Tracer::<_, AllEffects, 64>::new(&world, camera, limits)?;
         Measured::mean(|seed| {

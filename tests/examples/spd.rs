@@ -20,10 +20,10 @@ use std::error::Error;
 use std::path::PathBuf;
 use std::process::ExitCode;
 
-use strahl::session::RenderOutput;
 use strahl_core::Resolution;
 use strahl_core::tally::{Counters, RayKind};
 use strahl_engine::{NoProgress, RenderOptions};
+use strahl_session::RenderOutput;
 use strahl_settings::{AccelKind, AccelSettings, ResolvedAccel, SamplerSettings, Settings};
 
 /// Camera rays that hit, reflected, refracted and shadow rays, and how far off they may be.
@@ -105,7 +105,7 @@ fn main() -> Result<ExitCode, Box<dyn Error>> {
         for accel in ways() {
             let settings = settings.clone().with_acceleration(accel);
             let options = RenderOptions::COUNT_TESTS;
-            let frame = strahl::session::render(&description, &settings, &options, &NoProgress)?;
+            let frame = strahl_session::render(&description, &settings, &options, &NoProgress)?;
             let counters = frame.counters;
             let digest = frame.picture.digest().to_string();
             let (same, rays) = first.get_or_insert_with(|| {

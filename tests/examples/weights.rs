@@ -14,10 +14,10 @@ use std::error::Error;
 use std::path::{Path, PathBuf};
 use std::process::{Command, ExitCode};
 
-use strahl::cost::{Counts, recorded};
 use strahl_core::Resolution;
 use strahl_engine::{NoProgress, RenderOptions};
 use strahl_settings::{AccelKind, AccelSettings, Settings};
+use strahl_study::cost_model::{Counts, recorded};
 
 /// Pixels of the small and of the tiny picture.
 const SIZES: [&str; 2] = ["48x36", "2x2"];
@@ -53,7 +53,7 @@ fn trace(scene: &str, kind: &str, sampler: &str, size: &str) -> Result<(), Box<d
     let levels = scene.settings.levels.unwrap_or(default.levels);
     let settings = Settings { size, sampler: sampler.parse()?, levels, threads: 1, ..default };
     let settings = settings.with_acceleration(AccelSettings::with_kind(kind));
-    let frame = strahl::session::render(&scene, &settings, &RenderOptions::COUNT_TESTS, &NoProgress)?;
+    let frame = strahl_session::render(&scene, &settings, &RenderOptions::COUNT_TESTS, &NoProgress)?;
     let counts = recorded(&frame.counters);
     println!("{}", serde_json::to_string(&counts)?);
     Ok(())

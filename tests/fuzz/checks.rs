@@ -6,10 +6,10 @@
 
 use std::path::{Path, PathBuf};
 
-use strahl::stock;
 use strahl_scene::LoadError;
 use strahl_scene::description::LoadedScene;
 use strahl_scene::{SourceFiles, load_from};
+use strahl_session::tables;
 use strahl_settings::DEFAULT_SIZE;
 
 use counting::{Bound, most_held};
@@ -80,9 +80,9 @@ fn is_bearable(most: usize, bound: usize) {
 
 /// What is loaded is a scene in either precision.
 fn is_scene(it: &LoadedScene) {
-    let single = stock::single::scene_tables(it);
+    let single = tables::single::scene_tables(it);
     assert_eq!(single.scene().err(), None);
-    assert!(stock::double::scene_tables(it).scene().is_ok());
+    assert!(tables::double::scene_tables(it).scene().is_ok());
     assert!(it.normals.is_empty() || it.normals.len() <= it.vertices.len());
     assert!(!it.normals.contains(&[0.0; 3]));
     assert!(it.warnings.iter().all(|warning| is_harmless(warning)), "{:?}", it.warnings);

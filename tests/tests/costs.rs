@@ -2,7 +2,6 @@
 
 use std::path::Path;
 
-use strahl::session;
 use strahl_core::Resolution;
 use strahl_core::tally::{PerRayKind, RayKind};
 use strahl_engine::cost_map::PixelCost;
@@ -20,7 +19,7 @@ fn scene(name: &str) -> LoadedScene {
 fn costs(settings: &Settings) -> Vec<PixelCost> {
     let cost_map = CostMap::new(SIZE);
     let options = RenderOptions { cost_map: Some(&cost_map), ..RenderOptions::default() };
-    session::render(&scene("glass.toml"), settings, &options, &NoProgress).unwrap();
+    strahl_session::render(&scene("glass.toml"), settings, &options, &NoProgress).unwrap();
     cost_map.costs()
 }
 
@@ -69,7 +68,7 @@ fn all_pixels_together_cost_what_the_picture_costs() {
             ..Settings::default()
         };
         let options = RenderOptions { cost_map: Some(&cost_map), ..RenderOptions::default() };
-        let output = session::render(&scene, &settings, &options, &NoProgress).unwrap();
+        let output = strahl_session::render(&scene, &settings, &options, &NoProgress).unwrap();
         let (counts, costs) = (output.counters, cost_map.costs());
         for kind in RayKind::ALL {
             let sum = |of: fn(&PixelCost) -> [u32; RayKind::ALL.len()]| {
@@ -82,7 +81,8 @@ fn all_pixels_together_cost_what_the_picture_costs() {
         }
         assert_eq!(costs.iter().map(|cost| cost.level).max(), Some(counts.max_level), "{sampler}");
         assert!(counts.max_level > 2);
-        let plain = session::render(&scene, &settings, &RenderOptions::default(), &NoProgress).unwrap();
+        let plain =
+            strahl_session::render(&scene, &settings, &RenderOptions::default(), &NoProgress).unwrap();
         assert_eq!(plain.picture.digest(), output.picture.digest(), "{sampler}");
     }
 }

@@ -3,13 +3,12 @@
 use std::path::{Path, PathBuf};
 
 use serde_json::Value;
-use strahl::explain::pixel::{Traced, trace};
-use strahl::session;
 use strahl_core::image::Pixel;
 use strahl_core::{Resolution, Rgb, Tile};
 use strahl_engine::{NoProgress, RenderOptions};
 use strahl_scene::description::LoadedScene;
 use strahl_scene::load;
+use strahl_session::explain::pixel::{Traced, trace};
 use strahl_settings::{SamplerSettings, Settings, SettingsOverrides};
 
 fn scene(name: &str) -> LoadedScene {
@@ -30,7 +29,8 @@ fn settings(description: &LoadedScene, sampling: SamplerSettings) -> Settings {
 fn rendered(description: &LoadedScene, settings: &Settings, pixel: Pixel) -> Rgb {
     let region = Some(Tile { first: pixel, width: 1, height: 1 });
     let settings = Settings { region, ..settings.clone() };
-    let output = session::render(description, &settings, &RenderOptions::default(), &NoProgress).unwrap();
+    let output =
+        strahl_session::render(description, &settings, &RenderOptions::default(), &NoProgress).unwrap();
     output.picture.colors[0]
 }
 

@@ -125,7 +125,7 @@ fn scene_file(name: &str, width: u32, height: u32, levels: Option<u8>, sampling:
     let rendered = |width, height, accel| {
         let settings = Settings { size: Resolution::new(width, height).unwrap(), ..settings.clone() };
         let settings = settings.with_acceleration(accel);
-        strahl::session::render(&description, &settings, &RenderOptions::default(), &NoProgress).unwrap()
+        strahl_session::render(&description, &settings, &RenderOptions::default(), &NoProgress).unwrap()
     };
     let quarter = |accel| rendered(width / 4, height / 4, accel);
     let output = quarter(AccelSettings::DEFAULT);

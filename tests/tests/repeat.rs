@@ -1,11 +1,11 @@
 //! Memory and order buy time, never truth: threads, tiles and tallies change no bit.
 
-use strahl::session::{self, RenderOutput};
 use strahl_core::image::Pixel;
 use strahl_core::tally::{Counters, RayKind};
 use strahl_core::{Resolution, Rgb, Tile};
 use strahl_engine::{Mask, NoProgress, RenderOptions};
 use strahl_scene::description::LoadedScene;
+use strahl_session::RenderOutput;
 use strahl_settings::{AccelKind, AccelSettings, Bounds, Settings};
 
 /// Every sampler and pixel-selected tracing in the words of the command line, and whether its
@@ -54,7 +54,7 @@ fn rendered(scene: &LoadedScene, settings: &Settings) -> RenderOutput {
 }
 
 fn rendered_with(scene: &LoadedScene, settings: &Settings, options: RenderOptions<'_>) -> RenderOutput {
-    session::render(scene, settings, &options, &NoProgress).unwrap()
+    strahl_session::render(scene, settings, &options, &NoProgress).unwrap()
 }
 
 #[test]

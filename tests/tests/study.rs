@@ -10,17 +10,17 @@ use std::time::{Duration, Instant};
 
 use clap::Parser;
 use strahl::args::StudyArgs;
-use strahl::study::bench::Bench;
-use strahl::study::conduct;
-use strahl::study::front::{Point, front};
-use strahl::study::measurements::{Measurements, ReferencePicture};
-use strahl::study::plan::Plan;
-use strahl::study::record::Step;
 use strahl_core::Resolution;
 use strahl_engine::NoProgress;
 use strahl_scene::load;
 use strahl_settings::Effect;
 use strahl_settings::Settings;
+use strahl_study::measure::benchmark::Bench;
+use strahl_study::measure::experiment;
+use strahl_study::measure::measurements::{Measurements, ReferencePicture};
+use strahl_study::measure::plan::Plan;
+use strahl_study::pareto::{Point, front};
+use strahl_study::record::Step;
 
 fn scene(name: &str) -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("../scenes").join(name)
@@ -39,7 +39,7 @@ fn studied<T>(
     let bench = Bench::new(&scene, size, &NoProgress, None);
     let mut measured = Measurements::new(&bench, plan);
     let settings = Settings { size, threads: 2, ..Settings::default() };
-    let reference = conduct::run(&mut measured, &settings, asks).unwrap();
+    let reference = experiment::run(&mut measured, &settings, asks).unwrap();
     then(&measured, &reference)
 }
 

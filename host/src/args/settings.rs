@@ -27,7 +27,7 @@ impl Groups for EverySetting {
 pub struct OfPixel;
 
 impl Groups for OfPixel {
-    const GROUPS: &'static [Group] = &[Group::Frame, Group::Sampling, Group::Effects];
+    const GROUPS: &'static [Group] = strahl_session::explain::tree::SETTING_GROUPS;
 }
 
 /// Those of a picture that are the same wherever it is traced.

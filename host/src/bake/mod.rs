@@ -21,6 +21,7 @@ use strahl_engine::{NoProgress, RenderError, RenderOptions};
 use strahl_scene::description::LoadedScene;
 use strahl_scene::quantity::quantity;
 use strahl_scene::{SourceFiles, load_from};
+use strahl_session::tables::single::{self, scene_tables};
 use strahl_settings::accelerator::DEFAULT_MAILBOX_SLOTS;
 use strahl_settings::{
     Accel, AccelKind, AccelSettings, Bounds, DEFAULT_SIZE, Group, SETTINGS, Setting, Settings,
@@ -30,8 +31,6 @@ use strahl_settings::{
 use crate::args::BakeArgs;
 use crate::failure::Failure;
 use crate::output::{Guard, refuse_terminal, say, tell};
-use crate::session;
-use crate::stock::single::{self, scene_tables};
 
 /// Bakes one scene.
 pub fn run(args: &BakeArgs) -> Result<(), Failure> {
@@ -105,7 +104,7 @@ pub fn counted(description: &LoadedScene, asked: &BakeSettings) -> Result<Counte
     let accelerator = AccelSettings { bounds: Bounds::None, ..AccelSettings::with_kind(asked.accelerator) };
     let settings = Settings { size, levels: asked.levels, cutoff: asked.cutoff, ..Settings::default() };
     let settings = settings.with_acceleration(accelerator);
-    let output = session::render(description, &settings, &RenderOptions::COUNT_TESTS, &NoProgress)?;
+    let output = strahl_session::render(description, &settings, &RenderOptions::COUNT_TESTS, &NoProgress)?;
     let pixels = u64::from(size.width()) * u64::from(size.height());
     Ok(Counted { counts: output.counters, pixels })
 }

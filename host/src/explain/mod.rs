@@ -1,34 +1,27 @@
 //! The command `explain`: the tree of rays of one pixel.
 //!
-//! | room | what it does |
+//! | module | contents |
 //! |---|---|
-//! | [`tree`] | what is told |
-//! | [`pixel`] | one pixel is traced |
-//! | [`record`] | steps of a tracer become a tree |
-//! | [`names`] | what the file calls things |
-//! | [`text`] | the tree for people |
+//! | [`text`] | the tree as text |
 //! | [`svg`] | the tree as a picture |
 
 use std::path::Path;
 
+use strahl_core::Tile;
 use strahl_core::image::Pixel;
-use strahl_core::{Rgb, Tile};
 use strahl_scene::effects::disable;
 use strahl_scene::{SourceFiles, load_from};
+use strahl_session::explain::explain;
+use strahl_session::explain::tree::Explained;
 use strahl_settings::{DEFAULT_SIZE, Precision, Settings};
 
 use crate::args::ExplainArgs;
 use crate::failure::Failure;
 use crate::output::{Guard, Output, say};
 use crate::wrap::{width_of_stdout, wrapped};
-use tree::{Explained, VERSION, triple};
 
-pub mod names;
-pub mod pixel;
-pub mod record;
 pub mod svg;
 pub mod text;
-pub mod tree;
 
 /// Tells how one pixel comes about.
 pub fn run(args: &ExplainArgs) -> Result<(), Failure> {
@@ -79,29 +72,13 @@ fn explained(args: &ExplainArgs, files: &SourceFiles) -> Result<Explained, Failu
         );
         return Err(Failure::Usage(what));
     }
-    let traced = pixel::trace(&description, &settings, args.pixel).map_err(|error| Failure::Input {
-        path: args.scene.clone(),
-        line: None,
-        reason: error.to_string(),
-    })?;
+    let explained = explain(&args.scene.display().to_string(), &description, settings, args.pixel);
+    let explained = explained.map_err(|error| Failure::input(&args.scene, error.to_string()))?;
     if let Some(sample) = args.sample
-        && sample > traced.samples.len()
+        && sample > explained.samples.len()
     {
-        let what = format!("there is no sample {sample}: the pixel has {}", traced.samples.len());
+        let what = format!("there is no sample {sample}: the pixel has {}", explained.samples.len());
         return Err(Failure::Usage(what));
     }
-    let (color, samples): (Rgb, _) = (traced.color, traced.samples);
-    Ok(Explained {
-        version: VERSION,
-        scene: args.scene.display().to_string(),
-        width: size.width(),
-        height: size.height(),
-        x,
-        y,
-        settings,
-        color: triple(color),
-        srgb: color.to_srgb8(),
-        sum: traced.sum,
-        samples,
-    })
+    Ok(explained)
 }

@@ -6,7 +6,7 @@ use std::fmt::Write as _;
 use strahl_core::Rgb;
 use strahl_scene::quantity::quantity;
 
-use super::tree::{Explained, Light, Named, Ray, Sample, Sent, Triple};
+use strahl_session::explain::tree::{Explained, Light, Named, Ray, Sample, Sent, Triple};
 
 /// How wide a box is.
 const WIDTH: f64 = 222.0;

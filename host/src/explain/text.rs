@@ -2,7 +2,9 @@
 
 use std::fmt::Write as _;
 
-use super::tree::{Explained, Hit, Light, Named, Part, Ray, Sample, Sent, Sum, Thing, Triple, shown};
+use strahl_session::explain::tree::{
+    Explained, Hit, Light, Named, Part, Ray, Sample, Sent, Sum, Thing, Triple, explained_settings,
+};
 
 /// Where a line goes on that is broken.
 pub const INDENT: usize = 12;
@@ -14,7 +16,8 @@ pub fn text(explained: &Explained, only: Option<usize>) -> String {
     let mut text = format!("{scene}: pixel {x},{y} of {width}x{height}\n");
     // Writing to a string cannot fail.
     let _ = writeln!(text, "  color     {}, in sRGB {r} {g} {b}", channels(*color));
-    let words = shown().filter_map(|setting| Some(format!("{} {}", setting.name, setting.word(settings)?)));
+    let words = explained_settings()
+        .filter_map(|setting| Some(format!("{} {}", setting.name, setting.word(settings)?)));
     let _ = writeln!(text, "  settings  {}", words.collect::<Vec<_>>().join(", "));
     for sample in samples.iter().filter(|sample| only.is_none_or(|only| sample.number == only)) {
         let Sample { number, x, y, color, .. } = sample;

@@ -74,28 +74,17 @@ impl Output {
 
     /// Writes everything and lets the file appear.
     pub fn commit(mut self, bytes: &[u8]) -> Result<(), Failure> {
-        self.write(bytes)?;
+        self.write_all(bytes).map_err(|error| self.unwritable(error))?;
         self.finish()
     }
 
-    /// Writes some of it. What goes to the standard output or to a device is there at once.
-    pub fn write(&mut self, bytes: &[u8]) -> Result<(), Failure> {
-        let (written, path) = match self {
-            Output::Stdout => {
-                let mut out = io::stdout().lock();
-                (out.write_all(bytes).and_then(|()| out.flush()), None)
-            }
-            Output::Device { name, open } => {
-                let file = match open.take() {
-                    Some(file) => Ok(file),
-                    None => fs::OpenOptions::new().write(true).open(&*name),
-                };
-                let written = file.and_then(|file| open.insert(file).write_all(bytes));
-                (written, Some(&*name))
-            }
-            Output::File { name, beside, .. } => (beside.write_all(bytes), Some(&*name)),
+    /// The failure of a write.
+    pub fn unwritable(&self, error: io::Error) -> Failure {
+        let path = match self {
+            Output::Stdout => None,
+            Output::File { name, .. } | Output::Device { name, .. } => Some(name.clone()),
         };
-        written.map_err(|error| Failure::Unwritable { path: path.cloned(), error })
+        Failure::Unwritable { path, error }
     }
 
     /// Everything has been written: the file appears.
@@ -107,6 +96,31 @@ impl Output {
                 kept.map(|_| ()).map_err(|error| Failure::Unwritable { path: Some(name), error })
             }
         }
+    }
+}
+
+/// Bytes for the standard output or a device are written through at once.
+impl Write for Output {
+    fn write(&mut self, bytes: &[u8]) -> io::Result<usize> {
+        match self {
+            Output::Stdout => {
+                let mut out = io::stdout().lock();
+                out.write_all(bytes).and_then(|()| out.flush())?;
+            }
+            Output::Device { name, open } => {
+                let file = match open.take() {
+                    Some(file) => file,
+                    None => fs::OpenOptions::new().write(true).open(&*name)?,
+                };
+                open.insert(file).write_all(bytes)?;
+            }
+            Output::File { beside, .. } => beside.write_all(bytes)?,
+        }
+        Ok(bytes.len())
+    }
+
+    fn flush(&mut self) -> io::Result<()> {
+        Ok(())
     }
 }
 

@@ -220,7 +220,7 @@ fn a_header_of_other_names_or_in_another_order_is_refused() {
         let ran = folder.run("cast things.toml --rays rays.csv");
         ran.failed(65, &format!("strahl: rays.csv:1: `{header}` "));
         assert!(
-            ran.stderr.contains("ox,oy,oz,dx,dy,dz or ox,oy,oz,dx,dy,dz,tmax is expected"),
+            ran.stderr.contains("expected ox,oy,oz,dx,dy,dz or ox,oy,oz,dx,dy,dz,tmax"),
             "{}",
             ran.stderr
         );
@@ -235,9 +235,9 @@ fn a_wrong_line_is_named_with_status_65_and_the_rows_before_it_stay() {
         ("1,2,3", "3 fields"),
         ("1,2,3,4,5,6,7,8", "8 fields"),
         ("", "1 field"),
-        ("0,0,4,0,0,up", "dz is `up`, which is no number"),
+        ("0,0,4,0,0,up", "dz is `up`, not a number"),
         ("0,0,4,0,0,-1,", "tmax is empty"),
-        ("ox,oy,oz,dx,dy,dz", "ox is `ox`, which is no number"),
+        ("ox,oy,oz,dx,dy,dz", "ox is `ox`, not a number"),
     ] {
         folder.write("rays.csv", format!("{good}{line}\n{good}"));
         for words in ["", "--threads 1", "--threads 7", "--precision double"] {

@@ -8,8 +8,8 @@ use std::sync::OnceLock;
 use std::time::{Duration, Instant};
 
 use serde_json::Value;
-use strahl::study::file::schema;
-use strahl::study::record::{Role, Study};
+use strahl_study::record::file::schema;
+use strahl_study::record::{Role, Study};
 
 #[cfg(unix)]
 use crate::program::Running;
@@ -191,7 +191,7 @@ fn a_reference_that_cuts_much_light_is_told_before_anything_else() {
     let study = |cut: f64| {
         let mut study = self::study();
         study.reference.cut = cut;
-        strahl::study::page::summary(&study, Path::new("report.html"))
+        strahl_study::page::summary(&study, Path::new("report.html"))
     };
     assert!(study(0.031).contains("beware    The reference itself cuts 3.1 % of the light"));
     assert!(!study(0.0001).contains("beware"));

@@ -5,8 +5,6 @@
 
 use std::path::Path;
 
-use strahl::session::{self, RenderOutput};
-use strahl::stock::single::{scene_tables, view};
 use strahl_core::geometry::ShapeSet;
 use strahl_core::image::Stochastic;
 use strahl_core::scene::{EffectSet, Effects, LightSet, TextureSet};
@@ -17,6 +15,8 @@ use strahl_core::{
 use strahl_engine::{NoProgress, RenderOptions};
 use strahl_scene::description::LoadedScene;
 use strahl_scene::effects::{disable, plan};
+use strahl_session::RenderOutput;
+use strahl_session::tables::single::{scene_tables, view};
 use strahl_settings::Effect;
 use strahl_settings::{SamplerSettings, Settings};
 
@@ -119,7 +119,8 @@ fn smallest(effect: Effect) -> [Seen; 2] {
 
 fn counted(description: &LoadedScene, seed: u32) -> (RenderOutput, Counters) {
     let settings = Settings { size: SIZE, seed, sampler: SamplerSettings::Regular(2), ..Settings::default() };
-    let frame = session::render(description, &settings, &RenderOptions::COUNT_TESTS, &NoProgress).unwrap();
+    let frame =
+        strahl_session::render(description, &settings, &RenderOptions::COUNT_TESTS, &NoProgress).unwrap();
     let counts = frame.counters;
     (frame, counts)
 }

@@ -2,9 +2,9 @@
 
 use std::panic::catch_unwind;
 
-use strahl::stock;
 use strahl_scene::LoadError;
 use strahl_scene::load;
+use strahl_session::tables;
 
 use crate::text::ALL;
 
@@ -127,9 +127,9 @@ fn a_damaged_file_makes_a_scene_or_is_refused_in_one_of_its_lines() {
         let lines = file.split_inclusive(|byte| *byte == b'\n').count().max(1);
         match catch_unwind(|| load(&path)).unwrap_or_else(|_| panic!("a panic\n{text}")) {
             Ok(it) => {
-                let single = stock::single::scene_tables(&it).scene().err();
+                let single = tables::single::scene_tables(&it).scene().err();
                 assert_eq!(single, None, "{text}");
-                assert!(stock::double::scene_tables(&it).scene().is_ok(), "{text}");
+                assert!(tables::double::scene_tables(&it).scene().is_ok(), "{text}");
                 good += 1;
             }
             Err(LoadError::Invalid { line: Some(line), reason, .. }) => {

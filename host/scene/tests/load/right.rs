@@ -1,12 +1,12 @@
 //! What good files describe.
 
-use strahl::stock;
 use strahl_core::{Material, Resolution, Rgb};
 use strahl_scene::LoadError;
 use strahl_scene::description::{
     BackgroundDescription, CameraDescription, LightDescription, LightSourceDescription, Located,
     ObjectDescription, ProjectionDescription, ShapeDescription,
 };
+use strahl_session::tables;
 
 use crate::table::VIEW;
 use crate::text::{ALL, file_of, loaded, refused};
@@ -109,7 +109,7 @@ fn every_entity_becomes_what_the_format_says() {
 #[test]
 fn what_a_file_describes_makes_a_scene_in_both_precisions() {
     let it = loaded(ALL);
-    let (single, double) = (stock::single::scene_tables(&it), stock::double::scene_tables(&it));
+    let (single, double) = (tables::single::scene_tables(&it), tables::double::scene_tables(&it));
     assert_eq!(single.scene().unwrap().parts().geometry.shapes.len(), 6);
     assert_eq!(double.scene().unwrap().parts().geometry.shapes.len(), 6);
 }
@@ -119,7 +119,7 @@ fn an_empty_scene_is_a_scene() {
     let it = loaded("v from 0 0 9 at 0 0 0 up 0 1 0 angle 30 resolution 4 3");
     assert_eq!((it.objects.len(), it.materials.len(), it.lights.len()), (0, 0, 0));
     assert_eq!(it.background, BackgroundDescription::Color(Rgb::BLACK));
-    assert!(stock::single::scene_tables(&it).scene().is_ok());
+    assert!(tables::single::scene_tables(&it).scene().is_ok());
 }
 
 #[test]
@@ -253,8 +253,8 @@ fn an_opaque_surface_may_have_any_index_of_refraction() {
 #[test]
 fn the_least_index_of_refraction_makes_a_scene_in_both_precisions() {
     let it = after_view("f 1 1 1 1 0 0 0.5 0.01\n");
-    assert_eq!(stock::single::scene_tables(&it).scene().err(), None);
-    assert!(stock::double::scene_tables(&it).scene().is_ok());
+    assert_eq!(tables::single::scene_tables(&it).scene().err(), None);
+    assert!(tables::double::scene_tables(&it).scene().is_ok());
 }
 
 #[test]
@@ -284,15 +284,15 @@ fn polygons_without_area_keep_their_number_and_one_warning_counts_them() {
     assert_eq!(it.warnings.len(), 1);
     let warning = &it.warnings[0];
     assert!(warning.contains("3 polygons") && warning.contains("line 4"), "{warning}");
-    let stock = stock::single::scene_tables(&it);
+    let stock = tables::single::scene_tables(&it);
     assert_eq!(stock.scene().unwrap().parts().geometry.shapes.len(), 5);
 }
 
 #[test]
 fn a_normal_of_any_length_but_zero_is_one() {
     let it = after_view("f 1 1 1 1 0 0 0 0\npp 3 0 0 0 0 0 1e-45 1 0 0 0 0 1e15 0 1 0 1e-30 0 1e15\n");
-    assert!(stock::single::scene_tables(&it).scene().is_ok());
-    assert!(stock::double::scene_tables(&it).scene().is_ok());
+    assert!(tables::single::scene_tables(&it).scene().is_ok());
+    assert!(tables::double::scene_tables(&it).scene().is_ok());
 }
 
 #[test]

@@ -2,9 +2,9 @@
 
 use std::panic::catch_unwind;
 
-use strahl::stock;
 use strahl_scene::LoadError;
 use strahl_scene::load;
+use strahl_session::tables;
 
 use crate::files::{Folder, SQUARE_OBJ, SQUARE_PLY, floats, glb, gltf_of, gltf_with, square_bytes};
 use crate::random::Random;
@@ -123,9 +123,9 @@ fn survive(name: &str, whole: &[u8], ends: &[u8], rounds: usize) {
         let text = String::from_utf8_lossy(&file);
         match catch_unwind(|| load(&path)).unwrap_or_else(|_| panic!("a panic\n{text}\n{file:?}")) {
             Ok(it) => {
-                let single = stock::single::scene_tables(&it);
+                let single = tables::single::scene_tables(&it);
                 assert_eq!(single.scene().err(), None, "{text}");
-                assert!(stock::double::scene_tables(&it).scene().is_ok(), "{text}");
+                assert!(tables::double::scene_tables(&it).scene().is_ok(), "{text}");
                 assert!(it.normals.is_empty() || it.normals.len() == it.vertices.len(), "{text}");
                 assert!(!it.normals.contains(&[0.0; 3]), "{text}");
                 good += 1;
@@ -167,7 +167,7 @@ fn damaged_material_libraries_load_or_are_refused() {
         std::fs::write(folder.path("a.mtl"), &file).unwrap();
         let loaded = catch_unwind(|| load(&folder.path("f.obj")));
         match loaded.unwrap_or_else(|_| panic!("a panic\n{}", String::from_utf8_lossy(&file))) {
-            Ok(it) => assert_eq!(stock::single::scene_tables(&it).scene().err(), None),
+            Ok(it) => assert_eq!(tables::single::scene_tables(&it).scene().err(), None),
             Err(failure) => assert!(matches!(failure, LoadError::Invalid { .. } | LoadError::Diagnostics(_))),
         }
     }

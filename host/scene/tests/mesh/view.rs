@@ -1,10 +1,10 @@
 //! How a mesh file is looked at when it is a scene by itself.
 
-use strahl::stock::single;
 use strahl_core::{Camera, Resolution};
 use strahl_scene::LoadError;
 use strahl_scene::description::{LoadedScene, ObjectDescription, ProjectionDescription, ShapeDescription};
 use strahl_scene::load_for_size;
+use strahl_session::tables::single;
 
 use crate::files::{Folder, PLAIN, SQUARE_OBJ, SQUARE_PLY, gltf_of};
 use crate::random::Random;

@@ -164,7 +164,7 @@ fn a_camera_that_is_not_told_sees_everything() {
     ] {
         let it = loaded(text);
         let size = it.settings.size.unwrap_or(Resolution::new(640, 480).unwrap());
-        let camera = Camera::new(&strahl::stock::single::view(&it.camera), size).unwrap();
+        let camera = Camera::new(&strahl_session::tables::single::view(&it.camera), size).unwrap();
         // No ray through the rim of the picture meets the sphere.
         let ball = Sphere { center: vec3(center[0], center[1], center[2]), radius };
         let (w, h) = (size.width() as f32, size.height() as f32);

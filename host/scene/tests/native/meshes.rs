@@ -22,8 +22,8 @@ fn folder() -> tempfile::TempDir {
 
 fn loaded(folder: &Path, text: &str) -> LoadedScene {
     let it = load_in(folder, text.as_bytes()).unwrap_or_else(|failure| panic!("{failure}\n{text}"));
-    assert!(strahl::stock::single::scene_tables(&it).scene().is_ok(), "{text}");
-    assert!(strahl::stock::double::scene_tables(&it).scene().is_ok(), "{text}");
+    assert!(strahl_session::tables::single::scene_tables(&it).scene().is_ok(), "{text}");
+    assert!(strahl_session::tables::double::scene_tables(&it).scene().is_ok(), "{text}");
     it
 }
 

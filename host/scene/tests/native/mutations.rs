@@ -2,8 +2,8 @@
 
 use std::panic::catch_unwind;
 
-use strahl::stock;
 use strahl_scene::LoadError;
+use strahl_session::tables;
 
 use crate::text::{ALL, load_in};
 
@@ -134,8 +134,8 @@ fn a_damaged_scene_is_a_scene_or_is_refused_in_its_own_lines() {
         let lines = text.split_inclusive('\n').count().max(1);
         match catch_unwind(|| load_in(folder.path(), &file)).unwrap_or_else(|_| panic!("a panic\n{text}")) {
             Ok(it) => {
-                assert_eq!(stock::single::scene_tables(&it).scene().err(), None, "{text}");
-                assert!(stock::double::scene_tables(&it).scene().is_ok(), "{text}");
+                assert_eq!(tables::single::scene_tables(&it).scene().err(), None, "{text}");
+                assert!(tables::double::scene_tables(&it).scene().is_ok(), "{text}");
                 good += 1;
             }
             Err(LoadError::Diagnostics(faults)) => {

@@ -95,7 +95,7 @@ fn velocities_and_the_shutter_become_what_moves() {
     assert_eq!(loaded("[[plane]]\n").shutter, [0.0, 1.0]);
 
     // In the tables of the core, where they are when the shutter opens and closes.
-    let stock = strahl::stock::single::scene_tables(&it);
+    let stock = strahl_session::tables::single::scene_tables(&it);
     let scene = stock.scene().unwrap();
     let geometry = &scene.parts().geometry;
     assert_eq!(geometry.motion_offset(&geometry.shapes[0], 0.0).to_array(), [-0.5, -1.0, -1.5]);

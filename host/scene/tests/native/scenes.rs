@@ -51,7 +51,7 @@ fn every_scene_of_the_repository_loads() {
         let path = entry.unwrap().path();
         if path.extension().is_some_and(|extension| extension == "toml") {
             let it = strahl_scene::load(&path).unwrap_or_else(|failure| panic!("{failure}"));
-            assert!(strahl::stock::single::scene_tables(&it).scene().is_ok());
+            assert!(strahl_session::tables::single::scene_tables(&it).scene().is_ok());
             assert!(!it.objects.is_empty() && it.warnings.is_empty(), "{:?}", it.warnings);
             scenes += 1;
         }

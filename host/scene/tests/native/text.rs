@@ -2,10 +2,10 @@
 
 use std::path::Path;
 
-use strahl::stock;
 use strahl_scene::LoadError;
 use strahl_scene::description::LoadedScene;
 use strahl_scene::diagnostics::Diagnostics;
+use strahl_session::tables;
 
 /// Every table, and every key in every form that it has.
 pub const ALL: &str = r##"# a scene with everything
@@ -149,8 +149,8 @@ pub fn load_in(folder: &Path, bytes: &[u8]) -> Result<LoadedScene, LoadError> {
 /// What a file of this text describes, which is a scene in either precision.
 pub fn loaded(text: &str) -> LoadedScene {
     let it = load(text.as_bytes()).unwrap_or_else(|failure| panic!("{failure}\n{text}"));
-    assert_eq!(stock::single::scene_tables(&it).scene().err(), None, "{text}");
-    assert!(stock::double::scene_tables(&it).scene().is_ok(), "{text}");
+    assert_eq!(tables::single::scene_tables(&it).scene().err(), None, "{text}");
+    assert!(tables::double::scene_tables(&it).scene().is_ok(), "{text}");
     it
 }
 

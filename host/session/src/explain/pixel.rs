@@ -1,0 +1,106 @@
+//! One pixel is traced, and everything that comes of it is told.
+//!
+//! Items are found by the list, which needs no building and offers them in the order of the file: the
+//! tree is the same for every accelerator, and this is the only tracer that is compiled for
+//! somebody who listens.
+
+use strahl_core::accel::{List, group_count};
+use strahl_core::geometry::Aabb;
+use strahl_core::image::{Kept, Pixel, Sampler};
+use strahl_core::scene::CameraSample;
+use strahl_core::trace::PixelSample;
+use strahl_core::{AllEffects, Camera, Rgb, Tracer, Worker, World};
+use strahl_engine::RenderError;
+use strahl_engine::samplers::{AnySampler, CornerSource};
+use strahl_scene::description::LoadedScene;
+use strahl_settings::{MAX_LEVELS, Settings};
+
+use super::recorder::{MOST_RAYS, Record};
+use super::source_names::Names;
+use super::tree::{Part, Sample, Sum, triple};
+use crate::tables::single::{scene_tables, view};
+
+/// The colour of a pixel, and how it comes about.
+pub struct Traced {
+    /// The colour.
+    pub color: Rgb,
+    /// How it comes of the samples.
+    pub sum: Sum,
+    /// The rays through the picture, in their order.
+    pub samples: Vec<Sample>,
+}
+
+/// Traces one pixel of the picture that is asked for.
+pub fn trace(description: &LoadedScene, settings: &Settings, pixel: Pixel) -> Result<Traced, RenderError> {
+    let stock = scene_tables(description);
+    let scene = stock.scene().map_err(RenderError::invalid)?;
+    let camera = Camera::new(&view(&description.camera), settings.size).map_err(RenderError::invalid)?;
+    let boxes: Vec<Aabb> = scene.parts().geometry.all_bounds().collect();
+    let mut groups = vec![Aabb::EMPTY; group_count(boxes.len())];
+    let world = World::new(scene, List::with_boxes(&boxes, &mut groups).map_err(RenderError::invalid)?);
+    let tracer = Tracer::<_, AllEffects, MAX_LEVELS>::new(&world, camera, settings.limits())
+        .map_err(RenderError::invalid)?;
+    let names = Names::new(description, &world);
+
+    let mut seen = Seen { samples: Vec::new(), places: Vec::new() };
+    let mut trace = |place: CameraSample| {
+        let mut worker = Worker::<_, _, MAX_LEVELS>::new(Record::new(&names));
+        let sight = tracer.trace(place, &mut worker);
+        let rays = worker.into_tally().into_rays();
+        let (number, CameraSample { point: at, .. }) = (seen.samples.len() + 1, place);
+        seen.samples.push(Sample { number, x: at.x, y: at.y, color: triple(sight.color), rays });
+        seen.places.push((place, sight));
+        sight
+    };
+    let (color, parts) = match AnySampler::new(settings, CornerSource::Retraced, &mut [Kept::NOTHING; 0]) {
+        AnySampler::Adaptive(mut sampler) => {
+            let mut parts = Vec::new();
+            // Parts share their corners, and none is told twice.
+            let mut known: Vec<(CameraSample, PixelSample)> = Vec::new();
+            let mut once = |place: CameraSample| match known.iter().find(|(other, _)| *other == place) {
+                Some((_, sight)) => *sight,
+                None => {
+                    let sight = trace(place);
+                    known.push((place, sight));
+                    sight
+                }
+            };
+            let sight = sampler.sample_by_parts(pixel, &mut once, &mut |part| parts.push(part));
+            (sight.color, Some(parts))
+        }
+        mut sampler => (sampler.sample_pixel(pixel, &mut trace).color, None),
+    };
+
+    if seen.samples.iter().any(|sample| sample.rays.len() >= MOST_RAYS) {
+        let reason = format!(
+            "a ray through the picture leads to more than {MOST_RAYS} others: fewer --levels or a higher --cutoff tell less"
+        );
+        return Err(RenderError::invalid(reason));
+    }
+
+    let sum = match parts {
+        None => Sum::Mean { share: 1.0 / seen.samples.len() as f32 },
+        Some(parts) => Sum::Parts(parts.iter().map(|part| seen.part(part)).collect()),
+    };
+    Ok(Traced { color, sum, samples: seen.samples })
+}
+
+/// What has been traced.
+struct Seen {
+    samples: Vec<Sample>,
+    places: Vec<(CameraSample, PixelSample)>,
+}
+
+impl Seen {
+    /// A part of a pixel, with its corners by their numbers.
+    fn part(&self, part: &strahl_core::image::Part) -> Part {
+        let strahl_core::image::Part { place, side, .. } = *part;
+        let (right, below) = (place.x + side, place.y + side);
+        let number = |(x, y): (f32, f32)| {
+            let found = self.places.iter().position(|(it, _)| it.point.x == x && it.point.y == y);
+            found.map_or(0, |found| found + 1)
+        };
+        let corners = [(place.x, place.y), (right, place.y), (place.x, below), (right, below)];
+        Part { x: place.x, y: place.y, side, samples: corners.map(number) }
+    }
+}

@@ -1,0 +1,171 @@
+//! A scene opened once in the precision that is asked for: pictures of it, and what rays hit.
+
+use std::time::{Duration, Instant};
+
+use strahl_core::tally::Counters;
+use strahl_engine::{
+    AccelMemory, AccelStats, Engine, Progress, RayCaster, RenderError, RenderOptions, Rendered, SceneEngine,
+    SceneStats, Scheduler,
+};
+use strahl_picture::Picture;
+use strahl_scene::description::LoadedScene;
+use strahl_settings::{AccelSettings, Precision, Settings};
+
+use crate::tables::{double, single};
+
+/// The tables of a scene, and memory for its accelerator. The caller keeps it as long as the session.
+#[derive(Debug)]
+pub struct SceneStorage {
+    tables: Tables,
+    build: Duration,
+}
+
+#[derive(Debug)]
+enum Tables {
+    Single(Box<strahl_core::SceneTables>, strahl_core::View, AccelMemory),
+    Double(Box<strahl_core_double::SceneTables>, strahl_core_double::View, strahl_engine_double::AccelMemory),
+}
+
+impl SceneStorage {
+    /// The tables of a scene in this precision.
+    pub fn new(description: &LoadedScene, precision: Precision) -> Self {
+        let clock = Instant::now();
+        let view = &description.camera;
+        let tables = match precision {
+            Precision::Single => {
+                let tables = Box::new(single::scene_tables(description));
+                Tables::Single(tables, single::view(view), AccelMemory::default())
+            }
+            Precision::Double => {
+                let tables = Box::new(double::scene_tables(description));
+                Tables::Double(tables, double::view(view), strahl_engine_double::AccelMemory::default())
+            }
+        };
+        SceneStorage { tables, build: clock.elapsed() }
+    }
+
+    /// What is in the scene.
+    pub fn scene_stats(&self) -> Result<SceneStats, RenderError> {
+        match &self.tables {
+            Tables::Single(tables, view, _) => {
+                let scene = tables.scene().map_err(RenderError::invalid)?;
+                Ok(strahl_engine::scene_engine::scene_stats(&scene, view))
+            }
+            Tables::Double(tables, view, _) => {
+                let scene = tables.scene().map_err(RenderError::invalid)?;
+                Ok(strahl_engine_double::scene_engine::scene_stats(&scene, view))
+            }
+        }
+    }
+}
+
+/// A scene with its accelerator, of which pictures are rendered one after another.
+pub struct Session<'s> {
+    engine: Box<dyn Engine + 's>,
+    precision: Precision,
+    build: Duration,
+}
+
+impl<'s> Session<'s> {
+    /// Builds the accelerator that is asked for.
+    pub fn new(storage: &'s mut SceneStorage, accelerator: &AccelSettings) -> Result<Self, RenderError> {
+        let clock = Instant::now();
+        let SceneStorage { tables, build } = storage;
+        let (engine, precision): (Box<dyn Engine + 's>, _) = match tables {
+            Tables::Single(tables, view, memory) => {
+                let scene = tables.scene().map_err(RenderError::invalid)?;
+                (Box::new(SceneEngine::new(scene, *view, accelerator, memory)?), Precision::Single)
+            }
+            Tables::Double(tables, view, memory) => {
+                let scene = tables.scene().map_err(RenderError::invalid)?;
+                let engine = strahl_engine_double::SceneEngine::new(scene, *view, accelerator, memory)?;
+                (Box::new(engine), Precision::Double)
+            }
+        };
+        Ok(Session { engine, precision, build: *build + clock.elapsed() })
+    }
+
+    /// What is in the scene.
+    pub fn scene(&self) -> &SceneStats {
+        self.engine.scene()
+    }
+
+    /// The accelerator.
+    pub fn accelerator(&self) -> &AccelStats {
+        self.engine.accelerator()
+    }
+
+    /// Renders a picture.
+    ///
+    /// Precision and accelerator are those of the session, whatever else the settings ask for.
+    pub fn render(
+        &self,
+        settings: &Settings,
+        options: &RenderOptions<'_>,
+        progress: &dyn Progress,
+    ) -> Result<RenderOutput, RenderError> {
+        Ok(self.output(settings, self.engine.render(settings, options, progress)?))
+    }
+
+    /// Renders a picture that becomes better pass by pass, as `scheduler` decides; the last that was completed.
+    pub fn refine(
+        &self,
+        settings: &Settings,
+        options: &RenderOptions<'_>,
+        progress: &dyn Progress,
+        scheduler: &mut dyn Scheduler,
+    ) -> Result<RenderOutput, RenderError> {
+        Ok(self.output(settings, self.engine.refine(settings, options, progress, scheduler)?))
+    }
+
+    /// Finds the nearest hits of rays, for one thread.
+    pub fn ray_caster(&self) -> RayCaster<'_> {
+        self.engine.ray_caster()
+    }
+
+    fn output(&self, settings: &Settings, rendered: Rendered) -> RenderOutput {
+        let Rendered { colors, counters, trace, trace_cpu } = rendered;
+        RenderOutput {
+            picture: Picture { size: settings.picture_size(), colors },
+            counters,
+            precision: self.precision,
+            scene: *self.scene(),
+            accelerator: *self.accelerator(),
+            build: self.build,
+            trace,
+            trace_cpu,
+        }
+    }
+}
+
+/// A picture, and what it took.
+#[derive(Debug)]
+pub struct RenderOutput {
+    /// The picture.
+    pub picture: Picture,
+    /// The work; that of tests where it was to be counted.
+    pub counters: Counters,
+    /// What was computed with.
+    pub precision: Precision,
+    /// What is in the scene.
+    pub scene: SceneStats,
+    /// The accelerator.
+    pub accelerator: AccelStats,
+    /// Wall-clock time of making the tables and the accelerator.
+    pub build: Duration,
+    /// Wall-clock time of tracing.
+    pub trace: Duration,
+    /// Processor time of tracing, the sum over all threads.
+    pub trace_cpu: Duration,
+}
+
+/// Opens a scene and renders one picture of it.
+pub fn render(
+    description: &LoadedScene,
+    settings: &Settings,
+    options: &RenderOptions<'_>,
+    progress: &dyn Progress,
+) -> Result<RenderOutput, RenderError> {
+    let mut storage = SceneStorage::new(description, settings.precision);
+    Session::new(&mut storage, &settings.acceleration())?.render(settings, options, progress)
+}

@@ -1,0 +1,67 @@
+//! Several knobs turned at once, as long as that promises anything and time is left.
+
+use strahl_settings::Settings;
+
+use super::combination_search::{Hunt, Notch};
+use super::measurements::{Measurements, NO_TIME, ReferencePicture};
+use super::plan::time;
+use crate::error::StudyError;
+use crate::record::{Role, Step};
+
+/// The knobs that are mixed.
+const KNOBS: [&str; 4] = ["levels", "cutoff", "sampler", "select"];
+
+/// Measures the mixtures that may be on the front. At the run at `best` every knob is at its best.
+pub(super) fn all(
+    measured: &mut Measurements<'_>,
+    best: usize,
+    reference: &ReferencePicture,
+) -> Result<(), StudyError> {
+    let (base, work) = (measured.taken[best].options.clone(), measured.taken[best].run.work.max(1.0));
+    let single = measured.taken[best].run.wall[0];
+    let (runs, notches): (Vec<_>, Vec<_>) =
+        KNOBS.map(|name| turned(measured, name, best, work)).into_iter().unzip();
+    let is_new = |places: &[usize]| {
+        let options = mixed(measured, &base, &runs, places);
+        measured.taken.iter().all(|taken| taken.options != options)
+    };
+    let mut hunt = Hunt::new(&notches, work, is_new);
+    for _ in 0..measured.plan.mixes {
+        let Some(mix) = hunt.next(&measured.points().1) else { break };
+        let options = mixed(measured, &base, &runs, &mix.places);
+        let seconds = single * mix.foretold.cost / work;
+        let left = measured.bench.share(time::MIXED) - measured.bench.elapsed();
+        if seconds > left {
+            measured.leave(&options, NO_TIME.into());
+            continue;
+        }
+        measured.take(Role::Mix, &options, f64::INFINITY, &reference.picture)?;
+        measured.forget();
+    }
+    measured.beaten = hunt.beaten;
+    Ok(())
+}
+
+/// The runs of a knob that was turned alone, and what its notches do to an error and to `work`.
+fn turned(measured: &Measurements<'_>, name: &str, best: usize, work: f64) -> (Vec<usize>, Vec<Notch>) {
+    let steps = measured.knobs.iter().filter(|knob| knob.name == name).flat_map(|knob| &knob.steps);
+    let notch = |step: &Step| {
+        let share = measured.taken[step.run].run.work / work;
+        (step.run, Notch { error: step.alone.rmse, share })
+    };
+    let (runs, notches): (Vec<_>, Vec<_>) = steps.map(notch).unzip();
+    // A knob that cannot be turned has one notch.
+    if runs.is_empty() { (vec![best], vec![Notch { error: 0.0, share: 1.0 }]) } else { (runs, notches) }
+}
+
+/// `base` with all knobs turned: each to the notch that its run at that place has.
+fn mixed(measured: &Measurements<'_>, base: &Settings, runs: &[Vec<usize>], places: &[usize]) -> Settings {
+    let of = |knob: usize| &measured.taken[runs[knob][places[knob]]].options;
+    Settings {
+        levels: of(0).levels,
+        cutoff: of(1).cutoff,
+        sampler: of(2).sampler,
+        select: of(3).select,
+        ..base.clone()
+    }
+}

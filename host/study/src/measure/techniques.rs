@@ -1,0 +1,216 @@
+//! The techniques of ray tracing one by one, on and off.
+//!
+//! All of them are measured while everything is counted: by the one loop for that, which every
+//! accelerator and both precisions have, so that nothing but the technique is between two times.
+
+use strahl_settings::accelerator::DEFAULT_MAILBOX_SLOTS;
+use strahl_settings::domain::fraction_text;
+use strahl_settings::{
+    AccelKind, AccelSettings, Bounds, ContrastSettings, Filter, Precision, SamplerSettings,
+    SelectionSettings, Settings,
+};
+
+use super::measurements::{Measurements, ReferencePicture};
+use super::sweeps;
+use crate::error::StudyError;
+use crate::record::words;
+use crate::record::{Role, Technique};
+
+/// One technique: how it is done without, and with it.
+struct Pair {
+    name: &'static str,
+    part: &'static str,
+    off: String,
+    on: String,
+    without: Settings,
+    with: Settings,
+    exact: bool,
+}
+
+/// Adaptive supersampling sees a difference of this much, and regular sampling as fine is held
+/// against it.
+const ADAPTIVE: (u8, f32) = (2, 0.05);
+
+/// What the techniques are measured with: the scene's levels and cutoff, one ray in each pixel.
+fn base(own: &Settings) -> Settings {
+    Settings {
+        sampler: SamplerSettings::Single,
+        select: None,
+        precision: Precision::Single,
+        shadow_cache: true,
+        ..own.clone()
+    }
+    .with_acceleration(AccelSettings::DEFAULT)
+}
+
+/// Measures every technique.
+pub(super) fn all(
+    measured: &mut Measurements<'_>,
+    own: &Settings,
+    reference: &ReferencePicture,
+) -> Result<(), StudyError> {
+    for pair in pairs(&base(own)) {
+        let patience = measured.patience();
+        let with = measured.take(Role::Technique, &pair.with, patience, &reference.picture)?;
+        let without = measured.take(Role::Technique, &pair.without, patience, &reference.picture)?;
+        let error = with.zip(without).and_then(|(with, without)| measured.between(with, without));
+        let given_up = without.is_none().then(|| measured.given_up_after(&pair.without)).flatten();
+        let Pair { name, part, off, on, exact, .. } = pair;
+        let (name, part) = (name.into(), part.into());
+        measured.techniques.push(Technique { name, part, off, on, without, given_up, with, exact, error });
+    }
+    Ok(())
+}
+
+/// Measures both precisions.
+pub(super) fn precision(
+    measured: &mut Measurements<'_>,
+    own: &Settings,
+    reference: &ReferencePicture,
+) -> Result<(), StudyError> {
+    let base = base(own);
+    let of = |precision| Settings { precision, ..base.clone() };
+    let patience = measured.patience();
+    let single = measured.take(Role::Technique, &of(Precision::Single), patience, &reference.picture)?;
+    let double = measured.take(Role::Technique, &of(Precision::Double), patience, &reference.picture)?;
+    sweeps::precision(measured, [single, double], words(&base));
+    Ok(())
+}
+
+/// Measures one thread, and twice as many each time.
+pub(super) fn threads(
+    measured: &mut Measurements<'_>,
+    own: &Settings,
+    reference: &ReferencePicture,
+) -> Result<(), StudyError> {
+    let mut threads = 1;
+    while threads <= own.threads {
+        let (patience, options) = (measured.patience(), Settings { threads, ..base(own) });
+        let run = measured.take(Role::Threads, &options, patience, &reference.picture)?;
+        measured.threads.extend(run);
+        threads *= 2;
+    }
+    Ok(())
+}
+
+fn pairs(base: &Settings) -> Vec<Pair> {
+    let by = |accelerator| base.clone().with_acceleration(accelerator);
+    let list = |bounds| by(AccelSettings { bounds, ..AccelSettings::with_kind(AccelKind::List) });
+    let remembering = |kind, mailbox| by(AccelSettings { mailbox, ..AccelSettings::with_kind(kind) });
+    let heap = |places| by(AccelSettings::with_heap(places));
+    let boxes = || list(Bounds::Box);
+    let exact = |name, part, (off, without): (&str, Settings), (on, with): (&str, Settings)| Pair {
+        name,
+        part,
+        off: off.into(),
+        on: on.into(),
+        without,
+        with,
+        exact: true,
+    };
+    let every_box = "a list with boxes";
+    let mut pairs = vec![
+        exact("bounding volumes", "5.1", ("every item", list(Bounds::None)), (every_box, boxes())),
+        exact(
+            "bounding spheres",
+            "5.1",
+            ("every item", list(Bounds::None)),
+            ("a list with spheres", list(Bounds::Sphere)),
+        ),
+        exact(
+            "regular grid",
+            "5.2",
+            (every_box, boxes()),
+            ("a grid", remembering(AccelKind::Grid, DEFAULT_MAILBOX_SLOTS)),
+        ),
+        exact(
+            "octree",
+            "5.3",
+            (every_box, boxes()),
+            ("an octree", remembering(AccelKind::Octree, DEFAULT_MAILBOX_SLOTS)),
+        ),
+        exact("hierarchy", "5.4", (every_box, boxes()), ("a hierarchy, by a heap", heap(64))),
+        exact(
+            "hierarchy, by a stack",
+            "5.4",
+            ("by a heap", heap(64)),
+            ("by a stack", by(AccelSettings::with_kind(AccelKind::Bvh))),
+        ),
+        exact("room in the heap", "5.4", ("none", heap(0)), ("64 nodes", heap(64))),
+    ];
+    for (name, kind) in
+        [("mailbox of the grid", AccelKind::Grid), ("mailbox of the octree", AccelKind::Octree)]
+    {
+        let (none, some) = (remembering(kind, 0), remembering(kind, DEFAULT_MAILBOX_SLOTS));
+        pairs.push(exact(name, "5.5", ("none", none), ("64 slots", some)));
+    }
+    let no_cache = Settings { shadow_cache: false, ..base.clone() };
+    pairs.push(exact("shadow cache", "5.6", ("off", no_cache), ("on", base.clone())));
+
+    let cut = if base.cutoff > 0.0 { base.cutoff } else { Settings::default().cutoff };
+    let limited = |cutoff| Settings { cutoff, ..base.clone() };
+    let sampled = |sampler| Settings { sampler, ..base.clone() };
+    let (depth, threshold) = ADAPTIVE;
+    let agreement = ContrastSettings { threshold, items: false };
+    let adaptive = SamplerSettings::Adaptive { max_depth: depth, contrast: agreement };
+    let regular = SamplerSettings::Regular(1 << depth);
+    let selecting =
+        SelectionSettings { step: 4, contrast: ContrastSettings { threshold: 0.05, items: true } };
+    let selected = Settings { select: Some(selecting), ..base.clone() };
+    let stopping: SamplerSettings = "stochastic:4..16:0.9:0.02".parse().unwrap_or(SamplerSettings::Single);
+    let inexact = [
+        (
+            "adaptive depth",
+            "5.7",
+            "cutoff 0".into(),
+            format!("cutoff {}", fraction_text(cut)),
+            limited(0.0),
+            limited(cut),
+        ),
+        ("pixel selection", "5.8", "every pixel".into(), selecting.to_string(), base.clone(), selected),
+        (
+            "adaptive supersampling",
+            "4.2",
+            regular.to_string(),
+            adaptive.to_string(),
+            sampled(regular),
+            sampled(adaptive),
+        ),
+        (
+            "samples until it is known",
+            "4.3",
+            SamplerSettings::stochastic(16).to_string(),
+            stopping.to_string(),
+            sampled(SamplerSettings::stochastic(16)),
+            sampled(stopping),
+        ),
+    ];
+    pairs.extend(inexact.into_iter().filter(|it| base.filter == Filter::Box || it.1 != "4.2").map(
+        |(name, part, off, on, without, with)| Pair { name, part, off, on, without, with, exact: false },
+    ));
+    pairs
+}
+
+#[cfg(test)]
+mod tests {
+    use strahl_settings::{Affects, SETTINGS};
+
+    use super::*;
+
+    #[test]
+    fn techniques_that_buy_time_only_differ_in_nothing_that_decides_about_the_picture() {
+        let all = pairs(&base(&Settings::default()));
+        assert!(all.len() >= 12);
+        for Pair { name, without, with, exact, .. } in all {
+            assert_ne!(without, with, "{name}");
+            let picture = |it: &Settings| {
+                SETTINGS
+                    .iter()
+                    .filter(|setting| setting.affects == Affects::Picture)
+                    .map(|setting| setting.word(it))
+                    .collect::<Vec<_>>()
+            };
+            assert_eq!(picture(&without) == picture(&with), exact, "{name}");
+        }
+    }
+}

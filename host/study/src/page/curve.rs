@@ -1,0 +1,137 @@
+//! Error against time, and against work, of all settings.
+
+use maud::{Markup, html};
+
+use super::family::Family;
+use super::numbers::{count, error, percent, seconds};
+use super::pieces::{options, wide, words};
+use super::scatter::{Dot, Scatter, legend};
+use crate::pareto::Point;
+use crate::record::table::best;
+use crate::record::{Role, Run, Study};
+use crate::statistics::ends;
+
+fn dots(study: &Study, cost: fn(&Run) -> f64, spread: fn(&Run) -> Option<[f64; 2]>) -> Vec<Dot> {
+    let numbers = numbered(study);
+    let about = study.runs.iter().enumerate().filter(|(_, run)| run.is_about_accuracy());
+    about
+        .map(|(place, run)| Dot {
+            point: Point { cost: cost(run), error: run.error.rmse },
+            spread: spread(run),
+            family: Family::of(&run.setting.settings),
+            number: numbers.iter().find(|(at, _)| *at == place).map(|(_, number)| *number),
+            is_own: run.role == Role::Own,
+            about: format!(
+                "{}: {}, {} instructions, error {}",
+                words(run),
+                seconds(run.seconds()),
+                count(run.work),
+                error(run.error.rmse)
+            ),
+        })
+        .collect()
+}
+
+pub fn part(study: &Study) -> Markup {
+    let by_time = dots(study, Run::seconds, |run| Some(ends(&run.cpu)));
+    let by_work = dots(study, |run| run.work, |_| None);
+    let noise = Some(study.reference.noise).filter(|noise| *noise > 0.0);
+    let alt = |cost: &str| {
+        let numbers = numbered(study);
+        let (first, last) = (numbers.first(), numbers.last());
+        let told = |end: Option<&(usize, usize)>| {
+            end.map(|(place, _)| {
+                let run = &study.runs[*place];
+                format!("{} with error {}", words(run), error(run.error.rmse))
+            })
+            .unwrap_or_default()
+        };
+        format!(
+            "Scatter plot of {} settings, error against {cost}, both logarithmic. The front goes from {} to {}.",
+            by_work.len(),
+            told(first),
+            told(last)
+        )
+    };
+    html! {
+        p {
+            "Every mark is a setting. To the left is cheaper, below is better. The numbered ones are the "
+            strong { "Pareto front" } ": of what was measured nothing needs less work and is more accurate at once."
+        }
+        (legend(&by_work))
+        div.pair {
+            figure {
+                figcaption { "Processor time" span.soft { " of this machine, with its spread" } }
+                (Scatter { dots: &by_time, cost: "processor seconds", write: seconds, noise, alt: alt("processor time") }.draw())
+            }
+            figure {
+                figcaption { "Work" span.soft { " in instructions, the same on every machine" } }
+                (Scatter { dots: &by_work, cost: "instructions", write: count, noise, alt: alt("work in instructions") }.draw())
+            }
+        }
+        h3 { "The front" }
+        (wide(table(study, &numbered(study))))
+        details {
+            summary { "All " (by_work.len()) " settings of these plots" }
+            (wide(table(study, &all(study))))
+        }
+    }
+}
+
+/// All runs of the plots with their numbers, the cheapest first; those without a number have 0.
+fn all(study: &Study) -> Vec<(usize, usize)> {
+    let numbers = numbered(study);
+    let of = |place: usize| numbers.iter().find(|(at, _)| *at == place).map_or(0, |(_, number)| *number);
+    let about = study.runs.iter().enumerate().filter(|(_, run)| run.is_about_accuracy());
+    let mut places: Vec<usize> = about.map(|(place, _)| place).collect();
+    places.sort_by(|a, b| study.runs[*a].work.total_cmp(&study.runs[*b].work));
+    places.into_iter().map(|place| (place, of(place))).collect()
+}
+
+fn table(study: &Study, places: &[(usize, usize)]) -> Markup {
+    html! {
+        table.plain {
+            thead { tr {
+                th { "" } th { "setting" } th.number { "time" } th.number { "spread" } th.number { "instructions" }
+                th.number { "error" } th.number { "largest" } th.number { "beyond 1/255" } th.number { "SSIM" }
+            } }
+            tbody {
+                @for (place, number) in places {
+                    @let run = &study.runs[*place];
+                    @let [least, most] = ends(&run.cpu);
+                    tr {
+                        td.number { @if *number > 0 { strong { (number) } } }
+                        td {
+                            (options(&words(run)))
+                            @if run.role == Role::Own { span.tag { "the scene's own" } }
+                        }
+                        td.number { (seconds(run.seconds())) }
+                        td.number.soft { (seconds(least)) "–" (seconds(most)) }
+                        td.number { (count(run.work)) }
+                        td.number { (error(run.error.rmse)) }
+                        td.number { (error(run.error.largest)) }
+                        td.number { (percent(run.error.beyond)) }
+                        td.number { (format!("{:.4}", run.error.ssim)) }
+                    }
+                }
+            }
+        }
+    }
+}
+
+/// The runs of the front by work that are worth a number, with their numbers from 1. One that is
+/// hardly better than the one before has none, but the last has one.
+fn numbered(study: &Study) -> Vec<(usize, usize)> {
+    const BETTER: f64 = 0.97;
+    let all = best(study, |run| run.work);
+    let mut kept: Vec<usize> = Vec::new();
+    for (index, place) in all.iter().enumerate() {
+        let error = study.runs[*place].error.rmse;
+        let is_last = index + 1 == all.len();
+        let is_better = kept.last().is_none_or(|last| error <= BETTER * study.runs[*last].error.rmse);
+        if is_better || is_last {
+            kept.push(*place);
+        }
+    }
+    kept.into_iter().enumerate().map(|(index, place)| (place, index + 1)).collect()
+}

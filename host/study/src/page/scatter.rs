@@ -1,0 +1,151 @@
+//! Settings by what they cost and how wrong they are, on two logarithmic axes.
+
+use maud::{Markup, html};
+
+use super::axis::Log;
+use super::family::{Family, round};
+use super::numbers;
+use crate::pareto::{Point, front};
+
+/// One setting in the plot.
+pub struct Dot {
+    /// Where.
+    pub point: Point,
+    /// From where to where its cost was measured.
+    pub spread: Option<[f64; 2]>,
+    /// How it is drawn.
+    pub family: Family,
+    /// Its number in the table beside the plot.
+    pub number: Option<usize>,
+    /// Whether it is the scene's own.
+    pub is_own: bool,
+    /// What is told of it where the mouse rests.
+    pub about: String,
+}
+
+/// A plot.
+pub struct Scatter<'s> {
+    /// Everything in it.
+    pub dots: &'s [Dot],
+    /// What the horizontal axis is, with its unit.
+    pub cost: &'s str,
+    /// How its values are written.
+    pub write: fn(f64) -> String,
+    /// Errors below this cannot be told from none.
+    pub noise: Option<f64>,
+    /// What is to be seen, for who cannot.
+    pub alt: String,
+}
+
+impl Scatter<'_> {
+    /// In a size for screens, and in one for phones.
+    pub fn draw(&self) -> Markup {
+        html! {
+            div.wide { (self.sized(620.0, 430.0)) }
+            div.narrow { (self.sized(350.0, 360.0)) }
+        }
+    }
+
+    fn sized(&self, width: f64, height: f64) -> Markup {
+        let (left, right, top, bottom) = (58.0, width - 14.0, 14.0, height - 48.0);
+        let costs = self.dots.iter().flat_map(|dot| {
+            let [least, most] = dot.spread.unwrap_or([dot.point.cost; 2]);
+            [dot.point.cost, least, most]
+        });
+        let x = Log::of(costs, left, right);
+        let errors = self.dots.iter().map(|dot| dot.point.error).chain(self.noise);
+        let y = Log::of(errors, bottom, top);
+        let points: Vec<Point> = self.dots.iter().map(|dot| dot.point).collect();
+        let best = front(&points);
+        let line: Vec<String> = best
+            .iter()
+            .map(|place| {
+                format!("{},{}", round(x.at(points[*place].cost)), round(y.at(points[*place].error)))
+            })
+            .collect();
+        // What is on the front is drawn last, over everything else.
+        let is_best = |place: &usize| best.contains(place);
+        let order = (0..self.dots.len()).filter(|place| !is_best(place)).chain(best.iter().copied());
+        html! {
+            svg.plot role="img" aria-label=(self.alt) viewBox=(format!("0 0 {width} {height}")) {
+                @for tick in y.ticks() {
+                    line.grid x1=(left) x2=(right) y1=(round(y.at(tick))) y2=(round(y.at(tick))) {}
+                    text.tick x=(left - 8.0) y=(round(y.at(tick) + 4.0)) text-anchor="end" { (numbers::tick(tick)) }
+                }
+                @for tick in spaced(&x.ticks(), |tick| x.at(tick), 52.0) {
+                    line.grid x1=(round(x.at(tick))) x2=(round(x.at(tick))) y1=(top) y2=(bottom) {}
+                    text.tick x=(round(x.at(tick))) y=(bottom + 18.0) text-anchor="middle" { (short((self.write)(tick))) }
+                }
+                line.axis x1=(left) x2=(right) y1=(bottom) y2=(bottom) {}
+                text.label x=(0.5 * (left + right)) y=(height - 8.0) text-anchor="middle" { (self.cost) }
+                text.label x="14" y=(0.5 * (top + bottom)) text-anchor="middle"
+                    transform=(format!("rotate(-90 14 {})", 0.5 * (top + bottom))) { "error (RMSE, sRGB 0 to 1)" }
+                @if let Some(noise) = self.noise {
+                    line.noise x1=(left) x2=(right) y1=(round(y.at(noise))) y2=(round(y.at(noise))) {}
+                    text.note x=(right - 4.0) y=(round(y.at(noise) - 5.0)) text-anchor="end" { "what chance is left in the reference" }
+                }
+                polyline.front points=(line.join(" ")) {}
+                @for place in order {
+                    (self.dot(place, is_best(&place), &x, &y))
+                }
+            }
+        }
+    }
+
+    fn dot(&self, place: usize, is_best: bool, x: &Log, y: &Log) -> Markup {
+        let Dot { point, spread, family, number, is_own, about } = &self.dots[place];
+        let (at_x, at_y) = (x.at(point.cost), y.at(point.error));
+        let strength = if is_best { "best" } else { "beaten" };
+        html! {
+            g.dot.(family.class()).(strength) data-cost=(point.cost) data-error=(point.error) {
+                title { (about) }
+                @if let Some([least, most]) = spread {
+                    line.spread x1=(round(x.at(*least))) x2=(round(x.at(*most))) y1=(round(at_y)) y2=(round(at_y)) {}
+                }
+                @if *is_own { circle.own cx=(round(at_x)) cy=(round(at_y)) r="11" {} }
+                (family.mark(at_x, at_y, if is_best { 5.5 } else { 4.0 }))
+                @if let Some(number) = number {
+                    text.number x=(round(at_x + 8.0)) y=(round(at_y - 8.0)) { (number) }
+                }
+            }
+        }
+    }
+}
+
+/// The families that are there, with their marks.
+pub fn legend(dots: &[Dot]) -> Markup {
+    let families = Family::ALL.into_iter().filter(|family| dots.iter().any(|dot| dot.family == *family));
+    html! {
+        ul.legend {
+            @for family in families {
+                li { svg viewBox="0 0 16 16" aria-hidden="true" { g.dot.best.(family.class()) { (family.mark(8.0, 8.0, 5.0)) } } (family.name()) }
+            }
+            @if dots.iter().any(|dot| dot.is_own) {
+                li { svg viewBox="0 0 24 24" aria-hidden="true" { circle.own cx="12" cy="12" r="9" {} } "the scene's own setting" }
+            }
+            li { svg viewBox="0 0 28 16" aria-hidden="true" { polyline.front points="1,4 14,10 27,13" {} } "the front: nothing is both cheaper and better" }
+        }
+    }
+}
+
+/// Those ticks whose words have room.
+pub fn spaced(ticks: &[f64], at: impl Fn(f64) -> f64, room: f64) -> Vec<f64> {
+    let mut kept: Vec<f64> = Vec::new();
+    for tick in ticks {
+        if kept.last().is_none_or(|last| (at(*tick) - at(*last)).abs() >= room) {
+            kept.push(*tick);
+        }
+    }
+    kept
+}
+
+/// Without zeros that say nothing: 10.0 ms is 10 ms.
+pub fn short(text: String) -> String {
+    match text.split_once(' ') {
+        Some((number, unit)) if number.contains('.') => {
+            format!("{} {unit}", number.trim_end_matches('0').trim_end_matches('.'))
+        }
+        _ if text.contains('.') => text.trim_end_matches('0').trim_end_matches('.').into(),
+        _ => text,
+    }
+}

@@ -1,0 +1,78 @@
+//! `study.csv`: one row for each run, for spreadsheets.
+
+use crate::pareto::{Point, front};
+use serde_json::Value;
+
+use super::{Run, RunSettings, Study};
+use crate::statistics::{ends, median};
+
+/// The columns after those of the settings.
+const MEASURED: [&str; 22] = [
+    "accelerator",
+    "camera",
+    "reflected",
+    "transmitted",
+    "shadow",
+    "boxes",
+    "shapes",
+    "regions",
+    "work",
+    "cpu_median",
+    "cpu_least",
+    "cpu_most",
+    "wall_median",
+    "repetitions",
+    "build",
+    "rmse",
+    "largest",
+    "beyond",
+    "ssim",
+    "front_by_work",
+    "front_by_time",
+    "digest",
+];
+
+/// The places of the runs that no other beats in accuracy: by work, or by time.
+pub fn best(study: &Study, cost: fn(&Run) -> f64) -> Vec<usize> {
+    let about = study.runs.iter().enumerate().filter(|(_, run)| run.is_about_accuracy());
+    let (places, points): (Vec<_>, Vec<_>) =
+        about.map(|(place, run)| (place, Point { cost: cost(run), error: run.error.rmse })).unzip();
+    front(&points).into_iter().map(|place| places[place]).collect()
+}
+
+/// The file.
+pub fn table(study: &Study) -> String {
+    let (by_work, by_time) = (best(study, |run| run.work), best(study, Run::seconds));
+    let mut writer = csv::Writer::from_writer(Vec::new());
+    // Writing to memory cannot fail.
+    let settings = RunSettings::recorded().map(|setting| setting.name);
+    let _ = writer.write_record(["run", "role"].into_iter().chain(settings).chain(MEASURED));
+    for (place, run) in study.runs.iter().enumerate() {
+        let (setting, counts, error) = (&run.setting, &run.counts, &run.error);
+        let sum = |of: [u64; 4]| of.iter().sum::<u64>().to_string();
+        let [least, most] = ends(&run.cpu);
+        let role = format!("{:?}", run.role).to_lowercase();
+        let mut row = vec![place.to_string(), role];
+        row.extend(RunSettings::recorded().map(|it| cell(&it.to_json(&setting.settings))));
+        row.push(setting.accelerator.clone());
+        row.extend(counts.rays.map(|rays| rays.to_string()));
+        row.extend([sum(counts.boxes), sum(counts.shapes), sum(counts.regions)]);
+        row.extend([run.work, median(&run.cpu), least, most, median(&run.wall)].map(|it| it.to_string()));
+        row.push(run.cpu.len().to_string());
+        row.extend([run.build, error.rmse, error.largest, error.beyond, error.ssim].map(|it| it.to_string()));
+        row.extend([by_work.contains(&place), by_time.contains(&place)].map(|it| it.to_string()));
+        row.push(run.digest.clone());
+        let _ = writer.write_record(&row);
+    }
+    writer.into_inner().ok().and_then(|bytes| String::from_utf8(bytes).ok()).unwrap_or_default()
+}
+
+/// A value of JSON as spreadsheets take it.
+fn cell(value: &Value) -> String {
+    match value {
+        Value::Null => String::new(),
+        Value::String(text) => text.clone(),
+        Value::Array(list) => list.iter().map(cell).collect::<Vec<_>>().join(" "),
+        other => other.to_string(),
+    }
+}
