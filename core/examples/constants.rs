@@ -11,9 +11,9 @@ use strahl_core::geometry::{Aabb, Polygon, ShapeKind, ShapeSet};
 use strahl_core::image::Pixel;
 use strahl_core::scene::{EffectSet, Effects, LightKind, LightSet};
 use strahl_core::{
-    Background, BareList, Camera, Falloff, Geometry, Light, Limits, Material, MaterialId, Parts, Projection,
-    Resolution, Rgb, Scene, Shape, Single, Source, Sphere, Tile, Tracer, Vec3, View, Worker, World, render,
-    vec3,
+    Background, BareList, Camera, CameraDescriptor, Falloff, Geometry, Light, LightSource, Limits, Material,
+    MaterialId, Projection, Resolution, Rgb, Scene, SceneDescriptor, Shape, Single, Sphere, Tile, Tracer,
+    Vec3, Worker, World, render, vec3,
 };
 
 /// A floor, and two balls on it.
@@ -40,23 +40,23 @@ static FLOOR: [Polygon; 1] = [Polygon {
 static MATERIALS: [Material; 3] = [
     Material { diffuse: Rgb::gray(0.5), ..Material::MATTE },
     Material { diffuse: Rgb::gray(0.9), ..Material::MATTE },
-    Material { diffuse: Rgb::gray(0.1), mirror: Rgb::gray(0.8), ..Material::MATTE },
+    Material { diffuse: Rgb::gray(0.1), reflection: Rgb::gray(0.8), ..Material::MATTE },
 ];
 
 static LIGHTS: [Light; 1] = [Light {
-    source: Source::Point { position: vec3(4.0, 7.0, 5.0), falloff: Falloff::NONE },
+    source: LightSource::Point { position: vec3(4.0, 7.0, 5.0), falloff: Falloff::NONE },
     color: Rgb::gray(0.9),
-    shadows: true,
+    casts_shadows: true,
 }];
 
-const PARTS: Parts<'static> = Parts {
+const PARTS: SceneDescriptor<'static> = SceneDescriptor {
     geometry: Geometry { shapes: &SHAPES, vertices: &CORNERS, polygons: &FLOOR, ..Geometry::EMPTY },
-    made_of: &[MaterialId(0), MaterialId(1), MaterialId(2)],
+    material_ids: &[MaterialId(0), MaterialId(1), MaterialId(2)],
     materials: &MATERIALS,
     lights: &LIGHTS,
     ambient: Rgb::gray(0.08),
     background: Background::Color(Rgb::gray(0.3)),
-    ..Parts::EMPTY
+    ..SceneDescriptor::EMPTY
 };
 
 /// Exactly what the scene asks for: nothing else is compiled.
@@ -72,11 +72,11 @@ impl Effects for Asked {
     };
 }
 
-const VIEW: View = View {
-    from: vec3(0.0, 2.2, 7.0),
-    at: vec3(0.0, 0.6, 0.0),
+const VIEW: CameraDescriptor = CameraDescriptor {
+    position: vec3(0.0, 2.2, 7.0),
+    target: vec3(0.0, 0.6, 0.0),
     up: Vec3::Y,
-    projection: Projection::Perspective { angle: 0.5 },
+    projection: Projection::Perspective { field_of_view: 0.5 },
 };
 
 /// Letters are about twice as high as wide: of the lines every second is drawn.
@@ -89,7 +89,7 @@ const _: () = assert!(Worker::<BareList, (), LEVELS>::SIZE_IN_BYTES <= 512);
 
 fn main() -> Result<(), Box<dyn std::error::Error>> {
     let scene = Scene::new(PARTS)?;
-    assert_eq!(scene.effects(), Asked::SET);
+    assert_eq!(scene.required_effects(), Asked::SET);
     let world = World::new(scene, BareList(SHAPES.len() as u32));
     let limits = Limits { levels: LEVELS as u8, ..Limits::DEFAULT };
     let tracer = Tracer::<_, Asked, LEVELS>::new(&world, Camera::new(&VIEW, SIZE)?, limits)?;

@@ -18,9 +18,9 @@ use strahl_core::geometry::{ItemId, ShapeKind, ShapeSet};
 use strahl_core::image::Pixel;
 use strahl_core::scene::{EffectSet, Effects, LightKind, LightSet};
 use strahl_core::{
-    AllEffects, BareList, Camera, Falloff, Geometry, Light, Limits, Material, MaterialId, Parts, Plane,
-    Projection, Resolution, Rgb, Scene, Shape, Single, Source, Sphere, Tile, Tracer, Vec3, View, Worker,
-    World, render, vec3,
+    AllEffects, BareList, Camera, CameraDescriptor, Falloff, Geometry, Light, LightSource, Limits, Material,
+    MaterialId, Plane, Projection, Resolution, Rgb, Scene, SceneDescriptor, Shape, Single, Sphere, Tile,
+    Tracer, Vec3, Worker, World, render, vec3,
 };
 
 /// Exactly what the scene asks for.
@@ -45,9 +45,9 @@ impl Effects for Local {
         absorption: false,
         colored_shadows: false,
         penumbra: false,
-        lens: false,
+        depth_of_field: false,
         gloss: false,
-        motion: false,
+        motion_blur: false,
         ..EffectSet::ALL
     };
 }
@@ -76,22 +76,22 @@ fn hash<E: Effects>() -> u64 {
     }
     let floor = Plane { point: Vec3::ZERO, normal: Vec3::Y, item: ItemId(0) };
     let planes = [floor];
-    let source = Source::Point { position: vec3(3.0, 6.0, 4.0), falloff: Falloff::NONE };
-    let lights = [Light { source, color: Rgb::gray(0.8), shadows: true }];
-    let scene = Scene::new(Parts {
+    let source = LightSource::Point { position: vec3(3.0, 6.0, 4.0), falloff: Falloff::NONE };
+    let lights = [Light { source, color: Rgb::gray(0.8), casts_shadows: true }];
+    let scene = Scene::new(SceneDescriptor {
         geometry: Geometry { shapes: &shapes, planes: &planes, ..Geometry::EMPTY },
-        made_of: &[MaterialId(0); ITEMS],
+        material_ids: &[MaterialId(0); ITEMS],
         materials: &[Material::MATTE],
         lights: &lights,
         ambient: Rgb::gray(0.1),
-        ..Parts::EMPTY
+        ..SceneDescriptor::EMPTY
     })
     .expect("the scene is one");
-    let view = View {
-        from: vec3(0.0, 3.0, 6.0),
-        at: vec3(0.0, 0.0, -2.0),
+    let view = CameraDescriptor {
+        position: vec3(0.0, 3.0, 6.0),
+        target: vec3(0.0, 0.0, -2.0),
         up: Vec3::Y,
-        projection: Projection::Perspective { angle: 0.7 },
+        projection: Projection::Perspective { field_of_view: 0.7 },
     };
     let size = Resolution::new(160, 120).expect("a size");
     let world = World::new(scene, BareList(ITEMS as u32));

@@ -27,9 +27,9 @@ use strahl_core::image::{Agreement, CornerRow, Kept, Selected, Selection};
 use strahl_core::scene::{CameraSample, Texture, TextureId};
 use strahl_core::trace::PixelSample;
 use strahl_core::{
-    AllEffects, BareList, Camera, Falloff, Geometry, Light, Limits, Material, MaterialId, Parts, Plane,
-    Projection, Resolution, Rgb, Scene, Shape, Single, Source, Sphere, Tile, Tracer, Vec3, View, Worker,
-    World, vec3,
+    AllEffects, BareList, Camera, CameraDescriptor, Falloff, Geometry, Light, LightSource, Limits, Material,
+    MaterialId, Plane, Projection, Resolution, Rgb, Scene, SceneDescriptor, Shape, Single, Sphere, Tile,
+    Tracer, Vec3, Worker, World, vec3,
 };
 
 const STEP: u32 = 8;
@@ -47,26 +47,27 @@ fn main() -> Result<(), Box<dyn Error>> {
     }];
     let ball = |x, z, radius| Shape::Sphere(Sphere { center: vec3(x, radius, z), radius });
     let shapes = [Shape::Plane(0), ball(-1.1, 0.0, 1.0), ball(1.0, 0.6, 0.7), ball(0.2, 1.8, 0.35)];
-    let source = Source::Point { position: vec3(4.0, 7.0, 5.0), falloff: Falloff::NONE };
-    let shiny = Material { mirror: Rgb::gray(0.25), diffuse: Rgb::new(0.6, 0.2, 0.15), ..Material::MATTE };
-    let lights = [Light { source, color: Rgb::gray(0.8), shadows: true }];
+    let source = LightSource::Point { position: vec3(4.0, 7.0, 5.0), falloff: Falloff::NONE };
+    let shiny =
+        Material { reflection: Rgb::gray(0.25), diffuse: Rgb::new(0.6, 0.2, 0.15), ..Material::MATTE };
+    let lights = [Light { source, color: Rgb::gray(0.8), casts_shadows: true }];
     let planes = [Plane { point: Vec3::ZERO, normal: Vec3::Y, item: ItemId(0) }];
     let materials = [Material { texture: TextureId(0), ..Material::MATTE }, shiny];
-    let scene = Scene::new(Parts {
+    let scene = Scene::new(SceneDescriptor {
         geometry: Geometry { shapes: &shapes, planes: &planes, ..Geometry::EMPTY },
-        made_of: &[MaterialId(0), MaterialId(1), MaterialId(1), MaterialId(1)],
+        material_ids: &[MaterialId(0), MaterialId(1), MaterialId(1), MaterialId(1)],
         materials: &materials,
         textures: &tiles,
         lights: &lights,
         ambient: Rgb::gray(0.15),
         background: strahl_core::Background::Color(Rgb::new(0.5, 0.65, 0.9)),
-        ..Parts::EMPTY
+        ..SceneDescriptor::EMPTY
     })?;
-    let view = View {
-        from: vec3(0.0, 2.2, 6.5),
-        at: vec3(0.0, 0.7, 0.0),
+    let view = CameraDescriptor {
+        position: vec3(0.0, 2.2, 6.5),
+        target: vec3(0.0, 0.7, 0.0),
         up: Vec3::Y,
-        projection: Projection::Perspective { angle: 0.6 },
+        projection: Projection::Perspective { field_of_view: 0.6 },
     };
     let world = World::new(scene, BareList(shapes.len() as u32));
     let limits = Limits { levels: 3, ..Limits::DEFAULT };

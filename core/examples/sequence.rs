@@ -40,7 +40,10 @@ impl Sampler for Jittered {
                 y: pixel.y as f32 + ((index / n) as f32 + y) / n as f32,
             };
             sum += tracer
-                .trace(CameraSample { point: place, stream: SobolSequence::new(pixel.x, pixel.y, index, 0) })
+                .trace(CameraSample {
+                    point: place,
+                    sequence: SobolSequence::new(pixel.x, pixel.y, index, 0),
+                })
                 .color;
         }
         PixelSample { color: sum * (1.0 / (n * n) as f32), hit: HitId::Nothing }

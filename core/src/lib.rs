@@ -45,10 +45,10 @@
 //! use strahl_core::image::{Display, Dither};
 //! use strahl_core::*;
 //!
-//! let scene = Scene::new(Parts { background: Background::Color(Rgb::WHITE), ..Parts::EMPTY })?;
+//! let scene = Scene::new(SceneDescriptor { background: Background::Color(Rgb::WHITE), ..SceneDescriptor::EMPTY })?;
 //! let world = World::new(scene, BareList(0));
-//! let projection = Projection::Perspective { angle: 1.0 };
-//! let view = View { from: Vec3::ZERO, at: vec3(0.0, 0.0, -1.0), up: Vec3::Y, projection };
+//! let projection = Projection::Perspective { field_of_view: 1.0 };
+//! let view = CameraDescriptor { position: Vec3::ZERO, target: vec3(0.0, 0.0, -1.0), up: Vec3::Y, projection };
 //! let resolution = Resolution::new(2, 1).unwrap();
 //! let tracer = Tracer::<_, AllEffects, 1>::new(
 //!     &world,
@@ -124,7 +124,7 @@ pub use render::render;
 #[cfg(feature = "alloc")]
 pub use scene::SceneTables;
 pub use scene::{
-    AllEffects, Background, Camera, Falloff, Light, Material, MaterialId, Parts, Projection, Resolution,
-    Scene, Source, View, World,
+    AllEffects, Background, Camera, CameraDescriptor, Falloff, Light, LightSource, Material, MaterialId,
+    Projection, Resolution, Scene, SceneDescriptor, World,
 };
 pub use trace::{Limits, Tracer, Worker};

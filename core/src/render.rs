@@ -14,19 +14,19 @@ use crate::trace::RayTracer;
 /// use strahl_core::*;
 ///
 /// let shapes = [Shape::Sphere(Sphere { center: vec3(0.0, 0.0, -5.0), radius: 1.0 })];
-/// let scene = Scene::new(Parts {
+/// let scene = Scene::new(SceneDescriptor {
 ///     geometry: Geometry { shapes: &shapes, ..Geometry::EMPTY },
-///     made_of: &[MaterialId(0)],
+///     material_ids: &[MaterialId(0)],
 ///     materials: &[Material::MATTE],
 ///     ambient: Rgb::gray(0.5),
-///     ..Parts::EMPTY
+///     ..SceneDescriptor::EMPTY
 /// })?;
 /// let world = World::new(scene, BareList(1));
-/// let view = View {
-///     from: vec3(0.0, 0.0, 0.0),
-///     at: vec3(0.0, 0.0, -1.0),
+/// let view = CameraDescriptor {
+///     position: vec3(0.0, 0.0, 0.0),
+///     target: vec3(0.0, 0.0, -1.0),
 ///     up: vec3(0.0, 1.0, 0.0),
-///     projection: Projection::Perspective { angle: 1.0 },
+///     projection: Projection::Perspective { field_of_view: 1.0 },
 /// };
 /// let resolution = Resolution::new(3, 3).unwrap();
 /// let camera = Camera::new(&view, resolution)?;

@@ -67,7 +67,7 @@ fn picture(run: &Run) -> Result<Vec<Rgb>, Failure> {
 
 fn traced(limits: Limits, sampler: &mut impl Sampler) -> Result<Vec<Rgb>, Failure> {
     let scene = Scene::new(parts())?;
-    assert_eq!(scene.effects(), Golden::SET);
+    assert_eq!(scene.required_effects(), Golden::SET);
     let world = World::new(scene, List::without_bounds(ITEMS as u32));
     const { assert!(LEVELS <= 16) };
     let tracer = Tracer::<_, AllEffects, 16>::new(&world, Camera::new(&VIEW, SIZE)?, limits)?;

@@ -150,7 +150,7 @@ fn bake_and_draw(
 ) -> Result<(), Box<dyn Error>> {
     std::fs::write(folder.join(name).with_extension("strahl"), bake(tables, asked)?)?;
 
-    let boxes: Vec<Aabb> = tables.parts().geometry.all_bounds().collect();
+    let boxes: Vec<Aabb> = tables.descriptor().geometry.all_bounds().collect();
     let mut groups = vec![Aabb::EMPTY; group_count(boxes.len())];
     let world = World::new(*tables, List::with_boxes(&boxes, &mut groups)?);
     let limits = Limits { levels: asked.levels, cutoff: asked.cutoff };

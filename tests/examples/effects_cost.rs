@@ -70,19 +70,19 @@ fn rows() -> impl Iterator<Item = Row> {
     "fjord.toml" [Triangle, Plane] [Directional] [Gradient] [shadows, reflection];
     "glass.toml" [Sphere, Triangle, Plane, Polygon, OrientedCuboid, Torus] [Point] [Checker] [highlight, shadows, transmission, absorption];
     "gloss.toml" [Sphere, Plane] [Directional] [Checker] [shadows, reflection, transmission, gloss];
-    "knot.toml" [SmoothTriangle, Plane, Cone] [Point] [] [smooth, highlight, shadows, reflection];
-    "lens.toml" [Sphere, Plane] [Directional] [Checker] [highlight, shadows, reflection, lens];
+    "knot.toml" [SmoothTriangle, Plane, Cone] [Point] [] [smooth_shading, highlight, shadows, reflection];
+    "lens.toml" [Sphere, Plane] [Directional] [Checker] [highlight, shadows, reflection, depth_of_field];
     "marbles.toml" [Sphere, Plane, Torus] [Point] [] [highlight, shadows, reflection, transmission, absorption];
-    "motion.toml" [Sphere, Plane, Cuboid] [Directional] [Checker] [highlight, shadows, reflection, motion];
+    "motion.toml" [Sphere, Plane, Cuboid] [Directional] [Checker] [highlight, shadows, reflection, motion_blur];
     "paper.toml" [Disc, Polygon] [Directional] [Gradient] [shadows];
     "penumbra.toml" [Sphere, Plane, OrientedCuboid, Cone, Torus] [Sphere, Rectangle] [] [highlight, shadows, penumbra];
     "pyramid.toml" [Triangle, Plane] [Directional] [] [shadows, reflection];
-    "rotunda.nff" [Sphere, Polygon, Cone] [Point] [] [smooth, highlight, shadows, reflection, transmission];
-    "shapes.toml" [Sphere, SmoothTriangle, Plane, Disc, Polygon, OrientedCuboid, Cone, Torus] [Directional] [] [smooth, highlight, shadows, reflection];
+    "rotunda.nff" [Sphere, Polygon, Cone] [Point] [] [smooth_shading, highlight, shadows, reflection, transmission];
+    "shapes.toml" [Sphere, SmoothTriangle, Plane, Disc, Polygon, OrientedCuboid, Cone, Torus] [Directional] [] [smooth_shading, highlight, shadows, reflection];
     "sphereflake.toml" [Sphere, Plane] [Directional] [] [highlight, shadows, reflection];
     "stage.toml" [Sphere, Plane, Cone] [Spot] [] [highlight, shadows, reflection];
     "stained.toml" [Sphere, Plane, Polygon, Cuboid] [Directional] [] [highlight, shadows, transmission, absorption, colored_shadows];
-    "still-life.toml" [Sphere, SmoothTriangle, Plane, Cuboid, Cone] [Point, Directional, Spot] [Gradient] [smooth, highlight, shadows, reflection, transmission, absorption];
+    "still-life.toml" [Sphere, SmoothTriangle, Plane, Cuboid, Cone] [Point, Directional, Spot] [Gradient] [smooth_shading, highlight, shadows, reflection, transmission, absorption];
     "zoneplate.toml" [Plane] [] [ZonePlate] [];
     }
     .into_iter()
@@ -94,7 +94,7 @@ fn traced<E: Effects>(path: &Path) -> Result<u64, Box<dyn Error>> {
     let description = strahl_scene::load(path)?;
     let stock = single::scene_tables(&description);
     let scene = stock.scene()?;
-    let geometry = scene.parts().geometry;
+    let geometry = scene.descriptor().geometry;
     let boxes: Vec<_> = geometry.all_bounds().collect();
     let size = Resolution::new(SIZE.0, SIZE.1).ok_or("no size")?;
     let camera = Camera::new(&single::view(&description.camera), size)?;
@@ -119,7 +119,7 @@ fn asked(path: &Path) -> Result<EffectSet, Box<dyn Error>> {
     let stock = single::scene_tables(&description);
     let size = Resolution::new(SIZE.0, SIZE.1).ok_or("no size")?;
     let camera = Camera::new(&single::view(&description.camera), size)?;
-    Ok(EffectSet { lens: camera.has_lens(), ..stock.scene()?.effects() })
+    Ok(EffectSet { depth_of_field: camera.has_depth_of_field(), ..stock.scene()?.required_effects() })
 }
 
 /// The hash (FNV-1a) of the picture.

@@ -84,7 +84,7 @@ impl Sampler for Jittered {
             sum += tracer
                 .trace(CameraSample {
                     point: place,
-                    stream: SobolSequence::new(pixel.x, pixel.y, index, self.seed),
+                    sequence: SobolSequence::new(pixel.x, pixel.y, index, self.seed),
                 })
                 .color;
         }
@@ -166,7 +166,7 @@ impl Scene {
     fn jittered(&self) -> Result<Measured, Box<dyn Error>> {
         let stock = strahl_session::tables::single::scene_tables(&self.description);
         let scene = stock.scene()?;
-        let items = scene.parts().geometry.shapes.len() as u32;
+        let items = scene.descriptor().geometry.shapes.len() as u32;
         let world = World::new(scene, BareList(items));
         let camera = Camera::new(&strahl_session::tables::single::view(&self.description.camera), self.size)?;
         let limits = self.settings(SamplerSettings::Single).limits();

@@ -10,8 +10,8 @@ use super::strahl::math::{ROUNDOFF, SobolSequence, try_normalize};
 use super::strahl::scene::{CameraSample, FilmPoint, Shading};
 use super::strahl::tally::{Counters, RayKind};
 use super::strahl::{
-    AllEffects, Camera, Limits, Material, MaterialId, Projection, Real, Resolution, Rgb, Scene, SceneTables,
-    Sphere, Tracer, Vec3, View, Worker, World, vec3,
+    AllEffects, Camera, CameraDescriptor, Limits, Material, MaterialId, Projection, Real, Resolution, Rgb,
+    Scene, SceneTables, Sphere, Tracer, Vec3, Worker, World, vec3,
 };
 use crate::cast::{CoreHit, TestedCore};
 use crate::test_shape::{TestRay, TestShape};
@@ -102,7 +102,7 @@ impl TestScene {
     /// Adds an oriented box.
     pub fn oriented_cuboid(&mut self, center: Vec3, half: Vec3, first: Vec3, third: Vec3) -> ItemId {
         let cuboid = OrientedCuboid::new(center, half, first, third).unwrap();
-        self.tables.add_turned_cuboid(cuboid, self.current_material)
+        self.tables.add_oriented_cuboid(cuboid, self.current_material)
     }
 
     /// Adds a cone or cylinder.
@@ -171,7 +171,7 @@ impl TestScene {
         for index in 0..n {
             let sample = CameraSample {
                 point: FilmPoint { x: 0.5, y: 0.5 },
-                stream: SobolSequence::new(7, 5, index, seed),
+                sequence: SobolSequence::new(7, 5, index, seed),
             };
             let color = tracer.trace(sample, &mut worker).color;
             #[allow(clippy::useless_conversion)] // in the twin
@@ -193,7 +193,7 @@ impl TestScene {
         let tracer = Tracer::<_, AllEffects, 64>::new(&world, one_ray_camera(eye, target), limits).unwrap();
         let mut worker = Worker::new(Counters::new());
         let sample =
-            CameraSample { point: FilmPoint { x: 0.5, y: 0.5 }, stream: SobolSequence::new(0, 0, 0, 0) };
+            CameraSample { point: FilmPoint { x: 0.5, y: 0.5 }, sequence: SobolSequence::new(0, 0, 0, 0) };
         let color = tracer.trace(sample, &mut worker).color;
         assert!(color.is_in_range(Real::MAX), "{color:?} is not a color");
         (color, worker.into_tally())
@@ -206,7 +206,7 @@ fn one_ray_camera(eye: Vec3, target: Vec3) -> Camera {
     let direction = target - eye;
     let up = if direction.x.abs() < direction.y.abs() { Vec3::X } else { Vec3::Y };
     let projection = Projection::Orthographic { height: 1.0 };
-    let view = View { from: eye, at: target, up, projection };
+    let view = CameraDescriptor { position: eye, target: target, up, projection };
     Camera::new(&view, Resolution::new(1, 1).unwrap()).unwrap()
 }
 
@@ -242,14 +242,14 @@ impl TestedCore for TestScene {
         #[allow(clippy::useless_conversion)] // in the twin
         let cast = |ray: &TestRay| {
             let core_ray = Ray::new(narrow(ray.origin), narrow(ray.direction));
-            let hit = unbounded.nearest::<AllEffects, _>(
+            let hit = unbounded.nearest_hit::<AllEffects, _>(
                 &core_ray,
                 Real::INFINITY,
                 RayKind::Camera,
                 &mut (),
                 &mut (),
             );
-            let other_hit = bounded.nearest::<AllEffects, _>(
+            let other_hit = bounded.nearest_hit::<AllEffects, _>(
                 &core_ray,
                 Real::INFINITY,
                 RayKind::Camera,
@@ -259,8 +259,8 @@ impl TestedCore for TestScene {
             let bits = |hit: Hit| (hit.item, hit.t.to_bits());
             assert_eq!(hit.map(bits), other_hit.map(bits), "with boxes: {ray:?}");
             let hit = hit?;
-            let surface = unbounded.surface::<AllEffects>(&core_ray, hit);
-            assert_eq!(surface, bounded.surface::<AllEffects>(&core_ray, hit));
+            let surface = unbounded.surface_interaction::<AllEffects>(&core_ray, hit);
+            assert_eq!(surface, bounded.surface_interaction::<AllEffects>(&core_ray, hit));
             let surface = surface.expect("a hit has a surface");
             Some(CoreHit {
                 item: hit.item.0,

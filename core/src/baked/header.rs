@@ -5,7 +5,7 @@ use zerocopy::{ConvertError, Immutable, KnownLayout, TryFromBytes};
 use super::error::{PackError, PackPart};
 use crate::geometry::Aabb;
 use crate::math::{Real, Rgb};
-use crate::scene::{Background, View};
+use crate::scene::{Background, CameraDescriptor};
 
 /// The first word: `strl`.
 pub(super) const MAGIC: u32 = u32::from_le_bytes(*b"strl");
@@ -69,7 +69,7 @@ pub(super) struct Header {
     pub(super) size: [u32; 2],
     pub(super) levels: u32,
     pub(super) cutoff: Real,
-    pub(super) view: View,
+    pub(super) view: CameraDescriptor,
     pub(super) ambient: Rgb,
     pub(super) background: Background,
     /// One when light passes through bodies on its way from a light, else zero.

@@ -9,7 +9,8 @@ use crate::geometry::{
 };
 use crate::math::{Rgb, Vec3};
 use crate::scene::{
-    Background, Falloff, Interface, Light, Material, MaterialId, Projection, Source, Texture, TextureId, View,
+    Background, CameraDescriptor, Falloff, FresnelModel, Light, LightSource, Material, MaterialId,
+    Projection, Texture, TextureId,
 };
 
 /// Who writes, and how far.
@@ -117,12 +118,12 @@ structs! {
     Torus { center, axis, major_radius, minor_radius }
     MovingShape { shape, offset_at_open, offset_at_close }
     Material {
-        ambient, diffuse, texture, highlight, exponent, mirror, transmitted, roughness, index, interface, clarity,
+        ambient, diffuse, texture, highlight, highlight_exponent, reflection, transmission, roughness, refractive_index, fresnel, attenuation_length,
         priority, two_sided
     }
-    Light { source, color, shadows }
+    Light { source, color, casts_shadows }
     Falloff { constant, linear, quadratic }
-    View { from, at, up, projection }
+    CameraDescriptor { position, target, up, projection }
 }
 
 /// Structs of one number.
@@ -155,7 +156,7 @@ impl Put for LeafEntry {
     }
 }
 
-impl Put for Interface {
+impl Put for FresnelModel {
     fn put(&self, w: &mut Writer<'_>) {
         (*self as u8).put(w);
     }
@@ -192,8 +193,12 @@ impl Put for Texture {
     fn put(&self, w: &mut Writer<'_>) {
         match self {
             Texture::Checker { even, odd, origin, frequency } => variant!(w, 0, even, odd, origin, frequency),
-            Texture::Gradient { from, to, origin, along } => variant!(w, 1, from, to, origin, along),
-            Texture::ZonePlate { from, to, origin, frequency } => variant!(w, 2, from, to, origin, frequency),
+            Texture::Gradient { start_color: from, end_color: to, origin, axis: along } => {
+                variant!(w, 1, from, to, origin, along)
+            }
+            Texture::ZonePlate { start_color: from, end_color: to, origin, frequency } => {
+                variant!(w, 2, from, to, origin, frequency)
+            }
         }
     }
 }
@@ -210,23 +215,25 @@ impl Put for Background {
 impl Put for Projection {
     fn put(&self, w: &mut Writer<'_>) {
         match self {
-            Projection::Perspective { angle } => variant!(w, 0, angle),
+            Projection::Perspective { field_of_view: angle } => variant!(w, 0, angle),
             Projection::Orthographic { height } => variant!(w, 1, height),
-            Projection::Lens { angle, radius, focus } => variant!(w, 2, angle, radius, focus),
+            Projection::ThinLens { field_of_view: angle, lens_radius: radius, focus_distance: focus } => {
+                variant!(w, 2, angle, radius, focus)
+            }
         }
     }
 }
 
-impl Put for Source {
+impl Put for LightSource {
     fn put(&self, w: &mut Writer<'_>) {
         match self {
-            Source::Point { position, falloff } => variant!(w, 0, position, falloff),
-            Source::Directional { toward } => variant!(w, 1, toward),
-            Source::Spot { position, direction, cos_bright, cos_dark, falloff } => {
-                variant!(w, 2, position, direction, cos_bright, cos_dark, falloff)
+            LightSource::Point { position, falloff } => variant!(w, 0, position, falloff),
+            LightSource::Directional { to_light: toward } => variant!(w, 1, toward),
+            LightSource::Spot { position, direction, cos_inner, cos_outer, falloff } => {
+                variant!(w, 2, position, direction, cos_inner, cos_outer, falloff)
             }
-            Source::Sphere { position, radius, falloff } => variant!(w, 3, position, radius, falloff),
-            Source::Rectangle { position, half, soft, falloff } => {
+            LightSource::Sphere { position, radius, falloff } => variant!(w, 3, position, radius, falloff),
+            LightSource::Rectangle { position, half_edges: half, soft_shadows: soft, falloff } => {
                 variant!(w, 4, position, half, soft, falloff)
             }
         }

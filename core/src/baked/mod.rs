@@ -24,7 +24,7 @@ pub use write::Baking;
 use crate::accel::{BareList, Bvh, BvhParts, Grid, GridParts, Octree, OctreeParts};
 use crate::geometry::Geometry;
 use crate::math::Real;
-use crate::scene::{Camera, Parts, Resolution, Scene, View, ViewFault};
+use crate::scene::{Camera, CameraDescriptor, CameraError, Resolution, Scene, SceneDescriptor};
 use header::{Content, Header};
 
 /// What a baked scene is to be walked by.
@@ -86,9 +86,9 @@ impl<'s> Pack<'s> {
             tori: header.table(bytes, Content::Tori)?,
             moving_shapes: header.table(bytes, Content::Moving)?,
         };
-        let parts = Parts {
+        let parts = SceneDescriptor {
             geometry,
-            made_of: header.table(bytes, Content::MadeOf)?,
+            material_ids: header.table(bytes, Content::MadeOf)?,
             materials: header.table(bytes, Content::Materials)?,
             textures: header.table(bytes, Content::Textures)?,
             lights: header.table(bytes, Content::Lights)?,
@@ -124,18 +124,18 @@ impl<'s> Pack<'s> {
     }
 
     /// How the scene is looked at.
-    pub const fn view(&self) -> &'s View {
+    pub const fn view(&self) -> &'s CameraDescriptor {
         &self.header.view
     }
 
     /// The camera of a picture of `size`.
-    pub fn camera(&self, size: Resolution) -> Result<Camera, ViewFault> {
+    pub fn camera(&self, size: Resolution) -> Result<Camera, CameraError> {
         Camera::new(self.view(), size)
     }
 
     /// How many items there are.
     fn count(&self) -> u32 {
-        self.scene.parts().geometry.shapes.len() as u32
+        self.scene.descriptor().geometry.shapes.len() as u32
     }
 
     /// Every item in order: an accelerator that needs nothing.

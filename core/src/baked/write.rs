@@ -5,7 +5,7 @@ use super::layout::{Put, Writer};
 use super::{Finder, Pack};
 use crate::geometry::Aabb;
 use crate::math::Real;
-use crate::scene::{Resolution, Scene, View};
+use crate::scene::{CameraDescriptor, Resolution, Scene};
 
 /// What is to be baked.
 #[derive(Clone, Copy, Debug)]
@@ -13,7 +13,7 @@ pub struct Baking<'b> {
     /// The scene.
     pub scene: Scene<'b>,
     /// How it is looked at.
-    pub view: View,
+    pub view: CameraDescriptor,
     /// The size of the picture.
     pub size: Resolution,
     /// Levels of rays.
@@ -80,9 +80,9 @@ impl Baking<'_> {
         [size.width(), size.height(), u32::from(*levels)].whole(w);
         cutoff.whole(w);
         view.whole(w);
-        scene.parts().ambient.whole(w);
-        scene.parts().background.whole(w);
-        u32::from(scene.parts().colored_shadows).whole(w);
+        scene.descriptor().ambient.whole(w);
+        scene.descriptor().background.whole(w);
+        u32::from(scene.descriptor().colored_shadows).whole(w);
         let nothing = (Aabb::ORIGIN, [0; 3], 0);
         let (kind, (bounds, cells, depth)) = match finder {
             Finder::Bare(_) => (BARE, nothing),
@@ -101,7 +101,7 @@ impl Baking<'_> {
 
     /// In the order of [`Content`].
     fn write_tables(&self, w: &mut Writer<'_>) {
-        let parts = self.scene.parts();
+        let parts = self.scene.descriptor();
         let geometry = &parts.geometry;
         const _: () = assert!(Content::Moving as usize == 10 && Content::Items as usize == 16);
         w.table(geometry.shapes);
@@ -115,7 +115,7 @@ impl Baking<'_> {
         w.table(geometry.cones);
         w.table(geometry.tori);
         w.table(geometry.moving_shapes);
-        w.table(parts.made_of);
+        w.table(parts.material_ids);
         w.table(parts.materials);
         w.table(parts.textures);
         w.table(parts.lights);

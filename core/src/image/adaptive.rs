@@ -46,7 +46,7 @@ impl Parting {
         let place = FilmPoint { x: x as Real * step, y: y as Real * step };
         // In the steps of the greatest depth, so that the numbers do not depend on this one.
         let shift = MOST_DEPTH - self.depth;
-        CameraSample { point: place, stream: SobolSequence::new(x << shift, y << shift, 0, self.seed) }
+        CameraSample { point: place, sequence: SobolSequence::new(x << shift, y << shift, 0, self.seed) }
     }
 }
 

@@ -49,7 +49,7 @@ impl Sampler for Regular {
                 let [x, y] = filtered(self.filter, [middle(x), middle(y)]);
                 mean.add(tracer.trace(CameraSample {
                     point: inside(pixel, x, y),
-                    stream: stream(pixel, index, self.seed),
+                    sequence: stream(pixel, index, self.seed),
                 }));
                 index += 1;
             }

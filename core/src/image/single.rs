@@ -12,6 +12,6 @@ pub struct Single;
 
 impl Sampler for Single {
     fn sample_pixel<R: RayTracer + ?Sized>(&mut self, pixel: Pixel, tracer: &mut R) -> PixelSample {
-        tracer.trace(CameraSample { point: inside(pixel, 0.5, 0.5), stream: stream(pixel, 0, 0) })
+        tracer.trace(CameraSample { point: inside(pixel, 0.5, 0.5), sequence: stream(pixel, 0, 0) })
     }
 }

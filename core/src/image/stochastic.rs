@@ -107,7 +107,7 @@ impl Stochastic {
             let place = stream(pixel, mean.count, self.seed).sample_2d(Dimension::PIXEL);
             let stream = stream(pixel, number(mean.count, place, self.least), self.seed);
             let [x, y] = filtered(self.filter, place);
-            let sample = tracer.trace(CameraSample { point: inside(pixel, x, y), stream });
+            let sample = tracer.trace(CameraSample { point: inside(pixel, x, y), sequence: stream });
             mean.add(sample);
             if is_ruled {
                 spread.add(sample.color);
@@ -254,7 +254,7 @@ mod tests {
     #[test]
     fn a_pixel_that_is_gone_on_with_is_the_one_that_was_begun_with_the_last_rule() {
         let see = |sample: CameraSample| {
-            let [x, y] = sample.stream.sample_2d(Dimension::light(1, 0));
+            let [x, y] = sample.sequence.sample_2d(Dimension::light(1, 0));
             PixelSample { color: Rgb::new(x, y, x * y), hit: HitId::Nothing }
         };
         for (least, most) in [(1, 50), (4, 300), (7, 30), (6, 6)] {
@@ -287,7 +287,7 @@ mod tests {
             Stochastic::new(n).unwrap().sample_pixel(PIXEL, &mut |sample: CameraSample| {
                 let place = [sample.point.x - 40.0, sample.point.y - 9.0];
                 let number = number(index, place, n);
-                assert_eq!(sample.stream, stream(PIXEL, number, 0));
+                assert_eq!(sample.sequence, stream(PIXEL, number, 0));
                 numbers[number as usize] += 1;
                 index += 1;
                 PixelSample::BLACK

@@ -1,6 +1,6 @@
 //! From a place in the picture to a ray.
 
-use super::{Resolution, ViewFault, check};
+use super::{CameraError, Resolution, check};
 use crate::geometry::Ray;
 use crate::math::{
     MAX_COORDINATE, PI, Real, SobolSequence, Vec3, is_in_range, sample_disc_concentric, tan, try_normalize,
@@ -22,18 +22,18 @@ pub struct CameraSample {
     /// Where.
     pub point: FilmPoint,
     /// The numbers from which everything is taken that the ray leaves to chance.
-    pub stream: SobolSequence,
+    pub sequence: SobolSequence,
 }
 
 /// How the scene is looked at, whatever the size of the picture.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "baked", derive(zerocopy::TryFromBytes, zerocopy::KnownLayout, zerocopy::Immutable))]
 #[repr(C)]
-pub struct View {
+pub struct CameraDescriptor {
     /// The eye.
-    pub from: Vec3,
+    pub position: Vec3,
     /// What is in the middle of the picture.
-    pub at: Vec3,
+    pub target: Vec3,
     /// What is up; it need not be upright on the line of sight.
     pub up: Vec3,
     /// How rays run.
@@ -50,7 +50,7 @@ pub enum Projection {
         /// The full angle between the middle of the first row of pixels and that of the last,
         /// in radians, more than zero and less than half a turn (the rule of NFF). A picture
         /// of one row takes it between its upper and its lower edge.
-        angle: Real,
+        field_of_view: Real,
     },
     /// All in one direction.
     Orthographic {
@@ -58,102 +58,102 @@ pub enum Projection {
         height: Real,
     },
     /// All from one lens, and what lies in a plane through its focus is sharp.
-    Lens {
+    ThinLens {
         /// As of [`Projection::Perspective`].
-        angle: Real,
+        field_of_view: Real,
         /// The radius of the lens, more than zero, at most 1e15, in scene lengths.
-        radius: Real,
+        lens_radius: Real,
         /// How far away from the lens everything is sharp, along the line of sight; more than
         /// zero, at most 1e15.
-        focus: Real,
+        focus_distance: Real,
     },
 }
 
 /// Turns places in the picture into rays.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Camera {
-    from: Vec3,
+    position: Vec3,
     forward: Vec3,
     /// From one pixel to the next, at a distance of one (perspective) or anywhere.
-    right: Vec3,
-    down: Vec3,
+    pixel_dx: Vec3,
+    pixel_dy: Vec3,
     /// The middle of the picture.
-    middle: FilmPoint,
-    parallel: bool,
+    center: FilmPoint,
+    is_orthographic: bool,
     /// The radius of the lens, zero for none, and its focus.
-    lens: [Real; 2],
+    thin_lens: [Real; 2],
 }
 
 impl Camera {
     /// The camera of `view` for pictures of `size`.
-    pub fn new(view: &View, size: Resolution) -> Result<Self, ViewFault> {
-        if !(is_in_range(view.from) && is_in_range(view.at) && view.up.is_finite()) {
-            return Err(ViewFault::Coordinate);
+    pub fn new(view: &CameraDescriptor, size: Resolution) -> Result<Self, CameraError> {
+        if !(is_in_range(view.position) && is_in_range(view.target) && view.up.is_finite()) {
+            return Err(CameraError::Coordinate);
         }
-        let forward = try_normalize(view.at - view.from).ok_or(ViewFault::NoDirection)?;
-        let up = try_normalize(view.up).ok_or(ViewFault::NoUp)?;
+        let forward = try_normalize(view.target - view.position).ok_or(CameraError::PositionIsTarget)?;
+        let up = try_normalize(view.up).ok_or(CameraError::UpParallelToView)?;
         let right = forward.cross(up);
         // Below some roundings the direction of what is left is noise.
         if right.dot(right) <= 1e-10 {
-            return Err(ViewFault::NoUp);
+            return Err(CameraError::UpParallelToView);
         }
-        let right = try_normalize(right).ok_or(ViewFault::NoUp)?;
+        let right = try_normalize(right).ok_or(CameraError::UpParallelToView)?;
         let down = forward.cross(right);
         let rows = if size.height() > 1 { size.height() - 1 } else { 1 } as Real;
         let mut lens = [0.0; 2];
         let (height, parallel) = match view.projection {
-            Projection::Perspective { angle } => (film_height(angle)?, false),
-            Projection::Lens { angle, radius, focus } => {
-                positive(radius, ViewFault::Radius)?;
-                positive(focus, ViewFault::Focus)?;
+            Projection::Perspective { field_of_view: angle } => (film_height(angle)?, false),
+            Projection::ThinLens { field_of_view: angle, lens_radius: radius, focus_distance: focus } => {
+                positive(radius, CameraError::LensRadius)?;
+                positive(focus, CameraError::FocusDistance)?;
                 lens = [radius, focus];
                 (film_height(angle)?, false)
             }
             Projection::Orthographic { height } => {
-                positive(height, ViewFault::Height)?;
+                positive(height, CameraError::Height)?;
                 (height, true)
             }
         };
         let step = height / rows;
         let middle = FilmPoint { x: 0.5 * size.width() as Real, y: 0.5 * size.height() as Real };
         Ok(Camera {
-            from: view.from,
+            position: view.position,
             forward,
-            right: right * step,
-            down: down * step,
-            middle,
-            parallel,
-            lens,
+            pixel_dx: right * step,
+            pixel_dy: down * step,
+            center: middle,
+            is_orthographic: parallel,
+            thin_lens: lens,
         })
     }
 
     /// Whether only what is in focus is sharp.
-    pub fn has_lens(&self) -> bool {
-        self.lens[0] > 0.0
+    pub fn has_depth_of_field(&self) -> bool {
+        self.thin_lens[0] > 0.0
     }
 
     /// The ray through a place, and through the point of the lens that `chance` says, a point of
     /// the unit square, whose middle stands for that of the lens.
-    pub(crate) fn lens_ray(&self, place: FilmPoint, chance: [Real; 2]) -> Ray {
-        let [radius, focus] = self.lens;
-        let across = self.right * (place.x - self.middle.x) + self.down * (place.y - self.middle.y);
+    pub(crate) fn thin_lens_ray(&self, place: FilmPoint, chance: [Real; 2]) -> Ray {
+        let [radius, focus] = self.thin_lens;
+        let across = self.pixel_dx * (place.x - self.center.x) + self.pixel_dy * (place.y - self.center.y);
         let [x, y] = sample_disc_concentric(chance);
-        let right = try_normalize(self.right).unwrap_or(Vec3::ZERO);
-        let down = try_normalize(self.down).unwrap_or(Vec3::ZERO);
+        let right = try_normalize(self.pixel_dx).unwrap_or(Vec3::ZERO);
+        let down = try_normalize(self.pixel_dy).unwrap_or(Vec3::ZERO);
         let aside = (right * x + down * y) * radius;
         // All rays through a place meet in the plane of focus.
         let way = (self.forward + across) * focus - aside;
-        Ray::new(self.from + aside, try_normalize(way).unwrap_or(self.forward))
+        Ray::new(self.position + aside, try_normalize(way).unwrap_or(self.forward))
     }
 
     /// The ray through a place, from the middle of the lens where there is one, with a direction of length one.
     pub fn ray(&self, place: FilmPoint) -> Ray {
-        let across = self.right * (place.x - self.middle.x) + self.down * (place.y - self.middle.y);
-        if self.parallel {
-            Ray::with_near_unit_direction(self.from + across, self.forward, 0.0)
+        let across = self.pixel_dx * (place.x - self.center.x) + self.pixel_dy * (place.y - self.center.y);
+        if self.is_orthographic {
+            Ray::with_near_unit_direction(self.position + across, self.forward, 0.0)
         } else {
             Ray::with_near_unit_direction(
-                self.from,
+                self.position,
                 try_normalize(self.forward + across).unwrap_or(self.forward),
                 0.0,
             )
@@ -162,16 +162,16 @@ impl Camera {
 }
 
 /// The height of the film at a distance of 1 that is seen in `angle`.
-fn film_height(angle: Real) -> Result<Real, ViewFault> {
+fn film_height(angle: Real) -> Result<Real, CameraError> {
     if angle > 0.0 && angle < PI {
         Ok(2.0 * tan(0.5 * angle))
     } else {
-        Err(ViewFault::Angle(check::single(angle)))
+        Err(CameraError::FieldOfView(check::single(angle)))
     }
 }
 
 /// Whether a length is more than 0 and in range.
-fn positive(length: Real, error: fn(f32) -> ViewFault) -> Result<(), ViewFault> {
+fn positive(length: Real, error: fn(f32) -> CameraError) -> Result<(), CameraError> {
     if length > 0.0 && length <= MAX_COORDINATE { Ok(()) } else { Err(error(check::single(length))) }
 }
 
@@ -180,11 +180,11 @@ mod tests {
     use super::*;
     use crate::math::{acos, vec3};
 
-    const VIEW: View = View {
-        from: vec3(1.0, 2.0, 3.0),
-        at: vec3(1.0, 2.0, -4.0),
+    const VIEW: CameraDescriptor = CameraDescriptor {
+        position: vec3(1.0, 2.0, 3.0),
+        target: vec3(1.0, 2.0, -4.0),
         up: vec3(0.0, 5.0, 1.0),
-        projection: Projection::Perspective { angle: 0.8 },
+        projection: Projection::Perspective { field_of_view: 0.8 },
     };
 
     fn place(x: Real, y: Real) -> FilmPoint {
@@ -198,13 +198,13 @@ mod tests {
         assert!((acos(top.direction.dot(bottom.direction)) - 0.8).abs() < 1e-6);
         assert!(top.direction.y > 0.0 && bottom.direction.y < 0.0);
         let middle = camera.ray(place(3.5, 2.5));
-        assert_eq!((middle.origin, middle.direction), (VIEW.from, -Vec3::Z));
+        assert_eq!((middle.origin, middle.direction), (VIEW.position, -Vec3::Z));
         assert!(camera.ray(place(6.5, 2.5)).direction.x > 0.0, "right is right");
     }
 
     #[test]
     fn parallel_rays_start_as_far_apart_as_the_height_says() {
-        let view = View { projection: Projection::Orthographic { height: 8.0 }, ..VIEW };
+        let view = CameraDescriptor { projection: Projection::Orthographic { height: 8.0 }, ..VIEW };
         let camera = Camera::new(&view, Resolution::new(5, 5).unwrap()).unwrap();
         let (top, bottom) = (camera.ray(place(2.5, 0.5)), camera.ray(place(2.5, 4.5)));
         assert_eq!(top.direction, bottom.direction);
@@ -214,16 +214,22 @@ mod tests {
     #[test]
     fn views_that_show_nothing_are_refused() {
         let size = Resolution::new(4, 4).unwrap();
-        let fault = |view: View| Camera::new(&view, size).unwrap_err();
-        assert_eq!(fault(View { at: VIEW.from, ..VIEW }), ViewFault::NoDirection);
-        assert_eq!(fault(View { up: vec3(0.0, 0.0, 2.0), ..VIEW }), ViewFault::NoUp);
-        assert_eq!(fault(View { up: Vec3::ZERO, ..VIEW }), ViewFault::NoUp);
-        assert_eq!(fault(View { from: vec3(Real::NAN, 0.0, 0.0), ..VIEW }), ViewFault::Coordinate);
+        let fault = |view: CameraDescriptor| Camera::new(&view, size).unwrap_err();
+        assert_eq!(fault(CameraDescriptor { target: VIEW.position, ..VIEW }), CameraError::PositionIsTarget);
+        assert_eq!(
+            fault(CameraDescriptor { up: vec3(0.0, 0.0, 2.0), ..VIEW }),
+            CameraError::UpParallelToView
+        );
+        assert_eq!(fault(CameraDescriptor { up: Vec3::ZERO, ..VIEW }), CameraError::UpParallelToView);
+        assert_eq!(
+            fault(CameraDescriptor { position: vec3(Real::NAN, 0.0, 0.0), ..VIEW }),
+            CameraError::Coordinate
+        );
         for angle in [0.0, -1.0, PI, 4.0, Real::NAN] {
-            let projection = Projection::Perspective { angle };
-            assert!(matches!(fault(View { projection, ..VIEW }), ViewFault::Angle(_)));
+            let projection = Projection::Perspective { field_of_view: angle };
+            assert!(matches!(fault(CameraDescriptor { projection, ..VIEW }), CameraError::FieldOfView(_)));
         }
-        assert!(Resolution::new(0, 4).is_none() && Resolution::new(4, Resolution::MOST + 1).is_none());
+        assert!(Resolution::new(0, 4).is_none() && Resolution::new(4, Resolution::MAX_SIDE + 1).is_none());
     }
 
     #[test]

@@ -11,7 +11,7 @@ pub struct EffectSet {
     /// Shapes.
     pub shapes: ShapeSet,
     /// Interpolated normals.
-    pub smooth: bool,
+    pub smooth_shading: bool,
     /// Lights.
     pub lights: LightSet,
     /// Textures.
@@ -31,18 +31,18 @@ pub struct EffectSet {
     /// Lights with an extent, so that shadows have soft rims.
     pub penumbra: bool,
     /// A lens, so that only what is in focus is sharp.
-    pub lens: bool,
+    pub depth_of_field: bool,
     /// Rough mirrors and rough glass.
     pub gloss: bool,
     /// Things that move while the shutter is open.
-    pub motion: bool,
+    pub motion_blur: bool,
 }
 
 impl EffectSet {
     /// Nothing: no shape, no light.
     pub const NONE: EffectSet = EffectSet {
         shapes: ShapeSet::NONE,
-        smooth: false,
+        smooth_shading: false,
         lights: LightSet::NONE,
         textures: TextureSet::NONE,
         highlight: false,
@@ -52,15 +52,15 @@ impl EffectSet {
         absorption: false,
         colored_shadows: false,
         penumbra: false,
-        lens: false,
+        depth_of_field: false,
         gloss: false,
-        motion: false,
+        motion_blur: false,
     };
 
     /// Everything there is.
     pub const ALL: EffectSet = EffectSet {
         shapes: ShapeSet::ALL,
-        smooth: true,
+        smooth_shading: true,
         lights: LightSet::ALL,
         textures: TextureSet::ALL,
         highlight: true,
@@ -70,9 +70,9 @@ impl EffectSet {
         absorption: true,
         colored_shadows: true,
         penumbra: true,
-        lens: true,
+        depth_of_field: true,
         gloss: true,
-        motion: true,
+        motion_blur: true,
     };
 
     /// What is in this set and not in `other`.
@@ -81,7 +81,7 @@ impl EffectSet {
             shapes: self.shapes.difference(other.shapes),
             lights: self.lights.difference(other.lights),
             textures: self.textures.difference(other.textures),
-            smooth: self.smooth && !other.smooth,
+            smooth_shading: self.smooth_shading && !other.smooth_shading,
             highlight: self.highlight && !other.highlight,
             shadows: self.shadows && !other.shadows,
             reflection: self.reflection && !other.reflection,
@@ -89,21 +89,21 @@ impl EffectSet {
             absorption: self.absorption && !other.absorption,
             colored_shadows: self.colored_shadows && !other.colored_shadows,
             penumbra: self.penumbra && !other.penumbra,
-            lens: self.lens && !other.lens,
+            depth_of_field: self.depth_of_field && !other.depth_of_field,
             gloss: self.gloss && !other.gloss,
-            motion: self.motion && !other.motion,
+            motion_blur: self.motion_blur && !other.motion_blur,
         }
     }
 
     /// Whether everything in `other` is in this set.
-    pub const fn contains(&self, other: &EffectSet) -> bool {
+    pub const fn is_superset(&self, other: &EffectSet) -> bool {
         const fn implied(asked: bool, able: bool) -> bool {
             able || !asked
         }
         self.shapes.is_superset(other.shapes)
             && self.lights.is_superset(other.lights)
             && self.textures.is_superset(other.textures)
-            && implied(other.smooth, self.smooth)
+            && implied(other.smooth_shading, self.smooth_shading)
             && implied(other.highlight, self.highlight)
             && implied(other.shadows, self.shadows)
             && implied(other.reflection, self.reflection)
@@ -111,9 +111,9 @@ impl EffectSet {
             && implied(other.absorption, self.absorption)
             && implied(other.colored_shadows, self.colored_shadows)
             && implied(other.penumbra, self.penumbra)
-            && implied(other.lens, self.lens)
+            && implied(other.depth_of_field, self.depth_of_field)
             && implied(other.gloss, self.gloss)
-            && implied(other.motion, self.motion)
+            && implied(other.motion_blur, self.motion_blur)
     }
 }
 
@@ -125,7 +125,7 @@ impl fmt::Display for EffectSet {
         let lights = self.lights.iter().map(|kind| [kind.name(), " lights"]);
         let textures = self.textures.iter().map(|kind| [kind.name(), " textures"]);
         let others = [
-            named(self.smooth, "interpolated normals"),
+            named(self.smooth_shading, "interpolated normals"),
             named(self.highlight, "highlights"),
             named(self.shadows, "shadows"),
             named(self.reflection, "reflection"),
@@ -133,9 +133,9 @@ impl fmt::Display for EffectSet {
             named(self.absorption, "absorption"),
             named(self.colored_shadows, "colored shadows"),
             named(self.penumbra, "penumbra"),
-            named(self.lens, "a lens"),
+            named(self.depth_of_field, "a lens"),
             named(self.gloss, "gloss"),
-            named(self.motion, "motion"),
+            named(self.motion_blur, "motion"),
         ];
         let all = shapes.chain(lights).chain(textures).chain(others.into_iter().flatten());
         for ([name, suffix], index) in all.zip(0_u8..) {
@@ -148,9 +148,9 @@ impl fmt::Display for EffectSet {
 
 /// What stands for a ray that is not sent because it would be below the last level.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum LastLevel {
+pub enum LevelLimitRadiance {
     /// Nothing: it brings no light.
-    Nothing,
+    Black,
     /// The background in its direction, as if nothing stood in its way. A mirror that sees
     /// itself ends in the sky and not in a hole.
     Background,

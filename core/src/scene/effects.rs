@@ -4,7 +4,7 @@
 //! can do is a constant of its type, so that everything outside it is compiled away. A tracer
 //! refuses a scene that asks for more than it can do.
 
-use super::{EffectSet, LastLevel};
+use super::{EffectSet, LevelLimitRadiance};
 use crate::geometry::{ShapeFeatures, ShapeSet};
 use crate::math::Real;
 
@@ -32,16 +32,16 @@ pub trait Effects {
 
     /// How far a ray from the eye, a mirror or glass sees, in scene lengths: what lies farther
     /// away is not there. More than zero.
-    const SIGHT: Real = Real::MAX;
+    const MAX_DISTANCE: Real = Real::MAX;
 
     /// What stands for the rays that the levels end.
-    const LAST: LastLevel = LastLevel::Nothing;
+    const LEVEL_LIMIT_RADIANCE: LevelLimitRadiance = LevelLimitRadiance::Black;
 }
 
 impl<E: Effects> ShapeFeatures for E {
     const SHAPES: ShapeSet = E::SET.shapes;
-    const SMOOTH_SHADING: bool = E::SET.smooth;
-    const MOTION_BLUR: bool = E::SET.motion;
+    const SMOOTH_SHADING: bool = E::SET.smooth_shading;
+    const MOTION_BLUR: bool = E::SET.motion_blur;
 }
 
 /// Everything that strahl can do.

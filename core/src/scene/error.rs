@@ -18,8 +18,8 @@ pub enum SceneError {
     Shape(ItemId, ShapeError),
     /// A field of this material is out of range.
     Material(MaterialId, FieldError),
-    /// `made_of` has no entry for this item, or one that is not in the table of materials.
-    NoMaterial(ItemId),
+    /// `material_ids` has no entry for this item, or one that is not in the table of materials.
+    MissingMaterial(ItemId),
     /// A field of the light with this index is out of range.
     Light(usize, FieldError),
     /// A field of the texture with this index is out of range.
@@ -37,8 +37,8 @@ impl fmt::Display for SceneError {
             SceneError::TooManyMaterials => write!(f, "more than 65536 materials"),
             SceneError::Shape(item, error) => write!(f, "object {}: {error}", item.0),
             SceneError::Material(material, error) => write!(f, "material {}: {error}", material.0),
-            SceneError::NoMaterial(item) => {
-                write!(f, "object {}: `made_of` names no entry of `materials`", item.0)
+            SceneError::MissingMaterial(item) => {
+                write!(f, "object {}: `material_ids` names no entry of `materials`", item.0)
             }
             SceneError::Light(light, error) => write!(f, "light {light}: {error}"),
             SceneError::Texture(texture, error) => write!(f, "texture {texture}: {error}"),
@@ -53,40 +53,42 @@ impl core::error::Error for SceneError {}
 /// Why there is no camera for a view.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[non_exhaustive]
-pub enum ViewFault {
+pub enum CameraError {
     /// A coordinate of `from` or `at` is NaN or not within 1e15 of zero, or `up` is not finite.
     Coordinate,
     /// `from` and `at` are the same point.
-    NoDirection,
+    PositionIsTarget,
     /// `up` is zero or parallel to the line of sight.
-    NoUp,
+    UpParallelToView,
     /// The angle of the projection, in radians, is not more than 0 and less than pi.
-    Angle(f32),
+    FieldOfView(f32),
     /// The height of the projection is not more than 0 and at most 1e15.
     Height(f32),
     /// The radius of the lens is not more than 0 and at most 1e15.
-    Radius(f32),
+    LensRadius(f32),
     /// The focal distance of the lens is not more than 0 and at most 1e15.
-    Focus(f32),
+    FocusDistance(f32),
 }
 
-impl fmt::Display for ViewFault {
+impl fmt::Display for CameraError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let length = |f: &mut fmt::Formatter<'_>, field: &str, value: &f32| {
             write!(f, "`{field}` is {}, must be more than 0 and at most 1e15", Decimal(*value))
         };
         match self {
-            ViewFault::Coordinate => f.write_str("the view has a coordinate that is not within 1e15 of zero"),
-            ViewFault::NoDirection => f.write_str("the eye is at the point it looks at"),
-            ViewFault::NoUp => f.write_str("up is parallel to the line of sight"),
-            ViewFault::Angle(angle) => {
+            CameraError::Coordinate => {
+                f.write_str("the view has a coordinate that is not within 1e15 of zero")
+            }
+            CameraError::PositionIsTarget => f.write_str("the eye is at the point it looks at"),
+            CameraError::UpParallelToView => f.write_str("up is parallel to the line of sight"),
+            CameraError::FieldOfView(angle) => {
                 write!(f, "`angle` is {}, must be more than 0 and less than pi (radians)", Decimal(*angle))
             }
-            ViewFault::Height(height) => length(f, "height", height),
-            ViewFault::Radius(radius) => length(f, "radius", radius),
-            ViewFault::Focus(focus) => length(f, "focus", focus),
+            CameraError::Height(height) => length(f, "height", height),
+            CameraError::LensRadius(radius) => length(f, "radius", radius),
+            CameraError::FocusDistance(focus) => length(f, "focus", focus),
         }
     }
 }
 
-impl core::error::Error for ViewFault {}
+impl core::error::Error for CameraError {}

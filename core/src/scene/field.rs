@@ -6,7 +6,7 @@ use crate::math::Decimal;
 
 /// A field whose value is out of range.
 ///
-/// Shown with the value and the range: "`cos_bright` is 1.5, must be at most 1 and at least `cos_dark`".
+/// Shown with the value and the range: "`cos_inner` is 1.5, must be at most 1 and at least `cos_outer`".
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct FieldError {
     /// The field.
@@ -22,27 +22,27 @@ pub struct FieldError {
 #[allow(missing_docs)] // named like the fields
 pub enum Field {
     Above,
-    Along,
+    Axis,
     Ambient,
     Below,
     CellFrequency,
-    Clarity,
+    AttenuationLength,
     Color,
     Constant,
-    CosBright,
-    CosDark,
+    CosInner,
+    CosOuter,
     Diffuse,
     Direction,
     Even,
-    Exponent,
+    HighlightExponent,
     Falloff,
-    From,
-    Half,
-    HalfArea,
+    StartColor,
+    HalfEdges,
+    HalfEdgesArea,
     Highlight,
-    Index,
+    RefractiveIndex,
     Linear,
-    Mirror,
+    Reflection,
     Odd,
     Origin,
     Position,
@@ -51,9 +51,9 @@ pub enum Field {
     RingFrequency,
     Roughness,
     Texture,
-    To,
-    Toward,
-    Transmitted,
+    EndColor,
+    ToLight,
+    Transmission,
     Up,
 }
 
@@ -67,27 +67,27 @@ impl Field {
         const UNIT: &str = "must be 1";
         match self {
             Field::Above => ["`above` has a channel of", CHANNEL],
-            Field::Along => ["`along` has the squared length", "must be more than 0 and finite"],
+            Field::Axis => ["`axis` has the squared length", "must be more than 0 and finite"],
             Field::Ambient => ["`ambient` has a channel of", CHANNEL],
             Field::Below => ["`below` has a channel of", CHANNEL],
             Field::CellFrequency => ["`frequency` has a component of", COORDINATE],
-            Field::Clarity => ["`clarity` has a channel of", "must be more than 0"],
+            Field::AttenuationLength => ["`attenuation_length` has a channel of", "must be more than 0"],
             Field::Color => ["`color` has a channel of", CHANNEL],
             Field::Constant => ["`falloff.constant` is", POSITIVE],
-            Field::CosBright => ["`cos_bright` is", "must be at most 1 and at least `cos_dark`"],
-            Field::CosDark => ["`cos_dark` is", "must be in -1..=1"],
+            Field::CosInner => ["`cos_inner` is", "must be at most 1 and at least `cos_outer`"],
+            Field::CosOuter => ["`cos_outer` is", "must be in -1..=1"],
             Field::Diffuse => ["`diffuse` has a channel of", CHANNEL],
             Field::Direction => ["`direction` has the length", UNIT],
             Field::Even => ["`even` has a channel of", CHANNEL],
-            Field::Exponent => ["`exponent` is", "must be in 0..=1e6"],
+            Field::HighlightExponent => ["`highlight_exponent` is", "must be in 0..=1e6"],
             Field::Falloff => ["`falloff` has the sum", "must be more than 0"],
-            Field::From => ["`from` has a channel of", CHANNEL],
-            Field::Half => ["`half` has a coordinate of", COORDINATE],
-            Field::HalfArea => ["`half` spans the area", "must be more than 0"],
+            Field::StartColor => ["`start_color` has a channel of", CHANNEL],
+            Field::HalfEdges => ["`half_edges` has a coordinate of", COORDINATE],
+            Field::HalfEdgesArea => ["`half_edges` spans the area", "must be more than 0"],
             Field::Highlight => ["`highlight` has a channel of", CHANNEL],
-            Field::Index => ["`index` is", "must be in 0.01..=100"],
+            Field::RefractiveIndex => ["`refractive_index` is", "must be in 0.01..=100"],
             Field::Linear => ["`falloff.linear` is", POSITIVE],
-            Field::Mirror => ["`mirror` has a channel of", SHARE],
+            Field::Reflection => ["`reflection` has a channel of", SHARE],
             Field::Odd => ["`odd` has a channel of", CHANNEL],
             Field::Origin => ["`origin` has a coordinate of", COORDINATE],
             Field::Position => ["`position` has a coordinate of", COORDINATE],
@@ -98,9 +98,9 @@ impl Field {
             Field::Texture => {
                 ["`texture` is", "must be an index of the table of textures, or `TextureId::NONE`"]
             }
-            Field::To => ["`to` has a channel of", CHANNEL],
-            Field::Toward => ["`toward` has the length", UNIT],
-            Field::Transmitted => ["`transmitted` has a channel of", SHARE],
+            Field::EndColor => ["`end_color` has a channel of", CHANNEL],
+            Field::ToLight => ["`to_light` has the length", UNIT],
+            Field::Transmission => ["`transmission` has a channel of", SHARE],
             Field::Up => ["`up` has the length", UNIT],
         }
     }

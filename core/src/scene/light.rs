@@ -17,18 +17,18 @@ use crate::tally::LightOutcome;
 #[repr(C)]
 pub struct Light {
     /// Where it is and where it shines.
-    pub source: Source,
+    pub source: LightSource,
     /// Its radiance at a surface that faces it, before the falloff.
     pub color: Rgb,
     /// Whether things stand in its way.
-    pub shadows: bool,
+    pub casts_shadows: bool,
 }
 
 /// Where a light is and where it shines.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "baked", derive(zerocopy::TryFromBytes, zerocopy::KnownLayout, zerocopy::Immutable))]
 #[repr(u32)]
-pub enum Source {
+pub enum LightSource {
     /// From one place in all directions.
     Point {
         /// The place.
@@ -39,7 +39,7 @@ pub enum Source {
     /// From infinitely far away.
     Directional {
         /// Towards the light, of length one.
-        toward: Vec3,
+        to_light: Vec3,
     },
     /// From one place into a cone.
     Spot {
@@ -48,10 +48,10 @@ pub enum Source {
         /// The middle of the cone, away from the light, of length one.
         direction: Vec3,
         /// The cosine of the angle from the middle up to which it is fully bright.
-        cos_bright: Real,
+        cos_inner: Real,
         /// The cosine of the angle from the middle beyond which it is dark; at most
-        /// `cos_bright`.
-        cos_dark: Real,
+        /// `cos_inner`.
+        cos_outer: Real,
         /// How it fades with the distance.
         falloff: Falloff,
     },
@@ -71,9 +71,9 @@ pub enum Source {
         position: Vec3,
         /// From the middle to the middles of two edges that meet. The front is where the cross
         /// product of the first and the second points to.
-        half: [Vec3; 2],
+        half_edges: [Vec3; 2],
         /// Whether its light comes from everywhere in it, or all of it from the middle.
-        soft: bool,
+        soft_shadows: bool,
         /// How it fades with the distance.
         falloff: Falloff,
     },
@@ -97,9 +97,9 @@ impl Falloff {
     /// As bright at every distance.
     pub const NONE: Falloff = Falloff { constant: 1.0, linear: 0.0, quadratic: 0.0 };
     /// As physics has it: the full brightness at a distance of one.
-    pub const SQUARE: Falloff = Falloff { constant: 0.0, linear: 0.0, quadratic: 1.0 };
+    pub const INVERSE_SQUARE: Falloff = Falloff { constant: 0.0, linear: 0.0, quadratic: 1.0 };
 
-    fn check(&self) -> Result<(), FieldError> {
+    fn validate(&self) -> Result<(), FieldError> {
         let coefficient = |field, x| check::range(field, x, 0.0, 1e15);
         coefficient(Field::Constant, self.constant)?;
         coefficient(Field::Linear, self.linear)?;
@@ -108,7 +108,7 @@ impl Falloff {
         if sum > 0.0 { Ok(()) } else { Err(check::error(Field::Falloff, sum)) }
     }
 
-    fn at(&self, d: Real) -> Real {
+    fn factor_at(&self, d: Real) -> Real {
         let divisor = self.constant + d * (self.linear + d * self.quadratic);
         // Close to a light that has no constant part this grows without bound; it is held.
         let share = 1.0 / divisor;
@@ -118,11 +118,11 @@ impl Falloff {
 
 /// Light that arrives at a surface, if nothing stands in its way.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) struct Beam {
+pub(crate) struct LightSample {
     /// Towards the light, of length one.
-    pub(crate) toward: Vec3,
+    pub(crate) direction: Vec3,
     /// The cosine of the angle between that and the surface's normal, more than zero or very nearly.
-    pub(crate) cos: Real,
+    pub(crate) cos_theta: Real,
     /// How far away the light is; [`Real::MAX`] when it has no place.
     pub(crate) distance: Real,
     /// What arrives on a surface that faces it.
@@ -133,50 +133,50 @@ impl Light {
     /// What kind it is.
     pub const fn kind(&self) -> LightKind {
         match self.source {
-            Source::Point { .. } => LightKind::Point,
-            Source::Directional { .. } => LightKind::Directional,
-            Source::Spot { .. } => LightKind::Spot,
-            Source::Sphere { .. } => LightKind::Sphere,
-            Source::Rectangle { .. } => LightKind::Rectangle,
+            LightSource::Point { .. } => LightKind::Point,
+            LightSource::Directional { .. } => LightKind::Directional,
+            LightSource::Spot { .. } => LightKind::Spot,
+            LightSource::Sphere { .. } => LightKind::Sphere,
+            LightSource::Rectangle { .. } => LightKind::Rectangle,
         }
     }
 
     /// Whether its shadows have soft rims.
-    pub fn is_soft(&self) -> bool {
+    pub fn has_penumbra(&self) -> bool {
         match self.source {
-            Source::Sphere { radius, .. } => radius > 0.0,
-            Source::Rectangle { soft, .. } => soft,
+            LightSource::Sphere { radius, .. } => radius > 0.0,
+            LightSource::Rectangle { soft_shadows: soft, .. } => soft,
             _ => false,
         }
     }
 
-    pub(super) fn check(&self) -> Result<(), FieldError> {
+    pub(super) fn validate(&self) -> Result<(), FieldError> {
         match self.source {
-            Source::Point { position, falloff } => {
+            LightSource::Point { position, falloff } => {
                 check::point(Field::Position, position)?;
-                falloff.check()?;
+                falloff.validate()?;
             }
-            Source::Directional { toward } => check::direction(Field::Toward, toward)?,
-            Source::Spot { position, direction, cos_bright, cos_dark, falloff } => {
+            LightSource::Directional { to_light: toward } => check::direction(Field::ToLight, toward)?,
+            LightSource::Spot { position, direction, cos_inner, cos_outer, falloff } => {
                 check::point(Field::Position, position)?;
                 check::direction(Field::Direction, direction)?;
-                check::range(Field::CosDark, cos_dark, -1.0, 1.0)?;
-                check::range(Field::CosBright, cos_bright, cos_dark, 1.0)?;
-                falloff.check()?;
+                check::range(Field::CosOuter, cos_outer, -1.0, 1.0)?;
+                check::range(Field::CosInner, cos_inner, cos_outer, 1.0)?;
+                falloff.validate()?;
             }
-            Source::Sphere { position, radius, falloff } => {
+            LightSource::Sphere { position, radius, falloff } => {
                 check::point(Field::Position, position)?;
                 check::range(Field::Radius, radius, 0.0, MAX_COORDINATE)?;
-                falloff.check()?;
+                falloff.validate()?;
             }
-            Source::Rectangle { position, half: [a, b], falloff, .. } => {
+            LightSource::Rectangle { position, half_edges: [a, b], falloff, .. } => {
                 check::point(Field::Position, position)?;
-                check::point(Field::Half, a)?;
-                check::point(Field::Half, b)?;
+                check::point(Field::HalfEdges, a)?;
+                check::point(Field::HalfEdges, b)?;
                 if try_normalize(a.cross(b)).is_none() {
-                    return Err(check::error(Field::HalfArea, 0.0));
+                    return Err(check::error(Field::HalfEdgesArea, 0.0));
                 }
-                falloff.check()?;
+                falloff.validate()?;
             }
         }
         check::color(Field::Color, self.color, Rgb::MAX_CHANNEL)
@@ -187,13 +187,13 @@ impl Light {
     /// light; else why there is none: where it does not shine or lies behind the surface, and for a
     /// kind that is not among the `able` ones. Inlined, so that the arms outside a constant set are compiled away.
     #[inline(always)]
-    pub(crate) fn beam(
+    pub(crate) fn sample(
         &self,
         point: Vec3,
         normal: Vec3,
         able: LightSet,
         chance: impl FnOnce() -> [Real; 2],
-    ) -> Result<Beam, LightOutcome> {
+    ) -> Result<LightSample, LightOutcome> {
         let from = |position: Vec3, falloff: &Falloff| {
             let way = position - point;
             // Asked before any root is taken.
@@ -202,32 +202,42 @@ impl Light {
                 return Err(LightOutcome::BackFacing);
             }
             let (toward, distance) = try_normalize_and_length(way).ok_or(LightOutcome::NoEmission)?;
-            Ok(Beam { toward, cos: facing / distance, distance, color: self.color * falloff.at(distance) })
+            Ok(LightSample {
+                direction: toward,
+                cos_theta: facing / distance,
+                distance,
+                color: self.color * falloff.factor_at(distance),
+            })
         };
         match &self.source {
-            Source::Point { position, falloff } if able.contains(LightKind::Point) => {
+            LightSource::Point { position, falloff } if able.contains(LightKind::Point) => {
                 from(*position, falloff)
             }
-            Source::Directional { toward } if able.contains(LightKind::Directional) => {
+            LightSource::Directional { to_light: toward } if able.contains(LightKind::Directional) => {
                 let cos = normal.dot(*toward);
-                let beam = Beam { toward: *toward, cos, distance: Real::MAX, color: self.color };
+                let beam = LightSample {
+                    direction: *toward,
+                    cos_theta: cos,
+                    distance: Real::MAX,
+                    color: self.color,
+                };
                 if cos > 0.0 { Ok(beam) } else { Err(LightOutcome::BackFacing) }
             }
-            Source::Spot { position, direction, cos_bright, cos_dark, falloff }
+            LightSource::Spot { position, direction, cos_inner, cos_outer, falloff }
                 if able.contains(LightKind::Spot) =>
             {
                 let mut beam = from(*position, falloff)?;
-                let cos = -beam.toward.dot(*direction);
-                if cos < *cos_dark {
+                let cos = -beam.direction.dot(*direction);
+                if cos < *cos_outer {
                     return Err(LightOutcome::NoEmission);
                 }
                 // From dark to bright without a crease at either end (smoothstep).
-                let s = clamp((cos - cos_dark) / (cos_bright - cos_dark), 0.0, 1.0);
-                let s = if cos >= *cos_bright { 1.0 } else { s };
+                let s = clamp((cos - cos_outer) / (cos_inner - cos_outer), 0.0, 1.0);
+                let s = if cos >= *cos_inner { 1.0 } else { s };
                 beam.color = beam.color * (s * s * (3.0 - 2.0 * s));
                 Ok(beam)
             }
-            Source::Sphere { position, radius, falloff } if able.contains(LightKind::Sphere) => {
+            LightSource::Sphere { position, radius, falloff } if able.contains(LightKind::Sphere) => {
                 if !(*radius > 0.0) {
                     return from(*position, falloff);
                 }
@@ -244,21 +254,21 @@ impl Light {
                 let inside = *radius * *radius - (middle.dot(middle) - along * along);
                 let entry = along - sqrt(if inside > 0.0 { inside } else { 0.0 });
                 // Zero where the point is inside the light.
-                let beam = Beam {
-                    toward,
-                    cos,
+                let beam = LightSample {
+                    direction: toward,
+                    cos_theta: cos,
                     distance: if entry > 0.0 { entry } else { 0.0 },
-                    color: self.color * falloff.at(distance),
+                    color: self.color * falloff.factor_at(distance),
                 };
                 if cos > 0.0 { Ok(beam) } else { Err(LightOutcome::BackFacing) }
             }
-            Source::Rectangle { position, half: [a, b], soft, falloff }
+            LightSource::Rectangle { position, half_edges: [a, b], soft_shadows: soft, falloff }
                 if able.contains(LightKind::Rectangle) =>
             {
                 let [u, v] = if *soft { chance() } else { [0.5, 0.5] };
                 let place = *position + *a * (2.0 * u - 1.0) + *b * (2.0 * v - 1.0);
                 let mut beam = from(place, falloff)?;
-                let cos = -beam.toward.dot(try_normalize(a.cross(*b)).ok_or(LightOutcome::NoEmission)?);
+                let cos = -beam.direction.dot(try_normalize(a.cross(*b)).ok_or(LightOutcome::NoEmission)?);
                 beam.color = beam.color * cos;
                 if cos > 0.0 { Ok(beam) } else { Err(LightOutcome::NoEmission) }
             }

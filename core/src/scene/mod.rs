@@ -10,7 +10,7 @@ mod error;
 #[cfg(not(feature = "double"))]
 mod field;
 #[cfg(not(feature = "double"))]
-mod interface;
+mod fresnel;
 #[cfg(not(feature = "double"))]
 mod kind;
 mod light;
@@ -32,19 +32,19 @@ mod world;
 use strahl_core::scene as shading;
 #[cfg(feature = "double")]
 use strahl_core::scene::{
-    self as effect_set, self as error, self as field, self as interface, self as kind, self as reference,
+    self as effect_set, self as error, self as field, self as fresnel, self as kind, self as reference,
     self as resolution,
 };
 
-pub use camera::{Camera, CameraSample, FilmPoint, Projection, View};
-pub use effect_set::{EffectSet, LastLevel};
+pub use camera::{Camera, CameraDescriptor, CameraSample, FilmPoint, Projection};
+pub use effect_set::{EffectSet, LevelLimitRadiance};
 pub use effects::{AllEffects, Effects};
-pub use error::{SceneError, ViewFault};
+pub use error::{CameraError, SceneError};
 pub use field::{Field, FieldError};
-pub use interface::Interface;
+pub use fresnel::FresnelModel;
 pub use kind::{LightKind, LightSet, TextureKind, TextureSet};
-pub(crate) use light::Beam;
-pub use light::{Falloff, Light, Source};
+pub(crate) use light::LightSample;
+pub use light::{Falloff, Light, LightSource};
 pub use material::Material;
 pub use reference::{MaterialId, TextureId};
 pub use resolution::Resolution;
@@ -77,7 +77,7 @@ pub enum Background {
 }
 
 impl Background {
-    fn check(&self) -> Result<(), FieldError> {
+    fn validate(&self) -> Result<(), FieldError> {
         match *self {
             Background::Color(color) => check::color(Field::Color, color, Rgb::MAX_CHANNEL),
             Background::Gradient { up, below, above } => {
@@ -89,7 +89,7 @@ impl Background {
     }
 
     /// The colour in a direction of length one.
-    pub fn toward(&self, direction: Vec3) -> Rgb {
+    pub fn radiance(&self, direction: Vec3) -> Rgb {
         match *self {
             Background::Color(color) => color,
             Background::Gradient { up, below, above } => {
@@ -101,11 +101,11 @@ impl Background {
 
 /// Everything that a scene is made of, before it is checked.
 #[derive(Clone, Copy, Debug)]
-pub struct Parts<'s> {
+pub struct SceneDescriptor<'s> {
     /// What is there.
     pub geometry: Geometry<'s>,
     /// What each item is made of, by its number.
-    pub made_of: &'s [MaterialId],
+    pub material_ids: &'s [MaterialId],
     /// The materials.
     pub materials: &'s [Material],
     /// The textures that materials name.
@@ -121,11 +121,11 @@ pub struct Parts<'s> {
     pub colored_shadows: bool,
 }
 
-impl Parts<'_> {
+impl SceneDescriptor<'_> {
     /// Empty, dark space; a scene names what it has and takes the rest from here.
-    pub const EMPTY: Parts<'static> = Parts {
+    pub const EMPTY: SceneDescriptor<'static> = SceneDescriptor {
         geometry: Geometry::EMPTY,
-        made_of: &[],
+        material_ids: &[],
         materials: &[],
         textures: &[],
         lights: &[],
@@ -135,9 +135,9 @@ impl Parts<'_> {
     };
 
     /// The memory that all tables take, in bytes.
-    pub const fn bytes(&self) -> usize {
+    pub const fn size_in_bytes(&self) -> usize {
         self.geometry.size_in_bytes()
-            + size_of_val(self.made_of)
+            + size_of_val(self.material_ids)
             + size_of_val(self.materials)
             + size_of_val(self.textures)
             + size_of_val(self.lights)
@@ -147,28 +147,28 @@ impl Parts<'_> {
 /// A scene that has been checked: every reference finds its table, every number is in range.
 #[derive(Clone, Copy, Debug)]
 pub struct Scene<'s> {
-    parts: Parts<'s>,
-    asks: EffectSet,
+    descriptor: SceneDescriptor<'s>,
+    required_effects: EffectSet,
 }
 
 impl<'s> Scene<'s> {
     /// The scene of these parts, or what is wrong with the first of them that does not fit.
     ///
     /// ```
-    /// use strahl_core::{Geometry, Light, Material, MaterialId, Parts, Rgb, Scene, Shape, Sphere, vec3};
+    /// use strahl_core::{Geometry, Light, Material, MaterialId, SceneDescriptor, Rgb, Scene, Shape, Sphere, vec3};
     ///
     /// let shapes = [Shape::Sphere(Sphere { center: vec3(0.0, 0.0, -5.0), radius: 1.0 })];
-    /// let scene = Scene::new(Parts {
+    /// let scene = Scene::new(SceneDescriptor {
     ///     geometry: Geometry { shapes: &shapes, ..Geometry::EMPTY },
-    ///     made_of: &[MaterialId(0)],
+    ///     material_ids: &[MaterialId(0)],
     ///     materials: &[Material::MATTE],
     ///     ambient: Rgb::gray(0.2),
-    ///     ..Parts::EMPTY
+    ///     ..SceneDescriptor::EMPTY
     /// })?;
-    /// assert!(!scene.effects().shadows); // there is no light that could be in the way of
+    /// assert!(!scene.required_effects().shadows); // there is no light that could be in the way of
     /// # Ok::<(), strahl_core::scene::SceneError>(())
     /// ```
-    pub fn new(parts: Parts<'s>) -> Result<Self, SceneError> {
+    pub fn new(parts: SceneDescriptor<'s>) -> Result<Self, SceneError> {
         if u32::try_from(parts.geometry.shapes.len()).is_err() {
             return Err(SceneError::TooManyItems);
         }
@@ -178,70 +178,70 @@ impl<'s> Scene<'s> {
         }
         for (material, place) in parts.materials.iter().zip(0..=u16::MAX) {
             let wrong = |fault| SceneError::Material(MaterialId(place), fault);
-            material.check(parts.textures.len()).map_err(wrong)?;
+            material.validate(parts.textures.len()).map_err(wrong)?;
         }
         for number in 0..parts.geometry.shapes.len() {
-            let material = parts.made_of.get(number).and_then(|m| parts.materials.get(usize::from(m.0)));
+            let material = parts.material_ids.get(number).and_then(|m| parts.materials.get(usize::from(m.0)));
             if material.is_none() {
-                return Err(SceneError::NoMaterial(ItemId(number as u32)));
+                return Err(SceneError::MissingMaterial(ItemId(number as u32)));
             }
         }
         for (light, index) in parts.lights.iter().zip(0..) {
-            light.check().map_err(|error| SceneError::Light(index, error))?;
+            light.validate().map_err(|error| SceneError::Light(index, error))?;
         }
         for (texture, index) in parts.textures.iter().zip(0..) {
-            texture.check().map_err(|error| SceneError::Texture(index, error))?;
+            texture.validate().map_err(|error| SceneError::Texture(index, error))?;
         }
         check::color(Field::Ambient, parts.ambient, Rgb::MAX_CHANNEL).map_err(SceneError::Ambient)?;
-        parts.background.check().map_err(SceneError::Background)?;
-        Ok(Scene { parts, asks: asked_by(&parts) })
+        parts.background.validate().map_err(SceneError::Background)?;
+        Ok(Scene { descriptor: parts, required_effects: find_required_effects(&parts) })
     }
 
     /// What it is made of.
-    pub fn parts(&self) -> &Parts<'s> {
-        &self.parts
+    pub fn descriptor(&self) -> &SceneDescriptor<'s> {
+        &self.descriptor
     }
 
     /// What must be simulated: what its shapes, materials and lights ask for, and no more. A
     /// material that no item is made of asks for nothing.
-    pub fn effects(&self) -> EffectSet {
-        self.asks
+    pub fn required_effects(&self) -> EffectSet {
+        self.required_effects
     }
 
     /// What an item is made of.
     pub fn material(&self, item: ItemId) -> Option<&'s Material> {
-        let place = self.parts.made_of.get(item.0 as usize)?.0;
-        self.parts.materials.get(usize::from(place))
+        let place = self.descriptor.material_ids.get(item.0 as usize)?.0;
+        self.descriptor.materials.get(usize::from(place))
     }
 }
 
-fn asked_by(parts: &Parts<'_>) -> EffectSet {
+fn find_required_effects(parts: &SceneDescriptor<'_>) -> EffectSet {
     let mut asks = EffectSet::NONE;
     let mut lit = false;
-    for (shape, made_of) in parts.geometry.shapes.iter().zip(parts.made_of) {
-        asks.motion |= matches!(shape, Shape::Moving(_));
+    for (shape, material_id) in parts.geometry.shapes.iter().zip(parts.material_ids) {
+        asks.motion_blur |= matches!(shape, Shape::Moving(_));
         let Some(shape) = parts.geometry.static_shape(shape) else { continue };
         asks.shapes = shape.kind().map_or(asks.shapes, |kind| asks.shapes.with(kind));
-        asks.smooth |= match *shape {
+        asks.smooth_shading |= match *shape {
             Shape::SmoothTriangle(_) => true,
             Shape::Polygon(place) => parts.geometry.polygons.get(place as usize).is_some_and(|p| p.smooth),
             _ => false,
         };
-        let Some(material) = parts.materials.get(usize::from(made_of.0)) else { continue };
+        let Some(material) = parts.materials.get(usize::from(material_id.0)) else { continue };
         lit |= material.is_lit();
-        asks.highlight |= material.is_shiny() && !parts.lights.is_empty();
-        asks.reflection |= !material.mirror.is_black();
+        asks.highlight |= material.has_highlight() && !parts.lights.is_empty();
+        asks.reflection |= !material.reflection.is_black();
         asks.transmission |= material.is_transmitting();
         asks.absorption |= material.is_absorbing();
-        asks.gloss |= material.is_rough();
+        asks.gloss |= material.is_glossy();
         if let Some(texture) = parts.textures.get(usize::from(material.texture.0)) {
             asks.textures = asks.textures.with(texture.kind());
         }
     }
     for light in parts.lights.iter().filter(|light| lit && !light.color.is_black()) {
         asks.lights = asks.lights.with(light.kind());
-        asks.shadows |= light.shadows;
-        asks.penumbra |= light.is_soft();
+        asks.shadows |= light.casts_shadows;
+        asks.penumbra |= light.has_penumbra();
     }
     asks.colored_shadows = parts.colored_shadows && asks.shadows && asks.transmission;
     asks
@@ -255,20 +255,26 @@ mod tests {
 
     const BALL: Shape = Shape::Sphere(Sphere { center: Vec3::ZERO, radius: 1.0 });
     const LAMP: Light = Light {
-        source: Source::Point { position: Vec3::ONE, falloff: Falloff::NONE },
+        source: LightSource::Point { position: Vec3::ONE, falloff: Falloff::NONE },
         color: Rgb::WHITE,
-        shadows: true,
+        casts_shadows: true,
     };
 
-    fn parts<'s>(shapes: &'s [Shape], materials: &'s [Material]) -> Parts<'s> {
+    fn parts<'s>(shapes: &'s [Shape], materials: &'s [Material]) -> SceneDescriptor<'s> {
         let geometry = Geometry { shapes, ..Geometry::EMPTY };
-        Parts { geometry, made_of: &[MaterialId(0)], materials, lights: &[LAMP], ..Parts::EMPTY }
+        SceneDescriptor {
+            geometry,
+            material_ids: &[MaterialId(0)],
+            materials,
+            lights: &[LAMP],
+            ..SceneDescriptor::EMPTY
+        }
     }
 
     #[test]
     fn a_scene_asks_for_what_its_items_are_made_of_and_no_more() {
         let matte = [Material::MATTE];
-        let asks = Scene::new(parts(&[BALL], &matte)).unwrap().effects();
+        let asks = Scene::new(parts(&[BALL], &matte)).unwrap().required_effects();
         let local = EffectSet {
             shapes: crate::geometry::ShapeSet::of(&[crate::geometry::ShapeKind::Sphere]),
             lights: LightSet::of(&[LightKind::Point]),
@@ -277,12 +283,12 @@ mod tests {
         };
         assert_eq!(asks, local);
         // The second material is nobody's.
-        let glass = Material { transmitted: Rgb::WHITE, ..Material::MATTE };
-        let asks = Scene::new(parts(&[BALL], &[Material::MATTE, glass])).unwrap().effects();
+        let glass = Material { transmission: Rgb::WHITE, ..Material::MATTE };
+        let asks = Scene::new(parts(&[BALL], &[Material::MATTE, glass])).unwrap().required_effects();
         assert_eq!(asks, local);
-        let asks = Scene::new(parts(&[BALL], &[glass])).unwrap().effects();
+        let asks = Scene::new(parts(&[BALL], &[glass])).unwrap().required_effects();
         assert_eq!(asks, EffectSet { transmission: true, ..local });
-        assert!(EffectSet::ALL.contains(&asks) && !local.contains(&asks));
+        assert!(EffectSet::ALL.is_superset(&asks) && !local.is_superset(&asks));
     }
 
     #[test]
@@ -297,15 +303,18 @@ mod tests {
             fault(parts(&[Shape::Triangle([0, 1, 2])], &matte)),
             SceneError::Shape(ItemId(0), ShapeError::IndexOutOfRange)
         );
-        assert_eq!(fault(parts(&[BALL], &[])), SceneError::NoMaterial(ItemId(0)));
-        let dark = [Material { clarity: Rgb::BLACK, ..Material::MATTE }];
+        assert_eq!(fault(parts(&[BALL], &[])), SceneError::MissingMaterial(ItemId(0)));
+        let dark = [Material { attenuation_length: Rgb::BLACK, ..Material::MATTE }];
         assert_eq!(
             fault(parts(&[BALL], &dark)),
-            SceneError::Material(MaterialId(0), FieldError { field: Field::Clarity, value: 0.0 })
+            SceneError::Material(MaterialId(0), FieldError { field: Field::AttenuationLength, value: 0.0 })
         );
         let lamp = [Light { color: Rgb::gray(-1.0), ..LAMP }];
         let dark = FieldError { field: Field::Color, value: -1.0 };
-        assert_eq!(fault(Parts { lights: &lamp, ..parts(&[BALL], &matte) }), SceneError::Light(0, dark));
+        assert_eq!(
+            fault(SceneDescriptor { lights: &lamp, ..parts(&[BALL], &matte) }),
+            SceneError::Light(0, dark)
+        );
     }
 
     #[test]
@@ -313,7 +322,7 @@ mod tests {
         let matte = [Material::MATTE];
         let planes = [Plane { point: Vec3::ZERO, normal: Vec3::Y, item: ItemId(1) }];
         let geometry = Geometry { shapes: &[Shape::Plane(0)], planes: &planes, ..Geometry::EMPTY };
-        let fault = Scene::new(Parts { geometry, ..parts(&[], &matte) }).unwrap_err();
+        let fault = Scene::new(SceneDescriptor { geometry, ..parts(&[], &matte) }).unwrap_err();
         assert_eq!(fault, SceneError::Shape(ItemId(0), ShapeError::PlaneItem));
     }
 }

@@ -10,11 +10,11 @@ pub struct Resolution {
 impl Resolution {
     /// The most pixels along one side: places stay exact in single precision, with room for
     /// samples inside a pixel.
-    pub const MOST: u32 = 1 << 16;
+    pub const MAX_SIDE: u32 = 1 << 16;
 
     /// A size; none when a side is 0 or more than [`Resolution::MOST`].
     pub const fn new(width: u32, height: u32) -> Option<Self> {
-        if width == 0 || height == 0 || width > Self::MOST || height > Self::MOST {
+        if width == 0 || height == 0 || width > Self::MAX_SIDE || height > Self::MAX_SIDE {
             return None;
         }
         Some(Resolution { width, height })

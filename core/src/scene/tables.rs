@@ -7,7 +7,9 @@
 use alloc::vec::Vec;
 use core::ops::Range;
 
-use super::{Background, Light, Material, MaterialId, Parts, Scene, SceneError, Shading, Texture, TextureId};
+use super::{
+    Background, Light, Material, MaterialId, Scene, SceneDescriptor, SceneError, Shading, Texture, TextureId,
+};
 use crate::geometry::{
     Aabb, Cone, Cuboid, Disc, Geometry, ItemId, MovingShape, OrientedCuboid, Plane, Polygon, Shape,
     ShapeError, Sphere, Torus,
@@ -29,7 +31,7 @@ use crate::math::{Rgb, Vec3};
 /// assert_eq!((ball.0, floor.0), (0, 1));
 ///
 /// let scene = tables.scene()?;
-/// assert_eq!(scene.parts().geometry.shapes.len(), 2);
+/// assert_eq!(scene.descriptor().geometry.shapes.len(), 2);
 /// # Ok::<(), strahl_core::scene::SceneError>(())
 /// ```
 #[derive(Clone, Debug)]
@@ -45,7 +47,7 @@ pub struct SceneTables {
     cones: Vec<Cone>,
     tori: Vec<Torus>,
     moving_shapes: Vec<MovingShape>,
-    made_of: Vec<MaterialId>,
+    material_ids: Vec<MaterialId>,
     materials: Vec<Material>,
     textures: Vec<Texture>,
     /// The lights.
@@ -54,7 +56,7 @@ pub struct SceneTables {
     pub ambient: Rgb,
     /// What rays see that hit nothing.
     pub background: Background,
-    /// Whether shadow rays pass through transmitting bodies, as of [`Parts::colored_shadows`].
+    /// Whether shadow rays pass through transmitting bodies, as of [`SceneDescriptor::colored_shadows`].
     pub colored_shadows: bool,
 }
 
@@ -79,12 +81,12 @@ impl SceneTables {
             cones: Vec::new(),
             tori: Vec::new(),
             moving_shapes: Vec::new(),
-            made_of: Vec::new(),
+            material_ids: Vec::new(),
             materials: Vec::new(),
             textures: Vec::new(),
             lights: Vec::new(),
             ambient: Rgb::BLACK,
-            background: Parts::EMPTY.background,
+            background: SceneDescriptor::EMPTY.background,
             colored_shadows: false,
         }
     }
@@ -134,7 +136,7 @@ impl SceneTables {
     }
 
     /// Adds an oriented box.
-    pub fn add_turned_cuboid(&mut self, cuboid: OrientedCuboid, material: MaterialId) -> ItemId {
+    pub fn add_oriented_cuboid(&mut self, cuboid: OrientedCuboid, material: MaterialId) -> ItemId {
         let cuboid = push(&mut self.oriented_cuboids, cuboid);
         self.add_shape(Shape::OrientedCuboid(cuboid), material)
     }
@@ -192,7 +194,7 @@ impl SceneTables {
         // An index that is out of range stays so.
         let indices = triangles.iter().map(|vertices| vertices.map(|vertex| first.saturating_add(vertex)));
         self.shapes.extend(indices.map(shape));
-        self.made_of.resize(self.shapes.len(), material);
+        self.material_ids.resize(self.shapes.len(), material);
         start..self.next_item()
     }
 
@@ -265,12 +267,12 @@ impl SceneTables {
 
     /// The bounds of all items, from which accelerators are built ([`Geometry::all_bounds`]).
     pub fn bounds(&self) -> Vec<Aabb> {
-        self.parts().geometry.all_bounds().collect()
+        self.descriptor().geometry.all_bounds().collect()
     }
 
     /// The tables, not yet checked.
-    pub fn parts(&self) -> Parts<'_> {
-        Parts {
+    pub fn descriptor(&self) -> SceneDescriptor<'_> {
+        SceneDescriptor {
             geometry: Geometry {
                 shapes: &self.shapes,
                 vertices: &self.vertices,
@@ -284,7 +286,7 @@ impl SceneTables {
                 tori: &self.tori,
                 moving_shapes: &self.moving_shapes,
             },
-            made_of: &self.made_of,
+            material_ids: &self.material_ids,
             materials: &self.materials,
             textures: &self.textures,
             lights: &self.lights,
@@ -300,7 +302,7 @@ impl SceneTables {
     ///
     /// As of [`Scene::new`], for the first entry that is out of range or refers to nothing.
     pub fn scene(&self) -> Result<Scene<'_>, SceneError> {
-        Scene::new(self.parts())
+        Scene::new(self.descriptor())
     }
 
     fn next_item(&self) -> ItemId {
@@ -310,7 +312,7 @@ impl SceneTables {
     fn add_shape(&mut self, shape: Shape, material: MaterialId) -> ItemId {
         let item = self.next_item();
         self.shapes.push(shape);
-        self.made_of.push(material);
+        self.material_ids.push(material);
         item
     }
 }
@@ -338,8 +340,10 @@ mod tests {
         tables.add_sphere(BALL, matte);
         tables.add_disc(Disc { center: Vec3::ZERO, normal: Vec3::Y, radius: 1.0 }, matte);
         tables.add_cuboid(Cuboid { min: Vec3::ZERO, max: Vec3::ONE }, matte);
-        tables
-            .add_turned_cuboid(OrientedCuboid::new(Vec3::ZERO, Vec3::ONE, Vec3::X, Vec3::Z).unwrap(), matte);
+        tables.add_oriented_cuboid(
+            OrientedCuboid::new(Vec3::ZERO, Vec3::ONE, Vec3::X, Vec3::Z).unwrap(),
+            matte,
+        );
         tables.add_cone(Cone::new(Vec3::ZERO, 1.0, Vec3::Y, 0.5, true).unwrap(), matte);
         tables.add_torus(
             Torus { center: Vec3::ZERO, axis: Vec3::Y, major_radius: 1.0, minor_radius: 0.25 },
@@ -351,9 +355,9 @@ mod tests {
         tables.add_polygon(first..first + 4, Shading::Flat, matte).unwrap();
         tables.set_motion(smooth.start, Vec3::ZERO, Vec3::X);
         assert_eq!(tables.len(), 11);
-        let effects = tables.scene().unwrap().effects();
+        let effects = tables.scene().unwrap().required_effects();
         assert_eq!(effects.shapes, crate::geometry::ShapeSet::ALL);
-        assert!(effects.motion && effects.smooth);
+        assert!(effects.motion_blur && effects.smooth_shading);
     }
 
     #[test]
@@ -363,7 +367,7 @@ mod tests {
         let a = tables.add_mesh(&CORNERS, &[], &[[0, 1, 2]], matte);
         let b = tables.add_mesh(&CORNERS, &[Vec3::Z; 4], &[[0, 1, 2], [0, 2, 3]], matte);
         assert_eq!((a, b), (ItemId(0)..ItemId(1), ItemId(1)..ItemId(3)));
-        let shapes = tables.parts().geometry.shapes;
+        let shapes = tables.descriptor().geometry.shapes;
         assert_eq!(shapes[1], Shape::SmoothTriangle([4, 5, 6]));
         tables.scene().unwrap();
     }
@@ -372,7 +376,7 @@ mod tests {
     fn an_index_that_refers_to_nothing_is_an_error() {
         let mut tables = SceneTables::new();
         let item = tables.add_sphere(BALL, MaterialId(3));
-        assert_eq!(tables.scene().unwrap_err(), SceneError::NoMaterial(item));
+        assert_eq!(tables.scene().unwrap_err(), SceneError::MissingMaterial(item));
         let mut tables = SceneTables::new();
         let matte = tables.add_material(Material::MATTE);
         let mesh = tables.add_mesh(&CORNERS, &[], &[[0, 1, 4]], matte);
@@ -387,10 +391,10 @@ mod tests {
         let item = tables.add_sphere(BALL, matte);
         tables.set_motion(item, Vec3::X, Vec3::Y);
         tables.set_motion(item, Vec3::ZERO, Vec3::Z);
-        assert!(tables.scene().unwrap().effects().motion);
+        assert!(tables.scene().unwrap().required_effects().motion_blur);
         tables.clear_motion(item);
-        assert_eq!(tables.parts().geometry.shapes, [Shape::Sphere(BALL)]);
+        assert_eq!(tables.descriptor().geometry.shapes, [Shape::Sphere(BALL)]);
         tables.set_motion(ItemId(7), Vec3::X, Vec3::Y);
-        assert!(!tables.scene().unwrap().effects().motion);
+        assert!(!tables.scene().unwrap().required_effects().motion_blur);
     }
 }

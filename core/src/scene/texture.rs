@@ -23,21 +23,21 @@ pub enum Texture {
     /// From one colour to another along a direction, and constant beyond both.
     Gradient {
         /// The colour in `origin` and before it.
-        from: Rgb,
+        start_color: Rgb,
         /// The colour one length of `along` away and beyond.
-        to: Rgb,
+        end_color: Rgb,
         /// Where it begins.
         origin: Vec3,
         /// From its begin to its end, not zero.
-        along: Vec3,
+        axis: Vec3,
     },
     /// Spheres round a point, from one colour to the other and back, the finer the farther: the
     /// zone plate, which shows what a raster cannot hold.
     ZonePlate {
         /// The colour in `origin`.
-        from: Rgb,
+        start_color: Rgb,
         /// The colour halfway to the first return.
-        to: Rgb,
+        end_color: Rgb,
         /// The middle.
         origin: Vec3,
         /// Returns per square of the distance; at least 0, at most 1e15.
@@ -55,7 +55,7 @@ impl Texture {
         }
     }
 
-    pub(super) fn check(&self) -> Result<(), FieldError> {
+    pub(super) fn validate(&self) -> Result<(), FieldError> {
         let color = |field, color| check::color(field, color, Rgb::MAX_CHANNEL);
         match *self {
             Texture::Checker { even, odd, origin, frequency } => {
@@ -64,17 +64,17 @@ impl Texture {
                 check::point(Field::Origin, origin)?;
                 check::point(Field::CellFrequency, frequency)
             }
-            Texture::Gradient { from, to, origin, along } => {
-                color(Field::From, from)?;
-                color(Field::To, to)?;
+            Texture::Gradient { start_color: from, end_color: to, origin, axis: along } => {
+                color(Field::StartColor, from)?;
+                color(Field::EndColor, to)?;
                 check::point(Field::Origin, origin)?;
                 let square = along.dot(along);
                 let is_length = square > 0.0 && square <= Real::MAX;
-                if is_length { Ok(()) } else { Err(check::error(Field::Along, square)) }
+                if is_length { Ok(()) } else { Err(check::error(Field::Axis, square)) }
             }
-            Texture::ZonePlate { from, to, origin, frequency } => {
-                color(Field::From, from)?;
-                color(Field::To, to)?;
+            Texture::ZonePlate { start_color: from, end_color: to, origin, frequency } => {
+                color(Field::StartColor, from)?;
+                color(Field::EndColor, to)?;
                 check::point(Field::Origin, origin)?;
                 check::range(Field::RingFrequency, frequency, 0.0, MAX_COORDINATE)
             }
@@ -84,17 +84,21 @@ impl Texture {
     /// The colour at a point; white for a kind that is not among the `able` ones. Inlined, so
     /// that the arms outside a constant set are compiled away.
     #[inline(always)]
-    pub(crate) fn at(&self, point: Vec3, able: TextureSet) -> Rgb {
+    pub(crate) fn evaluate(&self, point: Vec3, able: TextureSet) -> Rgb {
         match *self {
             Texture::Checker { even, odd, origin, frequency } if able.contains(TextureKind::Checker) => {
                 let cell = (point - origin) * frequency;
-                if is_even(cell) { even } else { odd }
+                if is_even_cell(cell) { even } else { odd }
             }
-            Texture::Gradient { from, to, origin, along } if able.contains(TextureKind::Gradient) => {
+            Texture::Gradient { start_color: from, end_color: to, origin, axis: along }
+                if able.contains(TextureKind::Gradient) =>
+            {
                 let s = (point - origin).dot(along) / along.dot(along);
                 from.lerp(to, clamp(s, 0.0, 1.0))
             }
-            Texture::ZonePlate { from, to, origin, frequency } if able.contains(TextureKind::ZonePlate) => {
+            Texture::ZonePlate { start_color: from, end_color: to, origin, frequency }
+                if able.contains(TextureKind::ZonePlate) =>
+            {
                 let way = point - origin;
                 let turns = way.dot(way) * frequency;
                 // The whole turns would cost the cosine its digits; what is not finite has none.
@@ -108,7 +112,7 @@ impl Texture {
 
 /// Whether the whole numbers next below the coordinates have an even sum.
 #[inline(always)]
-fn is_even(cell: Vec3) -> bool {
+fn is_even_cell(cell: Vec3) -> bool {
     if max_abs_component(cell) < 1e9 {
         let below = |x: Real| x as i32 - i32::from((x as i32) as Real > x);
         return (below(cell.x) ^ below(cell.y) ^ below(cell.z)) & 1 == 0;
@@ -131,7 +135,7 @@ mod tests {
             origin: Vec3::ZERO,
             frequency: vec3(0.5, 0.0, 0.5),
         };
-        let color = |x, y, z| checker.at(vec3(x, y, z), TextureSet::ALL);
+        let color = |x, y, z| checker.evaluate(vec3(x, y, z), TextureSet::ALL);
         assert_eq!(color(1.0, 0.0, 1.0), Rgb::WHITE);
         assert_eq!(color(3.0, 0.0, 1.0), Rgb::BLACK);
         assert_eq!(color(-1.0, 0.0, 1.0), Rgb::BLACK);
@@ -143,25 +147,29 @@ mod tests {
 
     #[test]
     fn a_zone_plate_returns_at_every_whole_square_of_the_distance() {
-        let plate =
-            Texture::ZonePlate { from: Rgb::WHITE, to: Rgb::BLACK, origin: Vec3::ZERO, frequency: 2.0 };
+        let plate = Texture::ZonePlate {
+            start_color: Rgb::WHITE,
+            end_color: Rgb::BLACK,
+            origin: Vec3::ZERO,
+            frequency: 2.0,
+        };
         for (square, gray) in [(0.0, 1.0), (0.25, 0.0), (0.5, 1.0), (0.125, 0.5), (50.25, 0.0)] {
-            let color = plate.at(vec3(0.0, 0.0, crate::math::sqrt(square)), TextureSet::ALL);
+            let color = plate.evaluate(vec3(0.0, 0.0, crate::math::sqrt(square)), TextureSet::ALL);
             assert!((color.r - gray).abs() < 1e-3, "{square}: {}", color.r);
         }
-        assert!(plate.at(Vec3::splat(1e30), TextureSet::ALL).r.is_finite());
+        assert!(plate.evaluate(Vec3::splat(1e30), TextureSet::ALL).r.is_finite());
     }
 
     #[test]
     fn a_gradient_is_constant_beyond_its_ends() {
         let gradient = Texture::Gradient {
-            from: Rgb::BLACK,
-            to: Rgb::WHITE,
+            start_color: Rgb::BLACK,
+            end_color: Rgb::WHITE,
             origin: vec3(1.0, 0.0, 0.0),
-            along: vec3(2.0, 0.0, 0.0),
+            axis: vec3(2.0, 0.0, 0.0),
         };
         for (x, gray) in [(-5.0, 0.0), (1.0, 0.0), (2.0, 0.5), (3.0, 1.0), (9.0, 1.0)] {
-            assert_eq!(gradient.at(vec3(x, 4.0, -2.0), TextureSet::ALL), Rgb::gray(gray));
+            assert_eq!(gradient.evaluate(vec3(x, 4.0, -2.0), TextureSet::ALL), Rgb::gray(gray));
         }
     }
 }

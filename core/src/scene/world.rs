@@ -40,21 +40,25 @@ impl<'s, A: Accelerator> World<'s, A> {
     /// equally far away, the one with the lower number.
     ///
     /// Only the shapes of `E` can be met.
-    pub fn nearest<E: Effects, T: Tally>(
+    pub fn nearest_hit<E: Effects, T: Tally>(
         &self,
         ray: &Ray,
-        reach: Real,
+        t_max: Real,
         kind: RayKind,
         scratch: &mut A::Scratch,
         tally: &mut T,
     ) -> Option<Hit> {
-        if ray.is_valid() { self.nearest_sound::<E, T>(ray, reach, kind, scratch, tally) } else { None }
+        if ray.is_valid() {
+            self.nearest_hit_unchecked::<E, T>(ray, t_max, kind, scratch, tally)
+        } else {
+            None
+        }
     }
 
     /// The same of a ray that is known to be sound. For the loop: what else asks has the other door,
     /// so that this one is inlined there and nowhere else.
     #[inline(always)]
-    pub(crate) fn nearest_sound<E: Effects, T: Tally>(
+    pub(crate) fn nearest_hit_unchecked<E: Effects, T: Tally>(
         &self,
         ray: &Ray,
         reach: Real,
@@ -63,17 +67,17 @@ impl<'s, A: Accelerator> World<'s, A> {
         tally: &mut T,
     ) -> Option<Hit> {
         // No item has the highest number: the first at the very reach wins against it.
-        let goal = Nearest(ItemId(u32::MAX));
-        let mut search = Search::<E, T, _>::new(self, ray, reach, kind, tally, goal);
-        self.ask::<E, _>(ray, scratch, &mut search);
-        let item = search.goal.0;
+        let goal = NearestHit(ItemId(u32::MAX));
+        let mut search = RayQuery::<E, T, _>::new(self, ray, reach, kind, tally, goal);
+        self.run_query::<E, _>(ray, scratch, &mut search);
+        let item = search.policy.0;
         (item != ItemId(u32::MAX)).then_some(Hit { t: search.reach, item })
     }
 
     /// Some item along the ray, at most `reach` lengths of its direction away.
     ///
     /// Only the shapes of `E` can be in the way.
-    pub fn blocker<E: Effects, T: Tally>(
+    pub fn occluder<E: Effects, T: Tally>(
         &self,
         ray: &Ray,
         reach: Real,
@@ -81,11 +85,11 @@ impl<'s, A: Accelerator> World<'s, A> {
         scratch: &mut A::Scratch,
         tally: &mut T,
     ) -> Option<ItemId> {
-        if ray.is_valid() { self.blocker_sound::<E, T>(ray, reach, kind, scratch, tally) } else { None }
+        if ray.is_valid() { self.occluder_unchecked::<E, T>(ray, reach, kind, scratch, tally) } else { None }
     }
 
     /// The same of a ray that is known to be sound.
-    pub(crate) fn blocker_sound<E: Effects, T: Tally>(
+    pub(crate) fn occluder_unchecked<E: Effects, T: Tally>(
         &self,
         ray: &Ray,
         reach: Real,
@@ -93,15 +97,15 @@ impl<'s, A: Accelerator> World<'s, A> {
         scratch: &mut A::Scratch,
         tally: &mut T,
     ) -> Option<ItemId> {
-        let mut search = Search::<E, T, _>::new(self, ray, reach, kind, tally, Blocker(None));
-        self.ask::<E, _>(ray, scratch, &mut search);
-        search.goal.0
+        let mut search = RayQuery::<E, T, _>::new(self, ray, reach, kind, tally, AnyHit(None));
+        self.run_query::<E, _>(ray, scratch, &mut search);
+        search.policy.0
     }
 
     /// Whether this item is along the ray, at most `reach` lengths of its direction away.
     ///
-    /// As [`World::blocker`] would say if there were no other.
-    pub fn blocks<E: Effects, T: Tally>(
+    /// As [`World::occluder`] would find if there were no other.
+    pub fn is_occluded_by<E: Effects, T: Tally>(
         &self,
         item: ItemId,
         ray: &Ray,
@@ -109,39 +113,44 @@ impl<'s, A: Accelerator> World<'s, A> {
         kind: RayKind,
         tally: &mut T,
     ) -> bool {
-        let mut search = Search::<E, T, _>::new(self, ray, reach, kind, tally, Blocker(None));
+        let mut search = RayQuery::<E, T, _>::new(self, ray, reach, kind, tally, AnyHit(None));
         search.test_item(item).is_break()
     }
 
     /// What the item that was hit is like there.
     #[inline(always)]
-    pub fn surface<E: Effects>(&self, ray: &Ray, hit: Hit) -> Option<SurfaceInteraction> {
-        let geometry = &self.scene.parts().geometry;
+    pub fn surface_interaction<E: Effects>(&self, ray: &Ray, hit: Hit) -> Option<SurfaceInteraction> {
+        let geometry = &self.scene.descriptor().geometry;
         geometry.surface_interaction::<E>(geometry.shape(hit.item)?, ray, hit.t)
     }
 
     /// How far off a point of a smooth item the round surface is that is meant, where it is to stand
     /// in no light of its own; none for other items. `point`: where the item is at rest. `outside`: on the side of its normals.
-    pub(crate) fn lift<E: Effects>(&self, item: ItemId, point: Vec3, outside: bool) -> Option<Vec3> {
-        let geometry = &self.scene.parts().geometry;
+    pub(crate) fn terminator_offset<E: Effects>(
+        &self,
+        item: ItemId,
+        point: Vec3,
+        outside: bool,
+    ) -> Option<Vec3> {
+        let geometry = &self.scene.descriptor().geometry;
         geometry.terminator_offset::<E>(*geometry.static_shape(geometry.shape(item)?)?, point, outside)
     }
 
     /// How far away from its own place an item is at `time`; zero where nothing moves.
     #[inline(always)]
-    pub(crate) fn offset<E: Effects>(&self, item: ItemId, time: Real) -> Vec3 {
-        if !(E::SET.motion && self.scene.effects().motion) {
+    pub(crate) fn motion_offset<E: Effects>(&self, item: ItemId, time: Real) -> Vec3 {
+        if !(E::SET.motion_blur && self.scene.required_effects().motion_blur) {
             return Vec3::ZERO;
         }
-        let geometry = &self.scene.parts().geometry;
+        let geometry = &self.scene.descriptor().geometry;
         geometry.shape(item).map_or(Vec3::ZERO, |shape| geometry.motion_offset(shape, time))
     }
 
     /// Planes have no box, so they are tested here and first: what they leave in reach is less.
     #[inline(always)]
-    fn ask<E: Effects, Q: Query>(&self, ray: &Ray, scratch: &mut A::Scratch, query: &mut Q) {
+    fn run_query<E: Effects, Q: Query>(&self, ray: &Ray, scratch: &mut A::Scratch, query: &mut Q) {
         if E::SET.shapes.contains(ShapeKind::Plane) {
-            for plane in self.scene.parts().geometry.planes {
+            for plane in self.scene.descriptor().geometry.planes {
                 if query.test_item(plane.item).is_break() {
                     return;
                 }
@@ -152,19 +161,19 @@ impl<'s, A: Accelerator> World<'s, A> {
 }
 
 /// A ray on its way, the far limit of what it looks for, and what that is.
-struct Search<'q, E, T, G> {
+struct RayQuery<'q, E, T, G> {
     geometry: &'q Geometry<'q>,
     ray: &'q Ray,
     /// Finite, so that an infinite distance is beyond every reach.
     reach: Real,
     kind: RayKind,
     tally: &'q mut T,
-    goal: G,
+    policy: G,
     effects: PhantomData<E>,
 }
 
 /// What is looked for.
-trait Goal {
+trait HitPolicy {
     /// Whether nearer items are the better ones.
     const ORDERED: bool;
 
@@ -173,9 +182,9 @@ trait Goal {
 }
 
 /// The nearest item: every hit shortens the reach.
-struct Nearest(ItemId);
+struct NearestHit(ItemId);
 
-impl Goal for Nearest {
+impl HitPolicy for NearestHit {
     const ORDERED: bool = true;
 
     #[inline(always)]
@@ -189,9 +198,9 @@ impl Goal for Nearest {
 }
 
 /// Any item: the first ends the walk.
-struct Blocker(Option<ItemId>);
+struct AnyHit(Option<ItemId>);
 
-impl Goal for Blocker {
+impl HitPolicy for AnyHit {
     const ORDERED: bool = false;
 
     #[inline(always)]
@@ -201,7 +210,7 @@ impl Goal for Blocker {
     }
 }
 
-impl<'q, E: Effects, T: Tally, G: Goal> Search<'q, E, T, G> {
+impl<'q, E: Effects, T: Tally, G: HitPolicy> RayQuery<'q, E, T, G> {
     /// Which of both sorts of triangles can be met.
     const TRIANGLES: [bool; 2] =
         [E::SET.shapes.contains(ShapeKind::Triangle), E::SET.shapes.contains(ShapeKind::SmoothTriangle)];
@@ -215,14 +224,14 @@ impl<'q, E: Effects, T: Tally, G: Goal> Search<'q, E, T, G> {
         goal: G,
     ) -> Self {
         let reach = if reach < Real::MAX { reach } else { Real::MAX };
-        let geometry = &world.scene.parts().geometry;
-        Search { geometry, ray, reach, kind, tally, goal, effects: PhantomData }
+        let geometry = &world.scene.descriptor().geometry;
+        RayQuery { geometry, ray, reach, kind, tally, policy: goal, effects: PhantomData }
     }
 
     #[inline(always)]
     fn meet(&mut self, item: ItemId, t: Option<Real>) -> ControlFlow<()> {
         match t {
-            Some(t) if t <= self.reach => self.goal.meet(item, t, &mut self.reach),
+            Some(t) if t <= self.reach => self.policy.meet(item, t, &mut self.reach),
             _ => ControlFlow::Continue(()),
         }
     }
@@ -264,7 +273,7 @@ impl<'q, E: Effects, T: Tally, G: Goal> Search<'q, E, T, G> {
     }
 }
 
-impl<E: Effects, T: Tally, G: Goal> Query for Search<'_, E, T, G> {
+impl<E: Effects, T: Tally, G: HitPolicy> Query for RayQuery<'_, E, T, G> {
     const ORDERED: bool = G::ORDERED;
 
     fn t_max(&self) -> Real {

@@ -154,7 +154,7 @@ fn has_higher_priority(medium: Option<MaterialId>, body: MaterialId, materials: 
 
 /// Refractive index of a medium; 1 in empty space (`None`) and for a material outside of `materials`.
 pub fn refractive_index(medium: Option<MaterialId>, materials: &[Material]) -> Real {
-    medium.and_then(|medium| material_of(medium, materials)).map_or(1.0, |material| material.index)
+    medium.and_then(|medium| material_of(medium, materials)).map_or(1.0, |material| material.refractive_index)
 }
 
 #[cfg(test)]
@@ -167,7 +167,7 @@ mod tests {
 
     fn materials() -> [Material; 3] {
         [(1.33, 0), (1.5, 1), (1.0, 1)].map(|(index, priority)| Material {
-            index,
+            refractive_index: index,
             priority,
             ..Material::MATTE
         })

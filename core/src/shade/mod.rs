@@ -22,7 +22,7 @@ pub(crate) use transmission::{cross_surface, medium_transmittance};
 use crate::accel::Accelerator;
 use crate::geometry::{ItemId, SurfaceInteraction, offset_origin};
 use crate::math::{Dimension, Real, Rgb, SobolSequence, Vec3, max_abs_component, pow_positive};
-use crate::scene::{Beam, Effects, Material, World};
+use crate::scene::{Effects, LightSample, Material, World};
 use crate::tally::{LightOutcome, Tally, TraceEvent};
 use shadow::{ShadowRay, ShadowRayOrigin};
 use shadow_cache::ShadowCacheKey;
@@ -57,14 +57,14 @@ pub(crate) fn local_illumination<A: Accelerator, E: Effects, T: Tally, const ENT
     caches: &mut WorkerCaches<A, ENTRIES>,
     tally: &mut T,
 ) -> Rgb {
-    let parts = world.scene().parts();
+    let parts = world.scene().descriptor();
 
     // Texture.
     let (mut diffuse, mut ambient) = (material.diffuse, material.ambient);
     if !E::SET.textures.is_empty()
         && let Some(texture) = parts.textures.get(usize::from(material.texture.0))
     {
-        let texture_color = texture.at(point.surface.point - context.motion_offset, E::SET.textures);
+        let texture_color = texture.evaluate(point.surface.point - context.motion_offset, E::SET.textures);
         diffuse *= texture_color;
         ambient *= texture_color;
     }
@@ -83,7 +83,7 @@ pub(crate) fn local_illumination<A: Accelerator, E: Effects, T: Tally, const ENT
     } else {
         (point.surface.shading_normal, point.surface.normal)
     };
-    let has_highlight = E::SET.highlight && material.is_shiny();
+    let has_highlight = E::SET.highlight && material.has_highlight();
     let twice_cos_ray = if has_highlight { 2.0 * normal.dot(point.ray_direction) } else { 0.0 };
     let has_diffuse = !diffuse.is_black();
     let offset_point = offset_origin(point.surface.point, point.surface.point_error, side);
@@ -98,7 +98,7 @@ pub(crate) fn local_illumination<A: Accelerator, E: Effects, T: Tally, const ENT
             context.stream.sample_2d(Dimension::light(context.level, index))
         };
         let mut report = |outcome| tally.trace_event(TraceEvent::LightContribution { light: index, outcome });
-        let sample = match light.beam(point.surface.point, normal, E::SET.lights, u) {
+        let sample = match light.sample(point.surface.point, normal, E::SET.lights, u) {
             Ok(sample) => sample,
             Err(outcome) => {
                 report(outcome);
@@ -114,8 +114,8 @@ pub(crate) fn local_illumination<A: Accelerator, E: Effects, T: Tally, const ENT
         // shadow ray; with diffuse reflection the light contributes anyway, so it is evaluated after.
         let highlight_factor = || {
             // Cosine of the angle between the viewer and the mirrored direction of the light.
-            let cos = sample.toward.dot(point.ray_direction) - sample.cos * twice_cos_ray;
-            if cos > 0.0 { highlight_power(cos, material.exponent) } else { 0.0 }
+            let cos = sample.direction.dot(point.ray_direction) - sample.cos_theta * twice_cos_ray;
+            if cos > 0.0 { highlight_power(cos, material.highlight_exponent) } else { 0.0 }
         };
         let mut color = sample.color;
         let mut highlight = 0.0;
@@ -128,11 +128,11 @@ pub(crate) fn local_illumination<A: Accelerator, E: Effects, T: Tally, const ENT
         }
 
         // Shadow ray.
-        if E::SET.shadows && light.shadows {
+        if E::SET.shadows && light.casts_shadows {
             let media =
                 if side == point.geometric_normal { context.media_in_front } else { context.media_behind };
             let shadow_key = (ShadowCacheKey { light: usize::from(index), level: context.level }, media);
-            let transmittance = if E::SET.smooth && side.dot(sample.toward) <= 0.0 {
+            let transmittance = if E::SET.smooth_shading && side.dot(sample.direction) <= 0.0 {
                 // Passed by value, so that the originals can stay in registers.
                 let below = BelowHorizon {
                     surface: point.surface,
@@ -156,13 +156,13 @@ pub(crate) fn local_illumination<A: Accelerator, E: Effects, T: Tally, const ENT
         }
 
         // Diffuse reflection and highlight.
-        let mut reflectance = diffuse * sample.cos;
+        let mut reflectance = diffuse * sample.cos_theta;
         if has_highlight {
             let highlight = if has_diffuse { highlight_factor() } else { highlight };
             reflectance += material.highlight * highlight;
         }
         let contribution = reflectance * color;
-        let (direction, distance) = (sample.toward, sample.distance);
+        let (direction, distance) = (sample.direction, sample.distance);
         let outcome = LightOutcome::Arrived { direction, distance, color, contribution };
         tally.trace_event(TraceEvent::LightContribution { light: index, outcome });
         radiance += contribution;
@@ -179,12 +179,12 @@ fn shadow_transmittance<A: Accelerator, E: Effects, T: Tally, const ENTRIES: usi
     world: &World<'_, A>,
     origin: &ShadowRayOrigin,
     (cache_key, media): (ShadowCacheKey, &MediumStack),
-    light_sample: &Beam,
+    light_sample: &LightSample,
     caches: &mut WorkerCaches<A, ENTRIES>,
     tally: &mut T,
 ) -> Option<Rgb> {
     let shadow_ray = ShadowRay { origin, light_sample, cache_key };
-    if E::SET.colored_shadows && world.scene().parts().colored_shadows {
+    if E::SET.colored_shadows && world.scene().descriptor().colored_shadows {
         let scratch = &mut caches.scratch;
         let transmittance =
             shadow::colored_transmittance::<A, E, T>(world, &shadow_ray, media, scratch, tally);
@@ -213,11 +213,12 @@ fn shadow_transmittance_below_horizon<A: Accelerator, E: Effects, T: Tally, cons
     world: &World<'_, A>,
     BelowHorizon { surface, side, item, motion_offset, time }: BelowHorizon,
     shadow_key: (ShadowCacheKey, &MediumStack),
-    light_sample: Beam,
+    light_sample: LightSample,
     caches: &mut WorkerCaches<A, ENTRIES>,
     tally: &mut T,
 ) -> Option<Rgb> {
-    let offset = world.lift::<E>(item, surface.point - motion_offset, side.dot(surface.normal) > 0.0);
+    let offset =
+        world.terminator_offset::<E>(item, surface.point - motion_offset, side.dot(surface.normal) > 0.0);
     let is_short = |offset: &Vec3| max_abs_component(*offset) < 0.25 * light_sample.distance;
     let offset = offset.filter(is_short).unwrap_or(Vec3::ZERO);
     let offset_point = offset_origin(surface.point, surface.point_error, side) + offset;

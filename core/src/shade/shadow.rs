@@ -12,7 +12,7 @@ use super::transmission::{cross_surface, medium_transmittance};
 use crate::accel::Accelerator;
 use crate::geometry::Ray;
 use crate::math::{ROUNDOFF, Real, Rgb, Vec3, max_abs_component};
-use crate::scene::{Beam, Effects, Interface, LightKind, Material, World};
+use crate::scene::{Effects, FresnelModel, LightKind, LightSample, Material, World};
 use crate::tally::{CountedEvent, RayKind, Tally, TraceEvent};
 
 /// Fraction of the distance to a light in which items occlude it: 16 unit roundoffs less than 1, so that a surface
@@ -37,7 +37,7 @@ pub(super) struct ShadowRay<'b> {
     /// Origin.
     pub(super) origin: &'b ShadowRayOrigin,
     /// Direction and distance of the light, and its color if it is not occluded.
-    pub(super) light_sample: &'b Beam,
+    pub(super) light_sample: &'b LightSample,
     /// Light and ray level.
     pub(super) cache_key: ShadowCacheKey,
 }
@@ -47,11 +47,11 @@ impl ShadowRay<'_> {
     fn direction<E: Effects>(&self) -> Option<Vec3> {
         let (origin, light) = (self.origin, self.light_sample);
         if E::SET.lights.contains(LightKind::Directional) && light.distance == Real::MAX {
-            return Some(light.toward);
+            return Some(light.direction);
         }
         // The light was sampled from the point; correct the direction for the offset of the origin.
         let offset = origin.point - origin.offset_point;
-        (max_abs_component(offset) < light.distance).then(|| light.toward + offset / light.distance)
+        (max_abs_component(offset) < light.distance).then(|| light.direction + offset / light.distance)
     }
 
     /// Largest `t` of an occluder.
@@ -78,14 +78,20 @@ pub(super) fn is_occluded<A: Accelerator, E: Effects, T: Tally, const ENTRIES: u
     let ray =
         Ray::with_near_unit_direction(shadow_ray.origin.offset_point, direction, shadow_ray.origin.time);
     if let Some(occluder) = caches.shadow_cache.last_occluder(shadow_ray.cache_key) {
-        let hit = world.blocks::<E, T>(occluder, &ray, shadow_ray.t_max(), RayKind::Shadow, tally);
+        let hit = world.is_occluded_by::<E, T>(occluder, &ray, shadow_ray.t_max(), RayKind::Shadow, tally);
         tally.count(CountedEvent::ShadowCacheLookup { hit });
         if hit {
             tally.trace_event(TraceEvent::Occluded { item: occluder, t: None });
             return true;
         }
     }
-    match world.blocker_sound::<E, T>(&ray, shadow_ray.t_max(), RayKind::Shadow, &mut caches.scratch, tally) {
+    match world.occluder_unchecked::<E, T>(
+        &ray,
+        shadow_ray.t_max(),
+        RayKind::Shadow,
+        &mut caches.scratch,
+        tally,
+    ) {
         Some(item) => {
             tally.trace_event(TraceEvent::Occluded { item, t: None });
             caches.shadow_cache.insert(shadow_ray.cache_key, item);
@@ -113,15 +119,15 @@ pub(super) fn colored_transmittance<A: Accelerator, E: Effects, T: Tally>(
     tally: &mut T,
 ) -> Rgb {
     tally.count(CountedEvent::Ray(RayKind::Shadow));
-    let parts = world.scene().parts();
+    let parts = world.scene().descriptor();
     let (mut transmittance, mut media) = (Rgb::WHITE, *media);
     let Some(direction) = shadow_ray.direction::<E>() else { return transmittance };
     let (mut origin, mut t_max) = (shadow_ray.origin.offset_point, shadow_ray.t_max());
     tally.trace_event(TraceEvent::ShadowRay { origin, direction, t_max });
     for _ in 0..MAX_SURFACES {
         let ray = Ray::with_near_unit_direction(origin, direction, shadow_ray.origin.time);
-        let hit = world.nearest::<E, T>(&ray, t_max, RayKind::Shadow, scratch, tally);
-        let hit = hit.and_then(|hit| Some((hit, world.surface::<E>(&ray, hit)?)));
+        let hit = world.nearest_hit::<E, T>(&ray, t_max, RayKind::Shadow, scratch, tally);
+        let hit = hit.and_then(|hit| Some((hit, world.surface_interaction::<E>(&ray, hit)?)));
         let Some((hit, surface)) = hit else {
             let medium = media.current(parts.materials);
             return transmittance * medium_transmittance::<E>(parts.materials, medium, t_max);
@@ -132,7 +138,7 @@ pub(super) fn colored_transmittance<A: Accelerator, E: Effects, T: Tally>(
         transmittance *= medium_transmittance::<E>(parts.materials, crossing.medium_before, hit.t);
         if !crossing.is_hidden {
             transmittance *=
-                material.transmitted * (1.0 - reflectance(&crossing, material, &point, parts.materials));
+                material.transmission * (1.0 - reflectance(&crossing, material, &point, parts.materials));
         }
         if transmittance.is_black() {
             tally.trace_event(TraceEvent::Occluded { item: hit.item, t: Some(hit.t) });
@@ -152,7 +158,7 @@ fn reflectance(
     point: &ShadingPoint,
     materials: &[Material],
 ) -> Real {
-    if material.interface == Interface::Constant {
+    if material.fresnel == FresnelModel::Constant {
         return 0.0;
     }
     let (before, behind) = (

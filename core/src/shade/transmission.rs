@@ -4,21 +4,21 @@ use super::medium_stack::{Crossing, MediumStack};
 use super::optics::transmittance;
 use crate::geometry::ItemId;
 use crate::math::{Real, Rgb};
-use crate::scene::{Effects, Material, MaterialId, Parts};
+use crate::scene::{Effects, Material, MaterialId, SceneDescriptor};
 
 /// The media on both sides of the surface of `item` for a ray with the stack `media`.
 ///
 /// `entering`: whether the ray arrives on the outside of the item, the side of its geometric normal. `None` if the
 /// item has no material.
 pub(crate) fn cross_surface(
-    parts: &Parts<'_>,
+    parts: &SceneDescriptor<'_>,
     item: ItemId,
     material: &Material,
     media: MediumStack,
     entering: bool,
 ) -> Option<Crossing> {
     // A clear material that does not refract bounds no body: a pane may have a single surface.
-    let is_body = material.is_transmitting() && (material.index != 1.0 || material.is_absorbing());
+    let is_body = material.is_transmitting() && (material.refractive_index != 1.0 || material.is_absorbing());
     if !is_body {
         let medium = media.current(parts.materials);
         return Some(Crossing {
@@ -29,7 +29,7 @@ pub(crate) fn cross_surface(
             is_stack_full: false,
         });
     }
-    let body = parts.made_of.get(item.0 as usize).copied()?;
+    let body = parts.material_ids.get(item.0 as usize).copied()?;
     Some(if entering { media.enter(body, parts.materials) } else { media.exit(body, parts.materials) })
 }
 
@@ -43,7 +43,7 @@ pub(crate) fn medium_transmittance<E: Effects>(
         return Rgb::WHITE;
     }
     match medium.and_then(|medium| materials.get(usize::from(medium.0))) {
-        Some(material) => transmittance(material.clarity, distance),
+        Some(material) => transmittance(material.attenuation_length, distance),
         None => Rgb::WHITE,
     }
 }

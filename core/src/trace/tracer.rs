@@ -7,7 +7,9 @@ use super::{HitId, Limits, PixelSample, TracerError, Worker};
 use crate::accel::Accelerator;
 use crate::geometry::{Hit, Ray};
 use crate::math::{Dimension, Real, Rgb, SobolSequence, Vec3, sample_visible_normal};
-use crate::scene::{Camera, CameraSample, EffectSet, Effects, Interface, LastLevel, Material, World};
+use crate::scene::{
+    Camera, CameraSample, EffectSet, Effects, FresnelModel, LevelLimitRadiance, Material, World,
+};
 use crate::shade::{
     Crossing, MediumStack, ShadingContext, ShadingPoint, cross_surface, local_illumination,
     medium_transmittance, reflect, refract, refractive_index,
@@ -45,8 +47,9 @@ impl<'w, 's, A: Accelerator, E: Effects, const LEVELS: usize> Tracer<'w, 's, A, 
     /// * [`TracerError::Levels`]: `limits.levels` is not in `1..=LEVELS`.
     /// * [`TracerError::Cutoff`]: `limits.cutoff` is not in `0..=1`.
     pub fn new(world: &'w World<'s, A>, camera: Camera, limits: Limits) -> Result<Self, TracerError> {
-        let needed = EffectSet { lens: camera.has_lens(), ..world.scene().effects() };
-        if !E::SET.contains(&needed) {
+        let needed =
+            EffectSet { depth_of_field: camera.has_depth_of_field(), ..world.scene().required_effects() };
+        if !E::SET.is_superset(&needed) {
             return Err(TracerError::MissingEffects { missing: needed.difference(&E::SET) });
         }
         if limits.levels == 0 || usize::from(limits.levels) > LEVELS {
@@ -72,14 +75,14 @@ impl<'w, 's, A: Accelerator, E: Effects, const LEVELS: usize> Tracer<'w, 's, A, 
         worker: &mut Worker<A, T, LEVELS, SHADOW_CACHE_ENTRIES>,
     ) -> PixelSample {
         // One time for all rays of the tree.
-        let time = if E::SET.motion && self.world.scene().effects().motion {
-            let [time, _] = sample.stream.sample_2d(Dimension::SHUTTER);
+        let time = if E::SET.motion_blur && self.world.scene().required_effects().motion_blur {
+            let [time, _] = sample.sequence.sample_2d(Dimension::SHUTTER);
             time
         } else {
             0.0
         };
-        let ray = if E::SET.lens && self.camera.has_lens() {
-            self.camera.lens_ray(sample.point, sample.stream.sample_2d(Dimension::LENS))
+        let ray = if E::SET.depth_of_field && self.camera.has_depth_of_field() {
+            self.camera.thin_lens_ray(sample.point, sample.sequence.sample_2d(Dimension::LENS))
         } else {
             self.camera.ray(sample.point)
         };
@@ -89,7 +92,7 @@ impl<'w, 's, A: Accelerator, E: Effects, const LEVELS: usize> Tracer<'w, 's, A, 
         let (kind, media) = (RayKind::Camera, MediumStack::EMPTY);
         let mut task = Task { origin, direction, weight: Rgb::WHITE, level: 1, kind, media };
         loop {
-            sum += self.trace_task(&mut task, sample.stream, time, &mut camera_hit, worker);
+            sum += self.trace_task(&mut task, sample.sequence, time, &mut camera_hit, worker);
             let Some(next) = worker.tasks.pop() else { break };
             if worker.tally.is_cancelled() {
                 worker.tasks.clear();
@@ -116,8 +119,14 @@ impl<'w, 's, A: Accelerator, E: Effects, const LEVELS: usize> Tracer<'w, 's, A, 
         tally.count(CountedEvent::Level(task.level));
         tally.trace_event(task.start_event());
         let ray = Ray::with_near_unit_direction(task.origin, task.direction, time);
-        let nearest = self.world.nearest_sound::<E, T>(&ray, E::SIGHT, task.kind, &mut caches.scratch, tally);
-        let nearest = nearest.and_then(|hit| Some((hit, self.world.surface::<E>(&ray, hit)?)));
+        let nearest = self.world.nearest_hit_unchecked::<E, T>(
+            &ray,
+            E::MAX_DISTANCE,
+            task.kind,
+            &mut caches.scratch,
+            tally,
+        );
+        let nearest = nearest.and_then(|hit| Some((hit, self.world.surface_interaction::<E>(&ray, hit)?)));
         let Some((hit, surface)) = nearest else {
             return self.miss_radiance(task, tally);
         };
@@ -130,7 +139,7 @@ impl<'w, 's, A: Accelerator, E: Effects, const LEVELS: usize> Tracer<'w, 's, A, 
         let point = ShadingPoint::new(surface, task.direction);
         let material = self.world.scene().material(hit.item).unwrap_or(&Material::MATTE);
         let crossing = self.cross_surface(task, hit, material, &point);
-        let materials = self.world.scene().parts().materials;
+        let materials = self.world.scene().descriptor().materials;
         let medium = match &crossing {
             Some(crossing) => crossing.medium_before,
             None => task.media.current(materials),
@@ -175,7 +184,7 @@ impl<'w, 's, A: Accelerator, E: Effects, const LEVELS: usize> Tracer<'w, 's, A, 
             item: hit.item,
             stream,
             time,
-            motion_offset: self.world.offset::<E>(hit.item, time),
+            motion_offset: self.world.motion_offset::<E>(hit.item, time),
             level: task.level,
             media_in_front: &task.media,
             media_behind: crossing.as_ref().map_or(&task.media, |crossing| &crossing.stack_behind),
@@ -193,8 +202,8 @@ impl<'w, 's, A: Accelerator, E: Effects, const LEVELS: usize> Tracer<'w, 's, A, 
     /// Contribution of a ray that hits nothing: the background, or black if the ray is inside an absorbing medium, which
     /// then is infinite.
     fn miss_radiance<T: Tally>(&self, task: &Task, tally: &mut T) -> Rgb {
-        let parts = self.world.scene().parts();
-        let mut radiance = parts.background.toward(task.direction);
+        let parts = self.world.scene().descriptor();
+        let mut radiance = parts.background.radiance(task.direction);
         if self.has_absorption() {
             let medium = task.media.current(parts.materials);
             radiance *= medium_transmittance::<E>(parts.materials, medium, Real::INFINITY);
@@ -207,7 +216,7 @@ impl<'w, 's, A: Accelerator, E: Effects, const LEVELS: usize> Tracer<'w, 's, A, 
 
     /// Whether any medium of the scene absorbs light, and absorption is compiled.
     fn has_absorption(&self) -> bool {
-        E::SET.absorption && self.world.scene().effects().absorption
+        E::SET.absorption && self.world.scene().required_effects().absorption
     }
 
     /// The media on both sides of the hit; `None` if they cannot matter.
@@ -225,7 +234,7 @@ impl<'w, 's, A: Accelerator, E: Effects, const LEVELS: usize> Tracer<'w, 's, A, 
         if !self.has_absorption() && !material.is_transmitting() {
             return None;
         }
-        cross_surface(self.world.scene().parts(), hit.item, material, task.media, point.front_face)
+        cross_surface(self.world.scene().descriptor(), hit.item, material, task.media, point.front_face)
     }
 
     /// Pushes a secondary ray of `task`, unless it is below the cutoff or exceeds the level limit. Returns the
@@ -250,8 +259,8 @@ impl<'w, 's, A: Accelerator, E: Effects, const LEVELS: usize> Tracer<'w, 's, A, 
         } else if task.level >= self.limits.levels {
             report(RayOutcome::LevelLimit);
             tally.count(CountedEvent::LevelLimit(weight));
-            if E::LAST == LastLevel::Background {
-                return weight * self.world.scene().parts().background.toward(direction);
+            if E::LEVEL_LIMIT_RADIANCE == LevelLimitRadiance::Background {
+                return weight * self.world.scene().descriptor().background.radiance(direction);
             }
         } else {
             report(RayOutcome::Sent);
@@ -274,13 +283,13 @@ impl<'w, 's, A: Accelerator, E: Effects, const LEVELS: usize> Tracer<'w, 's, A, 
         tally: &mut T,
     ) -> Rgb {
         let mut substitute = Rgb::BLACK;
-        let mut reflection = if E::SET.reflection { material.mirror } else { Rgb::BLACK };
+        let mut reflection = if E::SET.reflection { material.reflection } else { Rgb::BLACK };
         let crossing = crossing.filter(|_| material.is_transmitting());
         if crossing.is_none() && reflection.is_black() {
             return substitute;
         }
         let mut normal = point.optical_normal();
-        if E::SET.gloss && material.is_rough() {
+        if E::SET.gloss && material.is_glossy() {
             // Rough surfaces: sample a microfacet that is visible from the ray.
             let alpha = material.roughness * material.roughness;
             let u = stream.sample_2d(Dimension::microfacet(task.level));
@@ -289,7 +298,7 @@ impl<'w, 's, A: Accelerator, E: Effects, const LEVELS: usize> Tracer<'w, 's, A, 
 
         // Refract, unless total internal reflection occurs.
         if let Some(crossing) = crossing {
-            let materials = self.world.scene().parts().materials;
+            let materials = self.world.scene().descriptor().materials;
             let ratio = refractive_index(crossing.medium_before, materials)
                 / refractive_index(crossing.medium_behind, materials);
             let refraction = refract(task.direction, normal, ratio)
@@ -297,15 +306,15 @@ impl<'w, 's, A: Accelerator, E: Effects, const LEVELS: usize> Tracer<'w, 's, A, 
                 .filter(|refraction| refraction.direction.dot(point.geometric_normal) < 0.0);
             match refraction {
                 Some(refraction) => {
-                    let reflectance = match material.interface {
-                        Interface::Constant => 0.0,
-                        Interface::Fresnel => refraction.reflectance,
+                    let reflectance = match material.fresnel {
+                        FresnelModel::Constant => 0.0,
+                        FresnelModel::Dielectric => refraction.reflectance,
                     };
-                    reflection += material.transmitted * reflectance;
+                    reflection += material.transmission * reflectance;
                     let transmitted = SecondaryRay {
                         origin: point.origin_behind(),
                         direction: refraction.direction,
-                        factor: material.transmitted * (1.0 - reflectance),
+                        factor: material.transmission * (1.0 - reflectance),
                         kind: RayKind::Transmitted,
                         media: crossing.stack_behind,
                     };
@@ -313,7 +322,7 @@ impl<'w, 's, A: Accelerator, E: Effects, const LEVELS: usize> Tracer<'w, 's, A, 
                 }
                 None => {
                     tally.trace_event(TraceEvent::TotalInternalReflection);
-                    reflection += material.transmitted;
+                    reflection += material.transmission;
                 }
             }
         }
@@ -324,7 +333,7 @@ impl<'w, 's, A: Accelerator, E: Effects, const LEVELS: usize> Tracer<'w, 's, A, 
             let is_outward = direction.dot(point.geometric_normal) > 0.0;
             let direction = if is_outward {
                 direction
-            } else if E::SET.gloss && material.is_rough() {
+            } else if E::SET.gloss && material.is_glossy() {
                 // Light reflected inward by this microfacet hits another one, which reflects it outward.
                 reflect(direction, point.geometric_normal)
             } else {

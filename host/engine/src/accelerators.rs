@@ -55,7 +55,7 @@ pub fn open<'s>(
     memory: &'s mut AccelMemory,
 ) -> Result<Opened<'s>, BuildError> {
     let clock = Instant::now();
-    memory.boxes = scene.parts().geometry.all_bounds().collect();
+    memory.boxes = scene.descriptor().geometry.all_bounds().collect();
     let choice = settings.resolve(memory.boxes.iter().filter(|aabb| !aabb.is_empty()).count());
     let building = Building { scene, choice, clock, memory };
     match (choice.kind, choice.mailbox, choice.walk, choice.heap) {
@@ -149,7 +149,7 @@ impl<'s> Building<'s> {
         choose: ChooseRayTracers<Bvh<'s, W, TriangleBlock>>,
     ) -> Result<Opened<'s>, BuildError> {
         let Building { scene, choice, clock, memory } = self;
-        let geometry = scene.parts().geometry;
+        let geometry = scene.descriptor().geometry;
         let room = BvhSize::recommended(memory.boxes.len());
         (memory.nodes, memory.slots) =
             (vec![BvhNode::EMPTY; room.nodes], vec![LeafEntry::EMPTY; room.entries]);

@@ -35,7 +35,7 @@ pub type ChosenRayTracers<'w> = Result<Box<dyn RayTracerFactory + 'w>, TracerErr
 
 /// The effects that a scene and a camera require.
 pub fn required_effects(scene: &Scene<'_>, camera: &Camera) -> EffectSet {
-    EffectSet { lens: camera.has_lens(), ..scene.effects() }
+    EffectSet { depth_of_field: camera.has_depth_of_field(), ..scene.required_effects() }
 }
 
 impl TracerRequest {

@@ -35,12 +35,12 @@ pub fn nearest<A: Accelerator>(
 
     // Rounded to a neighbour, perhaps a farther one; what is beyond is left out below.
     let farthest = (libm::scalbn(t_max, power) as Real).next_up();
-    let hit = world.nearest::<AllEffects, _>(&ray, farthest, RayKind::Camera, scratch, &mut ())?;
+    let hit = world.nearest_hit::<AllEffects, _>(&ray, farthest, RayKind::Camera, scratch, &mut ())?;
     let t = libm::scalbn(f64::from(hit.t), -power);
     if !(t > 0.0 && t <= t_max && t.is_finite()) {
         return None;
     }
-    let surface = world.surface::<AllEffects>(&ray, hit)?;
+    let surface = world.surface_interaction::<AllEffects>(&ray, hit)?;
     let wide = |v: Vec3| [f64::from(v.x), f64::from(v.y), f64::from(v.z)];
     Some(RayHit { t, object: hit.item.0, point: wide(surface.point), normal: wide(surface.normal) })
 }

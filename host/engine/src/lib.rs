@@ -24,18 +24,18 @@
 //! | [`cost_map`], [`mask`], [`ray_query`] | costs of pixels, some pixels, single rays |
 //!
 //! ```
-//! use strahl_core::{Material, Projection, Resolution, SceneTables, Sphere, View, vec3};
+//! use strahl_core::{CameraDescriptor, Material, Projection, Resolution, SceneTables, Sphere, vec3};
 //! use strahl_engine::{AccelMemory, Engine, NoProgress, RenderOptions, SceneEngine};
 //! use strahl_settings::{AccelSettings, Settings};
 //!
 //! let mut tables = SceneTables::new();
 //! let matte = tables.add_material(Material::MATTE);
 //! tables.add_sphere(Sphere { center: vec3(0.0, 0.0, -5.0), radius: 1.0 }, matte);
-//! let view = View {
-//!     from: vec3(0.0, 0.0, 0.0),
-//!     at: vec3(0.0, 0.0, -1.0),
+//! let view = CameraDescriptor {
+//!     position: vec3(0.0, 0.0, 0.0),
+//!     target: vec3(0.0, 0.0, -1.0),
 //!     up: vec3(0.0, 1.0, 0.0),
-//!     projection: Projection::Perspective { angle: 1.0 },
+//!     projection: Projection::Perspective { field_of_view: 1.0 },
 //! };
 //!
 //! let mut memory = AccelMemory::default();

@@ -27,7 +27,7 @@ macro_rules! prepared_sets {
         /// The name of the first prepared set that contains all of `asks`.
         pub fn prepared_for(asks: &EffectSet) -> &'static str {
             $(
-                if $name::SET.contains(asks) {
+                if $name::SET.is_superset(asks) {
                     return stringify!($name);
                 }
             )*
@@ -47,7 +47,7 @@ macro_rules! prepared_sets {
                 return counting_tests::<A, AllEffects>(world, camera, request);
             }
             $(
-                if $name::SET.contains(&asks) {
+                if $name::SET.is_superset(&asks) {
                     return counting_rays::<A, $name>(world, camera, request);
                 }
             )*
@@ -64,7 +64,7 @@ prepared_sets! {
     Unlit = EffectSet { shapes: ShapeSet::ALL, textures: TextureSet::ALL, ..EffectSet::NONE };
     /// Opaque surfaces: highlights, shadows, mirrors.
     Opaque = EffectSet {
-        smooth: true,
+        smooth_shading: true,
         lights: POINT_LIKE,
         highlight: true,
         shadows: true,
@@ -75,7 +75,7 @@ prepared_sets! {
     Clear = EffectSet { transmission: true, ..Opaque::SET };
     /// And distributed ray tracing: penumbra, depth of field, gloss, motion.
     Distributed =
-        EffectSet { lights: LightSet::ALL, penumbra: true, lens: true, gloss: true, motion: true, ..Clear::SET };
+        EffectSet { lights: LightSet::ALL, penumbra: true, depth_of_field: true, gloss: true, motion_blur: true, ..Clear::SET };
     /// Whitted's model with absorbing glass: everything that one ray per point shows.
     Whitted = EffectSet { lights: LightSet::ALL, absorption: true, ..Clear::SET };
     /// Glass that colors light and shadow.
@@ -91,7 +91,7 @@ pub fn by_name<'w, A: Accelerator + Sync>(
     let asks = required_effects(world.scene(), &camera);
     if request.count_tests {
         counting_tests::<A, AllEffects>(world, camera, request)
-    } else if Whitted::SET.contains(&asks) {
+    } else if Whitted::SET.is_superset(&asks) {
         counting_rays::<A, Whitted>(world, camera, request)
     } else {
         counting_rays::<A, AllEffects>(world, camera, request)

@@ -3,7 +3,7 @@
 use std::time::{Duration, Instant};
 
 use strahl_core::scene::EffectSet;
-use strahl_core::{Camera, Projection, Rgb, Scene, Shape, View};
+use strahl_core::{Camera, CameraDescriptor, Projection, Rgb, Scene, Shape};
 use strahl_settings::{AccelSettings, Settings};
 
 use crate::accelerators::{AccelMemory, open};
@@ -23,7 +23,7 @@ use crate::world::AnyWorld;
 /// A scene with its accelerator, of which pictures are rendered one after another.
 pub struct SceneEngine<'s> {
     world: Box<dyn AnyWorld + 's>,
-    view: View,
+    view: CameraDescriptor,
     scene: SceneStats,
     accelerator: AccelStats,
 }
@@ -32,7 +32,7 @@ impl<'s> SceneEngine<'s> {
     /// Builds the accelerator that is asked for in `memory`, which the caller keeps, as it does the scene's tables.
     pub fn new(
         scene: Scene<'s>,
-        view: View,
+        view: CameraDescriptor,
         accelerator: &AccelSettings,
         memory: &'s mut AccelMemory,
     ) -> Result<Self, RenderError> {
@@ -104,14 +104,17 @@ impl Engine for SceneEngine<'_> {
 }
 
 /// What is in a scene, and the effects that it requires, those of the view included.
-pub fn scene_stats(scene: &Scene<'_>, view: &View) -> SceneStats {
-    let parts = scene.parts();
+pub fn scene_stats(scene: &Scene<'_>, view: &CameraDescriptor) -> SceneStats {
+    let parts = scene.descriptor();
     let is_triangle = |shape: &&Shape| matches!(shape, Shape::Triangle(_) | Shape::SmoothTriangle(_));
     SceneStats {
         objects: parts.geometry.shapes.len(),
         triangles: parts.geometry.shapes.iter().filter(is_triangle).count(),
         lights: parts.lights.len(),
-        effects: EffectSet { lens: matches!(view.projection, Projection::Lens { .. }), ..scene.effects() },
+        effects: EffectSet {
+            depth_of_field: matches!(view.projection, Projection::ThinLens { .. }),
+            ..scene.required_effects()
+        },
     }
 }
 

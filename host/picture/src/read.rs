@@ -98,7 +98,7 @@ impl fmt::Display for DecodeError {
             DecodeError::Size { width, height, most } => write!(
                 f,
                 "{width} x {height}, but a picture has 1 to {most} pixels, at most {} to a side",
-                Resolution::MOST
+                Resolution::MAX_SIDE
             ),
             DecodeError::Transparent => {
                 f.write_str("some pixels are transparent, and so have no colour to compare")

@@ -22,7 +22,7 @@ pub fn boxes(description: &LoadedScene) -> Option<Vec<Aabb>> {
             tables.add_triangles(triangles, Shading::Flat, material);
         } else if add(&mut tables, object.shape, material).is_none() {
             // Nothing is left of it: an empty triangle has its number.
-            if tables.parts().geometry.vertices.is_empty() {
+            if tables.descriptor().geometry.vertices.is_empty() {
                 tables.add_vertices(&[Vec3::ZERO], &[]);
             }
             tables.add_triangles(&[[0; 3]], Shading::Flat, material);
@@ -53,7 +53,7 @@ fn add(tables: &mut SceneTables, form: ShapeDescription, material: MaterialId) -
         }
         ShapeDescription::OrientedCuboid { center, half_size: half, first, third } => {
             let cuboid = OrientedCuboid::new(vec3_of(center), vec3_of(half), vec3_of(first), vec3_of(third))?;
-            tables.add_turned_cuboid(cuboid, material)
+            tables.add_oriented_cuboid(cuboid, material)
         }
         ShapeDescription::Cone { base, base_radius, end, end_radius, capped } => {
             let cone = Cone::new(vec3_of(base), base_radius, vec3_of(end), end_radius, capped)?;

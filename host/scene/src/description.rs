@@ -363,18 +363,25 @@ impl LoadedScene {
 
 impl CameraDescription {
     /// As the core has it, in single precision.
-    pub(crate) fn to_core(self) -> strahl_core::View {
+    pub(crate) fn to_core(self) -> strahl_core::CameraDescriptor {
         let radians = |degrees: f32| degrees * (strahl_core::math::PI / 180.0);
         let projection = match self.projection {
             ProjectionDescription::Perspective(angle) => {
-                strahl_core::Projection::Perspective { angle: radians(angle) }
+                strahl_core::Projection::Perspective { field_of_view: radians(angle) }
             }
-            ProjectionDescription::Lens { angle, radius, focus } => {
-                strahl_core::Projection::Lens { angle: radians(angle), radius, focus }
-            }
+            ProjectionDescription::Lens { angle, radius, focus } => strahl_core::Projection::ThinLens {
+                field_of_view: radians(angle),
+                lens_radius: radius,
+                focus_distance: focus,
+            },
             ProjectionDescription::Orthographic(height) => strahl_core::Projection::Orthographic { height },
         };
-        strahl_core::View { from: vec3_of(self.from), at: vec3_of(self.at), up: vec3_of(self.up), projection }
+        strahl_core::CameraDescriptor {
+            position: vec3_of(self.from),
+            target: vec3_of(self.at),
+            up: vec3_of(self.up),
+            projection,
+        }
     }
 }
 

@@ -109,9 +109,9 @@ fn reasons(description: &LoadedScene, used: &Used, effect: Effect) -> Vec<Reason
 /// Whether a material calls for an effect.
 fn is_called_for_by(effect: Effect, material: &Material) -> bool {
     match effect {
-        Effect::Reflection => !material.mirror.is_black(),
+        Effect::Reflection => !material.reflection.is_black(),
         Effect::Transmission => material.is_transmitting(),
-        Effect::Gloss => material.is_rough(),
+        Effect::Gloss => material.is_glossy(),
         _ => false,
     }
 }
@@ -122,8 +122,8 @@ fn without(description: &mut LoadedScene, effect: Effect) {
     let materials = description.materials.iter_mut().map(|material| &mut material.value);
     match effect {
         Effect::Shadows => lights.for_each(|light| light.shadows = false),
-        Effect::Reflection => materials.for_each(|material| material.mirror = Rgb::BLACK),
-        Effect::Transmission => materials.for_each(|material| material.transmitted = Rgb::BLACK),
+        Effect::Reflection => materials.for_each(|material| material.reflection = Rgb::BLACK),
+        Effect::Transmission => materials.for_each(|material| material.transmission = Rgb::BLACK),
         Effect::ColoredShadows => description.colored_shadows_line = None,
         Effect::Penumbra => lights.for_each(|light| match &mut light.source {
             LightSourceDescription::Sphere { radius, .. } => *radius = 0.0,

@@ -90,7 +90,7 @@ impl SceneInfo {
     }
 
     fn of_scene(description: &LoadedScene, scene: &Scene<'_>) -> Self {
-        let parts = scene.parts();
+        let parts = scene.descriptor();
         let mut by_shape = BTreeMap::new();
         for kind in parts.geometry.shapes.iter().filter_map(|shape| parts.geometry.kind(shape)) {
             *by_shape.entry(kind.name()).or_insert(0) += 1;
@@ -113,7 +113,7 @@ impl SceneInfo {
             plan: plan.iter().map(EffectInfo::new).collect(),
             not_called_for: missing.map(Effect::name).collect(),
             memory: MemoryInfo {
-                scene: parts.bytes(),
+                scene: parts.size_in_bytes(),
                 accelerators: built.iter().flatten().map(AcceleratorInfo::new).collect(),
             },
             auto: AutoAccelerator { kind: kind.name(), reason },

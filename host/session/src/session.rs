@@ -22,8 +22,12 @@ pub struct SceneStorage {
 
 #[derive(Debug)]
 enum Tables {
-    Single(Box<strahl_core::SceneTables>, strahl_core::View, AccelMemory),
-    Double(Box<strahl_core_double::SceneTables>, strahl_core_double::View, strahl_engine_double::AccelMemory),
+    Single(Box<strahl_core::SceneTables>, strahl_core::CameraDescriptor, AccelMemory),
+    Double(
+        Box<strahl_core_double::SceneTables>,
+        strahl_core_double::CameraDescriptor,
+        strahl_engine_double::AccelMemory,
+    ),
 }
 
 impl SceneStorage {

@@ -13,7 +13,7 @@ macro_rules! tables {
             use $core::geometry::{Cone, Cuboid, Disc, ItemId, OrientedCuboid, Torus};
             use $core::math::{PI, try_normalize};
             use $core::scene::{Shading, Texture};
-            use $core::{Background, Falloff, Light, Material, MaterialId, Projection, Real, Rgb, SceneTables, Source, Sphere, Vec3, View, vec3};
+            use $core::{Background, Falloff, Light, Material, MaterialId, Projection, Real, Rgb, SceneTables, LightSource, Sphere, Vec3, CameraDescriptor, vec3};
 
             use strahl_scene::description::{self, Float3, LoadedScene, ObjectDescription, ShapeDescription};
 
@@ -56,7 +56,7 @@ macro_rules! tables {
                     let triangles = triangles.get(first as usize..end).unwrap_or_default();
                     tables.add_triangles(triangles, shading(smooth), material);
                 } else if add_shape(tables, object.shape, material).is_none() {
-                    if tables.parts().geometry.vertices.is_empty() {
+                    if tables.descriptor().geometry.vertices.is_empty() {
                         tables.add_vertices(&[Vec3::ZERO], &[]);
                     }
                     tables.add_triangles(&[[0; 3]], Shading::Flat, material);
@@ -83,7 +83,7 @@ macro_rules! tables {
                     ShapeDescription::OrientedCuboid { center, half_size, first, third } => {
                         let (center, half) = (vector(center), vector(half_size));
                         let cuboid = OrientedCuboid::new(center, half, vector(first), vector(third))?;
-                        tables.add_turned_cuboid(cuboid, material)
+                        tables.add_oriented_cuboid(cuboid, material)
                     }
                     ShapeDescription::Cone { base, base_radius, end, end_radius, capped } => {
                         let (r0, r1) = (Real::from(base_radius), Real::from(end_radius));
@@ -109,19 +109,19 @@ macro_rules! tables {
             }
 
             /// The view of a scene.
-            pub fn view(view: &description::CameraDescription) -> View {
-                View {
-                    from: vector(view.from),
-                    at: vector(view.at),
+            pub fn view(view: &description::CameraDescription) -> CameraDescriptor {
+                CameraDescriptor {
+                    position: vector(view.from),
+                    target: vector(view.at),
                     up: vector(view.up),
                     projection: match view.projection {
                         description::ProjectionDescription::Perspective(angle) => {
-                            Projection::Perspective { angle: Real::from(angle) * (PI / 180.0) }
+                            Projection::Perspective { field_of_view: Real::from(angle) * (PI / 180.0) }
                         }
-                        description::ProjectionDescription::Lens { angle, radius, focus } => Projection::Lens {
-                            angle: Real::from(angle) * (PI / 180.0),
-                            radius: Real::from(radius),
-                            focus: Real::from(focus),
+                        description::ProjectionDescription::Lens { angle, radius, focus } => Projection::ThinLens {
+                            field_of_view: Real::from(angle) * (PI / 180.0),
+                            lens_radius: Real::from(radius),
+                            focus_distance: Real::from(focus),
                         },
                         description::ProjectionDescription::Orthographic(height) => {
                             Projection::Orthographic { height: Real::from(height) }
@@ -167,14 +167,14 @@ macro_rules! tables {
                         }
                     }
                     description::TextureDescription::Gradient { from, to, start, end } => Texture::Gradient {
-                        from: color(from),
-                        to: color(to),
+                        start_color: color(from),
+                        end_color: color(to),
                         origin: vector(start),
-                        along: vector(end) - vector(start),
+                        axis: vector(end) - vector(start),
                     },
                     description::TextureDescription::ZonePlate { from, to, origin, frequency } => Texture::ZonePlate {
-                        from: color(from),
-                        to: color(to),
+                        start_color: color(from),
+                        end_color: color(to),
                         origin: vector(origin),
                         frequency: Real::from(frequency),
                     },
@@ -187,13 +187,13 @@ macro_rules! tables {
                     diffuse: color(material.diffuse),
                     texture: material.texture,
                     highlight: color(material.highlight),
-                    exponent: Real::from(material.exponent),
-                    mirror: color(material.mirror),
-                    transmitted: color(material.transmitted),
+                    highlight_exponent: Real::from(material.highlight_exponent),
+                    reflection: color(material.reflection),
+                    transmission: color(material.transmission),
                     roughness: Real::from(material.roughness),
-                    index: Real::from(material.index),
-                    interface: material.interface,
-                    clarity: color(material.clarity),
+                    refractive_index: Real::from(material.refractive_index),
+                    fresnel: material.fresnel,
+                    attenuation_length: color(material.attenuation_length),
                     priority: material.priority,
                     two_sided: material.two_sided,
                 }
@@ -209,31 +209,31 @@ macro_rules! tables {
                 let cos = |degrees: f32| libm::cos(f64::from(degrees).to_radians()) as Real;
                 let source = match light.source {
                     description::LightSourceDescription::Point { position, falloff: f } => {
-                        Source::Point { position: vector(position), falloff: falloff(f) }
+                        LightSource::Point { position: vector(position), falloff: falloff(f) }
                     }
                     description::LightSourceDescription::Directional { to_light } => {
-                        Source::Directional { toward: direction(to_light) }
+                        LightSource::Directional { to_light: direction(to_light) }
                     }
                     description::LightSourceDescription::Spot { position, direction: d, inner_angle, outer_angle, falloff: f } => {
-                        Source::Spot {
+                        LightSource::Spot {
                             position: vector(position),
                             direction: direction(d),
-                            cos_bright: cos(inner_angle),
-                            cos_dark: cos(outer_angle),
+                            cos_inner: cos(inner_angle),
+                            cos_outer: cos(outer_angle),
                             falloff: falloff(f),
                         }
                     }
-                    description::LightSourceDescription::Sphere { position, radius, falloff: f } => Source::Sphere {
+                    description::LightSourceDescription::Sphere { position, radius, falloff: f } => LightSource::Sphere {
                         position: vector(position),
                         radius: Real::from(radius),
                         falloff: falloff(f),
                     },
                     description::LightSourceDescription::Rectangle { position, half_edges, is_sampled, falloff: f } => {
                         let (position, half) = (vector(position), half_edges.map(vector));
-                        Source::Rectangle { position, half, soft: is_sampled, falloff: falloff(f) }
+                        LightSource::Rectangle { position, half_edges: half, soft_shadows: is_sampled, falloff: falloff(f) }
                     }
                 };
-                Light { source, color: color(light.color), shadows: light.shadows }
+                Light { source, color: color(light.color), casts_shadows: light.shadows }
             }
         }
     };

@@ -232,7 +232,7 @@ impl Value for Resolution {
         match Resolution::new(width, height) {
             Some(size) if u64::from(width) * u64::from(height) <= MAX_PIXELS => Ok(size),
             Some(_) => Err(format!("a picture has at most {MAX_PIXELS} pixels")),
-            None => Err(format!("each side must be between 1 and {}", Resolution::MOST)),
+            None => Err(format!("each side must be between 1 and {}", Resolution::MAX_SIDE)),
         }
     }
 
@@ -256,7 +256,7 @@ impl Value for Tile {
         let (x, y, width, height) = (number(x)?, number(y)?, number(width)?, number(height)?);
         match Resolution::new(width, height) {
             Some(_) => Ok(Tile { first: Pixel { x, y }, width, height }),
-            None => Err(format!("each side must be between 1 and {}", Resolution::MOST)),
+            None => Err(format!("each side must be between 1 and {}", Resolution::MAX_SIDE)),
         }
     }
 

@@ -38,9 +38,9 @@ impl Effect {
             Effect::Transmission => set.transmission,
             Effect::ColoredShadows => set.colored_shadows,
             Effect::Penumbra => set.penumbra,
-            Effect::Lens => set.lens,
+            Effect::Lens => set.depth_of_field,
             Effect::Gloss => set.gloss,
-            Effect::Motion => set.motion,
+            Effect::Motion => set.motion_blur,
         }
     }
 }

@@ -46,7 +46,7 @@ impl Setting {
             Domain::Names(all) => json_schema!({ "type": "array", "items": { "enum": names(all) } }),
             Domain::Size => json_schema!({
                 "type": "array",
-                "items": { "type": "integer", "minimum": 1, "maximum": strahl_core::Resolution::MOST },
+                "items": { "type": "integer", "minimum": 1, "maximum": strahl_core::Resolution::MAX_SIDE },
                 "minItems": 2,
                 "maxItems": 2,
             }),

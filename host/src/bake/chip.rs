@@ -33,7 +33,7 @@ const DISTRIBUTED: EffectSet = EffectSet {
     lights: LightSet::of(&[LightKind::Sphere]),
     penumbra: true,
     gloss: true,
-    lens: true,
+    depth_of_field: true,
     ..GLASS
 };
 
@@ -49,7 +49,7 @@ pub const STACKS: [Stack; 6] = [
 
 /// The first set that is measured and contains what is asked for.
 pub fn stack(asks: &EffectSet) -> Option<&'static Stack> {
-    STACKS.iter().find(|stack| stack.set.contains(asks))
+    STACKS.iter().find(|stack| stack.set.is_superset(asks))
 }
 
 /// The estimate is this factor off at most, either way, for the scenes that are measured.

@@ -120,7 +120,7 @@ pub struct Counted {
 
 /// The bytes of a scene and the accelerator that is asked for.
 pub fn bake(scene: &Scene<'_>, asked: &BakeSettings) -> Result<Vec<u8>, String> {
-    let boxes: Vec<Aabb> = scene.parts().geometry.all_bounds().collect();
+    let boxes: Vec<Aabb> = scene.descriptor().geometry.all_bounds().collect();
     let fault = |error: strahl_core::accel::BuildError| error.to_string();
     let with = |finder: Finder<'_>| {
         let BakeSettings { view, size, levels, cutoff, .. } = *asked;
@@ -157,7 +157,7 @@ pub fn bake(scene: &Scene<'_>, asked: &BakeSettings) -> Result<Vec<u8>, String> 
 fn needs(path: &Path, scene: &Scene<'_>, asked: &BakeSettings, bytes: usize, counted: &Counted) -> String {
     const SLOTS: usize = DEFAULT_MAILBOX_SLOTS;
     const PLACES: usize = 32;
-    let tables = scene.parts().bytes();
+    let tables = scene.descriptor().size_in_bytes();
     let frame = bytes.saturating_sub(tables).saturating_sub(Pack::HEADER);
     let task = Worker::<BareList, (), 2>::SIZE_IN_BYTES - Worker::<BareList, (), 1>::SIZE_IN_BYTES;
     let levels = usize::from(asked.levels);
@@ -171,7 +171,7 @@ fn needs(path: &Path, scene: &Scene<'_>, asked: &BakeSettings, bytes: usize, cou
         text,
         "{}: {}, walked by {}",
         path.display(),
-        quantity(scene.parts().made_of.len(), "item"),
+        quantity(scene.descriptor().material_ids.len(), "item"),
         asked.accelerator.name()
     );
     let _ = writeln!(
@@ -185,12 +185,12 @@ fn needs(path: &Path, scene: &Scene<'_>, asked: &BakeSettings, bytes: usize, cou
         levels * task + memory + size_of::<usize>(),
         quantity(levels, "level"),
     );
-    let asks = scene.effects();
+    let asks = scene.required_effects();
     let shapes: Vec<&str> = asks.shapes.iter().map(|shape| shape.name()).collect();
     let _ = writeln!(text, "  shapes  {}", shapes.join(", "));
     // What the camera asks for is no part of the scene's own demand.
-    let lens = matches!(asked.view.projection, Projection::Lens { .. });
-    if let Some(stack) = chip::stack(&EffectSet { lens, ..asks }) {
+    let lens = matches!(asked.view.projection, Projection::ThinLens { .. });
+    if let Some(stack) = chip::stack(&EffectSet { depth_of_field: lens, ..asks }) {
         let more = levels.saturating_sub(usize::from(stack.levels)) * task;
         let _ = writeln!(
             text,

@@ -4,17 +4,17 @@ use std::fmt::Write as _;
 use std::path::Path;
 
 use strahl_core::geometry::{Aabb, Cone, Cuboid, Disc, ItemId, MovingShape, OrientedCuboid, Polygon, Torus};
-use strahl_core::scene::{EffectSet, Interface, Texture, TextureId};
+use strahl_core::scene::{EffectSet, FresnelModel, Texture, TextureId};
 use strahl_core::{
-    Background, Falloff, Light, Material, MaterialId, Plane, Projection, Rgb, Scene, Shape, Source, Sphere,
-    Vec3, View,
+    Background, CameraDescriptor, Falloff, Light, LightSource, Material, MaterialId, Plane, Projection, Rgb,
+    Scene, Shape, Sphere, Vec3,
 };
 
 use super::settings::BakeSettings;
 
 /// A room of constants: `PARTS`, `VIEW`, `SIZE`, `LIMITS`, `ITEMS`, and `Asked`, the effects.
 pub(super) fn source(path: &Path, scene: &Scene<'_>, asked: &BakeSettings) -> String {
-    let parts = scene.parts();
+    let parts = scene.descriptor();
     let name = path.file_name().unwrap_or_default().to_string_lossy().replace(['\n', '\r'], " ");
     let (width, height) = (asked.size.width(), asked.size.height());
     let mut out = format!(
@@ -22,18 +22,18 @@ pub(super) fn source(path: &Path, scene: &Scene<'_>, asked: &BakeSettings) -> St
          /// The size of the picture.\npub const SIZE: Resolution = Resolution::new({width}, {height}).unwrap();\n\n\
          /// Which picture is wanted.\n\
          pub const LIMITS: Limits = Limits {{ levels: {}, cutoff: {} }};\n\n\
-         /// How the scene is looked at.\npub const VIEW: View = {};\n\n\
+         /// How the scene is looked at.\npub const VIEW: CameraDescriptor = {};\n\n\
          /// How many items there are.\npub const ITEMS: u32 = {};\n\n",
         asked.levels,
         text(&asked.cutoff),
         text(&asked.view),
-        parts.made_of.len(),
+        parts.material_ids.len(),
     );
     // What the camera asks for is no part of the scene's own demand.
-    let lens = matches!(asked.view.projection, Projection::Lens { .. });
-    effects(&mut out, &EffectSet { lens, ..scene.effects() });
+    let lens = matches!(asked.view.projection, Projection::ThinLens { .. });
+    effects(&mut out, &EffectSet { depth_of_field: lens, ..scene.required_effects() });
     let g = &parts.geometry;
-    out += "/// The scene, not yet checked.\npub static PARTS: Parts<'static> = Parts {\n    geometry: Geometry {\n";
+    out += "/// The scene, not yet checked.\npub static PARTS: SceneDescriptor<'static> = SceneDescriptor {\n    geometry: Geometry {\n";
     for field in [
         "shapes",
         "vertices",
@@ -51,7 +51,7 @@ pub(super) fn source(path: &Path, scene: &Scene<'_>, asked: &BakeSettings) -> St
     }
     let _ = write!(
         out,
-        "    }},\n    made_of: &MADE_OF,\n    materials: &MATERIALS,\n    textures: &TEXTURES,\n    lights: &LIGHTS,\n    \
+        "    }},\n    material_ids: &MATERIAL_IDS,\n    materials: &MATERIALS,\n    textures: &TEXTURES,\n    lights: &LIGHTS,\n    \
          ambient: {},\n    background: {},\n    colored_shadows: {},\n}};\n\n",
         text(&parts.ambient),
         text(&parts.background),
@@ -68,7 +68,7 @@ pub(super) fn source(path: &Path, scene: &Scene<'_>, asked: &BakeSettings) -> St
     table(&mut out, "CONES", "Cone", g.cones);
     table(&mut out, "TORI", "Torus", g.tori);
     table(&mut out, "MOVING_SHAPES", "MovingShape", g.moving_shapes);
-    table(&mut out, "MADE_OF", "MaterialId", parts.made_of);
+    table(&mut out, "MATERIAL_IDS", "MaterialId", parts.material_ids);
     table(&mut out, "MATERIALS", "Material", parts.materials);
     table(&mut out, "TEXTURES", "Texture", parts.textures);
     table(&mut out, "LIGHTS", "Light", parts.lights);
@@ -98,7 +98,7 @@ fn effects(out: &mut String, set: &EffectSet) {
     let _ = writeln!(out, "        lights: LightSet::of(&[{}]),", lights.join(", "));
     let _ = writeln!(out, "        textures: TextureSet::of(&[{}]),", textures.join(", "));
     for (name, is_asked) in [
-        ("smooth", set.smooth),
+        ("smooth_shading", set.smooth_shading),
         ("highlight", set.highlight),
         ("shadows", set.shadows),
         ("reflection", set.reflection),
@@ -106,9 +106,9 @@ fn effects(out: &mut String, set: &EffectSet) {
         ("absorption", set.absorption),
         ("colored_shadows", set.colored_shadows),
         ("penumbra", set.penumbra),
-        ("lens", set.lens),
+        ("depth_of_field", set.depth_of_field),
         ("gloss", set.gloss),
-        ("motion", set.motion),
+        ("motion_blur", set.motion_blur),
     ] {
         let _ = writeln!(out, "        {name}: {is_asked},");
     }
@@ -173,9 +173,9 @@ calls! {
     TextureId "TextureId" (0)
 }
 
-impl Literal for Interface {
+impl Literal for FresnelModel {
     fn literal(&self, out: &mut String) {
-        let _ = write!(out, "Interface::{self:?}");
+        let _ = write!(out, "FresnelModel::{self:?}");
     }
 }
 
@@ -207,12 +207,12 @@ structs! {
     Torus { center, axis, major_radius, minor_radius }
     MovingShape { shape, offset_at_open, offset_at_close }
     Material {
-        ambient, diffuse, texture, highlight, exponent, mirror, transmitted, roughness, index, interface, clarity,
+        ambient, diffuse, texture, highlight, highlight_exponent, reflection, transmission, roughness, refractive_index, fresnel, attenuation_length,
         priority, two_sided
     }
-    Light { source, color, shadows }
+    Light { source, color, casts_shadows }
     Falloff { constant, linear, quadratic }
-    View { from, at, up, projection }
+    CameraDescriptor { position, target, up, projection }
 }
 
 /// Enums whose variants have fields with names.
@@ -233,20 +233,20 @@ macro_rules! variants {
 variants! {
     Texture {
         Checker { even, odd, origin, frequency }
-        Gradient { from, to, origin, along }
-        ZonePlate { from, to, origin, frequency }
+        Gradient { start_color, end_color, origin, axis }
+        ZonePlate { start_color, end_color, origin, frequency }
     }
     Projection {
-        Perspective { angle }
+        Perspective { field_of_view }
         Orthographic { height }
-        Lens { angle, radius, focus }
+        ThinLens { field_of_view, lens_radius, focus_distance }
     }
-    Source {
+    LightSource {
         Point { position, falloff }
-        Directional { toward }
-        Spot { position, direction, cos_bright, cos_dark, falloff }
+        Directional { to_light }
+        Spot { position, direction, cos_inner, cos_outer, falloff }
         Sphere { position, radius, falloff }
-        Rectangle { position, half, soft, falloff }
+        Rectangle { position, half_edges, soft_shadows, falloff }
     }
 }
 

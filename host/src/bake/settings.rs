@@ -1,6 +1,6 @@
 //! Settings of a baked scene.
 
-use strahl_core::{Resolution, View};
+use strahl_core::{CameraDescriptor, Resolution};
 use strahl_settings::AccelKind;
 
 /// What is baked beside the tables of the scene.
@@ -11,7 +11,7 @@ pub struct BakeSettings {
     /// The most nodes of a BVH or an octree; fewer nodes take less flash and have larger leaves.
     pub nodes: Option<usize>,
     /// The view.
-    pub view: View,
+    pub view: CameraDescriptor,
     /// The size of the picture.
     pub size: Resolution,
     /// The most levels of rays, 1 for camera rays only.

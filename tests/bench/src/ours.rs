@@ -7,7 +7,7 @@ use strahl_core::accel::{
 use strahl_core::geometry::{Aabb, Ray, ShapeKind, ShapeSet};
 use strahl_core::scene::{EffectSet, Effects};
 use strahl_core::tally::{Counters, RayKind};
-use strahl_core::{Geometry, Material, MaterialId, Parts, Scene, Shape, World};
+use strahl_core::{Geometry, Material, MaterialId, Scene, SceneDescriptor, Shape, World};
 
 use crate::contest::{Contender, Found, WAY};
 use crate::mesh::Mesh;
@@ -26,23 +26,28 @@ impl Effects for Triangles {
 pub struct Tables {
     shapes: Vec<Shape>,
     points: Vec<strahl_core::Vec3>,
-    made_of: Vec<MaterialId>,
+    material_ids: Vec<MaterialId>,
     pub boxes: Vec<Aabb>,
 }
 
 impl Tables {
     pub fn of(mesh: &Mesh) -> Self {
         let shapes: Vec<Shape> = mesh.triangles.iter().map(|corners| Shape::Triangle(*corners)).collect();
-        let made_of = vec![MaterialId(0); shapes.len()];
-        let mut tables = Tables { shapes, points: mesh.points.clone(), made_of, boxes: Vec::new() };
-        tables.boxes = tables.scene().parts().geometry.all_bounds().collect();
+        let material_ids = vec![MaterialId(0); shapes.len()];
+        let mut tables = Tables { shapes, points: mesh.points.clone(), material_ids, boxes: Vec::new() };
+        tables.boxes = tables.scene().descriptor().geometry.all_bounds().collect();
         tables
     }
 
     pub fn scene(&self) -> Scene<'_> {
         let geometry = Geometry { shapes: &self.shapes, vertices: &self.points, ..Geometry::EMPTY };
-        Scene::new(Parts { geometry, made_of: &self.made_of, materials: &[Material::MATTE], ..Parts::EMPTY })
-            .expect("a mesh is a scene")
+        Scene::new(SceneDescriptor {
+            geometry,
+            material_ids: &self.material_ids,
+            materials: &[Material::MATTE],
+            ..SceneDescriptor::EMPTY
+        })
+        .expect("a mesh is a scene")
     }
 }
 
@@ -59,13 +64,20 @@ impl<A: Accelerator> Contender for Asked<'_, A> {
     }
 
     fn closest(&mut self, ray: &Ray) -> Option<Found> {
-        let hit =
-            self.world.nearest::<Triangles, ()>(ray, f32::MAX, RayKind::Camera, &mut self.scratch, &mut ());
+        let hit = self.world.nearest_hit::<Triangles, ()>(
+            ray,
+            f32::MAX,
+            RayKind::Camera,
+            &mut self.scratch,
+            &mut (),
+        );
         hit.map(|hit| Found { t: hit.t, item: hit.item.0 })
     }
 
     fn any(&mut self, ray: &Ray, reach: f32) -> bool {
-        self.world.blocker::<Triangles, ()>(ray, reach, RayKind::Shadow, &mut self.scratch, &mut ()).is_some()
+        self.world
+            .occluder::<Triangles, ()>(ray, reach, RayKind::Shadow, &mut self.scratch, &mut ())
+            .is_some()
     }
 }
 
@@ -86,7 +98,7 @@ impl Room {
 /// Builds the hierarchy with its leaves in runs.
 fn tree<'s>(tables: &Tables, room: &'s mut Room) -> Bvh<'s, (), TriangleBlock> {
     let Room { nodes, items, runs } = room;
-    let geometry = tables.scene().parts().geometry;
+    let geometry = tables.scene().descriptor().geometry;
     let grown = BvhBuilder::new(&tables.boxes, LeafLayout::TriangleBlocks(&geometry), nodes, items)
         .expect("there is room");
     runs.resize(grown.block_count(), TriangleBlock::EMPTY);
@@ -96,7 +108,7 @@ fn tree<'s>(tables: &Tables, room: &'s mut Room) -> Bvh<'s, (), TriangleBlock> {
 /// Builds, and answers by a stack and by a heap.
 pub fn hierarchy<'s>(tables: &'s Tables, room: &'s mut Room) -> [(&'static str, Box<dyn Contender + 's>); 2] {
     let tree = tree(tables, room);
-    let bytes = tree.size_in_bytes() + tables.scene().parts().geometry.size_in_bytes();
+    let bytes = tree.size_in_bytes() + tables.scene().descriptor().geometry.size_in_bytes();
     [
         ("strahl, stack", asked(tables, tree.with_queue::<TraversalStack<64>>(), bytes)),
         ("strahl, heap", asked(tables, tree.with_queue::<TraversalHeap<64>>(), bytes)),
@@ -117,8 +129,9 @@ pub fn counted(tables: &Tables, room: &mut Room, rays: &[Ray]) -> [[f64; 3]; 2] 
     let mut counters = Counters::new();
     let mut scratch = TraversalStack::default();
     for ray in rays {
-        let _ = world.nearest::<Triangles, _>(ray, f32::MAX, RayKind::Camera, &mut scratch, &mut counters);
-        let _ = world.blocker::<Triangles, _>(ray, WAY, RayKind::Shadow, &mut scratch, &mut counters);
+        let _ =
+            world.nearest_hit::<Triangles, _>(ray, f32::MAX, RayKind::Camera, &mut scratch, &mut counters);
+        let _ = world.occluder::<Triangles, _>(ray, WAY, RayKind::Shadow, &mut scratch, &mut counters);
     }
     [RayKind::Camera, RayKind::Shadow].map(|kind| {
         [counters.box_tests[kind], counters.leaf_visits[kind], counters.shape_tests[kind]]

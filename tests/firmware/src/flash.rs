@@ -10,23 +10,23 @@ use core::hint::black_box;
 
 use strahl_core::geometry::{ItemId, ShapeKind, ShapeSet};
 use strahl_core::image::Pixel;
-use strahl_core::scene::{EffectSet, Effects, Interface, LightKind, LightSet};
+use strahl_core::scene::{EffectSet, Effects, FresnelModel, LightKind, LightSet};
 use strahl_core::{
-    Background, BareList, Camera, Falloff, Geometry, Light, Limits, Material, MaterialId, Parts, Plane,
-    Projection, Resolution, Rgb, Scene, Shape, Single, Source, Sphere, Tile, Tracer, Vec3, View, Worker,
-    World, render, vec3,
+    Background, BareList, Camera, CameraDescriptor, Falloff, Geometry, Light, LightSource, Limits, Material,
+    MaterialId, Plane, Projection, Resolution, Rgb, Scene, SceneDescriptor, Shape, Single, Sphere, Tile,
+    Tracer, Vec3, Worker, World, render, vec3,
 };
 
 /// A step of the table: what the tracer can do, and a scene that asks for exactly that.
 pub trait Step: Effects {
     /// The scene, not yet checked.
-    const PARTS: Parts<'static>;
+    const PARTS: SceneDescriptor<'static>;
     /// How it is looked at.
-    const VIEW: View = View {
-        from: vec3(0.0, 1.5, 5.0),
-        at: vec3(0.0, 0.7, 0.0),
+    const VIEW: CameraDescriptor = CameraDescriptor {
+        position: vec3(0.0, 1.5, 5.0),
+        target: vec3(0.0, 0.7, 0.0),
         up: Vec3::Y,
-        projection: Projection::Perspective { angle: 0.6 },
+        projection: Projection::Perspective { field_of_view: 0.6 },
     };
 }
 
@@ -58,31 +58,31 @@ const fn paint(r: f32, g: f32, b: f32) -> Material {
 const MATTE: [Material; ITEMS] =
     [paint(0.6, 0.6, 0.55), paint(0.8, 0.25, 0.2), paint(0.2, 0.5, 0.6), paint(0.9, 0.7, 0.2)];
 
-const MIRROR: Material = Material { mirror: Rgb::gray(0.9), ..paint(0.05, 0.05, 0.05) };
+const MIRROR: Material = Material { reflection: Rgb::gray(0.9), ..paint(0.05, 0.05, 0.05) };
 
 const GLASS: Material = Material {
-    transmitted: Rgb::gray(0.95),
-    index: 1.5,
-    interface: Interface::Fresnel,
+    transmission: Rgb::gray(0.95),
+    refractive_index: 1.5,
+    fresnel: FresnelModel::Dielectric,
     ..paint(0.0, 0.0, 0.0)
 };
 
-const fn lamp(source: Source, shadows: bool) -> [Light; 1] {
-    [Light { source, color: Rgb::gray(0.8), shadows }]
+const fn lamp(source: LightSource, shadows: bool) -> [Light; 1] {
+    [Light { source, color: Rgb::gray(0.8), casts_shadows: shadows }]
 }
 
 const PLACE: Vec3 = vec3(3.0, 5.0, 4.0);
-const POINT: Source = Source::Point { position: PLACE, falloff: Falloff::NONE };
+const POINT: LightSource = LightSource::Point { position: PLACE, falloff: Falloff::NONE };
 
-const fn parts(materials: &'static [Material], lights: &'static [Light]) -> Parts<'static> {
-    Parts {
+const fn parts(materials: &'static [Material], lights: &'static [Light]) -> SceneDescriptor<'static> {
+    SceneDescriptor {
         geometry: Geometry { shapes: &SHAPES, planes: &[FLOOR], ..Geometry::EMPTY },
-        made_of: &[MaterialId(0), MaterialId(1), MaterialId(2), MaterialId(3)],
+        material_ids: &[MaterialId(0), MaterialId(1), MaterialId(2), MaterialId(3)],
         materials,
         lights,
         ambient: Rgb::gray(0.25),
         background: Background::Color(Rgb::new(0.5, 0.7, 0.9)),
-        ..Parts::EMPTY
+        ..SceneDescriptor::EMPTY
     }
 }
 
@@ -98,7 +98,7 @@ impl Effects for Local {
 }
 
 impl Step for Local {
-    const PARTS: Parts<'static> = parts(&MATTE, &lamp(POINT, false));
+    const PARTS: SceneDescriptor<'static> = parts(&MATTE, &lamp(POINT, false));
 }
 
 /// And shadows.
@@ -109,7 +109,7 @@ impl Effects for Shadows {
 }
 
 impl Step for Shadows {
-    const PARTS: Parts<'static> = parts(&MATTE, &lamp(POINT, true));
+    const PARTS: SceneDescriptor<'static> = parts(&MATTE, &lamp(POINT, true));
 }
 
 /// And mirrors.
@@ -120,7 +120,8 @@ impl Effects for Mirrors {
 }
 
 impl Step for Mirrors {
-    const PARTS: Parts<'static> = parts(&[MATTE[0], MIRROR, MATTE[2], MATTE[3]], &lamp(POINT, true));
+    const PARTS: SceneDescriptor<'static> =
+        parts(&[MATTE[0], MIRROR, MATTE[2], MATTE[3]], &lamp(POINT, true));
 }
 
 /// And glass.
@@ -131,7 +132,7 @@ impl Effects for Glass {
 }
 
 impl Step for Glass {
-    const PARTS: Parts<'static> = parts(&[MATTE[0], MIRROR, GLASS, MATTE[3]], &lamp(POINT, true));
+    const PARTS: SceneDescriptor<'static> = parts(&[MATTE[0], MIRROR, GLASS, MATTE[3]], &lamp(POINT, true));
 }
 
 /// And what is left to chance: soft shadows, rough mirrors, a lens.
@@ -142,18 +143,20 @@ impl Effects for Distributed {
         lights: LightSet::of(&[LightKind::Sphere]),
         penumbra: true,
         gloss: true,
-        lens: true,
+        depth_of_field: true,
         ..Glass::SET
     };
 }
 
 impl Step for Distributed {
-    const PARTS: Parts<'static> = parts(
+    const PARTS: SceneDescriptor<'static> = parts(
         &[MATTE[0], Material { roughness: 0.3, ..MIRROR }, GLASS, MATTE[3]],
-        &lamp(Source::Sphere { position: PLACE, radius: 0.5, falloff: Falloff::NONE }, true),
+        &lamp(LightSource::Sphere { position: PLACE, radius: 0.5, falloff: Falloff::NONE }, true),
     );
-    const VIEW: View =
-        View { projection: Projection::Lens { angle: 0.6, radius: 0.05, focus: 5.0 }, ..Local::VIEW };
+    const VIEW: CameraDescriptor = CameraDescriptor {
+        projection: Projection::ThinLens { field_of_view: 0.6, lens_radius: 0.05, focus_distance: 5.0 },
+        ..Local::VIEW
+    };
 }
 
 /// Draws the picture of a step and hands its floats over, pixel by pixel.

@@ -10,11 +10,11 @@
 
 use strahl_core::geometry::{Aabb, Polygon, ShapeKind, ShapeSet};
 use strahl_core::scene::{
-    EffectSet, Effects, LastLevel, LightKind, LightSet, Texture, TextureId, TextureKind, TextureSet,
+    EffectSet, Effects, LevelLimitRadiance, LightKind, LightSet, Texture, TextureId, TextureKind, TextureSet,
 };
 use strahl_core::{
-    Background, Falloff, Geometry, Light, Limits, Material, MaterialId, Parts, Projection, Resolution, Rgb,
-    Shape, Source, Sphere, Vec3, View, vec3,
+    Background, CameraDescriptor, Falloff, Geometry, Light, LightSource, Limits, Material, MaterialId,
+    Projection, Resolution, Rgb, SceneDescriptor, Shape, Sphere, Vec3, vec3,
 };
 
 /// How large the picture is.
@@ -23,11 +23,11 @@ pub const SIZE: Resolution = Resolution::new(160, 120).unwrap();
 /// Down the third axis, with an angle of 1.05 from the upper edge of the picture to the lower.
 /// Between the middles of the first row and the last it is
 /// `2 atan(tan(1.05 / 2) * 119 / 120)`.
-pub const VIEW: View = View {
-    from: Vec3::ZERO,
-    at: vec3(0.0, 0.0, -1.0),
+pub const VIEW: CameraDescriptor = CameraDescriptor {
+    position: Vec3::ZERO,
+    target: vec3(0.0, 0.0, -1.0),
     up: Vec3::Y,
-    projection: Projection::Perspective { angle: 1.042_756_3 },
+    projection: Projection::Perspective { field_of_view: 1.042_756_3 },
 };
 
 /// Levels of rays.
@@ -51,8 +51,8 @@ impl Effects for Peer {
         transmission: true,
         ..EffectSet::NONE
     };
-    const SIGHT: f32 = 1000.0;
-    const LAST: LastLevel = LastLevel::Background;
+    const MAX_DISTANCE: f32 = 1000.0;
+    const LEVEL_LIMIT_RADIANCE: LevelLimitRadiance = LevelLimitRadiance::Background;
 }
 
 /// Eight bits for each channel: what is brighter than white is dimmed until it fits, then cut
@@ -64,15 +64,15 @@ pub fn quantised(color: Rgb) -> [u8; 3] {
 }
 
 /// The scene, not yet checked.
-pub const PARTS: Parts<'static> = Parts {
+pub const PARTS: SceneDescriptor<'static> = SceneDescriptor {
     geometry: Geometry { shapes: &SHAPES, vertices: &CORNERS, polygons: &[FLOOR], ..Geometry::EMPTY },
-    made_of: &[MaterialId(0), MaterialId(1), MaterialId(2), MaterialId(3), MaterialId(4)],
+    material_ids: &[MaterialId(0), MaterialId(1), MaterialId(2), MaterialId(3), MaterialId(4)],
     materials: &MATERIALS,
     textures: &[TILES],
     lights: &LIGHTS,
     ambient: Rgb::BLACK,
     background: Background::Color(Rgb::new(0.2, 0.7, 0.8)),
-    ..Parts::EMPTY
+    ..SceneDescriptor::EMPTY
 };
 
 /// How many items there are.
@@ -95,33 +95,33 @@ static MATERIALS: [Material; ITEMS] = [
     Material {
         diffuse: Rgb::new(0.9 * 0.4, 0.9 * 0.4, 0.9 * 0.3),
         highlight: Rgb::gray(0.5),
-        exponent: 50.0,
-        mirror: Rgb::gray(0.1),
+        highlight_exponent: 50.0,
+        reflection: Rgb::gray(0.1),
         ..DARK
     },
     // Glass.
     Material {
         diffuse: Rgb::BLACK,
         highlight: Rgb::gray(0.9),
-        exponent: 125.0,
-        mirror: Rgb::gray(0.1),
-        transmitted: Rgb::gray(0.8),
-        index: 1.5,
+        highlight_exponent: 125.0,
+        reflection: Rgb::gray(0.1),
+        transmission: Rgb::gray(0.8),
+        refractive_index: 1.5,
         ..DARK
     },
     // Red rubber.
     Material {
         diffuse: Rgb::new(1.4 * 0.3, 1.4 * 0.1, 1.4 * 0.1),
         highlight: Rgb::gray(0.3),
-        exponent: 10.0,
+        highlight_exponent: 10.0,
         ..DARK
     },
     // A mirror.
     Material {
         diffuse: Rgb::BLACK,
         highlight: Rgb::gray(16.0),
-        exponent: 1425.0,
-        mirror: Rgb::gray(0.8),
+        highlight_exponent: 1425.0,
+        reflection: Rgb::gray(0.8),
         ..DARK
     },
     // The floor.
@@ -152,5 +152,9 @@ static LIGHTS: [Light; 3] =
     [lamp(vec3(-20.0, 20.0, 20.0)), lamp(vec3(30.0, 50.0, -25.0)), lamp(vec3(30.0, 20.0, 30.0))];
 
 const fn lamp(position: Vec3) -> Light {
-    Light { source: Source::Point { position, falloff: Falloff::NONE }, color: Rgb::WHITE, shadows: true }
+    Light {
+        source: LightSource::Point { position, falloff: Falloff::NONE },
+        color: Rgb::WHITE,
+        casts_shadows: true,
+    }
 }

@@ -8,22 +8,22 @@
 
 use strahl_core::geometry::{Aabb, Cone, ItemId, Polygon, ShapeKind, ShapeSet, Torus};
 use strahl_core::scene::{
-    EffectSet, Effects, Interface, LightKind, LightSet, Texture, TextureId, TextureKind, TextureSet,
+    EffectSet, Effects, FresnelModel, LightKind, LightSet, Texture, TextureId, TextureKind, TextureSet,
 };
 use strahl_core::{
-    Background, Falloff, Geometry, Light, Limits, Material, MaterialId, Parts, Plane, Projection, Real,
-    Resolution, Rgb, Shape, Source, Sphere, Vec3, View, vec3,
+    Background, CameraDescriptor, Falloff, Geometry, Light, LightSource, Limits, Material, MaterialId, Plane,
+    Projection, Real, Resolution, Rgb, SceneDescriptor, Shape, Sphere, Vec3, vec3,
 };
 
 /// How large the picture is.
 pub const SIZE: Resolution = Resolution::new(64, 48).unwrap();
 
 /// How the scene is looked at.
-pub const VIEW: View = View {
-    from: vec3(0.6, 2.4, 7.5),
-    at: vec3(0.15, 0.95, 0.0),
+pub const VIEW: CameraDescriptor = CameraDescriptor {
+    position: vec3(0.6, 2.4, 7.5),
+    target: vec3(0.15, 0.95, 0.0),
     up: vec3(0.0, 1.0, 0.0),
-    projection: Projection::Perspective { angle: 0.6 },
+    projection: Projection::Perspective { field_of_view: 0.6 },
 };
 
 /// Levels of rays: glass takes two of them, and a mirror seen through it a third.
@@ -46,7 +46,7 @@ impl Effects for Golden {
             ShapeKind::Cone,
             ShapeKind::Torus,
         ]),
-        smooth: true,
+        smooth_shading: true,
         lights: LightSet::of(&[LightKind::Point, LightKind::Spot]),
         textures: TextureSet::of(&[TextureKind::Checker]),
         highlight: true,
@@ -59,8 +59,8 @@ impl Effects for Golden {
 }
 
 /// The scene, not yet checked.
-pub fn parts() -> Parts<'static> {
-    Parts {
+pub fn parts() -> SceneDescriptor<'static> {
+    SceneDescriptor {
         geometry: Geometry {
             shapes: &SHAPES,
             vertices: &POINTS,
@@ -71,13 +71,13 @@ pub fn parts() -> Parts<'static> {
             tori: &[RING],
             ..Geometry::EMPTY
         },
-        made_of: &MADE_OF,
+        material_ids: &MATERIAL_IDS,
         materials: &MATERIALS,
         textures: &[TILES],
         lights: &LIGHTS,
         ambient: Rgb::gray(0.25),
         background: SKY,
-        ..Parts::EMPTY
+        ..SceneDescriptor::EMPTY
     }
 }
 
@@ -103,18 +103,18 @@ static MATERIALS: [Material; ITEMS] = [
         ambient: Rgb::BLACK,
         diffuse: Rgb::BLACK,
         highlight: Rgb::gray(0.7),
-        exponent: 120.0,
-        transmitted: Rgb::WHITE,
-        index: 1.5,
-        interface: Interface::Fresnel,
-        clarity: Rgb::new(4.0, 20.0, 9.0),
+        highlight_exponent: 120.0,
+        transmission: Rgb::WHITE,
+        refractive_index: 1.5,
+        fresnel: FresnelModel::Dielectric,
+        attenuation_length: Rgb::new(4.0, 20.0, 9.0),
         ..Material::MATTE
     },
     // A mirror.
     Material {
         highlight: Rgb::gray(0.8),
-        exponent: 200.0,
-        mirror: Rgb::new(0.85, 0.87, 0.9),
+        highlight_exponent: 200.0,
+        reflection: Rgb::new(0.85, 0.87, 0.9),
         ..paint(0.05, 0.05, 0.06)
     },
     // A sail.
@@ -122,12 +122,12 @@ static MATERIALS: [Material; ITEMS] = [
     // A dart.
     paint(0.1, 0.5, 0.55),
     // A cone.
-    Material { highlight: Rgb::gray(0.3), exponent: 20.0, ..paint(0.9, 0.6, 0.1) },
+    Material { highlight: Rgb::gray(0.3), highlight_exponent: 20.0, ..paint(0.9, 0.6, 0.1) },
     // A ring.
-    Material { highlight: Rgb::gray(0.6), exponent: 50.0, ..paint(0.45, 0.2, 0.65) },
+    Material { highlight: Rgb::gray(0.6), highlight_exponent: 50.0, ..paint(0.45, 0.2, 0.65) },
 ];
 
-static MADE_OF: [MaterialId; ITEMS] =
+static MATERIAL_IDS: [MaterialId; ITEMS] =
     [MaterialId(0), MaterialId(1), MaterialId(2), MaterialId(3), MaterialId(4), MaterialId(5), MaterialId(6)];
 
 const fn paint(r: Real, g: Real, b: Real) -> Material {
@@ -188,21 +188,21 @@ const TILES: Texture = Texture::Checker {
 
 static LIGHTS: [Light; 2] = [
     Light {
-        source: Source::Point { position: vec3(4.0, 6.0, 5.0), falloff: Falloff::NONE },
+        source: LightSource::Point { position: vec3(4.0, 6.0, 5.0), falloff: Falloff::NONE },
         color: Rgb::new(0.5, 0.48, 0.45),
-        shadows: true,
+        casts_shadows: true,
     },
     Light {
-        source: Source::Spot {
+        source: LightSource::Spot {
             position: vec3(-2.0, 6.5, 3.0),
             // (2, -6, -3) / 7
             direction: vec3(0.285_714_3, -0.857_142_9, -0.428_571_4),
-            cos_bright: 0.95,
-            cos_dark: 0.88,
+            cos_inner: 0.95,
+            cos_outer: 0.88,
             falloff: Falloff { constant: 0.5, linear: 0.0, quadratic: 0.01 },
         },
         color: Rgb::new(0.65, 0.68, 0.75),
-        shadows: true,
+        casts_shadows: true,
     },
 ];
 

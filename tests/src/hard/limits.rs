@@ -123,10 +123,16 @@ macro_rules! core {
                     let core_ray =
                         Ray::new(vec3(o.x as _, o.y as _, o.z as _), vec3(d.x as _, d.y as _, d.z as _));
                     let nearest = |t_max: Real| {
-                        world.nearest::<AllEffects, _>(&core_ray, t_max, RayKind::Camera, &mut (), &mut ())
+                        world.nearest_hit::<AllEffects, _>(
+                            &core_ray,
+                            t_max,
+                            RayKind::Camera,
+                            &mut (),
+                            &mut (),
+                        )
                     };
                     let is_hit = |t_max: Real| {
-                        let blocker = world.blocker::<AllEffects, _>(
+                        let blocker = world.occluder::<AllEffects, _>(
                             &core_ray,
                             t_max,
                             RayKind::Shadow,

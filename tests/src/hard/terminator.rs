@@ -113,7 +113,7 @@ macro_rules! core {
     ($module:ident, $core:ident, $scene:path) => {
         mod $module {
             use $core::math::try_normalize;
-            use $core::{Light, Limits, Rgb, Source, vec3};
+            use $core::{Light, LightSource, Limits, Rgb, vec3};
 
             use $scene as TestScene;
 
@@ -128,8 +128,8 @@ macro_rules! core {
                 let mut scene = TestScene::with_shapes(shapes);
                 let hit = scene.cast(camera_rays);
                 let toward = try_normalize(narrow(light)).unwrap();
-                let source = Source::Directional { toward };
-                scene.lights.push(Light { source, color: Rgb::WHITE, shadows: true });
+                let source = LightSource::Directional { to_light: toward };
+                scene.lights.push(Light { source, color: Rgb::WHITE, casts_shadows: true });
                 let look = |eye: &TestRay| {
                     let limits = Limits { levels: 1, cutoff: 0.0 };
                     !scene.trace(narrow(eye.origin), narrow(eye.origin + eye.direction), limits).is_black()

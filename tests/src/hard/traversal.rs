@@ -164,7 +164,7 @@ macro_rules! core {
                     let (o, d) = (ray.origin, ray.direction);
                     let core_ray =
                         Ray::new(vec3(o.x as _, o.y as _, o.z as _), vec3(d.x as _, d.y as _, d.z as _));
-                    let hit = world.nearest::<AllEffects, _>(
+                    let hit = world.nearest_hit::<AllEffects, _>(
                         &core_ray,
                         Real::MAX,
                         RayKind::Camera,

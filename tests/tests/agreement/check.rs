@@ -19,19 +19,19 @@ pub struct QueryAnswer {
 }
 
 pub fn nearest<A: Accelerator>(world: &World<A>, ray: &Ray, t_max: Real) -> Option<Hit> {
-    world.nearest::<AllEffects, _>(ray, t_max, RayKind::Camera, &mut A::Scratch::default(), &mut ())
+    world.nearest_hit::<AllEffects, _>(ray, t_max, RayKind::Camera, &mut A::Scratch::default(), &mut ())
 }
 
 pub fn occluder<A: Accelerator>(world: &World<A>, ray: &Ray, t_max: Real) -> Option<ItemId> {
-    world.blocker::<AllEffects, _>(ray, t_max, RayKind::Shadow, &mut A::Scratch::default(), &mut ())
+    world.occluder::<AllEffects, _>(ray, t_max, RayKind::Shadow, &mut A::Scratch::default(), &mut ())
 }
 
 fn answer<A: Accelerator>(world: &World<A>, ray: &Ray, t_max: Real, scratch: &mut A::Scratch) -> QueryAnswer {
-    let hit = world.nearest::<AllEffects, _>(ray, t_max, RayKind::Camera, scratch, &mut ());
-    let occluder = world.blocker::<AllEffects, _>(ray, t_max, RayKind::Shadow, scratch, &mut ());
+    let hit = world.nearest_hit::<AllEffects, _>(ray, t_max, RayKind::Camera, scratch, &mut ());
+    let occluder = world.occluder::<AllEffects, _>(ray, t_max, RayKind::Shadow, scratch, &mut ());
     QueryAnswer {
         hit: hit.map(|hit| (hit.item, hit.t.to_bits())),
-        surface: hit.and_then(|hit| world.surface::<AllEffects>(ray, hit)),
+        surface: hit.and_then(|hit| world.surface_interaction::<AllEffects>(ray, hit)),
         is_occluded: occluder.is_some(),
     }
 }
@@ -102,7 +102,7 @@ impl<'s> AcceleratorCheck<'s> {
         self.check("heap of one", tree.with_queue::<TraversalHeap<1>>());
         self.check("heap of none", tree.with_queue::<TraversalHeap<0>>());
 
-        let geometry = self.scene.as_scene().parts().geometry;
+        let geometry = self.scene.as_scene().descriptor().geometry;
         let (mut nodes, mut items) = (vec![BvhNode::EMPTY; provided], vec![LeafEntry::EMPTY; size.entries]);
         let builder =
             BvhBuilder::new(&self.boxes, LeafLayout::TriangleBlocks(&geometry), &mut nodes, &mut items)

@@ -73,9 +73,9 @@ fn bounds_save_shape_tests_and_groups_save_box_tests() {
     let mut with = Counters::new();
     let mut by_spheres = Counters::new();
     for ray in &rays {
-        with_spheres.nearest::<AllEffects, _>(ray, Real::MAX, RayKind::Camera, &mut (), &mut by_spheres);
-        unbounded.nearest::<AllEffects, _>(ray, Real::MAX, RayKind::Camera, &mut (), &mut without);
-        bounded.nearest::<AllEffects, _>(ray, Real::MAX, RayKind::Camera, &mut (), &mut with);
+        with_spheres.nearest_hit::<AllEffects, _>(ray, Real::MAX, RayKind::Camera, &mut (), &mut by_spheres);
+        unbounded.nearest_hit::<AllEffects, _>(ray, Real::MAX, RayKind::Camera, &mut (), &mut without);
+        bounded.nearest_hit::<AllEffects, _>(ray, Real::MAX, RayKind::Camera, &mut (), &mut with);
     }
     let kind = RayKind::Camera;
     assert_eq!(

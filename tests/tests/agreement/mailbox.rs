@@ -31,7 +31,7 @@ fn traced(scene: &TestScene, ray: &Ray, t_max: Real) -> (Option<Hit>, Vec<Counte
     ) -> (Option<Hit>, Counters) {
         let mut counters = Counters::new();
         let world = World::new(scene.as_scene(), accelerator);
-        let hit = world.nearest::<AllEffects, _>(
+        let hit = world.nearest_hit::<AllEffects, _>(
             ray,
             t_max,
             RayKind::Camera,

@@ -61,8 +61,10 @@ fn a_moving_item_is_hit_like_a_static_one_at_its_position() {
                 hits += 1;
                 let (a, b) = (hit.t, want.t);
                 assert!((a - b).abs() <= 4.0 * Real::EPSILON * b, "{a} {b}");
-                let surfaces =
-                    (world.surface::<AllEffects>(&ray, hit), expected.surface::<AllEffects>(&ray, want));
+                let surfaces = (
+                    world.surface_interaction::<AllEffects>(&ray, hit),
+                    expected.surface_interaction::<AllEffects>(&ray, want),
+                );
                 let (Some(it), Some(want)) = surfaces else { panic!("no surface") };
                 let off = (it.point - want.point).abs();
                 assert!(off.cmple(it.point_error + want.point_error).all(), "{off}");

@@ -16,7 +16,7 @@ macro_rules! everything_but {
 
 everything_but! {
     Spheres { shapes: ShapeSet::of(&[ShapeKind::Sphere]) }
-    Flat { smooth: false }
+    Flat { smooth_shading: false }
     PointLights { lights: LightSet::of(&[LightKind::Point]) }
     Checkers { textures: TextureSet::of(&[TextureKind::Checker]) }
     Dull { highlight: false }
@@ -26,34 +26,40 @@ everything_but! {
     Clear { absorption: false }
     Uncolored { colored_shadows: false }
     Hard { penumbra: false }
-    Pinhole { lens: false }
+    Pinhole { depth_of_field: false }
     Polished { gloss: false }
-    Standing { motion: false }
+    Standing { motion_blur: false }
 }
 
 /// An effect, a function that removes it from a scene, and one that renders without it.
-type DisableEffect = (&'static str, fn(&mut TestScene, &mut View), fn(&TestScene, &View) -> Vec<Rgb>);
+type DisableEffect =
+    (&'static str, fn(&mut TestScene, &mut CameraDescriptor), fn(&TestScene, &CameraDescriptor) -> Vec<Rgb>);
 
 /// A scene that requires every effect.
-fn all_effects() -> (TestScene, View) {
+fn all_effects() -> (TestScene, CameraDescriptor) {
     let mut scene = mixed_scene();
-    scene.material(Material { mirror: Rgb::gray(0.4), roughness: 0.4, ..Material::MATTE });
+    scene.material(Material { reflection: Rgb::gray(0.4), roughness: 0.4, ..Material::MATTE });
     let moving = scene.sphere(vec3(2.0, 2.0, 2.0), 0.7);
     scene.set_motion(moving, -Vec3::X, Vec3::Y);
     let falloff = Falloff::NONE;
     let half = [Vec3::X, Vec3::Z];
     for source in [
-        Source::Sphere { position: vec3(4.0, 7.0, 3.0), radius: 1.0, falloff },
-        Source::Rectangle { position: vec3(-1.0, 6.0, 1.0), half, soft: true, falloff },
+        LightSource::Sphere { position: vec3(4.0, 7.0, 3.0), radius: 1.0, falloff },
+        LightSource::Rectangle {
+            position: vec3(-1.0, 6.0, 1.0),
+            half_edges: half,
+            soft_shadows: true,
+            falloff,
+        },
     ] {
-        scene.lights.push(Light { source, color: Rgb::gray(0.3), shadows: true });
+        scene.lights.push(Light { source, color: Rgb::gray(0.3), casts_shadows: true });
     }
     scene.colored_shadows = true;
-    let projection = Projection::Lens { angle: 0.9, radius: 0.1, focus: 8.0 };
-    (scene, View { projection, ..VIEW })
+    let projection = Projection::ThinLens { field_of_view: 0.9, lens_radius: 0.1, focus_distance: 8.0 };
+    (scene, CameraDescriptor { projection, ..VIEW })
 }
 
-fn rendered<E: Effects>(scene: &TestScene, view: &View) -> Vec<Rgb> {
+fn rendered<E: Effects>(scene: &TestScene, view: &CameraDescriptor) -> Vec<Rgb> {
     let world = World::new(scene.as_scene(), List::without_bounds(scene.item_count()));
     let size = size(24, 16);
     let camera = Camera::new(view, size).unwrap();
@@ -75,18 +81,26 @@ fn a_tracer_without_an_effect_gives_the_same_picture_of_a_scene_that_does_not_us
     let all: [DisableEffect; 9] = [
         (
             "shadows",
-            |scene, _| scene.lights.iter_mut().for_each(|l| l.shadows = false),
+            |scene, _| scene.lights.iter_mut().for_each(|l| l.casts_shadows = false),
             rendered::<Shadowless>,
         ),
-        ("reflection", |scene, _| each_material(scene, |m| m.mirror = Rgb::BLACK), rendered::<Mirrorless>),
-        ("transmission", |scene, _| each_material(scene, |m| m.transmitted = Rgb::BLACK), rendered::<Opaque>),
+        (
+            "reflection",
+            |scene, _| each_material(scene, |m| m.reflection = Rgb::BLACK),
+            rendered::<Mirrorless>,
+        ),
+        (
+            "transmission",
+            |scene, _| each_material(scene, |m| m.transmission = Rgb::BLACK),
+            rendered::<Opaque>,
+        ),
         (
             "absorption",
-            |scene, _| each_material(scene, |m| m.clarity = Material::MATTE.clarity),
+            |scene, _| each_material(scene, |m| m.attenuation_length = Material::MATTE.attenuation_length),
             rendered::<Clear>,
         ),
         ("colored shadows", |scene, _| scene.colored_shadows = false, rendered::<Uncolored>),
-        ("penumbra", |scene, _| scene.lights.retain(|light| !light.is_soft()), rendered::<Hard>),
+        ("penumbra", |scene, _| scene.lights.retain(|light| !light.has_penumbra()), rendered::<Hard>),
         ("lens", |_, view| view.projection = VIEW.projection, rendered::<Pinhole>),
         ("gloss", |scene, _| each_material(scene, |m| m.roughness = 0.0), rendered::<Polished>),
         ("motion", |scene, _| scene.clear_motions(), rendered::<Standing>),
@@ -105,7 +119,11 @@ fn a_tracer_without_an_effect_gives_the_same_picture_of_a_scene_that_does_not_us
 #[test]
 fn a_tracer_refuses_a_scene_that_requires_an_effect_it_lacks() {
     fn refuses<E: Effects>(require: impl Fn(&mut TestScene, Material, Light)) {
-        let light = |color| Light { source: Source::Directional { toward: Vec3::Y }, color, shadows: false };
+        let light = |color| Light {
+            source: LightSource::Directional { to_light: Vec3::Y },
+            color,
+            casts_shadows: false,
+        };
         let mut scene = TestScene::new();
         scene.sphere(Vec3::ZERO, 1.0);
         let camera = Camera::new(&VIEW, size(2, 2)).unwrap();
@@ -114,7 +132,7 @@ fn a_tracer_refuses_a_scene_that_requires_an_effect_it_lacks() {
             match Tracer::<_, E, 5>::new(&world, camera, Limits::DEFAULT) {
                 Ok(_) => false,
                 Err(error) => {
-                    let missing = scene.as_scene().effects().difference(&E::SET);
+                    let missing = scene.as_scene().required_effects().difference(&E::SET);
                     assert_eq!(error, TracerError::MissingEffects { missing });
                     true
                 }
@@ -128,7 +146,7 @@ fn a_tracer_refuses_a_scene_that_requires_an_effect_it_lacks() {
         scene.material(material);
         scene.sphere(Vec3::ZERO, 1.0);
     };
-    let glass = |material| Material { transmitted: Rgb::WHITE, ..material };
+    let glass = |material| Material { transmission: Rgb::WHITE, ..material };
     refuses::<Spheres>(|scene, _, _| {
         scene.disc(Vec3::ZERO, Vec3::Y, 1.0);
     });
@@ -141,34 +159,39 @@ fn a_tracer_refuses_a_scene_that_requires_an_effect_it_lacks() {
     refuses::<PointLights>(|scene, _, light| scene.lights.push(light));
     refuses::<Checkers>(|scene, material, _| {
         let (from, to) = (Rgb::BLACK, Rgb::WHITE);
-        let texture = scene.add_texture(Texture::Gradient { from, to, origin: Vec3::ZERO, along: Vec3::X });
+        let texture = scene.add_texture(Texture::Gradient {
+            start_color: from,
+            end_color: to,
+            origin: Vec3::ZERO,
+            axis: Vec3::X,
+        });
         sphere(scene, Material { texture, ..material });
     });
     refuses::<Dull>(|scene, material, light| {
         scene.lights.push(light);
-        sphere(scene, Material { highlight: Rgb::WHITE, exponent: 2.0, ..material });
+        sphere(scene, Material { highlight: Rgb::WHITE, highlight_exponent: 2.0, ..material });
     });
-    refuses::<Shadowless>(|scene, _, light| scene.lights.push(Light { shadows: true, ..light }));
+    refuses::<Shadowless>(|scene, _, light| scene.lights.push(Light { casts_shadows: true, ..light }));
     refuses::<Mirrorless>(|scene, material, _| {
-        sphere(scene, Material { mirror: Rgb::gray(0.01), ..material })
+        sphere(scene, Material { reflection: Rgb::gray(0.01), ..material })
     });
     refuses::<Opaque>(|scene, material, _| sphere(scene, glass(material)));
     refuses::<Hard>(|scene, _, light| {
         let falloff = Falloff::NONE;
-        let source = Source::Sphere { position: Vec3::Y, radius: 1.0, falloff };
+        let source = LightSource::Sphere { position: Vec3::Y, radius: 1.0, falloff };
         scene.lights.push(Light { source, ..light });
     });
     refuses::<Polished>(|scene, material, _| {
-        sphere(scene, Material { mirror: Rgb::WHITE, roughness: 0.1, ..material });
+        sphere(scene, Material { reflection: Rgb::WHITE, roughness: 0.1, ..material });
     });
     refuses::<Standing>(|scene, _, _| scene.set_motion(ItemId(0), Vec3::ZERO, Vec3::X));
     refuses::<Uncolored>(|scene, material, light| {
         sphere(scene, glass(material));
-        scene.lights.push(Light { shadows: true, ..light });
+        scene.lights.push(Light { casts_shadows: true, ..light });
         scene.colored_shadows = true;
     });
     refuses::<Clear>(|scene, material, _| {
-        sphere(scene, Material { clarity: Rgb::new(Real::INFINITY, 2.0, 1.0), ..glass(material) });
+        sphere(scene, Material { attenuation_length: Rgb::new(Real::INFINITY, 2.0, 1.0), ..glass(material) });
     });
 }
 
@@ -181,7 +204,7 @@ fn a_tracer_without_a_lens_refuses_a_camera_that_has_one() {
     let refused = Tracer::<_, Pinhole, 5>::new(&world, camera, Limits::DEFAULT).err();
     assert_eq!(
         refused,
-        Some(TracerError::MissingEffects { missing: EffectSet { lens: true, ..EffectSet::NONE } })
+        Some(TracerError::MissingEffects { missing: EffectSet { depth_of_field: true, ..EffectSet::NONE } })
     );
     assert!(Tracer::<_, AllEffects, 5>::new(&world, camera, Limits::DEFAULT).is_ok());
 }
@@ -205,8 +228,8 @@ fn local() -> TestScene {
     for x in -2..3 {
         scene.sphere(vec3(x as Real, -0.5, 0.0), 0.5);
     }
-    let source = Source::Point { position: vec3(3.0, 5.0, 4.0), falloff: Falloff::NONE };
-    scene.lights.push(Light { source, color: Rgb::new(0.9, 0.8, 0.7), shadows: false });
+    let source = LightSource::Point { position: vec3(3.0, 5.0, 4.0), falloff: Falloff::NONE };
+    scene.lights.push(Light { source, color: Rgb::new(0.9, 0.8, 0.7), casts_shadows: false });
     scene.ambient = Rgb::gray(0.2);
     scene
 }
@@ -214,7 +237,7 @@ fn local() -> TestScene {
 #[test]
 fn the_smallest_effect_set_and_all_effects_give_the_same_picture() {
     let scene = local();
-    assert_eq!(scene.as_scene().effects(), LocalLightEffects::SET);
+    assert_eq!(scene.as_scene().required_effects(), LocalLightEffects::SET);
     let world = World::new(scene.as_scene(), List::without_bounds(scene.item_count()));
     let (small, counters) = picture::<_, LocalLightEffects, 1>(
         &world,
@@ -244,7 +267,7 @@ fn no_ray_is_traced_for_effects_that_the_scene_does_not_use() {
     let scene = local();
     assert_eq!(rays(&scene), [true, false, false, false]);
     let mut with_shadows = scene.clone();
-    with_shadows.lights[0].shadows = true;
+    with_shadows.lights[0].casts_shadows = true;
     assert_eq!(rays(&with_shadows), [true, false, false, true]);
     // A black light costs no shadow ray.
     with_shadows.lights[0].color = Rgb::BLACK;

@@ -8,7 +8,7 @@ fn panes(levels: usize) -> TestScene {
     let mut scene = TestScene::new();
     let half = Rgb::gray(0.5);
     let diffuse = Rgb::BLACK;
-    scene.material(Material { diffuse, mirror: half, transmitted: half, ..Material::MATTE });
+    scene.material(Material { diffuse, reflection: half, transmission: half, ..Material::MATTE });
     for i in 0..levels {
         let x = i as Real + 1.0;
         scene.plane(vec3(x, 0.0, 0.0), Vec3::X);
@@ -20,13 +20,13 @@ fn panes(levels: usize) -> TestScene {
 
 /// The ray through the center of the first pixel.
 const CENTER: CameraSample =
-    CameraSample { point: FilmPoint { x: 0.5, y: 0.5 }, stream: SobolSequence::new(0, 0, 0, 0) };
+    CameraSample { point: FilmPoint { x: 0.5, y: 0.5 }, sequence: SobolSequence::new(0, 0, 0, 0) };
 
 /// A ray perpendicular to the panes, traced with a capacity of `LEVELS` levels.
 fn full_tree<const LEVELS: usize>(levels: u8) -> (Rgb, Counters) {
     let scene = panes(levels.into());
     let world = World::new(scene.as_scene(), List::without_bounds(scene.item_count()));
-    let view = View { from: Vec3::ZERO, at: Vec3::X, up: Vec3::Y, ..VIEW };
+    let view = CameraDescriptor { position: Vec3::ZERO, target: Vec3::X, up: Vec3::Y, ..VIEW };
     let limits = Limits { levels, cutoff: 0.0 };
     let tracer =
         Tracer::<_, AllEffects, LEVELS>::new(&world, Camera::new(&view, size(1, 1)).unwrap(), limits)
@@ -73,7 +73,7 @@ impl Tally for StopAfter {
 fn a_stopped_trace_ends_at_once_with_the_light_of_its_rays() {
     let scene = panes(64);
     let world = World::new(scene.as_scene(), List::without_bounds(scene.item_count()));
-    let view = View { from: Vec3::ZERO, at: Vec3::X, up: Vec3::Y, ..VIEW };
+    let view = CameraDescriptor { position: Vec3::ZERO, target: Vec3::X, up: Vec3::Y, ..VIEW };
     let camera = Camera::new(&view, size(1, 1)).unwrap();
     // The whole tree has 2^64 rays.
     let limits = Limits { levels: 64, cutoff: 0.0 };
@@ -131,7 +131,12 @@ fn a_tracer_refuses_more_levels_than_its_capacity() {
 fn an_overflow_of_the_medium_stack_is_counted() {
     // Six shells of glass around the target: the fifth and sixth are not entered.
     let mut scene = TestScene::new();
-    scene.material(Material { transmitted: Rgb::WHITE, index: 1.1, diffuse: Rgb::BLACK, ..Material::MATTE });
+    scene.material(Material {
+        transmission: Rgb::WHITE,
+        refractive_index: 1.1,
+        diffuse: Rgb::BLACK,
+        ..Material::MATTE
+    });
     for radius in 1..7 {
         scene.sphere(Vec3::ZERO, radius as Real);
     }
@@ -147,15 +152,16 @@ fn the_background_replaces_rays_below_the_last_level_and_hits_out_of_sight() {
     struct LimitedSight;
     impl Effects for LimitedSight {
         const SET: EffectSet = EffectSet::ALL;
-        const SIGHT: Real = 4.5;
-        const LAST: LastLevel = LastLevel::Background;
+        const MAX_DISTANCE: Real = 4.5;
+        const LEVEL_LIMIT_RADIANCE: LevelLimitRadiance = LevelLimitRadiance::Background;
     }
     let mut scene = panes(1);
     scene.background = Background::Color(Rgb::gray(8.0));
     let color = |from: Real, levels| {
         let world = World::new(scene.as_scene(), BareList(scene.item_count()));
-        let view = View { from: vec3(from, 0.0, 0.0), at: vec3(from + 1.0, 0.0, 0.0), ..VIEW };
-        let camera = Camera::new(&View { up: Vec3::Y, ..view }, size(1, 1)).unwrap();
+        let view =
+            CameraDescriptor { position: vec3(from, 0.0, 0.0), target: vec3(from + 1.0, 0.0, 0.0), ..VIEW };
+        let camera = Camera::new(&CameraDescriptor { up: Vec3::Y, ..view }, size(1, 1)).unwrap();
         let limits = Limits { levels, cutoff: 0.0 };
         let tracer = Tracer::<_, LimitedSight, 3>::new(&world, camera, limits).unwrap();
         tracer.trace(CENTER, &mut Worker::new(())).color

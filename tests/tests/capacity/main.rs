@@ -19,14 +19,15 @@ use strahl_core::image::{
 use strahl_core::math::{SobolSequence, try_normalize};
 use strahl_core::render::render_selected;
 use strahl_core::scene::{
-    CameraSample, EffectSet, Effects, FilmPoint, Interface, LastLevel, LightKind, LightSet, Texture,
-    TextureKind, TextureSet,
+    CameraSample, EffectSet, Effects, FilmPoint, FresnelModel, LevelLimitRadiance, LightKind, LightSet,
+    Texture, TextureKind, TextureSet,
 };
 use strahl_core::tally::{CountedEvent, Counters, RayKind, Tally};
 use strahl_core::trace::{HitId, PixelSample, RayTracer, TracerError};
 use strahl_core::{
-    AllEffects, Background, BareList, Camera, Falloff, Light, Limits, Material, Projection, Real, Resolution,
-    Rgb, Scene, Single, Source, Tile, Tracer, Vec3, View, Worker, World, render, vec3,
+    AllEffects, Background, BareList, Camera, CameraDescriptor, Falloff, Light, LightSource, Limits,
+    Material, Projection, Real, Resolution, Rgb, Scene, Single, Tile, Tracer, Vec3, Worker, World, render,
+    vec3,
 };
 use strahl_tests::single::TestScene;
 use strahl_tests::{DVec3, SplitMix64, TestShape, TestShapeKind};
@@ -63,11 +64,11 @@ fn allocations(work: impl FnOnce()) -> u64 {
     ALLOCATIONS.get() - before
 }
 
-const VIEW: View = View {
-    from: vec3(0.0, 1.0, 9.0),
-    at: vec3(0.0, 0.0, 0.0),
+const VIEW: CameraDescriptor = CameraDescriptor {
+    position: vec3(0.0, 1.0, 9.0),
+    target: vec3(0.0, 0.0, 0.0),
     up: vec3(0.0, 1.0, 0.0),
-    projection: Projection::Perspective { angle: 0.9 },
+    projection: Projection::Perspective { field_of_view: 0.9 },
 };
 
 fn size(width: u32, height: u32) -> Resolution {
@@ -84,15 +85,15 @@ fn mixed_scene() -> TestScene {
         origin: Vec3::ZERO,
         frequency: vec3(1.0, 0.0, 1.0),
     });
-    let shiny = Material { highlight: Rgb::gray(0.5), exponent: 20.0, ..Material::MATTE };
+    let shiny = Material { highlight: Rgb::gray(0.5), highlight_exponent: 20.0, ..Material::MATTE };
     let materials = [
         Material { texture: checker, ..shiny },
-        Material { mirror: Rgb::gray(0.5), ..shiny },
+        Material { reflection: Rgb::gray(0.5), ..shiny },
         Material {
-            transmitted: Rgb::gray(0.9),
-            index: 1.5,
-            interface: Interface::Fresnel,
-            clarity: Rgb::new(3.0, 4.0, 5.0),
+            transmission: Rgb::gray(0.9),
+            refractive_index: 1.5,
+            fresnel: FresnelModel::Dielectric,
+            attenuation_length: Rgb::new(3.0, 4.0, 5.0),
             diffuse: Rgb::BLACK,
             ..shiny
         },
@@ -111,11 +112,11 @@ fn mixed_scene() -> TestScene {
     let position = vec3(6.0, 8.0, 3.0);
     let direction = try_normalize(-position).unwrap();
     for source in [
-        Source::Point { position: vec3(-5.0, 9.0, 6.0), falloff },
-        Source::Directional { toward: Vec3::Y },
-        Source::Spot { position, direction, cos_bright: 0.95, cos_dark: 0.9, falloff },
+        LightSource::Point { position: vec3(-5.0, 9.0, 6.0), falloff },
+        LightSource::Directional { to_light: Vec3::Y },
+        LightSource::Spot { position, direction, cos_inner: 0.95, cos_outer: 0.9, falloff },
     ] {
-        scene.lights.push(Light { source, color: Rgb::gray(0.4), shadows: true });
+        scene.lights.push(Light { source, color: Rgb::gray(0.4), casts_shadows: true });
     }
     scene.ambient = Rgb::gray(0.1);
     scene.background =
@@ -157,7 +158,7 @@ fn the_core_allocates_no_memory() {
     assert_eq!(allocations(|| drop(std::hint::black_box(Box::new(1)))), 1, "allocations are counted");
     let count = allocations(|| {
         let boxed = List::with_boxes(&boxes, &mut groups).unwrap();
-        let world = World::new(Scene::new(scene.parts()).unwrap(), boxed);
+        let world = World::new(Scene::new(scene.descriptor()).unwrap(), boxed);
         let camera = Camera::new(&VIEW, size).unwrap();
         let tracer = Tracer::<_, AllEffects, 5>::new(&world, camera, Limits::DEFAULT).unwrap();
         let mut worker = Worker::new(Counters::new());

@@ -9,7 +9,7 @@ impl Sampler for FourCorners {
     fn sample_pixel<R: RayTracer + ?Sized>(&mut self, Pixel { x, y }: Pixel, tracer: &mut R) -> PixelSample {
         let mut corner = |dx, dy| {
             let point = FilmPoint { x: (x + dx) as Real, y: (y + dy) as Real };
-            tracer.trace(CameraSample { point, stream: SobolSequence::new(0, 0, 0, 0) }).color
+            tracer.trace(CameraSample { point, sequence: SobolSequence::new(0, 0, 0, 0) }).color
         };
         let (upper, lower) = (corner(0, 0) + corner(1, 0), corner(0, 1) + corner(1, 1));
         PixelSample { color: (upper + lower) * 0.25, hit: HitId::Nothing }

@@ -27,11 +27,11 @@ fn square(x: f64) -> f64 {
 }
 
 /// A white floor under one light, with a black background.
-fn floor(source: Source) -> TestScene {
+fn floor(source: LightSource) -> TestScene {
     let mut scene = TestScene::new();
     scene.material(Material { ambient: Rgb::BLACK, ..Material::MATTE });
     scene.plane(Vec3::ZERO, Vec3::Y);
-    scene.lights.push(Light { source, color: Rgb::WHITE, shadows: true });
+    scene.lights.push(Light { source, color: Rgb::WHITE, casts_shadows: true });
     scene
 }
 
@@ -58,7 +58,7 @@ fn over_disc(function: impl Fn(f64, f64) -> f64) -> f64 {
 #[test]
 fn a_straight_edge_occludes_the_part_of_a_sphere_light_behind_it() {
     let mut scene =
-        floor(Source::Sphere { position: vec3(0.0, 8.0, 0.0), radius: 1.0, falloff: Falloff::NONE });
+        floor(LightSource::Sphere { position: vec3(0.0, 8.0, 0.0), radius: 1.0, falloff: Falloff::NONE });
     // Everything to the right of x = 0, at half the height of the light.
     let corners = [(0.0, -50.0), (50.0, -50.0), (50.0, 50.0), (0.0, 50.0)];
     scene.polygon(&corners.map(|(x, z)| vec3(x, 4.0, z)), &[]);
@@ -80,8 +80,12 @@ fn a_straight_edge_occludes_the_part_of_a_sphere_light_behind_it() {
 #[test]
 fn a_rectangle_light_is_the_integral_over_its_area() {
     let half = [vec3(1.5, 0.0, 0.0), vec3(0.0, 0.0, 0.5)];
-    let source =
-        Source::Rectangle { position: vec3(1.0, 3.0, 0.5), half, soft: true, falloff: Falloff::SQUARE };
+    let source = LightSource::Rectangle {
+        position: vec3(1.0, 3.0, 0.5),
+        half_edges: half,
+        soft_shadows: true,
+        falloff: Falloff::INVERSE_SQUARE,
+    };
     // Its front looks down: x cross z is -y.
     let scene = floor(source);
     let n = 400;
@@ -96,21 +100,29 @@ fn a_rectangle_light_is_the_integral_over_its_area() {
     assert_converges(|n, seed| brightness_at(&scene, 0.0, n, seed), want, 1e-3, -0.9);
     // No light on its back.
     let half = [half[1], half[0]];
-    let source =
-        Source::Rectangle { position: vec3(1.0, 3.0, 0.5), half, soft: true, falloff: Falloff::SQUARE };
+    let source = LightSource::Rectangle {
+        position: vec3(1.0, 3.0, 0.5),
+        half_edges: half,
+        soft_shadows: true,
+        falloff: Falloff::INVERSE_SQUARE,
+    };
     assert_eq!(brightness_at(&floor(source), 0.0, 64, 0), 0.0);
 }
 
 #[test]
 fn a_light_without_extent_is_a_point_light_at_its_center() {
     let position = vec3(0.5, 3.0, 1.0);
-    let falloff = Falloff::SQUARE;
-    let point = brightness_at(&floor(Source::Point { position, falloff }), 0.0, 1, 0);
-    let sphere = brightness_at(&floor(Source::Sphere { position, radius: 0.0, falloff }), 0.0, 1, 0);
+    let falloff = Falloff::INVERSE_SQUARE;
+    let point = brightness_at(&floor(LightSource::Point { position, falloff }), 0.0, 1, 0);
+    let sphere = brightness_at(&floor(LightSource::Sphere { position, radius: 0.0, falloff }), 0.0, 1, 0);
     assert_eq!(point, sphere);
     let half = [Vec3::X, Vec3::Z];
-    let rectangle =
-        brightness_at(&floor(Source::Rectangle { position, half, soft: false, falloff }), 0.0, 1, 0);
+    let rectangle = brightness_at(
+        &floor(LightSource::Rectangle { position, half_edges: half, soft_shadows: false, falloff }),
+        0.0,
+        1,
+        0,
+    );
     let cos = 3.0 / f64::sqrt(0.25 + 9.0 + 1.0);
     assert!((rectangle - point * cos).abs() < ROUNDINGS * point);
 }
@@ -120,7 +132,7 @@ fn a_rough_mirror_shows_the_mean_over_its_microfacets() {
     for roughness in [0.2, 0.5, 0.8] {
         let mut scene = TestScene::new();
         let mirror =
-            Material { diffuse: Rgb::BLACK, ambient: Rgb::BLACK, mirror: Rgb::WHITE, ..Material::MATTE };
+            Material { diffuse: Rgb::BLACK, ambient: Rgb::BLACK, reflection: Rgb::WHITE, ..Material::MATTE };
         scene.material(Material { roughness, ..mirror });
         scene.plane(Vec3::ZERO, Vec3::Y);
         scene.background = Background::Gradient { up: Vec3::Y, below: Rgb::BLACK, above: Rgb::WHITE };
@@ -146,8 +158,12 @@ fn a_rough_mirror_shows_the_mean_over_its_microfacets() {
 fn rough_glass_loses_no_light() {
     // In a white environment everything is white, however light is refracted.
     let mut scene = TestScene::new();
-    let glass =
-        Material { transmitted: Rgb::WHITE, index: 1.5, interface: Interface::Fresnel, ..Material::MATTE };
+    let glass = Material {
+        transmission: Rgb::WHITE,
+        refractive_index: 1.5,
+        fresnel: FresnelModel::Dielectric,
+        ..Material::MATTE
+    };
     scene.material(Material { diffuse: Rgb::BLACK, ambient: Rgb::BLACK, roughness: 0.5, ..glass });
     scene.sphere(Vec3::ZERO, 1.0);
     scene.background = Background::Color(Rgb::WHITE);
@@ -158,12 +174,12 @@ fn rough_glass_loses_no_light() {
 
 #[test]
 fn light_through_panes_and_bodies_has_their_color() {
-    let sun = Source::Directional { toward: Vec3::Y };
+    let sun = LightSource::Directional { to_light: Vec3::Y };
     let floor_color = |scene: &TestScene| scene.trace(vec3(0.0, 1.0, -7.0), Vec3::ZERO, ALL);
     let mut scene = floor(sun);
     scene.colored_shadows = true;
     let tint = Rgb::new(0.5, 0.25, 0.0);
-    scene.material(Material { transmitted: tint, ..Material::MATTE });
+    scene.material(Material { transmission: tint, ..Material::MATTE });
     scene.disc(vec3(0.0, 2.0, 0.0), Vec3::Y, 1.0);
     assert_color(floor_color(&scene), [0.5, 0.25, 0.0], ROUNDINGS);
     // A second pane absorbs the same factor; without colored shadows each pane occludes.
@@ -176,8 +192,13 @@ fn light_through_panes_and_bodies_has_their_color() {
     let mut scene = floor(sun);
     scene.colored_shadows = true;
     let clarity = Rgb::new(2.0, 4.0, Real::INFINITY);
-    let glass = Material { transmitted: Rgb::WHITE, index: 1.5, clarity, ..Material::MATTE };
-    scene.material(Material { interface: Interface::Fresnel, ..glass });
+    let glass = Material {
+        transmission: Rgb::WHITE,
+        refractive_index: 1.5,
+        attenuation_length: clarity,
+        ..Material::MATTE
+    };
+    scene.material(Material { fresnel: FresnelModel::Dielectric, ..glass });
     scene.sphere(vec3(0.0, 3.0, 0.0), 1.0);
     let through = |clarity: f64| 0.96 * 0.96 * (-2.0 / clarity).exp();
     assert_color(floor_color(&scene), [through(2.0), through(4.0), 0.96 * 0.96], 1e-5);
@@ -219,7 +240,12 @@ fn a_texture_moves_with_its_item() {
     let mut scene = TestScene::new();
     scene.ambient = Rgb::WHITE;
     let (from, to) = (Rgb::BLACK, Rgb::WHITE);
-    let texture = scene.add_texture(Texture::Gradient { from, to, origin: -Vec3::X, along: 2.0 * Vec3::X });
+    let texture = scene.add_texture(Texture::Gradient {
+        start_color: from,
+        end_color: to,
+        origin: -Vec3::X,
+        axis: 2.0 * Vec3::X,
+    });
     scene.material(Material { texture, ..unlit(Rgb::WHITE) });
     let disc = scene.disc(Vec3::ZERO, Vec3::Y, 1.0);
     // When the shutter opens the center of the disc is over the point, when it closes the left edge.
@@ -231,14 +257,15 @@ fn a_texture_moves_with_its_item() {
 #[test]
 fn shadow_rays_and_reflected_rays_have_the_time_of_the_camera_ray() {
     // A disc over the floor, seen beside its shadow.
-    let mut scene = floor(Source::Directional { toward: Vec3::Y });
+    let mut scene = floor(LightSource::Directional { to_light: Vec3::Y });
     let disc = scene.disc(vec3(0.0, 1.0, 0.0), Vec3::Y, 0.5);
     scene.set_motion(disc, -Vec3::X, Vec3::X);
     let got = brightness_at(&scene, 0.0, 4096, 3);
     assert!((got - 0.5).abs() < 1e-3, "shadowed half of the time: {got}");
     // In a mirror under it, seen past it: black half of the time.
     let mut scene = TestScene::new();
-    let mirror = Material { diffuse: Rgb::BLACK, ambient: Rgb::BLACK, mirror: Rgb::WHITE, ..Material::MATTE };
+    let mirror =
+        Material { diffuse: Rgb::BLACK, ambient: Rgb::BLACK, reflection: Rgb::WHITE, ..Material::MATTE };
     scene.material(mirror);
     scene.plane(Vec3::ZERO, Vec3::Y);
     scene.background = Background::Color(Rgb::WHITE);
@@ -259,9 +286,12 @@ fn a_point_out_of_focus_is_a_disc_of_confusion() {
     for distance in [2.5, focus, 7.0] {
         let mut scene = scene.clone();
         scene.sphere(vec3(0.0, 0.0, -distance as Real), sphere_radius as Real);
-        let projection =
-            Projection::Lens { angle: angle as Real, radius: radius as Real, focus: focus as Real };
-        let view = View { from: Vec3::ZERO, at: -Vec3::Z, up: Vec3::Y, projection };
+        let projection = Projection::ThinLens {
+            field_of_view: angle as Real,
+            lens_radius: radius as Real,
+            focus_distance: focus as Real,
+        };
+        let view = CameraDescriptor { position: Vec3::ZERO, target: -Vec3::Z, up: Vec3::Y, projection };
         let world = World::new(scene.as_scene(), List::without_bounds(1));
         let camera = Camera::new(&view, size).unwrap();
         let tracer = Tracer::<_, AllEffects, 1>::new(&world, camera, levels(1)).unwrap();

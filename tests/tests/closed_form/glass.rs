@@ -4,7 +4,7 @@ use crate::*;
 
 /// Clear glass without color of its own.
 const fn glass(index: Real) -> Material {
-    Material { transmitted: Rgb::WHITE, index, ..unlit(Rgb::BLACK) }
+    Material { transmission: Rgb::WHITE, refractive_index: index, ..unlit(Rgb::BLACK) }
 }
 
 /// Adds a wide plate from `bottom` to `top`.
@@ -120,8 +120,11 @@ fn half_space(material: Material, inside: Rgb, outside: Rgb) -> TestScene {
 
 #[test]
 fn a_constant_interface_reflects_and_transmits_the_factors_of_the_material() {
-    let factors =
-        Material { mirror: Rgb::new(0.25, 0.5, 0.0), transmitted: Rgb::new(0.5, 0.25, 1.0), ..glass(1.5) };
+    let factors = Material {
+        reflection: Rgb::new(0.25, 0.5, 0.0),
+        transmission: Rgb::new(0.5, 0.25, 1.0),
+        ..glass(1.5)
+    };
     let scene = half_space(factors, Rgb::new(1.0, 0.5, 0.25), Rgb::new(0.25, 1.0, 0.5));
     for a in ANGLES {
         let (color, counters) = trace_down_counted(&scene, [0.0, 1.0], a, ALL);
@@ -141,7 +144,7 @@ fn fresnel(a: f64, b: f64) -> f64 {
 #[test]
 fn a_fresnel_interface_reflects_the_fresnel_reflectance() {
     let (floor, ceiling) = (Rgb::new(1.0, 0.0, 0.25), Rgb::new(0.0, 1.0, 0.5));
-    let scene = half_space(Material { interface: Interface::Fresnel, ..glass(1.5) }, floor, ceiling);
+    let scene = half_space(Material { fresnel: FresnelModel::Dielectric, ..glass(1.5) }, floor, ceiling);
     let color_at = |a| trace_down(&scene, [0.0, 1.0], a, ALL);
     // The reflectance is a difference of two numbers near one: its error is absolute.
     let near = |color: Rgb, reflectance: f64| {
@@ -158,7 +161,7 @@ fn a_fresnel_interface_reflects_the_fresnel_reflectance() {
 
 #[test]
 fn a_fresnel_interface_conserves_light() {
-    let material = Material { interface: Interface::Fresnel, ..glass(1.5) };
+    let material = Material { fresnel: FresnelModel::Dielectric, ..glass(1.5) };
     let scene = half_space(material, Rgb::WHITE, Rgb::WHITE);
     for i in 0..150 {
         let a = 0.01 * f64::from(i);
@@ -167,7 +170,7 @@ fn a_fresnel_interface_conserves_light() {
         assert_gray(trace_down(&scene, [0.0, -1.0], std::f64::consts::PI - a, ALL), 1.0, ROUNDINGS);
     }
     // The transmitted factor of the glass applies to both.
-    let tinted = Material { transmitted: Rgb::new(0.5, 0.25, 0.75), ..material };
+    let tinted = Material { transmission: Rgb::new(0.5, 0.25, 0.75), ..material };
     let scene = half_space(tinted, Rgb::WHITE, Rgb::WHITE);
     assert_color(trace_down(&scene, [0.0, 1.0], 1.0, ALL), [0.5, 0.25, 0.75], ROUNDINGS);
 }
@@ -176,7 +179,7 @@ fn a_fresnel_interface_conserves_light() {
 fn beyond_the_critical_angle_the_transmitted_factor_is_reflected() {
     let kt = 0.75;
     let mut scene = TestScene::new();
-    scene.material(Material { transmitted: Rgb::gray(kt), ..glass(1.5) });
+    scene.material(Material { transmission: Rgb::gray(kt), ..glass(1.5) });
     scene.plane(Vec3::ZERO, Vec3::Y);
     ruler(&mut scene, -2.0);
     let critical = (1.0_f64 / 1.5).asin();
@@ -196,7 +199,7 @@ fn beyond_the_critical_angle_the_transmitted_factor_is_reflected() {
 
 #[test]
 fn around_the_critical_angle_no_light_is_lost() {
-    let material = Material { interface: Interface::Fresnel, ..glass(1.5) };
+    let material = Material { fresnel: FresnelModel::Dielectric, ..glass(1.5) };
     let scene = half_space(material, Rgb::WHITE, Rgb::WHITE);
     // From below, with the slope in single steps around the critical one.
     let critical = (1.0_f64 / 1.5).asin().tan() as Real;

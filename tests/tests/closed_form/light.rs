@@ -5,22 +5,22 @@ use crate::*;
 const LIGHT_COLOR: Rgb = Rgb::new(0.9, 0.5, 0.25);
 
 /// Color of a floor under one light, seen vertically from above.
-fn lit(material: Material, source: Source) -> Rgb {
+fn lit(material: Material, source: LightSource) -> Rgb {
     lit_from(material, source, vec3(0.0, 4.0, 0.0))
 }
 
-fn lit_from(material: Material, source: Source, eye: Vec3) -> Rgb {
+fn lit_from(material: Material, source: LightSource, eye: Vec3) -> Rgb {
     let mut scene = TestScene::new();
     scene.material(Material { ambient: Rgb::BLACK, ..material });
     scene.plane(Vec3::ZERO, Vec3::Y);
-    scene.lights.push(Light { source, color: LIGHT_COLOR, shadows: true });
+    scene.lights.push(Light { source, color: LIGHT_COLOR, casts_shadows: true });
     scene.trace(eye, Vec3::ZERO, ALL)
 }
 
 /// A point light at distance 5 from the origin, at an angle from the vertical.
-fn point(angle: f64, falloff: Falloff) -> Source {
+fn point(angle: f64, falloff: Falloff) -> LightSource {
     let position = vec3((5.0 * angle.sin()) as Real, (5.0 * angle.cos()) as Real, 0.0);
-    Source::Point { position, falloff }
+    LightSource::Point { position, falloff }
 }
 
 /// The color of the light times these factors.
@@ -45,16 +45,20 @@ fn diffuse_light_falls_with_the_cosine() {
         let want = lit_color([0.5 * cos, cos, 0.25 * cos]);
         assert_color(lit(MATTE, point(angle, Falloff::NONE)), want, grazing_tolerance(angle));
         let toward = try_normalize(vec3(angle.sin() as Real, angle.cos() as Real, 0.0)).unwrap();
-        assert_color(lit(MATTE, Source::Directional { toward }), want, grazing_tolerance(angle));
+        assert_color(
+            lit(MATTE, LightSource::Directional { to_light: toward }),
+            want,
+            grazing_tolerance(angle),
+        );
     }
 }
 
 #[test]
 fn a_light_below_the_surface_adds_nothing() {
     assert_eq!(lit(MATTE, point(2.0, Falloff::NONE)), Rgb::BLACK);
-    assert_eq!(lit(MATTE, Source::Directional { toward: -Vec3::Y }), Rgb::BLACK);
+    assert_eq!(lit(MATTE, LightSource::Directional { to_light: -Vec3::Y }), Rgb::BLACK);
     // A light in the plane of the surface adds nothing either.
-    assert_eq!(lit(MATTE, Source::Directional { toward: Vec3::X }), Rgb::BLACK);
+    assert_eq!(lit(MATTE, LightSource::Directional { to_light: Vec3::X }), Rgb::BLACK);
 }
 
 #[test]
@@ -77,17 +81,17 @@ fn light_falls_off_with_the_distance() {
         let want = lit_color([0.5 * share, share, 0.25 * share]);
         assert_color(lit(MATTE, point(0.0, falloff)), want, ROUNDINGS);
     }
-    assert_color(lit(MATTE, point(0.0, Falloff::SQUARE)), lit_color([0.02, 0.04, 0.01]), ROUNDINGS);
+    assert_color(lit(MATTE, point(0.0, Falloff::INVERSE_SQUARE)), lit_color([0.02, 0.04, 0.01]), ROUNDINGS);
 }
 
 #[test]
 fn a_spot_light_is_bright_inside_dark_outside_and_smooth_between() {
-    let spot = |angle: f64| Source::Spot {
+    let spot = |angle: f64| LightSource::Spot {
         position: vec3(0.0, 4.0, 0.0),
         // The point below is at this angle from the axis of the cone.
         direction: vec3(angle.sin() as Real, -angle.cos() as Real, 0.0),
-        cos_bright: 0.75,
-        cos_dark: 0.5,
+        cos_inner: 0.75,
+        cos_outer: 0.5,
         falloff: Falloff::NONE,
     };
     let bright = |angle: f64, share: f64, tolerance: f64| {
@@ -108,11 +112,11 @@ fn a_spot_light_is_bright_inside_dark_outside_and_smooth_between() {
 
 #[test]
 fn a_spot_light_with_equal_cosines_has_a_sharp_edge() {
-    let spot = |angle: f64| Source::Spot {
+    let spot = |angle: f64| LightSource::Spot {
         position: vec3(0.0, 4.0, 0.0),
         direction: vec3(angle.sin() as Real, -angle.cos() as Real, 0.0),
-        cos_bright: 0.5,
-        cos_dark: 0.5,
+        cos_inner: 0.5,
+        cos_outer: 0.5,
         falloff: Falloff::NONE,
     };
     let edge = 0.5_f64.acos();
@@ -133,9 +137,9 @@ fn ambient_light_is_a_product_and_needs_no_light_source() {
     assert_eq!(ambient, Rgb::new(0.5 * 0.5 * 0.25, 0.25, 0.25 * 0.5));
     // A light is added; the texture applies to both.
     scene.lights.push(Light {
-        source: Source::Directional { toward: Vec3::Y },
+        source: LightSource::Directional { to_light: Vec3::Y },
         color: LIGHT_COLOR,
-        shadows: true,
+        casts_shadows: true,
     });
     assert_eq!(scene.trace(Vec3::Y, Vec3::ZERO, ALL), ambient + even * LIGHT_COLOR);
 }
@@ -147,20 +151,28 @@ fn lights_add_up() {
     scene.plane(Vec3::ZERO, Vec3::Y);
     let mut sum = 0.0;
     for angle in ANGLES {
-        scene.lights.push(Light { source: point(angle, Falloff::NONE), color: Rgb::WHITE, shadows: true });
+        scene.lights.push(Light {
+            source: point(angle, Falloff::NONE),
+            color: Rgb::WHITE,
+            casts_shadows: true,
+        });
         sum += angle.cos();
         let color = scene.trace(vec3(0.0, 4.0, 0.0), Vec3::ZERO, ALL);
         assert_color(color, [0.5 * sum, sum, 0.25 * sum], 2.0 * ROUNDINGS);
     }
 }
 
-const SHINY: Material =
-    Material { diffuse: Rgb::BLACK, highlight: Rgb::new(0.5, 0.25, 1.0), exponent: 20.0, ..Material::MATTE };
+const SHINY: Material = Material {
+    diffuse: Rgb::BLACK,
+    highlight: Rgb::new(0.5, 0.25, 1.0),
+    highlight_exponent: 20.0,
+    ..Material::MATTE
+};
 
 #[test]
 fn the_highlight_is_brightest_in_the_mirror_direction() {
     // 3, 4, 5. The power of a cosine near one: the exponent multiplies its rounding error.
-    let source = Source::Point { position: vec3(3.0, 4.0, 0.0), falloff: Falloff::NONE };
+    let source = LightSource::Point { position: vec3(3.0, 4.0, 0.0), falloff: Falloff::NONE };
     let peak = lit_from(SHINY, source, vec3(-3.0, 4.0, 0.0));
     assert_color(peak, lit_color([0.5, 0.25, 1.0]), 20.0 * 6e-8 + ROUNDINGS);
     let with_matte = Material { diffuse: Rgb::WHITE, ..SHINY };
@@ -171,7 +183,7 @@ fn the_highlight_is_brightest_in_the_mirror_direction() {
 #[test]
 fn the_highlight_falls_with_the_power_of_the_cosine() {
     for exponent in [1.0, 5.0, 20.0, 200.0] {
-        let material = Material { exponent, ..SHINY };
+        let material = Material { highlight_exponent: exponent, ..SHINY };
         for angle in [0.0_f64, 0.1, 0.4, 0.9, 1.5] {
             // Seen from above, the angle to the mirror direction is that of the light.
             let share = angle.cos().powf(f64::from(exponent));
@@ -193,8 +205,8 @@ fn a_highlight_ends_at_a_right_angle_and_needs_an_exponent() {
     // The light is at 60 degrees, the eye at 45 on the same side: 105 from the mirror direction.
     let angle = std::f64::consts::FRAC_PI_3;
     assert_eq!(lit_from(SHINY, point(angle, Falloff::NONE), vec3(4.0, 4.0, 0.0)), Rgb::BLACK);
-    let source = Source::Point { position: vec3(3.0, 4.0, 0.0), falloff: Falloff::NONE };
-    let dull = Material { exponent: 0.0, ..SHINY };
+    let source = LightSource::Point { position: vec3(3.0, 4.0, 0.0), falloff: Falloff::NONE };
+    let dull = Material { highlight_exponent: 0.0, ..SHINY };
     assert_eq!(lit_from(dull, source, vec3(-3.0, 4.0, 0.0)), Rgb::BLACK);
 }
 
@@ -207,9 +219,9 @@ fn a_smooth_surface_is_shaded_by_its_interpolated_normal() {
     let normals = corners.map(|corner| vec3(corner.x, 1.0, 0.0));
     scene.polygon(&corners, &normals);
     scene.lights.push(Light {
-        source: Source::Directional { toward: Vec3::Y },
+        source: LightSource::Directional { to_light: Vec3::Y },
         color: Rgb::WHITE,
-        shadows: true,
+        casts_shadows: true,
     });
     for x in [-0.75, -0.5, -0.125, 0.0, 0.25, 0.625] {
         // Linear between the edges before normalization: (x, root of 2, 0) times half of the root.

@@ -16,11 +16,11 @@ use strahl_core::accel::List;
 use strahl_core::geometry::Cone;
 use strahl_core::image::{Frame, Pixel, Stochastic};
 use strahl_core::math::try_normalize;
-use strahl_core::scene::{Interface, Texture, TextureId};
+use strahl_core::scene::{FresnelModel, Texture, TextureId};
 use strahl_core::tally::{Counters, RayKind};
 use strahl_core::{
-    AllEffects, Background, Camera, Falloff, Light, Limits, Material, Projection, Real, Resolution, Rgb,
-    Single, Source, Tile, Tracer, Vec3, View, Worker, World, render, vec3,
+    AllEffects, Background, Camera, CameraDescriptor, Falloff, Light, LightSource, Limits, Material,
+    Projection, Real, Resolution, Rgb, Single, Tile, Tracer, Vec3, Worker, World, render, vec3,
 };
 use strahl_tests::single::TestScene;
 
@@ -60,10 +60,10 @@ const RULER_HALF_WIDTH: f64 = 8.0;
 fn ruler(scene: &mut TestScene, height: f64) {
     let half_width = RULER_HALF_WIDTH as Real;
     let texture = scene.add_texture(Texture::Gradient {
-        from: Rgb::BLACK,
-        to: Rgb::WHITE,
+        start_color: Rgb::BLACK,
+        end_color: Rgb::WHITE,
         origin: vec3(-half_width, 0.0, 0.0),
-        along: vec3(2.0 * half_width, 0.0, 0.0),
+        axis: vec3(2.0 * half_width, 0.0, 0.0),
     });
     scene.material(Material { texture, ..unlit(Rgb::WHITE) });
     scene.plane(vec3(0.0, height as Real, 0.0), Vec3::Y);

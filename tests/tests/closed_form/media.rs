@@ -3,7 +3,13 @@
 use crate::*;
 
 const fn body(index: Real, clarity: Rgb, priority: u8) -> Material {
-    Material { transmitted: Rgb::WHITE, index, clarity, priority, ..unlit(Rgb::BLACK) }
+    Material {
+        transmission: Rgb::WHITE,
+        refractive_index: index,
+        attenuation_length: clarity,
+        priority,
+        ..unlit(Rgb::BLACK)
+    }
 }
 
 const CLEAR: Rgb = Rgb::gray(Real::INFINITY);
@@ -43,7 +49,7 @@ fn one_over_e_of_the_light_is_left_after_each_attenuation_length() {
 #[test]
 fn a_body_and_its_surface_both_absorb() {
     let mut scene = TestScene::new();
-    let tinted = Material { transmitted: Rgb::new(0.5, 0.25, 1.0), ..body(1.5, Rgb::gray(2.0), 0) };
+    let tinted = Material { transmission: Rgb::new(0.5, 0.25, 1.0), ..body(1.5, Rgb::gray(2.0), 0) };
     plate(&mut scene, tinted, -1.0, 0.0);
     scene.background = Background::Color(Rgb::WHITE);
     // Twice through the surface, once through the body.
@@ -125,7 +131,7 @@ fn a_hidden_surface_only_costs_a_level() {
     let mut scene = TestScene::new();
     scene.ambient = Rgb::WHITE;
     scene.background = Background::Color(Rgb::gray(0.5));
-    let painted = Material { mirror: Rgb::gray(0.5), ambient: Rgb::WHITE, ..body(1.33, CLEAR, 0) };
+    let painted = Material { reflection: Rgb::gray(0.5), ambient: Rgb::WHITE, ..body(1.33, CLEAR, 0) };
     plate(&mut scene, body(1.5, CLEAR, 1), -3.0, 0.0);
     plate(&mut scene, painted, -2.0, -1.0);
     let (color, counters) = trace_down_counted(&scene, [0.0, 1.0], 0.3, ALL);
@@ -139,7 +145,7 @@ fn a_hidden_surface_only_costs_a_level() {
 fn glass_in_water_reflects_less() {
     // Fresnel reflectance at normal incidence between media n and m: ((n - m) / (n + m))^2.
     let mut scene = TestScene::new();
-    let fresnel = |material| Material { interface: Interface::Fresnel, ..material };
+    let fresnel = |material| Material { fresnel: FresnelModel::Dielectric, ..material };
     scene.material(fresnel(body(1.33, CLEAR, 0)));
     scene.plane(Vec3::ZERO, Vec3::Y);
     scene.material(fresnel(body(1.5, CLEAR, 1)));
@@ -156,7 +162,7 @@ fn glass_in_water_reflects_less() {
 #[test]
 fn a_pane_is_no_body() {
     let pane = |scene: &mut TestScene, height: Real| {
-        scene.material(Material { transmitted: Rgb::gray(0.5), priority: 9, ..body(1.0, CLEAR, 0) });
+        scene.material(Material { transmission: Rgb::gray(0.5), priority: 9, ..body(1.0, CLEAR, 0) });
         scene.disc(vec3(0.0, height, 0.0), Vec3::Y, 10.0);
     };
     // In front of a body: the body refracts as if the pane did not exist, in spite of the pane's priority.

@@ -5,7 +5,7 @@ use crate::*;
 /// Two mirrors that face each other and emit light.
 fn facing(mirror: Rgb) -> TestScene {
     let mut scene = TestScene::new();
-    scene.material(Material { mirror, ..unlit(Rgb::WHITE) });
+    scene.material(Material { reflection: mirror, ..unlit(Rgb::WHITE) });
     scene.plane(vec3(3.0, 0.0, 0.0), Vec3::X);
     scene.plane(vec3(-2.0, 0.0, 0.0), Vec3::X);
     scene.ambient = Rgb::WHITE;
@@ -62,8 +62,8 @@ fn the_cutoff_ends_the_series_when_the_largest_weight_does_not_exceed_it() {
 fn a_mirror_shows_the_mirror_direction() {
     // A mirror in y = 0, with the ruler above.
     let mut scene = TestScene::new();
-    scene.material(Material { mirror: Rgb::gray(0.5), diffuse: Rgb::BLACK, ..Material::MATTE });
-    scene.material(Material { mirror: Rgb::gray(0.5), ..unlit(Rgb::BLACK) });
+    scene.material(Material { reflection: Rgb::gray(0.5), diffuse: Rgb::BLACK, ..Material::MATTE });
+    scene.material(Material { reflection: Rgb::gray(0.5), ..unlit(Rgb::BLACK) });
     scene.disc(Vec3::ZERO, Vec3::Y, 1.0);
     ruler(&mut scene, 2.0);
     for angle in [-1.2_f64, -0.5, 0.0, 0.3, 0.9, 1.25] {
@@ -79,7 +79,7 @@ fn a_mirror_shows_the_mirror_direction() {
 #[test]
 fn a_mirror_shows_the_background() {
     let mut scene = TestScene::new();
-    scene.material(Material { mirror: Rgb::new(0.5, 0.25, 1.0), ..unlit(Rgb::BLACK) });
+    scene.material(Material { reflection: Rgb::new(0.5, 0.25, 1.0), ..unlit(Rgb::BLACK) });
     scene.sphere(vec3(0.0, 0.0, -3.0), 1.0);
     scene.background = Background::Color(Rgb::new(0.5, 1.0, 0.25));
     assert_eq!(scene.trace(Vec3::ZERO, -Vec3::Z, ALL), Rgb::new(0.25, 0.25, 0.25));

@@ -11,7 +11,7 @@ fn glaring() -> Material {
         ambient: BRIGHTEST,
         diffuse: BRIGHTEST,
         highlight: BRIGHTEST,
-        exponent: 1.0,
+        highlight_exponent: 1.0,
         ..Material::MATTE
     }
 }
@@ -27,17 +27,19 @@ fn the_brightest_mirrors_and_glass_give_a_finite_pixel_after_64_levels() {
         origin: Vec3::ZERO,
         frequency: Vec3::ZERO,
     });
-    scene.material(Material { texture, mirror: Rgb::WHITE, ..glaring() });
+    scene.material(Material { texture, reflection: Rgb::WHITE, ..glaring() });
     scene.plane(vec3(3.0, 0.0, 0.0), Vec3::X);
     scene.plane(vec3(-2.0, 0.0, 0.0), Vec3::X);
-    scene.material(Material { texture, transmitted: Rgb::WHITE, index: 1.5, ..glaring() });
+    scene.material(Material { texture, transmission: Rgb::WHITE, refractive_index: 1.5, ..glaring() });
     scene.cuboid(vec3(1.0, -50.0, -50.0), vec3(2.0, 50.0, 50.0));
     scene.ambient = BRIGHTEST;
     scene.background = Background::Color(BRIGHTEST);
     for position in [vec3(0.5, 0.1, 0.0), vec3(1.0, 0.0, 0.0)] {
-        let source =
-            Source::Point { position, falloff: Falloff { constant: 0.0, linear: 0.0, quadratic: 1e-30 } };
-        scene.lights.push(Light { source, color: BRIGHTEST, shadows: false });
+        let source = LightSource::Point {
+            position,
+            falloff: Falloff { constant: 0.0, linear: 0.0, quadratic: 1e-30 },
+        };
+        scene.lights.push(Light { source, color: BRIGHTEST, casts_shadows: false });
     }
     let (color, counters) = scene.trace_counted(Vec3::ZERO, Vec3::X, ALL);
     assert_eq!(counters.rays[RayKind::Transmitted] + counters.rays[RayKind::Reflected], 63);
@@ -50,7 +52,7 @@ fn a_full_tree_of_perfect_mirrors_and_panes_gives_a_finite_pixel() {
     // Every ray hits a pane that transmits and reflects all light.
     let n = 14;
     let mut scene = TestScene::new();
-    scene.material(Material { mirror: Rgb::WHITE, transmitted: Rgb::WHITE, ..glaring() });
+    scene.material(Material { reflection: Rgb::WHITE, transmission: Rgb::WHITE, ..glaring() });
     for i in 0..n {
         scene.plane(vec3(Real::from(i) + 1.0, 0.0, 0.0), Vec3::X);
         scene.plane(vec3(-Real::from(i) - 1.0, 0.0, 0.0), Vec3::X);
@@ -69,9 +71,9 @@ fn a_light_at_the_point_that_it_lights_adds_nothing() {
     scene.material(Material { ambient: Rgb::BLACK, ..glaring() });
     scene.plane(Vec3::ZERO, Vec3::Y);
     let light = |y: Real| Light {
-        source: Source::Point { position: vec3(0.0, y, 0.0), falloff: Falloff::SQUARE },
+        source: LightSource::Point { position: vec3(0.0, y, 0.0), falloff: Falloff::INVERSE_SQUARE },
         color: BRIGHTEST,
-        shadows: true,
+        casts_shadows: true,
     };
     scene.lights = vec![light(0.0)];
     assert_eq!(scene.trace(Vec3::Y, Vec3::ZERO, ALL), Rgb::BLACK);
@@ -111,16 +113,16 @@ fn every_accepted_scene_gives_finite_pixels() {
                 frequency: Vec3::splat(one_of(&[0.0, 1e-15, 1.0, 1e15], r)),
             },
             1 => Texture::ZonePlate {
-                from: color(&bright, r),
-                to: color(&bright, r),
+                start_color: color(&bright, r),
+                end_color: color(&bright, r),
                 origin: Vec3::ONE,
                 frequency: one_of(&[0.0, 1e-30, 1.0, 1e15], r),
             },
             _ => Texture::Gradient {
-                from: color(&bright, r),
-                to: color(&bright, r),
+                start_color: color(&bright, r),
+                end_color: color(&bright, r),
                 origin: Vec3::ZERO,
-                along: Vec3::X * one_of(&[1e-18, 1.0, 1e15], r),
+                axis: Vec3::X * one_of(&[1e-18, 1.0, 1e15], r),
             },
         });
         for _ in 0..1 + r.below(8) {
@@ -130,12 +132,12 @@ fn every_accepted_scene_gives_finite_pixels() {
                 diffuse: color(&bright, r),
                 texture: one_of(&[TextureId::NONE, texture], r),
                 highlight: color(&bright, r),
-                exponent: one_of(&[0.0, 1e-30, 1.0, 1e6], r),
-                mirror: color(&factor, r),
-                transmitted: color(&factor, r),
-                index: one_of(&[0.01, 1.0, 1.5, 100.0], r),
-                interface: one_of(&[Interface::Constant, Interface::Fresnel], r),
-                clarity: color(&[1e-30, 1.0, 1e30, Real::INFINITY], r),
+                highlight_exponent: one_of(&[0.0, 1e-30, 1.0, 1e6], r),
+                reflection: color(&factor, r),
+                transmission: color(&factor, r),
+                refractive_index: one_of(&[0.01, 1.0, 1.5, 100.0], r),
+                fresnel: one_of(&[FresnelModel::Constant, FresnelModel::Dielectric], r),
+                attenuation_length: color(&[1e-30, 1.0, 1e30, Real::INFINITY], r),
                 priority: r.below(3) as u8,
                 two_sided: r.below(2) == 0,
             });
@@ -155,24 +157,29 @@ fn every_accepted_scene_gives_finite_pixels() {
             };
             let toward = try_normalize(near(r)).unwrap();
             let source = match r.below(5) {
-                0 => Source::Point { position: near(r), falloff },
-                1 => Source::Directional { toward },
+                0 => LightSource::Point { position: near(r), falloff },
+                1 => LightSource::Directional { to_light: toward },
                 2 => {
                     let radius = one_of(&[0.0, 1e-30, 1.0, 1e15], r);
-                    Source::Sphere { position: near(r), radius, falloff }
+                    LightSource::Sphere { position: near(r), radius, falloff }
                 }
                 3 => {
                     let side = one_of(&[1e-3, 1.0, 1e15], r);
                     let half = [Vec3::X * side, vec3(0.0, 1.0, 1.0)];
-                    Source::Rectangle { position: near(r), half, soft: r.below(4) > 0, falloff }
+                    LightSource::Rectangle {
+                        position: near(r),
+                        half_edges: half,
+                        soft_shadows: r.below(4) > 0,
+                        falloff,
+                    }
                 }
                 _ => {
-                    let (cos_bright, cos_dark) =
+                    let (cos_inner, cos_outer) =
                         one_of(&[(1.0, 1.0), (1.0, -1.0), (0.5, 0.5), (-1.0, -1.0)], r);
-                    Source::Spot { position: near(r), direction: toward, cos_bright, cos_dark, falloff }
+                    LightSource::Spot { position: near(r), direction: toward, cos_inner, cos_outer, falloff }
                 }
             };
-            scene.lights.push(Light { source, color: color(&bright, r), shadows: r.below(2) == 0 });
+            scene.lights.push(Light { source, color: color(&bright, r), casts_shadows: r.below(2) == 0 });
         }
         scene.ambient = color(&bright, r);
         scene.background = Background::Color(color(&bright, r));

@@ -4,12 +4,12 @@ use strahl_tests::{SplitMix64, TestRay, TestShape, TestShapeKind, TestedCore, or
 
 use crate::*;
 
-fn white(source: Source) -> Light {
-    Light { source, color: Rgb::WHITE, shadows: true }
+fn white(source: LightSource) -> Light {
+    Light { source, color: Rgb::WHITE, casts_shadows: true }
 }
 
 fn point_light(x: Real, y: Real, z: Real) -> Light {
-    white(Source::Point { position: vec3(x, y, z), falloff: Falloff::NONE })
+    white(LightSource::Point { position: vec3(x, y, z), falloff: Falloff::NONE })
 }
 
 /// A matte floor under one light; `add` adds occluders.
@@ -42,7 +42,7 @@ fn a_shadow_has_the_size_of_similar_triangles() {
     }
     // In directional light it is as large as the disc, and displaced by the angle.
     let toward = vec3(0.6, 0.8, 0.0);
-    let scene = floor(white(Source::Directional { toward }), |scene| {
+    let scene = floor(white(LightSource::Directional { to_light: toward }), |scene| {
         scene.disc(Vec3::Y, Vec3::Y, 0.5);
     });
     for (x, lit) in [(-0.75, false), (-0.2501, false), (-0.2499, true), (-1.2499, false), (-1.2501, true)] {
@@ -86,7 +86,7 @@ fn every_shape_casts_a_shadow() {
         assert!(!is_lit(&floor(point_light(0.0, 3.0, 0.0), add), 0.0));
         // A light without shadows traces no shadow ray.
         let mut scene = floor(point_light(0.0, 3.0, 0.0), add);
-        scene.lights[0].shadows = false;
+        scene.lights[0].casts_shadows = false;
         let (color, counters) = scene.trace_counted(vec3(0.0, 0.25, 6.0), Vec3::ZERO, ALL);
         assert_eq!((color.is_black(), counters.rays[RayKind::Shadow]), (false, 0));
     }
@@ -177,8 +177,9 @@ fn a_light_on_a_surface_is_not_occluded_by_it() {
 
 #[test]
 fn glass_casts_a_full_shadow() {
-    let glass = Material { transmitted: Rgb::WHITE, index: 1.5, diffuse: Rgb::BLACK, ..Material::MATTE };
-    for material in [glass, Material { index: 1.0, ..glass }] {
+    let glass =
+        Material { transmission: Rgb::WHITE, refractive_index: 1.5, diffuse: Rgb::BLACK, ..Material::MATTE };
+    for material in [glass, Material { refractive_index: 1.0, ..glass }] {
         let scene = floor(point_light(0.0, 3.0, 0.0), |scene| {
             scene.material(material);
             scene.sphere(Vec3::Y, 0.5);

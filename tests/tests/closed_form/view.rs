@@ -4,14 +4,14 @@ use strahl_tests::assert_picture;
 
 use crate::*;
 
-const VIEW: View = View {
-    from: Vec3::ZERO,
-    at: vec3(0.0, 0.0, -1.0),
+const VIEW: CameraDescriptor = CameraDescriptor {
+    position: Vec3::ZERO,
+    target: vec3(0.0, 0.0, -1.0),
     up: vec3(0.0, 1.0, 0.0),
-    projection: Projection::Perspective { angle: 1.2 },
+    projection: Projection::Perspective { field_of_view: 1.2 },
 };
 
-fn picture(scene: &TestScene, view: &View, width: u32, height: u32) -> Vec<Rgb> {
+fn picture(scene: &TestScene, view: &CameraDescriptor, width: u32, height: u32) -> Vec<Rgb> {
     let size = Resolution::new(width, height).unwrap();
     let world = World::new(scene.as_scene(), List::without_bounds(scene.item_count()));
     let tracer = Tracer::<_, AllEffects, 64>::new(&world, Camera::new(view, size).unwrap(), ALL).unwrap();
@@ -29,12 +29,13 @@ fn picture(scene: &TestScene, view: &View, width: u32, height: u32) -> Vec<Rgb> 
 /// A wall at distance 5 whose red channel encodes x, and whose green channel encodes y, from top to bottom.
 fn wall() -> TestScene {
     let mut scene = TestScene::new();
-    let gradient = |to, origin, along| Texture::Gradient { from: Rgb::BLACK, to, origin, along };
+    let gradient =
+        |to, origin, along| Texture::Gradient { start_color: Rgb::BLACK, end_color: to, origin, axis: along };
     let across = gradient(Rgb::new(1.0, 0.0, 0.0), vec3(-8.0, 0.0, 0.0), vec3(16.0, 0.0, 0.0));
     let down = gradient(Rgb::new(0.0, 1.0, 0.0), vec3(0.0, 8.0, 0.0), vec3(0.0, -16.0, 0.0));
     // A pane in front of a wall: their colors are added.
     let texture = scene.add_texture(across);
-    scene.material(Material { texture, transmitted: Rgb::WHITE, ..unlit(Rgb::WHITE) });
+    scene.material(Material { texture, transmission: Rgb::WHITE, ..unlit(Rgb::WHITE) });
     scene.plane(vec3(0.0, 0.0, -5.0), Vec3::Z);
     let texture = scene.add_texture(down);
     scene.material(Material { texture, ..unlit(Rgb::WHITE) });
@@ -59,7 +60,7 @@ fn a_perspective_view_spreads_its_angle_over_the_rows() {
 #[test]
 fn an_orthographic_view_spreads_its_height_over_the_rows() {
     let (width, height) = (9, 7);
-    let view = View { projection: Projection::Orthographic { height: 12.0 }, ..VIEW };
+    let view = CameraDescriptor { projection: Projection::Orthographic { height: 12.0 }, ..VIEW };
     let colors = picture(&wall(), &view, width, height);
     for (color, i) in colors.iter().zip(0..) {
         let (x, y) = (f64::from(i % width) - 4.0, f64::from(i / width) - 3.0);
@@ -83,10 +84,11 @@ fn a_centered_sphere_is_a_disc() {
         .........";
     // Its silhouette is at an angle whose sine is 3/5, which is 0.75 at distance 1; a row is 0.3.
     let angle = 2.0 * 0.9_f64.atan();
-    let view = View { projection: Projection::Perspective { angle: angle as Real }, ..VIEW };
+    let view =
+        CameraDescriptor { projection: Projection::Perspective { field_of_view: angle as Real }, ..VIEW };
     assert_picture(&picture(&scene, &view, 9, 7), 9, disc);
     // Orthographic: its radius is 3, and a row is 1.2.
-    let view = View { projection: Projection::Orthographic { height: 7.2 }, ..VIEW };
+    let view = CameraDescriptor { projection: Projection::Orthographic { height: 7.2 }, ..VIEW };
     assert_picture(&picture(&scene, &view, 9, 7), 9, disc);
 }
 
@@ -100,7 +102,12 @@ fn the_camera_keeps_up_and_right_from_every_side() {
     scene.sphere(vec3(2.0, 0.0, 0.0), 0.5);
     scene.ambient = Rgb::WHITE;
     let picture_from = |from: Vec3, up: Vec3| {
-        let view = View { from, at: Vec3::ZERO, up, projection: Projection::Orthographic { height: 4.0 } };
+        let view = CameraDescriptor {
+            position: from,
+            target: Vec3::ZERO,
+            up,
+            projection: Projection::Orthographic { height: 4.0 },
+        };
         picture(&scene, &view, 5, 5)
     };
     assert_picture(
@@ -125,8 +132,12 @@ fn a_checkered_floor_changes_at_every_cell() {
     scene.disc(Vec3::ZERO, Vec3::Y, 3.3);
     scene.ambient = Rgb::WHITE;
     let from = vec3(0.0, 5.0, 0.0);
-    let view =
-        View { from, at: Vec3::ZERO, up: -Vec3::Z, projection: Projection::Orthographic { height: 7.0 } };
+    let view = CameraDescriptor {
+        position: from,
+        target: Vec3::ZERO,
+        up: -Vec3::Z,
+        projection: Projection::Orthographic { height: 7.0 },
+    };
     assert_picture(
         &picture(&scene, &view, 8, 8),
         8,
@@ -159,8 +170,8 @@ fn triangle_color(two_sided: bool, eye: Real, light: Real) -> Rgb {
     let mut scene = TestScene::new();
     scene.material(Material { ambient: Rgb::BLACK, two_sided, ..Material::MATTE });
     scene.polygon(&[vec3(-1.0, -1.0, 0.0), vec3(1.0, -1.0, 0.0), vec3(0.0, 1.0, 0.0)], &[]);
-    let source = Source::Point { position: vec3(0.0, 0.0, light), falloff: Falloff::NONE };
-    scene.lights.push(Light { source, color: Rgb::WHITE, shadows: true });
+    let source = LightSource::Point { position: vec3(0.0, 0.0, light), falloff: Falloff::NONE };
+    scene.lights.push(Light { source, color: Rgb::WHITE, casts_shadows: true });
     scene.trace(vec3(0.0, 0.0, eye), Vec3::ZERO, ALL)
 }
 

@@ -31,7 +31,7 @@ fn scene(name: &str) -> LoadedScene {
 fn asks(description: &LoadedScene) -> Vec<Effect> {
     let tables = scene_tables(description);
     let lens = description.camera.projection.has_lens();
-    let set = EffectSet { lens, ..tables.scene().unwrap().effects() };
+    let set = EffectSet { depth_of_field: lens, ..tables.scene().unwrap().required_effects() };
     let planned: Vec<Effect> = plan(description).iter().map(|it| it.effect).collect();
     // The plan is what the tracer is asked for.
     assert_eq!(planned, Effect::ALL.into_iter().filter(|effect| effect.is_in(&set)).collect::<Vec<_>>());
@@ -50,7 +50,7 @@ fn needs(effect: Effect) -> &'static [Effect] {
 /// Everything that is no effect in the sense of the command line.
 const PLAIN: EffectSet = EffectSet {
     shapes: ShapeSet::ALL,
-    smooth: true,
+    smooth_shading: true,
     lights: LightSet::ALL,
     textures: TextureSet::ALL,
     highlight: true,
@@ -76,16 +76,16 @@ tracers! {
     Solid { shadows, transmission }
     ColoredShadows { shadows, transmission, colored_shadows }
     Penumbra { penumbra }
-    Lens { lens }
+    Lens { depth_of_field }
     Gloss { reflection, gloss }
-    Motion { motion }
+    Motion { motion_blur }
 }
 
 /// The bits of a picture, four rays in each pixel.
 fn seen_by<E: Effects>(description: &LoadedScene) -> Vec<u32> {
     let stock = scene_tables(description);
     let scene = stock.scene().unwrap();
-    let world = World::new(scene, BareList(scene.parts().made_of.len() as u32));
+    let world = World::new(scene, BareList(scene.descriptor().material_ids.len() as u32));
     let camera = Camera::new(&view(&description.camera), SIZE).unwrap();
     let tracer = Tracer::<_, E, 5>::new(&world, camera, Limits::DEFAULT).unwrap();
     let mut bits = Vec::new();

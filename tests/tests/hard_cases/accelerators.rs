@@ -16,10 +16,10 @@ fn answers<A: Accelerator>(scene: &TestScene, accelerator: A, rays: &[Ray]) -> V
     let world = World::new(scene.as_scene(), accelerator);
     let mut scratch = A::Scratch::default();
     let answer = |ray: &Ray| {
-        let hit = world.nearest::<AllEffects, _>(ray, Real::MAX, RayKind::Camera, &mut scratch, &mut ());
+        let hit = world.nearest_hit::<AllEffects, _>(ray, Real::MAX, RayKind::Camera, &mut scratch, &mut ());
         let t = hit.map_or(1.0, |hit| hit.t);
         let mut is_blocked = |t_max| {
-            world.blocker::<AllEffects, _>(ray, t_max, RayKind::Shadow, &mut scratch, &mut ()).is_some()
+            world.occluder::<AllEffects, _>(ray, t_max, RayKind::Shadow, &mut scratch, &mut ()).is_some()
         };
         (hit, [is_blocked(t.next_down()), is_blocked(t)])
     };

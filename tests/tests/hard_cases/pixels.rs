@@ -10,11 +10,11 @@ use strahl_core::image::{
 };
 use strahl_core::math::try_normalize;
 use strahl_core::render::render_selected;
-use strahl_core::scene::{Interface, Texture};
+use strahl_core::scene::{FresnelModel, Texture};
 use strahl_core::tally::RayKind;
 use strahl_core::{
-    AllEffects, Background, Camera, Falloff, Light, Limits, Material, Projection, Real, Resolution, Rgb,
-    Single, Source, Tile, Tracer, Vec3, View, Worker, World, render, vec3,
+    AllEffects, Background, Camera, CameraDescriptor, Falloff, Light, LightSource, Limits, Material,
+    Projection, Real, Resolution, Rgb, Single, Tile, Tracer, Vec3, Worker, World, render, vec3,
 };
 use strahl_tests::single::TestScene;
 use strahl_tests::{DVec3, SplitMix64, TestShape, TestShapeKind};
@@ -34,16 +34,16 @@ const SHARE: &[f32] = &[0.0, 1e-30, 0.5, 0.999_999_9, 1.0];
 prop_compose! {
     fn material(scale: f32)(
         (ambient, diffuse, highlight) in (color(BRIGHT), color(BRIGHT), color(BRIGHT)),
-        (mirror, transmitted) in (color(SHARE), color(SHARE)),
-        exponent in one_of(&[0.0, 1e-6, 1.0, 30.0, 1e6]),
-        index in one_of(&[0.01, 0.75, 1.0, 1.000_000_1, 1.5, 100.0]),
-        clarity in one_of(&[1e-20, 1e-3, 1.0, 1e15, f32::INFINITY]),
-        interface in prop::sample::select(vec![Interface::Constant, Interface::Fresnel]),
+        (reflection, transmission) in (color(SHARE), color(SHARE)),
+        highlight_exponent in one_of(&[0.0, 1e-6, 1.0, 30.0, 1e6]),
+        refractive_index in one_of(&[0.01, 0.75, 1.0, 1.000_000_1, 1.5, 100.0]),
+        length in one_of(&[1e-20, 1e-3, 1.0, 1e15, f32::INFINITY]),
+        fresnel in prop::sample::select(vec![FresnelModel::Constant, FresnelModel::Dielectric]),
         (two_sided, priority, roughness) in (any::<bool>(), 0_u8..3, one_of(&[0.0, 0.0, 1e-6, 0.3, 1.0])),
     ) -> Material {
-        let clarity = Rgb::new(clarity * scale, f32::INFINITY, scale);
+        let attenuation_length = Rgb::new(length * scale, f32::INFINITY, scale);
         Material {
-            ambient, diffuse, highlight, mirror, transmitted, exponent, index, clarity, interface, two_sided,
+            ambient, diffuse, highlight, reflection, transmission, highlight_exponent, refractive_index, attenuation_length, fresnel, two_sided,
             priority, roughness, ..Material::MATTE
         }
     }
@@ -62,7 +62,7 @@ fn direction() -> impl Strategy<Value = Vec3> {
 
 prop_compose! {
     fn light(scale: f32)(
-        position in place(), direction in direction(), color in color(BRIGHT), kind in 0..6, shadows in any::<bool>(),
+        position in place(), direction in direction(), color in color(BRIGHT), kind in 0..6, casts_shadows in any::<bool>(),
         (constant, linear, quadratic) in (one_of(&[0.0, 1.0, 1e6]), one_of(&[0.0, 1.0]), one_of(&[0.0, 1e-6, 1.0])),
         (cos, extent) in (one_of(&[-1.0, 0.0, 0.9, 1.0]), one_of(&[1e-6, 0.1, 1.0, 100.0])),
     ) -> Light {
@@ -70,32 +70,32 @@ prop_compose! {
         let falloff = Falloff { constant, linear: linear / scale, quadratic: quadratic / scale / scale };
         let position = position * scale;
         let source = match kind {
-            0 => Source::Point { position, falloff },
-            1 => Source::Directional { toward: direction },
-            2 => Source::Sphere { position, radius: 0.0, falloff },
-            3 => Source::Sphere { position, radius: extent * scale, falloff },
+            0 => LightSource::Point { position, falloff },
+            1 => LightSource::Directional { to_light: direction },
+            2 => LightSource::Sphere { position, radius: 0.0, falloff },
+            3 => LightSource::Sphere { position, radius: extent * scale, falloff },
             4 => {
                 let side = try_normalize(direction.cross(vec3(0.3, 0.5, 0.8))).unwrap();
-                let half = [side, direction.cross(side)].map(|side| side * (extent * scale));
-                Source::Rectangle { position, half, soft: shadows, falloff }
+                let half_edges = [side, direction.cross(side)].map(|side| side * (extent * scale));
+                LightSource::Rectangle { position, half_edges, soft_shadows: casts_shadows, falloff }
             }
-            _ => Source::Spot { position, direction, cos_bright: cos, cos_dark: -1.0, falloff },
+            _ => LightSource::Spot { position, direction, cos_inner: cos, cos_outer: -1.0, falloff },
         };
-        Light { source, color, shadows }
+        Light { source, color, casts_shadows }
     }
 }
 
 prop_compose! {
     fn view(scale: f32)(
-        (from, at) in (place(), place()), up in direction(), kind in 0..3,
-        angle in one_of(&[1e-6, 0.8, 3.0, 0.999_999 * std::f32::consts::PI]), height in one_of(&[1e-6, 1.0, 1e6]),
-    ) -> View {
+        (position, target) in (place(), place()), up in direction(), kind in 0..3,
+        field_of_view in one_of(&[1e-6, 0.8, 3.0, 0.999_999 * std::f32::consts::PI]), height in one_of(&[1e-6, 1.0, 1e6]),
+    ) -> CameraDescriptor {
         let projection = match kind {
             0 => Projection::Orthographic { height: height * scale },
-            1 => Projection::Lens { angle, radius: 0.1 * height * scale, focus: scale },
-            _ => Projection::Perspective { angle },
+            1 => Projection::ThinLens { field_of_view, lens_radius: 0.1 * height * scale, focus_distance: scale },
+            _ => Projection::Perspective { field_of_view },
         };
-        View { from: from * scale, at: at * scale, up, projection }
+        CameraDescriptor { position: position * scale, target: target * scale, up, projection }
     }
 }
 
@@ -106,11 +106,11 @@ fn texture(scale: f32) -> impl Strategy<Value = Texture> {
             let origin = origin * scale;
             match kind {
                 0 => Texture::Checker { even: from, odd: to, origin, frequency: Vec3::splat(often / scale) },
-                1 => Texture::Gradient { from, to, origin, along: along * scale },
+                1 => Texture::Gradient { start_color: from, end_color: to, origin, axis: along * scale },
                 _ => {
                     let frequency = often / scale / scale;
                     let frequency = if frequency < 1e15 { frequency } else { 1e15 };
-                    Texture::ZonePlate { from, to, origin, frequency }
+                    Texture::ZonePlate { start_color: from, end_color: to, origin, frequency }
                 }
             }
         },
@@ -125,7 +125,7 @@ struct Sight {
     materials: Vec<Material>,
     lights: Vec<Light>,
     ambient: Rgb,
-    view: View,
+    view: CameraDescriptor,
     texture: Texture,
     colored_shadows: bool,
 }
@@ -234,10 +234,10 @@ proptest! {
         let world = World::new(scene.as_scene(), List::without_bounds(scene.item_count()));
         let scale = (0..length.abs()).fold(1.0, |x, _| if length < 0 { x * 0.1 } else { x * 10.0 });
         let ray = Ray::new(origin * sight.scale, way * scale);
-        let hit = world.nearest::<AllEffects, _>(&ray, Real::MAX, RayKind::Camera, &mut (), &mut ());
+        let hit = world.nearest_hit::<AllEffects, _>(&ray, Real::MAX, RayKind::Camera, &mut (), &mut ());
         if let Some(hit) = hit {
             prop_assert!(hit.t > 0.0 && hit.t <= Real::MAX);
-            let surface = world.surface::<AllEffects>(&ray, hit);
+            let surface = world.surface_interaction::<AllEffects>(&ray, hit);
             let surface = surface.expect("what was hit has a surface");
             prop_assert!(surface.point.is_finite() && surface.point_error.is_finite(), "{surface:?}");
             for normal in [surface.normal, surface.shading_normal] {
@@ -281,11 +281,21 @@ fn a_ray_that_is_none_meets_nothing_and_asks_for_nothing() {
             let mut tally = Counters::new();
             for ray in &rays {
                 for t_max in [1.0, Real::MAX, Real::INFINITY, Real::NAN, -1.0] {
-                    let hit =
-                        world.nearest::<AllEffects, _>(ray, t_max, RayKind::Camera, &mut scratch, &mut tally);
+                    let hit = world.nearest_hit::<AllEffects, _>(
+                        ray,
+                        t_max,
+                        RayKind::Camera,
+                        &mut scratch,
+                        &mut tally,
+                    );
                     assert_eq!(hit, None, "{ray:?}");
-                    let blocker =
-                        world.blocker::<AllEffects, _>(ray, t_max, RayKind::Shadow, &mut scratch, &mut tally);
+                    let blocker = world.occluder::<AllEffects, _>(
+                        ray,
+                        t_max,
+                        RayKind::Shadow,
+                        &mut scratch,
+                        &mut tally,
+                    );
                     assert_eq!(blocker, None, "{ray:?}");
                 }
             }

@@ -3,10 +3,10 @@
 use strahl_core::accel::List;
 use strahl_core::image::Frame;
 use strahl_core::math::try_normalize;
-use strahl_core::scene::{Interface, Texture};
+use strahl_core::scene::{FresnelModel, Texture};
 use strahl_core::{
-    AllEffects, Background, Camera, Falloff, Light, Limits, Material, Projection, Resolution, Rgb, Single,
-    Source, Tile, Tracer, Vec3, View, Worker, World, render, vec3,
+    AllEffects, Background, Camera, CameraDescriptor, Falloff, Light, LightSource, Limits, Material,
+    Projection, Resolution, Rgb, Single, Tile, Tracer, Vec3, Worker, World, render, vec3,
 };
 use strahl_tests::hard::cases;
 use strahl_tests::oracle::{OracleAnswer, intersect, size};
@@ -32,27 +32,27 @@ fn picture(scale: f32, has_lens: bool) -> Vec<[u32; 3]> {
         frequency: vec3(1.3, 0.7, 1.1) / scale,
     });
     let gradient = scene.add_texture(Texture::Gradient {
-        from: Rgb::WHITE,
-        to: Rgb::new(0.9, 0.5, 0.1),
+        start_color: Rgb::WHITE,
+        end_color: Rgb::new(0.9, 0.5, 0.1),
         origin: vec3(0.0, -2.0, 0.0) * scale,
-        along: vec3(0.3, 4.0, 0.1) * scale,
+        axis: vec3(0.3, 4.0, 0.1) * scale,
     });
     let zones = scene.add_texture(Texture::ZonePlate {
-        from: Rgb::WHITE,
-        to: Rgb::new(0.2, 0.7, 0.9),
+        start_color: Rgb::WHITE,
+        end_color: Rgb::new(0.2, 0.7, 0.9),
         origin: vec3(0.5, 0.1, -0.4) * scale,
         frequency: 0.3 / (scale * scale),
     });
-    let paint = Material { highlight: Rgb::gray(0.5), exponent: 20.0, ..Material::MATTE };
+    let paint = Material { highlight: Rgb::gray(0.5), highlight_exponent: 20.0, ..Material::MATTE };
     let materials = [
         Material { texture: checker, ..paint },
-        Material { texture: gradient, mirror: Rgb::gray(0.5), ..paint },
-        Material { texture: zones, mirror: Rgb::gray(0.3), roughness: 0.3, ..paint },
+        Material { texture: gradient, reflection: Rgb::gray(0.5), ..paint },
+        Material { texture: zones, reflection: Rgb::gray(0.3), roughness: 0.3, ..paint },
         Material {
-            transmitted: Rgb::gray(0.9),
-            index: 1.5,
-            interface: Interface::Fresnel,
-            clarity: Rgb::new(3.0, 4.0, 5.0) * scale,
+            transmission: Rgb::gray(0.9),
+            refractive_index: 1.5,
+            fresnel: FresnelModel::Dielectric,
+            attenuation_length: Rgb::new(3.0, 4.0, 5.0) * scale,
             diffuse: Rgb::BLACK,
             ..paint
         },
@@ -71,18 +71,18 @@ fn picture(scale: f32, has_lens: bool) -> Vec<[u32; 3]> {
     let position = vec3(6.0, 8.0, 3.0);
     let direction = try_normalize(-position).unwrap();
     for source in [
-        Source::Point { position: vec3(-5.0, 9.0, 6.0) * scale, falloff },
-        Source::Directional { toward: Vec3::Y },
-        Source::Sphere { position: vec3(4.0, 7.0, 8.0) * scale, radius: 0.7 * scale, falloff },
-        Source::Rectangle {
+        LightSource::Point { position: vec3(-5.0, 9.0, 6.0) * scale, falloff },
+        LightSource::Directional { to_light: Vec3::Y },
+        LightSource::Sphere { position: vec3(4.0, 7.0, 8.0) * scale, radius: 0.7 * scale, falloff },
+        LightSource::Rectangle {
             position: vec3(-4.0, 8.0, -2.0) * scale,
-            half: [Vec3::X * scale, Vec3::Z * (0.5 * scale)],
-            soft: true,
+            half_edges: [Vec3::X * scale, Vec3::Z * (0.5 * scale)],
+            soft_shadows: true,
             falloff,
         },
-        Source::Spot { position: position * scale, direction, cos_bright: 0.95, cos_dark: 0.9, falloff },
+        LightSource::Spot { position: position * scale, direction, cos_inner: 0.95, cos_outer: 0.9, falloff },
     ] {
-        scene.lights.push(Light { source, color: Rgb::gray(0.4), shadows: true });
+        scene.lights.push(Light { source, color: Rgb::gray(0.4), casts_shadows: true });
     }
     scene.ambient = Rgb::gray(0.1);
     scene.colored_shadows = true;
@@ -90,14 +90,14 @@ fn picture(scale: f32, has_lens: bool) -> Vec<[u32; 3]> {
         Background::Gradient { up: Vec3::Y, below: Rgb::BLACK, above: Rgb::new(0.2, 0.4, 0.9) };
 
     let size = Resolution::new(32, 24).unwrap();
-    let view = View {
-        from: vec3(1.0, 2.0, 11.0) * scale,
-        at: vec3(0.1, -0.2, 0.0) * scale,
+    let view = CameraDescriptor {
+        position: vec3(1.0, 2.0, 11.0) * scale,
+        target: vec3(0.1, -0.2, 0.0) * scale,
         up: Vec3::Y,
         projection: if has_lens {
-            Projection::Lens { angle: 0.8, radius: 0.2 * scale, focus: 9.0 * scale }
+            Projection::ThinLens { field_of_view: 0.8, lens_radius: 0.2 * scale, focus_distance: 9.0 * scale }
         } else {
-            Projection::Perspective { angle: 0.8 }
+            Projection::Perspective { field_of_view: 0.8 }
         },
     };
     let camera = Camera::new(&view, size).unwrap();

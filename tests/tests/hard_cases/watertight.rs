@@ -5,7 +5,7 @@ use strahl_core::accel::{
 };
 use strahl_core::geometry::Ray;
 use strahl_core::tally::RayKind;
-use strahl_core::{AllEffects, Geometry, Material, MaterialId, Parts, Real, Scene, World, vec3};
+use strahl_core::{AllEffects, Geometry, Material, MaterialId, Real, Scene, SceneDescriptor, World, vec3};
 use strahl_tests::hard::{ClosedMesh, escapes, odd_crossings};
 use strahl_tests::{DVec3, SplitMix64, dvec3};
 
@@ -56,8 +56,13 @@ fn no_accelerator_lets_a_ray_through() {
     for (name, mesh, _) in meshes() {
         let (points, shapes) = mesh.tables();
         let geometry = Geometry { vertices: &points, shapes: &shapes, ..Geometry::EMPTY };
-        let made_of = vec![MaterialId(0); shapes.len()];
-        let parts = Parts { geometry, made_of: &made_of, materials: &[Material::MATTE], ..Parts::EMPTY };
+        let material_ids = vec![MaterialId(0); shapes.len()];
+        let parts = SceneDescriptor {
+            geometry,
+            material_ids: &material_ids,
+            materials: &[Material::MATTE],
+            ..SceneDescriptor::EMPTY
+        };
         let scene = Scene::new(parts).unwrap();
         let boxes: Vec<_> = geometry.all_bounds().collect();
 
@@ -76,7 +81,7 @@ fn no_accelerator_lets_a_ray_through() {
                 let world = World::new(scene, $accelerator);
                 let mut scratch = Default::default();
                 for (i, ray) in rays.iter().enumerate() {
-                    let hit = world.nearest::<AllEffects, _>(
+                    let hit = world.nearest_hit::<AllEffects, _>(
                         ray,
                         Real::MAX,
                         RayKind::Camera,
@@ -104,7 +109,7 @@ fn no_accelerator_lets_a_ray_through() {
         // The list takes each of thousands of triangles: some rays are enough.
         let world = World::new(scene, List::without_bounds(shapes.len() as u32));
         for (ray, truth) in rays.iter().zip(&truth).take(100) {
-            let hit = world.nearest::<AllEffects, _>(ray, Real::MAX, RayKind::Camera, &mut (), &mut ());
+            let hit = world.nearest_hit::<AllEffects, _>(ray, Real::MAX, RayKind::Camera, &mut (), &mut ());
             assert_eq!(hit, *truth, "{name}, list: {ray:?}");
         }
     }

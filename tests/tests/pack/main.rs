@@ -10,10 +10,11 @@ use strahl_core::accel::{
 use strahl_core::baked::{Baking, Finder, Pack, PackError, PackPart};
 use strahl_core::geometry::Cone;
 use strahl_core::image::Pixel;
-use strahl_core::scene::{Interface, Texture};
+use strahl_core::scene::{FresnelModel, Texture};
 use strahl_core::{
-    AllEffects, Background, BareList, Camera, Falloff, Light, Limits, Material, Projection, Real, Resolution,
-    Rgb, Scene, Single, Source, Tile, Tracer, Vec3, View, Worker, World, render, vec3,
+    AllEffects, Background, BareList, Camera, CameraDescriptor, Falloff, Light, LightSource, Limits,
+    Material, Projection, Real, Resolution, Rgb, Scene, Single, Tile, Tracer, Vec3, Worker, World, render,
+    vec3,
 };
 use strahl_tests::SplitMix64;
 use strahl_tests::single::TestScene;
@@ -37,11 +38,11 @@ impl Aligned {
     }
 }
 
-const VIEW: View = View {
-    from: vec3(0.5, 1.0, 9.0),
-    at: Vec3::ZERO,
+const VIEW: CameraDescriptor = CameraDescriptor {
+    position: vec3(0.5, 1.0, 9.0),
+    target: Vec3::ZERO,
     up: Vec3::Y,
-    projection: Projection::Perspective { angle: 0.7 },
+    projection: Projection::Perspective { field_of_view: 0.7 },
 };
 const SIZE: Resolution = Resolution::new(24, 16).unwrap();
 
@@ -55,12 +56,12 @@ fn fair() -> TestScene {
         frequency: vec3(1.0, 0.0, 1.0),
     });
     let gradient = scene.add_texture(Texture::Gradient {
-        from: Rgb::new(0.9, 0.1, 0.2),
-        to: Rgb::WHITE,
+        start_color: Rgb::new(0.9, 0.1, 0.2),
+        end_color: Rgb::WHITE,
         origin: Vec3::ZERO,
-        along: Vec3::Y,
+        axis: Vec3::Y,
     });
-    let shiny = Material { highlight: Rgb::gray(0.5), exponent: 20.0, ..Material::MATTE };
+    let shiny = Material { highlight: Rgb::gray(0.5), highlight_exponent: 20.0, ..Material::MATTE };
     scene.material(Material { texture: checker, two_sided: false, ..Material::MATTE });
     scene.plane(vec3(0.0, -2.0, 0.0), Vec3::Y);
     scene.material(Material { texture: gradient, ..shiny });
@@ -72,15 +73,15 @@ fn fair() -> TestScene {
         &[vec3(0.0, 1.0, -2.0), vec3(1.0, 1.5, -2.0), vec3(2.0, 1.0, -2.0), vec3(1.0, 3.0, -2.0)],
         &[],
     );
-    scene.material(Material { mirror: Rgb::new(0.7, 0.8, 0.9), ..shiny });
+    scene.material(Material { reflection: Rgb::new(0.7, 0.8, 0.9), ..shiny });
     let block = scene.cuboid(vec3(-1.0, -1.5, -1.0), vec3(0.0, -0.5, 0.0));
     scene.set_motion(block, Vec3::ZERO, vec3(0.0, 0.3, 0.5));
     scene.oriented_cuboid(vec3(1.5, -1.0, 1.0), vec3(0.4, 0.3, 0.2), vec3(1.0, 0.5, 0.0), Vec3::Z);
     scene.material(Material {
-        transmitted: Rgb::gray(0.9),
-        index: 1.5,
-        interface: Interface::Fresnel,
-        clarity: Rgb::new(1.0, 2.0, Real::INFINITY),
+        transmission: Rgb::gray(0.9),
+        refractive_index: 1.5,
+        fresnel: FresnelModel::Dielectric,
+        attenuation_length: Rgb::new(1.0, 2.0, Real::INFINITY),
         priority: 3,
         ..shiny
     });
@@ -96,17 +97,17 @@ fn fair() -> TestScene {
     let falloff = Falloff { constant: 0.5, linear: 0.01, quadratic: 0.001 };
     let white = Rgb::gray(0.5);
     for source in [
-        Source::Point { position: vec3(5.0, 6.0, 7.0), falloff },
-        Source::Directional { toward: Vec3::Y },
-        Source::Spot {
+        LightSource::Point { position: vec3(5.0, 6.0, 7.0), falloff },
+        LightSource::Directional { to_light: Vec3::Y },
+        LightSource::Spot {
             position: vec3(-4.0, 5.0, 4.0),
             direction: vec3(0.0, -0.6, -0.8),
-            cos_bright: 0.9,
-            cos_dark: 0.5,
+            cos_inner: 0.9,
+            cos_outer: 0.5,
             falloff,
         },
     ] {
-        scene.lights.push(Light { source, color: white, shadows: true });
+        scene.lights.push(Light { source, color: white, casts_shadows: true });
     }
     scene.ambient = Rgb::gray(0.1);
     scene.background =

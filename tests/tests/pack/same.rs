@@ -9,12 +9,12 @@ fn a_baked_scene_is_opened_as_it_was() {
         let aligned = Aligned::of(&bytes);
         let pack = Pack::open(aligned.bytes()).unwrap();
         let (was, is) = (scene.as_scene(), pack.scene());
-        assert_eq!(format!("{:?}", was.parts()), format!("{:?}", is.parts()));
-        assert_eq!(was.effects(), is.effects());
+        assert_eq!(format!("{:?}", was.descriptor()), format!("{:?}", is.descriptor()));
+        assert_eq!(was.required_effects(), is.required_effects());
         assert_eq!((*pack.view(), pack.size(), pack.levels(), pack.cutoff()), (VIEW, SIZE, 4, 0.01));
         // In place: the tables are the bytes themselves.
         let within = aligned.bytes().as_ptr_range();
-        assert!(within.contains(&is.parts().geometry.shapes.as_ptr().cast()));
+        assert!(within.contains(&is.descriptor().geometry.shapes.as_ptr().cast()));
     }
 }
 

@@ -12,7 +12,7 @@
 
 use std::iter;
 
-use strahl_core::scene::Interface;
+use strahl_core::scene::FresnelModel;
 use strahl_core::{Material, Rgb};
 
 use super::error::Wrong;
@@ -120,12 +120,12 @@ impl Words {
             ambient: kept,
             diffuse: kept,
             highlight: if self.model >= 2 { self.specular } else { Rgb::BLACK },
-            exponent: if self.model >= 2 { self.exponent } else { 0.0 },
-            mirror: if self.model >= 3 { self.specular.clamp_max(1.0) } else { Rgb::BLACK },
-            transmitted: (self.filter * passes).clamp_max(1.0),
+            highlight_exponent: if self.model >= 2 { self.exponent } else { 0.0 },
+            reflection: if self.model >= 3 { self.specular.clamp_max(1.0) } else { Rgb::BLACK },
+            transmission: (self.filter * passes).clamp_max(1.0),
             // Files have a zero where the index has no meaning.
-            index: if is_glass && passes > 0.0 && self.index >= 0.01 { self.index } else { 1.0 },
-            interface: if self.model == 7 { Interface::Fresnel } else { Interface::Constant },
+            refractive_index: if is_glass && passes > 0.0 && self.index >= 0.01 { self.index } else { 1.0 },
+            fresnel: if self.model == 7 { FresnelModel::Dielectric } else { FresnelModel::Constant },
             ..Material::MATTE
         };
         Named { name: self.name, line: self.line, it }

@@ -47,7 +47,7 @@ const CLAY: Material = Material {
     ambient: Rgb::new(0.72, 0.66, 0.6),
     diffuse: Rgb::new(0.72, 0.66, 0.6),
     highlight: Rgb::gray(0.12),
-    exponent: 24.0,
+    highlight_exponent: 24.0,
     ..Material::MATTE
 };
 

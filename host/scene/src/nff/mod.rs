@@ -156,8 +156,8 @@ impl<'t> Reader<'t> {
     }
 
     fn size(&mut self, of: Word<'_>) -> Read<Resolution> {
-        let width = self.words.whole(1, Resolution::MOST, "the width of the picture", of)?;
-        let height = self.words.whole(1, Resolution::MOST, "the height of the picture", of)?;
+        let width = self.words.whole(1, Resolution::MAX_SIDE, "the width of the picture", of)?;
+        let height = self.words.whole(1, Resolution::MAX_SIDE, "the height of the picture", of)?;
         match Resolution::new(width, height) {
             Some(size) if u64::from(width) * u64::from(height) <= MOST_PIXELS => Ok(size),
             _ => of.wrong(format!(
@@ -209,10 +209,10 @@ impl<'t> Reader<'t> {
             ambient: scattered,
             diffuse: scattered,
             highlight: Rgb::gray(ks),
-            exponent: shine,
-            mirror: Rgb::gray(ks),
-            transmitted: Rgb::gray(t),
-            index: if t > 0.0 { index } else { 1.0 },
+            highlight_exponent: shine,
+            reflection: Rgb::gray(ks),
+            transmission: Rgb::gray(t),
+            refractive_index: if t > 0.0 { index } else { 1.0 },
             ..Material::MATTE
         };
         self.materials.push(Located { value: material, line: of.line, name: None });

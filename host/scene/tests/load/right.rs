@@ -55,16 +55,16 @@ fn every_entity_becomes_what_the_format_says() {
         ambient: scattered,
         diffuse: scattered,
         highlight: Rgb::gray(0.25),
-        exponent: 8.0,
-        mirror: Rgb::gray(0.25),
+        highlight_exponent: 8.0,
+        reflection: Rgb::gray(0.25),
         ..Material::MATTE
     };
     let glass = Material {
         ambient: Rgb::BLACK,
         diffuse: Rgb::BLACK,
-        exponent: 100_000.0,
-        transmitted: Rgb::gray(0.5),
-        index: 1.5,
+        highlight_exponent: 100_000.0,
+        transmission: Rgb::gray(0.5),
+        refractive_index: 1.5,
         ..Material::MATTE
     };
     assert_eq!(
@@ -110,8 +110,8 @@ fn every_entity_becomes_what_the_format_says() {
 fn what_a_file_describes_makes_a_scene_in_both_precisions() {
     let it = loaded(ALL);
     let (single, double) = (tables::single::scene_tables(&it), tables::double::scene_tables(&it));
-    assert_eq!(single.scene().unwrap().parts().geometry.shapes.len(), 6);
-    assert_eq!(double.scene().unwrap().parts().geometry.shapes.len(), 6);
+    assert_eq!(single.scene().unwrap().descriptor().geometry.shapes.len(), 6);
+    assert_eq!(double.scene().unwrap().descriptor().geometry.shapes.len(), 6);
 }
 
 #[test]
@@ -245,7 +245,7 @@ fn a_scene_has_room_for_65536_surfaces_and_no_more() {
 fn an_opaque_surface_may_have_any_index_of_refraction() {
     for index in ["0", "-1", "1.5", "1e9"] {
         let it = after_view(&format!("f 1 1 1 1 0 0 0 {index}\n"));
-        assert_eq!(it.materials[0].value.index, 1.0, "{index}");
+        assert_eq!(it.materials[0].value.refractive_index, 1.0, "{index}");
         assert!(!it.materials[0].value.is_transmitting());
     }
 }
@@ -285,7 +285,7 @@ fn polygons_without_area_keep_their_number_and_one_warning_counts_them() {
     let warning = &it.warnings[0];
     assert!(warning.contains("3 polygons") && warning.contains("line 4"), "{warning}");
     let stock = tables::single::scene_tables(&it);
-    assert_eq!(stock.scene().unwrap().parts().geometry.shapes.len(), 5);
+    assert_eq!(stock.scene().unwrap().descriptor().geometry.shapes.len(), 5);
 }
 
 #[test]

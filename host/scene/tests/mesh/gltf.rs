@@ -1,6 +1,6 @@
 //! What is in glTF files.
 
-use strahl_core::scene::Interface;
+use strahl_core::scene::FresnelModel;
 use strahl_core::{Material, Rgb};
 use strahl_scene::mesh::TriangleMesh;
 
@@ -122,31 +122,31 @@ fn surfaces_become_the_nearest_material() {
     ));
     let it = mesh("gltf", text);
     let base = Rgb::new(1.0, 0.5, 0.25);
-    let rough = Material { highlight: Rgb::BLACK, exponent: 0.0, ..Material::MATTE };
+    let rough = Material { highlight: Rgb::BLACK, highlight_exponent: 0.0, ..Material::MATTE };
     let metal = Material {
         ambient: base * 0.25,
         diffuse: base * 0.25,
         highlight: base * 0.75,
-        exponent: 510.0,
-        mirror: base * 0.75,
+        highlight_exponent: 510.0,
+        reflection: base * 0.75,
         ..Material::MATTE
     };
     let veil = Material {
         ambient: base * 0.25,
         diffuse: base * 0.25,
         highlight: Rgb::gray(0.25),
-        exponent: 30.0,
-        transmitted: Rgb::gray(0.75),
+        highlight_exponent: 30.0,
+        transmission: Rgb::gray(0.75),
         ..Material::MATTE
     };
     let glass = Material {
         ambient: Rgb::BLACK,
         diffuse: Rgb::BLACK,
         highlight: Rgb::gray(0.5),
-        exponent: 10_000.0,
-        transmitted: Rgb::WHITE,
-        index: 1.25,
-        interface: Interface::Fresnel,
+        highlight_exponent: 10_000.0,
+        transmission: Rgb::WHITE,
+        refractive_index: 1.25,
+        fresnel: FresnelModel::Dielectric,
         ..Material::MATTE
     };
     assert_eq!(it.materials.iter().map(|(_, m)| *m).collect::<Vec<_>>(), [rough, metal, veil, glass]);

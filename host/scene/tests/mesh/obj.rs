@@ -1,6 +1,6 @@
 //! What is in OBJ files and their material libraries.
 
-use strahl_core::scene::Interface;
+use strahl_core::scene::FresnelModel;
 use strahl_core::{Material, Rgb};
 use strahl_scene::mesh::TriangleMesh;
 
@@ -113,29 +113,29 @@ fn materials_group_the_triangles() {
         ambient: Rgb::new(0.5, 0.25, 0.0),
         diffuse: Rgb::new(0.5, 0.25, 0.0),
         highlight: Rgb::gray(0.5),
-        exponent: 20.0,
+        highlight_exponent: 20.0,
         ..Material::MATTE
     };
     let mirror = Material {
         ambient: Rgb::BLACK,
         diffuse: Rgb::BLACK,
         highlight: Rgb::new(0.75, 0.5, 2.0),
-        exponent: 1000.0,
-        mirror: Rgb::new(0.75, 0.5, 1.0),
+        highlight_exponent: 1000.0,
+        reflection: Rgb::new(0.75, 0.5, 1.0),
         ..Material::MATTE
     };
     let glass = Material {
         ambient: Rgb::gray(0.25),
         diffuse: Rgb::gray(0.25),
-        transmitted: Rgb::new(0.75, 0.375, 0.75),
-        index: 1.5,
-        interface: Interface::Fresnel,
+        transmission: Rgb::new(0.75, 0.375, 0.75),
+        refractive_index: 1.5,
+        fresnel: FresnelModel::Dielectric,
         ..Material::MATTE
     };
     let veil = Material {
         ambient: Rgb::gray(0.125),
         diffuse: Rgb::gray(0.125),
-        transmitted: Rgb::gray(0.75),
+        transmission: Rgb::gray(0.75),
         ..Material::MATTE
     };
     let expected = [paint, mirror, glass, veil];

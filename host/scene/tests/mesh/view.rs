@@ -23,7 +23,7 @@ fn the_objects_of_the_scene_are_the_triangles_of_the_file() {
     assert_eq!(it.objects, [ObjectDescription { shape: form, material: 0, line: 0 }]);
     assert_eq!((it.materials.len(), it.vertices.len(), it.triangles.len()), (1, 4, 3));
     assert!(it.lights.len() >= 2 && it.settings.size.is_none());
-    assert_eq!(single::scene_tables(&it).scene().unwrap().parts().geometry.shapes.len(), 3);
+    assert_eq!(single::scene_tables(&it).scene().unwrap().descriptor().geometry.shapes.len(), 3);
 }
 
 #[test]

@@ -1,6 +1,6 @@
 //! What a file does not say.
 
-use strahl_core::scene::{FilmPoint, Interface};
+use strahl_core::scene::{FilmPoint, FresnelModel};
 use strahl_core::{Camera, Material, Resolution, Rgb, Sphere, vec3};
 use strahl_scene::description::{
     BackgroundDescription, CameraDescription, LightSourceDescription, ProjectionDescription,
@@ -96,22 +96,22 @@ fn material(keys: &str) -> Material {
 fn the_parts_of_a_material_follow_from_each_other() {
     assert_eq!(material(""), Material::MATTE);
     let it = material("mirror = 0.25");
-    assert_eq!((it.diffuse, it.ambient, it.mirror), (Rgb::gray(0.75), Rgb::gray(0.75), Rgb::gray(0.25)));
+    assert_eq!((it.diffuse, it.ambient, it.reflection), (Rgb::gray(0.75), Rgb::gray(0.75), Rgb::gray(0.25)));
     let it = material("mirror = 0.25, transmission = [0.5, 1, 0]");
     assert_eq!(it.diffuse, Rgb::new(0.25, 0.0, 0.75));
-    assert_eq!((it.index, it.interface, it.priority), (1.5, Interface::Constant, 0));
-    assert_eq!(it.clarity, Rgb::gray(f32::INFINITY));
+    assert_eq!((it.refractive_index, it.fresnel, it.priority), (1.5, FresnelModel::Constant, 0));
+    assert_eq!(it.attenuation_length, Rgb::gray(f32::INFINITY));
     let it = material("diffuse = 0.5, color = [1, 0.5, 0]");
     assert_eq!((it.diffuse, it.ambient), (Rgb::new(0.5, 0.25, 0.0), Rgb::new(0.5, 0.25, 0.0)));
     assert_eq!(material("mirror = 1, diffuse = 0.5").diffuse, Rgb::gray(0.5));
 
-    assert_eq!((it.highlight, it.exponent), (Rgb::BLACK, 0.0));
+    assert_eq!((it.highlight, it.highlight_exponent), (Rgb::BLACK, 0.0));
     let it = material("shininess = 20");
-    assert_eq!((it.highlight, it.exponent), (Rgb::gray(0.5), 20.0));
+    assert_eq!((it.highlight, it.highlight_exponent), (Rgb::gray(0.5), 20.0));
     let it = material("highlight = 0.75");
-    assert_eq!((it.highlight, it.exponent), (Rgb::gray(0.75), 50.0));
+    assert_eq!((it.highlight, it.highlight_exponent), (Rgb::gray(0.75), 50.0));
     let it = material("highlight = 0");
-    assert_eq!((it.highlight, it.exponent), (Rgb::BLACK, 0.0));
+    assert_eq!((it.highlight, it.highlight_exponent), (Rgb::BLACK, 0.0));
 }
 
 #[test]

@@ -53,7 +53,9 @@ fn a_mesh_is_scaled_then_turned_then_moved() {
     let corners = it.triangles[0].map(|corner| it.vertices[corner as usize]);
     assert_eq!(corners, [[5.0, 0.0, 0.0], [5.0, 2.0, 0.0], [3.0, 0.0, 0.0]]);
     assert!(
-        it.objects.iter().all(|object| it.materials[usize::from(object.material)].value.mirror == Rgb::WHITE)
+        it.objects
+            .iter()
+            .all(|object| it.materials[usize::from(object.material)].value.reflection == Rgb::WHITE)
     );
 }
 

@@ -1,6 +1,6 @@
 //! What good files describe.
 
-use strahl_core::scene::{Interface, TextureId};
+use strahl_core::scene::{FresnelModel, TextureId};
 use strahl_core::{Material, Resolution, Rgb};
 use strahl_scene::description::{
     BackgroundDescription, CameraDescription, LightDescription, LightSourceDescription, LinearMotion,
@@ -97,10 +97,10 @@ fn velocities_and_the_shutter_become_what_moves() {
     // In the tables of the core, where they are when the shutter opens and closes.
     let stock = strahl_session::tables::single::scene_tables(&it);
     let scene = stock.scene().unwrap();
-    let geometry = &scene.parts().geometry;
+    let geometry = &scene.descriptor().geometry;
     assert_eq!(geometry.motion_offset(&geometry.shapes[0], 0.0).to_array(), [-0.5, -1.0, -1.5]);
     assert_eq!(geometry.motion_offset(&geometry.shapes[0], 1.0).to_array(), [0.25, 0.5, 0.75]);
-    assert!(scene.effects().motion);
+    assert!(scene.required_effects().motion_blur);
 }
 
 #[test]
@@ -140,11 +140,11 @@ fn every_material_becomes_what_the_format_says() {
     let glass = Material {
         ambient: Rgb::BLACK,
         diffuse: Rgb::BLACK,
-        mirror: Rgb::gray(0.125),
-        transmitted: Rgb::new(0.75, 0.5, 0.25),
-        index: 1.25,
-        interface: Interface::Fresnel,
-        clarity: Rgb::new(f32::INFINITY, 2.0, 0.5),
+        reflection: Rgb::gray(0.125),
+        transmission: Rgb::new(0.75, 0.5, 0.25),
+        refractive_index: 1.25,
+        fresnel: FresnelModel::Dielectric,
+        attenuation_length: Rgb::new(f32::INFINITY, 2.0, 0.5),
         priority: 3,
         two_sided: false,
         ..Material::MATTE
@@ -156,7 +156,7 @@ fn every_material_becomes_what_the_format_says() {
         ambient: RED * 0.5,
         diffuse: RED,
         highlight: Rgb::gray(0.25),
-        exponent: 8.0,
+        highlight_exponent: 8.0,
         ..Material::MATTE
     };
     let named = |it, line, name: &str| Located { value: it, line, name: Some(name.into()) };

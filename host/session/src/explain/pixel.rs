@@ -35,7 +35,7 @@ pub fn trace(description: &LoadedScene, settings: &Settings, pixel: Pixel) -> Re
     let stock = scene_tables(description);
     let scene = stock.scene().map_err(RenderError::invalid)?;
     let camera = Camera::new(&view(&description.camera), settings.size).map_err(RenderError::invalid)?;
-    let boxes: Vec<Aabb> = scene.parts().geometry.all_bounds().collect();
+    let boxes: Vec<Aabb> = scene.descriptor().geometry.all_bounds().collect();
     let mut groups = vec![Aabb::EMPTY; group_count(boxes.len())];
     let world = World::new(scene, List::with_boxes(&boxes, &mut groups).map_err(RenderError::invalid)?);
     let tracer = Tracer::<_, AllEffects, MAX_LEVELS>::new(&world, camera, settings.limits())

@@ -31,12 +31,12 @@ impl<'n> Names<'n> {
 
     /// What the file says of an item.
     pub fn thing(&self, item: ItemId) -> Thing {
-        let parts = self.world.scene().parts();
+        let parts = self.world.scene().descriptor();
         let place = self.firsts.partition_point(|first| *first <= item.0).saturating_sub(1);
         let object = self.description.objects.get(place);
         let first = self.firsts.get(place).copied().unwrap_or(0);
         let is_mesh = object.is_some_and(|object| matches!(object.shape, ShapeDescription::Mesh { .. }));
-        let material = parts.made_of.get(item.0 as usize).map_or(0, |material| material.0);
+        let material = parts.material_ids.get(item.0 as usize).map_or(0, |material| material.0);
         Thing {
             object: item.0,
             shape: parts
@@ -65,7 +65,7 @@ impl<'n> Names<'n> {
     /// The nearest item along a shadow ray, and how far away it is.
     pub fn nearest(&self, origin: Vec3, direction: Vec3, reach: Real) -> Option<(ItemId, f32)> {
         let ray = Ray::new(origin, direction);
-        let hit = self.world.nearest::<AllEffects, _>(&ray, reach, RayKind::Shadow, &mut (), &mut ())?;
+        let hit = self.world.nearest_hit::<AllEffects, _>(&ray, reach, RayKind::Shadow, &mut (), &mut ())?;
         Some((hit.item, hit.t))
     }
 }

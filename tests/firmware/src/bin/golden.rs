@@ -20,7 +20,7 @@ use strahl_firmware::write::write_all;
 fn main() -> ! {
     static mut LENT: Lent = Lent::NEW;
 
-    if Scene::new(parts()).is_ok_and(|scene| scene.effects() != Golden::SET) {
+    if Scene::new(parts()).is_ok_and(|scene| scene.required_effects() != Golden::SET) {
         println!("golden: the scene does not ask for exactly what the tracer can do");
         process::exit(1);
     }

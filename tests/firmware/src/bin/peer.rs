@@ -34,7 +34,7 @@ fn main() -> ! {
 fn picture(row: &mut [[u8; 3]; WIDTH]) -> Result<(), &'static str> {
     // As if it came from elsewhere: no number of the scene is folded into the code.
     let scene = Scene::new(black_box(PARTS)).map_err(|_| "its parts make no scene")?;
-    if scene.effects() != Peer::SET {
+    if scene.required_effects() != Peer::SET {
         return Err("the scene does not ask for exactly what the tracer can do");
     }
     let world = World::new(scene, BareList(ITEMS as u32));

@@ -24,7 +24,7 @@ mod motion;
 use std::collections::HashMap;
 use std::path::Path;
 
-use strahl_core::scene::Interface;
+use strahl_core::scene::FresnelModel;
 use strahl_core::{Material, Rgb};
 
 use super::error::{Wrong, invalid};
@@ -319,11 +319,11 @@ fn surface(material: &json::Material) -> Result<Material, String> {
         ambient: kept,
         diffuse: kept,
         highlight: Rgb::gray(0.5).lerp(base, m) * polish,
-        exponent: if exponent > 1e4 { 1e4 } else { exponent },
-        mirror: base * (m * polish),
-        transmitted,
-        index: if is_glass { index } else { 1.0 },
-        interface: if is_glass { Interface::Fresnel } else { Interface::Constant },
+        highlight_exponent: if exponent > 1e4 { 1e4 } else { exponent },
+        reflection: base * (m * polish),
+        transmission: transmitted,
+        refractive_index: if is_glass { index } else { 1.0 },
+        fresnel: if is_glass { FresnelModel::Dielectric } else { FresnelModel::Constant },
         ..Material::MATTE
     })
 }

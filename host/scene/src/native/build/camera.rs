@@ -2,7 +2,7 @@
 
 use strahl_core::geometry::Aabb;
 use strahl_core::math::try_normalize;
-use strahl_core::scene::ViewFault;
+use strahl_core::scene::CameraError;
 use strahl_core::{Camera, Resolution, Rgb, Vec3};
 
 use super::builder::{ANGLE, SceneBuilder, UP};
@@ -71,7 +71,7 @@ impl SceneBuilder<'_> {
         if let Err(fault) = Camera::new(&view.to_core(), size)
             && let Some(camera) = camera
         {
-            let is_up = fault == ViewFault::NoUp;
+            let is_up = fault == CameraError::UpParallelToView;
             let at = at.map(|at| &at.span);
             let place = if is_up { up.map(|up| &up.span).or(at) } else { at };
             let place = place.or(from.map(|from| &from.span)).unwrap_or(&camera.span);

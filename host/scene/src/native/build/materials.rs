@@ -2,7 +2,7 @@
 
 use std::ops::Range;
 
-use strahl_core::scene::{Interface, TextureId};
+use strahl_core::scene::{FresnelModel, TextureId};
 use strahl_core::{Material, Rgb};
 
 use super::builder::SceneBuilder;
@@ -94,22 +94,26 @@ impl SceneBuilder<'_> {
             diffuse: times(diffuse),
             texture,
             highlight,
-            exponent,
-            mirror,
-            transmitted,
+            highlight_exponent: exponent,
+            reflection: mirror,
+            transmission: transmitted,
             roughness: it.roughness.as_ref().map_or(0.0, |roughness| roughness.it.0),
-            index: it.index.as_ref().map_or(1.5, |index| index.it.0),
-            interface: match it.fresnel {
-                Some(Spanned { it: true, .. }) => Interface::Fresnel,
-                _ => Interface::Constant,
+            refractive_index: it.index.as_ref().map_or(1.5, |index| index.it.0),
+            fresnel: match it.fresnel {
+                Some(Spanned { it: true, .. }) => FresnelModel::Dielectric,
+                _ => FresnelModel::Constant,
             },
-            clarity: it.clarity.as_ref().map_or(Material::MATTE.clarity, |clarity| clarity.it.0),
+            attenuation_length: it
+                .clarity
+                .as_ref()
+                .map_or(Material::MATTE.attenuation_length, |clarity| clarity.it.0),
             priority: it.priority.as_ref().map_or(0, |priority| priority.it.0),
             two_sided: it.one_sided != Some(true),
         };
         // A body that is none bends no light.
-        let index = if transmitted.is_black() { Material::MATTE.index } else { material.index };
-        self.keep(Material { index, ..material }, name, &at.span)
+        let index =
+            if transmitted.is_black() { Material::MATTE.refractive_index } else { material.refractive_index };
+        self.keep(Material { refractive_index: index, ..material }, name, &at.span)
     }
 
     /// Warns of keys that say something about a body where there is none.

@@ -133,7 +133,7 @@ fn size(value: &Value<'_>, key: &str, reader: &mut Reader<'_>) -> Option<Resolut
         let count = list.len();
         return reader.wrong(Diagnostic::new(value.span(), format!("`{key}` must be {needs}, not {count}")));
     };
-    let [width, height] = [width, height].map(|value| whole_in(1, Resolution::MOST, value, key, reader));
+    let [width, height] = [width, height].map(|value| whole_in(1, Resolution::MAX_SIDE, value, key, reader));
     let (width, height) = (width?, height?);
     match Resolution::new(width, height) {
         Some(size) if u64::from(width) * u64::from(height) <= MOST_PIXELS => Some(size),

@@ -4,13 +4,13 @@ use strahl_core::accel::Accelerator;
 use strahl_core::geometry::{Aabb, Hit, ItemId, ShapeError, ShapeKind, ShapeSet};
 use strahl_core::math::SobolSequence;
 use strahl_core::scene::{
-    CameraSample, EffectSet, Effects, Field, FieldError, FilmPoint, Interface, LastLevel, LightSet,
-    SceneError, Texture, ViewFault,
+    CameraError, CameraSample, EffectSet, Effects, Field, FieldError, FilmPoint, FresnelModel,
+    LevelLimitRadiance, LightSet, SceneError, Texture,
 };
 use strahl_core::tally::RayKind;
 use strahl_core::{
-    AllEffects, Background, Camera, Falloff, Light, Material, MaterialId, Parts, Projection, Real,
-    Resolution, Rgb, Scene, Source, Vec3, View, World,
+    AllEffects, Background, Camera, CameraDescriptor, Falloff, Light, LightSource, Material, MaterialId,
+    Projection, Real, Resolution, Rgb, Scene, SceneDescriptor, Vec3, World,
 };
 
 use crate::accel::{Stranger, lists};
@@ -22,25 +22,25 @@ use crate::text::displayed;
 pub fn doors() {
     described();
     looked_at();
-    displayed(any(ViewFault::NoUp));
+    displayed(any(CameraError::UpParallelToView));
     displayed(any(FieldError { field: Field::Color, value: -1.0 }));
     displayed(any(SceneError::Shape(ItemId(0), ShapeError::Radius)));
 }
 
 pub static MATERIALS: [Material; 1] = [Material::MATTE];
 
-/// Parts with anything in them, whether they fit together or not.
-pub fn any_parts() -> Parts<'static> {
+/// Tables with anything in them, whether they fit together or not.
+pub fn any_parts() -> SceneDescriptor<'static> {
     const CHECKER: Texture =
         Texture::Checker { even: Rgb::WHITE, odd: Rgb::BLACK, origin: Vec3::ZERO, frequency: Vec3::ONE };
     const LAMP: Light = Light {
-        source: Source::Point { position: Vec3::ZERO, falloff: Falloff::SQUARE },
+        source: LightSource::Point { position: Vec3::ZERO, falloff: Falloff::INVERSE_SQUARE },
         color: Rgb::WHITE,
-        shadows: true,
+        casts_shadows: true,
     };
-    Parts {
+    SceneDescriptor {
         geometry: any_geometry(),
-        made_of: slice(&[MaterialId(0)]),
+        material_ids: slice(&[MaterialId(0)]),
         materials: slice(&MATERIALS),
         textures: slice(&[CHECKER]),
         lights: slice(&[LAMP]),
@@ -52,23 +52,23 @@ pub fn any_parts() -> Parts<'static> {
 
 fn described() {
     let Ok(scene) = Scene::new(any_parts()) else { return };
-    used((Scene::parts(&scene), Scene::effects(&scene), Scene::material(&scene, any_item())));
-    used(Parts::bytes(Scene::parts(&scene)));
+    used((Scene::descriptor(&scene), Scene::required_effects(&scene), Scene::material(&scene, any_item())));
+    used(SceneDescriptor::size_in_bytes(Scene::descriptor(&scene)));
     used((
-        Scene::new(any(Parts::EMPTY)).is_ok(),
-        Background::toward(&any(Background::Color(Rgb::BLACK)), vector()),
+        Scene::new(any(SceneDescriptor::EMPTY)).is_ok(),
+        Background::radiance(&any(Background::Color(Rgb::BLACK)), vector()),
     ));
 
-    let material = any(Material { interface: any(Interface::Fresnel), ..Material::MATTE });
+    let material = any(Material { fresnel: any(FresnelModel::Dielectric), ..Material::MATTE });
     used((
         Material::is_transmitting(&material),
-        Material::is_shiny(&material),
+        Material::has_highlight(&material),
         Material::is_absorbing(&material),
         Material::is_lit(&material),
-        Material::is_rough(&material),
+        Material::is_glossy(&material),
     ));
     if let (Some(light), Some(texture)) = (any_parts().lights.first(), any_parts().textures.first()) {
-        used((Light::kind(light), Light::is_soft(light), Texture::kind(texture), any(Falloff::NONE)));
+        used((Light::kind(light), Light::has_penumbra(light), Texture::kind(texture), any(Falloff::NONE)));
     }
 
     let mut lent = [Aabb::EMPTY];
@@ -90,17 +90,17 @@ pub struct ShortSighted;
 impl Effects for ShortSighted {
     const SET: EffectSet =
         EffectSet { lights: LightSet::ALL, reflection: true, transmission: true, ..Few::SET };
-    const SIGHT: Real = 10.0;
-    const LAST: LastLevel = LastLevel::Background;
+    const MAX_DISTANCE: Real = 10.0;
+    const LEVEL_LIMIT_RADIANCE: LevelLimitRadiance = LevelLimitRadiance::Background;
 }
 
 fn asked<A: Accelerator, E: Effects>(world: World<'_, A>) {
     let (kind, mut scratch) = (any(RayKind::Shadow), A::Scratch::default());
     used((World::scene(&world), World::accelerator(&world)));
-    used(World::nearest::<E, _>(&world, &any_ray(), number(), kind, &mut scratch, &mut Told));
-    used(World::blocker::<E, _>(&world, &any_ray(), number(), kind, &mut scratch, &mut Told));
-    used(World::blocks::<E, _>(&world, any_item(), &any_ray(), number(), kind, &mut Told));
-    used(World::surface::<E>(&world, &any_ray(), any(Hit { t: 1.0, item: ItemId(0) })));
+    used(World::nearest_hit::<E, _>(&world, &any_ray(), number(), kind, &mut scratch, &mut Told));
+    used(World::occluder::<E, _>(&world, &any_ray(), number(), kind, &mut scratch, &mut Told));
+    used(World::is_occluded_by::<E, _>(&world, any_item(), &any_ray(), number(), kind, &mut Told));
+    used(World::surface_interaction::<E>(&world, &any_ray(), any(Hit { t: 1.0, item: ItemId(0) })));
 }
 
 pub fn any_size() -> Resolution {
@@ -108,16 +108,20 @@ pub fn any_size() -> Resolution {
 }
 
 pub fn any_camera() -> Option<Camera> {
-    let projection = any(Projection::Perspective { angle: 1.0 });
-    Camera::new(&View { from: vector(), at: vector(), up: vector(), projection }, any_size()).ok()
+    let projection = any(Projection::Perspective { field_of_view: 1.0 });
+    Camera::new(
+        &CameraDescriptor { position: vector(), target: vector(), up: vector(), projection },
+        any_size(),
+    )
+    .ok()
 }
 
 fn looked_at() {
     used((Resolution::width(any_size()), Resolution::height(any_size())));
     let place = any(FilmPoint { x: 0.0, y: 0.0 });
-    used(any_camera().map(|camera| (Camera::ray(&camera, place), Camera::has_lens(&camera))));
+    used(any_camera().map(|camera| (Camera::ray(&camera, place), Camera::has_depth_of_field(&camera))));
 }
 
 pub fn any_sample() -> CameraSample {
-    any(CameraSample { point: FilmPoint { x: 0.0, y: 0.0 }, stream: SobolSequence::new(0, 0, 0, 0) })
+    any(CameraSample { point: FilmPoint { x: 0.0, y: 0.0 }, sequence: SobolSequence::new(0, 0, 0, 0) })
 }

@@ -4,10 +4,10 @@
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[cfg_attr(feature = "baked", derive(zerocopy::TryFromBytes, zerocopy::KnownLayout, zerocopy::Immutable))]
 #[repr(u8)]
-pub enum Interface {
+pub enum FresnelModel {
     /// All of it passes, unless all of it is thrown back (Whitted).
     Constant,
     /// Fresnel's formulas for unpolarised light say how much of it passes; the rest is
     /// mirrored.
-    Fresnel,
+    Dielectric,
 }
