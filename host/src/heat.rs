@@ -20,7 +20,7 @@ use strahl_core::tally::RayKind;
 use strahl_core::{Resolution, Tile};
 use strahl_engine::CostMap;
 use strahl_engine::cost_map::{self, PixelCost};
-use strahl_picture::colormap::inferno;
+use strahl_picture::color_map::inferno;
 use strahl_picture::format::EXR_ENCODING;
 use strahl_picture::{Picture, srgb};
 

@@ -6,7 +6,7 @@ use clap::Parser;
 use strahl::args::{Args, Command, Schema};
 use strahl::failure::Answer;
 use strahl::output::Output;
-use strahl_scene::native;
+use strahl_scene::toml_scene;
 use strahl_study::record::file;
 
 fn main() -> ExitCode {
@@ -23,7 +23,7 @@ fn main() -> ExitCode {
         Command::Study(args) => strahl::study_command::run(&args).map(yes),
         Command::Schema { what } => {
             let schema = match what {
-                Schema::Scene => native::schema(),
+                Schema::Scene => toml_scene::schema(),
                 Schema::Study => file::schema(),
             };
             Output::Stdout.commit(schema.as_bytes()).map(yes)

@@ -10,14 +10,14 @@
 //! | [`format`](mod@format) | pictures to files |
 //! | [`read`] | files to pixels |
 //! | [`difference`] | how two pictures differ |
-//! | [`colormap`] | differences to colours |
+//! | [`color_map`] | differences to colours |
 //!
 //! This package knows no scene, no setting and no tracer, and reads and writes bytes, never paths.
 
 use rayon::prelude::*;
 use strahl_core::{Resolution, Rgb};
 
-pub mod colormap;
+pub mod color_map;
 pub mod difference;
 pub mod format;
 pub mod read;

@@ -50,7 +50,7 @@ impl PixelValues {
 }
 
 /// The formats that are read.
-const READ: &str = "PNG, PPM, QOI, JPEG, TIFF, EXR";
+const READABLE_FORMATS: &str = "PNG, PPM, QOI, JPEG, TIFF, EXR";
 
 /// The most bytes of pixels that one byte of a file stands for: a string of LZW, the densest of
 /// all compressions in these formats, has at most 4096 bytes and takes more than one.
@@ -83,7 +83,7 @@ pub enum DecodeError {
 
 impl DecodeError {
     /// Without the bytes that some decoders quote: they may be anything.
-    fn broken(error: impl Error) -> Self {
+    fn decode_error(error: impl Error) -> Self {
         let printable = |c: char| if c.is_control() { ' ' } else { c };
         DecodeError::Corrupt(error.to_string().chars().map(printable).collect())
     }
@@ -92,8 +92,10 @@ impl DecodeError {
 impl fmt::Display for DecodeError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
-            DecodeError::UnknownFormat => write!(f, "not a picture of a known format ({READ})"),
-            DecodeError::UnreadFormat(name) => write!(f, "{name} is not read; the formats that are: {READ}"),
+            DecodeError::UnknownFormat => write!(f, "not a picture of a known format ({READABLE_FORMATS})"),
+            DecodeError::UnreadFormat(name) => {
+                write!(f, "{name} is not read; the formats that are: {READABLE_FORMATS}")
+            }
             DecodeError::Corrupt(reason) => write!(f, "broken: {reason}"),
             DecodeError::Size { width, height, most } => write!(
                 f,
@@ -111,7 +113,8 @@ impl Error for DecodeError {}
 
 /// The pixels of a file with these bytes, of which there may be `most`.
 pub fn decode(bytes: &[u8], most: u64) -> Result<DecodedPicture, DecodeError> {
-    let reader = ImageReader::new(Cursor::new(bytes)).with_guessed_format().map_err(DecodeError::broken)?;
+    let reader =
+        ImageReader::new(Cursor::new(bytes)).with_guessed_format().map_err(DecodeError::decode_error)?;
     let Some(format) = reader.format() else {
         return Err(DecodeError::UnknownFormat);
     };
@@ -126,7 +129,7 @@ pub fn decode(bytes: &[u8], most: u64) -> Result<DecodedPicture, DecodeError> {
     {
         return Err(cannot_hold("what its header claims".into()));
     }
-    let mut decoder = reader.into_decoder().map_err(DecodeError::broken)?;
+    let mut decoder = reader.into_decoder().map_err(DecodeError::decode_error)?;
 
     // The size, before anything of that size is made.
     let (width, height) = decoder.dimensions();
@@ -139,9 +142,9 @@ pub fn decode(bytes: &[u8], most: u64) -> Result<DecodedPicture, DecodeError> {
     }
     let mut limits = Limits::no_limits();
     limits.max_alloc = Some(2 * needed + (1 << 20));
-    decoder.set_limits(limits).map_err(DecodeError::broken)?;
+    decoder.set_limits(limits).map_err(DecodeError::decode_error)?;
 
-    let image = DynamicImage::from_decoder(decoder).map_err(DecodeError::broken)?;
+    let image = DynamicImage::from_decoder(decoder).map_err(DecodeError::decode_error)?;
     if !is_opaque(&image) {
         return Err(DecodeError::Transparent);
     }
@@ -151,7 +154,7 @@ pub fn decode(bytes: &[u8], most: u64) -> Result<DecodedPicture, DecodeError> {
 /// Bytes for the largest layer of an EXR file, and for the largest block: they may be larger than
 /// the picture that is shown of it.
 fn exr_needs(bytes: &[u8]) -> Result<u64, DecodeError> {
-    let meta = MetaData::read_from_buffered(bytes, false).map_err(DecodeError::broken)?;
+    let meta = MetaData::read_from_buffered(bytes, false).map_err(DecodeError::decode_error)?;
     let needed = meta.headers.iter().map(|header| {
         let (layer, lines) = (header.layer_size, header.compression.scan_lines_per_block());
         let block = match header.blocks {

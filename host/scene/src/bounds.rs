@@ -8,7 +8,7 @@ use strahl_core::{Material, MaterialId, Sphere, Vec3};
 use crate::description::{LoadedScene, ShapeDescription, vec3_of};
 
 /// The bounding boxes of all items, as the core knows them; none where it cannot take them.
-pub fn boxes(description: &LoadedScene) -> Option<Vec<Aabb>> {
+pub fn bounding_boxes(description: &LoadedScene) -> Option<Vec<Aabb>> {
     let mut tables = SceneTables::new();
     let vertices: Vec<Vec3> = description.vertices.iter().map(|p| vec3_of(*p)).collect();
     tables.add_vertices(&vertices, &[]);

@@ -48,7 +48,7 @@ pub struct PlannedEffect {
 
 /// The effects that must be simulated, and why.
 pub fn plan(description: &LoadedScene) -> Vec<PlannedEffect> {
-    let used = Used::of(description);
+    let used = MaterialUse::of(description);
     let planned = Effect::ALL.into_iter().map(|effect| {
         let reasons = reasons(description, &used, effect);
         PlannedEffect { effect, reasons, enabled: true }
@@ -61,34 +61,34 @@ pub fn disable(description: &mut LoadedScene, effects: &[Effect]) -> Vec<Planned
     let mut planned = plan(description);
     planned.retain(|it| effects.contains(&it.effect));
     planned.iter_mut().for_each(|it| it.enabled = false);
-    effects.iter().for_each(|effect| without(description, *effect));
+    effects.iter().for_each(|effect| disable_one(description, *effect));
     planned
 }
 
 /// The materials that something is made of.
-struct Used {
+struct MaterialUse {
     /// How many objects are made of each material.
     objects: Vec<usize>,
     /// Whether light changes anything that is seen.
     is_lit: bool,
 }
 
-impl Used {
+impl MaterialUse {
     fn of(description: &LoadedScene) -> Self {
-        let objects = made_of(description);
+        let objects = object_counts(description);
         let mut used = description.materials.iter().zip(&objects).filter(|(_, objects)| **objects > 0);
         let is_lit = used.any(|(material, _)| material.value.is_lit());
-        Used { objects, is_lit }
+        MaterialUse { objects, is_lit }
     }
 }
 
 /// What calls for an effect.
-fn reasons(description: &LoadedScene, used: &Used, effect: Effect) -> Vec<Reason> {
+fn reasons(description: &LoadedScene, used: &MaterialUse, effect: Effect) -> Vec<Reason> {
     let one = |what: &str, line| vec![Reason { source: what.into(), line, objects: None }];
     let is_called_for = |effect| !reasons(description, used, effect).is_empty();
     match effect {
-        Effect::Shadows => lights(description, used, |light| light.shadows),
-        Effect::Penumbra => lights(description, used, is_soft),
+        Effect::Shadows => light_reasons(description, used, |light| light.shadows),
+        Effect::Penumbra => light_reasons(description, used, is_area_light),
         Effect::ColoredShadows => match description.colored_shadows_line {
             Some(line) if is_called_for(Effect::Shadows) && is_called_for(Effect::Transmission) => {
                 one("render", line)
@@ -100,14 +100,14 @@ fn reasons(description: &LoadedScene, used: &Used, effect: Effect) -> Vec<Reason
             _ => Vec::new(),
         },
         Effect::Reflection | Effect::Transmission | Effect::Gloss => {
-            materials(description, &used.objects, effect)
+            material_reasons(description, &used.objects, effect)
         }
-        Effect::Motion => moving(description),
+        Effect::Motion => motion_reasons(description),
     }
 }
 
 /// Whether a material calls for an effect.
-fn is_called_for_by(effect: Effect, material: &Material) -> bool {
+fn is_required_by(effect: Effect, material: &Material) -> bool {
     match effect {
         Effect::Reflection => !material.reflection.is_black(),
         Effect::Transmission => material.is_transmitting(),
@@ -117,7 +117,7 @@ fn is_called_for_by(effect: Effect, material: &Material) -> bool {
 }
 
 /// Makes a scene that does not call for an effect.
-fn without(description: &mut LoadedScene, effect: Effect) {
+fn disable_one(description: &mut LoadedScene, effect: Effect) {
     let lights = description.lights.iter_mut().map(|light| &mut light.value);
     let materials = description.materials.iter_mut().map(|material| &mut material.value);
     match effect {
@@ -141,7 +141,7 @@ fn without(description: &mut LoadedScene, effect: Effect) {
     }
 }
 
-fn is_soft(light: &LightDescription) -> bool {
+fn is_area_light(light: &LightDescription) -> bool {
     match light.source {
         LightSourceDescription::Sphere { radius, .. } => radius > 0.0,
         LightSourceDescription::Rectangle { is_sampled: soft, .. } => soft,
@@ -149,27 +149,31 @@ fn is_soft(light: &LightDescription) -> bool {
     }
 }
 
-fn lights(description: &LoadedScene, used: &Used, asks: fn(&LightDescription) -> bool) -> Vec<Reason> {
+fn light_reasons(
+    description: &LoadedScene,
+    used: &MaterialUse,
+    asks: fn(&LightDescription) -> bool,
+) -> Vec<Reason> {
     let is_asking = |light: &LightDescription| used.is_lit && asks(light) && !light.color.is_black();
     let lights = description.lights.iter().filter(|light| is_asking(&light.value));
     lights
-        .map(|light| Reason { source: named("light", &light.name), line: light.line, objects: None })
+        .map(|light| Reason { source: source_name("light", &light.name), line: light.line, objects: None })
         .collect()
 }
 
-fn materials(description: &LoadedScene, made_of: &[usize], effect: Effect) -> Vec<Reason> {
+fn material_reasons(description: &LoadedScene, made_of: &[usize], effect: Effect) -> Vec<Reason> {
     let used = description.materials.iter().zip(made_of).filter(|(_, objects)| **objects > 0);
-    let asking = used.filter(|(material, _)| is_called_for_by(effect, &material.value));
+    let asking = used.filter(|(material, _)| is_required_by(effect, &material.value));
     asking
         .map(|(material, objects)| Reason {
-            source: named("material", &material.name),
+            source: source_name("material", &material.name),
             line: material.line,
             objects: Some(*objects),
         })
         .collect()
 }
 
-fn moving(description: &LoadedScene) -> Vec<Reason> {
+fn motion_reasons(description: &LoadedScene) -> Vec<Reason> {
     let objects = description.motions.iter().filter_map(|motion| description.objects.get(motion.object));
     let reasons = objects.map(|object| Reason {
         source: object.shape.name().into(),
@@ -179,7 +183,7 @@ fn moving(description: &LoadedScene) -> Vec<Reason> {
     reasons.collect()
 }
 
-fn named(what: &str, name: &Option<String>) -> String {
+fn source_name(what: &str, name: &Option<String>) -> String {
     match name {
         Some(name) => format!("{what} `{name}`"),
         None => what.into(),
@@ -187,7 +191,7 @@ fn named(what: &str, name: &Option<String>) -> String {
 }
 
 /// How many objects are made of each material.
-fn made_of(description: &LoadedScene) -> Vec<usize> {
+fn object_counts(description: &LoadedScene) -> Vec<usize> {
     let mut made_of = vec![0; description.materials.len()];
     for object in &description.objects {
         if let Some(count) = made_of.get_mut(usize::from(object.material)) {

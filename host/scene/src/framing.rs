@@ -10,30 +10,30 @@
 use strahl_core::Resolution;
 
 /// A place or a direction.
-pub type V = [f64; 3];
+pub type Vec3d = [f64; 3];
 
 /// The direction of an eye, and how much it sees.
 #[derive(Clone, Copy, Debug)]
-pub struct Gaze {
+pub struct CameraFrame {
     /// To the right and up in the picture, and towards the eye: of length one, upright on each other.
-    axes: [V; 3],
+    axes: [Vec3d; 3],
     /// Half the width and half the height of what is seen in a distance of one.
     slopes: [f64; 2],
 }
 
 /// The distances that the edges of the picture ask for.
 #[derive(Clone, Copy, Debug)]
-pub struct Demands {
+pub struct EdgeDistances {
     /// The right and the left, the upper and the lower edge.
     edges: [[f64; 2]; 2],
     /// That of the point next to the eye.
     pub nearest: f64,
 }
 
-impl Gaze {
+impl CameraFrame {
     /// From an eye `toward` which one looks away, into a picture of `size` with this vertical angle
     /// in degrees, of which this share is to be filled.
-    pub fn new(toward: V, up: V, degrees: f64, filled: f64, size: Resolution) -> Self {
+    pub fn new(toward: Vec3d, up: Vec3d, degrees: f64, filled: f64, size: Resolution) -> Self {
         let back = unit(toward).unwrap_or([0.0, 0.0, 1.0]);
         // Where nothing is up any direction is as good; that this is no view is told elsewhere.
         let right = [up, [0.0, 1.0, 0.0], [1.0, 0.0, 0.0]].into_iter().find_map(|up| unit(cross(up, back)));
@@ -41,16 +41,16 @@ impl Gaze {
         let (sin, cos) = sin_cos(0.5 * degrees);
         let slope = filled * sin / cos;
         let aspect = f64::from(size.width()) / f64::from(size.height());
-        Gaze { axes: [right, cross(back, right), back], slopes: [slope * aspect, slope] }
+        CameraFrame { axes: [right, cross(back, right), back], slopes: [slope * aspect, slope] }
     }
 
     /// To the right and up in the picture, and towards the eye.
-    pub fn axes(&self) -> [V; 3] {
+    pub fn axes(&self) -> [Vec3d; 3] {
         self.axes
     }
 
     /// What it takes to see these points when one looks at `middle`.
-    pub fn demands(&self, middle: V, points: impl IntoIterator<Item = V>) -> Demands {
+    pub fn edge_distances(&self, middle: Vec3d, points: impl IntoIterator<Item = Vec3d>) -> EdgeDistances {
         let [right, above, back] = self.axes;
         let mut edges = [[f64::NEG_INFINITY; 2]; 2];
         let mut nearest = f64::NEG_INFINITY;
@@ -63,21 +63,21 @@ impl Gaze {
                 edges[side] = [larger(edges[side][0], z + x), larger(edges[side][1], z - x)];
             }
         }
-        Demands { edges, nearest }
+        EdgeDistances { edges, nearest }
     }
 
     /// The distance when the middle may move across the picture, and how far it moves to the right
     /// and up: the demands of the left and of the right edge are made equal, and so are the others.
-    pub fn centered(&self, demands: &Demands) -> (f64, [f64; 2]) {
+    pub fn distance_and_shift(&self, demands: &EdgeDistances) -> (f64, [f64; 2]) {
         let [wide, high] = demands.edges.map(|[one, other]| 0.5 * (one + other));
         let moves = [0, 1].map(|i| 0.5 * (demands.edges[i][0] - demands.edges[i][1]) * self.slopes[i]);
         (larger(wide, high), moves)
     }
 }
 
-impl Demands {
+impl EdgeDistances {
     /// The distance when the middle stays where it is.
-    pub fn distance(&self) -> f64 {
+    pub fn max_distance(&self) -> f64 {
         let [wide, high] = self.edges.map(|[one, other]| larger(one, other));
         larger(wide, high)
     }
@@ -92,16 +92,16 @@ pub fn sin_cos(degrees: f64) -> (f64, f64) {
     libm::sincos(degrees.to_radians())
 }
 
-pub fn dot(a: V, b: V) -> f64 {
+pub fn dot(a: Vec3d, b: Vec3d) -> f64 {
     a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
 }
 
-pub fn cross(a: V, b: V) -> V {
+pub fn cross(a: Vec3d, b: Vec3d) -> Vec3d {
     [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]]
 }
 
 /// The direction; none of nothing.
-pub fn unit(v: V) -> Option<V> {
+pub fn unit(v: Vec3d) -> Option<Vec3d> {
     let most = v.iter().fold(0.0, |most, x| larger(most, x.abs()));
     // Divided first, so that no square is too large or too small.
     let v = v.map(|x| x / most);

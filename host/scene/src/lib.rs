@@ -6,13 +6,13 @@
 //! | module | what it does |
 //! |---|---|
 //! | [`load`] | a file of any format becomes a description |
-//! | [`native`] | scenes in TOML |
+//! | [`toml_scene`] | scenes in TOML |
 //! | `nff` | scenes in NFF |
 //! | [`mesh`] | OBJ with MTL, PLY and glTF |
 //! | [`procedural`] | scenes that formulas make |
 //! | [`effects`] | the effects that a scene calls for, and why |
 //! | `bounds`, `framing` | where things are, and from where all of them are seen |
-//! | [`files`] | the files that a scene is made of |
+//! | [`source_files`] | the files that a scene is made of |
 //! | [`error`], [`diagnostics`] | why a scene could not be loaded, shown as a compiler would |
 //! | [`description`] | a scene in neutral numbers |
 //! | [`quantity`] | numbers with their nouns |
@@ -24,19 +24,19 @@ pub mod description;
 pub mod diagnostics;
 pub mod effects;
 pub mod error;
-pub mod files;
 mod framing;
 mod limits;
 pub mod load;
 pub mod mesh;
-pub mod native;
 mod nff;
 pub mod procedural;
 pub mod quantity;
 mod quote;
+pub mod source_files;
+pub mod toml_scene;
 
 pub use description::LoadedScene;
 pub use diagnostics::{Diagnostic, Diagnostics};
 pub use error::LoadError;
-pub use files::SourceFiles;
 pub use load::{load, load_for_size, load_from};
+pub use source_files::SourceFiles;

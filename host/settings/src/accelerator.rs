@@ -23,7 +23,7 @@ pub const DEFAULT_HEAP_ENTRIES: usize = 64;
 pub const STACK_ENTRIES: usize = 64;
 
 /// For so many items a hierarchy is not worth its making.
-const FEW: usize = 8;
+const MAX_ITEMS_FOR_LIST: usize = 8;
 
 choices! {
     /// An accelerator, or the one that suits.
@@ -151,7 +151,7 @@ impl AccelSettings {
     pub fn resolve(&self, items: usize) -> ResolvedAccel {
         let (kind, reason) = match self.accel.explicit_kind() {
             Some(kind) => (kind, "as asked for"),
-            None if items <= FEW => (AccelKind::List, "few items"),
+            None if items <= MAX_ITEMS_FOR_LIST => (AccelKind::List, "few items"),
             None => (AccelKind::Bvh, "many items"),
         };
         let AccelSettings { walk, heap, bounds, mailbox, .. } = *self;

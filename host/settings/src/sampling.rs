@@ -72,7 +72,7 @@ choices! {
 }
 
 /// The mean may be two steps of eight bits off.
-const TOLERANCE: f32 = 1.0 / 128.0;
+const DEFAULT_TOLERANCE: f32 = 1.0 / 128.0;
 
 impl SamplerSettings {
     /// The corners alone, which neighbours share.
@@ -140,7 +140,7 @@ fn stochastic(words: &[&str]) -> Result<SamplerSettings, String> {
         return count(n).map(SamplerSettings::stochastic).ok_or_else(wrong);
     }
     let (range, level, tolerance) = match *words {
-        [range, level] => (range, level, Some(TOLERANCE)),
+        [range, level] => (range, level, Some(DEFAULT_TOLERANCE)),
         [range, level, tolerance] => (range, level, threshold(tolerance)),
         _ => return Err("stochastic:N or stochastic:MIN..MAX:CONFIDENCE is expected".into()),
     };

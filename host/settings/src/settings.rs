@@ -20,7 +20,7 @@ pub const DEFAULT_SIZE: Resolution = Resolution::new(640, 480).unwrap();
 pub const MAX_LEVELS: usize = 64;
 
 /// The most threads.
-const THREADS: u32 = 1024;
+const MAX_THREADS: u32 = 1024;
 
 /// One setting, as it is declared below.
 #[derive(Clone, Copy, Debug)]
@@ -198,7 +198,7 @@ settings! {
 
     /// Threads [default: one for each core].
     threads: usize = std::thread::available_parallelism().map_or(1, usize::from),
-        Domain::Integer(1, THREADS), With("N"), Work, CommandLine, Time;
+        Domain::Integer(1, MAX_THREADS), With("N"), Work, CommandLine, Time;
 }
 
 impl Setting {

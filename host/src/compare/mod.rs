@@ -10,7 +10,7 @@
 use std::path::Path;
 
 use strahl_core::Resolution;
-use strahl_picture::colormap::{inferno, step_of};
+use strahl_picture::color_map::{inferno, step_of};
 use strahl_picture::difference::Pair;
 use strahl_picture::{DecodedPicture, Picture, PictureFormat, srgb};
 use strahl_scene::SourceFiles;

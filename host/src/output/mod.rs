@@ -149,7 +149,7 @@ pub fn tell(message: impl fmt::Display) {
 pub fn complain(failure: &Failure) {
     match failure {
         Failure::Diagnostics(diagnostics) => {
-            tell(format_args!("{}\n", diagnostics.show(screen::of_stderr())))
+            tell(format_args!("{}\n", diagnostics.render(screen::of_stderr())))
         }
         _ => say(failure),
     }

@@ -36,5 +36,5 @@ fn a_scene_of_a_few_lines_becomes_a_picture_without_a_warning() {
 fn the_schema_is_printed() {
     let done = strahl(std::path::Path::new("."), &["schema"]);
     assert_eq!(done.status.code(), Some(0));
-    assert_eq!(String::from_utf8(done.stdout).unwrap(), strahl_scene::native::schema());
+    assert_eq!(String::from_utf8(done.stdout).unwrap(), strahl_scene::toml_scene::schema());
 }

@@ -5,7 +5,7 @@ use std::path::{Path, PathBuf};
 
 use super::diagnostic::Diagnostic;
 use super::lines::LineIndex;
-use super::visible::{harmless, visible};
+use super::visible::{sanitized, visible_span};
 
 /// More than anybody reads.
 const MAX_SHOWN: usize = 50;
@@ -25,7 +25,7 @@ pub struct Diagnostics {
 impl Diagnostics {
     /// The faults of the text of a file, in the order of their places.
     pub fn new(path: &Path, text: &str, list: impl IntoIterator<Item = Diagnostic>) -> Self {
-        let text = harmless(text);
+        let text = sanitized(text);
         let lines = LineIndex::new(&text);
         let mut list: Vec<Diagnostic> = list.into_iter().collect();
         list.sort_by_key(|fault| fault.span.start);
@@ -33,9 +33,9 @@ impl Diagnostics {
         list.truncate(MAX_SHOWN);
         let mut faults = Diagnostics { path: path.to_owned(), text, lines, list, total: count };
         for fault in &mut faults.list {
-            fault.span = visible(&faults.text, &fault.span);
+            fault.span = visible_span(&faults.text, &fault.span);
             if let Some((span, _)) = &mut fault.related {
-                *span = visible(&faults.text, span);
+                *span = visible_span(&faults.text, span);
             }
         }
         faults
@@ -64,7 +64,7 @@ impl Diagnostics {
     }
 
     /// The line at this index without its end.
-    pub(super) fn bounds(&self, index: usize) -> Range<usize> {
+    pub(super) fn line_range(&self, index: usize) -> Range<usize> {
         let start = self.lines.0[index];
         let end = self.lines.0.get(index + 1).map_or(self.text.len(), |next| next - 1);
         start..start + self.text[start..end].trim_end_matches('\r').len()

@@ -15,7 +15,7 @@ use crate::quantity::quantity;
 
 impl Diagnostics {
     /// All of them as they are shown on `screen`.
-    pub fn show(&self, screen: TerminalStyle) -> String {
+    pub fn render(&self, screen: TerminalStyle) -> String {
         let theme = match screen.features {
             TerminalFeatures::Ascii => GraphicalTheme::none(),
             TerminalFeatures::AsciiColor => GraphicalTheme::ascii(),
@@ -26,11 +26,12 @@ impl Diagnostics {
             .with_width(screen.width.max(20))
             .with_context_lines(1)
             .with_links(false);
-        let excerpt = Excerpt { of: self, name: self.path.display().to_string(), width: screen.width };
+        let excerpt =
+            SourceExcerpt { diagnostics: self, name: self.path.display().to_string(), width: screen.width };
         let mut shown = String::new();
         for fault in &self.list {
             // A writer that is a string does not fail.
-            let _ = handler.render_report(&mut shown, &Shown { fault, excerpt: &excerpt });
+            let _ = handler.render_report(&mut shown, &MietteDiagnostic { fault, excerpt: &excerpt });
             shown.push('\n');
         }
         let many = quantity(self.total, "error");
@@ -41,37 +42,37 @@ impl Diagnostics {
 
 impl fmt::Display for Diagnostics {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(&self.show(TerminalStyle::PLAIN))
+        f.write_str(&self.render(TerminalStyle::PLAIN))
     }
 }
 
 /// The text around a place, whole lines where they fit.
-struct Excerpt<'f> {
-    of: &'f Diagnostics,
+struct SourceExcerpt<'f> {
+    diagnostics: &'f Diagnostics,
     name: String,
     width: usize,
 }
 
-impl SourceCode for Excerpt<'_> {
+impl SourceCode for SourceExcerpt<'_> {
     fn read_span<'a>(
         &'a self,
         span: &SourceSpan,
         before: usize,
         after: usize,
     ) -> Result<Box<dyn SpanContents<'a> + 'a>, MietteError> {
-        let faults = self.of;
+        let faults = self.diagnostics;
         let (start, end) = (span.offset(), span.offset() + span.len());
         let (first, last) = (faults.lines.index(start), faults.lines.index(end));
         let whole = first.saturating_sub(before)..(last + after + 1).min(faults.lines.0.len());
         // The numbers of lines and the frame stand beside the text.
         let room = self.width.saturating_sub(12).max(20);
-        let fits = whole.clone().all(|index| faults.bounds(index).len() <= room);
+        let fits = whole.clone().all(|index| faults.line_range(index).len() <= room);
         let piece = if before == 0 && after == 0 {
             start..end
         } else if fits {
-            faults.bounds(whole.start).start..faults.bounds(whole.end - 1).end
+            faults.line_range(whole.start).start..faults.line_range(whole.end - 1).end
         } else {
-            cut(&faults.text, faults.bounds(first).start..faults.bounds(last).end, start..end, room)
+            clip(&faults.text, faults.line_range(first).start..faults.line_range(last).end, start..end, room)
         };
         let line = faults.lines.index(piece.start);
         Ok(Box::new(MietteSpanContents::new_named(
@@ -86,7 +87,7 @@ impl SourceCode for Excerpt<'_> {
 }
 
 /// The part of the lines round a span that has room; the span itself is never cut.
-fn cut(text: &str, lines: Range<usize>, span: Range<usize>, room: usize) -> Range<usize> {
+fn clip(text: &str, lines: Range<usize>, span: Range<usize>, room: usize) -> Range<usize> {
     let spare = room.saturating_sub(span.len());
     let start = lines.start.max(span.start.saturating_sub(spare / 2));
     let end = lines.end.min(span.end.max(start + room));
@@ -96,26 +97,26 @@ fn cut(text: &str, lines: Range<usize>, span: Range<usize>, room: usize) -> Rang
 }
 
 /// A fault as miette wants it.
-struct Shown<'f> {
+struct MietteDiagnostic<'f> {
     fault: &'f Diagnostic,
-    excerpt: &'f Excerpt<'f>,
+    excerpt: &'f SourceExcerpt<'f>,
 }
 
-impl fmt::Debug for Shown<'_> {
+impl fmt::Debug for MietteDiagnostic<'_> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         self.fault.fmt(f)
     }
 }
 
-impl fmt::Display for Shown<'_> {
+impl fmt::Display for MietteDiagnostic<'_> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.write_str(&self.fault.message)
     }
 }
 
-impl std::error::Error for Shown<'_> {}
+impl std::error::Error for MietteDiagnostic<'_> {}
 
-impl miette::Diagnostic for Shown<'_> {
+impl miette::Diagnostic for MietteDiagnostic<'_> {
     fn help<'a>(&'a self) -> Option<Box<dyn fmt::Display + 'a>> {
         self.fault.help.as_ref().map(|help| Box::new(help) as Box<dyn fmt::Display>)
     }
@@ -140,7 +141,7 @@ mod tests {
 
     fn shown(text: &str, fault: Diagnostic, width: usize) -> String {
         Diagnostics::new(Path::new("a.toml"), text, [fault])
-            .show(TerminalStyle { width, features: TerminalFeatures::Ascii })
+            .render(TerminalStyle { width, features: TerminalFeatures::Ascii })
     }
 
     #[test]

@@ -3,24 +3,24 @@
 use std::ops::Range;
 
 /// The text with nothing in it that steers a terminal; every place in it stays where it is.
-pub fn harmless(text: &str) -> String {
-    let mut harmless = String::with_capacity(text.len());
+pub fn sanitized(text: &str) -> String {
+    let mut output = String::with_capacity(text.len());
     let mut rest = text.chars().peekable();
     while let Some(c) = rest.next() {
         let turns = matches!(c, '\u{202a}'..='\u{202e}' | '\u{2066}'..='\u{2069}' | '\u{200e}' | '\u{200f}');
         let ends = matches!(c, '\n' | '\t') || c == '\r' && rest.peek() == Some(&'\n');
-        harmless.push(match c.len_utf8() {
+        output.push(match c.len_utf8() {
             1 if c.is_control() && !ends => '?',
             2 if c.is_control() => '·',
             3 if turns => '\u{fffd}',
             _ => c,
         });
     }
-    harmless
+    output
 }
 
 /// The part of a span in its first line, and at least one character.
-pub fn visible(text: &str, span: &Range<usize>) -> Range<usize> {
+pub fn visible_span(text: &str, span: &Range<usize>) -> Range<usize> {
     let boundary = |place: usize| (0..=place.min(text.len())).rev().find(|p| text.is_char_boundary(*p));
     let mut start = boundary(span.start).unwrap_or(0);
     // Nothing can be shown at the end of a line, or in the empty lines at the end of a file.

@@ -12,18 +12,18 @@
 //! * No number in a file is believed before as much data has been seen, so memory is bounded
 //!   by a multiple of the sizes of the files, except that glTF may place one mesh many times.
 
+mod builder;
+mod default_view;
 mod error;
-mod gather;
 mod gltf;
 mod groups;
+mod lines;
 mod mtl;
 mod obj;
 mod ply;
 mod read;
-mod text;
 mod triangulate;
-mod view;
 
 pub use groups::{MaterialGroup, TriangleMesh};
 pub use read::{EXTENSIONS, is_mesh, read, read_from};
-pub(crate) use read::{read_companion, scene};
+pub(crate) use read::{default_scene, read_referenced};

@@ -6,10 +6,10 @@ use strahl_core::Resolution;
 
 use super::error::invalid;
 use super::groups::TriangleMesh;
-use super::{gltf, obj, ply, view};
+use super::{default_view, gltf, obj, ply};
 use crate::description::LoadedScene;
 use crate::error::LoadError;
-use crate::files::SourceFiles;
+use crate::source_files::SourceFiles;
 
 /// The extensions of the formats that are read here.
 pub const EXTENSIONS: [&str; 4] = ["obj", "ply", "gltf", "glb"];
@@ -25,8 +25,8 @@ pub fn read_from(files: &SourceFiles, path: &Path) -> Result<TriangleMesh, LoadE
 }
 
 /// The same of a file that another one names.
-pub(crate) fn read_companion(files: &SourceFiles, path: &Path) -> Result<TriangleMesh, LoadError> {
-    parse(files, path, files.companion(path))
+pub(crate) fn read_referenced(files: &SourceFiles, path: &Path) -> Result<TriangleMesh, LoadError> {
+    parse(files, path, files.read_referenced(path))
 }
 
 fn parse(
@@ -53,11 +53,16 @@ pub fn is_mesh(path: &Path) -> bool {
 }
 
 /// The mesh in the file at `path` as a scene of its own, seen whole in a picture of `size`.
-pub(crate) fn scene(files: &SourceFiles, path: &Path, size: Resolution) -> Result<LoadedScene, LoadError> {
+pub(crate) fn default_scene(
+    files: &SourceFiles,
+    path: &Path,
+    size: Resolution,
+) -> Result<LoadedScene, LoadError> {
     // In PLY files nothing says what is up. Programs that make things stand them on the plane
     // of x and y; OBJ and glTF files have y up by custom and by definition.
-    let up = if extension(path) == "ply" { view::Up::Z } else { view::Up::Y };
-    view::staged(read_from(files, path)?, up, size).map_err(|reason| invalid(path, (None, reason)))
+    let up = if extension(path) == "ply" { default_view::UpAxis::Z } else { default_view::UpAxis::Y };
+    default_view::with_default_view(read_from(files, path)?, up, size)
+        .map_err(|reason| invalid(path, (None, reason)))
 }
 
 fn extension(path: &Path) -> String {

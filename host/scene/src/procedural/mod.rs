@@ -7,22 +7,22 @@
 
 mod knot;
 mod mountain;
-mod native;
 mod nff;
-mod pen;
 mod ply;
 mod rings;
 mod sphereflake;
 mod stadium;
 mod tetra;
+mod toml;
 mod tree;
+mod writer;
 
 use std::io::{self, Write};
 use std::path::Path;
 
 use strahl_settings::{Choice as _, choices};
 
-use pen::{Mesh, Pen};
+use writer::{ProceduralMesh, SceneWriter};
 
 /// The most objects of a scene: about a gigabyte of NFF.
 pub const MAX_OBJECTS: u64 = 1 << 24;
@@ -98,8 +98,8 @@ impl ProceduralScene {
             }
             // A tube and a ball for one branch and two and four ..., and the ground.
             ProceduralScene::Tree => Some(2_u64.checked_pow(size.checked_add(2)?)? - 1),
-            ProceduralScene::Knot => Some(knot::Knot::of(size).triangles().into()),
-            ProceduralScene::Stadium => Some(knot::Knot::of(size).triangles() as u64 + stadium::OBJECTS),
+            ProceduralScene::Knot => Some(knot::TorusKnot::of(size).triangles().into()),
+            ProceduralScene::Stadium => Some(knot::TorusKnot::of(size).triangles() as u64 + stadium::OBJECTS),
         }
     }
 
@@ -132,33 +132,35 @@ impl ProceduralScene {
     ) -> io::Result<()> {
         let head = format!("Made by strahl generate {self} --size {size}");
         match form {
-            SceneFormat::Nff if bare => self.draw(size, &mut nff::Nff::bare(out)),
-            SceneFormat::Nff => self.draw(size, &mut nff::Nff::new(&head, out)?),
-            SceneFormat::Toml if bare => self.draw(size, &mut native::Toml::bare(beside, out)),
-            SceneFormat::Toml => self.draw(size, &mut native::Toml::new(&head, beside, out)?),
+            SceneFormat::Nff if bare => self.write_scene(size, &mut nff::NffWriter::objects_only(out)),
+            SceneFormat::Nff => self.write_scene(size, &mut nff::NffWriter::new(&head, out)?),
+            SceneFormat::Toml if bare => {
+                self.write_scene(size, &mut toml::TomlWriter::objects_only(beside, out))
+            }
+            SceneFormat::Toml => self.write_scene(size, &mut toml::TomlWriter::new(&head, beside, out)?),
             SceneFormat::Ply => self.mesh(size).map_or(Ok(()), |mesh| ply::write(&*mesh, out)),
         }
     }
 
     /// Makes it, piece by piece.
-    fn draw(self, size: u32, pen: &mut dyn Pen) -> io::Result<()> {
+    fn write_scene(self, size: u32, pen: &mut dyn SceneWriter) -> io::Result<()> {
         match self {
-            ProceduralScene::Sphereflake => sphereflake::draw(size, pen),
-            ProceduralScene::Tetra => tetra::draw(size, pen),
-            ProceduralScene::Mountain => mountain::draw(size, pen),
-            ProceduralScene::Rings => rings::draw(size, pen),
-            ProceduralScene::Tree => tree::draw(size, pen),
-            ProceduralScene::Knot => knot::draw(size, pen),
-            ProceduralScene::Stadium => stadium::draw(size, pen),
+            ProceduralScene::Sphereflake => sphereflake::write_scene(size, pen),
+            ProceduralScene::Tetra => tetra::write_scene(size, pen),
+            ProceduralScene::Mountain => mountain::write_scene(size, pen),
+            ProceduralScene::Rings => rings::write_scene(size, pen),
+            ProceduralScene::Tree => tree::write_scene(size, pen),
+            ProceduralScene::Knot => knot::write_scene(size, pen),
+            ProceduralScene::Stadium => stadium::write_scene(size, pen),
         }
     }
 
     /// Its triangles, where they are what it is made of.
-    fn mesh(self, size: u32) -> Option<Box<dyn Mesh>> {
+    fn mesh(self, size: u32) -> Option<Box<dyn ProceduralMesh>> {
         match self {
-            ProceduralScene::Tetra => Some(Box::new(tetra::Tetra::of(size))),
-            ProceduralScene::Mountain => Some(Box::new(mountain::Mountain::of(size))),
-            ProceduralScene::Knot => Some(Box::new(knot::Knot::of(size))),
+            ProceduralScene::Tetra => Some(Box::new(tetra::TetrahedronPyramid::of(size))),
+            ProceduralScene::Mountain => Some(Box::new(mountain::FractalTerrain::of(size))),
+            ProceduralScene::Knot => Some(Box::new(knot::TorusKnot::of(size))),
             ProceduralScene::Stadium => Some(Box::new(stadium::knot(size))),
             ProceduralScene::Sphereflake | ProceduralScene::Rings | ProceduralScene::Tree => None,
         }

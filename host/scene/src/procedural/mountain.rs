@@ -12,14 +12,20 @@ use std::io;
 
 use glam::{DVec3, dvec3};
 
-use super::pen::{Head, Mesh, Pen, Surface, turn};
+use super::writer::{ProceduralMaterial, ProceduralMesh, SceneHeader, SceneWriter, turns_to_radians};
 
 /// How many balls.
 pub const BALLS: u64 = 4;
 
-const GLASS: Surface =
-    Surface { name: "glass", color: [1.0; 3], kd: 0.1, ks: 0.1, shine: 101.148, glass: Some((0.9, 1.5)) };
-const ROCK: Surface = Surface::matte("rock", [0.5, 0.45, 0.35], 1.0);
+const GLASS: ProceduralMaterial = ProceduralMaterial {
+    name: "glass",
+    color: [1.0; 3],
+    kd: 0.1,
+    ks: 0.1,
+    shine: 101.148,
+    glass: Some((0.9, 1.5)),
+};
+const ROCK: ProceduralMaterial = ProceduralMaterial::matte("rock", [0.5, 0.45, 0.35], 1.0);
 
 /// How high the middle of the whole may rise, and what is left of that after a halving: 2^-0.85,
 /// which makes the surface as rough as a fractal of dimension 2.15.
@@ -31,39 +37,39 @@ const SHRINKS: f64 = 0.554_784_736;
 const MEAN: f64 = 0.4;
 
 /// Draws it; a size of 1 is a grid of two times two squares.
-pub fn draw(size: u32, pen: &mut dyn Pen) -> io::Result<()> {
-    pen.head(&Head {
+pub fn write_scene(size: u32, pen: &mut dyn SceneWriter) -> io::Result<()> {
+    pen.header(&SceneHeader {
         from: dvec3(-1.6, 1.6, 1.7),
         at: DVec3::ZERO,
         up: dvec3(0.0, 0.0, 1.0),
         lights: &[dvec3(-100.0, -100.0, 100.0)],
     })?;
     // A ball on three others.
-    pen.surface(&GLASS)?;
+    pen.material(&GLASS)?;
     pen.sphere(dvec3(-0.8, 0.8, 1.208_21), 0.17)?;
     for k in 0..3 {
-        let angle = turn(f64::from(k) / 3.0 - 0.125);
+        let angle = turns_to_radians(f64::from(k) / 3.0 - 0.125);
         let out = 0.196_292;
         pen.sphere(dvec3(-0.8 + out * libm::cos(angle), 0.8 + out * libm::sin(angle), 0.930_598), 0.17)?;
     }
-    pen.surface(&ROCK)?;
-    pen.mesh(&Mountain::of(size))
+    pen.material(&ROCK)?;
+    pen.mesh(&FractalTerrain::of(size))
 }
 
 /// The heights of a square grid from -1 to 1.
-pub struct Mountain {
+pub struct FractalTerrain {
     /// Squares along each side, a power of two.
     squares: u32,
     /// Row by row.
     heights: Vec<f32>,
 }
 
-impl Mountain {
+impl FractalTerrain {
     /// Of a size of 1 or more.
     pub fn of(size: u32) -> Self {
         let squares = 1_u32 << size;
         let side = squares as usize + 1;
-        let mut mountain = Mountain { squares, heights: vec![0.0; side * side] };
+        let mut mountain = FractalTerrain { squares, heights: vec![0.0; side * side] };
         let mut step = squares as usize;
         let mut rise = RISE;
         while step > 1 {
@@ -101,12 +107,12 @@ impl Mountain {
 
     /// Sets the height of a place from those of others around it.
     fn raise(&mut self, x: usize, y: usize, around: &[(usize, usize)], rise: f64) {
-        let sum: f64 = around.iter().map(|(x, y)| f64::from(self.heights[self.place(*x, *y)])).sum();
-        let place = self.place(x, y);
+        let sum: f64 = around.iter().map(|(x, y)| f64::from(self.heights[self.index(*x, *y)])).sum();
+        let place = self.index(x, y);
         self.heights[place] = (sum / around.len() as f64 + rise * self.random(x, y)) as f32;
     }
 
-    fn place(&self, x: usize, y: usize) -> usize {
+    fn index(&self, x: usize, y: usize) -> usize {
         y * (self.squares as usize + 1) + x
     }
 
@@ -123,7 +129,7 @@ impl Mountain {
     }
 }
 
-impl Mesh for Mountain {
+impl ProceduralMesh for FractalTerrain {
     fn points(&self) -> u32 {
         (self.squares + 1) * (self.squares + 1)
     }

@@ -2,10 +2,10 @@
 
 use std::io::{self, Write};
 
-use super::pen::{Mesh, rounded};
+use super::writer::{ProceduralMesh, to_float3};
 
 /// Writes all triangles of a mesh.
-pub fn write(mesh: &dyn Mesh, out: &mut dyn Write) -> io::Result<()> {
+pub fn write(mesh: &dyn ProceduralMesh, out: &mut dyn Write) -> io::Result<()> {
     let (points, triangles) = (mesh.points(), mesh.triangles());
     let smooth = mesh.point(0).1.is_some();
     writeln!(out, "ply\nformat binary_little_endian 1.0\nelement vertex {points}")?;
@@ -15,7 +15,7 @@ pub fn write(mesh: &dyn Mesh, out: &mut dyn Write) -> io::Result<()> {
     writeln!(out, "element face {triangles}\nproperty list uchar uint vertex_indices\nend_header")?;
     for point in 0..points {
         let (place, normal) = mesh.point(point);
-        for number in rounded(place).into_iter().chain(normal.into_iter().flat_map(rounded)) {
+        for number in to_float3(place).into_iter().chain(normal.into_iter().flat_map(to_float3)) {
             out.write_all(&number.to_le_bytes())?;
         }
     }

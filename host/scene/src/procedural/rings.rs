@@ -10,7 +10,7 @@ use std::io;
 
 use glam::{DVec3, dvec3};
 
-use super::pen::{Head, Pen, Surface, round, turn};
+use super::writer::{ProceduralMaterial, SceneHeader, SceneWriter, ellipse_point, turns_to_radians};
 
 /// Between two layers, 1 / sin(22.5 degrees); two groups of a layer are 2 apart.
 const LAYER: f64 = 2.613_125_929_752_753;
@@ -19,8 +19,8 @@ const RING: f64 = 0.930_995;
 /// The radius of tubes and balls.
 const TUBE: f64 = 0.074_12;
 
-const GROUND: Surface = Surface::matte("ground", [1.0; 3], 1.0);
-const RINGS: [Surface; 6] = [
+const GROUND: ProceduralMaterial = ProceduralMaterial::matte("ground", [1.0; 3], 1.0);
+const RINGS: [ProceduralMaterial; 6] = [
     ring("red", [1.0, 0.0, 0.0]),
     ring("green", [0.0, 1.0, 0.0]),
     ring("blue", [0.0, 0.0, 1.0]),
@@ -29,14 +29,14 @@ const RINGS: [Surface; 6] = [
     ring("yellow", [1.0, 1.0, 0.0]),
 ];
 
-const fn ring(name: &'static str, color: [f32; 3]) -> Surface {
-    Surface { name, color, kd: 0.5, ks: 0.2, shine: 3.0827, glass: None }
+const fn ring(name: &'static str, color: [f32; 3]) -> ProceduralMaterial {
+    ProceduralMaterial { name, color, kd: 0.5, ks: 0.2, shine: 3.0827, glass: None }
 }
 
 /// Draws it; a size of 1 is one group.
-pub fn draw(size: u32, pen: &mut dyn Pen) -> io::Result<()> {
+pub fn write_scene(size: u32, pen: &mut dyn SceneWriter) -> io::Result<()> {
     let at = dvec3(-1.0, 1.0 - LAYER, 0.5);
-    pen.head(&Head {
+    pen.header(&SceneHeader {
         from: dvec3(-1.0, -LAYER, 0.5),
         at,
         up: dvec3(0.0, 0.0, 1.0),
@@ -45,7 +45,7 @@ pub fn draw(size: u32, pen: &mut dyn Pen) -> io::Result<()> {
     let n = f64::from(size);
     // One layer behind the last, and as wide as the databases' at their size.
     let (wall, reach) = (LAYER * (n + 1.0), 1.405_564 * n);
-    pen.surface(&GROUND)?;
+    pen.material(&GROUND)?;
     pen.polygon(&[
         dvec3(reach - 1.0, wall, reach + 0.5),
         dvec3(-reach - 1.0, wall, reach + 0.5),
@@ -64,11 +64,12 @@ pub fn draw(size: u32, pen: &mut dyn Pen) -> io::Result<()> {
 }
 
 /// Six rings round a middle.
-fn group(middle: DVec3, pen: &mut dyn Pen) -> io::Result<()> {
+fn group(middle: DVec3, pen: &mut dyn SceneWriter) -> io::Result<()> {
     for (surface, number) in RINGS.iter().zip(0..) {
-        pen.surface(surface)?;
-        let (first, second) = axes(number);
-        let ball = |k: u32| middle + round(turn(f64::from(k) / 5.0), first, second) * RING;
+        pen.material(surface)?;
+        let (first, second) = ring_axes(number);
+        let ball =
+            |k: u32| middle + ellipse_point(turns_to_radians(f64::from(k) / 5.0), first, second) * RING;
         for k in 0..5 {
             pen.cone((ball(k), TUBE), (ball((k + 4) % 5), TUBE))?;
             pen.sphere(ball(k), TUBE)?;
@@ -78,12 +79,12 @@ fn group(middle: DVec3, pen: &mut dyn Pen) -> io::Result<()> {
 }
 
 /// Two upright directions in the plane of a ring: the first ring is level, the others lean on it.
-fn axes(number: u32) -> (DVec3, DVec3) {
+fn ring_axes(number: u32) -> (DVec3, DVec3) {
     if number == 0 {
         return (dvec3(1.0, 0.0, 0.0), dvec3(0.0, 1.0, 0.0));
     }
-    let angle = turn(0.1 + 0.2 * f64::from(number - 1));
-    let first = round(angle, dvec3(1.0, 0.0, 0.0), dvec3(0.0, 1.0, 0.0));
+    let angle = turns_to_radians(0.1 + 0.2 * f64::from(number - 1));
+    let first = ellipse_point(angle, dvec3(1.0, 0.0, 0.0), dvec3(0.0, 1.0, 0.0));
     // The six diagonals of an icosahedron meet at the cosine 1 / sqrt(5).
     let (up, out) = ((0.2_f64).sqrt(), (0.8_f64).sqrt());
     let normal = dvec3(first.y * out, -first.x * out, up);

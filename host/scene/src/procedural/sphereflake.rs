@@ -11,26 +11,34 @@ use std::io;
 
 use glam::{DVec3, dvec3};
 
-use super::pen::{Head, Pen, Surface, from_z, round, turn};
+use super::writer::{
+    ProceduralMaterial, SceneHeader, SceneWriter, ellipse_point, rotate_from_z, turns_to_radians,
+};
 
-const GROUND: Surface = Surface::matte("ground", [1.0, 0.75, 0.33], 0.8);
-const FLAKE: Surface =
-    Surface { name: "flake", color: [1.0, 0.9, 0.7], kd: 0.5, ks: 0.5, shine: 3.0827, glass: None };
+const GROUND: ProceduralMaterial = ProceduralMaterial::matte("ground", [1.0, 0.75, 0.33], 0.8);
+const FLAKE: ProceduralMaterial = ProceduralMaterial {
+    name: "flake",
+    color: [1.0, 0.9, 0.7],
+    kd: 0.5,
+    ks: 0.5,
+    shine: 3.0827,
+    glass: None,
+};
 
 /// Draws it; a size of 0 is one sphere.
-pub fn draw(size: u32, pen: &mut dyn Pen) -> io::Result<()> {
+pub fn write_scene(size: u32, pen: &mut dyn SceneWriter) -> io::Result<()> {
     let up = dvec3(0.0, 0.0, 1.0);
-    pen.head(&Head {
+    pen.header(&SceneHeader {
         from: dvec3(2.1, 1.3, 1.7),
         at: DVec3::ZERO,
         up,
         lights: &[dvec3(4.0, 3.0, 2.0), dvec3(1.0, -4.0, 4.0), dvec3(-3.0, 1.0, 5.0)],
     })?;
-    pen.surface(&GROUND)?;
+    pen.material(&GROUND)?;
     pen.polygon(
         &[(12.0, 12.0), (-12.0, 12.0), (-12.0, -12.0), (12.0, -12.0)].map(|(x, y)| dvec3(x, y, -0.5)),
     )?;
-    pen.surface(&FLAKE)?;
+    pen.material(&FLAKE)?;
     flake(size, DVec3::ZERO, 0.5, up, &places(), pen)
 }
 
@@ -40,7 +48,7 @@ fn places() -> [DVec3; 9] {
     let (above, out) = ((2.0_f64 / 3.0).sqrt(), (1.0_f64 / 3.0).sqrt());
     let at = |twelfths: f64, out, above| {
         // Begins at 45 degrees, so that the flake looks at the eye.
-        round(turn(0.125 + twelfths / 12.0), dvec3(out, 0.0, 0.0), dvec3(0.0, out, 0.0))
+        ellipse_point(turns_to_radians(0.125 + twelfths / 12.0), dvec3(out, 0.0, 0.0), dvec3(0.0, out, 0.0))
             + dvec3(0.0, 0.0, above)
     };
     let third = |k: f64| [at(4.0 * k, out, above), at(4.0 * k - 1.0, 1.0, 0.0), at(4.0 * k + 1.0, 1.0, 0.0)];
@@ -55,7 +63,7 @@ fn flake(
     radius: f64,
     toward: DVec3,
     places: &[DVec3; 9],
-    pen: &mut dyn Pen,
+    pen: &mut dyn SceneWriter,
 ) -> io::Result<()> {
     pen.sphere(center, radius)?;
     if size == 0 {
@@ -63,7 +71,7 @@ fn flake(
     }
     let smaller = radius / 3.0;
     for place in places {
-        let away = from_z(toward, *place);
+        let away = rotate_from_z(toward, *place);
         flake(size - 1, center + away * (radius + smaller), smaller, away, places, pen)?;
     }
     Ok(())

@@ -1,5 +1,5 @@
 use glam::{DVec3, dvec3};
-use pen::{from_z, rounded};
+use writer::{rotate_from_z, to_float3};
 
 use super::*;
 
@@ -20,7 +20,7 @@ fn the_databases_sizes_have_the_databases_counts() {
 #[test]
 fn a_knot_has_as_many_triangles_as_it_is_asked_for_or_few_more() {
     for asked in [1, 100, 215, 216, 217, 1000, 9_999, 10_000, 500_000, 1_000_000, 1_000_003, 16_000_000] {
-        let knot = knot::Knot::of(asked);
+        let knot = knot::TorusKnot::of(asked);
         let has = knot.triangles();
         // One round more, and not fewer than look like a knot.
         let most = asked.max(216) as f64 * 1.002 + 60.0;
@@ -54,7 +54,7 @@ fn a_mesh_is_closed_and_turns_its_front_outwards() {
 fn the_volume_of_the_pyramid_halves_with_every_size() {
     // One tetrahedron in a cube of side two is a third of it.
     for (size, expected) in [(1, 8.0 / 3.0), (2, 4.0 / 3.0), (5, 1.0 / 6.0)] {
-        let mesh = tetra::Tetra::of(size);
+        let mesh = tetra::TetrahedronPyramid::of(size);
         let volume: f64 = (0..mesh.triangles())
             .map(|triangle| {
                 let [a, b, c] = mesh.triangle(triangle).map(|corner| mesh.point(corner).0);
@@ -67,7 +67,7 @@ fn the_volume_of_the_pyramid_halves_with_every_size() {
 
 #[test]
 fn the_normals_of_a_knot_are_upright_on_its_triangles() {
-    let knot = knot::Knot::of(200_000);
+    let knot = knot::TorusKnot::of(200_000);
     for triangle in (0..knot.triangles()).step_by(997) {
         let [a, b, c] = knot.triangle(triangle).map(|corner| knot.point(corner));
         let upright = (b.0 - a.0).cross(c.0 - a.0);
@@ -79,11 +79,11 @@ fn the_normals_of_a_knot_are_upright_on_its_triangles() {
 
 #[test]
 fn a_larger_landscape_has_all_places_of_a_smaller_one() {
-    let (small, large) = (mountain::Mountain::of(3), mountain::Mountain::of(5));
+    let (small, large) = (mountain::FractalTerrain::of(3), mountain::FractalTerrain::of(5));
     for y in 0..=8 {
         for x in 0..=8 {
             let (place, finer) = (small.point(y * 9 + x).0, large.point(4 * (y * 33 + x)).0);
-            assert_eq!(rounded(place), rounded(finer));
+            assert_eq!(to_float3(place), to_float3(finer));
         }
     }
 }
@@ -92,9 +92,9 @@ fn a_larger_landscape_has_all_places_of_a_smaller_one() {
 fn turning_z_on_a_direction_keeps_lengths_and_arrives() {
     let z = dvec3(0.0, 0.0, 1.0);
     for toward in [z, -z, dvec3(1.0, 0.0, 0.0), dvec3(0.6, -0.8, 0.0), dvec3(2.0, 3.0, -6.0) / 7.0] {
-        assert!((from_z(toward, z) - toward).abs().max_element() < 1e-12, "{toward}");
+        assert!((rotate_from_z(toward, z) - toward).abs().max_element() < 1e-12, "{toward}");
         let v = dvec3(0.3, -0.4, 1.2);
-        let turned = from_z(toward, v);
+        let turned = rotate_from_z(toward, v);
         assert!((turned.dot(turned) - v.dot(v)).abs() < 1e-12);
         assert!((turned.dot(toward) - v.z).abs() < 1e-12);
     }
@@ -102,7 +102,7 @@ fn turning_z_on_a_direction_keeps_lengths_and_arrives() {
 
 #[test]
 fn a_rounded_place_has_no_negative_zero() {
-    let signs = rounded(dvec3(-0.0, -1e-17, 1e-17)).map(|x| x.is_sign_negative());
+    let signs = to_float3(dvec3(-0.0, -1e-17, 1e-17)).map(|x| x.is_sign_negative());
     assert_eq!(signs, [false; 3]);
-    assert_eq!(rounded(DVec3::ONE * -0.1), [-0.1; 3]);
+    assert_eq!(to_float3(DVec3::ONE * -0.1), [-0.1; 3]);
 }

@@ -8,9 +8,9 @@ use std::io;
 
 use glam::{DVec3, dvec3};
 
-use super::pen::{Head, Mesh, Pen, Surface};
+use super::writer::{ProceduralMaterial, ProceduralMesh, SceneHeader, SceneWriter};
 
-const SURFACE: Surface = Surface::matte("tetra", [1.0, 0.2, 0.2], 1.0);
+const SURFACE: ProceduralMaterial = ProceduralMaterial::matte("tetra", [1.0, 0.2, 0.2], 1.0);
 
 /// Four corners of a cube of side two, of which no two share an edge.
 const CORNERS: [DVec3; 4] =
@@ -20,30 +20,30 @@ const CORNERS: [DVec3; 4] =
 const FACES: [[u32; 3]; 4] = [[0, 1, 2], [3, 2, 1], [2, 3, 0], [1, 0, 3]];
 
 /// Draws it; a size of 1 is one tetrahedron.
-pub fn draw(size: u32, pen: &mut dyn Pen) -> io::Result<()> {
-    pen.head(&Head {
+pub fn write_scene(size: u32, pen: &mut dyn SceneWriter) -> io::Result<()> {
+    pen.header(&SceneHeader {
         from: dvec3(1.02285, -3.17715, -2.17451),
         at: dvec3(-0.004103, -0.004103, 0.216539),
         up: dvec3(-0.816497, -0.816497, 0.816497),
         lights: &[dvec3(2.0, -18.0, -5.0)],
     })?;
-    pen.surface(&SURFACE)?;
-    pen.mesh(&Tetra::of(size))
+    pen.material(&SURFACE)?;
+    pen.mesh(&TetrahedronPyramid::of(size))
 }
 
 /// All small tetrahedra of a size.
-pub struct Tetra {
+pub struct TetrahedronPyramid {
     halvings: u32,
 }
 
-impl Tetra {
+impl TetrahedronPyramid {
     /// Of a size of 1 or more.
     pub fn of(size: u32) -> Self {
-        Tetra { halvings: size - 1 }
+        TetrahedronPyramid { halvings: size - 1 }
     }
 }
 
-impl Mesh for Tetra {
+impl ProceduralMesh for TetrahedronPyramid {
     fn points(&self) -> u32 {
         self.triangles()
     }

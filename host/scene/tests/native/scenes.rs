@@ -9,7 +9,7 @@ fn folder() -> PathBuf {
 #[test]
 fn the_schema_beside_the_scenes_is_that_of_the_program() {
     let path = folder().join("strahl.schema.json");
-    let schema = strahl_scene::native::schema();
+    let schema = strahl_scene::toml_scene::schema();
     if std::env::var_os("STRAHL_ACCEPT").is_some() {
         std::fs::write(&path, &schema).unwrap();
     }
@@ -19,7 +19,7 @@ fn the_schema_beside_the_scenes_is_that_of_the_program() {
 
 #[test]
 fn the_schema_knows_every_table_of_the_format() {
-    let schema: serde_json::Value = serde_json::from_str(&strahl_scene::native::schema()).unwrap();
+    let schema: serde_json::Value = serde_json::from_str(&strahl_scene::toml_scene::schema()).unwrap();
     let tables = schema["properties"].as_object().unwrap();
     assert_eq!(tables.len(), 20);
     assert!(schema.get("required").is_none());
@@ -33,7 +33,7 @@ fn the_schema_knows_every_table_of_the_format() {
 #[test]
 fn the_description_of_the_format_names_every_table_and_key() {
     let text = std::fs::read_to_string(folder().join("FORMAT.md")).unwrap();
-    let schema: serde_json::Value = serde_json::from_str(&strahl_scene::native::schema()).unwrap();
+    let schema: serde_json::Value = serde_json::from_str(&strahl_scene::toml_scene::schema()).unwrap();
     for name in schema["properties"].as_object().unwrap().keys() {
         assert!(text.contains(&format!("[{name}]")), "[{name}]");
     }

@@ -24,7 +24,7 @@ material = "tomato"
 /// The same on every machine: without the folder's name.
 fn shown(text: &str, screen: TerminalStyle) -> String {
     let list = faults(text.as_bytes()).list().to_vec();
-    Diagnostics::new(Path::new("first.toml"), text, list).show(screen) + "\n"
+    Diagnostics::new(Path::new("first.toml"), text, list).render(screen) + "\n"
 }
 
 fn assert_kept(name: &str, shown: &str) {

@@ -4,7 +4,7 @@ use base64::Engine as _;
 use base64::engine::general_purpose::STANDARD;
 use strahl_core::Resolution;
 use strahl_engine::cost_map::PixelCost;
-use strahl_picture::colormap::{inferno, step_of};
+use strahl_picture::color_map::{inferno, step_of};
 use strahl_picture::{Picture, PictureFormat, srgb};
 
 use super::benchmark::pair;

@@ -2,7 +2,7 @@
 
 use maud::{Markup, html};
 
-use strahl_picture::colormap::{inferno, step_of};
+use strahl_picture::color_map::{inferno, step_of};
 
 use super::numbers::{error, percent, seconds};
 use super::pieces::options;

@@ -6,29 +6,29 @@ use serde::Deserialize;
 #[derive(Deserialize)]
 #[serde(rename_all = "camelCase", default)]
 #[derive(Default)]
-pub struct Root {
+pub struct GltfDocument {
     pub extensions_required: Vec<String>,
     pub scene: Option<usize>,
-    pub scenes: Vec<Scene>,
-    pub nodes: Vec<Node>,
-    pub meshes: Vec<Mesh>,
-    pub materials: Vec<Material>,
-    pub accessors: Vec<Accessor>,
-    pub buffer_views: Vec<View>,
-    pub buffers: Vec<Buffer>,
-    pub images: Vec<Image>,
+    pub scenes: Vec<GltfScene>,
+    pub nodes: Vec<GltfNode>,
+    pub meshes: Vec<GltfMesh>,
+    pub materials: Vec<GltfMaterial>,
+    pub accessors: Vec<GltfAccessor>,
+    pub buffer_views: Vec<GltfBufferView>,
+    pub buffers: Vec<GltfBuffer>,
+    pub images: Vec<GltfImage>,
 }
 
 /// What is shown together.
 #[derive(Deserialize)]
-pub struct Scene {
+pub struct GltfScene {
     #[serde(default)]
     pub nodes: Vec<usize>,
 }
 
 /// A thing with its place, and the things that move with it.
 #[derive(Deserialize)]
-pub struct Node {
+pub struct GltfNode {
     #[serde(default)]
     pub children: Vec<usize>,
     pub mesh: Option<usize>,
@@ -42,14 +42,14 @@ pub struct Node {
 
 /// Parts that belong together.
 #[derive(Deserialize)]
-pub struct Mesh {
-    pub primitives: Vec<Primitive>,
+pub struct GltfMesh {
+    pub primitives: Vec<GltfPrimitive>,
 }
 
 /// Triangles of one material.
 #[derive(Deserialize)]
-pub struct Primitive {
-    pub attributes: Attributes,
+pub struct GltfPrimitive {
+    pub attributes: GltfAttributes,
     pub indices: Option<usize>,
     pub material: Option<usize>,
     pub mode: Option<u32>,
@@ -59,7 +59,7 @@ pub struct Primitive {
 
 /// What corners have: places of accessors.
 #[derive(Deserialize)]
-pub struct Attributes {
+pub struct GltfAttributes {
     #[serde(rename = "POSITION")]
     pub position: Option<usize>,
     #[serde(rename = "NORMAL")]
@@ -71,7 +71,7 @@ pub struct Attributes {
 /// Numbers of one kind, in a view.
 #[derive(Deserialize)]
 #[serde(rename_all = "camelCase")]
-pub struct Accessor {
+pub struct GltfAccessor {
     pub buffer_view: Option<usize>,
     #[serde(default)]
     pub byte_offset: u64,
@@ -85,7 +85,7 @@ pub struct Accessor {
 /// A piece of a buffer.
 #[derive(Deserialize)]
 #[serde(rename_all = "camelCase")]
-pub struct View {
+pub struct GltfBufferView {
     pub buffer: usize,
     #[serde(default)]
     pub byte_offset: u64,
@@ -96,36 +96,36 @@ pub struct View {
 /// Bytes: in a file, in the text, or in the second part of a `.glb`.
 #[derive(Deserialize)]
 #[serde(rename_all = "camelCase")]
-pub struct Buffer {
+pub struct GltfBuffer {
     pub byte_length: u64,
     pub uri: Option<String>,
 }
 
 /// A texture: in a file, in the text, or in a view.
 #[derive(Deserialize)]
-pub struct Image {
+pub struct GltfImage {
     pub uri: Option<String>,
 }
 
 /// How a surface looks.
 #[derive(Deserialize)]
 #[serde(rename_all = "camelCase")]
-pub struct Material {
+pub struct GltfMaterial {
     pub name: Option<String>,
     #[serde(default)]
-    pub pbr_metallic_roughness: Metallic,
+    pub pbr_metallic_roughness: PbrMetallicRoughness,
     pub normal_texture: Option<serde::de::IgnoredAny>,
     pub emissive_texture: Option<serde::de::IgnoredAny>,
     pub emissive_factor: Option<Box<[f32; 3]>>,
     pub alpha_mode: Option<String>,
     #[serde(default)]
-    pub extensions: Extensions,
+    pub extensions: MaterialExtensions,
 }
 
 /// The usual model of a surface.
 #[derive(Deserialize)]
 #[serde(rename_all = "camelCase", default)]
-pub struct Metallic {
+pub struct PbrMetallicRoughness {
     pub base_color_factor: [f32; 4],
     pub metallic_factor: f32,
     pub roughness_factor: f32,
@@ -133,9 +133,9 @@ pub struct Metallic {
     pub metallic_roughness_texture: Option<serde::de::IgnoredAny>,
 }
 
-impl Default for Metallic {
+impl Default for PbrMetallicRoughness {
     fn default() -> Self {
-        Metallic {
+        PbrMetallicRoughness {
             base_color_factor: [1.0; 4],
             metallic_factor: 1.0,
             roughness_factor: 1.0,
@@ -147,23 +147,23 @@ impl Default for Metallic {
 
 /// Extensions that say something of glass.
 #[derive(Default, Deserialize)]
-pub struct Extensions {
+pub struct MaterialExtensions {
     #[serde(rename = "KHR_materials_ior")]
-    pub index: Option<Index>,
+    pub index: Option<KhrIor>,
     #[serde(rename = "KHR_materials_transmission")]
-    pub transmission: Option<Transmission>,
+    pub transmission: Option<KhrTransmission>,
 }
 
 /// Of refraction.
 #[derive(Deserialize)]
-pub struct Index {
+pub struct KhrIor {
     pub ior: Option<f32>,
 }
 
 /// Of light through a surface.
 #[derive(Deserialize)]
 #[serde(rename_all = "camelCase")]
-pub struct Transmission {
+pub struct KhrTransmission {
     #[serde(default)]
     pub transmission_factor: f32,
 }

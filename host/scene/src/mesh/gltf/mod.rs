@@ -19,7 +19,7 @@
 
 mod buffers;
 mod json;
-mod motion;
+mod transform;
 
 use std::collections::HashMap;
 use std::path::Path;
@@ -27,38 +27,46 @@ use std::path::Path;
 use strahl_core::scene::FresnelModel;
 use strahl_core::{Material, Rgb};
 
-use super::error::{Wrong, invalid};
-use super::gather::{Gather, coordinate};
+use super::builder::{MeshBuilder, coordinate};
+use super::error::{LineError, invalid};
 use super::groups::TriangleMesh;
 use crate::error::LoadError;
-use crate::files::SourceFiles;
 use crate::quote::quoted;
-use buffers::{Buffers, INDEX, VECTOR};
-use json::{Primitive, Root};
-use motion::Motion;
+use crate::source_files::SourceFiles;
+use buffers::{Buffers, SCALAR_UINT, VEC3_F32};
+use json::{GltfDocument, GltfPrimitive};
+use transform::AffineTransform;
 
 /// As many corners and triangles any file may make.
-const MOST: usize = 1 << 24;
+const MIN_LIMIT: usize = 1 << 24;
 
 /// Reads the bytes of the file at `path`; other files may be beside it.
 pub fn read(files: &SourceFiles, path: &Path, bytes: Vec<u8>) -> Result<TriangleMesh, LoadError> {
     let wrong = |wrong| invalid(path, wrong);
     let size = bytes.len();
-    let (root, binary) = parts(bytes).map_err(wrong)?;
-    if let Some(name) = root.extensions_required.iter().find(|name| !KNOWN.contains(&name.as_str())) {
+    let (root, binary) = split_container(bytes).map_err(wrong)?;
+    if let Some(name) =
+        root.extensions_required.iter().find(|name| !SUPPORTED_EXTENSIONS.contains(&name.as_str()))
+    {
         return Err(wrong((None, format!("the file requires the extension {}", quoted(name)))));
     }
-    Buffers::mention_textures(files, path, &root);
+    Buffers::note_textures(files, path, &root);
     let buffers = Buffers::load(files, path, &root, binary)?;
     let most = size.saturating_add(buffers.bytes());
-    let most = if most < MOST { MOST } else { most };
-    let mut reader = Reader { root: &root, buffers: &buffers, gather: Gather::default(), most, parts: 0 };
+    let most = if most < MIN_LIMIT { MIN_LIMIT } else { most };
+    let mut reader = GltfReader {
+        root: &root,
+        buffers: &buffers,
+        gather: MeshBuilder::default(),
+        limit: most,
+        primitive_count: 0,
+    };
     reader.materials().and_then(|()| reader.nodes()).map_err(|reason| wrong((None, reason)))?;
     reader.gather.finish().map_err(|reason| wrong((None, reason)))
 }
 
 /// Extensions that a file may require: without them it looks much the same.
-const KNOWN: [&str; 8] = [
+const SUPPORTED_EXTENSIONS: [&str; 8] = [
     "KHR_materials_ior",
     "KHR_materials_transmission",
     "KHR_materials_emissive_strength",
@@ -70,11 +78,11 @@ const KNOWN: [&str; 8] = [
 ];
 
 /// The description and the binary part of a file of either kind.
-fn parts(bytes: Vec<u8>) -> Result<(Root, Option<Vec<u8>>), Wrong> {
+fn split_container(bytes: Vec<u8>) -> Result<(GltfDocument, Option<Vec<u8>>), LineError> {
     if !bytes.starts_with(b"glTF") {
         let text = bytes.strip_prefix(b"\xef\xbb\xbf").unwrap_or(&bytes);
         let root =
-            serde_json::from_slice(text).map_err(|error| (Some(error.line().max(1)), reason_of(&error)))?;
+            serde_json::from_slice(text).map_err(|error| (Some(error.line().max(1)), error_text(&error)))?;
         return Ok((root, None));
     }
     let wrong = |reason: &str| (None, reason.to_owned());
@@ -95,7 +103,7 @@ fn parts(bytes: Vec<u8>) -> Result<(Root, Option<Vec<u8>>), Wrong> {
     };
     let root = serde_json::from_slice(text).map_err(|error| {
         let (line, column) = (error.line(), error.column());
-        (None, format!("line {line}, column {column} of the first part: {}", reason_of(&error)))
+        (None, format!("line {line}, column {column} of the first part: {}", error_text(&error)))
     })?;
     // Parts are padded to multiples of four.
     let next = 20 + text.len().next_multiple_of(4);
@@ -107,7 +115,7 @@ fn parts(bytes: Vec<u8>) -> Result<(Root, Option<Vec<u8>>), Wrong> {
 }
 
 /// What serde says, without the place, which is told elsewhere.
-fn reason_of(error: &serde_json::Error) -> String {
+fn error_text(error: &serde_json::Error) -> String {
     let reason = error.to_string();
     let reason = reason.rsplit_once(" at line ").map_or(reason.as_str(), |(reason, _)| reason);
     let mut text: String =
@@ -119,21 +127,21 @@ fn reason_of(error: &serde_json::Error) -> String {
 }
 
 /// The file, and what has been read of it.
-struct Reader<'r> {
-    root: &'r Root,
+struct GltfReader<'r> {
+    root: &'r GltfDocument,
     buffers: &'r Buffers,
-    gather: Gather,
+    gather: MeshBuilder,
     /// How many corners, triangles and parts of copies there may be.
-    most: usize,
-    parts: usize,
+    limit: usize,
+    primitive_count: usize,
 }
 
-impl Reader<'_> {
+impl GltfReader<'_> {
     fn materials(&mut self) -> Result<(), String> {
         for (number, material) in self.root.materials.iter().enumerate() {
-            let it = surface(material).map_err(|reason| format!("materials[{number}]: {reason}"))?;
+            let it = convert_material(material).map_err(|reason| format!("materials[{number}]: {reason}"))?;
             let name = material.name.clone().unwrap_or_else(|| format!("material {number}"));
-            if self.gather.material(name, it).is_none() {
+            if self.gather.add_material(name, it).is_none() {
                 return Err("more materials than a scene can number".into());
             }
             let metallic = &material.pbr_metallic_roughness;
@@ -142,10 +150,10 @@ impl Reader<'_> {
                 || material.normal_texture.is_some()
                 || material.emissive_texture.is_some();
             if has_texture {
-                self.gather.left_out("materials have textures, which are left out", None);
+                self.gather.skip("materials have textures, which are left out", None);
             }
             if material.emissive_factor.as_deref().is_some_and(|e| *e != [0.0; 3]) {
-                self.gather.left_out("materials glow, which is left out", None);
+                self.gather.skip("materials glow, which is left out", None);
             }
         }
         Ok(())
@@ -154,20 +162,20 @@ impl Reader<'_> {
     /// Walks the nodes of the scene, parents first, in the order of the file.
     fn nodes(&mut self) -> Result<(), String> {
         let mut seen = vec![false; self.root.nodes.len()];
-        let mut open: Vec<(usize, Motion)> =
-            self.tops()?.into_iter().rev().map(|node| (node, Motion::NONE)).collect();
+        let mut open: Vec<(usize, AffineTransform)> =
+            self.root_nodes()?.into_iter().rev().map(|node| (node, AffineTransform::IDENTITY)).collect();
         while let Some((number, outer)) = open.pop() {
             let node = self.root.nodes.get(number).ok_or_else(|| format!("there is no nodes[{number}]"))?;
             // Nodes are trees; a node met again could be met without end.
             if std::mem::replace(&mut seen[number], true) {
                 return Err(format!("nodes[{number}]: is reached twice"));
             }
-            let own =
-                Motion::of(node).ok_or_else(|| format!("nodes[{number}]: moves by no finite numbers"))?;
-            let motion = outer.after(&own);
+            let own = AffineTransform::of_node(node)
+                .ok_or_else(|| format!("nodes[{number}]: moves by no finite numbers"))?;
+            let motion = outer.compose(&own);
             open.extend(node.children.iter().rev().map(|child| (*child, motion)));
             if node.skin.is_some() {
-                self.gather.left_out("nodes have skins, which are left out", None);
+                self.gather.skip("nodes have skins, which are left out", None);
             }
             if let Some(mesh) = node.mesh {
                 let mesh_of = |error: String| format!("nodes[{number}]: {error}");
@@ -178,7 +186,7 @@ impl Reader<'_> {
     }
 
     /// The nodes that the scene begins with; of a file without scenes those without a parent.
-    fn tops(&self) -> Result<Vec<usize>, String> {
+    fn root_nodes(&self) -> Result<Vec<usize>, String> {
         let number = self.root.scene.unwrap_or(0);
         match self.root.scenes.get(number) {
             Some(scene) => Ok(scene.nodes.clone()),
@@ -195,15 +203,15 @@ impl Reader<'_> {
         }
     }
 
-    fn is_bearable(&self) -> Result<(), String> {
-        let (corners, triangles) = (self.gather.corners(), self.gather.triangles());
-        if self.parts > self.most || corners >= self.most || triangles >= self.most {
-            return Err(format!("more than {} corners, triangles or copies of parts", self.most));
+    fn check_limit(&self) -> Result<(), String> {
+        let (corners, triangles) = (self.gather.vertex_count(), self.gather.triangle_count());
+        if self.primitive_count > self.limit || corners >= self.limit || triangles >= self.limit {
+            return Err(format!("more than {} corners, triangles or copies of parts", self.limit));
         }
         Ok(())
     }
 
-    fn mesh(&mut self, number: usize, motion: &Motion) -> Result<(), String> {
+    fn mesh(&mut self, number: usize, motion: &AffineTransform) -> Result<(), String> {
         let mesh = self.root.meshes.get(number).ok_or_else(|| format!("there is no meshes[{number}]"))?;
         for (part, primitive) in mesh.primitives.iter().enumerate() {
             let of_part = |error: String| format!("meshes[{number}].primitives[{part}]: {error}");
@@ -212,40 +220,41 @@ impl Reader<'_> {
         Ok(())
     }
 
-    fn primitive(&mut self, primitive: &Primitive, motion: &Motion) -> Result<(), String> {
-        self.parts += 1;
-        self.is_bearable()?;
+    fn primitive(&mut self, primitive: &GltfPrimitive, motion: &AffineTransform) -> Result<(), String> {
+        self.primitive_count += 1;
+        self.check_limit()?;
         if !primitive.targets.is_empty() {
-            self.gather.left_out("primitives have other shapes to morph into, which are left out", None);
+            self.gather.skip("primitives have other shapes to morph into, which are left out", None);
         }
         if primitive.attributes.color.is_some() {
-            self.gather.left_out("primitives have colours of corners, which are left out", None);
+            self.gather.skip("primitives have colours of corners, which are left out", None);
         }
         // Whether a triangle begins with every third corner, every one, or the first.
         let mode = primitive.mode.unwrap_or(TRIANGLES);
         match mode {
-            TRIANGLES | STRIP | FAN => {}
+            TRIANGLES | TRIANGLE_STRIP | TRIANGLE_FAN => {}
             0..=3 => {
-                self.gather.left_out("primitives are points or lines and are left out", None);
+                self.gather.skip("primitives are points or lines and are left out", None);
                 return Ok(());
             }
             other => return Err(format!("`mode` is {other}")),
         }
         let place = primitive.attributes.position.ok_or("has no POSITION")?;
-        let points = self.buffers.entries(self.root, place, &VECTOR)?;
+        let points = self.buffers.accessor(self.root, place, &VEC3_F32)?;
         let normals = primitive.attributes.normal;
-        let normals = normals.map(|place| self.buffers.entries(self.root, place, &VECTOR)).transpose()?;
+        let normals = normals.map(|place| self.buffers.accessor(self.root, place, &VEC3_F32)).transpose()?;
         let indices = primitive.indices;
-        let indices = indices.map(|place| self.buffers.entries(self.root, place, &INDEX)).transpose()?;
+        let indices =
+            indices.map(|place| self.buffers.accessor(self.root, place, &SCALAR_UINT)).transpose()?;
 
-        self.gather.made_of(match primitive.material {
+        self.gather.set_material(match primitive.material {
             None => None,
             Some(place) if place < self.root.materials.len() => u16::try_from(place).ok(),
             Some(place) => return Err(format!("there is no materials[{place}]")),
         });
         let count = indices.as_ref().map_or(points.count, |indices| indices.count);
         let mut known: HashMap<u32, u32> = HashMap::new();
-        let mut corner = |gather: &mut Gather, number: usize| -> Result<u32, String> {
+        let mut corner = |gather: &mut MeshBuilder, number: usize| -> Result<u32, String> {
             let place = match &indices {
                 Some(indices) => indices.index(number).ok_or("an index is missing")?,
                 None => number as u32,
@@ -254,17 +263,17 @@ impl Reader<'_> {
                 return Ok(*known);
             }
             let no_corner = || format!("index {number} names corner {place} of {}", points.count);
-            let point = motion.point(points.vector(place as usize).ok_or_else(no_corner)?);
+            let point = motion.transform_point(points.vec3(place as usize).ok_or_else(no_corner)?);
             for number in point {
                 coordinate(number).map_err(|reason| format!("corner {place}: {reason}"))?;
             }
             let normal = match &normals {
                 Some(normals) => Some(
-                    normals.vector(place as usize).ok_or_else(|| format!("corner {place} has no NORMAL"))?,
+                    normals.vec3(place as usize).ok_or_else(|| format!("corner {place} has no NORMAL"))?,
                 ),
                 None => None,
             };
-            let corner = gather.corner(point, normal.map(|normal| motion.normal(normal)))?;
+            let corner = gather.add_vertex(point, normal.map(|normal| motion.transform_normal(normal)))?;
             known.insert(place, corner);
             Ok(corner)
         };
@@ -273,27 +282,27 @@ impl Reader<'_> {
             return Err(format!("{count} corners are not three for each triangle"));
         }
         for number in 0..triangles {
-            self.is_bearable()?;
+            self.check_limit()?;
             // Every second triangle of a strip is turned back.
             let [a, b, c] = match mode {
                 TRIANGLES => [3 * number, 3 * number + 1, 3 * number + 2],
-                STRIP => [number, number + 1 + number % 2, number + 2 - number % 2],
+                TRIANGLE_STRIP => [number, number + 1 + number % 2, number + 2 - number % 2],
                 _ => [number + 1, number + 2, 0],
             };
             let gather = &mut self.gather;
             let [a, b, c] = [corner(gather, a)?, corner(gather, b)?, corner(gather, c)?];
-            gather.triangle(if motion.mirrors() { [a, c, b] } else { [a, b, c] });
+            gather.add_triangle(if motion.flips_orientation() { [a, c, b] } else { [a, b, c] });
         }
         Ok(())
     }
 }
 
 const TRIANGLES: u32 = 4;
-const STRIP: u32 = 5;
-const FAN: u32 = 6;
+const TRIANGLE_STRIP: u32 = 5;
+const TRIANGLE_FAN: u32 = 6;
 
 /// The material that comes closest, by the table above.
-fn surface(material: &json::Material) -> Result<Material, String> {
+fn convert_material(material: &json::GltfMaterial) -> Result<Material, String> {
     let metallic = &material.pbr_metallic_roughness;
     let transmission = material.extensions.transmission.as_ref().map_or(0.0, |t| t.transmission_factor);
     let [r, g, b, alpha] = metallic.base_color_factor;

@@ -1,11 +1,11 @@
 //! What a PLY file promises: its elements, their properties, and how numbers are written.
 
-use crate::mesh::error::Wrong;
+use crate::mesh::error::LineError;
 use crate::quote::quoted;
 
 /// How a number is kept.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Type {
+pub enum ScalarType {
     I8,
     U8,
     I16,
@@ -16,86 +16,86 @@ pub enum Type {
     F64,
 }
 
-impl Type {
-    fn named(name: &str) -> Option<Self> {
+impl ScalarType {
+    fn from_name(name: &str) -> Option<Self> {
         Some(match name {
-            "char" | "int8" => Type::I8,
-            "uchar" | "uint8" => Type::U8,
-            "short" | "int16" => Type::I16,
-            "ushort" | "uint16" => Type::U16,
-            "int" | "int32" => Type::I32,
-            "uint" | "uint32" => Type::U32,
-            "float" | "float32" => Type::F32,
-            "double" | "float64" => Type::F64,
+            "char" | "int8" => ScalarType::I8,
+            "uchar" | "uint8" => ScalarType::U8,
+            "short" | "int16" => ScalarType::I16,
+            "ushort" | "uint16" => ScalarType::U16,
+            "int" | "int32" => ScalarType::I32,
+            "uint" | "uint32" => ScalarType::U32,
+            "float" | "float32" => ScalarType::F32,
+            "double" | "float64" => ScalarType::F64,
             _ => return None,
         })
     }
 
-    pub fn bytes(self) -> usize {
+    pub fn size(self) -> usize {
         match self {
-            Type::I8 | Type::U8 => 1,
-            Type::I16 | Type::U16 => 2,
-            Type::I32 | Type::U32 | Type::F32 => 4,
-            Type::F64 => 8,
+            ScalarType::I8 | ScalarType::U8 => 1,
+            ScalarType::I16 | ScalarType::U16 => 2,
+            ScalarType::I32 | ScalarType::U32 | ScalarType::F32 => 4,
+            ScalarType::F64 => 8,
         }
     }
 
-    pub fn is_whole(self) -> bool {
-        !matches!(self, Type::F32 | Type::F64)
+    pub fn is_integer(self) -> bool {
+        !matches!(self, ScalarType::F32 | ScalarType::F64)
     }
 }
 
 /// A number of each element, or as many as a number before them says.
-pub struct Property {
+pub struct PlyProperty {
     pub name: String,
     /// The type of the number that says how many.
-    pub list: Option<Type>,
-    pub of: Type,
+    pub count_type: Option<ScalarType>,
+    pub scalar_type: ScalarType,
 }
 
 /// Things of one kind.
-pub struct Element {
+pub struct PlyElement {
     pub name: String,
     pub count: usize,
-    pub properties: Vec<Property>,
+    pub properties: Vec<PlyProperty>,
     /// Its line in the header.
     line: usize,
 }
 
-impl Element {
+impl PlyElement {
     pub fn has(&self, property: &str) -> bool {
         self.properties.iter().any(|p| p.name == property)
     }
 
-    pub fn wrong<T>(&self, reason: impl Into<String>) -> Result<T, Wrong> {
+    pub fn error<T>(&self, reason: impl Into<String>) -> Result<T, LineError> {
         Err((Some(self.line), reason.into()))
     }
 }
 
 /// How numbers are written.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Encoding {
+pub enum PlyEncoding {
     Ascii,
-    Little,
-    Big,
+    LittleEndian,
+    BigEndian,
 }
 
 /// What the file promises.
-pub struct Header {
-    pub elements: Vec<Element>,
-    pub encoding: Encoding,
+pub struct PlyHeader {
+    pub elements: Vec<PlyElement>,
+    pub encoding: PlyEncoding,
     /// How many bytes it has.
     pub bytes: usize,
     /// How many lines it has.
     pub lines: usize,
 }
 
-impl Header {
+impl PlyHeader {
     /// The header of a file.
-    pub fn read(bytes: &[u8]) -> Result<Self, Wrong> {
+    pub fn read(bytes: &[u8]) -> Result<Self, LineError> {
         let (mut left, mut line) = (bytes, 0);
         let mut encoding = None;
-        let mut header = Header { elements: Vec::new(), encoding: Encoding::Ascii, bytes: 0, lines: 0 };
+        let mut header = PlyHeader { elements: Vec::new(), encoding: PlyEncoding::Ascii, bytes: 0, lines: 0 };
         loop {
             line += 1;
             let end = left.iter().position(|byte| *byte == b'\n').map_or(left.len(), |place| place + 1);
@@ -111,9 +111,9 @@ impl Header {
                 (None | Some("comment" | "obj_info"), _) => {}
                 (Some("format"), _) => {
                     encoding = Some(match words.next() {
-                        Some("ascii") => Encoding::Ascii,
-                        Some("binary_little_endian") => Encoding::Little,
-                        Some("binary_big_endian") => Encoding::Big,
+                        Some("ascii") => PlyEncoding::Ascii,
+                        Some("binary_little_endian") => PlyEncoding::LittleEndian,
+                        Some("binary_big_endian") => PlyEncoding::BigEndian,
                         other => {
                             let other = quoted(other.unwrap_or_default());
                             return wrong(format!(
@@ -133,7 +133,11 @@ impl Header {
         Ok(header)
     }
 
-    fn element<'w>(&mut self, mut words: impl Iterator<Item = &'w str>, line: usize) -> Result<(), Wrong> {
+    fn element<'w>(
+        &mut self,
+        mut words: impl Iterator<Item = &'w str>,
+        line: usize,
+    ) -> Result<(), LineError> {
         let (name, count) = (words.next().unwrap_or_default(), words.next().unwrap_or_default());
         let Ok(count) = count.parse::<usize>() else {
             let reason = format!("{} is no number of elements {}", quoted(count), quoted(name));
@@ -142,32 +146,37 @@ impl Header {
         if self.elements.iter().any(|element| element.name == name) {
             return Err((Some(line), format!("a second element {}", quoted(name))));
         }
-        self.elements.push(Element { name: name.to_owned(), count, properties: Vec::new(), line });
+        self.elements.push(PlyElement { name: name.to_owned(), count, properties: Vec::new(), line });
         Ok(())
     }
 
-    fn property<'w>(&mut self, mut words: impl Iterator<Item = &'w str>, line: usize) -> Result<(), Wrong> {
+    fn property<'w>(
+        &mut self,
+        mut words: impl Iterator<Item = &'w str>,
+        line: usize,
+    ) -> Result<(), LineError> {
         let wrong = |reason: String| Err((Some(line), reason));
         let Some(element) = self.elements.last_mut() else {
             return wrong("a property before the first element".into());
         };
         let mut next = || words.next().unwrap_or_default();
         let type_of = |name: &str| {
-            Type::named(name).ok_or((Some(line), format!("{} is no type of a number", quoted(name))))
+            ScalarType::from_name(name)
+                .ok_or((Some(line), format!("{} is no type of a number", quoted(name))))
         };
         let first = next();
         let (list, of) = match first {
             "list" => (Some(type_of(next())?), type_of(next())?),
             _ => (None, type_of(first)?),
         };
-        if list.is_some_and(|list| !list.is_whole()) {
+        if list.is_some_and(|list| !list.is_integer()) {
             return wrong("the length of a list must be an integer".into());
         }
         let name = next();
         if name.is_empty() || element.has(name) {
             return wrong(format!("{} is no name for a property, or is there already", quoted(name)));
         }
-        element.properties.push(Property { name: name.to_owned(), list, of });
+        element.properties.push(PlyProperty { name: name.to_owned(), count_type: list, scalar_type: of });
         Ok(())
     }
 }

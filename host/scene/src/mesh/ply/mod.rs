@@ -8,35 +8,35 @@
 //! of its own first, refuses ascii numbers like `1.`, and cannot say at which byte a file
 //! is wrong.
 
-mod data;
 mod header;
+mod reader;
 
-use super::error::Wrong;
-use super::gather::{Gather, coordinate};
+use super::builder::{MeshBuilder, coordinate};
+use super::error::LineError;
 use super::groups::TriangleMesh;
 use crate::quote::quoted;
-use data::Data;
-use header::{Element, Header, Property};
+use header::{PlyElement, PlyHeader, PlyProperty};
+use reader::PlyReader;
 
 /// Reads the bytes of a file.
-pub fn read(bytes: &[u8]) -> Result<TriangleMesh, Wrong> {
-    let header = Header::read(bytes)?;
-    let mut data = Data::after(&header, bytes);
-    let mut gather = Gather::default();
+pub fn read(bytes: &[u8]) -> Result<TriangleMesh, LineError> {
+    let header = PlyHeader::read(bytes)?;
+    let mut data = PlyReader::after(&header, bytes);
+    let mut gather = MeshBuilder::default();
     let mut has_vertices = false;
     for element in &header.elements {
-        data.promise(element)?;
-        let plan = Plan::of(element, has_vertices)?;
-        match plan.kind {
-            Kind::Vertices => {
+        data.check_count(element)?;
+        let plan = ElementReader::of(element, has_vertices)?;
+        match plan.role {
+            ElementRole::Vertices => {
                 has_vertices = true;
-                gather.expect(element.count, 0);
+                gather.reserve(element.count, 0);
             }
-            Kind::Faces => gather.expect(0, element.count),
-            Kind::Strips => gather.warn("triangle strips are left out".into()),
-            Kind::Other => {}
+            ElementRole::Faces => gather.reserve(0, element.count),
+            ElementRole::Strips => gather.warn("triangle strips are left out".into()),
+            ElementRole::Other => {}
         }
-        if element.has("red") && plan.kind != Kind::Other {
+        if element.has("red") && plan.role != ElementRole::Other {
             gather.warn(format!("the colours of the element {} are left out", quoted(&element.name)));
         }
         // What has no properties has no data, however often.
@@ -44,7 +44,7 @@ pub fn read(bytes: &[u8]) -> Result<TriangleMesh, Wrong> {
         for number in 0..count {
             // The place is put together only when something is wrong there.
             plan.read(&mut data, &mut gather).map_err(|reason| {
-                let (line, byte) = data.place();
+                let (line, byte) = data.position();
                 let name = quoted(&element.name);
                 (line, format!("{name} {number} of {count}{byte}: {reason}"))
             })?;
@@ -55,7 +55,7 @@ pub fn read(bytes: &[u8]) -> Result<TriangleMesh, Wrong> {
 
 /// What an element is to a mesh.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-enum Kind {
+enum ElementRole {
     Vertices,
     Faces,
     Strips,
@@ -63,86 +63,94 @@ enum Kind {
 }
 
 /// What is done with an element.
-struct Plan<'h> {
-    kind: Kind,
+struct ElementReader<'h> {
+    role: ElementRole,
     has_normals: bool,
     /// Each property, and where its number goes.
-    steps: Vec<(&'h Property, Option<usize>)>,
+    properties: Vec<(&'h PlyProperty, Option<usize>)>,
 }
 
 /// Where the numbers of a vertex go.
-const OF_VERTEX: [&str; 6] = ["x", "y", "z", "nx", "ny", "nz"];
+const VERTEX_PROPERTIES: [&str; 6] = ["x", "y", "z", "nx", "ny", "nz"];
 
-impl<'h> Plan<'h> {
-    fn of(element: &'h Element, has_vertices: bool) -> Result<Self, Wrong> {
-        let is_number = |name: &&str| element.properties.iter().any(|p| p.name == **name && p.list.is_none());
-        let kind = match element.name.as_str() {
-            "vertex" => Kind::Vertices,
-            "face" => Kind::Faces,
-            "tristrips" => Kind::Strips,
-            _ => Kind::Other,
+impl<'h> ElementReader<'h> {
+    fn of(element: &'h PlyElement, has_vertices: bool) -> Result<Self, LineError> {
+        let is_number =
+            |name: &&str| element.properties.iter().any(|p| p.name == **name && p.count_type.is_none());
+        let role = match element.name.as_str() {
+            "vertex" => ElementRole::Vertices,
+            "face" => ElementRole::Faces,
+            "tristrips" => ElementRole::Strips,
+            _ => ElementRole::Other,
         };
         let of_face = if element.has("vertex_indices") { "vertex_indices" } else { "vertex_index" };
-        if kind == Kind::Vertices && !OF_VERTEX[..3].iter().all(is_number) {
-            return element.wrong("the element `vertex` needs the properties x, y and z");
+        if role == ElementRole::Vertices && !VERTEX_PROPERTIES[..3].iter().all(is_number) {
+            return element.error("the element `vertex` needs the properties x, y and z");
         }
-        if kind == Kind::Faces {
+        if role == ElementRole::Faces {
             let list = element.properties.iter().find(|p| p.name == of_face);
-            if !list.is_some_and(|p| p.list.is_some() && p.of.is_whole()) {
-                return element.wrong("the element `face` needs a list `vertex_indices` of integers");
+            if !list.is_some_and(|p| p.count_type.is_some() && p.scalar_type.is_integer()) {
+                return element.error("the element `face` needs a list `vertex_indices` of integers");
             }
             if !has_vertices && element.count > 0 {
-                return element.wrong("the faces stand before the vertices, or there are none");
+                return element.error("the faces stand before the vertices, or there are none");
             }
         }
-        let goal = |property: &Property| match kind {
-            Kind::Vertices if property.list.is_none() => OF_VERTEX.iter().position(|n| *n == property.name),
-            Kind::Faces => (property.name == of_face).then_some(0),
+        let goal = |property: &PlyProperty| match role {
+            ElementRole::Vertices if property.count_type.is_none() => {
+                VERTEX_PROPERTIES.iter().position(|n| *n == property.name)
+            }
+            ElementRole::Faces => (property.name == of_face).then_some(0),
             _ => None,
         };
-        let has_normals = kind == Kind::Vertices && OF_VERTEX[3..].iter().all(is_number);
-        Ok(Plan { kind, has_normals, steps: element.properties.iter().map(|p| (p, goal(p))).collect() })
+        let has_normals = role == ElementRole::Vertices && VERTEX_PROPERTIES[3..].iter().all(is_number);
+        Ok(ElementReader {
+            role,
+            has_normals,
+            properties: element.properties.iter().map(|p| (p, goal(p))).collect(),
+        })
     }
 
     /// Reads one element.
-    fn read(&self, data: &mut Data<'_>, gather: &mut Gather) -> Result<(), String> {
+    fn read(&self, data: &mut PlyReader<'_>, gather: &mut MeshBuilder) -> Result<(), String> {
         let mut vertex = [0.0; 6];
-        let mut face = gather.take_list();
-        for (property, goal) in &self.steps {
-            let Some(length) = property.list else {
-                let number = data.number(property.of)?;
+        let mut face = gather.take_face_buffer();
+        for (property, goal) in &self.properties {
+            let Some(length) = property.count_type else {
+                let number = data.number(property.scalar_type)?;
                 if let Some(goal) = goal {
                     vertex[*goal] = number as f32;
                 }
                 continue;
             };
             let length = data.number(length)?;
-            let length =
-                whole(length, data.left.len()).ok_or_else(|| format!("a list of {length} numbers"))?;
+            let length = as_integer(length, data.remaining.len())
+                .ok_or_else(|| format!("a list of {length} numbers"))?;
             for _ in 0..length {
-                let number = data.number(property.of)?;
+                let number = data.number(property.scalar_type)?;
                 if goal.is_some() {
-                    let corner = whole(number, usize::MAX).filter(|corner| *corner < gather.corners());
+                    let corner =
+                        as_integer(number, usize::MAX).filter(|corner| *corner < gather.vertex_count());
                     face.push(corner.ok_or_else(|| format!("there is no vertex {number}"))? as u32);
                 }
             }
         }
-        match self.kind {
-            Kind::Vertices => {
+        match self.role {
+            ElementRole::Vertices => {
                 let [x, y, z, nx, ny, nz] = vertex;
                 let point = [coordinate(x)?, coordinate(y)?, coordinate(z)?];
-                gather.corner(point, self.has_normals.then_some([nx, ny, nz]))?;
+                gather.add_vertex(point, self.has_normals.then_some([nx, ny, nz]))?;
             }
-            Kind::Faces => gather.polygon(&face, data.line()),
-            Kind::Strips | Kind::Other => {}
+            ElementRole::Faces => gather.add_polygon(&face, data.line()),
+            ElementRole::Strips | ElementRole::Other => {}
         }
-        gather.give_list(face);
+        gather.return_face_buffer(face);
         Ok(())
     }
 }
 
 /// The integer that `number` is, if it is one and not more than `most`.
-fn whole(number: f64, most: usize) -> Option<usize> {
+fn as_integer(number: f64, most: usize) -> Option<usize> {
     let cast = number as usize;
     (cast as f64 == number && cast <= most).then_some(cast)
 }

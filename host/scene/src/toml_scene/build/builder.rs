@@ -1,0 +1,118 @@
+//! A description that grows.
+
+use std::collections::HashMap;
+use std::ops::Range;
+
+use strahl_core::{Material, Resolution};
+
+use super::mesh_files::MeshFiles;
+use crate::description::{
+    CameraDescription, Float3, LinearMotion, LoadedScene, Located, ObjectDescription, ProjectionDescription,
+    ShapeDescription,
+};
+use crate::diagnostics::{Diagnostic, LineIndex};
+use crate::toml_scene::value::TableReader;
+
+/// What is up.
+pub const DEFAULT_UP: Float3 = [0.0, 1.0, 0.0];
+/// The full vertical angle of view in degrees.
+pub const DEFAULT_VIEW_ANGLE: f32 = 45.0;
+
+/// The materials that have been made, by what calls for them.
+#[derive(Default)]
+pub struct MaterialIds {
+    pub named: HashMap<String, u16>,
+    pub default: Option<u16>,
+}
+
+/// A description that grows, and what is wrong with what it is made of.
+pub struct SceneBuilder<'m> {
+    pub reader: TableReader<'m>,
+    pub lines: &'m LineIndex,
+    pub scene: LoadedScene,
+    pub material_ids: MaterialIds,
+    pub meshes: MeshFiles<'m>,
+    /// Of the picture, where the file does not say it.
+    pub size: Resolution,
+    /// Whether it has been told that there are too many materials.
+    pub reported_too_many: bool,
+    /// Triangles without area, and the line of the first.
+    pub degenerate: (usize, usize),
+}
+
+impl<'m> SceneBuilder<'m> {
+    /// Nothing, for a picture of `size`.
+    pub fn new(
+        reader: TableReader<'m>,
+        lines: &'m LineIndex,
+        meshes: MeshFiles<'m>,
+        size: Resolution,
+    ) -> Self {
+        let from = [0.0, 0.0, 1.0];
+        let view = CameraDescription {
+            from,
+            at: [0.0; 3],
+            up: DEFAULT_UP,
+            projection: ProjectionDescription::Perspective(DEFAULT_VIEW_ANGLE),
+        };
+        let description = LoadedScene::new(view);
+        SceneBuilder {
+            reader,
+            lines,
+            scene: description,
+            material_ids: MaterialIds::default(),
+            meshes,
+            size,
+            reported_too_many: false,
+            degenerate: (0, 0),
+        }
+    }
+
+    /// Puts an object into the table, which moves if there is a velocity.
+    pub fn add_object(
+        &mut self,
+        form: ShapeDescription,
+        material: u16,
+        velocity: Float3,
+        span: &Range<usize>,
+    ) {
+        let line = u32::try_from(self.lines.line_number(span.start)).unwrap_or(u32::MAX);
+        if let ShapeDescription::Degenerate = form {
+            let first = if self.degenerate.0 == 0 { line as usize } else { self.degenerate.1 };
+            self.degenerate = (self.degenerate.0 + 1, first);
+        }
+        if velocity != [0.0; 3] {
+            let object = self.scene.objects.len();
+            self.scene.motions.push(LinearMotion { object, velocity });
+        }
+        self.scene.objects.push(ObjectDescription { shape: form, material, line });
+    }
+
+    /// Puts corners, and normals where there are some, into the tables; the place of the first.
+    pub fn add_vertices(&mut self, points: impl IntoIterator<Item = Float3>, normals: &[Float3]) -> u32 {
+        let it = &mut self.scene;
+        let first = it.vertices.len();
+        it.vertices.extend(points);
+        if !normals.is_empty() {
+            // The normal of a corner has the corner's place; corners before it may have none.
+            it.normals.resize(first, [0.0, 0.0, 1.0]);
+            it.normals.extend(normals);
+        }
+        u32::try_from(first).unwrap_or(u32::MAX)
+    }
+
+    /// Puts a material into the table.
+    pub fn add_material(&mut self, it: Material, name: Option<String>, span: &Range<usize>) -> Option<u16> {
+        let materials = &mut self.scene.materials;
+        let Ok(place) = u16::try_from(materials.len()) else {
+            if !std::mem::replace(&mut self.reported_too_many, true) {
+                let what = format!("this is more than {} materials", materials.len());
+                let fault = Diagnostic::new(span.clone(), what);
+                self.reader.diagnostics.push(fault.with_help("give equal ones one name"));
+            }
+            return None;
+        };
+        materials.push(Located { value: it, line: self.lines.line_number(span.start), name });
+        Some(place)
+    }
+}

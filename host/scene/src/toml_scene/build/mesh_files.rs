@@ -1,0 +1,21 @@
+//! The files of meshes.
+
+use std::collections::HashMap;
+use std::path::{Path, PathBuf};
+
+use crate::mesh::TriangleMesh;
+use crate::source_files::SourceFiles;
+
+/// The files of meshes, each of which is read once.
+pub struct MeshFiles<'m> {
+    pub files: &'m SourceFiles,
+    pub folder: &'m Path,
+    pub read: HashMap<PathBuf, Option<TriangleMesh>>,
+}
+
+impl<'m> MeshFiles<'m> {
+    /// None yet, of a scene in `folder`.
+    pub fn of(files: &'m SourceFiles, folder: &'m Path) -> Self {
+        MeshFiles { files, folder, read: HashMap::new() }
+    }
+}
