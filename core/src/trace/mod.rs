@@ -15,6 +15,7 @@ mod hit_id;
 mod limits;
 mod pixel_sample;
 mod ray_tracer;
+mod secondary_rays;
 mod task;
 mod tracer;
 mod worker;

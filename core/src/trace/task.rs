@@ -31,6 +31,20 @@ impl Task {
     }
 }
 
+/// A reflected or transmitted ray that starts at a hit.
+pub(crate) struct SecondaryRay {
+    /// Origin, world space.
+    pub(crate) origin: Vec3,
+    /// Direction, unit.
+    pub(crate) direction: Vec3,
+    /// Fraction of the radiance along this ray that the surface returns.
+    pub(crate) factor: Rgb,
+    /// [`RayKind::Reflected`] or [`RayKind::Transmitted`].
+    pub(crate) kind: RayKind,
+    /// Bodies that it starts inside.
+    pub(crate) media: MediumStack,
+}
+
 /// A stack with the capacity for every ray tree of `LEVELS` levels, 1 to 64.
 ///
 /// Proof: the stack is last in, first out, and tracing a task of level `l` pushes at most two tasks, of level `l + 1`.
