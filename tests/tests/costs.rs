@@ -1,4 +1,4 @@
-//! What pixels cost: the same for any number of threads, and together what the picture costs.
+//! Cost maps: independent of the number of threads, and the sum over all pixels is the cost of the picture.
 
 use std::path::Path;
 
@@ -28,29 +28,29 @@ fn settings() -> Settings {
 }
 
 #[test]
-fn threads_change_no_pixels_cost() {
+fn threads_do_not_change_the_cost_map() {
     let samplers = ["single", "regular:2", "adaptive:2:0.05", "stochastic:2..16:0.9:0.02"];
-    let mut pictures: Vec<Settings> =
+    let mut variants: Vec<Settings> =
         samplers.map(|it| Settings { sampler: it.parse().unwrap(), ..settings() }).to_vec();
-    pictures.push(Settings { select: Some("8:0.05".parse().unwrap()), ..settings() });
-    for picture in pictures {
-        let by = |threads| costs(&Settings { threads, ..picture.clone() });
-        assert!(by(1) == by(3), "{} {:?}", picture.sampler, picture.select);
+    variants.push(Settings { select: Some("8:0.05".parse().unwrap()), ..settings() });
+    for variant in variants {
+        let by = |threads| costs(&Settings { threads, ..variant.clone() });
+        assert!(by(1) == by(3), "{} {:?}", variant.sampler, variant.select);
     }
 }
 
 #[test]
-fn one_ray_in_each_pixel_costs_a_camera_ray_and_what_follows() {
+fn with_one_sample_each_pixel_costs_a_camera_ray_and_its_descendants() {
     let costs = costs(&settings());
     assert!(costs.iter().all(|cost| cost.rays[0] == 1 && cost.level >= 1));
     let deep = costs.iter().filter(|cost| cost.level > 3).count();
     assert!(deep > 50 && deep < costs.len() / 2, "{deep}");
-    // No deeper than there are rays.
+    // The level is at most the number of rays.
     assert!(costs.iter().all(|cost| cost.rays[..3].iter().sum::<u32>() >= cost.level.into()));
 }
 
 #[test]
-fn all_pixels_together_cost_what_the_picture_costs() {
+fn the_sum_over_all_pixels_is_the_cost_of_the_picture() {
     let scene = scene("classic.toml");
     let size = Resolution::new(40, 30).unwrap();
     for (sampler, select, precision) in [
@@ -75,9 +75,9 @@ fn all_pixels_together_cost_what_the_picture_costs() {
                 costs.iter().map(|cost| u64::from(of(cost)[kind as usize])).sum::<u64>()
             };
             let sums = [sum(|it| it.rays), sum(|it| it.boxes), sum(|it| it.shapes), sum(|it| it.regions)];
-            let whole = |of: PerRayKind| of[kind];
-            let wholes = [counts.rays, counts.box_tests, counts.shape_tests, counts.leaf_visits].map(whole);
-            assert_eq!(sums, wholes, "{sampler} {kind:?}");
+            let total = |of: PerRayKind| of[kind];
+            let totals = [counts.rays, counts.box_tests, counts.shape_tests, counts.leaf_visits].map(total);
+            assert_eq!(sums, totals, "{sampler} {kind:?}");
         }
         assert_eq!(costs.iter().map(|cost| cost.level).max(), Some(counts.max_level), "{sampler}");
         assert!(counts.max_level > 2);

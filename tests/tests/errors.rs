@@ -5,7 +5,7 @@ use strahl_core::scene::{EffectSet, Effects, SceneError};
 use strahl_core::trace::TracerError;
 use strahl_core::*;
 
-const LAMP: Light = Light {
+const SPOT_LIGHT: Light = Light {
     source: LightSource::Spot {
         position: vec3(0.0, 5.0, 0.0),
         direction: vec3(0.0, -1.0, 0.0),
@@ -22,9 +22,9 @@ fn error(parts: SceneDescriptor<'_>) -> String {
 }
 
 fn lit(change: impl Fn(&mut LightSource)) -> String {
-    let mut lamp = LAMP;
-    change(&mut lamp.source);
-    error(SceneDescriptor { lights: &[LAMP, lamp], ..SceneDescriptor::EMPTY })
+    let mut light = SPOT_LIGHT;
+    change(&mut light.source);
+    error(SceneDescriptor { lights: &[SPOT_LIGHT, light], ..SceneDescriptor::EMPTY })
 }
 
 #[test]
@@ -38,7 +38,7 @@ fn a_light_out_of_range_is_named_with_its_field() {
     assert_eq!(spot(1.5, 0.5), "light 1: `cos_inner` is 1.5, must be at most 1 and at least `cos_outer`");
     assert_eq!(spot(0.25, 0.5), "light 1: `cos_inner` is 0.25, must be at most 1 and at least `cos_outer`");
     assert_eq!(spot(0.5, -2.0), "light 1: `cos_outer` is -2, must be in -1..=1");
-    let aimed = |way| lit(|source| *source = LightSource::Directional { to_light: way });
+    let aimed = |toward| lit(|source| *source = LightSource::Directional { to_light: toward });
     assert_eq!(aimed(vec3(0.0, 2.0, 0.0)), "light 1: `toward` has the length 2, must be 1");
     let far = vec3(0.0, f32::NAN, 0.0);
     let point = |falloff, position| lit(|source| *source = LightSource::Point { position, falloff });
@@ -48,7 +48,7 @@ fn a_light_out_of_range_is_named_with_its_field() {
     );
     let nothing = Falloff { constant: 0.0, ..Falloff::NONE };
     assert_eq!(point(nothing, Vec3::ZERO), "light 1: `falloff` has the sum 0, must be more than 0");
-    let bright = [Light { color: Rgb::new(0.0, -1.0, 0.0), ..LAMP }];
+    let bright = [Light { color: Rgb::new(0.0, -1.0, 0.0), ..SPOT_LIGHT }];
     let parts = SceneDescriptor { lights: &bright, ..SceneDescriptor::EMPTY };
     assert_eq!(error(parts), "light 0: `color` has a channel of -1, must be in 0..=1e6");
 }
@@ -79,8 +79,8 @@ fn materials_textures_and_surroundings_out_of_range_are_named_with_their_field()
         ..SceneDescriptor::EMPTY
     };
     assert_eq!(error(parts), "background: `up` has the length 0, must be 1");
-    let ball = [Shape::Sphere(Sphere { center: Vec3::ZERO, radius: 1.0 })];
-    let geometry = Geometry { shapes: &ball, ..Geometry::EMPTY };
+    let sphere = [Shape::Sphere(Sphere { center: Vec3::ZERO, radius: 1.0 })];
+    let geometry = Geometry { shapes: &sphere, ..Geometry::EMPTY };
     let parts = SceneDescriptor {
         geometry,
         material_ids: &[MaterialId(1)],
@@ -91,7 +91,7 @@ fn materials_textures_and_surroundings_out_of_range_are_named_with_their_field()
     assert_eq!(error(parts), "object 0: `material_ids` names no entry of `materials`");
 }
 
-/// Spheres and nothing else.
+/// Spheres only.
 #[derive(Debug)]
 struct Spheres;
 
@@ -101,7 +101,7 @@ impl Effects for Spheres {
 }
 
 #[test]
-fn a_tracer_says_which_effects_it_lacks_and_what_to_do() {
+fn a_tracer_error_names_the_missing_effects_and_the_remedy() {
     let mut tables = SceneTables::new();
     let shiny = Material { reflection: Rgb::WHITE, roughness: 0.5, ..Material::MATTE };
     let shiny = tables.add_material(shiny);

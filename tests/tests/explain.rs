@@ -1,4 +1,4 @@
-//! The tree of rays that is told of a pixel makes the pixel, bit for bit.
+//! `explain`: the ray tree of a pixel adds up to the pixel, bit for bit.
 
 use std::path::{Path, PathBuf};
 
@@ -25,7 +25,7 @@ fn settings(description: &LoadedScene, sampling: SamplerSettings) -> Settings {
     Settings::resolve(&given, &description.settings).unwrap()
 }
 
-/// The pixel as `render` traces it, with whatever it takes to find items.
+/// The pixel as `render` traces it.
 fn rendered(description: &LoadedScene, settings: &Settings, pixel: Pixel) -> Rgb {
     let region = Some(Tile { first: pixel, width: 1, height: 1 });
     let settings = Settings { region, ..settings.clone() };
@@ -34,7 +34,7 @@ fn rendered(description: &LoadedScene, settings: &Settings, pixel: Pixel) -> Rgb
     output.picture.colors[0]
 }
 
-/// The channels of a colour that stands in JSON.
+/// The channels of a color in JSON.
 fn rgb(value: &Value) -> [f32; 3] {
     std::array::from_fn(|channel| value[channel].as_f64().unwrap() as f32)
 }
@@ -47,26 +47,26 @@ fn times([a, b, c]: [f32; 3], [x, y, z]: [f32; 3]) -> [f32; 3] {
     [a * x, b * y, c * z]
 }
 
-/// Does every sum of one sample's tree again, from what is printed.
+/// Repeats every sum of one sample's tree from its printed numbers.
 fn sample_of(sample: &Value) -> [f32; 3] {
     let rays = sample["rays"].as_array().unwrap();
     let mut sum = [0.0; 3];
     for ray in rays {
-        let there = if ray["hit"].is_null() {
+        let weight_there = if ray["hit"].is_null() {
             rgb(&ray["weight"])
         } else {
             times(rgb(&ray["weight"]), rgb(&ray["hit"]["left"]))
         };
-        assert_eq!(there, rgb(&ray["weight_there"]), "{ray}");
+        assert_eq!(weight_there, rgb(&ray["weight_there"]), "{ray}");
         if !ray["ambient"].is_null() {
             let lights = ray["lights"].as_array().unwrap().iter().filter(|light| !light["adds"].is_null());
             let light = lights.fold(rgb(&ray["ambient"]), |sum, light| added(sum, rgb(&light["adds"])));
             assert_eq!(light, rgb(&ray["light"]), "{ray}");
         }
-        assert_eq!(times(there, rgb(&ray["light"])), rgb(&ray["adds"]), "{ray}");
+        assert_eq!(times(weight_there, rgb(&ray["light"])), rgb(&ray["adds"]), "{ray}");
         for sent in ray["sends"].as_array().unwrap() {
-            assert_eq!(times(there, rgb(&sent["share"])), rgb(&sent["weight"]), "{ray}");
-            // It is sent, or it is said why not.
+            assert_eq!(times(weight_there, rgb(&sent["share"])), rgb(&sent["weight"]), "{ray}");
+            // A ray is traced, or the reason why not is given.
             assert_ne!(sent["ray"].is_null(), sent["cut"].is_null(), "{ray}");
             if let Some(number) = sent["ray"].as_u64() {
                 let child = &rays[number as usize - 1];
@@ -81,19 +81,19 @@ fn sample_of(sample: &Value) -> [f32; 3] {
     sum
 }
 
-/// Does the sum of the samples again.
+/// Repeats the sum of the samples.
 fn pixel_of(sum: &Value, samples: &Value) -> [f32; 3] {
     let samples: Vec<_> = samples.as_array().unwrap().iter().map(sample_of).collect();
     if let Some(parts) = sum["parts"].as_array() {
         parts.iter().fold([0.0; 3], |sum, part| {
-            let corner = |place: usize| samples[part["samples"][place].as_u64().unwrap() as usize - 1];
+            let corner = |i: usize| samples[part["samples"][i].as_u64().unwrap() as usize - 1];
             let side = part["side"].as_f64().unwrap() as f32;
             let mean = times(added(added(corner(0), corner(1)), added(corner(2), corner(3))), [0.25; 3]);
             added(sum, times(mean, [side * side; 3]))
         })
     } else {
-        let share = sum["mean"]["share"].as_f64().unwrap() as f32;
-        times(samples.into_iter().fold([0.0; 3], added), [share; 3])
+        let weight = sum["mean"]["share"].as_f64().unwrap() as f32;
+        times(samples.into_iter().fold([0.0; 3], added), [weight; 3])
     }
 }
 
@@ -101,22 +101,22 @@ fn bits(color: [f32; 3]) -> [u32; 3] {
     color.map(f32::to_bits)
 }
 
-/// Compares some pixels of a scene; how many rays, and how many of them were cut.
-fn hold(name: &str, sampler: &str) -> (usize, usize) {
+/// Compares some pixels of a scene. Returns the numbers of traced and of discarded rays.
+fn assert_tree_sums_to_pixel(name: &str, sampler: &str) -> (usize, usize) {
     let description = scene(name);
     let settings = settings(&description, sampler.parse().unwrap());
     let (mut rays, mut cut) = (0, 0);
     for (x, y) in [(0, 0), (39, 29), (20, 15), (13, 18), (27, 12), (9, 22), (31, 21), (22, 24)] {
         let pixel = Pixel { x, y };
         let Traced { color, sum, samples } = trace(&description, &settings, pixel).unwrap();
-        let truth = rendered(&description, &settings, pixel);
-        let [truth, color] = [truth, color].map(|c| [c.r, c.g, c.b]);
-        assert_eq!(bits(color), bits(truth), "{name} {sampler} {pixel:?}");
+        let expected = rendered(&description, &settings, pixel);
+        let [expected, color] = [expected, color].map(|c| [c.r, c.g, c.b]);
+        assert_eq!(bits(color), bits(expected), "{name} {sampler} {pixel:?}");
 
-        // As it is printed.
+        // The printed numbers.
         let text = serde_json::to_string(&(&sum, &samples)).unwrap();
         let printed: Value = serde_json::from_str(&text).unwrap();
-        assert_eq!(bits(pixel_of(&printed[0], &printed[1])), bits(truth), "{name} {sampler} {pixel:?}");
+        assert_eq!(bits(pixel_of(&printed[0], &printed[1])), bits(expected), "{name} {sampler} {pixel:?}");
         for ray in samples.iter().flat_map(|sample| &sample.rays) {
             rays += 1;
             cut += ray.sends.iter().filter(|sent| sent.cut.is_some()).count();
@@ -126,7 +126,7 @@ fn hold(name: &str, sampler: &str) -> (usize, usize) {
 }
 
 #[test]
-fn the_tree_of_one_ray_makes_the_pixel() {
+fn the_tree_of_one_sample_adds_up_to_the_pixel() {
     let (mut rays, mut cut) = (0, 0);
     for name in [
         "classic.toml",
@@ -139,16 +139,16 @@ fn the_tree_of_one_ray_makes_the_pixel() {
         "knot.toml",
         "sphereflake.toml",
     ] {
-        let (more, more_cut) = hold(name, "single");
+        let (more, more_cut) = assert_tree_sums_to_pixel(name, "single");
         rays += more;
         cut += more_cut;
     }
-    // Trees, not single rays, and some branches that end.
+    // Trees with more than one ray, and some discarded branches.
     assert!(rays > 150 && cut > 15, "{rays} rays, {cut} cut");
 }
 
 #[test]
-fn the_trees_of_many_rays_make_the_pixel() {
+fn the_trees_of_many_samples_add_up_to_the_pixel() {
     for (name, sampler) in [
         ("glass.toml", "regular:3"),
         ("penumbra.toml", "stochastic:5"),
@@ -156,12 +156,12 @@ fn the_trees_of_many_rays_make_the_pixel() {
         ("classic.toml", "adaptive:0:0"),
         ("glass.toml", "adaptive:3:0.02"),
     ] {
-        hold(name, sampler);
+        assert_tree_sums_to_pixel(name, sampler);
     }
 }
 
 #[test]
-fn lights_are_seen_or_it_is_told_what_stands_in_their_way() {
+fn an_occluded_light_has_an_occluder() {
     let description = scene("classic.toml");
     let settings = settings(&description, SamplerSettings::Single);
     let mut outcomes = std::collections::BTreeMap::new();

@@ -1,18 +1,16 @@
-//! Golden pictures: the scenes of this project, rendered small, must stay as they are, bit for
-//! bit.
+//! Golden pictures: small renderings of the project's scenes must not change, bit for bit.
 //!
-//! Each is rendered by every accelerator, with every mailbox, heap and stack.
+//! Each scene is rendered with every accelerator, mailbox, heap and stack.
 //!
-//! For each picture `tests/golden/` has the PNG, and `tests/golden/digests` the BLAKE3 of its
-//! linear floats. Where a change of a picture is meant, accept it with
+//! For each picture `tests/golden/` has the PNG, and `tests/golden/digests` the BLAKE3 digest of its linear floats. Accept an
+//! intended change of a picture with
 //!
 //! ```text
 //! STRAHL_ACCEPT=1 cargo test -p strahl-tests --test picture
 //! ```
 //!
-//! and look at what git shows. When a picture is not the golden one, the new picture and the
-//! difference (brighter is more different) are written to `target/golden/`, and the failure
-//! names them.
+//! and look at the difference in git. If a picture differs, the new picture and the difference (brighter is more different)
+//! are written to `target/golden/`, and the failure message names them.
 
 use std::collections::BTreeMap;
 use std::fs;
@@ -29,7 +27,7 @@ use strahl_settings::{AccelSettings, Bounds, ContrastSettings, SamplerSettings, 
 #[path = "../firmware/src/scene.rs"]
 mod constants;
 
-/// The scenes, and how large their golden pictures are.
+/// The scenes, and the sizes and samplers of their golden pictures.
 const SCENES: [(&str, u32, u32, SamplerSettings); 19] = [
     ("classic.toml", 96, 72, SamplerSettings::Regular(2)),
     ("first.toml", 96, 72, SamplerSettings::Regular(2)),
@@ -61,7 +59,7 @@ const SCENES: [(&str, u32, u32, SamplerSettings); 19] = [
 ];
 
 #[test]
-fn every_scene_looks_as_it_did() {
+fn every_scene_has_its_golden_picture() {
     let differences: Vec<String> = SCENES
         .iter()
         .filter_map(|(file, width, height, sampling)| {
@@ -73,14 +71,14 @@ fn every_scene_looks_as_it_did() {
 }
 
 #[test]
-fn every_scene_has_a_golden_picture_and_one_in_the_gallery() {
+fn every_scene_is_tested_and_has_a_gallery_picture() {
     let mut files: Vec<String> = fs::read_dir(root().join("scenes"))
         .unwrap()
         .map(|entry| entry.unwrap().file_name().into_string().unwrap())
         .filter(|name| name.ends_with(".toml") || name.ends_with(".nff"))
         .collect();
     files.sort();
-    assert_eq!(files, SCENES.map(|(file, ..)| file), "the scenes, and those of this test");
+    assert_eq!(files, SCENES.map(|(file, ..)| file), "the files in scenes/, and the scenes of this test");
     for (file, ..) in SCENES {
         let picture = root().join("scenes/gallery").join(stem(file)).with_extension("png");
         let bytes =
@@ -90,16 +88,16 @@ fn every_scene_has_a_golden_picture_and_one_in_the_gallery() {
 }
 
 #[test]
-fn the_rotunda_without_secondary_rays_looks_as_it_did() {
+fn the_rotunda_without_secondary_rays_has_its_golden_picture() {
     let picture = scene_file("rotunda.nff", 96, 60, Some(1), SamplerSettings::CORNERS);
     golden("rotunda-level-1", &picture).unwrap();
 }
 
 #[test]
-fn the_scene_of_the_firmware_looks_as_it_did() {
+fn the_scene_of_the_firmware_has_its_golden_picture() {
     let picture = constants::<constants::Golden>();
     golden("firmware", &picture).unwrap();
-    assert_eq!(constants::<AllEffects>(), picture, "the smallest tracer and the one that can do everything");
+    assert_eq!(constants::<AllEffects>(), picture, "the smallest effect set and all effects");
 }
 
 /// The name of a file without its extension.
@@ -107,11 +105,11 @@ fn stem(file: &str) -> &str {
     file.split('.').next().unwrap()
 }
 
-/// The most objects for which every one of them is held against every ray.
-const FEW: usize = 1000;
+/// Largest number of objects for a list without bounds.
+const MAX_UNBOUNDED: usize = 1000;
 
-/// Renders a scene of the folder `scenes`, with the levels and the cutoff that it asks for itself.
-/// Every way of finding must give the same picture, which is held at a quarter of the size.
+/// Renders a scene of the folder `scenes` with its own levels and cutoff. Asserts that every accelerator gives the same
+/// picture, at a quarter of the size.
 fn scene_file(name: &str, width: u32, height: u32, levels: Option<u8>, sampling: SamplerSettings) -> Picture {
     let path = root().join("scenes").join(name);
     let description = strahl_scene::load(&path).unwrap();
@@ -129,15 +127,16 @@ fn scene_file(name: &str, width: u32, height: u32, levels: Option<u8>, sampling:
     };
     let quarter = |accel| rendered(width / 4, height / 4, accel);
     let output = quarter(AccelSettings::DEFAULT);
-    let is_affordable = |it: &AccelSettings| it.bounds != Bounds::None || output.scene.objects <= FEW;
+    let is_affordable =
+        |it: &AccelSettings| it.bounds != Bounds::None || output.scene.objects <= MAX_UNBOUNDED;
     for accel in AccelSettings::all_variants().into_iter().filter(is_affordable) {
-        // Not by `assert_eq`, which would print all of both.
-        assert!(quarter(accel).picture == output.picture, "{name} by {accel:?} is another picture");
+        // Without `assert_eq`, which would print both pictures.
+        assert!(quarter(accel).picture == output.picture, "{name} by {accel:?} differs");
     }
     rendered(width, height, AccelSettings::DEFAULT).picture
 }
 
-/// Renders the scene that the firmware has as constants.
+/// Renders the constant scene of the firmware.
 fn constants<E: Effects>() -> Picture {
     let size = constants::SIZE;
     let world =
@@ -156,7 +155,7 @@ fn root() -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).parent().unwrap().to_owned()
 }
 
-/// Holds a picture against the golden one, or makes it the golden one.
+/// Compares a picture with the golden one, or accepts it as the golden one.
 fn golden(name: &str, picture: &Picture) -> Result<(), String> {
     let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("golden");
     let png = folder.join(name).with_extension("png");
@@ -178,9 +177,9 @@ fn golden(name: &str, picture: &Picture) -> Result<(), String> {
     if digests.get(name) == Some(&digest) && same_pixels {
         return Ok(());
     }
-    let seen = root().join("target/golden");
-    fs::create_dir_all(&seen).unwrap();
-    let new = seen.join(format!("{name}-new.png"));
+    let output = root().join("target/golden");
+    fs::create_dir_all(&output).unwrap();
+    let new = output.join(format!("{name}-new.png"));
     fs::write(&new, PictureFormat::Png.encode(picture).unwrap()).unwrap();
     let mut message = format!(
         "{name} is not the golden picture\n  digest of the linear floats: {digest}\n  golden: {:?}\n  8-bit pixels: {}\n  new: {}",
@@ -189,8 +188,8 @@ fn golden(name: &str, picture: &Picture) -> Result<(), String> {
         new.display(),
     );
     if golden.dimensions() == (picture.size.width(), picture.size.height()) && !same_pixels {
-        let difference = seen.join(format!("{name}-difference.png"));
-        // A difference of one step must be seen.
+        let difference = output.join(format!("{name}-difference.png"));
+        // A difference of one step must be visible.
         let bytes = golden.as_raw().iter().zip(&pixels).map(|(a, b)| match a.abs_diff(*b) {
             0 => 0,
             steps => steps.saturating_mul(8).saturating_add(63),
@@ -207,10 +206,10 @@ fn digests(path: &Path) -> BTreeMap<String, String> {
     text.lines().filter_map(|line| line.split_once(' ')).map(|(n, d)| (n.into(), d.into())).collect()
 }
 
-/// Puts one digest into the list. Tests run side by side, so one at a time.
+/// Stores one digest in the file. Tests run in parallel, so that a lock is needed.
 fn accept(path: &Path, name: &str, digest: &str) {
-    static ONE: std::sync::Mutex<()> = std::sync::Mutex::new(());
-    let _one = ONE.lock().unwrap();
+    static LOCK: std::sync::Mutex<()> = std::sync::Mutex::new(());
+    let _guard = LOCK.lock().unwrap();
     let mut all = digests(path);
     all.insert(name.into(), digest.into());
     let text: String = all.iter().map(|(name, digest)| format!("{name} {digest}\n")).collect();

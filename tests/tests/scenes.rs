@@ -1,4 +1,4 @@
-//! The models and the generated scenes in `scenes/` are what their programs make.
+//! The models and the generated scenes in `scenes/` equal the output of their generators.
 
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -19,13 +19,13 @@ fn text(name: &str) -> String {
 }
 
 #[test]
-fn the_turned_models_are_what_their_program_makes() {
+fn the_models_of_revolution_equal_the_output_of_their_example() {
     for (name, bytes) in models::files() {
         assert!(fs::read(root().join("scenes/models").join(&name)).unwrap() == bytes, "{name}");
     }
 }
 
-/// ProceduralScene `strahl generate` writes into a file of this name.
+/// The bytes that `strahl generate` writes into a file of this name.
 fn generated(what: ProceduralScene, size: u32, name: &str, bare: bool) -> Vec<u8> {
     let path = Path::new(env!("CARGO_TARGET_TMPDIR")).join(name);
     let (output, format) = (Some(path.clone()), None::<SceneFormat>);
@@ -35,7 +35,7 @@ fn generated(what: ProceduralScene, size: u32, name: &str, bare: bool) -> Vec<u8
 }
 
 #[test]
-fn the_generated_models_are_what_generate_makes() {
+fn the_generated_models_equal_the_output_of_generate() {
     for (what, size, name) in [
         (ProceduralScene::Knot, 5000, "knot.ply"),
         (ProceduralScene::Tetra, 6, "tetra.ply"),
@@ -47,9 +47,10 @@ fn the_generated_models_are_what_generate_makes() {
 }
 
 #[test]
-fn the_sphereflake_has_the_spheres_that_generate_makes() {
-    let made = String::from_utf8(generated(ProceduralScene::Sphereflake, 3, "flake.toml", true)).unwrap();
-    let spheres = &made[made.find("[[sphere]]").unwrap()..];
+fn the_sphereflake_has_the_spheres_of_generate() {
+    let generated =
+        String::from_utf8(generated(ProceduralScene::Sphereflake, 3, "flake.toml", true)).unwrap();
+    let spheres = &generated[generated.find("[[sphere]]").unwrap()..];
     assert_eq!(spheres.matches("[[sphere]]").count(), 820);
     assert!(text("scenes/sphereflake.toml").ends_with(spheres));
 }

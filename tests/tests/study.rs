@@ -1,4 +1,4 @@
-//! Studies of real scenes: what they must find, and how their page looks in a browser.
+//! Studies of real scenes: their results, and their report page in a browser.
 
 use std::fs;
 use std::io::{BufRead, BufReader, Write};
@@ -26,7 +26,7 @@ fn scene(name: &str) -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("../scenes").join(name)
 }
 
-/// Studies a scene without a clock, so that the same is measured on every machine.
+/// Studies a scene without a time limit, so that every machine measures the same.
 fn studied<T>(
     name: &str,
     plan: &Plan,
@@ -43,9 +43,9 @@ fn studied<T>(
     then(&measured, &reference)
 }
 
-/// The steps of a knob: values, and the errors that they make alone.
-fn steps<'c>(measured: &'c Measurements<'_>, knob: &str) -> &'c [Step] {
-    &measured.knobs.iter().find(|it| it.name == knob).unwrap_or_else(|| panic!("no {knob}")).steps
+/// The steps of a setting: values, and the error of each alone.
+fn steps<'c>(measured: &'c Measurements<'_>, setting: &str) -> &'c [Step] {
+    &measured.knobs.iter().find(|it| it.name == setting).unwrap_or_else(|| panic!("no {setting}")).steps
 }
 
 #[test]
@@ -67,7 +67,7 @@ fn the_error_of_stochastic_sampling_falls_as_it_must() {
         };
         let errors = ["4", "16", "64"].map(error);
         assert!(truth.reference.noise < 0.3 * errors[2], "{} {errors:?}", truth.reference.noise);
-        // Chance alone gives N^-0.5; a sequence of low discrepancy does better, at most N^-1.
+        // Independent random samples give N^-0.5, a low-discrepancy sequence up to N^-1.
         for two in errors.windows(2) {
             let slope = (two[1] / two[0]).ln() / 4_f64.ln();
             assert!(slope < -0.45 && slope > -1.1, "{errors:?}: {slope}");
@@ -76,17 +76,17 @@ fn the_error_of_stochastic_sampling_falls_as_it_must() {
 }
 
 #[test]
-fn no_knob_makes_a_picture_worse_where_it_is_finer() {
+fn no_finer_value_of_a_setting_makes_a_picture_worse() {
     let plan =
         Plan { reference: [64, 64], regular: &[2], stochastic: &[4], repeats: 1, mixes: 6, ..Plan::QUICK };
     studied("classic.toml", &plan, &[Effect::Reflection, Effect::Transmission], |conduct, _| {
-        for knob in ["levels", "cutoff"] {
-            let steps = steps(conduct, knob);
-            assert!(steps.len() > 3, "{knob}");
+        for setting in ["levels", "cutoff"] {
+            let steps = steps(conduct, setting);
+            assert!(steps.len() > 3, "{setting}");
             for two in steps.windows(2) {
                 assert!(
                     two[1].alone.rmse <= two[0].alone.rmse,
-                    "{knob} {} -> {}",
+                    "{setting} {} -> {}",
                     two[0].value,
                     two[1].value
                 );
@@ -96,83 +96,83 @@ fn no_knob_makes_a_picture_worse_where_it_is_finer() {
             let digest = |run: Option<usize>| conduct.taken[run.unwrap()].run.digest.as_str();
             assert_eq!(digest(it.with), digest(it.without), "{}", it.name);
         }
-        // What an effect does is more than what is left of chance.
+        // Leaving out an effect changes the picture by more than the noise.
         let without = steps(conduct, "without");
         let (all, left_out) = without.split_last().unwrap();
         assert_eq!((all.value.as_str(), left_out.len()), ("nothing", 2));
         assert!(left_out.iter().all(|step| step.alone.rmse > 2.0 * all.alone.rmse));
-        // Mixtures reach the front.
+        // Combinations are on the front.
         let points: Vec<Point> =
             conduct.taken.iter().map(|it| Point { cost: it.run.work, error: it.run.error.rmse }).collect();
         assert!(front(&points).len() >= 3);
-        assert!(conduct.beaten > 0, "nothing was left out as beaten");
+        assert!(conduct.beaten > 0, "no dominated setting was left out");
     });
 }
 
-/// A server on this machine that has pages, and remembers what they asked it for.
-struct Server {
+/// A local server that provides pages and records their requests.
+struct TestServer {
     address: String,
-    asked: Arc<Mutex<Vec<String>>>,
+    requests: Arc<Mutex<Vec<String>>>,
 }
 
-/// A page that asks for a picture somewhere else.
+/// A page that requests a picture from another host.
 const FETCHING: &str = "<!DOCTYPE html><title>x</title><img src=\"http://elsewhere.test/picture.png\">";
 
-/// How wide the frames are in which [`FRAMES`] has the report, and how high.
+/// Widths and height, in pixels, of the frames of [`FRAMES`].
 const WIDE: u32 = 1280;
 const NARROW: u32 = 500;
 const HEIGHT: u32 = 1800;
 
-/// The report twice, as in a wide window and in a narrow one, and the page that asks for something.
+/// The report in a wide and in a narrow frame, and the page that requests something.
 const FRAMES: &str = "<!DOCTYPE html><title>x</title><link rel=icon href=data:,>\
     <style>body { margin: 0; display: flex } iframe { border: 0; height: 1800px; flex: none }</style>\
     <iframe src=report.html?wide style=width:1280px></iframe>\
     <iframe src=report.html?narrow style=width:500px></iframe>\
     <iframe src=fetching.html style=width:20px></iframe>";
 
-impl Server {
+impl TestServer {
     fn of(report: Vec<u8>) -> Self {
         let listener = TcpListener::bind("127.0.0.1:0").unwrap();
         let address = listener.local_addr().unwrap().to_string();
-        let asked = Arc::new(Mutex::new(Vec::new()));
-        let (heard, report) = (Arc::clone(&asked), Arc::new(report));
+        let requests = Arc::new(Mutex::new(Vec::new()));
+        let (recorded, report) = (Arc::clone(&requests), Arc::new(report));
         std::thread::spawn(move || {
             for stream in listener.incoming().flatten() {
-                let (heard, report) = (Arc::clone(&heard), Arc::clone(&report));
-                // Browsers open connections before they need them: none waits for another.
-                std::thread::spawn(move || answer(stream, &report, &heard));
+                let (recorded, report) = (Arc::clone(&recorded), Arc::clone(&report));
+                // Browsers open connections before they need them: each has a thread.
+                std::thread::spawn(move || answer(stream, &report, &recorded));
             }
         });
-        Server { address, asked }
+        TestServer { address, requests }
     }
 
-    /// What pages have asked for until now, in the order of names.
-    fn asked(&self) -> Vec<String> {
-        let mut asked = std::mem::take(&mut *self.asked.lock().unwrap());
-        asked.sort();
-        asked
+    /// Returns the paths that pages have requested since the last call, sorted.
+    fn requests(&self) -> Vec<String> {
+        let mut requests = std::mem::take(&mut *self.requests.lock().unwrap());
+        requests.sort();
+        requests
     }
 }
 
-fn answer(mut stream: TcpStream, report: &[u8], asked: &Mutex<Vec<String>>) {
+fn answer(mut stream: TcpStream, report: &[u8], requests: &Mutex<Vec<String>>) {
     let mut line = String::new();
     let mut reader = BufReader::new(stream.try_clone().unwrap());
-    // A connection that says nothing, or no text, asks for nothing of ours.
+    // A connection without a request line is ignored.
     if reader.read_line(&mut line).unwrap_or(0) == 0 {
         return;
     }
-    let what = line.split(' ').nth(1).unwrap_or_default();
-    // Browsers ask for their own updates too; only pages are named as those who refer.
-    let mut is_of_page = what.contains(".html");
+    let path = line.split(' ').nth(1).unwrap_or_default();
+    // Browsers also request their own updates; only requests of pages have a referrer.
+    let mut is_of_page = path.contains(".html");
     let mut header = String::new();
     while reader.read_line(&mut header).unwrap_or(0) > 2 {
         is_of_page |= header.to_ascii_lowercase().starts_with("referer:");
         header.clear();
     }
     if is_of_page {
-        asked.lock().unwrap().push(what.to_owned());
+        requests.lock().unwrap().push(path.to_owned());
     }
-    let body = match what {
+    let body = match path {
         "/frames.html" => FRAMES.as_bytes(),
         "/fetching.html" => FETCHING.as_bytes(),
         _ => report,
@@ -184,17 +184,17 @@ fn answer(mut stream: TcpStream, report: &[u8], asked: &Mutex<Vec<String>>) {
     let _ = stream.write_all(head.as_bytes()).and_then(|()| stream.write_all(body));
 }
 
-/// Chromium, where it is installed.
+/// The name of an installed Chromium, if any.
 fn chromium() -> Option<&'static str> {
     let is_there = |name: &&str| {
-        let asked = Command::new(name).arg("--version").stdout(Stdio::null()).stderr(Stdio::null()).status();
-        asked.is_ok_and(|status| status.success())
+        let status = Command::new(name).arg("--version").stdout(Stdio::null()).stderr(Stdio::null()).status();
+        status.is_ok_and(|status| status.success())
     };
     ["chromium", "chromium-browser", "google-chrome"].into_iter().find(is_there)
 }
 
-/// A page as a window of this width shows it, from its top.
-fn shown(browser: &str, folder: &Path, url: &str, width: u32, scheme: &[&str]) -> image::RgbImage {
+/// Screenshot of the top of a page in a window of this width.
+fn screenshot(browser: &str, folder: &Path, url: &str, width: u32, scheme: &[&str]) -> image::RgbImage {
     let address = url.split('/').nth(2).unwrap();
     let file = folder.join(format!("{width}.png"));
     let mut child = Command::new(browser)
@@ -205,7 +205,7 @@ fn shown(browser: &str, folder: &Path, url: &str, width: u32, scheme: &[&str]) -
             "--disable-sync",
             "--disable-extensions",
         ])
-        // Whatever the page asks of anybody comes to the server.
+        // All requests go to the server.
         .arg(format!("--host-resolver-rules=MAP * {address}"))
         .arg(format!("--user-data-dir={}", folder.join("profile").display()))
         .arg(format!("--window-size={width},{HEIGHT}"))
@@ -220,20 +220,20 @@ fn shown(browser: &str, folder: &Path, url: &str, width: u32, scheme: &[&str]) -
     while child.try_wait().unwrap().is_none() {
         if start.elapsed() > Duration::from_secs(120) {
             child.kill().unwrap();
-            panic!("the browser does not end");
+            panic!("the browser does not exit");
         }
         std::thread::sleep(Duration::from_millis(50));
     }
     image::open(&file).unwrap().to_rgb8()
 }
 
-/// How many pixels have this colour.
+/// Number of pixels with this color.
 fn pixels(picture: &image::RgbImage, color: [u8; 3]) -> usize {
     picture.pixels().filter(|pixel| pixel.0.iter().zip(color).all(|(a, b)| a.abs_diff(b) <= 3)).count()
 }
 
 #[test]
-fn the_page_shows_its_plots_in_a_browser_and_fetches_nothing() {
+fn the_page_shows_its_plots_in_a_browser_and_requests_nothing() {
     let Some(browser) = chromium() else {
         eprintln!("skipped: Chromium is not installed");
         return;
@@ -244,26 +244,29 @@ fn the_page_shows_its_plots_in_a_browser_and_fetches_nothing() {
     let words = ["study", path.to_str().unwrap(), "-o", out.to_str().unwrap(), "--size", "48x36"];
     let args = StudyArgs::parse_from([&words[..], &["--time-limit", "4s", "--quiet"]].concat());
     strahl::study_command::run(&args).unwrap();
-    let server = Server::of(fs::read(out.join("report.html")).unwrap());
-    let shown = |page: &str, width, scheme: &[&str]| {
-        shown(browser, folder.path(), &format!("http://{}/{page}", server.address), width, scheme)
+    let server = TestServer::of(fs::read(out.join("report.html")).unwrap());
+    let screenshot = |page: &str, width, scheme: &[&str]| {
+        screenshot(browser, folder.path(), &format!("http://{}/{page}", server.address), width, scheme)
     };
 
-    // The colours of paper, of one ray and of regular sampling in light and dark, as the style has them.
-    let light = shown("frames.html", WIDE + NARROW + 20, &[]);
+    // The colors of the background, of single rays and of regular sampling, in light and dark mode, as in the style sheet.
+    let light = screenshot("frames.html", WIDE + NARROW + 20, &[]);
     for (name, first, width) in [("wide", 0, WIDE), ("narrow", WIDE, NARROW)] {
         let frame = image::imageops::crop_imm(&light, first, 0, width, HEIGHT).to_image();
-        assert!(pixels(&frame, [0xfb, 0xfa, 0xf8]) > frame.pixels().len() / 2, "{name}: the paper is light");
-        assert!(pixels(&frame, [0x47, 0x4d, 0x57]) > 40, "{name}: marks of single rays are there");
-        assert!(pixels(&frame, [0x00, 0x72, 0xb2]) > 40, "{name}: marks of regular sampling are there");
+        assert!(
+            pixels(&frame, [0xfb, 0xfa, 0xf8]) > frame.pixels().len() / 2,
+            "{name}: the background is light"
+        );
+        assert!(pixels(&frame, [0x47, 0x4d, 0x57]) > 40, "{name}: marks of single rays are visible");
+        assert!(pixels(&frame, [0x00, 0x72, 0xb2]) > 40, "{name}: marks of regular sampling are visible");
     }
-    // A page that fetches something is found out, and the report fetches nothing.
+    // Requests of a page are recorded, and the report makes none.
     let pages =
         ["/fetching.html", "/frames.html", "/picture.png", "/report.html?narrow", "/report.html?wide"];
-    assert_eq!(server.asked(), pages);
+    assert_eq!(server.requests(), pages);
 
-    let dark = shown("report.html", WIDE, &["--blink-settings=preferredColorScheme=0"]);
-    assert!(pixels(&dark, [0x12, 0x14, 0x17]) > dark.pixels().len() / 2, "the paper is dark");
-    assert!(pixels(&dark, [0xc9, 0xcd, 0xd4]) > 60, "marks of single rays are there");
-    assert_eq!(server.asked(), ["/report.html"]);
+    let dark = screenshot("report.html", WIDE, &["--blink-settings=preferredColorScheme=0"]);
+    assert!(pixels(&dark, [0x12, 0x14, 0x17]) > dark.pixels().len() / 2, "the background is dark");
+    assert!(pixels(&dark, [0xc9, 0xcd, 0xd4]) > 60, "marks of single rays are visible");
+    assert_eq!(server.requests(), ["/report.html"]);
 }

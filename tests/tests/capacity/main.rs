@@ -104,8 +104,8 @@ fn mixed_scene() -> TestScene {
         scene.material(materials[i % 3]);
         let kind = TestShapeKind::ALL[i % TestShapeKind::ALL.len()];
         if kind != TestShapeKind::Plane {
-            let place = rng.in_ball(DVec3::ZERO, 3.0);
-            scene.add_shape(&TestShape::random(kind, place, 0.8, &mut rng));
+            let center = rng.in_ball(DVec3::ZERO, 3.0);
+            scene.add_shape(&TestShape::random(kind, center, 0.8, &mut rng));
         }
     }
     let falloff = Falloff { constant: 1.0, linear: 0.01, quadratic: 0.0 };

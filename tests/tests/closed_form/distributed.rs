@@ -9,12 +9,12 @@ const MANY_SAMPLES: u32 = 1024;
 /// Asserts that the mean of many rays is the expected value, and that the error of `n` rays falls at least as `n` to the
 /// power of `slope`.
 #[track_caller]
-fn assert_converges(mean: impl Fn(u32, u32) -> f64, want: f64, tolerance: f64, slope: f64) {
+fn assert_converges(mean: impl Fn(u32, u32) -> f64, expected: f64, tolerance: f64, slope: f64) {
     let got = mean(16_384, 99);
-    assert!((got - want).abs() < tolerance * want, "{got} is not {want}");
+    assert!((got - expected).abs() < tolerance * expected, "{got} is not {expected}");
     // The root mean square over many seeds.
     let error = |n| {
-        let squares: f64 = (0..64).map(|seed| square(mean(n, seed) - want)).sum();
+        let squares: f64 = (0..64).map(|seed| square(mean(n, seed) - expected)).sum();
         (squares / 64.0).sqrt()
     };
     let (few, many) = (error(FEW_SAMPLES), error(MANY_SAMPLES));
@@ -66,14 +66,14 @@ fn a_straight_edge_occludes_the_part_of_a_sphere_light_behind_it() {
         // The disc that faces the point: one axis along z, the other perpendicular to the direction of its center.
         let length = f64::hypot(x, 8.0);
         let (along_x, along_y) = (8.0 / length, x / length);
-        let want = over_disc(|u, v| {
+        let expected = over_disc(|u, v| {
             let (px, py) = (u * along_x, 8.0 + u * along_y);
             // Where the shadow ray crosses the height of the edge, and the cosine on the floor.
             let crosses = x + (px - x) * 4.0 / py;
             if crosses < 0.0 { py / (square(px - x) + py * py + v * v).sqrt() } else { 0.0 }
         });
         // The tolerance is 1/2000 of the unoccluded light.
-        assert_converges(|n, seed| brightness_at(&scene, x, n, seed), want, 5e-4 / want, -0.6);
+        assert_converges(|n, seed| brightness_at(&scene, x, n, seed), expected, 5e-4 / expected, -0.6);
     }
 }
 
@@ -90,14 +90,14 @@ fn a_rectangle_light_is_the_integral_over_its_area() {
     let scene = floor(source);
     let n = 400;
     let coordinate = |i: i32| (f64::from(i) + 0.5) / f64::from(n) * 2.0 - 1.0;
-    let mut want = 0.0;
+    let mut expected = 0.0;
     for (u, v) in (0..n).flat_map(|i| (0..n).map(move |j| (coordinate(i), coordinate(j)))) {
         let (x, y, z) = (1.0 + 1.5 * u, 3.0_f64, 0.5 + 0.5 * v);
         let square = x * x + y * y + z * z;
         // The cosines on the floor and at the light, over the squared distance.
-        want += y * y / square / square / f64::from(n * n);
+        expected += y * y / square / square / f64::from(n * n);
     }
-    assert_converges(|n, seed| brightness_at(&scene, 0.0, n, seed), want, 1e-3, -0.9);
+    assert_converges(|n, seed| brightness_at(&scene, 0.0, n, seed), expected, 1e-3, -0.9);
     // No light on its back.
     let half = [half[1], half[0]];
     let source = LightSource::Rectangle {
@@ -140,7 +140,7 @@ fn a_rough_mirror_shows_the_mean_over_its_microfacets() {
         // (1 - t) / (1 + (s^2 - 1) t) for uniform t in 0..1, and the reflected direction has twice the tilt.
         let slope = square(f64::from(roughness));
         let n = 200_000;
-        let want: f64 = (0..n)
+        let expected: f64 = (0..n)
             .map(|i| {
                 let t = (f64::from(i) + 0.5) / f64::from(n);
                 let cos2 = (1.0 - t) / (1.0 + (slope * slope - 1.0) * t);
@@ -150,7 +150,7 @@ fn a_rough_mirror_shows_the_mean_over_its_microfacets() {
             / f64::from(n);
         let eye = vec3(0.0, 2.0, 0.0);
         let mean = |n, seed| scene.trace_samples(eye, Vec3::ZERO, ALL, n, seed)[0];
-        assert_converges(mean, want, 1e-3, -0.8);
+        assert_converges(mean, expected, 1e-3, -0.8);
     }
 }
 
@@ -224,8 +224,8 @@ fn a_moving_disc_covers_a_point_for_the_time_it_is_over_it() {
         let target = vec3(x as Real, 0.0, z as Real);
         let mean = |n, seed| scene.trace_samples(target + 3.0 * Vec3::Y, target, levels(1), n, seed)[0];
         // One or two of the many rays may be on the wrong side.
-        let want = end - start;
-        assert_converges(mean, want, 2.0 / 16_384.0 / want, -0.9);
+        let expected = end - start;
+        assert_converges(mean, expected, 2.0 / 16_384.0 / expected, -0.9);
     }
     // Beside its path, and before its start and after its end.
     for (x, z) in [(0.0, 0.8), (-2.8, 0.0), (2.8, 0.0)] {
@@ -310,13 +310,13 @@ fn a_point_out_of_focus_is_a_disc_of_confusion() {
             length / distance / (2.0 * (angle / 2.0).tan() / f64::from(rows - 1))
         };
         let confusion = pixel(radius * (distance - focus).abs() / distance, focus);
-        let want = (square(confusion) + square(pixel(sphere_radius, distance))) / 2.0 + 2.0 / 12.0;
+        let expected = (square(confusion) + square(pixel(sphere_radius, distance))) / 2.0 + 2.0 / 12.0;
         let got = second / light;
         if distance == focus {
             // In focus: a sphere of half a pixel, whose light is in its pixel and partly in the next.
             assert!(got < 0.5, "{got}");
             continue;
         }
-        assert!((got - want).abs() < 0.03 * want, "{distance}: {got} is not {want}");
+        assert!((got - expected).abs() < 0.03 * expected, "{distance}: {got} is not {expected}");
     }
 }

@@ -32,12 +32,12 @@ fn a_plate_displaces_a_ray_by_the_offset_of_snells_law() {
                 let b = refracted_angle(a, n);
                 let offset = d * a.sin() * (1.0 - a.cos() / (n * b.cos()));
                 // The ray starts 1.5 above the plate; along the ruler the offset is longer.
-                let want = 3.5 * a.tan() - offset / a.cos();
+                let expected = 3.5 * a.tan() - offset / a.cos();
                 let x = 1.5 * a.tan() - 1.5 * a.tan();
                 let seen = ruler_x(trace_down(&scene, [x, 1.5], a, ALL));
                 assert!(
-                    (seen - want).abs() <= 4.0 * RULER_TOLERANCE / a.cos(),
-                    "{index} {a}: {seen} is not {want}"
+                    (seen - expected).abs() <= 4.0 * RULER_TOLERANCE / a.cos(),
+                    "{index} {a}: {seen} is not {expected}"
                 );
             }
         }
@@ -74,10 +74,10 @@ fn a_glass_sphere_deflects_a_ray_by_twice_the_difference_of_the_angles() {
         let eye = vec3(-5.0, h as Real, 0.0);
         let (color, counters) = scene.trace_counted(eye, eye + Vec3::X, ALL);
         assert_eq!(counters.rays[RayKind::Transmitted], 2);
-        let want = 0.5 - 0.5 * deflection.sin();
+        let expected = 0.5 - 0.5 * deflection.sin();
         assert!(
-            (f64::from(color.r) - want).abs() <= 4.0 * ROUNDINGS / a.cos(),
-            "{h}: {color:?} is not {want}"
+            (f64::from(color.r) - expected).abs() <= 4.0 * ROUNDINGS / a.cos(),
+            "{h}: {color:?} is not {expected}"
         );
     }
 }
@@ -97,10 +97,10 @@ fn a_pane_of_index_one_does_not_refract() {
     });
     let block = with(&|scene| plate(scene, glass(1.0), -1.0, 0.5));
     for a in ANGLES {
-        let want = ruler_x(trace_down(&air, [0.0, 1.0], a, ALL));
+        let expected = ruler_x(trace_down(&air, [0.0, 1.0], a, ALL));
         for scene in [&pane, &block] {
             let seen = ruler_x(trace_down(scene, [0.0, 1.0], a, ALL));
-            assert!((seen - want).abs() <= RULER_TOLERANCE / a.cos(), "{a}: {seen} is not {want}");
+            assert!((seen - expected).abs() <= RULER_TOLERANCE / a.cos(), "{a}: {seen} is not {expected}");
         }
     }
 }
@@ -148,9 +148,9 @@ fn a_fresnel_interface_reflects_the_fresnel_reflectance() {
     let color_at = |a| trace_down(&scene, [0.0, 1.0], a, ALL);
     // The reflectance is a difference of two numbers near one: its error is absolute.
     let near = |color: Rgb, reflectance: f64| {
-        let want = [1.0 - reflectance, reflectance, 0.25 * (1.0 - reflectance) + 0.5 * reflectance];
-        for (got, want) in [color.r, color.g, color.b].map(f64::from).into_iter().zip(want) {
-            assert!((got - want).abs() <= ROUNDINGS, "{got} is not {want}");
+        let expected = [1.0 - reflectance, reflectance, 0.25 * (1.0 - reflectance) + 0.5 * reflectance];
+        for (got, expected) in [color.r, color.g, color.b].map(f64::from).into_iter().zip(expected) {
+            assert!((got - expected).abs() <= ROUNDINGS, "{got} is not {expected}");
         }
     };
     near(color_at(0.0), 0.04);
@@ -188,8 +188,8 @@ fn beyond_the_critical_angle_the_transmitted_factor_is_reflected() {
         let (color, counters) = trace_down_counted(&scene, [0.0, -1.0], upward, ALL);
         assert_eq!((counters.rays[RayKind::Reflected], counters.rays[RayKind::Transmitted]), (1, 0), "{a}");
         // Up by one and down by two.
-        let (x, want) = (ruler_x(color * (1.0 / kt)), 3.0 * a.tan());
-        assert!((x - want).abs() <= 8.0 * RULER_TOLERANCE / a.cos(), "{a}: {x} is not {want}");
+        let (x, expected) = (ruler_x(color * (1.0 / kt)), 3.0 * a.tan());
+        assert!((x - expected).abs() <= 8.0 * RULER_TOLERANCE / a.cos(), "{a}: {x} is not {expected}");
     }
     let (color, counters) =
         trace_down_counted(&scene, [0.0, -1.0], std::f64::consts::PI - critical + 1e-4, ALL);

@@ -42,12 +42,12 @@ const MATTE: Material = Material { diffuse: Rgb::new(0.5, 1.0, 0.25), ..Material
 fn diffuse_light_falls_with_the_cosine() {
     for angle in ANGLES {
         let cos = angle.cos();
-        let want = lit_color([0.5 * cos, cos, 0.25 * cos]);
-        assert_color(lit(MATTE, point(angle, Falloff::NONE)), want, grazing_tolerance(angle));
+        let expected = lit_color([0.5 * cos, cos, 0.25 * cos]);
+        assert_color(lit(MATTE, point(angle, Falloff::NONE)), expected, grazing_tolerance(angle));
         let toward = try_normalize(vec3(angle.sin() as Real, angle.cos() as Real, 0.0)).unwrap();
         assert_color(
             lit(MATTE, LightSource::Directional { to_light: toward }),
-            want,
+            expected,
             grazing_tolerance(angle),
         );
     }
@@ -78,8 +78,8 @@ fn light_falls_off_with_the_distance() {
     {
         let falloff = Falloff { constant, linear, quadratic };
         let share = 1.0 / f64::from(constant + 5.0 * linear + 25.0 * quadratic);
-        let want = lit_color([0.5 * share, share, 0.25 * share]);
-        assert_color(lit(MATTE, point(0.0, falloff)), want, ROUNDINGS);
+        let expected = lit_color([0.5 * share, share, 0.25 * share]);
+        assert_color(lit(MATTE, point(0.0, falloff)), expected, ROUNDINGS);
     }
     assert_color(lit(MATTE, point(0.0, Falloff::INVERSE_SQUARE)), lit_color([0.02, 0.04, 0.01]), ROUNDINGS);
 }
@@ -187,12 +187,12 @@ fn the_highlight_falls_with_the_power_of_the_cosine() {
         for angle in [0.0_f64, 0.1, 0.4, 0.9, 1.5] {
             // Seen from above, the angle to the mirror direction is that of the light.
             let share = angle.cos().powf(f64::from(exponent));
-            let want = lit_color([0.5 * share, 0.25 * share, share]);
+            let expected = lit_color([0.5 * share, 0.25 * share, share]);
             // The exponent multiplies the rounding error of the cosine, and tiny powers underflow.
             let tolerance = f64::from(exponent) * 4.0 * 6e-8 / angle.cos() + ROUNDINGS;
             let got = lit(material, point(angle, Falloff::NONE));
             if share > 1e-30 {
-                assert_color(got, want, tolerance);
+                assert_color(got, expected, tolerance);
             } else {
                 assert!(got.max_component() <= 1e-30, "{got:?}");
             }
@@ -226,8 +226,8 @@ fn a_smooth_surface_is_shaded_by_its_interpolated_normal() {
     for x in [-0.75, -0.5, -0.125, 0.0, 0.25, 0.625] {
         // Linear between the edges before normalization: (x, root of 2, 0) times half of the root.
         let lean = x / 2.0_f64.sqrt();
-        let want = 0.5_f64.sqrt() / lean.hypot(0.5_f64.sqrt());
+        let expected = 0.5_f64.sqrt() / lean.hypot(0.5_f64.sqrt());
         let got = scene.trace(vec3(x as Real, 3.0, 0.25), vec3(x as Real, 0.0, 0.25), ALL);
-        assert_gray(got, want, 2.0 * ROUNDINGS);
+        assert_gray(got, expected, 2.0 * ROUNDINGS);
     }
 }

@@ -37,15 +37,15 @@ const fn levels(levels: u8) -> Limits {
 
 /// Asserts the relative error of each channel.
 #[track_caller]
-fn assert_color(got: Rgb, want: [f64; 3], tolerance: f64) {
-    for (got, want) in [got.r, got.g, got.b].map(f64::from).into_iter().zip(want) {
-        assert!((got - want).abs() <= tolerance * want.abs(), "{got} is not {want}");
+fn assert_color(got: Rgb, expected: [f64; 3], tolerance: f64) {
+    for (got, expected) in [got.r, got.g, got.b].map(f64::from).into_iter().zip(expected) {
+        assert!((got - expected).abs() <= tolerance * expected.abs(), "{got} is not {expected}");
     }
 }
 
 #[track_caller]
-fn assert_gray(got: Rgb, want: f64, tolerance: f64) {
-    assert_color(got, [want; 3], tolerance);
+fn assert_gray(got: Rgb, expected: f64, tolerance: f64) {
+    assert_color(got, [expected; 3], tolerance);
 }
 
 /// A material whose surface has this color under any light. The scene's ambient light must be white.

@@ -35,11 +35,11 @@ fn one_over_e_of_the_light_is_left_after_each_attenuation_length() {
         for a in ANGLES {
             // The distance inside is longer than the plate is thick.
             let distance = 3.0 / refracted_angle(a, index.into()).cos();
-            let want = [0.5 * (-distance / 2.0).exp(), (-distance / 0.5).exp(), 0.25];
+            let expected = [0.5 * (-distance / 2.0).exp(), (-distance / 0.5).exp(), 0.25];
             // The exponent multiplies the rounding error of the distance.
             assert_color(
                 trace_down(&scene, [0.0, 1.0], a, ALL),
-                want,
+                expected,
                 ROUNDINGS + 8.0 * 6e-8 * distance / 0.5,
             );
         }
@@ -88,8 +88,8 @@ fn an_eye_inside_glass_starts_in_its_medium() {
         let a = (1.5 * f64::sin(b)).asin();
         let left = (-1.0 / b.cos() / 4.0).exp();
         let color = trace_down(&scene, [0.0, -1.0], b, ALL);
-        let (x, want) = (ruler_x(color * (1.0 / left) as Real), b.tan() + a.tan());
-        assert!((x - want).abs() <= 4.0 * RULER_TOLERANCE / a.cos(), "{b}: {x} is not {want}");
+        let (x, expected) = (ruler_x(color * (1.0 / left) as Real), b.tan() + a.tan());
+        assert!((x - expected).abs() <= 4.0 * RULER_TOLERANCE / a.cos(), "{b}: {x} is not {expected}");
         assert_gray(trace_down(&open, [0.0, -1.0], b, ALL), left, ROUNDINGS);
     }
 }
@@ -110,10 +110,10 @@ fn the_body_with_the_higher_priority_fills_the_overlap() {
         // Two surfaces are entered and two are left, hidden or not.
         assert_eq!((counters.rays[RayKind::Transmitted], counters.rays[RayKind::Reflected]), (4, 0));
         // 1 through air above and 1 below.
-        let want =
+        let expected =
             2.0 * a.tan() + water * refracted_angle(a, 1.33).tan() + glass * refracted_angle(a, 1.5).tan();
         let x = ruler_x(color);
-        assert!((x - want).abs() <= 4.0 * RULER_TOLERANCE / a.cos(), "{a}: {x} is not {want}");
+        assert!((x - expected).abs() <= 4.0 * RULER_TOLERANCE / a.cos(), "{a}: {x} is not {expected}");
     };
     let (glass_wins, water_wins) = (glass_in_water(0, 1), glass_in_water(7, 3));
     let equal = glass_in_water(2, 2);
@@ -155,8 +155,8 @@ fn glass_in_water_reflects_less() {
     scene.ambient = Rgb::WHITE;
     // Down through both, without reflected light.
     let share = |n: f64, m: f64| ((n - m) / (n + m)) * ((n - m) / (n + m));
-    let want = (1.0 - share(1.33, 1.0)) * (1.0 - share(1.5, 1.33));
-    assert_gray(scene.trace(Vec3::Y, Vec3::ZERO, levels(3)), want, ROUNDINGS);
+    let expected = (1.0 - share(1.33, 1.0)) * (1.0 - share(1.5, 1.33));
+    assert_gray(scene.trace(Vec3::Y, Vec3::ZERO, levels(3)), expected, ROUNDINGS);
 }
 
 #[test]
@@ -171,9 +171,9 @@ fn a_pane_is_no_body() {
     plate(&mut scene, body(1.5, CLEAR, 0), -1.0, 0.0);
     ruler(&mut scene, -2.0);
     for a in ANGLES {
-        let want = 2.0 * a.tan() + refracted_angle(a, 1.5).tan();
+        let expected = 2.0 * a.tan() + refracted_angle(a, 1.5).tan();
         let x = ruler_x(trace_down(&scene, [0.0, 1.0], a, ALL) * 2.0);
-        assert!((x - want).abs() <= 4.0 * RULER_TOLERANCE / a.cos(), "{a}: {x} is not {want}");
+        assert!((x - expected).abs() <= 4.0 * RULER_TOLERANCE / a.cos(), "{a}: {x} is not {expected}");
     }
     // Inside a body: the body continues behind the pane.
     let mut scene = TestScene::new();

@@ -1,7 +1,7 @@
-//! The effects, each alone: for each of them a scene beside this file that asks for it and for
-//! nothing that it can do without. What such a scene does not ask for sends no ray and takes no
-//! number of chance, a tracer that can do nothing else gives the same bytes as one that can do
-//! everything, and so does, of the scene without the effect, a tracer that cannot do it.
+//! Each effect alone. For each of them a scene beside this file requires it and what it depends on, and nothing else.
+//!
+//! An effect that a scene does not require traces no ray and draws no random number. A tracer with exactly the required
+//! effects gives the same bytes as one with all effects; so does a tracer without the effect for the scene without it.
 
 use std::path::Path;
 
@@ -27,19 +27,19 @@ fn scene(name: &str) -> LoadedScene {
     strahl_scene::load(&path).unwrap_or_else(|failure| panic!("{failure}"))
 }
 
-/// What a scene asks for, by the names of the command line.
-fn asks(description: &LoadedScene) -> Vec<Effect> {
+/// The effects that a scene requires.
+fn required_effects(description: &LoadedScene) -> Vec<Effect> {
     let tables = scene_tables(description);
     let lens = description.camera.projection.has_lens();
     let set = EffectSet { depth_of_field: lens, ..tables.scene().unwrap().required_effects() };
     let planned: Vec<Effect> = plan(description).iter().map(|it| it.effect).collect();
-    // The plan is what the tracer is asked for.
+    // The planned effects are those that the tracer requires.
     assert_eq!(planned, Effect::ALL.into_iter().filter(|effect| effect.is_in(&set)).collect::<Vec<_>>());
     planned
 }
 
-/// What an effect is nothing without.
-fn needs(effect: Effect) -> &'static [Effect] {
+/// Effects that an effect depends on.
+fn dependencies(effect: Effect) -> &'static [Effect] {
     match effect {
         Effect::ColoredShadows => &[Effect::Shadows, Effect::Transmission],
         Effect::Gloss => &[Effect::Reflection],
@@ -47,7 +47,7 @@ fn needs(effect: Effect) -> &'static [Effect] {
     }
 }
 
-/// Everything that is no effect in the sense of the command line.
+/// Everything that is not an effect of the command line.
 const PLAIN: EffectSet = EffectSet {
     shapes: ShapeSet::ALL,
     smooth_shading: true,
@@ -81,10 +81,10 @@ tracers! {
     Motion { motion_blur }
 }
 
-/// The bits of a picture, four rays in each pixel.
-fn seen_by<E: Effects>(description: &LoadedScene) -> Vec<u32> {
-    let stock = scene_tables(description);
-    let scene = stock.scene().unwrap();
+/// The bits of a picture with four samples per pixel.
+fn rendered<E: Effects>(description: &LoadedScene) -> Vec<u32> {
+    let tables = scene_tables(description);
+    let scene = tables.scene().unwrap();
     let world = World::new(scene, BareList(scene.descriptor().material_ids.len() as u32));
     let camera = Camera::new(&view(&description.camera), SIZE).unwrap();
     let tracer = Tracer::<_, E, 5>::new(&world, camera, Limits::DEFAULT).unwrap();
@@ -100,20 +100,20 @@ fn seen_by<E: Effects>(description: &LoadedScene) -> Vec<u32> {
     bits
 }
 
-/// The pictures of a tracer.
-type Seen = fn(&LoadedScene) -> Vec<u32>;
+/// Renders a scene with one effect set.
+type RenderFunction = fn(&LoadedScene) -> Vec<u32>;
 
-/// The tracer that can do an effect and what it needs, and the one that can do what it needs.
-fn smallest(effect: Effect) -> [Seen; 2] {
+/// Renders with an effect and its dependencies, and with its dependencies only.
+fn smallest(effect: Effect) -> [RenderFunction; 2] {
     match effect {
-        Effect::Shadows => [seen_by::<Shadows>, seen_by::<Nothing>],
-        Effect::Reflection => [seen_by::<Reflection>, seen_by::<Nothing>],
-        Effect::Transmission => [seen_by::<Transmission>, seen_by::<Nothing>],
-        Effect::ColoredShadows => [seen_by::<ColoredShadows>, seen_by::<Solid>],
-        Effect::Penumbra => [seen_by::<Penumbra>, seen_by::<Nothing>],
-        Effect::Lens => [seen_by::<Lens>, seen_by::<Nothing>],
-        Effect::Gloss => [seen_by::<Gloss>, seen_by::<Reflection>],
-        Effect::Motion => [seen_by::<Motion>, seen_by::<Nothing>],
+        Effect::Shadows => [rendered::<Shadows>, rendered::<Nothing>],
+        Effect::Reflection => [rendered::<Reflection>, rendered::<Nothing>],
+        Effect::Transmission => [rendered::<Transmission>, rendered::<Nothing>],
+        Effect::ColoredShadows => [rendered::<ColoredShadows>, rendered::<Solid>],
+        Effect::Penumbra => [rendered::<Penumbra>, rendered::<Nothing>],
+        Effect::Lens => [rendered::<Lens>, rendered::<Nothing>],
+        Effect::Gloss => [rendered::<Gloss>, rendered::<Reflection>],
+        Effect::Motion => [rendered::<Motion>, rendered::<Nothing>],
     }
 }
 
@@ -126,52 +126,52 @@ fn counted(description: &LoadedScene, seed: u32) -> (RenderOutput, Counters) {
 }
 
 #[test]
-fn each_effect_has_a_scene_that_asks_for_exactly_this_one() {
+fn each_effect_has_a_scene_that_requires_exactly_this_effect() {
     for effect in Effect::ALL {
-        let mut want: Vec<Effect> = needs(effect).iter().copied().chain([effect]).collect();
+        let mut want: Vec<Effect> = dependencies(effect).iter().copied().chain([effect]).collect();
         want.sort_by_key(|effect| *effect as u8);
-        assert_eq!(asks(&scene(effect.name())), want, "{effect}");
+        assert_eq!(required_effects(&scene(effect.name())), want, "{effect}");
     }
-    assert_eq!(asks(&scene("nothing")), []);
-    assert_eq!(asks(&scene("all")), Effect::ALL);
+    assert_eq!(required_effects(&scene("nothing")), []);
+    assert_eq!(required_effects(&scene("all")), Effect::ALL);
 }
 
 #[test]
-fn what_a_scene_does_not_ask_for_sends_no_ray_and_takes_no_number_of_chance() {
+fn effects_that_a_scene_does_not_require_trace_no_ray_and_draw_no_random_number() {
     for name in Effect::ALL.map(Effect::name).into_iter().chain(["nothing"]) {
         let description = scene(name);
-        let asks = asks(&description);
-        let has = |effect| asks.contains(&effect);
+        let required = required_effects(&description);
+        let has = |effect| required.contains(&effect);
         let (frame, counts) = counted(&description, 0);
         assert_eq!(counts.rays[RayKind::Camera], 4 * 48 * 36, "{name}");
         let reflects = has(Effect::Reflection);
         assert_eq!(counts.rays[RayKind::Reflected] > 0, reflects, "{name}");
         assert_eq!(counts.rays[RayKind::Transmitted] > 0, has(Effect::Transmission), "{name}");
-        for happened in [counts.rays[RayKind::Shadow], counts.shape_tests[RayKind::Shadow]] {
-            assert_eq!(happened > 0, has(Effect::Shadows), "{name}");
+        for count in [counts.rays[RayKind::Shadow], counts.shape_tests[RayKind::Shadow]] {
+            assert_eq!(count > 0, has(Effect::Shadows), "{name}");
         }
-        // Where light passes through glass the shadow cache is not asked.
+        // The shadow cache is not used with colored shadows.
         let caches = has(Effect::Shadows) && !has(Effect::ColoredShadows);
         assert_eq!(counts.shadow_cache_lookups > 0, caches, "{name}");
-        // Of a raster's rays nothing is left to chance but by these.
-        let by_chance = [Effect::Penumbra, Effect::Lens, Effect::Gloss, Effect::Motion].into_iter().any(has);
-        assert_eq!(frame.picture != counted(&description, 1).0.picture, by_chance, "{name}");
+        // With regular sampling only these effects are random.
+        let is_random = [Effect::Penumbra, Effect::Lens, Effect::Gloss, Effect::Motion].into_iter().any(has);
+        assert_eq!(frame.picture != counted(&description, 1).0.picture, is_random, "{name}");
     }
 }
 
 #[test]
-fn a_tracer_for_one_effect_and_one_for_all_give_the_same_bytes() {
+fn a_tracer_with_one_effect_and_one_with_all_give_the_same_bytes() {
     for effect in Effect::ALL {
         let [with, without] = smallest(effect);
         let mut description = scene(effect.name());
-        let all = seen_by::<AllEffects>(&description);
+        let all = rendered::<AllEffects>(&description);
         assert!(with(&description) == all, "with {effect}");
         let steps = disable(&mut description, &[effect]);
         assert_eq!(steps.iter().map(|step| step.effect).collect::<Vec<_>>(), [effect]);
-        let left = seen_by::<AllEffects>(&description);
+        let left = rendered::<AllEffects>(&description);
         assert!(without(&description) == left, "without {effect}");
-        assert!(left != all, "{effect} can be seen");
+        assert!(left != all, "{effect} is visible");
     }
     let plain = scene("nothing");
-    assert!(seen_by::<Nothing>(&plain) == seen_by::<AllEffects>(&plain));
+    assert!(rendered::<Nothing>(&plain) == rendered::<AllEffects>(&plain));
 }

@@ -1,4 +1,4 @@
-//! Every accelerator answers every hard ray like the list, to the last bit.
+//! Every accelerator agrees with the list on every hard ray, bit for bit.
 
 use strahl_core::accel::{
     Accelerator, Bvh, BvhNode, BvhSize, Grid, GridSize, LeafEntry, List, Octree, OctreeNode, OctreeSize,
@@ -11,17 +11,17 @@ use strahl_tests::hard::{HardCase, cases};
 use strahl_tests::single::TestScene;
 use strahl_tests::{DVec3, TestRay, TestShape};
 
-/// The nearest hit of each ray, and whether anything is in the way just before it and at it.
+/// The nearest hit of each ray, and whether it is occluded up to just before the hit, and up to it.
 fn answers<A: Accelerator>(scene: &TestScene, accelerator: A, rays: &[Ray]) -> Vec<(Option<Hit>, [bool; 2])> {
     let world = World::new(scene.as_scene(), accelerator);
     let mut scratch = A::Scratch::default();
     let answer = |ray: &Ray| {
         let hit = world.nearest_hit::<AllEffects, _>(ray, Real::MAX, RayKind::Camera, &mut scratch, &mut ());
         let t = hit.map_or(1.0, |hit| hit.t);
-        let mut is_blocked = |t_max| {
+        let mut is_occluded = |t_max| {
             world.occluder::<AllEffects, _>(ray, t_max, RayKind::Shadow, &mut scratch, &mut ()).is_some()
         };
-        (hit, [is_blocked(t.next_down()), is_blocked(t)])
+        (hit, [is_occluded(t.next_down()), is_occluded(t)])
     };
     rays.iter().map(answer).collect()
 }
@@ -31,42 +31,46 @@ fn core_ray(ray: &TestRay) -> Ray {
     Ray::new(narrow(ray.origin), narrow(ray.direction))
 }
 
-/// Things of one case together, as different as they are in size and place: how many rays meet one.
-fn hold(about: &str, aims: &[(TestShape, Vec<TestRay>)]) -> usize {
+/// Compares the accelerators in one scene of all given shapes, however different in size and position. Returns the number
+/// of hits.
+fn check(case: &str, aims: &[(TestShape, Vec<TestRay>)]) -> usize {
     let mut scene = TestScene::new();
     aims.iter().for_each(|(shape, _)| _ = scene.add_shape(shape));
     let rays: Vec<Ray> = aims.iter().flat_map(|(_, rays)| rays).map(core_ray).collect();
     let boxes = scene.bounds();
-    let truth = answers(&scene, List::without_bounds(scene.item_count()), &rays);
-    let hold = |name: &str, got: Vec<_>| {
-        for ((ray, truth), got) in rays.iter().zip(&truth).zip(&got) {
-            assert_eq!(got, truth, "{name}; {about}: {ray:?}");
+    let expected = answers(&scene, List::without_bounds(scene.item_count()), &rays);
+    let assert_agrees = |name: &str, got: Vec<_>| {
+        for ((ray, expected), got) in rays.iter().zip(&expected).zip(&got) {
+            assert_eq!(got, expected, "{name}; {case}: {ray:?}");
         }
     };
 
-    let room = BvhSize::recommended(boxes.len());
-    let (mut nodes, mut items) = (vec![BvhNode::EMPTY; room.nodes], vec![LeafEntry::EMPTY; room.entries]);
+    let size = BvhSize::recommended(boxes.len());
+    let (mut nodes, mut items) = (vec![BvhNode::EMPTY; size.nodes], vec![LeafEntry::EMPTY; size.entries]);
     let tree = Bvh::<TraversalStack<64>>::build(&boxes, &mut nodes, &mut items).unwrap();
-    hold("hierarchy by a stack", answers(&scene, tree, &rays));
-    hold("hierarchy by a heap", answers(&scene, tree.with_queue::<TraversalHeap<64>>(), &rays));
-    hold("hierarchy by nothing", answers(&scene, tree.with_queue::<TraversalStack<0>>(), &rays));
-    let room = GridSize::recommended(&boxes);
-    let (mut cells, mut items) = (vec![0; room.cells], vec![0; room.entries]);
-    hold("grid", answers(&scene, Grid::<8>::build(&boxes, &mut cells, &mut items).unwrap(), &rays));
-    let room = OctreeSize::recommended(boxes.len());
-    let (mut nodes, mut items) = (vec![OctreeNode::EMPTY; room.nodes], vec![0; room.entries]);
-    hold("octree", answers(&scene, Octree::<8>::build(&boxes, &mut nodes, &mut items).unwrap(), &rays));
-    truth.iter().filter(|(hit, _)| hit.is_some()).count()
+    assert_agrees("BVH, stack", answers(&scene, tree, &rays));
+    assert_agrees("BVH, heap", answers(&scene, tree.with_queue::<TraversalHeap<64>>(), &rays));
+    assert_agrees("BVH, stack of none", answers(&scene, tree.with_queue::<TraversalStack<0>>(), &rays));
+    let size = GridSize::recommended(&boxes);
+    let (mut cells, mut items) = (vec![0; size.cells], vec![0; size.entries]);
+    assert_agrees("grid", answers(&scene, Grid::<8>::build(&boxes, &mut cells, &mut items).unwrap(), &rays));
+    let size = OctreeSize::recommended(boxes.len());
+    let (mut nodes, mut items) = (vec![OctreeNode::EMPTY; size.nodes], vec![0; size.entries]);
+    assert_agrees(
+        "octree",
+        answers(&scene, Octree::<8>::build(&boxes, &mut nodes, &mut items).unwrap(), &rays),
+    );
+    expected.iter().filter(|(hit, _)| hit.is_some()).count()
 }
 
 #[test]
-fn every_accelerator_answers_every_hard_ray_like_the_list() {
-    let hold_case = |case: HardCase| -> usize {
-        let about = format!("{}, {}", case.family, case.name);
-        case.all_aims().chunks(12).map(|aims| hold(&about, aims)).sum()
+fn every_accelerator_agrees_with_the_list_on_every_hard_ray() {
+    let check_case = |case: HardCase| -> usize {
+        let name = format!("{}, {}", case.family, case.name);
+        case.all_aims().chunks(12).map(|aims| check(&name, aims)).sum()
     };
-    // Two halves side by side.
-    let half = |odd: usize| cases().into_iter().skip(odd).step_by(2).map(hold_case).sum::<usize>();
+    // In two threads.
+    let half = |odd: usize| cases().into_iter().skip(odd).step_by(2).map(check_case).sum::<usize>();
     let hits = std::thread::scope(|scope| {
         let other = scope.spawn(|| half(1));
         half(0) + other.join().unwrap()

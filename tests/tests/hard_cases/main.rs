@@ -1,4 +1,4 @@
-//! Rays that are known to go wrong, held against the bounds: see `strahl_tests::hard`.
+//! Rays that are known to go wrong in single precision: see `strahl_tests::hard`.
 
 mod accelerators;
 mod pixels;
@@ -9,28 +9,28 @@ use std::sync::OnceLock;
 
 use strahl_tests::hard::{HardCase, HardCaseTally, cases, panels, table};
 
-/// Every case, what the solvers made of it, and the first things that went wrong.
-struct Outcome {
+/// A case, its evaluation, and the first faults.
+struct CaseOutcome {
     case: HardCase,
     tallies: [HardCaseTally; 3],
-    wrong: Vec<String>,
+    faults: Vec<String>,
 }
 
 /// Computed once for all tests.
-fn outcomes() -> &'static [Outcome] {
-    static OUTCOMES: OnceLock<Vec<Outcome>> = OnceLock::new();
+fn outcomes() -> &'static [CaseOutcome] {
+    static OUTCOMES: OnceLock<Vec<CaseOutcome>> = OnceLock::new();
     OUTCOMES.get_or_init(|| {
         let run = |case: HardCase| {
-            let mut wrong = Vec::new();
-            let tallies = case.run_with_faults(&mut |what| {
-                if !what.starts_with("Textbook") && wrong.len() < 3 {
-                    wrong.push(what);
+            let mut faults = Vec::new();
+            let tallies = case.run_with_faults(&mut |fault| {
+                if !fault.starts_with("Textbook") && faults.len() < 3 {
+                    faults.push(fault);
                 }
             });
-            Outcome { case, tallies, wrong }
+            CaseOutcome { case, tallies, faults }
         };
         let all = cases();
-        // Two halves of about the same work: every second case.
+        // Two threads with about the same work: every second case each.
         std::thread::scope(|scope| {
             let half = |odd: usize| {
                 let cases: Vec<HardCase> = all.iter().copied().skip(odd).step_by(2).collect();
@@ -46,13 +46,19 @@ fn outcomes() -> &'static [Outcome] {
     })
 }
 
-/// Asserts of every case, and shows all that are wrong at once.
-fn assert_all(is_right: impl Fn(&Outcome) -> bool) {
+/// Asserts a property of every case, and reports all that violate it.
+fn assert_all(is_right: impl Fn(&CaseOutcome) -> bool) {
     let wrong: Vec<String> = outcomes()
         .iter()
         .filter(|outcome| !is_right(outcome))
-        .map(|Outcome { case, tallies, wrong }| {
-            format!("{}, {}: bound {}, {tallies:?}\n{}", case.family, case.name, case.bound, wrong.join("\n"))
+        .map(|CaseOutcome { case, tallies, faults }| {
+            format!(
+                "{}, {}: bound {}, {tallies:?}\n{}",
+                case.family,
+                case.name,
+                case.bound,
+                faults.join("\n")
+            )
         })
         .collect();
     assert!(wrong.is_empty(), "{}", wrong.join("\n"));
@@ -74,17 +80,17 @@ fn no_error_is_outside_its_bound() {
 }
 
 #[test]
-fn the_textbooks_formula_fails_where_a_remedy_is_needed() {
+fn the_textbook_formula_fails_in_every_case_that_says_so() {
     assert_all(|outcome| !outcome.case.breaks || outcome.tallies[0].faults > 0);
 }
 
 #[test]
-fn where_the_textbooks_formula_does_no_harm_the_case_says_so() {
+fn the_textbook_formula_makes_no_fault_in_the_other_cases() {
     assert_all(|outcome| outcome.case.breaks || outcome.tallies[0].faults == 0);
 }
 
 #[test]
-fn most_hard_rays_have_one_answer() {
+fn at_most_half_of_the_hard_rays_are_unclear() {
     assert_all(|outcome| {
         let HardCaseTally { rays, unclear, .. } = outcome.tallies[1];
         rays >= 990 && unclear * 10 <= rays * 5
@@ -96,14 +102,14 @@ fn the_report_has_the_figures_and_the_picture_of_this_code() {
     let all: Vec<(HardCase, [HardCaseTally; 3])> =
         outcomes().iter().map(|outcome| (outcome.case, outcome.tallies)).collect();
     let (report, picture) = table::report();
-    let again = "write it again: cargo run --release -p strahl-tests --example hard_cases";
+    let remedy = "write it again: cargo run --release -p strahl-tests --example hard_cases";
     let text = std::fs::read_to_string(&report).unwrap();
     for line in table::figures(&all).lines() {
-        assert!(text.contains(line), "{} does not have: {line}\n{again}", report.display());
+        assert!(text.contains(line), "{} does not have: {line}\n{remedy}", report.display());
     }
     let image = image::open(&picture).unwrap().into_rgb8();
     let (width, pixels) = panels::picture();
-    assert_eq!(image.width() as usize, width, "{again}");
+    assert_eq!(image.width() as usize, width, "{remedy}");
     let is_same = image.pixels().map(|pixel| pixel.0).eq(pixels);
-    assert!(is_same, "{} is stale; {again}", picture.display());
+    assert!(is_same, "{} is stale; {remedy}", picture.display());
 }

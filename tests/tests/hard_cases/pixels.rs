@@ -1,4 +1,4 @@
-//! No NaN and no infinity ever reaches a pixel, and a ray that is none meets nothing.
+//! Every pixel is finite, and an invalid ray hits nothing.
 
 use proptest::collection::vec;
 use proptest::prelude::*;
@@ -24,17 +24,17 @@ fn one_of(values: &'static [f32]) -> impl Strategy<Value = f32> {
     prop::sample::select(values)
 }
 
-fn color(most: &'static [f32]) -> impl Strategy<Value = Rgb> {
-    (one_of(most), one_of(most), one_of(most)).prop_map(|(r, g, b)| Rgb::new(r, g, b))
+fn color(values: &'static [f32]) -> impl Strategy<Value = Rgb> {
+    (one_of(values), one_of(values), one_of(values)).prop_map(|(r, g, b)| Rgb::new(r, g, b))
 }
 
 const BRIGHT: &[f32] = &[0.0, 1e-30, 0.5, 1.0, 1e6];
-const SHARE: &[f32] = &[0.0, 1e-30, 0.5, 0.999_999_9, 1.0];
+const FACTOR: &[f32] = &[0.0, 1e-30, 0.5, 0.999_999_9, 1.0];
 
 prop_compose! {
     fn material(scale: f32)(
         (ambient, diffuse, highlight) in (color(BRIGHT), color(BRIGHT), color(BRIGHT)),
-        (reflection, transmission) in (color(SHARE), color(SHARE)),
+        (reflection, transmission) in (color(FACTOR), color(FACTOR)),
         highlight_exponent in one_of(&[0.0, 1e-6, 1.0, 30.0, 1e6]),
         refractive_index in one_of(&[0.01, 0.75, 1.0, 1.000_000_1, 1.5, 100.0]),
         length in one_of(&[1e-20, 1e-3, 1.0, 1e15, f32::INFINITY]),
@@ -49,20 +49,20 @@ prop_compose! {
     }
 }
 
-/// A place in a scene of size one: nearly always some ordinary one, sometimes the middle.
-fn place() -> impl Strategy<Value = Vec3> {
-    let side = || prop_oneof![8 => -2.0_f32..2.0, 1 => Just(0.0), 1 => Just(-1.0)];
-    (side(), side(), side()).prop_map(|(x, y, z)| vec3(x, y, z))
+/// A point in a scene of size one, rarely with coordinates 0 or -1.
+fn point() -> impl Strategy<Value = Vec3> {
+    let coordinate = || prop_oneof![8 => -2.0_f32..2.0, 1 => Just(0.0), 1 => Just(-1.0)];
+    (coordinate(), coordinate(), coordinate()).prop_map(|(x, y, z)| vec3(x, y, z))
 }
 
 fn direction() -> impl Strategy<Value = Vec3> {
     let axes = prop::sample::select(vec![Vec3::X, Vec3::Y, -Vec3::Z]);
-    prop_oneof![place().prop_map(|v| try_normalize(v).unwrap_or(Vec3::Y)), axes]
+    prop_oneof![point().prop_map(|v| try_normalize(v).unwrap_or(Vec3::Y)), axes]
 }
 
 prop_compose! {
     fn light(scale: f32)(
-        position in place(), direction in direction(), color in color(BRIGHT), kind in 0..6, casts_shadows in any::<bool>(),
+        position in point(), direction in direction(), color in color(BRIGHT), kind in 0..6, casts_shadows in any::<bool>(),
         (constant, linear, quadratic) in (one_of(&[0.0, 1.0, 1e6]), one_of(&[0.0, 1.0]), one_of(&[0.0, 1e-6, 1.0])),
         (cos, extent) in (one_of(&[-1.0, 0.0, 0.9, 1.0]), one_of(&[1e-6, 0.1, 1.0, 100.0])),
     ) -> Light {
@@ -87,7 +87,7 @@ prop_compose! {
 
 prop_compose! {
     fn view(scale: f32)(
-        (position, target) in (place(), place()), up in direction(), kind in 0..3,
+        (position, target) in (point(), point()), up in direction(), kind in 0..3,
         field_of_view in one_of(&[1e-6, 0.8, 3.0, 0.999_999 * std::f32::consts::PI]), height in one_of(&[1e-6, 1.0, 1e6]),
     ) -> CameraDescriptor {
         let projection = match kind {
@@ -101,14 +101,19 @@ prop_compose! {
 
 fn texture(scale: f32) -> impl Strategy<Value = Texture> {
     let colors = (color(BRIGHT), color(BRIGHT));
-    (colors, place(), direction(), 0..3, one_of(&[0.0, 1e-3, 3.0, 1e4])).prop_map(
-        move |((from, to), origin, along, kind, often)| {
+    (colors, point(), direction(), 0..3, one_of(&[0.0, 1e-3, 3.0, 1e4])).prop_map(
+        move |((from, to), origin, along, kind, frequency)| {
             let origin = origin * scale;
             match kind {
-                0 => Texture::Checker { even: from, odd: to, origin, frequency: Vec3::splat(often / scale) },
+                0 => Texture::Checker {
+                    even: from,
+                    odd: to,
+                    origin,
+                    frequency: Vec3::splat(frequency / scale),
+                },
                 1 => Texture::Gradient { start_color: from, end_color: to, origin, axis: along * scale },
                 _ => {
-                    let frequency = often / scale / scale;
+                    let frequency = frequency / scale / scale;
                     let frequency = if frequency < 1e15 { frequency } else { 1e15 };
                     Texture::ZonePlate { start_color: from, end_color: to, origin, frequency }
                 }
@@ -117,9 +122,9 @@ fn texture(scale: f32) -> impl Strategy<Value = Texture> {
     )
 }
 
-/// A scene, and how it is looked at.
+/// A scene and its camera.
 #[derive(Clone, Debug)]
-struct Sight {
+struct RandomScene {
     scale: f32,
     shapes: Vec<(usize, u64, usize)>,
     materials: Vec<Material>,
@@ -130,7 +135,7 @@ struct Sight {
     colored_shadows: bool,
 }
 
-fn sight() -> impl Strategy<Value = Sight> {
+fn random_scene() -> impl Strategy<Value = RandomScene> {
     (-20..=20_i32).prop_flat_map(|k| {
         let scale = (0..k.abs()).fold(1.0, |x, _| if k < 0 { x * 0.5 } else { x * 2.0 });
         (
@@ -144,7 +149,7 @@ fn sight() -> impl Strategy<Value = Sight> {
             any::<bool>(),
         )
             .prop_map(
-                |(scale, shapes, materials, lights, ambient, view, texture, colored_shadows)| Sight {
+                |(scale, shapes, materials, lights, ambient, view, texture, colored_shadows)| RandomScene {
                     scale,
                     shapes,
                     materials,
@@ -158,22 +163,22 @@ fn sight() -> impl Strategy<Value = Sight> {
     })
 }
 
-fn built(sight: &Sight) -> TestScene {
+fn built(random_scene: &RandomScene) -> TestScene {
     let mut scene = TestScene::new();
-    let scale = f64::from(sight.scale);
-    let texture = scene.add_texture(sight.texture);
-    for (kind, seed, material) in &sight.shapes {
-        let material = sight.materials[*material];
+    let scale = f64::from(random_scene.scale);
+    let texture = scene.add_texture(random_scene.texture);
+    for (kind, seed, material) in &random_scene.shapes {
+        let material = random_scene.materials[*material];
         scene.material(if seed % 4 == 0 { Material { texture, ..material } } else { material });
         let mut rng = SplitMix64::new(*seed);
-        let place = rng.in_ball(DVec3::ZERO, 1.5);
+        let center = rng.in_ball(DVec3::ZERO, 1.5);
         let size = rng.log_between(1e-3, 2.0);
-        let shape = TestShape::random(TestShapeKind::ALL[*kind], place, size, &mut rng);
+        let shape = TestShape::random(TestShapeKind::ALL[*kind], center, size, &mut rng);
         scene.add_shape(&shape.mapped(|p| p * scale, |d| d, scale));
     }
-    scene.lights.clone_from(&sight.lights);
-    scene.ambient = sight.ambient;
-    scene.colored_shadows = sight.colored_shadows;
+    scene.lights.clone_from(&random_scene.lights);
+    scene.ambient = random_scene.ambient;
+    scene.colored_shadows = random_scene.colored_shadows;
     scene.background = Background::Gradient { up: Vec3::Y, below: Rgb::gray(1e6), above: Rgb::BLACK };
     scene
 }
@@ -182,13 +187,13 @@ proptest! {
     #![proptest_config(ProptestConfig { cases: 4000, failure_persistence: None, ..ProptestConfig::default() })]
 
     #[test]
-    fn every_channel_of_every_pixel_is_a_number(
-        sight in sight(), width in 1_u32..6, height in 1_u32..5, sampler in 0..5,
+    fn every_channel_of_every_pixel_is_finite(
+        random_scene in random_scene(), width in 1_u32..6, height in 1_u32..5, sampler in 0..5,
     ) {
-        let scene = built(&sight);
+        let scene = built(&random_scene);
         let size = Resolution::new(width, height).unwrap();
-        // A view of nothing is refused at the door.
-        let Ok(camera) = Camera::new(&sight.view, size) else { return Ok(()) };
+        // A camera without a picture is refused.
+        let Ok(camera) = Camera::new(&random_scene.view, size) else { return Ok(()) };
         let world = World::new(scene.as_scene(), List::without_bounds(scene.item_count()));
         let limits = Limits { levels: 6, cutoff: 0.0 };
         let tracer = Tracer::<_, AllEffects, 6>::new(&world, camera, limits).unwrap();
@@ -227,18 +232,18 @@ proptest! {
     }
 
     #[test]
-    fn every_number_that_is_reported_of_a_hit_is_one(
-        sight in sight(), origin in place(), way in place(), length in -30..30_i32,
+    fn every_number_of_a_hit_is_finite(
+        random_scene in random_scene(), origin in point(), direction in point(), length in -30..30_i32,
     ) {
-        let scene = built(&sight);
+        let scene = built(&random_scene);
         let world = World::new(scene.as_scene(), List::without_bounds(scene.item_count()));
         let scale = (0..length.abs()).fold(1.0, |x, _| if length < 0 { x * 0.1 } else { x * 10.0 });
-        let ray = Ray::new(origin * sight.scale, way * scale);
+        let ray = Ray::new(origin * random_scene.scale, direction * scale);
         let hit = world.nearest_hit::<AllEffects, _>(&ray, Real::MAX, RayKind::Camera, &mut (), &mut ());
         if let Some(hit) = hit {
             prop_assert!(hit.t > 0.0 && hit.t <= Real::MAX);
             let surface = world.surface_interaction::<AllEffects>(&ray, hit);
-            let surface = surface.expect("what was hit has a surface");
+            let surface = surface.expect("a hit has a surface");
             prop_assert!(surface.point.is_finite() && surface.point_error.is_finite(), "{surface:?}");
             for normal in [surface.normal, surface.shading_normal] {
                 prop_assert!((normal.dot(normal) - 1.0).abs() <= 2e-6, "{surface:?}");
@@ -248,7 +253,7 @@ proptest! {
 }
 
 #[test]
-fn a_ray_that_is_none_meets_nothing_and_asks_for_nothing() {
+fn an_invalid_ray_hits_nothing_and_tests_nothing() {
     use strahl_core::accel::{
         Bvh, BvhNode, BvhSize, Grid, GridSize, LeafEntry, Octree, OctreeNode, OctreeSize, TraversalStack,
     };
@@ -274,7 +279,7 @@ fn a_ray_that_is_none_meets_nothing_and_asks_for_nothing() {
         }
     }
 
-    macro_rules! hold {
+    macro_rules! assert_no_hit {
         ($accelerator:expr) => {
             let world = World::new(scene.as_scene(), $accelerator);
             let mut scratch = Default::default();
@@ -299,18 +304,18 @@ fn a_ray_that_is_none_meets_nothing_and_asks_for_nothing() {
                     assert_eq!(blocker, None, "{ray:?}");
                 }
             }
-            assert_eq!(tally, Counters::new(), "no box and no shape is asked");
+            assert_eq!(tally, Counters::new(), "no box and no shape is tested");
         };
     }
 
-    hold!(List::without_bounds(scene.item_count()));
-    let room = BvhSize::recommended(boxes.len());
-    let (mut nodes, mut items) = (vec![BvhNode::EMPTY; room.nodes], vec![LeafEntry::EMPTY; room.entries]);
-    hold!(Bvh::<TraversalStack<64>>::build(&boxes, &mut nodes, &mut items).unwrap());
-    let room = GridSize::recommended(&boxes);
-    let (mut cells, mut items) = (vec![0; room.cells], vec![0; room.entries]);
-    hold!(Grid::<64>::build(&boxes, &mut cells, &mut items).unwrap());
-    let room = OctreeSize::recommended(boxes.len());
-    let (mut nodes, mut items) = (vec![OctreeNode::EMPTY; room.nodes], vec![0; room.entries]);
-    hold!(Octree::<64>::build(&boxes, &mut nodes, &mut items).unwrap());
+    assert_no_hit!(List::without_bounds(scene.item_count()));
+    let size = BvhSize::recommended(boxes.len());
+    let (mut nodes, mut items) = (vec![BvhNode::EMPTY; size.nodes], vec![LeafEntry::EMPTY; size.entries]);
+    assert_no_hit!(Bvh::<TraversalStack<64>>::build(&boxes, &mut nodes, &mut items).unwrap());
+    let size = GridSize::recommended(&boxes);
+    let (mut cells, mut items) = (vec![0; size.cells], vec![0; size.entries]);
+    assert_no_hit!(Grid::<64>::build(&boxes, &mut cells, &mut items).unwrap());
+    let size = OctreeSize::recommended(boxes.len());
+    let (mut nodes, mut items) = (vec![OctreeNode::EMPTY; size.nodes], vec![0; size.entries]);
+    assert_no_hit!(Octree::<64>::build(&boxes, &mut nodes, &mut items).unwrap());
 }

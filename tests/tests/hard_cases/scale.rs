@@ -1,4 +1,4 @@
-//! A scene of another size, mirrored, or with its axes in another order, is the same scene.
+//! Scaled, mirrored and permuted scenes have the same hits.
 
 use strahl_core::accel::List;
 use strahl_core::image::Frame;
@@ -19,10 +19,10 @@ fn power_of_two(k: i32) -> f32 {
     (0..k.abs()).fold(1.0, |x, _| if k < 0 { x * 0.5 } else { x * 2.0 })
 }
 
-/// All shapes in paint, rough mirrors and glass under all lights, with every length times `scale`,
-/// which is a power of two, through a lens or none.
+/// A picture of all shapes in matte materials, rough mirrors and glass under all lights, with every length multiplied by
+/// `scale`, a power of two.
 fn picture(scale: f32, has_lens: bool) -> Vec<[u32; 3]> {
-    let wide = f64::from(scale);
+    let scale_f64 = f64::from(scale);
     let mut rng = SplitMix64::new(SEED);
     let mut scene = TestScene::new();
     let checker = scene.add_texture(Texture::Checker {
@@ -43,18 +43,18 @@ fn picture(scale: f32, has_lens: bool) -> Vec<[u32; 3]> {
         origin: vec3(0.5, 0.1, -0.4) * scale,
         frequency: 0.3 / (scale * scale),
     });
-    let paint = Material { highlight: Rgb::gray(0.5), highlight_exponent: 20.0, ..Material::MATTE };
+    let shiny = Material { highlight: Rgb::gray(0.5), highlight_exponent: 20.0, ..Material::MATTE };
     let materials = [
-        Material { texture: checker, ..paint },
-        Material { texture: gradient, reflection: Rgb::gray(0.5), ..paint },
-        Material { texture: zones, reflection: Rgb::gray(0.3), roughness: 0.3, ..paint },
+        Material { texture: checker, ..shiny },
+        Material { texture: gradient, reflection: Rgb::gray(0.5), ..shiny },
+        Material { texture: zones, reflection: Rgb::gray(0.3), roughness: 0.3, ..shiny },
         Material {
             transmission: Rgb::gray(0.9),
             refractive_index: 1.5,
             fresnel: FresnelModel::Dielectric,
             attenuation_length: Rgb::new(3.0, 4.0, 5.0) * scale,
             diffuse: Rgb::BLACK,
-            ..paint
+            ..shiny
         },
     ];
     scene.material(materials[0]);
@@ -64,7 +64,7 @@ fn picture(scale: f32, has_lens: bool) -> Vec<[u32; 3]> {
         let kind = TestShapeKind::ALL[i % TestShapeKind::ALL.len()];
         if kind != TestShapeKind::Plane {
             let shape = TestShape::random(kind, rng.in_ball(DVec3::ZERO, 3.0), 0.8, &mut rng);
-            scene.add_shape(&shape.mapped(|p| p * wide, |d| d, wide));
+            scene.add_shape(&shape.mapped(|p| p * scale_f64, |d| d, scale_f64));
         }
     }
     let falloff = Falloff { constant: 1.0, linear: 0.01 / scale, quadratic: 0.001 / (scale * scale) };
@@ -113,65 +113,69 @@ fn picture(scale: f32, has_lens: bool) -> Vec<[u32; 3]> {
 }
 
 #[test]
-fn a_scene_of_any_size_gives_the_same_picture_bit_for_bit() {
-    let truths = [false, true].map(|has_lens| picture(1.0, has_lens));
-    for truth in &truths {
-        let colors: std::collections::BTreeSet<_> = truth.iter().collect();
-        assert!(colors.len() > 500, "only {} colours", colors.len());
+fn a_scaled_scene_gives_the_same_picture_bit_for_bit() {
+    let expected_pictures = [false, true].map(|has_lens| picture(1.0, has_lens));
+    for expected in &expected_pictures {
+        let colors: std::collections::BTreeSet<_> = expected.iter().collect();
+        assert!(colors.len() > 500, "only {} colors", colors.len());
     }
-    assert!(truths[0] != truths[1]);
+    assert!(expected_pictures[0] != expected_pictures[1]);
     for k in -20..=20 {
-        // Both with and without a lens, in turn.
+        // With and without a lens, in turn.
         let has_lens = k % 2 == 0;
-        assert!(picture(power_of_two(k), has_lens) == truths[usize::from(has_lens)], "2^{k}");
+        assert!(picture(power_of_two(k), has_lens) == expected_pictures[usize::from(has_lens)], "2^{k}");
     }
 }
 
-/// Things of every kind and hard ones, and rays at them.
+/// Shapes of every kind and hard ones, and rays at them.
 fn scenes(rng: &mut SplitMix64) -> Vec<(TestShape, Vec<TestRay>)> {
     let mut scenes = Vec::new();
     for kind in TestShapeKind::ALL {
         for _ in 0..20 {
-            let place = rng.in_ball(DVec3::ZERO, 5.0);
-            let shape = TestShape::random(kind, place, rng.log_between(0.1, 3.0), rng);
+            let center = rng.in_ball(DVec3::ZERO, 5.0);
+            let shape = TestShape::random(kind, center, rng.log_between(0.1, 3.0), rng);
             let ray = |rng: &mut SplitMix64| {
-                let (eye, target) = (rng.in_ball(place, 12.0), rng.in_ball(place, 3.0));
+                let (eye, target) = (rng.in_ball(center, 12.0), rng.in_ball(center, 3.0));
                 let speed = rng.log_between(0.1, 10.0);
-                let way = (target - eye) * speed;
+                let direction = (target - eye) * speed;
                 TestRay {
                     origin: eye,
-                    direction: dvec3(way.x as f32 as f64, way.y as f32 as f64, way.z as f32 as f64),
+                    direction: dvec3(
+                        direction.x as f32 as f64,
+                        direction.y as f32 as f64,
+                        direction.z as f32 as f64,
+                    ),
                 }
             };
             scenes.push((shape, (0..30).map(|_| ray(rng)).collect()));
         }
     }
-    // Distances of directions 1e-30 long leave the range by themselves.
+    // Distances along directions of length 1e-30 overflow.
     let hard = cases().into_iter().filter(|case| !case.name.contains("1e-30"));
     scenes.extend(hard.flat_map(|case| case.aims(10)));
     scenes
 }
 
 #[test]
-fn distances_grow_with_the_scene_bit_for_bit() {
+fn distances_scale_with_the_scene_bit_for_bit() {
     let mut rng = SplitMix64::new(SEED + 1);
     let mut hits = 0;
     for (shape, rays) in scenes(&mut rng) {
-        let truth = TestScene::with_shapes(std::slice::from_ref(&shape)).cast(&rays);
+        let expected = TestScene::with_shapes(std::slice::from_ref(&shape)).cast(&rays);
         for k in [-20, -7, -1, 1, 13, 20] {
             let scale = f64::from(power_of_two(k));
             let larger = shape.mapped(|p| p * scale, |d| d, scale);
             let other_rays: Vec<TestRay> =
                 rays.iter().map(|ray| TestRay { origin: ray.origin * scale, ..*ray }).collect();
             let answers = TestScene::with_shapes(&[larger]).cast(&other_rays);
-            for ((ray, truth), answer) in rays.iter().zip(&truth).zip(answers) {
-                let grown = |hit: &CoreHit| CoreHit {
+            for ((ray, expected), answer) in rays.iter().zip(&expected).zip(answers) {
+                let scaled = |hit: &CoreHit| CoreHit {
                     t: hit.t * scale,
                     point: hit.point * scale,
                     error: hit.error * scale,
                     ..*hit
                 };
-                assert_eq!(answer, truth.as_ref().map(grown), "2^{k}: {shape:?}\n{ray:?}");
+                assert_eq!(answer, expected.as_ref().map(scaled), "2^{k}: {shape:?}\n{ray:?}");
                 hits += usize::from(answer.is_some());
             }
         }
@@ -179,7 +183,7 @@ fn distances_grow_with_the_scene_bit_for_bit() {
     assert!(hits > 20_000, "{hits}");
 }
 
-/// Whether the normal goes round the corners, so that a mirror turns it over.
+/// Whether the winding of the vertices determines the normal, so that mirroring flips it.
 fn is_handed(shape: &TestShape) -> bool {
     matches!(
         shape,
@@ -195,7 +199,7 @@ fn a_mirrored_scene_has_the_mirrored_hits_bit_for_bit() {
     let mut rng = SplitMix64::new(SEED + 2);
     let mut hits = 0;
     for (shape, rays) in scenes(&mut rng) {
-        let truth = TestScene::with_shapes(std::slice::from_ref(&shape)).cast(&rays);
+        let expected = TestScene::with_shapes(std::slice::from_ref(&shape)).cast(&rays);
         for sides in [dvec3(-1.0, 1.0, 1.0), dvec3(1.0, -1.0, 1.0), dvec3(1.0, 1.0, -1.0)] {
             let mirrored = |v: DVec3| v * sides;
             let other = shape.mapped(mirrored, mirrored, 1.0);
@@ -204,18 +208,18 @@ fn a_mirrored_scene_has_the_mirrored_hits_bit_for_bit() {
                 .map(|ray| TestRay { origin: mirrored(ray.origin), direction: mirrored(ray.direction) })
                 .collect();
             let answers = TestScene::with_shapes(&[other]).cast(&other_rays);
-            for ((ray, truth), answer) in rays.iter().zip(&truth).zip(answers) {
-                // An edge of a polygon holds its lower end and not its upper one.
+            for ((ray, expected), answer) in rays.iter().zip(&expected).zip(answers) {
+                // An edge of a polygon contains its lower end and not its upper one.
                 let may_differ = matches!(shape, TestShape::Polygon { .. } | TestShape::SmoothPolygon { .. })
                     && matches!(intersect(&shape, ray), OracleAnswer::Unclear);
                 if may_differ {
                     continue;
                 }
-                let over = if is_handed(&shape) { -1.0 } else { 1.0 };
+                let sign = if is_handed(&shape) { -1.0 } else { 1.0 };
                 let seen =
-                    |hit: &CoreHit| (hit.t, mirrored(hit.point), mirrored(hit.normal) * over, hit.error);
+                    |hit: &CoreHit| (hit.t, mirrored(hit.point), mirrored(hit.normal) * sign, hit.error);
                 let got = answer.map(|hit| (hit.t, hit.point, hit.normal, hit.error));
-                assert_eq!(got, truth.as_ref().map(seen), "{sides:?}: {shape:?}\n{ray:?}");
+                assert_eq!(got, expected.as_ref().map(seen), "{sides:?}: {shape:?}\n{ray:?}");
                 hits += usize::from(answer.is_some());
             }
         }
@@ -224,9 +228,9 @@ fn a_mirrored_scene_has_the_mirrored_hits_bit_for_bit() {
 }
 
 #[test]
-fn a_scene_with_its_axes_in_another_order_has_the_same_hits_but_for_rounding() {
-    // Sums of three products round in the order of the axes. What has none is the same to the last
-    // bit: triangles, whose test looks along one axis, and upright boxes.
+fn a_scene_with_permuted_axes_has_the_same_hits_up_to_rounding() {
+    // Sums of three products round in the order of the axes. Shapes without such sums are hit equally, bit for bit: triangles,
+    // whose test projects along one axis, and axis-aligned boxes.
     let mut rng = SplitMix64::new(SEED + 3);
     let mut hits = 0;
     for (shape, rays) in scenes(&mut rng) {
@@ -234,28 +238,28 @@ fn a_scene_with_its_axes_in_another_order_has_the_same_hits_but_for_rounding() {
             shape,
             TestShape::Triangle { .. } | TestShape::SmoothTriangle { .. } | TestShape::Cuboid { .. }
         );
-        let truth = TestScene::with_shapes(std::slice::from_ref(&shape)).cast(&rays);
+        let expected = TestScene::with_shapes(std::slice::from_ref(&shape)).cast(&rays);
         for turns in [1, 2] {
-            let turned = |v: DVec3| if turns == 1 { dvec3(v.y, v.z, v.x) } else { dvec3(v.z, v.x, v.y) };
-            let other = shape.mapped(turned, turned, 1.0);
+            let permuted = |v: DVec3| if turns == 1 { dvec3(v.y, v.z, v.x) } else { dvec3(v.z, v.x, v.y) };
+            let other = shape.mapped(permuted, permuted, 1.0);
             let other_rays: Vec<TestRay> = rays
                 .iter()
-                .map(|ray| TestRay { origin: turned(ray.origin), direction: turned(ray.direction) })
+                .map(|ray| TestRay { origin: permuted(ray.origin), direction: permuted(ray.direction) })
                 .collect();
-            for ((ray, truth), answer) in
-                rays.iter().zip(&truth).zip(TestScene::with_shapes(&[other]).cast(&other_rays))
+            for ((ray, expected), answer) in
+                rays.iter().zip(&expected).zip(TestScene::with_shapes(&[other]).cast(&other_rays))
             {
-                let about = || format!("{shape:?}\n{ray:?}\n{truth:?}\n{answer:?}");
+                let context = || format!("{shape:?}\n{ray:?}\n{expected:?}\n{answer:?}");
                 let t = |hit: &CoreHit| hit.t;
                 if is_exact {
-                    assert_eq!(answer.as_ref().map(t), truth.as_ref().map(t), "{}", about());
+                    assert_eq!(answer.as_ref().map(t), expected.as_ref().map(t), "{}", context());
                 } else if let OracleAnswer::Hit(contact) = intersect(&shape, ray) {
-                    let (Some(one), Some(other)) = (truth, answer) else { panic!("{}", about()) };
-                    // Each is within 4 units in the last place (8 for cones and tori) of the truth.
+                    let (Some(one), Some(other)) = (expected, answer) else { panic!("{}", context()) };
+                    // Each has an error of at most 4 units in the last place (8 for cones and tori).
                     let conditioning = size(&shape, ray) / contact.slope + contact.distance;
                     let speed = ray.direction.dot(ray.direction).sqrt();
                     let off = (one.t - other.t).abs() * speed;
-                    assert!(off <= 8.0 * f64::from(f32::EPSILON) * conditioning, "{}", about());
+                    assert!(off <= 8.0 * f64::from(f32::EPSILON) * conditioning, "{}", context());
                 }
                 hits += usize::from(answer.is_some());
             }

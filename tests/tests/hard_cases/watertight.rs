@@ -1,4 +1,4 @@
-//! No ray gets through a closed mesh between its triangles.
+//! Watertight meshes: no ray escapes between the triangles of a closed mesh.
 
 use strahl_core::accel::{
     Bvh, BvhNode, BvhSize, Grid, GridSize, LeafEntry, List, Octree, OctreeNode, OctreeSize, TraversalStack,
@@ -11,11 +11,10 @@ use strahl_tests::{DVec3, SplitMix64, dvec3};
 
 const SEED: u64 = 0x5eed_0008;
 
-/// Far from the origin, where corners are coarse.
+/// Far from the origin, where coordinates are coarse.
 const FAR: DVec3 = DVec3::new(2e5, -1.3e5, 0.7e5);
 
-/// The slivers of a cone meet in its apex, and a ray that is aimed there has to ask all of them:
-/// fewer rays than for other meshes.
+/// Meshes, and numbers of rays. A ray at the apex of a cone tests all of its slivers, so that it gets fewer rays.
 fn meshes() -> Vec<(&'static str, ClosedMesh, usize)> {
     vec![
         ("a sphere", ClosedMesh::icosphere(5, DVec3::ZERO, 1.0), 300_000),
@@ -30,7 +29,7 @@ fn meshes() -> Vec<(&'static str, ClosedMesh, usize)> {
 }
 
 #[test]
-fn a_million_rays_at_edges_and_corners_and_none_gets_through() {
+fn none_of_a_million_rays_at_edges_and_vertices_escapes() {
     let mut rays = 0;
     for (name, mesh, count) in meshes() {
         assert_eq!(escapes(&mesh, count, &mut SplitMix64::new(SEED)), 0, "{name}");
@@ -40,7 +39,7 @@ fn a_million_rays_at_edges_and_corners_and_none_gets_through() {
 }
 
 #[test]
-fn from_outside_a_closed_mesh_is_crossed_an_even_number_of_times() {
+fn a_ray_from_outside_crosses_a_closed_mesh_an_even_number_of_times() {
     for (name, mesh) in [
         ("a sphere", ClosedMesh::icosphere(3, DVec3::ZERO, 1.0)),
         ("a sphere far away", ClosedMesh::icosphere(3, FAR, 100.0)),
@@ -74,9 +73,9 @@ fn no_accelerator_lets_a_ray_through() {
                 Ray::new(narrow(ray.origin), narrow(ray.direction))
             })
             .collect();
-        let mut truth = Vec::new();
+        let mut expected = Vec::new();
 
-        macro_rules! hold {
+        macro_rules! assert_watertight {
             ($kind:literal, $accelerator:expr) => {
                 let world = World::new(scene, $accelerator);
                 let mut scratch = Default::default();
@@ -89,28 +88,28 @@ fn no_accelerator_lets_a_ray_through() {
                         &mut (),
                     );
                     assert!(hit.is_some(), "{name}, {}: {ray:?}", $kind);
-                    if truth.len() <= i {
-                        truth.push(hit);
+                    if expected.len() <= i {
+                        expected.push(hit);
                     }
-                    assert_eq!(hit, truth[i], "{name}, {}: {ray:?}", $kind);
+                    assert_eq!(hit, expected[i], "{name}, {}: {ray:?}", $kind);
                 }
             };
         }
 
-        let room = BvhSize::recommended(boxes.len());
-        let (mut nodes, mut items) = (vec![BvhNode::EMPTY; room.nodes], vec![LeafEntry::EMPTY; room.entries]);
-        hold!("hierarchy", Bvh::<TraversalStack<64>>::build(&boxes, &mut nodes, &mut items).unwrap());
-        let room = GridSize::recommended(&boxes);
-        let (mut cells, mut items) = (vec![0; room.cells], vec![0; room.entries]);
-        hold!("grid", Grid::<64>::build(&boxes, &mut cells, &mut items).unwrap());
-        let room = OctreeSize::recommended(boxes.len());
-        let (mut nodes, mut items) = (vec![OctreeNode::EMPTY; room.nodes], vec![0; room.entries]);
-        hold!("octree", Octree::<64>::build(&boxes, &mut nodes, &mut items).unwrap());
-        // The list takes each of thousands of triangles: some rays are enough.
+        let size = BvhSize::recommended(boxes.len());
+        let (mut nodes, mut items) = (vec![BvhNode::EMPTY; size.nodes], vec![LeafEntry::EMPTY; size.entries]);
+        assert_watertight!("BVH", Bvh::<TraversalStack<64>>::build(&boxes, &mut nodes, &mut items).unwrap());
+        let size = GridSize::recommended(&boxes);
+        let (mut cells, mut items) = (vec![0; size.cells], vec![0; size.entries]);
+        assert_watertight!("grid", Grid::<64>::build(&boxes, &mut cells, &mut items).unwrap());
+        let size = OctreeSize::recommended(boxes.len());
+        let (mut nodes, mut items) = (vec![OctreeNode::EMPTY; size.nodes], vec![0; size.entries]);
+        assert_watertight!("octree", Octree::<64>::build(&boxes, &mut nodes, &mut items).unwrap());
+        // The list tests all of thousands of triangles: a few rays are enough.
         let world = World::new(scene, List::without_bounds(shapes.len() as u32));
-        for (ray, truth) in rays.iter().zip(&truth).take(100) {
+        for (ray, expected) in rays.iter().zip(&expected).take(100) {
             let hit = world.nearest_hit::<AllEffects, _>(ray, Real::MAX, RayKind::Camera, &mut (), &mut ());
-            assert_eq!(hit, *truth, "{name}, list: {ray:?}");
+            assert_eq!(hit, *expected, "{name}, list: {ray:?}");
         }
     }
 }

@@ -1,16 +1,16 @@
-//! A ray that leaves a surface does not meet it again.
+//! A ray that leaves a surface does not hit it again.
 
 use crate::*;
 
 const SEED: u64 = 0x5eed_0002;
 
 const SHAPES: usize = 150;
-/// Hits on each thing, and rays from each hit.
+/// Hits of each shape, and rays from each hit.
 const HITS: usize = 20;
 const RAYS: usize = 12;
 
-/// The sides that a ray can leave a thing to without meeting it again: both of what is flat,
-/// the outer one of what is convex.
+/// Sides of a shape, as factors of the normal, on which no ray hits the shape again: both of a flat shape, the outer one
+/// of a convex solid.
 fn sides(kind: TestShapeKind) -> &'static [f64] {
     match kind {
         TestShapeKind::Torus => &[],
@@ -24,28 +24,28 @@ fn sides(kind: TestShapeKind) -> &'static [f64] {
     }
 }
 
-/// A direction to the side of `normal`; every other one grazes it, down to some 1e-4, where the
-/// roundings of the normal itself are still small.
+/// A direction on the side of `normal`. Every other one is grazing, down to about 1e-4, where the rounding error of the
+/// normal is still small.
 fn outward(normal: DVec3, rng: &mut SplitMix64) -> DVec3 {
     loop {
         let direction = rng.direction();
         let height = direction.dot(normal);
-        let wanted = if rng.below(2) == 0 { height.abs() } else { rng.log_between(1e-4, 1e-1) };
-        let direction = direction + normal * (wanted - height);
+        let target_height = if rng.below(2) == 0 { height.abs() } else { rng.log_between(1e-4, 1e-1) };
+        let direction = direction + normal * (target_height - height);
         let direction = dvec3(rounded(direction.x), rounded(direction.y), rounded(direction.z));
-        if direction.dot(normal) > 0.9 * wanted && wanted > 1e-4 {
+        if direction.dot(normal) > 0.9 * target_height && target_height > 1e-4 {
             return direction;
         }
     }
 }
 
-fn is_not_met_again(kind: TestShapeKind) {
+fn is_not_hit_again(kind: TestShapeKind) {
     let mut rng = SplitMix64::new(SEED + kind as u64);
     for core in CORES {
         let mut ray_count = 0;
         for _ in 0..SHAPES {
             let size = rng.log_between(1e-4, 1e4);
-            // Every third round the origin, the others up to 1e4 sizes away.
+            // Every third around the origin, the others up to 1e4 sizes away.
             let away = if rng.below(3) == 0 { 0.0 } else { size * rng.log_between(1.0, 1e4) };
             let shape = TestShape::random(kind, rng.direction() * away, size, &mut rng);
             let rays: Vec<TestRay> = (0..HITS).map(|_| random_ray(&shape, &mut rng)).collect();
@@ -66,11 +66,11 @@ fn is_not_met_again(kind: TestShapeKind) {
     }
 }
 
-for_every_kind!(is_not_met_again, is_not_met_again_by_a_ray_that_leaves_it);
+for_every_kind!(is_not_hit_again, is_not_hit_again_by_a_ray_that_leaves_it);
 
 #[test]
-fn a_floor_on_a_coordinate_plane_is_not_met_again() {
-    // No coordinate of its points is off along the normal: the step must not vanish with them.
+fn a_floor_on_a_coordinate_plane_is_not_hit_again() {
+    // Its points have no error along the normal; the offset must not vanish with the error.
     let vertex = |x, z| dvec3(x, 0.0, z);
     let vertices = [vertex(-3.0, -2.0), vertex(5.0, -1.0), vertex(0.5, 7.0)];
     let mut rng = SplitMix64::new(SEED + 100);
@@ -98,10 +98,9 @@ fn a_floor_on_a_coordinate_plane_is_not_met_again() {
     }
 }
 
-/// A triangle whose plane goes through the origin, which lies inside or on its edge: where its
-/// points have small coordinates the rounding of the test does not become small with them. Its
-/// height is at least `least` of its longest side.
-fn through_the_origin(rng: &mut SplitMix64, least: f64, most: f64) -> [DVec3; 3] {
+/// A triangle that contains the origin, inside or on its edge. Near the origin coordinates are small, but the rounding
+/// errors of the intersection are not. Its height is `min` to `max` times its longest side.
+fn through_the_origin(rng: &mut SplitMix64, min: f64, max: f64) -> [DVec3; 3] {
     loop {
         let (a, b) = (rng.in_ball(DVec3::ZERO, 1.0), rng.in_ball(DVec3::ZERO, 1.0));
         let vertices = [[a, b, -(a + b)], [a, -a, b], [DVec3::ZERO, a, b]][rng.below(3) as usize];
@@ -109,19 +108,19 @@ fn through_the_origin(rng: &mut SplitMix64, least: f64, most: f64) -> [DVec3; 3]
         let [a, b, c] = vertices;
         let longest = [b - a, c - b, a - c].map(|side| side.dot(side)).into_iter().fold(0.0, f64::max);
         let height = length((b - a).cross(c - a)) / longest;
-        if height >= least && height <= most {
+        if height >= min && height <= max {
             return vertices;
         }
     }
 }
 
-/// How many of the rays that leave such triangles, near the origin, meet them again.
-fn met_again_near_the_origin(least: f64, most: f64, as_polygon: bool) -> usize {
+/// Number of rays that leave such triangles near the origin and hit them again.
+fn self_intersections_near_the_origin(min: f64, max: f64, as_polygon: bool) -> usize {
     let mut rng = SplitMix64::new(SEED + 101);
     let mut again = 0;
     for core in CORES {
         for _ in 0..2000 {
-            let vertices = through_the_origin(&mut rng, least, most);
+            let vertices = through_the_origin(&mut rng, min, max);
             let shape = match as_polygon {
                 true => TestShape::Polygon { vertices: vertices.to_vec() },
                 false => TestShape::Triangle { vertices },
@@ -146,16 +145,16 @@ fn met_again_near_the_origin(least: f64, most: f64, as_polygon: bool) -> usize {
 }
 
 #[test]
-fn a_triangle_through_the_origin_is_not_met_again_there() {
-    assert_eq!(met_again_near_the_origin(0.05, 1.0, false), 0);
+fn a_triangle_through_the_origin_is_not_hit_again_there() {
+    assert_eq!(self_intersections_near_the_origin(0.05, 1.0, false), 0);
 }
 
 #[test]
-fn a_polygon_through_the_origin_is_not_met_again_there() {
-    assert_eq!(met_again_near_the_origin(0.05, 1.0, true), 0);
+fn a_polygon_through_the_origin_is_not_hit_again_there() {
+    assert_eq!(self_intersections_near_the_origin(0.05, 1.0, true), 0);
 }
 
 #[test]
-fn a_needle_through_the_origin_is_not_met_again_there() {
-    assert_eq!(met_again_near_the_origin(1e-4, 0.02, false), 0);
+fn a_needle_through_the_origin_is_not_hit_again_there() {
+    assert_eq!(self_intersections_near_the_origin(1e-4, 0.02, false), 0);
 }

@@ -1,4 +1,4 @@
-//! Every shape in both cores: where it is met, from which side, and how it is left.
+//! Every shape in both cores: hits, normals, and rays that leave the surface.
 
 mod leaving;
 mod oracle;
@@ -8,20 +8,20 @@ use strahl_tests::{
     CoreHit, DVec3, SplitMix64, TestRay, TestShape, TestShapeKind, TestedCore, double, dvec3, rounded, single,
 };
 
-/// What a ray finds of one thing alone, and where it starts that leaves the surface.
+/// Casts rays at one shape with one core, and offsets ray origins.
 #[derive(Clone, Copy)]
-struct Caster {
+struct ShapeCaster {
     cast: fn(&TestShape, &[TestRay]) -> Vec<Option<CoreHit>>,
     offset_origin: fn(&CoreHit, DVec3) -> DVec3,
     roundoff: f64,
     name: &'static str,
 }
 
-impl Caster {
+impl ShapeCaster {
     const fn of<C: TestedCore>() -> Self {
         let cast =
             |shape: &TestShape, rays: &[TestRay]| C::with_shapes(std::slice::from_ref(shape)).cast(rays);
-        Caster { cast, offset_origin: C::offset_origin, roundoff: C::ROUNDOFF, name: C::NAME }
+        ShapeCaster { cast, offset_origin: C::offset_origin, roundoff: C::ROUNDOFF, name: C::NAME }
     }
 
     fn one(&self, shape: &TestShape, ray: TestRay) -> Option<CoreHit> {
@@ -29,37 +29,41 @@ impl Caster {
     }
 }
 
-const SINGLE: Caster = Caster::of::<single::TestScene>();
-const DOUBLE: Caster = Caster::of::<double::TestScene>();
-const CORES: [Caster; 2] = [SINGLE, DOUBLE];
+const SINGLE: ShapeCaster = ShapeCaster::of::<single::TestScene>();
+const DOUBLE: ShapeCaster = ShapeCaster::of::<double::TestScene>();
+const CORES: [ShapeCaster; 2] = [SINGLE, DOUBLE];
 
 fn length(v: DVec3) -> f64 {
     v.dot(v).sqrt()
 }
 
-/// The ray from one point towards another, `speed` times as fast as to reach it at one.
+/// The ray from `origin` through `target`, with a direction of `speed` times their difference, rounded to `f32`.
 fn towards(origin: DVec3, target: DVec3, speed: f64) -> TestRay {
-    let way = (target - origin) * speed;
-    TestRay { origin, direction: dvec3(rounded(way.x), rounded(way.y), rounded(way.z)) }
+    let direction = (target - origin) * speed;
+    TestRay { origin, direction: dvec3(rounded(direction.x), rounded(direction.y), rounded(direction.z)) }
 }
 
-/// A point on the thing or beside it.
+/// A point on the shape or beside it.
 fn target(shape: &TestShape, rng: &mut SplitMix64) -> DVec3 {
     let (center, radius) = shape.bounding_sphere();
-    let among = |vertices: &[DVec3], rng: &mut SplitMix64| {
-        let shares: Vec<f64> = vertices.iter().map(|_| rng.unit()).collect();
-        let mix: DVec3 = vertices.iter().zip(&shares).map(|(vertex, share)| *vertex * *share).sum();
-        center + (mix / shares.iter().sum::<f64>() - center) * rng.between(0.0, 2.5)
+    let near_vertices = |vertices: &[DVec3], rng: &mut SplitMix64| {
+        let weights: Vec<f64> = vertices.iter().map(|_| rng.unit()).collect();
+        let sum: DVec3 = vertices.iter().zip(&weights).map(|(vertex, weight)| *vertex * *weight).sum();
+        center + (sum / weights.iter().sum::<f64>() - center) * rng.between(0.0, 2.5)
     };
     match shape {
-        TestShape::Triangle { vertices } | TestShape::SmoothTriangle { vertices, .. } => among(vertices, rng),
-        TestShape::Polygon { vertices } | TestShape::SmoothPolygon { vertices, .. } => among(vertices, rng),
+        TestShape::Triangle { vertices } | TestShape::SmoothTriangle { vertices, .. } => {
+            near_vertices(vertices, rng)
+        }
+        TestShape::Polygon { vertices } | TestShape::SmoothPolygon { vertices, .. } => {
+            near_vertices(vertices, rng)
+        }
         _ => rng.in_ball(center, 1.2 * radius),
     }
 }
 
-/// A ray that probably meets the thing: from up to a hundred of its sizes away or from inside,
-/// of any length.
+/// A ray that probably hits the shape, from inside or from up to a hundred of its sizes away, with a direction of any
+/// length.
 fn random_ray(shape: &TestShape, rng: &mut SplitMix64) -> TestRay {
     let (center, radius) = shape.bounding_sphere();
     let origin = match rng.below(4) {
@@ -78,7 +82,7 @@ fn random_ray(shape: &TestShape, rng: &mut SplitMix64) -> TestRay {
     }
 }
 
-/// A test for each kind.
+/// Declares a test for each kind of shape.
 macro_rules! for_every_kind {
     ($check:ident, $name:ident) => {
         $crate::for_every_kind! { $check, $name:
@@ -90,7 +94,7 @@ macro_rules! for_every_kind {
             a_polygon: Polygon,
             a_smooth_polygon: SmoothPolygon,
             a_box: Cuboid,
-            a_turned_box: OrientedCuboid,
+            an_oriented_box: OrientedCuboid,
             an_open_cone: OpenCone,
             a_capped_cone: CappedCone,
             an_open_cylinder: OpenCylinder,

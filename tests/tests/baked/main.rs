@@ -1,7 +1,7 @@
-//! Baked scenes: what was written is what is opened, and no other bytes are.
+//! Baked scenes: an opened scene equals the baked one, and other bytes are refused.
 
 mod bytes;
-mod same;
+mod round_trip;
 
 use strahl_core::accel::{
     Accelerator, Bvh, BvhNode, BvhSize, Grid, GridSize, LeafEntry, List, Octree, OctreeNode, OctreeSize,
@@ -21,16 +21,16 @@ use strahl_tests::single::TestScene;
 use zerocopy::IntoBytes;
 
 /// Bytes aligned to 4.
-struct Aligned {
+struct AlignedBytes {
     words: Vec<u32>,
     length: usize,
 }
 
-impl Aligned {
+impl AlignedBytes {
     fn of(bytes: &[u8]) -> Self {
         let mut words = vec![0_u32; bytes.len().div_ceil(4)];
         words.as_mut_bytes()[..bytes.len()].copy_from_slice(bytes);
-        Aligned { words, length: bytes.len() }
+        AlignedBytes { words, length: bytes.len() }
     }
 
     fn bytes(&self) -> &[u8] {
@@ -46,8 +46,8 @@ const VIEW: CameraDescriptor = CameraDescriptor {
 };
 const SIZE: Resolution = Resolution::new(24, 16).unwrap();
 
-/// One of everything, and a swarm of small spheres.
-fn fair() -> TestScene {
+/// Every shape, material and light, and many small spheres.
+fn mixed_scene() -> TestScene {
     let mut scene = TestScene::new();
     let checker = scene.add_texture(Texture::Checker {
         even: Rgb::WHITE,
@@ -91,8 +91,8 @@ fn fair() -> TestScene {
     scene.material(shiny);
     let mut rng = SplitMix64::new(7);
     for _ in 0..150 {
-        let mut at = || 4.0 * (rng.unit() as Real) - 2.0;
-        scene.sphere(vec3(at(), at(), at()), 0.08);
+        let mut coordinate = || 4.0 * (rng.unit() as Real) - 2.0;
+        scene.sphere(vec3(coordinate(), coordinate(), coordinate()), 0.08);
     }
     let falloff = Falloff { constant: 0.5, linear: 0.01, quadratic: 0.001 };
     let white = Rgb::gray(0.5);
@@ -123,17 +123,17 @@ fn baked(scene: Scene<'_>, finder: Finder<'_>) -> Vec<u8> {
     bytes
 }
 
-/// The four ways to find an item, each baked.
-fn every_pack(scene: &TestScene) -> Vec<Vec<u8>> {
+/// The scene, baked with each of the four accelerators.
+fn baked_with_every_accelerator(scene: &TestScene) -> Vec<Vec<u8>> {
     let boxes = scene.bounds();
-    let room = GridSize::recommended(&boxes);
-    let (mut cells, mut entries) = (vec![0; room.cells], vec![0; room.entries]);
+    let size = GridSize::recommended(&boxes);
+    let (mut cells, mut entries) = (vec![0; size.cells], vec![0; size.entries]);
     let grid = Grid::build(&boxes, &mut cells, &mut entries).unwrap();
-    let room = OctreeSize::recommended(boxes.len());
-    let (mut octants, mut listed) = (vec![OctreeNode::EMPTY; room.nodes], vec![0; room.entries]);
+    let size = OctreeSize::recommended(boxes.len());
+    let (mut octants, mut listed) = (vec![OctreeNode::EMPTY; size.nodes], vec![0; size.entries]);
     let octree = Octree::build(&boxes, &mut octants, &mut listed).unwrap();
-    let room = BvhSize::recommended(boxes.len());
-    let (mut nodes, mut items) = (vec![BvhNode::EMPTY; room.nodes], vec![LeafEntry::EMPTY; room.entries]);
+    let size = BvhSize::recommended(boxes.len());
+    let (mut nodes, mut items) = (vec![BvhNode::EMPTY; size.nodes], vec![LeafEntry::EMPTY; size.entries]);
     let bvh = Bvh::build(&boxes, &mut nodes, &mut items).unwrap();
     let finders = [
         Finder::Bare(BareList(scene.item_count())),
@@ -155,7 +155,7 @@ fn picture<A: Accelerator>(scene: Scene<'_>, accelerator: A, camera: Camera) -> 
     colors
 }
 
-/// The picture of a pack, by whatever it was baked with.
+/// The picture of a baked scene, traced with its accelerator.
 fn picture_of(pack: &Pack<'_>) -> Result<Vec<[u32; 3]>, PackError> {
     let (scene, camera) = (*pack.scene(), pack.camera(SIZE).unwrap());
     Ok(match pack.finder()? {
