@@ -3,12 +3,12 @@
 //! This is the one module that knows every accelerator: the settings become a type here, and [`open`] returns it
 //! behind a pointer. For another accelerator: a name in [`strahl_settings::accelerator`], and an arm in [`open`].
 //!
-//! Sizes that are constants of a type come from short lists ([`MAILBOXES`], [`HEAPS`]). The ray tracer is compiled for
+//! Sizes that are constants of a type come from short lists ([`MAILBOX_SLOTS`], [`HEAP_ENTRIES`]). The ray tracer is compiled for
 //! all prepared effect sets only for the accelerators that `auto` chooses, for few of them where an accelerator is
 //! asked for by name, and for one where its size is not the usual one (module `prepared`).
 //!
-//! [`MAILBOXES`]: strahl_settings::accelerator::MAILBOXES
-//! [`HEAPS`]: strahl_settings::accelerator::HEAPS
+//! [`MAILBOX_SLOTS`]: strahl_settings::accelerator::MAILBOX_SLOTS
+//! [`HEAP_ENTRIES`]: strahl_settings::accelerator::HEAP_ENTRIES
 
 use std::time::Instant;
 

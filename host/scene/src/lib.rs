@@ -1,11 +1,11 @@
 //! Scenes of strahl: their description, and the formats that they are read from.
 //!
-//! [`load`](load::load) reads a file of any format into a [`LoadedScene`], which is neutral:
+//! [`load()`] reads a file of any format into a [`LoadedScene`], which is neutral:
 //! nothing is derived, and both precisions see the same numbers.
 //!
 //! | module | what it does |
 //! |---|---|
-//! | [`load`] | a file of any format becomes a description |
+//! | [`mod@load`] | a file of any format becomes a description |
 //! | [`toml_scene`] | scenes in TOML |
 //! | `nff` | scenes in NFF |
 //! | [`mesh`] | OBJ with MTL, PLY and glTF |

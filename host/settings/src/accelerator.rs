@@ -104,11 +104,11 @@ pub struct AccelSettings {
     pub accel: Accel,
     /// How a hierarchy is walked.
     pub walk: Walk,
-    /// The capacity of the heap of that walk: one of [`HEAPS`].
+    /// The capacity of the heap of that walk: one of [`HEAP_ENTRIES`].
     pub heap: usize,
     /// What the list puts around items and groups of them.
     pub bounds: Bounds,
-    /// The size of the mailbox of grid and octree: one of [`MAILBOXES`].
+    /// The size of the mailbox of grid and octree: one of [`MAILBOX_SLOTS`].
     pub mailbox: usize,
 }
 
