@@ -1,34 +1,33 @@
-//! Circles of modules: a module that, through others, uses itself.
+//! Circles of modules: a module that uses itself through others.
 
 use std::collections::{BTreeMap, BTreeSet};
 
 use crate::names::Names;
 use crate::source::Crate;
 
-/// Modules beside each other that use each other, and one use for each of these steps.
+/// Sibling modules that use each other, and one use for each step.
 pub struct Circle {
-    /// Such as `accel: bvh, self`, where `self` is what stands in the module around them.
+    /// Such as `accel: bvh, self`, where `self` is the code of the parent module.
     pub name: String,
     pub uses: Vec<String>,
 }
 
-/// Every circle of modules that are beside each other, with what is in them, and the code of the module
-/// around them.
+/// All circles of sibling modules, with their descendants, and the code of their parent module.
 pub fn circles(of: &Crate) -> Vec<Circle> {
     let names = Names::of(of);
     let uses: Vec<BTreeSet<usize>> = (0..of.modules.len()).map(|module| names.used_by(module)).collect();
     let mut circles = Vec::new();
     for around in &of.modules {
-        // For each pair of neighbours a pair of modules in them of which one uses the other.
+        // For each pair of siblings a pair of descendants of which one uses the other.
         let mut steps: BTreeMap<(&str, &str), (usize, usize)> = BTreeMap::new();
         for (user, used) in
             uses.iter().enumerate().flat_map(|(user, used)| used.iter().map(move |it| (user, *it)))
         {
-            let neighbour = |module: usize| {
+            let sibling = |module: usize| {
                 let inside = of.modules[module].path.strip_prefix(&around.path[..])?;
                 Some(inside.first().map_or("self", String::as_str))
             };
-            if let (Some(a), Some(b)) = (neighbour(user), neighbour(used))
+            if let (Some(a), Some(b)) = (sibling(user), sibling(used))
                 && a != b
             {
                 steps.entry((a, b)).or_insert((user, used));
@@ -52,7 +51,7 @@ pub fn circles(of: &Crate) -> Vec<Circle> {
     circles
 }
 
-/// The sets of those that lead to each other.
+/// Strongly connected components with more than one element.
 fn in_circles<'n>(steps: &BTreeSet<(&'n str, &'n str)>) -> Vec<BTreeSet<&'n str>> {
     let reached = |from: &'n str| {
         let mut reached = BTreeSet::new();

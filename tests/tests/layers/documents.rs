@@ -1,4 +1,4 @@
-//! What documents name exists.
+//! Every path that a document names exists.
 
 use std::collections::BTreeSet;
 use std::fs;
@@ -6,7 +6,7 @@ use std::path::{Path, PathBuf};
 
 use crate::workspace;
 
-/// Folders that hold nothing of the project's own.
+/// Folders without documents of the project.
 const FOREIGN: [&str; 5] = ["target", ".git", "corpus", "artifacts", "node_modules"];
 
 /// All documents below a folder.
@@ -22,8 +22,7 @@ fn documents(folder: &Path, found: &mut Vec<PathBuf>) {
     }
 }
 
-/// What a document in this folder of the workspace names: paths from the workspace's root into the folders
-/// of scenes and tests, and the targets of its links.
+/// Paths that a document in this folder names: those that begin with `scenes/` or `tests/`, and the targets of its links.
 fn named_in(folder: &Path, text: &str) -> BTreeSet<PathBuf> {
     let is_of_a_path = |c: char| c.is_ascii_alphanumeric() || "._/-".contains(c);
     let paths = text.split(|c| !is_of_a_path(c)).map(|word| word.trim_end_matches('.'));

@@ -1,4 +1,4 @@
-//! Calls of simple macros, expanded: of macros with one rule whose variables are names.
+//! Expansion of simple macro calls: of macros with one rule whose variables are names.
 
 use std::collections::HashMap;
 
@@ -6,7 +6,7 @@ use proc_macro2::{Delimiter, Group, TokenStream, TokenTree};
 
 /// A macro with one rule.
 pub struct Rule {
-    /// The words of its pattern: variables, and others.
+    /// Variables and literal words.
     pattern: Vec<Word>,
     body: TokenStream,
 }
@@ -18,7 +18,7 @@ enum Word {
 }
 
 impl Rule {
-    /// The rule in the definition of a macro; none if there is more than one.
+    /// The rule of a macro definition; `None` if there is more than one.
     pub fn of(definition: TokenStream) -> Option<Rule> {
         let mut groups = definition.into_iter().filter_map(|token| match token {
             TokenTree::Group(group) => Some(group.stream()),
@@ -28,7 +28,7 @@ impl Rule {
         groups.next().is_none().then(|| Rule { pattern: pattern_of(pattern), body })
     }
 
-    /// What a call stands for, without documentation; none if it does not fit the pattern word by word.
+    /// The expansion of a call without documentation; `None` if the call does not match the pattern word by word.
     pub fn expanded(&self, call: TokenStream) -> Option<TokenStream> {
         let words = words(call)?;
         if words.len() != self.pattern.len() {
@@ -42,11 +42,11 @@ impl Rule {
                 Word::Literal(_) => return None,
             }
         }
-        Some(filled(self.body.clone(), &values))
+        Some(substitute(self.body.clone(), &values))
     }
 }
 
-/// The words of a pattern, without what may be repeated.
+/// The words of a pattern, without repetitions.
 fn pattern_of(tokens: TokenStream) -> Vec<Word> {
     let mut pattern = Vec::new();
     let mut tokens = tokens.into_iter().peekable();
@@ -67,14 +67,14 @@ fn pattern_of(tokens: TokenStream) -> Vec<Word> {
     pattern
 }
 
-/// Goes beyond the separator and the operator of `$(..),*`.
+/// Skips the separator and the operator of `$(..),*`.
 fn repetition(tokens: &mut impl Iterator<Item = TokenTree>) {
     let is_operator =
         |token: &TokenTree| matches!(token, TokenTree::Punct(it) if "*+?".contains(it.as_char()));
     tokens.find(is_operator);
 }
 
-/// The words of a call without its attributes; none if there is anything else.
+/// The words of a call without its attributes; `None` if there are other tokens.
 fn words(call: TokenStream) -> Option<Vec<TokenTree>> {
     let mut words = Vec::new();
     let mut tokens = call.into_iter();
@@ -89,30 +89,30 @@ fn words(call: TokenStream) -> Option<Vec<TokenTree>> {
     Some(words)
 }
 
-/// A body with values for its variables, without what may be repeated.
-fn filled(body: TokenStream, values: &HashMap<String, TokenTree>) -> TokenStream {
-    let mut filled_in = Vec::new();
+/// Substitutes the variables of a body, and removes repetitions.
+fn substitute(body: TokenStream, values: &HashMap<String, TokenTree>) -> TokenStream {
+    let mut output = Vec::new();
     let mut tokens = body.into_iter();
     while let Some(token) = tokens.next() {
         match token {
             TokenTree::Punct(it) if it.as_char() == '$' => match tokens.next() {
                 Some(TokenTree::Ident(name)) => {
                     let value = values.get(&name.to_string()).cloned();
-                    filled_in.push(value.unwrap_or(TokenTree::Ident(name)));
+                    output.push(value.unwrap_or(TokenTree::Ident(name)));
                 }
                 _ => repetition(&mut tokens),
             },
             TokenTree::Group(group) => {
-                let inside = filled(group.stream(), values);
-                filled_in.push(TokenTree::Group(Group::new(group.delimiter(), inside)));
+                let inside = substitute(group.stream(), values);
+                output.push(TokenTree::Group(Group::new(group.delimiter(), inside)));
             }
-            other => filled_in.push(other),
+            other => output.push(other),
         }
     }
-    filled_in.into_iter().collect()
+    output.into_iter().collect()
 }
 
-/// Whether there is a public function in some tokens.
+/// Whether the tokens contain a public function.
 pub fn has_public_functions(tokens: TokenStream) -> bool {
     let tokens: Vec<TokenTree> = tokens.into_iter().collect();
     let words: Vec<String> = tokens.iter().map(TokenTree::to_string).collect();
@@ -132,7 +132,7 @@ mod tests {
     }
 
     #[test]
-    fn names_are_filled_in_and_attributes_left_out() {
+    fn names_are_substituted_and_attributes_left_out() {
         let definition = "($(#[$doc:meta])* $Set:ident of $Kind:ident) => { $(#[$doc])* struct $Set; impl $Set { fn f(k: $Kind) {} } }";
         let is = "structA;implA{fnf(k:B){}}";
         assert_eq!(expanded(definition, "A of B").as_deref(), Some(is));
@@ -148,7 +148,7 @@ mod tests {
     }
 
     #[test]
-    fn public_functions_are_seen() {
+    fn public_functions_are_found() {
         let has = |text: &str| has_public_functions(text.parse().unwrap());
         assert!(has("impl A { pub fn f() {} }") && has("{ pub const fn f() {} }"));
         assert!(!has("impl A { fn f() {} pub const C: u8 = 0; }"));

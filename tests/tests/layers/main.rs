@@ -1,11 +1,12 @@
-//! The order of modules, which no compiler checks: in the core a module uses only what lies below it, and
-//! nowhere do modules use each other in a circle.
+//! Architecture tests: a module of the core uses only lower layers, and no modules of any package use each other in a
+//! circle.
 
 mod circles;
 mod documents;
 mod expansion;
 mod names;
 mod proof;
+mod scope;
 mod source;
 
 use std::collections::BTreeSet;
@@ -32,8 +33,8 @@ const LAYERS: [&[&str]; 10] = [
     &["render"],
 ];
 
-/// The most lines of a module of the core, without its unit tests.
-const MOST_LINES: usize = 350;
+/// Maximum number of lines of a module of the core, without its unit tests.
+const MAX_LINES: usize = 350;
 
 fn workspace() -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).parent().unwrap().to_owned()
@@ -45,8 +46,8 @@ fn core() -> Crate {
     core
 }
 
-/// Every library, program, example and test of the workspace's packages: the package, and the file of its
-/// root module. `core/double` has the sources of the core.
+/// All targets of the workspace's packages: the package, and the file of the root module. `core/double` has the sources of
+/// the core.
 fn targets() -> Vec<(String, PathBuf)> {
     let output = Command::new(env!("CARGO"))
         .args(["metadata", "--no-deps", "--offline", "--format-version", "1"])
@@ -102,17 +103,12 @@ fn no_modules_use_each_other_in_a_circle() {
 }
 
 #[test]
-fn the_core_takes_in_no_library_but_alloc_by_its_feature() {
+fn the_core_links_no_crate_but_alloc_by_its_feature() {
     for module in core().modules {
         for item in &module.items {
             if let Item::ExternCrate(it) = item {
                 let is_by_feature = source::features(&it.attrs).contains(&"alloc".to_owned());
-                assert!(
-                    it.ident == "alloc" && is_by_feature,
-                    "{} takes in {}",
-                    module.file.display(),
-                    it.ident
-                );
+                assert!(it.ident == "alloc" && is_by_feature, "{} links {}", module.file.display(), it.ident);
             }
         }
     }
@@ -132,6 +128,6 @@ fn no_module_of_the_core_is_too_long() {
     for module in core().modules {
         let text = fs::read_to_string(&module.file).unwrap();
         let lines = text.lines().take_while(|line| line.trim() != "mod tests {").count();
-        assert!(lines <= MOST_LINES, "{} has {lines} lines", module.file.display());
+        assert!(lines <= MAX_LINES, "{} has {lines} lines", module.file.display());
     }
 }

@@ -1,8 +1,8 @@
-//! The panic proof (`tests/firmware/src/bin/proof`) calls every public function of the core, or the function
-//! is listed here as one for hosts only.
+//! The panic proof (`tests/firmware/src/bin/proof`) calls every public function of the core, except those that are listed
+//! here as host-only.
 //!
-//! A function is known by its type: the proof has to call `Type::function` by this path, for a method call does
-//! not say whose method it is. What implements a trait is called by the functions that take it.
+//! Functions are identified by their type: the proof must call `Type::function` by this path, because a method call does
+//! not name the type. Implementations of traits are called by the functions that take them.
 
 use std::collections::{BTreeMap, BTreeSet, HashMap};
 
@@ -16,10 +16,10 @@ use crate::names::Names;
 use crate::source::{Crate, attributes, features};
 use crate::{core, workspace};
 
-/// Public types and functions that no firmware needs, so that nothing is proven of them.
+/// Public types and functions that no firmware needs, and that are not proven.
 const FOR_HOSTS_ONLY: [&str; 2] = ["Baking", "Shading"];
 
-/// A feature by which the core needs a heap: what is behind it is for hosts.
+/// A feature with which the core needs a heap: its items are host-only.
 const HEAP: &str = "alloc";
 
 /// The public functions of a crate, `function` or `Type::function`, each with its module.
@@ -44,11 +44,11 @@ fn public_functions(of: &Crate) -> BTreeMap<String, String> {
                         public_in(it).for_each(|function| add(format!("{subject}::{function}")));
                     }
                 }
-                // A definition is no function: its calls are expanded.
+                // Macro calls have been expanded; definitions are no functions.
                 Item::Macro(it) if it.ident.is_none() => {
                     let path = module.path.join("::");
                     assert!(
-                        !names_a_macro_with_functions(of, it),
+                        !calls_a_macro_with_functions(of, it),
                         "a macro call in {path} cannot be expanded"
                     );
                 }
@@ -59,8 +59,8 @@ fn public_functions(of: &Crate) -> BTreeMap<String, String> {
     functions
 }
 
-/// Whether a call is of a macro of the crate that makes public functions.
-fn names_a_macro_with_functions(of: &Crate, call: &ItemMacro) -> bool {
+/// Whether a call is of a macro of the crate that defines public functions.
+fn calls_a_macro_with_functions(of: &Crate, call: &ItemMacro) -> bool {
     let name = call.mac.path.segments.last().map(|name| &name.ident);
     of.modules.iter().flat_map(|module| &module.items).any(|item| match item {
         Item::Macro(it) => it.ident.as_ref() == name && has_public_functions(it.mac.tokens.clone()),
@@ -68,7 +68,7 @@ fn names_a_macro_with_functions(of: &Crate, call: &ItemMacro) -> bool {
     })
 }
 
-/// The type that an `impl` without a trait is of.
+/// The type of an inherent `impl`.
 fn subject(it: &ItemImpl) -> Option<String> {
     match (&it.trait_, &*it.self_ty) {
         (None, Type::Path(path)) => Some(path.path.segments.last()?.ident.to_string()),
@@ -87,12 +87,12 @@ fn public_in(it: &ItemImpl) -> impl Iterator<Item = String> {
     })
 }
 
-/// What a crate calls by its path, `function` or `Type::function`; and all the words in its code.
+/// Functions that a crate calls by their path, `function` or `Type::function`, and all words of its code.
 #[derive(Default)]
 struct Called {
     functions: BTreeSet<String>,
     words: BTreeSet<String>,
-    /// The simple macros that were defined before.
+    /// Simple macros that are defined so far.
     rules: HashMap<String, Rule>,
 }
 
@@ -104,7 +104,7 @@ impl Called {
     }
 
     fn tokens(&mut self, tokens: TokenStream) {
-        // The last four.
+        // The last four tokens.
         let mut before = [const { String::new() }; 4];
         for token in tokens {
             match &token {
@@ -132,7 +132,7 @@ impl<'ast> Visit<'ast> for Called {
     fn visit_expr_call(&mut self, it: &'ast ExprCall) {
         if let Expr::Path(path) = &*it.func {
             let name = &path.path.segments.last().unwrap().ident;
-            // A function of a type is one by its path only.
+            // A function of a type is identified by its path only.
             if path.qself.is_none()
                 && path.path.segments.iter().rev().nth(1).is_none_or(|it| is_module(&it.ident))
             {
@@ -252,7 +252,7 @@ mod tests {
     }
 
     #[test]
-    fn functions_that_a_macro_makes_belong_to_the_types_that_it_is_called_for() {
+    fn functions_that_a_macro_defines_belong_to_the_types_of_the_call() {
         let source = "macro_rules! set { ($Set:ident of $Kind:ident) => { pub struct $Set; impl $Set { pub const fn of(kind: $Kind) {} \
                       /// doc\n #[inline] pub fn has() {} fn p() {} } impl core::fmt::Debug for $Set { fn fmt() {} } } } \
                       /// doc\n set! { A of B } set!(C of D);";
@@ -260,14 +260,14 @@ mod tests {
     }
 
     #[test]
-    fn what_needs_a_heap_is_for_hosts() {
+    fn items_that_need_a_heap_are_host_only() {
         let source = "#[cfg(feature = \"alloc\")] pub mod a { pub fn f() {} } pub struct B; \
                       #[cfg(feature = \"alloc\")] impl B { pub fn g() {} } impl B { #[cfg(feature = \"alloc\")] pub fn h() {} pub fn i() {} }";
         assert_eq!(functions(source), ["B::i"]);
     }
 
     #[test]
-    fn what_is_called_by_its_path_is_found_and_what_is_only_declared_is_not() {
+    fn calls_by_path_are_found_and_declarations_are_not() {
         let source = "fn a(b: &mut (C, D)) { e((f::<8>(), g.h(3))); I::<2>::j(&(k, l)); m.map(N::o); p::q() } \
                       fn r() { macro_rules! s { ($T:ident) => { $T::t(u(1)) } } s!(V); s!(W); w!(X::x) }";
         let Called { functions, .. } = Called::by(&Crate::of(source));

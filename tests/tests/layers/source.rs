@@ -15,22 +15,21 @@ pub struct Crate {
     indices: HashMap<Vec<String>, usize>,
 }
 
-/// A module: its own items without those of the modules in it, and without what is compiled for unit tests
-/// only.
+/// A module, with its items but without those of its submodules and of unit tests.
 pub struct Module {
-    /// The names that lead to it from the root.
+    /// Path from the root.
     pub path: Vec<String>,
     pub items: Vec<Item>,
-    /// The file that it is in.
+    /// Source file.
     pub file: PathBuf,
-    /// Whether it is declared by `pub mod`.
+    /// Whether it is declared with `pub mod`.
     pub is_public: bool,
-    /// The features without which it is left out.
+    /// Features that enable it.
     pub features: Vec<String>,
 }
 
 impl Crate {
-    /// Reads the file of the root module, and those of all modules that it declares.
+    /// Reads the root module and all modules that it declares, recursively.
     pub fn read(root: &Path) -> Crate {
         let mut read = Crate { modules: Vec::new(), indices: HashMap::new() };
         let file = parsed(root);
@@ -40,7 +39,7 @@ impl Crate {
         read
     }
 
-    /// A crate with all of its modules in one text.
+    /// A crate whose modules are all in one text.
     pub fn of(text: &str) -> Crate {
         let mut read = Crate { modules: Vec::new(), indices: HashMap::new() };
         let file = syn::parse_file(text).unwrap_or_else(|error| panic!("{error}"));
@@ -49,7 +48,7 @@ impl Crate {
         read
     }
 
-    /// Puts items in place of the macro calls that stand for them, where the macro is one of the crate and simple.
+    /// Replaces calls of simple macros of the crate by their expansion.
     fn expand(&mut self) {
         let mut rules = HashMap::new();
         for item in self.modules.iter().flat_map(|module| &module.items) {
@@ -74,20 +73,20 @@ impl Crate {
         }
     }
 
-    /// The index of the module of this path.
+    /// The index of the module with this path.
     pub fn index(&self, path: &[String]) -> Option<usize> {
         self.indices.get(path).copied()
     }
 
-    /// The index of a module that is declared in another.
+    /// The index of a submodule.
     pub fn child(&self, parent: usize, name: &str) -> Option<usize> {
         let mut path = self.modules[parent].path.clone();
         path.push(name.to_owned());
         self.index(&path)
     }
 
-    /// Adds a module and all of those in it. Files of modules that it declares are in the first folder, and
-    /// where an attribute names them, relative to the second.
+    /// Adds a module and its submodules. Files of submodules are in the first folder; files that a `path` attribute names are
+    /// relative to the second.
     fn add(&mut self, module: Module, items: Vec<Item>, folders: [&Path; 2]) {
         let index = self.modules.len();
         self.indices.insert(module.path.clone(), index);
@@ -117,7 +116,7 @@ impl Crate {
             self.add(module, items, [&folder; 2]);
             return;
         }
-        // The modules of `a.rs` are in the folder `a`, those of `mod.rs` and of named files beside them.
+        // Submodules of `a.rs` are in the folder `a`, those of `mod.rs` and of named files beside the file.
         let (source, inner) = match named {
             Some(source) => (source.clone(), source.parent().unwrap().to_owned()),
             None if folder.join(&name).with_extension("rs").exists() => {
@@ -143,7 +142,7 @@ fn parsed(path: &Path) -> syn::File {
     syn::parse_file(&text).unwrap_or_else(|error| panic!("{}: {error}", path.display()))
 }
 
-/// Whether these attributes leave something out where no unit tests are compiled.
+/// Whether these attributes restrict an item to unit tests.
 fn is_for_tests(attributes: &[Attribute]) -> bool {
     fn needs_test(meta: &Meta) -> bool {
         match meta {
@@ -160,7 +159,7 @@ fn is_for_tests(attributes: &[Attribute]) -> bool {
         .any(|attribute| attribute.parse_args::<Meta>().is_ok_and(|meta| needs_test(&meta)))
 }
 
-/// The features without which an item is left out.
+/// Features that enable an item.
 pub fn features(attributes: &[Attribute]) -> Vec<String> {
     let cfgs = attributes.iter().filter(|attribute| attribute.path().is_ident("cfg"));
     let feature = |attribute: &Attribute| match attribute.parse_args::<Meta>().ok()? {
@@ -185,7 +184,7 @@ fn text(value: &Expr) -> Option<String> {
     }
 }
 
-/// What is written above an item.
+/// Attributes of an item.
 pub fn attributes(item: &Item) -> &[Attribute] {
     match item {
         Item::Const(it) => &it.attrs,
