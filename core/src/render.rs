@@ -1,13 +1,19 @@
-//! The front door.
+//! Rendering: pixels from a sampler and a ray tracer into a sink.
+//!
+//! The caller chooses the pixels and their order, and splits a picture among threads: a pixel depends on
+//! nothing but its coordinates. [`render_selected`] traces some pixels and interpolates the others;
+//! [`render_progressive`] shows such a picture coarse first.
 
 use crate::image::{Corners, Pixel, Sampler, Selected, Sink, Tile};
 use crate::trace::RayTracer;
 
-/// Traces `pixels`, in their order, into `sink`; ends early only when the sink fails.
+/// Renders `pixels`, in their order, into `sink`.
 ///
-/// Order, progress and threads are the caller's: a pixel's colour depends on nothing but its
-/// place. The worker begins with nothing remembered, so that its work does not depend on
-/// earlier calls either.
+/// The caches of tracer and sampler are cleared first, so counters do not depend on earlier calls.
+///
+/// # Errors
+///
+/// The error of the sink; rendering ends there. Tracing cannot fail.
 ///
 /// ```
 /// use strahl_core::image::Frame;
@@ -38,7 +44,7 @@ use crate::trace::RayTracer;
 /// let mut frame = Frame::new(whole, &mut picture).unwrap();
 /// let Ok(()) = render(&mut tracer.with_worker(&mut worker), &mut Single, whole.pixels(), &mut frame);
 ///
-/// let (ball, space) = (Rgb::gray(0.5), Rgb::BLACK);
+/// let (sphere, background) = (Rgb::gray(0.5), Rgb::BLACK);
 /// assert_eq!(picture, [space, space, space, space, ball, space, space, space, space]);
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
@@ -62,12 +68,15 @@ where
     Ok(())
 }
 
-/// Traces some pixels of each of `blocks`, guesses the others, and puts them all into `sink`,
-/// block by block; ends early only when the sink fails.
+/// Renders `blocks` of pixels into `sink`, block by block: some pixels of each block are traced, the others
+/// interpolated where the traced ones are similar.
 ///
-/// [`Selection::blocks`](crate::image::Selection::blocks) lists the blocks of a picture or of a part
-/// of it. The sink also gets the pixels of these blocks that lie outside of it, beyond the
-/// right and the lower edge.
+/// [`Selection::blocks`](crate::image::Selection::blocks) returns the blocks that cover a tile. They may extend
+/// beyond its right and lower edge; the sink receives these pixels too.
+///
+/// # Errors
+///
+/// The error of the sink; rendering ends with that block.
 pub fn render_selected<R, K>(
     tracer: &mut R,
     selected: &mut Selected<'_, impl Corners, impl Sampler>,
@@ -92,13 +101,16 @@ where
     Ok(())
 }
 
-/// Traces `tile` so that the whole of it is there soon: coarse blocks at first, then the quarters of
-/// those that do not agree, and so on, until all is as [`render_selected`] makes it; ends early
-/// only when the sink fails.
+/// Renders `tile` progressively: coarse blocks first, then the quarters of blocks whose corners differ, and so
+/// on. The final picture is that of [`render_selected`].
 ///
-/// For a display that is looked at while it is drawn: it needs no memory for the picture, and gets
-/// those pixels anew that have changed. As there, it also gets pixels beyond the right and the
-/// lower edge.
+/// Suits displays that show the picture while it is drawn: no memory for the picture is needed, and in each
+/// pass the sink receives only the pixels that change. Blocks may extend beyond the right and lower edge of the
+/// tile; the sink receives these pixels too.
+///
+/// # Errors
+///
+/// The error of the sink; rendering ends with that block.
 pub fn render_progressive<R, K>(
     tracer: &mut R,
     selected: &mut Selected<'_, impl Corners, impl Sampler>,

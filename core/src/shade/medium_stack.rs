@@ -1,8 +1,8 @@
 //! Nested dielectrics: the stack of bodies that a ray is inside.
 //!
-//! Each ray carries up to four entered bodies, identified by their materials. Where bodies overlap, the one with the
-//! highest [`Material::priority`] is the medium, of equals the last one entered. The surface of a body with lower
-//! priority is hidden there (a false intersection): the ray goes on unchanged.
+//! Each ray carries up to four entered bodies, identified by their materials. Where bodies overlap, the one
+//! with the highest [`Material::priority`] is the medium, of equals the last one entered. The surface of a
+//! body with lower priority is hidden there (a false intersection): the ray goes on unchanged.
 //!
 //! Source: Schmidt and Budge, "Simple Nested Dielectrics in Ray Traced Images", JGT 2002.
 
@@ -105,8 +105,8 @@ impl MediumStack {
 
     /// The crossing of a ray that leaves `body`.
     ///
-    /// If the body is not on the stack, the ray started inside it: the body was the medium unless one of higher
-    /// priority is on the stack.
+    /// If the body is not on the stack, the ray started inside it: the body was the medium unless one of
+    /// higher priority is on the stack.
     pub fn exit(self, body: MaterialId, materials: &[Material]) -> Crossing {
         if self.as_slice() == [body] {
             return Crossing {

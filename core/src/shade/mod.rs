@@ -1,8 +1,8 @@
 //! Shading: local illumination at a hit point, and the optics and media of secondary rays.
 //!
-//! Local illumination is the ambient, diffuse (Lambert) and highlight (Phong) part of Whitted's model, with shadow
-//! rays to all lights. Reflection, refraction, absorption and nested dielectrics serve the secondary rays, which the
-//! tracer sends.
+//! Local illumination is the ambient, diffuse (Lambert) and highlight (Phong) part of Whitted's model, with
+//! shadow rays to all lights. Reflection, refraction, absorption and nested dielectrics serve the secondary
+//! rays, which the tracer sends.
 //!
 //! Source: Whitted, "An Improved Illumination Model for Shaded Display", CACM 1980.
 
@@ -32,7 +32,7 @@ pub(crate) struct ShadingContext<'r> {
     /// Item that was hit.
     pub(crate) item: ItemId,
     /// Sample sequence of the camera ray.
-    pub(crate) stream: SobolSequence,
+    pub(crate) sequence: SobolSequence,
     /// Time in `0..=1` between shutter open and close.
     pub(crate) time: Real,
     /// Displacement of the item at that time; its texture moves with it.
@@ -45,8 +45,8 @@ pub(crate) struct ShadingContext<'r> {
     pub(crate) media_behind: &'r MediumStack,
 }
 
-/// Radiance that the surface reflects along the ray: ambient light, and diffuse reflection and highlight of each light
-/// that is not occluded.
+/// Radiance that the surface reflects along the ray: ambient light, and diffuse reflection and highlight of
+/// each light that is not occluded.
 ///
 /// Shadow rays are traced only to lights that would contribute.
 pub(crate) fn local_illumination<A: Accelerator, E: Effects, T: Tally, const ENTRIES: usize>(
@@ -57,12 +57,12 @@ pub(crate) fn local_illumination<A: Accelerator, E: Effects, T: Tally, const ENT
     caches: &mut WorkerCaches<A, ENTRIES>,
     tally: &mut T,
 ) -> Rgb {
-    let parts = world.scene().descriptor();
+    let scene = world.scene().descriptor();
 
     // Texture.
     let (mut diffuse, mut ambient) = (material.diffuse, material.ambient);
     if !E::SET.textures.is_empty()
-        && let Some(texture) = parts.textures.get(usize::from(material.texture.0))
+        && let Some(texture) = scene.textures.get(usize::from(material.texture.0))
     {
         let texture_color = texture.evaluate(point.surface.point - context.motion_offset, E::SET.textures);
         diffuse *= texture_color;
@@ -70,9 +70,9 @@ pub(crate) fn local_illumination<A: Accelerator, E: Effects, T: Tally, const ENT
     }
 
     // Ambient light.
-    let mut radiance = ambient * parts.ambient;
+    let mut radiance = ambient * scene.ambient;
     tally.trace_event(TraceEvent::Ambient(radiance));
-    if !material.is_lit() || parts.lights.is_empty() {
+    if !material.is_lit() || scene.lights.is_empty() {
         tally.trace_event(TraceEvent::LocalIllumination(radiance));
         return radiance;
     }
@@ -89,13 +89,13 @@ pub(crate) fn local_illumination<A: Accelerator, E: Effects, T: Tally, const ENT
     let offset_point = offset_origin(point.surface.point, point.surface.point_error, side);
     let origin = ShadowRayOrigin { point: point.surface.point, offset_point, time: context.time };
 
-    for (light, index) in parts.lights.iter().zip(0..) {
+    for (light, index) in scene.lights.iter().zip(0..) {
         // Sample the light.
         let u = || {
             if !E::SET.penumbra {
                 return [0.5, 0.5];
             }
-            context.stream.sample_2d(Dimension::light(context.level, index))
+            context.sequence.sample_2d(Dimension::light(context.level, index))
         };
         let mut report = |outcome| tally.trace_event(TraceEvent::LightContribution { light: index, outcome });
         let sample = match light.sample(point.surface.point, normal, E::SET.lights, u) {
@@ -110,8 +110,9 @@ pub(crate) fn local_illumination<A: Accelerator, E: Effects, T: Tally, const ENT
             continue;
         }
 
-        // Highlight. Without diffuse reflection most of the surface is outside of it, so it is evaluated before the
-        // shadow ray; with diffuse reflection the light contributes anyway, so it is evaluated after.
+        // Highlight. Without diffuse reflection most of the surface is outside of it, so it is evaluated
+        // before the shadow ray; with diffuse reflection the light contributes anyway, so it is evaluated
+        // after.
         let highlight_factor = || {
             // Cosine of the angle between the viewer and the mirrored direction of the light.
             let cos = sample.direction.dot(point.ray_direction) - sample.cos_theta * twice_cos_ray;
@@ -195,7 +196,8 @@ fn shadow_transmittance<A: Accelerator, E: Effects, T: Tally, const ENTRIES: usi
     }
 }
 
-/// A point of a smooth shape whose shading normal faces a light that is below the horizon of the geometric face.
+/// A point of a smooth shape whose shading normal faces a light that is below the horizon of the geometric
+/// face.
 struct BelowHorizon {
     surface: SurfaceInteraction,
     /// Geometric normal on the lit side.
@@ -205,8 +207,8 @@ struct BelowHorizon {
     time: Real,
 }
 
-/// As [`shadow_transmittance`], with the shadow terminator offset: the shadow ray starts from the smooth surface that
-/// the normals approximate, unless that is a quarter of the distance to the light away or more.
+/// As [`shadow_transmittance`], with the shadow terminator offset: the shadow ray starts from the smooth
+/// surface that the normals approximate, unless that is a quarter of the distance to the light away or more.
 #[cold]
 #[inline(never)]
 fn shadow_transmittance_below_horizon<A: Accelerator, E: Effects, T: Tally, const ENTRIES: usize>(
@@ -228,8 +230,8 @@ fn shadow_transmittance_below_horizon<A: Accelerator, E: Effects, T: Tally, cons
 
 /// `cos` to the power `exponent`. `cos` is positive, and above 1 only by rounding.
 fn highlight_power(cos: Real, exponent: Real) -> Real {
-    // ln(cos) <= cos - 1, so beyond this exponent the power is less than half of the smallest positive number and
-    // rounds to zero. For narrow highlights this is the common case.
+    // ln(cos) <= cos - 1, so beyond this exponent the power is less than half of the smallest positive number
+    // and rounds to zero. For narrow highlights this is the common case.
     const UNDERFLOW: Real = 0.6932 * (Real::MANTISSA_DIGITS as i32 - Real::MIN_EXP + 1) as Real;
     let one_minus_cos = 1.0 - cos;
     if one_minus_cos * exponent > UNDERFLOW {

@@ -1,8 +1,8 @@
 //! Reflection, refraction and absorption.
 //!
-//! Directions are unit. `d` is the direction of a ray towards the surface, and `n` is the normal on the side that the
-//! ray comes from, so `d · n < 0`. Total internal reflection is detected before a square root is taken, so no NaN
-//! arises.
+//! Directions are unit. `d` is the direction of a ray towards the surface, and `n` is the normal on the side
+//! that the ray comes from, so `d · n < 0`. Total internal reflection is detected before a square root is
+//! taken, so no NaN arises.
 
 use crate::math::{Real, Rgb, Vec3, exp, max, sqrt};
 
@@ -29,8 +29,8 @@ pub struct Refraction {
 
 /// Refraction by Snell's law; `None` in case of total internal reflection.
 ///
-/// `ratio`: refractive index on the side that the ray comes from, divided by that on the far side. A ratio of 1
-/// returns `d` unchanged.
+/// `ratio`: refractive index on the side that the ray comes from, divided by that on the far side. A ratio of
+/// 1 returns `d` unchanged.
 ///
 /// ```
 /// use strahl_core::Vec3;
@@ -46,8 +46,8 @@ pub fn refract(d: Vec3, n: Vec3, ratio: Real) -> Option<Refraction> {
         return Some(Refraction { direction: d, reflectance: 0.0 });
     }
     let cos = max(-d.dot(n), 0.0);
-    // Tangential component of the refracted direction. Its square is accurate even if `d` and `n` are not exactly
-    // unit; `1 - cos^2` is not.
+    // Tangential component of the refracted direction. Its square is accurate even if `d` and `n` are not
+    // exactly unit; `1 - cos^2` is not.
     let tangential = (d + n * cos) * ratio;
     // Square of the sine of the angle of refraction.
     let sin2 = tangential.dot(tangential);
@@ -66,7 +66,8 @@ pub fn refract(d: Vec3, n: Vec3, ratio: Real) -> Option<Refraction> {
 
 /// Transmittance of a homogeneous medium over a distance, per channel, in `0..=1` (Beer-Lambert law).
 ///
-/// * `attenuation_length`: distance after which a fraction 1/e of the light is left, positive; infinite is clear.
+/// * `attenuation_length`: distance after which a fraction 1/e of the light is left, positive; infinite is
+///   clear.
 /// * `distance`: in the same unit, not negative.
 pub fn transmittance(attenuation_length: Rgb, distance: Real) -> Rgb {
     attenuation_length.map(|length| if length < Real::INFINITY { exp(-(distance / length)) } else { 1.0 })
@@ -103,8 +104,8 @@ mod tests {
 
     #[test]
     fn fresnel_reflectance_has_its_known_values() {
-        // Normal incidence: ((n - 1) / (n + 1))^2, from either side. Brewster's angle: 0 for parallel polarization,
-        // ((n^2 - 1) / (n^2 + 1))^2 for perpendicular polarization.
+        // Normal incidence: ((n - 1) / (n + 1))^2, from either side. Brewster's angle: 0 for parallel
+        // polarization, ((n^2 - 1) / (n^2 + 1))^2 for perpendicular polarization.
         let reflectance = |angle, ratio| refract(incident(angle), Vec3::Y, ratio).unwrap().reflectance;
         assert!((reflectance(0.0, 1.0 / 1.5) - 0.04).abs() < 1e-6);
         assert!((reflectance(0.0, 1.5) - 0.04).abs() < 1e-6);

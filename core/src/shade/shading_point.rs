@@ -34,8 +34,8 @@ impl ShadingPoint {
         }
     }
 
-    /// Normal for reflection and refraction: the shading normal, or the geometric normal where the shading normal
-    /// faces away from the ray, as may happen near the silhouette of a coarse mesh.
+    /// Normal for reflection and refraction: the shading normal, or the geometric normal where the shading
+    /// normal faces away from the ray, as may happen near the silhouette of a coarse mesh.
     pub(crate) fn optical_normal(&self) -> Vec3 {
         self.normal_or_geometric(self.shading_normal)
     }

@@ -1,8 +1,8 @@
 //! Shadow rays: occlusion of a light, and transmittance towards it.
 //!
-//! By default any item between point and light occludes the light, whatever its material ([`is_occluded`]). With
-//! colored shadows, transmitting surfaces attenuate the light instead ([`colored_transmittance`]). Shadow rays are
-//! never refracted, so none has to search for the light.
+//! By default any item between point and light occludes the light, whatever its material ([`is_occluded`]).
+//! With colored shadows, transmitting surfaces attenuate the light instead ([`colored_transmittance`]).
+//! Shadow rays are never refracted, so none has to search for the light.
 
 use super::medium_stack::{Crossing, MediumStack, refractive_index};
 use super::optics::refract;
@@ -15,8 +15,8 @@ use crate::math::{ROUNDOFF, Real, Rgb, Vec3, max_abs_component};
 use crate::scene::{Effects, FresnelModel, LightKind, LightSample, Material, World};
 use crate::tally::{CountedEvent, RayKind, Tally, TraceEvent};
 
-/// Fraction of the distance to a light in which items occlude it: 16 unit roundoffs less than 1, so that a surface
-/// that contains the light does not occlude it.
+/// Fraction of the distance to a light in which items occlude it: 16 unit roundoffs less than 1, so that a
+/// surface that contains the light does not occlude it.
 const T_MAX_FACTOR: Real = 1.0 - 16.0 * ROUNDOFF;
 
 /// Most surfaces that a shadow ray passes; behind more the light is occluded.
@@ -43,7 +43,8 @@ pub(super) struct ShadowRay<'b> {
 }
 
 impl ShadowRay<'_> {
-    /// Direction to the light, approximately unit; `None` if the light is so near that nothing can be in between.
+    /// Direction to the light, approximately unit; `None` if the light is so near that nothing can be in
+    /// between.
     fn direction<E: Effects>(&self) -> Option<Vec3> {
         let (origin, light) = (self.origin, self.light_sample);
         if E::SET.lights.contains(LightKind::Directional) && light.distance == Real::MAX {
@@ -106,8 +107,9 @@ pub(super) fn is_occluded<A: Accelerator, E: Effects, T: Tally, const ENTRIES: u
 
 /// Transmittance between a point inside `media` and the light, along a straight line; black if occluded.
 ///
-/// Surfaces multiply it by what they transmit, less the Fresnel reflectance of light that arrives on the side of the
-/// lower refractive index; bodies multiply it by their transmittance. Opaque surfaces occlude the light.
+/// Surfaces multiply it by what they transmit, less the Fresnel reflectance of light that arrives on the side
+/// of the lower refractive index; bodies multiply it by their transmittance. Opaque surfaces occlude the
+/// light.
 ///
 /// Not inlined: few scenes have colored shadows, and inlined into the loop it would slow down all others.
 #[inline(never)]
@@ -119,7 +121,7 @@ pub(super) fn colored_transmittance<A: Accelerator, E: Effects, T: Tally>(
     tally: &mut T,
 ) -> Rgb {
     tally.count(CountedEvent::Ray(RayKind::Shadow));
-    let parts = world.scene().descriptor();
+    let scene = world.scene().descriptor();
     let (mut transmittance, mut media) = (Rgb::WHITE, *media);
     let Some(direction) = shadow_ray.direction::<E>() else { return transmittance };
     let (mut origin, mut t_max) = (shadow_ray.origin.offset_point, shadow_ray.t_max());
@@ -129,16 +131,16 @@ pub(super) fn colored_transmittance<A: Accelerator, E: Effects, T: Tally>(
         let hit = world.nearest_hit::<E, T>(&ray, t_max, RayKind::Shadow, scratch, tally);
         let hit = hit.and_then(|hit| Some((hit, world.surface_interaction::<E>(&ray, hit)?)));
         let Some((hit, surface)) = hit else {
-            let medium = media.current(parts.materials);
-            return transmittance * medium_transmittance::<E>(parts.materials, medium, t_max);
+            let medium = media.current(scene.materials);
+            return transmittance * medium_transmittance::<E>(scene.materials, medium, t_max);
         };
         let material = world.scene().material(hit.item).unwrap_or(&Material::MATTE);
         let point = ShadingPoint::new(surface, direction);
-        let Some(crossing) = cross_surface(parts, hit.item, material, media, point.front_face) else { break };
-        transmittance *= medium_transmittance::<E>(parts.materials, crossing.medium_before, hit.t);
+        let Some(crossing) = cross_surface(scene, hit.item, material, media, point.front_face) else { break };
+        transmittance *= medium_transmittance::<E>(scene.materials, crossing.medium_before, hit.t);
         if !crossing.is_hidden {
             transmittance *=
-                material.transmission * (1.0 - reflectance(&crossing, material, &point, parts.materials));
+                material.transmission * (1.0 - reflectance(&crossing, material, &point, scene.materials));
         }
         if transmittance.is_black() {
             tally.trace_event(TraceEvent::Occluded { item: hit.item, t: Some(hit.t) });
@@ -150,8 +152,8 @@ pub(super) fn colored_transmittance<A: Accelerator, E: Effects, T: Tally>(
     Rgb::BLACK
 }
 
-/// Fresnel reflectance for light that arrives on the side of the lower refractive index, where no total internal
-/// reflection occurs; 0 for surfaces with a constant transmittance.
+/// Fresnel reflectance for light that arrives on the side of the lower refractive index, where no total
+/// internal reflection occurs; 0 for surfaces with a constant transmittance.
 fn reflectance(
     crossing: &Crossing,
     material: &Material,

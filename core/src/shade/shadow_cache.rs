@@ -1,11 +1,12 @@
 //! Shadow cache: the last occluder of a light is tested first.
 //!
-//! Neighboring points usually lie in the shadow of the same item. If the last occluder still occludes the light, no
-//! traversal is needed; if not, one test was superfluous. After an unoccluded shadow ray, nothing is tested first.
-//! The occluder is tested with the same function against the same ray, so the cache never changes a result.
+//! Neighboring points usually lie in the shadow of the same item. If the last occluder still occludes the
+//! light, no traversal is needed; if not, one test was superfluous. After an unoccluded shadow ray, nothing
+//! is tested first. The occluder is tested with the same function against the same ray, so the cache never
+//! changes a result.
 //!
-//! Shadow rays that pass through transmitting surfaces do not use the cache: their transmittance is found surface by
-//! surface, and testing out of order could change the result where surfaces nearly touch.
+//! Shadow rays that pass through transmitting surfaces do not use the cache: their transmittance is found
+//! surface by surface, and testing out of order could change the result where surfaces nearly touch.
 //!
 //! Source: Haines and Greenberg, "The Light Buffer: A Shadow-Testing Accelerator", IEEE CG&A 1986.
 //! Difference: entries per light and ray level.
@@ -15,8 +16,8 @@ use crate::geometry::ItemId;
 
 /// A direct-mapped cache of the last occluder of each light, per ray level.
 ///
-/// Entry `i` serves all pairs of light and level whose number is `i` modulo `ENTRIES`; a later pair evicts an earlier
-/// one. A wrong entry costs one test and never changes a result.
+/// Entry `i` serves all pairs of light and level whose number is `i` modulo `ENTRIES`; a later pair evicts an
+/// earlier one. A wrong entry costs one test and never changes a result.
 ///
 /// * `ENTRIES` is zero (no cache) or a power of two, checked at compile time.
 /// * Memory: 4 bytes per entry.

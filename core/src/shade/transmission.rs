@@ -8,10 +8,10 @@ use crate::scene::{Effects, Material, MaterialId, SceneDescriptor};
 
 /// The media on both sides of the surface of `item` for a ray with the stack `media`.
 ///
-/// `entering`: whether the ray arrives on the outside of the item, the side of its geometric normal. `None` if the
-/// item has no material.
+/// `entering`: whether the ray arrives on the outside of the item, the side of its geometric normal. `None`
+/// if the item has no material.
 pub(crate) fn cross_surface(
-    parts: &SceneDescriptor<'_>,
+    scene: &SceneDescriptor<'_>,
     item: ItemId,
     material: &Material,
     media: MediumStack,
@@ -20,7 +20,7 @@ pub(crate) fn cross_surface(
     // A clear material that does not refract bounds no body: a pane may have a single surface.
     let is_body = material.is_transmitting() && (material.refractive_index != 1.0 || material.is_absorbing());
     if !is_body {
-        let medium = media.current(parts.materials);
+        let medium = media.current(scene.materials);
         return Some(Crossing {
             medium_before: medium,
             medium_behind: medium,
@@ -29,8 +29,8 @@ pub(crate) fn cross_surface(
             is_stack_full: false,
         });
     }
-    let body = parts.material_ids.get(item.0 as usize).copied()?;
-    Some(if entering { media.enter(body, parts.materials) } else { media.exit(body, parts.materials) })
+    let body = scene.material_ids.get(item.0 as usize).copied()?;
+    Some(if entering { media.enter(body, scene.materials) } else { media.exit(body, scene.materials) })
 }
 
 /// Transmittance of a medium over `distance` scene lengths; 1 in empty space (`None`).

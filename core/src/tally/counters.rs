@@ -1,7 +1,7 @@
 //! Statistics of the tracing of a picture.
 //!
-//! Counts are integers and weights are summed in fixed point, so merging the counters of several workers gives the
-//! same result in every order.
+//! Counts are integers and weights are summed in fixed point, so merging the counters of several workers
+//! gives the same result in every order.
 
 use core::ops::{AddAssign, Index, IndexMut};
 
@@ -63,7 +63,8 @@ counts_per! {
 
 /// Counts of all events.
 ///
-/// As a [`Tally`](super::Tally), it receives them from a tracer. [`RayCounters`] count less and cost almost nothing.
+/// As a [`Tally`](super::Tally), it receives them from a tracer. [`RayCounters`] count less and cost almost
+/// nothing.
 ///
 /// ```
 /// use strahl_core::tally::{Counters, RayKind};
@@ -127,8 +128,8 @@ impl Counters {
 
     /// Fractions of the light that the level limit and the cutoff removed, in this order.
     ///
-    /// Weight of the unsent rays over the number of camera rays: the fraction of the radiance if all points were
-    /// equally bright. Zero without camera rays.
+    /// Weight of the unsent rays over the number of camera rays: the fraction of the radiance if all points
+    /// were equally bright. Zero without camera rays.
     pub fn cut_fractions(&self) -> [f64; 2] {
         let camera_rays = self.rays[RayKind::Camera];
         let divisor = if camera_rays > 0 { camera_rays as f64 } else { 1.0 };

@@ -1,9 +1,9 @@
 //! What a tracer reports about its work, and counters of it.
 //!
-//! A tracer reports [`CountedEvent`]s (rays, tests, cache lookups) for statistics, and [`TraceEvent`]s (the ray
-//! tree of one camera sample, step by step) for explanations. A [`Tally`] receives both; [`Counters`] and
-//! [`RayCounters`] are tallies that count. The tally `()` ignores everything, and the reports are optimized away
-//! (`tests/reports/local-light.md`). No tally changes a pixel.
+//! A tracer reports [`CountedEvent`]s (rays, tests, cache lookups) for statistics, and [`TraceEvent`]s (the
+//! ray tree of one camera sample, step by step) for explanations. A [`Tally`] receives both; [`Counters`] and
+//! [`RayCounters`] are tallies that count. The tally `()` ignores everything, and the reports are optimized
+//! away (`tests/reports/local-light.md`). No tally changes a pixel.
 
 mod count;
 #[cfg(not(feature = "double"))]
@@ -80,13 +80,15 @@ pub enum CountedEvent {
 /// assert_eq!(tally.0, 1);
 /// ```
 pub trait Tally {
-    /// Whether [`CountedEvent::ShapeTest`] is reported. If false, the kind of a tested shape is not determined.
+    /// Whether [`CountedEvent::ShapeTest`] is reported. If false, the kind of a tested shape is not
+    /// determined.
     const COUNTS_TESTS: bool = true;
 
     /// Receives an event of the statistics.
     fn count(&mut self, event: CountedEvent);
 
-    /// Receives a step of the ray tree. By default it is ignored, and nothing of it is left in the optimized loop.
+    /// Receives a step of the ray tree. By default it is ignored, and nothing of it is left in the optimized
+    /// loop.
     #[inline(always)]
     fn trace_event(&mut self, _: TraceEvent) {}
 

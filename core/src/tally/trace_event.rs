@@ -1,9 +1,9 @@
 //! The ray tree of a camera sample, reported step by step.
 //!
-//! Each ray reports [`TraceEvent::RayStart`] first and [`TraceEvent::RayEnd`] last. The secondary rays that it
-//! sends are reported in between and traced later, last in, first out: a receiver rebuilds the tree with a stack.
-//! The contributions of all [`TraceEvent::RayEnd`]s, added in this order, are the color of the camera sample, bit
-//! for bit. Positions and directions are in world space.
+//! Each ray reports [`TraceEvent::RayStart`] first and [`TraceEvent::RayEnd`] last. The secondary rays that
+//! it sends are reported in between and traced later, last in, first out: a receiver rebuilds the tree with a
+//! stack. The contributions of all [`TraceEvent::RayEnd`]s, added in this order, are the color of the camera
+//! sample, bit for bit. Positions and directions are in world space.
 
 use super::{RayKind, RayOutcome};
 use crate::geometry::{Hit, ItemId};
@@ -68,7 +68,8 @@ pub enum TraceEvent {
     Occluded {
         /// The occluder; not necessarily the nearest.
         item: ItemId,
-        /// `t` measured from the previous surface; `None` if it was not computed, because any occluder suffices.
+        /// `t` measured from the previous surface; `None` if it was not computed, because any occluder
+        /// suffices.
         t: Option<Real>,
     },
     /// A light was evaluated at the hit point.
@@ -78,8 +79,8 @@ pub enum TraceEvent {
         /// Whether its light arrives, and what it contributes.
         outcome: LightOutcome,
     },
-    /// Local illumination at the hit point: reflected ambient light plus the contributions of all lights, added
-    /// in the order in which they were reported.
+    /// Local illumination at the hit point: reflected ambient light plus the contributions of all lights,
+    /// added in the order in which they were reported.
     LocalIllumination(Rgb),
     /// Total internal reflection at a transmitting surface: no ray is refracted.
     TotalInternalReflection,
@@ -94,8 +95,8 @@ pub enum TraceEvent {
         /// Whether it is sent.
         outcome: RayOutcome,
     },
-    /// The ray ends. Its weighted contribution to the color of the camera sample, without that of its secondary
-    /// rays, with the substitutes of those that were not sent.
+    /// The ray ends. Its weighted contribution to the color of the camera sample, without that of its
+    /// secondary rays, with the substitutes of those that were not sent.
     RayEnd(Rgb),
 }
 

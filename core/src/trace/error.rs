@@ -9,7 +9,8 @@ use crate::scene::EffectSet;
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[non_exhaustive]
 pub enum TracerError {
-    /// The scene or the camera needs effects that the tracer's [`Effects::SET`](crate::scene::Effects::SET) lacks.
+    /// The scene or the camera needs effects that the tracer's [`Effects::SET`](crate::scene::Effects::SET)
+    /// lacks.
     MissingEffects {
         /// The effects that are needed and not in that set.
         missing: EffectSet,

@@ -12,7 +12,8 @@ use crate::math::Real;
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Limits {
-    /// Largest level of a ray, in `1..=LEVELS` of the tracer. Camera rays have level 1, their secondary rays level 2.
+    /// Largest level of a ray, in `1..=LEVELS` of the tracer. Camera rays have level 1, their secondary rays
+    /// level 2.
     pub levels: u8,
     /// A secondary ray is sent only if the largest channel of its weight is above this, in `0..=1`.
     pub cutoff: Real,

@@ -1,9 +1,9 @@
 //! The tracing loop: from a camera sample to its radiance.
 //!
-//! A [`Tracer`] pops a task (a ray with its weight), finds the nearest hit, shades it, and pushes at most two secondary
-//! rays. Radiance is linear in the ray tree: each task carries its weight, the product of the factors along its path,
-//! and the contributions are added to one sum. So there is no recursion, and the stack of tasks has a fixed size. All
-//! memory that changes is in a [`Worker`].
+//! A [`Tracer`] pops a task (a ray with its weight), finds the nearest hit, shades it, and pushes at most two
+//! secondary rays. Radiance is linear in the ray tree: each task carries its weight, the product of the
+//! factors along its path, and the contributions are added to one sum. So there is no recursion, and the
+//! stack of tasks has a fixed size. All memory that changes is in a [`Worker`].
 //!
 //! Source: Whitted, "An Improved Illumination Model for Shaded Display", CACM 1980.
 //! Difference: an explicit stack instead of recursion, and a cutoff by weight.

@@ -7,13 +7,14 @@ use crate::tally::Tally;
 
 /// Traces camera samples. Hides the types of the scene, accelerator, effects and tally from samplers.
 ///
-/// [`Tracer::with_worker`] returns one, and every closure from [`CameraSample`] to [`PixelSample`] is one. The trait is
-/// object-safe: code that is compiled once for all tracers takes `&mut dyn RayTracer`.
+/// [`Tracer::with_worker`] returns one, and every closure from [`CameraSample`] to [`PixelSample`] is one.
+/// The trait is object-safe: code that is compiled once for all tracers takes `&mut dyn RayTracer`.
 pub trait RayTracer {
     /// Traces one camera sample: its radiance and the item that the camera ray hits.
     fn trace(&mut self, sample: CameraSample) -> PixelSample;
 
-    /// Clears all caches, so that counters of the following samples do not depend on earlier ones. Radiance never does.
+    /// Clears all caches, so that counters of the following samples do not depend on earlier ones. Radiance
+    /// never does.
     fn reset(&mut self) {}
 }
 

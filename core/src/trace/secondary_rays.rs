@@ -9,8 +9,8 @@ use crate::shade::{Crossing, ShadingPoint, reflect, refract, refractive_index};
 use crate::tally::{CountedEvent, RayKind, RayOutcome, Tally, TraceEvent};
 
 impl<A: Accelerator, E: Effects, const LEVELS: usize> Tracer<'_, '_, A, E, LEVELS> {
-    /// Pushes a secondary ray of `task`, unless it is below the cutoff or exceeds the level limit. Returns the
-    /// contribution that substitutes a ray that is not sent.
+    /// Pushes a secondary ray of `task`, unless it is below the cutoff or exceeds the level limit. Returns
+    /// the contribution that substitutes a ray that is not sent.
     ///
     /// Inlined, or the ray would be written to memory twice.
     #[inline(always)]
@@ -41,8 +41,8 @@ impl<A: Accelerator, E: Effects, const LEVELS: usize> Tracer<'_, '_, A, E, LEVEL
         Rgb::BLACK
     }
 
-    /// Pushes the refracted and the reflected ray of a hit. Returns the contribution that substitutes rays that are not
-    /// sent.
+    /// Pushes the refracted and the reflected ray of a hit. Returns the contribution that substitutes rays
+    /// that are not sent.
     #[allow(clippy::too_many_arguments)] // the state of the loop
     pub(super) fn spawn_secondary_rays<T: Tally>(
         &self,
@@ -50,7 +50,7 @@ impl<A: Accelerator, E: Effects, const LEVELS: usize> Tracer<'_, '_, A, E, LEVEL
         material: &Material,
         point: &ShadingPoint,
         crossing: Option<&Crossing>,
-        stream: SobolSequence,
+        sequence: SobolSequence,
         tasks: &mut TaskStack<LEVELS>,
         tally: &mut T,
     ) -> Rgb {
@@ -64,7 +64,7 @@ impl<A: Accelerator, E: Effects, const LEVELS: usize> Tracer<'_, '_, A, E, LEVEL
         if E::SET.gloss && material.is_glossy() {
             // Rough surfaces: sample a microfacet that is visible from the ray.
             let alpha = material.roughness * material.roughness;
-            let u = stream.sample_2d(Dimension::microfacet(task.level));
+            let u = sequence.sample_2d(Dimension::microfacet(task.level));
             normal = point.normal_or_geometric(sample_visible_normal(normal, -task.direction, alpha, u));
         }
 

@@ -47,9 +47,10 @@ pub(crate) struct SecondaryRay {
 
 /// A stack with the capacity for every ray tree of `LEVELS` levels, 1 to 64.
 ///
-/// Proof: the stack is last in, first out, and tracing a task of level `l` pushes at most two tasks, of level `l + 1`.
-/// So while a task of level `l` is traced, at most one task of each of the levels `2..=l` is on the stack. With its two
-/// secondary rays these are at most `l + 1` tasks, and secondary rays are pushed only if `l < LEVELS`.
+/// Proof: the stack is last in, first out, and tracing a task of level `l` pushes at most two tasks, of level
+/// `l + 1`. So while a task of level `l` is traced, at most one task of each of the levels `2..=l` is on the
+/// stack. With its two secondary rays these are at most `l + 1` tasks, and secondary rays are pushed only if
+/// `l < LEVELS`.
 #[derive(Debug)]
 pub(crate) struct TaskStack<const LEVELS: usize>(Vec<Task, LEVELS>);
 

@@ -14,8 +14,8 @@ use crate::shade::{
 };
 use crate::tally::{CountedEvent, RayKind, Tally, TraceEvent};
 
-/// Upper limit of the local illumination of a point, per channel. The weights of a tree sum to less than 2^64 (two rays
-/// of weight 1 at each of 64 levels), so no product and no sum overflows an `f32`.
+/// Upper limit of the local illumination of a point, per channel. The weights of a tree sum to less than 2^64
+/// (two rays of weight 1 at each of 64 levels), so no product and no sum overflows an `f32`.
 const MAX_SURFACE_RADIANCE: Real = 1e15;
 
 /// Upper limit of the radiance of a sample, per channel.
@@ -64,8 +64,8 @@ impl<'w, 's, A: Accelerator, E: Effects, const LEVELS: usize> Tracer<'w, 's, A, 
     ///
     /// The result depends on `sample` alone, not on what the worker has traced before.
     ///
-    /// Not inlined: samplers call it once per camera ray, and the loop should exist once per tracer, not once per
-    /// sampler.
+    /// Not inlined: samplers call it once per camera ray, and the loop should exist once per tracer, not once
+    /// per sampler.
     #[inline(never)]
     pub fn trace<T: Tally, const SHADOW_CACHE_ENTRIES: usize>(
         &self,
@@ -106,7 +106,7 @@ impl<'w, 's, A: Accelerator, E: Effects, const LEVELS: usize> Tracer<'w, 's, A, 
     fn trace_task<T: Tally, const SHADOW_CACHE_ENTRIES: usize>(
         &self,
         task: &mut Task,
-        stream: SobolSequence,
+        sequence: SobolSequence,
         time: Real,
         camera_hit: &mut HitId,
         worker: &mut Worker<A, T, LEVELS, SHADOW_CACHE_ENTRIES>,
@@ -180,7 +180,7 @@ impl<'w, 's, A: Accelerator, E: Effects, const LEVELS: usize> Tracer<'w, 's, A, 
         // Shade the hit, and send secondary rays.
         let context = ShadingContext {
             item: hit.item,
-            stream,
+            sequence,
             time,
             motion_offset: self.world.motion_offset::<E>(hit.item, time),
             level: task.level,
@@ -191,20 +191,20 @@ impl<'w, 's, A: Accelerator, E: Effects, const LEVELS: usize> Tracer<'w, 's, A, 
             self.world, material, &point, &context, caches, tally,
         );
         let substitute =
-            self.spawn_secondary_rays(task, material, &point, crossing.as_ref(), stream, tasks, tally);
+            self.spawn_secondary_rays(task, material, &point, crossing.as_ref(), sequence, tasks, tally);
         let contribution = task.weight * radiance.clamp_max(MAX_SURFACE_RADIANCE) + substitute;
         tally.trace_event(TraceEvent::RayEnd(contribution));
         contribution
     }
 
-    /// Contribution of a ray that hits nothing: the background, or black if the ray is inside an absorbing medium, which
-    /// then is infinite.
+    /// Contribution of a ray that hits nothing: the background, or black if the ray is inside an absorbing
+    /// medium, which then is infinite.
     fn miss_radiance<T: Tally>(&self, task: &Task, tally: &mut T) -> Rgb {
-        let parts = self.world.scene().descriptor();
-        let mut radiance = parts.background.radiance(task.direction);
+        let scene = self.world.scene().descriptor();
+        let mut radiance = scene.background.radiance(task.direction);
         if self.has_absorption() {
-            let medium = task.media.current(parts.materials);
-            radiance *= medium_transmittance::<E>(parts.materials, medium, Real::INFINITY);
+            let medium = task.media.current(scene.materials);
+            radiance *= medium_transmittance::<E>(scene.materials, medium, Real::INFINITY);
         }
         tally.trace_event(TraceEvent::Miss { radiance });
         let contribution = task.weight * radiance;

@@ -6,8 +6,8 @@ use crate::shade::WorkerCaches;
 
 /// The mutable memory of one thread that traces: caches, the stack of rays, and a tally.
 ///
-/// Its content never changes a picture: a new worker for every pixel gives the same pixels. It has a fixed size and does
-/// not allocate.
+/// Its content never changes a picture: a new worker for every pixel gives the same pixels. It has a fixed
+/// size and does not allocate.
 ///
 /// * `T`: tally that receives events, or `()`.
 /// * `LEVELS`: largest number of ray levels, 1 to 64.
@@ -39,8 +39,8 @@ impl<A: Accelerator, T, const LEVELS: usize> Worker<A, T, LEVELS> {
 impl<A: Accelerator, T, const LEVELS: usize, const SHADOW_CACHE_ENTRIES: usize>
     Worker<A, T, LEVELS, SHADOW_CACHE_ENTRIES>
 {
-    /// Size in bytes: one task per level, the scratch memory of the accelerator, 4 bytes per entry of the shadow cache,
-    /// and the tally.
+    /// Size in bytes: one task per level, the scratch memory of the accelerator, 4 bytes per entry of the
+    /// shadow cache, and the tally.
     pub const SIZE_IN_BYTES: usize = size_of::<Self>();
 
     /// A worker with a shadow cache of `SHADOW_CACHE_ENTRIES` entries that reports to `tally`.
@@ -69,7 +69,8 @@ impl<A: Accelerator, T, const LEVELS: usize, const SHADOW_CACHE_ENTRIES: usize>
         self.tally
     }
 
-    /// Clears all caches, so that counters of the following rays do not depend on earlier ones. The tally is kept.
+    /// Clears all caches, so that counters of the following rays do not depend on earlier ones. The tally is
+    /// kept.
     pub fn clear_caches(&mut self) {
         self.caches.clear();
     }
