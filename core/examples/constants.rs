@@ -1,11 +1,12 @@
-//! A scene written as Rust constants, without a host and without a file: as a device would keep it in
-//! flash. Everything about it is known when compiling, the memory for a worker too.
+//! A scene written as Rust constants, as a device keeps it in flash.
+//!
+//! No file is read and nothing is allocated; the size of the worker is checked at compile time.
 //!
 //! ```text
 //! cargo run -p strahl-core --example constants
 //! ```
 //!
-//! draws it in letters. `strahl bake SCENE -o FILE.rs` writes such a room from any scene.
+//! prints the picture as text. `strahl bake SCENE -o FILE.rs` writes such constants for any scene.
 
 use strahl_core::geometry::{Aabb, Polygon, ShapeKind, ShapeSet};
 use strahl_core::image::Pixel;
@@ -16,15 +17,15 @@ use strahl_core::{
     Vec3, Worker, World, render, vec3,
 };
 
-/// A floor, and two balls on it.
+/// A floor, and two spheres on it.
 static SHAPES: [Shape; 3] = [
     Shape::Polygon(0),
     Shape::Sphere(Sphere { center: vec3(-0.8, 1.0, 0.0), radius: 1.0 }),
     Shape::Sphere(Sphere { center: vec3(1.1, 0.6, 0.8), radius: 0.6 }),
 ];
 
-/// The corners of the floor, against the clock as seen from above.
-static CORNERS: [Vec3; 4] =
+/// The vertices of the floor, counterclockwise as seen from above.
+static VERTICES: [Vec3; 4] =
     [vec3(-3.0, 0.0, 2.0), vec3(3.0, 0.0, 2.0), vec3(3.0, 0.0, -2.0), vec3(-3.0, 0.0, -2.0)];
 
 static FLOOR: [Polygon; 1] = [Polygon {
@@ -32,11 +33,11 @@ static FLOOR: [Polygon; 1] = [Polygon {
     vertex_count: 4,
     point: Vec3::ZERO,
     normal: Vec3::Y,
-    bounds: Aabb::from_points(&CORNERS),
+    bounds: Aabb::from_points(&VERTICES),
     smooth: false,
 }];
 
-/// The item of the same place is made of it.
+/// One material per item, by index.
 static MATERIALS: [Material; 3] = [
     Material { diffuse: Rgb::gray(0.5), ..Material::MATTE },
     Material { diffuse: Rgb::gray(0.9), ..Material::MATTE },
@@ -49,8 +50,8 @@ static LIGHTS: [Light; 1] = [Light {
     casts_shadows: true,
 }];
 
-const PARTS: SceneDescriptor<'static> = SceneDescriptor {
-    geometry: Geometry { shapes: &SHAPES, vertices: &CORNERS, polygons: &FLOOR, ..Geometry::EMPTY },
+const SCENE: SceneDescriptor<'static> = SceneDescriptor {
+    geometry: Geometry { shapes: &SHAPES, vertices: &VERTICES, polygons: &FLOOR, ..Geometry::EMPTY },
     material_ids: &[MaterialId(0), MaterialId(1), MaterialId(2)],
     materials: &MATERIALS,
     lights: &LIGHTS,
@@ -59,10 +60,10 @@ const PARTS: SceneDescriptor<'static> = SceneDescriptor {
     ..SceneDescriptor::EMPTY
 };
 
-/// Exactly what the scene asks for: nothing else is compiled.
-struct Asked;
+/// Exactly the effects that the scene requires; nothing else is compiled.
+struct RequiredEffects;
 
-impl Effects for Asked {
+impl Effects for RequiredEffects {
     const SET: EffectSet = EffectSet {
         shapes: ShapeSet::of(&[ShapeKind::Polygon, ShapeKind::Sphere]),
         lights: LightSet::of(&[LightKind::Point]),
@@ -72,42 +73,43 @@ impl Effects for Asked {
     };
 }
 
-const VIEW: CameraDescriptor = CameraDescriptor {
+const CAMERA: CameraDescriptor = CameraDescriptor {
     position: vec3(0.0, 2.2, 7.0),
     target: vec3(0.0, 0.6, 0.0),
     up: Vec3::Y,
     projection: Projection::Perspective { field_of_view: 0.5 },
 };
 
-/// Letters are about twice as high as wide: of the lines every second is drawn.
-const SIZE: Resolution = Resolution::new(72, 44).unwrap();
+/// Characters are about twice as high as wide, so only every other row is printed.
+const RESOLUTION: Resolution = Resolution::new(72, 44).unwrap();
 
 const LEVELS: usize = 3;
 
-/// A device that has less finds it out when compiling.
+/// Fails to compile if the worker needs more memory.
 const _: () = assert!(Worker::<BareList, (), LEVELS>::SIZE_IN_BYTES <= 512);
 
 fn main() -> Result<(), Box<dyn std::error::Error>> {
-    let scene = Scene::new(PARTS)?;
-    assert_eq!(scene.required_effects(), Asked::SET);
+    let scene = Scene::new(SCENE)?;
+    assert_eq!(scene.required_effects(), RequiredEffects::SET);
     let world = World::new(scene, BareList(SHAPES.len() as u32));
     let limits = Limits { levels: LEVELS as u8, ..Limits::DEFAULT };
-    let tracer = Tracer::<_, Asked, LEVELS>::new(&world, Camera::new(&VIEW, SIZE)?, limits)?;
-    let mut letters = |pixel: Pixel, color: Rgb| {
+    let tracer =
+        Tracer::<_, RequiredEffects, LEVELS>::new(&world, Camera::new(&CAMERA, RESOLUTION)?, limits)?;
+    let mut print_pixel = |pixel: Pixel, color: Rgb| {
         let [_, gray, _] = color.to_srgb8();
         let ramp = b" .:-=+*#%@";
-        let letter = ramp.get(usize::from(gray) * ramp.len() / 256).copied().unwrap_or(b'@');
+        let character = ramp.get(usize::from(gray) * ramp.len() / 256).copied().unwrap_or(b'@');
         match pixel.y % 2 {
-            0 if pixel.x + 1 == SIZE.width() => println!("{}", char::from(letter)),
-            0 => print!("{}", char::from(letter)),
+            0 if pixel.x + 1 == RESOLUTION.width() => println!("{}", char::from(character)),
+            0 => print!("{}", char::from(character)),
             _ => {}
         }
     };
     let Ok(()) = render(
         &mut tracer.with_worker(&mut Worker::new(())),
         &mut Single,
-        Tile::whole(SIZE).pixels(),
-        &mut letters,
+        Tile::whole(RESOLUTION).pixels(),
+        &mut print_pixel,
     );
     Ok(())
 }

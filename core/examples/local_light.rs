@@ -1,5 +1,5 @@
-//! What a scene of local light pays for effects that it does not use: traced by the smallest
-//! tracer for it, and by one that can do everything.
+//! The cost of effects that a scene does not use: a scene with local illumination only, traced with the
+//! smallest effect set, and with larger ones.
 //!
 //! ```text
 //! cargo build --release -p strahl-core --example local_light
@@ -10,7 +10,8 @@
 //! valgrind --tool=callgrind target/release/examples/local_light everything-shapes
 //! ```
 //!
-//! All print the same hash of the picture; callgrind counts their instructions (`tests/reports/local-light.md`).
+//! All print the same hash of the picture; callgrind counts the instructions
+//! (`tests/reports/local-light.md`).
 
 use std::process::ExitCode;
 
@@ -23,10 +24,10 @@ use strahl_core::{
     Tracer, Vec3, Worker, World, render, vec3,
 };
 
-/// Exactly what the scene asks for.
-struct Smallest;
+/// Exactly the effects that the scene requires.
+struct MinimalEffects;
 
-impl Effects for Smallest {
+impl Effects for MinimalEffects {
     const SET: EffectSet = EffectSet {
         shapes: ShapeSet::of(&[ShapeKind::Sphere, ShapeKind::Plane]),
         lights: LightSet::of(&[LightKind::Point]),
@@ -35,10 +36,10 @@ impl Effects for Smallest {
     };
 }
 
-/// Everything but secondary rays and what needs more than one ray for a place.
-struct Local;
+/// All effects except secondary rays and distributed effects.
+struct LocalEffects;
 
-impl Effects for Local {
+impl Effects for LocalEffects {
     const SET: EffectSet = EffectSet {
         reflection: false,
         transmission: false,
@@ -52,26 +53,27 @@ impl Effects for Local {
     };
 }
 
-/// The shapes of the scene, and everything else that `Local` can do.
-struct LocalOfItsShapes;
+/// [`LocalEffects`] with the shapes of the scene only.
+struct LocalEffectsOfScene;
 
-impl Effects for LocalOfItsShapes {
-    const SET: EffectSet = EffectSet { shapes: Smallest::SET.shapes, ..Local::SET };
+impl Effects for LocalEffectsOfScene {
+    const SET: EffectSet = EffectSet { shapes: MinimalEffects::SET.shapes, ..LocalEffects::SET };
 }
 
-/// The shapes of the scene, and everything else that there is.
-struct EverythingOfItsShapes;
+/// All effects with the shapes of the scene only.
+struct AllEffectsOfScene;
 
-impl Effects for EverythingOfItsShapes {
-    const SET: EffectSet = EffectSet { shapes: Smallest::SET.shapes, ..EffectSet::ALL };
+impl Effects for AllEffectsOfScene {
+    const SET: EffectSet = EffectSet { shapes: MinimalEffects::SET.shapes, ..EffectSet::ALL };
 }
 
 const ITEMS: usize = 26;
 
+/// Renders the scene and returns an FNV-1a hash of the bits of its pixels.
 fn hash<E: Effects>() -> u64 {
     let mut shapes = [Shape::Plane(0); ITEMS];
-    for (number, shape) in shapes.iter_mut().enumerate().skip(1) {
-        let (x, z) = ((number % 5) as f32 - 2.0, -((number / 5) as f32));
+    for (index, shape) in shapes.iter_mut().enumerate().skip(1) {
+        let (x, z) = ((index % 5) as f32 - 2.0, -((index / 5) as f32));
         *shape = Shape::Sphere(Sphere { center: vec3(x, 0.4, z), radius: 0.4 });
     }
     let floor = Plane { point: Vec3::ZERO, normal: Vec3::Y, item: ItemId(0) };
@@ -86,18 +88,17 @@ fn hash<E: Effects>() -> u64 {
         ambient: Rgb::gray(0.1),
         ..SceneDescriptor::EMPTY
     })
-    .expect("the scene is one");
-    let view = CameraDescriptor {
+    .expect("a valid scene");
+    let camera = CameraDescriptor {
         position: vec3(0.0, 3.0, 6.0),
         target: vec3(0.0, 0.0, -2.0),
         up: Vec3::Y,
         projection: Projection::Perspective { field_of_view: 0.7 },
     };
-    let size = Resolution::new(160, 120).expect("a size");
+    let resolution = Resolution::new(160, 120).expect("a valid resolution");
     let world = World::new(scene, BareList(ITEMS as u32));
-    let camera = Camera::new(&view, size).expect("a view");
-    let tracer = Tracer::<_, E, 5>::new(&world, camera, Limits::DEFAULT).expect("it can do that");
-    // FNV-1a of the bits.
+    let camera = Camera::new(&camera, resolution).expect("a valid camera");
+    let tracer = Tracer::<_, E, 5>::new(&world, camera, Limits::DEFAULT).expect("all effects in the set");
     let mut hash = 0xcbf2_9ce4_8422_2325_u64;
     let mut sink = |_: Pixel, color: Rgb| {
         for channel in [color.r, color.g, color.b] {
@@ -107,7 +108,7 @@ fn hash<E: Effects>() -> u64 {
     let Ok(()) = render(
         &mut tracer.with_worker(&mut Worker::new(())),
         &mut Single,
-        Tile::whole(size).pixels(),
+        Tile::whole(resolution).pixels(),
         &mut sink,
     );
     hash
@@ -115,11 +116,11 @@ fn hash<E: Effects>() -> u64 {
 
 fn main() -> ExitCode {
     let hash = match std::env::args().nth(1).as_deref() {
-        Some("smallest") => hash::<Smallest>(),
-        Some("local") => hash::<Local>(),
+        Some("smallest") => hash::<MinimalEffects>(),
+        Some("local") => hash::<LocalEffects>(),
         Some("everything") => hash::<AllEffects>(),
-        Some("local-shapes") => hash::<LocalOfItsShapes>(),
-        Some("everything-shapes") => hash::<EverythingOfItsShapes>(),
+        Some("local-shapes") => hash::<LocalEffectsOfScene>(),
+        Some("everything-shapes") => hash::<AllEffectsOfScene>(),
         _ => {
             eprintln!("usage: local_light smallest|local|everything|local-shapes|everything-shapes");
             return ExitCode::from(2);

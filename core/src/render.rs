@@ -28,24 +28,25 @@ use crate::trace::RayTracer;
 ///     ..SceneDescriptor::EMPTY
 /// })?;
 /// let world = World::new(scene, BareList(1));
-/// let view = CameraDescriptor {
+/// let descriptor = CameraDescriptor {
 ///     position: vec3(0.0, 0.0, 0.0),
 ///     target: vec3(0.0, 0.0, -1.0),
 ///     up: vec3(0.0, 1.0, 0.0),
 ///     projection: Projection::Perspective { field_of_view: 1.0 },
 /// };
 /// let resolution = Resolution::new(3, 3).unwrap();
-/// let camera = Camera::new(&view, resolution)?;
+/// let camera = Camera::new(&descriptor, resolution)?;
 /// let tracer = Tracer::<_, AllEffects, 5>::new(&world, camera, Limits::DEFAULT)?;
 /// let mut worker = Worker::new(());
 ///
 /// let mut picture = [Rgb::BLACK; 9];
-/// let whole = Tile::whole(resolution);
-/// let mut frame = Frame::new(whole, &mut picture).unwrap();
-/// let Ok(()) = render(&mut tracer.with_worker(&mut worker), &mut Single, whole.pixels(), &mut frame);
+/// let tile = Tile::whole(resolution);
+/// let mut frame = Frame::new(tile, &mut picture).unwrap();
+/// let Ok(()) = render(&mut tracer.with_worker(&mut worker), &mut Single, tile.pixels(), &mut frame);
 ///
-/// let (sphere, background) = (Rgb::gray(0.5), Rgb::BLACK);
-/// assert_eq!(picture, [space, space, space, space, ball, space, space, space, space]);
+/// // Only the ray through the center hits the sphere.
+/// let (hit, miss) = (Rgb::gray(0.5), Rgb::BLACK);
+/// assert_eq!(picture, [miss, miss, miss, miss, hit, miss, miss, miss, miss]);
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 pub fn render<R, S, K>(
@@ -71,8 +72,8 @@ where
 /// Renders `blocks` of pixels into `sink`, block by block: some pixels of each block are traced, the others
 /// interpolated where the traced ones are similar.
 ///
-/// [`Selection::blocks`](crate::image::Selection::blocks) returns the blocks that cover a tile. They may extend
-/// beyond its right and lower edge; the sink receives these pixels too.
+/// [`Selection::blocks`](crate::image::Selection::blocks) returns the blocks that cover a tile. They may
+/// extend beyond its right and lower edge; the sink receives these pixels too.
 ///
 /// # Errors
 ///
@@ -101,12 +102,12 @@ where
     Ok(())
 }
 
-/// Renders `tile` progressively: coarse blocks first, then the quarters of blocks whose corners differ, and so
-/// on. The final picture is that of [`render_selected`].
+/// Renders `tile` progressively: coarse blocks first, then the quarters of blocks whose corners differ, and
+/// so on. The final picture is that of [`render_selected`].
 ///
 /// Suits displays that show the picture while it is drawn: no memory for the picture is needed, and in each
-/// pass the sink receives only the pixels that change. Blocks may extend beyond the right and lower edge of the
-/// tile; the sink receives these pixels too.
+/// pass the sink receives only the pixels that change. Blocks may extend beyond the right and lower edge of
+/// the tile; the sink receives these pixels too.
 ///
 /// # Errors
 ///
