@@ -1,16 +1,15 @@
-//! The accelerators on growing scenes: what they take to build, to hold and to walk.
+//! The accelerators on growing scenes: build time, memory and traversal.
 //!
 //! ```text
 //! cargo run --release -p strahl-tests --example accelerators > tests/reports/accelerators.md
 //! ```
 //!
-//! Scenes of the generator: sphereflakes of 11 to 597,872 objects, knots of about 1,000 to
-//! 1,000,000 triangles, and a knot in a stadium. Each is traced at 512 x 512 with one ray for each
-//! pixel, five levels, no cutoff, on one thread and uncounted, once by each accelerator; processor
-//! time, of three turns the least. Then once more to count. The list is left out where it would
-//! take minutes.
+//! Procedural scenes: sphereflakes of 11 to 597,872 objects, knots of about 1,000 to 1,000,000 triangles, and a knot in a
+//! stadium. Each is traced at 512 x 512 with one ray per pixel, five levels and no cutoff, on one thread, with each
+//! accelerator. Times are processor time, the minimum of three repetitions; one more run counts tests. The list is left out
+//! where it would take minutes.
 //!
-//! The exit status is 1 when two accelerators make different pictures.
+//! The exit status is 1 if two accelerators make different pictures.
 
 use std::error::Error;
 use std::path::Path;
@@ -24,7 +23,7 @@ use strahl_scene::procedural::ProceduralScene;
 use strahl_session::RenderOutput;
 use strahl_settings::{AccelKind, AccelSettings, Settings};
 
-/// ProceduralScene is made, and how large.
+/// Procedural scenes and their sizes.
 const SCENES: [(ProceduralScene, u32); 10] = [
     (ProceduralScene::Sphereflake, 1),
     (ProceduralScene::Sphereflake, 2),
@@ -38,14 +37,14 @@ const SCENES: [(ProceduralScene, u32); 10] = [
     (ProceduralScene::Stadium, 10_000),
 ];
 
-/// The most objects that are held against every ray.
-const LISTED: usize = 1_000;
+/// Maximum number of objects for the list.
+const MAX_LIST_OBJECTS: usize = 1_000;
 
-/// Turns, of which the quickest counts: whatever else a machine does can only add to it.
-const TURNS: usize = 3;
+/// Repetitions, of which the fastest counts: other load can only add time.
+const REPETITIONS: usize = 3;
 
-/// One row of the table.
-struct Row {
+/// A row of the table.
+struct AcceleratorsRow {
     what: ProceduralScene,
     objects: usize,
     kind: AccelKind,
@@ -61,7 +60,7 @@ fn main() -> Result<ExitCode, Box<dyn Error>> {
         "    cargo run --release -p strahl-tests --example accelerators > tests/reports/accelerators.md\n"
     );
     println!(
-        "512 x 512, one ray for each pixel, five levels, no cutoff, one thread; processor time on {}.\n",
+        "512 x 512, one ray per pixel, five levels, no cutoff, one thread; processor time on {}.\n",
         machine()
     );
     println!(
@@ -70,18 +69,23 @@ fn main() -> Result<ExitCode, Box<dyn Error>> {
     );
     println!("|---|---:|---|---:|---:|---:|---:|---:|---:|---:|---:|");
     let mut rows = Vec::new();
-    let mut all_same = true;
+    let mut all_equal = true;
     for (what, size) in SCENES {
         let path = folder.path().join(format!("{what}-{size}.nff"));
-        all_same &= scene(what, size, &path, &mut rows)?;
+        all_equal &= scene(what, size, &path, &mut rows)?;
         std::fs::remove_file(&path)?;
     }
     growth(&rows);
-    Ok(if all_same { ExitCode::SUCCESS } else { ExitCode::FAILURE })
+    Ok(if all_equal { ExitCode::SUCCESS } else { ExitCode::FAILURE })
 }
 
-/// Adds the rows of one scene; whether all of its pictures are the same.
-fn scene(what: ProceduralScene, size: u32, path: &Path, rows: &mut Vec<Row>) -> Result<bool, Box<dyn Error>> {
+/// Adds the rows of one scene. Returns whether all of its pictures are equal.
+fn scene(
+    what: ProceduralScene,
+    size: u32,
+    path: &Path,
+    rows: &mut Vec<AcceleratorsRow>,
+) -> Result<bool, Box<dyn Error>> {
     generate::run(&GenerateArgs {
         what,
         size: Some(size),
@@ -93,46 +97,48 @@ fn scene(what: ProceduralScene, size: u32, path: &Path, rows: &mut Vec<Row>) -> 
     let description = strahl_scene::load(path)?;
     let objects = description.objects.len();
     let mut digests = Vec::new();
-    for kind in AccelKind::ALL.into_iter().filter(|kind| *kind != AccelKind::List || objects <= LISTED) {
+    for kind in
+        AccelKind::ALL.into_iter().filter(|kind| *kind != AccelKind::List || objects <= MAX_LIST_OBJECTS)
+    {
         let size = Resolution::new(512, 512).ok_or("no size")?;
         let settings = Settings { size, levels: 5, cutoff: 0.0, threads: 1, ..Settings::default() };
         let settings = settings.with_acceleration(AccelSettings::with_kind(kind));
         let trace = |options| strahl_session::render(&description, &settings, &options, &NoProgress);
-        let (mut quickest, mut build): (Option<RenderOutput>, f64) = (None, f64::INFINITY);
-        for _ in 0..TURNS {
+        let (mut fastest, mut build): (Option<RenderOutput>, f64) = (None, f64::INFINITY);
+        for _ in 0..REPETITIONS {
             let frame = trace(RenderOptions::default())?;
             build = build.min(frame.accelerator.build.as_secs_f64());
-            if quickest.as_ref().is_none_or(|quickest| frame.trace_cpu < quickest.trace_cpu) {
-                quickest = Some(frame);
+            if fastest.as_ref().is_none_or(|fastest| frame.trace_cpu < fastest.trace_cpu) {
+                fastest = Some(frame);
             }
         }
-        let frame = quickest.ok_or("no turn")?;
+        let frame = fastest.ok_or("no repetition")?;
         let counts = trace(RenderOptions::COUNT_TESTS)?.counters;
-        let (each, facts) = (1.0 / objects as f64, &frame.accelerator);
+        let (per_object, stats) = (1.0 / objects as f64, &frame.accelerator);
         let (rays, seconds) = (counts.rays.sum() as f64, frame.trace_cpu.as_secs_f64());
         println!(
             "| {what} | {objects} | {} | {:.2} | {:.0} | {} | {:.1} | {:.1} | {:.1} | {seconds:.3} | {:.2} |",
             kind.name(),
-            1e6 * build * each,
-            facts.bytes as f64 * each,
-            facts.regions,
-            facts.items_per_region(),
+            1e6 * build * per_object,
+            stats.bytes as f64 * per_object,
+            stats.regions,
+            stats.items_per_region(),
             counts.box_tests.sum() as f64 / rays,
             counts.shape_tests.sum() as f64 / rays,
             1e-6 * rays / seconds,
         );
         digests.push(frame.picture.digest().to_string());
-        rows.push(Row { what, objects, kind, build, trace: seconds });
+        rows.push(AcceleratorsRow { what, objects, kind, build, trace: seconds });
     }
     digests.dedup();
     if digests.len() > 1 {
-        eprintln!("{what} of {objects} objects: not all pictures are the same");
+        eprintln!("{what} of {objects} objects: the pictures differ");
     }
     Ok(digests.len() == 1)
 }
 
-/// ProceduralScene becomes of the times when a sphereflake has 81 times the objects.
-fn growth(rows: &[Row]) {
+/// Prints the growth of the times when a sphereflake has 81 times as many objects.
+fn growth(rows: &[AcceleratorsRow]) {
     println!("\nFrom the sphereflake of 7,382 objects to that of 597,872, 81 times as many:\n");
     println!("| accelerator | trace | build |\n|---|---:|---:|");
     let of = |kind, objects| {
@@ -148,9 +154,9 @@ fn growth(rows: &[Row]) {
     }
 }
 
-/// ProceduralScene the system says of its processor.
+/// Name of the processor.
 fn machine() -> String {
-    let told = std::fs::read_to_string("/proc/cpuinfo").unwrap_or_default();
-    let name = told.lines().find_map(|line| line.strip_prefix("model name")?.split_once(':'));
-    name.map_or("an unnamed machine".into(), |(_, name)| name.trim().to_owned())
+    let info = std::fs::read_to_string("/proc/cpuinfo").unwrap_or_default();
+    let name = info.lines().find_map(|line| line.strip_prefix("model name")?.split_once(':'));
+    name.map_or("an unknown processor".into(), |(_, name)| name.trim().to_owned())
 }

@@ -1,13 +1,12 @@
-//! The pictures of the golden scene that the firmware `golden` draws, as the host draws them, and the
-//! table of what accuracy costs on the chip.
+//! The pictures of the firmware `golden`, rendered on the host, and the table of the cost of accuracy on the chip.
 //!
 //! ```text
-//! accuracy FILE                          the linear floats of all pictures, one after the other
-//! accuracy --table REPORT PICTURES ...   what a firmware has told and drawn, as CSV; single precision first
+//! accuracy FILE                          writes the linear floats of all pictures, one after the other
+//! accuracy --table REPORT PICTURES ...   prints reports and pictures of the firmware as CSV; single precision first
 //! ```
 //!
-//! The host goes the other way wherever there is one: a tracer that can do everything, a list
-//! without boxes, a frame in memory, no corner kept. None of that may change a bit.
+//! The host uses the alternatives wherever they exist: all effects, a list without boxes, a frame in memory, no cached
+//! corners. None of them may change a bit.
 
 #[path = "../firmware/src/accuracy.rs"]
 mod accuracy;
@@ -27,17 +26,16 @@ use strahl_core::image::{Adaptive, Agreement, Frame, Loose, Parting, Regular, Sa
 use strahl_core::scene::Effects;
 use strahl_core::{AllEffects, Camera, Limits, Rgb, Scene, Single, Tile, Tracer, Worker, World, render};
 
-type Failure = Box<dyn Error>;
+type ExampleError = Box<dyn Error>;
 
-/// What errors are measured against: many more levels than are ever needed, nothing cut, and many
-/// rays.
+/// Settings of the reference picture for errors: many levels, no cutoff, many rays.
 const REFERENCE: Run = Run { limits: Limits { levels: 16, cutoff: 0.0 }, sampling: Sampling::Regular(16) };
 
-fn main() -> Result<(), Failure> {
+fn main() -> Result<(), ExampleError> {
     let arguments: Vec<PathBuf> = std::env::args_os().skip(1).map(PathBuf::from).collect();
     match arguments.as_slice() {
-        [table, told @ ..] if table.as_os_str() == OsStr::new("--table") && !told.is_empty() => {
-            print!("{}", csv(told)?);
+        [table, files @ ..] if table.as_os_str() == OsStr::new("--table") && !files.is_empty() => {
+            print!("{}", csv(files)?);
             Ok(())
         }
         [file] => {
@@ -51,21 +49,21 @@ fn main() -> Result<(), Failure> {
     }
 }
 
-fn picture(run: &Run) -> Result<Vec<Rgb>, Failure> {
-    let none = "there is no such sampler";
+fn picture(run: &Run) -> Result<Vec<Rgb>, ExampleError> {
+    let invalid = "invalid sampler settings";
     match run.sampling {
         Sampling::Single => traced(run.limits, &mut Single),
-        Sampling::Regular(n) => traced(run.limits, &mut Regular::new(n).ok_or(none)?),
+        Sampling::Regular(n) => traced(run.limits, &mut Regular::new(n).ok_or(invalid)?),
         Sampling::Adaptive(depth, threshold) => {
-            let agreement = Agreement::of_colors(threshold).ok_or(none)?;
-            let parting = Parting::new(depth, agreement).ok_or(none)?;
+            let agreement = Agreement::of_colors(threshold).ok_or(invalid)?;
+            let parting = Parting::new(depth, agreement).ok_or(invalid)?;
             traced(run.limits, &mut Adaptive::new(parting, Loose, &mut []))
         }
-        Sampling::Stochastic(n) => traced(run.limits, &mut Stochastic::new(n).ok_or(none)?),
+        Sampling::Stochastic(n) => traced(run.limits, &mut Stochastic::new(n).ok_or(invalid)?),
     }
 }
 
-fn traced(limits: Limits, sampler: &mut impl Sampler) -> Result<Vec<Rgb>, Failure> {
+fn traced(limits: Limits, sampler: &mut impl Sampler) -> Result<Vec<Rgb>, ExampleError> {
     let scene = Scene::new(parts())?;
     assert_eq!(scene.required_effects(), Golden::SET);
     let world = World::new(scene, List::without_bounds(ITEMS as u32));
@@ -78,23 +76,23 @@ fn traced(limits: Limits, sampler: &mut impl Sampler) -> Result<Vec<Rgb>, Failur
     Ok(colors)
 }
 
-/// The table, from pairs of what a firmware has told and drawn.
-fn csv(told: &[PathBuf]) -> Result<String, Failure> {
+/// The table, from pairs of a firmware's report and pictures.
+fn csv(files: &[PathBuf]) -> Result<String, ExampleError> {
     let reference = picture(&REFERENCE)?;
     let mut table = "scene,width,height,precision,levels,cutoff,sampler,instructions,rays,rmse\n".to_owned();
-    for (pair, precision) in told.chunks(2).zip(["single", "double"]) {
-        let [report, pictures] = pair else { return Err("a report has no pictures".into()) };
+    for (pair, precision) in files.chunks(2).zip(["single", "double"]) {
+        let [report, pictures] = pair else { return Err("a report without pictures".into()) };
         let (report, pictures) = (std::fs::read_to_string(report)?, std::fs::read(pictures)?);
         let size = reference.len() * size_of::<draw::Bytes>();
         let drawn = pictures.chunks_exact(size);
         let runs: Vec<&str> = report.lines().filter(|line| line.starts_with("run ")).collect();
         if runs.len() != RUNS.len() || pictures.len() != RUNS.len() * size {
-            return Err("these are not the pictures that are asked for".into());
+            return Err("the pictures do not match the runs".into());
         }
         for (line, drawn) in runs.into_iter().zip(drawn) {
             let words: Vec<&str> = line.split(' ').collect();
             let [_, _, levels, cutoff, sampler, instructions, rays] = words[..] else {
-                return Err(format!("not the report of a run: {line}").into());
+                return Err(format!("not a line of a run: {line}").into());
             };
             let (width, height) = (SIZE.width(), SIZE.height());
             let rmse = rmse(drawn, &reference);
@@ -106,14 +104,13 @@ fn csv(told: &[PathBuf]) -> Result<String, Failure> {
     Ok(table)
 }
 
-/// The root of the mean square of the differences of sRGB-encoded channels, in 0 to 1, as `strahl
-/// compare` has it.
+/// Root mean square error of the sRGB-encoded channels, in `[0, 1]`, as in `strahl compare`.
 fn rmse(drawn: &[u8], reference: &[Rgb]) -> f64 {
     let channels = drawn.as_chunks::<4>().0.iter().map(|bytes| f32::from_le_bytes(*bytes));
-    let wanted = reference.iter().flat_map(|color| [color.r, color.g, color.b]);
-    let squares = channels.zip(wanted).map(|(a, b)| {
-        let off = encoded(a) - encoded(b);
-        off * off
+    let expected = reference.iter().flat_map(|color| [color.r, color.g, color.b]);
+    let squares = channels.zip(expected).map(|(a, b)| {
+        let error = encoded(a) - encoded(b);
+        error * error
     });
     (squares.sum::<f64>() / (3 * reference.len()) as f64).sqrt()
 }

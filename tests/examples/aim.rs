@@ -1,17 +1,15 @@
-//! Whether `--target-error` keeps its promise, and what that costs against the best settings that a
-//! full search finds:
+//! Whether `--target-error` keeps the requested error, and its cost compared with the best settings of a full search:
 //!
 //!     cargo run --profile test -p strahl-tests --example aim -- [WxH [SCENE LIMIT]...]
 //!
-//! For each pair of a scene and a limit the picture is made as `render --target-error LIMIT` makes
-//! it, and its true error is measured on all pixels. Then all rays that the plan knows are tried with
-//! all levels and cutoffs on all pixels, but for those that are dearer than what was found by then and
-//! those that are too few even if the error falls as fast as their number rises. The
-//! cheapest that truly keeps the limit is the best there is. The table is that of
-//! `tests/reports/aim.md`; the exit status is 1 when fewer than nine of ten limits are kept, or when one
-//! that is kept costs more than 1.5 times the best.
+//! For each pair of a scene and a limit the picture is rendered as by `render --target-error LIMIT`, and its true error is
+//! measured on all pixels. Then all samplers of the plan are tried with all levels and cutoffs on all pixels. Settings are
+//! left out if they must be more expensive than the best so far, or if they have too few rays even if the error falls as
+//! fast as their number rises. The cheapest settings that truly keep the limit are the best. The table is that of
+//! `tests/reports/aim.md`. The exit status is 1 if fewer than nine of ten limits are kept, or if one that is kept costs more
+//! than 1.5 times the best.
 //!
-//! Costs are instructions, estimated from the rays and tests that were counted: the same everywhere.
+//! Costs are instructions, estimated from counted rays and tests, and reproducible.
 
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
@@ -31,7 +29,7 @@ use strahl_study::aim::search::{Candidate, Fixed, Goal, Search};
 use strahl_study::aim::sparse::rmse;
 use strahl_study::cost_model::WEIGHTS;
 
-/// Scenes of different kinds, each with limits that ask for little or much.
+/// Scenes of different kinds, with loose and tight limits.
 const PAIRS: [(&str, f64); 10] = [
     ("glass.toml", 0.03),
     ("penumbra.toml", 0.03),
@@ -45,8 +43,8 @@ const PAIRS: [(&str, f64); 10] = [
     ("classic.toml", 0.02),
 ];
 
-/// The most that a kept limit may cost, against the best.
-const MOST: f64 = 1.5;
+/// Maximum cost of a kept limit, as a multiple of the best.
+const MAX_RATIO: f64 = 1.5;
 
 fn main() -> ExitCode {
     let words: Vec<String> = std::env::args().skip(1).collect();
@@ -55,35 +53,35 @@ fn main() -> ExitCode {
         Resolution::new(width.parse().ok()?, height.parse().ok()?)
     });
     let size = size.unwrap_or(Resolution::new(200, 150).unwrap());
-    let asked: Vec<(&str, f64)> = words
+    let requested: Vec<(&str, f64)> = words
         .get(1..)
         .unwrap_or_default()
         .chunks(2)
         .filter_map(|pair| Some((pair.first()?.as_str(), pair.get(1)?.parse().ok()?)))
         .collect();
-    let pairs = if asked.is_empty() { PAIRS.to_vec() } else { asked };
+    let pairs = if requested.is_empty() { PAIRS.to_vec() } else { requested };
 
     println!(
         "| scene | limit | taken | estimated | true | kept | the best of a full search | cost against it |"
     );
     println!("|---|---|---|---|---|---|---|---|");
-    let (mut kept, mut dear) = (0, 0);
+    let (mut kept, mut expensive) = (0, 0);
     let count = pairs.len();
     for (name, limit) in pairs {
-        let row = hold(name, limit, size);
+        let row = measure(name, limit, size);
         kept += usize::from(row.true_error <= limit);
-        dear += usize::from(row.true_error <= limit && row.ratio > MOST);
+        expensive += usize::from(row.true_error <= limit && row.ratio > MAX_RATIO);
         let is_kept = if row.true_error <= limit { "yes" } else { "no" };
         println!(
             "| {name} | {limit} | `{}` | {:.4} (at most {:.4}) | {:.4} | {is_kept} | `{}` {:.4} | {:.2} |",
             row.taken, row.estimate, row.at_most, row.true_error, row.best, row.best_error, row.ratio
         );
     }
-    println!("\n{kept} of {count} kept, {dear} of them dearer than {MOST} times the best");
-    ExitCode::from(u8::from(10 * kept < 9 * count || dear > 0))
+    println!("\n{kept} of {count} kept, {expensive} of them more expensive than {MAX_RATIO} times the best");
+    ExitCode::from(u8::from(10 * kept < 9 * count || expensive > 0))
 }
 
-struct Row {
+struct AimRow {
     taken: String,
     estimate: f64,
     at_most: f64,
@@ -93,7 +91,7 @@ struct Row {
     ratio: f64,
 }
 
-fn hold(name: &str, limit: f64, size: Resolution) -> Row {
+fn measure(name: &str, limit: f64, size: Resolution) -> AimRow {
     let path: PathBuf = Path::new(env!("CARGO_MANIFEST_DIR")).parent().unwrap().join("scenes").join(name);
     let description = load(&path).unwrap_or_else(|error| panic!("{name}: {error}"));
     let settings = Settings { size, ..settings(&description) };
@@ -110,65 +108,65 @@ fn hold(name: &str, limit: f64, size: Resolution) -> Row {
     let priced = priced_limits(&mut search, &session.scene().effects).unwrap();
     let reference = reference(&settings, limits_of_reference(&priced, limit), limit, 1);
     let reference = session.render(&reference, &options, &NoProgress).unwrap().picture.colors;
-    let whole = Whole { session: &session, reference: &reference };
-    let (price_of_taken, _) = whole.look(&taken).unwrap();
+    let full_picture = FullPictureError { session: &session, reference: &reference };
+    let (cost_of_taken, _) = full_picture.measure(&taken).unwrap();
 
     let mut cheapest = f64::INFINITY;
-    // What was seen at the finest levels and cutoff: rays, their error and their price.
-    let mut seen: Vec<(Rays, f64, f64)> = Vec::new();
-    // The most that coarser ones can save.
+    // Results at the finest levels and cutoff: sampler, error and cost.
+    let mut tried: Vec<(Rays, f64, f64)> = Vec::new();
+    // Fraction of the cost at the coarsest limits.
     let part = priced.last().map_or(1.0, |it| it.cost);
     for rays in rays(settings.filter, limit) {
-        let is_dear = |(before, _, price): &(Rays, f64, f64)| {
-            rays.times(*before).is_some_and(|times| SAVES * times * part * price > cheapest)
+        let is_too_expensive = |(before, _, cost): &(Rays, f64, f64)| {
+            rays.times(*before).is_some_and(|times| SAVES * times * part * cost > cheapest)
         };
-        if seen.iter().any(|it| is_dear(it) || is_hopeless(it.0, it.1, rays, limit)) {
+        if tried.iter().any(|it| is_too_expensive(it) || is_hopeless(it.0, it.1, rays, limit)) {
             continue;
         }
-        let look = |of: &PricedLimits| {
+        let try_limits = |of: &PricedLimits| {
             let setting = Candidate { limits: of.limits, rays };
-            let (price, error) = whole.look(&setting.apply(&settings)).unwrap();
-            (setting, price, error)
+            let (cost, error) = full_picture.measure(&setting.apply(&settings)).unwrap();
+            (setting, cost, error)
         };
-        // What the finest levels and cutoff do not keep, no others do.
-        let (setting, price, error) = look(&priced[0]);
-        seen.push((rays, error, price));
+        // If the finest levels and cutoff do not keep the limit, no others do.
+        let (setting, cost, error) = try_limits(&priced[0]);
+        tried.push((rays, error, cost));
         if error > limit {
             continue;
         }
-        if price < cheapest {
-            (cheapest, best) = (price, Some((setting, error, price)));
+        if cost < cheapest {
+            (cheapest, best) = (cost, Some((setting, error, cost)));
         }
-        // From the cheapest on: the first that keeps it is the cheapest of these rays.
+        // From the cheapest on: the first that keeps the limit is the cheapest with this sampler.
         for of in priced[1..].iter().rev() {
-            if 0.9 * price * of.cost > cheapest {
+            if 0.9 * cost * of.cost > cheapest {
                 break;
             }
-            let (setting, price, error) = look(of);
-            if error <= limit && price < cheapest {
-                (cheapest, best) = (price, Some((setting, error, price)));
+            let (setting, cost, error) = try_limits(of);
+            if error <= limit && cost < cheapest {
+                (cheapest, best) = (cost, Some((setting, error, cost)));
                 break;
             }
         }
     }
-    let (setting, best_error, best_price) = best.unwrap_or_else(|| panic!("{name}: nothing keeps {limit}"));
-    Row {
+    let (setting, best_error, best_cost) = best.unwrap_or_else(|| panic!("{name}: nothing keeps {limit}"));
+    AimRow {
         taken: words(&taken),
         estimate,
         at_most,
         true_error: measured.unwrap(),
         best: words(&setting.apply(&settings)),
         best_error,
-        ratio: price_of_taken / best_price,
+        ratio: cost_of_taken / best_cost,
     }
 }
 
-/// Whether this many rays cannot keep the limit, because the error of a sampler falls at most as the number
-/// of its rays rises (twice as many, half the error), which the best of sequences do.
+/// Whether this many rays cannot keep the limit, even if the error is inversely proportional to their number, as with the
+/// best sequences.
 fn is_hopeless(before: Rays, error: f64, rays: Rays, limit: f64) -> bool {
     let same = std::mem::discriminant(&before.sampler) == std::mem::discriminant(&rays.sampler);
     match (before.count(), rays.count()) {
-        // Single rays are no sampler; two or three rays tell little.
+        // A single ray has no convergence, and two or three rays are too few to extrapolate.
         (Some(known), Some(count)) if same && known >= 4 && count > known => {
             error * f64::from(known) / f64::from(count) > limit
         }
@@ -176,7 +174,7 @@ fn is_hopeless(before: Rays, error: f64, rays: Rays, limit: f64) -> bool {
     }
 }
 
-/// What the scene asks for, but for its rays and limits, which are looked for.
+/// Settings of the scene; sampler and limits are searched.
 fn settings(description: &LoadedScene) -> Settings {
     Settings::resolve(&SettingsOverrides::default(), &description.settings).unwrap()
 }
@@ -189,19 +187,19 @@ fn words(settings: &Settings) -> String {
     )
 }
 
-/// All pixels, held against the truth.
-struct Whole<'w> {
+/// Cost and true error of settings, measured on all pixels.
+struct FullPictureError<'w> {
     session: &'w Session<'w>,
     reference: &'w [Rgb],
 }
 
-impl Whole<'_> {
-    fn look(&self, settings: &Settings) -> Result<(f64, f64), RenderError> {
+impl FullPictureError<'_> {
+    fn measure(&self, settings: &Settings) -> Result<(f64, f64), RenderError> {
         let cost_map = CostMap::new(settings.size);
         let options = RenderOptions { cost_map: Some(&cost_map), ..RenderOptions::default() };
         let output = self.session.render(settings, &options, &NoProgress)?;
-        let price = WEIGHTS.work_of_map(&cost_map, output.accelerator.choice.kind);
+        let cost = WEIGHTS.work_of_map(&cost_map, output.accelerator.choice.kind);
         let error = rmse(&output.picture.colors, self.reference);
-        Ok((price, error))
+        Ok((cost, error))
     }
 }

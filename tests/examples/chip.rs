@@ -1,11 +1,12 @@
-//! What the firmware needs of a host, and what it is held against: into the folder named by the
-//! first argument goes, for each scene that is drawn on the chip, the scene baked with its
-//! accelerator (`NAME.strahl`) and its picture as linear floats (`NAME.f32`), one scene as Rust
-//! constants too (`NAME.rs`), and the pictures of the steps of the table of flash. It prints what the
-//! program would say of stack and instructions. With a second argument, a folder that holds the procedural databases, `balls` is one of them.
+//! The input of the firmware, and the host's pictures for comparison.
 //!
-//! The host goes the other way wherever there is one: a tracer that can do everything, a list
-//! with boxes, tables that were never baked. None of that may change a bit.
+//! Writes into the folder of the first argument, for each scene that is drawn on the chip: the scene baked with its
+//! accelerator (`NAME.strahl`), its picture as linear floats (`NAME.f32`), for one scene also Rust constants (`NAME.rs`), and
+//! the pictures of the table of flash. Prints the program's estimates of stack and instructions. With a second argument, the
+//! folder of the procedural databases, the scenes include `balls`.
+//!
+//! The host uses the alternatives wherever they exist: all effects, a list with boxes, tables that were never baked. None of
+//! them may change a bit.
 
 #[path = "../firmware/src/flash.rs"]
 mod flash;
@@ -25,22 +26,22 @@ use strahl_session::tables::single::{scene_tables, view};
 use strahl_settings::AccelKind;
 
 /// A scene that is drawn on the chip.
-struct Scene {
+struct ChipScene {
     name: &'static str,
     file: &'static str,
     accelerator: AccelKind,
     size: Resolution,
     levels: u8,
-    /// The most nodes of the hierarchy: for what flash there is.
+    /// Maximum number of BVH nodes, to fit into flash.
     nodes: Option<usize>,
 }
 
 const SMALL: Resolution = Resolution::new(64, 48).unwrap();
 
-/// Those of the project: Whitted's classic in an octree, columns round a glass sphere in a grid,
-/// a mesh in a hierarchy, and a list.
-const SCENES: [Scene; 4] = [
-    Scene {
+/// Scenes of the project: Whitted's classic with an octree, columns around a glass sphere with a grid, a mesh with a BVH,
+/// and one with a list.
+const SCENES: [ChipScene; 4] = [
+    ChipScene {
         name: "classic",
         file: "classic",
         accelerator: AccelKind::Octree,
@@ -48,7 +49,7 @@ const SCENES: [Scene; 4] = [
         levels: 6,
         nodes: None,
     },
-    Scene {
+    ChipScene {
         name: "rotunda",
         file: "rotunda",
         accelerator: AccelKind::Grid,
@@ -56,12 +57,19 @@ const SCENES: [Scene; 4] = [
         levels: 6,
         nodes: None,
     },
-    Scene { name: "mesh", file: "", accelerator: AccelKind::Bvh, size: SMALL, levels: 6, nodes: None },
-    Scene { name: "first", file: "first", accelerator: AccelKind::List, size: SMALL, levels: 6, nodes: None },
+    ChipScene { name: "mesh", file: "", accelerator: AccelKind::Bvh, size: SMALL, levels: 6, nodes: None },
+    ChipScene {
+        name: "first",
+        file: "first",
+        accelerator: AccelKind::List,
+        size: SMALL,
+        levels: 6,
+        nodes: None,
+    },
 ];
 
 /// The sphereflake of the procedural databases.
-const BALLS: Scene = Scene {
+const BALLS: ChipScene = ChipScene {
     name: "balls",
     file: "balls.nff",
     accelerator: AccelKind::Bvh,
@@ -74,7 +82,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     let mut arguments = std::env::args_os().skip(1).map(PathBuf::from);
     let folder = arguments.next().ok_or("usage: chip FOLDER [FOLDER_WITH_THE_DATABASES]")?;
     let scenes = Path::new(env!("CARGO_MANIFEST_DIR")).with_file_name("scenes");
-    // A bent sheet of triangles, with the light and the view that a model gets by itself.
+    // A curved sheet of triangles, with the default light and camera of a model.
     std::fs::write(folder.join("sheet.obj"), sheet())?;
     for scene in SCENES {
         let file = if scene.file.is_empty() {
@@ -87,8 +95,8 @@ fn main() -> Result<(), Box<dyn Error>> {
     let constants = strahl_core::Scene::new(golden::parts())?;
     let (view, size, limits) = (golden::VIEW, golden::SIZE, golden::LIMITS);
     let Limits { levels, cutoff } = limits;
-    let asked = BakeSettings { accelerator: AccelKind::Grid, nodes: None, view, size, levels, cutoff };
-    bake_and_draw("golden", &constants, &asked, &folder)?;
+    let settings = BakeSettings { accelerator: AccelKind::Grid, nodes: None, view, size, levels, cutoff };
+    bake_and_draw("golden", &constants, &settings, &folder)?;
     if let Some(databases) = arguments.next() {
         make(&BALLS, &databases.join(BALLS.file), &folder)?;
     }
@@ -104,38 +112,38 @@ fn main() -> Result<(), Box<dyn Error>> {
     Ok(())
 }
 
-/// The picture of a step of the table of flash, `flash-NAME.f32`.
+/// Writes the picture of a variant of the table of flash, `flash-NAME.f32`.
 fn step<S: flash::Step>(name: &str, folder: &Path) -> Result<(), Box<dyn Error>> {
     let mut bytes = Vec::new();
-    flash::picture::<S>(|float| bytes.extend(float)).ok_or("it is no picture")?;
+    flash::picture::<S>(|float| bytes.extend(float)).ok_or("no picture")?;
     Ok(std::fs::write(folder.join(format!("flash-{name}.f32")), bytes)?)
 }
 
-/// The scene file of this name.
+/// The path of the scene with this name.
 fn in_any_format(name: &Path) -> PathBuf {
     let toml = name.with_extension("toml");
     if toml.exists() { toml } else { name.with_extension("nff") }
 }
 
 /// Bakes and draws the scene of a file.
-fn make(scene: &Scene, file: &Path, folder: &Path) -> Result<(), Box<dyn Error>> {
+fn make(scene: &ChipScene, file: &Path, folder: &Path) -> Result<(), Box<dyn Error>> {
     let description = load_for_size(file, scene.size).map_err(|error| error.to_string())?;
-    let stock = scene_tables(&description);
-    let Scene { name, accelerator, size, levels, nodes, .. } = *scene;
+    let storage = scene_tables(&description);
+    let ChipScene { name, accelerator, size, levels, nodes, .. } = *scene;
     let cutoff = Limits::DEFAULT.cutoff;
-    let asked = BakeSettings { accelerator, nodes, view: view(&description.camera), size, levels, cutoff };
-    let tables = stock.scene()?;
-    // What the program would say of it.
-    let count = counted(&description, &asked)?;
+    let settings = BakeSettings { accelerator, nodes, view: view(&description.camera), size, levels, cutoff };
+    let tables = storage.scene()?;
+    // The program's estimate.
+    let count = counted(&description, &settings)?;
     let estimate = chip::instructions(&count.counts, accelerator) / count.pixels * pixels(size);
     println!("estimate {name} {estimate}");
     if name == CONSTANTS {
-        std::fs::write(folder.join(name).with_extension("rs"), source(file, &tables, &asked))?;
+        std::fs::write(folder.join(name).with_extension("rs"), source(file, &tables, &settings))?;
     }
-    bake_and_draw(name, &tables, &asked, folder)
+    bake_and_draw(name, &tables, &settings, folder)
 }
 
-/// The scene that is drawn from Rust constants as well.
+/// The scene that is also drawn from Rust constants.
 const CONSTANTS: &str = "first";
 
 fn pixels(size: Resolution) -> u64 {
@@ -145,18 +153,18 @@ fn pixels(size: Resolution) -> u64 {
 fn bake_and_draw(
     name: &str,
     tables: &strahl_core::Scene<'_>,
-    asked: &BakeSettings,
+    settings: &BakeSettings,
     folder: &Path,
 ) -> Result<(), Box<dyn Error>> {
-    std::fs::write(folder.join(name).with_extension("strahl"), bake(tables, asked)?)?;
+    std::fs::write(folder.join(name).with_extension("strahl"), bake(tables, settings)?)?;
 
     let boxes: Vec<Aabb> = tables.descriptor().geometry.all_bounds().collect();
     let mut groups = vec![Aabb::EMPTY; group_count(boxes.len())];
     let world = World::new(*tables, List::with_boxes(&boxes, &mut groups)?);
-    let limits = Limits { levels: asked.levels, cutoff: asked.cutoff };
-    let camera = Camera::new(&asked.view, asked.size)?;
+    let limits = Limits { levels: settings.levels, cutoff: settings.cutoff };
+    let camera = Camera::new(&settings.view, settings.size)?;
     let tracer = Tracer::<_, AllEffects, 6>::new(&world, camera, limits)?;
-    let tile = Tile::whole(asked.size);
+    let tile = Tile::whole(settings.size);
     let mut colors = vec![Rgb::BLACK; tile.len()];
     let mut frame = Frame::new(tile, &mut colors).ok_or("the frame has another size")?;
     let Ok(()) =

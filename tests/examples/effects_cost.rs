@@ -1,14 +1,13 @@
-//! What each scene of `scenes/` pays for effects that it does not use, as `tests/reports/effects.md`:
+//! The cost of effects that a scene does not use, for each scene of `scenes/`, as `tests/reports/effects.md`:
 //!
 //! ```text
 //! cargo run --release -p strahl-tests --example effects_cost > tests/reports/effects.md
 //! ```
 //!
-//! Each scene is traced by the tracer that the program has for it
-//! (`strahl_engine::prepared`), by one of all shapes and exactly its effects, by one of exactly its shapes
-//! and effects, and by the one that can do everything. Callgrind counts the instructions below
-//! `Tracer::trace`. Exit status 1 when a scene pays more than 1 % in the program,
-//! or when not all pictures are the same, bit for bit. Needs valgrind.
+//! Each scene is traced with the prepared effect set of the program (`strahl_engine::prepared`), with all shapes and exactly
+//! its effects, with exactly its shapes and effects, and with all effects. Callgrind counts the instructions below
+//! `Tracer::trace`. The exit status is 1 if a scene costs more than 1 % extra in the program, or if the pictures differ.
+//! Needs valgrind.
 
 use std::error::Error;
 use std::path::Path;
@@ -30,22 +29,22 @@ use strahl_settings::{AccelKind, AccelSettings};
 /// Pixels of the picture.
 const SIZE: (u32, u32) = (64, 48);
 
-/// One way to trace a scene: the hash of the picture.
-type Way = fn(&Path) -> Result<u64, Box<dyn Error>>;
+/// Traces a scene with one effect set, and returns the hash of the picture.
+type TraceFunction = fn(&Path) -> Result<u64, Box<dyn Error>>;
 
-struct Row {
+struct EffectsRow {
     scene: &'static str,
-    asks: EffectSet,
-    exact: Way,
-    exact_effects: Way,
+    required: EffectSet,
+    exact: TraceFunction,
+    exact_effects: TraceFunction,
 }
 
-/// Each scene with what it asks for.
+/// Each scene with the effects that it requires.
 macro_rules! scenes {
     ($($scene:literal [$($shape:ident),*] [$($light:ident),*] [$($texture:ident),*] [$($effect:ident),*];)*) => {
         [$({
-            struct Exact;
-            impl Effects for Exact {
+            struct ExactSet;
+            impl Effects for ExactSet {
                 const SET: EffectSet = EffectSet {
                     shapes: ShapeSet::of(&[$(ShapeKind::$shape),*]),
                     lights: LightSet::of(&[$(LightKind::$light),*]),
@@ -56,14 +55,14 @@ macro_rules! scenes {
             }
             struct ExactEffects;
             impl Effects for ExactEffects {
-                const SET: EffectSet = EffectSet { shapes: ShapeSet::ALL, ..Exact::SET };
+                const SET: EffectSet = EffectSet { shapes: ShapeSet::ALL, ..ExactSet::SET };
             }
-            Row { scene: $scene, asks: Exact::SET, exact: traced::<Exact>, exact_effects: traced::<ExactEffects> }
+            EffectsRow { scene: $scene, required: ExactSet::SET, exact: traced::<ExactSet>, exact_effects: traced::<ExactEffects> }
         }),*]
     };
 }
 
-fn rows() -> impl Iterator<Item = Row> {
+fn rows() -> impl Iterator<Item = EffectsRow> {
     scenes! {
     "classic.toml" [Sphere, Polygon] [Point] [Checker] [highlight, shadows, reflection, transmission];
     "first.toml" [Sphere, Plane] [Directional] [] [highlight, shadows, reflection, transmission];
@@ -88,12 +87,11 @@ fn rows() -> impl Iterator<Item = Row> {
     .into_iter()
 }
 
-/// Traces by what the program takes where nobody asks for anything: the list for few items, else
-/// the hierarchy.
+/// Traces with the accelerator that the program chooses by default: the list for few items, otherwise the BVH.
 fn traced<E: Effects>(path: &Path) -> Result<u64, Box<dyn Error>> {
     let description = strahl_scene::load(path)?;
-    let stock = single::scene_tables(&description);
-    let scene = stock.scene()?;
+    let tables = single::scene_tables(&description);
+    let scene = tables.scene()?;
     let geometry = scene.descriptor().geometry;
     let boxes: Vec<_> = geometry.all_bounds().collect();
     let size = Resolution::new(SIZE.0, SIZE.1).ok_or("no size")?;
@@ -105,21 +103,22 @@ fn traced<E: Effects>(path: &Path) -> Result<u64, Box<dyn Error>> {
         let mut groups = vec![Aabb::EMPTY; group_count(boxes.len())];
         return hash::<_, E>(&World::new(scene, List::with_boxes(&boxes, &mut groups)?), camera, limits);
     }
-    let room = BvhSize::recommended(boxes.len());
-    let (mut nodes, mut items) = (vec![BvhNode::EMPTY; room.nodes], vec![LeafEntry::EMPTY; room.entries]);
-    let grown = BvhBuilder::new(&boxes, LeafLayout::TriangleBlocks(&geometry), &mut nodes, &mut items)?;
-    let mut runs = vec![TriangleBlock::EMPTY; grown.block_count()];
-    let tree = grown.into_bvh_with_blocks::<TraversalStack<64>>(&geometry, &mut runs)?;
-    hash::<_, E>(&World::new(scene, tree), camera, limits)
+    let size_of_bvh = BvhSize::recommended(boxes.len());
+    let (mut nodes, mut items) =
+        (vec![BvhNode::EMPTY; size_of_bvh.nodes], vec![LeafEntry::EMPTY; size_of_bvh.entries]);
+    let builder = BvhBuilder::new(&boxes, LeafLayout::TriangleBlocks(&geometry), &mut nodes, &mut items)?;
+    let mut blocks = vec![TriangleBlock::EMPTY; builder.block_count()];
+    let bvh = builder.into_bvh_with_blocks::<TraversalStack<64>>(&geometry, &mut blocks)?;
+    hash::<_, E>(&World::new(scene, bvh), camera, limits)
 }
 
-/// What a scene asks for.
-fn asked(path: &Path) -> Result<EffectSet, Box<dyn Error>> {
+/// The effects that a scene requires.
+fn required_set(path: &Path) -> Result<EffectSet, Box<dyn Error>> {
     let description = strahl_scene::load(path)?;
-    let stock = single::scene_tables(&description);
+    let tables = single::scene_tables(&description);
     let size = Resolution::new(SIZE.0, SIZE.1).ok_or("no size")?;
     let camera = Camera::new(&single::view(&description.camera), size)?;
-    Ok(EffectSet { depth_of_field: camera.has_depth_of_field(), ..stock.scene()?.required_effects() })
+    Ok(EffectSet { depth_of_field: camera.has_depth_of_field(), ..tables.scene()?.required_effects() })
 }
 
 /// The hash (FNV-1a) of the picture.
@@ -142,47 +141,47 @@ fn hash<A: Accelerator, E: Effects>(
     Ok(hash)
 }
 
-/// The way by a prepared effect set of the program.
-fn prepared(name: &str) -> Result<Way, Box<dyn Error>> {
-    macro_rules! ways {
+/// The trace function with a prepared effect set of the program.
+fn prepared(name: &str) -> Result<TraceFunction, Box<dyn Error>> {
+    macro_rules! by_name {
         ($($name:ident)*) => {
             match name {
                 $(stringify!($name) => Ok(traced::<prepared::$name>),)*
                 "AllEffects" => Ok(traced::<AllEffects>),
-                _ => Err(format!("there is no prepared effect set {name} here").into()),
+                _ => Err(format!("unknown prepared effect set {name}").into()),
             }
         };
     }
-    ways! {
+    by_name! {
         Unlit Opaque Clear Distributed Whitted Stained
     }
 }
 
-/// The instructions below `trace`, and the hash of the picture.
-fn measured(scene: &str, way: &str) -> Result<(f64, String), Box<dyn Error>> {
+/// The number of instructions below `trace`, and the hash of the picture.
+fn measured(scene: &str, effects: &str) -> Result<(f64, String), Box<dyn Error>> {
     let done = Command::new("valgrind")
         .args(["--tool=callgrind", "--callgrind-out-file=/dev/null", "--toggle-collect=*Tracer<*>::trace*"])
         .arg(std::env::current_exe()?)
-        .args([scene, way])
+        .args([scene, effects])
         .output()?;
-    let told = String::from_utf8(done.stderr)?;
-    let collected = told.lines().find_map(|line| line.rsplit_once("Collected :")?.1.trim().parse().ok());
-    Ok((collected.ok_or(told)?, String::from_utf8(done.stdout)?))
+    let log = String::from_utf8(done.stderr)?;
+    let collected = log.lines().find_map(|line| line.rsplit_once("Collected :")?.1.trim().parse().ok());
+    Ok((collected.ok_or(log)?, String::from_utf8(done.stdout)?))
 }
 
 fn main() -> Result<ExitCode, Box<dyn Error>> {
     let scenes = Path::new(env!("CARGO_MANIFEST_DIR")).join("../scenes");
     let words: Vec<String> = std::env::args().skip(1).collect();
-    if let [scene, way] = &words[..] {
+    if let [scene, effects] = &words[..] {
         let row = rows().find(|row| row.scene == scene).ok_or("no such scene")?;
-        let way = match way.as_str() {
+        let trace = match effects.as_str() {
             "exact" => row.exact,
             "effects" => row.exact_effects,
-            "prepared" => prepared(prepared_for(&row.asks))?,
+            "prepared" => prepared(prepared_for(&row.required))?,
             "everything" => traced::<AllEffects>,
-            _ => return Err("no such way".into()),
+            _ => return Err("no such effect set".into()),
         };
-        println!("{:016x}", way(&scenes.join(scene))?);
+        println!("{:016x}", trace(&scenes.join(scene))?);
         return Ok(ExitCode::SUCCESS);
     }
     println!("# What a scene pays for effects that it does not use\n");
@@ -190,25 +189,26 @@ fn main() -> Result<ExitCode, Box<dyn Error>> {
         "Made by\n\n    cargo run --release -p strahl-tests --example effects_cost > tests/reports/effects.md\n"
     );
     println!(
-        "Callgrind's instructions of tracing each scene of `scenes/`, {} x {} pixels, as the program traces it: by the list\n\
-         with boxes where there are few items, else by the hierarchy; loading and building are not in it. A tracer is\n\
+        "Instructions of tracing each scene of `scenes/`, {} x {} pixels, counted by callgrind, without loading and building. The\n\
+         accelerator is the default of the program: the list with boxes for few items, otherwise the BVH. A tracer is\n\
          compiled for a set of effects. *Own set*: the tracer of all shapes and of exactly the effects, lights and\n\
-         textures that the scene asks for. Against that: *prepared*, the one that the program takes\n\
-         (`host/engine/src/prepared.rs`); *everything*, the one that can do everything; *shapes*, one of the own set and of the\n\
-         scene's shapes alone, as a device may have it. All four pictures are the same, bit for bit.\n",
+         textures that the scene requires. Compared with it: *prepared*, the set that the program chooses\n\
+         (`strahl_engine::prepared`); *everything*, all effects; *shapes*, the own set with the scene's shapes only,\n\
+         as on a device. All four pictures are the same, bit for bit.\n",
         SIZE.0, SIZE.1
     );
     println!(
         "| scene | prepared set | own set, millions | prepared | everything | shapes |\n|---|---|---|---|---|---|"
     );
-    let mut holds = true;
+    let mut passed = true;
     for row in rows() {
-        if asked(&scenes.join(row.scene))? != row.asks {
-            return Err(format!("{} asks for something else than is written here", row.scene).into());
+        if required_set(&scenes.join(row.scene))? != row.required {
+            return Err(format!("{} requires other effects than its row", row.scene).into());
         }
-        let name = prepared_for(&row.asks);
-        let ways = ["effects", "prepared", "everything", "exact"].map(|way| measured(row.scene, way));
-        let [own, prepared, everything, exact] = ways;
+        let name = prepared_for(&row.required);
+        let measured =
+            ["effects", "prepared", "everything", "exact"].map(|effects| measured(row.scene, effects));
+        let [own, prepared, everything, exact] = measured;
         let (own, prepared, everything, exact) = (own?, prepared?, everything?, exact?);
         let over = |it: &(f64, String)| 100.0 * (it.0 / own.0 - 1.0);
         println!(
@@ -219,8 +219,8 @@ fn main() -> Result<ExitCode, Box<dyn Error>> {
             over(&everything),
             over(&exact),
         );
-        holds &= over(&prepared) <= 1.0;
-        holds &= [&prepared, &everything, &exact].iter().all(|it| it.1 == own.1);
+        passed &= over(&prepared) <= 1.0;
+        passed &= [&prepared, &everything, &exact].iter().all(|it| it.1 == own.1);
     }
-    Ok(if holds { ExitCode::SUCCESS } else { ExitCode::FAILURE })
+    Ok(if passed { ExitCode::SUCCESS } else { ExitCode::FAILURE })
 }

@@ -1,13 +1,12 @@
-//! The lecture's evaluation, part 6: every technique measured against doing without it, as the
-//! tables of `tests/reports/evaluation.md`.
+//! The lecture's evaluation, part 6: each technique compared with doing without it, as the tables of
+//! `tests/reports/evaluation.md`.
 //!
 //! ```text
 //! cargo run --release -p strahl-tests --example evaluation -- FOLDER_WITH_THE_NFF_FILES > tables.md
 //! ```
 //!
-//! What is between the tables and around them in that file is written by hand. Times are processor
-//! seconds, the median of three; tests are counts, the same every time. A cell without a number
-//! took longer than half a minute.
+//! The text between the tables is written by hand. Times are processor seconds, the median of three; tests are counts and
+//! reproducible. A cell without a number took longer than half a minute.
 
 use std::error::Error;
 use std::path::{Path, PathBuf};
@@ -26,7 +25,7 @@ use strahl_study::measure::plan::Plan;
 use strahl_study::page::numbers;
 use strahl_study::record::{Run, Technique};
 
-/// The procedural databases, and what they are.
+/// Names of the procedural databases.
 const DATABASES: [&str; 7] = ["balls", "gears", "mount", "rings", "teapot", "tetra", "tree"];
 /// Scenes of this project.
 const OWN: [&str; 8] = [
@@ -41,18 +40,18 @@ const OWN: [&str; 8] = [
 ];
 /// Pixels along one side.
 const SIDE: u32 = 96;
-/// Seconds for all of a scene, of which a technique may take a twentieth.
+/// Time limit per scene, in seconds; a technique may take a twentieth of it.
 const SECONDS: u64 = 600;
 
-/// What the techniques do for one scene.
-struct Evaluated {
+/// Results of the techniques for one scene.
+struct SceneEvaluation {
     name: String,
     objects: usize,
     techniques: Vec<Technique>,
     runs: Vec<Run>,
 }
 
-fn evaluate(path: &Path) -> Result<Evaluated, Box<dyn Error>> {
+fn evaluate(path: &Path) -> Result<SceneEvaluation, Box<dyn Error>> {
     let scene = load(path)?;
     let size = Resolution::new(SIDE, SIDE).ok_or("no size")?;
     let plan = Plan { repeats: 3, ..Plan::QUICK };
@@ -67,10 +66,10 @@ fn evaluate(path: &Path) -> Result<Evaluated, Box<dyn Error>> {
     let name = path.file_stem().unwrap_or_default().to_string_lossy().into_owned();
     let runs = taken.into_iter().map(|taken| taken.run).collect();
     let objects = SceneStorage::new(&scene, Precision::Single).scene_stats()?.objects;
-    Ok(Evaluated { name, objects, techniques, runs })
+    Ok(SceneEvaluation { name, objects, techniques, runs })
 }
 
-/// Tests of boxes and shapes.
+/// Number of box and shape tests.
 fn tests(run: &Run) -> f64 {
     (run.counts.boxes.iter().sum::<u64>() + run.counts.shapes.iter().sum::<u64>()) as f64
 }
@@ -81,12 +80,12 @@ fn saved(without: f64, with: f64) -> String {
     if text == "-0" { "0".into() } else { text.replace('-', "−") }
 }
 
-impl Evaluated {
-    fn run(&self, place: Option<usize>) -> Option<&Run> {
-        self.runs.get(place?)
+impl SceneEvaluation {
+    fn run(&self, index: Option<usize>) -> Option<&Run> {
+        self.runs.get(index?)
     }
 
-    /// The tests in a ray, and the time, of one side of a technique.
+    /// Tests per ray and time, with or without a technique.
     fn cost(&self, name: &str, side: fn(&Technique) -> Option<usize>) -> String {
         let it = self.techniques.iter().find(|it| it.name == name);
         let Some(run) = it.and_then(|it| self.run(side(it))) else { return "–".into() };
@@ -94,7 +93,7 @@ impl Evaluated {
         format!("{:.1} / {}", tests(run) / (rays as f64).max(1.0), numbers::seconds(run.seconds()))
     }
 
-    /// What a technique saves, in percent of the tests and of the time.
+    /// Savings of a technique, in percent of the tests and of the time.
     fn savings(&self, name: &str) -> Option<[String; 2]> {
         let it = self.techniques.iter().find(|it| it.name == name)?;
         let (without, with) = (self.run(it.without)?, self.run(it.with)?);
@@ -106,8 +105,8 @@ impl Evaluated {
     }
 }
 
-/// A table: a head, and a row for each scene.
-fn table(head: &[&str], scenes: &[Evaluated], row: impl Fn(&Evaluated) -> Vec<String>) {
+/// Prints a table with a row for each scene.
+fn table(head: &[&str], scenes: &[SceneEvaluation], row: impl Fn(&SceneEvaluation) -> Vec<String>) {
     println!("| scene | {} |", head.join(" | "));
     println!("|---|{}", "--:|".repeat(head.len()));
     for scene in scenes {
@@ -127,18 +126,18 @@ fn main() -> Result<ExitCode, Box<dyn Error>> {
         scenes.push(evaluate(path)?);
     }
 
-    println!("## Finding\n");
-    let found = [
+    println!("## Acceleration structures\n");
+    let columns = [
         "objects",
         "every item",
         "spheres (5.1)",
         "boxes (5.1)",
         "grid (5.2)",
         "octree (5.3)",
-        "hierarchy, heap (5.4)",
-        "hierarchy, stack",
+        "BVH, heap (5.4)",
+        "BVH, stack",
     ];
-    table(&found, &scenes, |it| {
+    table(&columns, &scenes, |it| {
         vec![
             it.objects.to_string(),
             it.cost("bounding volumes", |it| it.without),
@@ -151,10 +150,10 @@ fn main() -> Result<ExitCode, Box<dyn Error>> {
         ]
     });
 
-    println!("## Remembering\n");
-    let remembering = ["mailbox of the grid", "mailbox of the octree", "shadow cache", "room in the heap"];
+    println!("## Caches\n");
+    let caches = ["mailbox of the grid", "mailbox of the octree", "shadow cache", "room in the heap"];
     table(
-        &remembering.map(|name| match name {
+        &caches.map(|name| match name {
             "mailbox of the grid" => "mailbox, grid (5.5)",
             "mailbox of the octree" => "mailbox, octree (5.5)",
             "shadow cache" => "shadow cache (5.6)",
@@ -164,19 +163,19 @@ fn main() -> Result<ExitCode, Box<dyn Error>> {
         |it| {
             let cell =
                 |name| it.savings(name).map_or("–".into(), |[tests, time]| format!("{tests} / {time}"));
-            remembering.map(cell).to_vec()
+            caches.map(cell).to_vec()
         },
     );
 
-    println!("## Guessing\n");
-    let guessing =
+    println!("## Approximations\n");
+    let approximations =
         ["adaptive depth", "pixel selection", "adaptive supersampling", "samples until it is known"];
     table(
         &[
             "adaptive depth (5.7)",
             "pixel selection (5.8)",
             "adaptive supersampling (4.2)",
-            "samples until it is known (4.3)",
+            "stopping rule (4.3)",
         ],
         &scenes,
         |it| {
@@ -184,21 +183,21 @@ fn main() -> Result<ExitCode, Box<dyn Error>> {
                 (Some([_, time]), Some(error)) => format!("{time} / {}", numbers::error(error)),
                 _ => "–".into(),
             };
-            guessing.map(cell).to_vec()
+            approximations.map(cell).to_vec()
         },
     );
 
-    // What changes one bit of a picture where it must not is a fault.
-    let mut holds = true;
+    // A technique that must not change the picture, and does, is an error.
+    let mut all_equal = true;
     for scene in &scenes {
         for it in scene.techniques.iter().filter(|it| it.exact) {
             if let (Some(without), Some(with)) = (scene.run(it.without), scene.run(it.with))
                 && without.digest != with.digest
             {
                 eprintln!("{}: {} changes the picture", scene.name, it.name);
-                holds = false;
+                all_equal = false;
             }
         }
     }
-    Ok(if holds { ExitCode::SUCCESS } else { ExitCode::FAILURE })
+    Ok(if all_equal { ExitCode::SUCCESS } else { ExitCode::FAILURE })
 }

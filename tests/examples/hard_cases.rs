@@ -5,15 +5,15 @@
 //! cargo run --release -p strahl-tests --example hard_cases -- --watertight 100000000
 //! ```
 //!
-//! With `--watertight` nothing is written: that many rays are aimed from inside at edges and corners of closed
-//! meshes, and those that get through are counted.
+//! With `--watertight` nothing is written: this number of rays is aimed from inside at edges and vertices of closed meshes,
+//! and those that escape are counted.
 
 use strahl_tests::hard::{ClosedMesh, cases, escapes, panels, table};
 use strahl_tests::{DVec3, SplitMix64, dvec3};
 
-type Failure = Box<dyn std::error::Error>;
+type ExampleError = Box<dyn std::error::Error>;
 
-fn main() -> Result<(), Failure> {
+fn main() -> Result<(), ExampleError> {
     let args: Vec<String> = std::env::args().skip(1).collect();
     let args: Vec<&str> = args.iter().map(String::as_str).collect();
     match args.as_slice() {
@@ -26,7 +26,7 @@ fn main() -> Result<(), Failure> {
     }
 }
 
-fn write() -> Result<(), Failure> {
+fn write() -> Result<(), ExampleError> {
     let (report, picture) = table::report();
     let outcomes: Vec<_> = cases().into_iter().map(|case| (case, case.run())).collect();
     std::fs::write(&report, table::text(&outcomes))?;
@@ -41,10 +41,10 @@ fn write() -> Result<(), Failure> {
     Ok(())
 }
 
-/// Rays at edges and corners of closed meshes from inside: how many, and how many get out.
+/// Prints the numbers of rays from inside at edges and vertices of closed meshes, and of those that escape.
 fn watertight(rays: usize) {
     let far = dvec3(2e5, -1.3e5, 0.7e5);
-    let shares = [
+    let meshes = [
         ("a sphere of 20,480 triangles", ClosedMesh::icosphere(5, DVec3::ZERO, 1.0), 30),
         ("the same, 2e5 from the origin", ClosedMesh::icosphere(5, far, 100.0), 30),
         ("a cube", ClosedMesh::cube(dvec3(0.1, 0.2, 0.3), 1.0), 10),
@@ -54,13 +54,13 @@ fn watertight(rays: usize) {
         ("a cone of 1,000 slivers", ClosedMesh::fan(1000, DVec3::ZERO, 1.0), 1),
         ("the same, 2e5 from the origin", ClosedMesh::fan(1000, far, 100.0), 1),
     ];
-    let (mut all, mut out) = (0, 0);
-    for (seed, (name, mesh, share)) in shares.iter().enumerate() {
-        let count = rays / 100 * share;
-        let got_out = escapes(mesh, count, &mut SplitMix64::new(seed as u64));
-        println!("{name}: {count} rays, {got_out} got through");
+    let (mut all, mut escaped) = (0, 0);
+    for (seed, (name, mesh, percent)) in meshes.iter().enumerate() {
+        let count = rays / 100 * percent;
+        let count_escaped = escapes(mesh, count, &mut SplitMix64::new(seed as u64));
+        println!("{name}: {count} rays, {count_escaped} escaped");
         all += count;
-        out += got_out;
+        escaped += count_escaped;
     }
-    println!("all: {all} rays, {out} got through");
+    println!("all: {all} rays, {escaped} escaped");
 }

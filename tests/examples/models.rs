@@ -1,23 +1,24 @@
-//! Makes the turned models of `scenes/models`: a pear, a wine glass, its wine, a bottle.
+//! Generates the models of revolution of `scenes/models`: a pear, a wine glass, its wine, a bottle.
 //!
 //! ```text
 //! cargo run -p strahl-tests --example models -- scenes/models
 //! ```
 //!
-//! Each is a profile of a few points that turns round the y axis. Between its points the profile is
-//! a Catmull-Rom spline over the square roots of their distances, which neither overshoots nor
-//! loops (Yuksel, Schaefer and Keyser, "Parameterization and applications of Catmull-Rom curves",
-//! Computer-Aided Design 43(7), 2011). A point that is there twice is a sharp edge.
+//! Each is a profile that rotates around the y axis. The profile is a centripetal Catmull-Rom spline through a few points,
+//! which neither overshoots nor loops. A repeated point is a sharp edge.
+//!
+//! Source: Yuksel, Schaefer and Keyser, "Parameterization and applications of Catmull-Rom curves", Computer-Aided Design
+//! 43(7), 2011.
 
 use std::error::Error;
 use std::fs;
 use std::path::PathBuf;
 
 /// Distance from the axis, and height.
-type Point = [f64; 2];
+type ProfilePoint = [f64; 2];
 
 /// From the axis at the bottom, outside upwards, and back to the axis.
-const PEAR: &[Point] = &[
+const PEAR: &[ProfilePoint] = &[
     [0.0, 0.06],
     [0.18, 0.02],
     [0.52, 0.14],
@@ -29,7 +30,7 @@ const PEAR: &[Point] = &[
     [0.12, 2.00],
     [0.0, 1.97],
 ];
-const GLASS: &[Point] = &[
+const GLASS: &[ProfilePoint] = &[
     [0.0, 0.0],
     [0.58, 0.0],
     [0.60, 0.02],
@@ -51,8 +52,8 @@ const GLASS: &[Point] = &[
     [0.13, 1.19],
     [0.0, 1.17],
 ];
-/// Reaches into the middle of the glass's wall: of two bodies the one of higher priority counts.
-const WINE: &[Point] = &[
+/// Ends inside the glass: in the overlap the body with the higher priority counts.
+const WINE: &[ProfilePoint] = &[
     [0.0, 1.15],
     [0.14, 1.16],
     [0.41, 1.36],
@@ -62,7 +63,7 @@ const WINE: &[Point] = &[
     [0.30, 1.80],
     [0.0, 1.80],
 ];
-const BOTTLE: &[Point] = &[
+const BOTTLE: &[ProfilePoint] = &[
     [0.0, 0.10],
     [0.40, 0.0],
     [0.56, 0.03],
@@ -86,8 +87,8 @@ const BOTTLE: &[Point] = &[
     [0.0, 0.20],
 ];
 
-/// The models: name, profile, pieces between two points of it, pieces round.
-const MODELS: [(&str, &[Point], u32, u32); 4] =
+/// The models: name, profile, segments between two of its points, segments around the axis.
+const MODELS: [(&str, &[ProfilePoint], u32, u32); 4] =
     [("pear", PEAR, 4, 40), ("glass", GLASS, 4, 48), ("wine", WINE, 3, 48), ("bottle", BOTTLE, 3, 40)];
 
 fn main() -> Result<(), Box<dyn Error>> {
@@ -98,23 +99,22 @@ fn main() -> Result<(), Box<dyn Error>> {
     Ok(())
 }
 
-/// The names of the files and what is in them.
+/// File names and contents.
 pub fn files() -> impl Iterator<Item = (String, Vec<u8>)> {
     MODELS
         .iter()
         .map(|(name, profile, fine, around)| (format!("{name}.ply"), ply(&curve(profile, *fine), *around)))
 }
 
-/// Places on the spline through some points, each with the direction of the spline there.
-fn curve(points: &[Point], fine: u32) -> Vec<(Point, Point)> {
+/// Points on the spline, each with the tangent of the spline.
+fn curve(points: &[ProfilePoint], fine: u32) -> Vec<(ProfilePoint, ProfilePoint)> {
     let last = points.len() - 1;
     let mut curve = Vec::new();
     for i in 0..last {
         if points[i] == points[i + 1] {
             continue;
         }
-        // Before the first point and behind the last one the profile goes on beyond the axis; at
-        // an edge, straight on.
+        // Before the first and behind the last point the profile is mirrored at the axis; at an edge it continues straight.
         let beyond = |from: usize, to: usize| {
             let ([x, y], [fx, fy]) = (points[to], points[from]);
             if x == 0.0 { [-fx, fy] } else { [2.0 * x - fx, 2.0 * y - fy] }
@@ -124,7 +124,7 @@ fn curve(points: &[Point], fine: u32) -> Vec<(Point, Point)> {
             if i + 1 == last || points[i + 2] == points[i + 1] { beyond(i, i + 1) } else { points[i + 2] };
         let p = [before, points[i], points[i + 1], after];
         let is_edge = i + 1 == last || points[i + 2] == points[i + 1];
-        // The end of a piece is the begin of the next, but both are there at an edge.
+        // The end of a segment is the start of the next one, except at an edge.
         for step in 0..fine + u32::from(is_edge) {
             curve.push(spline(p, f64::from(step) / f64::from(fine)));
         }
@@ -132,31 +132,32 @@ fn curve(points: &[Point], fine: u32) -> Vec<(Point, Point)> {
     curve
 }
 
-/// A place between the second and the third point, and the direction there.
-fn spline(p: [Point; 4], share: f64) -> (Point, Point) {
-    let knot = |a: Point, b: Point| libm::sqrt(libm::hypot(b[0] - a[0], b[1] - a[1]));
+/// A point between the second and the third control point, and the tangent.
+fn spline(p: [ProfilePoint; 4], t: f64) -> (ProfilePoint, ProfilePoint) {
+    let knot = |a: ProfilePoint, b: ProfilePoint| libm::sqrt(libm::hypot(b[0] - a[0], b[1] - a[1]));
     let (d0, d1, d2) = (knot(p[0], p[1]), knot(p[1], p[2]), knot(p[2], p[3]));
-    // Slopes in the two points, for a cubic in Hermite's form.
+    // Slopes at the two points, for a cubic in Hermite form.
     let slope = |a: f64, b: f64, c: f64, da: f64, db: f64| (b - a) / da - (c - a) / (da + db) + (c - b) / db;
-    let (t, u) = (share, 1.0 - share);
+    let u = 1.0 - t;
     let along = |axis: usize| {
         let [before, a, b, after] = p.map(|point| point[axis]);
         let (m, n) = (d1 * slope(before, a, b, d0, d1), d1 * slope(a, b, after, d1, d2));
-        let place = u * u * (1.0 + 2.0 * t) * a + t * u * u * m + t * t * (3.0 - 2.0 * t) * b - t * t * u * n;
-        let way = 6.0 * t * u * (b - a) + u * (1.0 - 3.0 * t) * m + t * (3.0 * t - 2.0) * n;
-        (place, way)
+        let position =
+            u * u * (1.0 + 2.0 * t) * a + t * u * u * m + t * t * (3.0 - 2.0 * t) * b - t * t * u * n;
+        let tangent = 6.0 * t * u * (b - a) + u * (1.0 - 3.0 * t) * m + t * (3.0 * t - 2.0) * n;
+        (position, tangent)
     };
-    let ((x, way_x), (y, way_y)) = (along(0), along(1));
-    ([x, y], [way_x, way_y])
+    let ((x, tangent_x), (y, tangent_y)) = (along(0), along(1));
+    ([x, y], [tangent_x, tangent_y])
 }
 
-/// A curve turned round the y axis, as binary PLY.
-fn ply(curve: &[(Point, Point)], around: u32) -> Vec<u8> {
+/// The surface of revolution of a curve around the y axis, as binary PLY.
+fn ply(curve: &[(ProfilePoint, ProfilePoint)], around: u32) -> Vec<u8> {
     let rings = curve.len() as u32;
     let mut points = Vec::new();
     for ([r, y], [wr, wy]) in curve {
         let length = libm::hypot(*wr, *wy);
-        // Upright on the curve, away from the axis where the curve goes up.
+        // Perpendicular to the curve, away from the axis where the curve rises.
         let (out, up) = (wy / length, -wr / length);
         for k in 0..around {
             let angle = 2.0 * std::f64::consts::PI * f64::from(k) / f64::from(around);
@@ -168,7 +169,7 @@ fn ply(curve: &[(Point, Point)], around: u32) -> Vec<u8> {
     let mut triangles: Vec<[u32; 3]> = Vec::new();
     for ring in 0..rings - 1 {
         let is_on_axis = |ring: u32| curve[ring as usize].0[0] < 1e-9;
-        // Two places in one: an edge.
+        // A repeated point: an edge.
         if curve[ring as usize].0 == curve[ring as usize + 1].0 {
             continue;
         }
