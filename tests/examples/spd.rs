@@ -1,20 +1,16 @@
-//! Holds the counts of rays of the Standard Procedural Databases against the published ones
-//! (Eric Haines, "A Proposal for Standard Graphics Environments", IEEE CG&A 7(11), 1987, and the
-//! documentation of the databases).
+//! Compares the ray counts of the Standard Procedural Databases with the published ones (Eric Haines, "A Proposal for
+//! Standard Graphics Environments", IEEE CG&A 7(11), 1987, and the documentation of the databases).
 //!
 //! ```text
 //! cargo run --release -p strahl-tests --example spd -- FOLDER
 //! ```
 //!
-//! `FOLDER` holds `balls.nff` ... `tree.nff` at their standard sizes. Each is rendered at
-//! 512 x 512 with five levels, no cutoff and rays through the shared corners of the pixels, once
-//! by each accelerator, and by grid and octree once more without mailbox. What is told of each:
-//! the tests of boxes and shapes, the regions entered, the share of offers that a mailbox left
-//! out, and the processor time.
+//! `FOLDER` contains `balls.nff` to `tree.nff` at their standard sizes. Each is rendered at 512 x 512 with five levels, no
+//! cutoff and rays through the shared corners of the pixels, with each accelerator, and with grid and octree again without
+//! mailbox. Prints box and shape tests, visited leaves, the fraction of items that a mailbox skipped, and the processor time.
 //!
-//! The exit status is 1 when a count is off by more than 1 % (gears: 3 %), when two accelerators
-//! make pictures with other digests, or when what `--accel auto` takes needs more than 1.3 times
-//! the processor time of the best.
+//! The exit status is 1 if a count differs by more than 1 % (gears: 3 %), if two accelerators make different pictures, or if
+//! the choice of `--accel auto` needs more than 1.3 times the processor time of the best.
 
 use std::error::Error;
 use std::path::PathBuf;
@@ -26,11 +22,10 @@ use strahl_engine::{NoProgress, RenderOptions};
 use strahl_session::RenderOutput;
 use strahl_settings::{AccelKind, AccelSettings, ResolvedAccel, SamplerSettings, Settings};
 
-/// Camera rays that hit, reflected, refracted and shadow rays, and how far off they may be.
+/// Camera rays that hit, reflected, refracted and shadow rays, and their tolerance.
 ///
-/// The figures of gears are not the published ones, which contain the reflected rays of glass
-/// that does not reflect, of weight zero, and all that those hit; they are those of an
-/// independent count without them.
+/// The published counts of gears include reflected rays of weight zero, and their descendants, at glass that does not reflect.
+/// These are the counts of an independent program without them.
 const PUBLISHED: [(&str, [u64; 4], f64); 7] = [
     ("balls", [263_169, 175_095, 0, 954_368], 0.01),
     ("gears", [245_086, 88_800, 99_800, 1_551_000], 0.03),
@@ -46,22 +41,22 @@ fn counts(counters: &Counters) -> [u64; 4] {
     [counters.camera_hits, rays(RayKind::Reflected), rays(RayKind::Transmitted), rays(RayKind::Shadow)]
 }
 
-/// How far what is chosen may be from the best.
-const GOOD_ENOUGH: f64 = 1.3;
+/// Maximum time of the chosen accelerator, as a multiple of the best.
+const MAX_RATIO: f64 = 1.3;
 
-/// What a busy machine adds to some seconds and not to others.
+/// Tolerance for other load, in seconds.
 const NOISE: f64 = 0.05;
 
-/// Accelerators, and how much they are asked to remember.
-fn ways() -> Vec<AccelSettings> {
+/// All accelerators, and those with a mailbox also without it.
+fn accelerators() -> Vec<AccelSettings> {
     let with_mailbox = AccelKind::ALL.map(AccelSettings::with_kind);
     let without = [AccelKind::Grid, AccelKind::Octree]
         .map(|kind| AccelSettings { mailbox: 0, ..AccelSettings::with_kind(kind) });
     [&with_mailbox[..], &without].concat()
 }
 
-/// Holds the counts against the published ones, and tells them; whether they are near enough.
-fn hold(name: &str, counters: &Counters, published: [u64; 4], limit: f64) -> bool {
+/// Prints the ray counts. Returns whether they are within the tolerance of the published ones.
+fn check_counts(name: &str, counters: &Counters, published: [u64; 4], limit: f64) -> bool {
     let ours = counts(counters);
     let off = |(ours, published): (&u64, &u64)| {
         let difference = ours.abs_diff(*published) as f64;
@@ -78,13 +73,13 @@ fn hold(name: &str, counters: &Counters, published: [u64; 4], limit: f64) -> boo
     worst <= limit && counters.rays[RayKind::Camera] == 513 * 513
 }
 
-/// Tells the work of one way to find; the processor seconds that it took.
-fn tell(frame: &RenderOutput, counters: &Counters) -> f64 {
+/// Prints the work of one accelerator. Returns its processor seconds.
+fn print_row(frame: &RenderOutput, counters: &Counters) -> f64 {
     let (shapes, skipped) = (counters.shape_tests.sum(), counters.mailbox_hits.sum());
-    let share = 100.0 * skipped as f64 / (shapes + skipped).max(1) as f64;
+    let skipped_percent = 100.0 * skipped as f64 / (shapes + skipped).max(1) as f64;
     let seconds = frame.trace_cpu.as_secs_f64();
     println!(
-        "  {:28} {:>11} boxes {shapes:>10} shapes {:>9} regions {share:>5.1} % left out {seconds:>7.2} s",
+        "  {:28} {:>11} boxes {shapes:>10} shapes {:>9} regions {skipped_percent:>5.1} % skipped {seconds:>7.2} s",
         frame.accelerator.choice.to_string(),
         counters.box_tests.sum(),
         counters.leaf_visits.sum(),
@@ -97,34 +92,34 @@ fn main() -> Result<ExitCode, Box<dyn Error>> {
     let size = Resolution::new(512, 512).ok_or("no size")?;
     let settings =
         Settings { size, levels: 5, cutoff: 0.0, sampler: SamplerSettings::CORNERS, ..Settings::default() };
-    let mut all_hold = true;
+    let mut passed = true;
     for (name, published, limit) in PUBLISHED {
         let description = strahl_scene::load(&folder.join(name).with_extension("nff"))?;
         let mut first: Option<(String, Counters)> = None;
         let mut seconds = Vec::new();
-        for accel in ways() {
+        for accel in accelerators() {
             let settings = settings.clone().with_acceleration(accel);
             let options = RenderOptions::COUNT_TESTS;
             let frame = strahl_session::render(&description, &settings, &options, &NoProgress)?;
             let counters = frame.counters;
             let digest = frame.picture.digest().to_string();
             let (same, rays) = first.get_or_insert_with(|| {
-                all_hold &= hold(name, &counters, published, limit);
+                passed &= check_counts(name, &counters, published, limit);
                 (digest.clone(), counters)
             });
-            seconds.push((frame.accelerator.choice, tell(&frame, &counters)));
+            seconds.push((frame.accelerator.choice, print_row(&frame, &counters)));
             if digest != *same || counts(&counters) != counts(rays) {
-                println!("  another picture: {digest}");
-                all_hold = false;
+                println!("  a different picture: {digest}");
+                passed = false;
             }
         }
         let taken = AccelSettings::DEFAULT.resolve(description.objects.len());
         let is_taken =
             |(choice, _): &&(ResolvedAccel, f64)| ResolvedAccel { reason: taken.reason, ..*choice } == taken;
-        let by_auto = seconds.iter().find(is_taken).ok_or("auto takes another way")?.1;
+        let by_auto = seconds.iter().find(is_taken).ok_or("auto chooses another accelerator")?.1;
         let best = seconds.iter().map(|(_, seconds)| *seconds).fold(f64::INFINITY, f64::min);
-        println!("  auto takes the {taken} ({}): {:.2} times the best", taken.reason, by_auto / best);
-        all_hold &= by_auto <= GOOD_ENOUGH * best + NOISE;
+        println!("  auto chooses the {taken} ({}): {:.2} times the best", taken.reason, by_auto / best);
+        passed &= by_auto <= MAX_RATIO * best + NOISE;
     }
-    Ok(if all_hold { ExitCode::SUCCESS } else { ExitCode::FAILURE })
+    Ok(if passed { ExitCode::SUCCESS } else { ExitCode::FAILURE })
 }

@@ -1,13 +1,12 @@
-//! What each event of tracing takes, in instructions: the weights of `host/src/cost.rs`.
+//! Instructions per counted event of tracing: the weights of `host/src/cost.rs`.
 //!
 //! ```text
 //! cargo run --release -p strahl-tests --example weights [-- FOLDER_WITH_THE_NFF_FILES]
 //! ```
 //!
-//! Every scene of `scenes/` (and of the folder) is traced by every accelerator under callgrind, in
-//! a small and in a tiny picture. The difference of the two has neither loading nor building in it;
-//! what the weights say of the counts is fitted to it by least squares of the relative errors,
-//! none of them negative. Needs valgrind. Prints the weights and how well they fit.
+//! Every scene of `scenes/` (and of the folder) is traced with every accelerator under callgrind, as a small and as a tiny
+//! picture. The difference excludes loading and building. Non-negative weights of the counts are fitted to it by least squares
+//! of the relative errors. Needs valgrind. Prints the weights and the errors of the fit.
 
 use std::collections::BTreeMap;
 use std::error::Error;
@@ -19,11 +18,11 @@ use strahl_engine::{NoProgress, RenderOptions};
 use strahl_settings::{AccelKind, AccelSettings, Settings};
 use strahl_study::cost_model::{Counts, recorded};
 
-/// Pixels of the small and of the tiny picture.
+/// Sizes of the small and of the tiny picture.
 const SIZES: [&str; 2] = ["48x36", "2x2"];
 
-/// What is weighed: three kinds of rays, shapes, tests that mailboxes saved, and for each
-/// accelerator boxes and regions.
+/// Number of kinds of events: three kinds of rays, shape tests, mailbox hits, and for each accelerator box tests and leaf
+/// viserrors.
 const EVENTS: usize = 5 + 2 * AccelKind::ALL.len();
 
 /// Counts in the order of [`EVENTS`].
@@ -43,7 +42,7 @@ fn events(counts: &Counts, kind: AccelKind) -> [f64; EVENTS] {
     events
 }
 
-/// Traces one picture, and prints what was counted: what runs under callgrind.
+/// Traces one picture and prints its counts; runs under callgrind.
 fn trace(scene: &str, kind: &str, sampler: &str, size: &str) -> Result<(), Box<dyn Error>> {
     let kind = AccelKind::ALL.into_iter().find(|it| it.name() == kind).ok_or("no such accelerator")?;
     let (width, height) = size.split_once('x').ok_or("no size")?;
@@ -59,7 +58,7 @@ fn trace(scene: &str, kind: &str, sampler: &str, size: &str) -> Result<(), Box<d
     Ok(())
 }
 
-/// The instructions of tracing a picture, and what was counted.
+/// Instructions and counts of tracing a picture.
 fn measured(
     scene: &Path,
     kind: AccelKind,
@@ -73,25 +72,25 @@ fn measured(
         .arg(scene)
         .args([kind.name(), sampler, size])
         .output()?;
-    let told = String::from_utf8(done.stderr)?;
-    let collected = told.lines().find_map(|line| line.rsplit_once("Collected :")?.1.trim().parse().ok());
-    Ok((collected.ok_or(told)?, serde_json::from_slice(&done.stdout)?))
+    let log = String::from_utf8(done.stderr)?;
+    let collected = log.lines().find_map(|line| line.rsplit_once("Collected :")?.1.trim().parse().ok());
+    Ok((collected.ok_or(log)?, serde_json::from_slice(&done.stdout)?))
 }
 
-/// Weights that are not negative and tell the instructions best, by coordinate descent.
+/// Fits non-negative weights to the instructions by coordinate descent.
 fn fit(rows: &[([f64; EVENTS], f64)]) -> [f64; EVENTS] {
     let mut weights = [0.0; EVENTS];
     for _ in 0..20_000 {
-        for place in 0..EVENTS {
+        for event in 0..EVENTS {
             let (mut up, mut across) = (0.0, 0.0);
             for (events, instructions) in rows {
-                let told: f64 = events.iter().zip(&weights).map(|(count, weight)| count * weight).sum();
-                let others = (told - events[place] * weights[place]) / instructions;
-                let own = events[place] / instructions;
+                let predicted: f64 = events.iter().zip(&weights).map(|(count, weight)| count * weight).sum();
+                let others = (predicted - events[event] * weights[event]) / instructions;
+                let own = events[event] / instructions;
                 up += own * (1.0 - others);
                 across += own * own;
             }
-            weights[place] = if across > 0.0 && up > 0.0 { up / across } else { 0.0 };
+            weights[event] = if across > 0.0 && up > 0.0 { up / across } else { 0.0 };
         }
     }
     weights
@@ -120,14 +119,14 @@ fn main() -> Result<ExitCode, Box<dyn Error>> {
     for scene in &scenes {
         for kind in AccelKind::ALL {
             for sampler in ["single", "regular:2"] {
-                // Four times the rays tell nothing new of a long list.
+                // Four times the rays add no information, and a long list is slow.
                 if sampler != "single" && kind != AccelKind::Bvh {
                     continue;
                 }
                 let [(small, counts), (tiny, few)] =
                     [measured(scene, kind, sampler, SIZES[0])?, measured(scene, kind, sampler, SIZES[1])?];
                 let (counts, few) = (events(&counts, kind), events(&few, kind));
-                rows.push((std::array::from_fn(|place| counts[place] - few[place]), small - tiny));
+                rows.push((std::array::from_fn(|i| counts[i] - few[i]), small - tiny));
                 names.push((
                     kind,
                     format!("{} {sampler}", scene.file_name().unwrap_or_default().to_string_lossy()),
@@ -140,22 +139,24 @@ fn main() -> Result<ExitCode, Box<dyn Error>> {
     println!("camera, secondary, shadow, shape, skipped: {:.0?}", &weights[..5]);
     let mut off: BTreeMap<&str, Vec<(f64, &str)>> = BTreeMap::new();
     for ((events, instructions), (kind, name)) in rows.iter().zip(&names) {
-        let told: f64 = events.iter().zip(&weights).map(|(count, weight)| count * weight).sum();
-        off.entry(kind.name()).or_default().push((told / instructions - 1.0, name));
+        let predicted: f64 = events.iter().zip(&weights).map(|(count, weight)| count * weight).sum();
+        off.entry(kind.name()).or_default().push((predicted / instructions - 1.0, name));
     }
     for kind in AccelKind::ALL {
-        let mut its = off.remove(kind.name()).unwrap_or_default();
-        its.sort_by(|a, b| a.0.abs().total_cmp(&b.0.abs()));
-        let at = |share: f64| its.get(((its.len() - 1) as f64 * share) as usize).copied().unwrap_or_default();
-        let place = 5 + 2 * kind as usize;
+        let mut errors = off.remove(kind.name()).unwrap_or_default();
+        errors.sort_by(|a, b| a.0.abs().total_cmp(&b.0.abs()));
+        let quantile = |fraction: f64| {
+            errors.get(((errors.len() - 1) as f64 * fraction) as usize).copied().unwrap_or_default()
+        };
+        let event = 5 + 2 * kind as usize;
         println!(
-            "{kind}: box {:.0}, region {:.0}; off by {:.1} % in the middle, {:.1} % for nine of ten, at most {:+.1} % ({})",
-            weights[place],
-            weights[place + 1],
-            100.0 * at(0.5).0.abs(),
-            100.0 * at(0.9).0.abs(),
-            100.0 * at(1.0).0,
-            at(1.0).1,
+            "{kind}: box {:.0}, region {:.0}; median error {:.1} %, 90th percentile {:.1} %, maximum {:+.1} % ({})",
+            weights[event],
+            weights[event + 1],
+            100.0 * quantile(0.5).0.abs(),
+            100.0 * quantile(0.9).0.abs(),
+            100.0 * quantile(1.0).0,
+            quantile(1.0).1,
         );
     }
     Ok(ExitCode::SUCCESS)

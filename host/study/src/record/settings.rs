@@ -125,6 +125,9 @@ mod tests {
     fn options_are_those_of_the_command_line_and_what_is_usual_is_left_out() {
         assert_eq!(words(&Settings::default()), "--levels 5 --cutoff 1/512 --sampler single");
         let settings = Settings { threads: 7, mailbox: 8, shadow_cache: false, ..Settings::default() };
-        assert_eq!(words(&settings), "--levels 5 --cutoff 1/512 --sampler single --mailbox 8 --no-shadow-cache");
+        assert_eq!(
+            words(&settings),
+            "--levels 5 --cutoff 1/512 --sampler single --mailbox 8 --no-shadow-cache"
+        );
     }
 }
