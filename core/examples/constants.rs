@@ -12,9 +12,9 @@ use strahl_core::geometry::{Aabb, Polygon, ShapeKind, ShapeSet};
 use strahl_core::image::Pixel;
 use strahl_core::scene::{EffectSet, Effects, LightKind, LightSet};
 use strahl_core::{
-    Background, BareList, Camera, CameraDescriptor, Falloff, Geometry, Light, LightSource, Limits, Material,
-    MaterialId, Projection, Resolution, Rgb, Scene, SceneDescriptor, Shape, Single, Sphere, Tile, Tracer,
-    Vec3, Worker, World, render, vec3,
+    Background, BareList, Camera, CameraDescriptor, CenterSampler, Falloff, Geometry, Light, LightSource,
+    Limits, Material, MaterialId, Projection, Resolution, Rgb, Scene, SceneDescriptor, Shape, Sphere, Tile,
+    Tracer, Vec3, Worker, World, render, vec3,
 };
 
 /// A floor, and two spheres on it.
@@ -107,8 +107,8 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
     };
     let Ok(()) = render(
         &mut tracer.with_worker(&mut Worker::new(())),
-        &mut Single,
-        Tile::whole(RESOLUTION).pixels(),
+        &mut CenterSampler,
+        Tile::full(RESOLUTION).pixels(),
         &mut print_pixel,
     );
     Ok(())

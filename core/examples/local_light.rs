@@ -19,9 +19,9 @@ use strahl_core::geometry::{ItemId, ShapeKind, ShapeSet};
 use strahl_core::image::Pixel;
 use strahl_core::scene::{EffectSet, Effects, LightKind, LightSet};
 use strahl_core::{
-    AllEffects, BareList, Camera, CameraDescriptor, Falloff, Geometry, Light, LightSource, Limits, Material,
-    MaterialId, Plane, Projection, Resolution, Rgb, Scene, SceneDescriptor, Shape, Single, Sphere, Tile,
-    Tracer, Vec3, Worker, World, render, vec3,
+    AllEffects, BareList, Camera, CameraDescriptor, CenterSampler, Falloff, Geometry, Light, LightSource,
+    Limits, Material, MaterialId, Plane, Projection, Resolution, Rgb, Scene, SceneDescriptor, Shape, Sphere,
+    Tile, Tracer, Vec3, Worker, World, render, vec3,
 };
 
 /// Exactly the effects that the scene requires.
@@ -107,8 +107,8 @@ fn hash<E: Effects>() -> u64 {
     };
     let Ok(()) = render(
         &mut tracer.with_worker(&mut Worker::new(())),
-        &mut Single,
-        Tile::whole(resolution).pixels(),
+        &mut CenterSampler,
+        Tile::full(resolution).pixels(),
         &mut sink,
     );
     hash

@@ -24,13 +24,13 @@ use std::error::Error;
 use std::path::{Path, PathBuf};
 
 use strahl_core::geometry::ItemId;
-use strahl_core::image::{Agreement, CornerRow, Kept, Selected, Selection};
+use strahl_core::image::{CacheEntry, ContrastThreshold, CornerRow, PixelSelector, Selection};
 use strahl_core::scene::{CameraSample, Texture, TextureId};
 use strahl_core::trace::PixelSample;
 use strahl_core::{
-    AllEffects, BareList, Camera, CameraDescriptor, Falloff, Geometry, Light, LightSource, Limits, Material,
-    MaterialId, Plane, Projection, Resolution, Rgb, Scene, SceneDescriptor, Shape, Single, Sphere, Tile,
-    Tracer, Vec3, Worker, World, vec3,
+    AllEffects, BareList, Camera, CameraDescriptor, CenterSampler, Falloff, Geometry, Light, LightSource,
+    Limits, Material, MaterialId, Plane, Projection, Resolution, Rgb, Scene, SceneDescriptor, Shape, Sphere,
+    Tile, Tracer, Vec3, Worker, World, vec3,
 };
 
 /// Pixels along one side of the coarsest blocks.
@@ -77,25 +77,26 @@ fn main() -> Result<(), Box<dyn Error>> {
 
     // All memory besides the display.
     let mut row = [PixelSample::BLACK; 41];
-    let mut cache = [Kept::NOTHING; 2048];
-    let agreement = Agreement::of_colors(0.04).ok_or("invalid threshold")?;
+    let mut cache = [CacheEntry::EMPTY; 2048];
+    let agreement = ContrastThreshold::new(0.04).ok_or("invalid threshold")?;
     let selection = Selection::new(STEP, agreement).ok_or("invalid step")?;
     let corners = width.div_ceil(STEP) as usize + 1;
-    let mut selected = Selected::new(selection, Single, CornerRow::new(&mut row[..corners]), &mut cache);
+    let mut selected =
+        PixelSelector::new(selection, CenterSampler, CornerRow::new(&mut row[..corners]), &mut cache);
 
-    let tile = Tile::whole(resolution);
+    let tile = Tile::full(resolution);
     let mut display = vec![Rgb::BLACK; tile.len()];
     let (mut rays, mut writes) = (0, 0);
     let mut worker = Worker::<_, (), 3>::new(());
-    selected.begin();
-    for side in selection.sides() {
+    selected.reset();
+    for side in selection.refinement_sides() {
         for block in selection.blocks(tile).pixels() {
             let mut trace = |sample: CameraSample| {
                 rays += 1;
                 tracer.trace(sample, &mut worker)
             };
             selected.refine_block(block, side, &mut trace, &mut |pixel, sample| {
-                if let Some(entry) = tile.place(pixel).and_then(|index| display.get_mut(index)) {
+                if let Some(entry) = tile.index_of(pixel).and_then(|index| display.get_mut(index)) {
                     *entry = sample.color;
                     writes += 1;
                 }

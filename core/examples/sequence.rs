@@ -18,7 +18,7 @@
 //! grid has the smallest error; where there is structure to alias with, the sequence has.
 
 use strahl_core::Rgb;
-use strahl_core::image::{Pixel, Regular, Sampler, Stochastic};
+use strahl_core::image::{Pixel, RegularSampler, Sampler, StochasticSampler};
 use strahl_core::math::{Dimension, SobolSequence};
 use strahl_core::scene::{CameraSample, FilmPoint};
 use strahl_core::trace::{HitId, PixelSample, RayTracer};
@@ -65,7 +65,7 @@ fn zone_plate(point: FilmPoint) -> f32 {
 fn error(mut sampler: impl Sampler, scene: fn(FilmPoint) -> f32) -> f64 {
     let mut shade =
         |sample: CameraSample| PixelSample { color: Rgb::gray(scene(sample.point)), hit: HitId::Nothing };
-    let mut reference = Regular::new(96).unwrap_or(Regular::ONE);
+    let mut reference = RegularSampler::new(96).unwrap_or(RegularSampler::CENTER);
     let mut sum_of_squares = 0.0;
     for pixel in (0..SIDE).flat_map(|y| (0..SIDE).map(move |x| Pixel { x, y })) {
         let difference = sampler.sample_pixel(pixel, &mut shade).color.r
@@ -82,9 +82,9 @@ fn main() {
             for n in [4_u16, 16] {
                 let rays = u32::from(n) * u32::from(n);
                 let error = match sampler {
-                    0 => error(Regular::new(n).unwrap_or(Regular::ONE), scene),
+                    0 => error(RegularSampler::new(n).unwrap_or(RegularSampler::CENTER), scene),
                     1 => error(Jittered { n: n.into() }, scene),
-                    _ => Stochastic::new(rays).map_or(f64::NAN, |sampler| error(sampler, scene)),
+                    _ => StochasticSampler::new(rays).map_or(f64::NAN, |sampler| error(sampler, scene)),
                 };
                 row += &format!(" {error:.4} |");
             }

@@ -33,7 +33,7 @@
 //!
 //! * `alloc`: [`scene::SceneTables`], a scene that owns its tables.
 //! * `baked`: [`baked`], scenes in bytes.
-//! * `display`: [`image::Display`], which draws on every target of `embedded-graphics`.
+//! * `display`: [`image::DrawTargetSink`], which draws on every target of `embedded-graphics`.
 //!
 //! The names of the root stand beside `embedded_graphics::prelude`:
 //!
@@ -42,7 +42,7 @@
 //! use embedded_graphics::mock_display::MockDisplay;
 //! use embedded_graphics::pixelcolor::Rgb565;
 //! use embedded_graphics::prelude::*;
-//! use strahl_core::image::{Display, Dither};
+//! use strahl_core::image::{Dither, DrawTargetSink};
 //! use strahl_core::*;
 //!
 //! let scene = Scene::new(SceneDescriptor { background: Background::Color(Rgb::WHITE), ..SceneDescriptor::EMPTY })?;
@@ -58,9 +58,9 @@
 //!
 //! let mut screen = MockDisplay::<Rgb565>::new();
 //! Pixel(Point::new(3, 0), Rgb565::RED).draw(&mut screen)?;
-//! let mut display = Display::new(&mut screen, Point::zero(), Dither::None);
-//! let pixels = Tile::whole(resolution).pixels();
-//! render(&mut tracer.with_worker(&mut Worker::new(())), &mut Single, pixels, &mut display)?;
+//! let mut display = DrawTargetSink::new(&mut screen, Point::zero(), Dither::None);
+//! let pixels = Tile::full(resolution).pixels();
+//! render(&mut tracer.with_worker(&mut Worker::new(())), &mut CenterSampler, pixels, &mut display)?;
 //! screen.assert_pattern(&["WW R"]);
 //! assert_eq!(screen.affected_area().size, Size::new(4, 1));
 //! # Ok::<(), Box<dyn std::error::Error>>(())
@@ -118,7 +118,7 @@ pub mod render;
 
 pub use accel::BareList;
 pub use geometry::{Geometry, Plane, Shape, Sphere};
-pub use image::{Single, Tile};
+pub use image::{CenterSampler, Tile};
 pub use math::{Real, Rgb, Vec3, vec3};
 pub use render::render;
 #[cfg(feature = "alloc")]

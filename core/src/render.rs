@@ -4,7 +4,7 @@
 //! nothing but its coordinates. [`render_selected`] traces some pixels and interpolates the others;
 //! [`render_progressive`] shows such a picture coarse first.
 
-use crate::image::{Corners, Pixel, Sampler, Selected, Sink, Tile};
+use crate::image::{CornerCache, Pixel, PixelSelector, Sampler, Sink, Tile};
 use crate::trace::RayTracer;
 
 /// Renders `pixels`, in their order, into `sink`.
@@ -16,7 +16,7 @@ use crate::trace::RayTracer;
 /// The error of the sink; rendering ends there. Tracing cannot fail.
 ///
 /// ```
-/// use strahl_core::image::Frame;
+/// use strahl_core::image::Framebuffer;
 /// use strahl_core::*;
 ///
 /// let shapes = [Shape::Sphere(Sphere { center: vec3(0.0, 0.0, -5.0), radius: 1.0 })];
@@ -61,7 +61,7 @@ where
     K: Sink,
 {
     tracer.reset();
-    sampler.begin();
+    sampler.reset();
     for pixel in pixels {
         let sample = sampler.sample_pixel(pixel, tracer);
         sink.put_sample(pixel, sample)?;
@@ -80,7 +80,7 @@ where
 /// The error of the sink; rendering ends with that block.
 pub fn render_selected<R, K>(
     tracer: &mut R,
-    selected: &mut Selected<'_, impl Corners, impl Sampler>,
+    selected: &mut PixelSelector<'_, impl CornerCache, impl Sampler>,
     blocks: impl IntoIterator<Item = Pixel>,
     sink: &mut K,
 ) -> Result<(), K::Error>
@@ -89,7 +89,7 @@ where
     K: Sink,
 {
     tracer.reset();
-    selected.begin();
+    selected.reset();
     for block in blocks {
         let mut result = Ok(());
         selected.sample_block(block, tracer, &mut |pixel, sample| {
@@ -114,7 +114,7 @@ where
 /// The error of the sink; rendering ends with that block.
 pub fn render_progressive<R, K>(
     tracer: &mut R,
-    selected: &mut Selected<'_, impl Corners, impl Sampler>,
+    selected: &mut PixelSelector<'_, impl CornerCache, impl Sampler>,
     tile: Tile,
     sink: &mut K,
 ) -> Result<(), K::Error>
@@ -123,9 +123,9 @@ where
     K: Sink,
 {
     tracer.reset();
-    selected.begin();
+    selected.reset();
     let selection = *selected.selection();
-    for side in selection.sides() {
+    for side in selection.refinement_sides() {
         for block in selection.blocks(tile).pixels() {
             let mut result = Ok(());
             selected.refine_block(block, side, tracer, &mut |pixel, sample| {

@@ -52,8 +52,9 @@ pub struct Costs {
 impl Costs {
     /// Of this part of a whole picture.
     pub fn of(cost_map: &CostMap, area: Tile) -> Self {
-        let (whole, all) = (Tile::whole(cost_map.size()), cost_map.costs());
-        let cost = |pixel| whole.place(pixel).and_then(|place| all.get(place)).copied().unwrap_or_default();
+        let (whole, all) = (Tile::full(cost_map.size()), cost_map.costs());
+        let cost =
+            |pixel| whole.index_of(pixel).and_then(|place| all.get(place)).copied().unwrap_or_default();
         Costs { area, pixels: area.pixels().map(cost).collect() }
     }
 }
@@ -269,7 +270,7 @@ mod tests {
             level: 1,
             ..PixelCost::default()
         };
-        let area = Tile { first: Pixel { x: 0, y: 0 }, width: 3, height: 2 };
+        let area = Tile { top_left: Pixel { x: 0, y: 0 }, width: 3, height: 2 };
         let pixels = (0..6).map(|place| if place == 5 { PixelCost::default() } else { cost(place) });
         Costs { area, pixels: pixels.collect() }
     }

@@ -22,9 +22,14 @@ use std::path::PathBuf;
 use accuracy::{RUNS, Run, Sampling};
 use scene::{Golden, ITEMS, LEVELS, SIZE, VIEW, parts};
 use strahl_core::accel::List;
-use strahl_core::image::{Adaptive, Agreement, Frame, Loose, Parting, Regular, Sampler, Stochastic};
+use strahl_core::image::{
+    AdaptiveSampler, ContrastThreshold, Framebuffer, RegularSampler, Sampler, StochasticSampler, Subdivision,
+    Uncached,
+};
 use strahl_core::scene::Effects;
-use strahl_core::{AllEffects, Camera, Limits, Rgb, Scene, Single, Tile, Tracer, Worker, World, render};
+use strahl_core::{
+    AllEffects, Camera, CenterSampler, Limits, Rgb, Scene, Tile, Tracer, Worker, World, render,
+};
 
 type ExampleError = Box<dyn Error>;
 
@@ -52,14 +57,14 @@ fn main() -> Result<(), ExampleError> {
 fn picture(run: &Run) -> Result<Vec<Rgb>, ExampleError> {
     let invalid = "invalid sampler settings";
     match run.sampling {
-        Sampling::Single => traced(run.limits, &mut Single),
-        Sampling::Regular(n) => traced(run.limits, &mut Regular::new(n).ok_or(invalid)?),
+        Sampling::Single => traced(run.limits, &mut CenterSampler),
+        Sampling::Regular(n) => traced(run.limits, &mut RegularSampler::new(n).ok_or(invalid)?),
         Sampling::Adaptive(depth, threshold) => {
-            let agreement = Agreement::of_colors(threshold).ok_or(invalid)?;
-            let parting = Parting::new(depth, agreement).ok_or(invalid)?;
-            traced(run.limits, &mut Adaptive::new(parting, Loose, &mut []))
+            let agreement = ContrastThreshold::new(threshold).ok_or(invalid)?;
+            let parting = Subdivision::new(depth, agreement).ok_or(invalid)?;
+            traced(run.limits, &mut AdaptiveSampler::new(parting, Uncached, &mut []))
         }
-        Sampling::Stochastic(n) => traced(run.limits, &mut Stochastic::new(n).ok_or(invalid)?),
+        Sampling::Stochastic(n) => traced(run.limits, &mut StochasticSampler::new(n).ok_or(invalid)?),
     }
 }
 
@@ -69,9 +74,9 @@ fn traced(limits: Limits, sampler: &mut impl Sampler) -> Result<Vec<Rgb>, Exampl
     let world = World::new(scene, List::without_bounds(ITEMS as u32));
     const { assert!(LEVELS <= 16) };
     let tracer = Tracer::<_, AllEffects, 16>::new(&world, Camera::new(&VIEW, SIZE)?, limits)?;
-    let tile = Tile::whole(SIZE);
+    let tile = Tile::full(SIZE);
     let mut colors = vec![Rgb::BLACK; tile.len()];
-    let mut frame = Frame::new(tile, &mut colors).ok_or("the frame has another size")?;
+    let mut frame = Framebuffer::new(tile, &mut colors).ok_or("the frame has another size")?;
     let Ok(()) = render(&mut tracer.with_worker(&mut Worker::new(())), sampler, tile.pixels(), &mut frame);
     Ok(colors)
 }

@@ -19,8 +19,10 @@ use std::path::{Path, PathBuf};
 use strahl::bake::{BakeSettings, bake, chip, counted, source};
 use strahl_core::accel::{List, group_count};
 use strahl_core::geometry::Aabb;
-use strahl_core::image::Frame;
-use strahl_core::{AllEffects, Camera, Limits, Resolution, Rgb, Single, Tile, Tracer, Worker, World, render};
+use strahl_core::image::Framebuffer;
+use strahl_core::{
+    AllEffects, Camera, CenterSampler, Limits, Resolution, Rgb, Tile, Tracer, Worker, World, render,
+};
 use strahl_scene::load_for_size;
 use strahl_session::tables::single::{scene_tables, view};
 use strahl_settings::AccelKind;
@@ -164,11 +166,11 @@ fn bake_and_draw(
     let limits = Limits { levels: settings.levels, cutoff: settings.cutoff };
     let camera = Camera::new(&settings.view, settings.size)?;
     let tracer = Tracer::<_, AllEffects, 6>::new(&world, camera, limits)?;
-    let tile = Tile::whole(settings.size);
+    let tile = Tile::full(settings.size);
     let mut colors = vec![Rgb::BLACK; tile.len()];
-    let mut frame = Frame::new(tile, &mut colors).ok_or("the frame has another size")?;
+    let mut frame = Framebuffer::new(tile, &mut colors).ok_or("the frame has another size")?;
     let Ok(()) =
-        render(&mut tracer.with_worker(&mut Worker::new(())), &mut Single, tile.pixels(), &mut frame);
+        render(&mut tracer.with_worker(&mut Worker::new(())), &mut CenterSampler, tile.pixels(), &mut frame);
     let bytes: Vec<u8> = colors.iter().flat_map(|c| [c.r, c.g, c.b]).flat_map(f32::to_le_bytes).collect();
     Ok(std::fs::write(folder.join(name).with_extension("f32"), bytes)?)
 }

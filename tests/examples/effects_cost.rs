@@ -21,7 +21,9 @@ use strahl_core::geometry::{Aabb, ShapeKind, ShapeSet};
 use strahl_core::image::Pixel;
 use strahl_core::scene::{EffectSet, Effects, LightKind, LightSet, TextureKind, TextureSet};
 use strahl_core::tally::RayCounters;
-use strahl_core::{AllEffects, Camera, Limits, Resolution, Rgb, Single, Tile, Tracer, Worker, World, render};
+use strahl_core::{
+    AllEffects, Camera, CenterSampler, Limits, Resolution, Rgb, Tile, Tracer, Worker, World, render,
+};
 use strahl_engine::prepared::{self, prepared_for};
 use strahl_session::tables::single;
 use strahl_settings::{AccelKind, AccelSettings};
@@ -136,8 +138,12 @@ fn hash<A: Accelerator, E: Effects>(
         }
     };
     let mut worker = Worker::new(RayCounters::new());
-    let Ok(()) =
-        render(&mut tracer.with_worker(&mut worker), &mut Single, Tile::whole(size).pixels(), &mut sink);
+    let Ok(()) = render(
+        &mut tracer.with_worker(&mut worker),
+        &mut CenterSampler,
+        Tile::full(size).pixels(),
+        &mut sink,
+    );
     Ok(hash)
 }
 

@@ -179,7 +179,7 @@ impl QualityScene {
             let mut colors = Vec::new();
             let mut sink = |_: Pixel, color: Rgb| colors.push(color);
             let mut sampler = JitteredSampler { n: RAYS.isqrt(), seed };
-            let pixels = Tile::whole(self.size).pixels();
+            let pixels = Tile::full(self.size).pixels();
             let Ok(()) =
                 render(&mut tracer.with_worker(&mut Worker::new(())), &mut sampler, pixels, &mut sink);
             Ok(self.measured((colors, f64::from(RAYS))))

@@ -2,8 +2,8 @@
 //! of them, and where they are taken for one, a picture of finite colours from every way of walking.
 
 use strahl_core::accel::{Accelerator, TraversalStack};
-use strahl_core::baked::{Finder, Pack};
-use strahl_core::{AllEffects, Limits, Resolution, Rgb, Single, Tile, Tracer, Worker, World, render};
+use strahl_core::baked::{BakedAccelerator, BakedScene};
+use strahl_core::{AllEffects, CenterSampler, Limits, Resolution, Rgb, Tile, Tracer, Worker, World, render};
 
 /// Bytes of a baked scene: as they are, and with the begin that a host would have written, lest a
 /// checksum keep everything away from what lies behind it.
@@ -47,32 +47,35 @@ fn repair(bytes: &mut [u8]) -> bool {
     let checksum =
         covered.iter().fold(0x811c_9dc5_u32, |sum, byte| (sum ^ u32::from(*byte)).wrapping_mul(0x0100_0193));
     let length = (UNCHECKED + covered.len()) as u32;
-    for (slot, word) in begin.as_chunks_mut::<4>().0[1..].iter_mut().zip([Pack::VERSION, length, checksum]) {
+    for (slot, word) in
+        begin.as_chunks_mut::<4>().0[1..].iter_mut().zip([BakedScene::VERSION, length, checksum])
+    {
         *slot = word.to_le_bytes();
     }
     true
 }
 
 fn draw(bytes: &[u8]) {
-    let Ok(pack) = Pack::open(bytes) else { return };
-    let Ok(finder) = pack.finder() else { return };
+    let Ok(pack) = BakedScene::open(bytes) else { return };
+    let Ok(finder) = pack.accelerator() else { return };
     let scene = *pack.scene();
     match finder {
-        Finder::Bare(bare) => trace(&pack, World::new(scene, bare)),
-        Finder::Grid(grid) => trace(&pack, World::new(scene, grid.with_mailbox::<8>())),
-        Finder::Octree(octree) => trace(&pack, World::new(scene, octree.with_mailbox::<8>())),
-        Finder::Bvh(bvh) => trace(&pack, World::new(scene, bvh.with_queue::<TraversalStack<8>>())),
+        BakedAccelerator::BareList(bare) => trace(&pack, World::new(scene, bare)),
+        BakedAccelerator::Grid(grid) => trace(&pack, World::new(scene, grid.with_mailbox::<8>())),
+        BakedAccelerator::Octree(octree) => trace(&pack, World::new(scene, octree.with_mailbox::<8>())),
+        BakedAccelerator::Bvh(bvh) => trace(&pack, World::new(scene, bvh.with_queue::<TraversalStack<8>>())),
     }
 }
 
-fn trace<A: Accelerator>(pack: &Pack<'_>, world: World<'_, A>) {
+fn trace<A: Accelerator>(pack: &BakedScene<'_>, world: World<'_, A>) {
     const LEVELS: u8 = 4;
-    let tile = Tile::whole(Resolution::new(6, 4).expect("a size"));
+    let tile = Tile::full(Resolution::new(6, 4).expect("a size"));
     let Ok(camera) = pack.camera(Resolution::new(6, 4).expect("a size")) else { return };
     let limits = Limits { levels: pack.levels().min(LEVELS), cutoff: pack.cutoff() };
     let Ok(tracer) = Tracer::<_, AllEffects, { LEVELS as usize }>::new(&world, camera, limits) else {
         return;
     };
     let mut sink = |_, color: Rgb| assert!(color.r.is_finite() && color.g.is_finite() && color.b.is_finite());
-    let Ok(()) = render(&mut tracer.with_worker(&mut Worker::new(())), &mut Single, tile.pixels(), &mut sink);
+    let Ok(()) =
+        render(&mut tracer.with_worker(&mut Worker::new(())), &mut CenterSampler, tile.pixels(), &mut sink);
 }

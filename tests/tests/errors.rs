@@ -57,9 +57,9 @@ fn a_light_out_of_range_is_named_with_its_field() {
 fn materials_textures_and_surroundings_out_of_range_are_named_with_their_field() {
     let of = |material: Material| error(SceneDescriptor { materials: &[material], ..SceneDescriptor::EMPTY });
     let glass = Material { transmission: Rgb::WHITE, refractive_index: 0.0, ..Material::MATTE };
-    assert_eq!(of(glass), "material 0: `index` is 0, must be in 0.01..=100");
+    assert_eq!(of(glass), "material 0: `refractive_index` is 0, must be in 0.01..=100");
     let mirror = Material { reflection: Rgb::gray(1.5), ..Material::MATTE };
-    assert_eq!(of(mirror), "material 0: `mirror` has a channel of 1.5, must be in 0..=1");
+    assert_eq!(of(mirror), "material 0: `reflection` has a channel of 1.5, must be in 0..=1");
     let tiles = Material { texture: scene::TextureId(2), ..Material::MATTE };
     let must_be = "must be an index of the table of textures, or `TextureId::NONE`";
     assert_eq!(of(tiles), format!("material 0: `texture` is 2, {must_be}"));
@@ -127,5 +127,5 @@ fn a_tracer_error_names_the_missing_effects_and_the_remedy() {
     assert_eq!(cutoff, "`cutoff` is 2, must be in 0..=1");
     let wide = CameraDescriptor { projection: Projection::Perspective { field_of_view: 4.0 }, ..view };
     let error = Camera::new(&wide, Resolution::new(1, 1).unwrap()).unwrap_err();
-    assert_eq!(error.to_string(), "`angle` is 4, must be more than 0 and less than pi (radians)");
+    assert_eq!(error.to_string(), "`field_of_view` is 4, must be more than 0 and less than pi (radians)");
 }

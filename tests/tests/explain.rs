@@ -27,7 +27,7 @@ fn settings(description: &LoadedScene, sampling: SamplerSettings) -> Settings {
 
 /// The pixel as `render` traces it.
 fn rendered(description: &LoadedScene, settings: &Settings, pixel: Pixel) -> Rgb {
-    let region = Some(Tile { first: pixel, width: 1, height: 1 });
+    let region = Some(Tile { top_left: pixel, width: 1, height: 1 });
     let settings = Settings { region, ..settings.clone() };
     let output =
         strahl_session::render(description, &settings, &RenderOptions::default(), &NoProgress).unwrap();

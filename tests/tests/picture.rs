@@ -17,9 +17,11 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 use strahl_core::accel::List;
-use strahl_core::image::Frame;
+use strahl_core::image::Framebuffer;
 use strahl_core::scene::Effects;
-use strahl_core::{AllEffects, Camera, Resolution, Rgb, Scene, Single, Tile, Tracer, Worker, World, render};
+use strahl_core::{
+    AllEffects, Camera, CenterSampler, Resolution, Rgb, Scene, Tile, Tracer, Worker, World, render,
+};
 use strahl_engine::{NoProgress, RenderOptions};
 use strahl_picture::{Picture, PictureFormat};
 use strahl_settings::{AccelSettings, Bounds, ContrastSettings, SamplerSettings, Settings};
@@ -143,11 +145,11 @@ fn constants<E: Effects>() -> Picture {
         World::new(Scene::new(constants::parts()).unwrap(), List::without_bounds(constants::ITEMS as u32));
     let camera = Camera::new(&constants::VIEW, size).unwrap();
     let tracer = Tracer::<_, E, { constants::LEVELS }>::new(&world, camera, constants::LIMITS).unwrap();
-    let tile = Tile::whole(size);
+    let tile = Tile::full(size);
     let mut colors = vec![Rgb::BLACK; tile.len()];
-    let mut frame = Frame::new(tile, &mut colors).unwrap();
+    let mut frame = Framebuffer::new(tile, &mut colors).unwrap();
     let Ok(()) =
-        render(&mut tracer.with_worker(&mut Worker::new(())), &mut Single, tile.pixels(), &mut frame);
+        render(&mut tracer.with_worker(&mut Worker::new(())), &mut CenterSampler, tile.pixels(), &mut frame);
     Picture { size, colors }
 }
 

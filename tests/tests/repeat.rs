@@ -92,11 +92,11 @@ fn a_region_equals_that_part_of_the_whole_picture() {
     for (scene, sampling) in both().iter().flat_map(|scene| SAMPLINGS.map(|sampling| (scene, sampling))) {
         let whole = rendered(scene, &settings(sampling)).picture;
         for (x, y, width, height) in [(0, 0, 61, 37), (7, 11, 30, 13), (60, 36, 1, 1)] {
-            let region = Tile { first: Pixel { x, y }, width, height };
+            let region = Tile { top_left: Pixel { x, y }, width, height };
             let part = rendered(scene, &Settings { region: Some(region), ..settings(sampling) }).picture;
             assert_eq!((part.size.width(), part.size.height()), (width, height));
             for (color, pixel) in part.colors.iter().zip(region.pixels()) {
-                let index = Tile::whole(SIZE).place(pixel).unwrap();
+                let index = Tile::full(SIZE).index_of(pixel).unwrap();
                 assert_eq!(*color, whole.colors[index], "{sampling:?}, {pixel:?} of {region:?}");
             }
         }
@@ -111,7 +111,7 @@ fn the_pixels_of_a_mask_are_unchanged_and_the_others_cost_nothing() {
         // A ring.
         let is_white =
             |Pixel { x, y }: Pixel| (100..300).contains(&((x as i32 - 30).pow(2) + (y as i32 - 18).pow(2)));
-        let pixels: Vec<bool> = Tile::whole(SIZE).pixels().map(is_white).collect();
+        let pixels: Vec<bool> = Tile::full(SIZE).pixels().map(is_white).collect();
         let mask = Mask { size: SIZE, pixels: pixels.clone() };
         let options = RenderOptions { mask: Some(&mask), ..RenderOptions::COUNT_TESTS };
         let some = rendered_with(&scene, &settings(sampling), options);

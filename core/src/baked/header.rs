@@ -2,7 +2,7 @@
 
 use zerocopy::{ConvertError, Immutable, KnownLayout, TryFromBytes};
 
-use super::error::{PackError, PackPart};
+use super::error::{BakedSceneError, BakedSection};
 use crate::geometry::Aabb;
 use crate::math::{Real, Rgb};
 use crate::scene::{Background, CameraDescriptor};
@@ -21,35 +21,35 @@ pub(super) const BVH: u32 = 3;
 
 /// The tables, in the order of the format.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Content {
+pub(super) enum TableId {
     Shapes,
-    Points,
-    Normals,
+    Vertices,
+    VertexNormals,
     Planes,
     Discs,
     Polygons,
     Cuboids,
-    TurnedCuboids,
+    OrientedCuboids,
     Cones,
     Tori,
     Moving,
-    MadeOf,
+    MaterialIds,
     Materials,
     Textures,
     Lights,
     /// The cells of a grid, the nodes of an octree or a hierarchy.
     Nodes,
     /// The items that those list.
-    Items,
+    Entries,
 }
 
 /// How many tables there are.
-pub(super) const TABLES: usize = Content::Items as usize + 1;
+pub(super) const TABLES: usize = TableId::Entries as usize + 1;
 
 /// Where a table is.
 #[derive(Clone, Copy, Debug, TryFromBytes, KnownLayout, Immutable)]
 #[repr(C)]
-pub(super) struct Table {
+pub(super) struct TableLocation {
     /// Its first byte, counted from that of the header.
     pub(super) start: u32,
     /// How many entries it has.
@@ -59,91 +59,95 @@ pub(super) struct Table {
 /// The beginning of a baked scene.
 #[derive(Clone, Copy, Debug, TryFromBytes, KnownLayout, Immutable)]
 #[repr(C)]
-pub(super) struct Header {
+pub(super) struct BakedHeader {
     pub(super) magic: u32,
     pub(super) version: u32,
     /// How many bytes there are, the header among them.
     pub(super) bytes: u32,
     /// Of all bytes after it.
     pub(super) checksum: u32,
-    pub(super) size: [u32; 2],
+    pub(super) resolution: [u32; 2],
     pub(super) levels: u32,
     pub(super) cutoff: Real,
-    pub(super) view: CameraDescriptor,
+    pub(super) camera: CameraDescriptor,
     pub(super) ambient: Rgb,
     pub(super) background: Background,
     /// One when light passes through bodies on its way from a light, else zero.
     pub(super) colored_shadows: u32,
     /// The kind of the accelerator, and its own numbers.
-    pub(super) finder: u32,
+    pub(super) accelerator: u32,
     pub(super) bounds: Aabb,
     pub(super) cells: [u32; 3],
     pub(super) depth: u32,
-    pub(super) tables: [Table; TABLES],
+    pub(super) tables: [TableLocation; TABLES],
 }
 
 /// Bytes before those that the checksum covers.
-pub(super) const UNCHECKED: usize = 16;
+pub(super) const CHECKSUM_BEGIN: usize = 16;
 
 /// FNV-1a (Fowler, Noll, Vo), 32 bits: against accidents, not against malice.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Checksum(pub(super) u32);
+pub(super) struct Fnv1a(pub(super) u32);
 
-impl Checksum {
-    pub(super) const EMPTY: Checksum = Checksum(0x811c_9dc5);
+impl Fnv1a {
+    pub(super) const EMPTY: Fnv1a = Fnv1a(0x811c_9dc5);
 
-    pub(super) fn and(self, bytes: &[u8]) -> Self {
-        Checksum(bytes.iter().fold(self.0, |sum, byte| (sum ^ u32::from(*byte)).wrapping_mul(0x0100_0193)))
+    pub(super) fn update(self, bytes: &[u8]) -> Self {
+        Fnv1a(bytes.iter().fold(self.0, |sum, byte| (sum ^ u32::from(*byte)).wrapping_mul(0x0100_0193)))
     }
 }
 
-impl Header {
+impl BakedHeader {
     /// The header of `bytes`, which are all there and as they were written.
-    pub(super) fn of(bytes: &[u8]) -> Result<&Self, PackError> {
+    pub(super) fn parse(bytes: &[u8]) -> Result<&Self, BakedSceneError> {
         let given = bytes.len();
         let words = |place: usize| {
             let word = bytes.get(4 * place..)?.first_chunk::<4>()?;
             Some(u32::from_ne_bytes(*word))
         };
-        let too_short = PackError::TooShort { needed: size_of::<Header>(), given };
+        let too_short = BakedSceneError::TooShort { needed: size_of::<BakedHeader>(), provided: given };
         if words(0).ok_or(too_short)? != MAGIC {
-            return Err(PackError::NotAPack);
+            return Err(BakedSceneError::BadMagic);
         }
         let found = words(1).ok_or(too_short)?;
         if found != VERSION {
-            return Err(PackError::Version { found });
+            return Err(BakedSceneError::Version { found });
         }
         let needed = words(2).ok_or(too_short)? as usize;
-        let bytes = bytes.get(..needed).ok_or(PackError::TooShort { needed, given })?;
-        let covered = bytes.get(UNCHECKED..).ok_or(too_short)?;
-        if words(3) != Some(Checksum::EMPTY.and(covered).0) {
-            return Err(PackError::Checksum);
+        let bytes = bytes.get(..needed).ok_or(BakedSceneError::TooShort { needed, provided: given })?;
+        let covered = bytes.get(CHECKSUM_BEGIN..).ok_or(too_short)?;
+        if words(3) != Some(Fnv1a::EMPTY.update(covered).0) {
+            return Err(BakedSceneError::Checksum);
         }
-        match Header::try_ref_from_prefix(bytes) {
+        match BakedHeader::try_ref_from_prefix(bytes) {
             Ok((header, _)) => Ok(header),
-            Err(ConvertError::Alignment(_)) => Err(PackError::Misaligned),
+            Err(ConvertError::Alignment(_)) => Err(BakedSceneError::Misaligned),
             Err(ConvertError::Size(_)) => Err(too_short),
-            Err(ConvertError::Validity(_)) => Err(PackError::Part(PackPart::Header)),
+            Err(ConvertError::Validity(_)) => Err(BakedSceneError::Section(BakedSection::Header)),
         }
     }
 
     /// A table of the scene.
-    pub(super) fn table<'s, T>(&self, bytes: &'s [u8], content: Content) -> Result<&'s [T], PackError>
+    pub(super) fn table<'s, T>(&self, bytes: &'s [u8], content: TableId) -> Result<&'s [T], BakedSceneError>
     where
         T: TryFromBytes + KnownLayout + Immutable,
     {
-        let wrong = PackError::Part(PackPart::Table(content as u8));
-        let Table { start, count } = *self.tables.get(content as usize).ok_or(wrong)?;
+        let wrong = BakedSceneError::Section(BakedSection::Table(content as u8));
+        let TableLocation { start, count } = *self.tables.get(content as usize).ok_or(wrong)?;
         let length = size_of::<T>().checked_mul(count as usize).ok_or(wrong)?;
         let bytes = bytes.get(start as usize..).and_then(|bytes| bytes.get(..length)).ok_or(wrong)?;
         <[T]>::try_ref_from_bytes(bytes).map_err(|error| match error {
-            ConvertError::Alignment(_) if start % 4 == 0 => PackError::Misaligned,
+            ConvertError::Alignment(_) if start % 4 == 0 => BakedSceneError::Misaligned,
             _ => wrong,
         })
     }
 
     /// Whether the accelerator is of a kind.
-    pub(super) fn must_have(&self, finder: u32) -> Result<(), PackError> {
-        if self.finder == finder { Ok(()) } else { Err(PackError::Part(PackPart::Finder)) }
+    pub(super) fn expect_accelerator(&self, finder: u32) -> Result<(), BakedSceneError> {
+        if self.accelerator == finder {
+            Ok(())
+        } else {
+            Err(BakedSceneError::Section(BakedSection::Accelerator))
+        }
     }
 }

@@ -14,52 +14,52 @@ use crate::scene::{
 };
 
 /// Who writes, and how far.
-pub(super) struct Writer<'w> {
+pub(super) struct LayoutWriter<'w> {
     /// Is given a piece, and how much was written before it.
-    pub(super) take: &'w mut dyn FnMut(&[u8], usize),
+    pub(super) output: &'w mut dyn FnMut(&[u8], usize),
     pub(super) written: usize,
     /// If there is one, it is told the length of each table and the size of its entries, and nothing
     /// is written.
-    pub(super) see: Option<&'w mut dyn FnMut(usize, usize)>,
+    pub(super) measure: Option<&'w mut dyn FnMut(usize, usize)>,
 }
 
-impl Writer<'_> {
-    fn piece(&mut self, bytes: &[u8]) {
-        (self.take)(bytes, self.written);
+impl LayoutWriter<'_> {
+    fn write(&mut self, bytes: &[u8]) {
+        (self.output)(bytes, self.written);
         self.written += bytes.len();
     }
 
     /// Zeros up to a place that `alignment` divides.
     fn align(&mut self, alignment: usize) {
         while !self.written.is_multiple_of(alignment) {
-            self.piece(&[0]);
+            self.write(&[0]);
         }
     }
 
-    pub(super) fn table<T: Put>(&mut self, entries: &[T]) {
-        if let Some(see) = &mut self.see {
+    pub(super) fn table<T: WriteLayout>(&mut self, entries: &[T]) {
+        if let Some(see) = &mut self.measure {
             see(entries.len(), size_of::<T>());
             return;
         }
         for entry in entries {
-            entry.whole(self);
+            entry.write_padded(self);
         }
         self.align(4);
     }
 }
 
 /// Something that can be written as it lies in memory, in `repr(C)`.
-pub(super) trait Put: Sized {
+pub(super) trait WriteLayout: Sized {
     /// Its fields, in order.
-    fn put(&self, w: &mut Writer<'_>);
+    fn write_fields(&self, w: &mut LayoutWriter<'_>);
 
     /// Where its alignment puts it: its fields, and zeros to its full size.
-    fn whole(&self, w: &mut Writer<'_>) {
+    fn write_padded(&self, w: &mut LayoutWriter<'_>) {
         w.align(align_of::<Self>());
         let end = w.written + size_of::<Self>();
-        self.put(w);
+        self.write_fields(w);
         while w.written < end {
-            w.piece(&[0]);
+            w.write(&[0]);
         }
         debug_assert!(w.written == end, "a type has another layout than is written");
     }
@@ -67,40 +67,40 @@ pub(super) trait Put: Sized {
 
 macro_rules! numbers {
     ($($Number:ty)*) => {$(
-        impl Put for $Number {
-            fn put(&self, w: &mut Writer<'_>) {
-                w.piece(&self.to_le_bytes());
+        impl WriteLayout for $Number {
+            fn write_fields(&self, w: &mut LayoutWriter<'_>) {
+                w.write(&self.to_le_bytes());
             }
         }
     )*};
 }
 numbers!(u8 u16 u32 f32);
 
-impl Put for bool {
-    fn put(&self, w: &mut Writer<'_>) {
-        w.piece(&[u8::from(*self)]);
+impl WriteLayout for bool {
+    fn write_fields(&self, w: &mut LayoutWriter<'_>) {
+        w.write(&[u8::from(*self)]);
     }
 }
 
-impl<T: Put, const N: usize> Put for [T; N] {
-    fn put(&self, w: &mut Writer<'_>) {
-        self.iter().for_each(|one| one.whole(w));
+impl<T: WriteLayout, const N: usize> WriteLayout for [T; N] {
+    fn write_fields(&self, w: &mut LayoutWriter<'_>) {
+        self.iter().for_each(|one| one.write_padded(w));
     }
 }
 
-impl Put for Vec3 {
-    fn put(&self, w: &mut Writer<'_>) {
-        self.to_array().put(w);
+impl WriteLayout for Vec3 {
+    fn write_fields(&self, w: &mut LayoutWriter<'_>) {
+        self.to_array().write_fields(w);
     }
 }
 
 /// Structs, by their fields in the order of their declaration.
 macro_rules! structs {
     ($($Struct:ident { $($field:ident),* })*) => {$(
-        impl Put for $Struct {
-            fn put(&self, w: &mut Writer<'_>) {
+        impl WriteLayout for $Struct {
+            fn write_fields(&self, w: &mut LayoutWriter<'_>) {
                 let $Struct { $($field),* } = self;
-                $($field.whole(w);)*
+                $($field.write_padded(w);)*
             }
         }
     )*};
@@ -129,36 +129,36 @@ structs! {
 /// Structs of one number.
 macro_rules! newtypes {
     ($($Struct:ident)*) => {$(
-        impl Put for $Struct {
-            fn put(&self, w: &mut Writer<'_>) {
-                self.0.whole(w);
+        impl WriteLayout for $Struct {
+            fn write_fields(&self, w: &mut LayoutWriter<'_>) {
+                self.0.write_padded(w);
             }
         }
     )*};
 }
 newtypes!(ItemId MaterialId TextureId);
 
-impl Put for OctreeNode {
-    fn put(&self, w: &mut Writer<'_>) {
-        self.words().whole(w);
+impl WriteLayout for OctreeNode {
+    fn write_fields(&self, w: &mut LayoutWriter<'_>) {
+        self.words().write_padded(w);
     }
 }
 
-impl Put for BvhNode {
-    fn put(&self, w: &mut Writer<'_>) {
-        self.words().whole(w);
+impl WriteLayout for BvhNode {
+    fn write_fields(&self, w: &mut LayoutWriter<'_>) {
+        self.words().write_padded(w);
     }
 }
 
-impl Put for LeafEntry {
-    fn put(&self, w: &mut Writer<'_>) {
-        self.word().whole(w);
+impl WriteLayout for LeafEntry {
+    fn write_fields(&self, w: &mut LayoutWriter<'_>) {
+        self.word().write_padded(w);
     }
 }
 
-impl Put for FresnelModel {
-    fn put(&self, w: &mut Writer<'_>) {
-        (*self as u8).put(w);
+impl WriteLayout for FresnelModel {
+    fn write_fields(&self, w: &mut LayoutWriter<'_>) {
+        (*self as u8).write_fields(w);
     }
 }
 
@@ -166,13 +166,13 @@ impl Put for FresnelModel {
 macro_rules! variant {
     ($w:ident, $number:literal $(, $field:ident)*) => {{
         let number: u32 = $number;
-        number.whole($w);
-        $($field.whole($w);)*
+        number.write_padded($w);
+        $($field.write_padded($w);)*
     }};
 }
 
-impl Put for Shape {
-    fn put(&self, w: &mut Writer<'_>) {
+impl WriteLayout for Shape {
+    fn write_fields(&self, w: &mut LayoutWriter<'_>) {
         match self {
             Shape::Sphere(sphere) => variant!(w, 0, sphere),
             Shape::Triangle(corners) => variant!(w, 1, corners),
@@ -189,8 +189,8 @@ impl Put for Shape {
     }
 }
 
-impl Put for Texture {
-    fn put(&self, w: &mut Writer<'_>) {
+impl WriteLayout for Texture {
+    fn write_fields(&self, w: &mut LayoutWriter<'_>) {
         match self {
             Texture::Checker { even, odd, origin, frequency } => variant!(w, 0, even, odd, origin, frequency),
             Texture::Gradient { start_color: from, end_color: to, origin, axis: along } => {
@@ -203,8 +203,8 @@ impl Put for Texture {
     }
 }
 
-impl Put for Background {
-    fn put(&self, w: &mut Writer<'_>) {
+impl WriteLayout for Background {
+    fn write_fields(&self, w: &mut LayoutWriter<'_>) {
         match self {
             Background::Color(color) => variant!(w, 0, color),
             Background::Gradient { up, below, above } => variant!(w, 1, up, below, above),
@@ -212,8 +212,8 @@ impl Put for Background {
     }
 }
 
-impl Put for Projection {
-    fn put(&self, w: &mut Writer<'_>) {
+impl WriteLayout for Projection {
+    fn write_fields(&self, w: &mut LayoutWriter<'_>) {
         match self {
             Projection::Perspective { field_of_view: angle } => variant!(w, 0, angle),
             Projection::Orthographic { height } => variant!(w, 1, height),
@@ -224,8 +224,8 @@ impl Put for Projection {
     }
 }
 
-impl Put for LightSource {
-    fn put(&self, w: &mut Writer<'_>) {
+impl WriteLayout for LightSource {
+    fn write_fields(&self, w: &mut LayoutWriter<'_>) {
         match self {
             LightSource::Point { position, falloff } => variant!(w, 0, position, falloff),
             LightSource::Directional { to_light: toward } => variant!(w, 1, toward),

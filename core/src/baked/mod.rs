@@ -1,7 +1,7 @@
 //! A baked scene: a scene and its accelerator in bytes, ready to be traced where they lie.
 //!
-//! A host bakes a scene once ([`Baking`]); a device keeps the bytes in flash and opens them
-//! ([`Pack::open`]). Nothing is copied and nothing is built: the tables of the scene are slices
+//! A host bakes a scene once ([`BakedSceneWriter`]); a device keeps the bytes in flash and opens them
+//! ([`BakedScene::open`]). Nothing is copied and nothing is built: the tables of the scene are slices
 //! of the bytes. Everything that a table says is checked before it is believed, so that no bytes
 //! whatever lead to a panic or to a read outside of them.
 //!
@@ -18,20 +18,20 @@ mod header;
 mod layout;
 mod write;
 
-pub use error::{PackError, PackPart};
-pub use write::Baking;
+pub use error::{BakedSceneError, BakedSection};
+pub use write::BakedSceneWriter;
 
 use crate::accel::{BareList, Bvh, BvhParts, Grid, GridParts, Octree, OctreeParts};
 use crate::geometry::Geometry;
 use crate::math::Real;
 use crate::scene::{Camera, CameraDescriptor, CameraError, Resolution, Scene, SceneDescriptor};
-use header::{Content, Header};
+use header::{BakedHeader, TableId};
 
 /// What a baked scene is to be walked by.
 #[derive(Clone, Copy, Debug)]
-pub enum Finder<'s> {
+pub enum BakedAccelerator<'s> {
     /// Every item in order.
-    Bare(BareList),
+    BareList(BareList),
     /// A uniform grid.
     Grid(Grid<'s, 0>),
     /// An octree.
@@ -43,63 +43,64 @@ pub enum Finder<'s> {
 /// A baked scene that has been checked.
 ///
 /// ```
-/// use strahl_core::baked::{Finder, Pack, PackError};
-/// use strahl_core::include_pack;
+/// use strahl_core::baked::{BakedScene, BakedSceneError};
+/// use strahl_core::include_baked_scene;
 ///
 /// # fn bytes() -> &'static [u8] { &[] }
-/// // In firmware: `let bytes = include_pack!("scene.strahl");`
+/// // In firmware: `let bytes = include_baked_scene!("scene.strahl");`
 /// let bytes = bytes();
-/// let Err(error) = Pack::open(bytes) else { panic!() };
-/// assert_eq!(error, PackError::TooShort { needed: Pack::HEADER, given: 0 });
+/// let Err(error) = BakedScene::open(bytes) else { panic!() };
+/// assert_eq!(error, BakedSceneError::TooShort { needed: BakedScene::MIN_SIZE_IN_BYTES, provided: 0 });
 /// ```
 #[derive(Clone, Copy, Debug)]
-pub struct Pack<'s> {
-    header: &'s Header,
+pub struct BakedScene<'s> {
+    header: &'s BakedHeader,
     bytes: &'s [u8],
     scene: Scene<'s>,
-    size: Resolution,
+    resolution: Resolution,
 }
 
-impl<'s> Pack<'s> {
+impl<'s> BakedScene<'s> {
     /// The version of the format that is written and read.
     pub const VERSION: u32 = header::VERSION;
 
     /// The fewest bytes that a baked scene has.
-    pub const HEADER: usize = size_of::<Header>();
+    pub const MIN_SIZE_IN_BYTES: usize = size_of::<BakedHeader>();
 
-    /// The scene in `bytes`, which must be aligned to 4 ([`include_pack!`](crate::include_pack!)).
+    /// The scene in `bytes`, which must be aligned to 4 ([`include_baked_scene!`](crate::include_baked_scene!)).
     ///
-    /// One pass over the bytes, no memory of its own. Errors: [`PackError`], for everything that
+    /// One pass over the bytes, no memory of its own. Errors: [`BakedSceneError`], for everything that
     /// these bytes are not.
-    pub fn open(bytes: &'s [u8]) -> Result<Self, PackError> {
-        let header = Header::of(bytes)?;
+    pub fn open(bytes: &'s [u8]) -> Result<Self, BakedSceneError> {
+        let header = BakedHeader::parse(bytes)?;
         let geometry = Geometry {
-            shapes: header.table(bytes, Content::Shapes)?,
-            vertices: header.table(bytes, Content::Points)?,
-            vertex_normals: header.table(bytes, Content::Normals)?,
-            planes: header.table(bytes, Content::Planes)?,
-            discs: header.table(bytes, Content::Discs)?,
-            polygons: header.table(bytes, Content::Polygons)?,
-            cuboids: header.table(bytes, Content::Cuboids)?,
-            oriented_cuboids: header.table(bytes, Content::TurnedCuboids)?,
-            cones: header.table(bytes, Content::Cones)?,
-            tori: header.table(bytes, Content::Tori)?,
-            moving_shapes: header.table(bytes, Content::Moving)?,
+            shapes: header.table(bytes, TableId::Shapes)?,
+            vertices: header.table(bytes, TableId::Vertices)?,
+            vertex_normals: header.table(bytes, TableId::VertexNormals)?,
+            planes: header.table(bytes, TableId::Planes)?,
+            discs: header.table(bytes, TableId::Discs)?,
+            polygons: header.table(bytes, TableId::Polygons)?,
+            cuboids: header.table(bytes, TableId::Cuboids)?,
+            oriented_cuboids: header.table(bytes, TableId::OrientedCuboids)?,
+            cones: header.table(bytes, TableId::Cones)?,
+            tori: header.table(bytes, TableId::Tori)?,
+            moving_shapes: header.table(bytes, TableId::Moving)?,
         };
         let parts = SceneDescriptor {
             geometry,
-            material_ids: header.table(bytes, Content::MadeOf)?,
-            materials: header.table(bytes, Content::Materials)?,
-            textures: header.table(bytes, Content::Textures)?,
-            lights: header.table(bytes, Content::Lights)?,
+            material_ids: header.table(bytes, TableId::MaterialIds)?,
+            materials: header.table(bytes, TableId::Materials)?,
+            textures: header.table(bytes, TableId::Textures)?,
+            lights: header.table(bytes, TableId::Lights)?,
             ambient: header.ambient,
             background: header.background,
             colored_shadows: header.colored_shadows != 0,
         };
-        let scene = Scene::new(parts).map_err(PackError::Scene)?;
-        let [width, height] = header.size;
-        let size = Resolution::new(width, height).ok_or(PackError::Part(PackPart::Size))?;
-        Ok(Pack { header, bytes, scene, size })
+        let scene = Scene::new(parts).map_err(BakedSceneError::Scene)?;
+        let [width, height] = header.resolution;
+        let size =
+            Resolution::new(width, height).ok_or(BakedSceneError::Section(BakedSection::Resolution))?;
+        Ok(BakedScene { header, bytes, scene, resolution: size })
     }
 
     /// The scene.
@@ -109,7 +110,7 @@ impl<'s> Pack<'s> {
 
     /// The size of the picture that it was baked for. A device may take another.
     pub const fn size(&self) -> Resolution {
-        self.size
+        self.resolution
     }
 
     /// The levels of rays that it was baked with.
@@ -124,76 +125,77 @@ impl<'s> Pack<'s> {
     }
 
     /// How the scene is looked at.
-    pub const fn view(&self) -> &'s CameraDescriptor {
-        &self.header.view
+    pub const fn camera_descriptor(&self) -> &'s CameraDescriptor {
+        &self.header.camera
     }
 
     /// The camera of a picture of `size`.
     pub fn camera(&self, size: Resolution) -> Result<Camera, CameraError> {
-        Camera::new(self.view(), size)
+        Camera::new(self.camera_descriptor(), size)
     }
 
     /// How many items there are.
-    fn count(&self) -> u32 {
+    fn item_count(&self) -> u32 {
         self.scene.descriptor().geometry.shapes.len() as u32
     }
 
     /// Every item in order: an accelerator that needs nothing.
-    pub fn bare(&self) -> BareList {
-        BareList(self.count())
+    pub fn bare_list(&self) -> BareList {
+        BareList(self.item_count())
     }
 
-    /// The grid, checked here; [`PackPart::Finder`] is in error when there is none.
-    pub fn grid<const MAILBOX: usize>(&self) -> Result<Grid<'s, MAILBOX>, PackError> {
+    /// The grid, checked here; [`BakedSection::Accelerator`] is in error when there is none.
+    pub fn grid<const MAILBOX: usize>(&self) -> Result<Grid<'s, MAILBOX>, BakedSceneError> {
         let (header, bytes) = (self.header, self.bytes);
-        header.must_have(header::GRID)?;
-        let cell_starts = header.table(bytes, Content::Nodes)?;
-        let entries = header.table(bytes, Content::Items)?;
+        header.expect_accelerator(header::GRID)?;
+        let cell_starts = header.table(bytes, TableId::Nodes)?;
+        let entries = header.table(bytes, TableId::Entries)?;
         let (bounds, resolution) = (header.bounds, header.cells);
         let parts = GridParts { bounds, resolution, cell_starts, entries };
-        Grid::from_parts(parts, self.count()).ok_or(PackError::Part(PackPart::Finder))
+        Grid::from_parts(parts, self.item_count()).ok_or(BakedSceneError::Section(BakedSection::Accelerator))
     }
 
-    /// The octree, checked here; [`PackPart::Finder`] is in error when there is none.
-    pub fn octree<const MAILBOX: usize>(&self) -> Result<Octree<'s, MAILBOX>, PackError> {
+    /// The octree, checked here; [`BakedSection::Accelerator`] is in error when there is none.
+    pub fn octree<const MAILBOX: usize>(&self) -> Result<Octree<'s, MAILBOX>, BakedSceneError> {
         let (header, bytes) = (self.header, self.bytes);
-        header.must_have(header::OCTREE)?;
-        let nodes = header.table(bytes, Content::Nodes)?;
-        let entries = header.table(bytes, Content::Items)?;
+        header.expect_accelerator(header::OCTREE)?;
+        let nodes = header.table(bytes, TableId::Nodes)?;
+        let entries = header.table(bytes, TableId::Entries)?;
         let parts = OctreeParts { bounds: header.bounds, nodes, entries };
-        Octree::from_parts(parts, self.count()).ok_or(PackError::Part(PackPart::Finder))
+        Octree::from_parts(parts, self.item_count())
+            .ok_or(BakedSceneError::Section(BakedSection::Accelerator))
     }
 
-    /// The hierarchy, checked here, for walks whose parts wait in a `W`; [`PackPart::Finder`] is
+    /// The hierarchy, checked here, for walks whose parts wait in a `W`; [`BakedSection::Accelerator`] is
     /// in error when there is none.
-    pub fn bvh<W>(&self) -> Result<Bvh<'s, W>, PackError> {
+    pub fn bvh<W>(&self) -> Result<Bvh<'s, W>, BakedSceneError> {
         let (header, bytes) = (self.header, self.bytes);
-        header.must_have(header::BVH)?;
-        let nodes = header.table(bytes, Content::Nodes)?;
-        let entries = header.table(bytes, Content::Items)?;
+        header.expect_accelerator(header::BVH)?;
+        let nodes = header.table(bytes, TableId::Nodes)?;
+        let entries = header.table(bytes, TableId::Entries)?;
         let parts = BvhParts { nodes, entries, depth: header.depth };
-        Bvh::from_parts(parts, self.count()).ok_or(PackError::Part(PackPart::Finder))
+        Bvh::from_parts(parts, self.item_count()).ok_or(BakedSceneError::Section(BakedSection::Accelerator))
     }
 
     /// Whatever it was baked with. A device that knows asks for that, and carries no code for the
     /// others.
-    pub fn finder(&self) -> Result<Finder<'s>, PackError> {
-        Ok(match self.header.finder {
-            header::BARE => Finder::Bare(self.bare()),
-            header::GRID => Finder::Grid(self.grid()?),
-            header::OCTREE => Finder::Octree(self.octree()?),
-            _ => Finder::Bvh(self.bvh()?),
+    pub fn accelerator(&self) -> Result<BakedAccelerator<'s>, BakedSceneError> {
+        Ok(match self.header.accelerator {
+            header::BARE => BakedAccelerator::BareList(self.bare_list()),
+            header::GRID => BakedAccelerator::Grid(self.grid()?),
+            header::OCTREE => BakedAccelerator::Octree(self.octree()?),
+            _ => BakedAccelerator::Bvh(self.bvh()?),
         })
     }
 }
 
-/// The bytes of a file, as [`include_bytes!`] has them, aligned for [`Pack::open`].
+/// The bytes of a file, as [`include_bytes!`] has them, aligned for [`BakedScene::open`].
 ///
 /// ```ignore
-/// static SCENE: &[u8] = strahl_core::include_pack!("scene.strahl");
+/// static SCENE: &[u8] = strahl_core::include_baked_scene!("scene.strahl");
 /// ```
 #[macro_export]
-macro_rules! include_pack {
+macro_rules! include_baked_scene {
     ($path:expr $(,)?) => {{
         #[repr(C, align(4))]
         struct Aligned<Bytes: ?Sized>(Bytes);

@@ -1,44 +1,44 @@
 //! Writing a baked scene: for hosts.
 
-use super::header::{BARE, BVH, Checksum, Content, GRID, Header, MAGIC, OCTREE, TABLES, UNCHECKED};
-use super::layout::{Put, Writer};
-use super::{Finder, Pack};
+use super::header::{BARE, BVH, BakedHeader, CHECKSUM_BEGIN, Fnv1a, GRID, MAGIC, OCTREE, TABLES, TableId};
+use super::layout::{LayoutWriter, WriteLayout};
+use super::{BakedAccelerator, BakedScene};
 use crate::geometry::Aabb;
 use crate::math::Real;
 use crate::scene::{CameraDescriptor, Resolution, Scene};
 
 /// What is to be baked.
 #[derive(Clone, Copy, Debug)]
-pub struct Baking<'b> {
+pub struct BakedSceneWriter<'b> {
     /// The scene.
     pub scene: Scene<'b>,
     /// How it is looked at.
-    pub view: CameraDescriptor,
+    pub camera: CameraDescriptor,
     /// The size of the picture.
-    pub size: Resolution,
+    pub resolution: Resolution,
     /// Levels of rays.
     pub levels: u8,
     /// A ray is sent when more than this of it counts.
     pub cutoff: Real,
     /// What the scene is to be walked by.
-    pub finder: Finder<'b>,
+    pub accelerator: BakedAccelerator<'b>,
 }
 
-impl Baking<'_> {
+impl BakedSceneWriter<'_> {
     /// How many bytes it will take; none when they are more than the format can count.
-    pub fn bytes(&self) -> Option<u32> {
+    pub fn size_in_bytes(&self) -> Option<u32> {
         self.tables().map(|(_, end)| end)
     }
 
     /// Hands the bytes of the baked scene to `take`, piece by piece; false when they are more than
     /// the format can count, and then none is handed over.
-    pub fn pour(&self, mut take: impl FnMut(&[u8])) -> bool {
+    pub fn write_to(&self, mut take: impl FnMut(&[u8])) -> bool {
         let Some((tables, bytes)) = self.tables() else { return false };
         // Once for the checksum, once in earnest.
-        let mut checksum = Checksum::EMPTY;
+        let mut checksum = Fnv1a::EMPTY;
         self.write_all(&tables, bytes, 0, &mut |piece, written| {
-            if written >= UNCHECKED {
-                checksum = checksum.and(piece);
+            if written >= CHECKSUM_BEGIN {
+                checksum = checksum.update(piece);
             }
         });
         self.write_all(&tables, bytes, checksum.0, &mut |piece, _| take(piece));
@@ -48,9 +48,9 @@ impl Baking<'_> {
     /// Where each table begins and how many entries it has; and where the last one ends.
     fn tables(&self) -> Option<([[u32; 2]; TABLES], u32)> {
         let mut tables = [[0; 2]; TABLES];
-        let mut end = size_of::<Header>();
+        let mut end = size_of::<BakedHeader>();
         let mut place = tables.iter_mut();
-        self.each_table(&mut |count, size| {
+        self.for_each_table(&mut |count, size| {
             if let Some(table) = place.next() {
                 *table = [u32::try_from(end).unwrap_or(u32::MAX), u32::try_from(count).unwrap_or(u32::MAX)];
             }
@@ -60,9 +60,9 @@ impl Baking<'_> {
         Some((tables, end))
     }
 
-    fn each_table(&self, see: &mut dyn FnMut(usize, usize)) {
+    fn for_each_table(&self, see: &mut dyn FnMut(usize, usize)) {
         let mut silent = |_: &[u8], _: usize| ();
-        let mut writer = Writer { take: &mut silent, written: 0, see: Some(see) };
+        let mut writer = LayoutWriter { output: &mut silent, written: 0, measure: Some(see) };
         self.write_tables(&mut writer);
     }
 
@@ -73,37 +73,37 @@ impl Baking<'_> {
         checksum: u32,
         take: &mut dyn FnMut(&[u8], usize),
     ) {
-        let mut writer = Writer { take, written: 0, see: None };
+        let mut writer = LayoutWriter { output: take, written: 0, measure: None };
         let w = &mut writer;
-        [MAGIC, Pack::VERSION, bytes, checksum].whole(w);
-        let Self { scene, view, size, levels, cutoff, finder } = self;
-        [size.width(), size.height(), u32::from(*levels)].whole(w);
-        cutoff.whole(w);
-        view.whole(w);
-        scene.descriptor().ambient.whole(w);
-        scene.descriptor().background.whole(w);
-        u32::from(scene.descriptor().colored_shadows).whole(w);
+        [MAGIC, BakedScene::VERSION, bytes, checksum].write_padded(w);
+        let Self { scene, camera: view, resolution: size, levels, cutoff, accelerator: finder } = self;
+        [size.width(), size.height(), u32::from(*levels)].write_padded(w);
+        cutoff.write_padded(w);
+        view.write_padded(w);
+        scene.descriptor().ambient.write_padded(w);
+        scene.descriptor().background.write_padded(w);
+        u32::from(scene.descriptor().colored_shadows).write_padded(w);
         let nothing = (Aabb::ORIGIN, [0; 3], 0);
         let (kind, (bounds, cells, depth)) = match finder {
-            Finder::Bare(_) => (BARE, nothing),
-            Finder::Grid(grid) => (GRID, (grid.parts().bounds, grid.parts().resolution, 0)),
-            Finder::Octree(octree) => (OCTREE, (octree.parts().bounds, [0; 3], 0)),
-            Finder::Bvh(bvh) => (BVH, (Aabb::ORIGIN, [0; 3], bvh.parts().depth)),
+            BakedAccelerator::BareList(_) => (BARE, nothing),
+            BakedAccelerator::Grid(grid) => (GRID, (grid.parts().bounds, grid.parts().resolution, 0)),
+            BakedAccelerator::Octree(octree) => (OCTREE, (octree.parts().bounds, [0; 3], 0)),
+            BakedAccelerator::Bvh(bvh) => (BVH, (Aabb::ORIGIN, [0; 3], bvh.parts().depth)),
         };
-        kind.whole(w);
-        bounds.whole(w);
-        cells.whole(w);
-        depth.whole(w);
-        tables.whole(w);
-        debug_assert!(w.written == size_of::<Header>(), "the header has another layout than is written");
+        kind.write_padded(w);
+        bounds.write_padded(w);
+        cells.write_padded(w);
+        depth.write_padded(w);
+        tables.write_padded(w);
+        debug_assert!(w.written == size_of::<BakedHeader>(), "the header has another layout than is written");
         self.write_tables(w);
     }
 
     /// In the order of [`Content`].
-    fn write_tables(&self, w: &mut Writer<'_>) {
+    fn write_tables(&self, w: &mut LayoutWriter<'_>) {
         let parts = self.scene.descriptor();
         let geometry = &parts.geometry;
-        const _: () = assert!(Content::Moving as usize == 10 && Content::Items as usize == 16);
+        const _: () = assert!(TableId::Moving as usize == 10 && TableId::Entries as usize == 16);
         w.table(geometry.shapes);
         w.table(geometry.vertices);
         w.table(geometry.vertex_normals);
@@ -119,20 +119,20 @@ impl Baking<'_> {
         w.table(parts.materials);
         w.table(parts.textures);
         w.table(parts.lights);
-        match &self.finder {
-            Finder::Bare(_) => {
+        match &self.accelerator {
+            BakedAccelerator::BareList(_) => {
                 w.table::<u32>(&[]);
                 w.table::<u32>(&[]);
             }
-            Finder::Grid(grid) => {
+            BakedAccelerator::Grid(grid) => {
                 w.table(grid.parts().cell_starts);
                 w.table(grid.parts().entries);
             }
-            Finder::Octree(octree) => {
+            BakedAccelerator::Octree(octree) => {
                 w.table(octree.parts().nodes);
                 w.table(octree.parts().entries);
             }
-            Finder::Bvh(bvh) => {
+            BakedAccelerator::Bvh(bvh) => {
                 w.table(bvh.parts().nodes);
                 w.table(bvh.parts().entries);
             }

@@ -6,11 +6,11 @@
 //! follow from that place alone. So neighbours share corners, and whether one is traced once or
 //! twice changes nothing but the time.
 
-use super::agreement::Agreement;
-use super::corners::Corners;
-use super::kept::{Kept, Memory};
+use super::contrast::ContrastThreshold;
+use super::corner_cache::CornerCache;
 use super::pixel::Pixel;
-use super::quarter::{MOST_DEPTH, Square, quarter};
+use super::quadtree::{MAX_DEPTH, Square, subdivide};
+use super::sample_cache::{CacheEntry, SampleCache};
 use super::sampler::Sampler;
 use crate::math::{Real, Rgb, SobolSequence};
 use crate::scene::{CameraSample, FilmPoint};
@@ -18,69 +18,69 @@ use crate::trace::{PixelSample, RayTracer};
 
 /// How a pixel is parted.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Parting {
+pub struct Subdivision {
     depth: u8,
-    agreement: Agreement,
+    threshold: ContrastThreshold,
     seed: u32,
 }
 
-impl Parting {
+impl Subdivision {
     /// How often a pixel can be quartered, at most.
-    pub const MOST_DEPTH: u8 = MOST_DEPTH;
+    pub const MAX_DEPTH: u8 = MAX_DEPTH;
 
     /// Quartered up to `depth` times, where corners do not agree; none when that is more than
     /// [`Parting::MOST_DEPTH`].
-    pub fn new(depth: u8, agreement: Agreement) -> Option<Self> {
-        (depth <= MOST_DEPTH).then_some(Parting { depth, agreement, seed: 0 })
+    pub fn new(depth: u8, agreement: ContrastThreshold) -> Option<Self> {
+        (depth <= MAX_DEPTH).then_some(Subdivision { depth, threshold: agreement, seed: 0 })
     }
 
     /// The same in the picture with this seed: what rays leave to chance changes.
-    pub fn seeded(self, seed: u32) -> Self {
-        Parting { seed, ..self }
+    pub fn with_seed(self, seed: u32) -> Self {
+        Subdivision { seed, ..self }
     }
 
     /// The ray through the place that lies `x` and `y` of the finest steps from the picture's
     /// corner.
     fn sample(&self, x: u32, y: u32) -> CameraSample {
         let step = 1.0 / (1_u32 << self.depth) as Real;
-        let place = FilmPoint { x: x as Real * step, y: y as Real * step };
+        let top_left = FilmPoint { x: x as Real * step, y: y as Real * step };
         // In the steps of the greatest depth, so that the numbers do not depend on this one.
-        let shift = MOST_DEPTH - self.depth;
-        CameraSample { point: place, sequence: SobolSequence::new(x << shift, y << shift, 0, self.seed) }
+        let shift = MAX_DEPTH - self.depth;
+        CameraSample { point: top_left, sequence: SobolSequence::new(x << shift, y << shift, 0, self.seed) }
     }
 }
 
 /// One ray through the upper left corner of each pixel: what fills a
 /// [`Lattice`](super::Lattice) for [`Adaptive`].
 #[derive(Clone, Copy, Debug)]
-pub struct Corner(pub Parting);
+pub struct CornerSampler(pub Subdivision);
 
-impl Sampler for Corner {
+impl Sampler for CornerSampler {
     fn sample_pixel<R: RayTracer + ?Sized>(&mut self, pixel: Pixel, tracer: &mut R) -> PixelSample {
-        let Corner(parting) = self;
+        let CornerSampler(parting) = self;
         tracer.trace(parting.sample(pixel.x << parting.depth, pixel.y << parting.depth))
     }
 }
 
 /// Rays through the corners of pixels and of their quarters.
 #[derive(Debug)]
-pub struct Adaptive<'m, C> {
-    parting: Parting,
-    corners: C,
-    memory: Memory<'m>,
+pub struct AdaptiveSampler<'m, C> {
+    subdivision: Subdivision,
+    corner_cache: C,
+    sample_cache: SampleCache<'m>,
 }
 
-impl<'m, C: Corners> Adaptive<'m, C> {
+impl<'m, C: CornerCache> AdaptiveSampler<'m, C> {
     /// `corners` knows those of whole pixels. The others are kept in `lent`, of any length: the
     /// more, the fewer are traced again.
-    pub fn new(parting: Parting, corners: C, lent: &'m mut [Kept]) -> Self {
-        Adaptive { parting, corners, memory: Memory::new(lent) }
+    pub fn new(parting: Subdivision, corners: C, lent: &'m mut [CacheEntry]) -> Self {
+        AdaptiveSampler { subdivision: parting, corner_cache: corners, sample_cache: SampleCache::new(lent) }
     }
 }
 
 /// A square part of a pixel. The mean of its corners counts in the pixel as much as its area.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Part {
+pub struct Subpixel {
     /// Its upper left corner.
     pub place: FilmPoint,
     /// The length of its sides, in pixels.
@@ -89,49 +89,49 @@ pub struct Part {
     pub corners: [PixelSample; 4],
 }
 
-impl<C: Corners> Adaptive<'_, C> {
+impl<C: CornerCache> AdaptiveSampler<'_, C> {
     /// Samples `pixel` and passes each of its parts to `part_done`: the colour is the sum of
     /// `mean * side^2`, in this order, where `mean` is `((a + b) + (c + d)) / 4` of the corners.
-    pub fn sample_by_parts(
+    pub fn sample_subpixels(
         &mut self,
         pixel: Pixel,
         tracer: &mut (impl RayTracer + ?Sized),
-        part_done: &mut impl FnMut(Part),
+        part_done: &mut impl FnMut(Subpixel),
     ) -> PixelSample {
-        let Adaptive { parting, corners, memory } = self;
+        let AdaptiveSampler { subdivision: parting, corner_cache: corners, sample_cache: memory } = self;
         let depth = parting.depth;
-        let mut find = |x, y| memory.find(x, y, || tracer.trace(parting.sample(x, y)));
+        let mut find = |x, y| memory.get_or_trace(x, y, || tracer.trace(parting.sample(x, y)));
         let corners = corners.corners(pixel, &mut |corner| find(corner.x << depth, corner.y << depth));
         let whole = Square { x: pixel.x << depth, y: pixel.y << depth, side: 1 << depth, corners };
 
         let (mut sum, mut hit) = (Rgb::BLACK, whole.hit());
         let steps = whole.side as Real;
-        quarter(whole, &parting.agreement, 1, &mut find, &mut |part| {
+        subdivide(whole, &parting.threshold, 1, &mut find, &mut |part| {
             let side = part.side as Real / steps;
             sum += part.mean() * (side * side);
             hit = hit.merged(part.hit());
             let place = FilmPoint { x: part.x as Real / steps, y: part.y as Real / steps };
-            part_done(Part { place, side, corners: part.corners });
+            part_done(Subpixel { place, side, corners: part.corners });
         });
         PixelSample { color: sum, hit }
     }
 }
 
-impl<C: Corners> Sampler for Adaptive<'_, C> {
+impl<C: CornerCache> Sampler for AdaptiveSampler<'_, C> {
     fn sample_pixel<R: RayTracer + ?Sized>(&mut self, pixel: Pixel, tracer: &mut R) -> PixelSample {
-        self.sample_by_parts(pixel, tracer, &mut |_| {})
+        self.sample_subpixels(pixel, tracer, &mut |_| {})
     }
 
-    fn begin(&mut self) {
-        self.corners.begin();
-        self.memory.forget();
+    fn reset(&mut self) {
+        self.corner_cache.reset();
+        self.sample_cache.clear();
     }
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::image::{CornerRow, Lattice, Loose, Tile};
+    use crate::image::{CornerGrid, CornerRow, Tile, Uncached};
     use crate::trace::HitId;
 
     /// Half of the plane is white: what lies above a slanted line.
@@ -140,17 +140,17 @@ mod tests {
         PixelSample { color: if inside { Rgb::WHITE } else { Rgb::BLACK }, hit: HitId::Nothing }
     }
 
-    fn parting(depth: u8, threshold: Real) -> Parting {
-        Parting::new(depth, Agreement::of_colors(threshold).unwrap()).unwrap()
+    fn parting(depth: u8, threshold: Real) -> Subdivision {
+        Subdivision::new(depth, ContrastThreshold::new(threshold).unwrap()).unwrap()
     }
 
-    const CELLS: Tile = Tile { first: Pixel { x: 1, y: 0 }, width: 5, height: 6 };
+    const CELLS: Tile = Tile { top_left: Pixel { x: 1, y: 0 }, width: 5, height: 6 };
 
     #[test]
     fn corners_and_memory_of_any_size_give_the_same_pixels() {
         let parting = parting(4, 0.1);
-        let mut nothing = [Kept::NOTHING; 0];
-        let mut bare = Adaptive::new(parting, Loose, &mut nothing);
+        let mut nothing = [CacheEntry::EMPTY; 0];
+        let mut bare = AdaptiveSampler::new(parting, Uncached, &mut nothing);
         let mut truth = [PixelSample::BLACK; 30];
         let mut most = 0;
         for (slot, pixel) in truth.iter_mut().zip(CELLS.pixels()) {
@@ -161,17 +161,18 @@ mod tests {
         }
 
         let mut lattice = [PixelSample::BLACK; 42];
-        for (slot, corner) in lattice.iter_mut().zip(Lattice::tile(CELLS).pixels()) {
-            *slot = Corner(parting).sample_pixel(corner, &mut half);
+        for (slot, corner) in lattice.iter_mut().zip(CornerGrid::corner_tile(CELLS).pixels()) {
+            *slot = CornerSampler(parting).sample_pixel(corner, &mut half);
         }
         let mut rays = 42;
         for slots in [1, 1000] {
-            let mut lent = [Kept::NOTHING; 1000];
-            let mut lent_too = [Kept::NOTHING; 1000];
+            let mut lent = [CacheEntry::EMPTY; 1000];
+            let mut lent_too = [CacheEntry::EMPTY; 1000];
             let mut row = [PixelSample::BLACK; 6];
             let mut with_lattice =
-                Adaptive::new(parting, Lattice::new(CELLS, &lattice).unwrap(), &mut lent[..slots]);
-            let mut with_row = Adaptive::new(parting, CornerRow::new(&mut row), &mut lent_too[..slots]);
+                AdaptiveSampler::new(parting, CornerGrid::new(CELLS, &lattice).unwrap(), &mut lent[..slots]);
+            let mut with_row =
+                AdaptiveSampler::new(parting, CornerRow::new(&mut row), &mut lent_too[..slots]);
             for (truth, pixel) in truth.iter().zip(CELLS.pixels()) {
                 let seen = with_lattice.sample_pixel(pixel, &mut |sample: CameraSample| {
                     rays += i32::from(slots == 1000);
@@ -187,11 +188,12 @@ mod tests {
     #[test]
     fn a_pixel_on_an_edge_is_covered_as_much_as_it_is() {
         // The line crosses the pixel (1, 2) from (1, 2.67) to (1.892, 3).
-        let mut lent = [Kept::NOTHING; 300];
+        let mut lent = [CacheEntry::EMPTY; 300];
         let pixel = Pixel { x: 1, y: 2 };
         let dark = 0.33 * 0.892 / 2.0;
         for (depth, tolerance) in [(2, 0.1), (4, 0.02), (6, 0.005)] {
-            let seen = Adaptive::new(parting(depth, 0.1), Loose, &mut lent).sample_pixel(pixel, &mut half);
+            let seen =
+                AdaptiveSampler::new(parting(depth, 0.1), Uncached, &mut lent).sample_pixel(pixel, &mut half);
             assert!((seen.color.r - (1.0 - dark)).abs() < tolerance, "{depth}: {}", seen.color.r);
         }
     }
@@ -200,10 +202,10 @@ mod tests {
     fn the_parts_of_a_pixel_cover_it_and_make_its_colour() {
         let pixel = Pixel { x: 1, y: 2 };
         let (mut sum, mut area, mut count) = (Rgb::BLACK, 0.0, 0);
-        let seen = Adaptive::new(parting(4, 0.1), Loose, &mut []).sample_by_parts(
+        let seen = AdaptiveSampler::new(parting(4, 0.1), Uncached, &mut []).sample_subpixels(
             pixel,
             &mut half,
-            &mut |Part { place, side, corners: [a, b, c, d] }| {
+            &mut |Subpixel { place, side, corners: [a, b, c, d] }| {
                 assert!(place.x >= 1.0 && place.x + side <= 2.0 && place.y >= 2.0 && place.y + side <= 3.0);
                 let mean = ((a.color + b.color) + (c.color + d.color)) * 0.25;
                 sum += mean * (side * side);
@@ -218,7 +220,7 @@ mod tests {
     #[test]
     fn at_depth_zero_a_pixel_is_the_mean_of_its_corners() {
         let mut rays = 0;
-        let seen = Adaptive::new(parting(0, 0.0), Loose, &mut []).sample_pixel(
+        let seen = AdaptiveSampler::new(parting(0, 0.0), Uncached, &mut []).sample_pixel(
             Pixel { x: 3, y: 5 },
             &mut |sample: CameraSample| {
                 rays += 1;
@@ -226,7 +228,7 @@ mod tests {
             },
         );
         assert_eq!((rays, seen.color), (4, Rgb::new(3.5, 5.5, 1.0)));
-        assert!(Parting::new(Parting::MOST_DEPTH + 1, Agreement::of_colors(0.0).unwrap()).is_none());
+        assert!(Subdivision::new(Subdivision::MAX_DEPTH + 1, ContrastThreshold::new(0.0).unwrap()).is_none());
     }
 
     #[test]
@@ -237,8 +239,8 @@ mod tests {
         };
         let rays = |agreement| {
             let mut rays = 0;
-            let parting = Parting::new(3, agreement).unwrap();
-            Adaptive::new(parting, Loose, &mut []).sample_pixel(
+            let parting = Subdivision::new(3, agreement).unwrap();
+            AdaptiveSampler::new(parting, Uncached, &mut []).sample_pixel(
                 Pixel { x: 0, y: 0 },
                 &mut |sample: CameraSample| {
                     rays += 1;
@@ -247,8 +249,8 @@ mod tests {
             );
             rays
         };
-        let colors = Agreement::of_colors(0.0).unwrap();
+        let colors = ContrastThreshold::new(0.0).unwrap();
         assert_eq!(rays(colors), 4);
-        assert!(rays(colors.and_items()) > 20);
+        assert!(rays(colors.with_items()) > 20);
     }
 }

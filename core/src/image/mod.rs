@@ -1,21 +1,25 @@
-//! Pictures: which rays make a pixel, and where pixels go.
+//! Pictures: samplers choose the camera rays of each pixel, sinks receive the finished pixels.
+//!
+//! A [`Sampler`] combines the samples of one pixel: [`CenterSampler`], [`RegularSampler`], [`StochasticSampler`] or
+//! [`AdaptiveSampler`]. A [`PixelSelector`] traces some pixels and interpolates the others. A [`Sink`] receives pixels, such
+//! as a [`Framebuffer`].
 
 mod adaptive;
-mod agreement;
-mod corners;
+mod center;
+mod contrast;
+mod corner_cache;
 #[cfg(feature = "display")]
-mod display;
+mod draw_target;
 #[cfg(not(feature = "double"))]
 mod filter;
 mod filter_sample;
-mod kept;
 #[cfg(not(feature = "double"))]
 mod pixel;
-mod quarter;
+mod quadtree;
 mod regular;
+mod sample_cache;
 mod sampler;
 mod selected;
-mod single;
 mod sink;
 mod stochastic;
 
@@ -23,17 +27,17 @@ mod stochastic;
 #[cfg(feature = "double")]
 use strahl_core::image::{self as filter, self as pixel};
 
-pub use adaptive::{Adaptive, Corner, Part, Parting};
-pub use agreement::Agreement;
-pub use corners::{CornerRow, Corners, Every, Lattice, Loose};
+pub use adaptive::{AdaptiveSampler, CornerSampler, Subdivision, Subpixel};
+pub use center::CenterSampler;
+pub use contrast::ContrastThreshold;
+pub use corner_cache::{CornerCache, CornerGrid, CornerRow, StridedSampler, Uncached};
 #[cfg(feature = "display")]
-pub use display::{Display, Dither, Steps};
+pub use draw_target::{Dither, DrawTargetSink, FromChannels};
 pub use filter::Filter;
-pub use kept::Kept;
 pub use pixel::{Pixel, Tile};
-pub use regular::Regular;
+pub use regular::RegularSampler;
+pub use sample_cache::CacheEntry;
 pub use sampler::Sampler;
-pub use selected::{Selected, Selection};
-pub use single::Single;
-pub use sink::{Frame, Record, Sink};
-pub use stochastic::{Confidence, Gathered, Stochastic};
+pub use selected::{PixelSelector, Selection};
+pub use sink::{Framebuffer, FramebufferPixel, Sink};
+pub use stochastic::{Confidence, PixelEstimate, StochasticSampler};

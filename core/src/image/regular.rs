@@ -3,65 +3,65 @@
 use super::filter::Filter;
 use super::filter_sample::filtered;
 use super::pixel::Pixel;
-use super::sampler::{Mean, Sampler, inside, stream};
+use super::sampler::{SampleMean, Sampler, film_point, sequence};
 use crate::math::Real;
 use crate::scene::CameraSample;
 use crate::trace::{PixelSample, RayTracer};
 
 /// Rays through the middles of `n` times `n` equal cells; the mean of what they see.
 #[derive(Clone, Copy, Debug)]
-pub struct Regular {
-    n: u16,
+pub struct RegularSampler {
+    cells: u16,
     filter: Filter,
     seed: u32,
 }
 
-impl Regular {
+impl RegularSampler {
     /// One ray through the middle.
-    pub const ONE: Regular = Regular { n: 1, filter: Filter::Box, seed: 0 };
+    pub const CENTER: RegularSampler = RegularSampler { cells: 1, filter: Filter::Box, seed: 0 };
     /// The most cells along one side.
-    pub const MOST: u16 = 256;
+    pub const MAX_CELLS: u16 = 256;
 
     /// `n` times `n` rays; none when `n` is 0 or more than [`Regular::MOST`].
     pub fn new(n: u16) -> Option<Self> {
-        (n >= 1 && n <= Self::MOST).then_some(Regular { n, ..Self::ONE })
+        (n >= 1 && n <= Self::MAX_CELLS).then_some(RegularSampler { cells: n, ..Self::CENTER })
     }
 
     /// The same with this filter, which spreads the cells over its surroundings.
-    pub fn filtered(self, filter: Filter) -> Self {
-        Regular { filter, ..self }
+    pub fn with_filter(self, filter: Filter) -> Self {
+        RegularSampler { filter, ..self }
     }
 
     /// The same in the picture with this seed: what rays leave to chance changes.
-    pub fn seeded(self, seed: u32) -> Self {
-        Regular { seed, ..self }
+    pub fn with_seed(self, seed: u32) -> Self {
+        RegularSampler { seed, ..self }
     }
 }
 
-impl Sampler for Regular {
+impl Sampler for RegularSampler {
     fn sample_pixel<R: RayTracer + ?Sized>(&mut self, pixel: Pixel, tracer: &mut R) -> PixelSample {
-        let n = Real::from(self.n);
+        let n = Real::from(self.cells);
         let middle = |cell: u16| (Real::from(cell) + 0.5) / n;
-        let mut mean = Mean::NONE;
+        let mut mean = SampleMean::EMPTY;
         let mut index = 0;
-        for y in 0..self.n {
-            for x in 0..self.n {
+        for y in 0..self.cells {
+            for x in 0..self.cells {
                 let [x, y] = filtered(self.filter, [middle(x), middle(y)]);
                 mean.add(tracer.trace(CameraSample {
-                    point: inside(pixel, x, y),
-                    sequence: stream(pixel, index, self.seed),
+                    point: film_point(pixel, x, y),
+                    sequence: sequence(pixel, index, self.seed),
                 }));
                 index += 1;
             }
         }
-        mean.sample()
+        mean.to_sample()
     }
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::image::Single;
+    use crate::image::CenterSampler;
     use crate::math::Rgb;
     use crate::trace::HitId;
 
@@ -69,11 +69,11 @@ mod tests {
     fn one_cell_is_the_middle_of_the_pixel() {
         let pixel = Pixel { x: 3, y: 2 };
         let mut samples = [None; 2];
-        Single.sample_pixel(pixel, &mut |sample: CameraSample| {
+        CenterSampler.sample_pixel(pixel, &mut |sample: CameraSample| {
             samples[0] = Some(sample);
             PixelSample::BLACK
         });
-        Regular::new(1).unwrap().sample_pixel(pixel, &mut |sample: CameraSample| {
+        RegularSampler::new(1).unwrap().sample_pixel(pixel, &mut |sample: CameraSample| {
             samples[1] = Some(sample);
             PixelSample::BLACK
         });
@@ -86,7 +86,7 @@ mod tests {
     fn the_cells_have_the_mean_of_a_slope() {
         for filter in [Filter::Box, Filter::Tent] {
             let mut rays = 0;
-            let mean = Regular::new(4).unwrap().filtered(filter).sample_pixel(
+            let mean = RegularSampler::new(4).unwrap().with_filter(filter).sample_pixel(
                 Pixel { x: 0, y: 0 },
                 &mut |sample: CameraSample| {
                     rays += 1;
@@ -95,6 +95,6 @@ mod tests {
             );
             assert_eq!((rays, mean.color), (16, Rgb::new(0.5, 0.5, 1.0)));
         }
-        assert!(Regular::new(0).is_none() && Regular::new(257).is_none());
+        assert!(RegularSampler::new(0).is_none() && RegularSampler::new(257).is_none());
     }
 }

@@ -11,7 +11,7 @@ pub trait Sampler {
     fn sample_pixel<R: RayTracer + ?Sized>(&mut self, pixel: Pixel, tracer: &mut R) -> PixelSample;
 
     /// A new picture begins: what was kept of another is forgotten.
-    fn begin(&mut self) {}
+    fn reset(&mut self) {}
 }
 
 /// A sampler that somebody else goes on using.
@@ -20,31 +20,31 @@ impl<S: Sampler> Sampler for &mut S {
         S::sample_pixel(self, pixel, tracer)
     }
 
-    fn begin(&mut self) {
-        S::begin(self);
+    fn reset(&mut self) {
+        S::reset(self);
     }
 }
 
 /// The place `(x, y)` inside a pixel, from its upper left corner; both in `0..=1`.
-pub(super) fn inside(pixel: Pixel, x: Real, y: Real) -> FilmPoint {
+pub(super) fn film_point(pixel: Pixel, x: Real, y: Real) -> FilmPoint {
     FilmPoint { x: pixel.x as Real + x, y: pixel.y as Real + y }
 }
 
 /// The numbers of the sample `index` of a pixel.
-pub(super) fn stream(pixel: Pixel, index: u32, seed: u32) -> SobolSequence {
+pub(super) fn sequence(pixel: Pixel, index: u32, seed: u32) -> SobolSequence {
     SobolSequence::new(pixel.x, pixel.y, index, seed)
 }
 
 /// The mean of some samples, as they come.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Mean {
+pub(super) struct SampleMean {
     sum: Rgb,
     hit: Option<HitId>,
     pub(super) count: u32,
 }
 
-impl Mean {
-    pub(super) const NONE: Mean = Mean { sum: Rgb::BLACK, hit: None, count: 0 };
+impl SampleMean {
+    pub(super) const EMPTY: SampleMean = SampleMean { sum: Rgb::BLACK, hit: None, count: 0 };
 
     pub(super) fn add(&mut self, sample: PixelSample) {
         self.sum += sample.color;
@@ -53,7 +53,7 @@ impl Mean {
     }
 
     /// Of nothing: darkness.
-    pub(super) fn sample(&self) -> PixelSample {
+    pub(super) fn to_sample(&self) -> PixelSample {
         let share = if self.count > 0 { 1.0 / self.count as Real } else { 0.0 };
         PixelSample { color: self.sum * share, hit: self.hit.unwrap_or(HitId::Nothing) }
     }

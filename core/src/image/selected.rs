@@ -11,11 +11,11 @@
 //! blocks, then quarters of those that do not agree, and so on ([`Selected::refine_block`]). It takes no
 //! memory for the picture, and puts no pixel anew that has not changed.
 
-use super::agreement::Agreement;
-use super::corners::{Corners, Every};
-use super::kept::{Kept, Memory};
+use super::contrast::ContrastThreshold;
+use super::corner_cache::{CornerCache, StridedSampler};
 use super::pixel::{Pixel, Tile};
-use super::quarter::{MOST_DEPTH, Square, quarter};
+use super::quadtree::{MAX_DEPTH, Square, subdivide};
+use super::sample_cache::{CacheEntry, SampleCache};
 use super::sampler::Sampler;
 use crate::math::Real;
 use crate::trace::{PixelSample, RayTracer};
@@ -24,18 +24,18 @@ use crate::trace::{PixelSample, RayTracer};
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Selection {
     depth: u8,
-    agreement: Agreement,
+    threshold: ContrastThreshold,
 }
 
 impl Selection {
     /// The widest raster, in pixels.
-    pub const MOST: u32 = 1 << MOST_DEPTH;
+    pub const MAX_STEP: u32 = 1 << MAX_DEPTH;
 
     /// A raster of one pixel in `step` times `step`; none when that is no power of two in
     /// `2..=`[`Selection::MOST`].
-    pub fn new(step: u32, agreement: Agreement) -> Option<Self> {
-        let is_step = step >= 2 && step <= Self::MOST && step.is_power_of_two();
-        is_step.then_some(Selection { depth: step.trailing_zeros() as u8, agreement })
+    pub fn new(step: u32, agreement: ContrastThreshold) -> Option<Self> {
+        let is_step = step >= 2 && step <= Self::MAX_STEP && step.is_power_of_two();
+        is_step.then_some(Selection { depth: step.trailing_zeros() as u8, threshold: agreement })
     }
 
     /// Pixels along one side of a block.
@@ -45,50 +45,50 @@ impl Selection {
 
     /// The sides of the parts that blocks come in, from whole blocks to pixels: one for each pass of
     /// a picture that is refined.
-    pub fn sides(&self) -> impl Iterator<Item = u32> + use<> {
+    pub fn refinement_sides(&self) -> impl Iterator<Item = u32> + use<> {
         let depth = self.depth;
         (0..=depth).map(move |pass| 1 << (depth - pass))
     }
 
     /// The blocks that have pixels of `tile`, named like pixels.
     pub fn blocks(&self, tile: Tile) -> Tile {
-        let Tile { first, width, height } = tile;
+        let Tile { top_left: first, width, height } = tile;
         // From the block of the first pixel to beyond that of the last.
         let span = |first: u32, length: u32| {
             let begin = first >> self.depth;
             (begin, if length > 0 { ((first + length - 1) >> self.depth) + 1 - begin } else { 0 })
         };
         let ((x, width), (y, height)) = (span(first.x, width), span(first.y, height));
-        Tile { first: Pixel { x, y }, width, height }
+        Tile { top_left: Pixel { x, y }, width, height }
     }
 
     /// The pixels of a rectangle of blocks.
-    pub fn area(&self, blocks: Tile) -> Tile {
-        let [x, y, width, height] =
-            [blocks.first.x, blocks.first.y, blocks.width, blocks.height].map(|blocks| blocks << self.depth);
-        Tile { first: Pixel { x, y }, width, height }
+    pub fn pixels_of(&self, blocks: Tile) -> Tile {
+        let [x, y, width, height] = [blocks.top_left.x, blocks.top_left.y, blocks.width, blocks.height]
+            .map(|blocks| blocks << self.depth);
+        Tile { top_left: Pixel { x, y }, width, height }
     }
 
     /// What fills a [`Lattice`](super::Lattice) of blocks.
-    pub fn raster<S: Sampler>(&self, sampler: S) -> Every<S> {
-        Every { sampler, side: self.step() }
+    pub fn corner_sampler<S: Sampler>(&self, sampler: S) -> StridedSampler<S> {
+        StridedSampler { sampler, stride: self.step() }
     }
 }
 
 /// Sees some pixels and guesses the others.
 #[derive(Debug)]
-pub struct Selected<'m, C, S> {
+pub struct PixelSelector<'m, C, S> {
     selection: Selection,
     sampler: S,
-    corners: C,
-    memory: Memory<'m>,
+    corner_cache: C,
+    sample_cache: SampleCache<'m>,
 }
 
-impl<'m, C: Corners, S: Sampler> Selected<'m, C, S> {
+impl<'m, C: CornerCache, S: Sampler> PixelSelector<'m, C, S> {
     /// Pixels are seen by `sampler`. `corners` knows those of the coarse raster. The others are
     /// kept in `lent`, of any length: the more, the fewer are traced again.
-    pub fn new(selection: Selection, sampler: S, corners: C, lent: &'m mut [Kept]) -> Self {
-        Selected { selection, sampler, corners, memory: Memory::new(lent) }
+    pub fn new(selection: Selection, sampler: S, corners: C, lent: &'m mut [CacheEntry]) -> Self {
+        PixelSelector { selection, sampler, corner_cache: corners, sample_cache: SampleCache::new(lent) }
     }
 
     /// Which pixels are traced first, and when the others are guessed.
@@ -97,10 +97,10 @@ impl<'m, C: Corners, S: Sampler> Selected<'m, C, S> {
     }
 
     /// A new picture begins: what was kept of another is forgotten.
-    pub fn begin(&mut self) {
-        self.sampler.begin();
-        self.corners.begin();
-        self.memory.forget();
+    pub fn reset(&mut self) {
+        self.sampler.reset();
+        self.corner_cache.reset();
+        self.sample_cache.clear();
     }
 
     /// The pixels of one block, handed to `put` part by part. Those at its right and lower
@@ -111,7 +111,7 @@ impl<'m, C: Corners, S: Sampler> Selected<'m, C, S> {
         tracer: &mut (impl RayTracer + ?Sized),
         put: &mut impl FnMut(Pixel, PixelSample),
     ) {
-        self.parts(block, 1, self.selection.step(), tracer, put);
+        self.sample_squares(block, 1, self.selection.step(), tracer, put);
     }
 
     /// Of one block what changes when its parts may be as small as `side` pixels, one of
@@ -128,11 +128,11 @@ impl<'m, C: Corners, S: Sampler> Selected<'m, C, S> {
         tracer: &mut (impl RayTracer + ?Sized),
         put: &mut impl FnMut(Pixel, PixelSample),
     ) {
-        self.parts(block, side, side, tracer, put);
+        self.sample_squares(block, side, side, tracer, put);
     }
 
     /// The parts whose sides are from `least` to `most`.
-    fn parts(
+    fn sample_squares(
         &mut self,
         block: Pixel,
         least: u32,
@@ -140,24 +140,24 @@ impl<'m, C: Corners, S: Sampler> Selected<'m, C, S> {
         tracer: &mut (impl RayTracer + ?Sized),
         put: &mut impl FnMut(Pixel, PixelSample),
     ) {
-        let Selected { selection, sampler, corners, memory } = self;
+        let PixelSelector { selection, sampler, corner_cache: corners, sample_cache: memory } = self;
         let depth = selection.depth;
-        let mut find = |x, y| memory.find(x, y, || sampler.sample_pixel(Pixel { x, y }, tracer));
+        let mut find = |x, y| memory.get_or_trace(x, y, || sampler.sample_pixel(Pixel { x, y }, tracer));
         let corners = corners.corners(block, &mut |corner| find(corner.x << depth, corner.y << depth));
         let whole = Square { x: block.x << depth, y: block.y << depth, side: 1 << depth, corners };
-        quarter(whole, &selection.agreement, least, &mut find, &mut |part| {
+        subdivide(whole, &selection.threshold, least, &mut find, &mut |part| {
             let [corner, ..] = part.corners;
             let Square { x, y, side, .. } = *part;
             if side > most {
                 return;
             }
             let step = 1.0 / side as Real;
-            for pixel in (Tile { first: Pixel { x, y }, width: side, height: side }).pixels() {
+            for pixel in (Tile { top_left: Pixel { x, y }, width: side, height: side }).pixels() {
                 let (right, down) = (pixel.x - x, pixel.y - y);
                 let sample = if right == 0 && down == 0 {
                     corner
                 } else {
-                    let color = part.between(right as Real * step, down as Real * step);
+                    let color = part.interpolate(right as Real * step, down as Real * step);
                     PixelSample { color, hit: part.hit() }
                 };
                 put(pixel, sample);
@@ -169,7 +169,7 @@ impl<'m, C: Corners, S: Sampler> Selected<'m, C, S> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::image::{CornerRow, Lattice, Loose, Single};
+    use crate::image::{CenterSampler, CornerGrid, CornerRow, Uncached};
     use crate::math::Rgb;
     use crate::scene::CameraSample;
     use crate::trace::HitId;
@@ -183,17 +183,17 @@ mod tests {
     }
 
     fn selection(step: u32, threshold: Real) -> Selection {
-        Selection::new(step, Agreement::of_colors(threshold).unwrap()).unwrap()
+        Selection::new(step, ContrastThreshold::new(threshold).unwrap()).unwrap()
     }
 
-    const PICTURE: Tile = Tile { first: Pixel { x: 0, y: 0 }, width: 37, height: 29 };
+    const PICTURE: Tile = Tile { top_left: Pixel { x: 0, y: 0 }, width: 37, height: 29 };
 
     /// The pixels of `tile`, and how many were traced.
     fn selected(selection: Selection, tile: Tile, slots: usize) -> ([Option<PixelSample>; 37 * 29], usize) {
-        let mut lent = [Kept::NOTHING; 2000];
+        let mut lent = [CacheEntry::EMPTY; 2000];
         let mut picture = [None; 37 * 29];
         let mut rays = 0;
-        let mut selected = Selected::new(selection, Single, Loose, &mut lent[..slots]);
+        let mut selected = PixelSelector::new(selection, CenterSampler, Uncached, &mut lent[..slots]);
         for block in selection.blocks(tile).pixels() {
             selected.sample_block(
                 block,
@@ -202,7 +202,7 @@ mod tests {
                     scene(sample)
                 },
                 &mut |pixel, sample| {
-                    if let (Some(_), Some(place)) = (tile.place(pixel), PICTURE.place(pixel)) {
+                    if let (Some(_), Some(place)) = (tile.index_of(pixel), PICTURE.index_of(pixel)) {
                         assert!(picture[place].is_none(), "{pixel:?} comes twice");
                         picture[place] = Some(sample);
                     }
@@ -219,7 +219,7 @@ mod tests {
         assert!(rays < picture.len() / 2, "{rays} of {}", picture.len());
         let mut most: Real = 0.0;
         for (sample, pixel) in picture.iter().zip(PICTURE.pixels()) {
-            let truth = Single.sample_pixel(pixel, &mut scene);
+            let truth = CenterSampler.sample_pixel(pixel, &mut scene);
             most = crate::math::max(most, (sample.unwrap().color.r - truth.color.r).abs());
         }
         assert!(most < 0.01, "{most}");
@@ -227,10 +227,10 @@ mod tests {
 
     #[test]
     fn with_nothing_to_agree_on_every_pixel_is_traced_and_true() {
-        let none = Selection::new(4, Agreement::of_colors(0.0).unwrap()).unwrap();
+        let none = Selection::new(4, ContrastThreshold::new(0.0).unwrap()).unwrap();
         let (picture, _) = selected(none, PICTURE, 2000);
         for (sample, pixel) in picture.iter().zip(PICTURE.pixels()) {
-            assert_eq!(*sample, Some(Single.sample_pixel(pixel, &mut scene)), "{pixel:?}");
+            assert_eq!(*sample, Some(CenterSampler.sample_pixel(pixel, &mut scene)), "{pixel:?}");
         }
     }
 
@@ -239,11 +239,11 @@ mod tests {
         let selection = selection(8, 0.05);
         let (whole, _) = selected(selection, PICTURE, 2000);
         for (x, y, width, height) in [(0, 0, 5, 5), (13, 9, 11, 17), (36, 28, 1, 1)] {
-            let tile = Tile { first: Pixel { x, y }, width, height };
+            let tile = Tile { top_left: Pixel { x, y }, width, height };
             for slots in [0, 3, 2000] {
                 let (part, _) = selected(selection, tile, slots);
                 for pixel in tile.pixels() {
-                    let place = PICTURE.place(pixel).unwrap();
+                    let place = PICTURE.index_of(pixel).unwrap();
                     assert_eq!(part[place], whole[place], "{pixel:?}");
                 }
             }
@@ -256,13 +256,14 @@ mod tests {
         let (whole, _) = selected(selection, PICTURE, 0);
         let blocks = selection.blocks(PICTURE);
         let mut corners = [PixelSample::BLACK; 6 * 5];
-        for (slot, corner) in corners.iter_mut().zip(Lattice::tile(blocks).pixels()) {
-            *slot = selection.raster(Single).sample_pixel(corner, &mut scene);
+        for (slot, corner) in corners.iter_mut().zip(CornerGrid::corner_tile(blocks).pixels()) {
+            *slot = selection.corner_sampler(CenterSampler).sample_pixel(corner, &mut scene);
         }
-        let mut lattice = Selected::new(selection, Single, Lattice::new(blocks, &corners).unwrap(), &mut []);
+        let mut lattice =
+            PixelSelector::new(selection, CenterSampler, CornerGrid::new(blocks, &corners).unwrap(), &mut []);
         for block in blocks.pixels() {
             lattice.sample_block(block, &mut scene, &mut |pixel, sample| {
-                if let Some(place) = PICTURE.place(pixel) {
+                if let Some(place) = PICTURE.index_of(pixel) {
                     assert_eq!(Some(sample), whole[place]);
                 }
             });
@@ -274,13 +275,14 @@ mod tests {
         let selection = selection(8, 0.1);
         let (truth, once) = selected(selection, PICTURE, 2000);
         for slots in [0, 50, 2000] {
-            let mut lent = [Kept::NOTHING; 2000];
+            let mut lent = [CacheEntry::EMPTY; 2000];
             let mut row = [PixelSample::BLACK; 6];
             let mut picture = [None; 37 * 29];
             let (mut rays, mut puts) = (0, [0; 4]);
-            let mut selected = Selected::new(selection, Single, CornerRow::new(&mut row), &mut lent[..slots]);
-            selected.begin();
-            for (side, puts) in selection.sides().zip(&mut puts) {
+            let mut selected =
+                PixelSelector::new(selection, CenterSampler, CornerRow::new(&mut row), &mut lent[..slots]);
+            selected.reset();
+            for (side, puts) in selection.refinement_sides().zip(&mut puts) {
                 for block in selection.blocks(PICTURE).pixels() {
                     selected.refine_block(
                         block,
@@ -290,7 +292,7 @@ mod tests {
                             scene(sample)
                         },
                         &mut |pixel, sample| {
-                            if let Some(place) = PICTURE.place(pixel) {
+                            if let Some(place) = PICTURE.index_of(pixel) {
                                 picture[place] = Some(sample);
                                 *puts += 1;
                             }
@@ -310,16 +312,16 @@ mod tests {
                 _ => assert!(rays > once && rays < 4 * once, "{rays} {once}"),
             }
         }
-        assert!(selection.sides().eq([8, 4, 2, 1]));
+        assert!(selection.refinement_sides().eq([8, 4, 2, 1]));
     }
 
     #[test]
     fn rasters_are_powers_of_two() {
-        let agreement = Agreement::of_colors(0.1).unwrap();
+        let agreement = ContrastThreshold::new(0.1).unwrap();
         for step in [0, 1, 3, 6, 128, u32::MAX] {
             assert!(Selection::new(step, agreement).is_none(), "{step}");
         }
         assert_eq!(Selection::new(64, agreement).unwrap().step(), 64);
-        assert!(Agreement::of_colors(-0.1).is_none() && Agreement::of_colors(Real::NAN).is_none());
+        assert!(ContrastThreshold::new(-0.1).is_none() && ContrastThreshold::new(Real::NAN).is_none());
     }
 }

@@ -31,47 +31,47 @@ impl<F: FnMut(Pixel, Rgb)> Sink for F {
 }
 
 /// What is kept of a pixel.
-pub trait Record: Copy {
+pub trait FramebufferPixel: Copy {
     /// Of one in which nothing was seen.
-    const NONE: Self;
+    const EMPTY: Self;
 
     /// Of what was seen in it.
-    fn of(sample: PixelSample) -> Self;
+    fn from_sample(sample: PixelSample) -> Self;
 }
 
 /// Its light alone.
-impl Record for Rgb {
-    const NONE: Self = Rgb::BLACK;
+impl FramebufferPixel for Rgb {
+    const EMPTY: Self = Rgb::BLACK;
 
-    fn of(sample: PixelSample) -> Self {
+    fn from_sample(sample: PixelSample) -> Self {
         sample.color
     }
 }
 
 /// AllEffects, as a [`Lattice`](super::Lattice) needs it.
-impl Record for PixelSample {
-    const NONE: Self = PixelSample::BLACK;
+impl FramebufferPixel for PixelSample {
+    const EMPTY: Self = PixelSample::BLACK;
 
-    fn of(sample: PixelSample) -> Self {
+    fn from_sample(sample: PixelSample) -> Self {
         sample
     }
 }
 
 /// Records of pixels in lent memory, row by row. Pixels outside the tile are dropped.
 #[derive(Debug)]
-pub struct Frame<'m, R = Rgb> {
+pub struct Framebuffer<'m, R = Rgb> {
     tile: Tile,
-    records: &'m mut [R],
+    pixels: &'m mut [R],
 }
 
-impl<'m, R: Record> Frame<'m, R> {
+impl<'m, R: FramebufferPixel> Framebuffer<'m, R> {
     /// A frame for the pixels of `tile`; none when `records` is not as long as the tile.
     pub fn new(tile: Tile, records: &'m mut [R]) -> Option<Self> {
-        (records.len() == tile.len()).then_some(Frame { tile, records })
+        (records.len() == tile.len()).then_some(Framebuffer { tile, pixels: records })
     }
 }
 
-impl<R: Record> Sink for Frame<'_, R> {
+impl<R: FramebufferPixel> Sink for Framebuffer<'_, R> {
     type Error = Infallible;
 
     fn put(&mut self, pixel: Pixel, color: Rgb) -> Result<(), Infallible> {
@@ -79,8 +79,8 @@ impl<R: Record> Sink for Frame<'_, R> {
     }
 
     fn put_sample(&mut self, pixel: Pixel, sample: PixelSample) -> Result<(), Infallible> {
-        if let Some(slot) = self.tile.place(pixel).and_then(|place| self.records.get_mut(place)) {
-            *slot = R::of(sample);
+        if let Some(slot) = self.tile.index_of(pixel).and_then(|place| self.pixels.get_mut(place)) {
+            *slot = R::from_sample(sample);
         }
         Ok(())
     }

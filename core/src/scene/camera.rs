@@ -1,178 +1,230 @@
-//! From a place in the picture to a ray.
+//! Cameras: rays from points on the film.
+//!
+//! A [`CameraDescriptor`] describes a pinhole, orthographic or thin-lens camera for pictures of any resolution. A
+//! [`Camera`] is the checked camera of one resolution; it generates the rays.
+//!
+//! Source: Cook, Porter and Carpenter, "Distributed Ray Tracing", SIGGRAPH 1984, for the thin lens.
 
-use super::{CameraError, Resolution, check};
+use super::{CameraError, Field, FieldError, Resolution, check};
 use crate::geometry::Ray;
 use crate::math::{
-    MAX_COORDINATE, PI, Real, SobolSequence, Vec3, is_in_range, sample_disc_concentric, tan, try_normalize,
+    MAX_COORDINATE, PI, Real, SobolSequence, Vec3, sample_disc_concentric, tan, try_normalize,
 };
 
-/// A place in the picture, in pixels from its upper left corner; the middle of the first pixel
-/// is (0.5, 0.5).
+/// A point on the film, in pixels from the upper left corner of the picture.
+///
+/// The center of the first pixel is (0.5, 0.5).
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct FilmPoint {
-    /// To the right.
+    /// Distance to the right of the left edge, in pixels.
     pub x: Real,
-    /// Down.
+    /// Distance below the upper edge, in pixels.
     pub y: Real,
 }
 
-/// One camera ray: where it goes through the film, and its random numbers.
+/// The random choices of one camera ray.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct CameraSample {
-    /// Where.
+    /// Point on the film that the ray passes through.
     pub point: FilmPoint,
-    /// The numbers from which everything is taken that the ray leaves to chance.
+    /// Sequence from which all other random numbers of the ray are drawn: lens, time, lights, glossy directions.
     pub sequence: SobolSequence,
 }
 
-/// How the scene is looked at, whatever the size of the picture.
+/// Position, orientation and projection of a camera, independent of the resolution.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "baked", derive(zerocopy::TryFromBytes, zerocopy::KnownLayout, zerocopy::Immutable))]
 #[repr(C)]
 pub struct CameraDescriptor {
-    /// The eye.
+    /// Position of the camera, world space, coordinates in `-1e15..=1e15`.
     pub position: Vec3,
-    /// What is in the middle of the picture.
+    /// Point at the center of the picture, world space, coordinates in `-1e15..=1e15`. Differs from `position`.
     pub target: Vec3,
-    /// What is up; it need not be upright on the line of sight.
+    /// Direction that points up in the picture. Neither normalized nor perpendicular to the view direction, but not
+    /// parallel to it.
     pub up: Vec3,
-    /// How rays run.
+    /// Projection onto the film.
     pub projection: Projection,
 }
 
-/// How rays run from the eye through the picture.
+impl CameraDescriptor {
+    /// A pinhole camera at `position` that looks at `target`, with +Y up.
+    ///
+    /// `field_of_view`: vertical angle in radians, in `(0, pi)`, as of [`Projection::Perspective`].
+    ///
+    /// ```
+    /// use strahl_core::{Camera, CameraDescriptor, Resolution, Vec3, vec3};
+    ///
+    /// let descriptor = CameraDescriptor::perspective(vec3(0.0, 0.0, 5.0), Vec3::ZERO, 0.8);
+    /// assert!(Camera::new(&descriptor, Resolution::new(320, 240).unwrap()).is_ok());
+    /// ```
+    pub const fn perspective(position: Vec3, target: Vec3, field_of_view: Real) -> Self {
+        CameraDescriptor {
+            position,
+            target,
+            up: Vec3::Y,
+            projection: Projection::Perspective { field_of_view },
+        }
+    }
+}
+
+/// How a camera projects the scene onto the film.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "baked", derive(zerocopy::TryFromBytes, zerocopy::KnownLayout, zerocopy::Immutable))]
 #[repr(u32)]
 pub enum Projection {
-    /// All from one point.
+    /// Pinhole camera: all rays start at the camera's position.
     Perspective {
-        /// The full angle between the middle of the first row of pixels and that of the last,
-        /// in radians, more than zero and less than half a turn (the rule of NFF). A picture
-        /// of one row takes it between its upper and its lower edge.
+        /// Vertical angle between the centers of the first and the last row of pixels, in radians, in `(0, pi)`.
+        ///
+        /// This is the convention of NFF. In a picture of one row it is the angle between the edges of the row.
         field_of_view: Real,
     },
-    /// All in one direction.
+    /// Orthographic camera: all rays are parallel.
     Orthographic {
-        /// From the middle of the first row of pixels to that of the last, in scene lengths.
+        /// Distance between the centers of the first and the last row of pixels, in scene lengths, in `(0, 1e15]`.
         height: Real,
     },
-    /// All from one lens, and what lies in a plane through its focus is sharp.
+    /// Thin lens: rays start on a disc, and only the plane of focus is sharp.
     ThinLens {
         /// As of [`Projection::Perspective`].
         field_of_view: Real,
-        /// The radius of the lens, more than zero, at most 1e15, in scene lengths.
+        /// Radius of the lens, in scene lengths, in `(0, 1e15]`.
         lens_radius: Real,
-        /// How far away from the lens everything is sharp, along the line of sight; more than
-        /// zero, at most 1e15.
+        /// Distance from the lens to the plane of focus along the view direction, in scene lengths, in `(0, 1e15]`.
         focus_distance: Real,
     },
 }
 
-/// Turns places in the picture into rays.
+/// Generates the camera rays of pictures of one resolution.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Camera {
     position: Vec3,
+    /// Unit vector, view direction.
     forward: Vec3,
-    /// From one pixel to the next, at a distance of one (perspective) or anywhere.
+    /// Offset from one pixel to the next on its right: on the plane at distance 1 (perspective) or in the scene
+    /// (orthographic).
     pixel_dx: Vec3,
+    /// Offset from one pixel to the next below it.
     pixel_dy: Vec3,
-    /// The middle of the picture.
+    /// Center of the picture.
     center: FilmPoint,
     is_orthographic: bool,
-    /// The radius of the lens, zero for none, and its focus.
+    /// Radius of the lens, zero without a lens, and focus distance.
     thin_lens: [Real; 2],
 }
 
 impl Camera {
-    /// The camera of `view` for pictures of `size`.
-    pub fn new(view: &CameraDescriptor, size: Resolution) -> Result<Self, CameraError> {
-        if !(is_in_range(view.position) && is_in_range(view.target) && view.up.is_finite()) {
-            return Err(CameraError::Coordinate);
-        }
-        let forward = try_normalize(view.target - view.position).ok_or(CameraError::PositionIsTarget)?;
-        let up = try_normalize(view.up).ok_or(CameraError::UpParallelToView)?;
+    /// The camera that `descriptor` describes, for pictures of `resolution`.
+    ///
+    /// # Errors
+    ///
+    /// * [`CameraError::Field`] for a field that is out of range.
+    /// * [`CameraError::PositionIsTarget`] if there is no view direction.
+    /// * [`CameraError::UpParallelToView`] if `up` does not determine the orientation.
+    ///
+    /// ```
+    /// use strahl_core::scene::FilmPoint;
+    /// use strahl_core::{Camera, CameraDescriptor, Resolution, Vec3, vec3};
+    ///
+    /// let descriptor = CameraDescriptor::perspective(vec3(0.0, 0.0, 5.0), Vec3::ZERO, 0.8);
+    /// let camera = Camera::new(&descriptor, Resolution::new(4, 4).unwrap())?;
+    /// assert_eq!(camera.ray(FilmPoint { x: 2.0, y: 2.0 }).direction, vec3(0.0, 0.0, -1.0));
+    ///
+    /// let error = Camera::new(&CameraDescriptor::perspective(Vec3::ZERO, Vec3::X, 4.0), Resolution::new(4, 4).unwrap());
+    /// assert_eq!(error.unwrap_err().to_string(), "`field_of_view` is 4, must be more than 0 and less than pi (radians)");
+    /// # Ok::<(), strahl_core::scene::CameraError>(())
+    /// ```
+    pub fn new(descriptor: &CameraDescriptor, resolution: Resolution) -> Result<Self, CameraError> {
+        let CameraDescriptor { position, target, up, projection } = *descriptor;
+        check::point(Field::Position, position)?;
+        check::point(Field::Target, target)?;
+        let forward = try_normalize(target - position).ok_or(CameraError::PositionIsTarget)?;
+        let up = try_normalize(up).ok_or(CameraError::UpParallelToView)?;
         let right = forward.cross(up);
-        // Below some roundings the direction of what is left is noise.
+        // If a few roundings could have made it, its direction is noise.
         if right.dot(right) <= 1e-10 {
             return Err(CameraError::UpParallelToView);
         }
         let right = try_normalize(right).ok_or(CameraError::UpParallelToView)?;
         let down = forward.cross(right);
-        let rows = if size.height() > 1 { size.height() - 1 } else { 1 } as Real;
-        let mut lens = [0.0; 2];
-        let (height, parallel) = match view.projection {
-            Projection::Perspective { field_of_view: angle } => (film_height(angle)?, false),
-            Projection::ThinLens { field_of_view: angle, lens_radius: radius, focus_distance: focus } => {
-                positive(radius, CameraError::LensRadius)?;
-                positive(focus, CameraError::FocusDistance)?;
-                lens = [radius, focus];
-                (film_height(angle)?, false)
+        let rows = if resolution.height() > 1 { resolution.height() - 1 } else { 1 } as Real;
+        let mut thin_lens = [0.0; 2];
+        let (height, is_orthographic) = match projection {
+            Projection::Perspective { field_of_view } => (film_height(field_of_view)?, false),
+            Projection::ThinLens { field_of_view, lens_radius, focus_distance } => {
+                positive(Field::LensRadius, lens_radius)?;
+                positive(Field::FocusDistance, focus_distance)?;
+                thin_lens = [lens_radius, focus_distance];
+                (film_height(field_of_view)?, false)
             }
             Projection::Orthographic { height } => {
-                positive(height, CameraError::Height)?;
+                positive(Field::Height, height)?;
                 (height, true)
             }
         };
         let step = height / rows;
-        let middle = FilmPoint { x: 0.5 * size.width() as Real, y: 0.5 * size.height() as Real };
         Ok(Camera {
-            position: view.position,
+            position,
             forward,
             pixel_dx: right * step,
             pixel_dy: down * step,
-            center: middle,
-            is_orthographic: parallel,
-            thin_lens: lens,
+            center: FilmPoint { x: 0.5 * resolution.width() as Real, y: 0.5 * resolution.height() as Real },
+            is_orthographic,
+            thin_lens,
         })
     }
 
-    /// Whether only what is in focus is sharp.
+    /// Whether only the plane of focus is sharp ([`Projection::ThinLens`]).
     pub fn has_depth_of_field(&self) -> bool {
         self.thin_lens[0] > 0.0
     }
 
-    /// The ray through a place, and through the point of the lens that `chance` says, a point of
-    /// the unit square, whose middle stands for that of the lens.
-    pub(crate) fn thin_lens_ray(&self, place: FilmPoint, chance: [Real; 2]) -> Ray {
-        let [radius, focus] = self.thin_lens;
-        let across = self.pixel_dx * (place.x - self.center.x) + self.pixel_dy * (place.y - self.center.y);
-        let [x, y] = sample_disc_concentric(chance);
+    /// The ray through a point on the film and a point on the lens.
+    ///
+    /// `u`: point of the unit square that is mapped to the lens, (0.5, 0.5) to its center.
+    pub(crate) fn thin_lens_ray(&self, point: FilmPoint, u: [Real; 2]) -> Ray {
+        let [lens_radius, focus_distance] = self.thin_lens;
+        let film_offset = self.film_offset(point);
+        let [x, y] = sample_disc_concentric(u);
         let right = try_normalize(self.pixel_dx).unwrap_or(Vec3::ZERO);
         let down = try_normalize(self.pixel_dy).unwrap_or(Vec3::ZERO);
-        let aside = (right * x + down * y) * radius;
-        // All rays through a place meet in the plane of focus.
-        let way = (self.forward + across) * focus - aside;
-        Ray::new(self.position + aside, try_normalize(way).unwrap_or(self.forward))
+        let lens_offset = (right * x + down * y) * lens_radius;
+        // All rays through one point on the film intersect in the plane of focus.
+        let direction = (self.forward + film_offset) * focus_distance - lens_offset;
+        Ray::new(self.position + lens_offset, try_normalize(direction).unwrap_or(self.forward))
     }
 
-    /// The ray through a place, from the middle of the lens where there is one, with a direction of length one.
-    pub fn ray(&self, place: FilmPoint) -> Ray {
-        let across = self.pixel_dx * (place.x - self.center.x) + self.pixel_dy * (place.y - self.center.y);
+    /// The ray through a point on the film, and through the center of the lens if there is one. Its direction is a unit
+    /// vector.
+    pub fn ray(&self, point: FilmPoint) -> Ray {
+        let film_offset = self.film_offset(point);
         if self.is_orthographic {
-            Ray::with_near_unit_direction(self.position + across, self.forward, 0.0)
+            Ray::with_near_unit_direction(self.position + film_offset, self.forward, 0.0)
         } else {
-            Ray::with_near_unit_direction(
-                self.position,
-                try_normalize(self.forward + across).unwrap_or(self.forward),
-                0.0,
-            )
+            let direction = try_normalize(self.forward + film_offset).unwrap_or(self.forward);
+            Ray::with_near_unit_direction(self.position, direction, 0.0)
         }
     }
-}
 
-/// The height of the film at a distance of 1 that is seen in `angle`.
-fn film_height(angle: Real) -> Result<Real, CameraError> {
-    if angle > 0.0 && angle < PI {
-        Ok(2.0 * tan(0.5 * angle))
-    } else {
-        Err(CameraError::FieldOfView(check::single(angle)))
+    /// Offset of a point on the film from the center of the picture.
+    fn film_offset(&self, point: FilmPoint) -> Vec3 {
+        self.pixel_dx * (point.x - self.center.x) + self.pixel_dy * (point.y - self.center.y)
     }
 }
 
-/// Whether a length is more than 0 and in range.
-fn positive(length: Real, error: fn(f32) -> CameraError) -> Result<(), CameraError> {
-    if length > 0.0 && length <= MAX_COORDINATE { Ok(()) } else { Err(error(check::single(length))) }
+/// Height of the film at distance 1 for a vertical field of view.
+fn film_height(field_of_view: Real) -> Result<Real, FieldError> {
+    if field_of_view > 0.0 && field_of_view < PI {
+        Ok(2.0 * tan(0.5 * field_of_view))
+    } else {
+        Err(check::error(Field::FieldOfView, field_of_view))
+    }
+}
+
+/// Checks that a length is in `(0, 1e15]`.
+fn positive(field: Field, length: Real) -> Result<(), FieldError> {
+    if length > 0.0 && length <= MAX_COORDINATE { Ok(()) } else { Err(check::error(field, length)) }
 }
 
 #[cfg(test)]
@@ -180,63 +232,77 @@ mod tests {
     use super::*;
     use crate::math::{acos, vec3};
 
-    const VIEW: CameraDescriptor = CameraDescriptor {
+    const DESCRIPTOR: CameraDescriptor = CameraDescriptor {
         position: vec3(1.0, 2.0, 3.0),
         target: vec3(1.0, 2.0, -4.0),
         up: vec3(0.0, 5.0, 1.0),
         projection: Projection::Perspective { field_of_view: 0.8 },
     };
 
-    fn place(x: Real, y: Real) -> FilmPoint {
+    fn point(x: Real, y: Real) -> FilmPoint {
         FilmPoint { x, y }
     }
 
     #[test]
-    fn the_angle_runs_from_the_middle_of_the_first_row_to_that_of_the_last() {
-        let camera = Camera::new(&VIEW, Resolution::new(7, 5).unwrap()).unwrap();
-        let (top, bottom) = (camera.ray(place(3.5, 0.5)), camera.ray(place(3.5, 4.5)));
+    fn the_field_of_view_is_between_the_centers_of_the_first_and_the_last_row() {
+        let camera = Camera::new(&DESCRIPTOR, Resolution::new(7, 5).unwrap()).unwrap();
+        let (top, bottom) = (camera.ray(point(3.5, 0.5)), camera.ray(point(3.5, 4.5)));
         assert!((acos(top.direction.dot(bottom.direction)) - 0.8).abs() < 1e-6);
         assert!(top.direction.y > 0.0 && bottom.direction.y < 0.0);
-        let middle = camera.ray(place(3.5, 2.5));
-        assert_eq!((middle.origin, middle.direction), (VIEW.position, -Vec3::Z));
-        assert!(camera.ray(place(6.5, 2.5)).direction.x > 0.0, "right is right");
+        let center = camera.ray(point(3.5, 2.5));
+        assert_eq!((center.origin, center.direction), (DESCRIPTOR.position, -Vec3::Z));
+        assert!(camera.ray(point(6.5, 2.5)).direction.x > 0.0, "right is right");
     }
 
     #[test]
-    fn parallel_rays_start_as_far_apart_as_the_height_says() {
-        let view = CameraDescriptor { projection: Projection::Orthographic { height: 8.0 }, ..VIEW };
-        let camera = Camera::new(&view, Resolution::new(5, 5).unwrap()).unwrap();
-        let (top, bottom) = (camera.ray(place(2.5, 0.5)), camera.ray(place(2.5, 4.5)));
+    fn the_height_is_between_the_origins_of_the_first_and_the_last_row() {
+        let descriptor =
+            CameraDescriptor { projection: Projection::Orthographic { height: 8.0 }, ..DESCRIPTOR };
+        let camera = Camera::new(&descriptor, Resolution::new(5, 5).unwrap()).unwrap();
+        let (top, bottom) = (camera.ray(point(2.5, 0.5)), camera.ray(point(2.5, 4.5)));
         assert_eq!(top.direction, bottom.direction);
         assert!((top.origin - bottom.origin - vec3(0.0, 8.0, 0.0)).abs().max_element() < 1e-5);
     }
 
     #[test]
-    fn views_that_show_nothing_are_refused() {
-        let size = Resolution::new(4, 4).unwrap();
-        let fault = |view: CameraDescriptor| Camera::new(&view, size).unwrap_err();
-        assert_eq!(fault(CameraDescriptor { target: VIEW.position, ..VIEW }), CameraError::PositionIsTarget);
+    fn degenerate_cameras_are_errors() {
+        let resolution = Resolution::new(4, 4).unwrap();
+        let error = |descriptor: CameraDescriptor| Camera::new(&descriptor, resolution).unwrap_err();
+        let field = |descriptor| match error(descriptor) {
+            CameraError::Field(FieldError { field, .. }) => field,
+            other => panic!("{other:?}"),
+        };
+        let with_up = |up| error(CameraDescriptor { up, ..DESCRIPTOR });
         assert_eq!(
-            fault(CameraDescriptor { up: vec3(0.0, 0.0, 2.0), ..VIEW }),
-            CameraError::UpParallelToView
+            error(CameraDescriptor { target: DESCRIPTOR.position, ..DESCRIPTOR }),
+            CameraError::PositionIsTarget
         );
-        assert_eq!(fault(CameraDescriptor { up: Vec3::ZERO, ..VIEW }), CameraError::UpParallelToView);
-        assert_eq!(
-            fault(CameraDescriptor { position: vec3(Real::NAN, 0.0, 0.0), ..VIEW }),
-            CameraError::Coordinate
-        );
-        for angle in [0.0, -1.0, PI, 4.0, Real::NAN] {
-            let projection = Projection::Perspective { field_of_view: angle };
-            assert!(matches!(fault(CameraDescriptor { projection, ..VIEW }), CameraError::FieldOfView(_)));
+        for up in [vec3(0.0, 0.0, 2.0), Vec3::ZERO, Vec3::splat(Real::NAN), vec3(0.0, Real::INFINITY, 0.0)] {
+            assert_eq!(with_up(up), CameraError::UpParallelToView);
         }
+        let invalid = vec3(Real::NAN, 0.0, 0.0);
+        assert_eq!(field(CameraDescriptor { position: invalid, ..DESCRIPTOR }), Field::Position);
+        assert_eq!(field(CameraDescriptor { target: vec3(0.0, 2e15, 0.0), ..DESCRIPTOR }), Field::Target);
+        for field_of_view in [0.0, -1.0, PI, 4.0, Real::NAN] {
+            let projection = Projection::Perspective { field_of_view };
+            assert_eq!(field(CameraDescriptor { projection, ..DESCRIPTOR }), Field::FieldOfView);
+        }
+        for (lens_radius, focus_distance, wrong) in
+            [(0.0, 1.0, Field::LensRadius), (1.0, Real::INFINITY, Field::FocusDistance)]
+        {
+            let projection = Projection::ThinLens { field_of_view: 0.5, lens_radius, focus_distance };
+            assert_eq!(field(CameraDescriptor { projection, ..DESCRIPTOR }), wrong);
+        }
+        let projection = Projection::Orthographic { height: -1.0 };
+        assert_eq!(field(CameraDescriptor { projection, ..DESCRIPTOR }), Field::Height);
         assert!(Resolution::new(0, 4).is_none() && Resolution::new(4, Resolution::MAX_SIDE + 1).is_none());
     }
 
     #[test]
     fn a_picture_of_one_row_or_one_column_has_finite_rays() {
-        for (w, h) in [(1, 1), (1, 9), (9, 1)] {
-            let camera = Camera::new(&VIEW, Resolution::new(w, h).unwrap()).unwrap();
-            assert!(camera.ray(place(0.0, 0.0)).direction.is_finite());
+        for (width, height) in [(1, 1), (1, 9), (9, 1)] {
+            let camera = Camera::new(&DESCRIPTOR, Resolution::new(width, height).unwrap()).unwrap();
+            assert!(camera.ray(point(0.0, 0.0)).direction.is_finite());
         }
     }
 }

@@ -1,45 +1,56 @@
-//! Sets of effects.
+//! Sets of effects: shapes, lights, textures and light transport that a scene needs or a tracer supports.
 
 use core::fmt;
 
 use super::{LightSet, TextureSet};
 use crate::geometry::ShapeSet;
 
-/// A set of effects.
+/// A set of effects: what a scene needs or what a tracer supports.
+///
+/// Displayed as a list: "sphere shapes, point lights, shadows".
+///
+/// ```
+/// use strahl_core::scene::EffectSet;
+///
+/// let needed = EffectSet { shadows: true, reflection: true, ..EffectSet::NONE };
+/// let supported = EffectSet { shadows: true, ..EffectSet::NONE };
+/// assert!(!supported.is_superset(&needed));
+/// assert_eq!(needed.difference(&supported).to_string(), "reflection");
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct EffectSet {
-    /// Shapes.
+    /// Kinds of shapes.
     pub shapes: ShapeSet,
-    /// Interpolated normals.
+    /// Shading normals interpolated between the normals of vertices.
     pub smooth_shading: bool,
-    /// Lights.
+    /// Kinds of lights.
     pub lights: LightSet,
-    /// Textures.
+    /// Kinds of textures.
     pub textures: TextureSet,
-    /// Highlights.
+    /// Phong highlights.
     pub highlight: bool,
-    /// Things that stand in the way of light.
+    /// Shadows: items occlude lights.
     pub shadows: bool,
-    /// Mirrors.
+    /// Reflected rays, from mirrors; total internal reflection belongs to `transmission`.
     pub reflection: bool,
-    /// Bodies that light passes through. It throws light back where none can pass.
+    /// Refracted rays through transmitting bodies, with total internal reflection.
     pub transmission: bool,
-    /// Bodies that take light away as it passes.
+    /// Attenuation of light inside transmitting bodies.
     pub absorption: bool,
-    /// Light that passes through bodies on its way from a light.
+    /// Shadow rays that pass through transmitting bodies and are colored by them.
     pub colored_shadows: bool,
-    /// Lights with an extent, so that shadows have soft rims.
+    /// Area lights, whose shadows have a penumbra.
     pub penumbra: bool,
-    /// A lens, so that only what is in focus is sharp.
+    /// Depth of field of a thin lens.
     pub depth_of_field: bool,
-    /// Rough mirrors and rough glass.
+    /// Glossy reflection and transmission, of rough surfaces.
     pub gloss: bool,
-    /// Things that move while the shutter is open.
+    /// Motion blur of items that move while the shutter is open.
     pub motion_blur: bool,
 }
 
 impl EffectSet {
-    /// Nothing: no shape, no light.
+    /// The empty set: no shape, no light.
     pub const NONE: EffectSet = EffectSet {
         shapes: ShapeSet::NONE,
         smooth_shading: false,
@@ -57,7 +68,7 @@ impl EffectSet {
         motion_blur: false,
     };
 
-    /// Everything there is.
+    /// The set of all effects.
     pub const ALL: EffectSet = EffectSet {
         shapes: ShapeSet::ALL,
         smooth_shading: true,
@@ -75,7 +86,7 @@ impl EffectSet {
         motion_blur: true,
     };
 
-    /// What is in this set and not in `other`.
+    /// The effects that are in this set and not in `other`.
     pub const fn difference(&self, other: &EffectSet) -> EffectSet {
         EffectSet {
             shapes: self.shapes.difference(other.shapes),
@@ -95,10 +106,10 @@ impl EffectSet {
         }
     }
 
-    /// Whether everything in `other` is in this set.
+    /// Whether every effect in `other` is in this set.
     pub const fn is_superset(&self, other: &EffectSet) -> bool {
-        const fn implied(asked: bool, able: bool) -> bool {
-            able || !asked
+        const fn implied(required: bool, supported: bool) -> bool {
+            supported || !required
         }
         self.shapes.is_superset(other.shapes)
             && self.lights.is_superset(other.lights)
@@ -117,7 +128,6 @@ impl EffectSet {
     }
 }
 
-/// The effects in words, with commas between them.
 impl fmt::Display for EffectSet {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let named = |is_there: bool, name: &'static str| is_there.then_some([name, ""]);
@@ -146,12 +156,13 @@ impl fmt::Display for EffectSet {
     }
 }
 
-/// What stands for a ray that is not sent because it would be below the last level.
+/// Radiance of a secondary ray that is not traced because it exceeds the level limit
+/// ([`Limits::levels`](crate::Limits::levels)).
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum LevelLimitRadiance {
-    /// Nothing: it brings no light.
+    /// Black: the ray contributes nothing.
     Black,
-    /// The background in its direction, as if nothing stood in its way. A mirror that sees
-    /// itself ends in the sky and not in a hole.
+    /// The background in the direction of the ray, as if it hit nothing: repeated reflections between mirrors end in the
+    /// background and not in black.
     Background,
 }

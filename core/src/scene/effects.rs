@@ -1,23 +1,26 @@
-//! What a scene asks for, and what a tracer can do.
+//! The effects that a tracer supports, as constants of a type.
 //!
-//! Both are an [`EffectSet`]. What a scene asks for is found by looking at it; what a tracer
-//! can do is a constant of its type, so that everything outside it is compiled away. A tracer
-//! refuses a scene that asks for more than it can do.
+//! The effects that a scene requires follow from its items, materials and lights
+//! ([`Scene::required_effects`](super::Scene::required_effects)). The effects that a tracer supports are constants of its
+//! type, so that the code of all others is compiled away. [`Tracer::new`](crate::Tracer::new) returns an error for a
+//! scene that requires more.
 
 use super::{EffectSet, LevelLimitRadiance};
 use crate::geometry::{ShapeFeatures, ShapeSet};
 use crate::math::Real;
 
-/// What a tracer can do, as a constant of a type of its own.
+/// The effects that a tracer supports, and two constants of its rays.
+///
+/// Implemented by a type of the program for exactly the effects that its scenes require, or use [`AllEffects`].
 ///
 /// ```
 /// use strahl_core::geometry::{ShapeKind, ShapeSet};
 /// use strahl_core::scene::{EffectSet, Effects, LightKind, LightSet};
 ///
-/// /// Spheres under point lights, and their shadows.
-/// struct Mine;
+/// /// Spheres, point lights and shadows.
+/// struct Spheres;
 ///
-/// impl Effects for Mine {
+/// impl Effects for Spheres {
 ///     const SET: EffectSet = EffectSet {
 ///         shapes: ShapeSet::of(&[ShapeKind::Sphere]),
 ///         lights: LightSet::of(&[LightKind::Point]),
@@ -27,14 +30,13 @@ use crate::math::Real;
 /// }
 /// ```
 pub trait Effects {
-    /// Everything that the tracer can do.
+    /// Effects that the tracer supports.
     const SET: EffectSet;
 
-    /// How far a ray from the eye, a mirror or glass sees, in scene lengths: what lies farther
-    /// away is not there. More than zero.
+    /// Largest distance at which camera, reflected and refracted rays hit an item, in scene lengths, more than zero.
     const MAX_DISTANCE: Real = Real::MAX;
 
-    /// What stands for the rays that the levels end.
+    /// Radiance of secondary rays that are not traced because of the level limit.
     const LEVEL_LIMIT_RADIANCE: LevelLimitRadiance = LevelLimitRadiance::Black;
 }
 
@@ -44,7 +46,7 @@ impl<E: Effects> ShapeFeatures for E {
     const MOTION_BLUR: bool = E::SET.motion_blur;
 }
 
-/// Everything that strahl can do.
+/// All effects: traces every scene, with the largest and slowest code.
 #[derive(Clone, Copy, Debug)]
 pub struct AllEffects;
 

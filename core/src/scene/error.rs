@@ -1,24 +1,26 @@
-//! Why there is no scene, or no view of it.
+//! Why a scene or a camera is not valid.
 
 use core::fmt;
 
 use super::{FieldError, MaterialId};
 use crate::geometry::{ItemId, ShapeError};
-use crate::math::Decimal;
 
 /// Why the tables of a scene are not valid.
+///
+/// Displayed with the entry, the field, its value and its range: "light 0: `color` has a channel of -1, must be in
+/// 0..=1e6".
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[non_exhaustive]
 pub enum SceneError {
-    /// There are more items than numbers for them.
+    /// There are more items than an [`ItemId`] can number.
     TooManyItems,
-    /// There are more materials than a [`MaterialId`] can tell apart: 65,536.
+    /// There are more than 65,536 materials, more than a [`MaterialId`] can number.
     TooManyMaterials,
-    /// The shape of this item is invalid.
+    /// The shape of this item is not valid.
     Shape(ItemId, ShapeError),
     /// A field of this material is out of range.
     Material(MaterialId, FieldError),
-    /// `material_ids` has no entry for this item, or one that is not in the table of materials.
+    /// `material_ids` has no entry for this item, or its entry is not an index of `materials`.
     MissingMaterial(ItemId),
     /// A field of the light with this index is out of range.
     Light(usize, FieldError),
@@ -50,43 +52,32 @@ impl fmt::Display for SceneError {
 
 impl core::error::Error for SceneError {}
 
-/// Why there is no camera for a view.
+/// Why a [`CameraDescriptor`](super::CameraDescriptor) is not valid.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[non_exhaustive]
 pub enum CameraError {
-    /// A coordinate of `from` or `at` is NaN or not within 1e15 of zero, or `up` is not finite.
-    Coordinate,
-    /// `from` and `at` are the same point.
+    /// A field is out of range.
+    Field(FieldError),
+    /// `position` and `target` are equal, so there is no view direction.
     PositionIsTarget,
-    /// `up` is zero or parallel to the line of sight.
+    /// `up` is zero, not finite, or parallel to the view direction.
     UpParallelToView,
-    /// The angle of the projection, in radians, is not more than 0 and less than pi.
-    FieldOfView(f32),
-    /// The height of the projection is not more than 0 and at most 1e15.
-    Height(f32),
-    /// The radius of the lens is not more than 0 and at most 1e15.
-    LensRadius(f32),
-    /// The focal distance of the lens is not more than 0 and at most 1e15.
-    FocusDistance(f32),
+}
+
+impl From<FieldError> for CameraError {
+    fn from(error: FieldError) -> Self {
+        CameraError::Field(error)
+    }
 }
 
 impl fmt::Display for CameraError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let length = |f: &mut fmt::Formatter<'_>, field: &str, value: &f32| {
-            write!(f, "`{field}` is {}, must be more than 0 and at most 1e15", Decimal(*value))
-        };
         match self {
-            CameraError::Coordinate => {
-                f.write_str("the view has a coordinate that is not within 1e15 of zero")
+            CameraError::Field(error) => write!(f, "{error}"),
+            CameraError::PositionIsTarget => {
+                f.write_str("the position of the camera and its target are equal")
             }
-            CameraError::PositionIsTarget => f.write_str("the eye is at the point it looks at"),
-            CameraError::UpParallelToView => f.write_str("up is parallel to the line of sight"),
-            CameraError::FieldOfView(angle) => {
-                write!(f, "`angle` is {}, must be more than 0 and less than pi (radians)", Decimal(*angle))
-            }
-            CameraError::Height(height) => length(f, "height", height),
-            CameraError::LensRadius(radius) => length(f, "radius", radius),
-            CameraError::FocusDistance(focus) => length(f, "focus", focus),
+            CameraError::UpParallelToView => f.write_str("up is parallel to the view direction"),
         }
     }
 }

@@ -1,13 +1,12 @@
-//! How a surface parts the light that it transmits.
+//! Fresnel model of a transmitting surface.
 
-/// What happens to the transmitted share of light at a surface.
+/// Fraction of the transmitted light that a surface reflects instead.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[cfg_attr(feature = "baked", derive(zerocopy::TryFromBytes, zerocopy::KnownLayout, zerocopy::Immutable))]
 #[repr(u8)]
 pub enum FresnelModel {
-    /// All of it passes, unless all of it is thrown back (Whitted).
+    /// None at any angle, except for total internal reflection (Whitted).
     Constant,
-    /// Fresnel's formulas for unpolarised light say how much of it passes; the rest is
-    /// mirrored.
+    /// The Fresnel reflectance of a dielectric for unpolarized light; it grows towards grazing incidence.
     Dielectric,
 }

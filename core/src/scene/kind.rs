@@ -1,10 +1,10 @@
-//! What kinds of lights and textures there are.
+//! Kinds of lights and textures, and sets of them.
 
 use crate::set::bit_set;
 
-/// What kind of light it is.
+/// Kind of a light: a variant of [`LightSource`](super::LightSource) without its fields.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-#[allow(missing_docs)] // they name what `Source` describes
+#[allow(missing_docs)] // described at `LightSource`
 pub enum LightKind {
     Point,
     Directional,
@@ -14,11 +14,11 @@ pub enum LightKind {
 }
 
 impl LightKind {
-    /// Every kind.
+    /// All kinds, in the order of their declaration.
     pub const ALL: [LightKind; 5] =
         [LightKind::Point, LightKind::Directional, LightKind::Spot, LightKind::Sphere, LightKind::Rectangle];
 
-    /// The name in messages.
+    /// Name of the kind, as in messages.
     pub const fn name(self) -> &'static str {
         match self {
             LightKind::Point => "point",
@@ -31,13 +31,13 @@ impl LightKind {
 }
 
 bit_set! {
-    /// Kinds of lights.
+    /// A set of kinds of lights.
     LightSet of LightKind
 }
 
-/// What kind of texture it is.
+/// Kind of a texture: a variant of [`Texture`](super::Texture) without its fields.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-#[allow(missing_docs)] // they name what `Texture` describes
+#[allow(missing_docs)] // described at `Texture`
 pub enum TextureKind {
     Checker,
     Gradient,
@@ -45,10 +45,10 @@ pub enum TextureKind {
 }
 
 impl TextureKind {
-    /// Every kind.
+    /// All kinds, in the order of their declaration.
     pub const ALL: [TextureKind; 3] = [TextureKind::Checker, TextureKind::Gradient, TextureKind::ZonePlate];
 
-    /// The name in messages.
+    /// Name of the kind, as in messages.
     pub const fn name(self) -> &'static str {
         match self {
             TextureKind::Checker => "checker",
@@ -59,6 +59,6 @@ impl TextureKind {
 }
 
 bit_set! {
-    /// Kinds of textures.
+    /// A set of kinds of textures.
     TextureSet of TextureKind
 }

@@ -1,8 +1,9 @@
-//! Lights: without extent (point, directional, spot), and with one (sphere, rectangle).
+//! Lights: point, directional and spot lights, and area lights (sphere, rectangle).
 //!
-//! A light with an extent is asked for at one place of it for each camera ray, another for
-//! each: so shadows get soft rims that many rays fill ("Distributed Ray Tracing", Cook, Porter,
-//! Carpenter, SIGGRAPH 1984). From its middle it is a light without extent.
+//! An area light is sampled at one random point for each camera ray, so that many rays together show the penumbra. A
+//! sampler that draws the center of the unit square makes it a light without extent.
+//!
+//! Source: Cook, Porter and Carpenter, "Distributed Ray Tracing", SIGGRAPH 1984.
 
 use super::{Field, FieldError, LightKind, LightSet, check};
 use crate::math::{
@@ -16,87 +17,89 @@ use crate::tally::LightOutcome;
 #[cfg_attr(feature = "baked", derive(zerocopy::TryFromBytes, zerocopy::KnownLayout, zerocopy::Immutable))]
 #[repr(C)]
 pub struct Light {
-    /// Where it is and where it shines.
+    /// Kind, position and shape.
     pub source: LightSource,
-    /// Its radiance at a surface that faces it, before the falloff.
+    /// Light that arrives at a surface that faces it, linear RGB, before the falloff, each channel in `0..=1e6`.
     pub color: Rgb,
-    /// Whether things stand in its way.
+    /// Whether items occlude it. Without shadows it lights every surface that faces it.
     pub casts_shadows: bool,
 }
 
-/// Where a light is and where it shines.
+/// Kind, position and shape of a light, in world space.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "baked", derive(zerocopy::TryFromBytes, zerocopy::KnownLayout, zerocopy::Immutable))]
 #[repr(u32)]
 pub enum LightSource {
-    /// From one place in all directions.
+    /// A point that emits in all directions.
     Point {
-        /// The place.
+        /// Position, coordinates in `-1e15..=1e15`.
         position: Vec3,
-        /// How it fades with the distance.
+        /// Distance falloff.
         falloff: Falloff,
     },
-    /// From infinitely far away.
+    /// A light at infinite distance, such as the sun.
     Directional {
-        /// Towards the light, of length one.
+        /// Direction towards the light, unit vector.
         to_light: Vec3,
     },
-    /// From one place into a cone.
+    /// A point that emits into a cone, with a smooth transition at its edge.
     Spot {
-        /// The place.
+        /// Position, coordinates in `-1e15..=1e15`.
         position: Vec3,
-        /// The middle of the cone, away from the light, of length one.
+        /// Axis of the cone, away from the light, unit vector.
         direction: Vec3,
-        /// The cosine of the angle from the middle up to which it is fully bright.
+        /// Cosine of the angle from the axis up to which the light has full intensity, in `cos_outer..=1`.
         cos_inner: Real,
-        /// The cosine of the angle from the middle beyond which it is dark; at most
-        /// `cos_inner`.
+        /// Cosine of the angle from the axis beyond which the light is black, in `-1..=1`.
         cos_outer: Real,
-        /// How it fades with the distance.
+        /// Distance falloff.
         falloff: Falloff,
     },
-    /// From a sphere in all directions, as much as from a point in its middle: it is a disc from
-    /// wherever it is seen. What is inside the sphere is not in its way.
+    /// A sphere that emits as much light as a point at its center.
+    ///
+    /// It is sampled on the disc through its center that faces the shaded point. Items inside the sphere do not occlude
+    /// it.
     Sphere {
-        /// Its middle.
+        /// Center, coordinates in `-1e15..=1e15`.
         position: Vec3,
-        /// Its radius; 0 makes it a point.
+        /// Radius, in `0..=1e15`; 0 makes it a point.
         radius: Real,
-        /// How it fades with the distance from its middle.
+        /// Falloff with the distance from the center.
         falloff: Falloff,
     },
-    /// From the front of a rectangle, as from something white: less to the side, by the cosine.
+    /// A rectangle that emits from its front, proportional to the cosine of the angle to its normal (Lambert).
     Rectangle {
-        /// Its middle.
+        /// Center, coordinates in `-1e15..=1e15`.
         position: Vec3,
-        /// From the middle to the middles of two edges that meet. The front is where the cross
-        /// product of the first and the second points to.
+        /// Vectors from the center to the centers of two adjacent edges. The front is the side to which the cross product
+        /// of the first and the second points; it must not be zero.
         half_edges: [Vec3; 2],
-        /// Whether its light comes from everywhere in it, or all of it from the middle.
+        /// Whether the whole rectangle emits, or only its center.
         soft_shadows: bool,
-        /// How it fades with the distance.
+        /// Falloff with the distance from the sampled point.
         falloff: Falloff,
     },
 }
 
-/// How a light fades with the distance `d`: it is divided by
-/// `constant + linear d + quadratic d^2`.
+/// Distance falloff: light at distance `d` is divided by `constant + linear d + quadratic d^2`.
+///
+/// All three are in `0..=1e15`, and their sum is more than 0. The quotient is at most 1e6.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "baked", derive(zerocopy::TryFromBytes, zerocopy::KnownLayout, zerocopy::Immutable))]
 #[repr(C)]
 pub struct Falloff {
-    /// No unit.
+    /// Constant term, without a unit.
     pub constant: Real,
-    /// One over scene lengths.
+    /// Linear term, in reciprocal scene lengths.
     pub linear: Real,
-    /// One over the square of scene lengths.
+    /// Quadratic term, in reciprocal squared scene lengths.
     pub quadratic: Real,
 }
 
 impl Falloff {
-    /// As bright at every distance.
+    /// No falloff: the same light at every distance.
     pub const NONE: Falloff = Falloff { constant: 1.0, linear: 0.0, quadratic: 0.0 };
-    /// As physics has it: the full brightness at a distance of one.
+    /// Inverse square, the physical law: factor 1 at distance 1.
     pub const INVERSE_SQUARE: Falloff = Falloff { constant: 0.0, linear: 0.0, quadratic: 1.0 };
 
     fn validate(&self) -> Result<(), FieldError> {
@@ -108,29 +111,42 @@ impl Falloff {
         if sum > 0.0 { Ok(()) } else { Err(check::error(Field::Falloff, sum)) }
     }
 
+    /// Factor of the light at distance `d`, at most [`Rgb::MAX_CHANNEL`].
     fn factor_at(&self, d: Real) -> Real {
         let divisor = self.constant + d * (self.linear + d * self.quadratic);
-        // Close to a light that has no constant part this grows without bound; it is held.
-        let share = 1.0 / divisor;
-        if share < Rgb::MAX_CHANNEL { share } else { Rgb::MAX_CHANNEL }
+        // Without a constant term it grows without bound near the light, so it is clamped.
+        let factor = 1.0 / divisor;
+        if factor < Rgb::MAX_CHANNEL { factor } else { Rgb::MAX_CHANNEL }
     }
 }
 
-/// Light that arrives at a surface, if nothing stands in its way.
+/// Light that arrives at a surface unless the light is occluded.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct LightSample {
-    /// Towards the light, of length one.
+    /// Direction towards the sampled point of the light, unit vector.
     pub(crate) direction: Vec3,
-    /// The cosine of the angle between that and the surface's normal, more than zero or very nearly.
+    /// Cosine of the angle between `direction` and the normal of the surface; rounding can make it slightly negative.
     pub(crate) cos_theta: Real,
-    /// How far away the light is; [`Real::MAX`] when it has no place.
+    /// Distance of the light; [`Real::MAX`] for a directional light.
     pub(crate) distance: Real,
-    /// What arrives on a surface that faces it.
+    /// Light that arrives at a surface that faces it, after the falloff.
     pub(crate) color: Rgb,
 }
 
 impl Light {
-    /// What kind it is.
+    /// A point light without falloff that casts shadows.
+    ///
+    /// ```
+    /// use strahl_core::{Light, Rgb, vec3};
+    ///
+    /// let lamp = Light::point(vec3(3.0, 4.0, 5.0), Rgb::WHITE);
+    /// assert!(lamp.casts_shadows && !lamp.has_penumbra());
+    /// ```
+    pub const fn point(position: Vec3, color: Rgb) -> Self {
+        Light { source: LightSource::Point { position, falloff: Falloff::NONE }, color, casts_shadows: true }
+    }
+
+    /// Kind of the light.
     pub const fn kind(&self) -> LightKind {
         match self.source {
             LightSource::Point { .. } => LightKind::Point,
@@ -141,7 +157,7 @@ impl Light {
         }
     }
 
-    /// Whether its shadows have soft rims.
+    /// Whether its shadows have a penumbra: it is an area light.
     pub fn has_penumbra(&self) -> bool {
         match self.source {
             LightSource::Sphere { radius, .. } => radius > 0.0,
@@ -156,7 +172,7 @@ impl Light {
                 check::point(Field::Position, position)?;
                 falloff.validate()?;
             }
-            LightSource::Directional { to_light: toward } => check::direction(Field::ToLight, toward)?,
+            LightSource::Directional { to_light } => check::direction(Field::ToLight, to_light)?,
             LightSource::Spot { position, direction, cos_inner, cos_outer, falloff } => {
                 check::point(Field::Position, position)?;
                 check::direction(Field::Direction, direction)?;
@@ -182,95 +198,93 @@ impl Light {
         check::color(Field::Color, self.color, Rgb::MAX_CHANNEL)
     }
 
-    /// The light that would arrive at `point`, on a surface upright on `normal`, from the place of
-    /// the light that `chance` says, a point of the unit square, whose middle stands for that of the
-    /// light; else why there is none: where it does not shine or lies behind the surface, and for a
-    /// kind that is not among the `able` ones. Inlined, so that the arms outside a constant set are compiled away.
+    /// Samples the light that arrives at `point` on a surface with this `normal`, before occlusion.
+    ///
+    /// * `normal`: unit vector, on the side that is lit.
+    /// * `supported`: kinds of lights that are compiled; others give [`LightOutcome::NoEmission`].
+    /// * `u`: draws a point of the unit square that is mapped to the light, (0.5, 0.5) to its center.
+    ///
+    /// `Err` gives the reason: the light does not emit towards the point, or is behind the surface.
+    // Inlined so that the arms of unsupported kinds are compiled away.
     #[inline(always)]
     pub(crate) fn sample(
         &self,
         point: Vec3,
         normal: Vec3,
-        able: LightSet,
-        chance: impl FnOnce() -> [Real; 2],
+        supported: LightSet,
+        u: impl FnOnce() -> [Real; 2],
     ) -> Result<LightSample, LightOutcome> {
-        let from = |position: Vec3, falloff: &Falloff| {
-            let way = position - point;
-            // Asked before any root is taken.
-            let facing = normal.dot(way);
-            if !(facing > 0.0) {
+        let sample_point = |position: Vec3, falloff: &Falloff| {
+            let to_light = position - point;
+            // Tested before the square root.
+            let unnormalized_cos = normal.dot(to_light);
+            if !(unnormalized_cos > 0.0) {
                 return Err(LightOutcome::BackFacing);
             }
-            let (toward, distance) = try_normalize_and_length(way).ok_or(LightOutcome::NoEmission)?;
-            Ok(LightSample {
-                direction: toward,
-                cos_theta: facing / distance,
-                distance,
-                color: self.color * falloff.factor_at(distance),
-            })
+            let (direction, distance) = try_normalize_and_length(to_light).ok_or(LightOutcome::NoEmission)?;
+            let color = self.color * falloff.factor_at(distance);
+            Ok(LightSample { direction, cos_theta: unnormalized_cos / distance, distance, color })
         };
         match &self.source {
-            LightSource::Point { position, falloff } if able.contains(LightKind::Point) => {
-                from(*position, falloff)
+            LightSource::Point { position, falloff } if supported.contains(LightKind::Point) => {
+                sample_point(*position, falloff)
             }
-            LightSource::Directional { to_light: toward } if able.contains(LightKind::Directional) => {
-                let cos = normal.dot(*toward);
-                let beam = LightSample {
-                    direction: *toward,
-                    cos_theta: cos,
-                    distance: Real::MAX,
-                    color: self.color,
-                };
-                if cos > 0.0 { Ok(beam) } else { Err(LightOutcome::BackFacing) }
+            LightSource::Directional { to_light } if supported.contains(LightKind::Directional) => {
+                let cos_theta = normal.dot(*to_light);
+                let sample =
+                    LightSample { direction: *to_light, cos_theta, distance: Real::MAX, color: self.color };
+                if cos_theta > 0.0 { Ok(sample) } else { Err(LightOutcome::BackFacing) }
             }
             LightSource::Spot { position, direction, cos_inner, cos_outer, falloff }
-                if able.contains(LightKind::Spot) =>
+                if supported.contains(LightKind::Spot) =>
             {
-                let mut beam = from(*position, falloff)?;
-                let cos = -beam.direction.dot(*direction);
+                let mut sample = sample_point(*position, falloff)?;
+                let cos = -sample.direction.dot(*direction);
                 if cos < *cos_outer {
                     return Err(LightOutcome::NoEmission);
                 }
-                // From dark to bright without a crease at either end (smoothstep).
+                // Smoothstep from the outer to the inner cone.
                 let s = clamp((cos - cos_outer) / (cos_inner - cos_outer), 0.0, 1.0);
                 let s = if cos >= *cos_inner { 1.0 } else { s };
-                beam.color = beam.color * (s * s * (3.0 - 2.0 * s));
-                Ok(beam)
+                sample.color = sample.color * (s * s * (3.0 - 2.0 * s));
+                Ok(sample)
             }
-            LightSource::Sphere { position, radius, falloff } if able.contains(LightKind::Sphere) => {
+            LightSource::Sphere { position, radius, falloff } if supported.contains(LightKind::Sphere) => {
                 if !(*radius > 0.0) {
-                    return from(*position, falloff);
+                    return sample_point(*position, falloff);
                 }
-                // A place on the disc that faces the point.
-                let middle = *position - point;
-                let (toward, distance) = try_normalize_and_length(middle).ok_or(LightOutcome::NoEmission)?;
-                let [first, second] = orthonormal_basis(toward);
-                let [x, y] = sample_disc_concentric(chance());
-                let toward = try_normalize(middle + (first * x + second * y) * *radius)
+                // A point on the disc through the center that faces `point`.
+                let to_center = *position - point;
+                let (axis, distance) = try_normalize_and_length(to_center).ok_or(LightOutcome::NoEmission)?;
+                let [tangent, bitangent] = orthonormal_basis(axis);
+                let [x, y] = sample_disc_concentric(u());
+                let direction = try_normalize(to_center + (tangent * x + bitangent * y) * *radius)
                     .ok_or(LightOutcome::NoEmission)?;
-                let cos = normal.dot(toward);
-                // The way ends where it enters the sphere: what is inside does not count.
-                let along = middle.dot(toward);
-                let inside = *radius * *radius - (middle.dot(middle) - along * along);
-                let entry = along - sqrt(if inside > 0.0 { inside } else { 0.0 });
-                // Zero where the point is inside the light.
-                let beam = LightSample {
-                    direction: toward,
-                    cos_theta: cos,
-                    distance: if entry > 0.0 { entry } else { 0.0 },
+                let cos_theta = normal.dot(direction);
+                // The shadow ray ends where it enters the sphere: items inside do not occlude the light.
+                let t_closest = to_center.dot(direction);
+                let half_chord_squared =
+                    *radius * *radius - (to_center.dot(to_center) - t_closest * t_closest);
+                let t_entry =
+                    t_closest - sqrt(if half_chord_squared > 0.0 { half_chord_squared } else { 0.0 });
+                let sample = LightSample {
+                    direction,
+                    cos_theta,
+                    // Zero if `point` is inside the sphere.
+                    distance: if t_entry > 0.0 { t_entry } else { 0.0 },
                     color: self.color * falloff.factor_at(distance),
                 };
-                if cos > 0.0 { Ok(beam) } else { Err(LightOutcome::BackFacing) }
+                if cos_theta > 0.0 { Ok(sample) } else { Err(LightOutcome::BackFacing) }
             }
-            LightSource::Rectangle { position, half_edges: [a, b], soft_shadows: soft, falloff }
-                if able.contains(LightKind::Rectangle) =>
+            LightSource::Rectangle { position, half_edges: [a, b], soft_shadows, falloff }
+                if supported.contains(LightKind::Rectangle) =>
             {
-                let [u, v] = if *soft { chance() } else { [0.5, 0.5] };
-                let place = *position + *a * (2.0 * u - 1.0) + *b * (2.0 * v - 1.0);
-                let mut beam = from(place, falloff)?;
-                let cos = -beam.direction.dot(try_normalize(a.cross(*b)).ok_or(LightOutcome::NoEmission)?);
-                beam.color = beam.color * cos;
-                if cos > 0.0 { Ok(beam) } else { Err(LightOutcome::NoEmission) }
+                let [u, v] = if *soft_shadows { u() } else { [0.5, 0.5] };
+                let position = *position + *a * (2.0 * u - 1.0) + *b * (2.0 * v - 1.0);
+                let mut sample = sample_point(position, falloff)?;
+                let cos = -sample.direction.dot(try_normalize(a.cross(*b)).ok_or(LightOutcome::NoEmission)?);
+                sample.color = sample.color * cos;
+                if cos > 0.0 { Ok(sample) } else { Err(LightOutcome::NoEmission) }
             }
             _ => Err(LightOutcome::NoEmission),
         }

@@ -1,55 +1,79 @@
-//! What surfaces and bodies are made of.
+//! Materials: how a surface reflects and transmits light, and the medium of the body behind it.
 
 use super::{Field, FieldError, FresnelModel, TextureId, check};
 use crate::math::{Real, Rgb};
 
-/// How a surface answers light, and what light meets behind it.
+/// How a surface reflects and transmits light, and the medium of the body behind it.
 ///
-/// A scene starts from [`Material::MATTE`] and names what is different.
+/// The radiance of a surface is the sum of its ambient, diffuse and highlight light, and of the light of the reflected
+/// and the transmitted ray (Whitted). [`Material::matte`] is the material of one color; glass and mirrors start from
+/// [`Material::MATTE`] with struct update syntax:
+///
+/// ```
+/// use strahl_core::scene::FresnelModel;
+/// use strahl_core::{Material, Rgb};
+///
+/// let red = Material::matte(Rgb::new(0.8, 0.1, 0.1));
+/// let mirror = Material { diffuse: Rgb::BLACK, reflection: Rgb::gray(0.9), ..Material::MATTE };
+/// let glass = Material {
+///     diffuse: Rgb::BLACK,
+///     transmission: Rgb::WHITE,
+///     refractive_index: 1.5,
+///     fresnel: FresnelModel::Dielectric,
+///     ..Material::MATTE
+/// };
+/// assert!(glass.is_transmitting() && !mirror.is_transmitting() && red.ambient == red.diffuse);
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "baked", derive(zerocopy::TryFromBytes, zerocopy::KnownLayout, zerocopy::Immutable))]
 #[repr(C)]
 pub struct Material {
-    /// The share of the scene's ambient light that is given back.
+    /// Fraction of the scene's ambient light that is reflected, each channel in `0..=1e6`.
+    ///
+    /// Independent of `diffuse`; physically plausible if equal to it, as of [`Material::matte`].
     pub ambient: Rgb,
-    /// The share of a light that is scattered in all directions, at upright incidence
-    /// (Lambert).
+    /// Color: fraction of the light of a light source that is reflected diffusely (Lambert), at perpendicular incidence.
+    /// Each channel in `0..=1e6`.
     pub diffuse: Rgb,
-    /// Multiplies `ambient` and `diffuse` from place to place.
+    /// Texture whose color multiplies `ambient` and `diffuse`.
     pub texture: TextureId,
-    /// The share of a light that the highlight gives back at its middle (Phong).
+    /// Fraction of the light of a light source that the highlight reflects at its center (Phong), each channel in
+    /// `0..=1e6`.
     pub highlight: Rgb,
-    /// How narrow the highlight is: the power of the cosine. Zero: no highlight.
+    /// Exponent of the highlight's cosine, in `0..=1e6`: the larger, the narrower. Zero means no highlight.
     pub highlight_exponent: Real,
-    /// The share of light from the mirrored direction, each channel in `0..=1`.
+    /// Fraction of the light from the mirror direction that is reflected, each channel in `0..=1`.
     pub reflection: Rgb,
-    /// The share of light from behind, each channel in `0..=1`. More than zero makes the
-    /// surface the boundary of a body of this material, which the normal leaves.
+    /// Fraction of the light from behind the surface that is transmitted, each channel in `0..=1`.
+    ///
+    /// If it is not black, the surface is the boundary of a body of this material; its normal points out of the body.
     pub transmission: Rgb,
-    /// How rough the surface is, from 0, where all light is mirrored in one direction and passes
-    /// in one, to 1: the square root of the tangent of the typical slope of its facets.
+    /// Roughness of reflection and transmission, in `0..=1`: the square root of the tangent of the typical slope of the
+    /// surface's microfacets. Zero means a perfect mirror and clear glass.
     pub roughness: Real,
-    /// The index of refraction of that body, in `0.01..=100`; that of empty space is one.
+    /// Refractive index of the body, in `0.01..=100`. Empty space has 1.
     pub refractive_index: Real,
-    /// How the transmitted share is parted.
+    /// Fraction of the transmitted light that is reflected instead.
     pub fresnel: FresnelModel,
-    /// How far light travels in that body until 1/e of it is left, for each channel. Unit:
-    /// scene lengths. Infinite is clear.
+    /// Distance in the body after which a fraction 1/e of the light is left, per channel.
+    ///
+    /// Unit: scene lengths, in `(0, inf]`; infinite means clear.
     pub attenuation_length: Rgb,
-    /// Which body fills space where several overlap: the highest, and of equals the one that
-    /// was entered last.
+    /// Priority of the body where bodies overlap: the highest is the medium, of equal ones the last one entered.
     pub priority: u8,
-    /// Whether the shading normal is turned towards the viewer. Every surface is hit from both
-    /// sides either way; a one-sided surface seen from behind shades as its front does.
+    /// Whether the shading normal points to the side of the ray. If not, the back of the surface is shaded like its front.
+    /// Rays hit both sides in both cases.
     pub two_sided: bool,
 }
 
-/// As single precision has it: a scene is in range for both precisions or for none.
-#[allow(clippy::unnecessary_cast)] // it is one in the twin
+/// Smallest refractive index, rounded to single precision, so that a scene is valid in both precisions or in none.
+#[allow(clippy::unnecessary_cast)] // needed in double precision
 const MIN_REFRACTIVE_INDEX: Real = 0.01_f32 as Real;
 
 impl Material {
-    /// White, matte, opaque, two-sided.
+    /// White, diffuse, opaque and two-sided, without ambient reflection: the defaults of the other fields.
+    ///
+    /// `ambient` is black so that `diffuse` alone determines the color.
     pub const MATTE: Material = Material {
         ambient: Rgb::WHITE,
         diffuse: Rgb::WHITE,
@@ -66,22 +90,27 @@ impl Material {
         two_sided: true,
     };
 
-    /// Whether light passes through its surface.
+    /// A diffuse, opaque, two-sided material that reflects ambient light and the light of light sources with this color.
+    pub const fn matte(color: Rgb) -> Self {
+        Material { ambient: color, diffuse: color, ..Self::MATTE }
+    }
+
+    /// Whether `transmission` is not black: the surface is the boundary of a body.
     pub fn is_transmitting(&self) -> bool {
         !self.transmission.is_black()
     }
 
-    /// Whether it has a highlight.
+    /// Whether it has a highlight: neither its color nor its exponent is zero.
     pub fn has_highlight(&self) -> bool {
         self.highlight_exponent > 0.0 && !self.highlight.is_black()
     }
 
-    /// Whether it mirrors light or lets it pass in more than one direction.
+    /// Whether it is rough and reflects or transmits rays, so that their directions are random.
     pub fn is_glossy(&self) -> bool {
         self.roughness > 0.0 && !(self.reflection.is_black() && self.transmission.is_black())
     }
 
-    /// Whether its body takes something away from light.
+    /// Whether its body attenuates light.
     pub fn is_absorbing(&self) -> bool {
         let clear = |c: Real| c == Real::INFINITY;
         self.is_transmitting()
@@ -90,12 +119,12 @@ impl Material {
                 && clear(self.attenuation_length.b))
     }
 
-    /// Whether lights change how it looks.
+    /// Whether it reflects the light of light sources: it has a diffuse color or a highlight.
     pub fn is_lit(&self) -> bool {
         !self.diffuse.is_black() || self.has_highlight()
     }
 
-    /// `textures`: how many there are.
+    /// Checks that all fields are in range. `textures`: number of entries in the table of textures.
     pub(super) fn validate(&self, textures: usize) -> Result<(), FieldError> {
         check::color(Field::Ambient, self.ambient, Rgb::MAX_CHANNEL)?;
         check::color(Field::Diffuse, self.diffuse, Rgb::MAX_CHANNEL)?;
@@ -107,9 +136,9 @@ impl Material {
         if self.is_transmitting() {
             check::range(Field::RefractiveIndex, self.refractive_index, MIN_REFRACTIVE_INDEX, 100.0)?;
         }
-        for clarity in [self.attenuation_length.r, self.attenuation_length.g, self.attenuation_length.b] {
-            if !(clarity > 0.0) {
-                return Err(check::error(Field::AttenuationLength, clarity));
+        for length in [self.attenuation_length.r, self.attenuation_length.g, self.attenuation_length.b] {
+            if !(length > 0.0) {
+                return Err(check::error(Field::AttenuationLength, length));
             }
         }
         if self.texture != TextureId::NONE && usize::from(self.texture.0) >= textures {

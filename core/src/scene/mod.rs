@@ -1,4 +1,7 @@
-//! The scene: borrowed slices, checked once.
+//! Scenes: shapes, materials, textures, lights and cameras.
+//!
+//! A [`SceneDescriptor`] borrows the tables of a scene; [`Scene::new`] checks them once, so that tracing cannot fail. A
+//! [`World`] adds the accelerator and finds the items that rays hit.
 
 mod camera;
 mod check;
@@ -58,20 +61,20 @@ pub use world::World;
 use crate::geometry::{Geometry, ItemId, Shape};
 use crate::math::{Rgb, Vec3, clamp};
 
-/// What a ray sees that meets nothing.
+/// Radiance of rays that hit no item.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "baked", derive(zerocopy::TryFromBytes, zerocopy::KnownLayout, zerocopy::Immutable))]
 #[repr(u32)]
 pub enum Background {
-    /// One colour.
+    /// One color, each channel in `0..=1e6`.
     Color(Rgb),
-    /// From one colour to another, by the height of the direction.
+    /// A gradient from one color to another, linear in the component of the direction along `up`.
     Gradient {
-        /// What is up, of length one.
+        /// Up direction, unit vector.
         up: Vec3,
-        /// The colour straight down.
+        /// Color in the direction `-up`.
         below: Rgb,
-        /// The colour straight up.
+        /// Color in the direction `up`.
         above: Rgb,
     },
 }
@@ -88,7 +91,7 @@ impl Background {
         }
     }
 
-    /// The colour in a direction of length one.
+    /// Radiance in a direction. `direction`: unit vector, away from the scene.
     pub fn radiance(&self, direction: Vec3) -> Rgb {
         match *self {
             Background::Color(color) => color,
@@ -99,30 +102,32 @@ impl Background {
     }
 }
 
-/// Everything that a scene is made of, before it is checked.
+/// The tables of a scene, borrowed and not yet checked: the input of [`Scene::new`].
+///
+/// Items have the indices of their shapes. With the feature `alloc`, [`SceneTables`](crate::SceneTables) fills the tables.
 #[derive(Clone, Copy, Debug)]
 pub struct SceneDescriptor<'s> {
-    /// What is there.
+    /// Shapes and their tables.
     pub geometry: Geometry<'s>,
-    /// What each item is made of, by its number.
+    /// Material of each item, in the order of the shapes.
     pub material_ids: &'s [MaterialId],
-    /// The materials.
+    /// Materials that `material_ids` refers to.
     pub materials: &'s [Material],
-    /// The textures that materials name.
+    /// Textures that materials refer to.
     pub textures: &'s [Texture],
-    /// The lights.
+    /// Lights.
     pub lights: &'s [Light],
-    /// Light from everywhere, for the ambient share of materials.
+    /// Ambient light, which arrives at every surface from all directions, each channel in `0..=1e6`.
     pub ambient: Rgb,
-    /// What is behind everything.
+    /// Radiance of rays that hit no item.
     pub background: Background,
-    /// Whether light passes through transmitting bodies on its way from a light, coloured and
-    /// weakened but not bent; else they stand in its way like everything.
+    /// Whether shadow rays pass through transmitting bodies, which color and attenuate the light without refracting it.
+    /// If not, transmitting bodies occlude lights like all other items.
     pub colored_shadows: bool,
 }
 
 impl SceneDescriptor<'_> {
-    /// Empty, dark space; a scene names what it has and takes the rest from here.
+    /// An empty, black scene: the default of all fields.
     pub const EMPTY: SceneDescriptor<'static> = SceneDescriptor {
         geometry: Geometry::EMPTY,
         material_ids: &[],
@@ -134,7 +139,7 @@ impl SceneDescriptor<'_> {
         colored_shadows: false,
     };
 
-    /// The memory that all tables take, in bytes.
+    /// Memory of all tables, in bytes.
     pub const fn size_in_bytes(&self) -> usize {
         self.geometry.size_in_bytes()
             + size_of_val(self.material_ids)
@@ -144,7 +149,7 @@ impl SceneDescriptor<'_> {
     }
 }
 
-/// A scene that has been checked: every reference finds its table, every number is in range.
+/// A valid scene: every index is in its table, every field in its range.
 #[derive(Clone, Copy, Debug)]
 pub struct Scene<'s> {
     descriptor: SceneDescriptor<'s>,
@@ -152,99 +157,108 @@ pub struct Scene<'s> {
 }
 
 impl<'s> Scene<'s> {
-    /// The scene of these parts, or what is wrong with the first of them that does not fit.
+    /// Checks the tables of `descriptor`.
+    ///
+    /// # Errors
+    ///
+    /// The first entry that is out of range or refers to a missing entry; see [`SceneError`].
     ///
     /// ```
-    /// use strahl_core::{Geometry, Light, Material, MaterialId, SceneDescriptor, Rgb, Scene, Shape, Sphere, vec3};
+    /// use strahl_core::{Geometry, Material, MaterialId, Rgb, Scene, SceneDescriptor, Shape, Sphere, vec3};
     ///
     /// let shapes = [Shape::Sphere(Sphere { center: vec3(0.0, 0.0, -5.0), radius: 1.0 })];
     /// let scene = Scene::new(SceneDescriptor {
     ///     geometry: Geometry { shapes: &shapes, ..Geometry::EMPTY },
     ///     material_ids: &[MaterialId(0)],
-    ///     materials: &[Material::MATTE],
+    ///     materials: &[Material::matte(Rgb::WHITE)],
     ///     ambient: Rgb::gray(0.2),
     ///     ..SceneDescriptor::EMPTY
     /// })?;
-    /// assert!(!scene.required_effects().shadows); // there is no light that could be in the way of
+    /// assert!(!scene.required_effects().shadows); // there is no light
     /// # Ok::<(), strahl_core::scene::SceneError>(())
     /// ```
-    pub fn new(parts: SceneDescriptor<'s>) -> Result<Self, SceneError> {
-        if u32::try_from(parts.geometry.shapes.len()).is_err() {
+    pub fn new(descriptor: SceneDescriptor<'s>) -> Result<Self, SceneError> {
+        if u32::try_from(descriptor.geometry.shapes.len()).is_err() {
             return Err(SceneError::TooManyItems);
         }
-        parts.geometry.validate().map_err(|(item, fault)| SceneError::Shape(item, fault))?;
-        if parts.materials.len() > 1 << 16 {
+        descriptor.geometry.validate().map_err(|(item, error)| SceneError::Shape(item, error))?;
+        if descriptor.materials.len() > 1 << 16 {
             return Err(SceneError::TooManyMaterials);
         }
-        for (material, place) in parts.materials.iter().zip(0..=u16::MAX) {
-            let wrong = |fault| SceneError::Material(MaterialId(place), fault);
-            material.validate(parts.textures.len()).map_err(wrong)?;
+        for (material, index) in descriptor.materials.iter().zip(0..=u16::MAX) {
+            let error = |error| SceneError::Material(MaterialId(index), error);
+            material.validate(descriptor.textures.len()).map_err(error)?;
         }
-        for number in 0..parts.geometry.shapes.len() {
-            let material = parts.material_ids.get(number).and_then(|m| parts.materials.get(usize::from(m.0)));
+        for item in 0..descriptor.geometry.shapes.len() {
+            let material =
+                descriptor.material_ids.get(item).and_then(|id| descriptor.materials.get(usize::from(id.0)));
             if material.is_none() {
-                return Err(SceneError::MissingMaterial(ItemId(number as u32)));
+                return Err(SceneError::MissingMaterial(ItemId(item as u32)));
             }
         }
-        for (light, index) in parts.lights.iter().zip(0..) {
+        for (light, index) in descriptor.lights.iter().zip(0..) {
             light.validate().map_err(|error| SceneError::Light(index, error))?;
         }
-        for (texture, index) in parts.textures.iter().zip(0..) {
+        for (texture, index) in descriptor.textures.iter().zip(0..) {
             texture.validate().map_err(|error| SceneError::Texture(index, error))?;
         }
-        check::color(Field::Ambient, parts.ambient, Rgb::MAX_CHANNEL).map_err(SceneError::Ambient)?;
-        parts.background.validate().map_err(SceneError::Background)?;
-        Ok(Scene { descriptor: parts, required_effects: find_required_effects(&parts) })
+        check::color(Field::Ambient, descriptor.ambient, Rgb::MAX_CHANNEL).map_err(SceneError::Ambient)?;
+        descriptor.background.validate().map_err(SceneError::Background)?;
+        Ok(Scene { descriptor, required_effects: find_required_effects(&descriptor) })
     }
 
-    /// What it is made of.
+    /// The tables of the scene.
     pub fn descriptor(&self) -> &SceneDescriptor<'s> {
         &self.descriptor
     }
 
-    /// What must be simulated: what its shapes, materials and lights ask for, and no more. A
-    /// material that no item is made of asks for nothing.
+    /// Effects that its shapes, materials and lights require, and no others.
+    ///
+    /// Materials that no item has require nothing. Depth of field depends on the camera and is not included.
     pub fn required_effects(&self) -> EffectSet {
         self.required_effects
     }
 
-    /// What an item is made of.
+    /// Material of an item; `None` if there is no such item.
     pub fn material(&self, item: ItemId) -> Option<&'s Material> {
-        let place = self.descriptor.material_ids.get(item.0 as usize)?.0;
-        self.descriptor.materials.get(usize::from(place))
+        let id = self.descriptor.material_ids.get(item.0 as usize)?;
+        self.descriptor.materials.get(usize::from(id.0))
     }
 }
 
-fn find_required_effects(parts: &SceneDescriptor<'_>) -> EffectSet {
-    let mut asks = EffectSet::NONE;
-    let mut lit = false;
-    for (shape, material_id) in parts.geometry.shapes.iter().zip(parts.material_ids) {
-        asks.motion_blur |= matches!(shape, Shape::Moving(_));
-        let Some(shape) = parts.geometry.static_shape(shape) else { continue };
-        asks.shapes = shape.kind().map_or(asks.shapes, |kind| asks.shapes.with(kind));
-        asks.smooth_shading |= match *shape {
+/// Effects that the items, materials and lights require.
+fn find_required_effects(descriptor: &SceneDescriptor<'_>) -> EffectSet {
+    let mut effects = EffectSet::NONE;
+    let mut is_lit = false;
+    for (shape, material_id) in descriptor.geometry.shapes.iter().zip(descriptor.material_ids) {
+        effects.motion_blur |= matches!(shape, Shape::Moving(_));
+        let Some(shape) = descriptor.geometry.static_shape(shape) else { continue };
+        effects.shapes = shape.kind().map_or(effects.shapes, |kind| effects.shapes.with(kind));
+        effects.smooth_shading |= match *shape {
             Shape::SmoothTriangle(_) => true,
-            Shape::Polygon(place) => parts.geometry.polygons.get(place as usize).is_some_and(|p| p.smooth),
+            Shape::Polygon(index) => {
+                descriptor.geometry.polygons.get(index as usize).is_some_and(|p| p.smooth)
+            }
             _ => false,
         };
-        let Some(material) = parts.materials.get(usize::from(material_id.0)) else { continue };
-        lit |= material.is_lit();
-        asks.highlight |= material.has_highlight() && !parts.lights.is_empty();
-        asks.reflection |= !material.reflection.is_black();
-        asks.transmission |= material.is_transmitting();
-        asks.absorption |= material.is_absorbing();
-        asks.gloss |= material.is_glossy();
-        if let Some(texture) = parts.textures.get(usize::from(material.texture.0)) {
-            asks.textures = asks.textures.with(texture.kind());
+        let Some(material) = descriptor.materials.get(usize::from(material_id.0)) else { continue };
+        is_lit |= material.is_lit();
+        effects.highlight |= material.has_highlight() && !descriptor.lights.is_empty();
+        effects.reflection |= !material.reflection.is_black();
+        effects.transmission |= material.is_transmitting();
+        effects.absorption |= material.is_absorbing();
+        effects.gloss |= material.is_glossy();
+        if let Some(texture) = descriptor.textures.get(usize::from(material.texture.0)) {
+            effects.textures = effects.textures.with(texture.kind());
         }
     }
-    for light in parts.lights.iter().filter(|light| lit && !light.color.is_black()) {
-        asks.lights = asks.lights.with(light.kind());
-        asks.shadows |= light.casts_shadows;
-        asks.penumbra |= light.has_penumbra();
+    for light in descriptor.lights.iter().filter(|light| is_lit && !light.color.is_black()) {
+        effects.lights = effects.lights.with(light.kind());
+        effects.shadows |= light.casts_shadows;
+        effects.penumbra |= light.has_penumbra();
     }
-    asks.colored_shadows = parts.colored_shadows && asks.shadows && asks.transmission;
-    asks
+    effects.colored_shadows = descriptor.colored_shadows && effects.shadows && effects.transmission;
+    effects
 }
 
 #[cfg(test)]
@@ -253,76 +267,77 @@ mod tests {
     use crate::geometry::{Plane, ShapeError, Sphere};
     use crate::math::vec3;
 
-    const BALL: Shape = Shape::Sphere(Sphere { center: Vec3::ZERO, radius: 1.0 });
-    const LAMP: Light = Light {
+    const SPHERE: Shape = Shape::Sphere(Sphere { center: Vec3::ZERO, radius: 1.0 });
+    const LIGHT: Light = Light {
         source: LightSource::Point { position: Vec3::ONE, falloff: Falloff::NONE },
         color: Rgb::WHITE,
         casts_shadows: true,
     };
 
-    fn parts<'s>(shapes: &'s [Shape], materials: &'s [Material]) -> SceneDescriptor<'s> {
+    fn descriptor<'s>(shapes: &'s [Shape], materials: &'s [Material]) -> SceneDescriptor<'s> {
         let geometry = Geometry { shapes, ..Geometry::EMPTY };
         SceneDescriptor {
             geometry,
             material_ids: &[MaterialId(0)],
             materials,
-            lights: &[LAMP],
+            lights: &[LIGHT],
             ..SceneDescriptor::EMPTY
         }
     }
 
     #[test]
-    fn a_scene_asks_for_what_its_items_are_made_of_and_no_more() {
+    fn only_materials_in_use_require_effects() {
         let matte = [Material::MATTE];
-        let asks = Scene::new(parts(&[BALL], &matte)).unwrap().required_effects();
+        let effects = Scene::new(descriptor(&[SPHERE], &matte)).unwrap().required_effects();
         let local = EffectSet {
             shapes: crate::geometry::ShapeSet::of(&[crate::geometry::ShapeKind::Sphere]),
             lights: LightSet::of(&[LightKind::Point]),
             shadows: true,
             ..EffectSet::NONE
         };
-        assert_eq!(asks, local);
-        // The second material is nobody's.
+        assert_eq!(effects, local);
+        // No item has the second material.
         let glass = Material { transmission: Rgb::WHITE, ..Material::MATTE };
-        let asks = Scene::new(parts(&[BALL], &[Material::MATTE, glass])).unwrap().required_effects();
-        assert_eq!(asks, local);
-        let asks = Scene::new(parts(&[BALL], &[glass])).unwrap().required_effects();
-        assert_eq!(asks, EffectSet { transmission: true, ..local });
-        assert!(EffectSet::ALL.is_superset(&asks) && !local.is_superset(&asks));
+        let effects =
+            Scene::new(descriptor(&[SPHERE], &[Material::MATTE, glass])).unwrap().required_effects();
+        assert_eq!(effects, local);
+        let effects = Scene::new(descriptor(&[SPHERE], &[glass])).unwrap().required_effects();
+        assert_eq!(effects, EffectSet { transmission: true, ..local });
+        assert!(EffectSet::ALL.is_superset(&effects) && !local.is_superset(&effects));
     }
 
     #[test]
-    fn parts_that_do_not_fit_are_named() {
+    fn the_error_names_the_invalid_entry() {
         let matte = [Material::MATTE];
-        let fault = |parts| Scene::new(parts).unwrap_err();
+        let error = |descriptor| Scene::new(descriptor).unwrap_err();
         let flat = [Shape::Sphere(Sphere { center: Vec3::ZERO, radius: 0.0 })];
-        assert_eq!(fault(parts(&flat, &matte)), SceneError::Shape(ItemId(0), ShapeError::Radius));
+        assert_eq!(error(descriptor(&flat, &matte)), SceneError::Shape(ItemId(0), ShapeError::Radius));
         let far = [Shape::Sphere(Sphere { center: vec3(2e15, 0.0, 0.0), radius: 1.0 })];
-        assert_eq!(fault(parts(&far, &matte)), SceneError::Shape(ItemId(0), ShapeError::Coordinate));
+        assert_eq!(error(descriptor(&far, &matte)), SceneError::Shape(ItemId(0), ShapeError::Coordinate));
         assert_eq!(
-            fault(parts(&[Shape::Triangle([0, 1, 2])], &matte)),
+            error(descriptor(&[Shape::Triangle([0, 1, 2])], &matte)),
             SceneError::Shape(ItemId(0), ShapeError::IndexOutOfRange)
         );
-        assert_eq!(fault(parts(&[BALL], &[])), SceneError::MissingMaterial(ItemId(0)));
+        assert_eq!(error(descriptor(&[SPHERE], &[])), SceneError::MissingMaterial(ItemId(0)));
         let dark = [Material { attenuation_length: Rgb::BLACK, ..Material::MATTE }];
         assert_eq!(
-            fault(parts(&[BALL], &dark)),
+            error(descriptor(&[SPHERE], &dark)),
             SceneError::Material(MaterialId(0), FieldError { field: Field::AttenuationLength, value: 0.0 })
         );
-        let lamp = [Light { color: Rgb::gray(-1.0), ..LAMP }];
+        let lamp = [Light { color: Rgb::gray(-1.0), ..LIGHT }];
         let dark = FieldError { field: Field::Color, value: -1.0 };
         assert_eq!(
-            fault(SceneDescriptor { lights: &lamp, ..parts(&[BALL], &matte) }),
+            error(SceneDescriptor { lights: &lamp, ..descriptor(&[SPHERE], &matte) }),
             SceneError::Light(0, dark)
         );
     }
 
     #[test]
-    fn a_plane_must_stand_in_its_table_under_its_own_number() {
+    fn the_item_of_a_plane_must_be_its_own_index() {
         let matte = [Material::MATTE];
         let planes = [Plane { point: Vec3::ZERO, normal: Vec3::Y, item: ItemId(1) }];
         let geometry = Geometry { shapes: &[Shape::Plane(0)], planes: &planes, ..Geometry::EMPTY };
-        let fault = Scene::new(SceneDescriptor { geometry, ..parts(&[], &matte) }).unwrap_err();
-        assert_eq!(fault, SceneError::Shape(ItemId(0), ShapeError::PlaneItem));
+        let error = Scene::new(SceneDescriptor { geometry, ..descriptor(&[], &matte) }).unwrap_err();
+        assert_eq!(error, SceneError::Shape(ItemId(0), ShapeError::PlaneItem));
     }
 }

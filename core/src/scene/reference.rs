@@ -1,18 +1,18 @@
-//! Places in the tables of a scene.
+//! Indices into the tables of a scene.
 
-/// A place in the scene's table of materials.
+/// Index into the scene's table of materials.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "baked", derive(zerocopy::TryFromBytes, zerocopy::KnownLayout, zerocopy::Immutable))]
 #[repr(transparent)]
 pub struct MaterialId(pub u16);
 
-/// A place in the scene's table of textures.
+/// Index into the scene's table of textures.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "baked", derive(zerocopy::TryFromBytes, zerocopy::KnownLayout, zerocopy::Immutable))]
 #[repr(transparent)]
 pub struct TextureId(pub u16);
 
 impl TextureId {
-    /// No texture: no table is so long that it has this place.
+    /// No texture.
     pub const NONE: TextureId = TextureId(u16::MAX);
 }

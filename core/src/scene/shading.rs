@@ -1,6 +1,6 @@
-//! How shading normals are found.
+//! Flat or smooth shading of triangles and polygons.
 
-/// How the shading normals of triangles and polygons are found.
+/// Shading normals of triangles and polygons.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Shading {
     /// The geometric normal.

@@ -1,8 +1,7 @@
-//! A scene that owns its tables, for programs with a heap.
+//! An owned scene, for programs with a heap.
 //!
-//! Tables grow as shapes, materials, textures and lights are added. Adding returns the index under which the
-//! entry can be referred to, so that no index has to be counted by hand; [`SceneTables::scene`] checks all of
-//! them and borrows the [`Scene`].
+//! Tables grow as shapes, materials, textures and lights are added. Adding an entry returns its index, with which other
+//! entries refer to it. [`SceneTables::scene`] checks all tables and borrows the [`Scene`].
 
 use alloc::vec::Vec;
 use core::ops::Range;
@@ -16,16 +15,16 @@ use crate::geometry::{
 };
 use crate::math::{Rgb, Vec3};
 
-/// An owned scene: tables that grow. Needs the feature `alloc`.
+/// An owned scene: tables that grow. Requires the feature `alloc`.
 ///
-/// Nothing is checked until [`SceneTables::scene`] is called. Points, lengths and directions have the units
-/// and ranges of the types that take them; normals and axes have length one.
+/// Entries are checked by [`SceneTables::scene`], not when they are added. All positions and directions are in world
+/// space; normals and axes are unit vectors.
 ///
 /// ```
 /// use strahl_core::{Material, Rgb, SceneTables, Sphere, vec3};
 ///
 /// let mut tables = SceneTables::new();
-/// let red = tables.add_material(Material { diffuse: Rgb::new(0.8, 0.1, 0.1), ..Material::MATTE });
+/// let red = tables.add_material(Material::matte(Rgb::new(0.8, 0.1, 0.1)));
 /// let ball = tables.add_sphere(Sphere { center: vec3(0.0, 1.0, 0.0), radius: 1.0 }, red);
 /// let floor = tables.add_plane(vec3(0.0, 0.0, 0.0), vec3(0.0, 1.0, 0.0), red);
 /// assert_eq!((ball.0, floor.0), (0, 1));
@@ -50,13 +49,13 @@ pub struct SceneTables {
     material_ids: Vec<MaterialId>,
     materials: Vec<Material>,
     textures: Vec<Texture>,
-    /// The lights.
+    /// Lights.
     pub lights: Vec<Light>,
     /// Ambient light, which arrives at every surface from all directions.
     pub ambient: Rgb,
-    /// What rays see that hit nothing.
+    /// Radiance of rays that hit no item.
     pub background: Background,
-    /// Whether shadow rays pass through transmitting bodies, as of [`SceneDescriptor::colored_shadows`].
+    /// Whether shadow rays pass through transmitting bodies ([`SceneDescriptor::colored_shadows`]).
     pub colored_shadows: bool,
 }
 
@@ -67,7 +66,7 @@ impl Default for SceneTables {
 }
 
 impl SceneTables {
-    /// Empty, dark space.
+    /// An empty, black scene.
     pub const fn new() -> Self {
         SceneTables {
             shapes: Vec::new(),
@@ -91,7 +90,7 @@ impl SceneTables {
         }
     }
 
-    /// Adds a material, for shapes to be made of.
+    /// Adds a material, for shapes.
     pub fn add_material(&mut self, material: Material) -> MaterialId {
         MaterialId(push(&mut self.materials, material) as u16)
     }
@@ -101,7 +100,7 @@ impl SceneTables {
         &mut self.materials
     }
 
-    /// Adds a texture, for materials to refer to.
+    /// Adds a texture, for materials.
     pub fn add_texture(&mut self, texture: Texture) -> TextureId {
         TextureId(push(&mut self.textures, texture) as u16)
     }
@@ -116,7 +115,7 @@ impl SceneTables {
         self.add_shape(Shape::Sphere(sphere), material)
     }
 
-    /// Adds an infinite plane through `point`.
+    /// Adds an infinite plane through `point`. `normal`: unit vector.
     pub fn add_plane(&mut self, point: Vec3, normal: Vec3, material: MaterialId) -> ItemId {
         let item = self.next_item();
         let plane = push(&mut self.planes, Plane { point, normal, item });
@@ -153,10 +152,10 @@ impl SceneTables {
         self.add_shape(Shape::Torus(torus), material)
     }
 
-    /// Adds vertices for triangles and polygons to share, with a normal for each, or for the first of them,
-    /// or none. Returns the index of the first.
+    /// Adds vertices for triangles and polygons, and returns the index of the first.
     ///
-    /// Smooth triangles and polygons need the normals of all their vertices.
+    /// `normals`: unit vectors for the first of the vertices, or none. Smooth triangles and polygons need a normal for each
+    /// of their vertices.
     pub fn add_vertices(&mut self, vertices: &[Vec3], normals: &[Vec3]) -> u32 {
         let first = self.vertices.len();
         self.vertices.extend_from_slice(vertices);
@@ -178,7 +177,7 @@ impl SceneTables {
         self.add_triangles_from(0, triangles, shading, material)
     }
 
-    /// Triangles whose vertices are counted from `first`.
+    /// Adds triangles whose vertex indices are relative to `first`.
     fn add_triangles_from(
         &mut self,
         first: u32,
@@ -191,20 +190,19 @@ impl SceneTables {
             Shading::Flat => Shape::Triangle,
             Shading::Smooth => Shape::SmoothTriangle,
         };
-        // An index that is out of range stays so.
+        // Saturates, so that an index that is out of range stays out of range.
         let indices = triangles.iter().map(|vertices| vertices.map(|vertex| first.saturating_add(vertex)));
         self.shapes.extend(indices.map(shape));
         self.material_ids.resize(self.shapes.len(), material);
         start..self.next_item()
     }
 
-    /// Adds a polygon by the indices of its vertices ([`SceneTables::add_vertices`]); the normal is right-handed around
-    /// them.
+    /// Adds a planar polygon by the indices of its vertices ([`SceneTables::add_vertices`]). It may be concave. Seen from the
+    /// side of its normal, the vertices run counterclockwise.
     ///
     /// # Errors
     ///
-    /// [`ShapeError::IndexOutOfRange`] for vertices that are not there, for fewer than three, and where the
-    /// area is zero.
+    /// [`ShapeError::IndexOutOfRange`] for missing vertices, fewer than three vertices and zero area.
     pub fn add_polygon(
         &mut self,
         vertices: Range<u32>,
@@ -217,8 +215,9 @@ impl SceneTables {
         Ok(self.add_shape(Shape::Polygon(polygon), material))
     }
 
-    /// Adds a triangle mesh with vertices of its own; `triangles` are indices into them. It is smooth where there is a
-    /// normal for each vertex, flat without normals.
+    /// Adds a triangle mesh with its own vertices; `triangles` are indices into `vertices`.
+    ///
+    /// `normals`: one unit vector for each vertex, for smooth shading; or none, for flat shading.
     pub fn add_mesh(
         &mut self,
         vertices: &[Vec3],
@@ -231,10 +230,10 @@ impl SceneTables {
         self.add_triangles_from(first, triangles, shading, material)
     }
 
-    /// Makes an item move along a straight line while the shutter is open, between these offsets from where it was
-    /// added. Unit: scene lengths.
+    /// Moves an item along a straight line while the shutter is open, between these offsets from its position.
+    /// Unit: scene lengths, world space.
     ///
-    /// Does nothing for an item that is not there.
+    /// Does nothing if there is no such item.
     pub fn set_motion(&mut self, item: ItemId, offset_at_open: Vec3, offset_at_close: Vec3) {
         self.clear_motion(item);
         if let Some(shape) = self.shapes.get_mut(item.0 as usize) {
@@ -244,7 +243,7 @@ impl SceneTables {
         }
     }
 
-    /// Makes an item stand still.
+    /// Removes the motion of an item.
     pub fn clear_motion(&mut self, item: ItemId) {
         let shape = self.shapes.get_mut(item.0 as usize);
         if let Some(shape) = shape
@@ -255,22 +254,22 @@ impl SceneTables {
         }
     }
 
-    /// The number of items.
+    /// Number of items.
     pub fn len(&self) -> usize {
         self.shapes.len()
     }
 
-    /// Whether there is no item.
+    /// Whether there are no items.
     pub fn is_empty(&self) -> bool {
         self.shapes.is_empty()
     }
 
-    /// The bounds of all items, from which accelerators are built ([`Geometry::all_bounds`]).
+    /// Bounds of all items, from which accelerators are built ([`Geometry::all_bounds`]).
     pub fn bounds(&self) -> Vec<Aabb> {
         self.descriptor().geometry.all_bounds().collect()
     }
 
-    /// The tables, not yet checked.
+    /// Borrows the tables without checking them.
     pub fn descriptor(&self) -> SceneDescriptor<'_> {
         SceneDescriptor {
             geometry: Geometry {
@@ -296,11 +295,11 @@ impl SceneTables {
         }
     }
 
-    /// The scene of these tables, checked.
+    /// Checks the tables and borrows them as a scene.
     ///
     /// # Errors
     ///
-    /// As of [`Scene::new`], for the first entry that is out of range or refers to nothing.
+    /// The first entry that is out of range or refers to a missing entry, as of [`Scene::new`].
     pub fn scene(&self) -> Result<Scene<'_>, SceneError> {
         Scene::new(self.descriptor())
     }
@@ -329,15 +328,15 @@ mod tests {
     use super::*;
     use crate::math::vec3;
 
-    const CORNERS: [Vec3; 4] = [Vec3::ZERO, vec3(1.0, 0.0, 0.0), vec3(1.0, 1.0, 0.0), vec3(0.0, 1.0, 0.0)];
-    const BALL: Sphere = Sphere { center: Vec3::ZERO, radius: 1.0 };
+    const VERTICES: [Vec3; 4] = [Vec3::ZERO, vec3(1.0, 0.0, 0.0), vec3(1.0, 1.0, 0.0), vec3(0.0, 1.0, 0.0)];
+    const SPHERE: Sphere = Sphere { center: Vec3::ZERO, radius: 1.0 };
 
     #[test]
-    fn every_kind_of_shape_that_is_added_makes_a_scene() {
+    fn every_kind_of_shape_can_be_added() {
         let mut tables = SceneTables::new();
         let matte = tables.add_material(Material::MATTE);
         tables.add_plane(Vec3::ZERO, Vec3::Y, matte);
-        tables.add_sphere(BALL, matte);
+        tables.add_sphere(SPHERE, matte);
         tables.add_disc(Disc { center: Vec3::ZERO, normal: Vec3::Y, radius: 1.0 }, matte);
         tables.add_cuboid(Cuboid { min: Vec3::ZERO, max: Vec3::ONE }, matte);
         tables.add_oriented_cuboid(
@@ -349,9 +348,9 @@ mod tests {
             Torus { center: Vec3::ZERO, axis: Vec3::Y, major_radius: 1.0, minor_radius: 0.25 },
             matte,
         );
-        tables.add_mesh(&CORNERS, &[], &[[0, 1, 2], [0, 2, 3]], matte);
-        let smooth = tables.add_mesh(&CORNERS, &[Vec3::Z; 4], &[[0, 1, 2]], matte);
-        let first = tables.add_vertices(&CORNERS, &[]);
+        tables.add_mesh(&VERTICES, &[], &[[0, 1, 2], [0, 2, 3]], matte);
+        let smooth = tables.add_mesh(&VERTICES, &[Vec3::Z; 4], &[[0, 1, 2]], matte);
+        let first = tables.add_vertices(&VERTICES, &[]);
         tables.add_polygon(first..first + 4, Shading::Flat, matte).unwrap();
         tables.set_motion(smooth.start, Vec3::ZERO, Vec3::X);
         assert_eq!(tables.len(), 11);
@@ -361,11 +360,11 @@ mod tests {
     }
 
     #[test]
-    fn a_mesh_refers_to_its_own_vertices() {
+    fn indices_of_a_mesh_are_relative_to_its_vertices() {
         let mut tables = SceneTables::new();
         let matte = tables.add_material(Material::MATTE);
-        let a = tables.add_mesh(&CORNERS, &[], &[[0, 1, 2]], matte);
-        let b = tables.add_mesh(&CORNERS, &[Vec3::Z; 4], &[[0, 1, 2], [0, 2, 3]], matte);
+        let a = tables.add_mesh(&VERTICES, &[], &[[0, 1, 2]], matte);
+        let b = tables.add_mesh(&VERTICES, &[Vec3::Z; 4], &[[0, 1, 2], [0, 2, 3]], matte);
         assert_eq!((a, b), (ItemId(0)..ItemId(1), ItemId(1)..ItemId(3)));
         let shapes = tables.descriptor().geometry.shapes;
         assert_eq!(shapes[1], Shape::SmoothTriangle([4, 5, 6]));
@@ -373,27 +372,27 @@ mod tests {
     }
 
     #[test]
-    fn an_index_that_refers_to_nothing_is_an_error() {
+    fn an_index_out_of_range_is_an_error() {
         let mut tables = SceneTables::new();
-        let item = tables.add_sphere(BALL, MaterialId(3));
+        let item = tables.add_sphere(SPHERE, MaterialId(3));
         assert_eq!(tables.scene().unwrap_err(), SceneError::MissingMaterial(item));
         let mut tables = SceneTables::new();
         let matte = tables.add_material(Material::MATTE);
-        let mesh = tables.add_mesh(&CORNERS, &[], &[[0, 1, 4]], matte);
+        let mesh = tables.add_mesh(&VERTICES, &[], &[[0, 1, 4]], matte);
         assert_eq!(tables.scene().unwrap_err(), SceneError::Shape(mesh.start, ShapeError::IndexOutOfRange));
         assert_eq!(tables.add_polygon(2..5, Shading::Flat, matte), Err(ShapeError::IndexOutOfRange));
     }
 
     #[test]
-    fn motion_is_replaced_and_cleared() {
+    fn motion_can_be_replaced_and_removed() {
         let mut tables = SceneTables::new();
         let matte = tables.add_material(Material::MATTE);
-        let item = tables.add_sphere(BALL, matte);
+        let item = tables.add_sphere(SPHERE, matte);
         tables.set_motion(item, Vec3::X, Vec3::Y);
         tables.set_motion(item, Vec3::ZERO, Vec3::Z);
         assert!(tables.scene().unwrap().required_effects().motion_blur);
         tables.clear_motion(item);
-        assert_eq!(tables.descriptor().geometry.shapes, [Shape::Sphere(BALL)]);
+        assert_eq!(tables.descriptor().geometry.shapes, [Shape::Sphere(SPHERE)]);
         tables.set_motion(ItemId(7), Vec3::X, Vec3::Y);
         assert!(!tables.scene().unwrap().required_effects().motion_blur);
     }

@@ -1,52 +1,53 @@
-//! Colour that changes from place to place by a formula.
+//! Procedural textures: colors as a function of the point.
 
 use super::{Field, FieldError, TextureKind, TextureSet, check};
 use crate::math::{MAX_COORDINATE, PI, Real, Rgb, Vec3, clamp, cos, floor, max_abs_component};
 
-/// A colour for each point of space, in the frame of the world.
+/// A procedural solid texture: a color for each point, in world space.
+///
+/// The texture of a moving item moves with it. Channels of colors are in `0..=1e6`, coordinates in `-1e15..=1e15`.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "baked", derive(zerocopy::TryFromBytes, zerocopy::KnownLayout, zerocopy::Immutable))]
 #[repr(u32)]
 pub enum Texture {
-    /// Two colours in turn, in cells upright on the axes.
+    /// Axis-aligned cells of two alternating colors.
     Checker {
-        /// The colour of the cell that begins in `origin`.
+        /// Color of the cell whose lowest corner is `origin`.
         even: Rgb,
-        /// The colour of its neighbours.
+        /// Color of its neighbors.
         odd: Rgb,
         /// A corner of cells.
         origin: Vec3,
-        /// Cells per scene length along each axis. Zero: one cell without end, which is what
-        /// the axis upright on a floor needs, lest rounding choose between two cells.
+        /// Number of cells per scene length along each axis. Zero means one infinite cell, which the axis perpendicular to
+        /// a floor needs, so that rounding does not choose between two cells.
         frequency: Vec3,
     },
-    /// From one colour to another along a direction, and constant beyond both.
+    /// Linear gradient between two points, constant beyond them.
     Gradient {
-        /// The colour in `origin` and before it.
+        /// Color at `origin` and before it.
         start_color: Rgb,
-        /// The colour one length of `along` away and beyond.
+        /// Color at `origin + axis` and beyond it.
         end_color: Rgb,
-        /// Where it begins.
+        /// Start point.
         origin: Vec3,
-        /// From its begin to its end, not zero.
+        /// Vector from the start to the end point, not zero.
         axis: Vec3,
     },
-    /// Spheres round a point, from one colour to the other and back, the finer the farther: the
-    /// zone plate, which shows what a raster cannot hold.
+    /// Zone plate: concentric rings whose frequency grows with the distance. It shows aliasing.
     ZonePlate {
-        /// The colour in `origin`.
+        /// Color at `origin`.
         start_color: Rgb,
-        /// The colour halfway to the first return.
+        /// Color halfway to the first ring.
         end_color: Rgb,
-        /// The middle.
+        /// Center.
         origin: Vec3,
-        /// Returns per square of the distance; at least 0, at most 1e15.
+        /// Number of rings per squared scene length, in `0..=1e15`.
         frequency: Real,
     },
 }
 
 impl Texture {
-    /// What kind it is.
+    /// Kind of the texture.
     pub const fn kind(&self) -> TextureKind {
         match self {
             Texture::Checker { .. } => TextureKind::Checker,
@@ -55,6 +56,7 @@ impl Texture {
         }
     }
 
+    /// Checks that all fields are in range.
     pub(super) fn validate(&self) -> Result<(), FieldError> {
         let color = |field, color| check::color(field, color, Rgb::MAX_CHANNEL);
         match *self {
@@ -64,60 +66,60 @@ impl Texture {
                 check::point(Field::Origin, origin)?;
                 check::point(Field::CellFrequency, frequency)
             }
-            Texture::Gradient { start_color: from, end_color: to, origin, axis: along } => {
-                color(Field::StartColor, from)?;
-                color(Field::EndColor, to)?;
+            Texture::Gradient { start_color, end_color, origin, axis } => {
+                color(Field::StartColor, start_color)?;
+                color(Field::EndColor, end_color)?;
                 check::point(Field::Origin, origin)?;
-                let square = along.dot(along);
+                let square = axis.dot(axis);
                 let is_length = square > 0.0 && square <= Real::MAX;
                 if is_length { Ok(()) } else { Err(check::error(Field::Axis, square)) }
             }
-            Texture::ZonePlate { start_color: from, end_color: to, origin, frequency } => {
-                color(Field::StartColor, from)?;
-                color(Field::EndColor, to)?;
+            Texture::ZonePlate { start_color, end_color, origin, frequency } => {
+                color(Field::StartColor, start_color)?;
+                color(Field::EndColor, end_color)?;
                 check::point(Field::Origin, origin)?;
                 check::range(Field::RingFrequency, frequency, 0.0, MAX_COORDINATE)
             }
         }
     }
 
-    /// The colour at a point; white for a kind that is not among the `able` ones. Inlined, so
-    /// that the arms outside a constant set are compiled away.
+    /// Color at a point, world space. White for a kind that is not in `supported`.
+    // Inlined so that the arms of unsupported kinds are compiled away.
     #[inline(always)]
-    pub(crate) fn evaluate(&self, point: Vec3, able: TextureSet) -> Rgb {
+    pub(crate) fn evaluate(&self, point: Vec3, supported: TextureSet) -> Rgb {
         match *self {
-            Texture::Checker { even, odd, origin, frequency } if able.contains(TextureKind::Checker) => {
+            Texture::Checker { even, odd, origin, frequency } if supported.contains(TextureKind::Checker) => {
                 let cell = (point - origin) * frequency;
                 if is_even_cell(cell) { even } else { odd }
             }
-            Texture::Gradient { start_color: from, end_color: to, origin, axis: along }
-                if able.contains(TextureKind::Gradient) =>
+            Texture::Gradient { start_color, end_color, origin, axis }
+                if supported.contains(TextureKind::Gradient) =>
             {
-                let s = (point - origin).dot(along) / along.dot(along);
-                from.lerp(to, clamp(s, 0.0, 1.0))
+                let s = (point - origin).dot(axis) / axis.dot(axis);
+                start_color.lerp(end_color, clamp(s, 0.0, 1.0))
             }
-            Texture::ZonePlate { start_color: from, end_color: to, origin, frequency }
-                if able.contains(TextureKind::ZonePlate) =>
+            Texture::ZonePlate { start_color, end_color, origin, frequency }
+                if supported.contains(TextureKind::ZonePlate) =>
             {
-                let way = point - origin;
-                let turns = way.dot(way) * frequency;
-                // The whole turns would cost the cosine its digits; what is not finite has none.
-                let turn = clamp(turns - floor(turns), 0.0, 1.0);
-                from.lerp(to, clamp(0.5 - 0.5 * cos(2.0 * PI * turn), 0.0, 1.0))
+                let offset = point - origin;
+                let cycles = offset.dot(offset) * frequency;
+                // Only the fraction, because the cosine of large numbers is inaccurate; clamping removes NaN.
+                let phase = clamp(cycles - floor(cycles), 0.0, 1.0);
+                start_color.lerp(end_color, clamp(0.5 - 0.5 * cos(2.0 * PI * phase), 0.0, 1.0))
             }
             _ => Rgb::WHITE,
         }
     }
 }
 
-/// Whether the whole numbers next below the coordinates have an even sum.
+/// Whether the sum of the coordinates, each rounded down, is even.
 #[inline(always)]
 fn is_even_cell(cell: Vec3) -> bool {
     if max_abs_component(cell) < 1e9 {
         let below = |x: Real| x as i32 - i32::from((x as i32) as Real > x);
         return (below(cell.x) ^ below(cell.y) ^ below(cell.z)) & 1 == 0;
     }
-    // Half of the sum keeps its parity where a machine's whole number would not hold it.
+    // The sum is even if its half is an integer; an `i32` would overflow.
     let half = 0.5 * (floor(cell.x) + floor(cell.y) + floor(cell.z));
     half == floor(half)
 }
@@ -128,7 +130,7 @@ mod tests {
     use crate::math::vec3;
 
     #[test]
-    fn a_checker_changes_at_every_wall_and_ignores_an_axis_without_frequency() {
+    fn a_checker_alternates_at_cell_planes_and_ignores_zero_frequencies() {
         let checker = Texture::Checker {
             even: Rgb::WHITE,
             odd: Rgb::BLACK,
@@ -146,7 +148,7 @@ mod tests {
     }
 
     #[test]
-    fn a_zone_plate_returns_at_every_whole_square_of_the_distance() {
+    fn a_zone_plate_repeats_with_the_squared_distance() {
         let plate = Texture::ZonePlate {
             start_color: Rgb::WHITE,
             end_color: Rgb::BLACK,

@@ -1,4 +1,8 @@
-//! The scene and the accelerator that knows where its items lie: answers to rays.
+//! Closest-hit and any-hit queries of a scene with an accelerator.
+//!
+//! [`World`] combines a scene and the accelerator of its items. A query traverses the accelerator, which offers items
+//! near the ray; [`RayQuery`] intersects them, and its [`HitPolicy`] keeps the nearest hit or stops at the first.
+//! Planes have no finite bounds, so they are not in the accelerator but tested before it.
 
 use core::marker::PhantomData;
 use core::ops::ControlFlow;
@@ -10,7 +14,27 @@ use crate::geometry::{Geometry, Hit, ItemId, Ray, Shape, ShapeKind, SurfaceInter
 use crate::math::{Real, Vec3};
 use crate::tally::{CountedEvent, RayKind, Tally};
 
-/// A scene that can be asked what a ray meets.
+/// A scene and the accelerator of its items: answers ray queries.
+///
+/// ```
+/// use strahl_core::accel::BareList;
+/// use strahl_core::geometry::{ItemId, Ray};
+/// use strahl_core::tally::RayKind;
+/// use strahl_core::{AllEffects, Geometry, Material, MaterialId, Scene, SceneDescriptor, Shape, Sphere, Vec3, World, vec3};
+///
+/// let shapes = [Shape::Sphere(Sphere { center: vec3(0.0, 0.0, -5.0), radius: 1.0 })];
+/// let scene = Scene::new(SceneDescriptor {
+///     geometry: Geometry { shapes: &shapes, ..Geometry::EMPTY },
+///     material_ids: &[MaterialId(0)],
+///     materials: &[Material::MATTE],
+///     ..SceneDescriptor::EMPTY
+/// })?;
+/// let world = World::new(scene, BareList(1));
+/// let ray = Ray::new(Vec3::ZERO, vec3(0.0, 0.0, -1.0));
+/// let hit = world.nearest_hit::<AllEffects, _>(&ray, 100.0, RayKind::Camera, &mut (), &mut ()).unwrap();
+/// assert_eq!((hit.item, hit.t), (ItemId(0), 4.0));
+/// # Ok::<(), strahl_core::scene::SceneError>(())
+/// ```
 #[derive(Clone, Copy, Debug)]
 pub struct World<'s, A> {
     scene: Scene<'s>,
@@ -18,8 +42,10 @@ pub struct World<'s, A> {
 }
 
 impl<'s, A: Accelerator> World<'s, A> {
-    /// The world of `scene`. The accelerator must have been built from the boxes of its items
-    /// ([`Geometry::all_bounds`]); what it does not offer is not there.
+    /// Combines `scene` with the accelerator of its items.
+    ///
+    /// The accelerator must have been built from the bounds of the items ([`Geometry::all_bounds`]); items that it does
+    /// not offer are not hit.
     ///
     /// [`Geometry::all_bounds`]: crate::Geometry::all_bounds
     pub fn new(scene: Scene<'s>, accelerator: A) -> Self {
@@ -36,10 +62,10 @@ impl<'s, A: Accelerator> World<'s, A> {
         &self.accelerator
     }
 
-    /// The nearest item along the ray, at most `reach` lengths of its direction away. Of items
-    /// equally far away, the one with the lower number.
+    /// Nearest hit along the ray, with `t` of at most `t_max`; `None` if there is none or the ray is not valid.
     ///
-    /// Only the shapes of `E` can be met.
+    /// Of hits with equal `t`, the one with the lower [`ItemId`]. Only the shapes of `E` are hit. `t` is measured in
+    /// lengths of the ray's direction.
     pub fn nearest_hit<E: Effects, T: Tally>(
         &self,
         ray: &Ray,
@@ -55,88 +81,90 @@ impl<'s, A: Accelerator> World<'s, A> {
         }
     }
 
-    /// The same of a ray that is known to be sound. For the loop: what else asks has the other door,
-    /// so that this one is inlined there and nowhere else.
+    /// [`World::nearest_hit`] of a ray that is known to be valid.
+    // For the tracing loop only, so that it is inlined there and nowhere else.
     #[inline(always)]
     pub(crate) fn nearest_hit_unchecked<E: Effects, T: Tally>(
         &self,
         ray: &Ray,
-        reach: Real,
+        t_max: Real,
         kind: RayKind,
         scratch: &mut A::Scratch,
         tally: &mut T,
     ) -> Option<Hit> {
-        // No item has the highest number: the first at the very reach wins against it.
-        let goal = NearestHit(ItemId(u32::MAX));
-        let mut search = RayQuery::<E, T, _>::new(self, ray, reach, kind, tally, goal);
-        self.run_query::<E, _>(ray, scratch, &mut search);
-        let item = search.policy.0;
-        (item != ItemId(u32::MAX)).then_some(Hit { t: search.reach, item })
+        // No item has the highest id, so a hit at exactly `t_max` wins against it.
+        let policy = NearestHit(ItemId(u32::MAX));
+        let mut query = RayQuery::<E, T, _>::new(self, ray, t_max, kind, tally, policy);
+        self.run_query::<E, _>(ray, scratch, &mut query);
+        let item = query.policy.0;
+        (item != ItemId(u32::MAX)).then_some(Hit { t: query.t_max, item })
     }
 
-    /// Some item along the ray, at most `reach` lengths of its direction away.
+    /// Any item that the ray hits with `t` of at most `t_max`; `None` if there is none or the ray is not valid.
     ///
-    /// Only the shapes of `E` can be in the way.
+    /// Only the shapes of `E` are hit.
     pub fn occluder<E: Effects, T: Tally>(
         &self,
         ray: &Ray,
-        reach: Real,
+        t_max: Real,
         kind: RayKind,
         scratch: &mut A::Scratch,
         tally: &mut T,
     ) -> Option<ItemId> {
-        if ray.is_valid() { self.occluder_unchecked::<E, T>(ray, reach, kind, scratch, tally) } else { None }
+        if ray.is_valid() { self.occluder_unchecked::<E, T>(ray, t_max, kind, scratch, tally) } else { None }
     }
 
-    /// The same of a ray that is known to be sound.
+    /// [`World::occluder`] of a ray that is known to be valid.
     pub(crate) fn occluder_unchecked<E: Effects, T: Tally>(
         &self,
         ray: &Ray,
-        reach: Real,
+        t_max: Real,
         kind: RayKind,
         scratch: &mut A::Scratch,
         tally: &mut T,
     ) -> Option<ItemId> {
-        let mut search = RayQuery::<E, T, _>::new(self, ray, reach, kind, tally, AnyHit(None));
-        self.run_query::<E, _>(ray, scratch, &mut search);
-        search.policy.0
+        let mut query = RayQuery::<E, T, _>::new(self, ray, t_max, kind, tally, AnyHit(None));
+        self.run_query::<E, _>(ray, scratch, &mut query);
+        query.policy.0
     }
 
-    /// Whether this item is along the ray, at most `reach` lengths of its direction away.
+    /// Whether the ray hits this item with `t` of at most `t_max`.
     ///
-    /// As [`World::occluder`] would find if there were no other.
+    /// The result is that of [`World::occluder`] in a scene without other items.
     pub fn is_occluded_by<E: Effects, T: Tally>(
         &self,
         item: ItemId,
         ray: &Ray,
-        reach: Real,
+        t_max: Real,
         kind: RayKind,
         tally: &mut T,
     ) -> bool {
-        let mut search = RayQuery::<E, T, _>::new(self, ray, reach, kind, tally, AnyHit(None));
-        search.test_item(item).is_break()
+        let mut query = RayQuery::<E, T, _>::new(self, ray, t_max, kind, tally, AnyHit(None));
+        query.test_item(item).is_break()
     }
 
-    /// What the item that was hit is like there.
+    /// Point, normals and error bounds of the surface at a hit; `None` if there is no such item.
     #[inline(always)]
     pub fn surface_interaction<E: Effects>(&self, ray: &Ray, hit: Hit) -> Option<SurfaceInteraction> {
         let geometry = &self.scene.descriptor().geometry;
         geometry.surface_interaction::<E>(geometry.shape(hit.item)?, ray, hit.t)
     }
 
-    /// How far off a point of a smooth item the round surface is that is meant, where it is to stand
-    /// in no light of its own; none for other items. `point`: where the item is at rest. `outside`: on the side of its normals.
+    /// Shadow terminator offset of a point of a smooth item; `None` for other items.
+    ///
+    /// * `point`: on the item, at rest.
+    /// * `front_face`: whether the shadow ray starts on the side of the vertex normals.
     pub(crate) fn terminator_offset<E: Effects>(
         &self,
         item: ItemId,
         point: Vec3,
-        outside: bool,
+        front_face: bool,
     ) -> Option<Vec3> {
         let geometry = &self.scene.descriptor().geometry;
-        geometry.terminator_offset::<E>(*geometry.static_shape(geometry.shape(item)?)?, point, outside)
+        geometry.terminator_offset::<E>(*geometry.static_shape(geometry.shape(item)?)?, point, front_face)
     }
 
-    /// How far away from its own place an item is at `time`; zero where nothing moves.
+    /// Displacement of an item at `time`; zero for items at rest.
     #[inline(always)]
     pub(crate) fn motion_offset<E: Effects>(&self, item: ItemId, time: Real) -> Vec3 {
         if !(E::SET.motion_blur && self.scene.required_effects().motion_blur) {
@@ -146,7 +174,8 @@ impl<'s, A: Accelerator> World<'s, A> {
         geometry.shape(item).map_or(Vec3::ZERO, |shape| geometry.motion_offset(shape, time))
     }
 
-    /// Planes have no box, so they are tested here and first: what they leave in reach is less.
+    /// Tests the planes, which are not in the accelerator, and then traverses it. Planes first, because their hits reduce
+    /// `t_max`.
     #[inline(always)]
     fn run_query<E: Effects, Q: Query>(&self, ray: &Ray, scratch: &mut A::Scratch, query: &mut Q) {
         if E::SET.shapes.contains(ShapeKind::Plane) {
@@ -160,90 +189,93 @@ impl<'s, A: Accelerator> World<'s, A> {
     }
 }
 
-/// A ray on its way, the far limit of what it looks for, and what that is.
+/// A query: intersects the items that an accelerator offers.
 struct RayQuery<'q, E, T, G> {
     geometry: &'q Geometry<'q>,
     ray: &'q Ray,
-    /// Finite, so that an infinite distance is beyond every reach.
-    reach: Real,
+    /// Largest `t` at which a hit is accepted. Finite, so that an infinite `t` never is.
+    t_max: Real,
     kind: RayKind,
     tally: &'q mut T,
     policy: G,
     effects: PhantomData<E>,
 }
 
-/// What is looked for.
+/// Which hits a query keeps.
 trait HitPolicy {
-    /// Whether nearer items are the better ones.
+    /// Whether nearer hits replace farther ones, so that front-to-back traversal pays.
     const ORDERED: bool;
 
-    /// An item is met, at most `reach` away. `Break` when that is enough.
-    fn meet(&mut self, item: ItemId, t: Real, reach: &mut Real) -> ControlFlow<()>;
+    /// Takes a hit with `t` of at most `t_max`; may reduce `t_max`. `Break` ends the query.
+    fn accept(&mut self, item: ItemId, t: Real, t_max: &mut Real) -> ControlFlow<()>;
 }
 
-/// The nearest item: every hit shortens the reach.
+/// Keeps the nearest hit, which becomes `t_max`.
 struct NearestHit(ItemId);
 
 impl HitPolicy for NearestHit {
     const ORDERED: bool = true;
 
     #[inline(always)]
-    fn meet(&mut self, item: ItemId, t: Real, reach: &mut Real) -> ControlFlow<()> {
-        if t < *reach || item < self.0 {
-            *reach = t;
+    fn accept(&mut self, item: ItemId, t: Real, t_max: &mut Real) -> ControlFlow<()> {
+        if t < *t_max || item < self.0 {
+            *t_max = t;
             self.0 = item;
         }
         ControlFlow::Continue(())
     }
 }
 
-/// Any item: the first ends the walk.
+/// Ends the query at the first hit.
 struct AnyHit(Option<ItemId>);
 
 impl HitPolicy for AnyHit {
     const ORDERED: bool = false;
 
     #[inline(always)]
-    fn meet(&mut self, item: ItemId, _: Real, _: &mut Real) -> ControlFlow<()> {
+    fn accept(&mut self, item: ItemId, _: Real, _: &mut Real) -> ControlFlow<()> {
         self.0 = Some(item);
         ControlFlow::Break(())
     }
 }
 
 impl<'q, E: Effects, T: Tally, G: HitPolicy> RayQuery<'q, E, T, G> {
-    /// Which of both sorts of triangles can be met.
+    /// Whether flat and smooth triangles are supported.
     const TRIANGLES: [bool; 2] =
         [E::SET.shapes.contains(ShapeKind::Triangle), E::SET.shapes.contains(ShapeKind::SmoothTriangle)];
 
     fn new<A>(
         world: &'q World<'_, A>,
         ray: &'q Ray,
-        reach: Real,
+        t_max: Real,
         kind: RayKind,
         tally: &'q mut T,
-        goal: G,
+        policy: G,
     ) -> Self {
-        let reach = if reach < Real::MAX { reach } else { Real::MAX };
+        let t_max = if t_max < Real::MAX { t_max } else { Real::MAX };
         let geometry = &world.scene.descriptor().geometry;
-        RayQuery { geometry, ray, reach, kind, tally, policy: goal, effects: PhantomData }
+        RayQuery { geometry, ray, t_max, kind, tally, policy, effects: PhantomData }
     }
 
+    /// Passes a hit to the policy if its `t` is at most `t_max`.
     #[inline(always)]
-    fn meet(&mut self, item: ItemId, t: Option<Real>) -> ControlFlow<()> {
+    fn accept_within(&mut self, item: ItemId, t: Option<Real>) -> ControlFlow<()> {
         match t {
-            Some(t) if t <= self.reach => self.policy.meet(item, t, &mut self.reach),
+            Some(t) if t <= self.t_max => self.policy.accept(item, t, &mut self.t_max),
             _ => ControlFlow::Continue(()),
         }
     }
 
+    /// Intersects a shape.
     #[inline(always)]
     fn test_shape(&mut self, item: ItemId, shape: &Shape) -> ControlFlow<()> {
-        self.count(shape);
-        self.meet(item, self.geometry.intersect::<E>(shape, self.ray))
+        self.count_shape_test(shape);
+        self.accept_within(item, self.geometry.intersect::<E>(shape, self.ray))
     }
 
+    /// Counts the test of a shape, by the kind of the shape.
     #[inline(always)]
-    fn count(&mut self, shape: &Shape) {
+    fn count_shape_test(&mut self, shape: &Shape) {
         if T::COUNTS_TESTS
             && let Some(kind) = self.geometry.kind(shape)
         {
@@ -251,9 +283,9 @@ impl<'q, E: Effects, T: Tally, G: HitPolicy> RayQuery<'q, E, T, G> {
         }
     }
 
-    /// Whether this triangle is of a sort that can be met; not asked where both can.
+    /// Whether this triangle is flat or smooth as supported; known at compile time if both are.
     #[inline(always)]
-    fn can_meet(&self, triangle: ItemId) -> bool {
+    fn is_supported(&self, triangle: ItemId) -> bool {
         match Self::TRIANGLES {
             [true, true] => true,
             [flat, smooth] => match self.geometry.shape(triangle) {
@@ -264,11 +296,11 @@ impl<'q, E: Effects, T: Tally, G: HitPolicy> RayQuery<'q, E, T, G> {
         }
     }
 
-    /// The item has been held against the ray.
+    /// Counts the test of an item.
     #[inline(always)]
-    fn tested(&mut self, item: ItemId) {
+    fn count_item_test(&mut self, item: ItemId) {
         if let Some(shape) = self.geometry.shape(item) {
-            self.count(shape);
+            self.count_shape_test(shape);
         }
     }
 }
@@ -277,7 +309,7 @@ impl<E: Effects, T: Tally, G: HitPolicy> Query for RayQuery<'_, E, T, G> {
     const ORDERED: bool = G::ORDERED;
 
     fn t_max(&self) -> Real {
-        self.reach
+        self.t_max
     }
 
     #[inline(always)]
@@ -290,7 +322,7 @@ impl<E: Effects, T: Tally, G: HitPolicy> Query for RayQuery<'_, E, T, G> {
 
     #[inline(always)]
     fn test_range(&mut self, count: u32) -> ControlFlow<()> {
-        // A loop of its own: an iterator's would be called where two places ask.
+        // Written as a loop: an iterator's `try_for_each` would not be inlined in two callers.
         for (shape, item) in self.geometry.shapes.iter().zip(0..count) {
             self.test_shape(ItemId(item), shape)?;
         }
@@ -303,13 +335,13 @@ impl<E: Effects, T: Tally, G: HitPolicy> Query for RayQuery<'_, E, T, G> {
             return block.items().try_for_each(|item| self.test_item(item));
         }
         let hits = block.possible_hits(self.ray);
-        block.items_in_mask(!hits).for_each(|item| self.tested(item));
+        block.items_in_mask(!hits).for_each(|item| self.count_item_test(item));
         let mut mask = hits;
         while let Some(Candidate { item, corners }) = block.take_candidate(&mut mask) {
             match corners {
-                Some(corners) if self.can_meet(item) => {
-                    self.tested(item);
-                    self.meet(item, intersect_triangle(corners.each_ref(), self.ray))?;
+                Some(corners) if self.is_supported(item) => {
+                    self.count_item_test(item);
+                    self.accept_within(item, intersect_triangle(corners.each_ref(), self.ray))?;
                 }
                 Some(_) => {}
                 None => self.test_item(item)?,

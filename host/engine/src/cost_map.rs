@@ -114,7 +114,7 @@ impl CostMap {
         // What is below zero or no number becomes zero.
         let pixel =
             Pixel { x: (x as u32).min(self.size.width() - 1), y: (y as u32).min(self.size.height() - 1) };
-        let place = Tile::whole(self.size).place(pixel);
+        let place = Tile::full(self.size).index_of(pixel);
         let place = match &self.chosen {
             None => place,
             Some(chosen) => place.and_then(|place| chosen.cells.get(place)).map(|cell| *cell as usize),

@@ -15,6 +15,6 @@ pub struct Mask {
 impl Mask {
     /// Whether a pixel is one of them.
     pub fn has(&self, pixel: Pixel) -> bool {
-        Tile::whole(self.size).place(pixel).is_some_and(|place| self.pixels[place])
+        Tile::full(self.size).index_of(pixel).is_some_and(|place| self.pixels[place])
     }
 }

@@ -9,7 +9,7 @@ use std::sync::atomic::{AtomicU64, Ordering};
 use std::time::Instant;
 
 use rayon::prelude::*;
-use strahl_core::image::{Gathered, Kept, Pixel, Stochastic};
+use strahl_core::image::{CacheEntry, Pixel, PixelEstimate, StochasticSampler};
 use strahl_core::scene::CameraSample;
 use strahl_core::tally::Counters;
 use strahl_core::trace::{PixelSample, RayTracer};
@@ -81,8 +81,8 @@ pub fn trace(
     Ok(last)
 }
 
-fn stochastic(settings: &Settings) -> Option<Stochastic> {
-    match AnySampler::new(settings, CornerSource::Retraced, &mut [Kept::NOTHING; 0]) {
+fn stochastic(settings: &Settings) -> Option<StochasticSampler> {
+    match AnySampler::new(settings, CornerSource::Retraced, &mut [CacheEntry::EMPTY; 0]) {
         AnySampler::Stochastic(rule) => Some(rule),
         _ => None,
     }
@@ -109,7 +109,7 @@ impl Centers {
         let (x, y) = (sample.point.x, sample.point.y);
         let pixel = Pixel { x: x as u32, y: y as u32 };
         let is_center = x - pixel.x as Real == 0.5 && y - pixel.y as Real == 0.5;
-        self.samples.get(self.area.place(pixel).filter(|_| is_center)?)
+        self.samples.get(self.area.index_of(pixel).filter(|_| is_center)?)
     }
 }
 
@@ -163,7 +163,7 @@ const PLANNING_PIXELS: usize = 1 << 14;
 /// All pixels with the samples that they have had so far, tile by tile.
 struct Estimates {
     area: Tile,
-    tiles: Vec<(Tile, Vec<Gathered>)>,
+    tiles: Vec<(Tile, Vec<PixelEstimate>)>,
     /// The least samples of a pixel.
     least: u32,
     /// Standard errors in the confidence radius of a pixel.
@@ -175,7 +175,7 @@ struct Estimates {
 impl Estimates {
     /// No sample yet.
     fn new(area: Tile, side: u32, pass: &Pass) -> Self {
-        let tiles = area.tiles(side).map(|tile| (tile, vec![Gathered::NONE; tile.len()])).collect();
+        let tiles = area.tiles(side).map(|tile| (tile, vec![PixelEstimate::EMPTY; tile.len()])).collect();
         let (least, errors) = match pass.sampler {
             SamplerSettings::Stochastic { min_samples: least, confidence, .. } => {
                 (least, confidence.standard_errors())
@@ -198,7 +198,7 @@ impl Estimates {
                 return 0;
             }
             let (rays, ratio) = (f64::from(*rays), radius / f64::from(tolerance));
-            let all = (rays * ratio * ratio).min(f64::from(Stochastic::MOST));
+            let all = (rays * ratio * ratio).min(f64::from(StochasticSampler::MAX_SAMPLES));
             // In whole steps.
             ((all - rays) as u64).next_multiple_of(u64::from(self.least))
         };
@@ -208,8 +208,8 @@ impl Estimates {
     #[allow(clippy::unnecessary_cast)] // in double precision
     fn radii(&self) -> Vec<(u32, f64)> {
         let pixels = self.tiles.iter().flat_map(|(_, pixels)| pixels);
-        let radius = |pixel: &Gathered| pixel.doubt(self.errors as Real) as f64;
-        pixels.step_by(self.stride()).map(|pixel| (pixel.rays(), radius(pixel))).collect()
+        let radius = |pixel: &PixelEstimate| pixel.confidence_radius(self.errors as Real) as f64;
+        pixels.step_by(self.stride()).map(|pixel| (pixel.sample_count(), radius(pixel))).collect()
     }
 
     /// Continues every pixel that is requested, until it fulfils the rule.
@@ -217,11 +217,11 @@ impl Estimates {
         &mut self,
         ray_tracers: &PassFactory<'_>,
         options: &RenderOptions<'_>,
-        rule: &Stochastic,
+        rule: &StochasticSampler,
         progress: &dyn Progress,
     ) -> Result<Traced<Rgb>, Interrupt> {
         progress.begin(self.area.len());
-        let work = |(tile, pixels): &mut (Tile, Vec<Gathered>)| {
+        let work = |(tile, pixels): &mut (Tile, Vec<PixelEstimate>)| {
             let mut ray_tracer = ray_tracers.ray_tracer(progress);
             // A pixel may take many rays, and the time may be over before the last of them: what they bring then does
             // not matter, for the whole pass is given up.
@@ -248,8 +248,8 @@ impl Estimates {
         let mut colors = vec![Rgb::BLACK; self.area.len()];
         for (tile, pixels) in &self.tiles {
             for (pixel, estimate) in tile.pixels().zip(pixels) {
-                if let Some(place) = self.area.place(pixel) {
-                    colors[place] = estimate.sample().color;
+                if let Some(place) = self.area.index_of(pixel) {
+                    colors[place] = estimate.to_sample().color;
                 }
             }
         }

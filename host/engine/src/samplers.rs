@@ -5,7 +5,8 @@
 
 use strahl_core::Real;
 use strahl_core::image::{
-    Adaptive, Corners, Kept, Lattice, Loose, Parting, Pixel, Regular, Sampler, Selection, Stochastic,
+    AdaptiveSampler, CacheEntry, CornerCache, CornerGrid, Pixel, RegularSampler, Sampler, Selection,
+    StochasticSampler, Subdivision, Uncached,
 };
 use strahl_core::trace::{PixelSample, RayTracer};
 use strahl_settings::{SamplerSettings, Settings};
@@ -13,27 +14,27 @@ use strahl_settings::{SamplerSettings, Settings};
 /// Any of the samplers.
 pub enum AnySampler<'m> {
     /// On a regular raster.
-    Regular(Regular),
+    Regular(RegularSampler),
     /// Without a raster.
-    Stochastic(Stochastic),
+    Stochastic(StochasticSampler),
     /// Through the corners of pixels, and of their quarters.
-    Adaptive(Adaptive<'m, CornerSource<'m>>),
+    Adaptive(AdaptiveSampler<'m, CornerSource<'m>>),
 }
 
 /// Where corners come from.
 #[derive(Clone, Copy)]
 pub enum CornerSource<'m> {
     /// All of them have been traced before.
-    Lattice(Lattice<'m>),
+    Lattice(CornerGrid<'m>),
     /// Each pixel traces its own.
     Retraced,
 }
 
-impl Corners for CornerSource<'_> {
+impl CornerCache for CornerSource<'_> {
     fn corners(&mut self, cell: Pixel, find: &mut impl FnMut(Pixel) -> PixelSample) -> [PixelSample; 4] {
         match self {
             CornerSource::Lattice(lattice) => lattice.corners(cell, find),
-            CornerSource::Retraced => Loose.corners(cell, find),
+            CornerSource::Retraced => Uncached.corners(cell, find),
         }
     }
 }
@@ -47,11 +48,11 @@ impl Sampler for AnySampler<'_> {
         }
     }
 
-    fn begin(&mut self) {
+    fn reset(&mut self) {
         match self {
-            AnySampler::Regular(it) => it.begin(),
-            AnySampler::Stochastic(it) => it.begin(),
-            AnySampler::Adaptive(it) => it.begin(),
+            AnySampler::Regular(it) => it.reset(),
+            AnySampler::Stochastic(it) => it.reset(),
+            AnySampler::Adaptive(it) => it.reset(),
         }
     }
 }
@@ -60,24 +61,25 @@ impl<'m> AnySampler<'m> {
     /// The sampler that the settings ask for. `corners` and `cache` are for one that shares corners.
     ///
     /// Numbers out of range, which the command line refuses, become one ray in each pixel.
-    pub fn new(settings: &Settings, corners: CornerSource<'m>, cache: &'m mut [Kept]) -> Self {
+    pub fn new(settings: &Settings, corners: CornerSource<'m>, cache: &'m mut [CacheEntry]) -> Self {
         let (filter, seed) = (filter(settings.filter), settings.seed);
-        let regular = |n| Regular::new(n).unwrap_or(Regular::ONE).filtered(filter).seeded(seed);
+        let regular =
+            |n| RegularSampler::new(n).unwrap_or(RegularSampler::CENTER).with_filter(filter).with_seed(seed);
         match settings.sampler {
             SamplerSettings::Single => AnySampler::Regular(regular(1)),
             SamplerSettings::Regular(n) => AnySampler::Regular(regular(n)),
             SamplerSettings::Adaptive { .. } => match parting(settings) {
-                Some(parting) => AnySampler::Adaptive(Adaptive::new(parting, corners, cache)),
+                Some(parting) => AnySampler::Adaptive(AdaptiveSampler::new(parting, corners, cache)),
                 None => AnySampler::Regular(regular(1)),
             },
             SamplerSettings::Stochastic { min_samples: least, max_samples: most, confidence } => {
                 #[allow(clippy::unnecessary_cast)] // in double precision
                 let ends = strahl_core::image::Confidence {
-                    errors: confidence.standard_errors() as Real,
+                    standard_errors: confidence.standard_errors() as Real,
                     tolerance: Real::from(confidence.tolerance),
                 };
-                match Stochastic::between(least, most, ends) {
-                    Some(it) => AnySampler::Stochastic(it.filtered(filter).seeded(seed)),
+                match StochasticSampler::with_range(least, most, ends) {
+                    Some(it) => AnySampler::Stochastic(it.with_filter(filter).with_seed(seed)),
                     None => AnySampler::Regular(regular(1)),
                 }
             }
@@ -86,10 +88,10 @@ impl<'m> AnySampler<'m> {
 }
 
 /// How pixels are subdivided, where they are.
-pub fn parting(settings: &Settings) -> Option<Parting> {
+pub fn parting(settings: &Settings) -> Option<Subdivision> {
     match settings.sampler {
         SamplerSettings::Adaptive { max_depth: depth, contrast: it } => {
-            Some(Parting::new(depth, agreement(it)?)?.seeded(settings.seed))
+            Some(Subdivision::new(depth, agreement(it)?)?.with_seed(settings.seed))
         }
         _ => None,
     }
@@ -101,9 +103,9 @@ pub fn selection(settings: &Settings) -> Option<Selection> {
     Selection::new(it.step, agreement(it.contrast)?)
 }
 
-fn agreement(it: strahl_settings::ContrastSettings) -> Option<strahl_core::image::Agreement> {
-    let colors = strahl_core::image::Agreement::of_colors(Real::from(it.threshold))?;
-    Some(if it.items { colors.and_items() } else { colors })
+fn agreement(it: strahl_settings::ContrastSettings) -> Option<strahl_core::image::ContrastThreshold> {
+    let colors = strahl_core::image::ContrastThreshold::new(Real::from(it.threshold))?;
+    Some(if it.items { colors.with_items() } else { colors })
 }
 
 fn filter(filter: strahl_settings::Filter) -> strahl_core::image::Filter {

@@ -6,7 +6,10 @@
 
 use rayon::prelude::*;
 
-use strahl_core::image::{Corner, Kept, Lattice, Parting, Pixel, Record, Selected, Selection, Sink};
+use strahl_core::image::{
+    CacheEntry, CornerGrid, CornerSampler, FramebufferPixel, Pixel, PixelSelector, Selection, Sink,
+    Subdivision,
+};
 use strahl_core::render::render_selected;
 use strahl_core::tally::Counters;
 use strahl_core::trace::{HitId, PixelSample};
@@ -66,7 +69,7 @@ struct TileRenderer<'w> {
 #[derive(Clone, Copy)]
 enum Target<'c> {
     /// The upper left corners of pixels, which neighbours share.
-    Corners(Parting),
+    Corners(Subdivision),
     /// A raster of pixels, each at the corner of a block.
     Raster(Selection),
     /// Pixels, whose corners may be known.
@@ -79,11 +82,12 @@ impl TileRenderer<'_> {
         // All corners first, where all pixels are requested, so that none is traced twice.
         let (lattice, mut counts): Traced<PixelSample> = match parting(self.settings) {
             Some(parting) if self.options.mask.is_none() => {
-                self.pixels(Lattice::tile(self.area), Target::Corners(parting))?
+                self.pixels(CornerGrid::corner_tile(self.area), Target::Corners(parting))?
             }
             _ => Default::default(),
         };
-        let corners = Lattice::new(self.area, &lattice).map_or(CornerSource::Retraced, CornerSource::Lattice);
+        let corners =
+            CornerGrid::new(self.area, &lattice).map_or(CornerSource::Retraced, CornerSource::Lattice);
         let (colors, counted) = self.pixels(self.area, Target::Pixels(corners))?;
         counts.merge(&counted);
         Ok((colors, counts))
@@ -93,23 +97,23 @@ impl TileRenderer<'_> {
     fn selected(&self, selection: Selection) -> Result<Traced<Rgb>, Interrupt> {
         let blocks = selection.blocks(self.area);
         let (raster, mut counts): Traced<PixelSample> = match self.options.mask {
-            None => self.pixels(Lattice::tile(blocks), Target::Raster(selection))?,
+            None => self.pixels(CornerGrid::corner_tile(blocks), Target::Raster(selection))?,
             Some(_) => Default::default(),
         };
-        let corners = Lattice::new(blocks, &raster).map_or(CornerSource::Retraced, CornerSource::Lattice);
+        let corners = CornerGrid::new(blocks, &raster).map_or(CornerSource::Retraced, CornerSource::Lattice);
 
         // Blocks share what lies between them within a tile, so tiles are larger.
         let side = (2 * self.options.tile_side / selection.step()).max(1);
-        let area = |blocks| selection.area(blocks).within(self.area);
+        let area = |blocks| selection.pixels_of(blocks).intersection(self.area);
         let (colors, counted) = self.tiles(blocks, side, area, |blocks, canvas| {
             let (mut cache, mut block_cache) = (self.sampler_cache(area(blocks)), cache_for(area(blocks)));
             let mut ray_tracer = self.ray_tracers.ray_tracer(self.progress);
             let sampler = AnySampler::new(self.settings, CornerSource::Retraced, &mut cache);
-            let mut selected = Selected::new(selection, sampler, corners, &mut block_cache);
+            let mut selected = PixelSelector::new(selection, sampler, corners, &mut block_cache);
             let is_requested = |block: &Pixel| {
-                let block = Tile { first: *block, width: 1, height: 1 };
+                let block = Tile { top_left: *block, width: 1, height: 1 };
                 self.options.mask.is_none()
-                    || selection.area(block).pixels().any(|pixel| self.options.is_requested(pixel))
+                    || selection.pixels_of(block).pixels().any(|pixel| self.options.is_requested(pixel))
             };
             let blocks = blocks.pixels().filter(is_requested);
             render_selected(ray_tracer.as_mut(), &mut selected, blocks, canvas)?;
@@ -120,7 +124,11 @@ impl TileRenderer<'_> {
     }
 
     /// Traces the pixels of `area` that are requested.
-    fn pixels<R: Record + Send>(&self, area: Tile, target: Target<'_>) -> Result<Traced<R>, Interrupt> {
+    fn pixels<R: FramebufferPixel + Send>(
+        &self,
+        area: Tile,
+        target: Target<'_>,
+    ) -> Result<Traced<R>, Interrupt> {
         self.tiles(
             area,
             self.options.tile_side,
@@ -130,10 +138,10 @@ impl TileRenderer<'_> {
                 let mut ray_tracer = self.ray_tracers.ray_tracer(self.progress);
                 let (tracer, all) = (ray_tracer.as_mut(), tile.pixels());
                 match target {
-                    Target::Corners(parting) => render(tracer, &mut Corner(parting), all, canvas)?,
+                    Target::Corners(parting) => render(tracer, &mut CornerSampler(parting), all, canvas)?,
                     Target::Raster(selection) => {
                         let sampler = AnySampler::new(self.settings, CornerSource::Retraced, &mut cache);
-                        render(tracer, &mut selection.raster(sampler), all, canvas)?;
+                        render(tracer, &mut selection.corner_sampler(sampler), all, canvas)?;
                     }
                     Target::Pixels(corners) => {
                         let mut sampler = AnySampler::new(self.settings, corners, &mut cache);
@@ -152,7 +160,7 @@ impl TileRenderer<'_> {
 
     /// Works on `cells`, tile by tile, and puts together what comes of it. `area` says which
     /// part of the picture a rectangle of cells is.
-    fn tiles<R: Record + Send>(
+    fn tiles<R: FramebufferPixel + Send>(
         &self,
         cells: Tile,
         side: u32,
@@ -166,7 +174,7 @@ impl TileRenderer<'_> {
             .into_par_iter()
             .map(|cells| {
                 let tile = area(cells);
-                let mut records = vec![R::NONE; tile.len()];
+                let mut records = vec![R::EMPTY; tile.len()];
                 let (options, progress) = (self.options, self.progress);
                 let counts = work(cells, &mut Canvas { tile, records: &mut records, options, progress })?;
                 self.progress.done(tile.len());
@@ -174,13 +182,13 @@ impl TileRenderer<'_> {
             })
             .collect::<Result<_, Interrupt>>()?;
 
-        let mut picture = vec![R::NONE; whole.len()];
+        let mut picture = vec![R::EMPTY; whole.len()];
         let mut counts = Counters::default();
         for (tile, records, counted) in traced {
             // A tile of cells that lie beyond the picture's edge has no pixel.
-            let rows = records.chunks(tile.width.max(1) as usize).zip(tile.first.y..);
+            let rows = records.chunks(tile.width.max(1) as usize).zip(tile.top_left.y..);
             for (row, y) in rows {
-                if let Some(start) = whole.place(Pixel { x: tile.first.x, y }) {
+                if let Some(start) = whole.index_of(Pixel { x: tile.top_left.x, y }) {
                     picture[start..start + row.len()].copy_from_slice(row);
                 }
             }
@@ -190,14 +198,14 @@ impl TileRenderer<'_> {
     }
 
     /// The cache of a sampler that has one; making it takes longer than an easy pixel.
-    fn sampler_cache(&self, tile: Tile) -> Vec<Kept> {
+    fn sampler_cache(&self, tile: Tile) -> Vec<CacheEntry> {
         if parting(self.settings).is_some() { cache_for(tile) } else { Vec::new() }
     }
 }
 
 /// A cache for the samples of a tile.
-fn cache_for(tile: Tile) -> Vec<Kept> {
-    vec![Kept::NOTHING; MOST_CACHED.min(16 * tile.len())]
+fn cache_for(tile: Tile) -> Vec<CacheEntry> {
+    vec![CacheEntry::EMPTY; MOST_CACHED.min(16 * tile.len())]
 }
 
 /// The pixels of one tile, until the work is interrupted.
@@ -208,7 +216,7 @@ struct Canvas<'m, R> {
     progress: &'m dyn Progress,
 }
 
-impl<R: Record> Sink for Canvas<'_, R> {
+impl<R: FramebufferPixel> Sink for Canvas<'_, R> {
     type Error = Interrupt;
 
     fn put(&mut self, pixel: Pixel, color: Rgb) -> Result<(), Interrupt> {
@@ -216,10 +224,10 @@ impl<R: Record> Sink for Canvas<'_, R> {
     }
 
     fn put_sample(&mut self, pixel: Pixel, sample: PixelSample) -> Result<(), Interrupt> {
-        if let Some(place) = self.tile.place(pixel)
+        if let Some(place) = self.tile.index_of(pixel)
             && self.options.is_requested(pixel)
         {
-            self.records[place] = R::of(sample);
+            self.records[place] = R::from_sample(sample);
         }
         self.progress.check()
     }

@@ -255,13 +255,13 @@ impl Value for Tile {
         let number = |text: &str| text.parse::<u32>().map_err(|_| wrong());
         let (x, y, width, height) = (number(x)?, number(y)?, number(width)?, number(height)?);
         match Resolution::new(width, height) {
-            Some(_) => Ok(Tile { first: Pixel { x, y }, width, height }),
+            Some(_) => Ok(Tile { top_left: Pixel { x, y }, width, height }),
             None => Err(format!("each side must be between 1 and {}", Resolution::MAX_SIDE)),
         }
     }
 
     fn word(&self) -> Option<String> {
-        let Tile { first: Pixel { x, y }, width, height } = self;
+        let Tile { top_left: Pixel { x, y }, width, height } = self;
         Some(format!("{x},{y},{width}x{height}"))
     }
 }

@@ -91,7 +91,7 @@ impl Resolved {
             return Err(SettingsError::FilterNotUsed(settings.sampler));
         }
         if let Some(region) = settings.region
-            && region.within(Tile::whole(settings.size)) != region
+            && region.intersection(Tile::full(settings.size)) != region
         {
             return Err(SettingsError::RegionOutside(settings.size));
         }

@@ -3,7 +3,7 @@
 use std::fmt;
 use std::str::FromStr;
 
-use strahl_core::image::{Parting, Regular, Selection, Stochastic};
+use strahl_core::image::{RegularSampler, Selection, StochasticSampler, Subdivision};
 
 use crate::choices;
 
@@ -131,8 +131,8 @@ fn agreement(words: &[&str]) -> Result<ContrastSettings, String> {
 }
 
 fn stochastic(words: &[&str]) -> Result<SamplerSettings, String> {
-    let count = |text: &str| text.parse::<u32>().ok().filter(|n| Stochastic::new(*n).is_some());
-    let most = Stochastic::MOST;
+    let count = |text: &str| text.parse::<u32>().ok().filter(|n| StochasticSampler::new(*n).is_some());
+    let most = StochasticSampler::MAX_SAMPLES;
     if let [n] = words
         && !n.contains("..")
     {
@@ -170,14 +170,16 @@ impl FromStr for SamplerSettings {
         match (kind, rest.as_slice()) {
             ("single", []) => Ok(SamplerSettings::Single),
             ("regular", [n]) => match n.parse::<u16>() {
-                Ok(n) if Regular::new(n).is_some() => Ok(SamplerSettings::Regular(n)),
-                _ => Err(format!("in regular:N, N must be between 1 and {}", Regular::MOST)),
+                Ok(n) if RegularSampler::new(n).is_some() => Ok(SamplerSettings::Regular(n)),
+                _ => Err(format!("in regular:N, N must be between 1 and {}", RegularSampler::MAX_CELLS)),
             },
             ("adaptive", [depth, rest @ ..]) => match depth.parse::<u8>() {
-                Ok(depth) if depth <= Parting::MOST_DEPTH => {
+                Ok(depth) if depth <= Subdivision::MAX_DEPTH => {
                     Ok(SamplerSettings::Adaptive { max_depth: depth, contrast: agreement(rest)? })
                 }
-                _ => Err(format!("in adaptive:DEPTH:THRESHOLD, DEPTH must be 0 to {}", Parting::MOST_DEPTH)),
+                _ => {
+                    Err(format!("in adaptive:DEPTH:THRESHOLD, DEPTH must be 0 to {}", Subdivision::MAX_DEPTH))
+                }
             },
             ("stochastic", rest) => stochastic(rest),
             _ => Err("single, regular:N, adaptive:DEPTH:THRESHOLD[:items], stochastic:N or \
@@ -193,7 +195,7 @@ impl FromStr for SelectionSettings {
     fn from_str(text: &str) -> Result<Self, String> {
         let mut words = text.split(':');
         let step = words.next().and_then(|step| step.parse::<u32>().ok());
-        let is_step = |step: &u32| step.is_power_of_two() && *step >= 2 && *step <= Selection::MOST;
+        let is_step = |step: &u32| step.is_power_of_two() && *step >= 2 && *step <= Selection::MAX_STEP;
         let step = step.filter(is_step).ok_or("in STEP:THRESHOLD, STEP must be 2, 4, 8, 16, 32 or 64")?;
         Ok(SelectionSettings { step, contrast: agreement(&words.collect::<Vec<_>>())? })
     }

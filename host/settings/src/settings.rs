@@ -287,8 +287,8 @@ impl Settings {
 
     /// The pixels of the picture that is made.
     pub fn region_or_all(&self) -> Tile {
-        let whole = Tile::whole(self.size);
-        self.region.map_or(whole, |tile| tile.within(whole))
+        let whole = Tile::full(self.size);
+        self.region.map_or(whole, |tile| tile.intersection(whole))
     }
 
     /// The size of the picture that is made.

@@ -122,7 +122,7 @@ pub enum Command {
     Explain(ExplainArgs),
     /// Bake a scene with its accelerator into bytes that a device traces from flash.
     ///
-    /// The firmware opens them where they lie (`Pack::open` of the core): nothing is copied and
+    /// The firmware opens them where they lie (`BakedScene::open` of the core): nothing is copied and
     /// nothing is built. Tells what a device must have for it.
     Bake(BakeArgs),
     /// Tell how two pictures differ; the exit status is 0 when they do not, 1 when they do.

@@ -12,7 +12,7 @@ use std::path::Path;
 use strahl_core::accel::{
     Bvh, BvhNode, BvhSize, Grid, GridSize, LeafEntry, Mailbox, Octree, OctreeNode, OctreeSize, TraversalStack,
 };
-use strahl_core::baked::{Baking, Finder, Pack};
+use strahl_core::baked::{BakedAccelerator, BakedScene, BakedSceneWriter};
 use strahl_core::geometry::Aabb;
 use strahl_core::scene::EffectSet;
 use strahl_core::tally::Counters;
@@ -122,33 +122,40 @@ pub struct Counted {
 pub fn bake(scene: &Scene<'_>, asked: &BakeSettings) -> Result<Vec<u8>, String> {
     let boxes: Vec<Aabb> = scene.descriptor().geometry.all_bounds().collect();
     let fault = |error: strahl_core::accel::BuildError| error.to_string();
-    let with = |finder: Finder<'_>| {
+    let with = |finder: BakedAccelerator<'_>| {
         let BakeSettings { view, size, levels, cutoff, .. } = *asked;
-        let baking = Baking { scene: *scene, view, size, levels, cutoff, finder };
-        let mut bytes = Vec::with_capacity(baking.bytes().unwrap_or(0) as usize);
-        if !baking.pour(|piece| bytes.extend_from_slice(piece)) {
+        let baking = BakedSceneWriter {
+            scene: *scene,
+            camera: view,
+            resolution: size,
+            levels,
+            cutoff,
+            accelerator: finder,
+        };
+        let mut bytes = Vec::with_capacity(baking.size_in_bytes().unwrap_or(0) as usize);
+        if !baking.write_to(|piece| bytes.extend_from_slice(piece)) {
             return Err("a baked scene has at most 4 GiB".into());
         }
         Ok(bytes)
     };
     let most = |wanted: usize| asked.nodes.map_or(wanted, |most| wanted.min(most));
     match asked.accelerator {
-        AccelKind::List => with(Finder::Bare(BareList(boxes.len() as u32))),
+        AccelKind::List => with(BakedAccelerator::BareList(BareList(boxes.len() as u32))),
         AccelKind::Grid => {
             let room = GridSize::recommended(&boxes);
             let (mut cells, mut items) = (vec![0; room.cells], vec![0; room.entries]);
-            with(Finder::Grid(Grid::build(&boxes, &mut cells, &mut items).map_err(fault)?))
+            with(BakedAccelerator::Grid(Grid::build(&boxes, &mut cells, &mut items).map_err(fault)?))
         }
         AccelKind::Octree => {
             let room = OctreeSize::recommended(boxes.len());
             let (mut nodes, mut items) = (vec![OctreeNode::EMPTY; most(room.nodes)], vec![0; room.entries]);
-            with(Finder::Octree(Octree::build(&boxes, &mut nodes, &mut items).map_err(fault)?))
+            with(BakedAccelerator::Octree(Octree::build(&boxes, &mut nodes, &mut items).map_err(fault)?))
         }
         AccelKind::Bvh => {
             let room = BvhSize::recommended(boxes.len());
             let (mut nodes, mut items) =
                 (vec![BvhNode::EMPTY; most(room.nodes)], vec![LeafEntry::EMPTY; room.entries]);
-            with(Finder::Bvh(Bvh::build(&boxes, &mut nodes, &mut items).map_err(fault)?))
+            with(BakedAccelerator::Bvh(Bvh::build(&boxes, &mut nodes, &mut items).map_err(fault)?))
         }
     }
 }
@@ -158,7 +165,7 @@ fn needs(path: &Path, scene: &Scene<'_>, asked: &BakeSettings, bytes: usize, cou
     const SLOTS: usize = DEFAULT_MAILBOX_SLOTS;
     const PLACES: usize = 32;
     let tables = scene.descriptor().size_in_bytes();
-    let frame = bytes.saturating_sub(tables).saturating_sub(Pack::HEADER);
+    let frame = bytes.saturating_sub(tables).saturating_sub(BakedScene::MIN_SIZE_IN_BYTES);
     let task = Worker::<BareList, (), 2>::SIZE_IN_BYTES - Worker::<BareList, (), 1>::SIZE_IN_BYTES;
     let levels = usize::from(asked.levels);
     let (what, memory) = match asked.accelerator {
@@ -177,7 +184,7 @@ fn needs(path: &Path, scene: &Scene<'_>, asked: &BakeSettings, bytes: usize, cou
     let _ = writeln!(
         text,
         "  flash   {bytes} bytes: scene {tables}, accelerator {frame}, header {}",
-        Pack::HEADER
+        BakedScene::MIN_SIZE_IN_BYTES
     );
     let _ = writeln!(
         text,

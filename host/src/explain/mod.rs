@@ -63,7 +63,7 @@ fn explained(args: &ExplainArgs, files: &SourceFiles) -> Result<Explained, Failu
         say(format_args!("{scene}: the scene asks for double precision; the tree is traced in single"));
     }
     let (Pixel { x, y }, size) = (args.pixel, settings.size);
-    if Tile::whole(size).place(args.pixel).is_none() {
+    if Tile::full(size).index_of(args.pixel).is_none() {
         let (width, height) = (size.width(), size.height());
         let what = format!(
             "the pixel {x},{y} is not in the picture of {width}x{height}: the first is 0,0 and the last {},{}",

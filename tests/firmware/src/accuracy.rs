@@ -11,10 +11,13 @@ use core::fmt;
 
 use strahl_core::accel::{Accelerator, List, group_count};
 use strahl_core::geometry::Aabb;
-use strahl_core::image::{Adaptive, Agreement, CornerRow, Kept, Parting, Regular, Sampler, Stochastic};
+use strahl_core::image::{
+    AdaptiveSampler, CacheEntry, ContrastThreshold, CornerRow, RegularSampler, Sampler, StochasticSampler,
+    Subdivision,
+};
 use strahl_core::tally::{Counters, RayKind, Tally};
 use strahl_core::trace::PixelSample;
-use strahl_core::{Camera, Limits, Real, Scene, Single, World};
+use strahl_core::{Camera, CenterSampler, Limits, Real, Scene, World};
 
 use crate::draw::{Bytes, Took, Wanted, bytes, draw};
 use crate::scene::{Golden, ITEMS, LEVELS, LIMITS, SIZE, VIEW, parts};
@@ -86,7 +89,7 @@ pub struct Lent {
     groups: [Aabb; group_count(ITEMS)],
     row: [Bytes; WIDTH],
     corners: [PixelSample; WIDTH + 1],
-    kept: [Kept; 64],
+    kept: [CacheEntry; 64],
 }
 
 impl Lent {
@@ -96,7 +99,7 @@ impl Lent {
         groups: [Aabb::EMPTY; group_count(ITEMS)],
         row: [[[0; size_of::<f32>()]; 3]; WIDTH],
         corners: [PixelSample::BLACK; WIDTH + 1],
-        kept: [Kept::NOTHING; 64],
+        kept: [CacheEntry::EMPTY; 64],
     };
 }
 
@@ -138,7 +141,7 @@ fn rays<A: Accelerator>(
     Ok(RayKind::ALL.into_iter().map(|kind| counted.tally.rays[kind]).sum())
 }
 
-type Rooms<'m> = (&'m mut [Bytes], &'m mut [PixelSample], &'m mut [Kept]);
+type Rooms<'m> = (&'m mut [Bytes], &'m mut [PixelSample], &'m mut [CacheEntry]);
 
 fn picture<A: Accelerator, T: Tally>(
     world: &World<'_, A>,
@@ -151,19 +154,19 @@ fn picture<A: Accelerator, T: Tally>(
 ) -> Result<Took<T>, &'static str> {
     let none = "there is no such sampler";
     match sampling {
-        Sampling::Single => drawn(world, wanted, &mut Single, tally, row, clock, take),
+        Sampling::Single => drawn(world, wanted, &mut CenterSampler, tally, row, clock, take),
         Sampling::Regular(n) => {
-            let mut regular = Regular::new(n).ok_or(none)?;
+            let mut regular = RegularSampler::new(n).ok_or(none)?;
             drawn(world, wanted, &mut regular, tally, row, clock, take)
         }
         Sampling::Adaptive(depth, threshold) => {
-            let agreement = Agreement::of_colors(threshold).ok_or(none)?;
-            let parting = Parting::new(depth, agreement).ok_or(none)?;
-            let mut adaptive = Adaptive::new(parting, CornerRow::new(corners), kept);
+            let agreement = ContrastThreshold::new(threshold).ok_or(none)?;
+            let parting = Subdivision::new(depth, agreement).ok_or(none)?;
+            let mut adaptive = AdaptiveSampler::new(parting, CornerRow::new(corners), kept);
             drawn(world, wanted, &mut adaptive, tally, row, clock, take)
         }
         Sampling::Stochastic(n) => {
-            let mut stochastic = Stochastic::new(n).ok_or(none)?;
+            let mut stochastic = StochasticSampler::new(n).ok_or(none)?;
             drawn(world, wanted, &mut stochastic, tally, row, clock, take)
         }
     }

@@ -74,7 +74,7 @@ pub fn draw<A: Accelerator, E: Effects, S: Sampler, P, T: Tally, const LEVELS: u
     let mut worker = Worker::new(tally);
     let start = clock();
     let mut rows = Rows { row, filled: 0, pixel, take, clock, start, instructions: 0 };
-    render(&mut tracer.with_worker(&mut worker), sampler, Tile::whole(size).pixels(), &mut rows)?;
+    render(&mut tracer.with_worker(&mut worker), sampler, Tile::full(size).pixels(), &mut rows)?;
     let instructions = rows.instructions;
     Ok(Took { instructions, worker: Worker::<A, (), LEVELS>::SIZE_IN_BYTES, tally: worker.into_tally() })
 }

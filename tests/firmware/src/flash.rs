@@ -12,9 +12,9 @@ use strahl_core::geometry::{ItemId, ShapeKind, ShapeSet};
 use strahl_core::image::Pixel;
 use strahl_core::scene::{EffectSet, Effects, FresnelModel, LightKind, LightSet};
 use strahl_core::{
-    Background, BareList, Camera, CameraDescriptor, Falloff, Geometry, Light, LightSource, Limits, Material,
-    MaterialId, Plane, Projection, Resolution, Rgb, Scene, SceneDescriptor, Shape, Single, Sphere, Tile,
-    Tracer, Vec3, Worker, World, render, vec3,
+    Background, BareList, Camera, CameraDescriptor, CenterSampler, Falloff, Geometry, Light, LightSource,
+    Limits, Material, MaterialId, Plane, Projection, Resolution, Rgb, Scene, SceneDescriptor, Shape, Sphere,
+    Tile, Tracer, Vec3, Worker, World, render, vec3,
 };
 
 /// A step of the table: what the tracer can do, and a scene that asks for exactly that.
@@ -174,8 +174,12 @@ pub fn picture<S: Step>(mut send: impl FnMut([u8; 4])) -> Option<()> {
     let mut sink = |pixel, color| {
         sink(pixel, color);
     };
-    let Ok(()) =
-        render(&mut tracer.with_worker(&mut worker), &mut Single, Tile::whole(SIZE).pixels(), &mut sink);
+    let Ok(()) = render(
+        &mut tracer.with_worker(&mut worker),
+        &mut CenterSampler,
+        Tile::full(SIZE).pixels(),
+        &mut sink,
+    );
     Some(())
 }
 

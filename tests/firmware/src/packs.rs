@@ -7,7 +7,7 @@ use core::sync::atomic::{AtomicUsize, Ordering};
 use strahl_core::accel::{Accelerator, TraversalStack};
 use strahl_core::baked::{Finder, Pack, PackError};
 use strahl_core::scene::Effects;
-use strahl_core::{AllEffects, BareList, Camera, Limits, Scene, Single, World, include_pack};
+use strahl_core::{AllEffects, BareList, Camera, Limits, Scene, Single, World, include_baked_scene};
 
 use crate::draw::{Bytes, Row, Took, Wanted, bytes, draw};
 
@@ -30,11 +30,11 @@ pub struct Baked {
 /// The golden scene, which was written as constants, in a grid; then an octree, a grid, a
 /// hierarchy over a mesh, and a list; and this as constants that the program wrote.
 pub static SCENES: [Baked; 6] = [
-    Baked { name: c"golden.f32", written: Written::Bytes(include_pack!("../target/packs/golden.strahl")) },
-    Baked { name: c"classic.f32", written: Written::Bytes(include_pack!("../target/packs/classic.strahl")) },
-    Baked { name: c"rotunda.f32", written: Written::Bytes(include_pack!("../target/packs/rotunda.strahl")) },
-    Baked { name: c"mesh.f32", written: Written::Bytes(include_pack!("../target/packs/mesh.strahl")) },
-    Baked { name: c"first.f32", written: Written::Bytes(include_pack!("../target/packs/first.strahl")) },
+    Baked { name: c"golden.f32", written: Written::Bytes(include_baked_scene!("../target/packs/golden.strahl")) },
+    Baked { name: c"classic.f32", written: Written::Bytes(include_baked_scene!("../target/packs/classic.strahl")) },
+    Baked { name: c"rotunda.f32", written: Written::Bytes(include_baked_scene!("../target/packs/rotunda.strahl")) },
+    Baked { name: c"mesh.f32", written: Written::Bytes(include_baked_scene!("../target/packs/mesh.strahl")) },
+    Baked { name: c"first.f32", written: Written::Bytes(include_baked_scene!("../target/packs/first.strahl")) },
     Baked { name: c"constants.f32", written: Written::Constants },
 ];
 

@@ -14,48 +14,48 @@ fn seal(bytes: &mut [u8]) {
     bytes[CHECKSUM..COVERED].copy_from_slice(&sum.to_le_bytes());
 }
 
-fn opened(bytes: &[u8]) -> Option<PackError> {
+fn opened(bytes: &[u8]) -> Option<BakedSceneError> {
     let aligned = AlignedBytes::of(bytes);
-    Pack::open(aligned.bytes()).err()
+    BakedScene::open(aligned.bytes()).err()
 }
 
 #[test]
 fn invalid_bytes_are_refused_with_the_reason() {
     let scene = mixed_scene();
-    let bytes = baked(scene.as_scene(), Finder::Bare(BareList(scene.item_count())));
+    let bytes = baked(scene.as_scene(), BakedAccelerator::BareList(BareList(scene.item_count())));
     let with = |offset: usize, word: u32| {
         let mut bytes = bytes.clone();
         bytes[offset..offset + 4].copy_from_slice(&word.to_le_bytes());
         opened(&bytes)
     };
     assert_eq!(opened(&bytes), None);
-    assert_eq!(with(0, 7), Some(PackError::NotAPack));
-    let found = Pack::VERSION + 1;
-    assert_eq!(with(4, found), Some(PackError::Version { found }));
+    assert_eq!(with(0, 7), Some(BakedSceneError::BadMagic));
+    let found = BakedScene::VERSION + 1;
+    assert_eq!(with(4, found), Some(BakedSceneError::Version { found }));
     let (needed, given) = (bytes.len() + 1, bytes.len());
-    assert_eq!(with(8, needed as u32), Some(PackError::TooShort { needed, given }));
-    assert_eq!(with(20, 99), Some(PackError::Checksum));
+    assert_eq!(with(8, needed as u32), Some(BakedSceneError::TooShort { needed, provided: given }));
+    assert_eq!(with(20, 99), Some(BakedSceneError::Checksum));
     // Bytes after the baked scene are ignored.
     assert_eq!(opened(&[bytes.as_slice(), &[1, 2, 3]].concat()), None);
 
     let aligned = AlignedBytes::of(&[&[0], bytes.as_slice()].concat());
-    assert_eq!(Pack::open(&aligned.bytes()[1..]).err(), Some(PackError::Misaligned));
+    assert_eq!(BakedScene::open(&aligned.bytes()[1..]).err(), Some(BakedSceneError::Misaligned));
 }
 
 #[test]
 fn a_truncated_baked_scene_is_too_short() {
     let scene = mixed_scene();
-    let bytes = baked(scene.as_scene(), Finder::Bare(BareList(scene.item_count())));
+    let bytes = baked(scene.as_scene(), BakedAccelerator::BareList(BareList(scene.item_count())));
     for length in 0..bytes.len() {
         let error = opened(&bytes[..length]);
-        assert!(matches!(error, Some(PackError::TooShort { .. })), "{length}: {error:?}");
+        assert!(matches!(error, Some(BakedSceneError::TooShort { .. })), "{length}: {error:?}");
     }
 }
 
 #[test]
 fn a_flipped_bit_is_detected() {
     let scene = mixed_scene();
-    let bytes = baked(scene.as_scene(), Finder::Bare(BareList(scene.item_count())));
+    let bytes = baked(scene.as_scene(), BakedAccelerator::BareList(BareList(scene.item_count())));
     for index in 0..bytes.len() {
         let mut bytes = bytes.clone();
         bytes[index] ^= 1 << (index % 8);
@@ -103,8 +103,8 @@ fn forged(bytes: &[u8], rng: &mut SplitMix64) -> Vec<u8> {
 /// Opens bytes and traces a few pixels, as a device does. Returns whether the bytes were accepted.
 fn open_and_trace(bytes: &[u8]) -> bool {
     let aligned = AlignedBytes::of(bytes);
-    let Ok(pack) = Pack::open(aligned.bytes()) else { return false };
-    let (Ok(finder), Ok(camera)) = (pack.finder(), pack.camera(SIZE)) else { return false };
+    let Ok(pack) = BakedScene::open(aligned.bytes()) else { return false };
+    let (Ok(finder), Ok(camera)) = (pack.accelerator(), pack.camera(SIZE)) else { return false };
     fn trace_pixels<A: Accelerator>(scene: Scene<'_>, accelerator: A, camera: Camera) {
         let world = World::new(scene, accelerator);
         let tracer =
@@ -113,15 +113,15 @@ fn open_and_trace(bytes: &[u8]) -> bool {
         for i in 0..12 {
             let pixel = Pixel { x: 2 * i, y: i + 2 };
             let mut sink = |_: Pixel, color: Rgb| assert!(color.is_in_range(Real::MAX), "{color:?}");
-            let Ok(()) = render(&mut tracer.with_worker(&mut worker), &mut Single, [pixel], &mut sink);
+            let Ok(()) = render(&mut tracer.with_worker(&mut worker), &mut CenterSampler, [pixel], &mut sink);
         }
     }
     let scene = *pack.scene();
     match finder {
-        Finder::Bare(bare) => trace_pixels(scene, bare, camera),
-        Finder::Grid(grid) => trace_pixels(scene, grid.with_mailbox::<8>(), camera),
-        Finder::Octree(octree) => trace_pixels(scene, octree.with_mailbox::<8>(), camera),
-        Finder::Bvh(bvh) => trace_pixels(scene, bvh.with_queue::<TraversalHeap<8>>(), camera),
+        BakedAccelerator::BareList(bare) => trace_pixels(scene, bare, camera),
+        BakedAccelerator::Grid(grid) => trace_pixels(scene, grid.with_mailbox::<8>(), camera),
+        BakedAccelerator::Octree(octree) => trace_pixels(scene, octree.with_mailbox::<8>(), camera),
+        BakedAccelerator::Bvh(bvh) => trace_pixels(scene, bvh.with_queue::<TraversalHeap<8>>(), camera),
     }
     true
 }

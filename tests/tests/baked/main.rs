@@ -7,13 +7,13 @@ use strahl_core::accel::{
     Accelerator, Bvh, BvhNode, BvhSize, Grid, GridSize, LeafEntry, List, Octree, OctreeNode, OctreeSize,
     TraversalHeap, TraversalStack,
 };
-use strahl_core::baked::{Baking, Finder, Pack, PackError, PackPart};
+use strahl_core::baked::{BakedAccelerator, BakedScene, BakedSceneError, BakedSceneWriter, BakedSection};
 use strahl_core::geometry::Cone;
 use strahl_core::image::Pixel;
 use strahl_core::scene::{FresnelModel, Texture};
 use strahl_core::{
-    AllEffects, Background, BareList, Camera, CameraDescriptor, Falloff, Light, LightSource, Limits,
-    Material, Projection, Real, Resolution, Rgb, Scene, Single, Tile, Tracer, Vec3, Worker, World, render,
+    AllEffects, Background, BareList, Camera, CameraDescriptor, CenterSampler, Falloff, Light, LightSource,
+    Limits, Material, Projection, Real, Resolution, Rgb, Scene, Tile, Tracer, Vec3, Worker, World, render,
     vec3,
 };
 use strahl_tests::SplitMix64;
@@ -115,11 +115,18 @@ fn mixed_scene() -> TestScene {
     scene
 }
 
-fn baked(scene: Scene<'_>, finder: Finder<'_>) -> Vec<u8> {
-    let baking = Baking { scene, view: VIEW, size: SIZE, levels: 4, cutoff: 0.01, finder };
+fn baked(scene: Scene<'_>, finder: BakedAccelerator<'_>) -> Vec<u8> {
+    let baking = BakedSceneWriter {
+        scene,
+        camera: VIEW,
+        resolution: SIZE,
+        levels: 4,
+        cutoff: 0.01,
+        accelerator: finder,
+    };
     let mut bytes = Vec::new();
-    assert!(baking.pour(|piece| bytes.extend_from_slice(piece)));
-    assert_eq!(Some(bytes.len() as u32), baking.bytes());
+    assert!(baking.write_to(|piece| bytes.extend_from_slice(piece)));
+    assert_eq!(Some(bytes.len() as u32), baking.size_in_bytes());
     bytes
 }
 
@@ -136,10 +143,10 @@ fn baked_with_every_accelerator(scene: &TestScene) -> Vec<Vec<u8>> {
     let (mut nodes, mut items) = (vec![BvhNode::EMPTY; size.nodes], vec![LeafEntry::EMPTY; size.entries]);
     let bvh = Bvh::build(&boxes, &mut nodes, &mut items).unwrap();
     let finders = [
-        Finder::Bare(BareList(scene.item_count())),
-        Finder::Grid(grid),
-        Finder::Octree(octree),
-        Finder::Bvh(bvh),
+        BakedAccelerator::BareList(BareList(scene.item_count())),
+        BakedAccelerator::Grid(grid),
+        BakedAccelerator::Octree(octree),
+        BakedAccelerator::Bvh(bvh),
     ];
     finders.into_iter().map(|finder| baked(scene.as_scene(), finder)).collect()
 }
@@ -150,18 +157,18 @@ fn picture<A: Accelerator>(scene: Scene<'_>, accelerator: A, camera: Camera) -> 
     let tracer = Tracer::<_, AllEffects, 4>::new(&world, camera, limits).unwrap();
     let mut colors = Vec::new();
     let mut sink = |_: Pixel, color: Rgb| colors.push([color.r, color.g, color.b].map(f32::to_bits));
-    let pixels = Tile::whole(SIZE).pixels();
-    let Ok(()) = render(&mut tracer.with_worker(&mut Worker::new(())), &mut Single, pixels, &mut sink);
+    let pixels = Tile::full(SIZE).pixels();
+    let Ok(()) = render(&mut tracer.with_worker(&mut Worker::new(())), &mut CenterSampler, pixels, &mut sink);
     colors
 }
 
 /// The picture of a baked scene, traced with its accelerator.
-fn picture_of(pack: &Pack<'_>) -> Result<Vec<[u32; 3]>, PackError> {
+fn picture_of(pack: &BakedScene<'_>) -> Result<Vec<[u32; 3]>, BakedSceneError> {
     let (scene, camera) = (*pack.scene(), pack.camera(SIZE).unwrap());
-    Ok(match pack.finder()? {
-        Finder::Bare(bare) => picture(scene, bare, camera),
-        Finder::Grid(grid) => picture(scene, grid.with_mailbox::<8>(), camera),
-        Finder::Octree(octree) => picture(scene, octree.with_mailbox::<8>(), camera),
-        Finder::Bvh(bvh) => picture(scene, bvh.with_queue::<TraversalStack<16>>(), camera),
+    Ok(match pack.accelerator()? {
+        BakedAccelerator::BareList(bare) => picture(scene, bare, camera),
+        BakedAccelerator::Grid(grid) => picture(scene, grid.with_mailbox::<8>(), camera),
+        BakedAccelerator::Octree(octree) => picture(scene, octree.with_mailbox::<8>(), camera),
+        BakedAccelerator::Bvh(bvh) => picture(scene, bvh.with_queue::<TraversalStack<16>>(), camera),
     })
 }

@@ -7,11 +7,14 @@ fn a_baked_scene_is_opened_unchanged() {
     let scene = mixed_scene();
     for bytes in baked_with_every_accelerator(&scene) {
         let aligned = AlignedBytes::of(&bytes);
-        let pack = Pack::open(aligned.bytes()).unwrap();
+        let pack = BakedScene::open(aligned.bytes()).unwrap();
         let (baked, opened) = (scene.as_scene(), pack.scene());
         assert_eq!(format!("{:?}", baked.descriptor()), format!("{:?}", opened.descriptor()));
         assert_eq!(baked.required_effects(), opened.required_effects());
-        assert_eq!((*pack.view(), pack.size(), pack.levels(), pack.cutoff()), (VIEW, SIZE, 4, 0.01));
+        assert_eq!(
+            (*pack.camera_descriptor(), pack.size(), pack.levels(), pack.cutoff()),
+            (VIEW, SIZE, 4, 0.01)
+        );
         // In place: the tables point into the bytes.
         let within = aligned.bytes().as_ptr_range();
         assert!(within.contains(&opened.descriptor().geometry.shapes.as_ptr().cast()));
@@ -25,7 +28,7 @@ fn a_baked_scene_has_the_same_picture_bit_for_bit() {
     let expected = picture(scene.as_scene(), List::without_bounds(scene.item_count()), camera);
     for bytes in baked_with_every_accelerator(&scene) {
         let aligned = AlignedBytes::of(&bytes);
-        let pack = Pack::open(aligned.bytes()).unwrap();
+        let pack = BakedScene::open(aligned.bytes()).unwrap();
         assert!(picture_of(&pack).unwrap() == expected);
     }
 }
@@ -34,7 +37,7 @@ fn a_baked_scene_has_the_same_picture_bit_for_bit() {
 fn an_empty_scene_is_baked_and_opened() {
     for bytes in baked_with_every_accelerator(&TestScene::new()) {
         let aligned = AlignedBytes::of(&bytes);
-        let pack = Pack::open(aligned.bytes()).unwrap();
+        let pack = BakedScene::open(aligned.bytes()).unwrap();
         assert!(picture_of(&pack).unwrap().iter().all(|pixel| *pixel == [0; 3]));
     }
 }
@@ -43,11 +46,11 @@ fn an_empty_scene_is_baked_and_opened() {
 fn a_baked_scene_has_exactly_one_accelerator() {
     let [bare, grid, octree, bvh] =
         <[Vec<u8>; 4]>::try_from(baked_with_every_accelerator(&mixed_scene())).unwrap();
-    let wrong = PackError::Part(PackPart::Finder);
+    let wrong = BakedSceneError::Section(BakedSection::Accelerator);
     let open = |bytes: &[u8]| {
         let aligned = AlignedBytes::of(bytes);
-        let pack = Pack::open(aligned.bytes()).unwrap();
-        (pack.grid::<0>().err(), pack.octree::<0>().err(), pack.bvh::<()>().err(), pack.bare().0)
+        let pack = BakedScene::open(aligned.bytes()).unwrap();
+        (pack.grid::<0>().err(), pack.octree::<0>().err(), pack.bvh::<()>().err(), pack.bare_list().0)
     };
     let count = mixed_scene().item_count();
     assert_eq!(open(&bare), (Some(wrong), Some(wrong), Some(wrong), count));

@@ -64,10 +64,10 @@ fn rendered<E: Effects>(scene: &TestScene, view: &CameraDescriptor) -> Vec<Rgb> 
     let size = size(24, 16);
     let camera = Camera::new(view, size).unwrap();
     let tracer = Tracer::<_, E, 5>::new(&world, camera, Limits::DEFAULT).unwrap();
-    let tile = Tile::whole(size);
+    let tile = Tile::full(size);
     let mut colors = vec![Rgb::BLACK; tile.len()];
-    let mut frame = Frame::new(tile, &mut colors).unwrap();
-    let mut sampler = Stochastic::new(4).unwrap();
+    let mut frame = Framebuffer::new(tile, &mut colors).unwrap();
+    let mut sampler = StochasticSampler::new(4).unwrap();
     let Ok(()) =
         render(&mut tracer.with_worker(&mut Worker::new(())), &mut sampler, tile.pixels(), &mut frame);
     colors
@@ -243,10 +243,14 @@ fn the_smallest_effect_set_and_all_effects_give_the_same_picture() {
         &world,
         size(48, 32),
         Limits { levels: 1, cutoff: 0.0 },
-        &mut Single,
+        &mut CenterSampler,
     );
-    let (all, same) =
-        picture::<_, AllEffects, 64>(&world, size(48, 32), Limits { levels: 64, cutoff: 0.0 }, &mut Single);
+    let (all, same) = picture::<_, AllEffects, 64>(
+        &world,
+        size(48, 32),
+        Limits { levels: 64, cutoff: 0.0 },
+        &mut CenterSampler,
+    );
     assert_eq!(small, all);
     assert_eq!(counters, same);
     assert!(small.iter().any(|color| color.max_component() > 0.5));
@@ -256,7 +260,8 @@ fn the_smallest_effect_set_and_all_effects_give_the_same_picture() {
 fn no_ray_is_traced_for_effects_that_the_scene_does_not_use() {
     let rays = |scene: &TestScene| {
         let world = World::new(scene.as_scene(), List::without_bounds(scene.item_count()));
-        let (_, counters) = picture::<_, AllEffects, 5>(&world, size(24, 16), Limits::DEFAULT, &mut Single);
+        let (_, counters) =
+            picture::<_, AllEffects, 5>(&world, size(24, 16), Limits::DEFAULT, &mut CenterSampler);
         assert_eq!(counters.rays[RayKind::Camera], 24 * 16);
         RayKind::ALL.map(|kind| {
             let rays = counters.rays[kind];

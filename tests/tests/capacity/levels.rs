@@ -93,12 +93,12 @@ fn a_larger_capacity_of_levels_gives_the_same_picture() {
     let world = World::new(scene.as_scene(), List::without_bounds(scene.item_count()));
     let limits = |levels| Limits { levels, ..Limits::DEFAULT };
     let s = size(24, 16);
-    let one = picture::<_, AllEffects, 1>(&world, s, limits(1), &mut Single);
-    assert_eq!(picture::<_, AllEffects, 64>(&world, s, limits(1), &mut Single), one);
-    let two = picture::<_, AllEffects, 2>(&world, s, limits(2), &mut Single);
-    assert_eq!(picture::<_, AllEffects, 5>(&world, s, limits(2), &mut Single), two);
-    let five = picture::<_, AllEffects, 5>(&world, s, limits(5), &mut Single);
-    assert_eq!(picture::<_, AllEffects, 64>(&world, s, limits(5), &mut Single), five);
+    let one = picture::<_, AllEffects, 1>(&world, s, limits(1), &mut CenterSampler);
+    assert_eq!(picture::<_, AllEffects, 64>(&world, s, limits(1), &mut CenterSampler), one);
+    let two = picture::<_, AllEffects, 2>(&world, s, limits(2), &mut CenterSampler);
+    assert_eq!(picture::<_, AllEffects, 5>(&world, s, limits(2), &mut CenterSampler), two);
+    let five = picture::<_, AllEffects, 5>(&world, s, limits(5), &mut CenterSampler);
+    assert_eq!(picture::<_, AllEffects, 64>(&world, s, limits(5), &mut CenterSampler), five);
     assert!(one.0 != two.0 && two.0 != five.0);
 }
 

@@ -13,8 +13,9 @@ use std::cell::Cell;
 use strahl_core::accel::{Accelerator, List, group_count};
 use strahl_core::geometry::{Aabb, ItemId, ShapeKind, ShapeSet};
 use strahl_core::image::{
-    Adaptive, Agreement, Confidence, Corner, CornerRow, Filter, Frame, Kept, Lattice, Loose, Parting, Pixel,
-    Regular, Sampler, Selected, Selection, Sink, Stochastic,
+    AdaptiveSampler, CacheEntry, Confidence, ContrastThreshold, CornerGrid, CornerRow, CornerSampler, Filter,
+    Framebuffer, Pixel, PixelSelector, RegularSampler, Sampler, Selection, Sink, StochasticSampler,
+    Subdivision, Uncached,
 };
 use strahl_core::math::{SobolSequence, try_normalize};
 use strahl_core::render::render_selected;
@@ -25,8 +26,8 @@ use strahl_core::scene::{
 use strahl_core::tally::{CountedEvent, Counters, RayKind, Tally};
 use strahl_core::trace::{HitId, PixelSample, RayTracer, TracerError};
 use strahl_core::{
-    AllEffects, Background, BareList, Camera, CameraDescriptor, Falloff, Light, LightSource, Limits,
-    Material, Projection, Real, Resolution, Rgb, Scene, Single, Tile, Tracer, Vec3, Worker, World, render,
+    AllEffects, Background, BareList, Camera, CameraDescriptor, CenterSampler, Falloff, Light, LightSource,
+    Limits, Material, Projection, Real, Resolution, Rgb, Scene, Tile, Tracer, Vec3, Worker, World, render,
     vec3,
 };
 use strahl_tests::single::TestScene;
@@ -133,9 +134,9 @@ fn picture<A: Accelerator, E: Effects, const LEVELS: usize>(
 ) -> (Vec<Rgb>, Counters) {
     let camera = Camera::new(&VIEW, size).unwrap();
     let tracer = Tracer::<_, E, LEVELS>::new(world, camera, limits).unwrap();
-    let tile = Tile::whole(size);
+    let tile = Tile::full(size);
     let mut colors = vec![Rgb::BLACK; tile.len()];
-    let mut frame = Frame::new(tile, &mut colors).unwrap();
+    let mut frame = Framebuffer::new(tile, &mut colors).unwrap();
     let mut worker = Worker::new(Counters::new());
     let Ok(()) = render(&mut tracer.with_worker(&mut worker), sampler, tile.pixels(), &mut frame);
     (colors, worker.into_tally())
@@ -148,12 +149,12 @@ fn the_core_allocates_no_memory() {
     let boxes = scene.bounds();
     let mut groups = vec![Aabb::EMPTY; group_count(boxes.len())];
     let size = size(24, 16);
-    let tile = Tile::whole(size);
+    let tile = Tile::full(size);
     let mut colors = vec![Rgb::BLACK; tile.len()];
-    let mut corners = vec![PixelSample::BLACK; Lattice::tile(tile).len()];
+    let mut corners = vec![PixelSample::BLACK; CornerGrid::corner_tile(tile).len()];
     let mut row = vec![PixelSample::BLACK; 25];
-    let mut kept = vec![Kept::NOTHING; 500];
-    let colors_agree = Agreement::of_colors(0.05).unwrap();
+    let mut kept = vec![CacheEntry::EMPTY; 500];
+    let colors_agree = ContrastThreshold::new(0.05).unwrap();
 
     assert_eq!(allocations(|| drop(std::hint::black_box(Box::new(1)))), 1, "allocations are counted");
     let count = allocations(|| {
@@ -162,28 +163,34 @@ fn the_core_allocates_no_memory() {
         let camera = Camera::new(&VIEW, size).unwrap();
         let tracer = Tracer::<_, AllEffects, 5>::new(&world, camera, Limits::DEFAULT).unwrap();
         let mut worker = Worker::new(Counters::new());
-        let mut frame = Frame::new(tile, &mut colors).unwrap();
-        let Ok(()) = render(&mut tracer.with_worker(&mut worker), &mut Single, tile.pixels(), &mut frame);
+        let mut frame = Framebuffer::new(tile, &mut colors).unwrap();
+        let Ok(()) =
+            render(&mut tracer.with_worker(&mut worker), &mut CenterSampler, tile.pixels(), &mut frame);
         let Ok(()) = render(
             &mut tracer.with_worker(&mut worker),
-            &mut Regular::new(2).unwrap(),
+            &mut RegularSampler::new(2).unwrap(),
             tile.pixels(),
             &mut frame,
         );
-        let ends = Confidence { errors: 2.0, tolerance: 0.02 };
-        let mut stochastic = Stochastic::between(4, 16, ends).unwrap().filtered(Filter::Gaussian);
+        let ends = Confidence { standard_errors: 2.0, tolerance: 0.02 };
+        let mut stochastic =
+            StochasticSampler::with_range(4, 16, ends).unwrap().with_filter(Filter::Gaussian);
         let Ok(()) = render(&mut tracer.with_worker(&mut worker), &mut stochastic, tile.pixels(), &mut frame);
-        let parting = Parting::new(3, colors_agree).unwrap();
-        let mut adaptive = Adaptive::new(parting, CornerRow::new(&mut row), &mut kept);
+        let parting = Subdivision::new(3, colors_agree).unwrap();
+        let mut adaptive = AdaptiveSampler::new(parting, CornerRow::new(&mut row), &mut kept);
         let Ok(()) = render(&mut tracer.with_worker(&mut worker), &mut adaptive, tile.pixels(), &mut frame);
-        let all = Lattice::tile(tile);
-        let mut lattice = Frame::new(all, &mut corners).unwrap();
-        let Ok(()) =
-            render(&mut tracer.with_worker(&mut worker), &mut Corner(parting), all.pixels(), &mut lattice);
-        let mut adaptive = Adaptive::new(parting, Lattice::new(tile, &corners).unwrap(), &mut kept);
+        let all = CornerGrid::corner_tile(tile);
+        let mut lattice = Framebuffer::new(all, &mut corners).unwrap();
+        let Ok(()) = render(
+            &mut tracer.with_worker(&mut worker),
+            &mut CornerSampler(parting),
+            all.pixels(),
+            &mut lattice,
+        );
+        let mut adaptive = AdaptiveSampler::new(parting, CornerGrid::new(tile, &corners).unwrap(), &mut kept);
         let Ok(()) = render(&mut tracer.with_worker(&mut worker), &mut adaptive, tile.pixels(), &mut frame);
         let selection = Selection::new(8, colors_agree).unwrap();
-        let mut selected = Selected::new(selection, Single, Loose, &mut kept);
+        let mut selected = PixelSelector::new(selection, CenterSampler, Uncached, &mut kept);
         let blocks = selection.blocks(tile).pixels();
         let Ok(()) = render_selected(&mut tracer.with_worker(&mut worker), &mut selected, blocks, &mut frame);
         assert!(

@@ -17,8 +17,8 @@ impl Sampler for FourCorners {
 }
 
 /// A subdivision of depth zero: corners only.
-fn corners_only() -> Parting {
-    Parting::new(0, Agreement::of_colors(0.0).unwrap()).unwrap()
+fn corners_only() -> Subdivision {
+    Subdivision::new(0, ContrastThreshold::new(0.0).unwrap()).unwrap()
 }
 
 #[test]
@@ -32,28 +32,29 @@ fn corners_are_the_same_from_any_buffer_and_none_is_traced_twice() {
         assert_eq!(counters.rays[RayKind::Camera], u64::from(4 * w * h));
 
         let mut row = vec![PixelSample::BLACK; w as usize + 1];
-        let mut sampler = Adaptive::new(corners_only(), CornerRow::new(&mut row), &mut []);
+        let mut sampler = AdaptiveSampler::new(corners_only(), CornerRow::new(&mut row), &mut []);
         let (colors, counters) = picture::<_, AllEffects, 5>(&world, s, Limits::DEFAULT, &mut sampler);
         assert_eq!((colors, counters.rays[RayKind::Camera]), (expected.clone(), corners), "{w}x{h}");
 
         let camera = Camera::new(&VIEW, s).unwrap();
         let tracer = Tracer::<_, AllEffects, 5>::new(&world, camera, Limits::DEFAULT).unwrap();
-        let whole = Tile::whole(s);
-        let mut memory = vec![PixelSample::BLACK; Lattice::tile(whole).len()];
-        let mut frame = Frame::new(Lattice::tile(whole), &mut memory).unwrap();
+        let whole = Tile::full(s);
+        let mut memory = vec![PixelSample::BLACK; CornerGrid::corner_tile(whole).len()];
+        let mut frame = Framebuffer::new(CornerGrid::corner_tile(whole), &mut memory).unwrap();
         let mut worker = Worker::new(Counters::new());
         // In any order: here from the last tile to the first.
-        let tiles: Vec<Tile> = Lattice::tile(whole).tiles(5).collect();
+        let tiles: Vec<Tile> = CornerGrid::corner_tile(whole).tiles(5).collect();
         for tile in tiles.into_iter().rev() {
             let Ok(()) = render(
                 &mut tracer.with_worker(&mut worker),
-                &mut Corner(corners_only()),
+                &mut CornerSampler(corners_only()),
                 tile.pixels(),
                 &mut frame,
             );
         }
         assert_eq!(worker.tally().rays[RayKind::Camera], corners);
-        let mut lattice = Adaptive::new(corners_only(), Lattice::new(whole, &memory).unwrap(), &mut []);
+        let mut lattice =
+            AdaptiveSampler::new(corners_only(), CornerGrid::new(whole, &memory).unwrap(), &mut []);
         let (colors, counters) = picture::<_, AllEffects, 5>(&world, s, Limits::DEFAULT, &mut lattice);
         assert_eq!((colors, counters), (expected, Counters::new()), "{w}x{h}");
     }
@@ -69,7 +70,8 @@ fn a_row_of_corners_that_is_too_short_costs_rays_and_changes_no_pixel() {
         let mut row = [PixelSample::BLACK; 10];
         let mut max_rays = u64::MAX;
         for capacity in 0..=w as usize + 3 {
-            let mut sampler = Adaptive::new(corners_only(), CornerRow::new(&mut row[..capacity]), &mut []);
+            let mut sampler =
+                AdaptiveSampler::new(corners_only(), CornerRow::new(&mut row[..capacity]), &mut []);
             let (colors, counters) =
                 picture::<_, AllEffects, 5>(&world, size(w, h), Limits::DEFAULT, &mut sampler);
             assert_eq!(colors, expected, "{capacity} corners for rows of {w} pixels");
@@ -89,11 +91,15 @@ fn frames_and_lattices_of_another_size_are_refused() {
     let mut memory = vec![PixelSample::BLACK; 20];
     for provided in 0..20 {
         assert_eq!(
-            Frame::new(Tile::whole(s), &mut memory[..provided]).is_some(),
+            Framebuffer::new(Tile::full(s), &mut memory[..provided]).is_some(),
             provided == 6,
             "{provided}"
         );
-        assert_eq!(Lattice::new(Tile::whole(s), &memory[..provided]).is_some(), provided == 12, "{provided}");
+        assert_eq!(
+            CornerGrid::new(Tile::full(s), &memory[..provided]).is_some(),
+            provided == 12,
+            "{provided}"
+        );
     }
 }
 
@@ -119,8 +125,8 @@ fn a_sink_that_is_full_ends_the_picture() {
         let mut worker = Worker::new(Counters::new());
         let result = render(
             &mut tracer.with_worker(&mut worker),
-            &mut Single,
-            Tile::whole(s).pixels(),
+            &mut CenterSampler,
+            Tile::full(s).pixels(),
             &mut FullSink { capacity },
         );
         assert_eq!(result, end);

@@ -301,8 +301,8 @@ fn a_point_out_of_focus_is_a_disc_of_confusion() {
             light += f64::from(color.r);
             second += f64::from(color.r) * (square(from_center(pixel.x)) + square(from_center(pixel.y)));
         };
-        let mut sampler = Stochastic::new(256).unwrap();
-        let pixels = Tile::whole(size).pixels();
+        let mut sampler = StochasticSampler::new(256).unwrap();
+        let pixels = Tile::full(size).pixels();
         let Ok(()) = render(&mut tracer.with_worker(&mut Worker::new(())), &mut sampler, pixels, &mut sink);
         // A disc of radius r has the second moment r^2 / 2. Those of the circle of confusion and of the sphere add up, and that
         // of the pixel, 1/12 for each axis. In pixels:

@@ -14,13 +14,13 @@ mod view;
 
 use strahl_core::accel::List;
 use strahl_core::geometry::Cone;
-use strahl_core::image::{Frame, Pixel, Stochastic};
+use strahl_core::image::{Framebuffer, Pixel, StochasticSampler};
 use strahl_core::math::try_normalize;
 use strahl_core::scene::{FresnelModel, Texture, TextureId};
 use strahl_core::tally::{Counters, RayKind};
 use strahl_core::{
-    AllEffects, Background, Camera, CameraDescriptor, Falloff, Light, LightSource, Limits, Material,
-    Projection, Real, Resolution, Rgb, Single, Tile, Tracer, Vec3, Worker, World, render, vec3,
+    AllEffects, Background, Camera, CameraDescriptor, CenterSampler, Falloff, Light, LightSource, Limits,
+    Material, Projection, Real, Resolution, Rgb, Tile, Tracer, Vec3, Worker, World, render, vec3,
 };
 use strahl_tests::single::TestScene;
 

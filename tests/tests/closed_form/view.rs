@@ -16,11 +16,11 @@ fn picture(scene: &TestScene, view: &CameraDescriptor, width: u32, height: u32) 
     let world = World::new(scene.as_scene(), List::without_bounds(scene.item_count()));
     let tracer = Tracer::<_, AllEffects, 64>::new(&world, Camera::new(view, size).unwrap(), ALL).unwrap();
     let mut colors = vec![Rgb::BLACK; width as usize * height as usize];
-    let mut frame = Frame::new(Tile::whole(size), &mut colors).unwrap();
+    let mut frame = Framebuffer::new(Tile::full(size), &mut colors).unwrap();
     let Ok(()) = render(
         &mut tracer.with_worker(&mut Worker::new(())),
-        &mut Single,
-        Tile::whole(size).pixels(),
+        &mut CenterSampler,
+        Tile::full(size).pixels(),
         &mut frame,
     );
     colors

@@ -6,7 +6,7 @@
 use std::path::Path;
 
 use strahl_core::geometry::ShapeSet;
-use strahl_core::image::Stochastic;
+use strahl_core::image::StochasticSampler;
 use strahl_core::scene::{EffectSet, Effects, LightSet, TextureSet};
 use strahl_core::tally::{Counters, RayKind};
 use strahl_core::{
@@ -90,11 +90,11 @@ fn rendered<E: Effects>(description: &LoadedScene) -> Vec<u32> {
     let tracer = Tracer::<_, E, 5>::new(&world, camera, Limits::DEFAULT).unwrap();
     let mut bits = Vec::new();
     let mut sink = |_, color: Rgb| bits.extend([color.r, color.g, color.b].map(f32::to_bits));
-    let mut sampler = Stochastic::new(4).unwrap();
+    let mut sampler = StochasticSampler::new(4).unwrap();
     let Ok(()) = render(
         &mut tracer.with_worker(&mut Worker::new(())),
         &mut sampler,
-        Tile::whole(SIZE).pixels(),
+        Tile::full(SIZE).pixels(),
         &mut sink,
     );
     bits

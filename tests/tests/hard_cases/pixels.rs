@@ -5,16 +5,16 @@ use proptest::prelude::*;
 use strahl_core::accel::List;
 use strahl_core::geometry::Ray;
 use strahl_core::image::{
-    Adaptive, Agreement, Confidence, Filter, Frame, Kept, Loose, Parting, Regular, Selected, Selection,
-    Stochastic,
+    AdaptiveSampler, CacheEntry, Confidence, ContrastThreshold, Filter, Framebuffer, PixelSelector,
+    RegularSampler, Selection, StochasticSampler, Subdivision, Uncached,
 };
 use strahl_core::math::try_normalize;
 use strahl_core::render::render_selected;
 use strahl_core::scene::{FresnelModel, Texture};
 use strahl_core::tally::RayKind;
 use strahl_core::{
-    AllEffects, Background, Camera, CameraDescriptor, Falloff, Light, LightSource, Limits, Material,
-    Projection, Real, Resolution, Rgb, Single, Tile, Tracer, Vec3, Worker, World, render, vec3,
+    AllEffects, Background, Camera, CameraDescriptor, CenterSampler, Falloff, Light, LightSource, Limits,
+    Material, Projection, Real, Resolution, Rgb, Tile, Tracer, Vec3, Worker, World, render, vec3,
 };
 use strahl_tests::single::TestScene;
 use strahl_tests::{DVec3, SplitMix64, TestShape, TestShapeKind};
@@ -197,32 +197,32 @@ proptest! {
         let world = World::new(scene.as_scene(), List::without_bounds(scene.item_count()));
         let limits = Limits { levels: 6, cutoff: 0.0 };
         let tracer = Tracer::<_, AllEffects, 6>::new(&world, camera, limits).unwrap();
-        let tile = Tile::whole(size);
+        let tile = Tile::full(size);
         let mut colors = vec![Rgb::BLACK; tile.len()];
-        let mut frame = Frame::new(tile, &mut colors).unwrap();
+        let mut frame = Framebuffer::new(tile, &mut colors).unwrap();
         let mut worker = Worker::new(());
-        let agreement = Agreement::of_colors(0.05).unwrap();
-        let mut kept = [Kept::NOTHING; 8];
+        let agreement = ContrastThreshold::new(0.05).unwrap();
+        let mut kept = [CacheEntry::EMPTY; 8];
         let Ok(()) = match sampler {
-            0 => render(&mut tracer.with_worker(&mut worker), &mut Single, tile.pixels(), &mut frame),
+            0 => render(&mut tracer.with_worker(&mut worker), &mut CenterSampler, tile.pixels(), &mut frame),
             1 => {
-                let mut regular = Regular::new(2).unwrap().filtered(Filter::Gaussian);
+                let mut regular = RegularSampler::new(2).unwrap().with_filter(Filter::Gaussian);
                 render(&mut tracer.with_worker(&mut worker), &mut regular, tile.pixels(), &mut frame)
             }
             2 => {
-                let parting = Parting::new(2, agreement).unwrap();
-                let mut adaptive = Adaptive::new(parting, Loose, &mut kept);
+                let parting = Subdivision::new(2, agreement).unwrap();
+                let mut adaptive = AdaptiveSampler::new(parting, Uncached, &mut kept);
                 render(&mut tracer.with_worker(&mut worker), &mut adaptive, tile.pixels(), &mut frame)
             }
             3 => {
-                let ends = Confidence { errors: 2.0, tolerance: 0.02 };
-                let mut stochastic = Stochastic::between(4, 8, ends).unwrap();
+                let ends = Confidence { standard_errors: 2.0, tolerance: 0.02 };
+                let mut stochastic = StochasticSampler::with_range(4, 8, ends).unwrap();
                 render(&mut tracer.with_worker(&mut worker), &mut stochastic, tile.pixels(), &mut frame)
             }
             _ => {
                 let selection = Selection::new(2, agreement).unwrap();
                 let blocks = selection.blocks(tile).pixels();
-                let mut selected = Selected::new(selection, Single, Loose, &mut kept);
+                let mut selected = PixelSelector::new(selection, CenterSampler, Uncached, &mut kept);
                 render_selected(&mut tracer.with_worker(&mut worker), &mut selected, blocks, &mut frame)
             }
         };

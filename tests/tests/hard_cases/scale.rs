@@ -1,12 +1,12 @@
 //! Scaled, mirrored and permuted scenes have the same hits.
 
 use strahl_core::accel::List;
-use strahl_core::image::Frame;
+use strahl_core::image::Framebuffer;
 use strahl_core::math::try_normalize;
 use strahl_core::scene::{FresnelModel, Texture};
 use strahl_core::{
-    AllEffects, Background, Camera, CameraDescriptor, Falloff, Light, LightSource, Limits, Material,
-    Projection, Resolution, Rgb, Single, Tile, Tracer, Vec3, Worker, World, render, vec3,
+    AllEffects, Background, Camera, CameraDescriptor, CenterSampler, Falloff, Light, LightSource, Limits,
+    Material, Projection, Resolution, Rgb, Tile, Tracer, Vec3, Worker, World, render, vec3,
 };
 use strahl_tests::hard::cases;
 use strahl_tests::oracle::{OracleAnswer, intersect, size};
@@ -104,11 +104,11 @@ fn picture(scale: f32, has_lens: bool) -> Vec<[u32; 3]> {
     let world = World::new(scene.as_scene(), List::without_bounds(scene.item_count()));
     let limits = Limits { levels: 6, cutoff: 0.0 };
     let tracer = Tracer::<_, AllEffects, 6>::new(&world, camera, limits).unwrap();
-    let tile = Tile::whole(size);
+    let tile = Tile::full(size);
     let mut colors = vec![Rgb::BLACK; tile.len()];
-    let mut frame = Frame::new(tile, &mut colors).unwrap();
+    let mut frame = Framebuffer::new(tile, &mut colors).unwrap();
     let Ok(()) =
-        render(&mut tracer.with_worker(&mut Worker::new(())), &mut Single, tile.pixels(), &mut frame);
+        render(&mut tracer.with_worker(&mut Worker::new(())), &mut CenterSampler, tile.pixels(), &mut frame);
     colors.iter().map(|color| [color.r, color.g, color.b].map(f32::to_bits)).collect()
 }
 

@@ -177,8 +177,18 @@ pub const WRONG: &[Wrong] = &[
     ),
     ("[[plane]]\nmaterial = \"brass\"\n", 2, "\"brass\"", "write [[material]] and name = \"brass\""),
     // Views that show nothing.
-    ("[camera]\nfrom = [1, 2, 3]\nat = [1, 2, 3]\n", 3, "[1, 2, 3]", "the eye is at the point it looks at"),
-    ("[[sphere]]\nradius = 1\n[camera]\nfrom = [0, 0, 0]\n", 4, "[0, 0, 0]", "the eye is at the point"),
+    (
+        "[camera]\nfrom = [1, 2, 3]\nat = [1, 2, 3]\n",
+        3,
+        "[1, 2, 3]",
+        "the position of the camera and its target are equal",
+    ),
+    (
+        "[[sphere]]\nradius = 1\n[camera]\nfrom = [0, 0, 0]\n",
+        4,
+        "[0, 0, 0]",
+        "the position of the camera and its target are equal",
+    ),
     ("[camera]\nfrom = [1, 2, 3]\nat = [1.00000001, 2, 3]\n", 3, "[1.00000001, 2, 3]", "must differ once"),
     ("[camera]\nfrom = [0, 0, 9]\nup = [0, 1e-6, 5]\n", 3, "[0, 1e-6, 5]", "up is parallel"),
     ("[camera]\nfrom = [0, 0, 9]\nat = [0, 0, 0]\nup = [0, 0, -2]\n", 4, "[0, 0, -2]", "up is parallel"),

@@ -6,7 +6,7 @@
 
 use strahl_core::accel::{List, group_count};
 use strahl_core::geometry::Aabb;
-use strahl_core::image::{Kept, Pixel, Sampler};
+use strahl_core::image::{CacheEntry, Pixel, Sampler};
 use strahl_core::scene::CameraSample;
 use strahl_core::trace::PixelSample;
 use strahl_core::{AllEffects, Camera, Rgb, Tracer, Worker, World};
@@ -52,7 +52,8 @@ pub fn trace(description: &LoadedScene, settings: &Settings, pixel: Pixel) -> Re
         seen.places.push((place, sight));
         sight
     };
-    let (color, parts) = match AnySampler::new(settings, CornerSource::Retraced, &mut [Kept::NOTHING; 0]) {
+    let (color, parts) = match AnySampler::new(settings, CornerSource::Retraced, &mut [CacheEntry::EMPTY; 0])
+    {
         AnySampler::Adaptive(mut sampler) => {
             let mut parts = Vec::new();
             // Parts share their corners, and none is told twice.
@@ -65,7 +66,7 @@ pub fn trace(description: &LoadedScene, settings: &Settings, pixel: Pixel) -> Re
                     sight
                 }
             };
-            let sight = sampler.sample_by_parts(pixel, &mut once, &mut |part| parts.push(part));
+            let sight = sampler.sample_subpixels(pixel, &mut once, &mut |part| parts.push(part));
             (sight.color, Some(parts))
         }
         mut sampler => (sampler.sample_pixel(pixel, &mut trace).color, None),
@@ -93,8 +94,8 @@ struct Seen {
 
 impl Seen {
     /// A part of a pixel, with its corners by their numbers.
-    fn part(&self, part: &strahl_core::image::Part) -> Part {
-        let strahl_core::image::Part { place, side, .. } = *part;
+    fn part(&self, part: &strahl_core::image::Subpixel) -> Part {
+        let strahl_core::image::Subpixel { place, side, .. } = *part;
         let (right, below) = (place.x + side, place.y + side);
         let number = |(x, y): (f32, f32)| {
             let found = self.places.iter().position(|(it, _)| it.point.x == x && it.point.y == y);

@@ -54,7 +54,7 @@ impl Sparse {
         };
         let inside = |tile: Tile| {
             let places = tile.pixels().filter(|pixel| options.is_requested(*pixel));
-            places.filter_map(|pixel| area.place(pixel)).collect::<Vec<_>>()
+            places.filter_map(|pixel| area.index_of(pixel)).collect::<Vec<_>>()
         };
         let squares: Vec<_> = tiles.into_iter().map(inside).filter(|places| !places.is_empty()).collect();
         let count: usize = squares.iter().map(Vec::len).sum();
@@ -115,21 +115,21 @@ pub fn rmse(a: &[Rgb], b: &[Rgb]) -> f64 {
 
 /// A square somewhere in a cell.
 fn square(cell: Tile, area: Tile) -> Tile {
-    let Tile { first: Pixel { x, y }, width, height } = cell;
+    let Tile { top_left: Pixel { x, y }, width, height } = cell;
     let [u, v] = SobolSequence::new(x, y, 0, 0).sample_2d(Dimension::PIXEL);
     let place = |first: u32, length: u32, chance: f32| {
         first + (length.saturating_sub(SIDE - 1) as f32 * chance) as u32
     };
     let first = Pixel { x: place(x, width, u), y: place(y, height, v) };
-    Tile { first, width: SIDE, height: SIDE }.within(area)
+    Tile { top_left: first, width: SIDE, height: SIDE }.intersection(area)
 }
 
 fn mask(size: Resolution, area: Tile, squares: &[Vec<usize>]) -> Mask {
-    let whole = Tile::whole(size);
+    let whole = Tile::full(size);
     let mut pixels = vec![false; whole.len()];
     for place in squares.iter().flatten() {
         let (x, y) = (*place as u32 % area.width, *place as u32 / area.width);
-        if let Some(place) = whole.place(Pixel { x: area.first.x + x, y: area.first.y + y }) {
+        if let Some(place) = whole.index_of(Pixel { x: area.top_left.x + x, y: area.top_left.y + y }) {
             pixels[place] = true;
         }
     }
@@ -173,11 +173,11 @@ mod tests {
     #[test]
     fn no_pixel_is_looked_at_that_is_not_wanted() {
         let size = Resolution::new(300, 200).unwrap();
-        let region = Tile { first: Pixel { x: 20, y: 10 }, width: 200, height: 150 };
+        let region = Tile { top_left: Pixel { x: 20, y: 10 }, width: 200, height: 150 };
         let settings = Settings { size, region: Some(region), ..Settings::default() };
         let sparse = Sparse::new(&settings, &RenderOptions::default());
         let mask = sparse.mask();
-        let asked: Vec<Pixel> = Tile::whole(size).pixels().filter(|pixel| mask.has(*pixel)).collect();
-        assert!(asked.len() > 2000 && asked.iter().all(|pixel| region.place(*pixel).is_some()));
+        let asked: Vec<Pixel> = Tile::full(size).pixels().filter(|pixel| mask.has(*pixel)).collect();
+        assert!(asked.len() > 2000 && asked.iter().all(|pixel| region.index_of(*pixel).is_some()));
     }
 }

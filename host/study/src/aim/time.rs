@@ -77,7 +77,7 @@ const RASTERS: [Pass; 5] =
 const LEAST: [u32; 5] = [8, 6, 4, 3, 2];
 
 /// The most.
-const MOST: u32 = strahl_core::image::Stochastic::MOST;
+const MOST: u32 = strahl_core::image::StochasticSampler::MAX_SAMPLES;
 
 /// How sure the rule is of the mean of a pixel.
 const LEVEL: f64 = 0.9;

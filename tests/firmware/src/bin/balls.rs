@@ -12,12 +12,12 @@ use strahl_core::accel::TraversalStack;
 use strahl_core::baked::Pack;
 use strahl_core::geometry::{ShapeKind, ShapeSet};
 use strahl_core::scene::{EffectSet, Effects, LightKind, LightSet};
-use strahl_core::{Single, World, include_pack};
+use strahl_core::{Single, World, include_baked_scene};
 use strahl_firmware::draw::{DARK, Row, bytes, draw};
 use strahl_firmware::packs::wanted;
 use strahl_firmware::{count, stack};
 
-static SCENE: &[u8] = include_pack!("../../target/packs/balls.strahl");
+static SCENE: &[u8] = include_baked_scene!("../../target/packs/balls.strahl");
 
 /// Exactly what the scene asks for.
 struct Mirrors;

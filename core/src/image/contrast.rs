@@ -5,25 +5,25 @@ use crate::trace::{HitId, PixelSample};
 
 /// How much neighbours may differ and still agree.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Agreement {
+pub struct ContrastThreshold {
     threshold: Real,
     items: bool,
 }
 
-impl Agreement {
+impl ContrastThreshold {
     /// Colours whose sRGB-encoded channels differ by at most `threshold`; none when it is not in
     /// `0..=1`.
-    pub fn of_colors(threshold: Real) -> Option<Self> {
-        (threshold >= 0.0 && threshold <= 1.0).then_some(Agreement { threshold, items: false })
+    pub fn new(threshold: Real) -> Option<Self> {
+        (threshold >= 0.0 && threshold <= 1.0).then_some(ContrastThreshold { threshold, items: false })
     }
 
     /// The same, and only where all rays hit the same item.
-    pub fn and_items(self) -> Self {
-        Agreement { items: true, ..self }
+    pub fn with_items(self) -> Self {
+        ContrastThreshold { items: true, ..self }
     }
 
     /// Whether the corners of a square agree.
-    pub(super) fn holds(&self, corners: &[PixelSample; 4]) -> bool {
+    pub(super) fn is_met(&self, corners: &[PixelSample; 4]) -> bool {
         let same_item = || {
             let [first, rest @ ..] = corners;
             rest.iter().fold(first.hit, |hit, corner| hit.merged(corner.hit)) != HitId::Mixed

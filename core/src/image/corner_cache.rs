@@ -13,55 +13,55 @@ use crate::trace::{PixelSample, RayTracer};
 /// Somebody who knows what is seen at the corners of cells.
 ///
 /// A cell is named like a pixel, a corner like the cell whose upper left corner it is.
-pub trait Corners {
+pub trait CornerCache {
     /// Upper left, upper right, lower left and lower right corner of `cell`. `find` says what is
     /// seen at a corner.
     fn corners(&mut self, cell: Pixel, find: &mut impl FnMut(Pixel) -> PixelSample) -> [PixelSample; 4];
 
     /// A new picture begins: what was kept of another is forgotten.
-    fn begin(&mut self) {}
+    fn reset(&mut self) {}
 }
 
 /// The names of a cell's corners, from the upper left to the lower right.
-fn names(Pixel { x, y }: Pixel) -> [Pixel; 4] {
+fn corner_pixels(Pixel { x, y }: Pixel) -> [Pixel; 4] {
     [(x, y), (x + 1, y), (x, y + 1), (x + 1, y + 1)].map(|(x, y)| Pixel { x, y })
 }
 
 /// Keeps nothing.
 #[derive(Clone, Copy, Debug)]
-pub struct Loose;
+pub struct Uncached;
 
-impl Corners for Loose {
+impl CornerCache for Uncached {
     fn corners(&mut self, cell: Pixel, find: &mut impl FnMut(Pixel) -> PixelSample) -> [PixelSample; 4] {
-        names(cell).map(find)
+        corner_pixels(cell).map(find)
     }
 }
 
 /// The corners of all cells of a rectangle, already traced.
 #[derive(Clone, Copy, Debug)]
-pub struct Lattice<'m> {
+pub struct CornerGrid<'m> {
     tile: Tile,
     corners: &'m [PixelSample],
 }
 
-impl<'m> Lattice<'m> {
+impl<'m> CornerGrid<'m> {
     /// The rectangle of all corners of the cells `cells`: one wider and higher.
-    pub fn tile(cells: Tile) -> Tile {
+    pub fn corner_tile(cells: Tile) -> Tile {
         Tile { width: cells.width + 1, height: cells.height + 1, ..cells }
     }
 
     /// The corners of `cells`, row by row; none when they are not as many as
     /// [`Lattice::tile`] has.
     pub fn new(cells: Tile, corners: &'m [PixelSample]) -> Option<Self> {
-        let tile = Self::tile(cells);
-        (corners.len() == tile.len()).then_some(Lattice { tile, corners })
+        let tile = Self::corner_tile(cells);
+        (corners.len() == tile.len()).then_some(CornerGrid { tile, corners })
     }
 }
 
-impl Corners for Lattice<'_> {
+impl CornerCache for CornerGrid<'_> {
     fn corners(&mut self, cell: Pixel, find: &mut impl FnMut(Pixel) -> PixelSample) -> [PixelSample; 4] {
-        names(cell).map(|corner| {
-            let kept = self.tile.place(corner).and_then(|place| self.corners.get(place));
+        corner_pixels(cell).map(|corner| {
+            let kept = self.tile.index_of(corner).and_then(|place| self.corners.get(place));
             kept.copied().unwrap_or_else(|| find(corner))
         })
     }
@@ -76,19 +76,25 @@ pub struct CornerRow<'m> {
     /// The corners above the cells to come, and below those that have been.
     row: &'m mut [PixelSample],
     /// The cell that shares corners with the last one.
-    next: Option<Pixel>,
-    first: u32,
+    expected_cell: Option<Pixel>,
+    first_x: u32,
     /// Whether `row` holds the corners above the cells to come.
-    above: bool,
+    has_row_above: bool,
     /// The last cell's lower right corner.
-    last: PixelSample,
+    previous_lower_right: PixelSample,
 }
 
 impl<'m> CornerRow<'m> {
     /// For rows of `row.len() - 1` cells. With less than two corners it remembers nothing, and
     /// asks for all four of every cell.
     pub fn new(row: &'m mut [PixelSample]) -> Self {
-        CornerRow { row, next: None, first: 0, above: false, last: PixelSample::BLACK }
+        CornerRow {
+            row,
+            expected_cell: None,
+            first_x: 0,
+            has_row_above: false,
+            previous_lower_right: PixelSample::BLACK,
+        }
     }
 
     fn at(&self, place: u32) -> PixelSample {
@@ -102,63 +108,63 @@ impl<'m> CornerRow<'m> {
     }
 }
 
-impl Corners for CornerRow<'_> {
+impl CornerCache for CornerRow<'_> {
     fn corners(&mut self, cell: Pixel, find: &mut impl FnMut(Pixel) -> PixelSample) -> [PixelSample; 4] {
         let width = self.row.len().saturating_sub(1) as u32;
-        if self.next != Some(cell) {
+        if self.expected_cell != Some(cell) {
             // A new beginning: only the corners of this cell are needed, and none is known.
-            (self.first, self.above) = (cell.x, false);
+            (self.first_x, self.has_row_above) = (cell.x, false);
         }
-        let [upper_left, upper_right, lower_left, lower_right] = names(cell);
-        let place = cell.x.saturating_sub(self.first);
+        let [upper_left, upper_right, lower_left, lower_right] = corner_pixels(cell);
+        let place = cell.x.saturating_sub(self.first_x);
         let begins = place == 0;
-        let upper_left = match (self.above, begins) {
+        let upper_left = match (self.has_row_above, begins) {
             (false, true) => find(upper_left),
             _ => self.at(place),
         };
-        let upper_right = if self.above { self.at(place + 1) } else { find(upper_right) };
-        let lower_left = if begins { find(lower_left) } else { self.last };
+        let upper_right = if self.has_row_above { self.at(place + 1) } else { find(upper_right) };
+        let lower_left = if begins { find(lower_left) } else { self.previous_lower_right };
         let lower_right = find(lower_right);
 
         self.set(place, lower_left);
-        self.last = lower_right;
-        self.next = if place + 1 < width {
+        self.previous_lower_right = lower_right;
+        self.expected_cell = if place + 1 < width {
             // The upper left corner of the next cell.
             self.set(place + 1, upper_right);
             Some(Pixel { x: cell.x + 1, y: cell.y })
         } else if width > 0 {
             self.set(place + 1, lower_right);
-            self.above = true;
-            Some(Pixel { x: self.first, y: cell.y + 1 })
+            self.has_row_above = true;
+            Some(Pixel { x: self.first_x, y: cell.y + 1 })
         } else {
             None // there is no room to remember anything
         };
         [upper_left, upper_right, lower_left, lower_right]
     }
 
-    fn begin(&mut self) {
-        self.next = None;
+    fn reset(&mut self) {
+        self.expected_cell = None;
     }
 }
 
 /// What fills a [`Lattice`]: what `S` sees in the pixel that is the upper left corner of each
 /// cell of `side` times `side` pixels.
 #[derive(Clone, Copy, Debug)]
-pub struct Every<S> {
+pub struct StridedSampler<S> {
     /// Sees.
     pub sampler: S,
     /// Pixels along one side of a cell.
-    pub side: u32,
+    pub stride: u32,
 }
 
-impl<S: Sampler> Sampler for Every<S> {
+impl<S: Sampler> Sampler for StridedSampler<S> {
     fn sample_pixel<R: RayTracer + ?Sized>(&mut self, Pixel { x, y }: Pixel, tracer: &mut R) -> PixelSample {
         self.sampler
-            .sample_pixel(Pixel { x: x.wrapping_mul(self.side), y: y.wrapping_mul(self.side) }, tracer)
+            .sample_pixel(Pixel { x: x.wrapping_mul(self.stride), y: y.wrapping_mul(self.stride) }, tracer)
     }
 
-    fn begin(&mut self) {
-        self.sampler.begin();
+    fn reset(&mut self) {
+        self.sampler.reset();
     }
 }
 
@@ -173,7 +179,7 @@ mod tests {
     }
 
     fn truth(cell: Pixel) -> [PixelSample; 4] {
-        names(cell).map(sample)
+        corner_pixels(cell).map(sample)
     }
 
     #[test]
@@ -182,7 +188,7 @@ mod tests {
             let mut memory = [PixelSample::BLACK; 8];
             let mut row = CornerRow::new(&mut memory[..w as usize + 1]);
             let mut found = 0;
-            let tile = Tile { first: Pixel { x: 2, y: 7 }, width: w, height: h };
+            let tile = Tile { top_left: Pixel { x: 2, y: 7 }, width: w, height: h };
             for cell in tile.pixels() {
                 let mut find = |corner| {
                     found += 1;
@@ -206,17 +212,17 @@ mod tests {
 
     #[test]
     fn a_lattice_gives_the_same_and_finds_only_what_lies_outside() {
-        let cells = Tile { first: Pixel { x: 5, y: 1 }, width: 3, height: 2 };
+        let cells = Tile { top_left: Pixel { x: 5, y: 1 }, width: 3, height: 2 };
         let mut memory = [PixelSample::BLACK; 12];
-        for (slot, corner) in memory.iter_mut().zip(Lattice::tile(cells).pixels()) {
+        for (slot, corner) in memory.iter_mut().zip(CornerGrid::corner_tile(cells).pixels()) {
             *slot = sample(corner);
         }
-        let mut lattice = Lattice::new(cells, &memory).unwrap();
+        let mut lattice = CornerGrid::new(cells, &memory).unwrap();
         for cell in cells.pixels() {
             assert_eq!(lattice.corners(cell, &mut |_| unreachable!()), truth(cell));
         }
         let outside = Pixel { x: 0, y: 0 };
         assert_eq!(lattice.corners(outside, &mut sample), truth(outside));
-        assert!(Lattice::new(cells, &memory[..11]).is_none());
+        assert!(CornerGrid::new(cells, &memory[..11]).is_none());
     }
 }

@@ -6,15 +6,15 @@
 
 use heapless::Vec;
 
-use super::agreement::Agreement;
+use super::contrast::ContrastThreshold;
 use crate::math::{Real, Rgb};
 use crate::trace::{HitId, PixelSample};
 
 /// How often a square can be quartered.
-pub(super) const MOST_DEPTH: u8 = 6;
+pub(super) const MAX_DEPTH: u8 = 6;
 
 /// At each depth three quarters wait while the fourth is worked on.
-const MOST_WAITING: usize = 3 * MOST_DEPTH as usize + 1;
+const MAX_PENDING: usize = 3 * MAX_DEPTH as usize + 1;
 
 /// A square and what is seen at its corners.
 #[derive(Clone, Copy, Debug)]
@@ -43,7 +43,7 @@ impl Square {
     }
 
     /// The colour at the place `(x, y)` of the square, both in `0..=1`, between those of its corners.
-    pub(super) fn between(&self, x: Real, y: Real) -> Rgb {
+    pub(super) fn interpolate(&self, x: Real, y: Real) -> Rgb {
         let [a, b, c, d] = self.corners.map(|corner| corner.color);
         a.lerp(b, x).lerp(c.lerp(d, x), y)
     }
@@ -69,17 +69,17 @@ impl Square {
 
 /// Quarters `whole` until the corners of every part agree or its side is `least`, and hands the
 /// parts to `part`.
-pub(super) fn quarter(
+pub(super) fn subdivide(
     whole: Square,
-    agreement: &Agreement,
+    agreement: &ContrastThreshold,
     least: u32,
     find: &mut impl FnMut(u32, u32) -> PixelSample,
     part: &mut impl FnMut(&Square),
 ) {
-    let mut waiting: Vec<Square, MOST_WAITING> = Vec::new();
+    let mut waiting: Vec<Square, MAX_PENDING> = Vec::new();
     let mut next = Some(whole);
     while let Some(square) = next {
-        if square.side > least && !agreement.holds(&square.corners) {
+        if square.side > least && !agreement.is_met(&square.corners) {
             let [first, second, third, fourth] = square.quarters(find);
             for later in [fourth, third, second] {
                 let pushed = waiting.push(later);
@@ -113,18 +113,18 @@ mod tests {
         };
         let mut covered = [[0; 64]; 64];
         let (mut area, mut traced) = (0.0, 0);
-        let agreement = Agreement::of_colors(0.5).unwrap();
+        let agreement = ContrastThreshold::new(0.5).unwrap();
         let mut find = |x, y| {
             traced += 1;
             sample(x, y)
         };
-        quarter(whole, &agreement, 1, &mut find, &mut |part| {
+        subdivide(whole, &agreement, 1, &mut find, &mut |part| {
             for row in &mut covered[part.y as usize..][..part.side as usize] {
                 for cell in &mut row[part.x as usize..][..part.side as usize] {
                     *cell += 1;
                 }
             }
-            assert!(part.side == 1 || agreement.holds(&part.corners));
+            assert!(part.side == 1 || agreement.is_met(&part.corners));
             area += part.mean().r * (part.side * part.side) as Real;
         });
         assert!(covered.iter().flatten().all(|count| *count == 1));
@@ -140,7 +140,7 @@ mod tests {
         for (x, y, want) in
             [(0.0, 0.0, 0.0), (1.0, 0.0, 1.0), (0.0, 1.0, 2.0), (1.0, 1.0, 4.0), (0.5, 0.5, 1.75)]
         {
-            assert_eq!(square.between(x, y), Rgb::gray(want));
+            assert_eq!(square.interpolate(x, y), Rgb::gray(want));
         }
     }
 }
