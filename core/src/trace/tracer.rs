@@ -178,6 +178,7 @@ impl<'w, 's, A: Accelerator, E: Effects, const LEVELS: usize> Tracer<'w, 's, A, 
         }
 
         // Shade the hit, and send secondary rays.
+        let media_behind = crossing.as_ref().map_or(&task.media, |crossing| &crossing.stack_behind);
         let context = ShadingContext {
             item: hit.item,
             sequence,
@@ -185,7 +186,7 @@ impl<'w, 's, A: Accelerator, E: Effects, const LEVELS: usize> Tracer<'w, 's, A, 
             motion_offset: self.world.motion_offset::<E>(hit.item, time),
             level: task.level,
             media_in_front: &task.media,
-            media_behind: crossing.as_ref().map_or(&task.media, |crossing| &crossing.stack_behind),
+            media_behind,
         };
         let radiance = local_illumination::<A, E, T, SHADOW_CACHE_ENTRIES>(
             self.world, material, &point, &context, caches, tally,
