@@ -5,7 +5,7 @@ use std::path::Path;
 use serde::Serialize;
 use strahl_scene::quantity::quantity;
 use strahl_settings::Resolved;
-use strahl_study::aim::{Aimed, Target};
+use strahl_study::aim::{AimResult, AimTarget};
 
 use crate::args::RenderArgs;
 use crate::settings;
@@ -15,15 +15,15 @@ use crate::settings;
 pub struct AimReport {
     /// What was aimed at, and what came of it.
     #[serde(flatten)]
-    pub aimed: Aimed,
+    pub aimed: AimResult,
     /// The plain command that makes the same bytes, without search and clock.
     command: String,
 }
 
 impl AimReport {
     /// Of a picture that goes to `output`.
-    pub fn new(args: &RenderArgs, resolved: &Resolved, aimed: Aimed, output: &Path) -> Self {
-        let command = settings::changed(args, resolved, &aimed.taken, output);
+    pub fn new(args: &RenderArgs, resolved: &Resolved, aimed: AimResult, output: &Path) -> Self {
+        let command = settings::changed(args, resolved, &aimed.settings, output);
         AimReport { aimed, command }
     }
 
@@ -32,7 +32,7 @@ impl AimReport {
         let AimReport { aimed, .. } = self;
         let mut lines = Vec::new();
         match &aimed.target {
-            Target::Error { asked, estimate, at_most, pixels, tried, truth, measured, seconds } => {
+            AimTarget::Error { asked, estimate, at_most, pixels, tried, truth, measured, seconds } => {
                 let kept = match (aimed.kept, measured) {
                     (true, _) => "",
                     (false, Some(_)) => ": not kept",
@@ -54,7 +54,7 @@ impl AimReport {
                 }
                 lines.push(("taken", format!("{} ({tried} tried in {seconds:.2} s)", aimed.why)));
             }
-            Target::Time { asked, passes, given_up } => {
+            AimTarget::Time { asked, passes, given_up } => {
                 lines.push(("aim", format!("a picture in {asked} s")));
                 let more = if *given_up { ", and one that was given up" } else { "" };
                 lines.push(("taken", format!("{}, after {}{more}", aimed.why, quantity(*passes, "pass"))));

@@ -13,8 +13,8 @@ use strahl_scene::{SourceFiles, load_from};
 use strahl_session::RenderOutput;
 use strahl_settings::{DEFAULT_SIZE, Resolved, Settings};
 use strahl_study::aim;
-use strahl_study::aim::search::{Fixed, Goal};
-use strahl_study::aim::time::Limit;
+use strahl_study::aim::search::{ErrorTarget, FixedSettings};
+use strahl_study::aim::time::TimeLimit;
 
 use crate::aim_report::AimReport;
 use crate::args::{AimArgs, RenderArgs, StatsForm};
@@ -149,7 +149,7 @@ impl<'a> Job<'a> {
             };
             output.commit(text.as_bytes())?;
         }
-        let taken = aimed.as_ref().map_or(settings, |report| &report.aimed.taken);
+        let taken = aimed.as_ref().map_or(settings, |report| &report.aimed.settings);
         if !args.quiet {
             let mut summary = summary(path, &frame, &plan, taken.sampler, *load, write);
             if let Some(report) = &aimed {
@@ -171,17 +171,17 @@ impl<'a> Job<'a> {
         let (Job { args, aim, begun, format, .. }, settings) = (self, &resolved.settings);
         let traced = if let Some(error) = aim.target_error {
             let given = &args.settings.given;
-            let fixed = Fixed {
+            let fixed = FixedSettings {
                 levels: given.levels.is_some(),
                 cutoff: given.cutoff.is_some(),
                 sampler: given.sampler.is_some(),
                 select: given.select.is_some(),
             };
-            let goal = Goal { error, fixed, verify: aim.verify };
-            aim::error::trace(description, settings, options, goal, progress)
+            let goal = ErrorTarget { max_error: error, fixed, verify: aim.verify };
+            aim::error::render_to_error(description, settings, options, goal, progress)
         } else if let Some(time) = aim.time_limit {
-            let limit = Limit { begun: *begun, time, format: *format };
-            aim::time::trace(description, settings, options, limit, progress)
+            let limit = TimeLimit { start: *begun, duration: time, format: *format };
+            aim::time::render_in_time(description, settings, options, limit, progress)
         } else {
             return Ok((self.trace(description, settings, options, progress)?, None));
         };

@@ -10,7 +10,7 @@ use strahl_engine::{Interrupt, Progress, RenderError};
 use strahl_scene::description::LoadedScene;
 use strahl_scene::{SourceFiles, load_from};
 use strahl_settings::DEFAULT_SIZE;
-use strahl_study::device::Device;
+use strahl_study::device::DeviceMeasurements;
 use strahl_study::error::{ParseError, StudyError};
 use strahl_study::measure::benchmark::StudyProgress;
 use strahl_study::page;
@@ -28,7 +28,7 @@ pub fn run(args: &StudyArgs) -> Result<(), Failure> {
     let device = args
         .device
         .as_deref()
-        .map(|path| read(path, |bytes| Device::parse(&name_of(path), bytes)))
+        .map(|path| read(path, |bytes| DeviceMeasurements::parse(&name_of(path), bytes)))
         .transpose()?;
     match (&args.scene, &args.from) {
         (_, Some(file)) => {
@@ -44,7 +44,7 @@ pub fn run(args: &StudyArgs) -> Result<(), Failure> {
             let mut folder = Folder::prepare(&place, guard, &names[..if is_copied { 3 } else { 2 }])?;
             folder.write("study.json", study.to_json().as_bytes())?;
             folder.write("report.html", page::page(&study, device.as_ref()).as_bytes())?;
-            folder.write("study.csv", table::table(&study).as_bytes())?;
+            folder.write("study.csv", table::to_csv(&study).as_bytes())?;
             args.tell(&format!("{}\n", folder.path.join("report.html").display()));
             Ok(())
         }
@@ -63,13 +63,13 @@ pub fn run(args: &StudyArgs) -> Result<(), Failure> {
                 full: args.full,
                 time_limit: args.time_limit,
                 threads: args.settings.given.threads,
-                begun,
+                start: begun,
             };
             let study = study(path, &scene, &settings, &meter);
             meter.end();
             let study = study.map_err(|error| failure(path, error))?;
             folder.write("study.json", study.to_json().as_bytes())?;
-            folder.write("study.csv", table::table(&study).as_bytes())?;
+            folder.write("study.csv", table::to_csv(&study).as_bytes())?;
             folder.write("report.html", page::page(&study, device.as_ref()).as_bytes())?;
             args.tell(&page::summary(&study, &folder.path.join("report.html")));
             Ok(())

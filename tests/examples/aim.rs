@@ -20,12 +20,12 @@ use strahl_scene::description::LoadedScene;
 use strahl_scene::load;
 use strahl_session::{SceneStorage, Session};
 use strahl_settings::{Settings, SettingsOverrides};
-use strahl_study::aim::Target;
-use strahl_study::aim::candidates::{Rays, SAVES, rays};
-use strahl_study::aim::error::trace;
-use strahl_study::aim::limits::{PricedLimits, limits_of_reference, priced_limits};
-use strahl_study::aim::search::reference;
-use strahl_study::aim::search::{Candidate, Fixed, Goal, Search};
+use strahl_study::aim::AimTarget;
+use strahl_study::aim::candidates::{MIN_COST_RATIO, SamplingStrategy, sampling_strategies};
+use strahl_study::aim::error::render_to_error;
+use strahl_study::aim::limits::{LimitsCandidate, limits_candidates, reference_limits};
+use strahl_study::aim::search::reference_settings;
+use strahl_study::aim::search::{ErrorTarget, FixedSettings, QualitySettings, SettingsSearch};
 use strahl_study::aim::sparse::rmse;
 use strahl_study::cost_model::WEIGHTS;
 
@@ -96,36 +96,36 @@ fn measure(name: &str, limit: f64, size: Resolution) -> AimRow {
     let description = load(&path).unwrap_or_else(|error| panic!("{name}: {error}"));
     let settings = Settings { size, ..settings(&description) };
     let options = RenderOptions::default();
-    let goal = Goal { error: limit, fixed: Fixed::default(), verify: true };
-    let (_, aimed) = trace(&description, &settings, &options, goal, &NoProgress).unwrap();
-    let Target::Error { estimate, at_most, measured, .. } = aimed.target else { unreachable!() };
-    let taken = aimed.taken;
+    let goal = ErrorTarget { max_error: limit, fixed: FixedSettings::default(), verify: true };
+    let (_, aimed) = render_to_error(&description, &settings, &options, goal, &NoProgress).unwrap();
+    let AimTarget::Error { estimate, at_most, measured, .. } = aimed.target else { unreachable!() };
+    let taken = aimed.settings;
 
     let mut best = None;
     let mut storage = SceneStorage::new(&description, settings.precision);
     let session = Session::new(&mut storage, &settings.acceleration()).unwrap();
-    let mut search = Search::new(&session, &settings, options, goal, &NoProgress);
-    let priced = priced_limits(&mut search, &session.scene().effects).unwrap();
-    let reference = reference(&settings, limits_of_reference(&priced, limit), limit, 1);
+    let mut search = SettingsSearch::new(&session, &settings, options, goal, &NoProgress);
+    let priced = limits_candidates(&mut search, &session.scene().effects).unwrap();
+    let reference = reference_settings(&settings, reference_limits(&priced, limit), limit, 1);
     let reference = session.render(&reference, &options, &NoProgress).unwrap().picture.colors;
     let full_picture = FullPictureError { session: &session, reference: &reference };
     let (cost_of_taken, _) = full_picture.measure(&taken).unwrap();
 
     let mut cheapest = f64::INFINITY;
     // Results at the finest levels and cutoff: sampler, error and cost.
-    let mut tried: Vec<(Rays, f64, f64)> = Vec::new();
+    let mut tried: Vec<(SamplingStrategy, f64, f64)> = Vec::new();
     // Fraction of the cost at the coarsest limits.
-    let part = priced.last().map_or(1.0, |it| it.cost);
-    for rays in rays(settings.filter, limit) {
-        let is_too_expensive = |(before, _, cost): &(Rays, f64, f64)| {
-            rays.times(*before).is_some_and(|times| SAVES * times * part * cost > cheapest)
+    let part = priced.last().map_or(1.0, |it| it.relative_cost);
+    for rays in sampling_strategies(settings.filter, limit) {
+        let is_too_expensive = |(before, _, cost): &(SamplingStrategy, f64, f64)| {
+            rays.min_ray_ratio(*before).is_some_and(|times| MIN_COST_RATIO * times * part * cost > cheapest)
         };
         if tried.iter().any(|it| is_too_expensive(it) || is_hopeless(it.0, it.1, rays, limit)) {
             continue;
         }
-        let try_limits = |of: &PricedLimits| {
-            let setting = Candidate { limits: of.limits, rays };
-            let (cost, error) = full_picture.measure(&setting.apply(&settings)).unwrap();
+        let try_limits = |of: &LimitsCandidate| {
+            let setting = QualitySettings { limits: of.limits, rays };
+            let (cost, error) = full_picture.measure(&setting.apply_to(&settings)).unwrap();
             (setting, cost, error)
         };
         // If the finest levels and cutoff do not keep the limit, no others do.
@@ -139,7 +139,7 @@ fn measure(name: &str, limit: f64, size: Resolution) -> AimRow {
         }
         // From the cheapest on: the first that keeps the limit is the cheapest with this sampler.
         for of in priced[1..].iter().rev() {
-            if 0.9 * cost * of.cost > cheapest {
+            if 0.9 * cost * of.relative_cost > cheapest {
                 break;
             }
             let (setting, cost, error) = try_limits(of);
@@ -155,7 +155,7 @@ fn measure(name: &str, limit: f64, size: Resolution) -> AimRow {
         estimate,
         at_most,
         true_error: measured.unwrap(),
-        best: words(&setting.apply(&settings)),
+        best: words(&setting.apply_to(&settings)),
         best_error,
         ratio: cost_of_taken / best_cost,
     }
@@ -163,9 +163,9 @@ fn measure(name: &str, limit: f64, size: Resolution) -> AimRow {
 
 /// Whether this many rays cannot keep the limit, even if the error is inversely proportional to their number, as with the
 /// best sequences.
-fn is_hopeless(before: Rays, error: f64, rays: Rays, limit: f64) -> bool {
+fn is_hopeless(before: SamplingStrategy, error: f64, rays: SamplingStrategy, limit: f64) -> bool {
     let same = std::mem::discriminant(&before.sampler) == std::mem::discriminant(&rays.sampler);
-    match (before.count(), rays.count()) {
+    match (before.fixed_rays_per_pixel(), rays.fixed_rays_per_pixel()) {
         // A single ray has no convergence, and two or three rays are too few to extrapolate.
         (Some(known), Some(count)) if same && known >= 4 && count > known => {
             error * f64::from(known) / f64::from(count) > limit
@@ -198,7 +198,7 @@ impl FullPictureError<'_> {
         let cost_map = CostMap::new(settings.size);
         let options = RenderOptions { cost_map: Some(&cost_map), ..RenderOptions::default() };
         let output = self.session.render(settings, &options, &NoProgress)?;
-        let cost = WEIGHTS.work_of_map(&cost_map, output.accelerator.choice.kind);
+        let cost = WEIGHTS.map_instructions(&cost_map, output.accelerator.choice.kind);
         let error = rmse(&output.picture.colors, self.reference);
         Ok((cost, error))
     }

@@ -18,12 +18,12 @@ use strahl_engine::NoProgress;
 use strahl_scene::load;
 use strahl_session::SceneStorage;
 use strahl_settings::{Precision, Settings};
-use strahl_study::measure::benchmark::Bench;
+use strahl_study::measure::benchmark::Benchmark;
 use strahl_study::measure::experiment;
 use strahl_study::measure::measurements::Measurements;
-use strahl_study::measure::plan::Plan;
+use strahl_study::measure::plan::StudyPlan;
 use strahl_study::page::numbers;
-use strahl_study::record::{Run, Technique};
+use strahl_study::record::{StudyRun, Technique};
 
 /// Names of the procedural databases.
 const DATABASES: [&str; 7] = ["balls", "gears", "mount", "rings", "teapot", "tetra", "tree"];
@@ -48,21 +48,21 @@ struct SceneEvaluation {
     name: String,
     objects: usize,
     techniques: Vec<Technique>,
-    runs: Vec<Run>,
+    runs: Vec<StudyRun>,
 }
 
 fn evaluate(path: &Path) -> Result<SceneEvaluation, Box<dyn Error>> {
     let scene = load(path)?;
     let size = Resolution::new(SIDE, SIDE).ok_or("no size")?;
-    let plan = Plan { repeats: 3, ..Plan::QUICK };
+    let plan = StudyPlan { repeats: 3, ..StudyPlan::QUICK };
     let limit = Some(Duration::from_secs(SECONDS));
-    let bench = Bench::new(&scene, size, &NoProgress, limit);
+    let bench = Benchmark::new(&scene, size, &NoProgress, limit);
     let default = Settings::default();
     let levels = scene.settings.levels.unwrap_or(default.levels);
     let settings = Settings { size, levels, threads: 1, ..default };
     let mut measured = Measurements::new(&bench, &plan);
     experiment::evaluate(&mut measured, &settings)?;
-    let Measurements { taken, techniques, .. } = measured;
+    let Measurements { measurements: taken, techniques, .. } = measured;
     let name = path.file_stem().unwrap_or_default().to_string_lossy().into_owned();
     let runs = taken.into_iter().map(|taken| taken.run).collect();
     let objects = SceneStorage::new(&scene, Precision::Single).scene_stats()?.objects;
@@ -70,7 +70,7 @@ fn evaluate(path: &Path) -> Result<SceneEvaluation, Box<dyn Error>> {
 }
 
 /// Number of box and shape tests.
-fn tests(run: &Run) -> f64 {
+fn tests(run: &StudyRun) -> f64 {
     (run.counts.boxes.iter().sum::<u64>() + run.counts.shapes.iter().sum::<u64>()) as f64
 }
 
@@ -81,7 +81,7 @@ fn saved(without: f64, with: f64) -> String {
 }
 
 impl SceneEvaluation {
-    fn run(&self, index: Option<usize>) -> Option<&Run> {
+    fn run(&self, index: Option<usize>) -> Option<&StudyRun> {
         self.runs.get(index?)
     }
 
@@ -90,14 +90,17 @@ impl SceneEvaluation {
         let it = self.techniques.iter().find(|it| it.name == name);
         let Some(run) = it.and_then(|it| self.run(side(it))) else { return "–".into() };
         let rays: u64 = run.counts.rays.iter().sum();
-        format!("{:.1} / {}", tests(run) / (rays as f64).max(1.0), numbers::seconds(run.seconds()))
+        format!("{:.1} / {}", tests(run) / (rays as f64).max(1.0), numbers::seconds(run.median_cpu_seconds()))
     }
 
     /// Savings of a technique, in percent of the tests and of the time.
     fn savings(&self, name: &str) -> Option<[String; 2]> {
         let it = self.techniques.iter().find(|it| it.name == name)?;
         let (without, with) = (self.run(it.without)?, self.run(it.with)?);
-        Some([saved(tests(without), tests(with)), saved(without.seconds(), with.seconds())])
+        Some([
+            saved(tests(without), tests(with)),
+            saved(without.median_cpu_seconds(), with.median_cpu_seconds()),
+        ])
     }
 
     fn error(&self, name: &str) -> Option<f64> {

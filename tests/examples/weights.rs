@@ -16,7 +16,7 @@ use std::process::{Command, ExitCode};
 use strahl_core::Resolution;
 use strahl_engine::{NoProgress, RenderOptions};
 use strahl_settings::{AccelKind, AccelSettings, Settings};
-use strahl_study::cost_model::{Counts, recorded};
+use strahl_study::cost_model::{EventCounts, event_counts};
 
 /// Sizes of the small and of the tiny picture.
 const SIZES: [&str; 2] = ["48x36", "2x2"];
@@ -26,7 +26,7 @@ const SIZES: [&str; 2] = ["48x36", "2x2"];
 const EVENTS: usize = 5 + 2 * AccelKind::ALL.len();
 
 /// Counts in the order of [`EVENTS`].
-fn events(counts: &Counts, kind: AccelKind) -> [f64; EVENTS] {
+fn events(counts: &EventCounts, kind: AccelKind) -> [f64; EVENTS] {
     let sum = |of: [u64; 4]| of.iter().sum::<u64>() as f64;
     let [camera, reflected, transmitted, shadow] = counts.rays.map(|count| count as f64);
     let mut events = [0.0; EVENTS];
@@ -53,7 +53,7 @@ fn trace(scene: &str, kind: &str, sampler: &str, size: &str) -> Result<(), Box<d
     let settings = Settings { size, sampler: sampler.parse()?, levels, threads: 1, ..default };
     let settings = settings.with_acceleration(AccelSettings::with_kind(kind));
     let frame = strahl_session::render(&scene, &settings, &RenderOptions::COUNT_TESTS, &NoProgress)?;
-    let counts = recorded(&frame.counters);
+    let counts = event_counts(&frame.counters);
     println!("{}", serde_json::to_string(&counts)?);
     Ok(())
 }
@@ -64,7 +64,7 @@ fn measured(
     kind: AccelKind,
     sampler: &str,
     size: &str,
-) -> Result<(f64, Counts), Box<dyn Error>> {
+) -> Result<(f64, EventCounts), Box<dyn Error>> {
     let done = Command::new("valgrind")
         .args(["--tool=callgrind", "--callgrind-out-file=/dev/null"])
         .arg(std::env::current_exe()?)

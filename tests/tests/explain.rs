@@ -8,7 +8,7 @@ use strahl_core::{Resolution, Rgb, Tile};
 use strahl_engine::{NoProgress, RenderOptions};
 use strahl_scene::description::LoadedScene;
 use strahl_scene::load;
-use strahl_session::explain::pixel::{Traced, trace};
+use strahl_session::explain::pixel::{TracedPixel, trace_pixel};
 use strahl_settings::{SamplerSettings, Settings, SettingsOverrides};
 
 fn scene(name: &str) -> LoadedScene {
@@ -108,7 +108,7 @@ fn assert_tree_sums_to_pixel(name: &str, sampler: &str) -> (usize, usize) {
     let (mut rays, mut cut) = (0, 0);
     for (x, y) in [(0, 0), (39, 29), (20, 15), (13, 18), (27, 12), (9, 22), (31, 21), (22, 24)] {
         let pixel = Pixel { x, y };
-        let Traced { color, sum, samples } = trace(&description, &settings, pixel).unwrap();
+        let TracedPixel { color, sum, samples } = trace_pixel(&description, &settings, pixel).unwrap();
         let expected = rendered(&description, &settings, pixel);
         let [expected, color] = [expected, color].map(|c| [c.r, c.g, c.b]);
         assert_eq!(bits(color), bits(expected), "{name} {sampler} {pixel:?}");
@@ -167,7 +167,7 @@ fn an_occluded_light_has_an_occluder() {
     let mut outcomes = std::collections::BTreeMap::new();
     for y in 0..30 {
         for x in 0..40 {
-            let Traced { samples, .. } = trace(&description, &settings, Pixel { x, y }).unwrap();
+            let TracedPixel { samples, .. } = trace_pixel(&description, &settings, Pixel { x, y }).unwrap();
             for light in samples.iter().flat_map(|sample| &sample.rays).flat_map(|ray| &ray.lights) {
                 *outcomes.entry(light.outcome).or_insert(0) += 1;
                 assert_eq!(light.blocker.is_some(), light.outcome == "blocked");

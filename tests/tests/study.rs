@@ -15,12 +15,12 @@ use strahl_engine::NoProgress;
 use strahl_scene::load;
 use strahl_settings::Effect;
 use strahl_settings::Settings;
-use strahl_study::measure::benchmark::Bench;
+use strahl_study::measure::benchmark::Benchmark;
 use strahl_study::measure::experiment;
 use strahl_study::measure::measurements::{Measurements, ReferencePicture};
-use strahl_study::measure::plan::Plan;
-use strahl_study::pareto::{Point, front};
-use strahl_study::record::Step;
+use strahl_study::measure::plan::StudyPlan;
+use strahl_study::pareto::{CostErrorPoint, pareto_front};
+use strahl_study::record::SweepPoint;
 
 fn scene(name: &str) -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("../scenes").join(name)
@@ -29,14 +29,14 @@ fn scene(name: &str) -> PathBuf {
 /// Studies a scene without a time limit, so that every machine measures the same.
 fn studied<T>(
     name: &str,
-    plan: &Plan,
+    plan: &StudyPlan,
     asks: &[Effect],
     then: impl FnOnce(&Measurements<'_>, &ReferencePicture) -> T,
 ) -> T {
     let path = scene(name);
     let scene = load(&path).unwrap();
     let size = Resolution::new(40, 25).unwrap();
-    let bench = Bench::new(&scene, size, &NoProgress, None);
+    let bench = Benchmark::new(&scene, size, &NoProgress, None);
     let mut measured = Measurements::new(&bench, plan);
     let settings = Settings { size, threads: 2, ..Settings::default() };
     let reference = experiment::run(&mut measured, &settings, asks).unwrap();
@@ -44,21 +44,21 @@ fn studied<T>(
 }
 
 /// The steps of a setting: values, and the error of each alone.
-fn steps<'c>(measured: &'c Measurements<'_>, setting: &str) -> &'c [Step] {
-    &measured.knobs.iter().find(|it| it.name == setting).unwrap_or_else(|| panic!("no {setting}")).steps
+fn steps<'c>(measured: &'c Measurements<'_>, setting: &str) -> &'c [SweepPoint] {
+    &measured.sweeps.iter().find(|it| it.name == setting).unwrap_or_else(|| panic!("no {setting}")).steps
 }
 
 #[test]
 fn the_error_of_stochastic_sampling_falls_as_it_must() {
-    let plan = Plan {
+    let plan = StudyPlan {
         reference: [1024, 1024],
         stochastic: &[4, 16, 64],
         regular: &[],
         adaptive: &[],
-        stopping: &[],
-        mixes: 0,
+        stochastic_stopping: &[],
+        combinations: 0,
         repeats: 1,
-        ..Plan::QUICK
+        ..StudyPlan::QUICK
     };
     studied("penumbra.toml", &plan, &[Effect::Penumbra], |conduct, truth| {
         let error = |samples: &str| {
@@ -77,8 +77,14 @@ fn the_error_of_stochastic_sampling_falls_as_it_must() {
 
 #[test]
 fn no_finer_value_of_a_setting_makes_a_picture_worse() {
-    let plan =
-        Plan { reference: [64, 64], regular: &[2], stochastic: &[4], repeats: 1, mixes: 6, ..Plan::QUICK };
+    let plan = StudyPlan {
+        reference: [64, 64],
+        regular: &[2],
+        stochastic: &[4],
+        repeats: 1,
+        combinations: 6,
+        ..StudyPlan::QUICK
+    };
     studied("classic.toml", &plan, &[Effect::Reflection, Effect::Transmission], |conduct, _| {
         for setting in ["levels", "cutoff"] {
             let steps = steps(conduct, setting);
@@ -93,7 +99,7 @@ fn no_finer_value_of_a_setting_makes_a_picture_worse() {
             }
         }
         for it in conduct.techniques.iter().filter(|it| it.exact) {
-            let digest = |run: Option<usize>| conduct.taken[run.unwrap()].run.digest.as_str();
+            let digest = |run: Option<usize>| conduct.measurements[run.unwrap()].run.digest.as_str();
             assert_eq!(digest(it.with), digest(it.without), "{}", it.name);
         }
         // Leaving out an effect changes the picture by more than the noise.
@@ -102,10 +108,13 @@ fn no_finer_value_of_a_setting_makes_a_picture_worse() {
         assert_eq!((all.value.as_str(), left_out.len()), ("nothing", 2));
         assert!(left_out.iter().all(|step| step.alone.rmse > 2.0 * all.alone.rmse));
         // Combinations are on the front.
-        let points: Vec<Point> =
-            conduct.taken.iter().map(|it| Point { cost: it.run.work, error: it.run.error.rmse }).collect();
-        assert!(front(&points).len() >= 3);
-        assert!(conduct.beaten > 0, "no dominated setting was left out");
+        let points: Vec<CostErrorPoint> = conduct
+            .measurements
+            .iter()
+            .map(|it| CostErrorPoint { cost: it.run.work, error: it.run.error.rmse })
+            .collect();
+        assert!(pareto_front(&points).len() >= 3);
+        assert!(conduct.dominated > 0, "no dominated setting was left out");
     });
 }
 

@@ -12,7 +12,7 @@ use strahl_core::image::Pixel;
 use strahl_scene::effects::disable;
 use strahl_scene::{SourceFiles, load_from};
 use strahl_session::explain::explain;
-use strahl_session::explain::tree::Explained;
+use strahl_session::explain::tree::PixelExplanation;
 use strahl_settings::{DEFAULT_SIZE, Precision, Settings};
 
 use crate::args::ExplainArgs;
@@ -51,7 +51,7 @@ pub fn run(args: &ExplainArgs) -> Result<(), Failure> {
 }
 
 /// Traces the pixel that is asked for.
-fn explained(args: &ExplainArgs, files: &SourceFiles) -> Result<Explained, Failure> {
+fn explained(args: &ExplainArgs, files: &SourceFiles) -> Result<PixelExplanation, Failure> {
     let mut description = load_from(files, &args.scene, args.settings.given.size.unwrap_or(DEFAULT_SIZE))?;
     for warning in description.warnings.iter().filter(|_| !args.quiet) {
         say(format_args!("{}: warning: {warning}", args.scene.display()));

@@ -6,7 +6,9 @@ use std::fmt::Write as _;
 use strahl_core::Rgb;
 use strahl_scene::quantity::quantity;
 
-use strahl_session::explain::tree::{Explained, Light, Named, Ray, Sample, Sent, Triple};
+use strahl_session::explain::tree::{
+    LightRecord, NameAndLine, PixelExplanation, RayRecord, SampleRecord, SecondaryRayRecord, Triple,
+};
 
 /// How wide a box is.
 const WIDTH: f64 = 222.0;
@@ -44,7 +46,7 @@ svg { background: #1b1c1e } text { fill: #ececea } .dim { fill: #a5a5a1 }
 }";
 
 /// The picture of one sample's tree.
-pub fn picture(explained: &Explained, sample: &Sample) -> String {
+pub fn picture(explained: &PixelExplanation, sample: &SampleRecord) -> String {
     let mut tree = Tree { sample, places: vec![Place::default(); sample.rays.len()], body: String::new() };
     let width = tree.width(0);
     let (title, sub) = titles(explained, sample);
@@ -81,8 +83,8 @@ pub fn picture(explained: &Explained, sample: &Sample) -> String {
     svg
 }
 
-fn titles(explained: &Explained, sample: &Sample) -> (String, String) {
-    let Explained { scene, x, y, width, height, settings, samples, .. } = explained;
+fn titles(explained: &PixelExplanation, sample: &SampleRecord) -> (String, String) {
+    let PixelExplanation { scene, x, y, width, height, settings, samples, .. } = explained;
     let title = format!("{scene}, pixel {x},{y} of {width}x{height}");
     let of = match samples.len() {
         1 => String::new(),
@@ -126,7 +128,7 @@ struct Place {
 }
 
 struct Tree<'s> {
-    sample: &'s Sample,
+    sample: &'s SampleRecord,
     places: Vec<Place>,
     body: String,
 }
@@ -143,7 +145,7 @@ impl Tree<'_> {
         width
     }
 
-    fn width_of(&mut self, sent: &Sent) -> f64 {
+    fn width_of(&mut self, sent: &SecondaryRayRecord) -> f64 {
         sent.ray.map_or(STUB, |number| self.width(number - 1))
     }
 
@@ -190,7 +192,7 @@ impl Tree<'_> {
     }
 
     /// The box of a ray; its lower edge.
-    fn node(&mut self, ray: &Ray, middle: f64, top: f64) -> f64 {
+    fn node(&mut self, ray: &RayRecord, middle: f64, top: f64) -> f64 {
         let (left, mut rows) = (middle - WIDTH / 2.0, rows(ray));
         let hidden = ray.lights.len().saturating_sub(LIGHTS);
         let lights = &ray.lights[..ray.lights.len() - hidden];
@@ -229,7 +231,7 @@ impl Tree<'_> {
 }
 
 /// What stands in the box of a ray.
-fn rows(ray: &Ray) -> Vec<String> {
+fn rows(ray: &RayRecord) -> Vec<String> {
     let Some(hit) = &ray.hit else { return vec!["nothing".into(), "sees the background".into()] };
     let thing = &hit.thing;
     let place =
@@ -251,7 +253,7 @@ fn rows(ray: &Ray) -> Vec<String> {
 }
 
 /// A light, and whether it is seen.
-fn bulb(svg: &mut String, light: &Light, x: f64, y: f64) {
+fn bulb(svg: &mut String, light: &LightRecord, x: f64, y: f64) {
     let is_seen = light.outcome == "seen";
     let class = if is_seen { "on" } else { "off" };
     let _ = write!(svg, "<circle class=\"{class}\" cx=\"{x:.1}\" cy=\"{y:.1}\" r=\"4.5\"/>");
@@ -259,9 +261,9 @@ fn bulb(svg: &mut String, light: &Light, x: f64, y: f64) {
         let _ = write!(svg, "<path class=\"bar\" d=\"M{:.1} {:.1}l9 -9\"/>", x - 4.5, y + 4.5);
     }
     let who = match &light.named {
-        Named { name: Some(name), .. } => name.clone(),
-        Named { line: 0, .. } => format!("light {}", light.number),
-        Named { line, .. } => format!("line {line}"),
+        NameAndLine { name: Some(name), .. } => name.clone(),
+        NameAndLine { line: 0, .. } => format!("light {}", light.number),
+        NameAndLine { line, .. } => format!("line {line}"),
     };
     let says = match (light.outcome, &light.blocker) {
         ("seen", _) if light.through.is_empty() => "seen".into(),

@@ -3,16 +3,18 @@
 use std::fmt::Write as _;
 
 use strahl_session::explain::tree::{
-    Explained, Hit, Light, Named, Part, Ray, Sample, Sent, Sum, Thing, Triple, explained_settings,
+    HitRecord, ItemRecord, LightRecord, NameAndLine, PixelExplanation, RayRecord, SampleRecord, SampleSum,
+    SecondaryRayRecord, SubpixelRecord, Triple, explained_settings,
 };
 
 /// Where a line goes on that is broken.
 pub const INDENT: usize = 12;
 
 /// Everything, or all that comes of one sample.
-pub fn text(explained: &Explained, only: Option<usize>) -> String {
-    let Explained { scene, width, height, x, y, settings, color, srgb: [r, g, b], sum, samples, .. } =
-        explained;
+pub fn text(explained: &PixelExplanation, only: Option<usize>) -> String {
+    let PixelExplanation {
+        scene, width, height, x, y, settings, color, srgb: [r, g, b], sum, samples, ..
+    } = explained;
     let mut text = format!("{scene}: pixel {x},{y} of {width}x{height}\n");
     // Writing to a string cannot fail.
     let _ = writeln!(text, "  color     {}, in sRGB {r} {g} {b}", channels(*color));
@@ -20,7 +22,7 @@ pub fn text(explained: &Explained, only: Option<usize>) -> String {
         .filter_map(|setting| Some(format!("{} {}", setting.name, setting.word(settings)?)));
     let _ = writeln!(text, "  settings  {}", words.collect::<Vec<_>>().join(", "));
     for sample in samples.iter().filter(|sample| only.is_none_or(|only| sample.number == only)) {
-        let Sample { number, x, y, color, .. } = sample;
+        let SampleRecord { number, x, y, color, .. } = sample;
         let _ = match samples.len() {
             1 => writeln!(text, "\nthrough {x},{y}"),
             count => writeln!(text, "\nsample {number} of {count}, through {x},{y}"),
@@ -33,15 +35,15 @@ pub fn text(explained: &Explained, only: Option<usize>) -> String {
 }
 
 /// How the pixel comes of its samples.
-fn summed(sum: &Sum, count: usize, color: Triple) -> String {
+fn summed(sum: &SampleSum, count: usize, color: Triple) -> String {
     let color = channels(color);
     match sum {
-        Sum::Mean { .. } if count == 1 => format!("the pixel is this sample: {color}\n"),
-        Sum::Mean { share } => format!("the pixel is the sum of the samples times {share}: {color}\n"),
-        Sum::Parts(parts) => {
+        SampleSum::Mean { .. } if count == 1 => format!("the pixel is this sample: {color}\n"),
+        SampleSum::Mean { share } => format!("the pixel is the sum of the samples times {share}: {color}\n"),
+        SampleSum::Parts(parts) => {
             let mut text =
                 String::from("the pixel is the sum of its parts, the mean of four samples each:\n");
-            for Part { x, y, side, samples: [a, b, c, d] } in parts {
+            for SubpixelRecord { x, y, side, samples: [a, b, c, d] } in parts {
                 let _ = writeln!(text, "  samples {a} {b} {c} {d} count {}  (at {x},{y})", side * side);
             }
             let _ = writeln!(text, "  together {color}");
@@ -52,17 +54,17 @@ fn summed(sum: &Sum, count: usize, color: Triple) -> String {
 
 struct Writer<'t> {
     text: &'t mut String,
-    sample: &'t Sample,
+    sample: &'t SampleRecord,
 }
 
 impl Writer<'_> {
     /// A ray and all that it sends: the first line begins with `first`, the others with `rest`.
     fn ray(&mut self, place: usize, first: &str, rest: &str) {
         let Some(ray) = self.sample.rays.get(place) else { return };
-        let Ray { number, kind, level, weight, .. } = ray;
+        let RayRecord { number, kind, level, weight, .. } = ray;
         let _ =
             writeln!(self.text, "{first}{kind} ray {number}, level {level}, weight {}", channels(*weight));
-        let inner = if ray.is_end() { "    " } else { "│   " };
+        let inner = if ray.is_leaf() { "    " } else { "│   " };
         for line in lines(ray) {
             let _ = writeln!(self.text, "{rest}{inner}{line}");
         }
@@ -80,7 +82,7 @@ impl Writer<'_> {
 }
 
 /// What is told of a ray itself.
-fn lines(ray: &Ray) -> Vec<String> {
+fn lines(ray: &RayRecord) -> Vec<String> {
     let mut lines = Vec::new();
     match &ray.hit {
         None => lines.push(format!("meets nothing, sees {}", channels(ray.light))),
@@ -110,14 +112,14 @@ fn lines(ray: &Ray) -> Vec<String> {
     lines
 }
 
-fn met(hit: &Hit) -> String {
+fn met(hit: &HitRecord) -> String {
     let side = if hit.outside { "outside" } else { "inside" };
     format!("meets {} after {}, from {side}", thing(&hit.thing), number(hit.distance))
 }
 
 /// An item with its places in the file.
-fn thing(thing: &Thing) -> String {
-    let Thing { object, shape, triangle, line, material } = thing;
+fn thing(thing: &ItemRecord) -> String {
+    let ItemRecord { object, shape, triangle, line, material } = thing;
     let what = match triangle {
         Some(number) => format!("{shape} {number} of the mesh"),
         None => (*shape).to_owned(),
@@ -130,15 +132,15 @@ fn thing(thing: &Thing) -> String {
     format!("{what} ({place}){made_of}")
 }
 
-fn named(what: &str, Named { name, line }: &Named) -> String {
+fn named(what: &str, NameAndLine { name, line }: &NameAndLine) -> String {
     let name = name.as_ref().map(|name| format!(" `{name}`")).unwrap_or_default();
     let place = if *line > 0 { format!(" (line {line})") } else { String::new() };
     format!("{what}{name}{place}")
 }
 
-fn lit(light: &Light) -> String {
+fn lit(light: &LightRecord) -> String {
     let who = match light.named {
-        Named { name: None, line: 0 } => format!("light {}", light.number),
+        NameAndLine { name: None, line: 0 } => format!("light {}", light.number),
         _ => named("light", &light.named),
     };
     let through: Vec<String> = light.through.iter().map(|it| thing(&it.thing)).collect();
@@ -160,7 +162,7 @@ fn lit(light: &Light) -> String {
     format!("{who}: {says}")
 }
 
-fn cut(sent: &Sent) -> String {
+fn cut(sent: &SecondaryRayRecord) -> String {
     let reason = match sent.cut {
         Some("levels") => "the levels end here",
         _ => "that is not more than the cutoff",

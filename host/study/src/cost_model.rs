@@ -15,7 +15,7 @@ use strahl_settings::AccelKind;
 /// What was counted; the lists are by kind of ray: camera, reflected, transmitted, shadow.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
-pub struct Counts {
+pub struct EventCounts {
     /// Rays.
     pub rays: [u64; 4],
     /// Tests of boxes.
@@ -35,7 +35,7 @@ pub struct Counts {
 /// What one event costs, in instructions.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
-pub struct Weights {
+pub struct EventWeights {
     /// A camera ray, with what is done for its place in the picture.
     pub camera: f64,
     /// A reflected or transmitted ray.
@@ -47,19 +47,19 @@ pub struct Weights {
     /// A test that a mailbox saved.
     pub skipped: f64,
     /// What the steps of each accelerator take.
-    pub list: Steps,
+    pub list: TraversalWeights,
     /// The same.
-    pub grid: Steps,
+    pub grid: TraversalWeights,
     /// The same.
-    pub octree: Steps,
+    pub octree: TraversalWeights,
     /// The same.
-    pub bvh: Steps,
+    pub bvh: TraversalWeights,
 }
 
 /// What the steps of an accelerator take, in instructions.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
-pub struct Steps {
+pub struct TraversalWeights {
     /// A test of a box.
     pub boxes: f64,
     /// A region entered.
@@ -67,21 +67,21 @@ pub struct Steps {
 }
 
 /// Measured on x86-64, over the pictures that `tests/examples/weights.rs` names.
-pub const WEIGHTS: Weights = Weights {
+pub const WEIGHTS: EventWeights = EventWeights {
     camera: 1227.0,
     secondary: 246.0,
     shadow: 629.0,
     shape: 193.0,
     skipped: 273.0,
-    list: Steps { boxes: 64.0, region: 272.0 },
-    grid: Steps { boxes: 107.0, region: 83.0 },
-    octree: Steps { boxes: 98.0, region: 570.0 },
-    bvh: Steps { boxes: 32.0, region: 378.0 },
+    list: TraversalWeights { boxes: 64.0, region: 272.0 },
+    grid: TraversalWeights { boxes: 107.0, region: 83.0 },
+    octree: TraversalWeights { boxes: 98.0, region: 570.0 },
+    bvh: TraversalWeights { boxes: 32.0, region: 378.0 },
 };
 
 /// As `study.json` has it.
-pub fn recorded(counts: &Counters) -> Counts {
-    Counts {
+pub fn event_counts(counts: &Counters) -> EventCounts {
+    EventCounts {
         rays: RayKind::ALL.map(|kind| counts.rays[kind]),
         boxes: RayKind::ALL.map(|kind| counts.box_tests[kind]),
         shapes: RayKind::ALL.map(|kind| counts.shape_tests[kind]),
@@ -92,9 +92,9 @@ pub fn recorded(counts: &Counters) -> Counts {
     }
 }
 
-impl Weights {
+impl EventWeights {
     /// What the steps of an accelerator take, by the name of its kind.
-    fn steps(&self, kind: &str) -> Steps {
+    fn traversal(&self, kind: &str) -> TraversalWeights {
         match kind {
             "list" => self.list,
             "grid" => self.grid,
@@ -105,9 +105,9 @@ impl Weights {
 
     /// Instructions for each kind of ray (camera, reflected, transmitted, shadow), by a kind of
     /// accelerator.
-    pub fn by_ray(&self, counts: &Counts, kind: &str) -> [f64; 4] {
+    pub fn instructions_by_ray_kind(&self, counts: &EventCounts, kind: &str) -> [f64; 4] {
         let rays = [self.camera, self.secondary, self.secondary, self.shadow];
-        let steps = self.steps(kind);
+        let steps = self.traversal(kind);
         std::array::from_fn(|ray| {
             let count = |of: &[u64; 4]| of[ray] as f64;
             rays[ray] * count(&counts.rays)
@@ -119,24 +119,24 @@ impl Weights {
     }
 
     /// About how many instructions the pixels of a cost map take on a workstation, by an accelerator of this kind.
-    pub fn work_of_map(&self, costs: &CostMap, kind: AccelKind) -> f64 {
-        costs.costs().iter().map(|cost| self.work_of_pixel(cost, kind)).sum()
+    pub fn map_instructions(&self, costs: &CostMap, kind: AccelKind) -> f64 {
+        costs.costs().iter().map(|cost| self.pixel_instructions(cost, kind)).sum()
     }
 
     /// The same for one pixel.
-    pub fn work_of_pixel(&self, cost: &PixelCost, kind: AccelKind) -> f64 {
+    pub fn pixel_instructions(&self, cost: &PixelCost, kind: AccelKind) -> f64 {
         let [rays, boxes, shapes, regions, skipped] =
             [cost.rays, cost.boxes, cost.shapes, cost.regions, cost.skipped]
                 .map(|by_kind| by_kind.map(u64::from));
-        self.work(
-            &Counts { rays, boxes, shapes, regions, skipped, cache_asked: 0, cache_hits: 0 },
+        self.instructions(
+            &EventCounts { rays, boxes, shapes, regions, skipped, cache_asked: 0, cache_hits: 0 },
             kind.name(),
         )
     }
 
     /// Instructions in all.
-    pub fn work(&self, counts: &Counts, kind: &str) -> f64 {
-        self.by_ray(counts, kind).iter().sum()
+    pub fn instructions(&self, counts: &EventCounts, kind: &str) -> f64 {
+        self.instructions_by_ray_kind(counts, kind).iter().sum()
     }
 }
 
@@ -146,9 +146,9 @@ mod tests {
 
     #[test]
     fn work_is_the_weighted_sum_of_the_counts() {
-        let grid = Steps { boxes: 0.5, region: 3.0 };
-        let none = Steps { boxes: 0.0, region: 0.0 };
-        let weights = Weights {
+        let grid = TraversalWeights { boxes: 0.5, region: 3.0 };
+        let none = TraversalWeights { boxes: 0.0, region: 0.0 };
+        let weights = EventWeights {
             camera: 1.0,
             secondary: 10.0,
             shadow: 100.0,
@@ -159,16 +159,16 @@ mod tests {
             octree: none,
             bvh: none,
         };
-        let counts = Counts {
+        let counts = EventCounts {
             rays: [1, 2, 3, 4],
             boxes: [2, 0, 0, 2],
             shapes: [0, 5, 0, 0],
             regions: [0, 0, 1, 0],
             skipped: [4, 0, 0, 0],
-            ..Counts::default()
+            ..EventCounts::default()
         };
-        assert_eq!(weights.by_ray(&counts, "grid"), [3.0, 30.0, 33.0, 401.0]);
-        assert_eq!(weights.work(&counts, "grid"), 467.0);
-        assert_eq!(weights.by_ray(&counts, "list"), [2.0, 30.0, 30.0, 400.0]);
+        assert_eq!(weights.instructions_by_ray_kind(&counts, "grid"), [3.0, 30.0, 33.0, 401.0]);
+        assert_eq!(weights.instructions(&counts, "grid"), 467.0);
+        assert_eq!(weights.instructions_by_ray_kind(&counts, "list"), [2.0, 30.0, 30.0, 400.0]);
     }
 }

@@ -7,7 +7,7 @@
 use serde::Deserialize;
 
 use crate::error::ParseError;
-use crate::pareto::Point;
+use crate::pareto::CostErrorPoint;
 
 /// The first line.
 pub const HEADER: [&str; 10] =
@@ -15,7 +15,7 @@ pub const HEADER: [&str; 10] =
 
 /// A setting that was traced on a device.
 #[derive(Clone, Debug, PartialEq, Deserialize)]
-pub struct Row {
+pub struct DeviceRow {
     /// The scene's name.
     pub scene: String,
     /// Pixels.
@@ -40,26 +40,26 @@ pub struct Row {
 
 /// Everything that was traced on a device.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Device {
+pub struct DeviceMeasurements {
     /// The file's name.
     pub name: String,
     /// In the order of the file.
-    pub rows: Vec<Row>,
+    pub rows: Vec<DeviceRow>,
 }
 
-impl Row {
+impl DeviceRow {
     /// Instructions for a pixel.
     pub fn per_pixel(&self) -> f64 {
         self.instructions as f64 / (f64::from(self.width) * f64::from(self.height))
     }
 
     /// Instructions for a pixel against the error, where there is one.
-    pub fn point(&self) -> Option<Point> {
-        Some(Point { cost: self.per_pixel(), error: self.rmse? })
+    pub fn point(&self) -> Option<CostErrorPoint> {
+        Some(CostErrorPoint { cost: self.per_pixel(), error: self.rmse? })
     }
 }
 
-impl Device {
+impl DeviceMeasurements {
     /// The scenes, each once, in the order of the file.
     pub fn scenes(&self) -> Vec<&str> {
         let mut names: Vec<&str> = Vec::new();
@@ -101,18 +101,18 @@ impl Device {
         let mut record = csv::StringRecord::new();
         while reader.read_record(&mut record).map_err(|error| at(error, &HEADER))? {
             let line = record.position().map_or(1, |position| position.line()) as usize;
-            let row: Row = record.deserialize(Some(&header)).map_err(|error| at(error, &HEADER))?;
-            sensible(&row).map_err(|reason| ParseError::at(line, reason))?;
+            let row: DeviceRow = record.deserialize(Some(&header)).map_err(|error| at(error, &HEADER))?;
+            check_row(&row).map_err(|reason| ParseError::at(line, reason))?;
             rows.push(row);
         }
         if rows.is_empty() {
             return Err(ParseError::at(2, "there is no setting below the first line"));
         }
-        Ok(Device { name: name.to_owned(), rows })
+        Ok(DeviceMeasurements { name: name.to_owned(), rows })
     }
 }
 
-fn sensible(row: &Row) -> Result<(), String> {
+fn check_row(row: &DeviceRow) -> Result<(), String> {
     if row.width == 0 || row.height == 0 {
         return Err("width and height must be at least 1".into());
     }
@@ -132,9 +132,9 @@ fn sensible(row: &Row) -> Result<(), String> {
 mod tests {
     use super::*;
 
-    fn parse(rows: &str) -> Result<Device, String> {
+    fn parse(rows: &str) -> Result<DeviceMeasurements, String> {
         let text = format!("{}\n{rows}", HEADER.join(","));
-        Device::parse("chip.csv", text.as_bytes()).map_err(|failure| failure.to_string())
+        DeviceMeasurements::parse("chip.csv", text.as_bytes()).map_err(|failure| failure.to_string())
     }
 
     #[test]
@@ -144,7 +144,7 @@ mod tests {
         );
         let device = device.unwrap();
         assert_eq!((device.rows.len(), device.scenes()), (2, vec!["balls"]));
-        assert_eq!(device.rows[0].point(), Some(Point { cost: 10.0, error: 0.01 }));
+        assert_eq!(device.rows[0].point(), Some(CostErrorPoint { cost: 10.0, error: 0.01 }));
         assert_eq!((device.rows[1].rmse, device.rows[1].point()), (None, None));
     }
 
@@ -164,7 +164,7 @@ mod tests {
             assert!(error.contains(says), "{row}: {error}");
         }
         assert!(parse("").unwrap_err().contains("no setting"));
-        let error = Device::parse("chip.csv", b"a,b\n1,2\n").unwrap_err().to_string();
+        let error = DeviceMeasurements::parse("chip.csv", b"a,b\n1,2\n").unwrap_err().to_string();
         assert!(error.contains("line 1: the first line must be scene,width"), "{error}");
     }
 }

@@ -13,15 +13,15 @@ pub fn median(values: &[f64]) -> f64 {
 }
 
 /// The least and the most.
-pub fn ends(values: &[f64]) -> [f64; 2] {
+pub fn min_max(values: &[f64]) -> [f64; 2] {
     let least = values.iter().copied().fold(f64::INFINITY, |a, b| if b < a { b } else { a });
     let most = values.iter().copied().fold(0.0, |a, b| if b > a { b } else { a });
     if least.is_finite() { [least, most] } else { [0.0, 0.0] }
 }
 
 /// How far they spread: from the least to the most, as a share of the median.
-pub fn spread(values: &[f64]) -> f64 {
-    let [least, most] = ends(values);
+pub fn relative_range(values: &[f64]) -> f64 {
+    let [least, most] = min_max(values);
     let middle = median(values);
     if middle > 0.0 { (most - least) / middle } else { 0.0 }
 }
@@ -42,8 +42,8 @@ mod tests {
         let calm = [1.0, 1.01, 0.99, 1.0, 1.0];
         let disturbed = [1.0, 1.01, 0.99, 1.0, 9.0];
         assert_eq!(median(&calm), median(&disturbed));
-        assert!(spread(&calm) < 0.03 && spread(&disturbed) > 8.0);
-        assert_eq!((spread(&[2.0]), spread(&[])), (0.0, 0.0));
-        assert_eq!(ends(&disturbed), [0.99, 9.0]);
+        assert!(relative_range(&calm) < 0.03 && relative_range(&disturbed) > 8.0);
+        assert_eq!((relative_range(&[2.0]), relative_range(&[])), (0.0, 0.0));
+        assert_eq!(min_max(&disturbed), [0.99, 9.0]);
     }
 }

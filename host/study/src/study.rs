@@ -13,19 +13,19 @@ use strahl_settings::{DEFAULT_SIZE, Effect, Precision, Settings, SettingsOverrid
 
 use crate::cost_model::WEIGHTS;
 use crate::error::StudyError;
-use crate::measure::benchmark::{Bench, StudyProgress};
+use crate::measure::benchmark::{Benchmark, StudyProgress};
 use crate::measure::measurements::Measurements;
-use crate::measure::plan::Plan;
-use crate::measure::resolution::{self, smaller};
+use crate::measure::plan::StudyPlan;
+use crate::measure::resolution::{self, scaled_down};
 use crate::measure::{experiment, images};
 use crate::record::{self, Study};
 
 /// The time that a quick study takes.
-const QUICK: Duration = Duration::from_secs(50);
+const QUICK_TIME_LIMIT: Duration = Duration::from_secs(50);
 
 /// A study is of at most so many pixels where nobody names a size: what a setting costs and what it
 /// makes wrong is much the same for a larger picture.
-const PIXELS: u32 = 1 << 16;
+const MAX_PIXELS: u32 = 1 << 16;
 
 /// What is studied, and how thoroughly.
 #[derive(Clone, Copy, Debug)]
@@ -39,7 +39,7 @@ pub struct StudySettings {
     /// Threads; none is one for each core.
     pub threads: Option<usize>,
     /// When it began: what loading takes is taken from the time, too.
-    pub begun: Instant,
+    pub start: Instant,
 }
 
 /// Measures a scene, which is that of the file at `path`.
@@ -53,20 +53,29 @@ pub fn study(
     let facts = SceneStorage::new(scene, Precision::Single).scene_stats()?;
     let asks: Vec<Effect> = effects::plan(scene).iter().map(|it| it.effect).collect();
 
-    let plan = if settings.full { Plan::FULL } else { Plan::QUICK };
-    let limit = settings.time_limit.or((!settings.full).then_some(QUICK));
-    let full = settings.size.unwrap_or_else(|| smaller(scene.settings.size.unwrap_or(DEFAULT_SIZE), PIXELS));
-    let mut bench = Bench::new(scene, full, progress, limit);
-    bench.begun = settings.begun;
-    let own = own(scene, full, settings.threads)?;
-    resolution::choose(&mut bench, &plan, &own, settings.size.is_none())?;
+    let plan = if settings.full { StudyPlan::FULL } else { StudyPlan::QUICK };
+    let limit = settings.time_limit.or((!settings.full).then_some(QUICK_TIME_LIMIT));
+    let full =
+        settings.size.unwrap_or_else(|| scaled_down(scene.settings.size.unwrap_or(DEFAULT_SIZE), MAX_PIXELS));
+    let mut bench = Benchmark::new(scene, full, progress, limit);
+    bench.start = settings.start;
+    let own = scene_settings(scene, full, settings.threads)?;
+    resolution::choose_size(&mut bench, &plan, &own, settings.size.is_none())?;
     let size = bench.size;
     let mut measured = Measurements::new(&bench, &plan);
     let reference = experiment::run(&mut measured, &own, &asks)?;
     let pictures = images::all(&measured, &reference)?;
     let seconds = bench.elapsed();
-    let Measurements { taken, knobs, techniques, threads, left_out, beaten, .. } = measured;
-    let method = record::Method {
+    let Measurements {
+        measurements: taken,
+        sweeps: knobs,
+        techniques,
+        threads,
+        skipped: left_out,
+        dominated: beaten,
+        ..
+    } = measured;
+    let method = record::MeasurementMethod {
         program: format!("strahl {}", env!("CARGO_PKG_VERSION")),
         date,
         processor: processor(),
@@ -83,7 +92,7 @@ pub fn study(
     Ok(Study {
         format: record::FORMAT.into(),
         version: record::VERSION,
-        scene: record::Scene {
+        scene: record::StudiedScene {
             name: stem(path),
             file: path.display().to_string(),
             width: size.width(),
@@ -105,7 +114,11 @@ pub fn study(
 }
 
 /// The scene's own settings, where it has none the defaults.
-fn own(scene: &LoadedScene, size: Resolution, threads: Option<usize>) -> Result<Settings, StudyError> {
+fn scene_settings(
+    scene: &LoadedScene,
+    size: Resolution,
+    threads: Option<usize>,
+) -> Result<Settings, StudyError> {
     let given = SettingsOverrides { size: Some(size), threads, ..SettingsOverrides::default() };
     Settings::resolve(&given, &scene.settings).map_err(StudyError::Settings)
 }

@@ -9,7 +9,7 @@ use std::time::{Duration, Instant};
 
 use serde_json::Value;
 use strahl_study::record::file::schema;
-use strahl_study::record::{Role, Study};
+use strahl_study::record::{RunRole, Study};
 
 #[cfg(unix)]
 use crate::program::Running;
@@ -57,7 +57,7 @@ fn a_study_is_a_page_a_table_and_all_that_was_measured() {
     let study = study();
     assert_eq!((study.version, study.scene.name.as_str()), (1, "scene"));
     assert_eq!((study.scene.width, study.scene.height, study.scene.objects), (32, 24, 3));
-    assert!(study.runs.iter().any(|run| run.role == Role::Own));
+    assert!(study.runs.iter().any(|run| run.role == RunRole::Own));
     for run in &study.runs {
         assert_eq!(run.cpu.len(), run.wall.len());
         assert!(run.work > 0.0 && run.error.ssim <= 1.0, "{run:?}");
@@ -202,7 +202,7 @@ fn the_page_speaks_of_nothing_that_its_reader_cannot_know() {
     let page = page("out");
     assert!(!page.contains("lecture"));
     let study = study();
-    let about = study.runs.iter().filter(|run| run.is_about_accuracy()).count();
+    let about = study.runs.iter().filter(|run| run.measures_accuracy()).count();
     assert!(page.contains(&format!("All {about} settings of these plots")));
     assert!(page.contains(&format!(
         "{} settings measured, of which {about} tell what accuracy costs",
@@ -285,7 +285,7 @@ fn mark(page: &str, error: f64) -> Option<&str> {
 
 #[test]
 fn a_point_moves_with_its_number() {
-    let own = study().runs.iter().position(|run| run.role == Role::Own).unwrap();
+    let own = study().runs.iter().position(|run| run.role == RunRole::Own).unwrap();
     let (before, after) = (study().runs[own].error.rmse, 0.123_456);
     changed("moved", |json| json["runs"][own]["error"]["rmse"] = after.into());
     folder().done("study --from moved/study.json --quiet");

@@ -12,7 +12,7 @@ use strahl_engine::RenderError;
 use strahl_scene::description::LoadedScene;
 use strahl_settings::Settings;
 
-use tree::{Explained, VERSION, triple};
+use tree::{PixelExplanation, VERSION, rgb_array};
 
 pub mod pixel;
 mod recorder;
@@ -25,9 +25,9 @@ pub fn explain(
     description: &LoadedScene,
     settings: Settings,
     pixel: Pixel,
-) -> Result<Explained, RenderError> {
-    let traced = pixel::trace(description, &settings, pixel)?;
-    Ok(Explained {
+) -> Result<PixelExplanation, RenderError> {
+    let traced = pixel::trace_pixel(description, &settings, pixel)?;
+    Ok(PixelExplanation {
         version: VERSION,
         scene: scene.to_owned(),
         width: settings.size.width(),
@@ -35,7 +35,7 @@ pub fn explain(
         x: pixel.x,
         y: pixel.y,
         settings,
-        color: triple(traced.color),
+        color: rgb_array(traced.color),
         srgb: traced.color.to_srgb8(),
         sum: traced.sum,
         samples: traced.samples,

@@ -4,56 +4,65 @@ use strahl_core::geometry::ItemId;
 use strahl_core::tally::{CountedEvent, LightOutcome, RayKind, RayOutcome, Tally, TraceEvent};
 use strahl_core::{Real, Rgb, Vec3};
 
-use super::source_names::Names;
-use super::tree::{Blocker, Hit, Light, Passage, Ray, Sent, Triple, triple, xyz};
+use super::source_names::SourceNames;
+use super::tree::{
+    HitRecord, LightRecord, OccluderRecord, RayRecord, SecondaryRayRecord, TransmissionRecord, Triple,
+    rgb_array, xyz_array,
+};
 
 /// The most rays of one sample that are told, and can be waited for.
-pub const MOST_RAYS: usize = 1 << 18;
+pub const MAX_RAYS: usize = 1 << 18;
 
 /// The rays of one sample, as they are told.
-pub struct Record<'n> {
-    names: &'n Names<'n>,
-    rays: Vec<Ray>,
+pub struct RayTreeRecorder<'n> {
+    names: &'n SourceNames<'n>,
+    rays: Vec<RayRecord>,
     /// Who has sent each ray that waits, and which of those that he has sent it is.
-    waiting: Vec<(usize, usize)>,
-    asked: Asked,
+    pending: Vec<(usize, usize)>,
+    shadow_ray: ShadowRayState,
 }
 
 /// What has been found on the way to a light.
 #[derive(Default)]
-struct Asked {
-    way: Option<(Vec3, Vec3, Real)>,
-    through: Vec<Passage>,
+struct ShadowRayState {
+    ray: Option<(Vec3, Vec3, Real)>,
+    transmitted: Vec<TransmissionRecord>,
     /// How far away the last surface is that light has passed.
-    gone: f32,
-    blocker: Option<(ItemId, f32)>,
+    distance: f32,
+    occluder: Option<(ItemId, f32)>,
 }
 
-impl<'n> Record<'n> {
+impl<'n> RayTreeRecorder<'n> {
     /// Of nothing yet.
-    pub fn new(names: &'n Names<'n>) -> Self {
-        Record { names, rays: Vec::new(), waiting: Vec::new(), asked: Asked::default() }
+    pub fn new(names: &'n SourceNames<'n>) -> Self {
+        RayTreeRecorder {
+            names,
+            rays: Vec::new(),
+            pending: Vec::new(),
+            shadow_ray: ShadowRayState::default(),
+        }
     }
 
     /// The rays, in the order in which they were followed.
-    pub fn into_rays(self) -> Vec<Ray> {
+    pub fn into_rays(self) -> Vec<RayRecord> {
         self.rays
     }
 
-    fn follows(&mut self, ray: Ray) {
+    fn start_ray(&mut self, ray: RayRecord) {
         let number = self.rays.len() + 1;
-        let sender = self.waiting.pop();
+        let sender = self.pending.pop();
         if let Some((sender, place)) = sender
             && let Some(sent) = self.rays.get_mut(sender).and_then(|ray| ray.sends.get_mut(place))
         {
             sent.ray = Some(number);
         }
-        self.rays.push(Ray { number, parent: sender.map(|(sender, _)| sender + 1), ..ray });
+        self.rays.push(RayRecord { number, parent: sender.map(|(sender, _)| sender + 1), ..ray });
     }
 
-    fn light(&mut self, number: u16, lit: LightOutcome) {
-        let Asked { way, through, blocker, .. } = std::mem::take(&mut self.asked);
-        let mut light = Light {
+    fn record_light(&mut self, number: u16, lit: LightOutcome) {
+        let ShadowRayState { ray: way, transmitted: through, occluder: blocker, .. } =
+            std::mem::take(&mut self.shadow_ray);
+        let mut light = LightRecord {
             number,
             named: self.names.light(number),
             outcome: outcome(lit),
@@ -66,29 +75,30 @@ impl<'n> Record<'n> {
         };
         match lit {
             LightOutcome::Arrived { direction: toward, distance, color, contribution: adds } => {
-                light.toward = Some(xyz(toward));
+                light.toward = Some(xyz_array(toward));
                 light.distance = (distance < Real::MAX).then_some(distance);
-                light.arrives = Some(triple(color));
-                light.adds = Some(triple(adds));
+                light.arrives = Some(rgb_array(color));
+                light.adds = Some(rgb_array(adds));
             }
             // The tracer is content with whatever stands in the way; a reader looks for the nearest.
             LightOutcome::Occluded if light.through.is_empty() => {
-                let nearest =
-                    way.and_then(|(origin, direction, reach)| self.names.nearest(origin, direction, reach));
-                light.blocker = nearest.or(blocker).map(|it| self.blocker(it));
+                let nearest = way.and_then(|(origin, direction, reach)| {
+                    self.names.nearest_occluder(origin, direction, reach)
+                });
+                light.blocker = nearest.or(blocker).map(|it| self.occluder_record(it));
             }
-            LightOutcome::Occluded => light.blocker = blocker.map(|it| self.blocker(it)),
+            LightOutcome::Occluded => light.blocker = blocker.map(|it| self.occluder_record(it)),
             LightOutcome::NoEmission | LightOutcome::BackFacing | LightOutcome::OutsideHighlight => {}
         }
-        self.with_last(|ray| ray.lights.push(light));
+        self.with_current_ray(|ray| ray.lights.push(light));
     }
 
-    fn blocker(&self, (item, distance): (ItemId, f32)) -> Blocker {
-        Blocker { thing: self.names.thing(item), distance }
+    fn occluder_record(&self, (item, distance): (ItemId, f32)) -> OccluderRecord {
+        OccluderRecord { thing: self.names.item(item), distance }
     }
 
     /// Changes the ray that is followed.
-    fn with_last(&mut self, change: impl FnOnce(&mut Ray)) {
+    fn with_current_ray(&mut self, change: impl FnOnce(&mut RayRecord)) {
         if let Some(ray) = self.rays.last_mut() {
             change(ray);
         }
@@ -110,22 +120,22 @@ fn product(a: Triple, b: Triple) -> Triple {
     [a[0] * b[0], a[1] * b[1], a[2] * b[2]]
 }
 
-impl Tally for Record<'_> {
+impl Tally for RayTreeRecorder<'_> {
     /// Nothing is counted.
     fn count(&mut self, _: CountedEvent) {}
 
     fn trace_event(&mut self, step: TraceEvent) {
         match step {
-            TraceEvent::RayStart { kind, level, origin, direction, weight } => self.follows(Ray {
+            TraceEvent::RayStart { kind, level, origin, direction, weight } => self.start_ray(RayRecord {
                 kind: kind.name(),
                 level,
-                origin: xyz(origin),
-                direction: xyz(direction),
-                weight: triple(weight),
-                weight_there: triple(weight),
-                ..Ray::default()
+                origin: xyz_array(origin),
+                direction: xyz_array(direction),
+                weight: rgb_array(weight),
+                weight_there: rgb_array(weight),
+                ..RayRecord::default()
             }),
-            TraceEvent::Miss { radiance: light } => self.with_last(|ray| ray.light = triple(light)),
+            TraceEvent::Miss { radiance: light } => self.with_current_ray(|ray| ray.light = rgb_array(light)),
             TraceEvent::Hit {
                 hit,
                 point,
@@ -134,64 +144,71 @@ impl Tally for Record<'_> {
                 transmittance: left,
                 is_hidden: hidden,
             } => {
-                let hit = Hit {
-                    thing: self.names.thing(hit.item),
+                let hit = HitRecord {
+                    thing: self.names.item(hit.item),
                     distance: hit.t,
-                    point: xyz(point),
+                    point: xyz_array(point),
                     outside,
                     within: within.map(|material| self.names.material(material)),
-                    left: triple(left),
+                    left: rgb_array(left),
                     hidden,
                 };
-                self.with_last(|ray| {
+                self.with_current_ray(|ray| {
                     ray.weight_there = product(ray.weight, hit.left);
                     ray.hit = Some(hit);
                 });
             }
-            TraceEvent::Ambient(light) => self.with_last(|ray| ray.ambient = Some(triple(light))),
+            TraceEvent::Ambient(light) => self.with_current_ray(|ray| ray.ambient = Some(rgb_array(light))),
             TraceEvent::ShadowRay { origin, direction, t_max: reach } => {
-                self.asked = Asked { way: Some((origin, direction, reach)), ..Asked::default() };
+                self.shadow_ray =
+                    ShadowRayState { ray: Some((origin, direction, reach)), ..ShadowRayState::default() };
             }
             TraceEvent::ShadowTransmission { hit, transmittance: share } => {
-                let Asked { through, gone, .. } = &mut self.asked;
+                let ShadowRayState { transmitted: through, distance: gone, .. } = &mut self.shadow_ray;
                 *gone += hit.t;
-                let thing = self.names.thing(hit.item);
-                through.push(Passage { thing, distance: *gone, share: triple(share) });
+                let thing = self.names.item(hit.item);
+                through.push(TransmissionRecord { thing, distance: *gone, share: rgb_array(share) });
             }
             TraceEvent::Occluded { item, t: distance } => {
-                let gone = self.asked.gone + distance.unwrap_or(0.0);
-                self.asked.blocker = Some((item, gone));
+                let gone = self.shadow_ray.distance + distance.unwrap_or(0.0);
+                self.shadow_ray.occluder = Some((item, gone));
             }
-            TraceEvent::LightContribution { light: number, outcome: lit } => self.light(number, lit),
-            TraceEvent::LocalIllumination(light) => self.with_last(|ray| ray.light = triple(light)),
-            TraceEvent::TotalInternalReflection => self.with_last(|ray| ray.total_reflection = true),
+            TraceEvent::LightContribution { light: number, outcome: lit } => self.record_light(number, lit),
+            TraceEvent::LocalIllumination(light) => self.with_current_ray(|ray| ray.light = rgb_array(light)),
+            TraceEvent::TotalInternalReflection => self.with_current_ray(|ray| ray.total_reflection = true),
             TraceEvent::SecondaryRay { kind, factor: share, weight, outcome: fate } => {
-                self.sends(kind, share, weight, fate)
+                self.record_secondary_ray(kind, share, weight, fate)
             }
-            TraceEvent::RayEnd(light) => self.with_last(|ray| ray.adds = triple(light)),
+            TraceEvent::RayEnd(light) => self.with_current_ray(|ray| ray.adds = rgb_array(light)),
             // Whatever else a later core tells.
             _ => {}
         }
     }
 
     fn is_cancelled(&mut self) -> bool {
-        self.rays.len() >= MOST_RAYS
+        self.rays.len() >= MAX_RAYS
     }
 }
 
-impl Record<'_> {
-    fn sends(&mut self, kind: RayKind, share: Rgb, weight: Rgb, fate: RayOutcome) {
+impl RayTreeRecorder<'_> {
+    fn record_secondary_ray(&mut self, kind: RayKind, share: Rgb, weight: Rgb, fate: RayOutcome) {
         let cut = match fate {
             RayOutcome::Sent => None,
             RayOutcome::BelowCutoff => Some("cutoff"),
             RayOutcome::LevelLimit => Some("levels"),
         };
-        let sent = Sent { kind: kind.name(), share: triple(share), weight: triple(weight), ray: None, cut };
+        let sent = SecondaryRayRecord {
+            kind: kind.name(),
+            share: rgb_array(share),
+            weight: rgb_array(weight),
+            ray: None,
+            cut,
+        };
         let sender = self.rays.len().saturating_sub(1);
         let place = self.rays.last().map_or(0, |ray| ray.sends.len());
         if cut.is_none() {
-            self.waiting.push((sender, place));
+            self.pending.push((sender, place));
         }
-        self.with_last(|ray| ray.sends.push(sent));
+        self.with_current_ray(|ray| ray.sends.push(sent));
     }
 }

@@ -7,17 +7,17 @@ use strahl_core::{AllEffects, Real, Vec3, World};
 use strahl_scene::description::{LoadedScene, ShapeDescription};
 use strahl_scene::effects::object_count;
 
-use super::tree::{Named, Thing};
+use super::tree::{ItemRecord, NameAndLine};
 
 /// A scene and the file that it comes from.
-pub struct Names<'n> {
+pub struct SourceNames<'n> {
     description: &'n LoadedScene,
     world: &'n World<'n, List<'n>>,
     /// The first item of each object of the description.
-    firsts: Vec<u32>,
+    first_items: Vec<u32>,
 }
 
-impl<'n> Names<'n> {
+impl<'n> SourceNames<'n> {
     /// Of the items of a world that was made of a description.
     pub fn new(description: &'n LoadedScene, world: &'n World<'n, List<'n>>) -> Self {
         let mut next = 0;
@@ -26,18 +26,18 @@ impl<'n> Names<'n> {
             next += object_count(object) as u32;
             first
         });
-        Names { description, world, firsts: firsts.collect() }
+        SourceNames { description, world, first_items: firsts.collect() }
     }
 
     /// What the file says of an item.
-    pub fn thing(&self, item: ItemId) -> Thing {
+    pub fn item(&self, item: ItemId) -> ItemRecord {
         let parts = self.world.scene().descriptor();
-        let place = self.firsts.partition_point(|first| *first <= item.0).saturating_sub(1);
+        let place = self.first_items.partition_point(|first| *first <= item.0).saturating_sub(1);
         let object = self.description.objects.get(place);
-        let first = self.firsts.get(place).copied().unwrap_or(0);
+        let first = self.first_items.get(place).copied().unwrap_or(0);
         let is_mesh = object.is_some_and(|object| matches!(object.shape, ShapeDescription::Mesh { .. }));
         let material = parts.material_ids.get(item.0 as usize).map_or(0, |material| material.0);
-        Thing {
+        ItemRecord {
             object: item.0,
             shape: parts
                 .geometry
@@ -51,25 +51,25 @@ impl<'n> Names<'n> {
     }
 
     /// What the file calls a material.
-    pub fn material(&self, number: u16) -> Named {
+    pub fn material(&self, number: u16) -> NameAndLine {
         let material = self.description.materials.get(usize::from(number));
-        material.map_or(Named { name: None, line: 0 }, |it| named(&it.name, it.line))
+        material.map_or(NameAndLine { name: None, line: 0 }, |it| named(&it.name, it.line))
     }
 
     /// What the file calls a light.
-    pub fn light(&self, number: u16) -> Named {
+    pub fn light(&self, number: u16) -> NameAndLine {
         let light = self.description.lights.get(usize::from(number));
-        light.map_or(Named { name: None, line: 0 }, |it| named(&it.name, it.line))
+        light.map_or(NameAndLine { name: None, line: 0 }, |it| named(&it.name, it.line))
     }
 
     /// The nearest item along a shadow ray, and how far away it is.
-    pub fn nearest(&self, origin: Vec3, direction: Vec3, reach: Real) -> Option<(ItemId, f32)> {
+    pub fn nearest_occluder(&self, origin: Vec3, direction: Vec3, reach: Real) -> Option<(ItemId, f32)> {
         let ray = Ray::new(origin, direction);
         let hit = self.world.nearest_hit::<AllEffects, _>(&ray, reach, RayKind::Shadow, &mut (), &mut ())?;
         Some((hit.item, hit.t))
     }
 }
 
-fn named(name: &Option<String>, line: usize) -> Named {
-    Named { name: name.clone(), line: line as u32 }
+fn named(name: &Option<String>, line: usize) -> NameAndLine {
+    NameAndLine { name: name.clone(), line: line as u32 }
 }

@@ -18,7 +18,7 @@ pub type Triple = [f32; 3];
 
 /// How one pixel comes about.
 #[derive(Debug, Serialize)]
-pub struct Explained {
+pub struct PixelExplanation {
     /// Of this form.
     pub version: u32,
     /// The scene file.
@@ -39,9 +39,9 @@ pub struct Explained {
     /// The same in eight bits of sRGB.
     pub srgb: [u8; 3],
     /// How its colour comes of the samples.
-    pub sum: Sum,
+    pub sum: SampleSum,
     /// The rays through the picture, in their order.
-    pub samples: Vec<Sample>,
+    pub samples: Vec<SampleRecord>,
 }
 
 /// The settings that are part of an explanation: those of [`SETTING_GROUPS`] that have an option.
@@ -58,7 +58,7 @@ fn serialize_settings<S: Serializer>(settings: &Settings, serializer: S) -> Resu
 /// How the colour of a pixel comes of its samples.
 #[derive(Debug, Serialize)]
 #[serde(rename_all = "snake_case")]
-pub enum Sum {
+pub enum SampleSum {
     /// Their sum, in their order, times this share.
     Mean {
         /// One over their number.
@@ -66,12 +66,12 @@ pub enum Sum {
     },
     /// The sum over these parts, in their order, of the mean of four samples times the square of
     /// the side: `(((a + b) + (c + d)) * 0.25) * (side * side)`.
-    Parts(Vec<Part>),
+    Parts(Vec<SubpixelRecord>),
 }
 
 /// A square part of a pixel.
 #[derive(Debug, Serialize)]
-pub struct Part {
+pub struct SubpixelRecord {
     /// Its left edge, in the picture.
     pub x: f32,
     /// Its upper edge.
@@ -85,7 +85,7 @@ pub struct Part {
 
 /// A ray through the picture, and all that comes of it.
 #[derive(Debug, Serialize)]
-pub struct Sample {
+pub struct SampleRecord {
     /// Counted from 1.
     pub number: usize,
     /// Where it goes through the picture, in pixels from its left edge.
@@ -96,12 +96,12 @@ pub struct Sample {
     pub color: Triple,
     /// The camera ray, and all that are sent from where it arrives, in the order in which they are
     /// followed: each stands before those that it sends.
-    pub rays: Vec<Ray>,
+    pub rays: Vec<RayRecord>,
 }
 
 /// A ray.
 #[derive(Debug, Default, Serialize)]
-pub struct Ray {
+pub struct RayRecord {
     /// Counted from 1.
     pub number: usize,
     /// The one that has sent it; none has sent the camera ray.
@@ -117,13 +117,13 @@ pub struct Ray {
     /// How much of what it finds counts in the sample, when it starts.
     pub weight: Triple,
     /// What it meets, if not the background.
-    pub hit: Option<Hit>,
+    pub hit: Option<HitRecord>,
     /// How much of what it finds there counts in the sample: what the way leaves of its weight.
     pub weight_there: Triple,
     /// The surface's share of the light from everywhere.
     pub ambient: Option<Triple>,
     /// What comes of each light that was looked at, in the order of the file.
-    pub lights: Vec<Light>,
+    pub lights: Vec<LightRecord>,
     /// What it brings by itself: the background, or ambient plus what the lights add, in this order.
     pub light: Triple,
     /// What it adds to the sample: `weight_there * light`.
@@ -131,15 +131,15 @@ pub struct Ray {
     /// Whether light that would go through the surface is thrown back as a whole.
     pub total_reflection: bool,
     /// The rays that go on from there, sent or cut.
-    pub sends: Vec<Sent>,
+    pub sends: Vec<SecondaryRayRecord>,
 }
 
 /// A surface that a ray meets.
 #[derive(Debug, Serialize)]
-pub struct Hit {
+pub struct HitRecord {
     /// What.
     #[serde(flatten)]
-    pub thing: Thing,
+    pub thing: ItemRecord,
     /// How far away.
     pub distance: f32,
     /// Where.
@@ -147,7 +147,7 @@ pub struct Hit {
     /// Whether on the outer side, to which the normal points.
     pub outside: bool,
     /// What fills space on the way there, where something does.
-    pub within: Option<Named>,
+    pub within: Option<NameAndLine>,
     /// What the way there leaves of light.
     pub left: Triple,
     /// Whether the surface lies hidden inside a body of higher priority.
@@ -156,7 +156,7 @@ pub struct Hit {
 
 /// An item of the scene.
 #[derive(Clone, Debug, PartialEq, Serialize)]
-pub struct Thing {
+pub struct ItemRecord {
     /// Its number, in the order of the file, from 0; every triangle of a mesh counts as one.
     pub object: u32,
     /// Its shape.
@@ -166,12 +166,12 @@ pub struct Thing {
     /// Its line in the scene file; of a model without lines, 0.
     pub line: u32,
     /// What it is made of.
-    pub material: Named,
+    pub material: NameAndLine,
 }
 
 /// Something with a line, and a name where the file gives it one.
 #[derive(Clone, Debug, PartialEq, Serialize)]
-pub struct Named {
+pub struct NameAndLine {
     /// Its name.
     pub name: Option<String>,
     /// Its line in the scene file; 0 where it has none.
@@ -180,12 +180,12 @@ pub struct Named {
 
 /// What comes of a light at a surface.
 #[derive(Debug, Serialize)]
-pub struct Light {
+pub struct LightRecord {
     /// Its place in the scene, from 0.
     pub number: u16,
     /// Its name and line.
     #[serde(flatten)]
-    pub named: Named,
+    pub named: NameAndLine,
     /// `seen`, or why not: `blocked`; `behind`, where the surface faces away; `dark`, where the
     /// light does not shine; `unseen`, where a mirror would show it in another direction.
     pub outcome: &'static str,
@@ -198,17 +198,17 @@ pub struct Light {
     /// What the surface sends of it along the ray.
     pub adds: Option<Triple>,
     /// Through what its light comes.
-    pub through: Vec<Passage>,
+    pub through: Vec<TransmissionRecord>,
     /// What stands in its way.
-    pub blocker: Option<Blocker>,
+    pub blocker: Option<OccluderRecord>,
 }
 
 /// A surface that light passes on its way from a light.
 #[derive(Debug, Serialize)]
-pub struct Passage {
+pub struct TransmissionRecord {
     /// Which.
     #[serde(flatten)]
-    pub thing: Thing,
+    pub thing: ItemRecord,
     /// How far away from where the light is looked for.
     pub distance: f32,
     /// What has come through everything up to here.
@@ -217,17 +217,17 @@ pub struct Passage {
 
 /// What stands in the way of a light.
 #[derive(Debug, Serialize)]
-pub struct Blocker {
+pub struct OccluderRecord {
     /// The nearest.
     #[serde(flatten)]
-    pub thing: Thing,
+    pub thing: ItemRecord,
     /// How far away from where the light is looked for.
     pub distance: f32,
 }
 
 /// A ray that goes on from a surface.
 #[derive(Debug, Serialize)]
-pub struct Sent {
+pub struct SecondaryRayRecord {
     /// `reflected` or `transmitted`.
     pub kind: &'static str,
     /// Its share of the light that arrives along it.
@@ -240,19 +240,19 @@ pub struct Sent {
     pub cut: Option<&'static str>,
 }
 
-impl Ray {
+impl RayRecord {
     /// Whether the surface is made of what lets light through or mirrors it, or the ray ends here.
-    pub fn is_end(&self) -> bool {
+    pub fn is_leaf(&self) -> bool {
         self.sends.is_empty()
     }
 }
 
 /// The channels of a colour.
-pub fn triple(color: Rgb) -> Triple {
+pub fn rgb_array(color: Rgb) -> Triple {
     [color.r, color.g, color.b]
 }
 
 /// The coordinates of a vector.
-pub fn xyz(v: Vec3) -> Triple {
+pub fn xyz_array(v: Vec3) -> Triple {
     v.to_array()
 }

@@ -5,46 +5,48 @@ use strahl_settings::{
 };
 
 /// Levels that are tried.
-pub const LEVELS: [u8; 15] = [1, 2, 3, 4, 5, 6, 8, 10, 12, 16, 20, 24, 32, 48, 64];
+pub const LEVEL_STEPS: [u8; 15] = [1, 2, 3, 4, 5, 6, 8, 10, 12, 16, 20, 24, 32, 48, 64];
 
 /// One over the cutoffs that are tried.
-const CUTOFFS: [u16; 10] = [8, 16, 32, 64, 128, 256, 512, 1024, 2048, 4096];
+const INVERSE_CUTOFFS: [u16; 10] = [8, 16, 32, 64, 128, 256, 512, 1024, 2048, 4096];
 
 /// The cutoffs that are tried, from the largest.
-pub fn cutoffs() -> impl Iterator<Item = f32> {
-    CUTOFFS.into_iter().map(|part| 1.0 / f32::from(part))
+pub fn cutoff_steps() -> impl Iterator<Item = f32> {
+    INVERSE_CUTOFFS.into_iter().map(|part| 1.0 / f32::from(part))
 }
 
 /// So many times the rays cost at least this many times as much.
-pub const SAVES: f64 = 0.9;
+pub const MIN_COST_RATIO: f64 = 0.9;
 
 /// Which rays make pixels.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Rays {
+pub struct SamplingStrategy {
     /// In a pixel.
     pub sampler: SamplerSettings,
     /// Which pixels are traced, where not all are.
     pub select: Option<SelectionSettings>,
 }
 
-impl Rays {
+impl SamplingStrategy {
     /// In every pixel.
     const fn all(sampler: SamplerSettings) -> Self {
-        Rays { sampler, select: None }
+        SamplingStrategy { sampler, select: None }
     }
 
     /// The same settings with these rays.
-    pub fn apply(self, settings: &Settings) -> Settings {
+    pub fn apply_to(self, settings: &Settings) -> Settings {
         Settings { sampler: self.sampler, select: self.select, ..settings.clone() }
     }
 
     /// How many there are in each pixel, where that is known before.
-    pub fn count(self) -> Option<u32> {
+    pub fn fixed_rays_per_pixel(self) -> Option<u32> {
         match self {
-            Rays { select: Some(_), .. } => None,
-            Rays { sampler: SamplerSettings::Single, .. } => Some(1),
-            Rays { sampler: SamplerSettings::Regular(n), .. } => Some(u32::from(n) * u32::from(n)),
-            Rays {
+            SamplingStrategy { select: Some(_), .. } => None,
+            SamplingStrategy { sampler: SamplerSettings::Single, .. } => Some(1),
+            SamplingStrategy { sampler: SamplerSettings::Regular(n), .. } => {
+                Some(u32::from(n) * u32::from(n))
+            }
+            SamplingStrategy {
                 sampler: SamplerSettings::Stochastic { min_samples: least, max_samples: most, .. },
                 ..
             } if least == most => Some(most),
@@ -53,34 +55,38 @@ impl Rays {
     }
 
     /// How many there are in each pixel at least, where all pixels are traced.
-    fn least(self) -> Option<u32> {
+    fn min_rays_per_pixel(self) -> Option<u32> {
         match self {
-            Rays { select: Some(_), .. } => None,
+            SamplingStrategy { select: Some(_), .. } => None,
             // Corners are shared by neighbours.
-            Rays { sampler: SamplerSettings::Adaptive { .. }, .. } => Some(1),
-            Rays { sampler: SamplerSettings::Stochastic { min_samples: least, .. }, .. } => Some(least),
-            _ => self.count(),
+            SamplingStrategy { sampler: SamplerSettings::Adaptive { .. }, .. } => Some(1),
+            SamplingStrategy { sampler: SamplerSettings::Stochastic { min_samples: least, .. }, .. } => {
+                Some(least)
+            }
+            _ => self.fixed_rays_per_pixel(),
         }
     }
 
     /// How many times those of another there are at least; none where that is not known.
-    pub fn times(self, other: Rays) -> Option<f64> {
-        if let (Some(least), Some(count)) = (self.least(), other.count()) {
+    pub fn min_ray_ratio(self, other: SamplingStrategy) -> Option<f64> {
+        if let (Some(least), Some(count)) = (self.min_rays_per_pixel(), other.fixed_rays_per_pixel()) {
             return Some(f64::from(least) / f64::from(count));
         }
         let is_more = match (self, other) {
-            (Rays { select: Some(a), .. }, Rays { select: Some(b), .. }) => {
+            (SamplingStrategy { select: Some(a), .. }, SamplingStrategy { select: Some(b), .. }) => {
                 a.step <= b.step && a.contrast.threshold <= b.contrast.threshold
             }
-            (Rays { select: Some(_), .. }, _) | (_, Rays { select: Some(_), .. }) => false,
-            (Rays { sampler: a, .. }, Rays { sampler: b, .. }) => is_finer(a, b),
+            (SamplingStrategy { select: Some(_), .. }, _) | (_, SamplingStrategy { select: Some(_), .. }) => {
+                false
+            }
+            (SamplingStrategy { sampler: a, .. }, SamplingStrategy { sampler: b, .. }) => refines(a, b),
         };
         is_more.then_some(1.0)
     }
 }
 
 /// Whether all rays of the one are sent by the other too: both adaptive, or both stochastic.
-fn is_finer(a: SamplerSettings, b: SamplerSettings) -> bool {
+fn refines(a: SamplerSettings, b: SamplerSettings) -> bool {
     match (a, b) {
         (
             SamplerSettings::Adaptive { max_depth: depth, contrast: agreement },
@@ -104,27 +110,27 @@ fn is_finer(a: SamplerSettings, b: SamplerSettings) -> bool {
 }
 
 /// All that may be tried for an error, about from the cheapest on.
-pub fn rays(filter: Filter, goal: f64) -> Vec<Rays> {
+pub fn sampling_strategies(filter: Filter, goal: f64) -> Vec<SamplingStrategy> {
     let agreement = |threshold| ContrastSettings { threshold, items: false };
-    let selected = |(step, threshold)| Rays {
+    let selected = |(step, threshold)| SamplingStrategy {
         sampler: SamplerSettings::Single,
         select: Some(SelectionSettings { step, contrast: agreement(threshold) }),
     };
     let adaptive = |(depth, threshold)| {
-        Rays::all(SamplerSettings::Adaptive { max_depth: depth, contrast: agreement(threshold) })
+        SamplingStrategy::all(SamplerSettings::Adaptive { max_depth: depth, contrast: agreement(threshold) })
     };
     let ruled = |(least, most, level, tolerance)| {
-        Rays::all(SamplerSettings::Stochastic {
+        SamplingStrategy::all(SamplerSettings::Stochastic {
             min_samples: least,
             max_samples: most,
             confidence: ConfidenceSettings { confidence: level, tolerance },
         })
     };
-    let mut list: Vec<Rays> =
+    let mut list: Vec<SamplingStrategy> =
         [(16, 0.2), (8, 0.2), (8, 0.1), (8, 0.05), (4, 0.1), (4, 0.05), (2, 0.05), (2, 0.02)]
             .map(selected)
             .to_vec();
-    list.push(Rays::all(SamplerSettings::Single));
+    list.push(SamplingStrategy::all(SamplerSettings::Single));
     if filter == Filter::Box {
         list.extend(
             [
@@ -156,12 +162,13 @@ pub fn rays(filter: Filter, goal: f64) -> Vec<Rays> {
         let tolerance = format!("{:.1e}", (part * goal).min(1.0)).parse().unwrap_or(1.0);
         list.extend([2, 4, 8].map(|least| ruled((least, 4096, 0.9, tolerance))));
     }
-    let mut counted: Vec<Rays> = (2..=12).map(|n| Rays::all(SamplerSettings::Regular(n))).collect();
+    let mut counted: Vec<SamplingStrategy> =
+        (2..=12).map(|n| SamplingStrategy::all(SamplerSettings::Regular(n))).collect();
     counted.extend(
         [2, 3, 4, 6, 8, 12, 16, 24, 32, 48, 64, 96, 128, 192, 256, 384, 512, 768, 1024, 1536, 2048]
-            .map(|n| Rays::all(SamplerSettings::stochastic(n))),
+            .map(|n| SamplingStrategy::all(SamplerSettings::stochastic(n))),
     );
-    counted.sort_by_key(|rays| rays.count());
+    counted.sort_by_key(|rays| rays.fixed_rays_per_pixel());
     list.extend(counted);
     list
 }
@@ -172,8 +179,8 @@ mod tests {
 
     #[test]
     fn what_sends_more_rays_is_known_for_what_can_be_compared() {
-        let of = |words: &str| Rays::all(words.parse().unwrap());
-        let times = |more: &str, than: &str| of(more).times(of(than));
+        let of = |words: &str| SamplingStrategy::all(words.parse().unwrap());
+        let times = |more: &str, than: &str| of(more).min_ray_ratio(of(than));
         assert_eq!(times("regular:3", "single"), Some(9.0));
         assert_eq!(times("stochastic:8", "regular:2"), Some(2.0));
         assert_eq!(times("stochastic:4..4096:0.9:0.1", "single"), Some(4.0));
@@ -185,6 +192,9 @@ mod tests {
         assert_eq!(times("single", "adaptive:0:0"), None);
         let mut selected = of("single");
         selected.select = Some("8:0.1".parse().unwrap());
-        assert_eq!((selected.times(of("single")), of("single").times(selected)), (None, None));
+        assert_eq!(
+            (selected.min_ray_ratio(of("single")), of("single").min_ray_ratio(selected)),
+            (None, None)
+        );
     }
 }

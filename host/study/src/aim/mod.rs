@@ -21,15 +21,15 @@ pub mod time;
 
 /// What was aimed at, and what came of it.
 #[derive(Clone, Debug, Serialize)]
-pub struct Aimed {
+pub struct AimResult {
     /// The settings that were taken.
     #[serde(skip)]
-    pub taken: Settings,
+    pub settings: Settings,
     /// Whether it is kept, as far as that is known.
     pub kept: bool,
     /// What was asked for, estimated and found.
     #[serde(flatten)]
-    pub target: Target,
+    pub target: AimTarget,
     /// Why these settings.
     pub why: String,
 }
@@ -37,7 +37,7 @@ pub struct Aimed {
 /// What was asked for, and what was found.
 #[derive(Clone, Debug, Serialize)]
 #[serde(tag = "target", rename_all = "snake_case")]
-pub enum Target {
+pub enum AimTarget {
     /// A largest error.
     Error {
         /// It.

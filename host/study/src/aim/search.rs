@@ -4,14 +4,14 @@ use strahl_core::Limits;
 use strahl_engine::{Progress, RenderError, RenderOptions};
 use strahl_settings::{ConfidenceSettings, SamplerSettings, Settings};
 
-use super::candidates::Rays;
-use super::sparse::Sparse;
+use super::candidates::SamplingStrategy;
+use super::sparse::SparsePixels;
 use crate::cost_model::WEIGHTS;
 use strahl_session::{RenderOutput, Session};
 
 /// What is not to be changed.
 #[derive(Clone, Copy, Debug, Default)]
-pub struct Fixed {
+pub struct FixedSettings {
     /// Levels.
     pub levels: bool,
     /// The cutoff.
@@ -24,76 +24,76 @@ pub struct Fixed {
 
 /// What is asked for.
 #[derive(Clone, Copy, Debug)]
-pub struct Goal {
+pub struct ErrorTarget {
     /// The largest error.
-    pub error: f64,
+    pub max_error: f64,
     /// What stays as it is.
-    pub fixed: Fixed,
+    pub fixed: FixedSettings,
     /// Whether the true error is to be measured.
     pub verify: bool,
 }
 
 /// Levels, cutoff and rays.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Candidate {
+pub struct QualitySettings {
     /// Levels and cutoff.
     pub limits: Limits,
     /// Rays in a pixel, and which pixels.
-    pub rays: Rays,
+    pub rays: SamplingStrategy,
 }
 
-impl Candidate {
+impl QualitySettings {
     /// The same settings with these.
-    pub fn apply(self, settings: &Settings) -> Settings {
-        self.rays.apply(settings).with_limits(self.limits)
+    pub fn apply_to(self, settings: &Settings) -> Settings {
+        self.rays.apply_to(settings).with_limits(self.limits)
     }
 }
 
 /// A search on a sample of pixels.
-pub struct Search<'s> {
+pub struct SettingsSearch<'s> {
     session: &'s Session<'s>,
     /// The settings that are asked for.
     pub settings: &'s Settings,
     options: RenderOptions<'s>,
     /// What is aimed at.
-    pub goal: Goal,
+    pub target: ErrorTarget,
     progress: &'s dyn Progress,
     /// The sample.
-    pub sparse: Sparse,
+    pub sparse: SparsePixels,
     /// How many settings were tried.
-    pub tried: usize,
+    pub evaluated: usize,
 }
 
-impl<'s> Search<'s> {
+impl<'s> SettingsSearch<'s> {
     /// For the pixels that are requested.
     pub fn new(
         session: &'s Session<'s>,
         settings: &'s Settings,
         options: RenderOptions<'s>,
-        goal: Goal,
+        goal: ErrorTarget,
         progress: &'s dyn Progress,
     ) -> Self {
-        let sparse = Sparse::new(settings, &options);
-        Search { session, settings, options, goal, progress, sparse, tried: 0 }
+        let sparse = SparsePixels::new(settings, &options);
+        SettingsSearch { session, settings, options, target: goal, progress, sparse, evaluated: 0 }
     }
 
     /// Traces the sample; its cost in instructions.
-    pub fn trace(&mut self, candidate: Candidate) -> Result<(RenderOutput, f64), RenderError> {
-        self.tried += 1;
+    pub fn evaluate(&mut self, candidate: QualitySettings) -> Result<(RenderOutput, f64), RenderError> {
+        self.evaluated += 1;
         let cost_map = self.sparse.cost_map();
-        let options = RenderOptions { cost_map: Some(&cost_map), ..self.sampled() };
-        let output = self.session.render(&candidate.apply(self.settings), &options, self.progress)?;
-        let cost = WEIGHTS.work_of_map(&cost_map, output.accelerator.choice.kind);
+        let options = RenderOptions { cost_map: Some(&cost_map), ..self.sparse_options() };
+        let output = self.session.render(&candidate.apply_to(self.settings), &options, self.progress)?;
+        let cost = WEIGHTS.map_instructions(&cost_map, output.accelerator.choice.kind);
         Ok((output, cost))
     }
 
     /// Traces the sample as the reference has it.
-    pub fn trace_reference(&self, limits: Limits) -> Result<RenderOutput, RenderError> {
-        let reference = reference(self.settings, limits, self.goal.error, 0);
-        self.session.render(&reference, &self.sampled(), self.progress)
+    pub fn render_reference(&self, limits: Limits) -> Result<RenderOutput, RenderError> {
+        let reference = reference_settings(self.settings, limits, self.target.max_error, 0);
+        self.session.render(&reference, &self.sparse_options(), self.progress)
     }
 
-    fn sampled(&self) -> RenderOptions<'_> {
+    fn sparse_options(&self) -> RenderOptions<'_> {
         RenderOptions { mask: Some(self.sparse.mask()), ..self.options }
     }
 }
@@ -110,7 +110,7 @@ const NOISE_SHARE: f64 = 0.5;
 
 /// The settings of high quality with which a picture of this target error is compared. Its random numbers have nothing to
 /// do with those of the picture; `other` gives others again.
-pub fn reference(settings: &Settings, limits: Limits, target: f64, other: u32) -> Settings {
+pub fn reference_settings(settings: &Settings, limits: Limits, target: f64, other: u32) -> Settings {
     let confidence =
         ConfidenceSettings { confidence: CONFIDENCE_LEVEL, tolerance: (NOISE_SHARE * target) as f32 };
     let settings = Settings {

@@ -15,52 +15,52 @@ use strahl_picture::{Picture, PictureFormat};
 use strahl_scene::description::LoadedScene;
 use strahl_settings::{ConfidenceSettings, ContrastSettings, SamplerSettings, SelectionSettings, Settings};
 
-use super::{Aimed, Target};
+use super::{AimResult, AimTarget};
 use strahl_session::{RenderOutput, SceneStorage, Session};
 
 /// When the picture must be written.
 #[derive(Clone, Copy, Debug)]
-pub struct Limit {
+pub struct TimeLimit {
     /// When the program began.
-    pub begun: Instant,
+    pub start: Instant,
     /// The time that there is.
-    pub time: Duration,
+    pub duration: Duration,
     /// As what it is written.
     pub format: PictureFormat,
 }
 
 /// Traces as good a picture as is written in time.
-pub fn trace(
+pub fn render_in_time(
     description: &LoadedScene,
     settings: &Settings,
     options: &RenderOptions<'_>,
-    limit: Limit,
+    limit: TimeLimit,
     progress: &dyn Progress,
-) -> Result<(RenderOutput, Aimed), RenderError> {
-    let mut clock = Clock::new(limit, settings);
+) -> Result<(RenderOutput, AimResult), RenderError> {
+    let mut clock = DeadlineScheduler::new(limit, settings);
     let mut storage = SceneStorage::new(description, settings.precision);
     let session = Session::new(&mut storage, &settings.acceleration())?;
     let output = session.refine(settings, options, progress, &mut clock)?;
-    let pass = clock.last.unwrap_or(COARSEST);
+    let pass = clock.last.unwrap_or(COARSEST_PASS);
     let taken = Settings { sampler: pass.sampler, select: pass.select, ..settings.clone() };
     let why = clock.why(&taken);
-    let target = Target::Time {
-        asked: limit.time.as_secs_f64(),
-        passes: clock.passes,
-        given_up: clock.begun > clock.passes,
+    let target = AimTarget::Time {
+        asked: limit.duration.as_secs_f64(),
+        passes: clock.completed_passes,
+        given_up: clock.started_passes > clock.completed_passes,
     };
-    Ok((output, Aimed { taken, kept: true, target, why }))
+    Ok((output, AimResult { settings: taken, kept: true, target, why }))
 }
 
 /// Everything between two pixels that are this far apart is guessed.
-const fn coarse(step: u32, threshold: f32) -> Pass {
+const fn coarse_pass(step: u32, threshold: f32) -> Pass {
     let agreement = ContrastSettings { threshold, items: false };
     let select = Some(SelectionSettings { step, contrast: agreement });
     Pass { sampler: SamplerSettings::Single, select, until: None }
 }
 
 /// Takes no time at all, but where the tree of a single ray does.
-const COARSEST: Pass = coarse(64, 1.0);
+const COARSEST_PASS: Pass = coarse_pass(64, 1.0);
 
 /// How many times the time that there is the coarsest pass may take, and the least time that it has. A
 /// picture that is late is better than none; but one that never comes is not.
@@ -69,8 +69,13 @@ const FIRST_MAY_TAKE: u32 = 4;
 const FIRST_HAS: Duration = Duration::from_secs(1);
 
 /// Before all pixels are traced, the finer the later.
-const RASTERS: [Pass; 5] =
-    [coarse(16, 1.0), coarse(8, 1.0), coarse(8, 0.1), coarse(4, 0.05), coarse(2, 0.02)];
+const RASTERS: [Pass; 5] = [
+    coarse_pass(16, 1.0),
+    coarse_pass(8, 1.0),
+    coarse_pass(8, 0.1),
+    coarse_pass(4, 0.05),
+    coarse_pass(2, 0.02),
+];
 
 /// The least samples of a pixel, where there is time for more than one: the largest of these that
 /// leaves time for more where it is needed.
@@ -95,34 +100,34 @@ const GROWTH: f64 = 3.0;
 /// A time that is left, as a part of all time, in which nothing more is begun.
 const NOTHING: f64 = 0.03;
 
-struct Clock {
-    limit: Limit,
+struct DeadlineScheduler {
+    limit: TimeLimit,
     size: strahl_core::Resolution,
     last: Option<Pass>,
-    passes: usize,
+    completed_passes: usize,
     /// Passes that were begun.
-    begun: usize,
+    started_passes: usize,
     /// Rays through the picture in a second.
-    speed: f64,
+    rays_per_second: f64,
     /// Rays of samples.
     rays: u64,
     /// Seconds that it takes to write the picture.
-    writing: f64,
+    write_seconds: f64,
     rasters: std::slice::Iter<'static, Pass>,
     is_finest: bool,
 }
 
-impl Clock {
-    fn new(limit: Limit, settings: &Settings) -> Self {
-        Clock {
+impl DeadlineScheduler {
+    fn new(limit: TimeLimit, settings: &Settings) -> Self {
+        DeadlineScheduler {
             limit,
             size: settings.picture_size(),
             last: None,
-            passes: 0,
-            begun: 0,
-            speed: 0.0,
+            completed_passes: 0,
+            started_passes: 0,
+            rays_per_second: 0.0,
             rays: 0,
-            writing: 0.0,
+            write_seconds: 0.0,
             rasters: RASTERS.iter(),
             is_finest: false,
         }
@@ -130,9 +135,9 @@ impl Clock {
 
     /// When tracing must end, so that the picture is written in time.
     fn end(&self) -> Instant {
-        let time = self.limit.time.as_secs_f64();
-        let tracing = (time - 1.3 * self.writing - 0.005 - 0.01 * time).max(0.0);
-        self.limit.begun + Duration::from_secs_f64(tracing)
+        let time = self.limit.duration.as_secs_f64();
+        let tracing = (time - 1.3 * self.write_seconds - 0.005 - 0.01 * time).max(0.0);
+        self.limit.start + Duration::from_secs_f64(tracing)
     }
 
     /// Seconds until then.
@@ -142,7 +147,7 @@ impl Clock {
 
     /// Rays for which there is time.
     fn affordable(&self) -> f64 {
-        self.speed * self.left()
+        self.rays_per_second * self.left()
     }
 
     /// What comes after all pixels have been traced once.
@@ -184,7 +189,9 @@ impl Clock {
             None => taken.sampler.to_string(),
         };
         match self.last {
-            Some(pass) if pass == COARSEST => format!("{what}: the coarsest, there was no time for more"),
+            Some(pass) if pass == COARSEST_PASS => {
+                format!("{what}: the coarsest, there was no time for more")
+            }
             _ if self.is_finest => format!("{what}: finer makes no difference that can be seen"),
             _ => format!("{what}: the finest that was complete in time"),
         }
@@ -203,16 +210,16 @@ fn rounded(tolerance: f64) -> f32 {
     format!("{:.7}", libm::ceil(tolerance / step) * step).parse().unwrap_or(1.0)
 }
 
-impl Scheduler for Clock {
+impl Scheduler for DeadlineScheduler {
     fn next(&mut self, outlook: &Outlook<'_>) -> Option<Pass> {
-        self.begun += 1;
+        self.started_passes += 1;
         let Some(last) = self.last else {
-            let latest = self.limit.begun + (FIRST_MAY_TAKE * self.limit.time).max(FIRST_HAS);
-            return Some(Pass { until: Some(latest), ..COARSEST });
+            let latest = self.limit.start + (FIRST_MAY_TAKE * self.limit.duration).max(FIRST_HAS);
+            return Some(Pass { until: Some(latest), ..COARSEST_PASS });
         };
         let until = Some(self.end());
-        if self.left() <= NOTHING * self.limit.time.as_secs_f64() {
-            self.begun -= 1;
+        if self.left() <= NOTHING * self.limit.duration.as_secs_f64() {
+            self.started_passes -= 1;
             return None;
         }
         if outlook.missing > 0 && last.select.is_some() {
@@ -224,17 +231,17 @@ impl Scheduler for Clock {
         match self.samples(outlook) {
             Some(pass) => Some(Pass { until, ..pass }),
             None => {
-                self.begun -= 1;
+                self.started_passes -= 1;
                 None
             }
         }
     }
 
     fn done(&mut self, pass: &Pass, stats: PassStats, picture: Vec<Rgb>) {
-        self.passes += 1;
+        self.completed_passes += 1;
         // A few rays tell no speed.
         if stats.rays > 0 && stats.seconds > 0.0 {
-            self.speed = stats.rays as f64 / stats.seconds;
+            self.rays_per_second = stats.rays as f64 / stats.seconds;
         }
         let is_new = match (self.last, pass.sampler) {
             (None, _) | (_, SamplerSettings::Single) => true,
@@ -246,11 +253,11 @@ impl Scheduler for Clock {
         };
         self.last = Some(Pass { until: None, ..*pass });
         // How long it takes to write such a picture, where there is time to find out.
-        if is_new && self.left() > 4.0 * self.writing {
+        if is_new && self.left() > 4.0 * self.write_seconds {
             let clock = Instant::now();
             let written = self.limit.format.encode(&Picture { size: self.size, colors: picture });
             debug_assert!(written.is_ok());
-            self.writing = clock.elapsed().as_secs_f64();
+            self.write_seconds = clock.elapsed().as_secs_f64();
         }
     }
 }

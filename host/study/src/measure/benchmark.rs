@@ -14,9 +14,9 @@ use strahl_scene::effects::disable;
 use strahl_settings::Settings;
 
 use super::plan::time;
-use crate::cost_model::{WEIGHTS, recorded};
-use crate::record::words;
-use crate::record::{Errors, Role, Run, RunSettings};
+use crate::cost_model::{WEIGHTS, event_counts};
+use crate::record::command_line;
+use crate::record::{ErrorMetrics, RunRole, RunSettings, StudyRun};
 use strahl_session::RenderOutput;
 
 /// Told what a study measures and how much time is left; it may stop the study.
@@ -31,7 +31,7 @@ pub trait StudyProgress: Progress {
 impl StudyProgress for NoProgress {}
 
 /// One scene at one size, and a clock.
-pub struct Bench<'b> {
+pub struct Benchmark<'b> {
     /// The scene.
     pub scene: &'b LoadedScene,
     /// The size of all pictures.
@@ -39,7 +39,7 @@ pub struct Bench<'b> {
     /// Told how far it is.
     pub progress: &'b dyn StudyProgress,
     /// When it began.
-    pub begun: Instant,
+    pub start: Instant,
     /// How long all of it may take.
     pub limit: Option<Duration>,
     /// Seconds that tables and accelerator take before anything is traced.
@@ -47,16 +47,16 @@ pub struct Bench<'b> {
 }
 
 /// A setting that was traced.
-pub struct Taken {
+pub struct Measurement {
     /// Which.
-    pub options: Settings,
+    pub settings: Settings,
     /// What it took; its errors are still to be measured.
-    pub run: Run,
+    pub run: StudyRun,
     /// What came of it, until nobody needs it any more.
     pub picture: Option<Picture>,
 }
 
-impl<'b> Bench<'b> {
+impl<'b> Benchmark<'b> {
     /// Pictures of `size`, from now on and until `limit` is over.
     pub fn new(
         scene: &'b LoadedScene,
@@ -64,50 +64,50 @@ impl<'b> Bench<'b> {
         progress: &'b dyn StudyProgress,
         limit: Option<Duration>,
     ) -> Self {
-        Bench { scene, size, progress, begun: Instant::now(), limit, build: Cell::new(0.0) }
+        Benchmark { scene, size, progress, start: Instant::now(), limit, build: Cell::new(0.0) }
     }
 
     /// To make tables and accelerator takes so many seconds: no setting is charged for it.
-    pub(super) fn built(&self, seconds: f64) {
+    pub(super) fn set_build_time(&self, seconds: f64) {
         self.build.set(seconds);
     }
 
     /// Seconds since the study began.
     pub fn elapsed(&self) -> f64 {
-        self.begun.elapsed().as_secs_f64()
+        self.start.elapsed().as_secs_f64()
     }
 
     /// About so many seconds are left.
-    pub(super) fn left(&self, seconds: f64) {
+    pub(super) fn report_seconds_left(&self, seconds: f64) {
         self.progress.time(self.elapsed(), seconds);
     }
 
     /// This share of the time that is given, in seconds.
-    pub fn share(&self, share: f64) -> f64 {
+    pub fn time_share(&self, share: f64) -> f64 {
         self.limit.map_or(f64::INFINITY, |limit| share * limit.as_secs_f64())
     }
 
     /// Traces it once; none where that takes more seconds than `most`, or than are left of all.
     pub fn trace(&self, options: &Settings, most: f64) -> Result<Option<RenderOutput>, RenderError> {
-        self.traced(options, &RenderOptions::COUNT_TESTS, most)
+        self.trace_with_options(options, &RenderOptions::COUNT_TESTS, most)
     }
 
     /// What each pixel costs, row by row; none where no time is left for it.
     pub fn costs(&self, options: &Settings) -> Result<Option<Vec<PixelCost>>, RenderError> {
         let cost_map = CostMap::new(self.size);
         let counting = RenderOptions { cost_map: Some(&cost_map), ..RenderOptions::default() };
-        Ok(self.traced(options, &counting, f64::INFINITY)?.map(|_| cost_map.costs()))
+        Ok(self.trace_with_options(options, &counting, f64::INFINITY)?.map(|_| cost_map.costs()))
     }
 
-    fn traced(
+    fn trace_with_options(
         &self,
         settings: &Settings,
         options: &RenderOptions<'_>,
         most: f64,
     ) -> Result<Option<RenderOutput>, RenderError> {
-        self.progress.measuring(&words(settings));
+        self.progress.measuring(&command_line(settings));
         // Nothing lasts longer than the study may, whatever it is allowed to.
-        let (most, left) = (most + self.build.get(), self.share(time::TRACED) - self.elapsed());
+        let (most, left) = (most + self.build.get(), self.time_share(time::TRACING_END) - self.elapsed());
         let most = if most < left { most } else { left };
         if most <= 0.0 {
             return Ok(None);
@@ -131,28 +131,33 @@ impl<'b> Bench<'b> {
     }
 
     /// Traces it for the first time.
-    pub fn take(&self, role: Role, options: &Settings, most: f64) -> Result<Option<Taken>, RenderError> {
+    pub fn measure(
+        &self,
+        role: RunRole,
+        options: &Settings,
+        most: f64,
+    ) -> Result<Option<Measurement>, RenderError> {
         let Some(frame) = self.trace(options, most)? else { return Ok(None) };
-        let counts = recorded(&frame.counters);
+        let counts = event_counts(&frame.counters);
         let choice = &frame.accelerator.choice;
-        let run = Run {
+        let run = StudyRun {
             role,
             setting: RunSettings::new(options, choice),
             cpu: vec![frame.trace_cpu.as_secs_f64()],
             wall: vec![frame.trace.as_secs_f64()],
             build: frame.build.as_secs_f64(),
-            work: WEIGHTS.work(&counts, choice.kind.name()),
+            work: WEIGHTS.instructions(&counts, choice.kind.name()),
             counts,
-            error: Errors::default(),
+            error: ErrorMetrics::default(),
             cut: frame.counters.cut_fractions(),
             digest: frame.picture.digest().to_hex().to_string(),
         };
-        Ok(Some(Taken { options: options.clone(), run, picture: Some(frame.picture) }))
+        Ok(Some(Measurement { settings: options.clone(), run, picture: Some(frame.picture) }))
     }
 
     /// Traces it once more.
-    pub fn repeat(&self, taken: &mut Taken) -> Result<(), RenderError> {
-        if let Some(frame) = self.trace(&taken.options, f64::INFINITY)? {
+    pub fn repeat(&self, taken: &mut Measurement) -> Result<(), RenderError> {
+        if let Some(frame) = self.trace(&taken.settings, f64::INFINITY)? {
             taken.run.cpu.push(frame.trace_cpu.as_secs_f64());
             taken.run.wall.push(frame.trace.as_secs_f64());
         }
@@ -161,12 +166,12 @@ impl<'b> Bench<'b> {
 }
 
 /// How far a picture is from another of the same size.
-pub fn errors(picture: &Picture, truth: &Picture) -> Errors {
+pub fn error_metrics(picture: &Picture, truth: &Picture) -> ErrorMetrics {
     let size = picture.size;
-    let pair = pair(picture, truth);
+    let pair = picture_pair(picture, truth);
     let measures = pair.measure(size.width() as usize, Limit::Identical);
     let pixels = picture.colors.len().max(1) as f64;
-    Errors {
+    ErrorMetrics {
         rmse: (measures.squares / (3.0 * pixels)).sqrt(),
         largest: measures.peak.difference,
         beyond: measures.beyond as f64 / pixels,
@@ -175,12 +180,12 @@ pub fn errors(picture: &Picture, truth: &Picture) -> Errors {
 }
 
 /// Two pictures, to be held against each other.
-pub fn pair(picture: &Picture, truth: &Picture) -> Pair {
+pub fn picture_pair(picture: &Picture, truth: &Picture) -> Pair {
     Pair::of(PixelValues::Linear(picture.colors.clone()), PixelValues::Linear(truth.colors.clone()))
 }
 
 /// The mean of two pictures of the same size.
-pub fn mean(a: &Picture, b: &Picture) -> Picture {
+pub fn mean_picture(a: &Picture, b: &Picture) -> Picture {
     let half = |(a, b): (&Rgb, &Rgb)| (*a + *b) * 0.5;
     Picture { size: a.size, colors: a.colors.iter().zip(&b.colors).map(half).collect() }
 }

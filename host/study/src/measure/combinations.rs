@@ -2,11 +2,11 @@
 
 use strahl_settings::Settings;
 
-use super::combination_search::{Hunt, Notch};
-use super::measurements::{Measurements, NO_TIME, ReferencePicture};
+use super::combination_search::{CombinationSearch, ParameterLevel};
+use super::measurements::{Measurements, NO_TIME_LEFT, ReferencePicture};
 use super::plan::time;
 use crate::error::StudyError;
-use crate::record::{Role, Step};
+use crate::record::{RunRole, SweepPoint};
 
 /// The knobs that are mixed.
 const KNOBS: [&str; 4] = ["levels", "cutoff", "sampler", "select"];
@@ -17,46 +17,56 @@ pub(super) fn all(
     best: usize,
     reference: &ReferencePicture,
 ) -> Result<(), StudyError> {
-    let (base, work) = (measured.taken[best].options.clone(), measured.taken[best].run.work.max(1.0));
-    let single = measured.taken[best].run.wall[0];
+    let (base, work) =
+        (measured.measurements[best].settings.clone(), measured.measurements[best].run.work.max(1.0));
+    let single = measured.measurements[best].run.wall[0];
     let (runs, notches): (Vec<_>, Vec<_>) =
         KNOBS.map(|name| turned(measured, name, best, work)).into_iter().unzip();
     let is_new = |places: &[usize]| {
         let options = mixed(measured, &base, &runs, places);
-        measured.taken.iter().all(|taken| taken.options != options)
+        measured.measurements.iter().all(|taken| taken.settings != options)
     };
-    let mut hunt = Hunt::new(&notches, work, is_new);
-    for _ in 0..measured.plan.mixes {
-        let Some(mix) = hunt.next(&measured.points().1) else { break };
-        let options = mixed(measured, &base, &runs, &mix.places);
-        let seconds = single * mix.foretold.cost / work;
-        let left = measured.bench.share(time::MIXED) - measured.bench.elapsed();
+    let mut hunt = CombinationSearch::new(&notches, work, is_new);
+    for _ in 0..measured.plan.combinations {
+        let Some(mix) = hunt.next(&measured.accuracy_points().1) else { break };
+        let options = mixed(measured, &base, &runs, &mix.level_indices);
+        let seconds = single * mix.predicted.cost / work;
+        let left = measured.benchmark.time_share(time::COMBINATIONS_END) - measured.benchmark.elapsed();
         if seconds > left {
-            measured.leave(&options, NO_TIME.into());
+            measured.skip(&options, NO_TIME_LEFT.into());
             continue;
         }
-        measured.take(Role::Mix, &options, f64::INFINITY, &reference.picture)?;
-        measured.forget();
+        measured.measure(RunRole::Mix, &options, f64::INFINITY, &reference.picture)?;
+        measured.drop_dominated_pictures();
     }
-    measured.beaten = hunt.beaten;
+    measured.dominated = hunt.dominated;
     Ok(())
 }
 
 /// The runs of a knob that was turned alone, and what its notches do to an error and to `work`.
-fn turned(measured: &Measurements<'_>, name: &str, best: usize, work: f64) -> (Vec<usize>, Vec<Notch>) {
-    let steps = measured.knobs.iter().filter(|knob| knob.name == name).flat_map(|knob| &knob.steps);
-    let notch = |step: &Step| {
-        let share = measured.taken[step.run].run.work / work;
-        (step.run, Notch { error: step.alone.rmse, share })
+fn turned(
+    measured: &Measurements<'_>,
+    name: &str,
+    best: usize,
+    work: f64,
+) -> (Vec<usize>, Vec<ParameterLevel>) {
+    let steps = measured.sweeps.iter().filter(|knob| knob.name == name).flat_map(|knob| &knob.steps);
+    let notch = |step: &SweepPoint| {
+        let share = measured.measurements[step.run].run.work / work;
+        (step.run, ParameterLevel { error: step.alone.rmse, share })
     };
     let (runs, notches): (Vec<_>, Vec<_>) = steps.map(notch).unzip();
     // A knob that cannot be turned has one notch.
-    if runs.is_empty() { (vec![best], vec![Notch { error: 0.0, share: 1.0 }]) } else { (runs, notches) }
+    if runs.is_empty() {
+        (vec![best], vec![ParameterLevel { error: 0.0, share: 1.0 }])
+    } else {
+        (runs, notches)
+    }
 }
 
 /// `base` with all knobs turned: each to the notch that its run at that place has.
 fn mixed(measured: &Measurements<'_>, base: &Settings, runs: &[Vec<usize>], places: &[usize]) -> Settings {
-    let of = |knob: usize| &measured.taken[runs[knob][places[knob]]].options;
+    let of = |knob: usize| &measured.measurements[runs[knob][places[knob]]].settings;
     Settings {
         levels: of(0).levels,
         cutoff: of(1).cutoff,

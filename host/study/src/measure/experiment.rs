@@ -9,19 +9,19 @@
 
 use strahl_settings::{Effect, SamplerSettings, Settings};
 
-use super::benchmark::{Taken, errors, mean};
+use super::benchmark::{Measurement, error_metrics, mean_picture};
 use super::combinations;
-use super::measurements::{Measurements, ReferencePicture, judge};
-use super::plan::coarse;
-use super::plan::{FINER, finer, time};
+use super::measurements::{Measurements, ReferencePicture, set_error};
+use super::plan::one_ray_per_pixel;
+use super::plan::{REFERENCE_SAMPLE_FACTOR, next_finer_limits, time};
 use super::resolution;
 use super::sweeps;
 use super::techniques;
 use crate::error::StudyError;
-use crate::record::{Reference, Role, RunSettings};
+use crate::record::{ReferenceRecord, RunRole, RunSettings};
 
 /// No step towards the limits of the reference takes longer than this, in seconds, in a plan without end.
-const MINUTE: f64 = 60.0;
+const MAX_STEP_SECONDS: f64 = 60.0;
 
 /// Measures a scene whose own settings are `own`, and which asks for `asks`.
 pub fn run(
@@ -31,10 +31,10 @@ pub fn run(
 ) -> Result<ReferencePicture, StudyError> {
     let best = limits(measured, own)?;
     let reference_picture = reference(measured, best, own)?;
-    for taken in &mut measured.taken {
-        judge(taken, &reference_picture.picture);
+    for taken in &mut measured.measurements {
+        set_error(taken, &reference_picture.picture);
     }
-    measured.take(Role::Own, own, f64::INFINITY, &reference_picture.picture)?;
+    measured.measure(RunRole::Own, own, f64::INFINITY, &reference_picture.picture)?;
     sweeps::levels(measured, best, &reference_picture)?;
     sweeps::cutoffs(measured, best, &reference_picture)?;
     sweeps::samplers(measured, best, &reference_picture)?;
@@ -51,11 +51,12 @@ pub fn run(
 /// Measures nothing but the techniques, and `repeats` times in all; there is no reference, so the errors of
 /// runs are those against the picture of `own`.
 pub fn evaluate(measured: &mut Measurements<'_>, own: &Settings) -> Result<(), StudyError> {
-    let begun = measured.bench.elapsed();
-    let frame = measured.bench.trace(own, f64::INFINITY)?;
+    let begun = measured.benchmark.elapsed();
+    let frame = measured.benchmark.trace(own, f64::INFINITY)?;
     let frame = frame.ok_or_else(|| StudyError::TooShort("the picture takes too long".into()))?;
     let setting = RunSettings::new(own, &frame.accelerator.choice);
-    let reference = Reference { setting, noise: 0.0, cut: 0.0, seconds: measured.bench.elapsed() - begun };
+    let reference =
+        ReferenceRecord { setting, noise: 0.0, cut: 0.0, seconds: measured.benchmark.elapsed() - begun };
     techniques::all(measured, own, &ReferencePicture { picture: frame.picture, reference })?;
     measured.repeat()
 }
@@ -63,29 +64,32 @@ pub fn evaluate(measured: &mut Measurements<'_>, own: &Settings) -> Result<(), S
 /// Goes from the scene's own levels and cutoff to finer ones, until nothing is cut or a reference with them
 /// would take too long; the place of the finest.
 fn limits(measured: &mut Measurements<'_>, own: &Settings) -> Result<usize, StudyError> {
-    let coarse = coarse(own);
-    let seconds = measured.bench.share(time::REFERENCE);
+    let coarse = one_ray_per_pixel(own);
+    let seconds = measured.benchmark.time_share(time::REFERENCE);
     let first = measured
-        .bench
-        .take(Role::Knob, &coarse, seconds)?
-        .ok_or_else(|| resolution::short(measured.bench, None))?;
-    measured.taken.push(first);
+        .benchmark
+        .measure(RunRole::Knob, &coarse, seconds)?
+        .ok_or_else(|| resolution::too_short_error(measured.benchmark, None))?;
+    measured.measurements.push(first);
     // Finer limits are worth nothing where too few rays are left for each pixel to hold any sampler against.
-    let most = measured.bounded(time::REFERENCE) / f64::from(FINER * measured.plan.fewest(own));
-    let most = if most < MINUTE { most } else { MINUTE };
+    let most = measured.bounded(time::REFERENCE)
+        / f64::from(REFERENCE_SAMPLE_FACTOR * measured.plan.min_reference_samples(own));
+    let most = if most < MAX_STEP_SECONDS { most } else { MAX_STEP_SECONDS };
     let (mut best, mut may) = (0, [true; 2]);
-    while let Some((which, limits)) =
-        finer(measured.taken[best].options.limits(), measured.taken[best].run.cut, may)
-    {
+    while let Some((which, limits)) = next_finer_limits(
+        measured.measurements[best].settings.limits(),
+        measured.measurements[best].run.cut,
+        may,
+    ) {
         let options = coarse.clone().with_limits(limits);
-        match measured.bench.take(Role::Knob, &options, most)? {
+        match measured.benchmark.measure(RunRole::Knob, &options, most)? {
             Some(taken) => {
-                measured.taken.push(taken);
-                best = measured.taken.len() - 1;
+                measured.measurements.push(taken);
+                best = measured.measurements.len() - 1;
             }
             None => {
                 may[which] = false;
-                measured.leave(
+                measured.skip(
                     &options,
                     format!("given up after {most:.2} s: a reference like this takes too long"),
                 );
@@ -93,12 +97,12 @@ fn limits(measured: &mut Measurements<'_>, own: &Settings) -> Result<usize, Stud
         }
     }
     // Where the cutoff cuts nothing the same rays are sent without any.
-    let Taken { options, run, .. } = &measured.taken[best];
+    let Measurement { settings: options, run, .. } = &measured.measurements[best];
     if run.cut[1] == 0.0 && options.cutoff > 0.0 {
         let options = Settings { cutoff: 0.0, ..options.clone() };
-        if let Some(taken) = measured.bench.take(Role::Knob, &options, 3.0 * most)? {
-            measured.taken.push(taken);
-            best = measured.taken.len() - 1;
+        if let Some(taken) = measured.benchmark.measure(RunRole::Knob, &options, 3.0 * most)? {
+            measured.measurements.push(taken);
+            best = measured.measurements.len() - 1;
         }
     }
     Ok(best)
@@ -111,16 +115,16 @@ fn reference(
     best: usize,
     own: &Settings,
 ) -> Result<ReferencePicture, StudyError> {
-    let begun = measured.bench.elapsed();
-    let (fewest, seconds) = (measured.plan.fewest(own), measured.bounded(time::REFERENCE));
-    let Taken { options: finest, run, .. } = &measured.taken[best];
+    let begun = measured.benchmark.elapsed();
+    let (fewest, seconds) = (measured.plan.min_reference_samples(own), measured.bounded(time::REFERENCE));
+    let Measurement { settings: finest, run, .. } = &measured.measurements[best];
     let (finest, single) = (finest.clone(), run.wall[0]);
-    let samples = measured.plan.samples(fewest, single, seconds);
-    let rays = measured.plan.rays(own.filter, samples);
-    measured.foretold = begun + single * (f64::from(samples) + rays * measured.plan.repeats as f64);
-    measured.bench.left(measured.ahead());
+    let samples = measured.plan.reference_samples(fewest, single, seconds);
+    let rays = measured.plan.total_rays_per_pixel(own.filter, samples);
+    measured.expected_seconds = begun + single * (f64::from(samples) + rays * measured.plan.repeats as f64);
+    measured.benchmark.report_seconds_left(measured.seconds_left());
     // As well as it was meant, with as few rays as may be, and as coarse as may be.
-    let mut tries = vec![(finest.clone(), samples), (finest, fewest), (coarse(own), fewest)];
+    let mut tries = vec![(finest.clone(), samples), (finest, fewest), (one_ray_per_pixel(own), fewest)];
     tries.dedup();
     for (options, samples) in tries {
         let of = |seed| Settings {
@@ -128,22 +132,22 @@ fn reference(
             seed,
             ..options.clone()
         };
-        let left = || measured.bench.share(time::PATIENCE) - measured.bench.elapsed();
+        let left = || measured.benchmark.time_share(time::REFERENCE_MAX) - measured.benchmark.elapsed();
         // Half of the time for each; a first that takes longer than that is not waited for.
-        let Some(one) = measured.bench.trace(&of(1), 0.5 * left())? else { continue };
-        let Some(other) = measured.bench.trace(&of(2), left())? else { continue };
+        let Some(one) = measured.benchmark.trace(&of(1), 0.5 * left())? else { continue };
+        let Some(other) = measured.benchmark.trace(&of(2), left())? else { continue };
         let cut = one.counters.cut_fractions();
-        let reference = Reference {
+        let reference = ReferenceRecord {
             setting: RunSettings::new(&of(1), &one.accelerator.choice),
             // The mean of two has half of the variance of their difference, halved again.
-            noise: 0.5 * errors(&one.picture, &other.picture).rmse,
+            noise: 0.5 * error_metrics(&one.picture, &other.picture).rmse,
             cut: cut[0] + cut[1],
-            seconds: measured.bench.elapsed() - begun,
+            seconds: measured.benchmark.elapsed() - begun,
         };
-        return Ok(ReferencePicture { picture: mean(&one.picture, &other.picture), reference });
+        return Ok(ReferencePicture { picture: mean_picture(&one.picture, &other.picture), reference });
     }
     // Foretold too well: at least twice the time.
     let enough = 1.5 * single * f64::from(fewest) / time::REFERENCE;
-    let twice = measured.bench.share(2.0);
-    Err(resolution::short(measured.bench, Some(if enough > twice { enough } else { twice })))
+    let twice = measured.benchmark.time_share(2.0);
+    Err(resolution::too_short_error(measured.benchmark, Some(if enough > twice { enough } else { twice })))
 }

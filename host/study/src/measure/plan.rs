@@ -5,7 +5,7 @@ use strahl_settings::{ContrastSettings, Filter, Precision, SamplerSettings, Sele
 
 /// How thorough a study is.
 #[derive(Clone, Copy, Debug)]
-pub struct Plan {
+pub struct StudyPlan {
     /// Its name.
     pub name: &'static str,
     /// Samples in a pixel of the reference, at least and at most.
@@ -17,13 +17,13 @@ pub struct Plan {
     /// Depths and thresholds of the adaptive sampler.
     pub adaptive: &'static [(u8, f32)],
     /// Least and most samples, confidence and tolerance of the sampler that stops by itself.
-    pub stopping: &'static [&'static str],
+    pub stochastic_stopping: &'static [&'static str],
     /// One divided by the cutoffs.
     pub cutoffs: &'static [u16],
     /// Steps and thresholds of pixel selection.
     pub selections: &'static [(u32, f32)],
     /// The most settings in which several knobs are turned.
-    pub mixes: usize,
+    pub combinations: usize,
     /// The most repetitions.
     pub repeats: usize,
 }
@@ -33,13 +33,13 @@ pub const LEVELS: [u8; 15] = [1, 2, 3, 4, 5, 6, 8, 10, 12, 16, 20, 24, 32, 48, 6
 
 /// Cutoffs that are tried, until they cut nothing. The last is next to none: a ray of this weight changes no bit
 /// of a picture of eight bits, nor do hundreds.
-pub const FINE_CUTOFFS: [f32; 4] = [1.0 / 64.0, 1.0 / 512.0, 1.0 / 4096.0, 1.0 / 65536.0];
+pub const REFERENCE_CUTOFFS: [f32; 4] = [1.0 / 64.0, 1.0 / 512.0, 1.0 / 4096.0, 1.0 / 65536.0];
 
 /// A share of the light that is as good as none.
-pub const NEXT_TO_NOTHING: f64 = 1e-4;
+pub const NEGLIGIBLE_SHARE: f64 = 1e-4;
 
 /// The reference has at least this many times the samples of what is held against it.
-pub const FINER: u32 = 4;
+pub const REFERENCE_SAMPLE_FACTOR: u32 = 4;
 
 /// Shares of the time that is given.
 pub(super) mod time {
@@ -48,49 +48,49 @@ pub(super) mod time {
     /// For the reference.
     pub const REFERENCE: f64 = 0.28;
     /// The most for it, where it takes longer than foretold.
-    pub const PATIENCE: f64 = 0.6;
+    pub const REFERENCE_MAX: f64 = 0.6;
     /// For one setting.
     pub const SETTING: f64 = 0.05;
     /// For one technique.
     pub const TECHNIQUE: f64 = 0.05;
     /// Until mixtures end.
-    pub const MIXED: f64 = 0.72;
+    pub const COMBINATIONS_END: f64 = 0.72;
     /// Until everything ends but the maps of costs and the page.
-    pub const MEASURED: f64 = 0.9;
+    pub const MEASURING_END: f64 = 0.9;
     /// Until nothing is traced any more.
-    pub const TRACED: f64 = 0.96;
+    pub const TRACING_END: f64 = 0.96;
 }
 
-impl Plan {
+impl StudyPlan {
     /// Under a minute for 256 x 256 pixels on two cores.
-    pub const QUICK: Plan = Plan {
+    pub const QUICK: StudyPlan = StudyPlan {
         name: "quick",
         reference: [32, 1024],
         stochastic: &[4, 16, 64],
         regular: &[2, 3, 4, 6],
         adaptive: &[(0, 0.0), (2, 0.1), (3, 0.05)],
-        stopping: &["stochastic:4..64:0.9:0.02"],
+        stochastic_stopping: &["stochastic:4..64:0.9:0.02"],
         cutoffs: &[8, 32, 128, 512],
         selections: &[(8, 0.1), (4, 0.05)],
-        mixes: 16,
+        combinations: 16,
         repeats: 5,
     };
 
     /// As long as it takes.
-    pub const FULL: Plan = Plan {
+    pub const FULL: StudyPlan = StudyPlan {
         name: "full",
         reference: [256, 4096],
         stochastic: &[2, 4, 8, 16, 32, 64, 128, 256],
         regular: &[2, 3, 4, 5, 6, 8, 12],
         adaptive: &[(0, 0.0), (1, 0.1), (2, 0.1), (2, 0.03), (3, 0.1), (3, 0.03), (4, 0.05), (4, 0.01)],
-        stopping: &[
+        stochastic_stopping: &[
             "stochastic:4..64:0.9:0.02",
             "stochastic:8..256:0.9:0.01",
             "stochastic:16..256:0.95:0.005",
         ],
         cutoffs: &[4, 8, 16, 32, 64, 128, 256, 512, 1024, 4096],
         selections: &[(16, 0.1), (8, 0.1), (4, 0.1), (4, 0.05), (2, 0.05), (2, 0.02)],
-        mixes: 60,
+        combinations: 60,
         repeats: 9,
     };
 
@@ -108,9 +108,9 @@ impl Plan {
             )
         });
         let stochastic = self.stochastic.iter().map(|n| (SamplerSettings::stochastic(*n), f64::from(*n)));
-        let stopping = self.stopping.iter().filter_map(|text| {
+        let stopping = self.stochastic_stopping.iter().filter_map(|text| {
             let sampling: SamplerSettings = text.parse().ok()?;
-            Some((sampling, f64::from(most_of(&sampling)) / 2.0))
+            Some((sampling, f64::from(max_rays_per_pixel(&sampling)) / 2.0))
         });
         let all = regular.chain(adaptive).chain(stochastic).chain(stopping);
         all.filter(|(sampling, _)| filter == Filter::Box || sampling.allows_filter()).collect()
@@ -131,30 +131,32 @@ impl Plan {
     }
 
     /// Rays in a pixel of all settings together, each once, against a reference of so many samples: about.
-    pub fn rays(&self, filter: Filter, samples: u32) -> f64 {
+    pub fn total_rays_per_pixel(&self, filter: Filter, samples: u32) -> f64 {
         let samplers = self.samplers(filter).into_iter();
-        let of_samplers: f64 =
-            samplers.filter(|(it, _)| most_of(it) * FINER <= samples).map(|(_, rays)| rays).sum();
+        let of_samplers: f64 = samplers
+            .filter(|(it, _)| max_rays_per_pixel(it) * REFERENCE_SAMPLE_FACTOR <= samples)
+            .map(|(_, rays)| rays)
+            .sum();
         // Techniques are some sixteen, of which adaptive and stochastic sampling take most.
         const TECHNIQUES: f64 = 70.0;
         // A mixture takes as many as a sampler in the middle.
         const MIXTURE: f64 = 8.0;
         let others = self.cutoffs.len() + self.selections.len();
-        of_samplers + others as f64 + TECHNIQUES + MIXTURE * self.mixes as f64
+        of_samplers + others as f64 + TECHNIQUES + MIXTURE * self.combinations as f64
     }
 
     /// Samples in a pixel of the reference at least: no fewer than the scene's own setting has. A power of
     /// two, for which the sequence is best.
-    pub fn fewest(&self, own: &Settings) -> u32 {
+    pub fn min_reference_samples(&self, own: &Settings) -> u32 {
         let [least, _] = self.reference;
-        let rays = most_of(&own.sampler);
+        let rays = max_rays_per_pixel(&own.sampler);
         let least = if rays > least { rays } else { least };
         least.checked_next_power_of_two().unwrap_or(least)
     }
 
     /// Samples in a pixel of the reference, `fewest` at least, where one in each pixel takes `single` seconds
     /// and all of them may take `seconds`.
-    pub fn samples(&self, fewest: u32, single: f64, seconds: f64) -> u32 {
+    pub fn reference_samples(&self, fewest: u32, single: f64, seconds: f64) -> u32 {
         let [_, most] = self.reference;
         let fits = |samples: u32| f64::from(samples) * single <= seconds;
         let mut samples = fewest;
@@ -167,18 +169,18 @@ impl Plan {
 
 /// The next limits on the way to a reference, from those that cut these shares of the light by their levels and by
 /// their cutoff: whichever cuts more goes a step further, as long as it `may`. None where nothing is cut any more.
-pub fn finer(limits: Limits, cut: [f64; 2], may: [bool; 2]) -> Option<(usize, Limits)> {
+pub fn next_finer_limits(limits: Limits, cut: [f64; 2], may: [bool; 2]) -> Option<(usize, Limits)> {
     let levels = LEVELS.into_iter().find(|levels| *levels > limits.levels);
-    let cutoff = FINE_CUTOFFS.into_iter().find(|cutoff| *cutoff < limits.cutoff);
+    let cutoff = REFERENCE_CUTOFFS.into_iter().find(|cutoff| *cutoff < limits.cutoff);
     let next =
         [levels.map(|levels| Limits { levels, ..limits }), cutoff.map(|cutoff| Limits { cutoff, ..limits })];
-    let open = (0..2).filter(|which| may[*which] && cut[*which] > NEXT_TO_NOTHING);
+    let open = (0..2).filter(|which| may[*which] && cut[*which] > NEGLIGIBLE_SHARE);
     let open = open.filter_map(|which| Some((which, next[which]?)));
     open.max_by(|(a, _), (b, _)| cut[*a].total_cmp(&cut[*b]))
 }
 
 /// The most rays that a sampler without a raster of corners sends through a pixel.
-pub fn most_of(sampling: &SamplerSettings) -> u32 {
+pub fn max_rays_per_pixel(sampling: &SamplerSettings) -> u32 {
     match sampling {
         SamplerSettings::Single => 1,
         SamplerSettings::Regular(n) => u32::from(*n) * u32::from(*n),
@@ -188,7 +190,7 @@ pub fn most_of(sampling: &SamplerSettings) -> u32 {
 }
 
 /// The same levels and cutoff with one ray in each pixel, and nothing else that changes the picture.
-pub fn coarse(settings: &Settings) -> Settings {
+pub fn one_ray_per_pixel(settings: &Settings) -> Settings {
     Settings {
         sampler: SamplerSettings::Single,
         select: None,
@@ -204,10 +206,12 @@ mod tests {
 
     #[test]
     fn every_sampler_of_a_plan_is_one_of_the_command_line() {
-        for plan in [Plan::QUICK, Plan::FULL] {
+        for plan in [StudyPlan::QUICK, StudyPlan::FULL] {
             let all = plan.samplers(Filter::Box);
-            let kinds =
-                plan.stochastic.len() + plan.regular.len() + plan.adaptive.len() + plan.stopping.len();
+            let kinds = plan.stochastic.len()
+                + plan.regular.len()
+                + plan.adaptive.len()
+                + plan.stochastic_stopping.len();
             assert_eq!(all.len(), kinds, "{}", plan.name);
             for (sampling, rays) in &all {
                 assert_eq!(sampling.to_string().parse(), Ok(*sampling));
@@ -220,16 +224,17 @@ mod tests {
 
     #[test]
     fn a_reference_has_as_many_samples_as_its_time_allows() {
-        let plan = Plan { reference: [32, 1024], ..Plan::QUICK };
-        let samples = |seconds| plan.samples(32, 0.1, seconds);
+        let plan = StudyPlan { reference: [32, 1024], ..StudyPlan::QUICK };
+        let samples = |seconds| plan.reference_samples(32, 0.1, seconds);
         assert_eq!([0.0, 6.3, 6.4, 25.0, 30.0, 1e9].map(samples), [32, 32, 64, 128, 256, 1024]);
-        assert_eq!(plan.samples(32, 0.1, f64::INFINITY), 1024);
+        assert_eq!(plan.reference_samples(32, 0.1, f64::INFINITY), 1024);
     }
 
     #[test]
     fn a_reference_has_no_fewer_samples_than_the_scene_asks_for() {
         let fewest = |sampler: &str| {
-            Plan::QUICK.fewest(&Settings { sampler: sampler.parse().unwrap(), ..Settings::default() })
+            StudyPlan::QUICK
+                .min_reference_samples(&Settings { sampler: sampler.parse().unwrap(), ..Settings::default() })
         };
         let samplers = [
             "single",
@@ -241,13 +246,14 @@ mod tests {
         ];
         assert_eq!(samplers.map(fewest), [32, 32, 64, 2048, 256, 128]);
         // The time does not change that.
-        assert_eq!(Plan::QUICK.samples(2048, 1.0, 0.0), 2048);
+        assert_eq!(StudyPlan::QUICK.reference_samples(2048, 1.0, 0.0), 2048);
     }
 
     #[test]
     fn what_cuts_more_goes_further_until_nothing_is_cut() {
         let from = |levels, cutoff| Limits { levels, cutoff };
-        let next = |limits, cut, may| finer(limits, cut, may).map(|(_, it)| (it.levels, it.cutoff));
+        let next =
+            |limits, cut, may| next_finer_limits(limits, cut, may).map(|(_, it)| (it.levels, it.cutoff));
         let (both, own) = ([true, true], from(5, 1.0 / 512.0));
         assert_eq!(next(own, [0.1, 0.01], both), Some((6, 1.0 / 512.0)));
         assert_eq!(next(own, [0.01, 0.1], both), Some((5, 1.0 / 4096.0)));
@@ -259,7 +265,7 @@ mod tests {
         assert_eq!(next(from(7, 0.0), [0.1, 0.0], both), Some((8, 0.0)));
         // However often: never a step back.
         let mut limits = from(2, 0.004);
-        while let Some((_, finer)) = finer(limits, [0.1, 0.2], both) {
+        while let Some((_, finer)) = next_finer_limits(limits, [0.1, 0.2], both) {
             assert!(finer.levels >= limits.levels && finer.cutoff <= limits.cutoff && finer != limits);
             limits = finer;
         }

@@ -8,15 +8,15 @@ use strahl_settings::Effect;
 use strahl_settings::domain::fraction_text;
 use strahl_settings::{SamplerSettings, Settings};
 
-use super::benchmark::{Taken, errors};
+use super::benchmark::{Measurement, error_metrics};
 use super::measurements::{Measurements, ReferencePicture};
-use super::plan::{LEVELS, most_of};
+use super::plan::{LEVELS, max_rays_per_pixel};
 use crate::error::StudyError;
-use crate::record::words;
-use crate::record::{Knob, Run, Step};
+use crate::record::command_line;
+use crate::record::{ParameterSweep, StudyRun, SweepPoint};
 
 /// Samples for effects that need many: enough to see what they do.
-const MANY: u32 = 16;
+const EFFECT_SAMPLES: u32 = 16;
 
 /// The levels from one to those that cut as little as can be.
 pub(super) fn levels(
@@ -24,39 +24,40 @@ pub(super) fn levels(
     best: usize,
     reference: &ReferencePicture,
 ) -> Result<(), StudyError> {
-    let Taken { options: base, run, .. } = &measured.taken[best];
+    let Measurement { settings: base, run, .. } = &measured.measurements[best];
     let (base, seconds, has_more) = (base.clone(), run.wall[0], has_secondary(run));
-    let before = measured.missing();
-    let mut steps: Vec<Step> = Vec::new();
-    let is_whole = |measured: &Measurements<'_>, step: &Step| measured.taken[step.run].run.cut[0] == 0.0;
+    let before = measured.skipped_count();
+    let mut steps: Vec<SweepPoint> = Vec::new();
+    let is_whole =
+        |measured: &Measurements<'_>, step: &SweepPoint| measured.measurements[step.run].run.cut[0] == 0.0;
     for levels in LEVELS.into_iter().filter(|levels| has_more && *levels < base.levels) {
         // The rest would be the same picture.
         if steps.last().is_some_and(|step| is_whole(measured, step)) {
             break;
         }
         let options = Settings { levels, ..base.clone() };
-        if let Some(run) = measured.turn(&options, seconds, &reference.picture)? {
-            let alone = measured.between(run, best).unwrap_or_default();
-            steps.push(Step { value: levels.to_string(), run, alone });
+        if let Some(run) = measured.measure_swept(&options, seconds, &reference.picture)? {
+            let alone = measured.difference(run, best).unwrap_or_default();
+            steps.push(SweepPoint { value: levels.to_string(), run, alone });
         }
     }
     if !steps.last().is_some_and(|step| is_whole(measured, step)) {
-        let alone = measured.between(best, best).unwrap_or_default();
-        steps.push(Step { value: base.levels.to_string(), run: best, alone });
+        let alone = measured.difference(best, best).unwrap_or_default();
+        steps.push(SweepPoint { value: base.levels.to_string(), run: best, alone });
     }
-    measured.knobs.push(Knob {
+    measured.sweeps.push(ParameterSweep {
         name: "levels".into(),
         about: "How many times light may be mirrored or pass a surface before the eye.".into(),
         fixed: format!("--cutoff {} --sampler {}", fraction_text(base.cutoff), base.sampler),
         against: format!("{} levels", base.levels),
         steps,
-        left_out: measured.missing() - before,
+        left_out: measured.skipped_count() - before,
     });
     Ok(())
 }
 
 /// Whether any ray was mirrored or passed a surface: else neither levels nor a cutoff change anything.
-fn has_secondary(run: &Run) -> bool {
+fn has_secondary(run: &StudyRun) -> bool {
     run.counts.rays[1] + run.counts.rays[2] > 0 || run.cut != [0.0; 2]
 }
 
@@ -66,26 +67,26 @@ pub(super) fn cutoffs(
     best: usize,
     reference: &ReferencePicture,
 ) -> Result<(), StudyError> {
-    let Taken { options: base, run, .. } = &measured.taken[best];
+    let Measurement { settings: base, run, .. } = &measured.measurements[best];
     let (base, seconds, has_more) = (base.clone(), run.wall[0], has_secondary(run));
-    let before = measured.missing();
+    let before = measured.skipped_count();
     let mut steps = Vec::new();
     for value in measured.plan.cutoffs().filter(|value| has_more && *value > base.cutoff) {
         let options = Settings { cutoff: value, ..base.clone() };
-        if let Some(run) = measured.turn(&options, seconds, &reference.picture)? {
-            let alone = measured.between(run, best).unwrap_or_default();
-            steps.push(Step { value: fraction_text(value), run, alone });
+        if let Some(run) = measured.measure_swept(&options, seconds, &reference.picture)? {
+            let alone = measured.difference(run, best).unwrap_or_default();
+            steps.push(SweepPoint { value: fraction_text(value), run, alone });
         }
     }
-    let alone = measured.between(best, best).unwrap_or_default();
-    steps.push(Step { value: fraction_text(base.cutoff), run: best, alone });
-    measured.knobs.push(Knob {
+    let alone = measured.difference(best, best).unwrap_or_default();
+    steps.push(SweepPoint { value: fraction_text(base.cutoff), run: best, alone });
+    measured.sweeps.push(ParameterSweep {
         name: "cutoff".into(),
         about: "Rays that would count less than this in their pixel are not sent.".into(),
         fixed: format!("--levels {} --sampler {}", base.levels, base.sampler),
         against: format!("cutoff {}", fraction_text(base.cutoff)),
         steps,
-        left_out: measured.missing() - before,
+        left_out: measured.skipped_count() - before,
     });
     Ok(())
 }
@@ -96,36 +97,36 @@ pub(super) fn samplers(
     best: usize,
     reference: &ReferencePicture,
 ) -> Result<(), StudyError> {
-    let Taken { options: base, run, .. } = &measured.taken[best];
+    let Measurement { settings: base, run, .. } = &measured.measurements[best];
     let (base, single) = (base.clone(), run.wall[0]);
-    let samples = 2 * most_of(&reference.reference.setting.settings.sampler);
-    let before = measured.missing();
+    let samples = 2 * max_rays_per_pixel(&reference.reference.setting.settings.sampler);
+    let before = measured.skipped_count();
     let mut runs = vec![best];
     for (sampler, rays) in measured.plan.samplers(base.filter) {
         let options = Settings { sampler, ..base.clone() };
         // The reference must be the finer one by far.
-        if most_of(&sampler) * super::plan::FINER > samples {
-            measured.leave(
+        if max_rays_per_pixel(&sampler) * super::plan::REFERENCE_SAMPLE_FACTOR > samples {
+            measured.skip(
                 &options,
                 format!("a reference of only {samples} rays in a pixel is too coarse for it"),
             );
             continue;
         }
-        runs.extend(measured.turn(&options, rays * single, &reference.picture)?);
+        runs.extend(measured.measure_swept(&options, rays * single, &reference.picture)?);
     }
-    runs.sort_by_key(|run| measured.taken[*run].run.counts.rays[0]);
+    runs.sort_by_key(|run| measured.measurements[*run].run.counts.rays[0]);
     let step = |run: usize| {
-        let Taken { options, run: found, .. } = &measured.taken[run];
-        Step { value: options.sampler.to_string(), run, alone: found.error }
+        let Measurement { settings: options, run: found, .. } = &measured.measurements[run];
+        SweepPoint { value: options.sampler.to_string(), run, alone: found.error }
     };
     let steps = runs.into_iter().map(step).collect();
-    measured.knobs.push(Knob {
+    measured.sweeps.push(ParameterSweep {
         name: "sampler".into(),
         about: "How many rays make a pixel, and through which places.".into(),
         fixed: format!("--levels {} --cutoff {}", base.levels, fraction_text(base.cutoff)),
         against: "the reference".into(),
         steps,
-        left_out: measured.missing() - before,
+        left_out: measured.skipped_count() - before,
     });
     Ok(())
 }
@@ -136,29 +137,29 @@ pub(super) fn selections(
     best: usize,
     reference: &ReferencePicture,
 ) -> Result<(), StudyError> {
-    let Taken { options: base, run, .. } = &measured.taken[best];
+    let Measurement { settings: base, run, .. } = &measured.measurements[best];
     let (base, seconds) = (base.clone(), run.wall[0]);
-    let before = measured.missing();
+    let before = measured.skipped_count();
     let mut steps = Vec::new();
     for selecting in measured.plan.selections() {
         let options = Settings { select: Some(selecting), ..base.clone() };
-        if let Some(run) = measured.turn(&options, seconds, &reference.picture)? {
-            let alone = measured.between(run, best).unwrap_or_default();
-            steps.push(Step { value: selecting.to_string(), run, alone });
+        if let Some(run) = measured.measure_swept(&options, seconds, &reference.picture)? {
+            let alone = measured.difference(run, best).unwrap_or_default();
+            steps.push(SweepPoint { value: selecting.to_string(), run, alone });
         }
     }
-    let alone = measured.between(best, best).unwrap_or_default();
-    steps.push(Step { value: "all".into(), run: best, alone });
-    measured.knobs.push(Knob {
+    let alone = measured.difference(best, best).unwrap_or_default();
+    steps.push(SweepPoint { value: "all".into(), run: best, alone });
+    measured.sweeps.push(ParameterSweep {
         name: "select".into(),
         about:
             "One pixel in so many times so many is traced first; where neighbours agree, those between are \
                 guessed."
                 .into(),
-        fixed: words(&base).replace(" --select", ""),
+        fixed: command_line(&base).replace(" --select", ""),
         against: "every pixel traced".into(),
         steps,
-        left_out: measured.missing() - before,
+        left_out: measured.skipped_count() - before,
     });
     Ok(())
 }
@@ -170,54 +171,58 @@ pub(super) fn effects(
     reference: &ReferencePicture,
     asks: &[Effect],
 ) -> Result<(), StudyError> {
-    let Taken { options: base, run, .. } = &measured.taken[best];
+    let Measurement { settings: base, run, .. } = &measured.measurements[best];
     let is_many = [Effect::Penumbra, Effect::Lens, Effect::Gloss, Effect::Motion]
         .iter()
         .any(|effect| asks.contains(effect));
-    let rays = if is_many { MANY } else { 4 };
+    let rays = if is_many { EFFECT_SAMPLES } else { 4 };
     let seconds = f64::from(rays) * run.wall[0];
     let base = Settings { sampler: SamplerSettings::stochastic(rays), ..base.clone() };
-    let before = measured.missing();
+    let before = measured.skipped_count();
     let mut steps = Vec::new();
     for effect in asks {
         let options = Settings { without: vec![*effect], ..base.clone() };
-        if let Some(run) = measured.turn(&options, seconds, &reference.picture)? {
-            steps.push(Step { value: effect.name().into(), run, alone: measured.taken[run].run.error });
+        if let Some(run) = measured.measure_swept(&options, seconds, &reference.picture)? {
+            steps.push(SweepPoint {
+                value: effect.name().into(),
+                run,
+                alone: measured.measurements[run].run.error,
+            });
         }
     }
     steps.sort_by(|a, b| b.alone.rmse.total_cmp(&a.alone.rmse));
     // With nothing left out there is something to hold the others against.
     if !asks.is_empty()
-        && let Some(run) = measured.turn(&base, seconds, &reference.picture)?
+        && let Some(run) = measured.measure_swept(&base, seconds, &reference.picture)?
     {
-        steps.push(Step { value: "nothing".into(), run, alone: measured.taken[run].run.error });
+        steps.push(SweepPoint { value: "nothing".into(), run, alone: measured.measurements[run].run.error });
     }
-    measured.knobs.push(Knob {
+    measured.sweeps.push(ParameterSweep {
         name: "without".into(),
         about: "What every effect that the scene asks for costs, and what its picture is without.".into(),
-        fixed: words(&base),
+        fixed: command_line(&base),
         against: "the reference, which has all of them".into(),
         steps,
-        left_out: measured.missing() - before,
+        left_out: measured.skipped_count() - before,
     });
     Ok(())
 }
 
 /// Single precision, and double, which is the yardstick.
 pub(super) fn precision(measured: &mut Measurements<'_>, runs: [Option<usize>; 2], fixed: String) {
-    let picture = |run: usize| measured.taken[run].picture.as_ref();
+    let picture = |run: usize| measured.measurements[run].picture.as_ref();
     let alone = |run: usize, double: usize| match (picture(run), picture(double)) {
-        (Some(a), Some(b)) => errors(a, b),
+        (Some(a), Some(b)) => error_metrics(a, b),
         _ => Default::default(),
     };
-    let step = |value: &str, run, double| Step { value: value.into(), run, alone: alone(run, double) };
+    let step = |value: &str, run, double| SweepPoint { value: value.into(), run, alone: alone(run, double) };
     let (steps, left_out) = match runs {
         [Some(single), Some(double)] => {
             (vec![step("single", single, double), step("double", double, double)], 0)
         }
         _ => (Vec::new(), runs.iter().filter(|run| run.is_none()).count()),
     };
-    measured.knobs.push(Knob {
+    measured.sweeps.push(ParameterSweep {
         name: "precision".into(),
         about: "What every number is computed with. Those of the scene are of single precision either way. Both are \
                 measured by the same loop."

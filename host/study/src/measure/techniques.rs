@@ -13,13 +13,13 @@ use strahl_settings::{
 use super::measurements::{Measurements, ReferencePicture};
 use super::sweeps;
 use crate::error::StudyError;
-use crate::record::words;
-use crate::record::{Role, Technique};
+use crate::record::command_line;
+use crate::record::{RunRole, Technique};
 
 /// One technique: how it is done without, and with it.
-struct Pair {
+struct TechniquePair {
     name: &'static str,
-    part: &'static str,
+    lecture_section: &'static str,
     off: String,
     on: String,
     without: Settings,
@@ -29,7 +29,7 @@ struct Pair {
 
 /// Adaptive supersampling sees a difference of this much, and regular sampling as fine is held
 /// against it.
-const ADAPTIVE: (u8, f32) = (2, 0.05);
+const ADAPTIVE_SETTINGS: (u8, f32) = (2, 0.05);
 
 /// What the techniques are measured with: the scene's levels and cutoff, one ray in each pixel.
 fn base(own: &Settings) -> Settings {
@@ -50,12 +50,12 @@ pub(super) fn all(
     reference: &ReferencePicture,
 ) -> Result<(), StudyError> {
     for pair in pairs(&base(own)) {
-        let patience = measured.patience();
-        let with = measured.take(Role::Technique, &pair.with, patience, &reference.picture)?;
-        let without = measured.take(Role::Technique, &pair.without, patience, &reference.picture)?;
-        let error = with.zip(without).and_then(|(with, without)| measured.between(with, without));
+        let patience = measured.technique_limit();
+        let with = measured.measure(RunRole::Technique, &pair.with, patience, &reference.picture)?;
+        let without = measured.measure(RunRole::Technique, &pair.without, patience, &reference.picture)?;
+        let error = with.zip(without).and_then(|(with, without)| measured.difference(with, without));
         let given_up = without.is_none().then(|| measured.given_up_after(&pair.without)).flatten();
-        let Pair { name, part, off, on, exact, .. } = pair;
+        let TechniquePair { name, lecture_section: part, off, on, exact, .. } = pair;
         let (name, part) = (name.into(), part.into());
         measured.techniques.push(Technique { name, part, off, on, without, given_up, with, exact, error });
     }
@@ -70,10 +70,12 @@ pub(super) fn precision(
 ) -> Result<(), StudyError> {
     let base = base(own);
     let of = |precision| Settings { precision, ..base.clone() };
-    let patience = measured.patience();
-    let single = measured.take(Role::Technique, &of(Precision::Single), patience, &reference.picture)?;
-    let double = measured.take(Role::Technique, &of(Precision::Double), patience, &reference.picture)?;
-    sweeps::precision(measured, [single, double], words(&base));
+    let patience = measured.technique_limit();
+    let single =
+        measured.measure(RunRole::Technique, &of(Precision::Single), patience, &reference.picture)?;
+    let double =
+        measured.measure(RunRole::Technique, &of(Precision::Double), patience, &reference.picture)?;
+    sweeps::precision(measured, [single, double], command_line(&base));
     Ok(())
 }
 
@@ -85,23 +87,23 @@ pub(super) fn threads(
 ) -> Result<(), StudyError> {
     let mut threads = 1;
     while threads <= own.threads {
-        let (patience, options) = (measured.patience(), Settings { threads, ..base(own) });
-        let run = measured.take(Role::Threads, &options, patience, &reference.picture)?;
+        let (patience, options) = (measured.technique_limit(), Settings { threads, ..base(own) });
+        let run = measured.measure(RunRole::Threads, &options, patience, &reference.picture)?;
         measured.threads.extend(run);
         threads *= 2;
     }
     Ok(())
 }
 
-fn pairs(base: &Settings) -> Vec<Pair> {
+fn pairs(base: &Settings) -> Vec<TechniquePair> {
     let by = |accelerator| base.clone().with_acceleration(accelerator);
     let list = |bounds| by(AccelSettings { bounds, ..AccelSettings::with_kind(AccelKind::List) });
     let remembering = |kind, mailbox| by(AccelSettings { mailbox, ..AccelSettings::with_kind(kind) });
     let heap = |places| by(AccelSettings::with_heap(places));
     let boxes = || list(Bounds::Box);
-    let exact = |name, part, (off, without): (&str, Settings), (on, with): (&str, Settings)| Pair {
+    let exact = |name, part, (off, without): (&str, Settings), (on, with): (&str, Settings)| TechniquePair {
         name,
-        part,
+        lecture_section: part,
         off: off.into(),
         on: on.into(),
         without,
@@ -150,7 +152,7 @@ fn pairs(base: &Settings) -> Vec<Pair> {
     let cut = if base.cutoff > 0.0 { base.cutoff } else { Settings::default().cutoff };
     let limited = |cutoff| Settings { cutoff, ..base.clone() };
     let sampled = |sampler| Settings { sampler, ..base.clone() };
-    let (depth, threshold) = ADAPTIVE;
+    let (depth, threshold) = ADAPTIVE_SETTINGS;
     let agreement = ContrastSettings { threshold, items: false };
     let adaptive = SamplerSettings::Adaptive { max_depth: depth, contrast: agreement };
     let regular = SamplerSettings::Regular(1 << depth);
@@ -186,7 +188,15 @@ fn pairs(base: &Settings) -> Vec<Pair> {
         ),
     ];
     pairs.extend(inexact.into_iter().filter(|it| base.filter == Filter::Box || it.1 != "4.2").map(
-        |(name, part, off, on, without, with)| Pair { name, part, off, on, without, with, exact: false },
+        |(name, part, off, on, without, with)| TechniquePair {
+            name,
+            lecture_section: part,
+            off,
+            on,
+            without,
+            with,
+            exact: false,
+        },
     ));
     pairs
 }
@@ -201,7 +211,7 @@ mod tests {
     fn techniques_that_buy_time_only_differ_in_nothing_that_decides_about_the_picture() {
         let all = pairs(&base(&Settings::default()));
         assert!(all.len() >= 12);
-        for Pair { name, without, with, exact, .. } in all {
+        for TechniquePair { name, without, with, exact, .. } in all {
             assert_ne!(without, with, "{name}");
             let picture = |it: &Settings| {
                 SETTINGS

@@ -5,14 +5,14 @@
 
 /// An axis on which every factor is as long as any other.
 #[derive(Clone, Copy, Debug)]
-pub struct Log {
+pub struct LogAxis {
     least: f64,
     most: f64,
     from: f64,
     to: f64,
 }
 
-impl Log {
+impl LogAxis {
     /// For these values, those that are not positive left out, from place `from` to place `to`.
     pub fn of(values: impl Iterator<Item = f64>, from: f64, to: f64) -> Self {
         let (mut least, mut most) = (f64::INFINITY, 0.0);
@@ -29,7 +29,7 @@ impl Log {
         while most / least < 3.2 {
             (least, most) = (least / 1.2, most * 1.2);
         }
-        Log { least, most, from, to }
+        LogAxis { least, most, from, to }
     }
 
     /// The place of a value; what lies beyond an end is at that end.
@@ -65,17 +65,17 @@ fn power(step: f64, decade: i32) -> f64 {
 
 /// An axis from zero.
 #[derive(Clone, Copy, Debug)]
-pub struct Linear {
+pub struct LinearAxis {
     most: f64,
     from: f64,
     to: f64,
 }
 
-impl Linear {
+impl LinearAxis {
     /// From zero at `from` to the largest value at `to`.
     pub fn of(values: impl Iterator<Item = f64>, from: f64, to: f64) -> Self {
         let most = values.filter(|value| value.is_finite()).fold(0.0, |a, b| if b > a { b } else { a });
-        Linear { most: if most > 0.0 { most } else { 1.0 }, from, to }
+        LinearAxis { most: if most > 0.0 { most } else { 1.0 }, from, to }
     }
 
     /// The place of a value.
@@ -100,7 +100,7 @@ mod tests {
 
     #[test]
     fn every_factor_is_as_long_as_any_other() {
-        let axis = Log::of([0.001, 1.0].into_iter(), 0.0, 300.0);
+        let axis = LogAxis::of([0.001, 1.0].into_iter(), 0.0, 300.0);
         let decades = [0.001, 0.01, 0.1, 1.0].map(|value| axis.at(value));
         for pair in decades.windows(2) {
             assert!((pair[1] - pair[0] - (decades[1] - decades[0])).abs() < 1e-9);
@@ -112,15 +112,15 @@ mod tests {
     #[test]
     fn ticks_are_round_and_few_whatever_the_values() {
         for (least, most) in [(0.001, 1.0), (0.02, 0.03), (1e-7, 1e3), (5.0, 5.0)] {
-            let ticks = Log::of([least, most].into_iter(), 0.0, 1.0).ticks();
+            let ticks = LogAxis::of([least, most].into_iter(), 0.0, 1.0).ticks();
             assert!((1..=14).contains(&ticks.len()), "{least}..{most}: {ticks:?}");
         }
-        assert_eq!(Linear::of([7.3].into_iter(), 0.0, 1.0).ticks(4.0), [0.0, 2.0, 4.0, 6.0]);
-        assert_eq!(Linear::of(std::iter::empty(), 0.0, 1.0).ticks(2.0), [0.0, 0.5, 1.0]);
+        assert_eq!(LinearAxis::of([7.3].into_iter(), 0.0, 1.0).ticks(4.0), [0.0, 2.0, 4.0, 6.0]);
+        assert_eq!(LinearAxis::of(std::iter::empty(), 0.0, 1.0).ticks(2.0), [0.0, 0.5, 1.0]);
     }
 
     #[test]
     fn nothing_to_show_makes_an_axis_all_the_same() {
-        assert!(Log::of([0.0, f64::NAN].into_iter(), 0.0, 1.0).at(0.5).is_finite());
+        assert!(LogAxis::of([0.0, f64::NAN].into_iter(), 0.0, 1.0).at(0.5).is_finite());
     }
 }

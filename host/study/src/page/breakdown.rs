@@ -5,18 +5,18 @@ use maud::{Markup, html};
 use super::gallery::{picture, ramp};
 use super::numbers::{count, percent};
 use super::pieces::{options, wide};
-use crate::record::{Role, Run, Shows, Study};
+use crate::record::{ImageContent, RunRole, Study, StudyRun};
 
 const KINDS: [&str; 4] = ["camera", "reflected", "transmitted", "shadow"];
 
 pub fn part(study: &Study) -> Markup {
-    let own = study.runs.iter().find(|run| run.role == Role::Own);
+    let own = study.runs.iter().find(|run| run.role == RunRole::Own);
     html! {
         @match own {
             Some(run) => { (by_ray(study, run)) }
             None => { p.soft { "Not measured: no time was left for the scene's own setting." } }
         }
-        @let maps: Vec<_> = study.pictures.iter().filter(|it| it.shows == Shows::Cost).collect();
+        @let maps: Vec<_> = study.pictures.iter().filter(|it| it.shows == ImageContent::Cost).collect();
         @if !maps.is_empty() {
             h3 { "Pixel by pixel" }
             @let most = maps.first().and_then(|map| map.range).map_or(0.0, |[_, most]| most);
@@ -37,8 +37,8 @@ pub fn part(study: &Study) -> Markup {
     }
 }
 
-fn by_ray(study: &Study, run: &Run) -> Markup {
-    let work = study.method.weights.by_ray(&run.counts, run.setting.kind());
+fn by_ray(study: &Study, run: &StudyRun) -> Markup {
+    let work = study.method.weights.instructions_by_ray_kind(&run.counts, run.setting.accelerator_kind());
     let whole: f64 = work.iter().sum::<f64>().max(1.0);
     let told: Vec<String> =
         KINDS.iter().zip(work).map(|(kind, work)| format!("{kind} {}", percent(work / whole))).collect();

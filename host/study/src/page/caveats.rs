@@ -4,12 +4,12 @@ use maud::{Markup, html};
 use strahl_scene::quantity::quantity;
 
 use super::numbers::percent;
-use crate::pareto::LIMITS;
-use crate::record::{Knob, Study};
+use crate::pareto::ERROR_LIMITS;
+use crate::record::{ParameterSweep, Study};
 
 /// The smallest error that a setting is recommended for, or that can be told from chance.
 fn resolved(study: &Study) -> f64 {
-    let [.., least] = LIMITS;
+    let [.., least] = ERROR_LIMITS;
     if study.reference.noise > least { study.reference.noise } else { least }
 }
 
@@ -58,12 +58,12 @@ pub fn left_out(study: &Study) -> Option<String> {
 }
 
 /// Whether a knob could be turned, but nothing of it was measured.
-fn is_unknown(knob: &Knob) -> bool {
+fn is_unknown(knob: &ParameterSweep) -> bool {
     knob.steps.len() < 2 && knob.left_out > 0
 }
 
 /// Why a knob has no plot.
-pub fn knob(study: &Study, knob: &Knob) -> Markup {
+pub fn knob(study: &Study, knob: &ParameterSweep) -> Markup {
     html! {
         p.soft {
             code { (knob.name) }

@@ -2,29 +2,33 @@
 
 use maud::{Markup, html};
 
-use super::family::Family;
+use super::family::SettingFamily;
 use super::numbers::{count, error, percent, seconds};
 use super::pieces::{options, wide, words};
-use super::scatter::{Dot, Scatter, legend};
-use crate::pareto::Point;
-use crate::record::table::best;
-use crate::record::{Role, Run, Study};
-use crate::statistics::ends;
+use super::scatter::{ScatterPlot, ScatterPoint, legend};
+use crate::pareto::CostErrorPoint;
+use crate::record::table::pareto_runs;
+use crate::record::{RunRole, Study, StudyRun};
+use crate::statistics::min_max;
 
-fn dots(study: &Study, cost: fn(&Run) -> f64, spread: fn(&Run) -> Option<[f64; 2]>) -> Vec<Dot> {
+fn dots(
+    study: &Study,
+    cost: fn(&StudyRun) -> f64,
+    spread: fn(&StudyRun) -> Option<[f64; 2]>,
+) -> Vec<ScatterPoint> {
     let numbers = numbered(study);
-    let about = study.runs.iter().enumerate().filter(|(_, run)| run.is_about_accuracy());
+    let about = study.runs.iter().enumerate().filter(|(_, run)| run.measures_accuracy());
     about
-        .map(|(place, run)| Dot {
-            point: Point { cost: cost(run), error: run.error.rmse },
+        .map(|(place, run)| ScatterPoint {
+            point: CostErrorPoint { cost: cost(run), error: run.error.rmse },
             spread: spread(run),
-            family: Family::of(&run.setting.settings),
+            family: SettingFamily::of(&run.setting.settings),
             number: numbers.iter().find(|(at, _)| *at == place).map(|(_, number)| *number),
-            is_own: run.role == Role::Own,
+            is_own: run.role == RunRole::Own,
             about: format!(
                 "{}: {}, {} instructions, error {}",
                 words(run),
-                seconds(run.seconds()),
+                seconds(run.median_cpu_seconds()),
                 count(run.work),
                 error(run.error.rmse)
             ),
@@ -33,7 +37,7 @@ fn dots(study: &Study, cost: fn(&Run) -> f64, spread: fn(&Run) -> Option<[f64; 2
 }
 
 pub fn part(study: &Study) -> Markup {
-    let by_time = dots(study, Run::seconds, |run| Some(ends(&run.cpu)));
+    let by_time = dots(study, StudyRun::median_cpu_seconds, |run| Some(min_max(&run.cpu)));
     let by_work = dots(study, |run| run.work, |_| None);
     let noise = Some(study.reference.noise).filter(|noise| *noise > 0.0);
     let alt = |cost: &str| {
@@ -62,11 +66,11 @@ pub fn part(study: &Study) -> Markup {
         div.pair {
             figure {
                 figcaption { "Processor time" span.soft { " of this machine, with its spread" } }
-                (Scatter { dots: &by_time, cost: "processor seconds", write: seconds, noise, alt: alt("processor time") }.draw())
+                (ScatterPlot { dots: &by_time, cost: "processor seconds", write: seconds, noise, alt: alt("processor time") }.draw())
             }
             figure {
                 figcaption { "Work" span.soft { " in instructions, the same on every machine" } }
-                (Scatter { dots: &by_work, cost: "instructions", write: count, noise, alt: alt("work in instructions") }.draw())
+                (ScatterPlot { dots: &by_work, cost: "instructions", write: count, noise, alt: alt("work in instructions") }.draw())
             }
         }
         h3 { "The front" }
@@ -82,7 +86,7 @@ pub fn part(study: &Study) -> Markup {
 fn all(study: &Study) -> Vec<(usize, usize)> {
     let numbers = numbered(study);
     let of = |place: usize| numbers.iter().find(|(at, _)| *at == place).map_or(0, |(_, number)| *number);
-    let about = study.runs.iter().enumerate().filter(|(_, run)| run.is_about_accuracy());
+    let about = study.runs.iter().enumerate().filter(|(_, run)| run.measures_accuracy());
     let mut places: Vec<usize> = about.map(|(place, _)| place).collect();
     places.sort_by(|a, b| study.runs[*a].work.total_cmp(&study.runs[*b].work));
     places.into_iter().map(|place| (place, of(place))).collect()
@@ -98,14 +102,14 @@ fn table(study: &Study, places: &[(usize, usize)]) -> Markup {
             tbody {
                 @for (place, number) in places {
                     @let run = &study.runs[*place];
-                    @let [least, most] = ends(&run.cpu);
+                    @let [least, most] = min_max(&run.cpu);
                     tr {
                         td.number { @if *number > 0 { strong { (number) } } }
                         td {
                             (options(&words(run)))
-                            @if run.role == Role::Own { span.tag { "the scene's own" } }
+                            @if run.role == RunRole::Own { span.tag { "the scene's own" } }
                         }
-                        td.number { (seconds(run.seconds())) }
+                        td.number { (seconds(run.median_cpu_seconds())) }
                         td.number.soft { (seconds(least)) "–" (seconds(most)) }
                         td.number { (count(run.work)) }
                         td.number { (error(run.error.rmse)) }
@@ -123,7 +127,7 @@ fn table(study: &Study, places: &[(usize, usize)]) -> Markup {
 /// hardly better than the one before has none, but the last has one.
 fn numbered(study: &Study) -> Vec<(usize, usize)> {
     const BETTER: f64 = 0.97;
-    let all = best(study, |run| run.work);
+    let all = pareto_runs(study, |run| run.work);
     let mut kept: Vec<usize> = Vec::new();
     for (index, place) in all.iter().enumerate() {
         let error = study.runs[*place].error.rmse;

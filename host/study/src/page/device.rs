@@ -3,14 +3,14 @@
 use maud::{Markup, html};
 use strahl_settings::domain::fraction_text;
 
-use super::family::Family;
+use super::family::SettingFamily;
 use super::numbers::{count, error};
 use super::pieces::{options, wide};
-use super::scatter::{Dot, Scatter, legend};
-use crate::device::{Device, Row};
-use crate::record::{Run, Study};
+use super::scatter::{ScatterPlot, ScatterPoint, legend};
+use crate::device::{DeviceMeasurements, DeviceRow};
+use crate::record::{Study, StudyRun};
 
-pub fn part(study: &Study, device: &Device) -> Markup {
+pub fn part(study: &Study, device: &DeviceMeasurements) -> Markup {
     html! {
         p {
             "Instructions that firmware needed, from " code { (device.name) } ", for each pixel of its own size. Errors there are against the "
@@ -20,7 +20,7 @@ pub fn part(study: &Study, device: &Device) -> Markup {
             p.soft { "None of its scenes is named " (study.scene.name) ", as the one of this study is." }
         }
         @for scene in device.scenes() {
-            @let rows: Vec<&Row> = device.rows.iter().filter(|row| row.scene == scene).collect();
+            @let rows: Vec<&DeviceRow> = device.rows.iter().filter(|row| row.scene == scene).collect();
             h3 { (scene) }
             (plot(scene, &rows))
             (wide(table(study, &rows)))
@@ -28,8 +28,8 @@ pub fn part(study: &Study, device: &Device) -> Markup {
     }
 }
 
-fn plot(scene: &str, rows: &[&Row]) -> Markup {
-    let dot = |row: &&Row| {
+fn plot(scene: &str, rows: &[&DeviceRow]) -> Markup {
+    let dot = |row: &&DeviceRow| {
         let point = row.point().filter(|point| point.error > 0.0)?;
         let about = format!(
             "{}: {} instructions a pixel, error {}",
@@ -38,29 +38,29 @@ fn plot(scene: &str, rows: &[&Row]) -> Markup {
             error(point.error)
         );
         let family = match row.precision.as_str() {
-            "single" => Family::named(&row.sampler),
-            _ => Family::Double,
+            "single" => SettingFamily::named(&row.sampler),
+            _ => SettingFamily::Double,
         };
-        Some(Dot { point, spread: None, family, number: None, is_own: false, about })
+        Some(ScatterPoint { point, spread: None, family, number: None, is_own: false, about })
     };
-    let dots: Vec<Dot> = rows.iter().filter_map(dot).collect();
+    let dots: Vec<ScatterPoint> = rows.iter().filter_map(dot).collect();
     html! {
         @if dots.len() > 1 {
             @let alt = format!("Error against instructions for a pixel of {} settings of {scene} on the device", dots.len());
             (legend(&dots))
-            figure.half { (Scatter { dots: &dots, cost: "instructions for a pixel, on the device", write: count, noise: None, alt }.draw()) }
+            figure.half { (ScatterPlot { dots: &dots, cost: "instructions for a pixel, on the device", write: count, noise: None, alt }.draw()) }
         }
     }
 }
 
-fn words(row: &Row) -> String {
-    let Row { levels, sampler, precision, .. } = row;
+fn words(row: &DeviceRow) -> String {
+    let DeviceRow { levels, sampler, precision, .. } = row;
     format!("levels {levels} cutoff {} sampler {sampler} precision {precision}", fraction_text(row.cutoff))
 }
 
 /// The run of the study with the same setting, if the scene is the same.
-fn twin<'s>(study: &'s Study, row: &Row) -> Option<&'s Run> {
-    let is_same = |run: &&Run| {
+fn twin<'s>(study: &'s Study, row: &DeviceRow) -> Option<&'s StudyRun> {
+    let is_same = |run: &&StudyRun| {
         let it = &run.setting.settings;
         (it.levels, it.cutoff, it.sampler.to_string(), it.precision.name())
             == (row.levels, row.cutoff, row.sampler.clone(), &row.precision)
@@ -70,7 +70,7 @@ fn twin<'s>(study: &'s Study, row: &Row) -> Option<&'s Run> {
     study.runs.iter().filter(|_| row.scene == study.scene.name).find(is_same)
 }
 
-fn table(study: &Study, rows: &[&Row]) -> Markup {
+fn table(study: &Study, rows: &[&DeviceRow]) -> Markup {
     let pixels = f64::from(study.scene.width) * f64::from(study.scene.height);
     let has_twins = rows.iter().any(|row| twin(study, row).is_some());
     html! {

@@ -6,7 +6,7 @@ use strahl_settings::Settings;
 
 /// What kind of rays make a picture.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Family {
+pub enum SettingFamily {
     Single,
     Regular,
     Adaptive,
@@ -16,62 +16,62 @@ pub enum Family {
     Double,
 }
 
-impl Family {
+impl SettingFamily {
     /// Every family, in the order of legends.
-    pub const ALL: [Family; 7] = [
-        Family::Single,
-        Family::Regular,
-        Family::Adaptive,
-        Family::Stochastic,
-        Family::Selected,
-        Family::Without,
-        Family::Double,
+    pub const ALL: [SettingFamily; 7] = [
+        SettingFamily::Single,
+        SettingFamily::Regular,
+        SettingFamily::Adaptive,
+        SettingFamily::Stochastic,
+        SettingFamily::Selected,
+        SettingFamily::Without,
+        SettingFamily::Double,
     ];
 
     /// That of settings.
     pub fn of(settings: &Settings) -> Self {
         if !settings.without.is_empty() {
-            Family::Without
+            SettingFamily::Without
         } else if settings.select.is_some() {
-            Family::Selected
+            SettingFamily::Selected
         } else {
-            Family::named(&settings.sampler.to_string())
+            SettingFamily::named(&settings.sampler.to_string())
         }
     }
 
     /// That of a sampler.
     pub fn named(sampler: &str) -> Self {
         match sampler.split(':').next() {
-            Some("regular") => Family::Regular,
-            Some("adaptive") => Family::Adaptive,
-            Some("stochastic") => Family::Stochastic,
-            _ => Family::Single,
+            Some("regular") => SettingFamily::Regular,
+            Some("adaptive") => SettingFamily::Adaptive,
+            Some("stochastic") => SettingFamily::Stochastic,
+            _ => SettingFamily::Single,
         }
     }
 
     /// For legends.
     pub fn name(self) -> &'static str {
         match self {
-            Family::Single => "one ray",
-            Family::Regular => "regular",
-            Family::Adaptive => "adaptive",
-            Family::Stochastic => "stochastic",
-            Family::Selected => "pixel-selected",
-            Family::Without => "an effect left out",
-            Family::Double => "double precision",
+            SettingFamily::Single => "one ray",
+            SettingFamily::Regular => "regular",
+            SettingFamily::Adaptive => "adaptive",
+            SettingFamily::Stochastic => "stochastic",
+            SettingFamily::Selected => "pixel-selected",
+            SettingFamily::Without => "an effect left out",
+            SettingFamily::Double => "double precision",
         }
     }
 
     /// The name of its colour in the style.
     pub fn class(self) -> &'static str {
         match self {
-            Family::Single => "single",
-            Family::Regular => "regular",
-            Family::Adaptive => "adaptive",
-            Family::Stochastic => "stochastic",
-            Family::Selected => "selected",
-            Family::Without => "without",
-            Family::Double => "double",
+            SettingFamily::Single => "single",
+            SettingFamily::Regular => "regular",
+            SettingFamily::Adaptive => "adaptive",
+            SettingFamily::Stochastic => "stochastic",
+            SettingFamily::Selected => "selected",
+            SettingFamily::Without => "without",
+            SettingFamily::Double => "double",
         }
     }
 
@@ -84,18 +84,18 @@ impl Family {
         };
         html! {
             @match self {
-                Family::Single => { circle cx=(round(x)) cy=(round(y)) r=(round(size)) {} }
-                Family::Regular => {
+                SettingFamily::Single => { circle cx=(round(x)) cy=(round(y)) r=(round(size)) {} }
+                SettingFamily::Regular => {
                     polygon points=(path(&[(-0.9, -0.9), (0.9, -0.9), (0.9, 0.9), (-0.9, 0.9)])) {}
                 }
-                Family::Adaptive => { polygon points=(path(&[(0.0, -1.2), (1.15, 0.85), (-1.15, 0.85)])) {} }
-                Family::Stochastic => {
+                SettingFamily::Adaptive => { polygon points=(path(&[(0.0, -1.2), (1.15, 0.85), (-1.15, 0.85)])) {} }
+                SettingFamily::Stochastic => {
                     polygon points=(path(&[(0.0, -1.3), (1.3, 0.0), (0.0, 1.3), (-1.3, 0.0)])) {}
                 }
-                Family::Selected => {
+                SettingFamily::Selected => {
                     polygon points=(path(&[(0.0, 1.2), (1.15, -0.85), (-1.15, -0.85)])) {}
                 }
-                Family::Without | Family::Double => {
+                SettingFamily::Without | SettingFamily::Double => {
                     circle.hollow cx=(round(x)) cy=(round(y)) r=(round(size)) {}
                 }
             }

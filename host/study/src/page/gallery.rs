@@ -6,10 +6,10 @@ use strahl_picture::color_map::{inferno, step_of};
 
 use super::numbers::{error, percent, seconds};
 use super::pieces::options;
-use crate::record::{Image, Role, Shows, Study};
+use crate::record::{ImageContent, RunRole, Study, StudyImage};
 
 pub fn part(study: &Study) -> Markup {
-    let of = |shows: Shows| study.pictures.iter().filter(move |it| it.shows == shows);
+    let of = |shows: ImageContent| study.pictures.iter().filter(move |it| it.shows == shows);
     html! {
         p {
             "Each picture with its error below: the largest difference of a channel in every pixel, from none (black) over 1/255 "
@@ -17,7 +17,7 @@ pub fn part(study: &Study) -> Markup {
         }
         (scale())
         div.gallery {
-            @for image in of(Shows::Reference) {
+            @for image in of(ImageContent::Reference) {
                 figure {
                     (picture(image, "The reference"))
                     figcaption {
@@ -27,16 +27,16 @@ pub fn part(study: &Study) -> Markup {
                     }
                 }
             }
-            @for image in of(Shows::Picture) {
+            @for image in of(ImageContent::Picture) {
                 @if let Some(run) = image.run.and_then(|place| study.runs.get(place)) {
                     figure {
                         (picture(image, &format!("Rendered with {}", image.title)))
-                        @for map in of(Shows::Error).filter(|it| it.run == image.run) {
+                        @for map in of(ImageContent::Error).filter(|it| it.run == image.run) {
                             (picture(map, &format!("Where the picture above is wrong; {} of its pixels by more than 1/255", percent(run.error.beyond))))
                         }
                         figcaption {
-                            strong { (seconds(run.seconds())) " · error " (error(run.error.rmse)) }
-                            @if run.role == Role::Own { span.tag { "the scene's own" } }
+                            strong { (seconds(run.median_cpu_seconds())) " · error " (error(run.error.rmse)) }
+                            @if run.role == RunRole::Own { span.tag { "the scene's own" } }
                             br;
                             (options(&image.title)) br;
                             span.soft { (percent(run.error.beyond)) " of the pixels beyond 1/255, SSIM " (format!("{:.4}", run.error.ssim)) }
@@ -49,7 +49,7 @@ pub fn part(study: &Study) -> Markup {
 }
 
 /// A picture in the page itself.
-pub fn picture(image: &Image, alt: &str) -> Markup {
+pub fn picture(image: &StudyImage, alt: &str) -> Markup {
     html! {
         img src=(format!("data:image/png;base64,{}", image.png)) width=(image.width) height=(image.height) alt=(alt);
     }

@@ -5,22 +5,22 @@ use strahl_scene::quantity::quantity;
 
 use super::numbers::{error, percent, seconds};
 use super::pieces::options;
-use crate::record::{Run, Study};
-use crate::statistics::{median, spread};
+use crate::record::{Study, StudyRun};
+use crate::statistics::{median, relative_range};
 
 pub fn part(study: &Study) -> Markup {
     let method = &study.method;
     let repetitions: Vec<f64> = study.runs.iter().map(|run| run.cpu.len() as f64).collect();
-    let repeated: Vec<&Run> = study.runs.iter().filter(|run| run.cpu.len() > 2).collect();
-    let mut spreads: Vec<f64> = repeated.iter().map(|run| spread(&run.cpu)).collect();
+    let repeated: Vec<&StudyRun> = study.runs.iter().filter(|run| run.cpu.len() > 2).collect();
+    let mut spreads: Vec<f64> = repeated.iter().map(|run| relative_range(&run.cpu)).collect();
     spreads.sort_by(f64::total_cmp);
     // Nine of ten are no wider than this one.
     let most = spreads.get((9 * spreads.len()).div_ceil(10).saturating_sub(1)).copied();
     let rates: Vec<f64> = study
         .runs
         .iter()
-        .filter(|run| run.is_about_accuracy())
-        .map(|run| run.seconds() / run.work.max(1.0))
+        .filter(|run| run.measures_accuracy())
+        .map(|run| run.median_cpu_seconds() / run.work.max(1.0))
         .collect();
     let rate = median(&rates);
     let off = rates
@@ -45,7 +45,7 @@ pub fn part(study: &Study) -> Markup {
             }
             dt { "when" } dd { (method.date) ", " (seconds(method.seconds)) " for all of it" }
             dt { "plan" } dd {
-                @let about = study.runs.iter().filter(|run| run.is_about_accuracy()).count();
+                @let about = study.runs.iter().filter(|run| run.measures_accuracy()).count();
                 (method.plan) ": " (study.runs.len()) " settings measured, of which " (about) " tell what accuracy costs and "
                 (study.runs.len() - about) " what techniques and threads save; " (method.beaten)
                 " more were not, because one that was measured would beat them even if they were a good deal better than foretold"

@@ -26,7 +26,7 @@ use std::path::Path;
 use maud::{DOCTYPE, Markup, PreEscaped, html};
 use strahl_scene::quantity::quantity;
 
-use crate::device::Device;
+use crate::device::DeviceMeasurements;
 use crate::record::Study;
 
 mod axis;
@@ -51,7 +51,7 @@ pub const INDENT: usize = 12;
 const STYLE: &str = include_str!("style.css");
 
 /// The page.
-pub fn page(study: &Study, device: Option<&Device>) -> String {
+pub fn page(study: &Study, device: Option<&DeviceMeasurements>) -> String {
     let scene = &study.scene;
     let parts: Vec<(&str, &str, Markup)> = [
         ("take", "What to take", recommendations::part(study)),
@@ -123,7 +123,7 @@ pub fn summary(study: &Study, page: &Path) -> String {
                 format!(
                     "{} in {}: {}",
                     numbers::error(run.error.rmse),
-                    numbers::seconds(run.seconds()),
+                    numbers::seconds(run.median_cpu_seconds()),
                     run.setting.options
                 ),
             ),

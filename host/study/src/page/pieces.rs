@@ -2,7 +2,7 @@
 
 use maud::{Markup, html};
 
-use crate::record::Run;
+use crate::record::StudyRun;
 
 /// Options of the command line, which are broken between two of them only.
 pub fn options(text: &str) -> Markup {
@@ -18,7 +18,7 @@ pub fn options(text: &str) -> Markup {
 }
 
 /// What a run is, in the words of the command line without the dashes.
-pub fn words(run: &Run) -> String {
+pub fn words(run: &StudyRun) -> String {
     run.setting.options.replace("--", "")
 }
 

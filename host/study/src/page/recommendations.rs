@@ -4,24 +4,24 @@ use maud::{Markup, html};
 
 use super::numbers::{change, error, seconds};
 use super::pieces::{options, wide};
-use crate::pareto::{LIMITS, Point, cheapest_within, front};
-use crate::record::{Role, Run, Study};
+use crate::pareto::{CostErrorPoint, ERROR_LIMITS, cheapest_within, pareto_front};
+use crate::record::{RunRole, Study, StudyRun};
 
 /// Runs that tell what accuracy costs, by their work.
-fn points(study: &Study) -> (Vec<&Run>, Vec<Point>) {
-    let about = study.runs.iter().filter(|run| run.is_about_accuracy());
-    about.map(|run| (run, Point { cost: run.work, error: run.error.rmse })).unzip()
+fn points(study: &Study) -> (Vec<&StudyRun>, Vec<CostErrorPoint>) {
+    let about = study.runs.iter().filter(|run| run.measures_accuracy());
+    about.map(|run| (run, CostErrorPoint { cost: run.work, error: run.error.rmse })).unzip()
 }
 
 /// For each limit the run that needs the least work and keeps it.
-pub fn recommended(study: &Study) -> Vec<(f64, Option<&Run>)> {
+pub fn recommended(study: &Study) -> Vec<(f64, Option<&StudyRun>)> {
     let (runs, points) = points(study);
     let within = |limit: f64| Some(runs[cheapest_within(&points, limit)?]);
-    LIMITS.into_iter().map(|limit| (limit, within(limit))).collect()
+    ERROR_LIMITS.into_iter().map(|limit| (limit, within(limit))).collect()
 }
 
 pub fn part(study: &Study) -> Markup {
-    let own = study.runs.iter().find(|run| run.role == Role::Own);
+    let own = study.runs.iter().find(|run| run.role == RunRole::Own);
     html! {
         @match own {
             Some(own) => { p.lead { (against_own(study, own)) } }
@@ -41,8 +41,8 @@ pub fn part(study: &Study) -> Markup {
                                 Some(run) => {
                                     td { (options(&run.setting.options)) }
                                     td.number { (error(run.error.rmse)) }
-                                    td.number { (seconds(run.seconds())) }
-                                    @if let Some(own) = own { td.number { (change(own.seconds(), run.seconds())) } }
+                                    td.number { (seconds(run.median_cpu_seconds())) }
+                                    @if let Some(own) = own { td.number { (change(own.median_cpu_seconds(), run.median_cpu_seconds())) } }
                                 }
                                 None => { td.soft colspan=(if own.is_some() { 4 } else { 3 }) {
                                     "no setting that was measured is as good"
@@ -63,17 +63,17 @@ pub fn part(study: &Study) -> Markup {
 }
 
 /// What could be had instead of the scene's own setting.
-fn against_own(study: &Study, own: &Run) -> Markup {
+fn against_own(study: &Study, own: &StudyRun) -> Markup {
     let (runs, points) = points(study);
     let as_good = cheapest_within(&points, own.error.rmse).map(|place| runs[place]);
-    let as_cheap = front(&points).into_iter().rfind(|place| points[*place].cost <= own.work);
+    let as_cheap = pareto_front(&points).into_iter().rfind(|place| points[*place].cost <= own.work);
     let as_cheap = as_cheap.map(|place| runs[place]);
-    let (time, wrong) = (seconds(own.seconds()), error(own.error.rmse));
+    let (time, wrong) = (seconds(own.median_cpu_seconds()), error(own.error.rmse));
     html! {
         "The scene's own setting, " (options(&own.setting.options)) ", takes " strong { (time) } " and is " strong { (wrong) } " off. "
         @match as_good {
             Some(run) if run.work < 0.95 * own.work => {
-                "As good a picture can be had for " strong { (seconds(run.seconds())) } " with " (options(&run.setting.options)) ". "
+                "As good a picture can be had for " strong { (seconds(run.median_cpu_seconds())) } " with " (options(&run.setting.options)) ". "
             }
             _ => { "No setting that was measured is as good for less. " }
         }

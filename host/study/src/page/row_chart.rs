@@ -2,13 +2,13 @@
 
 use maud::{Markup, html};
 
-use super::axis::{Linear, Log};
-use super::family::{Family, round};
+use super::axis::{LinearAxis, LogAxis};
+use super::family::{SettingFamily, round};
 use super::numbers;
-use super::scatter::{short, spaced};
+use super::scatter::{spaced, trim_zeros};
 
 /// One row.
-pub struct Row {
+pub struct SweepRow {
     /// What it is called.
     pub name: String,
     /// Zero is drawn at the edge, apart from the axis.
@@ -18,18 +18,18 @@ pub struct Row {
     /// From where to where they were measured.
     pub spread: [f64; 2],
     /// What the dot looks like.
-    pub family: Family,
+    pub family: SettingFamily,
 }
 
 /// Whether each row is finer than the one before.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Order {
+pub enum RowOrder {
     Ascending,
     None,
 }
 
 /// In a size for screens, and in one for phones.
-pub fn draw(rows: &[Row], order: Order, alt: &str) -> Markup {
+pub fn draw(rows: &[SweepRow], order: RowOrder, alt: &str) -> Markup {
     html! {
         div.wide { (sized(rows, order, alt, 560.0, 170.0, 84.0)) }
         div.narrow { (sized(rows, order, alt, 350.0, 112.0, 58.0)) }
@@ -45,7 +45,7 @@ const TOP: f64 = 24.0;
 /// The room between errors and bars: for half a word of either axis.
 const BETWEEN: f64 = 34.0;
 
-fn sized(rows: &[Row], order: Order, alt: &str, width: f64, most: f64, values: f64) -> Markup {
+fn sized(rows: &[SweepRow], order: RowOrder, alt: &str, width: f64, most: f64, values: f64) -> Markup {
     // As wide as the longest name, but no wider than there is room.
     let longest = rows.iter().map(|row| row.name.chars().count()).max().unwrap_or(0);
     let names = (LETTER * longest as f64 + 6.0).min(most);
@@ -55,11 +55,11 @@ fn sized(rows: &[Row], order: Order, alt: &str, width: f64, most: f64, values: f
     let zero = names + 14.0;
     let middle = zero + 16.0 + 0.44 * (width - zero - values);
     let first = middle + BETWEEN;
-    let errors = Log::of(rows.iter().map(|row| row.error), zero + 18.0, middle);
-    let bars = Linear::of(rows.iter().flat_map(|row| [row.cost, row.spread[1]]), first, width - values);
+    let errors = LogAxis::of(rows.iter().map(|row| row.error), zero + 18.0, middle);
+    let bars = LinearAxis::of(rows.iter().flat_map(|row| [row.cost, row.spread[1]]), first, width - values);
     let y = |place: usize| TOP + HEIGHT * (place as f64 + 0.5);
     let has_zero = rows.iter().any(|row| row.error <= 0.0);
-    let at = |row: &Row| if row.error > 0.0 { errors.at(row.error) } else { zero };
+    let at = |row: &SweepRow| if row.error > 0.0 { errors.at(row.error) } else { zero };
     let line: Vec<String> = rows
         .iter()
         .enumerate()
@@ -90,13 +90,13 @@ fn sized(rows: &[Row], order: Order, alt: &str, width: f64, most: f64, values: f
             }
             @for tick in &bar_ticks {
                 line.grid x1=(round(bars.at(*tick))) x2=(round(bars.at(*tick))) y1=(TOP) y2=(whole) {}
-                text.tick x=(round(bars.at(*tick))) y=(whole + 16.0) text-anchor="middle" { (short(numbers::seconds(*tick))) }
+                text.tick x=(round(bars.at(*tick))) y=(whole + 16.0) text-anchor="middle" { (trim_zeros(numbers::seconds(*tick))) }
             }
-            @if order == Order::Ascending { polyline.trend points=(line.join(" ")) {} }
+            @if order == RowOrder::Ascending { polyline.trend points=(line.join(" ")) {} }
             @for (place, row) in rows.iter().enumerate() {
                 g data-cost=(row.cost) data-error=(row.error) {
                     title { (row.name) ": error " (numbers::error(row.error)) ", " (numbers::seconds(row.cost)) }
-                    text.name x=(names) y=(round(y(place) + 4.0)) text-anchor="end" { (cropped(&row.name, names)) }
+                    text.name x=(names) y=(round(y(place) + 4.0)) text-anchor="end" { (truncated(&row.name, names)) }
                     g.dot.best.(row.family.class()) { (row.family.mark(at(row), y(place), 5.0)) }
                     rect.bar x=(round(bars.at(0.0))) y=(round(y(place) - 6.5)) height="13"
                         width=(round((bars.at(row.cost) - bars.at(0.0)).max(1.0))) {}
@@ -110,7 +110,7 @@ fn sized(rows: &[Row], order: Order, alt: &str, width: f64, most: f64, values: f
 }
 
 /// As much of a name as has room.
-fn cropped(name: &str, room: f64) -> String {
+fn truncated(name: &str, room: f64) -> String {
     let most = (room / LETTER) as usize;
     if name.chars().count() <= most {
         return name.into();

@@ -2,19 +2,19 @@
 
 use maud::{Markup, html};
 
-use super::axis::Log;
-use super::family::{Family, round};
+use super::axis::LogAxis;
+use super::family::{SettingFamily, round};
 use super::numbers;
-use crate::pareto::{Point, front};
+use crate::pareto::{CostErrorPoint, pareto_front};
 
 /// One setting in the plot.
-pub struct Dot {
+pub struct ScatterPoint {
     /// Where.
-    pub point: Point,
+    pub point: CostErrorPoint,
     /// From where to where its cost was measured.
     pub spread: Option<[f64; 2]>,
     /// How it is drawn.
-    pub family: Family,
+    pub family: SettingFamily,
     /// Its number in the table beside the plot.
     pub number: Option<usize>,
     /// Whether it is the scene's own.
@@ -24,9 +24,9 @@ pub struct Dot {
 }
 
 /// A plot.
-pub struct Scatter<'s> {
+pub struct ScatterPlot<'s> {
     /// Everything in it.
-    pub dots: &'s [Dot],
+    pub dots: &'s [ScatterPoint],
     /// What the horizontal axis is, with its unit.
     pub cost: &'s str,
     /// How its values are written.
@@ -37,7 +37,7 @@ pub struct Scatter<'s> {
     pub alt: String,
 }
 
-impl Scatter<'_> {
+impl ScatterPlot<'_> {
     /// In a size for screens, and in one for phones.
     pub fn draw(&self) -> Markup {
         html! {
@@ -52,11 +52,11 @@ impl Scatter<'_> {
             let [least, most] = dot.spread.unwrap_or([dot.point.cost; 2]);
             [dot.point.cost, least, most]
         });
-        let x = Log::of(costs, left, right);
+        let x = LogAxis::of(costs, left, right);
         let errors = self.dots.iter().map(|dot| dot.point.error).chain(self.noise);
-        let y = Log::of(errors, bottom, top);
-        let points: Vec<Point> = self.dots.iter().map(|dot| dot.point).collect();
-        let best = front(&points);
+        let y = LogAxis::of(errors, bottom, top);
+        let points: Vec<CostErrorPoint> = self.dots.iter().map(|dot| dot.point).collect();
+        let best = pareto_front(&points);
         let line: Vec<String> = best
             .iter()
             .map(|place| {
@@ -74,7 +74,7 @@ impl Scatter<'_> {
                 }
                 @for tick in spaced(&x.ticks(), |tick| x.at(tick), 52.0) {
                     line.grid x1=(round(x.at(tick))) x2=(round(x.at(tick))) y1=(top) y2=(bottom) {}
-                    text.tick x=(round(x.at(tick))) y=(bottom + 18.0) text-anchor="middle" { (short((self.write)(tick))) }
+                    text.tick x=(round(x.at(tick))) y=(bottom + 18.0) text-anchor="middle" { (trim_zeros((self.write)(tick))) }
                 }
                 line.axis x1=(left) x2=(right) y1=(bottom) y2=(bottom) {}
                 text.label x=(0.5 * (left + right)) y=(height - 8.0) text-anchor="middle" { (self.cost) }
@@ -92,8 +92,8 @@ impl Scatter<'_> {
         }
     }
 
-    fn dot(&self, place: usize, is_best: bool, x: &Log, y: &Log) -> Markup {
-        let Dot { point, spread, family, number, is_own, about } = &self.dots[place];
+    fn dot(&self, place: usize, is_best: bool, x: &LogAxis, y: &LogAxis) -> Markup {
+        let ScatterPoint { point, spread, family, number, is_own, about } = &self.dots[place];
         let (at_x, at_y) = (x.at(point.cost), y.at(point.error));
         let strength = if is_best { "best" } else { "beaten" };
         html! {
@@ -113,8 +113,9 @@ impl Scatter<'_> {
 }
 
 /// The families that are there, with their marks.
-pub fn legend(dots: &[Dot]) -> Markup {
-    let families = Family::ALL.into_iter().filter(|family| dots.iter().any(|dot| dot.family == *family));
+pub fn legend(dots: &[ScatterPoint]) -> Markup {
+    let families =
+        SettingFamily::ALL.into_iter().filter(|family| dots.iter().any(|dot| dot.family == *family));
     html! {
         ul.legend {
             @for family in families {
@@ -140,7 +141,7 @@ pub fn spaced(ticks: &[f64], at: impl Fn(f64) -> f64, room: f64) -> Vec<f64> {
 }
 
 /// Without zeros that say nothing: 10.0 ms is 10 ms.
-pub fn short(text: String) -> String {
+pub fn trim_zeros(text: String) -> String {
     match text.split_once(' ') {
         Some((number, unit)) if number.contains('.') => {
             format!("{} {unit}", number.trim_end_matches('0').trim_end_matches('.'))

@@ -4,12 +4,12 @@ use maud::{Markup, html};
 use strahl_scene::quantity::quantity;
 
 use super::caveats;
-use super::family::Family;
+use super::family::SettingFamily;
 use super::numbers::{change, error, seconds};
 use super::pieces::{options, wide};
-use super::row_chart::{Order, Row, draw};
-use crate::record::{Knob, Step, Study};
-use crate::statistics::ends;
+use super::row_chart::{RowOrder, SweepRow, draw};
+use crate::record::{ParameterSweep, Study, SweepPoint};
+use crate::statistics::min_max;
 
 pub fn part(study: &Study) -> Markup {
     html! {
@@ -26,25 +26,25 @@ pub fn part(study: &Study) -> Markup {
     }
 }
 
-fn card(study: &Study, knob: &Knob) -> Markup {
-    let rows: Vec<Row> = knob
+fn card(study: &Study, knob: &ParameterSweep) -> Markup {
+    let rows: Vec<SweepRow> = knob
         .steps
         .iter()
         .map(|step| {
             let run = &study.runs[step.run];
             let is_sampler = knob.name == "sampler";
             let family = if is_sampler {
-                Family::named(&run.setting.settings.sampler.to_string())
+                SettingFamily::named(&run.setting.settings.sampler.to_string())
             } else {
-                Family::Regular
+                SettingFamily::Regular
             };
-            let (name, error, cost) = (step.value.clone(), step.alone.rmse, run.seconds());
-            Row { name, error, cost, spread: ends(&run.cpu), family }
+            let (name, error, cost) = (step.value.clone(), step.alone.rmse, run.median_cpu_seconds());
+            SweepRow { name, error, cost, spread: min_max(&run.cpu), family }
         })
         .collect();
     let order = match knob.name.as_str() {
-        "levels" | "cutoff" | "select" => Order::Ascending,
-        _ => Order::None,
+        "levels" | "cutoff" | "select" => RowOrder::Ascending,
+        _ => RowOrder::None,
     };
     let told: Vec<String> = rows
         .iter()
@@ -77,8 +77,8 @@ fn card(study: &Study, knob: &Knob) -> Markup {
 
 /// What each notch costs over the one before. Samplers and effects have no order of their own: each is
 /// held against the first, or the last.
-fn steps(study: &Study, knob: &Knob) -> Markup {
-    let pairs: Vec<(&Step, &Step)> = match knob.name.as_str() {
+fn steps(study: &Study, knob: &ParameterSweep) -> Markup {
+    let pairs: Vec<(&SweepPoint, &SweepPoint)> = match knob.name.as_str() {
         "sampler" => knob
             .steps
             .first()
@@ -101,7 +101,7 @@ fn steps(study: &Study, knob: &Knob) -> Markup {
                     @let (before, after) = (&study.runs[from.run], &study.runs[to.run]);
                     tr {
                         td { (from.value) } td { (to.value) }
-                        td.number { (change(before.seconds(), after.seconds())) }
+                        td.number { (change(before.median_cpu_seconds(), after.median_cpu_seconds())) }
                         td.number { (change(before.work, after.work)) }
                         td.number { (error(from.alone.rmse)) " → " (error(to.alone.rmse)) }
                     }
@@ -112,9 +112,9 @@ fn steps(study: &Study, knob: &Knob) -> Markup {
 }
 
 /// How the error of `stochastic:N` falls: the exponent of N, by least squares of the logarithms.
-pub fn slope(study: &Study, knob: &Knob) -> Option<f64> {
+pub fn slope(study: &Study, knob: &ParameterSweep) -> Option<f64> {
     let noise = study.reference.noise;
-    let point = |step: &Step| {
+    let point = |step: &SweepPoint| {
         let samples: f64 = step.value.strip_prefix("stochastic:")?.parse().ok()?;
         // Without the part that is the reference's.
         let own = step.alone.rmse * step.alone.rmse - noise * noise;

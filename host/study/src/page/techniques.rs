@@ -3,20 +3,20 @@
 use maud::{Markup, html};
 use strahl_scene::quantity::quantity;
 
-use super::axis::Log;
+use super::axis::LogAxis;
 use super::caveats;
 use super::family::round;
 use super::numbers::{change, count, error, seconds};
 use super::pieces::wide;
 use super::scatter::spaced;
-use crate::record::{Run, Study, Technique};
+use crate::record::{Study, StudyRun, Technique};
 use crate::statistics::median;
 
 /// A technique both of whose runs are there.
 struct Shown<'s> {
     it: &'s Technique,
-    without: &'s Run,
-    with: &'s Run,
+    without: &'s StudyRun,
+    with: &'s StudyRun,
 }
 
 /// A technique without which the picture was given up.
@@ -24,12 +24,12 @@ struct Bounded<'s> {
     it: &'s Technique,
     /// Seconds of wall-clock time.
     after: f64,
-    with: &'s Run,
+    with: &'s StudyRun,
 }
 
 impl Shown<'_> {
     fn time(&self) -> f64 {
-        self.with.seconds() / self.without.seconds().max(1e-12)
+        self.with.median_cpu_seconds() / self.without.median_cpu_seconds().max(1e-12)
     }
 
     fn tests(&self) -> f64 {
@@ -38,7 +38,7 @@ impl Shown<'_> {
 }
 
 /// Tests of boxes and of shapes.
-fn tests(run: &Run) -> f64 {
+fn tests(run: &StudyRun) -> f64 {
     (run.counts.boxes.iter().sum::<u64>() + run.counts.shapes.iter().sum::<u64>()) as f64
 }
 
@@ -95,11 +95,17 @@ fn plot(shown: &[Shown<'_>], width: f64, names: f64) -> Markup {
     let (row, top) = (24.0, 10.0);
     let bottom = top + row * shown.len() as f64;
     let ratios = shown.iter().flat_map(|it| [it.time(), it.tests(), 1.0]);
-    let x = Log::of(ratios, names + 12.0, width - 16.0);
+    let x = LogAxis::of(ratios, names + 12.0, width - 16.0);
     let ticks = spaced(&x.ticks(), |tick| x.at(tick), 44.0);
     let told: Vec<String> = shown
         .iter()
-        .map(|it| format!("{} {}", it.it.name, change(it.without.seconds(), it.with.seconds())))
+        .map(|it| {
+            format!(
+                "{} {}",
+                it.it.name,
+                change(it.without.median_cpu_seconds(), it.with.median_cpu_seconds())
+            )
+        })
         .collect();
     html! {
         svg.plot role="img" aria-label=(format!("Time and tests with each technique as a share of those without. Time: {}", told.join("; ")))
@@ -113,7 +119,7 @@ fn plot(shown: &[Shown<'_>], width: f64, names: f64) -> Markup {
             @for (place, it) in shown.iter().enumerate() {
                 @let y = top + row * (place as f64 + 0.5);
                 g {
-                    title { (it.it.name) ": time " (change(it.without.seconds(), it.with.seconds())) ", tests " (change(tests(it.without), tests(it.with))) }
+                    title { (it.it.name) ": time " (change(it.without.median_cpu_seconds(), it.with.median_cpu_seconds())) ", tests " (change(tests(it.without), tests(it.with))) }
                     text.name x=(names) y=(round(y + 4.0)) text-anchor="end" { (it.it.name) }
                     line.dumbbell x1=(round(x.at(it.time()))) x2=(round(x.at(it.tests()))) y1=(round(y)) y2=(round(y)) {}
                     @let at = x.at(it.tests());
@@ -151,7 +157,7 @@ fn table(shown: &[Shown<'_>], bounded: &[Bounded<'_>]) -> Markup {
                         td { (it.it.off) " → " (it.it.on) }
                         td.number { (count(tests(it.without))) " → " (count(tests(it.with))) }
                         td.number { (saved(it.tests())) }
-                        td.number { (seconds(it.without.seconds())) " → " (seconds(it.with.seconds())) }
+                        td.number { (seconds(it.without.median_cpu_seconds())) " → " (seconds(it.with.median_cpu_seconds())) }
                         td.number { (saved(it.time())) }
                         td.number { (caused(it)) }
                     }
@@ -184,7 +190,7 @@ fn caused(it: &Shown<'_>) -> Markup {
 
 /// How wall-clock time falls with threads.
 fn threads(study: &Study) -> Markup {
-    let runs: Vec<&Run> = study.threads.iter().filter_map(|place| study.runs.get(*place)).collect();
+    let runs: Vec<&StudyRun> = study.threads.iter().filter_map(|place| study.runs.get(*place)).collect();
     // One alone is compared with nothing.
     let [one, _, ..] = &runs[..] else { return html! {} };
     html! {
@@ -199,7 +205,7 @@ fn threads(study: &Study) -> Markup {
                             td { (run.setting.settings.threads) }
                             td.number { (seconds(median(&run.wall))) }
                             td.number { "× " (format!("{:.2}", median(&one.wall) / median(&run.wall).max(1e-12))) }
-                            td.number { (seconds(run.seconds())) }
+                            td.number { (seconds(run.median_cpu_seconds())) }
                             td { @if run.digest == one.digest { "the same, bit for bit" } @else { strong.wrong { "another: a fault of strahl" } } }
                         }
                     }

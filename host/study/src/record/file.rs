@@ -3,7 +3,7 @@
 use serde::Deserialize;
 use serde_json::error::Category;
 
-use super::{Errors, FORMAT, Study, VERSION};
+use super::{ErrorMetrics, FORMAT, Study, VERSION};
 use crate::error::ParseError;
 
 impl Study {
@@ -18,14 +18,14 @@ impl Study {
     pub fn parse(bytes: &[u8]) -> Result<Self, ParseError> {
         /// What every version begins with.
         #[derive(Deserialize)]
-        struct Head {
+        struct StudyHeader {
             format: Option<String>,
             version: Option<u32>,
         }
         let wrong = ParseError::from;
         let at = |error: serde_json::Error| ParseError::at(error.line(), reason(&error));
         let other = || format!("this is no study.json: that begins with \"format\": \"{FORMAT}\"");
-        let head: Head = serde_json::from_slice(bytes).map_err(|error| match error.classify() {
+        let head: StudyHeader = serde_json::from_slice(bytes).map_err(|error| match error.classify() {
             // It is JSON, but of something else.
             Category::Data => wrong(other()),
             _ => at(error),
@@ -60,7 +60,7 @@ impl Study {
                 return Err(format!("run {place} has no measured time"));
             }
             let is_wrong = |value: &f64| !(value.is_finite() && *value >= 0.0);
-            let Errors { rmse, largest, beyond, .. } = run.error;
+            let ErrorMetrics { rmse, largest, beyond, .. } = run.error;
             if run.cpu.iter().chain(&run.wall).chain(&[run.work, rmse, largest, beyond]).any(is_wrong) {
                 return Err(format!("a time, the work or an error of run {place} is negative"));
             }

@@ -7,10 +7,10 @@
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-use crate::cost_model::Weights;
+use crate::cost_model::EventWeights;
 
-pub use run::{Errors, Role, Run};
-pub use settings::{RunSettings, words};
+pub use run::{ErrorMetrics, RunRole, StudyRun};
+pub use settings::{RunSettings, command_line};
 
 pub mod file;
 mod run;
@@ -32,29 +32,29 @@ pub struct Study {
     /// The version of this format: 1.
     pub version: u32,
     /// What was rendered.
-    pub scene: Scene,
+    pub scene: StudiedScene,
     /// How it was measured.
-    pub method: Method,
+    pub method: MeasurementMethod,
     /// What everything was held against.
-    pub reference: Reference,
+    pub reference: ReferenceRecord,
     /// Every setting that was measured. `run` elsewhere is a place in this list, from 0.
-    pub runs: Vec<Run>,
+    pub runs: Vec<StudyRun>,
     /// Settings changed one by one, everything else being as good as it gets.
-    pub knobs: Vec<Knob>,
+    pub knobs: Vec<ParameterSweep>,
     /// Techniques on and off.
     pub techniques: Vec<Technique>,
     /// The same setting with one thread, and twice as many each time: places of runs.
     pub threads: Vec<usize>,
     /// Settings that were not measured, or not to the end.
-    pub left_out: Vec<LeftOut>,
+    pub left_out: Vec<SkippedSetting>,
     /// Pictures, as PNG files in base64.
-    pub pictures: Vec<Image>,
+    pub pictures: Vec<StudyImage>,
 }
 
 /// What was rendered.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
-pub struct Scene {
+pub struct StudiedScene {
     /// The file's name without its extension.
     pub name: String,
     /// The file as it was named on the command line.
@@ -76,7 +76,7 @@ pub struct Scene {
 /// How it was measured.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
-pub struct Method {
+pub struct MeasurementMethod {
     /// The program and its version.
     pub program: String,
     /// When it began, UTC, as in RFC 3339.
@@ -102,13 +102,13 @@ pub struct Method {
     /// deal better than foretold.
     pub beaten: usize,
     /// What one event costs, in instructions; `work` is their sum.
-    pub weights: Weights,
+    pub weights: EventWeights,
 }
 
 /// What everything was held against.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
-pub struct Reference {
+pub struct ReferenceRecord {
     /// Two pictures of this setting with seeds of their own; the reference is their mean. It is never coarser
     /// than the scene's own setting.
     pub setting: RunSettings,
@@ -124,7 +124,7 @@ pub struct Reference {
 /// Settings that differ in one thing.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
-pub struct Knob {
+pub struct ParameterSweep {
     /// The option.
     pub name: String,
     /// What it is about, in a sentence.
@@ -134,7 +134,7 @@ pub struct Knob {
     /// What errors of its steps are held against.
     pub against: String,
     /// From coarse to fine.
-    pub steps: Vec<Step>,
+    pub steps: Vec<SweepPoint>,
     /// Steps that were not measured, see `left_out` of the study: with fewer than two steps and none left out
     /// there is nothing to turn in this scene.
     #[serde(default)]
@@ -144,13 +144,13 @@ pub struct Knob {
 /// One notch of a knob.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
-pub struct Step {
+pub struct SweepPoint {
     /// The value.
     pub value: String,
     /// Its run.
     pub run: usize,
     /// The error that this knob alone makes.
-    pub alone: Errors,
+    pub alone: ErrorMetrics,
 }
 
 /// A technique, on and off.
@@ -176,13 +176,13 @@ pub struct Technique {
     /// Whether it must not change one bit of the picture.
     pub exact: bool,
     /// How far the two pictures are from each other; null where one is missing.
-    pub error: Option<Errors>,
+    pub error: Option<ErrorMetrics>,
 }
 
 /// A setting that was not measured.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
-pub struct LeftOut {
+pub struct SkippedSetting {
     /// Which.
     pub setting: String,
     /// Why.
@@ -192,7 +192,7 @@ pub struct LeftOut {
 /// What is to be seen in a picture.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "lowercase")]
-pub enum Shows {
+pub enum ImageContent {
     /// The reference.
     Reference,
     /// The picture of a run.
@@ -206,9 +206,9 @@ pub enum Shows {
 /// A picture.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
-pub struct Image {
+pub struct StudyImage {
     /// What is to be seen.
-    pub shows: Shows,
+    pub shows: ImageContent,
     /// In which run.
     pub run: Option<usize>,
     /// Of what, in a few words.

@@ -5,13 +5,13 @@ use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use super::settings::RunSettings;
-use crate::cost_model::Counts;
+use crate::cost_model::EventCounts;
 use crate::statistics::median;
 
 /// What a run was made for.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "lowercase")]
-pub enum Role {
+pub enum RunRole {
     /// The scene's own settings, or the defaults.
     Own,
     /// One knob turned, the others being as good as they get.
@@ -27,9 +27,9 @@ pub enum Role {
 /// A setting that was measured.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
-pub struct Run {
+pub struct StudyRun {
     /// What it was made for.
-    pub role: Role,
+    pub role: RunRole,
     /// The setting.
     pub setting: RunSettings,
     /// Processor seconds of tracing, the sum over all threads, once for each repetition.
@@ -41,9 +41,9 @@ pub struct Run {
     /// The work in instructions, as the counts and the weights have it: the same on every machine.
     pub work: f64,
     /// What was counted.
-    pub counts: Counts,
+    pub counts: EventCounts,
     /// How far the picture is from the reference.
-    pub error: Errors,
+    pub error: ErrorMetrics,
     /// Which share of the light the last level and the cutoff cut.
     pub cut: [f64; 2],
     /// BLAKE3 of the linear picture.
@@ -53,7 +53,7 @@ pub struct Run {
 /// How far a picture is from another: differences of sRGB-encoded values, 0 to 1.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
-pub struct Errors {
+pub struct ErrorMetrics {
     /// The root of the mean square.
     pub rmse: f64,
     /// The largest.
@@ -64,14 +64,14 @@ pub struct Errors {
     pub ssim: f64,
 }
 
-impl Run {
+impl StudyRun {
     /// The median of the processor seconds.
-    pub fn seconds(&self) -> f64 {
+    pub fn median_cpu_seconds(&self) -> f64 {
         median(&self.cpu)
     }
 
     /// Whether it tells what accuracy costs, rather than how a picture is found.
-    pub fn is_about_accuracy(&self) -> bool {
-        matches!(self.role, Role::Own | Role::Knob | Role::Mix)
+    pub fn measures_accuracy(&self) -> bool {
+        matches!(self.role, RunRole::Own | RunRole::Knob | RunRole::Mix)
     }
 }

@@ -28,7 +28,7 @@ const OPTIONS: &str = "options";
 impl RunSettings {
     /// Of a run where items were found by `choice`.
     pub fn new(settings: &Settings, choice: &ResolvedAccel) -> Self {
-        let (accelerator, options) = (choice.to_string(), words(settings));
+        let (accelerator, options) = (choice.to_string(), command_line(settings));
         RunSettings { settings: settings.clone(), accelerator, options }
     }
 
@@ -38,7 +38,7 @@ impl RunSettings {
     }
 
     /// The kind of accelerator: the first of the words about it.
-    pub fn kind(&self) -> &str {
+    pub fn accelerator_kind(&self) -> &str {
         self.accelerator.split(' ').next().unwrap_or_default()
     }
 }
@@ -106,7 +106,7 @@ impl JsonSchema for RunSettings {
 }
 
 /// The options of the command line. Levels, cutoff and sampler always; what is usual and the number of threads not.
-pub fn words(settings: &Settings) -> String {
+pub fn command_line(settings: &Settings) -> String {
     let usual = Settings::default();
     let is_shown = |it: &&Setting| {
         let is_basic = it.group == Group::Frame || it.name == "sampler";
@@ -123,10 +123,10 @@ mod tests {
 
     #[test]
     fn options_are_those_of_the_command_line_and_what_is_usual_is_left_out() {
-        assert_eq!(words(&Settings::default()), "--levels 5 --cutoff 1/512 --sampler single");
+        assert_eq!(command_line(&Settings::default()), "--levels 5 --cutoff 1/512 --sampler single");
         let settings = Settings { threads: 7, mailbox: 8, shadow_cache: false, ..Settings::default() };
         assert_eq!(
-            words(&settings),
+            command_line(&settings),
             "--levels 5 --cutoff 1/512 --sampler single --mailbox 8 --no-shadow-cache"
         );
     }

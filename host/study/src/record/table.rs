@@ -1,10 +1,10 @@
 //! `study.csv`: one row for each run, for spreadsheets.
 
-use crate::pareto::{Point, front};
+use crate::pareto::{CostErrorPoint, pareto_front};
 use serde_json::Value;
 
-use super::{Run, RunSettings, Study};
-use crate::statistics::{ends, median};
+use super::{RunSettings, Study, StudyRun};
+use crate::statistics::{median, min_max};
 
 /// The columns after those of the settings.
 const MEASURED: [&str; 22] = [
@@ -33,16 +33,17 @@ const MEASURED: [&str; 22] = [
 ];
 
 /// The places of the runs that no other beats in accuracy: by work, or by time.
-pub fn best(study: &Study, cost: fn(&Run) -> f64) -> Vec<usize> {
-    let about = study.runs.iter().enumerate().filter(|(_, run)| run.is_about_accuracy());
+pub fn pareto_runs(study: &Study, cost: fn(&StudyRun) -> f64) -> Vec<usize> {
+    let about = study.runs.iter().enumerate().filter(|(_, run)| run.measures_accuracy());
     let (places, points): (Vec<_>, Vec<_>) =
-        about.map(|(place, run)| (place, Point { cost: cost(run), error: run.error.rmse })).unzip();
-    front(&points).into_iter().map(|place| places[place]).collect()
+        about.map(|(place, run)| (place, CostErrorPoint { cost: cost(run), error: run.error.rmse })).unzip();
+    pareto_front(&points).into_iter().map(|place| places[place]).collect()
 }
 
 /// The file.
-pub fn table(study: &Study) -> String {
-    let (by_work, by_time) = (best(study, |run| run.work), best(study, Run::seconds));
+pub fn to_csv(study: &Study) -> String {
+    let (by_work, by_time) =
+        (pareto_runs(study, |run| run.work), pareto_runs(study, StudyRun::median_cpu_seconds));
     let mut writer = csv::Writer::from_writer(Vec::new());
     // Writing to memory cannot fail.
     let settings = RunSettings::recorded().map(|setting| setting.name);
@@ -50,7 +51,7 @@ pub fn table(study: &Study) -> String {
     for (place, run) in study.runs.iter().enumerate() {
         let (setting, counts, error) = (&run.setting, &run.counts, &run.error);
         let sum = |of: [u64; 4]| of.iter().sum::<u64>().to_string();
-        let [least, most] = ends(&run.cpu);
+        let [least, most] = min_max(&run.cpu);
         let role = format!("{:?}", run.role).to_lowercase();
         let mut row = vec![place.to_string(), role];
         row.extend(RunSettings::recorded().map(|it| cell(&it.to_json(&setting.settings))));
