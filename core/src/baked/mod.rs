@@ -109,7 +109,7 @@ impl<'s> BakedScene<'s> {
     }
 
     /// The size of the picture that it was baked for. A device may take another.
-    pub const fn size(&self) -> Resolution {
+    pub const fn resolution(&self) -> Resolution {
         self.resolution
     }
 

@@ -12,7 +12,7 @@ fn a_baked_scene_is_opened_unchanged() {
         assert_eq!(format!("{:?}", baked.descriptor()), format!("{:?}", opened.descriptor()));
         assert_eq!(baked.required_effects(), opened.required_effects());
         assert_eq!(
-            (*pack.camera_descriptor(), pack.size(), pack.levels(), pack.cutoff()),
+            (*pack.camera_descriptor(), pack.resolution(), pack.levels(), pack.cutoff()),
             (VIEW, SIZE, 4, 0.01)
         );
         // In place: the tables point into the bytes.

@@ -48,7 +48,7 @@ fn main() -> ! {
 fn picture(row: &mut Row) -> Result<(), &'static str> {
     let (pack, opening) = count::of(|| Pack::open(SCENE));
     let pack = pack.map_err(|_| "these bytes are no scene")?;
-    if pack.scene().effects() != Mirrors::SET {
+    if pack.scene().required_effects() != Mirrors::SET {
         return Err("the scene does not ask for exactly what the tracer can do");
     }
     let bvh = pack.bvh::<TraversalStack<32>>().map_err(|_| "there is no hierarchy")?;

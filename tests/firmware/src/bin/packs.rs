@@ -11,7 +11,7 @@ use semihosting::{fs::File, io::Write, println, process};
 use strahl_firmware::{count, packs::STACK};
 use strahl_firmware::{
     draw::{Bytes, DARK, Row},
-    packs::{Baked, SCENES, Written, picture},
+    packs::{BakedFixture, SCENES, Written, picture},
 };
 
 #[cfg(target_arch = "arm")]
@@ -39,7 +39,7 @@ fn all(row: &mut Row) -> ! {
     process::exit(0)
 }
 
-fn one(baked: &Baked, row: &mut Row) -> Result<(), &'static str> {
+fn one(baked: &BakedFixture, row: &mut Row) -> Result<(), &'static str> {
     let mut file = File::create(baked.name).map_err(|_| "its picture cannot be created")?;
     let take = |row: &[Bytes]| file.write_all(row.as_flattened().as_flattened()).is_ok();
     let name = baked.name.to_str().unwrap_or_default();

@@ -11,7 +11,7 @@ use core::hint::black_box;
 use cortex_m_rt::entry;
 use semihosting::{fs::File, io::Write, println, process};
 use strahl_core::scene::Effects;
-use strahl_core::{BareList, Camera, Scene, Single, World};
+use strahl_core::{BareList, Camera, CenterSampler, Scene, World};
 use strahl_firmware::draw::{Wanted, draw};
 use strahl_firmware::peer::{ITEMS, LEVELS, LIMITS, PARTS, Peer, SIZE, VIEW, quantised};
 use strahl_firmware::{count, stack};
@@ -44,8 +44,16 @@ fn picture(row: &mut [[u8; 3]; WIDTH]) -> Result<(), &'static str> {
 
     let wanted = Wanted { size: SIZE, camera, limits: LIMITS };
     let take = |row: &[[u8; 3]]| file.write_all(row.as_flattened()).is_ok();
-    let took =
-        draw::<_, Peer, _, _, _, LEVELS>(&world, wanted, &mut Single, (), row, count::now, quantised, take)?;
+    let took = draw::<_, Peer, _, _, _, LEVELS>(
+        &world,
+        wanted,
+        &mut CenterSampler,
+        (),
+        row,
+        count::now,
+        quantised,
+        take,
+    )?;
     // Before anything is printed, which takes stack as well.
     let stack = stack::used();
     println!("pixels {}", SIZE.width() * SIZE.height());

@@ -2,13 +2,14 @@
 
 use strahl_core::accel::Accelerator;
 use strahl_core::image::{
-    Adaptive, Agreement, Confidence, Corner, CornerRow, Corners, Every, Filter, Gathered, Kept, Lattice,
-    Loose, Part, Parting, Pixel, Record, Regular, Sampler, Selected, Selection, Stochastic,
+    AdaptiveSampler, CacheEntry, Confidence, ContrastThreshold, CornerCache, CornerGrid, CornerRow,
+    CornerSampler, Filter, FramebufferPixel, Pixel, PixelEstimate, PixelSelector, RegularSampler, Sampler,
+    Selection, StochasticSampler, StridedSampler, Subdivision, Subpixel, Uncached,
 };
 use strahl_core::scene::{CameraSample, Effects};
 use strahl_core::tally::Tally;
 use strahl_core::trace::{HitId, PixelSample, RayTracer};
-use strahl_core::{Rgb, Single, Tile, Tracer, Worker};
+use strahl_core::{CenterSampler, Rgb, Tile, Tracer, Worker};
 
 use crate::any::{any, number, used};
 use crate::render::{rendered, selected};
@@ -16,13 +17,17 @@ use crate::scene::{any_sample, any_size};
 
 pub fn doors() {
     let pixel = any(Pixel { x: 0, y: 0 });
-    used((Tile::whole(any_size()), Lattice::tile(any_tile()), Tile::within(any_tile(), any_tile())));
-    used((Tile::len(any_tile()), Tile::is_empty(any_tile()), Tile::place(any_tile(), pixel)));
+    used((
+        Tile::full(any_size()),
+        CornerGrid::corner_tile(any_tile()),
+        Tile::intersection(any_tile(), any_tile()),
+    ));
+    used((Tile::len(any_tile()), Tile::is_empty(any_tile()), Tile::index_of(any_tile(), pixel)));
     Tile::tiles(any_tile(), any(1)).for_each(used);
 }
 
 pub fn any_tile() -> Tile {
-    any(Tile { first: Pixel { x: 0, y: 0 }, width: 1, height: 1 })
+    any(Tile { top_left: Pixel { x: 0, y: 0 }, width: 1, height: 1 })
 }
 
 /// With every sampler.
@@ -30,30 +35,38 @@ pub fn sampled<A: Accelerator, E: Effects, T: Tally, const LEVELS: usize>(
     tracer: &Tracer<'_, '_, A, E, LEVELS>,
     worker: &mut Worker<A, T, LEVELS>,
 ) {
-    rendered(tracer, worker, Single);
+    rendered(tracer, worker, CenterSampler);
     rendered(tracer, worker, Somewhere);
     let (filter, seed) = (any(Filter::Gaussian), any(0));
-    if let Some(regular) = Regular::new(any(1)) {
-        rendered(tracer, worker, Regular::seeded(Regular::filtered(regular, filter), seed));
+    if let Some(regular) = RegularSampler::new(any(1)) {
+        rendered(
+            tracer,
+            worker,
+            RegularSampler::with_seed(RegularSampler::with_filter(regular, filter), seed),
+        );
     }
-    if let Some(stochastic) = Stochastic::new(any(1)) {
-        rendered(tracer, worker, Stochastic::filtered(stochastic, filter));
+    if let Some(stochastic) = StochasticSampler::new(any(1)) {
+        rendered(tracer, worker, StochasticSampler::with_filter(stochastic, filter));
     }
-    let ends = any(Confidence { errors: 1.0, tolerance: 0.1 });
-    if let Some(mut stochastic) = Stochastic::between(any(1), any(2), ends) {
-        let mut gathered = any(Gathered::NONE);
+    let ends = any(Confidence { standard_errors: 1.0, tolerance: 0.1 });
+    if let Some(mut stochastic) = StochasticSampler::with_range(any(1), any(2), ends) {
+        let mut gathered = any(PixelEstimate::EMPTY);
         let pixel = any(Pixel { x: 0, y: 0 });
-        Stochastic::continue_pixel(&stochastic, pixel, &mut gathered, &mut any_trace);
-        used((Gathered::sample(&gathered), Gathered::rays(&gathered), Gathered::doubt(&gathered, number())));
-        rendered(tracer, worker, &mut Stochastic::seeded(stochastic, seed));
-        stochastic.begin();
+        StochasticSampler::continue_pixel(&stochastic, pixel, &mut gathered, &mut any_trace);
+        used((
+            PixelEstimate::to_sample(&gathered),
+            PixelEstimate::sample_count(&gathered),
+            PixelEstimate::confidence_radius(&gathered, number()),
+        ));
+        rendered(tracer, worker, &mut StochasticSampler::with_seed(stochastic, seed));
+        stochastic.reset();
     }
     corners(tracer, worker);
 }
 
-fn agreement() -> Option<Agreement> {
-    let colors = Agreement::of_colors(number())?;
-    Some(if any(true) { Agreement::and_items(colors) } else { colors })
+fn agreement() -> Option<ContrastThreshold> {
+    let colors = ContrastThreshold::new(number())?;
+    Some(if any(true) { ContrastThreshold::with_items(colors) } else { colors })
 }
 
 /// What shares the corners of pixels or of blocks.
@@ -62,34 +75,34 @@ fn corners<A: Accelerator, E: Effects, T: Tally, const LEVELS: usize>(
     worker: &mut Worker<A, T, LEVELS>,
 ) {
     let Some(agreement) = agreement() else { return };
-    used(Corners::corners(&mut Loose, any(Pixel { x: 0, y: 0 }), &mut |_| any(PixelSample::BLACK)));
+    used(CornerCache::corners(&mut Uncached, any(Pixel { x: 0, y: 0 }), &mut |_| any(PixelSample::BLACK)));
     used((
-        <Rgb as Record>::of(any(PixelSample::BLACK)),
-        <PixelSample as Record>::of(any(PixelSample::BLACK)),
+        <Rgb as FramebufferPixel>::from_sample(any(PixelSample::BLACK)),
+        <PixelSample as FramebufferPixel>::from_sample(any(PixelSample::BLACK)),
     ));
     let samples = any([PixelSample::BLACK; 4]);
-    let (mut row, mut kept) = (any([PixelSample::BLACK; 4]), any([Kept::NOTHING; 4]));
-    if let Some(parting) = Parting::new(any(1), agreement) {
-        let parting = Parting::seeded(parting, any(0));
-        rendered(tracer, worker, Corner(parting));
-        rendered(tracer, worker, Adaptive::new(parting, Loose, any(&mut kept[..])));
-        let mut parted = Adaptive::new(parting, Loose, any(&mut kept[..]));
+    let (mut row, mut kept) = (any([PixelSample::BLACK; 4]), any([CacheEntry::EMPTY; 4]));
+    if let Some(parting) = Subdivision::new(any(1), agreement) {
+        let parting = Subdivision::with_seed(parting, any(0));
+        rendered(tracer, worker, CornerSampler(parting));
+        rendered(tracer, worker, AdaptiveSampler::new(parting, Uncached, any(&mut kept[..])));
+        let mut parted = AdaptiveSampler::new(parting, Uncached, any(&mut kept[..]));
         let pixel = any(Pixel { x: 0, y: 0 });
         let trace = &mut any_trace;
-        used(Adaptive::sample_by_parts(&mut parted, pixel, trace, &mut |part: Part| used(part)));
+        used(AdaptiveSampler::sample_subpixels(&mut parted, pixel, trace, &mut |part: Subpixel| used(part)));
         let row = CornerRow::new(any(&mut row[..]));
-        rendered(tracer, worker, Adaptive::new(parting, row, any(&mut kept[..])));
-        if let Some(lattice) = Lattice::new(any_tile(), any(&samples[..])) {
-            rendered(tracer, worker, Adaptive::new(parting, lattice, any(&mut kept[..])));
+        rendered(tracer, worker, AdaptiveSampler::new(parting, row, any(&mut kept[..])));
+        if let Some(lattice) = CornerGrid::new(any_tile(), any(&samples[..])) {
+            rendered(tracer, worker, AdaptiveSampler::new(parting, lattice, any(&mut kept[..])));
         }
     }
     if let Some(selection) = Selection::new(any(4), agreement) {
         used((Selection::step(&selection), Selection::blocks(&selection, any_tile())));
-        used(Selection::area(&selection, any_tile()));
-        Selection::sides(&selection).for_each(used);
-        let every: Every<Single> = Selection::raster(&selection, Single);
+        used(Selection::pixels_of(&selection, any_tile()));
+        Selection::refinement_sides(&selection).for_each(used);
+        let every: StridedSampler<CenterSampler> = Selection::corner_sampler(&selection, CenterSampler);
         rendered(tracer, worker, every);
-        selected(tracer, worker, Selected::new(selection, Single, Loose, any(&mut kept[..])));
+        selected(tracer, worker, PixelSelector::new(selection, CenterSampler, Uncached, any(&mut kept[..])));
     }
 }
 

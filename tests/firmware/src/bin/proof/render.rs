@@ -6,11 +6,13 @@ use embedded_graphics_core::geometry::{Dimensions, Point, Size as Extent};
 use embedded_graphics_core::pixelcolor::Rgb565;
 use embedded_graphics_core::primitives::Rectangle;
 use strahl_core::accel::Accelerator;
-use strahl_core::image::{Display, Dither, Frame, Loose, Pixel, Sampler, Selected, Sink, Steps};
+use strahl_core::image::{
+    Dither, DrawTargetSink, Framebuffer, FromChannels, Pixel, PixelSelector, Sampler, Sink, Uncached,
+};
 use strahl_core::render::{render_progressive, render_selected};
 use strahl_core::scene::Effects;
 use strahl_core::tally::Tally;
-use strahl_core::{Rgb, Single, Tile, Tracer, Worker, render};
+use strahl_core::{CenterSampler, Rgb, Tile, Tracer, Worker, render};
 
 use crate::any::{any, used};
 use crate::image::{any_tile, any_trace};
@@ -22,7 +24,7 @@ pub fn rendered<A: Accelerator, E: Effects, T: Tally, const LEVELS: usize>(
     mut sampler: impl Sampler,
 ) {
     let mut colors = [Rgb::BLACK; 4];
-    if let Some(mut frame) = Frame::new(any_tile(), any(&mut colors[..])) {
+    if let Some(mut frame) = Framebuffer::new(any_tile(), any(&mut colors[..])) {
         let Ok(()) = render(
             &mut Tracer::with_worker(tracer, worker),
             &mut sampler,
@@ -43,21 +45,21 @@ pub fn rendered<A: Accelerator, E: Effects, T: Tally, const LEVELS: usize>(
         &mut Screen,
     ));
     let mut screen = Screen;
-    let mut display = Display::new(&mut screen, Point::new(any(0), any(0)), any(Dither::Ordered));
+    let mut display = DrawTargetSink::new(&mut screen, Point::new(any(0), any(0)), any(Dither::Ordered));
     used(render(
         &mut Tracer::with_worker(tracer, worker),
         &mut sampler,
         [any(Pixel { x: 0, y: 0 })],
         &mut display,
     ));
-    used(<Rgb565 as Steps>::of(any([0; 3])));
+    used(<Rgb565 as FromChannels>::from_channels(any([0; 3])));
 }
 
 /// What only selected pixels are traced of.
 pub fn selected<A: Accelerator, E: Effects, T: Tally, const LEVELS: usize>(
     tracer: &Tracer<'_, '_, A, E, LEVELS>,
     worker: &mut Worker<A, T, LEVELS>,
-    mut selected: Selected<'_, Loose, Single>,
+    mut selected: PixelSelector<'_, Uncached, CenterSampler>,
 ) {
     used(render_selected(
         &mut Tracer::with_worker(tracer, worker),
@@ -71,10 +73,16 @@ pub fn selected<A: Accelerator, E: Effects, T: Tally, const LEVELS: usize>(
         any_tile(),
         &mut Screen,
     ));
-    used(*Selected::selection(&selected));
-    Selected::begin(&mut selected);
-    Selected::refine_block(&mut selected, any(Pixel { x: 0, y: 0 }), any(4), &mut any_trace, &mut |_, _| {});
-    Selected::sample_block(&mut selected, any(Pixel { x: 0, y: 0 }), &mut any_trace, &mut |_, _| {});
+    used(*PixelSelector::selection(&selected));
+    PixelSelector::reset(&mut selected);
+    PixelSelector::refine_block(
+        &mut selected,
+        any(Pixel { x: 0, y: 0 }),
+        any(4),
+        &mut any_trace,
+        &mut |_, _| {},
+    );
+    PixelSelector::sample_block(&mut selected, any(Pixel { x: 0, y: 0 }), &mut any_trace, &mut |_, _| {});
 }
 
 /// A screen whose wire may break.
