@@ -78,24 +78,24 @@ fn main() -> Result<(), Box<dyn Error>> {
     // All memory besides the display.
     let mut row = [PixelSample::BLACK; 41];
     let mut cache = [CacheEntry::EMPTY; 2048];
-    let agreement = ContrastThreshold::new(0.04).ok_or("invalid threshold")?;
-    let selection = Selection::new(STEP, agreement).ok_or("invalid step")?;
+    let threshold = ContrastThreshold::new(0.04).ok_or("invalid threshold")?;
+    let selection = Selection::new(STEP, threshold).ok_or("invalid step")?;
     let corners = width.div_ceil(STEP) as usize + 1;
-    let mut selected =
+    let mut selector =
         PixelSelector::new(selection, CenterSampler, CornerRow::new(&mut row[..corners]), &mut cache);
 
     let tile = Tile::full(resolution);
     let mut display = vec![Rgb::BLACK; tile.len()];
     let (mut rays, mut writes) = (0, 0);
     let mut worker = Worker::<_, (), 3>::new(());
-    selected.reset();
+    selector.reset();
     for side in selection.refinement_sides() {
         for block in selection.blocks(tile).pixels() {
             let mut trace = |sample: CameraSample| {
                 rays += 1;
                 tracer.trace(sample, &mut worker)
             };
-            selected.refine_block(block, side, &mut trace, &mut |pixel, sample| {
+            selector.refine_block(block, side, &mut trace, &mut |pixel, sample| {
                 if let Some(entry) = tile.index_of(pixel).and_then(|index| display.get_mut(index)) {
                     *entry = sample.color;
                     writes += 1;

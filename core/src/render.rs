@@ -40,9 +40,10 @@ use crate::trace::RayTracer;
 /// let mut worker = Worker::new(());
 ///
 /// let mut picture = [Rgb::BLACK; 9];
-/// let tile = Tile::whole(resolution);
-/// let mut frame = Frame::new(tile, &mut picture).unwrap();
-/// let Ok(()) = render(&mut tracer.with_worker(&mut worker), &mut Single, tile.pixels(), &mut frame);
+/// let tile = Tile::full(resolution);
+/// let mut framebuffer = Framebuffer::new(tile, &mut picture).unwrap();
+/// let mut ray_tracer = tracer.with_worker(&mut worker);
+/// let Ok(()) = render(&mut ray_tracer, &mut CenterSampler, tile.pixels(), &mut framebuffer);
 ///
 /// // Only the ray through the center hits the sphere.
 /// let (hit, miss) = (Rgb::gray(0.5), Rgb::BLACK);
@@ -80,7 +81,7 @@ where
 /// The error of the sink; rendering ends with that block.
 pub fn render_selected<R, K>(
     tracer: &mut R,
-    selected: &mut PixelSelector<'_, impl CornerCache, impl Sampler>,
+    selector: &mut PixelSelector<'_, impl CornerCache, impl Sampler>,
     blocks: impl IntoIterator<Item = Pixel>,
     sink: &mut K,
 ) -> Result<(), K::Error>
@@ -89,10 +90,10 @@ where
     K: Sink,
 {
     tracer.reset();
-    selected.reset();
+    selector.reset();
     for block in blocks {
         let mut result = Ok(());
-        selected.sample_block(block, tracer, &mut |pixel, sample| {
+        selector.sample_block(block, tracer, &mut |pixel, sample| {
             if result.is_ok() {
                 result = sink.put_sample(pixel, sample);
             }
@@ -114,7 +115,7 @@ where
 /// The error of the sink; rendering ends with that block.
 pub fn render_progressive<R, K>(
     tracer: &mut R,
-    selected: &mut PixelSelector<'_, impl CornerCache, impl Sampler>,
+    selector: &mut PixelSelector<'_, impl CornerCache, impl Sampler>,
     tile: Tile,
     sink: &mut K,
 ) -> Result<(), K::Error>
@@ -123,12 +124,12 @@ where
     K: Sink,
 {
     tracer.reset();
-    selected.reset();
-    let selection = *selected.selection();
+    selector.reset();
+    let selection = *selector.selection();
     for side in selection.refinement_sides() {
         for block in selection.blocks(tile).pixels() {
             let mut result = Ok(());
-            selected.refine_block(block, side, tracer, &mut |pixel, sample| {
+            selector.refine_block(block, side, tracer, &mut |pixel, sample| {
                 if result.is_ok() {
                     result = sink.put_sample(pixel, sample);
                 }

@@ -9,6 +9,19 @@ use crate::tally::Tally;
 ///
 /// [`Tracer::with_worker`] returns one, and every closure from [`CameraSample`] to [`PixelSample`] is one.
 /// The trait is object-safe: code that is compiled once for all tracers takes `&mut dyn RayTracer`.
+///
+/// ```
+/// use strahl_core::image::{Pixel, Sampler};
+/// use strahl_core::scene::CameraSample;
+/// use strahl_core::trace::{HitId, PixelSample};
+/// use strahl_core::{CenterSampler, Rgb};
+///
+/// // A closure instead of a scene: a horizontal gradient.
+/// let mut gradient =
+///     |sample: CameraSample| PixelSample { color: Rgb::gray(sample.point.x / 8.0), hit: HitId::Nothing };
+/// let sample = CenterSampler.sample_pixel(Pixel { x: 3, y: 0 }, &mut gradient);
+/// assert_eq!(sample.color, Rgb::gray(3.5 / 8.0));
+/// ```
 pub trait RayTracer {
     /// Traces one camera sample: its radiance and the item that the camera ray hits.
     fn trace(&mut self, sample: CameraSample) -> PixelSample;

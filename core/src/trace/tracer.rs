@@ -28,6 +28,30 @@ const MAX_SAMPLE_RADIANCE: Real = 1e30;
 /// * `A`: accelerator of the world.
 /// * `E`: effects that are compiled; everything else is optimized away.
 /// * `LEVELS`: largest number of ray levels, 1 to 64. It determines the size of a worker.
+///
+/// ```
+/// use strahl_core::math::SobolSequence;
+/// use strahl_core::scene::{CameraSample, FilmPoint};
+/// use strahl_core::trace::HitId;
+/// use strahl_core::*;
+///
+/// let background = Background::Color(Rgb::WHITE);
+/// let world = World::new(Scene::new(SceneDescriptor { background, ..SceneDescriptor::EMPTY })?, BareList(0));
+/// let camera = CameraDescriptor {
+///     position: Vec3::ZERO,
+///     target: vec3(0.0, 0.0, -1.0),
+///     up: Vec3::Y,
+///     projection: Projection::Perspective { field_of_view: 1.0 },
+/// };
+/// let camera = Camera::new(&camera, Resolution::new(4, 3).unwrap())?;
+/// let tracer = Tracer::<_, AllEffects, 5>::new(&world, camera, Limits::DEFAULT)?;
+///
+/// let sequence = SobolSequence::new(0, 0, 0, 0);
+/// let sample = CameraSample { point: FilmPoint { x: 0.5, y: 0.5 }, sequence };
+/// let pixel = tracer.trace(sample, &mut Worker::new(()));
+/// assert_eq!((pixel.color, pixel.hit), (Rgb::WHITE, HitId::Nothing));
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
 #[derive(Debug)]
 pub struct Tracer<'w, 's, A, E, const LEVELS: usize> {
     pub(super) world: &'w World<'s, A>,
