@@ -1,4 +1,4 @@
-//! A scene opened once in the precision that is asked for: pictures of it, and what rays hit.
+//! A scene opened once in the requested precision: pictures and ray queries.
 
 use std::time::{Duration, Instant};
 
@@ -13,7 +13,7 @@ use strahl_settings::{AccelSettings, Precision, Settings};
 
 use crate::tables::{double, single};
 
-/// The tables of a scene, and memory for its accelerator. The caller keeps it as long as the session.
+/// The tables of a scene, and memory for its accelerator. A [`Session`] borrows it.
 #[derive(Debug)]
 pub struct SceneStorage {
     tables: Tables,
@@ -31,7 +31,7 @@ enum Tables {
 }
 
 impl SceneStorage {
-    /// The tables of a scene in this precision.
+    /// Builds the tables of a scene in this precision.
     pub fn new(description: &LoadedScene, precision: Precision) -> Self {
         let clock = Instant::now();
         let view = &description.camera;
@@ -48,7 +48,7 @@ impl SceneStorage {
         SceneStorage { tables, build: clock.elapsed() }
     }
 
-    /// What is in the scene.
+    /// The contents of the scene. Returns an error if the core refuses it.
     pub fn scene_stats(&self) -> Result<SceneStats, RenderError> {
         match &self.tables {
             Tables::Single(tables, view, _) => {
@@ -63,7 +63,7 @@ impl SceneStorage {
     }
 }
 
-/// A scene with its accelerator, of which pictures are rendered one after another.
+/// A scene with its accelerator: renders pictures and answers ray queries.
 pub struct Session<'s> {
     engine: Box<dyn Engine + 's>,
     precision: Precision,
@@ -71,7 +71,7 @@ pub struct Session<'s> {
 }
 
 impl<'s> Session<'s> {
-    /// Builds the accelerator that is asked for.
+    /// Builds the accelerator. Returns an error if the core refuses the scene.
     pub fn new(storage: &'s mut SceneStorage, accelerator: &AccelSettings) -> Result<Self, RenderError> {
         let clock = Instant::now();
         let SceneStorage { tables, build } = storage;
@@ -89,7 +89,7 @@ impl<'s> Session<'s> {
         Ok(Session { engine, precision, build: *build + clock.elapsed() })
     }
 
-    /// What is in the scene.
+    /// The contents of the scene.
     pub fn scene(&self) -> &SceneStats {
         self.engine.scene()
     }
@@ -101,7 +101,7 @@ impl<'s> Session<'s> {
 
     /// Renders a picture.
     ///
-    /// Precision and accelerator are those of the session, whatever else the settings ask for.
+    /// Precision and accelerator are those of the session; the settings do not change them.
     pub fn render(
         &self,
         settings: &Settings,
@@ -111,7 +111,7 @@ impl<'s> Session<'s> {
         Ok(self.output(settings, self.engine.render(settings, options, progress)?))
     }
 
-    /// Renders a picture that becomes better pass by pass, as `scheduler` decides; the last that was completed.
+    /// Renders progressively, pass by pass as `scheduler` chooses. Returns the picture of the last complete pass.
     pub fn refine(
         &self,
         settings: &Settings,
@@ -122,7 +122,7 @@ impl<'s> Session<'s> {
         Ok(self.output(settings, self.engine.refine(settings, options, progress, scheduler)?))
     }
 
-    /// Finds the nearest hits of rays, for one thread.
+    /// A function that finds the nearest hit of a ray, for use by one thread.
     pub fn ray_caster(&self) -> RayCaster<'_> {
         self.engine.ray_caster()
     }
@@ -142,28 +142,28 @@ impl<'s> Session<'s> {
     }
 }
 
-/// A picture, and what it took.
+/// A picture with its statistics.
 #[derive(Debug)]
 pub struct RenderOutput {
     /// The picture.
     pub picture: Picture,
-    /// The work; that of tests where it was to be counted.
+    /// Event counters. Tests are zero unless [`RenderOptions`] requests them.
     pub counters: Counters,
-    /// What was computed with.
+    /// Floating-point precision of the computation.
     pub precision: Precision,
-    /// What is in the scene.
+    /// The contents of the scene.
     pub scene: SceneStats,
     /// The accelerator.
     pub accelerator: AccelStats,
-    /// Wall-clock time of making the tables and the accelerator.
+    /// Wall-clock time to build the tables and the accelerator.
     pub build: Duration,
     /// Wall-clock time of tracing.
     pub trace: Duration,
-    /// Processor time of tracing, the sum over all threads.
+    /// Processor time of tracing, summed over all threads.
     pub trace_cpu: Duration,
 }
 
-/// Opens a scene and renders one picture of it.
+/// Opens a scene and renders one picture.
 pub fn render(
     description: &LoadedScene,
     settings: &Settings,

@@ -6,8 +6,9 @@ use std::fmt::Write as _;
 use strahl_core::Rgb;
 use strahl_scene::quantity::quantity;
 
+use strahl_scene::description::Float3;
 use strahl_session::explain::tree::{
-    LightRecord, NameAndLine, PixelExplanation, RayRecord, SampleRecord, SecondaryRayRecord, Triple,
+    LightRecord, NameAndLine, PixelExplanation, RayRecord, SampleRecord, SecondaryRayRecord,
 };
 
 /// How wide a box is.
@@ -233,7 +234,7 @@ impl Tree<'_> {
 /// What stands in the box of a ray.
 fn rows(ray: &RayRecord) -> Vec<String> {
     let Some(hit) = &ray.hit else { return vec!["nothing".into(), "sees the background".into()] };
-    let thing = &hit.thing;
+    let thing = &hit.item;
     let place =
         if thing.line > 0 { format!("line {}", thing.line) } else { format!("object {}", thing.object) };
     let mut rows = vec![format!("{}, {place}", thing.shape)];
@@ -268,10 +269,10 @@ fn bulb(svg: &mut String, light: &LightRecord, x: f64, y: f64) {
     let says = match (light.outcome, &light.blocker) {
         ("seen", _) if light.through.is_empty() => "seen".into(),
         ("seen", _) => "seen through glass".into(),
-        ("blocked", Some(blocker)) if blocker.thing.line > 0 => {
-            format!("{}, line {}", blocker.thing.shape, blocker.thing.line)
+        ("blocked", Some(blocker)) if blocker.item.line > 0 => {
+            format!("{}, line {}", blocker.item.shape, blocker.item.line)
         }
-        ("blocked", Some(blocker)) => format!("{} {}", blocker.thing.shape, blocker.thing.object),
+        ("blocked", Some(blocker)) => format!("{} {}", blocker.item.shape, blocker.item.object),
         ("behind", _) => "faces away".into(),
         ("dark", _) => "does not shine here".into(),
         ("unseen", _) => "highlight elsewhere".into(),
@@ -295,7 +296,7 @@ fn edge(svg: &mut String, class: &str, label: &str, (x0, y0): (f64, f64), (x1, y
     }
 }
 
-fn largest([r, g, b]: Triple) -> f32 {
+fn largest([r, g, b]: Float3) -> f32 {
     Rgb::new(r, g, b).max_component()
 }
 

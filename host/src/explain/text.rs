@@ -2,9 +2,10 @@
 
 use std::fmt::Write as _;
 
+use strahl_scene::description::Float3;
 use strahl_session::explain::tree::{
     HitRecord, ItemRecord, LightRecord, NameAndLine, PixelExplanation, RayRecord, SampleRecord, SampleSum,
-    SecondaryRayRecord, SubpixelRecord, Triple, explained_settings,
+    SecondaryRayRecord, SubpixelRecord, explained_settings,
 };
 
 /// Where a line goes on that is broken.
@@ -27,15 +28,15 @@ pub fn text(explained: &PixelExplanation, only: Option<usize>) -> String {
             1 => writeln!(text, "\nthrough {x},{y}"),
             count => writeln!(text, "\nsample {number} of {count}, through {x},{y}"),
         };
-        Writer { text: &mut text, sample }.ray(0, "", "");
+        TreeWriter { text: &mut text, sample }.ray(0, "", "");
         let _ = writeln!(text, "what the rays add, in this order, is {}", channels(*color));
     }
-    let _ = write!(text, "\n{}", summed(sum, samples.len(), *color));
+    let _ = write!(text, "\n{}", sum_text(sum, samples.len(), *color));
     text
 }
 
 /// How the pixel comes of its samples.
-fn summed(sum: &SampleSum, count: usize, color: Triple) -> String {
+fn sum_text(sum: &SampleSum, count: usize, color: Float3) -> String {
     let color = channels(color);
     match sum {
         SampleSum::Mean { .. } if count == 1 => format!("the pixel is this sample: {color}\n"),
@@ -52,12 +53,12 @@ fn summed(sum: &SampleSum, count: usize, color: Triple) -> String {
     }
 }
 
-struct Writer<'t> {
+struct TreeWriter<'t> {
     text: &'t mut String,
     sample: &'t SampleRecord,
 }
 
-impl Writer<'_> {
+impl TreeWriter<'_> {
     /// A ray and all that it sends: the first line begins with `first`, the others with `rest`.
     fn ray(&mut self, place: usize, first: &str, rest: &str) {
         let Some(ray) = self.sample.rays.get(place) else { return };
@@ -74,7 +75,7 @@ impl Writer<'_> {
             match sent.ray {
                 Some(number) => self.ray(number - 1, &format!("{rest}{branch}"), &format!("{rest}{stem}")),
                 None => {
-                    let _ = writeln!(self.text, "{rest}{branch}{}", cut(sent));
+                    let _ = writeln!(self.text, "{rest}{branch}{}", cut_line(sent));
                 }
             }
         }
@@ -87,9 +88,9 @@ fn lines(ray: &RayRecord) -> Vec<String> {
     match &ray.hit {
         None => lines.push(format!("meets nothing, sees {}", channels(ray.light))),
         Some(hit) => {
-            lines.push(met(hit));
+            lines.push(hit_line(hit));
             if hit.left != [1.0; 3] {
-                let within = hit.within.as_ref().map_or("the body".into(), |it| named("body of", it));
+                let within = hit.within.as_ref().map_or("the body".into(), |it| name_text("body of", it));
                 let (left, weight) = (channels(hit.left), channels(ray.weight_there));
                 lines.push(format!("{within} leaves {left} on the way: weight {weight}"));
             }
@@ -99,7 +100,7 @@ fn lines(ray: &RayRecord) -> Vec<String> {
         }
     }
     lines.extend(ray.ambient.map(|light| format!("ambient {}", channels(light))));
-    lines.extend(ray.lights.iter().map(lit));
+    lines.extend(ray.lights.iter().map(light_line));
     if ray.total_reflection {
         lines.push("all light is thrown back inside".into());
     }
@@ -112,14 +113,14 @@ fn lines(ray: &RayRecord) -> Vec<String> {
     lines
 }
 
-fn met(hit: &HitRecord) -> String {
+fn hit_line(hit: &HitRecord) -> String {
     let side = if hit.outside { "outside" } else { "inside" };
-    format!("meets {} after {}, from {side}", thing(&hit.thing), number(hit.distance))
+    format!("meets {} after {}, from {side}", item_text(&hit.item), number(hit.distance))
 }
 
 /// An item with its places in the file.
-fn thing(thing: &ItemRecord) -> String {
-    let ItemRecord { object, shape, triangle, line, material } = thing;
+fn item_text(item: &ItemRecord) -> String {
+    let ItemRecord { object, shape, triangle, line, material } = item;
     let what = match triangle {
         Some(number) => format!("{shape} {number} of the mesh"),
         None => (*shape).to_owned(),
@@ -127,23 +128,23 @@ fn thing(thing: &ItemRecord) -> String {
     let place = if *line > 0 { format!("line {line}") } else { format!("object {object}") };
     let made_of = match (&material.name, material.line) {
         (None, 0) => String::new(),
-        _ => format!(" of {}", named("material", material)),
+        _ => format!(" of {}", name_text("material", material)),
     };
     format!("{what} ({place}){made_of}")
 }
 
-fn named(what: &str, NameAndLine { name, line }: &NameAndLine) -> String {
+fn name_text(what: &str, NameAndLine { name, line }: &NameAndLine) -> String {
     let name = name.as_ref().map(|name| format!(" `{name}`")).unwrap_or_default();
     let place = if *line > 0 { format!(" (line {line})") } else { String::new() };
     format!("{what}{name}{place}")
 }
 
-fn lit(light: &LightRecord) -> String {
+fn light_line(light: &LightRecord) -> String {
     let who = match light.named {
         NameAndLine { name: None, line: 0 } => format!("light {}", light.number),
-        _ => named("light", &light.named),
+        _ => name_text("light", &light.named),
     };
-    let through: Vec<String> = light.through.iter().map(|it| thing(&it.thing)).collect();
+    let through: Vec<String> = light.through.iter().map(|it| item_text(&it.item)).collect();
     let through =
         if through.is_empty() { String::new() } else { format!(", through {}", through.join(" and ")) };
     let says = match (light.outcome, &light.adds, &light.blocker) {
@@ -152,7 +153,7 @@ fn lit(light: &LightRecord) -> String {
             format!("seen{away}{through}, adds {}", channels(*adds))
         }
         ("blocked", _, Some(blocker)) => {
-            format!("blocked by {} after {}{through}", thing(&blocker.thing), number(blocker.distance))
+            format!("blocked by {} after {}{through}", item_text(&blocker.item), number(blocker.distance))
         }
         ("blocked", ..) => format!("blocked{through}"),
         ("behind", ..) => "the surface faces away".into(),
@@ -162,7 +163,7 @@ fn lit(light: &LightRecord) -> String {
     format!("{who}: {says}")
 }
 
-fn cut(sent: &SecondaryRayRecord) -> String {
+fn cut_line(sent: &SecondaryRayRecord) -> String {
     let reason = match sent.cut {
         Some("levels") => "the levels end here",
         _ => "that is not more than the cutoff",
@@ -171,7 +172,7 @@ fn cut(sent: &SecondaryRayRecord) -> String {
 }
 
 /// Red, green and blue, or one number for all three.
-pub fn channels(color: Triple) -> String {
+pub fn channels(color: Float3) -> String {
     let [r, g, b] = color;
     if r == g && g == b { number(r) } else { color.map(number).join(" ") }
 }

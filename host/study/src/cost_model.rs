@@ -1,9 +1,8 @@
-//! The work of a picture in instructions, from what was counted: the same on every machine.
+//! Cost model: the work of a picture in instructions, computed from event counts.
 //!
-//! Time on a machine with other work is noise, and it is the time of that machine only. The
-//! counts are the same everywhere and every time; each event is weighed with what it takes in the
-//! mean. `tests/examples/weights.rs` measures the weights anew, under callgrind, over all scenes of
-//! `scenes/` and the Standard Procedural Databases, and how well they fit (`tests/reports/weights.md`).
+//! Measured time depends on the machine and its load. Event counts are the same on every machine and in every run; each
+//! event is weighted with its mean number of instructions. `tests/examples/weights.rs` measures the weights with callgrind
+//! over all scenes of `scenes/` and the Standard Procedural Databases; `tests/reports/weights.md` has their accuracy.
 
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
@@ -12,61 +11,61 @@ use strahl_engine::CostMap;
 use strahl_engine::cost_map::PixelCost;
 use strahl_settings::AccelKind;
 
-/// What was counted; the lists are by kind of ray: camera, reflected, transmitted, shadow.
+/// Event counts; arrays are indexed by ray kind: camera, reflected, transmitted, shadow.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct EventCounts {
     /// Rays.
     pub rays: [u64; 4],
-    /// Tests of boxes.
+    /// Box tests.
     pub boxes: [u64; 4],
-    /// Tests of shapes.
+    /// Shape tests.
     pub shapes: [u64; 4],
-    /// Regions entered.
+    /// Visits of leaves and cells.
     pub regions: [u64; 4],
-    /// Tests that mailboxes saved.
+    /// Tests avoided by mailboxes.
     pub skipped: [u64; 4],
-    /// How often a shadow cache was asked.
+    /// Shadow cache queries.
     pub cache_asked: u64,
-    /// How often it answered.
+    /// Shadow cache hits.
     pub cache_hits: u64,
 }
 
-/// What one event costs, in instructions.
+/// Mean number of instructions per event.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct EventWeights {
-    /// A camera ray, with what is done for its place in the picture.
+    /// A camera ray, including its sample position.
     pub camera: f64,
     /// A reflected or transmitted ray.
     pub secondary: f64,
-    /// A question to a light, with the light that comes of it.
+    /// A shadow ray, including the lighting.
     pub shadow: f64,
-    /// A test of a shape.
+    /// A shape test.
     pub shape: f64,
-    /// A test that a mailbox saved.
+    /// A test avoided by a mailbox.
     pub skipped: f64,
-    /// What the steps of each accelerator take.
+    /// Traversal of the list.
     pub list: TraversalWeights,
-    /// The same.
+    /// Traversal of the grid.
     pub grid: TraversalWeights,
-    /// The same.
+    /// Traversal of the octree.
     pub octree: TraversalWeights,
-    /// The same.
+    /// Traversal of the BVH.
     pub bvh: TraversalWeights,
 }
 
-/// What the steps of an accelerator take, in instructions.
+/// Mean number of instructions per traversal step of an accelerator.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct TraversalWeights {
-    /// A test of a box.
+    /// A box test.
     pub boxes: f64,
-    /// A region entered.
+    /// A visit of a leaf or cell.
     pub region: f64,
 }
 
-/// Measured on x86-64, over the pictures that `tests/examples/weights.rs` names.
+/// Weights measured on x86-64 by `tests/examples/weights.rs`.
 pub const WEIGHTS: EventWeights = EventWeights {
     camera: 1227.0,
     secondary: 246.0,
@@ -79,7 +78,7 @@ pub const WEIGHTS: EventWeights = EventWeights {
     bvh: TraversalWeights { boxes: 32.0, region: 378.0 },
 };
 
-/// As `study.json` has it.
+/// The counts as in `study.json`.
 pub fn event_counts(counts: &Counters) -> EventCounts {
     EventCounts {
         rays: RayKind::ALL.map(|kind| counts.rays[kind]),
@@ -93,7 +92,7 @@ pub fn event_counts(counts: &Counters) -> EventCounts {
 }
 
 impl EventWeights {
-    /// What the steps of an accelerator take, by the name of its kind.
+    /// The traversal weights of an accelerator, by the name of its kind.
     fn traversal(&self, kind: &str) -> TraversalWeights {
         match kind {
             "list" => self.list,
@@ -103,8 +102,7 @@ impl EventWeights {
         }
     }
 
-    /// Instructions for each kind of ray (camera, reflected, transmitted, shadow), by a kind of
-    /// accelerator.
+    /// Instructions by ray kind (camera, reflected, transmitted, shadow), for a kind of accelerator.
     pub fn instructions_by_ray_kind(&self, counts: &EventCounts, kind: &str) -> [f64; 4] {
         let rays = [self.camera, self.secondary, self.secondary, self.shadow];
         let steps = self.traversal(kind);
@@ -118,12 +116,12 @@ impl EventWeights {
         })
     }
 
-    /// About how many instructions the pixels of a cost map take on a workstation, by an accelerator of this kind.
+    /// Estimated instructions of all pixels of a cost map, for a kind of accelerator.
     pub fn map_instructions(&self, costs: &CostMap, kind: AccelKind) -> f64 {
         costs.costs().iter().map(|cost| self.pixel_instructions(cost, kind)).sum()
     }
 
-    /// The same for one pixel.
+    /// Estimated instructions of one pixel.
     pub fn pixel_instructions(&self, cost: &PixelCost, kind: AccelKind) -> f64 {
         let [rays, boxes, shapes, regions, skipped] =
             [cost.rays, cost.boxes, cost.shapes, cost.regions, cost.skipped]
@@ -134,7 +132,7 @@ impl EventWeights {
         )
     }
 
-    /// Instructions in all.
+    /// Total instructions.
     pub fn instructions(&self, counts: &EventCounts, kind: &str) -> f64 {
         self.instructions_by_ray_kind(counts, kind).iter().sum()
     }

@@ -1,66 +1,65 @@
-//! What firmware has measured: a CSV file of the tests on the chip, to be laid into a page.
+//! Measurements made by firmware: a CSV file for a section of the report.
 //!
-//! The first line is `scene,width,height,precision,levels,cutoff,sampler,instructions,rays,rmse`;
-//! every other line is a setting. `instructions` and `rays` are those of the whole picture. `rmse`
-//! may be empty.
+//! The header is `scene,width,height,precision,levels,cutoff,sampler,instructions,rays,rmse`; every other line is one
+//! setting. `instructions` and `rays` are totals of the picture. `rmse` may be empty.
 
 use serde::Deserialize;
 
 use crate::error::ParseError;
 use crate::pareto::CostErrorPoint;
 
-/// The first line.
+/// The header.
 pub const HEADER: [&str; 10] =
     ["scene", "width", "height", "precision", "levels", "cutoff", "sampler", "instructions", "rays", "rmse"];
 
-/// A setting that was traced on a device.
+/// A picture rendered on a device.
 #[derive(Clone, Debug, PartialEq, Deserialize)]
 pub struct DeviceRow {
     /// The scene's name.
     pub scene: String,
-    /// Pixels.
+    /// Width in pixels.
     pub width: u32,
-    /// Pixels.
+    /// Height in pixels.
     pub height: u32,
-    /// `single` or `double`, or as the device calls it.
+    /// `single` or `double`, or another name.
     pub precision: String,
-    /// `--levels`
+    /// The value of `--levels`.
     pub levels: u8,
-    /// `--cutoff`
+    /// The value of `--cutoff`.
     pub cutoff: f32,
-    /// `--sampler`
+    /// The value of `--sampler`.
     pub sampler: String,
-    /// Of the whole picture.
+    /// Instructions of the whole picture.
     pub instructions: u64,
-    /// Of all kinds, of the whole picture.
+    /// Rays of all kinds of the whole picture.
     pub rays: u64,
-    /// Against the best that the device has done; empty where it is that.
+    /// Error relative to the most accurate picture of the device; `None` for that picture.
     pub rmse: Option<f64>,
 }
 
-/// Everything that was traced on a device.
+/// All pictures rendered on a device.
 #[derive(Clone, Debug, PartialEq)]
 pub struct DeviceMeasurements {
-    /// The file's name.
+    /// The name of the file.
     pub name: String,
-    /// In the order of the file.
+    /// Rows in the order of the file.
     pub rows: Vec<DeviceRow>,
 }
 
 impl DeviceRow {
-    /// Instructions for a pixel.
+    /// Instructions per pixel.
     pub fn per_pixel(&self) -> f64 {
         self.instructions as f64 / (f64::from(self.width) * f64::from(self.height))
     }
 
-    /// Instructions for a pixel against the error, where there is one.
+    /// Instructions per pixel and error, if there is one.
     pub fn point(&self) -> Option<CostErrorPoint> {
         Some(CostErrorPoint { cost: self.per_pixel(), error: self.rmse? })
     }
 }
 
 impl DeviceMeasurements {
-    /// The scenes, each once, in the order of the file.
+    /// Names of the scenes, each once, in the order of the file.
     pub fn scenes(&self) -> Vec<&str> {
         let mut names: Vec<&str> = Vec::new();
         for row in &self.rows {
@@ -71,11 +70,11 @@ impl DeviceMeasurements {
         names
     }
 
-    /// Reads the bytes of the file with this name.
+    /// Parses a file; `name` is shown in the report.
     pub fn parse(name: &str, text: &[u8]) -> Result<Self, ParseError> {
         let mut reader = csv::ReaderBuilder::new().trim(csv::Trim::All).from_reader(text);
         let at = |error: csv::Error, names: &[&str]| {
-            // Fields are told by their names.
+            // Name the field.
             let field = match error.kind() {
                 csv::ErrorKind::Deserialize { err, .. } => {
                     err.field().and_then(|field| names.get(field as usize))
@@ -86,9 +85,9 @@ impl DeviceMeasurements {
             let reason = match (error.kind(), field) {
                 (csv::ErrorKind::Deserialize { err, .. }, Some(field)) => format!("{field}: {}", err.kind()),
                 (csv::ErrorKind::UnequalLengths { expected_len, len, .. }, _) => {
-                    format!("{expected_len} fields are expected, here are {len}")
+                    format!("{len} fields, expected {expected_len}")
                 }
-                (csv::ErrorKind::Utf8 { .. }, _) => "this is no UTF-8".into(),
+                (csv::ErrorKind::Utf8 { .. }, _) => "not UTF-8".into(),
                 _ => error.to_string(),
             };
             ParseError::at(line as usize, reason)
@@ -106,7 +105,7 @@ impl DeviceMeasurements {
             rows.push(row);
         }
         if rows.is_empty() {
-            return Err(ParseError::at(2, "there is no setting below the first line"));
+            return Err(ParseError::at(2, "no rows after the header"));
         }
         Ok(DeviceMeasurements { name: name.to_owned(), rows })
     }
@@ -138,7 +137,7 @@ mod tests {
     }
 
     #[test]
-    fn rows_are_read_as_they_stand() {
+    fn all_fields_of_a_row_are_read() {
         let device = parse(
             "balls,64,48,single,5,0.001953125,single,30720,4000,0.01\nballs,64,48,double,5,0,regular:2,9,8,\n",
         );
@@ -149,10 +148,10 @@ mod tests {
     }
 
     #[test]
-    fn what_is_wrong_is_told_with_its_line() {
+    fn an_error_names_its_line() {
         let good = "a,1,1,single,5,0,single,9,8,0\n";
         for (row, says) in [
-            ("a,1,1,single,5,0,single,9,8", "line 3: 10 fields are expected, here are 9"),
+            ("a,1,1,single,5,0,single,9,8", "line 3: 9 fields, expected 10"),
             ("a,x,1,single,5,0,single,9,8,0", "line 3: width: invalid digit"),
             ("a,1,1,single,500,0,single,9,8,0", "line 3: levels:"),
             ("a,0,1,single,5,0,single,9,8,0", "line 3: width and height"),
@@ -163,7 +162,7 @@ mod tests {
             let error = parse(&format!("{good}{row}\n")).unwrap_err();
             assert!(error.contains(says), "{row}: {error}");
         }
-        assert!(parse("").unwrap_err().contains("no setting"));
+        assert!(parse("").unwrap_err().contains("no rows"));
         let error = DeviceMeasurements::parse("chip.csv", b"a,b\n1,2\n").unwrap_err().to_string();
         assert!(error.contains("line 1: the first line must be scene,width"), "{error}");
     }

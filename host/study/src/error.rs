@@ -1,4 +1,4 @@
-//! Why there is no study.
+//! Errors of a study and of its files.
 
 use std::error::Error;
 use std::fmt;
@@ -14,7 +14,7 @@ pub enum StudyError {
     Settings(SettingsError),
     /// The scene cannot be rendered, or the work was stopped.
     Render(RenderError),
-    /// The time limit is too short, and what would be enough.
+    /// The time limit is too short; the text names one that is long enough.
     TooShort(String),
     /// A picture of the study cannot be encoded.
     Picture(Box<dyn Error + Send + Sync>),
@@ -39,23 +39,23 @@ impl fmt::Display for StudyError {
 
 impl Error for StudyError {}
 
-/// What is wrong in the text of a file.
+/// A syntax error in a file.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct ParseError {
-    /// Counted from 1, where it is known.
+    /// Line number from 1, if known.
     pub line: Option<usize>,
-    /// What is wrong there.
+    /// The reason.
     pub reason: String,
 }
 
 impl ParseError {
-    /// At a line.
+    /// An error at a line.
     pub(crate) fn at(line: usize, reason: impl Into<String>) -> Self {
         ParseError { line: Some(line), reason: reason.into() }
     }
 }
 
-/// Of the text as a whole.
+/// An error without a line.
 impl From<String> for ParseError {
     fn from(reason: String) -> Self {
         ParseError { line: None, reason }

@@ -1,47 +1,47 @@
-//! Settings that no other beats: the Pareto front.
+//! The Pareto front of cost and error.
 
-/// Errors for which the cheapest setting is recommended.
+/// Errors for which the cheapest settings are recommended.
 pub const ERROR_LIMITS: [f64; 5] = [0.05, 0.02, 0.01, 0.005, 0.002];
 
-/// What a setting takes, and how wrong it is.
+/// Cost and error of one setting.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct CostErrorPoint {
     /// Seconds, or instructions.
     pub cost: f64,
-    /// The root of the mean square error.
+    /// Root mean square error.
     pub error: f64,
 }
 
 impl CostErrorPoint {
-    /// Whether nobody would want `other` who can have this: no worse in either, better in one.
+    /// Pareto dominance: cost and error are at most those of `other`, and one of them is less.
     pub fn dominates(&self, other: &CostErrorPoint) -> bool {
         self.cost <= other.cost && self.error <= other.error && self != other
     }
 }
 
-/// The places of those that no other beats, the cheapest first. Of equals the first counts.
+/// Indices of the points that no other point dominates, cheapest first. Of equal points the first is taken.
 pub fn pareto_front(points: &[CostErrorPoint]) -> Vec<usize> {
-    let mut places: Vec<usize> = (0..points.len()).collect();
-    let key = |place: &usize| (points[*place].cost, points[*place].error);
-    places.sort_by(|a, b| {
+    let mut indices: Vec<usize> = (0..points.len()).collect();
+    let key = |index: &usize| (points[*index].cost, points[*index].error);
+    indices.sort_by(|a, b| {
         let (a, b) = (key(a), key(b));
         a.0.total_cmp(&b.0).then(a.1.total_cmp(&b.1))
     });
-    let mut least = f64::INFINITY;
-    places.retain(|place| {
-        let error = points[*place].error;
-        let is_better = error < least;
+    let mut min_error = f64::INFINITY;
+    indices.retain(|index| {
+        let error = points[*index].error;
+        let is_better = error < min_error;
         if is_better {
-            least = error;
+            min_error = error;
         }
         is_better
     });
-    places
+    indices
 }
 
-/// The place of the cheapest whose error is at most `limit`.
+/// Index of the cheapest point whose error is at most `limit`; `None` if there is none.
 pub fn cheapest_within(points: &[CostErrorPoint], limit: f64) -> Option<usize> {
-    pareto_front(points).into_iter().find(|place| points[*place].error <= limit)
+    pareto_front(points).into_iter().find(|index| points[*index].error <= limit)
 }
 
 #[cfg(test)]
@@ -53,17 +53,17 @@ mod tests {
     }
 
     #[test]
-    fn the_front_is_what_no_other_beats() {
+    fn the_front_holds_exactly_the_points_that_are_not_dominated() {
         let all = points(&[(4.0, 1.0), (1.0, 9.0), (2.0, 3.0), (3.0, 3.0), (2.0, 8.0), (5.0, 2.0)]);
         assert_eq!(pareto_front(&all), [1, 2, 0]);
-        for (place, point) in all.iter().enumerate() {
-            let beaten = all.iter().any(|other| other.dominates(point));
-            assert_eq!(beaten, !pareto_front(&all).contains(&place), "{place}");
+        for (index, point) in all.iter().enumerate() {
+            let is_dominated = all.iter().any(|other| other.dominates(point));
+            assert_eq!(is_dominated, !pareto_front(&all).contains(&index), "{index}");
         }
     }
 
     #[test]
-    fn of_equals_one_is_on_the_front_and_none_beats_the_other() {
+    fn of_equal_points_one_is_on_the_front_and_none_dominates_the_other() {
         let all = points(&[(1.0, 1.0), (1.0, 1.0)]);
         assert_eq!(pareto_front(&all), [0]);
         assert!(!all[0].dominates(&all[1]));

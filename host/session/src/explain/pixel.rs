@@ -1,8 +1,7 @@
-//! One pixel is traced, and everything that comes of it is told.
+//! One pixel, traced with a recorder.
 //!
-//! Items are found by the list, which needs no building and offers them in the order of the file: the
-//! tree is the same for every accelerator, and this is the only tracer that is compiled for
-//! somebody who listens.
+//! The accelerator is the list, which needs no build and offers items in the order of the file: the tree is the same for
+//! every accelerator, and only this tracer is compiled with a recorder.
 
 use strahl_core::accel::{List, group_count};
 use strahl_core::geometry::Aabb;
@@ -20,24 +19,24 @@ use super::source_names::SourceNames;
 use super::tree::{SampleRecord, SampleSum, SubpixelRecord, rgb_array};
 use crate::tables::single::{scene_tables, view};
 
-/// The colour of a pixel, and how it comes about.
+/// The color of a pixel and its samples.
 pub struct TracedPixel {
-    /// The colour.
+    /// The color.
     pub color: Rgb,
-    /// How it comes of the samples.
+    /// How the samples are combined.
     pub sum: SampleSum,
-    /// The rays through the picture, in their order.
+    /// The samples, in the order in which they are traced.
     pub samples: Vec<SampleRecord>,
 }
 
-/// Traces one pixel of the picture that is asked for.
+/// Traces one pixel. Returns an error if the core refuses the scene, or if a sample has too many rays.
 pub fn trace_pixel(
     description: &LoadedScene,
     settings: &Settings,
     pixel: Pixel,
 ) -> Result<TracedPixel, RenderError> {
-    let stock = scene_tables(description);
-    let scene = stock.scene().map_err(RenderError::invalid)?;
+    let tables = scene_tables(description);
+    let scene = tables.scene().map_err(RenderError::invalid)?;
     let camera = Camera::new(&view(&description.camera), settings.size).map_err(RenderError::invalid)?;
     let boxes: Vec<Aabb> = scene.descriptor().geometry.all_bounds().collect();
     let mut groups = vec![Aabb::EMPTY; group_count(boxes.len())];
@@ -46,59 +45,65 @@ pub fn trace_pixel(
         .map_err(RenderError::invalid)?;
     let names = SourceNames::new(description, &world);
 
-    let mut seen = TracedSamples { samples: Vec::new(), film_points: Vec::new() };
-    let mut trace = |place: CameraSample| {
+    let mut traced = TracedSamples { samples: Vec::new(), film_points: Vec::new() };
+    let mut trace = |camera_sample: CameraSample| {
         let mut worker = Worker::<_, _, MAX_LEVELS>::new(RayTreeRecorder::new(&names));
-        let sight = tracer.trace(place, &mut worker);
+        let sample = tracer.trace(camera_sample, &mut worker);
         let rays = worker.into_tally().into_rays();
-        let (number, CameraSample { point: at, .. }) = (seen.samples.len() + 1, place);
-        seen.samples.push(SampleRecord { number, x: at.x, y: at.y, color: rgb_array(sight.color), rays });
-        seen.film_points.push((place, sight));
-        sight
+        let (number, CameraSample { point, .. }) = (traced.samples.len() + 1, camera_sample);
+        traced.samples.push(SampleRecord {
+            number,
+            x: point.x,
+            y: point.y,
+            color: rgb_array(sample.color),
+            rays,
+        });
+        traced.film_points.push((camera_sample, sample));
+        sample
     };
     let (color, parts) = match AnySampler::new(settings, CornerSource::Retraced, &mut [CacheEntry::EMPTY; 0])
     {
         AnySampler::Adaptive(mut sampler) => {
             let mut parts = Vec::new();
-            // Parts share their corners, and none is told twice.
+            // Subpixels share their corners; each is traced once.
             let mut known: Vec<(CameraSample, PixelSample)> = Vec::new();
-            let mut once = |place: CameraSample| match known.iter().find(|(other, _)| *other == place) {
-                Some((_, sight)) => *sight,
+            let mut once = |at: CameraSample| match known.iter().find(|(other, _)| *other == at) {
+                Some((_, sample)) => *sample,
                 None => {
-                    let sight = trace(place);
-                    known.push((place, sight));
-                    sight
+                    let sample = trace(at);
+                    known.push((at, sample));
+                    sample
                 }
             };
-            let sight = sampler.sample_subpixels(pixel, &mut once, &mut |part| parts.push(part));
-            (sight.color, Some(parts))
+            let sample = sampler.sample_subpixels(pixel, &mut once, &mut |part| parts.push(part));
+            (sample.color, Some(parts))
         }
         mut sampler => (sampler.sample_pixel(pixel, &mut trace).color, None),
     };
 
-    if seen.samples.iter().any(|sample| sample.rays.len() >= MAX_RAYS) {
+    if traced.samples.iter().any(|sample| sample.rays.len() >= MAX_RAYS) {
         let reason = format!(
-            "a ray through the picture leads to more than {MAX_RAYS} others: fewer --levels or a higher --cutoff tell less"
+            "a camera ray has more than {MAX_RAYS} secondary rays; use fewer --levels or a higher --cutoff"
         );
         return Err(RenderError::invalid(reason));
     }
 
     let sum = match parts {
-        None => SampleSum::Mean { share: 1.0 / seen.samples.len() as f32 },
-        Some(parts) => SampleSum::Parts(parts.iter().map(|part| seen.part(part)).collect()),
+        None => SampleSum::Mean { share: 1.0 / traced.samples.len() as f32 },
+        Some(parts) => SampleSum::Parts(parts.iter().map(|part| traced.subpixel(part)).collect()),
     };
-    Ok(TracedPixel { color, sum, samples: seen.samples })
+    Ok(TracedPixel { color, sum, samples: traced.samples })
 }
 
-/// What has been traced.
+/// The samples traced so far.
 struct TracedSamples {
     samples: Vec<SampleRecord>,
     film_points: Vec<(CameraSample, PixelSample)>,
 }
 
 impl TracedSamples {
-    /// A part of a pixel, with its corners by their numbers.
-    fn part(&self, part: &strahl_core::image::Subpixel) -> SubpixelRecord {
+    /// A subpixel with the numbers of the samples at its corners.
+    fn subpixel(&self, part: &strahl_core::image::Subpixel) -> SubpixelRecord {
         let strahl_core::image::Subpixel { place, side, .. } = *part;
         let (right, below) = (place.x + side, place.y + side);
         let number = |(x, y): (f32, f32)| {

@@ -1,4 +1,4 @@
-//! What the file calls the items, materials and lights of a scene.
+//! Names and lines of items, materials and lights in the scene file.
 
 use strahl_core::accel::List;
 use strahl_core::geometry::{ItemId, Ray};
@@ -9,7 +9,7 @@ use strahl_scene::effects::object_count;
 
 use super::tree::{ItemRecord, NameAndLine};
 
-/// A scene and the file that it comes from.
+/// The source of a scene.
 pub struct SourceNames<'n> {
     description: &'n LoadedScene,
     world: &'n World<'n, List<'n>>,
@@ -18,7 +18,7 @@ pub struct SourceNames<'n> {
 }
 
 impl<'n> SourceNames<'n> {
-    /// Of the items of a world that was made of a description.
+    /// The names of a world that was built from a description.
     pub fn new(description: &'n LoadedScene, world: &'n World<'n, List<'n>>) -> Self {
         let mut next = 0;
         let firsts = description.objects.iter().map(|object| {
@@ -29,20 +29,20 @@ impl<'n> SourceNames<'n> {
         SourceNames { description, world, first_items: firsts.collect() }
     }
 
-    /// What the file says of an item.
+    /// The shape, line and material of an item.
     pub fn item(&self, item: ItemId) -> ItemRecord {
-        let parts = self.world.scene().descriptor();
-        let place = self.first_items.partition_point(|first| *first <= item.0).saturating_sub(1);
-        let object = self.description.objects.get(place);
-        let first = self.first_items.get(place).copied().unwrap_or(0);
+        let scene = self.world.scene().descriptor();
+        let index = self.first_items.partition_point(|first| *first <= item.0).saturating_sub(1);
+        let object = self.description.objects.get(index);
+        let first = self.first_items.get(index).copied().unwrap_or(0);
         let is_mesh = object.is_some_and(|object| matches!(object.shape, ShapeDescription::Mesh { .. }));
-        let material = parts.material_ids.get(item.0 as usize).map_or(0, |material| material.0);
+        let material = scene.material_ids.get(item.0 as usize).map_or(0, |material| material.0);
         ItemRecord {
             object: item.0,
-            shape: parts
+            shape: scene
                 .geometry
                 .shape(item)
-                .and_then(|shape| parts.geometry.kind(shape))
+                .and_then(|shape| scene.geometry.kind(shape))
                 .map_or("nothing", |kind| kind.name()),
             triangle: is_mesh.then_some(item.0 - first),
             line: object.map_or(0, |object| object.line),
@@ -50,22 +50,22 @@ impl<'n> SourceNames<'n> {
         }
     }
 
-    /// What the file calls a material.
+    /// The name and line of a material.
     pub fn material(&self, number: u16) -> NameAndLine {
         let material = self.description.materials.get(usize::from(number));
         material.map_or(NameAndLine { name: None, line: 0 }, |it| named(&it.name, it.line))
     }
 
-    /// What the file calls a light.
+    /// The name and line of a light.
     pub fn light(&self, number: u16) -> NameAndLine {
         let light = self.description.lights.get(usize::from(number));
         light.map_or(NameAndLine { name: None, line: 0 }, |it| named(&it.name, it.line))
     }
 
-    /// The nearest item along a shadow ray, and how far away it is.
-    pub fn nearest_occluder(&self, origin: Vec3, direction: Vec3, reach: Real) -> Option<(ItemId, f32)> {
+    /// The nearest item along a shadow ray, and its distance.
+    pub fn nearest_occluder(&self, origin: Vec3, direction: Vec3, t_max: Real) -> Option<(ItemId, f32)> {
         let ray = Ray::new(origin, direction);
-        let hit = self.world.nearest_hit::<AllEffects, _>(&ray, reach, RayKind::Shadow, &mut (), &mut ())?;
+        let hit = self.world.nearest_hit::<AllEffects, _>(&ray, t_max, RayKind::Shadow, &mut (), &mut ())?;
         Some((hit.item, hit.t))
     }
 }

@@ -1,46 +1,44 @@
-//! The tree of rays of one pixel, as it is told: field by field what `--json` prints.
+//! The explanation of one pixel. Its fields are those of `explain --json`, in this order.
 //!
-//! Colours, shares and weights are linear, red, green and blue; lengths are those of the scene.
-//! Numbers have the shortest form that is read back exactly, so that every sum can be done again.
+//! Colors, shares and weights are linear RGB; lengths are in scene units. Numbers have the shortest form that reads back
+//! exactly, so that every sum can be recomputed.
 
 use serde::{Serialize, Serializer};
 use strahl_core::{Rgb, Vec3};
+use strahl_scene::description::Float3;
 use strahl_settings::{Group, SETTINGS, Setting, Settings};
 
 /// Groups of the settings that determine the color of a pixel.
 pub const SETTING_GROUPS: &[Group] = &[Group::Frame, Group::Sampling, Group::Effects];
 
-/// The version of the form of all this; it grows when a field changes its meaning or goes.
+/// The version of this format; it increases when a field is removed or changes its meaning.
 pub const VERSION: u32 = 1;
 
-/// A colour, a share or a weight.
-pub type Triple = [f32; 3];
-
-/// How one pixel comes about.
+/// The color of one pixel, and all rays that contribute to it.
 #[derive(Debug, Serialize)]
 pub struct PixelExplanation {
-    /// Of this form.
+    /// [`VERSION`].
     pub version: u32,
     /// The scene file.
     pub scene: String,
     /// Width of the picture.
     pub width: u32,
-    /// Its height.
+    /// Height of the picture.
     pub height: u32,
     /// Column of the pixel, from 0 at the left.
     pub x: u32,
-    /// Row, from 0 at the top.
+    /// Row of the pixel, from 0 at the top.
     pub y: u32,
-    /// The settings that make it.
+    /// The settings that determine it: [`explained_settings`].
     #[serde(serialize_with = "serialize_settings")]
     pub settings: Settings,
-    /// Its colour.
-    pub color: Triple,
-    /// The same in eight bits of sRGB.
+    /// The color of the pixel.
+    pub color: Float3,
+    /// The color in 8-bit sRGB.
     pub srgb: [u8; 3],
-    /// How its colour comes of the samples.
+    /// How the samples are combined.
     pub sum: SampleSum,
-    /// The rays through the picture, in their order.
+    /// The samples, in the order in which they are traced.
     pub samples: Vec<SampleRecord>,
 }
 
@@ -55,47 +53,45 @@ fn serialize_settings<S: Serializer>(settings: &Settings, serializer: S) -> Resu
     serializer.collect_map(explained_settings().map(|setting| (setting.name, setting.to_json(settings))))
 }
 
-/// How the colour of a pixel comes of its samples.
+/// How the samples of a pixel are combined.
 #[derive(Debug, Serialize)]
 #[serde(rename_all = "snake_case")]
 pub enum SampleSum {
-    /// Their sum, in their order, times this share.
+    /// The sum of the samples, in order, times `share`.
     Mean {
-        /// One over their number.
+        /// One divided by the number of samples.
         share: f32,
     },
-    /// The sum over these parts, in their order, of the mean of four samples times the square of
-    /// the side: `(((a + b) + (c + d)) * 0.25) * (side * side)`.
+    /// The sum over subpixels, in order, of the mean of four samples times the area:
+    /// `(((a + b) + (c + d)) * 0.25) * (side * side)`.
     Parts(Vec<SubpixelRecord>),
 }
 
-/// A square part of a pixel.
+/// A square part of a pixel, with one sample at each corner.
 #[derive(Debug, Serialize)]
 pub struct SubpixelRecord {
-    /// Its left edge, in the picture.
+    /// Left edge, in pixels from the left edge of the picture.
     pub x: f32,
-    /// Its upper edge.
+    /// Upper edge, in pixels from the upper edge of the picture.
     pub y: f32,
-    /// Its side; the pixel's is 1.
+    /// Side length, in pixels.
     pub side: f32,
-    /// The samples at its corners, by their numbers: upper left, upper right, lower left, lower
-    /// right.
+    /// Numbers of the samples at the corners: upper left, upper right, lower left, lower right.
     pub samples: [usize; 4],
 }
 
-/// A ray through the picture, and all that comes of it.
+/// A camera ray and all rays that follow from it.
 #[derive(Debug, Serialize)]
 pub struct SampleRecord {
     /// Counted from 1.
     pub number: usize,
-    /// Where it goes through the picture, in pixels from its left edge.
+    /// Film position, in pixels from the left edge of the picture.
     pub x: f32,
-    /// From its upper edge.
+    /// Film position, in pixels from the upper edge.
     pub y: f32,
-    /// The sum of what its rays add, in their order.
-    pub color: Triple,
-    /// The camera ray, and all that are sent from where it arrives, in the order in which they are
-    /// followed: each stands before those that it sends.
+    /// The sum of the contributions of its rays, in order.
+    pub color: Float3,
+    /// All rays, in the order in which they are traced: a ray precedes its secondary rays.
     pub rays: Vec<RayRecord>,
 }
 
@@ -104,155 +100,155 @@ pub struct SampleRecord {
 pub struct RayRecord {
     /// Counted from 1.
     pub number: usize,
-    /// The one that has sent it; none has sent the camera ray.
+    /// Number of the ray that it starts from; `None` for the camera ray.
     pub parent: Option<usize>,
     /// `camera`, `reflected` or `transmitted`.
     pub kind: &'static str,
     /// The camera ray has level 1.
     pub level: u8,
-    /// Where it starts.
-    pub origin: Triple,
-    /// Where it goes, of length one.
-    pub direction: Triple,
-    /// How much of what it finds counts in the sample, when it starts.
-    pub weight: Triple,
-    /// What it meets, if not the background.
+    /// Origin.
+    pub origin: Float3,
+    /// Direction, of unit length.
+    pub direction: Float3,
+    /// Weight in the sample at the origin.
+    pub weight: Float3,
+    /// The hit; `None` for the background.
     pub hit: Option<HitRecord>,
-    /// How much of what it finds there counts in the sample: what the way leaves of its weight.
-    pub weight_there: Triple,
-    /// The surface's share of the light from everywhere.
-    pub ambient: Option<Triple>,
-    /// What comes of each light that was looked at, in the order of the file.
+    /// Weight in the sample at the hit: `weight`, attenuated by the medium.
+    pub weight_there: Float3,
+    /// Ambient light reflected by the surface.
+    pub ambient: Option<Float3>,
+    /// The lights, in the order of the file.
     pub lights: Vec<LightRecord>,
-    /// What it brings by itself: the background, or ambient plus what the lights add, in this order.
-    pub light: Triple,
-    /// What it adds to the sample: `weight_there * light`.
-    pub adds: Triple,
-    /// Whether light that would go through the surface is thrown back as a whole.
+    /// The background, or ambient plus the contributions of the lights, in this order.
+    pub light: Float3,
+    /// Contribution to the sample: `weight_there * light`.
+    pub adds: Float3,
+    /// Whether the surface reflects totally where it would transmit.
     pub total_reflection: bool,
-    /// The rays that go on from there, sent or cut.
+    /// Secondary rays from the hit, traced or not.
     pub sends: Vec<SecondaryRayRecord>,
 }
 
-/// A surface that a ray meets.
+/// A surface that a ray hits.
 #[derive(Debug, Serialize)]
 pub struct HitRecord {
-    /// What.
+    /// The item.
     #[serde(flatten)]
-    pub thing: ItemRecord,
-    /// How far away.
+    pub item: ItemRecord,
+    /// Distance from the origin of the ray.
     pub distance: f32,
-    /// Where.
-    pub point: Triple,
-    /// Whether on the outer side, to which the normal points.
+    /// Position.
+    pub point: Float3,
+    /// Whether the ray comes from the side that the normal points to.
     pub outside: bool,
-    /// What fills space on the way there, where something does.
+    /// Material of the medium between origin and hit, if there is one.
     pub within: Option<NameAndLine>,
-    /// What the way there leaves of light.
-    pub left: Triple,
-    /// Whether the surface lies hidden inside a body of higher priority.
+    /// Transmittance of that medium.
+    pub left: Float3,
+    /// Whether the surface is inside a body of higher priority; the ray then continues unchanged.
     pub hidden: bool,
 }
 
 /// An item of the scene.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct ItemRecord {
-    /// Its number, in the order of the file, from 0; every triangle of a mesh counts as one.
+    /// Index in the order of the file, from 0; every triangle of a mesh counts as one.
     pub object: u32,
-    /// Its shape.
+    /// Shape.
     pub shape: &'static str,
-    /// The number of a triangle in its mesh, from 0.
+    /// Index of a triangle in its mesh, from 0.
     pub triangle: Option<u32>,
-    /// Its line in the scene file; of a model without lines, 0.
+    /// Line in the scene file, from 1; 0 if the format has no lines.
     pub line: u32,
-    /// What it is made of.
+    /// Material.
     pub material: NameAndLine,
 }
 
-/// Something with a line, and a name where the file gives it one.
+/// The name and line of an element of the scene file.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct NameAndLine {
-    /// Its name.
+    /// Name, if the file gives one.
     pub name: Option<String>,
-    /// Its line in the scene file; 0 where it has none.
+    /// Line in the scene file, from 1; 0 if it has none.
     pub line: u32,
 }
 
-/// What comes of a light at a surface.
+/// The contribution of a light at a hit.
 #[derive(Debug, Serialize)]
 pub struct LightRecord {
-    /// Its place in the scene, from 0.
+    /// Index in the scene, from 0.
     pub number: u16,
-    /// Its name and line.
+    /// Name and line.
     #[serde(flatten)]
     pub named: NameAndLine,
-    /// `seen`, or why not: `blocked`; `behind`, where the surface faces away; `dark`, where the
-    /// light does not shine; `unseen`, where a mirror would show it in another direction.
+    /// `seen`, or why it contributes nothing: `blocked`; `behind`: the surface faces away; `dark`: the light does not
+    /// illuminate this point; `unseen`: its highlight is in another direction.
     pub outcome: &'static str,
-    /// Towards it, of length one, where it is seen.
-    pub toward: Option<Triple>,
-    /// How far away it is, where it is seen and has a place.
+    /// Unit vector towards the light, if it is visible.
+    pub toward: Option<Float3>,
+    /// Distance of the light, if it is visible and has a position.
     pub distance: Option<f32>,
-    /// What arrives on a surface that faces it.
-    pub arrives: Option<Triple>,
-    /// What the surface sends of it along the ray.
-    pub adds: Option<Triple>,
-    /// Through what its light comes.
+    /// Light that arrives at a surface perpendicular to it.
+    pub arrives: Option<Float3>,
+    /// Light that the surface reflects towards the ray origin.
+    pub adds: Option<Float3>,
+    /// Surfaces that transmit the light, nearest first.
     pub through: Vec<TransmissionRecord>,
-    /// What stands in its way.
+    /// The occluder.
     pub blocker: Option<OccluderRecord>,
 }
 
-/// A surface that light passes on its way from a light.
+/// A surface that transmits light along a shadow ray.
 #[derive(Debug, Serialize)]
 pub struct TransmissionRecord {
-    /// Which.
+    /// The item.
     #[serde(flatten)]
-    pub thing: ItemRecord,
-    /// How far away from where the light is looked for.
+    pub item: ItemRecord,
+    /// Distance from the origin of the shadow ray.
     pub distance: f32,
-    /// What has come through everything up to here.
-    pub share: Triple,
+    /// Transmittance of all surfaces up to this one.
+    pub share: Float3,
 }
 
-/// What stands in the way of a light.
+/// The nearest occluder along a shadow ray.
 #[derive(Debug, Serialize)]
 pub struct OccluderRecord {
-    /// The nearest.
+    /// The item.
     #[serde(flatten)]
-    pub thing: ItemRecord,
-    /// How far away from where the light is looked for.
+    pub item: ItemRecord,
+    /// Distance from the origin of the shadow ray.
     pub distance: f32,
 }
 
-/// A ray that goes on from a surface.
+/// A secondary ray from a hit, traced or not.
 #[derive(Debug, Serialize)]
 pub struct SecondaryRayRecord {
     /// `reflected` or `transmitted`.
     pub kind: &'static str,
-    /// Its share of the light that arrives along it.
-    pub share: Triple,
-    /// How much of what it finds would count: `weight_there * share`.
-    pub weight: Triple,
-    /// Its number, if it is sent.
+    /// Factor of the light that arrives along it.
+    pub share: Float3,
+    /// Weight in the sample: `weight_there * share`.
+    pub weight: Float3,
+    /// Number of the ray, if it is traced.
     pub ray: Option<usize>,
-    /// Why it is not sent: `cutoff` or `levels`.
+    /// Why it is not traced: `cutoff` or `levels`.
     pub cut: Option<&'static str>,
 }
 
 impl RayRecord {
-    /// Whether the surface is made of what lets light through or mirrors it, or the ray ends here.
+    /// Whether the ray has no secondary rays.
     pub fn is_leaf(&self) -> bool {
         self.sends.is_empty()
     }
 }
 
-/// The channels of a colour.
-pub fn rgb_array(color: Rgb) -> Triple {
+/// The channels of a color.
+pub fn rgb_array(color: Rgb) -> Float3 {
     [color.r, color.g, color.b]
 }
 
 /// The coordinates of a vector.
-pub fn xyz_array(v: Vec3) -> Triple {
+pub fn xyz_array(v: Vec3) -> Float3 {
     v.to_array()
 }
