@@ -172,7 +172,7 @@ fn an_occluded_light_has_an_occluder() {
                 *outcomes.entry(light.outcome).or_insert(0) += 1;
                 assert_eq!(light.blocker.is_some(), light.outcome == "blocked");
                 if let Some(blocker) = &light.blocker {
-                    assert!(blocker.distance > 0.0 && blocker.thing.line > 0);
+                    assert!(blocker.distance > 0.0 && blocker.item.line > 0);
                 }
             }
         }

@@ -1,44 +1,44 @@
-//! Which settings are looked at for the cheapest that keep an error.
+//! Candidates for levels, cutoffs, samplers and pixel selection.
 
 use strahl_settings::{
     ConfidenceSettings, ContrastSettings, Filter, SamplerSettings, SelectionSettings, Settings,
 };
 
-/// Levels that are tried.
+/// Candidates for levels.
 pub const LEVEL_STEPS: [u8; 15] = [1, 2, 3, 4, 5, 6, 8, 10, 12, 16, 20, 24, 32, 48, 64];
 
-/// One over the cutoffs that are tried.
+/// Inverse of the candidates for the cutoff.
 const INVERSE_CUTOFFS: [u16; 10] = [8, 16, 32, 64, 128, 256, 512, 1024, 2048, 4096];
 
-/// The cutoffs that are tried, from the largest.
+/// Candidates for the cutoff, largest first.
 pub fn cutoff_steps() -> impl Iterator<Item = f32> {
     INVERSE_CUTOFFS.into_iter().map(|part| 1.0 / f32::from(part))
 }
 
-/// So many times the rays cost at least this many times as much.
+/// `n` times the rays cost at least this times `n`.
 pub const MIN_COST_RATIO: f64 = 0.9;
 
-/// Which rays make pixels.
+/// Which rays are traced for a pixel, and which pixels are traced.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct SamplingStrategy {
-    /// In a pixel.
+    /// The rays in a pixel.
     pub sampler: SamplerSettings,
-    /// Which pixels are traced, where not all are.
+    /// Pixel selection; `None`: all pixels are traced.
     pub select: Option<SelectionSettings>,
 }
 
 impl SamplingStrategy {
-    /// In every pixel.
+    /// The sampler in every pixel.
     const fn all(sampler: SamplerSettings) -> Self {
         SamplingStrategy { sampler, select: None }
     }
 
-    /// The same settings with these rays.
+    /// The settings with this strategy.
     pub fn apply_to(self, settings: &Settings) -> Settings {
         Settings { sampler: self.sampler, select: self.select, ..settings.clone() }
     }
 
-    /// How many there are in each pixel, where that is known before.
+    /// Number of rays per pixel, if it does not depend on the picture.
     pub fn fixed_rays_per_pixel(self) -> Option<u32> {
         match self {
             SamplingStrategy { select: Some(_), .. } => None,
@@ -54,11 +54,11 @@ impl SamplingStrategy {
         }
     }
 
-    /// How many there are in each pixel at least, where all pixels are traced.
+    /// Minimum number of rays per pixel, if all pixels are traced.
     fn min_rays_per_pixel(self) -> Option<u32> {
         match self {
             SamplingStrategy { select: Some(_), .. } => None,
-            // Corners are shared by neighbours.
+            // Neighbors share corners.
             SamplingStrategy { sampler: SamplerSettings::Adaptive { .. }, .. } => Some(1),
             SamplingStrategy { sampler: SamplerSettings::Stochastic { min_samples: least, .. }, .. } => {
                 Some(least)
@@ -67,7 +67,7 @@ impl SamplingStrategy {
         }
     }
 
-    /// How many times those of another there are at least; none where that is not known.
+    /// Minimum ratio of the number of rays to that of `other`; `None` if unknown.
     pub fn min_ray_ratio(self, other: SamplingStrategy) -> Option<f64> {
         if let (Some(least), Some(count)) = (self.min_rays_per_pixel(), other.fixed_rays_per_pixel()) {
             return Some(f64::from(least) / f64::from(count));
@@ -85,13 +85,13 @@ impl SamplingStrategy {
     }
 }
 
-/// Whether all rays of the one are sent by the other too: both adaptive, or both stochastic.
+/// Whether `a` traces all rays of `b`: both adaptive, or both stochastic.
 fn refines(a: SamplerSettings, b: SamplerSettings) -> bool {
     match (a, b) {
         (
-            SamplerSettings::Adaptive { max_depth: depth, contrast: agreement },
+            SamplerSettings::Adaptive { max_depth: depth, contrast },
             SamplerSettings::Adaptive { max_depth: other, contrast: ContrastSettings { threshold, .. } },
-        ) => depth >= other && agreement.threshold <= threshold,
+        ) => depth >= other && contrast.threshold <= threshold,
         (
             SamplerSettings::Stochastic { min_samples: least, max_samples: most, confidence },
             SamplerSettings::Stochastic {
@@ -109,21 +109,21 @@ fn refines(a: SamplerSettings, b: SamplerSettings) -> bool {
     }
 }
 
-/// All that may be tried for an error, about from the cheapest on.
+/// All candidates for a target error, roughly from cheap to expensive.
 pub fn sampling_strategies(filter: Filter, goal: f64) -> Vec<SamplingStrategy> {
-    let agreement = |threshold| ContrastSettings { threshold, items: false };
+    let contrast = |threshold| ContrastSettings { threshold, items: false };
     let selected = |(step, threshold)| SamplingStrategy {
         sampler: SamplerSettings::Single,
-        select: Some(SelectionSettings { step, contrast: agreement(threshold) }),
+        select: Some(SelectionSettings { step, contrast: contrast(threshold) }),
     };
     let adaptive = |(depth, threshold)| {
-        SamplingStrategy::all(SamplerSettings::Adaptive { max_depth: depth, contrast: agreement(threshold) })
+        SamplingStrategy::all(SamplerSettings::Adaptive { max_depth: depth, contrast: contrast(threshold) })
     };
-    let ruled = |(least, most, level, tolerance)| {
+    let stopping = |(min_samples, max_samples, confidence, tolerance)| {
         SamplingStrategy::all(SamplerSettings::Stochastic {
-            min_samples: least,
-            max_samples: most,
-            confidence: ConfidenceSettings { confidence: level, tolerance },
+            min_samples,
+            max_samples,
+            confidence: ConfidenceSettings { confidence, tolerance },
         })
     };
     let mut list: Vec<SamplingStrategy> =
@@ -157,10 +157,10 @@ pub fn sampling_strategies(filter: Filter, goal: f64) -> Vec<SamplingStrategy> {
             .map(adaptive),
         );
     }
-    // Tolerances about the error: pixels whose rays all see the same make up for the others.
+    // Tolerances above the error: uniform pixels have less than the tolerance.
     for part in [8.0, 5.0, 3.5, 2.5, 1.75, 1.25] {
         let tolerance = format!("{:.1e}", (part * goal).min(1.0)).parse().unwrap_or(1.0);
-        list.extend([2, 4, 8].map(|least| ruled((least, 4096, 0.9, tolerance))));
+        list.extend([2, 4, 8].map(|min_samples| stopping((min_samples, 4096, 0.9, tolerance))));
     }
     let mut counted: Vec<SamplingStrategy> =
         (2..=12).map(|n| SamplingStrategy::all(SamplerSettings::Regular(n))).collect();
@@ -178,7 +178,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn what_sends_more_rays_is_known_for_what_can_be_compared() {
+    fn the_ray_ratio_is_known_for_comparable_strategies() {
         let of = |words: &str| SamplingStrategy::all(words.parse().unwrap());
         let times = |more: &str, than: &str| of(more).min_ray_ratio(of(than));
         assert_eq!(times("regular:3", "single"), Some(9.0));
@@ -187,7 +187,7 @@ mod tests {
         assert_eq!(times("adaptive:3:0.05", "single"), Some(1.0));
         assert_eq!(times("adaptive:3:0.05", "adaptive:2:0.1"), Some(1.0));
         assert_eq!(times("stochastic:4..4096:0.9:0.1", "stochastic:2..4096:0.9:0.2"), Some(1.0));
-        // Deeper, but less often.
+        // Deeper, but less sensitive.
         assert_eq!(times("adaptive:3:0.2", "adaptive:2:0.1"), None);
         assert_eq!(times("single", "adaptive:0:0"), None);
         let mut selected = of("single");

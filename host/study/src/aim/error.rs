@@ -1,12 +1,11 @@
-//! The cheapest settings whose error is below a limit, found on a sparse sample of pixels.
+//! The cheapest settings that reach a target error, searched on a sparse sample of pixels.
 //!
-//! 1. How many levels and which cutoff it takes until nothing changes any more (module `limits`): those of the
-//!    reference.
-//! 2. Which rays keep the error with levels and a cutoff that lose little of it, from the cheapest on. A number of rays is
-//!    not tried whose error cannot become small enough, however fast it falls, and none that costs more than what has been
-//!    found, whatever levels and cutoff go with it.
-//! 3. What of both goes together: what is predicted to keep the error is tried, in the order of its predicted cost, until
-//!    the next one costs more than the best that did.
+//! 1. Levels and cutoff are refined until the picture converges (module `limits`); these are the limits of the reference.
+//! 2. Sampling strategies are evaluated with levels and a cutoff of small error, cheapest first. A strategy is skipped if
+//!    its error cannot reach the target at the fastest possible convergence, or if it costs more than the best one found,
+//!    whatever its levels and cutoff.
+//! 3. Combinations of both that are predicted to reach the target are evaluated in the order of their predicted cost, until
+//!    the next one costs more than the best one found.
 
 use std::time::Instant;
 
@@ -14,6 +13,7 @@ use strahl_core::scene::EffectSet;
 use strahl_core::{Limits, Rgb};
 use strahl_engine::{Progress, RenderError, RenderOptions};
 use strahl_scene::description::LoadedScene;
+use strahl_session::{RenderOutput, SceneStorage, Session};
 use strahl_settings::Settings;
 
 use super::candidates::{MIN_COST_RATIO, SamplingStrategy, sampling_strategies};
@@ -21,114 +21,119 @@ use super::limits::{PREDICTION_SLACK, cheapest_candidate, limits_candidates, ref
 use super::search::{ErrorTarget, QualitySettings, SettingsSearch, reference_settings};
 use super::sparse::{ErrorEstimate, rmse};
 use super::{AimResult, AimTarget};
-use strahl_session::{RenderOutput, SceneStorage, Session};
 
-/// What may be lost by those with which rays are looked for: a twentieth of what is measured then.
+/// Error of the levels and cutoff used for the search of strategies, relative to the target. Errors add as squares, so this
+/// is about a twentieth of the measured error.
 const SEARCH_ERROR_SHARE: f64 = 1.0 / 3.0;
-/// The most combinations that are tried.
+/// Maximum number of combinations that are evaluated.
 const MAX_COMBINATIONS: usize = 24;
 
-/// Finds settings that keep the goal and renders the picture with them.
+/// Finds the cheapest settings that reach the target and renders the picture with them.
 pub fn render_to_error(
     description: &LoadedScene,
     settings: &Settings,
     options: &RenderOptions<'_>,
-    goal: ErrorTarget,
+    target: ErrorTarget,
     progress: &dyn Progress,
 ) -> Result<(RenderOutput, AimResult), RenderError> {
     let mut storage = SceneStorage::new(description, settings.precision);
     let session = Session::new(&mut storage, &settings.acceleration())?;
     let clock = Instant::now();
-    let mut search = SettingsSearch::new(&session, settings, *options, goal, progress);
+    let mut search = SettingsSearch::new(&session, settings, *options, target, progress);
     let found = cheapest_settings(&mut search, &session.scene().effects)?;
     let seconds = clock.elapsed().as_secs_f64();
-    let taken = found.quality.apply_to(settings);
-    let output = session.render(&taken, options, progress)?;
-    let measured = match goal.verify {
+    let chosen = found.quality.apply_to(settings);
+    let output = session.render(&chosen, options, progress)?;
+    let measured = match target.verify {
         true => {
-            let reference = reference_settings(settings, found.reference_limits, goal.max_error, 1);
+            let reference = reference_settings(settings, found.reference_limits, target.max_error, 1);
             let reference = session.render(&reference, options, progress)?;
             Some(rmse(&output.picture.colors, &reference.picture.colors))
         }
         false => None,
     };
     let ErrorEstimate { error: estimate, upper_bound: at_most } = found.estimate;
-    let what = reference_settings(settings, found.reference_limits, goal.max_error, 0);
-    let aimed = AimResult {
-        kept: at_most <= goal.max_error && measured.is_none_or(|error| error <= goal.max_error),
+    let reference = reference_settings(settings, found.reference_limits, target.max_error, 0);
+    let result = AimResult {
+        kept: at_most <= target.max_error && measured.is_none_or(|error| error <= target.max_error),
         target: AimTarget::Error {
-            asked: goal.max_error,
+            asked: target.max_error,
             estimate,
             at_most,
             pixels: search.sparse.pixel_count(),
             tried: search.evaluated,
-            truth: format!("{} with {} levels and cutoff {}", what.sampler, what.levels, what.cutoff),
+            truth: format!(
+                "{} with {} levels and cutoff {}",
+                reference.sampler, reference.levels, reference.cutoff
+            ),
             measured,
             seconds,
         },
-        why: found.explanation(goal.max_error),
-        settings: taken,
+        why: found.explanation(target.max_error),
+        settings: chosen,
     };
-    Ok((output, aimed))
+    Ok((output, result))
 }
 
-/// What was found.
+/// The result of a search.
 pub struct BestSettings {
-    /// The cheapest that keeps the error, or the best that there is.
+    /// The cheapest settings that reach the target, or the most accurate ones found.
     pub quality: QualitySettings,
-    /// Its error.
+    /// Their error.
     pub estimate: ErrorEstimate,
-    /// What its pixels cost, in instructions.
+    /// Cost of the sampled pixels, in instructions.
     pub cost: f64,
     /// Levels and cutoff of the reference.
     pub reference_limits: Limits,
 }
 
 impl BestSettings {
-    fn explanation(&self, goal: f64) -> String {
+    fn explanation(&self, max_error: f64) -> String {
         let QualitySettings { limits: Limits { levels, cutoff }, rays } = self.quality;
         let selecting = rays.select.map(|it| format!(", selection {it}")).unwrap_or_default();
         let what = format!("{levels} levels, cutoff {cutoff}, {}{selecting}", rays.sampler);
-        if self.estimate.upper_bound <= goal {
-            format!("{what}: the cheapest that keeps it")
+        if self.estimate.upper_bound <= max_error {
+            format!("{what}: the cheapest that reaches it")
         } else {
-            format!("{what}: the best that there is")
+            format!("{what}: the most accurate found")
         }
     }
 }
 
-/// The cheapest settings that keep the error.
+/// Finds the cheapest settings that reach the target.
 pub fn cheapest_settings(
     search: &mut SettingsSearch<'_>,
     effects: &EffectSet,
 ) -> Result<BestSettings, RenderError> {
-    let goal = search.target.max_error;
+    let max_error = search.target.max_error;
     let priced = limits_candidates(search, effects)?;
-    let Some(working) = cheapest_candidate(&priced, SEARCH_ERROR_SHARE * goal) else {
+    let Some(working) = cheapest_candidate(&priced, SEARCH_ERROR_SHARE * max_error) else {
         return Err(RenderError::invalid("there are no levels"));
     };
-    let limits = reference_limits(&priced, goal);
+    let limits = reference_limits(&priced, max_error);
     let reference = search.render_reference(limits)?.picture.colors;
 
-    // The most that coarser levels and cutoffs can save.
+    // Cost of the coarsest limits, relative to the working limits.
     let part = priced.last().map_or(1.0, |it| it.relative_cost / working.relative_cost);
-    let tried = evaluate_strategies(search, working.limits, part, &reference)?;
+    let evaluated = evaluate_strategies(search, working.limits, part, &reference)?;
     // The best that there is, if nothing keeps the error.
-    let best = tried.iter().min_by(|a, b| a.estimate.upper_bound.total_cmp(&b.estimate.upper_bound));
+    let best = evaluated.iter().min_by(|a, b| a.estimate.upper_bound.total_cmp(&b.estimate.upper_bound));
     let Some(mut best) = best.copied() else { return Err(RenderError::invalid("there are no rays")) };
-    if let Some(cheapest) =
-        tried.iter().filter(|it| it.estimate.upper_bound <= goal).min_by(|a, b| a.cost.total_cmp(&b.cost))
+    if let Some(cheapest) = evaluated
+        .iter()
+        .filter(|it| it.estimate.upper_bound <= max_error)
+        .min_by(|a, b| a.cost.total_cmp(&b.cost))
     {
         best = *cheapest;
     }
 
     let mut pairs: Vec<(f64, QualitySettings)> = Vec::new();
-    for it in &tried {
+    for it in &evaluated {
         for other in priced.iter().filter(|other| other.limits != working.limits) {
             let square = |error: f64| error * error;
             let alone = (square(it.estimate.error) - square(working.error)).max(0.0);
             let error = (alone + square(other.error)).sqrt();
-            if error <= PREDICTION_SLACK * goal {
+            if error <= PREDICTION_SLACK * max_error {
                 let candidate = QualitySettings { limits: other.limits, rays: it.candidate.rays };
                 pairs.push((it.cost * other.relative_cost / working.relative_cost, candidate));
             }
@@ -136,14 +141,14 @@ pub fn cheapest_settings(
     }
     pairs.sort_by(|a, b| a.0.total_cmp(&b.0));
     for (predicted, candidate) in pairs.into_iter().take(MAX_COMBINATIONS) {
-        let is_better = best.estimate.upper_bound > goal || predicted < best.cost;
+        let is_better = best.estimate.upper_bound > max_error || predicted < best.cost;
         if !is_better {
             break;
         }
         let (output, cost) = search.evaluate(candidate)?;
         let estimate = search.sparse.error_estimate(&output.picture.colors, &reference);
-        let keeps = estimate.upper_bound <= goal;
-        if keeps && (cost < best.cost || best.estimate.upper_bound > goal) {
+        let keeps = estimate.upper_bound <= max_error;
+        if keeps && (cost < best.cost || best.estimate.upper_bound > max_error) {
             best = Evaluation { candidate, estimate, cost };
         }
     }
@@ -151,16 +156,16 @@ pub fn cheapest_settings(
     Ok(BestSettings { quality: candidate, estimate, cost, reference_limits: limits })
 }
 
-/// What rays cost and how far they are from the reference, with levels and a cutoff that lose little; others may cost
-/// this part of it.
+/// Evaluates sampling strategies with levels and a cutoff of small error. `part` is the cost of the coarsest limits,
+/// relative to these.
 fn evaluate_strategies(
     search: &mut SettingsSearch<'_>,
     limits: Limits,
     part: f64,
     reference: &[Rgb],
 ) -> Result<Vec<Evaluation>, RenderError> {
-    let (settings, ErrorTarget { max_error: goal, fixed, .. }) = (search.settings, search.target);
-    let mut list = sampling_strategies(settings.filter, goal);
+    let (settings, ErrorTarget { max_error, fixed, .. }) = (search.settings, search.target);
+    let mut list = sampling_strategies(settings.filter, max_error);
     if fixed.sampler {
         list.retain(|rays| rays.select.is_some());
         list.iter_mut().for_each(|rays| rays.sampler = settings.sampler);
@@ -170,26 +175,28 @@ fn evaluate_strategies(
         list.retain(|rays| rays.select.is_none());
         list.iter_mut().for_each(|rays| rays.select = settings.select);
     }
-    let mut tried: Vec<Evaluation> = Vec::new();
+    let mut evaluated: Vec<Evaluation> = Vec::new();
     let mut cheapest = f64::INFINITY;
     for rays in list {
         if !fixed.sampler
-            && tried.iter().any(|it| it.costs_more_than(rays, cheapest / part) || it.cannot_reach(rays, goal))
+            && evaluated
+                .iter()
+                .any(|it| it.costs_more_than(rays, cheapest / part) || it.cannot_reach(rays, max_error))
         {
             continue;
         }
         let candidate = QualitySettings { limits, rays };
         let (output, cost) = search.evaluate(candidate)?;
         let estimate = search.sparse.error_estimate(&output.picture.colors, reference);
-        if estimate.upper_bound <= goal && cost < cheapest {
+        if estimate.upper_bound <= max_error && cost < cheapest {
             cheapest = cost;
         }
-        tried.push(Evaluation { candidate, estimate, cost });
+        evaluated.push(Evaluation { candidate, estimate, cost });
     }
-    Ok(tried)
+    Ok(evaluated)
 }
 
-/// Rays that were tried.
+/// Evaluated settings.
 #[derive(Clone, Copy, Debug)]
 struct Evaluation {
     candidate: QualitySettings,
@@ -197,24 +204,24 @@ struct Evaluation {
     cost: f64,
 }
 
-/// How fast the error of more rays falls at most: as this power of their number.
+/// The fastest convergence: the error falls as this power of the number of rays.
 const MAX_CONVERGENCE_EXPONENT: f64 = 0.85;
 
 impl Evaluation {
-    /// Whether other rays cost more than `cheapest`, because these do.
+    /// Whether another strategy must cost more than `cheapest`, given the cost of this one.
     fn costs_more_than(&self, rays: SamplingStrategy, cheapest: f64) -> bool {
         let times = rays.min_ray_ratio(self.candidate.rays);
         times.is_some_and(|times| MIN_COST_RATIO * times * self.cost > cheapest)
     }
 
-    /// Whether more rays of the same sampler cannot keep the error, however fast it falls.
-    fn cannot_reach(&self, rays: SamplingStrategy, goal: f64) -> bool {
+    /// Whether more rays of the same sampler cannot reach the target, even at the fastest convergence.
+    fn cannot_reach(&self, rays: SamplingStrategy, max_error: f64) -> bool {
         let it = self.candidate.rays;
         let same = std::mem::discriminant(&it.sampler) == std::mem::discriminant(&rays.sampler);
         match (it.fixed_rays_per_pixel(), rays.fixed_rays_per_pixel()) {
             (Some(known), Some(count)) if same && 1 < known && known < count => {
                 self.estimate.error / libm::pow(f64::from(count) / f64::from(known), MAX_CONVERGENCE_EXPONENT)
-                    > goal
+                    > max_error
             }
             _ => false,
         }

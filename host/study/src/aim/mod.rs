@@ -1,13 +1,13 @@
-//! Settings that keep what is aimed at: an error, or a time.
+//! Settings for a target error or a time limit.
 //!
-//! | module | what it does |
+//! | module | contents |
 //! |---|---|
-//! | [`error`] | the cheapest settings whose error is below a limit |
-//! | [`limits`] | levels and cutoffs, what they lose and what they cost |
-//! | [`search`] | settings are tried on a sample of pixels, and what they are compared with |
-//! | [`candidates`] | which settings are looked at |
-//! | [`sparse`] | some pixels that stand for all |
-//! | [`time`] | the best picture that is there in time |
+//! | [`error`] | the cheapest settings that reach a target error |
+//! | [`time`] | the best picture within a time limit |
+//! | [`limits`] | candidates for levels and cutoff, with error and cost |
+//! | [`candidates`] | candidates for samplers and pixel selection |
+//! | [`search`] | evaluation of settings on a sample of pixels, and the reference |
+//! | [`sparse`] | a sample of pixels that represents the picture |
 
 use serde::Serialize;
 use strahl_settings::Settings;
@@ -19,51 +19,51 @@ pub mod search;
 pub mod sparse;
 pub mod time;
 
-/// What was aimed at, and what came of it.
+/// The result of a target: the chosen settings and what they reach.
 #[derive(Clone, Debug, Serialize)]
 pub struct AimResult {
-    /// The settings that were taken.
+    /// The chosen settings.
     #[serde(skip)]
     pub settings: Settings,
-    /// Whether it is kept, as far as that is known.
+    /// Whether the target is reached, as far as known.
     pub kept: bool,
-    /// What was asked for, estimated and found.
+    /// The target, and the values found.
     #[serde(flatten)]
     pub target: AimTarget,
-    /// Why these settings.
+    /// Why these settings were chosen.
     pub why: String,
 }
 
-/// What was asked for, and what was found.
+/// A target, and the values found.
 #[derive(Clone, Debug, Serialize)]
 #[serde(tag = "target", rename_all = "snake_case")]
 pub enum AimTarget {
-    /// A largest error.
+    /// A maximum error.
     Error {
-        /// It.
+        /// The requested error.
         asked: f64,
-        /// The error of these settings on the pixels that were looked at.
+        /// The error of the settings on the sampled pixels.
         estimate: f64,
-        /// What the error of the whole picture is at most, with a confidence of 95 %.
+        /// Upper bound of the error of the whole picture, with 95 % confidence.
         at_most: f64,
-        /// How many pixels were looked at.
+        /// Number of sampled pixels.
         pixels: usize,
-        /// How many settings were tried on them.
+        /// Number of settings that were evaluated.
         tried: usize,
-        /// What they were held against.
+        /// The settings of the reference.
         truth: String,
-        /// The error of the picture, where it was measured.
+        /// The measured error of the picture, with `--verify`.
         measured: Option<f64>,
-        /// Seconds that the search took.
+        /// Duration of the search, in seconds.
         seconds: f64,
     },
-    /// A time.
+    /// A time limit.
     Time {
-        /// It, in seconds.
+        /// The limit, in seconds.
         asked: f64,
-        /// Passes that were completed.
+        /// Number of completed passes.
         passes: usize,
-        /// Whether one more was begun and given up.
+        /// Whether another pass was started and aborted.
         given_up: bool,
     },
 }

@@ -1,83 +1,83 @@
-//! Settings are tried on a sample of pixels.
+//! Evaluation of settings on a sample of pixels, and the reference that they are compared with.
 
 use strahl_core::Limits;
 use strahl_engine::{Progress, RenderError, RenderOptions};
+use strahl_session::{RenderOutput, Session};
 use strahl_settings::{ConfidenceSettings, SamplerSettings, Settings};
 
 use super::candidates::SamplingStrategy;
 use super::sparse::SparsePixels;
 use crate::cost_model::WEIGHTS;
-use strahl_session::{RenderOutput, Session};
 
-/// What is not to be changed.
+/// Settings that the command line fixes; the search does not change them.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct FixedSettings {
-    /// Levels.
+    /// Whether levels are fixed.
     pub levels: bool,
-    /// The cutoff.
+    /// Whether the cutoff is fixed.
     pub cutoff: bool,
-    /// Rays in a pixel.
+    /// Whether the sampler is fixed.
     pub sampler: bool,
-    /// Pixels that are traced.
+    /// Whether pixel selection is fixed.
     pub select: bool,
 }
 
-/// What is asked for.
+/// A target error.
 #[derive(Clone, Copy, Debug)]
 pub struct ErrorTarget {
-    /// The largest error.
+    /// The maximum error (RMSE of sRGB-encoded values).
     pub max_error: f64,
-    /// What stays as it is.
+    /// Fixed settings.
     pub fixed: FixedSettings,
-    /// Whether the true error is to be measured.
+    /// Whether the error of the whole picture is measured afterwards.
     pub verify: bool,
 }
 
-/// Levels, cutoff and rays.
+/// The settings that a search varies.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct QualitySettings {
     /// Levels and cutoff.
     pub limits: Limits,
-    /// Rays in a pixel, and which pixels.
+    /// Sampler and pixel selection.
     pub rays: SamplingStrategy,
 }
 
 impl QualitySettings {
-    /// The same settings with these.
+    /// The settings with these values.
     pub fn apply_to(self, settings: &Settings) -> Settings {
         self.rays.apply_to(settings).with_limits(self.limits)
     }
 }
 
-/// A search on a sample of pixels.
+/// A search for settings on a sample of pixels.
 pub struct SettingsSearch<'s> {
     session: &'s Session<'s>,
-    /// The settings that are asked for.
+    /// The requested settings.
     pub settings: &'s Settings,
     options: RenderOptions<'s>,
-    /// What is aimed at.
+    /// The target.
     pub target: ErrorTarget,
     progress: &'s dyn Progress,
-    /// The sample.
+    /// The sampled pixels.
     pub sparse: SparsePixels,
-    /// How many settings were tried.
+    /// Number of evaluated settings.
     pub evaluated: usize,
 }
 
 impl<'s> SettingsSearch<'s> {
-    /// For the pixels that are requested.
+    /// A search on the requested pixels.
     pub fn new(
         session: &'s Session<'s>,
         settings: &'s Settings,
         options: RenderOptions<'s>,
-        goal: ErrorTarget,
+        target: ErrorTarget,
         progress: &'s dyn Progress,
     ) -> Self {
         let sparse = SparsePixels::new(settings, &options);
-        SettingsSearch { session, settings, options, target: goal, progress, sparse, evaluated: 0 }
+        SettingsSearch { session, settings, options, target, progress, sparse, evaluated: 0 }
     }
 
-    /// Traces the sample; its cost in instructions.
+    /// Renders the sampled pixels. Returns the picture and its cost in instructions.
     pub fn evaluate(&mut self, candidate: QualitySettings) -> Result<(RenderOutput, f64), RenderError> {
         self.evaluated += 1;
         let cost_map = self.sparse.cost_map();
@@ -87,7 +87,7 @@ impl<'s> SettingsSearch<'s> {
         Ok((output, cost))
     }
 
-    /// Traces the sample as the reference has it.
+    /// Renders the sampled pixels with the settings of the reference.
     pub fn render_reference(&self, limits: Limits) -> Result<RenderOutput, RenderError> {
         let reference = reference_settings(self.settings, limits, self.target.max_error, 0);
         self.session.render(&reference, &self.sparse_options(), self.progress)
@@ -98,21 +98,21 @@ impl<'s> SettingsSearch<'s> {
     }
 }
 
-/// The least rays in a pixel.
+/// Minimum samples per pixel of the reference.
 const MIN_SAMPLES: u32 = 32;
-/// The most of them.
+/// Maximum samples per pixel of the reference.
 const MAX_SAMPLES: u32 = 4096;
-/// How sure it is that the mean of a pixel is as near to the true one as is asked: one standard error.
+/// Confidence that the mean of a pixel is within the tolerance: one standard error.
 const CONFIDENCE_LEVEL: f64 = 0.682_689_5;
-/// Which part of the target error each pixel of the reference may have itself. Its square is added to what is measured:
-/// were all pixels as bad, the error would seem 12 % larger than it is; most are far better.
+/// Maximum error of each pixel of the reference, relative to the target error. Errors add as squares: if all pixels had
+/// it, measured errors would be 12 % too large; most pixels are far better.
 const NOISE_SHARE: f64 = 0.5;
 
-/// The settings of high quality with which a picture of this target error is compared. Its random numbers have nothing to
-/// do with those of the picture; `other` gives others again.
-pub fn reference_settings(settings: &Settings, limits: Limits, target: f64, other: u32) -> Settings {
+/// The settings of the reference for a target error. Its random numbers are independent of those of the picture; each
+/// `stream` gives others.
+pub fn reference_settings(settings: &Settings, limits: Limits, max_error: f64, stream: u32) -> Settings {
     let confidence =
-        ConfidenceSettings { confidence: CONFIDENCE_LEVEL, tolerance: (NOISE_SHARE * target) as f32 };
+        ConfidenceSettings { confidence: CONFIDENCE_LEVEL, tolerance: (NOISE_SHARE * max_error) as f32 };
     let settings = Settings {
         sampler: SamplerSettings::Stochastic {
             min_samples: MIN_SAMPLES,
@@ -120,7 +120,7 @@ pub fn reference_settings(settings: &Settings, limits: Limits, target: f64, othe
             confidence,
         },
         select: None,
-        seed: settings.seed.wrapping_add(0x7275_7468).wrapping_add(other),
+        seed: settings.seed.wrapping_add(0x7275_7468).wrapping_add(stream),
         ..settings.clone()
     };
     settings.with_limits(limits)
