@@ -39,9 +39,9 @@ static FLOOR: [Polygon; 1] = [Polygon {
 
 /// One material per item, by index.
 static MATERIALS: [Material; 3] = [
-    Material { diffuse: Rgb::gray(0.5), ..Material::MATTE },
-    Material { diffuse: Rgb::gray(0.9), ..Material::MATTE },
-    Material { diffuse: Rgb::gray(0.1), reflection: Rgb::gray(0.8), ..Material::MATTE },
+    Material { diffuse: Rgb::gray(0.5), ambient: Rgb::WHITE, ..Material::MATTE },
+    Material { diffuse: Rgb::gray(0.9), ambient: Rgb::WHITE, ..Material::MATTE },
+    Material { diffuse: Rgb::gray(0.1), reflection: Rgb::gray(0.8), ambient: Rgb::WHITE, ..Material::MATTE },
 ];
 
 static LIGHTS: [Light; 1] = [Light {

@@ -83,7 +83,7 @@ fn hash<E: Effects>() -> u64 {
     let scene = Scene::new(SceneDescriptor {
         geometry: Geometry { shapes: &shapes, planes: &planes, ..Geometry::EMPTY },
         material_ids: &[MaterialId(0); ITEMS],
-        materials: &[Material::MATTE],
+        materials: &[Material { ambient: Rgb::WHITE, ..Material::MATTE }],
         lights: &lights,
         ambient: Rgb::gray(0.1),
         ..SceneDescriptor::EMPTY

@@ -50,11 +50,15 @@ fn main() -> Result<(), Box<dyn Error>> {
     let sphere = |x, z, radius| Shape::Sphere(Sphere { center: vec3(x, radius, z), radius });
     let shapes = [Shape::Plane(0), sphere(-1.1, 0.0, 1.0), sphere(1.0, 0.6, 0.7), sphere(0.2, 1.8, 0.35)];
     let source = LightSource::Point { position: vec3(4.0, 7.0, 5.0), falloff: Falloff::NONE };
-    let specular =
-        Material { reflection: Rgb::gray(0.25), diffuse: Rgb::new(0.6, 0.2, 0.15), ..Material::MATTE };
+    let specular = Material {
+        reflection: Rgb::gray(0.25),
+        diffuse: Rgb::new(0.6, 0.2, 0.15),
+        ambient: Rgb::WHITE,
+        ..Material::MATTE
+    };
     let lights = [Light { source, color: Rgb::gray(0.8), casts_shadows: true }];
     let planes = [Plane { point: Vec3::ZERO, normal: Vec3::Y, item: ItemId(0) }];
-    let materials = [Material { texture: TextureId(0), ..Material::MATTE }, specular];
+    let materials = [Material { texture: TextureId(0), ambient: Rgb::WHITE, ..Material::MATTE }, specular];
     let scene = Scene::new(SceneDescriptor {
         geometry: Geometry { shapes: &shapes, planes: &planes, ..Geometry::EMPTY },
         material_ids: &[MaterialId(0), MaterialId(1), MaterialId(1), MaterialId(1)],

@@ -23,7 +23,7 @@ use crate::trace::RayTracer;
 /// let scene = Scene::new(SceneDescriptor {
 ///     geometry: Geometry { shapes: &shapes, ..Geometry::EMPTY },
 ///     material_ids: &[MaterialId(0)],
-///     materials: &[Material::MATTE],
+///     materials: &[Material { ambient: Rgb::WHITE, ..Material::MATTE }],
 ///     ambient: Rgb::gray(0.5),
 ///     ..SceneDescriptor::EMPTY
 /// })?;

@@ -17,7 +17,7 @@ use crate::cast::{CoreHit, TestedCore};
 use crate::test_shape::{TestRay, TestShape};
 use crate::vector::{DVec3, dvec3};
 
-/// An owned scene. Each shape that is added gets the current material, [`Material::MATTE`] at first.
+/// An owned scene. Each shape that is added gets the current material, white [`Material::matte`] at first.
 #[derive(Clone, Debug)]
 pub struct TestScene {
     tables: SceneTables,
@@ -28,7 +28,7 @@ pub struct TestScene {
 impl Default for TestScene {
     fn default() -> Self {
         let mut tables = SceneTables::new();
-        let current_material = tables.add_material(Material::MATTE);
+        let current_material = tables.add_material(Material::matte(Rgb::WHITE));
         TestScene { tables, current_material }
     }
 }

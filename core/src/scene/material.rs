@@ -75,7 +75,7 @@ impl Material {
     ///
     /// `ambient` is black so that `diffuse` alone determines the color.
     pub const MATTE: Material = Material {
-        ambient: Rgb::WHITE,
+        ambient: Rgb::BLACK,
         diffuse: Rgb::WHITE,
         texture: TextureId::NONE,
         highlight: Rgb::BLACK,

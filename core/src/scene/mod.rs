@@ -170,7 +170,7 @@ impl<'s> Scene<'s> {
     /// let scene = Scene::new(SceneDescriptor {
     ///     geometry: Geometry { shapes: &shapes, ..Geometry::EMPTY },
     ///     material_ids: &[MaterialId(0)],
-    ///     materials: &[Material::matte(Rgb::WHITE)],
+    ///     materials: &[Material::MATTE],
     ///     ambient: Rgb::gray(0.2),
     ///     ..SceneDescriptor::EMPTY
     /// })?;

@@ -29,7 +29,7 @@
 //! use strahl_settings::{AccelSettings, Settings};
 //!
 //! let mut tables = SceneTables::new();
-//! let matte = tables.add_material(Material::MATTE);
+//! let matte = tables.add_material(Material::matte(Rgb::WHITE));
 //! tables.add_sphere(Sphere { center: vec3(0.0, 0.0, -5.0), radius: 1.0 }, matte);
 //! let view = CameraDescriptor {
 //!     position: vec3(0.0, 0.0, 0.0),

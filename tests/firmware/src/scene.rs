@@ -97,7 +97,7 @@ static SHAPES: [Shape; ITEMS] = [
 /// The item of the same number is made of it.
 static MATERIALS: [Material; ITEMS] = [
     // The floor.
-    Material { texture: TextureId(0), diffuse: Rgb::gray(0.8), ..Material::MATTE },
+    Material { texture: TextureId(0), diffuse: Rgb::gray(0.8), ambient: Rgb::WHITE, ..Material::MATTE },
     // Green glass.
     Material {
         ambient: Rgb::BLACK,

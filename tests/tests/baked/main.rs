@@ -61,8 +61,13 @@ fn mixed_scene() -> TestScene {
         origin: Vec3::ZERO,
         axis: Vec3::Y,
     });
-    let shiny = Material { highlight: Rgb::gray(0.5), highlight_exponent: 20.0, ..Material::MATTE };
-    scene.material(Material { texture: checker, two_sided: false, ..Material::MATTE });
+    let shiny = Material {
+        highlight: Rgb::gray(0.5),
+        highlight_exponent: 20.0,
+        ambient: Rgb::WHITE,
+        ..Material::MATTE
+    };
+    scene.material(Material { texture: checker, two_sided: false, ambient: Rgb::WHITE, ..Material::MATTE });
     scene.plane(vec3(0.0, -2.0, 0.0), Vec3::Y);
     scene.material(Material { texture: gradient, ..shiny });
     scene.disc(vec3(-2.0, 0.0, -1.0), vec3(1.0, 0.0, 2.0), 0.8);

@@ -38,7 +38,12 @@ type DisableEffect =
 /// A scene that requires every effect.
 fn all_effects() -> (TestScene, CameraDescriptor) {
     let mut scene = mixed_scene();
-    scene.material(Material { reflection: Rgb::gray(0.4), roughness: 0.4, ..Material::MATTE });
+    scene.material(Material {
+        reflection: Rgb::gray(0.4),
+        roughness: 0.4,
+        ambient: Rgb::WHITE,
+        ..Material::MATTE
+    });
     let moving = scene.sphere(vec3(2.0, 2.0, 2.0), 0.7);
     scene.set_motion(moving, -Vec3::X, Vec3::Y);
     let falloff = Falloff::NONE;
@@ -139,7 +144,7 @@ fn a_tracer_refuses_a_scene_that_requires_an_effect_it_lacks() {
             }
         };
         assert!(!is_refused(&scene), "{:?}", E::SET);
-        require(&mut scene, Material::MATTE, light(Rgb::WHITE));
+        require(&mut scene, Material::matte(Rgb::WHITE), light(Rgb::WHITE));
         assert!(is_refused(&scene), "{:?}", E::SET);
     }
     let sphere = |scene: &mut TestScene, material| {

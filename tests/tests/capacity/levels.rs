@@ -8,7 +8,13 @@ fn panes(levels: usize) -> TestScene {
     let mut scene = TestScene::new();
     let half = Rgb::gray(0.5);
     let diffuse = Rgb::BLACK;
-    scene.material(Material { diffuse, reflection: half, transmission: half, ..Material::MATTE });
+    scene.material(Material {
+        diffuse,
+        reflection: half,
+        transmission: half,
+        ambient: Rgb::WHITE,
+        ..Material::MATTE
+    });
     for i in 0..levels {
         let x = i as Real + 1.0;
         scene.plane(vec3(x, 0.0, 0.0), Vec3::X);
@@ -135,6 +141,7 @@ fn an_overflow_of_the_medium_stack_is_counted() {
         transmission: Rgb::WHITE,
         refractive_index: 1.1,
         diffuse: Rgb::BLACK,
+        ambient: Rgb::WHITE,
         ..Material::MATTE
     });
     for radius in 1..7 {

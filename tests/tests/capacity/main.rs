@@ -86,7 +86,12 @@ fn mixed_scene() -> TestScene {
         origin: Vec3::ZERO,
         frequency: vec3(1.0, 0.0, 1.0),
     });
-    let shiny = Material { highlight: Rgb::gray(0.5), highlight_exponent: 20.0, ..Material::MATTE };
+    let shiny = Material {
+        highlight: Rgb::gray(0.5),
+        highlight_exponent: 20.0,
+        ambient: Rgb::WHITE,
+        ..Material::MATTE
+    };
     let materials = [
         Material { texture: checker, ..shiny },
         Material { reflection: Rgb::gray(0.5), ..shiny },

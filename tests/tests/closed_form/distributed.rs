@@ -162,6 +162,7 @@ fn rough_glass_loses_no_light() {
         transmission: Rgb::WHITE,
         refractive_index: 1.5,
         fresnel: FresnelModel::Dielectric,
+        ambient: Rgb::WHITE,
         ..Material::MATTE
     };
     scene.material(Material { diffuse: Rgb::BLACK, ambient: Rgb::BLACK, roughness: 0.5, ..glass });
@@ -179,7 +180,7 @@ fn light_through_panes_and_bodies_has_their_color() {
     let mut scene = floor(sun);
     scene.colored_shadows = true;
     let tint = Rgb::new(0.5, 0.25, 0.0);
-    scene.material(Material { transmission: tint, ..Material::MATTE });
+    scene.material(Material { transmission: tint, ambient: Rgb::WHITE, ..Material::MATTE });
     scene.disc(vec3(0.0, 2.0, 0.0), Vec3::Y, 1.0);
     assert_color(floor_color(&scene), [0.5, 0.25, 0.0], ROUNDINGS);
     // A second pane absorbs the same factor; without colored shadows each pane occludes.
@@ -196,6 +197,7 @@ fn light_through_panes_and_bodies_has_their_color() {
         transmission: Rgb::WHITE,
         refractive_index: 1.5,
         attenuation_length: clarity,
+        ambient: Rgb::WHITE,
         ..Material::MATTE
     };
     scene.material(Material { fresnel: FresnelModel::Dielectric, ..glass });
@@ -203,7 +205,7 @@ fn light_through_panes_and_bodies_has_their_color() {
     let through = |clarity: f64| 0.96 * 0.96 * (-2.0 / clarity).exp();
     assert_color(floor_color(&scene), [through(2.0), through(4.0), 0.96 * 0.96], 1e-5);
     // Opaque objects behind glass occlude.
-    scene.material(Material::MATTE);
+    scene.material(Material::matte(Rgb::WHITE));
     scene.disc(vec3(0.0, 6.0, 0.0), Vec3::Y, 1.0);
     assert_eq!(floor_color(&scene), Rgb::BLACK);
 }

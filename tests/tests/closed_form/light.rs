@@ -36,7 +36,8 @@ fn grazing_tolerance(angle: f64) -> f64 {
 
 const ANGLES: [f64; 7] = [0.0, 0.2, 0.5, 0.8, 1.1, 1.4, 1.5];
 
-const MATTE: Material = Material { diffuse: Rgb::new(0.5, 1.0, 0.25), ..Material::MATTE };
+const MATTE: Material =
+    Material { diffuse: Rgb::new(0.5, 1.0, 0.25), ambient: Rgb::WHITE, ..Material::MATTE };
 
 #[test]
 fn diffuse_light_falls_with_the_cosine() {
@@ -166,6 +167,7 @@ const SHINY: Material = Material {
     diffuse: Rgb::BLACK,
     highlight: Rgb::new(0.5, 0.25, 1.0),
     highlight_exponent: 20.0,
+    ambient: Rgb::WHITE,
     ..Material::MATTE
 };
 

@@ -62,7 +62,12 @@ fn the_cutoff_ends_the_series_when_the_largest_weight_does_not_exceed_it() {
 fn a_mirror_shows_the_mirror_direction() {
     // A mirror in y = 0, with the ruler above.
     let mut scene = TestScene::new();
-    scene.material(Material { reflection: Rgb::gray(0.5), diffuse: Rgb::BLACK, ..Material::MATTE });
+    scene.material(Material {
+        reflection: Rgb::gray(0.5),
+        diffuse: Rgb::BLACK,
+        ambient: Rgb::WHITE,
+        ..Material::MATTE
+    });
     scene.material(Material { reflection: Rgb::gray(0.5), ..unlit(Rgb::BLACK) });
     scene.disc(Vec3::ZERO, Vec3::Y, 1.0);
     ruler(&mut scene, 2.0);

@@ -177,8 +177,13 @@ fn a_light_on_a_surface_is_not_occluded_by_it() {
 
 #[test]
 fn glass_casts_a_full_shadow() {
-    let glass =
-        Material { transmission: Rgb::WHITE, refractive_index: 1.5, diffuse: Rgb::BLACK, ..Material::MATTE };
+    let glass = Material {
+        transmission: Rgb::WHITE,
+        refractive_index: 1.5,
+        diffuse: Rgb::BLACK,
+        ambient: Rgb::WHITE,
+        ..Material::MATTE
+    };
     for material in [glass, Material { refractive_index: 1.0, ..glass }] {
         let scene = floor(point_light(0.0, 3.0, 0.0), |scene| {
             scene.material(material);

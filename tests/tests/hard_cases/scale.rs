@@ -43,7 +43,12 @@ fn picture(scale: f32, has_lens: bool) -> Vec<[u32; 3]> {
         origin: vec3(0.5, 0.1, -0.4) * scale,
         frequency: 0.3 / (scale * scale),
     });
-    let shiny = Material { highlight: Rgb::gray(0.5), highlight_exponent: 20.0, ..Material::MATTE };
+    let shiny = Material {
+        highlight: Rgb::gray(0.5),
+        highlight_exponent: 20.0,
+        ambient: Rgb::WHITE,
+        ..Material::MATTE
+    };
     let materials = [
         Material { texture: checker, ..shiny },
         Material { texture: gradient, reflection: Rgb::gray(0.5), ..shiny },

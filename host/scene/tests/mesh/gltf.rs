@@ -122,7 +122,8 @@ fn surfaces_become_the_nearest_material() {
     ));
     let it = mesh("gltf", text);
     let base = Rgb::new(1.0, 0.5, 0.25);
-    let rough = Material { highlight: Rgb::BLACK, highlight_exponent: 0.0, ..Material::MATTE };
+    let rough =
+        Material { highlight: Rgb::BLACK, highlight_exponent: 0.0, ambient: Rgb::WHITE, ..Material::MATTE };
     let metal = Material {
         ambient: base * 0.25,
         diffuse: base * 0.25,

@@ -15,7 +15,7 @@ fn a_file_of_one_sphere_is_a_scene() {
     let it = loaded("[[sphere]]\nradius = 2\n");
     assert_eq!(it.objects[0].shape, ShapeDescription::Sphere { center: [0.0; 3], radius: 2.0 });
     assert_eq!(it.materials.len(), 1);
-    assert_eq!(it.materials[0].value, Material::MATTE);
+    assert_eq!(it.materials[0].value, Material::matte(Rgb::WHITE));
     assert_eq!(it.settings, SettingsOverrides::default());
     assert_eq!(it.background, BackgroundDescription::Color(Rgb::BLACK));
     assert_eq!(it.ambient, Rgb::gray(0.1));
@@ -94,7 +94,7 @@ fn material(keys: &str) -> Material {
 
 #[test]
 fn the_parts_of_a_material_follow_from_each_other() {
-    assert_eq!(material(""), Material::MATTE);
+    assert_eq!(material(""), Material::matte(Rgb::WHITE));
     let it = material("mirror = 0.25");
     assert_eq!((it.diffuse, it.ambient, it.reflection), (Rgb::gray(0.75), Rgb::gray(0.75), Rgb::gray(0.25)));
     let it = material("mirror = 0.25, transmission = [0.5, 1, 0]");

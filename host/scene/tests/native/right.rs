@@ -151,7 +151,7 @@ fn every_material_becomes_what_the_format_says() {
     };
     let half = Rgb::gray(0.5);
     let floor = Material { ambient: half, diffuse: half, texture: TextureId(0), ..Material::MATTE };
-    let fading = Material { texture: TextureId(1), ..Material::MATTE };
+    let fading = Material { texture: TextureId(1), ambient: Rgb::WHITE, ..Material::MATTE };
     let own = Material {
         ambient: RED * 0.5,
         diffuse: RED,
@@ -164,7 +164,7 @@ fn every_material_becomes_what_the_format_says() {
         named(glass, 101, "glass"),
         named(floor, 112, "floor"),
         named(fading, 121, "fading"),
-        Located { value: Material::MATTE, line: 56, name: None },
+        Located { value: Material::matte(Rgb::WHITE), line: 56, name: None },
         Located { value: own, line: 69, name: None },
     ];
     assert_eq!(it.materials, materials);

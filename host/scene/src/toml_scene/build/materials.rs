@@ -46,7 +46,7 @@ impl SceneBuilder<'_> {
             Some(MaterialRef::Inline(own)) => self.material(own, None),
             None => {
                 if self.material_ids.default.is_none() {
-                    self.material_ids.default = self.add_material(Material::MATTE, None, span);
+                    self.material_ids.default = self.add_material(Material::matte(Rgb::WHITE), None, span);
                 }
                 self.material_ids.default
             }
