@@ -1,6 +1,6 @@
-//! Pictures to files.
+//! Encoding of picture files.
 //!
-//! Equal pictures make equal files: no file holds a date, a name, or anything but the picture.
+//! Equal pictures give equal files: a file contains no date, name or other metadata.
 
 use std::error::Error;
 use std::fmt;
@@ -17,39 +17,38 @@ use crate::Picture;
 
 /// A format of picture files.
 ///
-/// All but EXR have eight bits for each channel, in the encoding of sRGB. All but JPEG give back
-/// every pixel as it was.
+/// All but EXR have 8 bits per channel, in sRGB encoding. All but JPEG are lossless.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum PictureFormat {
     /// PNG.
     Png,
     /// Binary PPM.
     Ppm,
-    /// QOI, "the quite OK image format": nearly as small as PNG, and much quicker.
+    /// QOI, the "Quite OK Image" format: nearly as small as PNG, and much faster.
     Qoi,
-    /// JPEG of quality 95 with all its colours (4:4:4). Loses a little: to look at, not to keep.
+    /// JPEG of quality 95 without chroma subsampling (4:4:4); lossy.
     Jpeg,
-    /// TIFF, not compressed.
+    /// TIFF, uncompressed.
     Tiff,
-    /// OpenEXR with the linear floats, bit for bit; scan lines, compressed with ZIP.
+    /// OpenEXR with linear 32-bit floats; scan lines, compressed with ZIP.
     Exr,
 }
 
-/// How much of the picture a JPEG keeps, of 100.
+/// The quality of JPEG files, of 100.
 const JPEG_QUALITY: u8 = 95;
 
-/// The most pixels along a side of a JPEG.
+/// The maximum width and height of a JPEG.
 const JPEG_SIDE: u32 = u16::MAX as u32;
 
-/// ZIP in blocks of 16 lines, which every reader of EXR knows. (The run lengths that `image`
-/// would write make files larger than none at all.)
+/// ZIP in blocks of 16 lines, which every EXR reader supports. (The run-length encoding of the crate `image` makes files
+/// larger than no compression.)
 pub const EXR_ENCODING: Encoding = Encoding {
     compression: Compression::ZIP16,
     blocks: Blocks::ScanLines,
     line_order: LineOrder::Increasing,
 };
 
-/// All extensions, without their dot, in lower case.
+/// The extensions of all formats, without the dot, in lower case.
 const EXTENSIONS: &[(&str, PictureFormat)] = &[
     ("png", PictureFormat::Png),
     ("ppm", PictureFormat::Ppm),
@@ -62,8 +61,8 @@ const EXTENSIONS: &[(&str, PictureFormat)] = &[
 ];
 
 impl PictureFormat {
-    /// The format that the extension of `path` names; for the standard output, a pipe or a device
-    /// without one PNG.
+    /// The format that the extension of `path` selects; PNG for standard output (`-`), and for a pipe or device without
+    /// an extension.
     pub fn from_path(path: &Path) -> Result<Self, FormatError> {
         if path == Path::new("-") {
             return Ok(PictureFormat::Png);
@@ -80,7 +79,7 @@ impl PictureFormat {
         }
     }
 
-    /// Whether a picture of this size can be written at all.
+    /// Checks that the format supports pictures of this size.
     pub fn check_size(self, size: Resolution) -> Result<(), FormatError> {
         if self == PictureFormat::Jpeg && (size.width() > JPEG_SIDE || size.height() > JPEG_SIDE) {
             return Err(FormatError::TooLargeForJpeg);
@@ -88,7 +87,7 @@ impl PictureFormat {
         Ok(())
     }
 
-    /// The bytes of a file.
+    /// Encodes a picture as the bytes of a file.
     pub fn encode(self, picture: &Picture) -> Result<Vec<u8>, ImageError> {
         let mut file = Cursor::new(Vec::new());
         match self {
@@ -109,13 +108,13 @@ impl PictureFormat {
     }
 }
 
-/// Why a picture cannot be written in a format.
+/// Why a picture format cannot be used.
 #[derive(Clone, Debug, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum FormatError {
-    /// The extension of this file names no format.
+    /// The extension of this file is not that of a picture format.
     UnknownExtension(PathBuf),
-    /// A side is longer than a JPEG can have.
+    /// The width or height exceeds the maximum of JPEG.
     TooLargeForJpeg,
 }
 
@@ -124,10 +123,10 @@ impl fmt::Display for FormatError {
         match self {
             FormatError::UnknownExtension(path) => write!(
                 f,
-                "{} names no picture format; the extension must be .png, .ppm, .qoi, .jpg, .tif or .exr",
+                "{} has no known picture extension; use .png, .ppm, .qoi, .jpg, .tif or .exr",
                 path.display()
             ),
-            FormatError::TooLargeForJpeg => write!(f, "a side of a JPEG has at most {JPEG_SIDE} pixels"),
+            FormatError::TooLargeForJpeg => write!(f, "JPEG supports at most {JPEG_SIDE} pixels per side"),
         }
     }
 }

@@ -1,18 +1,29 @@
-//! Linear pictures of strahl: their digest, files of them, and how two of them differ.
+//! Linear pictures of strahl: picture files, digests, and measures of difference.
 //!
-//! Inside, a picture is linear light. Files of eight bits hold it in the encoding of sRGB
-//! (IEC 61966-2-1, the exact curve with its straight part, not a power of 2.2), cut off at 0 and
-//! 1; OpenEXR holds the linear floats themselves.
+//! A [`Picture`] is linear light. 8-bit files hold it in sRGB encoding (IEC 61966-2-1, with the exact curve and its linear
+//! segment, not a power of 2.2), clamped to 0 and 1; OpenEXR holds the linear floats.
 //!
-//! | module | what it does |
+//! ```
+//! use strahl_core::{Resolution, Rgb};
+//! use strahl_picture::{Picture, PictureFormat, PixelValues, decode};
+//!
+//! let size = Resolution::new(2, 1).unwrap();
+//! let picture = Picture { size, colors: vec![Rgb::BLACK, Rgb::WHITE] };
+//! let file = PictureFormat::Png.encode(&picture)?;
+//! let decoded = decode(&file, 100)?;
+//! assert_eq!(decoded.values, PixelValues::U8(vec![[0; 3], [255; 3]]));
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
+//!
+//! | module | contents |
 //! |---|---|
-//! | [`srgb`] | the encoding |
-//! | [`format`](mod@format) | pictures to files |
-//! | [`read`] | files to pixels |
-//! | [`difference`] | how two pictures differ |
-//! | [`color_map`] | differences to colours |
+//! | [`srgb`] | sRGB encoding |
+//! | [`format`](mod@format) | encoding of picture files |
+//! | [`read`] | decoding of picture files |
+//! | [`difference`] | measures of difference of two pictures |
+//! | [`color_map`] | color map of difference maps |
 //!
-//! This package knows no scene, no setting and no tracer, and reads and writes bytes, never paths.
+//! The package has no scenes, settings or ray tracer. It reads and writes bytes, never files.
 
 use rayon::prelude::*;
 use strahl_core::{Resolution, Rgb};
@@ -26,18 +37,18 @@ pub mod srgb;
 pub use format::{FormatError, PictureFormat};
 pub use read::{DecodeError, DecodedPicture, PixelValues, decode};
 
-/// Linear light, row by row.
+/// A picture in linear light.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Picture {
     /// Width and height.
     pub size: Resolution,
-    /// One colour for each pixel.
+    /// One color for each pixel, row by row.
     pub colors: Vec<Rgb>,
 }
 
 impl Picture {
-    /// BLAKE3 of the bits of all channels, row by row, little endian. Equal digests are equal
-    /// pictures.
+    /// The BLAKE3 hash of the bits of all channels, row by row, little endian. Pictures are bit-identical if their
+    /// digests are equal.
     pub fn digest(&self) -> blake3::Hash {
         let mut hasher = blake3::Hasher::new();
         for row in self.colors.chunks(self.size.width() as usize) {
@@ -48,7 +59,7 @@ impl Picture {
         hasher.finalize()
     }
 
-    /// Eight bits for each channel in the sRGB encoding.
+    /// The pixels in 8-bit sRGB encoding, three bytes each.
     pub fn to_srgb8(&self) -> Vec<u8> {
         self.colors.par_iter().flat_map_iter(|color| color.to_srgb8()).collect()
     }

@@ -1,7 +1,7 @@
-//! Files to pixels.
+//! Decoding of picture files.
 //!
-//! The content of a file says what it is, not its name. Colour profiles are not heeded: values
-//! of eight and of sixteen bits are taken as sRGB, floats as linear light.
+//! The format is detected from the content of a file, not from its name. Color profiles are ignored: 8-bit and 16-bit
+//! values are read as sRGB, floats as linear light.
 
 use std::error::Error;
 use std::fmt;
@@ -11,28 +11,28 @@ use exr::meta::{BlockDescription, MetaData};
 use image::{DynamicImage, ImageDecoder, ImageFormat, ImageReader, Limits};
 use strahl_core::{Resolution, Rgb};
 
-/// The pixels of a file, as exactly as it has them.
+/// The pixels of a file, without loss.
 #[derive(Clone, Debug, PartialEq)]
 pub struct DecodedPicture {
     /// Width and height.
     pub size: Resolution,
-    /// Row by row.
+    /// The pixels, row by row.
     pub values: PixelValues,
 }
 
-/// One triple of red, green and blue for each pixel.
+/// Red, green and blue of each pixel.
 #[derive(Clone, Debug, PartialEq)]
 pub enum PixelValues {
-    /// Encoded, 255 is 1.
+    /// sRGB-encoded, 255 is 1.
     U8(Vec<[u8; 3]>),
-    /// Encoded, 65535 is 1.
+    /// sRGB-encoded, 65535 is 1.
     U16(Vec<[u16; 3]>),
     /// Linear light.
     Linear(Vec<Rgb>),
 }
 
 impl PixelValues {
-    /// Which pixels are nearer to white than to black, by the mean of their encoded channels.
+    /// For each pixel, whether the mean of its encoded channels is closer to white than to black.
     pub fn are_white(&self) -> Vec<bool> {
         match self {
             PixelValues::U8(pixels) => {
@@ -49,40 +49,40 @@ impl PixelValues {
     }
 }
 
-/// The formats that are read.
+/// The supported formats.
 const READABLE_FORMATS: &str = "PNG, PPM, QOI, JPEG, TIFF, EXR";
 
-/// The most bytes of pixels that one byte of a file stands for: a string of LZW, the densest of
-/// all compressions in these formats, has at most 4096 bytes and takes more than one.
+/// The maximum number of decoded bytes per byte of a file: LZW has the highest compression ratio in these formats, with
+/// strings of at most 4096 bytes that take more than one byte each.
 ///
-/// So a short file that claims to be a huge picture is known for what it is.
+/// A file whose header claims more is rejected before memory is allocated.
 const MAX_COMPRESSION_RATIO: u64 = 4096;
 
-/// Why bytes are no picture that can be compared.
+/// Why a picture file cannot be decoded.
 #[derive(Clone, Debug, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum DecodeError {
-    /// They are in no format that is known.
+    /// The format is unknown.
     UnknownFormat,
-    /// They are in a format that is not read, which has this extension.
+    /// The format, with this extension, is known but not supported.
     UnreadFormat(String),
-    /// The decoder gives up, for this reason.
+    /// The file is corrupt, for this reason.
     Corrupt(String),
-    /// The picture has no pixels or too many.
+    /// The picture has no pixels, or too many.
     Size {
-        /// Pixels along the upper side, as the file has it.
+        /// The width in the file.
         width: u32,
-        /// Pixels along the left side.
+        /// The height in the file.
         height: u32,
-        /// The most pixels that were allowed.
+        /// The maximum number of pixels.
         most: u64,
     },
-    /// Some pixels are transparent, and so have no colour.
+    /// Some pixels are transparent, and thus have no defined color.
     Transparent,
 }
 
 impl DecodeError {
-    /// Without the bytes that some decoders quote: they may be anything.
+    /// An error of a decoder, without control characters, which some decoders quote from the file.
     fn decode_error(error: impl Error) -> Self {
         let printable = |c: char| if c.is_control() { ' ' } else { c };
         DecodeError::Corrupt(error.to_string().chars().map(printable).collect())
@@ -92,26 +92,26 @@ impl DecodeError {
 impl fmt::Display for DecodeError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
-            DecodeError::UnknownFormat => write!(f, "not a picture of a known format ({READABLE_FORMATS})"),
+            DecodeError::UnknownFormat => {
+                write!(f, "not a picture in a supported format ({READABLE_FORMATS})")
+            }
             DecodeError::UnreadFormat(name) => {
                 write!(f, "{name} is not read; the formats that are: {READABLE_FORMATS}")
             }
-            DecodeError::Corrupt(reason) => write!(f, "broken: {reason}"),
+            DecodeError::Corrupt(reason) => write!(f, "corrupt: {reason}"),
             DecodeError::Size { width, height, most } => write!(
                 f,
-                "{width} x {height}, but a picture has 1 to {most} pixels, at most {} to a side",
+                "{width} x {height} pixels; the limit is {most} pixels and {} per side",
                 Resolution::MAX_SIDE
             ),
-            DecodeError::Transparent => {
-                f.write_str("some pixels are transparent, and so have no colour to compare")
-            }
+            DecodeError::Transparent => f.write_str("some pixels are transparent and cannot be compared"),
         }
     }
 }
 
 impl Error for DecodeError {}
 
-/// The pixels of a file with these bytes, of which there may be `most`.
+/// Decodes a file of at most `most` pixels.
 pub fn decode(bytes: &[u8], most: u64) -> Result<DecodedPicture, DecodeError> {
     let reader =
         ImageReader::new(Cursor::new(bytes)).with_guessed_format().map_err(DecodeError::decode_error)?;
@@ -127,11 +127,14 @@ pub fn decode(bytes: &[u8], most: u64) -> Result<DecodedPicture, DecodeError> {
     if reader.format() == Some(ImageFormat::OpenExr)
         && exr_needs(bytes)? / MAX_COMPRESSION_RATIO > bytes.len() as u64
     {
-        return Err(cannot_hold("what its header claims".into()));
+        return Err(DecodeError::Corrupt(format!(
+            "the header claims more than {} bytes can hold",
+            bytes.len()
+        )));
     }
     let mut decoder = reader.into_decoder().map_err(DecodeError::decode_error)?;
 
-    // The size, before anything of that size is made.
+    // Check the size before memory is allocated for it.
     let (width, height) = decoder.dimensions();
     let size = Resolution::new(width, height)
         .filter(|_| u64::from(width) * u64::from(height) <= most)
@@ -151,8 +154,7 @@ pub fn decode(bytes: &[u8], most: u64) -> Result<DecodedPicture, DecodeError> {
     Ok(DecodedPicture { size, values: values(image) })
 }
 
-/// Bytes for the largest layer of an EXR file, and for the largest block: they may be larger than
-/// the picture that is shown of it.
+/// The size in bytes of the largest layer or block of an EXR file, which may be larger than its picture.
 fn exr_needs(bytes: &[u8]) -> Result<u64, DecodeError> {
     let meta = MetaData::read_from_buffered(bytes, false).map_err(DecodeError::decode_error)?;
     let needed = meta.headers.iter().map(|header| {

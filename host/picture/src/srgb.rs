@@ -1,12 +1,12 @@
-//! The encoding of sRGB, IEC 61966-2-1, where eight bits are too few.
+//! sRGB encoding, IEC 61966-2-1, in double precision.
 //!
-//! Pictures of eight bits are encoded by the core ([`strahl_core::Rgb::to_srgb8`]).
+//! 8-bit pictures are encoded by the core ([`strahl_core::Rgb::to_srgb8`]).
 
 use std::array;
 
 use strahl_core::Rgb;
 
-/// The encoding of linear light, in `[0, 1]`. What is not a number stays none.
+/// Encodes linear light, clamped to `[0, 1]`. NaN stays NaN.
 pub fn encode(linear: f32) -> f64 {
     let v = f64::from(linear);
     if v.is_nan() {
@@ -22,7 +22,7 @@ pub fn encode(linear: f32) -> f64 {
     }
 }
 
-/// The linear light of each value of eight bits.
+/// The linear light of each 8-bit value.
 pub fn decode8() -> [f32; 256] {
     array::from_fn(|byte| {
         let v = byte as f64 / 255.0;
@@ -31,7 +31,7 @@ pub fn decode8() -> [f32; 256] {
     })
 }
 
-/// Linear light whose encoding in eight bits is `bytes`.
+/// Decodes 8-bit values with the table of [`decode8`].
 pub fn decode(table: &[f32; 256], bytes: [u8; 3]) -> Rgb {
     let [r, g, b] = bytes.map(|byte| table[usize::from(byte)]);
     Rgb::new(r, g, b)
@@ -42,7 +42,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn every_value_of_eight_bits_is_decoded_to_light_that_is_encoded_to_it() {
+    fn every_8_bit_value_is_decoded_and_encoded_to_itself() {
         let table = decode8();
         for byte in 0..=255 {
             assert_eq!(decode(&table, [byte; 3]).to_srgb8(), [byte; 3]);
@@ -53,8 +53,8 @@ mod tests {
     }
 
     #[test]
-    fn the_encoding_has_the_values_of_the_standard_and_ends_at_0_and_1() {
-        // On the straight part, and half of all light.
+    fn the_encoding_has_the_values_of_the_standard_and_is_clamped_to_0_and_1() {
+        // On the linear segment, and at half intensity.
         assert!((encode(0.002) - 0.025_84).abs() <= 1e-8);
         assert!((encode(0.5) - 0.735_356_98).abs() <= 1e-8);
         assert_eq!([-1.0, -0.0, 0.0, f32::NEG_INFINITY].map(encode), [0.0; 4]);

@@ -1,4 +1,4 @@
-//! Where the objects of a description are.
+//! Bounding boxes of the objects of a loaded scene.
 
 use strahl_core::geometry::{Aabb, Cone, Cuboid, Disc, ItemId, OrientedCuboid, Torus};
 use strahl_core::math::try_normalize;
@@ -7,7 +7,7 @@ use strahl_core::{Material, MaterialId, Sphere, Vec3};
 
 use crate::description::{LoadedScene, ShapeDescription, vec3_of};
 
-/// The bounding boxes of all items, as the core knows them; none where it cannot take them.
+/// The bounding boxes of all items, as computed by the core; `None` if the core rejects the scene.
 pub fn bounding_boxes(description: &LoadedScene) -> Option<Vec<Aabb>> {
     let mut tables = SceneTables::new();
     let vertices: Vec<Vec3> = description.vertices.iter().map(|p| vec3_of(*p)).collect();
@@ -21,7 +21,7 @@ pub fn bounding_boxes(description: &LoadedScene) -> Option<Vec<Aabb>> {
             let triangles = description.triangles.get(first as usize..end).unwrap_or_default();
             tables.add_triangles(triangles, Shading::Flat, material);
         } else if add(&mut tables, object.shape, material).is_none() {
-            // Nothing is left of it: an empty triangle has its number.
+            // Degenerate: an empty triangle takes its number.
             if tables.descriptor().geometry.vertices.is_empty() {
                 tables.add_vertices(&[Vec3::ZERO], &[]);
             }
@@ -35,7 +35,7 @@ pub fn bounding_boxes(description: &LoadedScene) -> Option<Vec<Aabb>> {
     tables.scene().is_ok().then(|| tables.bounds())
 }
 
-/// Adds an object that is one shape; none when nothing is left of it.
+/// Adds an object that is one item; `None` if it is degenerate or a mesh.
 fn add(tables: &mut SceneTables, form: ShapeDescription, material: MaterialId) -> Option<ItemId> {
     Some(match form {
         ShapeDescription::Sphere { center, radius } => {

@@ -1,117 +1,117 @@
-//! A scene in neutral numbers, as loaders give it.
+//! A loaded scene in plain numbers, independent of the file format and of the precision of the core.
 //!
-//! All numbers are rounded to single precision here, whatever the core computes with, so that
-//! the two precisions see the same scene. Nothing is derived: directions have any length,
-//! angles are in degrees, a cone is two circles, a polygon its corners.
+//! All numbers are rounded to single precision here, so that single and double precision render the same scene.
+//! Nothing is derived: directions have any length, angles are in degrees, a cone is given by two circles, a polygon by
+//! its vertices.
 
 use std::collections::BTreeMap;
 
 use strahl_core::{Material, Rgb, Vec3, vec3};
 use strahl_settings::SettingsOverrides;
 
-/// A point or a direction.
+/// A point or a direction: x, y and z.
 pub type Float3 = [f32; 3];
 
-/// Everything that a scene file says.
+/// The contents of a scene file.
 #[derive(Clone, Debug, PartialEq)]
 pub struct LoadedScene {
-    /// How it is looked at.
+    /// The camera.
     pub camera: CameraDescription,
-    /// The line that says so, counted from 1.
+    /// The line of the camera in the file, counted from 1.
     pub camera_line: usize,
-    /// The line that lets light pass through bodies on its way from a light, if one does.
+    /// The line that enables colored shadows; `None` if none does.
     pub colored_shadows_line: Option<usize>,
-    /// The settings that the file has; the command line wins.
+    /// The settings in the file; the command line takes precedence.
     pub settings: SettingsOverrides,
-    /// The lines of those settings, by their keys.
+    /// The lines of these settings, by key.
     pub setting_lines: BTreeMap<&'static str, usize>,
-    /// What is behind everything.
+    /// The background.
     pub background: BackgroundDescription,
-    /// Light from everywhere.
+    /// The ambient light.
     pub ambient: Rgb,
     /// The lights.
     pub lights: Vec<Located<LightDescription>>,
-    /// The materials. Their textures are places in `textures`.
+    /// The materials. Their textures are indices into `textures`.
     pub materials: Vec<Located<Material>>,
     /// The textures.
     pub textures: Vec<TextureDescription>,
     /// The objects in the order of the file. Every triangle of a mesh counts as one.
     pub objects: Vec<ObjectDescription>,
-    /// Corners of triangles and polygons.
+    /// The vertices of triangles and polygons.
     pub vertices: Vec<Float3>,
-    /// Normals of corners, of any length but zero: that of a corner has the corner's place.
+    /// Vertex normals, of any length but zero; a normal has the index of its vertex.
     pub normals: Vec<Float3>,
-    /// Triangles of meshes: the places of their corners.
+    /// The triangles of meshes, as indices into `vertices`.
     pub triangles: Vec<[u32; 3]>,
-    /// What moves, in the order of the objects.
+    /// The moving objects, in ascending order of their indices.
     pub motions: Vec<LinearMotion>,
-    /// When the shutter opens and closes, not before.
+    /// The times at which the shutter opens and closes, in ascending order.
     pub shutter: [f32; 2],
-    /// What a user should know of that is no error.
+    /// Warnings for the user.
     pub warnings: Vec<String>,
 }
 
-/// Something with its place in the scene file.
+/// A value with its location in the scene file.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Located<T> {
-    /// The thing.
+    /// The value.
     pub value: T,
-    /// The line, counted from 1.
+    /// The line, counted from 1; 0 if the value is not from a file.
     pub line: usize,
-    /// What the file calls it.
+    /// The name in the file, if any.
     pub name: Option<String>,
 }
 
-/// How the scene is looked at.
+/// A camera: its position, its orientation and its projection.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct CameraDescription {
-    /// The eye.
+    /// The eye position.
     pub from: Float3,
-    /// What is in the middle of the picture.
+    /// The point at the center of the picture.
     pub at: Float3,
-    /// What is up.
+    /// The up direction, of any length.
     pub up: Float3,
-    /// How rays run.
+    /// The projection.
     pub projection: ProjectionDescription,
 }
 
-/// How rays run, by the rules of [`strahl_core::Projection`].
+/// A projection, as in [`strahl_core::Projection`], with angles in degrees.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum ProjectionDescription {
-    /// From one point, with a full vertical angle of view in degrees.
+    /// Pinhole; the vertical field of view, full angle in degrees.
     Perspective(f32),
-    /// From a lens.
+    /// Thin lens.
     Lens {
-        /// As of a perspective.
+        /// The vertical field of view, full angle in degrees.
         angle: f32,
-        /// Its radius.
+        /// The lens radius.
         radius: f32,
-        /// How far away from it everything is sharp.
+        /// The focus distance from the lens.
         focus: f32,
     },
-    /// In one direction, over a height in scene lengths.
+    /// Parallel rays; the visible height in scene lengths.
     Orthographic(f32),
 }
 
 impl ProjectionDescription {
-    /// Whether rays come from a lens.
+    /// Whether the camera has a lens.
     pub fn has_lens(&self) -> bool {
         matches!(self, ProjectionDescription::Lens { .. })
     }
 }
 
-/// What is behind everything.
+/// The background.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum BackgroundDescription {
-    /// One colour.
+    /// A single color.
     Color(Rgb),
-    /// From one colour to another, by the height of the direction.
+    /// A gradient over the angle between the ray and the up direction.
     Gradient {
-        /// What is up, of any length.
+        /// The up direction, of any length.
         up: Float3,
-        /// The colour straight down.
+        /// The color straight down.
         below: Rgb,
-        /// The colour straight up.
+        /// The color straight up.
         above: Rgb,
     },
 }
@@ -119,124 +119,124 @@ pub enum BackgroundDescription {
 /// A light.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct LightDescription {
-    /// Where it is and where it shines.
+    /// Its shape and position.
     pub source: LightSourceDescription,
     /// Its radiance at a surface that faces it, before the falloff.
     pub color: Rgb,
-    /// Whether things stand in its way.
+    /// Whether it casts shadows.
     pub shadows: bool,
 }
 
-/// Where a light is and where it shines.
+/// The kind, the position and the direction of a light.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum LightSourceDescription {
-    /// From one place in all directions.
+    /// A point light.
     Point {
-        /// The place.
+        /// The position.
         position: Float3,
-        /// Constant, linear and quadratic part of what it is divided by.
+        /// The constant, linear and quadratic coefficients of the divisor, in powers of the distance.
         falloff: Float3,
     },
-    /// From infinitely far away.
+    /// A directional light, infinitely far away.
     Directional {
-        /// Towards the light, of any length.
+        /// The direction to the light, of any length.
         to_light: Float3,
     },
-    /// From one place into a cone.
+    /// A spot light.
     Spot {
-        /// The place.
+        /// The position.
         position: Float3,
-        /// The middle of the cone, away from the light, of any length.
+        /// The axis of the cone, away from the light, of any length.
         direction: Float3,
-        /// Degrees from the middle up to which it is fully bright.
+        /// The half angle of the fully bright inner cone, in degrees.
         inner_angle: f32,
-        /// Degrees from the middle beyond which it is dark.
+        /// The half angle of the cone, in degrees; outside it is dark.
         outer_angle: f32,
-        /// Constant, linear and quadratic part of what it is divided by.
+        /// The constant, linear and quadratic coefficients of the divisor, in powers of the distance.
         falloff: Float3,
     },
-    /// From a sphere in all directions.
+    /// A spherical area light.
     Sphere {
-        /// Its middle.
+        /// The center.
         position: Float3,
-        /// Its radius, at least 0.
+        /// The radius, at least 0.
         radius: f32,
-        /// Constant, linear and quadratic part of what it is divided by.
+        /// The constant, linear and quadratic coefficients of the divisor, in powers of the distance.
         falloff: Float3,
     },
-    /// From the front of a rectangle.
+    /// A rectangular area light that emits from its front.
     Rectangle {
-        /// Its middle.
+        /// The center.
         position: Float3,
-        /// From the middle to the middles of two edges that meet; the front is where their cross
-        /// product points to.
+        /// The vectors from the center to the midpoints of two adjacent edges; their cross product points to the
+        /// front.
         half_edges: [Float3; 2],
-        /// Whether its light comes from everywhere in it, or all of it from the middle.
+        /// Whether light is sampled from the whole rectangle; otherwise it all comes from the center.
         is_sampled: bool,
-        /// Constant, linear and quadratic part of what it is divided by.
+        /// The constant, linear and quadratic coefficients of the divisor, in powers of the distance.
         falloff: Float3,
     },
 }
 
-/// A colour for each point of space.
+/// A texture: a color for each point in space.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum TextureDescription {
-    /// Two colours in turn, in cells upright on the axes.
+    /// A checker of two colors, in axis-aligned cells.
     Checker {
-        /// The colour of the cell that begins in `origin`.
+        /// The color of the cell that starts at `origin`.
         even: Rgb,
-        /// The colour of its neighbours.
+        /// The color of its neighbors.
         odd: Rgb,
-        /// A corner of cells.
+        /// A corner of a cell.
         origin: Float3,
-        /// The size of a cell along each axis; zero is one cell without end.
+        /// The size of a cell along each axis; 0 means unbounded.
         size: Float3,
     },
-    /// From one colour to another, and constant beyond both.
+    /// A linear gradient between two points, constant outside.
     Gradient {
-        /// The colour at `start`.
+        /// The color at `start`.
         from: Rgb,
-        /// The colour at `end`.
+        /// The color at `end`.
         to: Rgb,
-        /// Where it begins.
+        /// The start point.
         start: Float3,
-        /// Where it ends.
+        /// The end point.
         end: Float3,
     },
-    /// Spheres round a point, the finer the farther.
+    /// A zone plate: concentric spheres that become finer with distance.
     ZonePlate {
-        /// The colour in the middle.
+        /// The color at the center.
         from: Rgb,
-        /// The colour halfway to the first return.
+        /// The color half a cycle from the center.
         to: Rgb,
-        /// The middle.
+        /// The center.
         origin: Float3,
-        /// Returns per square of the distance.
+        /// The number of cycles within a distance of 1; it grows with the square of the distance.
         frequency: f32,
     },
 }
 
-/// One object, or one mesh of many.
+/// One object, or a mesh, which counts as one object per triangle.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ObjectDescription {
     /// Its shape.
     pub shape: ShapeDescription,
-    /// Its place in the table of materials.
+    /// The index of its material.
     pub material: u16,
-    /// Its line in the scene file, counted from 1.
+    /// Its line in the scene file, counted from 1; 0 if it is not from a TOML or NFF file.
     pub line: u32,
 }
 
-/// That an object moves evenly, and is in its own place at the time 0.
+/// The uniform motion of an object, which is at its given position at time 0.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct LinearMotion {
-    /// The object's place in the table of objects.
+    /// The index of the object.
     pub object: usize,
-    /// How far it moves in a time of one.
+    /// The displacement per unit of time.
     pub velocity: Float3,
 }
 
-/// The shutter that is open from 0 to 1.
+/// The default shutter times: open from 0 to 1.
 pub const DEFAULT_SHUTTER: [f32; 2] = [0.0, 1.0];
 
 /// The shape of an object.
@@ -244,100 +244,100 @@ pub const DEFAULT_SHUTTER: [f32; 2] = [0.0, 1.0];
 pub enum ShapeDescription {
     /// A sphere.
     Sphere {
-        /// The centre.
+        /// The center.
         center: Float3,
         /// The radius.
         radius: f32,
     },
-    /// A plane without end.
+    /// An infinite plane.
     Plane {
         /// A point on it.
         point: Float3,
-        /// Upright on it, of any length.
+        /// The normal, of any length.
         normal: Float3,
     },
-    /// A flat round disc.
+    /// A disc.
     Disc {
-        /// The centre.
+        /// The center.
         center: Float3,
-        /// Upright on it, of any length.
+        /// The normal, of any length.
         normal: Float3,
         /// The radius.
         radius: f32,
     },
-    /// A box upright on the axes.
+    /// An axis-aligned box.
     Cuboid {
-        /// The smallest coordinates.
+        /// The minimum coordinates.
         min: Float3,
-        /// The largest coordinates.
+        /// The maximum coordinates.
         max: Float3,
     },
-    /// A box turned in space.
+    /// An oriented box.
     OrientedCuboid {
-        /// The middle.
+        /// The center.
         center: Float3,
-        /// Half of its length along each of its axes.
+        /// Half of its size along each of its axes.
         half_size: Float3,
-        /// Its first axis, of any length; the part upright on the third counts.
+        /// The first axis, of any length; only its component perpendicular to the third counts.
         first: Float3,
-        /// Its third axis, of any length.
+        /// The third axis, of any length.
         third: Float3,
     },
-    /// A cone or cylinder between two circles.
+    /// A cone, truncated cone or cylinder between two circles.
     Cone {
-        /// The middle of the first circle.
+        /// The center of the first circle.
         base: Float3,
         /// The radius of the first circle.
         base_radius: f32,
-        /// The middle of the second circle.
+        /// The center of the second circle.
         end: Float3,
         /// The radius of the second circle.
         end_radius: f32,
-        /// Whether the circles are closed by discs.
+        /// Whether the ends are closed by discs.
         capped: bool,
     },
     /// A torus.
     Torus {
-        /// The middle of the hole.
+        /// The center.
         center: Float3,
-        /// Upright on the circle, of any length.
+        /// The axis of revolution, of any length.
         axis: Float3,
-        /// From the centre to the middle of the tube.
+        /// The distance from the center to the center of the tube.
         major_radius: f32,
         /// The radius of the tube.
         minor_radius: f32,
     },
-    /// A triangle: the places of its corners.
+    /// A triangle.
     Triangle {
-        /// Places in the table of points, and in that of normals for a smooth one.
+        /// Indices of its vertices, and of its normals if it is smooth.
         vertices: [u32; 3],
         /// Whether shading normals are interpolated.
         smooth: bool,
     },
     /// A polygon.
     Polygon {
-        /// The place of its first corner.
+        /// The index of its first vertex; the others follow.
         first: u32,
-        /// How many corners.
+        /// The number of vertices.
         count: u32,
         /// Whether shading normals are interpolated.
         smooth: bool,
     },
-    /// Triangles that follow each other in the table of triangles: as many objects.
+    /// Consecutive triangles of `triangles`, each of which counts as one object.
     Mesh {
-        /// The place of the first.
+        /// The index of the first triangle.
         first: u32,
-        /// How many.
+        /// The number of triangles.
         count: u32,
         /// Whether shading normals are interpolated.
         smooth: bool,
     },
-    /// Something without extent, which keeps its number and is never hit.
+    /// A shape without area, which keeps its object index and is never hit.
     Degenerate,
 }
 
 impl LoadedScene {
-    /// Nothing, looked at in this way.
+    /// An empty scene with this camera: black, without settings.
     pub fn new(view: CameraDescription) -> Self {
         LoadedScene {
             camera: view,
@@ -362,7 +362,7 @@ impl LoadedScene {
 }
 
 impl CameraDescription {
-    /// As the core has it, in single precision.
+    /// The camera of the core, in single precision.
     pub(crate) fn to_core(self) -> strahl_core::CameraDescriptor {
         let radians = |degrees: f32| degrees * (strahl_core::math::PI / 180.0);
         let projection = match self.projection {
@@ -385,13 +385,13 @@ impl CameraDescription {
     }
 }
 
-/// A point or a direction, as the core has it in single precision.
+/// The vector of the core, in single precision.
 pub(crate) fn vec3_of([x, y, z]: Float3) -> Vec3 {
     vec3(x, y, z)
 }
 
 impl ShapeDescription {
-    /// What a user calls it.
+    /// The name of the shape's table in TOML.
     pub fn name(&self) -> &'static str {
         match self {
             ShapeDescription::Sphere { .. } => "sphere",

@@ -1,4 +1,4 @@
-//! The effects that a scene calls for, and what in the file calls for them.
+//! The effects that a scene requires, with reasons.
 
 use std::fmt;
 
@@ -11,14 +11,14 @@ use crate::description::{
 };
 use crate::quantity::quantity;
 
-/// One thing in the file that asks for an effect.
+/// One part of the scene that requires an effect.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Reason {
-    /// What asks: `light`, or `material` and its name.
+    /// The part of the scene: `light` or `material` with its name, `camera`, `render` or a shape.
     pub source: String,
-    /// Its line, counted from 1; 0 where no file has it.
+    /// Its line, counted from 1; 0 if it is not in a file.
     pub line: usize,
-    /// How many objects are made of it; none for a light.
+    /// The number of objects with this material, or of triangles of this mesh; `None` for other parts.
     pub objects: Option<usize>,
 }
 
@@ -35,18 +35,18 @@ impl fmt::Display for Reason {
     }
 }
 
-/// An effect that the scene calls for, with everything that does, in the order of the file.
+/// An effect that the scene requires, with all reasons in the order of the file.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct PlannedEffect {
     /// The effect.
     pub effect: Effect,
-    /// At least one.
+    /// The reasons, at least one.
     pub reasons: Vec<Reason>,
-    /// Whether it is simulated, or was switched off.
+    /// Whether it is rendered; false if it was disabled.
     pub enabled: bool,
 }
 
-/// The effects that must be simulated, and why.
+/// The effects that the scene requires, with reasons.
 pub fn plan(description: &LoadedScene) -> Vec<PlannedEffect> {
     let used = MaterialUse::of(description);
     let planned = Effect::ALL.into_iter().map(|effect| {
@@ -56,7 +56,7 @@ pub fn plan(description: &LoadedScene) -> Vec<PlannedEffect> {
     planned.filter(|it| !it.reasons.is_empty()).collect()
 }
 
-/// Changes a scene so that it calls for none of these effects; what of them it called for.
+/// Changes a scene so that it requires none of these effects, and returns those that it required.
 pub fn disable(description: &mut LoadedScene, effects: &[Effect]) -> Vec<PlannedEffect> {
     let mut planned = plan(description);
     planned.retain(|it| effects.contains(&it.effect));
@@ -65,11 +65,11 @@ pub fn disable(description: &mut LoadedScene, effects: &[Effect]) -> Vec<Planned
     planned
 }
 
-/// The materials that something is made of.
+/// How materials are used.
 struct MaterialUse {
-    /// How many objects are made of each material.
+    /// The number of objects with each material.
     objects: Vec<usize>,
-    /// Whether light changes anything that is seen.
+    /// Whether any used material is affected by lights.
     is_lit: bool,
 }
 
@@ -82,7 +82,7 @@ impl MaterialUse {
     }
 }
 
-/// What calls for an effect.
+/// The parts of the scene that require an effect.
 fn reasons(description: &LoadedScene, used: &MaterialUse, effect: Effect) -> Vec<Reason> {
     let one = |what: &str, line| vec![Reason { source: what.into(), line, objects: None }];
     let is_called_for = |effect| !reasons(description, used, effect).is_empty();
@@ -106,7 +106,7 @@ fn reasons(description: &LoadedScene, used: &MaterialUse, effect: Effect) -> Vec
     }
 }
 
-/// Whether a material calls for an effect.
+/// Whether a material requires an effect.
 fn is_required_by(effect: Effect, material: &Material) -> bool {
     match effect {
         Effect::Reflection => !material.reflection.is_black(),
@@ -116,7 +116,7 @@ fn is_required_by(effect: Effect, material: &Material) -> bool {
     }
 }
 
-/// Makes a scene that does not call for an effect.
+/// Changes a scene so that it does not require an effect.
 fn disable_one(description: &mut LoadedScene, effect: Effect) {
     let lights = description.lights.iter_mut().map(|light| &mut light.value);
     let materials = description.materials.iter_mut().map(|material| &mut material.value);
@@ -136,7 +136,7 @@ fn disable_one(description: &mut LoadedScene, effect: Effect) {
             }
         }
         Effect::Gloss => materials.for_each(|material| material.roughness = 0.0),
-        // Everything stands where it is at the time 0.
+        // All objects are at their positions at time 0.
         Effect::Motion => description.motions.clear(),
     }
 }
@@ -190,7 +190,7 @@ fn source_name(what: &str, name: &Option<String>) -> String {
     }
 }
 
-/// How many objects are made of each material.
+/// The number of objects with each material.
 fn object_counts(description: &LoadedScene) -> Vec<usize> {
     let mut made_of = vec![0; description.materials.len()];
     for object in &description.objects {
@@ -201,7 +201,7 @@ fn object_counts(description: &LoadedScene) -> Vec<usize> {
     made_of
 }
 
-/// How many objects an entry of the description is.
+/// The number of objects that an entry stands for: the triangles of a mesh, otherwise 1.
 pub fn object_count(object: &ObjectDescription) -> usize {
     match object.shape {
         ShapeDescription::Mesh { count, .. } => count as usize,

@@ -1,4 +1,4 @@
-//! Why a scene could not be loaded.
+//! Errors of loading a scene.
 
 use std::error::Error;
 use std::fmt;
@@ -11,28 +11,28 @@ use crate::diagnostics::Diagnostics;
 #[derive(Debug)]
 #[non_exhaustive]
 pub enum LoadError {
-    /// A file cannot be read.
+    /// A file could not be read.
     Unreadable {
         /// The file.
         path: PathBuf,
-        /// What the system says.
+        /// The system error.
         error: io::Error,
     },
-    /// A file is wrong; at which line, when it has one.
+    /// A file is invalid.
     Invalid {
         /// The file.
         path: PathBuf,
-        /// Counted from 1.
+        /// The line, counted from 1; `None` if the error has no line.
         line: Option<usize>,
-        /// What is wrong there.
+        /// The error, as text.
         reason: String,
     },
-    /// A file is wrong, at all of these places.
+    /// A file is invalid, with errors at these locations.
     Diagnostics(Box<Diagnostics>),
 }
 
 impl LoadError {
-    /// A file is wrong at a line.
+    /// An error at a line of a file.
     pub(crate) fn at(path: &Path, line: usize, reason: impl Into<String>) -> Self {
         LoadError::Invalid { path: path.to_owned(), line: Some(line), reason: reason.into() }
     }

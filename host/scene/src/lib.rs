@@ -1,23 +1,37 @@
-//! Scenes of strahl: their description, and the formats that they are read from.
+//! Scene files of strahl: loading of TOML, NFF, OBJ, PLY and glTF, diagnostics, and procedural scenes.
 //!
-//! [`load()`] reads a file of any format into a [`LoadedScene`], which is neutral:
-//! nothing is derived, and both precisions see the same numbers.
+//! [`load()`] reads a file of any format into a [`LoadedScene`], which is independent of the format and of the
+//! precision.
 //!
-//! | module | what it does |
+//! ```
+//! use std::path::Path;
+//!
+//! use strahl_scene::{SourceFiles, load_from};
+//! use strahl_settings::DEFAULT_SIZE;
+//!
+//! let text = "[[sphere]]\nradius = 2\nmaterial = { color = 'red' }\n";
+//! let files = SourceFiles::from_memory([("scene.toml".into(), text.into())]);
+//! let scene = load_from(&files, Path::new("scene.toml"), DEFAULT_SIZE).unwrap();
+//! assert_eq!(scene.objects[0].shape.name(), "sphere");
+//! // The file has no camera and no light, so both are chosen.
+//! assert_eq!(scene.lights.len(), 1);
+//! ```
+//!
+//! | module | contents |
 //! |---|---|
-//! | [`mod@load`] | a file of any format becomes a description |
-//! | [`toml_scene`] | scenes in TOML |
+//! | [`mod@load`] | loading of a file in any format |
+//! | [`toml_scene`] | scenes in TOML, and their JSON Schema |
 //! | `nff` | scenes in NFF |
-//! | [`mesh`] | OBJ with MTL, PLY and glTF |
-//! | [`procedural`] | scenes that formulas make |
-//! | [`effects`] | the effects that a scene calls for, and why |
-//! | `bounds`, `framing` | where things are, and from where all of them are seen |
-//! | [`source_files`] | the files that a scene is made of |
-//! | [`error`], [`diagnostics`] | why a scene could not be loaded, shown as a compiler would |
-//! | [`description`] | a scene in neutral numbers |
-//! | [`quantity`] | numbers with their nouns |
+//! | [`mesh`] | triangle meshes in OBJ with MTL, PLY and glTF |
+//! | [`procedural`] | procedural scenes of any size |
+//! | [`effects`] | the effects that a scene requires, with reasons |
+//! | `bounds`, `framing` | bounding boxes of objects, and the camera distance that shows them all |
+//! | [`source_files`] | source files on disk or in memory |
+//! | [`error`], [`diagnostics`] | loading errors, and their display with source excerpts |
+//! | [`description`] | the loaded scene |
+//! | [`quantity`] | numbers with nouns, for messages |
 //!
-//! This package knows no command line, no tracer and no threads. It uses plain types of `strahl-core`.
+//! The package has no command line, no ray tracer and no threads. It uses plain types of `strahl-core`.
 
 mod bounds;
 pub mod description;

@@ -1,4 +1,4 @@
-//! What a file may ask for.
+//! Limits for scene files.
 
-/// The most pixels that a file may ask for: a number in a file must not fill the memory.
+/// The maximum number of pixels that a file can request, so that a number in a file cannot exhaust memory.
 pub const MAX_PIXELS_IN_FILE: u64 = 1 << 24;

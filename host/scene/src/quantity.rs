@@ -1,13 +1,13 @@
-//! Numbers with their nouns, as a person reads them: `1 region`, `2,048 boxes`.
+//! Numbers with nouns, for messages: `1 region`, `2,048 boxes`.
 
-/// A number, its thousands apart, and its noun, which is named for one.
+/// A number with grouped thousands, and its noun, which is given in the singular.
 pub fn quantity(number: impl TryInto<u64>, noun: &str) -> String {
-    // No count here is beyond it.
+    // No count exceeds it.
     let number = number.try_into().unwrap_or(u64::MAX);
     format!("{} {}", grouped(number), plural(number, noun))
 }
 
-/// A number, its thousands apart.
+/// A number with grouped thousands.
 pub fn grouped(number: u64) -> String {
     let digits = number.to_string();
     let is_apart = |index: usize| index > 0 && (digits.len() - index).is_multiple_of(3);
@@ -16,7 +16,7 @@ pub fn grouped(number: u64) -> String {
     apart.flatten().collect()
 }
 
-/// The noun of so many things: as it is for one, else in the plural.
+/// The noun in the singular for 1, and in the plural otherwise.
 pub fn plural(number: u64, noun: &str) -> String {
     let with = |ending: &str, plural: &str| Some(noun.strip_suffix(ending)?.to_owned() + plural);
     if number == 1 {

@@ -1,9 +1,8 @@
-//! The files that a scene is made of.
+//! Source files of a scene.
 //!
-//! A scene may name files beside it, which may name others. Whoever wants to know when to load
-//! it again, or what must not be written over, asks which they were, whether loading went well or
-//! not. And loading can be kept away from the disk altogether: files held in memory are then all
-//! that there are.
+//! A scene may reference files, which may reference others. All paths that were read or referenced are recorded, also
+//! when loading fails: `watch` reloads the scene when one of them changes, and outputs must not overwrite them. With
+//! [`SourceFiles::from_memory`] the disk is not used: only the given files exist.
 
 use std::cell::RefCell;
 use std::collections::{BTreeMap, BTreeSet, HashMap};
@@ -12,49 +11,49 @@ use std::path::{Path, PathBuf};
 
 use blake3::Hash;
 
-/// Where files are read, and which were asked for.
+/// Reads the files of a scene, on disk or in memory, and records their paths.
 #[derive(Debug, Default)]
 pub struct SourceFiles {
-    /// All that there are; none for those of the disk.
+    /// The files in memory; `None` to read from disk.
     in_memory: Option<HashMap<PathBuf, Vec<u8>>>,
-    /// All that were asked for or named, there or not.
+    /// The paths that were read or referenced, whether they exist or not.
     named: RefCell<BTreeSet<PathBuf>>,
-    /// What was found where, if that is kept; nothing where nothing could be read.
+    /// The hash of each file that was read, if tracked; `None` for an unreadable file.
     hashes: Option<RefCell<BTreeMap<PathBuf, Option<Hash>>>>,
 }
 
 impl SourceFiles {
-    /// Those of the disk.
+    /// The files on disk.
     pub fn on_disk() -> Self {
         SourceFiles::default()
     }
 
-    /// Those of the disk; what is read is kept in mind.
+    /// The files on disk; those that are read are tracked for changes.
     pub fn tracked() -> Self {
         SourceFiles { hashes: Some(RefCell::default()), ..SourceFiles::default() }
     }
 
-    /// These and no others.
+    /// Only these files.
     pub fn from_memory(files: impl IntoIterator<Item = (PathBuf, Vec<u8>)>) -> Self {
         SourceFiles { in_memory: Some(files.into_iter().collect()), ..SourceFiles::default() }
     }
 
-    /// All that were asked for, there or not, if they are remembered.
+    /// The paths that were read, whether they exist or not; empty unless tracked.
     pub fn tracked_paths(&self) -> Vec<PathBuf> {
         self.hashes.iter().flat_map(|found| found.borrow().keys().cloned().collect::<Vec<_>>()).collect()
     }
 
-    /// All that were asked for or named, there or not, read or not.
+    /// The paths that were read or referenced, whether they exist or not.
     pub fn named_paths(&self) -> Vec<PathBuf> {
         self.named.borrow().iter().cloned().collect()
     }
 
-    /// A file that is named and not read.
+    /// Records a file that is referenced but not read.
     pub(crate) fn note_path(&self, path: PathBuf) {
         self.named.borrow_mut().insert(path);
     }
 
-    /// Whether all of them still are what they were, if they are remembered.
+    /// Whether all tracked files still have the same contents; true unless tracked.
     pub fn unchanged(&self) -> bool {
         let Some(found) = &self.hashes else { return true };
         found
@@ -63,14 +62,13 @@ impl SourceFiles {
             .all(|(path, then)| read_regular_file(path).ok().map(|bytes| blake3::hash(&bytes)) == *then)
     }
 
-    /// Reads a file that the user named: it may be a pipe.
+    /// Reads a file named by the user, which may be a pipe.
     pub fn read(&self, path: &Path) -> io::Result<Vec<u8>> {
         let read = || std::fs::read(path);
         self.track(path, self.get_from_memory(path).unwrap_or_else(read))
     }
 
-    /// Reads a file that another one names. What is no plain file is as good as missing: a pipe
-    /// or a device may have no end.
+    /// Reads a file that another one references. It must be a regular file: a pipe or a device may have no end.
     pub(crate) fn read_referenced(&self, path: &Path) -> io::Result<Vec<u8>> {
         self.track(path, self.get_from_memory(path).unwrap_or_else(|| read_regular_file(path)))
     }
@@ -94,6 +92,6 @@ fn read_regular_file(path: &Path) -> io::Result<Vec<u8>> {
     if std::fs::metadata(path)?.is_file() {
         std::fs::read(path)
     } else {
-        Err(io::Error::other("it is no file"))
+        Err(io::Error::other("not a regular file"))
     }
 }

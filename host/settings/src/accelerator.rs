@@ -1,90 +1,90 @@
-//! Accelerators: what can be asked for, and what is chosen.
+//! Settings of the acceleration structure, and their resolution for a scene.
 //!
-//! `auto` takes the hierarchy, and for few items the list (`tests/reports/auto.md`).
+//! `auto` selects the BVH, and the list for few items (`tests/reports/auto.md`).
 
 use std::fmt;
 
 use crate::choice::Choice;
 use crate::choices;
 
-/// The sizes of mailboxes that there are, in entries; 0 is none.
+/// The available mailbox sizes, in slots; 0 means no mailbox.
 pub const MAILBOX_SLOTS: [usize; 3] = [0, 8, DEFAULT_MAILBOX_SLOTS];
 
-/// The usual size of a mailbox.
+/// The default mailbox size, in slots.
 pub const DEFAULT_MAILBOX_SLOTS: usize = 64;
 
-/// The capacities of heaps that there are.
+/// The available capacities of the priority queue, in entries.
 pub const HEAP_ENTRIES: [usize; 4] = [0, 1, 4, DEFAULT_HEAP_ENTRIES];
 
-/// The usual capacity of a heap.
+/// The default capacity of the priority queue, in entries.
 pub const DEFAULT_HEAP_ENTRIES: usize = 64;
 
-/// The capacity of a stack: no hierarchy is deeper.
+/// The capacity of the traversal stack, in entries; no BVH is deeper.
 pub const STACK_ENTRIES: usize = 64;
 
-/// For so many items a hierarchy is not worth its making.
+/// The maximum number of items for which the list is selected: building a BVH does not pay for them.
 const MAX_ITEMS_FOR_LIST: usize = 8;
 
 choices! {
-    /// An accelerator, or the one that suits.
+    /// An acceleration structure, or `auto`.
     pub enum Accel {
-        /// What suits the scene.
+        /// Selected for the scene.
         Auto = "auto",
-        /// Every item in turn.
+        /// List: every item is tested.
         List = "list",
-        /// Equal cells, walked one by one.
+        /// Uniform grid.
         Grid = "grid",
-        /// Space cut into eighths where there are many items.
+        /// Octree.
         Octree = "octree",
-        /// A hierarchy of boxes.
+        /// Bounding volume hierarchy.
         Bvh = "bvh",
     }
 
-    /// An accelerator.
+    /// An acceleration structure.
     pub enum AccelKind {
-        /// Every item in turn.
+        /// List: every item is tested.
         List = "list",
-        /// Equal cells, walked one by one.
+        /// Uniform grid.
         Grid = "grid",
-        /// Space cut into eighths where there are many items.
+        /// Octree.
         Octree = "octree",
-        /// A hierarchy of boxes.
+        /// Bounding volume hierarchy.
         Bvh = "bvh",
     }
 
-    /// How a hierarchy is walked.
+    /// The traversal order of the BVH.
     pub enum Walk {
-        /// The nearest of all that waits comes next.
+        /// Nearest node first, with a priority queue (Kay and Kajiya 1986).
         Heap = "heap",
-        /// The nearer of two halves comes next.
+        /// Nearer child first, with a stack.
         Stack = "stack",
     }
 
-    /// What the list puts around items and groups of them.
+    /// The bounding volumes of the list, for items and groups of items.
     pub enum Bounds {
-        /// Nothing: every item is tested against every ray.
+        /// None: every item is tested against every ray.
         None = "none",
         /// Spheres around their boxes.
         Sphere = "sphere",
-        /// Boxes.
+        /// Axis-aligned boxes.
         Box = "box",
     }
 }
 
 impl Accel {
-    /// Which; none when the scene decides.
+    /// The structure; `None` for `auto`.
     pub fn explicit_kind(self) -> Option<AccelKind> {
         AccelKind::from_name(self.name())
     }
 
-    /// The option that leaves no use for a setting of these accelerators, if it does.
+    /// The option that makes settings of these structures unused, if any.
     pub(crate) fn rules_out(self, kinds: &[AccelKind]) -> Option<String> {
         self.explicit_kind().filter(|kind| !kinds.contains(kind)).map(|kind| format!("--accel {kind}"))
     }
 }
 
 impl Walk {
-    /// The option that leaves no use for the capacity of a heap, if it does.
+    /// The option that makes the capacity of the priority queue unused, if any.
     pub(crate) fn rules_out_heap(self) -> Option<String> {
         (self != Walk::Heap).then(|| format!("--walk {self}"))
     }
@@ -96,24 +96,24 @@ impl From<AccelKind> for Accel {
     }
 }
 
-/// How items are found. None of it changes an answer, all of it the time. What has no use for the accelerator is there
-/// all the same.
+/// The settings of the acceleration structure. They change the time, never the picture. All fields have a value, also
+/// those that the structure does not use.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct AccelSettings {
-    /// The accelerator.
+    /// The acceleration structure.
     pub accel: Accel,
-    /// How a hierarchy is walked.
+    /// The traversal order of the BVH.
     pub walk: Walk,
-    /// The capacity of the heap of that walk: one of [`HEAP_ENTRIES`].
+    /// The capacity of the priority queue of [`Walk::Heap`]: one of [`HEAP_ENTRIES`].
     pub heap: usize,
-    /// What the list puts around items and groups of them.
+    /// The bounding volumes of the list.
     pub bounds: Bounds,
-    /// The size of the mailbox of grid and octree: one of [`MAILBOX_SLOTS`].
+    /// The slots of the mailbox of grid and octree: one of [`MAILBOX_SLOTS`].
     pub mailbox: usize,
 }
 
 impl AccelSettings {
-    /// What suits the scene, everything as usual.
+    /// `auto`, with default settings.
     pub const DEFAULT: AccelSettings = AccelSettings {
         accel: Accel::Auto,
         walk: Walk::Stack,
@@ -122,17 +122,17 @@ impl AccelSettings {
         mailbox: DEFAULT_MAILBOX_SLOTS,
     };
 
-    /// This accelerator, everything else as usual.
+    /// This structure, with default settings.
     pub fn with_kind(kind: AccelKind) -> Self {
         AccelSettings { accel: kind.into(), ..AccelSettings::DEFAULT }
     }
 
-    /// A hierarchy that is walked by a heap of this capacity.
+    /// A BVH that is traversed with a priority queue of this capacity.
     pub fn with_heap(heap: usize) -> Self {
         AccelSettings { walk: Walk::Heap, heap, ..AccelSettings::with_kind(AccelKind::Bvh) }
     }
 
-    /// All ways to find the same.
+    /// Every structure with every value of the settings that it uses.
     pub fn all_variants() -> Vec<Self> {
         let each = |kind| {
             let by = AccelSettings::with_kind(kind);
@@ -147,10 +147,10 @@ impl AccelSettings {
         AccelKind::ALL.into_iter().flat_map(each).collect()
     }
 
-    /// The choice for a scene with so many bounded items.
+    /// Selects the structure for a scene with `items` bounded items.
     pub fn resolve(&self, items: usize) -> ResolvedAccel {
         let (kind, reason) = match self.accel.explicit_kind() {
-            Some(kind) => (kind, "as asked for"),
+            Some(kind) => (kind, "as requested"),
             None if items <= MAX_ITEMS_FOR_LIST => (AccelKind::List, "few items"),
             None => (AccelKind::Bvh, "many items"),
         };
@@ -165,24 +165,24 @@ impl Default for AccelSettings {
     }
 }
 
-/// An accelerator with everything about it. What has no use for it is there all the same.
+/// A selected acceleration structure with its settings. All fields have a value, also those that it does not use.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct ResolvedAccel {
-    /// The accelerator.
+    /// The acceleration structure.
     pub kind: AccelKind,
-    /// Why it was taken.
+    /// Why it was selected.
     pub reason: &'static str,
-    /// How a hierarchy is walked.
+    /// The traversal order of the BVH.
     pub walk: Walk,
-    /// The capacity of the heap.
+    /// The capacity of the priority queue.
     pub heap: usize,
-    /// What the list puts around items.
+    /// The bounding volumes of the list.
     pub bounds: Bounds,
-    /// The size of the mailbox.
+    /// The slots of the mailbox.
     pub mailbox: usize,
 }
 
-/// With what has a use for it.
+/// Shows the structure with the setting that it uses.
 impl fmt::Display for ResolvedAccel {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let kind = self.kind;
@@ -209,7 +209,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn every_kind_is_one_that_can_be_asked_for() {
+    fn every_structure_can_be_requested() {
         for kind in AccelKind::ALL {
             assert_eq!(Accel::from(kind).explicit_kind(), Some(kind));
         }
@@ -218,7 +218,7 @@ mod tests {
     }
 
     #[test]
-    fn few_items_are_found_by_a_list_and_many_by_a_hierarchy() {
+    fn auto_selects_the_list_for_few_items_and_the_bvh_for_many() {
         let kind = |items| AccelSettings::DEFAULT.resolve(items).kind;
         assert_eq!([0, 8, 9].map(kind), [AccelKind::List, AccelKind::List, AccelKind::Bvh]);
         assert_eq!(AccelSettings::with_kind(AccelKind::Grid).resolve(0).kind, AccelKind::Grid);

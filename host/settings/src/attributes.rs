@@ -1,39 +1,39 @@
-//! What a setting is like: how it is asked for, where, and what it has an effect on.
+//! Properties of settings: option, group, scope and effect.
 
-/// How the command line asks for a setting.
+/// The option of a setting on the command line.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum CommandOption {
-    /// By an option of its name, which has a value; what stands for it in the help.
+    /// An option with the name of the setting and a value, which has this name in the help.
     Value(&'static str),
-    /// It is on, and an option turns it off.
+    /// An option that turns the setting off; it is on by default.
     Off {
-        /// The name of that, without the dashes.
+        /// The name of the option, without the dashes.
         option: &'static str,
-        /// Its help.
+        /// The help text of the option.
         help: &'static str,
     },
-    /// Not at all.
+    /// No option.
     Never,
 }
 
-/// Settings that are options of the same commands.
+/// A group of settings that are options of the same commands.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Group {
-    /// How large the picture is, and how deep its rays go.
+    /// Size of the picture and depth of the ray tree.
     Frame,
-    /// Which rays make a pixel.
+    /// Sampling of a pixel.
     Sampling,
-    /// Which pixels are traced.
+    /// Selection of pixels.
     Pixels,
-    /// What is simulated.
+    /// Rendered effects.
     Effects,
-    /// What is computed with.
+    /// Floating-point precision.
     Precision,
-    /// How items are found.
+    /// Acceleration structure.
     Acceleration,
-    /// What is kept from one ray to the next.
+    /// Caches.
     Caching,
-    /// How the work is divided.
+    /// Threads.
     Work,
 }
 
@@ -46,12 +46,12 @@ pub enum Scope {
     CommandLine,
 }
 
-/// What a setting has an effect on.
+/// What a setting affects.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Affects {
-    /// The bytes of the picture: two pictures are known to be the same only if all these are.
+    /// The bytes of the picture. Two renders have equal pictures if all these settings are equal.
     Picture,
-    /// Time and memory, and no byte of the picture.
+    /// Time and memory, never the picture.
     Time,
 }
 

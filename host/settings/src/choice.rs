@@ -1,29 +1,29 @@
-//! Types of a few values, each of which has a name.
+//! Enumerations with named values.
 
-/// A value's name, and what it means.
+/// The name and the documentation of a value.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Named {
-    /// As it is written.
+    /// The name.
     pub name: &'static str,
-    /// Other names that are understood.
+    /// Other accepted names.
     pub aliases: &'static [&'static str],
-    /// As it stands in the documentation.
+    /// The documentation.
     pub doc: &'static str,
 }
 
 impl Named {
-    /// What it means, without the full stop at its end.
+    /// The documentation without the full stop at its end.
     pub fn about(&self) -> &'static str {
         self.doc.trim().trim_end_matches('.')
     }
 }
 
-/// A type of a few values, each of which has a name. [`choices!`](crate::choices) makes them.
+/// An enumeration with named values, declared by [`choices!`](crate::choices).
 pub trait Choice: Copy + PartialEq + 'static {
-    /// Every value.
+    /// All values.
     const VALUES: &'static [Self];
 
-    /// Their names, in the same order.
+    /// The names, in the order of the values.
     const NAMES: &'static [Named];
 
     /// The name of this value.
@@ -32,31 +32,31 @@ pub trait Choice: Copy + PartialEq + 'static {
         index.and_then(|index| Self::NAMES.get(index)).map_or("", |named| named.name)
     }
 
-    /// The value of this name.
+    /// The value with this name or alias.
     fn from_name(name: &str) -> Option<Self> {
         let has_name = |it: &Named| it.name == name || it.aliases.contains(&name);
         Self::NAMES.iter().position(has_name).and_then(|index| Self::VALUES.get(index)).copied()
     }
 }
 
-/// Declares types of a few values, each with its name.
+/// Declares enumerations with named values.
 ///
 /// ```
 /// use strahl_settings::{Choice, choices};
 ///
 /// choices! {
-///     /// How loud.
+///     /// A volume.
 ///     pub enum Volume {
-///         /// Nobody hears it.
+///         /// Inaudible.
 ///         Silent = "silent",
-///         /// Everybody does.
+///         /// Clearly audible.
 ///         Loud = "loud" | "noisy",
 ///     }
 /// }
 ///
-/// assert_eq!(Volume::of("noisy"), Some(Volume::Loud));
+/// assert_eq!(Volume::from_name("noisy"), Some(Volume::Loud));
 /// assert_eq!(Volume::Silent.to_string(), "silent");
-/// assert_eq!(Volume::NAMES[1].about(), "Everybody does");
+/// assert_eq!(Volume::NAMES[1].about(), "Clearly audible");
 /// ```
 #[macro_export]
 macro_rules! choices {
@@ -73,10 +73,10 @@ macro_rules! choices {
         }
 
         impl $Type {
-            /// Every value.
+            /// All values.
             pub const ALL: [Self; [$(stringify!($Value)),+].len()] = [$($Type::$Value),+];
 
-            /// Its name.
+            /// The name of this value.
             pub fn name(self) -> &'static str {
                 $crate::Choice::name_of(self)
             }
@@ -116,7 +116,7 @@ mod tests {
     }
 
     #[test]
-    fn a_value_is_found_by_its_name_and_by_its_other_names_only() {
+    fn a_value_is_found_by_its_name_and_its_aliases_only() {
         assert_eq!(
             ["left", "west", "right"].map(Side::from_name),
             [Side::Left, Side::Left, Side::Right].map(Some)

@@ -1,4 +1,4 @@
-//! The values that a setting may have, and the words for them.
+//! The values that a setting can have, and their text form.
 
 use std::fmt;
 
@@ -9,37 +9,37 @@ use crate::choice::{Choice, Named};
 use crate::effect::Effect;
 use crate::sampling::{SamplerSettings, SelectionSettings};
 
-/// The most pixels of a picture: its linear colours take 12 bytes each.
+/// The maximum number of pixels of a picture, whose linear colors take 12 bytes each.
 pub const MAX_PIXELS: u64 = 1 << 28;
 
-/// The values that a setting may have.
+/// The values that a setting can have.
 #[derive(Clone, Copy, Debug)]
 pub enum Domain {
     /// True or false.
     Flag,
-    /// An integer from the first to the last, both included.
+    /// An integer from the first to the last, inclusive.
     Integer(u32, u32),
     /// One of these integers.
     OneOf(&'static [usize]),
-    /// A number from 0 to 1. A word may also be a fraction, as in `1/512`.
+    /// A number from 0 to 1; as an option value also a fraction, as in `1/512`.
     Fraction,
     /// One of these names.
     Name(&'static [Named]),
-    /// Some of these names. In a word there are commas between them.
+    /// Some of these names; separated by commas as an option value.
     Names(&'static [Named]),
-    /// Width and height of a picture.
+    /// The width and height of a picture.
     Size,
-    /// A word that is read by rules of its own.
+    /// Text with a syntax of its own.
     Text,
 }
 
 impl Domain {
-    /// The names of a type's values.
+    /// The names of an enumeration.
     pub const fn names_of<T: Choice>() -> Domain {
         Domain::Name(T::NAMES)
     }
 
-    /// Whether an integer is in it.
+    /// Whether it contains an integer.
     pub fn contains(&self, number: u64) -> bool {
         match *self {
             Domain::Integer(first, last) => u64::from(first) <= number && number <= u64::from(last),
@@ -49,7 +49,7 @@ impl Domain {
     }
 }
 
-/// What is expected of a word.
+/// Describes the allowed values, as in "must be ...".
 impl fmt::Display for Domain {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let list = |words: Vec<String>| match words.split_last() {
@@ -60,9 +60,9 @@ impl fmt::Display for Domain {
         let names = |names: &[Named]| list(names.iter().map(|it| it.name.to_owned()).collect());
         match *self {
             Domain::Flag => f.write_str("true or false"),
-            Domain::Integer(first, last) => write!(f, "an integer between {first} and {last}"),
+            Domain::Integer(first, last) => write!(f, "an integer from {first} to {last}"),
             Domain::OneOf(numbers) => f.write_str(&list(numbers.iter().map(usize::to_string).collect())),
-            Domain::Fraction => f.write_str("a number between 0 and 1"),
+            Domain::Fraction => f.write_str("a number from 0 to 1"),
             Domain::Name(all) | Domain::Names(all) => f.write_str(&names(all)),
             Domain::Size => f.write_str("a width and a height"),
             Domain::Text => f.write_str("a string"),
@@ -70,21 +70,21 @@ impl fmt::Display for Domain {
     }
 }
 
-/// A type of settings: its words on the command line, and its literals in a file.
+/// A type of settings, with its text form on the command line and its literals in TOML and JSON.
 pub trait Value: Sized {
-    /// The value of a word, or what is wrong with it.
+    /// Parses an option value; the error is a message without the name of the option.
     fn parse(word: &str, domain: &Domain) -> Result<Self, String>;
 
-    /// The word that is read as this value; none where leaving the setting out says it.
+    /// The option value that parses to this value; `None` if this value is set by omitting the option.
     fn word(&self) -> Option<String>;
 
-    /// The value as TOML and JSON have it; none where they have none.
+    /// The value as a TOML and JSON literal; `None` if it has none.
     fn literal(&self) -> Option<String> {
         self.word().map(|word| quoted(&word))
     }
 }
 
-/// The word as a string of TOML or JSON.
+/// The text as a TOML and JSON string.
 fn quoted(word: &str) -> String {
     let mut quoted = String::from('"');
     for c in word.chars() {
@@ -97,7 +97,7 @@ fn quoted(word: &str) -> String {
     quoted + "\""
 }
 
-/// The number of a word, which may be a fraction.
+/// Parses a number from 0 to 1, which may be written as a fraction.
 pub fn parse_fraction(word: &str) -> Result<f64, String> {
     let value = match word.split_once('/') {
         Some((part, whole)) => part.parse::<f64>().and_then(|part| Ok(part / whole.parse::<f64>()?)),
@@ -105,11 +105,11 @@ pub fn parse_fraction(word: &str) -> Result<f64, String> {
     };
     match value {
         Ok(share) if share >= 0.0 && share <= 1.0 => Ok(share),
-        _ => Err(format!("{} is expected, as in 0.01 or 1/255", Domain::Fraction)),
+        _ => Err("must be 0 to 1, as in 0.01 or 1/255".into()),
     }
 }
 
-/// The word of a share: one divided by an integer where it is exactly that, as people say it.
+/// A number from 0 to 1 as text: as `1/N` if it is exactly that, otherwise in decimal.
 pub fn fraction_text(share: f32) -> String {
     let whole = libm::round(1.0 / f64::from(share));
     let is_short = whole > 1.0 && whole <= f64::from(1 << 20);
@@ -118,7 +118,7 @@ pub fn fraction_text(share: f32) -> String {
 
 impl Value for bool {
     fn parse(word: &str, domain: &Domain) -> Result<Self, String> {
-        word.parse().map_err(|_| format!("{domain} is expected"))
+        word.parse().map_err(|_| format!("must be {domain}"))
     }
 
     fn word(&self) -> Option<String> {
@@ -135,7 +135,7 @@ macro_rules! integers {
         impl Value for $Integer {
             fn parse(word: &str, domain: &Domain) -> Result<Self, String> {
                 let number = word.parse().ok().filter(|number| domain.contains(*number));
-                number.and_then(|number| <$Integer>::try_from(number).ok()).ok_or_else(|| format!("{domain} is expected"))
+                number.and_then(|number| <$Integer>::try_from(number).ok()).ok_or_else(|| format!("must be {domain}"))
             }
 
             fn word(&self) -> Option<String> {
@@ -170,7 +170,7 @@ impl Value for f32 {
 
 impl<T: Choice> Value for T {
     fn parse(word: &str, domain: &Domain) -> Result<Self, String> {
-        T::from_name(word).ok_or_else(|| format!("{domain} is expected"))
+        T::from_name(word).ok_or_else(|| format!("must be {domain}"))
     }
 
     fn word(&self) -> Option<String> {
@@ -227,12 +227,12 @@ impl Value for Resolution {
     fn parse(word: &str, _: &Domain) -> Result<Self, String> {
         let parts = word.split_once(['x', 'X']).and_then(|(w, h)| Some((w.parse().ok()?, h.parse().ok()?)));
         let Some((width, height)) = parts else {
-            return Err("two integers with an x between them are expected, as in 640x480".into());
+            return Err("must be WIDTHxHEIGHT, as in 640x480".into());
         };
         match Resolution::new(width, height) {
             Some(size) if u64::from(width) * u64::from(height) <= MAX_PIXELS => Ok(size),
-            Some(_) => Err(format!("a picture has at most {MAX_PIXELS} pixels")),
-            None => Err(format!("each side must be between 1 and {}", Resolution::MAX_SIDE)),
+            Some(_) => Err(format!("must have at most {MAX_PIXELS} pixels")),
+            None => Err(format!("width and height must be 1 to {}", Resolution::MAX_SIDE)),
         }
     }
 
@@ -247,16 +247,16 @@ impl Value for Resolution {
 
 impl Value for Tile {
     fn parse(word: &str, _: &Domain) -> Result<Self, String> {
-        let wrong = || "X,Y,WxH is expected, as in 100,50,320x200".to_string();
+        let invalid = || "must be X,Y,WxH, as in 100,50,320x200".to_string();
         let mut words = word.splitn(3, ',');
-        let mut next = || words.next().ok_or_else(wrong);
+        let mut next = || words.next().ok_or_else(invalid);
         let (x, y, size) = (next()?, next()?, next()?);
-        let (width, height) = size.split_once(['x', 'X']).ok_or_else(wrong)?;
-        let number = |text: &str| text.parse::<u32>().map_err(|_| wrong());
+        let (width, height) = size.split_once(['x', 'X']).ok_or_else(invalid)?;
+        let number = |text: &str| text.parse::<u32>().map_err(|_| invalid());
         let (x, y, width, height) = (number(x)?, number(y)?, number(width)?, number(height)?);
         match Resolution::new(width, height) {
             Some(_) => Ok(Tile { top_left: Pixel { x, y }, width, height }),
-            None => Err(format!("each side must be between 1 and {}", Resolution::MAX_SIDE)),
+            None => Err(format!("width and height must be 1 to {}", Resolution::MAX_SIDE)),
         }
     }
 
@@ -282,19 +282,15 @@ mod tests {
     }
 
     #[test]
-    fn integers_outside_are_refused_with_what_is_expected() {
+    fn integers_out_of_range_are_rejected_with_the_range() {
         let levels = Domain::Integer(1, 64);
         assert_eq!(["1", "64"].map(|word| u8::parse(word, &levels)), [Ok(1), Ok(64)]);
         for word in ["0", "65", "-1", "300", "1.5", "", "99999999999999999999999"] {
-            assert_eq!(
-                u8::parse(word, &levels),
-                Err("an integer between 1 and 64 is expected".into()),
-                "{word}"
-            );
+            assert_eq!(u8::parse(word, &levels), Err("must be an integer from 1 to 64".into()), "{word}");
         }
         let sizes = Domain::OneOf(&[0, 8, 64]);
         assert_eq!(usize::parse("8", &sizes), Ok(8));
-        assert_eq!(usize::parse("9", &sizes), Err("0, 8 or 64 is expected".into()));
+        assert_eq!(usize::parse("9", &sizes), Err("must be 0, 8 or 64".into()));
     }
 
     #[test]

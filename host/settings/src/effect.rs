@@ -1,36 +1,36 @@
-//! The effects that a scene can call for and that can be switched off.
+//! The effects that a scene can require and that can be disabled.
 
 use strahl_core::scene::EffectSet;
 
 use crate::choices;
 
 choices! {
-    /// An effect that a scene can call for and that can be switched off.
+    /// An effect that a scene can require and that can be disabled.
     pub enum Effect {
-        /// Things stand in the way of light.
+        /// Shadows.
         Shadows = "shadows",
-        /// Mirrors.
+        /// Mirror reflection.
         Reflection = "reflection",
-        /// Light passes through bodies.
+        /// Transmission and refraction.
         Transmission = "transmission",
-        /// Light passes through bodies on its way from a light.
+        /// Colored shadows of transparent objects.
         ColoredShadows = "colored-shadows",
-        /// Lights with an extent: shadows with soft edges.
+        /// Area lights: soft shadows.
         Penumbra = "penumbra",
-        /// A lens: only what is in focus is sharp.
+        /// Depth of field.
         Lens = "lens",
-        /// Rough mirrors and rough glass.
+        /// Glossy reflection and transmission.
         Gloss = "gloss",
-        /// Things that move while the shutter is open.
+        /// Motion blur.
         Motion = "motion",
     }
 }
 
 impl Effect {
-    /// Those of which one ray shows a part by chance, so that a pixel needs many.
+    /// The effects of distributed ray tracing, which are noisy with one ray per pixel.
     pub const DISTRIBUTED: [Effect; 4] = [Effect::Penumbra, Effect::Lens, Effect::Gloss, Effect::Motion];
 
-    /// Whether it is in a set.
+    /// Whether a set contains it.
     pub fn is_in(self, set: &EffectSet) -> bool {
         match self {
             Effect::Shadows => set.shadows,

@@ -1,4 +1,4 @@
-//! Settings in JSON: their values, and the JSON Schema of these.
+//! Settings in JSON: their values and their JSON Schema.
 
 use schemars::{Schema, json_schema};
 use serde_json::Value as Json;
@@ -8,13 +8,13 @@ use crate::domain::Domain;
 use crate::settings::{Setting, Settings, SettingsOverrides};
 
 impl Setting {
-    /// Its value; null where it has none.
+    /// Its value; null if it has none.
     pub fn to_json(&self, settings: &Settings) -> Json {
         let literal = self.literal(settings);
         literal.and_then(|literal| serde_json::from_str(&literal).ok()).unwrap_or(Json::Null)
     }
 
-    /// The settings in which this one has a value and nothing else is set; null sets nothing.
+    /// Reads a value; in the result only this setting is set, or none for null.
     pub fn parse_json(&self, value: &Json) -> Result<SettingsOverrides, String> {
         let mismatch = || Err(format!("`{}` must be {}, not {value}", self.name, self.domain));
         let word = match (value, self.domain) {
@@ -32,7 +32,7 @@ impl Setting {
         self.parse(&word)
     }
 
-    /// The schema of its values.
+    /// The JSON Schema of its values, with its help and its default.
     pub fn schema(&self) -> Schema {
         let names = |all: &[Named]| all.iter().map(|it| it.name).collect::<Vec<_>>();
         let mut schema = match self.domain {
@@ -53,7 +53,7 @@ impl Setting {
             Domain::Text => json_schema!({ "type": "string" }),
         };
         let default = match self.literal(&Settings::default()) {
-            // Threads are as many as the machine has.
+            // The number of threads depends on the machine.
             _ if !self.is_in_scenes() => String::new(),
             Some(literal) => format!(" Default: {literal}."),
             None => String::new(),
@@ -73,7 +73,7 @@ mod tests {
     use crate::settings::SETTINGS;
 
     #[test]
-    fn every_value_reads_back_as_the_same() {
+    fn every_value_reads_back_equal() {
         let changed = Settings {
             size: strahl_core::Resolution::new(8, 6).unwrap(),
             cutoff: 0.1,
@@ -92,7 +92,7 @@ mod tests {
     }
 
     #[test]
-    fn values_of_another_kind_are_refused() {
+    fn values_of_another_type_are_rejected() {
         for setting in SETTINGS {
             for json in [Json::from(1e9), Json::from("no such thing"), serde_json::json!({})] {
                 assert!(setting.parse_json(&json).is_err(), "{} is {json}", setting.name);

@@ -1,22 +1,32 @@
-//! The settings of strahl: what a render is asked for.
+//! The render settings of strahl.
 //!
-//! Each setting is declared once, in [`settings`], with its type, its default, its values, its name and its help.
-//! From that declaration come the options of the command line, the keys of a scene's `[render]` table and their JSON
-//! Schema, the settings that are printed, and the columns of a study: their code goes through [`SETTINGS`] and names
-//! no setting.
+//! Each setting is declared once, in [`settings`], with its type, default, range, name and help. The options of the
+//! command line, the keys of a scene's `[render]` table and their JSON Schema, printed settings and the columns of a
+//! study are derived from the list [`SETTINGS`].
 //!
-//! | module | what it holds |
+//! ```
+//! use strahl_settings::{SETTINGS, Settings, SettingsOverrides};
+//!
+//! let levels = SETTINGS.iter().find(|setting| setting.name == "levels").unwrap();
+//! let command_line = levels.parse("7").unwrap();
+//! let settings = Settings::resolve(&command_line, &SettingsOverrides::default()).unwrap();
+//! assert_eq!(settings.levels, 7);
+//! assert_eq!(levels.option(&settings).as_deref(), Some("--levels 7"));
+//! assert!(levels.parse("0").is_err());
+//! ```
+//!
+//! | module | contents |
 //! |---|---|
-//! | [`settings`] | the declaration: the list of every [`Setting`]; [`Settings`], and [`SettingsOverrides`] as a scene or a command line has them |
-//! | [`resolve`] | command line over scene over defaults, and which of them set what |
-//! | [`attributes`] | what a setting is like |
-//! | [`json`] | their values in JSON, and the JSON Schema of these |
-//! | [`domain`] | the values that a setting may have, and the words for them |
-//! | [`choice`] | types whose values have names |
-//! | [`sampling`], [`accelerator`], [`precision`], [`effect`] | the types of settings |
+//! | [`settings`] | the declaration: the list of all [`Setting`]s, [`Settings`] with all values, and [`SettingsOverrides`] of a scene or a command line |
+//! | [`resolve`] | precedence of command line, scene and defaults, and the source of each value |
+//! | [`attributes`] | properties of settings |
+//! | [`json`] | values in JSON, and their JSON Schema |
+//! | [`domain`] | allowed values, and their text form |
+//! | [`choice`] | enumerations with named values |
+//! | [`sampling`], [`accelerator`], [`precision`], [`effect`] | types of settings |
 //!
-//! This package knows no command line, no file format and no tracer. It uses plain types of `strahl-core`, whose
-//! limits are those of the settings.
+//! The package has no command line, no file format and no ray tracer. It uses plain types of `strahl-core`, and their
+//! limits.
 
 pub mod accelerator;
 pub mod attributes;

@@ -1,13 +1,13 @@
-//! Single or double precision.
+//! Floating-point precision.
 
 use crate::choices;
 
 choices! {
-    /// What is computed with. Numbers of scenes are single precision in either case.
+    /// The floating-point precision of the computation. Numbers of scenes are always rounded to single precision.
     pub enum Precision {
         /// Single precision, 32 bits.
         Single = "single",
-        /// Double precision, 64 bits: slower, and a reference for the other.
+        /// Double precision, 64 bits: slower; a reference for single precision.
         Double = "double",
     }
 }

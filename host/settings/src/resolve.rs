@@ -1,4 +1,4 @@
-//! Command line over scene over defaults: which settings hold, and what set each of them.
+//! Resolution of settings: the command line overrides the scene, which overrides the defaults.
 
 use std::error::Error;
 use std::fmt;
@@ -10,19 +10,19 @@ use crate::effect::Effect;
 use crate::sampling::{Filter, SamplerSettings};
 use crate::settings::{SETTINGS, Setting, Settings, SettingsOverrides};
 
-/// The settings that hold, and what set each of them.
+/// The effective settings, and the source of each.
 #[derive(Clone, Debug)]
 pub struct Resolved {
-    /// Those that hold.
+    /// The effective settings.
     pub settings: Settings,
     command_line: SettingsOverrides,
     scene: SettingsOverrides,
 }
 
-/// What set a setting.
+/// The source of a setting's value.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum SettingSource {
-    /// Nothing: it has its default.
+    /// The default.
     Default,
     /// The scene.
     Scene,
@@ -30,20 +30,20 @@ pub enum SettingSource {
     CommandLine,
 }
 
-/// Why settings do not go together.
+/// A conflict between settings.
 #[derive(Clone, Debug, PartialEq)]
 #[non_exhaustive]
 pub enum SettingsError {
-    /// A filter is asked for beside this sampler, which fills the pixel by itself.
+    /// A filter other than box is set together with this sampler, which does not support it.
     FilterNotUsed(SamplerSettings),
-    /// An option is given for which another leaves no use.
+    /// An option is given that another one makes unused.
     OptionNotUsed {
-        /// Its name, without the dashes.
+        /// The name of the unused option, without the dashes.
         option: &'static str,
-        /// The other, as it is written.
+        /// The other option, with its dashes and its value.
         by: String,
     },
-    /// The region is not inside a picture of this size.
+    /// The region extends beyond a picture of this size.
     RegionOutside(Resolution),
 }
 
@@ -51,11 +51,15 @@ impl fmt::Display for SettingsError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             SettingsError::FilterNotUsed(sampling) => {
-                write!(f, "`{sampling}` fills the pixel by itself: no filter but box goes with it")
+                write!(f, "`{sampling}` supports only the box filter")
             }
-            SettingsError::OptionNotUsed { option, by } => write!(f, "--{option} has no meaning for {by}"),
+            SettingsError::OptionNotUsed { option, by } if by.as_str() == "--walk stack" => {
+                write!(f, "--{option} requires --walk heap")
+            }
+            SettingsError::OptionNotUsed { option, by } => write!(f, "--{option} cannot be used with {by}"),
             SettingsError::RegionOutside(size) => {
-                write!(f, "the region reaches beyond the picture of {}x{}", size.width(), size.height())
+                let (width, height) = (size.width(), size.height());
+                write!(f, "the region extends beyond the picture, which is {width}x{height}")
             }
         }
     }
@@ -64,18 +68,18 @@ impl fmt::Display for SettingsError {
 impl Error for SettingsError {}
 
 impl Resolved {
-    /// The settings of the command line, where it has none those of the scene, and else the defaults.
+    /// Resolves settings in this order: command line, scene, defaults.
     pub fn new(command_line: &SettingsOverrides, scene: &SettingsOverrides) -> Result<Self, SettingsError> {
         let (mut command_line, mut scene) = (command_line.clone(), scene.clone());
-        // An option for which others leave no use is a mistake. A key of the scene is not: the command line has changed
-        // what it was for.
+        // An unused option is an error. An unused key of the scene is not: the command line may have changed the
+        // setting that it belongs to.
         let alone = Settings::from(command_line.clone());
         for setting in SETTINGS.iter().filter(|setting| setting.is_set(&command_line)) {
             if let (Some(option), Some(by)) = (setting.option_name(), setting.ruled_out(&alone)) {
                 return Err(SettingsError::OptionNotUsed { option, by });
             }
         }
-        // Another walk, or a heap for it, replaces both.
+        // A traversal order or a heap capacity on the command line replaces both.
         if command_line.walk.is_some() {
             scene.heap = None;
         }
@@ -98,7 +102,7 @@ impl Resolved {
         Ok(Resolved { settings, command_line, scene })
     }
 
-    /// What set one of them.
+    /// The source of a setting.
     pub fn source(&self, setting: &Setting) -> SettingSource {
         if setting.is_set(&self.command_line) {
             SettingSource::CommandLine
@@ -112,14 +116,14 @@ impl Resolved {
 
 impl From<SettingsOverrides> for Settings {
     fn from(partial: SettingsOverrides) -> Self {
-        // A capacity of the heap asks for the walk that has one.
+        // A heap capacity implies the traversal order that uses it.
         let walk = partial.walk.or(partial.heap.map(|_| Walk::Heap));
         SettingsOverrides { walk, ..partial }.or_default()
     }
 }
 
 impl Settings {
-    /// The settings of the command line, where it has none those of the scene, and else the defaults.
+    /// Resolves settings in this order: command line, scene, defaults.
     pub fn resolve(
         command_line: &SettingsOverrides,
         scene: &SettingsOverrides,
@@ -127,7 +131,7 @@ impl Settings {
         Ok(Resolved::new(command_line, scene)?.settings)
     }
 
-    /// All those that have a use, with their declarations.
+    /// The settings that are used, given the others.
     pub fn in_use(&self) -> impl Iterator<Item = &'static Setting> {
         SETTINGS.iter().filter(|setting| setting.ruled_out(self).is_none())
     }
@@ -138,7 +142,7 @@ mod tests {
     use super::*;
     use crate::attributes::{Affects, CommandOption};
 
-    /// The settings of some options.
+    /// Parses options.
     fn of(options: &[(&str, &str)]) -> SettingsOverrides {
         let parse = |(name, word): &(&str, &str)| {
             let setting = SETTINGS.iter().find(|setting| setting.name == *name).unwrap();
@@ -161,7 +165,7 @@ mod tests {
     }
 
     #[test]
-    fn every_word_reads_back_as_the_same_and_nothing_else_is_set() {
+    fn every_option_value_reads_back_equal_and_sets_nothing_else() {
         let all = of(&[
             ("size", "8x6"),
             ("levels", "7"),
@@ -196,7 +200,7 @@ mod tests {
     }
 
     #[test]
-    fn a_heap_asks_for_its_walk_and_another_walk_forgets_the_heap_of_the_scene() {
+    fn a_heap_capacity_implies_its_traversal_and_another_traversal_discards_the_scenes_capacity() {
         let walked = |command_line: &[(&str, &str)], scene: &[(&str, &str)]| {
             let settings = Settings::resolve(&of(command_line), &of(scene)).unwrap();
             (settings.walk, settings.heap)
@@ -209,24 +213,32 @@ mod tests {
     }
 
     #[test]
-    fn what_does_not_go_together_on_the_command_line_is_refused() {
+    fn conflicting_options_are_rejected() {
         let refused = |options: &[(&str, &str)]| {
             Settings::resolve(&of(options), &SettingsOverrides::default()).unwrap_err().to_string()
         };
-        assert_eq!(refused(&[("accel", "grid"), ("walk", "heap")]), "--walk has no meaning for --accel grid");
-        assert_eq!(refused(&[("walk", "stack"), ("heap", "4")]), "--heap has no meaning for --walk stack");
+        assert_eq!(
+            refused(&[("accel", "grid"), ("walk", "heap")]),
+            "--walk cannot be used with --accel grid"
+        );
+        assert_eq!(refused(&[("walk", "stack"), ("heap", "4")]), "--heap requires --walk heap");
         assert_eq!(
             refused(&[("accel", "bvh"), ("bounds", "box")]),
-            "--bounds has no meaning for --accel bvh"
+            "--bounds cannot be used with --accel bvh"
         );
-        assert!(refused(&[("sampler", "adaptive:2:0.1"), ("filter", "tent")]).contains("no filter but box"));
-        assert!(refused(&[("size", "4x3"), ("region", "1,0,4x3")]).contains("beyond the picture of 4x3"));
-        // The scene asked for what the command line has no use for any more.
+        assert!(
+            refused(&[("sampler", "adaptive:2:0.1"), ("filter", "tent")])
+                .contains("supports only the box filter")
+        );
+        assert!(
+            refused(&[("size", "4x3"), ("region", "1,0,4x3")]).contains("beyond the picture, which is 4x3")
+        );
+        // A key of the scene may be unused because of the command line.
         assert!(Settings::resolve(&of(&[("accel", "list")]), &of(&[("mailbox", "8")])).is_ok());
     }
 
     #[test]
-    fn colored_shadows_that_are_left_out_are_off_because_of_the_command_line() {
+    fn colored_shadows_that_are_disabled_have_the_command_line_as_their_source() {
         let resolved =
             Resolved::new(&of(&[("without", "colored-shadows")]), &of(&[("colored_shadows", "true")]));
         let resolved = resolved.unwrap();
@@ -235,7 +247,7 @@ mod tests {
     }
 
     #[test]
-    fn every_setting_can_be_set_somewhere_and_has_words_about_it() {
+    fn every_setting_can_be_set_and_has_a_help_text() {
         for setting in SETTINGS {
             assert!(setting.is_in_scenes() || setting.option != CommandOption::Never, "{}", setting.name);
             assert!(setting.option_name().is_none_or(|name| !name.contains('_')), "{}", setting.name);

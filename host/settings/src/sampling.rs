@@ -1,4 +1,4 @@
-//! Which rays make a pixel, and which pixels are traced.
+//! Settings of the sampling of pixels, and of the selection of pixels.
 
 use std::fmt;
 use std::str::FromStr;
@@ -7,102 +7,101 @@ use strahl_core::image::{RegularSampler, Selection, StochasticSampler, Subdivisi
 
 use crate::choices;
 
-/// Which rays make a pixel.
+/// The sampling pattern of a pixel.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum SamplerSettings {
-    /// One through the middle.
+    /// One ray through the center.
     Single,
-    /// n times n.
+    /// A grid of n x n rays.
     Regular(u16),
-    /// Through the corners, and more where they do not agree.
+    /// The four corners, with recursive subdivision where they differ.
     Adaptive {
-        /// How often a pixel can be quartered.
+        /// The maximum number of subdivisions.
         max_depth: u8,
-        /// When it is not.
+        /// The contrast above which a pixel is subdivided.
         contrast: ContrastSettings,
     },
-    /// Through places that follow no raster.
+    /// Quasi-random samples.
     Stochastic {
-        /// The least number.
+        /// The minimum number of samples.
         min_samples: u32,
-        /// The largest number.
+        /// The maximum number of samples.
         max_samples: u32,
-        /// When it may be less than that.
+        /// When sampling stops before the maximum.
         confidence: ConfidenceSettings,
     },
 }
 
-/// When neighbours are taken to look the same.
+/// A contrast threshold: when neighboring samples count as equal.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ContrastSettings {
-    /// The largest difference of sRGB-encoded channels, in `0..=1`.
+    /// The largest difference of sRGB-encoded channels, in `[0, 1]`.
     pub threshold: f32,
-    /// Whether they must be of the same item, too.
+    /// Whether they must also hit the same item.
     pub items: bool,
 }
 
-/// When a pixel is known well enough.
+/// When the mean of a pixel's samples is accurate enough.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ConfidenceSettings {
-    /// How sure that is to be, between 0 and 1.
+    /// The confidence level, in `(0, 1)`.
     pub confidence: f64,
-    /// How far off the mean may be: sRGB-encoded, in `0..=1`.
+    /// The largest error of the mean, sRGB-encoded, in `[0, 1]`.
     pub tolerance: f32,
 }
 
-/// Which pixels are traced, where not all are.
+/// The selection of pixels that are traced; the others are interpolated.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct SelectionSettings {
-    /// The distance of those that are traced first: 2, 4, 8, 16, 32 or 64.
+    /// The distance of pixels that are traced first: 2, 4, 8, 16, 32 or 64.
     pub step: u32,
-    /// When those between are guessed.
+    /// The contrast up to which the pixels between are interpolated.
     pub contrast: ContrastSettings,
 }
 
 choices! {
-    /// How much of its surroundings counts in a pixel.
+    /// The reconstruction filter of a pixel.
     pub enum Filter {
-        /// Nothing but the pixel.
+        /// The pixel itself.
         Box = "box",
-        /// Up to the next pixels, the less the farther.
+        /// Tent with a radius of one pixel.
         Tent = "tent",
-        /// Up to one pixel and a half, by a normal distribution.
+        /// Gaussian with a deviation of 0.5 pixels, cut off at 1.5.
         Gaussian = "gaussian",
     }
 }
 
-/// The mean may be two steps of eight bits off.
+/// The default tolerance of the mean: two 8-bit steps.
 const DEFAULT_TOLERANCE: f32 = 1.0 / 128.0;
 
 impl SamplerSettings {
-    /// The corners alone, which neighbours share.
+    /// The four corners only, which neighboring pixels share.
     pub const CORNERS: SamplerSettings = SamplerSettings::Adaptive {
         max_depth: 0,
         contrast: ContrastSettings { threshold: 0.0, items: false },
     };
 
-    /// This many rays, whatever they see.
+    /// Exactly `n` samples.
     pub const fn stochastic(n: u32) -> Self {
         let confidence = ConfidenceSettings { confidence: 0.5, tolerance: 0.0 };
         SamplerSettings::Stochastic { min_samples: n, max_samples: n, confidence }
     }
 
-    /// Whether a filter can go with it: adaptive supersampling fills the pixel by itself.
+    /// Whether filters other than box can be used: adaptive supersampling supports only box.
     pub fn allows_filter(&self) -> bool {
         !matches!(self, SamplerSettings::Adaptive { .. })
     }
 }
 
 impl ConfidenceSettings {
-    /// How many standard errors an interval reaches to both sides, in which a normal
-    /// distribution lies with this confidence.
+    /// The half width, in standard errors, of the confidence interval of a normal distribution.
     pub fn standard_errors(&self) -> f64 {
-        // What lies inside grows with the width, so that halving finds it.
+        // The probability inside grows with the width: bisection.
         let (mut low, mut high) = (0.0, 10.0);
         for _ in 0..60 {
-            let middle = 0.5 * (low + high);
-            let inside = libm::erf(middle * std::f64::consts::FRAC_1_SQRT_2);
-            if inside < self.confidence { low = middle } else { high = middle }
+            let mid = 0.5 * (low + high);
+            let inside = libm::erf(mid * std::f64::consts::FRAC_1_SQRT_2);
+            if inside < self.confidence { low = mid } else { high = mid }
         }
         high
     }
@@ -121,12 +120,12 @@ fn agreement(words: &[&str]) -> Result<ContrastSettings, String> {
     let (text, items) = match words {
         [text] => (text, false),
         [text, "items"] => (text, true),
-        [_, other, ..] => return Err(format!("after the threshold comes `items` or nothing, not `{other}`")),
+        [_, other, ..] => return Err(format!("only `items` may follow the threshold, not `{other}`")),
         [] => return Err("the threshold is missing".into()),
     };
     match threshold(text) {
         Some(threshold) => Ok(ContrastSettings { threshold, items }),
-        None => Err("THRESHOLD must be between 0 and 1, as in 0.05 or 1/32".into()),
+        None => Err("THRESHOLD must be 0 to 1, as in 0.05 or 1/32".into()),
     }
 }
 
@@ -136,24 +135,24 @@ fn stochastic(words: &[&str]) -> Result<SamplerSettings, String> {
     if let [n] = words
         && !n.contains("..")
     {
-        let wrong = || format!("in stochastic:N, N must be between 1 and {most}");
-        return count(n).map(SamplerSettings::stochastic).ok_or_else(wrong);
+        let out_of_range = || format!("in stochastic:N, N must be 1 to {most}");
+        return count(n).map(SamplerSettings::stochastic).ok_or_else(out_of_range);
     }
     let (range, level, tolerance) = match *words {
         [range, level] => (range, level, Some(DEFAULT_TOLERANCE)),
         [range, level, tolerance] => (range, level, threshold(tolerance)),
-        _ => return Err("stochastic:N or stochastic:MIN..MAX:CONFIDENCE is expected".into()),
+        _ => return Err("must be stochastic:N or stochastic:MIN..MAX:CONFIDENCE".into()),
     };
     let (least, most) = range
         .split_once("..")
         .and_then(|(least, most)| Some((count(least)?, count(most)?)))
         .filter(|(least, most)| least <= most)
         .ok_or_else(|| {
-            format!("in stochastic:MIN..MAX, MIN and MAX must be between 1 and {most}, MIN first")
+            format!("in stochastic:MIN..MAX, MIN and MAX must be 1 to {most}, and MIN at most MAX")
         })?;
     let level = level.parse::<f64>().ok().filter(|level| *level > 0.0 && *level < 1.0);
     let level = level.ok_or("CONFIDENCE must be more than 0 and less than 1, as in 0.95")?;
-    let tolerance = tolerance.ok_or("the tolerance must be between 0 and 1, as in 1/128")?;
+    let tolerance = tolerance.ok_or("the tolerance must be 0 to 1, as in 1/128")?;
     Ok(SamplerSettings::Stochastic {
         min_samples: least,
         max_samples: most,
@@ -171,7 +170,7 @@ impl FromStr for SamplerSettings {
             ("single", []) => Ok(SamplerSettings::Single),
             ("regular", [n]) => match n.parse::<u16>() {
                 Ok(n) if RegularSampler::new(n).is_some() => Ok(SamplerSettings::Regular(n)),
-                _ => Err(format!("in regular:N, N must be between 1 and {}", RegularSampler::MAX_CELLS)),
+                _ => Err(format!("in regular:N, N must be 1 to {}", RegularSampler::MAX_CELLS)),
             },
             ("adaptive", [depth, rest @ ..]) => match depth.parse::<u8>() {
                 Ok(depth) if depth <= Subdivision::MAX_DEPTH => {
@@ -182,8 +181,8 @@ impl FromStr for SamplerSettings {
                 }
             },
             ("stochastic", rest) => stochastic(rest),
-            _ => Err("single, regular:N, adaptive:DEPTH:THRESHOLD[:items], stochastic:N or \
-                 stochastic:MIN..MAX:CONFIDENCE[:TOLERANCE] is expected"
+            _ => Err("must be single, regular:N, adaptive:DEPTH:THRESHOLD[:items], stochastic:N or \
+                 stochastic:MIN..MAX:CONFIDENCE[:TOLERANCE]"
                 .into()),
         }
     }
@@ -207,7 +206,7 @@ impl fmt::Display for ContrastSettings {
     }
 }
 
-/// As the command line has it.
+/// Formats the option value.
 impl fmt::Display for SamplerSettings {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
@@ -230,7 +229,7 @@ impl fmt::Display for SamplerSettings {
     }
 }
 
-/// As the command line has it.
+/// Formats the option value.
 impl fmt::Display for SelectionSettings {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         write!(f, "{}:{}", self.step, self.contrast)
@@ -242,7 +241,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn what_is_shown_reads_back_as_the_same() {
+    fn option_values_read_back_equal() {
         for text in [
             "single",
             "regular:3",
@@ -261,16 +260,16 @@ mod tests {
     }
 
     #[test]
-    fn what_makes_no_sense_is_refused_with_what_would() {
+    fn invalid_option_values_are_rejected_with_the_valid_ones() {
         for (text, says) in [
-            ("regular:0", "between 1 and 256"),
+            ("regular:0", "must be 1 to 256"),
             ("adaptive:7:0", "0 to 6"),
             ("adaptive:2", "threshold is missing"),
-            ("adaptive:2:1.5", "between 0 and 1"),
+            ("adaptive:2:1.5", "must be 0 to 1"),
             ("adaptive:2:0:objects", "`items`"),
-            ("stochastic:0", "between 1 and 65536"),
+            ("stochastic:0", "must be 1 to 65536"),
             ("stochastic", "stochastic:N"),
-            ("stochastic:9..8:0.9", "MIN first"),
+            ("stochastic:9..8:0.9", "MIN at most MAX"),
             ("stochastic:8..9", "CONFIDENCE"),
             ("stochastic:8..9:1", "less than 1"),
             ("stochastic:8..9:0.9:2", "tolerance"),
@@ -286,8 +285,8 @@ mod tests {
     }
 
     #[test]
-    fn confidence_is_told_in_standard_errors() {
-        // From every table of the normal distribution.
+    fn confidence_levels_give_the_known_numbers_of_standard_errors() {
+        // From tables of the normal distribution.
         for (level, errors) in [(0.682_689_5, 1.0), (0.95, 1.959_964), (0.99, 2.575_829)] {
             let got = ConfidenceSettings { confidence: level, tolerance: 0.0 }.standard_errors();
             assert!((got - errors).abs() < 1e-6, "{got}");

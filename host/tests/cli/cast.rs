@@ -340,7 +340,7 @@ fn files_that_cannot_be_read_or_written_are_told() {
     folder.run("cast things.toml --rays rays.csv -o missing/hits.csv").failed(74, "missing/hits.csv");
     folder.run("cast things.toml --rays rays.csv -o rays.csv").failed(2, "would replace");
     folder.run("cast things.toml --rays rays.csv -o things.toml").failed(2, "would replace");
-    folder.run("cast things.toml --threads 0").failed(2, "between 1 and 1024");
+    folder.run("cast things.toml --threads 0").failed(2, "1 to 1024");
     folder.run("cast things.toml --accel tree").failed(2, "tree");
     folder.run("cast things.toml --precision half").failed(2, "half");
     folder.write("wrong.toml", "[[sphere]]\nradius = -1\n");

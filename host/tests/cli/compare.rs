@@ -290,7 +290,7 @@ fn a_file_that_ends_too_soon_is_told_with_status_65() {
         let status = folder.run(&format!("compare short {name} -q")).status;
         assert!(status == Some(65) || name == "a.jpg" && status == Some(1), "{name}: {status:?}");
         folder.write("short", &whole[..whole.len().min(20)]);
-        folder.run(&format!("compare short {name}")).failed(65, "short: broken: ");
+        folder.run(&format!("compare short {name}")).failed(65, "short: corrupt: ");
     }
 }
 
@@ -301,13 +301,13 @@ fn a_short_file_that_claims_to_be_huge_is_known_before_memory_is_asked_for() {
         [b"qoif", size.as_slice(), &[3, 0], &[0xfd; 9], &[0, 0, 0, 0, 0, 0, 0, 1]].concat()
     };
     let folder = pair(&png(&gray()), &huge(16384, 16384));
-    folder.run("compare a b").failed(65, "b: broken: 31 bytes cannot hold 16384 x 16384 pixels");
+    folder.run("compare a b").failed(65, "b: corrupt: 31 bytes cannot hold 16384 x 16384 pixels");
     folder.write("b", huge(65537, 1));
     folder.run("compare a b").failed(65, "b: 65537 x 1, but a picture has 1 to 268435456 pixels");
     folder.write("b", huge(65536, 65536));
-    folder.run("compare a b").failed(65, "b: broken: ");
+    folder.run("compare a b").failed(65, "b: corrupt: ");
     folder.write("b", b"P6 16000 16000 255 ");
-    folder.run("compare a b").failed(65, "b: broken: 19 bytes cannot hold");
+    folder.run("compare a b").failed(65, "b: corrupt: the header claims more than 19 bytes can hold");
 }
 
 #[test]
@@ -376,13 +376,13 @@ fn wrong_usage_is_told_with_status_2_and_changes_no_picture() {
         ("compare a", "<B>"),
         ("compare a b c", "'c'"),
         ("compare a b --limit", "--limit"),
-        ("compare a b --limit=-0.1", "between 0 and 1"),
-        ("compare a b --limit 1.5", "between 0 and 1"),
-        ("compare a b --limit nan", "between 0 and 1"),
-        ("compare a b --limit 1/0", "between 0 and 1"),
-        ("compare a b --limit 0/0", "between 0 and 1"),
-        ("compare a b --limit 1/", "between 0 and 1"),
-        ("compare a b --limit-share 2", "between 0 and 1"),
+        ("compare a b --limit=-0.1", "0 to 1"),
+        ("compare a b --limit 1.5", "0 to 1"),
+        ("compare a b --limit nan", "0 to 1"),
+        ("compare a b --limit 1/0", "0 to 1"),
+        ("compare a b --limit 0/0", "0 to 1"),
+        ("compare a b --limit 1/", "0 to 1"),
+        ("compare a b --limit-share 2", "0 to 1"),
         ("compare - -", "only one"),
         ("compare a b -o -", "needs a file"),
         ("compare a b -o map.gif", "map.gif names no picture format"),

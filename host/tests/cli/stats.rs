@@ -193,7 +193,7 @@ fn every_accelerator_makes_the_same_picture_with_other_work() {
                 (&it["accelerator"]["kind"], &it["accelerator"]["choice"]),
                 (&kind.into(), &choice.into())
             );
-            assert_eq!(it["accelerator"]["reason"], "as asked for");
+            assert_eq!(it["accelerator"]["reason"], "as requested");
             assert_eq!(it["precision"], precision);
             reports.push(it);
         }

@@ -1,59 +1,59 @@
-//! The measures that look at each pixel for itself.
+//! Measures of the differences of single pixels.
 
 use rayon::prelude::*;
 use serde::Serialize;
 
 /// One encoded channel of one pixel, in `[0, 1]`.
 pub(super) trait Channel: Copy + Sync {
-    /// As a number; black for what is none.
+    /// The value; 0 for NaN.
     fn value(self) -> f64;
 
-    /// How far it is from another, exact for integers.
+    /// The absolute difference, exact for integers.
     fn difference(self, other: Self) -> f64;
 }
 
-/// One step of eight bits, which people hardly see.
+/// One 8-bit step, which is hardly visible.
 const STEP: f64 = 1.0 / 255.0;
 
-/// How much a pixel may differ.
+/// The largest allowed difference of a pixel.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Limit {
-    /// Not by one bit.
+    /// Bit-identical.
     Identical,
-    /// By this much in each channel.
+    /// At most this much in each channel.
     Within(f64),
 }
 
-/// A largest difference, and where it is: the first of equals, row by row, red before green.
+/// The largest difference and its location; of equal ones the first, row by row, red before green before blue.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Peak {
-    /// Zero: none.
+    /// The difference; 0 if there is none.
     pub difference: f64,
     /// Column, from 0 at the left.
     pub x: usize,
     /// Row, from 0 at the top.
     pub y: usize,
-    /// Red, green or blue.
+    /// The channel.
     pub channel: Color,
 }
 
-/// A channel.
+/// A color channel.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "lowercase")]
 pub enum Color {
-    /// The first.
+    /// Red.
     Red,
-    /// The second.
+    /// Green.
     Green,
-    /// The third.
+    /// Blue.
     Blue,
 }
 
 impl Color {
-    /// All, in order.
+    /// All channels, in order.
     pub const ALL: [Color; 3] = [Color::Red, Color::Green, Color::Blue];
 
-    /// Its word.
+    /// The name of the channel, in lower case.
     pub fn name(self) -> &'static str {
         match self {
             Color::Red => "red",
@@ -67,7 +67,7 @@ impl Peak {
     /// No difference.
     pub(super) const NONE: Peak = Peak { difference: 0.0, x: 0, y: 0, channel: Color::Red };
 
-    /// Looks at the differences of one more pixel.
+    /// Includes the differences of one more pixel.
     pub(super) fn raise(&mut self, x: usize, y: usize, differences: [f64; 3]) {
         for (channel, difference) in Color::ALL.into_iter().zip(differences) {
             if difference > self.difference {
@@ -77,12 +77,12 @@ impl Peak {
     }
 }
 
-/// Sums over pixels.
+/// Measures over all pixels.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Measures {
     /// The largest difference of a channel.
     pub peak: Peak,
-    /// The sum of all differences of channels.
+    /// The sum of the differences of all channels.
     pub absolute: f64,
     /// The sum of their squares.
     pub squares: f64,
@@ -94,9 +94,9 @@ pub struct Measures {
     pub over_limit: usize,
 }
 
-/// Compares pixel by pixel; `differs` says whether the one at an index differs at all.
+/// Compares pixel by pixel; `differs` returns whether the pixel at an index differs in any bit.
 ///
-/// Rows are added in their order, so that the sums are the same for any number of threads.
+/// Rows are summed in order, so that the result does not depend on the number of threads.
 pub(super) fn measure<C: Channel>(
     a: &[[C; 3]],
     b: &[[C; 3]],

@@ -1,12 +1,12 @@
-//! How two pictures of one size differ.
+//! Measures of difference of two pictures of one size.
 //!
-//! All measures are differences of sRGB-encoded values in `[0, 1]`, which is what a person sees.
+//! All measures are of sRGB-encoded values in `[0, 1]`, which are closer to perception than linear light.
 //!
-//! | module | what it does |
+//! | module | contents |
 //! |---|---|
-//! | `pair` | two pictures become two of one kind |
-//! | `measure` | the measures that look at each pixel by itself |
-//! | `ssim` | the measure that looks at structure |
+//! | `pair` | conversion of two pictures to the same type |
+//! | `measure` | measures of single pixels: largest difference, sums for RMSE and PSNR, counts |
+//! | `ssim` | structural similarity |
 
 mod measure;
 mod pair;

@@ -1,4 +1,4 @@
-//! Two files become two pictures of one kind, so that each pixel can be held against the other.
+//! Conversion of two pictures to the same type, so that their pixels can be compared.
 
 use rayon::prelude::*;
 use strahl_core::{Resolution, Rgb};
@@ -11,22 +11,22 @@ use crate::srgb;
 /// Two pictures of one size.
 #[derive(Debug)]
 pub enum Pair {
-    /// Of eight bits.
+    /// 8-bit, sRGB-encoded.
     Eight([Vec<[u8; 3]>; 2]),
-    /// Of sixteen bits.
+    /// 16-bit, sRGB-encoded.
     Sixteen([Vec<[u16; 3]>; 2]),
-    /// Of linear floats.
+    /// Linear floats.
     Floats {
-        /// Their encodings.
+        /// The sRGB-encoded values.
         encoded: [Vec<[f32; 3]>; 2],
-        /// As they are.
+        /// The linear values.
         linear: [Vec<Rgb>; 2],
     },
 }
 
 impl Pair {
-    /// The finer of two integer kinds is that of the pair, and holds the other exactly. Floats
-    /// beside integers are rounded to these.
+    /// Converts two pictures to the same type: of two integer types the finer one, which represents the other exactly;
+    /// floats are rounded to the integer type of the other picture.
     pub fn of(first: PixelValues, second: PixelValues) -> Self {
         use PixelValues::{Linear, U8, U16};
         match (first, second) {
@@ -42,7 +42,7 @@ impl Pair {
         }
     }
 
-    /// What is measured pixel by pixel.
+    /// The measures of single pixels.
     pub fn measure(&self, width: usize, limit: Limit) -> Measures {
         match self {
             Pair::Eight([a, b]) => measure(a, b, width, limit, |at| a[at] != b[at]),
@@ -53,7 +53,7 @@ impl Pair {
         }
     }
 
-    /// The structural similarity.
+    /// The mean structural similarity: 1 is identical.
     pub fn ssim(&self, size: Resolution) -> f64 {
         let (width, height) = (size.width() as usize, size.height() as usize);
         match self {
@@ -72,8 +72,7 @@ impl Pair {
         }
     }
 
-    /// The largest difference of linear light, of floats; infinite where only one of the two is a
-    /// finite number.
+    /// The largest difference of linear light; infinite if only one of two values is finite. `None` for integers.
     pub fn linear_peak(&self, width: usize) -> Option<Peak> {
         let Pair::Floats { linear: [a, b], .. } = self else {
             return None;
@@ -96,12 +95,12 @@ fn bits(color: Rgb) -> [u32; 3] {
     [color.r, color.g, color.b].map(f32::to_bits)
 }
 
-/// 255 times 257 is 65535.
+/// 8-bit values as 16-bit values: 255 * 257 = 65535.
 fn widened(pixels: &[[u8; 3]]) -> Vec<[u16; 3]> {
     pixels.iter().map(|pixel| pixel.map(|v| u16::from(v) * 257)).collect()
 }
 
-/// As the program writes them.
+/// Rounds to 8 bits, as picture files are written.
 fn eight(pixels: &[Rgb]) -> Vec<[u8; 3]> {
     pixels.par_iter().map(|color| color.to_srgb8()).collect()
 }
@@ -140,7 +139,7 @@ impl Channel for f32 {
         if self.is_nan() { 0.0 } else { f64::from(self) }
     }
 
-    /// As large as can be when only one of the two is a number.
+    /// 1, the largest possible difference, if only one of the two is NaN.
     fn difference(self, other: Self) -> f64 {
         match (self.is_nan(), other.is_nan()) {
             (false, false) => (f64::from(self) - f64::from(other)).abs(),

@@ -1,17 +1,16 @@
-//! Structural similarity: whether two pictures have the same light, contrast and structure in
-//! every small place, which is nearer to what people see than any difference of single pixels.
+//! Structural similarity (SSIM): luminance, contrast and structure of two pictures, compared in small windows. It is
+//! closer to perception than differences of single pixels.
 //!
-//! 1 is identical, 0 unlike, less than 0 inverted.
+//! 1 is identical, 0 uncorrelated, less than 0 inverted.
 //!
-//! Source: Wang, Bovik, Sheikh and Simoncelli, "Image Quality Assessment: From Error Visibility
-//! to Structural Similarity", IEEE Transactions on Image Processing 13 (4), 2004, with its
-//! constants: a Gaussian window of 11 x 11 pixels and deviation 1.5, K1 = 0.01, K2 = 0.03.
-//! Differs from it: red, green and blue are measured each for itself and averaged, so that a
-//! change of hue counts; and at the border the window is what is left of it, with its weights
-//! made one again, so that every pixel counts and every size of picture has a value.
+//! Source: Wang, Bovik, Sheikh and Simoncelli, "Image Quality Assessment: From Error Visibility to Structural
+//! Similarity", IEEE Transactions on Image Processing 13(4), 2004, with its constants: a Gaussian window of 11 x 11 pixels
+//! with a deviation of 1.5, K1 = 0.01, K2 = 0.03.
+//! Difference: red, green and blue are measured separately and averaged, so that a change of hue counts; at the border
+//! the window is clipped and its weights are normalized, so that every pixel counts and any size of picture works.
 //!
-//! Of our own, because the crates that were at hand divide by the wrong number of pixels
-//! (`image-compare`), use fused operations, need a C++ compiler or a licence of another kind.
+//! Implemented here because available crates divide by the wrong number of pixels (`image-compare`), use fused
+//! operations, need a C++ compiler, or have an incompatible license.
 
 use std::ops::Range;
 
@@ -19,7 +18,7 @@ use rayon::prelude::*;
 
 use super::measure::Channel;
 
-/// Pixels of the window on each side of its middle.
+/// The radius of the window, in pixels.
 const REACH: usize = 5;
 const DEVIATION: f64 = 1.5;
 /// (K1 L)^2 and (K2 L)^2, where L, the largest value, is 1.
@@ -28,8 +27,8 @@ const C2: f64 = 0.03 * 0.03;
 
 /// The mean structural similarity of two pictures.
 ///
-/// A row of windows needs only the rows that it covers, so nothing as large as the pictures is
-/// made beside them. Rows are added in their order: the same number for any number of threads.
+/// A row of windows needs only the rows that it covers, so no buffer of the size of the pictures is allocated. Rows are
+/// summed in order, so that the result does not depend on the number of threads.
 pub(super) fn ssim<C: Channel>(a: &[[C; 3]], b: &[[C; 3]], width: usize, height: usize) -> f64 {
     let across: Vec<Window> = (0..width).map(|x| Window::at(x, width)).collect();
     let rows = (0..height).into_par_iter().map(|y| row(a, b, width, &Window::at(y, height), &across));
@@ -37,10 +36,10 @@ pub(super) fn ssim<C: Channel>(a: &[[C; 3]], b: &[[C; 3]], width: usize, height:
     rows.iter().sum::<f64>() / (3.0 * width as f64 * height as f64)
 }
 
-/// One side of a window: the Gaussian, cut off at the ends of the picture.
+/// A window in one dimension: the Gaussian, clipped at the border of the picture.
 struct Window {
     covers: Range<usize>,
-    /// Of what it covers; together 1.
+    /// The weights of the pixels that it covers; their sum is 1.
     weights: [f64; 2 * REACH + 1],
 }
 
@@ -62,7 +61,7 @@ impl Window {
     }
 }
 
-/// Means of the first, of the second, of their squares and of their product.
+/// The means of both values, of their squares and of their product.
 type Moments = [f64; 5];
 
 fn add(sum: &mut Moments, weight: f64, term: Moments) {
@@ -71,9 +70,9 @@ fn add(sum: &mut Moments, weight: f64, term: Moments) {
     }
 }
 
-/// The similarities of one row of windows, all added.
+/// The sum of the similarities of one row of windows.
 fn row<C: Channel>(a: &[[C; 3]], b: &[[C; 3]], width: usize, down: &Window, across: &[Window]) -> f64 {
-    // First down the columns, then along the row: a Gaussian is the product of its two sides.
+    // First down the columns, then along the row: a Gaussian is separable.
     let mut columns = vec![[[0.0; 5]; 3]; width];
     for (y, weight) in down.weighted() {
         let line = y * width..(y + 1) * width;
@@ -113,7 +112,7 @@ mod tests {
         assert!((value - expected).abs() <= 1e-10, "{value} is not {expected}");
     }
 
-    /// Numbers without a pattern, the same in every run.
+    /// Pseudo-random numbers with a fixed seed.
     fn noise(first: u32, count: usize) -> Vec<[f32; 3]> {
         let mut state = first;
         let mut next = || {
@@ -124,7 +123,7 @@ mod tests {
     }
 
     #[test]
-    fn pictures_of_one_colour_differ_in_light_only() {
+    fn uniform_pictures_differ_in_luminance_only() {
         for (width, height) in [(1, 1), (3, 2), (20, 30)] {
             let (a, b) = (vec![[0.25_f32; 3]; width * height], vec![[0.75_f32; 3]; width * height]);
             let light = (2.0 * 0.25 * 0.75 + 1e-4) / (0.25 * 0.25 + 0.75 * 0.75 + 1e-4);
@@ -133,9 +132,9 @@ mod tests {
     }
 
     #[test]
-    fn two_pixels_and_their_inverse_have_the_value_on_paper() {
-        // Both windows cover both pixels. Of the weights, q is on the other pixel, so one mean
-        // is q and the other 1 - q, each variance q (1 - q), the covariance its negative.
+    fn two_pixels_and_their_inverse_have_the_analytic_value() {
+        // Both windows cover both pixels. The weight of the other pixel is q, so one mean is q and the other 1 - q,
+        // each variance is q (1 - q), and the covariance its negative.
         let (a, b) = ([[0.0_f32; 3], [1.0; 3]], [[1.0_f32; 3], [0.0; 3]]);
         let other = libm::exp(-0.5 / (1.5 * 1.5));
         let q = other / (1.0 + other);
@@ -153,7 +152,7 @@ mod tests {
     }
 
     #[test]
-    fn identical_pictures_have_exactly_1_and_the_order_of_two_does_not_matter() {
+    fn identical_pictures_have_exactly_1_and_the_measure_is_symmetric() {
         let (a, b) = (noise(1, 17 * 13), noise(2, 17 * 13));
         assert_eq!(ssim(&a, &a, 17, 13), 1.0);
         assert_eq!(ssim(&a, &b, 17, 13), ssim(&b, &a, 17, 13));
@@ -161,7 +160,7 @@ mod tests {
     }
 
     #[test]
-    fn windows_in_two_steps_are_those_in_one() {
+    fn separable_windows_agree_with_direct_ones() {
         let (width, height) = (19, 14);
         let (a, b) = (noise(3, width * height), noise(4, width * height));
         let mut total = 0.0;

@@ -1,7 +1,7 @@
-//! What is wrong in a text: all of it at once, each with its place, shown as a compiler would.
+//! Diagnostics: all errors of a text at once, each with its location, displayed with source excerpts.
 //!
-//! The text is another's. What could steer a terminal is shown as a harmless character of the
-//! same length, and a line that is longer than the screen is cut to the part in question.
+//! The text is untrusted. Control and bidirectional characters are replaced by characters of the same length, and a line
+//! that is longer than the terminal is clipped around the error.
 
 mod diagnostic;
 mod lines;

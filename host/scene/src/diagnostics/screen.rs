@@ -1,24 +1,24 @@
-//! What diagnostics are drawn on.
+//! The style of displayed diagnostics.
 
-/// What is drawn on.
+/// The width and the features of the output.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct TerminalStyle {
-    /// Characters in a row.
+    /// Characters per line.
     pub width: usize,
-    /// What it can show.
+    /// The characters and colors that it supports.
     pub features: TerminalFeatures,
 }
 
-/// What a screen can show.
+/// The characters and colors that an output supports.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum TerminalFeatures {
     /// ASCII.
     Ascii,
-    /// ASCII and colours.
+    /// ASCII and colors.
     AsciiColor,
-    /// Lines, but no colours.
+    /// Unicode, no colors.
     Unicode,
-    /// Lines and colours.
+    /// Unicode and colors.
     UnicodeColor,
 }
 

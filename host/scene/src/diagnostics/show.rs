@@ -1,4 +1,4 @@
-//! Diagnostics as a compiler would show them.
+//! Display of diagnostics with source excerpts.
 
 use std::fmt;
 use std::ops::Range;
@@ -14,7 +14,7 @@ use super::screen::{TerminalFeatures, TerminalStyle};
 use crate::quantity::quantity;
 
 impl Diagnostics {
-    /// All of them as they are shown on `screen`.
+    /// All errors as text, for an output of this style, with their total at the end.
     pub fn render(&self, screen: TerminalStyle) -> String {
         let theme = match screen.features {
             TerminalFeatures::Ascii => GraphicalTheme::none(),
@@ -29,14 +29,15 @@ impl Diagnostics {
         let excerpt =
             SourceExcerpt { diagnostics: self, name: self.path.display().to_string(), width: screen.width };
         let mut shown = String::new();
-        for fault in &self.list {
-            // A writer that is a string does not fail.
-            let _ = handler.render_report(&mut shown, &MietteDiagnostic { fault, excerpt: &excerpt });
+        for diagnostic in &self.list {
+            // Writing to a string cannot fail.
+            let _ = handler.render_report(&mut shown, &MietteDiagnostic { diagnostic, excerpt: &excerpt });
             shown.push('\n');
         }
         let many = quantity(self.total, "error");
-        let cut = if self.total > self.list.len() { ", of which the first are shown" } else { "" };
-        shown + &format!("{}: {many}{cut}", excerpt.name)
+        let first = format!(", the first {} shown", self.list.len());
+        let clipped = if self.total > self.list.len() { first } else { String::new() };
+        shown + &format!("{}: {many}{clipped}", excerpt.name)
     }
 }
 
@@ -46,7 +47,7 @@ impl fmt::Display for Diagnostics {
     }
 }
 
-/// The text around a place, whole lines where they fit.
+/// The source text around an error; whole lines if they fit.
 struct SourceExcerpt<'f> {
     diagnostics: &'f Diagnostics,
     name: String,
@@ -60,33 +61,38 @@ impl SourceCode for SourceExcerpt<'_> {
         before: usize,
         after: usize,
     ) -> Result<Box<dyn SpanContents<'a> + 'a>, MietteError> {
-        let faults = self.diagnostics;
+        let diagnostics = self.diagnostics;
         let (start, end) = (span.offset(), span.offset() + span.len());
-        let (first, last) = (faults.lines.index(start), faults.lines.index(end));
-        let whole = first.saturating_sub(before)..(last + after + 1).min(faults.lines.0.len());
-        // The numbers of lines and the frame stand beside the text.
+        let (first, last) = (diagnostics.lines.index(start), diagnostics.lines.index(end));
+        let whole = first.saturating_sub(before)..(last + after + 1).min(diagnostics.lines.0.len());
+        // The line numbers and the frame take the rest of the width.
         let room = self.width.saturating_sub(12).max(20);
-        let fits = whole.clone().all(|index| faults.line_range(index).len() <= room);
+        let fits = whole.clone().all(|index| diagnostics.line_range(index).len() <= room);
         let piece = if before == 0 && after == 0 {
             start..end
         } else if fits {
-            faults.line_range(whole.start).start..faults.line_range(whole.end - 1).end
+            diagnostics.line_range(whole.start).start..diagnostics.line_range(whole.end - 1).end
         } else {
-            clip(&faults.text, faults.line_range(first).start..faults.line_range(last).end, start..end, room)
+            clip(
+                &diagnostics.text,
+                diagnostics.line_range(first).start..diagnostics.line_range(last).end,
+                start..end,
+                room,
+            )
         };
-        let line = faults.lines.index(piece.start);
+        let line = diagnostics.lines.index(piece.start);
         Ok(Box::new(MietteSpanContents::new_named(
             self.name.clone(),
-            &faults.text.as_bytes()[piece.clone()],
+            &diagnostics.text.as_bytes()[piece.clone()],
             (piece.start, piece.len()).into(),
             line,
-            faults.column(piece.start),
-            faults.lines.index(piece.end) - line + 1,
+            diagnostics.column(piece.start),
+            diagnostics.lines.index(piece.end) - line + 1,
         )))
     }
 }
 
-/// The part of the lines round a span that has room; the span itself is never cut.
+/// The part of the lines around a span that fits in `room` bytes; the span itself is never clipped.
 fn clip(text: &str, lines: Range<usize>, span: Range<usize>, room: usize) -> Range<usize> {
     let spare = room.saturating_sub(span.len());
     let start = lines.start.max(span.start.saturating_sub(spare / 2));
@@ -96,21 +102,21 @@ fn clip(text: &str, lines: Range<usize>, span: Range<usize>, room: usize) -> Ran
     start..end
 }
 
-/// A fault as miette wants it.
+/// Adapts a diagnostic to miette's trait.
 struct MietteDiagnostic<'f> {
-    fault: &'f Diagnostic,
+    diagnostic: &'f Diagnostic,
     excerpt: &'f SourceExcerpt<'f>,
 }
 
 impl fmt::Debug for MietteDiagnostic<'_> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        self.fault.fmt(f)
+        self.diagnostic.fmt(f)
     }
 }
 
 impl fmt::Display for MietteDiagnostic<'_> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(&self.fault.message)
+        f.write_str(&self.diagnostic.message)
     }
 }
 
@@ -118,7 +124,7 @@ impl std::error::Error for MietteDiagnostic<'_> {}
 
 impl miette::Diagnostic for MietteDiagnostic<'_> {
     fn help<'a>(&'a self) -> Option<Box<dyn fmt::Display + 'a>> {
-        self.fault.help.as_ref().map(|help| Box::new(help) as Box<dyn fmt::Display>)
+        self.diagnostic.help.as_ref().map(|help| Box::new(help) as Box<dyn fmt::Display>)
     }
 
     fn source_code(&self) -> Option<&dyn SourceCode> {
@@ -126,8 +132,8 @@ impl miette::Diagnostic for MietteDiagnostic<'_> {
     }
 
     fn labels(&self) -> Option<Box<dyn Iterator<Item = LabeledSpan> + '_>> {
-        let main = LabeledSpan::new_primary_with_span(None, self.fault.span.clone());
-        let also = self.fault.related.iter();
+        let main = LabeledSpan::new_primary_with_span(None, self.diagnostic.span.clone());
+        let also = self.diagnostic.related.iter();
         let also = also.map(|(span, what)| LabeledSpan::new_with_span(Some(what.clone()), span.clone()));
         Some(Box::new(std::iter::once(main).chain(also)))
     }
@@ -139,13 +145,13 @@ mod tests {
 
     use super::*;
 
-    fn shown(text: &str, fault: Diagnostic, width: usize) -> String {
-        Diagnostics::new(Path::new("a.toml"), text, [fault])
+    fn shown(text: &str, diagnostic: Diagnostic, width: usize) -> String {
+        Diagnostics::new(Path::new("a.toml"), text, [diagnostic])
             .render(TerminalStyle { width, features: TerminalFeatures::Ascii })
     }
 
     #[test]
-    fn a_fault_is_shown_with_its_line_a_caret_and_advice() {
+    fn an_error_is_displayed_with_its_line_a_caret_and_advice() {
         let text = "[[sphere]]\nradius = -1\ncenter = [0, 0, 0]\n";
         let shown = shown(text, Diagnostic::new(20..22, "too small").with_help("larger"), 80);
         assert_eq!(
@@ -164,15 +170,15 @@ a.toml: 1 error"
     }
 
     #[test]
-    fn every_place_in_any_text_has_a_line_and_a_caret() {
+    fn every_position_in_any_text_has_a_line_and_a_caret() {
         for text in ["", "\n", "a", "é\r\n\r\n ü", "\u{feff}a = \u{1b}[2J\n\n", "x\n\n\n", "\t\u{202e}\n"] {
             for start in 0..=text.len() + 1 {
                 for end in start..=text.len() + 1 {
-                    let faults =
+                    let diagnostics =
                         Diagnostics::new(Path::new("a.toml"), text, [Diagnostic::new(start..end, "wrong")]);
-                    let (line, column) = faults.line_and_column(&faults.list()[0]);
+                    let (line, column) = diagnostics.line_and_column(&diagnostics.list()[0]);
                     assert!(line <= text.lines().count().max(1) && column <= text.chars().count().max(1));
-                    let shown = faults.to_string();
+                    let shown = diagnostics.to_string();
                     assert!(shown.contains(&format!("a.toml:{line}:{column}")), "{start}..{end} {shown}");
                     assert!(!shown.contains(['\u{1b}', '\u{202e}', '\r']), "{shown:?}");
                     assert!(
@@ -185,7 +191,7 @@ a.toml: 1 error"
     }
 
     #[test]
-    fn a_long_line_is_cut_to_the_part_in_question() {
+    fn a_long_line_is_clipped_around_the_error() {
         let text = format!("a = [{}\"x\"{}]\n", "1.25, ".repeat(1000), ", 4.5".repeat(1000));
         let place = text.find('"').unwrap();
         for width in [40, 80, 200] {

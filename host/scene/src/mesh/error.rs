@@ -1,13 +1,13 @@
-//! What is wrong in a file of triangles.
+//! Errors in mesh files.
 
 use std::path::Path;
 
 use crate::error::LoadError;
 
-/// The line, where there are lines, and what is wrong there.
+/// The line of an error, if the format has lines, and its text.
 pub type LineError = (Option<usize>, String);
 
-/// That something is wrong in the file at `path`.
+/// An error in the file at `path`.
 pub fn invalid(path: &Path, (line, reason): LineError) -> LoadError {
     LoadError::Invalid { path: path.to_owned(), line, reason }
 }

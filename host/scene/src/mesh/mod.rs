@@ -1,16 +1,14 @@
-//! Files of triangles: OBJ with MTL, PLY and glTF 2.0.
+//! Triangle meshes in OBJ with MTL, PLY and glTF 2.0.
 //!
-//! Each format has a module that reads its words; what they find is gathered by the same rules:
+//! Each format has a module that reads it; all of them build the mesh by the same rules:
 //!
-//! * Polygons are cut into triangles, concave ones too.
-//! * Where some corners have normals and others none, or one that is zero, the others get that
-//!   of their triangle. Where none has one the mesh stays flat: nothing is smoothed that the
-//!   file does not ask for.
-//! * A triangle without area keeps its number; one warning counts them.
-//! * What has no place in a mesh (lines, textures, colours of corners ...) is counted in a
-//!   warning for each kind.
-//! * No number in a file is believed before as much data has been seen, so memory is bounded
-//!   by a multiple of the sizes of the files, except that glTF may place one mesh many times.
+//! * Polygons, also concave ones, are triangulated.
+//! * If only some vertices have normals, the others, and those with a zero normal, get the normal of their triangle. If
+//!   no vertex has a normal, the mesh is flat: nothing is smoothed unless the file requests it.
+//! * A triangle without area keeps its index; one warning counts them.
+//! * Unsupported features (lines, textures, vertex colors ...) are skipped, with one warning for each kind.
+//! * A count in a file is trusted only if the file has that much data, so that memory is bounded by a multiple of the
+//!   file sizes; only glTF can instantiate one mesh many times.
 
 mod builder;
 mod default_view;

@@ -1,14 +1,14 @@
 //! MTL, the materials of OBJ files.
 //!
-//! | word | meaning here |
+//! | keyword | meaning |
 //! |---|---|
-//! | `Kd` | diffuse and ambient share, as linear numbers; `Ka` is left alone, because writers put anything there |
-//! | `Ks`, `Ns` | highlight and its exponent, unless `illum` is 0 or 1; the mirrored share too, from `illum` 3 on |
-//! | `d`, `Tr` | opacity, or one minus it: what the surface does not keep passes, coloured by `Tf` |
-//! | `Ni` | index of refraction where `illum` is 4, 6, 7 or 9 (glass); else light passes straight on |
-//! | `illum` | what there is, as above; 7 parts light by Fresnel's formulas |
+//! | `Kd` | diffuse and ambient reflectance, linear; `Ka` is ignored, because its values are unreliable |
+//! | `Ks`, `Ns` | specular highlight and its exponent, unless `illum` is 0 or 1; also the mirror reflectance if `illum` is at least 3 |
+//! | `d`, `Tr` | opacity, or one minus the opacity: the rest is transmitted, colored by `Tf` |
+//! | `Ni` | index of refraction if `illum` is 4, 6, 7 or 9 (glass); otherwise light is not refracted |
+//! | `illum` | illumination model, as above; 7 uses the Fresnel equations |
 //!
-//! Textures are left out; one warning counts them, and their names are kept.
+//! Textures are ignored; one warning counts them, and their paths are recorded.
 
 use std::iter;
 
@@ -20,23 +20,22 @@ use super::error::LineError;
 use super::lines::{LogicalLine, lines, text_of};
 use crate::quote::quoted;
 
-/// What a library has.
+/// The contents of a material library.
 #[derive(Default)]
 pub struct MtlLibrary {
     pub materials: Vec<MtlMaterial>,
-    /// What may be the names of textures: all that follows the word, and, as options may stand
-    /// there, the last of it.
+    /// Possible names of textures: the text after the keyword, and, because options may precede the name, its last word.
     pub textures: Vec<String>,
 }
 
-/// A material of the library.
+/// A material of a library.
 pub struct MtlMaterial {
     pub name: String,
     pub line: usize,
     pub material: Material,
 }
 
-/// The words of one material.
+/// The values of one material.
 struct MtlBuilder {
     name: String,
     line: usize,
@@ -50,7 +49,7 @@ struct MtlBuilder {
 }
 
 /// Reads the bytes of a library.
-pub fn read(bytes: &[u8], gather: &mut MeshBuilder) -> Result<MtlLibrary, LineError> {
+pub fn read(bytes: &[u8], builder: &mut MeshBuilder) -> Result<MtlLibrary, LineError> {
     let text = text_of(bytes)?;
     let MtlLibrary { mut materials, mut textures } = MtlLibrary::default();
     let mut open: Option<MtlBuilder> = None;
@@ -65,7 +64,7 @@ pub fn read(bytes: &[u8], gather: &mut MeshBuilder) -> Result<MtlLibrary, LineEr
         if line.keyword.starts_with("map_")
             || matches!(line.keyword, "bump" | "disp" | "decal" | "refl" | "norm")
         {
-            gather.skip("textures of materials are left out", None);
+            builder.skip("textures are ignored", None);
             textures.extend(iter::once(line.rest).chain(line.words().last()).map(str::to_owned));
             continue;
         }
@@ -73,7 +72,7 @@ pub fn read(bytes: &[u8], gather: &mut MeshBuilder) -> Result<MtlLibrary, LineEr
         match &mut open {
             _ if !is_known => {}
             Some(words) => words.set(line)?,
-            None => return line.error(format!("{} stands before the first `newmtl`", quoted(line.keyword))),
+            None => return line.error(format!("{} comes before the first `newmtl`", quoted(line.keyword))),
         }
     }
     materials.extend(open.map(MtlBuilder::finish));
@@ -106,7 +105,7 @@ impl MtlBuilder {
             "Tr" => self.opacity = 1.0 - number_in(0.0, 1.0, line)?,
             _ => {
                 let word = line.words().next().unwrap_or_default();
-                self.illumination_model = line.number(word, "the model of illumination")?;
+                self.illumination_model = line.number(word, "the illumination model")?;
             }
         }
         Ok(())
@@ -123,7 +122,7 @@ impl MtlBuilder {
             highlight_exponent: if self.illumination_model >= 2 { self.exponent } else { 0.0 },
             reflection: if self.illumination_model >= 3 { self.specular.clamp_max(1.0) } else { Rgb::BLACK },
             transmission: (self.transmission_filter * passes).clamp_max(1.0),
-            // Files have a zero where the index has no meaning.
+            // Files have a zero if the index is unused.
             refractive_index: if is_glass && passes > 0.0 && self.index >= 0.01 { self.index } else { 1.0 },
             fresnel: if self.illumination_model == 7 {
                 FresnelModel::Dielectric
@@ -136,30 +135,30 @@ impl MtlBuilder {
     }
 }
 
-/// A colour; a single number is a gray, as the format has it.
+/// A color; a single number is a gray, as in the format.
 fn color(line: LogicalLine<'_>) -> Result<Rgb, LineError> {
     if matches!(line.words().next(), Some("spectral" | "xyz")) {
-        return line.error("only colours as red, green and blue are read");
+        return line.error("only RGB colors are supported");
     }
     let [r, g, b] = match line.words().count() {
-        1 => line.numbers::<1>("a colour").map(|[gray]| [gray; 3])?,
-        _ => line.numbers::<3>("a colour")?,
+        1 => line.numbers::<1>("a color").map(|[gray]| [gray; 3])?,
+        _ => line.numbers::<3>("a color")?,
     };
     match [r, g, b].iter().find(|x| !(**x >= 0.0 && **x <= Rgb::MAX_CHANNEL)) {
-        Some(x) => line.error(format!("a colour must be between 0 and {}, not {x}", Rgb::MAX_CHANNEL)),
+        Some(x) => line.error(format!("a color must be 0 to {}, not {x}", Rgb::MAX_CHANNEL)),
         None => Ok(Rgb::new(r, g, b)),
     }
 }
 
 fn number_in(low: f32, high: f32, line: LogicalLine<'_>) -> Result<f32, LineError> {
-    // `d -halo 0.5` fades towards the rim; the number is what matters.
+    // `d -halo 0.5` fades towards the edge; only the number is used.
     let Some(word) = line.words().find(|word| *word != "-halo") else {
-        return line.error(format!("{} has no number", quoted(line.keyword)));
+        return line.error(format!("{} needs a number", quoted(line.keyword)));
     };
-    let number: f32 = line.number(word, "one")?;
+    let number: f32 = line.number(word, "its value")?;
     if number >= low && number <= high {
         Ok(number)
     } else {
-        line.error(format!("`{}` must be between {low} and {high}, not {number}", line.keyword))
+        line.error(format!("`{}` must be {low} to {high}, not {number}", line.keyword))
     }
 }

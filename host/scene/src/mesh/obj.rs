@@ -1,14 +1,12 @@
-//! OBJ, the object files of Wavefront: `v vn f usemtl mtllib`.
+//! OBJ, the Wavefront object format: `v vn f usemtl mtllib`.
 //!
-//! The format is a custom more than a rule, so the reader is generous with words that it does
-//! not know (they are counted in a warning) and strict with those that it does. Read by hand:
-//! the usual crate gives no lines for what is wrong, and loses track of normals in faces where
-//! only some corners have one.
+//! The format has no strict definition, so unknown keywords are ignored with a warning, while known ones are checked.
+//! The crate `tobj` is not used: it reports no lines for errors, and mixes up normals in faces in which only some
+//! vertices have one.
 //!
-//! * Corners are shared where both place and normal are the same, in the order of their first use.
-//! * Texture coordinates, colours of corners, weights, groups' names and smoothing groups have
-//!   no meaning here.
-//! * A material is known after the `mtllib` that has it, wherever the line stands.
+//! * Vertices with the same position and normal are shared, in the order of their first use.
+//! * Texture coordinates, vertex colors, weights, group names and smoothing groups are ignored.
+//! * A material can be used before the `mtllib` line of its library.
 
 use std::collections::{HashMap, HashSet};
 use std::path::Path;
@@ -23,31 +21,31 @@ use crate::error::LoadError;
 use crate::quote::quoted;
 use crate::source_files::SourceFiles;
 
-/// Reads the bytes of the file at `path`; material libraries are beside it.
+/// Reads the bytes of the file at `path`; paths of material libraries are relative to it.
 pub fn read(files: &SourceFiles, path: &Path, bytes: &[u8]) -> Result<TriangleMesh, LoadError> {
-    let wrong = |wrong| invalid(path, wrong);
-    let text = text_of(bytes).map_err(wrong)?;
+    let in_file = |error| invalid(path, error);
+    let text = text_of(bytes).map_err(in_file)?;
     let mut reader = ObjReader::default();
-    // Libraries first: some writers name them after the materials' first use.
+    // Libraries first: some writers name them after the first use of their materials.
     for line in lines(&text).filter(|line| line.keyword == "mtllib") {
         reader.library(files, path.parent().unwrap_or(Path::new("")), line)?;
     }
     for line in lines(&text) {
-        reader.line(line).map_err(wrong)?;
+        reader.line(line).map_err(in_file)?;
     }
-    reader.gather.finish().map_err(|reason| wrong((None, reason)))
+    reader.builder.finish().map_err(|reason| in_file((None, reason)))
 }
 
-/// A corner that has no normal.
+/// The normal index of a vertex without a normal.
 const NO_NORMAL: u32 = u32::MAX;
 
-/// What has been read of the file.
+/// The state of reading a file.
 #[derive(Default)]
 struct ObjReader {
-    gather: MeshBuilder,
+    builder: MeshBuilder,
     points: Vec<Float3>,
     normals: Vec<Float3>,
-    /// Where the corner with this point and this normal stands.
+    /// The vertex with this position index and this normal index.
     vertex_of: HashMap<(u32, u32), u32>,
     materials: HashMap<String, u16>,
     libraries: HashSet<String>,
@@ -64,57 +62,57 @@ impl ObjReader {
             "f" | "fo" => self.face(line)?,
             "usemtl" => self.material(line),
             "vt" | "vp" | "o" | "g" | "s" | "mg" | "mtllib" => {}
-            "l" | "p" => self.gather.skip("lines and points are left out", Some(line.number)),
+            "l" | "p" => self.builder.skip("lines and points are skipped", Some(line.number)),
             other => {
-                let what = format!("words {} are not known and left out", quoted(other));
-                self.gather.skip(&what, Some(line.number));
+                let what = format!("unknown keyword {} is ignored", quoted(other));
+                self.builder.skip(&what, Some(line.number));
             }
         }
         Ok(())
     }
 
     fn position(&mut self, line: LogicalLine<'_>) -> Result<(), LineError> {
-        let mut point = line.numbers("a corner")?;
+        let mut point = line.numbers("a vertex")?;
         for number in &mut point {
             *number = coordinate(*number).or_else(|reason| line.error(reason))?;
         }
-        // A fourth number is a weight, which only curves have a use for.
+        // A fourth number is a weight, which only curves use.
         if line.words().count() > 4 {
-            self.gather.skip("colours of corners are left out", Some(line.number));
+            self.builder.skip("vertex colors are ignored", Some(line.number));
         }
         self.points.push(point);
         Ok(())
     }
 
     fn face(&mut self, line: LogicalLine<'_>) -> Result<(), LineError> {
-        let mut face = self.gather.take_face_buffer();
+        let mut face = self.builder.take_face_buffer();
         for word in line.words() {
             face.push(self.vertex(word, line)?);
         }
-        self.gather.add_polygon(&face, Some(line.number));
-        self.gather.return_face_buffer(face);
+        self.builder.add_polygon(&face, Some(line.number));
+        self.builder.return_face_buffer(face);
         Ok(())
     }
 
-    /// The corner of a word like `1`, `1/2`, `1//3` or `1/2/3`.
+    /// The vertex of a word such as `1`, `1/2`, `1//3` or `1/2/3`.
     fn vertex(&mut self, word: &str, line: LogicalLine<'_>) -> Result<u32, LineError> {
         let mut parts = word.split('/');
         let point = parts.next().unwrap_or_default();
         let texture = parts.next().unwrap_or_default();
         let normal = parts.next().unwrap_or_default();
         if parts.next().is_some() || (!texture.is_empty() && texture.parse::<i64>().is_err()) {
-            return line.error(format!("{} is no corner of a face", quoted(word)));
+            return line.error(format!("{} is not a face vertex", quoted(word)));
         }
-        let point = resolve_index(point, self.points.len(), "corner", word, line)?;
+        let point = resolve_index(point, self.points.len(), "vertex", word, line)?;
         let normal = match normal {
             "" => NO_NORMAL,
             _ => resolve_index(normal, self.normals.len(), "normal", word, line)?,
         };
-        if let Some(known) = self.vertex_of.get(&(point, normal)) {
-            return Ok(*known);
+        if let Some(vertex) = self.vertex_of.get(&(point, normal)) {
+            return Ok(*vertex);
         }
         let direction = self.normals.get(normal as usize).copied();
-        let corner = self.gather.add_vertex(self.points[point as usize], direction);
+        let corner = self.builder.add_vertex(self.points[point as usize], direction);
         let corner = corner.or_else(|reason| line.error(reason))?;
         self.vertex_of.insert((point, normal), corner);
         Ok(corner)
@@ -123,13 +121,13 @@ impl ObjReader {
     fn material(&mut self, line: LogicalLine<'_>) {
         let material = self.materials.get(line.rest).copied();
         if material.is_none() && !self.materials.is_empty() {
-            let what = format!("uses of the material {}, which no library has", quoted(line.rest));
-            self.gather.skip(&what, Some(line.number));
+            let what = format!("material {} is not in any library", quoted(line.rest));
+            self.builder.skip(&what, Some(line.number));
         }
-        self.gather.set_material(material);
+        self.builder.set_material(material);
     }
 
-    /// Reads one library whose name may have spaces, or several whose names have none.
+    /// Reads one library, whose name may contain spaces, or several, whose names do not.
     fn library(
         &mut self,
         files: &SourceFiles,
@@ -149,8 +147,8 @@ impl ObjReader {
                     Ok(bytes) => self.one_library(files, &path, &bytes)?,
                     Err(error) => {
                         let (name, line) = (quoted(name), line.number);
-                        let what = format!("the materials {name} of line {line} cannot be read: {error}");
-                        self.gather.warn(what);
+                        let what = format!("cannot read material library {name} (line {line}): {error}");
+                        self.builder.warn(what);
                     }
                 }
             }
@@ -159,22 +157,22 @@ impl ObjReader {
     }
 
     fn one_library(&mut self, files: &SourceFiles, path: &Path, bytes: &[u8]) -> Result<(), LoadError> {
-        let wrong = |wrong| invalid(path, wrong);
-        let mtl::MtlLibrary { materials, textures } = mtl::read(bytes, &mut self.gather).map_err(wrong)?;
+        let in_file = |error| invalid(path, error);
+        let mtl::MtlLibrary { materials, textures } = mtl::read(bytes, &mut self.builder).map_err(in_file)?;
         let folder = path.parent().unwrap_or(Path::new(""));
         textures.iter().for_each(|name| files.note_path(folder.join(name)));
         for material in materials {
-            let Some(place) = self.gather.add_material(material.name.clone(), material.material) else {
-                return Err(wrong((Some(material.line), "more materials than a scene can number".into())));
+            let Some(index) = self.builder.add_material(material.name.clone(), material.material) else {
+                return Err(in_file((Some(material.line), "too many materials".into())));
             };
-            // Of two with the same name the first counts.
-            self.materials.entry(material.name).or_insert(place);
+            // The first of two materials with the same name is used.
+            self.materials.entry(material.name).or_insert(index);
         }
         Ok(())
     }
 }
 
-/// The place that an index names, which counts from 1, or back from the end when negative.
+/// Resolves an index, which counts from 1, or back from the end if negative.
 fn resolve_index(
     index: &str,
     count: usize,
@@ -183,11 +181,11 @@ fn resolve_index(
     line: LogicalLine<'_>,
 ) -> Result<u32, LineError> {
     let Ok(index) = index.parse::<i64>() else {
-        return line.error(format!("{} is no corner of a face", quoted(word)));
+        return line.error(format!("{} is not a face vertex", quoted(word)));
     };
-    let place = if index < 0 { count as i64 + index } else { index - 1 };
-    match u32::try_from(place) {
-        Ok(place) if (place as usize) < count => Ok(place),
-        _ => line.error(format!("there is no {what} {index}; {count} stand above this line")),
+    let index = if index < 0 { count as i64 + index } else { index - 1 };
+    match u32::try_from(index) {
+        Ok(index) if (index as usize) < count => Ok(index),
+        _ => line.error(format!("{what} {index} does not exist; {count} are defined above this line")),
     }
 }

@@ -1,4 +1,4 @@
-//! A file of triangles is read; its extension names the format.
+//! Reads mesh files; the extension selects the format.
 
 use std::path::Path;
 
@@ -11,20 +11,20 @@ use crate::description::LoadedScene;
 use crate::error::LoadError;
 use crate::source_files::SourceFiles;
 
-/// The extensions of the formats that are read here.
+/// The extensions of the supported formats, in lower case.
 pub const EXTENSIONS: [&str; 4] = ["obj", "ply", "gltf", "glb"];
 
-/// Reads the mesh in the file at `path`; its extension names the format.
+/// Reads the mesh in the file at `path`; the extension selects the format.
 pub fn read(path: &Path) -> Result<TriangleMesh, LoadError> {
     read_from(&SourceFiles::on_disk(), path)
 }
 
-/// The same from these files.
+/// Like [`read`], with all files read through `files`.
 pub fn read_from(files: &SourceFiles, path: &Path) -> Result<TriangleMesh, LoadError> {
     parse(files, path, files.read(path))
 }
 
-/// The same of a file that another one names.
+/// Like [`read_from`], for a file that a scene references.
 pub(crate) fn read_referenced(files: &SourceFiles, path: &Path) -> Result<TriangleMesh, LoadError> {
     parse(files, path, files.read_referenced(path))
 }
@@ -35,31 +35,30 @@ fn parse(
     bytes: std::io::Result<Vec<u8>>,
 ) -> Result<TriangleMesh, LoadError> {
     let bytes = bytes.map_err(|error| LoadError::Unreadable { path: path.to_owned(), error })?;
-    let wrong = |wrong| invalid(path, wrong);
+    let in_file = |error| invalid(path, error);
     match extension(path).as_str() {
         "obj" => obj::read(files, path, &bytes),
-        "ply" => ply::read(&bytes).map_err(wrong),
+        "ply" => ply::read(&bytes).map_err(in_file),
         "gltf" | "glb" => gltf::read(files, path, bytes),
         _ => {
-            let reason = "not a mesh that strahl reads; the extension must be .obj, .ply, .gltf or .glb";
-            Err(wrong((None, reason.into())))
+            let reason = "unsupported mesh format; the extension must be .obj, .ply, .gltf or .glb";
+            Err(in_file((None, reason.into())))
         }
     }
 }
 
-/// Whether the extension of `path` is that of a format that is read here.
+/// Whether the extension of `path` is that of a supported mesh format.
 pub fn is_mesh(path: &Path) -> bool {
     EXTENSIONS.contains(&extension(path).as_str())
 }
 
-/// The mesh in the file at `path` as a scene of its own, seen whole in a picture of `size`.
+/// The mesh in the file at `path` as a scene, with a camera that shows all of it in a picture of `size`.
 pub(crate) fn default_scene(
     files: &SourceFiles,
     path: &Path,
     size: Resolution,
 ) -> Result<LoadedScene, LoadError> {
-    // In PLY files nothing says what is up. Programs that make things stand them on the plane
-    // of x and y; OBJ and glTF files have y up by custom and by definition.
+    // PLY does not define the up axis; z is usual. OBJ has y up by convention, glTF by definition.
     let up = if extension(path) == "ply" { default_view::UpAxis::Z } else { default_view::UpAxis::Y };
     default_view::with_default_view(read_from(files, path)?, up, size)
         .map_err(|reason| invalid(path, (None, reason)))

@@ -1,33 +1,33 @@
-//! Polygons become triangles: as a fan where that is right, else ear by ear.
+//! Triangulation of polygons: a fan if the polygon is convex, otherwise ear clipping.
 //!
-//! A fan from the first corner is right for a convex polygon only. Of any other the ears are
-//! cut off: corners that turn inwards and whose triangle holds no other corner of the polygon.
-//! A simple polygon always has one (Meisters, "Polygons have ears", 1975). Corners on a
-//! straight line are no ears, so they stay until a triangle with area takes them in, and
-//! neighbours meet without a gap.
+//! An ear is a convex vertex whose triangle contains no other vertex of the polygon. Collinear vertices are not ears, so
+//! they stay until a triangle with area includes them, and adjacent polygons have no gap between them.
 //!
-//! The work is bounded: what crosses itself, or asks for more tests than its corners earn,
-//! is cut to its end without looking. Every polygon of `n` corners gives `n - 2` triangles.
+//! Bounded work: after 4096 point-in-triangle tests per vertex, or if no ear is left (self-intersecting input), the
+//! remaining polygon is clipped without tests and [`Triangulation::BestEffort`] is returned. A polygon of `n` vertices
+//! always gives `n - 2` triangles.
+//!
+//! Source: Meisters, "Polygons Have Ears", American Mathematical Monthly 82(6), 1975.
 
 use crate::description::Float3;
 
-/// Tests of one corner against one triangle, for each corner of a polygon.
+/// The maximum number of point-in-triangle tests per vertex of a polygon.
 const TESTS_PER_VERTEX: usize = 4096;
 
-/// How a polygon was cut.
+/// The quality of a triangulation.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Triangulation {
-    /// The triangles cover the polygon and nothing else.
+    /// The triangles cover exactly the polygon.
     Exact,
-    /// The polygon crosses itself, has no area or is too intricate.
+    /// The polygon intersects itself, has no area, or exceeded the number of tests; the triangles may overlap.
     BestEffort,
 }
 
-/// A corner in the plane.
+/// A vertex in the plane of the polygon.
 type Point2 = [f64; 2];
 
-/// Cuts the polygon with these corners; the triangles name corners by their places, and turn
-/// the way that the polygon does.
+/// Triangulates the polygon with these vertices. The triangles are indices into `corners`, with the orientation of the
+/// polygon.
 pub fn triangulate(corners: &[Float3], triangles: &mut Vec<[u32; 3]>) -> Triangulation {
     let count = corners.len() as u32;
     let fan = (2..count).map(|third| [0, third - 1, third]);
@@ -46,20 +46,20 @@ pub fn triangulate(corners: &[Float3], triangles: &mut Vec<[u32; 3]>) -> Triangu
     EarClipper::new(&flat).clip(triangles)
 }
 
-/// The corners in the plane of the polygon, counterclockwise; none without area.
+/// The vertices projected to a coordinate plane, counterclockwise; `None` if the polygon has no area.
 fn project_to_plane(corners: &[Float3]) -> Option<Vec<Point2>> {
     let at = |i: usize| corners[i % corners.len()].map(f64::from);
     let middle = at(0);
     let mut normal = [0.0; 3];
     for i in 0..corners.len() {
-        // Newell's sum; from the first corner, so that places far from zero cost no digits.
+        // Newell's method, relative to the first vertex, so that positions far from the origin lose no digits.
         let (p, q) = (difference(at(i), middle), difference(at(i + 1), middle));
         for (axis, sum) in normal.iter_mut().enumerate() {
             let (j, k) = ((axis + 1) % 3, (axis + 2) % 3);
             *sum += (p[j] - q[j]) * (p[k] + q[k]);
         }
     }
-    // Along the longest axis of the normal the plane is seen best.
+    // Project along the longest axis of the normal.
     let longest = (0..3).max_by(|a, b| normal[*a].abs().total_cmp(&normal[*b].abs()))?;
     if normal[longest] == 0.0 {
         return None;
@@ -73,27 +73,27 @@ fn difference(a: [f64; 3], b: [f64; 3]) -> [f64; 3] {
     [a[0] - b[0], a[1] - b[1], a[2] - b[2]]
 }
 
-/// Twice the area of a triangle; more than zero when it turns left.
+/// Twice the signed area of a triangle; positive if it is counterclockwise.
 fn orientation(a: Point2, b: Point2, c: Point2) -> f64 {
     (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0])
 }
 
-/// Whether all corners turn left, and once round in all.
+/// Whether the polygon is convex and counterclockwise.
 fn is_convex(flat: &[Point2]) -> bool {
     let n = flat.len();
     let at = |i: usize| flat[i % n];
     let left = (0..n).all(|i| orientation(at(i), at(i + 1), at(i + 2)) > 0.0);
-    // A star turns left everywhere too, but not all of its fan does.
+    // A star also turns left at every vertex, but not all triangles of its fan do.
     left && (2..n).all(|third| orientation(at(0), at(third - 1), at(third)) > 0.0)
 }
 
-/// What is left of a polygon while ears are cut off.
+/// The remaining polygon while ears are clipped, as a linked list.
 struct EarClipper<'p> {
     points: &'p [Point2],
     previous: Vec<u32>,
     next: Vec<u32>,
-    /// The corners that did not turn left in the beginning. Only they can lie in an ear, and
-    /// those that are cut off later do no harm: they lie in no ear.
+    /// The vertices that were reflex or collinear at the start. Only these can be in an ear; those that have been
+    /// clipped are in no ear.
     reflex: Vec<u32>,
     test_budget: usize,
 }
@@ -128,7 +128,7 @@ impl<'p> EarClipper<'p> {
         self.test_budget = self.test_budget.saturating_sub(self.reflex.len());
         let [a, b, c] = self.triangle(tip).map(|i| self.points[i as usize]);
         self.reflex.iter().map(|i| self.points[*i as usize]).all(|p| {
-            // A corner met twice, as where a hole is joined to the rim, is no obstacle.
+            // A vertex that occurs twice, such as at the bridge to a hole, does not block an ear.
             let is_corner = p == a || p == b || p == c;
             is_corner
                 || orientation(a, b, p) < 0.0
@@ -154,7 +154,7 @@ impl<'p> EarClipper<'p> {
             triangles.push([a, b, c]);
             self.next[a as usize] = c;
             self.previous[c as usize] = a;
-            // What was no ear before may be one now.
+            // The previous vertex may have become an ear.
             (tip, passed, left) = (a, 0, left - 1);
         }
         triangles.push(self.triangle(tip));

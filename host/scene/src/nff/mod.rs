@@ -1,15 +1,14 @@
 //! NFF, the Neutral File Format (Eric Haines, 1988 to 1996): `v b l f c s p pp` and comments.
 //!
-//! The format is line-oriented, but writers break lines differently, so each entity is a keyword
-//! that begins a line and as many numbers as belong to it, across any white space. Whatever
-//! does not belong is an error with its line; nothing is skipped silently, except that
-//! `hither` is read and has no meaning for a ray tracer.
+//! The format is line-oriented, but writers break lines differently. So an entity is a keyword at the start of a line,
+//! followed by its numbers, across any white space. Anything else is an error with its line; nothing is skipped silently,
+//! except that `hither` has no meaning for a ray tracer.
 //!
-//! * A light without a colour, and ambient light, have the intensity `sqrt(n) / (2 n)`, where
-//!   `n` is the number of lights (the rule of the Standard Procedural Databases).
-//! * The negative radius of a one-sided sphere or cone is its inside; here every surface has
-//!   both sides, and only its size counts.
-//! * A polygon without area keeps its number and is never hit; one warning counts them.
+//! * Ambient light, and a light without a color, have the intensity `sqrt(n) / (2 n)`, where `n` is the number of lights
+//!   (the rule of the Standard Procedural Databases).
+//! * A negative radius makes a sphere or cone one-sided, visible from inside. Here every surface has two sides, and only
+//!   the absolute value is used.
+//! * A polygon without area keeps its index and is never hit; one warning counts them.
 
 mod tokens;
 
@@ -32,29 +31,28 @@ use tokens::{NffError, NffResult, Token, Tokens};
 
 /// Reads the bytes of the file at `path`.
 ///
-/// Old files have comments in all sorts of encodings: what is no UTF-8 is an error only where it
-/// is no comment.
+/// Old files have comments in various encodings: invalid UTF-8 is an error only outside comments.
 pub fn read(path: &Path, bytes: &[u8]) -> Result<LoadedScene, LoadError> {
-    if let Some(place) = bytes.iter().position(|byte| *byte == 0) {
-        let line = 1 + bytes[..place].iter().filter(|byte| **byte == b'\n').count();
-        return Err(LoadError::at(path, line, "this is not text, so it is no NFF scene"));
+    if let Some(position) = bytes.iter().position(|byte| *byte == 0) {
+        let line = 1 + bytes[..position].iter().filter(|byte| **byte == b'\n').count();
+        return Err(LoadError::at(path, line, "not a text file, so not an NFF scene"));
     }
     let text = String::from_utf8_lossy(bytes);
-    // A byte order mark may begin the file.
+    // The file may start with a byte order mark.
     let text = text.strip_prefix('\u{feff}').unwrap_or(&text);
     NffReader::new(text).scene().map_err(|NffError { line, reason }| LoadError::at(path, line, reason))
 }
 
-/// A light as the file has it.
+/// A light; without a color it gets the default intensity.
 struct NffLight {
     position: Float3,
     color: Option<Rgb>,
     line: usize,
 }
 
-/// The file, and what has been read of it.
+/// The state of reading a file.
 struct NffReader<'t> {
-    words: Tokens<'t>,
+    tokens: Tokens<'t>,
     view: Option<Located<(CameraDescription, Resolution, usize)>>,
     background: Option<Located<Rgb>>,
     lights: Vec<NffLight>,
@@ -72,7 +70,7 @@ struct NffReader<'t> {
 impl<'t> NffReader<'t> {
     fn new(text: &'t str) -> Self {
         NffReader {
-            words: Tokens::of(text),
+            tokens: Tokens::of(text),
             view: None,
             background: None,
             lights: Vec::new(),
@@ -87,59 +85,62 @@ impl<'t> NffReader<'t> {
     }
 
     fn scene(mut self) -> NffResult<LoadedScene> {
-        if self.words.peeked.is_none() {
+        if self.tokens.peeked.is_none() {
             return Err(NffError { line: 1, reason: "the file has no scene in it".into() });
         }
-        while let Some(word) = self.words.next() {
-            if !word.begins_line {
-                return word
-                    .error(format!("{} does not belong here: a new entity begins a line", word.shown()));
+        while let Some(token) = self.tokens.next() {
+            if !token.begins_line {
+                return token
+                    .error(format!("{} does not belong here: a new entity begins a line", token.shown()));
             }
-            match word.text {
-                "v" => self.view(word)?,
-                "b" => self.background(word)?,
-                "l" => self.light(word)?,
-                "f" => self.fill(word)?,
-                "s" => self.sphere(word)?,
-                "c" => self.cone(word)?,
-                "p" => self.polygon(word, false)?,
-                "pp" => self.polygon(word, true)?,
+            match token.text {
+                "v" => self.view(token)?,
+                "b" => self.background(token)?,
+                "l" => self.light(token)?,
+                "f" => self.fill(token)?,
+                "s" => self.sphere(token)?,
+                "c" => self.cone(token)?,
+                "p" => self.polygon(token, false)?,
+                "pp" => self.polygon(token, true)?,
                 _ => {
-                    let shown = word.shown();
-                    return word.error(format!("{shown} is no NFF entity (v, b, l, f, c, s, p or pp)"));
+                    let shown = token.shown();
+                    return token.error(format!("{shown} is not an NFF entity (v, b, l, f, c, s, p or pp)"));
                 }
             }
         }
         self.finish()
     }
 
-    fn view(&mut self, of: Token<'_>) -> NffResult<()> {
+    fn view(&mut self, keyword: Token<'_>) -> NffResult<()> {
         if let Some(first) = &self.view {
-            return of.error(format!("a second viewpoint; the first is in line {}", first.line));
+            return keyword.error(format!("duplicate viewpoint; the first is in line {}", first.line));
         }
         let (mut from, mut at, mut up, mut angle, mut size) = (None, None, None, None, None);
         let mut hither = None;
         let keywords = ["from", "at", "up", "angle", "hither", "resolution"];
-        while let Some(word) = self.words.peeked.filter(|word| keywords.contains(&word.text)) {
-            self.words.next();
-            let again = match word.text {
-                "from" => from.replace(self.words.point("the eye's place", word)?).is_some(),
-                "at" => at.replace(self.words.point("the place looked at", word)?).is_some(),
-                "up" => up.replace(self.words.point("the direction of up", word)?).is_some(),
-                "angle" => angle.replace(self.words.number("the angle of view", word)?).is_some(),
-                "hither" => hither.replace(self.words.number("the hither plane", word)?).is_some(),
-                _ => size.replace((self.size(word)?, word.line)).is_some(),
+        while let Some(token) = self.tokens.peeked.filter(|token| keywords.contains(&token.text)) {
+            self.tokens.next();
+            let again = match token.text {
+                "from" => from.replace(self.tokens.point("the eye position", token)?).is_some(),
+                "at" => at.replace(self.tokens.point("the target", token)?).is_some(),
+                "up" => up.replace(self.tokens.point("the up vector", token)?).is_some(),
+                "angle" => angle.replace(self.tokens.number("the field of view", token)?).is_some(),
+                "hither" => hither.replace(self.tokens.number("the hither plane", token)?).is_some(),
+                _ => size.replace((self.size(token)?, token.line)).is_some(),
             };
             if again {
-                return word.error(format!("a second `{}` in one viewpoint", word.text));
+                return token.error(format!("duplicate `{}` in one viewpoint", token.text));
             }
         }
         let missing = |what: &str| {
-            let (line, found) = match self.words.peeked {
-                Some(word) => (word.line, format!("before {}", word.shown())),
-                None => (self.words.lines, "at the end of the file".into()),
+            let (line, found) = match self.tokens.peeked {
+                Some(token) => (token.line, format!("before {}", token.shown())),
+                None => (self.tokens.lines, "at the end of the file".into()),
             };
-            NffError { line, reason: format!("the viewpoint of line {} has no `{what}` {found}", of.line) }
+            NffError {
+                line,
+                reason: format!("the viewpoint of line {} has no `{what}` {found}", keyword.line),
+            }
         };
         let view = CameraDescription {
             from: from.ok_or_else(|| missing("from"))?,
@@ -149,60 +150,60 @@ impl<'t> NffReader<'t> {
         };
         let (size, line) = size.ok_or_else(|| missing("resolution"))?;
         if let Err(fault) = Camera::new(&view.to_core(), size) {
-            return of.error(format!("{fault}"));
+            return keyword.error(format!("{fault}"));
         }
-        self.view = Some(Located { value: (view, size, line), line: of.line, name: None });
+        self.view = Some(Located { value: (view, size, line), line: keyword.line, name: None });
         Ok(())
     }
 
-    fn size(&mut self, of: Token<'_>) -> NffResult<Resolution> {
-        let width = self.words.integer(1, Resolution::MAX_SIDE, "the width of the picture", of)?;
-        let height = self.words.integer(1, Resolution::MAX_SIDE, "the height of the picture", of)?;
+    fn size(&mut self, keyword: Token<'_>) -> NffResult<Resolution> {
+        let width = self.tokens.integer(1, Resolution::MAX_SIDE, "the width of the picture", keyword)?;
+        let height = self.tokens.integer(1, Resolution::MAX_SIDE, "the height of the picture", keyword)?;
         match Resolution::new(width, height) {
             Some(size) if u64::from(width) * u64::from(height) <= MAX_PIXELS_IN_FILE => Ok(size),
-            _ => of.error(format!(
-                "{width} x {height} pixels are more than a file may ask for ({MAX_PIXELS_IN_FILE}); --size may"
+            _ => keyword.error(format!(
+                "{width} x {height} pixels are more than the limit for a file ({MAX_PIXELS_IN_FILE} pixels); use --size"
             )),
         }
     }
 
-    fn background(&mut self, of: Token<'_>) -> NffResult<()> {
+    fn background(&mut self, keyword: Token<'_>) -> NffResult<()> {
         if let Some(first) = &self.background {
-            return of.error(format!("a second background; the first is in line {}", first.line));
+            return keyword.error(format!("duplicate background; the first is in line {}", first.line));
         }
-        let color = self.words.color("a channel of the background", of)?;
-        self.background = Some(Located { value: color, line: of.line, name: None });
+        let color = self.tokens.color("a channel of the background", keyword)?;
+        self.background = Some(Located { value: color, line: keyword.line, name: None });
         Ok(())
     }
 
-    fn light(&mut self, of: Token<'_>) -> NffResult<()> {
-        let position = self.words.point("the place of the light", of)?;
-        let color = match self.words.has_number() {
-            true => Some(self.words.color("a channel of the light", of)?),
+    fn light(&mut self, keyword: Token<'_>) -> NffResult<()> {
+        let position = self.tokens.point("the light position", keyword)?;
+        let color = match self.tokens.has_number() {
+            true => Some(self.tokens.color("a channel of the light", keyword)?),
             false => None,
         };
-        self.lights.push(NffLight { position, color, line: of.line });
+        self.lights.push(NffLight { position, color, line: keyword.line });
         Ok(())
     }
 
-    fn fill(&mut self, of: Token<'_>) -> NffResult<()> {
-        let words = &mut self.words;
-        let color = words.color("a channel of the surface", of)?;
-        let kd = words.number_in(0.0, Rgb::MAX_CHANNEL, "the diffuse share Kd", of)?;
-        let ks = words.number_in(0.0, 1.0, "the mirrored share Ks", of)?;
-        let shine = words.number_in(0.0, 1e6, "the exponent Shine", of)?;
-        let t = words.number_in(0.0, 1.0, "the transmitted share T", of)?;
-        // Many files have no use for the index, and a zero there.
-        let (least, most) = if t > 0.0 { (0.01, 100.0) } else { (-MAX_COORDINATE, MAX_COORDINATE) };
-        let index = words.number_in(least, most, "the index of refraction", of)?;
+    fn fill(&mut self, keyword: Token<'_>) -> NffResult<()> {
+        let tokens = &mut self.tokens;
+        let color = tokens.color("a channel of the material", keyword)?;
+        let kd = tokens.number_in(0.0, Rgb::MAX_CHANNEL, "the diffuse factor Kd", keyword)?;
+        let ks = tokens.number_in(0.0, 1.0, "the specular factor Ks", keyword)?;
+        let shine = tokens.number_in(0.0, 1e6, "the exponent Shine", keyword)?;
+        let t = tokens.number_in(0.0, 1.0, "the transmission factor T", keyword)?;
+        // Many files have a zero if the index is unused.
+        let (min, max) = if t > 0.0 { (0.01, 100.0) } else { (-MAX_COORDINATE, MAX_COORDINATE) };
+        let index = tokens.number_in(min, max, "the index of refraction", keyword)?;
 
         let key = [color.r, color.g, color.b, kd, ks, shine, t, index].map(f32::to_bits);
-        if let Some(known) = self.material_of.get(&key) {
-            self.material = Some(*known);
+        if let Some(id) = self.material_of.get(&key) {
+            self.material = Some(*id);
             return Ok(());
         }
-        let Ok(place) = u16::try_from(self.materials.len()) else {
-            return of.error(format!("more than {} different surfaces", self.materials.len()));
+        let Ok(id) = u16::try_from(self.materials.len()) else {
+            return keyword.error(format!("more than {} different materials", self.materials.len()));
         };
         let scattered = (color * kd).clamp_max(Rgb::MAX_CHANNEL);
         let material = Material {
@@ -215,106 +216,108 @@ impl<'t> NffReader<'t> {
             refractive_index: if t > 0.0 { index } else { 1.0 },
             ..Material::MATTE
         };
-        self.materials.push(Located { value: material, line: of.line, name: None });
-        self.material_of.insert(key, place);
-        self.material = Some(place);
+        self.materials.push(Located { value: material, line: keyword.line, name: None });
+        self.material_of.insert(key, id);
+        self.material = Some(id);
         Ok(())
     }
 
-    fn add(&mut self, form: ShapeDescription, of: Token<'_>) -> NffResult<()> {
+    fn add(&mut self, shape: ShapeDescription, keyword: Token<'_>) -> NffResult<()> {
         let Some(material) = self.material else {
-            return of.error("an object before the first surface (`f`)");
+            return keyword.error("object before the first material (`f`)");
         };
-        self.objects.push(ObjectDescription { shape: form, material, line: of.line as u32 });
+        self.objects.push(ObjectDescription { shape: shape, material, line: keyword.line as u32 });
         Ok(())
     }
 
-    fn sphere(&mut self, of: Token<'_>) -> NffResult<()> {
-        let center = self.words.point("the centre of the sphere", of)?;
-        let radius = self.words.coordinate("the radius of the sphere", of)?.abs();
+    fn sphere(&mut self, keyword: Token<'_>) -> NffResult<()> {
+        let center = self.tokens.point("the center of the sphere", keyword)?;
+        let radius = self.tokens.coordinate("the radius of the sphere", keyword)?.abs();
         if radius == 0.0 {
-            return of.error("the radius of the sphere is 0");
+            return keyword.error("the radius of the sphere is 0");
         }
-        self.add(ShapeDescription::Sphere { center, radius }, of)
+        self.add(ShapeDescription::Sphere { center, radius }, keyword)
     }
 
-    fn cone(&mut self, of: Token<'_>) -> NffResult<()> {
-        let base = self.words.point("the base of the cone", of)?;
-        let base_radius = self.words.coordinate("the radius of the base", of)?.abs();
-        let end = self.words.point("the apex of the cone", of)?;
-        let end_radius = self.words.coordinate("the radius of the apex", of)?.abs();
-        let place = |[x, y, z]: Float3| vec3(x, y, z);
-        match Cone::new(place(base), base_radius, place(end), end_radius, false) {
-            None => return of.error("the cone's base and apex are at the same place"),
+    fn cone(&mut self, keyword: Token<'_>) -> NffResult<()> {
+        let base = self.tokens.point("the base of the cone", keyword)?;
+        let base_radius = self.tokens.coordinate("the radius of the base", keyword)?.abs();
+        let end = self.tokens.point("the apex of the cone", keyword)?;
+        let end_radius = self.tokens.coordinate("the radius of the apex", keyword)?.abs();
+        let vec3_of = |[x, y, z]: Float3| vec3(x, y, z);
+        match Cone::new(vec3_of(base), base_radius, vec3_of(end), end_radius, false) {
+            None => return keyword.error("the base and apex of the cone are equal"),
             Some(cone) if cone.height > MAX_COORDINATE => {
-                return of.error(format!("the cone is longer than {MAX_COORDINATE}"));
+                return keyword.error(format!("the cone is longer than {MAX_COORDINATE}"));
             }
             Some(_) => {}
         }
         if base_radius == 0.0 && end_radius == 0.0 {
-            return of.error("both radii of the cone are 0");
+            return keyword.error("both radii of the cone are 0");
         }
-        self.add(ShapeDescription::Cone { base, base_radius, end, end_radius, capped: false }, of)
+        self.add(ShapeDescription::Cone { base, base_radius, end, end_radius, capped: false }, keyword)
     }
 
-    fn polygon(&mut self, of: Token<'_>, smooth: bool) -> NffResult<()> {
-        let count = self.words.integer(3, u32::MAX, "the number of corners", of)?;
+    fn polygon(&mut self, keyword: Token<'_>, smooth: bool) -> NffResult<()> {
+        let count = self.tokens.integer(3, u32::MAX, "the number of vertices", keyword)?;
         let first = self.points.len();
         if smooth {
-            // The normal of a corner has the corner's place; corners before it may have none.
+            // A normal has the index of its vertex; earlier vertices may have no normal.
             self.normals.resize(first, [0.0, 0.0, 1.0]);
         }
         for _ in 0..count {
-            let corner = self.words.point("a corner", of)?;
+            let corner = self.tokens.point("a vertex", keyword)?;
             self.points.push(corner);
             if smooth {
-                let word = self.words.peeked;
-                let normal = self.words.point("the normal of a corner", of)?;
+                let token = self.tokens.peeked;
+                let normal = self.tokens.point("a vertex normal", keyword)?;
                 if normal == [0.0; 3] {
-                    return word.unwrap_or(of).error("the normal of a corner is zero");
+                    return token.unwrap_or(keyword).error("a vertex normal is zero");
                 }
                 self.normals.push(normal);
             }
         }
         let Ok(end) = u32::try_from(self.points.len()) else {
-            return of.error("more corners than a scene can number");
+            return keyword.error("too many vertices");
         };
 
         let corners: Vec<_> = self.points[first..].iter().map(|[x, y, z]| vec3(*x, *y, *z)).collect();
         let first = end - count;
-        let form = if Polygon::new(first, &corners, smooth).is_none() {
-            self.degenerate =
-                (self.degenerate.0 + 1, if self.degenerate.0 == 0 { of.line } else { self.degenerate.1 });
+        let shape = if Polygon::new(first, &corners, smooth).is_none() {
+            self.degenerate = (
+                self.degenerate.0 + 1,
+                if self.degenerate.0 == 0 { keyword.line } else { self.degenerate.1 },
+            );
             ShapeDescription::Degenerate
         } else if count == 3 {
             ShapeDescription::Triangle { vertices: [first, first + 1, first + 2], smooth }
         } else {
             ShapeDescription::Polygon { first, count, smooth }
         };
-        self.add(form, of)
+        self.add(shape, keyword)
     }
 
     fn finish(self) -> NffResult<LoadedScene> {
         let Some(Located { value: (view, size, line), .. }) = self.view else {
             return Err(NffError {
-                line: self.words.lines,
-                reason: "the file ends without a viewpoint (`v`)".into(),
+                line: self.tokens.lines,
+                reason: "the file has no viewpoint (`v`)".into(),
             });
         };
-        // The rule of the procedural databases.
+        // The rule of the Standard Procedural Databases.
         let n = self.lights.len().max(1) as f32;
         let intensity = Rgb::gray((f64::from(n).sqrt() / (2.0 * f64::from(n))) as f32);
-        let lights = self.lights.iter().map(|lamp| {
-            let source = LightSourceDescription::Point { position: lamp.position, falloff: [1.0, 0.0, 0.0] };
-            let color = lamp.color.unwrap_or(intensity);
-            Located { value: LightDescription { source, color, shadows: true }, line: lamp.line, name: None }
+        let lights = self.lights.iter().map(|light| {
+            let source = LightSourceDescription::Point { position: light.position, falloff: [1.0, 0.0, 0.0] };
+            let color = light.color.unwrap_or(intensity);
+            Located { value: LightDescription { source, color, shadows: true }, line: light.line, name: None }
         });
         let mut warnings = Vec::new();
         match self.degenerate {
             (0, _) => {}
-            (1, line) => warnings.push(format!("1 polygon has no area and is never hit (line {line})")),
+            (1, line) => warnings.push(format!("1 polygon has zero area and is never hit (line {line})")),
             (count, line) => warnings.push(format!(
-                "{} have no area and are never hit (the first in line {line})",
+                "{} have zero area and are never hit (the first in line {line})",
                 quantity(count, "polygon")
             )),
         }

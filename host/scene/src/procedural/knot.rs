@@ -1,7 +1,7 @@
-//! A torus knot: a tube that winds three times round a torus while it goes twice round its hole.
+//! A torus knot: a tube that winds three times around the tube of a torus and twice around its hole.
 //!
-//! The middle of the tube lies on a torus, and the torus's normal gives the tube its frame, so
-//! that it closes without a twist. Normals are those of the tube and not of the triangles.
+//! The center line of the tube is on a torus, and the normal of the torus gives the tube its frame, so that it closes
+//! without a twist. The vertex normals are those of the tube.
 
 use std::io;
 
@@ -11,13 +11,13 @@ use super::writer::{
     ProceduralMaterial, ProceduralMesh, SceneHeader, SceneWriter, ellipse_point, turns_to_radians,
 };
 
-/// From the middle of the torus to that of its tube, and the radius of that tube.
+/// The major and the minor radius of the torus.
 const TORUS: (f64, f64) = (2.0, 1.0);
-/// The radius of the knot's own tube.
+/// The radius of the tube of the knot.
 const TUBE: f64 = 0.42;
-/// How often it goes round the hole, and round the torus's tube.
+/// The number of turns around the hole, and around the tube of the torus.
 const TURNS: (f64, f64) = (2.0, 3.0);
-/// How much longer than round the knot is, so that its triangles are about as long as wide.
+/// The ratio of squares along the tube to those around it, so that triangles are about as long as wide.
 const LONG: u32 = 12;
 
 const SURFACE: ProceduralMaterial = ProceduralMaterial {
@@ -29,21 +29,21 @@ const SURFACE: ProceduralMaterial = ProceduralMaterial {
     glass: None,
 };
 
-/// Draws it, of at least as many triangles as its size.
-pub fn write_scene(size: u32, pen: &mut dyn SceneWriter) -> io::Result<()> {
-    pen.header(&SceneHeader {
+/// Writes the scene, with at least `size` triangles.
+pub fn write_scene(size: u32, writer: &mut dyn SceneWriter) -> io::Result<()> {
+    writer.header(&SceneHeader {
         from: dvec3(1.0, -7.5, 5.5),
         at: DVec3::ZERO,
         up: dvec3(0.0, 0.0, 1.0),
         lights: &[dvec3(-6.0, -8.0, 12.0), dvec3(9.0, -2.0, 6.0)],
     })?;
-    pen.material(&SURFACE)?;
-    pen.mesh(&TorusKnot::of(size))
+    writer.material(&SURFACE)?;
+    writer.mesh(&TorusKnot::of(size))
 }
 
-/// A knot as a net of squares, each of two triangles.
+/// A torus knot as a grid of squares, each of two triangles.
 pub struct TorusKnot {
-    /// Squares along the tube and round it.
+    /// The number of squares along the tube, and around it.
     along: u32,
     around: u32,
     scale: f64,
@@ -51,7 +51,7 @@ pub struct TorusKnot {
 }
 
 impl TorusKnot {
-    /// Of at least so many triangles, and of the fewest more that make whole rounds.
+    /// The smallest knot with at least this many triangles.
     pub fn of(triangles: u32) -> Self {
         let squares = triangles.div_ceil(2);
         let around = (squares / LONG).isqrt().max(3);
@@ -59,12 +59,12 @@ impl TorusKnot {
         TorusKnot { along, around, scale: 1.0, center: DVec3::ZERO }
     }
 
-    /// The same, smaller and somewhere else.
-    pub fn transformed(self, middle: DVec3, scale: f64) -> Self {
-        TorusKnot { scale, center: middle, ..self }
+    /// Moves and scales the knot.
+    pub fn transformed(self, center: DVec3, scale: f64) -> Self {
+        TorusKnot { scale, center, ..self }
     }
 
-    /// How far it reaches from its middle.
+    /// The distance from its center to its outermost point.
     pub const OUTER_RADIUS: f64 = TORUS.0 + TORUS.1 + TUBE;
 }
 
@@ -80,12 +80,12 @@ impl ProceduralMesh for TorusKnot {
         let out = ellipse_point(hole, dvec3(1.0, 0.0, 0.0), dvec3(0.0, 1.0, 0.0));
         let onward = ellipse_point(hole, dvec3(0.0, 1.0, 0.0), dvec3(-1.0, 0.0, 0.0));
 
-        // The middle of the tube, and the way it goes: the derivative by `share`.
+        // The center line of the tube, and its tangent: the derivative with respect to `share`.
         let away = ellipse_point(tube, out, up);
-        let middle = out * TORUS.0 + away * TORUS.1;
-        let way = onward * (TURNS.0 * (TORUS.0 + TORUS.1 * libm::cos(tube)))
+        let on_axis = out * TORUS.0 + away * TORUS.1;
+        let tangent = onward * (TURNS.0 * (TORUS.0 + TORUS.1 * libm::cos(tube)))
             + ellipse_point(tube, up, -out) * (TURNS.1 * TORUS.1);
-        let side = way.cross(away);
+        let side = tangent.cross(away);
         let side = side / side.dot(side).sqrt();
 
         let normal = ellipse_point(
@@ -93,7 +93,7 @@ impl ProceduralMesh for TorusKnot {
             away,
             side,
         );
-        (self.center + (middle + normal * TUBE) * self.scale, Some(normal))
+        (self.center + (on_axis + normal * TUBE) * self.scale, Some(normal))
     }
 
     fn triangles(&self) -> u32 {
@@ -102,11 +102,11 @@ impl ProceduralMesh for TorusKnot {
 
     fn triangle(&self, number: u32) -> [u32; 3] {
         let square = number / 2;
-        let (step, place) = (square / self.around, square % self.around);
-        let corner = |step: u32, place: u32| step % self.along * self.around + place % self.around;
+        let (step, segment) = (square / self.around, square % self.around);
+        let corner = |step: u32, segment: u32| step % self.along * self.around + segment % self.around;
         match number % 2 {
-            0 => [corner(step, place), corner(step, place + 1), corner(step + 1, place + 1)],
-            _ => [corner(step + 1, place + 1), corner(step + 1, place), corner(step, place)],
+            0 => [corner(step, segment), corner(step, segment + 1), corner(step + 1, segment + 1)],
+            _ => [corner(step + 1, segment + 1), corner(step + 1, segment), corner(step, segment)],
         }
     }
 }

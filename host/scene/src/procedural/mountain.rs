@@ -1,12 +1,12 @@
-//! A fractal landscape, and four glass balls over it.
+//! A fractal landscape below four glass spheres.
 //!
-//! Square by square the middles get the mean of the corners and a random rise, which shrinks with
-//! the size of the square. The random numbers belong to places, so a larger size refines the
-//! same landscape.
+//! Midpoint displacement: the center of each square gets the mean of the corners and a random displacement, which
+//! decreases with the size of the square. Random numbers depend on the position only, so a larger size refines the same
+//! landscape.
 //!
-//! Source: Fournier, Fussell and Carpenter, "Computer Rendering of Stochastic Models", CACM 25(6),
-//! 1982 (midpoint displacement, in the diamond-and-square order). After the procedural databases'
-//! `mount` (Eric Haines, 1987), with its view, light and surfaces; the landscape is another.
+//! Source: Fournier, Fussell and Carpenter, "Computer Rendering of Stochastic Models", CACM 25(6), 1982 (in the
+//! diamond-square order). View, light and materials are those of `mount` of the Standard Procedural Databases (Eric
+//! Haines, 1987); the landscape differs.
 
 use std::io;
 
@@ -14,7 +14,7 @@ use glam::{DVec3, dvec3};
 
 use super::writer::{ProceduralMaterial, ProceduralMesh, SceneHeader, SceneWriter, turns_to_radians};
 
-/// How many balls.
+/// The number of spheres.
 pub const BALLS: u64 = 4;
 
 const GLASS: ProceduralMaterial = ProceduralMaterial {
@@ -27,45 +27,43 @@ const GLASS: ProceduralMaterial = ProceduralMaterial {
 };
 const ROCK: ProceduralMaterial = ProceduralMaterial::matte("rock", [0.5, 0.45, 0.35], 1.0);
 
-/// How high the middle of the whole may rise, and what is left of that after a halving: 2^-0.85,
-/// which makes the surface as rough as a fractal of dimension 2.15.
+/// The largest displacement of the center, and its factor for each halving: 2^-0.85, for a fractal dimension of 2.15.
 const RISE: f64 = 0.9;
 const SHRINKS: f64 = 0.554_784_736;
 
-/// How high the middle is on average; towards the rim all heights go down to zero, so that it can
-/// stand in a plane.
+/// The mean height of the center; towards the edge all heights fall to zero.
 const MEAN: f64 = 0.4;
 
-/// Draws it; a size of 1 is a grid of two times two squares.
-pub fn write_scene(size: u32, pen: &mut dyn SceneWriter) -> io::Result<()> {
-    pen.header(&SceneHeader {
+/// Writes the scene; size 1 is a grid of 2 x 2 squares.
+pub fn write_scene(size: u32, writer: &mut dyn SceneWriter) -> io::Result<()> {
+    writer.header(&SceneHeader {
         from: dvec3(-1.6, 1.6, 1.7),
         at: DVec3::ZERO,
         up: dvec3(0.0, 0.0, 1.0),
         lights: &[dvec3(-100.0, -100.0, 100.0)],
     })?;
-    // A ball on three others.
-    pen.material(&GLASS)?;
-    pen.sphere(dvec3(-0.8, 0.8, 1.208_21), 0.17)?;
+    // One sphere on three others.
+    writer.material(&GLASS)?;
+    writer.sphere(dvec3(-0.8, 0.8, 1.208_21), 0.17)?;
     for k in 0..3 {
         let angle = turns_to_radians(f64::from(k) / 3.0 - 0.125);
         let out = 0.196_292;
-        pen.sphere(dvec3(-0.8 + out * libm::cos(angle), 0.8 + out * libm::sin(angle), 0.930_598), 0.17)?;
+        writer.sphere(dvec3(-0.8 + out * libm::cos(angle), 0.8 + out * libm::sin(angle), 0.930_598), 0.17)?;
     }
-    pen.material(&ROCK)?;
-    pen.mesh(&FractalTerrain::of(size))
+    writer.material(&ROCK)?;
+    writer.mesh(&FractalTerrain::of(size))
 }
 
-/// The heights of a square grid from -1 to 1.
+/// A square grid of heights over [-1, 1] x [-1, 1].
 pub struct FractalTerrain {
-    /// Squares along each side, a power of two.
+    /// The number of squares along each side, a power of two.
     squares: u32,
-    /// Row by row.
+    /// The heights, row by row.
     heights: Vec<f32>,
 }
 
 impl FractalTerrain {
-    /// Of a size of 1 or more.
+    /// The terrain of a size, at least 1.
     pub fn of(size: u32) -> Self {
         let squares = 1_u32 << size;
         let side = squares as usize + 1;
@@ -80,7 +78,7 @@ impl FractalTerrain {
         mountain
     }
 
-    /// Gives heights to the middles of all squares of this width, and to those of their sides.
+    /// Sets the heights at the centers of all squares of this width, and at the midpoints of their sides.
     fn refine(&mut self, step: usize, rise: f64) {
         let (half, last) = (step / 2, self.squares as usize);
         let inner = (half..last).step_by(step);
@@ -99,28 +97,28 @@ impl FractalTerrain {
                 let row = [left, right].into_iter().flatten().map(|x| (x, y));
                 let column = [below, above].into_iter().flatten().map(|y| (x, y));
                 let around: Vec<_> = row.chain(column).collect();
-                // A side is shorter than a diagonal by the square root of two.
+                // A side is shorter than a diagonal by a factor of sqrt(2).
                 self.raise(x, y, &around, rise * std::f64::consts::FRAC_1_SQRT_2);
             }
         }
     }
 
-    /// Sets the height of a place from those of others around it.
+    /// Sets a height to the mean of those around it, with a random displacement.
     fn raise(&mut self, x: usize, y: usize, around: &[(usize, usize)], rise: f64) {
         let sum: f64 = around.iter().map(|(x, y)| f64::from(self.heights[self.index(*x, *y)])).sum();
-        let place = self.index(x, y);
-        self.heights[place] = (sum / around.len() as f64 + rise * self.random(x, y)) as f32;
+        let index = self.index(x, y);
+        self.heights[index] = (sum / around.len() as f64 + rise * self.random(x, y)) as f32;
     }
 
     fn index(&self, x: usize, y: usize) -> usize {
         y * (self.squares as usize + 1) + x
     }
 
-    /// A number in -1..1 that belongs to the place and not to the size.
+    /// A random number in [-1, 1) that depends on the position, not on the size.
     fn random(&self, x: usize, y: usize) -> f64 {
         let part = (1_u64 << 32) / u64::from(self.squares);
         let key = (x as u64 * part) ^ (y as u64 * part).rotate_left(31);
-        // SplitMix64's finaliser (Steele, Lea and Flood, OOPSLA 2014).
+        // The finalizer of SplitMix64 (Steele, Lea and Flood, OOPSLA 2014).
         let key = key.wrapping_add(0x9e37_79b9_7f4a_7c15);
         let key = (key ^ (key >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
         let key = (key ^ (key >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);

@@ -1,4 +1,4 @@
-//! Scenes in the neutral file format.
+//! Writes scenes in NFF, the Neutral File Format.
 
 use std::io::{self, Write};
 
@@ -6,26 +6,26 @@ use glam::DVec3;
 
 use super::writer::{ProceduralMaterial, ProceduralMesh, SceneHeader, SceneWriter, to_float3};
 
-/// Writes NFF.
+/// Writes a scene in NFF.
 pub struct NffWriter<'o> {
     out: &'o mut dyn Write,
     objects_only: bool,
-    surface: Option<ProceduralMaterial>,
+    material: Option<ProceduralMaterial>,
 }
 
 impl<'o> NffWriter<'o> {
-    /// A whole scene, after a comment.
+    /// Writes a whole scene, after a comment.
     pub fn new(comment: &str, out: &'o mut dyn Write) -> io::Result<Self> {
         writeln!(out, "# {comment}")?;
-        Ok(NffWriter { out, objects_only: false, surface: None })
+        Ok(NffWriter { out, objects_only: false, material: None })
     }
 
-    /// Objects only.
+    /// Writes objects and their materials only.
     pub fn objects_only(out: &'o mut dyn Write) -> Self {
-        NffWriter { out, objects_only: true, surface: None }
+        NffWriter { out, objects_only: true, material: None }
     }
 
-    /// A corner, with its normal where it has one.
+    /// Writes a vertex, with its normal if any.
     fn corner(&mut self, point: DVec3, normal: Option<DVec3>) -> io::Result<()> {
         let [x, y, z] = to_float3(point);
         match normal.map(to_float3) {
@@ -36,7 +36,7 @@ impl<'o> NffWriter<'o> {
 }
 
 impl SceneWriter for NffWriter<'_> {
-    fn header(&mut self, head: &SceneHeader<'_>) -> io::Result<()> {
+    fn header(&mut self, header: &SceneHeader<'_>) -> io::Result<()> {
         if self.objects_only {
             return Ok(());
         }
@@ -44,25 +44,25 @@ impl SceneWriter for NffWriter<'_> {
         let [r, g, b] = SceneHeader::BACKGROUND;
         writeln!(out, "b {r} {g} {b}\nv")?;
         for (word, [x, y, z]) in
-            [("from", to_float3(head.from)), ("at", to_float3(head.at)), ("up", to_float3(head.up))]
+            [("from", to_float3(header.from)), ("at", to_float3(header.at)), ("up", to_float3(header.up))]
         {
             writeln!(out, "{word} {x} {y} {z}")?;
         }
         let (angle, size) = (SceneHeader::ANGLE, SceneHeader::SIZE);
         writeln!(out, "angle {angle}\nhither 0.01\nresolution {size} {size}")?;
-        for light in head.lights {
+        for light in header.lights {
             let [x, y, z] = to_float3(*light);
             writeln!(out, "l {x} {y} {z}")?;
         }
         Ok(())
     }
 
-    fn material(&mut self, surface: &ProceduralMaterial) -> io::Result<()> {
-        if self.surface == Some(*surface) {
+    fn material(&mut self, material: &ProceduralMaterial) -> io::Result<()> {
+        if self.material == Some(*material) {
             return Ok(());
         }
-        self.surface = Some(*surface);
-        let ProceduralMaterial { color: [r, g, b], kd, ks, shine, glass, .. } = surface;
+        self.material = Some(*material);
+        let ProceduralMaterial { color: [r, g, b], kd, ks, shine, glass, .. } = material;
         let (transmitted, index) = glass.unwrap_or((0.0, 1.0));
         writeln!(self.out, "f {r} {g} {b} {kd} {ks} {shine} {transmitted} {index}")
     }

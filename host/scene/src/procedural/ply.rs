@@ -1,10 +1,10 @@
-//! Triangles in PLY, binary, the low byte first.
+//! Writes meshes in binary little-endian PLY.
 
 use std::io::{self, Write};
 
 use super::writer::{ProceduralMesh, to_float3};
 
-/// Writes all triangles of a mesh.
+/// Writes a mesh.
 pub fn write(mesh: &dyn ProceduralMesh, out: &mut dyn Write) -> io::Result<()> {
     let (points, triangles) = (mesh.points(), mesh.triangles());
     let smooth = mesh.point(0).1.is_some();
@@ -14,8 +14,8 @@ pub fn write(mesh: &dyn ProceduralMesh, out: &mut dyn Write) -> io::Result<()> {
     }
     writeln!(out, "element face {triangles}\nproperty list uchar uint vertex_indices\nend_header")?;
     for point in 0..points {
-        let (place, normal) = mesh.point(point);
-        for number in to_float3(place).into_iter().chain(normal.into_iter().flat_map(to_float3)) {
+        let (position, normal) = mesh.point(point);
+        for number in to_float3(position).into_iter().chain(normal.into_iter().flat_map(to_float3)) {
             out.write_all(&number.to_le_bytes())?;
         }
     }

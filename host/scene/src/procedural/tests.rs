@@ -4,7 +4,7 @@ use writer::{rotate_from_z, to_float3};
 use super::*;
 
 #[test]
-fn the_databases_sizes_have_the_databases_counts() {
+fn the_sizes_of_the_databases_have_their_counts() {
     let counts = [
         (ProceduralScene::Sphereflake, 7382),
         (ProceduralScene::Tetra, 4096),
@@ -12,26 +12,26 @@ fn the_databases_sizes_have_the_databases_counts() {
         (ProceduralScene::Rings, 8401),
         (ProceduralScene::Tree, 8191),
     ];
-    for (what, count) in counts {
-        assert_eq!(what.objects(what.default_size()), Some(count), "{what}");
+    for (scene, count) in counts {
+        assert_eq!(scene.objects(scene.default_size()), Some(count), "{scene}");
     }
 }
 
 #[test]
 fn a_knot_has_as_many_triangles_as_it_is_asked_for_or_few_more() {
-    for asked in [1, 100, 215, 216, 217, 1000, 9_999, 10_000, 500_000, 1_000_000, 1_000_003, 16_000_000] {
-        let knot = knot::TorusKnot::of(asked);
+    for requested in [1, 100, 215, 216, 217, 1000, 9_999, 10_000, 500_000, 1_000_000, 1_000_003, 16_000_000] {
+        let knot = knot::TorusKnot::of(requested);
         let has = knot.triangles();
         // One round more, and not fewer than look like a knot.
-        let most = asked.max(216) as f64 * 1.002 + 60.0;
-        assert!(has >= asked && f64::from(has) <= most, "{has} for {asked}");
+        let most = requested.max(216) as f64 * 1.002 + 60.0;
+        assert!(has >= requested && f64::from(has) <= most, "{has} for {requested}");
     }
 }
 
 #[test]
 fn a_mesh_is_closed_and_turns_its_front_outwards() {
-    for what in [ProceduralScene::Tetra, ProceduralScene::Knot] {
-        let mesh = what.mesh(if what == ProceduralScene::Knot { 3000 } else { 3 }).unwrap();
+    for scene in [ProceduralScene::Tetra, ProceduralScene::Knot] {
+        let mesh = scene.mesh(if scene == ProceduralScene::Knot { 3000 } else { 3 }).unwrap();
         let mut edges = std::collections::BTreeSet::new();
         let mut volume = 0.0;
         for triangle in 0..mesh.triangles() {
@@ -39,14 +39,14 @@ fn a_mesh_is_closed_and_turns_its_front_outwards() {
             for (a, b) in [(0, 1), (1, 2), (2, 0)] {
                 assert!(
                     edges.insert((corners[a], corners[b])),
-                    "{what}: an edge is used twice in one direction"
+                    "{scene}: an edge is used twice in one direction"
                 );
             }
             let [a, b, c] = corners.map(|corner| mesh.point(corner).0);
             volume += a.dot(b.cross(c)) / 6.0;
         }
-        assert!(edges.iter().all(|(a, b)| edges.contains(&(*b, *a))), "{what}: an edge has one side only");
-        assert!(volume > 0.0, "{what}: {volume}");
+        assert!(edges.iter().all(|(a, b)| edges.contains(&(*b, *a))), "{scene}: an edge has one side only");
+        assert!(volume > 0.0, "{scene}: {volume}");
     }
 }
 
@@ -82,8 +82,8 @@ fn a_larger_landscape_has_all_places_of_a_smaller_one() {
     let (small, large) = (mountain::FractalTerrain::of(3), mountain::FractalTerrain::of(5));
     for y in 0..=8 {
         for x in 0..=8 {
-            let (place, finer) = (small.point(y * 9 + x).0, large.point(4 * (y * 33 + x)).0);
-            assert_eq!(to_float3(place), to_float3(finer));
+            let (position, finer) = (small.point(y * 9 + x).0, large.point(4 * (y * 33 + x)).0);
+            assert_eq!(to_float3(position), to_float3(finer));
         }
     }
 }

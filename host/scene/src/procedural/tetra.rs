@@ -1,8 +1,9 @@
-//! The tetrahedral pyramid: a tetrahedron of four, each of four, down to the smallest, which are
-//! solid.
+//! The tetrahedral pyramid: a tetrahedron of four smaller ones, recursively.
 //!
-//! Source: the procedural databases' `tetra` (Eric Haines, 1987; after Glassner), with its view,
-//! light and surface. Of size n it has 4^(n-1) small tetrahedra.
+//! Size n has 4^(n-1) solid tetrahedra.
+//!
+//! Source: `tetra` of the Standard Procedural Databases (Eric Haines, 1987; after Glassner), with its view, light and
+//! material.
 
 use std::io;
 
@@ -12,32 +13,32 @@ use super::writer::{ProceduralMaterial, ProceduralMesh, SceneHeader, SceneWriter
 
 const SURFACE: ProceduralMaterial = ProceduralMaterial::matte("tetra", [1.0, 0.2, 0.2], 1.0);
 
-/// Four corners of a cube of side two, of which no two share an edge.
+/// Four corners of a cube of side 2, no two of which share an edge.
 const CORNERS: [DVec3; 4] =
     [dvec3(-1.0, -1.0, 1.0), dvec3(-1.0, 1.0, -1.0), dvec3(1.0, -1.0, -1.0), dvec3(1.0, 1.0, 1.0)];
 
-/// The corners of its faces.
+/// The vertices of the faces.
 const FACES: [[u32; 3]; 4] = [[0, 1, 2], [3, 2, 1], [2, 3, 0], [1, 0, 3]];
 
-/// Draws it; a size of 1 is one tetrahedron.
-pub fn write_scene(size: u32, pen: &mut dyn SceneWriter) -> io::Result<()> {
-    pen.header(&SceneHeader {
+/// Writes the scene; size 1 is one tetrahedron.
+pub fn write_scene(size: u32, writer: &mut dyn SceneWriter) -> io::Result<()> {
+    writer.header(&SceneHeader {
         from: dvec3(1.02285, -3.17715, -2.17451),
         at: dvec3(-0.004103, -0.004103, 0.216539),
         up: dvec3(-0.816497, -0.816497, 0.816497),
         lights: &[dvec3(2.0, -18.0, -5.0)],
     })?;
-    pen.material(&SURFACE)?;
-    pen.mesh(&TetrahedronPyramid::of(size))
+    writer.material(&SURFACE)?;
+    writer.mesh(&TetrahedronPyramid::of(size))
 }
 
-/// All small tetrahedra of a size.
+/// All solid tetrahedra of a size.
 pub struct TetrahedronPyramid {
     halvings: u32,
 }
 
 impl TetrahedronPyramid {
-    /// Of a size of 1 or more.
+    /// The pyramid of a size, at least 1.
     pub fn of(size: u32) -> Self {
         TetrahedronPyramid { halvings: size - 1 }
     }
@@ -48,17 +49,17 @@ impl ProceduralMesh for TetrahedronPyramid {
         self.triangles()
     }
 
-    /// The digits of the number to the base of four are the way from the whole to the corner.
+    /// The base-4 digits of the number select the corner at each level, from the whole to the vertex.
     fn point(&self, number: u32) -> (DVec3, Option<DVec3>) {
         let corner = |digit: u32| CORNERS[(number >> (2 * digit) & 3) as usize];
-        let mut place = DVec3::ZERO;
+        let mut position = DVec3::ZERO;
         let mut half = 0.5;
         for digit in (1..=self.halvings).rev() {
-            place += corner(digit) * half;
+            position += corner(digit) * half;
             half *= 0.5;
         }
-        // The last step goes from the middle of a small one, which is as wide as the last halving.
-        (place + corner(0) * (2.0 * half), None)
+        // From the center of a solid tetrahedron, whose size is that of the last halving, to its corner.
+        (position + corner(0) * (2.0 * half), None)
     }
 
     fn triangles(&self) -> u32 {

@@ -1,4 +1,4 @@
-//! Scenes in TOML.
+//! Writes scenes in TOML.
 
 use std::io::{self, Write};
 
@@ -6,64 +6,64 @@ use glam::DVec3;
 
 use super::writer::{ProceduralMaterial, ProceduralMesh, SceneHeader, SceneWriter, to_float3};
 
-/// Writes TOML.
+/// Writes a scene in TOML.
 pub struct TomlWriter<'o> {
     out: &'o mut dyn Write,
-    /// The name of the PLY file that has the triangles.
+    /// The path of the PLY file with the triangles of the mesh.
     ply: &'o str,
     objects_only: bool,
-    /// The names of materials that have been written.
+    /// The names of the materials written so far.
     written_materials: Vec<&'static str>,
-    /// That of the objects to come.
+    /// The name of the current material.
     material: &'static str,
 }
 
 impl<'o> TomlWriter<'o> {
-    /// A whole scene, after a comment; the triangles of its mesh are in the file `ply`.
+    /// Writes a whole scene, after a comment; the triangles of its mesh are in the file `ply`.
     pub fn new(comment: &str, ply: &'o str, out: &'o mut dyn Write) -> io::Result<Self> {
         writeln!(out, "# {comment}")?;
         Ok(TomlWriter { objects_only: false, ..TomlWriter::objects_only(ply, out) })
     }
 
-    /// Objects only, with their materials.
+    /// Writes objects and their materials only.
     pub fn objects_only(ply: &'o str, out: &'o mut dyn Write) -> Self {
         TomlWriter { out, ply, objects_only: true, written_materials: Vec::new(), material: "" }
     }
 
-    /// Ends an object.
+    /// Writes the last key of an object: its material.
     fn end_object(&mut self) -> io::Result<()> {
         writeln!(self.out, "material = {:?}", self.material)
     }
 }
 
 impl SceneWriter for TomlWriter<'_> {
-    fn header(&mut self, head: &SceneHeader<'_>) -> io::Result<()> {
+    fn header(&mut self, header: &SceneHeader<'_>) -> io::Result<()> {
         if self.objects_only {
             return Ok(());
         }
         let out = &mut self.out;
         writeln!(out, "\n[camera]")?;
-        for (key, place) in [("from", head.from), ("at", head.at), ("up", head.up)] {
-            writeln!(out, "{key} = {:?}", to_float3(place))?;
+        for (key, position) in [("from", header.from), ("at", header.at), ("up", header.up)] {
+            writeln!(out, "{key} = {:?}", to_float3(position))?;
         }
         let (angle, size, background) = (SceneHeader::ANGLE, SceneHeader::SIZE, SceneHeader::BACKGROUND);
         writeln!(out, "angle = {angle}\n\n[render]\nsize = [{size}, {size}]")?;
         writeln!(out, "\n[background]\ncolor = {background:?}")?;
-        let intensity = head.intensity();
+        let intensity = header.intensity();
         writeln!(out, "\n[ambient_light]\ncolor = {intensity}")?;
-        for light in head.lights {
+        for light in header.lights {
             writeln!(out, "\n[[point_light]]\nposition = {:?}\ncolor = {intensity}", to_float3(*light))?;
         }
         Ok(())
     }
 
-    fn material(&mut self, surface: &ProceduralMaterial) -> io::Result<()> {
-        self.material = surface.name;
-        if self.written_materials.contains(&surface.name) {
+    fn material(&mut self, material: &ProceduralMaterial) -> io::Result<()> {
+        self.material = material.name;
+        if self.written_materials.contains(&material.name) {
             return Ok(());
         }
-        self.written_materials.push(surface.name);
-        let ProceduralMaterial { name, color, kd, ks, shine, glass } = *surface;
+        self.written_materials.push(material.name);
+        let ProceduralMaterial { name, color, kd, ks, shine, glass } = *material;
         let out = &mut self.out;
         writeln!(out, "\n[[material]]\nname = {name:?}\ncolor = {color:?}\ndiffuse = {kd}")?;
         if ks > 0.0 {

@@ -1,16 +1,16 @@
-//! Scenes in TOML: one array of tables for each kind of thing, materials by name.
+//! Scenes in TOML: one array of tables for each kind of object, light and material.
 //!
-//! | module | what it does |
+//! | module | contents |
 //! |---|---|
-//! | `read` | a file in TOML becomes a description |
-//! | `build` | what has been read becomes a description |
-//! | `format` | the tables and their keys, as users and editors see them |
-//! | `table` | tables of keys become values of types |
-//! | `value` | what keys can hold |
-//! | `syntax` | what is wrong with a text that is no TOML |
+//! | `read` | reading of a file |
+//! | `build` | conversion of the tables to a loaded scene |
+//! | `format` | the tables and their keys, with the texts that editors show |
+//! | `table` | reading of tables |
+//! | `value` | reading of values |
+//! | `syntax` | TOML syntax errors |
 //!
-//! A file is read in two steps, and whatever is wrong in either of them is told at once: first
-//! every key by itself, then what only several keys together can get wrong.
+//! A file is read in two steps: `format` checks every key separately, then `build` checks combinations of keys. All
+//! errors of both steps are reported together.
 
 mod build;
 mod format;

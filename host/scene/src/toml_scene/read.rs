@@ -1,4 +1,4 @@
-//! A file in TOML becomes a description.
+//! Reads a scene in TOML.
 
 use std::collections::HashSet;
 use std::path::Path;
@@ -17,7 +17,7 @@ use crate::source_files::SourceFiles;
 
 /// Reads the bytes of the file at `path`.
 ///
-/// Where it has no view, one is chosen that suits its size, or `size` where it names none.
+/// If it has no camera, one is chosen for the resolution in the file, or for `size` if the file has none.
 pub fn read(
     files: &SourceFiles,
     path: &Path,
@@ -31,19 +31,22 @@ pub fn read(
         Ok(text) => text,
         Err(error) => {
             let place = error.valid_up_to();
-            let fault = Diagnostic::new(place..place + 1, "this is no UTF-8, so it is no TOML");
-            return Err(wrong(&String::from_utf8_lossy(bytes), vec![fault]));
+            let diagnostic = Diagnostic::new(place..place + 1, "not UTF-8, so not TOML");
+            return Err(wrong(&String::from_utf8_lossy(bytes), vec![diagnostic]));
         }
     };
     let (document, errors) = DeTable::parse_recoverable(text);
     if document.get_ref().is_empty() && errors.is_empty() {
-        let fault = Diagnostic::new(0..0, "the file has no scene in it");
-        return Err(wrong(text, vec![fault.with_help("a scene begins with a table, such as [[sphere]]")]));
+        let diagnostic = Diagnostic::new(0..0, "the file is empty");
+        return Err(wrong(
+            text,
+            vec![diagnostic.with_help("a scene begins with a table, such as [[sphere]]")],
+        ));
     }
     let names = MaterialNames::of(document.get_ref());
-    let (faults, complete) = (DiagnosticList::default(), errors.is_empty());
+    let (diagnostics, complete) = (DiagnosticList::default(), errors.is_empty());
     let mut reader = TableReader {
-        diagnostics: faults,
+        diagnostics: diagnostics,
         material_names: &names,
         is_valid_toml: complete,
         tables_with_unknown_keys: HashSet::new(),
@@ -72,4 +75,38 @@ pub fn read(
 pub fn schema() -> String {
     let schema = serde_json::to_string_pretty(&schemars::schema_for!(SceneFile)).unwrap_or_default();
     schema + "\n"
+}
+
+#[cfg(test)]
+mod tests {
+    use serde_json::Value;
+
+    use super::super::value::HINTS;
+
+    /// The keys of a table, by the schema.
+    fn keys(schema: &Value, table: &str) -> Vec<String> {
+        let camel_case = |word: &str| word[..1].to_uppercase() + &word[1..];
+        let name: String = table.split('_').filter(|word| !word.is_empty()).map(camel_case).collect();
+        let table = if table.is_empty() { schema } else { &schema["$defs"][&name] };
+        table["properties"].as_object().unwrap_or_else(|| panic!("{name}")).keys().cloned().collect()
+    }
+
+    #[test]
+    fn hints_are_for_words_that_are_no_keys_and_suggest_keys_of_their_tables() {
+        let schema: Value = serde_json::from_str(&super::schema()).unwrap();
+        for hint in HINTS {
+            let tables: Vec<_> = hint.tables.iter().map(|table| keys(&schema, table)).collect();
+            for key in hint.keys.split(' ').filter(|key| !key.is_empty()) {
+                assert!(
+                    tables.iter().any(|keys| keys.iter().any(|it| it == key)),
+                    "{key} of {:?}",
+                    hint.tables
+                );
+            }
+            for word in hint.words.split(' ') {
+                let is_hint = |keys: &Vec<String>| !keys.iter().any(|key| key == word);
+                assert!(tables.iter().any(is_hint), "{word} is a key of {:?}", hint.tables);
+            }
+        }
+    }
 }

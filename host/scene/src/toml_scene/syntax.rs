@@ -1,8 +1,7 @@
-//! What is wrong with a text that is no TOML.
+//! TOML syntax errors.
 //!
-//! The parser goes on after a mistake, so all of them are told; but one mistake may make it
-//! stumble again. Of the mistakes in one line and in one value only the first is told, and of
-//! what was read nothing that touches such a place.
+//! The parser continues after an error, so that all errors are reported; but one error may cause others. Only the first
+//! error in a line and in a value is reported, and errors in values only if they do not overlap a syntax error.
 
 use std::ops::Range;
 
@@ -10,11 +9,10 @@ use toml::de::{DeTable, DeValue, Error};
 
 use crate::diagnostics::{Diagnostic, LineIndex};
 
-/// More mistakes of the parser than anybody reads.
+/// The maximum number of syntax errors that are kept.
 const MAX_ERRORS: usize = 100;
 
-/// The parser's mistakes that count, and those of what `read` found wrong that do not follow
-/// from them.
+/// The syntax errors that do not follow from others, and the errors in `read` that do not follow from syntax errors.
 pub fn diagnostics(
     text: &str,
     document: &DeValue<'_>,
@@ -29,11 +27,11 @@ pub fn diagnostics(
     let mut errors = errors;
     errors.sort_by_key(start);
 
-    // The lines that each mistake damages, and those that a damaged header leaves without a table.
+    // The lines that each error affects, and those that follow a damaged table header.
     let mut damaged: Vec<Range<usize>> = Vec::new();
     let mut homeless: Vec<Range<usize>> = Vec::new();
     let mut list = Vec::new();
-    // Beyond it nothing is known.
+    // Errors after this line are dropped.
     let mut horizon = usize::MAX;
     let is_header: Vec<bool> = text.lines().map(|line| line.trim_start().starts_with('[')).collect();
     for error in errors {
@@ -54,8 +52,9 @@ pub fn diagnostics(
         damaged.push(line..last.unwrap_or(line).max(line) + 1);
         list.push(diagnostic(text, &error));
     }
-    let is_sound = |fault: &Diagnostic| {
-        let (first, last) = (lines.line_number(fault.span.start), lines.line_number(fault.span.end));
+    let is_sound = |diagnostic: &Diagnostic| {
+        let (first, last) =
+            (lines.line_number(diagnostic.span.start), lines.line_number(diagnostic.span.end));
         let apart = |damaged: &Range<usize>| last < damaged.start || first >= damaged.end;
         first < horizon && damaged.iter().chain(&homeless).all(apart)
     };
@@ -67,7 +66,7 @@ fn start(error: &Error) -> usize {
     error.span().map_or(0, |span| span.start)
 }
 
-/// The places of all values, and of the headers of tables.
+/// The spans of all values, and of table headers.
 fn collect(table: &DeTable<'_>, values: &mut Vec<Range<usize>>) {
     for (_, value) in table.iter() {
         values.push(value.span());
@@ -89,13 +88,13 @@ fn collect(table: &DeTable<'_>, values: &mut Vec<Range<usize>>) {
 fn diagnostic(text: &str, error: &Error) -> Diagnostic {
     let span = error.span().unwrap_or(0..0);
     let word = text.get(span.clone()).unwrap_or_default();
-    let fault = Diagnostic::new(span, error.message());
+    let diagnostic = Diagnostic::new(span, error.message());
     let is_word = !word.is_empty() && word.chars().all(|c| c.is_alphanumeric() || "_-#".contains(c));
     if error.message().starts_with("string values must be quoted") && is_word {
-        fault.with_help(format!("write \"{word}\""))
+        diagnostic.with_help(format!("write \"{word}\""))
     } else if error.message().starts_with("duplicate key") {
-        fault.with_help("a key stands only once in a table; [[name]] begins another table of the same kind")
+        diagnostic.with_help("a key may appear only once in a table; [[name]] starts another one")
     } else {
-        fault
+        diagnostic
     }
 }

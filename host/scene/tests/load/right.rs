@@ -238,7 +238,7 @@ fn a_scene_has_room_for_65536_surfaces_and_no_more() {
     assert_eq!(it.materials.len(), 65_536);
     assert_eq!(it.objects.iter().map(|o| o.material).collect::<Vec<_>>(), [65_535, 7]);
     let (line, reason) = refused(format!("{VIEW}{text}{}", surface(65_536)).as_bytes());
-    assert_eq!((line, reason.as_str()), (65_538, "more than 65536 different surfaces"));
+    assert_eq!((line, reason.as_str()), (65_538, "more than 65536 different materials"));
 }
 
 #[test]

@@ -8,7 +8,7 @@ use strahl_scene::load;
 use counting::{Bound, most_held};
 
 mod counting;
-#[path = "../native/table.rs"]
+#[path = "../toml_scene/table.rs"]
 mod table;
 
 /// One more than a power of two: a table has just been doubled.

@@ -68,7 +68,7 @@ fn corners_without_a_normal_get_that_of_their_triangle_when_others_have_one() {
         assert_eq!(it.normals[corner as usize], [0.0, 0.0, -1.0]);
         assert_eq!(it.vertices[corner as usize], place);
     }
-    let says = "normals are zero or not finite; those of the triangles take their place (2)";
+    let says = "zero or non-finite normals are replaced by face normals (2)";
     assert_eq!(it.warnings, [says]);
 }
 
@@ -85,10 +85,10 @@ fn what_is_no_triangle_is_counted_by_kind_with_its_first_line() {
     assert_eq!(
         it.warnings,
         [
-            "lines and points are left out (2, the first in line 6)",
-            "faces have fewer than three corners and are left out (1, in line 8)",
-            "colours of corners are left out (1, in line 9)",
-            "words `bevel` are not known and left out (2, the first in line 10)",
+            "lines and points are skipped (2, the first in line 6)",
+            "faces with fewer than three vertices are skipped (1, in line 8)",
+            "vertex colors are ignored (1, in line 9)",
+            "unknown keyword `bevel` is ignored (2, the first in line 10)",
         ]
     );
 }
@@ -142,10 +142,7 @@ fn materials_group_the_triangles() {
     assert_eq!(it.materials.iter().map(|(_, material)| *material).collect::<Vec<_>>(), expected);
     assert_eq!(
         it.warnings,
-        [
-            "textures of materials are left out (1)",
-            "uses of the material `none`, which no library has (1, in line 13)",
-        ]
+        ["textures are ignored (1)", "material `none` is not in any library (1, in line 13)",]
     );
 }
 
@@ -161,7 +158,7 @@ fn several_libraries_may_stand_in_a_line_and_a_missing_one_is_a_warning() {
     assert_eq!(it.materials.len(), 3);
     assert_eq!(it.warnings.len(), 1);
     assert!(
-        it.warnings[0].starts_with("the materials `three.mtl` of line 7 cannot be read: "),
+        it.warnings[0].starts_with("cannot read material library `three.mtl` (line 7): "),
         "{:?}",
         it.warnings
     );
@@ -171,15 +168,15 @@ fn several_libraries_may_stand_in_a_line_and_a_missing_one_is_a_warning() {
 fn a_wrong_library_is_refused_with_its_own_name_and_line() {
     for (library, to_blame, says) in [
         ("newmtl", 1, "the material has no name"),
-        ("Kd 1 1 1", 1, "`Kd` stands before the first `newmtl`"),
-        ("newmtl a\n\nKd 1 1", 3, "a colour has 3 numbers; one is missing here"),
-        ("newmtl a\nKd spectral a.rfl", 2, "only colours as red, green and blue are read"),
-        ("newmtl a\nKd 1 -1 1", 2, "a colour must be between 0 and 1000000, not -1"),
-        ("newmtl a\nKd 1 nan 1", 2, "a colour must be between 0 and 1000000, not NaN"),
-        ("newmtl a\nNs x", 2, "`x` is no number; one is expected"),
-        ("newmtl a\nd", 2, "`d` has no number"),
-        ("newmtl a\nd -halo 1.5", 2, "`d` must be between 0 and 1, not 1.5"),
-        ("newmtl a\nillum 300", 2, "`300` is no number"),
+        ("Kd 1 1 1", 1, "`Kd` comes before the first `newmtl`"),
+        ("newmtl a\n\nKd 1 1", 3, "a color needs 3 numbers"),
+        ("newmtl a\nKd spectral a.rfl", 2, "only RGB colors are supported"),
+        ("newmtl a\nKd 1 -1 1", 2, "a color must be 0 to 1000000, not -1"),
+        ("newmtl a\nKd 1 nan 1", 2, "a color must be 0 to 1000000, not NaN"),
+        ("newmtl a\nNs x", 2, "its value must be a number, not `x`"),
+        ("newmtl a\nd", 2, "`d` needs a number"),
+        ("newmtl a\nd -halo 1.5", 2, "`d` must be 0 to 1, not 1.5"),
+        ("newmtl a\nillum 300", 2, "must be a number, not `300`"),
     ] {
         let others = [("a.mtl", library.as_bytes())];
         match crate::files::failure("file.obj", format!("mtllib a.mtl\n{SQUARE_OBJ}").as_bytes(), &others) {

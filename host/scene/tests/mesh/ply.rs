@@ -120,9 +120,9 @@ fn what_is_left_out_is_said() {
     assert_eq!(
         it.warnings,
         [
-            "the colours of the element `vertex` are left out",
-            "triangle strips are left out",
-            "faces have fewer than three corners and are left out (1, in line 17)",
+            "the colors of element `vertex` are ignored",
+            "triangle strips are skipped",
+            "faces with fewer than three vertices are skipped (1, in line 17)",
         ]
     );
 }

@@ -25,31 +25,35 @@ fn a_missing_file_and_an_unknown_extension_are_told_apart() {
 #[test]
 fn a_wrong_obj_file_is_refused_with_the_line_and_the_reason() {
     for (text, line, says) in [
-        ("", None, "there is no triangle in it"),
-        ("v 0 0 0\nv 1 0 0\nv 0 1 0\n", None, "there is no triangle in it"),
-        ("# a\nv 0 0 0\n\0", Some(3), "this is not text"),
-        ("v 0 0", Some(1), "a corner has 3 numbers; one is missing here"),
-        ("\nv 0 0 x", Some(2), "`x` is no number; a corner is expected"),
-        ("v 0 nan 0", Some(1), "a coordinate is not a finite number but NaN"),
-        ("v 0 -inf 0", Some(1), "a coordinate is not a finite number but -inf"),
-        ("v 0 1e16 0", Some(1), "a coordinate must be between -1000000000000000 and 1000000000000000"),
-        ("v 1e400 0 0", Some(1), "a coordinate is not a finite number but inf"),
-        ("vn 0 0", Some(1), "a normal has 3 numbers; one is missing here"),
-        ("v 0 0 0\nv 1 0 0\nf 1 2 3\nv 0 1 0", Some(3), "there is no corner 3; 2 stand above this line"),
-        ("v 0 0 0\nf 1 0 1", Some(2), "there is no corner 0; 1 stand above this line"),
-        ("v 0 0 0\nf 1 -2 1", Some(2), "there is no corner -2; 1 stand above this line"),
-        ("v 0 0 0\nf 1//1 1 1", Some(2), "there is no normal 1; 0 stand above this line"),
+        ("", None, "contains no triangles"),
+        ("v 0 0 0\nv 1 0 0\nv 0 1 0\n", None, "contains no triangles"),
+        ("# a\nv 0 0 0\n\0", Some(3), "not a text file"),
+        ("v 0 0", Some(1), "a vertex needs 3 numbers"),
+        ("\nv 0 0 x", Some(2), "a vertex must be a number, not `x`"),
+        ("v 0 nan 0", Some(1), "a coordinate must be finite, not NaN"),
+        ("v 0 -inf 0", Some(1), "a coordinate must be finite, not -inf"),
+        ("v 0 1e16 0", Some(1), "a coordinate must be -1000000000000000 to 1000000000000000"),
+        ("v 1e400 0 0", Some(1), "a coordinate must be finite, not inf"),
+        ("vn 0 0", Some(1), "a normal needs 3 numbers"),
+        (
+            "v 0 0 0\nv 1 0 0\nf 1 2 3\nv 0 1 0",
+            Some(3),
+            "vertex 3 does not exist; 2 are defined above this line",
+        ),
+        ("v 0 0 0\nf 1 0 1", Some(2), "vertex 0 does not exist; 1 are defined above this line"),
+        ("v 0 0 0\nf 1 -2 1", Some(2), "vertex -2 does not exist; 1 are defined above this line"),
+        ("v 0 0 0\nf 1//1 1 1", Some(2), "normal 1 does not exist; 0 are defined above this line"),
         (
             "v 0 0 0\nf 1 1 \\\n\\\n 99999999999999999999",
             Some(2),
-            "`99999999999999999999` is no corner of a face",
+            "`99999999999999999999` is not a face vertex",
         ),
         ("v 0 0 0\nf 1 9223372036854775807 1", Some(2), "there is no corner 9223372036854775807"),
         ("v 0 0 0\nf -9223372036854775808 1 1", Some(2), "there is no corner -9223372036854775808"),
-        ("v 0 0 0\nf 1/1/1/1 1 1", Some(2), "`1/1/1/1` is no corner of a face"),
-        ("v 0 0 0\nf 1/a 1 1", Some(2), "`1/a` is no corner of a face"),
-        ("v 0 0 0\nf 1.0 1 1", Some(2), "`1.0` is no corner of a face"),
-        ("v 0 0 0\nf / 1 1", Some(2), "`/` is no corner of a face"),
+        ("v 0 0 0\nf 1/1/1/1 1 1", Some(2), "`1/1/1/1` is not a face vertex"),
+        ("v 0 0 0\nf 1/a 1 1", Some(2), "`1/a` is not a face vertex"),
+        ("v 0 0 0\nf 1.0 1 1", Some(2), "`1.0` is not a face vertex"),
+        ("v 0 0 0\nf / 1 1", Some(2), "`/` is not a face vertex"),
     ] {
         let (found, reason) = refused("obj", text);
         assert_eq!(found, line, "{reason}\n{text}");
@@ -76,33 +80,33 @@ fn a_wrong_ply_file_is_refused_with_the_line_and_the_reason() {
             Some(3),
             "a property before the first element",
         ),
-        (ply("vertex 4", "vertex -4"), Some(3), "`-4` is no number of elements `vertex`"),
+        (ply("vertex 4", "vertex -4"), Some(3), "invalid count `-4` of element `vertex`"),
         (ply("vertex 4", "vertex 99999999999999999999"), Some(3), "is no number of elements"),
         (ply("vertex 4", "vertex 4000000000"), Some(3), "take at least 6 bytes each, but 34 bytes are left"),
         (ply("vertex 4", "vertex 18446744073709551615"), Some(3), "take at least 6 bytes each"),
         (ply("face 1", "face 40"), Some(7), "40 elements `face` take at least 2 bytes each, but 11 bytes"),
-        (ply("face 1", "vertex 1"), Some(7), "a second element `vertex`"),
-        (ply("float x", "real x"), Some(4), "`real` is no type of a number"),
-        (ply("float x", "float y"), Some(5), "`y` is no name for a property, or is there already"),
+        (ply("face 1", "vertex 1"), Some(7), "duplicate element `vertex`"),
+        (ply("float x", "real x"), Some(4), "unknown type `real`"),
+        (ply("float x", "float y"), Some(5), "missing or duplicate property name `y`"),
         (ply("float x", "float"), Some(4), "`` is no name for a property"),
         (ply("float x", "float w"), Some(3), "needs the properties x, y and z"),
         (ply("float x", "list int float x"), Some(3), "needs the properties x, y and z"),
-        (ply("uchar int", "float int"), Some(8), "the length of a list must be an integer"),
+        (ply("uchar int", "float int"), Some(8), "the count type of a list must be an integer type"),
         (ply("uchar int", "uchar float"), Some(7), "needs a list `vertex_indices` of integers"),
         (ply("vertex_indices", "corners"), Some(7), "needs a list `vertex_indices`"),
         (ply("element vertex 4", "element point 4"), Some(7), "the faces stand before the vertices"),
-        (ply("end_header", "end"), Some(9), "`end` does not belong into a header"),
-        (ply("1 1 0", "1 x 0"), Some(12), "`vertex` 2 of 4: `x` is no number"),
-        (ply("1 1 0", "1 nan 0"), Some(12), "a coordinate is not a finite number but NaN"),
+        (ply("end_header", "end"), Some(9), "unknown header line `end`"),
+        (ply("1 1 0", "1 x 0"), Some(12), "`vertex` 2 of 4: `x` is not a number"),
+        (ply("1 1 0", "1 nan 0"), Some(12), "a coordinate must be finite, not NaN"),
         (ply("1 1 0", "1 1e16 0"), Some(12), "a coordinate must be between"),
-        (ply("4 0 1 2 3", "4 0 1 2 4"), Some(14), "`face` 0 of 1: there is no vertex 4"),
-        (ply("4 0 1 2 3", "4 0 1 2 -1"), Some(14), "there is no vertex -1"),
-        (ply("4 0 1 2 3", "4 0 1 2 1.5"), Some(14), "there is no vertex 1.5"),
-        (ply("4 0 1 2 3", "4 0 1 2"), Some(14), "the file ends here"),
-        (ply("4 0 1 2 3", "-3 0 1 2"), Some(14), "a list of -3 numbers"),
-        (ply("4 0 1 2 3", "1e9 0 1 2"), Some(14), "a list of 1000000000 numbers"),
-        (ply("4 0 1 2 3", "nan 0 1 2"), Some(14), "a list of NaN numbers"),
-        (ply("face 1", "face 0"), None, "there is no triangle in it"),
+        (ply("4 0 1 2 3", "4 0 1 2 4"), Some(14), "`face` 0 of 1: vertex 4 does not exist"),
+        (ply("4 0 1 2 3", "4 0 1 2 -1"), Some(14), "vertex -1 does not exist"),
+        (ply("4 0 1 2 3", "4 0 1 2 1.5"), Some(14), "vertex 1.5 does not exist"),
+        (ply("4 0 1 2 3", "4 0 1 2"), Some(14), "unexpected end of file"),
+        (ply("4 0 1 2 3", "-3 0 1 2"), Some(14), "invalid list length -3"),
+        (ply("4 0 1 2 3", "1e9 0 1 2"), Some(14), "invalid list length 1000000000"),
+        (ply("4 0 1 2 3", "nan 0 1 2"), Some(14), "invalid list length NaN"),
+        (ply("face 1", "face 0"), None, "contains no triangles"),
     ] {
         let text = String::from_utf8_lossy(&bytes);
         let (found, reason) = refused("ply", &bytes);
@@ -129,7 +133,7 @@ fn a_cut_binary_ply_file_is_refused_with_its_byte() {
     let mut wrong = file.clone();
     let place = wrong.len() - 4;
     wrong[place] = 9;
-    let says = format!("`face` 0 of 1 before byte {}: there is no vertex 9", file.len());
+    let says = format!("`face` 0 of 1 before byte {}: vertex 9 does not exist", file.len());
     assert_eq!(refused("ply", wrong), (None, says));
 }
 
@@ -143,23 +147,23 @@ fn a_wrong_gltf_file_is_refused_with_the_place_and_the_reason() {
     for (text, line, says) in [
         (String::new(), Some(1), "EOF while parsing a value"),
         ("{\n\"nodes\":[}".into(), Some(2), "expected value"),
-        ("[]".into(), None, "there is no triangle in it"),
-        ("{}".into(), None, "there is no triangle in it"),
+        ("[]".into(), None, "contains no triangles"),
+        ("{}".into(), None, "contains no triangles"),
         (
             with("\"asset\"", r#""extensionsRequired":["KHR_draco"],"asset""#),
             None,
             "requires the extension `KHR_draco`",
         ),
-        (with("\"scene\":0", "\"scene\":1"), None, "there is no scenes[1]"),
-        (with("\"nodes\":[0]", "\"nodes\":[7]"), None, "there is no nodes[7]"),
-        (with("\"nodes\":[0]", "\"nodes\":[0,0]"), None, "nodes[0]: is reached twice"),
-        (with("{\"mesh\":0}", r#"{"mesh":0,"children":[0]}"#), None, "nodes[0]: is reached twice"),
-        (with("{\"mesh\":0}", r#"{"mesh":3}"#), None, "nodes[0]: there is no meshes[3]"),
+        (with("\"scene\":0", "\"scene\":1"), None, "scenes[1] does not exist"),
+        (with("\"nodes\":[0]", "\"nodes\":[7]"), None, "nodes[7] does not exist"),
+        (with("\"nodes\":[0]", "\"nodes\":[0,0]"), None, "nodes[0] has two parents"),
+        (with("{\"mesh\":0}", r#"{"mesh":0,"children":[0]}"#), None, "nodes[0] has two parents"),
+        (with("{\"mesh\":0}", r#"{"mesh":3}"#), None, "nodes[0]: meshes[3] does not exist"),
         (with("{\"mesh\":0}", r#"{"mesh":0,"rotation":[0,0,0,0]}"#), None, "moves by no finite numbers"),
         (
             with("{\"mesh\":0}", r#"{"mesh":0,"scale":[1e300,1,1]}"#),
             None,
-            "a coordinate is not a finite number but inf",
+            "a coordinate must be finite, not inf",
         ),
         (
             with("{\"mesh\":0}", r#"{"mesh":0,"translation":[2e15,0,0]}"#),
@@ -167,7 +171,11 @@ fn a_wrong_gltf_file_is_refused_with_the_place_and_the_reason() {
             "a coordinate must be between",
         ),
         (with("{\"mesh\":0}", r#"{"mesh":0,"matrix":[1,2]}"#), Some(1), "invalid length 2"),
-        (with("\"POSITION\":0", "\"POSITION\":9"), None, "meshes[0].primitives[0]: there is no accessors[9]"),
+        (
+            with("\"POSITION\":0", "\"POSITION\":9"),
+            None,
+            "meshes[0].primitives[0]: accessors[9] does not exist",
+        ),
         (
             with("\"POSITION\":0", "\"POSITION\":2"),
             None,
@@ -176,15 +184,19 @@ fn a_wrong_gltf_file_is_refused_with_the_place_and_the_reason() {
         (with("\"POSITION\":0", "\"NORMAL\":1"), None, "has no POSITION"),
         (with("\"indices\":2", "\"indices\":0"), None, "accessors[0]: holds `VEC3`"),
         (with("\"indices\":2", "\"indices\":2,\"mode\":9"), None, "`mode` is 9"),
-        (with("\"indices\":2", "\"indices\":2,\"material\":0"), None, "there is no materials[0]"),
-        (with("\"count\":6", "\"count\":5"), None, "5 corners are not three for each triangle"),
-        (with("\"count\":6", "\"count\":9"), None, "accessors[2]: is not inside bufferViews[2]"),
-        (with("\"count\":6", "\"count\":18446744073709551615"), None, "is not inside bufferViews[2]"),
-        (with("\"count\":4", "\"count\":3"), None, "index 5 names corner 3 of 3"),
-        (with("\"bufferView\":0", "\"bufferView\":7"), None, "there is no bufferViews[7]"),
+        (with("\"indices\":2", "\"indices\":2,\"material\":0"), None, "materials[0] does not exist"),
+        (with("\"count\":6", "\"count\":5"), None, "5 vertices are not a multiple of 3"),
+        (with("\"count\":6", "\"count\":9"), None, "accessors[2]: extends beyond bufferViews[2]"),
+        (with("\"count\":6", "\"count\":18446744073709551615"), None, "extends beyond bufferViews[2]"),
+        (with("\"count\":4", "\"count\":3"), None, "index 5 refers to vertex 3, but there are 3"),
+        (with("\"bufferView\":0", "\"bufferView\":7"), None, "bufferViews[7] does not exist"),
         (with("\"bufferView\":0,", ""), None, "accessors[0]: has no `bufferView`"),
-        (with("\"bufferView\":0", "\"sparse\":{},\"bufferView\":0"), None, "sparse accessors are not read"),
-        (with("\"byteLength\":48", "\"byteLength\":480"), None, "bufferViews[0] is not inside its buffer"),
+        (
+            with("\"bufferView\":0", "\"sparse\":{},\"bufferView\":0"),
+            None,
+            "sparse accessors are not supported",
+        ),
+        (with("\"byteLength\":48", "\"byteLength\":480"), None, "bufferViews[0] extends beyond its buffer"),
         (
             with("\"byteLength\":48", "\"byteOffset\":18446744073709551615,\"byteLength\":48"),
             None,
@@ -193,7 +205,7 @@ fn a_wrong_gltf_file_is_refused_with_the_place_and_the_reason() {
         (
             with("\"byteLength\":48", "\"byteLength\":48,\"byteStride\":4"),
             None,
-            "is not inside bufferViews[0]",
+            "extends beyond bufferViews[0]",
         ),
         (
             with("\"byteLength\":48", "\"byteLength\":48,\"byteStride\":18446744073709551615"),
@@ -205,7 +217,7 @@ fn a_wrong_gltf_file_is_refused_with_the_place_and_the_reason() {
             None,
             "buffers[0]: has 108 bytes; `byteLength` says 109",
         ),
-        (with(";base64", ""), None, "buffers[0]: the `data:` in `uri` is not in base64"),
+        (with(";base64", ""), None, "buffers[0]: the data URI is not base64"),
         (with(";base64,", ";base64,*"), None, "buffers[0]: the base64 in `uri` is wrong"),
         (gltf_with("", PLAIN), None, "buffers[0]: has no `uri`, and there is no binary part"),
         (gltf_with(r#""uri":"web://host/a.bin","#, PLAIN), None, "nothing is fetched from elsewhere"),
@@ -257,7 +269,7 @@ fn nodes_that_copy_without_measure_are_refused() {
         part.trim_end_matches(',')
     ));
     let (_, reason) = refused("gltf", text);
-    assert!(reason.contains("more than 16777216 corners, triangles or copies of parts"), "{reason}");
+    assert!(reason.contains("more than 16777216 vertices, triangles or primitives"), "{reason}");
 }
 
 #[test]

@@ -1,4 +1,4 @@
-//! Where the numbers of a glTF file are, and whether they are all there.
+//! Buffers, buffer views and accessors of glTF, with bounds checks.
 
 use std::collections::HashMap;
 use std::path::{Path, PathBuf};
@@ -11,18 +11,18 @@ use crate::error::LoadError;
 use crate::quote::quoted;
 use crate::source_files::SourceFiles;
 
-/// What an accessor may hold: the number of its type, how it is called, its bytes.
+/// An accessor type: allowed component types, its name, and its number of components.
 pub struct AccessorType {
     pub components: &'static [u32],
     pub name: &'static str,
     pub components_per_element: usize,
 }
 
-/// Three single-precision numbers.
+/// Vectors of three single-precision numbers.
 pub const VEC3_F32: AccessorType =
     AccessorType { components: &[FLOAT], name: "VEC3", components_per_element: 3 };
 
-/// One integer.
+/// Unsigned integers of any size.
 pub const SCALAR_UINT: AccessorType =
     AccessorType { components: &[BYTE, SHORT, INT], name: "SCALAR", components_per_element: 1 };
 
@@ -37,14 +37,14 @@ pub struct Buffers {
 }
 
 impl Buffers {
-    /// Loads the buffers of the file at `path`; `binary` is the second part of a `.glb`.
+    /// Loads the buffers of the file at `path`; `binary` is the binary chunk of a `.glb`.
     pub fn load(
         files: &SourceFiles,
         path: &Path,
         root: &GltfDocument,
         mut binary: Option<Vec<u8>>,
     ) -> Result<Self, LoadError> {
-        let wrong = |number: usize, reason: &str| LoadError::Invalid {
+        let invalid = |number: usize, reason: &str| LoadError::Invalid {
             path: path.to_owned(),
             line: None,
             reason: format!("buffers[{number}]: {reason}"),
@@ -55,25 +55,25 @@ impl Buffers {
             let bytes = match &buffer.uri {
                 None => match binary.take() {
                     Some(binary) if number == 0 => Rc::new(binary),
-                    _ => return Err(wrong(number, "has no `uri`, and there is no binary part for it")),
+                    _ => return Err(invalid(number, "has no `uri`, and the file has no binary chunk")),
                 },
                 Some(uri) if uri.starts_with("data:") => {
-                    Rc::new(decode_data_uri(uri).map_err(|reason| wrong(number, &reason))?)
+                    Rc::new(decode_data_uri(uri).map_err(|reason| invalid(number, &reason))?)
                 }
                 Some(uri) if uri.contains("://") => {
-                    return Err(wrong(number, "is not beside the file; nothing is fetched from elsewhere"));
+                    return Err(invalid(number, "is a remote URI; only local files are read"));
                 }
                 Some(uri) => {
                     let name =
-                        percent_decoded(uri).ok_or_else(|| wrong(number, "the name in `uri` is no text"))?;
-                    let place = path.parent().unwrap_or(Path::new("")).join(name);
-                    match read.get(&place) {
-                        Some(known) => Rc::clone(known),
+                        percent_decoded(uri).ok_or_else(|| invalid(number, "`uri` is not valid UTF-8"))?;
+                    let file = path.parent().unwrap_or(Path::new("")).join(name);
+                    match read.get(&file) {
+                        Some(bytes) => Rc::clone(bytes),
                         None => {
-                            let bytes = files.read_referenced(&place).map(Rc::new);
-                            let unreadable = |error| LoadError::Unreadable { path: place.clone(), error };
+                            let bytes = files.read_referenced(&file).map(Rc::new);
+                            let unreadable = |error| LoadError::Unreadable { path: file.clone(), error };
                             let bytes = bytes.map_err(unreadable)?;
-                            read.insert(place, Rc::clone(&bytes));
+                            read.insert(file, Rc::clone(&bytes));
                             bytes
                         }
                     }
@@ -81,14 +81,14 @@ impl Buffers {
             };
             if (bytes.len() as u64) < buffer.byte_length {
                 let (needed, there) = (buffer.byte_length, bytes.len());
-                return Err(wrong(number, &format!("has {there} bytes; `byteLength` says {needed}")));
+                return Err(invalid(number, &format!("has {there} bytes; `byteLength` says {needed}")));
             }
             loaded.push(bytes);
         }
         Ok(Buffers { loaded })
     }
 
-    /// Names the files of textures, which are not read.
+    /// Records the paths of textures, which are not read.
     pub fn note_textures(files: &SourceFiles, path: &Path, root: &GltfDocument) {
         let beside = |uri: &&str| !uri.starts_with("data:") && !uri.contains("://");
         let uris = root.images.iter().filter_map(|image| image.uri.as_deref()).filter(beside);
@@ -97,20 +97,21 @@ impl Buffers {
         }
     }
 
-    /// How many bytes there are.
+    /// The total size of all buffers, in bytes.
     pub fn bytes(&self) -> usize {
         self.loaded.iter().map(|bytes| bytes.len()).sum()
     }
 
-    /// The entries of an accessor, which must be of this kind.
+    /// The elements of an accessor, which must have this type.
     pub fn accessor<'b>(
         &'b self,
         root: &'b GltfDocument,
-        place: usize,
+        index: usize,
         kind: &AccessorType,
     ) -> Result<AccessorView<'b>, String> {
-        let accessor = root.accessors.get(place).ok_or_else(|| format!("there is no accessors[{place}]"))?;
-        self.find(root, accessor, kind).map_err(|reason| format!("accessors[{place}]: {reason}"))
+        let accessor =
+            root.accessors.get(index).ok_or_else(|| format!("accessors[{index}] does not exist"))?;
+        self.find(root, accessor, kind).map_err(|reason| format!("accessors[{index}]: {reason}"))
     }
 
     fn find<'b>(
@@ -121,16 +122,17 @@ impl Buffers {
     ) -> Result<AccessorView<'b>, String> {
         if accessor.kind != kind.name || !kind.components.contains(&accessor.component_type) {
             let (is, number) = (quoted(&accessor.kind), accessor.component_type);
-            return Err(format!("holds {is} of component type {number}, which cannot stand here"));
+            return Err(format!("has type {is} and component type {number}, which is not allowed here"));
         }
         if accessor.sparse.is_some() {
-            return Err("sparse accessors are not read".into());
+            return Err("sparse accessors are not supported".into());
         }
-        let Some(place) = accessor.buffer_view else {
+        let Some(index) = accessor.buffer_view else {
             return Err("has no `bufferView`".into());
         };
-        let view = root.buffer_views.get(place).ok_or_else(|| format!("there is no bufferViews[{place}]"))?;
-        let missing = || format!("bufferViews[{place}] is not inside its buffer");
+        let view =
+            root.buffer_views.get(index).ok_or_else(|| format!("bufferViews[{index}] does not exist"))?;
+        let missing = || format!("bufferViews[{index}] extends beyond its buffer");
         let buffer = self.loaded.get(view.buffer).ok_or_else(missing)?;
         let buffer = byte_range(buffer, view.byte_offset, view.byte_length).ok_or_else(missing)?;
 
@@ -141,15 +143,15 @@ impl Buffers {
         };
         let size = component * kind.components_per_element;
         let stride = view.byte_stride.map_or(Some(size), |stride| usize::try_from(stride).ok());
-        let short = || format!("is not inside bufferViews[{place}]");
-        let stride = stride.filter(|stride| *stride >= size).ok_or_else(short)?;
-        let offset = usize::try_from(accessor.byte_offset).map_err(|_| short())?;
-        let bytes = buffer.get(offset..).ok_or_else(short)?;
-        let count = usize::try_from(accessor.count).map_err(|_| short())?;
-        // The last entry need not fill its stride.
+        let too_short = || format!("extends beyond bufferViews[{index}]");
+        let stride = stride.filter(|stride| *stride >= size).ok_or_else(too_short)?;
+        let offset = usize::try_from(accessor.byte_offset).map_err(|_| too_short())?;
+        let bytes = buffer.get(offset..).ok_or_else(too_short)?;
+        let count = usize::try_from(accessor.count).map_err(|_| too_short())?;
+        // The last element need not fill its stride.
         if count > 0 {
             let end = (count - 1).checked_mul(stride).and_then(|start| start.checked_add(size));
-            end.filter(|end| *end <= bytes.len()).ok_or_else(short)?;
+            end.filter(|end| *end <= bytes.len()).ok_or_else(too_short)?;
         }
         Ok(AccessorView { bytes, count, stride, component })
     }
@@ -160,7 +162,7 @@ fn byte_range(bytes: &[u8], offset: u64, length: u64) -> Option<&[u8]> {
     bytes.get(usize::try_from(offset).ok()?..usize::try_from(end).ok()?)
 }
 
-/// Entries that are all there.
+/// The elements of an accessor, all within its buffer.
 pub struct AccessorView<'b> {
     bytes: &'b [u8],
     pub count: usize,
@@ -169,16 +171,16 @@ pub struct AccessorView<'b> {
 }
 
 impl AccessorView<'_> {
-    /// A vector; none beyond the end.
-    pub fn vec3(&self, place: usize) -> Option<[f32; 3]> {
-        let bytes = self.element(place)?;
+    /// A vector; `None` beyond the end.
+    pub fn vec3(&self, index: usize) -> Option<[f32; 3]> {
+        let bytes = self.element(index)?;
         let number = |i: usize| bytes.get(4 * i..)?.first_chunk().copied().map(f32::from_le_bytes);
         Some([number(0)?, number(1)?, number(2)?])
     }
 
-    /// An integer; none beyond the end.
-    pub fn index(&self, place: usize) -> Option<u32> {
-        let bytes = self.element(place)?;
+    /// An integer; `None` beyond the end.
+    pub fn index(&self, index: usize) -> Option<u32> {
+        let bytes = self.element(index)?;
         match self.component {
             1 => bytes.first().copied().map(u32::from),
             2 => bytes.first_chunk().copied().map(u16::from_le_bytes).map(u32::from),
@@ -186,24 +188,24 @@ impl AccessorView<'_> {
         }
     }
 
-    fn element(&self, place: usize) -> Option<&[u8]> {
-        if place < self.count { self.bytes.get(place * self.stride..) } else { None }
+    fn element(&self, index: usize) -> Option<&[u8]> {
+        if index < self.count { self.bytes.get(index * self.stride..) } else { None }
     }
 }
 
-/// The bytes of a `data:` URI.
+/// The bytes of a data URI in base64.
 fn decode_data_uri(uri: &str) -> Result<Vec<u8>, String> {
     let Some((kind, text)) = uri.split_once(',') else {
-        return Err("the `data:` in `uri` has no comma".into());
+        return Err("the data URI has no comma".into());
     };
     if !kind.ends_with(";base64") {
-        return Err("the `data:` in `uri` is not in base64".into());
+        return Err("the data URI is not base64".into());
     }
     let decoded = base64::engine::general_purpose::STANDARD.decode(text);
-    decoded.map_err(|error| format!("the base64 in `uri` is wrong: {error}"))
+    decoded.map_err(|error| format!("invalid base64 in the data URI: {error}"))
 }
 
-/// The name with its `%20` and the like replaced; none when it is no UTF-8 then.
+/// The URI with percent escapes replaced; `None` if the result is not UTF-8.
 fn percent_decoded(uri: &str) -> Option<String> {
     let mut bytes = Vec::with_capacity(uri.len());
     let mut rest = uri.as_bytes();

@@ -1,8 +1,8 @@
-//! The words of a glTF file that a mesh has a use for; serde reads over all others.
+//! The properties of a glTF file that are used; serde skips all others.
 
 use serde::Deserialize;
 
-/// A whole file.
+/// The whole document.
 #[derive(Deserialize)]
 #[serde(rename_all = "camelCase", default)]
 #[derive(Default)]
@@ -19,34 +19,34 @@ pub struct GltfDocument {
     pub images: Vec<GltfImage>,
 }
 
-/// What is shown together.
+/// A scene: its root nodes.
 #[derive(Deserialize)]
 pub struct GltfScene {
     #[serde(default)]
     pub nodes: Vec<usize>,
 }
 
-/// A thing with its place, and the things that move with it.
+/// A node: a transform, a mesh and child nodes.
 #[derive(Deserialize)]
 pub struct GltfNode {
     #[serde(default)]
     pub children: Vec<usize>,
     pub mesh: Option<usize>,
     pub skin: Option<serde::de::IgnoredAny>,
-    /// Column by column. Boxed, as all of these: in the file a node may be two bytes.
+    /// In column-major order. Boxed, like the next ones, because a node may take as little as two bytes in the file.
     pub matrix: Option<Box<[f64; 16]>>,
     pub translation: Option<Box<[f64; 3]>>,
     pub rotation: Option<Box<[f64; 4]>>,
     pub scale: Option<Box<[f64; 3]>>,
 }
 
-/// Parts that belong together.
+/// A mesh.
 #[derive(Deserialize)]
 pub struct GltfMesh {
     pub primitives: Vec<GltfPrimitive>,
 }
 
-/// Triangles of one material.
+/// A primitive: triangles of one material.
 #[derive(Deserialize)]
 pub struct GltfPrimitive {
     pub attributes: GltfAttributes,
@@ -57,7 +57,7 @@ pub struct GltfPrimitive {
     pub targets: Vec<serde::de::IgnoredAny>,
 }
 
-/// What corners have: places of accessors.
+/// The vertex attributes: indices of accessors.
 #[derive(Deserialize)]
 pub struct GltfAttributes {
     #[serde(rename = "POSITION")]
@@ -68,7 +68,7 @@ pub struct GltfAttributes {
     pub color: Option<serde::de::IgnoredAny>,
 }
 
-/// Numbers of one kind, in a view.
+/// An accessor: typed elements in a buffer view.
 #[derive(Deserialize)]
 #[serde(rename_all = "camelCase")]
 pub struct GltfAccessor {
@@ -82,7 +82,7 @@ pub struct GltfAccessor {
     pub sparse: Option<serde::de::IgnoredAny>,
 }
 
-/// A piece of a buffer.
+/// A byte range of a buffer.
 #[derive(Deserialize)]
 #[serde(rename_all = "camelCase")]
 pub struct GltfBufferView {
@@ -93,7 +93,7 @@ pub struct GltfBufferView {
     pub byte_stride: Option<u64>,
 }
 
-/// Bytes: in a file, in the text, or in the second part of a `.glb`.
+/// A buffer: in a file, in a data URI, or in the binary chunk of a `.glb`.
 #[derive(Deserialize)]
 #[serde(rename_all = "camelCase")]
 pub struct GltfBuffer {
@@ -101,13 +101,13 @@ pub struct GltfBuffer {
     pub uri: Option<String>,
 }
 
-/// A texture: in a file, in the text, or in a view.
+/// An image of a texture.
 #[derive(Deserialize)]
 pub struct GltfImage {
     pub uri: Option<String>,
 }
 
-/// How a surface looks.
+/// A material.
 #[derive(Deserialize)]
 #[serde(rename_all = "camelCase")]
 pub struct GltfMaterial {
@@ -122,7 +122,7 @@ pub struct GltfMaterial {
     pub extensions: MaterialExtensions,
 }
 
-/// The usual model of a surface.
+/// The metallic-roughness material model.
 #[derive(Deserialize)]
 #[serde(rename_all = "camelCase", default)]
 pub struct PbrMetallicRoughness {
@@ -145,7 +145,7 @@ impl Default for PbrMetallicRoughness {
     }
 }
 
-/// Extensions that say something of glass.
+/// Extensions for transparent materials.
 #[derive(Default, Deserialize)]
 pub struct MaterialExtensions {
     #[serde(rename = "KHR_materials_ior")]
@@ -154,13 +154,13 @@ pub struct MaterialExtensions {
     pub transmission: Option<KhrTransmission>,
 }
 
-/// Of refraction.
+/// KHR_materials_ior.
 #[derive(Deserialize)]
 pub struct KhrIor {
     pub ior: Option<f32>,
 }
 
-/// Of light through a surface.
+/// KHR_materials_transmission.
 #[derive(Deserialize)]
 #[serde(rename_all = "camelCase")]
 pub struct KhrTransmission {

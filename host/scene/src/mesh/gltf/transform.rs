@@ -1,26 +1,26 @@
-//! Where the nodes of a glTF file put their meshes.
+//! Transforms of glTF nodes.
 
 use super::json::GltfNode;
 use crate::description::Float3;
 
-/// A linear map and a shift. In double precision, so that long chains of nodes round once.
+/// An affine transform in double precision, so that long chains of nodes round once.
 #[derive(Clone, Copy, Debug)]
 pub struct AffineTransform {
-    /// What becomes of the three axes.
+    /// The images of the three axes.
     columns: [[f64; 3]; 3],
     translation: [f64; 3],
 }
 
 impl AffineTransform {
-    /// Leaves everything where it is.
+    /// The identity.
     pub const IDENTITY: AffineTransform = AffineTransform {
         columns: [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]],
         translation: [0.0; 3],
     };
 
-    /// That of a node; none when a number is not finite or the rotation turns nowhere.
+    /// The transform of a node; `None` if a number is not finite or the quaternion is zero.
     pub fn of_node(node: &GltfNode) -> Option<Self> {
-        let motion = match &node.matrix {
+        let transform = match &node.matrix {
             Some(m) => AffineTransform {
                 columns: [[m[0], m[1], m[2]], [m[4], m[5], m[6]], [m[8], m[9], m[10]]],
                 translation: [m[12], m[13], m[14]],
@@ -38,11 +38,11 @@ impl AffineTransform {
                 }
             }
         };
-        let numbers = motion.columns.as_flattened().iter().chain(&motion.translation);
-        numbers.copied().all(f64::is_finite).then_some(motion)
+        let numbers = transform.columns.as_flattened().iter().chain(&transform.translation);
+        numbers.copied().all(f64::is_finite).then_some(transform)
     }
 
-    /// First `inner`, then this.
+    /// Applies `inner` first, then this.
     pub fn compose(&self, inner: &AffineTransform) -> Self {
         AffineTransform {
             columns: inner.columns.map(|column| self.linear(column)),
@@ -50,21 +50,20 @@ impl AffineTransform {
         }
     }
 
-    /// Whether it turns left hands into right hands.
+    /// Whether it changes the handedness.
     pub fn flips_orientation(&self) -> bool {
         self.determinant() < 0.0
     }
 
-    /// Where a point goes.
+    /// Transforms a point.
     pub fn transform_point(&self, point: Float3) -> Float3 {
         self.transform(point.map(f64::from)).map(|x| x as f32)
     }
 
-    /// Where a normal points, of length one: upright on what it was upright on. Zero when
-    /// nothing is left of it.
+    /// Transforms a normal by the inverse transpose, to length 1. Zero if the transform is singular.
     pub fn transform_normal(&self, normal: Float3) -> Float3 {
-        // The columns of the inverse transpose are the cross products of the columns, over the
-        // determinant, of which only the sign counts.
+        // The columns of the inverse transpose are the cross products of the columns, divided by the determinant, of
+        // which only the sign matters.
         let [a, b, c] = self.columns;
         let cofactors = [cross(b, c), cross(c, a), cross(a, b)];
         let n = normal.map(f64::from);
@@ -99,7 +98,7 @@ fn cross(a: [f64; 3], b: [f64; 3]) -> [f64; 3] {
     [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]]
 }
 
-/// What a rotation by the quaternion `x y z w`, of any length, makes of the axes.
+/// The rotation matrix of the quaternion `x y z w`, of any length; `None` if it is zero or not finite.
 fn rotation_matrix(quaternion: [f64; 4]) -> Option<[[f64; 3]; 3]> {
     let length = quaternion.iter().map(|x| x * x).sum::<f64>().sqrt();
     if !(length > 0.0 && length.is_finite()) {

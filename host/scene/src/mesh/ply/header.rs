@@ -1,9 +1,9 @@
-//! What a PLY file promises: its elements, their properties, and how numbers are written.
+//! PLY header: elements, properties and encoding.
 
 use crate::mesh::error::LineError;
 use crate::quote::quoted;
 
-/// How a number is kept.
+/// A scalar type.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum ScalarType {
     I8,
@@ -45,15 +45,15 @@ impl ScalarType {
     }
 }
 
-/// A number of each element, or as many as a number before them says.
+/// A property of an element: a number, or a list with its length in front.
 pub struct PlyProperty {
     pub name: String,
-    /// The type of the number that says how many.
+    /// The type of the length of a list; `None` if the property is a single number.
     pub count_type: Option<ScalarType>,
     pub scalar_type: ScalarType,
 }
 
-/// Things of one kind.
+/// An element: a number of records with the same properties.
 pub struct PlyElement {
     pub name: String,
     pub count: usize,
@@ -72,7 +72,7 @@ impl PlyElement {
     }
 }
 
-/// How numbers are written.
+/// The encoding of numbers.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum PlyEncoding {
     Ascii,
@@ -80,34 +80,36 @@ pub enum PlyEncoding {
     BigEndian,
 }
 
-/// What the file promises.
+/// The header of a file.
 pub struct PlyHeader {
     pub elements: Vec<PlyElement>,
     pub encoding: PlyEncoding,
-    /// How many bytes it has.
+    /// The size of the header, in bytes.
     pub bytes: usize,
-    /// How many lines it has.
+    /// The number of lines of the header.
     pub lines: usize,
 }
 
 impl PlyHeader {
-    /// The header of a file.
+    /// Reads the header of a file.
     pub fn read(bytes: &[u8]) -> Result<Self, LineError> {
         let (mut left, mut line) = (bytes, 0);
         let mut encoding = None;
         let mut header = PlyHeader { elements: Vec::new(), encoding: PlyEncoding::Ascii, bytes: 0, lines: 0 };
         loop {
             line += 1;
-            let end = left.iter().position(|byte| *byte == b'\n').map_or(left.len(), |place| place + 1);
+            let end = left.iter().position(|byte| *byte == b'\n').map_or(left.len(), |position| position + 1);
             let (text, rest) = left.split_at(end);
             left = rest;
             let text = String::from_utf8_lossy(text);
             let mut words = text.split_ascii_whitespace();
-            let wrong = |reason: String| Err((Some(line), reason));
+            let error_at_line = |reason: String| Err((Some(line), reason));
             match (words.next(), line) {
                 (Some("ply"), 1) => {}
-                (_, 1) => return wrong("the file does not begin with `ply`, so it is no PLY file".into()),
-                (None, _) if left.is_empty() => return wrong("the file ends inside its header".into()),
+                (_, 1) => return error_at_line("not a PLY file: it does not begin with `ply`".into()),
+                (None, _) if left.is_empty() => {
+                    return error_at_line("the file ends inside its header".into());
+                }
                 (None | Some("comment" | "obj_info"), _) => {}
                 (Some("format"), _) => {
                     encoding = Some(match words.next() {
@@ -116,7 +118,7 @@ impl PlyHeader {
                         Some("binary_big_endian") => PlyEncoding::BigEndian,
                         other => {
                             let other = quoted(other.unwrap_or_default());
-                            return wrong(format!(
+                            return error_at_line(format!(
                                 "the format {other} is not ascii, binary_little_endian or binary_big_endian"
                             ));
                         }
@@ -125,7 +127,7 @@ impl PlyHeader {
                 (Some("element"), _) => header.element(words, line)?,
                 (Some("property"), _) => header.property(words, line)?,
                 (Some("end_header"), _) => break,
-                (Some(other), _) => return wrong(format!("{} does not belong into a header", quoted(other))),
+                (Some(other), _) => return error_at_line(format!("unknown header line {}", quoted(other))),
             }
         }
         header.encoding = encoding.ok_or((Some(line), "the header has no `format`".into()))?;
@@ -140,11 +142,11 @@ impl PlyHeader {
     ) -> Result<(), LineError> {
         let (name, count) = (words.next().unwrap_or_default(), words.next().unwrap_or_default());
         let Ok(count) = count.parse::<usize>() else {
-            let reason = format!("{} is no number of elements {}", quoted(count), quoted(name));
+            let reason = format!("invalid count {} of element {}", quoted(count), quoted(name));
             return Err((Some(line), reason));
         };
         if self.elements.iter().any(|element| element.name == name) {
-            return Err((Some(line), format!("a second element {}", quoted(name))));
+            return Err((Some(line), format!("duplicate element {}", quoted(name))));
         }
         self.elements.push(PlyElement { name: name.to_owned(), count, properties: Vec::new(), line });
         Ok(())
@@ -155,14 +157,13 @@ impl PlyHeader {
         mut words: impl Iterator<Item = &'w str>,
         line: usize,
     ) -> Result<(), LineError> {
-        let wrong = |reason: String| Err((Some(line), reason));
+        let error_at_line = |reason: String| Err((Some(line), reason));
         let Some(element) = self.elements.last_mut() else {
-            return wrong("a property before the first element".into());
+            return error_at_line("a property before the first element".into());
         };
         let mut next = || words.next().unwrap_or_default();
         let type_of = |name: &str| {
-            ScalarType::from_name(name)
-                .ok_or((Some(line), format!("{} is no type of a number", quoted(name))))
+            ScalarType::from_name(name).ok_or((Some(line), format!("unknown type {}", quoted(name))))
         };
         let first = next();
         let (list, of) = match first {
@@ -170,11 +171,11 @@ impl PlyHeader {
             _ => (None, type_of(first)?),
         };
         if list.is_some_and(|list| !list.is_integer()) {
-            return wrong("the length of a list must be an integer".into());
+            return error_at_line("the count type of a list must be an integer type".into());
         }
         let name = next();
         if name.is_empty() || element.has(name) {
-            return wrong(format!("{} is no name for a property, or is there already", quoted(name)));
+            return error_at_line(format!("missing or duplicate property name {}", quoted(name)));
         }
         element.properties.push(PlyProperty { name: name.to_owned(), count_type: list, scalar_type: of });
         Ok(())

@@ -1,12 +1,11 @@
-//! PLY, the polygon files of Stanford: ascii, and binary of either byte order.
+//! PLY, the Stanford polygon format: ASCII, and binary in both byte orders.
 //!
-//! Of the element `vertex` the properties `x y z` count, of any type, and `nx ny nz` when all
-//! three are there; of `face` the list `vertex_indices` or `vertex_index` of integers.
-//! Anything else is read over. Ascii numbers may stand in any lines.
+//! Used are, of the element `vertex`, the properties `x y z` of any type, and `nx ny nz` if all three exist; of `face`
+//! the integer list `vertex_indices` or `vertex_index`. Everything else is skipped. ASCII numbers may be split across
+//! lines in any way.
 //!
-//! Read by hand, element by element into the mesh: the usual crate keeps every face as a list
-//! of its own first, refuses ascii numbers like `1.`, and cannot say at which byte a file
-//! is wrong.
+//! Elements are read directly into the mesh. The crate `ply-rs` is not used: it allocates a list for every face, rejects
+//! ASCII numbers such as `1.`, and does not report the byte position of an error.
 
 mod header;
 mod reader;
@@ -22,7 +21,7 @@ use reader::PlyReader;
 pub fn read(bytes: &[u8]) -> Result<TriangleMesh, LineError> {
     let header = PlyHeader::read(bytes)?;
     let mut data = PlyReader::after(&header, bytes);
-    let mut gather = MeshBuilder::default();
+    let mut builder = MeshBuilder::default();
     let mut has_vertices = false;
     for element in &header.elements {
         data.check_count(element)?;
@@ -30,30 +29,30 @@ pub fn read(bytes: &[u8]) -> Result<TriangleMesh, LineError> {
         match plan.role {
             ElementRole::Vertices => {
                 has_vertices = true;
-                gather.reserve(element.count, 0);
+                builder.reserve(element.count, 0);
             }
-            ElementRole::Faces => gather.reserve(0, element.count),
-            ElementRole::Strips => gather.warn("triangle strips are left out".into()),
+            ElementRole::Faces => builder.reserve(0, element.count),
+            ElementRole::Strips => builder.warn("triangle strips are skipped".into()),
             ElementRole::Other => {}
         }
         if element.has("red") && plan.role != ElementRole::Other {
-            gather.warn(format!("the colours of the element {} are left out", quoted(&element.name)));
+            builder.warn(format!("the colors of element {} are ignored", quoted(&element.name)));
         }
-        // What has no properties has no data, however often.
+        // Elements without properties have no data, whatever their count.
         let count = if element.properties.is_empty() { 0 } else { element.count };
         for number in 0..count {
-            // The place is put together only when something is wrong there.
-            plan.read(&mut data, &mut gather).map_err(|reason| {
+            // The position is formatted only for an error.
+            plan.read(&mut data, &mut builder).map_err(|reason| {
                 let (line, byte) = data.position();
                 let name = quoted(&element.name);
                 (line, format!("{name} {number} of {count}{byte}: {reason}"))
             })?;
         }
     }
-    gather.finish().map_err(|reason| (None, reason))
+    builder.finish().map_err(|reason| (None, reason))
 }
 
-/// What an element is to a mesh.
+/// The role of an element in a mesh.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum ElementRole {
     Vertices,
@@ -62,15 +61,15 @@ enum ElementRole {
     Other,
 }
 
-/// What is done with an element.
+/// Reads the records of one element.
 struct ElementReader<'h> {
     role: ElementRole,
     has_normals: bool,
-    /// Each property, and where its number goes.
+    /// Each property, and the index at which its number is stored, if it is used.
     properties: Vec<(&'h PlyProperty, Option<usize>)>,
 }
 
-/// Where the numbers of a vertex go.
+/// The used properties of a vertex, in the order in which they are stored.
 const VERTEX_PROPERTIES: [&str; 6] = ["x", "y", "z", "nx", "ny", "nz"];
 
 impl<'h> ElementReader<'h> {
@@ -90,10 +89,10 @@ impl<'h> ElementReader<'h> {
         if role == ElementRole::Faces {
             let list = element.properties.iter().find(|p| p.name == of_face);
             if !list.is_some_and(|p| p.count_type.is_some() && p.scalar_type.is_integer()) {
-                return element.error("the element `face` needs a list `vertex_indices` of integers");
+                return element.error("the element `face` needs an integer list `vertex_indices`");
             }
             if !has_vertices && element.count > 0 {
-                return element.error("the faces stand before the vertices, or there are none");
+                return element.error("faces come before the vertices, or there are no vertices");
             }
         }
         let goal = |property: &PlyProperty| match role {
@@ -111,10 +110,10 @@ impl<'h> ElementReader<'h> {
         })
     }
 
-    /// Reads one element.
-    fn read(&self, data: &mut PlyReader<'_>, gather: &mut MeshBuilder) -> Result<(), String> {
+    /// Reads one record.
+    fn read(&self, data: &mut PlyReader<'_>, builder: &mut MeshBuilder) -> Result<(), String> {
         let mut vertex = [0.0; 6];
-        let mut face = gather.take_face_buffer();
+        let mut face = builder.take_face_buffer();
         for (property, goal) in &self.properties {
             let Some(length) = property.count_type else {
                 let number = data.number(property.scalar_type)?;
@@ -125,13 +124,13 @@ impl<'h> ElementReader<'h> {
             };
             let length = data.number(length)?;
             let length = as_integer(length, data.remaining.len())
-                .ok_or_else(|| format!("a list of {length} numbers"))?;
+                .ok_or_else(|| format!("invalid list length {length}"))?;
             for _ in 0..length {
                 let number = data.number(property.scalar_type)?;
                 if goal.is_some() {
                     let corner =
-                        as_integer(number, usize::MAX).filter(|corner| *corner < gather.vertex_count());
-                    face.push(corner.ok_or_else(|| format!("there is no vertex {number}"))? as u32);
+                        as_integer(number, usize::MAX).filter(|corner| *corner < builder.vertex_count());
+                    face.push(corner.ok_or_else(|| format!("vertex {number} does not exist"))? as u32);
                 }
             }
         }
@@ -139,17 +138,17 @@ impl<'h> ElementReader<'h> {
             ElementRole::Vertices => {
                 let [x, y, z, nx, ny, nz] = vertex;
                 let point = [coordinate(x)?, coordinate(y)?, coordinate(z)?];
-                gather.add_vertex(point, self.has_normals.then_some([nx, ny, nz]))?;
+                builder.add_vertex(point, self.has_normals.then_some([nx, ny, nz]))?;
             }
-            ElementRole::Faces => gather.add_polygon(&face, data.line()),
+            ElementRole::Faces => builder.add_polygon(&face, data.line()),
             ElementRole::Strips | ElementRole::Other => {}
         }
-        gather.return_face_buffer(face);
+        builder.return_face_buffer(face);
         Ok(())
     }
 }
 
-/// The integer that `number` is, if it is one and not more than `most`.
+/// The number as an integer; `None` if it is not one, is negative, or is more than `most`.
 fn as_integer(number: f64, most: usize) -> Option<usize> {
     let cast = number as usize;
     (cast as f64 == number && cast <= most).then_some(cast)

@@ -1,20 +1,20 @@
-//! The numbers of a PLY file, one after the other.
+//! Reads the numbers of a PLY file in order.
 
 use super::header::{PlyElement, PlyEncoding, PlyHeader, PlyProperty, ScalarType};
 use crate::mesh::error::LineError;
 use crate::quote::quoted;
 
-/// The data that are not read yet.
+/// A cursor in the data of a PLY file.
 pub struct PlyReader<'b> {
     encoding: PlyEncoding,
     pub remaining: &'b [u8],
-    /// The bytes of the whole file.
+    /// The size of the whole file, in bytes.
     file_size: usize,
     line: usize,
 }
 
 impl<'b> PlyReader<'b> {
-    /// What follows the header in the bytes of a file, in a line of its own.
+    /// The data after the header.
     pub fn after(header: &PlyHeader, bytes: &'b [u8]) -> Self {
         let left = &bytes[header.bytes..];
         PlyReader {
@@ -25,12 +25,12 @@ impl<'b> PlyReader<'b> {
         }
     }
 
-    /// The line, where there are lines.
+    /// The current line; `None` in binary files.
     pub fn line(&self) -> Option<usize> {
         (self.encoding == PlyEncoding::Ascii).then_some(self.line)
     }
 
-    /// The line, where there are lines, else the byte in words.
+    /// The current line, or in binary files the byte position as text.
     pub fn position(&self) -> (Option<usize>, String) {
         match self.line() {
             Some(line) => (Some(line), String::new()),
@@ -38,10 +38,10 @@ impl<'b> PlyReader<'b> {
         }
     }
 
-    /// Refuses a number of elements for which there are not enough data.
+    /// Rejects an element count for which the file has too little data.
     pub fn check_count(&self, element: &PlyElement) -> Result<(), LineError> {
         let bytes = |p: &PlyProperty| match self.encoding {
-            // A digit and a space, but for the last.
+            // A digit and a space, except for the last.
             PlyEncoding::Ascii => 2,
             _ => p.count_type.unwrap_or(p.scalar_type).size(),
         };
@@ -58,7 +58,7 @@ impl<'b> PlyReader<'b> {
         }
     }
 
-    /// The next number.
+    /// Reads the next number.
     #[inline]
     pub fn number(&mut self, of: ScalarType) -> Result<f64, String> {
         match self.encoding {
@@ -71,7 +71,7 @@ impl<'b> PlyReader<'b> {
         macro_rules! read {
             ($type:ty) => {{
                 let Some((bytes, rest)) = self.remaining.split_first_chunk() else {
-                    return Err("the file ends here".into());
+                    return Err("unexpected end of file".into());
                 };
                 self.remaining = rest;
                 f64::from(match self.encoding {
@@ -98,7 +98,7 @@ impl<'b> PlyReader<'b> {
         let length = rest.iter().take_while(|byte| !byte.is_ascii_whitespace()).count();
         let (word, rest) = rest.split_at(length);
         if word.is_empty() {
-            return Err("the file ends here".into());
+            return Err("unexpected end of file".into());
         }
         self.line += space.iter().filter(|byte| **byte == b'\n').count();
         self.remaining = rest;
@@ -108,6 +108,6 @@ impl<'b> PlyReader<'b> {
             ScalarType::F32 => text.parse::<f32>().map(f64::from),
             _ => text.parse::<f64>(),
         };
-        number.map_err(|_| format!("{} is no number", quoted(&String::from_utf8_lossy(word))))
+        number.map_err(|_| format!("{} is not a number", quoted(&String::from_utf8_lossy(word))))
     }
 }

@@ -1,11 +1,11 @@
-//! Things of the file that add objects to the description.
+//! Tables that add objects to the scene.
 
 use std::ops::Range;
 
 use super::builder::SceneBuilder;
 
-/// Something that a scene has in it.
+/// A table that adds objects to the scene.
 pub trait AddToScene {
-    /// Adds the objects of the thing that stands at `span`, or says what is wrong with it.
+    /// Adds the objects of the table at `span`, or reports its errors.
     fn add(&self, span: &Range<usize>, builder: &mut SceneBuilder<'_>);
 }

@@ -1,4 +1,4 @@
-//! What is behind everything.
+//! The background.
 
 use super::builder::SceneBuilder;
 use crate::description::BackgroundDescription;
@@ -8,17 +8,14 @@ use crate::toml_scene::table::SingleTable;
 use crate::toml_scene::value::Spanned;
 
 impl SceneBuilder<'_> {
-    /// What is behind everything.
+    /// Adds the background.
     pub fn background(&mut self, background: &SingleTable<format::BackgroundTable>) {
         let Some(Spanned { value: it, span }) = &background.0 else { return };
         self.scene.background = match (&it.color, &it.below, &it.above) {
             (Some(color), None, None) => {
                 if let Some(up) = &it.up {
-                    let fault = Diagnostic::new(up.span.clone(), "a background of one colour has no `up`");
-                    return self
-                        .reader
-                        .diagnostics
-                        .push(fault.with_help("`up` goes with `below` and `above`"));
+                    let diagnostic = Diagnostic::new(up.span.clone(), "`up` requires `below` and `above`");
+                    return self.reader.diagnostics.push(diagnostic.with_help("`color` has no direction"));
                 }
                 BackgroundDescription::Color(color.value.0)
             }
@@ -28,15 +25,16 @@ impl SceneBuilder<'_> {
                 above: above.value.0,
             },
             (Some(color), _, _) => {
-                let fault = Diagnostic::new(color.span.clone(), "a background has one colour or two");
+                let diagnostic = Diagnostic::new(color.span.clone(), "`color` excludes `below` and `above`");
                 return self
                     .reader
                     .diagnostics
-                    .push(fault.with_help("write `color`, or `below` and `above`"));
+                    .push(diagnostic.with_help("write `color`, or `below` and `above`"));
             }
             (None, _, _) => {
-                let fault = Diagnostic::new(span.clone(), "the colour of the `background` is missing");
-                self.reader.report_missing::<()>(fault.with_help("write `color`, or `below` and `above`"));
+                let diagnostic = Diagnostic::new(span.clone(), "`background` has no color");
+                self.reader
+                    .report_missing::<()>(diagnostic.with_help("write `color`, or `below` and `above`"));
                 return;
             }
         };

@@ -1,4 +1,4 @@
-//! A description that grows.
+//! The state of converting a file to a loaded scene.
 
 use std::collections::HashMap;
 use std::ops::Range;
@@ -13,35 +13,35 @@ use crate::description::{
 use crate::diagnostics::{Diagnostic, LineIndex};
 use crate::toml_scene::value::TableReader;
 
-/// What is up.
+/// The default up direction.
 pub const DEFAULT_UP: Float3 = [0.0, 1.0, 0.0];
-/// The full vertical angle of view in degrees.
+/// The default vertical field of view, full angle in degrees.
 pub const DEFAULT_VIEW_ANGLE: f32 = 45.0;
 
-/// The materials that have been made, by what calls for them.
+/// The indices of materials that have been added, by name.
 #[derive(Default)]
 pub struct MaterialIds {
     pub named: HashMap<String, u16>,
     pub default: Option<u16>,
 }
 
-/// A description that grows, and what is wrong with what it is made of.
+/// A loaded scene under construction, with the errors found so far.
 pub struct SceneBuilder<'m> {
     pub reader: TableReader<'m>,
     pub lines: &'m LineIndex,
     pub scene: LoadedScene,
     pub material_ids: MaterialIds,
     pub meshes: MeshFiles<'m>,
-    /// Of the picture, where the file does not say it.
+    /// The resolution for which a camera is chosen, if the file has none.
     pub size: Resolution,
-    /// Whether it has been told that there are too many materials.
+    /// Whether too many materials have been reported.
     pub reported_too_many: bool,
-    /// Triangles without area, and the line of the first.
+    /// The number of triangles without area, and the line of the first.
     pub degenerate: (usize, usize),
 }
 
 impl<'m> SceneBuilder<'m> {
-    /// Nothing, for a picture of `size`.
+    /// An empty scene, for a picture of `size`.
     pub fn new(
         reader: TableReader<'m>,
         lines: &'m LineIndex,
@@ -68,7 +68,7 @@ impl<'m> SceneBuilder<'m> {
         }
     }
 
-    /// Puts an object into the table, which moves if there is a velocity.
+    /// Adds an object, which moves if the velocity is not zero.
     pub fn add_object(
         &mut self,
         form: ShapeDescription,
@@ -88,27 +88,27 @@ impl<'m> SceneBuilder<'m> {
         self.scene.objects.push(ObjectDescription { shape: form, material, line });
     }
 
-    /// Puts corners, and normals where there are some, into the tables; the place of the first.
+    /// Adds vertices, with normals unless `normals` is empty; returns the index of the first.
     pub fn add_vertices(&mut self, points: impl IntoIterator<Item = Float3>, normals: &[Float3]) -> u32 {
         let it = &mut self.scene;
         let first = it.vertices.len();
         it.vertices.extend(points);
         if !normals.is_empty() {
-            // The normal of a corner has the corner's place; corners before it may have none.
+            // A normal has the index of its vertex; earlier vertices may have no normal.
             it.normals.resize(first, [0.0, 0.0, 1.0]);
             it.normals.extend(normals);
         }
         u32::try_from(first).unwrap_or(u32::MAX)
     }
 
-    /// Puts a material into the table.
+    /// Adds a material and returns its index; `None` if there are too many.
     pub fn add_material(&mut self, it: Material, name: Option<String>, span: &Range<usize>) -> Option<u16> {
         let materials = &mut self.scene.materials;
         let Ok(place) = u16::try_from(materials.len()) else {
             if !std::mem::replace(&mut self.reported_too_many, true) {
-                let what = format!("this is more than {} materials", materials.len());
-                let fault = Diagnostic::new(span.clone(), what);
-                self.reader.diagnostics.push(fault.with_help("give equal ones one name"));
+                let message = format!("more than {} materials", materials.len());
+                let diagnostic = Diagnostic::new(span.clone(), message);
+                self.reader.diagnostics.push(diagnostic.with_help("share equal materials by name"));
             }
             return None;
         };

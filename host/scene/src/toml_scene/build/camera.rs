@@ -1,4 +1,4 @@
-//! How the scene is looked at, and what is chosen when the file does not say it.
+//! The camera, with defaults that show the whole scene.
 
 use strahl_core::geometry::Aabb;
 use strahl_core::math::try_normalize;
@@ -14,13 +14,13 @@ use crate::diagnostics::Diagnostic;
 use crate::framing::{CameraFrame, Vec3d, larger};
 use crate::toml_scene::format::SceneFile;
 
-/// From what is seen to the eye: from the front, a little from the right and from above.
+/// The default direction from the scene to the eye: in front, slightly right and above.
 const TO_EYE: Vec3d = [0.35, 0.3, 1.0];
-/// The share of the picture's half side that may be taken, so that nothing touches its edge.
+/// The share of the half picture that the scene may fill, so that nothing touches its edge.
 const FILL: f64 = 0.91;
 
 impl SceneBuilder<'_> {
-    /// The camera, and the light that comes with it when the file has none at all.
+    /// Adds the camera, and a default light if the file has no light.
     pub fn camera(&mut self, file: &SceneFile) {
         let camera = file.camera.0.as_ref();
         let it = camera.map(|at| &at.value);
@@ -32,22 +32,22 @@ impl SceneBuilder<'_> {
         self.scene.camera_line = camera.map_or(1, |camera| self.lines.line_number(camera.span.start));
         let projection = match (it.and_then(|it| it.height.as_ref()), angle) {
             (Some(height), None) if lens.is_some() => {
-                let fault =
-                    Diagnostic::new(height.span.clone(), "a camera has either a lens or parallel rays");
-                return self.reader.diagnostics.push(fault.with_help("a lens goes with an `angle`"));
+                let diagnostic =
+                    Diagnostic::new(height.span.clone(), "an orthographic camera cannot have a lens");
+                return self.reader.diagnostics.push(diagnostic.with_help("use `angle` with a lens"));
             }
             (Some(height), None) => ProjectionDescription::Orthographic(height.value.0),
             (None, angle) => {
                 ProjectionDescription::Perspective(angle.map_or(DEFAULT_VIEW_ANGLE, |angle| angle.value.0))
             }
             (Some(height), Some(angle)) => {
-                let fault =
-                    Diagnostic::new(height.span.clone(), "a camera has either an `angle` or a `height`");
-                let fault = fault.with_related(angle.span.clone(), "the other");
+                let diagnostic =
+                    Diagnostic::new(height.span.clone(), "a camera has either `angle` or `height`");
+                let diagnostic = diagnostic.with_related(angle.span.clone(), "the other one");
                 return self
                     .reader
                     .diagnostics
-                    .push(fault.with_help("with a `height` all rays are parallel"));
+                    .push(diagnostic.with_help("`height` makes the camera orthographic"));
             }
         };
         let mut view = CameraDescription {
@@ -57,38 +57,40 @@ impl SceneBuilder<'_> {
             projection,
         };
         if let (Some(focus), None) = (focus, lens) {
-            let fault = Diagnostic::new(focus.span.clone(), "a camera without `lens_radius` has no `focus`");
-            return self.reader.diagnostics.push(fault.with_help("without a lens everything is sharp"));
+            let diagnostic = Diagnostic::new(focus.span.clone(), "`focus` requires `lens_radius`");
+            return self
+                .reader
+                .diagnostics
+                .push(diagnostic.with_help("without a lens everything is in focus"));
         }
-        // What is wrong may have left out what should be seen.
+        // After an error, objects may be missing.
         if (from.is_none() || at.is_none()) && self.reader.diagnostics.total == 0 {
             self.frame_scene(&mut view, from.is_none(), at.is_none());
         }
         if let (Some(radius), ProjectionDescription::Perspective(angle)) = (lens, view.projection) {
-            let way = vec3_of(view.at) - vec3_of(view.from);
-            let distance = try_normalize(way).map_or(1.0, |toward| way.dot(toward));
+            let direction = vec3_of(view.at) - vec3_of(view.from);
+            let distance = try_normalize(direction).map_or(1.0, |toward| direction.dot(toward));
             let focus = focus.map_or(distance, |focus| focus.value.0);
             view.projection = ProjectionDescription::Lens { angle, radius: radius.value.0, focus };
         }
         self.scene.camera = view;
 
         let size = Resolution::new(4, 3).unwrap_or(self.size);
-        if let Err(fault) = Camera::new(&view.to_core(), size)
+        if let Err(diagnostic) = Camera::new(&view.to_core(), size)
             && let Some(camera) = camera
         {
-            let is_up = fault == CameraError::UpParallelToView;
+            let is_up = diagnostic == CameraError::UpParallelToView;
             let at = at.map(|at| &at.span);
             let place = if is_up { up.map(|up| &up.span).or(at) } else { at };
             let place = place.or(from.map(|from| &from.span)).unwrap_or(&camera.span);
-            let fault = Diagnostic::new(place.clone(), fault.to_string());
+            let diagnostic = Diagnostic::new(place.clone(), diagnostic.to_string());
             self.reader.diagnostics.push(match (is_up, up) {
-                (false, _) => {
-                    fault.with_help("`from` and `at` must differ once they are rounded to single precision")
-                }
-                (true, None) => fault.with_help("`up` is [0, 1, 0] by default"),
-                (true, Some(_)) => {
-                    fault.with_help("without `up` it is [0, 1, 0]; any direction aslant of the view will do")
-                }
+                (false, _) => diagnostic
+                    .with_help("`from` and `at` must differ once they are rounded to single precision"),
+                (true, None) => diagnostic.with_help("`up` is [0, 1, 0] by default"),
+                (true, Some(_)) => diagnostic.with_help(
+                    "`up` must not be parallel to the viewing direction; the default is [0, 1, 0]",
+                ),
             });
         }
         let is_lit = file.ambient_light.0.is_some()
@@ -102,44 +104,44 @@ impl SceneBuilder<'_> {
         }
     }
 
-    /// Moves the parts of the view that are free so that everything with an end is in the picture.
+    /// Sets the eye and the target, if not given, so that all bounded objects are in the picture.
     fn frame_scene(&self, view: &mut CameraDescription, move_eye: bool, move_aim: bool) {
         let Some(mut boxes) = bounding_boxes(&self.scene) else { return };
         boxes.retain(|b| b.min.cmple(b.max).all());
         let whole = boxes.iter().fold(Aabb::EMPTY, |whole, b| whole.union(*b));
-        // Of nothing, or of a point, the surroundings are shown.
+        // Without bounded objects, or for a single point, show a box of side 2.
         let is_something = whole.min.cmple(whole.max).all() && whole.min != whole.max;
-        let middle = if whole.is_empty() { Vec3::ZERO } else { 0.5 * whole.min + 0.5 * whole.max };
+        let center = if whole.is_empty() { Vec3::ZERO } else { 0.5 * whole.min + 0.5 * whole.max };
         if !is_something {
-            boxes = vec![Aabb { min: middle - Vec3::ONE, max: middle + Vec3::ONE }];
+            boxes = vec![Aabb { min: center - Vec3::ONE, max: center + Vec3::ONE }];
         }
         if move_aim {
-            view.at = middle.to_array();
+            view.at = center.to_array();
         }
         if move_eye {
             let angle = match view.projection {
                 ProjectionDescription::Perspective(angle) | ProjectionDescription::Lens { angle, .. } => {
                     angle
                 }
-                // The height says how much is seen; the eye only must be outside.
+                // The height determines the visible part; the eye only has to be outside.
                 ProjectionDescription::Orthographic(_) => DEFAULT_VIEW_ANGLE,
             };
             let size = self.scene.settings.size.unwrap_or(self.size);
-            let gaze = CameraFrame::new(TO_EYE, view.up.map(f64::from), f64::from(angle), FILL, size);
-            let aim = view.at.map(f64::from);
+            let frame = CameraFrame::new(TO_EYE, view.up.map(f64::from), f64::from(angle), FILL, size);
+            let target = view.at.map(f64::from);
             let corners = boxes.iter().flat_map(corners_of);
-            let demands = gaze.edge_distances(aim, corners);
-            // Never inside of things, however narrow they are seen.
-            let reach = 0.1 * f64::from((whole.max - whole.min).max_element());
-            let distance = larger(demands.max_distance(), demands.nearest + reach);
-            let [.., back] = gaze.axes();
-            let from = [0, 1, 2].map(|i| (aim[i] + distance * back[i]) as f32);
+            let distances = frame.edge_distances(target, corners);
+            // Never inside objects, even if they are viewed edge-on.
+            let margin = 0.1 * f64::from((whole.max - whole.min).max_element());
+            let distance = larger(distances.max_distance(), distances.nearest + margin);
+            let [.., back] = frame.axes();
+            let from = [0, 1, 2].map(|i| (target[i] + distance * back[i]) as f32);
             view.from = from.map(|x| if x.is_finite() { x } else { 0.0 });
         }
     }
 }
 
-/// White light from behind the eye, from above and from the left.
+/// A white directional light from behind the eye, above and left of it.
 fn default_light(view: &CameraDescription) -> Located<LightDescription> {
     let back = try_normalize(vec3_of(view.from) - vec3_of(view.at)).unwrap_or(Vec3::Z);
     let up = try_normalize(vec3_of(view.up)).unwrap_or(Vec3::Y);

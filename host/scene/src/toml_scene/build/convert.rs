@@ -1,4 +1,4 @@
-//! The scene as a whole, part by part.
+//! Conversion of a whole file.
 
 use std::ops::Range;
 
@@ -11,13 +11,13 @@ use crate::toml_scene::table::TableArray;
 use crate::toml_scene::value::TableReader;
 
 impl<'m> SceneBuilder<'m> {
-    /// Makes everything, and answers with it and what is wrong.
+    /// Converts the file; the reader holds the errors.
     pub fn build(mut self, mut file: SceneFile) -> (LoadedScene, TableReader<'m>) {
         self.settings(std::mem::take(&mut file.render));
         let file = &file;
         self.materials(&file.material);
         self.shutter(&file.camera);
-        // Objects are numbered by their places in the file, whatever they are.
+        // Objects are numbered in the order of the file, whatever their kind.
         let mut objects: Vec<(&Range<usize>, &dyn AddToScene)> = scene_objects(file);
         objects.sort_by_key(|(span, _)| span.start);
         for (span, object) in objects {
@@ -35,19 +35,19 @@ impl<'m> SceneBuilder<'m> {
         let (count, line) = self.degenerate;
         match count {
             0 => {}
-            1 => warnings.push(format!("1 triangle has no area and is never hit (line {line})")),
+            1 => warnings.push(format!("1 triangle has zero area and is never hit (line {line})")),
             _ => warnings.push(format!(
-                "{} have no area and are never hit (the first in line {line})",
+                "{} have zero area and are never hit (the first in line {line})",
                 quantity(count, "triangle")
             )),
         }
         if self.scene.objects.is_empty() {
-            warnings.push("there is no object in the scene".into());
+            warnings.push("the scene has no objects".into());
         }
     }
 }
 
-/// Everything in the file, kind by kind.
+/// All objects of the file, kind by kind.
 pub fn scene_objects(file: &SceneFile) -> Vec<(&Range<usize>, &dyn AddToScene)> {
     fn all<T: AddToScene>(many: &TableArray<T>) -> impl Iterator<Item = (&Range<usize>, &dyn AddToScene)> {
         many.0.iter().map(|at| (&at.span, &at.value as &dyn AddToScene))

@@ -1,4 +1,4 @@
-//! Lights become lights of the description, in the order of the file.
+//! Lights, in the order of the file.
 
 use std::ops::Range;
 
@@ -13,14 +13,14 @@ use crate::toml_scene::value::{
     ColorValue, DirectionValue, FalloffValue, Intensity, PointValue, RectangleSize, Spanned,
 };
 
-/// Light from everywhere, unless the file says something else.
+/// The default ambient light, a gray.
 const DEFAULT_AMBIENT: f32 = 0.1;
 
-/// The full angle of a spot light's cone.
+/// The default cone of a spot light, full angle in degrees.
 const DEFAULT_SPOT_ANGLE: f32 = 40.0;
 
 impl SceneBuilder<'_> {
-    /// Makes all lights of the file.
+    /// Adds all lights of the file.
     pub fn lights(&mut self, file: &SceneFile) {
         let mut lights: Vec<(usize, Option<Located<LightDescription>>)> = Vec::new();
         for Spanned { value: it, span } in &file.point_light.0 {
@@ -67,7 +67,7 @@ impl SceneBuilder<'_> {
         };
     }
 
-    /// Where a light shines that has `at` or `direction`. `help` says what `at` is.
+    /// The direction of a light that has `at` or `direction`; `help` explains `at`.
     fn light_direction(
         &mut self,
         position: Float3,
@@ -81,39 +81,39 @@ impl SceneBuilder<'_> {
             (Some(at), None) => {
                 let direction: Float3 = std::array::from_fn(|axis| at.value.0[axis] - position[axis]);
                 if direction == [0.0; 3] {
-                    let fault = Diagnostic::new(at.span.clone(), "the light is at the point it shines at");
-                    return self.reader.report(fault);
+                    let diagnostic = Diagnostic::new(at.span.clone(), "`at` must differ from `position`");
+                    return self.reader.report(diagnostic);
                 }
                 Some(direction)
             }
             (Some(at), Some(direction)) => {
-                let fault =
-                    Diagnostic::new(direction.span.clone(), "a light has either a `direction` or an `at`");
-                self.reader.report(fault.with_related(at.span.clone(), "the other"))
+                let diagnostic =
+                    Diagnostic::new(direction.span.clone(), "a light has either `direction` or `at`");
+                self.reader.report(diagnostic.with_related(at.span.clone(), "the other one"))
             }
             (None, None) => {
-                let what = format!("this `{table}` has neither `at` nor `direction`");
-                self.reader.report_missing(Diagnostic::new(span.clone(), what).with_help(help))
+                let message = format!("`{table}` needs `at` or `direction`");
+                self.reader.report_missing(Diagnostic::new(span.clone(), message).with_help(help))
             }
         }
     }
 
     fn rectangle(&mut self, it: &RectangleLightTable, span: &Range<usize>) -> Option<LightSourceDescription> {
         let position = it.position.0;
-        let names = ("rectangle_light", "`at` is a place in front of its middle");
+        let names = ("rectangle_light", "`at` is a point in front of its center");
         let front =
             try_normalize(vec3_of(self.light_direction(position, &it.at, &it.direction, names, span)?))?;
         let RectangleSize([width, height]) = it.size;
         let up = match &it.up {
             Some(up) => vec3_of(up.value.0),
-            // What looks straight up or down has no side that is up.
+            // +y is parallel to a vertical direction.
             None if front.x == 0.0 && front.z == 0.0 => vec3(0.0, 0.0, 1.0),
             None => vec3(0.0, 1.0, 0.0),
         };
         let Some(right) = try_normalize(up).and_then(|up| try_normalize(up.cross(front))) else {
             let span = it.up.as_ref().map_or(span, |up| &up.span);
-            let fault = Diagnostic::new(span.clone(), "`up` is where the light shines");
-            return self.reader.report(fault.with_help("give it another direction for its height"));
+            let diagnostic = Diagnostic::new(span.clone(), "`up` is parallel to the light's direction");
+            return self.reader.report(diagnostic.with_help("choose another `up`"));
         };
         let half = [right * (0.5 * width), front.cross(right) * (0.5 * height)];
         let half = half.map(|half| half.to_array());
@@ -127,13 +127,13 @@ impl SceneBuilder<'_> {
 
     fn spot(&mut self, it: &SpotLightTable, span: &Range<usize>) -> Option<LightSourceDescription> {
         let position = it.position.0;
-        let names = ("spot_light", "`at` is a place in the middle of its cone");
+        let names = ("spot_light", "`at` is a point on the axis of its cone");
         let direction = self.light_direction(position, &it.at, &it.direction, names, span)?;
         let angle = it.angle.map_or(DEFAULT_SPOT_ANGLE, |angle| angle.0);
         let bright_angle = match &it.bright_angle {
             Some(Spanned { value: bright, span }) if bright.0 > angle => {
-                let what = format!("`bright_angle` must be at most `angle`, which is {angle}");
-                return self.reader.report(Diagnostic::new(span.clone(), what));
+                let message = format!("`bright_angle` must be at most `angle`, which is {angle}");
+                return self.reader.report(Diagnostic::new(span.clone(), message));
             }
             Some(bright) => bright.value.0,
             None => 0.8 * angle,
@@ -162,7 +162,7 @@ impl SceneBuilder<'_> {
         Some(Located { value: it, line: self.lines.line_number(span.start), name: name.clone() })
     }
 
-    /// A colour times its intensity.
+    /// The color times the intensity.
     fn radiance(
         &mut self,
         color: &Option<Spanned<ColorValue>>,
@@ -172,8 +172,8 @@ impl SceneBuilder<'_> {
         let Some(Spanned { value: Intensity(factor), span }) = intensity else { return Some(base) };
         let shining = base * *factor;
         if !shining.is_in_range(Rgb::MAX_CHANNEL) {
-            let what = format!("`color` times `intensity` must be at most {}", Rgb::MAX_CHANNEL);
-            return self.reader.report(Diagnostic::new(span.clone(), what));
+            let message = format!("`color` times `intensity` must be at most {}", Rgb::MAX_CHANNEL);
+            return self.reader.report(Diagnostic::new(span.clone(), message));
         }
         Some(shining)
     }

@@ -1,4 +1,4 @@
-//! The materials of the file become materials of the description.
+//! Materials and textures.
 
 use std::ops::Range;
 
@@ -13,24 +13,24 @@ use crate::toml_scene::format::{self, MaterialRef};
 use crate::toml_scene::table::TableArray;
 use crate::toml_scene::value::Spanned;
 
-/// The core counts cells per length, and no more of them than lengths.
+/// The minimum size of a checker cell: the core stores cells per length.
 const MIN_CELL: f32 = 1e-14;
 
 impl SceneBuilder<'_> {
-    /// Makes the materials that have names.
+    /// Adds the named materials.
     pub fn materials(&mut self, materials: &TableArray<format::MaterialTable>) {
         for material in &materials.0 {
             let Some(name) = &material.value.name else {
-                let fault = Diagnostic::new(material.span.clone(), "this `material` has no `name`");
-                self.reader.report_missing::<()>(fault.with_help("give it the name that objects call it by"));
+                let diagnostic = Diagnostic::new(material.span.clone(), "`material` needs a `name`");
+                self.reader.report_missing::<()>(diagnostic.with_help("objects refer to it by this name"));
                 continue;
             };
             if let Some(first) = self.reader.material_names.span_of(&name.value)
                 && *first != name.span
             {
-                let what = format!("a second material is called {}", quoted(&name.value));
-                let fault = Diagnostic::new(name.span.clone(), what);
-                self.reader.diagnostics.push(fault.with_related(first.clone(), "the first"));
+                let message = format!("duplicate material name {}", quoted(&name.value));
+                let diagnostic = Diagnostic::new(name.span.clone(), message);
+                self.reader.diagnostics.push(diagnostic.with_related(first.clone(), "the first"));
                 continue;
             }
             if let Some(place) = self.material(material, Some(name.value.clone())) {
@@ -39,7 +39,7 @@ impl SceneBuilder<'_> {
         }
     }
 
-    /// The place of the material of an object at `span`.
+    /// The index of an object's material; `None` after an error.
     pub fn material_id(&mut self, surface: &Option<MaterialRef>, span: &Range<usize>) -> Option<u16> {
         match surface {
             Some(MaterialRef::Named(name)) => self.material_ids.named.get(name).copied(),
@@ -53,7 +53,7 @@ impl SceneBuilder<'_> {
         }
     }
 
-    /// Makes one material.
+    /// Adds a material and returns its index.
     fn material(&mut self, at: &Spanned<format::MaterialTable>, name: Option<String>) -> Option<u16> {
         let it = &at.value;
         let texture = self.texture(it)?;
@@ -110,13 +110,13 @@ impl SceneBuilder<'_> {
             priority: it.priority.as_ref().map_or(0, |priority| priority.value.0),
             two_sided: it.one_sided != Some(true),
         };
-        // A body that is none bends no light.
+        // Without transmission there is no refraction.
         let index =
             if transmitted.is_black() { Material::MATTE.refractive_index } else { material.refractive_index };
         self.add_material(Material { refractive_index: index, ..material }, name, &at.span)
     }
 
-    /// Warns of keys that say something about a body where there is none.
+    /// Warns of keys that are unused without `transmission`.
     fn warn_unused_keys(&mut self, it: &format::MaterialTable) {
         let keys = [
             ("index", it.index.as_ref().map(|at| at.span.start)),
@@ -131,7 +131,7 @@ impl SceneBuilder<'_> {
         }
     }
 
-    /// The place of a material's texture, if it has one.
+    /// The id of a material's texture, or of none; `None` after an error.
     fn texture(&mut self, it: &format::MaterialTable) -> Option<TextureId> {
         let mut kinds: Vec<_> = [
             ("checker", it.checker.as_ref().map(|at| &at.span)),
@@ -142,10 +142,10 @@ impl SceneBuilder<'_> {
         .filter_map(|(kind, span)| Some((kind, span?.clone())))
         .collect();
         if let [(one, _), (other, _), ..] = &kinds[..] {
-            let what = format!("a material has either a `{one}` or a `{other}`");
+            let message = format!("a material has either `{one}` or `{other}`");
             kinds.sort_by_key(|(_, span)| span.start);
-            let fault = Diagnostic::new(kinds[1].1.clone(), what);
-            return self.reader.report(fault.with_related(kinds[0].1.clone(), "the other"));
+            let diagnostic = Diagnostic::new(kinds[1].1.clone(), message);
+            return self.reader.report(diagnostic.with_related(kinds[0].1.clone(), "the other one"));
         }
         let texture = match (&it.checker, &it.gradient, &it.zone_plate) {
             (None, None, None) => return Some(TextureId::NONE),
@@ -160,8 +160,8 @@ impl SceneBuilder<'_> {
                 if let Some(at) = &checker.size
                     && size.iter().any(|size| *size > 0.0 && *size < MIN_CELL)
                 {
-                    let what = format!("a cell of a checker must be 0 or at least {MIN_CELL:e}");
-                    return self.reader.report(Diagnostic::new(at.span.clone(), what));
+                    let message = format!("a checker cell must be 0 or at least {MIN_CELL:e}");
+                    return self.reader.report(Diagnostic::new(at.span.clone(), message));
                 }
                 TextureDescription::Checker {
                     even: checker.even.map_or(Rgb::WHITE, |c| c.0),
@@ -172,10 +172,11 @@ impl SceneBuilder<'_> {
             }
             (_, Some(Spanned { value: gradient, .. }), _) => {
                 let along = vec3_of(gradient.end.value.0) - vec3_of(gradient.start.0);
-                // Its square is what the core divides by.
+                // The core divides by its square.
                 if along.dot(along) <= 0.0 {
-                    let fault = Diagnostic::new(gradient.end.span.clone(), "a gradient ends where it starts");
-                    return self.reader.report(fault);
+                    let diagnostic =
+                        Diagnostic::new(gradient.end.span.clone(), "`start` and `end` must differ");
+                    return self.reader.report(diagnostic);
                 }
                 TextureDescription::Gradient {
                     from: gradient.from.map_or(Rgb::BLACK, |c| c.0),
@@ -186,7 +187,7 @@ impl SceneBuilder<'_> {
             }
         };
         self.scene.textures.push(texture);
-        // No more than materials, which are counted when they are kept.
+        // There are no more textures than materials, whose number is checked when they are added.
         Some(u16::try_from(self.scene.textures.len() - 1).map_or(TextureId::NONE, TextureId))
     }
 }

@@ -1,4 +1,4 @@
-//! The files of meshes.
+//! Mesh files that a scene references.
 
 use std::collections::HashMap;
 use std::path::{Path, PathBuf};
@@ -6,7 +6,7 @@ use std::path::{Path, PathBuf};
 use crate::mesh::TriangleMesh;
 use crate::source_files::SourceFiles;
 
-/// The files of meshes, each of which is read once.
+/// The meshes of all files read so far; each file is read once.
 pub struct MeshFiles<'m> {
     pub files: &'m SourceFiles,
     pub folder: &'m Path,
@@ -14,7 +14,7 @@ pub struct MeshFiles<'m> {
 }
 
 impl<'m> MeshFiles<'m> {
-    /// None yet, of a scene in `folder`.
+    /// No meshes, for a scene in `folder`.
     pub fn of(files: &'m SourceFiles, folder: &'m Path) -> Self {
         MeshFiles { files, folder, read: HashMap::new() }
     }

@@ -1,4 +1,4 @@
-//! Meshes from files, with their transform.
+//! Mesh files with their transforms.
 
 use std::ops::Range;
 use std::path::Path;
@@ -14,10 +14,10 @@ use crate::mesh::{self, TriangleMesh};
 use crate::toml_scene::format;
 use crate::toml_scene::value::Spanned;
 
-/// Scaled, then turned, then moved.
+/// A transform: scale, rotate, translate.
 struct MeshTransform {
     scale: [f64; 3],
-    /// The rows of the turn.
+    /// The rows of the rotation matrix.
     rotation: [[f64; 3]; 3],
     translate: [f64; 3],
 }
@@ -35,15 +35,14 @@ impl MeshTransform {
         self.rotation.map(|row| row[0] * v[0] + row[1] * v[1] + row[2] * v[2])
     }
 
-    /// Where a point goes.
+    /// Transforms a point.
     fn point(&self, p: Float3) -> Float3 {
         let turned = self.rotate(std::array::from_fn(|axis| f64::from(p[axis]) * self.scale[axis]));
         std::array::from_fn(|axis| (turned[axis] + self.translate[axis]) as f32)
     }
 
-    /// What is upright on the surface then: what becomes longer turns away. Scaled by a power of
-    /// two so that its largest part is about one: rounding never leaves nothing of it, and a
-    /// normal that is not turned keeps its bits.
+    /// Transforms a normal by the inverse transpose. It is scaled by a power of two so that its largest component is
+    /// about 1: it never rounds to zero, and without rotation it keeps its bits.
     fn normal(&self, n: Float3) -> Float3 {
         let turned = self.rotate(std::array::from_fn(|axis| f64::from(n[axis]) / self.scale[axis]));
         let largest = turned.iter().fold(0.0, |most: f64, x| if x.abs() > most { x.abs() } else { most });
@@ -51,7 +50,7 @@ impl MeshTransform {
         turned.map(|x| (x / power) as f32)
     }
 
-    /// Whether the inside would become the outside.
+    /// Whether it changes the handedness.
     fn flips_orientation(&self) -> bool {
         self.scale.iter().filter(|factor| **factor < 0.0).count() % 2 == 1
     }
@@ -72,7 +71,7 @@ impl AddToScene for format::MeshTable {
             let mesh = read(&path, &self.file, builder);
             builder.meshes.read.insert(path.clone(), mesh);
         }
-        // Taken out for the time, because all of the builder is needed.
+        // Moved out, because the whole builder is borrowed below.
         let Some(Some(mesh)) = builder.meshes.read.remove(&path) else {
             builder.meshes.read.insert(path, None);
             return;
@@ -82,7 +81,7 @@ impl AddToScene for format::MeshTable {
     }
 }
 
-/// Reads a file, or says at the place of its name what is wrong with it.
+/// Reads a mesh file; errors are reported at its name.
 fn read(path: &Path, file: &Spanned<String>, builder: &mut SceneBuilder<'_>) -> Option<TriangleMesh> {
     match mesh::read_referenced(builder.meshes.files, path) {
         Ok(mesh) => {
@@ -92,9 +91,8 @@ fn read(path: &Path, file: &Spanned<String>, builder: &mut SceneBuilder<'_>) -> 
         }
         Err(failure) => {
             let failure: String = failure.to_string().chars().take(400).flat_map(printable).collect();
-            let fault =
-                Diagnostic::new(file.span.clone(), format!("this mesh is not there or wrong: {failure}"));
-            builder.reader.report(fault.with_help("its name is relative to the folder of the scene"))
+            let diagnostic = Diagnostic::new(file.span.clone(), format!("cannot load this mesh: {failure}"));
+            builder.reader.report(diagnostic.with_help("the path is relative to the scene file"))
         }
     }
 }
@@ -104,7 +102,7 @@ fn printable(c: char) -> Vec<char> {
 }
 
 impl format::MeshTable {
-    /// Adds a mesh group by group.
+    /// Adds the mesh, one object for each material group.
     fn add_instance(
         &self,
         mesh: &TriangleMesh,
@@ -117,8 +115,8 @@ impl format::MeshTable {
         let points: Vec<Float3> = mesh.vertices.iter().map(|p| transform.point(*p)).collect();
         let is_near = |x: &f32| x.abs() <= MAX_COORDINATE;
         if !points.iter().flatten().all(is_near) {
-            let what = format!("its transform moves the mesh beyond {MAX_COORDINATE:e}");
-            builder.reader.diagnostics.push(Diagnostic::new(span.clone(), what));
+            let message = format!("the transform moves vertices beyond {MAX_COORDINATE:e}");
+            builder.reader.diagnostics.push(Diagnostic::new(span.clone(), message));
             return;
         }
         let normals: Vec<Float3> = mesh.normals.iter().map(|n| transform.normal(*n)).collect();

@@ -1,4 +1,4 @@
-//! The objects of the file become forms of the description.
+//! Objects that consist of one shape.
 
 use std::ops::Range;
 
@@ -14,21 +14,21 @@ use crate::diagnostics::Diagnostic;
 use crate::toml_scene::format::{self, MaterialRef};
 use crate::toml_scene::value::{DirectionList, PointList, PointValue, Spanned};
 
-/// One object.
+/// A table of one shape.
 trait SingleShape {
-    /// Its shape; none when that is wrong.
+    /// Its shape; `None` after an error.
     fn shape(&self, span: &Range<usize>, builder: &mut SceneBuilder<'_>) -> Option<ShapeDescription>;
 
-    /// What it is made of.
+    /// Its material.
     fn material(&self) -> &Option<MaterialRef>;
 
-    /// How it moves.
+    /// Its velocity.
     fn velocity(&self) -> &Option<Spanned<PointValue>>;
 }
 
 impl<T: SingleShape> AddToScene for T {
     fn add(&self, span: &Range<usize>, builder: &mut SceneBuilder<'_>) {
-        // Both, so that what is wrong with either is told.
+        // Evaluated together, so that errors in both are reported.
         let (form, material) = (self.shape(span, builder), builder.material_id(self.material(), span));
         let velocity = builder.checked_velocity(self.velocity());
         if let (Some(form), Some(material), Some(velocity)) = (form, material, velocity) {
@@ -37,7 +37,7 @@ impl<T: SingleShape> AddToScene for T {
     }
 }
 
-/// Declares what a kind of object becomes.
+/// Implements `SingleShape` for the tables of objects.
 macro_rules! single {
     ($($Kind:ident: |$it:ident, $span:ident, $builder:ident| $form:expr;)*) => {$(
         impl SingleShape for format::$Kind {
@@ -58,7 +58,7 @@ macro_rules! single {
 }
 
 const ORIGIN: Float3 = [0.0; 3];
-/// Upright on what lies on the floor.
+/// The default normal and axis.
 const UNIT_Y: Float3 = [0.0, 1.0, 0.0];
 
 single! {
@@ -75,8 +75,8 @@ single! {
     };
     TorusTable: |it, _span, builder| {
         if it.tube.value.0 > it.radius.0 {
-            let what = format!("the `tube` must be at most the `radius`, which is {}", it.radius.0);
-            return builder.reader.report(Diagnostic::new(it.tube.span.clone(), what));
+            let message = format!("the `tube` must be at most the `radius`, which is {}", it.radius.0);
+            return builder.reader.report(Diagnostic::new(it.tube.span.clone(), message));
         }
         Some(ShapeDescription::Torus {
             center: it.center.map_or(ORIGIN, |p| p.0),
@@ -104,9 +104,9 @@ single! {
     TriangleTable: |it, _span, builder| {
         let corners = &it.corners.value.0;
         if corners.len() != 3 {
-            let what = format!("a triangle has three corners, not {}", corners.len());
-            let fault = Diagnostic::new(it.corners.span.clone(), what);
-            return builder.reader.report(fault.with_help("a [[polygon]] may have more"));
+            let message = format!("a triangle has three corners, not {}", corners.len());
+            let diagnostic = Diagnostic::new(it.corners.span.clone(), message);
+            return builder.reader.report(diagnostic.with_help("a [[polygon]] may have more"));
         }
         let normals = normals(corners.len(), &it.normals, builder)?;
         if polygon_plane(&it.corners.value).is_none() {
@@ -117,14 +117,14 @@ single! {
     };
     PolygonTable: |it, _span, builder| {
         let corners = &it.corners.value.0;
-        let wrong = |what: &str| Diagnostic::new(it.corners.span.clone(), what);
+        let error = |message: &str| Diagnostic::new(it.corners.span.clone(), message);
         if corners.len() < 3 {
-            return builder.reader.report(wrong("a polygon has at least three corners"));
+            return builder.reader.report(error("a polygon has at least three corners"));
         }
         let normals = normals(corners.len(), &it.normals, builder)?;
         if polygon_plane(&it.corners.value).is_none() {
-            let fault = wrong("the polygon has no area");
-            return builder.reader.report(fault.with_help("its corners are all in one line, or cross over"));
+            let diagnostic = error("the polygon has zero area");
+            return builder.reader.report(diagnostic.with_help("its corners are collinear, or its edges cross"));
         }
         let first = builder.add_vertices(corners.iter().map(|p| p.value.0), &normals);
         let count = u32::try_from(corners.len()).unwrap_or(u32::MAX);
@@ -132,13 +132,13 @@ single! {
     };
 }
 
-/// The plane of corners; none when they have no area.
+/// The plane of a polygon; `None` if it has no area.
 fn polygon_plane(corners: &PointList) -> Option<Polygon> {
     let corners: Vec<Vec3> = corners.0.iter().map(|p| vec3_of(p.value.0)).collect();
     Polygon::new(0, &corners, false)
 }
 
-/// As many normals as corners, or none at all.
+/// The vertex normals: as many as corners, or none.
 fn normals(
     corners: usize,
     normals: &Option<Spanned<DirectionList>>,
@@ -146,23 +146,23 @@ fn normals(
 ) -> Option<Vec<Float3>> {
     let Some(Spanned { value: it, span }) = normals else { return Some(Vec::new()) };
     if it.0.len() != corners {
-        let what = format!("there are {corners} corners, but {} normals", it.0.len());
-        return builder.reader.report(Diagnostic::new(span.clone(), what));
+        let message = format!("there are {corners} corners, but {} normals", it.0.len());
+        return builder.reader.report(Diagnostic::new(span.clone(), message));
     }
     Some(it.0.iter().map(|normal| normal.0).collect())
 }
 
-/// The end of a cylinder or cone whose length is one.
+/// The end of a cylinder or cone; `None` if its length is 0 or too large.
 fn checked_end(base: Float3, end: &Spanned<PointValue>, builder: &mut SceneBuilder<'_>) -> Option<Float3> {
-    let what = match Cone::new(vec3_of(base), 1.0, vec3_of(end.value.0), 1.0, false) {
-        None => "it ends where it begins: `base` and `end` are the same".into(),
-        Some(cone) if cone.height > MAX_COORDINATE => format!("it is longer than {MAX_COORDINATE:e}"),
+    let message = match Cone::new(vec3_of(base), 1.0, vec3_of(end.value.0), 1.0, false) {
+        None => "`base` and `end` must differ".into(),
+        Some(cone) if cone.height > MAX_COORDINATE => format!("the length exceeds {MAX_COORDINATE:e}"),
         Some(_) => return Some(end.value.0),
     };
-    builder.reader.report(Diagnostic::new(end.span.clone(), what))
+    builder.reader.report(Diagnostic::new(end.span.clone(), message))
 }
 
-/// A box, upright or turned.
+/// A box, axis-aligned or oriented.
 fn box_shape(
     it: &format::BoxTable,
     span: &Range<usize>,
@@ -173,8 +173,8 @@ fn box_shape(
             let below = (0..3).find(|axis| min.value.0[*axis] > max.value.0[*axis]);
             if let Some(axis) = below {
                 let (axis, low, high) = (["x", "y", "z"][axis], min.value.0[axis], max.value.0[axis]);
-                let what = format!("`max` must not be below `min`, but {axis} goes from {low} to {high}");
-                return builder.reader.report(Diagnostic::new(max.span.clone(), what));
+                let message = format!("`max` must not be below `min`, but {axis} goes from {low} to {high}");
+                return builder.reader.report(Diagnostic::new(max.span.clone(), message));
             }
             (min.value.0, max.value.0)
         }
@@ -184,8 +184,8 @@ fn box_shape(
             let corner = |sign: f32| std::array::from_fn(|axis| center[axis] + sign * half[axis]);
             let (min, max): (Float3, Float3) = (corner(-1.0), corner(1.0));
             if min.iter().chain(&max).any(|x| x.abs() > MAX_COORDINATE) {
-                let what = format!("the box reaches beyond {MAX_COORDINATE:e}");
-                return builder.reader.report(Diagnostic::new(size.span.clone(), what));
+                let message = format!("the box extends beyond {MAX_COORDINATE:e}");
+                return builder.reader.report(Diagnostic::new(size.span.clone(), message));
             }
             (min, max)
         }
@@ -195,12 +195,12 @@ fn box_shape(
             let help = "write `min` and `max`, or `size` and perhaps `center`";
             return match centered.into_iter().flatten().next() {
                 Some(place) if mixed => {
-                    let fault = Diagnostic::new(place.clone(), "the box has its extent in two ways");
-                    builder.reader.report(fault.with_help(help))
+                    let diagnostic = Diagnostic::new(place.clone(), "the box extent is given twice");
+                    builder.reader.report(diagnostic.with_help(help))
                 }
                 _ => {
-                    let fault = Diagnostic::new(span.clone(), "the extent of this `box` is missing");
-                    builder.reader.report_missing(fault.with_help(help))
+                    let diagnostic = Diagnostic::new(span.clone(), "this `box` has no extent");
+                    builder.reader.report_missing(diagnostic.with_help(help))
                 }
             };
         }
@@ -210,7 +210,7 @@ fn box_shape(
         return Some(ShapeDescription::Cuboid { min, max });
     }
     let [first, _, third] = rotation::rotated_axes(degrees);
-    // A quotient of sums of what is in range, and so in range.
+    // The mean of two coordinates in range is in range.
     let center = match (&it.size, &it.center) {
         (Some(_), center) => center.as_ref().map_or(ORIGIN, |center| center.value.0),
         _ => std::array::from_fn(|axis| 0.5 * (min[axis] + max[axis])),

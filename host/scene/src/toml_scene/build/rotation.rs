@@ -1,9 +1,8 @@
-//! Turns in space, in degrees about the three axes.
+//! Rotations about the three axes, in degrees.
 
 use crate::description::Float3;
 
-/// A turn about the x axis, then about the y axis, then about the z axis, all of the world: the
-/// rows of its matrix.
+/// The rows of the matrix of a rotation about the x axis, then the y axis, then the z axis, all in world space.
 pub fn rotation_matrix(degrees: Float3) -> [[f64; 3]; 3] {
     let [(sx, cx), (sy, cy), (sz, cz)] = degrees.map(sin_cos);
     [
@@ -13,19 +12,19 @@ pub fn rotation_matrix(degrees: Float3) -> [[f64; 3]; 3] {
     ]
 }
 
-/// Where a turn brings the three axes.
+/// The images of the three axes under a rotation.
 pub fn rotated_axes(degrees: Float3) -> [Float3; 3] {
     let rows = rotation_matrix(degrees);
     std::array::from_fn(|axis| rows.map(|row| row[axis] as f32))
 }
 
-/// Sine and cosine of an angle in degrees, exact for quarters of a turn.
+/// Sine and cosine of an angle in degrees, exact for multiples of 90 degrees.
 fn sin_cos(degrees: f32) -> (f64, f64) {
     let degrees = f64::from(degrees).rem_euclid(360.0);
     let quarter = [(0.0, (0.0, 1.0)), (90.0, (1.0, 0.0)), (180.0, (0.0, -1.0)), (270.0, (-1.0, 0.0))];
     match quarter.into_iter().find(|(angle, _)| *angle == degrees) {
         Some((_, exact)) => exact,
-        // libm's, which are the same everywhere.
+        // libm: identical on all platforms.
         None => (libm::sin(degrees.to_radians()), libm::cos(degrees.to_radians())),
     }
 }
@@ -35,7 +34,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn quarter_turns_are_exact_and_follow_the_right_hand() {
+    fn rotations_by_90_degrees_are_exact_and_follow_the_right_hand_rule() {
         assert_eq!(rotated_axes([0.0, 0.0, 90.0]), [[0.0, 1.0, 0.0], [-1.0, 0.0, 0.0], [0.0, 0.0, 1.0]]);
         assert_eq!(rotated_axes([0.0, 90.0, 0.0]), [[0.0, 0.0, -1.0], [0.0, 1.0, 0.0], [1.0, 0.0, 0.0]]);
         assert_eq!(rotated_axes([90.0, 0.0, 0.0]), [[1.0, 0.0, 0.0], [0.0, 0.0, 1.0], [0.0, -1.0, 0.0]]);
@@ -43,7 +42,7 @@ mod tests {
     }
 
     #[test]
-    fn the_turn_about_x_comes_first_and_that_about_z_last() {
+    fn the_rotation_about_x_is_first_and_that_about_z_is_last() {
         // x: the y axis goes to z; y: z goes to x; z: x goes to y.
         assert_eq!(rotated_axes([90.0, 90.0, 90.0])[1], [0.0, 1.0, 0.0]);
     }

@@ -1,4 +1,4 @@
-//! The settings of the file.
+//! The settings in the table `[render]`.
 
 use std::ops::Range;
 
@@ -8,10 +8,10 @@ use crate::toml_scene::table::SingleTable;
 use crate::toml_scene::value::Spanned;
 
 impl SceneBuilder<'_> {
-    /// The settings of the file.
+    /// Adds the settings.
     pub fn settings(&mut self, render: SingleTable<RenderTable>) {
         let Some(Spanned { value: it, .. }) = render.0 else { return };
-        it.conflicts().into_iter().for_each(|fault| self.reader.diagnostics.push(fault));
+        it.conflicts().into_iter().for_each(|diagnostic| self.reader.diagnostics.push(diagnostic));
         let line = |place: &Range<usize>| self.lines.line_number(place.start);
         let lines = it.spans.iter().map(|(key, place)| (*key, line(&place.key)));
         self.scene.setting_lines = lines.collect();

@@ -20,79 +20,79 @@ tables! {
     #[derive(Default)]
     #[schemars(default)]
     struct SceneFile as "File" {
-        /// How the scene is looked at. By default so that everything with an end is seen.
+        /// Camera. By default it shows all bounded objects.
         camera: SingleTable<CameraTable>,
-        /// What picture is wanted; the command line wins.
+        /// Render settings; the command line takes precedence.
         render: SingleTable<RenderTable>,
-        /// What is behind everything. By default black.
+        /// Background. Default: black.
         background: SingleTable<BackgroundTable>,
-        /// Light from everywhere. By default a gray of 0.1.
+        /// Ambient light. Default: a gray of 0.1.
         ambient_light: SingleTable<AmbientLightTable>,
-        /// Lights that shine from one place in all directions.
+        /// Point lights.
         point_light: TableArray<PointLightTable>,
-        /// Lights that are infinitely far away, as the sun.
+        /// Directional lights, such as the sun.
         directional_light: TableArray<DirectionalLightTable>,
-        /// Lights that shine from one place into a cone.
+        /// Spot lights.
         spot_light: TableArray<SpotLightTable>,
-        /// Lights that are spheres, whose shadows have soft rims.
+        /// Spherical area lights, with soft shadows.
         sphere_light: TableArray<SphereLightTable>,
-        /// Lights that are rectangles, as windows and lamps in ceilings.
+        /// Rectangular area lights, such as windows.
         rectangle_light: TableArray<RectangleLightTable>,
-        /// Materials with names.
+        /// Named materials.
         material: TableArray<MaterialTable>,
         /// Spheres.
         sphere: TableArray<SphereTable>,
-        /// Planes without end.
+        /// Infinite planes.
         plane: TableArray<PlaneTable>,
-        /// Flat round discs.
+        /// Discs.
         disc: TableArray<DiscTable>,
         /// Triangles.
         triangle: TableArray<TriangleTable>,
-        /// Flat polygons of three corners or more.
+        /// Planar polygons, convex or concave.
         polygon: TableArray<PolygonTable>,
         /// Boxes.
         r#box: TableArray<BoxTable>,
         /// Cylinders.
         cylinder: TableArray<CylinderTable>,
-        /// Cones, pointed or cut off.
+        /// Cones and truncated cones.
         cone: TableArray<ConeTable>,
-        /// Tori: tubes round circles.
+        /// Tori.
         torus: TableArray<TorusTable>,
-        /// Triangles from a file: .obj, .ply, .gltf or .glb.
+        /// Triangle meshes from files: .obj, .ply, .gltf or .glb.
         mesh: TableArray<MeshTable>,
     }
 
-    /// How the scene is looked at.
+    /// Camera.
     struct CameraTable as "Camera" {
-        /// The eye. Default: so far in front of `at`, and a little above, that everything is seen.
-        from: Option<Spanned<PointValue>>,
-        /// What is in the middle of the picture. Default: the middle of everything that has an end.
-        at: Option<Spanned<PointValue>>,
-        /// What is up. Default: [0, 1, 0].
+        /// Eye position. Default: in front of and slightly above `at`, far enough to see all bounded objects.
+        from | position | eye: Option<Spanned<PointValue>>,
+        /// Point at the picture's center. Default: the center of all bounded objects.
+        at | look_at: Option<Spanned<PointValue>>,
+        /// Up direction. Default: [0, 1, 0].
         up: Option<Spanned<DirectionValue>>,
-        /// The full vertical angle of view, in degrees. Default: 45.
-        angle: Option<Spanned<ViewAngle>>,
-        /// Makes all rays run in one direction; how much is seen, in scene lengths.
+        /// Vertical field of view, full angle in degrees, from the center of the first pixel row to that of the last.
+        /// Default: 45.
+        angle | fov: Option<Spanned<ViewAngle>>,
+        /// Makes the camera orthographic: visible height in scene lengths.
         height: Option<Spanned<PositiveLength>>,
-        /// The radius of a lens, which makes everything blurred that is not in focus. Default:
-        /// none, everything is sharp.
+        /// Lens radius, for depth of field. Default: none (pinhole).
         lens_radius: Option<Spanned<PositiveLength>>,
-        /// How far away from the lens everything is sharp. Default: as far as `at`.
-        focus: Option<Spanned<PositiveLength>>,
-        /// When its shutter opens and closes, for things with a velocity; one number is how long it
-        /// is open from the time 0 on. Default: [0, 1].
+        /// Focus distance from the lens. Default: the distance to `at`.
+        focus | focus_distance | focal_distance: Option<Spanned<PositiveLength>>,
+        /// Shutter open and close time, for objects with a `velocity`; a single number is the closing time, with opening
+        /// at 0. Default: [0, 1].
         shutter: Option<Spanned<ShutterInterval>>,
     }
 
-    /// What is behind everything: one colour, or two that pass into each other.
+    /// Background: one color, or a vertical gradient.
     struct BackgroundTable as "Background" {
-        /// The colour.
+        /// Color of the whole background.
         color: Option<Spanned<ColorValue>>,
-        /// The colour straight down.
+        /// Color straight down.
         below: Option<Spanned<ColorValue>>,
-        /// The colour straight up.
+        /// Color straight up.
         above: Option<Spanned<ColorValue>>,
-        /// What is up for `below` and `above`. Default: the camera's.
+        /// Up direction of the gradient. Default: the camera's.
         up: Option<Spanned<DirectionValue>>,
     }
 }

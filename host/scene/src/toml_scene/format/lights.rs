@@ -7,113 +7,111 @@ use crate::toml_scene::value::{
 };
 
 tables! {
-    /// A light that shines from one place in all directions.
+    /// Point light, equal in all directions.
     struct PointLightTable as "PointLight" {
-        /// What reports call it.
+        /// Name shown in reports.
         name: Option<String>,
-        /// The place.
+        /// Position.
         position: PointValue,
-        /// Its colour. Default: white.
+        /// Color. Default: white.
         color: Option<Spanned<ColorValue>>,
-        /// What the colour is multiplied with. Default: 1.
+        /// Factor for `color`. Default: 1.
         intensity: Option<Spanned<Intensity>>,
-        /// How it fades with the distance: "none", "linear", "square", or constant, linear and
-        /// quadratic part of what it is divided by. Default: "none".
+        /// Distance falloff: "none", "linear" (1/d), "square" (1/d^2), or the constant, linear and quadratic
+        /// coefficients of the divisor. Default: "none".
         falloff: Option<FalloffValue>,
-        /// Whether things stand in its way. Default: true.
+        /// Whether the light casts shadows. Default: true.
         shadows: Option<bool>,
     }
 
-    /// A light that is infinitely far away, as the sun.
+    /// Directional light, infinitely far away, such as the sun.
     struct DirectionalLightTable as "DirectionalLight" {
-        /// What reports call it.
+        /// Name shown in reports.
         name: Option<String>,
-        /// Where its light goes: down is [0, -1, 0].
+        /// Direction of the light's rays; [0, -1, 0] shines down.
         direction: DirectionValue,
-        /// Its colour. Default: white.
+        /// Color. Default: white.
         color: Option<Spanned<ColorValue>>,
-        /// What the colour is multiplied with. Default: 1.
+        /// Factor for `color`. Default: 1.
         intensity: Option<Spanned<Intensity>>,
-        /// Whether things stand in its way. Default: true.
+        /// Whether the light casts shadows. Default: true.
         shadows: Option<bool>,
     }
 
-    /// A light that shines from one place into a cone. It needs `at` or `direction`.
+    /// Spot light. It needs `at` or `direction`.
     struct SpotLightTable as "SpotLight" {
-        /// What reports call it.
+        /// Name shown in reports.
         name: Option<String>,
-        /// The place.
+        /// Position.
         position: PointValue,
-        /// What is in the middle of its cone.
-        at: Option<Spanned<PointValue>>,
-        /// The middle of its cone, as a direction.
+        /// Point that the light is aimed at.
+        at | look_at: Option<Spanned<PointValue>>,
+        /// Axis of the cone.
         direction: Option<Spanned<DirectionValue>>,
-        /// The full angle of its cone, in degrees. Default: 40.
+        /// Full angle of the cone, in degrees. Default: 40.
         angle: Option<ConeAngle>,
-        /// The full angle within which it is fully bright, in degrees, at most `angle`.
-        /// Default: 4/5 of `angle`.
+        /// Full angle of the fully bright inner cone, in degrees, at most `angle`. Default: 4/5 of `angle`.
         bright_angle: Option<Spanned<BrightAngle>>,
-        /// Its colour. Default: white.
+        /// Color. Default: white.
         color: Option<Spanned<ColorValue>>,
-        /// What the colour is multiplied with. Default: 1.
+        /// Factor for `color`. Default: 1.
         intensity: Option<Spanned<Intensity>>,
-        /// How it fades with the distance: "none", "linear", "square", or constant, linear and
-        /// quadratic part of what it is divided by. Default: "none".
+        /// Distance falloff: "none", "linear" (1/d), "square" (1/d^2), or the constant, linear and quadratic
+        /// coefficients of the divisor. Default: "none".
         falloff: Option<FalloffValue>,
-        /// Whether things stand in its way. Default: true.
+        /// Whether the light casts shadows. Default: true.
         shadows: Option<bool>,
     }
 
-    /// A light that is a sphere: as bright as one in its middle, with soft shadows. It is not seen.
+    /// A spherical light with soft shadows; it emits as much as a point light at its center and is not visible itself.
     struct SphereLightTable as "SphereLight" {
-        /// What reports call it.
+        /// Name shown in reports.
         name: Option<String>,
-        /// Its middle.
+        /// Center.
         position: PointValue,
-        /// Its radius; 0 makes it a point.
+        /// Radius; 0 makes it a point light.
         radius: NonNegativeLength,
-        /// Its colour. Default: white.
+        /// Color. Default: white.
         color: Option<Spanned<ColorValue>>,
-        /// What the colour is multiplied with. Default: 1.
+        /// Factor for `color`. Default: 1.
         intensity: Option<Spanned<Intensity>>,
-        /// How it fades with the distance: "none", "linear", "square", or constant, linear and
-        /// quadratic part of what it is divided by. Default: "none".
+        /// Distance falloff: "none", "linear" (1/d), "square" (1/d^2), or the constant, linear and quadratic
+        /// coefficients of the divisor. Default: "none".
         falloff: Option<FalloffValue>,
-        /// Whether things stand in its way. Default: true.
+        /// Whether the light casts shadows. Default: true.
         shadows: Option<bool>,
     }
 
-    /// A light that is a rectangle and shines to its front, less to the side. It needs `at` or
-    /// `direction`. It is not seen.
+    /// A one-sided rectangular light with cosine falloff. It needs `at` or `direction`, and is not visible itself.
     struct RectangleLightTable as "RectangleLight" {
-        /// What reports call it.
+        /// Name shown in reports.
         name: Option<String>,
-        /// Its middle.
+        /// Center.
         position: PointValue,
-        /// What is in front of its middle.
-        at: Option<Spanned<PointValue>>,
-        /// Where its front looks to.
+        /// Point that its front faces.
+        at | look_at: Option<Spanned<PointValue>>,
+        /// Direction that its front faces.
         direction: Option<Spanned<DirectionValue>>,
-        /// What is up for its height. Default: [0, 1, 0], or [0, 0, 1] if it looks up or down.
+        /// Up direction, along its height. Default: [0, 1, 0], or [0, 0, 1] if it faces up or down.
         up: Option<Spanned<DirectionValue>>,
-        /// Its width and its height.
+        /// Width and height, or one number for both.
         size: RectangleSize,
-        /// Its colour. Default: white.
+        /// Color. Default: white.
         color: Option<Spanned<ColorValue>>,
-        /// What the colour is multiplied with. Default: 1.
+        /// Factor for `color`. Default: 1.
         intensity: Option<Spanned<Intensity>>,
-        /// How it fades with the distance: "none", "linear", "square", or constant, linear and
-        /// quadratic part of what it is divided by. Default: "none".
+        /// Distance falloff: "none", "linear" (1/d), "square" (1/d^2), or the constant, linear and quadratic
+        /// coefficients of the divisor. Default: "none".
         falloff: Option<FalloffValue>,
-        /// Whether things stand in its way. Default: true.
+        /// Whether the light casts shadows. Default: true.
         shadows: Option<bool>,
     }
 
-    /// Light from everywhere, for the ambient share of materials.
+    /// Ambient light, scaled by the ambient reflectance of materials.
     struct AmbientLightTable as "AmbientLight" {
-        /// Its colour. Default: a gray of 0.1.
+        /// Color. Default: a gray of 0.1.
         color: Option<Spanned<ColorValue>>,
-        /// What the colour is multiplied with. Default: 1.
+        /// Factor for `color`. Default: 1.
         intensity: Option<Spanned<Intensity>>,
     }
 }

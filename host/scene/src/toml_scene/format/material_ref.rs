@@ -1,4 +1,4 @@
-//! What an object is made of: a material with a name, or one that stands in the object.
+//! The material of an object: the name of a material, or an inline material.
 
 use schemars::{JsonSchema, Schema, SchemaGenerator, json_schema};
 use toml::de::DeValue;
@@ -8,12 +8,12 @@ use crate::diagnostics::Diagnostic;
 use crate::quote::quoted;
 use crate::toml_scene::value::{FromToml, Spanned, TableReader, TomlValue, is_color_name, suggestion};
 
-/// What an object is made of.
+/// The material of an object.
 #[derive(Debug)]
 pub enum MaterialRef {
-    /// A material of the file.
+    /// The name of a material.
     Named(String),
-    /// One that only this object has.
+    /// An inline material.
     Inline(Box<Spanned<MaterialTable>>),
 }
 
@@ -23,10 +23,10 @@ impl FromToml for MaterialRef {
             DeValue::String(name) if reader.material_names.span_of(name).is_some() => {
                 Some(MaterialRef::Named(name.to_string()))
             }
-            // It may be in the part that cannot be read.
+            // It may be in a part that cannot be parsed.
             DeValue::String(_) if !reader.is_valid_toml => None,
             DeValue::String(name) => {
-                let fault = Diagnostic::new(value.span(), format!("there is no material {}", quoted(name)));
+                let diagnostic = Diagnostic::new(value.span(), format!("unknown material {}", quoted(name)));
                 let names = if reader.diagnostics.has_capacity() {
                     reader.material_names.for_suggestions()
                 } else {
@@ -35,20 +35,21 @@ impl FromToml for MaterialRef {
                 let help = match suggestion(name, &names) {
                     Some(meant) => format!("did you mean {meant}?"),
                     None if is_color_name(name) => format!("write {{ color = {:?} }}", short(name)),
-                    None => format!("write [[material]] and name = {:?} below it", short(name)),
+                    None => format!("define it as [[material]] with name = {:?}", short(name)),
                 };
-                reader.report(fault.with_help(help))
+                reader.report(diagnostic.with_help(help))
             }
             DeValue::Table(_) => {
                 let own: Spanned<MaterialTable> = Spanned::from_toml(value, key, reader)?;
                 if let Some(name) = &own.value.name {
-                    let fault =
-                        Diagnostic::new(name.span.clone(), "a material that stands in an object has no name");
-                    return reader.report(fault.with_help("write it as a [[material]] to use it by name"));
+                    let diagnostic =
+                        Diagnostic::new(name.span.clone(), "an inline material cannot have a name");
+                    return reader
+                        .report(diagnostic.with_help("write it as a [[material]] to use it by name"));
                 }
                 Some(MaterialRef::Inline(Box::new(own)))
             }
-            _ => reader.report_type(value, key, "the name of a material or a table of its own"),
+            _ => reader.report_type(value, key, "a material name or an inline table"),
         }
     }
 }

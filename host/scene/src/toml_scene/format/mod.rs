@@ -1,7 +1,7 @@
-//! The tables of the format and their keys. `scenes/FORMAT.md` describes the same at length.
+//! The tables of the format and their keys; `scenes/FORMAT.md` describes them at length.
 //!
-//! What is said of a table and of a key here is what an editor shows, by way of the schema.
-//! An `Option` has a default, which is told with the key; everything else must be there.
+//! The doc comments of tables and keys are the descriptions in the JSON Schema, which editors show. An `Option` has a
+//! default, named in its description; all other keys are required.
 
 mod file;
 mod lights;

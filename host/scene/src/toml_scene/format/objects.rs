@@ -10,148 +10,148 @@ use crate::toml_scene::value::{
 tables! {
     /// A sphere.
     struct SphereTable as "Sphere" {
-        /// The middle. Default: [0, 0, 0].
+        /// Center. Default: [0, 0, 0].
         center: Option<PointValue>,
-        /// From the middle to the surface.
+        /// Radius.
         radius: PositiveLength,
-        /// What it is made of: a name, or a table. Default: matte and white.
+        /// Material: a name or an inline table. Default: white, diffuse.
         material: Option<MaterialRef>,
-        /// How far it moves in a time of one; it is in its place at the time 0. Default: it stands.
+        /// Displacement per unit of time; the object is at its given position at time 0. Default: 0.
         velocity: Option<Spanned<PointValue>>,
     }
 
-    /// A plane without end.
+    /// An infinite plane.
     struct PlaneTable as "Plane" {
-        /// A point on it. Default: [0, 0, 0].
+        /// Point of the plane. Default: [0, 0, 0].
         point: Option<PointValue>,
-        /// Upright on it. Default: [0, 1, 0].
+        /// Normal. Default: [0, 1, 0].
         normal: Option<DirectionValue>,
-        /// What it is made of: a name, or a table. Default: matte and white.
+        /// Material: a name or an inline table. Default: white, diffuse.
         material: Option<MaterialRef>,
-        /// How far it moves in a time of one; it is in its place at the time 0. Default: it stands.
+        /// Displacement per unit of time; the object is at its given position at time 0. Default: 0.
         velocity: Option<Spanned<PointValue>>,
     }
 
-    /// A flat round disc.
+    /// A disc.
     struct DiscTable as "Disc" {
-        /// The middle. Default: [0, 0, 0].
+        /// Center. Default: [0, 0, 0].
         center: Option<PointValue>,
-        /// Upright on it. Default: [0, 1, 0].
+        /// Normal. Default: [0, 1, 0].
         normal: Option<DirectionValue>,
-        /// From the middle to the rim.
+        /// Radius.
         radius: PositiveLength,
-        /// What it is made of: a name, or a table. Default: matte and white.
+        /// Material: a name or an inline table. Default: white, diffuse.
         material: Option<MaterialRef>,
-        /// How far it moves in a time of one; it is in its place at the time 0. Default: it stands.
+        /// Displacement per unit of time; the object is at its given position at time 0. Default: 0.
         velocity: Option<Spanned<PointValue>>,
     }
 
     /// A triangle.
     struct TriangleTable as "Triangle" {
-        /// Three places.
+        /// Three vertices.
         corners: Spanned<PointList>,
-        /// Three directions: what counts as upright in the corners, for a look that is round.
+        /// Three vertex normals, for smooth shading.
         normals: Option<Spanned<DirectionList>>,
-        /// What it is made of: a name, or a table. Default: matte and white.
+        /// Material: a name or an inline table. Default: white, diffuse.
         material: Option<MaterialRef>,
-        /// How far it moves in a time of one; it is in its place at the time 0. Default: it stands.
+        /// Displacement per unit of time; the object is at its given position at time 0. Default: 0.
         velocity: Option<Spanned<PointValue>>,
     }
 
-    /// A flat polygon, which may have bays.
+    /// A planar polygon, convex or concave.
     struct PolygonTable as "Polygon" {
-        /// Three places or more, in the order of the rim.
+        /// Three or more vertices, in order.
         corners: Spanned<PointList>,
-        /// As many directions: what counts as upright in the corners, for a look that is round.
+        /// Vertex normals, as many as corners, for smooth shading.
         normals: Option<Spanned<DirectionList>>,
-        /// What it is made of: a name, or a table. Default: matte and white.
+        /// Material: a name or an inline table. Default: white, diffuse.
         material: Option<MaterialRef>,
-        /// How far it moves in a time of one; it is in its place at the time 0. Default: it stands.
+        /// Displacement per unit of time; the object is at its given position at time 0. Default: 0.
         velocity: Option<Spanned<PointValue>>,
     }
 
-    /// A box: `min` and `max`, or `size` and perhaps `center`.
+    /// A box: `min` and `max`, or `size` and optionally `center`.
     struct BoxTable as "Box" {
-        /// The corner with the smallest coordinates.
+        /// Corner with the smallest coordinates.
         min: Option<Spanned<PointValue>>,
-        /// The corner with the largest coordinates.
+        /// Corner with the largest coordinates.
         max: Option<Spanned<PointValue>>,
-        /// The middle. Default: [0, 0, 0].
+        /// Center. Default: [0, 0, 0].
         center: Option<Spanned<PointValue>>,
-        /// Its length along each axis, or one number for a cube.
+        /// Size along each axis, or one number for a cube.
         size: Option<Spanned<BoxSize>>,
-        /// Degrees by which it is turned in its middle, about the x axis, then y, then z.
+        /// Rotation around its center in degrees, about x, then y, then z. Default: [0, 0, 0].
         rotate: Option<EulerAngles>,
-        /// What it is made of: a name, or a table. Default: matte and white.
+        /// Material: a name or an inline table. Default: white, diffuse.
         material: Option<MaterialRef>,
-        /// How far it moves in a time of one; it is in its place at the time 0. Default: it stands.
+        /// Displacement per unit of time; the object is at its given position at time 0. Default: 0.
         velocity: Option<Spanned<PointValue>>,
     }
 
     /// A cylinder.
     struct CylinderTable as "Cylinder" {
-        /// The middle of one end. Default: [0, 0, 0].
+        /// Center of one end. Default: [0, 0, 0].
         base: Option<PointValue>,
-        /// The middle of the other end.
+        /// Center of the other end.
         end: Spanned<PointValue>,
-        /// The radius.
+        /// Radius.
         radius: PositiveLength,
-        /// Whether it is a tube without discs at its ends. Default: false.
+        /// Whether the ends are open. Default: false.
         open: Option<bool>,
-        /// What it is made of: a name, or a table. Default: matte and white.
+        /// Material: a name or an inline table. Default: white, diffuse.
         material: Option<MaterialRef>,
-        /// How far it moves in a time of one; it is in its place at the time 0. Default: it stands.
+        /// Displacement per unit of time; the object is at its given position at time 0. Default: 0.
         velocity: Option<Spanned<PointValue>>,
     }
 
-    /// A cone, pointed or cut off.
+    /// A cone or truncated cone.
     struct ConeTable as "Cone" {
-        /// The middle of one end. Default: [0, 0, 0].
+        /// Center of one end. Default: [0, 0, 0].
         base: Option<PointValue>,
-        /// The point, or the middle of the other end.
+        /// Apex, or center of the other end.
         end: Spanned<PointValue>,
-        /// The radius at the base.
+        /// Radius at the base.
         radius: Spanned<NonNegativeLength>,
-        /// The radius at the other end. Default: 0, a point.
+        /// Radius at the other end. Default: 0 (apex).
         end_radius: Option<NonNegativeLength>,
-        /// Whether it has no discs at its ends. Default: false.
+        /// Whether the ends are open. Default: false.
         open: Option<bool>,
-        /// What it is made of: a name, or a table. Default: matte and white.
+        /// Material: a name or an inline table. Default: white, diffuse.
         material: Option<MaterialRef>,
-        /// How far it moves in a time of one; it is in its place at the time 0. Default: it stands.
+        /// Displacement per unit of time; the object is at its given position at time 0. Default: 0.
         velocity: Option<Spanned<PointValue>>,
     }
 
-    /// A tube round a circle.
+    /// A torus.
     struct TorusTable as "Torus" {
-        /// The middle of the hole. Default: [0, 0, 0].
+        /// Center. Default: [0, 0, 0].
         center: Option<PointValue>,
-        /// Upright on the circle. Default: [0, 1, 0].
+        /// Axis. Default: [0, 1, 0].
         axis: Option<DirectionValue>,
-        /// The radius of the circle, in the middle of the tube.
+        /// Major radius.
         radius: PositiveLength,
-        /// The radius of the tube, at most `radius`.
+        /// Minor radius, at most `radius`.
         tube: Spanned<PositiveLength>,
-        /// What it is made of: a name, or a table. Default: matte and white.
+        /// Material: a name or an inline table. Default: white, diffuse.
         material: Option<MaterialRef>,
-        /// How far it moves in a time of one; it is in its place at the time 0. Default: it stands.
+        /// Displacement per unit of time; the object is at its given position at time 0. Default: 0.
         velocity: Option<Spanned<PointValue>>,
     }
 
-    /// Triangles from a file. They are scaled, then turned, then moved.
+    /// A triangle mesh from a file. Transform order: scale, rotate, translate.
     struct MeshTable as "Mesh" {
-        /// The file, beside the scene: .obj, .ply, .gltf or .glb.
+        /// File, relative to the scene: .obj, .ply, .gltf or .glb.
         file: Spanned<String>,
-        /// What it is made of, whatever the file says: a name, or a table. Default: what the
-        /// file says, else matte and white.
+        /// Material, instead of those of the file: a name or an inline table. Default: those of the file, else white,
+        /// diffuse.
         material: Option<MaterialRef>,
-        /// What it is multiplied with, one number or one for each axis. Default: 1.
+        /// Scale factor, one number or one per axis. Default: 1.
         scale: Option<ScaleFactors>,
-        /// Degrees by which it is turned in the origin, about the x axis, then y, then z.
+        /// Rotation around the origin in degrees, about x, then y, then z. Default: [0, 0, 0].
         rotate: Option<EulerAngles>,
-        /// How far it is moved. Default: [0, 0, 0].
-        translate: Option<PointValue>,
-        /// How far it moves in a time of one; it is in its place at the time 0. Default: it stands.
+        /// Translation. Default: [0, 0, 0].
+        translate | translation: Option<PointValue>,
+        /// Displacement per unit of time; the object is at its given position at time 0. Default: 0.
         velocity: Option<Spanned<PointValue>>,
     }
 }

@@ -11,21 +11,21 @@ use toml::de::DeValue;
 use crate::diagnostics::Diagnostic;
 use crate::limits::MAX_PIXELS_IN_FILE;
 use crate::quote::quoted;
-use crate::toml_scene::table::KeyReader;
+use crate::toml_scene::table::{Entry, KeyReader, Keys, add_aliases};
 use crate::toml_scene::value::{
     FromToml, NumberRange, TableReader, TomlValue, integer_in, number_in, suggestion,
 };
 
-/// Which picture is asked for; the command line wins.
+/// The settings in a scene file; the command line takes precedence.
 #[derive(Debug, Default)]
 pub struct RenderTable {
     /// The settings.
     pub settings: SettingsOverrides,
-    /// Where each of them stands, by its key.
+    /// The location of each setting, by key.
     pub spans: BTreeMap<&'static str, SettingSpan>,
 }
 
-/// Where a setting stands, in bytes.
+/// The location of a setting, in bytes.
 #[derive(Clone, Debug)]
 pub struct SettingSpan {
     pub key: Range<usize>,
@@ -33,26 +33,30 @@ pub struct SettingSpan {
 }
 
 impl RenderTable {
-    /// What is wrong with settings that do not go together.
+    /// The errors of settings that exclude each other.
     pub fn conflicts(&self) -> Vec<Diagnostic> {
         let place = |key| self.spans.get(key).map_or(0..0, |place| place.value.clone());
-        let mut faults = Vec::new();
+        let mut diagnostics = Vec::new();
         let SettingsOverrides { sampler, filter, walk, heap, .. } = &self.settings;
         if filter.is_some_and(|filter| filter != Filter::Box)
             && sampler.is_some_and(|sampler| !sampler.allows_filter())
         {
-            let fault = Diagnostic::new(place("filter"), "no filter but \"box\" goes with this sampler");
-            faults.push(fault.with_related(place("sampler"), "it fills the pixel by itself"));
+            let diagnostic =
+                Diagnostic::new(place("filter"), "this sampler supports only the filter \"box\"");
+            diagnostics.push(diagnostic.with_related(place("sampler"), "set here"));
         }
         if *walk == Some(Walk::Stack) && heap.is_some() {
-            let fault = Diagnostic::new(place("heap"), "a walk with a stack has no `heap`");
-            faults.push(fault.with_related(place("walk"), "the walk"));
+            let diagnostic = Diagnostic::new(place("heap"), "`heap` requires walk = \"heap\"");
+            diagnostics.push(diagnostic.with_related(place("walk"), "set here"));
         }
-        faults
+        diagnostics
     }
 }
 
-/// The settings that a scene can have.
+/// Aliases of keys.
+const ALIASES: &[(&str, &str)] = &[("max_depth", "levels")];
+
+/// The settings that a scene can set.
 fn settings() -> impl Iterator<Item = &'static Setting> {
     SETTINGS.iter().filter(|setting| setting.is_in_scenes())
 }
@@ -60,12 +64,12 @@ fn settings() -> impl Iterator<Item = &'static Setting> {
 impl FromToml for RenderTable {
     fn from_toml(value: &TomlValue<'_>, name: &str, reader: &mut TableReader<'_>) -> Option<Self> {
         let keys: Vec<&str> = settings().map(|setting| setting.name).collect();
-        let table = KeyReader::of(value, name, &keys, reader)?;
+        let table = KeyReader::of(value, name, Keys { keys: &keys, aliases: ALIASES }, reader)?;
         let mut render = RenderTable::default();
         for setting in settings() {
-            let Some((key, value)) = table.entry(setting.name) else { continue };
-            render.spans.insert(setting.name, SettingSpan { key, value: value.span() });
-            if let Some(read) = read(setting, value, reader) {
+            let Some(Entry { key, span, value }) = table.entry(setting.name) else { continue };
+            render.spans.insert(setting.name, SettingSpan { key: span, value: value.span() });
+            if let Some(read) = read(setting, key, value, reader) {
                 render.settings = render.settings.or(read);
             }
         }
@@ -73,21 +77,25 @@ impl FromToml for RenderTable {
     }
 }
 
-/// The value of a setting.
-fn read(setting: &Setting, value: &TomlValue<'_>, reader: &mut TableReader<'_>) -> Option<SettingsOverrides> {
-    let word = word(setting, value, reader)?;
+/// Reads the value of a setting.
+fn read(
+    setting: &Setting,
+    key: &str,
+    value: &TomlValue<'_>,
+    reader: &mut TableReader<'_>,
+) -> Option<SettingsOverrides> {
+    let word = word(setting, key, value, reader)?;
     setting.parse(&word).map_or_else(
         |reason| {
-            let fault = Diagnostic::new(value.span(), format!("this is no {}", setting.name));
-            reader.report(fault.with_help(reason))
+            let diagnostic = Diagnostic::new(value.span(), format!("invalid {key}"));
+            reader.report(diagnostic.with_help(reason))
         },
         Some,
     )
 }
 
-/// The value of a setting, as the command line has it.
-fn word(setting: &Setting, value: &TomlValue<'_>, reader: &mut TableReader<'_>) -> Option<String> {
-    let key = setting.name;
+/// Reads the value of a setting as an option value of the command line.
+fn word(setting: &Setting, key: &str, value: &TomlValue<'_>, reader: &mut TableReader<'_>) -> Option<String> {
     match setting.domain {
         Domain::Flag => bool::from_toml(value, key, reader).map(|it| it.to_string()),
         Domain::Integer(first, last) => integer_in(first, last, value, key, reader).map(|it| it.to_string()),
@@ -126,9 +134,11 @@ fn name(names: &[Named], value: &TomlValue<'_>, key: &str, reader: &mut TableRea
     }
     let help = match suggestion(&word, &names) {
         Some(meant) => format!("did you mean {meant}?"),
-        None => format!("there are {}", names.join(", ")),
+        None => format!("valid values: {}", names.join(", ")),
     };
-    reader.report(Diagnostic::new(value.span(), format!("{} is no `{key}`", quoted(&word))).with_help(help))
+    reader.report(
+        Diagnostic::new(value.span(), format!("{} is not a valid `{key}`", quoted(&word))).with_help(help),
+    )
 }
 
 fn size(value: &TomlValue<'_>, key: &str, reader: &mut TableReader<'_>) -> Option<Resolution> {
@@ -146,9 +156,9 @@ fn size(value: &TomlValue<'_>, key: &str, reader: &mut TableReader<'_>) -> Optio
     match Resolution::new(width, height) {
         Some(size) if u64::from(width) * u64::from(height) <= MAX_PIXELS_IN_FILE => Some(size),
         _ => {
-            let what = format!("{width} x {height} pixels are more than a file may ask for");
-            let help = format!("up to {MAX_PIXELS_IN_FILE} pixels, or use --size on the command line");
-            reader.report(Diagnostic::new(value.span(), what).with_help(help))
+            let message = format!("{width} x {height} pixels exceed the limit for a file");
+            let help = format!("use at most {MAX_PIXELS_IN_FILE} pixels, or --size on the command line");
+            reader.report(Diagnostic::new(value.span(), message).with_help(help))
         }
     }
 }
@@ -163,11 +173,13 @@ impl JsonSchema for RenderTable {
         for setting in settings() {
             properties.insert(setting.name.into(), setting.schema().to_value());
         }
-        json_schema!({
-            "description": "What picture is wanted; the command line wins.",
+        let mut schema = json_schema!({
+            "description": "Render settings; the command line takes precedence.",
             "type": "object",
             "properties": properties,
             "additionalProperties": false,
-        })
+        });
+        add_aliases(ALIASES, &mut schema);
+        schema
     }
 }

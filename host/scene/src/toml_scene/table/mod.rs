@@ -1,8 +1,8 @@
-//! Tables of keys.
+//! Reading of tables.
 
 mod keys;
 mod tables;
 
-pub use keys::KeyReader;
+pub use keys::{Entry, KeyReader, Keys, add_aliases};
 pub(super) use tables::tables;
 pub use tables::{SingleTable, TableArray};

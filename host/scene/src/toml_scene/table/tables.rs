@@ -1,7 +1,6 @@
-//! Tables of the format.
+//! Declaration of tables.
 //!
-//! They are declared with the macro `tables`, which makes two things of one declaration: the struct with its JSON
-//! Schema, and the reading of it.
+//! The macro `tables` declares a struct, its JSON Schema and its reading at once.
 
 use schemars::{JsonSchema, Schema, SchemaGenerator};
 use toml::de::DeValue;
@@ -12,7 +11,7 @@ use crate::toml_scene::value::{FromToml, Spanned, TableReader, TomlValue, schema
 schema_like!([T: JsonSchema] SingleTable<T>, T);
 schema_like!([T: JsonSchema] TableArray<T>, Vec<T>);
 
-/// A table that a file has at most once: `[camera]`.
+/// A table that a file can have once: `[camera]`.
 #[derive(Debug)]
 pub struct SingleTable<T>(pub Option<Spanned<T>>);
 
@@ -25,8 +24,8 @@ impl<T> Default for SingleTable<T> {
 impl<T: FromToml> FromToml for SingleTable<T> {
     fn from_toml(value: &TomlValue<'_>, key: &str, reader: &mut TableReader<'_>) -> Option<Self> {
         if let DeValue::Array(_) = value.get_ref() {
-            let fault = Diagnostic::new(value.span(), format!("there is only one `{key}`"));
-            reader.diagnostics.push(fault.with_help(format!("write [{key}] instead of [[{key}]]")));
+            let diagnostic = Diagnostic::new(value.span(), format!("`{key}` may appear only once"));
+            reader.diagnostics.push(diagnostic.with_help(format!("write [{key}] instead of [[{key}]]")));
             return Self::default_if_absent();
         }
         Some(SingleTable(Spanned::from_toml(value, key, reader)))
@@ -37,7 +36,7 @@ impl<T: FromToml> FromToml for SingleTable<T> {
     }
 }
 
-/// Tables of which a file may have any number: `[[sphere]]`.
+/// An array of tables: `[[sphere]]`.
 #[derive(Debug)]
 pub struct TableArray<T>(pub Vec<Spanned<T>>);
 
@@ -51,15 +50,15 @@ impl<T: FromToml> FromToml for TableArray<T> {
     fn from_toml(value: &TomlValue<'_>, key: &str, reader: &mut TableReader<'_>) -> Option<Self> {
         match value.get_ref() {
             DeValue::Array(list) => {
-                // All at once: a table that grows is there several times over for a while.
+                // Allocated at once: growing would temporarily take a multiple of the memory.
                 let mut things = Vec::with_capacity(list.len());
                 things.extend(list.iter().filter_map(|it| Spanned::from_toml(it, key, reader)));
                 Some(TableArray(things))
             }
             DeValue::Table(_) => {
-                let fault = Diagnostic::new(value.span(), format!("there may be more than one `{key}`"));
-                reader.diagnostics.push(fault.with_help(format!("write [[{key}]] instead of [{key}]")));
-                // What is wrong inside is told as well.
+                let diagnostic = Diagnostic::new(value.span(), format!("`{key}` is an array of tables"));
+                reader.diagnostics.push(diagnostic.with_help(format!("write [[{key}]] instead of [{key}]")));
+                // Report errors inside the table as well.
                 T::from_toml(value, key, reader);
                 Self::default_if_absent()
             }
@@ -72,19 +71,27 @@ impl<T: FromToml> FromToml for TableArray<T> {
     }
 }
 
-/// Declares tables of the format: the struct, its schema, and how it is read.
+/// Declares tables: struct, JSON Schema and reading. A key may be followed by its aliases: `from | eye: Type`.
 macro_rules! tables {
     ($(
         $(#[$about:meta])*
         struct $Name:ident as $schema_name:tt {
-            $($(#[$doc:meta])* $key:ident: $Type:ty,)*
+            $($(#[$doc:meta])* $key:ident $(| $alias:ident)*: $Type:ty,)*
         }
     )*) => {$(
         #[derive(Debug, schemars::JsonSchema)]
-        #[schemars(rename = $schema_name, deny_unknown_fields)]
+        #[schemars(rename = $schema_name, deny_unknown_fields, transform = Self::add_aliases)]
         $(#[$about])*
         pub struct $Name {
             $($(#[$doc])* pub $key: $Type,)*
+        }
+
+        impl $Name {
+            const ALIASES: &[(&str, &str)] = &[$($((stringify!($alias), stringify!($key)),)*)*];
+
+            fn add_aliases(schema: &mut schemars::Schema) {
+                $crate::toml_scene::table::add_aliases(Self::ALIASES, schema);
+            }
         }
 
         impl $crate::toml_scene::value::FromToml for $Name {
@@ -93,9 +100,12 @@ macro_rules! tables {
                 name: &str,
                 reader: &mut $crate::toml_scene::value::TableReader<'_>,
             ) -> Option<Self> {
-                let keys = [$(stringify!($key).trim_start_matches("r#")),*];
-                let table = $crate::toml_scene::table::KeyReader::of(value, name, &keys, reader)?;
-                // Each of them before any of them is missed.
+                let keys = $crate::toml_scene::table::Keys {
+                    keys: &[$(stringify!($key).trim_start_matches("r#")),*],
+                    aliases: Self::ALIASES,
+                };
+                let table = $crate::toml_scene::table::KeyReader::of(value, name, keys, reader)?;
+                // Read all keys before a missing one ends the function.
                 $(let $key = table.get(stringify!($key).trim_start_matches("r#"), reader);)*
                 Some($Name { $($key: $key?,)* })
             }

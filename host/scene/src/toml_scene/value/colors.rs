@@ -1,4 +1,4 @@
-//! Colours: linear numbers, one for a gray, `#rrggbb` and names.
+//! Colors: linear [r, g, b], a gray, `#rrggbb`, or a name.
 
 use schemars::{JsonSchema, Schema, SchemaGenerator, json_schema};
 use strahl_core::Rgb;
@@ -11,7 +11,7 @@ use super::vectors::{number_or_three, triple_schema};
 use crate::diagnostics::Diagnostic;
 use crate::quote::quoted;
 
-/// The names, with what CSS means by them (sRGB).
+/// The color names of CSS, in sRGB.
 const NAMES: &[(&str, u32)] = &[
     ("black", 0x000000),
     ("white", 0xffffff),
@@ -39,15 +39,15 @@ const NAMES: &[(&str, u32)] = &[
     ("ivory", 0xfffff0),
 ];
 
-/// A colour, as bright as it likes.
+/// A color without an upper bound of 1.
 #[derive(Clone, Copy, Debug)]
 pub struct ColorValue(pub Rgb);
 
-/// A colour no channel of which is above one.
+/// A color whose channels are in `[0, 1]`: a reflectance or transmittance.
 #[derive(Clone, Copy, Debug)]
 pub struct UnitColor(pub Rgb);
 
-/// How far light travels, for each channel.
+/// The attenuation length for each channel, in `(0, inf]`.
 #[derive(Clone, Copy, Debug)]
 pub struct AttenuationLength(pub Rgb);
 
@@ -87,12 +87,12 @@ fn read_color(
         _ if is_number(value) => {
             return number_or_three(range, value, key, reader).map(|[r, g, b]| Rgb::new(r, g, b));
         }
-        _ => return reader.report_type(value, key, "a colour: [r, g, b], a number, \"#rrggbb\" or a name"),
+        _ => return reader.report_type(value, key, "a color: [r, g, b], a number, \"#rrggbb\" or a name"),
     };
     reader.report(Diagnostic::new(value.span(), wrong.0).with_help(wrong.1))
 }
 
-/// The colour that a string says, or what is wrong and what to do about it.
+/// Parses a color; an error has a message and advice.
 fn parse_color(text: &str) -> Result<Rgb, (String, String)> {
     if let Some(digits) = text.strip_prefix('#') {
         let code = match digits.len() {
@@ -100,7 +100,7 @@ fn parse_color(text: &str) -> Result<Rgb, (String, String)> {
             _ => None,
         };
         let wrong =
-            || (format!("{} is no colour", quoted(text)), "six digits of 0-9 and a-f follow #".into());
+            || (format!("{} is not a color", quoted(text)), "write # and six hexadecimal digits".into());
         return code.map(from_srgb_code).ok_or_else(wrong);
     }
     match NAMES.iter().find(|(name, _)| *name == text) {
@@ -111,21 +111,21 @@ fn parse_color(text: &str) -> Result<Rgb, (String, String)> {
                 Some(meant) => format!("did you mean {meant}?"),
                 None => format!("write \"#rrggbb\", [r, g, b] or one of {}", names.join(", ")),
             };
-            Err((format!("there is no colour {}", quoted(text)), help))
+            Err((format!("unknown color {}", quoted(text)), help))
         }
     }
 }
 
-/// Whether it is the name of a colour.
+/// Whether `name` is the name of a color.
 pub fn is_color_name(name: &str) -> bool {
     NAMES.iter().any(|(other, _)| *other == name)
 }
 
-/// Three bytes in the sRGB encoding (IEC 61966-2-1), as linear light.
+/// Decodes three sRGB bytes (IEC 61966-2-1) to linear light.
 fn from_srgb_code(code: u32) -> Rgb {
     let channel = |shift: u32| {
         let v = f64::from(code >> shift & 0xff) / 255.0;
-        // libm's power, which is the same everywhere.
+        // libm: identical on all platforms.
         let linear = if v <= 0.04045 { v / 12.92 } else { libm::pow((v + 0.055) / 1.055, 2.4) };
         linear as f32
     };
@@ -164,7 +164,11 @@ impl JsonSchema for UnitColor {
         "Share".into()
     }
     fn json_schema(_: &mut SchemaGenerator) -> Schema {
-        color_schema(NumberRange::FRACTION, "Share", "A part of light: a number from 0 to 1, or a colour.")
+        color_schema(
+            NumberRange::FRACTION,
+            "Share",
+            "A reflectance or transmittance: a number from 0 to 1, or a color.",
+        )
     }
 }
 
@@ -185,7 +189,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn a_colour_of_bytes_becomes_these_bytes_again_in_a_picture() {
+    fn an_srgb_code_is_encoded_to_the_same_bytes_in_a_picture() {
         for code in 0..=255 {
             let gray = from_srgb_code(code << 16 | code << 8 | code);
             assert_eq!(gray.to_srgb8(), [code as u8; 3]);

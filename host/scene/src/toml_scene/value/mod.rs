@@ -1,6 +1,7 @@
-//! What keys of the format can hold.
+//! Types of values, and their reading.
 
 mod colors;
+mod hints;
 mod names;
 mod numbers;
 mod reader;
@@ -9,6 +10,8 @@ mod suggest;
 mod vectors;
 
 pub use colors::{AttenuationLength, ColorValue, UnitColor, is_color_name};
+#[cfg(test)]
+pub use hints::HINTS;
 pub use names::MaterialNames;
 pub use numbers::{
     BrightAngle, ConeAngle, Intensity, NonNegativeLength, NumberRange, PositiveLength, Priority,
@@ -16,7 +19,7 @@ pub use numbers::{
 };
 pub use reader::{DiagnosticList, FromToml, Spanned, TableReader, TomlValue};
 pub(super) use schema_like::schema_like;
-pub use suggest::suggestion;
+pub use suggest::{key_suggestion, suggestion};
 pub use vectors::{
     BoxSize, DirectionList, DirectionValue, EulerAngles, FalloffValue, PointList, PointValue, RectangleSize,
     ScaleFactors, ShutterInterval,

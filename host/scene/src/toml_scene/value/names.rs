@@ -1,18 +1,18 @@
-//! The names of materials.
+//! Names of materials.
 //!
-//! They are collected before anything is read, so that a name is known wherever its material stands, and whatever
-//! else is wrong with that material.
+//! They are collected before objects are read, so that an object can refer to a material that is defined later, or that
+//! has errors.
 
 use std::collections::BTreeMap;
 use std::ops::Range;
 
 use toml::de::{DeTable, DeValue};
 
-/// The names of materials, and where in the file each of them is said first.
+/// The names of materials, with the location of the first definition of each.
 pub struct MaterialNames(BTreeMap<String, Range<usize>>);
 
 impl MaterialNames {
-    /// The names in a document.
+    /// The names of all materials in a document.
     pub fn of(document: &DeTable<'_>) -> Self {
         let materials = document.get("material").and_then(|value| match value.get_ref() {
             DeValue::Array(list) => Some(list),
@@ -30,12 +30,12 @@ impl MaterialNames {
         MaterialNames(names)
     }
 
-    /// Where one of them is said first.
+    /// The location of the first definition of a name; `None` if it does not exist.
     pub fn span_of(&self, name: &str) -> Option<&Range<usize>> {
         self.0.get(name)
     }
 
-    /// As many of them as advice is looked for among.
+    /// The names that are searched for suggestions: the first 1000.
     pub fn for_suggestions(&self) -> Vec<&str> {
         self.0.keys().map(String::as_str).take(1000).collect()
     }

@@ -1,7 +1,7 @@
-//! Numbers of the file: which of them a key can hold, and how the schema says so.
+//! Numbers in ranges, and their JSON Schema.
 //!
-//! Every number is rounded to single precision first and then in range or not, so that what is
-//! checked is what the core gets.
+//! Every number is rounded to single precision before its range is checked, so that the checked number is the one that
+//! the core gets.
 
 use std::fmt;
 
@@ -13,28 +13,28 @@ use toml::de::DeValue;
 use super::reader::{FromToml, TableReader, TomlValue};
 use crate::diagnostics::Diagnostic;
 
-/// The numbers that are allowed.
+/// A range of numbers.
 #[derive(Clone, Copy, Debug)]
 pub struct NumberRange {
     low: f32,
     high: f32,
-    /// Whether `low` and `high` are allowed themselves.
+    /// Whether `low` and `high` are included.
     ends: (bool, bool),
 }
 
 impl NumberRange {
     /// Coordinates and directions.
     pub const COORDINATE: NumberRange = NumberRange::within(-MAX_COORDINATE, MAX_COORDINATE);
-    /// Sizes that may be nothing.
+    /// Sizes that may be zero.
     pub const SIZE: NumberRange = NumberRange::within(0.0, MAX_COORDINATE);
-    /// Channels of colours and of what multiplies them.
+    /// Channels of colors, and their factors.
     pub const BRIGHTNESS: NumberRange = NumberRange::within(0.0, Rgb::MAX_CHANNEL);
-    /// Parts of a whole.
+    /// Fractions from 0 to 1.
     pub const FRACTION: NumberRange = NumberRange::within(0.0, 1.0);
-    /// More than nothing, and without end.
+    /// Attenuation lengths: more than 0, infinity included.
     pub const ATTENUATION_LENGTH: NumberRange =
         NumberRange { low: 0.0, high: f32::INFINITY, ends: (false, true) };
-    /// Turns: more than enough, and still exact to a thousandth.
+    /// Angles of rotation, in degrees: up to 100 full turns, exact to a thousandth.
     pub const ROTATION: NumberRange = NumberRange::within(-36_000.0, 36_000.0);
 
     const fn within(low: f32, high: f32) -> Self {
@@ -50,32 +50,28 @@ impl NumberRange {
         low && (x < self.high || self.ends.1 && x == self.high)
     }
 
-    /// What may have been meant by a number that is not allowed.
+    /// Advice for a number outside the range, if any.
     fn suggestion(&self, x: f32) -> Option<String> {
+        let limit = |name: &str, end: f32, is_included: bool| match is_included {
+            true => format!("the {name} is {}", RangeEnd(end)),
+            false => format!("the limit is {} (exclusive)", RangeEnd(end)),
+        };
         if self.contains(-x) {
             Some(format!("did you mean {}?", -x))
         } else if self.high == 1.0 && x > 1.0 && x <= 100.0 {
-            Some(format!("1 is all of it; {x} % is {}", x / 100.0))
+            Some(format!("for {x} %, write {}", x / 100.0))
         } else if x > self.high {
-            Some(format!(
-                "the {} that can stand here is {}",
-                if self.ends.1 { "most" } else { "limit" },
-                RangeEnd(self.high)
-            ))
+            Some(limit("maximum", self.high, self.ends.1))
         } else if x < self.low {
-            Some(format!(
-                "the {} that can stand here is {}",
-                if self.ends.0 { "least" } else { "limit" },
-                RangeEnd(self.low)
-            ))
+            Some(limit("minimum", self.low, self.ends.0))
         } else if x == self.low {
-            Some(format!("as little more than {} as you like", RangeEnd(self.low)))
+            Some(format!("any value above {}", RangeEnd(self.low)))
         } else {
             None
         }
     }
 
-    /// The schema of one such number.
+    /// The JSON Schema of a number in this range.
     pub fn schema(&self) -> Schema {
         let mut schema = json_schema!({ "type": "number" });
         let low = if self.ends.0 { "minimum" } else { "exclusiveMinimum" };
@@ -88,13 +84,13 @@ impl NumberRange {
     }
 }
 
-/// The double that is written like the single, and without a fraction where there is none.
+/// The double with the same shortest decimal form, as an integer if it has no fraction.
 fn shortest(x: f32) -> serde_json::Value {
     let double: f64 = x.to_string().parse().unwrap_or(f64::from(x));
     if double.fract() == 0.0 { (double as i64).into() } else { double.into() }
 }
 
-/// The end of a range as it is shown.
+/// Displays the end of a range.
 struct RangeEnd(f32);
 
 impl fmt::Display for RangeEnd {
@@ -107,7 +103,7 @@ impl fmt::Display for NumberRange {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let (low, high) = (RangeEnd(self.low), RangeEnd(self.high));
         match self.ends {
-            (true, true) => write!(f, "between {low} and {high}"),
+            (true, true) => write!(f, "{low} to {high}"),
             (false, true) if self.high.is_infinite() => write!(f, "more than {low}"),
             (false, true) => write!(f, "more than {low} and at most {high}"),
             (true, false) => write!(f, "at least {low} and less than {high}"),
@@ -116,7 +112,7 @@ impl fmt::Display for NumberRange {
     }
 }
 
-/// The number of a value and its spelling, if it is one.
+/// The number and its spelling; `None` if the value is not a number.
 fn number(value: &DeValue<'_>) -> Option<(f32, String)> {
     match value {
         DeValue::Float(float) => Some((float.as_str().parse().ok()?, float.to_string())),
@@ -124,7 +120,7 @@ fn number(value: &DeValue<'_>) -> Option<(f32, String)> {
             Some((whole.as_str().parse().ok()?, whole.to_string()))
         }
         DeValue::Integer(whole) => {
-            // Beyond 128 bits it is beyond every range.
+            // A number of more than 128 bits is outside every range.
             let number = u128::from_str_radix(whole.as_str(), whole.radix()).unwrap_or(u128::MAX);
             Some((number as f32, whole.to_string()))
         }
@@ -132,12 +128,12 @@ fn number(value: &DeValue<'_>) -> Option<(f32, String)> {
     }
 }
 
-/// Whether the value is a number, in whatever range.
+/// Whether the value is a number, in any range.
 pub fn is_number(value: &TomlValue<'_>) -> bool {
     matches!(value.get_ref(), DeValue::Float(_) | DeValue::Integer(_))
 }
 
-/// A number in a range.
+/// Reads a number in a range.
 pub fn number_in(
     range: NumberRange,
     value: &TomlValue<'_>,
@@ -156,14 +152,14 @@ pub fn number_in(
         true => "a finite number".into(),
         false => range.to_string(),
     };
-    let fault = Diagnostic::new(value.span(), format!("`{key}` must be {needs}, not {spelling}"));
+    let diagnostic = Diagnostic::new(value.span(), format!("`{key}` must be {needs}, not {spelling}"));
     reader.report(match range.suggestion(number) {
-        Some(advice) => fault.with_help(advice),
-        None => fault,
+        Some(advice) => diagnostic.with_help(advice),
+        None => diagnostic,
     })
 }
 
-/// An integer in a range.
+/// Reads an integer in a range.
 pub fn integer_in(
     low: u32,
     high: u32,
@@ -171,7 +167,7 @@ pub fn integer_in(
     key: &str,
     reader: &mut TableReader<'_>,
 ) -> Option<u32> {
-    let needs = format!("an integer between {low} and {high}");
+    let needs = format!("an integer from {low} to {high}");
     match value.get_ref() {
         DeValue::Integer(whole) => match u32::from_str_radix(whole.as_str(), whole.radix()) {
             Ok(number) if number >= low && number <= high => Some(number),
@@ -189,7 +185,7 @@ pub fn integer_in(
     }
 }
 
-/// Declares types for numbers in ranges.
+/// Declares types of numbers in ranges.
 macro_rules! numbers {
     ($($(#[$doc:meta])* $Name:ident: $range:expr;)*) => {$(
         $(#[$doc])*
@@ -217,27 +213,27 @@ macro_rules! numbers {
 }
 
 numbers! {
-    /// A length of something, in scene lengths.
+    /// A positive length, in scene lengths.
     PositiveLength: NumberRange::above(0.0, MAX_COORDINATE);
-    /// A length that may be nothing.
+    /// A length that may be zero, in scene lengths.
     NonNegativeLength: NumberRange::SIZE;
-    /// An angle of view, in degrees.
+    /// A field of view, full angle in degrees.
     ViewAngle: NumberRange { low: 0.0, high: 180.0, ends: (false, false) };
-    /// The full angle of a cone of light, in degrees.
+    /// The cone of a spot light, full angle in degrees.
     ConeAngle: NumberRange::above(0.0, 360.0);
-    /// The full angle of the brightest part of a cone of light, in degrees.
+    /// The inner cone of a spot light, full angle in degrees.
     BrightAngle: NumberRange::within(0.0, 360.0);
-    /// What a colour is multiplied with.
+    /// A factor of a color.
     Intensity: NumberRange::BRIGHTNESS;
-    /// The narrowness of a highlight.
+    /// A Phong exponent.
     Shininess: NumberRange::within(0.0, 1e6);
     /// An index of refraction.
     RefractiveIndex: NumberRange::within(0.01, 100.0);
-    /// How rough a surface is.
+    /// The roughness of a surface.
     Roughness: NumberRange::FRACTION;
 }
 
-/// Declares types for integers in ranges.
+/// Declares types of integers in ranges.
 macro_rules! integers {
     ($($(#[$doc:meta])* $Name:ident: $low:expr, $high:expr;)*) => {$(
         $(#[$doc])*
@@ -265,6 +261,6 @@ macro_rules! integers {
 }
 
 integers! {
-    /// Which body wins.
+    /// The priority of overlapping bodies.
     Priority: 0, 255;
 }

@@ -1,7 +1,7 @@
-//! Values of the file become values of types, and whatever is wrong in them is collected.
+//! Reading of typed values, with a list of all errors.
 //!
-//! Serde would stop at the first mistake and lose the place of some. Here every value is read whatever is wrong with
-//! the others.
+//! Serde is not used: it would stop at the first error, and lose the location of some. Here every value is read, whatever
+//! errors the others have.
 
 use std::collections::HashSet;
 use std::ops::Range;
@@ -13,24 +13,22 @@ use super::names::MaterialNames;
 use super::schema_like::schema_like;
 use crate::diagnostics::Diagnostic;
 
-/// A value of the file, with its place.
+/// A value of the file, with its location.
 pub type TomlValue<'t> = toml::Spanned<DeValue<'t>>;
 
-/// What is found while the file is read.
+/// The state of reading a file.
 pub struct TableReader<'n> {
-    /// Everything that is wrong.
+    /// The errors.
     pub diagnostics: DiagnosticList,
     /// The names of the materials.
     pub material_names: &'n MaterialNames,
-    /// Whether a key that is not there is a mistake. Not in a file that is no TOML, where the
-    /// key may be in the part that cannot be read.
+    /// Whether the file is valid TOML. Otherwise a missing key is not an error: it may be in a part that cannot be parsed.
     pub is_valid_toml: bool,
-    /// Where tables begin that have a key which nobody knows: it may be meant for one that
-    /// seems to be missing.
+    /// The start of each table with an unknown key, which may be a misspelled required key.
     pub tables_with_unknown_keys: HashSet<usize>,
 }
 
-/// What is wrong: all of it is counted, and as much is kept as anybody reads.
+/// A list of errors: all are counted, the first 1000 are kept.
 #[derive(Default)]
 pub struct DiagnosticList {
     pub kept: Vec<Diagnostic>,
@@ -40,42 +38,42 @@ pub struct DiagnosticList {
 impl DiagnosticList {
     const MAX_KEPT: usize = 1000;
 
-    pub fn push(&mut self, fault: Diagnostic) {
+    pub fn push(&mut self, diagnostic: Diagnostic) {
         self.total += 1;
         if self.kept.len() < Self::MAX_KEPT {
-            self.kept.push(fault);
+            self.kept.push(diagnostic);
         }
     }
 
-    /// Whether advice for one more would be read by somebody.
+    /// Whether one more error would be kept, and is worth advice.
     pub fn has_capacity(&self) -> bool {
         self.kept.len() < Self::MAX_KEPT
     }
 }
 
 impl TableReader<'_> {
-    /// Keeps a fault; none is what a reader answers then.
-    pub fn report<T>(&mut self, fault: Diagnostic) -> Option<T> {
-        self.diagnostics.push(fault);
+    /// Reports an error and returns `None`.
+    pub fn report<T>(&mut self, diagnostic: Diagnostic) -> Option<T> {
+        self.diagnostics.push(diagnostic);
         None
     }
 
-    /// Keeps a fault that is about something which a table does not have.
-    pub fn report_missing<T>(&mut self, fault: Diagnostic) -> Option<T> {
-        if self.is_valid_toml && !self.tables_with_unknown_keys.contains(&fault.span.start) {
-            self.diagnostics.push(fault);
+    /// Reports that a table lacks a key, unless the key may be misspelled or in a part that cannot be parsed.
+    pub fn report_missing<T>(&mut self, diagnostic: Diagnostic) -> Option<T> {
+        if self.is_valid_toml && !self.tables_with_unknown_keys.contains(&diagnostic.span.start) {
+            self.diagnostics.push(diagnostic);
         }
         None
     }
 
-    /// The value is not of the kind that the key needs.
+    /// Reports that the value has not the required type; `needs` describes it.
     pub fn report_type<T>(&mut self, value: &TomlValue<'_>, key: &str, needs: &str) -> Option<T> {
         let is = type_name(value.get_ref());
         self.report(Diagnostic::new(value.span(), format!("`{key}` must be {needs}, not {is}")))
     }
 }
 
-/// What kind of value it is, for messages.
+/// The type of a value, for messages.
 fn type_name(value: &DeValue<'_>) -> &'static str {
     match value {
         DeValue::String(_) => "a string",
@@ -87,12 +85,12 @@ fn type_name(value: &DeValue<'_>) -> &'static str {
     }
 }
 
-/// What a key can hold.
+/// A type that can be read from a TOML value.
 pub trait FromToml: Sized {
-    /// The value of a key, or none and what is wrong with it.
+    /// Reads the value of a key; `None` after an error, which is reported.
     fn from_toml(value: &TomlValue<'_>, key: &str, reader: &mut TableReader<'_>) -> Option<Self>;
 
-    /// What it is when there is no such key; none when there must be one.
+    /// The value if the key is missing; `None` if the key is required.
     fn default_if_absent() -> Option<Self> {
         None
     }
@@ -108,7 +106,7 @@ impl<T: FromToml> FromToml for Option<T> {
     }
 }
 
-/// Something with its place in the file, in bytes. That of a table is its header.
+/// A value with its location in the file, in bytes; that of a table is its header.
 #[derive(Clone, Debug)]
 pub struct Spanned<T> {
     pub value: T,

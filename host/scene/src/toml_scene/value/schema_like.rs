@@ -1,6 +1,6 @@
-//! Types whose JSON Schema is that of another.
+//! Types with the JSON Schema of another type.
 
-/// The schema of one type is that of another.
+/// Implements `JsonSchema` for a type with the schema of another.
 macro_rules! schema_like {
     ([$($generic:tt)*] $Type:ty, $Other:ty) => {
         impl<$($generic)*> schemars::JsonSchema for $Type {

@@ -1,4 +1,4 @@
-//! Places, directions and sizes: threes of numbers.
+//! Points, directions, sizes and other arrays of numbers.
 
 use schemars::{JsonSchema, Schema, SchemaGenerator, json_schema};
 use toml::de::DeValue;
@@ -8,7 +8,7 @@ use super::reader::{FromToml, Spanned, TableReader, TomlValue};
 use crate::description::Float3;
 use crate::diagnostics::Diagnostic;
 
-/// The values of an array of three.
+/// The values of an array of three; `needs` describes it in errors.
 pub fn array_of_three<'v, 't>(
     value: &'v TomlValue<'t>,
     key: &str,
@@ -27,7 +27,7 @@ pub fn array_of_three<'v, 't>(
     }
 }
 
-/// Three numbers in a range.
+/// Reads three numbers in a range.
 pub fn triple_in(
     range: NumberRange,
     value: &TomlValue<'_>,
@@ -35,12 +35,12 @@ pub fn triple_in(
     reader: &mut TableReader<'_>,
 ) -> Option<Float3> {
     let [x, y, z] = array_of_three(value, key, "three numbers, as in [0, 1, 2]", reader)?;
-    // All of them are read, so that all of them are told.
+    // All three are read before an error ends the function.
     let [x, y, z] = [x, y, z].map(|value| number_in(range, value, key, reader));
     Some([x?, y?, z?])
 }
 
-/// Three numbers, or one for all three.
+/// Reads three numbers, or one for all three.
 pub fn number_or_three(
     range: NumberRange,
     value: &TomlValue<'_>,
@@ -56,12 +56,12 @@ pub fn number_or_three(
     }
 }
 
-/// The schema of three numbers.
+/// The JSON Schema of three numbers.
 pub fn triple_schema(range: NumberRange) -> Schema {
     json_schema!({ "type": "array", "items": range.schema(), "minItems": 3, "maxItems": 3 })
 }
 
-/// Declares types for threes of numbers.
+/// Declares types of three numbers.
 macro_rules! triples {
     ($($(#[$doc:meta])* $Name:ident: $read:expr, $schema:expr;)*) => {$(
         $(#[$doc])*
@@ -90,17 +90,17 @@ macro_rules! triples {
 }
 
 triples! {
-    /// A place: coordinates in scene lengths.
+    /// A point, in scene lengths.
     PointValue: |value, key, reader| triple_in(NumberRange::COORDINATE, value, key, reader), triple_schema(NumberRange::COORDINATE);
     /// A direction of any length but zero.
     DirectionValue: direction, triple_schema(NumberRange::COORDINATE);
-    /// Lengths along three axes, none below zero.
+    /// Lengths along three axes, at least zero.
     BoxSize: |value, key, reader| number_or_three(NumberRange::SIZE, value, key, reader), number_or_three_schema(NumberRange::SIZE);
-    /// Degrees about three axes.
+    /// Angles of rotation about three axes, in degrees.
     EulerAngles: |value, key, reader| triple_in(NumberRange::ROTATION, value, key, reader), triple_schema(NumberRange::ROTATION);
     /// Factors along three axes, none of them zero.
     ScaleFactors: scale, number_or_three_schema(NumberRange::COORDINATE);
-    /// What a light is divided by: constant, linear and quadratic part.
+    /// The constant, linear and quadratic coefficients of the divisor of a light.
     FalloffValue: falloff, json_schema!({
         "anyOf": [{ "enum": ["none", "linear", "square"] }, triple_schema(NumberRange::SIZE)]
     });
@@ -113,9 +113,8 @@ fn number_or_three_schema(range: NumberRange) -> Schema {
 fn direction(value: &TomlValue<'_>, key: &str, reader: &mut TableReader<'_>) -> Option<Float3> {
     match triple_in(NumberRange::COORDINATE, value, key, reader)? {
         [0.0, 0.0, 0.0] => {
-            let fault =
-                Diagnostic::new(value.span(), format!("`{key}` must be a direction, and has no length"));
-            reader.report(fault.with_help("one of its numbers must not be 0"))
+            let diagnostic = Diagnostic::new(value.span(), format!("`{key}` must not be the zero vector"));
+            reader.report(diagnostic.with_help("at least one component must not be 0"))
         }
         direction => Some(direction),
     }
@@ -137,8 +136,10 @@ fn falloff(value: &TomlValue<'_>, key: &str, reader: &mut TableReader<'_>) -> Op
         }
         let parts = triple_in(NumberRange::SIZE, value, key, reader)?;
         if parts == [0.0; 3] {
-            return reader
-                .report(Diagnostic::new(value.span(), format!("one part of `{key}` must not be 0")));
+            return reader.report(Diagnostic::new(
+                value.span(),
+                format!("at least one coefficient of `{key}` must not be 0"),
+            ));
         }
         return Some(parts);
     };
@@ -147,22 +148,22 @@ fn falloff(value: &TomlValue<'_>, key: &str, reader: &mut TableReader<'_>) -> Op
         "linear" => Some([0.0, 1.0, 0.0]),
         "square" => Some([0.0, 0.0, 1.0]),
         _ => {
-            let what = format!("`{key}` is none of \"none\", \"linear\" and \"square\"");
-            let help = "\"square\" is as physics has it; [constant, linear, quadratic] is any other";
-            reader.report(Diagnostic::new(value.span(), what).with_help(help))
+            let message = format!("`{key}` is none of \"none\", \"linear\" and \"square\"");
+            let help = "\"square\" is the physical falloff; [constant, linear, quadratic] sets any other";
+            reader.report(Diagnostic::new(value.span(), message).with_help(help))
         }
     }
 }
 
-/// Places in a row.
+/// A list of points.
 #[derive(Clone, Debug)]
 pub struct PointList(pub Vec<Spanned<PointValue>>);
 
-/// Directions in a row.
+/// A list of directions.
 #[derive(Clone, Debug)]
 pub struct DirectionList(pub Vec<DirectionValue>);
 
-/// The values of an array, all of which are read.
+/// Reads all values of an array; `needs` describes it in errors.
 fn read_list<T: FromToml>(
     value: &TomlValue<'_>,
     key: &str,
@@ -173,8 +174,8 @@ fn read_list<T: FromToml>(
         return reader.report_type(value, key, needs);
     };
     if !list.is_empty() && list.iter().all(|value| !value.get_ref().is_array()) {
-        let what = format!("`{key}` must be {needs}, not one of single values");
-        return reader.report(Diagnostic::new(value.span(), what));
+        let message = format!("`{key}` must be {needs}, not an array of single values");
+        return reader.report(Diagnostic::new(value.span(), message));
     }
     let before = reader.diagnostics.total;
     let row = list.iter().filter_map(|value| T::from_toml(value, key, reader)).collect();
@@ -183,7 +184,7 @@ fn read_list<T: FromToml>(
 
 impl FromToml for PointList {
     fn from_toml(value: &TomlValue<'_>, key: &str, reader: &mut TableReader<'_>) -> Option<Self> {
-        read_list(value, key, "an array of places, as in [[0, 0, 0], [1, 0, 0], [0, 1, 0]]", reader)
+        read_list(value, key, "an array of points, as in [[0, 0, 0], [1, 0, 0], [0, 1, 0]]", reader)
             .map(PointList)
     }
 }
@@ -194,7 +195,7 @@ impl FromToml for DirectionList {
     }
 }
 
-/// The schema of a row is an array of three or more.
+/// The JSON Schema of an array of three or more triples.
 macro_rules! row_schema {
     ($Name:ident) => {
         impl JsonSchema for $Name {
@@ -251,7 +252,7 @@ impl JsonSchema for RectangleSize {
     }
 }
 
-/// When a shutter opens and closes, or how long it is open.
+/// The times at which a shutter opens and closes; one number is the closing time.
 #[derive(Clone, Copy, Debug)]
 pub struct ShutterInterval(pub [f32; 2]);
 
@@ -274,9 +275,9 @@ impl FromToml for ShutterInterval {
             [opens, closes].map(|value| number_in(NumberRange::COORDINATE, value, key, reader));
         let (opens, closes) = (opens?, closes?);
         if closes < opens {
-            let what = format!("the `{key}` closes before it opens");
+            let message = format!("the `{key}` closes before it opens");
             let help = format!("did you mean [{closes}, {opens}]?");
-            return reader.report(Diagnostic::new(value.span(), what).with_help(help));
+            return reader.report(Diagnostic::new(value.span(), message).with_help(help));
         }
         Some(ShutterInterval([opens, closes]))
     }

@@ -28,7 +28,7 @@ fn shown(text: &str, screen: TerminalStyle) -> String {
 }
 
 fn assert_kept(name: &str, shown: &str) {
-    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/native/shown").join(name);
+    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/toml_scene/shown").join(name);
     if std::env::var_os("STRAHL_ACCEPT").is_some() {
         std::fs::write(&path, shown).unwrap();
     }

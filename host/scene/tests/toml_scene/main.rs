@@ -1,6 +1,7 @@
 //! Scenes in TOML through the door of the library: what they describe, and what is wrong with
 //! them.
 
+mod aliases;
 mod defaults;
 mod meshes;
 mod mutations;

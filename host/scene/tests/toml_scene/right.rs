@@ -248,7 +248,7 @@ fn triangles_without_area_keep_their_numbers_and_are_told_in_one_warning() {
     let forms: Vec<bool> =
         it.objects.iter().map(|object| object.shape == ShapeDescription::Degenerate).collect();
     assert_eq!(forms, [false, true, true, false]);
-    assert_eq!(it.warnings, ["2 triangles have no area and are never hit (the first in line 3)"]);
+    assert_eq!(it.warnings, ["2 triangles have zero area and are never hit (the first in line 3)"]);
 }
 
 #[test]

@@ -32,7 +32,7 @@ fn a_file_of_one_sphere_is_a_scene() {
 fn a_scene_without_objects_is_warned_of_and_an_empty_file_is_none() {
     let it = loaded("[camera]\n");
     assert!(it.objects.is_empty());
-    assert_eq!(it.warnings, ["there is no object in the scene"]);
+    assert_eq!(it.warnings, ["the scene has no objects"]);
     for text in ["", "\n", "# nothing\n", "\u{feff}"] {
         let list = wrong(text);
         assert!(list.len() == 1 && list[0].3.contains("no scene"), "{list:?}");

@@ -111,3 +111,11 @@ fn what_is_wrong_with_a_mesh_is_told_where_it_is_named() {
         assert!(faults.list()[0].message.contains(says), "{faults}");
     }
 }
+
+#[test]
+fn translation_is_an_alias_of_translate() {
+    let folder = folder();
+    let mesh =
+        |key: &str| loaded(folder.path(), &format!("[[mesh]]\nfile = \"sub/m.obj\"\n{key} = [1, 2, 3]\n"));
+    assert_eq!(mesh("translation"), mesh("translate"));
+}
