@@ -183,9 +183,9 @@ fn resolve_index(
     let Ok(index) = index.parse::<i64>() else {
         return line.error(format!("{} is not a face vertex", quoted(word)));
     };
-    let index = if index < 0 { count as i64 + index } else { index - 1 };
-    match u32::try_from(index) {
-        Ok(index) if (index as usize) < count => Ok(index),
+    let position = if index < 0 { count as i64 + index } else { index - 1 };
+    match u32::try_from(position) {
+        Ok(position) if (position as usize) < count => Ok(position),
         _ => line.error(format!("{what} {index} does not exist; {count} are defined above this line")),
     }
 }

@@ -86,7 +86,7 @@ impl<'t> NffReader<'t> {
 
     fn scene(mut self) -> NffResult<LoadedScene> {
         if self.tokens.peeked.is_none() {
-            return Err(NffError { line: 1, reason: "the file has no scene in it".into() });
+            return Err(NffError { line: 1, reason: "the file is empty".into() });
         }
         while let Some(token) = self.tokens.next() {
             if !token.begins_line {
@@ -149,6 +149,10 @@ impl<'t> NffReader<'t> {
             projection: ProjectionDescription::Perspective(angle.ok_or_else(|| missing("angle"))?),
         };
         let (size, line) = size.ok_or_else(|| missing("resolution"))?;
+        if let Some(angle) = angle.filter(|angle| !(*angle > 0.0 && *angle < 180.0)) {
+            let range = "more than 0 and less than 180 degrees";
+            return keyword.error(format!("the field of view must be {range}, not {angle}"));
+        }
         if let Err(fault) = Camera::new(&view.to_core(), size) {
             return keyword.error(format!("{fault}"));
         }

@@ -45,7 +45,7 @@ fn a_file_that_ends_inside_an_entity_is_refused_in_its_last_line() {
             let text = &whole[..whole.len() - entity.len() + end];
             let (line, reason) = refused(text.as_bytes());
             assert_eq!(line, text.lines().count(), "{reason}\n{text}");
-            assert!(reason.starts_with("the file ends where "), "{reason}\n{text}");
+            assert!(reason.starts_with("unexpected end of file; "), "{reason}\n{text}");
             let of = format!("(`{}` in line 3)", entity.split_whitespace().next().unwrap());
             assert!(reason.ends_with(&of), "{reason}\n{text}");
             cuts += 1;

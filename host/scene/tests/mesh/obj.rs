@@ -76,7 +76,7 @@ fn corners_without_a_normal_get_that_of_their_triangle_when_others_have_one() {
 fn triangles_without_area_keep_their_number_and_are_counted() {
     let it = mesh("obj", "v 0 0 0\nv 1 0 0\nv 2 0 0\nv 0 1 0\nf 1 2 3\nf 1 2 4\nf 1 1 1\n");
     assert_eq!(it.triangles, [[0, 1, 2], [0, 1, 3], [0, 0, 0]]);
-    assert_eq!(it.warnings, ["2 triangles have no area and are never hit"]);
+    assert_eq!(it.warnings, ["2 triangles have zero area and are never hit"]);
 }
 
 #[test]

@@ -102,9 +102,9 @@ fn a_model_that_cannot_be_looked_at_is_refused() {
         ("away.obj", b"v 1e12 1e12 0\nv 1e12 1e12 1e-3\nv 1e12 1e12 2e-3\nf 1 2 3\n"),
     ]);
     for (name, says) in [
-        ("point.obj", "nothing to look at"),
+        ("point.obj", "all vertices are the same point"),
         ("far.obj", "too large or too far away"),
-        ("away.obj", "too small for its distance from zero"),
+        ("away.obj", "too small compared with its distance from the origin"),
     ] {
         let failure = load_for_size(&folder.path(name), WIDE).unwrap_err();
         assert!(matches!(failure, LoadError::Invalid { .. } | LoadError::Diagnostics(_)));

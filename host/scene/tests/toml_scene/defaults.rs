@@ -35,7 +35,7 @@ fn a_scene_without_objects_is_warned_of_and_an_empty_file_is_none() {
     assert_eq!(it.warnings, ["the scene has no objects"]);
     for text in ["", "\n", "# nothing\n", "\u{feff}"] {
         let list = wrong(text);
-        assert!(list.len() == 1 && list[0].3.contains("no scene"), "{list:?}");
+        assert!(list.len() == 1 && list[0].3.contains("the file is empty"), "{list:?}");
     }
 }
 
@@ -214,8 +214,8 @@ fn what_has_no_default_is_missed() {
         ("[[point_light]]", "position"),
         ("[[directional_light]]", "direction"),
         ("[[spot_light]]\nat = [1, 1, 1]", "position"),
-        ("[[spot_light]]\nposition = [1, 1, 1]", "neither `at` nor `direction`"),
-        ("[background]", "colour"),
+        ("[[spot_light]]\nposition = [1, 1, 1]", "needs `at` or `direction`"),
+        ("[background]", "color"),
     ] {
         let list = wrong(&format!("\n{table}\n"));
         assert_eq!(list.len(), 1, "{table} {list:?}");

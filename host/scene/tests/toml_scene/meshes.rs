@@ -97,11 +97,11 @@ fn what_is_wrong_with_a_mesh_is_told_where_it_is_named() {
     for (text, line, says) in [
         ("[[mesh]]\nfile = \"bad.obj\"\n", 2, "bad.obj:2:"),
         ("[[mesh]]\nfile = \"gone.ply\"\n", 2, "gone.ply"),
-        ("[[mesh]]\nfile = \"sub\"\n", 2, "it is no file"),
+        ("[[mesh]]\nfile = \"sub\"\n", 2, "not a regular file"),
         ("[[mesh]]\nfile = \"sub/m.obj\"\nscale = 0\n", 3, "must not be 0"),
         ("[[mesh]]\nfile = \"sub/m.obj\"\nscale = [1, 0, 1]\n", 3, "must not be 0"),
         ("[[mesh]]\nfile = \"sub/m.obj\"\nscale = 1e15\n", 1, "beyond 1e15"),
-        ("[[mesh]]\nfile = \"sub/m.obj\"\nmaterial = \"gold\"\n", 3, "no material `gold`"),
+        ("[[mesh]]\nfile = \"sub/m.obj\"\nmaterial = \"gold\"\n", 3, "unknown material `gold`"),
     ] {
         let Err(LoadError::Diagnostics(faults)) = load_in(folder.path(), text.as_bytes()) else {
             panic!("{text}")

@@ -22,7 +22,7 @@ const WRONG: &[(&str, &[Mistake])] = &[
         "[[plane]]\nmaterial = gold\nnormal = [0, 0, 0]\n\n[[sphere]]\nradius = 1 2\n\n[[disc]]\nradius = -1\n",
         &[
             (2, "gold", "quoted"),
-            (3, "[0, 0, 0]", "no length"),
+            (3, "[0, 0, 0]", "zero vector"),
             (6, "1 2", "quoted"),
             (9, "-1", "more than 0"),
         ],

@@ -116,5 +116,5 @@ fn what_is_no_text_is_told_with_its_place() {
     let list = faults(b"[[sphere]]\nradius = 1\nname = \"\xff\xfe\"\n");
     assert_eq!(list.list().len(), 1);
     assert_eq!(list.line_and_column(&list.list()[0]), (3, 9));
-    assert!(list.list()[0].message.contains("no UTF-8"));
+    assert!(list.list()[0].message.contains("not UTF-8"));
 }
