@@ -19,8 +19,8 @@ use std::error::Error;
 use std::ffi::OsStr;
 use std::path::PathBuf;
 
-use accuracy::{RUNS, Run, Sampling};
-use scene::{Golden, ITEMS, LEVELS, SIZE, VIEW, parts};
+use accuracy::{AccuracyRun, FirmwareSampler, RUNS};
+use scene::{GoldenEffects, ITEMS, LEVELS, SIZE, VIEW, parts};
 use strahl_core::accel::List;
 use strahl_core::image::{
     AdaptiveSampler, ContrastThreshold, Framebuffer, RegularSampler, Sampler, StochasticSampler, Subdivision,
@@ -34,7 +34,8 @@ use strahl_core::{
 type ExampleError = Box<dyn Error>;
 
 /// Settings of the reference picture for errors: many levels, no cutoff, many rays.
-const REFERENCE: Run = Run { limits: Limits { levels: 16, cutoff: 0.0 }, sampling: Sampling::Regular(16) };
+const REFERENCE: AccuracyRun =
+    AccuracyRun { limits: Limits { levels: 16, cutoff: 0.0 }, sampling: FirmwareSampler::Regular(16) };
 
 fn main() -> Result<(), ExampleError> {
     let arguments: Vec<PathBuf> = std::env::args_os().skip(1).map(PathBuf::from).collect();
@@ -54,23 +55,23 @@ fn main() -> Result<(), ExampleError> {
     }
 }
 
-fn picture(run: &Run) -> Result<Vec<Rgb>, ExampleError> {
+fn picture(run: &AccuracyRun) -> Result<Vec<Rgb>, ExampleError> {
     let invalid = "invalid sampler settings";
     match run.sampling {
-        Sampling::Single => traced(run.limits, &mut CenterSampler),
-        Sampling::Regular(n) => traced(run.limits, &mut RegularSampler::new(n).ok_or(invalid)?),
-        Sampling::Adaptive(depth, threshold) => {
+        FirmwareSampler::Single => traced(run.limits, &mut CenterSampler),
+        FirmwareSampler::Regular(n) => traced(run.limits, &mut RegularSampler::new(n).ok_or(invalid)?),
+        FirmwareSampler::Adaptive(depth, threshold) => {
             let agreement = ContrastThreshold::new(threshold).ok_or(invalid)?;
             let parting = Subdivision::new(depth, agreement).ok_or(invalid)?;
             traced(run.limits, &mut AdaptiveSampler::new(parting, Uncached, &mut []))
         }
-        Sampling::Stochastic(n) => traced(run.limits, &mut StochasticSampler::new(n).ok_or(invalid)?),
+        FirmwareSampler::Stochastic(n) => traced(run.limits, &mut StochasticSampler::new(n).ok_or(invalid)?),
     }
 }
 
 fn traced(limits: Limits, sampler: &mut impl Sampler) -> Result<Vec<Rgb>, ExampleError> {
     let scene = Scene::new(parts())?;
-    assert_eq!(scene.required_effects(), Golden::SET);
+    assert_eq!(scene.required_effects(), GoldenEffects::SET);
     let world = World::new(scene, List::without_bounds(ITEMS as u32));
     const { assert!(LEVELS <= 16) };
     let tracer = Tracer::<_, AllEffects, 16>::new(&world, Camera::new(&VIEW, SIZE)?, limits)?;
@@ -88,7 +89,7 @@ fn csv(files: &[PathBuf]) -> Result<String, ExampleError> {
     for (pair, precision) in files.chunks(2).zip(["single", "double"]) {
         let [report, pictures] = pair else { return Err("a report without pictures".into()) };
         let (report, pictures) = (std::fs::read_to_string(report)?, std::fs::read(pictures)?);
-        let size = reference.len() * size_of::<draw::Bytes>();
+        let size = reference.len() * size_of::<draw::PixelBytes>();
         let drawn = pictures.chunks_exact(size);
         let runs: Vec<&str> = report.lines().filter(|line| line.starts_with("run ")).collect();
         if runs.len() != RUNS.len() || pictures.len() != RUNS.len() * size {

@@ -102,20 +102,20 @@ fn main() -> Result<(), Box<dyn Error>> {
     if let Some(databases) = arguments.next() {
         make(&BALLS, &databases.join(BALLS.file), &folder)?;
     }
-    step::<flash::Local>("local", &folder)?;
-    step::<flash::Shadows>("shadows", &folder)?;
-    step::<flash::Mirrors>("mirrors", &folder)?;
-    step::<flash::Glass>("glass", &folder)?;
-    step::<flash::Distributed>("distributed", &folder)?;
+    step::<flash::FlashLocal>("local", &folder)?;
+    step::<flash::FlashShadows>("shadows", &folder)?;
+    step::<flash::FlashMirrors>("mirrors", &folder)?;
+    step::<flash::FlashGlass>("glass", &folder)?;
+    step::<flash::FlashDistributed>("distributed", &folder)?;
     for stack in &chip::STACKS {
         println!("stack {} {}", stack.name, stack.bytes);
     }
-    println!("doubt {}", chip::DOUBT);
+    println!("factor {}", chip::DOUBT);
     Ok(())
 }
 
 /// Writes the picture of a variant of the table of flash, `flash-NAME.f32`.
-fn step<S: flash::Step>(name: &str, folder: &Path) -> Result<(), Box<dyn Error>> {
+fn step<S: flash::FlashVariant>(name: &str, folder: &Path) -> Result<(), Box<dyn Error>> {
     let mut bytes = Vec::new();
     flash::picture::<S>(|float| bytes.extend(float)).ok_or("no picture")?;
     Ok(std::fs::write(folder.join(format!("flash-{name}.f32")), bytes)?)

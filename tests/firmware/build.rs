@@ -1,5 +1,4 @@
-//! Puts memory.x where the linker looks, whatever folder cargo was called from, and asks for
-//! cortex-m-rt's linker script.
+//! Copies memory.x to the linker's search path, and adds cortex-m-rt's linker script.
 
 use std::{env, fs, path::PathBuf};
 
@@ -10,7 +9,7 @@ fn main() {
     fs::copy(memory, out.join(memory)).unwrap();
     println!("cargo:rustc-link-search={}", out.display());
     if riscv {
-        println!("cargo:rustc-link-arg-bins=-Tmemory-virt.x"); // riscv-rt's script leaves it to us
+        println!("cargo:rustc-link-arg-bins=-Tmemory-virt.x"); // riscv-rt's script does not include it
     }
     println!("cargo:rustc-link-arg-bins=-Tlink.x");
     println!("cargo:rustc-link-arg-bin=proof=--defsym=only_linked=1");

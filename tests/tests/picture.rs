@@ -97,7 +97,7 @@ fn the_rotunda_without_secondary_rays_has_its_golden_picture() {
 
 #[test]
 fn the_scene_of_the_firmware_has_its_golden_picture() {
-    let picture = constants::<constants::Golden>();
+    let picture = constants::<constants::GoldenEffects>();
     golden("firmware", &picture).unwrap();
     assert_eq!(constants::<AllEffects>(), picture, "the smallest effect set and all effects");
 }

@@ -1,10 +1,9 @@
-//! What accuracy costs on the chip: the golden scene with fewer levels, other cutoffs, and more rays
-//! in a pixel.
+//! The cost of accuracy on the chip: the golden scene with other levels, cutoffs and samplers.
 //!
-//! The firmware of either precision draws these pictures, and a host says how far off they are
-//! (`tests/examples/accuracy.rs`). The first is the golden picture itself.
+//! The firmware of each precision draws these pictures, and the host computes their errors (`tests/examples/accuracy.rs`).
+//! The first is the golden picture.
 
-// Who includes this file may use a part of it.
+// A crate that includes this file may use only parts of it.
 #![allow(dead_code)]
 
 use core::fmt;
@@ -19,82 +18,82 @@ use strahl_core::tally::{Counters, RayKind, Tally};
 use strahl_core::trace::PixelSample;
 use strahl_core::{Camera, CenterSampler, Limits, Real, Scene, World};
 
-use crate::draw::{Bytes, Took, Wanted, bytes, draw};
-use crate::scene::{Golden, ITEMS, LEVELS, LIMITS, SIZE, VIEW, parts};
+use crate::draw::{DrawCost, DrawSettings, PixelBytes, bytes, draw};
+use crate::scene::{GoldenEffects, ITEMS, LEVELS, LIMITS, SIZE, VIEW, parts};
 
-/// One picture.
+/// Settings of one picture.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Run {
-    /// How deep.
+pub struct AccuracyRun {
+    /// Levels and cutoff.
     pub limits: Limits,
-    /// Which rays make a pixel.
-    pub sampling: Sampling,
+    /// Sampler.
+    pub sampling: FirmwareSampler,
 }
 
-/// Which rays make a pixel.
+/// Sampler.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub enum Sampling {
-    /// One.
+pub enum FirmwareSampler {
+    /// One ray per pixel.
     Single,
-    /// So many times so many.
+    /// A regular grid of `n` times `n` rays.
     Regular(u16),
-    /// The corners, and those of quarters where they differ: so often, by more than so much.
+    /// Adaptive subdivision: maximum depth, and contrast threshold.
     Adaptive(u8, Real),
-    /// So many, without a raster.
+    /// This number of stochastic rays.
     Stochastic(u32),
 }
 
-/// As the command line has it.
-impl fmt::Display for Sampling {
+/// As on the command line.
+impl fmt::Display for FirmwareSampler {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
-            Sampling::Single => f.write_str("single"),
-            Sampling::Regular(n) => write!(f, "regular:{n}"),
-            Sampling::Adaptive(depth, threshold) => write!(f, "adaptive:{depth}:{threshold}"),
-            Sampling::Stochastic(n) => write!(f, "stochastic:{n}"),
+            FirmwareSampler::Single => f.write_str("single"),
+            FirmwareSampler::Regular(n) => write!(f, "regular:{n}"),
+            FirmwareSampler::Adaptive(depth, threshold) => write!(f, "adaptive:{depth}:{threshold}"),
+            FirmwareSampler::Stochastic(n) => write!(f, "stochastic:{n}"),
         }
     }
 }
 
-const fn run(levels: u8, cutoff: Real, sampling: Sampling) -> Run {
-    Run { limits: Limits { levels, cutoff }, sampling }
+const fn run(levels: u8, cutoff: Real, sampling: FirmwareSampler) -> AccuracyRun {
+    AccuracyRun { limits: Limits { levels, cutoff }, sampling }
 }
 
 /// The cutoff of the golden picture.
-const USUAL: Real = LIMITS.cutoff;
+const CUTOFF: Real = LIMITS.cutoff;
 
-/// All of them.
-pub const RUNS: [Run; 14] = [
-    run(LIMITS.levels, USUAL, Sampling::Single),
-    run(1, USUAL, Sampling::Single),
-    run(2, USUAL, Sampling::Single),
-    run(3, USUAL, Sampling::Single),
-    run(4, USUAL, Sampling::Single),
-    run(5, USUAL, Sampling::Single),
-    run(LIMITS.levels, 0.0, Sampling::Single),
-    run(LIMITS.levels, 1.0 / 64.0, Sampling::Single),
-    run(LIMITS.levels, 1.0 / 8.0, Sampling::Single),
-    run(LIMITS.levels, USUAL, Sampling::Regular(2)),
-    run(LIMITS.levels, USUAL, Sampling::Regular(3)),
-    run(LIMITS.levels, USUAL, Sampling::Adaptive(2, 0.0625)),
-    run(LIMITS.levels, USUAL, Sampling::Stochastic(4)),
-    run(LIMITS.levels, USUAL, Sampling::Stochastic(9)),
+/// All pictures.
+pub const RUNS: [AccuracyRun; 14] = [
+    run(LIMITS.levels, CUTOFF, FirmwareSampler::Single),
+    run(1, CUTOFF, FirmwareSampler::Single),
+    run(2, CUTOFF, FirmwareSampler::Single),
+    run(3, CUTOFF, FirmwareSampler::Single),
+    run(4, CUTOFF, FirmwareSampler::Single),
+    run(5, CUTOFF, FirmwareSampler::Single),
+    run(LIMITS.levels, 0.0, FirmwareSampler::Single),
+    run(LIMITS.levels, 1.0 / 64.0, FirmwareSampler::Single),
+    run(LIMITS.levels, 1.0 / 8.0, FirmwareSampler::Single),
+    run(LIMITS.levels, CUTOFF, FirmwareSampler::Regular(2)),
+    run(LIMITS.levels, CUTOFF, FirmwareSampler::Regular(3)),
+    run(LIMITS.levels, CUTOFF, FirmwareSampler::Adaptive(2, 0.0625)),
+    run(LIMITS.levels, CUTOFF, FirmwareSampler::Stochastic(4)),
+    run(LIMITS.levels, CUTOFF, FirmwareSampler::Stochastic(9)),
 ];
 
 const WIDTH: usize = SIZE.width() as usize;
 
-/// What is lent to a list and to an adaptive sampler: static RAM.
-pub struct Lent {
+/// Buffers for a list and for an adaptive sampler, in static RAM.
+pub struct ProvidedBuffers {
     boxes: [Aabb; ITEMS],
     groups: [Aabb; group_count(ITEMS)],
-    row: [Bytes; WIDTH],
+    row: [PixelBytes; WIDTH],
     corners: [PixelSample; WIDTH + 1],
     kept: [CacheEntry; 64],
 }
 
-impl Lent {
-    /// Nothing in it.
-    pub const NEW: Lent = Lent {
+impl ProvidedBuffers {
+    /// Empty buffers.
+    pub const NEW: ProvidedBuffers = ProvidedBuffers {
         boxes: [Aabb::EMPTY; ITEMS],
         groups: [Aabb::EMPTY; group_count(ITEMS)],
         row: [[[0; size_of::<f32>()]; 3]; WIDTH],
@@ -103,85 +102,85 @@ impl Lent {
     };
 }
 
-/// Draws one after the other. `take` is given the rows of each, `drawn` is told what it took, and
-/// then `end` how many rays there were.
+/// Draws all pictures. Calls `take` with each row, and after each picture `drawn` with its cost and `end` with its number of
+/// rays.
 pub fn all(
-    lent: &mut Lent,
+    buffers: &mut ProvidedBuffers,
     clock: impl Fn() -> u32,
-    mut take: impl FnMut(&[Bytes]) -> bool,
-    mut drawn: impl FnMut(&Run, Took<()>),
+    mut take: impl FnMut(&[PixelBytes]) -> bool,
+    mut drawn: impl FnMut(&AccuracyRun, DrawCost<()>),
     mut end: impl FnMut(u64),
 ) -> Result<(), &'static str> {
-    let scene = Scene::new(parts()).map_err(|_| "its parts make no scene")?;
-    for (place, item) in lent.boxes.iter_mut().zip(parts().geometry.all_bounds()) {
-        *place = item;
+    let scene = Scene::new(parts()).map_err(|_| "invalid scene")?;
+    for (bounds, item) in buffers.boxes.iter_mut().zip(parts().geometry.all_bounds()) {
+        *bounds = item;
     }
-    let list = List::with_boxes(&lent.boxes, &mut lent.groups).map_err(|_| "too few boxes")?;
+    let list = List::with_boxes(&buffers.boxes, &mut buffers.groups).map_err(|_| "too few boxes")?;
     let world = World::new(scene, list);
-    let camera = Camera::new(&VIEW, SIZE).map_err(|_| "the view shows nothing")?;
+    let camera = Camera::new(&VIEW, SIZE).map_err(|_| "invalid camera")?;
     for run in &RUNS {
-        let wanted = Wanted { size: SIZE, camera, limits: run.limits };
-        let mut rooms = (&mut lent.row[..], &mut lent.corners[..], &mut lent.kept[..]);
-        let took = picture(&world, wanted, run.sampling, (), &mut rooms, &clock, &mut take)?;
-        drawn(run, took);
-        end(rays(&world, wanted, run.sampling, &mut rooms)?);
+        let settings = DrawSettings { size: SIZE, camera, limits: run.limits };
+        let mut corner_buffers = (&mut buffers.row[..], &mut buffers.corners[..], &mut buffers.kept[..]);
+        let cost = picture(&world, settings, run.sampling, (), &mut corner_buffers, &clock, &mut take)?;
+        drawn(run, cost);
+        end(rays(&world, settings, run.sampling, &mut corner_buffers)?);
     }
     Ok(())
 }
 
-/// How many rays a picture takes: drawn once more, because counting costs instructions and stack.
+/// Number of rays of a picture, which is drawn again, because counting costs instructions and stack.
 #[inline(never)]
 fn rays<A: Accelerator>(
     world: &World<'_, A>,
-    wanted: Wanted,
-    sampling: Sampling,
-    rooms: &mut Rooms<'_>,
+    settings: DrawSettings,
+    sampling: FirmwareSampler,
+    corner_buffers: &mut CornerBuffers<'_>,
 ) -> Result<u64, &'static str> {
-    let counted = picture(world, wanted, sampling, Counters::new(), rooms, || 0, |_| true)?;
+    let counted = picture(world, settings, sampling, Counters::new(), corner_buffers, || 0, |_| true)?;
     Ok(RayKind::ALL.into_iter().map(|kind| counted.tally.rays[kind]).sum())
 }
 
-type Rooms<'m> = (&'m mut [Bytes], &'m mut [PixelSample], &'m mut [CacheEntry]);
+type CornerBuffers<'m> = (&'m mut [PixelBytes], &'m mut [PixelSample], &'m mut [CacheEntry]);
 
 fn picture<A: Accelerator, T: Tally>(
     world: &World<'_, A>,
-    wanted: Wanted,
-    sampling: Sampling,
+    settings: DrawSettings,
+    sampling: FirmwareSampler,
     tally: T,
-    (row, corners, kept): &mut Rooms<'_>,
+    (row, corners, kept): &mut CornerBuffers<'_>,
     clock: impl Fn() -> u32,
-    take: impl FnMut(&[Bytes]) -> bool,
-) -> Result<Took<T>, &'static str> {
-    let none = "there is no such sampler";
+    take: impl FnMut(&[PixelBytes]) -> bool,
+) -> Result<DrawCost<T>, &'static str> {
+    let invalid = "invalid sampler settings";
     match sampling {
-        Sampling::Single => drawn(world, wanted, &mut CenterSampler, tally, row, clock, take),
-        Sampling::Regular(n) => {
-            let mut regular = RegularSampler::new(n).ok_or(none)?;
-            drawn(world, wanted, &mut regular, tally, row, clock, take)
+        FirmwareSampler::Single => drawn(world, settings, &mut CenterSampler, tally, row, clock, take),
+        FirmwareSampler::Regular(n) => {
+            let mut regular = RegularSampler::new(n).ok_or(invalid)?;
+            drawn(world, settings, &mut regular, tally, row, clock, take)
         }
-        Sampling::Adaptive(depth, threshold) => {
-            let agreement = ContrastThreshold::new(threshold).ok_or(none)?;
-            let parting = Subdivision::new(depth, agreement).ok_or(none)?;
+        FirmwareSampler::Adaptive(depth, threshold) => {
+            let agreement = ContrastThreshold::new(threshold).ok_or(invalid)?;
+            let parting = Subdivision::new(depth, agreement).ok_or(invalid)?;
             let mut adaptive = AdaptiveSampler::new(parting, CornerRow::new(corners), kept);
-            drawn(world, wanted, &mut adaptive, tally, row, clock, take)
+            drawn(world, settings, &mut adaptive, tally, row, clock, take)
         }
-        Sampling::Stochastic(n) => {
-            let mut stochastic = StochasticSampler::new(n).ok_or(none)?;
-            drawn(world, wanted, &mut stochastic, tally, row, clock, take)
+        FirmwareSampler::Stochastic(n) => {
+            let mut stochastic = StochasticSampler::new(n).ok_or(invalid)?;
+            drawn(world, settings, &mut stochastic, tally, row, clock, take)
         }
     }
 }
 
-/// Not inlined: each has the stack that it needs, and not that of another beside it.
+/// Not inlined, so that each instance has its own stack frame.
 #[inline(never)]
 fn drawn<A: Accelerator, S: Sampler, T: Tally>(
     world: &World<'_, A>,
-    wanted: Wanted,
+    settings: DrawSettings,
     sampler: &mut S,
     tally: T,
-    row: &mut [Bytes],
+    row: &mut [PixelBytes],
     clock: impl Fn() -> u32,
-    take: impl FnMut(&[Bytes]) -> bool,
-) -> Result<Took<T>, &'static str> {
-    draw::<_, Golden, _, _, _, LEVELS>(world, wanted, sampler, tally, row, clock, bytes, take)
+    take: impl FnMut(&[PixelBytes]) -> bool,
+) -> Result<DrawCost<T>, &'static str> {
+    draw::<_, GoldenEffects, _, _, _, LEVELS>(world, settings, sampler, tally, row, clock, bytes, take)
 }

@@ -1,9 +1,8 @@
-//! Draws a world row by row, without a frame buffer: all of the picture that there ever is in
-//! memory is one row.
+//! Draws a world row by row, without a frame buffer: only one row of the picture is in memory.
 
-// Who includes this file may use a part of it.
+// A crate that includes this file may use only parts of it.
 #![allow(dead_code)]
-#![allow(clippy::too_many_arguments)] // each is one of a kind
+#![allow(clippy::too_many_arguments)] // of different types
 
 use strahl_core::accel::Accelerator;
 use strahl_core::image::{Pixel, Sampler, Sink};
@@ -11,76 +10,76 @@ use strahl_core::scene::Effects;
 use strahl_core::tally::Tally;
 use strahl_core::{Camera, Limits, Real, Resolution, Rgb, Tile, Tracer, Worker, World, render};
 
-/// The linear colour of a pixel as little-endian single precision.
-pub type Bytes = [[u8; size_of::<f32>()]; 3];
+/// Linear color of a pixel, as little-endian `f32`.
+pub type PixelBytes = [[u8; size_of::<f32>()]; 3];
 
-/// A colour as it goes into files.
-pub fn bytes(color: Rgb) -> Bytes {
-    #[allow(clippy::unnecessary_cast)] // it is none in double precision
+/// Converts a color to its bytes in files.
+pub fn bytes(color: Rgb) -> PixelBytes {
+    #[allow(clippy::unnecessary_cast)] // necessary in double precision
     let single = |channel: Real| channel as f32;
     [color.r, color.g, color.b].map(|channel| single(channel).to_le_bytes())
 }
 
-/// The widest picture that there is memory for.
-pub const WIDEST: usize = 128;
+/// Maximum width of a picture, in pixels.
+pub const MAX_WIDTH: usize = 128;
 
 /// One row.
-pub type Row = [Bytes; WIDEST];
+pub type PixelRow = [PixelBytes; MAX_WIDTH];
 
-/// A row without anything in it.
-pub const DARK: Row = [[[0; size_of::<f32>()]; 3]; WIDEST];
+/// A black row.
+pub const BLACK_ROW: PixelRow = [[[0; size_of::<f32>()]; 3]; MAX_WIDTH];
 
-/// Which picture.
+/// Settings of a picture.
 #[derive(Clone, Copy, Debug)]
-pub struct Wanted {
-    /// How large.
+pub struct DrawSettings {
+    /// Resolution.
     pub size: Resolution,
-    /// From where.
+    /// Camera.
     pub camera: Camera,
-    /// How deep.
+    /// Levels and cutoff.
     pub limits: Limits,
 }
 
-/// What it took.
+/// Cost of a picture.
 #[derive(Clone, Copy, Debug)]
-pub struct Took<T> {
-    /// Instructions, as a clock counted them.
+pub struct DrawCost<T> {
+    /// Number of instructions, from the clock.
     pub instructions: u64,
-    /// Bytes of the worker, which tells nobody.
+    /// Size of the worker without a tally, in bytes.
     pub worker: usize,
-    /// Who has been told what happened.
+    /// Tally of the trace.
     pub tally: T,
 }
 
-/// Draws all rows with one ray or more in each pixel. `clock` counts instructions up, `pixel` says
-/// how a colour is kept, and `take` is given each row and says whether it could take it.
+/// Draws all rows. `clock` returns an increasing count of instructions, `pixel` converts a color, and `take` receives each row
+/// and returns whether it succeeded.
 ///
-/// Answers what it took, or why there is no picture.
+/// Returns the cost, or the reason of a failure.
 pub fn draw<A: Accelerator, E: Effects, S: Sampler, P, T: Tally, const LEVELS: usize>(
     world: &World<'_, A>,
-    wanted: Wanted,
+    settings: DrawSettings,
     sampler: &mut S,
     tally: T,
     row: &mut [P],
     clock: impl Fn() -> u32,
     pixel: impl Fn(Rgb) -> P,
     take: impl FnMut(&[P]) -> bool,
-) -> Result<Took<T>, &'static str> {
-    let Wanted { size, camera, limits } = wanted;
+) -> Result<DrawCost<T>, &'static str> {
+    let DrawSettings { size, camera, limits } = settings;
     let tracer = Tracer::<A, E, LEVELS>::new(world, camera, limits).map_err(|_| "no tracer")?;
     if row.len() != size.width() as usize {
-        return Err("a row has another width");
+        return Err("the row buffer has another width");
     }
     let mut worker = Worker::new(tally);
     let start = clock();
-    let mut rows = Rows { row, filled: 0, pixel, take, clock, start, instructions: 0 };
+    let mut rows = RowSink { row, filled: 0, pixel, take, clock, start, instructions: 0 };
     render(&mut tracer.with_worker(&mut worker), sampler, Tile::full(size).pixels(), &mut rows)?;
     let instructions = rows.instructions;
-    Ok(Took { instructions, worker: Worker::<A, (), LEVELS>::SIZE_IN_BYTES, tally: worker.into_tally() })
+    Ok(DrawCost { instructions, worker: Worker::<A, (), LEVELS>::SIZE_IN_BYTES, tally: worker.into_tally() })
 }
 
-/// Gathers pixels into rows, and counts what is between one row and the next.
-struct Rows<'r, P, F, T, C> {
+/// Collects pixels into rows, and counts instructions between the rows.
+struct RowSink<'r, P, F, T, C> {
     row: &'r mut [P],
     filled: usize,
     pixel: F,
@@ -90,7 +89,7 @@ struct Rows<'r, P, F, T, C> {
     instructions: u64,
 }
 
-impl<P, F: Fn(Rgb) -> P, T: FnMut(&[P]) -> bool, C: Fn() -> u32> Sink for Rows<'_, P, F, T, C> {
+impl<P, F: Fn(Rgb) -> P, T: FnMut(&[P]) -> bool, C: Fn() -> u32> Sink for RowSink<'_, P, F, T, C> {
     type Error = &'static str;
 
     fn put(&mut self, _: Pixel, color: Rgb) -> Result<(), &'static str> {
@@ -101,10 +100,10 @@ impl<P, F: Fn(Rgb) -> P, T: FnMut(&[P]) -> bool, C: Fn() -> u32> Sink for Rows<'
         if self.filled < self.row.len() {
             return Ok(());
         }
-        // A row takes less than 2^32.
+        // A row takes fewer than 2^32 instructions.
         self.instructions += u64::from((self.clock)().wrapping_sub(self.start));
-        let taken = (self.take)(self.row);
+        let is_written = (self.take)(self.row);
         (self.filled, self.start) = (0, (self.clock)());
-        if taken { Ok(()) } else { Err("a row cannot be written") }
+        if is_written { Ok(()) } else { Err("a row cannot be written") }
     }
 }

@@ -1,9 +1,9 @@
-//! What effects cost in flash: the same small scene, traced by tracers that can do more and more.
+//! The cost of effects in flash: a small scene, traced with growing effect sets.
 //!
-//! The smallest firmware that draws a picture and hands it to somebody: rows of linear floats go
-//! out of the serial port as they are made. No file, no text, nothing that a product would not have.
+//! The smallest firmware that draws a picture and transmits it: linear floats are sent through the serial port as they are
+//! computed. It contains no files, no text, and nothing that a product would not need.
 
-// Who includes this file may use a part of it.
+// A crate that includes this file may use only parts of it.
 #![allow(dead_code)]
 
 use core::hint::black_box;
@@ -17,11 +17,11 @@ use strahl_core::{
     Tile, Tracer, Vec3, Worker, World, render, vec3,
 };
 
-/// A step of the table: what the tracer can do, and a scene that asks for exactly that.
-pub trait Step: Effects {
-    /// The scene, not yet checked.
+/// A variant of the table: an effect set, and a scene that requires exactly these effects.
+pub trait FlashVariant: Effects {
+    /// The scene, not validated.
     const PARTS: SceneDescriptor<'static>;
-    /// How it is looked at.
+    /// Camera.
     const VIEW: CameraDescriptor = CameraDescriptor {
         position: vec3(0.0, 1.5, 5.0),
         target: vec3(0.0, 0.7, 0.0),
@@ -30,13 +30,13 @@ pub trait Step: Effects {
     };
 }
 
-/// How large the picture is.
+/// Resolution of the picture.
 pub const SIZE: Resolution = Resolution::new(64, 48).unwrap();
 
 /// Levels of rays.
 pub const LEVELS: usize = 5;
 
-/// Which picture is wanted.
+/// Levels and cutoff.
 pub const LIMITS: Limits = Limits::DEFAULT;
 
 const ITEMS: usize = 4;
@@ -50,29 +50,29 @@ static SHAPES: [Shape; ITEMS] = [
 
 const FLOOR: Plane = Plane { point: Vec3::ZERO, normal: Vec3::Y, item: ItemId(0) };
 
-const fn paint(r: f32, g: f32, b: f32) -> Material {
+const fn matte(r: f32, g: f32, b: f32) -> Material {
     let color = Rgb::new(r, g, b);
     Material { ambient: color, diffuse: color, ..Material::MATTE }
 }
 
 const MATTE: [Material; ITEMS] =
-    [paint(0.6, 0.6, 0.55), paint(0.8, 0.25, 0.2), paint(0.2, 0.5, 0.6), paint(0.9, 0.7, 0.2)];
+    [matte(0.6, 0.6, 0.55), matte(0.8, 0.25, 0.2), matte(0.2, 0.5, 0.6), matte(0.9, 0.7, 0.2)];
 
-const MIRROR: Material = Material { reflection: Rgb::gray(0.9), ..paint(0.05, 0.05, 0.05) };
+const MIRROR: Material = Material { reflection: Rgb::gray(0.9), ..matte(0.05, 0.05, 0.05) };
 
 const GLASS: Material = Material {
     transmission: Rgb::gray(0.95),
     refractive_index: 1.5,
     fresnel: FresnelModel::Dielectric,
-    ..paint(0.0, 0.0, 0.0)
+    ..matte(0.0, 0.0, 0.0)
 };
 
-const fn lamp(source: LightSource, shadows: bool) -> [Light; 1] {
+const fn light(source: LightSource, shadows: bool) -> [Light; 1] {
     [Light { source, color: Rgb::gray(0.8), casts_shadows: shadows }]
 }
 
-const PLACE: Vec3 = vec3(3.0, 5.0, 4.0);
-const POINT: LightSource = LightSource::Point { position: PLACE, falloff: Falloff::NONE };
+const LIGHT_POSITION: Vec3 = vec3(3.0, 5.0, 4.0);
+const POINT: LightSource = LightSource::Point { position: LIGHT_POSITION, falloff: Falloff::NONE };
 
 const fn parts(materials: &'static [Material], lights: &'static [Light]) -> SceneDescriptor<'static> {
     SceneDescriptor {
@@ -86,10 +86,10 @@ const fn parts(materials: &'static [Material], lights: &'static [Light]) -> Scen
     }
 }
 
-/// Spheres and a plane under a light that nothing stands in the way of.
-pub struct Local;
+/// Spheres and a plane under a light without shadows.
+pub struct FlashLocal;
 
-impl Effects for Local {
+impl Effects for FlashLocal {
     const SET: EffectSet = EffectSet {
         shapes: ShapeSet::of(&[ShapeKind::Plane, ShapeKind::Sphere]),
         lights: LightSet::of(&[LightKind::Point]),
@@ -97,75 +97,74 @@ impl Effects for Local {
     };
 }
 
-impl Step for Local {
-    const PARTS: SceneDescriptor<'static> = parts(&MATTE, &lamp(POINT, false));
+impl FlashVariant for FlashLocal {
+    const PARTS: SceneDescriptor<'static> = parts(&MATTE, &light(POINT, false));
 }
 
-/// And shadows.
-pub struct Shadows;
+/// The previous variant with shadows.
+pub struct FlashShadows;
 
-impl Effects for Shadows {
-    const SET: EffectSet = EffectSet { shadows: true, ..Local::SET };
+impl Effects for FlashShadows {
+    const SET: EffectSet = EffectSet { shadows: true, ..FlashLocal::SET };
 }
 
-impl Step for Shadows {
-    const PARTS: SceneDescriptor<'static> = parts(&MATTE, &lamp(POINT, true));
+impl FlashVariant for FlashShadows {
+    const PARTS: SceneDescriptor<'static> = parts(&MATTE, &light(POINT, true));
 }
 
-/// And mirrors.
-pub struct Mirrors;
+/// The previous variant with a mirror.
+pub struct FlashMirrors;
 
-impl Effects for Mirrors {
-    const SET: EffectSet = EffectSet { reflection: true, ..Shadows::SET };
+impl Effects for FlashMirrors {
+    const SET: EffectSet = EffectSet { reflection: true, ..FlashShadows::SET };
 }
 
-impl Step for Mirrors {
+impl FlashVariant for FlashMirrors {
     const PARTS: SceneDescriptor<'static> =
-        parts(&[MATTE[0], MIRROR, MATTE[2], MATTE[3]], &lamp(POINT, true));
+        parts(&[MATTE[0], MIRROR, MATTE[2], MATTE[3]], &light(POINT, true));
 }
 
-/// And glass.
-pub struct Glass;
+/// The previous variant with glass.
+pub struct FlashGlass;
 
-impl Effects for Glass {
-    const SET: EffectSet = EffectSet { transmission: true, ..Mirrors::SET };
+impl Effects for FlashGlass {
+    const SET: EffectSet = EffectSet { transmission: true, ..FlashMirrors::SET };
 }
 
-impl Step for Glass {
-    const PARTS: SceneDescriptor<'static> = parts(&[MATTE[0], MIRROR, GLASS, MATTE[3]], &lamp(POINT, true));
+impl FlashVariant for FlashGlass {
+    const PARTS: SceneDescriptor<'static> = parts(&[MATTE[0], MIRROR, GLASS, MATTE[3]], &light(POINT, true));
 }
 
-/// And what is left to chance: soft shadows, rough mirrors, a lens.
-pub struct Distributed;
+/// The previous variant with distributed effects: soft shadows, a rough mirror, depth of field.
+pub struct FlashDistributed;
 
-impl Effects for Distributed {
+impl Effects for FlashDistributed {
     const SET: EffectSet = EffectSet {
         lights: LightSet::of(&[LightKind::Sphere]),
         penumbra: true,
         gloss: true,
         depth_of_field: true,
-        ..Glass::SET
+        ..FlashGlass::SET
     };
 }
 
-impl Step for Distributed {
+impl FlashVariant for FlashDistributed {
     const PARTS: SceneDescriptor<'static> = parts(
         &[MATTE[0], Material { roughness: 0.3, ..MIRROR }, GLASS, MATTE[3]],
-        &lamp(LightSource::Sphere { position: PLACE, radius: 0.5, falloff: Falloff::NONE }, true),
+        &light(LightSource::Sphere { position: LIGHT_POSITION, radius: 0.5, falloff: Falloff::NONE }, true),
     );
     const VIEW: CameraDescriptor = CameraDescriptor {
         projection: Projection::ThinLens { field_of_view: 0.6, lens_radius: 0.05, focus_distance: 5.0 },
-        ..Local::VIEW
+        ..FlashLocal::VIEW
     };
 }
 
-/// Draws the picture of a step and hands its floats over, pixel by pixel.
+/// Draws the picture of a variant and sends its floats, pixel by pixel. `None` if the scene is invalid.
 ///
-/// None when the scene is not the tracer's, which it is. Not inlined, so that what the core takes can
-/// be told from the rest by names.
+/// Not inlined, so that symbol names separate the core from the rest.
 #[inline(never)]
-pub fn picture<S: Step>(mut send: impl FnMut([u8; 4])) -> Option<()> {
-    // As if it came from elsewhere: no number of the scene is folded into the code.
+pub fn picture<S: FlashVariant>(mut send: impl FnMut([u8; 4])) -> Option<()> {
+    // Opaque to the optimizer: no number of the scene is folded into the code.
     let world = World::new(Scene::new(black_box(S::PARTS)).ok()?, BareList(ITEMS as u32));
     let camera = Camera::new(&black_box(S::VIEW), SIZE).ok()?;
     let tracer = Tracer::<_, S, LEVELS>::new(&world, camera, LIMITS).ok()?;
@@ -188,9 +187,9 @@ pub fn picture<S: Step>(mut send: impl FnMut([u8; 4])) -> Option<()> {
 #[cfg(target_arch = "arm")]
 const SERIAL: *mut u32 = 0x4001_1004 as *mut u32;
 
-/// The whole firmware of a step.
+/// The whole firmware of a variant.
 #[cfg(target_arch = "arm")]
-pub fn run<S: Step>() -> ! {
+pub fn run<S: FlashVariant>() -> ! {
     let drawn = picture::<S>(|bytes| {
         for byte in bytes {
             // SAFETY: a 32-bit peripheral register of this machine.

@@ -1,5 +1,4 @@
-//! What the firmware is made of beside its programs: the scenes, how they are drawn, and two
-//! instruments.
+//! Library of the firmware programs: scenes, drawing, and measurement of instructions and stack.
 
 #![no_std]
 

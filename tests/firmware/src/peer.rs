@@ -1,11 +1,10 @@
-//! A small scene that a well-known ray tracer of few lines draws: four spheres and a chequered
-//! floor under three lights (Dmitry Sokolov's *tinyraytracer*, described in our own words).
+//! The scene of a well-known small ray tracer: four spheres and a checkered floor under three lights (Dmitry Sokolov's
+//! *tinyraytracer*, from a description).
 //!
-//! What that program does and a tracer otherwise would not is an option of the tracer or of the
-//! sink here: it shows the background beyond a distance and in place of the rays below the last
-//! level, and it dims what is brighter than white.
+//! Its conventions are options of the tracer and of the sink: the background is shown beyond a distance and in place of rays
+//! below the last level, and colors brighter than white are scaled down.
 
-// Who includes this file may use a part of it.
+// A crate that includes this file may use only parts of it.
 #![allow(dead_code)]
 
 use strahl_core::geometry::{Aabb, Polygon, ShapeKind, ShapeSet};
@@ -17,12 +16,11 @@ use strahl_core::{
     Projection, Resolution, Rgb, SceneDescriptor, Shape, Sphere, Vec3, vec3,
 };
 
-/// How large the picture is.
+/// Resolution of the picture.
 pub const SIZE: Resolution = Resolution::new(160, 120).unwrap();
 
-/// Down the third axis, with an angle of 1.05 from the upper edge of the picture to the lower.
-/// Between the middles of the first row and the last it is
-/// `2 atan(tan(1.05 / 2) * 119 / 120)`.
+/// Camera along -z, with an angle of 1.05 from the top edge of the picture to the bottom edge. Between the centers of the
+/// first and the last row it is `2 atan(tan(1.05 / 2) * 119 / 120)`.
 pub const VIEW: CameraDescriptor = CameraDescriptor {
     position: Vec3::ZERO,
     target: vec3(0.0, 0.0, -1.0),
@@ -33,14 +31,14 @@ pub const VIEW: CameraDescriptor = CameraDescriptor {
 /// Levels of rays.
 pub const LEVELS: usize = 5;
 
-/// Which picture is wanted.
+/// Levels and cutoff.
 pub const LIMITS: Limits = Limits { levels: LEVELS as u8, cutoff: Limits::DEFAULT.cutoff };
 
-/// Exactly what the scene asks for.
+/// Exactly the effects that the scene requires.
 #[derive(Clone, Copy, Debug)]
-pub struct Peer;
+pub struct PeerEffects;
 
-impl Effects for Peer {
+impl Effects for PeerEffects {
     const SET: EffectSet = EffectSet {
         shapes: ShapeSet::of(&[ShapeKind::Sphere, ShapeKind::Polygon]),
         lights: LightSet::of(&[LightKind::Point]),
@@ -55,17 +53,16 @@ impl Effects for Peer {
     const LEVEL_LIMIT_RADIANCE: LevelLimitRadiance = LevelLimitRadiance::Background;
 }
 
-/// Eight bits for each channel: what is brighter than white is dimmed until it fits, then cut
-/// off to whole steps. No gamma.
-pub fn quantised(color: Rgb) -> [u8; 3] {
+/// Quantizes a color to eight bits per channel: colors brighter than white are scaled down, then truncated. No gamma.
+pub fn quantized(color: Rgb) -> [u8; 3] {
     let brightest = color.max_component();
     let scale = if brightest > 1.0 { 255.0 / brightest } else { 255.0 };
     [color.r, color.g, color.b].map(|channel| (channel * scale) as i32 as u8)
 }
 
-/// The scene, not yet checked.
+/// The scene, not validated.
 pub const PARTS: SceneDescriptor<'static> = SceneDescriptor {
-    geometry: Geometry { shapes: &SHAPES, vertices: &CORNERS, polygons: &[FLOOR], ..Geometry::EMPTY },
+    geometry: Geometry { shapes: &SHAPES, vertices: &VERTICES, polygons: &[FLOOR], ..Geometry::EMPTY },
     material_ids: &[MaterialId(0), MaterialId(1), MaterialId(2), MaterialId(3), MaterialId(4)],
     materials: &MATERIALS,
     textures: &[TILES],
@@ -75,7 +72,7 @@ pub const PARTS: SceneDescriptor<'static> = SceneDescriptor {
     ..SceneDescriptor::EMPTY
 };
 
-/// How many items there are.
+/// Number of items.
 pub const ITEMS: usize = 5;
 
 static SHAPES: [Shape; ITEMS] = [
@@ -86,10 +83,10 @@ static SHAPES: [Shape; ITEMS] = [
     Shape::Polygon(0),
 ];
 
-/// No light from everywhere, and normals that are not turned towards the eye.
-const DARK: Material = Material { ambient: Rgb::BLACK, two_sided: false, ..Material::MATTE };
+/// No ambient light, and one-sided.
+const BASE: Material = Material { ambient: Rgb::BLACK, two_sided: false, ..Material::MATTE };
 
-/// The item of the same number is made of it.
+/// One material for each item.
 static MATERIALS: [Material; ITEMS] = [
     // Ivory.
     Material {
@@ -97,7 +94,7 @@ static MATERIALS: [Material; ITEMS] = [
         highlight: Rgb::gray(0.5),
         highlight_exponent: 50.0,
         reflection: Rgb::gray(0.1),
-        ..DARK
+        ..BASE
     },
     // Glass.
     Material {
@@ -107,14 +104,14 @@ static MATERIALS: [Material; ITEMS] = [
         reflection: Rgb::gray(0.1),
         transmission: Rgb::gray(0.8),
         refractive_index: 1.5,
-        ..DARK
+        ..BASE
     },
     // Red rubber.
     Material {
         diffuse: Rgb::new(1.4 * 0.3, 1.4 * 0.1, 1.4 * 0.1),
         highlight: Rgb::gray(0.3),
         highlight_exponent: 10.0,
-        ..DARK
+        ..BASE
     },
     // A mirror.
     Material {
@@ -122,14 +119,14 @@ static MATERIALS: [Material; ITEMS] = [
         highlight: Rgb::gray(16.0),
         highlight_exponent: 1425.0,
         reflection: Rgb::gray(0.8),
-        ..DARK
+        ..BASE
     },
     // The floor.
-    Material { diffuse: Rgb::gray(2.0), texture: TextureId(0), ..DARK },
+    Material { diffuse: Rgb::gray(2.0), texture: TextureId(0), ..BASE },
 ];
 
-/// Round the floor, so that its normal points up.
-static CORNERS: [Vec3; 4] =
+/// Vertices of the floor, in the order that makes its normal point up.
+static VERTICES: [Vec3; 4] =
     [vec3(-10.0, -4.0, -10.0), vec3(10.0, -4.0, -10.0), vec3(10.0, -4.0, -30.0), vec3(-10.0, -4.0, -30.0)];
 
 const FLOOR: Polygon = Polygon {
@@ -137,7 +134,7 @@ const FLOOR: Polygon = Polygon {
     vertex_count: 4,
     point: vec3(0.0, -4.0, -20.0),
     normal: Vec3::Y,
-    bounds: Aabb::from_points(&CORNERS),
+    bounds: Aabb::from_points(&VERTICES),
     smooth: false,
 };
 
@@ -149,9 +146,9 @@ const TILES: Texture = Texture::Checker {
 };
 
 static LIGHTS: [Light; 3] =
-    [lamp(vec3(-20.0, 20.0, 20.0)), lamp(vec3(30.0, 50.0, -25.0)), lamp(vec3(30.0, 20.0, 30.0))];
+    [light(vec3(-20.0, 20.0, 20.0)), light(vec3(30.0, 50.0, -25.0)), light(vec3(30.0, 20.0, 30.0))];
 
-const fn lamp(position: Vec3) -> Light {
+const fn light(position: Vec3) -> Light {
     Light {
         source: LightSource::Point { position, falloff: Falloff::NONE },
         color: Rgb::WHITE,

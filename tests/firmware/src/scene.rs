@@ -1,9 +1,8 @@
-//! The golden scene: small, but most of what the tracer can do is in it.
+//! The golden scene: small, with most effects.
 //!
-//! Constants only, which a device keeps in flash. Firmware and host compile this same file, so
-//! that both trace the same numbers.
+//! Constants only, which a device keeps in flash. Firmware and host compile this file, so that both trace the same numbers.
 
-// Who includes this file may use a part of it.
+// A crate that includes this file may use only parts of it.
 #![allow(dead_code)]
 
 use strahl_core::geometry::{Aabb, Cone, ItemId, Polygon, ShapeKind, ShapeSet, Torus};
@@ -15,10 +14,10 @@ use strahl_core::{
     Projection, Real, Resolution, Rgb, SceneDescriptor, Shape, Sphere, Vec3, vec3,
 };
 
-/// How large the picture is.
+/// Resolution of the picture.
 pub const SIZE: Resolution = Resolution::new(64, 48).unwrap();
 
-/// How the scene is looked at.
+/// Camera.
 pub const VIEW: CameraDescriptor = CameraDescriptor {
     position: vec3(0.6, 2.4, 7.5),
     target: vec3(0.15, 0.95, 0.0),
@@ -26,17 +25,17 @@ pub const VIEW: CameraDescriptor = CameraDescriptor {
     projection: Projection::Perspective { field_of_view: 0.6 },
 };
 
-/// Levels of rays: glass takes two of them, and a mirror seen through it a third.
+/// Levels of rays: glass takes two, and a mirror behind it a third.
 pub const LEVELS: usize = 6;
 
-/// Which picture is wanted.
+/// Levels and cutoff.
 pub const LIMITS: Limits = Limits { levels: LEVELS as u8, cutoff: 1.0 / 512.0 };
 
-/// Exactly what the scene asks for.
+/// Exactly the effects that the scene requires.
 #[derive(Clone, Copy, Debug)]
-pub struct Golden;
+pub struct GoldenEffects;
 
-impl Effects for Golden {
+impl Effects for GoldenEffects {
     const SET: EffectSet = EffectSet {
         shapes: ShapeSet::of(&[
             ShapeKind::Plane,
@@ -58,7 +57,7 @@ impl Effects for Golden {
     };
 }
 
-/// The scene, not yet checked.
+/// The scene, not validated.
 pub fn parts() -> SceneDescriptor<'static> {
     SceneDescriptor {
         geometry: Geometry {
@@ -81,7 +80,7 @@ pub fn parts() -> SceneDescriptor<'static> {
     }
 }
 
-/// How many items there are.
+/// Number of items.
 pub const ITEMS: usize = 7;
 
 static SHAPES: [Shape; ITEMS] = [
@@ -94,7 +93,7 @@ static SHAPES: [Shape; ITEMS] = [
     Shape::Torus(0),
 ];
 
-/// The item of the same number is made of it.
+/// One material for each item.
 static MATERIALS: [Material; ITEMS] = [
     // The floor.
     Material { texture: TextureId(0), diffuse: Rgb::gray(0.8), ambient: Rgb::WHITE, ..Material::MATTE },
@@ -115,29 +114,29 @@ static MATERIALS: [Material; ITEMS] = [
         highlight: Rgb::gray(0.8),
         highlight_exponent: 200.0,
         reflection: Rgb::new(0.85, 0.87, 0.9),
-        ..paint(0.05, 0.05, 0.06)
+        ..matte(0.05, 0.05, 0.06)
     },
     // A sail.
-    paint(0.85, 0.25, 0.18),
+    matte(0.85, 0.25, 0.18),
     // A dart.
-    paint(0.1, 0.5, 0.55),
+    matte(0.1, 0.5, 0.55),
     // A cone.
-    Material { highlight: Rgb::gray(0.3), highlight_exponent: 20.0, ..paint(0.9, 0.6, 0.1) },
+    Material { highlight: Rgb::gray(0.3), highlight_exponent: 20.0, ..matte(0.9, 0.6, 0.1) },
     // A ring.
-    Material { highlight: Rgb::gray(0.6), highlight_exponent: 50.0, ..paint(0.45, 0.2, 0.65) },
+    Material { highlight: Rgb::gray(0.6), highlight_exponent: 50.0, ..matte(0.45, 0.2, 0.65) },
 ];
 
 static MATERIAL_IDS: [MaterialId; ITEMS] =
     [MaterialId(0), MaterialId(1), MaterialId(2), MaterialId(3), MaterialId(4), MaterialId(5), MaterialId(6)];
 
-const fn paint(r: Real, g: Real, b: Real) -> Material {
+const fn matte(r: Real, g: Real, b: Real) -> Material {
     let color = Rgb::new(r, g, b);
     Material { ambient: color, diffuse: color, ..Material::MATTE }
 }
 
 const FLOOR: Plane = Plane { point: Vec3::ZERO, normal: Vec3::Y, item: ItemId(0) };
 
-/// Corners of the sail, then of the dart.
+/// Vertices of the sail, then of the dart.
 static POINTS: [Vec3; 7] = [
     vec3(-3.1, 0.0, -1.6),
     vec3(-1.2, 0.0, -2.2),
@@ -148,10 +147,10 @@ static POINTS: [Vec3; 7] = [
     vec3(2.9, 2.1, -1.5),
 ];
 
-/// The sail is blown towards the eye.
+/// Vertex normals of the sail.
 static NORMALS: [Vec3; 3] = [vec3(-0.6, 0.0, 0.8), vec3(0.6, 0.0, 0.8), vec3(0.0, 0.6, 0.8)];
 
-/// Concave, in the plane z = -1.5: the middle of its corners and the axis upright on it.
+/// Concave, in the plane z = -1.5.
 const DART: Polygon = Polygon {
     first_vertex: 3,
     vertex_count: 4,
@@ -170,7 +169,7 @@ const CONE: Cone = Cone {
     capped: true,
 };
 
-/// Leans back and touches the floor.
+/// Tilted, and touching the floor.
 const RING: Torus = Torus {
     center: vec3(0.55, 0.42, 2.3),
     axis: vec3(0.0, 0.8, 0.6),
@@ -178,7 +177,7 @@ const RING: Torus = Torus {
     minor_radius: 0.15,
 };
 
-/// One cell without end upwards, so that rounding never chooses between two.
+/// Cells are unbounded along y, so that rounding never chooses between two.
 const TILES: Texture = Texture::Checker {
     even: Rgb::new(0.9, 0.87, 0.8),
     odd: Rgb::new(0.28, 0.3, 0.36),

@@ -1,5 +1,4 @@
-//! High-water mark of the stack: the free RAM is painted before main, and what is no longer
-//! painted has been used.
+//! High-water mark of the stack: the free RAM is painted before main, and the lowest overwritten word is the mark.
 //!
 //! The stack grows down from `_stack_start` (the end of RAM) to `_stack_end` (the end of the
 //! statics). cortex-m-rt's feature `paint-stack` paints it.
@@ -11,12 +10,12 @@ unsafe extern "C" {
     static _stack_end: u32;
 }
 
-/// The most bytes of stack in use since the start.
+/// Maximum stack usage since the start, in bytes.
 pub fn used() -> usize {
     used_below(&raw const _stack_start as usize)
 }
 
-/// The most bytes of stack in use since the start below an address, as that of something on it.
+/// Maximum stack usage since the start below an address on the stack, in bytes.
 pub fn used_below(address: usize) -> usize {
     let (top, bottom) = (&raw const _stack_start as usize, &raw const _stack_end as usize);
     let mut mark = bottom;

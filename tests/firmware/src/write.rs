@@ -1,33 +1,32 @@
-//! Writes the pictures of [`accuracy`](crate::accuracy) into a file of the host, and tells what they
-//! took.
+//! Writes the pictures of [`accuracy`](crate::accuracy) to a file of the host, and prints their cost.
 
 use core::ffi::CStr;
 
 use semihosting::{fs::File, io::Write, print, println};
 
-use crate::accuracy::{Lent, all};
+use crate::accuracy::{ProvidedBuffers, all};
 use crate::scene::SIZE;
 use crate::{count, stack};
 
-/// Draws all pictures into one file, one after the other.
-pub fn write_all(path: &CStr, lent: &mut Lent) -> Result<(), &'static str> {
+/// Writes all pictures to one file, one after the other.
+pub fn write_all(path: &CStr, buffers: &mut ProvidedBuffers) -> Result<(), &'static str> {
     let mut file = File::create(path).map_err(|_| "the pictures cannot be created")?;
     let mut number = 0;
     all(
-        lent,
+        buffers,
         count::now,
         |row| file.write_all(row.as_flattened().as_flattened()).is_ok(),
-        |run, took| {
+        |run, cost| {
             if number == 0 {
-                // Before anything is printed, which takes stack as well.
+                // Before printing, which uses stack as well.
                 let stack = stack::used();
                 println!("pixels {}", SIZE.width() * SIZE.height());
                 println!("stack {stack}");
-                println!("worker {}", took.worker);
-                println!("instructions {}", took.instructions);
+                println!("worker {}", cost.worker);
+                println!("instructions {}", cost.instructions);
             }
             let (limits, sampling) = (run.limits, run.sampling);
-            print!("run {number} {} {} {sampling} {} ", limits.levels, limits.cutoff, took.instructions);
+            print!("run {number} {} {} {sampling} {} ", limits.levels, limits.cutoff, cost.instructions);
             number += 1;
         },
         |rays| println!("{rays}"),

@@ -1,22 +1,21 @@
-//! The baked scenes, drawn in WebAssembly into memory that the engine reads.
+//! Draws the baked scenes in WebAssembly, into memory that the engine reads.
 
 use std::cell::RefCell;
 
-use strahl_firmware::draw::{Bytes, DARK};
+use strahl_firmware::draw::{DARK, PixelBytes};
 use strahl_firmware::packs::{SCENES, picture};
 
 thread_local! {
     static FLOATS: RefCell<Vec<u8>> = const { RefCell::new(Vec::new()) };
 }
 
-/// Draws a scene by its number: how many bytes of linear floats there are now, 0 when there is no
-/// picture.
+/// Draws the scene with this index. Returns the size of its linear floats in bytes, 0 on failure.
 #[unsafe(no_mangle)]
 pub extern "C" fn draw(number: usize) -> usize {
     FLOATS.with_borrow_mut(|floats| {
         floats.clear();
         let Some(baked) = SCENES.get(number) else { return 0 };
-        let take = |row: &[Bytes]| {
+        let take = |row: &[PixelBytes]| {
             floats.extend_from_slice(row.as_flattened().as_flattened());
             true
         };
@@ -27,7 +26,7 @@ pub extern "C" fn draw(number: usize) -> usize {
     })
 }
 
-/// Where they are.
+/// Address of the floats.
 #[unsafe(no_mangle)]
 pub extern "C" fn floats() -> *const u8 {
     FLOATS.with_borrow(|floats| floats.as_ptr())

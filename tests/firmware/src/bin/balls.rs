@@ -1,7 +1,7 @@
-//! Draws the sphereflake of the procedural databases, baked with its hierarchy, writes it as linear
-//! floats, `balls.f32`, and tells what it took.
+//! Draws the sphereflake of the procedural databases, baked with its BVH, writes it as linear floats, `balls.f32`, and prints
+//! its cost.
 //!
-//! Exit code 0, or 1 and a line that says why.
+//! The exit code is 0, or 1 after a line with the reason.
 
 #![no_std]
 #![no_main]
@@ -13,16 +13,16 @@ use strahl_core::baked::Pack;
 use strahl_core::geometry::{ShapeKind, ShapeSet};
 use strahl_core::scene::{EffectSet, Effects, LightKind, LightSet};
 use strahl_core::{Single, World, include_baked_scene};
-use strahl_firmware::draw::{DARK, Row, bytes, draw};
-use strahl_firmware::packs::wanted;
+use strahl_firmware::draw::{DARK, PixelRow, bytes, draw};
+use strahl_firmware::packs::draw_settings;
 use strahl_firmware::{count, stack};
 
 static SCENE: &[u8] = include_baked_scene!("../../target/packs/balls.strahl");
 
-/// Exactly what the scene asks for.
-struct Mirrors;
+/// Exactly the effects that the scene requires.
+struct SphereflakeEffects;
 
-impl Effects for Mirrors {
+impl Effects for SphereflakeEffects {
     const SET: EffectSet = EffectSet {
         shapes: ShapeSet::of(&[ShapeKind::Sphere, ShapeKind::Polygon]),
         lights: LightSet::of(&[LightKind::Point]),
@@ -35,29 +35,29 @@ impl Effects for Mirrors {
 
 #[entry]
 fn main() -> ! {
-    static mut ROW: Row = DARK;
+    static mut ROW: PixelRow = DARK;
     match picture(ROW) {
         Ok(()) => process::exit(0),
-        Err(why) => {
-            println!("balls: {why}");
+        Err(reason) => {
+            println!("balls: {reason}");
             process::exit(1)
         }
     }
 }
 
-fn picture(row: &mut Row) -> Result<(), &'static str> {
+fn picture(row: &mut PixelRow) -> Result<(), &'static str> {
     let (pack, opening) = count::of(|| Pack::open(SCENE));
-    let pack = pack.map_err(|_| "these bytes are no scene")?;
-    if pack.scene().required_effects() != Mirrors::SET {
-        return Err("the scene does not ask for exactly what the tracer can do");
+    let pack = pack.map_err(|_| "invalid baked scene")?;
+    if pack.scene().required_effects() != SphereflakeEffects::SET {
+        return Err("the scene does not require exactly the effects of the tracer");
     }
-    let bvh = pack.bvh::<TraversalStack<32>>().map_err(|_| "there is no hierarchy")?;
-    let wanted = wanted(&pack)?;
+    let bvh = pack.bvh::<TraversalStack<32>>().map_err(|_| "the scene has no BVH")?;
+    let settings = draw_settings(&pack)?;
     let mut file = File::create(c"balls.f32").map_err(|_| "balls.f32 cannot be created")?;
-    let row = row.get_mut(..wanted.size.width() as usize).ok_or("a row is too wide")?;
-    let took = draw::<_, Mirrors, _, _, _, 5>(
+    let row = row.get_mut(..settings.size.width() as usize).ok_or("the picture is too wide")?;
+    let cost = draw::<_, SphereflakeEffects, _, _, _, 5>(
         &World::new(*pack.scene(), bvh),
-        wanted,
+        settings,
         &mut Single,
         (),
         row,
@@ -66,10 +66,10 @@ fn picture(row: &mut Row) -> Result<(), &'static str> {
         |row| file.write_all(row.as_flattened().as_flattened()).is_ok(),
     )?;
     let stack = stack::used();
-    println!("pixels {}", wanted.size.width() * wanted.size.height());
-    println!("instructions {}", took.instructions);
+    println!("pixels {}", settings.size.width() * settings.size.height());
+    println!("instructions {}", cost.instructions);
     println!("stack {stack}");
-    println!("worker {}", took.worker);
+    println!("worker {}", cost.worker);
     println!("pack {}", SCENE.len());
     println!("opening {opening}");
     Ok(())

@@ -3,11 +3,11 @@
 #![no_std]
 #![no_main]
 
-use strahl_firmware::flash::{Distributed, run};
+use strahl_firmware::flash::{FlashDistributed, run};
 
 #[cortex_m_rt::entry]
 fn main() -> ! {
-    run::<Distributed>()
+    run::<FlashDistributed>()
 }
 
 #[panic_handler]

@@ -3,11 +3,11 @@
 #![no_std]
 #![no_main]
 
-use strahl_firmware::flash::{Glass, run};
+use strahl_firmware::flash::{FlashGlass, run};
 
 #[cortex_m_rt::entry]
 fn main() -> ! {
-    run::<Glass>()
+    run::<FlashGlass>()
 }
 
 #[panic_handler]

@@ -3,11 +3,11 @@
 #![no_std]
 #![no_main]
 
-use strahl_firmware::flash::{Local, run};
+use strahl_firmware::flash::{FlashLocal, run};
 
 #[cortex_m_rt::entry]
 fn main() -> ! {
-    run::<Local>()
+    run::<FlashLocal>()
 }
 
 #[panic_handler]

@@ -3,11 +3,11 @@
 #![no_std]
 #![no_main]
 
-use strahl_firmware::flash::{Mirrors, run};
+use strahl_firmware::flash::{FlashMirrors, run};
 
 #[cortex_m_rt::entry]
 fn main() -> ! {
-    run::<Mirrors>()
+    run::<FlashMirrors>()
 }
 
 #[panic_handler]

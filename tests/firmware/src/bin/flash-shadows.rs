@@ -3,11 +3,11 @@
 #![no_std]
 #![no_main]
 
-use strahl_firmware::flash::{Shadows, run};
+use strahl_firmware::flash::{FlashShadows, run};
 
 #[cortex_m_rt::entry]
 fn main() -> ! {
-    run::<Shadows>()
+    run::<FlashShadows>()
 }
 
 #[panic_handler]

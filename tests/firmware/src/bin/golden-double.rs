@@ -1,5 +1,5 @@
-//! The same as `golden`, in double precision: the core's twin, on a chip that has to compute it in
-//! software. Its pictures go into `golden-double.f32`, rounded.
+//! `golden` in double precision, which the chip computes in software. Writes its pictures, rounded to `f32`, to
+//! `golden-double.f32`.
 
 #![no_std]
 #![no_main]
@@ -21,12 +21,12 @@ use strahl_firmware::{count, stack};
 
 #[entry]
 fn main() -> ! {
-    static mut LENT: accuracy::Lent = accuracy::Lent::NEW;
+    static mut BUFFERS: accuracy::ProvidedBuffers = accuracy::ProvidedBuffers::NEW;
 
-    match write::write_all(c"golden-double.f32", LENT) {
+    match write::write_all(c"golden-double.f32", BUFFERS) {
         Ok(()) => process::exit(0),
-        Err(why) => {
-            println!("double: {why}");
+        Err(reason) => {
+            println!("double: {reason}");
             process::exit(1)
         }
     }

@@ -1,8 +1,8 @@
-//! Traces the golden scene row by row, without a frame buffer, and writes its linear colours into
-//! `golden.f32` (red, green, blue as little-endian `f32`, row by row), and after them those of the
-//! same scene with other levels, cutoffs and samplers. It tells what each took.
+//! Traces the golden scene row by row, without a frame buffer, and writes its linear colors to `golden.f32` (red, green, blue
+//! as little-endian `f32`, row by row), followed by those of the scene with other levels, cutoffs and samplers. Prints the
+//! cost of each.
 //!
-//! Exit code 0, or 1 and a line that says why.
+//! The exit code is 0, or 1 after a line with the reason.
 
 #![no_std]
 #![no_main]
@@ -12,23 +12,23 @@ use semihosting::{println, process};
 use strahl_core::accel::List;
 use strahl_core::scene::Effects;
 use strahl_core::{Scene, World};
-use strahl_firmware::accuracy::Lent;
-use strahl_firmware::scene::{Golden, parts};
+use strahl_firmware::accuracy::ProvidedBuffers;
+use strahl_firmware::scene::{GoldenEffects, parts};
 use strahl_firmware::write::write_all;
 
 #[entry]
 fn main() -> ! {
-    static mut LENT: Lent = Lent::NEW;
+    static mut BUFFERS: ProvidedBuffers = ProvidedBuffers::NEW;
 
-    if Scene::new(parts()).is_ok_and(|scene| scene.required_effects() != Golden::SET) {
-        println!("golden: the scene does not ask for exactly what the tracer can do");
+    if Scene::new(parts()).is_ok_and(|scene| scene.required_effects() != GoldenEffects::SET) {
+        println!("golden: the scene does not require exactly the effects of the tracer");
         process::exit(1);
     }
     println!("world {}", size_of::<World<'_, List<'_>>>());
-    match write_all(c"golden.f32", LENT) {
+    match write_all(c"golden.f32", BUFFERS) {
         Ok(()) => process::exit(0),
-        Err(why) => {
-            println!("golden: {why}");
+        Err(reason) => {
+            println!("golden: {reason}");
             process::exit(1)
         }
     }

@@ -1,7 +1,6 @@
-//! Draws the baked scenes and writes each as linear floats, `NAME.f32`; on a Cortex-M4F it tells
-//! what they took.
+//! Draws the baked scenes and writes each as linear floats, `NAME.f32`. Prints their cost on a Cortex-M4F.
 //!
-//! Exit code 0, or 1 and a line that says why.
+//! The exit code is 0, or 1 after a line with the reason.
 
 #![no_std]
 #![no_main]
@@ -10,27 +9,27 @@ use semihosting::{fs::File, io::Write, println, process};
 #[cfg(target_arch = "arm")]
 use strahl_firmware::{count, packs::STACK};
 use strahl_firmware::{
-    draw::{Bytes, DARK, Row},
-    packs::{BakedFixture, SCENES, Written, picture},
+    draw::{DARK, PixelBytes, PixelRow},
+    packs::{FirmwareScene, SCENES, SceneSource, picture},
 };
 
 #[cfg(target_arch = "arm")]
 #[cortex_m_rt::entry]
 fn main() -> ! {
-    static mut ROW: Row = DARK;
-    all(ROW)
+    static mut ROW: PixelRow = DARK;
+    draw_all(ROW)
 }
 
 #[cfg(target_arch = "riscv32")]
 #[riscv_rt::entry]
 fn main() -> ! {
-    all(&mut DARK.clone())
+    draw_all(&mut DARK.clone())
 }
 
-fn all(row: &mut Row) -> ! {
+fn draw_all(row: &mut PixelRow) -> ! {
     for baked in &SCENES {
-        if let Err(why) = one(baked, row) {
-            println!("packs: {:?}: {why}", baked.name);
+        if let Err(reason) = draw_one(baked, row) {
+            println!("packs: {:?}: {reason}", baked.name);
             process::exit(1);
         }
     }
@@ -39,20 +38,20 @@ fn all(row: &mut Row) -> ! {
     process::exit(0)
 }
 
-fn one(baked: &BakedFixture, row: &mut Row) -> Result<(), &'static str> {
+fn draw_one(baked: &FirmwareScene, row: &mut PixelRow) -> Result<(), &'static str> {
     let mut file = File::create(baked.name).map_err(|_| "its picture cannot be created")?;
-    let take = |row: &[Bytes]| file.write_all(row.as_flattened().as_flattened()).is_ok();
+    let take = |row: &[PixelBytes]| file.write_all(row.as_flattened().as_flattened()).is_ok();
     let name = baked.name.to_str().unwrap_or_default();
     #[cfg(target_arch = "arm")]
     let clock = count::now;
     #[cfg(not(target_arch = "arm"))]
     let clock = || 0;
-    let took = picture(baked, row, clock, take)?;
-    let bytes = match baked.written {
-        Written::Bytes(bytes) => bytes.len(),
-        Written::Constants => 0,
+    let cost = picture(baked, row, clock, take)?;
+    let bytes = match baked.source {
+        SceneSource::Bytes(bytes) => bytes.len(),
+        SceneSource::Constants => 0,
     };
-    println!("{name} {} {} {bytes}", took.instructions, took.worker);
+    println!("{name} {} {} {bytes}", cost.instructions, cost.worker);
     Ok(())
 }
 

@@ -1,7 +1,6 @@
-//! Draws the peer scene row by row, writes it as `peer.ppm` and tells what it took: camera rays
-//! and quantisation included.
+//! Draws the peer scene row by row, writes it as `peer.ppm` and prints its cost, including camera rays and quantization.
 //!
-//! Exit code 0, or 1 and a line that says why.
+//! The exit code is 0, or 1 after a line with the reason.
 
 #![no_std]
 #![no_main]
@@ -12,8 +11,8 @@ use cortex_m_rt::entry;
 use semihosting::{fs::File, io::Write, println, process};
 use strahl_core::scene::Effects;
 use strahl_core::{BareList, Camera, CenterSampler, Scene, World};
-use strahl_firmware::draw::{Wanted, draw};
-use strahl_firmware::peer::{ITEMS, LEVELS, LIMITS, PARTS, Peer, SIZE, VIEW, quantised};
+use strahl_firmware::draw::{DrawSettings, draw};
+use strahl_firmware::peer::{ITEMS, LEVELS, LIMITS, PARTS, PeerEffects, SIZE, VIEW, quantized};
 use strahl_firmware::{count, stack};
 
 const WIDTH: usize = SIZE.width() as usize;
@@ -24,42 +23,42 @@ fn main() -> ! {
 
     match picture(ROW) {
         Ok(()) => process::exit(0),
-        Err(why) => {
-            println!("peer: {why}");
+        Err(reason) => {
+            println!("peer: {reason}");
             process::exit(1)
         }
     }
 }
 
 fn picture(row: &mut [[u8; 3]; WIDTH]) -> Result<(), &'static str> {
-    // As if it came from elsewhere: no number of the scene is folded into the code.
-    let scene = Scene::new(black_box(PARTS)).map_err(|_| "its parts make no scene")?;
-    if scene.required_effects() != Peer::SET {
-        return Err("the scene does not ask for exactly what the tracer can do");
+    // Opaque to the optimizer: no number of the scene is folded into the code.
+    let scene = Scene::new(black_box(PARTS)).map_err(|_| "invalid scene")?;
+    if scene.required_effects() != PeerEffects::SET {
+        return Err("the scene does not require exactly the effects of the tracer");
     }
     let world = World::new(scene, BareList(ITEMS as u32));
-    let camera = Camera::new(&VIEW, SIZE).map_err(|_| "the view shows nothing")?;
+    let camera = Camera::new(&VIEW, SIZE).map_err(|_| "invalid camera")?;
     let mut file = File::create(c"peer.ppm").map_err(|_| "peer.ppm cannot be created")?;
     file.write_all(b"P6\n160 120\n255\n").map_err(|_| "peer.ppm cannot be written")?;
 
-    let wanted = Wanted { size: SIZE, camera, limits: LIMITS };
+    let settings = DrawSettings { size: SIZE, camera, limits: LIMITS };
     let take = |row: &[[u8; 3]]| file.write_all(row.as_flattened()).is_ok();
-    let took = draw::<_, Peer, _, _, _, LEVELS>(
+    let cost = draw::<_, PeerEffects, _, _, _, LEVELS>(
         &world,
-        wanted,
+        settings,
         &mut CenterSampler,
         (),
         row,
         count::now,
-        quantised,
+        quantized,
         take,
     )?;
-    // Before anything is printed, which takes stack as well.
+    // Before printing, which uses stack as well.
     let stack = stack::used();
     println!("pixels {}", SIZE.width() * SIZE.height());
-    println!("instructions {}", took.instructions);
+    println!("instructions {}", cost.instructions);
     println!("stack {stack}");
-    println!("worker {}", took.worker);
+    println!("worker {}", cost.worker);
     Ok(())
 }
 

@@ -1,8 +1,7 @@
-//! Holds the floating-point unit's square root against libm's, bit for bit: for every exponent,
-//! with every 1 of the mantissa alone, its ends, and a dense sample between them; for both
-//! zeros, the infinities, NaN and what is below zero.
+//! Compares the floating-point unit's square root with libm's, bit for bit: for every exponent, with each single bit of the
+//! mantissa, its extremes, and a dense sample between them; for both zeros, the infinities, NaN and negative numbers.
 //!
-//! Prints how many roots were compared. Exit code 0, or 1 and the first root that differs.
+//! Prints the number of compared roots. The exit code is 0, or 1 after the first root that differs.
 
 #![no_std]
 #![no_main]
@@ -16,8 +15,8 @@ const STEP: usize = 4_093;
 const MANTISSA: u32 = 1 << 23;
 const EXPONENTS: u32 = 1 << 8;
 
-/// Whether both give the same; any NaN is as good as another, as every target makes its own.
-fn agrees(x: f32) -> bool {
+/// Whether both roots are equal. All NaN are equal, because their bits depend on the target.
+fn is_equal(x: f32) -> bool {
     let (ours, library) = (sqrt(x), libm::sqrtf(x));
     ours.to_bits() == library.to_bits() || (ours.is_nan() && library.is_nan())
 }
@@ -31,18 +30,18 @@ fn main() -> ! {
         let dense = (0..MANTISSA).step_by(STEP);
         for mantissa in alone.chain(ends).chain(dense) {
             let x = f32::from_bits(sign_and_exponent * MANTISSA + mantissa);
-            if !agrees(x) {
+            if !is_equal(x) {
                 println!("roots: of {:#010x}: {:?}, libm {:?}", x.to_bits(), sqrt(x), libm::sqrtf(x));
                 process::exit(1);
             }
             compared += 1;
         }
     }
-    // The squares of 12-bit numbers and their neighbours: exact roots, and almost exact ones.
+    // Squares of 12-bit numbers and their neighbors: exact and almost exact roots.
     for n in 1..4096_u32 {
         let square = ((n * n) as f32).to_bits();
         for bits in [square - 1, square, square + 1] {
-            if !agrees(f32::from_bits(bits)) {
+            if !is_equal(f32::from_bits(bits)) {
                 println!("roots: of {bits:#010x}, next to {n} squared");
                 process::exit(1);
             }

@@ -1,5 +1,4 @@
-//! Runs the module named by the first argument and writes the pictures that it draws into the
-//! folder named by the second, as the firmware does.
+//! Runs the module of the first argument and writes its pictures to the folder of the second, like the firmware.
 
 use std::error::Error;
 use std::path::PathBuf;

@@ -1,4 +1,4 @@
-//! Accelerators of anything, in lent memory of any length.
+//! Accelerators over arbitrary bounds, in buffers of any length.
 
 use core::ops::ControlFlow;
 
@@ -14,11 +14,11 @@ use crate::any::{any, any_item, any_ray, number, slice, used};
 use crate::geometry::any_geometry;
 use crate::text::displayed;
 
-pub fn doors() {
+pub fn entry_points() {
     used(group_count(any(1)));
     for list in lists(&mut [Aabb::EMPTY], [&mut [BoundingSphere::EMPTY], &mut [BoundingSphere::EMPTY]]) {
         used(List::size_in_bytes(&list));
-        list.traverse(&any_ray(), &mut (), &mut Anybody);
+        list.traverse(&any_ray(), &mut (), &mut ArbitraryQuery);
     }
     tree::<TraversalStack<2>>();
     tree::<TraversalHeap<2>>();
@@ -28,10 +28,10 @@ pub fn doors() {
     displayed(any(BuildError::BufferTooSmall { buffer, needed, provided }));
 }
 
-/// Offers what it likes, as often as it likes.
-pub struct Stranger;
+/// Offers arbitrary items, any number of times.
+pub struct ArbitraryAccelerator;
 
-impl Accelerator for Stranger {
+impl Accelerator for ArbitraryAccelerator {
     type Scratch = u32;
 
     fn traverse<Q: Query>(&self, ray: &Ray, scratch: &mut u32, query: &mut Q) {
@@ -47,10 +47,10 @@ impl Accelerator for Stranger {
     }
 }
 
-/// Looks for nobody knows what.
-struct Anybody;
+/// An arbitrary query.
+struct ArbitraryQuery;
 
-impl Query for Anybody {
+impl Query for ArbitraryQuery {
     fn t_max(&self) -> Real {
         number()
     }
@@ -69,19 +69,19 @@ impl Query for Anybody {
     fn count_mailbox_hit(&mut self) {}
 }
 
-/// Lists of any length, in lent memory of any length.
-pub fn lists<'s>(lent: &'s mut [Aabb], balls: [&'s mut [BoundingSphere]; 2]) -> [List<'s>; 3] {
+/// Lists of any length, in buffers of any length.
+pub fn lists<'s>(buffers: &'s mut [Aabb], spheres: [&'s mut [BoundingSphere]; 2]) -> [List<'s>; 3] {
     let bare = List::without_bounds(any(1));
     let boxes = slice(&[Aabb::EMPTY]);
-    let [items, groups] = balls.map(any);
+    let [items, groups] = spheres.map(any);
     [
         bare,
-        List::with_boxes(boxes, any(lent)).unwrap_or(bare),
+        List::with_boxes(boxes, any(buffers)).unwrap_or(bare),
         List::with_spheres(boxes, items, groups).unwrap_or(bare),
     ]
 }
 
-/// A hierarchy of anything, in lent memory of any length.
+/// A BVH over arbitrary bounds, in buffers of any length.
 fn tree<W: TraversalQueue>() {
     used(BvhSize::recommended(any(1)));
     let (mut nodes, mut items) = ([BvhNode::EMPTY; 2], [LeafEntry::EMPTY; 2]);
@@ -91,33 +91,34 @@ fn tree<W: TraversalQueue>() {
     match any(LeafLayout::TriangleBlocks(&geometry)) {
         LeafLayout::Entries => {
             let Ok(tree) = Bvh::<()>::build(boxes, nodes, items) else { return };
-            hierarchy(Bvh::with_queue::<W>(tree));
+            bvh(Bvh::with_queue::<W>(tree));
         }
         leaves => {
-            let Ok(grown) = BvhBuilder::new(boxes, leaves, nodes, items) else { return };
-            used(BvhBuilder::block_count(&grown));
-            let mut runs = [TriangleBlock::EMPTY; 2];
-            let Ok(tree) = BvhBuilder::into_bvh_with_blocks::<W>(grown, &geometry, any(runs.as_mut_slice()))
+            let Ok(builder) = BvhBuilder::new(boxes, leaves, nodes, items) else { return };
+            used(BvhBuilder::block_count(&builder));
+            let mut blocks = [TriangleBlock::EMPTY; 2];
+            let Ok(tree) =
+                BvhBuilder::into_bvh_with_blocks::<W>(builder, &geometry, any(blocks.as_mut_slice()))
             else {
                 return;
             };
-            hierarchy(tree);
+            bvh(tree);
         }
     }
-    if let Ok(grown) =
+    if let Ok(builder) =
         BvhBuilder::new(boxes, any(LeafLayout::Entries), &mut [BvhNode::EMPTY], &mut [LeafEntry::EMPTY])
     {
-        hierarchy(BvhBuilder::into_bvh::<W>(grown));
+        bvh(BvhBuilder::into_bvh::<W>(builder));
     }
 }
 
-fn hierarchy<W: TraversalQueue, L: LeafElement>(tree: Bvh<'_, W, L>) {
+fn bvh<W: TraversalQueue, L: LeafElement>(tree: Bvh<'_, W, L>) {
     used((Bvh::size_in_bytes(&tree), Bvh::leaf_count(&tree), Bvh::entry_count(&tree), Bvh::depth(&tree)));
-    Bvh::with_queue::<W>(tree).traverse(&any_ray(), &mut W::default(), &mut Anybody);
+    Bvh::with_queue::<W>(tree).traverse(&any_ray(), &mut W::default(), &mut ArbitraryQuery);
     used(TriangleBlock::items(&any(TriangleBlock::EMPTY)).count());
 }
 
-/// A grid and an octree of anything, in lent memory of any length.
+/// A grid and an octree over arbitrary bounds, in buffers of any length.
 fn subdivisions<const MAILBOX: usize>() {
     let boxes = slice(&[Aabb::EMPTY]);
     let mut mailbox = any(Mailbox::<MAILBOX>::new());
@@ -130,12 +131,12 @@ fn subdivisions<const MAILBOX: usize>() {
     if let Ok(grid) = Grid::<MAILBOX>::with_density(number(), boxes, cells, items) {
         used((Grid::size_in_bytes(&grid), Grid::cell_count(&grid), Grid::entry_count(&grid)));
         used(Grid::resolution(&grid));
-        grid.traverse(&any_ray(), &mut mailbox, &mut Anybody);
-        Grid::without_item_bounds(grid).traverse(&any_ray(), &mut mailbox, &mut Anybody);
+        grid.traverse(&any_ray(), &mut mailbox, &mut ArbitraryQuery);
+        Grid::without_item_bounds(grid).traverse(&any_ray(), &mut mailbox, &mut ArbitraryQuery);
     }
     let mut memory = StaticGrid::<5, 7>::new();
     if let Ok(grid) = StaticGrid::build::<MAILBOX>(&mut memory, boxes) {
-        grid.traverse(&any_ray(), &mut mailbox, &mut Anybody);
+        grid.traverse(&any_ray(), &mut mailbox, &mut ArbitraryQuery);
     }
 
     let (mut nodes, mut items) = ([OctreeNode::EMPTY; 2], [0; 2]);
@@ -149,7 +150,7 @@ fn subdivisions<const MAILBOX: usize>() {
             Octree::node_count(&tree),
             Octree::depth(&tree),
         ));
-        tree.traverse(&any_ray(), &mut mailbox, &mut Anybody);
-        Octree::without_item_bounds(tree).traverse(&any_ray(), &mut mailbox, &mut Anybody);
+        tree.traverse(&any_ray(), &mut mailbox, &mut ArbitraryQuery);
+        Octree::without_item_bounds(tree).traverse(&any_ray(), &mut mailbox, &mut ArbitraryQuery);
     }
 }

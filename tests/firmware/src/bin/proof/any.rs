@@ -1,21 +1,21 @@
-//! Things of which the optimiser knows no more than the type.
+//! Values that are opaque to the optimizer.
 
 use core::hint::black_box;
 
 use strahl_core::geometry::{ItemId, Ray};
 use strahl_core::{Real, Rgb, Vec3};
 
-/// Something in place of the example, of which the optimiser knows no more than the type.
+/// A value of which the optimizer knows only the type.
 pub fn any<T>(example: T) -> T {
     black_box(example)
 }
 
-/// Takes a result, so that what leads to it is not left out.
+/// Uses a result, so that its computation is not removed.
 pub fn used<T>(result: T) {
     black_box(result);
 }
 
-/// A slice of any length, any place and any content.
+/// A slice of any length, address and content.
 pub fn slice<T>(example: &[T]) -> &[T] {
     any(example)
 }

@@ -1,4 +1,4 @@
-//! ShapeFeatures, their tables, boxes and rays.
+//! Shapes, their tables, bounds and rays.
 
 use strahl_core::geometry::{
     Aabb, Cone, Cuboid, Disc, ItemId, MovingShape, OrientedCuboid, Polygon, Ray, RayInterval, ShapeError,
@@ -9,7 +9,7 @@ use strahl_core::{AllEffects, Geometry, Plane, Shape, Sphere, Vec3};
 use crate::any::{any, any_item, any_ray, number, slice, used, vector};
 use crate::text::displayed;
 
-pub fn doors() {
+pub fn entry_points() {
     one_by_one();
     in_tables();
     displayed(any(ShapeError::Radius));
@@ -44,7 +44,7 @@ static SHAPES: [Shape; 10] = [
     Shape::Torus(0),
 ];
 
-/// ShapeFeatures and tables of any length with anything in them, whether they fit together or not.
+/// Shapes and tables of any length and content, consistent or not.
 pub fn any_geometry() -> Geometry<'static> {
     const CONE: Cone = Cone {
         base: Vec3::ZERO,
@@ -85,9 +85,9 @@ pub fn any_geometry() -> Geometry<'static> {
 }
 
 fn in_tables() {
-    /// Somebody who has shapes, but is no tracer.
-    struct Bare;
-    impl ShapeFeatures for Bare {
+    /// Shape features of no effect set.
+    struct ArbitraryTables;
+    impl ShapeFeatures for ArbitraryTables {
         const SHAPES: ShapeSet = ShapeSet::ALL;
         const SMOOTH_SHADING: bool = false;
         const MOTION_BLUR: bool = true;
@@ -112,6 +112,6 @@ fn in_tables() {
         .map(|moving| MovingShape::offset(moving, number()))
         .into_iter()
         .for_each(used);
-    met::<Bare>(&geometry);
+    met::<ArbitraryTables>(&geometry);
     met::<AllEffects>(&geometry);
 }

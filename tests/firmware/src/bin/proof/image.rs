@@ -1,4 +1,4 @@
-//! What makes pixels of samples.
+//! Samplers, filters and pixel selection.
 
 use strahl_core::accel::Accelerator;
 use strahl_core::image::{
@@ -15,7 +15,7 @@ use crate::any::{any, number, used};
 use crate::render::{rendered, selected};
 use crate::scene::{any_sample, any_size};
 
-pub fn doors() {
+pub fn entry_points() {
     let pixel = any(Pixel { x: 0, y: 0 });
     used((
         Tile::full(any_size()),
@@ -36,7 +36,7 @@ pub fn sampled<A: Accelerator, E: Effects, T: Tally, const LEVELS: usize>(
     worker: &mut Worker<A, T, LEVELS>,
 ) {
     rendered(tracer, worker, CenterSampler);
-    rendered(tracer, worker, Somewhere);
+    rendered(tracer, worker, ArbitrarySampler);
     let (filter, seed) = (any(Filter::Gaussian), any(0));
     if let Some(regular) = RegularSampler::new(any(1)) {
         rendered(
@@ -69,7 +69,7 @@ fn agreement() -> Option<ContrastThreshold> {
     Some(if any(true) { ContrastThreshold::with_items(colors) } else { colors })
 }
 
-/// What shares the corners of pixels or of blocks.
+/// Samplers that share the corners of pixels or of blocks.
 fn corners<A: Accelerator, E: Effects, T: Tally, const LEVELS: usize>(
     tracer: &Tracer<'_, '_, A, E, LEVELS>,
     worker: &mut Worker<A, T, LEVELS>,
@@ -106,10 +106,10 @@ fn corners<A: Accelerator, E: Effects, T: Tally, const LEVELS: usize>(
     }
 }
 
-/// Rays that go anywhere.
-struct Somewhere;
+/// Traces arbitrary rays.
+struct ArbitrarySampler;
 
-impl Sampler for Somewhere {
+impl Sampler for ArbitrarySampler {
     fn sample_pixel<R: RayTracer + ?Sized>(&mut self, _: Pixel, tracer: &mut R) -> PixelSample {
         let sample = tracer.trace(any_sample());
         used(HitId::merged(sample.hit, any(HitId::Mixed)));
@@ -117,7 +117,7 @@ impl Sampler for Somewhere {
     }
 }
 
-/// A ray tracer of which nothing is known.
+/// A ray tracer with arbitrary results.
 pub fn any_trace(sample: CameraSample) -> PixelSample {
     any((sample, PixelSample::BLACK)).1
 }

@@ -1,19 +1,17 @@
-//! The proof that nothing in the core can panic: it links only without a way to a panic.
+//! The proof that no panic is reachable in the core: this program links only if no path leads to a panic.
 //!
-//! The panic handler calls a function that nobody defines. Where the optimiser could not remove
-//! every path to it, the linker asks for `a_panic_is_reachable`. What is not called is not
-//! proven, so every public function of the core is called here, with numbers of which the optimiser
-//! knows nothing. To be linked, never to be run.
+//! The panic handler calls an undefined function. If the optimizer could not remove every path to it, the linker reports
+//! `a_panic_is_reachable`. Only functions that are called are proven, so that every public function of the core is called
+//! here, with values that are opaque to the optimizer. The program is linked and never run.
 //!
-//! When it does not link: let the handler loop, link, and look in `objdump -d -C` for who calls
+//! If it does not link: replace the handler by a loop, link, and search the output of `objdump -d -C` for callers of
 //! `core::panicking`.
 //!
-//! The functions of a module of the core are called in the module of the same name here: in its `doors`, or, where
-//! they need a tracer, in what `trace` calls. Baked scenes have a module of their own, `pack`; what all modules need
-//! is in `any` and `text`.
+//! The functions of a module of the core are called in the module of the same name: in its `entry_points`, or, if they need a
+//! tracer, in functions that `trace` calls. Baked scenes are in `pack`; `any` and `text` are shared.
 //!
-//! Functions are called by their path, `Type::function(value)`: a test (`tests/tests/layers/proof.rs`) checks that none
-//! is missing, and a method call does not say whose method it is.
+//! Functions are called by their path, `Type::function(value)`: a test (`tests/tests/layers/proof.rs`) checks that none is
+//! missing, and a method call does not name the type.
 
 #![no_std]
 #![no_main]
@@ -40,29 +38,29 @@ unsafe extern "C" {
 
 #[panic_handler]
 fn panic(_: &core::panic::PanicInfo) -> ! {
-    // SAFETY: it is never called, for it does not exist.
+    // SAFETY: never called, because a program that calls it does not link.
     unsafe { a_panic_is_reachable() }
 }
 
 #[entry]
 fn main() -> ! {
     loop {
-        math::doors();
-        set::doors();
-        geometry::doors();
-        tally::doors();
-        accel::doors();
-        scene::doors();
-        pack::doors();
-        shade::doors();
-        image::doors();
-        trace::doors();
+        math::entry_points();
+        set::entry_points();
+        geometry::entry_points();
+        tally::entry_points();
+        accel::entry_points();
+        scene::entry_points();
+        pack::entry_points();
+        shade::entry_points();
+        image::entry_points();
+        trace::entry_points();
         #[cfg(feature = "canary")]
         canary();
     }
 }
 
-/// The panic that shows that the proof can fail.
+/// A reachable panic, which shows that the proof can fail.
 #[cfg(feature = "canary")]
 fn canary() {
     any::used(any::slice(&[1, 2, 3])[any::any(0)]);

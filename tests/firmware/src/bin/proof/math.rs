@@ -1,4 +1,4 @@
-//! Numbers, roots, colours, and what stands in place of chance.
+//! Numbers, roots, colors and random numbers.
 
 use strahl_core::math::{
     Axis, CubicRoots, Dimension, MAX_COORDINATE, PI, ROUNDOFF, SobolSequence, bracketed_root, cubic_roots,
@@ -8,7 +8,7 @@ use strahl_core::{Rgb, vec3};
 
 use crate::any::{any, color, number, slice, used, vector};
 
-pub fn doors() {
+pub fn entry_points() {
     used((vec3(number(), number(), number()), try_normalize(vector()), sqrt(number()), gamma(any(3))));
     let roots: CubicRoots = cubic_roots([number(); 4], number(), number());
     CubicRoots::iter(&roots).for_each(used);

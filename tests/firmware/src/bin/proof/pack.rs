@@ -1,4 +1,4 @@
-//! Bytes that may be a baked scene, and are used as whatever they say they are.
+//! Arbitrary bytes, opened and used as a baked scene.
 
 use strahl_core::accel::{Grid, Octree, TraversalStack};
 use strahl_core::baked::{BakedAccelerator, BakedScene, BakedSceneError, BakedSection};
@@ -6,11 +6,11 @@ use strahl_core::scene::TextureId;
 use strahl_core::{AllEffects, World};
 
 use crate::any::{any, slice, used};
-use crate::scene::{Few, any_size};
+use crate::scene::{SpheresOnly, any_size};
 use crate::text::displayed;
 use crate::trace::traced;
 
-pub fn doors() {
+pub fn entry_points() {
     displayed(any(BakedSceneError::Checksum));
     let Ok(pack) = BakedScene::open(slice(&[0_u8])) else { return };
     used((
@@ -24,15 +24,18 @@ pub fn doors() {
     used((finder, any(BakedSection::Accelerator), any(TextureId::NONE)));
     traced::<_, AllEffects, _, 5>(&World::new(*BakedScene::scene(&pack), BakedScene::bare_list(&pack)), ());
     if let Ok(grid) = BakedScene::grid::<8>(&pack) {
-        traced::<_, Few, _, 2>(&World::new(*BakedScene::scene(&pack), Grid::with_mailbox::<16>(grid)), ());
+        traced::<_, SpheresOnly, _, 2>(
+            &World::new(*BakedScene::scene(&pack), Grid::with_mailbox::<16>(grid)),
+            (),
+        );
     }
     if let Ok(octree) = BakedScene::octree::<8>(&pack) {
-        traced::<_, Few, _, 2>(
+        traced::<_, SpheresOnly, _, 2>(
             &World::new(*BakedScene::scene(&pack), Octree::with_mailbox::<16>(octree)),
             (),
         );
     }
     if let Ok(bvh) = BakedScene::bvh::<TraversalStack<8>>(&pack) {
-        traced::<_, Few, _, 2>(&World::new(*BakedScene::scene(&pack), bvh), ());
+        traced::<_, SpheresOnly, _, 2>(&World::new(*BakedScene::scene(&pack), bvh), ());
     }
 }

@@ -1,4 +1,4 @@
-//! Pictures, from a tracer into whatever takes pixels.
+//! Rendering, from a tracer into every kind of sink.
 
 use embedded_graphics_core::Pixel as Dot;
 use embedded_graphics_core::draw_target::DrawTarget;
@@ -17,7 +17,7 @@ use strahl_core::{CenterSampler, Rgb, Tile, Tracer, Worker, render};
 use crate::any::{any, used};
 use crate::image::{any_tile, any_trace};
 
-/// Into memory, a function, and a screen.
+/// Renders into memory, a function, and a display.
 pub fn rendered<A: Accelerator, E: Effects, T: Tally, const LEVELS: usize>(
     tracer: &Tracer<'_, '_, A, E, LEVELS>,
     worker: &mut Worker<A, T, LEVELS>,
@@ -42,10 +42,11 @@ pub fn rendered<A: Accelerator, E: Effects, T: Tally, const LEVELS: usize>(
         &mut Tracer::with_worker(tracer, worker),
         &mut sampler,
         [any(Pixel { x: 0, y: 0 })],
-        &mut Screen,
+        &mut FailingDisplay,
     ));
-    let mut screen = Screen;
-    let mut display = DrawTargetSink::new(&mut screen, Point::new(any(0), any(0)), any(Dither::Ordered));
+    let mut failing_display = FailingDisplay;
+    let mut display =
+        DrawTargetSink::new(&mut failing_display, Point::new(any(0), any(0)), any(Dither::Ordered));
     used(render(
         &mut Tracer::with_worker(tracer, worker),
         &mut sampler,
@@ -55,7 +56,7 @@ pub fn rendered<A: Accelerator, E: Effects, T: Tally, const LEVELS: usize>(
     used(<Rgb565 as FromChannels>::from_channels(any([0; 3])));
 }
 
-/// What only selected pixels are traced of.
+/// Renders with pixel selection.
 pub fn selected<A: Accelerator, E: Effects, T: Tally, const LEVELS: usize>(
     tracer: &Tracer<'_, '_, A, E, LEVELS>,
     worker: &mut Worker<A, T, LEVELS>,
@@ -65,13 +66,13 @@ pub fn selected<A: Accelerator, E: Effects, T: Tally, const LEVELS: usize>(
         &mut Tracer::with_worker(tracer, worker),
         &mut selected,
         Tile::pixels(any_tile()),
-        &mut Screen,
+        &mut FailingDisplay,
     ));
     used(render_progressive(
         &mut Tracer::with_worker(tracer, worker),
         &mut selected,
         any_tile(),
-        &mut Screen,
+        &mut FailingDisplay,
     ));
     used(*PixelSelector::selection(&selected));
     PixelSelector::reset(&mut selected);
@@ -85,16 +86,16 @@ pub fn selected<A: Accelerator, E: Effects, T: Tally, const LEVELS: usize>(
     PixelSelector::sample_block(&mut selected, any(Pixel { x: 0, y: 0 }), &mut any_trace, &mut |_, _| {});
 }
 
-/// A screen whose wire may break.
-struct Screen;
+/// A display that may fail.
+struct FailingDisplay;
 
-impl Dimensions for Screen {
+impl Dimensions for FailingDisplay {
     fn bounding_box(&self) -> Rectangle {
         Rectangle::new(Point::zero(), Extent::zero())
     }
 }
 
-impl DrawTarget for Screen {
+impl DrawTarget for FailingDisplay {
     type Color = Rgb565;
     type Error = u8;
 
@@ -104,7 +105,7 @@ impl DrawTarget for Screen {
     }
 }
 
-impl Sink for Screen {
+impl Sink for FailingDisplay {
     type Error = u8;
 
     fn put(&mut self, pixel: Pixel, color: Rgb) -> Result<(), u8> {

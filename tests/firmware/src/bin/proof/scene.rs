@@ -1,4 +1,4 @@
-//! Scenes, what they are made of and what they ask for, and how they are looked at.
+//! Scenes, materials, lights, effects and cameras.
 
 use strahl_core::accel::Accelerator;
 use strahl_core::geometry::{Aabb, Hit, ItemId, ShapeError, ShapeKind, ShapeSet};
@@ -13,13 +13,13 @@ use strahl_core::{
     Projection, Real, Resolution, Rgb, Scene, SceneDescriptor, Vec3, World,
 };
 
-use crate::accel::{Stranger, lists};
+use crate::accel::{ArbitraryAccelerator, lists};
 use crate::any::{any, any_item, any_ray, color, number, slice, used, vector};
 use crate::geometry::any_geometry;
-use crate::tally::Told;
+use crate::tally::DiscardingTally;
 use crate::text::displayed;
 
-pub fn doors() {
+pub fn entry_points() {
     described();
     looked_at();
     displayed(any(CameraError::UpParallelToView));
@@ -71,25 +71,25 @@ fn described() {
         used((Light::kind(light), Light::has_penumbra(light), Texture::kind(texture), any(Falloff::NONE)));
     }
 
-    let mut lent = [Aabb::EMPTY];
-    let [list, ..] = lists(&mut lent, [&mut [], &mut []]);
+    let mut buffers = [Aabb::EMPTY];
+    let [list, ..] = lists(&mut buffers, [&mut [], &mut []]);
     asked::<_, AllEffects>(World::new(scene, list));
-    asked::<_, Few>(World::new(scene, Stranger));
+    asked::<_, SpheresOnly>(World::new(scene, ArbitraryAccelerator));
 }
 
-/// Spheres and nothing else.
-pub struct Few;
+/// Spheres only.
+pub struct SpheresOnly;
 
-impl Effects for Few {
+impl Effects for SpheresOnly {
     const SET: EffectSet = EffectSet { shapes: ShapeSet::of(&[ShapeKind::Sphere]), ..EffectSet::NONE };
 }
 
-/// What it does not see is the sky.
-pub struct ShortSighted;
+/// The background beyond a distance and below the last level.
+pub struct LimitedSightEffects;
 
-impl Effects for ShortSighted {
+impl Effects for LimitedSightEffects {
     const SET: EffectSet =
-        EffectSet { lights: LightSet::ALL, reflection: true, transmission: true, ..Few::SET };
+        EffectSet { lights: LightSet::ALL, reflection: true, transmission: true, ..SpheresOnly::SET };
     const MAX_DISTANCE: Real = 10.0;
     const LEVEL_LIMIT_RADIANCE: LevelLimitRadiance = LevelLimitRadiance::Background;
 }
@@ -97,9 +97,9 @@ impl Effects for ShortSighted {
 fn asked<A: Accelerator, E: Effects>(world: World<'_, A>) {
     let (kind, mut scratch) = (any(RayKind::Shadow), A::Scratch::default());
     used((World::scene(&world), World::accelerator(&world)));
-    used(World::nearest_hit::<E, _>(&world, &any_ray(), number(), kind, &mut scratch, &mut Told));
-    used(World::occluder::<E, _>(&world, &any_ray(), number(), kind, &mut scratch, &mut Told));
-    used(World::is_occluded_by::<E, _>(&world, any_item(), &any_ray(), number(), kind, &mut Told));
+    used(World::nearest_hit::<E, _>(&world, &any_ray(), number(), kind, &mut scratch, &mut DiscardingTally));
+    used(World::occluder::<E, _>(&world, &any_ray(), number(), kind, &mut scratch, &mut DiscardingTally));
+    used(World::is_occluded_by::<E, _>(&world, any_item(), &any_ray(), number(), kind, &mut DiscardingTally));
     used(World::surface_interaction::<E>(&world, &any_ray(), any(Hit { t: 1.0, item: ItemId(0) })));
 }
 

@@ -1,4 +1,4 @@
-//! Sets, which are made by the same macro for enums of several rooms.
+//! Sets of enum variants, which one macro defines.
 
 use strahl_core::geometry::{ShapeKind, ShapeSet};
 use strahl_core::scene::{EffectSet, LightKind, LightSet, TextureKind, TextureSet};
@@ -6,7 +6,7 @@ use strahl_core::scene::{EffectSet, LightKind, LightSet, TextureKind, TextureSet
 use crate::any::{any, slice, used};
 use crate::text::{debugged, displayed};
 
-pub fn doors() {
+pub fn entry_points() {
     macro_rules! set {
         ($Set:ident of $Kind:ident) => {{
             let set = $Set::with($Set::of(slice(&$Kind::ALL)), any($Kind::ALL[0]));

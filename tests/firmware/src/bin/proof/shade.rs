@@ -1,4 +1,4 @@
-//! Light at surfaces and in bodies.
+//! Reflection, refraction and participating media.
 
 use strahl_core::MaterialId;
 use strahl_core::shade::{
@@ -8,7 +8,7 @@ use strahl_core::shade::{
 use crate::any::{any, color, number, slice, used, vector};
 use crate::scene::MATERIALS;
 
-pub fn doors() {
+pub fn entry_points() {
     let refraction: Option<Refraction> = refract(vector(), vector(), number());
     used((reflect(vector(), vector()), refraction, transmittance(color(), number())));
 

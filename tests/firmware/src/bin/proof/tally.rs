@@ -1,4 +1,4 @@
-//! What happens while a picture is traced, and who hears of it.
+//! Counters, trace events and tallies.
 
 use strahl_core::geometry::ShapeKind;
 use strahl_core::tally::{
@@ -8,7 +8,7 @@ use strahl_core::tally::{
 
 use crate::any::{any, used};
 
-pub fn doors() {
+pub fn entry_points() {
     RayKind::ALL.into_iter().for_each(used);
     used(RayKind::name(any(RayKind::Camera)));
     ().count(any(CountedEvent::MediumStackFull));
@@ -33,10 +33,10 @@ fn counters() {
     used(rays.counters);
 }
 
-/// Hears of everything and remembers nothing.
-pub struct Told;
+/// Receives all events and discards them.
+pub struct DiscardingTally;
 
-impl Tally for Told {
+impl Tally for DiscardingTally {
     fn count(&mut self, event: CountedEvent) {
         used(event);
     }

@@ -1,26 +1,26 @@
-//! What is shown, where nobody can hold text of any length.
+//! Formatting into a buffer of fixed size.
 
 use core::fmt::{self, Debug, Write};
 
 use crate::any::used;
 
 pub fn displayed(error: impl core::fmt::Display) {
-    let mut line = Line { text: [0; 16], length: 0 };
-    used((write!(line, "{error}"), line.text));
+    let mut text_buffer = TextBuffer { text: [0; 16], length: 0 };
+    used((write!(text_buffer, "{error}"), text_buffer.text));
 }
 
 pub fn debugged(set: &impl Debug) {
-    let mut line = Line { text: [0; 16], length: 0 };
-    used((write!(line, "{set:?}"), line.text));
+    let mut text_buffer = TextBuffer { text: [0; 16], length: 0 };
+    used((write!(text_buffer, "{set:?}"), text_buffer.text));
 }
 
-/// Forgets what does not fit.
-struct Line {
+/// Text that is truncated to 16 bytes.
+struct TextBuffer {
     text: [u8; 16],
     length: usize,
 }
 
-impl Write for Line {
+impl Write for TextBuffer {
     fn write_str(&mut self, text: &str) -> fmt::Result {
         for byte in text.bytes() {
             *self.text.get_mut(self.length).ok_or(fmt::Error)? = byte;

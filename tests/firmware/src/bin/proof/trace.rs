@@ -1,4 +1,4 @@
-//! Rays through worlds of anything.
+//! Rays through arbitrary worlds.
 
 use strahl_core::accel::Accelerator;
 use strahl_core::geometry::{Aabb, BoundingSphere};
@@ -7,26 +7,26 @@ use strahl_core::tally::{Counters, RayCounters, Tally};
 use strahl_core::trace::TracerError;
 use strahl_core::{AllEffects, BareList, Limits, Scene, Tracer, Worker, World};
 
-use crate::accel::{Stranger, lists};
+use crate::accel::{ArbitraryAccelerator, lists};
 use crate::any::{any, used};
 use crate::image;
-use crate::scene::{Few, ShortSighted, any_camera, any_parts, any_sample};
-use crate::tally::Told;
+use crate::scene::{LimitedSightEffects, SpheresOnly, any_camera, any_parts, any_sample};
+use crate::tally::DiscardingTally;
 use crate::text::displayed;
 
-pub fn doors() {
+pub fn entry_points() {
     let Ok(scene) = Scene::new(any_parts()) else { return };
     for list in lists(&mut [Aabb::EMPTY], [&mut [BoundingSphere::EMPTY], &mut [BoundingSphere::EMPTY]]) {
         traced::<_, AllEffects, _, 64>(&World::new(scene, list), Counters::new());
         traced::<_, AllEffects, _, 5>(&World::new(scene, list), ());
     }
-    traced::<_, Few, _, 1>(&World::new(scene, Stranger), Told);
-    traced::<_, Few, _, 1>(&World::new(scene, BareList(any(1))), RayCounters::new());
-    traced::<_, ShortSighted, _, 2>(&World::new(scene, BareList(any(1))), ());
+    traced::<_, SpheresOnly, _, 1>(&World::new(scene, ArbitraryAccelerator), DiscardingTally);
+    traced::<_, SpheresOnly, _, 1>(&World::new(scene, BareList(any(1))), RayCounters::new());
+    traced::<_, LimitedSightEffects, _, 2>(&World::new(scene, BareList(any(1))), ());
     displayed(any(TracerError::Cutoff(2.0)));
 }
 
-/// Looks along rays, and makes pictures in all ways.
+/// Traces rays, and renders pictures with every sampler and sink.
 pub fn traced<A: Accelerator, E: Effects, T: Tally, const LEVELS: usize>(world: &World<'_, A>, tally: T) {
     let Some(camera) = any_camera() else { return };
     let limits = any(Limits::DEFAULT);
