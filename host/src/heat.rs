@@ -135,7 +135,7 @@ impl Panel {
 /// The three panels; none where they are too large for one picture.
 pub fn picture(costs: &Costs) -> Option<Picture> {
     let panels = [
-        Panel::of("rays", costs, PixelCost::all_rays),
+        Panel::of("rays", costs, PixelCost::total_rays),
         Panel::of("tests", costs, PixelCost::tests),
         Panel::of("levels", costs, |cost| cost.level.into()),
     ];
@@ -180,7 +180,7 @@ pub fn exr(costs: &Costs) -> Result<Vec<u8>, exr::error::Error> {
         AnyChannel::new(name, FlatSamples::F32(values))
     };
     let mut channels = vec![
-        channel("rays", &PixelCost::all_rays),
+        channel("rays", &PixelCost::total_rays),
         channel("tests.boxes", &|cost| cost_map::sum(cost.boxes)),
         channel("tests.shapes", &|cost| cost_map::sum(cost.shapes)),
         channel("levels", &|cost| cost.level.into()),

@@ -1,11 +1,11 @@
-//! Builds the accelerator that the settings ask for.
+//! Construction of acceleration structures.
 //!
-//! This is the one module that knows every accelerator: the settings become a type here, and [`open`] returns it
-//! behind a pointer. For another accelerator: a name in [`strahl_settings::accelerator`], and an arm in [`open`].
+//! Settings are converted to types only here: [`build`] returns the structure as a trait object. To add a structure, add
+//! a name in [`strahl_settings::accelerator`] and an arm in [`build`].
 //!
-//! Sizes that are constants of a type come from short lists ([`MAILBOX_SLOTS`], [`HEAP_ENTRIES`]). The ray tracer is compiled for
-//! all prepared effect sets only for the accelerators that `auto` chooses, for few of them where an accelerator is
-//! asked for by name, and for one where its size is not the usual one (module `prepared`).
+//! Sizes that are type parameters come from short lists ([`MAILBOX_SLOTS`], [`HEAP_ENTRIES`]). The ray tracer is compiled
+//! with all prepared effect sets only for the structures that `auto` selects, with few sets for other structures, and
+//! with one set for sizes other than the default (module `prepared`).
 //!
 //! [`MAILBOX_SLOTS`]: strahl_settings::accelerator::MAILBOX_SLOTS
 //! [`HEAP_ENTRIES`]: strahl_settings::accelerator::HEAP_ENTRIES
@@ -22,82 +22,84 @@ use strahl_core::{Scene, World};
 use strahl_settings::accelerator::{DEFAULT_MAILBOX_SLOTS, STACK_ENTRIES};
 use strahl_settings::{AccelKind, AccelSettings, Bounds, ResolvedAccel, Walk};
 
-use crate::effects::{ChooseRayTracers, rarely_used};
+use crate::effects::{SelectRayTracers, all_effects};
 #[cfg(feature = "double")]
-use crate::effects::{rarely_used as by_name, rarely_used as usual};
+use crate::effects::{all_effects as few_prepared, all_effects as all_prepared};
 use crate::output::AccelStats;
 #[cfg(not(feature = "double"))]
-use crate::prepared::{by_name, usual};
+use crate::prepared::{all_prepared, few_prepared};
 use crate::world::{AnyWorld, TypedWorld};
 
-/// The memory of an accelerator. The caller keeps it as long as the accelerator is used.
+/// The memory of an acceleration structure, provided by the caller for as long as the structure is used.
 #[derive(Debug, Default)]
 pub struct AccelMemory {
     boxes: Vec<Aabb>,
     groups: Vec<Aabb>,
     spheres: Vec<BoundingSphere>,
     sphere_groups: Vec<BoundingSphere>,
-    cells: Vec<u32>,
-    items: Vec<u32>,
+    grid_cells: Vec<u32>,
+    entries: Vec<u32>,
     octree_nodes: Vec<OctreeNode>,
-    nodes: Vec<BvhNode>,
-    slots: Vec<LeafEntry>,
-    runs: Vec<TriangleBlock>,
+    bvh_nodes: Vec<BvhNode>,
+    leaf_entries: Vec<LeafEntry>,
+    triangle_blocks: Vec<TriangleBlock>,
 }
 
-/// A scene with an accelerator of some type, and what that accelerator is like.
-pub type Opened<'s> = (Box<dyn AnyWorld + 's>, AccelStats);
+/// A scene with an acceleration structure, and the statistics of the structure.
+pub type BuiltWorld<'s> = (Box<dyn AnyWorld + 's>, AccelStats);
 
-/// Builds the accelerator that is asked for, or one that suits the scene.
-pub fn open<'s>(
+/// Builds the requested acceleration structure, or for `auto` the one selected for the scene.
+pub fn build<'s>(
     scene: Scene<'s>,
     settings: &AccelSettings,
     memory: &'s mut AccelMemory,
-) -> Result<Opened<'s>, BuildError> {
-    let clock = Instant::now();
+) -> Result<BuiltWorld<'s>, BuildError> {
+    let start = Instant::now();
     memory.boxes = scene.descriptor().geometry.all_bounds().collect();
     let choice = settings.resolve(memory.boxes.iter().filter(|aabb| !aabb.is_empty()).count());
-    let building = Building { scene, choice, clock, memory };
+    let builder = AccelBuilder { scene, choice, start, memory };
     match (choice.kind, choice.mailbox, choice.walk, choice.heap) {
-        (AccelKind::List, ..) => building.list(usual),
-        (AccelKind::Grid, DEFAULT_MAILBOX_SLOTS, ..) => building.grid::<DEFAULT_MAILBOX_SLOTS>(by_name),
-        (AccelKind::Grid, 8, ..) => building.grid::<8>(rarely_used),
-        (AccelKind::Grid, ..) => building.grid::<0>(rarely_used),
-        (AccelKind::Octree, DEFAULT_MAILBOX_SLOTS, ..) => building.octree::<DEFAULT_MAILBOX_SLOTS>(by_name),
-        (AccelKind::Octree, 8, ..) => building.octree::<8>(rarely_used),
-        (AccelKind::Octree, ..) => building.octree::<0>(rarely_used),
-        (AccelKind::Bvh, _, Walk::Stack, _) => building.bvh::<TraversalStack<STACK_ENTRIES>>(usual),
-        (AccelKind::Bvh, _, Walk::Heap, 64) => building.bvh::<TraversalHeap<64>>(rarely_used),
-        (AccelKind::Bvh, _, Walk::Heap, 4) => building.bvh::<TraversalHeap<4>>(rarely_used),
-        (AccelKind::Bvh, _, Walk::Heap, 1) => building.bvh::<TraversalHeap<1>>(rarely_used),
-        (AccelKind::Bvh, _, Walk::Heap, _) => building.bvh::<TraversalHeap<0>>(rarely_used),
+        (AccelKind::List, ..) => builder.list(all_prepared),
+        (AccelKind::Grid, DEFAULT_MAILBOX_SLOTS, ..) => builder.grid::<DEFAULT_MAILBOX_SLOTS>(few_prepared),
+        (AccelKind::Grid, 8, ..) => builder.grid::<8>(all_effects),
+        (AccelKind::Grid, ..) => builder.grid::<0>(all_effects),
+        (AccelKind::Octree, DEFAULT_MAILBOX_SLOTS, ..) => {
+            builder.octree::<DEFAULT_MAILBOX_SLOTS>(few_prepared)
+        }
+        (AccelKind::Octree, 8, ..) => builder.octree::<8>(all_effects),
+        (AccelKind::Octree, ..) => builder.octree::<0>(all_effects),
+        (AccelKind::Bvh, _, Walk::Stack, _) => builder.bvh::<TraversalStack<STACK_ENTRIES>>(all_prepared),
+        (AccelKind::Bvh, _, Walk::Heap, 64) => builder.bvh::<TraversalHeap<64>>(all_effects),
+        (AccelKind::Bvh, _, Walk::Heap, 4) => builder.bvh::<TraversalHeap<4>>(all_effects),
+        (AccelKind::Bvh, _, Walk::Heap, 1) => builder.bvh::<TraversalHeap<1>>(all_effects),
+        (AccelKind::Bvh, _, Walk::Heap, _) => builder.bvh::<TraversalHeap<0>>(all_effects),
     }
 }
 
-/// What the accelerator that is asked for would be like.
+/// The statistics of the requested acceleration structure, which is built and dropped.
 pub fn stats(scene: Scene<'_>, settings: &AccelSettings) -> Result<AccelStats, BuildError> {
-    open(scene, settings, &mut AccelMemory::default()).map(|(_, stats)| stats)
+    build(scene, settings, &mut AccelMemory::default()).map(|(_, stats)| stats)
 }
 
-/// What an accelerator is built of.
-struct Building<'s> {
+/// The input of construction.
+struct AccelBuilder<'s> {
     scene: Scene<'s>,
     choice: ResolvedAccel,
-    clock: Instant,
+    start: Instant,
     memory: &'s mut AccelMemory,
 }
 
-/// How large an accelerator is.
-struct Extent {
+/// The size of an acceleration structure.
+struct AccelSize {
     bytes: usize,
     regions: usize,
     entries: usize,
     depth: Option<u32>,
 }
 
-impl<'s> Building<'s> {
-    fn list(self, choose: ChooseRayTracers<List<'s>>) -> Result<Opened<'s>, BuildError> {
-        let Building { scene, choice, clock, memory } = self;
+impl<'s> AccelBuilder<'s> {
+    fn list(self, select: SelectRayTracers<List<'s>>) -> Result<BuiltWorld<'s>, BuildError> {
+        let AccelBuilder { scene, choice, start, memory } = self;
         let entries = memory.boxes.len();
         let (list, regions) = match choice.bounds {
             Bounds::None => (List::without_bounds(entries as u32), 1),
@@ -113,68 +115,69 @@ impl<'s> Building<'s> {
                 (List::with_boxes(&memory.boxes, &mut memory.groups)?, regions)
             }
         };
-        let extent = Extent { bytes: list.size_in_bytes(), regions, entries, depth: None };
-        Ok(opened(scene, list, choose, extent.stats(choice, clock)))
+        let size = AccelSize { bytes: list.size_in_bytes(), regions, entries, depth: None };
+        Ok(built_world(scene, list, select, size.stats(choice, start)))
     }
 
     fn grid<const MAILBOX: usize>(
         self,
-        choose: ChooseRayTracers<Grid<'s, DEFAULT_MAILBOX_SLOTS>>,
-    ) -> Result<Opened<'s>, BuildError> {
-        let Building { scene, choice, clock, memory } = self;
-        let room = GridSize::recommended(&memory.boxes);
-        (memory.cells, memory.items) = (vec![0; room.cells], vec![0; room.entries]);
-        let grid = Grid::build(&memory.boxes, &mut memory.cells, &mut memory.items)?;
+        select: SelectRayTracers<Grid<'s, DEFAULT_MAILBOX_SLOTS>>,
+    ) -> Result<BuiltWorld<'s>, BuildError> {
+        let AccelBuilder { scene, choice, start, memory } = self;
+        let recommended = GridSize::recommended(&memory.boxes);
+        (memory.grid_cells, memory.entries) = (vec![0; recommended.cells], vec![0; recommended.entries]);
+        let grid = Grid::build(&memory.boxes, &mut memory.grid_cells, &mut memory.entries)?;
         let (bytes, regions, entries) = (grid.size_in_bytes(), grid.cell_count(), grid.entry_count());
-        let extent = Extent { bytes, regions, entries, depth: None };
-        Ok(opened(scene, grid, choose, extent.stats(choice, clock)))
+        let size = AccelSize { bytes, regions, entries, depth: None };
+        Ok(built_world(scene, grid, select, size.stats(choice, start)))
     }
 
     fn octree<const MAILBOX: usize>(
         self,
-        choose: ChooseRayTracers<Octree<'s, DEFAULT_MAILBOX_SLOTS>>,
-    ) -> Result<Opened<'s>, BuildError> {
-        let Building { scene, choice, clock, memory } = self;
-        let room = OctreeSize::recommended(memory.boxes.len());
-        (memory.octree_nodes, memory.items) = (vec![OctreeNode::EMPTY; room.nodes], vec![0; room.entries]);
-        let tree = Octree::build(&memory.boxes, &mut memory.octree_nodes, &mut memory.items)?;
+        select: SelectRayTracers<Octree<'s, DEFAULT_MAILBOX_SLOTS>>,
+    ) -> Result<BuiltWorld<'s>, BuildError> {
+        let AccelBuilder { scene, choice, start, memory } = self;
+        let recommended = OctreeSize::recommended(memory.boxes.len());
+        (memory.octree_nodes, memory.entries) =
+            (vec![OctreeNode::EMPTY; recommended.nodes], vec![0; recommended.entries]);
+        let tree = Octree::build(&memory.boxes, &mut memory.octree_nodes, &mut memory.entries)?;
         let (bytes, regions, entries) =
             (tree.size_in_bytes(), tree.occupied_leaf_count(), tree.entry_count());
-        let extent = Extent { bytes, regions, entries, depth: Some(u32::from(tree.depth())) };
-        Ok(opened(scene, tree, choose, extent.stats(choice, clock)))
+        let size = AccelSize { bytes, regions, entries, depth: Some(u32::from(tree.depth())) };
+        Ok(built_world(scene, tree, select, size.stats(choice, start)))
     }
 
     fn bvh<W: TraversalQueue + 's>(
         self,
-        choose: ChooseRayTracers<Bvh<'s, W, TriangleBlock>>,
-    ) -> Result<Opened<'s>, BuildError> {
-        let Building { scene, choice, clock, memory } = self;
+        select: SelectRayTracers<Bvh<'s, W, TriangleBlock>>,
+    ) -> Result<BuiltWorld<'s>, BuildError> {
+        let AccelBuilder { scene, choice, start, memory } = self;
         let geometry = scene.descriptor().geometry;
-        let room = BvhSize::recommended(memory.boxes.len());
-        (memory.nodes, memory.slots) =
-            (vec![BvhNode::EMPTY; room.nodes], vec![LeafEntry::EMPTY; room.entries]);
+        let recommended = BvhSize::recommended(memory.boxes.len());
+        (memory.bvh_nodes, memory.leaf_entries) =
+            (vec![BvhNode::EMPTY; recommended.nodes], vec![LeafEntry::EMPTY; recommended.entries]);
         let leaves = LeafLayout::TriangleBlocks(&geometry);
-        let grown = BvhBuilder::new(&memory.boxes, leaves, &mut memory.nodes, &mut memory.slots)?;
-        memory.runs = vec![TriangleBlock::EMPTY; grown.block_count()];
-        let tree = grown.into_bvh_with_blocks::<W>(&geometry, &mut memory.runs)?;
+        let bvh = BvhBuilder::new(&memory.boxes, leaves, &mut memory.bvh_nodes, &mut memory.leaf_entries)?;
+        memory.triangle_blocks = vec![TriangleBlock::EMPTY; bvh.block_count()];
+        let tree = bvh.into_bvh_with_blocks::<W>(&geometry, &mut memory.triangle_blocks)?;
         let (bytes, regions, entries) = (tree.size_in_bytes(), tree.leaf_count(), tree.entry_count());
-        let extent = Extent { bytes, regions, entries, depth: Some(tree.depth()) };
-        Ok(opened(scene, tree, choose, extent.stats(choice, clock)))
+        let size = AccelSize { bytes, regions, entries, depth: Some(tree.depth()) };
+        Ok(built_world(scene, tree, select, size.stats(choice, start)))
     }
 }
 
-impl Extent {
-    fn stats(self, choice: ResolvedAccel, clock: Instant) -> AccelStats {
-        let Extent { bytes, regions, entries, depth } = self;
-        AccelStats { choice, bytes, regions, entries, depth, build: clock.elapsed() }
+impl AccelSize {
+    fn stats(self, choice: ResolvedAccel, start: Instant) -> AccelStats {
+        let AccelSize { bytes, regions, entries, depth } = self;
+        AccelStats { choice, bytes, regions, entries, depth, build: start.elapsed() }
     }
 }
 
-fn opened<'s, A: Accelerator + Sync + 's>(
+fn built_world<'s, A: Accelerator + Sync + 's>(
     scene: Scene<'s>,
     accelerator: A,
-    choose: ChooseRayTracers<A>,
+    select: SelectRayTracers<A>,
     stats: AccelStats,
-) -> Opened<'s> {
-    (Box::new(TypedWorld { world: World::new(scene, accelerator), choose }), stats)
+) -> BuiltWorld<'s> {
+    (Box::new(TypedWorld { world: World::new(scene, accelerator), select }), stats)
 }

@@ -1,4 +1,4 @@
-//! Charges every camera ray, with all that comes of it, to its pixel.
+//! Counts the cost of each camera ray and its ray tree, and adds it to a cost map.
 
 use strahl_core::scene::CameraSample;
 use strahl_core::tally::{Counters, PerRayKind, RayKind};
@@ -8,11 +8,11 @@ use crate::cost_map::{CostMap, PixelCost};
 use crate::progress::Progress;
 use crate::ray_tracer::{CountingRayTracer, RayTracerFactory};
 
-/// Ray tracers that charge what they count to the pixels of a cost map.
+/// Creates ray tracers that add their counts to a cost map.
 pub struct CostCounting<'c> {
-    /// Those that do the work.
+    /// The factory of the underlying ray tracers.
     pub ray_tracers: &'c dyn RayTracerFactory,
-    /// Where the costs go.
+    /// The cost map.
     pub cost_map: &'c CostMap,
 }
 
@@ -31,7 +31,7 @@ struct CostCountingRayTracer<'c> {
 
 impl RayTracer for CostCountingRayTracer<'_> {
     fn trace(&mut self, sample: CameraSample) -> PixelSample {
-        let seen = self.ray_tracer.trace(sample);
+        let result = self.ray_tracer.trace(sample);
         let counters = self.ray_tracer.take_counters();
         let count = |counts: PerRayKind| RayKind::ALL.map(|kind| counts[kind] as u32);
         let cost = PixelCost {
@@ -43,9 +43,9 @@ impl RayTracer for CostCountingRayTracer<'_> {
             level: counters.max_level,
         };
         #[allow(clippy::useless_conversion)] // in double precision
-        self.cost_map.charge(sample.point.x.into(), sample.point.y.into(), &cost);
+        self.cost_map.add(sample.point.x.into(), sample.point.y.into(), &cost);
         self.sum.merge(&counters);
-        seen
+        result
     }
 }
 

@@ -1,7 +1,7 @@
-//! Which ray tracer a scene gets: its effect set, and what it counts.
+//! Selection of a ray tracer by effect set and tally.
 //!
-//! The ray tracer's loop is compiled for each combination of accelerator, effect set and tally; the loop itself holds no
-//! mode. The values become types here, once for each picture.
+//! The ray tracer is compiled for each combination of acceleration structure, effect set and tally, without run-time
+//! switches in its loop. Values are converted to types here, once for each picture.
 
 use strahl_core::accel::Accelerator;
 use strahl_core::scene::{EffectSet, Effects};
@@ -13,25 +13,25 @@ use strahl_core::{AllEffects, Camera, Limits, Real, Scene, World};
 
 use crate::ray_tracer::{RayTracerFactory, TracerFactory};
 
-/// What ray tracers are asked for.
+/// The parameters of ray tracers.
 #[derive(Clone, Copy, Debug)]
 pub struct TracerRequest {
-    /// Levels of rays.
+    /// The maximum ray level.
     pub levels: u8,
-    /// The least weight of a ray, in `0..=1`.
+    /// The minimum ray weight, in `[0, 1]`.
     pub cutoff: f32,
     /// Whether the last occluder of a light is tested first.
     pub shadow_cache: bool,
-    /// Whether every test is counted, and not only rays.
+    /// Whether tests are counted in addition to rays.
     pub count_tests: bool,
 }
 
-/// Chooses effect set and tally of the ray tracers for a world with this accelerator.
-pub type ChooseRayTracers<A> =
-    for<'w, 's> fn(&'w World<'s, A>, Camera, TracerRequest) -> ChosenRayTracers<'w>;
+/// Selects the effect set and the tally of ray tracers, for an acceleration structure of type `A`.
+pub type SelectRayTracers<A> =
+    for<'w, 's> fn(&'w World<'s, A>, Camera, TracerRequest) -> SelectedRayTracers<'w>;
 
-/// Ray tracers whose types have been chosen.
-pub type ChosenRayTracers<'w> = Result<Box<dyn RayTracerFactory + 'w>, TracerError>;
+/// Ray tracers with the selected types, as a trait object.
+pub type SelectedRayTracers<'w> = Result<Box<dyn RayTracerFactory + 'w>, TracerError>;
 
 /// The effects that a scene and a camera require.
 pub fn required_effects(scene: &Scene<'_>, camera: &Camera) -> EffectSet {
@@ -44,32 +44,32 @@ impl TracerRequest {
     }
 }
 
-/// Ray tracers of this effect set that count rays.
+/// Ray tracers with effect set `E` that count rays.
 #[cfg(not(feature = "double"))]
 pub(crate) fn counting_rays<'w, A: Accelerator + Sync, E: Effects + Sync + 'w>(
     world: &'w World<'_, A>,
     camera: Camera,
     request: TracerRequest,
-) -> ChosenRayTracers<'w> {
+) -> SelectedRayTracers<'w> {
     let (limits, shadow_cache) = (request.limits(), request.shadow_cache);
     Ok(Box::new(TracerFactory::<A, E, RayCounters>::new(world, camera, limits, shadow_cache)?))
 }
 
-/// Ray tracers of this effect set that count every test, too.
+/// Ray tracers with effect set `E` that count rays and tests.
 pub(crate) fn counting_tests<'w, A: Accelerator + Sync, E: Effects + Sync + 'w>(
     world: &'w World<'_, A>,
     camera: Camera,
     request: TracerRequest,
-) -> ChosenRayTracers<'w> {
+) -> SelectedRayTracers<'w> {
     let (limits, shadow_cache) = (request.limits(), request.shadow_cache);
     Ok(Box::new(TracerFactory::<A, E, Counters>::new(world, camera, limits, shadow_cache)?))
 }
 
-/// Ray tracers of one set, for accelerators whose sizes only comparisons use.
-pub fn rarely_used<'w, A: Accelerator + Sync>(
+/// Ray tracers with all effects, for configurations that are used only in comparisons.
+pub fn all_effects<'w, A: Accelerator + Sync>(
     world: &'w World<'_, A>,
     camera: Camera,
     request: TracerRequest,
-) -> ChosenRayTracers<'w> {
+) -> SelectedRayTracers<'w> {
     counting_tests::<A, AllEffects>(world, camera, request)
 }

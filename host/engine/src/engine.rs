@@ -1,4 +1,4 @@
-//! A scene to be rendered, whatever its precision.
+//! The interface of engines, independent of the precision.
 
 use strahl_settings::Settings;
 
@@ -8,14 +8,14 @@ use crate::progress::Progress;
 use crate::ray_query::RayCaster;
 use crate::scheduler::Scheduler;
 
-/// A scene with its accelerator, whatever it computes with.
+/// A scene with its acceleration structure, in any precision.
 ///
-/// Precision and accelerator are those for which it was made, whatever the settings of a picture ask for.
+/// Precision and acceleration structure are fixed at construction; those in the settings of a picture are ignored.
 pub trait Engine: Sync {
-    /// What is in the scene.
+    /// The statistics of the scene.
     fn scene(&self) -> &SceneStats;
 
-    /// The accelerator.
+    /// The statistics of the acceleration structure.
     fn accelerator(&self) -> &AccelStats;
 
     /// Renders a picture.
@@ -26,7 +26,7 @@ pub trait Engine: Sync {
         progress: &dyn Progress,
     ) -> Result<Rendered, RenderError>;
 
-    /// Renders a picture that becomes better pass by pass, as `scheduler` decides; the last that was completed.
+    /// Renders progressively, in the passes that `scheduler` selects; returns the picture of the last completed pass.
     fn refine(
         &self,
         settings: &Settings,
@@ -35,6 +35,6 @@ pub trait Engine: Sync {
         scheduler: &mut dyn Scheduler,
     ) -> Result<Rendered, RenderError>;
 
-    /// Finds the nearest hits of rays, for one thread.
+    /// A ray caster for one thread, which finds the nearest hits of rays.
     fn ray_caster(&self) -> RayCaster<'_>;
 }

@@ -1,7 +1,7 @@
-//! What single rays hit.
+//! Nearest hits of single rays.
 //!
-//! Their numbers may be anything. What is no ray of this precision is a miss: a number that is not finite, a direction
-//! without length, an origin farther away than a scene may reach.
+//! Any numbers are accepted. A ray that is invalid in this precision is a miss: non-finite numbers, a zero direction, or an
+//! origin outside the coordinate range.
 
 use strahl_core::accel::Accelerator;
 use strahl_core::geometry::Ray;
@@ -13,9 +13,9 @@ use crate::ray_query::{RayHit, RayQuery};
 
 /// The nearest hit of a query.
 ///
-/// The tracer's own directions have length one, and squares of what is much longer or shorter
-/// leave the range. So the direction is scaled to a largest component from 1 up to 2, by a power
-/// of two, which rounds nothing; `t` is scaled back, also without rounding.
+/// The core expects directions of about unit length: squares of very large or small components overflow or underflow. So
+/// the direction is scaled to a largest component in `[1, 2)` by a power of two, which is exact; `t` is scaled back, also
+/// exactly.
 #[allow(clippy::useless_conversion, clippy::unnecessary_cast)] // in double precision
 pub fn nearest<A: Accelerator>(
     world: &World<'_, A>,
@@ -33,7 +33,7 @@ pub fn nearest<A: Accelerator>(
     let narrow = |[x, y, z]: [f64; 3]| vec3(x as Real, y as Real, z as Real);
     let ray = Ray::new(narrow(origin), narrow(direction.map(|x| libm::scalbn(x, -power))));
 
-    // Rounded to a neighbour, perhaps a farther one; what is beyond is left out below.
+    // Rounded up to a neighboring number; hits beyond `t_max` are rejected below.
     let farthest = (libm::scalbn(t_max, power) as Real).next_up();
     let hit = world.nearest_hit::<AllEffects, _>(&ray, farthest, RayKind::Camera, scratch, &mut ())?;
     let t = libm::scalbn(f64::from(hit.t), -power);

@@ -1,27 +1,28 @@
-//! Renders scenes of the ray tracer strahl on a workstation, with all cores.
+//! Renders scenes of the ray tracer strahl on a workstation, on all cores.
 //!
-//! A [`SceneEngine`] holds one scene with the accelerator that the settings ask for. For each picture it chooses the ray
-//! tracer that is compiled for the scene's effects, and traces the picture tile by tile. It also answers single rays.
+//! A [`SceneEngine`] holds a scene with the acceleration structure that its settings select. For each picture it selects
+//! the ray tracer that is compiled for the effects of the scene, and renders the picture tile by tile. It also traces
+//! single rays.
 //!
-//! | module | what it does |
+//! | module | contents |
 //! |---|---|
-//! | [`engine`] | the trait [`Engine`]: a scene to be rendered, whatever its precision |
-//! | [`scene_engine`] | [`SceneEngine`]: a scene with its accelerator |
-//! | [`accelerators`] | builds the accelerator that the settings ask for |
-//! | [`world`] | a scene with an accelerator of any type |
-//! | [`effects`] | which ray tracer a scene gets: its effect set, and what it counts |
-//! | `prepared` | the prepared effect sets |
-//! | [`ray_tracer`] | one ray tracer for each tile |
-//! | [`samplers`] | the sampler that the settings ask for |
+//! | [`engine`] | the trait [`Engine`]: a scene that can be rendered, in any precision |
+//! | [`scene_engine`] | [`SceneEngine`]: a scene with its acceleration structure |
+//! | [`accelerators`] | construction of acceleration structures |
+//! | [`world`] | a scene with an acceleration structure of any type |
+//! | [`effects`] | selection of a ray tracer by effect set and counters |
+//! | `prepared` | the effect sets for which ray tracers are compiled |
+//! | [`ray_tracer`] | ray tracers of tiles |
+//! | [`samplers`] | selection of a sampler |
 //! | [`tiles`] | tiles and threads |
-//! | [`passes`] | a picture that becomes better pass by pass |
-//! | [`cost_counting`] | charges every camera ray to its pixel |
-//! | [`hits`] | the nearest hit along single rays |
-//! | [`options`] | what else a render is asked for beside its settings |
-//! | [`output`] | what comes of rendering, or why nothing does |
-//! | [`progress`] | how far the work is, and whether it should go on |
-//! | [`scheduler`] | what comes next in a picture that becomes better pass by pass |
-//! | [`cost_map`], [`mask`], [`ray_query`] | costs of pixels, some pixels, single rays |
+//! | [`passes`] | progressive rendering |
+//! | [`cost_counting`] | cost of each pixel, counted during rendering |
+//! | [`hits`] | nearest hits of single rays |
+//! | [`options`] | options of a render beside its settings |
+//! | [`output`] | rendered pictures, statistics and errors |
+//! | [`progress`] | progress reports and cancellation |
+//! | [`scheduler`] | schedule of progressive rendering |
+//! | [`cost_map`], [`mask`], [`ray_query`] | cost maps, pixel masks, single rays |
 //!
 //! ```
 //! use strahl_core::{CameraDescriptor, Material, Projection, Resolution, SceneTables, Sphere, vec3};
@@ -47,9 +48,9 @@
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 //!
-//! This package knows no scene file, no command line and no terminal. It is compiled once more, for double precision, as
-//! `strahl-engine-double`: there `strahl_core` is the package `strahl-core-double`, and the modules that hold no `Real` are
-//! those of this package.
+//! The package has no scene files, no command line and no terminal. The same sources are compiled for double precision as
+//! `strahl-engine-double`: there `strahl_core` is the package `strahl-core-double`, and modules without `Real` are
+//! re-exported from this package.
 
 #[cfg(not(feature = "double"))]
 pub mod cost_map;

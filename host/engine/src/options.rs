@@ -1,34 +1,34 @@
-//! What else a render is asked for beside its settings: none of it changes a pixel that is requested.
+//! Options of a render beside its settings. They do not change the color of a requested pixel.
 
 use strahl_core::image::Pixel;
 
 use crate::cost_map::CostMap;
 use crate::mask::Mask;
 
-/// Pixels along one side of a tile. Small enough to keep all threads busy to the end.
+/// The default tile size in pixels: small enough to keep all threads busy until the end.
 const TILE_SIDE: u32 = 32;
 
-/// What else a render is asked for beside its settings.
+/// Options of a render beside its settings.
 #[derive(Clone, Copy, Debug)]
 pub struct RenderOptions<'o> {
-    /// The pixels that are requested, if not all of them; of the same size as the picture. The others are black.
+    /// The requested pixels, as a mask of the size of the picture; `None` for all. The others are black.
     pub mask: Option<&'o Mask>,
-    /// Whether tests are counted, which takes its time; rays always are.
+    /// Whether tests are counted, which is slower; rays are always counted.
     pub count_tests: bool,
-    /// Where the cost of each pixel goes; tests are counted then.
+    /// The cost map to add the cost of each pixel to; implies that tests are counted.
     pub cost_map: Option<&'o CostMap>,
-    /// Pixels along one side of a tile.
+    /// The width and height of a tile, in pixels.
     pub tile_side: u32,
 }
 
 impl RenderOptions<'_> {
-    /// All pixels; tests are counted.
+    /// All pixels, with tests counted.
     pub const COUNT_TESTS: RenderOptions<'static> =
         RenderOptions { mask: None, count_tests: true, cost_map: None, tile_side: TILE_SIDE };
 
     /// Whether a pixel is requested.
     pub fn is_requested(&self, pixel: Pixel) -> bool {
-        self.mask.is_none_or(|mask| mask.has(pixel))
+        self.mask.is_none_or(|mask| mask.contains(pixel))
     }
 
     /// Whether tests are counted.
@@ -37,7 +37,7 @@ impl RenderOptions<'_> {
     }
 }
 
-/// All pixels; tests are not counted.
+/// All pixels, without counting tests.
 impl Default for RenderOptions<'_> {
     fn default() -> Self {
         RenderOptions { count_tests: false, ..RenderOptions::COUNT_TESTS }

@@ -1,4 +1,4 @@
-//! What comes of rendering, or why nothing does.
+//! Results of rendering: pictures, statistics and errors.
 
 use std::error::Error;
 use std::fmt;
@@ -10,71 +10,71 @@ use strahl_settings::ResolvedAccel;
 
 use crate::progress::Interrupt;
 
-/// A linear colour in single precision, whatever precision computes it.
+/// A linear color in single precision, also in double-precision engines.
 pub type Color = strahl_core::Rgb;
 
-/// What an engine has rendered.
+/// A rendered picture with its counters and times.
 #[derive(Debug)]
 pub struct Rendered {
-    /// Linear colours, row by row.
+    /// Linear colors, row by row.
     pub colors: Vec<Color>,
-    /// The work.
+    /// Counters of rays and, if requested, of tests.
     pub counters: Counters,
-    /// Wall-clock time.
+    /// The wall-clock time of tracing.
     pub trace: Duration,
-    /// Processor time, the sum over all threads.
+    /// The processor time of tracing, summed over all threads.
     pub trace_cpu: Duration,
 }
 
-/// What is in a scene.
+/// Statistics of a scene.
 #[derive(Clone, Copy, Debug)]
 pub struct SceneStats {
-    /// All items.
+    /// The number of items.
     pub objects: usize,
-    /// Those that are triangles.
+    /// The number of triangles among them.
     pub triangles: usize,
-    /// All lights.
+    /// The number of lights.
     pub lights: usize,
-    /// The effects that it asks for.
+    /// The effects that the scene and its camera require.
     pub effects: EffectSet,
 }
 
-/// What an accelerator is like.
+/// Statistics of an acceleration structure.
 #[derive(Clone, Copy, Debug)]
 pub struct AccelStats {
-    /// Which it is.
+    /// The selected structure.
     pub choice: ResolvedAccel,
-    /// The memory it uses.
+    /// The size in bytes.
     pub bytes: usize,
-    /// Its regions: groups, cells, leaves with items.
+    /// The number of regions: groups of the list, cells of the grid, occupied leaves of a tree.
     pub regions: usize,
-    /// The items of all regions, each counted in each.
+    /// The number of entries: items, counted once for each region that contains them.
     pub entries: usize,
-    /// Steps from the root to the deepest region.
+    /// The number of levels from the root to the deepest leaf; `None` for list and grid.
     pub depth: Option<u32>,
-    /// How long it took to build, with the boxes round all items.
+    /// The construction time, including that of the bounding boxes of items.
     pub build: Duration,
 }
 
 impl AccelStats {
-    /// How many items a region has, in the mean.
+    /// The mean number of items per region; 0 without regions.
     pub fn items_per_region(&self) -> f64 {
         if self.regions == 0 { 0.0 } else { self.entries as f64 / self.regions as f64 }
     }
 }
 
-/// Why there is no picture.
+/// Why rendering failed.
 #[derive(Debug)]
 #[non_exhaustive]
 pub enum RenderError {
-    /// The scene, or what is requested of it, is refused by the core.
+    /// The core rejected the scene or a setting.
     Invalid(Box<dyn Error + Send + Sync>),
-    /// The work was stopped before it was done.
+    /// Rendering was cancelled.
     Interrupted(Interrupt),
 }
 
 impl RenderError {
-    /// Because of an error of the core.
+    /// An error of the core.
     pub fn invalid(error: impl Into<Box<dyn Error + Send + Sync>>) -> Self {
         RenderError::Invalid(error.into())
     }

@@ -1,8 +1,8 @@
-//! A picture that becomes better pass by pass.
+//! Progressive rendering.
 //!
-//! Each pass makes a whole picture, the very one that a plain render of its settings makes, and continues what the passes
-//! before have traced: a pixel of a coarse raster is not traced again by a finer one, and a pixel of many samples
-//! continues where it stopped. What comes next, and when it is enough, is decided by a [`Scheduler`].
+//! Each pass produces a complete picture, identical to a plain render with the settings of that pass, and reuses all samples
+//! of earlier passes: pixel centers are cached, and stochastic pixels continue their sample sequence. A [`Scheduler`]
+//! selects the passes.
 
 use std::sync::OnceLock;
 use std::sync::atomic::{AtomicU64, Ordering};
@@ -23,10 +23,10 @@ use crate::samplers::{AnySampler, CornerSource};
 use crate::scheduler::{Outlook, Pass, PassStats, Scheduler};
 use crate::tiles::{self, Traced, single_precision};
 
-/// So many rays are sent before the clock is read again.
+/// The number of rays of a pixel between two checks for cancellation.
 const RAYS_PER_CHECK: u32 = 16;
 
-/// Traces passes until there is none to come, or the time is over; the last that was completed.
+/// Renders passes until the scheduler ends them or the time limit is exceeded; returns the last completed picture.
 pub fn trace(
     ray_tracers: &dyn RayTracerFactory,
     settings: &Settings,
@@ -35,43 +35,45 @@ pub fn trace(
     scheduler: &mut dyn Scheduler,
 ) -> Result<Traced<Rgb>, Interrupt> {
     let area = settings.region_or_all();
-    let centers = Centers::new(area);
+    let centers = PixelCenterCache::new(area);
     let rays = AtomicU64::new(0);
     let once = PassFactory { ray_tracers, centers: Some(&centers), rays: &rays };
     let counting = PassFactory { ray_tracers, centers: None, rays: &rays };
-    let mut estimates: Option<Estimates> = None;
+    let mut estimates: Option<PixelEstimates> = None;
     let mut last = (Vec::new(), Counters::default());
     let pool = rayon::ThreadPoolBuilder::new().num_threads(settings.threads).build();
     loop {
         let outlook = Outlook {
-            missing: centers.missing(),
+            untraced_pixels: centers.untraced(),
             pixels: area.len() as u64,
-            needs: &|tolerance| estimates.as_ref().map_or(0, |estimates| estimates.needs(tolerance)),
+            rays_for_tolerance: &|tolerance| {
+                estimates.as_ref().map_or(0, |estimates| estimates.rays_for_tolerance(tolerance))
+            },
         };
         let Some(pass) = scheduler.next(&outlook) else { break };
-        let progress = &Deadline::new(progress, pass.until);
+        let progress = &Deadline::new(progress, pass.deadline);
         let settings = Settings { sampler: pass.sampler, select: pass.select, ..settings.clone() };
-        let clock = Instant::now();
+        let start = Instant::now();
         rays.store(0, Ordering::Relaxed);
         let traced = match (pass.sampler, stochastic(&settings)) {
             (SamplerSettings::Single, _) => tiles::trace(&once, &settings, options, progress),
             (_, Some(rule)) => {
                 let estimates =
-                    estimates.get_or_insert_with(|| Estimates::new(area, options.tile_side, &pass));
-                let mut run = || estimates.improve(&counting, options, &rule, progress);
+                    estimates.get_or_insert_with(|| PixelEstimates::new(area, options.tile_side, &pass));
+                let mut run = || estimates.refine(&counting, options, &rule, progress);
                 match &pool {
                     Ok(pool) => pool.install(run),
                     Err(_) => run(),
                 }
             }
-            // Every other sampler has nothing to continue.
+            // Other samplers have no samples to reuse.
             _ => tiles::trace(&counting, &settings, options, progress),
         };
         match traced {
             Ok((colors, counters)) => {
                 last.1.merge(&counters);
                 last.0 = colors;
-                let (seconds, rays) = (clock.elapsed().as_secs_f64(), rays.load(Ordering::Relaxed));
+                let (seconds, rays) = (start.elapsed().as_secs_f64(), rays.load(Ordering::Relaxed));
                 scheduler.done(&pass, PassStats { seconds, rays }, single_precision(last.0.clone()));
             }
             Err(Interrupt::TimeLimit) if !last.0.is_empty() => break,
@@ -88,23 +90,23 @@ fn stochastic(settings: &Settings) -> Option<StochasticSampler> {
     }
 }
 
-/// The samples through the centers of pixels, as far as they have been traced.
-struct Centers {
+/// Cached samples at pixel centers.
+struct PixelCenterCache {
     area: Tile,
     samples: Vec<OnceLock<PixelSample>>,
 }
 
-impl Centers {
+impl PixelCenterCache {
     fn new(area: Tile) -> Self {
-        Centers { area, samples: std::iter::repeat_with(OnceLock::new).take(area.len()).collect() }
+        PixelCenterCache { area, samples: std::iter::repeat_with(OnceLock::new).take(area.len()).collect() }
     }
 
-    /// How many have not been traced.
-    fn missing(&self) -> u64 {
+    /// The number of pixel centers that have not been traced.
+    fn untraced(&self) -> u64 {
         self.samples.iter().filter(|sample| sample.get().is_none()).count() as u64
     }
 
-    /// Where a sample is kept, if it goes through the center of a pixel.
+    /// The cache entry of a sample; `None` if it is not at a pixel center.
     fn slot(&self, sample: &CameraSample) -> Option<&OnceLock<PixelSample>> {
         let (x, y) = (sample.point.x, sample.point.y);
         let pixel = Pixel { x: x as u32, y: y as u32 };
@@ -113,10 +115,10 @@ impl Centers {
     }
 }
 
-/// Ray tracers that count the rays that they send, and with `centers` send none of these twice.
+/// Creates ray tracers that count camera rays, and with `centers` trace each pixel center only once.
 struct PassFactory<'p> {
     ray_tracers: &'p dyn RayTracerFactory,
-    centers: Option<&'p Centers>,
+    centers: Option<&'p PixelCenterCache>,
     rays: &'p AtomicU64,
 }
 
@@ -157,63 +159,63 @@ impl Drop for PassRayTracer<'_> {
     }
 }
 
-/// The needs of a tolerance are estimated from about so many pixels, evenly spread: there is little time to plan in.
-const PLANNING_PIXELS: usize = 1 << 14;
+/// The approximate number of pixels from which the rays for a tolerance are estimated.
+const SAMPLED_PIXELS: usize = 1 << 14;
 
-/// All pixels with the samples that they have had so far, tile by tile.
-struct Estimates {
+/// The accumulated samples of all pixels, tile by tile.
+struct PixelEstimates {
     area: Tile,
     tiles: Vec<(Tile, Vec<PixelEstimate>)>,
-    /// The least samples of a pixel.
-    least: u32,
-    /// Standard errors in the confidence radius of a pixel.
-    errors: f64,
-    /// Of some pixels, the number of rays and the confidence radius of the mean.
-    radii: Vec<(u32, f64)>,
+    /// The minimum number of samples of a pixel.
+    min_samples: u32,
+    /// The number of standard errors in a confidence radius.
+    standard_errors: f64,
+    /// The number of rays and the confidence radius of the mean, of some pixels.
+    confidence_radii: Vec<(u32, f64)>,
 }
 
-impl Estimates {
-    /// No sample yet.
+impl PixelEstimates {
+    /// No samples.
     fn new(area: Tile, side: u32, pass: &Pass) -> Self {
         let tiles = area.tiles(side).map(|tile| (tile, vec![PixelEstimate::EMPTY; tile.len()])).collect();
-        let (least, errors) = match pass.sampler {
-            SamplerSettings::Stochastic { min_samples: least, confidence, .. } => {
-                (least, confidence.standard_errors())
+        let (min_samples, standard_errors) = match pass.sampler {
+            SamplerSettings::Stochastic { min_samples, confidence, .. } => {
+                (min_samples, confidence.standard_errors())
             }
             _ => (1, 1.0),
         };
-        Estimates { area, tiles, least, errors, radii: Vec::new() }
+        PixelEstimates { area, tiles, min_samples, standard_errors, confidence_radii: Vec::new() }
     }
 
-    /// One pixel of so many stands for the others: an odd number, so that it follows no raster of tiles.
+    /// One pixel of this many is used for estimates: an odd number, to avoid alignment with tiles.
     fn stride(&self) -> usize {
-        (self.area.len() / PLANNING_PIXELS) | 1
+        (self.area.len() / SAMPLED_PIXELS) | 1
     }
 
-    /// How many more rays it takes until all pixels are known to this tolerance, if their samples stay as different as
-    /// they were.
-    fn needs(&self, tolerance: f32) -> u64 {
+    /// The estimated number of further rays until the mean of every pixel is within this tolerance, if the variance of its
+    /// samples does not change.
+    fn rays_for_tolerance(&self, tolerance: f32) -> u64 {
         let more = |(rays, radius): &(u32, f64)| {
             if *rays == 0 || *radius <= f64::from(tolerance) || !radius.is_finite() {
                 return 0;
             }
             let (rays, ratio) = (f64::from(*rays), radius / f64::from(tolerance));
             let all = (rays * ratio * ratio).min(f64::from(StochasticSampler::MAX_SAMPLES));
-            // In whole steps.
-            ((all - rays) as u64).next_multiple_of(u64::from(self.least))
+            // In steps of the minimum number of samples.
+            ((all - rays) as u64).next_multiple_of(u64::from(self.min_samples))
         };
-        self.stride() as u64 * self.radii.iter().map(more).sum::<u64>()
+        self.stride() as u64 * self.confidence_radii.iter().map(more).sum::<u64>()
     }
 
     #[allow(clippy::unnecessary_cast)] // in double precision
-    fn radii(&self) -> Vec<(u32, f64)> {
+    fn estimate_radii(&self) -> Vec<(u32, f64)> {
         let pixels = self.tiles.iter().flat_map(|(_, pixels)| pixels);
-        let radius = |pixel: &PixelEstimate| pixel.confidence_radius(self.errors as Real) as f64;
+        let radius = |pixel: &PixelEstimate| pixel.confidence_radius(self.standard_errors as Real) as f64;
         pixels.step_by(self.stride()).map(|pixel| (pixel.sample_count(), radius(pixel))).collect()
     }
 
-    /// Continues every pixel that is requested, until it fulfils the rule.
-    fn improve(
+    /// Continues the samples of all requested pixels until they satisfy the rule.
+    fn refine(
         &mut self,
         ray_tracers: &PassFactory<'_>,
         options: &RenderOptions<'_>,
@@ -223,13 +225,13 @@ impl Estimates {
         progress.begin(self.area.len());
         let work = |(tile, pixels): &mut (Tile, Vec<PixelEstimate>)| {
             let mut ray_tracer = ray_tracers.ray_tracer(progress);
-            // A pixel may take many rays, and the time may be over before the last of them: what they bring then does
-            // not matter, for the whole pass is given up.
-            let (mut rays, mut is_over) = (0_u32, false);
+            // A pixel may take many rays. After cancellation their results do not matter, because the whole pass is
+            // discarded.
+            let (mut rays, mut is_cancelled) = (0_u32, false);
             let mut trace = |sample: CameraSample| {
                 rays = rays.wrapping_add(1);
-                is_over = is_over || rays % RAYS_PER_CHECK == 0 && progress.check().is_err();
-                if is_over { PixelSample::BLACK } else { ray_tracer.trace(sample) }
+                is_cancelled = is_cancelled || rays % RAYS_PER_CHECK == 0 && progress.check().is_err();
+                if is_cancelled { PixelSample::BLACK } else { ray_tracer.trace(sample) }
             };
             for (pixel, estimate) in tile.pixels().zip(pixels.iter_mut()) {
                 if options.is_requested(pixel) {
@@ -244,12 +246,12 @@ impl Estimates {
         let mut counters = Counters::default();
         counted.iter().for_each(|counted| counters.merge(counted));
 
-        self.radii = self.radii();
+        self.confidence_radii = self.estimate_radii();
         let mut colors = vec![Rgb::BLACK; self.area.len()];
         for (tile, pixels) in &self.tiles {
             for (pixel, estimate) in tile.pixels().zip(pixels) {
-                if let Some(place) = self.area.index_of(pixel) {
-                    colors[place] = estimate.to_sample().color;
+                if let Some(index) = self.area.index_of(pixel) {
+                    colors[index] = estimate.to_sample().color;
                 }
             }
         }

@@ -1,18 +1,18 @@
-//! The prepared effect sets, from which a scene gets the smallest that contains what it asks for.
+//! The effect sets for which ray tracers are compiled. A scene uses the smallest set that contains its required effects.
 //!
-//! Copies of the ray tracer's loop are a budget, for they make the program and its build large: hierarchy and list, one of
-//! which `auto` chooses, with seven sets and one that counts tests are 16, grid and octree with two and one 6, eight rarely
-//! used accelerators 8, and double precision has 13. What a scene pays for what it does not use is in
-//! `tests/reports/effects.md`; another set is worth its copies where that is much.
+//! The number of compiled ray tracers determines the size and the build time of the program: BVH and list, which `auto`
+//! selects, have eight each (seven sets, and one that counts tests), grid and octree three each, eight other configurations
+//! one each, and double precision 13. `tests/reports/effects.md` shows the cost of unused effects in a set; a further
+//! set is justified if that cost is large.
 
 use strahl_core::accel::Accelerator;
 use strahl_core::geometry::ShapeSet;
 use strahl_core::scene::{EffectSet, Effects, LightKind, LightSet, TextureSet};
 use strahl_core::{AllEffects, Camera, World};
 
-use crate::effects::{ChosenRayTracers, TracerRequest, counting_rays, counting_tests, required_effects};
+use crate::effects::{SelectedRayTracers, TracerRequest, counting_rays, counting_tests, required_effects};
 
-/// The prepared sets, from the smallest on, and the choice between them.
+/// Declares the prepared sets, from the smallest to the largest, and the selection of one of them.
 macro_rules! prepared_sets {
     ($($(#[$doc:meta])* $name:ident = $set:expr;)*) => {
         $(
@@ -24,30 +24,30 @@ macro_rules! prepared_sets {
             }
         )*
 
-        /// The name of the first prepared set that contains all of `asks`.
-        pub fn prepared_for(asks: &EffectSet) -> &'static str {
+        /// The name of the first prepared set that contains the `required` effects.
+        pub fn prepared_for(required: &EffectSet) -> &'static str {
             $(
-                if $name::SET.is_superset(asks) {
+                if $name::SET.is_superset(required) {
                     return stringify!($name);
                 }
             )*
             "AllEffects"
         }
 
-        /// Ray tracers with all prepared sets to choose from.
+        /// Ray tracers with the first of all prepared sets that contains the required effects.
         ///
-        /// Every set counts the same, and a caller who counts tests does not hurry: one set does it.
-        pub fn usual<'w, A: Accelerator + Sync>(
+        /// Counts do not depend on the set, so a request to count tests, which is slow anyway, uses only one set.
+        pub fn all_prepared<'w, A: Accelerator + Sync>(
             world: &'w World<'_, A>,
             camera: Camera,
             request: TracerRequest,
-        ) -> ChosenRayTracers<'w> {
-            let asks = required_effects(world.scene(), &camera);
+        ) -> SelectedRayTracers<'w> {
+            let required = required_effects(world.scene(), &camera);
             if request.count_tests {
                 return counting_tests::<A, AllEffects>(world, camera, request);
             }
             $(
-                if $name::SET.is_superset(&asks) {
+                if $name::SET.is_superset(&required) {
                     return counting_rays::<A, $name>(world, camera, request);
                 }
             )*
@@ -56,11 +56,11 @@ macro_rules! prepared_sets {
     };
 }
 
-/// Lights without extent: no penumbra.
+/// Lights without area: no penumbra.
 const POINT_LIKE: LightSet = LightSet::of(&[LightKind::Point, LightKind::Directional, LightKind::Spot]);
 
 prepared_sets! {
-    /// Textures and ambient light alone.
+    /// Textures and ambient light only.
     Unlit = EffectSet { shapes: ShapeSet::ALL, textures: TextureSet::ALL, ..EffectSet::NONE };
     /// Opaque surfaces: highlights, shadows, mirrors.
     Opaque = EffectSet {
@@ -71,27 +71,27 @@ prepared_sets! {
         reflection: true,
         ..Unlit::SET
     };
-    /// And clear glass.
+    /// `Opaque`, and clear glass.
     Clear = EffectSet { transmission: true, ..Opaque::SET };
-    /// And distributed ray tracing: penumbra, depth of field, gloss, motion.
+    /// `Clear`, and distributed ray tracing: penumbra, depth of field, gloss, motion blur.
     Distributed =
         EffectSet { lights: LightSet::ALL, penumbra: true, depth_of_field: true, gloss: true, motion_blur: true, ..Clear::SET };
-    /// Whitted's model with absorbing glass: everything that one ray per point shows.
+    /// Whitted ray tracing with absorbing glass: all effects without distributed ray tracing, except colored shadows.
     Whitted = EffectSet { lights: LightSet::ALL, absorption: true, ..Clear::SET };
-    /// Glass that colors light and shadow.
+    /// `Clear`, and absorbing glass with colored shadows.
     Stained = EffectSet { colored_shadows: true, absorption: true, ..Clear::SET };
 }
 
-/// Ray tracers with few sets to choose from, for accelerators that are asked for by name.
-pub fn by_name<'w, A: Accelerator + Sync>(
+/// Ray tracers with one of two sets, for structures that `auto` does not select.
+pub fn few_prepared<'w, A: Accelerator + Sync>(
     world: &'w World<'_, A>,
     camera: Camera,
     request: TracerRequest,
-) -> ChosenRayTracers<'w> {
-    let asks = required_effects(world.scene(), &camera);
+) -> SelectedRayTracers<'w> {
+    let required = required_effects(world.scene(), &camera);
     if request.count_tests {
         counting_tests::<A, AllEffects>(world, camera, request)
-    } else if Whitted::SET.is_superset(&asks) {
+    } else if Whitted::SET.is_superset(&required) {
         counting_rays::<A, Whitted>(world, camera, request)
     } else {
         counting_rays::<A, AllEffects>(world, camera, request)

@@ -1,32 +1,32 @@
-//! How far the work is, and whether it should go on: reported to the caller, which may stop it.
+//! Progress reports and cancellation.
 
 use std::fmt;
 use std::time::Instant;
 
-/// Told how far the work is, and asked between two pixels whether it should go on. Called by all threads.
+/// Receives progress reports, and can cancel the work. Called concurrently by all threads.
 pub trait Progress: Sync {
-    /// Work on this many pixels begins.
+    /// Work on this many pixels starts.
     fn begin(&self, _pixels: usize) {}
 
-    /// This many more of them are done.
+    /// This many more pixels are done.
     fn done(&self, _pixels: usize) {}
 
-    /// `Err` when the work should stop.
+    /// Called between pixels; an error cancels the work.
     fn check(&self) -> Result<(), Interrupt> {
         Ok(())
     }
 }
 
-/// Why work was stopped before it was done.
+/// Why work was cancelled.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Interrupt {
     /// Ctrl-C.
     Interrupted,
-    /// SIGTERM: the same command may be tried again.
+    /// SIGTERM; the same command can be retried.
     Terminated,
-    /// The input files have changed since the work began.
+    /// The input files have changed since the start.
     Outdated,
-    /// The time limit is over.
+    /// The time limit is exceeded.
     TimeLimit,
 }
 
@@ -36,25 +36,25 @@ impl fmt::Display for Interrupt {
             Interrupt::Interrupted => "interrupted",
             Interrupt::Terminated => "stopped by SIGTERM",
             Interrupt::Outdated => "the scene has changed",
-            Interrupt::TimeLimit => "the time is over",
+            Interrupt::TimeLimit => "time limit exceeded",
         })
     }
 }
 
-/// Shows nothing and never stops the work.
+/// Reports nothing and never cancels.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct NoProgress;
 
 impl Progress for NoProgress {}
 
-/// The same as another, but it stops the work at a point in time.
+/// Adds a deadline to another progress.
 pub struct Deadline<'p> {
     progress: &'p dyn Progress,
     end: Option<Instant>,
 }
 
 impl<'p> Deadline<'p> {
-    /// Stops the work at `end`, if there is one.
+    /// Cancels the work at `end`, if any.
     pub fn new(progress: &'p dyn Progress, end: Option<Instant>) -> Self {
         Deadline { progress, end }
     }

@@ -1,29 +1,29 @@
-//! Single rays and what they hit, whatever precision is computed with.
+//! Single rays and their hits, independent of the precision.
 
-/// A ray. Any of its numbers may be infinite or NaN: such a ray hits nothing.
+/// A ray. A ray with infinite or NaN numbers hits nothing; only `t_max` may be infinite.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct RayQuery {
-    /// Where it starts.
+    /// The origin.
     pub origin: [f64; 3],
-    /// Where it goes, of any length.
+    /// The direction, of any length.
     pub direction: [f64; 3],
     /// The largest `t` of a hit, in lengths of the direction.
     pub t_max: f64,
 }
 
-/// What a ray hits.
+/// The nearest hit of a ray.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct RayHit {
-    /// How far, in lengths of the direction given. It may be out of the range of single precision
-    /// where the direction is very long or very short.
+    /// The distance in lengths of the given direction. It may exceed the range of single precision if the direction is very
+    /// long or very short.
     pub t: f64,
     /// The index of the object.
     pub object: u32,
-    /// The point.
+    /// The hit point.
     pub point: [f64; 3],
-    /// The geometric normal, of length one.
+    /// The geometric unit normal, not turned towards the ray.
     pub normal: [f64; 3],
 }
 
-/// Finds the nearest hits of rays, one after the other.
+/// Finds the nearest hit of a ray; `None` for a miss.
 pub type RayCaster<'c> = Box<dyn FnMut(&RayQuery) -> Option<RayHit> + 'c>;

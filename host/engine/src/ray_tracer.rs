@@ -1,7 +1,7 @@
-//! One ray tracer for each tile, whatever the types behind it.
+//! Ray tracers of tiles, as trait objects.
 //!
-//! Samplers, tiles and threads call a `dyn` [`CountingRayTracer`] once for each camera ray, so that all that is done with
-//! the answers is compiled once and not for every accelerator and effect set.
+//! Samplers and tiles call a `dyn` [`CountingRayTracer`] once for each camera ray, so that they are compiled only once,
+//! and not for every acceleration structure and effect set.
 
 use std::marker::PhantomData;
 
@@ -14,19 +14,19 @@ use strahl_settings::MAX_LEVELS;
 
 use crate::progress::Progress;
 
-/// A tracer with a worker of its own, which may count.
+/// A ray tracer with its own worker and counters.
 pub trait CountingRayTracer: RayTracer {
-    /// What has been counted since the last call.
+    /// Returns the counts since the last call.
     fn take_counters(&mut self) -> Counters;
 }
 
-/// Makes a ray tracer for each tile.
+/// Creates ray tracers, one for each tile.
 pub trait RayTracerFactory: Sync {
-    /// One that remembers nothing yet. Once `progress` stops the work, its answers may be incomplete.
+    /// A ray tracer with empty caches. After `progress` has requested cancellation, its results may be incomplete.
     fn ray_tracer<'t>(&'t self, progress: &'t dyn Progress) -> Box<dyn CountingRayTracer + 't>;
 }
 
-/// A tracer whose workers report to a `T`.
+/// Creates ray tracers whose workers report to a tally of type `T`.
 pub struct TracerFactory<'w, 's, A, E, T> {
     tracer: Tracer<'w, 's, A, E, MAX_LEVELS>,
     shadow_cache: bool,
@@ -34,7 +34,7 @@ pub struct TracerFactory<'w, 's, A, E, T> {
 }
 
 impl<'w, 's, A: Accelerator, E: Effects, T> TracerFactory<'w, 's, A, E, T> {
-    /// For a scene and a camera.
+    /// A factory for a scene and a camera.
     pub fn new(
         world: &'w World<'s, A>,
         camera: Camera,
@@ -50,42 +50,45 @@ impl<A: Accelerator + Sync, E: Effects + Sync, T: CounterTally> RayTracerFactory
     for TracerFactory<'_, '_, A, E, T>
 {
     fn ray_tracer<'t>(&'t self, progress: &'t dyn Progress) -> Box<dyn CountingRayTracer + 't> {
-        let worker = Worker::new(Stoppable { tally: T::default(), progress, left: BETWEEN });
+        let worker =
+            Worker::new(CancellableTally { tally: T::default(), progress, remaining: RAYS_BETWEEN_CHECKS });
         let worker = if self.shadow_cache { worker } else { worker.without_shadow_cache() };
-        Box::new(Working { tracer: &self.tracer, worker })
+        Box::new(TracerWithWorker { tracer: &self.tracer, worker })
     }
 }
 
 /// A tracer and its worker.
-struct Working<'t, 'w, 's, A: Accelerator, E, T> {
+struct TracerWithWorker<'t, 'w, 's, A: Accelerator, E, T> {
     tracer: &'t Tracer<'w, 's, A, E, MAX_LEVELS>,
-    worker: Worker<A, Stoppable<'t, T>, MAX_LEVELS>,
+    worker: Worker<A, CancellableTally<'t, T>, MAX_LEVELS>,
 }
 
-impl<A: Accelerator, E: Effects, T: CounterTally> RayTracer for Working<'_, '_, '_, A, E, T> {
+impl<A: Accelerator, E: Effects, T: CounterTally> RayTracer for TracerWithWorker<'_, '_, '_, A, E, T> {
     fn trace(&mut self, sample: CameraSample) -> PixelSample {
         self.tracer.trace(sample, &mut self.worker)
     }
 }
 
-impl<A: Accelerator, E: Effects, T: CounterTally> CountingRayTracer for Working<'_, '_, '_, A, E, T> {
+impl<A: Accelerator, E: Effects, T: CounterTally> CountingRayTracer
+    for TracerWithWorker<'_, '_, '_, A, E, T>
+{
     fn take_counters(&mut self) -> Counters {
         self.worker.tally_mut().tally.take()
     }
 }
 
-/// So many rays of one tree are traced before it is asked again whether to stop.
-const BETWEEN: u32 = 1 << 12;
+/// The number of rays of one ray tree between two checks for cancellation.
+const RAYS_BETWEEN_CHECKS: u32 = 1 << 12;
 
-/// A tally that gives up a tree of rays when the work is to stop.
-struct Stoppable<'p, T> {
+/// A tally that aborts a ray tree on cancellation.
+struct CancellableTally<'p, T> {
     tally: T,
     progress: &'p dyn Progress,
-    /// Rays until the next check.
-    left: u32,
+    /// The number of rays until the next check.
+    remaining: u32,
 }
 
-impl<T: Tally> Tally for Stoppable<'_, T> {
+impl<T: Tally> Tally for CancellableTally<'_, T> {
     const COUNTS_TESTS: bool = T::COUNTS_TESTS;
 
     #[inline(always)]
@@ -94,21 +97,21 @@ impl<T: Tally> Tally for Stoppable<'_, T> {
     }
 
     #[inline(always)]
-    fn trace_event(&mut self, step: TraceEvent) {
-        self.tally.trace_event(step);
+    fn trace_event(&mut self, event: TraceEvent) {
+        self.tally.trace_event(event);
     }
 
     #[inline(always)]
     fn is_cancelled(&mut self) -> bool {
-        match self.left.checked_sub(1) {
-            Some(left) => {
-                self.left = left;
+        match self.remaining.checked_sub(1) {
+            Some(remaining) => {
+                self.remaining = remaining;
                 false
             }
             None => {
-                let stops = self.progress.check().is_err();
-                self.left = if stops { 0 } else { BETWEEN };
-                stops
+                let is_cancelled = self.progress.check().is_err();
+                self.remaining = if is_cancelled { 0 } else { RAYS_BETWEEN_CHECKS };
+                is_cancelled
             }
         }
     }
@@ -116,7 +119,7 @@ impl<T: Tally> Tally for Stoppable<'_, T> {
 
 /// A tally that counts.
 pub trait CounterTally: Tally + Default {
-    /// What has been counted since the last call.
+    /// Returns the counts since the last call.
     fn take(&mut self) -> Counters;
 }
 

@@ -1,7 +1,6 @@
-//! The sampler that the settings ask for.
+//! Selection of a sampler.
 //!
-//! One type for all of them, so that the loop over pixels is compiled once and not for every sampler: a sampler is called
-//! once for each pixel, and calls the ray tracer once for each ray.
+//! One enum for all samplers, so that the pixel loop is compiled only once: the choice is made once for each pixel.
 
 use strahl_core::Real;
 use strahl_core::image::{
@@ -13,20 +12,20 @@ use strahl_settings::{SamplerSettings, Settings};
 
 /// Any of the samplers.
 pub enum AnySampler<'m> {
-    /// On a regular raster.
+    /// A regular grid of rays.
     Regular(RegularSampler),
-    /// Without a raster.
+    /// Quasi-random samples.
     Stochastic(StochasticSampler),
-    /// Through the corners of pixels, and of their quarters.
+    /// Adaptive subdivision of pixels.
     Adaptive(AdaptiveSampler<'m, CornerSource<'m>>),
 }
 
-/// Where corners come from.
+/// The source of samples at pixel corners.
 #[derive(Clone, Copy)]
 pub enum CornerSource<'m> {
-    /// All of them have been traced before.
+    /// Samples that have been traced before.
     Lattice(CornerGrid<'m>),
-    /// Each pixel traces its own.
+    /// Each pixel traces its own corners.
     Retraced,
 }
 
@@ -58,9 +57,9 @@ impl Sampler for AnySampler<'_> {
 }
 
 impl<'m> AnySampler<'m> {
-    /// The sampler that the settings ask for. `corners` and `cache` are for one that shares corners.
+    /// The sampler of the settings. `corners` and `cache` are used by adaptive sampling.
     ///
-    /// Numbers out of range, which the command line refuses, become one ray in each pixel.
+    /// Settings out of range, which the command line rejects, give one ray per pixel.
     pub fn new(settings: &Settings, corners: CornerSource<'m>, cache: &'m mut [CacheEntry]) -> Self {
         let (filter, seed) = (filter(settings.filter), settings.seed);
         let regular =
@@ -87,7 +86,7 @@ impl<'m> AnySampler<'m> {
     }
 }
 
-/// How pixels are subdivided, where they are.
+/// The subdivision of pixels; `None` if the sampler is not adaptive.
 pub fn parting(settings: &Settings) -> Option<Subdivision> {
     match settings.sampler {
         SamplerSettings::Adaptive { max_depth: depth, contrast: it } => {
@@ -97,7 +96,7 @@ pub fn parting(settings: &Settings) -> Option<Subdivision> {
     }
 }
 
-/// Which pixels are traced, where not all are.
+/// The selection of pixels that are traced; `None` for all.
 pub fn selection(settings: &Settings) -> Option<Selection> {
     let it = settings.select?;
     Selection::new(it.step, agreement(it.contrast)?)

@@ -1,4 +1,4 @@
-//! A scene with its accelerator: pictures and ray queries.
+//! The engine: a scene with its acceleration structure, for pictures and ray queries.
 
 use std::time::{Duration, Instant};
 
@@ -6,7 +6,7 @@ use strahl_core::scene::EffectSet;
 use strahl_core::{Camera, CameraDescriptor, Projection, Rgb, Scene, Shape};
 use strahl_settings::{AccelSettings, Settings};
 
-use crate::accelerators::{AccelMemory, open};
+use crate::accelerators::{self, AccelMemory};
 use crate::cost_counting::CostCounting;
 use crate::effects::TracerRequest;
 use crate::engine::Engine;
@@ -20,7 +20,7 @@ use crate::scheduler::Scheduler;
 use crate::tiles::{self, Traced, single_precision};
 use crate::world::AnyWorld;
 
-/// A scene with its accelerator, of which pictures are rendered one after another.
+/// A scene with its acceleration structure, from which any number of pictures can be rendered.
 pub struct SceneEngine<'s> {
     world: Box<dyn AnyWorld + 's>,
     view: CameraDescriptor,
@@ -29,7 +29,7 @@ pub struct SceneEngine<'s> {
 }
 
 impl<'s> SceneEngine<'s> {
-    /// Builds the accelerator that is asked for in `memory`, which the caller keeps, as it does the scene's tables.
+    /// Builds the requested acceleration structure in `memory`, which is provided by the caller, like the scene tables.
     pub fn new(
         scene: Scene<'s>,
         view: CameraDescriptor,
@@ -37,18 +37,19 @@ impl<'s> SceneEngine<'s> {
         memory: &'s mut AccelMemory,
     ) -> Result<Self, RenderError> {
         let stats = scene_stats(&scene, &view);
-        let (world, accelerator) = open(scene, accelerator, memory).map_err(RenderError::invalid)?;
+        let (world, accelerator) =
+            accelerators::build(scene, accelerator, memory).map_err(RenderError::invalid)?;
         Ok(SceneEngine { world, view, scene: stats, accelerator })
     }
 
-    /// Renders a picture, all pixels of which are traced by `trace`.
+    /// Renders a picture whose pixels are traced by `trace`.
     fn rendered(
         &self,
         settings: &Settings,
         options: &RenderOptions<'_>,
         trace: impl FnOnce(&dyn RayTracerFactory) -> Result<Traced<Rgb>, Interrupt>,
     ) -> Result<Rendered, RenderError> {
-        let (clock, cpu) = (Instant::now(), cpu_time());
+        let (start, cpu_start) = (Instant::now(), cpu_time());
         let camera = Camera::new(&self.view, settings.size).map_err(RenderError::invalid)?;
         let Settings { levels, cutoff, shadow_cache, .. } = *settings;
         let request = TracerRequest { levels, cutoff, shadow_cache, count_tests: options.counts_tests() };
@@ -60,8 +61,8 @@ impl<'s> SceneEngine<'s> {
         Ok(Rendered {
             colors: single_precision(colors),
             counters,
-            trace: clock.elapsed(),
-            trace_cpu: cpu_time().saturating_sub(cpu),
+            trace: start.elapsed(),
+            trace_cpu: cpu_time().saturating_sub(cpu_start),
         })
     }
 }
@@ -103,7 +104,7 @@ impl Engine for SceneEngine<'_> {
     }
 }
 
-/// What is in a scene, and the effects that it requires, those of the view included.
+/// The statistics of a scene, with the effects that it requires, including those of the camera.
 pub fn scene_stats(scene: &Scene<'_>, view: &CameraDescriptor) -> SceneStats {
     let parts = scene.descriptor();
     let is_triangle = |shape: &&Shape| matches!(shape, Shape::Triangle(_) | Shape::SmoothTriangle(_));
@@ -118,14 +119,14 @@ pub fn scene_stats(scene: &Scene<'_>, view: &CameraDescriptor) -> SceneStats {
     }
 }
 
-/// The processor time that this process has used on all threads.
+/// The processor time of this process, summed over all threads.
 #[cfg(unix)]
 fn cpu_time() -> Duration {
     let now = rustix::time::clock_gettime(rustix::time::ClockId::ProcessCPUTime);
     Duration::new(now.tv_sec.unsigned_abs(), now.tv_nsec.unsigned_abs() as u32)
 }
 
-/// Not known here.
+/// The processor time is not available on this platform: 0.
 #[cfg(not(unix))]
 fn cpu_time() -> Duration {
     Duration::ZERO

@@ -1,4 +1,4 @@
-//! What comes next in a picture that becomes better pass by pass.
+//! The schedule of progressive rendering.
 
 use std::time::Instant;
 
@@ -6,41 +6,41 @@ use strahl_settings::{SamplerSettings, SelectionSettings};
 
 use crate::output::Color;
 
-/// One pass: a whole picture.
+/// The settings of a pass, which renders a whole picture.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Pass {
-    /// Which rays make a pixel: one, or as many as a stochastic rule asks for.
+    /// The sampler; samples are reused by `single` and `stochastic`.
     pub sampler: SamplerSettings,
-    /// Which pixels are traced, where not all are.
+    /// The selection of pixels that are traced; `None` for all.
     pub select: Option<SelectionSettings>,
-    /// When it is given up; with the first pass, all is.
-    pub until: Option<Instant>,
+    /// The time at which the pass is cancelled; cancelling the first pass is an error.
+    pub deadline: Option<Instant>,
 }
 
-/// What is ahead.
+/// The remaining work, for the choice of the next pass.
 pub struct Outlook<'o> {
-    /// Pixels through whose center no ray has been sent yet.
-    pub missing: u64,
-    /// All pixels.
+    /// The number of pixels whose center has not been traced.
+    pub untraced_pixels: u64,
+    /// The number of all pixels.
     pub pixels: u64,
-    /// How many more rays it takes until the mean of every pixel is known to this tolerance.
-    pub needs: &'o dyn Fn(f32) -> u64,
+    /// The estimated number of further rays until the mean of every pixel is within a tolerance.
+    pub rays_for_tolerance: &'o dyn Fn(f32) -> u64,
 }
 
-/// What a pass took.
+/// The cost of a pass.
 #[derive(Clone, Copy, Debug)]
 pub struct PassStats {
-    /// Seconds of the clock.
+    /// The wall-clock time, in seconds.
     pub seconds: f64,
-    /// Rays through the picture.
+    /// The number of camera rays.
     pub rays: u64,
 }
 
-/// Decides what comes next.
+/// Selects the passes of progressive rendering.
 pub trait Scheduler {
-    /// The next pass; none when it is enough.
+    /// The next pass; `None` to end rendering.
     fn next(&mut self, outlook: &Outlook<'_>) -> Option<Pass>;
 
-    /// A pass was completed, and this is its picture, row by row.
+    /// Receives a completed pass and its picture, row by row.
     fn done(&mut self, pass: &Pass, stats: PassStats, picture: Vec<Color>);
 }

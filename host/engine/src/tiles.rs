@@ -1,8 +1,8 @@
 //! Tiles and threads.
 //!
-//! The picture is cut into tiles, which idle threads take one by one. Each tile is traced by a ray tracer of its own into
-//! memory of its own, so the number of threads changes neither the picture nor the counts. What tiles share, the corners of
-//! pixels or a coarse raster of pixels, is traced before, in tiles of its own.
+//! The picture is divided into tiles, which are distributed over threads. Each tile has its own ray tracer and its own
+//! memory, so the number of threads changes neither the picture nor the counts. Samples that tiles share (pixel corners,
+//! or a coarse grid of pixels) are traced first, also in tiles.
 
 use rayon::prelude::*;
 
@@ -22,13 +22,13 @@ use crate::progress::{Interrupt, Progress};
 use crate::ray_tracer::RayTracerFactory;
 use crate::samplers::{AnySampler, CornerSource, parting, selection};
 
-/// The most samples that are cached for one tile.
-const MOST_CACHED: usize = 1 << 14;
+/// The maximum number of cached samples of a tile.
+const MAX_CACHED: usize = 1 << 14;
 
-/// Records of pixels, row by row, and the work.
+/// The records of pixels, row by row, and the counters.
 pub type Traced<R> = (Vec<R>, Counters);
 
-/// Traces the picture that is requested.
+/// Traces the requested picture.
 pub fn trace(
     ray_tracers: &dyn RayTracerFactory,
     settings: &Settings,
@@ -37,7 +37,7 @@ pub fn trace(
 ) -> Result<Traced<Rgb>, Interrupt> {
     let renderer = TileRenderer { ray_tracers, settings, options, area: settings.region_or_all(), progress };
     let pool = rayon::ThreadPoolBuilder::new().num_threads(settings.threads).build();
-    // Without a pool of its own the work is done by the pool of the process.
+    // If no pool can be created, use the global one.
     let run = || match selection(settings) {
         Some(selection) => renderer.selected(selection),
         None => renderer.all(),
@@ -48,38 +48,38 @@ pub fn trace(
     }
 }
 
-/// Colours in single precision; those of single precision stay where they are.
+/// Converts colors to single precision; in single precision the vector is reused.
 pub fn single_precision(colors: Vec<Rgb>) -> Vec<Color> {
     #[allow(clippy::unnecessary_cast)] // in single precision
     let narrow = |c: Rgb| Color::new(c.r as f32, c.g as f32, c.b as f32);
     colors.into_iter().map(narrow).collect()
 }
 
-/// A picture that is traced tile by tile.
+/// Renders a picture tile by tile.
 struct TileRenderer<'w> {
     ray_tracers: &'w dyn RayTracerFactory,
     settings: &'w Settings,
     options: &'w RenderOptions<'w>,
-    /// The pixels of the picture.
+    /// The pixels to render.
     area: Tile,
     progress: &'w dyn Progress,
 }
 
-/// What rays are traced for.
+/// The samples to trace.
 #[derive(Clone, Copy)]
 enum Target<'c> {
-    /// The upper left corners of pixels, which neighbours share.
+    /// The upper left corners of pixels.
     Corners(Subdivision),
-    /// A raster of pixels, each at the corner of a block.
+    /// A coarse grid: the pixel at the corner of each block.
     Raster(Selection),
-    /// Pixels, whose corners may be known.
+    /// Pixels, with a source of corner samples.
     Pixels(CornerSource<'c>),
 }
 
 impl TileRenderer<'_> {
-    /// Traces every pixel that is requested.
+    /// Traces all requested pixels.
     fn all(&self) -> Result<Traced<Rgb>, Interrupt> {
-        // All corners first, where all pixels are requested, so that none is traced twice.
+        // If there is no mask, trace all corners first, so that none is traced twice.
         let (lattice, mut counts): Traced<PixelSample> = match parting(self.settings) {
             Some(parting) if self.options.mask.is_none() => {
                 self.pixels(CornerGrid::corner_tile(self.area), Target::Corners(parting))?
@@ -93,7 +93,7 @@ impl TileRenderer<'_> {
         Ok((colors, counts))
     }
 
-    /// Traces some pixels, and interpolates the others that are requested.
+    /// Traces the selected pixels, and interpolates the other requested ones.
     fn selected(&self, selection: Selection) -> Result<Traced<Rgb>, Interrupt> {
         let blocks = selection.blocks(self.area);
         let (raster, mut counts): Traced<PixelSample> = match self.options.mask {
@@ -102,7 +102,7 @@ impl TileRenderer<'_> {
         };
         let corners = CornerGrid::new(blocks, &raster).map_or(CornerSource::Retraced, CornerSource::Lattice);
 
-        // Blocks share what lies between them within a tile, so tiles are larger.
+        // Blocks within a tile share the pixels between them, so tiles are larger.
         let side = (2 * self.options.tile_side / selection.step()).max(1);
         let area = |blocks| selection.pixels_of(blocks).intersection(self.area);
         let (colors, counted) = self.tiles(blocks, side, area, |blocks, canvas| {
@@ -123,7 +123,7 @@ impl TileRenderer<'_> {
         Ok((colors, counts))
     }
 
-    /// Traces the pixels of `area` that are requested.
+    /// Traces the requested pixels of `area`.
     fn pixels<R: FramebufferPixel + Send>(
         &self,
         area: Tile,
@@ -158,8 +158,7 @@ impl TileRenderer<'_> {
         )
     }
 
-    /// Works on `cells`, tile by tile, and puts together what comes of it. `area` says which
-    /// part of the picture a rectangle of cells is.
+    /// Processes `cells` tile by tile in parallel, and assembles the results. `area` maps a rectangle of cells to pixels.
     fn tiles<R: FramebufferPixel + Send>(
         &self,
         cells: Tile,
@@ -185,7 +184,7 @@ impl TileRenderer<'_> {
         let mut picture = vec![R::EMPTY; whole.len()];
         let mut counts = Counters::default();
         for (tile, records, counted) in traced {
-            // A tile of cells that lie beyond the picture's edge has no pixel.
+            // A tile of cells outside the picture has no pixels.
             let rows = records.chunks(tile.width.max(1) as usize).zip(tile.top_left.y..);
             for (row, y) in rows {
                 if let Some(start) = whole.index_of(Pixel { x: tile.top_left.x, y }) {
@@ -197,7 +196,7 @@ impl TileRenderer<'_> {
         Ok((picture, counts))
     }
 
-    /// The cache of a sampler that has one; making it takes longer than an easy pixel.
+    /// The cache of the sampler, empty unless it is used: allocating it takes longer than a cheap pixel.
     fn sampler_cache(&self, tile: Tile) -> Vec<CacheEntry> {
         if parting(self.settings).is_some() { cache_for(tile) } else { Vec::new() }
     }
@@ -205,10 +204,10 @@ impl TileRenderer<'_> {
 
 /// A cache for the samples of a tile.
 fn cache_for(tile: Tile) -> Vec<CacheEntry> {
-    vec![CacheEntry::EMPTY; MOST_CACHED.min(16 * tile.len())]
+    vec![CacheEntry::EMPTY; MAX_CACHED.min(16 * tile.len())]
 }
 
-/// The pixels of one tile, until the work is interrupted.
+/// A sink for the pixels of one tile, which fails on cancellation.
 struct Canvas<'m, R> {
     tile: Tile,
     records: &'m mut [R],
@@ -224,10 +223,10 @@ impl<R: FramebufferPixel> Sink for Canvas<'_, R> {
     }
 
     fn put_sample(&mut self, pixel: Pixel, sample: PixelSample) -> Result<(), Interrupt> {
-        if let Some(place) = self.tile.index_of(pixel)
+        if let Some(index) = self.tile.index_of(pixel)
             && self.options.is_requested(pixel)
         {
-            self.records[place] = R::from_sample(sample);
+            self.records[index] = R::from_sample(sample);
         }
         self.progress.check()
     }

@@ -1,32 +1,32 @@
-//! A scene with an accelerator of any type.
+//! A scene with an acceleration structure of any type.
 
 use strahl_core::accel::Accelerator;
 use strahl_core::{Camera, World};
 
-use crate::effects::{ChooseRayTracers, ChosenRayTracers, TracerRequest};
+use crate::effects::{SelectRayTracers, SelectedRayTracers, TracerRequest};
 use crate::hits::nearest;
 use crate::ray_query::RayCaster;
 
-/// A scene with an accelerator of any type.
+/// A scene with an acceleration structure, as a trait object.
 pub trait AnyWorld: Sync {
-    /// Ray tracers whose effect set suits the scene and the request.
-    fn ray_tracers(&self, camera: Camera, request: TracerRequest) -> ChosenRayTracers<'_>;
+    /// Ray tracers with an effect set for the scene, the camera and the request.
+    fn ray_tracers(&self, camera: Camera, request: TracerRequest) -> SelectedRayTracers<'_>;
 
-    /// Finds the nearest hits of rays.
+    /// A ray caster, which finds the nearest hits of rays.
     fn ray_caster(&self) -> RayCaster<'_>;
 }
 
-/// A scene with an accelerator of this type.
+/// A scene with an acceleration structure of type `A`.
 pub struct TypedWorld<'s, A> {
-    /// Both.
+    /// The scene and the acceleration structure.
     pub world: World<'s, A>,
-    /// Chooses the effect set of its ray tracers.
-    pub choose: ChooseRayTracers<A>,
+    /// Selects the effect set of ray tracers.
+    pub select: SelectRayTracers<A>,
 }
 
 impl<A: Accelerator + Sync> AnyWorld for TypedWorld<'_, A> {
-    fn ray_tracers(&self, camera: Camera, request: TracerRequest) -> ChosenRayTracers<'_> {
-        (self.choose)(&self.world, camera, request)
+    fn ray_tracers(&self, camera: Camera, request: TracerRequest) -> SelectedRayTracers<'_> {
+        (self.select)(&self.world, camera, request)
     }
 
     fn ray_caster(&self) -> RayCaster<'_> {

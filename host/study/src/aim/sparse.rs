@@ -6,7 +6,7 @@
 use strahl_core::image::Pixel;
 use strahl_core::math::{Dimension, SobolSequence};
 use strahl_core::{Resolution, Rgb, Tile};
-use strahl_engine::cost_map::ChosenPixels;
+use strahl_engine::cost_map::PixelSubset;
 use strahl_engine::{CostMap, Mask, RenderOptions};
 use strahl_picture::srgb::encode;
 use strahl_settings::Settings;
@@ -23,7 +23,7 @@ const Z_95: f64 = 1.6449;
 /// A sample of the pixels of a picture.
 pub struct SparsePixels {
     mask: Mask,
-    subset: ChosenPixels,
+    subset: PixelSubset,
     /// Pixel indices in the region, block by block.
     blocks: Vec<Vec<usize>>,
     /// Fraction of all requested pixels.
@@ -57,7 +57,7 @@ impl SparsePixels {
         let blocks: Vec<_> = tiles.into_iter().map(inside).filter(|indices| !indices.is_empty()).collect();
         let count: usize = blocks.iter().map(Vec::len).sum();
         let mask = block_mask(settings.size, area, &blocks);
-        let subset = ChosenPixels::by(&mask);
+        let subset = PixelSubset::of_mask(&mask);
         SparsePixels { mask, subset, blocks, sampled_fraction: count as f64 / all.max(1) as f64 }
     }
 
@@ -93,7 +93,7 @@ impl SparsePixels {
 
     /// An empty cost map for the sampled pixels.
     pub fn cost_map(&self) -> CostMap {
-        CostMap::only(self.mask.size, &self.subset)
+        CostMap::for_subset(self.mask.size, &self.subset)
     }
 }
 
@@ -179,7 +179,7 @@ mod tests {
         let settings = Settings { size, region: Some(region), ..Settings::default() };
         let sparse = SparsePixels::new(&settings, &RenderOptions::default());
         let mask = sparse.mask();
-        let sampled: Vec<Pixel> = Tile::full(size).pixels().filter(|pixel| mask.has(*pixel)).collect();
+        let sampled: Vec<Pixel> = Tile::full(size).pixels().filter(|pixel| mask.contains(*pixel)).collect();
         assert!(sampled.len() > 2000 && sampled.iter().all(|pixel| region.index_of(*pixel).is_some()));
     }
 }

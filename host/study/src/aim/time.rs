@@ -55,7 +55,7 @@ pub fn render_in_time(
 const fn coarse_pass(step: u32, threshold: f32) -> Pass {
     let contrast = ContrastSettings { threshold, items: false };
     let select = Some(SelectionSettings { step, contrast });
-    Pass { sampler: SamplerSettings::Single, select, until: None }
+    Pass { sampler: SamplerSettings::Single, select, deadline: None }
 }
 
 /// The cheapest pass.
@@ -166,12 +166,16 @@ impl DeadlineScheduler {
         // The required rays grow as the tolerance falls: bisection finds the finest tolerance that fits.
         let most = affordable.min(MAX_GROWTH * self.rays as f64);
         let (mut low, mut high) = (f64::from(FINEST_TOLERANCE), f64::from(before));
-        if (outlook.needs)(FINEST_TOLERANCE) as f64 <= most {
+        if (outlook.rays_for_tolerance)(FINEST_TOLERANCE) as f64 <= most {
             high = low;
         }
         for _ in 0..14 {
             let center = (low * high).sqrt();
-            if (outlook.needs)(center as f32) as f64 <= most { high = center } else { low = center }
+            if (outlook.rays_for_tolerance)(center as f32) as f64 <= most {
+                high = center
+            } else {
+                low = center
+            }
         }
         let tolerance = round_up_to_three_digits(high);
         // The tolerance must decrease.
@@ -198,7 +202,7 @@ impl DeadlineScheduler {
 fn stochastic_pass(min_samples: u32, tolerance: f32) -> Pass {
     let confidence = ConfidenceSettings { confidence: CONFIDENCE_LEVEL, tolerance };
     let sampler = SamplerSettings::Stochastic { min_samples, max_samples: MAX_SAMPLES, confidence };
-    Pass { sampler, select: None, until: None }
+    Pass { sampler, select: None, deadline: None }
 }
 
 /// Rounds up to three significant digits, which are easy to type.
@@ -212,21 +216,21 @@ impl Scheduler for DeadlineScheduler {
         self.started_passes += 1;
         let Some(last) = self.last else {
             let latest = self.limit.start + (FIRST_PASS_FACTOR * self.limit.duration).max(FIRST_PASS_MIN);
-            return Some(Pass { until: Some(latest), ..COARSEST_PASS });
+            return Some(Pass { deadline: Some(latest), ..COARSEST_PASS });
         };
-        let until = Some(self.deadline());
+        let deadline = Some(self.deadline());
         if self.seconds_left() <= MIN_REMAINING_SHARE * self.limit.duration.as_secs_f64() {
             self.started_passes -= 1;
             return None;
         }
-        if outlook.missing > 0 && last.select.is_some() {
-            let fits = outlook.missing as f64 <= 0.5 * self.affordable_rays();
+        if outlook.untraced_pixels > 0 && last.select.is_some() {
+            let fits = outlook.untraced_pixels as f64 <= 0.5 * self.affordable_rays();
             let grid = if fits { None } else { self.coarse_passes.next().copied() };
-            let all = Pass { sampler: SamplerSettings::Single, select: None, until };
-            return Some(grid.map_or(all, |grid| Pass { until, ..grid }));
+            let all = Pass { sampler: SamplerSettings::Single, select: None, deadline };
+            return Some(grid.map_or(all, |grid| Pass { deadline, ..grid }));
         }
         match self.next_sampling_pass(outlook) {
-            Some(pass) => Some(Pass { until, ..pass }),
+            Some(pass) => Some(Pass { deadline, ..pass }),
             None => {
                 self.started_passes -= 1;
                 None
@@ -248,7 +252,7 @@ impl Scheduler for DeadlineScheduler {
             }
             _ => false,
         };
-        self.last = Some(Pass { until: None, ..*pass });
+        self.last = Some(Pass { deadline: None, ..*pass });
         // Measure the encoding time, if there is time for it.
         if is_new && self.seconds_left() > 4.0 * self.write_seconds {
             let clock = Instant::now();
