@@ -1,17 +1,17 @@
-//! Measures strahl's accelerators; the package's `README.md` tells how to call it.
+//! Benchmark of strahl's accelerators and of other crates; see `README.md` for its arguments.
 
-mod contest;
+mod comparison;
+mod crates;
 mod mesh;
-mod ours;
-mod peers;
+mod strahl;
 
-use contest::{Contender, Question, rates, timed};
-use mesh::{Mesh, camera_rays, random_rays};
+use comparison::{Contender, QueryKind, rates, timed};
+use mesh::{BenchMesh, camera_rays, random_rays};
 
 fn main() {
     if let Some(name) = std::env::args().nth(1).filter(|word| word.parse::<usize>().is_err()) {
         let size = std::env::args().nth(2).and_then(|size| size.parse().ok()).unwrap_or(100_000);
-        return alone(&name, size);
+        return profile(&name, size);
     }
     let sizes: Vec<usize> = std::env::args().skip(1).map(|size| size.parse().expect("a number")).collect();
     let sizes = if sizes.is_empty() { vec![10_000, 100_000, 1_000_000] } else { sizes };
@@ -24,21 +24,21 @@ fn main() {
     }
 }
 
-/// Everybody on one mesh. Rates are in millions of rays per second.
+/// Measures all contenders on one mesh. Rates are in millions of rays per second.
 fn meshes(size: usize) {
-    let mesh = Mesh::stone(size);
+    let mesh = BenchMesh::bumpy_sphere(size);
     let count = mesh.triangles.len();
-    let tables = ours::Tables::of(&mesh);
-    let mut room = ours::Room::of(count);
-    let (_, ours_build) = timed(|| {
-        let tables = ours::Tables::of(&mesh);
-        let mut room = ours::Room::of(count);
-        ours::hierarchy(&tables, &mut room).len()
+    let tables = strahl::MeshTables::of(&mesh);
+    let mut buffers = strahl::BvhBuffers::of(count);
+    let (_, strahl_build) = timed(|| {
+        let tables = strahl::MeshTables::of(&mesh);
+        let mut buffers = strahl::BvhBuffers::of(count);
+        strahl::contenders(&tables, &mut buffers).len()
     });
-    let [stack, heap] = ours::hierarchy(&tables, &mut room);
-    let (obvhs, obvhs_build) = timed(|| peers::Obvhs::build(&mesh));
-    let (bvh, bvh_build) = timed(|| peers::Svenstaro::build(&mesh));
-    let nearest = peers::SvenstaroNearest(peers::Svenstaro::build(&mesh));
+    let [stack, heap] = strahl::contenders(&tables, &mut buffers);
+    let (obvhs, obvhs_build) = timed(|| crates::ObvhsContender::build(&mesh));
+    let (bvh, bvh_build) = timed(|| crates::BvhCrateContender::build(&mesh));
+    let nearest = crates::BvhCrateNearest(crates::BvhCrateContender::build(&mesh));
     let mut all: Vec<(&str, Box<dyn Contender + '_>)> = vec![
         stack,
         heap,
@@ -46,43 +46,43 @@ fn meshes(size: usize) {
         ("bvh", Box::new(bvh)),
         ("bvh, nearest first", Box::new(nearest)),
     ];
-    let builds = [ours_build, ours_build, obvhs_build, bvh_build, bvh_build];
+    let builds = [strahl_build, strahl_build, obvhs_build, bvh_build, bvh_build];
     let rays = [camera_rays(512), random_rays(200_000)];
     let columns: Vec<_> = rays
         .iter()
-        .flat_map(|rays| [Question::Closest, Question::Any].map(|question| (rays, question)))
-        .map(|(rays, question)| rates(&mut all, rays, question, 5))
+        .flat_map(|rays| [QueryKind::Nearest, QueryKind::AnyHit].map(|query| (rays, query)))
+        .map(|(rays, query)| rates(&mut all, rays, query, 5))
         .collect();
-    for (place, (name, contender)) in all.iter().enumerate() {
-        let build = builds[place].as_secs_f64() * 1e6 / count as f64;
+    for (index, (name, contender)) in all.iter().enumerate() {
+        let build = builds[index].as_secs_f64() * 1e6 / count as f64;
         let bytes = contender.bytes() as f64 / count as f64;
         print!("| {count} | {name} | {build:.2} | {bytes:.0} |");
         for column in &columns {
-            let (rate, hits) = column[place];
+            let (rate, hits) = column[index];
             print!(" {:.2} ({hits}) |", rate / 1e6);
         }
         println!();
     }
 }
 
-/// One contender on a few random rays, to be looked at with a profiler.
-fn alone(name: &str, size: usize) {
-    let mesh = Mesh::stone(size);
-    let tables = ours::Tables::of(&mesh);
-    let mut room = ours::Room::of(mesh.triangles.len());
+/// Runs one contender on a few random rays, for profiling.
+fn profile(name: &str, size: usize) {
+    let mesh = BenchMesh::bumpy_sphere(size);
+    let tables = strahl::MeshTables::of(&mesh);
+    let mut buffers = strahl::BvhBuffers::of(mesh.triangles.len());
     let mut contender: Box<dyn Contender> = match name {
-        "stack" => ours::hierarchy(&tables, &mut room).map(|(_, it)| it).into_iter().next().unwrap(),
-        "bvh" => Box::new(peers::Svenstaro::build(&mesh)),
-        _ => Box::new(peers::Obvhs::build(&mesh)),
+        "stack" => strahl::contenders(&tables, &mut buffers).map(|(_, it)| it).into_iter().next().unwrap(),
+        "bvh" => Box::new(crates::BvhCrateContender::build(&mesh)),
+        _ => Box::new(crates::ObvhsContender::build(&mesh)),
     };
     let rays = random_rays(20_000);
     if name == "count" {
-        println!("{:?}", ours::counted(&tables, &mut ours::Room::of(mesh.triangles.len()), &rays));
+        println!("{:?}", strahl::counted(&tables, &mut strahl::BvhBuffers::of(mesh.triangles.len()), &rays));
         return;
     }
     if std::env::args().nth(3).is_some() {
-        println!("{}", rays.iter().filter(|ray| contender.any(ray, contest::WAY)).count());
+        println!("{}", rays.iter().filter(|ray| contender.occluded(ray, comparison::ANY_HIT_T_MAX)).count());
         return;
     }
-    println!("{}", rays.iter().filter(|ray| contender.closest(ray).is_some()).count());
+    println!("{}", rays.iter().filter(|ray| contender.intersect_nearest(ray).is_some()).count());
 }

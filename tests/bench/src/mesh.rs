@@ -4,15 +4,15 @@ use strahl_core::geometry::Ray;
 use strahl_core::math::PI;
 use strahl_core::{Vec3, vec3};
 
-/// Triangles.
-pub struct Mesh {
+/// A triangle mesh.
+pub struct BenchMesh {
     pub points: Vec<Vec3>,
     pub triangles: Vec<[u32; 3]>,
 }
 
-impl Mesh {
-    /// A round stone with bumps, of about `triangles` triangles.
-    pub fn stone(triangles: usize) -> Mesh {
+impl BenchMesh {
+    /// A sphere with bumps, of about `triangles` triangles.
+    pub fn bumpy_sphere(triangles: usize) -> BenchMesh {
         let rows = ((triangles as f32) / 4.0).sqrt().round().max(3.0) as u32;
         let columns = 2 * rows;
         let mut points = Vec::new();
@@ -41,19 +41,20 @@ impl Mesh {
                 }
             }
         }
-        Mesh { points, triangles: faces }
+        BenchMesh { points, triangles: faces }
     }
 
-    pub fn corners(&self) -> impl Iterator<Item = [Vec3; 3]> + '_ {
-        self.triangles.iter().map(|corners| corners.map(|place| self.points[place as usize]))
+    pub fn vertices(&self) -> impl Iterator<Item = [Vec3; 3]> + '_ {
+        self.triangles.iter().map(|vertices| vertices.map(|index| self.points[index as usize]))
     }
 }
 
-/// Numbers in `[0, 1)` (Steele, Lea, Flood, "Fast Splittable Pseudorandom Number Generators",
-/// 2014).
-pub struct Random(pub u64);
+/// The generator SplitMix64.
+///
+/// Source: Steele, Lea and Flood, "Fast Splittable Pseudorandom Number Generators", OOPSLA 2014.
+pub struct SplitMix64(pub u64);
 
-impl Random {
+impl SplitMix64 {
     fn unit(&mut self) -> f32 {
         self.0 = self.0.wrapping_add(0x9e37_79b9_7f4a_7c15);
         let mut z = self.0;
@@ -62,13 +63,13 @@ impl Random {
         ((z ^ (z >> 31)) >> 40) as f32 / (1 << 24) as f32
     }
 
-    fn within(&mut self, reach: f32) -> Vec3 {
-        let mut one = || (2.0 * self.unit() - 1.0) * reach;
+    fn in_cube(&mut self, half_extent: f32) -> Vec3 {
+        let mut one = || (2.0 * self.unit() - 1.0) * half_extent;
         vec3(one(), one(), one())
     }
 }
 
-/// Rays of a picture of `side` times `side` pixels, row by row.
+/// Camera rays of a picture of `side` times `side` pixels, row by row.
 pub fn camera_rays(side: u32) -> Vec<Ray> {
     let eye = vec3(1.2, 1.6, 2.4);
     let toward = -eye.normalize_or_zero();
@@ -82,12 +83,12 @@ pub fn camera_rays(side: u32) -> Vec<Ray> {
     .collect()
 }
 
-/// Rays from anywhere near the mesh to anywhere near it.
+/// Rays between random points near the mesh.
 pub fn random_rays(count: usize) -> Vec<Ray> {
-    let mut random = Random(1);
+    let mut rng = SplitMix64(1);
     let ray = |_| {
-        let from = random.within(1.6);
-        Ray::new(from, (random.within(1.1) - from).normalize_or_zero())
+        let from = rng.in_cube(1.6);
+        Ray::new(from, (rng.in_cube(1.1) - from).normalize_or_zero())
     };
     (0..count).map(ray).collect()
 }

@@ -2,7 +2,7 @@
 
 use std::cell::RefCell;
 
-use strahl_firmware::draw::{DARK, PixelBytes};
+use strahl_firmware::draw::{BLACK_ROW, PixelBytes};
 use strahl_firmware::packs::{SCENES, picture};
 
 thread_local! {
@@ -19,7 +19,7 @@ pub extern "C" fn draw(number: usize) -> usize {
             floats.extend_from_slice(row.as_flattened().as_flattened());
             true
         };
-        match picture(baked, &mut DARK.clone(), || 0, take) {
+        match picture(baked, &mut BLACK_ROW.clone(), || 0, take) {
             Ok(_) => floats.len(),
             Err(_) => 0,
         }

@@ -9,11 +9,11 @@
 use cortex_m_rt::entry;
 use semihosting::{fs::File, io::Write, println, process};
 use strahl_core::accel::TraversalStack;
-use strahl_core::baked::Pack;
+use strahl_core::baked::BakedScene;
 use strahl_core::geometry::{ShapeKind, ShapeSet};
 use strahl_core::scene::{EffectSet, Effects, LightKind, LightSet};
-use strahl_core::{Single, World, include_baked_scene};
-use strahl_firmware::draw::{DARK, PixelRow, bytes, draw};
+use strahl_core::{CenterSampler, World, include_baked_scene};
+use strahl_firmware::draw::{BLACK_ROW, PixelRow, bytes, draw};
 use strahl_firmware::packs::draw_settings;
 use strahl_firmware::{count, stack};
 
@@ -35,7 +35,7 @@ impl Effects for SphereflakeEffects {
 
 #[entry]
 fn main() -> ! {
-    static mut ROW: PixelRow = DARK;
+    static mut ROW: PixelRow = BLACK_ROW;
     match picture(ROW) {
         Ok(()) => process::exit(0),
         Err(reason) => {
@@ -46,7 +46,7 @@ fn main() -> ! {
 }
 
 fn picture(row: &mut PixelRow) -> Result<(), &'static str> {
-    let (pack, opening) = count::of(|| Pack::open(SCENE));
+    let (pack, opening) = count::of(|| BakedScene::open(SCENE));
     let pack = pack.map_err(|_| "invalid baked scene")?;
     if pack.scene().required_effects() != SphereflakeEffects::SET {
         return Err("the scene does not require exactly the effects of the tracer");
@@ -58,7 +58,7 @@ fn picture(row: &mut PixelRow) -> Result<(), &'static str> {
     let cost = draw::<_, SphereflakeEffects, _, _, _, 5>(
         &World::new(*pack.scene(), bvh),
         settings,
-        &mut Single,
+        &mut CenterSampler,
         (),
         row,
         count::now,

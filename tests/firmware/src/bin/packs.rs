@@ -9,21 +9,21 @@ use semihosting::{fs::File, io::Write, println, process};
 #[cfg(target_arch = "arm")]
 use strahl_firmware::{count, packs::STACK};
 use strahl_firmware::{
-    draw::{DARK, PixelBytes, PixelRow},
+    draw::{BLACK_ROW, PixelBytes, PixelRow},
     packs::{FirmwareScene, SCENES, SceneSource, picture},
 };
 
 #[cfg(target_arch = "arm")]
 #[cortex_m_rt::entry]
 fn main() -> ! {
-    static mut ROW: PixelRow = DARK;
+    static mut ROW: PixelRow = BLACK_ROW;
     draw_all(ROW)
 }
 
 #[cfg(target_arch = "riscv32")]
 #[riscv_rt::entry]
 fn main() -> ! {
-    draw_all(&mut DARK.clone())
+    draw_all(&mut BLACK_ROW.clone())
 }
 
 fn draw_all(row: &mut PixelRow) -> ! {

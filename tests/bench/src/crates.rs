@@ -1,5 +1,4 @@
-//! The crates that a user would take instead, at their best: triangles in the order of their
-//! leaves where that is possible.
+//! Other crates, in their fastest configuration: triangles in the order of the leaves where possible.
 
 use bvh::aabb::{Aabb, Bounded};
 use bvh::bounding_hierarchy::BHShape;
@@ -9,11 +8,11 @@ use obvhs::ray::RayHit;
 use strahl_core::Vec3;
 use strahl_core::geometry::Ray;
 
-use crate::contest::{Contender, Found};
-use crate::mesh::Mesh;
+use crate::comparison::{ClosestTriangle, Contender};
+use crate::mesh::BenchMesh;
 
-/// `obvhs`, a binary tree by its medium build.
-pub struct Obvhs {
+/// `obvhs`: a binary BVH with its medium build.
+pub struct ObvhsContender {
     tree: Bvh2,
     /// In the order of the leaves.
     triangles: Vec<obvhs::triangle::Triangle>,
@@ -23,64 +22,67 @@ fn aligned(v: Vec3) -> glam::Vec3A {
     glam::Vec3A::new(v.x, v.y, v.z)
 }
 
-impl Obvhs {
-    pub fn build(mesh: &Mesh) -> Self {
+impl ObvhsContender {
+    pub fn build(mesh: &BenchMesh) -> Self {
         let triangle = |[a, b, c]: [Vec3; 3]| obvhs::triangle::Triangle {
             v0: aligned(a),
             v1: aligned(b),
             v2: aligned(c),
         };
-        let triangles: Vec<_> = mesh.corners().map(triangle).collect();
+        let triangles: Vec<_> = mesh.vertices().map(triangle).collect();
         let tree = obvhs::bvh2::builder::build_bvh2_from_tris(
             &triangles,
             obvhs::BvhBuildParams::medium_build(),
             &mut Default::default(),
         );
-        let triangles = tree.primitive_indices.iter().map(|place| triangles[*place as usize]).collect();
-        Obvhs { tree, triangles }
+        let triangles = tree.primitive_indices.iter().map(|index| triangles[*index as usize]).collect();
+        ObvhsContender { tree, triangles }
     }
 }
 
-impl Contender for Obvhs {
+impl Contender for ObvhsContender {
     fn bytes(&self) -> usize {
         size_of_val(self.tree.nodes.as_slice())
             + size_of_val(self.tree.primitive_indices.as_slice())
             + size_of_val(self.triangles.as_slice())
     }
 
-    fn closest(&mut self, ray: &Ray) -> Option<Found> {
+    fn intersect_nearest(&mut self, ray: &Ray) -> Option<ClosestTriangle> {
         let mut hit = RayHit::none();
         let ray = obvhs::ray::Ray::new_inf(aligned(ray.origin), aligned(ray.direction));
-        let met = self.tree.ray_traverse(ray, &mut hit, |ray, place| self.triangles[place].intersect(ray));
-        met.then(|| Found { t: hit.t, item: self.tree.primitive_indices[hit.primitive_id as usize] })
+        let met = self.tree.ray_traverse(ray, &mut hit, |ray, index| self.triangles[index].intersect(ray));
+        met.then(|| ClosestTriangle {
+            t: hit.t,
+            item: self.tree.primitive_indices[hit.primitive_id as usize],
+        })
     }
 
-    fn any(&mut self, ray: &Ray, reach: f32) -> bool {
-        let ray = obvhs::ray::Ray::new(aligned(ray.origin), aligned(ray.direction), 0.0, reach);
-        !self.tree.ray_traverse_miss(ray, |ray, place| self.triangles[place].intersect(ray))
+    fn occluded(&mut self, ray: &Ray, t_max: f32) -> bool {
+        let ray = obvhs::ray::Ray::new(aligned(ray.origin), aligned(ray.direction), 0.0, t_max);
+        !self.tree.ray_traverse_miss(ray, |ray, index| self.triangles[index].intersect(ray))
     }
 }
 
 /// `bvh`.
-pub struct Svenstaro {
+pub struct BvhCrateContender {
     tree: bvh::bvh::Bvh<f32, 3>,
-    triangles: Vec<Triangle>,
+    triangles: Vec<BvhCrateTriangle>,
 }
 
-struct Triangle {
-    corners: [Point3<f32>; 3],
+struct BvhCrateTriangle {
+    vertices: [Point3<f32>; 3],
     number: u32,
     node: usize,
 }
 
-impl Bounded<f32, 3> for Triangle {
+impl Bounded<f32, 3> for BvhCrateTriangle {
     fn aabb(&self) -> Aabb<f32, 3> {
-        let [a, b, c] = self.corners;
+        let [a, b, c] = self.vertices;
         Aabb::empty().grow(&a).grow(&b).grow(&c)
     }
 }
 
-impl BHShape<f32, 3> for Triangle {
+impl BHShape<f32, 3> for BvhCrateTriangle {
     fn set_bh_node_index(&mut self, node: usize) {
         self.node = node;
     }
@@ -90,10 +92,10 @@ impl BHShape<f32, 3> for Triangle {
     }
 }
 
-impl Triangle {
-    /// From both sides, unlike the crate's own (Möller and Trumbore, 1997).
+impl BvhCrateTriangle {
+    /// Two-sided intersection (Möller and Trumbore, 1997); that of the crate is one-sided.
     fn hit(&self, origin: &Point3<f32>, direction: &Vector3<f32>) -> Option<f32> {
-        let [a, b, c] = &self.corners;
+        let [a, b, c] = &self.vertices;
         let (ab, ac) = (b - a, c - a);
         let p = direction.cross(&ac);
         let inverse = 1.0 / ab.dot(&p);
@@ -112,61 +114,64 @@ impl Triangle {
     }
 }
 
-impl Svenstaro {
-    pub fn build(mesh: &Mesh) -> Self {
+impl BvhCrateContender {
+    pub fn build(mesh: &BenchMesh) -> Self {
         let point = |v: Vec3| Point3::new(v.x, v.y, v.z);
-        let triangle =
-            |(corners, number): ([Vec3; 3], u32)| Triangle { corners: corners.map(point), number, node: 0 };
-        let mut triangles: Vec<_> = mesh.corners().zip(0..).map(triangle).collect();
+        let triangle = |(vertices, number): ([Vec3; 3], u32)| BvhCrateTriangle {
+            vertices: vertices.map(point),
+            number,
+            node: 0,
+        };
+        let mut triangles: Vec<_> = mesh.vertices().zip(0..).map(triangle).collect();
         let tree = bvh::bvh::Bvh::build(&mut triangles);
-        Svenstaro { tree, triangles }
+        BvhCrateContender { tree, triangles }
     }
 }
 
-fn theirs(ray: &Ray) -> bvh::ray::Ray<f32, 3> {
+fn bvh_ray(ray: &Ray) -> bvh::ray::Ray<f32, 3> {
     let (o, d) = (ray.origin, ray.direction);
     bvh::ray::Ray::new(Point3::new(o.x, o.y, o.z), Vector3::new(d.x, d.y, d.z))
 }
 
-impl Contender for Svenstaro {
+impl Contender for BvhCrateContender {
     fn bytes(&self) -> usize {
         size_of_val(self.tree.nodes.as_slice()) + size_of_val(self.triangles.as_slice())
     }
 
-    fn closest(&mut self, ray: &Ray) -> Option<Found> {
-        let ray = theirs(ray);
-        let mut best: Option<Found> = None;
+    fn intersect_nearest(&mut self, ray: &Ray) -> Option<ClosestTriangle> {
+        let ray = bvh_ray(ray);
+        let mut best: Option<ClosestTriangle> = None;
         for triangle in self.tree.traverse_iterator(&ray, &self.triangles) {
             if let Some(t) = triangle.hit(&ray.origin, &ray.direction)
                 && best.is_none_or(|best| t < best.t)
             {
-                best = Some(Found { t, item: triangle.number });
+                best = Some(ClosestTriangle { t, item: triangle.number });
             }
         }
         best
     }
 
-    fn any(&mut self, ray: &Ray, reach: f32) -> bool {
-        let ray = theirs(ray);
+    fn occluded(&mut self, ray: &Ray, t_max: f32) -> bool {
+        let ray = bvh_ray(ray);
         self.tree
             .traverse_iterator(&ray, &self.triangles)
-            .any(|triangle| triangle.hit(&ray.origin, &ray.direction).is_some_and(|t| t <= reach))
+            .any(|triangle| triangle.hit(&ray.origin, &ray.direction).is_some_and(|t| t <= t_max))
     }
 }
 
-/// `bvh`, whose triangles come nearest first.
-pub struct SvenstaroNearest(pub Svenstaro);
+/// `bvh`, with traversal from near to far.
+pub struct BvhCrateNearest(pub BvhCrateContender);
 
-impl Contender for SvenstaroNearest {
+impl Contender for BvhCrateNearest {
     fn bytes(&self) -> usize {
         self.0.bytes()
     }
 
-    fn closest(&mut self, ray: &Ray) -> Option<Found> {
-        let ray = theirs(ray);
-        let mut best: Option<Found> = None;
+    fn intersect_nearest(&mut self, ray: &Ray) -> Option<ClosestTriangle> {
+        let ray = bvh_ray(ray);
+        let mut best: Option<ClosestTriangle> = None;
         for triangle in self.0.tree.nearest_traverse_iterator(&ray, &self.0.triangles) {
-            // They come in the order in which the ray enters their boxes.
+            // In the order in which the ray enters their bounds.
             if let Some(best) = best
                 && ray.intersection_slice_for_aabb(&triangle.aabb()).is_some_and(|(entry, _)| entry > best.t)
             {
@@ -175,13 +180,13 @@ impl Contender for SvenstaroNearest {
             if let Some(t) = triangle.hit(&ray.origin, &ray.direction)
                 && best.is_none_or(|best| t < best.t)
             {
-                best = Some(Found { t, item: triangle.number });
+                best = Some(ClosestTriangle { t, item: triangle.number });
             }
         }
         best
     }
 
-    fn any(&mut self, ray: &Ray, reach: f32) -> bool {
-        self.0.any(ray, reach)
+    fn occluded(&mut self, ray: &Ray, t_max: f32) -> bool {
+        self.0.occluded(ray, t_max)
     }
 }

@@ -1,62 +1,63 @@
-//! One contest: the same rays for all, in turns, by processor time.
+//! Comparison: all contenders answer the same rays, alternating, measured in processor time.
 
 use std::time::Duration;
 
 use strahl_core::geometry::Ray;
 
-/// The nearest triangle.
+/// Nearest hit.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Found {
+pub struct ClosestTriangle {
     pub t: f32,
     pub item: u32,
 }
 
-/// Somebody who can be asked what rays meet.
+/// A ray tracing structure that is measured.
 pub trait Contender {
-    /// The memory for tree and triangles.
+    /// Size of tree and triangles, in bytes.
     fn bytes(&self) -> usize;
-    fn closest(&mut self, ray: &Ray) -> Option<Found>;
-    fn any(&mut self, ray: &Ray, reach: f32) -> bool;
+    fn intersect_nearest(&mut self, ray: &Ray) -> Option<ClosestTriangle>;
+    fn occluded(&mut self, ray: &Ray, t_max: f32) -> bool;
 }
 
-/// The processor time of this thread.
+/// Processor time of this thread.
 fn cpu() -> Duration {
     let now = rustix::time::clock_gettime(rustix::time::ClockId::ThreadCPUTime);
     Duration::new(now.tv_sec.unsigned_abs(), now.tv_nsec as u32)
 }
 
-/// The processor time of `work`, and what it made.
+/// The result of `work` and its processor time.
 pub fn timed<T>(work: impl FnOnce() -> T) -> (T, Duration) {
     let start = cpu();
-    let made = work();
-    (made, cpu() - start)
+    let result = work();
+    (result, cpu() - start)
 }
 
-/// What is asked.
+/// Kind of ray query.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Question {
-    Closest,
-    Any,
+pub enum QueryKind {
+    Nearest,
+    AnyHit,
 }
 
-/// How far a ray looks that asks for anything in its way.
-pub const WAY: f32 = 4.0;
+/// `t_max` of any-hit queries.
+pub const ANY_HIT_T_MAX: f32 = 4.0;
 
-/// Rays answered per second, the median of `rounds` in which all take turns, and how many of
-/// the rays hit.
+/// Rays per second, the median of `rounds` alternating rounds, and number of hits.
 pub fn rates(
     contenders: &mut [(&'static str, Box<dyn Contender + '_>)],
     rays: &[Ray],
-    question: Question,
+    query: QueryKind,
     rounds: usize,
 ) -> Vec<(f64, usize)> {
     let mut rates = vec![Vec::new(); contenders.len()];
     let mut hits = vec![0; contenders.len()];
     for _ in 0..rounds {
         for (((_, contender), rates), hits) in contenders.iter_mut().zip(&mut rates).zip(&mut hits) {
-            let (count, time) = timed(|| match question {
-                Question::Closest => rays.iter().filter(|ray| contender.closest(ray).is_some()).count(),
-                Question::Any => rays.iter().filter(|ray| contender.any(ray, WAY)).count(),
+            let (count, time) = timed(|| match query {
+                QueryKind::Nearest => {
+                    rays.iter().filter(|ray| contender.intersect_nearest(ray).is_some()).count()
+                }
+                QueryKind::AnyHit => rays.iter().filter(|ray| contender.occluded(ray, ANY_HIT_T_MAX)).count(),
             });
             *hits = count;
             rates.push(rays.len() as f64 / time.as_secs_f64());
