@@ -1,8 +1,7 @@
-//! What must hold of every file, right or wrong, that the loaders are given: no panic, no more
-//! memory than a multiple of its size, a scene that the tracer takes, or a refusal with a place
-//! that is there and a message that steers no terminal.
+//! Checks of the loaders, for every file, valid or not: no panic, bounded memory, and either a scene that the tracer accepts or
+//! an error with an existing position and a message without control characters.
 //!
-//! Files are held in memory, so nothing that stands in one reaches the disk.
+//! Files are in memory, so that no input can reach the disk.
 
 use std::path::{Path, PathBuf};
 
@@ -17,69 +16,69 @@ use counting::{Bound, most_held};
 #[path = "../../host/scene/tests/memory/counting.rs"]
 pub mod counting;
 
-/// Bytes of an NFF scene.
-#[allow(dead_code)] // each target has its own
+/// Checks the bytes of an NFF scene.
+#[allow(dead_code)] // each target uses one function
 pub fn nff(bytes: &[u8]) {
     check(&[("scene.nff", bytes)], Bound::NFF);
 }
 
-/// Bytes of a TOML scene, beside which a mesh may stand.
+/// Checks the bytes of a TOML scene, with a mesh file beside it.
 #[allow(dead_code)]
 pub fn toml(bytes: &[u8]) {
     let ply = include_bytes!("seeds/ply/square.ply");
     check(&[("scene.toml", bytes), ("a.ply", ply)], Bound::TOML);
 }
 
-/// Bytes of an OBJ model, and after a zero those of its materials.
+/// Checks the bytes of an OBJ model, followed by a zero and its materials.
 #[allow(dead_code)]
 pub fn obj(bytes: &[u8]) {
     let (model, materials) = match bytes.iter().position(|byte| *byte == 0) {
-        Some(place) => (&bytes[..place], &bytes[place + 1..]),
+        Some(zero) => (&bytes[..zero], &bytes[zero + 1..]),
         None => (bytes, &[][..]),
     };
     check(&[("model.obj", model), ("a.mtl", materials)], Bound::MESH);
 }
 
-/// Bytes of a PLY model.
+/// Checks the bytes of a PLY model.
 #[allow(dead_code)]
 pub fn ply(bytes: &[u8]) {
     check(&[("model.ply", bytes)], Bound::MESH);
 }
 
-/// Bytes of a glTF model in either form, beside which a buffer may stand.
+/// Checks the bytes of a glTF or GLB model, with a buffer file beside it.
 #[allow(dead_code)]
 pub fn gltf(bytes: &[u8]) {
     let buffer = include_bytes!("seeds/square.bin");
     check(&[("model.gltf", bytes), ("a.bin", buffer)], Bound::MESH);
 }
 
-/// Loads the first of the files.
+/// Loads the first file and checks the result.
 fn check(files: &[(&str, &[u8])], bound: Bound) {
     let size: usize = files.iter().map(|(_, bytes)| bytes.len()).sum();
-    let held = files.iter().map(|(name, bytes)| (PathBuf::from(name), bytes.to_vec()));
-    let held = SourceFiles::from_memory(held);
+    let in_memory = files.iter().map(|(name, bytes)| (PathBuf::from(name), bytes.to_vec()));
+    let in_memory = SourceFiles::from_memory(in_memory);
     let path = Path::new(files[0].0);
-    let (loaded, most) = most_held(|| load_from(&held, path, DEFAULT_SIZE));
+    let (loaded, most) = most_held(|| load_from(&in_memory, path, DEFAULT_SIZE));
     match loaded {
         Ok(it) => {
-            is_scene(&it);
-            // One mesh may stand in many places, so copies count as bytes of the file.
+            assert_scene(&it);
+            // A mesh may have many instances, which count as bytes of the file.
             let copies = 12 * (it.vertices.len() + it.normals.len() + it.triangles.len());
-            is_bearable(most, bound.of(size.max(copies)));
+            assert_memory(most, bound.of(size.max(copies)));
         }
-        Err(failure) => {
-            is_refusal(&failure, files);
-            is_bearable(most, bound.of(size));
+        Err(error) => {
+            assert_error(&error, files);
+            assert_memory(most, bound.of(size));
         }
     }
 }
 
-fn is_bearable(most: usize, bound: usize) {
-    assert!(most <= bound, "{most} bytes are held at once, {bound} may be");
+fn assert_memory(most: usize, bound: usize) {
+    assert!(most <= bound, "{most} bytes in use, the limit is {bound}");
 }
 
-/// What is loaded is a scene in either precision.
-fn is_scene(it: &LoadedScene) {
+/// A loaded scene is valid in both precisions.
+fn assert_scene(it: &LoadedScene) {
     let single = tables::single::scene_tables(it);
     assert_eq!(single.scene().err(), None);
     assert!(tables::double::scene_tables(it).scene().is_ok());
@@ -88,34 +87,33 @@ fn is_scene(it: &LoadedScene) {
     assert!(it.warnings.iter().all(|warning| is_harmless(warning)), "{:?}", it.warnings);
 }
 
-/// What is refused is refused with a place that is there.
-fn is_refusal(failure: &LoadError, files: &[(&str, &[u8])]) {
+/// An error has an existing position.
+fn assert_error(error: &LoadError, files: &[(&str, &[u8])]) {
     let lines = |path: &Path| {
-        let (_, bytes) =
-            files.iter().find(|(name, _)| Path::new(name) == path).expect("a file that is there");
+        let (_, bytes) = files.iter().find(|(name, _)| Path::new(name) == path).expect("a file of the input");
         bytes.split_inclusive(|byte| *byte == b'\n').count().max(1)
     };
-    match failure {
+    match error {
         LoadError::Invalid { path, line, reason } => {
-            // What is missing at the end is missed in the line after it.
+            // Missing text at the end is reported in the line after it.
             assert!(line.is_none_or(|line| line >= 1 && line <= lines(path) + 1), "{line:?}: {reason}");
             assert!(is_harmless(reason) && reason.chars().count() < 400, "{reason:?}");
         }
-        LoadError::Diagnostics(faults) => {
-            assert!(!faults.list().is_empty());
+        LoadError::Diagnostics(diagnostics) => {
+            assert!(!diagnostics.list().is_empty());
             let last = lines(Path::new(files[0].0));
-            for fault in faults.list() {
-                let (line, column) = faults.line_and_column(fault);
+            for diagnostic in diagnostics.list() {
+                let (line, column) = diagnostics.line_and_column(diagnostic);
                 assert!(line >= 1 && line <= last && column >= 1, "{line}:{column} of {last} lines");
-                assert!(is_harmless(&fault.message), "{:?}", fault.message);
-                assert!(fault.help.as_deref().is_none_or(is_harmless), "{:?}", fault.help);
+                assert!(is_harmless(&diagnostic.message), "{:?}", diagnostic.message);
+                assert!(diagnostic.help.as_deref().is_none_or(is_harmless), "{:?}", diagnostic.help);
             }
-            assert!(faults.to_string().lines().all(is_harmless));
+            assert!(diagnostics.to_string().lines().all(is_harmless));
         }
         LoadError::Unreadable { path, .. } => {
-            assert!(files.iter().all(|(name, _)| Path::new(name) != path), "{failure}");
+            assert!(files.iter().all(|(name, _)| Path::new(name) != path), "{error}");
         }
-        _ => unreachable!("{failure}"),
+        _ => unreachable!("{error}"),
     }
 }
 

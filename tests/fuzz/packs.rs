@@ -1,33 +1,32 @@
-//! What must hold of any bytes that a device is told to be a baked scene: no panic, no read outside
-//! of them, and where they are taken for one, a picture of finite colours from every way of walking.
+//! Checks of the opening of baked scenes, for any bytes: no panic, no read out of bounds, and a picture of finite colors if the
+//! bytes are accepted.
 
 use strahl_core::accel::{Accelerator, TraversalStack};
 use strahl_core::baked::{BakedAccelerator, BakedScene};
 use strahl_core::{AllEffects, CenterSampler, Limits, Resolution, Rgb, Tile, Tracer, Worker, World, render};
 
-/// Bytes of a baked scene: as they are, and with the begin that a host would have written, lest a
-/// checksum keep everything away from what lies behind it.
+/// Checks bytes as they are, and with a valid header, so that the checksum does not reject all of them.
 pub fn pack(bytes: &[u8]) {
-    let mut aligned = Aligned::of(bytes);
+    let mut aligned = AlignedPack::of(bytes);
     draw(aligned.bytes());
     if repair(aligned.bytes_mut()) {
         draw(aligned.bytes());
     }
 }
 
-/// Bytes that begin where a device's flash would have them, at a multiple of four.
-struct Aligned {
+/// Bytes at an address that is a multiple of four, as in a device's flash.
+struct AlignedPack {
     held: Vec<u8>,
     start: usize,
     length: usize,
 }
 
-impl Aligned {
+impl AlignedPack {
     fn of(bytes: &[u8]) -> Self {
         let mut held = vec![0; bytes.len() + 3];
         let start = held.as_ptr().align_offset(4);
         held[start..start + bytes.len()].copy_from_slice(bytes);
-        Aligned { held, start, length: bytes.len() }
+        AlignedPack { held, start, length: bytes.len() }
     }
 
     fn bytes(&self) -> &[u8] {
@@ -39,16 +38,16 @@ impl Aligned {
     }
 }
 
-/// Puts version, length and checksum right. False where there is no room for them.
+/// Corrects version, length and checksum. Returns false if the bytes are too short for a header.
 fn repair(bytes: &mut [u8]) -> bool {
     const UNCHECKED: usize = 16;
-    let Some((begin, covered)) = bytes.split_at_mut_checked(UNCHECKED) else { return false };
+    let Some((header, covered)) = bytes.split_at_mut_checked(UNCHECKED) else { return false };
     // FNV-1a.
     let checksum =
         covered.iter().fold(0x811c_9dc5_u32, |sum, byte| (sum ^ u32::from(*byte)).wrapping_mul(0x0100_0193));
     let length = (UNCHECKED + covered.len()) as u32;
     for (slot, word) in
-        begin.as_chunks_mut::<4>().0[1..].iter_mut().zip([BakedScene::VERSION, length, checksum])
+        header.as_chunks_mut::<4>().0[1..].iter_mut().zip([BakedScene::VERSION, length, checksum])
     {
         *slot = word.to_le_bytes();
     }
@@ -69,8 +68,8 @@ fn draw(bytes: &[u8]) {
 
 fn trace<A: Accelerator>(pack: &BakedScene<'_>, world: World<'_, A>) {
     const LEVELS: u8 = 4;
-    let tile = Tile::full(Resolution::new(6, 4).expect("a size"));
-    let Ok(camera) = pack.camera(Resolution::new(6, 4).expect("a size")) else { return };
+    let tile = Tile::full(Resolution::new(6, 4).expect("a valid resolution"));
+    let Ok(camera) = pack.camera(Resolution::new(6, 4).expect("a valid resolution")) else { return };
     let limits = Limits { levels: pack.levels().min(LEVELS), cutoff: pack.cutoff() };
     let Ok(tracer) = Tracer::<_, AllEffects, { LEVELS as usize }>::new(&world, camera, limits) else {
         return;
