@@ -1,41 +1,80 @@
-//! strahl's core: a Whitted ray tracer that needs no operating system, no heap and no recursion.
+//! A Whitted ray tracer that needs no operating system, no heap and no recursion.
+//!
+//! A program that renders a red sphere:
+//!
+//! ```
+//! use strahl_core::image::Framebuffer;
+//! use strahl_core::*;
+//!
+//! let shapes = [Shape::Sphere(Sphere { center: Vec3::ZERO, radius: 1.0 })];
+//! let scene = Scene::new(SceneDescriptor {
+//!     geometry: Geometry { shapes: &shapes, ..Geometry::EMPTY },
+//!     material_ids: &[MaterialId(0)],
+//!     materials: &[Material { diffuse: Rgb::new(0.8, 0.1, 0.1), ..Material::MATTE }],
+//!     lights: &[Light::point(vec3(3.0, 4.0, 5.0), Rgb::WHITE)],
+//!     ..SceneDescriptor::EMPTY
+//! })?;
+//! let world = World::new(scene, BareList(1));
+//! let resolution = Resolution::new(64, 48).unwrap();
+//! let camera = CameraDescriptor::perspective(vec3(0.0, 0.0, 5.0), Vec3::ZERO, 0.6);
+//! let tracer = Tracer::<_, AllEffects, 5>::new(&world, Camera::new(&camera, resolution)?, Limits::DEFAULT)?;
+//!
+//! let (tile, mut picture) = (Tile::full(resolution), [Rgb::BLACK; 64 * 48]);
+//! let mut framebuffer = Framebuffer::new(tile, &mut picture).unwrap();
+//! let Ok(()) = render(
+//!     &mut tracer.with_worker(&mut Worker::new(())),
+//!     &mut CenterSampler,
+//!     tile.pixels(),
+//!     &mut framebuffer,
+//! );
+//! let [red, green, blue] = picture[24 * 64 + 32].to_srgb8();
+//! assert!(red > 150 && green == blue && green < red / 2);
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
+//!
+//! The steps are always these: describe a scene and check it ([`Scene::new`]), combine it with an accelerator
+//! ([`World::new`]), make a camera ([`Camera::new`]) and a tracer for the effects that the scene requires ([`Tracer::new`]),
+//! and [`render()`] pixels with a sampler into a sink. Each worker has the mutable state of one thread.
 //!
 //! # Modules
 //!
-//! The root has the names that a first program needs; everything else is in the module of its layer. A
-//! module uses only those below it.
+//! The root has the names that a first program needs; all others are in the module of their layer. A module uses only
+//! those below it.
 //!
 //! | module | contents |
 //! |---|---|
-//! | [`render`](mod@render) | [`render()`], and pictures of which only some pixels are traced |
-//! | [`image`] | pixels, samplers, where pixels go |
+//! | [`render`](mod@render) | [`render()`], and rendering of selected pixels and in passes |
+//! | [`image`] | pixels, samplers, sinks |
 //! | [`trace`] | [`Tracer`], [`Worker`], [`RayTracer`](trace::RayTracer), [`Limits`] |
-//! | [`shade`] | reflection, refraction, media |
-//! | [`baked`] | scenes in bytes, traced where they lie (feature `baked`) |
+//! | [`shade`] | local illumination, reflection, refraction, media |
+//! | `baked` | scenes in bytes, traced in place (feature `baked`) |
 //! | [`scene`] | [`Scene`], [`Camera`], materials, lights, textures, effects, [`World`] |
 //! | [`accel`] | accelerators: lists, grid, octree, bounding volume hierarchy |
-//! | [`tally`] | reports of the tracer's work, and what counts them |
+//! | [`tally`] | events of a trace, and counters of them |
 //! | [`geometry`] | shapes, rays, bounds, hits |
 //! | [`math`] | [`Real`], [`Vec3`], [`Rgb`], roots, random numbers |
 //!
-//! # Rules
+//! # Guarantees
 //!
-//! 1. *Memory buys time, never truth.* Accelerator, worker, order of pixels: each may change
-//!    how long a picture takes, none may change one bit of it.
-//! 2. *The same bits everywhere.* Only IEEE 754's basic operations and libm, in one order.
-//! 3. *Pay only for what the scene calls for.* [`Effects`](scene::Effects) is a constant of a tracer's type:
-//!    what is outside is compiled away.
-//! 4. *The tracing loop cannot fail.* Errors are returned by [`Scene::new`],
-//!    [`Camera::new`], [`Tracer::new`] and builders of accelerators.
-//! 5. *`t_max` has one owner*, the [`Query`](accel::Query).
+//! 1. *Memory buys time, never truth.* Accelerators, caches, workers and the order of pixels change the rendering time and
+//!    not one bit of the picture.
+//! 2. *Reproducible.* Only the basic operations of IEEE 754 and libm are used, in one order, so all machines compute the same
+//!    bits.
+//! 3. *Effects are compiled in.* [`Effects`](scene::Effects) is a constant of the tracer's type; the code of all other effects
+//!    is compiled away.
+//! 4. *Tracing cannot fail.* Errors are returned by [`Scene::new`], [`Camera::new`], [`Tracer::new`] and the builders of
+//!    accelerators. No reachable code panics.
+//! 5. *The query owns `t_max`.* Only the [`Query`](accel::Query) shortens a ray, so all accelerators find the same hits.
 //!
 //! # Features
 //!
-//! * `alloc`: [`scene::SceneTables`], a scene that owns its tables.
-//! * `baked`: [`baked`], scenes in bytes.
-//! * `display`: [`image::DrawTargetSink`], which draws on every target of `embedded-graphics`.
+//! All are off by default.
 //!
-//! The names of the root stand beside `embedded_graphics::prelude`:
+//! * `alloc`: `SceneTables`, an owned scene whose tables grow.
+//! * `baked`: the module `baked`, scenes in bytes.
+//! * `display`: `image::DrawTargetSink`, which draws to displays of `embedded-graphics`.
+//!
+//! The names of the root do not clash with `embedded_graphics::prelude`:
 //!
 #![cfg_attr(feature = "display", doc = "```")]
 #![cfg_attr(not(feature = "display"), doc = "```ignore")]
@@ -47,20 +86,15 @@
 //!
 //! let scene = Scene::new(SceneDescriptor { background: Background::Color(Rgb::WHITE), ..SceneDescriptor::EMPTY })?;
 //! let world = World::new(scene, BareList(0));
-//! let projection = Projection::Perspective { field_of_view: 1.0 };
-//! let view = CameraDescriptor { position: Vec3::ZERO, target: vec3(0.0, 0.0, -1.0), up: Vec3::Y, projection };
 //! let resolution = Resolution::new(2, 1).unwrap();
-//! let tracer = Tracer::<_, AllEffects, 1>::new(
-//!     &world,
-//!     Camera::new(&view, resolution)?,
-//!     Limits { levels: 1, ..Limits::DEFAULT },
-//! )?;
+//! let camera = CameraDescriptor::perspective(Vec3::ZERO, vec3(0.0, 0.0, -1.0), 1.0);
+//! let tracer = Tracer::<_, AllEffects, 5>::new(&world, Camera::new(&camera, resolution)?, Limits::DEFAULT)?;
 //!
 //! let mut screen = MockDisplay::<Rgb565>::new();
 //! Pixel(Point::new(3, 0), Rgb565::RED).draw(&mut screen)?;
-//! let mut display = DrawTargetSink::new(&mut screen, Point::zero(), Dither::None);
+//! let mut sink = DrawTargetSink::new(&mut screen, Point::zero(), Dither::None);
 //! let pixels = Tile::full(resolution).pixels();
-//! render(&mut tracer.with_worker(&mut Worker::new(())), &mut CenterSampler, pixels, &mut display)?;
+//! render(&mut tracer.with_worker(&mut Worker::new(())), &mut CenterSampler, pixels, &mut sink)?;
 //! screen.assert_pattern(&["WW R"]);
 //! assert_eq!(screen.affected_area().size, Size::new(4, 1));
 //! # Ok::<(), Box<dyn std::error::Error>>(())
@@ -68,14 +102,14 @@
 //!
 //! # Double precision
 //!
-//! The package `strahl-core-double` compiles these sources with `Real = f64`. Types that hold no [`Real`] are
-//! one type for both.
+//! The package `strahl-core-double` compiles the same sources with `Real = f64`. Types without a [`Real`] are one type for
+//! both.
 
 #![no_std]
 #![cfg_attr(docsrs, feature(doc_cfg))]
-// Comparisons that are false for NaN are written as they are meant: `!(x > 0.0)`.
+// `!(x > 0.0)` is also true for NaN, unlike `x <= 0.0`.
 #![allow(clippy::neg_cmp_op_on_partial_ord)]
-// Law 4. The panic proof checks what is reachable; these lints name the line.
+// Guarantee 4. The panic proof of the firmware tests checks the reachable code; these lints name the line.
 #![cfg_attr(
     not(test),
     deny(
@@ -128,3 +162,8 @@ pub use scene::{
     Projection, Resolution, Scene, SceneDescriptor, World,
 };
 pub use trace::{Limits, Tracer, Worker};
+
+/// Compiles the programs of the README.
+#[cfg(doctest)]
+#[doc = include_str!("../README.md")]
+struct Readme;

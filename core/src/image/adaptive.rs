@@ -1,10 +1,10 @@
-//! Adaptive supersampling: rays through the corners of a pixel; where they do not agree, the
-//! pixel is quartered, and its quarters again ("An Improved Illumination Model for Shaded
-//! Display", Whitted, CACM 1980).
+//! Adaptive supersampling: rays through the corners of a pixel; where their colors differ, the pixel is quartered, and its
+//! quarters again.
 //!
-//! Each corner has its place in a raster that is the same for the whole picture, and its rays
-//! follow from that place alone. So neighbours share corners, and whether one is traced once or
-//! twice changes nothing but the time.
+//! Corners have coordinates in a grid that is the same for the whole picture, and the sample of a corner depends on these
+//! alone. Neighboring pixels therefore share corners, and tracing a corner once or twice gives the same sample.
+//!
+//! Source: Whitted, "An Improved Illumination Model for Shaded Display", CACM 1980.
 
 use super::contrast::ContrastThreshold;
 use super::corner_cache::CornerCache;
@@ -16,7 +16,7 @@ use crate::math::{Real, Rgb, SobolSequence};
 use crate::scene::{CameraSample, FilmPoint};
 use crate::trace::{PixelSample, RayTracer};
 
-/// How a pixel is parted.
+/// When and how often a pixel is quartered.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Subdivision {
     depth: u8,
@@ -25,44 +25,59 @@ pub struct Subdivision {
 }
 
 impl Subdivision {
-    /// How often a pixel can be quartered, at most.
+    /// Largest depth.
     pub const MAX_DEPTH: u8 = MAX_DEPTH;
 
-    /// Quartered up to `depth` times, where corners do not agree; none when that is more than
-    /// [`Parting::MOST_DEPTH`].
-    pub fn new(depth: u8, agreement: ContrastThreshold) -> Option<Self> {
-        (depth <= MAX_DEPTH).then_some(Subdivision { depth, threshold: agreement, seed: 0 })
+    /// Quarters up to `depth` times where the corners do not meet `threshold`; `None` if `depth` is more than
+    /// [`Subdivision::MAX_DEPTH`].
+    pub fn new(depth: u8, threshold: ContrastThreshold) -> Option<Self> {
+        (depth <= MAX_DEPTH).then_some(Subdivision { depth, threshold, seed: 0 })
     }
 
-    /// The same in the picture with this seed: what rays leave to chance changes.
+    /// The same subdivision with this seed of the random numbers, 0 by default.
     pub fn with_seed(self, seed: u32) -> Self {
         Subdivision { seed, ..self }
     }
 
-    /// The ray through the place that lies `x` and `y` of the finest steps from the picture's
-    /// corner.
+    /// The sample at grid coordinates `x` and `y`, in steps of `2^-depth` pixels from the upper left corner of the picture.
     fn sample(&self, x: u32, y: u32) -> CameraSample {
         let step = 1.0 / (1_u32 << self.depth) as Real;
-        let top_left = FilmPoint { x: x as Real * step, y: y as Real * step };
-        // In the steps of the greatest depth, so that the numbers do not depend on this one.
+        let point = FilmPoint { x: x as Real * step, y: y as Real * step };
+        // In steps of the largest depth, so that the sequence does not depend on this depth.
         let shift = MAX_DEPTH - self.depth;
-        CameraSample { point: top_left, sequence: SobolSequence::new(x << shift, y << shift, 0, self.seed) }
+        CameraSample { point, sequence: SobolSequence::new(x << shift, y << shift, 0, self.seed) }
     }
 }
 
-/// One ray through the upper left corner of each pixel: what fills a
-/// [`Lattice`](super::Lattice) for [`Adaptive`].
+/// Samples the upper left corner of each pixel: fills a [`CornerGrid`](super::CornerGrid) for an [`AdaptiveSampler`].
 #[derive(Clone, Copy, Debug)]
 pub struct CornerSampler(pub Subdivision);
 
 impl Sampler for CornerSampler {
     fn sample_pixel<R: RayTracer + ?Sized>(&mut self, pixel: Pixel, tracer: &mut R) -> PixelSample {
-        let CornerSampler(parting) = self;
-        tracer.trace(parting.sample(pixel.x << parting.depth, pixel.y << parting.depth))
+        let CornerSampler(subdivision) = self;
+        tracer.trace(subdivision.sample(pixel.x << subdivision.depth, pixel.y << subdivision.depth))
     }
 }
 
-/// Rays through the corners of pixels and of their quarters.
+/// Adaptive sampler: rays through the corners of pixels and of their quarters.
+///
+/// ```
+/// use strahl_core::Rgb;
+/// use strahl_core::image::{AdaptiveSampler, CacheEntry, ContrastThreshold, Pixel, Sampler, Subdivision, Uncached};
+/// use strahl_core::scene::CameraSample;
+/// use strahl_core::trace::{HitId, PixelSample};
+///
+/// // An edge at x = 0.5.
+/// let mut edge = |sample: CameraSample| {
+///     PixelSample { color: Rgb::gray(if sample.point.x < 0.5 { 0.0 } else { 1.0 }), hit: HitId::Nothing }
+/// };
+/// let subdivision = Subdivision::new(3, ContrastThreshold::new(0.1).unwrap()).unwrap();
+/// let mut entries = [CacheEntry::EMPTY; 64];
+/// let mut sampler = AdaptiveSampler::new(subdivision, Uncached, &mut entries);
+/// let gray = sampler.sample_pixel(Pixel { x: 0, y: 0 }, &mut edge).color.r;
+/// assert!((gray - 0.5).abs() < 0.1);
+/// ```
 #[derive(Debug)]
 pub struct AdaptiveSampler<'m, C> {
     subdivision: Subdivision,
@@ -71,47 +86,51 @@ pub struct AdaptiveSampler<'m, C> {
 }
 
 impl<'m, C: CornerCache> AdaptiveSampler<'m, C> {
-    /// `corners` knows those of whole pixels. The others are kept in `lent`, of any length: the
-    /// more, the fewer are traced again.
-    pub fn new(parting: Subdivision, corners: C, lent: &'m mut [CacheEntry]) -> Self {
-        AdaptiveSampler { subdivision: parting, corner_cache: corners, sample_cache: SampleCache::new(lent) }
+    /// Caches the corners of pixels in `corner_cache`, and all other corners in `entries`.
+    ///
+    /// `entries`: caller-provided buffer of any length, also empty. The longer, the fewer corners are traced again.
+    pub fn new(subdivision: Subdivision, corner_cache: C, entries: &'m mut [CacheEntry]) -> Self {
+        AdaptiveSampler { subdivision, corner_cache, sample_cache: SampleCache::new(entries) }
     }
 }
 
-/// A square part of a pixel. The mean of its corners counts in the pixel as much as its area.
+/// A square part of a pixel, the weight of which is its area.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Subpixel {
-    /// Its upper left corner.
-    pub place: FilmPoint,
-    /// The length of its sides, in pixels.
+    /// Upper left corner.
+    pub top_left: FilmPoint,
+    /// Length of the sides, in pixels.
     pub side: Real,
-    /// What is seen at its corners: upper left, upper right, lower left, lower right.
+    /// Samples at the corners: upper left, upper right, lower left, lower right.
     pub corners: [PixelSample; 4],
 }
 
 impl<C: CornerCache> AdaptiveSampler<'_, C> {
-    /// Samples `pixel` and passes each of its parts to `part_done`: the colour is the sum of
-    /// `mean * side^2`, in this order, where `mean` is `((a + b) + (c + d)) / 4` of the corners.
+    /// Samples `pixel` and passes each of its subpixels to `visit`.
+    ///
+    /// The color of the pixel is the sum of `mean * side^2` in this order, where `mean` is `((a + b) + (c + d)) / 4` of the
+    /// corners.
     pub fn sample_subpixels(
         &mut self,
         pixel: Pixel,
         tracer: &mut (impl RayTracer + ?Sized),
-        part_done: &mut impl FnMut(Subpixel),
+        visit: &mut impl FnMut(Subpixel),
     ) -> PixelSample {
-        let AdaptiveSampler { subdivision: parting, corner_cache: corners, sample_cache: memory } = self;
-        let depth = parting.depth;
-        let mut find = |x, y| memory.get_or_trace(x, y, || tracer.trace(parting.sample(x, y)));
-        let corners = corners.corners(pixel, &mut |corner| find(corner.x << depth, corner.y << depth));
+        let AdaptiveSampler { subdivision, corner_cache, sample_cache } = self;
+        let depth = subdivision.depth;
+        let mut sample_at = |x, y| sample_cache.get_or_trace(x, y, || tracer.trace(subdivision.sample(x, y)));
+        let corners =
+            corner_cache.corners(pixel, &mut |corner| sample_at(corner.x << depth, corner.y << depth));
         let whole = Square { x: pixel.x << depth, y: pixel.y << depth, side: 1 << depth, corners };
 
         let (mut sum, mut hit) = (Rgb::BLACK, whole.hit());
         let steps = whole.side as Real;
-        subdivide(whole, &parting.threshold, 1, &mut find, &mut |part| {
-            let side = part.side as Real / steps;
-            sum += part.mean() * (side * side);
-            hit = hit.merged(part.hit());
-            let place = FilmPoint { x: part.x as Real / steps, y: part.y as Real / steps };
-            part_done(Subpixel { place, side, corners: part.corners });
+        subdivide(whole, &subdivision.threshold, 1, &mut sample_at, &mut |square| {
+            let side = square.side as Real / steps;
+            sum += square.mean() * (side * side);
+            hit = hit.merged(square.hit());
+            let top_left = FilmPoint { x: square.x as Real / steps, y: square.y as Real / steps };
+            visit(Subpixel { top_left, side, corners: square.corners });
         });
         PixelSample { color: sum, hit }
     }
@@ -134,113 +153,121 @@ mod tests {
     use crate::image::{CornerGrid, CornerRow, Tile, Uncached};
     use crate::trace::HitId;
 
-    /// Half of the plane is white: what lies above a slanted line.
+    /// White above a slanted line, black below it.
     fn half(sample: CameraSample) -> PixelSample {
         let inside = sample.point.y < 2.3 + 0.37 * sample.point.x;
         PixelSample { color: if inside { Rgb::WHITE } else { Rgb::BLACK }, hit: HitId::Nothing }
     }
 
-    fn parting(depth: u8, threshold: Real) -> Subdivision {
+    fn subdivision(depth: u8, threshold: Real) -> Subdivision {
         Subdivision::new(depth, ContrastThreshold::new(threshold).unwrap()).unwrap()
     }
 
     const CELLS: Tile = Tile { top_left: Pixel { x: 1, y: 0 }, width: 5, height: 6 };
 
     #[test]
-    fn corners_and_memory_of_any_size_give_the_same_pixels() {
-        let parting = parting(4, 0.1);
-        let mut nothing = [CacheEntry::EMPTY; 0];
-        let mut bare = AdaptiveSampler::new(parting, Uncached, &mut nothing);
-        let mut truth = [PixelSample::BLACK; 30];
-        let mut most = 0;
-        for (slot, pixel) in truth.iter_mut().zip(CELLS.pixels()) {
-            *slot = bare.sample_pixel(pixel, &mut |sample: CameraSample| {
-                most += 1;
+    fn pixels_do_not_depend_on_corner_cache_or_sample_cache() {
+        let subdivision = subdivision(4, 0.1);
+        let mut empty = [CacheEntry::EMPTY; 0];
+        let mut uncached = AdaptiveSampler::new(subdivision, Uncached, &mut empty);
+        let mut expected = [PixelSample::BLACK; 30];
+        let mut rays_uncached = 0;
+        for (slot, pixel) in expected.iter_mut().zip(CELLS.pixels()) {
+            *slot = uncached.sample_pixel(pixel, &mut |sample: CameraSample| {
+                rays_uncached += 1;
                 half(sample)
             });
         }
 
-        let mut lattice = [PixelSample::BLACK; 42];
-        for (slot, corner) in lattice.iter_mut().zip(CornerGrid::corner_tile(CELLS).pixels()) {
-            *slot = CornerSampler(parting).sample_pixel(corner, &mut half);
+        let mut grid = [PixelSample::BLACK; 42];
+        for (slot, corner) in grid.iter_mut().zip(CornerGrid::corner_tile(CELLS).pixels()) {
+            *slot = CornerSampler(subdivision).sample_pixel(corner, &mut half);
         }
         let mut rays = 42;
-        for slots in [1, 1000] {
-            let mut lent = [CacheEntry::EMPTY; 1000];
-            let mut lent_too = [CacheEntry::EMPTY; 1000];
+        for length in [1, 1000] {
+            let mut entries = [CacheEntry::EMPTY; 1000];
+            let mut row_entries = [CacheEntry::EMPTY; 1000];
             let mut row = [PixelSample::BLACK; 6];
-            let mut with_lattice =
-                AdaptiveSampler::new(parting, CornerGrid::new(CELLS, &lattice).unwrap(), &mut lent[..slots]);
+            let mut with_grid = AdaptiveSampler::new(
+                subdivision,
+                CornerGrid::new(CELLS, &grid).unwrap(),
+                &mut entries[..length],
+            );
             let mut with_row =
-                AdaptiveSampler::new(parting, CornerRow::new(&mut row), &mut lent_too[..slots]);
-            for (truth, pixel) in truth.iter().zip(CELLS.pixels()) {
-                let seen = with_lattice.sample_pixel(pixel, &mut |sample: CameraSample| {
-                    rays += i32::from(slots == 1000);
+                AdaptiveSampler::new(subdivision, CornerRow::new(&mut row), &mut row_entries[..length]);
+            for (expected, pixel) in expected.iter().zip(CELLS.pixels()) {
+                let sampled = with_grid.sample_pixel(pixel, &mut |sample: CameraSample| {
+                    rays += i32::from(length == 1000);
                     half(sample)
                 });
-                assert_eq!(seen, *truth, "{pixel:?}");
-                assert_eq!(with_row.sample_pixel(pixel, &mut half), *truth, "{pixel:?}");
+                assert_eq!(sampled, *expected, "{pixel:?}");
+                assert_eq!(with_row.sample_pixel(pixel, &mut half), *expected, "{pixel:?}");
             }
         }
-        assert!(4 * rays < 3 * most, "{rays} of {most}");
+        assert!(4 * rays < 3 * rays_uncached, "{rays} of {rays_uncached}");
     }
 
     #[test]
-    fn a_pixel_on_an_edge_is_covered_as_much_as_it_is() {
+    fn the_color_of_a_pixel_on_an_edge_is_its_coverage() {
         // The line crosses the pixel (1, 2) from (1, 2.67) to (1.892, 3).
-        let mut lent = [CacheEntry::EMPTY; 300];
+        let mut entries = [CacheEntry::EMPTY; 300];
         let pixel = Pixel { x: 1, y: 2 };
         let dark = 0.33 * 0.892 / 2.0;
         for (depth, tolerance) in [(2, 0.1), (4, 0.02), (6, 0.005)] {
-            let seen =
-                AdaptiveSampler::new(parting(depth, 0.1), Uncached, &mut lent).sample_pixel(pixel, &mut half);
-            assert!((seen.color.r - (1.0 - dark)).abs() < tolerance, "{depth}: {}", seen.color.r);
+            let sampled = AdaptiveSampler::new(subdivision(depth, 0.1), Uncached, &mut entries)
+                .sample_pixel(pixel, &mut half);
+            assert!(
+                (sampled.color.r - (1.0 - dark)).abs() < tolerance,
+                "{depth}: {}",
+                sampled.color.r
+            );
         }
     }
 
     #[test]
-    fn the_parts_of_a_pixel_cover_it_and_make_its_colour() {
+    fn subpixels_cover_the_pixel_and_sum_to_its_color() {
         let pixel = Pixel { x: 1, y: 2 };
         let (mut sum, mut area, mut count) = (Rgb::BLACK, 0.0, 0);
-        let seen = AdaptiveSampler::new(parting(4, 0.1), Uncached, &mut []).sample_subpixels(
+        let sampled = AdaptiveSampler::new(subdivision(4, 0.1), Uncached, &mut []).sample_subpixels(
             pixel,
             &mut half,
-            &mut |Subpixel { place, side, corners: [a, b, c, d] }| {
-                assert!(place.x >= 1.0 && place.x + side <= 2.0 && place.y >= 2.0 && place.y + side <= 3.0);
+            &mut |Subpixel { top_left, side, corners: [a, b, c, d] }| {
+                assert!(top_left.x >= 1.0 && top_left.x + side <= 2.0);
+                assert!(top_left.y >= 2.0 && top_left.y + side <= 3.0);
                 let mean = ((a.color + b.color) + (c.color + d.color)) * 0.25;
                 sum += mean * (side * side);
                 area += side * side;
                 count += 1;
             },
         );
-        assert_eq!((sum, area), (seen.color, 1.0));
+        assert_eq!((sum, area), (sampled.color, 1.0));
         assert!(count > 10, "{count}");
     }
 
     #[test]
     fn at_depth_zero_a_pixel_is_the_mean_of_its_corners() {
         let mut rays = 0;
-        let seen = AdaptiveSampler::new(parting(0, 0.0), Uncached, &mut []).sample_pixel(
+        let sampled = AdaptiveSampler::new(subdivision(0, 0.0), Uncached, &mut []).sample_pixel(
             Pixel { x: 3, y: 5 },
             &mut |sample: CameraSample| {
                 rays += 1;
                 PixelSample { color: Rgb::new(sample.point.x, sample.point.y, 1.0), hit: HitId::Nothing }
             },
         );
-        assert_eq!((rays, seen.color), (4, Rgb::new(3.5, 5.5, 1.0)));
+        assert_eq!((rays, sampled.color), (4, Rgb::new(3.5, 5.5, 1.0)));
         assert!(Subdivision::new(Subdivision::MAX_DEPTH + 1, ContrastThreshold::new(0.0).unwrap()).is_none());
     }
 
     #[test]
-    fn items_that_look_alike_part_a_pixel_only_on_request() {
+    fn equal_colors_of_different_items_subdivide_only_with_items() {
         let two = |sample: CameraSample| {
             let hit = HitId::Item(crate::geometry::ItemId(u32::from(sample.point.x > 0.3)));
             PixelSample { color: Rgb::WHITE, hit }
         };
-        let rays = |agreement| {
+        let rays = |threshold| {
             let mut rays = 0;
-            let parting = Subdivision::new(3, agreement).unwrap();
-            AdaptiveSampler::new(parting, Uncached, &mut []).sample_pixel(
+            let subdivision = Subdivision::new(3, threshold).unwrap();
+            AdaptiveSampler::new(subdivision, Uncached, &mut []).sample_pixel(
                 Pixel { x: 0, y: 0 },
                 &mut |sample: CameraSample| {
                     rays += 1;

@@ -1,12 +1,13 @@
-//! One ray through the middle of each pixel.
+//! One ray through the center of each pixel.
 
 use super::pixel::Pixel;
 use super::sampler::{Sampler, film_point, sequence};
 use crate::scene::CameraSample;
 use crate::trace::{PixelSample, RayTracer};
 
-/// One ray through the middle, with the numbers of seed 0. With another seed it is
-/// [`Regular::ONE`](super::Regular::ONE).
+/// One ray through the center of each pixel, with seed 0.
+///
+/// [`RegularSampler::CENTER`](super::RegularSampler::CENTER) does the same with any seed.
 #[derive(Clone, Copy, Debug)]
 pub struct CenterSampler;
 

@@ -1,9 +1,9 @@
-//! When neighbours in the picture are taken to look the same.
+//! The contrast up to which neighboring samples are interpolated.
 
 use crate::math::{Real, Rgb};
 use crate::trace::{HitId, PixelSample};
 
-/// How much neighbours may differ and still agree.
+/// The largest difference of neighboring samples between which a picture is interpolated instead of subdivided.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ContrastThreshold {
     threshold: Real,
@@ -11,18 +11,17 @@ pub struct ContrastThreshold {
 }
 
 impl ContrastThreshold {
-    /// Colours whose sRGB-encoded channels differ by at most `threshold`; none when it is not in
-    /// `0..=1`.
+    /// Allows sRGB-encoded channels to differ by at most `threshold`; `None` if it is not in `0..=1`.
     pub fn new(threshold: Real) -> Option<Self> {
         (threshold >= 0.0 && threshold <= 1.0).then_some(ContrastThreshold { threshold, items: false })
     }
 
-    /// The same, and only where all rays hit the same item.
+    /// The same threshold, met only where all samples also hit the same item.
     pub fn with_items(self) -> Self {
         ContrastThreshold { items: true, ..self }
     }
 
-    /// Whether the corners of a square agree.
+    /// Whether the corners of a square differ by at most the threshold.
     pub(super) fn is_met(&self, corners: &[PixelSample; 4]) -> bool {
         let same_item = || {
             let [first, rest @ ..] = corners;

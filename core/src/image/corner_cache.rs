@@ -1,33 +1,31 @@
-//! The corners of cells, which neighbours share. A cell is a pixel in adaptive supersampling,
-//! and a block of pixels in pixel-selected tracing.
+//! Caches of the samples at the corners of cells, which neighboring cells share.
 //!
-//! `w` times `h` cells have `(w + 1) (h + 1)` corners. Two ways to trace none of them twice:
-//! with memory for all of them ([`Lattice`], which is filled in any order, tile by tile if need
-//! be), or with memory for one row ([`CornerRow`]). Or nothing is kept here ([`Loose`]) and
-//! everything comes from the sampler's own memory of places, which suits scattered cells.
+//! A cell is a pixel in adaptive supersampling, and a block of pixels in pixel-selected tracing. `w` times `h` cells have
+//! `(w + 1) (h + 1)` corners. [`CornerGrid`] stores all of them, traced before in any order; [`CornerRow`] stores one row.
+//! With both, no corner is traced twice. [`Uncached`] stores nothing and leaves it to the sampler's own cache, for cells
+//! that are not adjacent.
 
 use super::pixel::{Pixel, Tile};
 use super::sampler::Sampler;
 use crate::trace::{PixelSample, RayTracer};
 
-/// Somebody who knows what is seen at the corners of cells.
+/// A cache of the samples at the corners of cells.
 ///
-/// A cell is named like a pixel, a corner like the cell whose upper left corner it is.
+/// Cells have the coordinates of pixels or blocks; a corner has the coordinates of the cell whose upper left corner it is.
 pub trait CornerCache {
-    /// Upper left, upper right, lower left and lower right corner of `cell`. `find` says what is
-    /// seen at a corner.
+    /// Samples at the upper left, upper right, lower left and lower right corner of `cell`. `find` traces a corner.
     fn corners(&mut self, cell: Pixel, find: &mut impl FnMut(Pixel) -> PixelSample) -> [PixelSample; 4];
 
-    /// A new picture begins: what was kept of another is forgotten.
+    /// Forgets all samples, before another picture.
     fn reset(&mut self) {}
 }
 
-/// The names of a cell's corners, from the upper left to the lower right.
+/// Coordinates of the corners of a cell, from the upper left to the lower right.
 fn corner_pixels(Pixel { x, y }: Pixel) -> [Pixel; 4] {
     [(x, y), (x + 1, y), (x, y + 1), (x + 1, y + 1)].map(|(x, y)| Pixel { x, y })
 }
 
-/// Keeps nothing.
+/// Caches nothing: traces all four corners of each cell.
 #[derive(Clone, Copy, Debug)]
 pub struct Uncached;
 
@@ -37,7 +35,9 @@ impl CornerCache for Uncached {
     }
 }
 
-/// The corners of all cells of a rectangle, already traced.
+/// Samples at the corners of all cells of a rectangle, traced before.
+///
+/// Corners outside of the rectangle are traced when they are needed.
 #[derive(Clone, Copy, Debug)]
 pub struct CornerGrid<'m> {
     tile: Tile,
@@ -45,13 +45,12 @@ pub struct CornerGrid<'m> {
 }
 
 impl<'m> CornerGrid<'m> {
-    /// The rectangle of all corners of the cells `cells`: one wider and higher.
+    /// The rectangle of the corners of `cells`: one wider and one higher.
     pub fn corner_tile(cells: Tile) -> Tile {
         Tile { width: cells.width + 1, height: cells.height + 1, ..cells }
     }
 
-    /// The corners of `cells`, row by row; none when they are not as many as
-    /// [`Lattice::tile`] has.
+    /// The grid of `corners`, row by row; `None` if its length is not that of [`CornerGrid::corner_tile`].
     pub fn new(cells: Tile, corners: &'m [PixelSample]) -> Option<Self> {
         let tile = Self::corner_tile(cells);
         (corners.len() == tile.len()).then_some(CornerGrid { tile, corners })
@@ -61,32 +60,32 @@ impl<'m> CornerGrid<'m> {
 impl CornerCache for CornerGrid<'_> {
     fn corners(&mut self, cell: Pixel, find: &mut impl FnMut(Pixel) -> PixelSample) -> [PixelSample; 4] {
         corner_pixels(cell).map(|corner| {
-            let kept = self.tile.index_of(corner).and_then(|place| self.corners.get(place));
-            kept.copied().unwrap_or_else(|| find(corner))
+            let cached = self.tile.index_of(corner).and_then(|index| self.corners.get(index));
+            cached.copied().unwrap_or_else(|| find(corner))
         })
     }
 }
 
-/// The corners of one row of cells, in lent memory.
+/// Samples at the corners of one row of cells, in a caller-provided buffer.
 ///
-/// Cells that come row by row, each row from its first to its last, share all their corners.
-/// In any other order they are right as well, but some corners are found again.
+/// If cells come row by row from left to right, no corner is traced twice. In any other order the samples are the same, but
+/// some corners are traced again.
 #[derive(Debug)]
 pub struct CornerRow<'m> {
-    /// The corners above the cells to come, and below those that have been.
+    /// Upper corners of the following cells, and lower corners of the preceding ones.
     row: &'m mut [PixelSample],
-    /// The cell that shares corners with the last one.
+    /// The cell that shares corners with the previous one.
     expected_cell: Option<Pixel>,
+    /// `x` of the first cell of the row.
     first_x: u32,
-    /// Whether `row` holds the corners above the cells to come.
+    /// Whether `row` has the upper corners of the following cells.
     has_row_above: bool,
-    /// The last cell's lower right corner.
+    /// Sample at the lower right corner of the previous cell.
     previous_lower_right: PixelSample,
 }
 
 impl<'m> CornerRow<'m> {
-    /// For rows of `row.len() - 1` cells. With less than two corners it remembers nothing, and
-    /// asks for all four of every cell.
+    /// A cache for rows of `row.len() - 1` cells. If `row` is shorter than 2, it caches nothing.
     pub fn new(row: &'m mut [PixelSample]) -> Self {
         CornerRow {
             row,
@@ -97,12 +96,12 @@ impl<'m> CornerRow<'m> {
         }
     }
 
-    fn at(&self, place: u32) -> PixelSample {
-        self.row.get(place as usize).copied().unwrap_or(PixelSample::BLACK)
+    fn at(&self, index: u32) -> PixelSample {
+        self.row.get(index as usize).copied().unwrap_or(PixelSample::BLACK)
     }
 
-    fn set(&mut self, place: u32, sample: PixelSample) {
-        if let Some(slot) = self.row.get_mut(place as usize) {
+    fn set(&mut self, index: u32, sample: PixelSample) {
+        if let Some(slot) = self.row.get_mut(index as usize) {
             *slot = sample;
         }
     }
@@ -112,32 +111,32 @@ impl CornerCache for CornerRow<'_> {
     fn corners(&mut self, cell: Pixel, find: &mut impl FnMut(Pixel) -> PixelSample) -> [PixelSample; 4] {
         let width = self.row.len().saturating_sub(1) as u32;
         if self.expected_cell != Some(cell) {
-            // A new beginning: only the corners of this cell are needed, and none is known.
+            // No corner of this cell is known.
             (self.first_x, self.has_row_above) = (cell.x, false);
         }
         let [upper_left, upper_right, lower_left, lower_right] = corner_pixels(cell);
-        let place = cell.x.saturating_sub(self.first_x);
-        let begins = place == 0;
-        let upper_left = match (self.has_row_above, begins) {
+        let index = cell.x.saturating_sub(self.first_x);
+        let is_first = index == 0;
+        let upper_left = match (self.has_row_above, is_first) {
             (false, true) => find(upper_left),
-            _ => self.at(place),
+            _ => self.at(index),
         };
-        let upper_right = if self.has_row_above { self.at(place + 1) } else { find(upper_right) };
-        let lower_left = if begins { find(lower_left) } else { self.previous_lower_right };
+        let upper_right = if self.has_row_above { self.at(index + 1) } else { find(upper_right) };
+        let lower_left = if is_first { find(lower_left) } else { self.previous_lower_right };
         let lower_right = find(lower_right);
 
-        self.set(place, lower_left);
+        self.set(index, lower_left);
         self.previous_lower_right = lower_right;
-        self.expected_cell = if place + 1 < width {
+        self.expected_cell = if index + 1 < width {
             // The upper left corner of the next cell.
-            self.set(place + 1, upper_right);
+            self.set(index + 1, upper_right);
             Some(Pixel { x: cell.x + 1, y: cell.y })
         } else if width > 0 {
-            self.set(place + 1, lower_right);
+            self.set(index + 1, lower_right);
             self.has_row_above = true;
             Some(Pixel { x: self.first_x, y: cell.y + 1 })
         } else {
-            None // there is no room to remember anything
+            None // no memory
         };
         [upper_left, upper_right, lower_left, lower_right]
     }
@@ -147,13 +146,12 @@ impl CornerCache for CornerRow<'_> {
     }
 }
 
-/// What fills a [`Lattice`]: what `S` sees in the pixel that is the upper left corner of each
-/// cell of `side` times `side` pixels.
+/// Samples the upper left pixel of each cell of `stride` times `stride` pixels: fills a [`CornerGrid`] of blocks.
 #[derive(Clone, Copy, Debug)]
 pub struct StridedSampler<S> {
-    /// Sees.
+    /// Sampler of these pixels.
     pub sampler: S,
-    /// Pixels along one side of a cell.
+    /// Width and height of a cell, in pixels.
     pub stride: u32,
 }
 
@@ -178,12 +176,12 @@ mod tests {
         PixelSample { color: Rgb::new((x * y) as Real, x as Real, (y * y) as Real), hit: HitId::Nothing }
     }
 
-    fn truth(cell: Pixel) -> [PixelSample; 4] {
+    fn expected(cell: Pixel) -> [PixelSample; 4] {
         corner_pixels(cell).map(sample)
     }
 
     #[test]
-    fn a_row_of_memory_finds_each_corner_once() {
+    fn a_row_traces_each_corner_once() {
         for (w, h) in [(1, 1), (1, 4), (4, 1), (5, 3)] {
             let mut memory = [PixelSample::BLACK; 8];
             let mut row = CornerRow::new(&mut memory[..w as usize + 1]);
@@ -194,35 +192,35 @@ mod tests {
                     found += 1;
                     sample(corner)
                 };
-                assert_eq!(row.corners(cell, &mut find), truth(cell), "{cell:?} of {w}x{h}");
+                assert_eq!(row.corners(cell, &mut find), expected(cell), "{cell:?} of {w}x{h}");
             }
             assert_eq!(found, (w + 1) * (h + 1));
         }
     }
 
     #[test]
-    fn a_row_of_memory_is_right_in_any_order() {
+    fn a_row_is_correct_in_any_order() {
         let mut memory = [PixelSample::BLACK; 4];
         let mut row = CornerRow::new(&mut memory);
         for (x, y) in [(1, 0), (2, 0), (0, 1), (2, 0), (3, 0), (4, 0), (2, 1), (3, 1), (1, 2), (9, 9)] {
             let cell = Pixel { x, y };
-            assert_eq!(row.corners(cell, &mut sample), truth(cell), "{cell:?}");
+            assert_eq!(row.corners(cell, &mut sample), expected(cell), "{cell:?}");
         }
     }
 
     #[test]
-    fn a_lattice_gives_the_same_and_finds_only_what_lies_outside() {
+    fn a_grid_traces_only_corners_outside_of_it() {
         let cells = Tile { top_left: Pixel { x: 5, y: 1 }, width: 3, height: 2 };
         let mut memory = [PixelSample::BLACK; 12];
         for (slot, corner) in memory.iter_mut().zip(CornerGrid::corner_tile(cells).pixels()) {
             *slot = sample(corner);
         }
-        let mut lattice = CornerGrid::new(cells, &memory).unwrap();
+        let mut grid = CornerGrid::new(cells, &memory).unwrap();
         for cell in cells.pixels() {
-            assert_eq!(lattice.corners(cell, &mut |_| unreachable!()), truth(cell));
+            assert_eq!(grid.corners(cell, &mut |_| unreachable!()), expected(cell));
         }
         let outside = Pixel { x: 0, y: 0 };
-        assert_eq!(lattice.corners(outside, &mut sample), truth(outside));
+        assert_eq!(grid.corners(outside, &mut sample), expected(outside));
         assert!(CornerGrid::new(cells, &memory[..11]).is_none());
     }
 }

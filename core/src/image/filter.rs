@@ -1,13 +1,13 @@
-//! Which reconstruction filters there are.
+//! Reconstruction filters.
 
-/// How much of its surroundings counts in a pixel.
+/// Reconstruction filter: the weight of points around a pixel in its color.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Filter {
-    /// The pixel and nothing else, everywhere the same.
+    /// Constant in the pixel, zero outside of it.
     #[default]
     Box,
-    /// The less, the farther from the middle, to nothing at the middles of the next pixels.
+    /// Linear, from the center of the pixel to zero at the centers of its neighbors.
     Tent,
-    /// A round normal distribution of deviation 0.5 pixels, cut off at 1.5.
+    /// Gaussian with a standard deviation of 0.5 pixels, truncated at a radius of 1.5 pixels.
     Gaussian,
 }

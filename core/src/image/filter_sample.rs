@@ -1,19 +1,20 @@
-//! Reconstruction filters: how much of a pixel's surroundings counts in it.
+//! Importance sampling of reconstruction filters.
 //!
-//! A filter weighs what is seen by where it is seen. Here the places are drawn from the filter
-//! itself, so that all samples weigh the same and a pixel needs only its own ("Filter
-//! Importance Sampling", Ernst, Stamminger, Greiner, 2006).
+//! Film points are drawn with the density of the filter, so that all samples have the same weight and a pixel needs only
+//! its own samples.
+//!
+//! Source: Ernst, Stamminger and Greiner, "Filter Importance Sampling", IEEE Symposium on Interactive Ray Tracing 2006.
 
 use super::filter::Filter;
 use crate::math::{Real, sample_tent, sample_truncated_gaussian};
 
-/// Where a point that lies evenly in the unit square comes to lie by a filter, from the pixel's upper
-/// left corner.
-pub(super) fn filtered(filter: Filter, [x, y]: [Real; 2]) -> [Real; 2] {
+/// Maps a uniform point of the unit square to a point with the density of the filter, relative to the upper left corner of
+/// the pixel.
+pub(super) fn sample_filter(filter: Filter, [x, y]: [Real; 2]) -> [Real; 2] {
     match filter {
         Filter::Box => [x, y],
         Filter::Tent => [0.5 + sample_tent(x), 0.5 + sample_tent(y)],
-        Filter::Gaussian => sample_truncated_gaussian([x, y], 3.0).map(|way| 0.5 + 0.5 * way),
+        Filter::Gaussian => sample_truncated_gaussian([x, y], 3.0).map(|offset| 0.5 + 0.5 * offset),
     }
 }
 
@@ -22,12 +23,14 @@ mod tests {
     use super::*;
     use crate::math::SobolSequence;
 
-    /// Mean and variance along x of many places.
+    /// Mean and variance of the x coordinates of many points.
     fn moments(filter: Filter) -> (Real, Real) {
         let (mut sum, mut squares) = (0.0, 0.0);
         for index in 0..4096 {
-            let [x, y] =
-                filtered(filter, SobolSequence::new(0, 0, index, 0).sample_2d(crate::math::Dimension::PIXEL));
+            let [x, y] = sample_filter(
+                filter,
+                SobolSequence::new(0, 0, index, 0).sample_2d(crate::math::Dimension::PIXEL),
+            );
             assert!((-1.0..=2.0).contains(&x) && (-1.0..=2.0).contains(&y));
             sum += x;
             squares += x * x;
@@ -37,18 +40,17 @@ mod tests {
     }
 
     #[test]
-    fn places_have_the_mean_and_the_variance_of_their_filter() {
-        // Of an even distribution of length one, of a tent of half-width one, and of a normal
-        // distribution of deviation 1/2 that is cut off at three deviations: then the variance
-        // is less by 4.5 e^-4.5 / (1 - e^-4.5) of itself.
+    fn points_have_the_mean_and_the_variance_of_their_filter() {
+        // A uniform distribution of length 1, a tent of half-width 1, and a normal distribution of standard deviation
+        // 1/2, truncated at three deviations, which reduces the variance by the fraction 4.5 e^-4.5 / (1 - e^-4.5).
         for (filter, variance) in [
             (Filter::Box, 1.0 / 12.0),
             (Filter::Tent, 1.0 / 6.0),
             (Filter::Gaussian, 0.25 * (1.0 - 0.050_55)),
         ] {
-            let (mean, got) = moments(filter);
+            let (mean, measured) = moments(filter);
             assert!((mean - 0.5).abs() < 1e-3, "{filter:?}: {mean}");
-            assert!((got - variance).abs() < 2e-3, "{filter:?}: {got}");
+            assert!((measured - variance).abs() < 2e-3, "{filter:?}: {measured}");
         }
     }
 }

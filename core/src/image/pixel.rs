@@ -1,68 +1,75 @@
-//! Pixels, and rectangles of them.
+//! Pixels and rectangles of pixels.
 
 use crate::scene::Resolution;
 
-/// A pixel, counted from the upper left corner of the picture.
+/// Coordinates of a pixel. (0, 0) is the upper left pixel of the picture.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Pixel {
-    /// To the right.
+    /// Column.
     pub x: u32,
-    /// Down.
+    /// Row, from the top.
     pub y: u32,
 }
 
 /// A rectangle of pixels.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Tile {
-    /// Its upper left pixel.
+    /// Upper left pixel.
     pub top_left: Pixel,
-    /// Pixels in a row.
+    /// Number of pixels in a row.
     pub width: u32,
-    /// Rows.
+    /// Number of rows.
     pub height: u32,
 }
 
 impl Tile {
-    /// The whole picture.
-    pub fn full(size: Resolution) -> Self {
-        Tile { top_left: Pixel { x: 0, y: 0 }, width: size.width(), height: size.height() }
+    /// The tile of a whole picture.
+    ///
+    /// ```
+    /// use strahl_core::{Resolution, Tile};
+    ///
+    /// let tile = Tile::full(Resolution::new(4, 3).unwrap());
+    /// assert_eq!(tile.pixels().count(), 12);
+    /// ```
+    pub fn full(resolution: Resolution) -> Self {
+        Tile { top_left: Pixel { x: 0, y: 0 }, width: resolution.width(), height: resolution.height() }
     }
 
-    /// Its pixels, row by row.
+    /// All pixels, row by row.
     pub fn pixels(self) -> impl Iterator<Item = Pixel> {
         let Tile { top_left: first, width, height } = self;
         (0..height).flat_map(move |y| (0..width).map(move |x| Pixel { x: first.x + x, y: first.y + y }))
     }
 
-    /// The pixels that lie in `other` as well.
+    /// The tile of the pixels that are in both tiles; empty if there are none.
     pub fn intersection(self, other: Tile) -> Tile {
-        // From the later begin to the earlier end.
-        let span = |a: u32, a_length: u32, b: u32, b_length: u32| {
-            let begin = a.max(b);
-            (begin, a.saturating_add(a_length).min(b.saturating_add(b_length)).saturating_sub(begin))
+        // From the larger start to the smaller end.
+        let overlap = |a: u32, a_length: u32, b: u32, b_length: u32| {
+            let start = a.max(b);
+            (start, a.saturating_add(a_length).min(b.saturating_add(b_length)).saturating_sub(start))
         };
-        let (x, width) = span(self.top_left.x, self.width, other.top_left.x, other.width);
-        let (y, height) = span(self.top_left.y, self.height, other.top_left.y, other.height);
+        let (x, width) = overlap(self.top_left.x, self.width, other.top_left.x, other.width);
+        let (y, height) = overlap(self.top_left.y, self.height, other.top_left.y, other.height);
         Tile { top_left: Pixel { x, y }, width, height }
     }
 
-    /// The number of its pixels.
+    /// Number of pixels.
     pub fn len(self) -> usize {
         self.width as usize * self.height as usize
     }
 
-    /// Whether it has no pixel.
+    /// Whether there are no pixels.
     pub fn is_empty(self) -> bool {
         self.len() == 0
     }
 
-    /// The number of a pixel in the order of [`Tile::pixels`]; none when it lies outside.
+    /// Index of a pixel in the order of [`Tile::pixels`]; `None` if it is outside of the tile.
     pub fn index_of(self, pixel: Pixel) -> Option<usize> {
         let (x, y) = (pixel.x.checked_sub(self.top_left.x)?, pixel.y.checked_sub(self.top_left.y)?);
         (x < self.width && y < self.height).then_some(y as usize * self.width as usize + x as usize)
     }
 
-    /// The rectangle cut into tiles of at most `side` times `side` pixels, row by row.
+    /// Divides the tile into tiles of at most `side` times `side` pixels, row by row.
     pub fn tiles(self, side: u32) -> impl Iterator<Item = Tile> {
         let side = if side > 0 { side } else { 1 };
         let starts = move |length: u32| (0..length).step_by(side as usize);
@@ -98,7 +105,7 @@ mod tests {
     }
 
     #[test]
-    fn what_lies_in_two_tiles_lies_in_both() {
+    fn the_intersection_has_the_pixels_of_both() {
         let tile = |x, y, width, height| Tile { top_left: Pixel { x, y }, width, height };
         let (a, b) = (tile(2, 3, 10, 4), tile(5, 1, 20, 4));
         assert_eq!(a.intersection(b), tile(5, 3, 7, 2));

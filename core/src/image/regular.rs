@@ -1,7 +1,7 @@
 //! Regular supersampling: each pixel is cut into n times n cells with a ray through each.
 
 use super::filter::Filter;
-use super::filter_sample::filtered;
+use super::filter_sample::sample_filter;
 use super::pixel::Pixel;
 use super::sampler::{SampleMean, Sampler, film_point, sequence};
 use crate::math::Real;
@@ -46,7 +46,7 @@ impl Sampler for RegularSampler {
         let mut index = 0;
         for y in 0..self.cells {
             for x in 0..self.cells {
-                let [x, y] = filtered(self.filter, [middle(x), middle(y)]);
+                let [x, y] = sample_filter(self.filter, [middle(x), middle(y)]);
                 mean.add(tracer.trace(CameraSample {
                     point: film_point(pixel, x, y),
                     sequence: sequence(pixel, index, self.seed),

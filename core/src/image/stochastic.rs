@@ -23,7 +23,7 @@
 //! [`SobolSequence`]: crate::math::SobolSequence
 
 use super::filter::Filter;
-use super::filter_sample::filtered;
+use super::filter_sample::sample_filter;
 use super::pixel::Pixel;
 use super::sampler::{SampleMean, Sampler, film_point, sequence};
 use crate::math::{Dimension, Real, Rgb, sqrt};
@@ -114,7 +114,7 @@ impl StochasticSampler {
             }
             let place = sequence(pixel, mean.count, self.seed).sample_2d(Dimension::PIXEL);
             let stream = sequence(pixel, sequence_index(mean.count, place, self.min_samples), self.seed);
-            let [x, y] = filtered(self.filter, place);
+            let [x, y] = sample_filter(self.filter, place);
             let sample = tracer.trace(CameraSample { point: film_point(pixel, x, y), sequence: stream });
             mean.add(sample);
             if is_ruled {

@@ -104,7 +104,7 @@ impl Background {
 
 /// The tables of a scene, borrowed and not yet checked: the input of [`Scene::new`].
 ///
-/// Items have the indices of their shapes. With the feature `alloc`, [`SceneTables`](crate::SceneTables) fills the tables.
+/// Items have the indices of their shapes. With the feature `alloc`, `SceneTables` fills the tables.
 #[derive(Clone, Copy, Debug)]
 pub struct SceneDescriptor<'s> {
     /// Shapes and their tables.

@@ -104,7 +104,7 @@ struct TracedSamples {
 impl TracedSamples {
     /// A subpixel with the numbers of the samples at its corners.
     fn subpixel(&self, part: &strahl_core::image::Subpixel) -> SubpixelRecord {
-        let strahl_core::image::Subpixel { place, side, .. } = *part;
+        let strahl_core::image::Subpixel { top_left: place, side, .. } = *part;
         let (right, below) = (place.x + side, place.y + side);
         let number = |(x, y): (f32, f32)| {
             let found = self.film_points.iter().position(|(it, _)| it.point.x == x && it.point.y == y);
