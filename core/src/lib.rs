@@ -7,11 +7,13 @@
 //! use strahl_core::*;
 //!
 //! let shapes = [Shape::Sphere(Sphere { center: Vec3::ZERO, radius: 1.0 })];
+//! let materials = [Material::matte(Rgb::new(0.8, 0.1, 0.1))];
+//! let lights = [Light::point(vec3(3.0, 4.0, 5.0), Rgb::WHITE)];
 //! let scene = Scene::new(SceneDescriptor {
 //!     geometry: Geometry { shapes: &shapes, ..Geometry::EMPTY },
 //!     material_ids: &[MaterialId(0)],
-//!     materials: &[Material { diffuse: Rgb::new(0.8, 0.1, 0.1), ..Material::MATTE }],
-//!     lights: &[Light::point(vec3(3.0, 4.0, 5.0), Rgb::WHITE)],
+//!     materials: &materials,
+//!     lights: &lights,
 //!     ..SceneDescriptor::EMPTY
 //! })?;
 //! let world = World::new(scene, BareList(1));
@@ -33,13 +35,14 @@
 //! ```
 //!
 //! The steps are always these: describe a scene and check it ([`Scene::new`]), combine it with an accelerator
-//! ([`World::new`]), make a camera ([`Camera::new`]) and a tracer for the effects that the scene requires ([`Tracer::new`]),
-//! and [`render()`] pixels with a sampler into a sink. Each worker has the mutable state of one thread.
+//! ([`World::new`]), make a camera ([`Camera::new`]) and a tracer for the effects that the scene requires
+//! ([`Tracer::new`]), and [`render()`] pixels with a sampler into a sink. Each worker has the mutable state
+//! of one thread.
 //!
 //! # Modules
 //!
-//! The root has the names that a first program needs; all others are in the module of their layer. A module uses only
-//! those below it.
+//! The root has the names that a first program needs; all others are in the module of their layer. A module
+//! uses only those below it.
 //!
 //! | module | contents |
 //! |---|---|
@@ -56,15 +59,16 @@
 //!
 //! # Guarantees
 //!
-//! 1. *Memory buys time, never truth.* Accelerators, caches, workers and the order of pixels change the rendering time and
-//!    not one bit of the picture.
-//! 2. *Reproducible.* Only the basic operations of IEEE 754 and libm are used, in one order, so all machines compute the same
-//!    bits.
-//! 3. *Effects are compiled in.* [`Effects`](scene::Effects) is a constant of the tracer's type; the code of all other effects
-//!    is compiled away.
-//! 4. *Tracing cannot fail.* Errors are returned by [`Scene::new`], [`Camera::new`], [`Tracer::new`] and the builders of
-//!    accelerators. No reachable code panics.
-//! 5. *The query owns `t_max`.* Only the [`Query`](accel::Query) shortens a ray, so all accelerators find the same hits.
+//! 1. *Memory buys time, never truth.* Accelerators, caches, workers and the order of pixels change the
+//! rendering time and not one bit of the picture.
+//! 2. *Reproducible.* Only the basic operations of IEEE 754 and libm are used, in one order, so all machines
+//! compute the same bits.
+//! 3. *Effects are compiled in.* [`Effects`](scene::Effects) is a constant of the tracer's type; the code of
+//! all other effects is compiled away.
+//! 4. *Tracing cannot fail.* Errors are returned by [`Scene::new`], [`Camera::new`], [`Tracer::new`] and the
+//! builders of accelerators. No reachable code panics.
+//! 5. *The query owns `t_max`.* Only the [`Query`](accel::Query) shortens a ray, so all accelerators find the
+//! same hits.
 //!
 //! # Features
 //!
@@ -84,11 +88,11 @@
 //! use strahl_core::image::{Dither, DrawTargetSink};
 //! use strahl_core::*;
 //!
-//! let scene = Scene::new(SceneDescriptor { background: Background::Color(Rgb::WHITE), ..SceneDescriptor::EMPTY })?;
-//! let world = World::new(scene, BareList(0));
-//! let resolution = Resolution::new(2, 1).unwrap();
-//! let camera = CameraDescriptor::perspective(Vec3::ZERO, vec3(0.0, 0.0, -1.0), 1.0);
-//! let tracer = Tracer::<_, AllEffects, 5>::new(&world, Camera::new(&camera, resolution)?, Limits::DEFAULT)?;
+//! let scene = Scene::new(SceneDescriptor { background: Background::Color(Rgb::WHITE),
+//! ..SceneDescriptor::EMPTY })?; let world = World::new(scene, BareList(0)); let resolution =
+//! Resolution::new(2, 1).unwrap(); let camera = CameraDescriptor::perspective(Vec3::ZERO, vec3(0.0, 0.0,
+//! -1.0), 1.0); let tracer = Tracer::<_, AllEffects, 5>::new(&world, Camera::new(&camera, resolution)?,
+//! Limits::DEFAULT)?;
 //!
 //! let mut screen = MockDisplay::<Rgb565>::new();
 //! Pixel(Point::new(3, 0), Rgb565::RED).draw(&mut screen)?;
@@ -102,8 +106,8 @@
 //!
 //! # Double precision
 //!
-//! The package `strahl-core-double` compiles the same sources with `Real = f64`. Types without a [`Real`] are one type for
-//! both.
+//! The package `strahl-core-double` compiles the same sources with `Real = f64`. Types without a [`Real`] are
+//! one type for both.
 
 #![no_std]
 #![cfg_attr(docsrs, feature(doc_cfg))]

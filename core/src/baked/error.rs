@@ -1,46 +1,46 @@
-//! Why bytes are no baked scene.
+//! Why bytes are not a valid baked scene.
 
 use core::fmt;
 
 use crate::scene::SceneError;
 
-/// Why bytes are no baked scene.
+/// Why bytes are not a valid baked scene.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[non_exhaustive]
 pub enum BakedSceneError {
-    /// They do not begin at an address that 4 divides.
+    /// The address of the first byte is not a multiple of 4.
     Misaligned,
-    /// There are too few.
+    /// There are too few bytes.
     TooShort {
-        /// How many it takes.
+        /// Number of bytes that are needed.
         needed: usize,
-        /// How many there are.
+        /// Number of bytes that are provided.
         provided: usize,
     },
-    /// They do not begin as a baked scene does (on a little-endian machine).
+    /// The magic number is wrong, or the machine is not little-endian.
     BadMagic,
-    /// They are of another version.
+    /// The format has another version.
     Version {
-        /// Which.
+        /// The version of the bytes; [`BakedScene::VERSION`](super::BakedScene::VERSION) is supported.
         found: u32,
     },
-    /// They are not what was written.
+    /// The checksum is wrong: bytes have changed since they were written.
     Checksum,
-    /// A part is out of range, or not there.
+    /// A section is out of range or missing.
     Section(BakedSection),
-    /// Its parts make no scene.
+    /// The scene is not valid.
     Scene(SceneError),
 }
 
-/// A part of a baked scene.
+/// A section of a baked scene.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum BakedSection {
-    /// What comes first.
+    /// The header.
     Header,
-    /// The size of the picture.
+    /// The resolution.
     Resolution,
-    /// A table of the scene: its number, in the order of the format.
+    /// A table of the scene, by its index in the format.
     Table(u8),
     /// The accelerator.
     Accelerator,
@@ -50,17 +50,17 @@ impl fmt::Display for BakedSceneError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             BakedSceneError::Misaligned => f.write_str("the bytes are not aligned to 4"),
-            BakedSceneError::TooShort { needed, provided: given } => {
-                write!(f, "{needed} bytes needed, {given} given")
+            BakedSceneError::TooShort { needed, provided } => {
+                write!(f, "baked scene: {needed} bytes needed, {provided} provided")
             }
-            BakedSceneError::BadMagic => f.write_str("this is no baked scene"),
+            BakedSceneError::BadMagic => f.write_str("not a baked scene (wrong magic number)"),
             BakedSceneError::Version { found } => {
-                write!(f, "version {found} of the format is not known here")
+                write!(f, "version {found} of the format is not supported")
             }
             BakedSceneError::Checksum => f.write_str("the bytes have changed since they were written"),
             BakedSceneError::Section(BakedSection::Header) => f.write_str("the header is out of range"),
             BakedSceneError::Section(BakedSection::Resolution) => {
-                f.write_str("the size of the picture is out of range")
+                f.write_str("the resolution is out of range")
             }
             BakedSceneError::Section(BakedSection::Table(number)) => {
                 write!(f, "table {number} is out of range")

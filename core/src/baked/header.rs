@@ -1,4 +1,4 @@
-//! What a baked scene begins with: where its tables are, and what is there once.
+//! Header of a baked scene: all data that is not in tables, and the locations of the tables.
 
 use zerocopy::{ConvertError, Immutable, KnownLayout, TryFromBytes};
 
@@ -7,10 +7,10 @@ use crate::geometry::Aabb;
 use crate::math::{Real, Rgb};
 use crate::scene::{Background, CameraDescriptor};
 
-/// The first word: `strl`.
+/// Magic number: `strl`.
 pub(super) const MAGIC: u32 = u32::from_le_bytes(*b"strl");
 
-/// The version of the format that is written and read.
+/// Version of the format that is written and read.
 pub(super) const VERSION: u32 = 3;
 
 /// Kinds of accelerators.
@@ -37,34 +37,34 @@ pub(super) enum TableId {
     Materials,
     Textures,
     Lights,
-    /// The cells of a grid, the nodes of an octree or a hierarchy.
+    /// Cells of a grid, nodes of an octree or bounding volume hierarchy.
     Nodes,
-    /// The items that those list.
+    /// Entries that the cells or nodes refer to.
     Entries,
 }
 
-/// How many tables there are.
+/// Number of tables.
 pub(super) const TABLES: usize = TableId::Entries as usize + 1;
 
-/// Where a table is.
+/// Location of a table.
 #[derive(Clone, Copy, Debug, TryFromBytes, KnownLayout, Immutable)]
 #[repr(C)]
 pub(super) struct TableLocation {
-    /// Its first byte, counted from that of the header.
+    /// Offset of its first byte from the header.
     pub(super) start: u32,
-    /// How many entries it has.
+    /// Number of entries.
     pub(super) count: u32,
 }
 
-/// The beginning of a baked scene.
+/// Header of a baked scene.
 #[derive(Clone, Copy, Debug, TryFromBytes, KnownLayout, Immutable)]
 #[repr(C)]
 pub(super) struct BakedHeader {
     pub(super) magic: u32,
     pub(super) version: u32,
-    /// How many bytes there are, the header among them.
+    /// Total number of bytes, including the header.
     pub(super) bytes: u32,
-    /// Of all bytes after it.
+    /// FNV-1a of all bytes after it.
     pub(super) checksum: u32,
     pub(super) resolution: [u32; 2],
     pub(super) levels: u32,
@@ -72,9 +72,9 @@ pub(super) struct BakedHeader {
     pub(super) camera: CameraDescriptor,
     pub(super) ambient: Rgb,
     pub(super) background: Background,
-    /// One when light passes through bodies on its way from a light, else zero.
+    /// [`SceneDescriptor::colored_shadows`](crate::SceneDescriptor::colored_shadows), 1 for true, 0 for false.
     pub(super) colored_shadows: u32,
-    /// The kind of the accelerator, and its own numbers.
+    /// Kind of the accelerator, followed by its fields.
     pub(super) accelerator: u32,
     pub(super) bounds: Aabb,
     pub(super) cells: [u32; 3],
@@ -82,10 +82,10 @@ pub(super) struct BakedHeader {
     pub(super) tables: [TableLocation; TABLES],
 }
 
-/// Bytes before those that the checksum covers.
+/// Offset of the first byte that the checksum covers.
 pub(super) const CHECKSUM_BEGIN: usize = 16;
 
-/// FNV-1a (Fowler, Noll, Vo), 32 bits: against accidents, not against malice.
+/// Hash FNV-1a (Fowler, Noll, Vo) of 32 bits. Detects accidental changes, not malicious ones.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Fnv1a(pub(super) u32);
 
@@ -98,25 +98,25 @@ impl Fnv1a {
 }
 
 impl BakedHeader {
-    /// The header of `bytes`, which are all there and as they were written.
+    /// The header of `bytes`, after a check of the length and checksum of all bytes.
     pub(super) fn parse(bytes: &[u8]) -> Result<&Self, BakedSceneError> {
-        let given = bytes.len();
-        let words = |place: usize| {
-            let word = bytes.get(4 * place..)?.first_chunk::<4>()?;
+        let provided = bytes.len();
+        let word_at = |index: usize| {
+            let word = bytes.get(4 * index..)?.first_chunk::<4>()?;
             Some(u32::from_ne_bytes(*word))
         };
-        let too_short = BakedSceneError::TooShort { needed: size_of::<BakedHeader>(), provided: given };
-        if words(0).ok_or(too_short)? != MAGIC {
+        let too_short = BakedSceneError::TooShort { needed: size_of::<BakedHeader>(), provided };
+        if word_at(0).ok_or(too_short)? != MAGIC {
             return Err(BakedSceneError::BadMagic);
         }
-        let found = words(1).ok_or(too_short)?;
+        let found = word_at(1).ok_or(too_short)?;
         if found != VERSION {
             return Err(BakedSceneError::Version { found });
         }
-        let needed = words(2).ok_or(too_short)? as usize;
-        let bytes = bytes.get(..needed).ok_or(BakedSceneError::TooShort { needed, provided: given })?;
+        let needed = word_at(2).ok_or(too_short)? as usize;
+        let bytes = bytes.get(..needed).ok_or(BakedSceneError::TooShort { needed, provided })?;
         let covered = bytes.get(CHECKSUM_BEGIN..).ok_or(too_short)?;
-        if words(3) != Some(Fnv1a::EMPTY.update(covered).0) {
+        if word_at(3) != Some(Fnv1a::EMPTY.update(covered).0) {
             return Err(BakedSceneError::Checksum);
         }
         match BakedHeader::try_ref_from_prefix(bytes) {
@@ -127,24 +127,24 @@ impl BakedHeader {
         }
     }
 
-    /// A table of the scene.
-    pub(super) fn table<'s, T>(&self, bytes: &'s [u8], content: TableId) -> Result<&'s [T], BakedSceneError>
+    /// A table of the baked scene.
+    pub(super) fn table<'s, T>(&self, bytes: &'s [u8], id: TableId) -> Result<&'s [T], BakedSceneError>
     where
         T: TryFromBytes + KnownLayout + Immutable,
     {
-        let wrong = BakedSceneError::Section(BakedSection::Table(content as u8));
-        let TableLocation { start, count } = *self.tables.get(content as usize).ok_or(wrong)?;
-        let length = size_of::<T>().checked_mul(count as usize).ok_or(wrong)?;
-        let bytes = bytes.get(start as usize..).and_then(|bytes| bytes.get(..length)).ok_or(wrong)?;
-        <[T]>::try_ref_from_bytes(bytes).map_err(|error| match error {
+        let error = BakedSceneError::Section(BakedSection::Table(id as u8));
+        let TableLocation { start, count } = *self.tables.get(id as usize).ok_or(error)?;
+        let length = size_of::<T>().checked_mul(count as usize).ok_or(error)?;
+        let bytes = bytes.get(start as usize..).and_then(|bytes| bytes.get(..length)).ok_or(error)?;
+        <[T]>::try_ref_from_bytes(bytes).map_err(|cause| match cause {
             ConvertError::Alignment(_) if start % 4 == 0 => BakedSceneError::Misaligned,
-            _ => wrong,
+            _ => error,
         })
     }
 
-    /// Whether the accelerator is of a kind.
-    pub(super) fn expect_accelerator(&self, finder: u32) -> Result<(), BakedSceneError> {
-        if self.accelerator == finder {
+    /// Checks the kind of the accelerator.
+    pub(super) fn expect_accelerator(&self, kind: u32) -> Result<(), BakedSceneError> {
+        if self.accelerator == kind {
             Ok(())
         } else {
             Err(BakedSceneError::Section(BakedSection::Accelerator))

@@ -1,7 +1,7 @@
-//! How the core's types lie in memory, told field by field.
+//! Memory layout of the core's types, written field by field.
 //!
-//! The bytes between fields and behind the shorter variants of an enum have no value that could be
-//! copied, so each type is taken apart. Without `..`, so that a new field is an error here.
+//! Padding between fields and after the shorter variants of an enum has no defined value, so each type is
+//! destructured and padding is written as zeros. Patterns have no `..`, so that a new field is a compile error here.
 
 use crate::accel::{BvhNode, LeafEntry, OctreeNode};
 use crate::geometry::{
@@ -13,13 +13,13 @@ use crate::scene::{
     Projection, Texture, TextureId,
 };
 
-/// Who writes, and how far.
+/// Writes values in their memory layout.
 pub(super) struct LayoutWriter<'w> {
-    /// Is given a piece, and how much was written before it.
+    /// Receives each piece, and the number of bytes before it.
     pub(super) output: &'w mut dyn FnMut(&[u8], usize),
+    /// Number of bytes so far.
     pub(super) written: usize,
-    /// If there is one, it is told the length of each table and the size of its entries, and nothing
-    /// is written.
+    /// If it is given, it receives the number and size of the entries of each table, and nothing is written.
     pub(super) measure: Option<&'w mut dyn FnMut(usize, usize)>,
 }
 
@@ -29,16 +29,17 @@ impl LayoutWriter<'_> {
         self.written += bytes.len();
     }
 
-    /// Zeros up to a place that `alignment` divides.
+    /// Writes zeros up to a multiple of `alignment`.
     fn align(&mut self, alignment: usize) {
         while !self.written.is_multiple_of(alignment) {
             self.write(&[0]);
         }
     }
 
+    /// Writes a table.
     pub(super) fn table<T: WriteLayout>(&mut self, entries: &[T]) {
-        if let Some(see) = &mut self.measure {
-            see(entries.len(), size_of::<T>());
+        if let Some(measure) = &mut self.measure {
+            measure(entries.len(), size_of::<T>());
             return;
         }
         for entry in entries {
@@ -48,12 +49,12 @@ impl LayoutWriter<'_> {
     }
 }
 
-/// Something that can be written as it lies in memory, in `repr(C)`.
+/// A type that can be written in its memory layout (`repr(C)`).
 pub(super) trait WriteLayout: Sized {
-    /// Its fields, in order.
+    /// Writes its fields in order.
     fn write_fields(&self, w: &mut LayoutWriter<'_>);
 
-    /// Where its alignment puts it: its fields, and zeros to its full size.
+    /// Writes padding for its alignment, its fields, and padding up to its size.
     fn write_padded(&self, w: &mut LayoutWriter<'_>) {
         w.align(align_of::<Self>());
         let end = w.written + size_of::<Self>();
@@ -94,7 +95,7 @@ impl WriteLayout for Vec3 {
     }
 }
 
-/// Structs, by their fields in the order of their declaration.
+/// Structs: their fields in the order of declaration.
 macro_rules! structs {
     ($($Struct:ident { $($field:ident),* })*) => {$(
         impl WriteLayout for $Struct {
@@ -126,7 +127,7 @@ structs! {
     CameraDescriptor { position, target, up, projection }
 }
 
-/// Structs of one number.
+/// Structs of one field.
 macro_rules! newtypes {
     ($($Struct:ident)*) => {$(
         impl WriteLayout for $Struct {
@@ -162,7 +163,7 @@ impl WriteLayout for FresnelModel {
     }
 }
 
-/// The number of a variant, and its fields.
+/// Discriminant of a variant, and its fields.
 macro_rules! variant {
     ($w:ident, $number:literal $(, $field:ident)*) => {{
         let number: u32 = $number;
@@ -175,16 +176,16 @@ impl WriteLayout for Shape {
     fn write_fields(&self, w: &mut LayoutWriter<'_>) {
         match self {
             Shape::Sphere(sphere) => variant!(w, 0, sphere),
-            Shape::Triangle(corners) => variant!(w, 1, corners),
-            Shape::SmoothTriangle(corners) => variant!(w, 2, corners),
-            Shape::Plane(place) => variant!(w, 3, place),
-            Shape::Disc(place) => variant!(w, 4, place),
-            Shape::Polygon(place) => variant!(w, 5, place),
-            Shape::Cuboid(place) => variant!(w, 6, place),
-            Shape::OrientedCuboid(place) => variant!(w, 7, place),
-            Shape::Cone(place) => variant!(w, 8, place),
-            Shape::Torus(place) => variant!(w, 9, place),
-            Shape::Moving(place) => variant!(w, 10, place),
+            Shape::Triangle(vertices) => variant!(w, 1, vertices),
+            Shape::SmoothTriangle(vertices) => variant!(w, 2, vertices),
+            Shape::Plane(index) => variant!(w, 3, index),
+            Shape::Disc(index) => variant!(w, 4, index),
+            Shape::Polygon(index) => variant!(w, 5, index),
+            Shape::Cuboid(index) => variant!(w, 6, index),
+            Shape::OrientedCuboid(index) => variant!(w, 7, index),
+            Shape::Cone(index) => variant!(w, 8, index),
+            Shape::Torus(index) => variant!(w, 9, index),
+            Shape::Moving(index) => variant!(w, 10, index),
         }
     }
 }
@@ -193,11 +194,11 @@ impl WriteLayout for Texture {
     fn write_fields(&self, w: &mut LayoutWriter<'_>) {
         match self {
             Texture::Checker { even, odd, origin, frequency } => variant!(w, 0, even, odd, origin, frequency),
-            Texture::Gradient { start_color: from, end_color: to, origin, axis: along } => {
-                variant!(w, 1, from, to, origin, along)
+            Texture::Gradient { start_color, end_color, origin, axis } => {
+                variant!(w, 1, start_color, end_color, origin, axis)
             }
-            Texture::ZonePlate { start_color: from, end_color: to, origin, frequency } => {
-                variant!(w, 2, from, to, origin, frequency)
+            Texture::ZonePlate { start_color, end_color, origin, frequency } => {
+                variant!(w, 2, start_color, end_color, origin, frequency)
             }
         }
     }
@@ -215,10 +216,10 @@ impl WriteLayout for Background {
 impl WriteLayout for Projection {
     fn write_fields(&self, w: &mut LayoutWriter<'_>) {
         match self {
-            Projection::Perspective { field_of_view: angle } => variant!(w, 0, angle),
+            Projection::Perspective { field_of_view } => variant!(w, 0, field_of_view),
             Projection::Orthographic { height } => variant!(w, 1, height),
-            Projection::ThinLens { field_of_view: angle, lens_radius: radius, focus_distance: focus } => {
-                variant!(w, 2, angle, radius, focus)
+            Projection::ThinLens { field_of_view, lens_radius, focus_distance } => {
+                variant!(w, 2, field_of_view, lens_radius, focus_distance)
             }
         }
     }
@@ -228,13 +229,13 @@ impl WriteLayout for LightSource {
     fn write_fields(&self, w: &mut LayoutWriter<'_>) {
         match self {
             LightSource::Point { position, falloff } => variant!(w, 0, position, falloff),
-            LightSource::Directional { to_light: toward } => variant!(w, 1, toward),
+            LightSource::Directional { to_light } => variant!(w, 1, to_light),
             LightSource::Spot { position, direction, cos_inner, cos_outer, falloff } => {
                 variant!(w, 2, position, direction, cos_inner, cos_outer, falloff)
             }
             LightSource::Sphere { position, radius, falloff } => variant!(w, 3, position, radius, falloff),
-            LightSource::Rectangle { position, half_edges: half, soft_shadows: soft, falloff } => {
-                variant!(w, 4, position, half, soft, falloff)
+            LightSource::Rectangle { position, half_edges, soft_shadows, falloff } => {
+                variant!(w, 4, position, half_edges, soft_shadows, falloff)
             }
         }
     }

@@ -1,17 +1,20 @@
-//! A baked scene: a scene and its accelerator in bytes, ready to be traced where they lie.
+//! Baked scenes: a scene and its accelerator in bytes, traced in place.
 //!
 //! A host bakes a scene once ([`BakedSceneWriter`]); a device keeps the bytes in flash and opens them
-//! ([`BakedScene::open`]). Nothing is copied and nothing is built: the tables of the scene are slices
-//! of the bytes. Everything that a table says is checked before it is believed, so that no bytes
-//! whatever lead to a panic or to a read outside of them.
+//! ([`BakedScene::open`]). The device copies nothing and builds nothing: the tables of the scene are slices of the
+//! bytes. All bytes are validated when they are opened, so that no input can cause a panic or an out-of-bounds
+//! read.
 //!
 //! # The format, version 3
 //!
-//! Little-endian, every part aligned to 4 bytes. First a header: a magic word, the version,
-//! the length of the whole, a checksum of what follows it (FNV-1a, 32 bits), then what is there
-//! once (size, limits, view, surroundings, the accelerator's own numbers), and for each table
-//! where it begins and how many entries it has. Then the tables, whose entries have the layout
-//! of the core's own types in `repr(C)`. A baked scene holds single precision.
+//! Little-endian, all sections aligned to 4 bytes:
+//!
+//! 1. A header: magic number, version, total length, checksum of the bytes after it (FNV-1a, 32 bits), resolution,
+//!    limits, camera, ambient light and background, fields of the accelerator, and the start and length of each
+//!    table.
+//! 2. The tables. Their entries have the layout of the core's types in `repr(C)`.
+//!
+//! A baked scene is in single precision.
 
 mod error;
 mod header;
@@ -27,20 +30,20 @@ use crate::math::Real;
 use crate::scene::{Camera, CameraDescriptor, CameraError, Resolution, Scene, SceneDescriptor};
 use header::{BakedHeader, TableId};
 
-/// What a baked scene is to be walked by.
+/// The accelerator of a baked scene.
 #[derive(Clone, Copy, Debug)]
 pub enum BakedAccelerator<'s> {
-    /// Every item in order.
+    /// All items in order.
     BareList(BareList),
     /// A uniform grid.
     Grid(Grid<'s, 0>),
     /// An octree.
     Octree(Octree<'s, 0>),
-    /// A hierarchy of boxes.
+    /// A bounding volume hierarchy.
     Bvh(Bvh<'s, ()>),
 }
 
-/// A baked scene that has been checked.
+/// A valid baked scene.
 ///
 /// ```
 /// use strahl_core::baked::{BakedScene, BakedSceneError};
@@ -61,16 +64,19 @@ pub struct BakedScene<'s> {
 }
 
 impl<'s> BakedScene<'s> {
-    /// The version of the format that is written and read.
+    /// Version of the format that is written and read.
     pub const VERSION: u32 = header::VERSION;
 
-    /// The fewest bytes that a baked scene has.
+    /// Smallest size of a baked scene.
     pub const MIN_SIZE_IN_BYTES: usize = size_of::<BakedHeader>();
 
-    /// The scene in `bytes`, which must be aligned to 4 ([`include_baked_scene!`](crate::include_baked_scene!)).
+    /// Validates `bytes` and borrows the scene from them, in one pass and without memory.
     ///
-    /// One pass over the bytes, no memory of its own. Errors: [`BakedSceneError`], for everything that
-    /// these bytes are not.
+    /// `bytes`: aligned to 4, as of [`include_baked_scene!`](crate::include_baked_scene!).
+    ///
+    /// # Errors
+    ///
+    /// See [`BakedSceneError`].
     pub fn open(bytes: &'s [u8]) -> Result<Self, BakedSceneError> {
         let header = BakedHeader::parse(bytes)?;
         let geometry = Geometry {
@@ -86,7 +92,7 @@ impl<'s> BakedScene<'s> {
             tori: header.table(bytes, TableId::Tori)?,
             moving_shapes: header.table(bytes, TableId::Moving)?,
         };
-        let parts = SceneDescriptor {
+        let descriptor = SceneDescriptor {
             geometry,
             material_ids: header.table(bytes, TableId::MaterialIds)?,
             materials: header.table(bytes, TableId::Materials)?,
@@ -96,11 +102,11 @@ impl<'s> BakedScene<'s> {
             background: header.background,
             colored_shadows: header.colored_shadows != 0,
         };
-        let scene = Scene::new(parts).map_err(BakedSceneError::Scene)?;
+        let scene = Scene::new(descriptor).map_err(BakedSceneError::Scene)?;
         let [width, height] = header.resolution;
-        let size =
+        let resolution =
             Resolution::new(width, height).ok_or(BakedSceneError::Section(BakedSection::Resolution))?;
-        Ok(BakedScene { header, bytes, scene, resolution: size })
+        Ok(BakedScene { header, bytes, scene, resolution })
     }
 
     /// The scene.
@@ -108,43 +114,47 @@ impl<'s> BakedScene<'s> {
         &self.scene
     }
 
-    /// The size of the picture that it was baked for. A device may take another.
+    /// Resolution that it was baked for. A device may use another.
     pub const fn resolution(&self) -> Resolution {
         self.resolution
     }
 
-    /// The levels of rays that it was baked with.
+    /// Level limit that it was baked with ([`Limits::levels`](crate::Limits::levels)).
     pub const fn levels(&self) -> u8 {
         let levels = self.header.levels;
         if levels < 256 { levels as u8 } else { u8::MAX }
     }
 
-    /// The cutoff that it was baked with.
+    /// Cutoff that it was baked with ([`Limits::cutoff`](crate::Limits::cutoff)).
     pub const fn cutoff(&self) -> Real {
         self.header.cutoff
     }
 
-    /// How the scene is looked at.
+    /// Camera that it was baked with.
     pub const fn camera_descriptor(&self) -> &'s CameraDescriptor {
         &self.header.camera
     }
 
-    /// The camera of a picture of `size`.
-    pub fn camera(&self, size: Resolution) -> Result<Camera, CameraError> {
-        Camera::new(self.camera_descriptor(), size)
+    /// The camera for pictures of `resolution`.
+    pub fn camera(&self, resolution: Resolution) -> Result<Camera, CameraError> {
+        Camera::new(self.camera_descriptor(), resolution)
     }
 
-    /// How many items there are.
+    /// Number of items.
     fn item_count(&self) -> u32 {
         self.scene.descriptor().geometry.shapes.len() as u32
     }
 
-    /// Every item in order: an accelerator that needs nothing.
+    /// All items in order: an accelerator without memory, for any baked scene.
     pub fn bare_list(&self) -> BareList {
         BareList(self.item_count())
     }
 
-    /// The grid, checked here; [`BakedSection::Accelerator`] is in error when there is none.
+    /// Validates and borrows the grid.
+    ///
+    /// # Errors
+    ///
+    /// [`BakedSection::Accelerator`] if it is not valid, or if the accelerator is of another kind.
     pub fn grid<const MAILBOX: usize>(&self) -> Result<Grid<'s, MAILBOX>, BakedSceneError> {
         let (header, bytes) = (self.header, self.bytes);
         header.expect_accelerator(header::GRID)?;
@@ -155,7 +165,11 @@ impl<'s> BakedScene<'s> {
         Grid::from_parts(parts, self.item_count()).ok_or(BakedSceneError::Section(BakedSection::Accelerator))
     }
 
-    /// The octree, checked here; [`BakedSection::Accelerator`] is in error when there is none.
+    /// Validates and borrows the octree.
+    ///
+    /// # Errors
+    ///
+    /// As of [`BakedScene::grid`].
     pub fn octree<const MAILBOX: usize>(&self) -> Result<Octree<'s, MAILBOX>, BakedSceneError> {
         let (header, bytes) = (self.header, self.bytes);
         header.expect_accelerator(header::OCTREE)?;
@@ -166,8 +180,11 @@ impl<'s> BakedScene<'s> {
             .ok_or(BakedSceneError::Section(BakedSection::Accelerator))
     }
 
-    /// The hierarchy, checked here, for walks whose parts wait in a `W`; [`BakedSection::Accelerator`] is
-    /// in error when there is none.
+    /// Validates and borrows the bounding volume hierarchy, which traversals visit with a queue of type `W`.
+    ///
+    /// # Errors
+    ///
+    /// As of [`BakedScene::grid`].
     pub fn bvh<W>(&self) -> Result<Bvh<'s, W>, BakedSceneError> {
         let (header, bytes) = (self.header, self.bytes);
         header.expect_accelerator(header::BVH)?;
@@ -177,8 +194,14 @@ impl<'s> BakedScene<'s> {
         Bvh::from_parts(parts, self.item_count()).ok_or(BakedSceneError::Section(BakedSection::Accelerator))
     }
 
-    /// Whatever it was baked with. A device that knows asks for that, and carries no code for the
-    /// others.
+    /// Validates and borrows the accelerator, of any kind.
+    ///
+    /// A device that knows the kind calls [`BakedScene::grid`], [`BakedScene::octree`] or [`BakedScene::bvh`] instead
+    /// and needs no code for the others.
+    ///
+    /// # Errors
+    ///
+    /// As of [`BakedScene::grid`].
     pub fn accelerator(&self) -> Result<BakedAccelerator<'s>, BakedSceneError> {
         Ok(match self.header.accelerator {
             header::BARE => BakedAccelerator::BareList(self.bare_list()),
@@ -189,7 +212,9 @@ impl<'s> BakedScene<'s> {
     }
 }
 
-/// The bytes of a file, as [`include_bytes!`] has them, aligned for [`BakedScene::open`].
+/// Includes the bytes of a file like [`include_bytes!`], aligned for [`BakedScene::open`].
+///
+/// The example is not compiled, because it needs a file.
 ///
 /// ```ignore
 /// static SCENE: &[u8] = strahl_core::include_baked_scene!("scene.strahl");

@@ -1,4 +1,4 @@
-//! Writing a baked scene: for hosts.
+//! Writes baked scenes, on a host.
 
 use super::header::{BARE, BVH, BakedHeader, CHECKSUM_BEGIN, Fnv1a, GRID, MAGIC, OCTREE, TABLES, TableId};
 use super::layout::{LayoutWriter, WriteLayout};
@@ -7,51 +7,52 @@ use crate::geometry::Aabb;
 use crate::math::Real;
 use crate::scene::{CameraDescriptor, Resolution, Scene};
 
-/// What is to be baked.
+/// A scene to be baked, with its camera and accelerator.
 #[derive(Clone, Copy, Debug)]
 pub struct BakedSceneWriter<'b> {
-    /// The scene.
+    /// Scene.
     pub scene: Scene<'b>,
-    /// How it is looked at.
+    /// Camera.
     pub camera: CameraDescriptor,
-    /// The size of the picture.
+    /// Resolution of the picture.
     pub resolution: Resolution,
-    /// Levels of rays.
+    /// Level limit ([`Limits::levels`](crate::Limits::levels)).
     pub levels: u8,
-    /// A ray is sent when more than this of it counts.
+    /// Cutoff ([`Limits::cutoff`](crate::Limits::cutoff)).
     pub cutoff: Real,
-    /// What the scene is to be walked by.
+    /// Accelerator, built from the items of the scene.
     pub accelerator: BakedAccelerator<'b>,
 }
 
 impl BakedSceneWriter<'_> {
-    /// How many bytes it will take; none when they are more than the format can count.
+    /// Number of bytes of the baked scene; `None` if they are more than `u32::MAX`.
     pub fn size_in_bytes(&self) -> Option<u32> {
         self.tables().map(|(_, end)| end)
     }
 
-    /// Hands the bytes of the baked scene to `take`, piece by piece; false when they are more than
-    /// the format can count, and then none is handed over.
-    pub fn write_to(&self, mut take: impl FnMut(&[u8])) -> bool {
+    /// Passes the bytes of the baked scene to `output`, piece by piece.
+    ///
+    /// Returns false, without any output, if there are more than `u32::MAX` bytes.
+    pub fn write_to(&self, mut output: impl FnMut(&[u8])) -> bool {
         let Some((tables, bytes)) = self.tables() else { return false };
-        // Once for the checksum, once in earnest.
+        // Once for the checksum, once for the output.
         let mut checksum = Fnv1a::EMPTY;
         self.write_all(&tables, bytes, 0, &mut |piece, written| {
             if written >= CHECKSUM_BEGIN {
                 checksum = checksum.update(piece);
             }
         });
-        self.write_all(&tables, bytes, checksum.0, &mut |piece, _| take(piece));
+        self.write_all(&tables, bytes, checksum.0, &mut |piece, _| output(piece));
         true
     }
 
-    /// Where each table begins and how many entries it has; and where the last one ends.
+    /// Start and number of entries of each table, and the end of the last one.
     fn tables(&self) -> Option<([[u32; 2]; TABLES], u32)> {
         let mut tables = [[0; 2]; TABLES];
         let mut end = size_of::<BakedHeader>();
-        let mut place = tables.iter_mut();
+        let mut location = tables.iter_mut();
         self.for_each_table(&mut |count, size| {
-            if let Some(table) = place.next() {
+            if let Some(table) = location.next() {
                 *table = [u32::try_from(end).unwrap_or(u32::MAX), u32::try_from(count).unwrap_or(u32::MAX)];
             }
             end = end.saturating_add(count.saturating_mul(size)).next_multiple_of(4);
@@ -60,9 +61,10 @@ impl BakedSceneWriter<'_> {
         Some((tables, end))
     }
 
-    fn for_each_table(&self, see: &mut dyn FnMut(usize, usize)) {
-        let mut silent = |_: &[u8], _: usize| ();
-        let mut writer = LayoutWriter { output: &mut silent, written: 0, measure: Some(see) };
+    /// Calls `visit` with the number and size of the entries of each table.
+    fn for_each_table(&self, visit: &mut dyn FnMut(usize, usize)) {
+        let mut discard = |_: &[u8], _: usize| ();
+        let mut writer = LayoutWriter { output: &mut discard, written: 0, measure: Some(visit) };
         self.write_tables(&mut writer);
     }
 
@@ -71,9 +73,9 @@ impl BakedSceneWriter<'_> {
         tables: &[[u32; 2]; TABLES],
         bytes: u32,
         checksum: u32,
-        take: &mut dyn FnMut(&[u8], usize),
+        output: &mut dyn FnMut(&[u8], usize),
     ) {
-        let mut writer = LayoutWriter { output: take, written: 0, measure: None };
+        let mut writer = LayoutWriter { output: output, written: 0, measure: None };
         let w = &mut writer;
         [MAGIC, BakedScene::VERSION, bytes, checksum].write_padded(w);
         let Self { scene, camera: view, resolution: size, levels, cutoff, accelerator: finder } = self;
@@ -83,9 +85,9 @@ impl BakedSceneWriter<'_> {
         scene.descriptor().ambient.write_padded(w);
         scene.descriptor().background.write_padded(w);
         u32::from(scene.descriptor().colored_shadows).write_padded(w);
-        let nothing = (Aabb::ORIGIN, [0; 3], 0);
+        let unused = (Aabb::ORIGIN, [0; 3], 0);
         let (kind, (bounds, cells, depth)) = match finder {
-            BakedAccelerator::BareList(_) => (BARE, nothing),
+            BakedAccelerator::BareList(_) => (BARE, unused),
             BakedAccelerator::Grid(grid) => (GRID, (grid.parts().bounds, grid.parts().resolution, 0)),
             BakedAccelerator::Octree(octree) => (OCTREE, (octree.parts().bounds, [0; 3], 0)),
             BakedAccelerator::Bvh(bvh) => (BVH, (Aabb::ORIGIN, [0; 3], bvh.parts().depth)),
@@ -101,8 +103,8 @@ impl BakedSceneWriter<'_> {
 
     /// In the order of [`Content`].
     fn write_tables(&self, w: &mut LayoutWriter<'_>) {
-        let parts = self.scene.descriptor();
-        let geometry = &parts.geometry;
+        let descriptor = self.scene.descriptor();
+        let geometry = &descriptor.geometry;
         const _: () = assert!(TableId::Moving as usize == 10 && TableId::Entries as usize == 16);
         w.table(geometry.shapes);
         w.table(geometry.vertices);
@@ -115,10 +117,10 @@ impl BakedSceneWriter<'_> {
         w.table(geometry.cones);
         w.table(geometry.tori);
         w.table(geometry.moving_shapes);
-        w.table(parts.material_ids);
-        w.table(parts.materials);
-        w.table(parts.textures);
-        w.table(parts.lights);
+        w.table(descriptor.material_ids);
+        w.table(descriptor.materials);
+        w.table(descriptor.textures);
+        w.table(descriptor.lights);
         match &self.accelerator {
             BakedAccelerator::BareList(_) => {
                 w.table::<u32>(&[]);

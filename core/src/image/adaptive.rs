@@ -1,8 +1,9 @@
-//! Adaptive supersampling: rays through the corners of a pixel; where their colors differ, the pixel is quartered, and its
-//! quarters again.
+//! Adaptive supersampling: rays through the corners of a pixel; where their colors differ, the pixel is
+//! quartered, and its quarters again.
 //!
-//! Corners have coordinates in a grid that is the same for the whole picture, and the sample of a corner depends on these
-//! alone. Neighboring pixels therefore share corners, and tracing a corner once or twice gives the same sample.
+//! Corners have coordinates in a grid that is the same for the whole picture, and the sample of a corner
+//! depends on these alone. Neighboring pixels therefore share corners, and tracing a corner once or twice
+//! gives the same sample.
 //!
 //! Source: Whitted, "An Improved Illumination Model for Shaded Display", CACM 1980.
 
@@ -39,7 +40,8 @@ impl Subdivision {
         Subdivision { seed, ..self }
     }
 
-    /// The sample at grid coordinates `x` and `y`, in steps of `2^-depth` pixels from the upper left corner of the picture.
+    /// The sample at grid coordinates `x` and `y`, in steps of `2^-depth` pixels from the upper left corner
+    /// of the picture.
     fn sample(&self, x: u32, y: u32) -> CameraSample {
         let step = 1.0 / (1_u32 << self.depth) as Real;
         let point = FilmPoint { x: x as Real * step, y: y as Real * step };
@@ -49,7 +51,8 @@ impl Subdivision {
     }
 }
 
-/// Samples the upper left corner of each pixel: fills a [`CornerGrid`](super::CornerGrid) for an [`AdaptiveSampler`].
+/// Samples the upper left corner of each pixel: fills a [`CornerGrid`](super::CornerGrid) for an
+/// [`AdaptiveSampler`].
 #[derive(Clone, Copy, Debug)]
 pub struct CornerSampler(pub Subdivision);
 
@@ -64,7 +67,8 @@ impl Sampler for CornerSampler {
 ///
 /// ```
 /// use strahl_core::Rgb;
-/// use strahl_core::image::{AdaptiveSampler, CacheEntry, ContrastThreshold, Pixel, Sampler, Subdivision, Uncached};
+/// use strahl_core::image::{AdaptiveSampler, CacheEntry, ContrastThreshold, Pixel, Sampler};
+/// use strahl_core::image::{Subdivision, Uncached};
 /// use strahl_core::scene::CameraSample;
 /// use strahl_core::trace::{HitId, PixelSample};
 ///
@@ -88,7 +92,8 @@ pub struct AdaptiveSampler<'m, C> {
 impl<'m, C: CornerCache> AdaptiveSampler<'m, C> {
     /// Caches the corners of pixels in `corner_cache`, and all other corners in `entries`.
     ///
-    /// `entries`: caller-provided buffer of any length, also empty. The longer, the fewer corners are traced again.
+    /// `entries`: caller-provided buffer of any length, also empty. The longer, the fewer corners are traced
+    /// again.
     pub fn new(subdivision: Subdivision, corner_cache: C, entries: &'m mut [CacheEntry]) -> Self {
         AdaptiveSampler { subdivision, corner_cache, sample_cache: SampleCache::new(entries) }
     }
@@ -108,8 +113,8 @@ pub struct Subpixel {
 impl<C: CornerCache> AdaptiveSampler<'_, C> {
     /// Samples `pixel` and passes each of its subpixels to `visit`.
     ///
-    /// The color of the pixel is the sum of `mean * side^2` in this order, where `mean` is `((a + b) + (c + d)) / 4` of the
-    /// corners.
+    /// The color of the pixel is the sum of `mean * side^2` in this order, where `mean` is `((a + b) + (c +
+    /// d)) / 4` of the corners.
     pub fn sample_subpixels(
         &mut self,
         pixel: Pixel,
@@ -216,11 +221,7 @@ mod tests {
         for (depth, tolerance) in [(2, 0.1), (4, 0.02), (6, 0.005)] {
             let sampled = AdaptiveSampler::new(subdivision(depth, 0.1), Uncached, &mut entries)
                 .sample_pixel(pixel, &mut half);
-            assert!(
-                (sampled.color.r - (1.0 - dark)).abs() < tolerance,
-                "{depth}: {}",
-                sampled.color.r
-            );
+            assert!((sampled.color.r - (1.0 - dark)).abs() < tolerance, "{depth}: {}", sampled.color.r);
         }
     }
 

@@ -3,7 +3,8 @@
 use crate::math::{Real, Rgb};
 use crate::trace::{HitId, PixelSample};
 
-/// The largest difference of neighboring samples between which a picture is interpolated instead of subdivided.
+/// The largest difference of neighboring samples between which a picture is interpolated instead of
+/// subdivided.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ContrastThreshold {
     threshold: Real,

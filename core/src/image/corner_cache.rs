@@ -1,9 +1,9 @@
 //! Caches of the samples at the corners of cells, which neighboring cells share.
 //!
-//! A cell is a pixel in adaptive supersampling, and a block of pixels in pixel-selected tracing. `w` times `h` cells have
-//! `(w + 1) (h + 1)` corners. [`CornerGrid`] stores all of them, traced before in any order; [`CornerRow`] stores one row.
-//! With both, no corner is traced twice. [`Uncached`] stores nothing and leaves it to the sampler's own cache, for cells
-//! that are not adjacent.
+//! A cell is a pixel in adaptive supersampling, and a block of pixels in pixel-selected tracing. `w` times
+//! `h` cells have `(w + 1) (h + 1)` corners. [`CornerGrid`] stores all of them, traced before in any order;
+//! [`CornerRow`] stores one row. With both, no corner is traced twice. [`Uncached`] stores nothing and leaves
+//! it to the sampler's own cache, for cells that are not adjacent.
 
 use super::pixel::{Pixel, Tile};
 use super::sampler::Sampler;
@@ -11,9 +11,11 @@ use crate::trace::{PixelSample, RayTracer};
 
 /// A cache of the samples at the corners of cells.
 ///
-/// Cells have the coordinates of pixels or blocks; a corner has the coordinates of the cell whose upper left corner it is.
+/// Cells have the coordinates of pixels or blocks; a corner has the coordinates of the cell whose upper left
+/// corner it is.
 pub trait CornerCache {
-    /// Samples at the upper left, upper right, lower left and lower right corner of `cell`. `find` traces a corner.
+    /// Samples at the upper left, upper right, lower left and lower right corner of `cell`. `find` traces a
+    /// corner.
     fn corners(&mut self, cell: Pixel, find: &mut impl FnMut(Pixel) -> PixelSample) -> [PixelSample; 4];
 
     /// Forgets all samples, before another picture.
@@ -68,8 +70,8 @@ impl CornerCache for CornerGrid<'_> {
 
 /// Samples at the corners of one row of cells, in a caller-provided buffer.
 ///
-/// If cells come row by row from left to right, no corner is traced twice. In any other order the samples are the same, but
-/// some corners are traced again.
+/// If cells come row by row from left to right, no corner is traced twice. In any other order the samples are
+/// the same, but some corners are traced again.
 #[derive(Debug)]
 pub struct CornerRow<'m> {
     /// Upper corners of the following cells, and lower corners of the preceding ones.
@@ -146,7 +148,8 @@ impl CornerCache for CornerRow<'_> {
     }
 }
 
-/// Samples the upper left pixel of each cell of `stride` times `stride` pixels: fills a [`CornerGrid`] of blocks.
+/// Samples the upper left pixel of each cell of `stride` times `stride` pixels: fills a [`CornerGrid`] of
+/// blocks.
 #[derive(Clone, Copy, Debug)]
 pub struct StridedSampler<S> {
     /// Sampler of these pixels.

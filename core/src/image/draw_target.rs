@@ -1,6 +1,7 @@
 //! A sink that draws to displays of `embedded-graphics`.
 //!
-//! Source of the dither matrix: Bayer, "An Optimum Method for Two-Level Rendition of Continuous-Tone Pictures", ICC 1973.
+//! Source of the dither matrix: Bayer, "An Optimum Method for Two-Level Rendition of Continuous-Tone
+//! Pictures", ICC 1973.
 
 use embedded_graphics_core::Pixel as TargetPixel;
 use embedded_graphics_core::draw_target::DrawTarget;
@@ -16,8 +17,8 @@ use crate::math::Rgb;
 pub enum Dither {
     /// Each channel is rounded to the nearest level. Gradients show bands.
     None,
-    /// Ordered dithering in squares of 4 by 4 pixels, whose mean approximates the color. Colors that the display can show
-    /// stay unchanged.
+    /// Ordered dithering in squares of 4 by 4 pixels, whose mean approximates the color. Colors that the
+    /// display can show stay unchanged.
     Ordered,
 }
 

@@ -1,15 +1,16 @@
 //! Importance sampling of reconstruction filters.
 //!
-//! Film points are drawn with the density of the filter, so that all samples have the same weight and a pixel needs only
-//! its own samples.
+//! Film points are drawn with the density of the filter, so that all samples have the same weight and a pixel
+//! needs only its own samples.
 //!
-//! Source: Ernst, Stamminger and Greiner, "Filter Importance Sampling", IEEE Symposium on Interactive Ray Tracing 2006.
+//! Source: Ernst, Stamminger and Greiner, "Filter Importance Sampling", IEEE Symposium on Interactive Ray
+//! Tracing 2006.
 
 use super::filter::Filter;
 use crate::math::{Real, sample_tent, sample_truncated_gaussian};
 
-/// Maps a uniform point of the unit square to a point with the density of the filter, relative to the upper left corner of
-/// the pixel.
+/// Maps a uniform point of the unit square to a point with the density of the filter, relative to the upper
+/// left corner of the pixel.
 pub(super) fn sample_filter(filter: Filter, [x, y]: [Real; 2]) -> [Real; 2] {
     match filter {
         Filter::Box => [x, y],
@@ -41,8 +42,9 @@ mod tests {
 
     #[test]
     fn points_have_the_mean_and_the_variance_of_their_filter() {
-        // A uniform distribution of length 1, a tent of half-width 1, and a normal distribution of standard deviation
-        // 1/2, truncated at three deviations, which reduces the variance by the fraction 4.5 e^-4.5 / (1 - e^-4.5).
+        // A uniform distribution of length 1, a tent of half-width 1, and a normal distribution of standard
+        // deviation 1/2, truncated at three deviations, which reduces the variance by the fraction 4.5 e^-4.5
+        // / (1 - e^-4.5).
         for (filter, variance) in [
             (Filter::Box, 1.0 / 12.0),
             (Filter::Tent, 1.0 / 6.0),

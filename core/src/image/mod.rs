@@ -1,8 +1,8 @@
 //! Pictures: samplers choose the camera rays of each pixel, sinks receive the finished pixels.
 //!
-//! A [`Sampler`] combines the samples of one pixel: [`CenterSampler`], [`RegularSampler`], [`StochasticSampler`] or
-//! [`AdaptiveSampler`]. A [`PixelSelector`] traces some pixels and interpolates the others. A [`Sink`] receives pixels, such
-//! as a [`Framebuffer`].
+//! A [`Sampler`] combines the samples of one pixel: [`CenterSampler`], [`RegularSampler`],
+//! [`StochasticSampler`] or [`AdaptiveSampler`]. A [`PixelSelector`] traces some pixels and interpolates the
+//! others. A [`Sink`] receives pixels, such as a [`Framebuffer`].
 
 mod adaptive;
 mod center;

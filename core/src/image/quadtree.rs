@@ -1,8 +1,7 @@
-//! Squares of the picture, quartered where their corners do not agree.
+//! Squares of the picture, quartered where their corners exceed the contrast threshold.
 //!
-//! The ground of adaptive supersampling, where the square is a pixel, and of pixel-selected
-//! tracing, where it is a block of pixels. Both see the same picture at the corners of all
-//! squares, so that neighbours share what they see there.
+//! Used by adaptive supersampling, where the square is a pixel, and by pixel-selected tracing, where it is a
+//! block of pixels. The corners of all squares are on one grid, so that neighbors share samples.
 
 use heapless::Vec;
 
@@ -10,85 +9,85 @@ use super::contrast::ContrastThreshold;
 use crate::math::{Real, Rgb};
 use crate::trace::{HitId, PixelSample};
 
-/// How often a square can be quartered.
+/// Largest number of times that a square is quartered.
 pub(super) const MAX_DEPTH: u8 = 6;
 
-/// At each depth three quarters wait while the fourth is worked on.
+/// At each depth, three quarters are pending while the fourth is visited.
 const MAX_PENDING: usize = 3 * MAX_DEPTH as usize + 1;
 
-/// A square and what is seen at its corners.
+/// A square and the samples at its corners.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Square {
-    /// Its left edge, in the finest steps.
+    /// Left edge, in steps of the finest grid.
     pub(super) x: u32,
-    /// Its upper edge.
+    /// Upper edge.
     pub(super) y: u32,
-    /// The length of its sides: a power of two.
+    /// Length of the sides, a power of two.
     pub(super) side: u32,
-    /// Upper left, upper right, lower left, lower right.
+    /// Samples at the corners: upper left, upper right, lower left, lower right.
     pub(super) corners: [PixelSample; 4],
 }
 
 impl Square {
-    /// The mean of its corners.
+    /// Mean color of the corners.
     pub(super) fn mean(&self) -> Rgb {
         let [a, b, c, d] = self.corners.map(|corner| corner.color);
         ((a + b) + (c + d)) * 0.25
     }
 
-    /// What was hit at its corners.
+    /// The item that all corners hit, or [`HitId::Several`].
     pub(super) fn hit(&self) -> HitId {
         let [a, b, c, d] = self.corners.map(|corner| corner.hit);
         a.merged(b).merged(c.merged(d))
     }
 
-    /// The colour at the place `(x, y)` of the square, both in `0..=1`, between those of its corners.
+    /// Bilinear interpolation of the colors of the corners at `(x, y)`, both in `0..=1`.
     pub(super) fn interpolate(&self, x: Real, y: Real) -> Rgb {
         let [a, b, c, d] = self.corners.map(|corner| corner.color);
         a.lerp(b, x).lerp(c.lerp(d, x), y)
     }
 
-    /// Its quarters, in the order of its corners. `find` says what is seen at a place.
-    fn quarters(&self, find: &mut impl FnMut(u32, u32) -> PixelSample) -> [Square; 4] {
+    /// Its quarters, in the order of the corners. `sample_at` traces a grid point.
+    fn quarters(&self, sample_at: &mut impl FnMut(u32, u32) -> PixelSample) -> [Square; 4] {
         let Square { x, y, corners: [a, b, c, d], .. } = *self;
         let side = self.side / 2;
-        let (middle_x, middle_y) = (x + side, y + side);
-        let top = find(middle_x, y);
-        let left = find(x, middle_y);
-        let middle = find(middle_x, middle_y);
-        let right = find(x + self.side, middle_y);
-        let bottom = find(middle_x, y + self.side);
+        let (center_x, center_y) = (x + side, y + side);
+        let top = sample_at(center_x, y);
+        let left = sample_at(x, center_y);
+        let center = sample_at(center_x, center_y);
+        let right = sample_at(x + self.side, center_y);
+        let bottom = sample_at(center_x, y + self.side);
         [
-            Square { x, y, side, corners: [a, top, left, middle] },
-            Square { x: middle_x, y, side, corners: [top, b, middle, right] },
-            Square { x, y: middle_y, side, corners: [left, middle, c, bottom] },
-            Square { x: middle_x, y: middle_y, side, corners: [middle, right, bottom, d] },
+            Square { x, y, side, corners: [a, top, left, center] },
+            Square { x: center_x, y, side, corners: [top, b, center, right] },
+            Square { x, y: center_y, side, corners: [left, center, c, bottom] },
+            Square { x: center_x, y: center_y, side, corners: [center, right, bottom, d] },
         ]
     }
 }
 
-/// Quarters `whole` until the corners of every part agree or its side is `least`, and hands the
-/// parts to `part`.
+/// Quarters `whole` until the corners of every square meet the threshold or its side is `min_side`, and
+/// passes the squares to `visit`.
 pub(super) fn subdivide(
     whole: Square,
-    agreement: &ContrastThreshold,
-    least: u32,
-    find: &mut impl FnMut(u32, u32) -> PixelSample,
-    part: &mut impl FnMut(&Square),
+    threshold: &ContrastThreshold,
+    min_side: u32,
+    sample_at: &mut impl FnMut(u32, u32) -> PixelSample,
+    visit: &mut impl FnMut(&Square),
 ) {
-    let mut waiting: Vec<Square, MAX_PENDING> = Vec::new();
+    let mut pending: Vec<Square, MAX_PENDING> = Vec::new();
     let mut next = Some(whole);
     while let Some(square) = next {
-        if square.side > least && !agreement.is_met(&square.corners) {
-            let [first, second, third, fourth] = square.quarters(find);
+        if square.side > min_side && !threshold.is_met(&square.corners) {
+            let [first, second, third, fourth] = square.quarters(sample_at);
             for later in [fourth, third, second] {
-                let pushed = waiting.push(later);
+                let pushed = pending.push(later);
                 debug_assert!(pushed.is_ok(), "more squares than depths");
             }
             next = Some(first);
         } else {
-            part(&square);
-            next = waiting.pop();
+            visit(&square);
+            next = pending.pop();
         }
     }
 }
@@ -104,7 +103,7 @@ mod tests {
     }
 
     #[test]
-    fn the_parts_cover_the_square_once_and_are_small_where_the_picture_changes() {
+    fn squares_cover_the_whole_once_and_are_small_at_edges() {
         let whole = Square {
             x: 0,
             y: 0,
@@ -113,19 +112,19 @@ mod tests {
         };
         let mut covered = [[0; 64]; 64];
         let (mut area, mut traced) = (0.0, 0);
-        let agreement = ContrastThreshold::new(0.5).unwrap();
-        let mut find = |x, y| {
+        let threshold = ContrastThreshold::new(0.5).unwrap();
+        let mut sample_at = |x, y| {
             traced += 1;
             sample(x, y)
         };
-        subdivide(whole, &agreement, 1, &mut find, &mut |part| {
-            for row in &mut covered[part.y as usize..][..part.side as usize] {
-                for cell in &mut row[part.x as usize..][..part.side as usize] {
+        subdivide(whole, &threshold, 1, &mut sample_at, &mut |square| {
+            for row in &mut covered[square.y as usize..][..square.side as usize] {
+                for cell in &mut row[square.x as usize..][..square.side as usize] {
                     *cell += 1;
                 }
             }
-            assert!(part.side == 1 || agreement.is_met(&part.corners));
-            area += part.mean().r * (part.side * part.side) as Real;
+            assert!(square.side == 1 || threshold.is_met(&square.corners));
+            area += square.mean().r * (square.side * square.side) as Real;
         });
         assert!(covered.iter().flatten().all(|count| *count == 1));
         // A quarter of a circle.
@@ -134,13 +133,13 @@ mod tests {
     }
 
     #[test]
-    fn colours_between_corners_are_those_of_the_corners_at_the_corners() {
+    fn interpolation_is_exact_at_the_corners() {
         let gray = |value: Real| PixelSample { color: Rgb::gray(value), hit: HitId::Nothing };
         let square = Square { x: 0, y: 0, side: 1, corners: [0.0, 1.0, 2.0, 4.0].map(gray) };
-        for (x, y, want) in
+        for (x, y, expected) in
             [(0.0, 0.0, 0.0), (1.0, 0.0, 1.0), (0.0, 1.0, 2.0), (1.0, 1.0, 4.0), (0.5, 0.5, 1.75)]
         {
-            assert_eq!(square.interpolate(x, y), Rgb::gray(want));
+            assert_eq!(square.interpolate(x, y), Rgb::gray(expected));
         }
     }
 }

@@ -1,4 +1,4 @@
-//! Regular supersampling: each pixel is cut into n times n cells with a ray through each.
+//! Regular supersampling: a ray through the center of each of n times n cells of a pixel.
 
 use super::filter::Filter;
 use super::filter_sample::sample_filter;
@@ -8,7 +8,22 @@ use crate::math::Real;
 use crate::scene::CameraSample;
 use crate::trace::{PixelSample, RayTracer};
 
-/// Rays through the middles of `n` times `n` equal cells; the mean of what they see.
+/// Regular sampler: rays through the centers of `n` times `n` equal cells, and their mean.
+///
+/// ```
+/// use strahl_core::Rgb;
+/// use strahl_core::image::{Pixel, RegularSampler, Sampler};
+/// use strahl_core::scene::CameraSample;
+/// use strahl_core::trace::{HitId, PixelSample};
+///
+/// let mut rays = 0;
+/// let mut trace = |_: CameraSample| {
+///     rays += 1;
+///     PixelSample { color: Rgb::WHITE, hit: HitId::Nothing }
+/// };
+/// let sample = RegularSampler::new(3).unwrap().sample_pixel(Pixel { x: 0, y: 0 }, &mut trace);
+/// assert_eq!((rays, RegularSampler::new(0).is_none()), (9, true));
+/// ```
 #[derive(Clone, Copy, Debug)]
 pub struct RegularSampler {
     cells: u16,
@@ -17,22 +32,22 @@ pub struct RegularSampler {
 }
 
 impl RegularSampler {
-    /// One ray through the middle.
+    /// One ray through the center, box filter, seed 0.
     pub const CENTER: RegularSampler = RegularSampler { cells: 1, filter: Filter::Box, seed: 0 };
-    /// The most cells along one side.
+    /// Largest number of cells along one side.
     pub const MAX_CELLS: u16 = 256;
 
-    /// `n` times `n` rays; none when `n` is 0 or more than [`Regular::MOST`].
+    /// A sampler with `n` times `n` rays; `None` if `n` is not in `1..=`[`RegularSampler::MAX_CELLS`].
     pub fn new(n: u16) -> Option<Self> {
         (n >= 1 && n <= Self::MAX_CELLS).then_some(RegularSampler { cells: n, ..Self::CENTER })
     }
 
-    /// The same with this filter, which spreads the cells over its surroundings.
+    /// The same sampler with this reconstruction filter, [`Filter::Box`] by default.
     pub fn with_filter(self, filter: Filter) -> Self {
         RegularSampler { filter, ..self }
     }
 
-    /// The same in the picture with this seed: what rays leave to chance changes.
+    /// The same sampler with this seed of the random numbers, 0 by default.
     pub fn with_seed(self, seed: u32) -> Self {
         RegularSampler { seed, ..self }
     }
@@ -41,12 +56,12 @@ impl RegularSampler {
 impl Sampler for RegularSampler {
     fn sample_pixel<R: RayTracer + ?Sized>(&mut self, pixel: Pixel, tracer: &mut R) -> PixelSample {
         let n = Real::from(self.cells);
-        let middle = |cell: u16| (Real::from(cell) + 0.5) / n;
+        let cell_center = |cell: u16| (Real::from(cell) + 0.5) / n;
         let mut mean = SampleMean::EMPTY;
         let mut index = 0;
         for y in 0..self.cells {
             for x in 0..self.cells {
-                let [x, y] = sample_filter(self.filter, [middle(x), middle(y)]);
+                let [x, y] = sample_filter(self.filter, [cell_center(x), cell_center(y)]);
                 mean.add(tracer.trace(CameraSample {
                     point: film_point(pixel, x, y),
                     sequence: sequence(pixel, index, self.seed),
@@ -66,7 +81,7 @@ mod tests {
     use crate::trace::HitId;
 
     #[test]
-    fn one_cell_is_the_middle_of_the_pixel() {
+    fn one_cell_is_the_center_of_the_pixel() {
         let pixel = Pixel { x: 3, y: 2 };
         let mut samples = [None; 2];
         CenterSampler.sample_pixel(pixel, &mut |sample: CameraSample| {
@@ -78,8 +93,8 @@ mod tests {
             PixelSample::BLACK
         });
         assert_eq!(samples[0], samples[1]);
-        let place = samples[0].unwrap().point;
-        assert_eq!((place.x, place.y), (3.5, 2.5));
+        let point = samples[0].unwrap().point;
+        assert_eq!((point.x, point.y), (3.5, 2.5));
     }
 
     #[test]

@@ -16,8 +16,8 @@ impl CacheEntry {
 
 /// A direct-mapped cache of samples.
 ///
-/// Coordinates with the same hash share an entry, and the later evicts the earlier. An evicted sample is traced again, so
-/// the cache never changes a result.
+/// Coordinates with the same hash share an entry, and the later evicts the earlier. An evicted sample is
+/// traced again, so the cache never changes a result.
 #[derive(Debug)]
 pub(super) struct SampleCache<'m>(&'m mut [CacheEntry]);
 

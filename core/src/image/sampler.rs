@@ -1,20 +1,37 @@
-//! Which rays make a pixel.
+//! Samplers: the rays of a pixel and their combination.
 
 use super::pixel::Pixel;
 use crate::math::{Real, Rgb, SobolSequence};
 use crate::scene::FilmPoint;
 use crate::trace::{HitId, PixelSample, RayTracer};
 
-/// Chooses the places of a pixel that rays are sent through, and makes one colour of them.
+/// Chooses the film points of a pixel and combines their samples.
+///
+/// ```
+/// use strahl_core::image::{Pixel, Sampler};
+/// use strahl_core::math::SobolSequence;
+/// use strahl_core::scene::{CameraSample, FilmPoint};
+/// use strahl_core::trace::{PixelSample, RayTracer};
+///
+/// /// One ray through the upper left corner of each pixel.
+/// struct UpperLeft;
+///
+/// impl Sampler for UpperLeft {
+///     fn sample_pixel<R: RayTracer + ?Sized>(&mut self, pixel: Pixel, tracer: &mut R) -> PixelSample {
+///         let point = FilmPoint { x: pixel.x as f32, y: pixel.y as f32 };
+///         tracer.trace(CameraSample { point, sequence: SobolSequence::new(pixel.x, pixel.y, 0, 0) })
+///     }
+/// }
+/// ```
 pub trait Sampler {
     /// Samples `pixel` with camera rays that `tracer` traces.
     fn sample_pixel<R: RayTracer + ?Sized>(&mut self, pixel: Pixel, tracer: &mut R) -> PixelSample;
 
-    /// A new picture begins: what was kept of another is forgotten.
+    /// Forgets all cached samples, before another picture.
     fn reset(&mut self) {}
 }
 
-/// A sampler that somebody else goes on using.
+/// A borrowed sampler.
 impl<S: Sampler> Sampler for &mut S {
     fn sample_pixel<R: RayTracer + ?Sized>(&mut self, pixel: Pixel, tracer: &mut R) -> PixelSample {
         S::sample_pixel(self, pixel, tracer)
@@ -25,17 +42,17 @@ impl<S: Sampler> Sampler for &mut S {
     }
 }
 
-/// The place `(x, y)` inside a pixel, from its upper left corner; both in `0..=1`.
+/// The point at `(x, y)` of a pixel, relative to its upper left corner.
 pub(super) fn film_point(pixel: Pixel, x: Real, y: Real) -> FilmPoint {
     FilmPoint { x: pixel.x as Real + x, y: pixel.y as Real + y }
 }
 
-/// The numbers of the sample `index` of a pixel.
+/// Sample sequence of the sample with this index in a pixel.
 pub(super) fn sequence(pixel: Pixel, index: u32, seed: u32) -> SobolSequence {
     SobolSequence::new(pixel.x, pixel.y, index, seed)
 }
 
-/// The mean of some samples, as they come.
+/// Running mean of samples.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct SampleMean {
     sum: Rgb,
@@ -52,9 +69,9 @@ impl SampleMean {
         self.count += 1;
     }
 
-    /// Of nothing: darkness.
+    /// The mean; black without samples.
     pub(super) fn to_sample(&self) -> PixelSample {
-        let share = if self.count > 0 { 1.0 / self.count as Real } else { 0.0 };
-        PixelSample { color: self.sum * share, hit: self.hit.unwrap_or(HitId::Nothing) }
+        let scale = if self.count > 0 { 1.0 / self.count as Real } else { 0.0 };
+        PixelSample { color: self.sum * scale, hit: self.hit.unwrap_or(HitId::Nothing) }
     }
 }

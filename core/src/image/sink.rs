@@ -1,4 +1,4 @@
-//! Where pixels go.
+//! Sinks: receivers of finished pixels.
 
 use core::convert::Infallible;
 
@@ -6,21 +6,34 @@ use super::pixel::{Pixel, Tile};
 use crate::math::Rgb;
 use crate::trace::{HitId, PixelSample};
 
-/// Somebody who takes pixels: memory, a display, a line to a computer.
+/// Receives finished pixels: a [`Framebuffer`], a display, a serial port.
+///
+/// A closure is a sink that cannot fail:
+///
+/// ```
+/// use strahl_core::Rgb;
+/// use strahl_core::image::{Pixel, Sink};
+///
+/// let mut count = 0;
+/// let mut sink = |_: Pixel, _: Rgb| count += 1;
+/// let Ok(()) = sink.put(Pixel { x: 0, y: 0 }, Rgb::WHITE);
+/// assert_eq!(count, 1);
+/// ```
 pub trait Sink {
-    /// What can go wrong: [`Infallible`] for memory, a bus error for a display.
+    /// Error of the receiver: [`Infallible`] for memory, a bus error for a display.
     type Error;
 
-    /// Takes the colour of one pixel.
+    /// Receives the color of a pixel.
     fn put(&mut self, pixel: Pixel, color: Rgb) -> Result<(), Self::Error>;
 
-    /// Takes what is seen in one pixel; who wants no more than its colour leaves this as it is.
+    /// Receives the sample of a pixel: its color and the item that was hit. By default only the color is
+    /// used.
     fn put_sample(&mut self, pixel: Pixel, sample: PixelSample) -> Result<(), Self::Error> {
         self.put(pixel, sample.color)
     }
 }
 
-/// A closure is a sink that cannot fail.
+/// A closure as a sink.
 impl<F: FnMut(Pixel, Rgb)> Sink for F {
     type Error = Infallible;
 
@@ -30,16 +43,16 @@ impl<F: FnMut(Pixel, Rgb)> Sink for F {
     }
 }
 
-/// What is kept of a pixel.
+/// What a [`Framebuffer`] stores of a pixel: its color or its whole sample.
 pub trait FramebufferPixel: Copy {
-    /// Of one in which nothing was seen.
+    /// Value of a pixel without light.
     const EMPTY: Self;
 
-    /// Of what was seen in it.
+    /// The value for a sample.
     fn from_sample(sample: PixelSample) -> Self;
 }
 
-/// Its light alone.
+/// Stores the color.
 impl FramebufferPixel for Rgb {
     const EMPTY: Self = Rgb::BLACK;
 
@@ -48,7 +61,7 @@ impl FramebufferPixel for Rgb {
     }
 }
 
-/// AllEffects, as a [`Lattice`](super::Lattice) needs it.
+/// Stores the whole sample, for a [`CornerGrid`](super::CornerGrid).
 impl FramebufferPixel for PixelSample {
     const EMPTY: Self = PixelSample::BLACK;
 
@@ -57,7 +70,7 @@ impl FramebufferPixel for PixelSample {
     }
 }
 
-/// Records of pixels in lent memory, row by row. Pixels outside the tile are dropped.
+/// Pixels of a tile in a caller-provided buffer, row by row. Pixels outside of the tile are ignored.
 #[derive(Debug)]
 pub struct Framebuffer<'m, R = Rgb> {
     tile: Tile,
@@ -65,9 +78,20 @@ pub struct Framebuffer<'m, R = Rgb> {
 }
 
 impl<'m, R: FramebufferPixel> Framebuffer<'m, R> {
-    /// A frame for the pixels of `tile`; none when `records` is not as long as the tile.
-    pub fn new(tile: Tile, records: &'m mut [R]) -> Option<Self> {
-        (records.len() == tile.len()).then_some(Framebuffer { tile, pixels: records })
+    /// A framebuffer of `tile` in `pixels`; `None` if their lengths differ.
+    ///
+    /// ```
+    /// use strahl_core::image::{Framebuffer, Pixel, Sink};
+    /// use strahl_core::{Resolution, Rgb, Tile};
+    ///
+    /// let mut picture = [Rgb::BLACK; 2 * 2];
+    /// let tile = Tile::full(Resolution::new(2, 2).unwrap());
+    /// let mut framebuffer = Framebuffer::new(tile, &mut picture).unwrap();
+    /// let Ok(()) = framebuffer.put(Pixel { x: 1, y: 0 }, Rgb::WHITE);
+    /// assert_eq!(picture[1], Rgb::WHITE);
+    /// ```
+    pub fn new(tile: Tile, pixels: &'m mut [R]) -> Option<Self> {
+        (pixels.len() == tile.len()).then_some(Framebuffer { tile, pixels: pixels })
     }
 }
 
@@ -79,7 +103,7 @@ impl<R: FramebufferPixel> Sink for Framebuffer<'_, R> {
     }
 
     fn put_sample(&mut self, pixel: Pixel, sample: PixelSample) -> Result<(), Infallible> {
-        if let Some(slot) = self.tile.index_of(pixel).and_then(|place| self.pixels.get_mut(place)) {
+        if let Some(slot) = self.tile.index_of(pixel).and_then(|index| self.pixels.get_mut(index)) {
             *slot = R::from_sample(sample);
         }
         Ok(())

@@ -1,7 +1,7 @@
 //! Cameras: rays from points on the film.
 //!
-//! A [`CameraDescriptor`] describes a pinhole, orthographic or thin-lens camera for pictures of any resolution. A
-//! [`Camera`] is the checked camera of one resolution; it generates the rays.
+//! A [`CameraDescriptor`] describes a pinhole, orthographic or thin-lens camera for pictures of any
+//! resolution. A [`Camera`] is the checked camera of one resolution; it generates the rays.
 //!
 //! Source: Cook, Porter and Carpenter, "Distributed Ray Tracing", SIGGRAPH 1984, for the thin lens.
 
@@ -27,7 +27,8 @@ pub struct FilmPoint {
 pub struct CameraSample {
     /// Point on the film that the ray passes through.
     pub point: FilmPoint,
-    /// Sequence from which all other random numbers of the ray are drawn: lens, time, lights, glossy directions.
+    /// Sequence from which all other random numbers of the ray are drawn: lens, time, lights, glossy
+    /// directions.
     pub sequence: SobolSequence,
 }
 
@@ -38,10 +39,11 @@ pub struct CameraSample {
 pub struct CameraDescriptor {
     /// Position of the camera, world space, coordinates in `-1e15..=1e15`.
     pub position: Vec3,
-    /// Point at the center of the picture, world space, coordinates in `-1e15..=1e15`. Differs from `position`.
+    /// Point at the center of the picture, world space, coordinates in `-1e15..=1e15`. Differs from
+    /// `position`.
     pub target: Vec3,
-    /// Direction that points up in the picture. Neither normalized nor perpendicular to the view direction, but not
-    /// parallel to it.
+    /// Direction that points up in the picture. Neither normalized nor perpendicular to the view direction,
+    /// but not parallel to it.
     pub up: Vec3,
     /// Projection onto the film.
     pub projection: Projection,
@@ -75,14 +77,17 @@ impl CameraDescriptor {
 pub enum Projection {
     /// Pinhole camera: all rays start at the camera's position.
     Perspective {
-        /// Vertical angle between the centers of the first and the last row of pixels, in radians, in `(0, pi)`.
+        /// Vertical angle between the centers of the first and the last row of pixels, in radians, in `(0,
+        /// pi)`.
         ///
-        /// This is the convention of NFF. In a picture of one row it is the angle between the edges of the row.
+        /// This is the convention of NFF. In a picture of one row it is the angle between the edges of the
+        /// row.
         field_of_view: Real,
     },
     /// Orthographic camera: all rays are parallel.
     Orthographic {
-        /// Distance between the centers of the first and the last row of pixels, in scene lengths, in `(0, 1e15]`.
+        /// Distance between the centers of the first and the last row of pixels, in scene lengths, in `(0,
+        /// 1e15]`.
         height: Real,
     },
     /// Thin lens: rays start on a disc, and only the plane of focus is sharp.
@@ -91,7 +96,8 @@ pub enum Projection {
         field_of_view: Real,
         /// Radius of the lens, in scene lengths, in `(0, 1e15]`.
         lens_radius: Real,
-        /// Distance from the lens to the plane of focus along the view direction, in scene lengths, in `(0, 1e15]`.
+        /// Distance from the lens to the plane of focus along the view direction, in scene lengths, in `(0,
+        /// 1e15]`.
         focus_distance: Real,
     },
 }
@@ -102,8 +108,8 @@ pub struct Camera {
     position: Vec3,
     /// Unit vector, view direction.
     forward: Vec3,
-    /// Offset from one pixel to the next on its right: on the plane at distance 1 (perspective) or in the scene
-    /// (orthographic).
+    /// Offset from one pixel to the next on its right: on the plane at distance 1 (perspective) or in the
+    /// scene (orthographic).
     pixel_dx: Vec3,
     /// Offset from one pixel to the next below it.
     pixel_dy: Vec3,
@@ -131,8 +137,9 @@ impl Camera {
     /// let camera = Camera::new(&descriptor, Resolution::new(4, 4).unwrap())?;
     /// assert_eq!(camera.ray(FilmPoint { x: 2.0, y: 2.0 }).direction, vec3(0.0, 0.0, -1.0));
     ///
-    /// let error = Camera::new(&CameraDescriptor::perspective(Vec3::ZERO, Vec3::X, 4.0), Resolution::new(4, 4).unwrap());
-    /// assert_eq!(error.unwrap_err().to_string(), "`field_of_view` is 4, must be more than 0 and less than pi (radians)");
+    /// let wide = CameraDescriptor::perspective(Vec3::ZERO, Vec3::X, 4.0);
+    /// let error = Camera::new(&wide, Resolution::new(4, 4).unwrap()).unwrap_err().to_string();
+    /// assert_eq!(error, "`field_of_view` is 4, must be more than 0 and less than pi (radians)");
     /// # Ok::<(), strahl_core::scene::CameraError>(())
     /// ```
     pub fn new(descriptor: &CameraDescriptor, resolution: Resolution) -> Result<Self, CameraError> {
@@ -195,8 +202,8 @@ impl Camera {
         Ray::new(self.position + lens_offset, try_normalize(direction).unwrap_or(self.forward))
     }
 
-    /// The ray through a point on the film, and through the center of the lens if there is one. Its direction is a unit
-    /// vector.
+    /// The ray through a point on the film, and through the center of the lens if there is one. Its direction
+    /// is a unit vector.
     pub fn ray(&self, point: FilmPoint) -> Ray {
         let film_offset = self.film_offset(point);
         if self.is_orthographic {

@@ -1,6 +1,7 @@
 //! Checks of the fields of a scene.
 //!
-//! Not inlined: [`Scene::new`](super::Scene::new) calls them many times, where code size matters more than time.
+//! Not inlined: [`Scene::new`](super::Scene::new) calls them many times, where code size matters more than
+//! time.
 
 use super::{Field, FieldError};
 use crate::math::{MAX_COORDINATE, Real, Rgb, Vec3, is_normalized, length};

@@ -162,7 +162,7 @@ impl fmt::Display for EffectSet {
 pub enum LevelLimitRadiance {
     /// Black: the ray contributes nothing.
     Black,
-    /// The background in the direction of the ray, as if it hit nothing: repeated reflections between mirrors end in the
-    /// background and not in black.
+    /// The background in the direction of the ray, as if it hit nothing: repeated reflections between mirrors
+    /// end in the background and not in black.
     Background,
 }

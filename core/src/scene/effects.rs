@@ -1,9 +1,9 @@
 //! The effects that a tracer supports, as constants of a type.
 //!
 //! The effects that a scene requires follow from its items, materials and lights
-//! ([`Scene::required_effects`](super::Scene::required_effects)). The effects that a tracer supports are constants of its
-//! type, so that the code of all others is compiled away. [`Tracer::new`](crate::Tracer::new) returns an error for a
-//! scene that requires more.
+//! ([`Scene::required_effects`](super::Scene::required_effects)). The effects that a tracer supports are
+//! constants of its type, so that the code of all others is compiled away.
+//! [`Tracer::new`](crate::Tracer::new) returns an error for a scene that requires more.
 
 use super::{EffectSet, LevelLimitRadiance};
 use crate::geometry::{ShapeFeatures, ShapeSet};
@@ -11,7 +11,8 @@ use crate::math::Real;
 
 /// The effects that a tracer supports, and two constants of its rays.
 ///
-/// Implemented by a type of the program for exactly the effects that its scenes require, or use [`AllEffects`].
+/// Implemented by a type of the program for exactly the effects that its scenes require, or use
+/// [`AllEffects`].
 ///
 /// ```
 /// use strahl_core::geometry::{ShapeKind, ShapeSet};
@@ -33,7 +34,8 @@ pub trait Effects {
     /// Effects that the tracer supports.
     const SET: EffectSet;
 
-    /// Largest distance at which camera, reflected and refracted rays hit an item, in scene lengths, more than zero.
+    /// Largest distance at which camera, reflected and refracted rays hit an item, in scene lengths, more
+    /// than zero.
     const MAX_DISTANCE: Real = Real::MAX;
 
     /// Radiance of secondary rays that are not traced because of the level limit.

@@ -7,7 +7,8 @@ use crate::geometry::{ItemId, ShapeError};
 
 /// Why the tables of a scene are not valid.
 ///
-/// Displayed with the entry, the field, its value and its range: "light 0: `color` has a channel of -1, must be in
+/// Displayed with the entry, the field, its value and its range: "light 0: `color` has a channel of -1, must
+/// be in
 /// 0..=1e6".
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[non_exhaustive]

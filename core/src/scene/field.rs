@@ -28,11 +28,12 @@ pub struct FieldError {
 
 /// A field that [`Scene::new`](super::Scene::new) or [`Camera::new`](super::Camera::new) checks.
 ///
-/// Named like the field of [`Material`](super::Material), [`Light`](super::Light), [`LightSource`](super::LightSource),
-/// [`Falloff`](super::Falloff), [`Texture`](super::Texture), [`Background`](super::Background),
-/// [`SceneDescriptor`](super::SceneDescriptor), [`CameraDescriptor`](super::CameraDescriptor) or
-/// [`Projection`](super::Projection). `CellFrequency` and `RingFrequency` are the `frequency` of a checker and of a zone
-/// plate; `HalfEdgesArea` is the area that the `half_edges` span.
+/// Named like the field of [`Material`](super::Material), [`Light`](super::Light),
+/// [`LightSource`](super::LightSource), [`Falloff`](super::Falloff), [`Texture`](super::Texture),
+/// [`Background`](super::Background), [`SceneDescriptor`](super::SceneDescriptor),
+/// [`CameraDescriptor`](super::CameraDescriptor) or [`Projection`](super::Projection). `CellFrequency` and
+/// `RingFrequency` are the `frequency` of a checker and of a zone plate; `HalfEdgesArea` is the area that the
+/// `half_edges` span.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[non_exhaustive]
 #[allow(missing_docs)] // named like the fields

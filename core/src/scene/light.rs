@@ -1,7 +1,7 @@
 //! Lights: point, directional and spot lights, and area lights (sphere, rectangle).
 //!
-//! An area light is sampled at one random point for each camera ray, so that many rays together show the penumbra. A
-//! sampler that draws the center of the unit square makes it a light without extent.
+//! An area light is sampled at one random point for each camera ray, so that many rays together show the
+//! penumbra. A sampler that draws the center of the unit square makes it a light without extent.
 //!
 //! Source: Cook, Porter and Carpenter, "Distributed Ray Tracing", SIGGRAPH 1984.
 
@@ -19,7 +19,8 @@ use crate::tally::LightOutcome;
 pub struct Light {
     /// Kind, position and shape.
     pub source: LightSource,
-    /// Light that arrives at a surface that faces it, linear RGB, before the falloff, each channel in `0..=1e6`.
+    /// Light that arrives at a surface that faces it, linear RGB, before the falloff, each channel in
+    /// `0..=1e6`.
     pub color: Rgb,
     /// Whether items occlude it. Without shadows it lights every surface that faces it.
     pub casts_shadows: bool,
@@ -57,8 +58,8 @@ pub enum LightSource {
     },
     /// A sphere that emits as much light as a point at its center.
     ///
-    /// It is sampled on the disc through its center that faces the shaded point. Items inside the sphere do not occlude
-    /// it.
+    /// It is sampled on the disc through its center that faces the shaded point. Items inside the sphere do
+    /// not occlude it.
     Sphere {
         /// Center, coordinates in `-1e15..=1e15`.
         position: Vec3,
@@ -67,12 +68,13 @@ pub enum LightSource {
         /// Falloff with the distance from the center.
         falloff: Falloff,
     },
-    /// A rectangle that emits from its front, proportional to the cosine of the angle to its normal (Lambert).
+    /// A rectangle that emits from its front, proportional to the cosine of the angle to its normal
+    /// (Lambert).
     Rectangle {
         /// Center, coordinates in `-1e15..=1e15`.
         position: Vec3,
-        /// Vectors from the center to the centers of two adjacent edges. The front is the side to which the cross product
-        /// of the first and the second points; it must not be zero.
+        /// Vectors from the center to the centers of two adjacent edges. The front is the side to which the
+        /// cross product of the first and the second points; it must not be zero.
         half_edges: [Vec3; 2],
         /// Whether the whole rectangle emits, or only its center.
         soft_shadows: bool,
@@ -125,7 +127,8 @@ impl Falloff {
 pub(crate) struct LightSample {
     /// Direction towards the sampled point of the light, unit vector.
     pub(crate) direction: Vec3,
-    /// Cosine of the angle between `direction` and the normal of the surface; rounding can make it slightly negative.
+    /// Cosine of the angle between `direction` and the normal of the surface; rounding can make it slightly
+    /// negative.
     pub(crate) cos_theta: Real,
     /// Distance of the light; [`Real::MAX`] for a directional light.
     pub(crate) distance: Real,

@@ -5,9 +5,9 @@ use crate::math::{Real, Rgb};
 
 /// How a surface reflects and transmits light, and the medium of the body behind it.
 ///
-/// The radiance of a surface is the sum of its ambient, diffuse and highlight light, and of the light of the reflected
-/// and the transmitted ray (Whitted). [`Material::matte`] is the material of one color; glass and mirrors start from
-/// [`Material::MATTE`] with struct update syntax:
+/// The radiance of a surface is the sum of its ambient, diffuse and highlight light, and of the light of the
+/// reflected and the transmitted ray (Whitted). [`Material::matte`] is the material of one color; glass and
+/// mirrors start from [`Material::MATTE`] with struct update syntax:
 ///
 /// ```
 /// use strahl_core::scene::FresnelModel;
@@ -32,13 +32,13 @@ pub struct Material {
     ///
     /// Independent of `diffuse`; physically plausible if equal to it, as of [`Material::matte`].
     pub ambient: Rgb,
-    /// Color: fraction of the light of a light source that is reflected diffusely (Lambert), at perpendicular incidence.
-    /// Each channel in `0..=1e6`.
+    /// Color: fraction of the light of a light source that is reflected diffusely (Lambert), at perpendicular
+    /// incidence. Each channel in `0..=1e6`.
     pub diffuse: Rgb,
     /// Texture whose color multiplies `ambient` and `diffuse`.
     pub texture: TextureId,
-    /// Fraction of the light of a light source that the highlight reflects at its center (Phong), each channel in
-    /// `0..=1e6`.
+    /// Fraction of the light of a light source that the highlight reflects at its center (Phong), each
+    /// channel in `0..=1e6`.
     pub highlight: Rgb,
     /// Exponent of the highlight's cosine, in `0..=1e6`: the larger, the narrower. Zero means no highlight.
     pub highlight_exponent: Real,
@@ -46,10 +46,11 @@ pub struct Material {
     pub reflection: Rgb,
     /// Fraction of the light from behind the surface that is transmitted, each channel in `0..=1`.
     ///
-    /// If it is not black, the surface is the boundary of a body of this material; its normal points out of the body.
+    /// If it is not black, the surface is the boundary of a body of this material; its normal points out of
+    /// the body.
     pub transmission: Rgb,
-    /// Roughness of reflection and transmission, in `0..=1`: the square root of the tangent of the typical slope of the
-    /// surface's microfacets. Zero means a perfect mirror and clear glass.
+    /// Roughness of reflection and transmission, in `0..=1`: the square root of the tangent of the typical
+    /// slope of the surface's microfacets. Zero means a perfect mirror and clear glass.
     pub roughness: Real,
     /// Refractive index of the body, in `0.01..=100`. Empty space has 1.
     pub refractive_index: Real,
@@ -59,14 +60,16 @@ pub struct Material {
     ///
     /// Unit: scene lengths, in `(0, inf]`; infinite means clear.
     pub attenuation_length: Rgb,
-    /// Priority of the body where bodies overlap: the highest is the medium, of equal ones the last one entered.
+    /// Priority of the body where bodies overlap: the highest is the medium, of equal ones the last one
+    /// entered.
     pub priority: u8,
-    /// Whether the shading normal points to the side of the ray. If not, the back of the surface is shaded like its front.
-    /// Rays hit both sides in both cases.
+    /// Whether the shading normal points to the side of the ray. If not, the back of the surface is shaded
+    /// like its front. Rays hit both sides in both cases.
     pub two_sided: bool,
 }
 
-/// Smallest refractive index, rounded to single precision, so that a scene is valid in both precisions or in none.
+/// Smallest refractive index, rounded to single precision, so that a scene is valid in both precisions or in
+/// none.
 #[allow(clippy::unnecessary_cast)] // needed in double precision
 const MIN_REFRACTIVE_INDEX: Real = 0.01_f32 as Real;
 
@@ -90,7 +93,8 @@ impl Material {
         two_sided: true,
     };
 
-    /// A diffuse, opaque, two-sided material that reflects ambient light and the light of light sources with this color.
+    /// A diffuse, opaque, two-sided material that reflects ambient light and the light of light sources with
+    /// this color.
     pub const fn matte(color: Rgb) -> Self {
         Material { ambient: color, diffuse: color, ..Self::MATTE }
     }

@@ -1,7 +1,7 @@
 //! Scenes: shapes, materials, textures, lights and cameras.
 //!
-//! A [`SceneDescriptor`] borrows the tables of a scene; [`Scene::new`] checks them once, so that tracing cannot fail. A
-//! [`World`] adds the accelerator and finds the items that rays hit.
+//! A [`SceneDescriptor`] borrows the tables of a scene; [`Scene::new`] checks them once, so that tracing
+//! cannot fail. A [`World`] adds the accelerator and finds the items that rays hit.
 
 mod camera;
 mod check;
@@ -121,8 +121,8 @@ pub struct SceneDescriptor<'s> {
     pub ambient: Rgb,
     /// Radiance of rays that hit no item.
     pub background: Background,
-    /// Whether shadow rays pass through transmitting bodies, which color and attenuate the light without refracting it.
-    /// If not, transmitting bodies occlude lights like all other items.
+    /// Whether shadow rays pass through transmitting bodies, which color and attenuate the light without
+    /// refracting it. If not, transmitting bodies occlude lights like all other items.
     pub colored_shadows: bool,
 }
 

@@ -16,7 +16,8 @@ pub struct Resolution {
 }
 
 impl Resolution {
-    /// Largest width and height. Film points stay exact in single precision, with bits left for samples inside a pixel.
+    /// Largest width and height. Film points stay exact in single precision, with bits left for samples
+    /// inside a pixel.
     pub const MAX_SIDE: u32 = 1 << 16;
 
     /// The resolution of `width` times `height` pixels; `None` if one of them is 0 or more than

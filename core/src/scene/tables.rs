@@ -1,7 +1,7 @@
 //! An owned scene, for programs with a heap.
 //!
-//! Tables grow as shapes, materials, textures and lights are added. Adding an entry returns its index, with which other
-//! entries refer to it. [`SceneTables::scene`] checks all tables and borrows the [`Scene`].
+//! Tables grow as shapes, materials, textures and lights are added. Adding an entry returns its index, with
+//! which other entries refer to it. [`SceneTables::scene`] checks all tables and borrows the [`Scene`].
 
 use alloc::vec::Vec;
 use core::ops::Range;
@@ -17,8 +17,8 @@ use crate::math::{Rgb, Vec3};
 
 /// An owned scene: tables that grow. Requires the feature `alloc`.
 ///
-/// Entries are checked by [`SceneTables::scene`], not when they are added. All positions and directions are in world
-/// space; normals and axes are unit vectors.
+/// Entries are checked by [`SceneTables::scene`], not when they are added. All positions and directions are
+/// in world space; normals and axes are unit vectors.
 ///
 /// ```
 /// use strahl_core::{Material, Rgb, SceneTables, Sphere, vec3};
@@ -154,8 +154,8 @@ impl SceneTables {
 
     /// Adds vertices for triangles and polygons, and returns the index of the first.
     ///
-    /// `normals`: unit vectors for the first of the vertices, or none. Smooth triangles and polygons need a normal for each
-    /// of their vertices.
+    /// `normals`: unit vectors for the first of the vertices, or none. Smooth triangles and polygons need a
+    /// normal for each of their vertices.
     pub fn add_vertices(&mut self, vertices: &[Vec3], normals: &[Vec3]) -> u32 {
         let first = self.vertices.len();
         self.vertices.extend_from_slice(vertices);
@@ -197,8 +197,8 @@ impl SceneTables {
         start..self.next_item()
     }
 
-    /// Adds a planar polygon by the indices of its vertices ([`SceneTables::add_vertices`]). It may be concave. Seen from the
-    /// side of its normal, the vertices run counterclockwise.
+    /// Adds a planar polygon by the indices of its vertices ([`SceneTables::add_vertices`]). It may be
+    /// concave. Seen from the side of its normal, the vertices run counterclockwise.
     ///
     /// # Errors
     ///
@@ -230,8 +230,8 @@ impl SceneTables {
         self.add_triangles_from(first, triangles, shading, material)
     }
 
-    /// Moves an item along a straight line while the shutter is open, between these offsets from its position.
-    /// Unit: scene lengths, world space.
+    /// Moves an item along a straight line while the shutter is open, between these offsets from its
+    /// position. Unit: scene lengths, world space.
     ///
     /// Does nothing if there is no such item.
     pub fn set_motion(&mut self, item: ItemId, offset_at_open: Vec3, offset_at_close: Vec3) {

@@ -5,7 +5,8 @@ use crate::math::{MAX_COORDINATE, PI, Real, Rgb, Vec3, clamp, cos, floor, max_ab
 
 /// A procedural solid texture: a color for each point, in world space.
 ///
-/// The texture of a moving item moves with it. Channels of colors are in `0..=1e6`, coordinates in `-1e15..=1e15`.
+/// The texture of a moving item moves with it. Channels of colors are in `0..=1e6`, coordinates in
+/// `-1e15..=1e15`.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "baked", derive(zerocopy::TryFromBytes, zerocopy::KnownLayout, zerocopy::Immutable))]
 #[repr(u32)]
@@ -18,8 +19,8 @@ pub enum Texture {
         odd: Rgb,
         /// A corner of cells.
         origin: Vec3,
-        /// Number of cells per scene length along each axis. Zero means one infinite cell, which the axis perpendicular to
-        /// a floor needs, so that rounding does not choose between two cells.
+        /// Number of cells per scene length along each axis. Zero means one infinite cell, which the axis
+        /// perpendicular to a floor needs, so that rounding does not choose between two cells.
         frequency: Vec3,
     },
     /// Linear gradient between two points, constant beyond them.

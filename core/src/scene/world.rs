@@ -1,8 +1,8 @@
 //! Closest-hit and any-hit queries of a scene with an accelerator.
 //!
-//! [`World`] combines a scene and the accelerator of its items. A query traverses the accelerator, which offers items
-//! near the ray; [`RayQuery`] intersects them, and its [`HitPolicy`] keeps the nearest hit or stops at the first.
-//! Planes have no finite bounds, so they are not in the accelerator but tested before it.
+//! [`World`] combines a scene and the accelerator of its items. A query traverses the accelerator, which
+//! offers items near the ray; [`RayQuery`] intersects them, and its [`HitPolicy`] keeps the nearest hit or
+//! stops at the first. Planes have no finite bounds, so they are not in the accelerator but tested before it.
 
 use core::marker::PhantomData;
 use core::ops::ControlFlow;
@@ -17,10 +17,9 @@ use crate::tally::{CountedEvent, RayKind, Tally};
 /// A scene and the accelerator of its items: answers ray queries.
 ///
 /// ```
-/// use strahl_core::accel::BareList;
 /// use strahl_core::geometry::{ItemId, Ray};
 /// use strahl_core::tally::RayKind;
-/// use strahl_core::{AllEffects, Geometry, Material, MaterialId, Scene, SceneDescriptor, Shape, Sphere, Vec3, World, vec3};
+/// use strahl_core::*;
 ///
 /// let shapes = [Shape::Sphere(Sphere { center: vec3(0.0, 0.0, -5.0), radius: 1.0 })];
 /// let scene = Scene::new(SceneDescriptor {
@@ -44,8 +43,8 @@ pub struct World<'s, A> {
 impl<'s, A: Accelerator> World<'s, A> {
     /// Combines `scene` with the accelerator of its items.
     ///
-    /// The accelerator must have been built from the bounds of the items ([`Geometry::all_bounds`]); items that it does
-    /// not offer are not hit.
+    /// The accelerator must have been built from the bounds of the items ([`Geometry::all_bounds`]); items
+    /// that it does not offer are not hit.
     ///
     /// [`Geometry::all_bounds`]: crate::Geometry::all_bounds
     pub fn new(scene: Scene<'s>, accelerator: A) -> Self {
@@ -62,10 +61,11 @@ impl<'s, A: Accelerator> World<'s, A> {
         &self.accelerator
     }
 
-    /// Nearest hit along the ray, with `t` of at most `t_max`; `None` if there is none or the ray is not valid.
+    /// Nearest hit along the ray, with `t` of at most `t_max`; `None` if there is none or the ray is not
+    /// valid.
     ///
-    /// Of hits with equal `t`, the one with the lower [`ItemId`]. Only the shapes of `E` are hit. `t` is measured in
-    /// lengths of the ray's direction.
+    /// Of hits with equal `t`, the one with the lower [`ItemId`]. Only the shapes of `E` are hit. `t` is
+    /// measured in lengths of the ray's direction.
     pub fn nearest_hit<E: Effects, T: Tally>(
         &self,
         ray: &Ray,
@@ -100,7 +100,8 @@ impl<'s, A: Accelerator> World<'s, A> {
         (item != ItemId(u32::MAX)).then_some(Hit { t: query.t_max, item })
     }
 
-    /// Any item that the ray hits with `t` of at most `t_max`; `None` if there is none or the ray is not valid.
+    /// Any item that the ray hits with `t` of at most `t_max`; `None` if there is none or the ray is not
+    /// valid.
     ///
     /// Only the shapes of `E` are hit.
     pub fn occluder<E: Effects, T: Tally>(
@@ -174,8 +175,8 @@ impl<'s, A: Accelerator> World<'s, A> {
         geometry.shape(item).map_or(Vec3::ZERO, |shape| geometry.motion_offset(shape, time))
     }
 
-    /// Tests the planes, which are not in the accelerator, and then traverses it. Planes first, because their hits reduce
-    /// `t_max`.
+    /// Tests the planes, which are not in the accelerator, and then traverses it. Planes first, because their
+    /// hits reduce `t_max`.
     #[inline(always)]
     fn run_query<E: Effects, Q: Query>(&self, ray: &Ray, scratch: &mut A::Scratch, query: &mut Q) {
         if E::SET.shapes.contains(ShapeKind::Plane) {
