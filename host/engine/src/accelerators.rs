@@ -119,9 +119,9 @@ impl<'s> AccelBuilder<'s> {
         Ok(built_world(scene, list, select, size.stats(choice, start)))
     }
 
-    fn grid<const MAILBOX: usize>(
+    fn grid<const SLOTS: usize>(
         self,
-        select: SelectRayTracers<Grid<'s, DEFAULT_MAILBOX_SLOTS>>,
+        select: SelectRayTracers<Grid<'s, SLOTS>>,
     ) -> Result<BuiltWorld<'s>, BuildError> {
         let AccelBuilder { scene, choice, start, memory } = self;
         let recommended = GridSize::recommended(&memory.boxes);
@@ -132,9 +132,9 @@ impl<'s> AccelBuilder<'s> {
         Ok(built_world(scene, grid, select, size.stats(choice, start)))
     }
 
-    fn octree<const MAILBOX: usize>(
+    fn octree<const SLOTS: usize>(
         self,
-        select: SelectRayTracers<Octree<'s, DEFAULT_MAILBOX_SLOTS>>,
+        select: SelectRayTracers<Octree<'s, SLOTS>>,
     ) -> Result<BuiltWorld<'s>, BuildError> {
         let AccelBuilder { scene, choice, start, memory } = self;
         let recommended = OctreeSize::recommended(memory.boxes.len());
