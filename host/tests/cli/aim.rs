@@ -69,7 +69,7 @@ fn what_the_command_line_sets_stays_and_an_error_that_cannot_be_kept_is_told() {
     let ran = folder.run("render scene.toml --target-error 0.005 --sampler single --levels 2 --select 2:0");
     ran.failed(1, "no setting keeps it");
     ran.failed(1, "2 levels");
-    ran.failed(1, "the best that there is");
+    ran.failed(1, "the most accurate found");
     // There is a picture all the same.
     assert!(folder.names().contains(&"scene.png".into()));
 }
@@ -89,7 +89,7 @@ fn without_any_time_there_is_the_coarsest_picture() {
     let folder = folder();
     let json = twice(&folder, "scene.toml --time-limit 1us");
     assert_eq!(json["aim"]["passes"], 1);
-    assert!(json["aim"]["why"].as_str().unwrap().contains("there was no time for more"), "{json}");
+    assert!(json["aim"]["why"].as_str().unwrap().contains("no time for more"), "{json}");
     assert!(json["rays"]["camera"].as_u64().unwrap() <= 4, "{json}");
 }
 
