@@ -148,13 +148,13 @@ fn main() -> Result<ExitCode, Box<dyn Error>> {
             it.cost("bounding volumes", |it| it.with),
             it.cost("regular grid", |it| it.with),
             it.cost("octree", |it| it.with),
-            it.cost("hierarchy", |it| it.with),
-            it.cost("hierarchy, by a stack", |it| it.with),
+            it.cost("BVH", |it| it.with),
+            it.cost("BVH with a stack", |it| it.with),
         ]
     });
 
     println!("## Caches\n");
-    let caches = ["mailbox of the grid", "mailbox of the octree", "shadow cache", "room in the heap"];
+    let caches = ["mailbox of the grid", "mailbox of the octree", "shadow cache", "heap capacity"];
     table(
         &caches.map(|name| match name {
             "mailbox of the grid" => "mailbox, grid (5.5)",
@@ -172,7 +172,7 @@ fn main() -> Result<ExitCode, Box<dyn Error>> {
 
     println!("## Approximations\n");
     let approximations =
-        ["adaptive depth", "pixel selection", "adaptive supersampling", "samples until it is known"];
+        ["adaptive depth", "pixel selection", "adaptive supersampling", "adaptive sample count"];
     table(
         &[
             "adaptive depth (5.7)",

@@ -1,4 +1,4 @@
-//! A study of one scene: settings are chosen, measured and recorded.
+//! A study of one scene: settings are planned, measured and recorded.
 
 use std::ffi::OsStr;
 use std::fs;
@@ -20,29 +20,28 @@ use crate::measure::resolution::{self, scaled_down};
 use crate::measure::{experiment, images};
 use crate::record::{self, Study};
 
-/// The time that a quick study takes.
+/// Time limit of a quick study.
 const QUICK_TIME_LIMIT: Duration = Duration::from_secs(50);
 
-/// A study is of at most so many pixels where nobody names a size: what a setting costs and what it
-/// makes wrong is much the same for a larger picture.
+/// Maximum number of pixels if no size is given: relative costs and errors are similar for larger pictures.
 const MAX_PIXELS: u32 = 1 << 16;
 
-/// What is studied, and how thoroughly.
+/// Size, thoroughness and time limit of a study.
 #[derive(Clone, Copy, Debug)]
 pub struct StudySettings {
-    /// Width and height; none is the scene's shape, with few pixels.
+    /// Size of the pictures; `None`: the aspect ratio of the scene with at most 65536 pixels.
     pub size: Option<Resolution>,
-    /// Whether more settings are measured, and more often.
+    /// Whether to use the full plan.
     pub full: bool,
-    /// How long it may take; none is the usual time.
+    /// Time limit; `None`: 50 s, or no limit with the full plan.
     pub time_limit: Option<Duration>,
-    /// Threads; none is one for each core.
+    /// Number of threads; `None`: one per core.
     pub threads: Option<usize>,
-    /// When it began: what loading takes is taken from the time, too.
+    /// Start of the program: loading counts against the time limit.
     pub start: Instant,
 }
 
-/// Measures a scene, which is that of the file at `path`.
+/// Measures the scene that was loaded from `path`.
 pub fn study(
     path: &Path,
     scene: &LoadedScene,
@@ -50,22 +49,22 @@ pub fn study(
     progress: &dyn StudyProgress,
 ) -> Result<Study, StudyError> {
     let (load, date) = (load_average(), now());
-    let facts = SceneStorage::new(scene, Precision::Single).scene_stats()?;
-    let asks: Vec<Effect> = effects::plan(scene).iter().map(|it| it.effect).collect();
+    let stats = SceneStorage::new(scene, Precision::Single).scene_stats()?;
+    let required: Vec<Effect> = effects::plan(scene).iter().map(|it| it.effect).collect();
 
     let plan = if settings.full { StudyPlan::FULL } else { StudyPlan::QUICK };
     let limit = settings.time_limit.or((!settings.full).then_some(QUICK_TIME_LIMIT));
     let full =
         settings.size.unwrap_or_else(|| scaled_down(scene.settings.size.unwrap_or(DEFAULT_SIZE), MAX_PIXELS));
-    let mut bench = Benchmark::new(scene, full, progress, limit);
-    bench.start = settings.start;
+    let mut benchmark = Benchmark::new(scene, full, progress, limit);
+    benchmark.start = settings.start;
     let own = scene_settings(scene, full, settings.threads)?;
-    resolution::choose_size(&mut bench, &plan, &own, settings.size.is_none())?;
-    let size = bench.size;
-    let mut measured = Measurements::new(&bench, &plan);
-    let reference = experiment::run(&mut measured, &own, &asks)?;
+    resolution::choose_size(&mut benchmark, &plan, &own, settings.size.is_none())?;
+    let size = benchmark.size;
+    let mut measured = Measurements::new(&benchmark, &plan);
+    let reference = experiment::run(&mut measured, &own, &required)?;
     let pictures = images::all(&measured, &reference)?;
-    let seconds = bench.elapsed();
+    let seconds = benchmark.elapsed();
     let Measurements {
         measurements: taken,
         sweeps: knobs,
@@ -97,10 +96,10 @@ pub fn study(
             file: path.display().to_string(),
             width: size.width(),
             height: size.height(),
-            objects: facts.objects,
-            triangles: facts.triangles,
-            lights: facts.lights,
-            effects: asks.iter().map(|effect| effect.name().into()).collect(),
+            objects: stats.objects,
+            triangles: stats.triangles,
+            lights: stats.lights,
+            effects: required.iter().map(|effect| effect.name().into()).collect(),
         },
         method,
         reference: reference.reference,
@@ -113,7 +112,7 @@ pub fn study(
     })
 }
 
-/// The scene's own settings, where it has none the defaults.
+/// The settings of the scene, completed by defaults.
 fn scene_settings(
     scene: &LoadedScene,
     size: Resolution,
@@ -123,30 +122,30 @@ fn scene_settings(
     Settings::resolve(&given, &scene.settings).map_err(StudyError::Settings)
 }
 
-/// The name of a scene.
+/// The name of a scene: its file name without extension.
 pub fn stem(path: &Path) -> String {
     path.file_stem().unwrap_or(OsStr::new("scene")).to_string_lossy().into_owned()
 }
 
-/// Now, UTC, as in RFC 3339, in whole seconds.
+/// The current UTC time in RFC 3339 format, in whole seconds.
 fn now() -> String {
     humantime::format_rfc3339_seconds(SystemTime::now()).to_string()
 }
 
-/// Threads that run at once.
+/// Number of hardware threads.
 fn cores() -> usize {
     std::thread::available_parallelism().map_or(1, usize::from)
 }
 
-/// The processor, as it names itself where the system tells.
+/// The name of the processor, if known.
 fn processor() -> String {
-    let told = fs::read_to_string("/proc/cpuinfo").unwrap_or_default();
-    let name = told.lines().find_map(|line| line.strip_prefix("model name")?.split_once(':'));
+    let text = fs::read_to_string("/proc/cpuinfo").unwrap_or_default();
+    let name = text.lines().find_map(|line| line.strip_prefix("model name")?.split_once(':'));
     name.map_or_else(|| "not known".into(), |(_, name)| name.trim().into())
 }
 
-/// The mean number of threads that wanted to run in the last minute, where the system tells.
+/// The load average of the last minute, if known.
 fn load_average() -> Option<f64> {
-    let told = fs::read_to_string("/proc/loadavg").ok()?;
-    told.split_whitespace().next()?.parse().ok()
+    let text = fs::read_to_string("/proc/loadavg").ok()?;
+    text.split_whitespace().next()?.parse().ok()
 }

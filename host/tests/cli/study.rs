@@ -139,7 +139,7 @@ fn a_page_that_is_made_elsewhere_has_its_numbers_beside_it() {
 }
 
 #[test]
-fn a_knob_that_was_not_measured_is_told_apart_from_one_that_cannot_be_turned() {
+fn a_setting_that_was_not_measured_is_distinguished_from_one_without_effect() {
     let turned = |name: &str, left_out: usize| {
         changed(name, |json| {
             for knob in json["knobs"].as_array_mut().unwrap().iter_mut().filter(|it| it["name"] == "cutoff") {
@@ -154,9 +154,9 @@ fn a_knob_that_was_not_measured_is_told_apart_from_one_that_cannot_be_turned() {
     };
     let (unknown, fixed) = (turned("unknown", 4), turned("fixed", 0));
     assert!(unknown.contains("<code>cutoff</code>: not measured: no time was left (4 settings)."));
-    assert!(!unknown.contains("nothing to turn here"));
-    assert!(unknown.contains("4 settings not measured: no time was left; nothing is known of cutoff"));
-    assert!(fixed.contains("<code>cutoff</code> has nothing to turn here"));
+    assert!(!unknown.contains("has no effect in this scene"));
+    assert!(unknown.contains("4 settings not measured: no time was left; cutoff was not measured"));
+    assert!(fixed.contains("<code>cutoff</code> has no effect in this scene"));
     assert!(!fixed.contains("no time was left"));
 }
 
@@ -172,7 +172,7 @@ fn what_was_not_measured_has_no_empty_chart_or_table() {
     let page = page("bare");
     let techniques = page.split("<section id=\"techniques\">").nth(1).unwrap();
     let techniques = techniques.split("</section>").next().unwrap();
-    assert!(techniques.contains("Not measured to the end: no time was left ("), "{techniques}");
+    assert!(techniques.contains("Not completed: no time was left ("), "{techniques}");
     assert!(!techniques.contains("<svg") && !techniques.contains("<table"), "{techniques}");
 }
 
@@ -183,18 +183,18 @@ fn a_reference_that_cuts_much_light_is_told_before_anything_else() {
     assert_eq!(told.status, Some(0), "{}", told.stderr);
     let coarse = page("coarse");
     let at = |page: &str, text: &str| page.find(text).unwrap_or(usize::MAX);
-    assert!(at(&coarse, "The reference itself cuts 3.1 % of the light") < at(&coarse, "<section"));
+    assert!(at(&coarse, "The reference discards 3.1 % of the light") < at(&coarse, "<section"));
     changed("clean", |json| json["reference"]["cut"] = 0.0001.into());
     folder().done("study --from clean/study.json --quiet");
-    assert!(!page("clean").contains("The reference itself cuts"));
+    assert!(!page("clean").contains("The reference discards"));
     // The terminal tells it after a study.
     let study = |cut: f64| {
         let mut study = self::study();
         study.reference.cut = cut;
         strahl_study::page::summary(&study, Path::new("report.html"))
     };
-    assert!(study(0.031).contains("beware    The reference itself cuts 3.1 % of the light"));
-    assert!(!study(0.0001).contains("beware"));
+    assert!(study(0.031).contains("warning   The reference discards 3.1 % of the light"));
+    assert!(!study(0.0001).contains("warning"));
 }
 
 #[test]
@@ -204,10 +204,7 @@ fn the_page_speaks_of_nothing_that_its_reader_cannot_know() {
     let study = study();
     let about = study.runs.iter().filter(|run| run.measures_accuracy()).count();
     assert!(page.contains(&format!("All {about} settings of these plots")));
-    assert!(page.contains(&format!(
-        "{} settings measured, of which {about} tell what accuracy costs",
-        study.runs.len()
-    )));
+    assert!(page.contains(&format!("{} settings measured: {about} for accuracy", study.runs.len())));
 }
 
 /// Balls of glass between mirrors, of which every ray makes a tree of thousands.
@@ -244,7 +241,7 @@ fn no_reference_is_coarser_than_the_scene_asks_for_however_short_the_time() {
             let rays: u32 = setting.sampler.to_string().strip_prefix("stochastic:").unwrap().parse().unwrap();
             assert!(2 * rays >= 49, "{setting:?}");
         } else {
-            said.failed(75, "is too short to make a reference");
+            said.failed(75, "is too short for a reference");
             assert!(said.stderr.contains("--time-limit"), "{}", said.stderr);
             assert!(!folder.path(format!("out{limit}")).exists());
         }
@@ -258,7 +255,7 @@ fn a_size_that_there_is_no_time_for_is_refused_and_what_would_be_enough_is_told(
     let begun = Instant::now();
     folder.run("study trees.toml --size 4000x3000 --time-limit 1s").failed(
         75,
-        "1s is too short to make a reference that is no coarser than the scene's own setting: --time-limit",
+        "1s is too short for a reference at least as fine as the scene's settings; use --time-limit",
     );
     assert!(begun.elapsed() < Duration::from_secs(2));
     assert_eq!(folder.names(), ["scene.nff", "trees.toml"]);
@@ -322,7 +319,7 @@ fn what_firmware_has_measured_is_laid_into_the_page() {
     folder().write("chip.csv", format!("{DEVICE}\n{rows}"));
     folder().done("study --from chip/study.json --device chip.csv --quiet");
     let page = page("chip");
-    for told in ["On the chip", "chip.csv", "10.0 k", "data-error=\"0.0125\""] {
+    for told in ["On the device", "chip.csv", "10.0 k", "data-error=\"0.0125\""] {
         assert!(page.contains(told), "{told}");
     }
 }
@@ -332,17 +329,17 @@ fn what_is_no_study_is_refused_with_its_place() {
     changed("old", |json| json["version"] = 7.into());
     folder()
         .run("study --from old/study.json")
-        .failed(65, "this study is of version 7; this program reads 1");
+        .failed(65, "study version 7 is not supported; this program reads version 1");
     changed("other", |json| json["format"] = "recipe".into());
     folder().run("study --from other/study.json").failed(65, "its format is `recipe`");
     changed("far", |json| json["knobs"][0]["steps"][0]["run"] = 4000.into());
-    folder().run("study --from far/study.json").failed(65, "there is no run 4000");
+    folder().run("study --from far/study.json").failed(65, "run 4000 does not exist");
     changed("empty", |json| json["runs"][0]["cpu"] = Vec::<f64>::new().into());
     folder().run("study --from empty/study.json").failed(65, "run 0 has no measured time");
     folder().write("bad.json", "{ \"name\": \"package\" }");
-    folder().run("study --from bad.json").failed(65, "bad.json: this is no study.json");
+    folder().run("study --from bad.json").failed(65, "bad.json: not a study.json file");
     folder().write("list.json", "[1, 2]");
-    folder().run("study --from list.json").failed(65, "list.json: this is no study.json");
+    folder().run("study --from list.json").failed(65, "list.json: not a study.json file");
     folder().write("broken.json", "{\n  \"format\": \"strahl-study\",\n  \"version\": one\n}\n");
     folder().run("study --from broken.json").failed(65, "broken.json:3: ");
     folder().run("study --from missing.json").failed(66, "missing.json");

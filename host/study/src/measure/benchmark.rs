@@ -1,4 +1,4 @@
-//! Where settings are measured: one scene at one size, against a clock.
+//! Measurement of one setting: one scene, one size, and a time limit.
 
 use std::cell::Cell;
 use std::time::{Duration, Instant};
@@ -19,45 +19,45 @@ use crate::record::command_line;
 use crate::record::{ErrorMetrics, RunRole, RunSettings, StudyRun};
 use strahl_session::RenderOutput;
 
-/// Told what a study measures and how much time is left; it may stop the study.
+/// Progress and cancellation of a study.
 pub trait StudyProgress: Progress {
-    /// This setting is measured now, in the words of the command line.
+    /// Measurement of a setting starts; its command-line options.
     fn measuring(&self, _setting: &str) {}
 
-    /// So many seconds are over, and about so many are left.
+    /// Elapsed seconds, and an estimate of the remaining seconds.
     fn time(&self, _elapsed: f64, _left: f64) {}
 }
 
 impl StudyProgress for NoProgress {}
 
-/// One scene at one size, and a clock.
+/// A scene to be measured at one size within a time limit.
 pub struct Benchmark<'b> {
     /// The scene.
     pub scene: &'b LoadedScene,
     /// The size of all pictures.
     pub size: Resolution,
-    /// Told how far it is.
+    /// Receives the progress.
     pub progress: &'b dyn StudyProgress,
-    /// When it began.
+    /// Start of the study.
     pub start: Instant,
-    /// How long all of it may take.
+    /// Time limit of the study.
     pub limit: Option<Duration>,
-    /// Seconds that tables and accelerator take before anything is traced.
+    /// Seconds to build tables and accelerator.
     build: Cell<f64>,
 }
 
-/// A setting that was traced.
+/// A measured setting.
 pub struct Measurement {
-    /// Which.
+    /// The settings.
     pub settings: Settings,
-    /// What it took; its errors are still to be measured.
+    /// Time, counts and error; the error is set once the reference exists.
     pub run: StudyRun,
-    /// What came of it, until nobody needs it any more.
+    /// The picture, until it is not needed any more.
     pub picture: Option<Picture>,
 }
 
 impl<'b> Benchmark<'b> {
-    /// Pictures of `size`, from now on and until `limit` is over.
+    /// A benchmark of pictures of `size` that starts now and ends after `limit`.
     pub fn new(
         scene: &'b LoadedScene,
         size: Resolution,
@@ -67,7 +67,7 @@ impl<'b> Benchmark<'b> {
         Benchmark { scene, size, progress, start: Instant::now(), limit, build: Cell::new(0.0) }
     }
 
-    /// To make tables and accelerator takes so many seconds: no setting is charged for it.
+    /// Sets the seconds to build tables and accelerator, which do not count against the limit of a setting.
     pub(super) fn set_build_time(&self, seconds: f64) {
         self.build.set(seconds);
     }
@@ -77,22 +77,22 @@ impl<'b> Benchmark<'b> {
         self.start.elapsed().as_secs_f64()
     }
 
-    /// About so many seconds are left.
+    /// Reports the remaining seconds.
     pub(super) fn report_seconds_left(&self, seconds: f64) {
         self.progress.time(self.elapsed(), seconds);
     }
 
-    /// This share of the time that is given, in seconds.
+    /// A share of the time limit, in seconds; infinite without a limit.
     pub fn time_share(&self, share: f64) -> f64 {
         self.limit.map_or(f64::INFINITY, |limit| share * limit.as_secs_f64())
     }
 
-    /// Traces it once; none where that takes more seconds than `most`, or than are left of all.
-    pub fn trace(&self, options: &Settings, most: f64) -> Result<Option<RenderOutput>, RenderError> {
-        self.trace_with_options(options, &RenderOptions::COUNT_TESTS, most)
+    /// Renders once. `None` if it takes more than `max_seconds`, or more than the study has left.
+    pub fn trace(&self, settings: &Settings, max_seconds: f64) -> Result<Option<RenderOutput>, RenderError> {
+        self.trace_with_options(settings, &RenderOptions::COUNT_TESTS, max_seconds)
     }
 
-    /// What each pixel costs, row by row; none where no time is left for it.
+    /// The cost of each pixel, row by row. `None` if no time is left.
     pub fn costs(&self, options: &Settings) -> Result<Option<Vec<PixelCost>>, RenderError> {
         let cost_map = CostMap::new(self.size);
         let counting = RenderOptions { cost_map: Some(&cost_map), ..RenderOptions::default() };
@@ -103,17 +103,19 @@ impl<'b> Benchmark<'b> {
         &self,
         settings: &Settings,
         options: &RenderOptions<'_>,
-        most: f64,
+        max_seconds: f64,
     ) -> Result<Option<RenderOutput>, RenderError> {
         self.progress.measuring(&command_line(settings));
-        // Nothing lasts longer than the study may, whatever it is allowed to.
-        let (most, left) = (most + self.build.get(), self.time_share(time::TRACING_END) - self.elapsed());
-        let most = if most < left { most } else { left };
-        if most <= 0.0 {
+        // At most the remaining time of the study.
+        let (max_seconds, left) =
+            (max_seconds + self.build.get(), self.time_share(time::TRACING_END) - self.elapsed());
+        let max_seconds = if max_seconds < left { max_seconds } else { left };
+        if max_seconds <= 0.0 {
             return Ok(None);
         }
-        // What is longer than a clock can say has no end.
-        let end = Duration::try_from_secs_f64(most).ok().and_then(|most| Instant::now().checked_add(most));
+        // A duration beyond the range of the clock means no deadline.
+        let end =
+            Duration::try_from_secs_f64(max_seconds).ok().and_then(|max| Instant::now().checked_add(max));
         let progress = Deadline::new(self.progress, end);
         let settings = &Settings { size: self.size, ..settings.clone() };
         let traced = if settings.without.is_empty() {
@@ -130,45 +132,45 @@ impl<'b> Benchmark<'b> {
         }
     }
 
-    /// Traces it for the first time.
+    /// Renders and measures for the first time.
     pub fn measure(
         &self,
         role: RunRole,
-        options: &Settings,
-        most: f64,
+        settings: &Settings,
+        max_seconds: f64,
     ) -> Result<Option<Measurement>, RenderError> {
-        let Some(frame) = self.trace(options, most)? else { return Ok(None) };
-        let counts = event_counts(&frame.counters);
-        let choice = &frame.accelerator.choice;
+        let Some(output) = self.trace(settings, max_seconds)? else { return Ok(None) };
+        let counts = event_counts(&output.counters);
+        let choice = &output.accelerator.choice;
         let run = StudyRun {
             role,
-            setting: RunSettings::new(options, choice),
-            cpu: vec![frame.trace_cpu.as_secs_f64()],
-            wall: vec![frame.trace.as_secs_f64()],
-            build: frame.build.as_secs_f64(),
+            setting: RunSettings::new(settings, choice),
+            cpu: vec![output.trace_cpu.as_secs_f64()],
+            wall: vec![output.trace.as_secs_f64()],
+            build: output.build.as_secs_f64(),
             work: WEIGHTS.instructions(&counts, choice.kind.name()),
             counts,
             error: ErrorMetrics::default(),
-            cut: frame.counters.cut_fractions(),
-            digest: frame.picture.digest().to_hex().to_string(),
+            cut: output.counters.cut_fractions(),
+            digest: output.picture.digest().to_hex().to_string(),
         };
-        Ok(Some(Measurement { settings: options.clone(), run, picture: Some(frame.picture) }))
+        Ok(Some(Measurement { settings: settings.clone(), run, picture: Some(output.picture) }))
     }
 
-    /// Traces it once more.
-    pub fn repeat(&self, taken: &mut Measurement) -> Result<(), RenderError> {
-        if let Some(frame) = self.trace(&taken.settings, f64::INFINITY)? {
-            taken.run.cpu.push(frame.trace_cpu.as_secs_f64());
-            taken.run.wall.push(frame.trace.as_secs_f64());
+    /// Renders again and adds the times.
+    pub fn repeat(&self, measurement: &mut Measurement) -> Result<(), RenderError> {
+        if let Some(output) = self.trace(&measurement.settings, f64::INFINITY)? {
+            measurement.run.cpu.push(output.trace_cpu.as_secs_f64());
+            measurement.run.wall.push(output.trace.as_secs_f64());
         }
         Ok(())
     }
 }
 
-/// How far a picture is from another of the same size.
-pub fn error_metrics(picture: &Picture, truth: &Picture) -> ErrorMetrics {
+/// The error of a picture, compared with a reference of the same size.
+pub fn error_metrics(picture: &Picture, reference: &Picture) -> ErrorMetrics {
     let size = picture.size;
-    let pair = picture_pair(picture, truth);
+    let pair = picture_pair(picture, reference);
     let measures = pair.measure(size.width() as usize, Limit::Identical);
     let pixels = picture.colors.len().max(1) as f64;
     ErrorMetrics {
@@ -179,9 +181,9 @@ pub fn error_metrics(picture: &Picture, truth: &Picture) -> ErrorMetrics {
     }
 }
 
-/// Two pictures, to be held against each other.
-pub fn picture_pair(picture: &Picture, truth: &Picture) -> Pair {
-    Pair::of(PixelValues::Linear(picture.colors.clone()), PixelValues::Linear(truth.colors.clone()))
+/// Two pictures to be compared.
+pub fn picture_pair(picture: &Picture, reference: &Picture) -> Pair {
+    Pair::of(PixelValues::Linear(picture.colors.clone()), PixelValues::Linear(reference.colors.clone()))
 }
 
 /// The mean of two pictures of the same size.

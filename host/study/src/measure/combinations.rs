@@ -1,4 +1,4 @@
-//! Several knobs turned at once, as long as that promises anything and time is left.
+//! Combinations of several settings, measured while there is a predicted gain and time is left.
 
 use strahl_settings::Settings;
 
@@ -8,10 +8,11 @@ use super::plan::time;
 use crate::error::StudyError;
 use crate::record::{RunRole, SweepPoint};
 
-/// The knobs that are mixed.
-const KNOBS: [&str; 4] = ["levels", "cutoff", "sampler", "select"];
+/// The settings that are combined.
+const PARAMETERS: [&str; 4] = ["levels", "cutoff", "sampler", "select"];
 
-/// Measures the mixtures that may be on the front. At the run at `best` every knob is at its best.
+/// Measures the combinations that may be on the Pareto front. At the measurement `best` every setting is at its most
+/// accurate value.
 pub(super) fn all(
     measured: &mut Measurements<'_>,
     best: usize,
@@ -20,16 +21,16 @@ pub(super) fn all(
     let (base, work) =
         (measured.measurements[best].settings.clone(), measured.measurements[best].run.work.max(1.0));
     let single = measured.measurements[best].run.wall[0];
-    let (runs, notches): (Vec<_>, Vec<_>) =
-        KNOBS.map(|name| turned(measured, name, best, work)).into_iter().unzip();
-    let is_new = |places: &[usize]| {
-        let options = mixed(measured, &base, &runs, places);
+    let (runs, levels): (Vec<_>, Vec<_>) =
+        PARAMETERS.map(|name| swept(measured, name, best, work)).into_iter().unzip();
+    let is_new = |indices: &[usize]| {
+        let options = combined(measured, &base, &runs, indices);
         measured.measurements.iter().all(|taken| taken.settings != options)
     };
-    let mut hunt = CombinationSearch::new(&notches, work, is_new);
+    let mut search = CombinationSearch::new(&levels, work, is_new);
     for _ in 0..measured.plan.combinations {
-        let Some(mix) = hunt.next(&measured.accuracy_points().1) else { break };
-        let options = mixed(measured, &base, &runs, &mix.level_indices);
+        let Some(mix) = search.next(&measured.accuracy_points().1) else { break };
+        let options = combined(measured, &base, &runs, &mix.level_indices);
         let seconds = single * mix.predicted.cost / work;
         let left = measured.benchmark.time_share(time::COMBINATIONS_END) - measured.benchmark.elapsed();
         if seconds > left {
@@ -39,34 +40,43 @@ pub(super) fn all(
         measured.measure(RunRole::Mix, &options, f64::INFINITY, &reference.picture)?;
         measured.drop_dominated_pictures();
     }
-    measured.dominated = hunt.dominated;
+    measured.dominated = search.dominated;
     Ok(())
 }
 
-/// The runs of a knob that was turned alone, and what its notches do to an error and to `work`.
-fn turned(
+/// The measurements of a sweep, and the error and work of each value, relative to `work`.
+fn swept(
     measured: &Measurements<'_>,
     name: &str,
     best: usize,
     work: f64,
 ) -> (Vec<usize>, Vec<ParameterLevel>) {
-    let steps = measured.sweeps.iter().filter(|knob| knob.name == name).flat_map(|knob| &knob.steps);
-    let notch = |step: &SweepPoint| {
+    let steps = measured
+        .sweeps
+        .iter()
+        .filter(|parameter| parameter.name == name)
+        .flat_map(|parameter| &parameter.steps);
+    let level = |step: &SweepPoint| {
         let share = measured.measurements[step.run].run.work / work;
         (step.run, ParameterLevel { error: step.alone.rmse, share })
     };
-    let (runs, notches): (Vec<_>, Vec<_>) = steps.map(notch).unzip();
-    // A knob that cannot be turned has one notch.
+    let (runs, levels): (Vec<_>, Vec<_>) = steps.map(level).unzip();
+    // A setting without a sweep has one value.
     if runs.is_empty() {
         (vec![best], vec![ParameterLevel { error: 0.0, share: 1.0 }])
     } else {
-        (runs, notches)
+        (runs, levels)
     }
 }
 
-/// `base` with all knobs turned: each to the notch that its run at that place has.
-fn mixed(measured: &Measurements<'_>, base: &Settings, runs: &[Vec<usize>], places: &[usize]) -> Settings {
-    let of = |knob: usize| &measured.measurements[runs[knob][places[knob]]].settings;
+/// `base` with each setting at the value of its measurement at that index.
+fn combined(
+    measured: &Measurements<'_>,
+    base: &Settings,
+    runs: &[Vec<usize>],
+    indices: &[usize],
+) -> Settings {
+    let of = |parameter: usize| &measured.measurements[runs[parameter][indices[parameter]]].settings;
     Settings {
         levels: of(0).levels,
         cutoff: of(1).cutoff,

@@ -1,4 +1,4 @@
-//! What was measured so far.
+//! All measurements of a study so far.
 
 use strahl_picture::Picture;
 use strahl_settings::Settings;
@@ -10,56 +10,56 @@ use crate::pareto::{CostErrorPoint, pareto_front};
 use crate::record::command_line;
 use crate::record::{ErrorMetrics, ParameterSweep, ReferenceRecord, RunRole, SkippedSetting, Technique};
 
-/// Why most of what is left out is.
+/// The usual reason to skip a setting.
 pub const NO_TIME_LEFT: &str = "no time was left";
 
-/// In a plan without end the reference takes no longer than this, in seconds.
+/// Maximum time for the reference of a study without a time limit, in seconds.
 const MAX_REFERENCE_SECONDS: f64 = 3600.0;
 
-/// What was found so far.
+/// The measurements of a study.
 pub struct Measurements<'b> {
-    /// Where it is measured.
+    /// Scene, size and time limit.
     pub benchmark: &'b Benchmark<'b>,
-    /// What is to be measured.
+    /// The plan.
     pub plan: &'b StudyPlan,
-    /// Everything that was measured.
+    /// Measured settings.
     pub measurements: Vec<Measurement>,
-    /// Knobs turned alone.
+    /// One-parameter sweeps.
     pub sweeps: Vec<ParameterSweep>,
-    /// Techniques on and off.
+    /// Techniques, on and off.
     pub techniques: Vec<Technique>,
-    /// The same with more and more threads.
+    /// Indices of the measurements with 1, 2, 4 ... threads.
     pub threads: Vec<usize>,
-    /// What was not measured.
+    /// Settings that were not measured.
     pub skipped: Vec<SkippedSetting>,
-    /// How many mixtures cannot be on the front.
+    /// Number of combinations that were skipped as dominated.
     pub dominated: usize,
-    /// After how many seconds all of it should be over, if nothing bounds it.
+    /// Expected duration of the study without a time limit, in seconds.
     pub expected_seconds: f64,
-    /// What was given up, and after how many seconds.
+    /// Aborted settings, and after how many seconds.
     given_up: Vec<(Settings, f64)>,
-    /// Each setting that is in `left_out`.
+    /// The settings in `skipped`.
     missing: Vec<Settings>,
 }
 
-/// What everything is compared with.
+/// The picture that all others are compared with.
 pub struct ReferencePicture {
     /// The picture.
     pub picture: Picture,
-    /// How it was made.
+    /// How it was rendered.
     pub reference: ReferenceRecord,
 }
 
 impl<'b> Measurements<'b> {
-    /// Nothing is measured yet.
+    /// No measurements yet.
     pub fn new(bench: &'b Benchmark<'b>, plan: &'b StudyPlan) -> Self {
-        let (taken, knobs, techniques, threads) = Default::default();
+        let (measurement, knobs, techniques, threads) = Default::default();
         let (left_out, given_up, missing) = Default::default();
         let (beaten, foretold) = (0, 0.0);
         Measurements {
             benchmark: bench,
             plan,
-            measurements: taken,
+            measurements: measurement,
             sweeps: knobs,
             techniques,
             threads,
@@ -71,13 +71,13 @@ impl<'b> Measurements<'b> {
         }
     }
 
-    /// This share of the time that is given, and an hour of a plan without end.
+    /// A share of the time limit, in seconds; one hour without a limit.
     pub fn bounded(&self, share: f64) -> f64 {
         let seconds = self.benchmark.time_share(share);
         if seconds < MAX_REFERENCE_SECONDS { seconds } else { MAX_REFERENCE_SECONDS }
     }
 
-    /// Measures a setting, if it has not been, and if it takes no longer than it may; its place.
+    /// Measures a setting unless that is done. Returns its index, or `None` if it takes more than `max_seconds`.
     pub fn measure(
         &mut self,
         role: RunRole,
@@ -85,7 +85,7 @@ impl<'b> Measurements<'b> {
         most: f64,
         reference: &Picture,
     ) -> Result<Option<usize>, StudyError> {
-        let is_same = |taken: &Measurement| taken.settings == *options;
+        let is_same = |measurement: &Measurement| measurement.settings == *options;
         if let Some(place) = self.measurements.iter().position(is_same) {
             if role == RunRole::Own {
                 self.measurements[place].run.role = role;
@@ -98,22 +98,22 @@ impl<'b> Measurements<'b> {
             return Ok(None);
         }
         let most = if most < left { most } else { left };
-        // It would not be done now either.
+        // A second attempt would not finish either.
         if self.given_up_after(options).is_some_and(|after| after >= 0.9 * most) {
             return Ok(None);
         }
-        let Some(mut taken) = self.benchmark.measure(role, options, most)? else {
-            self.skip(options, format!("given up after {most:.1} s"));
+        let Some(mut measurement) = self.benchmark.measure(role, options, most)? else {
+            self.skip(options, format!("aborted after {most:.1} s"));
             self.given_up.push((options.clone(), most));
             return Ok(None);
         };
-        set_error(&mut taken, reference);
-        self.measurements.push(taken);
+        set_error(&mut measurement, reference);
+        self.measurements.push(measurement);
         self.benchmark.report_seconds_left(self.seconds_left());
         Ok(Some(self.measurements.len() - 1))
     }
 
-    /// Measures a setting of one knob that is expected to take `seconds`, unless that is too long.
+    /// Measures a setting of a sweep. Skips it if the expected `seconds` are too many.
     pub fn measure_swept(
         &mut self,
         options: &Settings,
@@ -122,29 +122,29 @@ impl<'b> Measurements<'b> {
     ) -> Result<Option<usize>, StudyError> {
         let most = self.benchmark.time_share(time::SETTING);
         if seconds > 1.5 * most {
-            self.skip(options, format!("about {seconds:.0} s; a larger --time-limit allows more"));
+            self.skip(options, format!("would take about {seconds:.0} s; use a larger --time-limit"));
             return Ok(None);
         }
         self.measure(RunRole::Knob, options, 2.5 * most, reference)
     }
 
-    /// After how many seconds of wall-clock time a setting was given up, if it was.
+    /// Wall-clock seconds after which a setting was aborted, if it was.
     pub fn given_up_after(&self, options: &Settings) -> Option<f64> {
         self.given_up.iter().rev().find(|(it, _)| it == options).map(|(_, after)| *after)
     }
 
-    /// The most seconds that a technique may take.
+    /// Time limit of one technique, in seconds.
     pub fn technique_limit(&self) -> f64 {
         self.benchmark.time_share(time::TECHNIQUE).min(120.0)
     }
 
-    /// How far the picture of one run is from that of another, while both are there.
+    /// The error between two pictures, if both still exist.
     pub fn difference(&self, place: usize, other: usize) -> Option<ErrorMetrics> {
         let picture = |place: usize| self.measurements[place].picture.as_ref();
         Some(error_metrics(picture(place)?, picture(other)?))
     }
 
-    /// Tells, once, that a setting is not measured.
+    /// Records once that a setting is not measured.
     pub fn skip(&mut self, options: &Settings, why: String) {
         if !self.missing.contains(options) {
             self.missing.push(options.clone());
@@ -152,34 +152,38 @@ impl<'b> Measurements<'b> {
         }
     }
 
-    /// How many settings have been left out so far.
+    /// Number of skipped settings so far.
     pub fn skipped_count(&self) -> usize {
         self.missing.len()
     }
 
-    /// Places of what tells what accuracy costs, and how it stands.
+    /// Indices, costs and errors of the runs that measure accuracy.
     pub fn accuracy_points(&self) -> (Vec<usize>, Vec<CostErrorPoint>) {
-        let all = self.measurements.iter().enumerate().filter(|(_, taken)| taken.run.measures_accuracy());
+        let all = self
+            .measurements
+            .iter()
+            .enumerate()
+            .filter(|(_, measurement)| measurement.run.measures_accuracy());
         all.map(|(place, it)| (place, CostErrorPoint { cost: it.run.work, error: it.run.error.rmse })).unzip()
     }
 
-    /// Drops the pictures that nobody will look at: those of settings that others beat.
+    /// Drops pictures of dominated settings; they are not shown.
     pub fn drop_dominated_pictures(&mut self) {
         let (places, points) = self.accuracy_points();
         let kept: Vec<usize> = pareto_front(&points).into_iter().map(|place| places[place]).collect();
-        for (place, taken) in self.measurements.iter_mut().enumerate() {
-            if !kept.contains(&place) && taken.run.role != RunRole::Own {
-                taken.picture = None;
+        for (place, measurement) in self.measurements.iter_mut().enumerate() {
+            if !kept.contains(&place) && measurement.run.role != RunRole::Own {
+                measurement.picture = None;
             }
         }
     }
 
-    /// Measures times again, round by round, until they are known or the time is over.
+    /// Repeats measurements in rounds until the planned number or the end of the time.
     pub fn repeat(&mut self) -> Result<(), StudyError> {
         self.drop_dominated_pictures();
         let (places, points) = self.accuracy_points();
         let kept: Vec<usize> = pareto_front(&points).into_iter().map(|place| places[place]).collect();
-        // Mixtures that others beat are not looked at twice.
+        // Dominated combinations are not repeated.
         let is_wanted =
             |place: &usize| kept.contains(place) || self.measurements[*place].run.role != RunRole::Mix;
         let wanted: Vec<usize> = (0..self.measurements.len()).filter(is_wanted).collect();
@@ -188,7 +192,7 @@ impl<'b> Measurements<'b> {
             for (done, place) in wanted.iter().enumerate() {
                 let again = self.measurements[*place].run.wall[0] + self.measurements[*place].run.build;
                 let left = end - self.benchmark.elapsed();
-                // What is long is repeated where much time is left, and disturbed less anyway.
+                // Long measurements are repeated only if much time is left; load disturbs them less.
                 if again > 0.1 * left {
                     continue;
                 }
@@ -201,16 +205,16 @@ impl<'b> Measurements<'b> {
         Ok(())
     }
 
-    /// Seconds that are left.
+    /// Remaining seconds.
     pub fn seconds_left(&self) -> f64 {
         let end = self.expected_seconds.min(self.benchmark.time_share(1.0));
         end - self.benchmark.elapsed()
     }
 }
 
-/// Compares a picture with the reference.
-pub fn set_error(taken: &mut Measurement, reference: &Picture) {
-    if let Some(picture) = &taken.picture {
-        taken.run.error = error_metrics(picture, reference);
+/// Sets the error of a measurement.
+pub fn set_error(measurement: &mut Measurement, reference: &Picture) {
+    if let Some(picture) = &measurement.picture {
+        measurement.run.error = error_metrics(picture, reference);
     }
 }

@@ -1,4 +1,4 @@
-//! What is measured: the notches of every knob, and how much time each part may take.
+//! The plan of a study: the values of each setting, and the share of the time for each part.
 
 use strahl_core::Limits;
 use strahl_settings::{ContrastSettings, Filter, Precision, SamplerSettings, SelectionSettings, Settings};
@@ -8,56 +8,56 @@ use strahl_settings::{ContrastSettings, Filter, Precision, SamplerSettings, Sele
 pub struct StudyPlan {
     /// Its name.
     pub name: &'static str,
-    /// Samples in a pixel of the reference, at least and at most.
+    /// Minimum and maximum samples per pixel of the reference.
     pub reference: [u32; 2],
     /// Samples of the stochastic sampler.
     pub stochastic: &'static [u32],
-    /// Sides of the regular sampler's raster.
+    /// Grid sizes of the regular sampler.
     pub regular: &'static [u16],
     /// Depths and thresholds of the adaptive sampler.
     pub adaptive: &'static [(u8, f32)],
-    /// Least and most samples, confidence and tolerance of the sampler that stops by itself.
+    /// Stochastic samplers with a stopping rule.
     pub stochastic_stopping: &'static [&'static str],
-    /// One divided by the cutoffs.
+    /// Inverse cutoffs.
     pub cutoffs: &'static [u16],
     /// Steps and thresholds of pixel selection.
     pub selections: &'static [(u32, f32)],
-    /// The most settings in which several knobs are turned.
+    /// Maximum number of combinations.
     pub combinations: usize,
-    /// The most repetitions.
+    /// Maximum number of repetitions.
     pub repeats: usize,
 }
 
-/// Levels that are tried, until nothing is cut by them.
+/// Values for levels, used until the level limit discards nothing.
 pub const LEVELS: [u8; 15] = [1, 2, 3, 4, 5, 6, 8, 10, 12, 16, 20, 24, 32, 48, 64];
 
-/// Cutoffs that are tried, until they cut nothing. The last is next to none: a ray of this weight changes no bit
-/// of a picture of eight bits, nor do hundreds.
+/// Cutoffs of the reference, used until they discard nothing. Even hundreds of rays below the last one change no bit of an
+/// 8-bit picture.
 pub const REFERENCE_CUTOFFS: [f32; 4] = [1.0 / 64.0, 1.0 / 512.0, 1.0 / 4096.0, 1.0 / 65536.0];
 
-/// A share of the light that is as good as none.
+/// A negligible share of the light.
 pub const NEGLIGIBLE_SHARE: f64 = 1e-4;
 
-/// The reference has at least this many times the samples of what is held against it.
+/// The reference has at least this many times the samples of a sampler that is compared with it.
 pub const REFERENCE_SAMPLE_FACTOR: u32 = 4;
 
-/// Shares of the time that is given.
+/// Shares of the time limit.
 pub(super) mod time {
-    /// For the probe that tells how large a picture there is time for.
+    /// For the probe that determines the size.
     pub const PROBE: f64 = 0.1;
     /// For the reference.
     pub const REFERENCE: f64 = 0.28;
-    /// The most for it, where it takes longer than foretold.
+    /// Maximum for the reference, if it takes longer than predicted.
     pub const REFERENCE_MAX: f64 = 0.6;
     /// For one setting.
     pub const SETTING: f64 = 0.05;
     /// For one technique.
     pub const TECHNIQUE: f64 = 0.05;
-    /// Until mixtures end.
+    /// End of the combinations.
     pub const COMBINATIONS_END: f64 = 0.72;
-    /// Until everything ends but the maps of costs and the page.
+    /// End of the measurements; cost maps and the report follow.
     pub const MEASURING_END: f64 = 0.9;
-    /// Until nothing is traced any more.
+    /// End of tracing.
     pub const TRACING_END: f64 = 0.96;
 }
 
@@ -76,7 +76,7 @@ impl StudyPlan {
         repeats: 5,
     };
 
-    /// As long as it takes.
+    /// Without a time limit.
     pub const FULL: StudyPlan = StudyPlan {
         name: "full",
         reference: [256, 4096],
@@ -94,16 +94,15 @@ impl StudyPlan {
         repeats: 9,
     };
 
-    /// The samplers beside `single`, with the rays that each is expected to take in a pixel. A
-    /// filter goes with those only that do not fill the pixel by themselves.
+    /// The samplers except `single`, with the expected rays per pixel. Samplers that do not support the filter are left out.
     pub fn samplers(&self, filter: Filter) -> Vec<(SamplerSettings, f64)> {
-        let agreement = |threshold| ContrastSettings { threshold, items: false };
+        let contrast = |threshold| ContrastSettings { threshold, items: false };
         let regular =
             self.regular.iter().map(|n| (SamplerSettings::Regular(*n), f64::from(*n) * f64::from(*n)));
         let adaptive = self.adaptive.iter().map(|(depth, threshold)| {
             let most = libm::pow(4.0, f64::from(*depth));
             (
-                SamplerSettings::Adaptive { max_depth: *depth, contrast: agreement(*threshold) },
+                SamplerSettings::Adaptive { max_depth: *depth, contrast: contrast(*threshold) },
                 1.0 + 0.4 * (most - 1.0),
             )
         });
@@ -116,7 +115,7 @@ impl StudyPlan {
         all.filter(|(sampling, _)| filter == Filter::Box || sampling.allows_filter()).collect()
     }
 
-    /// Which pixels are traced.
+    /// The values for pixel selection.
     pub fn selections(&self) -> impl Iterator<Item = SelectionSettings> {
         let with = |(step, threshold): &(u32, f32)| SelectionSettings {
             step: *step,
@@ -125,28 +124,28 @@ impl StudyPlan {
         self.selections.iter().map(with)
     }
 
-    /// From coarse to fine.
+    /// The cutoffs, from coarse to fine.
     pub fn cutoffs(&self) -> impl Iterator<Item = f32> {
         self.cutoffs.iter().map(|whole| 1.0 / f32::from(*whole))
     }
 
-    /// Rays in a pixel of all settings together, each once, against a reference of so many samples: about.
+    /// Approximate rays per pixel of all settings, each measured once, for a reference with `samples` samples per pixel.
     pub fn total_rays_per_pixel(&self, filter: Filter, samples: u32) -> f64 {
         let samplers = self.samplers(filter).into_iter();
         let of_samplers: f64 = samplers
             .filter(|(it, _)| max_rays_per_pixel(it) * REFERENCE_SAMPLE_FACTOR <= samples)
             .map(|(_, rays)| rays)
             .sum();
-        // Techniques are some sixteen, of which adaptive and stochastic sampling take most.
+        // About sixteen techniques; adaptive and stochastic sampling need most of it.
         const TECHNIQUES: f64 = 70.0;
-        // A mixture takes as many as a sampler in the middle.
-        const MIXTURE: f64 = 8.0;
+        // A combination needs as many as a medium sampler.
+        const COMBINATION: f64 = 8.0;
         let others = self.cutoffs.len() + self.selections.len();
-        of_samplers + others as f64 + TECHNIQUES + MIXTURE * self.combinations as f64
+        of_samplers + others as f64 + TECHNIQUES + COMBINATION * self.combinations as f64
     }
 
-    /// Samples in a pixel of the reference at least: no fewer than the scene's own setting has. A power of
-    /// two, for which the sequence is best.
+    /// Minimum samples per pixel of the reference: at least those of the scene, and a power of two, for which the Sobol
+    /// sequence is best.
     pub fn min_reference_samples(&self, own: &Settings) -> u32 {
         let [least, _] = self.reference;
         let rays = max_rays_per_pixel(&own.sampler);
@@ -154,8 +153,8 @@ impl StudyPlan {
         least.checked_next_power_of_two().unwrap_or(least)
     }
 
-    /// Samples in a pixel of the reference, `fewest` at least, where one in each pixel takes `single` seconds
-    /// and all of them may take `seconds`.
+    /// Samples per pixel of the reference, at least `fewest`, if one sample per pixel takes `single` seconds and all may
+    /// take `seconds`.
     pub fn reference_samples(&self, fewest: u32, single: f64, seconds: f64) -> u32 {
         let [_, most] = self.reference;
         let fits = |samples: u32| f64::from(samples) * single <= seconds;
@@ -167,8 +166,8 @@ impl StudyPlan {
     }
 }
 
-/// The next limits on the way to a reference, from those that cut these shares of the light by their levels and by
-/// their cutoff: whichever cuts more goes a step further, as long as it `may`. None where nothing is cut any more.
+/// The next finer limits for the reference. `cut` holds the shares of the light that levels and cutoff discard; the larger
+/// one is refined, if it `may`. `None` if nothing is discarded any more. The first value is 0 for levels, 1 for the cutoff.
 pub fn next_finer_limits(limits: Limits, cut: [f64; 2], may: [bool; 2]) -> Option<(usize, Limits)> {
     let levels = LEVELS.into_iter().find(|levels| *levels > limits.levels);
     let cutoff = REFERENCE_CUTOFFS.into_iter().find(|cutoff| *cutoff < limits.cutoff);
@@ -179,7 +178,7 @@ pub fn next_finer_limits(limits: Limits, cut: [f64; 2], may: [bool; 2]) -> Optio
     open.max_by(|(a, _), (b, _)| cut[*a].total_cmp(&cut[*b]))
 }
 
-/// The most rays that a sampler without a raster of corners sends through a pixel.
+/// Maximum rays per pixel of a sampler, without shared corners.
 pub fn max_rays_per_pixel(sampling: &SamplerSettings) -> u32 {
     match sampling {
         SamplerSettings::Single => 1,
@@ -189,7 +188,7 @@ pub fn max_rays_per_pixel(sampling: &SamplerSettings) -> u32 {
     }
 }
 
-/// The same levels and cutoff with one ray in each pixel, and nothing else that changes the picture.
+/// The same levels and cutoff with one ray per pixel; all other settings that change the picture are defaults.
 pub fn one_ray_per_pixel(settings: &Settings) -> Settings {
     Settings {
         sampler: SamplerSettings::Single,
@@ -205,7 +204,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn every_sampler_of_a_plan_is_one_of_the_command_line() {
+    fn every_sampler_of_a_plan_is_valid_on_the_command_line() {
         for plan in [StudyPlan::QUICK, StudyPlan::FULL] {
             let all = plan.samplers(Filter::Box);
             let kinds = plan.stochastic.len()
@@ -231,7 +230,7 @@ mod tests {
     }
 
     #[test]
-    fn a_reference_has_no_fewer_samples_than_the_scene_asks_for() {
+    fn a_reference_has_at_least_the_samples_of_the_scene() {
         let fewest = |sampler: &str| {
             StudyPlan::QUICK
                 .min_reference_samples(&Settings { sampler: sampler.parse().unwrap(), ..Settings::default() })
@@ -245,12 +244,12 @@ mod tests {
             "stochastic:4..96:0.9:0.1",
         ];
         assert_eq!(samplers.map(fewest), [32, 32, 64, 2048, 256, 128]);
-        // The time does not change that.
+        // For any time.
         assert_eq!(StudyPlan::QUICK.reference_samples(2048, 1.0, 0.0), 2048);
     }
 
     #[test]
-    fn what_cuts_more_goes_further_until_nothing_is_cut() {
+    fn the_limit_that_discards_more_is_refined_until_nothing_is_discarded() {
         let from = |levels, cutoff| Limits { levels, cutoff };
         let next =
             |limits, cut, may| next_finer_limits(limits, cut, may).map(|(_, it)| (it.levels, it.cutoff));
@@ -260,10 +259,10 @@ mod tests {
         assert_eq!(next(own, [0.01, 0.1], [true, false]), Some((6, 1.0 / 512.0)));
         assert_eq!(next(own, [0.0, 1e-5], both), None);
         assert_eq!(next(own, [0.1, 0.1], [false, false]), None);
-        // At the end of one ladder the other goes on.
+        // After the last value of one, the other is refined.
         assert_eq!(next(from(64, 0.3), [0.9, 0.1], both), Some((64, 1.0 / 64.0)));
         assert_eq!(next(from(7, 0.0), [0.1, 0.0], both), Some((8, 0.0)));
-        // However often: never a step back.
+        // Limits never become coarser.
         let mut limits = from(2, 0.004);
         while let Some((_, finer)) = next_finer_limits(limits, [0.1, 0.2], both) {
             assert!(finer.levels >= limits.levels && finer.cutoff <= limits.cutoff && finer != limits);

@@ -1,9 +1,8 @@
-//! How large a picture there is time to study.
+//! Size of the pictures of a study, from its time limit.
 //!
-//! A study stands and falls with its reference, which must be no coarser than the scene's own
-//! setting. So that setting is traced once at a small size, with one ray in each pixel, and what
-//! it takes tells how many pixels there is time for. Where the user has named a size there is
-//! nothing to choose, but what cannot be done is told before the time is gone.
+//! The reference must be at least as fine as the settings of the scene, and needs most of the time. These settings are
+//! rendered at a small size with one ray per pixel (the probe); its time gives the number of pixels that the limit allows. A
+//! size given by the user is kept; if it is too large, the study fails at once.
 
 use std::time::Duration;
 
@@ -16,50 +15,49 @@ use super::plan::{StudyPlan, time};
 use crate::error::StudyError;
 use crate::record::{RunRole, StudyRun};
 
-/// The probe has at most so many pixels.
+/// Maximum number of pixels of the probe.
 const PROBE_PIXELS: u32 = 1 << 10;
 
-/// It is traced so many times, if there is time.
+/// Number of probes, if there is time.
 const PROBE_COUNT: usize = 3;
 
-/// Pictures are not made smaller than this, only so that more settings can be measured.
+/// Pictures are not reduced below this number of pixels only to measure more settings.
 const PREFERRED_PIXELS: u32 = 1 << 14;
 
-/// Nor smaller than this at all: less has nothing to look at.
+/// Minimum number of pixels.
 const MIN_PIXELS: u32 = 1 << 11;
 
-/// A size is chosen so that its reference takes this share of the time that it may take: the probe is a small one,
-/// and the same study must be possible again.
+/// The reference is planned to take this share of its time: the probe is small, and a second study must succeed too.
 const MARGIN: f64 = 0.7;
 
-/// What the reference of a size asks for.
+/// Cost of the reference and of the whole study.
 #[derive(Clone, Copy, Debug, PartialEq)]
 struct ReferenceCost {
-    /// Seconds for one ray through a pixel, at the scene's own levels and cutoff.
+    /// Seconds per camera ray with the levels and cutoff of the scene.
     pixel: f64,
-    /// Rays in a pixel that the reference has at least.
+    /// Minimum rays per pixel of the reference.
     reference: f64,
-    /// Rays in a pixel of all that is measured.
+    /// Rays per pixel of all measurements.
     all: f64,
 }
 
-/// How many pixels there is time for.
+/// Number of pixels that the time limit allows.
 #[derive(Clone, Copy, Debug, PartialEq)]
 enum AffordableSize {
-    /// So many of them.
+    /// This number of pixels.
     Pixels(f64),
-    /// Not enough; so many seconds would be.
+    /// The limit is too short; this number of seconds is long enough.
     TooShort(f64),
 }
 
 impl ReferenceCost {
-    /// How many of `most` pixels can be studied in `limit` seconds; fewer only where `is_free`.
+    /// Number of pixels, at most `most`, for `limit` seconds. Less than `most` only if the size `is_free`.
     fn afforded(&self, limit: f64, most: f64, is_free: bool) -> AffordableSize {
         let least = if is_free && f64::from(MIN_PIXELS) < most { f64::from(MIN_PIXELS) } else { most };
-        // Pixels whose reference ends in its share of the time, and those for which everything ends.
+        // Pixels whose reference fits into its share of the time; below, those for which everything fits.
         let for_reference = time::REFERENCE * limit / (self.reference * self.pixel).max(1e-12);
         if for_reference < least {
-            // Machines are not as fast at all times: half as much again.
+            // Half as much again, because the speed of a machine varies.
             return AffordableSize::TooShort(1.5 * limit * least / for_reference.max(1e-12));
         }
         let for_all = limit / (self.all * self.pixel).max(1e-12);
@@ -72,8 +70,7 @@ impl ReferenceCost {
     }
 }
 
-/// Chooses the size of the bench's pictures: that which it has, or a smaller one of the same shape where
-/// `is_free` and the time asks for it.
+/// Chooses the size of the pictures: the current one, or a smaller one with the same aspect ratio if the size `is_free`.
 pub(crate) fn choose_size(
     bench: &mut Benchmark<'_>,
     plan: &StudyPlan,
@@ -90,7 +87,7 @@ pub(crate) fn choose_size(
     for _ in 0..PROBE_COUNT {
         let left = bench.time_share(time::PROBE) - (bench.elapsed() - begun);
         let Some(taken) = bench.measure(RunRole::Knob, &one_ray_per_pixel(own), left)? else { break };
-        // The quickest: other work on the machine makes it slower only.
+        // The fastest: other load only makes a probe slower.
         probe = Some(match probe {
             Some(probe) if probe.wall[0] <= taken.run.wall[0] => probe,
             _ => taken.run,
@@ -110,28 +107,27 @@ pub(crate) fn choose_size(
     Ok(())
 }
 
-/// That the time does not suffice, and how many seconds would, where that is known.
+/// The error for a time limit that is too short; it names a sufficient one, if known.
 pub(super) fn too_short_error(bench: &Benchmark<'_>, enough: Option<f64>) -> StudyError {
     let limit = bench.limit.unwrap_or_default();
-    // As one word of the command line.
-    let told = |seconds| humantime::format_duration(round_up_duration(seconds)).to_string().replace(' ', "");
+    // Without spaces, as one command-line argument.
+    let text = |seconds| humantime::format_duration(round_up_duration(seconds)).to_string().replace(' ', "");
     let enough = match enough {
-        Some(seconds) => format!("--time-limit {} would be enough", told(seconds)),
+        Some(seconds) => format!("use --time-limit {} or a smaller --size", text(seconds)),
         None => {
             format!(
-                "how much it takes is not known yet, --time-limit {} may do",
-                told(10.0 * limit.as_secs_f64())
+                "the time needed is not known yet; try --time-limit {} or a smaller --size",
+                text(10.0 * limit.as_secs_f64())
             )
         }
     };
     StudyError::TooShort(format!(
-        "{} is too short to make a reference that is no coarser than the scene's own setting: {enough}, or a \
-         smaller --size",
+        "{} is too short for a reference at least as fine as the scene's settings; {enough}",
         humantime::format_duration(limit),
     ))
 }
 
-/// Up to a time that people would say.
+/// Rounds up to whole seconds, tens of seconds, minutes or hours.
 fn round_up_duration(seconds: f64) -> Duration {
     let step = if seconds <= 20.0 {
         1.0
@@ -145,7 +141,7 @@ fn round_up_duration(seconds: f64) -> Duration {
     Duration::try_from_secs_f64((seconds / step).ceil() * step).unwrap_or(Duration::MAX)
 }
 
-/// A size of the same shape with at most about so many pixels.
+/// A size with the same aspect ratio and at most about `pixels` pixels.
 pub(crate) fn scaled_down(size: Resolution, pixels: u32) -> Resolution {
     let (width, height) = (f64::from(size.width()), f64::from(size.height()));
     let scale = (f64::from(pixels) / (width * height)).sqrt();
@@ -160,7 +156,7 @@ mod tests {
     const COST: ReferenceCost = ReferenceCost { pixel: 1e-5, reference: 32.0, all: 500.0 };
 
     #[test]
-    fn a_size_is_a_smaller_one_of_the_same_shape() {
+    fn a_reduced_size_keeps_the_aspect_ratio() {
         let smaller = |width, height| {
             let size = scaled_down(Resolution::new(width, height).unwrap(), 1 << 16);
             (size.width(), size.height())
@@ -172,21 +168,21 @@ mod tests {
     }
 
     #[test]
-    fn pictures_are_smaller_where_time_is_shorter() {
+    fn a_shorter_limit_gives_smaller_pictures() {
         let pixels = |limit| match COST.afforded(limit, 65536.0, true) {
             AffordableSize::Pixels(pixels) => pixels,
             AffordableSize::TooShort(enough) => panic!("{limit} s are too short, {enough} would be enough"),
         };
         assert_eq!(pixels(1000.0), 65536.0);
-        // Everything can be measured of so many.
+        // Everything can be measured.
         assert!((pixels(200.0) - 40_000.0).abs() < 1.0);
-        // Not everything, but the reference can be made.
+        // Not everything can be measured, but the reference can be rendered.
         assert_eq!(pixels(50.0), f64::from(PREFERRED_PIXELS));
         assert!((pixels(5.0) - MARGIN * time::REFERENCE * 5.0 / (32.0 * 1e-5)).abs() < 1.0);
     }
 
     #[test]
-    fn what_would_be_enough_is_enough_and_not_much_more() {
+    fn the_sufficient_limit_is_sufficient_and_not_much_too_long() {
         for (limit, most, is_free) in [(0.5, 65536.0, true), (5.0, 65536.0, false), (0.01, 100.0, true)] {
             let AffordableSize::TooShort(enough) = COST.afforded(limit, most, is_free) else {
                 panic!("{limit} s are said to be enough")
@@ -198,13 +194,13 @@ mod tests {
     }
 
     #[test]
-    fn a_size_that_was_named_is_kept() {
+    fn a_given_size_is_kept() {
         assert_eq!(COST.afforded(100.0, 65536.0, false), AffordableSize::Pixels(65536.0));
         assert!(matches!(COST.afforded(20.0, 65536.0, false), AffordableSize::TooShort(_)));
     }
 
     #[test]
-    fn limits_are_told_as_people_say_them() {
+    fn limits_are_rounded_to_usual_durations() {
         let told = [3.2, 47.0, 130.0, 4000.0]
             .map(|it| humantime::format_duration(round_up_duration(it)).to_string());
         assert_eq!(told, ["4s", "50s", "3m", "2h"]);

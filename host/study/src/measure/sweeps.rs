@@ -1,8 +1,7 @@
-//! Knobs turned one by one, everything else being as good as it gets.
+//! Sweeps of one setting; all others are at their most accurate value.
 //!
-//! What a knob alone makes wrong is the difference from the same setting with that knob at its
-//! best: the same rays through the picture, so that nothing else is between the two pictures. Of
-//! samplers, and of effects that need many rays, it is the difference from the reference.
+//! The error of a value is the difference from the most accurate value with the same camera rays, so that nothing else
+//! differs. For samplers, and for effects that need many rays, it is the difference from the reference.
 
 use strahl_settings::Effect;
 use strahl_settings::domain::fraction_text;
@@ -15,10 +14,10 @@ use crate::error::StudyError;
 use crate::record::command_line;
 use crate::record::{ParameterSweep, StudyRun, SweepPoint};
 
-/// Samples for effects that need many: enough to see what they do.
+/// Samples per pixel for effects that need many.
 const EFFECT_SAMPLES: u32 = 16;
 
-/// The levels from one to those that cut as little as can be.
+/// Levels from 1 to the finest.
 pub(super) fn levels(
     measured: &mut Measurements<'_>,
     best: usize,
@@ -31,7 +30,7 @@ pub(super) fn levels(
     let is_whole =
         |measured: &Measurements<'_>, step: &SweepPoint| measured.measurements[step.run].run.cut[0] == 0.0;
     for levels in LEVELS.into_iter().filter(|levels| has_more && *levels < base.levels) {
-        // The rest would be the same picture.
+        // More levels give the same picture.
         if steps.last().is_some_and(|step| is_whole(measured, step)) {
             break;
         }
@@ -47,7 +46,7 @@ pub(super) fn levels(
     }
     measured.sweeps.push(ParameterSweep {
         name: "levels".into(),
-        about: "How many times light may be mirrored or pass a surface before the eye.".into(),
+        about: "Maximum number of reflections and transmissions between a light and the camera.".into(),
         fixed: format!("--cutoff {} --sampler {}", fraction_text(base.cutoff), base.sampler),
         against: format!("{} levels", base.levels),
         steps,
@@ -56,12 +55,12 @@ pub(super) fn levels(
     Ok(())
 }
 
-/// Whether any ray was mirrored or passed a surface: else neither levels nor a cutoff change anything.
+/// Whether there are secondary rays; otherwise levels and cutoff have no effect.
 fn has_secondary(run: &StudyRun) -> bool {
     run.counts.rays[1] + run.counts.rays[2] > 0 || run.cut != [0.0; 2]
 }
 
-/// The cutoff from coarse to none.
+/// Cutoffs from coarse to the finest.
 pub(super) fn cutoffs(
     measured: &mut Measurements<'_>,
     best: usize,
@@ -82,7 +81,7 @@ pub(super) fn cutoffs(
     steps.push(SweepPoint { value: fraction_text(base.cutoff), run: best, alone });
     measured.sweeps.push(ParameterSweep {
         name: "cutoff".into(),
-        about: "Rays that would count less than this in their pixel are not sent.".into(),
+        about: "Rays whose weight in the pixel is below this are not traced.".into(),
         fixed: format!("--levels {} --sampler {}", base.levels, base.sampler),
         against: format!("cutoff {}", fraction_text(base.cutoff)),
         steps,
@@ -91,7 +90,7 @@ pub(super) fn cutoffs(
     Ok(())
 }
 
-/// The samplers, from few rays to many.
+/// Samplers, from few rays to many.
 pub(super) fn samplers(
     measured: &mut Measurements<'_>,
     best: usize,
@@ -104,11 +103,11 @@ pub(super) fn samplers(
     let mut runs = vec![best];
     for (sampler, rays) in measured.plan.samplers(base.filter) {
         let options = Settings { sampler, ..base.clone() };
-        // The reference must be the finer one by far.
+        // The reference must be much finer.
         if max_rays_per_pixel(&sampler) * super::plan::REFERENCE_SAMPLE_FACTOR > samples {
             measured.skip(
                 &options,
-                format!("a reference of only {samples} rays in a pixel is too coarse for it"),
+                format!("the reference has only {samples} samples per pixel, too few to judge it"),
             );
             continue;
         }
@@ -122,7 +121,7 @@ pub(super) fn samplers(
     let steps = runs.into_iter().map(step).collect();
     measured.sweeps.push(ParameterSweep {
         name: "sampler".into(),
-        about: "How many rays make a pixel, and through which places.".into(),
+        about: "Number and positions of the rays in a pixel.".into(),
         fixed: format!("--levels {} --cutoff {}", base.levels, fraction_text(base.cutoff)),
         against: "the reference".into(),
         steps,
@@ -131,7 +130,7 @@ pub(super) fn samplers(
     Ok(())
 }
 
-/// Which pixels are traced, from few to all.
+/// Pixel selections, from few pixels to all.
 pub(super) fn selections(
     measured: &mut Measurements<'_>,
     best: usize,
@@ -153,8 +152,8 @@ pub(super) fn selections(
     measured.sweeps.push(ParameterSweep {
         name: "select".into(),
         about:
-            "One pixel in so many times so many is traced first; where neighbours agree, those between are \
-                guessed."
+            "One pixel per STEP x STEP block is traced first; where neighbors agree, the pixels between are \
+                interpolated."
                 .into(),
         fixed: command_line(&base).replace(" --select", ""),
         against: "every pixel traced".into(),
@@ -164,23 +163,23 @@ pub(super) fn selections(
     Ok(())
 }
 
-/// Leaves out one after the other what the scene asks for.
+/// Disables each required effect.
 pub(super) fn effects(
     measured: &mut Measurements<'_>,
     best: usize,
     reference: &ReferencePicture,
-    asks: &[Effect],
+    required: &[Effect],
 ) -> Result<(), StudyError> {
     let Measurement { settings: base, run, .. } = &measured.measurements[best];
     let is_many = [Effect::Penumbra, Effect::Lens, Effect::Gloss, Effect::Motion]
         .iter()
-        .any(|effect| asks.contains(effect));
+        .any(|effect| required.contains(effect));
     let rays = if is_many { EFFECT_SAMPLES } else { 4 };
     let seconds = f64::from(rays) * run.wall[0];
     let base = Settings { sampler: SamplerSettings::stochastic(rays), ..base.clone() };
     let before = measured.skipped_count();
     let mut steps = Vec::new();
-    for effect in asks {
+    for effect in required {
         let options = Settings { without: vec![*effect], ..base.clone() };
         if let Some(run) = measured.measure_swept(&options, seconds, &reference.picture)? {
             steps.push(SweepPoint {
@@ -191,24 +190,24 @@ pub(super) fn effects(
         }
     }
     steps.sort_by(|a, b| b.alone.rmse.total_cmp(&a.alone.rmse));
-    // With nothing left out there is something to hold the others against.
-    if !asks.is_empty()
+    // All effects, for comparison.
+    if !required.is_empty()
         && let Some(run) = measured.measure_swept(&base, seconds, &reference.picture)?
     {
         steps.push(SweepPoint { value: "nothing".into(), run, alone: measured.measurements[run].run.error });
     }
     measured.sweeps.push(ParameterSweep {
         name: "without".into(),
-        about: "What every effect that the scene asks for costs, and what its picture is without.".into(),
+        about: "Cost of each required effect, and the error without it.".into(),
         fixed: command_line(&base),
-        against: "the reference, which has all of them".into(),
+        against: "the reference, with all effects".into(),
         steps,
         left_out: measured.skipped_count() - before,
     });
     Ok(())
 }
 
-/// Single precision, and double, which is the yardstick.
+/// Single precision compared with double precision.
 pub(super) fn precision(measured: &mut Measurements<'_>, runs: [Option<usize>; 2], fixed: String) {
     let picture = |run: usize| measured.measurements[run].picture.as_ref();
     let alone = |run: usize, double: usize| match (picture(run), picture(double)) {
@@ -224,9 +223,9 @@ pub(super) fn precision(measured: &mut Measurements<'_>, runs: [Option<usize>; 2
     };
     measured.sweeps.push(ParameterSweep {
         name: "precision".into(),
-        about: "What every number is computed with. Those of the scene are of single precision either way. Both are \
-                measured by the same loop."
-            .into(),
+        about:
+            "Floating-point precision. Scene numbers are single precision in both. Both run the same code."
+                .into(),
         fixed,
         against: "double precision".into(),
         steps,

@@ -1,7 +1,7 @@
-//! The techniques of ray tracing one by one, on and off.
+//! The techniques of ray tracing, each on and off.
 //!
-//! All of them are measured while everything is counted: by the one loop for that, which every
-//! accelerator and both precisions have, so that nothing but the technique is between two times.
+//! All are measured with counting enabled, by the same compiled loop for every accelerator and both precisions, so that two
+//! times differ only by the technique.
 
 use strahl_settings::accelerator::DEFAULT_MAILBOX_SLOTS;
 use strahl_settings::domain::fraction_text;
@@ -16,7 +16,7 @@ use crate::error::StudyError;
 use crate::record::command_line;
 use crate::record::{RunRole, Technique};
 
-/// One technique: how it is done without, and with it.
+/// Settings without and with a technique.
 struct TechniquePair {
     name: &'static str,
     lecture_section: &'static str,
@@ -27,11 +27,10 @@ struct TechniquePair {
     exact: bool,
 }
 
-/// Adaptive supersampling sees a difference of this much, and regular sampling as fine is held
-/// against it.
+/// Maximum depth and threshold of adaptive supersampling; regular sampling of the same depth is compared with it.
 const ADAPTIVE_SETTINGS: (u8, f32) = (2, 0.05);
 
-/// What the techniques are measured with: the scene's levels and cutoff, one ray in each pixel.
+/// The common settings of all techniques: levels and cutoff of the scene, one ray per pixel.
 fn base(own: &Settings) -> Settings {
     Settings {
         sampler: SamplerSettings::Single,
@@ -79,7 +78,7 @@ pub(super) fn precision(
     Ok(())
 }
 
-/// Measures one thread, and twice as many each time.
+/// Measures 1, 2, 4 ... threads.
 pub(super) fn threads(
     measured: &mut Measurements<'_>,
     own: &Settings,
@@ -112,11 +111,11 @@ fn pairs(base: &Settings) -> Vec<TechniquePair> {
     };
     let every_box = "a list with boxes";
     let mut pairs = vec![
-        exact("bounding volumes", "5.1", ("every item", list(Bounds::None)), (every_box, boxes())),
+        exact("bounding volumes", "5.1", ("no bounding volumes", list(Bounds::None)), (every_box, boxes())),
         exact(
             "bounding spheres",
             "5.1",
-            ("every item", list(Bounds::None)),
+            ("no bounding volumes", list(Bounds::None)),
             ("a list with spheres", list(Bounds::Sphere)),
         ),
         exact(
@@ -131,14 +130,14 @@ fn pairs(base: &Settings) -> Vec<TechniquePair> {
             (every_box, boxes()),
             ("an octree", remembering(AccelKind::Octree, DEFAULT_MAILBOX_SLOTS)),
         ),
-        exact("hierarchy", "5.4", (every_box, boxes()), ("a hierarchy, by a heap", heap(64))),
+        exact("BVH", "5.4", (every_box, boxes()), ("BVH with a heap", heap(64))),
         exact(
-            "hierarchy, by a stack",
+            "BVH with a stack",
             "5.4",
-            ("by a heap", heap(64)),
-            ("by a stack", by(AccelSettings::with_kind(AccelKind::Bvh))),
+            ("with a heap", heap(64)),
+            ("with a stack", by(AccelSettings::with_kind(AccelKind::Bvh))),
         ),
-        exact("room in the heap", "5.4", ("none", heap(0)), ("64 nodes", heap(64))),
+        exact("heap capacity", "5.4", ("none", heap(0)), ("64 entries", heap(64))),
     ];
     for (name, kind) in
         [("mailbox of the grid", AccelKind::Grid), ("mailbox of the octree", AccelKind::Octree)]
@@ -153,8 +152,8 @@ fn pairs(base: &Settings) -> Vec<TechniquePair> {
     let limited = |cutoff| Settings { cutoff, ..base.clone() };
     let sampled = |sampler| Settings { sampler, ..base.clone() };
     let (depth, threshold) = ADAPTIVE_SETTINGS;
-    let agreement = ContrastSettings { threshold, items: false };
-    let adaptive = SamplerSettings::Adaptive { max_depth: depth, contrast: agreement };
+    let contrast = ContrastSettings { threshold, items: false };
+    let adaptive = SamplerSettings::Adaptive { max_depth: depth, contrast };
     let regular = SamplerSettings::Regular(1 << depth);
     let selecting =
         SelectionSettings { step: 4, contrast: ContrastSettings { threshold: 0.05, items: true } };
@@ -179,7 +178,7 @@ fn pairs(base: &Settings) -> Vec<TechniquePair> {
             sampled(adaptive),
         ),
         (
-            "samples until it is known",
+            "adaptive sample count",
             "4.3",
             SamplerSettings::stochastic(16).to_string(),
             stopping.to_string(),
@@ -208,7 +207,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn techniques_that_buy_time_only_differ_in_nothing_that_decides_about_the_picture() {
+    fn exact_techniques_differ_only_in_settings_that_do_not_change_the_picture() {
         let all = pairs(&base(&Settings::default()));
         assert!(all.len() >= 12);
         for TechniquePair { name, without, with, exact, .. } in all {

@@ -1,9 +1,8 @@
-//! From values to places along an axis.
+//! From values to positions along an axis.
 //!
-//! Plots are written as SVG with colours that are variables of the page's style, so that they
-//! follow light and dark; backends of plotting libraries write fixed colours.
+//! Plots are written as SVG with CSS variables as colors, so that they follow light and dark mode.
 
-/// An axis on which every factor is as long as any other.
+/// A logarithmic axis.
 #[derive(Clone, Copy, Debug)]
 pub struct LogAxis {
     least: f64,
@@ -13,7 +12,7 @@ pub struct LogAxis {
 }
 
 impl LogAxis {
-    /// For these values, those that are not positive left out, from place `from` to place `to`.
+    /// An axis for the positive values, from position `from` to position `to`.
     pub fn of(values: impl Iterator<Item = f64>, from: f64, to: f64) -> Self {
         let (mut least, mut most) = (f64::INFINITY, 0.0);
         for value in values.filter(|value| *value > 0.0 && value.is_finite()) {
@@ -23,7 +22,7 @@ impl LogAxis {
         if !least.is_finite() {
             (least, most) = (0.1, 1.0);
         }
-        // Room at both ends, and at least half a decade.
+        // A margin at both ends, and at least half a decade.
         let room = libm::pow(most / least, 0.06) * 1.12;
         let (mut least, mut most) = (least / room, most * room);
         while most / least < 3.2 {
@@ -32,14 +31,13 @@ impl LogAxis {
         LogAxis { least, most, from, to }
     }
 
-    /// The place of a value; what lies beyond an end is at that end.
+    /// The position of a value, clamped to the axis.
     pub fn at(&self, value: f64) -> f64 {
         let share = libm::log(value.max(1e-300) / self.least) / libm::log(self.most / self.least);
         self.from + (self.to - self.from) * share.clamp(0.0, 1.0)
     }
 
-    /// Round values that lie on it, at most some eight: powers of ten, and twice and five times
-    /// those where there are few.
+    /// Round values on the axis, at most about eight: powers of ten, and multiples of them if there are few.
     pub fn ticks(&self) -> Vec<f64> {
         let decades = libm::log10(self.most / self.least);
         let steps: &[f64] = if decades < 0.8 {
@@ -58,12 +56,12 @@ impl LogAxis {
     }
 }
 
-/// `step` times ten to a power, rounded to what is written like that.
+/// `step` times ten to a power, as its decimal text reads.
 fn power(step: f64, decade: i32) -> f64 {
     format!("{step}e{decade}").parse().unwrap_or(step)
 }
 
-/// An axis from zero.
+/// A linear axis from zero.
 #[derive(Clone, Copy, Debug)]
 pub struct LinearAxis {
     most: f64,

@@ -7,62 +7,61 @@ use super::numbers::percent;
 use crate::pareto::ERROR_LIMITS;
 use crate::record::{ParameterSweep, Study};
 
-/// The smallest error that a setting is recommended for, or that can be told from chance.
-fn resolved(study: &Study) -> f64 {
+/// The smallest recommended or significant error.
+fn smallest_resolved_error(study: &Study) -> f64 {
     let [.., least] = ERROR_LIMITS;
     if study.reference.noise > least { study.reference.noise } else { least }
 }
 
-/// What a user should know before anything else: that the reference itself cuts more light than the errors that
-/// are told; none where it does not.
-pub fn doubt(study: &Study) -> Option<String> {
+/// A warning if the reference discards more light than the smallest resolved error.
+pub fn reference_warning(study: &Study) -> Option<String> {
     let reference = &study.reference;
-    (reference.cut > resolved(study)).then(|| {
+    (reference.cut > smallest_resolved_error(study)).then(|| {
         format!(
-            "The reference itself cuts {} of the light ({}). No error that is told here includes that: a setting that cuts \
-             the same light seems right.{}",
+            "The reference discards {} of the light ({}). The errors do not include this: a setting that discards the same \
+             light appears exact.{}",
             percent(reference.cut),
             reference.setting.options,
-            if study.method.time_limit.is_some() { " A larger --time-limit makes a finer one." } else { "" }
+            if study.method.time_limit.is_some() { " A larger --time-limit gives a finer reference." } else { "" }
         )
     })
 }
 
-/// The same at the top of the page, with what else is not as it would be with more time.
-pub fn part(study: &Study) -> Markup {
+/// The warnings at the top of the page.
+pub fn section(study: &Study) -> Markup {
     html! {
-        @if let Some(doubt) = doubt(study) { p.warning role="note" { strong { "Beware. " } (doubt) } }
-        @if let Some(left_out) = left_out(study) {
-            p.warning role="note" { (left_out) " " a href="#method" { "Which?" } }
+        @if let Some(warning) = reference_warning(study) { p.warning role="note" { strong { "Warning: " } (warning) } }
+        @if let Some(skipped) = skipped(study) {
+            p.warning role="note" { (skipped) " " a href="#method" { "Details" } }
         }
     }
 }
 
-/// Why something was not measured.
+/// Why settings were not measured.
 pub fn why(study: &Study) -> &'static str {
     if study.method.time_limit.is_some() { "no time was left" } else { "it would have taken too long" }
 }
 
-/// How many settings are missing, and of which knobs nothing is known at all.
-pub fn left_out(study: &Study) -> Option<String> {
+/// The number of settings that were not measured, and the names of those without any measurement.
+pub fn skipped(study: &Study) -> Option<String> {
     let count = study.left_out.len();
     let unknown: Vec<&str> =
         study.knobs.iter().filter(|knob| is_unknown(knob)).map(|knob| knob.name.as_str()).collect();
     let nothing = match &unknown[..] {
         [] => String::new(),
-        names => format!("; nothing is known of {}", names.join(", ")),
+        names => format!("; {} was not measured", names.join(", ")),
     };
     let more = if study.method.time_limit.is_some() { "; a larger --time-limit measures more" } else { "" };
     (count > 0)
         .then(|| format!("{} not measured: {}{nothing}{more}.", quantity(count, "setting"), why(study)))
 }
 
-/// Whether a knob could be turned, but nothing of it was measured.
+/// Whether a setting has an effect, but was not measured.
 fn is_unknown(knob: &ParameterSweep) -> bool {
     knob.steps.len() < 2 && knob.left_out > 0
 }
 
-/// Why a knob has no plot.
+/// Why a setting has no plot.
 pub fn knob(study: &Study, knob: &ParameterSweep) -> Markup {
     html! {
         p.soft {
@@ -70,7 +69,7 @@ pub fn knob(study: &Study, knob: &ParameterSweep) -> Markup {
             @if is_unknown(knob) {
                 ": not measured: " (why(study)) " (" (quantity(knob.left_out, "setting")) ")."
             } @else {
-                " has nothing to turn here: nothing in the scene calls for it."
+                " has no effect in this scene."
             }
         }
     }

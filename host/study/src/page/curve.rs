@@ -1,10 +1,10 @@
-//! Error against time, and against work, of all settings.
+//! Error against time and against work, for all settings.
 
 use maud::{Markup, html};
 
 use super::family::SettingFamily;
 use super::numbers::{count, error, percent, seconds};
-use super::pieces::{options, wide, words};
+use super::pieces::{options, scrollable, words};
 use super::scatter::{ScatterPlot, ScatterPoint, legend};
 use crate::pareto::CostErrorPoint;
 use crate::record::table::pareto_runs;
@@ -36,7 +36,7 @@ fn dots(
         .collect()
 }
 
-pub fn part(study: &Study) -> Markup {
+pub fn section(study: &Study) -> Markup {
     let by_time = dots(study, StudyRun::median_cpu_seconds, |run| Some(min_max(&run.cpu)));
     let by_work = dots(study, |run| run.work, |_| None);
     let noise = Some(study.reference.noise).filter(|noise| *noise > 0.0);
@@ -51,7 +51,7 @@ pub fn part(study: &Study) -> Markup {
             .unwrap_or_default()
         };
         format!(
-            "Scatter plot of {} settings, error against {cost}, both logarithmic. The front goes from {} to {}.",
+            "Scatter plot of {} settings, error against {cost}, both logarithmic. The Pareto front goes from {} to {}.",
             by_work.len(),
             told(first),
             told(last)
@@ -59,13 +59,13 @@ pub fn part(study: &Study) -> Markup {
     };
     html! {
         p {
-            "Every mark is a setting. To the left is cheaper, below is better. The numbered ones are the "
-            strong { "Pareto front" } ": of what was measured nothing needs less work and is more accurate at once."
+            "Each mark is one setting; left is cheaper, down is more accurate. Numbered marks are the "
+            strong { "Pareto front" } ": no measured setting is both cheaper and more accurate."
         }
         (legend(&by_work))
         div.pair {
             figure {
-                figcaption { "Processor time" span.soft { " of this machine, with its spread" } }
+                figcaption { "Processor time" span.soft { " on this machine, with its range" } }
                 (ScatterPlot { dots: &by_time, cost: "processor seconds", write: seconds, noise, alt: alt("processor time") }.draw())
             }
             figure {
@@ -73,16 +73,16 @@ pub fn part(study: &Study) -> Markup {
                 (ScatterPlot { dots: &by_work, cost: "instructions", write: count, noise, alt: alt("work in instructions") }.draw())
             }
         }
-        h3 { "The front" }
-        (wide(table(study, &numbered(study))))
+        h3 { "Pareto front" }
+        (scrollable(table(study, &numbered(study))))
         details {
             summary { "All " (by_work.len()) " settings of these plots" }
-            (wide(table(study, &all(study))))
+            (scrollable(table(study, &all(study))))
         }
     }
 }
 
-/// All runs of the plots with their numbers, the cheapest first; those without a number have 0.
+/// Indices of all runs of the plots with their numbers, cheapest first; 0 means without a number.
 fn all(study: &Study) -> Vec<(usize, usize)> {
     let numbers = numbered(study);
     let of = |place: usize| numbers.iter().find(|(at, _)| *at == place).map_or(0, |(_, number)| *number);
@@ -96,7 +96,7 @@ fn table(study: &Study, places: &[(usize, usize)]) -> Markup {
     html! {
         table.plain {
             thead { tr {
-                th { "" } th { "setting" } th.number { "time" } th.number { "spread" } th.number { "instructions" }
+                th { "" } th { "setting" } th.number { "time" } th.number { "range" } th.number { "instructions" }
                 th.number { "error" } th.number { "largest" } th.number { "beyond 1/255" } th.number { "SSIM" }
             } }
             tbody {
@@ -107,7 +107,7 @@ fn table(study: &Study, places: &[(usize, usize)]) -> Markup {
                         td.number { @if *number > 0 { strong { (number) } } }
                         td {
                             (options(&words(run)))
-                            @if run.role == RunRole::Own { span.tag { "the scene's own" } }
+                            @if run.role == RunRole::Own { span.tag { "scene's settings" } }
                         }
                         td.number { (seconds(run.median_cpu_seconds())) }
                         td.number.soft { (seconds(least)) "–" (seconds(most)) }
@@ -123,8 +123,8 @@ fn table(study: &Study, places: &[(usize, usize)]) -> Markup {
     }
 }
 
-/// The runs of the front by work that are worth a number, with their numbers from 1. One that is
-/// hardly better than the one before has none, but the last has one.
+/// Indices of the numbered runs of the front by work, with their numbers from 1. A run that is hardly more accurate than the
+/// one before has no number, except the last.
 fn numbered(study: &Study) -> Vec<(usize, usize)> {
     const BETTER: f64 = 0.97;
     let all = pareto_runs(study, |run| run.work);

@@ -1,10 +1,10 @@
-//! Families of settings, told apart by colour and by shape.
+//! Families of settings, distinguished by color and shape.
 
 use maud::{Markup, html};
 
 use strahl_settings::Settings;
 
-/// What kind of rays make a picture.
+/// A family of settings.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum SettingFamily {
     Single,
@@ -28,7 +28,7 @@ impl SettingFamily {
         SettingFamily::Double,
     ];
 
-    /// That of settings.
+    /// The family of some settings.
     pub fn of(settings: &Settings) -> Self {
         if !settings.without.is_empty() {
             SettingFamily::Without
@@ -39,7 +39,7 @@ impl SettingFamily {
         }
     }
 
-    /// That of a sampler.
+    /// The family of a sampler.
     pub fn named(sampler: &str) -> Self {
         match sampler.split(':').next() {
             Some("regular") => SettingFamily::Regular,
@@ -49,20 +49,20 @@ impl SettingFamily {
         }
     }
 
-    /// For legends.
+    /// The name in legends.
     pub fn name(self) -> &'static str {
         match self {
-            SettingFamily::Single => "one ray",
+            SettingFamily::Single => "single",
             SettingFamily::Regular => "regular",
             SettingFamily::Adaptive => "adaptive",
             SettingFamily::Stochastic => "stochastic",
-            SettingFamily::Selected => "pixel-selected",
-            SettingFamily::Without => "an effect left out",
+            SettingFamily::Selected => "pixel selection",
+            SettingFamily::Without => "effect disabled",
             SettingFamily::Double => "double precision",
         }
     }
 
-    /// The name of its colour in the style.
+    /// The CSS class of its color.
     pub fn class(self) -> &'static str {
         match self {
             SettingFamily::Single => "single",
@@ -75,7 +75,7 @@ impl SettingFamily {
         }
     }
 
-    /// Its shape about a place.
+    /// Its shape, centered at a point.
     pub fn mark(self, x: f64, y: f64, size: f64) -> Markup {
         let path = |points: &[(f64, f64)]| {
             let text: Vec<_> =
@@ -84,7 +84,7 @@ impl SettingFamily {
         };
         html! {
             @match self {
-                SettingFamily::Single => { circle cx=(round(x)) cy=(round(y)) r=(round(size)) {} }
+                SettingFamily::Single => { circle cx=(coordinate(x)) cy=(coordinate(y)) r=(coordinate(size)) {} }
                 SettingFamily::Regular => {
                     polygon points=(path(&[(-0.9, -0.9), (0.9, -0.9), (0.9, 0.9), (-0.9, 0.9)])) {}
                 }
@@ -96,15 +96,15 @@ impl SettingFamily {
                     polygon points=(path(&[(0.0, 1.2), (1.15, -0.85), (-1.15, -0.85)])) {}
                 }
                 SettingFamily::Without | SettingFamily::Double => {
-                    circle.hollow cx=(round(x)) cy=(round(y)) r=(round(size)) {}
+                    circle.hollow cx=(coordinate(x)) cy=(coordinate(y)) r=(coordinate(size)) {}
                 }
             }
         }
     }
 }
 
-/// A place, to a tenth.
-pub fn round(value: f64) -> String {
+/// A coordinate, rounded to a tenth.
+pub fn coordinate(value: f64) -> String {
     let text = format!("{value:.1}");
     text.strip_suffix(".0").map(str::to_owned).unwrap_or(text)
 }

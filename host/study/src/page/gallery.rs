@@ -1,4 +1,4 @@
-//! Pictures of some settings beside each other, and where each is wrong.
+//! Pictures of some settings, with their error maps.
 
 use maud::{Markup, html};
 
@@ -8,12 +8,12 @@ use super::numbers::{error, percent, seconds};
 use super::pieces::options;
 use crate::record::{ImageContent, RunRole, Study, StudyImage};
 
-pub fn part(study: &Study) -> Markup {
+pub fn section(study: &Study) -> Markup {
     let of = |shows: ImageContent| study.pictures.iter().filter(move |it| it.shows == shows);
     html! {
         p {
-            "Each picture with its error below: the largest difference of a channel in every pixel, from none (black) over 1/255 "
-            "(violet) to all (pale yellow), each doubling as much brighter."
+            "Each picture with its error map: the largest channel difference of each pixel, on a logarithmic scale from 0 (black) "
+            "through 1/255 (violet) to 1 (pale yellow)."
         }
         (scale())
         div.gallery {
@@ -23,7 +23,7 @@ pub fn part(study: &Study) -> Markup {
                     figcaption {
                         strong { "the reference" } br;
                         (options(&study.reference.setting.options)) br;
-                        span.soft { "with two seeds, " (seconds(study.reference.seconds)) }
+                        span.soft { "mean of two seeds, " (seconds(study.reference.seconds)) }
                     }
                 }
             }
@@ -32,11 +32,11 @@ pub fn part(study: &Study) -> Markup {
                     figure {
                         (picture(image, &format!("Rendered with {}", image.title)))
                         @for map in of(ImageContent::Error).filter(|it| it.run == image.run) {
-                            (picture(map, &format!("Where the picture above is wrong; {} of its pixels by more than 1/255", percent(run.error.beyond))))
+                            (picture(map, &format!("Error map of the picture above; {} of its pixels differ by more than 1/255", percent(run.error.beyond))))
                         }
                         figcaption {
                             strong { (seconds(run.median_cpu_seconds())) " · error " (error(run.error.rmse)) }
-                            @if run.role == RunRole::Own { span.tag { "the scene's own" } }
+                            @if run.role == RunRole::Own { span.tag { "scene's settings" } }
                             br;
                             (options(&image.title)) br;
                             span.soft { (percent(run.error.beyond)) " of the pixels beyond 1/255, SSIM " (format!("{:.4}", run.error.ssim)) }
@@ -48,25 +48,25 @@ pub fn part(study: &Study) -> Markup {
     }
 }
 
-/// A picture in the page itself.
+/// A picture, embedded in the page.
 pub fn picture(image: &StudyImage, alt: &str) -> Markup {
     html! {
         img src=(format!("data:image/png;base64,{}", image.png)) width=(image.width) height=(image.height) alt=(alt);
     }
 }
 
-/// The colours of differences.
+/// The color bar of error maps.
 fn scale() -> Markup {
     let at = |difference| f64::from(step_of(difference)) / 2.55;
     let named =
         [("1/255", 1.0 / 255.0), ("1/64", 1.0 / 64.0), ("1/16", 1.0 / 16.0), ("1/4", 0.25), ("1", 1.0)];
     let marks: Vec<(&str, f64)> =
         std::iter::once(("0", 0.0)).chain(named.map(|(name, difference)| (name, at(difference)))).collect();
-    ramp(&marks)
+    color_bar(&marks)
 }
 
-/// All colours of maps, and what some of them mean: words at places in percent.
-pub fn ramp(marks: &[(&str, f64)]) -> Markup {
+/// A color bar with labels at positions in percent.
+pub fn color_bar(marks: &[(&str, f64)]) -> Markup {
     let colors = inferno();
     let stop = |step: usize| {
         let [r, g, b] = colors[step];

@@ -1,4 +1,4 @@
-//! How it was measured, so that others can do it again and know what to believe.
+//! How the study was measured, so that it can be repeated and judged.
 
 use maud::{Markup, html};
 use strahl_scene::quantity::quantity;
@@ -8,13 +8,13 @@ use super::pieces::options;
 use crate::record::{Study, StudyRun};
 use crate::statistics::{median, relative_range};
 
-pub fn part(study: &Study) -> Markup {
+pub fn section(study: &Study) -> Markup {
     let method = &study.method;
     let repetitions: Vec<f64> = study.runs.iter().map(|run| run.cpu.len() as f64).collect();
     let repeated: Vec<&StudyRun> = study.runs.iter().filter(|run| run.cpu.len() > 2).collect();
     let mut spreads: Vec<f64> = repeated.iter().map(|run| relative_range(&run.cpu)).collect();
     spreads.sort_by(f64::total_cmp);
-    // Nine of ten are no wider than this one.
+    // The 90 % quantile.
     let most = spreads.get((9 * spreads.len()).div_ceil(10).saturating_sub(1)).copied();
     let rates: Vec<f64> = study
         .runs
@@ -37,55 +37,55 @@ pub fn part(study: &Study) -> Markup {
     let reference = &study.reference;
     html! {
         dl {
-            dt { "again" } dd { code { (command) @if let Some(limit) = method.time_limit { " --time-limit " (limit) "s" } } }
+            dt { "command" } dd { code { (command) @if let Some(limit) = method.time_limit { " --time-limit " (limit) "s" } } }
             dt { "program" } dd { (method.program) ", " (method.system) }
             dt { "machine" } dd {
-                (method.processor) ", " (method.cores) " threads at once"
-                @if let Some(load) = method.load { "; load before it began " (load) }
+                (method.processor) ", " (method.cores) " hardware threads"
+                @if let Some(load) = method.load { "; load average before " (load) }
             }
-            dt { "when" } dd { (method.date) ", " (seconds(method.seconds)) " for all of it" }
+            dt { "date" } dd { (method.date) ", " (seconds(method.seconds)) " in total" }
             dt { "plan" } dd {
                 @let about = study.runs.iter().filter(|run| run.measures_accuracy()).count();
-                (method.plan) ": " (study.runs.len()) " settings measured, of which " (about) " tell what accuracy costs and "
-                (study.runs.len() - about) " what techniques and threads save; " (method.beaten)
-                " more were not, because one that was measured would beat them even if they were a good deal better than foretold"
-                @if !study.left_out.is_empty() { "; " (study.left_out.len()) " for want of time" }
+                (method.plan) ": " (study.runs.len()) " settings measured: " (about) " for accuracy, "
+                (study.runs.len() - about) " for techniques and threads. " (method.beaten)
+                " combinations were skipped because a measured setting would dominate them even if they were much better than predicted"
+                @if !study.left_out.is_empty() { "; " (study.left_out.len()) " were skipped for lack of time" }
             }
             dt { "reference" } dd {
-                "the mean of two pictures of " (options(&reference.setting.options)) " with seeds of their own. What is left of chance in it is "
-                (error(reference.noise)) " (half the difference of the two); the levels and the cutoff cut " (percent(reference.cut)) " of the light"
+                "mean of two pictures of " (options(&reference.setting.options)) " with different seeds. Remaining noise: "
+                (error(reference.noise)) " (half the difference of the two). Levels and cutoff discard " (percent(reference.cut)) " of the light"
             }
             dt { "times" } dd {
                 "processor seconds of tracing, the sum over all threads, without loading and building. Each setting "
                 (format!("{:.0}", repetitions.iter().copied().fold(f64::INFINITY, f64::min))) " to "
                 (format!("{:.0}", repetitions.iter().copied().fold(0.0, f64::max)))
-                " times (the median is " (median(&repetitions)) "), in rounds over all settings, so that what disturbs the machine disturbs all alike; "
-                "medians are told. "
+                " times (the median is " (median(&repetitions)) "), in rounds over all settings, so that other load affects all alike; "
+                "medians are shown. "
                 @if let Some(most) = most {
-                    "From the least to the most it is " (percent(median(&spreads))) " of the median in the middle of the " (quantity(spreads.len(), "setting"))
-                    " that were measured more than twice, and at most " (percent(most)) " for nine of ten of them."
+                    "For the " (quantity(spreads.len(), "setting")) " measured more than twice, the range is " (percent(median(&spreads)))
+                    " of the median at the median setting, and at most " (percent(most)) " for 90 % of them."
                 }
             }
             dt { "work" } dd {
                 "instructions, from counts that are the same on every machine: "
                 @let it = &method.weights;
-                (it.camera) " for a camera ray, " (it.secondary) " for one that is reflected or transmitted, " (it.shadow) " for a question to a light with the light that comes of it, "
-                (it.shape) " for a test of a shape; and in the hierarchy " (it.bvh.boxes) " for a test of a box and " (it.bvh.region)
-                " for a region entered (list " (it.list.boxes) " and " (it.list.region) ", grid " (it.grid.boxes) " and " (it.grid.region) ", octree "
+                (it.camera) " for a camera ray, " (it.secondary) " for a reflected or transmitted ray, " (it.shadow) " for a shadow ray including the lighting, "
+                (it.shape) " for a shape test; in the BVH " (it.bvh.boxes) " for a box test and " (it.bvh.region)
+                " for a visited leaf (list " (it.list.boxes) " and " (it.list.region) ", grid " (it.grid.boxes) " and " (it.grid.region) ", octree "
                 (it.octree.boxes) " and " (it.octree.region) "). They were measured with callgrind. "
-                "Here one takes " (format!("{:.2}", rate * 1e9)) " ns; the times of half of all settings are within " (percent(median(&off))) " of that"
+                "On this machine one instruction takes " (format!("{:.2}", rate * 1e9)) " ns; half of the settings are within " (percent(median(&off))) " of this"
             }
             dt { "errors" } dd {
-                "of sRGB-encoded values from 0 to 1: the root of the mean square, the largest, the share of pixels with a channel more than 1/255 off, "
-                "and the structural similarity (SSIM), in which 1 is equal"
+                "of sRGB-encoded values from 0 to 1: root mean square, maximum, share of pixels with a channel that differs by more than 1/255, "
+                "and structural similarity (SSIM), where 1 means equal"
             }
         }
         @if !study.left_out.is_empty() {
             details {
-                summary { "Left out for want of time: " (study.left_out.len()) }
+                summary { "Skipped for lack of time: " (study.left_out.len()) }
                 ul { @for it in &study.left_out { li { code { (it.setting) } ": " (it.why) } } }
             }
         }
-        p.soft { "The numbers of this page are in " code { "study.csv" } " and " code { "study.json" } " beside it; " code { "strahl study --from study.json" } " makes it again." }
+        p.soft { "The numbers of this page are in " code { "study.csv" } " and " code { "study.json" } " in the same folder; " code { "strahl study --from study.json" } " recreates it." }
     }
 }

@@ -1,24 +1,24 @@
-//! `report.html`: one page that holds everything it shows.
+//! `report.html`: a self-contained page.
 //!
-//! It asks for nothing from outside, reads without scripts (there are none), follows light and dark,
-//! and fits a phone. Whatever follows from the measurements (the front, steps, recommendations) is
-//! found here, from the numbers of the study.
+//! It loads nothing, has no scripts, supports light and dark mode, and fits a phone. Derived values (the Pareto front,
+//! recommendations) are computed here, from the numbers of the study.
 //!
-//! | room | what it does |
+//! | module | contents |
 //! |---|---|
-//! | [`numbers`] | numbers as people read them |
-//! | `scale` | from values to places along an axis |
-//! | `family` | what kinds of settings look like |
-//! | `scatter`, `rows` | the two kinds of plots |
-//! | `brief` | what to take, in a few lines |
+//! | [`numbers`] | numbers as text |
+//! | `axis` | from values to positions along an axis |
+//! | `family` | color and shape of kinds of settings |
+//! | `scatter`, `row_chart` | the two kinds of plots |
+//! | `pieces` | shared pieces of HTML |
+//! | `caveats` | warnings, and settings that were not measured |
+//! | `recommendations` | the cheapest settings for some errors |
 //! | `curve` | error against time and work |
-//! | `looks` | pictures side by side |
-//! | `knobs` | one plot for each knob |
-//! | `missing` | what is not known, and why |
-//! | `places` | where the time goes |
-//! | `techniques` | techniques on and off |
-//! | `chip` | what firmware has measured |
-//! | `method` | how it was measured |
+//! | `gallery` | pictures side by side |
+//! | `sweeps` | one plot for each setting |
+//! | `breakdown` | time by ray kind and pixel |
+//! | `techniques` | techniques, on and off |
+//! | `device` | measurements made by firmware |
+//! | `method` | how the study was measured |
 
 use std::fmt::Write as _;
 use std::path::Path;
@@ -45,25 +45,25 @@ mod scatter;
 mod sweeps;
 mod techniques;
 
-/// Where the text of the summary's lines begins.
+/// Column of the text in the lines of the summary.
 pub const INDENT: usize = 12;
 
 const STYLE: &str = include_str!("style.css");
 
-/// The page.
+/// The HTML of the report.
 pub fn page(study: &Study, device: Option<&DeviceMeasurements>) -> String {
     let scene = &study.scene;
     let parts: Vec<(&str, &str, Markup)> = [
-        ("take", "What to take", recommendations::part(study)),
-        ("curve", "Error against time", curve::part(study)),
-        ("looks", "What it looks like", gallery::part(study)),
-        ("knobs", "Knob by knob", sweeps::part(study)),
-        ("places", "Where the time goes", breakdown::part(study)),
-        ("techniques", "Technique by technique", techniques::part(study)),
+        ("take", "Recommendations", recommendations::section(study)),
+        ("curve", "Error against time", curve::section(study)),
+        ("looks", "Pictures", gallery::section(study)),
+        ("knobs", "Effect of each setting", sweeps::section(study)),
+        ("places", "Where the time goes", breakdown::section(study)),
+        ("techniques", "Effect of each technique", techniques::section(study)),
     ]
     .into_iter()
-    .chain(device.map(|device| ("chip", "On the chip", device::part(study, device))))
-    .chain([("method", "How it was measured", method::part(study))])
+    .chain(device.map(|device| ("chip", "On the device", device::section(study, device))))
+    .chain([("method", "Method", method::section(study))])
     .collect();
     let page = html! {
         (DOCTYPE)
@@ -73,14 +73,14 @@ pub fn page(study: &Study, device: Option<&DeviceMeasurements>) -> String {
                 meta name="viewport" content="width=device-width, initial-scale=1";
                 meta name="color-scheme" content="light dark";
                 meta name="generator" content=(study.method.program);
-                title { "What accuracy costs: " (scene.name) }
+                title { "Cost of accuracy: " (scene.name) }
                 link rel="icon" href="data:,";
                 style { (PreEscaped(STYLE)) }
             }
             body {
                 header {
                     p.kicker { "strahl study" }
-                    h1 { "What accuracy costs: " (scene.name) }
+                    h1 { "Cost of accuracy: " (scene.name) }
                     p.facts {
                         (scene.width) " × " (scene.height) " pixels"
                         @if let Some([width, height]) = study.method.size_with_more_time {
@@ -90,12 +90,12 @@ pub fn page(study: &Study, device: Option<&DeviceMeasurements>) -> String {
                         (quantity(scene.objects, "object")) " · " (quantity(scene.lights, "light")) " · "
                         @if scene.effects.is_empty() { "no effects" } @else { (scene.effects.join(", ")) }
                     }
-                    nav aria-label="Parts of this page" {
+                    nav aria-label="Sections" {
                         @for (id, title, _) in &parts { a href=(format!("#{id}")) { (title) } }
                     }
                 }
                 main {
-                    (caveats::part(study))
+                    (caveats::section(study))
                     @for (id, title, part) in &parts {
                         section id=(id) { h2 { (title) } (part) }
                     }
@@ -109,7 +109,7 @@ pub fn page(study: &Study, device: Option<&DeviceMeasurements>) -> String {
     page.into_string() + "\n"
 }
 
-/// What a person is told at the end.
+/// The summary that the program prints after a study.
 pub fn summary(study: &Study, page: &Path) -> String {
     let mut text = format!("{}\n", page.display());
     let mut line = |label: &str, says: String| {
@@ -130,21 +130,21 @@ pub fn summary(study: &Study, page: &Path) -> String {
             None => line(&format!("≤ {limit}"), "none of the settings measured".into()),
         }
     }
-    if let Some(doubt) = caveats::doubt(study) {
-        line("beware", doubt);
+    if let Some(warning) = caveats::reference_warning(study) {
+        line("warning", warning);
     }
-    let (runs, beaten) = (study.runs.len(), study.method.beaten);
+    let (runs, dominated) = (study.runs.len(), study.method.beaten);
     line(
         "measured",
         format!(
-            "{runs} settings of {} x {} pixels in {}; {beaten} more would be beaten",
+            "{runs} settings at {} x {} pixels in {}; {dominated} combinations skipped as dominated",
             study.scene.width,
             study.scene.height,
             numbers::seconds(study.method.seconds)
         ),
     );
-    if let Some(left_out) = caveats::left_out(study) {
-        line("left out", left_out);
+    if let Some(skipped) = caveats::skipped(study) {
+        line("skipped", skipped);
     }
     text
 }

@@ -1,10 +1,10 @@
-//! Pieces of HTML that several parts of the page use.
+//! Shared pieces of HTML.
 
 use maud::{Markup, html};
 
 use crate::record::StudyRun;
 
-/// Options of the command line, which are broken between two of them only.
+/// Command-line options; lines break only between options.
 pub fn options(text: &str) -> Markup {
     let separate = if text.contains("--") { " --" } else { " " };
     html! {
@@ -17,12 +17,12 @@ pub fn options(text: &str) -> Markup {
     }
 }
 
-/// What a run is, in the words of the command line without the dashes.
+/// The options of a run without dashes.
 pub fn words(run: &StudyRun) -> String {
     run.setting.options.replace("--", "")
 }
 
-/// A table that may be wider than a phone.
-pub fn wide(table: Markup) -> Markup {
+/// A table with a scroll bar on narrow screens.
+pub fn scrollable(table: Markup) -> Markup {
     html! { div.scroll tabindex="0" { (table) } }
 }

@@ -1,37 +1,37 @@
-//! What to take: the cheapest settings for some limits of the error.
+//! The cheapest settings for some maximum errors.
 
 use maud::{Markup, html};
 
 use super::numbers::{change, error, seconds};
-use super::pieces::{options, wide};
+use super::pieces::{options, scrollable};
 use crate::pareto::{CostErrorPoint, ERROR_LIMITS, cheapest_within, pareto_front};
 use crate::record::{RunRole, Study, StudyRun};
 
-/// Runs that tell what accuracy costs, by their work.
+/// Runs that measure accuracy, with their work.
 fn points(study: &Study) -> (Vec<&StudyRun>, Vec<CostErrorPoint>) {
     let about = study.runs.iter().filter(|run| run.measures_accuracy());
     about.map(|run| (run, CostErrorPoint { cost: run.work, error: run.error.rmse })).unzip()
 }
 
-/// For each limit the run that needs the least work and keeps it.
+/// For each maximum error, the run with the least work that reaches it.
 pub fn recommended(study: &Study) -> Vec<(f64, Option<&StudyRun>)> {
     let (runs, points) = points(study);
     let within = |limit: f64| Some(runs[cheapest_within(&points, limit)?]);
     ERROR_LIMITS.into_iter().map(|limit| (limit, within(limit))).collect()
 }
 
-pub fn part(study: &Study) -> Markup {
+pub fn section(study: &Study) -> Markup {
     let own = study.runs.iter().find(|run| run.role == RunRole::Own);
     html! {
         @match own {
             Some(own) => { p.lead { (against_own(study, own)) } }
-            None => { p.lead { "The scene's own setting was not measured to the end: no time was left." } }
+            None => { p.lead { "The scene's settings were not measured: no time was left." } }
         }
-        (wide(html! {
+        (scrollable(html! {
             table {
                 thead { tr {
                     th { "error at most" } th { "cheapest setting" } th.number { "error" } th.number { "time" }
-                    @if own.is_some() { th.number { "against the scene's own" } }
+                    @if own.is_some() { th.number { "compared with the scene's settings" } }
                 } }
                 tbody {
                     @for (limit, run) in recommended(study) {
@@ -45,7 +45,7 @@ pub fn part(study: &Study) -> Markup {
                                     @if let Some(own) = own { td.number { (change(own.median_cpu_seconds(), run.median_cpu_seconds())) } }
                                 }
                                 None => { td.soft colspan=(if own.is_some() { 4 } else { 3 }) {
-                                    "no setting that was measured is as good"
+                                    "no measured setting is as accurate"
                                     @if study.method.time_limit.is_some() { "; a larger --time-limit measures finer ones" }
                                 } }
                             }
@@ -55,31 +55,30 @@ pub fn part(study: &Study) -> Markup {
             }
         }))
         p.soft {
-            "Errors are the root of the mean square of differences from the reference, of sRGB-encoded values from 0 to 1. "
-            "The cheapest is the one with the least work (see below), times are processor seconds of this picture, the "
-            "median of all repetitions."
+            "Errors are RMSE against the reference, in sRGB-encoded values from 0 to 1. Cheapest means least work (see below). "
+            "Times are processor seconds, the median of all repetitions."
         }
     }
 }
 
-/// What could be had instead of the scene's own setting.
+/// Alternatives to the settings of the scene.
 fn against_own(study: &Study, own: &StudyRun) -> Markup {
     let (runs, points) = points(study);
     let as_good = cheapest_within(&points, own.error.rmse).map(|place| runs[place]);
     let as_cheap = pareto_front(&points).into_iter().rfind(|place| points[*place].cost <= own.work);
     let as_cheap = as_cheap.map(|place| runs[place]);
-    let (time, wrong) = (seconds(own.median_cpu_seconds()), error(own.error.rmse));
+    let (time, rmse) = (seconds(own.median_cpu_seconds()), error(own.error.rmse));
     html! {
-        "The scene's own setting, " (options(&own.setting.options)) ", takes " strong { (time) } " and is " strong { (wrong) } " off. "
+        "The scene's settings, " (options(&own.setting.options)) ", take " strong { (time) } " with an error of " strong { (rmse) } ". "
         @match as_good {
             Some(run) if run.work < 0.95 * own.work => {
-                "As good a picture can be had for " strong { (seconds(run.median_cpu_seconds())) } " with " (options(&run.setting.options)) ". "
+                "The same accuracy takes " strong { (seconds(run.median_cpu_seconds())) } " with " (options(&run.setting.options)) ". "
             }
-            _ => { "No setting that was measured is as good for less. " }
+            _ => { "No measured setting is as accurate and cheaper. " }
         }
         @match as_cheap {
             Some(run) if run.error.rmse < 0.95 * own.error.rmse => {
-                "For no more work " (options(&run.setting.options)) " is only " strong { (error(run.error.rmse)) } " off."
+                "With no more work, " (options(&run.setting.options)) " has an error of " strong { (error(run.error.rmse)) } "."
             }
             _ => {}
         }

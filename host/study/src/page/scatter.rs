@@ -1,44 +1,44 @@
-//! Settings by what they cost and how wrong they are, on two logarithmic axes.
+//! Scatter plot of cost and error of settings, on two logarithmic axes.
 
 use maud::{Markup, html};
 
 use super::axis::LogAxis;
-use super::family::{SettingFamily, round};
+use super::family::{SettingFamily, coordinate};
 use super::numbers;
 use crate::pareto::{CostErrorPoint, pareto_front};
 
-/// One setting in the plot.
+/// One setting of the plot.
 pub struct ScatterPoint {
-    /// Where.
+    /// Cost and error.
     pub point: CostErrorPoint,
-    /// From where to where its cost was measured.
+    /// Minimum and maximum of the measured cost.
     pub spread: Option<[f64; 2]>,
-    /// How it is drawn.
+    /// Its color and shape.
     pub family: SettingFamily,
     /// Its number in the table beside the plot.
     pub number: Option<usize>,
-    /// Whether it is the scene's own.
+    /// Whether these are the settings of the scene.
     pub is_own: bool,
-    /// What is told of it where the mouse rests.
+    /// The tooltip.
     pub about: String,
 }
 
-/// A plot.
+/// A scatter plot.
 pub struct ScatterPlot<'s> {
-    /// Everything in it.
+    /// All points.
     pub dots: &'s [ScatterPoint],
-    /// What the horizontal axis is, with its unit.
+    /// Title of the horizontal axis.
     pub cost: &'s str,
-    /// How its values are written.
+    /// Formats its values.
     pub write: fn(f64) -> String,
-    /// Errors below this cannot be told from none.
+    /// Errors below this are not significant.
     pub noise: Option<f64>,
-    /// What is to be seen, for who cannot.
+    /// Alternative text.
     pub alt: String,
 }
 
 impl ScatterPlot<'_> {
-    /// In a size for screens, and in one for phones.
+    /// The plot in one size for screens and one for phones.
     pub fn draw(&self) -> Markup {
         html! {
             div.wide { (self.sized(620.0, 430.0)) }
@@ -60,29 +60,33 @@ impl ScatterPlot<'_> {
         let line: Vec<String> = best
             .iter()
             .map(|place| {
-                format!("{},{}", round(x.at(points[*place].cost)), round(y.at(points[*place].error)))
+                format!(
+                    "{},{}",
+                    coordinate(x.at(points[*place].cost)),
+                    coordinate(y.at(points[*place].error))
+                )
             })
             .collect();
-        // What is on the front is drawn last, over everything else.
+        // The front is drawn last, on top.
         let is_best = |place: &usize| best.contains(place);
         let order = (0..self.dots.len()).filter(|place| !is_best(place)).chain(best.iter().copied());
         html! {
             svg.plot role="img" aria-label=(self.alt) viewBox=(format!("0 0 {width} {height}")) {
                 @for tick in y.ticks() {
-                    line.grid x1=(left) x2=(right) y1=(round(y.at(tick))) y2=(round(y.at(tick))) {}
-                    text.tick x=(left - 8.0) y=(round(y.at(tick) + 4.0)) text-anchor="end" { (numbers::tick(tick)) }
+                    line.grid x1=(left) x2=(right) y1=(coordinate(y.at(tick))) y2=(coordinate(y.at(tick))) {}
+                    text.tick x=(left - 8.0) y=(coordinate(y.at(tick) + 4.0)) text-anchor="end" { (numbers::tick(tick)) }
                 }
                 @for tick in spaced(&x.ticks(), |tick| x.at(tick), 52.0) {
-                    line.grid x1=(round(x.at(tick))) x2=(round(x.at(tick))) y1=(top) y2=(bottom) {}
-                    text.tick x=(round(x.at(tick))) y=(bottom + 18.0) text-anchor="middle" { (trim_zeros((self.write)(tick))) }
+                    line.grid x1=(coordinate(x.at(tick))) x2=(coordinate(x.at(tick))) y1=(top) y2=(bottom) {}
+                    text.tick x=(coordinate(x.at(tick))) y=(bottom + 18.0) text-anchor="middle" { (trim_zeros((self.write)(tick))) }
                 }
                 line.axis x1=(left) x2=(right) y1=(bottom) y2=(bottom) {}
                 text.label x=(0.5 * (left + right)) y=(height - 8.0) text-anchor="middle" { (self.cost) }
                 text.label x="14" y=(0.5 * (top + bottom)) text-anchor="middle"
                     transform=(format!("rotate(-90 14 {})", 0.5 * (top + bottom))) { "error (RMSE, sRGB 0 to 1)" }
                 @if let Some(noise) = self.noise {
-                    line.noise x1=(left) x2=(right) y1=(round(y.at(noise))) y2=(round(y.at(noise))) {}
-                    text.note x=(right - 4.0) y=(round(y.at(noise) - 5.0)) text-anchor="end" { "what chance is left in the reference" }
+                    line.noise x1=(left) x2=(right) y1=(coordinate(y.at(noise))) y2=(coordinate(y.at(noise))) {}
+                    text.note x=(right - 4.0) y=(coordinate(y.at(noise) - 5.0)) text-anchor="end" { "noise of the reference" }
                 }
                 polyline.front points=(line.join(" ")) {}
                 @for place in order {
@@ -95,24 +99,24 @@ impl ScatterPlot<'_> {
     fn dot(&self, place: usize, is_best: bool, x: &LogAxis, y: &LogAxis) -> Markup {
         let ScatterPoint { point, spread, family, number, is_own, about } = &self.dots[place];
         let (at_x, at_y) = (x.at(point.cost), y.at(point.error));
-        let strength = if is_best { "best" } else { "beaten" };
+        let strength = if is_best { "best" } else { "dominated" };
         html! {
             g.dot.(family.class()).(strength) data-cost=(point.cost) data-error=(point.error) {
                 title { (about) }
                 @if let Some([least, most]) = spread {
-                    line.spread x1=(round(x.at(*least))) x2=(round(x.at(*most))) y1=(round(at_y)) y2=(round(at_y)) {}
+                    line.spread x1=(coordinate(x.at(*least))) x2=(coordinate(x.at(*most))) y1=(coordinate(at_y)) y2=(coordinate(at_y)) {}
                 }
-                @if *is_own { circle.own cx=(round(at_x)) cy=(round(at_y)) r="11" {} }
+                @if *is_own { circle.own cx=(coordinate(at_x)) cy=(coordinate(at_y)) r="11" {} }
                 (family.mark(at_x, at_y, if is_best { 5.5 } else { 4.0 }))
                 @if let Some(number) = number {
-                    text.number x=(round(at_x + 8.0)) y=(round(at_y - 8.0)) { (number) }
+                    text.number x=(coordinate(at_x + 8.0)) y=(coordinate(at_y - 8.0)) { (number) }
                 }
             }
         }
     }
 }
 
-/// The families that are there, with their marks.
+/// The legend of the families that occur.
 pub fn legend(dots: &[ScatterPoint]) -> Markup {
     let families =
         SettingFamily::ALL.into_iter().filter(|family| dots.iter().any(|dot| dot.family == *family));
@@ -122,14 +126,14 @@ pub fn legend(dots: &[ScatterPoint]) -> Markup {
                 li { svg viewBox="0 0 16 16" aria-hidden="true" { g.dot.best.(family.class()) { (family.mark(8.0, 8.0, 5.0)) } } (family.name()) }
             }
             @if dots.iter().any(|dot| dot.is_own) {
-                li { svg viewBox="0 0 24 24" aria-hidden="true" { circle.own cx="12" cy="12" r="9" {} } "the scene's own setting" }
+                li { svg viewBox="0 0 24 24" aria-hidden="true" { circle.own cx="12" cy="12" r="9" {} } "scene's settings" }
             }
-            li { svg viewBox="0 0 28 16" aria-hidden="true" { polyline.front points="1,4 14,10 27,13" {} } "the front: nothing is both cheaper and better" }
+            li { svg viewBox="0 0 28 16" aria-hidden="true" { polyline.front points="1,4 14,10 27,13" {} } "Pareto front" }
         }
     }
 }
 
-/// Those ticks whose words have room.
+/// Ticks whose labels do not overlap.
 pub fn spaced(ticks: &[f64], at: impl Fn(f64) -> f64, room: f64) -> Vec<f64> {
     let mut kept: Vec<f64> = Vec::new();
     for tick in ticks {
@@ -140,7 +144,7 @@ pub fn spaced(ticks: &[f64], at: impl Fn(f64) -> f64, room: f64) -> Vec<f64> {
     kept
 }
 
-/// Without zeros that say nothing: 10.0 ms is 10 ms.
+/// Removes trailing zeros: `10.0 ms` becomes `10 ms`.
 pub fn trim_zeros(text: String) -> String {
     match text.split_once(' ') {
         Some((number, unit)) if number.contains('.') => {

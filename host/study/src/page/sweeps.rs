@@ -1,4 +1,4 @@
-//! One plot for each knob: what each notch costs, and what it makes wrong.
+//! One plot for each setting: cost and error of each value.
 
 use maud::{Markup, html};
 use strahl_scene::quantity::quantity;
@@ -6,16 +6,16 @@ use strahl_scene::quantity::quantity;
 use super::caveats;
 use super::family::SettingFamily;
 use super::numbers::{change, error, seconds};
-use super::pieces::{options, wide};
+use super::pieces::{options, scrollable};
 use super::row_chart::{RowOrder, SweepRow, draw};
 use crate::record::{ParameterSweep, Study, SweepPoint};
 use crate::statistics::min_max;
 
-pub fn part(study: &Study) -> Markup {
+pub fn section(study: &Study) -> Markup {
     html! {
         p {
-            "One knob is turned at a time, everything else being as good as it gets. Dots are the error that it makes alone, bars "
-            "the processor time of the picture."
+            "One setting is varied at a time; all others are at their most accurate value. Dots show the error it causes alone, bars "
+            "the processor time."
         }
         div.cards {
             @for knob in study.knobs.iter().filter(|knob| knob.steps.len() > 1) { (card(study, knob)) }
@@ -57,26 +57,26 @@ fn card(study: &Study, knob: &ParameterSweep) -> Markup {
                 p { (knob.about) }
             }
             (draw(&rows, order, &format!("Error and time for each value of {}. {}", knob.name, told.join("; "))))
-            p.soft { "At " (options(&knob.fixed)) "; errors against " (knob.against) "." }
+            p.soft { "Fixed: " (options(&knob.fixed)) ". Errors relative to " (knob.against) "." }
             @if let Some(slope) = slope(study, knob) {
-                p.soft { "The error of " code { "stochastic:N" } " falls as N to the power of " (format!("{slope:.2}").replace('-', "−")) "; chance alone would give −0.50." }
+                p.soft { "The error of " code { "stochastic:N" } " falls as N to the power of " (format!("{slope:.2}").replace('-', "−")) "; independent random samples would give −0.50." }
             }
             @if knob.steps.iter().any(|step| step.value == "shadows") {
                 p.soft {
-                    "Work counts what a light's colour takes together with the shadow ray to it. Without shadows there are no such rays, "
-                    "so the work told for that is too small; the time is right."
+                    "Work includes the shading of a light in its shadow ray. Without shadows there are no shadow rays, so that work is "
+                    "underestimated; the time is correct."
                 }
             }
             @if knob.left_out > 0 {
                 p.soft { (quantity(knob.left_out, "setting")) " not measured: " (caveats::why(study)) "." }
             }
-            (wide(steps(study, knob)))
+            (scrollable(steps(study, knob)))
         }
     }
 }
 
-/// What each notch costs over the one before. Samplers and effects have no order of their own: each is
-/// held against the first, or the last.
+/// Cost and error of each value compared with the one before. Samplers and effects have no order: each is compared with the
+/// first, or the last.
 fn steps(study: &Study, knob: &ParameterSweep) -> Markup {
     let pairs: Vec<(&SweepPoint, &SweepPoint)> = match knob.name.as_str() {
         "sampler" => knob
@@ -111,12 +111,12 @@ fn steps(study: &Study, knob: &ParameterSweep) -> Markup {
     }
 }
 
-/// How the error of `stochastic:N` falls: the exponent of N, by least squares of the logarithms.
+/// The convergence of `stochastic:N`: the exponent of N, by least squares of the logarithms.
 pub fn slope(study: &Study, knob: &ParameterSweep) -> Option<f64> {
     let noise = study.reference.noise;
     let point = |step: &SweepPoint| {
         let samples: f64 = step.value.strip_prefix("stochastic:")?.parse().ok()?;
-        // Without the part that is the reference's.
+        // Without the noise of the reference.
         let own = step.alone.rmse * step.alone.rmse - noise * noise;
         (own > 0.0).then(|| (libm::log(samples), 0.5 * libm::log(own)))
     };

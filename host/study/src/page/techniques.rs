@@ -1,33 +1,33 @@
-//! Techniques on and off: what each saves, and what it makes wrong.
+//! Techniques, on and off: what each saves, and the error that it causes.
 
 use maud::{Markup, html};
 use strahl_scene::quantity::quantity;
 
 use super::axis::LogAxis;
 use super::caveats;
-use super::family::round;
+use super::family::coordinate;
 use super::numbers::{change, count, error, seconds};
-use super::pieces::wide;
+use super::pieces::scrollable;
 use super::scatter::spaced;
 use crate::record::{Study, StudyRun, Technique};
 use crate::statistics::median;
 
-/// A technique both of whose runs are there.
-struct Shown<'s> {
+/// A technique with both runs.
+struct TechniqueRow<'s> {
     it: &'s Technique,
     without: &'s StudyRun,
     with: &'s StudyRun,
 }
 
-/// A technique without which the picture was given up.
-struct Bounded<'s> {
+/// A technique whose run without it was aborted.
+struct AbortedTechnique<'s> {
     it: &'s Technique,
-    /// Seconds of wall-clock time.
+    /// Wall-clock seconds until the abort.
     after: f64,
     with: &'s StudyRun,
 }
 
-impl Shown<'_> {
+impl TechniqueRow<'_> {
     fn time(&self) -> f64 {
         self.with.median_cpu_seconds() / self.without.median_cpu_seconds().max(1e-12)
     }
@@ -37,49 +37,49 @@ impl Shown<'_> {
     }
 }
 
-/// Tests of boxes and of shapes.
+/// Number of box and shape tests.
 fn tests(run: &StudyRun) -> f64 {
     (run.counts.boxes.iter().sum::<u64>() + run.counts.shapes.iter().sum::<u64>()) as f64
 }
 
-pub fn part(study: &Study) -> Markup {
+pub fn section(study: &Study) -> Markup {
     let run = |place: Option<usize>| study.runs.get(place?);
-    let shown: Vec<Shown<'_>> = study
+    let shown: Vec<TechniqueRow<'_>> = study
         .techniques
         .iter()
-        .filter_map(|it| Some(Shown { it, without: run(it.without)?, with: run(it.with)? }))
+        .filter_map(|it| Some(TechniqueRow { it, without: run(it.without)?, with: run(it.with)? }))
         .collect();
     let missing: Vec<&Technique> =
         study.techniques.iter().filter(|it| it.without.is_none() || it.with.is_none()).collect();
-    // What a large scene cannot do without has a time with it, and one that was not enough without.
-    let bounded: Vec<Bounded<'_>> = missing
+    // In a large scene the run without a technique may be aborted; its time is a lower bound.
+    let bounded: Vec<AbortedTechnique<'_>> = missing
         .iter()
-        .filter_map(|it| Some(Bounded { it, after: it.given_up?, with: run(it.with)? }))
+        .filter_map(|it| Some(AbortedTechnique { it, after: it.given_up?, with: run(it.with)? }))
         .collect();
     let is_bounded = |it: &Technique| it.given_up.is_some() && it.with.is_some();
     let unknown: Vec<&str> = missing.iter().filter(|it| !is_bounded(it)).map(|it| it.name.as_str()).collect();
     html! {
         @if !shown.is_empty() || !bounded.is_empty() { (measured(&shown, &bounded)) }
         @if !bounded.is_empty() {
-            p.soft { "Where a time without is not known it was given up; what is told then is wall-clock time, and what is saved at least." }
+            p.soft { "Runs without a technique that were aborted are shown with their wall-clock time; the saving is a lower bound." }
         }
         @if !unknown.is_empty() {
-            p.soft { "Not measured to the end: " (caveats::why(study)) " (" (quantity(unknown.len(), "technique")) "): " (unknown.join(", ")) "." }
+            p.soft { "Not completed: " (caveats::why(study)) " (" (quantity(unknown.len(), "technique")) "): " (unknown.join(", ")) "." }
         }
         (threads(study))
     }
 }
 
-/// What is known of techniques, drawn and as a table.
-fn measured(shown: &[Shown<'_>], bounded: &[Bounded<'_>]) -> Markup {
+/// Techniques as a plot and as a table.
+fn measured(shown: &[TechniqueRow<'_>], bounded: &[AbortedTechnique<'_>]) -> Markup {
     html! {
         p {
-            "What a picture takes with a technique, as a share of what it takes without. Left of 1 it saves. All are measured at the scene's "
-            "levels and cutoff and, where nothing else is said, with one ray in each pixel, by the same loop."
+            "Cost with a technique relative to the cost without it; below 1 it saves. Measured with the scene's levels and cutoff and, "
+            "unless stated otherwise, one ray per pixel, by the same code."
         }
         ul.legend {
             li { svg viewBox="0 0 16 16" aria-hidden="true" { circle.time cx="8" cy="8" r="5" {} } "processor time" }
-            li { svg viewBox="0 0 16 16" aria-hidden="true" { polygon.tests points="8,2 14,8 8,14 2,8" {} } "tests of boxes and shapes" }
+            li { svg viewBox="0 0 16 16" aria-hidden="true" { polygon.tests points="8,2 14,8 8,14 2,8" {} } "box and shape tests" }
         }
         @if !shown.is_empty() {
             figure {
@@ -87,11 +87,11 @@ fn measured(shown: &[Shown<'_>], bounded: &[Bounded<'_>]) -> Markup {
                 div.narrow { (plot(shown, 350.0, 150.0)) }
             }
         }
-        (wide(table(shown, bounded)))
+        (scrollable(table(shown, bounded)))
     }
 }
 
-fn plot(shown: &[Shown<'_>], width: f64, names: f64) -> Markup {
+fn plot(shown: &[TechniqueRow<'_>], width: f64, names: f64) -> Markup {
     let (row, top) = (24.0, 10.0);
     let bottom = top + row * shown.len() as f64;
     let ratios = shown.iter().flat_map(|it| [it.time(), it.tests(), 1.0]);
@@ -111,27 +111,27 @@ fn plot(shown: &[Shown<'_>], width: f64, names: f64) -> Markup {
         svg.plot role="img" aria-label=(format!("Time and tests with each technique as a share of those without. Time: {}", told.join("; ")))
             viewBox=(format!("0 0 {width} {}", bottom + 42.0)) {
             @for tick in ticks {
-                line.grid x1=(round(x.at(tick))) x2=(round(x.at(tick))) y1=(top) y2=(bottom) {}
-                text.tick x=(round(x.at(tick))) y=(bottom + 16.0) text-anchor="middle" { (tick) }
+                line.grid x1=(coordinate(x.at(tick))) x2=(coordinate(x.at(tick))) y1=(top) y2=(bottom) {}
+                text.tick x=(coordinate(x.at(tick))) y=(bottom + 16.0) text-anchor="middle" { (tick) }
             }
-            line.one x1=(round(x.at(1.0))) x2=(round(x.at(1.0))) y1=(top) y2=(bottom) {}
-            text.label x=(round(0.5 * (names + width))) y=(bottom + 36.0) text-anchor="middle" { "with it / without it" }
+            line.one x1=(coordinate(x.at(1.0))) x2=(coordinate(x.at(1.0))) y1=(top) y2=(bottom) {}
+            text.label x=(coordinate(0.5 * (names + width))) y=(bottom + 36.0) text-anchor="middle" { "with it / without it" }
             @for (place, it) in shown.iter().enumerate() {
                 @let y = top + row * (place as f64 + 0.5);
                 g {
                     title { (it.it.name) ": time " (change(it.without.median_cpu_seconds(), it.with.median_cpu_seconds())) ", tests " (change(tests(it.without), tests(it.with))) }
-                    text.name x=(names) y=(round(y + 4.0)) text-anchor="end" { (it.it.name) }
-                    line.dumbbell x1=(round(x.at(it.time()))) x2=(round(x.at(it.tests()))) y1=(round(y)) y2=(round(y)) {}
+                    text.name x=(names) y=(coordinate(y + 4.0)) text-anchor="end" { (it.it.name) }
+                    line.dumbbell x1=(coordinate(x.at(it.time()))) x2=(coordinate(x.at(it.tests()))) y1=(coordinate(y)) y2=(coordinate(y)) {}
                     @let at = x.at(it.tests());
-                    polygon.tests points=(format!("{0},{2} {1},{4} {0},{5} {3},{4}", round(at), round(at + 6.0), round(y - 6.0), round(at - 6.0), round(y), round(y + 6.0))) {}
-                    circle.time cx=(round(x.at(it.time()))) cy=(round(y)) r="4.5" {}
+                    polygon.tests points=(format!("{0},{2} {1},{4} {0},{5} {3},{4}", coordinate(at), coordinate(at + 6.0), coordinate(y - 6.0), coordinate(at - 6.0), coordinate(y), coordinate(y + 6.0))) {}
+                    circle.time cx=(coordinate(x.at(it.time()))) cy=(coordinate(y)) r="4.5" {}
                 }
             }
         }
     }
 }
 
-fn table(shown: &[Shown<'_>], bounded: &[Bounded<'_>]) -> Markup {
+fn table(shown: &[TechniqueRow<'_>], bounded: &[AbortedTechnique<'_>]) -> Markup {
     html! {
         table.plain {
             thead { tr {
@@ -167,7 +167,7 @@ fn table(shown: &[Shown<'_>], bounded: &[Bounded<'_>]) -> Markup {
     }
 }
 
-/// What is saved, in percent; less than nothing where it costs.
+/// The saving in percent; negative if the technique costs.
 fn saved(ratio: f64) -> String {
     let percent = 100.0 * (1.0 - ratio);
     let text = if percent > 99.0 { format!("{percent:.1} %") } else { format!("{percent:.0} %") };
@@ -175,12 +175,12 @@ fn saved(ratio: f64) -> String {
 }
 
 /// The error, and whether that is as it should be.
-fn caused(it: &Shown<'_>) -> Markup {
+fn caused(it: &TechniqueRow<'_>) -> Markup {
     let is_same = it.with.digest == it.without.digest;
     html! {
         @match (it.it.exact, is_same, &it.it.error) {
             (true, true, _) => { "0, bit for bit" }
-            (true, false, _) => { strong.wrong { "another picture: a fault of strahl" } }
+            (true, false, _) => { strong.wrong { "pictures differ: please report this bug" } }
             (false, true, _) => { "0" }
             (false, false, Some(it)) => { (error(it.rmse)) }
             (false, false, None) => { "–" }
@@ -188,17 +188,17 @@ fn caused(it: &Shown<'_>) -> Markup {
     }
 }
 
-/// How wall-clock time falls with threads.
+/// Wall-clock time by number of threads.
 fn threads(study: &Study) -> Markup {
     let runs: Vec<&StudyRun> = study.threads.iter().filter_map(|place| study.runs.get(*place)).collect();
-    // One alone is compared with nothing.
+    // A single run has nothing to compare with.
     let [one, _, ..] = &runs[..] else { return html! {} };
     html! {
         h3 { "Threads" }
-        p { "One picture, one ray in each pixel. Other work on the machine shows here first." }
-        (wide(html! {
+        p { "One picture with one ray per pixel. Sensitive to other load on the machine." }
+        (scrollable(html! {
             table.plain {
-                thead { tr { th { "threads" } th.number { "wall clock" } th.number { "faster" } th.number { "processor time" } th { "picture" } } }
+                thead { tr { th { "threads" } th.number { "wall clock" } th.number { "speedup" } th.number { "processor time" } th { "picture" } } }
                 tbody {
                     @for run in &runs {
                         tr {
@@ -206,7 +206,7 @@ fn threads(study: &Study) -> Markup {
                             td.number { (seconds(median(&run.wall))) }
                             td.number { "× " (format!("{:.2}", median(&one.wall) / median(&run.wall).max(1e-12))) }
                             td.number { (seconds(run.median_cpu_seconds())) }
-                            td { @if run.digest == one.digest { "the same, bit for bit" } @else { strong.wrong { "another: a fault of strahl" } } }
+                            td { @if run.digest == one.digest { "the same, bit for bit" } @else { strong.wrong { "different: please report this bug" } } }
                         }
                     }
                 }

@@ -1,4 +1,4 @@
-//! `study.json`: written, read and checked.
+//! `study.json`: write, read and validate.
 
 use serde::Deserialize;
 use serde_json::error::Category;
@@ -7,16 +7,16 @@ use super::{ErrorMetrics, FORMAT, Study, VERSION};
 use crate::error::ParseError;
 
 impl Study {
-    /// The file.
+    /// The contents of the file.
     pub fn to_json(&self) -> String {
         let mut json = serde_json::to_string_pretty(self).unwrap_or_default();
         json.push('\n');
         json
     }
 
-    /// Reads the bytes of a file.
+    /// Parses a file. Checks format, version and indices.
     pub fn parse(bytes: &[u8]) -> Result<Self, ParseError> {
-        /// What every version begins with.
+        /// The first fields, the same in every version.
         #[derive(Deserialize)]
         struct StudyHeader {
             format: Option<String>,
@@ -24,52 +24,54 @@ impl Study {
         }
         let wrong = ParseError::from;
         let at = |error: serde_json::Error| ParseError::at(error.line(), reason(&error));
-        let other = || format!("this is no study.json: that begins with \"format\": \"{FORMAT}\"");
+        let other = || format!("not a study.json file: it must begin with \"format\": \"{FORMAT}\"");
         let head: StudyHeader = serde_json::from_slice(bytes).map_err(|error| match error.classify() {
-            // It is JSON, but of something else.
+            // Valid JSON with other contents.
             Category::Data => wrong(other()),
             _ => at(error),
         })?;
         let (format, version) = (head.format.ok_or_else(|| wrong(other()))?, head.version);
         if format != FORMAT {
-            return Err(wrong(format!("this is no study.json: its format is `{format}`, not `{FORMAT}`")));
+            return Err(wrong(format!("not a study.json file: its format is `{format}`, not `{FORMAT}`")));
         }
-        let found = version.ok_or_else(|| wrong("this study does not say its version".into()))?;
+        let found = version.ok_or_else(|| wrong("the study has no version".into()))?;
         if found != VERSION {
-            return Err(wrong(format!("this study is of version {found}; this program reads {VERSION}")));
+            return Err(wrong(format!(
+                "study version {found} is not supported; this program reads version {VERSION}"
+            )));
         }
         let study: Study = serde_json::from_slice(bytes).map_err(at)?;
         study.check().map_err(wrong)?;
         Ok(study)
     }
 
-    /// What no schema can say: places in lists are inside, and what is a measurement has one.
+    /// Checks beyond the schema: indices are in range, and every run has a time.
     fn check(&self) -> Result<(), String> {
         let count = self.runs.len();
         let steps = self.knobs.iter().flat_map(|knob| knob.steps.iter().map(|step| step.run));
         let techniques = self.techniques.iter().flat_map(|it| [it.without, it.with]).flatten();
         let pictures = self.pictures.iter().filter_map(|it| it.run);
         let threads = self.threads.iter().copied();
-        if let Some(place) =
-            steps.chain(techniques).chain(pictures).chain(threads).find(|place| *place >= count)
+        if let Some(index) =
+            steps.chain(techniques).chain(pictures).chain(threads).find(|index| *index >= count)
         {
-            return Err(format!("there is no run {place}: there are {count}, counted from 0"));
+            return Err(format!("run {index} does not exist; there are {count} runs, counted from 0"));
         }
-        for (place, run) in self.runs.iter().enumerate() {
+        for (index, run) in self.runs.iter().enumerate() {
             if run.cpu.is_empty() || run.wall.is_empty() {
-                return Err(format!("run {place} has no measured time"));
+                return Err(format!("run {index} has no measured time"));
             }
             let is_wrong = |value: &f64| !(value.is_finite() && *value >= 0.0);
             let ErrorMetrics { rmse, largest, beyond, .. } = run.error;
             if run.cpu.iter().chain(&run.wall).chain(&[run.work, rmse, largest, beyond]).any(is_wrong) {
-                return Err(format!("a time, the work or an error of run {place} is negative"));
+                return Err(format!("a time, the work or an error of run {index} is negative"));
             }
         }
         Ok(())
     }
 }
 
-/// What is wrong, without the place, which stands before it.
+/// The message without the position, which is printed before it.
 fn reason(error: &serde_json::Error) -> String {
     let text = error.to_string();
     text.rsplit_once(" at line ").map_or(text.clone(), |(reason, _)| reason.to_owned())

@@ -1,8 +1,8 @@
-//! What a study has found, as `study.json` holds it.
+//! The results of a study, as in `study.json`.
 //!
-//! Only what was measured is in it. What follows from that (the Pareto front, steps of knobs,
-//! recommended settings) is found anew whenever a page is made, so that a page always agrees with
-//! the numbers beside it. `strahl schema study` prints the schema, whose version is [`VERSION`].
+//! Only measurements are stored. Derived values (the Pareto front, recommended settings) are computed whenever a report is
+//! written, so that they always agree with the numbers. `strahl schema study` prints the schema, whose version is
+//! [`VERSION`].
 
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
@@ -17,13 +17,13 @@ mod run;
 mod settings;
 pub mod table;
 
-/// The format's name, the first thing in the file.
+/// The name of the format, the first field of the file.
 pub const FORMAT: &str = "strahl-study";
 
-/// The format's version. It is raised when a field is renamed, goes, or means something else.
+/// The version of the format. It increases when a field is renamed, removed, or changes its meaning.
 pub const VERSION: u32 = 1;
 
-/// A study: what every setting of a scene costs, and how far its picture is from the truth.
+/// A study: the cost of each setting of a scene, and the error of its picture.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Study {
@@ -31,125 +31,124 @@ pub struct Study {
     pub format: String,
     /// The version of this format: 1.
     pub version: u32,
-    /// What was rendered.
+    /// The scene.
     pub scene: StudiedScene,
     /// How it was measured.
     pub method: MeasurementMethod,
-    /// What everything was held against.
+    /// The reference picture.
     pub reference: ReferenceRecord,
-    /// Every setting that was measured. `run` elsewhere is a place in this list, from 0.
+    /// All measured settings. `run` in other fields is an index into this list, from 0.
     pub runs: Vec<StudyRun>,
-    /// Settings changed one by one, everything else being as good as it gets.
+    /// One-parameter sweeps; all other settings are at their most accurate value.
     pub knobs: Vec<ParameterSweep>,
-    /// Techniques on and off.
+    /// Techniques, on and off.
     pub techniques: Vec<Technique>,
-    /// The same setting with one thread, and twice as many each time: places of runs.
+    /// The same setting with 1, 2, 4 ... threads: indices into `runs`.
     pub threads: Vec<usize>,
-    /// Settings that were not measured, or not to the end.
+    /// Settings that were not measured, or aborted.
     pub left_out: Vec<SkippedSetting>,
     /// Pictures, as PNG files in base64.
     pub pictures: Vec<StudyImage>,
 }
 
-/// What was rendered.
+/// The scene of a study.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct StudiedScene {
-    /// The file's name without its extension.
+    /// File name without extension.
     pub name: String,
-    /// The file as it was named on the command line.
+    /// The path on the command line.
     pub file: String,
-    /// Pixels.
+    /// Width in pixels.
     pub width: u32,
-    /// Pixels.
+    /// Height in pixels.
     pub height: u32,
-    /// Every triangle of a mesh counts as one.
+    /// Number of objects; every triangle of a mesh counts as one.
     pub objects: usize,
-    /// Those that are triangles.
+    /// Number of triangles.
     pub triangles: usize,
-    /// Lights.
+    /// Number of lights.
     pub lights: usize,
-    /// The effects that it asks for.
+    /// The required effects.
     pub effects: Vec<String>,
 }
 
-/// How it was measured.
+/// How a study was measured.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct MeasurementMethod {
     /// The program and its version.
     pub program: String,
-    /// When it began, UTC, as in RFC 3339.
+    /// Start time, UTC, in RFC 3339 format.
     pub date: String,
-    /// The processor, as it names itself.
+    /// The name of the processor.
     pub processor: String,
     /// Operating system and architecture.
     pub system: String,
-    /// Threads that the machine runs at once.
+    /// Number of hardware threads.
     pub cores: usize,
-    /// The machine's load (the mean over one minute) before the study began; null: not known.
+    /// Load average (one minute) before the study; null: not known.
     pub load: Option<f64>,
     /// `quick` or `full`.
     pub plan: String,
-    /// Seconds that it was allowed to take; null: as many as the plan takes.
+    /// Time limit in seconds; null: none.
     pub time_limit: Option<f64>,
-    /// Width and height that its pictures would have had with more time; null: those that they have.
+    /// Width and height of the pictures without the time limit; null: the same.
     #[serde(default)]
     pub size_with_more_time: Option<[u32; 2]>,
-    /// Seconds that it took.
+    /// Duration in seconds.
     pub seconds: f64,
-    /// Mixtures that were not measured, because a measured setting would beat them even if they were a good
-    /// deal better than foretold.
+    /// Combinations that were skipped because a measured setting would dominate them even if they were much better than
+    /// predicted.
     pub beaten: usize,
-    /// What one event costs, in instructions; `work` is their sum.
+    /// Instructions per event; `work` is the weighted sum of the counts.
     pub weights: EventWeights,
 }
 
-/// What everything was held against.
+/// The reference picture.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct ReferenceRecord {
-    /// Two pictures of this setting with seeds of their own; the reference is their mean. It is never coarser
-    /// than the scene's own setting.
+    /// The reference is the mean of two pictures with this setting and different seeds. It is at least as fine as the
+    /// settings of the scene.
     pub setting: RunSettings,
-    /// The root of the mean square of what is left of chance in it: half of the difference of the
-    /// two. Errors below it cannot be told from none.
+    /// Remaining noise (RMSE): half of the difference of the two. Errors below it are not significant.
     pub noise: f64,
-    /// Which share of the light the last level and the cutoff cut in it.
+    /// Share of the light that the level limit and the cutoff discard.
     pub cut: f64,
-    /// Seconds that it took.
+    /// Duration in seconds.
     pub seconds: f64,
 }
 
-/// Settings that differ in one thing.
+/// A sweep of one setting.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct ParameterSweep {
     /// The option.
     pub name: String,
-    /// What it is about, in a sentence.
+    /// A description in one sentence.
     pub about: String,
-    /// What all of its steps have in common.
+    /// The common settings of all steps.
     pub fixed: String,
-    /// What errors of its steps are held against.
+    /// What the errors of the steps are relative to.
     pub against: String,
-    /// From coarse to fine.
+    /// The values, from coarse to fine.
     pub steps: Vec<SweepPoint>,
-    /// Steps that were not measured, see `left_out` of the study: with fewer than two steps and none left out
-    /// there is nothing to turn in this scene.
+    /// Number of values that were not measured, see `left_out` of the study. With fewer than two steps and none left out, the
+    /// setting has no effect in this scene.
     #[serde(default)]
     pub left_out: usize,
 }
 
-/// One notch of a knob.
+/// One value of the swept setting.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct SweepPoint {
     /// The value.
     pub value: String,
-    /// Its run.
+    /// The index of its run.
     pub run: usize,
-    /// The error that this knob alone makes.
+    /// Error caused by this setting alone.
     pub alone: ErrorMetrics,
 }
 
@@ -157,25 +156,24 @@ pub struct SweepPoint {
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Technique {
-    /// Its name.
+    /// The name of the technique.
     pub name: String,
-    /// Its section, as in 5.3, in the lecture on ray tracing that strahl began with.
+    /// Section of the lecture on ray tracing that strahl implements, as in 5.3.
     pub part: String,
-    /// What is done without it.
+    /// The setting without it.
     pub off: String,
-    /// What is done with it.
+    /// The setting with it.
     pub on: String,
-    /// The run without it; null: it was given up, see `left_out`.
+    /// The run without it; null: it was aborted, see `left_out`.
     pub without: Option<usize>,
-    /// After how many seconds of wall-clock time the run without it was given up; null: it was not, or
-    /// not begun.
+    /// Wall-clock seconds after which the run without it was aborted; null: it was not aborted, or not started.
     #[serde(default)]
     pub given_up: Option<f64>,
-    /// The run with it; null: it was given up.
+    /// The run with it; null: it was aborted.
     pub with: Option<usize>,
-    /// Whether it must not change one bit of the picture.
+    /// Whether both pictures must be the same, bit for bit.
     pub exact: bool,
-    /// How far the two pictures are from each other; null where one is missing.
+    /// The error between the two pictures; null if one is missing.
     pub error: Option<ErrorMetrics>,
 }
 
@@ -183,13 +181,13 @@ pub struct Technique {
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct SkippedSetting {
-    /// Which.
+    /// The setting.
     pub setting: String,
-    /// Why.
+    /// The reason.
     pub why: String,
 }
 
-/// What is to be seen in a picture.
+/// The content of a picture.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "lowercase")]
 pub enum ImageContent {
@@ -197,28 +195,28 @@ pub enum ImageContent {
     Reference,
     /// The picture of a run.
     Picture,
-    /// How far the picture of a run is from the reference, in every pixel.
+    /// The error of each pixel of the picture of a run.
     Error,
-    /// What every pixel of the scene's own setting costs.
+    /// The cost of each pixel with the settings of the scene.
     Cost,
 }
 
-/// A picture.
+/// A picture of the report.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct StudyImage {
-    /// What is to be seen.
+    /// The content.
     pub shows: ImageContent,
-    /// In which run.
+    /// The index of its run.
     pub run: Option<usize>,
-    /// Of what, in a few words.
+    /// A short title.
     pub title: String,
-    /// The least and the most of what colours show, where they show a number.
+    /// Minimum and maximum of the color scale, if the colors represent numbers.
     pub range: Option<[f64; 2]>,
-    /// Pixels.
+    /// Width in pixels.
     pub width: u32,
-    /// Pixels.
+    /// Height in pixels.
     pub height: u32,
-    /// The file, in base64.
+    /// The PNG file, in base64.
     pub png: String,
 }

@@ -1,5 +1,4 @@
-//! A setting that was measured: everything that decides about a picture and its time, what tracing
-//! it took, and how far the picture is from the reference.
+//! A measured setting: the settings of the picture, the cost of tracing it, and its error.
 
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
@@ -8,59 +7,59 @@ use super::settings::RunSettings;
 use crate::cost_model::EventCounts;
 use crate::statistics::median;
 
-/// What a run was made for.
+/// The purpose of a run.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "lowercase")]
 pub enum RunRole {
-    /// The scene's own settings, or the defaults.
+    /// The settings of the scene, completed by defaults.
     Own,
-    /// One knob turned, the others being as good as they get.
+    /// One setting varied; the others are at their most accurate value.
     Knob,
-    /// Several knobs turned.
+    /// Several settings varied.
     Mix,
-    /// A technique on or off, by the loop that all accelerators and both precisions have.
+    /// A technique, on or off.
     Technique,
     /// Another number of threads.
     Threads,
 }
 
-/// A setting that was measured.
+/// A measured setting.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct StudyRun {
-    /// What it was made for.
+    /// Its purpose.
     pub role: RunRole,
-    /// The setting.
+    /// The settings.
     pub setting: RunSettings,
-    /// Processor seconds of tracing, the sum over all threads, once for each repetition.
+    /// Processor seconds of tracing, summed over all threads, one value per repetition.
     pub cpu: Vec<f64>,
-    /// Wall-clock seconds of tracing, once for each repetition.
+    /// Wall-clock seconds of tracing, one value per repetition.
     pub wall: Vec<f64>,
-    /// Wall-clock seconds of making the tables and the accelerator, the first time.
+    /// Wall-clock seconds to build the tables and the accelerator, in the first repetition.
     pub build: f64,
-    /// The work in instructions, as the counts and the weights have it: the same on every machine.
+    /// The work in instructions, from counts and weights: the same on every machine.
     pub work: f64,
-    /// What was counted.
+    /// Event counts.
     pub counts: EventCounts,
-    /// How far the picture is from the reference.
+    /// The error of the picture, relative to the reference.
     pub error: ErrorMetrics,
-    /// Which share of the light the last level and the cutoff cut.
+    /// Shares of the light that the level limit and the cutoff discard.
     pub cut: [f64; 2],
-    /// BLAKE3 of the linear picture.
+    /// BLAKE3 digest of the linear picture.
     pub digest: String,
 }
 
-/// How far a picture is from another: differences of sRGB-encoded values, 0 to 1.
+/// The error of a picture: differences of sRGB-encoded values, 0 to 1.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct ErrorMetrics {
-    /// The root of the mean square.
+    /// Root mean square.
     pub rmse: f64,
-    /// The largest.
+    /// Maximum.
     pub largest: f64,
-    /// The share of pixels with a channel more than 1/255 off.
+    /// Share of pixels with a channel that differs by more than 1/255.
     pub beyond: f64,
-    /// Structural similarity; 1 is equal.
+    /// Structural similarity; 1 means equal.
     pub ssim: f64,
 }
 
@@ -70,7 +69,7 @@ impl StudyRun {
         median(&self.cpu)
     }
 
-    /// Whether it tells what accuracy costs, rather than how a picture is found.
+    /// Whether it measures the cost of accuracy, rather than that of an accelerator or of threads.
     pub fn measures_accuracy(&self) -> bool {
         matches!(self.role, RunRole::Own | RunRole::Knob | RunRole::Mix)
     }

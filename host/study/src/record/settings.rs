@@ -9,14 +9,14 @@ use serde::{Deserialize, Deserializer, Serialize, Serializer};
 use serde_json::{Map, Value};
 use strahl_settings::{Domain, Group, ResolvedAccel, SETTINGS, Setting, Settings, SettingsOverrides};
 
-/// Everything that decides about a picture and its time.
+/// All settings that determine a picture and its time.
 #[derive(Clone, Debug, PartialEq)]
 pub struct RunSettings {
-    /// The settings. Their size is not recorded: it is that of the scene of the study.
+    /// The settings. The size is not recorded: it is that of the study.
     pub settings: Settings,
-    /// How items were found, in words.
+    /// The accelerator, as text.
     pub accelerator: String,
-    /// What the command line says for all of it.
+    /// The equivalent command-line options.
     pub options: String,
 }
 
@@ -26,18 +26,18 @@ const ACCELERATOR: &str = "accelerator";
 const OPTIONS: &str = "options";
 
 impl RunSettings {
-    /// Of a run where items were found by `choice`.
+    /// The settings of a run with this accelerator.
     pub fn new(settings: &Settings, choice: &ResolvedAccel) -> Self {
         let (accelerator, options) = (choice.to_string(), command_line(settings));
         RunSettings { settings: settings.clone(), accelerator, options }
     }
 
-    /// The settings that are recorded.
+    /// Declarations of the recorded settings.
     pub fn recorded() -> impl Iterator<Item = &'static Setting> {
         SETTINGS.iter().filter(|it| it.option_name().is_some() && !matches!(it.domain, Domain::Size))
     }
 
-    /// The kind of accelerator: the first of the words about it.
+    /// The kind of accelerator: the first word of its text.
     pub fn accelerator_kind(&self) -> &str {
         self.accelerator.split(' ').next().unwrap_or_default()
     }
@@ -93,10 +93,10 @@ impl JsonSchema for RunSettings {
             properties.insert(setting.name.into(), schema);
         }
         let text = |about: &str| json_schema!({ "description": about, "type": "string" }).to_value();
-        properties.insert(ACCELERATOR.into(), text("How items were found, in words."));
-        properties.insert(OPTIONS.into(), text("What the command line says for all of it."));
+        properties.insert(ACCELERATOR.into(), text("The accelerator, as text."));
+        properties.insert(OPTIONS.into(), text("The equivalent command-line options."));
         json_schema!({
-            "description": "Everything that decides about a picture and its time, in the words of the command line.",
+            "description": "All settings that determine a picture and its time, with the values of the command line.",
             "type": "object",
             "properties": properties,
             "required": [ACCELERATOR, OPTIONS],
@@ -105,13 +105,14 @@ impl JsonSchema for RunSettings {
     }
 }
 
-/// The options of the command line. Levels, cutoff and sampler always; what is usual and the number of threads not.
+/// The equivalent command-line options: levels, cutoff and sampler, and other settings that are not defaults. Size and threads
+/// are left out.
 pub fn command_line(settings: &Settings) -> String {
-    let usual = Settings::default();
+    let defaults = Settings::default();
     let is_shown = |it: &&Setting| {
         let is_basic = it.group == Group::Frame || it.name == "sampler";
         let is_of_study = it.name == "size" || it.group == Group::Work;
-        !is_of_study && (is_basic || it.word(settings) != it.word(&usual))
+        !is_of_study && (is_basic || it.word(settings) != it.word(&defaults))
     };
     let options = settings.in_use().filter(is_shown).filter_map(|it| it.option(settings));
     options.collect::<Vec<_>>().join(" ")
@@ -122,7 +123,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn options_are_those_of_the_command_line_and_what_is_usual_is_left_out() {
+    fn options_are_those_of_the_command_line_without_defaults() {
         assert_eq!(command_line(&Settings::default()), "--levels 5 --cutoff 1/512 --sampler single");
         let settings = Settings { threads: 7, mailbox: 8, shadow_cache: false, ..Settings::default() };
         assert_eq!(

@@ -1,4 +1,4 @@
-//! `study.csv`: one row for each run, for spreadsheets.
+//! `study.csv`: one row per run, for spreadsheets.
 
 use crate::pareto::{CostErrorPoint, pareto_front};
 use serde_json::Value;
@@ -6,7 +6,7 @@ use serde_json::Value;
 use super::{RunSettings, Study, StudyRun};
 use crate::statistics::{median, min_max};
 
-/// The columns after those of the settings.
+/// The columns after the settings.
 const MEASURED: [&str; 22] = [
     "accelerator",
     "camera",
@@ -32,12 +32,12 @@ const MEASURED: [&str; 22] = [
     "digest",
 ];
 
-/// The places of the runs that no other beats in accuracy: by work, or by time.
+/// Indices of the runs on the Pareto front of accuracy and cost.
 pub fn pareto_runs(study: &Study, cost: fn(&StudyRun) -> f64) -> Vec<usize> {
     let about = study.runs.iter().enumerate().filter(|(_, run)| run.measures_accuracy());
-    let (places, points): (Vec<_>, Vec<_>) =
-        about.map(|(place, run)| (place, CostErrorPoint { cost: cost(run), error: run.error.rmse })).unzip();
-    pareto_front(&points).into_iter().map(|place| places[place]).collect()
+    let (indices, points): (Vec<_>, Vec<_>) =
+        about.map(|(index, run)| (index, CostErrorPoint { cost: cost(run), error: run.error.rmse })).unzip();
+    pareto_front(&points).into_iter().map(|index| indices[index]).collect()
 }
 
 /// The file.
@@ -48,12 +48,12 @@ pub fn to_csv(study: &Study) -> String {
     // Writing to memory cannot fail.
     let settings = RunSettings::recorded().map(|setting| setting.name);
     let _ = writer.write_record(["run", "role"].into_iter().chain(settings).chain(MEASURED));
-    for (place, run) in study.runs.iter().enumerate() {
+    for (index, run) in study.runs.iter().enumerate() {
         let (setting, counts, error) = (&run.setting, &run.counts, &run.error);
         let sum = |of: [u64; 4]| of.iter().sum::<u64>().to_string();
         let [least, most] = min_max(&run.cpu);
         let role = format!("{:?}", run.role).to_lowercase();
-        let mut row = vec![place.to_string(), role];
+        let mut row = vec![index.to_string(), role];
         row.extend(RunSettings::recorded().map(|it| cell(&it.to_json(&setting.settings))));
         row.push(setting.accelerator.clone());
         row.extend(counts.rays.map(|rays| rays.to_string()));
@@ -61,7 +61,7 @@ pub fn to_csv(study: &Study) -> String {
         row.extend([run.work, median(&run.cpu), least, most, median(&run.wall)].map(|it| it.to_string()));
         row.push(run.cpu.len().to_string());
         row.extend([run.build, error.rmse, error.largest, error.beyond, error.ssim].map(|it| it.to_string()));
-        row.extend([by_work.contains(&place), by_time.contains(&place)].map(|it| it.to_string()));
+        row.extend([by_work.contains(&index), by_time.contains(&index)].map(|it| it.to_string()));
         row.push(run.digest.clone());
         let _ = writer.write_record(&row);
     }
