@@ -17,7 +17,7 @@ use crate::source::{Crate, attributes, features};
 use crate::{core, workspace};
 
 /// Public types and functions that no firmware needs, and that are not proven.
-const FOR_HOSTS_ONLY: [&str; 2] = ["Baking", "Shading"];
+const FOR_HOSTS_ONLY: [&str; 2] = ["BakedSceneWriter", "Shading"];
 
 /// A feature with which the core needs a heap: its items are host-only.
 const HEAP: &str = "alloc";
