@@ -18,6 +18,7 @@ mod fresnel;
 mod kind;
 mod light;
 mod material;
+mod ray_query;
 #[cfg(not(feature = "double"))]
 mod reference;
 #[cfg(not(feature = "double"))]
