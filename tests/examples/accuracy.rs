@@ -61,9 +61,9 @@ fn picture(run: &AccuracyRun) -> Result<Vec<Rgb>, ExampleError> {
         FirmwareSampler::Single => traced(run.limits, &mut CenterSampler),
         FirmwareSampler::Regular(n) => traced(run.limits, &mut RegularSampler::new(n).ok_or(invalid)?),
         FirmwareSampler::Adaptive(depth, threshold) => {
-            let agreement = ContrastThreshold::new(threshold).ok_or(invalid)?;
-            let parting = Subdivision::new(depth, agreement).ok_or(invalid)?;
-            traced(run.limits, &mut AdaptiveSampler::new(parting, Uncached, &mut []))
+            let contrast = ContrastThreshold::new(threshold).ok_or(invalid)?;
+            let subdivision = Subdivision::new(depth, contrast).ok_or(invalid)?;
+            traced(run.limits, &mut AdaptiveSampler::new(subdivision, Uncached, &mut []))
         }
         FirmwareSampler::Stochastic(n) => traced(run.limits, &mut StochasticSampler::new(n).ok_or(invalid)?),
     }
@@ -90,18 +90,18 @@ fn csv(files: &[PathBuf]) -> Result<String, ExampleError> {
         let [report, pictures] = pair else { return Err("a report without pictures".into()) };
         let (report, pictures) = (std::fs::read_to_string(report)?, std::fs::read(pictures)?);
         let size = reference.len() * size_of::<draw::PixelBytes>();
-        let drawn = pictures.chunks_exact(size);
+        let draw_result = pictures.chunks_exact(size);
         let runs: Vec<&str> = report.lines().filter(|line| line.starts_with("run ")).collect();
         if runs.len() != RUNS.len() || pictures.len() != RUNS.len() * size {
             return Err("the pictures do not match the runs".into());
         }
-        for (line, drawn) in runs.into_iter().zip(drawn) {
+        for (line, draw_result) in runs.into_iter().zip(draw_result) {
             let words: Vec<&str> = line.split(' ').collect();
             let [_, _, levels, cutoff, sampler, instructions, rays] = words[..] else {
                 return Err(format!("not a line of a run: {line}").into());
             };
             let (width, height) = (SIZE.width(), SIZE.height());
-            let rmse = rmse(drawn, &reference);
+            let rmse = rmse(draw_result, &reference);
             table += &format!(
                 "golden,{width},{height},{precision},{levels},{cutoff},{sampler},{instructions},{rays},{rmse:.6}\n"
             );
@@ -111,8 +111,8 @@ fn csv(files: &[PathBuf]) -> Result<String, ExampleError> {
 }
 
 /// Root mean square error of the sRGB-encoded channels, in `[0, 1]`, as in `strahl compare`.
-fn rmse(drawn: &[u8], reference: &[Rgb]) -> f64 {
-    let channels = drawn.as_chunks::<4>().0.iter().map(|bytes| f32::from_le_bytes(*bytes));
+fn rmse(draw_result: &[u8], reference: &[Rgb]) -> f64 {
+    let channels = draw_result.as_chunks::<4>().0.iter().map(|bytes| f32::from_le_bytes(*bytes));
     let expected = reference.iter().flat_map(|color| [color.r, color.g, color.b]);
     let squares = channels.zip(expected).map(|(a, b)| {
         let error = encoded(a) - encoded(b);

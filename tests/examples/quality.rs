@@ -153,8 +153,8 @@ impl QualityScene {
         let mut threshold = 0.5;
         for _ in 0..14 {
             threshold *= 0.7;
-            let agreement = ContrastSettings { threshold, items: false };
-            let measured = self.by(SamplerSettings::Adaptive { max_depth: DEPTH, contrast: agreement })?;
+            let contrast = ContrastSettings { threshold, items: false };
+            let measured = self.by(SamplerSettings::Adaptive { max_depth: DEPTH, contrast: contrast })?;
             let is_too_much = measured.rays > f64::from(RAYS);
             // If all thresholds take too many, the coarsest is used.
             if best.is_none() || !is_too_much {

@@ -163,9 +163,17 @@ impl TestScene {
     }
 
     /// Mean color of `n` camera rays from `eye` to `target` that differ only in their random numbers.
-    pub fn trace_samples(&self, eye: Vec3, target: Vec3, limits: Limits, n: u32, seed: u32) -> [f64; 3] {
+    pub fn trace_samples(
+        &self,
+        viewpoint: Vec3,
+        target: Vec3,
+        limits: Limits,
+        n: u32,
+        seed: u32,
+    ) -> [f64; 3] {
         let world = World::new(self.as_scene(), List::without_bounds(self.item_count()));
-        let tracer = Tracer::<_, AllEffects, 64>::new(&world, one_ray_camera(eye, target), limits).unwrap();
+        let tracer =
+            Tracer::<_, AllEffects, 64>::new(&world, one_ray_camera(viewpoint, target), limits).unwrap();
         let mut worker = Worker::new(());
         let mut sum = [0.0; 3];
         for index in 0..n {
@@ -183,14 +191,15 @@ impl TestScene {
     }
 
     /// Color of the ray from `eye` to `target`, traced with a list without bounds.
-    pub fn trace(&self, eye: Vec3, target: Vec3, limits: Limits) -> Rgb {
-        self.trace_counted(eye, target, limits).0
+    pub fn trace(&self, viewpoint: Vec3, target: Vec3, limits: Limits) -> Rgb {
+        self.trace_counted(viewpoint, target, limits).0
     }
 
     /// Color of the ray from `eye` to `target`, and the counters of tracing it.
-    pub fn trace_counted(&self, eye: Vec3, target: Vec3, limits: Limits) -> (Rgb, Counters) {
+    pub fn trace_counted(&self, viewpoint: Vec3, target: Vec3, limits: Limits) -> (Rgb, Counters) {
         let world = World::new(self.as_scene(), List::without_bounds(self.item_count()));
-        let tracer = Tracer::<_, AllEffects, 64>::new(&world, one_ray_camera(eye, target), limits).unwrap();
+        let tracer =
+            Tracer::<_, AllEffects, 64>::new(&world, one_ray_camera(viewpoint, target), limits).unwrap();
         let mut worker = Worker::new(Counters::new());
         let sample =
             CameraSample { point: FilmPoint { x: 0.5, y: 0.5 }, sequence: SobolSequence::new(0, 0, 0, 0) };
@@ -202,11 +211,11 @@ impl TestScene {
 
 /// Camera of a picture of one pixel whose central ray runs from `eye` to `target`. It is orthographic, so that the
 /// ray starts at `eye` exactly.
-fn one_ray_camera(eye: Vec3, target: Vec3) -> Camera {
-    let direction = target - eye;
+fn one_ray_camera(viewpoint: Vec3, target: Vec3) -> Camera {
+    let direction = target - viewpoint;
     let up = if direction.x.abs() < direction.y.abs() { Vec3::X } else { Vec3::Y };
     let projection = Projection::Orthographic { height: 1.0 };
-    let view = CameraDescriptor { position: eye, target: target, up, projection };
+    let view = CameraDescriptor { position: viewpoint, target: target, up, projection };
     Camera::new(&view, Resolution::new(1, 1).unwrap()).unwrap()
 }
 

@@ -30,7 +30,7 @@ fn scene(name: &str) -> PathBuf {
 fn studied<T>(
     name: &str,
     plan: &StudyPlan,
-    asks: &[Effect],
+    effects: &[Effect],
     then: impl FnOnce(&Measurements<'_>, &ReferencePicture) -> T,
 ) -> T {
     let path = scene(name);
@@ -39,7 +39,7 @@ fn studied<T>(
     let bench = Benchmark::new(&scene, size, &NoProgress, None);
     let mut measured = Measurements::new(&bench, plan);
     let settings = Settings { size, threads: 2, ..Settings::default() };
-    let reference = experiment::run(&mut measured, &settings, asks).unwrap();
+    let reference = experiment::run(&mut measured, &settings, effects).unwrap();
     then(&measured, &reference)
 }
 

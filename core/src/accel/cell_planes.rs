@@ -1,8 +1,8 @@
 //! The planes that divide space into equal cells, and the proof that no item is lost between cells.
 //!
 //! Traversals of grid and octree ask for one number only: the `t` of a cell plane. It is computed exactly as
-//! in the slab test ([`Aabb::intersect`]): subtract the origin, multiply by the reciprocal of the direction. Each
-//! of these operations is monotone in floating point. So of a cell plane and a face of a box, the one that
+//! in the slab test ([`Aabb::intersect`]): subtract the origin, multiply by the reciprocal of the direction.
+//! Each of these operations is monotone in floating point. So of a cell plane and a face of a box, the one that
 //! comes first along the ray in space has the smaller computed `t`, or both are equal, and bounds need no
 //! margin when they are sorted into cells. The slab test does one thing more: it multiplies the exit of its
 //! interval by [`WIDEN`]. So a traversal visits every cell whose own interval is not empty *after the same

@@ -50,8 +50,8 @@ impl Contender for ObvhsContender {
     fn intersect_nearest(&mut self, ray: &Ray) -> Option<ClosestTriangle> {
         let mut hit = RayHit::none();
         let ray = obvhs::ray::Ray::new_inf(aligned(ray.origin), aligned(ray.direction));
-        let met = self.tree.ray_traverse(ray, &mut hit, |ray, index| self.triangles[index].intersect(ray));
-        met.then(|| ClosestTriangle {
+        let is_hit = self.tree.ray_traverse(ray, &mut hit, |ray, index| self.triangles[index].intersect(ray));
+        is_hit.then(|| ClosestTriangle {
             t: hit.t,
             item: self.tree.primitive_indices[hit.primitive_id as usize],
         })

@@ -71,14 +71,14 @@ impl SplitMix64 {
 
 /// Camera rays of a picture of `side` times `side` pixels, row by row.
 pub fn camera_rays(side: u32) -> Vec<Ray> {
-    let eye = vec3(1.2, 1.6, 2.4);
-    let toward = -eye.normalize_or_zero();
+    let viewpoint = vec3(1.2, 1.6, 2.4);
+    let toward = -viewpoint.normalize_or_zero();
     let right = toward.cross(Vec3::Y).normalize_or_zero();
     let up = right.cross(toward);
     let at = |pixel: u32| (pixel as f32 + 0.5) / side as f32 * 2.0 - 1.0;
     let rays = (0..side).flat_map(|y| (0..side).map(move |x| (x, y)));
     rays.map(|(x, y)| {
-        Ray::new(eye, (toward + right * (at(x) * 0.45) - up * (at(y) * 0.45)).normalize_or_zero())
+        Ray::new(viewpoint, (toward + right * (at(x) * 0.45) - up * (at(y) * 0.45)).normalize_or_zero())
     })
     .collect()
 }

@@ -85,7 +85,7 @@ impl<A: Accelerator> Contender for StrahlContender<'_, A> {
 pub struct BvhBuffers {
     nodes: Vec<BvhNode>,
     items: Vec<LeafEntry>,
-    blocks: Vec<TriangleBlock>,
+    block_buffer: Vec<TriangleBlock>,
 }
 
 impl BvhBuffers {
@@ -94,19 +94,19 @@ impl BvhBuffers {
         BvhBuffers {
             nodes: vec![BvhNode::EMPTY; nodes],
             items: vec![LeafEntry::EMPTY; items],
-            blocks: Vec::new(),
+            block_buffer: Vec::new(),
         }
     }
 }
 
 /// Builds the BVH with triangle blocks.
 fn tree<'s>(tables: &MeshTables, buffers: &'s mut BvhBuffers) -> Bvh<'s, (), TriangleBlock> {
-    let BvhBuffers { nodes, items, blocks } = buffers;
+    let BvhBuffers { nodes, items, block_buffer } = buffers;
     let geometry = tables.scene().descriptor().geometry;
     let builder = BvhBuilder::new(&tables.boxes, LeafLayout::TriangleBlocks(&geometry), nodes, items)
         .expect("the buffers are large enough");
-    blocks.resize(builder.block_count(), TriangleBlock::EMPTY);
-    builder.into_bvh_with_blocks(&geometry, blocks).expect("the buffers are large enough")
+    block_buffer.resize(builder.block_count(), TriangleBlock::EMPTY);
+    builder.into_bvh_with_blocks(&geometry, block_buffer).expect("the buffers are large enough")
 }
 
 /// Builds the BVH, traversed with a stack and with a heap.

@@ -88,7 +88,7 @@ pub struct ProvidedBuffers {
     groups: [Aabb; group_count(ITEMS)],
     row: [PixelBytes; WIDTH],
     corners: [PixelSample; WIDTH + 1],
-    kept: [CacheEntry; 64],
+    cache: [CacheEntry; 64],
 }
 
 impl ProvidedBuffers {
@@ -98,7 +98,7 @@ impl ProvidedBuffers {
         groups: [Aabb::EMPTY; group_count(ITEMS)],
         row: [[[0; size_of::<f32>()]; 3]; WIDTH],
         corners: [PixelSample::BLACK; WIDTH + 1],
-        kept: [CacheEntry::EMPTY; 64],
+        cache: [CacheEntry::EMPTY; 64],
     };
 }
 
@@ -108,7 +108,7 @@ pub fn all(
     buffers: &mut ProvidedBuffers,
     clock: impl Fn() -> u32,
     mut take: impl FnMut(&[PixelBytes]) -> bool,
-    mut drawn: impl FnMut(&AccuracyRun, DrawCost<()>),
+    mut draw_result: impl FnMut(&AccuracyRun, DrawCost<()>),
     mut end: impl FnMut(u64),
 ) -> Result<(), &'static str> {
     let scene = Scene::new(parts()).map_err(|_| "invalid scene")?;
@@ -120,9 +120,9 @@ pub fn all(
     let camera = Camera::new(&VIEW, SIZE).map_err(|_| "invalid camera")?;
     for run in &RUNS {
         let settings = DrawSettings { size: SIZE, camera, limits: run.limits };
-        let mut corner_buffers = (&mut buffers.row[..], &mut buffers.corners[..], &mut buffers.kept[..]);
+        let mut corner_buffers = (&mut buffers.row[..], &mut buffers.corners[..], &mut buffers.cache[..]);
         let cost = picture(&world, settings, run.sampling, (), &mut corner_buffers, &clock, &mut take)?;
-        drawn(run, cost);
+        draw_result(run, cost);
         end(rays(&world, settings, run.sampling, &mut corner_buffers)?);
     }
     Ok(())
@@ -147,33 +147,33 @@ fn picture<A: Accelerator, T: Tally>(
     settings: DrawSettings,
     sampling: FirmwareSampler,
     tally: T,
-    (row, corners, kept): &mut CornerBuffers<'_>,
+    (row, corners, cache): &mut CornerBuffers<'_>,
     clock: impl Fn() -> u32,
     take: impl FnMut(&[PixelBytes]) -> bool,
 ) -> Result<DrawCost<T>, &'static str> {
     let invalid = "invalid sampler settings";
     match sampling {
-        FirmwareSampler::Single => drawn(world, settings, &mut CenterSampler, tally, row, clock, take),
+        FirmwareSampler::Single => draw_result(world, settings, &mut CenterSampler, tally, row, clock, take),
         FirmwareSampler::Regular(n) => {
             let mut regular = RegularSampler::new(n).ok_or(invalid)?;
-            drawn(world, settings, &mut regular, tally, row, clock, take)
+            draw_result(world, settings, &mut regular, tally, row, clock, take)
         }
         FirmwareSampler::Adaptive(depth, threshold) => {
-            let agreement = ContrastThreshold::new(threshold).ok_or(invalid)?;
-            let parting = Subdivision::new(depth, agreement).ok_or(invalid)?;
-            let mut adaptive = AdaptiveSampler::new(parting, CornerRow::new(corners), kept);
-            drawn(world, settings, &mut adaptive, tally, row, clock, take)
+            let contrast = ContrastThreshold::new(threshold).ok_or(invalid)?;
+            let subdivision = Subdivision::new(depth, contrast).ok_or(invalid)?;
+            let mut adaptive = AdaptiveSampler::new(subdivision, CornerRow::new(corners), cache);
+            draw_result(world, settings, &mut adaptive, tally, row, clock, take)
         }
         FirmwareSampler::Stochastic(n) => {
             let mut stochastic = StochasticSampler::new(n).ok_or(invalid)?;
-            drawn(world, settings, &mut stochastic, tally, row, clock, take)
+            draw_result(world, settings, &mut stochastic, tally, row, clock, take)
         }
     }
 }
 
 /// Not inlined, so that each instance has its own stack frame.
 #[inline(never)]
-fn drawn<A: Accelerator, S: Sampler, T: Tally>(
+fn draw_result<A: Accelerator, S: Sampler, T: Tally>(
     world: &World<'_, A>,
     settings: DrawSettings,
     sampler: &mut S,

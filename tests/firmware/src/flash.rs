@@ -164,7 +164,7 @@ impl FlashVariant for FlashDistributed {
 /// Not inlined, so that symbol names separate the core from the rest.
 #[inline(never)]
 pub fn picture<S: FlashVariant>(mut send: impl FnMut([u8; 4])) -> Option<()> {
-    // Opaque to the optimizer: no number of the scene is folded into the code.
+    // Opaque to the optimizer: no constant of the scene is folded into the code.
     let world = World::new(Scene::new(black_box(S::PARTS)).ok()?, BareList(ITEMS as u32));
     let camera = Camera::new(&black_box(S::VIEW), SIZE).ok()?;
     let tracer = Tracer::<_, S, LEVELS>::new(&world, camera, LIMITS).ok()?;
@@ -190,7 +190,7 @@ const SERIAL: *mut u32 = 0x4001_1004 as *mut u32;
 /// The whole firmware of a variant.
 #[cfg(target_arch = "arm")]
 pub fn run<S: FlashVariant>() -> ! {
-    let drawn = picture::<S>(|bytes| {
+    let draw_result = picture::<S>(|bytes| {
         for byte in bytes {
             // SAFETY: a 32-bit peripheral register of this machine.
             unsafe { SERIAL.write_volatile(u32::from(byte)) };
@@ -200,5 +200,5 @@ pub fn run<S: FlashVariant>() -> ! {
         // SAFETY: as above.
         unsafe { SERIAL.write_volatile(u32::from(byte)) };
     }
-    semihosting::process::exit(i32::from(drawn.is_none()))
+    semihosting::process::exit(i32::from(draw_result.is_none()))
 }

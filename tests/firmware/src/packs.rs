@@ -88,33 +88,33 @@ pub fn picture(
         let camera = Camera::new(&VIEW, SIZE).map_err(|_| "invalid camera")?;
         let settings = DrawSettings { size: SIZE, camera, limits: LIMITS };
         let (world, row) = (World::new(scene, BareList(ITEMS)), row_of(row, &settings)?);
-        return drawn::<_, Asked>(&world, settings, row, clock, take);
+        return draw_result::<_, Asked>(&world, settings, row, clock, take);
     };
     let pack = BakedScene::open(source).map_err(refused)?;
     let (scene, settings) = (*pack.scene(), draw_settings(&pack)?);
     let row = row_of(row, &settings)?;
     match pack.accelerator().map_err(refused)? {
         BakedAccelerator::BareList(bare) => {
-            drawn::<_, E>(&World::new(scene, bare), settings, row, clock, take)
+            draw_result::<_, E>(&World::new(scene, bare), settings, row, clock, take)
         }
         BakedAccelerator::Grid(grid) => {
             let grid = grid.with_mailbox::<64>();
-            drawn::<_, E>(&World::new(scene, grid), settings, row, clock, take)
+            draw_result::<_, E>(&World::new(scene, grid), settings, row, clock, take)
         }
         BakedAccelerator::Octree(octree) => {
             let octree = octree.with_mailbox::<64>();
-            drawn::<_, E>(&World::new(scene, octree), settings, row, clock, take)
+            draw_result::<_, E>(&World::new(scene, octree), settings, row, clock, take)
         }
         BakedAccelerator::Bvh(bvh) => {
             let bvh = bvh.with_queue::<TraversalStack<32>>();
-            drawn::<_, E>(&World::new(scene, bvh), settings, row, clock, take)
+            draw_result::<_, E>(&World::new(scene, bvh), settings, row, clock, take)
         }
     }
 }
 
 /// Not inlined, so that each instance has its own stack frame.
 #[inline(never)]
-fn drawn<A: Accelerator, E: Effects>(
+fn draw_result<A: Accelerator, E: Effects>(
     world: &World<'_, A>,
     settings: DrawSettings,
     row: &mut [PixelBytes],

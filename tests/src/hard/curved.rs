@@ -56,15 +56,15 @@ fn any_sphere(rng: &mut SplitMix64) -> (DVec3, f64) {
 
 fn far_sphere(rng: &mut SplitMix64) -> (TestShape, Vec<TestRay>) {
     let (center, radius) = any_sphere(rng);
-    let eye = as_f32(center + rng.direction() * (radius * rng.log_between(10.0, 1e5)));
-    (TestShape::Sphere { center, radius }, rays(|| towards(eye, rng.in_ball(center, 1.3 * radius))))
+    let viewpoint = as_f32(center + rng.direction() * (radius * rng.log_between(10.0, 1e5)));
+    (TestShape::Sphere { center, radius }, rays(|| towards(viewpoint, rng.in_ball(center, 1.3 * radius))))
 }
 
 fn tiny_sphere(rng: &mut SplitMix64) -> (TestShape, Vec<TestRay>) {
     let radius = rng.between(0.5e-6, 2e-6);
     let center = rng.in_ball(DVec3::ZERO, 1.0);
-    let eye = as_f32(center + rng.direction() * rng.log_between(1e-5, 1.0));
-    (TestShape::Sphere { center, radius }, rays(|| towards(eye, rng.in_ball(center, 1.3 * radius))))
+    let viewpoint = as_f32(center + rng.direction() * rng.log_between(1e-5, 1.0));
+    (TestShape::Sphere { center, radius }, rays(|| towards(viewpoint, rng.in_ball(center, 1.3 * radius))))
 }
 
 fn huge_sphere(rng: &mut SplitMix64) -> (TestShape, Vec<TestRay>) {
@@ -72,9 +72,12 @@ fn huge_sphere(rng: &mut SplitMix64) -> (TestShape, Vec<TestRay>) {
     let up = rng.direction();
     let center = as_f32(up * -radius);
     let height = rng.log_between(20.0, 1e4);
-    let eye = as_f32(up * height);
+    let viewpoint = as_f32(up * height);
     let below = up * -height;
-    (TestShape::Sphere { center, radius }, rays(|| towards(eye, eye + rng.in_ball(below, 20.0 * height))))
+    (
+        TestShape::Sphere { center, radius },
+        rays(|| towards(viewpoint, viewpoint + rng.in_ball(below, 20.0 * height))),
+    )
 }
 
 fn inside_sphere(rng: &mut SplitMix64) -> (TestShape, Vec<TestRay>) {
@@ -89,12 +92,12 @@ fn inside_sphere(rng: &mut SplitMix64) -> (TestShape, Vec<TestRay>) {
 fn grazing_sphere(rng: &mut SplitMix64) -> (TestShape, Vec<TestRay>) {
     let (center, radius) = any_sphere(rng);
     let offset = rng.direction() * (radius * rng.log_between(1.5, 1000.0));
-    let eye = as_f32(center + offset);
+    let viewpoint = as_f32(center + offset);
     let ray = |rng: &mut SplitMix64| {
         let impact = radius * about_one(rng);
         let away = length(offset);
         towards(
-            eye,
+            viewpoint,
             center + perpendicular(offset, rng) * (impact / (1.0 - (impact / away) * (impact / away)).sqrt()),
         )
     };
@@ -103,11 +106,11 @@ fn grazing_sphere(rng: &mut SplitMix64) -> (TestShape, Vec<TestRay>) {
 
 fn any_length(rng: &mut SplitMix64) -> (TestShape, Vec<TestRay>) {
     let (center, radius) = any_sphere(rng);
-    let eye = as_f32(center + rng.direction() * (radius * rng.log_between(1.5, 30.0)));
+    let viewpoint = as_f32(center + rng.direction() * (radius * rng.log_between(1.5, 30.0)));
     let ray = |rng: &mut SplitMix64| {
-        let direction = rng.in_ball(center, 1.3 * radius) - eye;
+        let direction = rng.in_ball(center, 1.3 * radius) - viewpoint;
         TestRay {
-            origin: eye,
+            origin: viewpoint,
             direction: as_f32(direction / length(direction) * rng.log_between(1e-30, 1e30)),
         }
     };
@@ -156,10 +159,10 @@ fn along_axis(rng: &mut SplitMix64) -> (TestShape, Vec<TestRay>) {
 
 /// A ray from `near` to `far` heights away, at the side or slightly beside it.
 fn at_side(tube: &Tube, near: f64, far: f64, rng: &mut SplitMix64) -> TestRay {
-    let eye =
+    let viewpoint =
         as_f32(tube.base + tube.axis * 0.5 + rng.direction() * (tube.height * rng.log_between(near, far)));
     let target = tube.base + tube.axis * rng.between(-0.1, 1.1);
-    towards(eye, target + rng.direction() * (1.5 * tube.radius * rng.unit()))
+    towards(viewpoint, target + rng.direction() * (1.5 * tube.radius * rng.unit()))
 }
 
 fn hair(rng: &mut SplitMix64) -> (TestShape, Vec<TestRay>) {
@@ -179,9 +182,9 @@ fn almost_cylinder(rng: &mut SplitMix64) -> (TestShape, Vec<TestRay>) {
 fn apex(rng: &mut SplitMix64) -> (TestShape, Vec<TestRay>) {
     let tube = tube(rng.log_between(0.1, 2.0), 0.0, rng);
     let ray = |rng: &mut SplitMix64| {
-        let eye = as_f32(tube.base + rng.direction() * (tube.height * rng.log_between(0.3, 20.0)));
+        let viewpoint = as_f32(tube.base + rng.direction() * (tube.height * rng.log_between(0.3, 20.0)));
         let perpendicular = rng.direction() * (tube.radius * rng.log_between(1e-5, 1.0));
-        towards(eye, tube.base + tube.axis * rng.between(0.9, 2.0) + perpendicular)
+        towards(viewpoint, tube.base + tube.axis * rng.between(0.9, 2.0) + perpendicular)
     };
     let rays = rays(|| ray(rng));
     (tube.shape, rays)
@@ -203,8 +206,8 @@ fn inside_cone(rng: &mut SplitMix64) -> (TestShape, Vec<TestRay>) {
 fn end_circle(rng: &mut SplitMix64) -> (TestShape, Vec<TestRay>) {
     let tube = any_tube(rng);
     let ray = |rng: &mut SplitMix64| {
-        let eye = as_f32(tube.base + rng.direction() * (tube.height * rng.log_between(1.0, 30.0)));
-        towards(eye, tube.base + perpendicular(tube.axis, rng) * (tube.radius * about_one(rng)))
+        let viewpoint = as_f32(tube.base + rng.direction() * (tube.height * rng.log_between(1.0, 30.0)));
+        towards(viewpoint, tube.base + perpendicular(tube.axis, rng) * (tube.radius * about_one(rng)))
     };
     let rays = rays(|| ray(rng));
     (tube.shape, rays)
@@ -249,8 +252,8 @@ impl Ring {
 
     fn at_tube(&self, near: f64, far: f64, rng: &mut SplitMix64) -> TestRay {
         let size = self.major + self.minor;
-        let eye = as_f32(self.center + rng.direction() * (size * rng.log_between(near, far)));
-        towards(eye, self.in_tube(rng))
+        let viewpoint = as_f32(self.center + rng.direction() * (size * rng.log_between(near, far)));
+        towards(viewpoint, self.in_tube(rng))
     }
 }
 
@@ -304,10 +307,10 @@ fn flat_ring(rng: &mut SplitMix64) -> Ring {
 fn equatorial_torus(rng: &mut SplitMix64) -> (TestShape, Vec<TestRay>) {
     let ring = flat_ring(rng);
     let ray = |rng: &mut SplitMix64| {
-        let eye =
+        let viewpoint =
             as_f32(ring.center + perpendicular(ring.axis, rng) * (ring.major * rng.log_between(0.1, 10.0)));
         let direction = perpendicular(ring.axis, rng);
-        TestRay { origin: eye, direction: as_f32(direction) }
+        TestRay { origin: viewpoint, direction: as_f32(direction) }
     };
     (ring.shape(), rays(|| ray(rng)))
 }

@@ -99,23 +99,23 @@ fn needle(rng: &mut SplitMix64) -> (TestShape, Vec<TestRay>) {
 fn tiny_triangle(rng: &mut SplitMix64) -> (TestShape, Vec<TestRay>) {
     let size = rng.log_between(1e-5, 1e-3);
     let vertices = any_triangle(rng.in_ball(DVec3::ZERO, 10.0 * size), size, rng);
-    let eye = as_f32(vertices[0] + rng.direction() * (size * rng.log_between(1.0, 30.0)));
-    (TestShape::Triangle { vertices }, rays(|| towards(eye, point_of(&vertices, rng))))
+    let viewpoint = as_f32(vertices[0] + rng.direction() * (size * rng.log_between(1.0, 30.0)));
+    (TestShape::Triangle { vertices }, rays(|| towards(viewpoint, point_of(&vertices, rng))))
 }
 
 fn far_triangle(rng: &mut SplitMix64) -> (TestShape, Vec<TestRay>) {
     let size = rng.log_between(0.1, 10.0);
     let vertices = any_triangle(rng.in_ball(DVec3::ZERO, 3.0 * size), size, rng);
-    let eye = as_f32(vertices[0] + rng.direction() * (size * rng.log_between(10.0, 1e4)));
-    (TestShape::Triangle { vertices }, rays(|| towards(eye, point_of(&vertices, rng))))
+    let viewpoint = as_f32(vertices[0] + rng.direction() * (size * rng.log_between(10.0, 1e4)));
+    (TestShape::Triangle { vertices }, rays(|| towards(viewpoint, point_of(&vertices, rng))))
 }
 
 fn huge_triangle(rng: &mut SplitMix64) -> (TestShape, Vec<TestRay>) {
     let vertices = any_triangle(DVec3::ZERO, 1e4, rng);
     let ray = |rng: &mut SplitMix64| {
         let target = point_of(&vertices, rng);
-        let eye = as_f32(point_of(&vertices, rng) * 0.01 + target * 0.99);
-        towards(as_f32(eye + rng.direction() * rng.log_between(0.5, 100.0)), target)
+        let viewpoint = as_f32(point_of(&vertices, rng) * 0.01 + target * 0.99);
+        towards(as_f32(viewpoint + rng.direction() * rng.log_between(0.5, 100.0)), target)
     };
     (TestShape::Triangle { vertices }, rays(|| ray(rng)))
 }
@@ -141,8 +141,8 @@ fn distant_triangle(rng: &mut SplitMix64) -> (TestShape, Vec<TestRay>) {
     let size = rng.log_between(1e-2, 1e2);
     let place = as_f32(rng.direction() * (size * rng.log_between(1e3, 1e4)));
     let vertices = any_triangle(place, size, rng);
-    let eye = as_f32(place + rng.direction() * (size * rng.log_between(0.5, 10.0)));
-    (TestShape::Triangle { vertices }, rays(|| towards(eye, point_of(&vertices, rng))))
+    let viewpoint = as_f32(place + rng.direction() * (size * rng.log_between(0.5, 10.0)));
+    (TestShape::Triangle { vertices }, rays(|| towards(viewpoint, point_of(&vertices, rng))))
 }
 
 /// Vertices with integer coordinates, many of them level with each other.
@@ -206,8 +206,8 @@ fn distant_polygon(rng: &mut SplitMix64) -> (TestShape, Vec<TestRay>) {
     let size = rng.log_between(1e-2, 1e2);
     let place = as_f32(rng.direction() * (size * rng.log_between(1e3, 1e4)));
     let polygon = TestShape::random(crate::TestShapeKind::Polygon, place, size, rng);
-    let eye = as_f32(place + rng.direction() * (size * rng.log_between(0.5, 10.0)));
-    (polygon, rays(|| towards(eye, rng.in_ball(place, size))))
+    let viewpoint = as_f32(place + rng.direction() * (size * rng.log_between(0.5, 10.0)));
+    (polygon, rays(|| towards(viewpoint, rng.in_ball(place, size))))
 }
 
 fn grazed_plane(rng: &mut SplitMix64) -> (TestShape, Vec<TestRay>) {
@@ -232,8 +232,8 @@ fn disc_edge(rng: &mut SplitMix64) -> (TestShape, Vec<TestRay>) {
     let (radius, normal) = (rng.log_between(1e-3, 1e3), rng.direction());
     let center = rng.in_ball(DVec3::ZERO, 1e3 * radius);
     let ray = |rng: &mut SplitMix64| {
-        let eye = as_f32(center + rng.direction() * (radius * rng.log_between(0.5, 100.0)));
-        towards(eye, center + perpendicular(normal, rng) * (radius * about_one(rng)))
+        let viewpoint = as_f32(center + rng.direction() * (radius * rng.log_between(0.5, 100.0)));
+        towards(viewpoint, center + perpendicular(normal, rng) * (radius * about_one(rng)))
     };
     (TestShape::Disc { center, normal, radius }, rays(|| ray(rng)))
 }
@@ -276,8 +276,8 @@ fn corner_or_edge(rng: &mut SplitMix64) -> DVec3 {
 fn corners_of_box(rng: &mut SplitMix64) -> (TestShape, Vec<TestRay>) {
     let (min, max) = any_box(rng);
     let (center, half) = ((min + max) * 0.5, (max - min) * 0.5);
-    let eye = as_f32(center + rng.direction() * (length(half) * rng.log_between(1.2, 100.0)));
-    let rays = rays(|| towards(eye, center + half * corner_or_edge(rng)));
+    let viewpoint = as_f32(center + rng.direction() * (length(half) * rng.log_between(1.2, 100.0)));
+    let rays = rays(|| towards(viewpoint, center + half * corner_or_edge(rng)));
     (TestShape::Cuboid { min, max }, rays)
 }
 
@@ -309,18 +309,18 @@ fn distant_box(rng: &mut SplitMix64) -> (TestShape, Vec<TestRay>) {
     let place = rng.log_between(1e2, 1e4);
     let (shape, center, half, _) = any_oriented_box(place, rng);
     let ray = |rng: &mut SplitMix64| {
-        let eye = as_f32(center + rng.direction() * (length(half) * rng.log_between(0.1, 10.0)));
-        towards(eye, rng.in_ball(center, length(half)))
+        let viewpoint = as_f32(center + rng.direction() * (length(half) * rng.log_between(0.1, 10.0)));
+        towards(viewpoint, rng.in_ball(center, length(half)))
     };
     (shape, rays(|| ray(rng)))
 }
 
 fn corners_of_oriented_box(rng: &mut SplitMix64) -> (TestShape, Vec<TestRay>) {
     let (shape, center, half, [x, y, z]) = any_oriented_box(3.0, rng);
-    let eye = as_f32(center + rng.direction() * (length(half) * rng.log_between(1.2, 100.0)));
+    let viewpoint = as_f32(center + rng.direction() * (length(half) * rng.log_between(1.2, 100.0)));
     let ray = |rng: &mut SplitMix64| {
         let own = half * corner_or_edge(rng);
-        towards(eye, center + x * own.x + y * own.y + z * own.z)
+        towards(viewpoint, center + x * own.x + y * own.y + z * own.z)
     };
     (shape, rays(|| ray(rng)))
 }

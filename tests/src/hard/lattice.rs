@@ -127,8 +127,8 @@ pub(super) fn row(rng: &mut SplitMix64) -> BoxesAndRays {
             let at = rng.between(10.0, LENGTH);
             let (center, half) = (DVec3::X * at + y + z, dvec3(0.0, 0.003, 0.003));
             shapes.push(TestShape::Cuboid { min: as_f32(center - half), max: as_f32(center + half) });
-            let eye = dvec3(-rng.between(1.0, 10.0), level - 0.2, rng.between(0.0, 1.0));
-            rays.push(towards(as_f32(eye), as_f32(center + DVec3::X * rng.log_between(1e-3, 0.3))));
+            let viewpoint = dvec3(-rng.between(1.0, 10.0), level - 0.2, rng.between(0.0, 1.0));
+            rays.push(towards(as_f32(viewpoint), as_f32(center + DVec3::X * rng.log_between(1e-3, 0.3))));
         }
     }
     (shapes, rays)

@@ -44,9 +44,10 @@ fn scaled(rng: &mut SplitMix64) -> [HardCaseTally; 3] {
         for (solver, tally) in Solver::ALL.into_iter().zip(&mut tallies) {
             let expected = answers(solver, &shape, &rays);
             for (expected, answer) in expected.into_iter().zip(answers(solver, &other, &other_rays)) {
-                let grown = expected.map(|expected| (expected.t * scale, expected.normal));
+                let scaled_answer = expected.map(|expected| (expected.t * scale, expected.normal));
                 tally.rays += 1;
-                tally.faults += usize::from(answer.map(|SolverHit { t, normal }| (t, normal)) != grown);
+                tally.faults +=
+                    usize::from(answer.map(|SolverHit { t, normal }| (t, normal)) != scaled_answer);
             }
         }
     }
@@ -132,15 +133,15 @@ macro_rules! core {
                         )
                     };
                     let is_hit = |t_max: Real| {
-                        let blocker = world.occluder::<AllEffects, _>(
+                        let occluder = world.occluder::<AllEffects, _>(
                             &core_ray,
                             t_max,
                             RayKind::Shadow,
                             &mut (),
                             &mut (),
                         );
-                        assert_eq!(nearest(t_max).is_some(), blocker.is_some());
-                        blocker.is_some()
+                        assert_eq!(nearest(t_max).is_some(), occluder.is_some());
+                        occluder.is_some()
                     };
                     let t = nearest(Real::INFINITY)?.t;
                     Some([!is_hit(t.next_down()), is_hit(t), is_hit(t.next_up())])

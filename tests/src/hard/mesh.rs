@@ -41,17 +41,22 @@ pub struct ClosedMesh {
     /// Vertices that are not on a border.
     targets: Vec<u32>,
     /// Center and radius of the ball in which rays start.
-    eye: (DVec3, f64),
+    viewpoint: (DVec3, f64),
 }
 
 impl ClosedMesh {
-    fn new(points: Vec<DVec3>, triangles: Vec<[u32; 3]>, targets: Vec<u32>, eye: (DVec3, f64)) -> ClosedMesh {
+    fn new(
+        points: Vec<DVec3>,
+        triangles: Vec<[u32; 3]>,
+        targets: Vec<u32>,
+        viewpoint: (DVec3, f64),
+    ) -> ClosedMesh {
         let points: Vec<DVec3> = points.into_iter().map(as_f32).collect();
         let mut around = vec![Vec::new(); points.len()];
         for (triangle, number) in triangles.iter().zip(0..) {
             triangle.iter().for_each(|vertex| around[*vertex as usize].push(number));
         }
-        ClosedMesh { points, triangles, around, targets, eye }
+        ClosedMesh { points, triangles, around, targets, viewpoint }
     }
 
     /// A sphere: an icosahedron whose triangles are quartered `level` times.
@@ -148,7 +153,7 @@ impl ClosedMesh {
 
     /// A ray from the mesh's start region at a vertex or at a point of an edge, and triangles of which it must hit one.
     pub fn aim(&self, rng: &mut SplitMix64) -> (TestRay, Vec<u32>) {
-        let origin = rng.in_ball(self.eye.0, self.eye.1);
+        let origin = rng.in_ball(self.viewpoint.0, self.viewpoint.1);
         self.aim_from(origin, rng)
     }
 
@@ -207,7 +212,7 @@ pub fn odd_crossings(mesh: &ClosedMesh, rays: usize, rng: &mut SplitMix64) -> us
     let (points, shapes) = mesh.tables();
     let geometry = Geometry { vertices: &points, shapes: &shapes, ..Geometry::EMPTY };
     let is_odd = |_: &usize| {
-        let origin = as_f32(mesh.eye.0 + rng.direction() * (mesh.eye.1 * rng.between(4.0, 20.0)));
+        let origin = as_f32(mesh.viewpoint.0 + rng.direction() * (mesh.viewpoint.1 * rng.between(4.0, 20.0)));
         let (ray, _) = mesh.aim_from(origin, rng);
         let narrow = |v: DVec3| vec3(v.x as f32, v.y as f32, v.z as f32);
         let core_ray = Ray::new(narrow(ray.origin), narrow(ray.direction));

@@ -14,7 +14,7 @@ const GAP: usize = 4;
 /// A panel: a shape, the eye, the half extent of the view, and the error bound of the case.
 struct HardCasePanel {
     shape: TestShape,
-    eye: DVec3,
+    viewpoint: DVec3,
     half_extent: f64,
     bound: f64,
 }
@@ -29,7 +29,7 @@ fn panels() -> [HardCasePanel; 5] {
     [
         HardCasePanel {
             shape: TestShape::Sphere { center: as_f32(sphere), radius: 1.0 },
-            eye: far(sphere, 3000.0),
+            viewpoint: far(sphere, 3000.0),
             half_extent: 1.15,
             bound: 4.0,
         },
@@ -41,7 +41,7 @@ fn panels() -> [HardCasePanel; 5] {
                 end_radius: 0.25,
                 capped: false,
             },
-            eye: far(cone, 1000.0),
+            viewpoint: far(cone, 1000.0),
             half_extent: 1.3,
             bound: 8.0,
         },
@@ -52,13 +52,13 @@ fn panels() -> [HardCasePanel; 5] {
                 major: 1.0,
                 minor: 0.3125,
             },
-            eye: far(torus, 40.0),
+            viewpoint: far(torus, 40.0),
             half_extent: 1.4,
             bound: 8.0,
         },
         HardCasePanel {
             shape: TestShape::Triangle { vertices: needle },
-            eye: far(DVec3::ZERO, 1.5),
+            viewpoint: far(DVec3::ZERO, 1.5),
             half_extent: 1.0,
             bound: 4.0,
         },
@@ -69,7 +69,7 @@ fn panels() -> [HardCasePanel; 5] {
                 first: as_f32(dvec3(0.8, 0.1, -0.6)),
                 third: as_f32(dvec3(0.3, 0.9, 0.5)),
             },
-            eye: far(distant, 6.0),
+            viewpoint: far(distant, 6.0),
             half_extent: 1.4,
             bound: 4.0,
         },
@@ -79,10 +79,10 @@ fn panels() -> [HardCasePanel; 5] {
 impl HardCasePanel {
     fn rays(&self) -> Vec<TestRay> {
         let center = self.shape.bounding_sphere().0;
-        let (x, y) = perpendicular_axes(self.eye - center);
+        let (x, y) = perpendicular_axes(self.viewpoint - center);
         let coordinate = |i: usize| ((i as f64 + 0.5) / SIDE as f64 * 2.0 - 1.0) * self.half_extent;
         let ray = |row: usize, column: usize| {
-            towards(self.eye, center + x * coordinate(column) - y * coordinate(row))
+            towards(self.viewpoint, center + x * coordinate(column) - y * coordinate(row))
         };
         (0..SIDE).flat_map(|row| (0..SIDE).map(move |column| (row, column))).map(|(r, c)| ray(r, c)).collect()
     }

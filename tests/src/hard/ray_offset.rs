@@ -68,8 +68,8 @@ fn offset_case(kind: TestShapeKind, rng: &mut SplitMix64) -> OffsetCase {
     let radius = if kind == TestShapeKind::Plane { size } else { radius };
     let camera_rays = (0..HITS)
         .map(|_| {
-            let eye = as_f32(center + rng.direction() * (radius * rng.log_between(1.2, 10.0)));
-            towards(eye, rng.in_ball(center, radius))
+            let viewpoint = as_f32(center + rng.direction() * (radius * rng.log_between(1.2, 10.0)));
+            towards(viewpoint, rng.in_ball(center, radius))
         })
         .collect();
     let seeds = (0..HITS).map(|_| (0..RAYS).map(|_| rng.bits()).collect()).collect();
@@ -184,9 +184,11 @@ fn plates(rng: &mut SplitMix64) -> [HardCaseTally; 3] {
             max: as_f32(center + dvec3(size, size, z + gap)),
         };
         let (lower, upper) = (plate(-gap), plate(gap));
-        let eye = as_f32(center + dvec3(1.5 * size, 0.0, 0.5 * gap));
+        let viewpoint = as_f32(center + dvec3(1.5 * size, 0.0, 0.5 * gap));
         let camera_rays: Vec<TestRay> = (0..10)
-            .map(|_| towards(eye, center + dvec3(rng.between(-0.5, 0.5), rng.between(-0.5, 0.5), 0.0) * size))
+            .map(|_| {
+                towards(viewpoint, center + dvec3(rng.between(-0.5, 0.5), rng.between(-0.5, 0.5), 0.0) * size)
+            })
             .collect();
         let seeds: Vec<u64> = (0..10).map(|_| rng.bits()).collect();
         for (solver, tally) in Solver::ALL.into_iter().zip(&mut tallies) {

@@ -93,7 +93,7 @@ sizes away, a torus 40 sizes away, a needle triangle, an oriented box 9500 from 
 close to a silhouette or an edge that either answer is right.*
 
 - *Either*: rays closer to a silhouette or an edge than 32 roundoffs of the largest difference
-  that must be formed (the distance between eye and object and its size): either answer is right. Every other ray has
+  that must be formed (the distance between viewpoint and object and its size): either answer is right. Every other ray has
   one right answer.
 - *Faults*: hit for miss, miss for hit, a distance or a normal outside the bound, a normal that is not of
   unit length, a NaN.
@@ -135,7 +135,7 @@ Each is tested by `cargo test -p strahl-tests --test` and the words in parenthes
 - *Points and normals* (`shapes`): for every kind of shape, the point found lies on it within the error bound that
   it comes with, the normal is of unit length within 1e-6 and points outward; a ray that leaves something convex or
   flat, 1e-4 to 1e4 in size and up to 1e4 sizes from the origin, does not hit it again.
-- *Media* (`closed_form`): glass in water, bodies that overlap, an eye inside glass; at the critical angle no light
+- *Media* (`closed_form`): glass in water, bodies that overlap, an viewpoint inside glass; at the critical angle no light
   is lost.
 - *Input* (`cargo test -p strahl`): objects without area or size, views that show nothing, NaN and infinities
   are errors with their position. Triangles without area in a mesh keep their number and are never hit; one warning

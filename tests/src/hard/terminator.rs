@@ -52,8 +52,8 @@ fn smooth_sphere(level: u32, center: DVec3, radius: f64, plate: Option<DVec3>) -
 fn camera_rays(center: DVec3, radius: f64, light: DVec3, rng: &mut SplitMix64) -> Vec<TestRay> {
     let ray = |_| {
         let side = perpendicular(light, rng) - light * rng.between(-0.4, 0.6);
-        let eye = as_f32(center + side * (radius * rng.between(2.0, 9.0)));
-        towards(eye, rng.in_ball(center, radius))
+        let viewpoint = as_f32(center + side * (radius * rng.between(2.0, 9.0)));
+        towards(viewpoint, rng.in_ball(center, radius))
     };
     (0..110).map(ray).collect()
 }
@@ -72,10 +72,10 @@ fn evaluated(with_plate: bool, rng: &mut SplitMix64) -> [HardCaseTally; 3] {
                 Solver::Single => in_single::lit(&shapes, &camera_rays, light),
                 Solver::Double => in_double::lit(&shapes, &camera_rays, light),
             };
-            for ((hit, eye), lit) in shown.iter().zip(&camera_rays).zip(lit) {
+            for ((hit, viewpoint), lit) in shown.iter().zip(&camera_rays).zip(lit) {
                 let is_plate = |item: u32| matches!(shapes[item as usize], TestShape::Disc { .. });
                 let Some(hit) = hit.filter(|hit| !is_plate(hit.item)) else { continue };
-                let facing = |n: DVec3| if hit.normal.dot(eye.direction) > 0.0 { -n } else { n };
+                let facing = |n: DVec3| if hit.normal.dot(viewpoint.direction) > 0.0 { -n } else { n };
                 // At grazing light rounding decides.
                 if facing(hit.shading).dot(light) <= 1e-3 {
                     continue;
@@ -97,9 +97,9 @@ fn in_textbook(
     let scene = single::TestScene::with_shapes(shapes);
     let hit = scene.cast(camera_rays);
     let narrow = |v: DVec3| strahl_core::vec3(v.x as f32, v.y as f32, v.z as f32);
-    let shadow = |(hit, eye): (&Option<CoreHit>, &TestRay)| {
+    let shadow = |(hit, viewpoint): (&Option<CoreHit>, &TestRay)| {
         let hit = hit.as_ref()?;
-        let side = if hit.normal.dot(eye.direction) > 0.0 { -hit.normal } else { hit.normal };
+        let side = if hit.normal.dot(viewpoint.direction) > 0.0 { -hit.normal } else { hit.normal };
         let from = textbook::offset_origin(narrow(hit.point), narrow(side));
         Some(TestRay { origin: dvec3(from.x.into(), from.y.into(), from.z.into()), direction: light })
     };
@@ -130,9 +130,15 @@ macro_rules! core {
                 let toward = try_normalize(narrow(light)).unwrap();
                 let source = LightSource::Directional { to_light: toward };
                 scene.lights.push(Light { source, color: Rgb::WHITE, casts_shadows: true });
-                let look = |eye: &TestRay| {
+                let look = |viewpoint: &TestRay| {
                     let limits = Limits { levels: 1, cutoff: 0.0 };
-                    !scene.trace(narrow(eye.origin), narrow(eye.origin + eye.direction), limits).is_black()
+                    !scene
+                        .trace(
+                            narrow(viewpoint.origin),
+                            narrow(viewpoint.origin + viewpoint.direction),
+                            limits,
+                        )
+                        .is_black()
                 };
                 let lit = camera_rays.iter().map(look).collect();
                 (hit, lit)

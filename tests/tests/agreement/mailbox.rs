@@ -79,7 +79,7 @@ fn a_hit_beyond_the_cell_that_offers_it_does_not_hide_a_nearer_item() {
 }
 
 #[test]
-fn a_hit_beyond_the_cell_that_offers_it_is_kept_when_the_mailbox_skips_the_item_later() {
+fn a_hit_beyond_the_cell_that_offers_it_stays_when_the_mailbox_skips_the_item_later() {
     let scene = triangle_and_sphere();
     let start = vec3(-7.9, -7.0, -5.5);
     // The triangle is offered in the first cell and hit in one of the last.

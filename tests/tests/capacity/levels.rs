@@ -154,10 +154,10 @@ fn an_overflow_of_the_medium_stack_is_counted() {
 }
 
 #[test]
-fn the_background_replaces_rays_below_the_last_level_and_hits_out_of_sight() {
+fn the_background_replaces_rays_below_the_last_level_and_distant_hits() {
     /// All effects, with the background beyond a distance of 4.5 and below the last level.
-    struct LimitedSight;
-    impl Effects for LimitedSight {
+    struct LimitedDistance;
+    impl Effects for LimitedDistance {
         const SET: EffectSet = EffectSet::ALL;
         const MAX_DISTANCE: Real = 4.5;
         const LEVEL_LIMIT_RADIANCE: LevelLimitRadiance = LevelLimitRadiance::Background;
@@ -170,7 +170,7 @@ fn the_background_replaces_rays_below_the_last_level_and_hits_out_of_sight() {
             CameraDescriptor { position: vec3(from, 0.0, 0.0), target: vec3(from + 1.0, 0.0, 0.0), ..VIEW };
         let camera = Camera::new(&CameraDescriptor { up: Vec3::Y, ..view }, size(1, 1)).unwrap();
         let limits = Limits { levels, cutoff: 0.0 };
-        let tracer = Tracer::<_, LimitedSight, 3>::new(&world, camera, limits).unwrap();
+        let tracer = Tracer::<_, LimitedDistance, 3>::new(&world, camera, limits).unwrap();
         tracer.trace(CENTER, &mut Worker::new(())).color
     };
     // The pane, and the background for both of its children: the reflected ray would hit the other pane.

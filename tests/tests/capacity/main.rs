@@ -158,7 +158,7 @@ fn the_core_allocates_no_memory() {
     let mut colors = vec![Rgb::BLACK; tile.len()];
     let mut corners = vec![PixelSample::BLACK; CornerGrid::corner_tile(tile).len()];
     let mut row = vec![PixelSample::BLACK; 25];
-    let mut kept = vec![CacheEntry::EMPTY; 500];
+    let mut cache = vec![CacheEntry::EMPTY; 500];
     let colors_agree = ContrastThreshold::new(0.05).unwrap();
 
     assert_eq!(allocations(|| drop(std::hint::black_box(Box::new(1)))), 1, "allocations are counted");
@@ -181,23 +181,25 @@ fn the_core_allocates_no_memory() {
         let mut stochastic =
             StochasticSampler::with_range(4, 16, ends).unwrap().with_filter(Filter::Gaussian);
         let Ok(()) = render(&mut tracer.with_worker(&mut worker), &mut stochastic, tile.pixels(), &mut frame);
-        let parting = Subdivision::new(3, colors_agree).unwrap();
-        let mut adaptive = AdaptiveSampler::new(parting, CornerRow::new(&mut row), &mut kept);
+        let subdivision = Subdivision::new(3, colors_agree).unwrap();
+        let mut adaptive = AdaptiveSampler::new(subdivision, CornerRow::new(&mut row), &mut cache);
         let Ok(()) = render(&mut tracer.with_worker(&mut worker), &mut adaptive, tile.pixels(), &mut frame);
         let all = CornerGrid::corner_tile(tile);
         let mut lattice = Framebuffer::new(all, &mut corners).unwrap();
         let Ok(()) = render(
             &mut tracer.with_worker(&mut worker),
-            &mut CornerSampler(parting),
+            &mut CornerSampler(subdivision),
             all.pixels(),
             &mut lattice,
         );
-        let mut adaptive = AdaptiveSampler::new(parting, CornerGrid::new(tile, &corners).unwrap(), &mut kept);
+        let mut adaptive =
+            AdaptiveSampler::new(subdivision, CornerGrid::new(tile, &corners).unwrap(), &mut cache);
         let Ok(()) = render(&mut tracer.with_worker(&mut worker), &mut adaptive, tile.pixels(), &mut frame);
         let selection = Selection::new(8, colors_agree).unwrap();
-        let mut selected = PixelSelector::new(selection, CenterSampler, Uncached, &mut kept);
-        let blocks = selection.blocks(tile).pixels();
-        let Ok(()) = render_selected(&mut tracer.with_worker(&mut worker), &mut selected, blocks, &mut frame);
+        let mut selected = PixelSelector::new(selection, CenterSampler, Uncached, &mut cache);
+        let block_corners = selection.blocks(tile).pixels();
+        let Ok(()) =
+            render_selected(&mut tracer.with_worker(&mut worker), &mut selected, block_corners, &mut frame);
         assert!(
             worker.tally().rays[RayKind::Transmitted] > 100 && worker.tally().rays[RayKind::Reflected] > 100
         );

@@ -148,8 +148,8 @@ fn a_rough_mirror_shows_the_mean_over_its_microfacets() {
             })
             .sum::<f64>()
             / f64::from(n);
-        let eye = vec3(0.0, 2.0, 0.0);
-        let mean = |n, seed| scene.trace_samples(eye, Vec3::ZERO, ALL, n, seed)[0];
+        let viewpoint = vec3(0.0, 2.0, 0.0);
+        let mean = |n, seed| scene.trace_samples(viewpoint, Vec3::ZERO, ALL, n, seed)[0];
         assert_converges(mean, expected, 1e-3, -0.8);
     }
 }
@@ -192,17 +192,17 @@ fn light_through_panes_and_bodies_has_their_color() {
     // Through the center of a sphere: two surfaces that reflect 4 % each, and a distance of 2.
     let mut scene = floor(sun);
     scene.colored_shadows = true;
-    let clarity = Rgb::new(2.0, 4.0, Real::INFINITY);
+    let attenuation_length = Rgb::new(2.0, 4.0, Real::INFINITY);
     let glass = Material {
         transmission: Rgb::WHITE,
         refractive_index: 1.5,
-        attenuation_length: clarity,
+        attenuation_length,
         ambient: Rgb::WHITE,
         ..Material::MATTE
     };
     scene.material(Material { fresnel: FresnelModel::Dielectric, ..glass });
     scene.sphere(vec3(0.0, 3.0, 0.0), 1.0);
-    let through = |clarity: f64| 0.96 * 0.96 * (-2.0 / clarity).exp();
+    let through = |length: f64| 0.96 * 0.96 * (-2.0 / length).exp();
     assert_color(floor_color(&scene), [through(2.0), through(4.0), 0.96 * 0.96], 1e-5);
     // Opaque objects behind glass occlude.
     scene.material(Material::matte(Rgb::WHITE));

@@ -34,10 +34,10 @@ fn a_plate_displaces_a_ray_by_the_offset_of_snells_law() {
                 // The ray starts 1.5 above the plate; along the ruler the offset is longer.
                 let expected = 3.5 * a.tan() - offset / a.cos();
                 let x = 1.5 * a.tan() - 1.5 * a.tan();
-                let seen = ruler_x(trace_down(&scene, [x, 1.5], a, ALL));
+                let actual = ruler_x(trace_down(&scene, [x, 1.5], a, ALL));
                 assert!(
-                    (seen - expected).abs() <= 4.0 * RULER_TOLERANCE / a.cos(),
-                    "{index} {a}: {seen} is not {expected}"
+                    (actual - expected).abs() <= 4.0 * RULER_TOLERANCE / a.cos(),
+                    "{index} {a}: {actual} is not {expected}"
                 );
             }
         }
@@ -46,14 +46,14 @@ fn a_plate_displaces_a_ray_by_the_offset_of_snells_law() {
 
 #[test]
 fn a_ray_leaves_a_plate_parallel_to_the_incident_ray() {
-    let seen = |height: f64, a: f64| {
+    let ruler_x_below = |height: f64, a: f64| {
         let mut scene = TestScene::new();
         plate(&mut scene, glass(1.5), -1.0, 0.0);
         ruler(&mut scene, height);
         ruler_x(trace_down(&scene, [0.0, 0.5], a, ALL))
     };
     for a in ANGLES {
-        let (near, far) = (seen(-1.25, a), seen(-2.75, a));
+        let (near, far) = (ruler_x_below(-1.25, a), ruler_x_below(-2.75, a));
         assert!(
             (far - near - 1.5 * a.tan()).abs() <= 4.0 * RULER_TOLERANCE / a.cos(),
             "{a}: from {near} to {far}"
@@ -71,8 +71,8 @@ fn a_glass_sphere_deflects_a_ray_by_twice_the_difference_of_the_angles() {
     for h in [0.0, 0.25, 1.0, -1.5, 1.9] {
         let a = (h / 2.0_f64).asin();
         let deflection = 2.0 * (a - refracted_angle(a, 1.5));
-        let eye = vec3(-5.0, h as Real, 0.0);
-        let (color, counters) = scene.trace_counted(eye, eye + Vec3::X, ALL);
+        let viewpoint = vec3(-5.0, h as Real, 0.0);
+        let (color, counters) = scene.trace_counted(viewpoint, viewpoint + Vec3::X, ALL);
         assert_eq!(counters.rays[RayKind::Transmitted], 2);
         let expected = 0.5 - 0.5 * deflection.sin();
         assert!(
@@ -99,8 +99,11 @@ fn a_pane_of_index_one_does_not_refract() {
     for a in ANGLES {
         let expected = ruler_x(trace_down(&air, [0.0, 1.0], a, ALL));
         for scene in [&pane, &block] {
-            let seen = ruler_x(trace_down(scene, [0.0, 1.0], a, ALL));
-            assert!((seen - expected).abs() <= RULER_TOLERANCE / a.cos(), "{a}: {seen} is not {expected}");
+            let actual = ruler_x(trace_down(scene, [0.0, 1.0], a, ALL));
+            assert!(
+                (actual - expected).abs() <= RULER_TOLERANCE / a.cos(),
+                "{a}: {actual} is not {expected}"
+            );
         }
     }
 }
@@ -209,8 +212,8 @@ fn around_the_critical_angle_no_light_is_lost() {
     }
     let mut passed = 0;
     for _ in 0..600 {
-        let eye = vec3(0.0, -1.0, 0.0);
-        let (color, counters) = scene.trace_counted(eye, vec3(slope, 0.0, 0.0), ALL);
+        let viewpoint = vec3(0.0, -1.0, 0.0);
+        let (color, counters) = scene.trace_counted(viewpoint, vec3(slope, 0.0, 0.0), ALL);
         assert_gray(color, 1.0, ROUNDINGS);
         passed += counters.rays[RayKind::Transmitted];
         slope = slope.next_up();

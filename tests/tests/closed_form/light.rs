@@ -9,12 +9,12 @@ fn lit(material: Material, source: LightSource) -> Rgb {
     lit_from(material, source, vec3(0.0, 4.0, 0.0))
 }
 
-fn lit_from(material: Material, source: LightSource, eye: Vec3) -> Rgb {
+fn lit_from(material: Material, source: LightSource, viewpoint: Vec3) -> Rgb {
     let mut scene = TestScene::new();
     scene.material(Material { ambient: Rgb::BLACK, ..material });
     scene.plane(Vec3::ZERO, Vec3::Y);
     scene.lights.push(Light { source, color: LIGHT_COLOR, casts_shadows: true });
-    scene.trace(eye, Vec3::ZERO, ALL)
+    scene.trace(viewpoint, Vec3::ZERO, ALL)
 }
 
 /// A point light at distance 5 from the origin, at an angle from the vertical.
@@ -65,10 +65,14 @@ fn a_light_below_the_surface_adds_nothing() {
 #[test]
 fn diffuse_light_does_not_depend_on_the_eye() {
     let source = point(0.5, Falloff::NONE);
-    for eye in [vec3(3.0, 1.0, 0.0), vec3(-2.0, 0.25, 5.0), vec3(0.0, 40.0, 1.0)] {
+    for viewpoint in [vec3(3.0, 1.0, 0.0), vec3(-2.0, 0.25, 5.0), vec3(0.0, 40.0, 1.0)] {
         let cos = 0.5_f64.cos();
         // The hit point is the origin up to some roundings of the eye's distance over its height.
-        assert_color(lit_from(MATTE, source, eye), lit_color([0.5 * cos, cos, 0.25 * cos]), 4.0 * ROUNDINGS);
+        assert_color(
+            lit_from(MATTE, source, viewpoint),
+            lit_color([0.5 * cos, cos, 0.25 * cos]),
+            4.0 * ROUNDINGS,
+        );
     }
 }
 

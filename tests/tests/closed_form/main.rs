@@ -79,12 +79,12 @@ fn ruler_x(color: Rgb) -> f64 {
 const RULER_TOLERANCE: f64 = 2.0 * RULER_HALF_WIDTH * ROUNDINGS;
 
 /// Traces a ray from `eye` downward, at an angle from the vertical towards +x.
-fn trace_down(scene: &TestScene, eye: [f64; 2], angle: f64, limits: Limits) -> Rgb {
-    trace_down_counted(scene, eye, angle, limits).0
+fn trace_down(scene: &TestScene, viewpoint: [f64; 2], angle: f64, limits: Limits) -> Rgb {
+    trace_down_counted(scene, viewpoint, angle, limits).0
 }
 
 fn trace_down_counted(scene: &TestScene, [x, y]: [f64; 2], angle: f64, limits: Limits) -> (Rgb, Counters) {
-    let eye = vec3(x as Real, y as Real, 0.0);
+    let viewpoint = vec3(x as Real, y as Real, 0.0);
     let target = vec3((x + angle.sin()) as Real, (y - angle.cos()) as Real, 0.0);
-    scene.trace_counted(eye, target, limits)
+    scene.trace_counted(viewpoint, target, limits)
 }

@@ -2,11 +2,11 @@
 
 use crate::*;
 
-const fn body(index: Real, clarity: Rgb, priority: u8) -> Material {
+const fn body(index: Real, attenuation_length: Rgb, priority: u8) -> Material {
     Material {
         transmission: Rgb::WHITE,
         refractive_index: index,
-        attenuation_length: clarity,
+        attenuation_length,
         priority,
         ..unlit(Rgb::BLACK)
     }
@@ -27,10 +27,10 @@ const ANGLES: [f64; 5] = [0.0, 0.2, 0.6, 1.0, -0.8];
 
 #[test]
 fn one_over_e_of_the_light_is_left_after_each_attenuation_length() {
-    let clarity = Rgb::new(2.0, 0.5, Real::INFINITY);
+    let attenuation_length = Rgb::new(2.0, 0.5, Real::INFINITY);
     for index in [1.0, 1.5] {
         let mut scene = TestScene::new();
-        plate(&mut scene, body(index, clarity, 0), -3.0, 0.0);
+        plate(&mut scene, body(index, attenuation_length, 0), -3.0, 0.0);
         scene.background = Background::Color(Rgb::new(0.5, 1.0, 0.25));
         for a in ANGLES {
             // The distance inside is longer than the plate is thick.
@@ -67,7 +67,7 @@ fn no_light_arrives_from_infinity_through_an_absorbing_body() {
 }
 
 #[test]
-fn an_item_inside_a_body_is_seen_through_it() {
+fn an_item_inside_a_body_is_visible_through_it() {
     let mut scene = TestScene::new();
     plate(&mut scene, body(1.0, Rgb::gray(2.0), 0), -4.0, 0.0);
     scene.material(unlit(Rgb::WHITE));

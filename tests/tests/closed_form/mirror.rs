@@ -73,8 +73,8 @@ fn a_mirror_shows_the_mirror_direction() {
     ruler(&mut scene, 2.0);
     for angle in [-1.2_f64, -0.5, 0.0, 0.3, 0.9, 1.25] {
         let start = [-angle.tan(), 1.0];
-        let seen = trace_down(&scene, start, angle, ALL);
-        let x = ruler_x(seen + seen);
+        let color = trace_down(&scene, start, angle, ALL);
+        let x = ruler_x(color + color);
         assert!((x - 2.0 * angle.tan()).abs() <= 8.0 * RULER_TOLERANCE, "{x} is not {}", 2.0 * angle.tan());
         // With one level there is no image.
         assert_eq!(trace_down(&scene, start, angle, levels(1)), Rgb::BLACK);

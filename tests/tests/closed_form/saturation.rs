@@ -185,10 +185,11 @@ fn every_accepted_scene_gives_finite_pixels() {
         scene.background = Background::Color(color(&bright, r));
         scene.colored_shadows = r.below(2) == 0;
         for _ in 0..4 {
-            let (eye, target) = (r.in_ball(DVec3::ZERO, 3.0 * scale), r.in_ball(DVec3::ZERO, scale));
-            let [eye, target] = [eye, target].map(|p| vec3(p.x as Real, p.y as Real, p.z as Real));
+            let (viewpoint, target) = (r.in_ball(DVec3::ZERO, 3.0 * scale), r.in_ball(DVec3::ZERO, scale));
+            let [viewpoint, target] =
+                [viewpoint, target].map(|p| vec3(p.x as Real, p.y as Real, p.z as Real));
             // `trace` asserts that every channel is finite and not negative.
-            lit += usize::from(!scene.trace(eye, target, levels(9)).is_black());
+            lit += usize::from(!scene.trace(viewpoint, target, levels(9)).is_black());
         }
     }
     assert!(lit > 400, "{lit}");

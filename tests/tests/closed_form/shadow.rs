@@ -151,22 +151,22 @@ fn a_light_on_a_surface_is_not_occluded_by_it() {
     for round in 0..4_000 {
         let kind = TestShapeKind::ALL[round % TestShapeKind::ALL.len()];
         let shape = TestShape::random(kind, strahl_tests::DVec3::ZERO, 1.0, &mut rng);
-        let eye = rng.in_ball(strahl_tests::DVec3::ZERO, 6.0);
+        let viewpoint = rng.in_ball(strahl_tests::DVec3::ZERO, 6.0);
         let target = rng.in_ball(strahl_tests::DVec3::ZERO, 0.7);
-        let ray = TestRay { origin: eye, direction: target - eye };
+        let ray = TestRay { origin: viewpoint, direction: target - viewpoint };
         let oracle::OracleAnswer::Hit(contact) = oracle::intersect(&shape, &ray) else { continue };
         if contact.slope < 0.5 || contact.distance < 2.0 {
             continue;
         }
         let position = vec3(contact.point.x as Real, contact.point.y as Real, contact.point.z as Real);
-        let from = vec3(eye.x as Real, eye.y as Real, eye.z as Real);
+        let from = vec3(viewpoint.x as Real, viewpoint.y as Real, viewpoint.z as Real);
         // A small disc that faces the light, at the origin of the ray.
         let mut scene = TestScene::with_shapes(&[shape]);
         scene.material(Material { ambient: Rgb::BLACK, ..Material::MATTE });
         scene.disc(from, position - from, 1e-3);
         scene.lights.push(point_light(position.x, position.y, position.z));
-        let eye = from + try_normalize(position - from).unwrap() * 0.5;
-        let (color, counters) = scene.trace_counted(eye, from, ALL);
+        let viewpoint = from + try_normalize(position - from).unwrap() * 0.5;
+        let (color, counters) = scene.trace_counted(viewpoint, from, ALL);
         if counters.rays[RayKind::Shadow] == 1 {
             assert!(!color.is_black(), "{round}: {kind:?} {contact:?}");
             shadow_rays += 1;
@@ -213,8 +213,8 @@ fn two_plates_with_a_narrow_gap_cast_shadows_at_every_scale() {
         scene.lights.push(point_light(0.0, scale, 0.0));
         // From the side into the gap, at half of its height: under the upper plate, and beside it.
         let is_lit = |x: Real| {
-            let eye = vec3(-scale, 0.5 * gap + 1e-4 * scale, 0.0);
-            let color = scene.trace(eye, vec3(x * scale, 0.0, 0.0), ALL);
+            let viewpoint = vec3(-scale, 0.5 * gap + 1e-4 * scale, 0.0);
+            let color = scene.trace(viewpoint, vec3(x * scale, 0.0, 0.0), ALL);
             !color.is_black()
         };
         assert!(!is_lit(-0.499) && !is_lit(-0.25), "2^{k}");

@@ -27,7 +27,7 @@ fn picture(scene: &TestScene, view: &CameraDescriptor, width: u32, height: u32) 
 }
 
 /// A wall at distance 5 whose red channel encodes x, and whose green channel encodes y, from top to bottom.
-fn wall() -> TestScene {
+fn gradient_plane() -> TestScene {
     let mut scene = TestScene::new();
     let gradient =
         |to, origin, along| Texture::Gradient { start_color: Rgb::BLACK, end_color: to, origin, axis: along };
@@ -47,7 +47,7 @@ fn wall() -> TestScene {
 #[test]
 fn a_perspective_view_spreads_its_angle_over_the_rows() {
     let (width, height) = (9, 7);
-    let colors = picture(&wall(), &VIEW, width, height);
+    let colors = picture(&gradient_plane(), &VIEW, width, height);
     // From the center of the first row to that of the last; pixels are square.
     let step = 2.0 * 0.6_f64.tan() / f64::from(height - 1);
     for (color, i) in colors.iter().zip(0..) {
@@ -61,7 +61,7 @@ fn a_perspective_view_spreads_its_angle_over_the_rows() {
 fn an_orthographic_view_spreads_its_height_over_the_rows() {
     let (width, height) = (9, 7);
     let view = CameraDescriptor { projection: Projection::Orthographic { height: 12.0 }, ..VIEW };
-    let colors = picture(&wall(), &view, width, height);
+    let colors = picture(&gradient_plane(), &view, width, height);
     for (color, i) in colors.iter().zip(0..) {
         let (x, y) = (f64::from(i % width) - 4.0, f64::from(i / width) - 3.0);
         assert_color(*color, [0.5 + 2.0 * x / 16.0, 0.5 + 2.0 * y / 16.0, 0.0], ROUNDINGS);
@@ -166,33 +166,37 @@ fn a_background_changes_with_the_height_of_the_direction() {
 }
 
 /// Color of a triangle in z = 0 whose front faces +z, with one light on one side.
-fn triangle_color(two_sided: bool, eye: Real, light: Real) -> Rgb {
+fn triangle_color(two_sided: bool, viewpoint: Real, light: Real) -> Rgb {
     let mut scene = TestScene::new();
     scene.material(Material { ambient: Rgb::BLACK, two_sided, ..Material::MATTE });
     scene.polygon(&[vec3(-1.0, -1.0, 0.0), vec3(1.0, -1.0, 0.0), vec3(0.0, 1.0, 0.0)], &[]);
     let source = LightSource::Point { position: vec3(0.0, 0.0, light), falloff: Falloff::NONE };
     scene.lights.push(Light { source, color: Rgb::WHITE, casts_shadows: true });
-    scene.trace(vec3(0.0, 0.0, eye), Vec3::ZERO, ALL)
+    scene.trace(vec3(0.0, 0.0, viewpoint), Vec3::ZERO, ALL)
 }
 
 #[test]
 fn a_two_sided_surface_is_lit_on_the_side_of_the_eye() {
-    for (eye, light, lit) in [(2.0, 3.0, true), (2.0, -3.0, false), (-2.0, -3.0, true), (-2.0, 3.0, false)] {
+    for (viewpoint, light, lit) in
+        [(2.0, 3.0, true), (2.0, -3.0, false), (-2.0, -3.0, true), (-2.0, 3.0, false)]
+    {
         assert_eq!(
-            triangle_color(true, eye, light),
+            triangle_color(true, viewpoint, light),
             if lit { Rgb::WHITE } else { Rgb::BLACK },
-            "{eye} {light}"
+            "{viewpoint} {light}"
         );
     }
 }
 
 #[test]
 fn a_one_sided_surface_is_shaded_as_its_front_on_both_sides() {
-    for (eye, light, lit) in [(2.0, 3.0, true), (2.0, -3.0, false), (-2.0, -3.0, false), (-2.0, 3.0, true)] {
+    for (viewpoint, light, lit) in
+        [(2.0, 3.0, true), (2.0, -3.0, false), (-2.0, -3.0, false), (-2.0, 3.0, true)]
+    {
         assert_eq!(
-            triangle_color(false, eye, light),
+            triangle_color(false, viewpoint, light),
             if lit { Rgb::WHITE } else { Rgb::BLACK },
-            "{eye} {light}"
+            "{viewpoint} {light}"
         );
     }
 }

@@ -201,8 +201,8 @@ proptest! {
         let mut colors = vec![Rgb::BLACK; tile.len()];
         let mut frame = Framebuffer::new(tile, &mut colors).unwrap();
         let mut worker = Worker::new(());
-        let agreement = ContrastThreshold::new(0.05).unwrap();
-        let mut kept = [CacheEntry::EMPTY; 8];
+        let contrast = ContrastThreshold::new(0.05).unwrap();
+        let mut cache = [CacheEntry::EMPTY; 8];
         let Ok(()) = match sampler {
             0 => render(&mut tracer.with_worker(&mut worker), &mut CenterSampler, tile.pixels(), &mut frame),
             1 => {
@@ -210,8 +210,8 @@ proptest! {
                 render(&mut tracer.with_worker(&mut worker), &mut regular, tile.pixels(), &mut frame)
             }
             2 => {
-                let parting = Subdivision::new(2, agreement).unwrap();
-                let mut adaptive = AdaptiveSampler::new(parting, Uncached, &mut kept);
+                let subdivision = Subdivision::new(2, contrast).unwrap();
+                let mut adaptive = AdaptiveSampler::new(subdivision, Uncached, &mut cache);
                 render(&mut tracer.with_worker(&mut worker), &mut adaptive, tile.pixels(), &mut frame)
             }
             3 => {
@@ -220,10 +220,10 @@ proptest! {
                 render(&mut tracer.with_worker(&mut worker), &mut stochastic, tile.pixels(), &mut frame)
             }
             _ => {
-                let selection = Selection::new(2, agreement).unwrap();
-                let blocks = selection.blocks(tile).pixels();
-                let mut selected = PixelSelector::new(selection, CenterSampler, Uncached, &mut kept);
-                render_selected(&mut tracer.with_worker(&mut worker), &mut selected, blocks, &mut frame)
+                let selection = Selection::new(2, contrast).unwrap();
+                let block_corners = selection.blocks(tile).pixels();
+                let mut selected = PixelSelector::new(selection, CenterSampler, Uncached, &mut cache);
+                render_selected(&mut tracer.with_worker(&mut worker), &mut selected, block_corners, &mut frame)
             }
         };
         for color in colors {
@@ -294,14 +294,14 @@ fn an_invalid_ray_hits_nothing_and_tests_nothing() {
                         &mut tally,
                     );
                     assert_eq!(hit, None, "{ray:?}");
-                    let blocker = world.occluder::<AllEffects, _>(
+                    let occluder = world.occluder::<AllEffects, _>(
                         ray,
                         t_max,
                         RayKind::Shadow,
                         &mut scratch,
                         &mut tally,
                     );
-                    assert_eq!(blocker, None, "{ray:?}");
+                    assert_eq!(occluder, None, "{ray:?}");
                 }
             }
             assert_eq!(tally, Counters::new(), "no box and no shape is tested");

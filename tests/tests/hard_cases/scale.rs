@@ -140,11 +140,11 @@ fn scenes(rng: &mut SplitMix64) -> Vec<(TestShape, Vec<TestRay>)> {
             let center = rng.in_ball(DVec3::ZERO, 5.0);
             let shape = TestShape::random(kind, center, rng.log_between(0.1, 3.0), rng);
             let ray = |rng: &mut SplitMix64| {
-                let (eye, target) = (rng.in_ball(center, 12.0), rng.in_ball(center, 3.0));
+                let (viewpoint, target) = (rng.in_ball(center, 12.0), rng.in_ball(center, 3.0));
                 let speed = rng.log_between(0.1, 10.0);
-                let direction = (target - eye) * speed;
+                let direction = (target - viewpoint) * speed;
                 TestRay {
-                    origin: eye,
+                    origin: viewpoint,
                     direction: dvec3(
                         direction.x as f32 as f64,
                         direction.y as f32 as f64,
@@ -221,10 +221,10 @@ fn a_mirrored_scene_has_the_mirrored_hits_bit_for_bit() {
                     continue;
                 }
                 let sign = if is_handed(&shape) { -1.0 } else { 1.0 };
-                let seen =
+                let mirrored_hit =
                     |hit: &CoreHit| (hit.t, mirrored(hit.point), mirrored(hit.normal) * sign, hit.error);
                 let got = answer.map(|hit| (hit.t, hit.point, hit.normal, hit.error));
-                assert_eq!(got, expected.as_ref().map(seen), "{sides:?}: {shape:?}\n{ray:?}");
+                assert_eq!(got, expected.as_ref().map(mirrored_hit), "{sides:?}: {shape:?}\n{ray:?}");
                 hits += usize::from(answer.is_some());
             }
         }

@@ -83,8 +83,9 @@ fn a_floor_on_a_coordinate_plane_is_not_hit_again() {
     ] {
         for core in CORES {
             for _ in 0..300 {
-                let eye = rng.in_ball(dvec3(0.0, 5.0, 0.0), 2.0);
-                let Some(hit) = core.one(&shape, towards(eye, rng.in_ball(DVec3::ZERO, 3.0), 1.0)) else {
+                let viewpoint = rng.in_ball(dvec3(0.0, 5.0, 0.0), 2.0);
+                let Some(hit) = core.one(&shape, towards(viewpoint, rng.in_ball(DVec3::ZERO, 3.0), 1.0))
+                else {
                     continue;
                 };
                 let origin = (core.offset_origin)(&hit, hit.normal * hit.normal.y);

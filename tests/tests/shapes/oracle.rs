@@ -84,10 +84,13 @@ fn agrees_inside(kind: TestShapeKind) {
 fn rays_at_the_border(shape: &TestShape, rng: &mut SplitMix64) -> Vec<TestRay> {
     let (center, radius) = shape.bounding_sphere();
     let away = radius * rng.log_between(2.0, 20.0);
-    let eye = rng.in_ball(center, away);
+    let viewpoint = rng.in_ball(center, away);
     let (mut on, mut beside) = (target(shape, rng), rng.in_ball(center, 2.0 * radius));
     let is_hit = |point: DVec3| {
-        !matches!(intersect(shape, &TestRay { origin: eye, direction: point - eye }), OracleAnswer::Miss)
+        !matches!(
+            intersect(shape, &TestRay { origin: viewpoint, direction: point - viewpoint }),
+            OracleAnswer::Miss
+        )
     };
     if !is_hit(on) || is_hit(beside) {
         return Vec::new();
@@ -100,7 +103,7 @@ fn rays_at_the_border(shape: &TestShape, rng: &mut SplitMix64) -> Vec<TestRay> {
     (0..18)
         .flat_map(|k| {
             let step = across / f64::from(16 << k);
-            [towards(eye, on - step, 1.0), towards(eye, beside + step, 1.0)]
+            [towards(viewpoint, on - step, 1.0), towards(viewpoint, beside + step, 1.0)]
         })
         .collect()
 }

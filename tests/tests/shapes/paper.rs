@@ -94,8 +94,8 @@ fn a_triangle_without_area_is_never_hit() {
         let vertices = [[a, a + b, a + b * 3.0], [a, a + b, a], [a, a, a]][round % 3];
         let triangle = TestShape::Triangle { vertices };
         let aim = |rng: &mut SplitMix64| {
-            let eye = rng.in_ball(DVec3::ZERO, 6.0);
-            towards(eye, a + b * (3.0 * rng.unit()), 1.0)
+            let viewpoint = rng.in_ball(DVec3::ZERO, 6.0);
+            towards(viewpoint, a + b * (3.0 * rng.unit()), 1.0)
         };
         let rays: Vec<TestRay> = (0..10).map(|_| aim(&mut rng)).collect();
         for core in CORES {

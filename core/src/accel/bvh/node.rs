@@ -224,8 +224,8 @@ impl BvhNode {
 
     /// Tests the ray against the bounds of all children.
     ///
-    /// It does the operations of [`Aabb::intersect`] in the same order, so that each `t_entry` is the same, bit
-    /// for bit, except that negative ones become zero.
+    /// It does the operations of [`Aabb::intersect`] in the same order, so that each `t_entry` is the same,
+    /// bit for bit, except that negative ones become zero.
     #[inline(always)]
     pub(super) fn intersect(&self, ray: &TraversalRay, t_max: Real) -> BoxHits {
         let (mut t_entry, mut t_exit) = (Real4::splat(0.0), Real4::splat(Real::MAX));

@@ -31,7 +31,7 @@ fn main() -> ! {
 }
 
 fn picture(row: &mut [[u8; 3]; WIDTH]) -> Result<(), &'static str> {
-    // Opaque to the optimizer: no number of the scene is folded into the code.
+    // Opaque to the optimizer: no constant of the scene is folded into the code.
     let scene = Scene::new(black_box(PARTS)).map_err(|_| "invalid scene")?;
     if scene.required_effects() != PeerEffects::SET {
         return Err("the scene does not require exactly the effects of the tracer");

@@ -71,13 +71,13 @@ impl Query for ArbitraryQuery {
 
 /// Lists of any length, in buffers of any length.
 pub fn lists<'s>(buffers: &'s mut [Aabb], spheres: [&'s mut [BoundingSphere]; 2]) -> [List<'s>; 3] {
-    let bare = List::without_bounds(any(1));
+    let unbounded = List::without_bounds(any(1));
     let boxes = slice(&[Aabb::EMPTY]);
     let [items, groups] = spheres.map(any);
     [
-        bare,
-        List::with_boxes(boxes, any(buffers)).unwrap_or(bare),
-        List::with_spheres(boxes, items, groups).unwrap_or(bare),
+        unbounded,
+        List::with_boxes(boxes, any(buffers)).unwrap_or(unbounded),
+        List::with_spheres(boxes, items, groups).unwrap_or(unbounded),
     ]
 }
 
@@ -96,9 +96,9 @@ fn tree<W: TraversalQueue>() {
         leaves => {
             let Ok(builder) = BvhBuilder::new(boxes, leaves, nodes, items) else { return };
             used(BvhBuilder::block_count(&builder));
-            let mut blocks = [TriangleBlock::EMPTY; 2];
+            let mut block_buffer = [TriangleBlock::EMPTY; 2];
             let Ok(tree) =
-                BvhBuilder::into_bvh_with_blocks::<W>(builder, &geometry, any(blocks.as_mut_slice()))
+                BvhBuilder::into_bvh_with_blocks::<W>(builder, &geometry, any(block_buffer.as_mut_slice()))
             else {
                 return;
             };

@@ -92,7 +92,7 @@ fn in_tables() {
         const SMOOTH_SHADING: bool = false;
         const MOTION_BLUR: bool = true;
     }
-    fn met<S: ShapeFeatures>(geometry: &Geometry<'_>) {
+    fn intersect_any<S: ShapeFeatures>(geometry: &Geometry<'_>) {
         used((
             Geometry::kind(geometry, &any(SHAPES[0])),
             Geometry::motion_offset(geometry, &any(SHAPES[0]), number()),
@@ -112,6 +112,6 @@ fn in_tables() {
         .map(|moving| MovingShape::offset(moving, number()))
         .into_iter()
         .for_each(used);
-    met::<ArbitraryTables>(&geometry);
-    met::<AllEffects>(&geometry);
+    intersect_any::<ArbitraryTables>(&geometry);
+    intersect_any::<AllEffects>(&geometry);
 }

@@ -50,13 +50,13 @@ pub fn sampled<A: Accelerator, E: Effects, T: Tally, const LEVELS: usize>(
     }
     let ends = any(Confidence { standard_errors: 1.0, tolerance: 0.1 });
     if let Some(mut stochastic) = StochasticSampler::with_range(any(1), any(2), ends) {
-        let mut gathered = any(PixelEstimate::EMPTY);
+        let mut estimate = any(PixelEstimate::EMPTY);
         let pixel = any(Pixel { x: 0, y: 0 });
-        StochasticSampler::continue_pixel(&stochastic, pixel, &mut gathered, &mut any_trace);
+        StochasticSampler::continue_pixel(&stochastic, pixel, &mut estimate, &mut any_trace);
         used((
-            PixelEstimate::to_sample(&gathered),
-            PixelEstimate::sample_count(&gathered),
-            PixelEstimate::confidence_radius(&gathered, number()),
+            PixelEstimate::to_sample(&estimate),
+            PixelEstimate::sample_count(&estimate),
+            PixelEstimate::confidence_radius(&estimate, number()),
         ));
         rendered(tracer, worker, &mut StochasticSampler::with_seed(stochastic, seed));
         stochastic.reset();
@@ -64,7 +64,7 @@ pub fn sampled<A: Accelerator, E: Effects, T: Tally, const LEVELS: usize>(
     corners(tracer, worker);
 }
 
-fn agreement() -> Option<ContrastThreshold> {
+fn contrast() -> Option<ContrastThreshold> {
     let colors = ContrastThreshold::new(number())?;
     Some(if any(true) { ContrastThreshold::with_items(colors) } else { colors })
 }
@@ -74,35 +74,35 @@ fn corners<A: Accelerator, E: Effects, T: Tally, const LEVELS: usize>(
     tracer: &Tracer<'_, '_, A, E, LEVELS>,
     worker: &mut Worker<A, T, LEVELS>,
 ) {
-    let Some(agreement) = agreement() else { return };
+    let Some(contrast) = contrast() else { return };
     used(CornerCache::corners(&mut Uncached, any(Pixel { x: 0, y: 0 }), &mut |_| any(PixelSample::BLACK)));
     used((
         <Rgb as FramebufferPixel>::from_sample(any(PixelSample::BLACK)),
         <PixelSample as FramebufferPixel>::from_sample(any(PixelSample::BLACK)),
     ));
     let samples = any([PixelSample::BLACK; 4]);
-    let (mut row, mut kept) = (any([PixelSample::BLACK; 4]), any([CacheEntry::EMPTY; 4]));
-    if let Some(parting) = Subdivision::new(any(1), agreement) {
-        let parting = Subdivision::with_seed(parting, any(0));
-        rendered(tracer, worker, CornerSampler(parting));
-        rendered(tracer, worker, AdaptiveSampler::new(parting, Uncached, any(&mut kept[..])));
-        let mut parted = AdaptiveSampler::new(parting, Uncached, any(&mut kept[..]));
+    let (mut row, mut cache) = (any([PixelSample::BLACK; 4]), any([CacheEntry::EMPTY; 4]));
+    if let Some(subdivision) = Subdivision::new(any(1), contrast) {
+        let subdivision = Subdivision::with_seed(subdivision, any(0));
+        rendered(tracer, worker, CornerSampler(subdivision));
+        rendered(tracer, worker, AdaptiveSampler::new(subdivision, Uncached, any(&mut cache[..])));
+        let mut parted = AdaptiveSampler::new(subdivision, Uncached, any(&mut cache[..]));
         let pixel = any(Pixel { x: 0, y: 0 });
         let trace = &mut any_trace;
         used(AdaptiveSampler::sample_subpixels(&mut parted, pixel, trace, &mut |part: Subpixel| used(part)));
         let row = CornerRow::new(any(&mut row[..]));
-        rendered(tracer, worker, AdaptiveSampler::new(parting, row, any(&mut kept[..])));
+        rendered(tracer, worker, AdaptiveSampler::new(subdivision, row, any(&mut cache[..])));
         if let Some(lattice) = CornerGrid::new(any_tile(), any(&samples[..])) {
-            rendered(tracer, worker, AdaptiveSampler::new(parting, lattice, any(&mut kept[..])));
+            rendered(tracer, worker, AdaptiveSampler::new(subdivision, lattice, any(&mut cache[..])));
         }
     }
-    if let Some(selection) = Selection::new(any(4), agreement) {
+    if let Some(selection) = Selection::new(any(4), contrast) {
         used((Selection::step(&selection), Selection::blocks(&selection, any_tile())));
         used(Selection::pixels_of(&selection, any_tile()));
         Selection::refinement_sides(&selection).for_each(used);
         let every: StridedSampler<CenterSampler> = Selection::corner_sampler(&selection, CenterSampler);
         rendered(tracer, worker, every);
-        selected(tracer, worker, PixelSelector::new(selection, CenterSampler, Uncached, any(&mut kept[..])));
+        selected(tracer, worker, PixelSelector::new(selection, CenterSampler, Uncached, any(&mut cache[..])));
     }
 }
 

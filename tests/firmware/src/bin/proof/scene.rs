@@ -73,8 +73,8 @@ fn described() {
 
     let mut buffers = [Aabb::EMPTY];
     let [list, ..] = lists(&mut buffers, [&mut [], &mut []]);
-    asked::<_, AllEffects>(World::new(scene, list));
-    asked::<_, SpheresOnly>(World::new(scene, ArbitraryAccelerator));
+    query_world::<_, AllEffects>(World::new(scene, list));
+    query_world::<_, SpheresOnly>(World::new(scene, ArbitraryAccelerator));
 }
 
 /// Spheres only.
@@ -85,16 +85,16 @@ impl Effects for SpheresOnly {
 }
 
 /// The background beyond a distance and below the last level.
-pub struct LimitedSightEffects;
+pub struct LimitedDistanceEffects;
 
-impl Effects for LimitedSightEffects {
+impl Effects for LimitedDistanceEffects {
     const SET: EffectSet =
         EffectSet { lights: LightSet::ALL, reflection: true, transmission: true, ..SpheresOnly::SET };
     const MAX_DISTANCE: Real = 10.0;
     const LEVEL_LIMIT_RADIANCE: LevelLimitRadiance = LevelLimitRadiance::Background;
 }
 
-fn asked<A: Accelerator, E: Effects>(world: World<'_, A>) {
+fn query_world<A: Accelerator, E: Effects>(world: World<'_, A>) {
     let (kind, mut scratch) = (any(RayKind::Shadow), A::Scratch::default());
     used((World::scene(&world), World::accelerator(&world)));
     used(World::nearest_hit::<E, _>(&world, &any_ray(), number(), kind, &mut scratch, &mut DiscardingTally));

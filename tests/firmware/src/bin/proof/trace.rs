@@ -10,7 +10,7 @@ use strahl_core::{AllEffects, BareList, Limits, Scene, Tracer, Worker, World};
 use crate::accel::{ArbitraryAccelerator, lists};
 use crate::any::{any, used};
 use crate::image;
-use crate::scene::{LimitedSightEffects, SpheresOnly, any_camera, any_parts, any_sample};
+use crate::scene::{LimitedDistanceEffects, SpheresOnly, any_camera, any_parts, any_sample};
 use crate::tally::DiscardingTally;
 use crate::text::displayed;
 
@@ -22,7 +22,7 @@ pub fn entry_points() {
     }
     traced::<_, SpheresOnly, _, 1>(&World::new(scene, ArbitraryAccelerator), DiscardingTally);
     traced::<_, SpheresOnly, _, 1>(&World::new(scene, BareList(any(1))), RayCounters::new());
-    traced::<_, LimitedSightEffects, _, 2>(&World::new(scene, BareList(any(1))), ());
+    traced::<_, LimitedDistanceEffects, _, 2>(&World::new(scene, BareList(any(1))), ());
     displayed(any(TracerError::Cutoff(2.0)));
 }
 
@@ -31,9 +31,12 @@ pub fn traced<A: Accelerator, E: Effects, T: Tally, const LEVELS: usize>(world: 
     let Some(camera) = any_camera() else { return };
     let limits = any(Limits::DEFAULT);
     let Ok(tracer) = Tracer::<A, E, LEVELS>::new(world, camera, limits) else { return };
-    let mut bare = Worker::<A, (), LEVELS, 0>::with_cache_size(());
-    bare = Worker::without_shadow_cache(bare);
-    used((Tracer::trace(&tracer, any_sample(), &mut bare), any(Worker::<A, (), LEVELS, 0>::SIZE_IN_BYTES)));
+    let mut uncached_worker = Worker::<A, (), LEVELS, 0>::with_cache_size(());
+    uncached_worker = Worker::without_shadow_cache(uncached_worker);
+    used((
+        Tracer::trace(&tracer, any_sample(), &mut uncached_worker),
+        any(Worker::<A, (), LEVELS, 0>::SIZE_IN_BYTES),
+    ));
     let mut worker = Worker::new(tally);
     used(Tracer::trace(&tracer, any_sample(), &mut worker));
 
