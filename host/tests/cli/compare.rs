@@ -268,7 +268,7 @@ fn what_is_no_picture_is_told_with_status_65_and_what_cannot_be_read_with_66() {
     let folder = pair(&png(&gray()), b"");
     folder.write("text.png", "not a picture\n");
     std::fs::create_dir(folder.path("folder")).unwrap();
-    folder.run("compare a b").failed(65, "strahl: b: not a picture of a known format");
+    folder.run("compare a b").failed(65, "strahl: b: not a picture in a supported format");
     folder.run("compare text.png a").failed(65, "text.png: not a picture");
     folder.write("a.bmp", b"BM\x3a\0\0\0\0\0\0\0\x36\0\0\0");
     folder
@@ -303,11 +303,11 @@ fn a_short_file_that_claims_to_be_huge_is_known_before_memory_is_asked_for() {
     let folder = pair(&png(&gray()), &huge(16384, 16384));
     folder.run("compare a b").failed(65, "b: corrupt: 31 bytes cannot hold 16384 x 16384 pixels");
     folder.write("b", huge(65537, 1));
-    folder.run("compare a b").failed(65, "b: 65537 x 1, but a picture has 1 to 268435456 pixels");
+    folder.run("compare a b").failed(65, "b: 65537 x 1 pixels; the limit is 268435456 pixels");
     folder.write("b", huge(65536, 65536));
     folder.run("compare a b").failed(65, "b: corrupt: ");
     folder.write("b", b"P6 16000 16000 255 ");
-    folder.run("compare a b").failed(65, "b: corrupt: the header claims more than 19 bytes can hold");
+    folder.run("compare a b").failed(65, "b: corrupt: 19 bytes cannot hold 16000 x 16000 pixels");
 }
 
 #[test]
@@ -385,7 +385,7 @@ fn wrong_usage_is_told_with_status_2_and_changes_no_picture() {
         ("compare a b --limit-share 2", "0 to 1"),
         ("compare - -", "only one"),
         ("compare a b -o -", "needs a file"),
-        ("compare a b -o map.gif", "map.gif names no picture format"),
+        ("compare a b -o map.gif", "map.gif has no known picture extension"),
     ] {
         folder.run(words).failed(2, says);
     }

@@ -117,7 +117,7 @@ fn only_results_come_on_the_standard_output() {
     assert_eq!((ran.status, ran.stdout.as_slice()), (Some(0), b"".as_slice()));
     let said: Vec<_> = ran.stderr.lines().collect();
     let begins = [
-        "strahl: scene.nff: warning: 1 polygon has no area",
+        "strahl: scene.nff: warning: 1 polygon has zero area",
         "scene.png  4 x 3",
         "  time      load ",
         "  rays      12 camera, 0 reflected, 0 transmitted, 0 shadow",

@@ -40,7 +40,7 @@ fn a_tree_of_rays_without_end_is_left_when_a_signal_comes_or_the_time_is_over() 
     let deep = "scene.nff --levels 64 --cutoff 0";
     folder
         .run(&format!("render {deep} --time-limit 200ms"))
-        .failed(75, "the time is over; nothing was written");
+        .failed(75, "time limit exceeded; nothing was written");
     folder.run(&format!("explain {deep} 4,3")).failed(65, "fewer --levels");
     assert_eq!(folder.names(), ["scene.nff"]);
 }

@@ -121,7 +121,7 @@ fn what_is_wrong_is_told_and_the_picture_waits_until_it_is_right() {
     // A file that is named and missing is waited for, and its folder too.
     std::fs::remove_dir_all(folder.path("parts")).unwrap();
     folder.write("scene.toml", scene("navy"));
-    running.until(|| said(&folder).contains("this mesh is not there"));
+    running.until(|| said(&folder).contains("cannot load this mesh"));
     assert_eq!(folder.read("scene.png"), before);
     std::fs::create_dir(folder.path("parts")).unwrap();
     folder.write("parts/a.obj", MESH);
