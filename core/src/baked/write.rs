@@ -8,6 +8,32 @@ use crate::math::Real;
 use crate::scene::{CameraDescriptor, Resolution, Scene};
 
 /// A scene to be baked, with its camera and accelerator.
+///
+/// ```
+/// use strahl_core::baked::{BakedAccelerator, BakedScene, BakedSceneWriter};
+/// use strahl_core::*;
+///
+/// let writer = BakedSceneWriter {
+///     scene: Scene::new(SceneDescriptor::EMPTY)?,
+///     camera: CameraDescriptor::perspective(Vec3::ZERO, Vec3::X, 1.0),
+///     resolution: Resolution::new(64, 48).unwrap(),
+///     levels: 5,
+///     cutoff: 0.0,
+///     accelerator: BakedAccelerator::BareList(BareList(0)),
+/// };
+/// // Aligned to 4, as `BakedScene::open` requires.
+/// #[repr(align(4))]
+/// struct Aligned([u8; 4096]);
+///
+/// let (mut bytes, mut length) = (Aligned([0; 4096]), 0);
+/// assert!(writer.write_to(|piece| {
+///     bytes.0[length..length + piece.len()].copy_from_slice(piece);
+///     length += piece.len();
+/// }));
+/// assert_eq!(writer.size_in_bytes(), Some(length as u32));
+/// assert_eq!(BakedScene::open(&bytes.0[..length]).unwrap().levels(), 5);
+/// # Ok::<(), strahl_core::scene::SceneError>(())
+/// ```
 #[derive(Clone, Copy, Debug)]
 pub struct BakedSceneWriter<'b> {
     /// Scene.
@@ -68,6 +94,7 @@ impl BakedSceneWriter<'_> {
         self.write_tables(&mut writer);
     }
 
+    /// Writes the header and all tables.
     fn write_all(
         &self,
         tables: &[[u32; 2]; TABLES],
@@ -75,18 +102,18 @@ impl BakedSceneWriter<'_> {
         checksum: u32,
         output: &mut dyn FnMut(&[u8], usize),
     ) {
-        let mut writer = LayoutWriter { output: output, written: 0, measure: None };
+        let mut writer = LayoutWriter { output, written: 0, measure: None };
         let w = &mut writer;
         [MAGIC, BakedScene::VERSION, bytes, checksum].write_padded(w);
-        let Self { scene, camera: view, resolution: size, levels, cutoff, accelerator: finder } = self;
-        [size.width(), size.height(), u32::from(*levels)].write_padded(w);
+        let Self { scene, camera, resolution, levels, cutoff, accelerator } = self;
+        [resolution.width(), resolution.height(), u32::from(*levels)].write_padded(w);
         cutoff.write_padded(w);
-        view.write_padded(w);
+        camera.write_padded(w);
         scene.descriptor().ambient.write_padded(w);
         scene.descriptor().background.write_padded(w);
         u32::from(scene.descriptor().colored_shadows).write_padded(w);
         let unused = (Aabb::ORIGIN, [0; 3], 0);
-        let (kind, (bounds, cells, depth)) = match finder {
+        let (kind, (bounds, cells, depth)) = match accelerator {
             BakedAccelerator::BareList(_) => (BARE, unused),
             BakedAccelerator::Grid(grid) => (GRID, (grid.parts().bounds, grid.parts().resolution, 0)),
             BakedAccelerator::Octree(octree) => (OCTREE, (octree.parts().bounds, [0; 3], 0)),
@@ -101,7 +128,7 @@ impl BakedSceneWriter<'_> {
         self.write_tables(w);
     }
 
-    /// In the order of [`Content`].
+    /// Writes all tables, in the order of [`TableId`].
     fn write_tables(&self, w: &mut LayoutWriter<'_>) {
         let descriptor = self.scene.descriptor();
         let geometry = &descriptor.geometry;

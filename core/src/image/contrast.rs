@@ -3,8 +3,14 @@
 use crate::math::{Real, Rgb};
 use crate::trace::{HitId, PixelSample};
 
-/// The largest difference of neighboring samples between which a picture is interpolated instead of
+/// The contrast of neighboring samples up to which the picture between them is interpolated instead of
 /// subdivided.
+///
+/// ```
+/// use strahl_core::image::ContrastThreshold;
+///
+/// assert!(ContrastThreshold::new(0.1).is_some() && ContrastThreshold::new(1.5).is_none());
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ContrastThreshold {
     threshold: Real,

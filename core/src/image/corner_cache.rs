@@ -40,6 +40,17 @@ impl CornerCache for Uncached {
 /// Samples at the corners of all cells of a rectangle, traced before.
 ///
 /// Corners outside of the rectangle are traced when they are needed.
+///
+/// ```
+/// use strahl_core::image::{CornerCache, CornerGrid, Pixel, Tile};
+/// use strahl_core::trace::PixelSample;
+///
+/// let cells = Tile { top_left: Pixel { x: 0, y: 0 }, width: 2, height: 1 };
+/// let corners = [PixelSample::BLACK; 3 * 2];
+/// let mut grid = CornerGrid::new(cells, &corners).unwrap();
+/// let [upper_left, ..] = grid.corners(Pixel { x: 1, y: 0 }, &mut |_| unreachable!("all are cached"));
+/// assert_eq!(upper_left, PixelSample::BLACK);
+/// ```
 #[derive(Clone, Copy, Debug)]
 pub struct CornerGrid<'m> {
     tile: Tile,
@@ -88,6 +99,21 @@ pub struct CornerRow<'m> {
 
 impl<'m> CornerRow<'m> {
     /// A cache for rows of `row.len() - 1` cells. If `row` is shorter than 2, it caches nothing.
+    ///
+    /// ```
+    /// use strahl_core::image::{CornerCache, CornerRow, Pixel};
+    /// use strahl_core::trace::PixelSample;
+    ///
+    /// let (mut samples, mut traced) = ([PixelSample::BLACK; 3], 0);
+    /// let mut row = CornerRow::new(&mut samples);
+    /// for x in 0..2 {
+    ///     row.corners(Pixel { x, y: 0 }, &mut |_| {
+    ///         traced += 1;
+    ///         PixelSample::BLACK
+    ///     });
+    /// }
+    /// assert_eq!(traced, 6); // of 8 corners of the two cells
+    /// ```
     pub fn new(row: &'m mut [PixelSample]) -> Self {
         CornerRow {
             row,

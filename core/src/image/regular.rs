@@ -69,7 +69,7 @@ impl Sampler for RegularSampler {
                 index += 1;
             }
         }
-        mean.to_sample()
+        mean.sample()
     }
 }
 

@@ -2,7 +2,8 @@
 
 use crate::trace::PixelSample;
 
-/// An entry of a sample cache: grid coordinates and the sample there.
+/// An entry of the sample cache of an [`AdaptiveSampler`](super::AdaptiveSampler) or a
+/// [`PixelSelector`](super::PixelSelector): grid coordinates and the sample there.
 #[derive(Clone, Copy, Debug)]
 pub struct CacheEntry {
     key: Option<(u32, u32)>,
@@ -46,7 +47,7 @@ impl<'m> SampleCache<'m> {
             Some(entry) if entry.key == key => entry.sample,
             Some(entry) => {
                 let sample = trace();
-                *entry = CacheEntry { key: key, sample };
+                *entry = CacheEntry { key, sample };
                 sample
             }
         }

@@ -70,7 +70,7 @@ impl SampleMean {
     }
 
     /// The mean; black without samples.
-    pub(super) fn to_sample(&self) -> PixelSample {
+    pub(super) fn sample(&self) -> PixelSample {
         let scale = if self.count > 0 { 1.0 / self.count as Real } else { 0.0 };
         PixelSample { color: self.sum * scale, hit: self.hit.unwrap_or(HitId::Nothing) }
     }

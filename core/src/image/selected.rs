@@ -85,6 +85,23 @@ impl Selection {
 }
 
 /// Pixel selector: samples some pixels with `S` and interpolates the others.
+///
+/// ```
+/// use strahl_core::Rgb;
+/// use strahl_core::image::{CenterSampler, ContrastThreshold, Pixel, PixelSelector, Selection, Uncached};
+/// use strahl_core::scene::CameraSample;
+/// use strahl_core::trace::{HitId, PixelSample};
+///
+/// let selection = Selection::new(8, ContrastThreshold::new(0.1).unwrap()).unwrap();
+/// let mut selector = PixelSelector::new(selection, CenterSampler, Uncached, &mut []);
+/// let (mut rays, mut pixels) = (0, 0);
+/// let mut trace = |_: CameraSample| {
+///     rays += 1;
+///     PixelSample { color: Rgb::WHITE, hit: HitId::Nothing }
+/// };
+/// selector.sample_block(Pixel { x: 0, y: 0 }, &mut trace, &mut |_, _| pixels += 1);
+/// assert_eq!((rays, pixels), (4, 64));
+/// ```
 #[derive(Debug)]
 pub struct PixelSelector<'m, C, S> {
     selection: Selection,

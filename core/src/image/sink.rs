@@ -91,7 +91,7 @@ impl<'m, R: FramebufferPixel> Framebuffer<'m, R> {
     /// assert_eq!(picture[1], Rgb::WHITE);
     /// ```
     pub fn new(tile: Tile, pixels: &'m mut [R]) -> Option<Self> {
-        (pixels.len() == tile.len()).then_some(Framebuffer { tile, pixels: pixels })
+        (pixels.len() == tile.len()).then_some(Framebuffer { tile, pixels })
     }
 }
 

@@ -175,7 +175,7 @@ impl PixelEstimate {
 
     /// The mean; black without samples.
     pub fn to_sample(&self) -> PixelSample {
-        self.mean.to_sample()
+        self.mean.sample()
     }
 
     /// Number of samples.

@@ -63,6 +63,13 @@ use crate::geometry::{Geometry, ItemId, Shape};
 use crate::math::{Rgb, Vec3, clamp};
 
 /// Radiance of rays that hit no item.
+///
+/// ```
+/// use strahl_core::{Background, Rgb, Vec3};
+///
+/// let sky = Background::Gradient { up: Vec3::Y, below: Rgb::BLACK, above: Rgb::WHITE };
+/// assert_eq!(sky.radiance(Vec3::X), Rgb::gray(0.5));
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "baked", derive(zerocopy::TryFromBytes, zerocopy::KnownLayout, zerocopy::Immutable))]
 #[repr(u32)]

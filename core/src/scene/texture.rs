@@ -7,6 +7,22 @@ use crate::math::{MAX_COORDINATE, PI, Real, Rgb, Vec3, clamp, cos, floor, max_ab
 ///
 /// The texture of a moving item moves with it. Channels of colors are in `0..=1e6`, coordinates in
 /// `-1e15..=1e15`.
+///
+/// ```
+/// use strahl_core::scene::{Texture, TextureId};
+/// use strahl_core::{Material, Rgb, SceneDescriptor, Vec3, vec3};
+///
+/// let checker = Texture::Checker {
+///     even: Rgb::WHITE,
+///     odd: Rgb::gray(0.1),
+///     origin: Vec3::ZERO,
+///     frequency: vec3(0.5, 0.0, 0.5), // cells of 2 by 2 on a floor
+/// };
+/// let textures = [checker];
+/// let materials = [Material { texture: TextureId(0), ..Material::matte(Rgb::WHITE) }];
+/// let descriptor = SceneDescriptor { textures: &textures, materials: &materials, ..SceneDescriptor::EMPTY };
+/// assert!(strahl_core::Scene::new(descriptor).is_ok());
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "baked", derive(zerocopy::TryFromBytes, zerocopy::KnownLayout, zerocopy::Immutable))]
 #[repr(u32)]
