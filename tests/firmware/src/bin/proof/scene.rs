@@ -59,6 +59,12 @@ fn described() {
         Background::radiance(&any(Background::Color(Rgb::BLACK)), vector()),
     ));
 
+    used((
+        Material::matte(color()),
+        Light::point(vector(), color()),
+        CameraDescriptor::perspective(vector(), vector(), number()),
+    ));
+
     let material = any(Material { fresnel: any(FresnelModel::Dielectric), ..Material::MATTE });
     used((
         Material::is_transmitting(&material),
