@@ -39,7 +39,7 @@ fn a_light_out_of_range_is_named_with_its_field() {
     assert_eq!(spot(0.25, 0.5), "light 1: `cos_inner` is 0.25, must be at most 1 and at least `cos_outer`");
     assert_eq!(spot(0.5, -2.0), "light 1: `cos_outer` is -2, must be in -1..=1");
     let aimed = |toward| lit(|source| *source = LightSource::Directional { to_light: toward });
-    assert_eq!(aimed(vec3(0.0, 2.0, 0.0)), "light 1: `toward` has the length 2, must be 1");
+    assert_eq!(aimed(vec3(0.0, 2.0, 0.0)), "light 1: `to_light` has the length 2, must be 1");
     let far = vec3(0.0, f32::NAN, 0.0);
     let point = |falloff, position| lit(|source| *source = LightSource::Point { position, falloff });
     assert_eq!(
