@@ -1,6 +1,6 @@
-//! What fuzzing begins with, and what it has found: every file is read as fuzzing reads it.
+//! Seeds and findings of fuzzing, read in the same way as by the fuzzers.
 //!
-//! The allocator of this program counts, so it has one test and no others beside it.
+//! The allocator counts all allocations of the process, so the program has only one test.
 
 use std::fs;
 use std::path::Path;
@@ -11,7 +11,7 @@ mod checks;
 mod packs;
 
 #[test]
-fn what_fuzzing_begins_with_and_what_it_has_found_is_read_or_refused_as_it_should() {
+fn seeds_and_findings_of_fuzzing_load_or_are_rejected() {
     let fuzz = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../tests/fuzz");
     let mut count = 0;
     for folder in ["seeds", "finds"] {
@@ -26,7 +26,7 @@ fn what_fuzzing_begins_with_and_what_it_has_found_is_read_or_refused_as_it_shoul
             let Ok(files) = fs::read_dir(fuzz.join(folder).join(target)) else { continue };
             for file in files {
                 let path = file.unwrap().path();
-                // Told when a check fails.
+                // Printed if a check fails.
                 eprintln!("{}", path.display());
                 check(&fs::read(&path).unwrap());
                 count += 1;

@@ -56,7 +56,7 @@ pub fn read(
     if !errors.is_empty() {
         return Err(wrong(
             text,
-            syntax::diagnostics(text, document.get_ref(), errors, reader.diagnostics.kept),
+            syntax::diagnostics(text, document.get_ref(), errors, reader.diagnostics.list),
         ));
     }
 
@@ -64,11 +64,11 @@ pub fn read(
     let folder = path.parent().unwrap_or(Path::new(""));
     let builder = SceneBuilder::new(reader, &lines, MeshFiles::of(files, folder), size);
     let (description, reader) = builder.build(file.unwrap_or_default());
-    let DiagnosticList { kept, total: count } = reader.diagnostics;
-    if count == 0 {
+    let DiagnosticList { list, total } = reader.diagnostics;
+    if total == 0 {
         return Ok(description);
     }
-    Err(LoadError::Diagnostics(Box::new(Diagnostics::new(path, text, kept).with_total(count))))
+    Err(LoadError::Diagnostics(Box::new(Diagnostics::new(path, text, list).with_total(total))))
 }
 
 /// The JSON Schema of scenes, for editors.

@@ -1,4 +1,4 @@
-//! NFF files through the door of the library: what they describe, and what is wrong with them.
+//! NFF files through the public API: contents and errors.
 
 mod mutations;
 mod right;

@@ -1,4 +1,4 @@
-//! A good file, damaged in many ways: it loads, or it is refused with a line that it has.
+//! A valid file with random damage loads, or is rejected with an existing line.
 
 use std::panic::catch_unwind;
 
@@ -8,7 +8,7 @@ use strahl_session::tables;
 
 use crate::text::ALL;
 
-/// Words that do harm where another stood.
+/// Words that replace others.
 const NASTY: &[&str] = &[
     "v",
     "b",
@@ -61,12 +61,12 @@ const NASTY: &[&str] = &[
     "1000001",
 ];
 
-/// Numbers without order, always the same (SplitMix64, "Fast Splittable Pseudorandom Number
-/// Generators", OOPSLA 2014).
+/// Pseudo-random numbers with a fixed seed (SplitMix64, "Fast Splittable Pseudorandom Number Generators", OOPSLA
+/// 2014).
 struct Random(u64);
 
 impl Random {
-    /// Less than `end`; 0 when that is 0.
+    /// A number less than `end`; 0 if `end` is 0.
     fn below(&mut self, end: usize) -> usize {
         self.0 = self.0.wrapping_add(0x9E37_79B9_7F4A_7C15);
         let mut z = self.0;
@@ -75,14 +75,14 @@ impl Random {
         ((z ^ (z >> 31)) % end.max(1) as u64) as usize
     }
 
-    /// A piece of `length` things, at most 40 long.
+    /// A random range of at most 40 in `0..length`.
     fn piece(&mut self, length: usize) -> std::ops::Range<usize> {
         let start = self.below(length);
         start..length.min(start + 1 + self.below(40))
     }
 }
 
-/// The file with one more damage.
+/// Damages the file once more.
 fn damaged(mut file: Vec<u8>, random: &mut Random) -> Vec<u8> {
     if file.is_empty() {
         return file;
@@ -112,7 +112,7 @@ fn damaged(mut file: Vec<u8>, random: &mut Random) -> Vec<u8> {
 }
 
 #[test]
-fn a_damaged_file_makes_a_scene_or_is_refused_in_one_of_its_lines() {
+fn a_damaged_file_loads_or_is_rejected_at_one_of_its_lines() {
     let folder = tempfile::tempdir().unwrap();
     let path = folder.path().join("damaged.nff");
     let (mut good, mut refused) = (0, 0);
@@ -139,6 +139,6 @@ fn a_damaged_file_makes_a_scene_or_is_refused_in_one_of_its_lines() {
             Err(other) => panic!("{other}\n{text}"),
         }
     }
-    // Both happen often enough to say something.
+    // Both occur often enough for the test to be meaningful.
     assert!(good > 500 && refused > 500, "{good} good, {refused} refused");
 }

@@ -1,4 +1,4 @@
-//! What good files describe.
+//! Contents of valid files.
 
 use strahl_core::{Material, Resolution, Rgb};
 use strahl_scene::LoadError;
@@ -11,7 +11,7 @@ use strahl_session::tables;
 use crate::table::VIEW;
 use crate::text::{ALL, file_of, loaded, refused};
 
-/// What follows the viewpoint of [`VIEW`] describes.
+/// The scene of [`VIEW`] followed by this text.
 fn after_view(text: &str) -> strahl_scene::description::LoadedScene {
     loaded(&format!("{VIEW}{text}"))
 }
@@ -26,7 +26,7 @@ fn flat(x: f32) -> String {
 }
 
 #[test]
-fn every_entity_becomes_what_the_format_says() {
+fn every_entity_is_loaded_as_the_format_describes() {
     let it = loaded(ALL);
     let view = CameraDescription {
         from: [0.0, -8.0, 1.0],
@@ -38,7 +38,7 @@ fn every_entity_becomes_what_the_format_says() {
     assert_eq!(it.settings.size, Resolution::new(40, 30));
     assert_eq!(it.background, BackgroundDescription::Color(Rgb::new(0.125, 0.25, 0.5)));
 
-    // The root of two over four, for both lights together.
+    // sqrt(2) / 4 for two lights.
     let rule = Rgb::gray(0.353_553_39);
     let colored = lamp(-4.0, -3.0, 2.0, Rgb::new(1.0, 0.5, 0.25));
     assert_eq!(it.ambient, rule);
@@ -99,7 +99,7 @@ fn every_entity_becomes_what_the_format_says() {
     assert_eq!(it.vertices[..3], [[-1.0, 0.0, 0.0], [1.0, 0.0, 0.0], [0.0, 0.0, 1.0]]);
     assert_eq!(it.vertices[6], [2.0, 1.0, 0.0]);
     assert_eq!(it.vertices[14], [0.0, 1.0, 0.0]);
-    // A normal has its corner's place.
+    // A normal has the index of its vertex.
     assert_eq!(it.normals.len(), 15);
     assert_eq!(it.normals[8..11], [[0.0, -1.0, 0.0], [1.0, -1.0, 0.0], [0.0, -1.0, 1.0]]);
     assert_eq!(it.normals[14], [0.0, 1.0, 1.0]);
@@ -107,7 +107,7 @@ fn every_entity_becomes_what_the_format_says() {
 }
 
 #[test]
-fn what_a_file_describes_makes_a_scene_in_both_precisions() {
+fn a_loaded_scene_is_valid_in_both_precisions() {
     let it = loaded(ALL);
     let (single, double) = (tables::single::scene_tables(&it), tables::double::scene_tables(&it));
     assert_eq!(single.scene().unwrap().descriptor().geometry.shapes.len(), 6);
@@ -139,14 +139,14 @@ fn line_ends_tabs_empty_lines_and_comments_change_nothing_but_line_numbers() {
 }
 
 #[test]
-fn the_numbers_of_an_entity_may_stand_in_any_lines() {
+fn the_numbers_of_an_entity_may_be_in_any_lines() {
     let one = after_view("f 1 1 1 1 0 0 0 0\nc 1 2 3 4 5 6 7 8\n");
     let many = after_view("f 1 1 1 1 0 0 0 0\nc\n1\n2 3\n\n4 5 6\n7\n8\n");
     assert_eq!(one, many);
 }
 
 #[test]
-fn the_parts_of_a_viewpoint_may_stand_in_any_order_and_without_hither() {
+fn the_keys_of_a_viewpoint_may_be_in_any_order_and_without_hither() {
     let mut it = loaded("v\nresolution 4 3\nangle 30\nup 0 1 0\nat 0 0 0\nfrom 0 0 9\n");
     assert_eq!(it.setting_lines["size"], 2);
     let usual = loaded(VIEW);
@@ -155,7 +155,7 @@ fn the_parts_of_a_viewpoint_may_stand_in_any_order_and_without_hither() {
 }
 
 #[test]
-fn entities_may_stand_in_any_order() {
+fn entities_may_be_in_any_order() {
     let first = loaded(&format!("b 0 0.5 1\nl 1 2 3\nf 1 0 0 1 0 0 0 0\ns 0 0 0 1\n{VIEW}"));
     let mut last = after_view("l 1 2 3\nf 1 0 0 1 0 0 0 0\ns 0 0 0 1\nb 0 0.5 1\n");
     assert_eq!(first.background, BackgroundDescription::Color(Rgb::new(0.0, 0.5, 1.0)));
@@ -191,8 +191,8 @@ fn numbers_may_be_written_in_every_usual_way() {
 
 #[test]
 fn a_number_is_rounded_once() {
-    // Just above the middle between 1 and the next number in single precision, so it rounds up;
-    // double precision would round it to the middle, and that would round to the even 1.
+    // Just above the midpoint between 1 and the next number in single precision, so it rounds up; via double
+    // precision it would be rounded to the midpoint, and then to even, which is 1.
     let it = after_view("f 1 1 1 1 0 0 0 0\ns 1.0000000596046447753906250000001 0 0 1");
     assert_eq!(
         it.objects[0].shape,
@@ -201,7 +201,7 @@ fn a_number_is_rounded_once() {
 }
 
 #[test]
-fn lights_without_a_colour_share_the_root_of_their_number_over_twice_their_number() {
+fn lights_without_a_color_have_the_intensity_of_the_databases() {
     assert_eq!(after_view("").ambient, Rgb::gray(0.5));
     for n in 1..=16 {
         let it = after_view(&"l 1 2 3\n".repeat(n));
@@ -213,7 +213,7 @@ fn lights_without_a_colour_share_the_root_of_their_number_over_twice_their_numbe
 }
 
 #[test]
-fn a_light_with_a_colour_keeps_it_and_counts_among_the_others() {
+fn a_light_with_a_color_keeps_it_and_counts_in_the_number_of_lights() {
     let it = after_view("l 1 2 3\nl 1 2 3 0 1 0.5\nl 1 2 3 1e6 0 0\nl 1 2 3\n");
     let colors = [0.25, 0.0, 0.0, 0.25].map(Rgb::gray);
     let colors = [colors[0], Rgb::new(0.0, 1.0, 0.5), Rgb::new(1e6, 0.0, 0.0), colors[3]];
@@ -222,7 +222,7 @@ fn a_light_with_a_colour_keeps_it_and_counts_among_the_others() {
 }
 
 #[test]
-fn equal_surfaces_are_one_material() {
+fn equal_materials_are_shared() {
     let it = after_view(
         "f 1 0 0 1 0 0 0 0\ns 0 0 0 1\nf 0 1 0 1 0 0 0 0\ns 0 0 0 2\nf 1.0 0 0 1 0 0 0 0\ns 0 0 0 3\n",
     );
@@ -231,7 +231,7 @@ fn equal_surfaces_are_one_material() {
 }
 
 #[test]
-fn a_scene_has_room_for_65536_surfaces_and_no_more() {
+fn a_scene_has_at_most_65536_materials() {
     let surface = |n: u32| format!("f {} {} 0 1 0 0 0 0\n", n % 256, n / 256);
     let text: String = (0..65_536).map(surface).collect();
     let it = after_view(&format!("{text}s 0 0 0 1\n{}s 0 0 0 2\n", surface(7)));
@@ -251,27 +251,27 @@ fn an_opaque_surface_may_have_any_index_of_refraction() {
 }
 
 #[test]
-fn the_least_index_of_refraction_makes_a_scene_in_both_precisions() {
+fn the_smallest_index_of_refraction_is_valid_in_both_precisions() {
     let it = after_view("f 1 1 1 1 0 0 0.5 0.01\n");
     assert_eq!(tables::single::scene_tables(&it).scene().err(), None);
     assert!(tables::double::scene_tables(&it).scene().is_ok());
 }
 
 #[test]
-fn a_surface_gives_back_no_more_than_the_brightest_colour() {
+fn a_diffuse_color_is_clamped_to_the_maximum_channel() {
     let it = after_view("f 1e6 1 0 10 0 0 0 0\n");
     assert_eq!(it.materials[0].value.diffuse, Rgb::new(1e6, 10.0, 0.0));
 }
 
 #[test]
-fn a_negative_radius_has_the_size_of_a_positive_one() {
+fn a_negative_radius_counts_as_its_absolute_value() {
     let inside = after_view("f 1 1 1 1 0 0 0 0\ns 1 2 3 -4\nc 0 0 0 -1 0 0 1 -2\n");
     let outside = after_view("f 1 1 1 1 0 0 0 0\ns 1 2 3 4\nc 0 0 0 1 0 0 1 2\n");
     assert_eq!(inside, outside);
 }
 
 #[test]
-fn polygons_without_area_keep_their_number_and_one_warning_counts_them() {
+fn polygons_without_area_keep_their_index_and_one_warning_counts_them() {
     let it = after_view(&format!(
         "f 1 1 1 1 0 0 0 0\ns 0 0 0 1\n{}{}p 3 0 0 0 1 0 0 0 1 0\npp 4 {}\n",
         flat(1.0),
@@ -289,14 +289,14 @@ fn polygons_without_area_keep_their_number_and_one_warning_counts_them() {
 }
 
 #[test]
-fn a_normal_of_any_length_but_zero_is_one() {
+fn normals_have_any_length_but_zero() {
     let it = after_view("f 1 1 1 1 0 0 0 0\npp 3 0 0 0 0 0 1e-45 1 0 0 0 0 1e15 0 1 0 1e-30 0 1e15\n");
     assert!(tables::single::scene_tables(&it).scene().is_ok());
     assert!(tables::double::scene_tables(&it).scene().is_ok());
 }
 
 #[test]
-fn a_picture_may_have_as_many_pixels_as_a_file_may_ask_for() {
+fn a_file_may_request_the_maximum_number_of_pixels() {
     for (width, height) in [(1, 1), (4096, 4096), (65_536, 256), (256, 65_536)] {
         let it = loaded(&VIEW.replace("4 3", &format!("{width} {height}")));
         assert_eq!(it.settings.size, Resolution::new(width, height));
@@ -304,19 +304,19 @@ fn a_picture_may_have_as_many_pixels_as_a_file_may_ask_for() {
 }
 
 #[test]
-fn comments_may_be_written_in_any_language() {
+fn comments_may_have_any_encoding() {
     assert_eq!(loaded(&format!("{VIEW}# Würfel, 立方体, куб\n")), loaded(VIEW));
     let latin = [VIEW.as_bytes(), b"# W\xfcrfel\n"].concat();
     assert_eq!(strahl_scene::load(file_of(&latin).path()).unwrap(), loaded(VIEW));
 }
 
 #[test]
-fn a_byte_order_mark_may_begin_the_file() {
+fn a_file_may_start_with_a_byte_order_mark() {
     assert_eq!(loaded(&format!("\u{feff}{VIEW}")), loaded(VIEW));
 }
 
 #[test]
-fn the_extension_of_a_scene_may_be_in_capitals() {
+fn the_extension_of_a_scene_may_be_upper_case() {
     let folder = tempfile::tempdir().unwrap();
     let path = folder.path().join("SCENE.NFF");
     std::fs::write(&path, VIEW).unwrap();
@@ -324,7 +324,7 @@ fn the_extension_of_a_scene_may_be_in_capitals() {
 }
 
 #[test]
-fn a_file_of_another_kind_is_refused_by_its_name() {
+fn a_file_with_an_unknown_extension_is_rejected() {
     let folder = tempfile::tempdir().unwrap();
     for name in ["scene.stl", "scene", "nff", "scene.nff.gz"] {
         let path = folder.path().join(name);
@@ -336,7 +336,7 @@ fn a_file_of_another_kind_is_refused_by_its_name() {
 }
 
 #[test]
-fn what_cannot_be_read_is_told_before_what_is_wrong_with_it() {
+fn an_unreadable_file_is_reported_before_an_unknown_extension() {
     let folder = tempfile::tempdir().unwrap();
     for path in [folder.path().join("missing.nff"), folder.path().join("missing.toml"), folder.path().into()]
     {

@@ -1,29 +1,29 @@
-//! Wrong files: what is in them, the line that is to blame, and a part of what is said of it.
+//! Invalid files, each with the line of its error and a part of the message.
 
-/// A viewpoint in one line, so that what follows begins in line 2.
+/// A viewpoint in one line, so that the text after it starts in line 2.
 pub const VIEW: &str = "v from 0 0 9 at 0 0 0 up 0 1 0 angle 30 hither 1 resolution 4 3\n";
 
-/// A wrong file: its bytes, the line that is to blame, and a part of what is said.
-pub type Wrong = (Vec<u8>, usize, &'static str);
+/// An invalid file: its bytes, the line of the error, and a part of the message.
+pub type BadNff = (Vec<u8>, usize, &'static str);
 
-/// All of them.
-pub fn wrong_files() -> Vec<Wrong> {
-    let whole = WHOLE.iter().map(|(bytes, line, says)| (bytes.to_vec(), *line, *says));
-    let views = VIEWS.iter().map(|(old, new, says)| {
+/// All invalid files.
+pub fn invalid_files() -> Vec<BadNff> {
+    let whole = WHOLE.iter().map(|(bytes, line, expected)| (bytes.to_vec(), *line, *expected));
+    let views = VIEWS.iter().map(|(old, new, expected)| {
         let text = VIEW.replacen(old, new, 1);
         assert_ne!(text, VIEW, "`{old}` is not in the viewpoint");
-        (text.into_bytes(), 1, *says)
+        (text.into_bytes(), 1, *expected)
     });
-    let after = AFTER_THE_VIEW.iter().map(|(text, line, says)| {
+    let after = AFTER_THE_VIEW.iter().map(|(text, line, expected)| {
         let text = format!("{VIEW}{text}");
-        (text.into_bytes(), *line, *says)
+        (text.into_bytes(), *line, *expected)
     });
     whole.chain(views).chain(after).collect()
 }
 
 /// Whole files.
 const WHOLE: &[(&[u8], usize, &str)] = &[
-    // Nothing.
+    // Empty files.
     (b"", 1, "the file is empty"),
     (b"\n\n\n", 1, "the file is empty"),
     (b"# only\n# comments\n", 1, "the file is empty"),
@@ -31,18 +31,18 @@ const WHOLE: &[(&[u8], usize, &str)] = &[
     // No viewpoint.
     (b"b 0 0 0\nl 1 2 3\n", 2, "the file has no viewpoint"),
     (b"b 0 0 0\nl 1 2 3\n\n\n# end", 5, "the file has no viewpoint"),
-    // No text.
+    // Not a text file.
     (b"\x89PNG\r\n\x1a\n\0\0\0\rIHDR", 3, "not a text file"),
     (b"b 0 0 0\nl 1 2 3\n\xff\xfe\n", 3, "is not an NFF entity"),
     (b"\xd8\xff\xe0\x10JFIF", 1, "is not an NFF entity"),
     (b"P6 4 3 255\n\x80\x90\xa0", 1, "`P6` is not an NFF entity"),
     (b"\0\0\0\0\0\0\0\0", 1, "not a text file"),
     (b"b 0 0 0\nl 1 2 \0\n", 2, "not a text file"),
-    // Another kind of file.
+    // Files of other formats.
     (b"#VRML V2.0\nShape {\n}\n", 2, "`Shape` is not an NFF entity"),
     (b"{\"objects\": []}", 1, "is not an NFF entity"),
     (b"\xef\xbb\xbfw", 1, "`w` is not an NFF entity"),
-    // A viewpoint that is not whole.
+    // An incomplete viewpoint.
     (b"v", 1, "no `from` at the end of the file"),
     (b"v\n\n\n", 3, "no `from` at the end of the file"),
     (b"v\nfrom 0 0 9\nb 0 0 0\n", 3, "no `at` before `b`"),
@@ -63,7 +63,7 @@ const WHOLE: &[(&[u8], usize, &str)] = &[
     ),
 ];
 
-/// Changes of the viewpoint.
+/// Changes of the viewpoint that make it invalid.
 const VIEWS: &[(&str, &str, &str)] = &[
     ("angle 30", "angle 0", "the field of view must be more than 0 and less than 180 degrees"),
     ("angle 30", "angle 180", "the field of view must be more than 0 and less than 180 degrees"),
@@ -101,12 +101,12 @@ const VIEWS: &[(&str, &str, &str)] = &[
     ("resolution 4 3", "resolution 4 3 2", "`2` does not belong here"),
 ];
 
-/// What follows a viewpoint in line 1.
+/// Texts after a viewpoint in line 1.
 const AFTER_THE_VIEW: &[(&str, usize, &str)] = &[
-    // What a scene has only once.
+    // Entities that a scene can have once.
     (VIEW, 2, "duplicate viewpoint; the first is in line 1"),
     ("b 0 0 0\n\nb 1 1 1\n", 4, "duplicate background; the first is in line 2"),
-    // No entity.
+    // Unknown entities.
     ("x 1 2 3\n", 2, "`x` is not an NFF entity"),
     ("S 0 0 0 1\n", 2, "`S` is not an NFF entity"),
     ("1 2 3\n", 2, "`1` is not an NFF entity"),
@@ -115,14 +115,14 @@ const AFTER_THE_VIEW: &[(&str, usize, &str)] = &[
     ("sphere 0 0 0 1\n", 2, "`sphere` is not an NFF entity"),
     ("b 0 0 0\u{a0}1\nß\n", 2, "does not belong here"),
     ("\u{1b}[2J\n", 2, "`\\u{1b}[2J` is not an NFF entity"),
-    // A number too many.
+    // Too many numbers.
     ("b 0 0 0 0\n", 2, "`0` does not belong here"),
     ("l 1 2 3 1 1 1 1\n", 2, "`1` does not belong here"),
     ("f 1 1 1 1 0 0 0 0 0\n", 2, "`0` does not belong here"),
     ("f 1 1 1 1 0 0 0 0\ns 0 0 0 1 2\n", 3, "`2` does not belong here"),
     ("f 1 1 1 1 0 0 0 0\nc 0 0 0 1 0 0 1 1 7\n", 3, "`7` does not belong here"),
     ("f 1 1 1 1 0 0 0 0\np 3\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n", 7, "`0` is not an NFF entity"),
-    // A number too few.
+    // Too few numbers.
     ("l 1 2\nl 1 2 3\n", 3, "the light position must be a number, not `l`"),
     ("l 1 2 3 0.5\nb 0 0 0\n", 3, "a channel of the light must be a number, not `b`"),
     ("f 1 1 1 1 0 0 0\ns 0 0 0 1\n", 3, "the index of refraction must be a number, not `s`"),
@@ -135,7 +135,7 @@ const AFTER_THE_VIEW: &[(&str, usize, &str)] = &[
     ("f 1 1 1 1 0 0 0 0\np 3 0 0 0 1 0 0 0 1\n", 3, "unexpected end of file; a vertex is missing"),
     ("f 1 1 1 1 0 0 0 0\npp 3 0 0 0 1 0 0\n0 1\n", 4, "unexpected end of file; a vertex is missing"),
     ("f 1 1 1 1 0 0 0 0\npp 3 0 0 0 1 0\n", 3, "unexpected end of file; a vertex normal is missing"),
-    // No number.
+    // Words that are not numbers.
     ("b black 0 0\n", 2, "must be a number, not `black`"),
     ("b 0,0,0\n", 2, "must be a number, not `0,0,0`"),
     ("b 0x1 0 0\n", 2, "must be a number, not `0x1`"),
@@ -151,7 +151,7 @@ const AFTER_THE_VIEW: &[(&str, usize, &str)] = &[
         "`1234567890123456789012345678901234567890…`",
     ),
     ("l 1 2 3 -x 0 0\n", 2, "must be a number, not `-x`"),
-    // No finite number.
+    // Non-finite numbers.
     ("l NaN 2 3\n", 2, "must be finite, not `NaN`"),
     ("l 1 nan 3\n", 2, "must be finite, not `nan`"),
     ("l 1 2 inf\n", 2, "must be finite, not `inf`"),
@@ -160,7 +160,7 @@ const AFTER_THE_VIEW: &[(&str, usize, &str)] = &[
     ("l 1 2 Infinity\n", 2, "must be finite, not `Infinity`"),
     ("l 1e400 2 3\n", 2, "must be finite, not `1e400`"),
     ("l 1e39 2 3\n", 2, "must be finite, not `1e39`"),
-    // A number out of range.
+    // Numbers out of range.
     ("l 1.1e15 2 3\n", 2, "the light position must be -1000000000000000 to 1000000000000000"),
     ("l 0 0 -1e38\n", 2, "the light position must be -1000000000000000 to"),
     ("b -0.1 0 0\n", 2, "a channel of the background must be 0 to 1000000, not -0.1"),
@@ -190,13 +190,13 @@ const AFTER_THE_VIEW: &[(&str, usize, &str)] = &[
         5,
         "a vertex normal must be -1000000000000000 to",
     ),
-    // An object of nothing.
+    // Objects without a material.
     ("s 0 0 0 1\n", 2, "object before the first material"),
     ("c 0 0 0 1 0 0 1 1\n", 2, "object before the first material"),
     ("\np 3\n0 0 0\n1 0 0\n0 1 0\n", 3, "object before the first material"),
     ("p 3\n0 0 0\n0 0 0\n0 0 0\n", 2, "object before the first material"),
     ("pp 3 0 0 0 0 0 1 1 0 0 0 0 1 0 1 0 0 0 1\nf 1 1 1 1 0 0 0 0\n", 2, "object before the first material"),
-    // An object that is none.
+    // Degenerate objects.
     ("f 1 1 1 1 0 0 0 0\ns 0 0 0 0\n", 3, "the radius of the sphere is 0"),
     ("f 1 1 1 1 0 0 0 0\ns 0 0 0 -0\n", 3, "the radius of the sphere is 0"),
     ("f 1 1 1 1 0 0 0 0\ns 0 0 0 1e-50\n", 3, "the radius of the sphere is 0"),

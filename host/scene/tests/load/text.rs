@@ -1,4 +1,4 @@
-//! Texts become files, and files descriptions.
+//! Loading of texts as NFF files.
 
 use std::io::Write;
 
@@ -46,19 +46,19 @@ pp 4
 0 1 0 0 1 1
 ";
 
-/// A file of these bytes, gone with the value.
+/// A temporary file with these bytes.
 pub fn file_of(bytes: &[u8]) -> NamedTempFile {
     let mut file = tempfile::Builder::new().suffix(".nff").tempfile().unwrap();
     file.write_all(bytes).unwrap();
     file
 }
 
-/// What a file of this text describes.
+/// The scene in a file with this text.
 pub fn loaded(text: &str) -> LoadedScene {
     strahl_scene::load(file_of(text.as_bytes()).path()).unwrap_or_else(|failure| panic!("{failure}\n{text}"))
 }
 
-/// The line and the reason that a file of these bytes is refused with.
+/// The line and the message of the error of a file with these bytes.
 pub fn refused(bytes: &[u8]) -> (usize, String) {
     let file = file_of(bytes);
     let text = String::from_utf8_lossy(bytes);

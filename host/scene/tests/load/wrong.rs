@@ -1,31 +1,31 @@
-//! What is wrong with bad files, and where.
+//! Errors of invalid files.
 
-use crate::table::{VIEW, wrong_files};
+use crate::table::{VIEW, invalid_files};
 use crate::text::{ALL, loaded, refused};
 
 #[test]
-fn a_wrong_file_is_refused_with_the_line_and_the_reason() {
-    for (bytes, to_blame, says) in wrong_files() {
+fn an_invalid_file_is_rejected_with_its_line_and_the_reason() {
+    for (bytes, expected_line, expected) in invalid_files() {
         let (line, reason) = refused(&bytes);
         let text = String::from_utf8_lossy(&bytes);
-        assert_eq!(line, to_blame, "{reason}\n{text}");
-        assert!(reason.contains(says), "`{says}` is not in `{reason}`\n{text}");
+        assert_eq!(line, expected_line, "{reason}\n{text}");
+        assert!(reason.contains(expected), "`{expected}` is not in `{reason}`\n{text}");
         assert!(!reason.contains(|c: char| c.is_control()), "{reason:?}");
         assert!(reason.chars().count() < 200, "{reason}");
     }
 }
 
 #[test]
-fn a_wrong_file_is_wrong_in_the_same_line_with_any_line_ends() {
-    for (bytes, to_blame, _) in wrong_files() {
+fn an_invalid_file_has_the_same_line_of_its_error_with_any_line_ends() {
+    for (bytes, expected_line, _) in invalid_files() {
         let Ok(text) = String::from_utf8(bytes) else { continue };
         let (line, reason) = refused(text.replace('\n', "\r\n").as_bytes());
-        assert_eq!(line, to_blame, "{reason}\n{text}");
+        assert_eq!(line, expected_line, "{reason}\n{text}");
     }
 }
 
 #[test]
-fn a_file_that_ends_inside_an_entity_is_refused_in_its_last_line() {
+fn a_file_that_ends_inside_an_entity_is_rejected_at_its_last_line() {
     let mut cuts = 0;
     for entity in [
         "b 1 1 1",
@@ -55,7 +55,7 @@ fn a_file_that_ends_inside_an_entity_is_refused_in_its_last_line() {
 }
 
 #[test]
-fn a_file_without_any_one_of_its_numbers_is_refused() {
+fn a_file_with_a_missing_number_is_rejected() {
     let mut left_out = 0;
     for (start, word) in words(ALL) {
         if word.parse::<f32>().is_err() {
@@ -63,7 +63,7 @@ fn a_file_without_any_one_of_its_numbers_is_refused() {
         }
         let text = format!("{}{}", &ALL[..start], &ALL[start + word.len()..]);
         let (line, reason) = refused(text.as_bytes());
-        // The next entity may stand some lines below, but it is not before the gap.
+        // The next entity may be some lines below, but not before the gap.
         let gap = ALL[..start].lines().count();
         assert!(line >= gap && line <= text.lines().count(), "{line}: {reason}\n{text}");
         left_out += 1;
@@ -72,7 +72,7 @@ fn a_file_without_any_one_of_its_numbers_is_refused() {
 }
 
 #[test]
-fn a_word_where_a_number_belongs_is_named_with_its_line() {
+fn a_word_instead_of_a_number_is_reported_with_its_line() {
     for (start, word) in words(ALL) {
         if word.parse::<f32>().is_err() {
             continue;
@@ -81,14 +81,14 @@ fn a_word_where_a_number_belongs_is_named_with_its_line() {
         for bad in ["x", "NaN", "-inf", "1e999"] {
             let text = format!("{}{bad}{}", &ALL[..start], &ALL[start + word.len()..]);
             let (found, reason) = refused(text.as_bytes());
-            // A light may end before its colour, and then the word is no entity.
+            // A light may end before its color; then the word is not an entity.
             assert_eq!(found, line, "{reason}\n{text}");
             assert!(reason.contains(&format!("`{bad}`")), "{reason}\n{text}");
         }
     }
 }
 
-/// The words outside comments, with their places.
+/// The words outside comments, with their positions.
 fn words(text: &str) -> impl Iterator<Item = (usize, &str)> {
     let lines = text.split_inclusive('\n').map(move |line| line.split('#').next().unwrap_or_default());
     let words = lines.flat_map(str::split_whitespace);

@@ -1,17 +1,17 @@
-//! The system's allocator, which remembers how much was held at once; and how much may be.
+//! A system allocator that records peak memory, and the limit for loading a file.
 //!
-//! It counts the whole process, so a program that measures does one thing at a time.
+//! It counts the whole process, so a program must measure one operation at a time.
 #![allow(unsafe_code)] // an allocator cannot be written without
 
 use std::alloc::{GlobalAlloc, Layout, System};
 use std::sync::atomic::{AtomicUsize, Ordering::Relaxed};
 
-/// The memory that loading a file may take, whatever stands in it.
+/// The memory that loading a file may take, for any contents.
 #[derive(Clone, Copy, Debug)]
 pub struct Bound {
-    /// Bytes for each byte of the file and of those that it names.
+    /// Bytes for each byte of the file and of the files that it references.
     pub share: usize,
-    /// Bytes for a file of any size: its name, a message, the first steps of all tables.
+    /// Bytes for a file of any size: its path, a message, initial tables.
     pub base: usize,
 }
 

@@ -1,7 +1,6 @@
-//! A number in a mesh file must not fill the memory: what loading takes is bounded by the size of
-//! the file, whether it is right or wrong.
+//! The memory for loading a mesh is bounded by the file size, whether the file is valid or not.
 //!
-//! The allocator of this program counts, so it has one test and no others beside it.
+//! The allocator counts all allocations of the process, so the program has only one test.
 
 use strahl_scene::mesh::read;
 
@@ -9,7 +8,7 @@ use counting::{Bound, most_held};
 
 mod counting;
 
-/// One more than a power of two: a table has just been doubled.
+/// One more than a power of two, so that a growing table has just doubled.
 const MANY: usize = (1 << 15) + 1;
 
 fn ply(format: &str, vertices: usize, faces: usize, list: &str, data: &[u8]) -> Vec<u8> {
@@ -90,7 +89,7 @@ fn files() -> Vec<(&'static str, Vec<u8>)> {
 }
 
 #[test]
-fn loading_takes_no_more_memory_than_a_small_multiple_of_the_file() {
+fn loading_takes_at_most_a_small_multiple_of_the_file_size() {
     let folder = tempfile::tempdir().unwrap();
     for (extension, bytes) in files() {
         let path = folder.path().join("file").with_extension(extension);

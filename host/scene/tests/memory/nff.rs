@@ -1,24 +1,23 @@
-//! A number in a scene file must not fill the memory: what loading a wrong file takes is bounded
-//! by the size of the file, whatever stands in it.
+//! The memory for loading an invalid NFF file is bounded by the file size.
 //!
-//! The allocator of this program counts, so it has one test and no others beside it.
+//! The allocator counts all allocations of the process, so the program has only one test.
 
 use std::io::Write;
 
 use strahl_scene::load;
 
 use counting::{Bound, most_held};
-use table::{VIEW, wrong_files};
+use table::{VIEW, invalid_files};
 
 mod counting;
 #[path = "../load/table.rs"]
 mod table;
 
-/// Long wrong files, made of one entity over and over.
+/// Long invalid files that repeat one entity.
 fn long_files() -> Vec<Vec<u8>> {
     let fill = "f 1 1 1 1 0 0 0 0\n";
     let begin = format!("{VIEW}{fill}");
-    // One more than a power of two: a table has just been doubled.
+    // One more than a power of two, so that a growing table has just doubled.
     let long = |begin: &str, again: &str| format!("{begin}{}?", again.repeat((1 << 16) + 1)).into_bytes();
     let surfaces: String = (0..65_536).map(|n| format!("f {} {} 0 0 0 0 0 0\n", n % 256, n / 256)).collect();
     vec![
@@ -42,10 +41,10 @@ fn long_files() -> Vec<Vec<u8>> {
 }
 
 #[test]
-fn loading_a_wrong_file_takes_no_more_memory_than_a_small_multiple_of_its_size() {
+fn loading_an_invalid_file_takes_at_most_a_small_multiple_of_its_size() {
     let folder = tempfile::tempdir().unwrap();
     let path = folder.path().join("wrong.nff");
-    let files = wrong_files().into_iter().map(|(bytes, ..)| bytes).chain(long_files());
+    let files = invalid_files().into_iter().map(|(bytes, ..)| bytes).chain(long_files());
     for bytes in files {
         std::fs::File::create(&path).unwrap().write_all(&bytes).unwrap();
         let (loaded, most) = most_held(|| load(&path));

@@ -65,10 +65,10 @@ fn files() -> Vec<String> {
 }
 
 #[test]
-fn loading_takes_no_more_memory_than_a_small_multiple_of_the_file() {
+fn loading_takes_at_most_a_small_multiple_of_the_file_size() {
     let folder = tempfile::tempdir().unwrap();
     let path = folder.path().join("scene.toml");
-    let wrong = table::WRONG.iter().map(|(text, ..)| (*text).to_owned());
+    let wrong = table::INVALID.iter().map(|(text, ..)| (*text).to_owned());
     for text in wrong.chain(files()) {
         std::fs::write(&path, &text).unwrap();
         let (loaded, most) = most_held(|| load(&path));

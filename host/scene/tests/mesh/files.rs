@@ -1,4 +1,4 @@
-//! Small files of every format, and how they are read.
+//! Small files of every format, and functions to read them.
 
 use std::path::{Path, PathBuf};
 
@@ -24,19 +24,19 @@ impl Folder {
     }
 }
 
-/// The mesh in a file of this name; others may be beside it.
+/// The mesh in a file of this name, with other files in the same folder.
 pub fn read_with(name: &str, bytes: &[u8], others: &[(&str, &[u8])]) -> TriangleMesh {
     let folder = Folder::of(others);
     std::fs::write(folder.path(name), bytes).unwrap();
     read(&folder.path(name)).unwrap_or_else(|failure| panic!("{failure}\n{}", String::from_utf8_lossy(bytes)))
 }
 
-/// The mesh in a file of this extension.
+/// The mesh in a file with this extension.
 pub fn mesh(extension: &str, bytes: impl AsRef<[u8]>) -> TriangleMesh {
     read_with(&format!("file.{extension}"), bytes.as_ref(), &[])
 }
 
-/// Why a file of this name is refused.
+/// The error of a file of this name.
 pub fn failure(name: &str, bytes: &[u8], others: &[(&str, &[u8])]) -> (LoadError, PathBuf) {
     let folder = Folder::of(others);
     let path = folder.path(name);
@@ -44,7 +44,7 @@ pub fn failure(name: &str, bytes: &[u8], others: &[(&str, &[u8])]) -> (LoadError
     (read(&path).expect_err(&String::from_utf8_lossy(bytes)), path)
 }
 
-/// The line and the reason that a file is refused with.
+/// The line and the message of the error of a file.
 pub fn refused(extension: &str, bytes: impl AsRef<[u8]>) -> (Option<usize>, String) {
     match failure(&format!("file.{extension}"), bytes.as_ref(), &[]) {
         (LoadError::Invalid { path, line, reason }, file) if path == file => (line, reason),
@@ -52,7 +52,7 @@ pub fn refused(extension: &str, bytes: impl AsRef<[u8]>) -> (Option<usize>, Stri
     }
 }
 
-/// Groups of so many triangles, of these materials.
+/// Groups with these numbers of triangles and these materials.
 pub fn groups(groups: &[(u32, Option<u16>)]) -> Vec<MaterialGroup> {
     groups.iter().map(|(count, material)| MaterialGroup { count: *count, material: *material }).collect()
 }
@@ -60,12 +60,12 @@ pub fn groups(groups: &[(u32, Option<u16>)]) -> Vec<MaterialGroup> {
 /// A unit square of two triangles, in OBJ.
 pub const SQUARE_OBJ: &str = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nf 1 2 3 4\n";
 
-/// The same in PLY.
+/// The same square in PLY.
 pub const SQUARE_PLY: &str = "ply\nformat ascii 1.0\nelement vertex 4\nproperty float x\nproperty float y\n\
     property float z\nelement face 1\nproperty list uchar int vertex_indices\nend_header\n\
     0 0 0\n1 0 0\n1 1 0\n0 1 0\n4 0 1 2 3\n";
 
-/// What both hold.
+/// The mesh of both files.
 pub fn square() -> TriangleMesh {
     TriangleMesh {
         vertices: vec![[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [1.0, 1.0, 0.0], [0.0, 1.0, 0.0]],
@@ -75,12 +75,12 @@ pub fn square() -> TriangleMesh {
     }
 }
 
-/// The bytes of numbers, as glTF has them.
+/// The bytes of numbers, in the encoding of glTF.
 pub fn floats(numbers: &[f32]) -> Vec<u8> {
     numbers.iter().flat_map(|x| x.to_le_bytes()).collect()
 }
 
-/// Four corners in 48 bytes, their normals in another 48, six indices in 12.
+/// Four vertices in 48 bytes, their normals in another 48, six indices in 12.
 pub fn square_bytes() -> Vec<u8> {
     let mut bytes = floats(&[0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 1.0, 1.0, 0.0, 0.0, 1.0, 0.0]);
     bytes.extend(floats(&[0.0, 0.0, 1.0].repeat(4)));
@@ -104,7 +104,7 @@ pub fn gltf_of(rest: &str) -> String {
     gltf_with(&format!(r#""uri":"{uri}","#), rest)
 }
 
-/// The same with another place for the buffer.
+/// The same with another URI of the buffer.
 pub fn gltf_with(uri: &str, rest: &str) -> String {
     format!(
         "{{\"asset\":{{\"version\":\"2.0\"}},{rest},{SQUARE_PLACES},\n\"buffers\":[{{{uri}\"byteLength\":108}}]}}"
@@ -115,7 +115,7 @@ pub fn gltf_with(uri: &str, rest: &str) -> String {
 pub const PLAIN: &str = r#""scene":0,"scenes":[{"nodes":[0]}],"nodes":[{"mesh":0}],
 "meshes":[{"primitives":[{"attributes":{"POSITION":0},"indices":2}]}]"#;
 
-/// A `.glb` of these two parts.
+/// A `.glb` file of these two chunks.
 pub fn glb(json: &str, binary: Option<&[u8]>) -> Vec<u8> {
     let mut parts = Vec::new();
     let mut part = |kind: &[u8; 4], bytes: &[u8], padding: u8| {
@@ -136,7 +136,7 @@ pub fn glb(json: &str, binary: Option<&[u8]>) -> Vec<u8> {
     file
 }
 
-/// Whether the path is that of a file beside another.
+/// Whether the path ends in this file name.
 pub fn is_named(path: &Path, name: &str) -> bool {
     path.file_name().is_some_and(|n| n == name)
 }

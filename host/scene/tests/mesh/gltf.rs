@@ -1,4 +1,4 @@
-//! What is in glTF files.
+//! Contents of glTF files.
 
 use strahl_core::scene::FresnelModel;
 use strahl_core::{Material, Rgb};
@@ -7,21 +7,21 @@ use strahl_scene::mesh::TriangleMesh;
 use crate::files::{PLAIN, glb, gltf_of, gltf_with, groups, mesh, read_with, square, square_bytes};
 
 #[test]
-fn buffers_may_be_in_the_text_beside_it_or_in_the_second_part() {
+fn buffers_may_be_data_uris_files_or_the_binary_chunk() {
     assert_eq!(mesh("gltf", gltf_of(PLAIN)), square());
     let beside = gltf_with(r#""uri":"a%20b.bin","#, PLAIN);
     assert_eq!(read_with("f.gltf", beside.as_bytes(), &[("a b.bin", &square_bytes())]), square());
     assert_eq!(mesh("glb", glb(&gltf_with("", PLAIN), Some(&square_bytes()))), square());
-    // Longer than it says is enough.
+    // The file may be longer than its header declares.
     let longer = [square_bytes(), vec![7; 9]].concat();
     assert_eq!(mesh("glb", glb(&gltf_with("", PLAIN), Some(&longer))), square());
     assert_eq!(mesh("glb", glb(&gltf_of(PLAIN), None)), square());
-    // What a file is, its first bytes say, not its name.
+    // The container is detected by its first bytes, not by its name.
     assert_eq!(mesh("gltf", glb(&gltf_of(PLAIN), None)), square());
 }
 
 #[test]
-fn a_file_without_scenes_shows_its_topmost_nodes() {
+fn a_gltf_file_without_scenes_has_its_root_nodes() {
     let text = gltf_of(
         r#""nodes":[{"mesh":0},{"children":[0],"translation":[0,0,5]}],
         "meshes":[{"primitives":[{"attributes":{"POSITION":0},"indices":2}]}]"#,
@@ -31,8 +31,8 @@ fn a_file_without_scenes_shows_its_topmost_nodes() {
 }
 
 #[test]
-fn nodes_move_their_children_by_all_their_motions() {
-    // Outside: a quarter turn about z, then 10 along x. Inside: twice as wide along x.
+fn nodes_transform_their_children() {
+    // Parent: a rotation by 90 degrees about z, then 10 along x. Child: a scale of 2 along x.
     let s = std::f64::consts::FRAC_1_SQRT_2;
     let text = gltf_of(&format!(
         r#""scenes":[{{"nodes":[1]}}],"nodes":[{{"mesh":0,"scale":[2,1,1]}},
@@ -52,8 +52,8 @@ fn nodes_move_their_children_by_all_their_motions() {
 }
 
 #[test]
-fn normals_stay_upright_under_uneven_scales_and_mirrors_turn_triangles() {
-    // A shear by a matrix: z grows with y, so the normal leans back; x is mirrored.
+fn normals_stay_perpendicular_under_nonuniform_scales_and_mirroring_reverses_triangles() {
+    // A shear: z grows with y, so the normal is tilted back; x is mirrored.
     let text = gltf_of(
         r#""nodes":[{"mesh":0,"matrix":[-3,0,0,0, 0,1,1,0, 0,0,1,0, 0,0,0,1]}],
         "meshes":[{"primitives":[{"attributes":{"POSITION":0,"NORMAL":1},"indices":2}]}]"#,
@@ -63,8 +63,8 @@ fn normals_stay_upright_under_uneven_scales_and_mirrors_turn_triangles() {
     assert_eq!(
         it.triangles,
         [[0, 1, 2], [0, 3, 1]].map(|t: [u32; 3]| match t {
-            // Each triangle is turned back, so that its front stays its front; corners are
-            // numbered in the order in which the file first names them.
+            // Each triangle is reversed, so that its front stays its front; vertices are numbered in the order of
+            // their first use.
             [0, 1, 2] => [0, 2, 1],
             _ => [0, 3, 2],
         })
@@ -76,7 +76,7 @@ fn normals_stay_upright_under_uneven_scales_and_mirrors_turn_triangles() {
 }
 
 #[test]
-fn strips_and_fans_are_triangles_and_lines_are_left_out() {
+fn strips_and_fans_are_triangulated_and_lines_are_skipped() {
     let with = |mode: u32| {
         gltf_of(&format!(
             r#""nodes":[{{"mesh":0}},{{"mesh":1}}],"meshes":[
@@ -95,7 +95,7 @@ fn strips_and_fans_are_triangles_and_lines_are_left_out() {
 }
 
 #[test]
-fn the_same_mesh_may_stand_in_many_places() {
+fn a_gltf_mesh_may_have_many_instances() {
     let text = gltf_of(
         r#""scenes":[{"nodes":[0,1]}],"nodes":[{"mesh":0},{"mesh":0,"translation":[0,0,1]}],
         "meshes":[{"primitives":[{"attributes":{"POSITION":0},"indices":2,"material":1},
@@ -110,7 +110,7 @@ fn the_same_mesh_may_stand_in_many_places() {
 }
 
 #[test]
-fn surfaces_become_the_nearest_material() {
+fn gltf_materials_are_converted_to_the_closest_material() {
     let text = gltf_of(&format!(
         r#"{PLAIN},"materials":[{{}},
         {{"pbrMetallicRoughness":{{"baseColorFactor":[1,0.5,0.25,1],"metallicFactor":1,"roughnessFactor":0.25}}}},

@@ -1,5 +1,4 @@
-//! Files of triangles through the door of the library: what is in them, what is wrong with them,
-//! and how they are looked at.
+//! Mesh files through the public API: contents, errors, and the default camera.
 
 mod files;
 mod gltf;

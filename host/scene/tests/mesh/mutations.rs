@@ -1,4 +1,4 @@
-//! Good files, damaged in many ways: they load, or they are refused; nothing panics.
+//! Valid files with random damage load or are rejected; nothing panics.
 
 use std::panic::catch_unwind;
 
@@ -9,7 +9,7 @@ use strahl_session::tables;
 use crate::files::{Folder, SQUARE_OBJ, SQUARE_PLY, floats, glb, gltf_of, gltf_with, square_bytes};
 use crate::random::Random;
 
-/// Words that do harm where another stood.
+/// Words that replace others.
 const NASTY: &[&str] = &[
     "",
     "\n",
@@ -72,7 +72,7 @@ const NASTY: &[&str] = &[
     "VEC3",
 ];
 
-/// The file with one more damage; `words` end at any of `ends`.
+/// Damages the file once more; `words` end at any of `ends`.
 fn damaged(mut file: Vec<u8>, ends: &[u8], random: &mut Random) -> Vec<u8> {
     if file.is_empty() {
         return file;
@@ -105,7 +105,7 @@ fn damaged(mut file: Vec<u8>, ends: &[u8], random: &mut Random) -> Vec<u8> {
     file
 }
 
-/// Damages the file `rounds` times, each time anew.
+/// Damages the file `rounds` times, starting from the original each time.
 fn survive(name: &str, whole: &[u8], ends: &[u8], rounds: usize) {
     let library = b"newmtl a\nKd 1 0.5 0\nKs 1 1 1\nNs 9\nd 0.5\nNi 1.5\nillum 7\n";
     let folder = Folder::of(&[("a.mtl", library), ("a.bin", &square_bytes())]);
@@ -141,12 +141,12 @@ fn survive(name: &str, whole: &[u8], ends: &[u8], rounds: usize) {
             Err(other) => panic!("{other}\n{text}"),
         }
     }
-    // Both happen often enough to say something.
+    // Both occur often enough for the test to be meaningful.
     assert!(good > rounds / 100 && refused > rounds / 20, "{name}: {good} good, {refused} refused");
 }
 
 #[test]
-fn damaged_obj_files_load_or_are_refused() {
+fn damaged_obj_files_load_or_are_rejected() {
     let text = format!(
         "# all\nmtllib a.mtl\n{SQUARE_OBJ}vn 0 0 1\nvn 1 0 0\nvt 0 1\nusemtl a\nf 1/1/1 2//2 -2//-1\ng x\n\
          v 2 0 0 1\nv 3 3 0\nv 1 2 \\\n 0\nf 1 5 6 3 7 4\nl 1 2\n"
@@ -155,7 +155,7 @@ fn damaged_obj_files_load_or_are_refused() {
 }
 
 #[test]
-fn damaged_material_libraries_load_or_are_refused() {
+fn damaged_material_libraries_load_or_are_rejected() {
     let folder = Folder::of(&[("f.obj", format!("mtllib a.mtl\nusemtl a\n{SQUARE_OBJ}").as_bytes())]);
     let whole = b"newmtl a\nKd 1 0.5 0\nKs 1 1 1\nTf 1 1 1\nNs 9\nd -halo 0.5\nNi 1.5\nillum 7\nmap_Kd a b\nnewmtl b\nTr 1\n";
     let mut random = Random(5);
@@ -174,12 +174,12 @@ fn damaged_material_libraries_load_or_are_refused() {
 }
 
 #[test]
-fn damaged_ascii_ply_files_load_or_are_refused() {
+fn damaged_ascii_ply_files_load_or_are_rejected() {
     survive("f.ply", SQUARE_PLY.as_bytes(), b" \n", 6_000);
 }
 
 #[test]
-fn damaged_binary_ply_files_load_or_are_refused() {
+fn damaged_binary_ply_files_load_or_are_rejected() {
     let header = SQUARE_PLY
         .replace("float z\n", "float z\nproperty float nx\nproperty float ny\nproperty double nz\n");
     for (order, is_big) in [("binary_little_endian", false), ("binary_big_endian", true)] {
@@ -207,13 +207,13 @@ const MOVED: &str = r#""scene":0,"scenes":[{"nodes":[0,1]}],"nodes":[{"mesh":0,"
 {"attributes":{"POSITION":0},"mode":5}]}]"#;
 
 #[test]
-fn damaged_gltf_files_load_or_are_refused() {
+fn damaged_gltf_files_load_or_are_rejected() {
     survive("f.gltf", gltf_with(r#""uri":"a.bin","#, MOVED).as_bytes(), b" \n:,[]{}\"", 6_000);
     survive("f.gltf", gltf_of(MOVED).as_bytes(), b" \n:,[]{}\"", 2_000);
 }
 
 #[test]
-fn damaged_glb_files_load_or_are_refused() {
+fn damaged_glb_files_load_or_are_rejected() {
     let file = glb(&gltf_with("", MOVED), Some(&square_bytes()));
     survive("f.glb", &file, b" \n:,[]{}\"", 6_000);
 }

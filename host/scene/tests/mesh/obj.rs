@@ -1,4 +1,4 @@
-//! What is in OBJ files and their material libraries.
+//! Contents of OBJ files and their material libraries.
 
 use strahl_core::scene::FresnelModel;
 use strahl_core::{Material, Rgb};
@@ -7,12 +7,12 @@ use strahl_scene::mesh::TriangleMesh;
 use crate::files::{SQUARE_OBJ, groups, is_named, mesh, read_with, square};
 
 #[test]
-fn a_face_of_four_corners_is_two_triangles() {
+fn a_quadrilateral_is_two_triangles() {
     assert_eq!(mesh("obj", SQUARE_OBJ), square());
 }
 
 #[test]
-fn line_ends_comments_continuations_and_relative_places_change_nothing() {
+fn line_ends_comments_continuations_and_relative_indices_change_nothing() {
     for text in [
         SQUARE_OBJ.replace('\n', "\r\n"),
         SQUARE_OBJ.replace(' ', "\t "),
@@ -31,7 +31,7 @@ fn line_ends_comments_continuations_and_relative_places_change_nothing() {
 }
 
 #[test]
-fn corners_are_shared_where_place_and_normal_are_the_same() {
+fn vertices_with_equal_position_and_normal_are_shared() {
     let text = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 9 9 9\nv 1 1 0\nvn 0 0 2\nvn 1 0 0\n\
         f 1//1 2//1 3//1\nf 3//1 2//1 5//1\nf 1//2 3//2 2//1\n";
     let expected = TriangleMesh {
@@ -52,8 +52,8 @@ fn corners_are_shared_where_place_and_normal_are_the_same() {
 }
 
 #[test]
-fn corners_without_a_normal_get_that_of_their_triangle_when_others_have_one() {
-    // The second face lies in the plane of x and z; the third one's normal is zero.
+fn vertices_without_a_normal_get_that_of_their_triangle_if_others_have_one() {
+    // The second face is in the xz plane; the normal of the third one is zero.
     let text = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nvn 0 1 1\nvn 0 0 0\nvn nan 0 1\n\
         f 1//1 2//1 3//1\nf 1 2 4\nf 1//2 2//3 3\nf 1 3 2\n";
     let it = mesh("obj", text);
@@ -63,24 +63,24 @@ fn corners_without_a_normal_get_that_of_their_triangle_when_others_have_one() {
     for corner in it.triangles[2] {
         assert_eq!(it.normals[corner as usize], [0.0, 0.0, 1.0]);
     }
-    // It shares corners without a normal with the second and the third, which face other ways.
+    // It shares vertices without a normal with the second and the third, which have other orientations.
     for (corner, place) in it.triangles[3].into_iter().zip([[0.0; 3], [0.0, 1.0, 0.0], [1.0, 0.0, 0.0]]) {
         assert_eq!(it.normals[corner as usize], [0.0, 0.0, -1.0]);
         assert_eq!(it.vertices[corner as usize], place);
     }
-    let says = "zero or non-finite normals are replaced by face normals (2)";
-    assert_eq!(it.warnings, [says]);
+    let expected = "zero or non-finite normals are replaced by face normals (2)";
+    assert_eq!(it.warnings, [expected]);
 }
 
 #[test]
-fn triangles_without_area_keep_their_number_and_are_counted() {
+fn triangles_without_area_keep_their_index_and_are_counted() {
     let it = mesh("obj", "v 0 0 0\nv 1 0 0\nv 2 0 0\nv 0 1 0\nf 1 2 3\nf 1 2 4\nf 1 1 1\n");
     assert_eq!(it.triangles, [[0, 1, 2], [0, 1, 3], [0, 0, 0]]);
     assert_eq!(it.warnings, ["2 triangles have zero area and are never hit"]);
 }
 
 #[test]
-fn what_is_no_triangle_is_counted_by_kind_with_its_first_line() {
+fn skipped_features_are_counted_by_kind_with_their_first_line() {
     let it = mesh("obj", format!("{SQUARE_OBJ}l 1 2\np 1\nf 1 2\nv 0 0 0 1 1 1\nbevel on\nbevel off\n"));
     assert_eq!(
         it.warnings,
@@ -147,7 +147,7 @@ fn materials_group_the_triangles() {
 }
 
 #[test]
-fn several_libraries_may_stand_in_a_line_and_a_missing_one_is_a_warning() {
+fn a_line_may_name_several_libraries_and_a_missing_one_is_a_warning() {
     let text = format!("usemtl b\n{SQUARE_OBJ}mtllib one.mtl two.mtl three.mtl\nmtllib one.mtl\n");
     let it = read_with(
         "file.obj",
@@ -165,8 +165,8 @@ fn several_libraries_may_stand_in_a_line_and_a_missing_one_is_a_warning() {
 }
 
 #[test]
-fn a_wrong_library_is_refused_with_its_own_name_and_line() {
-    for (library, to_blame, says) in [
+fn an_invalid_library_is_rejected_with_its_path_and_line() {
+    for (library, to_blame, expected) in [
         ("newmtl", 1, "the material has no name"),
         ("Kd 1 1 1", 1, "`Kd` comes before the first `newmtl`"),
         ("newmtl a\n\nKd 1 1", 3, "a color needs 3 numbers"),
@@ -183,7 +183,7 @@ fn a_wrong_library_is_refused_with_its_own_name_and_line() {
             (strahl_scene::LoadError::Invalid { path, line, reason }, _) => {
                 assert!(is_named(&path, "a.mtl"), "{}", path.display());
                 assert_eq!(line, Some(to_blame), "{library}");
-                assert!(reason.contains(says), "{reason}\n{library}");
+                assert!(reason.contains(expected), "{reason}\n{library}");
             }
             (other, _) => panic!("{other}"),
         }

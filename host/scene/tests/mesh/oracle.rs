@@ -1,4 +1,4 @@
-//! Readers of others agree with ours where both can read.
+//! Other readers agree on files that both support.
 
 use ply_rs_bw::parser::Parser;
 use ply_rs_bw::ply::{DefaultElement, Property};
@@ -6,7 +6,7 @@ use ply_rs_bw::ply::{DefaultElement, Property};
 use crate::files::mesh;
 use crate::random::Random;
 
-/// Triangles as the places of their corners, and normals beside them.
+/// Triangles as positions of vertices, with their normals.
 type Soup = Vec<[([f32; 3], Option<[f32; 3]>); 3]>;
 
 fn ours(extension: &str, file: &[u8]) -> Soup {

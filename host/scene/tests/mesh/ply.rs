@@ -1,16 +1,16 @@
-//! What is in PLY files of every encoding.
+//! Contents of PLY files in every encoding.
 
 use strahl_scene::mesh::TriangleMesh;
 
 use crate::files::{SQUARE_PLY, groups, mesh, square};
 
 #[test]
-fn a_face_of_four_corners_is_two_triangles() {
+fn a_quadrilateral_is_two_triangles() {
     assert_eq!(mesh("ply", SQUARE_PLY), square());
 }
 
 #[test]
-fn line_ends_comments_and_other_names_change_nothing() {
+fn line_ends_comments_and_aliases_of_keywords_change_nothing() {
     let (header, data) = SQUARE_PLY.split_once("end_header\n").unwrap();
     for text in [
         SQUARE_PLY.replace('\n', "\r\n"),
@@ -59,7 +59,7 @@ fn every_type_of_number_is_read_in_either_byte_order() {
         let order = if big { "big" } else { "little" };
         for coordinate in ["char", "short", "int", "float", "double"] {
             for (length, index) in WHOLE.iter().flat_map(|l| WHOLE.iter().map(move |i| (*l, *i))) {
-                // Properties around those that count, and an element between.
+                // Unused properties around the used ones, and an unused element between.
                 let mut file = format!(
                     "ply\nformat binary_{order}_endian 1.0\nelement vertex 3\nproperty double before\n\
                      property {coordinate} x\nproperty list uchar short many\nproperty {coordinate} y\n\
@@ -93,7 +93,7 @@ fn every_type_of_number_is_read_in_either_byte_order() {
 }
 
 #[test]
-fn normals_count_when_all_three_are_there() {
+fn normals_are_read_if_all_three_properties_exist() {
     let with = |names: &[&str]| {
         let properties: String = names.iter().map(|name| format!("property float {name}\n")).collect();
         let header = SQUARE_PLY.replace("property float z\n", &format!("property float z\n{properties}"));
@@ -109,7 +109,7 @@ fn normals_count_when_all_three_are_there() {
 }
 
 #[test]
-fn what_is_left_out_is_said() {
+fn skipped_features_are_warnings() {
     let text = SQUARE_PLY
         .replace("property float z\n", "property float z\nproperty uchar red\n")
         .replace(" 0\n", " 0 255\n")

@@ -1,9 +1,9 @@
-//! Polygons of any shape become triangles that cover them.
+//! Triangulations cover their polygons.
 
 use crate::files::mesh;
 use crate::random::Random;
 
-/// The mesh of one face with these corners, in OBJ.
+/// A mesh of one face with these vertices, read as OBJ.
 fn face(corners: &[[f64; 3]]) -> strahl_scene::mesh::TriangleMesh {
     let mut text: String = corners.iter().map(|[x, y, z]| format!("v {x} {y} {z}\n")).collect();
     text.push('f');
@@ -11,14 +11,14 @@ fn face(corners: &[[f64; 3]]) -> strahl_scene::mesh::TriangleMesh {
     mesh("obj", text)
 }
 
-/// Twice the area of a triangle in the plane of x and y, more than zero when it turns left.
+/// Twice the signed area of a triangle in the xy plane; positive if it is counterclockwise.
 fn turn([a, b, c]: [[f32; 3]; 3]) -> f64 {
     let [a, b, c] = [a, b, c].map(|p| [f64::from(p[0]), f64::from(p[1])]);
     (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0])
 }
 
-/// That the triangles all turn as the polygon does and have its area: then they cover it, and
-/// nothing twice.
+/// Checks that all triangles have the orientation of the polygon, and together its area: then they cover it without
+/// overlaps.
 fn assert_covers(corners: &[[f64; 3]]) {
     let it = face(corners);
     assert_eq!(it.triangles.len(), corners.len() - 2, "{corners:?}");
@@ -29,7 +29,7 @@ fn assert_covers(corners: &[[f64; 3]]) {
     let turns = it.triangles.iter().map(|t| turn(t.map(|i| it.vertices[i as usize])) * area.signum());
     let turns: Vec<f64> = turns.collect();
     assert!(turns.iter().all(|turn| *turn >= 0.0), "{turns:?}\n{corners:?}");
-    // Corners are rounded to single precision: some 1e-7 of sides that are below 100.
+    // Vertices are rounded to single precision: about 1e-7 of sides below 100.
     assert!((turns.iter().sum::<f64>() - area.abs()).abs() <= 1e-3, "{corners:?}");
     assert_eq!(it.warnings, [""; 0], "{corners:?}");
 }
@@ -44,7 +44,7 @@ fn concave_polygons_are_covered_by_their_triangles() {
     let bay = flat(&[[0.0, 0.0], [4.0, 0.0], [4.0, 4.0], [2.0, 1.0], [0.0, 4.0]]);
     let comb: Vec<_> = (0..40).map(|i| [f64::from(i), f64::from(i % 2) * 5.0]).collect();
     let comb = flat(&[comb, vec![[39.0, -1.0], [0.0, -1.0]]].concat());
-    // A ring that is joined to its hole: two corners are met twice.
+    // A ring with a bridge to its hole: two vertices occur twice.
     let ring = flat(&[
         [0.0, 0.0],
         [6.0, 0.0],
@@ -60,7 +60,7 @@ fn concave_polygons_are_covered_by_their_triangles() {
     let straight =
         flat(&[[0.0, 0.0], [1.0, 0.0], [2.0, 0.0], [2.0, 2.0], [1.0, 2.0], [0.0, 2.0], [0.0, 1.0]]);
     for polygon in [arrow, bay, comb, ring, straight] {
-        // From every corner, in both directions, and tilted so that another plane is the best.
+        // From every vertex, in both directions, and tilted so that another projection plane is used.
         for start in 0..polygon.len() {
             let mut turned = polygon.clone();
             turned.rotate_left(start);
@@ -95,7 +95,7 @@ fn convex_polygons_are_fans() {
 }
 
 #[test]
-fn what_crosses_itself_or_has_no_area_is_cut_all_the_same() {
+fn self_intersecting_and_zero_area_polygons_are_triangulated() {
     for corners in [
         flat(&[[0.0, 0.0], [1.0, 1.0], [1.0, 0.0], [0.0, 1.0]]),
         flat(&[[0.0, 0.0], [1.0, 0.0], [2.0, 0.0], [3.0, 0.0], [1.5, 0.0]]),
@@ -108,8 +108,8 @@ fn what_crosses_itself_or_has_no_area_is_cut_all_the_same() {
 }
 
 #[test]
-fn a_polygon_of_very_many_corners_takes_no_forever() {
-    // A saw with more teeth than all tests that there may be.
+fn a_polygon_with_very_many_vertices_is_triangulated_in_bounded_time() {
+    // A saw with more teeth than the maximum number of tests.
     let n = 20_000;
     let saw: Vec<_> = (0..n).map(|i| [f64::from(i), f64::from(i % 2) * 5.0, 0.0]).collect();
     let clock = std::time::Instant::now();

@@ -1,10 +1,10 @@
-//! Numbers without order, always the same.
+//! Pseudo-random numbers with a fixed seed.
 
 /// SplitMix64 ("Fast Splittable Pseudorandom Number Generators", OOPSLA 2014).
 pub struct Random(pub u64);
 
 impl Random {
-    /// Less than `end`; 0 when that is 0.
+    /// A number less than `end`; 0 if `end` is 0.
     pub fn below(&mut self, end: usize) -> usize {
         self.0 = self.0.wrapping_add(0x9E37_79B9_7F4A_7C15);
         let mut z = self.0;
@@ -13,7 +13,7 @@ impl Random {
         ((z ^ (z >> 31)) % end.max(1) as u64) as usize
     }
 
-    /// Between -4 and 4, in steps of 1/64, so that every format keeps it exactly.
+    /// A number from -4 to 4 in steps of 1/64, which every format represents exactly.
     pub fn coordinate(&mut self) -> f32 {
         self.below(513) as f32 / 64.0 - 4.0
     }

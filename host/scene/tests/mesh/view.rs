@@ -1,4 +1,4 @@
-//! How a mesh file is looked at when it is a scene by itself.
+//! The default camera of a mesh file.
 
 use strahl_core::{Camera, Resolution};
 use strahl_scene::LoadError;
@@ -41,7 +41,7 @@ fn y_is_up_except_in_ply_files() {
     assert_eq!(scene("a.gltf", &gltf_of(PLAIN), WIDE).camera.up, [0.0, 1.0, 0.0]);
     let flat = scene("a.ply", SQUARE_PLY, WIDE).camera;
     assert_eq!(flat.up, [0.0, 0.0, 1.0]);
-    // It lies flat, so it is looked at from higher up.
+    // A flat model is viewed from higher up.
     let rise = |view: strahl_scene::description::CameraDescription| {
         let way = [0, 1, 2].map(|i| view.from[i] - view.at[i]);
         f64::from(way[2]) / way.iter().map(|x| f64::from(x * x)).sum::<f64>().sqrt()
@@ -50,7 +50,7 @@ fn y_is_up_except_in_ply_files() {
     assert!(rise(scene("a.ply", &SQUARE_PLY.replace("1 1 0", "1 1 1"), WIDE).camera) < 0.4);
 }
 
-/// Where a point is in the picture, both sides in -1..1.
+/// The position of a point in the picture, in [-1, 1] along both sides.
 fn place(it: &LoadedScene, size: Resolution, point: [f32; 3]) -> [f64; 2] {
     let ProjectionDescription::Perspective(angle) = it.camera.projection else { panic!() };
     let minus = |a: [f32; 3], b: [f32; 3]| [0, 1, 2].map(|i| f64::from(a[i]) - f64::from(b[i]));
@@ -95,19 +95,19 @@ fn the_whole_model_is_in_the_picture_and_fills_it() {
 }
 
 #[test]
-fn a_model_that_cannot_be_looked_at_is_refused() {
+fn a_model_without_a_possible_camera_is_rejected() {
     let folder = Folder::of(&[
         ("point.obj", b"v 1 1 1\nf 1 1 1\n"),
         ("far.obj", b"v 1e15 0 0\nv -1e15 1 0\nv 0 1e15 0\nf 1 2 3\n"),
         ("away.obj", b"v 1e12 1e12 0\nv 1e12 1e12 1e-3\nv 1e12 1e12 2e-3\nf 1 2 3\n"),
     ]);
-    for (name, says) in [
+    for (name, expected) in [
         ("point.obj", "all vertices are the same point"),
         ("far.obj", "too large or too far away"),
         ("away.obj", "too small compared with its distance from the origin"),
     ] {
         let failure = load_for_size(&folder.path(name), WIDE).unwrap_err();
         assert!(matches!(failure, LoadError::Invalid { .. } | LoadError::Diagnostics(_)));
-        assert!(failure.to_string().contains(says), "{failure}");
+        assert!(failure.to_string().contains(expected), "{failure}");
     }
 }

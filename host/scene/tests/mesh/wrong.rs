@@ -1,4 +1,4 @@
-//! What is wrong with bad files, and where.
+//! Errors of invalid files.
 
 use strahl_scene::LoadError;
 
@@ -7,7 +7,7 @@ use crate::files::{
 };
 
 #[test]
-fn a_missing_file_and_an_unknown_extension_are_told_apart() {
+fn a_missing_file_and_an_unknown_extension_are_different_errors() {
     let folder = Folder::of(&[("file.stl", b"solid")]);
     let missing = strahl_scene::mesh::read(&folder.path("none.obj")).unwrap_err();
     assert!(matches!(&missing, LoadError::Unreadable { path, .. } if is_named(path, "none.obj")));
@@ -23,8 +23,8 @@ fn a_missing_file_and_an_unknown_extension_are_told_apart() {
 }
 
 #[test]
-fn a_wrong_obj_file_is_refused_with_the_line_and_the_reason() {
-    for (text, line, says) in [
+fn an_invalid_obj_file_is_rejected_with_its_line_and_the_reason() {
+    for (text, line, expected) in [
         ("", None, "contains no triangles"),
         ("v 0 0 0\nv 1 0 0\nv 0 1 0\n", None, "contains no triangles"),
         ("# a\nv 0 0 0\n\0", Some(3), "not a text file"),
@@ -57,19 +57,19 @@ fn a_wrong_obj_file_is_refused_with_the_line_and_the_reason() {
     ] {
         let (found, reason) = refused("obj", text);
         assert_eq!(found, line, "{reason}\n{text}");
-        assert!(reason.contains(says), "`{says}` is not in `{reason}`\n{text}");
+        assert!(reason.contains(expected), "`{expected}` is not in `{reason}`\n{text}");
     }
 }
 
-/// The square with one piece of its text replaced.
+/// The square in PLY, with a part of its text replaced.
 fn ply(from: &str, to: &str) -> Vec<u8> {
     assert!(SQUARE_PLY.contains(from), "{from}");
     SQUARE_PLY.replacen(from, to, 1).into_bytes()
 }
 
 #[test]
-fn a_wrong_ply_file_is_refused_with_the_line_and_the_reason() {
-    for (bytes, line, says) in [
+fn an_invalid_ply_file_is_rejected_with_its_line_and_the_reason() {
+    for (bytes, line, expected) in [
         (Vec::new(), Some(1), "does not begin with `ply`"),
         (b"plyx\n".to_vec(), Some(1), "does not begin with `ply`"),
         (b"ply\nformat ascii 1.0\n".to_vec(), Some(3), "the file ends inside its header"),
@@ -110,13 +110,13 @@ fn a_wrong_ply_file_is_refused_with_the_line_and_the_reason() {
     ] {
         let text = String::from_utf8_lossy(&bytes);
         let (found, reason) = refused("ply", &bytes);
-        assert!(reason.contains(says), "`{says}` is not in `{reason}`\n{text}");
+        assert!(reason.contains(expected), "`{expected}` is not in `{reason}`\n{text}");
         assert_eq!(found, line, "{reason}\n{text}");
     }
 }
 
 #[test]
-fn a_cut_binary_ply_file_is_refused_with_its_byte() {
+fn a_truncated_binary_ply_file_is_rejected_with_its_byte() {
     let header = SQUARE_PLY.replace("ascii", "binary_little_endian");
     let header = &header[..header.find("end_header").unwrap() + 11];
     let mut file = header.as_bytes().to_vec();
@@ -133,18 +133,18 @@ fn a_cut_binary_ply_file_is_refused_with_its_byte() {
     let mut wrong = file.clone();
     let place = wrong.len() - 4;
     wrong[place] = 9;
-    let says = format!("`face` 0 of 1 before byte {}: vertex 9 does not exist", file.len());
-    assert_eq!(refused("ply", wrong), (None, says));
+    let expected = format!("`face` 0 of 1 before byte {}: vertex 9 does not exist", file.len());
+    assert_eq!(refused("ply", wrong), (None, expected));
 }
 
 #[test]
-fn a_wrong_gltf_file_is_refused_with_the_place_and_the_reason() {
+fn an_invalid_gltf_file_is_rejected_with_the_location_and_the_reason() {
     let plain = gltf_of(PLAIN);
     let with = |from: &str, to: &str| {
         assert!(plain.contains(from), "{from}");
         plain.replacen(from, to, 1)
     };
-    for (text, line, says) in [
+    for (text, line, expected) in [
         (String::new(), Some(1), "EOF while parsing a value"),
         ("{\n\"nodes\":[}".into(), Some(2), "expected value"),
         ("[]".into(), None, "contains no triangles"),
@@ -228,7 +228,7 @@ fn a_wrong_gltf_file_is_refused_with_the_place_and_the_reason() {
         ),
     ] {
         let (found, reason) = refused("gltf", &text);
-        assert!(reason.contains(says), "`{says}` is not in `{reason}`\n{text}");
+        assert!(reason.contains(expected), "`{expected}` is not in `{reason}`\n{text}");
         assert_eq!(found, line, "{reason}\n{text}");
     }
 }
@@ -245,11 +245,11 @@ fn a_missing_buffer_is_named() {
 }
 
 #[test]
-fn a_cut_glb_file_is_refused() {
+fn a_truncated_glb_file_is_rejected() {
     let file = glb(&gltf_with("", PLAIN), Some(&square_bytes()));
     for end in 0..file.len() {
         refused("glb", &file[..end]);
-        // The same, with a length that fits.
+        // The same, with the length in the header adapted.
         let mut cut = file[..end].to_vec();
         if end >= 12 {
             cut[8..12].copy_from_slice(&(end as u32).to_le_bytes());
@@ -259,7 +259,7 @@ fn a_cut_glb_file_is_refused() {
 }
 
 #[test]
-fn nodes_that_copy_without_measure_are_refused() {
+fn too_many_instances_are_rejected() {
     // 100,000 nodes of a mesh of 200 parts: 40 million triangles out of two megabytes.
     let part = r#"{"attributes":{"POSITION":0},"indices":2},"#.repeat(200);
     let nodes = r#"{"mesh":0},"#.repeat(100_000);
@@ -273,7 +273,7 @@ fn nodes_that_copy_without_measure_are_refused() {
 }
 
 #[test]
-fn reasons_are_one_short_line() {
+fn error_messages_are_one_short_line() {
     for bytes in
         [format!("v {}\u{7}\u{7}", "9".repeat(500)), format!("{SQUARE_OBJ}f {}\u{1b}[3m", "x".repeat(900))]
     {

@@ -1,6 +1,6 @@
 //! Aliases of keys: names of other programs that are accepted.
 
-use crate::text::{loaded, wrong};
+use crate::text::{errors, loaded};
 
 /// The text of a scene with `KEY` in place of a key, the key, and an alias of it.
 const ALIASES: &[(&str, &str, &str)] = &[
@@ -35,7 +35,7 @@ fn every_alias_of_the_schema_is_tested() {
     for (name, table) in schema["$defs"].as_object().unwrap() {
         for (alias, property) in table["properties"].as_object().into_iter().flatten() {
             let is_alias = property["description"].as_str().is_some_and(|text| text.starts_with("Alias of "));
-            // That of a mesh is tested with files.
+            // The alias of `[[mesh]]` is tested with mesh files.
             let is_tested = name == "Mesh" || ALIASES.iter().any(|(_, _, tested)| tested == alias);
             assert!(!is_alias || is_tested, "{alias} of {name}");
         }
@@ -44,7 +44,7 @@ fn every_alias_of_the_schema_is_tested() {
 
 #[test]
 fn a_key_and_its_alias_together_are_an_error() {
-    let errors = wrong("[camera]\neye = [1, 2, 3]\nfrom = [1, 2, 3]\nposition = [0, 0, 9]\n");
+    let errors = errors("[camera]\neye = [1, 2, 3]\nfrom = [1, 2, 3]\nposition = [0, 0, 9]\n");
     let found: Vec<_> = errors.iter().map(|(line, _, marked, text)| (*line, &**marked, &**text)).collect();
     assert_eq!(
         found,
@@ -57,8 +57,8 @@ fn a_key_and_its_alias_together_are_an_error() {
 
 #[test]
 fn errors_name_a_key_as_it_is_written() {
-    let [(.., text)] = &wrong("[camera]\nfov = 200\n")[..] else { panic!("not one error") };
+    let [(.., text)] = &errors("[camera]\nfov = 200\n")[..] else { panic!("not one error") };
     assert!(text.contains("`fov` must be"), "{text}");
-    let [(.., text)] = &wrong("[render]\nmax_depth = 65\n")[..] else { panic!("not one error") };
+    let [(.., text)] = &errors("[render]\nmax_depth = 65\n")[..] else { panic!("not one error") };
     assert!(text.contains("`max_depth` must be an integer from 1 to 64"), "{text}");
 }

@@ -1,4 +1,4 @@
-//! What a file does not say.
+//! Defaults.
 
 use strahl_core::scene::{FilmPoint, FresnelModel};
 use strahl_core::{Camera, Material, Resolution, Rgb, Sphere, vec3};
@@ -8,10 +8,10 @@ use strahl_scene::description::{
 };
 use strahl_settings::SettingsOverrides;
 
-use crate::text::{loaded, wrong};
+use crate::text::{errors, loaded};
 
 #[test]
-fn a_file_of_one_sphere_is_a_scene() {
+fn a_file_with_one_sphere_is_a_scene() {
     let it = loaded("[[sphere]]\nradius = 2\n");
     assert_eq!(it.objects[0].shape, ShapeDescription::Sphere { center: [0.0; 3], radius: 2.0 });
     assert_eq!(it.materials.len(), 1);
@@ -29,18 +29,18 @@ fn a_file_of_one_sphere_is_a_scene() {
 }
 
 #[test]
-fn a_scene_without_objects_is_warned_of_and_an_empty_file_is_none() {
+fn a_scene_without_objects_is_a_warning_and_an_empty_file_an_error() {
     let it = loaded("[camera]\n");
     assert!(it.objects.is_empty());
     assert_eq!(it.warnings, ["the scene has no objects"]);
     for text in ["", "\n", "# nothing\n", "\u{feff}"] {
-        let list = wrong(text);
+        let list = errors(text);
         assert!(list.len() == 1 && list[0].3.contains("the file is empty"), "{list:?}");
     }
 }
 
 #[test]
-fn every_shape_has_its_place_and_direction_by_default() {
+fn every_shape_has_a_default_position_and_direction() {
     let it = loaded(
         "[[plane]]\n[[disc]]\nradius = 1\n[[cylinder]]\nend = [0, 2, 0]\nradius = 1\n\
          [[cone]]\nend = [0, 2, 0]\nradius = 1\n[[torus]]\nradius = 2\ntube = 1\n[[box]]\nsize = 2\n",
@@ -59,12 +59,12 @@ fn every_shape_has_its_place_and_direction_by_default() {
             ShapeDescription::Cuboid { min: [-1.0; 3], max: [1.0; 3] },
         ]
     );
-    // All of them are made of one material.
+    // All of them share one material.
     assert_eq!(it.materials.len(), 1);
 }
 
 #[test]
-fn lights_are_white_and_do_not_fade_by_default() {
+fn lights_are_white_without_falloff_by_default() {
     let it = loaded("[[point_light]]\nposition = [1, 2, 3]\n[[directional_light]]\ndirection = [0, -1, 0]\n");
     let point = LightSourceDescription::Point { position: [1.0, 2.0, 3.0], falloff: [1.0, 0.0, 0.0] };
     assert_eq!(it.lights[0].value.source, point);
@@ -74,7 +74,7 @@ fn lights_are_white_and_do_not_fade_by_default() {
 }
 
 #[test]
-fn a_file_with_any_light_gets_no_other() {
+fn a_file_with_a_light_gets_no_default_light() {
     for light in [
         "[ambient_light]",
         "[[point_light]]\nposition = [1, 2, 3]",
@@ -93,7 +93,7 @@ fn material(keys: &str) -> Material {
 }
 
 #[test]
-fn the_parts_of_a_material_follow_from_each_other() {
+fn defaults_of_material_keys_depend_on_other_keys() {
     assert_eq!(material(""), Material::matte(Rgb::WHITE));
     let it = material("mirror = 0.25");
     assert_eq!((it.diffuse, it.ambient, it.reflection), (Rgb::gray(0.75), Rgb::gray(0.75), Rgb::gray(0.25)));
@@ -115,7 +115,7 @@ fn the_parts_of_a_material_follow_from_each_other() {
 }
 
 #[test]
-fn textures_are_for_floors_and_from_black_to_white_by_default() {
+fn the_default_checker_is_for_floors_and_the_default_gradient_from_black_to_white() {
     let it = loaded(
         "[[plane]]\nmaterial = { checker = {} }\n[[plane]]\nmaterial = { gradient = { start = [0, 0, 0], end = [0, 1, 0] } }\n",
     );
@@ -135,7 +135,7 @@ fn textures_are_for_floors_and_from_black_to_white_by_default() {
 }
 
 #[test]
-fn what_only_a_body_has_is_warned_of_where_there_is_none() {
+fn unused_keys_of_transparent_bodies_are_warnings() {
     let it = loaded("[[material]]\nname = \"a\"\nindex = 1.5\nclarity = 2\nfresnel = false\n");
     assert_eq!(
         it.warnings[..2],
@@ -147,14 +147,14 @@ fn what_only_a_body_has_is_warned_of_where_there_is_none() {
 }
 
 #[test]
-fn a_background_of_two_colours_has_the_camera_s_up() {
+fn a_background_gradient_has_the_up_direction_of_the_camera() {
     let it = loaded("background = { below = 0, above = 1 }\n[camera]\nfrom = [1, 0, 0]\nup = [0, 0, 3]\n");
     let up = [0.0, 0.0, 3.0];
     assert_eq!(it.background, BackgroundDescription::Gradient { up, below: Rgb::BLACK, above: Rgb::WHITE });
 }
 
 #[test]
-fn a_camera_that_is_not_told_sees_everything() {
+fn a_default_camera_sees_all_bounded_objects() {
     for (text, center, radius) in [
         ("[[sphere]]\nradius = 2\ncenter = [5, 6, 7]", [5.0, 6.0, 7.0], 2.0),
         ("[[sphere]]\nradius = 2e9\n[[plane]]", [0.0; 3], 2e9),
@@ -165,7 +165,7 @@ fn a_camera_that_is_not_told_sees_everything() {
         let it = loaded(text);
         let size = it.settings.size.unwrap_or(Resolution::new(640, 480).unwrap());
         let camera = Camera::new(&strahl_session::tables::single::view(&it.camera), size).unwrap();
-        // No ray through the rim of the picture meets the sphere.
+        // No ray through the edge of the picture hits the sphere.
         let ball = Sphere { center: vec3(center[0], center[1], center[2]), radius };
         let (w, h) = (size.width() as f32, size.height() as f32);
         for pixel in 0..100 {
@@ -184,7 +184,7 @@ fn a_camera_that_is_not_told_sees_everything() {
 }
 
 #[test]
-fn a_camera_with_a_height_has_parallel_rays() {
+fn a_camera_with_a_height_is_orthographic() {
     let it = loaded("[[sphere]]\nradius = 1\n[camera]\nheight = 3\nfrom = [0, 0, 9]\n");
     let view = CameraDescription {
         from: [0.0, 0.0, 9.0],
@@ -196,7 +196,7 @@ fn a_camera_with_a_height_has_parallel_rays() {
 }
 
 #[test]
-fn what_has_no_default_is_missed() {
+fn missing_required_keys_are_reported() {
     for (table, key) in [
         ("[[sphere]]", "radius"),
         ("[[disc]]", "radius"),
@@ -217,11 +217,11 @@ fn what_has_no_default_is_missed() {
         ("[[spot_light]]\nposition = [1, 1, 1]", "needs `at` or `direction`"),
         ("[background]", "color"),
     ] {
-        let list = wrong(&format!("\n{table}\n"));
+        let list = errors(&format!("\n{table}\n"));
         assert_eq!(list.len(), 1, "{table} {list:?}");
-        let (line, column, underlined, said) = &list[0];
+        let (line, column, underlined, message) = &list[0];
         assert_eq!((*line, *column), (2, 1), "{table}");
         assert_eq!(Some(underlined.as_str()), table.lines().next());
-        assert!(said.contains(key), "{said}");
+        assert!(message.contains(key), "{message}");
     }
 }

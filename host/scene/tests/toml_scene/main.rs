@@ -1,5 +1,4 @@
-//! Scenes in TOML through the door of the library: what they describe, and what is wrong with
-//! them.
+//! Scenes in TOML through the public API: contents and errors.
 
 mod aliases;
 mod defaults;

@@ -28,7 +28,7 @@ fn loaded(folder: &Path, text: &str) -> LoadedScene {
 }
 
 #[test]
-fn a_mesh_stands_among_the_objects_with_its_own_materials() {
+fn a_mesh_is_numbered_among_the_objects_with_its_own_materials() {
     let folder = folder();
     let it = loaded(
         folder.path(),
@@ -44,7 +44,7 @@ fn a_mesh_stands_among_the_objects_with_its_own_materials() {
 }
 
 #[test]
-fn a_mesh_is_scaled_then_turned_then_moved() {
+fn a_mesh_is_scaled_then_rotated_then_translated() {
     let folder = folder();
     let it = loaded(
         folder.path(),
@@ -60,7 +60,7 @@ fn a_mesh_is_scaled_then_turned_then_moved() {
 }
 
 #[test]
-fn a_mirrored_mesh_keeps_its_outside() {
+fn a_mirrored_mesh_keeps_its_front_faces() {
     let folder = folder();
     let plain = loaded(folder.path(), "[[mesh]]\nfile = \"sub/m.obj\"\n");
     let mirrored = loaded(folder.path(), "[[mesh]]\nfile = \"sub/m.obj\"\nscale = [1, 1, -1]\n");
@@ -70,7 +70,7 @@ fn a_mirrored_mesh_keeps_its_outside() {
 }
 
 #[test]
-fn normals_stay_upright_when_a_mesh_is_stretched() {
+fn normals_stay_perpendicular_under_a_nonuniform_scale() {
     let folder = folder();
     let slope = "v 0 0 0\nv 1 1 0\nv 0 0 1\nvn -1 1 0\nf 1//1 3//1 2//1\n";
     std::fs::write(folder.path().join("slope.obj"), slope).unwrap();
@@ -82,7 +82,7 @@ fn normals_stay_upright_when_a_mesh_is_stretched() {
 }
 
 #[test]
-fn the_same_file_may_stand_in_a_scene_many_times() {
+fn a_scene_may_use_a_mesh_file_many_times() {
     let folder = folder();
     let one = "[[mesh]]\nfile = \"sub/m.obj\"\n";
     let it = loaded(folder.path(), &format!("{one}translate = [1, 0, 0]\n{one}translate = [2, 0, 0]\n"));
@@ -91,10 +91,10 @@ fn the_same_file_may_stand_in_a_scene_many_times() {
 }
 
 #[test]
-fn what_is_wrong_with_a_mesh_is_told_where_it_is_named() {
+fn errors_of_a_mesh_file_are_reported_at_its_name() {
     let folder = folder();
     std::fs::write(folder.path().join("bad.obj"), "v 0 0 0\nv 1 x 0\n").unwrap();
-    for (text, line, says) in [
+    for (text, line, expected_text) in [
         ("[[mesh]]\nfile = \"bad.obj\"\n", 2, "bad.obj:2:"),
         ("[[mesh]]\nfile = \"gone.ply\"\n", 2, "gone.ply"),
         ("[[mesh]]\nfile = \"sub\"\n", 2, "not a regular file"),
@@ -103,12 +103,12 @@ fn what_is_wrong_with_a_mesh_is_told_where_it_is_named() {
         ("[[mesh]]\nfile = \"sub/m.obj\"\nscale = 1e15\n", 1, "beyond 1e15"),
         ("[[mesh]]\nfile = \"sub/m.obj\"\nmaterial = \"gold\"\n", 3, "unknown material `gold`"),
     ] {
-        let Err(LoadError::Diagnostics(faults)) = load_in(folder.path(), text.as_bytes()) else {
+        let Err(LoadError::Diagnostics(diagnostics)) = load_in(folder.path(), text.as_bytes()) else {
             panic!("{text}")
         };
-        assert_eq!(faults.list().len(), 1, "{faults}");
-        assert_eq!(faults.line_and_column(&faults.list()[0]).0, line, "{faults}");
-        assert!(faults.list()[0].message.contains(says), "{faults}");
+        assert_eq!(diagnostics.list().len(), 1, "{diagnostics}");
+        assert_eq!(diagnostics.line_and_column(&diagnostics.list()[0]).0, line, "{diagnostics}");
+        assert!(diagnostics.list()[0].message.contains(expected_text), "{diagnostics}");
     }
 }
 

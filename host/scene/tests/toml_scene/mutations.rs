@@ -1,4 +1,4 @@
-//! A good scene, damaged in many ways: it loads, or it is refused with places that it has.
+//! A valid scene with random damage loads, or is rejected with existing locations.
 
 use std::panic::catch_unwind;
 
@@ -7,7 +7,7 @@ use strahl_session::tables;
 
 use crate::text::{ALL, load_in};
 
-/// Words that do harm where another stood.
+/// Words that replace others.
 const NASTY: &[&str] = &[
     "[[sphere]]",
     "[sphere]",
@@ -70,12 +70,12 @@ const NASTY: &[&str] = &[
     "1000001",
 ];
 
-/// Numbers without order, always the same (SplitMix64, "Fast Splittable Pseudorandom Number
-/// Generators", OOPSLA 2014).
+/// Pseudo-random numbers with a fixed seed (SplitMix64, "Fast Splittable Pseudorandom Number Generators", OOPSLA
+/// 2014).
 struct Random(u64);
 
 impl Random {
-    /// Less than `end`; 0 when that is 0.
+    /// A number less than `end`; 0 if `end` is 0.
     fn below(&mut self, end: usize) -> usize {
         self.0 = self.0.wrapping_add(0x9E37_79B9_7F4A_7C15);
         let mut z = self.0;
@@ -84,14 +84,14 @@ impl Random {
         ((z ^ (z >> 31)) % end.max(1) as u64) as usize
     }
 
-    /// A piece of `length` things, at most 40 long.
+    /// A random range of at most 40 in `0..length`.
     fn piece(&mut self, length: usize) -> std::ops::Range<usize> {
         let start = self.below(length);
         start..length.min(start + 1 + self.below(40))
     }
 }
 
-/// The file with one more damage.
+/// Damages the file once more.
 fn damaged(mut file: Vec<u8>, random: &mut Random) -> Vec<u8> {
     if file.is_empty() {
         return file;
@@ -121,7 +121,7 @@ fn damaged(mut file: Vec<u8>, random: &mut Random) -> Vec<u8> {
 }
 
 #[test]
-fn a_damaged_scene_is_a_scene_or_is_refused_in_its_own_lines() {
+fn a_damaged_scene_loads_or_is_rejected_at_one_of_its_lines() {
     let folder = tempfile::tempdir().unwrap();
     let (mut good, mut refused) = (0, 0);
     let mut random = Random(1986);
@@ -138,18 +138,18 @@ fn a_damaged_scene_is_a_scene_or_is_refused_in_its_own_lines() {
                 assert!(tables::double::scene_tables(&it).scene().is_ok(), "{text}");
                 good += 1;
             }
-            Err(LoadError::Diagnostics(faults)) => {
-                assert!(!faults.list().is_empty(), "{text}");
-                for fault in faults.list() {
-                    assert!(faults.line_and_column(fault).0 <= lines, "{faults}\n{text}");
+            Err(LoadError::Diagnostics(diagnostics)) => {
+                assert!(!diagnostics.list().is_empty(), "{text}");
+                for fault in diagnostics.list() {
+                    assert!(diagnostics.line_and_column(fault).0 <= lines, "{diagnostics}\n{text}");
                 }
-                let shown = faults.to_string();
+                let shown = diagnostics.to_string();
                 assert!(!shown.contains(['\u{1b}', '\0']), "{shown:?}");
                 refused += 1;
             }
             Err(other) => panic!("{other}\n{text}"),
         }
     }
-    // Both happen often enough to say something.
+    // Both occur often enough for the test to be meaningful.
     assert!(good > 200 && refused > 200, "{good} good, {refused} refused");
 }

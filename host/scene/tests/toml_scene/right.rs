@@ -1,4 +1,4 @@
-//! What good files describe.
+//! Contents of valid files.
 
 use strahl_core::scene::{FresnelModel, TextureId};
 use strahl_core::{Material, Resolution, Rgb};
@@ -13,7 +13,7 @@ use crate::text::{ALL, loaded};
 const RED: Rgb = Rgb::new(1.0, 0.0, 0.0);
 
 #[test]
-fn every_light_and_setting_becomes_what_the_format_says() {
+fn every_light_and_setting_is_loaded_as_the_format_describes() {
     let it = loaded(ALL);
     let view = CameraDescription {
         from: [0.0, -8.0, 1.0],
@@ -57,7 +57,7 @@ fn every_light_and_setting_becomes_what_the_format_says() {
 }
 
 #[test]
-fn the_time_that_a_picture_takes_can_be_a_setting_as_well() {
+fn settings_of_the_acceleration_structure_may_be_in_a_scene() {
     let it = loaded(
         "[render]\nprecision = \"double\"\naccel = \"bvh\"\nwalk = \"heap\"\nheap = 4\nbounds = \"none\"\nmailbox = 0\nshadow_cache = false\n",
     );
@@ -75,7 +75,7 @@ fn the_time_that_a_picture_takes_can_be_a_setting_as_well() {
 }
 
 #[test]
-fn samplers_have_the_words_of_the_command_line() {
+fn samplers_have_the_syntax_of_the_command_line() {
     let it =
         loaded("[render]\nsampler = \"stochastic:8..64:0.9\"\nfilter = \"tent\"\nseed = 0xff\n").settings;
     let sampling: SamplerSettings = "stochastic:8..64:0.9:1/128".parse().unwrap();
@@ -83,7 +83,7 @@ fn samplers_have_the_words_of_the_command_line() {
 }
 
 #[test]
-fn velocities_and_the_shutter_become_what_moves() {
+fn velocities_and_the_shutter_give_moving_objects() {
     let it = loaded(
         "[camera]\nshutter = [-0.5, 0.25]\n[[sphere]]\nradius = 1\nvelocity = [1, 2, 3]\n[[plane]]\n\
          [[box]]\nsize = 1\nvelocity = [0, 0, 0]\n[[torus]]\nradius = 1\ntube = 0.5\nvelocity = [0, -1, 0]\n",
@@ -94,7 +94,7 @@ fn velocities_and_the_shutter_become_what_moves() {
     assert_eq!(loaded("[camera]\nshutter = 0.5\n[[plane]]\n").shutter, [0.0, 0.5]);
     assert_eq!(loaded("[[plane]]\n").shutter, [0.0, 1.0]);
 
-    // In the tables of the core, where they are when the shutter opens and closes.
+    // The tables of the core have the displacements at the opening and closing times.
     let stock = strahl_session::tables::single::scene_tables(&it);
     let scene = stock.scene().unwrap();
     let geometry = &scene.descriptor().geometry;
@@ -104,7 +104,7 @@ fn velocities_and_the_shutter_become_what_moves() {
 }
 
 #[test]
-fn lenses_lights_with_an_extent_and_rough_surfaces_become_what_the_format_says() {
+fn lenses_area_lights_and_roughness_are_loaded_as_the_format_describes() {
     let it = loaded(
         "[camera]\nfrom = [0, 3, 4]\nat = [0, 0, 0]\nangle = 40\nlens_radius = 0.5\n\
          [render]\ncolored_shadows = true\n\
@@ -112,7 +112,7 @@ fn lenses_lights_with_an_extent_and_rough_surfaces_become_what_the_format_says()
          [[sphere_light]]\nposition = [1, 2, 3]\nradius = 0.25\nfalloff = \"square\"\n\
          [[plane]]\nmaterial = { mirror = 0.5, roughness = 0.75 }\n",
     );
-    // In focus is what is looked at.
+    // The default focus distance is that of the target.
     assert_eq!(it.camera.projection, ProjectionDescription::Lens { angle: 40.0, radius: 0.5, focus: 5.0 });
     assert_eq!((it.camera_line, it.colored_shadows_line), (1, Some(7)));
     let half = [[1.0, 0.0, 0.0], [0.0, 0.0, 3.0]].map(|h| h.map(f32::abs));
@@ -122,7 +122,7 @@ fn lenses_lights_with_an_extent_and_rough_surfaces_become_what_the_format_says()
         panic!()
     };
     assert_eq!((position, got.map(|h| h.map(f32::abs)), falloff), ([0.0, 5.0, 0.0], half, [1.0, 0.0, 0.0]));
-    // The front is below.
+    // The front faces down.
     let [a, b] = got;
     assert!(a[2] * b[0] - a[0] * b[2] < 0.0, "{got:?}");
     let sphere =
@@ -135,7 +135,7 @@ fn lenses_lights_with_an_extent_and_rough_surfaces_become_what_the_format_says()
 }
 
 #[test]
-fn every_material_becomes_what_the_format_says() {
+fn every_material_is_loaded_as_the_format_describes() {
     let it = loaded(ALL);
     let glass = Material {
         ambient: Rgb::BLACK,
@@ -184,7 +184,7 @@ fn every_material_becomes_what_the_format_says() {
 }
 
 #[test]
-fn every_object_becomes_what_the_format_says_and_stands_in_the_order_of_the_file() {
+fn every_object_is_loaded_as_the_format_describes_in_the_order_of_the_file() {
     let it = loaded(ALL);
     let object = |form, material, line| ObjectDescription { shape: form, material, line };
     let cone = |base, base_radius, end, end_radius, capped| ShapeDescription::Cone {
@@ -235,14 +235,14 @@ fn every_object_becomes_what_the_format_says_and_stands_in_the_order_of_the_file
     }
     assert_eq!(it.objects.len(), objects.len());
     assert_eq!(it.vertices.len(), 11);
-    // The normal of a corner has the corner's place; the first triangle has none.
+    // A normal has the index of its vertex; the first triangle has none.
     assert_eq!(it.normals.len(), 11);
     assert_eq!(it.normals[4], [1.0, 0.0, 1.0]);
     assert_eq!(it.normals[8..], [[0.0, 0.0, 1.0], [0.0, 1.0, 1.0], [1.0, 0.0, 1.0]]);
 }
 
 #[test]
-fn triangles_without_area_keep_their_numbers_and_are_told_in_one_warning() {
+fn triangles_without_area_keep_their_index_and_one_warning_counts_them() {
     let flat = "[[triangle]]\ncorners = [[0, 0, 0], [1, 1, 1], [2, 2, 2]]\n";
     let it = loaded(&format!("[[sphere]]\nradius = 1\n{flat}{flat}[[sphere]]\nradius = 2\n"));
     let forms: Vec<bool> =
@@ -270,7 +270,7 @@ fn a_number_may_be_written_in_every_way_that_toml_has() {
 }
 
 #[test]
-fn colours_are_linear_numbers_grays_bytes_and_names() {
+fn colors_are_linear_numbers_grays_srgb_codes_and_names() {
     let half = 0.215_860_5;
     for (written, color) in [
         ("[1, 0.5, 0]", Rgb::new(1.0, 0.5, 0.0)),
@@ -287,7 +287,7 @@ fn colours_are_linear_numbers_grays_bytes_and_names() {
 }
 
 #[test]
-fn what_is_turned_may_have_its_extent_in_either_way() {
+fn a_rotated_box_may_have_min_and_max_or_a_size() {
     let one = loaded("[[box]]\nmin = [-1, -2, 0]\nmax = [3, 2, 2]\nrotate = [30, 40, 50]\n");
     let other = loaded("[[box]]\ncenter = [1, 0, 1]\nsize = [4, 4, 2]\nrotate = [30, 40, 50]\n");
     assert_eq!(one.objects, other.objects);
@@ -299,7 +299,7 @@ fn what_is_turned_may_have_its_extent_in_either_way() {
 }
 
 #[test]
-fn a_light_spots_a_place_or_a_direction() {
+fn a_spot_light_has_a_target_or_a_direction() {
     let it = loaded("[[spot_light]]\nposition = [0, 9, 0]\ndirection = [0, -1, 0]\n");
     let LightSourceDescription::Spot { direction, inner_angle: bright, outer_angle: dark, falloff, .. } =
         it.lights[0].value.source

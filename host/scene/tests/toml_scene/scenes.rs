@@ -1,4 +1,4 @@
-//! The scenes of the repository, and the schema beside them.
+//! The scenes of the repository, their schema and their description.
 
 use std::path::{Path, PathBuf};
 
@@ -7,7 +7,7 @@ fn folder() -> PathBuf {
 }
 
 #[test]
-fn the_schema_beside_the_scenes_is_that_of_the_program() {
+fn the_schema_in_the_repository_is_current() {
     let path = folder().join("strahl.schema.json");
     let schema = strahl_scene::toml_scene::schema();
     if std::env::var_os("STRAHL_ACCEPT").is_some() {

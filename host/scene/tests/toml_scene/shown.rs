@@ -1,12 +1,12 @@
-//! Mistakes as they are shown, kept as files in `shown/`. `STRAHL_ACCEPT=1` writes them anew.
+//! Displayed diagnostics, stored in `shown/`. `STRAHL_ACCEPT=1` writes them.
 
 use std::path::Path;
 
 use strahl_scene::diagnostics::{Diagnostics, TerminalFeatures, TerminalStyle};
 
-use crate::text::faults;
+use crate::text::diagnostics;
 
-/// A first scene with five mistakes.
+/// A scene with five errors.
 const FIVE: &str = r#"[camera]
 from = [3, 2, 6]
 at = [0, 1, 0]
@@ -21,9 +21,9 @@ radius = 0
 material = "tomato"
 "#;
 
-/// The same on every machine: without the folder's name.
+/// The displayed text without the folder, which depends on the machine.
 fn shown(text: &str, screen: TerminalStyle) -> String {
-    let list = faults(text.as_bytes()).list().to_vec();
+    let list = diagnostics(text.as_bytes()).list().to_vec();
     Diagnostics::new(Path::new("first.toml"), text, list).render(screen) + "\n"
 }
 
@@ -36,12 +36,12 @@ fn assert_kept(name: &str, shown: &str) {
 }
 
 #[test]
-fn five_mistakes_are_shown_in_plain_text() {
+fn five_errors_are_displayed_in_plain_text() {
     assert_kept("five.txt", &shown(FIVE, TerminalStyle::PLAIN));
 }
 
 #[test]
-fn a_narrow_screen_is_kept_to() {
+fn diagnostics_fit_in_a_narrow_terminal() {
     let screen = TerminalStyle { width: 40, features: TerminalFeatures::Unicode };
     let text = shown(FIVE, screen);
     assert!(text.lines().all(|line| line.chars().count() <= 40), "{text}");
@@ -49,13 +49,13 @@ fn a_narrow_screen_is_kept_to() {
 }
 
 #[test]
-fn two_places_of_one_mistake_are_both_shown() {
+fn both_locations_of_an_error_are_displayed() {
     let text = "[[material]]\nname = \"a\"\n\n\n\n\n[[material]]\nname = \"a\"\n";
     assert_kept("twice.txt", &shown(text, TerminalStyle { width: 100, features: TerminalFeatures::Unicode }));
 }
 
 #[test]
-fn only_a_screen_with_colours_gets_them() {
+fn only_a_terminal_with_colors_gets_escape_codes() {
     let has_colors = |drawing| shown(FIVE, TerminalStyle { width: 80, features: drawing }).contains('\u{1b}');
     assert!(has_colors(TerminalFeatures::UnicodeColor) && has_colors(TerminalFeatures::AsciiColor));
     assert!(!has_colors(TerminalFeatures::Unicode) && !has_colors(TerminalFeatures::Ascii));
@@ -63,8 +63,8 @@ fn only_a_screen_with_colours_gets_them() {
 }
 
 #[test]
-fn a_thousand_mistakes_are_counted_and_the_first_are_shown() {
-    let text = faults("[[sphere]]\nradius = -1\n".repeat(1000).as_bytes()).to_string();
+fn a_thousand_errors_are_counted_and_the_first_are_displayed() {
+    let text = diagnostics("[[sphere]]\nradius = -1\n".repeat(1000).as_bytes()).to_string();
     assert!(text.ends_with("a.toml: 1,000 errors, the first 50 shown"));
     assert_eq!(text.matches("must be more than 0").count(), 50);
 }

@@ -1,11 +1,11 @@
-//! Texts that are no TOML.
+//! TOML syntax errors.
 
-use crate::text::wrong;
+use crate::text::errors;
 
-/// Line, what is underlined, and a part of what is said.
+/// Line, underlined text, and a part of the message.
 type Mistake = (usize, &'static str, &'static str);
 
-const WRONG: &[(&str, &[Mistake])] = &[
+const INVALID: &[(&str, &[Mistake])] = &[
     ("[[sphere]\nradius = 1\n", &[(1, "]", "unclosed array table, expected `]`")]),
     ("[[sphere]]\nradius = \n", &[(2, " ", "string values must be quoted")]),
     ("[[sphere]]\nradius 1\n", &[(2, "1", "key with no value, expected `=`")]),
@@ -17,7 +17,7 @@ const WRONG: &[(&str, &[Mistake])] = &[
     ("[[sphere]]\nradius = 1\nradius = 2\n", &[(3, "radius", "duplicate key")]),
     ("[camera]\n[camera]\n", &[(2, "camera", "duplicate key")]),
     ("x = \u{1}\n", &[(1, "\u{1}", "")]),
-    // Several, and what is wrong beside them.
+    // Several syntax errors, and errors of values.
     (
         "[[plane]]\nmaterial = gold\nnormal = [0, 0, 0]\n\n[[sphere]]\nradius = 1 2\n\n[[disc]]\nradius = -1\n",
         &[
@@ -27,7 +27,7 @@ const WRONG: &[(&str, &[Mistake])] = &[
             (9, "-1", "more than 0"),
         ],
     ),
-    // A key that cannot be read is not missing, nor is a name.
+    // A key or name that cannot be parsed does not count as missing.
     (
         "[[sphere]]\nradius =\n[[plane]]\nmaterial = \"a\"\n[[material]]\nname = a\n",
         &[(2, "=", "quoted"), (6, "a", "quoted")],
@@ -35,28 +35,28 @@ const WRONG: &[(&str, &[Mistake])] = &[
 ];
 
 #[test]
-fn what_the_parser_says_is_told_with_its_place() {
-    for (text, mistakes) in WRONG {
-        let list = wrong(text);
+fn syntax_errors_are_reported_with_their_location() {
+    for (text, mistakes) in INVALID {
+        let list = errors(text);
         let found: Vec<_> = list.iter().map(|(line, _, marked, _)| (*line, marked.as_str())).collect();
         let expected: Vec<_> = mistakes.iter().map(|(line, marked, _)| (*line, *marked)).collect();
         assert_eq!(found, expected, "{text}\n{list:?}");
-        for ((.., says), (.., said)) in mistakes.iter().zip(&list) {
-            assert!(said.contains(says), "`{says}` is not in `{said}`\n{text}");
+        for ((.., expected_text), (.., message)) in mistakes.iter().zip(&list) {
+            assert!(message.contains(expected_text), "`{expected_text}` is not in `{message}`\n{text}");
         }
     }
 }
 
 #[test]
-fn a_tower_of_brackets_is_refused_once() {
+fn deeply_nested_brackets_are_one_error() {
     for text in ["x = ".to_owned() + &"[".repeat(100_000), "x = ".to_owned() + &"{a=".repeat(100_000)] {
-        assert_eq!(wrong(&text).len(), 1);
+        assert_eq!(errors(&text).len(), 1);
     }
 }
 
 #[test]
-fn a_file_of_nothing_but_mistakes_is_answered_in_time() {
-    // Each would take minutes if the work grew with the square of their number.
+fn the_time_to_report_errors_is_linear_in_their_number() {
+    // Each would take minutes if the time were quadratic in the number of errors.
     for one in [
         "[[plane]]\nmaterial = gold\n",
         "[[plane]]\nmaterial = \"gold\"\n",
@@ -67,8 +67,8 @@ fn a_file_of_nothing_but_mistakes_is_answered_in_time() {
         "[\n",
         "[[sphere]]\nradius = -1\nx = 1\n",
     ] {
-        assert!(!wrong(&one.repeat(100_000)).is_empty());
+        assert!(!errors(&one.repeat(100_000)).is_empty());
     }
     let corners = format!("[[polygon]]\ncorners = [{}]\n", "[nan, 0, 0],".repeat(100_000));
-    assert_eq!(wrong(&corners).len(), 50);
+    assert_eq!(errors(&corners).len(), 50);
 }

@@ -1,11 +1,11 @@
-//! Wrong scenes: a text, the line and the text that is underlined, and a part of what is said.
+//! Invalid scenes, each with the line and the underlined text of its error, and a part of the message.
 
-/// One mistake: a text, its line, what is underlined, and a part of what is said or advised.
-pub type Wrong = (&'static str, usize, &'static str, &'static str);
+/// One error: a text, its line, the underlined text, and a part of the message or the help.
+pub type Invalid = (&'static str, usize, &'static str, &'static str);
 
-/// Each has one mistake.
-pub const WRONG: &[Wrong] = &[
-    // Words that nobody knows.
+/// Texts with one error each.
+pub const INVALID: &[Invalid] = &[
+    // Unknown tables and keys.
     ("[[spere]]\nradius = 1\n", 1, "spere", "did you mean `sphere`?"),
     (
         "[[light]]\n",
@@ -59,7 +59,7 @@ pub const WRONG: &[Wrong] = &[
     ("[[mesh]]\nfile = 3\n", 2, "3", "must be a string"),
     ("[[triangle]]\ncorners = 3\n", 2, "3", "an array of points"),
     ("[[triangle]]\ncorners = [1, 2, 3]\n", 2, "[1, 2, 3]", "not an array of single values"),
-    // No finite number.
+    // Non-finite numbers.
     ("[[sphere]]\nradius = nan\n", 2, "nan", "must be a finite number, not nan"),
     ("[[sphere]]\nradius = inf\n", 2, "inf", "must be a finite number, not inf"),
     ("[[sphere]]\nradius = -inf\n", 2, "-inf", "must be a finite number, not -inf"),
@@ -142,7 +142,7 @@ pub const WRONG: &[Wrong] = &[
     ("[[box]]\nsize = [1, -1, 1]\n", 2, "-1", "0 to 1e15"),
     ("[[box]]\nsize = 1\nrotate = [0, 1e6, 0]\n", 3, "1e6", "-36000 to 36000"),
     ("[[cone]]\nend = [0, 1, 0]\nradius = -1\n", 3, "-1", "0 to 1e15"),
-    // Directions of no length.
+    // Zero vectors.
     ("[[plane]]\nnormal = [0, 0, 0]\n", 2, "[0, 0, 0]", "must not be the zero vector"),
     ("[[plane]]\nnormal = [0, -0.0, 1e-60]\n", 2, "[0, -0.0, 1e-60]", "must not be the zero vector"),
     ("[[torus]]\nradius = 2\ntube = 1\naxis = [0, 0, 0]\n", 4, "[0, 0, 0]", "must not be the zero vector"),
@@ -160,7 +160,7 @@ pub const WRONG: &[Wrong] = &[
         "must not be the zero vector",
     ),
     ("[camera]\nfrom = [0, 0, 9]\nup = [0, 0, 0]\n", 3, "[0, 0, 0]", "must not be the zero vector"),
-    // Colours.
+    // Colors.
     ("background = { color = \"rde\" }\n", 1, "\"rde\"", "did you mean `red`?"),
     ("background = { color = \"Blue\" }\n", 1, "\"Blue\"", "did you mean `blue`?"),
     ("background = { color = \"mauve-ish\" }\n", 1, "\"mauve-ish\"", "one of black, white"),
@@ -181,7 +181,7 @@ pub const WRONG: &[Wrong] = &[
     ("[[material]]\nname = 3\n", 2, "3", "must be a string"),
     ("[[plane]]\nmaterial = { name = \"a\" }\n", 2, "\"a\"", "an inline material cannot have a name"),
     ("[[plane]]\nmaterial = \"brass\"\n", 2, "\"brass\"", "define it as [[material]] with name = \"brass\""),
-    // Views that show nothing.
+    // Invalid cameras.
     (
         "[camera]\nfrom = [1, 2, 3]\nat = [1, 2, 3]\n",
         3,
@@ -231,7 +231,7 @@ pub const WRONG: &[Wrong] = &[
     ("[[point_light]]\nposition = [1, 1, 1]\nfalloff = [0, 0, 0]\n", 3, "[0, 0, 0]", "must not be 0"),
     ("[[point_light]]\nposition = [1, 1, 1]\nfalloff = 2\n", 3, "2", "\"square\" or three numbers"),
     ("[[point_light]]\nposition = [1, 1, 1]\nfalloff = [0, -1, 0]\n", 3, "-1", "0 to 1e15"),
-    // What only distributed rays see.
+    // Depth of field, shutter, area lights and roughness.
     ("[camera]\nheight = 3\nlens_radius = 0.1\n", 2, "3", "an orthographic camera cannot have a lens"),
     ("[camera]\nshutter = [1, 0.5]\n", 2, "[1, 0.5]", "did you mean [0.5, 1]?"),
     ("[camera]\nshutter = [0, 1, 2]\n", 2, "[0, 1, 2]", "two times"),
@@ -282,7 +282,7 @@ pub const WRONG: &[Wrong] = &[
     ),
     ("[[plane]]\nmaterial = { checker = { size = 1e-20 } }\n", 2, "1e-20", "0 or at least 1e-14"),
     ("[[plane]]\nmaterial = { checker = { size = -1 } }\n", 2, "-1", "0 to 1e15"),
-    // Objects that are none.
+    // Degenerate objects.
     (
         "[[polygon]]\ncorners = [[0, 0, 0], [1, 1, 1], [2, 2, 2]]\n",
         2,

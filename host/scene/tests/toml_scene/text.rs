@@ -1,4 +1,4 @@
-//! Texts become files, and files descriptions.
+//! Loading of texts as TOML files.
 
 use std::path::Path;
 
@@ -7,7 +7,7 @@ use strahl_scene::description::LoadedScene;
 use strahl_scene::diagnostics::Diagnostics;
 use strahl_session::tables;
 
-/// Every table, and every key in every form that it has.
+/// Every table, and every key with every form of its value.
 pub const ALL: &str = r##"# a scene with everything
 background = { below = "#000000", above = [0.5, 0.25, 1.0], up = [0, 0, 2] }
 
@@ -133,20 +133,20 @@ name = "fading"
 gradient = { from = "black", to = 1, start = [0, 0, 0], end = [0, 0, 2] }
 "##;
 
-/// What a file of these bytes becomes, in a folder of its own.
+/// Loads a file with these bytes, in a new folder.
 pub fn load(bytes: &[u8]) -> Result<LoadedScene, LoadError> {
     let folder = tempfile::tempdir().unwrap();
     load_in(folder.path(), bytes)
 }
 
-/// What a file of these bytes in `folder` becomes.
+/// Loads a file with these bytes in `folder`.
 pub fn load_in(folder: &Path, bytes: &[u8]) -> Result<LoadedScene, LoadError> {
     let path = folder.join("a.toml");
     std::fs::write(&path, bytes).unwrap();
     strahl_scene::load(&path)
 }
 
-/// What a file of this text describes, which is a scene in either precision.
+/// The scene in a file with this text, which must be valid in both precisions.
 pub fn loaded(text: &str) -> LoadedScene {
     let it = load(text.as_bytes()).unwrap_or_else(|failure| panic!("{failure}\n{text}"));
     assert_eq!(tables::single::scene_tables(&it).scene().err(), None, "{text}");
@@ -154,23 +154,22 @@ pub fn loaded(text: &str) -> LoadedScene {
     it
 }
 
-/// Everything that is wrong with a file of these bytes.
-pub fn faults(bytes: &[u8]) -> Diagnostics {
+/// All errors of a file with these bytes.
+pub fn diagnostics(bytes: &[u8]) -> Diagnostics {
     let text = String::from_utf8_lossy(bytes);
     match load(bytes).expect_err(&text) {
-        LoadError::Diagnostics(faults) => *faults,
+        LoadError::Diagnostics(diagnostics) => *diagnostics,
         other => panic!("{other}\n{text}"),
     }
 }
 
-/// What is wrong with a file of this text: line, column, what is underlined, what is said and
-/// advised.
-pub fn wrong(text: &str) -> Vec<(usize, usize, String, String)> {
-    let faults = faults(text.as_bytes());
-    let list = faults.list().iter().map(|fault| {
-        let (line, column) = faults.line_and_column(fault);
-        let said = format!("{}\n{}", fault.message, fault.help.as_deref().unwrap_or_default());
-        (line, column, text[fault.span.clone()].to_owned(), said)
+/// The errors of a file with this text: line, column, underlined text, message and help.
+pub fn errors(text: &str) -> Vec<(usize, usize, String, String)> {
+    let diagnostics = diagnostics(text.as_bytes());
+    let list = diagnostics.list().iter().map(|fault| {
+        let (line, column) = diagnostics.line_and_column(fault);
+        let message = format!("{}\n{}", fault.message, fault.help.as_deref().unwrap_or_default());
+        (line, column, text[fault.span.clone()].to_owned(), message)
     });
     list.collect()
 }

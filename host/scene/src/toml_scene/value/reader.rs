@@ -31,7 +31,7 @@ pub struct TableReader<'n> {
 /// A list of errors: all are counted, the first 1000 are kept.
 #[derive(Default)]
 pub struct DiagnosticList {
-    pub kept: Vec<Diagnostic>,
+    pub list: Vec<Diagnostic>,
     pub total: usize,
 }
 
@@ -40,14 +40,14 @@ impl DiagnosticList {
 
     pub fn push(&mut self, diagnostic: Diagnostic) {
         self.total += 1;
-        if self.kept.len() < Self::MAX_KEPT {
-            self.kept.push(diagnostic);
+        if self.list.len() < Self::MAX_KEPT {
+            self.list.push(diagnostic);
         }
     }
 
     /// Whether one more error would be kept, and is worth advice.
     pub fn has_capacity(&self) -> bool {
-        self.kept.len() < Self::MAX_KEPT
+        self.list.len() < Self::MAX_KEPT
     }
 }
 
