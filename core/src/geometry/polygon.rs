@@ -171,6 +171,8 @@ impl Polygon {
         Some(sum / weight)
     }
 
+    /// Inlined, with the interpolation outside, so that a tracer of smooth shapes takes no longer for flat polygons.
+    #[inline(always)]
     pub(super) fn surface_interaction(
         &self,
         vertices: &[Vec3],
@@ -183,14 +185,19 @@ impl Polygon {
         surface.point_error += abs(self.point) * gamma(4);
         if self.smooth
             && let Some(normals) = normals
-            && let (Some(vertices), Some(normals)) = (self.slice_of(vertices), self.slice_of(normals))
-            && let Some((sum, _)) =
-                mean_value_interpolate(surface.point, self.normal, vertices, normals, |_, normal| normal)
-            && let Some(shading) = try_normalize(sum)
+            && let Some(shading) = self.interpolate_normal(vertices, normals, surface.point)
         {
             surface.shading_normal = shading;
         }
         surface
+    }
+
+    /// The unit normal that the vertex normals give at `point`; `None` where they cancel.
+    #[inline(never)]
+    fn interpolate_normal(&self, vertices: &[Vec3], normals: &[Vec3], point: Vec3) -> Option<Vec3> {
+        let (vertices, normals) = (self.slice_of(vertices)?, self.slice_of(normals)?);
+        let (sum, _) = mean_value_interpolate(point, self.normal, vertices, normals, |_, normal| normal)?;
+        try_normalize(sum)
     }
 }
 

@@ -48,7 +48,8 @@ pub(crate) struct ShadingContext<'r> {
 /// Radiance that the surface reflects along the ray: ambient light, and diffuse reflection and highlight of
 /// each light that is not occluded.
 ///
-/// Shadow rays are traced only to lights that would contribute.
+/// Shadow rays are traced only to lights that would contribute. Inlined into the loop, which is its only caller.
+#[inline(always)]
 pub(crate) fn local_illumination<A: Accelerator, E: Effects, T: Tally, const ENTRIES: usize>(
     world: &World<'_, A>,
     material: &Material,

@@ -3,13 +3,16 @@
 use super::{CountedEvent, Counters, RayCounters, Tally, UnsentRays};
 use crate::math::{Real, Rgb};
 
-/// Adds an unsent ray of this weight.
+/// Adds an unsent ray of this weight. Not inlined, to keep the loop of a tracer small.
+#[inline(never)]
 fn add_unsent(unsent: &mut UnsentRays, weight: Rgb) {
     let weight_units = ((weight.r + weight.g + weight.b) * (UnsentRays::WEIGHT_ONE as Real / 3.0)) as u64;
     unsent.merge(&UnsentRays { rays: 1, weight_units });
 }
 
 impl Tally for Counters {
+    /// Inlined: the event is known where it is counted, and one addition remains.
+    #[inline(always)]
     fn count(&mut self, event: CountedEvent) {
         match event {
             CountedEvent::Ray(kind) => self.rays[kind] += 1,

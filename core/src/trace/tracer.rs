@@ -127,6 +127,7 @@ impl<'w, 's, A: Accelerator, E: Effects, const LEVELS: usize> Tracer<'w, 's, A, 
     }
 
     /// Traces the ray of a task: returns its own contribution to the sample, and pushes its secondary rays.
+    #[inline(always)]
     fn trace_task<T: Tally, const SHADOW_CACHE_ENTRIES: usize>(
         &self,
         task: &mut Task,

@@ -56,30 +56,35 @@ macro_rules! prepared_sets {
     };
 }
 
-/// Lights without area: no penumbra.
-const POINT_LIKE: LightSet = LightSet::of(&[LightKind::Point, LightKind::Directional, LightKind::Spot]);
+/// The sun: most scenes of the outdoors have no other light, and a choice between kinds of lights costs more than
+/// every other effect that is not used.
+const SUN: LightSet = LightSet::of(&[LightKind::Directional]);
 
 prepared_sets! {
     /// Textures and ambient light only.
     Unlit = EffectSet { shapes: ShapeSet::ALL, textures: TextureSet::ALL, ..EffectSet::NONE };
-    /// Opaque surfaces: highlights, shadows, mirrors.
-    Opaque = EffectSet {
+    /// Opaque surfaces under directional lights: highlights, shadows, mirrors.
+    Sunlit = EffectSet {
         smooth_shading: true,
-        lights: POINT_LIKE,
+        lights: SUN,
         highlight: true,
         shadows: true,
         reflection: true,
         ..Unlit::SET
     };
-    /// `Opaque`, and clear glass.
-    Clear = EffectSet { transmission: true, ..Opaque::SET };
-    /// `Clear`, and distributed ray tracing: penumbra, depth of field, gloss, motion blur.
-    Distributed =
-        EffectSet { lights: LightSet::ALL, penumbra: true, depth_of_field: true, gloss: true, motion_blur: true, ..Clear::SET };
     /// Whitted ray tracing with absorbing glass: all effects without distributed ray tracing, except colored shadows.
-    Whitted = EffectSet { lights: LightSet::ALL, absorption: true, ..Clear::SET };
-    /// `Clear`, and absorbing glass with colored shadows.
-    Stained = EffectSet { colored_shadows: true, absorption: true, ..Clear::SET };
+    Whitted = EffectSet { lights: LightSet::ALL, transmission: true, absorption: true, ..Sunlit::SET };
+    /// Opaque surfaces under lights with an area.
+    SoftShadows = EffectSet { lights: LightSet::ALL, penumbra: true, ..Sunlit::SET };
+    /// Distributed ray tracing under directional lights: depth of field, gloss, motion blur; and clear glass.
+    SunlitDistributed =
+        EffectSet { transmission: true, depth_of_field: true, gloss: true, motion_blur: true, ..Sunlit::SET };
+    /// Absorbing glass with colored shadows, under lights without area.
+    Stained = EffectSet {
+        lights: LightSet::of(&[LightKind::Point, LightKind::Directional, LightKind::Spot]),
+        colored_shadows: true,
+        ..Whitted::SET
+    };
 }
 
 /// Ray tracers with one of two sets, for structures that `auto` does not select.
