@@ -96,7 +96,7 @@ impl fmt::Display for DecodeError {
                 write!(f, "not a picture in a supported format ({READABLE_FORMATS})")
             }
             DecodeError::UnreadFormat(name) => {
-                write!(f, "{name} is not read; the formats that are: {READABLE_FORMATS}")
+                write!(f, "{name} is not supported; supported formats: {READABLE_FORMATS}")
             }
             DecodeError::Corrupt(reason) => write!(f, "corrupt: {reason}"),
             DecodeError::Size { width, height, most } => write!(

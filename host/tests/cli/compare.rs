@@ -273,7 +273,7 @@ fn what_is_no_picture_is_told_with_status_65_and_what_cannot_be_read_with_66() {
     folder.write("a.bmp", b"BM\x3a\0\0\0\0\0\0\0\x36\0\0\0");
     folder
         .run("compare a.bmp a")
-        .failed(65, "a.bmp: BMP is not read; the formats that are: PNG, PPM, QOI, JPEG, TIFF, EXR\n");
+        .failed(65, "a.bmp: BMP is not supported; supported formats: PNG, PPM, QOI, JPEG, TIFF, EXR\n");
     folder.run("compare scene.nff a").failed(65, "scene.nff: not a picture");
     folder.run("compare a missing.png").failed(66, "cannot read missing.png: ");
     folder.run("compare folder a").failed(66, "cannot read folder: ");

@@ -106,9 +106,8 @@ fn no_key_of_a_scene_is_forgotten() {
     let keys = schema["$defs"]["Render"]["properties"].as_object().unwrap();
     assert!(keys.len() >= 14, "{keys:?}");
     let text = printed(&folder, "scene.toml --walk heap");
-    let is_alias = |key: &&String| {
-        keys[*key]["description"].as_str().is_some_and(|text| text.starts_with("Alias of "))
-    };
+    let is_alias =
+        |key: &&String| keys[*key]["description"].as_str().is_some_and(|text| text.starts_with("Alias of "));
     for key in keys.keys().filter(|key| !is_alias(key)) {
         assert!(text.contains(&format!("\n{key} = ")), "{key} is not in\n{text}");
     }
