@@ -150,7 +150,7 @@ impl ModelBounds {
         let (sin, cos) = sin_cos(elevation);
         let to_eye = [0, 1, 2].map(|i| cos * level[i] + sin * up[i]);
         let center = [0, 1, 2].map(|i| 0.5 * (low[i] + high[i]));
-        ModelBounds { up, to_eye: to_eye, center: center, half_extent: 0.5 * longest(&sides) }
+        ModelBounds { up, to_eye, center, half_extent: 0.5 * longest(&sides) }
     }
 
     /// The camera at the smallest distance at which every vertex is in the picture.

@@ -230,7 +230,7 @@ impl<'t> NffReader<'t> {
         let Some(material) = self.material else {
             return keyword.error("object before the first material (`f`)");
         };
-        self.objects.push(ObjectDescription { shape: shape, material, line: keyword.line as u32 });
+        self.objects.push(ObjectDescription { shape, material, line: keyword.line as u32 });
         Ok(())
     }
 
