@@ -4,10 +4,10 @@
 //! cargo run --release -p strahl-tests --example accelerators > tests/reports/accelerators.md
 //! ```
 //!
-//! Procedural scenes: sphereflakes of 11 to 597,872 objects, knots of about 1,000 to 1,000,000 triangles, and a knot in a
-//! stadium. Each is traced at 512 x 512 with one ray per pixel, five levels and no cutoff, on one thread, with each
-//! accelerator. Times are processor time, the minimum of three repetitions; one more run counts tests. The list is left out
-//! where it would take minutes.
+//! Procedural scenes: sphereflakes of 11 to 597,872 objects, knots of about 1,000 to 1,000,000 triangles, and
+//! a knot in a stadium. Each is traced at 512 x 512 with one ray per pixel, five levels and no cutoff, on one
+//! thread, with each accelerator. Times are processor time, the minimum of three repetitions; one more run
+//! counts tests. The list is left out where it would take minutes.
 //!
 //! The exit status is 1 if two accelerators make different pictures.
 

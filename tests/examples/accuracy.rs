@@ -1,12 +1,13 @@
-//! The pictures of the firmware `golden`, rendered on the host, and the table of the cost of accuracy on the chip.
+//! The pictures of the firmware `golden`, rendered on the host, and the table of the cost of accuracy on the
+//! chip.
 //!
 //! ```text
 //! accuracy FILE                          writes the linear floats of all pictures, one after the other
 //! accuracy --table REPORT PICTURES ...   prints reports and pictures of the firmware as CSV; single precision first
 //! ```
 //!
-//! The host uses the alternatives wherever they exist: all effects, a list without boxes, a frame in memory, no cached
-//! corners. None of them may change a bit.
+//! The host uses the alternatives wherever they exist: all effects, a list without boxes, a frame in memory,
+//! no cached corners. None of them may change a bit.
 
 #[path = "../firmware/src/accuracy.rs"]
 mod accuracy;

@@ -1,13 +1,14 @@
-//! Whether `--target-error` keeps the requested error, and its cost compared with the best settings of a full search:
+//! Whether `--target-error` keeps the requested error, and its cost compared with the best settings of a full
+//! search:
 //!
 //!     cargo run --profile test -p strahl-tests --example aim -- [WxH [SCENE LIMIT]...]
 //!
-//! For each pair of a scene and a limit the picture is rendered as by `render --target-error LIMIT`, and its true error is
-//! measured on all pixels. Then all samplers of the plan are tried with all levels and cutoffs on all pixels. Settings are
-//! left out if they must be more expensive than the best so far, or if they have too few rays even if the error falls as
-//! fast as their number rises. The cheapest settings that truly keep the limit are the best. The table is that of
-//! `tests/reports/aim.md`. The exit status is 1 if fewer than nine of ten limits are kept, or if one that is kept costs more
-//! than 1.5 times the best.
+//! For each pair of a scene and a limit the picture is rendered as by `render --target-error LIMIT`, and its
+//! true error is measured on all pixels. Then all samplers of the plan are tried with all levels and cutoffs
+//! on all pixels. Settings are left out if they must be more expensive than the best so far, or if they have
+//! too few rays even if the error falls as fast as their number rises. The cheapest settings that truly keep
+//! the limit are the best. The table is that of `tests/reports/aim.md`. The exit status is 1 if fewer than
+//! nine of ten limits are kept, or if one that is kept costs more than 1.5 times the best.
 //!
 //! Costs are instructions, estimated from counted rays and tests, and reproducible.
 
@@ -163,8 +164,8 @@ fn measure(name: &str, limit: f64, size: Resolution) -> AimRow {
     }
 }
 
-/// Whether this many rays cannot keep the limit, even if the error is inversely proportional to their number, as with the
-/// best sequences.
+/// Whether this many rays cannot keep the limit, even if the error is inversely proportional to their number,
+/// as with the best sequences.
 fn is_hopeless(before: SamplingStrategy, error: f64, rays: SamplingStrategy, limit: f64) -> bool {
     let same = std::mem::discriminant(&before.sampler) == std::mem::discriminant(&rays.sampler);
     match (before.fixed_rays_per_pixel(), rays.fixed_rays_per_pixel()) {

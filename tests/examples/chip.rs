@@ -1,12 +1,12 @@
 //! The input of the firmware, and the host's pictures for comparison.
 //!
-//! Writes into the folder of the first argument, for each scene that is drawn on the chip: the scene baked with its
-//! accelerator (`NAME.strahl`), its picture as linear floats (`NAME.f32`), for one scene also Rust constants (`NAME.rs`), and
-//! the pictures of the table of flash. Prints the program's estimates of stack and instructions. With a second argument, the
-//! folder of the procedural databases, the scenes include `balls`.
+//! Writes into the folder of the first argument, for each scene that is drawn on the chip: the scene baked
+//! with its accelerator (`NAME.strahl`), its picture as linear floats (`NAME.f32`), for one scene also Rust
+//! constants (`NAME.rs`), and the pictures of the table of flash. Prints the program's estimates of stack and
+//! instructions. With a second argument, the folder of the procedural databases, the scenes include `balls`.
 //!
-//! The host uses the alternatives wherever they exist: all effects, a list with boxes, tables that were never baked. None of
-//! them may change a bit.
+//! The host uses the alternatives wherever they exist: all effects, a list with boxes, tables that were never
+//! baked. None of them may change a bit.
 
 #[path = "../firmware/src/flash.rs"]
 mod flash;
@@ -40,8 +40,8 @@ struct ChipScene {
 
 const SMALL: Resolution = Resolution::new(64, 48).unwrap();
 
-/// Scenes of the project: Whitted's classic with an octree, columns around a glass sphere with a grid, a mesh with a BVH,
-/// and one with a list.
+/// Scenes of the project: Whitted's classic with an octree, columns around a glass sphere with a grid, a mesh
+/// with a BVH, and one with a list.
 const SCENES: [ChipScene; 4] = [
     ChipScene {
         name: "classic",

@@ -5,8 +5,8 @@
 //! cargo run --release -p strahl-tests --example evaluation -- FOLDER_WITH_THE_NFF_FILES > tables.md
 //! ```
 //!
-//! The text between the tables is written by hand. Times are processor seconds, the median of three; tests are counts and
-//! reproducible. A cell without a number took longer than half a minute.
+//! The text between the tables is written by hand. Times are processor seconds, the median of three; tests
+//! are counts and reproducible. A cell without a number took longer than half a minute.
 
 use std::error::Error;
 use std::path::{Path, PathBuf};

@@ -5,8 +5,8 @@
 //! cargo run --release -p strahl-tests --example hard_cases -- --watertight 100000000
 //! ```
 //!
-//! With `--watertight` nothing is written: this number of rays is aimed from inside at edges and vertices of closed meshes,
-//! and those that escape are counted.
+//! With `--watertight` nothing is written: this number of rays is aimed from inside at edges and vertices of
+//! closed meshes, and those that escape are counted.
 
 use strahl_tests::hard::{ClosedMesh, cases, escapes, panels, table};
 use strahl_tests::{DVec3, SplitMix64, dvec3};

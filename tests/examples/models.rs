@@ -4,11 +4,11 @@
 //! cargo run -p strahl-tests --example models -- scenes/models
 //! ```
 //!
-//! Each is a profile that rotates around the y axis. The profile is a centripetal Catmull-Rom spline through a few points,
-//! which neither overshoots nor loops. A repeated point is a sharp edge.
+//! Each is a profile that rotates around the y axis. The profile is a centripetal Catmull-Rom spline through
+//! a few points, which neither overshoots nor loops. A repeated point is a sharp edge.
 //!
-//! Source: Yuksel, Schaefer and Keyser, "Parameterization and applications of Catmull-Rom curves", Computer-Aided Design
-//! 43(7), 2011.
+//! Source: Yuksel, Schaefer and Keyser, "Parameterization and applications of Catmull-Rom curves",
+//! Computer-Aided Design 43(7), 2011.
 
 use std::error::Error;
 use std::fs;
@@ -114,7 +114,8 @@ fn curve(points: &[ProfilePoint], fine: u32) -> Vec<(ProfilePoint, ProfilePoint)
         if points[i] == points[i + 1] {
             continue;
         }
-        // Before the first and behind the last point the profile is mirrored at the axis; at an edge it continues straight.
+        // Before the first and behind the last point the profile is mirrored at the axis; at an edge it
+        // continues straight.
         let beyond = |from: usize, to: usize| {
             let ([x, y], [fx, fy]) = (points[to], points[from]);
             if x == 0.0 { [-fx, fy] } else { [2.0 * x - fx, 2.0 * y - fy] }

@@ -1,9 +1,9 @@
-//! Compares the firmware's picture of the peer scene (`peer.ppm`, the first argument) with a renderer of the scene's
-//! description that shares no code with the core, and names the cause of every pixel that differs by more than 2/255. Fails if
-//! more than 1 % of all pixels differ.
+//! Compares the firmware's picture of the peer scene (`peer.ppm`, the first argument) with a renderer of the
+//! scene's description that shares no code with the core, and names the cause of every pixel that differs by
+//! more than 2/255. Fails if more than 1 % of all pixels differ.
 //!
-//! A cause is a rule of the description that strahl does not follow. It is the cause of a pixel if the renderer without that
-//! rule gives strahl's pixel:
+//! A cause is a rule of the description that strahl does not follow. It is the cause of a pixel if the
+//! renderer without that rule gives strahl's pixel:
 //!
 //! * *total reflection*: the description continues along (1, 0, 0), strahl reflects the ray;
 //! * *threshold*: the description ignores hits nearer than 0.001, strahl offsets the ray origin;

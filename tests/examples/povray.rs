@@ -4,10 +4,11 @@
 //! cargo run --release -p strahl-tests --example povray -- FOLDER > tests/reports/povray.md
 //! ```
 //!
-//! The folder has `NAME.nff` and `NAME.pov.gz`, the same scene for POV-Ray. POV-Ray and `gzip` must be installed. Both
-//! programs trace 512 x 512 pixels (tetra 2048 x 2048) with five levels on one thread; strahl without cutoff and counters,
-//! with every accelerator. The programs alternate, so that other load affects both, and the minimum processor time of each
-//! counts. POV-Ray is measured with bounding slabs (`+MB3`) and with its BSP tree (`+BM2`), of which the better counts.
+//! The folder has `NAME.nff` and `NAME.pov.gz`, the same scene for POV-Ray. POV-Ray and `gzip` must be
+//! installed. Both programs trace 512 x 512 pixels (tetra 2048 x 2048) with five levels on one thread; strahl
+//! without cutoff and counters, with every accelerator. The programs alternate, so that other load affects
+//! both, and the minimum processor time of each counts. POV-Ray is measured with bounding slabs (`+MB3`) and
+//! with its BSP tree (`+BM2`), of which the better counts.
 
 use std::error::Error;
 use std::path::Path;

@@ -4,10 +4,10 @@
 //! cargo run --profile test -p strahl-tests --example quality > tests/reports/quality.md
 //! ```
 //!
-//! Each of four scenes is traced with about 16 camera rays per pixel by every sampler, and compared with a reference of
-//! 4096 rays per pixel with another seed. The exit status is 1 if stochastic supersampling has a larger error than regular
-//! supersampling on any of them, if adaptive supersampling has one on the scene of edges, or if pixel-selected tracing does not
-//! save half of the rays.
+//! Each of four scenes is traced with about 16 camera rays per pixel by every sampler, and compared with a
+//! reference of 4096 rays per pixel with another seed. The exit status is 1 if stochastic supersampling has a
+//! larger error than regular supersampling on any of them, if adaptive supersampling has one on the scene of
+//! edges, or if pixel-selected tracing does not save half of the rays.
 
 use std::error::Error;
 use std::path::Path;

@@ -1,16 +1,18 @@
-//! Compares the ray counts of the Standard Procedural Databases with the published ones (Eric Haines, "A Proposal for
-//! Standard Graphics Environments", IEEE CG&A 7(11), 1987, and the documentation of the databases).
+//! Compares the ray counts of the Standard Procedural Databases with the published ones (Eric Haines, "A
+//! Proposal for Standard Graphics Environments", IEEE CG&A 7(11), 1987, and the documentation of the
+//! databases).
 //!
 //! ```text
 //! cargo run --release -p strahl-tests --example spd -- FOLDER
 //! ```
 //!
-//! `FOLDER` contains `balls.nff` to `tree.nff` at their standard sizes. Each is rendered at 512 x 512 with five levels, no
-//! cutoff and rays through the shared corners of the pixels, with each accelerator, and with grid and octree again without
-//! mailbox. Prints box and shape tests, visited leaves, the fraction of items that a mailbox skipped, and the processor time.
+//! `FOLDER` contains `balls.nff` to `tree.nff` at their standard sizes. Each is rendered at 512 x 512 with
+//! five levels, no cutoff and rays through the shared corners of the pixels, with each accelerator, and with
+//! grid and octree again without mailbox. Prints box and shape tests, visited leaves, the fraction of items
+//! that a mailbox skipped, and the processor time.
 //!
-//! The exit status is 1 if a count differs by more than 1 % (gears: 3 %), if two accelerators make different pictures, or if
-//! the choice of `--accel auto` needs more than 1.3 times the processor time of the best.
+//! The exit status is 1 if a count differs by more than 1 % (gears: 3 %), if two accelerators make different
+//! pictures, or if the choice of `--accel auto` needs more than 1.3 times the processor time of the best.
 
 use std::error::Error;
 use std::path::PathBuf;
@@ -24,8 +26,8 @@ use strahl_settings::{AccelKind, AccelSettings, ResolvedAccel, SamplerSettings, 
 
 /// Camera rays that hit, reflected, refracted and shadow rays, and their tolerance.
 ///
-/// The published counts of gears include reflected rays of weight zero, and their descendants, at glass that does not reflect.
-/// These are the counts of an independent program without them.
+/// The published counts of gears include reflected rays of weight zero, and their descendants, at glass that
+/// does not reflect. These are the counts of an independent program without them.
 const PUBLISHED: [(&str, [u64; 4], f64); 7] = [
     ("balls", [263_169, 175_095, 0, 954_368], 0.01),
     ("gears", [245_086, 88_800, 99_800, 1_551_000], 0.03),

@@ -4,9 +4,10 @@
 //! cargo run --release -p strahl-tests --example weights [-- FOLDER_WITH_THE_NFF_FILES]
 //! ```
 //!
-//! Every scene of `scenes/` (and of the folder) is traced with every accelerator under callgrind, as a small and as a tiny
-//! picture. The difference excludes loading and building. Non-negative weights of the counts are fitted to it by least squares
-//! of the relative errors. Needs valgrind. Prints the weights and the errors of the fit.
+//! Every scene of `scenes/` (and of the folder) is traced with every accelerator under callgrind, as a small
+//! and as a tiny picture. The difference excludes loading and building. Non-negative weights of the counts
+//! are fitted to it by least squares of the relative errors. Needs valgrind. Prints the weights and the
+//! errors of the fit.
 
 use std::collections::BTreeMap;
 use std::error::Error;
@@ -21,8 +22,8 @@ use strahl_study::cost_model::{EventCounts, event_counts};
 /// Sizes of the small and of the tiny picture.
 const SIZES: [&str; 2] = ["48x36", "2x2"];
 
-/// Number of kinds of events: three kinds of rays, shape tests, mailbox hits, and for each accelerator box tests and leaf
-/// viserrors.
+/// Number of kinds of events: three kinds of rays, shape tests, mailbox hits, and for each accelerator box
+/// tests and leaf viserrors.
 const EVENTS: usize = 5 + 2 * AccelKind::ALL.len();
 
 /// Counts in the order of [`EVENTS`].

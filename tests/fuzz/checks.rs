@@ -1,5 +1,5 @@
-//! Checks of the loaders, for every file, valid or not: no panic, bounded memory, and either a scene that the tracer accepts or
-//! an error with an existing position and a message without control characters.
+//! Checks of the loaders, for every file, valid or not: no panic, bounded memory, and either a scene that the
+//! tracer accepts or an error with an existing position and a message without control characters.
 //!
 //! Files are in memory, so that no input can reach the disk.
 

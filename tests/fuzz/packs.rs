@@ -1,5 +1,5 @@
-//! Checks of the opening of baked scenes, for any bytes: no panic, no read out of bounds, and a picture of finite colors if the
-//! bytes are accepted.
+//! Checks of the opening of baked scenes, for any bytes: no panic, no read out of bounds, and a picture of
+//! finite colors if the bytes are accepted.
 
 use strahl_core::accel::{Accelerator, TraversalStack};
 use strahl_core::baked::{BakedAccelerator, BakedScene};

@@ -46,6 +46,7 @@ pub trait TestedCore {
     /// If the list with bounding boxes finds anything else, compared bit by bit.
     fn cast(&self, rays: &[TestRay]) -> Vec<Option<CoreHit>>;
 
-    /// Origin of a ray that leaves the surface on the side of `side`, which is the normal of the hit or its opposite.
+    /// Origin of a ray that leaves the surface on the side of `side`, which is the normal of the hit or its
+    /// opposite.
     fn offset_origin(hit: &CoreHit, side: DVec3) -> DVec3;
 }

@@ -5,7 +5,8 @@
 //! * [`single::TestScene`], [`double::TestScene`]: owned scenes of both precisions; [`TestedCore`] is their
 //!   common interface.
 //! * [`oracle`]: intersections in `f64`, computed by methods that differ from the core's.
-//! * [`hard`]: rays that are known to go wrong in single precision, and [`textbook`], formulas that fail there.
+//! * [`hard`]: rays that are known to go wrong in single precision, and [`textbook`], formulas that fail
+//!   there.
 //! * [`picture`], [`assert_picture`]: pictures as text.
 
 mod cast;

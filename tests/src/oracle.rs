@@ -1,12 +1,14 @@
 //! An oracle for ray-shape intersection, in `f64` and by methods that differ from the core's.
 //!
-//! Solids and curved sides are intersected by sphere tracing: each step along the ray is as long as the distance to the
-//! surface, so that no step passes it, and no quadratic or quartic equation is solved. Flat shapes are intersected on
-//! their plane; the winding number of the border around the point decides what is inside.
+//! Solids and curved sides are intersected by sphere tracing: each step along the ray is as long as the
+//! distance to the surface, so that no step passes it, and no quadratic or quartic equation is solved. Flat
+//! shapes are intersected on their plane; the winding number of the border around the point decides what is
+//! inside.
 //!
-//! Near a silhouette or an edge rounding decides, and hit and miss are both correct. A solid is intersected three times:
-//! as it is, grown, and shrunk by the [`band`]. If the three results differ the answer is [`OracleAnswer::Unclear`]. The
-//! answer of a flat shape is unclear if the border is within the band around the hit point.
+//! Near a silhouette or an edge rounding decides, and hit and miss are both correct. A solid is intersected
+//! three times: as it is, grown, and shrunk by the [`band`]. If the three results differ the answer is
+//! [`OracleAnswer::Unclear`]. The answer of a flat shape is unclear if the border is within the band around
+//! the hit point.
 //!
 //! Source: Hart, "Sphere Tracing", The Visual Computer 12, 1996.
 
@@ -76,7 +78,8 @@ fn length(v: DVec3) -> f64 {
 
 /// Intersects a ray with a shape.
 pub fn intersect(shape: &TestShape, ray: &TestRay) -> OracleAnswer {
-    // Around the origin, where `f64` is fine enough for small shapes. Differences of `f32` numbers are exact, or nearly.
+    // Around the origin, where `f64` is fine enough for small shapes. Differences of `f32` numbers are exact,
+    // or nearly.
     let center = shape.bounding_sphere().0;
     let ray = TestRay { origin: ray.origin - center, ..*ray };
     match intersect_at_origin(&shape.mapped(|p| p - center, |d| d, 1.0), &ray) {
@@ -99,8 +102,8 @@ fn intersect_at_origin(shape: &TestShape, ray: &TestRay) -> OracleAnswer {
     }
 }
 
-/// Distance of a point from the surface: negative inside a solid; of a flat shape from its plane, of an open cone from
-/// its side.
+/// Distance of a point from the surface: negative inside a solid; of a flat shape from its plane, of an open
+/// cone from its side.
 pub fn signed_distance(shape: &TestShape, p: DVec3) -> f64 {
     match shape {
         TestShape::Sphere { center, radius } => length(p - *center) - radius,
@@ -202,7 +205,8 @@ fn normal_at(shape: &TestShape, p: DVec3) -> DVec3 {
 /// Distance of a point on a solid from the solid's nearest edge.
 fn edge_distance(shape: &TestShape, p: DVec3) -> f64 {
     let of_box = |q: DVec3, half: DVec3| {
-        // On a face one of the three is zero; the smaller of the other two is the distance to the nearest edge.
+        // On a face one of the three is zero; the smaller of the other two is the distance to the nearest
+        // edge.
         let inside = half - q.abs();
         let (x, y, z) = (inside.x, inside.y, inside.z);
         (x.max(y)).min(y.max(z)).min(z.max(x))
@@ -377,7 +381,8 @@ fn edges(vertices: &[DVec3]) -> impl Iterator<Item = (DVec3, DVec3)> + '_ {
     vertices.iter().copied().zip(vertices.iter().copied().cycle().skip(1))
 }
 
-/// Whether a point of the plane is inside, by the winding number of the border, and its distance from the border.
+/// Whether a point of the plane is inside, by the winding number of the border, and its distance from the
+/// border.
 fn inside(vertices: &[DVec3], p: DVec3, normal: DVec3) -> (bool, f64) {
     let (x, y) = perpendicular_axes(normal);
     let flat = |vertex: DVec3| ((vertex - p).dot(x), (vertex - p).dot(y));
@@ -395,11 +400,11 @@ fn angle(a: (f64, f64), b: (f64, f64)) -> f64 {
     (a.0 * b.1 - a.1 * b.0).atan2(a.0 * b.0 + a.1 * b.1)
 }
 
-/// The shading normal of a smooth shape at a point of its plane, and the distance of the nearest vertex. `None` for
-/// other shapes.
+/// The shading normal of a smooth shape at a point of its plane, and the distance of the nearest vertex.
+/// `None` for other shapes.
 ///
-/// The weights of the vertex normals are barycentric coordinates for a triangle, and mean value coordinates for a
-/// polygon.
+/// The weights of the vertex normals are barycentric coordinates for a triangle, and mean value coordinates
+/// for a polygon.
 ///
 /// Source: Floater, "Mean Value Coordinates", Computer Aided Geometric Design 20, 2003.
 pub fn shading(shape: &TestShape, p: DVec3) -> Option<(DVec3, f64)> {

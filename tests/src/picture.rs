@@ -2,8 +2,8 @@
 
 use strahl_core::Rgb;
 
-/// Returns the picture as text. By the brightest channel, a pixel is `.` (black), `+` (up to 1/3), `o` (up to 2/3)
-/// or `#`.
+/// Returns the picture as text. By the brightest channel, a pixel is `.` (black), `+` (up to 1/3), `o` (up to
+/// 2/3) or `#`.
 pub fn picture(colors: &[Rgb], width: usize) -> String {
     let sign = |color: &Rgb| match color.max_component() {
         0.0 => '.',

@@ -2,7 +2,8 @@
 
 use crate::vector::{DVec3, dvec3};
 
-/// The generator SplitMix64. All floating-point results are exact in `f32`, so that both cores get the same numbers.
+/// The generator SplitMix64. All floating-point results are exact in `f32`, so that both cores get the same
+/// numbers.
 ///
 /// Source: Steele, Lea and Flood, "Fast Splittable Pseudorandom Number Generators", OOPSLA 2014.
 #[derive(Clone, Debug)]

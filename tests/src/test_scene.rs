@@ -209,8 +209,8 @@ impl TestScene {
     }
 }
 
-/// Camera of a picture of one pixel whose central ray runs from `eye` to `target`. It is orthographic, so that the
-/// ray starts at `eye` exactly.
+/// Camera of a picture of one pixel whose central ray runs from `eye` to `target`. It is orthographic, so
+/// that the ray starts at `eye` exactly.
 fn one_ray_camera(viewpoint: Vec3, target: Vec3) -> Camera {
     let direction = target - viewpoint;
     let up = if direction.x.abs() < direction.y.abs() { Vec3::X } else { Vec3::Y };

@@ -202,8 +202,8 @@ impl TestShape {
         }
     }
 
-    /// Center and radius of a bounding sphere that is not much larger than needed. Of a plane, a unit sphere around its
-    /// point.
+    /// Center and radius of a bounding sphere that is not much larger than needed. Of a plane, a unit sphere
+    /// around its point.
     pub fn bounding_sphere(&self) -> (DVec3, f64) {
         let around = |vertices: &[DVec3]| {
             let center = vertices.iter().sum::<DVec3>() / vertices.len() as f64;

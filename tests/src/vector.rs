@@ -13,7 +13,8 @@ pub(crate) fn unit(v: DVec3) -> DVec3 {
     v / v.dot(v).sqrt()
 }
 
-/// Two unit vectors perpendicular to `n` and to each other, right-handed: `x` cross `y` has the direction of `n`.
+/// Two unit vectors perpendicular to `n` and to each other, right-handed: `x` cross `y` has the direction of
+/// `n`.
 pub(crate) fn perpendicular_axes(n: DVec3) -> (DVec3, DVec3) {
     let n = unit(n);
     let other = if n.x.abs() < 0.5 { DVec3::X } else { DVec3::Y };

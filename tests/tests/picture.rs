@@ -2,15 +2,15 @@
 //!
 //! Each scene is rendered with every accelerator, mailbox, heap and stack.
 //!
-//! For each picture `tests/golden/` has the PNG, and `tests/golden/digests` the BLAKE3 digest of its linear floats. Accept an
-//! intended change of a picture with
+//! For each picture `tests/golden/` has the PNG, and `tests/golden/digests` the BLAKE3 digest of its linear
+//! floats. Accept an intended change of a picture with
 //!
 //! ```text
 //! STRAHL_ACCEPT=1 cargo test -p strahl-tests --test picture
 //! ```
 //!
-//! and look at the difference in git. If a picture differs, the new picture and the difference (brighter is more different)
-//! are written to `target/golden/`, and the failure message names them.
+//! and look at the difference in git. If a picture differs, the new picture and the difference (brighter is
+//! more different) are written to `target/golden/`, and the failure message names them.
 
 use std::collections::BTreeMap;
 use std::fs;
@@ -110,8 +110,8 @@ fn stem(file: &str) -> &str {
 /// Largest number of objects for a list without bounds.
 const MAX_UNBOUNDED: usize = 1000;
 
-/// Renders a scene of the folder `scenes` with its own levels and cutoff. Asserts that every accelerator gives the same
-/// picture, at a quarter of the size.
+/// Renders a scene of the folder `scenes` with its own levels and cutoff. Asserts that every accelerator
+/// gives the same picture, at a quarter of the size.
 fn scene_file(name: &str, width: u32, height: u32, levels: Option<u8>, sampling: SamplerSettings) -> Picture {
     let path = root().join("scenes").join(name);
     let description = strahl_scene::load(&path).unwrap();

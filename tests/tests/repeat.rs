@@ -8,8 +8,8 @@ use strahl_scene::description::LoadedScene;
 use strahl_session::RenderOutput;
 use strahl_settings::{AccelKind, AccelSettings, Bounds, Settings};
 
-/// Every sampler and pixel selection, as command-line text, and whether the number of rays depends on the tiles, because
-/// neighboring pixels of a tile share samples.
+/// Every sampler and pixel selection, as command-line text, and whether the number of rays depends on the
+/// tiles, because neighboring pixels of a tile share samples.
 const SAMPLINGS: [(&str, Option<&str>, bool); 9] = [
     ("single", None, false),
     ("regular:2", None, false),

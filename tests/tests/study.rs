@@ -258,7 +258,8 @@ fn the_page_shows_its_plots_in_a_browser_and_requests_nothing() {
         screenshot(browser, folder.path(), &format!("http://{}/{page}", server.address), width, scheme)
     };
 
-    // The colors of the background, of single rays and of regular sampling, in light and dark mode, as in the style sheet.
+    // The colors of the background, of single rays and of regular sampling, in light and dark mode, as in the
+    // style sheet.
     let light = screenshot("frames.html", WIDE + NARROW + 20, &[]);
     for (name, first, width) in [("wide", 0, WIDE), ("narrow", WIDE, NARROW)] {
         let frame = image::imageops::crop_imm(&light, first, 0, width, HEIGHT).to_image();

@@ -1,7 +1,7 @@
 //! The cost of accuracy on the chip: the golden scene with other levels, cutoffs and samplers.
 //!
-//! The firmware of each precision draws these pictures, and the host computes their errors (`tests/examples/accuracy.rs`).
-//! The first is the golden picture.
+//! The firmware of each precision draws these pictures, and the host computes their errors
+//! (`tests/examples/accuracy.rs`). The first is the golden picture.
 
 // A crate that includes this file may use only parts of it.
 #![allow(dead_code)]
@@ -102,8 +102,8 @@ impl ProvidedBuffers {
     };
 }
 
-/// Draws all pictures. Calls `take` with each row, and after each picture `drawn` with its cost and `end` with its number of
-/// rays.
+/// Draws all pictures. Calls `take` with each row, and after each picture `drawn` with its cost and `end`
+/// with its number of rays.
 pub fn all(
     buffers: &mut ProvidedBuffers,
     clock: impl Fn() -> u32,

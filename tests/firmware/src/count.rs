@@ -1,7 +1,8 @@
 //! Counts of executed instructions, read from timer TIM2 of QEMU's STM32F405.
 //!
-//! QEMU runs that timer at 1 GHz of virtual time, and with `-icount shift=0` one instruction lasts one virtual nanosecond:
-//! the counter increases by one per instruction. Without `-icount` it follows the host's clock, and the numbers are noise.
+//! QEMU runs that timer at 1 GHz of virtual time, and with `-icount shift=0` one instruction lasts one
+//! virtual nanosecond: the counter increases by one per instruction. Without `-icount` it follows the host's
+//! clock, and the numbers are noise.
 
 const TIM2_CNT: *const u32 = 0x4000_0024 as *const u32;
 
@@ -12,8 +13,8 @@ pub fn now() -> u32 {
     unsafe { TIM2_CNT.read_volatile() }
 }
 
-/// The result of `work` and its number of instructions, up to 2^32 - 1. Longer work must be measured in parts and summed in a
-/// `u64`.
+/// The result of `work` and its number of instructions, up to 2^32 - 1. Longer work must be measured in parts
+/// and summed in a `u64`.
 ///
 /// Not inlined, so that every measurement has the same overhead: that of `of(|| ())`.
 #[inline(never)]

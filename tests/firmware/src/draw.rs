@@ -51,8 +51,8 @@ pub struct DrawCost<T> {
     pub tally: T,
 }
 
-/// Draws all rows. `clock` returns an increasing count of instructions, `pixel` converts a color, and `take` receives each row
-/// and returns whether it succeeded.
+/// Draws all rows. `clock` returns an increasing count of instructions, `pixel` converts a color, and `take`
+/// receives each row and returns whether it succeeded.
 ///
 /// Returns the cost, or the reason of a failure.
 pub fn draw<A: Accelerator, E: Effects, S: Sampler, P, T: Tally, const LEVELS: usize>(

@@ -1,7 +1,7 @@
 //! The cost of effects in flash: a small scene, traced with growing effect sets.
 //!
-//! The smallest firmware that draws a picture and transmits it: linear floats are sent through the serial port as they are
-//! computed. It contains no files, no text, and nothing that a product would not need.
+//! The smallest firmware that draws a picture and transmits it: linear floats are sent through the serial
+//! port as they are computed. It contains no files, no text, and nothing that a product would not need.
 
 // A crate that includes this file may use only parts of it.
 #![allow(dead_code)]

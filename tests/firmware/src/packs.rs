@@ -26,8 +26,8 @@ pub struct FirmwareScene {
     pub source: SceneSource,
 }
 
-/// The golden scene with a grid; scenes with an octree, a grid, a BVH over a mesh, and a list; and the last one as Rust
-/// constants.
+/// The golden scene with a grid; scenes with an octree, a grid, a BVH over a mesh, and a list; and the last
+/// one as Rust constants.
 pub static SCENES: [FirmwareScene; 6] = [
     FirmwareScene {
         name: c"golden.f32",

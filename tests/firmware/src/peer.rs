@@ -1,8 +1,8 @@
-//! The scene of a well-known small ray tracer: four spheres and a checkered floor under three lights (Dmitry Sokolov's
-//! *tinyraytracer*, from a description).
+//! The scene of a well-known small ray tracer: four spheres and a checkered floor under three lights (Dmitry
+//! Sokolov's *tinyraytracer*, from a description).
 //!
-//! Its conventions are options of the tracer and of the sink: the background is shown beyond a distance and in place of rays
-//! below the last level, and colors brighter than white are scaled down.
+//! Its conventions are options of the tracer and of the sink: the background is shown beyond a distance and
+//! in place of rays below the last level, and colors brighter than white are scaled down.
 
 // A crate that includes this file may use only parts of it.
 #![allow(dead_code)]
@@ -19,8 +19,8 @@ use strahl_core::{
 /// Resolution of the picture.
 pub const SIZE: Resolution = Resolution::new(160, 120).unwrap();
 
-/// Camera along -z, with an angle of 1.05 from the top edge of the picture to the bottom edge. Between the centers of the
-/// first and the last row it is `2 atan(tan(1.05 / 2) * 119 / 120)`.
+/// Camera along -z, with an angle of 1.05 from the top edge of the picture to the bottom edge. Between the
+/// centers of the first and the last row it is `2 atan(tan(1.05 / 2) * 119 / 120)`.
 pub const VIEW: CameraDescriptor = CameraDescriptor {
     position: Vec3::ZERO,
     target: vec3(0.0, 0.0, -1.0),
@@ -53,7 +53,8 @@ impl Effects for PeerEffects {
     const LEVEL_LIMIT_RADIANCE: LevelLimitRadiance = LevelLimitRadiance::Background;
 }
 
-/// Quantizes a color to eight bits per channel: colors brighter than white are scaled down, then truncated. No gamma.
+/// Quantizes a color to eight bits per channel: colors brighter than white are scaled down, then truncated.
+/// No gamma.
 pub fn quantized(color: Rgb) -> [u8; 3] {
     let brightest = color.max_component();
     let scale = if brightest > 1.0 { 255.0 / brightest } else { 255.0 };

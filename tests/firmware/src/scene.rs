@@ -1,6 +1,7 @@
 //! The golden scene: small, with most effects.
 //!
-//! Constants only, which a device keeps in flash. Firmware and host compile this file, so that both trace the same numbers.
+//! Constants only, which a device keeps in flash. Firmware and host compile this file, so that both trace the
+//! same numbers.
 
 // A crate that includes this file may use only parts of it.
 #![allow(dead_code)]

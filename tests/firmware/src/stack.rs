@@ -1,4 +1,5 @@
-//! High-water mark of the stack: the free RAM is painted before main, and the lowest overwritten word is the mark.
+//! High-water mark of the stack: the free RAM is painted before main, and the lowest overwritten word is the
+//! mark.
 //!
 //! The stack grows down from `_stack_start` (the end of RAM) to `_stack_end` (the end of the
 //! statics). cortex-m-rt's feature `paint-stack` paints it.

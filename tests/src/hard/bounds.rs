@@ -1,5 +1,5 @@
-//! Hard rays at bounding boxes, compared with exact integer arithmetic. The slab test must hit every box that the exact
-//! ray hits, and no box outside the band of rounding errors.
+//! Hard rays at bounding boxes, compared with exact integer arithmetic. The slab test must hit every box that
+//! the exact ray hits, and no box outside the band of rounding errors.
 
 use super::case::{HardCase, HardCaseTally, Solver};
 use crate::SplitMix64;
@@ -51,8 +51,8 @@ struct SlabCase {
 }
 
 impl SlabCase {
-    /// Whether the answer is wrong: a miss of a box that the exact ray hits, or a hit of a box that it misses by more than
-    /// the band.
+    /// Whether the answer is wrong: a miss of a box that the exact ray hits, or a hit of a box that it misses
+    /// by more than the band.
     fn is_wrong(&self, answer: bool) -> bool {
         if self.is_hit { !answer } else { answer && !self.is_near }
     }

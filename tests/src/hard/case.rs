@@ -33,7 +33,8 @@ pub struct HardCaseTally {
     pub rays: usize,
     /// Rays for which hit and miss are both correct.
     pub unclear: usize,
-    /// Other rays that were answered wrongly: hit for miss, miss for hit, an error outside the bound, NaN or infinity.
+    /// Other rays that were answered wrongly: hit for miss, miss for hit, an error outside the bound, NaN or
+    /// infinity.
     pub faults: usize,
     /// Largest error of a correct hit, in the unit of the case.
     pub worst: f64,

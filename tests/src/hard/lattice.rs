@@ -99,8 +99,8 @@ pub(super) fn degenerate(rng: &mut SplitMix64) -> BoxesAndRays {
     (shapes, rays)
 }
 
-/// [`lattice`], scaled and moved so that faces and cell planes are not integers: coordinates that were equal differ by
-/// rounding.
+/// [`lattice`], scaled and moved so that faces and cell planes are not integers: coordinates that were equal
+/// differ by rounding.
 pub(super) fn uneven(rng: &mut SplitMix64) -> BoxesAndRays {
     let (shapes, rays) = lattice(rng);
     let (size, shift) = (rng.log_between(0.01, 100.0), rng.in_ball(DVec3::ZERO, 10.0));
@@ -113,8 +113,8 @@ pub(super) fn uneven(rng: &mut SplitMix64) -> BoxesAndRays {
     (shapes.into_iter().map(shape).collect(), rays.into_iter().map(ray).collect())
 }
 
-/// Long bars, and small plates across their lower faces. A ray reaches a plate after hundreds of cells; right behind the
-/// plate is the bar, which the accelerator has offered long before.
+/// Long bars, and small plates across their lower faces. A ray reaches a plate after hundreds of cells; right
+/// behind the plate is the bar, which the accelerator has offered long before.
 pub(super) fn row(rng: &mut SplitMix64) -> BoxesAndRays {
     const LENGTH: f64 = 3000.0;
     let (mut shapes, mut rays) = (Vec::new(), Vec::new());

@@ -92,7 +92,8 @@ fn ends(rng: &mut SplitMix64) -> [HardCaseTally; 3] {
     tallies
 }
 
-/// For each ray that hits the shape, whether the answers are correct if it ends just before the hit, at it and behind it.
+/// For each ray that hits the shape, whether the answers are correct if it ends just before the hit, at it
+/// and behind it.
 fn in_textbook(shape: &TestShape, rays: &[TestRay]) -> Vec<[bool; 3]> {
     let textbook = TextbookShape::of(shape);
     let ends = |ray: &TestRay| {

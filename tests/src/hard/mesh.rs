@@ -151,7 +151,8 @@ impl ClosedMesh {
         ClosedMesh::new(points, triangles, inner, (center + normal * size, 0.3 * size))
     }
 
-    /// A ray from the mesh's start region at a vertex or at a point of an edge, and triangles of which it must hit one.
+    /// A ray from the mesh's start region at a vertex or at a point of an edge, and triangles of which it
+    /// must hit one.
     pub fn aim(&self, rng: &mut SplitMix64) -> (TestRay, Vec<u32>) {
         let origin = rng.in_ball(self.viewpoint.0, self.viewpoint.1);
         self.aim_from(origin, rng)
@@ -204,10 +205,11 @@ pub fn escapes(mesh: &ClosedMesh, rays: usize, rng: &mut SplitMix64) -> usize {
     (0..rays).filter(escapes).count()
 }
 
-/// Number of rays from outside, out of `rays`, that cross the surface of a convex mesh an odd number of times.
+/// Number of rays from outside, out of `rays`, that cross the surface of a convex mesh an odd number of
+/// times.
 ///
-/// A ray through a vertex or an edge hits all of its triangles at the same distance. Hits from one side are one
-/// crossing; hits from both sides are two, an entry and an exit.
+/// A ray through a vertex or an edge hits all of its triangles at the same distance. Hits from one side are
+/// one crossing; hits from both sides are two, an entry and an exit.
 pub fn odd_crossings(mesh: &ClosedMesh, rays: usize, rng: &mut SplitMix64) -> usize {
     let (points, shapes) = mesh.tables();
     let geometry = Geometry { vertices: &points, shapes: &shapes, ..Geometry::EMPTY };

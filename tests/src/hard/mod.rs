@@ -1,10 +1,10 @@
-//! Rays that are known to go wrong in single precision, answered by three solvers: the textbook's formula, the core,
-//! and the core with double precision inside.
+//! Rays that are known to go wrong in single precision, answered by three solvers: the textbook's formula,
+//! the core, and the core with double precision inside.
 //!
-//! The same answers are correct for all three. For a ray that passes a silhouette or an edge within the oracle's
-//! band, hit and miss are both correct. Every other ray has one answer. The error of its distance is measured in
-//! units in the last place times the *conditioning*: the largest difference that has to be formed over the cosine
-//! between ray and normal, plus the distance itself.
+//! The same answers are correct for all three. For a ray that passes a silhouette or an edge within the
+//! oracle's band, hit and miss are both correct. Every other ray has one answer. The error of its distance is
+//! measured in units in the last place times the *conditioning*: the largest difference that has to be formed
+//! over the cosine between ray and normal, plus the distance itself.
 
 mod bounds;
 mod case;

@@ -53,8 +53,8 @@ fn answer(solver: Solver, d: DVec3, n: DVec3, ratio: f64) -> Option<RefractionAn
     }
 }
 
-/// An incident ray whose angle to the normal has the given sine: its direction, the normal, and the ratio of the
-/// refractive indices.
+/// An incident ray whose angle to the normal has the given sine: its direction, the normal, and the ratio of
+/// the refractive indices.
 fn incident(rng: &mut SplitMix64, sine: fn(f64, &mut SplitMix64) -> f64) -> (DVec3, DVec3, f64) {
     let ratio = if rng.below(4) == 0 { 1.0 / rng.between(1.01, 2.5) } else { rng.between(1.01, 2.5) };
     let ratio = rounded(ratio);

@@ -104,7 +104,8 @@ impl HardCasePanel {
     }
 }
 
-/// The picture: its width, and its pixels row by row. The top row of panels is the textbook's, the bottom row the core's.
+/// The picture: its width, and its pixels row by row. The top row of panels is the textbook's, the bottom row
+/// the core's.
 pub fn picture() -> (usize, Vec<[u8; 3]>) {
     let panels = panels();
     let width = panels.len() * (SIDE + GAP) + GAP;

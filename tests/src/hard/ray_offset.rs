@@ -16,7 +16,8 @@ const fn case(
     HardCase::own("leaving", name, naive, BOUND, check)
 }
 
-/// Largest correct distance of an offset origin from its surface, in units in the last place of coordinates and size.
+/// Largest correct distance of an offset origin from its surface, in units in the last place of coordinates
+/// and size.
 const BOUND: f64 = 64.0;
 
 const FIXED: &str = "an offset of 1e-4 is too small far away, too large for small things";
@@ -76,8 +77,9 @@ fn offset_case(kind: TestShapeKind, rng: &mut SplitMix64) -> OffsetCase {
     OffsetCase { shape, radius, camera_rays, seeds }
 }
 
-/// Rays from hits of shapes 1e-4 to 1e4 in size, up to 1e4 sizes from the origin, on the side of the incoming ray. None
-/// may hit the shape again near its origin, and none may start farther from the surface than rounding requires.
+/// Rays from hits of shapes 1e-4 to 1e4 in size, up to 1e4 sizes from the origin, on the side of the incoming
+/// ray. None may hit the shape again near its origin, and none may start farther from the surface than
+/// rounding requires.
 fn self_intersections(kind: TestShapeKind, rng: &mut SplitMix64) -> [HardCaseTally; 3] {
     let mut tallies = [HardCaseTally::default(); 3];
     for _ in 0..SHAPES {
@@ -114,10 +116,11 @@ fn count_faults(
     }
 }
 
-/// Smallest correct distance of a second hit, of a ray that leaves the shape at `p` with `normal` in `direction`.
+/// Smallest correct distance of a second hit, of a ray that leaves the shape at `p` with `normal` in
+/// `direction`.
 ///
-/// Infinite for flat and convex shapes. A hollow with the radius of curvature `r` is hit again at `2 r` times the cosine
-/// to the normal, or later; half of that is accepted.
+/// Infinite for flat and convex shapes. A hollow with the radius of curvature `r` is hit again at `2 r` times
+/// the cosine to the normal, or later; half of that is accepted.
 fn min_distance(shape: &TestShape, p: DVec3, direction: DVec3, normal: DVec3) -> f64 {
     let hollow = |radius: f64| radius * direction.dot(normal) / direction.dot(direction);
     match shape {

@@ -1,5 +1,5 @@
-//! The shadow terminator on coarse smooth spheres: a point whose shading normal faces the light must not be in the shadow
-//! of its own mesh, and must be in the shadow of other objects.
+//! The shadow terminator on coarse smooth spheres: a point whose shading normal faces the light must not be
+//! in the shadow of its own mesh, and must be in the shadow of other objects.
 
 use super::case::{HardCase, HardCaseTally, Solver, as_f32, length, perpendicular, towards};
 use super::mesh::ClosedMesh;

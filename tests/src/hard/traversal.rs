@@ -1,5 +1,5 @@
-//! Rays in the planes, edges and corners of an accelerator's cells, and degenerate scenes: every accelerator must find
-//! what the list finds, bit for bit.
+//! Rays in the planes, edges and corners of an accelerator's cells, and degenerate scenes: every accelerator
+//! must find what the list finds, bit for bit.
 
 use super::case::{HardCase, HardCaseTally, Solver};
 use super::lattice::{BoxesAndRays, degenerate, lattice, row, uneven};

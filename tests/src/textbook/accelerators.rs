@@ -1,5 +1,5 @@
-//! Accelerators as in introductions: a grid traversed with accumulated distances (Amanatides and Woo), an octree through
-//! which a point is moved, and a binary BVH.
+//! Accelerators as in introductions: a grid traversed with accumulated distances (Amanatides and Woo), an
+//! octree through which a point is moved, and a binary BVH.
 
 #![allow(missing_docs)] // as in the core's own
 

@@ -1,7 +1,8 @@
 //! The textbook's formulas in single precision, for comparison with the core's numerically stable ones.
 //!
-//! They are those of introductions and small ray tracers, correct in exact arithmetic and unprotected against rounding.
-//! Only the tests use them: they run them through the same checks as the core and expect them to fail.
+//! They are those of introductions and small ray tracers, correct in exact arithmetic and unprotected against
+//! rounding. Only the tests use them: they run them through the same checks as the core and expect them to
+//! fail.
 
 // Not the core: the platform's square root is correctly rounded as well.
 #![allow(clippy::disallowed_methods)]
@@ -287,8 +288,8 @@ fn cuboid(min: Vec3, max: Vec3, o: Vec3, d: Vec3) -> Option<TextbookHit> {
     Some(TextbookHit { t, normal })
 }
 
-/// Whether a ray hits a box: a slab test that orders the planes by the sign of the direction and multiplies by its
-/// reciprocal.
+/// Whether a ray hits a box: a slab test that orders the planes by the sign of the direction and multiplies
+/// by its reciprocal.
 pub fn slabs(min: Vec3, max: Vec3, o: Vec3, d: Vec3) -> bool {
     let (mut near, mut far) = (f32::NEG_INFINITY, f32::INFINITY);
     for axis in 0..3 {

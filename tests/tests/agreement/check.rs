@@ -44,7 +44,8 @@ pub struct QueryCase {
 }
 
 impl QueryCase {
-    /// For each ray four queries: unlimited, up to the hit, up to just before it, and up to a random distance.
+    /// For each ray four queries: unlimited, up to the hit, up to just before it, and up to a random
+    /// distance.
     pub fn all(unbounded: &World<List>, rays: &[Ray], rng: &mut SplitMix64) -> Vec<QueryCase> {
         let mut cases = Vec::new();
         for ray in rays {
@@ -79,7 +80,8 @@ impl<'s> AcceleratorCheck<'s> {
         self.cases.iter().filter(|case| case.t_max == Real::INFINITY && case.expected.hit.is_some()).count()
     }
 
-    /// Asserts that an accelerator gives the expected answers. All queries share one scratch, so that its caches are tested.
+    /// Asserts that an accelerator gives the expected answers. All queries share one scratch, so that its
+    /// caches are tested.
     pub fn check<A: Accelerator>(&self, name: &str, accelerator: A) {
         let world = World::new(self.scene.as_scene(), accelerator);
         let mut scratch = A::Scratch::default();

@@ -1,5 +1,5 @@
-//! The mailbox: an item in many cells is tested once, and a hit beyond the cell that offers it neither ends the traversal
-//! nor is lost.
+//! The mailbox: an item in many cells is tested once, and a hit beyond the cell that offers it neither ends
+//! the traversal nor is lost.
 
 use strahl_core::accel::{Accelerator, Grid, GridSize, Octree, OctreeLimits, OctreeNode};
 use strahl_core::geometry::{Hit, ItemId, Ray};
@@ -7,8 +7,8 @@ use strahl_core::tally::{Counters, RayKind};
 use strahl_core::{AllEffects, Real, Vec3, World, vec3};
 use strahl_tests::single::TestScene;
 
-/// A triangle across the whole scene, which is hit far from the cell that offers it first; a small sphere in front of
-/// that hit; and many tiny spheres, so that there are many cells.
+/// A triangle across the whole scene, which is hit far from the cell that offers it first; a small sphere in
+/// front of that hit; and many tiny spheres, so that there are many cells.
 fn triangle_and_sphere() -> TestScene {
     let mut scene = TestScene::new();
     // The bounds of item 0 are those of the whole scene.

@@ -104,8 +104,8 @@ fn narrow(v: DVec3) -> Vec3 {
     vec3(v.x as Real, v.y as Real, v.z as Real)
 }
 
-/// A ray through the ball of `radius` around the origin, with a direction of any length. One in four has zero components,
-/// of either sign.
+/// A ray through the ball of `radius` around the origin, with a direction of any length. One in four has zero
+/// components, of either sign.
 fn random_ray(radius: f64, rng: &mut SplitMix64) -> Ray {
     let origin = rng.in_ball(DVec3::ZERO, 2.0 * radius);
     let target = rng.in_ball(DVec3::ZERO, radius);
@@ -277,7 +277,8 @@ fn a_ray_along_an_axis_through_a_lattice_of_boxes_hits_the_first_of_its_row() {
     }
     let mut rng = SplitMix64::new(SEED + 6);
     assert_eq!(all_agree(&scene, &rays, &mut rng), rays.len());
-    // On paper: the first box of a row has the id 4 (y + 4 z); of two boxes that share a face the lower id wins.
+    // On paper: the first box of a row has the id 4 (y + 4 z); of two boxes that share a face the lower id
+    // wins.
     let world = World::new(scene.as_scene(), List::without_bounds(64));
     for (y, z, row) in
         [(0.5, 0.5, 0), (1.5, 2.5, 4 * (1 + 4 * 2)), (1.0, 0.5, 0), (4.0, 4.0, 60), (2.0, 3.0, 36)]

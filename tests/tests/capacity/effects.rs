@@ -1,5 +1,5 @@
-//! Effects: a tracer refuses a scene that requires more than its effect set, and an effect that a scene does not use costs
-//! no ray.
+//! Effects: a tracer refuses a scene that requires more than its effect set, and an effect that a scene does
+//! not use costs no ray.
 
 use crate::*;
 

@@ -2,8 +2,8 @@
 
 use crate::*;
 
-/// Parallel emitting planes, each half mirror and half glass of index 1. Every ray hits a plane, and so do both of its
-/// children.
+/// Parallel emitting planes, each half mirror and half glass of index 1. Every ray hits a plane, and so do
+/// both of its children.
 fn panes(levels: usize) -> TestScene {
     let mut scene = TestScene::new();
     let half = Rgb::gray(0.5);

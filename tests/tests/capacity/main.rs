@@ -1,5 +1,5 @@
-//! Memory of the core: it is provided by the caller, bounded, and never allocated. Buffers that are too small are refused
-//! or cost time, and never change a picture.
+//! Memory of the core: it is provided by the caller, bounded, and never allocated. Buffers that are too small
+//! are refused or cost time, and never change a picture.
 
 #![expect(unsafe_code, reason = "an allocator implements an unsafe trait")]
 
@@ -42,8 +42,8 @@ thread_local! {
     static ALLOCATIONS: Cell<u64> = const { Cell::new(0) };
 }
 
-// SAFETY: all calls are forwarded to the system's allocator. Counting allocates nothing: the count is initialized in a
-// constant and has no destructor.
+// SAFETY: all calls are forwarded to the system's allocator. Counting allocates nothing: the count is
+// initialized in a constant and has no destructor.
 unsafe impl GlobalAlloc for CountingAllocator {
     unsafe fn alloc(&self, layout: Layout) -> *mut u8 {
         ALLOCATIONS.set(ALLOCATIONS.get() + 1);

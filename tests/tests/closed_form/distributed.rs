@@ -1,4 +1,5 @@
-//! Distributed effects: their expected value is known in closed form, and the error falls with the number of rays.
+//! Distributed effects: their expected value is known in closed form, and the error falls with the number of
+//! rays.
 
 use crate::*;
 
@@ -6,8 +7,8 @@ use crate::*;
 const FEW_SAMPLES: u32 = 16;
 const MANY_SAMPLES: u32 = 1024;
 
-/// Asserts that the mean of many rays is the expected value, and that the error of `n` rays falls at least as `n` to the
-/// power of `slope`.
+/// Asserts that the mean of many rays is the expected value, and that the error of `n` rays falls at least as
+/// `n` to the power of `slope`.
 #[track_caller]
 fn assert_converges(mean: impl Fn(u32, u32) -> f64, expected: f64, tolerance: f64, slope: f64) {
     let got = mean(16_384, 99);
@@ -63,7 +64,8 @@ fn a_straight_edge_occludes_the_part_of_a_sphere_light_behind_it() {
     let corners = [(0.0, -50.0), (50.0, -50.0), (50.0, 50.0), (0.0, 50.0)];
     scene.polygon(&corners.map(|(x, z)| vec3(x, 4.0, z)), &[]);
     for x in [-0.7, -0.3, 0.0, 0.4, 0.8] {
-        // The disc that faces the point: one axis along z, the other perpendicular to the direction of its center.
+        // The disc that faces the point: one axis along z, the other perpendicular to the direction of its
+        // center.
         let length = f64::hypot(x, 8.0);
         let (along_x, along_y) = (8.0 / length, x / length);
         let expected = over_disc(|u, v| {
@@ -306,8 +308,8 @@ fn a_point_out_of_focus_is_a_disc_of_confusion() {
         let mut sampler = StochasticSampler::new(256).unwrap();
         let pixels = Tile::full(size).pixels();
         let Ok(()) = render(&mut tracer.with_worker(&mut Worker::new(())), &mut sampler, pixels, &mut sink);
-        // A disc of radius r has the second moment r^2 / 2. Those of the circle of confusion and of the sphere add up, and that
-        // of the pixel, 1/12 for each axis. In pixels:
+        // A disc of radius r has the second moment r^2 / 2. Those of the circle of confusion and of the
+        // sphere add up, and that of the pixel, 1/12 for each axis. In pixels:
         let pixel = |length: f64, distance: f64| {
             length / distance / (2.0 * (angle / 2.0).tan() / f64::from(rows - 1))
         };

@@ -1,7 +1,8 @@
 //! Pixels whose value is known in closed form.
 //!
-//! The scenes are small, and the expected value is a formula that is evaluated in `f64`. A pixel is computed by some dozen
-//! rounded operations; its relative error is at most [`ROUNDINGS`], unless a test states another tolerance.
+//! The scenes are small, and the expected value is a formula that is evaluated in `f64`. A pixel is computed
+//! by some dozen rounded operations; its relative error is at most [`ROUNDINGS`], unless a test states
+//! another tolerance.
 
 mod distributed;
 mod glass;

@@ -18,8 +18,8 @@ fn glaring() -> Material {
 
 #[test]
 fn the_brightest_mirrors_and_glass_give_a_finite_pixel_after_64_levels() {
-    // Two facing mirrors with a plate of glass between them; a light in the face of the plate, at distance zero; bright
-    // textures on everything.
+    // Two facing mirrors with a plate of glass between them; a light in the face of the plate, at distance
+    // zero; bright textures on everything.
     let mut scene = TestScene::new();
     let texture = scene.add_texture(Texture::Checker {
         even: BRIGHTEST,

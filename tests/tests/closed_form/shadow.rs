@@ -144,8 +144,9 @@ fn a_light_in_a_surface_lights_its_side() {
 
 #[test]
 fn a_light_on_a_surface_is_not_occluded_by_it() {
-    // A light at a rounded point of a random shape, seen from a point in front of the surface at no grazing angle. It is in
-    // front of or behind the surface by a few roundings of its coordinates; shadow rays end before it by that distance.
+    // A light at a rounded point of a random shape, seen from a point in front of the surface at no grazing
+    // angle. It is in front of or behind the surface by a few roundings of its coordinates; shadow rays end
+    // before it by that distance.
     let mut rng = SplitMix64::new(0x5eed_0005);
     let mut shadow_rays = 0;
     for round in 0..4_000 {

@@ -1,7 +1,9 @@
-//! Each effect alone. For each of them a scene beside this file requires it and what it depends on, and nothing else.
+//! Each effect alone. For each of them a scene beside this file requires it and what it depends on, and
+//! nothing else.
 //!
-//! An effect that a scene does not require traces no ray and draws no random number. A tracer with exactly the required
-//! effects gives the same bytes as one with all effects; so does a tracer without the effect for the scene without it.
+//! An effect that a scene does not require traces no ray and draws no random number. A tracer with exactly
+//! the required effects gives the same bytes as one with all effects; so does a tracer without the effect for
+//! the scene without it.
 
 use std::path::Path;
 

@@ -31,8 +31,8 @@ fn core_ray(ray: &TestRay) -> Ray {
     Ray::new(narrow(ray.origin), narrow(ray.direction))
 }
 
-/// Compares the accelerators in one scene of all given shapes, however different in size and position. Returns the number
-/// of hits.
+/// Compares the accelerators in one scene of all given shapes, however different in size and position.
+/// Returns the number of hits.
 fn check(case: &str, aims: &[(TestShape, Vec<TestRay>)]) -> usize {
     let mut scene = TestScene::new();
     aims.iter().for_each(|(shape, _)| _ = scene.add_shape(shape));

@@ -19,8 +19,8 @@ fn power_of_two(k: i32) -> f32 {
     (0..k.abs()).fold(1.0, |x, _| if k < 0 { x * 0.5 } else { x * 2.0 })
 }
 
-/// A picture of all shapes in matte materials, rough mirrors and glass under all lights, with every length multiplied by
-/// `scale`, a power of two.
+/// A picture of all shapes in matte materials, rough mirrors and glass under all lights, with every length
+/// multiplied by `scale`, a power of two.
 fn picture(scale: f32, has_lens: bool) -> Vec<[u32; 3]> {
     let scale_f64 = f64::from(scale);
     let mut rng = SplitMix64::new(SEED);
@@ -234,8 +234,8 @@ fn a_mirrored_scene_has_the_mirrored_hits_bit_for_bit() {
 
 #[test]
 fn a_scene_with_permuted_axes_has_the_same_hits_up_to_rounding() {
-    // Sums of three products round in the order of the axes. Shapes without such sums are hit equally, bit for bit: triangles,
-    // whose test projects along one axis, and axis-aligned boxes.
+    // Sums of three products round in the order of the axes. Shapes without such sums are hit equally, bit
+    // for bit: triangles, whose test projects along one axis, and axis-aligned boxes.
     let mut rng = SplitMix64::new(SEED + 3);
     let mut hits = 0;
     for (shape, rays) in scenes(&mut rng) {

@@ -14,7 +14,8 @@ const SEED: u64 = 0x5eed_0008;
 /// Far from the origin, where coordinates are coarse.
 const FAR: DVec3 = DVec3::new(2e5, -1.3e5, 0.7e5);
 
-/// Meshes, and numbers of rays. A ray at the apex of a cone tests all of its slivers, so that it gets fewer rays.
+/// Meshes, and numbers of rays. A ray at the apex of a cone tests all of its slivers, so that it gets fewer
+/// rays.
 fn meshes() -> Vec<(&'static str, ClosedMesh, usize)> {
     vec![
         ("a sphere", ClosedMesh::icosphere(5, DVec3::ZERO, 1.0), 300_000),

@@ -22,7 +22,8 @@ fn documents(folder: &Path, found: &mut Vec<PathBuf>) {
     }
 }
 
-/// Paths that a document in this folder names: those that begin with `scenes/` or `tests/`, and the targets of its links.
+/// Paths that a document in this folder names: those that begin with `scenes/` or `tests/`, and the targets
+/// of its links.
 fn named_in(folder: &Path, text: &str) -> BTreeSet<PathBuf> {
     let is_of_a_path = |c: char| c.is_ascii_alphanumeric() || "._/-".contains(c);
     let paths = text.split(|c| !is_of_a_path(c)).map(|word| word.trim_end_matches('.'));

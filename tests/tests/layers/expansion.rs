@@ -28,7 +28,8 @@ impl Rule {
         groups.next().is_none().then(|| Rule { pattern: pattern_of(pattern), body })
     }
 
-    /// The expansion of a call without documentation; `None` if the call does not match the pattern word by word.
+    /// The expansion of a call without documentation; `None` if the call does not match the pattern word by
+    /// word.
     pub fn expanded(&self, call: TokenStream) -> Option<TokenStream> {
         let words = words(call)?;
         if words.len() != self.pattern.len() {

@@ -1,5 +1,5 @@
-//! Architecture tests: a module of the core uses only lower layers, and no modules of any package use each other in a
-//! circle.
+//! Architecture tests: a module of the core uses only lower layers, and no modules of any package use each
+//! other in a circle.
 
 mod circles;
 mod documents;
@@ -46,8 +46,8 @@ fn core() -> Crate {
     core
 }
 
-/// All targets of the workspace's packages: the package, and the file of the root module. `core/double` has the sources of
-/// the core.
+/// All targets of the workspace's packages: the package, and the file of the root module. `core/double` has
+/// the sources of the core.
 fn targets() -> Vec<(String, PathBuf)> {
     let output = Command::new(env!("CARGO"))
         .args(["metadata", "--no-deps", "--offline", "--format-version", "1"])

@@ -1,4 +1,5 @@
-//! The names of one module: those that it defines, imports and mentions, by every form of `use`, by paths, and in macros.
+//! The names of one module: those that it defines, imports and mentions, by every form of `use`, by paths,
+//! and in macros.
 
 use std::collections::HashSet;
 

@@ -85,8 +85,8 @@ impl Crate {
         self.index(&path)
     }
 
-    /// Adds a module and its submodules. Files of submodules are in the first folder; files that a `path` attribute names are
-    /// relative to the second.
+    /// Adds a module and its submodules. Files of submodules are in the first folder; files that a `path`
+    /// attribute names are relative to the second.
     fn add(&mut self, module: Module, items: Vec<Item>, folders: [&Path; 2]) {
         let index = self.modules.len();
         self.indices.insert(module.path.clone(), index);

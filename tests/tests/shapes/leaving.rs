@@ -9,8 +9,8 @@ const SHAPES: usize = 150;
 const HITS: usize = 20;
 const RAYS: usize = 12;
 
-/// Sides of a shape, as factors of the normal, on which no ray hits the shape again: both of a flat shape, the outer one
-/// of a convex solid.
+/// Sides of a shape, as factors of the normal, on which no ray hits the shape again: both of a flat shape,
+/// the outer one of a convex solid.
 fn sides(kind: TestShapeKind) -> &'static [f64] {
     match kind {
         TestShapeKind::Torus => &[],
@@ -24,8 +24,8 @@ fn sides(kind: TestShapeKind) -> &'static [f64] {
     }
 }
 
-/// A direction on the side of `normal`. Every other one is grazing, down to about 1e-4, where the rounding error of the
-/// normal is still small.
+/// A direction on the side of `normal`. Every other one is grazing, down to about 1e-4, where the rounding
+/// error of the normal is still small.
 fn outward(normal: DVec3, rng: &mut SplitMix64) -> DVec3 {
     loop {
         let direction = rng.direction();
@@ -99,8 +99,8 @@ fn a_floor_on_a_coordinate_plane_is_not_hit_again() {
     }
 }
 
-/// A triangle that contains the origin, inside or on its edge. Near the origin coordinates are small, but the rounding
-/// errors of the intersection are not. Its height is `min` to `max` times its longest side.
+/// A triangle that contains the origin, inside or on its edge. Near the origin coordinates are small, but the
+/// rounding errors of the intersection are not. Its height is `min` to `max` times its longest side.
 fn through_the_origin(rng: &mut SplitMix64, min: f64, max: f64) -> [DVec3; 3] {
     loop {
         let (a, b) = (rng.in_ball(DVec3::ZERO, 1.0), rng.in_ball(DVec3::ZERO, 1.0));

@@ -37,7 +37,8 @@ fn length(v: DVec3) -> f64 {
     v.dot(v).sqrt()
 }
 
-/// The ray from `origin` through `target`, with a direction of `speed` times their difference, rounded to `f32`.
+/// The ray from `origin` through `target`, with a direction of `speed` times their difference, rounded to
+/// `f32`.
 fn towards(origin: DVec3, target: DVec3, speed: f64) -> TestRay {
     let direction = (target - origin) * speed;
     TestRay { origin, direction: dvec3(rounded(direction.x), rounded(direction.y), rounded(direction.z)) }
@@ -62,8 +63,8 @@ fn target(shape: &TestShape, rng: &mut SplitMix64) -> DVec3 {
     }
 }
 
-/// A ray that probably hits the shape, from inside or from up to a hundred of its sizes away, with a direction of any
-/// length.
+/// A ray that probably hits the shape, from inside or from up to a hundred of its sizes away, with a
+/// direction of any length.
 fn random_ray(shape: &TestShape, rng: &mut SplitMix64) -> TestRay {
     let (center, radius) = shape.bounding_sphere();
     let origin = match rng.below(4) {

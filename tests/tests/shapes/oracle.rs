@@ -10,8 +10,8 @@ const SEED: u64 = 0x5eed_0001;
 const SHAPES: usize = 150;
 const RAYS: usize = 150;
 
-/// Error bound of a distance, in roundoffs times [`size`] over slope: 4 units in the last place for every formula. Half of
-/// it is measured.
+/// Error bound of a distance, in roundoffs times [`size`] over slope: 4 units in the last place for every
+/// formula. Half of it is measured.
 const MULTIPLE: f64 = 8.0;
 
 /// Numbers of rays, and the largest errors.
@@ -79,8 +79,8 @@ fn agrees_inside(kind: TestShapeKind) {
     conclude(&format!("{kind:?}"), &reports, 0.25, 0.05, 0.01);
 }
 
-/// Rays that approach a silhouette or an edge from both sides. The border is found by bisection between a point of the
-/// shape and one beside it.
+/// Rays that approach a silhouette or an edge from both sides. The border is found by bisection between a
+/// point of the shape and one beside it.
 fn rays_at_the_border(shape: &TestShape, rng: &mut SplitMix64) -> Vec<TestRay> {
     let (center, radius) = shape.bounding_sphere();
     let away = radius * rng.log_between(2.0, 20.0);

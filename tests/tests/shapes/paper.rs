@@ -1,7 +1,7 @@
 //! Shapes whose hits are known on paper, in both cores.
 //!
-//! Most numbers are chosen so that no step rounds; the answer must then be exact. Otherwise a distance of about 5 may have
-//! an error of a few roundings: see [`assert_near`].
+//! Most numbers are chosen so that no step rounds; the answer must then be exact. Otherwise a distance of
+//! about 5 may have an error of a few roundings: see [`assert_near`].
 
 use strahl_core::Rgb;
 use strahl_tests::assert_picture;

@@ -1,5 +1,5 @@
-//! Draws the sphereflake of the procedural databases, baked with its BVH, writes it as linear floats, `balls.f32`, and prints
-//! its cost.
+//! Draws the sphereflake of the procedural databases, baked with its BVH, writes it as linear floats,
+//! `balls.f32`, and prints its cost.
 //!
 //! The exit code is 0, or 1 after a line with the reason.
 

@@ -1,5 +1,5 @@
-//! `golden` in double precision, which the chip computes in software. Writes its pictures, rounded to `f32`, to
-//! `golden-double.f32`.
+//! `golden` in double precision, which the chip computes in software. Writes its pictures, rounded to `f32`,
+//! to `golden-double.f32`.
 
 #![no_std]
 #![no_main]

@@ -1,6 +1,6 @@
-//! Traces the golden scene row by row, without a frame buffer, and writes its linear colors to `golden.f32` (red, green, blue
-//! as little-endian `f32`, row by row), followed by those of the scene with other levels, cutoffs and samplers. Prints the
-//! cost of each.
+//! Traces the golden scene row by row, without a frame buffer, and writes its linear colors to `golden.f32`
+//! (red, green, blue as little-endian `f32`, row by row), followed by those of the scene with other levels,
+//! cutoffs and samplers. Prints the cost of each.
 //!
 //! The exit code is 0, or 1 after a line with the reason.
 

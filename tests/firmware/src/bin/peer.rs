@@ -1,4 +1,5 @@
-//! Draws the peer scene row by row, writes it as `peer.ppm` and prints its cost, including camera rays and quantization.
+//! Draws the peer scene row by row, writes it as `peer.ppm` and prints its cost, including camera rays and
+//! quantization.
 //!
 //! The exit code is 0, or 1 after a line with the reason.
 

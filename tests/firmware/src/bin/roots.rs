@@ -1,5 +1,6 @@
-//! Compares the floating-point unit's square root with libm's, bit for bit: for every exponent, with each single bit of the
-//! mantissa, its extremes, and a dense sample between them; for both zeros, the infinities, NaN and negative numbers.
+//! Compares the floating-point unit's square root with libm's, bit for bit: for every exponent, with each
+//! single bit of the mantissa, its extremes, and a dense sample between them; for both zeros, the infinities,
+//! NaN and negative numbers.
 //!
 //! Prints the number of compared roots. The exit code is 0, or 1 after the first root that differs.
 

@@ -1,4 +1,5 @@
-//! Runs the module of the first argument and writes its pictures to the folder of the second, like the firmware.
+//! Runs the module of the first argument and writes its pictures to the folder of the second, like the
+//! firmware.
 
 use std::error::Error;
 use std::path::PathBuf;

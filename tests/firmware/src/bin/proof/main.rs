@@ -1,17 +1,19 @@
 //! The proof that no panic is reachable in the core: this program links only if no path leads to a panic.
 //!
-//! The panic handler calls an undefined function. If the optimizer could not remove every path to it, the linker reports
-//! `a_panic_is_reachable`. Only functions that are called are proven, so that every public function of the core is called
-//! here, with values that are opaque to the optimizer. The program is linked and never run.
+//! The panic handler calls an undefined function. If the optimizer could not remove every path to it, the
+//! linker reports `a_panic_is_reachable`. Only functions that are called are proven, so that every public
+//! function of the core is called here, with values that are opaque to the optimizer. The program is linked
+//! and never run.
 //!
-//! If it does not link: replace the handler by a loop, link, and search the output of `objdump -d -C` for callers of
-//! `core::panicking`.
+//! If it does not link: replace the handler by a loop, link, and search the output of `objdump -d -C` for
+//! callers of `core::panicking`.
 //!
-//! The functions of a module of the core are called in the module of the same name: in its `entry_points`, or, if they need a
-//! tracer, in functions that `trace` calls. Baked scenes are in `pack`; `any` and `text` are shared.
+//! The functions of a module of the core are called in the module of the same name: in its `entry_points`,
+//! or, if they need a tracer, in functions that `trace` calls. Baked scenes are in `pack`; `any` and `text`
+//! are shared.
 //!
-//! Functions are called by their path, `Type::function(value)`: a test (`tests/tests/layers/proof.rs`) checks that none is
-//! missing, and a method call does not name the type.
+//! Functions are called by their path, `Type::function(value)`: a test (`tests/tests/layers/proof.rs`) checks
+//! that none is missing, and a method call does not name the type.
 
 #![no_std]
 #![no_main]
