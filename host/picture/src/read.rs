@@ -83,7 +83,7 @@ pub enum DecodeError {
 
 impl DecodeError {
     /// An error of a decoder, without control characters, which some decoders quote from the file.
-    fn decode_error(error: impl Error) -> Self {
+    fn corrupt(error: impl Error) -> Self {
         let printable = |c: char| if c.is_control() { ' ' } else { c };
         DecodeError::Corrupt(error.to_string().chars().map(printable).collect())
     }
@@ -113,8 +113,7 @@ impl Error for DecodeError {}
 
 /// Decodes a file of at most `most` pixels.
 pub fn decode(bytes: &[u8], most: u64) -> Result<DecodedPicture, DecodeError> {
-    let reader =
-        ImageReader::new(Cursor::new(bytes)).with_guessed_format().map_err(DecodeError::decode_error)?;
+    let reader = ImageReader::new(Cursor::new(bytes)).with_guessed_format().map_err(DecodeError::corrupt)?;
     let Some(format) = reader.format() else {
         return Err(DecodeError::UnknownFormat);
     };
@@ -132,7 +131,7 @@ pub fn decode(bytes: &[u8], most: u64) -> Result<DecodedPicture, DecodeError> {
             bytes.len()
         )));
     }
-    let mut decoder = reader.into_decoder().map_err(DecodeError::decode_error)?;
+    let mut decoder = reader.into_decoder().map_err(DecodeError::corrupt)?;
 
     // Check the size before memory is allocated for it.
     let (width, height) = decoder.dimensions();
@@ -145,9 +144,9 @@ pub fn decode(bytes: &[u8], most: u64) -> Result<DecodedPicture, DecodeError> {
     }
     let mut limits = Limits::no_limits();
     limits.max_alloc = Some(2 * needed + (1 << 20));
-    decoder.set_limits(limits).map_err(DecodeError::decode_error)?;
+    decoder.set_limits(limits).map_err(DecodeError::corrupt)?;
 
-    let image = DynamicImage::from_decoder(decoder).map_err(DecodeError::decode_error)?;
+    let image = DynamicImage::from_decoder(decoder).map_err(DecodeError::corrupt)?;
     if !is_opaque(&image) {
         return Err(DecodeError::Transparent);
     }
@@ -156,7 +155,7 @@ pub fn decode(bytes: &[u8], most: u64) -> Result<DecodedPicture, DecodeError> {
 
 /// The size in bytes of the largest layer or block of an EXR file, which may be larger than its picture.
 fn exr_needs(bytes: &[u8]) -> Result<u64, DecodeError> {
-    let meta = MetaData::read_from_buffered(bytes, false).map_err(DecodeError::decode_error)?;
+    let meta = MetaData::read_from_buffered(bytes, false).map_err(DecodeError::corrupt)?;
     let needed = meta.headers.iter().map(|header| {
         let (layer, lines) = (header.layer_size, header.compression.scan_lines_per_block());
         let block = match header.blocks {

@@ -46,7 +46,7 @@ pub fn read(
     let names = MaterialNames::of(document.get_ref());
     let (diagnostics, complete) = (DiagnosticList::default(), errors.is_empty());
     let mut reader = TableReader {
-        diagnostics: diagnostics,
+        diagnostics,
         material_names: &names,
         is_valid_toml: complete,
         tables_with_unknown_keys: HashSet::new(),
