@@ -1,4 +1,4 @@
-//! What was aimed at, for the report and for a person.
+//! The result of a target error or time limit, for the report and the summary.
 
 use std::path::Path;
 
@@ -10,24 +10,24 @@ use strahl_study::aim::{AimResult, AimTarget};
 use crate::args::RenderArgs;
 use crate::settings;
 
-/// What was aimed at, and the command that makes the same picture.
+/// The result of a target, and the command that renders the same picture.
 #[derive(Clone, Debug, Serialize)]
 pub struct AimReport {
-    /// What was aimed at, and what came of it.
+    /// The target and its result.
     #[serde(flatten)]
     pub aimed: AimResult,
-    /// The plain command that makes the same bytes, without search and clock.
+    /// The command that renders the same bytes without search or clock.
     command: String,
 }
 
 impl AimReport {
-    /// Of a picture that goes to `output`.
+    /// The report on a picture that is written to `output`.
     pub fn new(args: &RenderArgs, resolved: &Resolved, aimed: AimResult, output: &Path) -> Self {
         let command = settings::changed(args, resolved, &aimed.settings, output);
         AimReport { aimed, command }
     }
 
-    /// Lines for a person, each with its label.
+    /// Lines of the summary, each with its label.
     pub fn lines(&self) -> Vec<(&'static str, String)> {
         let AimReport { aimed, .. } = self;
         let mut lines = Vec::new();
@@ -35,32 +35,32 @@ impl AimReport {
             AimTarget::Error { asked, estimate, at_most, pixels, tried, truth, measured, seconds } => {
                 let kept = match (aimed.kept, measured) {
                     (true, _) => "",
-                    (false, Some(_)) => ": not kept",
-                    (false, None) => ": no setting keeps it",
+                    (false, Some(_)) => ": not reached",
+                    (false, None) => ": no setting reaches it",
                 };
-                lines.push(("aim", format!("an error of at most {asked}{kept}")));
+                lines.push(("aim", format!("error at most {asked}{kept}")));
                 lines.push((
                     "error",
                     format!(
-                        "estimated {estimate:.5}, with 95 % confidence at most {at_most:.5}, on {pixels} \
-                         pixels against {truth}"
+                        "estimated {estimate:.5}, at most {at_most:.5} with 95 % confidence, on {pixels} pixels \
+                         compared with {truth}"
                     ),
                 ));
                 if let Some(measured) = measured {
                     lines.push((
                         "",
-                        format!("true {measured:.5}, on all pixels and with other random numbers"),
+                        format!("measured {measured:.5}, on all pixels with other random numbers"),
                     ));
                 }
-                lines.push(("taken", format!("{} ({tried} tried in {seconds:.2} s)", aimed.why)));
+                lines.push(("chosen", format!("{} ({tried} tried in {seconds:.2} s)", aimed.why)));
             }
             AimTarget::Time { asked, passes, given_up } => {
-                lines.push(("aim", format!("a picture in {asked} s")));
-                let more = if *given_up { ", and one that was given up" } else { "" };
-                lines.push(("taken", format!("{}, after {}{more}", aimed.why, quantity(*passes, "pass"))));
+                lines.push(("aim", format!("picture within {asked} s")));
+                let more = if *given_up { ", and one that was aborted" } else { "" };
+                lines.push(("chosen", format!("{}, after {}{more}", aimed.why, quantity(*passes, "pass"))));
             }
         }
-        lines.push(("same as", self.command.clone()));
+        lines.push(("command", self.command.clone()));
         lines
     }
 }

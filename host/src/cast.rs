@@ -19,19 +19,19 @@ use crate::failure::Failure;
 use crate::output::{Guard, say};
 use crate::signals::Signals;
 
-/// Casts rays into one scene.
+/// Intersects rays with one scene.
 pub fn run(args: &CastArgs) -> Result<(), Failure> {
     let signals = Signals::listen()?;
     let clock = Instant::now();
     let files = SourceFiles::on_disk();
     let mut description = load_from(&files, &args.scene, DEFAULT_SIZE)?;
-    // A ray of the file has no time.
+    // A ray of the input has no time.
     description.motions.clear();
     for warning in description.warnings.iter().filter(|_| !args.quiet) {
         say(format_args!("{}: warning: {warning}", args.scene.display()));
     }
     let mut output = Guard::of(files.named_paths().iter().chain([&args.rays])).prepare(&args.output)?;
-    let (input, name) = rays(&args.rays, args.quiet)?;
+    let (input, name) = open_rays(&args.rays, args.quiet)?;
 
     let settings = Settings::resolve(&args.settings.given, &description.settings)?;
     let (precision, threads, finding) = (settings.precision, settings.threads, settings.acceleration());
@@ -58,11 +58,11 @@ pub fn run(args: &CastArgs) -> Result<(), Failure> {
     Ok(())
 }
 
-/// Where rays come from, and its name in messages.
-fn rays(path: &Path, quiet: bool) -> Result<(Box<dyn Read + Send>, PathBuf), Failure> {
+/// Opens the input of rays. Returns it and its name in messages.
+fn open_rays(path: &Path, quiet: bool) -> Result<(Box<dyn Read + Send>, PathBuf), Failure> {
     if path == Path::new("-") {
         if stdin().is_terminal() && !quiet {
-            say("rays are expected, one in each line: ox,oy,oz,dx,dy,dz or ox,oy,oz,dx,dy,dz,tmax");
+            say("reading rays from the terminal, one per line: ox,oy,oz,dx,dy,dz or ox,oy,oz,dx,dy,dz,tmax");
         }
         return Ok((Box::new(stdin()), PathBuf::from("<stdin>")));
     }

@@ -1,4 +1,4 @@
-//! The tree of rays as indented text.
+//! The ray tree as indented text.
 
 use std::fmt::Write as _;
 
@@ -8,10 +8,10 @@ use strahl_session::explain::tree::{
     SecondaryRayRecord, SubpixelRecord, explained_settings,
 };
 
-/// Where a line goes on that is broken.
+/// Indent of wrapped lines.
 pub const INDENT: usize = 12;
 
-/// Everything, or all that comes of one sample.
+/// The whole explanation, or that of one sample.
 pub fn text(explained: &PixelExplanation, only: Option<usize>) -> String {
     let PixelExplanation {
         scene, width, height, x, y, settings, color, srgb: [r, g, b], sum, samples, ..
@@ -25,29 +25,30 @@ pub fn text(explained: &PixelExplanation, only: Option<usize>) -> String {
     for sample in samples.iter().filter(|sample| only.is_none_or(|only| sample.number == only)) {
         let SampleRecord { number, x, y, color, .. } = sample;
         let _ = match samples.len() {
-            1 => writeln!(text, "\nthrough {x},{y}"),
-            count => writeln!(text, "\nsample {number} of {count}, through {x},{y}"),
+            1 => writeln!(text, "\nfilm position {x},{y}"),
+            count => writeln!(text, "\nsample {number} of {count}, film position {x},{y}"),
         };
         TreeWriter { text: &mut text, sample }.ray(0, "", "");
-        let _ = writeln!(text, "what the rays add, in this order, is {}", channels(*color));
+        let _ = writeln!(text, "sum of the rays, in this order: {}", channels(*color));
     }
     let _ = write!(text, "\n{}", sum_text(sum, samples.len(), *color));
     text
 }
 
-/// How the pixel comes of its samples.
+/// How the samples are combined.
 fn sum_text(sum: &SampleSum, count: usize, color: Float3) -> String {
     let color = channels(color);
     match sum {
         SampleSum::Mean { .. } if count == 1 => format!("the pixel is this sample: {color}\n"),
         SampleSum::Mean { share } => format!("the pixel is the sum of the samples times {share}: {color}\n"),
         SampleSum::Parts(parts) => {
-            let mut text =
-                String::from("the pixel is the sum of its parts, the mean of four samples each:\n");
+            let mut text = String::from(
+                "the pixel is the weighted sum of its subpixels, each the mean of four samples:\n",
+            );
             for SubpixelRecord { x, y, side, samples: [a, b, c, d] } in parts {
-                let _ = writeln!(text, "  samples {a} {b} {c} {d} count {}  (at {x},{y})", side * side);
+                let _ = writeln!(text, "  samples {a} {b} {c} {d} weight {}  (at {x},{y})", side * side);
             }
-            let _ = writeln!(text, "  together {color}");
+            let _ = writeln!(text, "  total {color}");
             text
         }
     }
@@ -59,7 +60,7 @@ struct TreeWriter<'t> {
 }
 
 impl TreeWriter<'_> {
-    /// A ray and all that it sends: the first line begins with `first`, the others with `rest`.
+    /// A ray and its secondary rays: the first line begins with `first`, the others with `rest`.
     fn ray(&mut self, place: usize, first: &str, rest: &str) {
         let Some(ray) = self.sample.rays.get(place) else { return };
         let RayRecord { number, kind, level, weight, .. } = ray;
@@ -69,7 +70,7 @@ impl TreeWriter<'_> {
         for line in lines(ray) {
             let _ = writeln!(self.text, "{rest}{inner}{line}");
         }
-        // The last that was sent is followed first.
+        // The last secondary ray is traced first.
         for (place, sent) in ray.sends.iter().enumerate().rev() {
             let (branch, stem) = if place == 0 { ("└─ ", "   ") } else { ("├─ ", "│  ") };
             match sent.ray {
@@ -82,43 +83,43 @@ impl TreeWriter<'_> {
     }
 }
 
-/// What is told of a ray itself.
+/// The lines about a ray itself.
 fn lines(ray: &RayRecord) -> Vec<String> {
     let mut lines = Vec::new();
     match &ray.hit {
-        None => lines.push(format!("meets nothing, sees {}", channels(ray.light))),
+        None => lines.push(format!("hits nothing, background {}", channels(ray.light))),
         Some(hit) => {
             lines.push(hit_line(hit));
             if hit.left != [1.0; 3] {
-                let within = hit.within.as_ref().map_or("the body".into(), |it| name_text("body of", it));
+                let within = hit.within.as_ref().map_or("body".into(), |it| name_text("body of", it));
                 let (left, weight) = (channels(hit.left), channels(ray.weight_there));
-                lines.push(format!("{within} leaves {left} on the way: weight {weight}"));
+                lines.push(format!("attenuation in the {within}: {left}, weight {weight}"));
             }
             if hit.hidden {
-                lines.push("a surface hidden inside another body: straight on".into());
+                lines.push("surface inside a body of higher priority: ray continues unchanged".into());
             }
         }
     }
     lines.extend(ray.ambient.map(|light| format!("ambient {}", channels(light))));
     lines.extend(ray.lights.iter().map(light_line));
     if ray.total_reflection {
-        lines.push("all light is thrown back inside".into());
+        lines.push("total internal reflection".into());
     }
     if ray.weight_there == [1.0; 3] {
         lines.push(format!("adds {}", channels(ray.adds)));
     } else if ray.hit.as_ref().is_none_or(|hit| !hit.hidden) {
         let (adds, weight, light) = (channels(ray.adds), channels(ray.weight_there), channels(ray.light));
-        lines.push(format!("adds {adds}, which is {weight} of {light}"));
+        lines.push(format!("adds {adds} = {weight} * {light}"));
     }
     lines
 }
 
 fn hit_line(hit: &HitRecord) -> String {
     let side = if hit.outside { "outside" } else { "inside" };
-    format!("meets {} after {}, from {side}", item_text(&hit.item), number(hit.distance))
+    format!("hits {} at distance {}, from {side}", item_text(&hit.item), number(hit.distance))
 }
 
-/// An item with its places in the file.
+/// An item with its line in the file.
 fn item_text(item: &ItemRecord) -> String {
     let ItemRecord { object, shape, triangle, line, material } = item;
     let what = match triangle {
@@ -140,35 +141,40 @@ fn name_text(what: &str, NameAndLine { name, line }: &NameAndLine) -> String {
 }
 
 fn light_line(light: &LightRecord) -> String {
-    let who = match light.named {
+    let name = match light.named {
         NameAndLine { name: None, line: 0 } => format!("light {}", light.number),
         _ => name_text("light", &light.named),
     };
     let through: Vec<String> = light.through.iter().map(|it| item_text(&it.item)).collect();
     let through =
         if through.is_empty() { String::new() } else { format!(", through {}", through.join(" and ")) };
-    let says = match (light.outcome, &light.adds, &light.blocker) {
+    let text = match (light.outcome, &light.adds, &light.blocker) {
         ("seen", Some(adds), _) => {
-            let away = light.distance.map(|away| format!(" at {}", number(away))).unwrap_or_default();
-            format!("seen{away}{through}, adds {}", channels(*adds))
+            let away =
+                light.distance.map(|away| format!(" at distance {}", number(away))).unwrap_or_default();
+            format!("visible{away}{through}, adds {}", channels(*adds))
         }
         ("blocked", _, Some(blocker)) => {
-            format!("blocked by {} after {}{through}", item_text(&blocker.item), number(blocker.distance))
+            format!(
+                "occluded by {} at distance {}{through}",
+                item_text(&blocker.item),
+                number(blocker.distance)
+            )
         }
-        ("blocked", ..) => format!("blocked{through}"),
+        ("blocked", ..) => format!("occluded{through}"),
         ("behind", ..) => "the surface faces away".into(),
-        ("dark", ..) => "it does not shine here".into(),
-        _ => "its highlight is elsewhere".into(),
+        ("dark", ..) => "no light arrives here".into(),
+        _ => "its highlight is in another direction".into(),
     };
-    format!("{who}: {says}")
+    format!("{name}: {text}")
 }
 
 fn cut_line(sent: &SecondaryRayRecord) -> String {
     let reason = match sent.cut {
-        Some("levels") => "the levels end here",
-        _ => "that is not more than the cutoff",
+        Some("levels") => "last level reached",
+        _ => "weight is not above the cutoff",
     };
-    format!("{} ray not sent, weight {}: {reason}", sent.kind, channels(sent.weight))
+    format!("{} ray not traced, weight {}: {reason}", sent.kind, channels(sent.weight))
 }
 
 /// Red, green and blue, or one number for all three.

@@ -71,7 +71,7 @@ pub fn study(
         techniques,
         threads,
         skipped: left_out,
-        dominated: beaten,
+        dominated,
         ..
     } = measured;
     let method = record::MeasurementMethod {
@@ -85,7 +85,7 @@ pub fn study(
         time_limit: limit.map(|limit| limit.as_secs_f64()),
         size_with_more_time: (size != full).then(|| [full.width(), full.height()]),
         seconds,
-        beaten,
+        beaten: dominated,
         weights: WEIGHTS,
     };
     Ok(Study {

@@ -67,7 +67,7 @@ fn an_error_is_kept_and_the_plain_command_makes_the_same_bytes() {
 fn what_the_command_line_sets_stays_and_an_error_that_cannot_be_kept_is_told() {
     let folder = folder();
     let ran = folder.run("render scene.toml --target-error 0.005 --sampler single --levels 2 --select 2:0");
-    ran.failed(1, "no setting keeps it");
+    ran.failed(1, "no setting reaches it");
     ran.failed(1, "2 levels");
     ran.failed(1, "the most accurate found");
     // There is a picture all the same.

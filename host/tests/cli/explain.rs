@@ -42,7 +42,7 @@ fn a_pixel_is_told_with_lines_lights_and_what_was_cut() {
     for part in [
         "scene.toml: pixel 12,8 of 24x16",
         "camera ray 1, level 1, weight 1",
-        "meets sphere (line 7)",
+        "hits sphere (line 7)",
         "light (line 4): ",
         "└─ reflected ray 2, level 2, weight 0.5",
         "the pixel is this sample: ",
@@ -50,9 +50,9 @@ fn a_pixel_is_told_with_lines_lights_and_what_was_cut() {
         assert!(text.contains(part), "`{part}` is missing in {text}");
     }
     let text = told(&folder, "scene.toml 12,8 --levels 1");
-    assert!(text.contains("reflected ray not sent, weight 0.5: the levels end here"), "{text}");
+    assert!(text.contains("reflected ray not traced, weight 0.5: last level reached"), "{text}");
     let text = told(&folder, "scene.toml 12,8 --cutoff 0.5");
-    assert!(text.contains("that is not more than the cutoff"), "{text}");
+    assert!(text.contains("weight is not above the cutoff"), "{text}");
     assert!(!told(&folder, "scene.toml 12,8 --without reflection").contains("reflected ray"));
 }
 

@@ -46,7 +46,7 @@ pub fn why(study: &Study) -> &'static str {
 pub fn skipped(study: &Study) -> Option<String> {
     let count = study.left_out.len();
     let unknown: Vec<&str> =
-        study.knobs.iter().filter(|knob| is_unknown(knob)).map(|knob| knob.name.as_str()).collect();
+        study.knobs.iter().filter(|sweep| is_unknown(sweep)).map(|sweep| sweep.name.as_str()).collect();
     let nothing = match &unknown[..] {
         [] => String::new(),
         names => format!("; {} was not measured", names.join(", ")),
@@ -57,17 +57,17 @@ pub fn skipped(study: &Study) -> Option<String> {
 }
 
 /// Whether a setting has an effect, but was not measured.
-fn is_unknown(knob: &ParameterSweep) -> bool {
-    knob.steps.len() < 2 && knob.left_out > 0
+fn is_unknown(sweep: &ParameterSweep) -> bool {
+    sweep.steps.len() < 2 && sweep.left_out > 0
 }
 
 /// Why a setting has no plot.
-pub fn knob(study: &Study, knob: &ParameterSweep) -> Markup {
+pub fn no_plot(study: &Study, sweep: &ParameterSweep) -> Markup {
     html! {
         p.soft {
-            code { (knob.name) }
-            @if is_unknown(knob) {
-                ": not measured: " (why(study)) " (" (quantity(knob.left_out, "setting")) ")."
+            code { (sweep.name) }
+            @if is_unknown(sweep) {
+                ": not measured: " (why(study)) " (" (quantity(sweep.left_out, "setting")) ")."
             } @else {
                 " has no effect in this scene."
             }

@@ -43,7 +43,7 @@ pub fn section(study: &Study) -> Markup {
     let alt = |cost: &str| {
         let numbers = numbered(study);
         let (first, last) = (numbers.first(), numbers.last());
-        let told = |end: Option<&(usize, usize)>| {
+        let text = |end: Option<&(usize, usize)>| {
             end.map(|(place, _)| {
                 let run = &study.runs[*place];
                 format!("{} with error {}", words(run), error(run.error.rmse))
@@ -53,8 +53,8 @@ pub fn section(study: &Study) -> Markup {
         format!(
             "Scatter plot of {} settings, error against {cost}, both logarithmic. The Pareto front goes from {} to {}.",
             by_work.len(),
-            told(first),
-            told(last)
+            text(first),
+            text(last)
         )
     };
     html! {

@@ -18,21 +18,21 @@ pub fn section(study: &Study) -> Markup {
             "the processor time."
         }
         div.cards {
-            @for knob in study.knobs.iter().filter(|knob| knob.steps.len() > 1) { (card(study, knob)) }
+            @for sweep in study.knobs.iter().filter(|sweep| sweep.steps.len() > 1) { (card(study, sweep)) }
         }
-        @for knob in study.knobs.iter().filter(|knob| knob.steps.len() < 2) {
-            (caveats::knob(study, knob))
+        @for sweep in study.knobs.iter().filter(|sweep| sweep.steps.len() < 2) {
+            (caveats::no_plot(study, sweep))
         }
     }
 }
 
-fn card(study: &Study, knob: &ParameterSweep) -> Markup {
-    let rows: Vec<SweepRow> = knob
+fn card(study: &Study, sweep: &ParameterSweep) -> Markup {
+    let rows: Vec<SweepRow> = sweep
         .steps
         .iter()
         .map(|step| {
             let run = &study.runs[step.run];
-            let is_sampler = knob.name == "sampler";
+            let is_sampler = sweep.name == "sampler";
             let family = if is_sampler {
                 SettingFamily::named(&run.setting.settings.sampler.to_string())
             } else {
@@ -42,56 +42,56 @@ fn card(study: &Study, knob: &ParameterSweep) -> Markup {
             SweepRow { name, error, cost, spread: min_max(&run.cpu), family }
         })
         .collect();
-    let order = match knob.name.as_str() {
+    let order = match sweep.name.as_str() {
         "levels" | "cutoff" | "select" => RowOrder::Ascending,
         _ => RowOrder::None,
     };
-    let told: Vec<String> = rows
+    let texts: Vec<String> = rows
         .iter()
         .map(|row| format!("{}: error {}, {}", row.name, error(row.error), seconds(row.cost)))
         .collect();
     html! {
         figure.card {
             figcaption {
-                h3 { code { (knob.name) } }
-                p { (knob.about) }
+                h3 { code { (sweep.name) } }
+                p { (sweep.about) }
             }
-            (draw(&rows, order, &format!("Error and time for each value of {}. {}", knob.name, told.join("; "))))
-            p.soft { "Fixed: " (options(&knob.fixed)) ". Errors relative to " (knob.against) "." }
-            @if let Some(slope) = slope(study, knob) {
+            (draw(&rows, order, &format!("Error and time for each value of {}. {}", sweep.name, texts.join("; "))))
+            p.soft { "Fixed: " (options(&sweep.fixed)) ". Errors relative to " (sweep.against) "." }
+            @if let Some(slope) = slope(study, sweep) {
                 p.soft { "The error of " code { "stochastic:N" } " falls as N to the power of " (format!("{slope:.2}").replace('-', "−")) "; independent random samples would give −0.50." }
             }
-            @if knob.steps.iter().any(|step| step.value == "shadows") {
+            @if sweep.steps.iter().any(|step| step.value == "shadows") {
                 p.soft {
                     "Work includes the shading of a light in its shadow ray. Without shadows there are no shadow rays, so that work is "
                     "underestimated; the time is correct."
                 }
             }
-            @if knob.left_out > 0 {
-                p.soft { (quantity(knob.left_out, "setting")) " not measured: " (caveats::why(study)) "." }
+            @if sweep.left_out > 0 {
+                p.soft { (quantity(sweep.left_out, "setting")) " not measured: " (caveats::why(study)) "." }
             }
-            (scrollable(steps(study, knob)))
+            (scrollable(steps(study, sweep)))
         }
     }
 }
 
 /// Cost and error of each value compared with the one before. Samplers and effects have no order: each is compared with the
 /// first, or the last.
-fn steps(study: &Study, knob: &ParameterSweep) -> Markup {
-    let pairs: Vec<(&SweepPoint, &SweepPoint)> = match knob.name.as_str() {
-        "sampler" => knob
+fn steps(study: &Study, sweep: &ParameterSweep) -> Markup {
+    let pairs: Vec<(&SweepPoint, &SweepPoint)> = match sweep.name.as_str() {
+        "sampler" => sweep
             .steps
             .first()
             .into_iter()
-            .flat_map(|first| knob.steps.iter().skip(1).map(move |it| (first, it)))
+            .flat_map(|first| sweep.steps.iter().skip(1).map(move |it| (first, it)))
             .collect(),
-        "without" => knob
+        "without" => sweep
             .steps
             .last()
             .into_iter()
-            .flat_map(|last| knob.steps.iter().take(knob.steps.len() - 1).map(move |it| (last, it)))
+            .flat_map(|last| sweep.steps.iter().take(sweep.steps.len() - 1).map(move |it| (last, it)))
             .collect(),
-        _ => knob.steps.windows(2).map(|two| (&two[0], &two[1])).collect(),
+        _ => sweep.steps.windows(2).map(|two| (&two[0], &two[1])).collect(),
     };
     html! {
         table.plain {
@@ -112,7 +112,7 @@ fn steps(study: &Study, knob: &ParameterSweep) -> Markup {
 }
 
 /// The convergence of `stochastic:N`: the exponent of N, by least squares of the logarithms.
-pub fn slope(study: &Study, knob: &ParameterSweep) -> Option<f64> {
+pub fn slope(study: &Study, sweep: &ParameterSweep) -> Option<f64> {
     let noise = study.reference.noise;
     let point = |step: &SweepPoint| {
         let samples: f64 = step.value.strip_prefix("stochastic:")?.parse().ok()?;
@@ -120,7 +120,7 @@ pub fn slope(study: &Study, knob: &ParameterSweep) -> Option<f64> {
         let own = step.alone.rmse * step.alone.rmse - noise * noise;
         (own > 0.0).then(|| (libm::log(samples), 0.5 * libm::log(own)))
     };
-    let points: Vec<(f64, f64)> = knob.steps.iter().filter_map(point).collect();
+    let points: Vec<(f64, f64)> = sweep.steps.iter().filter_map(point).collect();
     if points.len() < 3 {
         return None;
     }

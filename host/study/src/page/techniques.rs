@@ -97,7 +97,7 @@ fn plot(shown: &[TechniqueRow<'_>], width: f64, names: f64) -> Markup {
     let ratios = shown.iter().flat_map(|it| [it.time(), it.tests(), 1.0]);
     let x = LogAxis::of(ratios, names + 12.0, width - 16.0);
     let ticks = spaced(&x.ticks(), |tick| x.at(tick), 44.0);
-    let told: Vec<String> = shown
+    let texts: Vec<String> = shown
         .iter()
         .map(|it| {
             format!(
@@ -108,7 +108,7 @@ fn plot(shown: &[TechniqueRow<'_>], width: f64, names: f64) -> Markup {
         })
         .collect();
     html! {
-        svg.plot role="img" aria-label=(format!("Time and tests with each technique as a share of those without. Time: {}", told.join("; ")))
+        svg.plot role="img" aria-label=(format!("Time and tests with each technique as a share of those without. Time: {}", texts.join("; ")))
             viewBox=(format!("0 0 {width} {}", bottom + 42.0)) {
             @for tick in ticks {
                 line.grid x1=(coordinate(x.at(tick))) x2=(coordinate(x.at(tick))) y1=(top) y2=(bottom) {}
