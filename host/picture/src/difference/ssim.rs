@@ -112,7 +112,7 @@ mod tests {
         assert!((value - expected).abs() <= 1e-10, "{value} is not {expected}");
     }
 
-    /// Pseudo-random numbers with a fixed seed.
+    /// Pseudo-random numbers from a fixed start state.
     fn noise(first: u32, count: usize) -> Vec<[f32; 3]> {
         let mut state = first;
         let mut next = || {
