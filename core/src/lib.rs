@@ -24,7 +24,7 @@
 //! let (tile, mut picture) = (Tile::full(resolution), [Rgb::BLACK; 64 * 48]);
 //! let mut framebuffer = Framebuffer::new(tile, &mut picture).unwrap();
 //! let Ok(()) = render(
-//!     &mut tracer.with_worker(&mut Worker::new(())),
+//!     &mut tracer.with_worker(&mut Worker::new(())), // (): counts nothing
 //!     &mut CenterSampler,
 //!     tile.pixels(),
 //!     &mut framebuffer,
@@ -37,12 +37,13 @@
 //! The steps are always these: describe a scene and check it ([`Scene::new`]), combine it with an accelerator
 //! ([`World::new`]), make a camera ([`Camera::new`]) and a tracer for the effects that the scene requires
 //! ([`Tracer::new`]), and [`render()`] pixels with a sampler into a sink. Each worker has the mutable state
-//! of one thread.
+//! of one thread. An *item* is a shape of a scene with its material: what pbrt calls a primitive.
 //!
 //! # Modules
 //!
-//! The root has the names that a first program needs; all others are in the module of their layer. A module
-//! uses only those below it.
+//! The root has the names that a first program needs; all others are in the module of their layer: textures,
+//! effect sets and glass ([`FresnelModel`](scene::FresnelModel)) in [`scene`], the other shapes and
+//! [`ItemId`](geometry::ItemId) in [`geometry`]. A module uses only those below it.
 //!
 //! | module | contents |
 //! |---|---|
@@ -88,11 +89,13 @@
 //! use strahl_core::image::{Dither, DrawTargetSink};
 //! use strahl_core::*;
 //!
-//! let scene = Scene::new(SceneDescriptor { background: Background::Color(Rgb::WHITE),
-//! ..SceneDescriptor::EMPTY })?; let world = World::new(scene, BareList(0)); let resolution =
-//! Resolution::new(2, 1).unwrap(); let camera = CameraDescriptor::perspective(Vec3::ZERO, vec3(0.0, 0.0,
-//! -1.0), 1.0); let tracer = Tracer::<_, AllEffects, 5>::new(&world, Camera::new(&camera, resolution)?,
-//! Limits::DEFAULT)?;
+//! let background = Background::Color(Rgb::WHITE);
+//! let scene = Scene::new(SceneDescriptor { background, ..SceneDescriptor::EMPTY })?;
+//! let world = World::new(scene, BareList(0));
+//! let resolution = Resolution::new(2, 1).unwrap();
+//! let camera = CameraDescriptor::perspective(Vec3::ZERO, vec3(0.0, 0.0, -1.0), 1.0);
+//! let camera = Camera::new(&camera, resolution)?;
+//! let tracer = Tracer::<_, AllEffects, 5>::new(&world, camera, Limits::DEFAULT)?;
 //!
 //! let mut screen = MockDisplay::<Rgb565>::new();
 //! Pixel(Point::new(3, 0), Rgb565::RED).draw(&mut screen)?;

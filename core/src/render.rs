@@ -3,13 +3,39 @@
 //! The caller chooses the pixels and their order, and splits a picture among threads: a pixel depends on
 //! nothing but its coordinates. [`render_selected`] traces some pixels and interpolates the others;
 //! [`render_progressive`] shows such a picture coarse first.
+//!
+//! A device that sends row by row renders tiles of height 1 (or a few rows, which keeps more of the caches):
+//!
+//! ```
+//! use strahl_core::image::Pixel;
+//! use strahl_core::*;
+//!
+//! # let background = Background::Color(Rgb::WHITE);
+//! # let scene = Scene::new(SceneDescriptor { background, ..SceneDescriptor::EMPTY })?;
+//! # let world = World::new(scene, BareList(0));
+//! let resolution = Resolution::new(160, 120).unwrap();
+//! # let camera = Camera::new(&CameraDescriptor::perspective(Vec3::ZERO, Vec3::X, 0.6), resolution)?;
+//! # let tracer = Tracer::<_, AllEffects, 5>::new(&world, camera, Limits::DEFAULT)?;
+//! # let mut worker = Worker::new(());
+//! # let mut send = |_: u32, row: &[[u8; 3]]| assert_eq!(row, [[255; 3]; 160]);
+//! let mut row = [[0; 3]; 160];
+//! for y in 0..resolution.height() {
+//!     let tile = Tile { top_left: Pixel { x: 0, y }, width: resolution.width(), height: 1 };
+//!     let mut sink = |pixel: Pixel, color: Rgb| row[pixel.x as usize] = color.to_srgb8();
+//!     let mut ray_tracer = tracer.with_worker(&mut worker);
+//!     let Ok(()) = render(&mut ray_tracer, &mut CenterSampler, tile.pixels(), &mut sink);
+//!     send(y, &row);
+//! }
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
 
 use crate::image::{CornerCache, Pixel, PixelSelector, Sampler, Sink, Tile};
 use crate::trace::RayTracer;
 
 /// Renders `pixels`, in their order, into `sink`.
 ///
-/// The caches of tracer and sampler are cleared first, so counters do not depend on earlier calls.
+/// The caches of tracer and sampler are cleared first, so counters do not depend on earlier calls. The
+/// picture does not depend on the caches.
 ///
 /// # Errors
 ///

@@ -25,6 +25,8 @@ fn group_chunks<V>(volumes: &[V]) -> impl Iterator<Item = &[V]> {
 }
 
 /// The items `0..self.0` in order, without code for bounding volumes: for devices with a handful of items.
+///
+/// The number of items of the scene; planes, which the scene tests itself, may be counted or not.
 #[derive(Clone, Copy, Debug)]
 pub struct BareList(pub u32);
 

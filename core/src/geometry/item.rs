@@ -1,9 +1,8 @@
 //! Ids of items.
 
-/// Index of an item in the table of shapes of its scene, from 0.
+/// Index of an item (a shape with its material) in the table of shapes of its scene, from 0.
 ///
-/// It is the object number in the scene file. Accelerators may store items in another order, but never
-/// renumber them.
+/// Accelerators may store items in another order, but never renumber them.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 #[cfg_attr(feature = "baked", derive(zerocopy::TryFromBytes, zerocopy::KnownLayout, zerocopy::Immutable))]
 #[repr(transparent)]

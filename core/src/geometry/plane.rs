@@ -9,6 +9,24 @@ use super::{ItemId, Ray, ShapeError, SurfaceInteraction};
 use crate::math::{Real, Vec3, abs, gamma, max_abs_component};
 
 /// An infinite plane, hit from both sides.
+///
+/// A scene with a plane has an entry in the table of planes and one in the table of shapes, whose index is
+/// the plane's `item`:
+///
+/// ```
+/// use strahl_core::geometry::ItemId;
+/// use strahl_core::*;
+///
+/// let shapes = [Shape::Sphere(Sphere { center: Vec3::Y, radius: 1.0 }), Shape::Plane(0)];
+/// let planes = [Plane { point: Vec3::ZERO, normal: Vec3::Y, item: ItemId(1) }];
+/// let scene = Scene::new(SceneDescriptor {
+///     geometry: Geometry { shapes: &shapes, planes: &planes, ..Geometry::EMPTY },
+///     material_ids: &[MaterialId(0); 2],
+///     materials: &[Material::MATTE],
+///     ..SceneDescriptor::EMPTY
+/// })?;
+/// # Ok::<(), strahl_core::scene::SceneError>(())
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "baked", derive(zerocopy::TryFromBytes, zerocopy::KnownLayout, zerocopy::Immutable))]
 #[repr(C)]

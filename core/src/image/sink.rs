@@ -14,10 +14,10 @@ use crate::trace::{HitId, PixelSample};
 /// use strahl_core::Rgb;
 /// use strahl_core::image::{Pixel, Sink};
 ///
-/// let mut count = 0;
-/// let mut sink = |_: Pixel, _: Rgb| count += 1;
-/// let Ok(()) = sink.put(Pixel { x: 0, y: 0 }, Rgb::WHITE);
-/// assert_eq!(count, 1);
+/// let mut row = [[0; 3]; 320]; // sRGB bytes
+/// let mut sink = |pixel: Pixel, color: Rgb| row[pixel.x as usize] = color.to_srgb8();
+/// let Ok(()) = sink.put(Pixel { x: 7, y: 0 }, Rgb::WHITE);
+/// assert_eq!(row[7], [255; 3]);
 /// ```
 pub trait Sink {
     /// Error of the receiver: [`Infallible`] for memory, a bus error for a display.

@@ -52,7 +52,8 @@ pub struct CameraDescriptor {
 impl CameraDescriptor {
     /// A pinhole camera at `position` that looks at `target`, with +Y up.
     ///
-    /// `field_of_view`: vertical angle in radians, in `(0, pi)`, as of [`Projection::Perspective`].
+    /// `field_of_view`: vertical angle between the centers of the first and the last row of pixels, in
+    /// radians, in `(0, pi)`.
     ///
     /// ```
     /// use strahl_core::{Camera, CameraDescriptor, Resolution, Vec3, vec3};

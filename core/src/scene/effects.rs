@@ -9,10 +9,10 @@ use super::{EffectSet, LevelLimitRadiance};
 use crate::geometry::{ShapeFeatures, ShapeSet};
 use crate::math::Real;
 
-/// The effects that a tracer supports, and two constants of its rays.
+/// The shapes, lights, textures and effects that a tracer is compiled for, and two constants of its rays.
 ///
-/// Implemented by a type of the program for exactly the effects that its scenes require, or use
-/// [`AllEffects`].
+/// Implemented by a type of the program for exactly what its scenes require; printing
+/// [`Scene::required_effects`](super::Scene::required_effects) shows it. [`AllEffects`] supports every scene.
 ///
 /// ```
 /// use strahl_core::geometry::{ShapeKind, ShapeSet};

@@ -7,7 +7,8 @@ use crate::math::{Real, Rgb};
 ///
 /// The radiance of a surface is the sum of its ambient, diffuse and highlight light, and of the light of the
 /// reflected and the transmitted ray (Whitted). [`Material::matte`] is the material of one color; glass and
-/// mirrors start from [`Material::MATTE`] with struct update syntax:
+/// mirrors start from [`Material::MATTE`] with struct update syntax. In other programs, `highlight` is called
+/// specular, `highlight_exponent` shininess, `transmission` transparency.
 ///
 /// ```
 /// use strahl_core::scene::FresnelModel;
@@ -20,6 +21,7 @@ use crate::math::{Real, Rgb};
 ///     transmission: Rgb::WHITE,
 ///     refractive_index: 1.5,
 ///     fresnel: FresnelModel::Dielectric,
+///     two_sided: false,
 ///     ..Material::MATTE
 /// };
 /// assert!(glass.is_transmitting() && !mirror.is_transmitting() && red.ambient == red.diffuse);
@@ -47,7 +49,8 @@ pub struct Material {
     /// Fraction of the light from behind the surface that is transmitted, each channel in `0..=1`.
     ///
     /// If it is not black, the surface is the boundary of a body of this material; its normal points out of
-    /// the body.
+    /// the body. The body casts an opaque shadow, unless
+    /// [`SceneDescriptor::colored_shadows`](super::SceneDescriptor::colored_shadows) is set.
     pub transmission: Rgb,
     /// Roughness of reflection and transmission, in `0..=1`: the square root of the tangent of the typical
     /// slope of the surface's microfacets. Zero means a perfect mirror and clear glass.
@@ -65,6 +68,8 @@ pub struct Material {
     pub priority: u8,
     /// Whether the shading normal points to the side of the ray. If not, the back of the surface is shaded
     /// like its front. Rays hit both sides in both cases.
+    ///
+    /// `true` also gives a glass body highlights on the inside of its far surface.
     pub two_sided: bool,
 }
 
@@ -76,7 +81,9 @@ const MIN_REFRACTIVE_INDEX: Real = 0.01_f32 as Real;
 impl Material {
     /// White, diffuse, opaque and two-sided, without ambient reflection: the defaults of the other fields.
     ///
-    /// `ambient` is black so that `diffuse` alone determines the color.
+    /// `ambient` is black so that `diffuse` alone determines the color. No texture; no highlight (color and
+    /// exponent are 0); no reflection, no transmission, no roughness; a refractive index of 1 without Fresnel
+    /// reflection; no attenuation; priority 0. [`Material::matte`] sets `ambient` as well.
     pub const MATTE: Material = Material {
         ambient: Rgb::BLACK,
         diffuse: Rgb::WHITE,
@@ -87,14 +94,14 @@ impl Material {
         transmission: Rgb::BLACK,
         roughness: 0.0,
         refractive_index: 1.0,
-        fresnel: FresnelModel::Constant,
+        fresnel: FresnelModel::None,
         attenuation_length: Rgb::gray(Real::INFINITY),
         priority: 0,
         two_sided: true,
     };
 
     /// A diffuse, opaque, two-sided material that reflects ambient light and the light of light sources with
-    /// this color.
+    /// this color: [`Material::MATTE`] with `ambient` and `diffuse` set.
     pub const fn matte(color: Rgb) -> Self {
         Material { ambient: color, diffuse: color, ..Self::MATTE }
     }

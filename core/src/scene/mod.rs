@@ -129,8 +129,9 @@ pub struct SceneDescriptor<'s> {
     pub ambient: Rgb,
     /// Radiance of rays that hit no item.
     pub background: Background,
-    /// Whether shadow rays pass through transmitting bodies, which color and attenuate the light without
-    /// refracting it. If not, transmitting bodies occlude lights like all other items.
+    /// Whether shadow rays pass through transmitting bodies (transparent shadows). The light is multiplied by
+    /// each body's transmission, attenuation and, at each surface, what the Fresnel model leaves; it is not
+    /// refracted. If not, transmitting bodies occlude lights like all other items.
     pub colored_shadows: bool,
 }
 

@@ -41,8 +41,8 @@ pub struct World<'s, A> {
 impl<'s, A: Accelerator> World<'s, A> {
     /// Combines `scene` with the accelerator of its items.
     ///
-    /// The accelerator must have been built from the bounds of the items ([`Geometry::all_bounds`]); items
-    /// that it does not offer are not hit.
+    /// The accelerator must have been built from the bounds of the items ([`Geometry::all_bounds`]). Bounded
+    /// items that it does not offer are not hit; planes always are.
     ///
     /// [`Geometry::all_bounds`]: crate::Geometry::all_bounds
     pub fn new(scene: Scene<'s>, accelerator: A) -> Self {

@@ -160,7 +160,7 @@ fn reflectance(
     point: &ShadingPoint,
     materials: &[Material],
 ) -> Real {
-    if material.fresnel == FresnelModel::Constant {
+    if material.fresnel == FresnelModel::None {
         return 0.0;
     }
     let (before, behind) = (

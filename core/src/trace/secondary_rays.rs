@@ -79,7 +79,7 @@ impl<A: Accelerator, E: Effects, const LEVELS: usize> Tracer<'_, '_, A, E, LEVEL
             match refraction {
                 Some(refraction) => {
                     let reflectance = match material.fresnel {
-                        FresnelModel::Constant => 0.0,
+                        FresnelModel::None => 0.0,
                         FresnelModel::Dielectric => refraction.reflectance,
                     };
                     reflection += material.transmission * reflectance;

@@ -27,7 +27,9 @@ const MAX_SAMPLE_RADIANCE: Real = 1e30;
 ///
 /// * `A`: accelerator of the world.
 /// * `E`: effects that are compiled; everything else is optimized away.
-/// * `LEVELS`: largest number of ray levels, 1 to 64. It determines the size of a worker.
+/// * `LEVELS`: largest number of ray levels, 1 to 64 (the maximum depth plus one: camera rays have level 1).
+///   It determines the size of a worker. [`Limits::levels`] is the number that is traced, at most this;
+///   [`Limits::DEFAULT`] has 5.
 ///
 /// ```
 /// use strahl_core::math::SobolSequence;

@@ -25,7 +25,7 @@
 //! | [`cost_map`], [`mask`], [`ray_query`] | cost maps, pixel masks, single rays |
 //!
 //! ```
-//! use strahl_core::{CameraDescriptor, Material, Projection, Resolution, SceneTables, Sphere, vec3};
+//! use strahl_core::{CameraDescriptor, Material, Projection, Resolution, Rgb, SceneTables, Sphere, vec3};
 //! use strahl_engine::{AccelMemory, Engine, NoProgress, RenderOptions, SceneEngine};
 //! use strahl_settings::{AccelSettings, Settings};
 //!

@@ -136,7 +136,7 @@ fn every_accepted_scene_gives_finite_pixels() {
                 reflection: color(&factor, r),
                 transmission: color(&factor, r),
                 refractive_index: one_of(&[0.01, 1.0, 1.5, 100.0], r),
-                fresnel: one_of(&[FresnelModel::Constant, FresnelModel::Dielectric], r),
+                fresnel: one_of(&[FresnelModel::None, FresnelModel::Dielectric], r),
                 attenuation_length: color(&[1e-30, 1.0, 1e30, Real::INFINITY], r),
                 priority: r.below(3) as u8,
                 two_sided: r.below(2) == 0,

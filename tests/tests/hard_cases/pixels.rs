@@ -38,7 +38,7 @@ prop_compose! {
         highlight_exponent in one_of(&[0.0, 1e-6, 1.0, 30.0, 1e6]),
         refractive_index in one_of(&[0.01, 0.75, 1.0, 1.000_000_1, 1.5, 100.0]),
         length in one_of(&[1e-20, 1e-3, 1.0, 1e15, f32::INFINITY]),
-        fresnel in prop::sample::select(vec![FresnelModel::Constant, FresnelModel::Dielectric]),
+        fresnel in prop::sample::select(vec![FresnelModel::None, FresnelModel::Dielectric]),
         (two_sided, priority, roughness) in (any::<bool>(), 0_u8..3, one_of(&[0.0, 0.0, 1e-6, 0.3, 1.0])),
     ) -> Material {
         let attenuation_length = Rgb::new(length * scale, f32::INFINITY, scale);

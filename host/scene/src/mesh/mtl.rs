@@ -124,11 +124,7 @@ impl MtlBuilder {
             transmission: (self.transmission_filter * passes).clamp_max(1.0),
             // Files have a zero if the index is unused.
             refractive_index: if is_glass && passes > 0.0 && self.index >= 0.01 { self.index } else { 1.0 },
-            fresnel: if self.illumination_model == 7 {
-                FresnelModel::Dielectric
-            } else {
-                FresnelModel::Constant
-            },
+            fresnel: if self.illumination_model == 7 { FresnelModel::Dielectric } else { FresnelModel::None },
             ..Material::MATTE
         };
         MtlMaterial { name: self.name, line: self.line, material: it }

@@ -99,7 +99,7 @@ fn defaults_of_material_keys_depend_on_other_keys() {
     assert_eq!((it.diffuse, it.ambient, it.reflection), (Rgb::gray(0.75), Rgb::gray(0.75), Rgb::gray(0.25)));
     let it = material("mirror = 0.25, transmission = [0.5, 1, 0]");
     assert_eq!(it.diffuse, Rgb::new(0.25, 0.0, 0.75));
-    assert_eq!((it.refractive_index, it.fresnel, it.priority), (1.5, FresnelModel::Constant, 0));
+    assert_eq!((it.refractive_index, it.fresnel, it.priority), (1.5, FresnelModel::None, 0));
     assert_eq!(it.attenuation_length, Rgb::gray(f32::INFINITY));
     let it = material("diffuse = 0.5, color = [1, 0.5, 0]");
     assert_eq!((it.diffuse, it.ambient), (Rgb::new(0.5, 0.25, 0.0), Rgb::new(0.5, 0.25, 0.0)));

@@ -335,7 +335,7 @@ fn convert_material(material: &json::GltfMaterial) -> Result<Material, String> {
         reflection: base * (m * polish),
         transmission: transmitted,
         refractive_index: if is_glass { index } else { 1.0 },
-        fresnel: if is_glass { FresnelModel::Dielectric } else { FresnelModel::Constant },
+        fresnel: if is_glass { FresnelModel::Dielectric } else { FresnelModel::None },
         ..Material::MATTE
     })
 }

@@ -101,7 +101,7 @@ impl SceneBuilder<'_> {
             refractive_index: it.index.as_ref().map_or(1.5, |index| index.value.0),
             fresnel: match it.fresnel {
                 Some(Spanned { value: true, .. }) => FresnelModel::Dielectric,
-                _ => FresnelModel::Constant,
+                _ => FresnelModel::None,
             },
             attenuation_length: it
                 .clarity
