@@ -195,8 +195,8 @@ fn a_shadow_cache_saves_tests_and_changes_no_bit() {
     let without = rendered(&scene, &Settings { shadow_cache: false, ..settings(SAMPLINGS[0]) });
     assert_eq!(with.picture, without.picture);
     let [with, without] = [with, without].map(|frame| frame.counters);
-    assert_eq!((without.shadow_cache_lookups, without.shadow_cache_hits), (0, 0));
-    let (asked, hits) = (with.shadow_cache_lookups, with.shadow_cache_hits);
+    assert_eq!((without.shadow_cache_tests, without.shadow_cache_hits), (0, 0));
+    let (asked, hits) = (with.shadow_cache_tests, with.shadow_cache_hits);
     // At this resolution neighboring pixels often have different occluders.
     assert!(asked > hits && 3 * hits > asked, "{hits} of {asked}");
     let boxes = |counts: &Counters| counts.box_tests[RayKind::Shadow];

@@ -53,7 +53,7 @@ impl<const ENTRIES: usize> Mailbox<ENTRIES> {
     }
 
     /// Removes all entries.
-    pub fn clear(&mut self) {
+    pub(super) fn clear(&mut self) {
         *self = Self::new();
     }
 

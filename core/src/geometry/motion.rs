@@ -17,11 +17,11 @@ impl Geometry<'_> {
     }
 
     /// Offset of a shape from its position at rest at `time`, as in
-    /// [`MovingShape::offset`](super::MovingShape::offset); zero for a shape that does not move.
+    /// [`MovingShape::offset_at`](super::MovingShape::offset_at); zero for a shape that does not move.
     pub fn motion_offset(&self, shape: &Shape, time: Real) -> Vec3 {
         match shape {
             Shape::Moving(index) => {
-                self.moving_shape(*index).map_or(Vec3::ZERO, |moving| moving.offset(time))
+                self.moving_shape(*index).map_or(Vec3::ZERO, |moving| moving.offset_at(time))
             }
             _ => Vec3::ZERO,
         }
@@ -56,7 +56,7 @@ impl Geometry<'_> {
         let moving = self.moving_shape(index)?;
         let rest =
             self.static_surface_interaction_outlined::<S>(&moving.shape, &moving.ray_at_rest(ray), t)?;
-        let point = rest.point + moving.offset(ray.time);
+        let point = rest.point + moving.offset_at(ray.time);
         // The sum takes one rounding, and the subtraction for the next ray another.
         let point_error = rest.point_error + (abs(rest.point) + abs(point)) * gamma(3 + OFFSET_ROUNDINGS);
         Some(SurfaceInteraction { point, point_error, ..rest })
@@ -111,7 +111,7 @@ mod tests {
             Geometry { shapes: &[Shape::Moving(0)], moving_shapes: &[MOVING_SPHERE], ..Geometry::EMPTY };
         let aabb = geometry.bounds(ItemId(0)).unwrap();
         for step in 0..=100 {
-            let center = vec3(0.0, 0.0, -5.0) + MOVING_SPHERE.offset(step as Real / 100.0);
+            let center = vec3(0.0, 0.0, -5.0) + MOVING_SPHERE.offset_at(step as Real / 100.0);
             let bounds = Sphere { center, radius: 1.0 }.bounds();
             assert_eq!(aabb.union(bounds), aabb, "{step}");
         }

@@ -26,7 +26,7 @@ pub struct MovingShape {
 impl MovingShape {
     /// Offset from the shape at rest at `time`: 0 is the opening, 1 the closing of the shutter. Times outside
     /// are clamped.
-    pub fn offset(&self, time: Real) -> Vec3 {
+    pub fn offset_at(&self, time: Real) -> Vec3 {
         self.offset_at_open + (self.offset_at_close - self.offset_at_open) * clamp(time, 0.0, 1.0)
     }
 
@@ -40,7 +40,7 @@ impl MovingShape {
 
     /// The ray in the frame of the shape at rest.
     pub(super) fn ray_at_rest(&self, ray: &Ray) -> Ray {
-        Ray { origin: ray.origin - self.offset(ray.time), ..*ray }
+        Ray { origin: ray.origin - self.offset_at(ray.time), ..*ray }
     }
 
     /// Bounds of the whole motion, rounded outward. `rest`: bounds of the shape at rest.

@@ -54,11 +54,11 @@ impl Subdivision {
 /// Samples the upper left corner of each pixel: fills a [`CornerGrid`](super::CornerGrid) for an
 /// [`AdaptiveSampler`].
 #[derive(Clone, Copy, Debug)]
-pub struct CornerSampler(pub Subdivision);
+pub struct UpperLeftCornerSampler(pub Subdivision);
 
-impl Sampler for CornerSampler {
+impl Sampler for UpperLeftCornerSampler {
     fn sample_pixel<R: RayTracer + ?Sized>(&mut self, pixel: Pixel, tracer: &mut R) -> PixelSample {
-        let CornerSampler(subdivision) = self;
+        let UpperLeftCornerSampler(subdivision) = self;
         tracer.trace(subdivision.sample(pixel.x << subdivision.depth, pixel.y << subdivision.depth))
     }
 }
@@ -186,7 +186,7 @@ mod tests {
 
         let mut grid = [PixelSample::BLACK; 42];
         for (slot, corner) in grid.iter_mut().zip(CornerGrid::corner_tile(CELLS).pixels()) {
-            *slot = CornerSampler(subdivision).sample_pixel(corner, &mut half);
+            *slot = UpperLeftCornerSampler(subdivision).sample_pixel(corner, &mut half);
         }
         let mut rays = 42;
         for length in [1, 1000] {

@@ -27,7 +27,7 @@ mod stochastic;
 #[cfg(feature = "double")]
 use strahl_core::image::{self as filter, self as pixel};
 
-pub use adaptive::{AdaptiveSampler, CornerSampler, Subdivision, Subpixel};
+pub use adaptive::{AdaptiveSampler, Subdivision, Subpixel, UpperLeftCornerSampler};
 pub use center::CenterSampler;
 pub use contrast::ContrastThreshold;
 pub use corner_cache::{CornerCache, CornerGrid, CornerRow, StridedSampler, Uncached};

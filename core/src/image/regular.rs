@@ -35,11 +35,11 @@ impl RegularSampler {
     /// One ray through the center, box filter, seed 0.
     pub const CENTER: RegularSampler = RegularSampler { cells: 1, filter: Filter::Box, seed: 0 };
     /// Largest number of cells along one side.
-    pub const MAX_CELLS: u16 = 256;
+    pub const MAX_CELLS_PER_SIDE: u16 = 256;
 
-    /// A sampler with `n` times `n` rays; `None` if `n` is not in `1..=`[`RegularSampler::MAX_CELLS`].
+    /// A sampler with `n` times `n` rays; `None` if `n` is not in `1..=`[`RegularSampler::MAX_CELLS_PER_SIDE`].
     pub fn new(n: u16) -> Option<Self> {
-        (n >= 1 && n <= Self::MAX_CELLS).then_some(RegularSampler { cells: n, ..Self::CENTER })
+        (n >= 1 && n <= Self::MAX_CELLS_PER_SIDE).then_some(RegularSampler { cells: n, ..Self::CENTER })
     }
 
     /// The same sampler with this reconstruction filter, [`Filter::Box`] by default.

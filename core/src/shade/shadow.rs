@@ -79,9 +79,10 @@ pub(super) fn is_occluded<A: Accelerator, E: Effects, T: Tally, const ENTRIES: u
     let ray =
         Ray::with_near_unit_direction(shadow_ray.origin.offset_point, direction, shadow_ray.origin.time);
     if let Some(occluder) = caches.shadow_cache.last_occluder(shadow_ray.cache_key) {
-        let hit = world.is_occluded_by::<E, T>(occluder, &ray, shadow_ray.t_max(), RayKind::Shadow, tally);
-        tally.count(CountedEvent::ShadowCacheLookup { hit });
-        if hit {
+        let occluded =
+            world.is_occluded_by::<E, T>(occluder, &ray, shadow_ray.t_max(), RayKind::Shadow, tally);
+        tally.count(CountedEvent::ShadowCacheTest { occluded });
+        if occluded {
             tally.trace_event(TraceEvent::Occluded { item: occluder, t: None });
             return true;
         }

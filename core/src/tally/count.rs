@@ -25,9 +25,9 @@ impl Tally for Counters {
             }
             CountedEvent::LeafVisit(kind) => self.leaf_visits[kind] += 1,
             CountedEvent::MailboxHit(kind) => self.mailbox_hits[kind] += 1,
-            CountedEvent::ShadowCacheLookup { hit } => {
-                self.shadow_cache_lookups += 1;
-                self.shadow_cache_hits += u64::from(hit);
+            CountedEvent::ShadowCacheTest { occluded } => {
+                self.shadow_cache_tests += 1;
+                self.shadow_cache_hits += u64::from(occluded);
             }
             CountedEvent::LevelLimit(weight) => add_unsent(&mut self.level_limit, weight),
             CountedEvent::Cutoff(weight) => add_unsent(&mut self.cutoff, weight),
@@ -50,7 +50,7 @@ impl Tally for RayCounters {
             | CountedEvent::MediumStackFull => self.counters.count(event),
             CountedEvent::BoxTests(..)
             | CountedEvent::ShapeTest(..)
-            | CountedEvent::ShadowCacheLookup { .. }
+            | CountedEvent::ShadowCacheTest { .. }
             | CountedEvent::LeafVisit(_)
             | CountedEvent::MailboxHit(_) => {}
         }

@@ -92,7 +92,7 @@ pub struct Counters {
     /// Tests of rays against items that a mailbox saved.
     pub mailbox_hits: PerRayKind,
     /// Shadow rays for which the shadow cache had an occluder.
-    pub shadow_cache_lookups: u64,
+    pub shadow_cache_tests: u64,
     /// Of those, the ones that this occluder occluded as well.
     pub shadow_cache_hits: u64,
     /// Rays that were not sent because of the level limit.
@@ -119,7 +119,7 @@ impl Counters {
         self.shape_tests_by_kind += other.shape_tests_by_kind;
         self.leaf_visits += other.leaf_visits;
         self.mailbox_hits += other.mailbox_hits;
-        self.shadow_cache_lookups += other.shadow_cache_lookups;
+        self.shadow_cache_tests += other.shadow_cache_tests;
         self.shadow_cache_hits += other.shadow_cache_hits;
         self.level_limit.merge(&other.level_limit);
         self.cutoff.merge(&other.cutoff);

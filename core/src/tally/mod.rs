@@ -39,9 +39,9 @@ pub enum CountedEvent {
     /// A ray was tested against a shape.
     ShapeTest(RayKind, ShapeKind),
     /// The shadow cache had an occluder for a shadow ray, which was tested first.
-    ShadowCacheLookup {
+    ShadowCacheTest {
         /// Whether the cached item occludes the light for this ray as well.
-        hit: bool,
+        occluded: bool,
     },
     /// A ray visited a leaf or a cell of the accelerator, or a group of a list.
     LeafVisit(RayKind),

@@ -7,8 +7,8 @@
 use rayon::prelude::*;
 
 use strahl_core::image::{
-    CacheEntry, CornerGrid, CornerSampler, FramebufferPixel, Pixel, PixelSelector, Selection, Sink,
-    Subdivision,
+    CacheEntry, CornerGrid, FramebufferPixel, Pixel, PixelSelector, Selection, Sink, Subdivision,
+    UpperLeftCornerSampler,
 };
 use strahl_core::render::render_selected;
 use strahl_core::tally::Counters;
@@ -138,7 +138,9 @@ impl TileRenderer<'_> {
                 let mut ray_tracer = self.ray_tracers.ray_tracer(self.progress);
                 let (tracer, all) = (ray_tracer.as_mut(), tile.pixels());
                 match target {
-                    Target::Corners(parting) => render(tracer, &mut CornerSampler(parting), all, canvas)?,
+                    Target::Corners(parting) => {
+                        render(tracer, &mut UpperLeftCornerSampler(parting), all, canvas)?
+                    }
                     Target::Raster(selection) => {
                         let sampler = AnySampler::new(self.settings, CornerSource::Retraced, &mut cache);
                         render(tracer, &mut selection.corner_sampler(sampler), all, canvas)?;

@@ -219,7 +219,7 @@ impl RenderStats {
                 mailbox_skips: counters.mailbox_hits.sum(),
             },
             shadow_cache: ShadowCacheStats {
-                asked: counters.shadow_cache_lookups,
+                asked: counters.shadow_cache_tests,
                 hits: counters.shadow_cache_hits,
             },
             media: MediumStackStats { overfull: counters.medium_stack_full },

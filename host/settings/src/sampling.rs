@@ -170,7 +170,7 @@ impl FromStr for SamplerSettings {
             ("single", []) => Ok(SamplerSettings::Single),
             ("regular", [n]) => match n.parse::<u16>() {
                 Ok(n) if RegularSampler::new(n).is_some() => Ok(SamplerSettings::Regular(n)),
-                _ => Err(format!("in regular:N, N must be 1 to {}", RegularSampler::MAX_CELLS)),
+                _ => Err(format!("in regular:N, N must be 1 to {}", RegularSampler::MAX_CELLS_PER_SIDE)),
             },
             ("adaptive", [depth, rest @ ..]) => match depth.parse::<u8>() {
                 Ok(depth) if depth <= Subdivision::MAX_DEPTH => {

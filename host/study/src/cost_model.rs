@@ -86,7 +86,7 @@ pub fn event_counts(counts: &Counters) -> EventCounts {
         shapes: RayKind::ALL.map(|kind| counts.shape_tests[kind]),
         regions: RayKind::ALL.map(|kind| counts.leaf_visits[kind]),
         skipped: RayKind::ALL.map(|kind| counts.mailbox_hits[kind]),
-        cache_asked: counts.shadow_cache_lookups,
+        cache_asked: counts.shadow_cache_tests,
         cache_hits: counts.shadow_cache_hits,
     }
 }

@@ -124,7 +124,7 @@ impl<'s> AcceleratorCheck<'s> {
         self.check(&format!("{grid:?}, mailbox {MAILBOX}, no item bounds"), uniform.without_item_bounds());
         let (mut nodes, mut items) = (vec![OctreeNode::EMPTY; octree.nodes], vec![0; octree.entries]);
         let limits = OctreeLimits { max_leaf_items: 1, ..OctreeLimits::DEFAULT };
-        let tree = Octree::<MAILBOX>::with_limits(limits, &self.boxes, &mut nodes, &mut items).unwrap();
+        let tree = Octree::<MAILBOX>::build_with_limits(limits, &self.boxes, &mut nodes, &mut items).unwrap();
         self.check(&format!("{octree:?}, mailbox {MAILBOX}"), tree);
         self.check(&format!("{octree:?}, mailbox {MAILBOX}, no item bounds"), tree.without_item_bounds());
     }

@@ -47,7 +47,7 @@ fn traced(scene: &TestScene, ray: &Ray, t_max: Real) -> (Option<Hit>, Vec<Counte
     let (mut nodes, mut items) = (vec![OctreeNode::EMPTY; 1 + 8 * 300], vec![0; 3000]);
     let limits = OctreeLimits { max_depth: 4, max_leaf_items: 1 };
     let octree =
-        Octree::<0>::with_limits(limits, &boxes, &mut nodes, &mut items).unwrap().without_item_bounds();
+        Octree::<0>::build_with_limits(limits, &boxes, &mut nodes, &mut items).unwrap().without_item_bounds();
     assert!(
         grid.cell_count() > 100 && octree.occupied_leaf_count() > 60,
         "{} {}",

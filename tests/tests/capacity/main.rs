@@ -13,9 +13,9 @@ use std::cell::Cell;
 use strahl_core::accel::{Accelerator, List, group_count};
 use strahl_core::geometry::{Aabb, ItemId, ShapeKind, ShapeSet};
 use strahl_core::image::{
-    AdaptiveSampler, CacheEntry, Confidence, ContrastThreshold, CornerGrid, CornerRow, CornerSampler, Filter,
-    Framebuffer, Pixel, PixelSelector, RegularSampler, Sampler, Selection, Sink, StochasticSampler,
-    Subdivision, Uncached,
+    AdaptiveSampler, CacheEntry, Confidence, ContrastThreshold, CornerGrid, CornerRow, Filter, Framebuffer,
+    Pixel, PixelSelector, RegularSampler, Sampler, Selection, Sink, StochasticSampler, Subdivision, Uncached,
+    UpperLeftCornerSampler,
 };
 use strahl_core::math::{SobolSequence, try_normalize};
 use strahl_core::render::render_selected;
@@ -188,7 +188,7 @@ fn the_core_allocates_no_memory() {
         let mut lattice = Framebuffer::new(all, &mut corners).unwrap();
         let Ok(()) = render(
             &mut tracer.with_worker(&mut worker),
-            &mut CornerSampler(subdivision),
+            &mut UpperLeftCornerSampler(subdivision),
             all.pixels(),
             &mut lattice,
         );

@@ -47,7 +47,7 @@ fn corners_are_the_same_from_any_buffer_and_none_is_traced_twice() {
         for tile in tiles.into_iter().rev() {
             let Ok(()) = render(
                 &mut tracer.with_worker(&mut worker),
-                &mut CornerSampler(corners_only()),
+                &mut UpperLeftCornerSampler(corners_only()),
                 tile.pixels(),
                 &mut frame,
             );

@@ -154,7 +154,7 @@ fn effects_that_a_scene_does_not_require_trace_no_ray_and_draw_no_random_number(
         }
         // The shadow cache is not used with colored shadows.
         let caches = has(Effect::Shadows) && !has(Effect::ColoredShadows);
-        assert_eq!(counts.shadow_cache_lookups > 0, caches, "{name}");
+        assert_eq!(counts.shadow_cache_tests > 0, caches, "{name}");
         // With regular sampling only these effects are random.
         let is_random = [Effect::Penumbra, Effect::Lens, Effect::Gloss, Effect::Motion].into_iter().any(has);
         assert_eq!(frame.picture != counted(&description, 1).0.picture, is_random, "{name}");

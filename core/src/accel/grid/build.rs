@@ -68,7 +68,7 @@ impl<'s, const MAILBOX_ENTRIES: usize> Grid<'s, MAILBOX_ENTRIES> {
         cells: &'s mut [u32],
         entries: &'s mut [u32],
     ) -> Result<Self, BuildError> {
-        Self::with_density(CELLS_PER_ITEM, bounds, cells, entries)
+        Self::build_with_density(CELLS_PER_ITEM, bounds, cells, entries)
     }
 
     /// As [`Grid::build`], with about `density` cells per item, where the buffers suffice.
@@ -78,7 +78,7 @@ impl<'s, const MAILBOX_ENTRIES: usize> Grid<'s, MAILBOX_ENTRIES> {
     /// # Errors
     ///
     /// Those of [`Grid::build`].
-    pub fn with_density(
+    pub fn build_with_density(
         density: Real,
         bounds: &'s [Aabb],
         cells: &'s mut [u32],

@@ -171,7 +171,7 @@ mod tests {
     fn with_grid(size: Vec3, density: Real, test: impl FnOnce(&Grid<'_, 0>)) {
         let boxes = [Aabb { min: -size, max: size }; 4];
         let (mut cells, mut entries) = ([0; MAX_CELLS], [0; 4 * MAX_CELLS]);
-        test(&Grid::with_density(density, &boxes, &mut cells, &mut entries).unwrap());
+        test(&Grid::build_with_density(density, &boxes, &mut cells, &mut entries).unwrap());
     }
 
     /// The index of a cell along each axis.

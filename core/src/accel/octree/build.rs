@@ -35,7 +35,7 @@ impl<'s, const MAILBOX_ENTRIES: usize> Octree<'s, MAILBOX_ENTRIES> {
         nodes: &'s mut [OctreeNode],
         entries: &'s mut [u32],
     ) -> Result<Self, BuildError> {
-        Self::with_limits(OctreeLimits::DEFAULT, bounds, nodes, entries)
+        Self::build_with_limits(OctreeLimits::DEFAULT, bounds, nodes, entries)
     }
 
     /// As [`Octree::build`], with these limits.
@@ -43,7 +43,7 @@ impl<'s, const MAILBOX_ENTRIES: usize> Octree<'s, MAILBOX_ENTRIES> {
     /// # Errors
     ///
     /// Those of [`Octree::build`].
-    pub fn with_limits(
+    pub fn build_with_limits(
         limits: OctreeLimits,
         bounds: &'s [Aabb],
         nodes: &'s mut [OctreeNode],

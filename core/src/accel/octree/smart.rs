@@ -214,7 +214,7 @@ mod tests {
     fn with_tree(boxes: &[Aabb], test: impl FnOnce(&Octree<'_, 0>)) {
         let (mut nodes, mut entries) = ([OctreeNode::EMPTY; MAX_NODES], [0; 2 * MAX_NODES]);
         let limits = OctreeLimits { max_depth: 21, max_leaf_items: 1 };
-        test(&Octree::with_limits(limits, boxes, &mut nodes, &mut entries).unwrap());
+        test(&Octree::build_with_limits(limits, boxes, &mut nodes, &mut entries).unwrap());
     }
 
     /// Small boxes, some of them very close to each other.

@@ -122,13 +122,12 @@ fn bvh<W: TraversalQueue, L: LeafElement>(tree: Bvh<'_, W, L>) {
 fn subdivisions<const MAILBOX: usize>() {
     let boxes = slice(&[Aabb::EMPTY]);
     let mut mailbox = any(Mailbox::<MAILBOX>::new());
-    Mailbox::clear(&mut mailbox);
     used((GridSize::recommended(boxes), GridSize::estimated(any(1)), OctreeSize::recommended(any(1))));
 
     let (mut cells, mut items) = ([0; 2], [0; 2]);
     let (cells, items) = (any(cells.as_mut_slice()), any(items.as_mut_slice()));
     used(Grid::<MAILBOX>::build(boxes, cells, items).is_ok());
-    if let Ok(grid) = Grid::<MAILBOX>::with_density(number(), boxes, cells, items) {
+    if let Ok(grid) = Grid::<MAILBOX>::build_with_density(number(), boxes, cells, items) {
         used((Grid::size_in_bytes(&grid), Grid::cell_count(&grid), Grid::entry_count(&grid)));
         used(Grid::resolution(&grid));
         grid.traverse(&any_ray(), &mut mailbox, &mut ArbitraryQuery);
@@ -142,7 +141,7 @@ fn subdivisions<const MAILBOX: usize>() {
     let (mut nodes, mut items) = ([OctreeNode::EMPTY; 2], [0; 2]);
     let (nodes, items) = (any(nodes.as_mut_slice()), any(items.as_mut_slice()));
     used(Octree::<MAILBOX>::build(boxes, nodes, items).is_ok());
-    if let Ok(tree) = Octree::<MAILBOX>::with_limits(any(OctreeLimits::DEFAULT), boxes, nodes, items) {
+    if let Ok(tree) = Octree::<MAILBOX>::build_with_limits(any(OctreeLimits::DEFAULT), boxes, nodes, items) {
         used((
             Octree::size_in_bytes(&tree),
             Octree::occupied_leaf_count(&tree),

@@ -109,7 +109,7 @@ fn in_tables() {
     geometry
         .moving_shapes
         .first()
-        .map(|moving| MovingShape::offset(moving, number()))
+        .map(|moving| MovingShape::offset_at(moving, number()))
         .into_iter()
         .for_each(used);
     intersect_any::<ArbitraryTables>(&geometry);

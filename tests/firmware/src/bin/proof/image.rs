@@ -2,9 +2,9 @@
 
 use strahl_core::accel::Accelerator;
 use strahl_core::image::{
-    AdaptiveSampler, CacheEntry, Confidence, ContrastThreshold, CornerCache, CornerGrid, CornerRow,
-    CornerSampler, Filter, FramebufferPixel, Pixel, PixelEstimate, PixelSelector, RegularSampler, Sampler,
-    Selection, StochasticSampler, StridedSampler, Subdivision, Subpixel, Uncached,
+    AdaptiveSampler, CacheEntry, Confidence, ContrastThreshold, CornerCache, CornerGrid, CornerRow, Filter,
+    FramebufferPixel, Pixel, PixelEstimate, PixelSelector, RegularSampler, Sampler, Selection,
+    StochasticSampler, StridedSampler, Subdivision, Subpixel, Uncached, UpperLeftCornerSampler,
 };
 use strahl_core::scene::{CameraSample, Effects};
 use strahl_core::tally::Tally;
@@ -84,7 +84,7 @@ fn corners<A: Accelerator, E: Effects, T: Tally, const LEVELS: usize>(
     let (mut row, mut cache) = (any([PixelSample::BLACK; 4]), any([CacheEntry::EMPTY; 4]));
     if let Some(subdivision) = Subdivision::new(any(1), contrast) {
         let subdivision = Subdivision::with_seed(subdivision, any(0));
-        rendered(tracer, worker, CornerSampler(subdivision));
+        rendered(tracer, worker, UpperLeftCornerSampler(subdivision));
         rendered(tracer, worker, AdaptiveSampler::new(subdivision, Uncached, any(&mut cache[..])));
         let mut parted = AdaptiveSampler::new(subdivision, Uncached, any(&mut cache[..]));
         let pixel = any(Pixel { x: 0, y: 0 });
