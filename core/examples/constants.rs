@@ -12,9 +12,9 @@ use strahl_core::geometry::{Aabb, Polygon, ShapeKind, ShapeSet};
 use strahl_core::image::Pixel;
 use strahl_core::scene::{EffectSet, Effects, LightKind, LightSet};
 use strahl_core::{
-    Background, BareList, Camera, CameraDescriptor, CenterSampler, Falloff, Geometry, Light, LightSource,
-    Limits, Material, MaterialId, Projection, Resolution, Rgb, Scene, SceneDescriptor, Shape, Sphere, Tile,
-    Tracer, Vec3, Worker, World, render, vec3,
+    Background, Camera, CameraDescriptor, CenterSampler, Falloff, Geometry, Light, LightSource, Limits,
+    ListWithoutBounds, Material, MaterialId, Projection, Resolution, Rgb, Scene, SceneDescriptor, Shape,
+    Sphere, Tile, Tracer, Vec3, Worker, World, render, vec3,
 };
 
 /// A floor, and two spheres on it.
@@ -86,12 +86,12 @@ const RESOLUTION: Resolution = Resolution::new(72, 44).unwrap();
 const LEVELS: usize = 3;
 
 /// Fails to compile if the worker needs more memory.
-const _: () = assert!(Worker::<BareList, (), LEVELS>::SIZE_IN_BYTES <= 512);
+const _: () = assert!(Worker::<ListWithoutBounds, (), LEVELS>::SIZE_IN_BYTES <= 512);
 
 fn main() -> Result<(), Box<dyn std::error::Error>> {
     let scene = Scene::new(SCENE)?;
     assert_eq!(scene.required_effects(), RequiredEffects::SET);
-    let world = World::new(scene, BareList(SHAPES.len() as u32));
+    let world = World::new(scene, ListWithoutBounds(SHAPES.len() as u32));
     let limits = Limits { levels: LEVELS as u8, ..Limits::DEFAULT };
     let tracer =
         Tracer::<_, RequiredEffects, LEVELS>::new(&world, Camera::new(&CAMERA, RESOLUTION)?, limits)?;

@@ -19,9 +19,9 @@ use strahl_core::geometry::{ItemId, ShapeKind, ShapeSet};
 use strahl_core::image::Pixel;
 use strahl_core::scene::{EffectSet, Effects, LightKind, LightSet};
 use strahl_core::{
-    AllEffects, BareList, Camera, CameraDescriptor, CenterSampler, Falloff, Geometry, Light, LightSource,
-    Limits, Material, MaterialId, Plane, Projection, Resolution, Rgb, Scene, SceneDescriptor, Shape, Sphere,
-    Tile, Tracer, Vec3, Worker, World, render, vec3,
+    AllEffects, Camera, CameraDescriptor, CenterSampler, Falloff, Geometry, Light, LightSource, Limits,
+    ListWithoutBounds, Material, MaterialId, Plane, Projection, Resolution, Rgb, Scene, SceneDescriptor,
+    Shape, Sphere, Tile, Tracer, Vec3, Worker, World, render, vec3,
 };
 
 /// Exactly the effects that the scene requires.
@@ -96,7 +96,7 @@ fn hash<E: Effects>() -> u64 {
         projection: Projection::Perspective { field_of_view: 0.7 },
     };
     let resolution = Resolution::new(160, 120).expect("a valid resolution");
-    let world = World::new(scene, BareList(ITEMS as u32));
+    let world = World::new(scene, ListWithoutBounds(ITEMS as u32));
     let camera = Camera::new(&camera, resolution).expect("a valid camera");
     let tracer = Tracer::<_, E, 5>::new(&world, camera, Limits::DEFAULT).expect("all effects in the set");
     let mut hash = 0xcbf2_9ce4_8422_2325_u64;

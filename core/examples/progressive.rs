@@ -28,9 +28,9 @@ use strahl_core::image::{CacheEntry, ContrastThreshold, CornerRow, PixelSelector
 use strahl_core::scene::{CameraSample, Texture, TextureId};
 use strahl_core::trace::PixelSample;
 use strahl_core::{
-    AllEffects, BareList, Camera, CameraDescriptor, CenterSampler, Falloff, Geometry, Light, LightSource,
-    Limits, Material, MaterialId, Plane, Projection, Resolution, Rgb, Scene, SceneDescriptor, Shape, Sphere,
-    Tile, Tracer, Vec3, Worker, World, vec3,
+    AllEffects, Camera, CameraDescriptor, CenterSampler, Falloff, Geometry, Light, LightSource, Limits,
+    ListWithoutBounds, Material, MaterialId, Plane, Projection, Resolution, Rgb, Scene, SceneDescriptor,
+    Shape, Sphere, Tile, Tracer, Vec3, Worker, World, vec3,
 };
 
 /// Pixels along one side of the coarsest blocks.
@@ -75,7 +75,7 @@ fn main() -> Result<(), Box<dyn Error>> {
         up: Vec3::Y,
         projection: Projection::Perspective { field_of_view: 0.6 },
     };
-    let world = World::new(scene, BareList(shapes.len() as u32));
+    let world = World::new(scene, ListWithoutBounds(shapes.len() as u32));
     let limits = Limits { levels: 3, ..Limits::DEFAULT };
     let tracer = Tracer::<_, AllEffects, 3>::new(&world, Camera::new(&camera, resolution)?, limits)?;
 
@@ -94,7 +94,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     let mut worker = Worker::<_, (), 3>::new(());
     selector.reset();
     for side in selection.refinement_sides() {
-        for block in selection.blocks(tile).pixels() {
+        for block in selection.block_range(tile).pixels() {
             let mut trace = |sample: CameraSample| {
                 rays += 1;
                 tracer.trace(sample, &mut worker)

@@ -16,7 +16,7 @@
 //!     lights: &lights,
 //!     ..SceneDescriptor::EMPTY
 //! })?;
-//! let world = World::new(scene, BareList(1));
+//! let world = World::new(scene, ListWithoutBounds(1));
 //! let resolution = Resolution::new(64, 48).unwrap();
 //! let camera = CameraDescriptor::perspective(vec3(0.0, 0.0, 5.0), Vec3::ZERO, 0.6);
 //! let tracer = Tracer::<_, AllEffects, 5>::new(&world, Camera::new(&camera, resolution)?, Limits::DEFAULT)?;
@@ -91,7 +91,7 @@
 //!
 //! let background = Background::Color(Rgb::WHITE);
 //! let scene = Scene::new(SceneDescriptor { background, ..SceneDescriptor::EMPTY })?;
-//! let world = World::new(scene, BareList(0));
+//! let world = World::new(scene, ListWithoutBounds(0));
 //! let resolution = Resolution::new(2, 1).unwrap();
 //! let camera = CameraDescriptor::perspective(Vec3::ZERO, vec3(0.0, 0.0, -1.0), 1.0);
 //! let camera = Camera::new(&camera, resolution)?;
@@ -157,7 +157,7 @@ pub mod image;
 
 pub mod render;
 
-pub use accel::BareList;
+pub use accel::ListWithoutBounds;
 pub use geometry::{Geometry, Plane, Shape, Sphere};
 pub use image::{CenterSampler, Tile};
 pub use math::{Real, Rgb, Vec3, vec3};

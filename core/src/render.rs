@@ -12,7 +12,7 @@
 //!
 //! # let background = Background::Color(Rgb::WHITE);
 //! # let scene = Scene::new(SceneDescriptor { background, ..SceneDescriptor::EMPTY })?;
-//! # let world = World::new(scene, BareList(0));
+//! # let world = World::new(scene, ListWithoutBounds(0));
 //! let resolution = Resolution::new(160, 120).unwrap();
 //! # let camera = Camera::new(&CameraDescriptor::perspective(Vec3::ZERO, Vec3::X, 0.6), resolution)?;
 //! # let tracer = Tracer::<_, AllEffects, 5>::new(&world, camera, Limits::DEFAULT)?;
@@ -53,7 +53,7 @@ use crate::trace::RayTracer;
 ///     ambient: Rgb::gray(0.5),
 ///     ..SceneDescriptor::EMPTY
 /// })?;
-/// let world = World::new(scene, BareList(1));
+/// let world = World::new(scene, ListWithoutBounds(1));
 /// let descriptor = CameraDescriptor {
 ///     position: vec3(0.0, 0.0, 0.0),
 ///     target: vec3(0.0, 0.0, -1.0),
@@ -99,7 +99,7 @@ where
 /// Renders `blocks` of pixels into `sink`, block by block: some pixels of each block are traced, the others
 /// interpolated where the traced ones are similar.
 ///
-/// [`Selection::blocks`](crate::image::Selection::blocks) returns the blocks that cover a tile. They may
+/// [`Selection::block_range`](crate::image::Selection::block_range) returns the blocks that cover a tile. They may
 /// extend beyond its right and lower edge; the sink receives these pixels too.
 ///
 /// # Errors
@@ -153,7 +153,7 @@ where
     selector.reset();
     let selection = *selector.selection();
     for side in selection.refinement_sides() {
-        for block in selection.blocks(tile).pixels() {
+        for block in selection.block_range(tile).pixels() {
             let mut result = Ok(());
             selector.refine_block(block, side, tracer, &mut |pixel, sample| {
                 if result.is_ok() {

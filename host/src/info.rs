@@ -60,11 +60,11 @@ fn to_text(info: &SceneInfo, path: &Path) -> String {
     for (place, step) in info.plan.iter().enumerate() {
         line(if place == 0 { "asks for" } else { "" }, step.effect.into());
         // All of them are in the JSON.
-        for reason in step.asked_by.iter().take(REASONS) {
+        for reason in step.required_by.iter().take(REASONS) {
             line("", format!("  {reason}"));
         }
-        if step.asked_by.len() > REASONS {
-            line("", format!("  and {} more", step.asked_by.len() - REASONS));
+        if step.required_by.len() > REASONS {
+            line("", format!("  and {} more", step.required_by.len() - REASONS));
         }
     }
     if !info.not_called_for.is_empty() {

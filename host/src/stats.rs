@@ -91,7 +91,7 @@ impl StatsReport {
                 format!(
                     "{}, asked for by {} in line {}{more}{}",
                     first.effect,
-                    first.asked_by,
+                    first.required_by,
                     first.line,
                     if first.simulated { "" } else { ", left out on request" }
                 ),

@@ -110,7 +110,7 @@ fn traced<E: Effects>(path: &Path) -> Result<u64, Box<dyn Error>> {
         (vec![BvhNode::EMPTY; size_of_bvh.nodes], vec![LeafEntry::EMPTY; size_of_bvh.entries]);
     let builder = BvhBuilder::new(&boxes, LeafLayout::TriangleBlocks(&geometry), &mut nodes, &mut items)?;
     let mut block_buffer = vec![TriangleBlock::EMPTY; builder.block_count()];
-    let bvh = builder.into_bvh_with_blocks::<TraversalStack<64>>(&geometry, &mut block_buffer)?;
+    let bvh = builder.into_block_bvh::<TraversalStack<64>>(&geometry, &mut block_buffer)?;
     hash::<_, E>(&World::new(scene, bvh), camera, limits)
 }
 

@@ -18,7 +18,9 @@ use strahl_core::math::SobolSequence;
 use strahl_core::scene::CameraSample;
 use strahl_core::tally::RayKind;
 use strahl_core::trace::{PixelSample, RayTracer};
-use strahl_core::{AllEffects, BareList, Camera, Resolution, Rgb, Tile, Tracer, Worker, World, render};
+use strahl_core::{
+    AllEffects, Camera, ListWithoutBounds, Resolution, Rgb, Tile, Tracer, Worker, World, render,
+};
 use strahl_engine::{NoProgress, RenderOptions};
 use strahl_picture::PixelValues;
 use strahl_picture::difference::Pair;
@@ -171,7 +173,7 @@ impl QualityScene {
         let tables = strahl_session::tables::single::scene_tables(&self.description);
         let scene = tables.scene()?;
         let items = scene.descriptor().geometry.shapes.len() as u32;
-        let world = World::new(scene, BareList(items));
+        let world = World::new(scene, ListWithoutBounds(items));
         let camera = Camera::new(&strahl_session::tables::single::view(&self.description.camera), self.size)?;
         let limits = self.settings(SamplerSettings::Single).limits();
         let tracer = Tracer::<_, AllEffects, 64>::new(&world, camera, limits)?;

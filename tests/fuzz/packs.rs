@@ -59,7 +59,7 @@ fn draw(bytes: &[u8]) {
     let Ok(finder) = pack.accelerator() else { return };
     let scene = *pack.scene();
     match finder {
-        BakedAccelerator::BareList(bare) => trace(&pack, World::new(scene, bare)),
+        BakedAccelerator::ListWithoutBounds(list) => trace(&pack, World::new(scene, list)),
         BakedAccelerator::Grid(grid) => trace(&pack, World::new(scene, grid.with_mailbox::<8>())),
         BakedAccelerator::Octree(octree) => trace(&pack, World::new(scene, octree.with_mailbox::<8>())),
         BakedAccelerator::Bvh(bvh) => trace(&pack, World::new(scene, bvh.with_queue::<TraversalStack<8>>())),

@@ -107,7 +107,7 @@ fn a_tracer_error_names_the_missing_effects_and_the_remedy() {
     let shiny = tables.add_material(shiny);
     tables
         .add_torus(Torus { center: Vec3::ZERO, axis: Vec3::Y, major_radius: 2.0, minor_radius: 0.5 }, shiny);
-    let world = World::new(tables.scene().unwrap(), BareList(1));
+    let world = World::new(tables.scene().unwrap(), ListWithoutBounds(1));
     let projection = Projection::Perspective { field_of_view: 1.0 };
     let view =
         CameraDescriptor { position: vec3(0.0, 0.0, 5.0), target: Vec3::ZERO, up: Vec3::Y, projection };

@@ -170,9 +170,9 @@ fn an_occluded_light_has_an_occluder() {
             let TracedPixel { samples, .. } = trace_pixel(&description, &settings, Pixel { x, y }).unwrap();
             for light in samples.iter().flat_map(|sample| &sample.rays).flat_map(|ray| &ray.lights) {
                 *outcomes.entry(light.outcome).or_insert(0) += 1;
-                assert_eq!(light.blocker.is_some(), light.outcome == "blocked");
-                if let Some(blocker) = &light.blocker {
-                    assert!(blocker.distance > 0.0 && blocker.item.line > 0);
+                assert_eq!(light.occluder.is_some(), light.outcome == "blocked");
+                if let Some(occluder) = &light.occluder {
+                    assert!(occluder.distance > 0.0 && occluder.item.line > 0);
                 }
             }
         }

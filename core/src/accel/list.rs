@@ -1,6 +1,6 @@
 //! Lists: every item in order, the reference for the other accelerators.
 //!
-//! The bare list passes every item to the query, for every ray. With bounding volumes (boxes or spheres) it
+//! The list without bounds passes every item to the query, for every ray. With bounding volumes (boxes or spheres) it
 //! first tests the ray against the volume of a group of consecutive items, then against the volume of each
 //! item of the group: a ray that misses a volume misses its contents.
 
@@ -28,9 +28,9 @@ fn group_chunks<V>(volumes: &[V]) -> impl Iterator<Item = &[V]> {
 ///
 /// The number of items of the scene; planes, which the scene tests itself, may be counted or not.
 #[derive(Clone, Copy, Debug)]
-pub struct BareList(pub u32);
+pub struct ListWithoutBounds(pub u32);
 
-impl Accelerator for BareList {
+impl Accelerator for ListWithoutBounds {
     type Scratch = ();
 
     #[inline(always)]

@@ -15,7 +15,7 @@
 //! Measured on scenes of 11 to 1,000,000 items (`tests/reports/accelerators.md`), and beside other crates
 //! (`tests/bench`):
 //!
-//! * [`BareList`] or [`List`] for a handful of items: no construction and little code. From about ten items
+//! * [`ListWithoutBounds`] or [`List`] for a handful of items: no construction and little code. From about ten items
 //!   on a BVH is faster; up to some hundred, a list with boxes is about as fast as grid and octree.
 //! * [`Bvh`] for everything else, unless there is a reason against it: the fastest on every measured scene,
 //!   and its time grows slowest with the number of items, like that of the octree. It needs about 60 bytes
@@ -64,7 +64,7 @@ pub use error::{Buffer, BuildError};
 #[cfg(feature = "baked")]
 pub(crate) use grid::GridParts;
 pub use grid::{Grid, GridSize, StaticGrid};
-pub use list::{BareList, List, group_count};
+pub use list::{List, ListWithoutBounds, group_count};
 pub use mailbox::Mailbox;
 #[cfg(feature = "baked")]
 pub(crate) use octree::OctreeParts;

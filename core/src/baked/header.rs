@@ -14,7 +14,7 @@ pub(super) const MAGIC: u32 = u32::from_le_bytes(*b"strl");
 pub(super) const VERSION: u32 = 3;
 
 /// Kinds of accelerators.
-pub(super) const BARE: u32 = 0;
+pub(super) const LIST: u32 = 0;
 pub(super) const GRID: u32 = 1;
 pub(super) const OCTREE: u32 = 2;
 pub(super) const BVH: u32 = 3;

@@ -24,7 +24,7 @@ mod write;
 pub use error::{BakedSceneError, BakedSection};
 pub use write::BakedSceneWriter;
 
-use crate::accel::{BareList, Bvh, BvhParts, Grid, GridParts, Octree, OctreeParts};
+use crate::accel::{Bvh, BvhParts, Grid, GridParts, ListWithoutBounds, Octree, OctreeParts};
 use crate::geometry::Geometry;
 use crate::math::Real;
 use crate::scene::{Camera, CameraDescriptor, CameraError, Resolution, Scene, SceneDescriptor};
@@ -34,7 +34,7 @@ use header::{BakedHeader, TableId};
 #[derive(Clone, Copy, Debug)]
 pub enum BakedAccelerator<'s> {
     /// All items in order.
-    BareList(BareList),
+    ListWithoutBounds(ListWithoutBounds),
     /// A uniform grid.
     Grid(Grid<'s, 0>),
     /// An octree.
@@ -146,8 +146,8 @@ impl<'s> BakedScene<'s> {
     }
 
     /// All items in order: an accelerator without memory, for any baked scene.
-    pub fn bare_list(&self) -> BareList {
-        BareList(self.item_count())
+    pub fn list_without_bounds(&self) -> ListWithoutBounds {
+        ListWithoutBounds(self.item_count())
     }
 
     /// Validates and borrows the grid.
@@ -204,7 +204,7 @@ impl<'s> BakedScene<'s> {
     /// As of [`BakedScene::grid`].
     pub fn accelerator(&self) -> Result<BakedAccelerator<'s>, BakedSceneError> {
         Ok(match self.header.accelerator {
-            header::BARE => BakedAccelerator::BareList(self.bare_list()),
+            header::LIST => BakedAccelerator::ListWithoutBounds(self.list_without_bounds()),
             header::GRID => BakedAccelerator::Grid(self.grid()?),
             header::OCTREE => BakedAccelerator::Octree(self.octree()?),
             _ => BakedAccelerator::Bvh(self.bvh()?),

@@ -1,6 +1,6 @@
 //! Writes baked scenes, on a host.
 
-use super::header::{BARE, BVH, BakedHeader, CHECKSUM_BEGIN, Fnv1a, GRID, MAGIC, OCTREE, TABLES, TableId};
+use super::header::{BVH, BakedHeader, CHECKSUM_BEGIN, Fnv1a, GRID, LIST, MAGIC, OCTREE, TABLES, TableId};
 use super::layout::{LayoutWriter, WriteLayout};
 use super::{BakedAccelerator, BakedScene};
 use crate::geometry::Aabb;
@@ -19,7 +19,7 @@ use crate::scene::{CameraDescriptor, Resolution, Scene};
 ///     resolution: Resolution::new(64, 48).unwrap(),
 ///     levels: 5,
 ///     cutoff: 0.0,
-///     accelerator: BakedAccelerator::BareList(BareList(0)),
+///     accelerator: BakedAccelerator::ListWithoutBounds(ListWithoutBounds(0)),
 /// };
 /// // Aligned to 4, as `BakedScene::open` requires.
 /// #[repr(align(4))]
@@ -114,7 +114,7 @@ impl BakedSceneWriter<'_> {
         u32::from(scene.descriptor().colored_shadows).write_padded(w);
         let unused = (Aabb::ORIGIN, [0; 3], 0);
         let (kind, (bounds, cells, depth)) = match accelerator {
-            BakedAccelerator::BareList(_) => (BARE, unused),
+            BakedAccelerator::ListWithoutBounds(_) => (LIST, unused),
             BakedAccelerator::Grid(grid) => (GRID, (grid.parts().bounds, grid.parts().resolution, 0)),
             BakedAccelerator::Octree(octree) => (OCTREE, (octree.parts().bounds, [0; 3], 0)),
             BakedAccelerator::Bvh(bvh) => (BVH, (Aabb::ORIGIN, [0; 3], bvh.parts().depth)),
@@ -149,7 +149,7 @@ impl BakedSceneWriter<'_> {
         w.table(descriptor.textures);
         w.table(descriptor.lights);
         match &self.accelerator {
-            BakedAccelerator::BareList(_) => {
+            BakedAccelerator::ListWithoutBounds(_) => {
                 w.table::<u32>(&[]);
                 w.table::<u32>(&[]);
             }

@@ -23,13 +23,13 @@ impl ContrastThreshold {
         (threshold >= 0.0 && threshold <= 1.0).then_some(ContrastThreshold { threshold, items: false })
     }
 
-    /// The same threshold, met only where all samples also hit the same item.
+    /// The same threshold, which also requires that all samples hit the same item.
     pub fn with_items(self) -> Self {
         ContrastThreshold { items: true, ..self }
     }
 
-    /// Whether the corners of a square differ by at most the threshold.
-    pub(super) fn is_met(&self, corners: &[PixelSample; 4]) -> bool {
+    /// Whether the corners of a square differ by at most the threshold, and hit the same item if that is required.
+    pub(super) fn accepts(&self, corners: &[PixelSample; 4]) -> bool {
         let same_item = || {
             let [first, rest @ ..] = corners;
             rest.iter().fold(first.hit, |hit, corner| hit.merged(corner.hit)) != HitId::Mixed

@@ -78,7 +78,7 @@ pub(super) fn subdivide(
     let mut pending: Vec<Square, MAX_PENDING> = Vec::new();
     let mut next = Some(whole);
     while let Some(square) = next {
-        if square.side > min_side && !threshold.is_met(&square.corners) {
+        if square.side > min_side && !threshold.accepts(&square.corners) {
             let [first, second, third, fourth] = square.quarters(sample_at);
             for later in [fourth, third, second] {
                 let pushed = pending.push(later);
@@ -123,7 +123,7 @@ mod tests {
                     *cell += 1;
                 }
             }
-            assert!(square.side == 1 || threshold.is_met(&square.corners));
+            assert!(square.side == 1 || threshold.accepts(&square.corners));
             area += square.mean().r * (square.side * square.side) as Real;
         });
         assert!(covered.iter().flatten().all(|count| *count == 1));

@@ -60,7 +60,7 @@ impl Selection {
     }
 
     /// The rectangle of blocks that have pixels of `tile`, in block coordinates.
-    pub fn blocks(&self, tile: Tile) -> Tile {
+    pub fn block_range(&self, tile: Tile) -> Tile {
         let Tile { top_left: first, width, height } = tile;
         // From the block of the first pixel to that of the last.
         let overlap = |first: u32, length: u32| {
@@ -226,7 +226,7 @@ mod tests {
         let mut picture = [None; 37 * 29];
         let mut rays = 0;
         let mut selected = PixelSelector::new(selection, CenterSampler, Uncached, &mut entries[..length]);
-        for block in selection.blocks(tile).pixels() {
+        for block in selection.block_range(tile).pixels() {
             selected.sample_block(
                 block,
                 &mut |sample| {
@@ -286,7 +286,7 @@ mod tests {
     fn a_corner_grid_gives_the_same_pixels() {
         let selection = selection(8, 0.1);
         let (whole, _) = selected(selection, PICTURE, 0);
-        let blocks = selection.blocks(PICTURE);
+        let blocks = selection.block_range(PICTURE);
         let mut corners = [PixelSample::BLACK; 6 * 5];
         for (slot, corner) in corners.iter_mut().zip(CornerGrid::corner_tile(blocks).pixels()) {
             *slot = selection.corner_sampler(CenterSampler).sample_pixel(corner, &mut test_image);
@@ -319,7 +319,7 @@ mod tests {
             );
             selected.reset();
             for (side, puts) in selection.refinement_sides().zip(&mut puts) {
-                for block in selection.blocks(PICTURE).pixels() {
+                for block in selection.block_range(PICTURE).pixels() {
                     selected.refine_block(
                         block,
                         side,

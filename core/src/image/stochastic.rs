@@ -174,7 +174,7 @@ impl PixelEstimate {
         PixelEstimate { mean: SampleMean::EMPTY, variance: RunningVariance::EMPTY };
 
     /// The mean; black without samples.
-    pub fn to_sample(&self) -> PixelSample {
+    pub fn to_sample(self) -> PixelSample {
         self.mean.sample()
     }
 

@@ -21,7 +21,7 @@ use crate::math::{Rgb, Vec3};
 /// in world space; normals and axes are unit vectors.
 ///
 /// ```
-/// use strahl_core::{BareList, Material, Rgb, SceneTables, Sphere, World, vec3};
+/// use strahl_core::{ListWithoutBounds, Material, Rgb, SceneTables, Sphere, World, vec3};
 ///
 /// let mut tables = SceneTables::new();
 /// let red = tables.add_material(Material::matte(Rgb::new(0.8, 0.1, 0.1)));
@@ -31,7 +31,7 @@ use crate::math::{Rgb, Vec3};
 ///
 /// let scene = tables.scene()?;
 /// assert_eq!(scene.descriptor().geometry.shapes.len(), 2);
-/// let world = World::new(scene, BareList(tables.len() as u32));
+/// let world = World::new(scene, ListWithoutBounds(tables.len() as u32));
 /// # Ok::<(), strahl_core::scene::SceneError>(())
 /// ```
 #[derive(Clone, Debug)]

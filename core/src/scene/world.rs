@@ -26,7 +26,7 @@ use crate::tally::{RayKind, Tally};
 ///     materials: &[Material::MATTE],
 ///     ..SceneDescriptor::EMPTY
 /// })?;
-/// let world = World::new(scene, BareList(1));
+/// let world = World::new(scene, ListWithoutBounds(1));
 /// let ray = Ray::new(Vec3::ZERO, vec3(0.0, 0.0, -1.0));
 /// let hit = world.nearest_hit::<AllEffects, _>(&ray, 100.0, RayKind::Camera, &mut (), &mut ()).unwrap();
 /// assert_eq!((hit.item, hit.t), (ItemId(0), 4.0));

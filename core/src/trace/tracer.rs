@@ -38,7 +38,7 @@ const MAX_SAMPLE_RADIANCE: Real = 1e30;
 /// use strahl_core::*;
 ///
 /// let background = Background::Color(Rgb::WHITE);
-/// let world = World::new(Scene::new(SceneDescriptor { background, ..SceneDescriptor::EMPTY })?, BareList(0));
+/// let world = World::new(Scene::new(SceneDescriptor { background, ..SceneDescriptor::EMPTY })?, ListWithoutBounds(0));
 /// let camera = CameraDescriptor {
 ///     position: Vec3::ZERO,
 ///     target: vec3(0.0, 0.0, -1.0),

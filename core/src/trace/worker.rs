@@ -15,13 +15,13 @@ use crate::shade::WorkerCaches;
 ///
 /// ```
 /// use strahl_core::tally::Counters;
-/// use strahl_core::{BareList, Worker};
+/// use strahl_core::{ListWithoutBounds, Worker};
 ///
-/// let worker = Worker::<BareList, _, 5>::new(Counters::new());
+/// let worker = Worker::<ListWithoutBounds, _, 5>::new(Counters::new());
 /// assert_eq!(worker.into_tally().rays.sum(), 0);
 ///
 /// // The size is known at compile time.
-/// const _: () = assert!(Worker::<BareList, (), 5>::SIZE_IN_BYTES < 1024);
+/// const _: () = assert!(Worker::<ListWithoutBounds, (), 5>::SIZE_IN_BYTES < 1024);
 /// ```
 pub struct Worker<A: Accelerator, T, const LEVELS: usize, const SHADOW_CACHE_ENTRIES: usize = 16> {
     pub(super) caches: WorkerCaches<A, SHADOW_CACHE_ENTRIES>,

@@ -159,7 +159,7 @@ impl<'s> AccelBuilder<'s> {
         let leaves = LeafLayout::TriangleBlocks(&geometry);
         let bvh = BvhBuilder::new(&memory.boxes, leaves, &mut memory.bvh_nodes, &mut memory.leaf_entries)?;
         memory.triangle_blocks = vec![TriangleBlock::EMPTY; bvh.block_count()];
-        let tree = bvh.into_bvh_with_blocks::<W>(&geometry, &mut memory.triangle_blocks)?;
+        let tree = bvh.into_block_bvh::<W>(&geometry, &mut memory.triangle_blocks)?;
         let (bytes, regions, entries) = (tree.size_in_bytes(), tree.leaf_count(), tree.entry_count());
         let size = AccelSize { bytes, regions, entries, depth: Some(tree.depth()) };
         Ok(built_world(scene, tree, select, size.stats(choice, start)))

@@ -67,8 +67,8 @@ impl<'m> AnySampler<'m> {
         match settings.sampler {
             SamplerSettings::Single => AnySampler::Regular(regular(1)),
             SamplerSettings::Regular(n) => AnySampler::Regular(regular(n)),
-            SamplerSettings::Adaptive { .. } => match parting(settings) {
-                Some(parting) => AnySampler::Adaptive(AdaptiveSampler::new(parting, corners, cache)),
+            SamplerSettings::Adaptive { .. } => match subdivision(settings) {
+                Some(subdivision) => AnySampler::Adaptive(AdaptiveSampler::new(subdivision, corners, cache)),
                 None => AnySampler::Regular(regular(1)),
             },
             SamplerSettings::Stochastic { min_samples: least, max_samples: most, confidence } => {
@@ -87,10 +87,10 @@ impl<'m> AnySampler<'m> {
 }
 
 /// The subdivision of pixels; `None` if the sampler is not adaptive.
-pub fn parting(settings: &Settings) -> Option<Subdivision> {
+pub fn subdivision(settings: &Settings) -> Option<Subdivision> {
     match settings.sampler {
         SamplerSettings::Adaptive { max_depth: depth, contrast: it } => {
-            Some(Subdivision::new(depth, agreement(it)?)?.with_seed(settings.seed))
+            Some(Subdivision::new(depth, contrast_threshold(it)?)?.with_seed(settings.seed))
         }
         _ => None,
     }
@@ -99,10 +99,12 @@ pub fn parting(settings: &Settings) -> Option<Subdivision> {
 /// The selection of pixels that are traced; `None` for all.
 pub fn selection(settings: &Settings) -> Option<Selection> {
     let it = settings.select?;
-    Selection::new(it.step, agreement(it.contrast)?)
+    Selection::new(it.step, contrast_threshold(it.contrast)?)
 }
 
-fn agreement(it: strahl_settings::ContrastSettings) -> Option<strahl_core::image::ContrastThreshold> {
+fn contrast_threshold(
+    it: strahl_settings::ContrastSettings,
+) -> Option<strahl_core::image::ContrastThreshold> {
     let colors = strahl_core::image::ContrastThreshold::new(Real::from(it.threshold))?;
     Some(if it.items { colors.with_items() } else { colors })
 }

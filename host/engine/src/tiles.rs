@@ -20,7 +20,7 @@ use crate::options::RenderOptions;
 use crate::output::Color;
 use crate::progress::{Interrupt, Progress};
 use crate::ray_tracer::RayTracerFactory;
-use crate::samplers::{AnySampler, CornerSource, parting, selection};
+use crate::samplers::{AnySampler, CornerSource, selection, subdivision};
 
 /// The maximum number of cached samples of a tile.
 const MAX_CACHED: usize = 1 << 14;
@@ -80,9 +80,9 @@ impl TileRenderer<'_> {
     /// Traces all requested pixels.
     fn all(&self) -> Result<Traced<Rgb>, Interrupt> {
         // If there is no mask, trace all corners first, so that none is traced twice.
-        let (lattice, mut counts): Traced<PixelSample> = match parting(self.settings) {
-            Some(parting) if self.options.mask.is_none() => {
-                self.pixels(CornerGrid::corner_tile(self.area), Target::Corners(parting))?
+        let (lattice, mut counts): Traced<PixelSample> = match subdivision(self.settings) {
+            Some(subdivision) if self.options.mask.is_none() => {
+                self.pixels(CornerGrid::corner_tile(self.area), Target::Corners(subdivision))?
             }
             _ => Default::default(),
         };
@@ -95,7 +95,7 @@ impl TileRenderer<'_> {
 
     /// Traces the selected pixels, and interpolates the other requested ones.
     fn selected(&self, selection: Selection) -> Result<Traced<Rgb>, Interrupt> {
-        let blocks = selection.blocks(self.area);
+        let blocks = selection.block_range(self.area);
         let (raster, mut counts): Traced<PixelSample> = match self.options.mask {
             None => self.pixels(CornerGrid::corner_tile(blocks), Target::Raster(selection))?,
             Some(_) => Default::default(),
@@ -138,8 +138,8 @@ impl TileRenderer<'_> {
                 let mut ray_tracer = self.ray_tracers.ray_tracer(self.progress);
                 let (tracer, all) = (ray_tracer.as_mut(), tile.pixels());
                 match target {
-                    Target::Corners(parting) => {
-                        render(tracer, &mut UpperLeftCornerSampler(parting), all, canvas)?
+                    Target::Corners(subdivision) => {
+                        render(tracer, &mut UpperLeftCornerSampler(subdivision), all, canvas)?
                     }
                     Target::Raster(selection) => {
                         let sampler = AnySampler::new(self.settings, CornerSource::Retraced, &mut cache);
@@ -200,7 +200,7 @@ impl TileRenderer<'_> {
 
     /// The cache of the sampler, empty unless it is used: allocating it takes longer than a cheap pixel.
     fn sampler_cache(&self, tile: Tile) -> Vec<CacheEntry> {
-        if parting(self.settings).is_some() { cache_for(tile) } else { Vec::new() }
+        if subdivision(self.settings).is_some() { cache_for(tile) } else { Vec::new() }
     }
 }
 

@@ -43,7 +43,8 @@ pub struct EffectInfo {
     /// The effect.
     pub effect: &'static str,
     /// Everything that requires it.
-    pub asked_by: Vec<String>,
+    #[serde(rename = "asked_by")]
+    pub required_by: Vec<String>,
 }
 
 /// Memory in bytes.
@@ -123,8 +124,8 @@ impl SceneInfo {
 
 impl EffectInfo {
     fn new(effect: &PlannedEffect) -> Self {
-        let asked_by = effect.reasons.iter().map(|reason| reason.to_string()).collect();
-        EffectInfo { effect: effect.effect.name(), asked_by }
+        let required_by = effect.reasons.iter().map(|reason| reason.to_string()).collect();
+        EffectInfo { effect: effect.effect.name(), required_by }
     }
 }
 

@@ -54,7 +54,8 @@ pub struct EffectRow {
     /// The effect.
     pub effect: &'static str,
     /// What requires it.
-    pub asked_by: String,
+    #[serde(rename = "asked_by")]
+    pub required_by: String,
     /// Its line in the scene file; 0 if it has none.
     pub line: usize,
     /// The number of objects with it.
@@ -164,7 +165,7 @@ pub struct CutStats {
 fn effect_rows(effect: &PlannedEffect) -> impl Iterator<Item = EffectRow> + '_ {
     effect.reasons.iter().map(|reason| EffectRow {
         effect: effect.effect.name(),
-        asked_by: reason.source.clone(),
+        required_by: reason.source.clone(),
         line: reason.line,
         objects: reason.objects,
         simulated: effect.enabled,

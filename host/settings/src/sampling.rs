@@ -116,7 +116,7 @@ fn threshold(text: &str) -> Option<f32> {
 }
 
 /// `THRESHOLD` or `THRESHOLD:items`.
-fn agreement(words: &[&str]) -> Result<ContrastSettings, String> {
+fn contrast_settings(words: &[&str]) -> Result<ContrastSettings, String> {
     let (text, items) = match words {
         [text] => (text, false),
         [text, "items"] => (text, true),
@@ -174,7 +174,7 @@ impl FromStr for SamplerSettings {
             },
             ("adaptive", [depth, rest @ ..]) => match depth.parse::<u8>() {
                 Ok(depth) if depth <= Subdivision::MAX_DEPTH => {
-                    Ok(SamplerSettings::Adaptive { max_depth: depth, contrast: agreement(rest)? })
+                    Ok(SamplerSettings::Adaptive { max_depth: depth, contrast: contrast_settings(rest)? })
                 }
                 _ => {
                     Err(format!("in adaptive:DEPTH:THRESHOLD, DEPTH must be 0 to {}", Subdivision::MAX_DEPTH))
@@ -196,7 +196,7 @@ impl FromStr for SelectionSettings {
         let step = words.next().and_then(|step| step.parse::<u32>().ok());
         let is_step = |step: &u32| step.is_power_of_two() && *step >= 2 && *step <= Selection::MAX_STEP;
         let step = step.filter(is_step).ok_or("in STEP:THRESHOLD, STEP must be 2, 4, 8, 16, 32 or 64")?;
-        Ok(SelectionSettings { step, contrast: agreement(&words.collect::<Vec<_>>())? })
+        Ok(SelectionSettings { step, contrast: contrast_settings(&words.collect::<Vec<_>>())? })
     }
 }
 
@@ -212,8 +212,8 @@ impl fmt::Display for SamplerSettings {
         match self {
             SamplerSettings::Single => f.write_str("single"),
             SamplerSettings::Regular(n) => write!(f, "regular:{n}"),
-            SamplerSettings::Adaptive { max_depth: depth, contrast: agreement } => {
-                write!(f, "adaptive:{depth}:{agreement}")
+            SamplerSettings::Adaptive { max_depth: depth, contrast } => {
+                write!(f, "adaptive:{depth}:{contrast}")
             }
             SamplerSettings::Stochastic { min_samples: least, max_samples: most, .. } if least == most => {
                 write!(f, "stochastic:{most}")

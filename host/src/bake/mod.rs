@@ -16,7 +16,7 @@ use strahl_core::baked::{BakedAccelerator, BakedScene, BakedSceneWriter};
 use strahl_core::geometry::Aabb;
 use strahl_core::scene::EffectSet;
 use strahl_core::tally::Counters;
-use strahl_core::{BareList, Projection, Resolution, Scene, Worker};
+use strahl_core::{ListWithoutBounds, Projection, Resolution, Scene, Worker};
 use strahl_engine::{NoProgress, RenderError, RenderOptions};
 use strahl_scene::description::LoadedScene;
 use strahl_scene::quantity::quantity;
@@ -140,7 +140,7 @@ pub fn bake(scene: &Scene<'_>, asked: &BakeSettings) -> Result<Vec<u8>, String> 
     };
     let most = |wanted: usize| asked.nodes.map_or(wanted, |most| wanted.min(most));
     match asked.accelerator {
-        AccelKind::List => with(BakedAccelerator::BareList(BareList(boxes.len() as u32))),
+        AccelKind::List => with(BakedAccelerator::ListWithoutBounds(ListWithoutBounds(boxes.len() as u32))),
         AccelKind::Grid => {
             let room = GridSize::recommended(&boxes);
             let (mut cells, mut items) = (vec![0; room.cells], vec![0; room.entries]);
@@ -166,10 +166,11 @@ fn needs(path: &Path, scene: &Scene<'_>, asked: &BakeSettings, bytes: usize, cou
     const PLACES: usize = 32;
     let tables = scene.descriptor().size_in_bytes();
     let frame = bytes.saturating_sub(tables).saturating_sub(BakedScene::MIN_SIZE_IN_BYTES);
-    let task = Worker::<BareList, (), 2>::SIZE_IN_BYTES - Worker::<BareList, (), 1>::SIZE_IN_BYTES;
+    let task =
+        Worker::<ListWithoutBounds, (), 2>::SIZE_IN_BYTES - Worker::<ListWithoutBounds, (), 1>::SIZE_IN_BYTES;
     let levels = usize::from(asked.levels);
     let (what, memory) = match asked.accelerator {
-        AccelKind::List => ("the bare list", 0),
+        AccelKind::List => ("the list", 0),
         AccelKind::Grid | AccelKind::Octree => ("a mailbox of 64 slots", size_of::<Mailbox<SLOTS>>()),
         AccelKind::Bvh => ("a stack of 32 places", size_of::<TraversalStack<PLACES>>()),
     };

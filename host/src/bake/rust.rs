@@ -12,18 +12,18 @@ use strahl_core::{
 
 use super::settings::BakeSettings;
 
-/// A room of constants: `PARTS`, `VIEW`, `SIZE`, `LIMITS`, `ITEMS`, and `Asked`, the effects.
+/// A room of constants: `SCENE`, `CAMERA`, `SIZE`, `LIMITS`, `ITEMS`, and `SceneEffects`, the effects.
 pub(super) fn source(path: &Path, scene: &Scene<'_>, asked: &BakeSettings) -> String {
     let parts = scene.descriptor();
     let name = path.file_name().unwrap_or_default().to_string_lossy().replace(['\n', '\r'], " ");
     let (width, height) = (asked.size.width(), asked.size.height());
     let mut out = format!(
         "// Written by `strahl bake` from {name}.\n\nuse strahl_core::{{geometry::*, math::*, scene::*, trace::*}};\n\n\
-         /// The size of the picture.\npub const SIZE: Resolution = Resolution::new({width}, {height}).unwrap();\n\n\
-         /// Which picture is wanted.\n\
+         /// Size of the picture in pixels.\npub const SIZE: Resolution = Resolution::new({width}, {height}).unwrap();\n\n\
+         /// Levels and cutoff.\n\
          pub const LIMITS: Limits = Limits {{ levels: {}, cutoff: {} }};\n\n\
-         /// How the scene is looked at.\npub const VIEW: CameraDescriptor = {};\n\n\
-         /// How many items there are.\npub const ITEMS: u32 = {};\n\n",
+         /// Camera.\npub const CAMERA: CameraDescriptor = {};\n\n\
+         /// Number of items.\npub const ITEMS: u32 = {};\n\n",
         asked.levels,
         text(&asked.cutoff),
         text(&asked.view),
@@ -33,7 +33,7 @@ pub(super) fn source(path: &Path, scene: &Scene<'_>, asked: &BakeSettings) -> St
     let lens = matches!(asked.view.projection, Projection::ThinLens { .. });
     effects(&mut out, &EffectSet { depth_of_field: lens, ..scene.required_effects() });
     let g = &parts.geometry;
-    out += "/// The scene, not yet checked.\npub static PARTS: SceneDescriptor<'static> = SceneDescriptor {\n    geometry: Geometry {\n";
+    out += "/// Tables of the scene, not yet validated.\npub static SCENE: SceneDescriptor<'static> = SceneDescriptor {\n    geometry: Geometry {\n";
     for field in [
         "shapes",
         "vertices",
@@ -88,9 +88,9 @@ fn table<T: Literal>(out: &mut String, name: &str, of: &str, entries: &[T]) {
 /// The effects that the scene asks for. In debug form a set is a list of the names of its kinds.
 fn effects(out: &mut String, set: &EffectSet) {
     out.push_str(
-        "/// Exactly what the scene asks for.\n#[derive(Clone, Copy, Debug)]\npub struct Asked;\n\n",
+        "/// Exactly the effects that the scene requires.\n#[derive(Clone, Copy, Debug)]\npub struct SceneEffects;\n\n",
     );
-    out.push_str("impl Effects for Asked {\n    const SET: EffectSet = EffectSet {\n");
+    out.push_str("impl Effects for SceneEffects {\n    const SET: EffectSet = EffectSet {\n");
     let shapes: Vec<String> = set.shapes.iter().map(|kind| format!("ShapeKind::{kind:?}")).collect();
     let lights: Vec<String> = set.lights.iter().map(|kind| format!("LightKind::{kind:?}")).collect();
     let textures: Vec<String> = set.textures.iter().map(|kind| format!("TextureKind::{kind:?}")).collect();

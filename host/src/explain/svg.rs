@@ -266,13 +266,13 @@ fn bulb(svg: &mut String, light: &LightRecord, x: f64, y: f64) {
         NameAndLine { line: 0, .. } => format!("light {}", light.number),
         NameAndLine { line, .. } => format!("line {line}"),
     };
-    let says = match (light.outcome, &light.blocker) {
+    let says = match (light.outcome, &light.occluder) {
         ("seen", _) if light.through.is_empty() => "seen".into(),
         ("seen", _) => "seen through glass".into(),
-        ("blocked", Some(blocker)) if blocker.item.line > 0 => {
-            format!("{}, line {}", blocker.item.shape, blocker.item.line)
+        ("blocked", Some(occluder)) if occluder.item.line > 0 => {
+            format!("{}, line {}", occluder.item.shape, occluder.item.line)
         }
-        ("blocked", Some(blocker)) => format!("{} {}", blocker.item.shape, blocker.item.object),
+        ("blocked", Some(occluder)) => format!("{} {}", occluder.item.shape, occluder.item.object),
         ("behind", _) => "faces away".into(),
         ("dark", _) => "does not shine here".into(),
         ("unseen", _) => "highlight elsewhere".into(),

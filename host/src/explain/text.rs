@@ -148,17 +148,17 @@ fn light_line(light: &LightRecord) -> String {
     let through: Vec<String> = light.through.iter().map(|it| item_text(&it.item)).collect();
     let through =
         if through.is_empty() { String::new() } else { format!(", through {}", through.join(" and ")) };
-    let text = match (light.outcome, &light.adds, &light.blocker) {
+    let text = match (light.outcome, &light.adds, &light.occluder) {
         ("seen", Some(adds), _) => {
             let away =
                 light.distance.map(|away| format!(" at distance {}", number(away))).unwrap_or_default();
             format!("visible{away}{through}, adds {}", channels(*adds))
         }
-        ("blocked", _, Some(blocker)) => {
+        ("blocked", _, Some(occluder)) => {
             format!(
                 "occluded by {} at distance {}{through}",
-                item_text(&blocker.item),
-                number(blocker.distance)
+                item_text(&occluder.item),
+                number(occluder.distance)
             )
         }
         ("blocked", ..) => format!("occluded{through}"),

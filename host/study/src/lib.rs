@@ -18,10 +18,10 @@
 //! | [`error`] | why a study fails |
 //!
 //! ```
-//! use strahl_study::pareto::{Point, cheapest_within, front};
+//! use strahl_study::pareto::{CostErrorPoint, cheapest_within, pareto_front};
 //!
-//! let points = [(1.0, 0.08), (2.0, 0.03), (4.0, 0.05), (9.0, 0.01)].map(|(cost, error)| Point { cost, error });
-//! assert_eq!(front(&points), [0, 1, 3]);
+//! let points = [(1.0, 0.08), (2.0, 0.03), (4.0, 0.05), (9.0, 0.01)].map(|(cost, error)| CostErrorPoint { cost, error });
+//! assert_eq!(pareto_front(&points), [0, 1, 3]);
 //! assert_eq!(cheapest_within(&points, 0.05), Some(1));
 //! ```
 //!

@@ -106,7 +106,7 @@ fn tree<'s>(tables: &MeshTables, buffers: &'s mut BvhBuffers) -> Bvh<'s, (), Tri
     let builder = BvhBuilder::new(&tables.boxes, LeafLayout::TriangleBlocks(&geometry), nodes, items)
         .expect("the buffers are large enough");
     block_buffer.resize(builder.block_count(), TriangleBlock::EMPTY);
-    builder.into_bvh_with_blocks(&geometry, block_buffer).expect("the buffers are large enough")
+    builder.into_block_bvh(&geometry, block_buffer).expect("the buffers are large enough")
 }
 
 /// Builds the BVH, traversed with a stack and with a heap.

@@ -12,9 +12,9 @@ use strahl_core::geometry::{ItemId, ShapeKind, ShapeSet};
 use strahl_core::image::Pixel;
 use strahl_core::scene::{EffectSet, Effects, FresnelModel, LightKind, LightSet};
 use strahl_core::{
-    Background, BareList, Camera, CameraDescriptor, CenterSampler, Falloff, Geometry, Light, LightSource,
-    Limits, Material, MaterialId, Plane, Projection, Resolution, Rgb, Scene, SceneDescriptor, Shape, Sphere,
-    Tile, Tracer, Vec3, Worker, World, render, vec3,
+    Background, Camera, CameraDescriptor, CenterSampler, Falloff, Geometry, Light, LightSource, Limits,
+    ListWithoutBounds, Material, MaterialId, Plane, Projection, Resolution, Rgb, Scene, SceneDescriptor,
+    Shape, Sphere, Tile, Tracer, Vec3, Worker, World, render, vec3,
 };
 
 /// A variant of the table: an effect set, and a scene that requires exactly these effects.
@@ -165,7 +165,7 @@ impl FlashVariant for FlashDistributed {
 #[inline(never)]
 pub fn picture<S: FlashVariant>(mut send: impl FnMut([u8; 4])) -> Option<()> {
     // Opaque to the optimizer: no constant of the scene is folded into the code.
-    let world = World::new(Scene::new(black_box(S::PARTS)).ok()?, BareList(ITEMS as u32));
+    let world = World::new(Scene::new(black_box(S::PARTS)).ok()?, ListWithoutBounds(ITEMS as u32));
     let camera = Camera::new(&black_box(S::VIEW), SIZE).ok()?;
     let tracer = Tracer::<_, S, LEVELS>::new(&world, camera, LIMITS).ok()?;
     let mut worker = Worker::new(());

@@ -6,7 +6,9 @@ use core::sync::atomic::{AtomicUsize, Ordering};
 use strahl_core::accel::{Accelerator, TraversalStack};
 use strahl_core::baked::{BakedAccelerator, BakedScene, BakedSceneError};
 use strahl_core::scene::Effects;
-use strahl_core::{AllEffects, BareList, Camera, CenterSampler, Limits, Scene, World, include_baked_scene};
+use strahl_core::{
+    AllEffects, Camera, CenterSampler, Limits, ListWithoutBounds, Scene, World, include_baked_scene,
+};
 
 use crate::draw::{DrawCost, DrawSettings, PixelBytes, PixelRow, bytes, draw};
 
@@ -83,19 +85,19 @@ pub fn picture(
     const { assert!(E::SET.shadows) };
     let refused = |_: BakedSceneError| "invalid baked scene";
     let SceneSource::Bytes(source) = baked.source else {
-        use constants::{Asked, ITEMS, LIMITS, PARTS, SIZE, VIEW};
-        let scene = Scene::new(PARTS).map_err(|_| "invalid scene")?;
-        let camera = Camera::new(&VIEW, SIZE).map_err(|_| "invalid camera")?;
+        use constants::{CAMERA, ITEMS, LIMITS, SCENE, SIZE, SceneEffects};
+        let scene = Scene::new(SCENE).map_err(|_| "invalid scene")?;
+        let camera = Camera::new(&CAMERA, SIZE).map_err(|_| "invalid camera")?;
         let settings = DrawSettings { size: SIZE, camera, limits: LIMITS };
-        let (world, row) = (World::new(scene, BareList(ITEMS)), row_of(row, &settings)?);
-        return draw_result::<_, Asked>(&world, settings, row, clock, take);
+        let (world, row) = (World::new(scene, ListWithoutBounds(ITEMS)), row_of(row, &settings)?);
+        return draw_result::<_, SceneEffects>(&world, settings, row, clock, take);
     };
     let pack = BakedScene::open(source).map_err(refused)?;
     let (scene, settings) = (*pack.scene(), draw_settings(&pack)?);
     let row = row_of(row, &settings)?;
     match pack.accelerator().map_err(refused)? {
-        BakedAccelerator::BareList(bare) => {
-            draw_result::<_, E>(&World::new(scene, bare), settings, row, clock, take)
+        BakedAccelerator::ListWithoutBounds(list) => {
+            draw_result::<_, E>(&World::new(scene, list), settings, row, clock, take)
         }
         BakedAccelerator::Grid(grid) => {
             let grid = grid.with_mailbox::<64>();

@@ -110,7 +110,7 @@ impl<'s> AcceleratorCheck<'s> {
             BvhBuilder::new(&self.boxes, LeafLayout::TriangleBlocks(&geometry), &mut nodes, &mut items)
                 .unwrap();
         let mut block_buffer = vec![TriangleBlock::EMPTY; builder.block_count()];
-        let tree = builder.into_bvh_with_blocks::<TraversalStack<64>>(&geometry, &mut block_buffer).unwrap();
+        let tree = builder.into_block_bvh::<TraversalStack<64>>(&geometry, &mut block_buffer).unwrap();
         assert_eq!(tree.entry_count(), self.boxes.iter().filter(|aabb| !aabb.is_empty()).count());
         self.check("triangle blocks, stack", tree);
         self.check("triangle blocks, heap of one", tree.with_queue::<TraversalHeap<1>>());

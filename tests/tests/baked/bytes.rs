@@ -22,7 +22,8 @@ fn opened(bytes: &[u8]) -> Option<BakedSceneError> {
 #[test]
 fn invalid_bytes_are_refused_with_the_reason() {
     let scene = mixed_scene();
-    let bytes = baked(scene.as_scene(), BakedAccelerator::BareList(BareList(scene.item_count())));
+    let bytes =
+        baked(scene.as_scene(), BakedAccelerator::ListWithoutBounds(ListWithoutBounds(scene.item_count())));
     let with = |offset: usize, word: u32| {
         let mut bytes = bytes.clone();
         bytes[offset..offset + 4].copy_from_slice(&word.to_le_bytes());
@@ -45,7 +46,8 @@ fn invalid_bytes_are_refused_with_the_reason() {
 #[test]
 fn a_truncated_baked_scene_is_too_short() {
     let scene = mixed_scene();
-    let bytes = baked(scene.as_scene(), BakedAccelerator::BareList(BareList(scene.item_count())));
+    let bytes =
+        baked(scene.as_scene(), BakedAccelerator::ListWithoutBounds(ListWithoutBounds(scene.item_count())));
     for length in 0..bytes.len() {
         let error = opened(&bytes[..length]);
         assert!(matches!(error, Some(BakedSceneError::TooShort { .. })), "{length}: {error:?}");
@@ -55,7 +57,8 @@ fn a_truncated_baked_scene_is_too_short() {
 #[test]
 fn a_flipped_bit_is_detected() {
     let scene = mixed_scene();
-    let bytes = baked(scene.as_scene(), BakedAccelerator::BareList(BareList(scene.item_count())));
+    let bytes =
+        baked(scene.as_scene(), BakedAccelerator::ListWithoutBounds(ListWithoutBounds(scene.item_count())));
     for index in 0..bytes.len() {
         let mut bytes = bytes.clone();
         bytes[index] ^= 1 << (index % 8);
@@ -118,7 +121,7 @@ fn open_and_trace(bytes: &[u8]) -> bool {
     }
     let scene = *pack.scene();
     match finder {
-        BakedAccelerator::BareList(bare) => trace_pixels(scene, bare, camera),
+        BakedAccelerator::ListWithoutBounds(list) => trace_pixels(scene, list, camera),
         BakedAccelerator::Grid(grid) => trace_pixels(scene, grid.with_mailbox::<8>(), camera),
         BakedAccelerator::Octree(octree) => trace_pixels(scene, octree.with_mailbox::<8>(), camera),
         BakedAccelerator::Bvh(bvh) => trace_pixels(scene, bvh.with_queue::<TraversalHeap<8>>(), camera),

@@ -12,9 +12,9 @@ use strahl_core::geometry::Cone;
 use strahl_core::image::Pixel;
 use strahl_core::scene::{FresnelModel, Texture};
 use strahl_core::{
-    AllEffects, Background, BareList, Camera, CameraDescriptor, CenterSampler, Falloff, Light, LightSource,
-    Limits, Material, Projection, Real, Resolution, Rgb, Scene, Tile, Tracer, Vec3, Worker, World, render,
-    vec3,
+    AllEffects, Background, Camera, CameraDescriptor, CenterSampler, Falloff, Light, LightSource, Limits,
+    ListWithoutBounds, Material, Projection, Real, Resolution, Rgb, Scene, Tile, Tracer, Vec3, Worker, World,
+    render, vec3,
 };
 use strahl_tests::SplitMix64;
 use strahl_tests::single::TestScene;
@@ -148,7 +148,7 @@ fn baked_with_every_accelerator(scene: &TestScene) -> Vec<Vec<u8>> {
     let (mut nodes, mut items) = (vec![BvhNode::EMPTY; size.nodes], vec![LeafEntry::EMPTY; size.entries]);
     let bvh = Bvh::build(&boxes, &mut nodes, &mut items).unwrap();
     let finders = [
-        BakedAccelerator::BareList(BareList(scene.item_count())),
+        BakedAccelerator::ListWithoutBounds(ListWithoutBounds(scene.item_count())),
         BakedAccelerator::Grid(grid),
         BakedAccelerator::Octree(octree),
         BakedAccelerator::Bvh(bvh),
@@ -171,7 +171,7 @@ fn picture<A: Accelerator>(scene: Scene<'_>, accelerator: A, camera: Camera) -> 
 fn picture_of(pack: &BakedScene<'_>) -> Result<Vec<[u32; 3]>, BakedSceneError> {
     let (scene, camera) = (*pack.scene(), pack.camera(SIZE).unwrap());
     Ok(match pack.accelerator()? {
-        BakedAccelerator::BareList(bare) => picture(scene, bare, camera),
+        BakedAccelerator::ListWithoutBounds(list) => picture(scene, list, camera),
         BakedAccelerator::Grid(grid) => picture(scene, grid.with_mailbox::<8>(), camera),
         BakedAccelerator::Octree(octree) => picture(scene, octree.with_mailbox::<8>(), camera),
         BakedAccelerator::Bvh(bvh) => picture(scene, bvh.with_queue::<TraversalStack<16>>(), camera),

@@ -44,16 +44,21 @@ fn an_empty_scene_is_baked_and_opened() {
 
 #[test]
 fn a_baked_scene_has_exactly_one_accelerator() {
-    let [bare, grid, octree, bvh] =
+    let [list, grid, octree, bvh] =
         <[Vec<u8>; 4]>::try_from(baked_with_every_accelerator(&mixed_scene())).unwrap();
     let wrong = BakedSceneError::Section(BakedSection::Accelerator);
     let open = |bytes: &[u8]| {
         let aligned = AlignedBytes::of(bytes);
         let pack = BakedScene::open(aligned.bytes()).unwrap();
-        (pack.grid::<0>().err(), pack.octree::<0>().err(), pack.bvh::<()>().err(), pack.bare_list().0)
+        (
+            pack.grid::<0>().err(),
+            pack.octree::<0>().err(),
+            pack.bvh::<()>().err(),
+            pack.list_without_bounds().0,
+        )
     };
     let count = mixed_scene().item_count();
-    assert_eq!(open(&bare), (Some(wrong), Some(wrong), Some(wrong), count));
+    assert_eq!(open(&list), (Some(wrong), Some(wrong), Some(wrong), count));
     assert_eq!(open(&grid), (None, Some(wrong), Some(wrong), count));
     assert_eq!(open(&octree), (Some(wrong), None, Some(wrong), count));
     assert_eq!(open(&bvh), (Some(wrong), Some(wrong), None, count));

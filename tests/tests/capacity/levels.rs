@@ -165,7 +165,7 @@ fn the_background_replaces_rays_below_the_last_level_and_distant_hits() {
     let mut scene = panes(1);
     scene.background = Background::Color(Rgb::gray(8.0));
     let color = |from: Real, levels| {
-        let world = World::new(scene.as_scene(), BareList(scene.item_count()));
+        let world = World::new(scene.as_scene(), ListWithoutBounds(scene.item_count()));
         let view =
             CameraDescriptor { position: vec3(from, 0.0, 0.0), target: vec3(from + 1.0, 0.0, 0.0), ..VIEW };
         let camera = Camera::new(&CameraDescriptor { up: Vec3::Y, ..view }, size(1, 1)).unwrap();

@@ -26,9 +26,9 @@ use strahl_core::scene::{
 use strahl_core::tally::{CountedEvent, Counters, RayKind, Tally};
 use strahl_core::trace::{HitId, PixelSample, RayTracer, TracerError};
 use strahl_core::{
-    AllEffects, Background, BareList, Camera, CameraDescriptor, CenterSampler, Falloff, Light, LightSource,
-    Limits, Material, Projection, Real, Resolution, Rgb, Scene, Tile, Tracer, Vec3, Worker, World, render,
-    vec3,
+    AllEffects, Background, Camera, CameraDescriptor, CenterSampler, Falloff, Light, LightSource, Limits,
+    ListWithoutBounds, Material, Projection, Real, Resolution, Rgb, Scene, Tile, Tracer, Vec3, Worker, World,
+    render, vec3,
 };
 use strahl_tests::single::TestScene;
 use strahl_tests::{DVec3, SplitMix64, TestShape, TestShapeKind};
@@ -197,7 +197,7 @@ fn the_core_allocates_no_memory() {
         let Ok(()) = render(&mut tracer.with_worker(&mut worker), &mut adaptive, tile.pixels(), &mut frame);
         let selection = Selection::new(8, colors_agree).unwrap();
         let mut selected = PixelSelector::new(selection, CenterSampler, Uncached, &mut cache);
-        let block_corners = selection.blocks(tile).pixels();
+        let block_corners = selection.block_range(tile).pixels();
         let Ok(()) =
             render_selected(&mut tracer.with_worker(&mut worker), &mut selected, block_corners, &mut frame);
         assert!(

@@ -12,7 +12,7 @@ use strahl_core::image::StochasticSampler;
 use strahl_core::scene::{EffectSet, Effects, LightSet, TextureSet};
 use strahl_core::tally::{Counters, RayKind};
 use strahl_core::{
-    AllEffects, BareList, Camera, Limits, Resolution, Rgb, Tile, Tracer, Worker, World, render,
+    AllEffects, Camera, Limits, ListWithoutBounds, Resolution, Rgb, Tile, Tracer, Worker, World, render,
 };
 use strahl_engine::{NoProgress, RenderOptions};
 use strahl_scene::description::LoadedScene;
@@ -87,7 +87,7 @@ tracers! {
 fn rendered<E: Effects>(description: &LoadedScene) -> Vec<u32> {
     let tables = scene_tables(description);
     let scene = tables.scene().unwrap();
-    let world = World::new(scene, BareList(scene.descriptor().material_ids.len() as u32));
+    let world = World::new(scene, ListWithoutBounds(scene.descriptor().material_ids.len() as u32));
     let camera = Camera::new(&view(&description.camera), SIZE).unwrap();
     let tracer = Tracer::<_, E, 5>::new(&world, camera, Limits::DEFAULT).unwrap();
     let mut bits = Vec::new();

@@ -221,7 +221,7 @@ proptest! {
             }
             _ => {
                 let selection = Selection::new(2, contrast).unwrap();
-                let block_corners = selection.blocks(tile).pixels();
+                let block_corners = selection.block_range(tile).pixels();
                 let mut selected = PixelSelector::new(selection, CenterSampler, Uncached, &mut cache);
                 render_selected(&mut tracer.with_worker(&mut worker), &mut selected, block_corners, &mut frame)
             }

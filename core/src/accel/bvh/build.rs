@@ -10,7 +10,7 @@ use crate::accel::{Buffer, BuildError, BvhSize, TriangleBlock};
 use crate::geometry::{Aabb, Geometry, ItemId};
 
 /// A finished tree whose leaves are not laid out yet: [`BvhBuilder::into_bvh`] keeps single entries,
-/// [`BvhBuilder::into_bvh_with_blocks`] makes blocks of triangles.
+/// [`BvhBuilder::into_block_bvh`] makes blocks of triangles.
 #[derive(Debug)]
 pub struct BvhBuilder<'s> {
     nodes: &'s mut [BvhNode],
@@ -98,7 +98,7 @@ impl<'s> BvhBuilder<'s> {
         Bvh { nodes, leaf_elements: entries, depth, queue: PhantomData }
     }
 
-    /// Number of blocks that [`BvhBuilder::into_bvh_with_blocks`] needs.
+    /// Number of blocks that [`BvhBuilder::into_block_bvh`] needs.
     pub fn block_count(&self) -> usize {
         split_leaves(self.entries).map(|leaf| leaf.len().div_ceil(TriangleBlock::CAPACITY)).sum()
     }
@@ -111,7 +111,7 @@ impl<'s> BvhBuilder<'s> {
     /// # Errors
     ///
     /// [`BuildError::BufferTooSmall`] for `blocks`.
-    pub fn into_bvh_with_blocks<Queue>(
+    pub fn into_block_bvh<Queue>(
         self,
         geometry: &Geometry<'_>,
         blocks: &'s mut [TriangleBlock],

@@ -71,7 +71,7 @@ impl<'n> RayTreeRecorder<'n> {
             arrives: None,
             adds: None,
             through: transmitted,
-            blocker: None,
+            occluder: None,
         };
         match outcome {
             LightOutcome::Arrived { direction, distance, color, contribution } => {
@@ -85,9 +85,9 @@ impl<'n> RayTreeRecorder<'n> {
                 let nearest = ray.and_then(|(origin, direction, t_max)| {
                     self.names.nearest_occluder(origin, direction, t_max)
                 });
-                light.blocker = nearest.or(occluder).map(|it| self.occluder_record(it));
+                light.occluder = nearest.or(occluder).map(|it| self.occluder_record(it));
             }
-            LightOutcome::Occluded => light.blocker = occluder.map(|it| self.occluder_record(it)),
+            LightOutcome::Occluded => light.occluder = occluder.map(|it| self.occluder_record(it)),
             LightOutcome::NoEmission | LightOutcome::BackFacing | LightOutcome::OutsideHighlight => {}
         }
         self.with_current_ray(|ray| ray.lights.push(light));

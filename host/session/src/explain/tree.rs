@@ -196,7 +196,8 @@ pub struct LightRecord {
     /// Surfaces that transmit the light, nearest first.
     pub through: Vec<TransmissionRecord>,
     /// The occluder.
-    pub blocker: Option<OccluderRecord>,
+    #[serde(rename = "blocker")]
+    pub occluder: Option<OccluderRecord>,
 }
 
 /// A surface that transmits light along a shadow ray.

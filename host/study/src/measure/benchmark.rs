@@ -145,8 +145,8 @@ impl<'b> Benchmark<'b> {
         let run = StudyRun {
             role,
             setting: RunSettings::new(settings, choice),
-            cpu: vec![output.trace_cpu.as_secs_f64()],
-            wall: vec![output.trace.as_secs_f64()],
+            cpu_seconds: vec![output.trace_cpu.as_secs_f64()],
+            wall_seconds: vec![output.trace.as_secs_f64()],
             build: output.build.as_secs_f64(),
             work: WEIGHTS.instructions(&counts, choice.kind.name()),
             counts,
@@ -160,8 +160,8 @@ impl<'b> Benchmark<'b> {
     /// Renders again and adds the times.
     pub fn repeat(&self, measurement: &mut Measurement) -> Result<(), RenderError> {
         if let Some(output) = self.trace(&measurement.settings, f64::INFINITY)? {
-            measurement.run.cpu.push(output.trace_cpu.as_secs_f64());
-            measurement.run.wall.push(output.trace.as_secs_f64());
+            measurement.run.cpu_seconds.push(output.trace_cpu.as_secs_f64());
+            measurement.run.wall_seconds.push(output.trace.as_secs_f64());
         }
         Ok(())
     }

@@ -190,7 +190,8 @@ impl<'b> Measurements<'b> {
         let end = self.benchmark.time_share(time::MEASURING_END);
         for round in 1..self.plan.repeats {
             for (done, place) in wanted.iter().enumerate() {
-                let again = self.measurements[*place].run.wall[0] + self.measurements[*place].run.build;
+                let again =
+                    self.measurements[*place].run.wall_seconds[0] + self.measurements[*place].run.build;
                 let left = end - self.benchmark.elapsed();
                 // Long measurements are repeated only if much time is left; load disturbs them less.
                 if again > 0.1 * left {
@@ -198,7 +199,7 @@ impl<'b> Measurements<'b> {
                 }
                 self.benchmark.repeat(&mut self.measurements[*place])?;
                 let rounds = (self.plan.repeats - round) as f64 - done as f64 / wanted.len() as f64;
-                let all: f64 = wanted.iter().map(|place| self.measurements[*place].run.wall[0]).sum();
+                let all: f64 = wanted.iter().map(|place| self.measurements[*place].run.wall_seconds[0]).sum();
                 self.benchmark.report_seconds_left((rounds * all).min(left));
             }
         }

@@ -37,7 +37,7 @@ fn dots(
 }
 
 pub fn section(study: &Study) -> Markup {
-    let by_time = dots(study, StudyRun::median_cpu_seconds, |run| Some(min_max(&run.cpu)));
+    let by_time = dots(study, StudyRun::median_cpu_seconds, |run| Some(min_max(&run.cpu_seconds)));
     let by_work = dots(study, |run| run.work, |_| None);
     let noise = Some(study.reference.noise).filter(|noise| *noise > 0.0);
     let alt = |cost: &str| {
@@ -102,7 +102,7 @@ fn table(study: &Study, places: &[(usize, usize)]) -> Markup {
             tbody {
                 @for (place, number) in places {
                     @let run = &study.runs[*place];
-                    @let [least, most] = min_max(&run.cpu);
+                    @let [least, most] = min_max(&run.cpu_seconds);
                     tr {
                         td.number { @if *number > 0 { strong { (number) } } }
                         td {

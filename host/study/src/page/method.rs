@@ -10,9 +10,9 @@ use crate::statistics::{median, relative_range};
 
 pub fn section(study: &Study) -> Markup {
     let method = &study.method;
-    let repetitions: Vec<f64> = study.runs.iter().map(|run| run.cpu.len() as f64).collect();
-    let repeated: Vec<&StudyRun> = study.runs.iter().filter(|run| run.cpu.len() > 2).collect();
-    let mut spreads: Vec<f64> = repeated.iter().map(|run| relative_range(&run.cpu)).collect();
+    let repetitions: Vec<f64> = study.runs.iter().map(|run| run.cpu_seconds.len() as f64).collect();
+    let repeated: Vec<&StudyRun> = study.runs.iter().filter(|run| run.cpu_seconds.len() > 2).collect();
+    let mut spreads: Vec<f64> = repeated.iter().map(|run| relative_range(&run.cpu_seconds)).collect();
     spreads.sort_by(f64::total_cmp);
     // The 90 % quantile.
     let most = spreads.get((9 * spreads.len()).div_ceil(10).saturating_sub(1)).copied();

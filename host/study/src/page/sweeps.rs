@@ -39,7 +39,7 @@ fn card(study: &Study, sweep: &ParameterSweep) -> Markup {
                 SettingFamily::Regular
             };
             let (name, error, cost) = (step.value.clone(), step.alone.rmse, run.median_cpu_seconds());
-            SweepRow { name, error, cost, spread: min_max(&run.cpu), family }
+            SweepRow { name, error, cost, spread: min_max(&run.cpu_seconds), family }
         })
         .collect();
     let order = match sweep.name.as_str() {

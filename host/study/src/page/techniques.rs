@@ -140,14 +140,14 @@ fn table(shown: &[TechniqueRow<'_>], bounded: &[AbortedTechnique<'_>]) -> Markup
             } }
             tbody {
                 @for it in bounded {
-                    @let wall = median(&it.with.wall);
+                    @let with_seconds = median(&it.with.wall_seconds);
                     tr {
                         th scope="row" { (it.it.name) }
                         td { (it.it.off) " → " (it.it.on) }
                         td.number { "– → " (count(tests(it.with))) }
                         td.number { "–" }
-                        td.number { "over " (seconds(it.after)) " → " (seconds(wall)) }
-                        td.number { @if wall < it.after { "over " (saved(wall / it.after)) } @else { "–" } }
+                        td.number { "over " (seconds(it.after)) " → " (seconds(with_seconds)) }
+                        td.number { @if with_seconds < it.after { "over " (saved(with_seconds / it.after)) } @else { "–" } }
                         td.number { "–" }
                     }
                 }
@@ -203,8 +203,8 @@ fn threads(study: &Study) -> Markup {
                     @for run in &runs {
                         tr {
                             td { (run.setting.settings.threads) }
-                            td.number { (seconds(median(&run.wall))) }
-                            td.number { "× " (format!("{:.2}", median(&one.wall) / median(&run.wall).max(1e-12))) }
+                            td.number { (seconds(median(&run.wall_seconds))) }
+                            td.number { "× " (format!("{:.2}", median(&one.wall_seconds) / median(&run.wall_seconds).max(1e-12))) }
                             td.number { (seconds(run.median_cpu_seconds())) }
                             td { @if run.digest == one.digest { "the same, bit for bit" } @else { strong.wrong { "different: please report this bug" } } }
                         }

@@ -58,12 +58,18 @@ impl Study {
             return Err(format!("run {index} does not exist; there are {count} runs, counted from 0"));
         }
         for (index, run) in self.runs.iter().enumerate() {
-            if run.cpu.is_empty() || run.wall.is_empty() {
+            if run.cpu_seconds.is_empty() || run.wall_seconds.is_empty() {
                 return Err(format!("run {index} has no measured time"));
             }
             let is_wrong = |value: &f64| !(value.is_finite() && *value >= 0.0);
             let ErrorMetrics { rmse, largest, beyond, .. } = run.error;
-            if run.cpu.iter().chain(&run.wall).chain(&[run.work, rmse, largest, beyond]).any(is_wrong) {
+            if run
+                .cpu_seconds
+                .iter()
+                .chain(&run.wall_seconds)
+                .chain(&[run.work, rmse, largest, beyond])
+                .any(is_wrong)
+            {
                 return Err(format!("a time, the work or an error of run {index} is negative"));
             }
         }

@@ -32,9 +32,11 @@ pub struct StudyRun {
     /// The settings.
     pub setting: RunSettings,
     /// Processor seconds of tracing, summed over all threads, one value per repetition.
-    pub cpu: Vec<f64>,
+    #[serde(rename = "cpu")]
+    pub cpu_seconds: Vec<f64>,
     /// Wall-clock seconds of tracing, one value per repetition.
-    pub wall: Vec<f64>,
+    #[serde(rename = "wall")]
+    pub wall_seconds: Vec<f64>,
     /// Wall-clock seconds to build the tables and the accelerator, in the first repetition.
     pub build: f64,
     /// The work in instructions, from counts and weights: the same on every machine.
@@ -66,7 +68,7 @@ pub struct ErrorMetrics {
 impl StudyRun {
     /// The median of the processor seconds.
     pub fn median_cpu_seconds(&self) -> f64 {
-        median(&self.cpu)
+        median(&self.cpu_seconds)
     }
 
     /// Whether it measures the cost of accuracy, rather than that of an accelerator or of threads.

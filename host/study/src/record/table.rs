@@ -51,15 +51,18 @@ pub fn to_csv(study: &Study) -> String {
     for (index, run) in study.runs.iter().enumerate() {
         let (setting, counts, error) = (&run.setting, &run.counts, &run.error);
         let sum = |of: [u64; 4]| of.iter().sum::<u64>().to_string();
-        let [least, most] = min_max(&run.cpu);
+        let [least, most] = min_max(&run.cpu_seconds);
         let role = format!("{:?}", run.role).to_lowercase();
         let mut row = vec![index.to_string(), role];
         row.extend(RunSettings::recorded().map(|it| cell(&it.to_json(&setting.settings))));
         row.push(setting.accelerator.clone());
         row.extend(counts.rays.map(|rays| rays.to_string()));
         row.extend([sum(counts.boxes), sum(counts.shapes), sum(counts.regions)]);
-        row.extend([run.work, median(&run.cpu), least, most, median(&run.wall)].map(|it| it.to_string()));
-        row.push(run.cpu.len().to_string());
+        row.extend(
+            [run.work, median(&run.cpu_seconds), least, most, median(&run.wall_seconds)]
+                .map(|it| it.to_string()),
+        );
+        row.push(run.cpu_seconds.len().to_string());
         row.extend([run.build, error.rmse, error.largest, error.beyond, error.ssim].map(|it| it.to_string()));
         row.extend([by_work.contains(&index), by_time.contains(&index)].map(|it| it.to_string()));
         row.push(run.digest.clone());

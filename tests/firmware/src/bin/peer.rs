@@ -11,7 +11,7 @@ use core::hint::black_box;
 use cortex_m_rt::entry;
 use semihosting::{fs::File, io::Write, println, process};
 use strahl_core::scene::Effects;
-use strahl_core::{BareList, Camera, CenterSampler, Scene, World};
+use strahl_core::{Camera, CenterSampler, ListWithoutBounds, Scene, World};
 use strahl_firmware::draw::{DrawSettings, draw};
 use strahl_firmware::peer::{ITEMS, LEVELS, LIMITS, PARTS, PeerEffects, SIZE, VIEW, quantized};
 use strahl_firmware::{count, stack};
@@ -37,7 +37,7 @@ fn picture(row: &mut [[u8; 3]; WIDTH]) -> Result<(), &'static str> {
     if scene.required_effects() != PeerEffects::SET {
         return Err("the scene does not require exactly the effects of the tracer");
     }
-    let world = World::new(scene, BareList(ITEMS as u32));
+    let world = World::new(scene, ListWithoutBounds(ITEMS as u32));
     let camera = Camera::new(&VIEW, SIZE).map_err(|_| "invalid camera")?;
     let mut file = File::create(c"peer.ppm").map_err(|_| "peer.ppm cannot be created")?;
     file.write_all(b"P6\n160 120\n255\n").map_err(|_| "peer.ppm cannot be written")?;

@@ -98,7 +98,7 @@ fn tree<W: TraversalQueue>() {
             used(BvhBuilder::block_count(&builder));
             let mut block_buffer = [TriangleBlock::EMPTY; 2];
             let Ok(tree) =
-                BvhBuilder::into_bvh_with_blocks::<W>(builder, &geometry, any(block_buffer.as_mut_slice()))
+                BvhBuilder::into_block_bvh::<W>(builder, &geometry, any(block_buffer.as_mut_slice()))
             else {
                 return;
             };

@@ -54,7 +54,7 @@ pub fn sampled<A: Accelerator, E: Effects, T: Tally, const LEVELS: usize>(
         let pixel = any(Pixel { x: 0, y: 0 });
         StochasticSampler::continue_pixel(&stochastic, pixel, &mut estimate, &mut any_trace);
         used((
-            PixelEstimate::to_sample(&estimate),
+            PixelEstimate::to_sample(estimate),
             PixelEstimate::sample_count(&estimate),
             PixelEstimate::confidence_radius(&estimate, number()),
         ));
@@ -97,7 +97,7 @@ fn corners<A: Accelerator, E: Effects, T: Tally, const LEVELS: usize>(
         }
     }
     if let Some(selection) = Selection::new(any(4), contrast) {
-        used((Selection::step(&selection), Selection::blocks(&selection, any_tile())));
+        used((Selection::step(&selection), Selection::block_range(&selection, any_tile())));
         used(Selection::pixels_of(&selection, any_tile()));
         Selection::refinement_sides(&selection).for_each(used);
         let every: StridedSampler<CenterSampler> = Selection::corner_sampler(&selection, CenterSampler);

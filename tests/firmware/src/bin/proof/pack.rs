@@ -22,7 +22,10 @@ pub fn entry_points() {
     used(BakedScene::camera(&pack, any_size()));
     let finder: Result<BakedAccelerator<'_>, BakedSceneError> = BakedScene::accelerator(&pack);
     used((finder, any(BakedSection::Accelerator), any(TextureId::NONE)));
-    traced::<_, AllEffects, _, 5>(&World::new(*BakedScene::scene(&pack), BakedScene::bare_list(&pack)), ());
+    traced::<_, AllEffects, _, 5>(
+        &World::new(*BakedScene::scene(&pack), BakedScene::list_without_bounds(&pack)),
+        (),
+    );
     if let Ok(grid) = BakedScene::grid::<8>(&pack) {
         traced::<_, SpheresOnly, _, 2>(
             &World::new(*BakedScene::scene(&pack), Grid::with_mailbox::<16>(grid)),

@@ -5,7 +5,7 @@ use strahl_core::geometry::{Aabb, BoundingSphere};
 use strahl_core::scene::Effects;
 use strahl_core::tally::{Counters, RayCounters, Tally};
 use strahl_core::trace::TracerError;
-use strahl_core::{AllEffects, BareList, Limits, Scene, Tracer, Worker, World};
+use strahl_core::{AllEffects, Limits, ListWithoutBounds, Scene, Tracer, Worker, World};
 
 use crate::accel::{ArbitraryAccelerator, lists};
 use crate::any::{any, used};
@@ -21,8 +21,8 @@ pub fn entry_points() {
         traced::<_, AllEffects, _, 5>(&World::new(scene, list), ());
     }
     traced::<_, SpheresOnly, _, 1>(&World::new(scene, ArbitraryAccelerator), DiscardingTally);
-    traced::<_, SpheresOnly, _, 1>(&World::new(scene, BareList(any(1))), RayCounters::new());
-    traced::<_, LimitedDistanceEffects, _, 2>(&World::new(scene, BareList(any(1))), ());
+    traced::<_, SpheresOnly, _, 1>(&World::new(scene, ListWithoutBounds(any(1))), RayCounters::new());
+    traced::<_, LimitedDistanceEffects, _, 2>(&World::new(scene, ListWithoutBounds(any(1))), ());
     displayed(any(TracerError::Cutoff(2.0)));
 }
 
