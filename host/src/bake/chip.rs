@@ -39,11 +39,11 @@ const DISTRIBUTED: EffectSet = EffectSet {
 
 /// From the smallest to everything.
 pub const STACKS: [Stack; 6] = [
-    Stack { name: "local", set: LOCAL, levels: 5, bytes: 1216 },
-    Stack { name: "shadows", set: SHADOWS, levels: 5, bytes: 1312 },
-    Stack { name: "mirrors", set: MIRRORS, levels: 5, bytes: 1408 },
-    Stack { name: "glass", set: GLASS, levels: 5, bytes: 1504 },
-    Stack { name: "distributed", set: DISTRIBUTED, levels: 5, bytes: 1648 },
+    Stack { name: "local", set: LOCAL, levels: 5, bytes: 1120 },
+    Stack { name: "shadows", set: SHADOWS, levels: 5, bytes: 1216 },
+    Stack { name: "mirrors", set: MIRRORS, levels: 5, bytes: 1296 },
+    Stack { name: "glass", set: GLASS, levels: 5, bytes: 1376 },
+    Stack { name: "distributed", set: DISTRIBUTED, levels: 5, bytes: 1552 },
     Stack { name: "everything", set: EffectSet::ALL, levels: 6, bytes: 3232 },
 ];
 
