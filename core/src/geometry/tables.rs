@@ -3,7 +3,7 @@
 use super::shape::AllShapes;
 use super::{
     Aabb, Cone, Cuboid, Disc, ItemId, MovingShape, OrientedCuboid, Plane, Polygon, Shape, ShapeFeatures,
-    Torus, triangle,
+    ShapeKind, Torus, triangle,
 };
 use crate::math::Vec3;
 
@@ -123,24 +123,41 @@ impl<'s> Geometry<'s> {
         self.static_bounds::<S>(shape)
     }
 
-    /// Bounds of a shape that does not move.
+    /// Bounds of a shape that does not move; `None` for a plane and for a kind that is not in `S::SHAPES`.
+    // The kind is compared in every arm so that the code of other kinds is compiled away.
     pub(super) fn static_bounds<S: ShapeFeatures>(&self, shape: Shape) -> Option<Aabb> {
-        if !shape.kind().is_some_and(|kind| S::SHAPES.contains(kind)) {
-            return None;
-        }
+        let supports = |kind| S::SHAPES.contains(kind);
         match shape {
-            Shape::Sphere(sphere) => Some(sphere.bounds()),
-            Shape::Triangle(indices) | Shape::SmoothTriangle(indices) => {
+            Shape::Sphere(sphere) if supports(ShapeKind::Sphere) => Some(sphere.bounds()),
+            Shape::Triangle(indices) if supports(ShapeKind::Triangle) => {
                 self.vertices(indices).map(triangle::bounds)
             }
-            Shape::Plane(_) => None,
-            Shape::Disc(index) => get(self.discs, index).map(Disc::bounds),
-            Shape::Polygon(index) => get(self.polygons, index).map(|polygon| polygon.bounds),
-            Shape::Cuboid(index) => get(self.cuboids, index).map(Cuboid::bounds),
-            Shape::OrientedCuboid(index) => get(self.oriented_cuboids, index).map(OrientedCuboid::bounds),
-            Shape::Cone(index) => get(self.cones, index).map(Cone::bounds),
-            Shape::Torus(index) => get(self.tori, index).map(Torus::bounds),
-            Shape::Moving(_) => None,
+            Shape::SmoothTriangle(indices) if supports(ShapeKind::SmoothTriangle) => {
+                self.vertices(indices).map(triangle::bounds)
+            }
+            Shape::Disc(index) if supports(ShapeKind::Disc) => get(self.discs, index).map(Disc::bounds),
+            Shape::Polygon(index) if supports(ShapeKind::Polygon) => {
+                get(self.polygons, index).map(|polygon| polygon.bounds)
+            }
+            Shape::Cuboid(index) if supports(ShapeKind::Cuboid) => {
+                get(self.cuboids, index).map(Cuboid::bounds)
+            }
+            Shape::OrientedCuboid(index) if supports(ShapeKind::OrientedCuboid) => {
+                get(self.oriented_cuboids, index).map(OrientedCuboid::bounds)
+            }
+            Shape::Cone(index) if supports(ShapeKind::Cone) => get(self.cones, index).map(Cone::bounds),
+            Shape::Torus(index) if supports(ShapeKind::Torus) => get(self.tori, index).map(Torus::bounds),
+            Shape::Sphere(_)
+            | Shape::Triangle(_)
+            | Shape::SmoothTriangle(_)
+            | Shape::Disc(_)
+            | Shape::Polygon(_)
+            | Shape::Cuboid(_)
+            | Shape::OrientedCuboid(_)
+            | Shape::Cone(_)
+            | Shape::Torus(_)
+            | Shape::Plane(_)
+            | Shape::Moving(_) => None,
         }
     }
 }

@@ -5,7 +5,8 @@
 //!
 //! Source: Cook, Porter and Carpenter, "Distributed Ray Tracing", SIGGRAPH 1984, for the thin lens.
 
-use super::{CameraError, Field, FieldError, Resolution, check};
+use super::check::FieldChecks;
+use super::{CameraError, Field, Resolution};
 use crate::geometry::Ray;
 use crate::math::{
     MAX_COORDINATE, PI, Real, SobolSequence, Vec3, sample_disc_concentric, tan, try_normalize,
@@ -103,6 +104,24 @@ pub enum Projection {
     },
 }
 
+impl Projection {
+    fn validate(&self, fields: &mut FieldChecks) {
+        let mut length = |field, length| {
+            fields.require(field, length, length > 0.0 && length <= MAX_COORDINATE);
+        };
+        let field_of_view = match *self {
+            Projection::Perspective { field_of_view } => field_of_view,
+            Projection::ThinLens { field_of_view, lens_radius, focus_distance } => {
+                length(Field::LensRadius, lens_radius);
+                length(Field::FocusDistance, focus_distance);
+                field_of_view
+            }
+            Projection::Orthographic { height } => return length(Field::Height, height),
+        };
+        fields.require(Field::FieldOfView, field_of_view, field_of_view > 0.0 && field_of_view < PI);
+    }
+}
+
 /// Generates the camera rays of pictures of one resolution.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Camera {
@@ -145,8 +164,11 @@ impl Camera {
     /// ```
     pub fn new(descriptor: &CameraDescriptor, resolution: Resolution) -> Result<Self, CameraError> {
         let CameraDescriptor { position, target, up, projection } = *descriptor;
-        check::point(Field::Position, position)?;
-        check::point(Field::Target, target)?;
+        FieldChecks::run(|fields| {
+            fields.point(Field::Position, &position);
+            fields.point(Field::Target, &target);
+            projection.validate(fields);
+        })?;
         let forward = try_normalize(target - position).ok_or(CameraError::PositionIsTarget)?;
         let up = try_normalize(up).ok_or(CameraError::UpParallelToView)?;
         let right = forward.cross(up);
@@ -159,17 +181,12 @@ impl Camera {
         let rows = if resolution.height() > 1 { resolution.height() - 1 } else { 1 } as Real;
         let mut thin_lens = [0.0; 2];
         let (height, is_orthographic) = match projection {
-            Projection::Perspective { field_of_view } => (film_height(field_of_view)?, false),
+            Projection::Perspective { field_of_view } => (film_height(field_of_view), false),
             Projection::ThinLens { field_of_view, lens_radius, focus_distance } => {
-                positive(Field::LensRadius, lens_radius)?;
-                positive(Field::FocusDistance, focus_distance)?;
                 thin_lens = [lens_radius, focus_distance];
-                (film_height(field_of_view)?, false)
+                (film_height(field_of_view), false)
             }
-            Projection::Orthographic { height } => {
-                positive(Field::Height, height)?;
-                (height, true)
-            }
+            Projection::Orthographic { height } => (height, true),
         };
         let step = height / rows;
         Ok(Camera {
@@ -222,23 +239,15 @@ impl Camera {
 }
 
 /// Height of the film at distance 1 for a vertical field of view.
-fn film_height(field_of_view: Real) -> Result<Real, FieldError> {
-    if field_of_view > 0.0 && field_of_view < PI {
-        Ok(2.0 * tan(0.5 * field_of_view))
-    } else {
-        Err(check::error(Field::FieldOfView, field_of_view))
-    }
-}
-
-/// Checks that a length is in `(0, 1e15]`.
-fn positive(field: Field, length: Real) -> Result<(), FieldError> {
-    if length > 0.0 && length <= MAX_COORDINATE { Ok(()) } else { Err(check::error(field, length)) }
+fn film_height(field_of_view: Real) -> Real {
+    2.0 * tan(0.5 * field_of_view)
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
     use crate::math::{acos, vec3};
+    use crate::scene::FieldError;
 
     const DESCRIPTOR: CameraDescriptor = CameraDescriptor {
         position: vec3(1.0, 2.0, 3.0),

@@ -1,43 +1,58 @@
 //! Checks of the fields of a scene.
 //!
-//! Not inlined: [`Scene::new`](super::Scene::new) calls them many times, where code size matters more than
-//! time.
+//! [`Scene::new`](super::Scene::new) checks many fields once, so code size matters more than time: the checks
+//! are not inlined, and none returns early.
 
 use super::{Field, FieldError};
 use crate::math::{MAX_COORDINATE, Real, Rgb, Vec3, is_normalized, length};
 
-/// The error for `field`, which has this value.
-pub(super) fn error(field: Field, value: Real) -> FieldError {
-    FieldError { field, value: single(value) }
+/// Checks fields one after the other and keeps the first error.
+pub(super) struct FieldChecks {
+    first_error: Option<FieldError>,
 }
 
-/// The value as errors report it, in single precision.
-#[allow(clippy::unnecessary_cast)] // in single precision
-const fn single(value: Real) -> f32 {
-    value as f32
-}
+impl FieldChecks {
+    /// Runs `checks`: the first error, if any.
+    pub(super) fn run(checks: impl FnOnce(&mut Self)) -> Result<(), FieldError> {
+        let mut fields = FieldChecks { first_error: None };
+        checks(&mut fields);
+        fields.first_error.map_or(Ok(()), Err)
+    }
 
-/// Checks that `value` is in `low..=high`.
-#[inline(never)]
-pub(super) fn range(field: Field, value: Real, low: Real, high: Real) -> Result<(), FieldError> {
-    if value >= low && value <= high { Ok(()) } else { Err(error(field, value)) }
-}
+    /// Checks that `is_valid`; otherwise `value` is that of the error.
+    #[inline(never)]
+    #[allow(clippy::unnecessary_cast)] // in single precision
+    pub(super) fn require(&mut self, field: Field, value: Real, is_valid: bool) {
+        if !is_valid && self.first_error.is_none() {
+            self.first_error = Some(FieldError { field, value: value as f32 });
+        }
+    }
 
-/// Checks that every channel is in `0..=max`.
-#[inline(never)]
-pub(super) fn color(field: Field, color: Rgb, max: Real) -> Result<(), FieldError> {
-    [color.r, color.g, color.b].into_iter().try_for_each(|channel| range(field, channel, 0.0, max))
-}
+    /// Checks that `value` is in `low..=high`.
+    #[inline(never)]
+    pub(super) fn range(&mut self, field: Field, value: Real, low: Real, high: Real) {
+        self.require(field, value, value >= low && value <= high);
+    }
 
-/// Checks that every coordinate is in `-1e15..=1e15`.
-#[inline(never)]
-pub(super) fn point(field: Field, point: Vec3) -> Result<(), FieldError> {
-    let coordinate = |x| range(field, x, -MAX_COORDINATE, MAX_COORDINATE);
-    point.to_array().into_iter().try_for_each(coordinate)
-}
+    /// Checks that every channel is in `0..=max`.
+    #[inline(never)]
+    pub(super) fn color(&mut self, field: Field, color: &Rgb, max: Real) {
+        for channel in [color.r, color.g, color.b] {
+            self.range(field, channel, 0.0, max);
+        }
+    }
 
-/// Checks that `direction` is a unit vector.
-#[inline(never)]
-pub(super) fn direction(field: Field, direction: Vec3) -> Result<(), FieldError> {
-    if is_normalized(direction) { Ok(()) } else { Err(error(field, length(direction))) }
+    /// Checks that every coordinate is in `-1e15..=1e15`.
+    #[inline(never)]
+    pub(super) fn point(&mut self, field: Field, point: &Vec3) {
+        for coordinate in point.to_array() {
+            self.range(field, coordinate, -MAX_COORDINATE, MAX_COORDINATE);
+        }
+    }
+
+    /// Checks that `direction` is a unit vector.
+    #[inline(never)]
+    pub(super) fn direction(&mut self, field: Field, direction: &Vec3) {
+        self.require(field, length(*direction), is_normalized(*direction));
+    }
 }

@@ -5,7 +5,8 @@
 //!
 //! Source: Cook, Porter and Carpenter, "Distributed Ray Tracing", SIGGRAPH 1984.
 
-use super::{Field, FieldError, LightKind, LightSet, check};
+use super::check::FieldChecks;
+use super::{Field, LightKind, LightSet};
 use crate::math::{
     MAX_COORDINATE, Real, Rgb, Vec3, clamp, orthonormal_basis, sample_disc_concentric, sqrt, try_normalize,
     try_normalize_and_length,
@@ -104,13 +105,12 @@ impl Falloff {
     /// Inverse square, the physical law: factor 1 at distance 1.
     pub const INVERSE_SQUARE: Falloff = Falloff { constant: 0.0, linear: 0.0, quadratic: 1.0 };
 
-    fn validate(&self) -> Result<(), FieldError> {
-        let coefficient = |field, x| check::range(field, x, 0.0, 1e15);
-        coefficient(Field::Constant, self.constant)?;
-        coefficient(Field::Linear, self.linear)?;
-        coefficient(Field::Quadratic, self.quadratic)?;
+    fn validate(&self, fields: &mut FieldChecks) {
+        fields.range(Field::Constant, self.constant, 0.0, 1e15);
+        fields.range(Field::Linear, self.linear, 0.0, 1e15);
+        fields.range(Field::Quadratic, self.quadratic, 0.0, 1e15);
         let sum = self.constant + self.linear + self.quadratic;
-        if sum > 0.0 { Ok(()) } else { Err(check::error(Field::Falloff, sum)) }
+        fields.require(Field::Falloff, sum, sum > 0.0);
     }
 
     /// Factor of the light at distance `d`, at most [`Rgb::MAX_CHANNEL`].
@@ -169,36 +169,34 @@ impl Light {
         }
     }
 
-    pub(super) fn validate(&self) -> Result<(), FieldError> {
-        match self.source {
+    pub(super) fn validate(&self, fields: &mut FieldChecks) {
+        match &self.source {
             LightSource::Point { position, falloff } => {
-                check::point(Field::Position, position)?;
-                falloff.validate()?;
+                fields.point(Field::Position, position);
+                falloff.validate(fields);
             }
-            LightSource::Directional { to_light } => check::direction(Field::ToLight, to_light)?,
+            LightSource::Directional { to_light } => fields.direction(Field::ToLight, to_light),
             LightSource::Spot { position, direction, cos_inner, cos_outer, falloff } => {
-                check::point(Field::Position, position)?;
-                check::direction(Field::Direction, direction)?;
-                check::range(Field::CosOuter, cos_outer, -1.0, 1.0)?;
-                check::range(Field::CosInner, cos_inner, cos_outer, 1.0)?;
-                falloff.validate()?;
+                fields.point(Field::Position, position);
+                fields.direction(Field::Direction, direction);
+                fields.range(Field::CosOuter, *cos_outer, -1.0, 1.0);
+                fields.range(Field::CosInner, *cos_inner, *cos_outer, 1.0);
+                falloff.validate(fields);
             }
             LightSource::Sphere { position, radius, falloff } => {
-                check::point(Field::Position, position)?;
-                check::range(Field::Radius, radius, 0.0, MAX_COORDINATE)?;
-                falloff.validate()?;
+                fields.point(Field::Position, position);
+                fields.range(Field::Radius, *radius, 0.0, MAX_COORDINATE);
+                falloff.validate(fields);
             }
             LightSource::Rectangle { position, half_edges: [a, b], falloff, .. } => {
-                check::point(Field::Position, position)?;
-                check::point(Field::HalfEdges, a)?;
-                check::point(Field::HalfEdges, b)?;
-                if try_normalize(a.cross(b)).is_none() {
-                    return Err(check::error(Field::HalfEdgesArea, 0.0));
-                }
-                falloff.validate()?;
+                fields.point(Field::Position, position);
+                fields.point(Field::HalfEdges, a);
+                fields.point(Field::HalfEdges, b);
+                fields.require(Field::HalfEdgesArea, 0.0, try_normalize(a.cross(*b)).is_some());
+                falloff.validate(fields);
             }
         }
-        check::color(Field::Color, self.color, Rgb::MAX_CHANNEL)
+        fields.color(Field::Color, &self.color, Rgb::MAX_CHANNEL);
     }
 
     /// Samples the light that arrives at `point` on a surface with this `normal`, before occlusion.

@@ -1,6 +1,7 @@
 //! Materials: how a surface reflects and transmits light, and the medium of the body behind it.
 
-use super::{Field, FieldError, FresnelModel, TextureId, check};
+use super::check::FieldChecks;
+use super::{Field, FresnelModel, TextureId};
 use crate::math::{Real, Rgb};
 
 /// How a surface reflects and transmits light, and the medium of the body behind it.
@@ -136,25 +137,21 @@ impl Material {
     }
 
     /// Checks that all fields are in range. `textures`: number of entries in the table of textures.
-    pub(super) fn validate(&self, textures: usize) -> Result<(), FieldError> {
-        check::color(Field::Ambient, self.ambient, Rgb::MAX_CHANNEL)?;
-        check::color(Field::Diffuse, self.diffuse, Rgb::MAX_CHANNEL)?;
-        check::color(Field::Highlight, self.highlight, Rgb::MAX_CHANNEL)?;
-        check::color(Field::Reflection, self.reflection, 1.0)?;
-        check::color(Field::Transmission, self.transmission, 1.0)?;
-        check::range(Field::HighlightExponent, self.highlight_exponent, 0.0, 1e6)?;
-        check::range(Field::Roughness, self.roughness, 0.0, 1.0)?;
+    pub(super) fn validate(&self, textures: usize, fields: &mut FieldChecks) {
+        fields.color(Field::Ambient, &self.ambient, Rgb::MAX_CHANNEL);
+        fields.color(Field::Diffuse, &self.diffuse, Rgb::MAX_CHANNEL);
+        fields.color(Field::Highlight, &self.highlight, Rgb::MAX_CHANNEL);
+        fields.color(Field::Reflection, &self.reflection, 1.0);
+        fields.color(Field::Transmission, &self.transmission, 1.0);
+        fields.range(Field::HighlightExponent, self.highlight_exponent, 0.0, 1e6);
+        fields.range(Field::Roughness, self.roughness, 0.0, 1.0);
         if self.is_transmitting() {
-            check::range(Field::RefractiveIndex, self.refractive_index, MIN_REFRACTIVE_INDEX, 100.0)?;
+            fields.range(Field::RefractiveIndex, self.refractive_index, MIN_REFRACTIVE_INDEX, 100.0);
         }
         for length in [self.attenuation_length.r, self.attenuation_length.g, self.attenuation_length.b] {
-            if !(length > 0.0) {
-                return Err(check::error(Field::AttenuationLength, length));
-            }
+            fields.require(Field::AttenuationLength, length, length > 0.0);
         }
-        if self.texture != TextureId::NONE && usize::from(self.texture.0) >= textures {
-            return Err(check::error(Field::Texture, Real::from(self.texture.0)));
-        }
-        Ok(())
+        let is_index = self.texture == TextureId::NONE || usize::from(self.texture.0) < textures;
+        fields.require(Field::Texture, Real::from(self.texture.0), is_index);
     }
 }

@@ -59,6 +59,8 @@ pub use tables::SceneTables;
 pub use texture::Texture;
 pub use world::World;
 
+use check::FieldChecks;
+
 use crate::geometry::{Geometry, ItemId, Shape};
 use crate::math::{Rgb, Vec3, clamp};
 
@@ -88,13 +90,13 @@ pub enum Background {
 }
 
 impl Background {
-    fn validate(&self) -> Result<(), FieldError> {
-        match *self {
-            Background::Color(color) => check::color(Field::Color, color, Rgb::MAX_CHANNEL),
+    fn validate(&self, fields: &mut FieldChecks) {
+        match self {
+            Background::Color(color) => fields.color(Field::Color, color, Rgb::MAX_CHANNEL),
             Background::Gradient { up, below, above } => {
-                check::direction(Field::Up, up)?;
-                check::color(Field::Below, below, Rgb::MAX_CHANNEL)?;
-                check::color(Field::Above, above, Rgb::MAX_CHANNEL)
+                fields.direction(Field::Up, up);
+                fields.color(Field::Below, below, Rgb::MAX_CHANNEL);
+                fields.color(Field::Above, above, Rgb::MAX_CHANNEL);
             }
         }
     }
@@ -196,7 +198,7 @@ impl<'s> Scene<'s> {
         }
         for (material, index) in descriptor.materials.iter().zip(0..=u16::MAX) {
             let error = |error| SceneError::Material(MaterialId(index), error);
-            material.validate(descriptor.textures.len()).map_err(error)?;
+            FieldChecks::run(|fields| material.validate(descriptor.textures.len(), fields)).map_err(error)?;
         }
         for item in 0..descriptor.geometry.shapes.len() {
             let material =
@@ -206,13 +208,19 @@ impl<'s> Scene<'s> {
             }
         }
         for (light, index) in descriptor.lights.iter().zip(0..) {
-            light.validate().map_err(|error| SceneError::Light(index, error))?;
+            let error = |error| SceneError::Light(index, error);
+            FieldChecks::run(|fields| light.validate(fields)).map_err(error)?;
         }
         for (texture, index) in descriptor.textures.iter().zip(0..) {
-            texture.validate().map_err(|error| SceneError::Texture(index, error))?;
+            let error = |error| SceneError::Texture(index, error);
+            FieldChecks::run(|fields| texture.validate(fields)).map_err(error)?;
         }
-        check::color(Field::Ambient, descriptor.ambient, Rgb::MAX_CHANNEL).map_err(SceneError::Ambient)?;
-        descriptor.background.validate().map_err(SceneError::Background)?;
+        let ambient = |fields: &mut FieldChecks| {
+            fields.color(Field::Ambient, &descriptor.ambient, Rgb::MAX_CHANNEL);
+        };
+        FieldChecks::run(ambient).map_err(SceneError::Ambient)?;
+        let background = |fields: &mut FieldChecks| descriptor.background.validate(fields);
+        FieldChecks::run(background).map_err(SceneError::Background)?;
         Ok(Scene { descriptor, required_effects: find_required_effects(&descriptor) })
     }
 

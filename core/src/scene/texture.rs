@@ -1,6 +1,7 @@
 //! Procedural textures: colors as a function of the point.
 
-use super::{Field, FieldError, TextureKind, TextureSet, check};
+use super::check::FieldChecks;
+use super::{Field, TextureKind, TextureSet};
 use crate::math::{MAX_COORDINATE, PI, Real, Rgb, Vec3, clamp, cos, floor, max_abs_component};
 
 /// A procedural solid texture: a color for each point, in world space.
@@ -74,28 +75,26 @@ impl Texture {
     }
 
     /// Checks that all fields are in range.
-    pub(super) fn validate(&self) -> Result<(), FieldError> {
-        let color = |field, color| check::color(field, color, Rgb::MAX_CHANNEL);
-        match *self {
+    pub(super) fn validate(&self, fields: &mut FieldChecks) {
+        match self {
             Texture::Checker { even, odd, origin, frequency } => {
-                color(Field::Even, even)?;
-                color(Field::Odd, odd)?;
-                check::point(Field::Origin, origin)?;
-                check::point(Field::CellFrequency, frequency)
+                fields.color(Field::Even, even, Rgb::MAX_CHANNEL);
+                fields.color(Field::Odd, odd, Rgb::MAX_CHANNEL);
+                fields.point(Field::Origin, origin);
+                fields.point(Field::CellFrequency, frequency);
             }
             Texture::Gradient { start_color, end_color, origin, axis } => {
-                color(Field::StartColor, start_color)?;
-                color(Field::EndColor, end_color)?;
-                check::point(Field::Origin, origin)?;
-                let square = axis.dot(axis);
-                let is_length = square > 0.0 && square <= Real::MAX;
-                if is_length { Ok(()) } else { Err(check::error(Field::Axis, square)) }
+                fields.color(Field::StartColor, start_color, Rgb::MAX_CHANNEL);
+                fields.color(Field::EndColor, end_color, Rgb::MAX_CHANNEL);
+                fields.point(Field::Origin, origin);
+                let square = axis.dot(*axis);
+                fields.require(Field::Axis, square, square > 0.0 && square <= Real::MAX);
             }
             Texture::ZonePlate { start_color, end_color, origin, frequency } => {
-                color(Field::StartColor, start_color)?;
-                color(Field::EndColor, end_color)?;
-                check::point(Field::Origin, origin)?;
-                check::range(Field::RingFrequency, frequency, 0.0, MAX_COORDINATE)
+                fields.color(Field::StartColor, start_color, Rgb::MAX_CHANNEL);
+                fields.color(Field::EndColor, end_color, Rgb::MAX_CHANNEL);
+                fields.point(Field::Origin, origin);
+                fields.range(Field::RingFrequency, *frequency, 0.0, MAX_COORDINATE);
             }
         }
     }
