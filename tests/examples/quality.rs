@@ -156,7 +156,7 @@ impl QualityScene {
         for _ in 0..14 {
             threshold *= 0.7;
             let contrast = ContrastSettings { threshold, items: false };
-            let measured = self.by(SamplerSettings::Adaptive { max_depth: DEPTH, contrast: contrast })?;
+            let measured = self.by(SamplerSettings::Adaptive { max_depth: DEPTH, contrast })?;
             let is_too_much = measured.rays > f64::from(RAYS);
             // If all thresholds take too many, the coarsest is used.
             if best.is_none() || !is_too_much {

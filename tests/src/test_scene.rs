@@ -215,7 +215,7 @@ fn one_ray_camera(viewpoint: Vec3, target: Vec3) -> Camera {
     let direction = target - viewpoint;
     let up = if direction.x.abs() < direction.y.abs() { Vec3::X } else { Vec3::Y };
     let projection = Projection::Orthographic { height: 1.0 };
-    let view = CameraDescriptor { position: viewpoint, target: target, up, projection };
+    let view = CameraDescriptor { position: viewpoint, target, up, projection };
     Camera::new(&view, Resolution::new(1, 1).unwrap()).unwrap()
 }
 

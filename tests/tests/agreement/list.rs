@@ -22,10 +22,7 @@ fn too_few_groups_are_refused_with_both_sizes() {
         let mut groups = vec![Aabb::EMPTY; needed + 1];
         for provided in 0..needed {
             let error = List::with_boxes(&boxes, &mut groups[..provided]).unwrap_err();
-            assert_eq!(
-                error,
-                BuildError::BufferTooSmall { buffer: Buffer::GroupBounds, needed, provided: provided }
-            );
+            assert_eq!(error, BuildError::BufferTooSmall { buffer: Buffer::GroupBounds, needed, provided });
             assert_eq!(error.to_string(), format!("group bounds: {needed} needed, {provided} provided"));
         }
         let mut spheres = vec![BoundingSphere::EMPTY; items];
