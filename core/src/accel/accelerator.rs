@@ -16,7 +16,8 @@ pub trait Accelerator {
     /// time.
     type Scratch: Default;
 
-    /// Passes the items along `ray` to `query`.
+    /// Passes the items whose bounds the ray hits to `query`, until it breaks or all others begin beyond
+    /// [`Query::t_max`].
     fn traverse<Q: Query>(&self, ray: &Ray, scratch: &mut Self::Scratch, query: &mut Q);
 }
 
@@ -42,10 +43,10 @@ pub trait Query {
         block.items().try_for_each(|item| self.test_item(item))
     }
 
-    /// Counts `count` tests of the ray against bounds.
+    /// Counts `count` tests of the ray against bounding boxes or spheres.
     fn count_box_tests(&mut self, count: u32);
 
-    /// Counts a visit of a leaf or cell.
+    /// Counts a visit of a leaf, a cell, or a group of a list.
     fn count_leaf_visit(&mut self);
 
     /// Counts an item that was not tested, because the mailbox had it already.

@@ -4,7 +4,7 @@ use core::fmt;
 
 use crate::geometry::ItemId;
 
-/// A caller-provided buffer.
+/// The buffers that callers provide to accelerators, as named in a [`BuildError`].
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum Buffer {

@@ -13,7 +13,8 @@ use crate::math::Real;
 /// Number of items that share the bounding volume of a group.
 const GROUP_SIZE: usize = 16;
 
-/// Number of group volumes that [`List::with_boxes`] and [`List::with_spheres`] need for `items` items.
+/// Number of groups of 16 items in a [`List`] of `items` items: the number of group volumes that
+/// [`List::with_boxes`] and [`List::with_spheres`] need.
 pub const fn group_count(items: usize) -> usize {
     items.div_ceil(GROUP_SIZE)
 }
@@ -39,9 +40,11 @@ impl Accelerator for ListWithoutBounds {
     }
 }
 
-/// All items in order, with or without bounding volumes.
+/// All items in order, without bounding volumes or with one per item and one per group.
 ///
-/// * Memory: one volume per item, and one per 16 items; none without bounding volumes.
+/// * Groups are 16 consecutive items. A ray that misses the volume of a group is not tested against its
+///   items.
+/// * Memory: one volume per item, plus one per group of 16 items; none without bounding volumes.
 #[derive(Clone, Copy, Debug)]
 pub struct List<'s> {
     items: u32,
@@ -61,12 +64,12 @@ const fn too_small(buffer: Buffer, needed: usize, provided: usize) -> BuildError
 }
 
 impl<'s> List<'s> {
-    /// The list of the items `0..items`, without bounding volumes.
+    /// The list of the items `0..items`, without bounding volumes: each ray is tested against each item.
     pub const fn without_bounds(items: u32) -> Self {
         List { items, volumes: BoundingVolumes::None }
     }
 
-    /// The list of the items with these bounds, which are also the bounding volumes.
+    /// The list of the items with these bounds, which are also the bounding volumes of the items.
     ///
     /// `bounds`: one box per item. `groups`: caller-provided buffer for the boxes of groups, at least
     /// [`group_count`] long.

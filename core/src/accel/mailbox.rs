@@ -31,9 +31,8 @@ const UNUSED_STAMP: u32 = 0;
 /// A direct-mapped cache of the items that the current ray has already been tested against.
 ///
 /// Entry `i` serves all items whose id is `i` modulo `ENTRIES`; a later item evicts an earlier one. An
-/// evicted item is tested again, so the cache never changes a result. Starting a new ray costs one addition,
-/// not a clear: the entries of earlier rays carry other stamps. The entries are cleared only when the stamps
-/// wrap around.
+/// evicted item is tested again, so the cache never changes a result. The accelerator starts each ray
+/// itself, at the cost of one addition and without a clear: the entries of earlier rays carry other stamps.
 ///
 /// * `ENTRIES` is zero (no cache) or a power of two, checked at compile time.
 /// * Memory: 8 bytes per entry, and 4 bytes for the stamp.
@@ -52,7 +51,7 @@ impl<const ENTRIES: usize> Mailbox<ENTRIES> {
         Mailbox { ray_stamp: UNUSED_STAMP, entries: [unused; ENTRIES] }
     }
 
-    /// Removes all entries.
+    /// Removes all entries. Needed only when the stamps wrap around.
     pub(super) fn clear(&mut self) {
         *self = Self::new();
     }

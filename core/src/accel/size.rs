@@ -2,7 +2,7 @@
 
 use crate::math::morton;
 
-/// Sizes of the buffers of a BVH.
+/// Sizes of the buffers of a [`Bvh`](super::Bvh), as numbers of elements.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct BvhSize {
     /// Number of nodes. With fewer, down to one, leaves are larger.
@@ -12,13 +12,14 @@ pub struct BvhSize {
 }
 
 impl BvhSize {
-    /// The sizes for `items` items.
+    /// The sizes for `items` items. Fewer nodes, down to one, only make leaves larger; all entries are
+    /// needed.
     pub const fn recommended(items: usize) -> Self {
         BvhSize { nodes: items.div_ceil(3) + items.div_ceil(3), entries: items }
     }
 }
 
-/// Sizes of the buffers of an octree.
+/// Sizes of the buffers of an [`Octree`](super::Octree), as numbers of elements.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct OctreeSize {
     /// Number of nodes: one, and eight per inner node.
@@ -28,14 +29,14 @@ pub struct OctreeSize {
 }
 
 impl OctreeSize {
-    /// Sizes that suffice for most scenes of `items` items. With smaller buffers leaves are larger; the
-    /// minimum is one node and one entry per item.
+    /// Sizes that suffice for most scenes of `items` items. Smaller buffers only make leaves larger, down
+    /// to one node and one entry per item.
     pub const fn recommended(items: usize) -> Self {
         OctreeSize { nodes: items * 4 + 1, entries: items * 8 }
     }
 }
 
-/// Where the subdivision of an octree ends.
+/// Where the subdivision of an [`Octree`](super::Octree) ends.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct OctreeLimits {
     /// Largest depth of a leaf, in edges from the root; values above 21 mean 21.

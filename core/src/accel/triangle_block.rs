@@ -8,7 +8,8 @@
 use crate::geometry::{Geometry, ItemId, Ray, Shape, Triangle4};
 use crate::math::{SIMD_WIDTH, Vec3};
 
-/// Up to four items of a leaf. Items that are not triangles are stored by id only.
+/// Up to four items of a leaf of a [`Bvh`](super::Bvh): triangles with their vertices, tested four at a
+/// time, and the ids of other items.
 ///
 /// * Memory: 164 bytes in single precision.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -64,7 +65,7 @@ impl TriangleBlock {
         block
     }
 
-    /// Its items.
+    /// The items of the block, in order.
     pub fn items(&self) -> impl Iterator<Item = ItemId> + '_ {
         self.items_in_mask(u32::MAX)
     }

@@ -30,7 +30,7 @@ use crate::math::Real;
 use crate::scene::{Camera, CameraDescriptor, CameraError, Resolution, Scene, SceneDescriptor};
 use header::{BakedHeader, TableId};
 
-/// The accelerator of a baked scene.
+/// The accelerator that a scene is baked with.
 #[derive(Clone, Copy, Debug)]
 pub enum BakedAccelerator<'s> {
     /// All items in order.
@@ -43,7 +43,8 @@ pub enum BakedAccelerator<'s> {
     Bvh(Bvh<'s, ()>),
 }
 
-/// A valid baked scene.
+/// A scene in validated bytes, with a camera, a resolution, limits and an accelerator: traced in place,
+/// without copying.
 ///
 /// ```
 /// use strahl_core::baked::{BakedScene, BakedSceneError};
@@ -67,7 +68,7 @@ impl<'s> BakedScene<'s> {
     /// Version of the format that is written and read.
     pub const VERSION: u32 = header::VERSION;
 
-    /// Smallest size of a baked scene.
+    /// Smallest size of a baked scene, in bytes: that of its header.
     pub const MIN_SIZE_IN_BYTES: usize = size_of::<BakedHeader>();
 
     /// Validates `bytes` and borrows the scene from them, in one pass and without memory.
@@ -109,7 +110,7 @@ impl<'s> BakedScene<'s> {
         Ok(BakedScene { header, bytes, scene, resolution })
     }
 
-    /// The scene.
+    /// The scene, valid and borrowed from the bytes.
     pub const fn scene(&self) -> &Scene<'s> {
         &self.scene
     }
@@ -135,7 +136,11 @@ impl<'s> BakedScene<'s> {
         &self.header.camera
     }
 
-    /// The camera for pictures of `resolution`.
+    /// The camera that it was baked with, for pictures of `resolution`.
+    ///
+    /// # Errors
+    ///
+    /// Those of [`Camera::new`].
     pub fn camera(&self, resolution: Resolution) -> Result<Camera, CameraError> {
         Camera::new(self.camera_descriptor(), resolution)
     }

@@ -7,7 +7,7 @@ use crate::geometry::Aabb;
 use crate::math::Real;
 use crate::scene::{CameraDescriptor, Resolution, Scene};
 
-/// A scene to be baked, with its camera and accelerator.
+/// Writes a baked scene: its fields are what is baked.
 ///
 /// ```
 /// use strahl_core::baked::{BakedAccelerator, BakedScene, BakedSceneWriter};
@@ -36,11 +36,11 @@ use crate::scene::{CameraDescriptor, Resolution, Scene};
 /// ```
 #[derive(Clone, Copy, Debug)]
 pub struct BakedSceneWriter<'b> {
-    /// Scene.
+    /// Scene to be baked, with all its tables.
     pub scene: Scene<'b>,
-    /// Camera.
+    /// Camera that the scene is baked with.
     pub camera: CameraDescriptor,
-    /// Resolution of the picture.
+    /// Resolution of the picture; a device may use another.
     pub resolution: Resolution,
     /// Level limit ([`Limits::levels`](crate::Limits::levels)).
     pub levels: u8,

@@ -10,7 +10,8 @@ use super::bounds::Aabb;
 use super::ray::Ray;
 use crate::math::{Real, Vec3, abs, gamma, length, sqrt};
 
-/// A sphere that contains a box.
+/// A sphere that contains the bounding box of an item or group, for
+/// [`List::with_spheres`](crate::accel::List::with_spheres).
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct BoundingSphere {
     center: Vec3,
@@ -40,7 +41,7 @@ impl<'r> BoundingSphereRay<'r> {
 }
 
 impl BoundingSphere {
-    /// The empty sphere: never hit.
+    /// The empty sphere: never hit. The initial value for buffers.
     pub const EMPTY: BoundingSphere = BoundingSphere { center: Vec3::ZERO, radius: -1.0 };
 
     /// The bounding sphere of a box, rounded outward.

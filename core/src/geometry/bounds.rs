@@ -61,12 +61,12 @@ impl Aabb {
         is_in_range(self.min) && is_in_range(self.max) && !self.is_empty()
     }
 
-    /// The smallest box that contains all `points`.
+    /// The smallest box that contains all `points`; [`Aabb::EMPTY`] without points.
     pub fn enclosing(points: impl IntoIterator<Item = Vec3>) -> Self {
         points.into_iter().fold(Self::EMPTY, |bounds, p| bounds.union(Aabb { min: p, max: p }))
     }
 
-    /// The smallest box that contains all `points`, usable in constants.
+    /// The smallest box that contains all `points`, usable in constants; [`Aabb::EMPTY`] without points.
     pub const fn from_points(mut points: &[Vec3]) -> Self {
         const fn low(a: Real, b: Real) -> Real {
             if b < a { b } else { a }
@@ -101,7 +101,7 @@ impl Aabb {
         }
     }
 
-    /// Whether the box contains no point.
+    /// Whether the box contains no point: `min` is above `max` in some coordinate, or a coordinate is NaN.
     pub fn is_empty(&self) -> bool {
         !(self.min.x <= self.max.x && self.min.y <= self.max.y && self.min.z <= self.max.z)
     }

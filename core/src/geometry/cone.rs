@@ -28,17 +28,18 @@ use crate::math::{
 #[cfg_attr(feature = "baked", derive(zerocopy::TryFromBytes, zerocopy::KnownLayout, zerocopy::Immutable))]
 #[repr(C)]
 pub struct Cone {
-    /// Center of the base circle.
+    /// Center of the base circle, world space, coordinates in `-1e15..=1e15`.
     pub base: Vec3,
     /// Unit vector from the base circle to the end circle.
     pub axis: Vec3,
-    /// Distance between the circles; positive.
+    /// Distance between the circles, in scene lengths, in `(0, 1e15]`.
     pub height: Real,
-    /// Radius of the base circle; zero for an apex.
+    /// Radius of the base circle, in scene lengths, in `0..=1e15`; zero for an apex.
     pub base_radius: Real,
-    /// Radius of the end circle; zero for an apex. At least one of the radii is positive.
+    /// Radius of the end circle, in scene lengths, in `0..=1e15`; zero for an apex. At least one of the
+    /// radii is positive.
     pub end_radius: Real,
-    /// Whether discs close both circles.
+    /// Whether discs close both circles. If not, the surface is open and can be seen from inside.
     pub capped: bool,
 }
 

@@ -16,9 +16,10 @@ use crate::math::{Axis, Real, Vec3, abs, gamma, try_normalize};
 #[cfg_attr(feature = "baked", derive(zerocopy::TryFromBytes, zerocopy::KnownLayout, zerocopy::Immutable))]
 #[repr(C)]
 pub struct Cuboid {
-    /// Corner with the smallest coordinates.
+    /// Corner with the smallest coordinates, world space, in `-1e15..=1e15`.
     pub min: Vec3,
-    /// Corner with the largest coordinates; no coordinate is less than that of `min`.
+    /// Corner with the largest coordinates, world space, in `-1e15..=1e15`; none is less than that of
+    /// `min`.
     pub max: Vec3,
 }
 

@@ -13,11 +13,11 @@ use crate::math::{Real, Vec3, sqrt};
 #[cfg_attr(feature = "baked", derive(zerocopy::TryFromBytes, zerocopy::KnownLayout, zerocopy::Immutable))]
 #[repr(C)]
 pub struct Disc {
-    /// Center, world space.
+    /// Center, world space, coordinates in `-1e15..=1e15`.
     pub center: Vec3,
-    /// Unit normal.
+    /// Unit normal; it points to the front side.
     pub normal: Vec3,
-    /// Radius; positive.
+    /// Radius, in scene lengths, in `(0, 1e15]`.
     pub radius: Real,
 }
 

@@ -3,7 +3,7 @@
 use super::ItemId;
 use crate::math::{Real, Vec3};
 
-/// The closest hit of a ray.
+/// A hit of a ray on an item: where along the ray, and which item.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Hit {
     /// Parameter of the hit, in lengths of the ray's direction; positive and finite.

@@ -130,7 +130,8 @@ impl Geometry<'_> {
         triangle::intersect(self.vertices(indices)?, ray).map(|hit| hit.t)
     }
 
-    /// The surface of a shape at a hit, whose `t` is the result of [`Geometry::intersect`].
+    /// The surface of a shape at a hit, whose `t` is the result of [`Geometry::intersect`]; `None` if `S`
+    /// does not support the shape or an index of it is out of range.
     #[inline(always)]
     pub fn surface_interaction<S: ShapeFeatures>(
         &self,

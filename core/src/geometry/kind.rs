@@ -2,19 +2,29 @@
 
 use crate::set::bit_set;
 
-/// The kind of a shape, without its data.
+/// The kind of a shape: a variant of [`Shape`](super::Shape) without its data. A moving shape has the kind
+/// of the shape that moves.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
-#[allow(missing_docs)] // the variants of `Shape` have docs
 pub enum ShapeKind {
+    /// A sphere.
     Sphere,
+    /// A flat triangle.
     Triangle,
+    /// A triangle with interpolated shading normals.
     SmoothTriangle,
+    /// An infinite plane.
     Plane,
+    /// A disc.
     Disc,
+    /// A flat or smooth polygon.
     Polygon,
+    /// An axis-aligned box.
     Cuboid,
+    /// An oriented box.
     OrientedCuboid,
+    /// A cone or cylinder.
     Cone,
+    /// A torus.
     Torus,
 }
 
@@ -33,7 +43,7 @@ impl ShapeKind {
         ShapeKind::Torus,
     ];
 
-    /// The name in reports, in lower case.
+    /// Lowercase name, with spaces: `sphere`, `smooth triangle`, `box` and so on.
     pub const fn name(self) -> &'static str {
         match self {
             ShapeKind::Sphere => "sphere",

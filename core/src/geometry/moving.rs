@@ -15,7 +15,7 @@ use crate::math::{Real, Vec3, abs, clamp, gamma};
 #[cfg_attr(feature = "baked", derive(zerocopy::TryFromBytes, zerocopy::KnownLayout, zerocopy::Immutable))]
 #[repr(C)]
 pub struct MovingShape {
-    /// The shape at rest; not itself a moving shape.
+    /// The shape at rest; not a moving shape itself.
     pub shape: Shape,
     /// Offset from the shape at rest when the shutter opens, in scene lengths.
     pub offset_at_open: Vec3,
@@ -24,8 +24,8 @@ pub struct MovingShape {
 }
 
 impl MovingShape {
-    /// Offset from the shape at rest at `time`: 0 is the opening, 1 the closing of the shutter. Times outside
-    /// are clamped.
+    /// Offset from the shape at rest at `time`, in scene lengths: interpolated between `offset_at_open` at
+    /// 0 and `offset_at_close` at 1. Times outside of `0..=1` are clamped.
     pub fn offset_at(&self, time: Real) -> Vec3 {
         self.offset_at_open + (self.offset_at_close - self.offset_at_open) * clamp(time, 0.0, 1.0)
     }

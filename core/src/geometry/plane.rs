@@ -31,9 +31,10 @@ use crate::math::{Real, Vec3, abs, gamma, max_abs_component};
 #[cfg_attr(feature = "baked", derive(zerocopy::TryFromBytes, zerocopy::KnownLayout, zerocopy::Immutable))]
 #[repr(C)]
 pub struct Plane {
-    /// A point on the plane, world space. Rounding errors grow with the distance from it.
+    /// A point on the plane, world space, coordinates in `-1e15..=1e15`. Rounding errors grow with the
+    /// distance from it.
     pub point: Vec3,
-    /// Unit normal.
+    /// Unit normal; it points to the front side.
     pub normal: Vec3,
     /// Item of the scene that is this plane. A tracer tests the table of planes before all other items.
     pub item: ItemId,

@@ -2,7 +2,8 @@
 
 use super::{ShapeKind, ShapeSet, Sphere};
 
-/// The shape of one item. Larger shapes are indices into tables of [`Geometry`](super::Geometry).
+/// The shape of one item: its data, or, for larger shapes, an index into a table of
+/// [`Geometry`](super::Geometry).
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "baked", derive(zerocopy::TryFromBytes, zerocopy::KnownLayout, zerocopy::Immutable))]
 #[repr(u32)]
@@ -38,12 +39,15 @@ const _: () = assert!(size_of::<Shape>() <= 20);
 
 /// The shapes that a tracer supports, as constants. Code for all others is not compiled, and rays never hit
 /// them.
+///
+/// Implemented for every [`Effects`](crate::scene::Effects): programs implement that trait, not this one.
 pub trait ShapeFeatures {
     /// Supported kinds of shapes.
     const SHAPES: ShapeSet;
-    /// Whether shading normals of smooth triangles and polygons are interpolated.
+    /// Whether shading normals of smooth triangles and polygons are interpolated. If not, these are shaded
+    /// flat.
     const SMOOTH_SHADING: bool;
-    /// Whether moving shapes are supported.
+    /// Whether moving shapes are supported. If not, rays never hit them.
     const MOTION_BLUR: bool = false;
 }
 

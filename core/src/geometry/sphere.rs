@@ -17,9 +17,9 @@ use crate::math::{ROUNDOFF, Real, Vec3, abs, gamma, sqrt, try_normalize};
 #[cfg_attr(feature = "baked", derive(zerocopy::TryFromBytes, zerocopy::KnownLayout, zerocopy::Immutable))]
 #[repr(C)]
 pub struct Sphere {
-    /// Center, world space.
+    /// Center, world space, coordinates in `-1e15..=1e15`.
     pub center: Vec3,
-    /// Radius; positive.
+    /// Radius, in scene lengths, in `(0, 1e15]`.
     pub radius: Real,
 }
 

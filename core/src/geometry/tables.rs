@@ -20,21 +20,21 @@ pub struct Geometry<'s> {
     /// Unit normals of the vertices of smooth shapes, with the indices of their vertices. The table may end
     /// before that of the vertices if later vertices belong to flat shapes only.
     pub vertex_normals: &'s [Vec3],
-    /// Planes.
+    /// Planes, by the index in [`Shape::Plane`].
     pub planes: &'s [Plane],
-    /// Discs.
+    /// Discs, by the index in [`Shape::Disc`].
     pub discs: &'s [Disc],
-    /// Polygons.
+    /// Polygons, by the index in [`Shape::Polygon`].
     pub polygons: &'s [Polygon],
-    /// Axis-aligned boxes.
+    /// Axis-aligned boxes, by the index in [`Shape::Cuboid`].
     pub cuboids: &'s [Cuboid],
-    /// Oriented boxes.
+    /// Oriented boxes, by the index in [`Shape::OrientedCuboid`].
     pub oriented_cuboids: &'s [OrientedCuboid],
-    /// Cones and cylinders.
+    /// Cones and cylinders, by the index in [`Shape::Cone`].
     pub cones: &'s [Cone],
-    /// Tori.
+    /// Tori, by the index in [`Shape::Torus`].
     pub tori: &'s [Torus],
-    /// Shapes that move while the shutter is open.
+    /// Shapes that move while the shutter is open, by the index in [`Shape::Moving`].
     pub moving_shapes: &'s [MovingShape],
 }
 

@@ -28,13 +28,13 @@ use crate::math::{
 #[cfg_attr(feature = "baked", derive(zerocopy::TryFromBytes, zerocopy::KnownLayout, zerocopy::Immutable))]
 #[repr(C)]
 pub struct Torus {
-    /// Center, world space.
+    /// Center, world space, coordinates in `-1e15..=1e15`.
     pub center: Vec3,
     /// Unit vector perpendicular to the center circle.
     pub axis: Vec3,
-    /// Radius of the center circle of the tube.
+    /// Radius of the center circle of the tube, in scene lengths, at most 1e15.
     pub major_radius: Real,
-    /// Radius of the tube; positive, at most `major`.
+    /// Radius of the tube, in scene lengths, in `(0, major_radius]`.
     pub minor_radius: Real,
 }
 

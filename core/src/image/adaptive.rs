@@ -17,7 +17,8 @@ use crate::math::{Real, Rgb, SobolSequence};
 use crate::scene::{CameraSample, FilmPoint};
 use crate::trace::{PixelSample, RayTracer};
 
-/// When and how often a pixel is quartered.
+/// Settings of an [`AdaptiveSampler`]: the contrast above which a square is quartered, how often, and the
+/// seed.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Subdivision {
     depth: u8,
@@ -26,11 +27,13 @@ pub struct Subdivision {
 }
 
 impl Subdivision {
-    /// Largest depth.
+    /// Largest depth: a pixel is quartered at most this often.
     pub const MAX_DEPTH: u8 = MAX_DEPTH;
 
-    /// Quarters up to `depth` times where the corners do not meet `threshold`; `None` if `depth` is more than
-    /// [`Subdivision::MAX_DEPTH`].
+    /// Quarters a pixel, and its quarters again, up to `depth` times where the corners do not meet
+    /// `threshold`. With a depth of 0, only the corners of the pixel are traced.
+    ///
+    /// `None` if `depth` is more than [`Subdivision::MAX_DEPTH`].
     pub fn new(depth: u8, threshold: ContrastThreshold) -> Option<Self> {
         (depth <= MAX_DEPTH).then_some(Subdivision { depth, threshold, seed: 0 })
     }
@@ -51,10 +54,20 @@ impl Subdivision {
     }
 }
 
-/// Samples the upper left corner of each pixel: fills a [`CornerGrid`](super::CornerGrid) for an
-/// [`AdaptiveSampler`].
+/// Samples a pixel with one ray through its upper left corner.
+///
+/// Used for a pass before an [`AdaptiveSampler`]: the caller renders the pixels of
+/// [`CornerGrid::corner_tile`] with this sampler into a buffer, and passes the buffer to
+/// [`CornerGrid::new`], so that all workers share the corners.
+///
+/// [`CornerGrid`]: super::CornerGrid
+/// [`CornerGrid::corner_tile`]: super::CornerGrid::corner_tile
+/// [`CornerGrid::new`]: super::CornerGrid::new
 #[derive(Clone, Copy, Debug)]
-pub struct UpperLeftCornerSampler(pub Subdivision);
+pub struct UpperLeftCornerSampler(
+    /// That of the [`AdaptiveSampler`], so that both trace the same ray through a corner.
+    pub Subdivision,
+);
 
 impl Sampler for UpperLeftCornerSampler {
     fn sample_pixel<R: RayTracer + ?Sized>(&mut self, pixel: Pixel, tracer: &mut R) -> PixelSample {
@@ -63,7 +76,10 @@ impl Sampler for UpperLeftCornerSampler {
     }
 }
 
-/// Adaptive sampler: rays through the corners of pixels and of their quarters.
+/// Adaptive sampler: traces rays through the corners of a pixel, and quarters it where their contrast is
+/// high (Whitted).
+///
+/// * `C`: cache of the corners of pixels.
 ///
 /// ```
 /// use strahl_core::Rgb;
@@ -99,19 +115,20 @@ impl<'m, C: CornerCache> AdaptiveSampler<'m, C> {
     }
 }
 
-/// A square part of a pixel, the weight of which is its area.
+/// A square part of a pixel that is not quartered further. Its weight in the color of the pixel is its
+/// area.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Subpixel {
     /// Upper left corner.
     pub top_left: FilmPoint,
-    /// Length of the sides, in pixels.
+    /// Length of the sides, in pixels, in `(0, 1]`.
     pub side: Real,
     /// Samples at the corners: upper left, upper right, lower left, lower right.
     pub corners: [PixelSample; 4],
 }
 
 impl<C: CornerCache> AdaptiveSampler<'_, C> {
-    /// Samples `pixel` and passes each of its subpixels to `visit`.
+    /// Samples `pixel` as [`Sampler::sample_pixel`] does, and passes each of its subpixels to `visit`.
     ///
     /// The color of the pixel is the sum of `mean * side^2` in this order, where `mean` is `((a + b) + (c +
     /// d)) / 4` of the corners.

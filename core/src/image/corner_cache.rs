@@ -18,7 +18,7 @@ pub trait CornerCache {
     /// corner.
     fn corners(&mut self, cell: Pixel, find: &mut impl FnMut(Pixel) -> PixelSample) -> [PixelSample; 4];
 
-    /// Forgets all samples, before another picture.
+    /// Removes all samples, before another picture. By default does nothing.
     fn reset(&mut self) {}
 }
 
@@ -27,7 +27,7 @@ fn corner_pixels(Pixel { x, y }: Pixel) -> [Pixel; 4] {
     [(x, y), (x + 1, y), (x, y + 1), (x + 1, y + 1)].map(|(x, y)| Pixel { x, y })
 }
 
-/// Caches nothing: traces all four corners of each cell.
+/// A [`CornerCache`] that caches nothing: all four corners of each cell are traced.
 #[derive(Clone, Copy, Debug)]
 pub struct Uncached;
 
@@ -37,7 +37,8 @@ impl CornerCache for Uncached {
     }
 }
 
-/// Samples at the corners of all cells of a rectangle, traced before.
+/// A [`CornerCache`] with the samples at all corners of a rectangle of cells, which the caller has traced
+/// before.
 ///
 /// Corners outside of the rectangle are traced when they are needed.
 ///
@@ -58,7 +59,7 @@ pub struct CornerGrid<'m> {
 }
 
 impl<'m> CornerGrid<'m> {
-    /// The rectangle of the corners of `cells`: one wider and one higher.
+    /// The rectangle of the corners of `cells`: one wider and one higher, from the same upper left cell.
     pub fn corner_tile(cells: Tile) -> Tile {
         Tile { width: cells.width + 1, height: cells.height + 1, ..cells }
     }
@@ -79,10 +80,10 @@ impl CornerCache for CornerGrid<'_> {
     }
 }
 
-/// Samples at the corners of one row of cells, in a caller-provided buffer.
+/// A [`CornerCache`] of one row of cells, in a caller-provided buffer.
 ///
-/// If cells come row by row from left to right, no corner is traced twice. In any other order the samples are
-/// the same, but some corners are traced again.
+/// If cells come row by row from left to right, no corner is traced twice. In any other order the samples
+/// are the same, but some corners are traced again.
 #[derive(Debug)]
 pub struct CornerRow<'m> {
     /// Upper corners of the following cells, and lower corners of the preceding ones.
@@ -174,13 +175,16 @@ impl CornerCache for CornerRow<'_> {
     }
 }
 
-/// Samples the upper left pixel of each cell of `stride` times `stride` pixels: fills a [`CornerGrid`] of
-/// blocks.
+/// Samples the upper left pixel of a block of `stride` times `stride` pixels. Takes block coordinates
+/// instead of those of a pixel.
+///
+/// Used for a pass before a [`PixelSelector`](super::PixelSelector): the caller renders the corners of all
+/// blocks with this sampler into a buffer, and passes the buffer to [`CornerGrid::new`].
 #[derive(Clone, Copy, Debug)]
 pub struct StridedSampler<S> {
-    /// Sampler of these pixels.
+    /// Sampler of the upper left pixels.
     pub sampler: S,
-    /// Width and height of a cell, in pixels.
+    /// Width and height of a block, in pixels.
     pub stride: u32,
 }
 

@@ -41,9 +41,10 @@ macro_rules! from_channels {
 }
 from_channels!(Rgb555 Rgb565 Bgr565 Rgb666 Bgr666 Rgb888 Bgr888);
 
-/// Draws each pixel at once to a [`DrawTarget`], in the sRGB encoding.
+/// A [`Sink`] that draws each pixel at once to a [`DrawTarget`], in the sRGB encoding.
 ///
-/// Requires the feature `display`. Pixels outside of the target are left to it.
+/// Requires the feature `display`. Pixels outside of the target are passed to it, too; a [`DrawTarget`]
+/// ignores them.
 ///
 /// ```
 /// use embedded_graphics::mock_display::MockDisplay;
@@ -65,7 +66,8 @@ pub struct DrawTargetSink<'d, D> {
 }
 
 impl<'d, D> DrawTargetSink<'d, D> {
-    /// Draws to `target`. `origin`: point of the target for the upper left pixel of the picture.
+    /// A sink that draws to `target`. `origin`: point of the target at which the upper left pixel of the
+    /// picture is drawn.
     pub fn new(target: &'d mut D, origin: Point, dither: Dither) -> Self {
         DrawTargetSink { target, origin, dither }
     }

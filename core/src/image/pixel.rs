@@ -11,7 +11,7 @@ pub struct Pixel {
     pub y: u32,
 }
 
-/// A rectangle of pixels.
+/// A rectangle of pixels, at any position and of any size.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Tile {
     /// Upper left pixel.
@@ -35,7 +35,7 @@ impl Tile {
         Tile { top_left: Pixel { x: 0, y: 0 }, width: resolution.width(), height: resolution.height() }
     }
 
-    /// All pixels, row by row.
+    /// All pixels of the tile, row by row from the upper left one.
     pub fn pixels(self) -> impl Iterator<Item = Pixel> {
         let Tile { top_left: first, width, height } = self;
         (0..height).flat_map(move |y| (0..width).map(move |x| Pixel { x: first.x + x, y: first.y + y }))
@@ -53,12 +53,12 @@ impl Tile {
         Tile { top_left: Pixel { x, y }, width, height }
     }
 
-    /// Number of pixels.
+    /// Number of pixels: `width * height`.
     pub fn len(self) -> usize {
         self.width as usize * self.height as usize
     }
 
-    /// Whether there are no pixels.
+    /// Whether the tile has no pixels: its width or height is 0.
     pub fn is_empty(self) -> bool {
         self.len() == 0
     }
@@ -69,7 +69,8 @@ impl Tile {
         (x < self.width && y < self.height).then_some(y as usize * self.width as usize + x as usize)
     }
 
-    /// Divides the tile into tiles of at most `side` times `side` pixels, row by row.
+    /// Divides the tile into tiles of at most `side` times `side` pixels, row by row. A `side` of 0 means
+    /// 1.
     pub fn tiles(self, side: u32) -> impl Iterator<Item = Tile> {
         let side = if side > 0 { side } else { 1 };
         let starts = move |length: u32| (0..length).step_by(side as usize);

@@ -32,12 +32,13 @@ pub struct RegularSampler {
 }
 
 impl RegularSampler {
-    /// One ray through the center, box filter, seed 0.
+    /// One ray through the center of each pixel, box filter, seed 0.
     pub const CENTER: RegularSampler = RegularSampler { cells: 1, filter: Filter::Box, seed: 0 };
-    /// Largest number of cells along one side.
+    /// Largest number of cells along one side of a pixel.
     pub const MAX_CELLS_PER_SIDE: u16 = 256;
 
-    /// A sampler with `n` times `n` rays; `None` if `n` is not in `1..=`[`RegularSampler::MAX_CELLS_PER_SIDE`].
+    /// A sampler with `n` times `n` rays per pixel; `None` if `n` is not in
+    /// `1..=`[`RegularSampler::MAX_CELLS_PER_SIDE`].
     pub fn new(n: u16) -> Option<Self> {
         (n >= 1 && n <= Self::MAX_CELLS_PER_SIDE).then_some(RegularSampler { cells: n, ..Self::CENTER })
     }

@@ -11,7 +11,7 @@ pub struct CacheEntry {
 }
 
 impl CacheEntry {
-    /// The empty entry.
+    /// The empty entry, the initial value for buffers.
     pub const EMPTY: CacheEntry = CacheEntry { key: None, sample: PixelSample::BLACK };
 }
 

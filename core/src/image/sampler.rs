@@ -5,7 +5,7 @@ use crate::math::{Real, Rgb, SobolSequence};
 use crate::scene::FilmPoint;
 use crate::trace::{HitId, PixelSample, RayTracer};
 
-/// Chooses the film points of a pixel and combines their samples.
+/// Chooses the camera rays of a pixel and combines their samples into its color.
 ///
 /// ```
 /// use strahl_core::image::{Pixel, Sampler};
@@ -27,7 +27,7 @@ pub trait Sampler {
     /// Samples `pixel` with camera rays that `tracer` traces.
     fn sample_pixel<R: RayTracer + ?Sized>(&mut self, pixel: Pixel, tracer: &mut R) -> PixelSample;
 
-    /// Forgets all cached samples, before another picture.
+    /// Removes all cached samples, before another picture. By default does nothing.
     fn reset(&mut self) {}
 }
 

@@ -22,7 +22,8 @@ use super::sampler::Sampler;
 use crate::math::Real;
 use crate::trace::{PixelSample, RayTracer};
 
-/// The grid of pixels that are traced first, and the contrast up to which the others are interpolated.
+/// Settings of a [`PixelSelector`]: the grid of pixels that are traced first, and the contrast up to which
+/// the others are interpolated.
 ///
 /// ```
 /// use strahl_core::image::{ContrastThreshold, Selection};
@@ -38,7 +39,7 @@ pub struct Selection {
 }
 
 impl Selection {
-    /// Largest distance of the pixels that are traced first.
+    /// Largest step: width and height of a block, in pixels.
     pub const MAX_STEP: u32 = 1 << MAX_DEPTH;
 
     /// Traces one pixel of each block of `step` times `step` first; `None` if `step` is not a power of two in
@@ -71,20 +72,24 @@ impl Selection {
         Tile { top_left: Pixel { x, y }, width, height }
     }
 
-    /// The pixels of a rectangle of blocks. `blocks`: in block coordinates.
+    /// The rectangle of the pixels of a rectangle of blocks. `blocks`: in block coordinates.
     pub fn pixels_of(&self, blocks: Tile) -> Tile {
         let [x, y, width, height] = [blocks.top_left.x, blocks.top_left.y, blocks.width, blocks.height]
             .map(|blocks| blocks << self.depth);
         Tile { top_left: Pixel { x, y }, width, height }
     }
 
-    /// A sampler of the corners of blocks: fills a [`CornerGrid`](super::CornerGrid).
+    /// A sampler of the upper left pixels of blocks, for a [`CornerGrid`](super::CornerGrid) that the
+    /// caller fills. It samples these pixels with `sampler`.
     pub fn corner_sampler<S: Sampler>(&self, sampler: S) -> StridedSampler<S> {
         StridedSampler { sampler, stride: self.step() }
     }
 }
 
-/// Pixel selector: samples some pixels with `S` and interpolates the others.
+/// Traces some pixels of a block with the sampler `S`, and interpolates the others where the traced ones
+/// are similar.
+///
+/// * `C`: cache of the corners of blocks.
 ///
 /// ```
 /// use strahl_core::Rgb;
@@ -120,12 +125,12 @@ impl<'m, C: CornerCache, S: Sampler> PixelSelector<'m, C, S> {
         PixelSelector { selection, sampler, corner_cache, sample_cache: SampleCache::new(entries) }
     }
 
-    /// The grid and the contrast threshold.
+    /// The settings: grid and contrast threshold.
     pub fn selection(&self) -> &Selection {
         &self.selection
     }
 
-    /// Forgets all cached samples, before another picture.
+    /// Removes all cached samples, before another picture.
     pub fn reset(&mut self) {
         self.sampler.reset();
         self.corner_cache.reset();

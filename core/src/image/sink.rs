@@ -70,7 +70,10 @@ impl FramebufferPixel for PixelSample {
     }
 }
 
-/// Pixels of a tile in a caller-provided buffer, row by row. Pixels outside of the tile are ignored.
+/// One tile of a picture in a caller-provided buffer, row by row: a [`Sink`] that ignores pixels outside of
+/// the tile.
+///
+/// * `R`: what is stored of a pixel, its color ([`Rgb`]) or its whole [`PixelSample`].
 #[derive(Debug)]
 pub struct Framebuffer<'m, R = Rgb> {
     tile: Tile,
@@ -78,7 +81,7 @@ pub struct Framebuffer<'m, R = Rgb> {
 }
 
 impl<'m, R: FramebufferPixel> Framebuffer<'m, R> {
-    /// A framebuffer of `tile` in `pixels`; `None` if their lengths differ.
+    /// A framebuffer of `tile` in `pixels`; `None` if the length of `pixels` is not that of the tile.
     ///
     /// ```
     /// use strahl_core::image::{Framebuffer, Pixel, Sink};

@@ -27,7 +27,7 @@ use crate::math::{Dimension, Real, Rgb, sqrt};
 use crate::scene::CameraSample;
 use crate::trace::{PixelSample, RayTracer};
 
-/// Stochastic sampler: rays through irregular film points, and their mean.
+/// Stochastic sampler: rays through random film points of a pixel, and their mean.
 ///
 /// ```
 /// use strahl_core::image::{Confidence, StochasticSampler};
@@ -47,7 +47,8 @@ pub struct StochasticSampler {
     seed: u32,
 }
 
-/// Stopping rule: the confidence interval of the mean at which a pixel is finished.
+/// Stopping rule of a [`StochasticSampler`]: the confidence interval of the mean at which a pixel is
+/// finished.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Confidence {
     /// Half width of the confidence interval in standard errors: the quantile of the normal distribution,
@@ -62,16 +63,17 @@ impl StochasticSampler {
     /// Largest number of rays per pixel.
     pub const MAX_SAMPLES: u32 = 65_536;
 
-    /// `n` rays in each pixel; `None` if `n` is not in `1..=`[`StochasticSampler::MAX_SAMPLES`].
+    /// A sampler with `n` rays in each pixel; `None` if `n` is not in
+    /// `1..=`[`StochasticSampler::MAX_SAMPLES`].
     pub fn new(n: u32) -> Option<Self> {
         Self::with_range(n, n, Confidence { standard_errors: 1.0, tolerance: 0.0 })
     }
 
-    /// `min_samples` rays in each pixel, then as many again until the stopping rule holds or there are
-    /// `max_samples`.
+    /// A sampler with `min_samples` to `max_samples` rays in each pixel: it traces `min_samples` at a time
+    /// until the stopping rule `confidence` holds or there are `max_samples`.
     ///
-    /// `None` unless `1 <= min_samples <= max_samples <= `[`StochasticSampler::MAX_SAMPLES`] and `confidence`
-    /// is in range.
+    /// `None` unless `1 <= min_samples <= max_samples <= `[`StochasticSampler::MAX_SAMPLES`] and
+    /// `confidence` is in range.
     pub fn with_range(min_samples: u32, max_samples: u32, confidence: Confidence) -> Option<Self> {
         let is_range = min_samples >= 1 && min_samples <= max_samples && max_samples <= Self::MAX_SAMPLES;
         let is_valid = confidence.standard_errors > 0.0
@@ -99,10 +101,10 @@ impl StochasticSampler {
 }
 
 impl StochasticSampler {
-    /// Continues a pixel from `estimate`.
+    /// Adds samples to `estimate` until the pixel is finished.
     ///
-    /// If `estimate` comes from this sampler, or from one that differs only in a larger tolerance, the result
-    /// is the same as that of [`Sampler::sample_pixel`] of this sampler.
+    /// If `estimate` is empty, or comes from this sampler or one that differs only in a larger tolerance,
+    /// the result is the same as that of [`Sampler::sample_pixel`] of this sampler.
     pub fn continue_pixel(
         &self,
         pixel: Pixel,
@@ -161,7 +163,8 @@ impl Sampler for StochasticSampler {
     }
 }
 
-/// Estimate of a pixel: the mean of its samples so far, to which more can be added.
+/// A pixel of a [`StochasticSampler`] that is not yet finished: the mean of its samples so far, to which
+/// more can be added.
 #[derive(Clone, Copy, Debug)]
 pub struct PixelEstimate {
     mean: SampleMean,
@@ -173,21 +176,19 @@ impl PixelEstimate {
     pub const EMPTY: PixelEstimate =
         PixelEstimate { mean: SampleMean::EMPTY, variance: RunningVariance::EMPTY };
 
-    /// The mean; black without samples.
+    /// The mean of the samples; [`PixelSample::BLACK`] without samples.
     pub fn to_sample(self) -> PixelSample {
         self.mean.sample()
     }
 
-    /// Number of samples.
+    /// Number of samples so far.
     pub fn sample_count(&self) -> u32 {
         self.mean.count
     }
 
-    /// Half width of the confidence interval of the mean (sRGB-encoded, largest channel) for this many
-    /// standard errors.
-    ///
-    /// Infinite with fewer than two samples, and for samplers with a fixed number of rays, which do not
-    /// compute the variance.
+    /// Half width of the confidence interval of the mean, `standard_errors` wide to each side:
+    /// sRGB-encoded, in `0..=0.5`, of the channel where it is largest. Infinite below two samples, and for
+    /// estimates of samplers with a fixed number of rays, which do not compute the variance.
     pub fn confidence_radius(&self, standard_errors: Real) -> Real {
         self.variance.confidence_radius(standard_errors)
     }

@@ -12,11 +12,11 @@ use super::{Real, max, min};
 #[cfg_attr(feature = "baked", derive(zerocopy::TryFromBytes, zerocopy::KnownLayout, zerocopy::Immutable))]
 #[repr(C)]
 pub struct Rgb {
-    /// Red.
+    /// Red, linear.
     pub r: Real,
-    /// Green.
+    /// Green, linear.
     pub g: Real,
-    /// Blue.
+    /// Blue, linear.
     pub b: Real,
 }
 
@@ -63,7 +63,7 @@ impl Rgb {
         Rgb { r: limit(self.r), g: limit(self.g), b: limit(self.b) }
     }
 
-    /// Linear interpolation: `self` at `t = 0`, `end` at `t = 1`.
+    /// Linear interpolation: `self` at `t = 0`, `end` at `t = 1`; other `t` extrapolate.
     pub fn lerp(self, end: Rgb, t: Real) -> Self {
         self * (1.0 - t) + end * t
     }

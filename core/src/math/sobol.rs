@@ -14,30 +14,34 @@
 
 use super::Real;
 
-/// The use of a sample point. Each effect at each level of the ray tree, and each light, has its own.
+/// Identifies one of the random choices of a camera sample, each of which has its own sample point in a
+/// [`SobolSequence`]: a position in the pixel, on the lens or on a light, a time, or a microfacet normal.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Dimension(u32);
 
 impl Dimension {
-    /// Position inside the pixel.
+    /// Position inside the pixel: x and y.
     pub const PIXEL: Dimension = Dimension(0);
-    /// Position on the lens.
+    /// Position on the lens: two coordinates, mapped to a disc.
     pub const LENS: Dimension = Dimension(1);
-    /// Time between opening and closing of the shutter.
+    /// Time between opening and closing of the shutter: the first coordinate; the second one is not used.
     pub const SHUTTER: Dimension = Dimension(2);
 
-    /// Microfacet normal of a rough surface hit by a ray of the given level.
+    /// Microfacet normal of a rough surface hit by a ray of the given level: two coordinates.
     pub const fn microfacet(level: u8) -> Self {
         Dimension(3 | (level as u32) << 8)
     }
 
-    /// Position on the light with the given index, for a point hit by a ray of the given level.
+    /// Position on the light with the given index, for a point hit by a ray of the given level: two
+    /// coordinates.
     pub const fn light(level: u8, light: u16) -> Self {
         Dimension(4 | (level as u32) << 8 | (light as u32) << 16)
     }
 }
 
-/// The sample points of all dimensions for one sample of one pixel.
+/// The sample points of one camera sample: a point in the unit square for each [`Dimension`].
+///
+/// It has no state: equal arguments give equal points.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct SobolSequence {
     /// Hash of pixel and seed.
@@ -47,7 +51,8 @@ pub struct SobolSequence {
 }
 
 impl SobolSequence {
-    /// The sample with the given `index` in the pixel `(x, y)` of a picture with the given `seed`.
+    /// The sample points of the sample with the given `index` in the pixel `(x, y)` of a picture with the
+    /// given `seed`.
     pub const fn new(x: u32, y: u32, index: u32, seed: u32) -> Self {
         SobolSequence { pixel_hash: hash(hash(hash(seed) ^ x) ^ y), index }
     }

@@ -23,13 +23,13 @@ pub struct FilmPoint {
     pub y: Real,
 }
 
-/// The random choices of one camera ray.
+/// One camera ray to be traced: its film point, and the source of all its other random numbers.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct CameraSample {
     /// Point on the film that the ray passes through.
     pub point: FilmPoint,
-    /// Sequence from which all other random numbers of the ray are drawn: lens, time, lights, glossy
-    /// directions.
+    /// Sequence from which the time, the point on the lens, the points on lights and the glossy directions
+    /// of the ray tree are drawn.
     pub sequence: SobolSequence,
 }
 
@@ -43,10 +43,10 @@ pub struct CameraDescriptor {
     /// Point at the center of the picture, world space, coordinates in `-1e15..=1e15`. Differs from
     /// `position`.
     pub target: Vec3,
-    /// Direction that points up in the picture. Neither normalized nor perpendicular to the view direction,
-    /// but not parallel to it.
+    /// Direction that points up in the picture, of any length. Not perpendicular to the view direction,
+    /// necessarily, but not parallel to it, not zero, and finite.
     pub up: Vec3,
-    /// Projection onto the film.
+    /// Projection onto the film: perspective, orthographic or thin lens.
     pub projection: Projection,
 }
 
@@ -122,7 +122,9 @@ impl Projection {
     }
 }
 
-/// Generates the camera rays of pictures of one resolution.
+/// Generates the rays of a perspective, orthographic or thin-lens camera, for pictures of one resolution.
+///
+/// It has no shutter: the time of a ray follows from [`CameraSample::sequence`].
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Camera {
     position: Vec3,
@@ -200,7 +202,7 @@ impl Camera {
         })
     }
 
-    /// Whether only the plane of focus is sharp ([`Projection::ThinLens`]).
+    /// Whether the projection is a [`Projection::ThinLens`], so that only the plane of focus is sharp.
     pub fn has_depth_of_field(&self) -> bool {
         self.thin_lens[0] > 0.0
     }
@@ -220,8 +222,8 @@ impl Camera {
         Ray::new(self.position + lens_offset, try_normalize(direction).unwrap_or(self.forward))
     }
 
-    /// The ray through a point on the film, and through the center of the lens if there is one. Its direction
-    /// is a unit vector.
+    /// The ray through a point on the film, and through the center of the lens if there is one. Its
+    /// direction is a unit vector; its time is 0.
     pub fn ray(&self, point: FilmPoint) -> Ray {
         let film_offset = self.film_offset(point);
         if self.is_orthographic {

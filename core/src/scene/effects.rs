@@ -35,10 +35,10 @@ pub trait Effects {
     const SET: EffectSet;
 
     /// Largest distance at which camera, reflected and refracted rays hit an item, in scene lengths, more
-    /// than zero.
+    /// than zero; by default unlimited ([`Real::MAX`]).
     const MAX_DISTANCE: Real = Real::MAX;
 
-    /// Radiance of secondary rays that are not traced because of the level limit.
+    /// Radiance of secondary rays that are not traced because of the level limit; black by default.
     const LEVEL_LIMIT_RADIANCE: LevelLimitRadiance = LevelLimitRadiance::Black;
 }
 
@@ -48,7 +48,10 @@ impl<E: Effects> ShapeFeatures for E {
     const MOTION_BLUR: bool = E::SET.motion_blur;
 }
 
-/// All effects: traces every scene, with the largest and slowest code.
+/// Implements [`Effects`] with all effects: a tracer with it traces every scene, with the largest and
+/// slowest code.
+///
+/// It is not a default: a tracer names it, or a type with fewer effects.
 #[derive(Clone, Copy, Debug)]
 pub struct AllEffects;
 

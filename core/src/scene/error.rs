@@ -7,13 +7,12 @@ use crate::geometry::{ItemId, ShapeError};
 
 /// Why the tables of a scene are not valid.
 ///
-/// Displayed with the entry, the field, its value and its range: "light 0: `color` has a channel of -1, must
-/// be in
-/// 0..=1e6".
+/// Displayed with the entry, the field, its value and its range: "light 0: `color` has a channel of -1,
+/// must be in 0..=1e6".
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[non_exhaustive]
 pub enum SceneError {
-    /// There are more items than an [`ItemId`] can number.
+    /// There are more than `u32::MAX` items, more than an [`ItemId`] can number.
     TooManyItems,
     /// There are more than 65,536 materials, more than a [`MaterialId`] can number.
     TooManyMaterials,

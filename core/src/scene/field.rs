@@ -27,55 +27,86 @@ pub struct FieldError {
 }
 
 /// A field that [`Scene::new`](super::Scene::new) or [`Camera::new`](super::Camera::new) checks.
-///
-/// Named like the field of [`Material`](super::Material), [`Light`](super::Light),
-/// [`LightSource`](super::LightSource), [`Falloff`](super::Falloff), [`Texture`](super::Texture),
-/// [`Background`](super::Background), [`SceneDescriptor`](super::SceneDescriptor),
-/// [`CameraDescriptor`](super::CameraDescriptor) or [`Projection`](super::Projection). `CellFrequency` and
-/// `RingFrequency` are the `frequency` of a checker and of a zone plate; `HalfEdgesArea` is the area that the
-/// `half_edges` span.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[non_exhaustive]
-#[allow(missing_docs)] // named like the fields
 pub enum Field {
+    /// `above` of a background gradient.
     Above,
+    /// `ambient` of a material or of the scene.
     Ambient,
+    /// `attenuation_length` of a material.
     AttenuationLength,
+    /// `axis` of a gradient texture.
     Axis,
+    /// `below` of a background gradient.
     Below,
+    /// `frequency` of a checker texture.
     CellFrequency,
+    /// `color` of a light or of the background.
     Color,
+    /// `constant` of a falloff.
     Constant,
+    /// `cos_inner` of a spot light.
     CosInner,
+    /// `cos_outer` of a spot light.
     CosOuter,
+    /// `diffuse` of a material.
     Diffuse,
+    /// `direction` of a spot light.
     Direction,
+    /// `end_color` of a texture.
     EndColor,
+    /// `even` of a checker texture.
     Even,
+    /// Sum of the three terms of a falloff.
     Falloff,
+    /// `field_of_view` of a projection.
     FieldOfView,
+    /// `focus_distance` of a thin lens.
     FocusDistance,
+    /// `half_edges` of a rectangle light.
     HalfEdges,
+    /// Area that the `half_edges` of a rectangle light span.
     HalfEdgesArea,
+    /// `height` of an orthographic projection.
     Height,
+    /// `highlight` of a material.
     Highlight,
+    /// `highlight_exponent` of a material.
     HighlightExponent,
+    /// `lens_radius` of a thin lens.
     LensRadius,
+    /// `linear` of a falloff.
     Linear,
+    /// `odd` of a checker texture.
     Odd,
+    /// `origin` of a texture.
     Origin,
+    /// `position` of a light or of the camera.
     Position,
+    /// `quadratic` of a falloff.
     Quadratic,
+    /// `radius` of a sphere light.
     Radius,
+    /// `reflection` of a material.
     Reflection,
+    /// `refractive_index` of a material.
     RefractiveIndex,
+    /// `frequency` of a zone plate.
     RingFrequency,
+    /// `roughness` of a material.
     Roughness,
+    /// `start_color` of a texture.
     StartColor,
+    /// `target` of the camera.
     Target,
+    /// `texture` of a material.
     Texture,
+    /// `to_light` of a directional light.
     ToLight,
+    /// `transmission` of a material.
     Transmission,
+    /// `up` of a background gradient.
     Up,
 }
 

@@ -4,12 +4,16 @@ use crate::set::bit_set;
 
 /// Kind of a light: a variant of [`LightSource`](super::LightSource) without its fields.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-#[allow(missing_docs)] // described at `LightSource`
 pub enum LightKind {
+    /// [`LightSource::Point`](super::LightSource::Point).
     Point,
+    /// [`LightSource::Directional`](super::LightSource::Directional).
     Directional,
+    /// [`LightSource::Spot`](super::LightSource::Spot).
     Spot,
+    /// [`LightSource::Sphere`](super::LightSource::Sphere).
     Sphere,
+    /// [`LightSource::Rectangle`](super::LightSource::Rectangle).
     Rectangle,
 }
 
@@ -18,7 +22,7 @@ impl LightKind {
     pub const ALL: [LightKind; 5] =
         [LightKind::Point, LightKind::Directional, LightKind::Spot, LightKind::Sphere, LightKind::Rectangle];
 
-    /// Name of the kind, as in messages.
+    /// Lowercase name: `point`, `directional`, `spot`, `sphere` or `rectangle`.
     pub const fn name(self) -> &'static str {
         match self {
             LightKind::Point => "point",
@@ -37,10 +41,12 @@ bit_set! {
 
 /// Kind of a texture: a variant of [`Texture`](super::Texture) without its fields.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-#[allow(missing_docs)] // described at `Texture`
 pub enum TextureKind {
+    /// [`Texture::Checker`](super::Texture::Checker).
     Checker,
+    /// [`Texture::Gradient`](super::Texture::Gradient).
     Gradient,
+    /// [`Texture::ZonePlate`](super::Texture::ZonePlate).
     ZonePlate,
 }
 
@@ -48,7 +54,7 @@ impl TextureKind {
     /// All kinds, in the order of their declaration.
     pub const ALL: [TextureKind; 3] = [TextureKind::Checker, TextureKind::Gradient, TextureKind::ZonePlate];
 
-    /// Name of the kind, as in messages.
+    /// Lowercase name: `checker`, `gradient` or `zone plate`.
     pub const fn name(self) -> &'static str {
         match self {
             TextureKind::Checker => "checker",

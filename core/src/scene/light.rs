@@ -13,12 +13,12 @@ use crate::math::{
 };
 use crate::tally::LightOutcome;
 
-/// A light.
+/// A light source, its color, and whether items occlude it.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "baked", derive(zerocopy::TryFromBytes, zerocopy::KnownLayout, zerocopy::Immutable))]
 #[repr(C)]
 pub struct Light {
-    /// Kind, position and shape.
+    /// Kind, position and shape of the light.
     pub source: LightSource,
     /// Light that arrives at a surface that faces it, linear RGB, before the falloff, each channel in
     /// `0..=1e6`.
@@ -149,7 +149,7 @@ impl Light {
         Light { source: LightSource::Point { position, falloff: Falloff::NONE }, color, casts_shadows: true }
     }
 
-    /// Kind of the light.
+    /// Kind of the light: the variant of its source.
     pub const fn kind(&self) -> LightKind {
         match self.source {
             LightSource::Point { .. } => LightKind::Point,

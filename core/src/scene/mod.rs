@@ -123,9 +123,9 @@ pub struct SceneDescriptor<'s> {
     pub material_ids: &'s [MaterialId],
     /// Materials that `material_ids` refers to.
     pub materials: &'s [Material],
-    /// Textures that materials refer to.
+    /// Textures that [`Material::texture`] refers to.
     pub textures: &'s [Texture],
-    /// Lights.
+    /// Light sources, in the order in which their light is added.
     pub lights: &'s [Light],
     /// Ambient light, which arrives at every surface from all directions, each channel in `0..=1e6`.
     pub ambient: Rgb,
@@ -150,7 +150,7 @@ impl SceneDescriptor<'_> {
         colored_shadows: false,
     };
 
-    /// Memory of all tables, in bytes.
+    /// Size of all tables, in bytes.
     pub const fn size_in_bytes(&self) -> usize {
         self.geometry.size_in_bytes()
             + size_of_val(self.material_ids)
@@ -224,7 +224,7 @@ impl<'s> Scene<'s> {
         Ok(Scene { descriptor, required_effects: find_required_effects(&descriptor) })
     }
 
-    /// The tables of the scene.
+    /// The tables of the scene, as they were checked.
     pub fn descriptor(&self) -> &SceneDescriptor<'s> {
         &self.descriptor
     }

@@ -91,17 +91,17 @@ impl SceneTables {
         }
     }
 
-    /// Adds a material, for shapes.
+    /// Adds a material and returns its id, for the shapes that have it.
     pub fn add_material(&mut self, material: Material) -> MaterialId {
         MaterialId(push(&mut self.materials, material) as u16)
     }
 
-    /// All materials, in the order in which they were added.
+    /// All materials, by [`MaterialId`], to be changed.
     pub fn materials_mut(&mut self) -> &mut [Material] {
         &mut self.materials
     }
 
-    /// Adds a texture, for materials.
+    /// Adds a texture and returns its id, for [`Material::texture`].
     pub fn add_texture(&mut self, texture: Texture) -> TextureId {
         TextureId(push(&mut self.textures, texture) as u16)
     }
@@ -111,43 +111,43 @@ impl SceneTables {
         push(&mut self.lights, light) as usize
     }
 
-    /// Adds a sphere.
+    /// Adds a sphere and returns its item.
     pub fn add_sphere(&mut self, sphere: Sphere, material: MaterialId) -> ItemId {
         self.add_shape(Shape::Sphere(sphere), material)
     }
 
-    /// Adds an infinite plane through `point`. `normal`: unit vector.
+    /// Adds an infinite plane through `point` and returns its item. `normal`: unit vector.
     pub fn add_plane(&mut self, point: Vec3, normal: Vec3, material: MaterialId) -> ItemId {
         let item = self.next_item();
         let plane = push(&mut self.planes, Plane { point, normal, item });
         self.add_shape(Shape::Plane(plane), material)
     }
 
-    /// Adds a disc.
+    /// Adds a disc and returns its item.
     pub fn add_disc(&mut self, disc: Disc, material: MaterialId) -> ItemId {
         let disc = push(&mut self.discs, disc);
         self.add_shape(Shape::Disc(disc), material)
     }
 
-    /// Adds an axis-aligned box.
+    /// Adds an axis-aligned box and returns its item.
     pub fn add_cuboid(&mut self, cuboid: Cuboid, material: MaterialId) -> ItemId {
         let cuboid = push(&mut self.cuboids, cuboid);
         self.add_shape(Shape::Cuboid(cuboid), material)
     }
 
-    /// Adds an oriented box.
+    /// Adds an oriented box and returns its item.
     pub fn add_oriented_cuboid(&mut self, cuboid: OrientedCuboid, material: MaterialId) -> ItemId {
         let cuboid = push(&mut self.oriented_cuboids, cuboid);
         self.add_shape(Shape::OrientedCuboid(cuboid), material)
     }
 
-    /// Adds a cone or cylinder.
+    /// Adds a cone or cylinder and returns its item.
     pub fn add_cone(&mut self, cone: Cone, material: MaterialId) -> ItemId {
         let cone = push(&mut self.cones, cone);
         self.add_shape(Shape::Cone(cone), material)
     }
 
-    /// Adds a torus.
+    /// Adds a torus and returns its item.
     pub fn add_torus(&mut self, torus: Torus, material: MaterialId) -> ItemId {
         let torus = push(&mut self.tori, torus);
         self.add_shape(Shape::Torus(torus), material)
@@ -244,7 +244,7 @@ impl SceneTables {
         }
     }
 
-    /// Removes the motion of an item.
+    /// Lets an item rest. Does nothing if it rests already, or if there is no such item.
     pub fn clear_motion(&mut self, item: ItemId) {
         let shape = self.shapes.get_mut(item.0 as usize);
         if let Some(shape) = shape

@@ -4,10 +4,10 @@ use super::check::FieldChecks;
 use super::{Field, TextureKind, TextureSet};
 use crate::math::{MAX_COORDINATE, PI, Real, Rgb, Vec3, clamp, cos, floor, max_abs_component};
 
-/// A procedural solid texture: a color for each point, in world space.
+/// A procedural solid texture: a color for each point of space.
 ///
-/// The texture of a moving item moves with it. Channels of colors are in `0..=1e6`, coordinates in
-/// `-1e15..=1e15`.
+/// Points are in world space; the texture of a moving item moves with it. Channels of colors are in
+/// `0..=1e6`, coordinates in `-1e15..=1e15`.
 ///
 /// ```
 /// use strahl_core::scene::{Texture, TextureId};
@@ -34,7 +34,7 @@ pub enum Texture {
         even: Rgb,
         /// Color of its neighbors.
         odd: Rgb,
-        /// A corner of cells.
+        /// A corner of cells, where eight of them meet.
         origin: Vec3,
         /// Number of cells per scene length along each axis. Zero means one infinite cell, which the axis
         /// perpendicular to a floor needs, so that rounding does not choose between two cells.
@@ -65,7 +65,7 @@ pub enum Texture {
 }
 
 impl Texture {
-    /// Kind of the texture.
+    /// Kind of the texture: its variant without fields.
     pub const fn kind(&self) -> TextureKind {
         match self {
             Texture::Checker { .. } => TextureKind::Checker,

@@ -49,12 +49,12 @@ impl<'s, A: Accelerator> World<'s, A> {
         World { scene, accelerator }
     }
 
-    /// The scene.
+    /// The scene that queries are answered for.
     pub fn scene(&self) -> &Scene<'s> {
         &self.scene
     }
 
-    /// The accelerator.
+    /// The accelerator of the items of the scene.
     pub fn accelerator(&self) -> &A {
         &self.accelerator
     }
@@ -63,7 +63,7 @@ impl<'s, A: Accelerator> World<'s, A> {
     /// valid.
     ///
     /// Of hits with equal `t`, the one with the lower [`ItemId`]. Only the shapes of `E` are hit. `t` is
-    /// measured in lengths of the ray's direction.
+    /// measured in lengths of the ray's direction; `kind` is for the tally only.
     pub fn nearest_hit<E: Effects, T: Tally>(
         &self,
         ray: &Ray,
@@ -98,10 +98,11 @@ impl<'s, A: Accelerator> World<'s, A> {
         (item != ItemId(u32::MAX)).then_some(Hit { t: query.t_max, item })
     }
 
-    /// Any item that the ray hits with `t` of at most `t_max`; `None` if there is none or the ray is not
-    /// valid.
+    /// Any item that the ray hits with `t` of at most `t_max`, not necessarily the nearest; `None` if there
+    /// is none or the ray is not valid.
     ///
-    /// Only the shapes of `E` are hit.
+    /// Only the shapes of `E` are hit. `t` is measured in lengths of the ray's direction; `kind` is for the
+    /// tally only.
     pub fn occluder<E: Effects, T: Tally>(
         &self,
         ray: &Ray,
@@ -127,9 +128,9 @@ impl<'s, A: Accelerator> World<'s, A> {
         query.policy.0
     }
 
-    /// Whether the ray hits this item with `t` of at most `t_max`.
+    /// Whether the ray hits this item with `t` of at most `t_max`; false if there is no such item.
     ///
-    /// The result is that of [`World::occluder`] in a scene without other items.
+    /// The result for a valid ray is that of [`World::occluder`] in a scene without other items.
     pub fn is_occluded_by<E: Effects, T: Tally>(
         &self,
         item: ItemId,

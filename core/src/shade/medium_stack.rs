@@ -14,7 +14,13 @@ const CAPACITY: usize = 4;
 
 /// The bodies that a ray is inside, in the order in which it entered them; at most four.
 ///
-/// A body is identified by its material. Empty space is not on the stack.
+/// A body is identified by its material. Empty space is not on the stack. Where bodies overlap, the medium
+/// of the ray is that of the highest [`Material::priority`]; of equal priorities, that of the body entered
+/// last.
+///
+/// The surface of a body inside a body of higher priority is hidden ([`Crossing::is_hidden`]): the medium
+/// does not change there, and the ray goes on straight. It still enters the body: the stack of the ray
+/// behind the surface ([`Crossing::stack_behind`]) contains it.
 ///
 /// ```
 /// use strahl_core::shade::MediumStack;
@@ -38,18 +44,21 @@ pub struct MediumStack {
     count: u8,
 }
 
-/// The media on both sides of a surface that a ray hits.
+/// What a ray finds where it crosses the surface of a body: the media on both sides, and its stack behind
+/// the surface.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Crossing {
-    /// Medium on the side that the ray comes from; `None` is empty space.
+    /// Medium on the side that the ray comes from, by its material; `None` is empty space.
     pub medium_before: Option<MaterialId>,
-    /// Medium on the far side; `None` is empty space.
+    /// Medium on the far side, by its material; `None` is empty space.
     pub medium_behind: Option<MaterialId>,
-    /// Stack of a ray on the far side.
+    /// Stack of a ray on the far side, such as a refracted one; a reflected ray keeps the stack that it
+    /// has.
     pub stack_behind: MediumStack,
     /// Whether the surface is inside a body of higher priority: the ray goes on as if it did not exist.
     pub is_hidden: bool,
-    /// Whether the stack was full, so the body was not entered.
+    /// Whether the stack was full, so that the body was not entered: the stack behind the surface is the
+    /// same.
     pub is_stack_full: bool,
 }
 
@@ -74,7 +83,7 @@ impl MediumStack {
         self.as_slice().iter().copied().max_by_key(|material| priority(*material, materials))
     }
 
-    /// The crossing of a ray that enters `body`.
+    /// The crossing of a ray that enters `body` through its front side.
     ///
     /// If the stack is full, the body is not entered, and [`Crossing::is_stack_full`] is true.
     pub fn enter(self, body: MaterialId, materials: &[Material]) -> Crossing {

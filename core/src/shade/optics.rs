@@ -6,7 +6,9 @@
 
 use crate::math::{Real, Rgb, Vec3, exp, max, sqrt};
 
-/// Direction of specular reflection: `d` mirrored at the plane perpendicular to `n`.
+/// Direction of specular reflection: `d` mirrored at the plane perpendicular to the unit vector `n`.
+///
+/// `d`: any length, toward the surface. The result has the same length and points away from the surface.
 ///
 /// ```
 /// use strahl_core::shade::reflect;
@@ -18,7 +20,7 @@ pub fn reflect(d: Vec3, n: Vec3) -> Vec3 {
     d - n * (2.0 * d.dot(n))
 }
 
-/// The refracted ray, and the Fresnel reflectance of the surface.
+/// Result of [`refract`]: the direction of the refracted ray, and the Fresnel reflectance of the surface.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Refraction {
     /// Direction of the refracted ray, unit.
@@ -29,8 +31,10 @@ pub struct Refraction {
 
 /// Refraction by Snell's law; `None` in case of total internal reflection.
 ///
-/// `ratio`: refractive index on the side that the ray comes from, divided by that on the far side. A ratio of
-/// 1 returns `d` unchanged.
+/// * `d`: unit vector, toward the surface.
+/// * `n`: unit normal, on the side that the ray comes from.
+/// * `ratio`: refractive index on the side that the ray comes from, divided by that on the far side. A
+///   ratio of 1 returns `d` unchanged and a reflectance of 0.
 ///
 /// ```
 /// use strahl_core::Vec3;

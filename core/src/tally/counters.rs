@@ -61,10 +61,9 @@ counts_per! {
     PerShapeKind of ShapeKind
 }
 
-/// Counts of all events.
+/// A [`Tally`](super::Tally) that counts all events.
 ///
-/// As a [`Tally`](super::Tally), it receives them from a tracer. [`RayCounters`] count less and cost almost
-/// nothing.
+/// [`RayCounters`] count less and cost almost nothing.
 ///
 /// ```
 /// use strahl_core::tally::{Counters, RayKind};
@@ -75,29 +74,30 @@ counts_per! {
 /// ```
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Counters {
-    /// Rays traced. Of shadow rays: lights tested for occlusion.
+    /// Rays traced. Of shadow rays: lights tested for occlusion, including those that the shadow cache
+    /// answered.
     pub rays: PerRayKind,
     /// Camera rays that hit an item.
     pub camera_hits: u64,
     /// Highest level of a ray; camera rays have level 1. Zero if no ray was traced.
     pub max_level: u8,
-    /// Tests of rays against boxes and bounding spheres.
+    /// Tests of rays against bounding boxes and bounding spheres.
     pub box_tests: PerRayKind,
     /// Tests of rays against shapes, by the kind of the ray.
     pub shape_tests: PerRayKind,
     /// Tests of rays against shapes, by the kind of the shape.
     pub shape_tests_by_kind: PerShapeKind,
-    /// Leaves and cells of the accelerator that rays visited.
+    /// Leaves and cells of the accelerator, or groups of a list, that rays visited.
     pub leaf_visits: PerRayKind,
-    /// Tests of rays against items that a mailbox saved.
+    /// Tests of rays against items that a mailbox saved, by the kind of the ray.
     pub mailbox_hits: PerRayKind,
-    /// Shadow rays for which the shadow cache had an occluder.
+    /// Shadow rays for which the shadow cache held an occluder, which was tested first.
     pub shadow_cache_tests: u64,
-    /// Of those, the ones that this occluder occluded as well.
+    /// Of those, the ones that this occluder occludes too.
     pub shadow_cache_hits: u64,
-    /// Rays that were not sent because of the level limit.
+    /// Secondary rays that were not sent because of the level limit.
     pub level_limit: UnsentRays,
-    /// Rays that were not sent because their weight was not above the cutoff.
+    /// Secondary rays that were not sent because their weight was not above the cutoff.
     pub cutoff: UnsentRays,
     /// Rays that entered a body while their medium stack was full, and stayed in their medium.
     pub medium_stack_full: u64,
@@ -109,7 +109,7 @@ impl Counters {
         Self::default()
     }
 
-    /// Adds the counts of another worker.
+    /// Adds the counts of another worker; of `max_level`, takes the larger.
     pub fn merge(&mut self, other: &Counters) {
         self.rays += other.rays;
         self.camera_hits += other.camera_hits;
@@ -126,7 +126,7 @@ impl Counters {
         self.medium_stack_full += other.medium_stack_full;
     }
 
-    /// Fractions of the light that the level limit and the cutoff removed, in this order.
+    /// Fractions of the light that were removed by the level limit and by the cutoff, in this order.
     ///
     /// Weight of the unsent rays over the number of camera rays: the fraction of the radiance if all points
     /// were equally bright. Zero without camera rays.
@@ -163,9 +163,9 @@ impl UnsentRays {
     }
 }
 
-/// Counters of rays and of cut light only: no tests, leaf visits or cache lookups.
+/// A [`Tally`](super::Tally) that counts rays and cut light only: no tests, leaf visits or cache lookups.
 ///
-/// They cost almost nothing; counting tests in the inner loop, as [`Counters`] do, has a measurable cost.
+/// It costs almost nothing; counting tests in the inner loop, as [`Counters`] do, has a measurable cost.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct RayCounters {
     /// The counts. Those of tests, leaf visits and caches are zero.

@@ -23,40 +23,44 @@ pub use trace_event::{LightOutcome, TraceEvent};
 use crate::geometry::ShapeKind;
 use crate::math::Rgb;
 
-/// An event that statistics count.
+/// An event that a tracer counts in a [`Tally`].
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[non_exhaustive]
 pub enum CountedEvent {
-    /// A ray was traced. For [`RayKind::Shadow`]: a light was tested for occlusion, by a traversal or by the
-    /// shadow cache.
+    /// A ray was traced. Of kind [`RayKind::Shadow`]: a light was tested for occlusion, also if the shadow
+    /// cache answered and no ray traversed the accelerator.
     Ray(RayKind),
-    /// A camera, reflected or transmitted ray of this level was traced. Camera rays have level 1.
+    /// A camera, reflected or transmitted ray of this level was traced. Camera rays have level 1, their
+    /// secondary rays level 2.
     Level(u8),
     /// A camera ray hit an item.
     CameraHit,
-    /// A ray was tested against this many boxes or bounding spheres.
+    /// A ray of this kind was tested against this many bounding boxes or bounding spheres.
     BoxTests(RayKind, u32),
-    /// A ray was tested against a shape.
+    /// A ray of this kind was tested against a shape of this kind.
     ShapeTest(RayKind, ShapeKind),
-    /// The shadow cache had an occluder for a shadow ray, which was tested first.
+    /// The shadow cache held the last occluder of a light, and the shadow ray was tested against it before
+    /// any traversal. Not counted if the cache held none.
     ShadowCacheTest {
-        /// Whether the cached item occludes the light for this ray as well.
+        /// Whether it occludes this ray too; then the accelerator is not traversed.
         occluded: bool,
     },
-    /// A ray visited a leaf or a cell of the accelerator, or a group of a list.
+    /// A ray of this kind visited a leaf or a cell of the accelerator, or, of a
+    /// [`List`](crate::accel::List), a group of 16 items whose bounding volume it hits.
     LeafVisit(RayKind),
-    /// A mailbox saved the test of an item against a ray.
+    /// An item was not tested against a ray of this kind, because the mailbox held it: it had been tested
+    /// before.
     MailboxHit(RayKind),
-    /// A ray of this weight was not sent, because the level limit was reached.
+    /// A secondary ray of this weight was not sent, because the level limit was reached.
     LevelLimit(Rgb),
-    /// A ray of this weight was not sent, because its weight was not above the cutoff.
+    /// A secondary ray of this weight was not sent, because no channel of it was above the cutoff.
     Cutoff(Rgb),
     /// A ray entered a body while its [`MediumStack`](crate::shade::MediumStack) was full. The body was not
     /// entered: the ray goes on in the medium that it was in.
     MediumStackFull,
 }
 
-/// Receives the events that a tracer reports.
+/// Receives the events that a tracer reports: counts them, or records the ray tree.
 ///
 /// ```
 /// use strahl_core::tally::{CountedEvent, RayKind, Tally};

@@ -1,6 +1,6 @@
 //! Kinds of rays, and whether a secondary ray is sent.
 
-/// The kind of a ray: where it comes from.
+/// Where a ray comes from: the camera, a reflection, a transmission, or a surface on its way to a light.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum RayKind {
     /// A primary ray, from the camera through a point of the film.

@@ -2,7 +2,7 @@
 
 use crate::geometry::ItemId;
 
-/// The item that a camera ray hit, or all camera rays of a pixel.
+/// What a camera ray hit, or all camera rays of a pixel.
 ///
 /// Samplers use it to find edges of items; images of it are object masks.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

@@ -3,12 +3,14 @@
 use super::HitId;
 use crate::math::Rgb;
 
-/// Radiance of a camera sample or of a whole pixel, and the item that is visible there.
+/// Color and hit of one camera sample, or of a whole pixel, for which a sampler combines several camera
+/// samples.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct PixelSample {
-    /// Linear RGB, finite and not negative.
+    /// Radiance, linear RGB, finite and not negative; of a pixel, the weighted mean of its samples.
     pub color: Rgb,
-    /// The item that the camera rays hit.
+    /// What the camera rays hit: an item, nothing ([`HitId::Nothing`]), or, of several rays, not all the
+    /// same ([`HitId::Mixed`]).
     pub hit: HitId,
 }
 

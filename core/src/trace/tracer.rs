@@ -21,14 +21,14 @@ const MAX_SURFACE_RADIANCE: Real = 1e15;
 /// Upper limit of the radiance of a sample, per channel.
 const MAX_SAMPLE_RADIANCE: Real = 1e30;
 
-/// Traces camera samples of a world.
+/// Traces camera samples of a world, as seen by one camera.
 ///
 /// A tracer is immutable: threads share it, each with its own [`Worker`].
 ///
 /// * `A`: accelerator of the world.
 /// * `E`: effects that are compiled; everything else is optimized away.
-/// * `LEVELS`: largest number of ray levels, 1 to 64 (the maximum depth plus one: camera rays have level 1).
-///   It determines the size of a worker. [`Limits::levels`] is the number that is traced, at most this;
+/// * `LEVELS`: largest number of ray levels, 1 to 64 (the maximum depth plus one: camera rays have level
+///   1). It determines the size of a worker. [`Limits::levels`] is the number that is traced, at most this;
 ///   [`Limits::DEFAULT`] has 5.
 ///
 /// ```

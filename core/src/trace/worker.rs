@@ -43,18 +43,19 @@ impl<A: Accelerator, T, const LEVELS: usize, const SHADOW_CACHE_ENTRIES: usize>
     /// shadow cache, and the tally.
     pub const SIZE_IN_BYTES: usize = size_of::<Self>();
 
-    /// A worker with a shadow cache of `SHADOW_CACHE_ENTRIES` entries that reports to `tally`.
+    /// A worker with a shadow cache of `SHADOW_CACHE_ENTRIES` entries, zero or a power of two, that reports
+    /// to `tally`.
     pub fn with_cache_size(tally: T) -> Self {
         Worker { caches: WorkerCaches::new(), tasks: TaskStack::new(), tally }
     }
 
-    /// Disables the shadow cache: every shadow ray is traced through the accelerator.
+    /// The same worker without a shadow cache: every shadow ray traverses the accelerator.
     pub fn without_shadow_cache(mut self) -> Self {
         self.caches.shadow_cache.disable();
         self
     }
 
-    /// The tally.
+    /// The tally that the tracer reports to.
     pub fn tally(&self) -> &T {
         &self.tally
     }

@@ -9,8 +9,8 @@ use super::top_down::{BuiltTree, build_top_down};
 use crate::accel::{Buffer, BuildError, BvhSize, TriangleBlock};
 use crate::geometry::{Aabb, Geometry, ItemId};
 
-/// A finished tree whose leaves are not laid out yet: [`BvhBuilder::into_bvh`] keeps single entries,
-/// [`BvhBuilder::into_block_bvh`] makes blocks of triangles.
+/// A tree of items from which a [`Bvh`] is made, with single entries ([`BvhBuilder::into_bvh`]) or blocks
+/// of triangles ([`BvhBuilder::into_block_bvh`]) in its leaves.
 #[derive(Debug)]
 pub struct BvhBuilder<'s> {
     nodes: &'s mut [BvhNode],
@@ -18,7 +18,7 @@ pub struct BvhBuilder<'s> {
     depth: u32,
 }
 
-/// How the items of a leaf are stored and tested.
+/// How the items of a leaf of a [`Bvh`] are stored and tested.
 #[derive(Clone, Copy, Debug)]
 pub enum LeafLayout<'g> {
     /// As single [`LeafEntry`]s, tested one after the other.
@@ -41,11 +41,12 @@ impl LeafLayout<'_> {
 }
 
 impl<'s, Queue> Bvh<'s, Queue> {
-    /// Builds the hierarchy of the items with these bounds.
+    /// Builds the hierarchy of the items with these bounds, with single entries in its leaves.
     ///
     /// `bounds`: one box per item; items with an empty box are left out. `nodes` and `entries`:
-    /// caller-provided buffers of the sizes of [`BvhSize::recommended`]. With fewer nodes, leaves are larger;
-    /// at least one is needed unless all boxes are empty. One entry per item is needed.
+    /// caller-provided buffers of the sizes of [`BvhSize::recommended`]. With fewer nodes, leaves are
+    /// larger; at least one is needed unless all boxes are empty. One entry per item that is not left out
+    /// is needed.
     ///
     /// # Errors
     ///

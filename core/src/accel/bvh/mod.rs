@@ -65,7 +65,7 @@ impl<Queue, Element> Clone for Bvh<'_, Queue, Element> {
 impl<Queue, Element> Copy for Bvh<'_, Queue, Element> {}
 
 impl<'s, Queue, Element: LeafElement> Bvh<'s, Queue, Element> {
-    /// Size of all buffers that it uses, in bytes.
+    /// Size of all buffers that it uses, in bytes: nodes and leaf elements.
     pub const fn size_in_bytes(&self) -> usize {
         size_of_val(self.nodes) + size_of_val(self.leaf_elements)
     }
@@ -76,7 +76,7 @@ impl<'s, Queue, Element: LeafElement> Bvh<'s, Queue, Element> {
         Bvh { nodes, leaf_elements, depth, queue: PhantomData }
     }
 
-    /// Number of leaves.
+    /// Number of leaves; 0 if the hierarchy is empty.
     pub fn leaf_count(&self) -> usize {
         self.single_item_leaf_count() + self.leaf_elements.iter().filter(|element| element.is_last()).count()
     }
@@ -93,7 +93,8 @@ impl<'s, Queue, Element: LeafElement> Bvh<'s, Queue, Element> {
         children.filter(|child| matches!(child.unpack(), NodeRef::Item(_))).count()
     }
 
-    /// Number of edges from the root to the deepest leaf.
+    /// Number of edges from the root to the deepest leaf: 1 if all leaves are children of the root; 0 if
+    /// the hierarchy is empty.
     pub const fn depth(&self) -> u32 {
         self.depth
     }

@@ -6,7 +6,11 @@ use crate::math::{Real, Real4, SIMD_WIDTH};
 /// Largest number of children of a node.
 pub(super) const CHILDREN: usize = SIMD_WIDTH;
 
-/// An inner node with up to four children.
+/// An inner node of a [`Bvh`](super::Bvh) with up to four children: holds their bounds and references to
+/// them.
+///
+/// A child is another node, a leaf of several items, or a single item. A node does not hold its own bounds;
+/// its parent does.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "baked", derive(zerocopy::TryFromBytes, zerocopy::KnownLayout, zerocopy::Immutable))]
 #[repr(C)]
@@ -77,7 +81,7 @@ impl PackedNodeRef {
 /// Of a [`LeafEntry`] during construction: set if the item will be in a block.
 const BLOCK_BIT: u32 = 1 << 30;
 
-/// An item of a leaf, and whether it is the last one.
+/// An item in a leaf of a [`Bvh`](super::Bvh), with a mark for the last item of the leaf.
 ///
 /// Ids have 30 bits; the bit above them is used during construction.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

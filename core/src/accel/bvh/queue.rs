@@ -38,7 +38,7 @@ impl PartialEq for PendingNode {
 
 impl Eq for PendingNode {}
 
-/// A queue of the nodes that a traversal still has to visit, with fixed capacity.
+/// A queue of the nodes that a traversal of a [`Bvh`](super::Bvh) still has to visit, with fixed capacity.
 ///
 /// Sealed: [`TraversalStack`] and [`TraversalHeap`] implement it.
 pub trait TraversalQueue: Default + Sealed {
@@ -57,7 +57,8 @@ pub trait TraversalQueue: Default + Sealed {
     fn pop(&mut self, t_max: Real) -> Option<PendingNode>;
 }
 
-/// A stack: the node that was pushed last comes first.
+/// A [`TraversalQueue`] of up to `CAPACITY` nodes that is a stack: the node that was pushed last comes
+/// first.
 #[derive(Clone, Debug, Default)]
 pub struct TraversalStack<const CAPACITY: usize>(Vec<PendingNode, CAPACITY>);
 
@@ -92,7 +93,8 @@ impl<const CAPACITY: usize> TraversalQueue for TraversalStack<CAPACITY> {
     }
 }
 
-/// A heap: the nearest node comes first. If it begins beyond `t_max`, so do all others.
+/// A [`TraversalQueue`] of up to `CAPACITY` nodes that is a heap: the nearest node comes first. If it
+/// begins beyond `t_max`, so do all others.
 #[derive(Clone, Debug, Default)]
 pub struct TraversalHeap<const CAPACITY: usize>(BinaryHeap<PendingNode, Min, CAPACITY>);
 

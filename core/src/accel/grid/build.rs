@@ -24,12 +24,12 @@ const MAX_ENTRIES_PER_ITEM: usize = 32;
 /// Largest number of cells along an axis: indices of planes are exact in `f32`.
 const MAX_CELLS_PER_AXIS: Real = 65536.0;
 
-/// Sizes of the buffers of a grid, as numbers of `u32`.
+/// Sizes of the buffers of a [`Grid`], as numbers of `u32`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct GridSize {
-    /// One more than the number of cells.
+    /// Length of `cells`: one more than the number of cells.
     pub cells: usize,
-    /// One per item and cell that its bounds overlap.
+    /// Length of `entries`: one per item and cell that its bounds overlap.
     pub entries: usize,
 }
 
@@ -71,9 +71,10 @@ impl<'s, const MAILBOX_ENTRIES: usize> Grid<'s, MAILBOX_ENTRIES> {
         Self::build_with_density(CELLS_PER_ITEM, bounds, cells, entries)
     }
 
-    /// As [`Grid::build`], with about `density` cells per item, where the buffers suffice.
+    /// Builds the grid as [`Grid::build`] does, with about `density` cells per item, or fewer where the
+    /// buffers do not suffice.
     ///
-    /// `density`: finite and above zero.
+    /// `density`: in `(0, inf)`, not infinite. A density that is not positive, or NaN, gives a single cell.
     ///
     /// # Errors
     ///

@@ -54,8 +54,8 @@ impl<'s, const MAILBOX_ENTRIES: usize> Grid<'s, MAILBOX_ENTRIES> {
         Grid { bounds, planes, resolution, cell_starts, entries, item_bounds }
     }
 
-    /// The same grid without the bounds of items: it needs less memory, but each item of a cell is tested,
-    /// whether the ray hits its bounds or not.
+    /// The same grid without the bounds of items: it needs less memory, but each item of a cell is tested
+    /// even if the ray misses its bounds.
     pub const fn without_item_bounds(self) -> Self {
         Grid { item_bounds: &[], ..self }
     }
@@ -75,7 +75,7 @@ impl<'s, const MAILBOX_ENTRIES: usize> Grid<'s, MAILBOX_ENTRIES> {
         self.entries.len()
     }
 
-    /// Size of all buffers that it uses, in bytes.
+    /// Size of all buffers that it uses, in bytes: cells, entries and bounds of items.
     pub const fn size_in_bytes(&self) -> usize {
         size_of_val(self.cell_starts) + size_of_val(self.entries) + size_of_val(self.item_bounds)
     }
@@ -89,7 +89,7 @@ impl<'s, const MAILBOX_ENTRIES: usize> Grid<'s, MAILBOX_ENTRIES> {
     }
 }
 
-/// Buffers for a grid, of a size known at compile time.
+/// Buffers for a [`Grid`], of a size known at compile time.
 ///
 /// `CELLS` and `ENTRIES` are at least those of a [`GridSize`], which can be computed in a constant:
 ///
@@ -113,7 +113,7 @@ pub struct StaticGrid<const CELLS: usize, const ENTRIES: usize> {
 }
 
 impl<const CELLS: usize, const ENTRIES: usize> StaticGrid<CELLS, ENTRIES> {
-    /// Empty buffers.
+    /// Buffers before the first [`StaticGrid::build`].
     pub const fn new() -> Self {
         StaticGrid { cell_starts: [0; CELLS], entries: [0; ENTRIES] }
     }

@@ -38,7 +38,7 @@ impl<'s, const MAILBOX_ENTRIES: usize> Octree<'s, MAILBOX_ENTRIES> {
         Self::build_with_limits(OctreeLimits::DEFAULT, bounds, nodes, entries)
     }
 
-    /// As [`Octree::build`], with these limits.
+    /// Builds the octree as [`Octree::build`] does, with these limits.
     ///
     /// # Errors
     ///

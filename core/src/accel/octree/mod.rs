@@ -25,7 +25,7 @@ use crate::math::{Real, Vec3, max_abs_component, morton};
 /// Number of cells of the deepest level along each axis.
 const CELLS_PER_AXIS: Real = (1_u32 << morton::BITS_PER_AXIS) as Real;
 
-/// A node of an octree: an inner node with eight children, or a leaf.
+/// A node of an [`Octree`]: an inner node with eight children, or a leaf.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[cfg_attr(feature = "baked", derive(zerocopy::TryFromBytes, zerocopy::KnownLayout, zerocopy::Immutable))]
 #[repr(C)]
@@ -78,8 +78,8 @@ impl<'s, const MAILBOX_ENTRIES: usize> Octree<'s, MAILBOX_ENTRIES> {
         Octree { bounds, planes, nodes, entries, item_bounds, occupied_leaves, depth }
     }
 
-    /// The same octree without the bounds of items: it needs less memory, but each item of a leaf is tested,
-    /// whether the ray hits its bounds or not.
+    /// The same octree without the bounds of items: it needs less memory, but each item of a leaf is tested
+    /// even if the ray misses its bounds.
     pub const fn without_item_bounds(self) -> Self {
         Octree { item_bounds: &[], ..self }
     }
