@@ -43,8 +43,8 @@ pub struct CameraDescriptor {
     /// Point at the center of the picture, world space, coordinates in `-1e15..=1e15`. Differs from
     /// `position`.
     pub target: Vec3,
-    /// Direction that points up in the picture, of any length. Not perpendicular to the view direction,
-    /// necessarily, but not parallel to it, not zero, and finite.
+    /// Direction that points up in the picture, of any length above zero. It need not be perpendicular to
+    /// the view direction, but must not be parallel to it.
     pub up: Vec3,
     /// Projection onto the film: perspective, orthographic or thin lens.
     pub projection: Projection,

@@ -5,14 +5,15 @@ use crate::set::bit_set;
 /// Kind of a light: a variant of [`LightSource`](super::LightSource) without its fields.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum LightKind {
-    /// [`LightSource::Point`](super::LightSource::Point).
+    /// A point that emits in all directions: [`LightSource::Point`](super::LightSource::Point).
     Point,
-    /// [`LightSource::Directional`](super::LightSource::Directional).
+    /// A light at infinite distance: [`LightSource::Directional`](super::LightSource::Directional).
     Directional,
-    /// [`LightSource::Spot`](super::LightSource::Spot).
+    /// A point that emits into a cone: [`LightSource::Spot`](super::LightSource::Spot).
     Spot,
-    /// [`LightSource::Sphere`](super::LightSource::Sphere).
+    /// A sphere, an area light: [`LightSource::Sphere`](super::LightSource::Sphere).
     Sphere,
+    /// A rectangle that emits from its front, an area light:
     /// [`LightSource::Rectangle`](super::LightSource::Rectangle).
     Rectangle,
 }
@@ -42,11 +43,11 @@ bit_set! {
 /// Kind of a texture: a variant of [`Texture`](super::Texture) without its fields.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum TextureKind {
-    /// [`Texture::Checker`](super::Texture::Checker).
+    /// Cells of two alternating colors: [`Texture::Checker`](super::Texture::Checker).
     Checker,
-    /// [`Texture::Gradient`](super::Texture::Gradient).
+    /// A linear gradient between two points: [`Texture::Gradient`](super::Texture::Gradient).
     Gradient,
-    /// [`Texture::ZonePlate`](super::Texture::ZonePlate).
+    /// Concentric rings: [`Texture::ZonePlate`](super::Texture::ZonePlate).
     ZonePlate,
 }
 

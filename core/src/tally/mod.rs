@@ -45,8 +45,8 @@ pub enum CountedEvent {
         /// Whether it occludes this ray too; then the accelerator is not traversed.
         occluded: bool,
     },
-    /// A ray of this kind visited a leaf or a cell of the accelerator, or, of a
-    /// [`List`](crate::accel::List), a group of 16 items whose bounding volume it hits.
+    /// A ray of this kind visited a leaf or a cell of the accelerator; of a [`List`](crate::accel::List), a
+    /// group of 16 items whose bounding volume it hits, or the whole list if it has no volumes.
     LeafVisit(RayKind),
     /// An item was not tested against a ray of this kind, because the mailbox held it: it had been tested
     /// before.

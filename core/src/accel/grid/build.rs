@@ -8,7 +8,7 @@ use super::Grid;
 use crate::accel::cell_planes::{CellPlanes, bounds_of_all};
 use crate::accel::{Buffer, BuildError};
 use crate::geometry::Aabb;
-use crate::math::{Real, Vec3, floor, max, powf, vec3};
+use crate::math::{Real, Vec3, clamp, floor, max, powf, vec3};
 
 /// Cells per item, where the buffers suffice. With 2 instead, uneven scenes take longer; with 8, even ones
 /// do.
@@ -71,10 +71,11 @@ impl<'s, const MAILBOX_ENTRIES: usize> Grid<'s, MAILBOX_ENTRIES> {
         Self::build_with_density(CELLS_PER_ITEM, bounds, cells, entries)
     }
 
-    /// Builds the grid as [`Grid::build`] does, with about `density` cells per item, or fewer where the
-    /// buffers do not suffice.
+    /// Builds the grid as [`Grid::build`] does, with about `density` cells per item; with fewer where the
+    /// buffers do not suffice, so that the grid is coarser.
     ///
-    /// `density`: in `(0, inf)`, not infinite. A density that is not positive, or NaN, gives a single cell.
+    /// `density`: more than zero. Zero, a negative number or NaN gives a single cell; infinity gives as
+    /// many cells as the buffers allow.
     ///
     /// # Errors
     ///
@@ -134,7 +135,8 @@ impl GridLayout {
             let planes = CellPlanes::new(Aabb { min: Vec3::ZERO, max: Vec3::ZERO }, Vec3::ONE);
             return Ok((GridLayout { planes, resolution: [1; 3] }, GridSize { cells: 2, entries: 0 }));
         }
-        let mut target = items as Real * density;
+        // Finite, so that reducing it ends.
+        let mut target = clamp(items as Real * density, 0.0, Real::MAX);
         loop {
             let layout = Self::new(all_bounds, cells_per_axis(all_bounds, target));
             let cell_count = layout.count_cells();

@@ -174,6 +174,14 @@ mod tests {
         test(&Grid::build_with_density(density, &boxes, &mut cells, &mut entries).unwrap());
     }
 
+    #[test]
+    fn a_density_that_is_out_of_range_gives_the_finest_or_coarsest_grid() {
+        with_grid(Vec3::ONE, Real::INFINITY, |grid| assert!((50..MAX_CELLS).contains(&grid.cell_count())));
+        for density in [Real::NAN, Real::NEG_INFINITY, -1.0, 0.0] {
+            with_grid(Vec3::ONE, density, |grid| assert_eq!(grid.cell_count(), 1));
+        }
+    }
+
     /// The index of a cell along each axis.
     fn cell_coordinates(grid: &Grid<'_, 0>, cell: usize) -> [u32; 3] {
         let [width, height, _] = grid.resolution;
