@@ -91,7 +91,7 @@ fn intersect_box(min: Vec3, max: Vec3, ray: &Ray) -> Option<BoxFaceHit> {
 }
 
 impl Cuboid {
-    pub(super) fn check(&self) -> Result<(), ShapeError> {
+    pub(super) fn validate(&self) -> Result<(), ShapeError> {
         validate_point(self.min)?;
         validate_point(self.max)?;
         if self.min.cmple(self.max).all() { Ok(()) } else { Err(ShapeError::Size) }
@@ -101,11 +101,11 @@ impl Cuboid {
         Aabb { min: self.min, max: self.max }
     }
 
-    pub(super) fn hit(&self, ray: &Ray) -> Option<Real> {
+    pub(super) fn intersect(&self, ray: &Ray) -> Option<Real> {
         intersect_box(self.min, self.max, ray).map(|face| face.t)
     }
 
-    pub(super) fn surface(&self, ray: &Ray, t: Real) -> Option<SurfaceInteraction> {
+    pub(super) fn surface_interaction(&self, ray: &Ray, t: Real) -> Option<SurfaceInteraction> {
         let face = intersect_box(self.min, self.max, ray)?;
         let point = ray.at(t);
         let corner = if face.sign > 0.0 { self.max } else { self.min };
@@ -135,7 +135,7 @@ impl OrientedCuboid {
         Some(OrientedCuboid { center, half_extents: half, axes: [y_axis.cross(z_axis), y_axis, z_axis] })
     }
 
-    pub(super) fn check(&self) -> Result<(), ShapeError> {
+    pub(super) fn validate(&self) -> Result<(), ShapeError> {
         validate_point(self.center)?;
         validate_point(self.half_extents)?;
         let [x, y, z] = self.axes;
@@ -165,11 +165,11 @@ impl OrientedCuboid {
         Ray::new(rotate(ray.origin - self.center), rotate(ray.direction))
     }
 
-    pub(super) fn hit(&self, ray: &Ray) -> Option<Real> {
+    pub(super) fn intersect(&self, ray: &Ray) -> Option<Real> {
         intersect_box(-self.half_extents, self.half_extents, &self.ray_in_box_frame(ray)).map(|face| face.t)
     }
 
-    pub(super) fn surface(&self, ray: &Ray, t: Real) -> Option<SurfaceInteraction> {
+    pub(super) fn surface_interaction(&self, ray: &Ray, t: Real) -> Option<SurfaceInteraction> {
         let face = intersect_box(-self.half_extents, self.half_extents, &self.ray_in_box_frame(ray))?;
         let [x, y, z] = self.axes;
         let (axis, half) = match face.axis {

@@ -9,6 +9,15 @@ use super::tables::get;
 use super::{Geometry, Ray, Shape, ShapeFeatures, ShapeKind, Sphere, SurfaceInteraction, triangle};
 use crate::math::{Real, Vec3, vec3};
 
+/// Lists all variants, so that a new one is a compile error here: add it to [`Geometry::intersect_unclamped`]
+/// and [`Geometry::static_surface_interaction`]. Both end in `_`, because their arms have guards, and a list
+/// of all variants would change their jump tables.
+const _: fn(&Shape) = |shape| match shape {
+    Shape::Sphere(_) | Shape::Triangle(_) | Shape::SmoothTriangle(_) | Shape::Plane(_) | Shape::Disc(_) => {}
+    Shape::Polygon(_) | Shape::Cuboid(_) | Shape::OrientedCuboid(_) | Shape::Cone(_) | Shape::Torus(_) => {}
+    Shape::Moving(_) => {}
+};
+
 /// The `t` at which the ray hits the triangle with the given vertices, as in [`Geometry::intersect`].
 #[inline]
 pub(crate) fn intersect_triangle(vertices: [&Vec3; 3], ray: &Ray) -> Option<Real> {
@@ -115,9 +124,9 @@ impl Geometry<'_> {
             }
             Shape::Plane(index) if supports(ShapeKind::Plane) => get(self.planes, index)?.intersect(ray),
             Shape::Disc(index) if supports(ShapeKind::Disc) => get(self.discs, index)?.intersect(ray),
-            Shape::Cuboid(index) if supports(ShapeKind::Cuboid) => get(self.cuboids, index)?.hit(ray),
+            Shape::Cuboid(index) if supports(ShapeKind::Cuboid) => get(self.cuboids, index)?.intersect(ray),
             Shape::OrientedCuboid(index) if supports(ShapeKind::OrientedCuboid) => {
-                get(self.oriented_cuboids, index)?.hit(ray)
+                get(self.oriented_cuboids, index)?.intersect(ray)
             }
             Shape::Cone(index) if supports(ShapeKind::Cone) => get(self.cones, index)?.intersect(ray),
             Shape::Torus(index) if supports(ShapeKind::Torus) => get(self.tori, index)?.intersect(ray),
@@ -192,9 +201,11 @@ impl Geometry<'_> {
                 let normals = if S::SMOOTH_SHADING { Some(self.vertex_normals) } else { None };
                 Some(get(self.polygons, index)?.surface_interaction(self.vertices, normals, ray, t))
             }
-            Shape::Cuboid(index) if supports(ShapeKind::Cuboid) => get(self.cuboids, index)?.surface(ray, t),
+            Shape::Cuboid(index) if supports(ShapeKind::Cuboid) => {
+                get(self.cuboids, index)?.surface_interaction(ray, t)
+            }
             Shape::OrientedCuboid(index) if supports(ShapeKind::OrientedCuboid) => {
-                get(self.oriented_cuboids, index)?.surface(ray, t)
+                get(self.oriented_cuboids, index)?.surface_interaction(ray, t)
             }
             Shape::Cone(index) if supports(ShapeKind::Cone) => {
                 get(self.cones, index)?.surface_interaction(ray, t)

@@ -17,7 +17,7 @@ pub struct Ray {
     pub time: Real,
     /// Axis of the largest absolute component of the direction.
     pub dominant_axis: Axis,
-    /// Reciprocal of the component of the direction along `axis`.
+    /// Reciprocal of the component of the direction along `dominant_axis`.
     pub(super) inverse_dominant: Real,
     /// First row of the matrix that maps the direction to the z axis (Woop et al., JCGT 2013). Its product
     /// with a point relative to `origin` is the x coordinate in the frame of the ray.

@@ -60,8 +60,8 @@ impl Geometry<'_> {
             Shape::Polygon(index) => {
                 get(self.polygons, index).ok_or(missing)?.validate(self.vertices, self.vertex_normals)
             }
-            Shape::Cuboid(index) => get(self.cuboids, index).ok_or(missing)?.check(),
-            Shape::OrientedCuboid(index) => get(self.oriented_cuboids, index).ok_or(missing)?.check(),
+            Shape::Cuboid(index) => get(self.cuboids, index).ok_or(missing)?.validate(),
+            Shape::OrientedCuboid(index) => get(self.oriented_cuboids, index).ok_or(missing)?.validate(),
             Shape::Cone(index) => get(self.cones, index).ok_or(missing)?.validate(),
             Shape::Torus(index) => get(self.tori, index).ok_or(missing)?.validate(),
             Shape::Moving(_) => Err(ShapeError::NestedMotion),

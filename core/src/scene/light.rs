@@ -164,8 +164,8 @@ impl Light {
     pub fn has_penumbra(&self) -> bool {
         match self.source {
             LightSource::Sphere { radius, .. } => radius > 0.0,
-            LightSource::Rectangle { soft_shadows: soft, .. } => soft,
-            _ => false,
+            LightSource::Rectangle { soft_shadows, .. } => soft_shadows,
+            LightSource::Point { .. } | LightSource::Directional { .. } | LightSource::Spot { .. } => false,
         }
     }
 
@@ -287,7 +287,12 @@ impl Light {
                 sample.color = sample.color * cos;
                 if cos > 0.0 { Ok(sample) } else { Err(LightOutcome::NoEmission) }
             }
-            _ => Err(LightOutcome::NoEmission),
+            // Not supported. Listed, so that a new variant is a compile error here.
+            LightSource::Point { .. }
+            | LightSource::Directional { .. }
+            | LightSource::Spot { .. }
+            | LightSource::Sphere { .. }
+            | LightSource::Rectangle { .. } => Err(LightOutcome::NoEmission),
         }
     }
 }

@@ -256,7 +256,15 @@ fn find_required_effects(descriptor: &SceneDescriptor<'_>) -> EffectSet {
             Shape::Polygon(index) => {
                 descriptor.geometry.polygons.get(index as usize).is_some_and(|p| p.smooth)
             }
-            _ => false,
+            Shape::Sphere(_)
+            | Shape::Triangle(_)
+            | Shape::Plane(_)
+            | Shape::Disc(_)
+            | Shape::Cuboid(_)
+            | Shape::OrientedCuboid(_)
+            | Shape::Cone(_)
+            | Shape::Torus(_)
+            | Shape::Moving(_) => false,
         };
         let Some(material) = descriptor.materials.get(usize::from(material_id.0)) else { continue };
         is_lit |= material.is_lit();

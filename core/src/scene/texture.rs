@@ -123,7 +123,8 @@ impl Texture {
                 let phase = clamp(cycles - floor(cycles), 0.0, 1.0);
                 start_color.lerp(end_color, clamp(0.5 - 0.5 * cos(2.0 * PI * phase), 0.0, 1.0))
             }
-            _ => Rgb::WHITE,
+            // Not supported. Listed, so that a new variant is a compile error here.
+            Texture::Checker { .. } | Texture::Gradient { .. } | Texture::ZonePlate { .. } => Rgb::WHITE,
         }
     }
 }
