@@ -9,7 +9,7 @@ use strahl_core::math::MAX_COORDINATE;
 use strahl_core::tally::RayKind;
 use strahl_core::{AllEffects, Real, Vec3, World, vec3};
 
-use crate::ray_query::{RayHit, RayQuery};
+use crate::ray_query::{RayHit, RayInput};
 
 /// The nearest hit of a query.
 ///
@@ -19,10 +19,10 @@ use crate::ray_query::{RayHit, RayQuery};
 #[allow(clippy::useless_conversion, clippy::unnecessary_cast)] // in double precision
 pub fn nearest<A: Accelerator>(
     world: &World<'_, A>,
-    query: &RayQuery,
+    query: &RayInput,
     scratch: &mut A::Scratch,
 ) -> Option<RayHit> {
-    let RayQuery { origin, direction, t_max } = *query;
+    let RayInput { origin, direction, t_max } = *query;
     let is_near = |x: f64| x.abs() <= f64::from(MAX_COORDINATE);
     let size = direction.into_iter().map(f64::abs).fold(0.0, |a, b| if a > b { a } else { b });
     let is_ray = origin.into_iter().all(is_near) && direction.into_iter().all(f64::is_finite) && size > 0.0;

@@ -92,6 +92,6 @@ pub use mask::Mask;
 pub use options::RenderOptions;
 pub use output::{AccelStats, RenderError, Rendered, SceneStats};
 pub use progress::{Interrupt, NoProgress, Progress};
-pub use ray_query::{RayCaster, RayHit, RayQuery};
+pub use ray_query::{RayCaster, RayHit, RayInput};
 pub use scene_engine::SceneEngine;
 pub use scheduler::Scheduler;

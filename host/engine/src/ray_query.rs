@@ -2,7 +2,7 @@
 
 /// A ray. A ray with infinite or NaN numbers hits nothing; only `t_max` may be infinite.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct RayQuery {
+pub struct RayInput {
     /// The origin.
     pub origin: [f64; 3],
     /// The direction, of any length.
@@ -26,4 +26,4 @@ pub struct RayHit {
 }
 
 /// Finds the nearest hit of a ray; `None` for a miss.
-pub type RayCaster<'c> = Box<dyn FnMut(&RayQuery) -> Option<RayHit> + 'c>;
+pub type RayCaster<'c> = Box<dyn FnMut(&RayInput) -> Option<RayHit> + 'c>;

@@ -24,7 +24,7 @@ pub enum AnySampler<'m> {
 #[derive(Clone, Copy)]
 pub enum CornerSource<'m> {
     /// Samples that have been traced before.
-    Lattice(CornerGrid<'m>),
+    Grid(CornerGrid<'m>),
     /// Each pixel traces its own corners.
     Retraced,
 }
@@ -32,7 +32,7 @@ pub enum CornerSource<'m> {
 impl CornerCache for CornerSource<'_> {
     fn corners(&mut self, cell: Pixel, find: &mut impl FnMut(Pixel) -> PixelSample) -> [PixelSample; 4] {
         match self {
-            CornerSource::Lattice(lattice) => lattice.corners(cell, find),
+            CornerSource::Grid(grid) => grid.corners(cell, find),
             CornerSource::Retraced => Uncached.corners(cell, find),
         }
     }

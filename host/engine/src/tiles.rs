@@ -71,7 +71,7 @@ enum Target<'c> {
     /// The upper left corners of pixels.
     Corners(Subdivision),
     /// A coarse grid: the pixel at the corner of each block.
-    Raster(Selection),
+    BlockCorners(Selection),
     /// Pixels, with a source of corner samples.
     Pixels(CornerSource<'c>),
 }
@@ -80,14 +80,14 @@ impl TileRenderer<'_> {
     /// Traces all requested pixels.
     fn all(&self) -> Result<Traced<Rgb>, Interrupt> {
         // If there is no mask, trace all corners first, so that none is traced twice.
-        let (lattice, mut counts): Traced<PixelSample> = match subdivision(self.settings) {
+        let (corner_samples, mut counts): Traced<PixelSample> = match subdivision(self.settings) {
             Some(subdivision) if self.options.mask.is_none() => {
                 self.pixels(CornerGrid::corner_tile(self.area), Target::Corners(subdivision))?
             }
             _ => Default::default(),
         };
         let corners =
-            CornerGrid::new(self.area, &lattice).map_or(CornerSource::Retraced, CornerSource::Lattice);
+            CornerGrid::new(self.area, &corner_samples).map_or(CornerSource::Retraced, CornerSource::Grid);
         let (colors, counted) = self.pixels(self.area, Target::Pixels(corners))?;
         counts.merge(&counted);
         Ok((colors, counts))
@@ -96,16 +96,17 @@ impl TileRenderer<'_> {
     /// Traces the selected pixels, and interpolates the other requested ones.
     fn selected(&self, selection: Selection) -> Result<Traced<Rgb>, Interrupt> {
         let blocks = selection.block_range(self.area);
-        let (raster, mut counts): Traced<PixelSample> = match self.options.mask {
-            None => self.pixels(CornerGrid::corner_tile(blocks), Target::Raster(selection))?,
+        let (block_corners, mut counts): Traced<PixelSample> = match self.options.mask {
+            None => self.pixels(CornerGrid::corner_tile(blocks), Target::BlockCorners(selection))?,
             Some(_) => Default::default(),
         };
-        let corners = CornerGrid::new(blocks, &raster).map_or(CornerSource::Retraced, CornerSource::Lattice);
+        let corners =
+            CornerGrid::new(blocks, &block_corners).map_or(CornerSource::Retraced, CornerSource::Grid);
 
         // Blocks within a tile share the pixels between them, so tiles are larger.
         let side = (2 * self.options.tile_side / selection.step()).max(1);
         let area = |blocks| selection.pixels_of(blocks).intersection(self.area);
-        let (colors, counted) = self.tiles(blocks, side, area, |blocks, canvas| {
+        let (colors, counted) = self.tiles(blocks, side, area, |blocks, sink| {
             let (mut cache, mut block_cache) = (self.sampler_cache(area(blocks)), cache_for(area(blocks)));
             let mut ray_tracer = self.ray_tracers.ray_tracer(self.progress);
             let sampler = AnySampler::new(self.settings, CornerSource::Retraced, &mut cache);
@@ -116,7 +117,7 @@ impl TileRenderer<'_> {
                     || selection.pixels_of(block).pixels().any(|pixel| self.options.is_requested(pixel))
             };
             let blocks = blocks.pixels().filter(is_requested);
-            render_selected(ray_tracer.as_mut(), &mut selected, blocks, canvas)?;
+            render_selected(ray_tracer.as_mut(), &mut selected, blocks, sink)?;
             Ok(ray_tracer.take_counters())
         })?;
         counts.merge(&counted);
@@ -133,17 +134,17 @@ impl TileRenderer<'_> {
             area,
             self.options.tile_side,
             |tile| tile,
-            |tile, canvas| {
+            |tile, sink| {
                 let mut cache = self.sampler_cache(tile);
                 let mut ray_tracer = self.ray_tracers.ray_tracer(self.progress);
                 let (tracer, all) = (ray_tracer.as_mut(), tile.pixels());
                 match target {
                     Target::Corners(subdivision) => {
-                        render(tracer, &mut UpperLeftCornerSampler(subdivision), all, canvas)?
+                        render(tracer, &mut UpperLeftCornerSampler(subdivision), all, sink)?
                     }
-                    Target::Raster(selection) => {
+                    Target::BlockCorners(selection) => {
                         let sampler = AnySampler::new(self.settings, CornerSource::Retraced, &mut cache);
-                        render(tracer, &mut selection.corner_sampler(sampler), all, canvas)?;
+                        render(tracer, &mut selection.corner_sampler(sampler), all, sink)?;
                     }
                     Target::Pixels(corners) => {
                         let mut sampler = AnySampler::new(self.settings, corners, &mut cache);
@@ -151,7 +152,7 @@ impl TileRenderer<'_> {
                             tracer,
                             &mut sampler,
                             all.filter(|pixel| self.options.is_requested(*pixel)),
-                            canvas,
+                            sink,
                         )?;
                     }
                 }
@@ -166,7 +167,7 @@ impl TileRenderer<'_> {
         cells: Tile,
         side: u32,
         area: impl Fn(Tile) -> Tile + Sync,
-        work: impl Fn(Tile, &mut Canvas<'_, R>) -> Result<Counters, Interrupt> + Sync,
+        work: impl Fn(Tile, &mut TileSink<'_, R>) -> Result<Counters, Interrupt> + Sync,
     ) -> Result<Traced<R>, Interrupt> {
         let whole = area(cells);
         self.progress.begin(whole.len());
@@ -177,7 +178,7 @@ impl TileRenderer<'_> {
                 let tile = area(cells);
                 let mut records = vec![R::EMPTY; tile.len()];
                 let (options, progress) = (self.options, self.progress);
-                let counts = work(cells, &mut Canvas { tile, records: &mut records, options, progress })?;
+                let counts = work(cells, &mut TileSink { tile, records: &mut records, options, progress })?;
                 self.progress.done(tile.len());
                 Ok((tile, records, counts))
             })
@@ -210,14 +211,14 @@ fn cache_for(tile: Tile) -> Vec<CacheEntry> {
 }
 
 /// A sink for the pixels of one tile, which fails on cancellation.
-struct Canvas<'m, R> {
+struct TileSink<'m, R> {
     tile: Tile,
     records: &'m mut [R],
     options: &'m RenderOptions<'m>,
     progress: &'m dyn Progress,
 }
 
-impl<R: FramebufferPixel> Sink for Canvas<'_, R> {
+impl<R: FramebufferPixel> Sink for TileSink<'_, R> {
     type Error = Interrupt;
 
     fn put(&mut self, pixel: Pixel, color: Rgb) -> Result<(), Interrupt> {

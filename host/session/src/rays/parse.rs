@@ -2,7 +2,7 @@
 
 use std::fmt;
 
-use strahl_engine::RayQuery;
+use strahl_engine::RayInput;
 use strahl_scene::quantity::quantity;
 use strahl_settings::Precision;
 
@@ -68,7 +68,7 @@ fn fields(line: &[u8]) -> impl Iterator<Item = &[u8]> {
 }
 
 /// Parses a line.
-pub(super) fn ray(line: &[u8], precision: Precision) -> Result<RayQuery, RayParseError> {
+pub(super) fn ray(line: &[u8], precision: Precision) -> Result<RayInput, RayParseError> {
     if line.len() > MAX_LINE_BYTES {
         return Err(RayParseError::TooLong);
     }
@@ -92,7 +92,7 @@ pub(super) fn ray(line: &[u8], precision: Precision) -> Result<RayQuery, RayPars
         return Err(RayParseError::NotANumber(index, word));
     }
     let [ox, oy, oz, dx, dy, dz, t_max] = numbers;
-    Ok(RayQuery { origin: [ox, oy, oz], direction: [dx, dy, dz], t_max })
+    Ok(RayInput { origin: [ox, oy, oz], direction: [dx, dy, dz], t_max })
 }
 
 /// Whether a line is a header: it has the number of fields of a ray, and none of them is a number. They must be the names
@@ -117,16 +117,16 @@ pub(super) fn is_header(line: &[u8]) -> Result<bool, RayParseError> {
 mod tests {
     use super::*;
 
-    fn of(line: &str) -> Result<RayQuery, RayParseError> {
+    fn of(line: &str) -> Result<RayInput, RayParseError> {
         ray(line.as_bytes(), Precision::Single)
     }
 
     #[test]
     fn a_line_of_six_numbers_has_no_limit_and_the_seventh_is_the_limit() {
-        let line = RayQuery { origin: [1.0, -2.0, 0.5], direction: [0.0, 0.0, -1.0], t_max: f64::INFINITY };
+        let line = RayInput { origin: [1.0, -2.0, 0.5], direction: [0.0, 0.0, -1.0], t_max: f64::INFINITY };
         assert_eq!(of("1,-2,0.5,0,0,-1"), Ok(line));
         assert_eq!(of(" 1 ,\t-2.0,.5,0e0,-0,-1.,inf\r"), Ok(line));
-        assert_eq!(of("+1,-2e0,5E-1,0,0,-1,2.5"), Ok(RayQuery { t_max: 2.5, ..line }));
+        assert_eq!(of("+1,-2e0,5E-1,0,0,-1,2.5"), Ok(RayInput { t_max: 2.5, ..line }));
     }
 
     #[test]

@@ -14,7 +14,7 @@ use std::sync::mpsc::{self, Receiver, RecvTimeoutError, Sender};
 use std::thread;
 use std::time::Duration;
 
-use strahl_engine::{Interrupt, Progress, RayCaster, RayHit, RayQuery};
+use strahl_engine::{Interrupt, Progress, RayCaster, RayHit, RayInput};
 use strahl_settings::Precision;
 
 use super::format;
@@ -216,7 +216,7 @@ fn process_chunk(
     chunk: InputChunk,
     precision: Precision,
     is_over: &AtomicBool,
-    cast: &mut impl FnMut(&RayQuery) -> Option<RayHit>,
+    cast: &mut impl FnMut(&RayInput) -> Option<RayHit>,
 ) -> OutputChunk {
     let InputChunk { number, line, text } = chunk;
     let mut done = OutputChunk { number, rows: Vec::with_capacity(2 * text.len()), ..OutputChunk::default() };
