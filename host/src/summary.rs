@@ -10,7 +10,7 @@ use strahl_core::tally::RayKind;
 use strahl_scene::effects::PlannedEffect;
 use strahl_scene::quantity::quantity;
 use strahl_session::RenderOutput;
-use strahl_settings::{Effect, Precision, SamplerSettings};
+use strahl_settings::{OptionalEffect, Precision, SamplerSettings};
 
 /// Where the text of the lines begins.
 pub const INDENT: usize = 12;
@@ -81,10 +81,10 @@ pub fn summary(
     for step in plan.iter().filter(|step| !step.enabled) {
         line("without", format!("{}, on request", reasons(step)));
     }
-    let not_called_for: Vec<_> = Effect::ALL
+    let not_called_for: Vec<_> = OptionalEffect::ALL
         .into_iter()
         .filter(|effect| plan.iter().all(|step| step.effect != *effect))
-        .map(Effect::name)
+        .map(OptionalEffect::name)
         .collect();
     if !not_called_for.is_empty() {
         line("left out", format!("{}: not called for", not_called_for.join(", ")));
@@ -104,7 +104,7 @@ pub fn summary(
     }
     let noisy: Vec<_> = plan
         .iter()
-        .filter(|step| step.enabled && Effect::DISTRIBUTED.contains(&step.effect))
+        .filter(|step| step.enabled && OptionalEffect::DISTRIBUTED.contains(&step.effect))
         .map(|step| step.effect.name())
         .collect();
     if sampling == SamplerSettings::Single && !noisy.is_empty() {

@@ -13,7 +13,7 @@ use strahl::args::StudyArgs;
 use strahl_core::Resolution;
 use strahl_engine::NoProgress;
 use strahl_scene::load;
-use strahl_settings::Effect;
+use strahl_settings::OptionalEffect;
 use strahl_settings::Settings;
 use strahl_study::measure::benchmark::Benchmark;
 use strahl_study::measure::experiment;
@@ -30,7 +30,7 @@ fn scene(name: &str) -> PathBuf {
 fn studied<T>(
     name: &str,
     plan: &StudyPlan,
-    effects: &[Effect],
+    effects: &[OptionalEffect],
     then: impl FnOnce(&Measurements<'_>, &ReferencePicture) -> T,
 ) -> T {
     let path = scene(name);
@@ -60,7 +60,7 @@ fn the_error_of_stochastic_sampling_falls_as_it_must() {
         repeats: 1,
         ..StudyPlan::QUICK
     };
-    studied("penumbra.toml", &plan, &[Effect::Penumbra], |conduct, truth| {
+    studied("penumbra.toml", &plan, &[OptionalEffect::Penumbra], |conduct, truth| {
         let error = |samples: &str| {
             let value = format!("stochastic:{samples}");
             steps(conduct, "sampler").iter().find(|step| step.value == value).unwrap().alone.rmse
@@ -85,37 +85,42 @@ fn no_finer_value_of_a_setting_makes_a_picture_worse() {
         combinations: 6,
         ..StudyPlan::QUICK
     };
-    studied("classic.toml", &plan, &[Effect::Reflection, Effect::Transmission], |conduct, _| {
-        for setting in ["levels", "cutoff"] {
-            let steps = steps(conduct, setting);
-            assert!(steps.len() > 3, "{setting}");
-            for two in steps.windows(2) {
-                assert!(
-                    two[1].alone.rmse <= two[0].alone.rmse,
-                    "{setting} {} -> {}",
-                    two[0].value,
-                    two[1].value
-                );
+    studied(
+        "classic.toml",
+        &plan,
+        &[OptionalEffect::Reflection, OptionalEffect::Transmission],
+        |conduct, _| {
+            for setting in ["levels", "cutoff"] {
+                let steps = steps(conduct, setting);
+                assert!(steps.len() > 3, "{setting}");
+                for two in steps.windows(2) {
+                    assert!(
+                        two[1].alone.rmse <= two[0].alone.rmse,
+                        "{setting} {} -> {}",
+                        two[0].value,
+                        two[1].value
+                    );
+                }
             }
-        }
-        for it in conduct.techniques.iter().filter(|it| it.exact) {
-            let digest = |run: Option<usize>| conduct.measurements[run.unwrap()].run.digest.as_str();
-            assert_eq!(digest(it.with), digest(it.without), "{}", it.name);
-        }
-        // Leaving out an effect changes the picture by more than the noise.
-        let without = steps(conduct, "without");
-        let (all, left_out) = without.split_last().unwrap();
-        assert_eq!((all.value.as_str(), left_out.len()), ("nothing", 2));
-        assert!(left_out.iter().all(|step| step.alone.rmse > 2.0 * all.alone.rmse));
-        // Combinations are on the front.
-        let points: Vec<CostErrorPoint> = conduct
-            .measurements
-            .iter()
-            .map(|it| CostErrorPoint { cost: it.run.work, error: it.run.error.rmse })
-            .collect();
-        assert!(pareto_front(&points).len() >= 3);
-        assert!(conduct.dominated > 0, "no dominated setting was left out");
-    });
+            for it in conduct.techniques.iter().filter(|it| it.exact) {
+                let digest = |run: Option<usize>| conduct.measurements[run.unwrap()].run.digest.as_str();
+                assert_eq!(digest(it.with), digest(it.without), "{}", it.name);
+            }
+            // Leaving out an effect changes the picture by more than the noise.
+            let without = steps(conduct, "without");
+            let (all, left_out) = without.split_last().unwrap();
+            assert_eq!((all.value.as_str(), left_out.len()), ("nothing", 2));
+            assert!(left_out.iter().all(|step| step.alone.rmse > 2.0 * all.alone.rmse));
+            // Combinations are on the front.
+            let points: Vec<CostErrorPoint> = conduct
+                .measurements
+                .iter()
+                .map(|it| CostErrorPoint { cost: it.run.work, error: it.run.error.rmse })
+                .collect();
+            assert!(pareto_front(&points).len() >= 3);
+            assert!(conduct.dominated > 0, "no dominated setting was left out");
+        },
+    );
 }
 
 /// A local server that provides pages and records their requests.

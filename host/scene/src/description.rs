@@ -35,7 +35,8 @@ pub struct LoadedScene {
     pub materials: Vec<Located<Material>>,
     /// The textures.
     pub textures: Vec<TextureDescription>,
-    /// The objects in the order of the file. Every triangle of a mesh counts as one.
+    /// The objects in the order of the file: one entry for each object, also for a mesh. Each triangle of a mesh is an
+    /// item of the core with its own `ItemId`; every other object is one item.
     pub objects: Vec<ObjectDescription>,
     /// The vertices of triangles and polygons.
     pub vertices: Vec<Float3>,
@@ -172,7 +173,7 @@ pub enum LightSourceDescription {
         /// front.
         half_edges: [Float3; 2],
         /// Whether light is sampled from the whole rectangle; otherwise it all comes from the center.
-        is_sampled: bool,
+        soft_shadows: bool,
         /// The constant, linear and quadratic coefficients of the divisor, in powers of the distance.
         falloff: Float3,
     },
@@ -230,7 +231,7 @@ pub struct ObjectDescription {
 /// The uniform motion of an object, which is at its given position at time 0.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct LinearMotion {
-    /// The index of the object.
+    /// The index of the object in [`LoadedScene::objects`].
     pub object: usize,
     /// The displacement per unit of time.
     pub velocity: Float3,

@@ -3,7 +3,7 @@
 use std::fmt;
 
 use strahl_core::{Material, Rgb};
-use strahl_settings::Effect;
+use strahl_settings::OptionalEffect;
 
 use crate::description::{
     LightDescription, LightSourceDescription, LoadedScene, ObjectDescription, ProjectionDescription,
@@ -39,7 +39,7 @@ impl fmt::Display for Reason {
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct PlannedEffect {
     /// The effect.
-    pub effect: Effect,
+    pub effect: OptionalEffect,
     /// The reasons, at least one.
     pub reasons: Vec<Reason>,
     /// Whether it is rendered; false if it was disabled.
@@ -49,7 +49,7 @@ pub struct PlannedEffect {
 /// The effects that the scene requires, with reasons.
 pub fn plan(description: &LoadedScene) -> Vec<PlannedEffect> {
     let used = MaterialUse::of(description);
-    let planned = Effect::ALL.into_iter().map(|effect| {
+    let planned = OptionalEffect::ALL.into_iter().map(|effect| {
         let reasons = reasons(description, &used, effect);
         PlannedEffect { effect, reasons, enabled: true }
     });
@@ -57,7 +57,7 @@ pub fn plan(description: &LoadedScene) -> Vec<PlannedEffect> {
 }
 
 /// Changes a scene so that it requires none of these effects, and returns those that it required.
-pub fn disable(description: &mut LoadedScene, effects: &[Effect]) -> Vec<PlannedEffect> {
+pub fn disable(description: &mut LoadedScene, effects: &[OptionalEffect]) -> Vec<PlannedEffect> {
     let mut planned = plan(description);
     planned.retain(|it| effects.contains(&it.effect));
     planned.iter_mut().for_each(|it| it.enabled = false);
@@ -83,69 +83,75 @@ impl MaterialUse {
 }
 
 /// The parts of the scene that require an effect.
-fn reasons(description: &LoadedScene, used: &MaterialUse, effect: Effect) -> Vec<Reason> {
+fn reasons(description: &LoadedScene, used: &MaterialUse, effect: OptionalEffect) -> Vec<Reason> {
     let one = |what: &str, line| vec![Reason { source: what.into(), line, objects: None }];
     let is_called_for = |effect| !reasons(description, used, effect).is_empty();
     match effect {
-        Effect::Shadows => light_reasons(description, used, |light| light.shadows),
-        Effect::Penumbra => light_reasons(description, used, is_area_light),
-        Effect::ColoredShadows => match description.colored_shadows_line {
-            Some(line) if is_called_for(Effect::Shadows) && is_called_for(Effect::Transmission) => {
+        OptionalEffect::Shadows => light_reasons(description, used, |light| light.shadows),
+        OptionalEffect::Penumbra => light_reasons(description, used, is_area_light),
+        OptionalEffect::ColoredShadows => match description.colored_shadows_line {
+            Some(line)
+                if is_called_for(OptionalEffect::Shadows) && is_called_for(OptionalEffect::Transmission) =>
+            {
                 one("render", line)
             }
             _ => Vec::new(),
         },
-        Effect::Lens => match description.camera.projection {
+        OptionalEffect::Lens => match description.camera.projection {
             ProjectionDescription::Lens { .. } => one("camera", description.camera_line),
             _ => Vec::new(),
         },
-        Effect::Reflection | Effect::Transmission | Effect::Gloss => {
+        OptionalEffect::Reflection | OptionalEffect::Transmission | OptionalEffect::Gloss => {
             material_reasons(description, &used.objects, effect)
         }
-        Effect::Motion => motion_reasons(description),
+        OptionalEffect::Motion => motion_reasons(description),
     }
 }
 
 /// Whether a material requires an effect.
-fn is_required_by(effect: Effect, material: &Material) -> bool {
+fn is_required_by(effect: OptionalEffect, material: &Material) -> bool {
     match effect {
-        Effect::Reflection => !material.reflection.is_black(),
-        Effect::Transmission => material.is_transmitting(),
-        Effect::Gloss => material.is_glossy(),
+        OptionalEffect::Reflection => !material.reflection.is_black(),
+        OptionalEffect::Transmission => material.is_transmitting(),
+        OptionalEffect::Gloss => material.is_glossy(),
         _ => false,
     }
 }
 
 /// Changes a scene so that it does not require an effect.
-fn disable_one(description: &mut LoadedScene, effect: Effect) {
+fn disable_one(description: &mut LoadedScene, effect: OptionalEffect) {
     let lights = description.lights.iter_mut().map(|light| &mut light.value);
     let materials = description.materials.iter_mut().map(|material| &mut material.value);
     match effect {
-        Effect::Shadows => lights.for_each(|light| light.shadows = false),
-        Effect::Reflection => materials.for_each(|material| material.reflection = Rgb::BLACK),
-        Effect::Transmission => materials.for_each(|material| material.transmission = Rgb::BLACK),
-        Effect::ColoredShadows => description.colored_shadows_line = None,
-        Effect::Penumbra => lights.for_each(|light| match &mut light.source {
+        OptionalEffect::Shadows => lights.for_each(|light| light.shadows = false),
+        OptionalEffect::Reflection => materials.for_each(|material| material.reflection = Rgb::BLACK),
+        OptionalEffect::Transmission => materials.for_each(|material| material.transmission = Rgb::BLACK),
+        OptionalEffect::ColoredShadows => description.colored_shadows_line = None,
+        OptionalEffect::Penumbra => lights.for_each(|light| match &mut light.source {
             LightSourceDescription::Sphere { radius, .. } => *radius = 0.0,
-            LightSourceDescription::Rectangle { is_sampled: soft, .. } => *soft = false,
-            _ => {}
+            LightSourceDescription::Rectangle { soft_shadows, .. } => *soft_shadows = false,
+            LightSourceDescription::Point { .. }
+            | LightSourceDescription::Directional { .. }
+            | LightSourceDescription::Spot { .. } => {}
         }),
-        Effect::Lens => {
+        OptionalEffect::Lens => {
             if let ProjectionDescription::Lens { angle, .. } = description.camera.projection {
                 description.camera.projection = ProjectionDescription::Perspective(angle);
             }
         }
-        Effect::Gloss => materials.for_each(|material| material.roughness = 0.0),
+        OptionalEffect::Gloss => materials.for_each(|material| material.roughness = 0.0),
         // All objects are at their positions at time 0.
-        Effect::Motion => description.motions.clear(),
+        OptionalEffect::Motion => description.motions.clear(),
     }
 }
 
 fn is_area_light(light: &LightDescription) -> bool {
     match light.source {
         LightSourceDescription::Sphere { radius, .. } => radius > 0.0,
-        LightSourceDescription::Rectangle { is_sampled: soft, .. } => soft,
-        _ => false,
+        LightSourceDescription::Rectangle { soft_shadows, .. } => soft_shadows,
+        LightSourceDescription::Point { .. }
+        | LightSourceDescription::Directional { .. }
+        | LightSourceDescription::Spot { .. } => false,
     }
 }
 
@@ -161,7 +167,7 @@ fn light_reasons(
         .collect()
 }
 
-fn material_reasons(description: &LoadedScene, made_of: &[usize], effect: Effect) -> Vec<Reason> {
+fn material_reasons(description: &LoadedScene, made_of: &[usize], effect: OptionalEffect) -> Vec<Reason> {
     let used = description.materials.iter().zip(made_of).filter(|(_, objects)| **objects > 0);
     let asking = used.filter(|(material, _)| is_required_by(effect, &material.value));
     asking

@@ -8,7 +8,7 @@ use strahl_core::geometry::Aabb;
 use strahl_engine::{AccelStats, RenderError, accelerators};
 use strahl_scene::description::LoadedScene;
 use strahl_scene::effects::{PlannedEffect, plan};
-use strahl_settings::{AccelKind, AccelSettings, Effect, ResolvedAccel};
+use strahl_settings::{AccelKind, AccelSettings, OptionalEffect, ResolvedAccel};
 
 use crate::tables::single::scene_tables;
 
@@ -103,7 +103,8 @@ impl SceneInfo {
         let built = AccelKind::ALL.map(|kind| accelerators::stats(*scene, &AccelSettings::with_kind(kind)));
 
         let plan = plan(description);
-        let missing = Effect::ALL.into_iter().filter(|effect| plan.iter().all(|it| it.effect != *effect));
+        let missing =
+            OptionalEffect::ALL.into_iter().filter(|effect| plan.iter().all(|it| it.effect != *effect));
         SceneInfo {
             objects: parts.geometry.shapes.len(),
             by_shape,
@@ -112,7 +113,7 @@ impl SceneInfo {
             textures: parts.textures.len(),
             bounds: (!all.is_empty()).then(|| [all.min.to_array(), all.max.to_array()]),
             plan: plan.iter().map(EffectInfo::new).collect(),
-            not_called_for: missing.map(Effect::name).collect(),
+            not_called_for: missing.map(OptionalEffect::name).collect(),
             memory: MemoryInfo {
                 scene: parts.size_in_bytes(),
                 accelerators: built.iter().flatten().map(AcceleratorInfo::new).collect(),

@@ -6,7 +6,7 @@ use serde::Serialize;
 use strahl_core::geometry::ShapeKind;
 use strahl_core::tally::RayKind;
 use strahl_scene::effects::PlannedEffect;
-use strahl_settings::Effect;
+use strahl_settings::OptionalEffect;
 
 use crate::session::RenderOutput;
 
@@ -183,14 +183,14 @@ impl RenderStats {
             mailbox_skips: counters.mailbox_hits[kind],
         };
         let by_shape = ShapeKind::ALL.map(|kind| (kind.name(), counters.shape_tests_by_kind[kind]));
-        let effects = Effect::ALL.into_iter().filter(|effect| effect.is_in(&scene.effects));
+        let effects = OptionalEffect::ALL.into_iter().filter(|effect| effect.is_in(&scene.effects));
         let [share_by_levels, share_by_cutoff] = counters.cut_fractions();
         RenderStats {
             scene: SceneStats {
                 objects: scene.objects,
                 triangles: scene.triangles,
                 lights: scene.lights,
-                effects: effects.map(Effect::name).collect(),
+                effects: effects.map(OptionalEffect::name).collect(),
             },
             plan: plan.iter().flat_map(effect_rows).collect(),
             picture: PictureStats { width: picture.size.width(), height: picture.size.height() },

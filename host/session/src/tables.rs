@@ -228,9 +228,9 @@ macro_rules! tables {
                         radius: Real::from(radius),
                         falloff: falloff(f),
                     },
-                    description::LightSourceDescription::Rectangle { position, half_edges, is_sampled, falloff: f } => {
+                    description::LightSourceDescription::Rectangle { position, half_edges, soft_shadows, falloff: f } => {
                         let (position, half) = (vector(position), half_edges.map(vector));
-                        LightSource::Rectangle { position, half_edges: half, soft_shadows: is_sampled, falloff: falloff(f) }
+                        LightSource::Rectangle { position, half_edges: half, soft_shadows, falloff: falloff(f) }
                     }
                 };
                 Light { source, color: color(light.color), casts_shadows: light.shadows }

@@ -6,7 +6,7 @@ use strahl_core::image::Pixel;
 use strahl_core::{Resolution, Tile};
 
 use crate::choice::{Choice, Named};
-use crate::effect::Effect;
+use crate::effect::OptionalEffect;
 use crate::sampling::{SamplerSettings, SelectionSettings};
 
 /// The maximum number of pixels of a picture, whose linear colors take 12 bytes each.
@@ -178,9 +178,9 @@ impl<T: Choice> Value for T {
     }
 }
 
-impl Value for Vec<Effect> {
+impl Value for Vec<OptionalEffect> {
     fn parse(word: &str, domain: &Domain) -> Result<Self, String> {
-        word.split(',').map(|name| Effect::parse(name, domain)).collect()
+        word.split(',').map(|name| OptionalEffect::parse(name, domain)).collect()
     }
 
     fn word(&self) -> Option<String> {

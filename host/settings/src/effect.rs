@@ -6,7 +6,7 @@ use crate::choices;
 
 choices! {
     /// An effect that a scene can require and that can be disabled.
-    pub enum Effect {
+    pub enum OptionalEffect {
         /// Shadows.
         Shadows = "shadows",
         /// Mirror reflection.
@@ -26,21 +26,22 @@ choices! {
     }
 }
 
-impl Effect {
+impl OptionalEffect {
     /// The effects of distributed ray tracing, which are noisy with one ray per pixel.
-    pub const DISTRIBUTED: [Effect; 4] = [Effect::Penumbra, Effect::Lens, Effect::Gloss, Effect::Motion];
+    pub const DISTRIBUTED: [OptionalEffect; 4] =
+        [OptionalEffect::Penumbra, OptionalEffect::Lens, OptionalEffect::Gloss, OptionalEffect::Motion];
 
     /// Whether a set contains it.
     pub fn is_in(self, set: &EffectSet) -> bool {
         match self {
-            Effect::Shadows => set.shadows,
-            Effect::Reflection => set.reflection,
-            Effect::Transmission => set.transmission,
-            Effect::ColoredShadows => set.colored_shadows,
-            Effect::Penumbra => set.penumbra,
-            Effect::Lens => set.depth_of_field,
-            Effect::Gloss => set.gloss,
-            Effect::Motion => set.motion_blur,
+            OptionalEffect::Shadows => set.shadows,
+            OptionalEffect::Reflection => set.reflection,
+            OptionalEffect::Transmission => set.transmission,
+            OptionalEffect::ColoredShadows => set.colored_shadows,
+            OptionalEffect::Penumbra => set.penumbra,
+            OptionalEffect::Lens => set.depth_of_field,
+            OptionalEffect::Gloss => set.gloss,
+            OptionalEffect::Motion => set.motion_blur,
         }
     }
 }

@@ -78,7 +78,7 @@ mod tests {
             size: strahl_core::Resolution::new(8, 6).unwrap(),
             cutoff: 0.1,
             select: "8:0.05:items".parse().ok(),
-            without: vec![crate::Effect::Lens, crate::Effect::Motion],
+            without: vec![crate::OptionalEffect::Lens, crate::OptionalEffect::Motion],
             colored_shadows: true,
             ..Settings::default()
         };

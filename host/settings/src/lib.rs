@@ -43,7 +43,7 @@ pub use accelerator::{Accel, AccelKind, AccelSettings, Bounds, ResolvedAccel, Wa
 pub use attributes::{Affects, CommandOption, Group, Scope};
 pub use choice::{Choice, Named};
 pub use domain::{Domain, Value};
-pub use effect::Effect;
+pub use effect::OptionalEffect;
 pub use precision::Precision;
 pub use resolve::{Resolved, SettingSource, SettingsError};
 pub use sampling::{ConfidenceSettings, ContrastSettings, Filter, SamplerSettings, SelectionSettings};

@@ -6,7 +6,7 @@ use std::fmt;
 use strahl_core::{Resolution, Tile};
 
 use crate::accelerator::Walk;
-use crate::effect::Effect;
+use crate::effect::OptionalEffect;
 use crate::sampling::{Filter, SamplerSettings};
 use crate::settings::{SETTINGS, Setting, Settings, SettingsOverrides};
 
@@ -86,7 +86,11 @@ impl Resolved {
         if command_line.heap.is_some() {
             scene.walk = None;
         }
-        if command_line.without.as_ref().is_some_and(|without| without.contains(&Effect::ColoredShadows)) {
+        if command_line
+            .without
+            .as_ref()
+            .is_some_and(|without| without.contains(&OptionalEffect::ColoredShadows))
+        {
             command_line.colored_shadows = Some(false);
         }
 

@@ -9,7 +9,7 @@ use crate::accelerator::{Accel, AccelKind, AccelSettings, Bounds, HEAP_ENTRIES, 
 use crate::attributes::{Affects, CommandOption, Group, Scope};
 use crate::choice::Choice as _;
 use crate::domain::{Domain, Value};
-use crate::effect::Effect;
+use crate::effect::OptionalEffect;
 use crate::precision::Precision;
 use crate::sampling::{Filter, SamplerSettings, SelectionSettings};
 
@@ -152,8 +152,8 @@ settings! {
         Domain::Text, With("X,Y,WxH"), Pixels, CommandLine, Picture;
 
     /// Disable these effects even if the scene requires them; the summary lists them.
-    without: Vec<Effect> = Vec::new(),
-        Domain::Names(Effect::NAMES), With("EFFECT"), Effects, CommandLine, Picture;
+    without: Vec<OptionalEffect> = Vec::new(),
+        Domain::Names(OptionalEffect::NAMES), With("EFFECT"), Effects, CommandLine, Picture;
 
     /// Floating-point precision of the computation; numbers of the scene are always rounded to single precision.
     precision: Precision = Precision::Single,

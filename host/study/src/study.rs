@@ -9,7 +9,7 @@ use strahl_core::Resolution;
 use strahl_scene::description::LoadedScene;
 use strahl_scene::effects;
 use strahl_session::SceneStorage;
-use strahl_settings::{DEFAULT_SIZE, Effect, Precision, Settings, SettingsOverrides};
+use strahl_settings::{DEFAULT_SIZE, OptionalEffect, Precision, Settings, SettingsOverrides};
 
 use crate::cost_model::WEIGHTS;
 use crate::error::StudyError;
@@ -50,7 +50,7 @@ pub fn study(
 ) -> Result<Study, StudyError> {
     let (load, date) = (load_average(), now());
     let stats = SceneStorage::new(scene, Precision::Single).scene_stats()?;
-    let required: Vec<Effect> = effects::plan(scene).iter().map(|it| it.effect).collect();
+    let required: Vec<OptionalEffect> = effects::plan(scene).iter().map(|it| it.effect).collect();
 
     let plan = if settings.full { StudyPlan::FULL } else { StudyPlan::QUICK };
     let limit = settings.time_limit.or((!settings.full).then_some(QUICK_TIME_LIMIT));

@@ -46,7 +46,7 @@ const VIEW: CameraDescriptor = CameraDescriptor {
 };
 const SIZE: Resolution = Resolution::new(24, 16).unwrap();
 
-/// Every shape, material and light, and many small spheres.
+/// Every kind of shape, texture and light, and many small spheres.
 fn mixed_scene() -> TestScene {
     let mut scene = TestScene::new();
     let checker = scene.add_texture(Texture::Checker {
@@ -69,6 +69,14 @@ fn mixed_scene() -> TestScene {
     };
     scene.material(Material { texture: checker, two_sided: false, ambient: Rgb::WHITE, ..Material::MATTE });
     scene.plane(vec3(0.0, -2.0, 0.0), Vec3::Y);
+    let zone_plate = scene.add_texture(Texture::ZonePlate {
+        start_color: Rgb::BLACK,
+        end_color: Rgb::WHITE,
+        origin: Vec3::ZERO,
+        frequency: 3.0,
+    });
+    scene.material(Material { texture: zone_plate, ..shiny });
+    scene.triangle([vec3(-1.0, 2.0, -1.0), vec3(0.0, 2.0, -1.0), vec3(-0.5, 3.0, -1.0)]);
     scene.material(Material { texture: gradient, ..shiny });
     scene.disc(vec3(-2.0, 0.0, -1.0), vec3(1.0, 0.0, 2.0), 0.8);
     scene.triangle([vec3(2.0, -1.0, 0.0), vec3(3.0, -1.0, 0.0), vec3(2.5, 1.0, -0.5)]);
@@ -109,6 +117,13 @@ fn mixed_scene() -> TestScene {
             direction: vec3(0.0, -0.6, -0.8),
             cos_inner: 0.9,
             cos_outer: 0.5,
+            falloff,
+        },
+        LightSource::Sphere { position: vec3(0.0, 6.0, 2.0), radius: 0.5, falloff },
+        LightSource::Rectangle {
+            position: vec3(4.0, 4.0, 2.0),
+            half_edges: [vec3(0.0, 0.0, 0.5), vec3(0.5, -0.5, 0.0)],
+            soft_shadows: true,
             falloff,
         },
     ] {

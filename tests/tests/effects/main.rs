@@ -19,7 +19,7 @@ use strahl_scene::description::LoadedScene;
 use strahl_scene::effects::{disable, plan};
 use strahl_session::RenderOutput;
 use strahl_session::tables::single::{scene_tables, view};
-use strahl_settings::Effect;
+use strahl_settings::OptionalEffect;
 use strahl_settings::{SamplerSettings, Settings};
 
 const SIZE: Resolution = Resolution::new(48, 36).unwrap();
@@ -30,21 +30,24 @@ fn scene(name: &str) -> LoadedScene {
 }
 
 /// The effects that a scene requires.
-fn required_effects(description: &LoadedScene) -> Vec<Effect> {
+fn required_effects(description: &LoadedScene) -> Vec<OptionalEffect> {
     let tables = scene_tables(description);
     let lens = description.camera.projection.has_lens();
     let set = EffectSet { depth_of_field: lens, ..tables.scene().unwrap().required_effects() };
-    let planned: Vec<Effect> = plan(description).iter().map(|it| it.effect).collect();
+    let planned: Vec<OptionalEffect> = plan(description).iter().map(|it| it.effect).collect();
     // The planned effects are those that the tracer requires.
-    assert_eq!(planned, Effect::ALL.into_iter().filter(|effect| effect.is_in(&set)).collect::<Vec<_>>());
+    assert_eq!(
+        planned,
+        OptionalEffect::ALL.into_iter().filter(|effect| effect.is_in(&set)).collect::<Vec<_>>()
+    );
     planned
 }
 
 /// Effects that an effect depends on.
-fn dependencies(effect: Effect) -> &'static [Effect] {
+fn dependencies(effect: OptionalEffect) -> &'static [OptionalEffect] {
     match effect {
-        Effect::ColoredShadows => &[Effect::Shadows, Effect::Transmission],
-        Effect::Gloss => &[Effect::Reflection],
+        OptionalEffect::ColoredShadows => &[OptionalEffect::Shadows, OptionalEffect::Transmission],
+        OptionalEffect::Gloss => &[OptionalEffect::Reflection],
         _ => &[],
     }
 }
@@ -106,16 +109,16 @@ fn rendered<E: Effects>(description: &LoadedScene) -> Vec<u32> {
 type RenderFunction = fn(&LoadedScene) -> Vec<u32>;
 
 /// Renders with an effect and its dependencies, and with its dependencies only.
-fn smallest(effect: Effect) -> [RenderFunction; 2] {
+fn smallest(effect: OptionalEffect) -> [RenderFunction; 2] {
     match effect {
-        Effect::Shadows => [rendered::<Shadows>, rendered::<Nothing>],
-        Effect::Reflection => [rendered::<Reflection>, rendered::<Nothing>],
-        Effect::Transmission => [rendered::<Transmission>, rendered::<Nothing>],
-        Effect::ColoredShadows => [rendered::<ColoredShadows>, rendered::<Solid>],
-        Effect::Penumbra => [rendered::<Penumbra>, rendered::<Nothing>],
-        Effect::Lens => [rendered::<Lens>, rendered::<Nothing>],
-        Effect::Gloss => [rendered::<Gloss>, rendered::<Reflection>],
-        Effect::Motion => [rendered::<Motion>, rendered::<Nothing>],
+        OptionalEffect::Shadows => [rendered::<Shadows>, rendered::<Nothing>],
+        OptionalEffect::Reflection => [rendered::<Reflection>, rendered::<Nothing>],
+        OptionalEffect::Transmission => [rendered::<Transmission>, rendered::<Nothing>],
+        OptionalEffect::ColoredShadows => [rendered::<ColoredShadows>, rendered::<Solid>],
+        OptionalEffect::Penumbra => [rendered::<Penumbra>, rendered::<Nothing>],
+        OptionalEffect::Lens => [rendered::<Lens>, rendered::<Nothing>],
+        OptionalEffect::Gloss => [rendered::<Gloss>, rendered::<Reflection>],
+        OptionalEffect::Motion => [rendered::<Motion>, rendered::<Nothing>],
     }
 }
 
@@ -129,41 +132,44 @@ fn counted(description: &LoadedScene, seed: u32) -> (RenderOutput, Counters) {
 
 #[test]
 fn each_effect_has_a_scene_that_requires_exactly_this_effect() {
-    for effect in Effect::ALL {
-        let mut want: Vec<Effect> = dependencies(effect).iter().copied().chain([effect]).collect();
+    for effect in OptionalEffect::ALL {
+        let mut want: Vec<OptionalEffect> = dependencies(effect).iter().copied().chain([effect]).collect();
         want.sort_by_key(|effect| *effect as u8);
         assert_eq!(required_effects(&scene(effect.name())), want, "{effect}");
     }
     assert_eq!(required_effects(&scene("nothing")), []);
-    assert_eq!(required_effects(&scene("all")), Effect::ALL);
+    assert_eq!(required_effects(&scene("all")), OptionalEffect::ALL);
 }
 
 #[test]
 fn effects_that_a_scene_does_not_require_trace_no_ray_and_draw_no_random_number() {
-    for name in Effect::ALL.map(Effect::name).into_iter().chain(["nothing"]) {
+    for name in OptionalEffect::ALL.map(OptionalEffect::name).into_iter().chain(["nothing"]) {
         let description = scene(name);
         let required = required_effects(&description);
         let has = |effect| required.contains(&effect);
         let (frame, counts) = counted(&description, 0);
         assert_eq!(counts.rays[RayKind::Camera], 4 * 48 * 36, "{name}");
-        let reflects = has(Effect::Reflection);
+        let reflects = has(OptionalEffect::Reflection);
         assert_eq!(counts.rays[RayKind::Reflected] > 0, reflects, "{name}");
-        assert_eq!(counts.rays[RayKind::Transmitted] > 0, has(Effect::Transmission), "{name}");
+        assert_eq!(counts.rays[RayKind::Transmitted] > 0, has(OptionalEffect::Transmission), "{name}");
         for count in [counts.rays[RayKind::Shadow], counts.shape_tests[RayKind::Shadow]] {
-            assert_eq!(count > 0, has(Effect::Shadows), "{name}");
+            assert_eq!(count > 0, has(OptionalEffect::Shadows), "{name}");
         }
         // The shadow cache is not used with colored shadows.
-        let caches = has(Effect::Shadows) && !has(Effect::ColoredShadows);
+        let caches = has(OptionalEffect::Shadows) && !has(OptionalEffect::ColoredShadows);
         assert_eq!(counts.shadow_cache_tests > 0, caches, "{name}");
         // With regular sampling only these effects are random.
-        let is_random = [Effect::Penumbra, Effect::Lens, Effect::Gloss, Effect::Motion].into_iter().any(has);
+        let is_random =
+            [OptionalEffect::Penumbra, OptionalEffect::Lens, OptionalEffect::Gloss, OptionalEffect::Motion]
+                .into_iter()
+                .any(has);
         assert_eq!(frame.picture != counted(&description, 1).0.picture, is_random, "{name}");
     }
 }
 
 #[test]
 fn a_tracer_with_one_effect_and_one_with_all_give_the_same_bytes() {
-    for effect in Effect::ALL {
+    for effect in OptionalEffect::ALL {
         let [with, without] = smallest(effect);
         let mut description = scene(effect.name());
         let all = rendered::<AllEffects>(&description);

@@ -17,7 +17,7 @@ pub struct Bound {
 
 #[allow(dead_code)] // each program has its own
 impl Bound {
-    /// Of NFF. The most take lights: 8 bytes in the file, 40 in a table that doubles when it is
+    /// Of NFF. Lights take the most: 8 bytes in the file, 40 in a table that doubles when it is
     /// full, so that at times there are three times as many.
     pub const NFF: Bound = Bound { share: 20, base: 4 << 10 };
 

@@ -116,7 +116,7 @@ fn lenses_area_lights_and_roughness_are_loaded_as_the_format_describes() {
     assert_eq!(it.camera.projection, ProjectionDescription::Lens { angle: 40.0, radius: 0.5, focus: 5.0 });
     assert_eq!((it.camera_line, it.colored_shadows_line), (1, Some(7)));
     let half = [[1.0, 0.0, 0.0], [0.0, 0.0, 3.0]].map(|h| h.map(f32::abs));
-    let LightSourceDescription::Rectangle { position, half_edges: got, is_sampled: true, falloff } =
+    let LightSourceDescription::Rectangle { position, half_edges: got, soft_shadows: true, falloff } =
         it.lights[0].value.source
     else {
         panic!()

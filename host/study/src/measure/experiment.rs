@@ -6,7 +6,7 @@
 //! 3. The settings of the scene, sweeps of each setting, techniques, combinations.
 //! 4. Repetitions with the remaining time, in rounds over all settings, so that other load affects all alike.
 
-use strahl_settings::{Effect, SamplerSettings, Settings};
+use strahl_settings::{OptionalEffect, SamplerSettings, Settings};
 
 use super::benchmark::{Measurement, error_metrics, mean_picture};
 use super::combinations;
@@ -26,7 +26,7 @@ const MAX_STEP_SECONDS: f64 = 60.0;
 pub fn run(
     measured: &mut Measurements<'_>,
     own: &Settings,
-    required: &[Effect],
+    required: &[OptionalEffect],
 ) -> Result<ReferencePicture, StudyError> {
     let best = limits(measured, own)?;
     let reference_picture = reference(measured, best, own)?;

@@ -3,7 +3,7 @@
 //! The error of a value is the difference from the most accurate value with the same camera rays, so that nothing else
 //! differs. For samplers, and for effects that need many rays, it is the difference from the reference.
 
-use strahl_settings::Effect;
+use strahl_settings::OptionalEffect;
 use strahl_settings::domain::fraction_text;
 use strahl_settings::{SamplerSettings, Settings};
 
@@ -168,12 +168,13 @@ pub(super) fn effects(
     measured: &mut Measurements<'_>,
     best: usize,
     reference: &ReferencePicture,
-    required: &[Effect],
+    required: &[OptionalEffect],
 ) -> Result<(), StudyError> {
     let Measurement { settings: base, run, .. } = &measured.measurements[best];
-    let is_many = [Effect::Penumbra, Effect::Lens, Effect::Gloss, Effect::Motion]
-        .iter()
-        .any(|effect| required.contains(effect));
+    let is_many =
+        [OptionalEffect::Penumbra, OptionalEffect::Lens, OptionalEffect::Gloss, OptionalEffect::Motion]
+            .iter()
+            .any(|effect| required.contains(effect));
     let rays = if is_many { EFFECT_SAMPLES } else { 4 };
     let seconds = f64::from(rays) * run.wall_seconds[0];
     let base = Settings { sampler: SamplerSettings::stochastic(rays), ..base.clone() };

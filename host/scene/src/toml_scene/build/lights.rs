@@ -120,7 +120,7 @@ impl SceneBuilder<'_> {
         Some(LightSourceDescription::Rectangle {
             position,
             half_edges: half,
-            is_sampled: true,
+            soft_shadows: true,
             falloff: falloff(it.falloff),
         })
     }

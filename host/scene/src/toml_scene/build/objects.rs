@@ -38,7 +38,7 @@ impl<T: SingleShape> AddToScene for T {
 }
 
 /// Implements `SingleShape` for the tables of objects.
-macro_rules! single {
+macro_rules! single_shapes {
     ($($Kind:ident: |$it:ident, $span:ident, $builder:ident| $form:expr;)*) => {$(
         impl SingleShape for format::$Kind {
             fn shape(&self, $span: &Range<usize>, $builder: &mut SceneBuilder<'_>) -> Option<ShapeDescription> {
@@ -61,7 +61,7 @@ const ORIGIN: Float3 = [0.0; 3];
 /// The default normal and axis.
 const UNIT_Y: Float3 = [0.0, 1.0, 0.0];
 
-single! {
+single_shapes! {
     SphereTable: |it, _span, _builder| {
         Some(ShapeDescription::Sphere { center: it.center.map_or(ORIGIN, |p| p.0), radius: it.radius.0 })
     };
