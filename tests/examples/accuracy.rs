@@ -9,19 +9,10 @@
 //! The host uses the alternatives wherever they exist: all effects, a list without boxes, a frame in memory,
 //! no cached corners. None of them may change a bit.
 
-#[path = "../firmware/src/accuracy.rs"]
-mod accuracy;
-#[path = "../firmware/src/draw.rs"]
-mod draw;
-#[path = "../firmware/src/scene.rs"]
-mod scene;
-
 use std::error::Error;
 use std::ffi::OsStr;
 use std::path::PathBuf;
 
-use accuracy::{AccuracyRun, FirmwareSampler, RUNS};
-use scene::{GoldenEffects, ITEMS, LEVELS, SIZE, VIEW, parts};
 use strahl_core::accel::List;
 use strahl_core::image::{
     AdaptiveSampler, ContrastThreshold, Framebuffer, RegularSampler, Sampler, StochasticSampler, Subdivision,
@@ -31,6 +22,9 @@ use strahl_core::scene::Effects;
 use strahl_core::{
     AllEffects, Camera, CenterSampler, Limits, Rgb, Scene, Tile, Tracer, Worker, World, render,
 };
+use strahl_device::accuracy::{AccuracyRun, FirmwareSampler, RUNS};
+use strahl_device::draw;
+use strahl_device::scene::{GoldenEffects, ITEMS, LEVELS, SIZE, VIEW, parts};
 
 type ExampleError = Box<dyn Error>;
 

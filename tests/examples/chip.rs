@@ -8,11 +8,6 @@
 //! The host uses the alternatives wherever they exist: all effects, a list with boxes, tables that were never
 //! baked. None of them may change a bit.
 
-#[path = "../firmware/src/flash.rs"]
-mod flash;
-#[path = "../firmware/src/scene.rs"]
-mod golden;
-
 use std::error::Error;
 use std::path::{Path, PathBuf};
 
@@ -23,6 +18,7 @@ use strahl_core::image::Framebuffer;
 use strahl_core::{
     AllEffects, Camera, CenterSampler, Limits, Resolution, Rgb, Tile, Tracer, Worker, World, render,
 };
+use strahl_device::{flash, scene as golden};
 use strahl_scene::load_for_size;
 use strahl_session::tables::single::{scene_tables, view};
 use strahl_settings::AccelKind;

@@ -22,12 +22,10 @@ use strahl_core::scene::Effects;
 use strahl_core::{
     AllEffects, Camera, CenterSampler, Resolution, Rgb, Scene, Tile, Tracer, Worker, World, render,
 };
+use strahl_device::scene as golden_scene;
 use strahl_engine::{NoProgress, RenderOptions};
 use strahl_picture::{Picture, PictureFormat};
 use strahl_settings::{AccelSettings, Bounds, ContrastSettings, SamplerSettings, Settings};
-
-#[path = "../firmware/src/scene.rs"]
-mod constants;
 
 /// The scenes, and the sizes and samplers of their golden pictures.
 const SCENES: [(&str, u32, u32, SamplerSettings); 19] = [
@@ -97,7 +95,7 @@ fn the_rotunda_without_secondary_rays_has_its_golden_picture() {
 
 #[test]
 fn the_scene_of_the_firmware_has_its_golden_picture() {
-    let picture = constants::<constants::GoldenEffects>();
+    let picture = constants::<golden_scene::GoldenEffects>();
     golden("firmware", &picture).unwrap();
     assert_eq!(constants::<AllEffects>(), picture, "the smallest effect set and all effects");
 }
@@ -140,11 +138,13 @@ fn scene_file(name: &str, width: u32, height: u32, levels: Option<u8>, sampling:
 
 /// Renders the constant scene of the firmware.
 fn constants<E: Effects>() -> Picture {
-    let size = constants::SIZE;
-    let world =
-        World::new(Scene::new(constants::parts()).unwrap(), List::without_bounds(constants::ITEMS as u32));
-    let camera = Camera::new(&constants::VIEW, size).unwrap();
-    let tracer = Tracer::<_, E, { constants::LEVELS }>::new(&world, camera, constants::LIMITS).unwrap();
+    let size = golden_scene::SIZE;
+    let world = World::new(
+        Scene::new(golden_scene::parts()).unwrap(),
+        List::without_bounds(golden_scene::ITEMS as u32),
+    );
+    let camera = Camera::new(&golden_scene::VIEW, size).unwrap();
+    let tracer = Tracer::<_, E, { golden_scene::LEVELS }>::new(&world, camera, golden_scene::LIMITS).unwrap();
     let tile = Tile::full(size);
     let mut colors = vec![Rgb::BLACK; tile.len()];
     let mut frame = Framebuffer::new(tile, &mut colors).unwrap();

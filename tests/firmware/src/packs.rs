@@ -9,8 +9,7 @@ use strahl_core::scene::Effects;
 use strahl_core::{
     AllEffects, Camera, CenterSampler, Limits, ListWithoutBounds, Scene, World, include_baked_scene,
 };
-
-use crate::draw::{DrawCost, DrawSettings, PixelBytes, PixelRow, bytes, draw};
+use strahl_device::draw::{DrawCost, DrawSettings, PixelBytes, PixelRow, bytes, draw};
 
 /// Source of a scene, written by the host.
 pub enum SceneSource {

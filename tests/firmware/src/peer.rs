@@ -4,9 +4,6 @@
 //! Its conventions are options of the tracer and of the sink: the background is shown beyond a distance and
 //! in place of rays below the last level, and colors brighter than white are scaled down.
 
-// A crate that includes this file may use only parts of it.
-#![allow(dead_code)]
-
 use strahl_core::geometry::{Aabb, Polygon, ShapeKind, ShapeSet};
 use strahl_core::scene::{
     EffectSet, Effects, LevelLimitRadiance, LightKind, LightSet, Texture, TextureId, TextureKind, TextureSet,

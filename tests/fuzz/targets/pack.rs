@@ -1,6 +1,3 @@
 #![no_main]
 
-#[path = "../packs.rs"]
-mod packs;
-
-libfuzzer_sys::fuzz_target!(|bytes: &[u8]| packs::pack(bytes));
+libfuzzer_sys::fuzz_target!(|bytes: &[u8]| strahl_loader_tests::baked::pack(bytes));

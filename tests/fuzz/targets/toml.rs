@@ -1,6 +1,3 @@
 #![no_main]
 
-#[path = "../checks.rs"]
-mod checks;
-
-libfuzzer_sys::fuzz_target!(|bytes: &[u8]| checks::toml(bytes));
+libfuzzer_sys::fuzz_target!(|bytes: &[u8]| strahl_loader_tests::loading::toml(bytes));

@@ -2,7 +2,7 @@
 
 use std::cell::RefCell;
 
-use strahl_firmware::draw::{BLACK_ROW, PixelBytes};
+use strahl_device::draw::{BLACK_ROW, PixelBytes};
 use strahl_firmware::packs::{SCENES, picture};
 
 thread_local! {

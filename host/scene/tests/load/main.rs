@@ -2,6 +2,5 @@
 
 mod mutations;
 mod right;
-mod table;
 mod text;
 mod wrong;

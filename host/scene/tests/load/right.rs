@@ -1,6 +1,7 @@
 //! Contents of valid files.
 
 use strahl_core::{Material, Resolution, Rgb};
+use strahl_loader_tests::invalid_nff::VIEW;
 use strahl_scene::LoadError;
 use strahl_scene::description::{
     BackgroundDescription, CameraDescription, LightDescription, LightSourceDescription, Located,
@@ -8,7 +9,6 @@ use strahl_scene::description::{
 };
 use strahl_session::tables;
 
-use crate::table::VIEW;
 use crate::text::{ALL, file_of, loaded, refused};
 
 /// The scene of [`VIEW`] followed by this text.

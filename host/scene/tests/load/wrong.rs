@@ -1,6 +1,7 @@
 //! Errors of invalid files.
 
-use crate::table::{VIEW, invalid_files};
+use strahl_loader_tests::invalid_nff::{VIEW, invalid_files};
+
 use crate::text::{ALL, loaded, refused};
 
 #[test]

@@ -8,6 +8,5 @@ mod right;
 mod scenes;
 mod shown;
 mod syntax;
-mod table;
 mod text;
 mod wrong;

@@ -1,6 +1,7 @@
 //! Errors of invalid scenes.
 
-use crate::table::INVALID;
+use strahl_loader_tests::invalid_toml::INVALID;
+
 use crate::text::{ALL, diagnostics, errors};
 
 #[test]

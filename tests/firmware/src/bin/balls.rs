@@ -13,7 +13,7 @@ use strahl_core::baked::BakedScene;
 use strahl_core::geometry::{ShapeKind, ShapeSet};
 use strahl_core::scene::{EffectSet, Effects, LightKind, LightSet};
 use strahl_core::{CenterSampler, World, include_baked_scene};
-use strahl_firmware::draw::{BLACK_ROW, PixelRow, bytes, draw};
+use strahl_device::draw::{BLACK_ROW, PixelRow, bytes, draw};
 use strahl_firmware::packs::draw_settings;
 use strahl_firmware::{count, stack};
 

@@ -3,7 +3,8 @@
 #![no_std]
 #![no_main]
 
-use strahl_firmware::flash::{FlashGlass, run};
+use strahl_device::flash::FlashGlass;
+use strahl_firmware::flash::run;
 
 #[cortex_m_rt::entry]
 fn main() -> ! {

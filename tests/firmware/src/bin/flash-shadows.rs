@@ -3,7 +3,8 @@
 #![no_std]
 #![no_main]
 
-use strahl_firmware::flash::{FlashShadows, run};
+use strahl_device::flash::FlashShadows;
+use strahl_firmware::flash::run;
 
 #[cortex_m_rt::entry]
 fn main() -> ! {

@@ -12,8 +12,8 @@ use semihosting::{println, process};
 use strahl_core::accel::List;
 use strahl_core::scene::Effects;
 use strahl_core::{Scene, World};
-use strahl_firmware::accuracy::ProvidedBuffers;
-use strahl_firmware::scene::{GoldenEffects, parts};
+use strahl_device::accuracy::ProvidedBuffers;
+use strahl_device::scene::{GoldenEffects, parts};
 use strahl_firmware::write::write_all;
 
 #[entry]
@@ -25,7 +25,7 @@ fn main() -> ! {
         process::exit(1);
     }
     println!("world {}", size_of::<World<'_, List<'_>>>());
-    match write_all(c"golden.f32", BUFFERS) {
+    match write_all(BUFFERS) {
         Ok(()) => process::exit(0),
         Err(reason) => {
             println!("golden: {reason}");

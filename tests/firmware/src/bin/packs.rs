@@ -6,12 +6,10 @@
 #![no_main]
 
 use semihosting::{fs::File, io::Write, println, process};
+use strahl_device::draw::{BLACK_ROW, PixelBytes, PixelRow};
+use strahl_firmware::packs::{FirmwareScene, SCENES, SceneSource, picture};
 #[cfg(target_arch = "arm")]
 use strahl_firmware::{count, packs::STACK};
-use strahl_firmware::{
-    draw::{BLACK_ROW, PixelBytes, PixelRow},
-    packs::{FirmwareScene, SCENES, SceneSource, picture},
-};
 
 #[cfg(target_arch = "arm")]
 #[cortex_m_rt::entry]

@@ -12,7 +12,7 @@ use cortex_m_rt::entry;
 use semihosting::{fs::File, io::Write, println, process};
 use strahl_core::scene::Effects;
 use strahl_core::{Camera, CenterSampler, ListWithoutBounds, Scene, World};
-use strahl_firmware::draw::{DrawSettings, draw};
+use strahl_device::draw::{DrawSettings, draw};
 use strahl_firmware::peer::{ITEMS, LEVELS, LIMITS, PARTS, PeerEffects, SIZE, VIEW, quantized};
 use strahl_firmware::{count, stack};
 

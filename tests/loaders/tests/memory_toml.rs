@@ -1,20 +1,15 @@
-//! What stands in a scene in TOML must not fill the memory: what loading takes is bounded by the
-//! size of the file, whether it is right or wrong.
+//! The memory for loading a scene in TOML is bounded by the file size, whether the file is valid or not.
 //!
-//! The allocator of this program counts, so it has one test and no others beside it.
+//! The allocator counts all allocations of the process, so the program has only one test.
 
+use strahl_loader_tests::invalid_toml::INVALID;
+use strahl_loader_tests::memory::{Bound, most_held};
 use strahl_scene::load;
-
-use counting::{Bound, most_held};
-
-mod counting;
-#[path = "../toml_scene/table.rs"]
-mod table;
 
 /// One more than a power of two: a table has just been doubled.
 const MANY: usize = (1 << 14) + 1;
 
-/// Long files, made of one thing over and over.
+/// Long files that repeat one entity.
 fn files() -> Vec<String> {
     let many = |begin: &str, again: &str, end: &str| format!("{begin}{}{end}", again.repeat(MANY));
     let numbered = |word: &dyn Fn(usize) -> String| (0..MANY).map(word).collect::<String>();
@@ -68,7 +63,7 @@ fn files() -> Vec<String> {
 fn loading_takes_at_most_a_small_multiple_of_the_file_size() {
     let folder = tempfile::tempdir().unwrap();
     let path = folder.path().join("scene.toml");
-    let wrong = table::INVALID.iter().map(|(text, ..)| (*text).to_owned());
+    let wrong = INVALID.iter().map(|(text, ..)| (*text).to_owned());
     for text in wrong.chain(files()) {
         std::fs::write(&path, &text).unwrap();
         let (loaded, most) = most_held(|| load(&path));

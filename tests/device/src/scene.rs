@@ -1,10 +1,6 @@
 //! The golden scene: small, with most effects.
 //!
-//! Constants only, which a device keeps in flash. Firmware and host compile this file, so that both trace the
-//! same numbers.
-
-// A crate that includes this file may use only parts of it.
-#![allow(dead_code)]
+//! Constants only, which a device keeps in flash.
 
 use strahl_core::geometry::{Aabb, Cone, ItemId, Polygon, ShapeKind, ShapeSet, Torus};
 use strahl_core::scene::{

@@ -15,7 +15,6 @@ pub struct Bound {
     pub base: usize,
 }
 
-#[allow(dead_code)] // each program has its own
 impl Bound {
     /// Of NFF. Lights take the most: 8 bytes in the file, 40 in a table that doubles when it is
     /// full, so that at times there are three times as many.

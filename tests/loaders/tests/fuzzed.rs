@@ -5,23 +5,20 @@
 use std::fs;
 use std::path::Path;
 
-#[path = "../../../tests/fuzz/checks.rs"]
-mod checks;
-#[path = "../../../tests/fuzz/packs.rs"]
-mod packs;
+use strahl_loader_tests::{baked, loading};
 
 #[test]
 fn seeds_and_findings_of_fuzzing_load_or_are_rejected() {
-    let fuzz = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../tests/fuzz");
+    let fuzz = Path::new(env!("CARGO_MANIFEST_DIR")).join("../fuzz");
     let mut count = 0;
     for folder in ["seeds", "finds"] {
         for (target, check) in [
-            ("nff", checks::nff as fn(&[u8])),
-            ("toml", checks::toml),
-            ("obj", checks::obj),
-            ("ply", checks::ply),
-            ("gltf", checks::gltf),
-            ("pack", packs::pack),
+            ("nff", loading::nff as fn(&[u8])),
+            ("toml", loading::toml),
+            ("obj", loading::obj),
+            ("ply", loading::ply),
+            ("gltf", loading::gltf),
+            ("pack", baked::pack),
         ] {
             let Ok(files) = fs::read_dir(fuzz.join(folder).join(target)) else { continue };
             for file in files {

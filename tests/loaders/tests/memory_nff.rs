@@ -4,14 +4,9 @@
 
 use std::io::Write;
 
+use strahl_loader_tests::invalid_nff::{VIEW, invalid_files};
+use strahl_loader_tests::memory::{Bound, most_held};
 use strahl_scene::load;
-
-use counting::{Bound, most_held};
-use table::{VIEW, invalid_files};
-
-mod counting;
-#[path = "../load/table.rs"]
-mod table;
 
 /// Long invalid files that repeat one entity.
 fn long_files() -> Vec<Vec<u8>> {

@@ -2,11 +2,8 @@
 //!
 //! The allocator counts all allocations of the process, so the program has only one test.
 
+use strahl_loader_tests::memory::{Bound, most_held};
 use strahl_scene::mesh::read;
-
-use counting::{Bound, most_held};
-
-mod counting;
 
 /// One more than a power of two, so that a growing table has just doubled.
 const MANY: usize = (1 << 15) + 1;

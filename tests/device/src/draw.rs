@@ -1,7 +1,5 @@
 //! Draws a world row by row, without a frame buffer: only one row of the picture is in memory.
 
-// A crate that includes this file may use only parts of it.
-#![allow(dead_code)]
 #![allow(clippy::too_many_arguments)] // of different types
 
 use strahl_core::accel::Accelerator;

@@ -11,26 +11,20 @@ use strahl_scene::{SourceFiles, load_from};
 use strahl_session::tables;
 use strahl_settings::DEFAULT_SIZE;
 
-use counting::{Bound, most_held};
-
-#[path = "../../host/scene/tests/memory/counting.rs"]
-pub mod counting;
+use crate::memory::{Bound, most_held};
 
 /// Checks the bytes of an NFF scene.
-#[allow(dead_code)] // each target uses one function
 pub fn nff(bytes: &[u8]) {
     check(&[("scene.nff", bytes)], Bound::NFF);
 }
 
 /// Checks the bytes of a TOML scene, with a mesh file beside it.
-#[allow(dead_code)]
 pub fn toml(bytes: &[u8]) {
-    let ply = include_bytes!("seeds/ply/square.ply");
+    let ply = include_bytes!("../../fuzz/seeds/ply/square.ply");
     check(&[("scene.toml", bytes), ("a.ply", ply)], Bound::TOML);
 }
 
 /// Checks the bytes of an OBJ model, followed by a zero and its materials.
-#[allow(dead_code)]
 pub fn obj(bytes: &[u8]) {
     let (model, materials) = match bytes.iter().position(|byte| *byte == 0) {
         Some(zero) => (&bytes[..zero], &bytes[zero + 1..]),
@@ -40,15 +34,13 @@ pub fn obj(bytes: &[u8]) {
 }
 
 /// Checks the bytes of a PLY model.
-#[allow(dead_code)]
 pub fn ply(bytes: &[u8]) {
     check(&[("model.ply", bytes)], Bound::MESH);
 }
 
 /// Checks the bytes of a glTF or GLB model, with a buffer file beside it.
-#[allow(dead_code)]
 pub fn gltf(bytes: &[u8]) {
-    let buffer = include_bytes!("seeds/square.bin");
+    let buffer = include_bytes!("../../fuzz/seeds/square.bin");
     check(&[("model.gltf", bytes), ("a.bin", buffer)], Bound::MESH);
 }
 

@@ -3,9 +3,6 @@
 //! The firmware of each precision draws these pictures, and the host computes their errors
 //! (`tests/examples/accuracy.rs`). The first is the golden picture.
 
-// A crate that includes this file may use only parts of it.
-#![allow(dead_code)]
-
 use core::fmt;
 
 use strahl_core::accel::{Accelerator, List, group_count};
@@ -28,6 +25,13 @@ pub struct AccuracyRun {
     pub limits: Limits,
     /// Sampler.
     pub sampling: FirmwareSampler,
+}
+
+/// Levels, cutoff and sampler, separated by spaces.
+impl fmt::Display for AccuracyRun {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "{} {} {}", self.limits.levels, self.limits.cutoff, self.sampling)
+    }
 }
 
 /// Sampler.
