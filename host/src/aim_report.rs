@@ -33,12 +33,12 @@ impl AimReport {
         let mut lines = Vec::new();
         match &aimed.target {
             AimTarget::Error { asked, estimate, at_most, pixels, tried, truth, measured, seconds } => {
-                let kept = match (aimed.kept, measured) {
+                let suffix = match (aimed.kept, measured) {
                     (true, _) => "",
                     (false, Some(_)) => ": not reached",
                     (false, None) => ": no setting reaches it",
                 };
-                lines.push(("aim", format!("error at most {asked}{kept}")));
+                lines.push(("aim", format!("error at most {asked}{suffix}")));
                 lines.push((
                     "error",
                     format!(

@@ -9,22 +9,22 @@ use strahl_scene::quantity::{self, quantity};
 use strahl_session::scene_info::{AcceleratorInfo, SceneInfo};
 
 use crate::args::InfoArgs;
-use crate::failure::Failure;
-use crate::output::{Output, say};
-use crate::wrap::{width_of_stdout, wrapped};
+use crate::error::CommandError;
+use crate::output::{Output, print_message};
+use crate::wrap::{stdout_width, wrapped};
 
 /// Prints the contents of one scene.
-pub fn run(args: &InfoArgs) -> Result<(), Failure> {
+pub fn run(args: &InfoArgs) -> Result<(), CommandError> {
     let description = load(&args.scene)?;
     for warning in &description.warnings {
-        say(format_args!("{}: warning: {warning}", args.scene.display()));
+        print_message(format_args!("{}: warning: {warning}", args.scene.display()));
     }
     let info = SceneInfo::new(&description);
-    let info = info.map_err(|error| Failure::input(&args.scene, error.to_string()))?;
+    let info = info.map_err(|error| CommandError::input(&args.scene, error.to_string()))?;
     let text = if args.json {
         to_json(&info)
     } else {
-        wrapped(&to_text(&info, &args.scene), width_of_stdout(), INDENT)
+        wrapped(&to_text(&info, &args.scene), stdout_width(), INDENT)
     };
     Output::Stdout.commit(text.as_bytes())
 }
@@ -58,17 +58,17 @@ fn to_text(info: &SceneInfo, path: &Path) -> String {
         line("bounds", format!("{x0} {y0} {z0} to {x1} {y1} {z1}"));
     }
     for (place, step) in info.plan.iter().enumerate() {
-        line(if place == 0 { "asks for" } else { "" }, step.effect.into());
+        line(if place == 0 { "requires" } else { "" }, step.effect.into());
         // All of them are in the JSON.
-        for reason in step.required_by.iter().take(REASONS) {
+        for reason in step.required_by.iter().take(MAX_REASONS) {
             line("", format!("  {reason}"));
         }
-        if step.required_by.len() > REASONS {
-            line("", format!("  and {} more", step.required_by.len() - REASONS));
+        if step.required_by.len() > MAX_REASONS {
+            line("", format!("  and {} more", step.required_by.len() - MAX_REASONS));
         }
     }
     if !info.not_called_for.is_empty() {
-        line("not called for", info.not_called_for.join(", "));
+        line("not required", info.not_called_for.join(", "));
     }
     line("memory", format!("{} for the scene", HumanBytes(info.memory.scene as u64)));
     for (place, it) in info.memory.accelerators.iter().enumerate() {
@@ -81,13 +81,13 @@ fn to_text(info: &SceneInfo, path: &Path) -> String {
             "{kind:<7}{bytes:>11}{:>9.1} ms {regions:>11} {noun:<7} of {items_per_region:.1} items{depth}",
             1e3 * build_seconds
         );
-        line(if place == 0 { "finding by" } else { "" }, says);
+        line(if place == 0 { "accelerators" } else { "" }, says);
     }
-    line("", format!("auto takes the {}: {}", info.auto.kind, info.auto.reason));
+    line("", format!("auto selects {}: {}", info.auto.kind, info.auto.reason));
     text
 }
 
-/// A coordinate to a hundred thousandth of the largest: what is behind that is rounding.
+/// A coordinate to a hundred thousandth of the largest: the rest is rounding.
 fn rounded(x: f32, largest: f32) -> f32 {
     let step = libm::pow(10.0, libm::floor(libm::log10(f64::from(largest))) - 5.0);
     let rounded = if step.is_normal() { (libm::round(f64::from(x) / step) * step) as f32 } else { x };
@@ -95,8 +95,8 @@ fn rounded(x: f32, largest: f32) -> f32 {
     rounded + 0.0
 }
 
-/// Where a line goes on that is broken: to the right of all that begins one.
+/// Column at which a broken line continues.
 const INDENT: usize = 19;
 
-/// How many reasons for an effect are told to a person.
-const REASONS: usize = 4;
+/// Maximum number of printed reasons for an effect.
+const MAX_REASONS: usize = 4;

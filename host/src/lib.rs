@@ -1,7 +1,7 @@
 //! strahl on a workstation: loads scenes, renders them with all cores, writes pictures and
 //! reports. The tracing itself is `strahl-core`'s.
 //!
-//! | room | what it does |
+//! | module | contents |
 //! |---|---|
 //! | [`args`] | the command line |
 //! | [`render`] | the command `render` |
@@ -14,33 +14,33 @@
 //! | [`compare`] | the command `compare` |
 //! | [`generate`] | the command `generate` |
 //! | [`manual`] | the commands `completions` and `man` |
-//! | [`aim_report`] | what was aimed at, for the report and for a person |
-//! | [`heat`] | costs as a picture |
-//! | [`draft`] | a coarse picture before the full one |
+//! | [`aim_report`] | report on a target error or a time limit |
+//! | [`heat_map`] | cost per pixel as a picture |
+//! | [`preview`] | coarse preview |
 //! | [`pixels`] | picture files that a command reads |
 //! | [`output`] | files that are complete or absent |
-//! | [`stats`] | what was counted and measured |
-//! | [`settings`] | what is in force, and who has set it |
+//! | [`stats`] | statistics of a render |
+//! | [`settings`] | effective settings and their sources |
 //! | [`terminal`] | progress on the terminal |
-//! | [`summary`] | what was done, for a person |
-//! | [`wrap`] | text that fits the screen |
-//! | [`signals`] | when to stop |
-//! | [`failure`] | what went wrong, and the exit status for it |
+//! | [`summary`] | summary of a render |
+//! | [`wrap`] | line wrapping |
+//! | [`signals`] | interruption by signals |
+//! | [`error`] | command errors and exit statuses |
 
 pub mod aim_report;
 pub mod args;
 pub mod bake;
 pub mod cast;
 pub mod compare;
-pub mod draft;
+pub mod error;
 pub mod explain;
-pub mod failure;
 pub mod generate;
-pub mod heat;
+pub mod heat_map;
 pub mod info;
 pub mod manual;
 pub mod output;
 pub mod pixels;
+pub mod preview;
 pub mod render;
 pub mod settings;
 pub mod signals;

@@ -1,4 +1,4 @@
-//! The commands `completions` and `man`: what the shell and the manual know of the command line.
+//! The commands `completions` and `man`: shell completions and manual pages.
 
 use std::io::{self, Write};
 
@@ -7,34 +7,34 @@ use clap_complete::Shell;
 use clap_mangen::Man;
 
 use crate::args::{Args, ManArgs};
-use crate::failure::Failure;
+use crate::error::CommandError;
 use crate::output::Output;
 
 /// Prints the completions for one shell.
-pub fn completions(shell: Shell) -> Result<(), Failure> {
+pub fn completions(shell: Shell) -> Result<(), CommandError> {
     let mut text = Vec::new();
     clap_complete::generate(shell, &mut Args::command(), "strahl", &mut text);
     Output::Stdout.commit(&text)
 }
 
 /// Prints the page of the program, or that of one command.
-pub fn man(args: &ManArgs) -> Result<(), Failure> {
+pub fn man(args: &ManArgs) -> Result<(), CommandError> {
     let mut program = Args::command();
-    // Gives every command its whole name, as in `strahl-render`.
+    // Sets the full name of every command, as in `strahl-render`.
     program.build();
     let page = match &args.command {
         None => program,
         Some(name) => match program.find_subcommand(name) {
             Some(command) => command.clone().display_name(format!("strahl-{name}")),
-            None => return Err(Failure::Usage(format!("there is no command {name}"))),
+            None => return Err(CommandError::Usage(format!("unknown command {name}"))),
         },
     };
     let mut text = Vec::new();
-    write(page, &mut text).map_err(|error| Failure::Unwritable { path: None, error })?;
+    write(page, &mut text).map_err(|error| CommandError::Unwritable { path: None, error })?;
     Output::Stdout.commit(&text)
 }
 
-/// Writes a page, section by section: what stands behind the help has sections of its own.
+/// Writes a page, section by section; the text after the help is a section of its own.
 fn write(page: Command, out: &mut Vec<u8>) -> io::Result<()> {
     let behind = page.get_after_long_help().map(|text| text.to_string()).unwrap_or_default();
     let has_commands = page.has_subcommands();
@@ -55,7 +55,7 @@ fn write(page: Command, out: &mut Vec<u8>) -> io::Result<()> {
         writeln!(out, ".nf")?;
     }
     for line in text.trim_matches('\n').lines() {
-        // Hyphens that can be copied; no line is taken for a request.
+        // Hyphens stay ASCII, and no line is parsed as a roff request.
         writeln!(out, "\\&{}", line.trim().replace('\\', "\\e").replace('-', "\\-"))?;
     }
     if has_lines {

@@ -7,13 +7,13 @@ use strahl_picture::{DecodedPicture, decode};
 use strahl_scene::SourceFiles;
 use strahl_settings::domain::MAX_PIXELS;
 
-use crate::failure::Failure;
+use crate::error::CommandError;
 
 /// Reads the picture at `path` from these files; `-` is the standard input.
-pub fn read(files: &SourceFiles, path: &Path) -> Result<DecodedPicture, Failure> {
+pub fn read(files: &SourceFiles, path: &Path) -> Result<DecodedPicture, CommandError> {
     let bytes = if path == Path::new("-") { stdin() } else { files.read(path) };
-    let bytes = bytes.map_err(|error| Failure::Unreadable { path: path.to_owned(), error })?;
-    decode(&bytes, MAX_PIXELS).map_err(|error| Failure::Input {
+    let bytes = bytes.map_err(|error| CommandError::Unreadable { path: path.to_owned(), error })?;
+    decode(&bytes, MAX_PIXELS).map_err(|error| CommandError::InvalidInput {
         path: path.to_owned(),
         line: None,
         reason: error.to_string(),

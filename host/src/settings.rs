@@ -1,7 +1,6 @@
-//! What `render --print-settings` prints: every setting in use, and what has set it.
+//! Output of `render --print-settings`: every effective setting and its source.
 //!
-//! What is printed is TOML that may stand in a scene; the settings that no scene has, and the
-//! command line that asks for all of them, stand in comments.
+//! The output is TOML for a scene; settings that a scene cannot have, and the equivalent command line, are comments.
 
 use std::collections::BTreeMap;
 use std::path::Path;
@@ -31,7 +30,7 @@ pub fn text(args: &RenderArgs, resolved: &Resolved, output: &Path, lines: &Lines
         }
     }
     rows.push((String::new(), None));
-    rows.push(("# No part of a scene:".into(), None));
+    rows.push(("# Command-line options only:".into(), None));
     let others = settings.in_use().filter(|setting| !setting.is_in_scenes());
     rows.extend(others.filter_map(|it| Some((format!("# {}", it.option(settings)?), Some(source(it))))));
     for (name, is_given, word) in files(args, output) {

@@ -1,4 +1,4 @@
-//! When to stop: the user's Ctrl-C, the system's polite request, and news.
+//! Interruption of a command by SIGINT, SIGTERM, or a change of the scene.
 
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
@@ -6,40 +6,40 @@ use std::sync::atomic::{AtomicBool, Ordering};
 use signal_hook::consts::{SIGINT, SIGTERM};
 use strahl_engine::{Interrupt, Progress};
 
-use crate::failure::Failure;
+use crate::error::CommandError;
 
-/// Flags that signals and news raise, and that work asks between two pixels.
+/// Flags set by signals and by changes of the scene. Workers check them between two pixels.
 #[derive(Clone, Debug, Default)]
 pub struct Signals {
     interrupted: Arc<AtomicBool>,
     terminated: Arc<AtomicBool>,
-    outdated: Arc<AtomicBool>,
+    scene_changed: Arc<AtomicBool>,
 }
 
 impl Signals {
-    /// Listens for both signals from now on.
-    pub fn listen() -> Result<Self, Failure> {
+    /// Registers handlers of SIGINT and SIGTERM.
+    pub fn register() -> Result<Self, CommandError> {
         let signals = Signals::default();
-        let deaf = |error| Failure::Usage(format!("cannot listen for signals: {error}"));
-        signal_hook::flag::register(SIGINT, Arc::clone(&signals.interrupted)).map_err(deaf)?;
-        signal_hook::flag::register(SIGTERM, Arc::clone(&signals.terminated)).map_err(deaf)?;
+        let failed = |error| CommandError::Usage(format!("cannot register signal handlers: {error}"));
+        signal_hook::flag::register(SIGINT, Arc::clone(&signals.interrupted)).map_err(failed)?;
+        signal_hook::flag::register(SIGTERM, Arc::clone(&signals.terminated)).map_err(failed)?;
         Ok(signals)
     }
 
-    /// What is raised when the work has become useless, and lowered when other work begins.
-    pub fn outdated(&self) -> Arc<AtomicBool> {
-        Arc::clone(&self.outdated)
+    /// Flag to set when the scene changes and to clear when rendering starts.
+    pub fn scene_changed(&self) -> Arc<AtomicBool> {
+        Arc::clone(&self.scene_changed)
     }
 }
 
 impl Progress for Signals {
-    /// `Err` once a signal has come.
+    /// `Err` once a signal has arrived or the scene has changed.
     fn check(&self) -> Result<(), Interrupt> {
         if self.interrupted.load(Ordering::Relaxed) {
             Err(Interrupt::Interrupted)
         } else if self.terminated.load(Ordering::Relaxed) {
             Err(Interrupt::Terminated)
-        } else if self.outdated.load(Ordering::Relaxed) {
+        } else if self.scene_changed.load(Ordering::Relaxed) {
             Err(Interrupt::Outdated)
         } else {
             Ok(())

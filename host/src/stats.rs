@@ -11,7 +11,7 @@ use strahl_session::stats::{AcceleratorStats, RenderStats, TestsByRay};
 use crate::aim_report::AimReport;
 use crate::summary::percent;
 
-/// A report on one picture. Its fields are those that the command line promises, in this order.
+/// A report on one picture. Its fields are the keys of the JSON, in this order.
 #[derive(Debug, Serialize)]
 pub struct StatsReport {
     #[serde(flatten)]
@@ -89,11 +89,11 @@ impl StatsReport {
             line(
                 "effect",
                 format!(
-                    "{}, asked for by {} in line {}{more}{}",
+                    "{}, required by {} in line {}{more}{}",
                     first.effect,
                     first.required_by,
                     first.line,
-                    if first.simulated { "" } else { ", left out on request" }
+                    if first.simulated { "" } else { ", disabled" }
                 ),
             );
         }
@@ -102,7 +102,7 @@ impl StatsReport {
         line("transmitted", rays.transmitted.to_string());
         line("shadow rays", rays.shadow.to_string());
         line(
-            "not sent",
+            "discarded",
             format!(
                 "{} at the last level, {} below the cutoff: {} and {} of the light",
                 stats.cut.by_levels,
@@ -120,7 +120,7 @@ impl StatsReport {
             if boxes + shapes + regions > 0 {
                 let skips = match mailbox_skips {
                     0 => String::new(),
-                    skips => format!(", {skips} left out by mailboxes"),
+                    skips => format!(", {skips} avoided by mailboxes"),
                 };
                 line(
                     "",
@@ -147,7 +147,7 @@ impl StatsReport {
             line(
                 "media",
                 format!(
-                    "{} entered a fifth body at once and ignored it",
+                    "{} entered a fifth nested body, which was ignored",
                     quantity(stats.media.overfull, "ray")
                 ),
             );

@@ -1,4 +1,4 @@
-//! The command `study`: what accuracy costs in time.
+//! The command `study`: accuracy against rendering time.
 
 use std::collections::HashMap;
 use std::path::{Path, PathBuf};
@@ -18,13 +18,13 @@ use strahl_study::record::{Study, table};
 use strahl_study::study::{StudySettings, stem, study};
 
 use crate::args::StudyArgs;
-use crate::failure::Failure;
-use crate::output::{Guard, Output, say, tell};
+use crate::error::CommandError;
+use crate::output::{Output, OutputGuard, print_message, print_stderr};
 use crate::signals::Signals;
-use crate::wrap::{width_of_stderr, wrapped};
+use crate::wrap::{stderr_width, wrapped};
 
 /// Studies a scene, or makes the page of a study again.
-pub fn run(args: &StudyArgs) -> Result<(), Failure> {
+pub fn run(args: &StudyArgs) -> Result<(), CommandError> {
     let device = args
         .device
         .as_deref()
@@ -34,7 +34,7 @@ pub fn run(args: &StudyArgs) -> Result<(), Failure> {
         (_, Some(file)) => {
             let study = read(file, Study::parse)?;
             let place = args.output.clone().unwrap_or_else(|| folder_of(file));
-            let guard = Guard::of(iter::once(file).chain(&args.device));
+            let guard = OutputGuard::of(iter::once(file).chain(&args.device));
             // The page says that the numbers are beside it. What is there already is not replaced unless that is
             // asked for.
             let copy = place.join("study.json");
@@ -45,16 +45,16 @@ pub fn run(args: &StudyArgs) -> Result<(), Failure> {
             folder.write("study.json", study.to_json().as_bytes())?;
             folder.write("report.html", page::page(&study, device.as_ref()).as_bytes())?;
             folder.write("study.csv", table::to_csv(&study).as_bytes())?;
-            args.tell(&format!("{}\n", folder.path.join("report.html").display()));
+            args.print_stderr(&format!("{}\n", folder.path.join("report.html").display()));
             Ok(())
         }
         (Some(path), None) => {
-            let signals = Signals::listen()?;
+            let signals = Signals::register()?;
             let begun = Instant::now();
             let files = SourceFiles::on_disk();
             let scene = load(&files, path, args)?;
-            // Before the work, so that nothing is measured that cannot be kept.
-            let guard = Guard::of(files.named_paths().iter().chain(&args.device));
+            // Outputs are opened before measuring starts.
+            let guard = OutputGuard::of(files.named_paths().iter().chain(&args.device));
             let folder = args.output.clone().unwrap_or_else(|| folder_for(path));
             let mut folder = Folder::prepare(&folder, guard, &["study.json", "study.csv", "report.html"])?;
             let meter = if args.quiet { Meter::silent(signals) } else { Meter::on_terminal(signals) };
@@ -71,26 +71,26 @@ pub fn run(args: &StudyArgs) -> Result<(), Failure> {
             folder.write("study.json", study.to_json().as_bytes())?;
             folder.write("study.csv", table::to_csv(&study).as_bytes())?;
             folder.write("report.html", page::page(&study, device.as_ref()).as_bytes())?;
-            args.tell(&page::summary(&study, &folder.path.join("report.html")));
+            args.print_stderr(&page::summary(&study, &folder.path.join("report.html")));
             Ok(())
         }
-        (None, None) => Err(Failure::Usage("a scene is missing, or --from study.json".into())),
+        (None, None) => Err(CommandError::Usage("a scene or --from is required".into())),
     }
 }
 
 /// Loads the scene, and says what its user should know of.
-fn load(files: &SourceFiles, path: &Path, args: &StudyArgs) -> Result<LoadedScene, Failure> {
+fn load(files: &SourceFiles, path: &Path, args: &StudyArgs) -> Result<LoadedScene, CommandError> {
     let scene = load_from(files, path, args.size.unwrap_or(DEFAULT_SIZE))?;
     for warning in scene.warnings.iter().filter(|_| !args.quiet) {
-        say(format_args!("{}: warning: {warning}", path.display()));
+        print_message(format_args!("{}: warning: {warning}", path.display()));
     }
     Ok(scene)
 }
 
 /// What a file holds.
-fn read<T>(path: &Path, parse: impl FnOnce(&[u8]) -> Result<T, ParseError>) -> Result<T, Failure> {
-    let bytes = fs::read(path).map_err(|error| Failure::Unreadable { path: path.to_owned(), error })?;
-    parse(&bytes).map_err(|ParseError { line, reason }| Failure::Input {
+fn read<T>(path: &Path, parse: impl FnOnce(&[u8]) -> Result<T, ParseError>) -> Result<T, CommandError> {
+    let bytes = fs::read(path).map_err(|error| CommandError::Unreadable { path: path.to_owned(), error })?;
+    parse(&bytes).map_err(|ParseError { line, reason }| CommandError::InvalidInput {
         path: path.to_owned(),
         line,
         reason,
@@ -98,13 +98,15 @@ fn read<T>(path: &Path, parse: impl FnOnce(&[u8]) -> Result<T, ParseError>) -> R
 }
 
 /// Why the scene at `path` could not be studied.
-fn failure(path: &Path, error: StudyError) -> Failure {
+fn failure(path: &Path, error: StudyError) -> CommandError {
     match error {
         StudyError::Settings(error) => error.into(),
-        StudyError::Render(RenderError::Interrupted(interrupt)) => Failure::Stopped(interrupt),
-        StudyError::TooShort(reason) => Failure::Late(format!("{}: {reason}", path.display())),
-        StudyError::Picture(error) => Failure::Unwritable { path: None, error: io::Error::other(error) },
-        error => Failure::input(path, error.to_string()),
+        StudyError::Render(RenderError::Interrupted(interrupt)) => CommandError::Stopped(interrupt),
+        StudyError::TooShort(reason) => {
+            CommandError::TimeLimitTooShort(format!("{}: {reason}", path.display()))
+        }
+        StudyError::Picture(error) => CommandError::Unwritable { path: None, error: io::Error::other(error) },
+        error => CommandError::input(path, error.to_string()),
     }
 }
 
@@ -112,7 +114,7 @@ fn failure(path: &Path, error: StudyError) -> Failure {
 struct Meter {
     signals: Signals,
     bar: ProgressBar,
-    /// Letters that have room behind the bar.
+    /// Width of the message after the bar.
     room: usize,
 }
 
@@ -128,7 +130,7 @@ impl Meter {
     /// Shows a bar on the standard error, if that is a terminal.
     fn on_terminal(signals: Signals) -> Self {
         let bar = ProgressBar::new(PARTS);
-        let width = width_of_stderr();
+        let width = stderr_width();
         let length = width.saturating_sub(70).clamp(8, 32);
         let template = format!("{{bar:{length}}} {{percent:>3}} %  {{prefix}}  {{msg}}");
         if let Ok(style) = ProgressStyle::with_template(&template) {
@@ -179,8 +181,8 @@ struct Folder {
 
 impl Folder {
     /// Makes it, if it is not there, and makes sure that these files can be written in it.
-    fn prepare(path: &Path, mut guard: Guard, names: &[&'static str]) -> Result<Self, Failure> {
-        let unwritable = |error| Failure::Unwritable { path: Some(path.to_owned()), error };
+    fn prepare(path: &Path, mut guard: OutputGuard, names: &[&'static str]) -> Result<Self, CommandError> {
+        let unwritable = |error| CommandError::Unwritable { path: Some(path.to_owned()), error };
         let is_new = |folder: &&Path| *folder != Path::new("") && !folder.exists();
         let made = path.ancestors().take_while(is_new).map(Path::to_owned).collect();
         let mut folder = Folder { path: path.to_owned(), files: HashMap::new(), made };
@@ -192,7 +194,7 @@ impl Folder {
     }
 
     /// Lets one of the files appear.
-    fn write(&mut self, name: &str, bytes: &[u8]) -> Result<(), Failure> {
+    fn write(&mut self, name: &str, bytes: &[u8]) -> Result<(), CommandError> {
         self.files.remove(name).map_or(Ok(()), |output| output.commit(bytes))
     }
 }
@@ -206,10 +208,10 @@ impl Drop for Folder {
 }
 
 impl StudyArgs {
-    /// Tells a person.
-    fn tell(&self, text: &str) {
+    /// Prints text to standard error, unless `--quiet` is given.
+    fn print_stderr(&self, text: &str) {
         if !self.quiet {
-            tell(wrapped(text, width_of_stderr(), page::INDENT));
+            print_stderr(wrapped(text, stderr_width(), page::INDENT));
         }
     }
 }

@@ -1,4 +1,4 @@
-//! What was done, in a few lines for a person.
+//! Summary of a render, as text.
 
 use std::fmt::Write as _;
 use std::path::Path;
@@ -12,12 +12,12 @@ use strahl_scene::quantity::quantity;
 use strahl_session::RenderOutput;
 use strahl_settings::{OptionalEffect, Precision, SamplerSettings};
 
-/// Where the text of the lines begins.
+/// Column of the text of a line, after its label.
 pub const INDENT: usize = 12;
 
-/// Of the names in front of the lines.
+/// Style of the labels.
 const LABEL: Style = Style::new().effects(Effects::DIMMED);
-/// Of the picture's name.
+/// Style of the picture's name.
 const TITLE: Style = AnsiColor::Green.on_default().effects(Effects::BOLD);
 
 /// The lines about a picture at `path`, styled for a terminal.
@@ -64,10 +64,10 @@ pub fn summary(
     let regions = quantity(found.regions, "region");
     let precision = match frame.precision {
         Precision::Single => "",
-        Precision::Double => "; in double precision",
+        Precision::Double => "; double precision",
     };
     line(
-        "found by",
+        "accel",
         format!(
             "{}, {}: {regions}, {}{precision}",
             found.choice,
@@ -76,31 +76,37 @@ pub fn summary(
         ),
     );
     for (place, step) in plan.iter().filter(|step| step.enabled).enumerate() {
-        line(if place == 0 { "simulated" } else { "" }, reasons(step));
+        line(if place == 0 { "effects" } else { "" }, reasons(step));
     }
     for step in plan.iter().filter(|step| !step.enabled) {
-        line("without", format!("{}, on request", reasons(step)));
+        line("disabled", reasons(step));
     }
-    let not_called_for: Vec<_> = OptionalEffect::ALL
+    let unused: Vec<_> = OptionalEffect::ALL
         .into_iter()
         .filter(|effect| plan.iter().all(|step| step.effect != *effect))
         .map(OptionalEffect::name)
         .collect();
-    if !not_called_for.is_empty() {
-        line("left out", format!("{}: not called for", not_called_for.join(", ")));
+    if !unused.is_empty() {
+        line("unused", unused.join(", "));
     }
     let (levels, cutoff) = (counters.level_limit.rays, counters.cutoff.rays);
     if levels + cutoff > 0 {
         let [by_levels, by_cutoff] = counters.cut_fractions();
         let rays =
-            format!("{} at the last level, {} below the cutoff", quantity(levels, "ray"), count(cutoff));
-        line("cut", format!("{} of the light: {rays}", percent(by_levels + by_cutoff)));
+            format!("{} beyond the last level, {} below the cutoff", quantity(levels, "ray"), count(cutoff));
+        line("discarded", format!("{} of the light: {rays}", percent(by_levels + by_cutoff)));
     }
     if counters.medium_stack_full > 0 {
-        line("cut", format!("{} into a fifth body at once", quantity(counters.medium_stack_full, "entry")));
+        line(
+            "note",
+            format!(
+                "{} into a fifth nested body were ignored",
+                quantity(counters.medium_stack_full, "entry")
+            ),
+        );
     }
     if counters.camera_hits == 0 && frame.scene.objects > 0 {
-        line("note", "no ray from the camera meets anything".into());
+        line("note", "no camera ray hits anything".into());
     }
     let noisy: Vec<_> = plan
         .iter()
@@ -108,22 +114,19 @@ pub fn summary(
         .map(|step| step.effect.name())
         .collect();
     if sampling == SamplerSettings::Single && !noisy.is_empty() {
-        let noisy = noisy.join(", ");
-        line(
-            "note",
-            format!("one ray in a pixel makes noise of {noisy}; --sampler stochastic:64 makes less"),
-        );
+        let (noisy, is) = (noisy.join(", "), if noisy.len() == 1 { "is" } else { "are" });
+        line("note", format!("{noisy} {is} noisy with one ray per pixel; use --sampler stochastic:64"));
     }
     text
 }
 
-/// More such lines.
+/// Lines with a label each.
 pub fn lines(lines: &[(&str, String)]) -> String {
     let line = |(label, says): &(&str, String)| format!("  {LABEL}{label:<10}{LABEL:#}{says}\n");
     lines.iter().map(line).collect()
 }
 
-/// A share, to one digit that is not zero, and never nothing where there is something.
+/// A share in percent, rounded, but 0 only if it is 0.
 pub fn percent(share: f64) -> String {
     let percent = 100.0 * share;
     if percent == 0.0 {
@@ -142,7 +145,7 @@ pub fn percent(share: f64) -> String {
     }
 }
 
-/// An effect and the first that asks for it.
+/// An effect and the first reason for it.
 fn reasons(step: &PlannedEffect) -> String {
     let first = step.reasons.first().map(|reason| format!(": {reason}")).unwrap_or_default();
     match step.reasons.len() {

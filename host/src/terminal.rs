@@ -6,7 +6,7 @@ use indicatif::{HumanCount, ProgressBar, ProgressState, ProgressStyle};
 use strahl_engine::{Interrupt, Progress};
 
 use crate::signals::Signals;
-use crate::wrap::width_of_stderr;
+use crate::wrap::stderr_width;
 
 /// Shows how far the work is, and stops it for signals.
 #[derive(Clone, Debug)]
@@ -29,7 +29,7 @@ impl TerminalProgress {
             let _ = write!(text, "{}", HumanCount(state.per_sec() as u64));
         };
         // As long as what stands behind it leaves room for, in a row that must not be broken.
-        let length = width_of_stderr().saturating_sub(40).clamp(8, 32);
+        let length = stderr_width().saturating_sub(40).clamp(8, 32);
         let template = format!("{{bar:{length}}} {{percent:>3}} %  {{rate}} pixels/s  {{eta}} left");
         let style = ProgressStyle::with_template(&template)
             .map(|style| style.with_key("rate", rate).progress_chars("━━─"));

@@ -1,26 +1,26 @@
-//! Text that fits the screen.
+//! Line wrapping at the width of the terminal.
 
 use anstream::adapter::strip_str;
 
-/// Characters in a row of the standard output; as many as one likes where it is no terminal.
-pub fn width_of_stdout() -> usize {
+/// Columns of standard output; `usize::MAX` if it is not a terminal.
+pub fn stdout_width() -> usize {
     terminal_size::terminal_size_of(std::io::stdout()).map_or(usize::MAX, |(width, _)| width.0.into())
 }
 
-/// The same of the standard error.
-pub fn width_of_stderr() -> usize {
+/// Columns of standard error; `usize::MAX` if it is not a terminal.
+pub fn stderr_width() -> usize {
     terminal_size::terminal_size_of(std::io::stderr()).map_or(usize::MAX, |(width, _)| width.0.into())
 }
 
-/// The text with no line longer than `width`, where there is a space to break it at. What is
-/// broken off stands `indent` characters from the left. Styles take no room.
+/// Breaks lines longer than `width` at spaces. Continuation lines are indented by `indent` characters. Styles have
+/// no width.
 pub fn wrapped(text: &str, width: usize, indent: usize) -> String {
     let mut out = String::with_capacity(text.len());
     for line in text.lines() {
         let (mut left, mut margin) = (line, 0);
         while margin + visible(left) > width {
             let fits = |place: &usize| margin + visible(&left[..*place]) <= width;
-            // The label stays with what it is for.
+            // No break between a label and its text.
             let is_text = |place: &usize| margin + visible(left[..*place].trim_end()) > indent;
             let spaces = left.match_indices(' ').map(|(place, _)| place).filter(is_text);
             let Some(place) = spaces.clone().take_while(fits).last().or(spaces.clone().next()) else { break };
@@ -35,7 +35,7 @@ pub fn wrapped(text: &str, width: usize, indent: usize) -> String {
     out
 }
 
-/// The characters of a text that are seen.
+/// Number of visible characters.
 fn visible(text: &str) -> usize {
     strip_str(text).map(|piece| piece.chars().count()).sum()
 }
@@ -55,7 +55,7 @@ mod tests {
     }
 
     #[test]
-    fn what_has_no_space_stays_whole_and_styles_take_no_room() {
+    fn text_without_a_space_is_not_broken_and_styles_have_no_width() {
         assert_eq!(wrapped("  label     averylongword\n", 14, 12), "  label     averylongword\n");
         let styled = "  \u{1b}[2mlabel     \u{1b}[0mone two";
         assert_eq!(wrapped(styled, 19, 12), format!("{styled}\n"));

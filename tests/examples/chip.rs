@@ -11,7 +11,7 @@
 use std::error::Error;
 use std::path::{Path, PathBuf};
 
-use strahl::bake::{BakeSettings, bake, chip, counted, source};
+use strahl::bake::{BakeSettings, bake, chip, count_events, source};
 use strahl_core::accel::{List, group_count};
 use strahl_core::geometry::Aabb;
 use strahl_core::image::Framebuffer;
@@ -103,10 +103,10 @@ fn main() -> Result<(), Box<dyn Error>> {
     step::<flash::FlashMirrors>("mirrors", &folder)?;
     step::<flash::FlashGlass>("glass", &folder)?;
     step::<flash::FlashDistributed>("distributed", &folder)?;
-    for stack in &chip::STACKS {
+    for stack in &chip::STACK_USAGE {
         println!("stack {} {}", stack.name, stack.bytes);
     }
-    println!("factor {}", chip::DOUBT);
+    println!("factor {}", chip::ESTIMATE_FACTOR);
     Ok(())
 }
 
@@ -132,7 +132,7 @@ fn make(scene: &ChipScene, file: &Path, folder: &Path) -> Result<(), Box<dyn Err
     let settings = BakeSettings { accelerator, nodes, view: view(&description.camera), size, levels, cutoff };
     let tables = storage.scene()?;
     // The program's estimate.
-    let count = counted(&description, &settings)?;
+    let count = count_events(&description, &settings)?;
     let estimate = chip::instructions(&count.counts, accelerator) / count.pixels * pixels(size);
     println!("estimate {name} {estimate}");
     if name == CONSTANTS {

@@ -8,52 +8,51 @@ use strahl_settings::{Accel, AccelKind};
 use super::names::name_of;
 use super::settings::{OfFrame, SettingArgs};
 
-/// What to bake, and how.
+/// Options of `bake`.
 #[derive(Debug, Parser)]
 pub struct BakeArgs {
-    /// The scene: .toml, .nff, or a model: .obj, .ply, .gltf, .glb.
+    /// Scene (.toml, .nff) or model (.obj, .ply, .gltf, .glb).
     pub scene: PathBuf,
 
-    /// Where the baked scene goes; with the extension .rs the scene as Rust constants instead,
-    /// without an accelerator; `-` is the standard output.
+    /// Output; with .rs, the scene as Rust constants without an accelerator; `-` is standard output.
     #[arg(short, long, value_name = "FILE")]
     pub output: PathBuf,
 
-    /// How items are found on the device; `auto` is the hierarchy [default: auto].
+    /// Acceleration structure on the device; `auto` is bvh [default: auto].
     #[arg(long, value_name = "KIND", value_parser = name_of::<Accel>())]
     pub accel: Option<Accel>,
 
-    /// The most nodes of the hierarchy or the octree: less flash for larger leaves [default: as
-    /// many as make it fast].
+    /// Maximum number of nodes of the BVH or octree; fewer nodes take less flash and make larger leaves
+    /// [default: enough for full speed].
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..), allow_negative_numbers = true)]
     pub nodes: Option<u32>,
 
-    /// What the picture is to be like.
+    /// Size, levels and cutoff.
     #[command(flatten)]
     pub settings: SettingArgs<OfFrame>,
 
-    /// Say nothing but errors.
+    /// Print errors only.
     #[arg(short, long)]
     pub quiet: bool,
 }
 
 impl BakeArgs {
-    /// Whether the scene becomes Rust constants.
-    pub fn is_source(&self) -> bool {
+    /// Whether the output is Rust source.
+    pub fn is_rust_source(&self) -> bool {
         self.output.extension().is_some_and(|extension| extension == "rs")
     }
 
-    /// What is asked for that has no meaning together.
-    pub fn misfit(&self) -> Option<String> {
+    /// Options that cannot be used together; `None` if there are none.
+    pub fn conflict(&self) -> Option<String> {
         let is_given = [("accel", self.accel.is_some()), ("nodes", self.nodes.is_some())];
-        if self.is_source()
+        if self.is_rust_source()
             && let Some((name, _)) = is_given.iter().find(|(_, is_given)| *is_given)
         {
-            return Some(format!("--{name} has no meaning for a .rs file: constants have no accelerator"));
+            return Some(format!("--{name} cannot be used with a .rs output: it has no accelerator"));
         }
         match self.accel.and_then(Accel::explicit_kind) {
             Some(kind @ (AccelKind::List | AccelKind::Grid)) if self.nodes.is_some() => {
-                Some(format!("--nodes has no meaning for --accel {kind}"))
+                Some(format!("--nodes cannot be used with --accel {kind}"))
             }
             _ => None,
         }

@@ -6,25 +6,25 @@ use clap::Parser;
 
 use super::settings::{OfRays, SettingArgs};
 
-/// What to cast, and how.
+/// Options of `cast`.
 #[derive(Debug, Parser)]
 pub struct CastArgs {
-    /// The scene: .toml, .nff, or a model: .obj, .ply, .gltf, .glb.
+    /// Scene (.toml, .nff) or model (.obj, .ply, .gltf, .glb).
     pub scene: PathBuf,
 
-    /// The rays; `-` is the standard input.
+    /// Rays (CSV); `-` is standard input.
     #[arg(long, value_name = "FILE", default_value = "-")]
     pub rays: PathBuf,
 
-    /// Where the hits go; `-` is the standard output.
+    /// Hits (CSV); `-` is standard output.
     #[arg(short, long, value_name = "FILE", default_value = "-")]
     pub output: PathBuf,
 
-    /// What rays are computed with, which they are read and hits are written in too, and how items are found.
+    /// Precision, accelerator and threads.
     #[command(flatten)]
     pub settings: SettingArgs<OfRays>,
 
-    /// Say nothing but errors.
+    /// Print errors only.
     #[arg(short, long)]
     pub quiet: bool,
 }

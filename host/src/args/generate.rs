@@ -7,33 +7,32 @@ use strahl_scene::procedural::{ProceduralScene, SceneFormat};
 
 use super::names::name_of;
 
-/// Which scene to make, and where it goes.
+/// Options of `generate`.
 #[derive(Debug, Parser)]
 pub struct GenerateArgs {
-    /// ProceduralScene to make.
+    /// Scene to generate.
     #[arg(value_name = "WHAT", value_parser = name_of::<ProceduralScene>())]
     pub what: ProceduralScene,
 
-    /// How large: how often it is divided, or for knot and stadium, how many triangles at least
-    /// [default: as below].
+    /// Size: the number of subdivisions, or the minimum number of triangles for knot and stadium [default:
+    /// see below].
     #[arg(long, value_name = "N", allow_negative_numbers = true)]
     pub size: Option<u32>,
 
-    /// Where it goes; the extension names the format (.nff .toml .ply), `-` is the standard output
-    /// (NFF) [default: WHAT with the extension of the --format or .nff, in the current folder].
+    /// Output; the extension selects the format (.nff .toml .ply); `-` is standard output (NFF) [default:
+    /// the scene's name with the extension of --format, or .nff, in the current folder].
     #[arg(short, long, value_name = "FILE")]
     pub output: Option<PathBuf>,
 
-    /// How it is written, whatever the extension is.
+    /// Format, overriding the extension.
     #[arg(long, value_name = "FORMAT", value_parser = name_of::<SceneFormat>())]
     pub format: Option<SceneFormat>,
 
-    /// The objects with their materials only, without view, lights and background, to go into a
-    /// scene of one's own.
+    /// Write objects and materials only, without camera, lights and background, for use in another scene.
     #[arg(long)]
     pub bare: bool,
 
-    /// Say nothing but errors.
+    /// Print errors only.
     #[arg(short, long)]
     pub quiet: bool,
 }

@@ -4,13 +4,13 @@ use std::path::PathBuf;
 
 use clap::Parser;
 
-/// What to tell about.
+/// Options of `info`.
 #[derive(Debug, Parser)]
 pub struct InfoArgs {
-    /// The scene.
+    /// Scene (.toml, .nff) or model (.obj, .ply, .gltf, .glb).
     pub scene: PathBuf,
 
-    /// For programs.
+    /// Print JSON.
     #[arg(long)]
     pub json: bool,
 }

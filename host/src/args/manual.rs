@@ -1,19 +1,19 @@
-//! The options of the commands that tell of the program itself: `man` and `schema`.
+//! The options of `man` and `schema`.
 
 use clap::{Parser, ValueEnum};
 
-/// Which page.
+/// Options of `man`.
 #[derive(Debug, Parser)]
 pub struct ManArgs {
-    /// Of this command, with its options [default: of the program].
+    /// Command [default: the program itself].
     pub command: Option<String>,
 }
 
-/// Of what there is a schema.
+/// File format with a JSON Schema.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
 pub enum Schema {
     /// Scenes in TOML.
     Scene,
-    /// What a study has found: study.json.
+    /// Study results: study.json.
     Study,
 }

@@ -1,14 +1,14 @@
 //! The command line: its commands, and the options of each.
 //!
-//! | room | what it does |
+//! | module | contents |
 //! |---|---|
-//! | `render` | the options of `render`, which `watch` takes too |
-//! | `aim` | those of `render` alone: what settings are to keep |
-//! | `cast`, `info`, `study`, `explain`, `bake`, `compare`, `generate` | those of the command of this name |
-//! | `manual` | those of `man` and `schema` |
-//! | `settings` | the options of settings, which several commands share |
-//! | `names` | options whose values have names |
-//! | `times` | options whose values are times |
+//! | `render` | options of `render` and `watch` |
+//! | `aim` | options of `render` only: target error, time limit, cost map |
+//! | `cast`, `info`, `study`, `explain`, `bake`, `compare`, `generate` | options of the command of this name |
+//! | `manual` | options of `man` and `schema` |
+//! | `settings` | options of settings, shared by several commands |
+//! | `names` | options with named values |
+//! | `times` | options with durations |
 
 mod aim;
 mod bake;
@@ -35,118 +35,119 @@ pub use explain::ExplainArgs;
 pub use generate::GenerateArgs;
 pub use info::InfoArgs;
 pub use manual::{ManArgs, Schema};
-pub use render::{RenderArgs, StatsForm};
+pub use render::{RenderArgs, StatsFormat};
 pub use settings::{Groups, OfPixel, SettingArgs};
 pub use study::StudyArgs;
 
-/// What the exit status says.
-const STATUS: &str = "\
-Exit status: 0 done; 1 the answer is no (pictures differ, an error is not kept); 2 wrong usage; 65 the scene or another input is \
-wrong; 66 it cannot be read; 74 the output cannot be written; 75 stopped by SIGTERM, may be tried again; \
-130 interrupted.";
+/// Help text of the exit status.
+const EXIT_STATUS_HELP: &str = "\
+Exit status: 0 success; 1 check failed (pictures differ, target error not reached); 2 usage error; \
+65 invalid scene or input; 66 input not readable; 74 output not writable; 75 stopped by SIGTERM or out of \
+time, can be retried; 130 interrupted.";
 
 /// A Whitted ray tracer: the same picture, bit for bit, on a workstation and on a
 /// microcontroller.
 #[derive(Debug, Parser)]
-#[command(version, max_term_width = 100, after_long_help = STATUS)]
+#[command(version, max_term_width = 100, after_long_help = EXIT_STATUS_HELP)]
 pub struct Args {
-    /// What to do.
+    /// Command.
     #[command(subcommand)]
     pub command: Command,
 }
 
-/// What to do.
+/// Commands and their options.
 #[derive(Debug, Subcommand)]
 pub enum Command {
-    /// Render a scene into a picture.
+    /// Render a scene to a picture file.
     #[command(after_long_help = render::EXAMPLES)]
     Render {
-        /// What, and how.
+        /// Options that `watch` has too.
         #[command(flatten)]
         args: RenderArgs,
 
-        /// What is aimed at.
+        /// Target error, time limit and cost map.
         #[command(flatten)]
         aim: AimArgs,
 
-        /// Print the settings in force and where each comes from, ready to be put into a scene or
-        /// behind a command, and make no picture.
+        /// Print the effective settings and the source of each, as TOML for a scene and as a command line;
+        /// render nothing.
         #[arg(long, conflicts_with_all = ["cost", "target_error", "time_limit"])]
         print_settings: bool,
     },
-    /// Tell what rays hit: rays in as CSV, hits out as CSV.
+    /// Intersect rays with a scene: rays in as CSV, hits out as CSV.
     ///
-    /// A ray is a line ox,oy,oz,dx,dy,dz or ox,oy,oz,dx,dy,dz,tmax: where it starts, where it goes
-    /// (a direction of any length from 1e-30 to 1e30), and how far a hit may be, in lengths of that
-    /// direction. The first line may name the fields instead, by these names in this order; then the
-    /// first row names those of the hits, so that rows and lines always stand side by side.
+    /// A ray is a line ox,oy,oz,dx,dy,dz or ox,oy,oz,dx,dy,dz,tmax: origin, direction (length from 1e-30 to
+    /// 1e30) and largest t. The first line may be a header with these names in this order; then the first
+    /// output row is a header too, so that line N of the output always answers line N of the input.
     ///
-    /// The row of a ray is hit,t,object,px,py,pz,nx,ny,nz: 1 or 0; how far, 0 < t <= tmax, in lengths
-    /// of the direction; the number of the object in the order of the scene file, from 0, where every
-    /// triangle of a mesh counts as one; the point; and the geometric normal, of length one, which is
-    /// not turned towards the ray: outward for solids, away from the axis for open cylinders and
-    /// cones, by the right hand round the corners for triangles and polygons. Both sides of every
-    /// surface count. After the 0 of a miss everything is empty. Numbers have the shortest form that
-    /// is read back exactly.
+    /// A row is hit,t,object,px,py,pz,nx,ny,nz: 1 or 0; t with 0 < t <= tmax, in units of the given
+    /// direction; the index of the object in the order of the scene file, from 0, where every triangle of a
+    /// mesh counts as one; the hit point; and the geometric unit normal, which is not flipped towards the
+    /// ray: outward for solids, away from the axis for open cylinders and cones, by the right-hand rule
+    /// around the vertices of triangles and polygons. Surfaces are hit from both sides. For a miss, all
+    /// fields after 0 are empty. Numbers are printed in the shortest form that reads back exactly.
     ///
-    /// Numbers may be nan, inf, or out of range (that of the precision; 1e15 for where a ray starts):
-    /// such a ray is a miss, as is one without direction. -0 is 0. A tmax of inf is no limit; one that is nan, 0
-    /// or negative lets nothing be hit. A line with another number of fields, or with a word that is no
-    /// number, is an error (status 65) that names it; the rows of the lines before it stay.
+    /// NaN, infinite and out-of-range numbers (beyond the precision, or beyond 1e15 for an origin) are
+    /// accepted: such a ray is a miss, as is a ray with a zero direction. -0 is 0. A tmax of inf means no
+    /// limit; with a tmax of nan, 0 or less the ray is a miss. A line with a wrong number of fields, or
+    /// with a field that is not a number, is an error (status 65) that names the line; rows of earlier
+    /// lines are kept.
     ///
-    /// Rows come as soon as lines do, so a pipe may ask and wait for the answer.
+    /// Rows are written as soon as their lines are read, so that a program can write a ray and wait for its
+    /// hit.
     Cast(CastArgs),
-    /// Render a scene again at every save of it and of the files that it names, until Ctrl-C.
+    /// Render a scene again whenever it, or a file that it references, is saved; Ctrl-C ends it.
     ///
-    /// A coarse picture comes first, then the full one. What is wrong in the scene is told, and
-    /// the last picture stays until it is mended. Takes the options of `render`, and follows the mask
-    /// too; but not what is aimed at (--target-error, --time-limit), and no --cost. The picture goes
-    /// into a file, never to the standard output.
+    /// A coarse preview is written first, then the full picture. Errors in the scene are reported, and the
+    /// last picture is kept until they are fixed. Takes the options of `render` except --target-error,
+    /// --verify, --time-limit, --cost and --print-settings; watches the mask too. The output must be a
+    /// file.
     Watch(RenderArgs),
-    /// Tell what is in a scene, what it asks for and why, and what it takes.
+    /// Show the contents of a scene, the effects it requires and why, and the memory of each accelerator.
     Info(InfoArgs),
-    /// Measure what accuracy costs in time, setting by setting, and show it.
+    /// Measure accuracy against rendering time for many settings, and write a report.
     ///
-    /// The scene is rendered over a plan of settings, each held against a reference of high quality.
-    /// The folder that comes of it has a page to look at (report.html, which needs no network), the
-    /// runs as a table (study.csv), and everything as it was measured (study.json, whose schema
-    /// `strahl schema study` prints), of which --from makes the page again.
+    /// The scene is rendered with many settings, and each picture is compared with a high-quality
+    /// reference. The output folder has a report (report.html, no network needed), the runs as a table
+    /// (study.csv) and all measurements (study.json; `strahl schema study` prints its schema), from which
+    /// --from makes the report again.
     Study(StudyArgs),
-    /// Show the tree of rays of one pixel: what each meets, which lights are seen, what counts how much.
+    /// Show the ray tree of one pixel: what each ray hits, which lights are visible, and what contributes
+    /// how much.
     ///
-    /// Every ray is told with its level and its weight (the share of what it finds that counts), what
-    /// it meets where in the scene file, how far away, which lights are seen from there or what
-    /// stands in their way, what was cut and why. The sum of what the rays add is the pixel, bit for
-    /// bit. A pixel of several samples prints a tree for each, and how the pixel comes of them.
+    /// For every ray: its level and weight (its share of the pixel), what it hits and where that is in the
+    /// scene file, the distance, which lights are visible or what occludes them, and which secondary rays
+    /// were not traced and why. The contributions of the rays add up to the pixel, bit for bit. For a pixel
+    /// with several samples, one tree is printed for each, and how the pixel is computed from them.
     #[command(after_long_help = explain::EXAMPLES)]
     Explain(ExplainArgs),
-    /// Bake a scene with its accelerator into bytes that a device traces from flash.
+    /// Bake a scene and its accelerator into a binary that a device renders from flash.
     ///
-    /// The firmware opens them where they lie (`BakedScene::open` of the core): nothing is copied and
-    /// nothing is built. Tells what a device must have for it.
+    /// Firmware opens it in place (`BakedScene::open` of strahl-core): nothing is copied or built on the
+    /// device. Prints the flash, RAM and stack that the scene needs.
     Bake(BakeArgs),
-    /// Tell how two pictures differ; the exit status is 0 when they do not, 1 when they do.
+    /// Compare two pictures; the exit status is 0 if they are equal, 1 if they differ.
     ///
-    /// All differences are of sRGB-encoded values, 0 to 1; of two EXR files too, whose largest
-    /// linear difference is told besides. An EXR file beside another format is rounded to the bits
-    /// of that one.
+    /// All differences are of sRGB-encoded values, 0 to 1, also for two EXR files, whose largest linear
+    /// difference is printed in addition. An EXR file that is compared with another format is first rounded
+    /// to that format's bit depth.
     Compare(CompareArgs),
-    /// Make a scene by a formula, of any size, for measuring how time and memory grow.
+    /// Generate a procedural scene of any size, to measure how time and memory scale.
     ///
-    /// Names, views, lights and surfaces are those of the Standard Procedural Databases (Eric Haines,
-    /// 1987) where they have such a scene, at the same sizes. The same command makes the same file on
-    /// every machine.
+    /// Names, views, lights, materials and sizes are those of the Standard Procedural Databases (Eric
+    /// Haines, 1987) where these have such a scene. The same command writes the same bytes on every
+    /// machine.
     Generate(GenerateArgs),
-    /// Print the completions for a shell.
+    /// Print shell completions.
     Completions {
-        /// Which.
+        /// Shell.
         shell: Shell,
     },
     /// Print the manual page.
     Man(ManArgs),
-    /// Print the JSON Schema of scenes in TOML, for editors, or that of study.json.
+    /// Print the JSON Schema of TOML scenes (for editors) or of study.json.
     Schema {
-        /// Of which file.
+        /// File format.
         #[arg(default_value = "scene")]
         what: Schema,
     },

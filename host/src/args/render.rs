@@ -1,4 +1,4 @@
-//! The options of `render`, which `watch` takes too.
+//! The options of `render` and `watch`.
 
 use std::path::PathBuf;
 
@@ -6,54 +6,54 @@ use clap::{Parser, ValueEnum};
 
 use super::settings::{EverySetting, SettingArgs};
 
-/// How `render` is called.
+/// Examples in the help of `render`.
 pub(super) const EXAMPLES: &str = "\
 Examples:
   strahl render glass.toml                           writes glass.png
   strahl render glass.toml --size 1280x960 --sampler regular:3 -o large.exr
-  strahl render glass.toml --cost cost.png           where the work goes, as a picture
-  strahl render glass.toml --target-error 0.01       the cheapest settings that are as good as that
+  strahl render glass.toml --cost cost.png           cost of each pixel as a heat map
+  strahl render glass.toml --target-error 0.01       the cheapest settings within this error
   strahl render glass.toml --target-error 0.01 --verify
   strahl render glass.toml --time-limit 2s           the best picture in two seconds";
 
-/// What to render, and how.
+/// Options of `render` and `watch`.
 #[derive(Debug, Parser)]
 pub struct RenderArgs {
-    /// The scene: .toml, .nff, or a model: .obj, .ply, .gltf, .glb.
+    /// Scene (.toml, .nff) or model (.obj, .ply, .gltf, .glb).
     pub scene: PathBuf,
 
-    /// Where the picture goes; the extension names the format (.png .ppm .qoi .jpg .tif .exr), `-`
-    /// is the standard output (PNG) [default: the scene's name with .png, in the current folder].
+    /// Output picture; the extension selects the format (.png .ppm .qoi .jpg .tif .exr); `-` writes PNG to
+    /// standard output [default: the scene's name with .png, in the current folder].
     #[arg(short, long, value_name = "FILE")]
     pub output: Option<PathBuf>,
 
-    /// Trace only the pixels that are white in this picture, of the same size; the others stay
-    /// black.
+    /// Render only the pixels that are white in this picture, which must have the same resolution; the
+    /// others are black.
     #[arg(long, value_name = "IMAGE")]
     pub mask: Option<PathBuf>,
 
-    /// Which picture, and how the work is done.
+    /// Settings of the picture and of the computation.
     #[command(flatten)]
     pub settings: SettingArgs<EverySetting>,
 
-    /// Report what was counted and measured, on the standard output or in --stats-file.
+    /// Write statistics to standard output or to --stats-file.
     #[arg(long, value_name = "FORM")]
-    pub stats: Option<StatsForm>,
+    pub stats: Option<StatsFormat>,
 
-    /// Where the report goes [default form: json].
+    /// File for the statistics; implies --stats json unless --stats is given.
     #[arg(long, value_name = "FILE")]
     pub stats_file: Option<PathBuf>,
 
-    /// Say nothing but errors.
+    /// Print errors only.
     #[arg(short, long)]
     pub quiet: bool,
 }
 
-/// How a report is written.
+/// Format of the statistics.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
-pub enum StatsForm {
-    /// For people.
+pub enum StatsFormat {
+    /// Text.
     Text,
-    /// For programs.
+    /// JSON.
     Json,
 }

@@ -1,4 +1,4 @@
-//! Options of settings, which are made from the declarations of these.
+//! Options of settings, built from the declarations in `strahl-settings`.
 
 use std::fmt;
 use std::marker::PhantomData;
@@ -12,7 +12,7 @@ use super::names;
 
 /// The settings that a command has options for.
 pub trait Groups {
-    /// Their groups.
+    /// The groups of settings.
     const GROUPS: &'static [Group];
 }
 
@@ -23,28 +23,28 @@ impl Groups for EverySetting {
     const GROUPS: &'static [Group] = Group::ALL;
 }
 
-/// Those of one pixel.
+/// Settings of one pixel, for `explain`.
 pub struct OfPixel;
 
 impl Groups for OfPixel {
     const GROUPS: &'static [Group] = strahl_session::explain::tree::SETTING_GROUPS;
 }
 
-/// Those of a picture that are the same wherever it is traced.
+/// Settings of a picture that a baked scene stores.
 pub struct OfFrame;
 
 impl Groups for OfFrame {
     const GROUPS: &'static [Group] = &[Group::Frame];
 }
 
-/// Those of rays that are not of a picture.
+/// Settings of a ray query, for `cast`.
 pub struct OfRays;
 
 impl Groups for OfRays {
     const GROUPS: &'static [Group] = &[Group::Precision, Group::Acceleration, Group::Work];
 }
 
-/// How the work is divided.
+/// Settings of the work: threads.
 pub struct OfWork;
 
 impl Groups for OfWork {
@@ -53,7 +53,7 @@ impl Groups for OfWork {
 
 /// The settings that the command line sets.
 pub struct SettingArgs<G> {
-    /// These.
+    /// The settings with an option on the command line.
     pub given: SettingsOverrides,
     groups: PhantomData<G>,
 }
@@ -70,7 +70,7 @@ impl<G> fmt::Debug for SettingArgs<G> {
     }
 }
 
-/// The settings of some groups that have an option.
+/// The settings of the groups that have an option, with its name.
 fn options<G: Groups>() -> impl Iterator<Item = (&'static Setting, &'static str)> {
     let is_one = |setting: &&Setting| G::GROUPS.contains(&setting.group);
     SETTINGS.iter().filter(is_one).filter_map(|setting| Some((setting, setting.option_name()?)))
@@ -122,7 +122,7 @@ fn option(setting: &'static Setting, name: &'static str) -> Arg {
     let default = setting.word(&Settings::default()).filter(|_| setting.is_in_scenes());
     let default = default.map(|word| format!(" [default: the scene's, or {word}]")).unwrap_or_default();
     let arg = arg.help(format!("{}{default}", setting.about())).value_name(placeholder);
-    // Checked here, so that what is wrong is told with the option's name.
+    // Checked here, so that an error message names the option.
     let checked = move |word: &str| setting.parse(word).map(|_| word.to_owned());
     match setting.domain {
         Domain::Name(all) => arg.value_parser(names::parser(all)),

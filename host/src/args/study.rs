@@ -10,45 +10,46 @@ use strahl_settings::{Domain, Value};
 use super::settings::{OfWork, SettingArgs};
 use super::times::duration;
 
-/// What to study, and how thoroughly.
+/// Options of `study`.
 #[derive(Debug, Parser)]
 pub struct StudyArgs {
-    /// The scene: .toml, .nff, or a model: .obj, .ply, .gltf, .glb.
+    /// Scene (.toml, .nff) or model (.obj, .ply, .gltf, .glb).
     #[arg(required_unless_present = "from")]
     pub scene: Option<PathBuf>,
 
-    /// The folder for it [default: the scene's name with -study, in the current folder; with --from the
-    /// folder of that file].
+    /// Output folder [default: the scene's name with -study, in the current folder; with --from, the folder
+    /// of that file].
     #[arg(short, long, value_name = "DIR")]
     pub output: Option<PathBuf>,
 
-    /// Width and height in pixels [default: the scene's shape, with at most 65536 pixels].
+    /// Width and height in pixels [default: the scene's aspect ratio, at most 65536 pixels].
     #[arg(long, value_name = "WxH", value_parser = size, allow_hyphen_values = true)]
     pub size: Option<Resolution>,
 
-    /// More notches of every knob, a finer reference, and more repetitions; takes as long as it takes.
+    /// Measure more values of every setting, with a finer reference and more repetitions; no time limit by
+    /// default.
     #[arg(long)]
     pub full: bool,
 
-    /// End by then, as in 30s, 5m or 1h 30m; what there is no time for is left out, and told [default: 50s;
-    /// with --full none].
+    /// Finish within this time, as in 30s, 5m or 1h 30m; settings for which no time is left are skipped and
+    /// listed [default: 50s; none with --full].
     #[arg(long, value_name = "TIME", value_parser = duration)]
     pub time_limit: Option<Duration>,
 
-    /// How the work is divided.
+    /// Threads.
     #[command(flatten)]
     pub settings: SettingArgs<OfWork>,
 
-    /// Measure nothing: make the page and the table of this study.json again.
+    /// Measure nothing; write report.html and study.csv from this study.json.
     #[arg(long, value_name = "STUDY.JSON", conflicts_with_all = ["scene", "size", "full", "time_limit", "threads"])]
     pub from: Option<PathBuf>,
 
-    /// Lay what firmware has measured into the page: a CSV file whose first line is
+    /// Add firmware measurements to the report, from a CSV file whose first line is
     /// scene,width,height,precision,levels,cutoff,sampler,instructions,rays,rmse.
     #[arg(long, value_name = "CSV")]
     pub device: Option<PathBuf>,
 
-    /// Say nothing but errors.
+    /// Print errors only.
     #[arg(short, long)]
     pub quiet: bool,
 }

@@ -1,17 +1,17 @@
-//! Options whose values are times.
+//! Options with durations.
 
 use std::time::Duration;
 
-/// As long a time as anything here may take: more, added to the time of day, may be no time any more.
-const LONGEST: Duration = Duration::from_secs(1000 * 24 * 60 * 60);
+/// Longest duration of an option, so that adding it to the current time cannot overflow.
+const MAX_DURATION: Duration = Duration::from_secs(1000 * 24 * 60 * 60);
 
-/// A time with its units.
+/// A duration with its units.
 pub(super) fn duration(text: &str) -> Result<Duration, String> {
     let time = humantime::parse_duration(text).map_err(|error| error.to_string())?;
-    not_too_long(time)
+    checked_duration(time)
 }
 
-/// A time that is not longer than anything here may take.
-pub(super) fn not_too_long(time: Duration) -> Result<Duration, String> {
-    if time <= LONGEST { Ok(time) } else { Err("at most 1000 days are expected".into()) }
+/// The duration, or an error if it is longer than [`MAX_DURATION`].
+pub(super) fn checked_duration(time: Duration) -> Result<Duration, String> {
+    if time <= MAX_DURATION { Ok(time) } else { Err("must be at most 1000 days".into()) }
 }

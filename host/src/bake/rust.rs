@@ -1,4 +1,4 @@
-//! A scene as Rust constants, for those who prefer that to bytes.
+//! A scene as Rust constants.
 
 use std::fmt::Write as _;
 use std::path::Path;
@@ -12,11 +12,11 @@ use strahl_core::{
 
 use super::settings::BakeSettings;
 
-/// A room of constants: `SCENE`, `CAMERA`, `SIZE`, `LIMITS`, `ITEMS`, and `SceneEffects`, the effects.
-pub(super) fn source(path: &Path, scene: &Scene<'_>, asked: &BakeSettings) -> String {
+/// Constants of the scene: `SCENE`, `CAMERA`, `SIZE`, `LIMITS`, `ITEMS`, and `SceneEffects`, the effects.
+pub(super) fn source(path: &Path, scene: &Scene<'_>, settings: &BakeSettings) -> String {
     let parts = scene.descriptor();
     let name = path.file_name().unwrap_or_default().to_string_lossy().replace(['\n', '\r'], " ");
-    let (width, height) = (asked.size.width(), asked.size.height());
+    let (width, height) = (settings.size.width(), settings.size.height());
     let mut out = format!(
         "// Written by `strahl bake` from {name}.\n\nuse strahl_core::{{geometry::*, math::*, scene::*, trace::*}};\n\n\
          /// Size of the picture in pixels.\npub const SIZE: Resolution = Resolution::new({width}, {height}).unwrap();\n\n\
@@ -24,13 +24,13 @@ pub(super) fn source(path: &Path, scene: &Scene<'_>, asked: &BakeSettings) -> St
          pub const LIMITS: Limits = Limits {{ levels: {}, cutoff: {} }};\n\n\
          /// Camera.\npub const CAMERA: CameraDescriptor = {};\n\n\
          /// Number of items.\npub const ITEMS: u32 = {};\n\n",
-        asked.levels,
-        text(&asked.cutoff),
-        text(&asked.view),
+        settings.levels,
+        text(&settings.cutoff),
+        text(&settings.view),
         parts.material_ids.len(),
     );
-    // What the camera asks for is no part of the scene's own demand.
-    let lens = matches!(asked.view.projection, Projection::ThinLens { .. });
+    // The lens belongs to the camera, so the effects of the scene do not include it.
+    let lens = matches!(settings.view.projection, Projection::ThinLens { .. });
     effects(&mut out, &EffectSet { depth_of_field: lens, ..scene.required_effects() });
     let g = &parts.geometry;
     out += "/// Tables of the scene, not yet validated.\npub static SCENE: SceneDescriptor<'static> = SceneDescriptor {\n    geometry: Geometry {\n";
@@ -75,17 +75,17 @@ pub(super) fn source(path: &Path, scene: &Scene<'_>, asked: &BakeSettings) -> St
     out
 }
 
-fn table<T: Literal>(out: &mut String, name: &str, of: &str, entries: &[T]) {
+fn table<T: RustLiteral>(out: &mut String, name: &str, of: &str, entries: &[T]) {
     let _ = writeln!(out, "static {name}: [{of}; {}] = [", entries.len());
     for entry in entries {
         out.push_str("    ");
-        entry.literal(out);
+        entry.write_literal(out);
         out.push_str(",\n");
     }
     out.push_str("];\n");
 }
 
-/// The effects that the scene asks for. In debug form a set is a list of the names of its kinds.
+/// The effects that the scene requires, as a type.
 fn effects(out: &mut String, set: &EffectSet) {
     out.push_str(
         "/// Exactly the effects that the scene requires.\n#[derive(Clone, Copy, Debug)]\npub struct SceneEffects;\n\n",
@@ -97,7 +97,7 @@ fn effects(out: &mut String, set: &EffectSet) {
     let _ = writeln!(out, "        shapes: ShapeSet::of(&[{}]),", shapes.join(", "));
     let _ = writeln!(out, "        lights: LightSet::of(&[{}]),", lights.join(", "));
     let _ = writeln!(out, "        textures: TextureSet::of(&[{}]),", textures.join(", "));
-    for (name, is_asked) in [
+    for (name, is_required) in [
         ("smooth_shading", set.smooth_shading),
         ("highlight", set.highlight),
         ("shadows", set.shadows),
@@ -110,24 +110,24 @@ fn effects(out: &mut String, set: &EffectSet) {
         ("gloss", set.gloss),
         ("motion_blur", set.motion_blur),
     ] {
-        let _ = writeln!(out, "        {name}: {is_asked},");
+        let _ = writeln!(out, "        {name}: {is_required},");
     }
     out.push_str("        ..EffectSet::NONE\n    };\n}\n\n");
 }
 
-fn text(value: &impl Literal) -> String {
+fn text(value: &impl RustLiteral) -> String {
     let mut out = String::new();
-    value.literal(&mut out);
+    value.write_literal(&mut out);
     out
 }
 
-/// Something that can be written in Rust.
-trait Literal {
-    fn literal(&self, out: &mut String);
+/// A value that can be written as a Rust expression.
+trait RustLiteral {
+    fn write_literal(&self, out: &mut String);
 }
 
-impl Literal for f32 {
-    fn literal(&self, out: &mut String) {
+impl RustLiteral for f32 {
+    fn write_literal(&self, out: &mut String) {
         if *self == f32::INFINITY {
             out.push_str("f32::INFINITY");
         } else {
@@ -139,8 +139,8 @@ impl Literal for f32 {
 
 macro_rules! displayed {
     ($($Type:ty)*) => {$(
-        impl Literal for $Type {
-            fn literal(&self, out: &mut String) {
+        impl RustLiteral for $Type {
+            fn write_literal(&self, out: &mut String) {
                 let _ = write!(out, "{self}");
             }
         }
@@ -148,8 +148,8 @@ macro_rules! displayed {
 }
 displayed!(u8 u16 u32 bool);
 
-impl<T: Literal, const N: usize> Literal for [T; N] {
-    fn literal(&self, out: &mut String) {
+impl<T: RustLiteral, const N: usize> RustLiteral for [T; N] {
+    fn write_literal(&self, out: &mut String) {
         let entries: Vec<String> = self.iter().map(text).collect();
         let _ = write!(out, "[{}]", entries.join(", "));
     }
@@ -157,8 +157,8 @@ impl<T: Literal, const N: usize> Literal for [T; N] {
 
 macro_rules! calls {
     ($($Type:ident $name:literal ($($field:tt),*))*) => {$(
-        impl Literal for $Type {
-            fn literal(&self, out: &mut String) {
+        impl RustLiteral for $Type {
+            fn write_literal(&self, out: &mut String) {
                 let fields: Vec<String> = vec![$(text(&self.$field)),*];
                 let _ = write!(out, "{}({})", $name, fields.join(", "));
             }
@@ -173,8 +173,8 @@ calls! {
     TextureId "TextureId" (0)
 }
 
-impl Literal for FresnelModel {
-    fn literal(&self, out: &mut String) {
+impl RustLiteral for FresnelModel {
+    fn write_literal(&self, out: &mut String) {
         let _ = write!(out, "FresnelModel::{self:?}");
     }
 }
@@ -187,8 +187,8 @@ fn fields(out: &mut String, name: &str, fields: &[(&str, String)]) {
 /// Structs, by their fields. Without `..`, so that a new field is an error here.
 macro_rules! structs {
     ($($Struct:ident { $($field:ident),* })*) => {$(
-        impl Literal for $Struct {
-            fn literal(&self, out: &mut String) {
+        impl RustLiteral for $Struct {
+            fn write_literal(&self, out: &mut String) {
                 let $Struct { $($field),* } = self;
                 fields(out, stringify!($Struct), &[$((stringify!($field), text($field))),*]);
             }
@@ -218,8 +218,8 @@ structs! {
 /// Enums whose variants have fields with names.
 macro_rules! variants {
     ($($Enum:ident { $($Variant:ident { $($field:ident),* })* })*) => {$(
-        impl Literal for $Enum {
-            fn literal(&self, out: &mut String) {
+        impl RustLiteral for $Enum {
+            fn write_literal(&self, out: &mut String) {
                 match self {
                     $($Enum::$Variant { $($field),* } => {
                         let name = concat!(stringify!($Enum), "::", stringify!($Variant));
@@ -250,8 +250,8 @@ variants! {
     }
 }
 
-impl Literal for Background {
-    fn literal(&self, out: &mut String) {
+impl RustLiteral for Background {
+    fn write_literal(&self, out: &mut String) {
         match self {
             Background::Color(color) => {
                 let _ = write!(out, "Background::Color({})", text(color));
@@ -264,8 +264,8 @@ impl Literal for Background {
     }
 }
 
-impl Literal for Shape {
-    fn literal(&self, out: &mut String) {
+impl RustLiteral for Shape {
+    fn write_literal(&self, out: &mut String) {
         let place = match self {
             Shape::Sphere(sphere) => text(sphere),
             Shape::Triangle(corners) | Shape::SmoothTriangle(corners) => text(corners),

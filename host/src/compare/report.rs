@@ -1,4 +1,4 @@
-//! What is told about two pictures.
+//! Report on the differences of two pictures.
 
 use std::fmt::Write as _;
 
@@ -9,50 +9,49 @@ use strahl_scene::quantity::quantity;
 
 use crate::args::CompareArgs;
 
-/// How two pictures differ. Field by field as `--json` prints it; differences are of
-/// sRGB-encoded values, 0 to 1.
+/// Differences of two pictures, with the fields of `--json`. Differences are of sRGB-encoded values, 0 to 1.
 #[derive(Debug, Serialize)]
-pub struct Report {
+pub struct ComparisonReport {
     /// The first file.
     pub first: String,
-    /// The second.
+    /// The second file.
     pub second: String,
-    /// Pixels.
+    /// Width in pixels.
     pub width: u32,
-    /// Pixels.
+    /// Height in pixels.
     pub height: u32,
-    /// Every pixel is the same, bit for bit.
+    /// Whether all pixels are equal, bit for bit.
     pub identical: bool,
-    /// They differ no more than the limits allow: the exit status is 0.
+    /// Whether the differences are within the limits: the exit status is 0.
     pub equal: bool,
-    /// How much a channel may differ.
+    /// Largest allowed difference of a channel.
     pub limit: f64,
-    /// The share of pixels that may differ more.
+    /// Largest allowed share of pixels over the limit.
     pub limit_share: f64,
-    /// The largest difference of a channel, and where; null: none.
-    pub largest: Option<Place>,
+    /// The largest difference of a channel, and its pixel; null if there is none.
+    pub largest: Option<PeakLocation>,
     /// The mean difference of all channels.
     pub mean_absolute: f64,
-    /// The root of the mean of the squares.
+    /// Root mean square difference.
     pub rmse: f64,
-    /// Peak signal to noise, in decibels; null: infinite.
+    /// Peak signal-to-noise ratio in decibels; null if infinite.
     pub psnr: Option<f64>,
     /// Structural similarity; 1 is identical.
     pub ssim: f64,
     /// Pixels that differ at all.
-    pub differing: Share,
+    pub differing: PixelShare,
     /// Pixels that differ by more than 1/255.
-    pub beyond: Share,
+    pub beyond: PixelShare,
     /// Pixels that differ by more than the limit.
-    pub over_limit: Share,
-    /// The largest difference of linear light, and where; null: none, or not two EXR files.
-    pub largest_linear: Option<Place>,
+    pub over_limit: PixelShare,
+    /// The largest difference of linear light, and its pixel; null if there is none, or unless both files are EXR.
+    pub largest_linear: Option<PeakLocation>,
 }
 
-/// A difference and its place.
+/// A difference and its pixel.
 #[derive(Debug, Serialize)]
-pub struct Place {
-    /// Null: infinite, or only one of the two is a number.
+pub struct PeakLocation {
+    /// Null if infinite, or if one of the two values is NaN.
     pub difference: Option<f64>,
     /// Column, from 0 at the left.
     pub x: usize,
@@ -64,24 +63,24 @@ pub struct Place {
 
 /// A number of pixels.
 #[derive(Debug, Serialize)]
-pub struct Share {
-    /// How many.
+pub struct PixelShare {
+    /// Number of pixels.
     pub pixels: usize,
-    /// Of all, 0 to 1.
+    /// Share of all pixels, 0 to 1.
     pub share: f64,
 }
 
-impl Report {
-    /// Measures.
+impl ComparisonReport {
+    /// Measures the differences of a pair.
     pub fn new(args: &CompareArgs, size: Resolution, pair: &Pair) -> Self {
         let (width, pixels) = (size.width() as usize, size.width() as usize * size.height() as usize);
         let limit = if args.limit > 0.0 { Limit::Within(args.limit) } else { Limit::Identical };
         let measures = pair.measure(width, limit);
         let channels = 3.0 * pixels as f64;
         let rmse = (measures.squares / channels).sqrt();
-        let share = |count: usize| Share { pixels: count, share: count as f64 / pixels as f64 };
+        let share = |count: usize| PixelShare { pixels: count, share: count as f64 / pixels as f64 };
         let over_limit = share(measures.over_limit);
-        Report {
+        ComparisonReport {
             first: args.first.display().to_string(),
             second: args.second.display().to_string(),
             width: size.width(),
@@ -90,7 +89,7 @@ impl Report {
             equal: over_limit.share <= args.limit_share,
             limit: args.limit,
             limit_share: args.limit_share,
-            largest: Place::of(measures.peak),
+            largest: PeakLocation::of(measures.peak),
             mean_absolute: measures.absolute / channels,
             rmse,
             psnr: (rmse > 0.0).then(|| -20.0 * libm::log10(rmse)),
@@ -98,18 +97,18 @@ impl Report {
             differing: share(measures.differing),
             beyond: share(measures.beyond),
             over_limit,
-            largest_linear: pair.linear_peak(width).and_then(Place::of),
+            largest_linear: pair.linear_peak(width).and_then(PeakLocation::of),
         }
     }
 
-    /// For programs.
+    /// The report as JSON.
     pub fn to_json(&self) -> String {
         let mut json = serde_json::to_string_pretty(self).unwrap_or_default();
         json.push('\n');
         json
     }
 
-    /// For people.
+    /// The report as text.
     pub fn to_text(&self) -> String {
         let answer = match (self.identical, self.equal) {
             (true, _) => "identical",
@@ -118,61 +117,67 @@ impl Report {
         };
         let mut text =
             format!("{} and {}  {} x {}, {answer}\n", self.first, self.second, self.width, self.height);
-        let mut line = |label: &str, says: String| {
+        let mut line = |label: &str, value: String| {
             // Writing to a string cannot fail.
-            let _ = writeln!(text, "  {label:<11}{says}");
+            let _ = writeln!(text, "  {label:<11}{value}");
         };
         if self.identical {
             return text;
         }
-        line("differing", format!("{} at all, {} by more than 1/255", self.differing, self.beyond));
+        line("differing", format!("{}, {} by more than 1/255", self.differing, self.beyond));
         if self.limit > 0.0 || self.limit_share > 0.0 {
             let allowed = if self.limit_share > 0.0 {
-                format!(", {} % are allowed", percent(self.limit_share))
+                format!(" ({} % allowed)", percent(self.limit_share))
             } else {
                 String::new()
             };
-            line("limit", format!("{} by more than {}{allowed}", self.over_limit, short(self.limit)));
+            line(
+                "limit",
+                format!("{} by more than {}{allowed}", self.over_limit, three_significant_digits(self.limit)),
+            );
         }
         if let Some(largest) = &self.largest {
             let difference = largest.difference.unwrap_or(1.0);
-            let steps = short(difference * 255.0);
-            line("largest", format!("{} ({steps} of 255) {}", short(difference), largest.place()));
+            let steps = three_significant_digits(difference * 255.0);
+            line(
+                "largest",
+                format!("{} ({steps} of 255) {}", three_significant_digits(difference), largest.location()),
+            );
         }
         if let Some(largest) = &self.largest_linear {
-            let difference = largest.difference.map_or("infinite".into(), short);
-            line("linear", format!("{difference} at most, {}", largest.place()));
+            let difference = largest.difference.map_or("infinite".into(), three_significant_digits);
+            line("linear", format!("at most {difference}, {}", largest.location()));
         }
-        line("mean", short(self.mean_absolute));
+        line("mean", three_significant_digits(self.mean_absolute));
         let psnr = self.psnr.map_or(String::new(), |psnr| format!(" (PSNR {psnr:.1} dB)"));
-        line("RMSE", format!("{}{psnr}", short(self.rmse)));
+        line("RMSE", format!("{}{psnr}", three_significant_digits(self.rmse)));
         // Not rounded up to 1, which is identical.
         line("SSIM", format!("{:.6}", (self.ssim * 1e6).floor() / 1e6));
         text
     }
 }
 
-impl Place {
+impl PeakLocation {
     fn of(peak: Peak) -> Option<Self> {
         let Peak { difference, x, y, channel } = peak;
         let finite = difference.is_finite().then_some(difference);
-        (difference > 0.0).then_some(Place { difference: finite, x, y, channel })
+        (difference > 0.0).then_some(PeakLocation { difference: finite, x, y, channel })
     }
 
-    fn place(&self) -> String {
+    fn location(&self) -> String {
         format!("at {},{} in {}", self.x, self.y, self.channel.name())
     }
 }
 
-impl std::fmt::Display for Share {
+impl std::fmt::Display for PixelShare {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
         write!(f, "{} ({} %)", quantity(self.pixels, "pixel"), percent(self.share))
     }
 }
 
-/// A share in hundredths, with three digits that count, but never all where something is missing.
+/// A share in percent with three significant digits, but 100 only for exactly 1.
 fn percent(share: f64) -> String {
-    let text = short(share * 100.0);
+    let text = three_significant_digits(share * 100.0);
     if text != "100" || share == 1.0 {
         return text;
     }
@@ -180,11 +185,11 @@ fn percent(share: f64) -> String {
     longer.find(|text| !text.starts_with("100")).unwrap_or(text)
 }
 
-/// Where the text of the lines begins.
+/// Column of the text of a line, after its label.
 pub const INDENT: usize = 13;
 
-/// Three digits that count.
-fn short(number: f64) -> String {
+/// A number with three significant digits.
+fn three_significant_digits(number: f64) -> String {
     if number == 0.0 {
         return "0".into();
     }
@@ -201,19 +206,19 @@ fn short(number: f64) -> String {
 
 #[cfg(test)]
 mod tests {
-    use super::{percent, short};
+    use super::{percent, three_significant_digits};
 
     #[test]
-    fn not_quite_all_is_not_all_and_hardly_anything_is_not_nothing() {
+    fn only_exactly_one_is_100_percent_and_tiny_shares_are_not_0() {
         let shares = [0.0, 1.0, 307_197.0 / 307_200.0, 0.9996, 0.99949, 1.0 - 1e-9, 1e-9, 0.5];
         let texts = ["0", "100", "99.999", "99.96", "99.9", "99.9999999", "1.00e-7", "50"];
         assert_eq!(shares.map(percent), texts);
     }
 
     #[test]
-    fn short_numbers_have_three_digits_that_count() {
+    fn numbers_have_three_significant_digits() {
         let numbers = [0.0, 1.0, 0.5, 1.0 / 3.0, 12.345, 254.7, 98765.0, 0.000_123_456, 1.0e-9];
         let texts = ["0", "1", "0.5", "0.333", "12.3", "255", "98765", "0.000123", "1.00e-9"];
-        assert_eq!(numbers.map(short), texts);
+        assert_eq!(numbers.map(three_significant_digits), texts);
     }
 }

@@ -1,5 +1,5 @@
-//! The tree of rays as a picture: the eye at the top, a box for each ray with what it meets and
-//! which lights are seen from there, and below it the rays that go on.
+//! The ray tree as SVG: the camera at the top, and a box for each ray with its hit and the visible lights, above
+//! the boxes of its secondary rays.
 
 use std::fmt::Write as _;
 
@@ -11,25 +11,25 @@ use strahl_session::explain::tree::{
     LightRecord, NameAndLine, PixelExplanation, RayRecord, SampleRecord, SecondaryRayRecord,
 };
 
-/// How wide a box is.
+/// Width of a box.
 const WIDTH: f64 = 222.0;
-/// How wide what stands for a ray is that was not sent.
+/// Width of a ray that was not traced.
 const STUB: f64 = 92.0;
-/// Between two of either.
+/// Horizontal distance of boxes.
 const GAP: f64 = 18.0;
-/// Between the boxes of a ray and of those that it sends.
+/// Vertical distance of the boxes of a ray and of its secondary rays.
 const DROP: f64 = 64.0;
-/// What the legend takes.
+/// Width of the legend.
 const LEGEND: f64 = 660.0;
-/// A row of text.
+/// Height of a row of text.
 const ROW: f64 = 17.0;
-/// Round the whole.
+/// Margin.
 const MARGIN: f64 = 24.0;
 /// Below the title.
 const TOP: f64 = 92.0;
 /// The characters of a row.
 const CHARACTERS: usize = 33;
-/// The most lights that are told of one by one.
+/// Maximum number of listed lights.
 const LIGHTS: usize = 6;
 
 const STYLE: &str = "\
@@ -67,7 +67,7 @@ pub fn picture(explained: &PixelExplanation, sample: &SampleRecord) -> String {
     legend(&mut svg);
     if let Some(place) = tree.places.first() {
         let (x, y) = (place.middle, TOP);
-        // The eye.
+        // The camera.
         let _ = writeln!(
             svg,
             "<path class=\"ray camera\" d=\"M{x0:.1} {y:.1}Q{x:.1} {up:.1} {x1:.1} {y:.1}Q{x:.1} {down:.1} {x0:.1} \
@@ -99,7 +99,7 @@ fn titles(explained: &PixelExplanation, sample: &SampleRecord) -> (String, Strin
 fn legend(svg: &mut String) {
     let mut x = MARGIN;
     for (class, name) in
-        [("reflected", "reflected"), ("transmitted", "transmitted"), ("camera cut", "not sent")]
+        [("reflected", "reflected"), ("transmitted", "transmitted"), ("camera cut", "not traced")]
     {
         let _ = writeln!(
             svg,
@@ -109,7 +109,7 @@ fn legend(svg: &mut String) {
         x += 52.0 + 7.0 * name.len() as f64;
     }
     for (class, bar, name) in
-        [("on", false, "light seen"), ("off", true, "in shadow of"), ("off", false, "not asked")]
+        [("on", false, "light visible"), ("off", true, "occluded by"), ("off", false, "no shadow ray")]
     {
         let _ = write!(svg, "<circle class=\"{class}\" cx=\"{:.1}\" cy=\"68\" r=\"4.5\"/>", x + 5.0);
         if bar {
@@ -123,7 +123,7 @@ fn legend(svg: &mut String) {
 /// Where the box of a ray is.
 #[derive(Clone, Copy, Default)]
 struct Place {
-    /// How much room it takes with all that it sends.
+    /// Width of its subtree.
     width: f64,
     middle: f64,
 }
@@ -135,7 +135,7 @@ struct Tree<'s> {
 }
 
 impl Tree<'_> {
-    /// The room that a ray takes, with all that it sends. At most as deep as there are levels.
+    /// Computes the width of the subtree of a ray. The depth of recursion is at most the number of levels.
     fn width(&mut self, place: usize) -> f64 {
         let Some(ray) = self.sample.rays.get(place) else { return WIDTH };
         let below: f64 = ray.sends.iter().map(|sent| self.width_of(sent) + GAP).sum();
@@ -150,13 +150,13 @@ impl Tree<'_> {
         sent.ray.map_or(STUB, |number| self.width(number - 1))
     }
 
-    /// Draws a ray and all that it sends from `left` on; how far down that reaches.
+    /// Draws the subtree of a ray from `left`; its lower edge.
     fn draw(&mut self, place: usize, left: f64, top: f64) -> f64 {
         let sample = self.sample;
         let (Some(ray), Some(it)) = (sample.rays.get(place), self.places.get(place).copied()) else {
             return top;
         };
-        // The last that was sent is followed first, and stands at the left.
+        // The last secondary ray is traced first, and is at the left.
         let widths: Vec<f64> = ray.sends.iter().rev().map(|sent| self.width_of(sent)).collect();
         let below: f64 = widths.iter().map(|width| width + GAP).sum::<f64>() - GAP;
         let middle = left + it.width / 2.0;
@@ -231,29 +231,29 @@ impl Tree<'_> {
     }
 }
 
-/// What stands in the box of a ray.
+/// Text of the box of a ray.
 fn rows(ray: &RayRecord) -> Vec<String> {
-    let Some(hit) = &ray.hit else { return vec!["nothing".into(), "sees the background".into()] };
+    let Some(hit) = &ray.hit else { return vec!["nothing".into(), "background".into()] };
     let thing = &hit.item;
     let place =
         if thing.line > 0 { format!("line {}", thing.line) } else { format!("object {}", thing.object) };
     let mut rows = vec![format!("{}, {place}", thing.shape)];
     let material = thing.material.name.as_ref().map(|name| format!("{name}, ")).unwrap_or_default();
     let side = if hit.outside { "outside" } else { "inside" };
-    rows.push(format!("{material}after {}, {side}", short(hit.distance)));
+    rows.push(format!("{material}distance {}, {side}", short(hit.distance)));
     if hit.left != [1.0; 3] {
-        rows.push(format!("the way leaves {}", hit.left.map(short).join(" ")));
+        rows.push(format!("attenuation {}", hit.left.map(short).join(" ")));
     }
     if hit.hidden {
-        rows.push("hidden: straight on".into());
+        rows.push("hidden surface".into());
     }
     if ray.total_reflection {
-        rows.push("all light is thrown back".into());
+        rows.push("total internal reflection".into());
     }
     rows
 }
 
-/// A light, and whether it is seen.
+/// A light, and whether it is visible.
 fn bulb(svg: &mut String, light: &LightRecord, x: f64, y: f64) {
     let is_seen = light.outcome == "seen";
     let class = if is_seen { "on" } else { "off" };
@@ -267,14 +267,14 @@ fn bulb(svg: &mut String, light: &LightRecord, x: f64, y: f64) {
         NameAndLine { line, .. } => format!("line {line}"),
     };
     let says = match (light.outcome, &light.occluder) {
-        ("seen", _) if light.through.is_empty() => "seen".into(),
-        ("seen", _) => "seen through glass".into(),
+        ("seen", _) if light.through.is_empty() => "visible".into(),
+        ("seen", _) => "visible through glass".into(),
         ("blocked", Some(occluder)) if occluder.item.line > 0 => {
             format!("{}, line {}", occluder.item.shape, occluder.item.line)
         }
         ("blocked", Some(occluder)) => format!("{} {}", occluder.item.shape, occluder.item.object),
         ("behind", _) => "faces away".into(),
-        ("dark", _) => "does not shine here".into(),
+        ("dark", _) => "no light here".into(),
         ("unseen", _) => "highlight elsewhere".into(),
         (other, _) => other.into(),
     };
@@ -300,7 +300,7 @@ fn largest([r, g, b]: Float3) -> f32 {
     Rgb::new(r, g, b).max_component()
 }
 
-/// A number with three digits that count: all of them stand in the text.
+/// A number with three significant digits; the text has all digits.
 fn short(number: f32) -> String {
     if number == 0.0 {
         return "0".into();
@@ -316,7 +316,7 @@ fn short(number: f32) -> String {
     }
 }
 
-/// A row that is not longer than its box.
+/// The row, truncated to the width of a box.
 fn fitted(row: &str) -> String {
     if row.chars().count() <= CHARACTERS {
         return row.to_owned();

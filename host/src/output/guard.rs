@@ -1,57 +1,55 @@
-//! Nothing that was read is written over.
+//! Protects inputs from being overwritten.
 //!
-//! Every output is opened by the guard of its command, and there is no other way to open one. The
-//! guard knows all files that the command has read or that were named to be read, those that a
-//! scene names among them, and all outputs so far. It goes by the files and not by their names:
-//! through links of either kind, and by every way round.
+//! Every output is opened by the guard of its command. The guard tracks all files that the command has read or
+//! that are referenced, including those of a scene, and all outputs. Files are identified by their canonical path
+//! and inode, so links are followed.
 
 use std::fs;
 use std::path::{Path, PathBuf};
 
 use super::{Output, place_of};
-use crate::failure::Failure;
+use crate::error::CommandError;
 
-/// The files of a command that no further output may replace.
+/// The files of a command that no other output may overwrite.
 #[derive(Debug, Default)]
-pub struct Guard {
-    inputs: Vec<Known>,
-    outputs: Vec<Known>,
+pub struct OutputGuard {
+    inputs: Vec<GuardedFile>,
+    outputs: Vec<GuardedFile>,
 }
 
-/// A file, there or not.
+/// A file, existing or not.
 #[derive(Debug)]
-struct Known {
-    /// As it was named.
+struct GuardedFile {
+    /// Path as given.
     name: PathBuf,
-    /// Where it is or would be, links followed.
+    /// Canonical path.
     place: PathBuf,
-    /// Its number in the file system, if it is there: the same under all of its names.
+    /// Device and inode, if the file exists: the same for all hard links.
     node: Option<(u64, u64)>,
 }
 
-impl Guard {
-    /// Of these inputs; `-` is the standard input, which may be a file.
+impl OutputGuard {
+    /// A guard of these inputs; `-` is standard input, which may be a file.
     pub fn of(inputs: impl IntoIterator<Item = impl AsRef<Path>>) -> Self {
-        let inputs = inputs.into_iter().filter_map(|path| Known::of(path.as_ref()));
-        Guard { inputs: inputs.collect(), outputs: Vec::new() }
+        let inputs = inputs.into_iter().filter_map(|path| GuardedFile::of(path.as_ref()));
+        OutputGuard { inputs: inputs.collect(), outputs: Vec::new() }
     }
 
-    /// Makes sure that `path` can be written, and that nothing is lost by it that is read or
-    /// written elsewhere; `-` is the standard output.
-    pub fn prepare(&mut self, path: &Path) -> Result<Output, Failure> {
+    /// Opens an output at `path`, unless it would overwrite an input or another output; `-` is standard output.
+    pub fn prepare(&mut self, path: &Path) -> Result<Output, CommandError> {
         let output = Output::prepare(path)?;
         if let Output::File { .. } = output
-            && let Some(new) = Known::of(path)
+            && let Some(new) = GuardedFile::of(path)
         {
-            let told = |old: &Known, what: &str| {
+            let conflict = |old: &GuardedFile, kind: &str| {
                 let (new, old) = (path.display(), old.name.display());
-                Failure::Usage(format!("{new} would replace {old}, {what}: name another file to be written"))
+                CommandError::Usage(format!("{new} would overwrite the {kind} {old}; choose another output"))
             };
             if let Some(input) = self.inputs.iter().find(|input| input.is(&new)) {
-                return Err(told(input, "which is read or named as an input"));
+                return Err(conflict(input, "input"));
             }
             if let Some(output) = self.outputs.iter().find(|output| output.is(&new)) {
-                return Err(told(output, "which is an output too"));
+                return Err(conflict(output, "output"));
             }
             self.outputs.push(new);
         }
@@ -59,8 +57,8 @@ impl Guard {
     }
 }
 
-impl Known {
-    /// The file at `path`. What is there and no file, a pipe or a device, cannot be replaced.
+impl GuardedFile {
+    /// The file at `path`; `None` for a pipe or a device, which are not replaced.
     fn of(path: &Path) -> Option<Self> {
         let (name, path) =
             if path == Path::new("-") { ("<stdin>".as_ref(), "/dev/stdin".as_ref()) } else { (path, path) };
@@ -68,10 +66,14 @@ impl Known {
         if there.as_ref().is_some_and(|there| !there.is_file()) {
             return None;
         }
-        Some(Known { name: name.to_owned(), place: place_of(path), node: there.as_ref().and_then(node) })
+        Some(GuardedFile {
+            name: name.to_owned(),
+            place: place_of(path),
+            node: there.as_ref().and_then(node),
+        })
     }
 
-    fn is(&self, other: &Known) -> bool {
+    fn is(&self, other: &GuardedFile) -> bool {
         self.place == other.place || (self.node.is_some() && self.node == other.node)
     }
 }

@@ -1,8 +1,8 @@
 //! Files that are complete or absent.
 //!
-//! A file is written beside its place and renamed when it is whole. It is made before the work
-//! begins, so that a place that cannot be written is told at once and not after an hour. It is the
-//! [`Guard`] that makes it, so that nothing is replaced that the command reads.
+//! A file is written to a temporary file in the same folder, and renamed when it is complete. The temporary file is
+//! created before the work starts, so that an output that cannot be written is reported at once. [`OutputGuard`]
+//! creates it, so that no input is overwritten.
 
 mod guard;
 mod screen;
@@ -14,39 +14,39 @@ use std::path::{Path, PathBuf};
 
 use tempfile::{Builder, NamedTempFile};
 
-use crate::failure::Failure;
-pub use guard::Guard;
+use crate::error::CommandError;
+pub use guard::OutputGuard;
 
-/// A place for one output.
+/// Target of one output.
 #[derive(Debug)]
 pub enum Output {
     /// The standard output.
     Stdout,
-    /// A file that appears when it is whole.
+    /// A file that is renamed into place when it is complete.
     File {
-        /// As the user named it.
+        /// Path as given.
         name: PathBuf,
-        /// Where it will be, links followed.
+        /// Canonical path.
         place: PathBuf,
-        /// Where it is being written. Gone with this value, unless it was kept.
-        beside: NamedTempFile,
+        /// The temporary file; removed when dropped, unless it was renamed.
+        temporary: NamedTempFile,
     },
     /// A device or a pipe, which cannot be replaced.
     Device {
-        /// As the user named it.
+        /// Path as given.
         name: PathBuf,
-        /// Open since the first part was written: to open a pipe waits for its reader.
+        /// Opened by the first write, because opening a pipe waits for its reader.
         open: Option<fs::File>,
     },
 }
 
 impl Output {
-    /// Makes sure that `path` can be written; `-` is the standard output.
-    fn prepare(path: &Path) -> Result<Self, Failure> {
+    /// Opens an output at `path`; `-` is standard output.
+    fn prepare(path: &Path) -> Result<Self, CommandError> {
         if path == Path::new("-") {
             return Ok(Output::Stdout);
         }
-        let unwritable = |error| Failure::Unwritable { path: Some(path.to_owned()), error };
+        let unwritable = |error| CommandError::Unwritable { path: Some(path.to_owned()), error };
         let place = place_of(path);
         match fs::metadata(&place) {
             Ok(found) if found.is_dir() => {
@@ -60,7 +60,7 @@ impl Output {
         }
         let folder = folder_of(&place);
         if !folder.is_dir() {
-            let reason = format!("there is no folder {}", folder.display());
+            let reason = format!("folder {} does not exist", folder.display());
             return Err(unwritable(io::Error::new(io::ErrorKind::NotFound, reason)));
         }
         let mut builder = Builder::new();
@@ -68,38 +68,39 @@ impl Output {
         if let Some(permissions) = permissions(&place) {
             builder.permissions(permissions);
         }
-        let beside = builder.tempfile_in(folder).map_err(unwritable)?;
-        Ok(Output::File { name: path.to_owned(), place, beside })
+        let temporary = builder.tempfile_in(folder).map_err(unwritable)?;
+        Ok(Output::File { name: path.to_owned(), place, temporary })
     }
 
-    /// Writes everything and lets the file appear.
-    pub fn commit(mut self, bytes: &[u8]) -> Result<(), Failure> {
+    /// Writes `bytes` and completes the file.
+    pub fn commit(mut self, bytes: &[u8]) -> Result<(), CommandError> {
         self.write_all(bytes).map_err(|error| self.unwritable(error))?;
         self.finish()
     }
 
-    /// The failure of a write.
-    pub fn unwritable(&self, error: io::Error) -> Failure {
+    /// The error of a failed write.
+    pub fn unwritable(&self, error: io::Error) -> CommandError {
         let path = match self {
             Output::Stdout => None,
             Output::File { name, .. } | Output::Device { name, .. } => Some(name.clone()),
         };
-        Failure::Unwritable { path, error }
+        CommandError::Unwritable { path, error }
     }
 
-    /// Everything has been written: the file appears.
-    pub fn finish(self) -> Result<(), Failure> {
+    /// Completes the file: it is renamed into place.
+    pub fn finish(self) -> Result<(), CommandError> {
         match self {
             Output::Stdout | Output::Device { .. } => Ok(()),
-            Output::File { name, place, mut beside } => {
-                let kept = beside.flush().and_then(|()| beside.persist(place).map_err(|kept| kept.error));
-                kept.map(|_| ()).map_err(|error| Failure::Unwritable { path: Some(name), error })
+            Output::File { name, place, mut temporary } => {
+                let renamed =
+                    temporary.flush().and_then(|()| temporary.persist(place).map_err(|error| error.error));
+                renamed.map(|_| ()).map_err(|error| CommandError::Unwritable { path: Some(name), error })
             }
         }
     }
 }
 
-/// Bytes for the standard output or a device are written through at once.
+/// Writes to standard output or a device are not buffered.
 impl Write for Output {
     fn write(&mut self, bytes: &[u8]) -> io::Result<usize> {
         match self {
@@ -114,7 +115,7 @@ impl Write for Output {
                 };
                 open.insert(file).write_all(bytes)?;
             }
-            Output::File { beside, .. } => beside.write_all(bytes)?,
+            Output::File { temporary, .. } => temporary.write_all(bytes)?,
         }
         Ok(bytes.len())
     }
@@ -124,38 +125,38 @@ impl Write for Output {
     }
 }
 
-/// Refuses to write `what`, which is no text, to a terminal: `path` is `-` and the standard output one.
-pub fn refuse_terminal(path: &Path, what: &str) -> Result<(), Failure> {
+/// Returns an error if `what`, which is binary, would be written to a terminal.
+pub fn refuse_terminal(path: &Path, what: &str) -> Result<(), CommandError> {
     if path == Path::new("-") && io::stdout().is_terminal() {
-        return Err(Failure::Usage(format!("{what} would go to the terminal; pipe it, or name a file")));
+        return Err(CommandError::Usage(format!(
+            "{what} would be written to the terminal; redirect it or name a file"
+        )));
     }
     Ok(())
 }
 
-/// Says something on the standard error, after the program's name. That nobody can read it is no
-/// failure; `eprintln!` would panic.
-pub fn say(message: impl fmt::Display) {
-    tell(format_args!("strahl: {message}\n"));
+/// Prints a message to standard error, after the program's name. A closed standard error is ignored; `eprintln!`
+/// would panic.
+pub fn print_message(message: impl fmt::Display) {
+    print_stderr(format_args!("strahl: {message}\n"));
 }
 
-/// Says something on the standard error as it is. Colours are left out where it is no terminal,
-/// and where `NO_COLOR` is set.
-pub fn tell(message: impl fmt::Display) {
+/// Prints text to standard error. Colors are removed if it is not a terminal or `NO_COLOR` is set.
+pub fn print_stderr(message: impl fmt::Display) {
     let _ = write!(anstream::stderr(), "{message}");
 }
 
-/// Says on the standard error why a command failed: what is wrong in a scene as its screen can
-/// show it.
-pub fn complain(failure: &Failure) {
+/// Prints the error of a command to standard error; errors of a scene with excerpts of its source.
+pub fn print_error(failure: &CommandError) {
     match failure {
-        Failure::Diagnostics(diagnostics) => {
-            tell(format_args!("{}\n", diagnostics.render(screen::of_stderr())))
+        CommandError::Diagnostics(diagnostics) => {
+            print_stderr(format_args!("{}\n", diagnostics.render(screen::of_stderr())))
         }
-        _ => say(failure),
+        _ => print_message(failure),
     }
 }
 
-/// Where a file is, or would be. The file behind a link is meant, not the link.
+/// The canonical path of a file, existing or not; links are followed.
 fn place_of(path: &Path) -> PathBuf {
     let new = || Some(fs::canonicalize(folder_of(path)).ok()?.join(path.file_name()?));
     fs::canonicalize(path).ok().or_else(new).unwrap_or_else(|| path.to_owned())
@@ -168,7 +169,7 @@ fn folder_of(path: &Path) -> &Path {
     }
 }
 
-/// Those of the file that is replaced, or what any new file gets here.
+/// Permissions of the file that is replaced, or those of a new file.
 #[cfg(unix)]
 fn permissions(place: &Path) -> Option<Permissions> {
     use std::os::unix::fs::PermissionsExt;

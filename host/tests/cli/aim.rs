@@ -36,7 +36,7 @@ fn folder() -> Folder {
     folder
 }
 
-/// Renders with an aim, and again with the plain command that is told; what was told as JSON.
+/// Renders with a target, and again with the reported command; the statistics as JSON.
 fn twice(folder: &Folder, words: &str) -> Value {
     folder.done(&format!("render {words} --stats-file stats.json -o aimed.png"));
     let json: Value = serde_json::from_slice(&folder.read("stats.json")).unwrap();
@@ -49,7 +49,7 @@ fn twice(folder: &Folder, words: &str) -> Value {
 }
 
 #[test]
-fn an_error_is_kept_and_the_plain_command_makes_the_same_bytes() {
+fn a_target_error_is_reached_and_the_plain_command_makes_the_same_bytes() {
     let folder = folder();
     let errors = [("0.05", 0.05), ("5/255", 5.0 / 255.0)].map(|(word, limit)| {
         let json = twice(&folder, &format!("scene.toml --target-error {word} --verify"));
@@ -64,7 +64,7 @@ fn an_error_is_kept_and_the_plain_command_makes_the_same_bytes() {
 }
 
 #[test]
-fn what_the_command_line_sets_stays_and_an_error_that_cannot_be_kept_is_told() {
+fn what_the_command_line_sets_stays_and_an_error_that_cannot_be_reached_is_reported() {
     let folder = folder();
     let ran = folder.run("render scene.toml --target-error 0.005 --sampler single --levels 2 --select 2:0");
     ran.failed(1, "no setting reaches it");
@@ -75,7 +75,7 @@ fn what_the_command_line_sets_stays_and_an_error_that_cannot_be_kept_is_told() {
 }
 
 #[test]
-fn a_time_is_kept_and_the_plain_command_makes_the_same_bytes() {
+fn a_time_limit_is_kept_and_the_plain_command_makes_the_same_bytes() {
     let folder = folder();
     let clock = Instant::now();
     // So many pixels that there is never time for all samples.
@@ -101,9 +101,9 @@ fn aims_that_contradict_each_other_are_wrong_usage() {
         ("--verify", "--target-error"),
         ("--time-limit 2s --sampler single", "cannot be used with"),
         ("--target-error 0", "more than 0"),
-        ("--time-limit 2parsecs", "a time is expected"),
-        ("--cost -", "needs a file"),
-        ("--cost scene.png", "would replace"),
+        ("--time-limit 2parsecs", "must be a duration"),
+        ("--cost -", "needs a file name"),
+        ("--cost scene.png", "would overwrite"),
         ("--print-settings --target-error 0.1", "cannot be used with"),
     ] {
         folder.run(&format!("render scene.toml {words}")).failed(2, says);

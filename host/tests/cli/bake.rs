@@ -1,4 +1,4 @@
-//! What `bake` tells of a scene.
+//! Warnings and summary of `bake`.
 
 use crate::program::{EMPTY, Folder};
 
@@ -13,7 +13,7 @@ precision = \"double\"
 ";
 
 #[test]
-fn what_a_scene_asks_for_and_a_baked_scene_does_not_hold_is_told() {
+fn what_a_scene_asks_for_and_a_baked_scene_does_not_hold_is_reported() {
     let folder = Folder::with(EMPTY);
     folder.write("scene.toml", ASKING);
     for output in ["a.strahl", "a.rs"] {
@@ -24,7 +24,7 @@ fn what_a_scene_asks_for_and_a_baked_scene_does_not_hold_is_told() {
         assert_eq!(warnings.len(), begins.len(), "{}", ran.stderr);
         for (warning, begin) in warnings.iter().zip(begins) {
             assert!(
-                warning.starts_with(&format!("strahl: scene.toml: warning: asks for the {begin}, ")),
+                warning.starts_with(&format!("strahl: scene.toml: warning: sets {begin}, ")),
                 "{warning}"
             );
         }
@@ -38,5 +38,5 @@ fn the_instructions_are_those_for_one_ray_in_a_pixel_and_it_is_said() {
     let folder = Folder::with(EMPTY);
     let said = folder.run("bake scene.nff -o a.strahl").stderr;
     let time = said.lines().find(|line| line.starts_with("  time ")).unwrap();
-    assert!(time.contains(" instructions a pixel there with one ray in each, "), "{time}");
+    assert!(time.contains(" instructions per pixel there with one ray per pixel, "), "{time}");
 }

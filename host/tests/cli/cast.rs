@@ -331,15 +331,15 @@ fn the_hits_may_go_into_a_file_and_the_rays_come_from_the_standard_input() {
 }
 
 #[test]
-fn files_that_cannot_be_read_or_written_are_told() {
+fn files_that_cannot_be_read_or_written_are_reported() {
     let folder = things();
     folder.write("rays.csv", "0,0,4,0,0,-1\n");
     folder.run("cast missing.toml --rays rays.csv").failed(66, "missing.toml");
     folder.run("cast things.toml --rays missing.csv").failed(66, "cannot read missing.csv");
     folder.run("cast things.toml --rays .").failed(66, "cannot read .");
     folder.run("cast things.toml --rays rays.csv -o missing/hits.csv").failed(74, "missing/hits.csv");
-    folder.run("cast things.toml --rays rays.csv -o rays.csv").failed(2, "would replace");
-    folder.run("cast things.toml --rays rays.csv -o things.toml").failed(2, "would replace");
+    folder.run("cast things.toml --rays rays.csv -o rays.csv").failed(2, "would overwrite");
+    folder.run("cast things.toml --rays rays.csv -o things.toml").failed(2, "would overwrite");
     folder.run("cast things.toml --threads 0").failed(2, "1 to 1024");
     folder.run("cast things.toml --accel tree").failed(2, "tree");
     folder.run("cast things.toml --precision half").failed(2, "half");

@@ -1,4 +1,4 @@
-//! What `compare` tells about two pictures.
+//! Reports of `compare`.
 
 use std::collections::BTreeSet;
 use std::fs::File;
@@ -141,14 +141,14 @@ fn the_limits_decide_and_a_difference_of_exactly_the_limit_is_within_it() {
 }
 
 #[test]
-fn a_person_is_told_the_same() {
+fn the_text_has_the_same_contents() {
     let folder = pair(&png(&gray()), &png(&changed(2, 1, [100, 151, 100])));
     let ran = folder.run("compare a b --limit 0.1");
     assert_eq!((ran.status, ran.stderr.as_str()), (Some(1), ""));
     let text = String::from_utf8(ran.stdout).unwrap();
     for said in [
         "a and b  4 x 3, different\n",
-        "1 pixel (8.33 %) at all, 1 pixel (8.33 %) by more than 1/255\n",
+        "1 pixel (8.33 %), 1 pixel (8.33 %) by more than 1/255\n",
         "1 pixel (8.33 %) by more than 0.1\n",
         "0.2 (51 of 255) at 2,1 in green\n",
         "0.0333 (PSNR 29.5 dB)\n",
@@ -212,7 +212,7 @@ fn sixteen_bits_hold_eight_exactly_and_are_not_rounded() {
 }
 
 #[test]
-fn transparent_pixels_are_not_compared_but_told() {
+fn transparent_pixels_are_reported_and_not_compared() {
     let mut clear = RgbaImage::from_pixel(4, 3, image::Rgba([100, 100, 100, 255]));
     assert_eq!(compared(&png(&gray()), &file(clear.clone(), ImageFormat::Png), "").1, Some(0));
     clear.get_pixel_mut(3, 0).0[3] = 254;
@@ -222,7 +222,7 @@ fn transparent_pixels_are_not_compared_but_told() {
 }
 
 #[test]
-fn two_exr_files_are_compared_as_encodings_and_their_light_is_told_too() {
+fn two_exr_files_are_compared_as_encodings_and_their_light_is_reported_too() {
     let (it, status) = compared(&exr(&[[0.0; 3], [0.25; 3]]), &exr(&[[0.0; 3], [0.25, 0.75, 0.25]]), "");
     assert_eq!(status, Some(1));
     let linear = json!({ "difference": 0.5, "x": 1, "y": 0, "channel": "green" });
@@ -256,15 +256,15 @@ fn what_is_not_a_number_differs_from_every_number_and_not_from_itself() {
 }
 
 #[test]
-fn pictures_of_two_sizes_are_told_with_both() {
+fn pictures_of_two_sizes_are_reported_with_both() {
     let wide = RgbImage::new(40, 3);
     let folder = pair(&png(&gray()), &png(&wide));
-    folder.run("compare a b -o map.png").failed(65, "strahl: b: 40 x 3 pixels, but a has 4 x 3\n");
+    folder.run("compare a b -o map.png").failed(65, "strahl: b: is 40x3 pixels, but a is 4x3\n");
     assert_eq!(folder.names(), ["a", "b", "scene.nff"]);
 }
 
 #[test]
-fn what_is_no_picture_is_told_with_status_65_and_what_cannot_be_read_with_66() {
+fn what_is_no_picture_is_reported_with_status_65_and_what_cannot_be_read_with_66() {
     let folder = pair(&png(&gray()), b"");
     folder.write("text.png", "not a picture\n");
     std::fs::create_dir(folder.path("folder")).unwrap();
@@ -280,7 +280,7 @@ fn what_is_no_picture_is_told_with_status_65_and_what_cannot_be_read_with_66() {
 }
 
 #[test]
-fn a_file_that_ends_too_soon_is_told_with_status_65() {
+fn a_file_that_ends_too_soon_is_reported_with_status_65() {
     let folder = Folder::with(BALL);
     for name in ["a.png", "a.ppm", "a.qoi", "a.tif", "a.exr", "a.jpg"] {
         folder.done(&format!("render scene.nff -q -o {name}"));
@@ -369,7 +369,7 @@ fn the_map_is_black_where_the_pictures_agree_and_pale_where_they_differ_most() {
 }
 
 #[test]
-fn wrong_usage_is_told_with_status_2_and_changes_no_picture() {
+fn wrong_usage_is_reported_with_status_2_and_changes_no_picture() {
     let folder = pair(&png(&gray()), &png(&gray()));
     for (words, says) in [
         ("compare", "<A>"),
@@ -384,13 +384,13 @@ fn wrong_usage_is_told_with_status_2_and_changes_no_picture() {
         ("compare a b --limit 1/", "0 to 1"),
         ("compare a b --limit-share 2", "0 to 1"),
         ("compare - -", "only one"),
-        ("compare a b -o -", "needs a file"),
+        ("compare a b -o -", "needs a file name"),
         ("compare a b -o map.gif", "map.gif has no known picture extension"),
     ] {
         folder.run(words).failed(2, says);
     }
     folder.write("c.png", png(&gray()));
-    folder.run("compare a c.png -o ./c.png").failed(2, "would replace");
+    folder.run("compare a c.png -o ./c.png").failed(2, "would overwrite");
     assert_eq!(folder.read("c.png"), png(&gray()));
     folder.run("compare a b -o missing/map.png").failed(74, "cannot write missing/map.png");
     assert_eq!(folder.names(), ["a", "b", "c.png", "scene.nff"]);

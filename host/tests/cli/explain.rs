@@ -31,14 +31,14 @@ fn folder() -> Folder {
     folder
 }
 
-fn told(folder: &Folder, words: &str) -> String {
+fn explained(folder: &Folder, words: &str) -> String {
     String::from_utf8(folder.done(&format!("explain {words}"))).unwrap()
 }
 
 #[test]
-fn a_pixel_is_told_with_lines_lights_and_what_was_cut() {
+fn a_pixel_is_reported_with_lines_lights_and_what_was_cut() {
     let folder = folder();
-    let text = told(&folder, "scene.toml 12,8");
+    let text = explained(&folder, "scene.toml 12,8");
     for part in [
         "scene.toml: pixel 12,8 of 24x16",
         "camera ray 1, level 1, weight 1",
@@ -49,50 +49,50 @@ fn a_pixel_is_told_with_lines_lights_and_what_was_cut() {
     ] {
         assert!(text.contains(part), "`{part}` is missing in {text}");
     }
-    let text = told(&folder, "scene.toml 12,8 --levels 1");
+    let text = explained(&folder, "scene.toml 12,8 --levels 1");
     assert!(text.contains("reflected ray not traced, weight 0.5: last level reached"), "{text}");
-    let text = told(&folder, "scene.toml 12,8 --cutoff 0.5");
+    let text = explained(&folder, "scene.toml 12,8 --cutoff 0.5");
     assert!(text.contains("weight is not above the cutoff"), "{text}");
-    assert!(!told(&folder, "scene.toml 12,8 --without reflection").contains("reflected ray"));
+    assert!(!explained(&folder, "scene.toml 12,8 --without reflection").contains("reflected ray"));
 }
 
 #[test]
-fn of_many_samples_one_can_be_told() {
+fn one_of_several_samples_can_be_printed() {
     let folder = folder();
-    let text = told(&folder, "scene.toml 12,8 --sampler regular:2");
+    let text = explained(&folder, "scene.toml 12,8 --sampler regular:2");
     assert!(text.contains("sample 4 of 4") && text.contains("samples times 0.25"), "{text}");
-    let text = told(&folder, "scene.toml 12,8 --sampler regular:2 --sample 2");
+    let text = explained(&folder, "scene.toml 12,8 --sampler regular:2 --sample 2");
     assert!(text.contains("sample 2 of 4") && !text.contains("sample 1 of 4"), "{text}");
     let beyond = folder.run("explain scene.toml 12,8 --sampler regular:2 --sample 5");
-    beyond.failed(2, "there is no sample 5: the pixel has 4");
+    beyond.failed(2, "sample 5 does not exist: the pixel has 4");
 }
 
 #[test]
 fn the_tree_becomes_json_and_a_picture() {
     let folder = folder();
     let json: serde_json::Value =
-        serde_json::from_str(&told(&folder, "scene.toml 12,8 --json --svg tree.svg")).unwrap();
+        serde_json::from_str(&explained(&folder, "scene.toml 12,8 --json --svg tree.svg")).unwrap();
     assert_eq!(json["version"], 1);
     assert_eq!(json["samples"][0]["rays"][0]["hit"]["line"], 7);
     let svg = String::from_utf8(folder.read("tree.svg")).unwrap();
     assert!(svg.starts_with("<svg ") && svg.trim_end().ends_with("</svg>"), "{svg}");
     // A box for each ray, and nothing from elsewhere.
     assert!(svg.matches("class=\"box").count() >= 2 && !svg.contains("href"), "{svg}");
-    assert_eq!(told(&folder, "scene.toml 12,8 --svg -"), svg);
+    assert_eq!(explained(&folder, "scene.toml 12,8 --svg -"), svg);
 }
 
 #[test]
 fn a_pixel_outside_the_picture_is_wrong_usage() {
     let folder = folder();
     for (words, says) in [
-        ("scene.toml 24,0", "24,0 is not in the picture of 24x16: the first is 0,0 and the last 23,15\n"),
+        ("scene.toml 24,0", "24,0 is outside the picture of 24x16, whose last pixel is 23,15\n"),
         ("scene.toml 1", "two integers from 0 with a comma"),
         ("scene.toml -1,3", "two integers from 0 with a comma"),
         ("scene.toml 1,-3", "two integers from 0 with a comma"),
         ("-q scene.toml -1,-3", "two integers from 0 with a comma"),
         ("scene.toml 1,1 --sample -1", "an integer from 1"),
         ("scene.toml 1,1 --svg - --json", "standard output"),
-        ("scene.toml 1,1 --svg scene.toml", "would replace"),
+        ("scene.toml 1,1 --svg scene.toml", "would overwrite"),
     ] {
         folder.run(&format!("explain {words}")).failed(2, says);
     }

@@ -130,7 +130,7 @@ fn bare_objects_make_a_scene_together_with_a_head() {
 }
 
 #[test]
-fn what_cannot_be_made_is_told_and_nothing_is_written() {
+fn what_cannot_be_made_is_reported_and_nothing_is_written() {
     let folder = Folder::with(EMPTY);
     for (words, says) in [
         ("generate", "<WHAT>"),
@@ -140,18 +140,18 @@ fn what_cannot_be_made_is_told_and_nothing_is_written() {
         ("generate tetra --size 2.5", "2.5"),
         (
             "generate sphereflake --size 8",
-            "sphereflake: size 8 would be 48,427,562 objects; at most 16,777,216 are made, which is size 7",
+            "sphereflake: size 8 has 48,427,562 objects; the limit is 16,777,216, which is size 7",
         ),
-        ("generate tree --size 4000000000", "would be more objects than can be counted"),
+        ("generate tree --size 4000000000", "has more than 2^64 objects"),
         ("generate tree -o tree.obj", "tree.obj does not end in .nff, .toml or .ply"),
-        ("generate tree -o tree", "name the --format"),
-        ("generate tree -o tree.ply", "tree: PLY holds triangles only, and it has other shapes"),
-        ("generate knot --format toml -o -", "name a file, or use --format nff"),
+        ("generate tree -o tree", "use --format"),
+        ("generate tree -o tree.ply", "tree has shapes other than triangles, which PLY cannot store"),
+        ("generate knot --format toml -o -", "name an output file, or use --format nff"),
     ] {
         folder.run(words).failed(2, says);
         assert_eq!(folder.names(), ["scene.nff"], "{words}");
     }
-    folder.run("generate tree -o no/tree.nff").failed(74, "there is no folder no");
+    folder.run("generate tree -o no/tree.nff").failed(74, "folder no does not exist");
 }
 
 /// The databases, when they lie beside the project.
@@ -197,7 +197,7 @@ fn the_scenes_of_the_databases_are_theirs_object_by_object() {
         }
         assert_eq!(ours.vertices.len(), theirs.vertices.len());
         for (a, b) in ours.vertices.iter().zip(&theirs.vertices) {
-            // The wall of rings is 21 wide, and its measures are not told.
+            // The wall of rings is 21 wide, and its exact size is not documented.
             let far = a.iter().any(|x| x.abs() > 5.0);
             assert!(all_near(a, b) || far && a.iter().zip(b).all(|(a, b)| (a - b).abs() < 1e-4), "{what}");
         }

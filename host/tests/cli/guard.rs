@@ -68,7 +68,7 @@ fn no_command_writes_over_what_it_reads() {
         ("study scene.nff --device scene-study/study.csv", "scene-study/study.csv"),
     ] {
         let ran = folder.run(words);
-        ran.failed(2, &format!(" would replace {input}, which is read or named as an input"));
+        ran.failed(2, &format!(" would overwrite the input {input}; choose another output"));
         assert_eq!(contents(&folder), before, "{words}");
     }
 }
@@ -103,7 +103,7 @@ fn an_input_is_known_under_all_of_its_names() {
         "render here/here/scene.toml -o link.png",
         "watch scene.toml -o hard.png",
     ] {
-        folder.run(words).failed(2, "scene.toml, which is read or named as an input");
+        folder.run(words).failed(2, "scene.toml; choose another output");
         assert_eq!(contents(&folder), before, "{words}");
     }
 }
@@ -116,7 +116,7 @@ fn what_comes_by_the_standard_input_is_not_written_over() {
     let ended = folder.command("cast scene.toml -o rays.csv").stdin(rays).output().unwrap();
     let said = String::from_utf8(ended.stderr).unwrap();
     assert_eq!(ended.status.code(), Some(2), "{said}");
-    assert!(said.contains("rays.csv would replace <stdin>"), "{said}");
+    assert!(said.contains("rays.csv would overwrite the input <stdin>"), "{said}");
     assert_eq!(folder.read("rays.csv"), b"0,0,1,0,0,-1\n");
 }
 
@@ -131,7 +131,7 @@ fn no_output_writes_over_another() {
         "render scene.nff -o a.png --cost b.png --stats-file b.png",
         "generate knot -o a.ply --format toml",
     ] {
-        folder.run(words).failed(2, ", which is an output too");
+        folder.run(words).failed(2, " would overwrite the output ");
         assert_eq!(contents(&folder), before, "{words}");
     }
 }

@@ -30,7 +30,7 @@ material = { mirror = 0.5, roughness = 0.3 }
 ";
 
 #[test]
-fn every_effect_is_told_with_its_line_and_goes_on_request() {
+fn every_effect_is_reported_with_its_line_and_goes_on_request() {
     let folder = Folder::with(EMPTY);
     folder.write("all.toml", ALL);
     let it: Value = serde_json::from_slice(&folder.done("info all.toml --json")).unwrap();
@@ -85,7 +85,7 @@ fn every_effect_is_told_with_its_line_and_goes_on_request() {
 }
 
 #[test]
-fn a_scene_is_told_with_everything_that_asks_for_an_effect() {
+fn a_scene_is_reported_with_everything_that_asks_for_an_effect() {
     let folder = Folder::with(BALL);
     let it: Value = serde_json::from_slice(&folder.done("info scene.nff --json")).unwrap();
     assert_eq!(it["objects"], 3);
@@ -125,7 +125,7 @@ fn an_empty_scene_has_no_bounds_and_asks_for_nothing() {
 }
 
 #[test]
-fn every_accelerator_is_told_with_what_it_takes_and_how_it_is_cut() {
+fn every_accelerator_is_reported_with_what_it_takes_and_how_it_is_cut() {
     let mut scene = EMPTY.to_owned() + "f 1 1 1 1 0 0 0 0\n";
     for i in 0..1000 {
         scene += &format!("s {} {} {} 0.25\n", i % 10, i / 10 % 10, i / 100);
@@ -158,11 +158,11 @@ fn every_accelerator_is_told_with_what_it_takes_and_how_it_is_cut() {
             "{text}"
         );
     }
-    assert!(text.contains("auto takes the bvh: "), "{text}");
+    assert!(text.contains("auto selects bvh: "), "{text}");
 }
 
 #[test]
-fn a_person_is_told_the_same() {
+fn the_text_has_the_same_contents() {
     let folder = Folder::with(BALL);
     let text = String::from_utf8(folder.done("info scene.nff")).unwrap();
     for said in

@@ -65,5 +65,5 @@ fn a_shell_or_a_command_that_is_not_there_is_wrong_usage() {
     let folder = Folder::with(EMPTY);
     folder.run("completions").failed(2, "<SHELL>");
     folder.run("completions dos").failed(2, "dos");
-    folder.run("man paint").failed(2, "there is no command paint");
+    folder.run("man paint").failed(2, "unknown command paint");
 }

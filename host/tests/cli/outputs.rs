@@ -5,7 +5,7 @@ use std::process::Stdio;
 
 use crate::program::{BALL, EMPTY, Folder, Running};
 
-/// A picture that takes days, for what must be told before it is traced.
+/// A picture that takes days, for errors that must be reported before tracing starts.
 const ENDLESS: &str = "--size 4096x4096 --sampler regular:256";
 
 #[test]
@@ -30,7 +30,7 @@ fn an_output_in_another_folder_is_written_there() {
 }
 
 #[test]
-fn an_output_that_cannot_be_written_is_told_with_status_74_before_anything_is_traced() {
+fn an_output_that_cannot_be_written_is_reported_with_status_74_before_anything_is_traced() {
     let folder = Folder::with(BALL);
     fs::create_dir(folder.path("folder.png")).unwrap();
     folder.write("locked.png", "before");
@@ -61,7 +61,7 @@ fn an_output_that_cannot_be_written_is_told_with_status_74_before_anything_is_tr
 
 #[cfg(unix)]
 #[test]
-fn a_standard_output_that_nobody_reads_is_told_with_status_74() {
+fn a_standard_output_that_nobody_reads_is_reported_with_status_74() {
     let folder = Folder::with(EMPTY);
     for words in ["render scene.nff -o -", "render scene.nff --stats text"] {
         let (reader, writer) = std::io::pipe().unwrap();
@@ -94,7 +94,7 @@ fn what_is_no_text_is_not_written_to_a_terminal() {
         ("bake scene.nff -o -", "the baked scene"),
         ("generate knot --size 3 --format ply -o -", "the PLY file"),
     ] {
-        let says = format!("strahl: {what} would go to the terminal; pipe it, or name a file\n");
+        let says = format!("strahl: {what} would be written to the terminal; redirect it or name a file\n");
         assert_eq!(ended(words), (Some(2), says), "{words}");
     }
     // Text is what a terminal is for.
@@ -121,9 +121,9 @@ fn only_results_come_on_the_standard_output() {
         "scene.png  4 x 3",
         "  time      load ",
         "  rays      12 camera, 0 reflected, 0 transmitted, 0 shadow",
-        "  found by  list with boxes, few items: 1 region, 48 B",
-        "  left out  shadows, reflection, transmission, colored-shadows, penumbra, lens, gloss, motion: not called for",
-        "  note      no ray from the camera meets anything",
+        "  accel     list with boxes, few items: 1 region, 48 B",
+        "  unused    shadows, reflection, transmission, colored-shadows, penumbra, lens, gloss, motion",
+        "  note      no camera ray hits anything",
     ];
     assert_eq!(said.len(), begins.len(), "{said:#?}");
     for (line, begin) in said.iter().zip(begins) {
@@ -133,16 +133,17 @@ fn only_results_come_on_the_standard_output() {
 }
 
 #[test]
-fn what_one_ray_in_a_pixel_makes_noise_of_is_told() {
+fn what_one_ray_in_a_pixel_makes_noise_of_is_reported() {
     let folder = Folder::with(EMPTY);
     let soft = "render = { size = [8, 6] }\n[[sphere_light]]\nposition = [2, 4, 2]\nradius = 0.5\n\
         [[sphere]]\ncenter = [0, 1, 0]\nradius = 1\n";
     folder.write("soft.toml", soft);
-    let note = "one ray in a pixel makes noise of penumbra; --sampler stochastic:64 makes less";
-    for (words, is_told) in [("", true), ("--sampler stochastic:4", false), ("--without penumbra", false)] {
+    let note = "penumbra is noisy with one ray per pixel; use --sampler stochastic:64";
+    for (words, is_reported) in [("", true), ("--sampler stochastic:4", false), ("--without penumbra", false)]
+    {
         let ran = folder.run(&format!("render soft.toml {words}"));
         assert_eq!(ran.status, Some(0), "{}", ran.stderr);
-        assert_eq!(ran.stderr.contains(note), is_told, "{words}: {}", ran.stderr);
+        assert_eq!(ran.stderr.contains(note), is_reported, "{words}: {}", ran.stderr);
     }
 }
 
@@ -201,7 +202,7 @@ fn an_output_to_a_device_leaves_the_device() {
 
 #[cfg(target_os = "linux")]
 #[test]
-fn an_output_for_which_there_is_no_room_is_told_with_status_74() {
+fn an_output_for_which_there_is_no_room_is_reported_with_status_74() {
     let folder = Folder::with(EMPTY);
     std::os::unix::fs::symlink("/dev/full", folder.path("full.png")).unwrap();
     folder.run("render scene.nff -o full.png").failed(74, "strahl: cannot write full.png: ");

@@ -88,7 +88,7 @@ fn a_shadow_cache_that_a_scene_turns_off_is_off_on_the_command_line_that_is_prin
 }
 
 #[test]
-fn shadows_that_a_scene_colors_are_told() {
+fn shadows_that_a_scene_colors_are_reported() {
     let folder = folder();
     folder.write("glass.toml", "[render]\ncolored_shadows = true\n[[sphere]]\nradius = 1\n");
     assert_eq!(line(&printed(&folder, "glass.toml"), "colored"), "colored_shadows = true # glass.toml:2");
@@ -123,7 +123,7 @@ fn no_option_is_forgotten() {
          --no-shadow-cache",
     );
     assert_eq!(line(&text, "# --region"), "# --region 1,2,8x4 # command line");
-    // What is told and where is no setting of the picture.
+    // Options of the statistics are not settings of the picture.
     let others = [
         "stats",
         "stats-file",

@@ -67,7 +67,7 @@ fn report(scene: &str, words: &str) -> Value {
 /// The number at a place of a report.
 fn count(report: &Value, place: &str) -> u64 {
     let found = report.pointer(place).and_then(Value::as_u64);
-    found.unwrap_or_else(|| panic!("no whole number at {place} in {report:#}"))
+    found.unwrap_or_else(|| panic!("no integer at {place} in {report:#}"))
 }
 
 #[test]
@@ -285,7 +285,7 @@ fn a_report_for_people_says_the_same() {
     for said in [
         "40 x 30".to_owned(),
         "3 objects (1 triangle), 2 lights".to_owned(),
-        "shadows, asked for by light in line 3 and 1 more".to_owned(),
+        "shadows, required by light in line 3 and 1 more".to_owned(),
         format!("{}, {} of them hit", json["rays"]["camera"], json["rays"]["camera_hits"]),
         format!("reflected     {}\n", json["rays"]["reflected"]),
         format!("shadow rays   {}\n", json["rays"]["shadow"]),

@@ -120,8 +120,8 @@ fn the_page_needs_nothing_but_itself() {
 #[test]
 fn the_page_is_made_again_from_what_was_measured() {
     changed("same", |_| {});
-    let told = folder().run("study --from same/study.json");
-    assert_eq!(told.status, Some(0), "{}", told.stderr);
+    let ran = folder().run("study --from same/study.json");
+    assert_eq!(ran.status, Some(0), "{}", ran.stderr);
     assert_eq!(page("same"), page("out"));
     assert_eq!(folder().read("same/study.csv"), folder().read("out/study.csv"));
 }
@@ -177,10 +177,10 @@ fn what_was_not_measured_has_no_empty_chart_or_table() {
 }
 
 #[test]
-fn a_reference_that_cuts_much_light_is_told_before_anything_else() {
+fn a_reference_that_cuts_much_light_is_reported_before_anything_else() {
     changed("coarse", |json| json["reference"]["cut"] = 0.031.into());
-    let told = folder().run("study --from coarse/study.json");
-    assert_eq!(told.status, Some(0), "{}", told.stderr);
+    let ran = folder().run("study --from coarse/study.json");
+    assert_eq!(ran.status, Some(0), "{}", ran.stderr);
     let coarse = page("coarse");
     let at = |page: &str, text: &str| page.find(text).unwrap_or(usize::MAX);
     assert!(at(&coarse, "The reference discards 3.1 % of the light") < at(&coarse, "<section"));
@@ -249,7 +249,7 @@ fn no_reference_is_coarser_than_the_scene_asks_for_however_short_the_time() {
 }
 
 #[test]
-fn a_size_that_there_is_no_time_for_is_refused_and_what_would_be_enough_is_told() {
+fn a_size_that_there_is_no_time_for_is_refused_and_what_would_be_enough_is_reported() {
     let folder = Folder::with("");
     folder.write("trees.toml", TREES);
     let begun = Instant::now();
@@ -304,7 +304,7 @@ fn a_technique_without_which_the_picture_was_given_up_tells_what_it_saves_at_lea
     let page = page("bound");
     assert!(page.contains("over 2.50 s → "), "no bound");
     assert!(!self::page("out").contains("over 2.50 s → "));
-    // Studies from before that was told can be read too.
+    // Older studies without this field can be read.
     changed("before", |json| {
         json["techniques"][0].as_object_mut().unwrap().remove("given_up");
     });
@@ -319,8 +319,8 @@ fn what_firmware_has_measured_is_laid_into_the_page() {
     folder().write("chip.csv", format!("{DEVICE}\n{rows}"));
     folder().done("study --from chip/study.json --device chip.csv --quiet");
     let page = page("chip");
-    for told in ["On the device", "chip.csv", "10.0 k", "data-error=\"0.0125\""] {
-        assert!(page.contains(told), "{told}");
+    for text in ["On the device", "chip.csv", "10.0 k", "data-error=\"0.0125\""] {
+        assert!(page.contains(text), "{text}");
     }
 }
 
@@ -356,7 +356,7 @@ fn what_is_no_table_of_firmware_is_refused_with_its_line() {
 }
 
 #[test]
-fn wrong_usage_is_told_before_any_work() {
+fn wrong_usage_is_reported_before_any_work() {
     let folder = Folder::with(EMPTY);
     folder.run("study").failed(2, "<SCENE>");
     folder.run("study scene.nff --from study.json").failed(2, "cannot be used with");

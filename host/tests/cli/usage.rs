@@ -152,7 +152,7 @@ fn the_version_is_that_of_the_package() {
 }
 
 #[test]
-fn wrong_usage_is_told_with_status_2_and_nothing_is_written() {
+fn wrong_usage_is_reported_with_status_2_and_nothing_is_written() {
     let folder = Folder::with(EMPTY);
     let scene = "render scene.nff";
     for (words, says) in [
@@ -206,20 +206,20 @@ fn wrong_usage_is_told_with_status_2_and_nothing_is_written() {
         (format!("{scene} --mailbox -1"), "must be 0, 8 or 64"),
         (format!("{scene} --region -1,0,4x3"), "must be X,Y,WxH"),
         (format!("{scene} --target-error -1"), "more than 0 and at most 1"),
-        (format!("{scene} --time-limit -1s"), "a time is expected"),
+        (format!("{scene} --time-limit -1s"), "must be a duration"),
         (format!("{scene} --time-limit 1e19"), "at most 1000 days"),
         ("study scene.nff --time-limit 999999999999999s".into(), "at most 1000 days"),
         ("bake scene.nff -o a.strahl --nodes -1".into(), "-1 is not in 1..=4294967295"),
         (
             "bake scene.nff -o a.strahl --accel list --nodes 8".into(),
-            "--nodes has no meaning for --accel list",
+            "--nodes cannot be used with --accel list",
         ),
         (
             "bake scene.nff -o a.strahl --accel grid --nodes 8".into(),
-            "--nodes has no meaning for --accel grid",
+            "--nodes cannot be used with --accel grid",
         ),
-        ("bake scene.nff -o a.rs --accel bvh".into(), "--accel has no meaning for a .rs file"),
-        ("bake scene.nff -o a.rs --nodes 8".into(), "--nodes has no meaning for a .rs file"),
+        ("bake scene.nff -o a.rs --accel bvh".into(), "--accel cannot be used with a .rs output"),
+        ("bake scene.nff -o a.rs --nodes 8".into(), "--nodes cannot be used with a .rs output"),
         (format!("{scene} --select 3:0.1"), "STEP must be"),
         (format!("{scene} --region 0,0"), "must be X,Y,WxH"),
         (format!("{scene} --region 0,0,4"), "must be X,Y,WxH"),
@@ -244,12 +244,12 @@ fn wrong_usage_is_told_with_status_2_and_nothing_is_written() {
         (format!("{scene} -o picture"), "picture has no known picture extension"),
         (format!("{scene} -o .png"), ".png has no known picture extension"),
         (format!("{scene} -o a.jpg --size 65536x1"), "at most 65535 pixels"),
-        (format!("{scene} -o - --stats json"), "needs a --stats-file"),
-        (format!("{scene} -o - --stats-file -"), "needs a --stats-file"),
-        (format!("{scene} -o a.png --stats-file a.png"), "would replace"),
-        (format!("{scene} -o a.png --stats-file ./a.png"), "would replace"),
-        (format!("{scene} --stats-file scene.png"), "would replace"),
-        (format!("{scene} --stats-file scene.nff"), "would replace"),
+        (format!("{scene} -o - --stats json"), "use --stats-file"),
+        (format!("{scene} -o - --stats-file -"), "use --stats-file"),
+        (format!("{scene} -o a.png --stats-file a.png"), "would overwrite"),
+        (format!("{scene} -o a.png --stats-file ./a.png"), "would overwrite"),
+        (format!("{scene} --stats-file scene.png"), "would overwrite"),
+        (format!("{scene} --stats-file scene.nff"), "would overwrite"),
     ] {
         folder.run(&words).failed(2, says);
         assert_eq!(folder.names(), ["scene.nff"], "{words}");
@@ -258,13 +258,13 @@ fn wrong_usage_is_told_with_status_2_and_nothing_is_written() {
 }
 
 #[test]
-fn wrong_usage_is_told_before_the_scene_is_read() {
+fn wrong_usage_is_reported_before_the_scene_is_read() {
     Folder::with(EMPTY).run("render missing.nff -o picture.gif").failed(2, "picture.gif");
     Folder::with("?").run("render scene.nff -o - --stats text").failed(2, "--stats-file");
 }
 
 #[test]
-fn a_wrong_scene_is_told_with_its_line_and_nothing_is_written() {
+fn a_wrong_scene_is_reported_with_its_line_and_nothing_is_written() {
     for (text, line) in [
         ("", 1),
         ("# nothing\n", 1),
@@ -286,7 +286,7 @@ fn a_wrong_scene_is_told_with_its_line_and_nothing_is_written() {
 }
 
 #[test]
-fn a_file_that_is_no_scene_is_told_with_status_65() {
+fn a_file_that_is_no_scene_is_reported_with_status_65() {
     let folder = Folder::with(EMPTY);
     folder.write("scene.toml", "");
     folder.write("picture.nff", b"\x89PNG\r\n\x1a\n");
@@ -296,7 +296,7 @@ fn a_file_that_is_no_scene_is_told_with_status_65() {
 }
 
 #[test]
-fn a_scene_that_cannot_be_read_is_told_with_status_66() {
+fn a_scene_that_cannot_be_read_is_reported_with_status_66() {
     let folder = Folder::with(EMPTY);
     std::fs::create_dir(folder.path("folder.nff")).unwrap();
     for name in ["missing.nff", "missing.toml", "missing/scene.nff", "scene.nff/scene.nff", "folder.nff", "."]

@@ -93,7 +93,7 @@ fn every_save_of_the_mask_gives_a_new_picture() {
 }
 
 #[test]
-fn a_mask_that_does_not_fit_or_is_gone_is_told_and_waited_for() {
+fn a_mask_that_does_not_fit_or_is_gone_is_reported_and_waited_for() {
     const WITH: &str = "--mask a.ppm";
     let folder = folder();
     folder.write("a.ppm", mask(24, 16, 12));
@@ -101,7 +101,7 @@ fn a_mask_that_does_not_fit_or_is_gone_is_told_and_waited_for() {
     until_current_with(&mut running, &folder, WITH);
     let before = folder.read("scene.png");
     folder.write("a.ppm", mask(12, 16, 12));
-    running.until(|| said(&folder).contains("a.ppm: the mask has 12x16 pixels, the picture 24x16"));
+    running.until(|| said(&folder).contains("a.ppm: the mask is 12x16 pixels, but the picture is 24x16"));
     std::fs::remove_file(folder.path("a.ppm")).unwrap();
     running.until(|| said(&folder).contains("cannot read a.ppm"));
     assert_eq!(folder.read("scene.png"), before);
@@ -111,7 +111,7 @@ fn a_mask_that_does_not_fit_or_is_gone_is_told_and_waited_for() {
 }
 
 #[test]
-fn what_is_wrong_is_told_and_the_picture_waits_until_it_is_right() {
+fn what_is_wrong_is_reported_and_the_picture_waits_until_it_is_right() {
     let folder = folder();
     let mut running = watching(&folder, "scene.toml");
     until_current(&mut running, &folder);
@@ -177,15 +177,15 @@ fn an_interrupt_ends_it_with_130_and_a_request_to_terminate_with_75() {
 fn what_cannot_be_watched_is_refused() {
     let folder = folder();
     folder.run("watch none.toml").failed(66, "cannot read none.toml");
-    folder.run("watch scene.toml -o -").failed(2, "needs a file");
-    folder.run("watch /dev/null").failed(2, "no file");
+    folder.run("watch scene.toml -o -").failed(2, "needs an output file");
+    folder.run("watch /dev/null").failed(2, "not a regular file");
     folder.run("watch scene.toml -o none/a.png").failed(74, "none/a.png");
     folder.run("watch scene.toml --mask none.ppm").failed(66, "cannot read none.ppm");
-    folder.run("watch scene.toml --mask -").failed(2, "needs a file");
-    folder.run("watch scene.toml --mask /dev/null").failed(2, "no file");
+    folder.run("watch scene.toml --mask -").failed(2, "needs a mask file");
+    folder.run("watch scene.toml --mask /dev/null").failed(2, "not a regular file");
     // Each picture would be the mask of the next.
     folder.done("render scene.toml -q");
     folder.done("render scene.toml -q -o a.ppm");
-    folder.run("watch scene.toml --mask scene.png").failed(2, "would replace");
-    folder.run("watch scene.toml --mask a.ppm -o ./a.ppm").failed(2, "would replace");
+    folder.run("watch scene.toml --mask scene.png").failed(2, "would overwrite");
+    folder.run("watch scene.toml --mask a.ppm -o ./a.ppm").failed(2, "would overwrite");
 }

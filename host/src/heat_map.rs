@@ -1,9 +1,8 @@
-//! What each pixel costs, as a picture to look at or as channels of numbers.
+//! Cost per pixel as a heat map or as float channels.
 //!
-//! The picture has three panels, for rays, tests and levels, each with a legend. Its colours are
-//! those of a perceptually uniform map: in rays and tests every doubling is as much brighter as the
-//! one before, from the cheapest pixel to the dearest; levels go in equal steps. Black is a pixel
-//! that was not traced.
+//! The heat map has three panels, for rays, tests and levels, each with a legend. Its color map is perceptually
+//! uniform. The scale of rays and tests is logarithmic, from the cheapest pixel to the most expensive; that of
+//! levels is linear. A pixel that was not traced is black.
 
 use std::convert::Infallible;
 
@@ -24,38 +23,38 @@ use strahl_picture::color_map::inferno;
 use strahl_picture::format::EXR_ENCODING;
 use strahl_picture::{Picture, srgb};
 
-/// How wide a panel is at least: the pixels of small pictures become squares.
-const LEAST_WIDTH: u32 = 280;
-/// Panels that are wider stand below each other.
-const WIDE: u32 = 900;
-/// Round everything.
+/// Minimum width of a panel; pixels of small pictures become squares.
+const MIN_PANEL_WIDTH: u32 = 280;
+/// Wider panels are stacked.
+const STACKED_WIDTH: u32 = 900;
+/// Margin around the panels.
 const MARGIN: u32 = 12;
 /// Above a panel, for its title.
 const TITLE: u32 = 22;
 /// Below it, for its legend.
 const LEGEND: u32 = 44;
-/// How far a number of the legend stands from the next.
-const TICK: f64 = 46.0;
-/// What is a little brighter than black.
-const FIRST: f64 = 0.12;
+/// Minimum distance of the numbers of a legend.
+const MIN_TICK_DISTANCE: f64 = 46.0;
+/// Position of the smallest positive value on the color map.
+const MIN_BRIGHTNESS: f64 = 0.12;
 
 const PAPER: [u8; 3] = [252, 252, 250];
 const INK: Rgb888 = Rgb888::new(28, 28, 28);
 
-/// What the pixels of a part of a picture cost, row by row.
+/// CostRegion of the pixels of a region, row by row.
 #[derive(Clone, Debug)]
-pub struct Costs {
+pub struct CostRegion {
     area: Tile,
     pixels: Vec<PixelCost>,
 }
 
-impl Costs {
-    /// Of this part of a whole picture.
+impl CostRegion {
+    /// The costs of a region of a picture.
     pub fn of(cost_map: &CostMap, area: Tile) -> Self {
         let (whole, all) = (Tile::full(cost_map.size()), cost_map.costs());
         let cost =
             |pixel| whole.index_of(pixel).and_then(|place| all.get(place)).copied().unwrap_or_default();
-        Costs { area, pixels: area.pixels().map(cost).collect() }
+        CostRegion { area, pixels: area.pixels().map(cost).collect() }
     }
 }
 
@@ -66,44 +65,44 @@ struct Panel {
     scale: Scale,
 }
 
-/// How numbers become colours.
+/// Mapping of values to colors.
 #[derive(Clone, Copy)]
 enum Scale {
-    /// Equal ratios are equal steps.
-    Ratios { least: f64, most: f64 },
-    /// Equal differences are.
-    Steps { most: f64 },
+    /// Equal ratios have equal distances.
+    Logarithmic { least: f64, most: f64 },
+    /// Equal differences have equal distances.
+    Linear { most: f64 },
 }
 
 impl Scale {
-    /// The place on the map, 0 to 1.
-    fn place(self, value: f64) -> f64 {
+    /// The position on the color map, 0 to 1.
+    fn normalize(self, value: f64) -> f64 {
         let share = match self {
-            Scale::Ratios { least, most } if most > least => {
+            Scale::Logarithmic { least, most } if most > least => {
                 libm::log(value.max(least) / least) / libm::log(most / least)
             }
-            Scale::Ratios { .. } => 0.5,
-            Scale::Steps { most } => value / most.max(1.0),
+            Scale::Logarithmic { .. } => 0.5,
+            Scale::Linear { most } => value / most.max(1.0),
         };
-        if value > 0.0 { FIRST + (1.0 - FIRST) * share } else { 0.0 }
+        if value > 0.0 { MIN_BRIGHTNESS + (1.0 - MIN_BRIGHTNESS) * share } else { 0.0 }
     }
 
     /// Numbers for the legend, the ends among them.
     fn ticks(self, width: f64) -> Vec<f64> {
         let (ends, candidates): ([f64; 2], Vec<f64>) = match self {
-            Scale::Ratios { least, most } => {
+            Scale::Logarithmic { least, most } => {
                 let decades = (0..20).map(|power| libm::pow(10.0, f64::from(power)));
                 ([least, most], decades.flat_map(|ten| [ten, 2.0 * ten, 5.0 * ten]).collect())
             }
-            Scale::Steps { most } => ([1.0, most.max(1.0)], (2..64).map(f64::from).collect()),
+            Scale::Linear { most } => ([1.0, most.max(1.0)], (2..64).map(f64::from).collect()),
         };
-        let at = |value: f64| self.place(value) * width;
+        let at = |value: f64| self.normalize(value) * width;
         let mut ticks = vec![ends[0]];
-        if at(ends[1]) - at(ends[0]) >= TICK {
+        if at(ends[1]) - at(ends[0]) >= MIN_TICK_DISTANCE {
             ticks.push(ends[1]);
         }
         for value in candidates.into_iter().filter(|value| *value > ends[0] && *value < ends[1]) {
-            if ticks.iter().all(|tick| (at(*tick) - at(value)).abs() >= TICK) {
+            if ticks.iter().all(|tick| (at(*tick) - at(value)).abs() >= MIN_TICK_DISTANCE) {
                 ticks.push(value);
             }
         }
@@ -112,14 +111,14 @@ impl Scale {
 }
 
 impl Panel {
-    fn of(name: &'static str, costs: &Costs, value: fn(&PixelCost) -> u64) -> Self {
+    fn of(name: &'static str, costs: &CostRegion, value: fn(&PixelCost) -> u64) -> Self {
         let values: Vec<u64> = costs.pixels.iter().map(value).collect();
         let most = values.iter().copied().max().unwrap_or(0) as f64;
         let least = values.iter().copied().filter(|value| *value > 0).min().unwrap_or(1) as f64;
         let scale = if name == "levels" {
-            Scale::Steps { most }
+            Scale::Linear { most }
         } else {
-            Scale::Ratios { least, most: most.max(least) }
+            Scale::Logarithmic { least, most: most.max(least) }
         };
         Panel { name, values, scale }
     }
@@ -128,28 +127,28 @@ impl Panel {
         let traced = self.values.iter().filter(|value| **value > 0).count().max(1) as f64;
         let mean = self.values.iter().sum::<u64>() as f64 / traced;
         let most = self.values.iter().copied().max().unwrap_or(0);
-        format!("{} in a pixel: {mean:.1} in the mean, {most} at most", self.name)
+        format!("{} per pixel: mean {mean:.1}, maximum {most}", self.name)
     }
 }
 
-/// The three panels; none where they are too large for one picture.
-pub fn picture(costs: &Costs) -> Option<Picture> {
+/// The heat map; `None` if it is too large for one picture.
+pub fn picture(costs: &CostRegion) -> Option<Picture> {
     let panels = [
         Panel::of("rays", costs, PixelCost::total_rays),
         Panel::of("tests", costs, PixelCost::tests),
         Panel::of("levels", costs, |cost| cost.level.into()),
     ];
     let (width, height) = (costs.area.width, costs.area.height);
-    let zoom = LEAST_WIDTH.div_ceil(width.max(1)).max(1);
+    let zoom = MIN_PANEL_WIDTH.div_ceil(width.max(1)).max(1);
     let (wide, high) = (width * zoom, height * zoom);
-    let step = if wide > WIDE { (0, TITLE + high + LEGEND) } else { (wide + 2 * MARGIN, 0) };
+    let step = if wide > STACKED_WIDTH { (0, TITLE + high + LEGEND) } else { (wide + 2 * MARGIN, 0) };
     let size = (wide + 2 * step.0 + 2 * MARGIN, TITLE + high + LEGEND + 2 * step.1 + 2 * MARGIN);
     let mut canvas = Canvas::of(Resolution::new(size.0, size.1)?);
     let colors = inferno();
     for (panel, place) in panels.iter().zip(0..) {
         let (left, top) = (MARGIN + place * step.0, MARGIN + place * step.1);
         canvas.write(left, top + 13, &panel.title(), Alignment::Left, Weight::Bold);
-        let color = |value: f64| colors[(255.0 * panel.scale.place(value) + 0.5) as usize & 255];
+        let color = |value: f64| colors[(255.0 * panel.scale.normalize(value) + 0.5) as usize & 255];
         for (value, at) in panel.values.iter().zip(0..) {
             let (x, y) = (left + at % width * zoom, top + TITLE + at / width * zoom);
             canvas.fill([x, y, zoom, zoom], color(*value as f64));
@@ -161,7 +160,7 @@ pub fn picture(costs: &Costs) -> Option<Picture> {
             canvas.fill([left + x, bar, 1, 12], colors[step as usize]);
         }
         for tick in panel.scale.ticks(f64::from(wide)) {
-            let place = (panel.scale.place(tick) * f64::from(wide - 1) + 0.5) as u32;
+            let place = (panel.scale.normalize(tick) * f64::from(wide - 1) + 0.5) as u32;
             canvas.fill([left + place, bar + 12, 1, 4], [28, 28, 28]);
             // The last stays inside of the panel.
             let side = if place + 24 > wide { Alignment::Right } else { Alignment::Center };
@@ -173,7 +172,7 @@ pub fn picture(costs: &Costs) -> Option<Picture> {
 
 /// The numbers as channels of an EXR file: `rays`, `rays.camera` and so on, `tests.boxes`,
 /// `tests.shapes`, `levels`.
-pub fn exr(costs: &Costs) -> Result<Vec<u8>, exr::error::Error> {
+pub fn exr(costs: &CostRegion) -> Result<Vec<u8>, exr::error::Error> {
     let channel = |name: &str, value: &dyn Fn(&PixelCost) -> u64| {
         // Exact up to 16 million.
         let values = costs.pixels.iter().map(|cost| value(cost) as f32).collect();
@@ -196,7 +195,7 @@ pub fn exr(costs: &Costs) -> Result<Vec<u8>, exr::error::Error> {
     Ok(file.into_inner())
 }
 
-/// Paper.
+/// The picture being drawn.
 struct Canvas {
     size: Resolution,
     dots: Vec<[u8; 3]>,
@@ -263,7 +262,7 @@ mod tests {
     use super::*;
     use strahl_core::image::Pixel;
 
-    fn costs() -> Costs {
+    fn costs() -> CostRegion {
         let cost = |number| PixelCost {
             rays: [1, 0, 0, number],
             boxes: [9 * number; 4],
@@ -272,13 +271,13 @@ mod tests {
         };
         let area = Tile { top_left: Pixel { x: 0, y: 0 }, width: 3, height: 2 };
         let pixels = (0..6).map(|place| if place == 5 { PixelCost::default() } else { cost(place) });
-        Costs { area, pixels: pixels.collect() }
+        CostRegion { area, pixels: pixels.collect() }
     }
 
     #[test]
-    fn dearer_pixels_are_brighter_and_one_that_was_not_traced_is_black() {
+    fn expensive_pixels_are_brighter_and_one_that_was_not_traced_is_black() {
         let picture = picture(&costs()).unwrap();
-        let zoom = LEAST_WIDTH.div_ceil(3);
+        let zoom = MIN_PANEL_WIDTH.div_ceil(3);
         let at = |x: u32, y: u32| {
             let place =
                 (MARGIN + TITLE + y * zoom + zoom / 2) * picture.size.width() + MARGIN + x * zoom + zoom / 2;
@@ -294,15 +293,18 @@ mod tests {
 
     #[test]
     fn a_legend_has_the_ends_and_its_numbers_do_not_touch() {
-        for scale in [Scale::Ratios { least: 3.0, most: 40_000.0 }, Scale::Steps { most: 12.0 }] {
+        for scale in [Scale::Logarithmic { least: 3.0, most: 40_000.0 }, Scale::Linear { most: 12.0 }] {
             let ticks = scale.ticks(300.0);
             assert!(ticks.len() > 3, "{ticks:?}");
             for (place, a) in ticks.iter().enumerate() {
                 for b in &ticks[..place] {
-                    assert!((scale.place(*a) - scale.place(*b)).abs() * 300.0 >= TICK, "{ticks:?}");
+                    assert!(
+                        (scale.normalize(*a) - scale.normalize(*b)).abs() * 300.0 >= MIN_TICK_DISTANCE,
+                        "{ticks:?}"
+                    );
                 }
             }
         }
-        assert_eq!(Scale::Ratios { least: 4.0, most: 4.0 }.ticks(300.0), [4.0]);
+        assert_eq!(Scale::Logarithmic { least: 4.0, most: 4.0 }.ticks(300.0), [4.0]);
     }
 }
