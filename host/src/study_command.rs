@@ -23,7 +23,7 @@ use crate::output::{Output, OutputGuard, print_message, print_stderr};
 use crate::signals::Signals;
 use crate::wrap::{stderr_width, wrapped};
 
-/// Studies a scene, or makes the page of a study again.
+/// Runs a study, or writes the report of an existing one.
 pub fn run(args: &StudyArgs) -> Result<(), CommandError> {
     let device = args
         .device
@@ -35,8 +35,7 @@ pub fn run(args: &StudyArgs) -> Result<(), CommandError> {
             let study = read(file, Study::parse)?;
             let place = args.output.clone().unwrap_or_else(|| folder_of(file));
             let guard = OutputGuard::of(iter::once(file).chain(&args.device));
-            // The page says that the numbers are beside it. What is there already is not replaced unless that is
-            // asked for.
+            // The page links to study.json next to it. An existing file is replaced only with an explicit output folder.
             let copy = place.join("study.json");
             let is_same = fs::canonicalize(&copy).ok() == fs::canonicalize(file).ok();
             let is_copied = !is_same && (args.output.is_some() || !copy.exists());
@@ -78,7 +77,7 @@ pub fn run(args: &StudyArgs) -> Result<(), CommandError> {
     }
 }
 
-/// Loads the scene, and says what its user should know of.
+/// Loads the scene and prints its warnings.
 fn load(files: &SourceFiles, path: &Path, args: &StudyArgs) -> Result<LoadedScene, CommandError> {
     let scene = load_from(files, path, args.size.unwrap_or(DEFAULT_SIZE))?;
     for warning in scene.warnings.iter().filter(|_| !args.quiet) {
@@ -87,7 +86,7 @@ fn load(files: &SourceFiles, path: &Path, args: &StudyArgs) -> Result<LoadedScen
     Ok(scene)
 }
 
-/// What a file holds.
+/// Reads and parses a file.
 fn read<T>(path: &Path, parse: impl FnOnce(&[u8]) -> Result<T, ParseError>) -> Result<T, CommandError> {
     let bytes = fs::read(path).map_err(|error| CommandError::Unreadable { path: path.to_owned(), error })?;
     parse(&bytes).map_err(|ParseError { line, reason }| CommandError::InvalidInput {
@@ -140,7 +139,7 @@ impl Meter {
         Meter { signals, bar, room: width.saturating_sub(length + 24) }
     }
 
-    /// It is over: the bar is gone.
+    /// Removes the bar.
     fn end(&self) {
         self.bar.disable_steady_tick();
         self.bar.finish_and_clear();
@@ -170,17 +169,17 @@ impl StudyProgress for Meter {
     }
 }
 
-/// Where a study goes. What was made for it goes with this value, unless something is in it.
+/// Output folder of a study. Folders created for it are removed on drop if they are empty.
 struct Folder {
     path: PathBuf,
     /// The files that are still to be written there.
     files: HashMap<&'static str, Output>,
-    /// Folders that were not there before, the innermost first.
+    /// Created folders, the innermost first.
     made: Vec<PathBuf>,
 }
 
 impl Folder {
-    /// Makes it, if it is not there, and makes sure that these files can be written in it.
+    /// Creates the folder if it is missing, and opens these files in it.
     fn prepare(path: &Path, mut guard: OutputGuard, names: &[&'static str]) -> Result<Self, CommandError> {
         let unwritable = |error| CommandError::Unwritable { path: Some(path.to_owned()), error };
         let is_new = |folder: &&Path| *folder != Path::new("") && !folder.exists();
@@ -193,7 +192,7 @@ impl Folder {
         Ok(folder)
     }
 
-    /// Lets one of the files appear.
+    /// Writes one of the files.
     fn write(&mut self, name: &str, bytes: &[u8]) -> Result<(), CommandError> {
         self.files.remove(name).map_or(Ok(()), |output| output.commit(bytes))
     }

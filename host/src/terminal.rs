@@ -8,7 +8,7 @@ use strahl_engine::{Interrupt, Progress};
 use crate::signals::Signals;
 use crate::wrap::stderr_width;
 
-/// Shows how far the work is, and stops it for signals.
+/// Progress bar of a render, which also checks for signals.
 #[derive(Clone, Debug)]
 pub struct TerminalProgress {
     signals: Signals,
@@ -23,12 +23,12 @@ impl TerminalProgress {
 
     /// Shows a bar with rate and time left on the standard error, if that is a terminal.
     pub fn on_terminal(signals: Signals) -> Self {
-        // indicatif draws on a terminal only. No colours: the bar has nothing to say by them.
+        // indicatif draws on a terminal only. No colors.
         let bar = ProgressBar::no_length();
         let rate = |state: &ProgressState, text: &mut dyn std::fmt::Write| {
             let _ = write!(text, "{}", HumanCount(state.per_sec() as u64));
         };
-        // As long as what stands behind it leaves room for, in a row that must not be broken.
+        // The rest of the row is for the text after the bar; the row must not wrap.
         let length = stderr_width().saturating_sub(40).clamp(8, 32);
         let template = format!("{{bar:{length}}} {{percent:>3}} %  {{rate}} pixels/s  {{eta}} left");
         let style = ProgressStyle::with_template(&template)
@@ -39,7 +39,7 @@ impl TerminalProgress {
         TerminalProgress { signals, bar }
     }
 
-    /// All of it is done, or given up: the bar is gone.
+    /// Removes the bar.
     pub fn end(&self) {
         self.bar.disable_steady_tick();
         self.bar.finish_and_clear();

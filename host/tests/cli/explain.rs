@@ -86,10 +86,10 @@ fn a_pixel_outside_the_picture_is_wrong_usage() {
     let folder = folder();
     for (words, says) in [
         ("scene.toml 24,0", "24,0 is outside the picture of 24x16, whose last pixel is 23,15\n"),
-        ("scene.toml 1", "two integers from 0 with a comma"),
-        ("scene.toml -1,3", "two integers from 0 with a comma"),
-        ("scene.toml 1,-3", "two integers from 0 with a comma"),
-        ("-q scene.toml -1,-3", "two integers from 0 with a comma"),
+        ("scene.toml 1", "must be X,Y, two integers from 0"),
+        ("scene.toml -1,3", "must be X,Y, two integers from 0"),
+        ("scene.toml 1,-3", "must be X,Y, two integers from 0"),
+        ("-q scene.toml -1,-3", "must be X,Y, two integers from 0"),
         ("scene.toml 1,1 --sample -1", "an integer from 1"),
         ("scene.toml 1,1 --svg - --json", "standard output"),
         ("scene.toml 1,1 --svg scene.toml", "would overwrite"),

@@ -1,4 +1,4 @@
-//! What `info` tells.
+//! Output of `info`.
 
 use serde_json::{Value, json};
 
@@ -76,8 +76,7 @@ fn every_effect_is_reported_with_its_line_and_goes_on_request() {
 
     let said = folder.run("render all.toml -o all.png --without gloss,lens");
     let text = said.stderr;
-    for said in
-        ["without", "gloss: material (line 18) on 1 object, on request", "lens: camera (line 1), on request"]
+    for said in ["  disabled  gloss: material (line 18) on 1 object\n", "  disabled  lens: camera (line 1)\n"]
     {
         assert!(text.contains(said), "`{said}` is not in\n{text}");
     }

@@ -46,9 +46,9 @@ fn until_current(running: &mut Running, folder: &Folder) {
 
 /// The same with these options.
 fn until_current_with(running: &mut Running, folder: &Folder, options: &str) {
-    folder.done(&format!("render scene.toml --quiet -o wanted.png {options}"));
-    let wanted = folder.read("wanted.png");
-    running.until(|| std::fs::read(folder.path("scene.png")).is_ok_and(|picture| picture == wanted));
+    folder.done(&format!("render scene.toml --quiet -o expected.png {options}"));
+    let expected = folder.read("expected.png");
+    running.until(|| std::fs::read(folder.path("scene.png")).is_ok_and(|picture| picture == expected));
 }
 
 fn kill(running: &Running, signal: &str) {
