@@ -8,8 +8,8 @@
 //! With `--watertight` nothing is written: this number of rays is aimed from inside at edges and vertices of
 //! closed meshes, and those that escape are counted.
 
+use strahl_test_scene::{DVec3, SplitMix64, dvec3};
 use strahl_tests::hard::{ClosedMesh, cases, escapes, panels, table};
-use strahl_tests::{DVec3, SplitMix64, dvec3};
 
 type ExampleError = Box<dyn std::error::Error>;
 

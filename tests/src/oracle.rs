@@ -12,8 +12,8 @@
 //!
 //! Source: Hart, "Sphere Tracing", The Visual Computer 12, 1996.
 
-use crate::test_shape::{TestRay, TestShape};
-use crate::vector::{DVec3, area, dvec3, perpendicular_axes, unit};
+use strahl_test_scene::vector::{area, perpendicular_axes, unit};
+use strahl_test_scene::{DVec3, TestRay, TestShape, dvec3};
 
 /// The oracle's answer for a ray and a shape.
 #[derive(Clone, Copy, Debug)]

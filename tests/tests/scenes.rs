@@ -5,10 +5,7 @@ use std::path::{Path, PathBuf};
 
 use strahl::args::GenerateArgs;
 use strahl_scene::procedural::{ProceduralScene, SceneFormat};
-
-#[allow(dead_code)]
-#[path = "../examples/models.rs"]
-mod models;
+use strahl_tests::models;
 
 fn root() -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).parent().unwrap().to_owned()

@@ -2,10 +2,8 @@
 //! the exact ray hits, and no box outside the band of rounding errors.
 
 use super::case::{HardCase, HardCaseTally, Solver};
-use crate::SplitMix64;
-use crate::test_shape::TestRay;
 use crate::textbook;
-use crate::vector::dvec3;
+use strahl_test_scene::{SplitMix64, TestRay, dvec3};
 
 const fn case(
     name: &'static str,
@@ -75,7 +73,7 @@ fn evaluated(aim: IntegerAim, rng: &mut SplitMix64) -> [HardCaseTally; 3] {
 
 fn answer(solver: Solver, case: &SlabCase) -> bool {
     let TestRay { origin, direction } = case.ray;
-    let narrow = |v: crate::DVec3| strahl_core::vec3(v.x as f32, v.y as f32, v.z as f32);
+    let narrow = |v: strahl_test_scene::DVec3| strahl_core::vec3(v.x as f32, v.y as f32, v.z as f32);
     match solver {
         Solver::Textbook => textbook::slabs(case.aabb.min, case.aabb.max, narrow(origin), narrow(direction)),
         Solver::Single => {

@@ -1,11 +1,11 @@
 //! A case of hard rays, and its evaluation for each solver.
 
-use crate::cast::{CoreHit, TestedCore};
 use crate::oracle::{OracleAnswer, OracleHit, PRECISION, intersect, size};
-use crate::test_shape::{TestRay, TestShape};
 use crate::textbook::TextbookShape;
-use crate::vector::{DVec3, dvec3, perpendicular_axes};
-use crate::{SplitMix64, double, rounded, single};
+use strahl_test_scene as single;
+use strahl_test_scene::vector::perpendicular_axes;
+use strahl_test_scene::{CoreHit, DVec3, SplitMix64, TestRay, TestShape, TestedCore, dvec3, rounded};
+use strahl_test_scene_double as double;
 
 /// Distance between neighboring `f32` in `[1, 2)`.
 pub const ULP: f64 = 1.0 / (1 << 23) as f64;

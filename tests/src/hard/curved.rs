@@ -1,9 +1,7 @@
 //! Hard rays at curved shapes: spheres, cones and cylinders, tori.
 
 use super::case::{AimFunction, HardCase, about_one, as_f32, length, perpendicular, towards};
-use crate::test_shape::{TestRay, TestShape};
-use crate::vector::DVec3;
-use crate::{SplitMix64, rounded};
+use strahl_test_scene::{DVec3, SplitMix64, TestRay, TestShape, rounded};
 
 /// Rays at each shape.
 const RAYS: usize = 50;

@@ -1,9 +1,7 @@
 //! Hard rays at flat shapes: triangles, polygons, planes, discs and boxes.
 
 use super::case::{AimFunction, HardCase, about_one, as_f32, length, perpendicular, towards};
-use crate::SplitMix64;
-use crate::test_shape::{TestRay, TestShape};
-use crate::vector::{DVec3, dvec3};
+use strahl_test_scene::{DVec3, SplitMix64, TestRay, TestShape, dvec3};
 
 /// Rays at each shape.
 const RAYS: usize = 25;
@@ -75,7 +73,7 @@ fn point_of([a, b, c]: &[DVec3; 3], rng: &mut SplitMix64) -> DVec3 {
 }
 
 fn any_triangle(place: DVec3, size: f64, rng: &mut SplitMix64) -> [DVec3; 3] {
-    match TestShape::random(crate::TestShapeKind::Triangle, place, size, rng) {
+    match TestShape::random(strahl_test_scene::TestShapeKind::Triangle, place, size, rng) {
         TestShape::Triangle { vertices } => vertices,
         _ => unreachable!("the kind is a triangle"),
     }
@@ -205,7 +203,7 @@ fn level_with_vertices(rng: &mut SplitMix64) -> (TestShape, Vec<TestRay>) {
 fn distant_polygon(rng: &mut SplitMix64) -> (TestShape, Vec<TestRay>) {
     let size = rng.log_between(1e-2, 1e2);
     let place = as_f32(rng.direction() * (size * rng.log_between(1e3, 1e4)));
-    let polygon = TestShape::random(crate::TestShapeKind::Polygon, place, size, rng);
+    let polygon = TestShape::random(strahl_test_scene::TestShapeKind::Polygon, place, size, rng);
     let viewpoint = as_f32(place + rng.direction() * (size * rng.log_between(0.5, 10.0)));
     (polygon, rays(|| towards(viewpoint, rng.in_ball(place, size))))
 }

@@ -1,9 +1,7 @@
 //! Boxes and rays that are hard for accelerators that divide space into cells.
 
 use super::case::{as_f32, towards};
-use crate::SplitMix64;
-use crate::test_shape::{TestRay, TestShape};
-use crate::vector::{DVec3, dvec3};
+use strahl_test_scene::{DVec3, SplitMix64, TestRay, TestShape, dvec3};
 
 /// Axis-aligned boxes, and rays.
 pub(super) type BoxesAndRays = (Vec<TestShape>, Vec<TestRay>);

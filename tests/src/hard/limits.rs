@@ -1,10 +1,8 @@
 //! Scaled shapes, invalid rays, and the end of a ray.
 
 use super::case::{HardCase, HardCaseTally, Solver, SolverHit, answers, towards};
-use crate::SplitMix64;
-use crate::test_shape::{TestRay, TestShape, TestShapeKind};
 use crate::textbook::TextbookShape;
-use crate::vector::{DVec3, dvec3};
+use strahl_test_scene::{DVec3, SplitMix64, TestRay, TestShape, TestShapeKind, dvec3};
 
 pub(super) const CASES: [HardCase; 3] = [
     HardCase::own("scale", "every kind, times 2^-30 to 2^30", "thresholds and fourth powers", 0.0, scaled),
@@ -115,7 +113,7 @@ macro_rules! core {
             use $scene as TestScene;
 
             use super::{TestRay, TestShape};
-            use crate::cast::TestedCore;
+            use strahl_test_scene::TestedCore;
 
             pub fn ends(shape: &TestShape, rays: &[TestRay]) -> Vec<[bool; 3]> {
                 let scene = TestScene::with_shapes(std::slice::from_ref(shape));
@@ -153,5 +151,5 @@ macro_rules! core {
     };
 }
 
-core!(in_single, strahl_core, crate::single::TestScene);
-core!(in_double, strahl_core_double, crate::double::TestScene);
+core!(in_single, strahl_core, strahl_test_scene::TestScene);
+core!(in_double, strahl_core_double, strahl_test_scene_double::TestScene);

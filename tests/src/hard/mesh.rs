@@ -4,10 +4,9 @@ use strahl_core::geometry::{Ray, ShapeFeatures, ShapeKind, ShapeSet};
 use strahl_core::{Geometry, Shape, Vec3, vec3};
 
 use super::case::{HardCase, HardCaseTally, Solver, as_f32};
-use crate::test_shape::{TestRay, TestShape};
 use crate::textbook::TextbookShape;
-use crate::vector::{DVec3, dvec3, perpendicular_axes};
-use crate::{SplitMix64, rounded};
+use strahl_test_scene::vector::perpendicular_axes;
+use strahl_test_scene::{DVec3, SplitMix64, TestRay, TestShape, dvec3, rounded};
 
 const fn case(name: &'static str, mesh: fn(&mut SplitMix64) -> [HardCaseTally; 3]) -> HardCase {
     HardCase::own("mesh", name, "edges belong to neither of their triangles", 0.0, mesh)
@@ -66,7 +65,7 @@ impl ClosedMesh {
         for (a, b) in [(1.0, g), (-1.0, g), (1.0, -g), (-1.0, -g)] {
             points.extend([dvec3(a, b, 0.0), dvec3(0.0, a, b), dvec3(b, 0.0, a)]);
         }
-        let mut points: Vec<DVec3> = points.into_iter().map(crate::vector::unit).collect();
+        let mut points: Vec<DVec3> = points.into_iter().map(strahl_test_scene::vector::unit).collect();
         // All triples of neighboring vertices.
         let near = |a: usize, b: usize, points: &[DVec3]| points[a].dot(points[b]) > 0.4;
         let mut triangles = Vec::new();
@@ -88,7 +87,7 @@ impl ClosedMesh {
             for [a, b, c] in triangles {
                 let [ab, bc, ca] = [(a, b), (b, c), (c, a)].map(|(a, b)| {
                     *halves.entry((a.min(b), a.max(b))).or_insert_with(|| {
-                        points.push(crate::vector::unit(points[a as usize] + points[b as usize]));
+                        points.push(strahl_test_scene::vector::unit(points[a as usize] + points[b as usize]));
                         points.len() as u32 - 1
                     })
                 });
@@ -114,7 +113,7 @@ impl ClosedMesh {
 
     /// A cone. Its side has `slivers` triangles that share the apex, and so has its base.
     pub fn fan(slivers: u32, center: DVec3, size: f64) -> ClosedMesh {
-        let axis = crate::vector::unit(dvec3(0.3, 0.5, 0.8));
+        let axis = strahl_test_scene::vector::unit(dvec3(0.3, 0.5, 0.8));
         let (x, y) = perpendicular_axes(axis);
         let edge_point = |i: u32| {
             let angle = f64::from(i) * std::f64::consts::TAU / f64::from(slivers);
@@ -133,7 +132,7 @@ impl ClosedMesh {
 
     /// A tilted flat sheet of `side` times `side` squares, each of two triangles.
     pub fn sheet(side: u32, center: DVec3, size: f64) -> ClosedMesh {
-        let normal = crate::vector::unit(dvec3(0.1, 0.9, 0.2));
+        let normal = strahl_test_scene::vector::unit(dvec3(0.1, 0.9, 0.2));
         let (x, y) = perpendicular_axes(normal);
         let index = |i: u32, j: u32| i * (side + 1) + j;
         let step = 2.0 * size / f64::from(side);

@@ -2,8 +2,7 @@
 
 use super::case::{HardCase, HardCaseTally, Solver, ULP, as_f32, length, perpendicular};
 use crate::textbook;
-use crate::vector::{DVec3, dvec3};
-use crate::{SplitMix64, rounded};
+use strahl_test_scene::{DVec3, SplitMix64, dvec3, rounded};
 
 pub(super) const CASES: [HardCase; 2] = [
     HardCase::own(

@@ -2,8 +2,8 @@
 
 use super::case::{Solver, answers, as_f32, judged, towards};
 use crate::oracle::{OracleAnswer, intersect};
-use crate::test_shape::{TestRay, TestShape};
-use crate::vector::{DVec3, dvec3, perpendicular_axes};
+use strahl_test_scene::vector::perpendicular_axes;
+use strahl_test_scene::{DVec3, TestRay, TestShape, dvec3};
 
 /// Pixels along each side of a panel.
 const SIDE: usize = 112;

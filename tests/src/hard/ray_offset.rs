@@ -1,12 +1,11 @@
 //! Rays that start on a surface: they must not hit it again.
 
 use super::case::{HardCase, HardCaseTally, Solver, ULP, answers, as_f32, length, towards};
-use crate::cast::{CoreHit, TestedCore};
 use crate::oracle::signed_distance;
-use crate::test_shape::{TestRay, TestShape, TestShapeKind};
 use crate::textbook::{self, TextbookShape};
-use crate::vector::{DVec3, dvec3};
-use crate::{SplitMix64, double, single};
+use strahl_test_scene as single;
+use strahl_test_scene::{CoreHit, DVec3, SplitMix64, TestRay, TestShape, TestShapeKind, TestedCore, dvec3};
+use strahl_test_scene_double as double;
 
 const fn case(
     name: &'static str,

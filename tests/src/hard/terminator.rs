@@ -3,11 +3,9 @@
 
 use super::case::{HardCase, HardCaseTally, Solver, as_f32, length, perpendicular, towards};
 use super::mesh::ClosedMesh;
-use crate::cast::{CoreHit, TestedCore};
-use crate::test_shape::{TestRay, TestShape};
 use crate::textbook;
-use crate::vector::{DVec3, dvec3};
-use crate::{SplitMix64, single};
+use strahl_test_scene as single;
+use strahl_test_scene::{CoreHit, DVec3, SplitMix64, TestRay, TestShape, TestedCore, dvec3};
 
 const fn case(
     name: &'static str,
@@ -147,5 +145,5 @@ macro_rules! core {
     };
 }
 
-core!(in_single, strahl_core, crate::single::TestScene);
-core!(in_double, strahl_core_double, crate::double::TestScene);
+core!(in_single, strahl_core, strahl_test_scene::TestScene);
+core!(in_double, strahl_core_double, strahl_test_scene_double::TestScene);

@@ -3,9 +3,8 @@
 
 use super::case::{HardCase, HardCaseTally, Solver};
 use super::lattice::{BoxesAndRays, degenerate, lattice, row, uneven};
-use crate::SplitMix64;
-use crate::test_shape::{TestRay, TestShape};
 use crate::textbook::accelerators::{BoxList, NearestHit, TextbookBvh, TextbookGrid, TextbookOctree};
+use strahl_test_scene::{SplitMix64, TestRay, TestShape};
 
 const fn case(
     family: &'static str,
@@ -150,7 +149,7 @@ macro_rules! core {
             use $scene as TestScene;
 
             use super::{NearestHit, TestRay, TestShape, TestedAccelerator};
-            use crate::cast::TestedCore;
+            use strahl_test_scene::TestedCore;
 
             #[allow(clippy::useless_conversion)] // in the twin
             fn nearest<A: Accelerator>(
@@ -213,5 +212,5 @@ macro_rules! core {
     };
 }
 
-core!(in_single, strahl_core, crate::single::TestScene);
-core!(in_double, strahl_core_double, crate::double::TestScene);
+core!(in_single, strahl_core, strahl_test_scene::TestScene);
+core!(in_double, strahl_core_double, strahl_test_scene_double::TestScene);

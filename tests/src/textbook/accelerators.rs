@@ -7,7 +7,7 @@ use strahl_core::geometry::{Aabb, Ray};
 use strahl_core::{AllEffects, Geometry, Shape, Vec3, vec3};
 
 use super::{EPSILON, narrow, slabs};
-use crate::test_shape::{TestRay, TestShape};
+use strahl_test_scene::{TestRay, TestShape};
 
 /// Nearest hit.
 #[derive(Clone, Copy, Debug, PartialEq)]

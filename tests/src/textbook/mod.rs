@@ -11,8 +11,8 @@ pub mod accelerators;
 
 use strahl_core::Vec3;
 
-use crate::test_shape::{TestRay, TestShape};
-use crate::vector::{DVec3, area, unit};
+use strahl_test_scene::vector::{area, unit};
+use strahl_test_scene::{DVec3, TestRay, TestShape};
 
 /// A hit by the textbook's formula.
 #[derive(Clone, Copy, Debug)]

@@ -3,7 +3,7 @@
 use strahl_core::accel::{Buffer, BuildError, Grid, GridSize, Octree, OctreeNode, OctreeSize, StaticGrid};
 use strahl_core::geometry::{Aabb, ItemId, Ray};
 use strahl_core::{Real, Vec3, vec3};
-use strahl_tests::SplitMix64;
+use strahl_test_scene::SplitMix64;
 
 use crate::check::AcceleratorCheck;
 use crate::{random_ray, random_scene};
@@ -83,7 +83,7 @@ fn larger_buffers_give_an_octree_smaller_leaves() {
     let mut rng = SplitMix64::new(SEED + 3);
     let boxes: Vec<Aabb> = (0..1000)
         .map(|_| {
-            let center = rng.in_ball(strahl_tests::DVec3::ZERO, 10.0);
+            let center = rng.in_ball(strahl_test_scene::DVec3::ZERO, 10.0);
             let (x, y, z) = (center.x as Real, center.y as Real, center.z as Real);
             Aabb { min: vec3(x, y, z), max: vec3(x, y, z) + 0.1 }
         })

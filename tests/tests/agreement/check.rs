@@ -7,8 +7,7 @@ use strahl_core::accel::{
 use strahl_core::geometry::{Aabb, Hit, ItemId, Ray, SurfaceInteraction};
 use strahl_core::tally::RayKind;
 use strahl_core::{AllEffects, Real, World};
-use strahl_tests::SplitMix64;
-use strahl_tests::single::TestScene;
+use strahl_test_scene::{SplitMix64, TestScene};
 
 /// Answers of all queries for a ray, without the identity of the occluder, which depends on the accelerator.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -5,7 +5,7 @@ use strahl_core::accel::{Accelerator, Grid, GridSize, Octree, OctreeLimits, Octr
 use strahl_core::geometry::{Hit, ItemId, Ray};
 use strahl_core::tally::{Counters, RayKind};
 use strahl_core::{AllEffects, Real, Vec3, World, vec3};
-use strahl_tests::single::TestScene;
+use strahl_test_scene::TestScene;
 
 /// A triangle across the whole scene, which is hit far from the cell that offers it first; a small sphere in
 /// front of that hit; and many tiny spheres, so that there are many cells.

@@ -16,8 +16,7 @@ use strahl_core::accel::{
 use strahl_core::geometry::{Aabb, BoundingSphere, Hit, ItemId, Ray};
 use strahl_core::tally::{Counters, RayKind};
 use strahl_core::{AllEffects, Real, Vec3, World, vec3};
-use strahl_tests::single::TestScene;
-use strahl_tests::{DVec3, SplitMix64, TestShape, TestShapeKind, dvec3};
+use strahl_test_scene::{DVec3, SplitMix64, TestScene, TestShape, TestShapeKind, dvec3};
 
 const SEED: u64 = 0x5eed_0003;
 

@@ -7,8 +7,7 @@ use proptest::test_runner::{Config, RngAlgorithm, TestRng, TestRunner};
 use strahl_core::accel::{BvhSize, GridSize, OctreeSize};
 use strahl_core::geometry::Ray;
 use strahl_core::{Real, Vec3, vec3};
-use strahl_tests::SplitMix64;
-use strahl_tests::single::TestScene;
+use strahl_test_scene::{SplitMix64, TestScene};
 
 use crate::check::AcceleratorCheck;
 

@@ -16,8 +16,7 @@ use strahl_core::{
     ListWithoutBounds, Material, Projection, Real, Resolution, Rgb, Scene, Tile, Tracer, Vec3, Worker, World,
     render, vec3,
 };
-use strahl_tests::SplitMix64;
-use strahl_tests::single::TestScene;
+use strahl_test_scene::{SplitMix64, TestScene};
 use zerocopy::IntoBytes;
 
 /// Bytes aligned to 4.

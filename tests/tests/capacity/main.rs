@@ -30,8 +30,7 @@ use strahl_core::{
     ListWithoutBounds, Material, Projection, Real, Resolution, Rgb, Scene, Tile, Tracer, Vec3, Worker, World,
     render, vec3,
 };
-use strahl_tests::single::TestScene;
-use strahl_tests::{DVec3, SplitMix64, TestShape, TestShapeKind};
+use strahl_test_scene::{DVec3, SplitMix64, TestScene, TestShape, TestShapeKind};
 
 const SEED: u64 = 0x5eed_0004;
 

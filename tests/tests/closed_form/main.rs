@@ -23,7 +23,7 @@ use strahl_core::{
     AllEffects, Background, Camera, CameraDescriptor, CenterSampler, Falloff, Light, LightSource, Limits,
     Material, Projection, Real, Resolution, Rgb, Tile, Tracer, Vec3, Worker, World, render, vec3,
 };
-use strahl_tests::single::TestScene;
+use strahl_test_scene::TestScene;
 
 /// Relative tolerance: sixteen roundings of half a unit in the last place.
 const ROUNDINGS: f64 = 16.0 * 6e-8;

@@ -1,6 +1,6 @@
 //! Extreme values that a scene accepts: every pixel is finite.
 
-use strahl_tests::{DVec3, SplitMix64, TestShape, TestShapeKind};
+use strahl_test_scene::{DVec3, SplitMix64, TestShape, TestShapeKind};
 
 use crate::*;
 

@@ -1,6 +1,7 @@
 //! Hard shadows: their edges, and what casts none.
 
-use strahl_tests::{SplitMix64, TestRay, TestShape, TestShapeKind, TestedCore, oracle};
+use strahl_test_scene::{SplitMix64, TestRay, TestShape, TestShapeKind, TestedCore};
+use strahl_tests::oracle;
 
 use crate::*;
 
@@ -151,9 +152,9 @@ fn a_light_on_a_surface_is_not_occluded_by_it() {
     let mut shadow_rays = 0;
     for round in 0..4_000 {
         let kind = TestShapeKind::ALL[round % TestShapeKind::ALL.len()];
-        let shape = TestShape::random(kind, strahl_tests::DVec3::ZERO, 1.0, &mut rng);
-        let viewpoint = rng.in_ball(strahl_tests::DVec3::ZERO, 6.0);
-        let target = rng.in_ball(strahl_tests::DVec3::ZERO, 0.7);
+        let shape = TestShape::random(kind, strahl_test_scene::DVec3::ZERO, 1.0, &mut rng);
+        let viewpoint = rng.in_ball(strahl_test_scene::DVec3::ZERO, 6.0);
+        let target = rng.in_ball(strahl_test_scene::DVec3::ZERO, 0.7);
         let ray = TestRay { origin: viewpoint, direction: target - viewpoint };
         let oracle::OracleAnswer::Hit(contact) = oracle::intersect(&shape, &ray) else { continue };
         if contact.slope < 0.5 || contact.distance < 2.0 {

@@ -7,9 +7,8 @@ use strahl_core::accel::{
 use strahl_core::geometry::{Hit, Ray};
 use strahl_core::tally::RayKind;
 use strahl_core::{AllEffects, Real, Vec3, World, vec3};
+use strahl_test_scene::{DVec3, TestRay, TestScene, TestShape};
 use strahl_tests::hard::{HardCase, cases};
-use strahl_tests::single::TestScene;
-use strahl_tests::{DVec3, TestRay, TestShape};
 
 /// The nearest hit of each ray, and whether it is occluded up to just before the hit, and up to it.
 fn answers<A: Accelerator>(scene: &TestScene, accelerator: A, rays: &[Ray]) -> Vec<(Option<Hit>, [bool; 2])> {

@@ -16,8 +16,7 @@ use strahl_core::{
     AllEffects, Background, Camera, CameraDescriptor, CenterSampler, Falloff, Light, LightSource, Limits,
     Material, Projection, Real, Resolution, Rgb, Tile, Tracer, Vec3, Worker, World, render, vec3,
 };
-use strahl_tests::single::TestScene;
-use strahl_tests::{DVec3, SplitMix64, TestShape, TestShapeKind};
+use strahl_test_scene::{DVec3, SplitMix64, TestScene, TestShape, TestShapeKind};
 
 /// A number from a list of ordinary and extreme ones.
 fn one_of(values: &'static [f32]) -> impl Strategy<Value = f32> {

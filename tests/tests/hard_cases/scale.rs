@@ -8,10 +8,11 @@ use strahl_core::{
     AllEffects, Background, Camera, CameraDescriptor, CenterSampler, Falloff, Light, LightSource, Limits,
     Material, Projection, Resolution, Rgb, Tile, Tracer, Vec3, Worker, World, render, vec3,
 };
+use strahl_test_scene::{
+    CoreHit, DVec3, SplitMix64, TestRay, TestScene, TestShape, TestShapeKind, TestedCore, dvec3,
+};
 use strahl_tests::hard::cases;
 use strahl_tests::oracle::{OracleAnswer, intersect, size};
-use strahl_tests::single::TestScene;
-use strahl_tests::{CoreHit, DVec3, SplitMix64, TestRay, TestShape, TestShapeKind, TestedCore, dvec3};
 
 const SEED: u64 = 0x5eed_0006;
 

@@ -6,8 +6,8 @@ use strahl_core::accel::{
 use strahl_core::geometry::Ray;
 use strahl_core::tally::RayKind;
 use strahl_core::{AllEffects, Geometry, Material, MaterialId, Real, Scene, SceneDescriptor, World, vec3};
+use strahl_test_scene::{DVec3, SplitMix64, dvec3};
 use strahl_tests::hard::{ClosedMesh, escapes, odd_crossings};
-use strahl_tests::{DVec3, SplitMix64, dvec3};
 
 const SEED: u64 = 0x5eed_0008;
 

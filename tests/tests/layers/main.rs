@@ -1,9 +1,10 @@
-//! Architecture tests: a module of the core uses only lower layers, and no modules of any package use each
-//! other in a circle.
+//! Architecture tests: a module of the core uses only lower layers, no modules of any package use each other in
+//! a circle, and each file is a module of one crate.
 
 mod circles;
 mod documents;
 mod expansion;
+mod files;
 mod names;
 mod proof;
 mod scope;
@@ -46,8 +47,8 @@ fn core() -> Crate {
     core
 }
 
-/// All targets of the workspace's packages: the package, and the file of the root module. `core/double` has
-/// the sources of the core.
+/// All targets of the workspace's packages: the package, and the file of the root module. A twin package has
+/// the sources of the package for single precision, and counts once.
 fn targets() -> Vec<(String, PathBuf)> {
     let output = Command::new(env!("CARGO"))
         .args(["metadata", "--no-deps", "--offline", "--format-version", "1"])

@@ -34,7 +34,7 @@ impl Crate {
         let mut read = Crate { modules: Vec::new(), indices: HashMap::new() };
         let file = parsed(root);
         let folder = root.parent().unwrap();
-        read.add(Module::root(root), file.items, [folder; 2]);
+        read.add(Module::root(root), file.items, folder);
         read.expand();
         read
     }
@@ -43,7 +43,7 @@ impl Crate {
     pub fn of(text: &str) -> Crate {
         let mut read = Crate { modules: Vec::new(), indices: HashMap::new() };
         let file = syn::parse_file(text).unwrap_or_else(|error| panic!("{error}"));
-        read.add(Module::root("lib.rs".as_ref()), file.items, [".".as_ref(); 2]);
+        read.add(Module::root("lib.rs".as_ref()), file.items, ".".as_ref());
         read.expand();
         read
     }
@@ -85,24 +85,22 @@ impl Crate {
         self.index(&path)
     }
 
-    /// Adds a module and its submodules. Files of submodules are in the first folder; files that a `path`
-    /// attribute names are relative to the second.
-    fn add(&mut self, module: Module, items: Vec<Item>, folders: [&Path; 2]) {
+    /// Adds a module and its submodules, whose files are in this folder.
+    fn add(&mut self, module: Module, items: Vec<Item>, folder: &Path) {
         let index = self.modules.len();
         self.indices.insert(module.path.clone(), index);
         self.modules.push(module);
         for item in items {
             match item {
                 item if is_for_tests(attributes(&item)) => {}
-                Item::Mod(declared) => self.add_declared(index, declared, folders),
+                Item::Mod(declared) => self.add_declared(index, declared, folder),
                 item => self.modules[index].items.push(item),
             }
         }
     }
 
-    fn add_declared(&mut self, parent: usize, declared: ItemMod, [folder, base]: [&Path; 2]) {
+    fn add_declared(&mut self, parent: usize, declared: ItemMod, folder: &Path) {
         let name = declared.ident.to_string();
-        let named = value(&declared.attrs, "path").map(|named| base.join(named));
         let parent = &self.modules[parent];
         let mut module = Module {
             path: [&parent.path[..], std::slice::from_ref(&name)].concat(),
@@ -111,22 +109,15 @@ impl Crate {
             is_public: matches!(declared.vis, Visibility::Public(_)),
             features: [&parent.features[..], &features(&declared.attrs)].concat(),
         };
+        let inner = folder.join(&name);
         if let Some((_, items)) = declared.content {
-            let folder = named.unwrap_or_else(|| folder.join(&name));
-            self.add(module, items, [&folder; 2]);
+            self.add(module, items, &inner);
             return;
         }
-        // Submodules of `a.rs` are in the folder `a`, those of `mod.rs` and of named files beside the file.
-        let (source, inner) = match named {
-            Some(source) => (source.clone(), source.parent().unwrap().to_owned()),
-            None if folder.join(&name).with_extension("rs").exists() => {
-                (folder.join(&name).with_extension("rs"), folder.join(&name))
-            }
-            None => (folder.join(&name).join("mod.rs"), folder.join(&name)),
-        };
-        let items = parsed(&source).items;
-        module.file.clone_from(&source);
-        self.add(module, items, [&inner, source.parent().unwrap()]);
+        let beside = inner.with_extension("rs");
+        module.file = if beside.exists() { beside } else { inner.join("mod.rs") };
+        let items = parsed(&module.file).items;
+        self.add(module, items, &inner);
     }
 }
 
@@ -137,7 +128,8 @@ impl Module {
     }
 }
 
-fn parsed(path: &Path) -> syn::File {
+/// The syntax tree of a file.
+pub fn parsed(path: &Path) -> syn::File {
     let text = fs::read_to_string(path).unwrap_or_else(|error| panic!("{}: {error}", path.display()));
     syn::parse_file(&text).unwrap_or_else(|error| panic!("{}: {error}", path.display()))
 }
@@ -167,14 +159,6 @@ pub fn features(attributes: &[Attribute]) -> Vec<String> {
         _ => None,
     };
     cfgs.filter_map(feature).collect()
-}
-
-/// The value of `#[name = "value"]`.
-fn value(attributes: &[Attribute], name: &str) -> Option<String> {
-    attributes.iter().find_map(|attribute| match &attribute.meta {
-        Meta::NameValue(it) if it.path.is_ident(name) => text(&it.value),
-        _ => None,
-    })
 }
 
 fn text(value: &Expr) -> Option<String> {

@@ -4,9 +4,11 @@ mod leaving;
 mod oracle;
 mod paper;
 
-use strahl_tests::{
-    CoreHit, DVec3, SplitMix64, TestRay, TestShape, TestShapeKind, TestedCore, double, dvec3, rounded, single,
+use strahl_test_scene as single;
+use strahl_test_scene::{
+    CoreHit, DVec3, SplitMix64, TestRay, TestShape, TestShapeKind, TestedCore, dvec3, rounded,
 };
+use strahl_test_scene_double as double;
 
 /// Casts rays at one shape with one core, and offsets ray origins.
 #[derive(Clone, Copy)]

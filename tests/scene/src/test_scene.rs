@@ -1,21 +1,20 @@
-//! An owned scene for tests, compiled for the core that the module above imports as `strahl`.
+//! An owned scene for tests.
 
 use std::ops::{Deref, DerefMut};
 
-use super::strahl::accel::{List, group_count};
-use super::strahl::geometry::{
+use strahl_core::accel::{List, group_count};
+use strahl_core::geometry::{
     Aabb, Cone, Cuboid, Disc, Hit, ItemId, OrientedCuboid, Ray, Torus, offset_origin,
 };
-use super::strahl::math::{ROUNDOFF, SobolSequence, try_normalize};
-use super::strahl::scene::{CameraSample, FilmPoint, Shading};
-use super::strahl::tally::{Counters, RayKind};
-use super::strahl::{
+use strahl_core::math::{ROUNDOFF, SobolSequence, try_normalize};
+use strahl_core::scene::{CameraSample, FilmPoint, Shading};
+use strahl_core::tally::{Counters, RayKind};
+use strahl_core::{
     AllEffects, Camera, CameraDescriptor, Limits, Material, MaterialId, Projection, Real, Resolution, Rgb,
     Scene, SceneTables, Sphere, Tracer, Vec3, Worker, World, vec3,
 };
-use crate::cast::{CoreHit, TestedCore};
-use crate::test_shape::{TestRay, TestShape};
-use crate::vector::{DVec3, dvec3};
+
+use crate::{CoreHit, DVec3, TestRay, TestShape, TestedCore, dvec3};
 
 /// An owned scene. Each shape that is added gets the current material, white [`Material::matte`] at first.
 #[derive(Clone, Debug)]
@@ -219,7 +218,7 @@ fn one_ray_camera(viewpoint: Vec3, target: Vec3) -> Camera {
     Camera::new(&view, Resolution::new(1, 1).unwrap()).unwrap()
 }
 
-/// Converts to the core's `Real`; exact for numbers of [`crate::SplitMix64`].
+/// Converts to the core's `Real`; exact for numbers of `SplitMix64`.
 fn narrow(v: DVec3) -> Vec3 {
     vec3(v.x as Real, v.y as Real, v.z as Real)
 }
@@ -232,7 +231,7 @@ fn wide(v: Vec3) -> DVec3 {
 impl TestedCore for TestScene {
     #[allow(clippy::unnecessary_cast)] // in the twin
     const ROUNDOFF: f64 = ROUNDOFF as f64;
-    const NAME: &'static str = super::NAME;
+    const NAME: &'static str = if cfg!(feature = "double") { "double" } else { "single" };
 
     fn with_shapes(shapes: &[TestShape]) -> Self {
         let mut scene = TestScene::new();

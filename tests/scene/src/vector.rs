@@ -9,13 +9,13 @@ pub fn dvec3(x: f64, y: f64, z: f64) -> DVec3 {
 }
 
 /// The unit vector in the direction of `v`.
-pub(crate) fn unit(v: DVec3) -> DVec3 {
+pub fn unit(v: DVec3) -> DVec3 {
     v / v.dot(v).sqrt()
 }
 
 /// Two unit vectors perpendicular to `n` and to each other, right-handed: `x` cross `y` has the direction of
 /// `n`.
-pub(crate) fn perpendicular_axes(n: DVec3) -> (DVec3, DVec3) {
+pub fn perpendicular_axes(n: DVec3) -> (DVec3, DVec3) {
     let n = unit(n);
     let other = if n.x.abs() < 0.5 { DVec3::X } else { DVec3::Y };
     let x = unit(other.cross(n));
@@ -23,7 +23,7 @@ pub(crate) fn perpendicular_axes(n: DVec3) -> (DVec3, DVec3) {
 }
 
 /// Twice the vector area of a polygon: perpendicular to it if its vertices lie in a plane.
-pub(crate) fn area(vertices: &[DVec3]) -> DVec3 {
+pub fn area(vertices: &[DVec3]) -> DVec3 {
     let next = vertices.iter().skip(1).chain(vertices.first());
     let start = vertices[0];
     vertices.iter().zip(next).map(|(a, b)| (*a - start).cross(*b - start)).sum()
