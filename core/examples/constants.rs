@@ -8,9 +8,9 @@
 //!
 //! prints the picture as text. `strahl bake SCENE -o FILE.rs` writes such constants for any scene.
 
-use strahl_core::geometry::{Aabb, Polygon, ShapeKind, ShapeSet};
+use strahl_core::geometry::{Aabb, Polygon, ShapeKind, ShapeKindSet};
 use strahl_core::image::Pixel;
-use strahl_core::scene::{EffectSet, Effects, LightKind, LightSet};
+use strahl_core::scene::{EffectSet, Effects, LightKind, LightKindSet};
 use strahl_core::{
     Background, Camera, CameraDescriptor, CenterSampler, Falloff, Geometry, Light, LightSource, Limits,
     ListWithoutBounds, Material, MaterialId, Projection, Resolution, Rgb, Scene, SceneDescriptor, Shape,
@@ -65,8 +65,8 @@ struct RequiredEffects;
 
 impl Effects for RequiredEffects {
     const SET: EffectSet = EffectSet {
-        shapes: ShapeSet::of(&[ShapeKind::Polygon, ShapeKind::Sphere]),
-        lights: LightSet::of(&[LightKind::Point]),
+        shapes: ShapeKindSet::of(&[ShapeKind::Polygon, ShapeKind::Sphere]),
+        lights: LightKindSet::of(&[LightKind::Point]),
         shadows: true,
         reflection: true,
         ..EffectSet::NONE

@@ -15,9 +15,9 @@
 
 use std::process::ExitCode;
 
-use strahl_core::geometry::{ItemId, ShapeKind, ShapeSet};
+use strahl_core::geometry::{ItemId, ShapeKind, ShapeKindSet};
 use strahl_core::image::Pixel;
-use strahl_core::scene::{EffectSet, Effects, LightKind, LightSet};
+use strahl_core::scene::{EffectSet, Effects, LightKind, LightKindSet};
 use strahl_core::{
     AllEffects, Camera, CameraDescriptor, CenterSampler, Falloff, Geometry, Light, LightSource, Limits,
     ListWithoutBounds, Material, MaterialId, Plane, Projection, Resolution, Rgb, Scene, SceneDescriptor,
@@ -29,8 +29,8 @@ struct MinimalEffects;
 
 impl Effects for MinimalEffects {
     const SET: EffectSet = EffectSet {
-        shapes: ShapeSet::of(&[ShapeKind::Sphere, ShapeKind::Plane]),
-        lights: LightSet::of(&[LightKind::Point]),
+        shapes: ShapeKindSet::of(&[ShapeKind::Sphere, ShapeKind::Plane]),
+        lights: LightKindSet::of(&[LightKind::Point]),
         shadows: true,
         ..EffectSet::NONE
     };

@@ -24,7 +24,7 @@ use std::error::Error;
 use std::path::{Path, PathBuf};
 
 use strahl_core::geometry::ItemId;
-use strahl_core::image::{CacheEntry, ContrastThreshold, CornerRow, PixelSelector, Selection};
+use strahl_core::image::{CacheEntry, ContrastThreshold, CornerRowCache, PixelSelection, PixelSelector};
 use strahl_core::scene::{CameraSample, Texture, TextureId};
 use strahl_core::trace::PixelSample;
 use strahl_core::{
@@ -83,10 +83,10 @@ fn main() -> Result<(), Box<dyn Error>> {
     let mut row = [PixelSample::BLACK; 41];
     let mut cache = [CacheEntry::EMPTY; 2048];
     let threshold = ContrastThreshold::new(0.04).ok_or("invalid threshold")?;
-    let selection = Selection::new(STEP, threshold).ok_or("invalid step")?;
+    let selection = PixelSelection::new(STEP, threshold).ok_or("invalid step")?;
     let corners = width.div_ceil(STEP) as usize + 1;
     let mut selector =
-        PixelSelector::new(selection, CenterSampler, CornerRow::new(&mut row[..corners]), &mut cache);
+        PixelSelector::new(selection, CenterSampler, CornerRowCache::new(&mut row[..corners]), &mut cache);
 
     let tile = Tile::full(resolution);
     let mut display = vec![Rgb::BLACK; tile.len()];

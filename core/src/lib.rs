@@ -60,7 +60,7 @@
 //!
 //! # Guarantees
 //!
-//! 1. *Memory buys time, never truth.* Accelerators, caches, workers and the order of pixels change the
+//! 1. *The picture does not depend on memory or speed.* Accelerators, caches, workers and the order of pixels change the
 //! rendering time and not one bit of the picture.
 //! 2. *Reproducible.* Only the basic operations of IEEE 754 and libm are used, in one order, so all machines
 //! compute the same bits.

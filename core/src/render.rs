@@ -99,7 +99,7 @@ where
 /// Renders `blocks` of pixels into `sink`, block by block: some pixels of each block are traced, the others
 /// interpolated where the traced ones are similar.
 ///
-/// [`Selection::block_range`](crate::image::Selection::block_range) returns the blocks that cover a tile. They may
+/// [`PixelSelection::block_range`](crate::image::PixelSelection::block_range) returns the blocks that cover a tile. They may
 /// extend beyond its right and lower edge; the sink receives these pixels too.
 ///
 /// # Errors

@@ -17,9 +17,9 @@ use strahl_core::accel::{
     Accelerator, BvhBuilder, BvhNode, BvhSize, LeafEntry, LeafLayout, List, TraversalStack, TriangleBlock,
     group_count,
 };
-use strahl_core::geometry::{Aabb, ShapeKind, ShapeSet};
+use strahl_core::geometry::{Aabb, ShapeKind, ShapeKindSet};
 use strahl_core::image::Pixel;
-use strahl_core::scene::{EffectSet, Effects, LightKind, LightSet, TextureKind, TextureSet};
+use strahl_core::scene::{EffectSet, Effects, LightKind, LightKindSet, TextureKind, TextureKindSet};
 use strahl_core::tally::RayCounters;
 use strahl_core::{
     AllEffects, Camera, CenterSampler, Limits, Resolution, Rgb, Tile, Tracer, Worker, World, render,
@@ -48,16 +48,16 @@ macro_rules! scenes {
             struct ExactSet;
             impl Effects for ExactSet {
                 const SET: EffectSet = EffectSet {
-                    shapes: ShapeSet::of(&[$(ShapeKind::$shape),*]),
-                    lights: LightSet::of(&[$(LightKind::$light),*]),
-                    textures: TextureSet::of(&[$(TextureKind::$texture),*]),
+                    shapes: ShapeKindSet::of(&[$(ShapeKind::$shape),*]),
+                    lights: LightKindSet::of(&[$(LightKind::$light),*]),
+                    textures: TextureKindSet::of(&[$(TextureKind::$texture),*]),
                     $($effect: true,)*
                     ..EffectSet::NONE
                 };
             }
             struct ExactEffects;
             impl Effects for ExactEffects {
-                const SET: EffectSet = EffectSet { shapes: ShapeSet::ALL, ..ExactSet::SET };
+                const SET: EffectSet = EffectSet { shapes: ShapeKindSet::ALL, ..ExactSet::SET };
             }
             EffectsRow { scene: $scene, required: ExactSet::SET, exact: traced::<ExactSet>, exact_effects: traced::<ExactEffects> }
         }),*]

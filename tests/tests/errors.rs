@@ -97,7 +97,7 @@ struct Spheres;
 
 impl Effects for Spheres {
     const SET: EffectSet =
-        EffectSet { shapes: geometry::ShapeSet::of(&[geometry::ShapeKind::Sphere]), ..EffectSet::NONE };
+        EffectSet { shapes: geometry::ShapeKindSet::of(&[geometry::ShapeKind::Sphere]), ..EffectSet::NONE };
 }
 
 #[test]

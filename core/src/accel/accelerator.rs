@@ -34,7 +34,7 @@ pub trait Query {
     fn test_item(&mut self, item: ItemId) -> ControlFlow<()>;
 
     /// Tests the items `0..count`, in this order. `Break` ends the traversal.
-    fn test_range(&mut self, count: u32) -> ControlFlow<()> {
+    fn test_first(&mut self, count: u32) -> ControlFlow<()> {
         (0..count).try_for_each(|item| self.test_item(ItemId(item)))
     }
 

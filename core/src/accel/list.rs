@@ -25,11 +25,14 @@ fn group_chunks<V>(volumes: &[V]) -> impl Iterator<Item = &[V]> {
     full.iter().map(|group| group.as_slice()).chain([rest])
 }
 
-/// The items `0..self.0` in order, without code for bounding volumes: for devices with a handful of items.
+/// An accelerator without memory: tests each ray against all items in order.
 ///
-/// The number of items of the scene; planes, which the scene tests itself, may be counted or not.
+/// It contains no code for bounding volumes, which [`List`] has: for devices with a handful of items.
 #[derive(Clone, Copy, Debug)]
-pub struct ListWithoutBounds(pub u32);
+pub struct ListWithoutBounds(
+    /// Number of items of the scene. Planes, which the scene tests itself, may be counted or not.
+    pub u32,
+);
 
 impl Accelerator for ListWithoutBounds {
     type Scratch = ();
@@ -40,10 +43,11 @@ impl Accelerator for ListWithoutBounds {
     }
 }
 
-/// All items in order, without bounding volumes or with one per item and one per group.
+/// An accelerator that tests items in order, and skips those whose bounding volume a ray misses.
 ///
-/// * Groups are 16 consecutive items. A ray that misses the volume of a group is not tested against its
-///   items.
+/// * Each item has a bounding volume (a box or a sphere), and so has each group of 16 consecutive items. A ray
+///   that misses the volume of a group is not tested against its items.
+/// * [`List::without_bounds`] skips no item.
 /// * Memory: one volume per item, plus one per group of 16 items; none without bounding volumes.
 #[derive(Clone, Copy, Debug)]
 pub struct List<'s> {
@@ -160,7 +164,7 @@ impl Accelerator for List<'_> {
 #[inline(always)]
 fn test_all<Q: Query>(items: u32, query: &mut Q) -> ControlFlow<()> {
     query.count_leaf_visit();
-    query.test_range(items)
+    query.test_first(items)
 }
 
 /// Tests the items whose own volume and whose group's volume are hit within `t_max`.

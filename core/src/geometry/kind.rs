@@ -62,5 +62,5 @@ impl ShapeKind {
 
 bit_set! {
     /// A set of kinds of shapes.
-    ShapeSet of ShapeKind
+    ShapeKindSet of ShapeKind
 }

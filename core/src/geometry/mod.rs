@@ -48,7 +48,7 @@ pub use error::ShapeError;
 pub use hit::{Hit, SurfaceInteraction};
 pub(crate) use intersection::intersect_triangle;
 pub use item::ItemId;
-pub use kind::{ShapeKind, ShapeSet};
+pub use kind::{ShapeKind, ShapeKindSet};
 pub use moving::MovingShape;
 pub use plane::Plane;
 pub use polygon::Polygon;

@@ -66,14 +66,14 @@ impl Geometry<'_> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::geometry::{ItemId, MovingShape, ShapeError, ShapeSet};
+    use crate::geometry::{ItemId, MovingShape, ShapeError, ShapeKindSet};
     use crate::geometry::{Plane, Sphere};
     use crate::math::vec3;
 
     struct All;
 
     impl ShapeFeatures for All {
-        const SHAPES: ShapeSet = ShapeSet::ALL;
+        const SHAPES: ShapeKindSet = ShapeKindSet::ALL;
         const SMOOTH_SHADING: bool = true;
         const MOTION_BLUR: bool = true;
     }
@@ -122,7 +122,7 @@ mod tests {
     fn a_tracer_without_motion_blur_never_hits_a_moving_shape() {
         struct Static;
         impl ShapeFeatures for Static {
-            const SHAPES: ShapeSet = ShapeSet::ALL;
+            const SHAPES: ShapeKindSet = ShapeKindSet::ALL;
             const SMOOTH_SHADING: bool = true;
         }
         let geometry =

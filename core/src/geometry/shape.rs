@@ -1,6 +1,6 @@
 //! The shape of an item, and the kinds of shapes that a tracer supports.
 
-use super::{ShapeKind, ShapeSet, Sphere};
+use super::{ShapeKind, ShapeKindSet, Sphere};
 
 /// The shape of one item: its data, or, for larger shapes, an index into a table of
 /// [`Geometry`](super::Geometry).
@@ -43,7 +43,7 @@ const _: () = assert!(size_of::<Shape>() <= 20);
 /// Implemented for every [`Effects`](crate::scene::Effects): programs implement that trait, not this one.
 pub trait ShapeFeatures {
     /// Supported kinds of shapes.
-    const SHAPES: ShapeSet;
+    const SHAPES: ShapeKindSet;
     /// Whether shading normals of smooth triangles and polygons are interpolated. If not, these are shaded
     /// flat.
     const SMOOTH_SHADING: bool;
@@ -81,7 +81,7 @@ impl Shape {
 pub(super) struct AllShapes;
 
 impl ShapeFeatures for AllShapes {
-    const SHAPES: ShapeSet = ShapeSet::ALL;
+    const SHAPES: ShapeKindSet = ShapeKindSet::ALL;
     const SMOOTH_SHADING: bool = true;
     const MOTION_BLUR: bool = true;
 }

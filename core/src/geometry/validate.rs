@@ -9,7 +9,8 @@ impl Geometry<'_> {
     ///
     /// # Errors
     ///
-    /// The first invalid item and its error. For a vertex or a vertex normal that is out of range, item 0.
+    /// The first invalid item and its error. Vertices and vertex normals are checked first; they belong to no
+    /// item, so that an error of theirs names item 0.
     pub fn validate(&self) -> Result<(), (ItemId, ShapeError)> {
         if self.vertices.iter().any(|p| !is_in_range(*p)) {
             return Err((ItemId(0), ShapeError::Coordinate));

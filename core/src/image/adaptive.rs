@@ -57,12 +57,12 @@ impl Subdivision {
 /// Samples a pixel with one ray through its upper left corner.
 ///
 /// Used for a pass before an [`AdaptiveSampler`]: the caller renders the pixels of
-/// [`CornerGrid::corner_tile`] with this sampler into a buffer, and passes the buffer to
-/// [`CornerGrid::new`], so that all workers share the corners.
+/// [`PretracedCorners::corner_tile`] with this sampler into a buffer, and passes the buffer to
+/// [`PretracedCorners::new`], so that all workers share the corners.
 ///
-/// [`CornerGrid`]: super::CornerGrid
-/// [`CornerGrid::corner_tile`]: super::CornerGrid::corner_tile
-/// [`CornerGrid::new`]: super::CornerGrid::new
+/// [`PretracedCorners`]: super::PretracedCorners
+/// [`PretracedCorners::corner_tile`]: super::PretracedCorners::corner_tile
+/// [`PretracedCorners::new`]: super::PretracedCorners::new
 #[derive(Clone, Copy, Debug)]
 pub struct UpperLeftCornerSampler(
     /// That of the [`AdaptiveSampler`], so that both trace the same ray through a corner.
@@ -172,7 +172,7 @@ impl<C: CornerCache> Sampler for AdaptiveSampler<'_, C> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::image::{CornerGrid, CornerRow, Tile, Uncached};
+    use crate::image::{CornerRowCache, PretracedCorners, Tile, Uncached};
     use crate::trace::HitId;
 
     /// White above a slanted line, black below it.
@@ -202,7 +202,7 @@ mod tests {
         }
 
         let mut grid = [PixelSample::BLACK; 42];
-        for (slot, corner) in grid.iter_mut().zip(CornerGrid::corner_tile(CELLS).pixels()) {
+        for (slot, corner) in grid.iter_mut().zip(PretracedCorners::corner_tile(CELLS).pixels()) {
             *slot = UpperLeftCornerSampler(subdivision).sample_pixel(corner, &mut half);
         }
         let mut rays = 42;
@@ -212,11 +212,11 @@ mod tests {
             let mut row = [PixelSample::BLACK; 6];
             let mut with_grid = AdaptiveSampler::new(
                 subdivision,
-                CornerGrid::new(CELLS, &grid).unwrap(),
+                PretracedCorners::new(CELLS, &grid).unwrap(),
                 &mut entries[..length],
             );
             let mut with_row =
-                AdaptiveSampler::new(subdivision, CornerRow::new(&mut row), &mut row_entries[..length]);
+                AdaptiveSampler::new(subdivision, CornerRowCache::new(&mut row), &mut row_entries[..length]);
             for (expected, pixel) in expected.iter().zip(CELLS.pixels()) {
                 let sampled = with_grid.sample_pixel(pixel, &mut |sample: CameraSample| {
                     rays += i32::from(length == 1000);

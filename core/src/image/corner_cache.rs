@@ -1,8 +1,8 @@
 //! Caches of the samples at the corners of cells, which neighboring cells share.
 //!
 //! A cell is a pixel in adaptive supersampling, and a block of pixels in pixel-selected tracing. `w` times
-//! `h` cells have `(w + 1) (h + 1)` corners. [`CornerGrid`] stores all of them, traced before in any order;
-//! [`CornerRow`] stores one row. With both, no corner is traced twice. [`Uncached`] stores nothing and leaves
+//! `h` cells have `(w + 1) (h + 1)` corners. [`PretracedCorners`] has all of them, traced before in any order;
+//! [`CornerRowCache`] stores one row. With both, no corner is traced twice. [`Uncached`] stores nothing and leaves
 //! it to the sampler's own cache, for cells that are not adjacent.
 
 use super::pixel::{Pixel, Tile};
@@ -43,35 +43,35 @@ impl CornerCache for Uncached {
 /// Corners outside of the rectangle are traced when they are needed.
 ///
 /// ```
-/// use strahl_core::image::{CornerCache, CornerGrid, Pixel, Tile};
+/// use strahl_core::image::{CornerCache, PretracedCorners, Pixel, Tile};
 /// use strahl_core::trace::PixelSample;
 ///
 /// let cells = Tile { top_left: Pixel { x: 0, y: 0 }, width: 2, height: 1 };
 /// let corners = [PixelSample::BLACK; 3 * 2];
-/// let mut grid = CornerGrid::new(cells, &corners).unwrap();
+/// let mut grid = PretracedCorners::new(cells, &corners).unwrap();
 /// let [upper_left, ..] = grid.corners(Pixel { x: 1, y: 0 }, &mut |_| unreachable!("all are cached"));
 /// assert_eq!(upper_left, PixelSample::BLACK);
 /// ```
 #[derive(Clone, Copy, Debug)]
-pub struct CornerGrid<'m> {
+pub struct PretracedCorners<'m> {
     tile: Tile,
     corners: &'m [PixelSample],
 }
 
-impl<'m> CornerGrid<'m> {
+impl<'m> PretracedCorners<'m> {
     /// The rectangle of the corners of `cells`: one wider and one higher, from the same upper left cell.
     pub fn corner_tile(cells: Tile) -> Tile {
         Tile { width: cells.width + 1, height: cells.height + 1, ..cells }
     }
 
-    /// The grid of `corners`, row by row; `None` if its length is not that of [`CornerGrid::corner_tile`].
+    /// The grid of `corners`, row by row; `None` if its length is not that of [`PretracedCorners::corner_tile`].
     pub fn new(cells: Tile, corners: &'m [PixelSample]) -> Option<Self> {
         let tile = Self::corner_tile(cells);
-        (corners.len() == tile.len()).then_some(CornerGrid { tile, corners })
+        (corners.len() == tile.len()).then_some(PretracedCorners { tile, corners })
     }
 }
 
-impl CornerCache for CornerGrid<'_> {
+impl CornerCache for PretracedCorners<'_> {
     fn corners(&mut self, cell: Pixel, find: &mut impl FnMut(Pixel) -> PixelSample) -> [PixelSample; 4] {
         corner_pixels(cell).map(|corner| {
             let cached = self.tile.index_of(corner).and_then(|index| self.corners.get(index));
@@ -85,7 +85,7 @@ impl CornerCache for CornerGrid<'_> {
 /// If cells come row by row from left to right, no corner is traced twice. In any other order the samples
 /// are the same, but some corners are traced again.
 #[derive(Debug)]
-pub struct CornerRow<'m> {
+pub struct CornerRowCache<'m> {
     /// Upper corners of the following cells, and lower corners of the preceding ones.
     row: &'m mut [PixelSample],
     /// The cell that shares corners with the previous one.
@@ -98,15 +98,15 @@ pub struct CornerRow<'m> {
     previous_lower_right: PixelSample,
 }
 
-impl<'m> CornerRow<'m> {
+impl<'m> CornerRowCache<'m> {
     /// A cache for rows of `row.len() - 1` cells. If `row` is shorter than 2, it caches nothing.
     ///
     /// ```
-    /// use strahl_core::image::{CornerCache, CornerRow, Pixel};
+    /// use strahl_core::image::{CornerCache, CornerRowCache, Pixel};
     /// use strahl_core::trace::PixelSample;
     ///
     /// let (mut samples, mut traced) = ([PixelSample::BLACK; 3], 0);
-    /// let mut row = CornerRow::new(&mut samples);
+    /// let mut row = CornerRowCache::new(&mut samples);
     /// for x in 0..2 {
     ///     row.corners(Pixel { x, y: 0 }, &mut |_| {
     ///         traced += 1;
@@ -116,7 +116,7 @@ impl<'m> CornerRow<'m> {
     /// assert_eq!(traced, 6); // of 8 corners of the two cells
     /// ```
     pub fn new(row: &'m mut [PixelSample]) -> Self {
-        CornerRow {
+        CornerRowCache {
             row,
             expected_cell: None,
             first_x: 0,
@@ -136,7 +136,7 @@ impl<'m> CornerRow<'m> {
     }
 }
 
-impl CornerCache for CornerRow<'_> {
+impl CornerCache for CornerRowCache<'_> {
     fn corners(&mut self, cell: Pixel, find: &mut impl FnMut(Pixel) -> PixelSample) -> [PixelSample; 4] {
         let width = self.row.len().saturating_sub(1) as u32;
         if self.expected_cell != Some(cell) {
@@ -179,7 +179,7 @@ impl CornerCache for CornerRow<'_> {
 /// instead of those of a pixel.
 ///
 /// Used for a pass before a [`PixelSelector`](super::PixelSelector): the caller renders the corners of all
-/// blocks with this sampler into a buffer, and passes the buffer to [`CornerGrid::new`].
+/// blocks with this sampler into a buffer, and passes the buffer to [`PretracedCorners::new`].
 #[derive(Clone, Copy, Debug)]
 pub struct StridedSampler<S> {
     /// Sampler of the upper left pixels.
@@ -217,7 +217,7 @@ mod tests {
     fn a_row_traces_each_corner_once() {
         for (w, h) in [(1, 1), (1, 4), (4, 1), (5, 3)] {
             let mut memory = [PixelSample::BLACK; 8];
-            let mut row = CornerRow::new(&mut memory[..w as usize + 1]);
+            let mut row = CornerRowCache::new(&mut memory[..w as usize + 1]);
             let mut found = 0;
             let tile = Tile { top_left: Pixel { x: 2, y: 7 }, width: w, height: h };
             for cell in tile.pixels() {
@@ -234,7 +234,7 @@ mod tests {
     #[test]
     fn a_row_is_correct_in_any_order() {
         let mut memory = [PixelSample::BLACK; 4];
-        let mut row = CornerRow::new(&mut memory);
+        let mut row = CornerRowCache::new(&mut memory);
         for (x, y) in [(1, 0), (2, 0), (0, 1), (2, 0), (3, 0), (4, 0), (2, 1), (3, 1), (1, 2), (9, 9)] {
             let cell = Pixel { x, y };
             assert_eq!(row.corners(cell, &mut sample), expected(cell), "{cell:?}");
@@ -245,15 +245,15 @@ mod tests {
     fn a_grid_traces_only_corners_outside_of_it() {
         let cells = Tile { top_left: Pixel { x: 5, y: 1 }, width: 3, height: 2 };
         let mut memory = [PixelSample::BLACK; 12];
-        for (slot, corner) in memory.iter_mut().zip(CornerGrid::corner_tile(cells).pixels()) {
+        for (slot, corner) in memory.iter_mut().zip(PretracedCorners::corner_tile(cells).pixels()) {
             *slot = sample(corner);
         }
-        let mut grid = CornerGrid::new(cells, &memory).unwrap();
+        let mut grid = PretracedCorners::new(cells, &memory).unwrap();
         for cell in cells.pixels() {
             assert_eq!(grid.corners(cell, &mut |_| unreachable!()), expected(cell));
         }
         let outside = Pixel { x: 0, y: 0 };
         assert_eq!(grid.corners(outside, &mut sample), expected(outside));
-        assert!(CornerGrid::new(cells, &memory[..11]).is_none());
+        assert!(PretracedCorners::new(cells, &memory[..11]).is_none());
     }
 }

@@ -30,7 +30,7 @@ use strahl_core::image::{self as filter, self as pixel};
 pub use adaptive::{AdaptiveSampler, Subdivision, Subpixel, UpperLeftCornerSampler};
 pub use center::CenterSampler;
 pub use contrast::ContrastThreshold;
-pub use corner_cache::{CornerCache, CornerGrid, CornerRow, StridedSampler, Uncached};
+pub use corner_cache::{CornerCache, CornerRowCache, PretracedCorners, StridedSampler, Uncached};
 #[cfg(feature = "display")]
 pub use draw_target::{Dither, DrawTargetSink, FromChannels};
 pub use filter::Filter;
@@ -38,6 +38,6 @@ pub use pixel::{Pixel, Tile};
 pub use regular::RegularSampler;
 pub use sample_cache::CacheEntry;
 pub use sampler::Sampler;
-pub use selected::{PixelSelector, Selection};
+pub use selected::{PixelSelection, PixelSelector};
 pub use sink::{Framebuffer, FramebufferPixel, Sink};
 pub use stochastic::{Confidence, PixelEstimate, StochasticSampler};

@@ -26,27 +26,27 @@ use crate::trace::{PixelSample, RayTracer};
 /// the others are interpolated.
 ///
 /// ```
-/// use strahl_core::image::{ContrastThreshold, Selection};
+/// use strahl_core::image::{ContrastThreshold, PixelSelection};
 ///
 /// let threshold = ContrastThreshold::new(0.1).unwrap();
-/// assert_eq!(Selection::new(8, threshold).unwrap().step(), 8);
-/// assert!(Selection::new(6, threshold).is_none());
+/// assert_eq!(PixelSelection::new(8, threshold).unwrap().step(), 8);
+/// assert!(PixelSelection::new(6, threshold).is_none());
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Selection {
+pub struct PixelSelection {
     depth: u8,
     threshold: ContrastThreshold,
 }
 
-impl Selection {
+impl PixelSelection {
     /// Largest step: width and height of a block, in pixels.
     pub const MAX_STEP: u32 = 1 << MAX_DEPTH;
 
     /// Traces one pixel of each block of `step` times `step` first; `None` if `step` is not a power of two in
-    /// `2..=`[`Selection::MAX_STEP`].
+    /// `2..=`[`PixelSelection::MAX_STEP`].
     pub fn new(step: u32, threshold: ContrastThreshold) -> Option<Self> {
         let is_step = step >= 2 && step <= Self::MAX_STEP && step.is_power_of_two();
-        is_step.then_some(Selection { depth: step.trailing_zeros() as u8, threshold })
+        is_step.then_some(PixelSelection { depth: step.trailing_zeros() as u8, threshold })
     }
 
     /// Width and height of a block, in pixels.
@@ -79,9 +79,15 @@ impl Selection {
         Tile { top_left: Pixel { x, y }, width, height }
     }
 
-    /// A sampler of the upper left pixels of blocks, for a [`CornerGrid`](super::CornerGrid) that the
-    /// caller fills. It samples these pixels with `sampler`.
-    pub fn corner_sampler<S: Sampler>(&self, sampler: S) -> StridedSampler<S> {
+    /// A sampler for a first pass over the blocks: the pixel at block coordinates `(x, y)` is the upper left
+    /// pixel of that block, sampled with `sampler`.
+    ///
+    /// Render [`PretracedCorners::corner_tile`] with it into a buffer, and pass the buffer to
+    /// [`PretracedCorners::new`].
+    ///
+    /// [`PretracedCorners::corner_tile`]: super::PretracedCorners::corner_tile
+    /// [`PretracedCorners::new`]: super::PretracedCorners::new
+    pub fn first_pass_sampler<S: Sampler>(&self, sampler: S) -> StridedSampler<S> {
         StridedSampler { sampler, stride: self.step() }
     }
 }
@@ -93,11 +99,11 @@ impl Selection {
 ///
 /// ```
 /// use strahl_core::Rgb;
-/// use strahl_core::image::{CenterSampler, ContrastThreshold, Pixel, PixelSelector, Selection, Uncached};
+/// use strahl_core::image::{CenterSampler, ContrastThreshold, Pixel, PixelSelector, PixelSelection, Uncached};
 /// use strahl_core::scene::CameraSample;
 /// use strahl_core::trace::{HitId, PixelSample};
 ///
-/// let selection = Selection::new(8, ContrastThreshold::new(0.1).unwrap()).unwrap();
+/// let selection = PixelSelection::new(8, ContrastThreshold::new(0.1).unwrap()).unwrap();
 /// let mut selector = PixelSelector::new(selection, CenterSampler, Uncached, &mut []);
 /// let (mut rays, mut pixels) = (0, 0);
 /// let mut trace = |_: CameraSample| {
@@ -109,7 +115,7 @@ impl Selection {
 /// ```
 #[derive(Debug)]
 pub struct PixelSelector<'m, C, S> {
-    selection: Selection,
+    selection: PixelSelection,
     sampler: S,
     corner_cache: C,
     sample_cache: SampleCache<'m>,
@@ -121,12 +127,17 @@ impl<'m, C: CornerCache, S: Sampler> PixelSelector<'m, C, S> {
     ///
     /// `entries`: caller-provided buffer of any length, also empty. The longer, the fewer pixels are traced
     /// again.
-    pub fn new(selection: Selection, sampler: S, corner_cache: C, entries: &'m mut [CacheEntry]) -> Self {
+    pub fn new(
+        selection: PixelSelection,
+        sampler: S,
+        corner_cache: C,
+        entries: &'m mut [CacheEntry],
+    ) -> Self {
         PixelSelector { selection, sampler, corner_cache, sample_cache: SampleCache::new(entries) }
     }
 
     /// The settings: grid and contrast threshold.
-    pub fn selection(&self) -> &Selection {
+    pub fn selection(&self) -> &PixelSelection {
         &self.selection
     }
 
@@ -152,7 +163,7 @@ impl<'m, C: CornerCache, S: Sampler> PixelSelector<'m, C, S> {
 
     /// One refinement pass of a block: passes the pixels of squares with this `side` to `put`.
     ///
-    /// `side`: one of [`Selection::refinement_sides`], in their order. The first pass has whole blocks. After
+    /// `side`: one of [`PixelSelection::refinement_sides`], in their order. The first pass has whole blocks. After
     /// the last pass, with side 1, all pixels equal those of [`PixelSelector::sample_block`]. Samples that
     /// are still cached from the passes before are not traced again, so [`PixelSelector::reset`] is called
     /// before the first pass only.
@@ -206,7 +217,7 @@ impl<'m, C: CornerCache, S: Sampler> PixelSelector<'m, C, S> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::image::{CenterSampler, CornerGrid, CornerRow, Uncached};
+    use crate::image::{CenterSampler, CornerRowCache, PretracedCorners, Uncached};
     use crate::math::Rgb;
     use crate::scene::CameraSample;
     use crate::trace::HitId;
@@ -219,14 +230,18 @@ mod tests {
         PixelSample { color: Rgb::gray(if inside { 0.9 } else { slope }), hit: HitId::Nothing }
     }
 
-    fn selection(step: u32, threshold: Real) -> Selection {
-        Selection::new(step, ContrastThreshold::new(threshold).unwrap()).unwrap()
+    fn selection(step: u32, threshold: Real) -> PixelSelection {
+        PixelSelection::new(step, ContrastThreshold::new(threshold).unwrap()).unwrap()
     }
 
     const PICTURE: Tile = Tile { top_left: Pixel { x: 0, y: 0 }, width: 37, height: 29 };
 
     /// The pixels of `tile`, and the number of rays.
-    fn selected(selection: Selection, tile: Tile, length: usize) -> ([Option<PixelSample>; 37 * 29], usize) {
+    fn selected(
+        selection: PixelSelection,
+        tile: Tile,
+        length: usize,
+    ) -> ([Option<PixelSample>; 37 * 29], usize) {
         let mut entries = [CacheEntry::EMPTY; 2000];
         let mut picture = [None; 37 * 29];
         let mut rays = 0;
@@ -264,7 +279,7 @@ mod tests {
 
     #[test]
     fn with_threshold_zero_every_pixel_equals_the_reference() {
-        let none = Selection::new(4, ContrastThreshold::new(0.0).unwrap()).unwrap();
+        let none = PixelSelection::new(4, ContrastThreshold::new(0.0).unwrap()).unwrap();
         let (picture, _) = selected(none, PICTURE, 2000);
         for (sample, pixel) in picture.iter().zip(PICTURE.pixels()) {
             assert_eq!(*sample, Some(CenterSampler.sample_pixel(pixel, &mut test_image)), "{pixel:?}");
@@ -293,11 +308,15 @@ mod tests {
         let (whole, _) = selected(selection, PICTURE, 0);
         let blocks = selection.block_range(PICTURE);
         let mut corners = [PixelSample::BLACK; 6 * 5];
-        for (slot, corner) in corners.iter_mut().zip(CornerGrid::corner_tile(blocks).pixels()) {
-            *slot = selection.corner_sampler(CenterSampler).sample_pixel(corner, &mut test_image);
+        for (slot, corner) in corners.iter_mut().zip(PretracedCorners::corner_tile(blocks).pixels()) {
+            *slot = selection.first_pass_sampler(CenterSampler).sample_pixel(corner, &mut test_image);
         }
-        let mut grid =
-            PixelSelector::new(selection, CenterSampler, CornerGrid::new(blocks, &corners).unwrap(), &mut []);
+        let mut grid = PixelSelector::new(
+            selection,
+            CenterSampler,
+            PretracedCorners::new(blocks, &corners).unwrap(),
+            &mut [],
+        );
         for block in blocks.pixels() {
             grid.sample_block(block, &mut test_image, &mut |pixel, sample| {
                 if let Some(index) = PICTURE.index_of(pixel) {
@@ -319,7 +338,7 @@ mod tests {
             let mut selected = PixelSelector::new(
                 selection,
                 CenterSampler,
-                CornerRow::new(&mut row),
+                CornerRowCache::new(&mut row),
                 &mut entries[..length],
             );
             selected.reset();
@@ -360,9 +379,9 @@ mod tests {
     fn steps_are_powers_of_two() {
         let threshold = ContrastThreshold::new(0.1).unwrap();
         for step in [0, 1, 3, 6, 128, u32::MAX] {
-            assert!(Selection::new(step, threshold).is_none(), "{step}");
+            assert!(PixelSelection::new(step, threshold).is_none(), "{step}");
         }
-        assert_eq!(Selection::new(64, threshold).unwrap().step(), 64);
+        assert_eq!(PixelSelection::new(64, threshold).unwrap().step(), 64);
         assert!(ContrastThreshold::new(-0.1).is_none() && ContrastThreshold::new(Real::NAN).is_none());
     }
 }

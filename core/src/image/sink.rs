@@ -61,7 +61,7 @@ impl FramebufferPixel for Rgb {
     }
 }
 
-/// Stores the whole sample, for a [`CornerGrid`](super::CornerGrid).
+/// Stores the whole sample, for a [`PretracedCorners`](super::PretracedCorners).
 impl FramebufferPixel for PixelSample {
     const EMPTY: Self = PixelSample::BLACK;
 

@@ -41,7 +41,8 @@ impl Dimension {
 
 /// The sample points of one camera sample: a point in the unit square for each [`Dimension`].
 ///
-/// It has no state: equal arguments give equal points.
+/// It is a value without a position: the point for a dimension depends only on the arguments of
+/// [`SobolSequence::new`] and on the dimension.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct SobolSequence {
     /// Hash of pixel and seed.
@@ -60,8 +61,8 @@ impl SobolSequence {
     /// The point in the unit square for `dimension`, each coordinate in `[0, 1)`.
     ///
     /// Coordinates are multiples of `2^-24`, so they are the same in both precisions.
-    pub const fn sample_2d(self, Dimension(dimension): Dimension) -> [Real; 2] {
-        let key = hash(self.pixel_hash ^ hash(dimension));
+    pub const fn sample_2d(self, dimension: Dimension) -> [Real; 2] {
+        let key = hash(self.pixel_hash ^ hash(dimension.0));
         // The index is scrambled, too, so that the points of two dimensions are not correlated.
         let index = owen_scramble(self.index.reverse_bits(), key).reverse_bits();
         let x = owen_scramble(index, hash(key ^ 0x68bc_21eb));

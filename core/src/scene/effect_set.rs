@@ -2,8 +2,8 @@
 
 use core::fmt;
 
-use super::{LightSet, TextureSet};
-use crate::geometry::ShapeSet;
+use super::{LightKindSet, TextureKindSet};
+use crate::geometry::ShapeKindSet;
 
 /// A set of effects: what a scene needs or what a tracer supports.
 ///
@@ -20,13 +20,13 @@ use crate::geometry::ShapeSet;
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct EffectSet {
     /// Kinds of shapes.
-    pub shapes: ShapeSet,
+    pub shapes: ShapeKindSet,
     /// Shading normals interpolated between the normals of vertices.
     pub smooth_shading: bool,
     /// Kinds of lights.
-    pub lights: LightSet,
+    pub lights: LightKindSet,
     /// Kinds of textures.
-    pub textures: TextureSet,
+    pub textures: TextureKindSet,
     /// Phong highlights.
     pub highlight: bool,
     /// Shadows: items occlude lights.
@@ -52,10 +52,10 @@ pub struct EffectSet {
 impl EffectSet {
     /// The empty set: no shape, no light.
     pub const NONE: EffectSet = EffectSet {
-        shapes: ShapeSet::NONE,
+        shapes: ShapeKindSet::NONE,
         smooth_shading: false,
-        lights: LightSet::NONE,
-        textures: TextureSet::NONE,
+        lights: LightKindSet::NONE,
+        textures: TextureKindSet::NONE,
         highlight: false,
         shadows: false,
         reflection: false,
@@ -70,10 +70,10 @@ impl EffectSet {
 
     /// The set of all effects.
     pub const ALL: EffectSet = EffectSet {
-        shapes: ShapeSet::ALL,
+        shapes: ShapeKindSet::ALL,
         smooth_shading: true,
-        lights: LightSet::ALL,
-        textures: TextureSet::ALL,
+        lights: LightKindSet::ALL,
+        textures: TextureKindSet::ALL,
         highlight: true,
         shadows: true,
         reflection: true,

@@ -6,7 +6,7 @@
 //! [`Tracer::new`](crate::Tracer::new) returns an error for a scene that requires more.
 
 use super::{EffectSet, LevelLimitRadiance};
-use crate::geometry::{ShapeFeatures, ShapeSet};
+use crate::geometry::{ShapeFeatures, ShapeKindSet};
 use crate::math::Real;
 
 /// The shapes, lights, textures and effects that a tracer is compiled for, and two constants of its rays.
@@ -15,16 +15,16 @@ use crate::math::Real;
 /// [`Scene::required_effects`](super::Scene::required_effects) shows it. [`AllEffects`] supports every scene.
 ///
 /// ```
-/// use strahl_core::geometry::{ShapeKind, ShapeSet};
-/// use strahl_core::scene::{EffectSet, Effects, LightKind, LightSet};
+/// use strahl_core::geometry::{ShapeKind, ShapeKindSet};
+/// use strahl_core::scene::{EffectSet, Effects, LightKind, LightKindSet};
 ///
 /// /// Spheres, point lights and shadows.
 /// struct Spheres;
 ///
 /// impl Effects for Spheres {
 ///     const SET: EffectSet = EffectSet {
-///         shapes: ShapeSet::of(&[ShapeKind::Sphere]),
-///         lights: LightSet::of(&[LightKind::Point]),
+///         shapes: ShapeKindSet::of(&[ShapeKind::Sphere]),
+///         lights: LightKindSet::of(&[LightKind::Point]),
 ///         shadows: true,
 ///         ..EffectSet::NONE
 ///     };
@@ -43,7 +43,7 @@ pub trait Effects {
 }
 
 impl<E: Effects> ShapeFeatures for E {
-    const SHAPES: ShapeSet = E::SET.shapes;
+    const SHAPES: ShapeKindSet = E::SET.shapes;
     const SMOOTH_SHADING: bool = E::SET.smooth_shading;
     const MOTION_BLUR: bool = E::SET.motion_blur;
 }

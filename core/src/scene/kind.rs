@@ -37,7 +37,7 @@ impl LightKind {
 
 bit_set! {
     /// A set of kinds of lights.
-    LightSet of LightKind
+    LightKindSet of LightKind
 }
 
 /// Kind of a texture: a variant of [`Texture`](super::Texture) without its fields.
@@ -67,5 +67,5 @@ impl TextureKind {
 
 bit_set! {
     /// A set of kinds of textures.
-    TextureSet of TextureKind
+    TextureKindSet of TextureKind
 }

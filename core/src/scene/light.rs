@@ -6,7 +6,7 @@
 //! Source: Cook, Porter and Carpenter, "Distributed Ray Tracing", SIGGRAPH 1984.
 
 use super::check::FieldChecks;
-use super::{Field, LightKind, LightSet};
+use super::{Field, LightKind, LightKindSet};
 use crate::math::{
     MAX_COORDINATE, Real, Rgb, Vec3, clamp, orthonormal_basis, sample_disc_concentric, sqrt, try_normalize,
     try_normalize_and_length,
@@ -212,7 +212,7 @@ impl Light {
         &self,
         point: Vec3,
         normal: Vec3,
-        supported: LightSet,
+        supported: LightKindSet,
         u: impl FnOnce() -> [Real; 2],
     ) -> Result<LightSample, LightOutcome> {
         let sample_point = |position: Vec3, falloff: &Falloff| {

@@ -46,7 +46,7 @@ pub use effects::{AllEffects, Effects};
 pub use error::{CameraError, SceneError};
 pub use field::{Field, FieldError};
 pub use fresnel::FresnelModel;
-pub use kind::{LightKind, LightSet, TextureKind, TextureSet};
+pub use kind::{LightKind, LightKindSet, TextureKind, TextureKindSet};
 pub(crate) use light::LightSample;
 pub use light::{Falloff, Light, LightSource};
 pub use material::Material;
@@ -315,8 +315,8 @@ mod tests {
         let matte = [Material::MATTE];
         let effects = Scene::new(descriptor(&[SPHERE], &matte)).unwrap().required_effects();
         let local = EffectSet {
-            shapes: crate::geometry::ShapeSet::of(&[crate::geometry::ShapeKind::Sphere]),
-            lights: LightSet::of(&[LightKind::Point]),
+            shapes: crate::geometry::ShapeKindSet::of(&[crate::geometry::ShapeKind::Sphere]),
+            lights: LightKindSet::of(&[LightKind::Point]),
             shadows: true,
             ..EffectSet::NONE
         };

@@ -144,7 +144,7 @@ impl<E: Effects, T: Tally, G: HitPolicy> Query for RayQuery<'_, E, T, G> {
     }
 
     #[inline(always)]
-    fn test_range(&mut self, count: u32) -> ControlFlow<()> {
+    fn test_first(&mut self, count: u32) -> ControlFlow<()> {
         // Written as a loop: an iterator's `try_for_each` would not be inlined in two callers.
         for (shape, item) in self.geometry.shapes.iter().zip(0..count) {
             self.test_shape(ItemId(item), shape)?;

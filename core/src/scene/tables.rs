@@ -356,7 +356,7 @@ mod tests {
         tables.set_motion(smooth.start, Vec3::ZERO, Vec3::X);
         assert_eq!(tables.len(), 11);
         let effects = tables.scene().unwrap().required_effects();
-        assert_eq!(effects.shapes, crate::geometry::ShapeSet::ALL);
+        assert_eq!(effects.shapes, crate::geometry::ShapeKindSet::ALL);
         assert!(effects.motion_blur && effects.smooth_shading);
     }
 

@@ -1,7 +1,7 @@
 //! Procedural textures: colors as a function of the point.
 
 use super::check::FieldChecks;
-use super::{Field, TextureKind, TextureSet};
+use super::{Field, TextureKind, TextureKindSet};
 use crate::math::{MAX_COORDINATE, PI, Real, Rgb, Vec3, clamp, cos, floor, max_abs_component};
 
 /// A procedural solid texture: a color for each point of space.
@@ -102,7 +102,7 @@ impl Texture {
     /// Color at a point, world space. White for a kind that is not in `supported`.
     // Inlined so that the arms of unsupported kinds are compiled away.
     #[inline(always)]
-    pub(crate) fn evaluate(&self, point: Vec3, supported: TextureSet) -> Rgb {
+    pub(crate) fn evaluate(&self, point: Vec3, supported: TextureKindSet) -> Rgb {
         match *self {
             Texture::Checker { even, odd, origin, frequency } if supported.contains(TextureKind::Checker) => {
                 let cell = (point - origin) * frequency;
@@ -154,7 +154,7 @@ mod tests {
             origin: Vec3::ZERO,
             frequency: vec3(0.5, 0.0, 0.5),
         };
-        let color = |x, y, z| checker.evaluate(vec3(x, y, z), TextureSet::ALL);
+        let color = |x, y, z| checker.evaluate(vec3(x, y, z), TextureKindSet::ALL);
         assert_eq!(color(1.0, 0.0, 1.0), Rgb::WHITE);
         assert_eq!(color(3.0, 0.0, 1.0), Rgb::BLACK);
         assert_eq!(color(-1.0, 0.0, 1.0), Rgb::BLACK);
@@ -173,10 +173,10 @@ mod tests {
             frequency: 2.0,
         };
         for (square, gray) in [(0.0, 1.0), (0.25, 0.0), (0.5, 1.0), (0.125, 0.5), (50.25, 0.0)] {
-            let color = plate.evaluate(vec3(0.0, 0.0, crate::math::sqrt(square)), TextureSet::ALL);
+            let color = plate.evaluate(vec3(0.0, 0.0, crate::math::sqrt(square)), TextureKindSet::ALL);
             assert!((color.r - gray).abs() < 1e-3, "{square}: {}", color.r);
         }
-        assert!(plate.evaluate(Vec3::splat(1e30), TextureSet::ALL).r.is_finite());
+        assert!(plate.evaluate(Vec3::splat(1e30), TextureKindSet::ALL).r.is_finite());
     }
 
     #[test]
@@ -188,7 +188,7 @@ mod tests {
             axis: vec3(2.0, 0.0, 0.0),
         };
         for (x, gray) in [(-5.0, 0.0), (1.0, 0.0), (2.0, 0.5), (3.0, 1.0), (9.0, 1.0)] {
-            assert_eq!(gradient.evaluate(vec3(x, 4.0, -2.0), TextureSet::ALL), Rgb::gray(gray));
+            assert_eq!(gradient.evaluate(vec3(x, 4.0, -2.0), TextureKindSet::ALL), Rgb::gray(gray));
         }
     }
 }

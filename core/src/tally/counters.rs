@@ -109,7 +109,7 @@ impl Counters {
         Self::default()
     }
 
-    /// Adds the counts of another worker; of `max_level`, takes the larger.
+    /// Adds the counts of another worker, and takes the larger `max_level`.
     pub fn merge(&mut self, other: &Counters) {
         self.rays += other.rays;
         self.camera_hits += other.camera_hits;

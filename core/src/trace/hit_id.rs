@@ -2,16 +2,16 @@
 
 use crate::geometry::ItemId;
 
-/// What a camera ray hit, or all camera rays of a pixel.
+/// What the camera ray of a sample hit, or what all camera rays of a pixel hit.
 ///
 /// Samplers use it to find edges of items; images of it are object masks.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum HitId {
-    /// All rays miss.
+    /// Nothing was hit.
     Nothing,
-    /// All rays hit this item.
+    /// This item was hit.
     Item(ItemId),
-    /// The rays do not all hit the same item.
+    /// The rays of the pixel did not all hit the same item.
     Mixed,
 }
 

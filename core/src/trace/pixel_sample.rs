@@ -9,8 +9,7 @@ use crate::math::Rgb;
 pub struct PixelSample {
     /// Radiance, linear RGB, finite and not negative; of a pixel, the weighted mean of its samples.
     pub color: Rgb,
-    /// What the camera rays hit: an item, nothing ([`HitId::Nothing`]), or, of several rays, not all the
-    /// same ([`HitId::Mixed`]).
+    /// What was hit: the item, [`HitId::Nothing`], or [`HitId::Mixed`] if the rays of a pixel differ.
     pub hit: HitId,
 }
 

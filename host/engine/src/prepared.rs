@@ -6,8 +6,8 @@
 //! set is justified if that cost is large.
 
 use strahl_core::accel::Accelerator;
-use strahl_core::geometry::ShapeSet;
-use strahl_core::scene::{EffectSet, Effects, LightKind, LightSet, TextureSet};
+use strahl_core::geometry::ShapeKindSet;
+use strahl_core::scene::{EffectSet, Effects, LightKind, LightKindSet, TextureKindSet};
 use strahl_core::{AllEffects, Camera, World};
 
 use crate::effects::{SelectedRayTracers, TracerRequest, counting_rays, counting_tests, required_effects};
@@ -58,11 +58,11 @@ macro_rules! prepared_sets {
 
 /// The sun: most scenes of the outdoors have no other light, and a choice between kinds of lights costs more than
 /// every other effect that is not used.
-const SUN: LightSet = LightSet::of(&[LightKind::Directional]);
+const SUN: LightKindSet = LightKindSet::of(&[LightKind::Directional]);
 
 prepared_sets! {
     /// Textures and ambient light only.
-    Unlit = EffectSet { shapes: ShapeSet::ALL, textures: TextureSet::ALL, ..EffectSet::NONE };
+    Unlit = EffectSet { shapes: ShapeKindSet::ALL, textures: TextureKindSet::ALL, ..EffectSet::NONE };
     /// Opaque surfaces under directional lights: highlights, shadows, mirrors.
     Sunlit = EffectSet {
         smooth_shading: true,
@@ -73,15 +73,15 @@ prepared_sets! {
         ..Unlit::SET
     };
     /// Whitted ray tracing with absorbing glass: all effects without distributed ray tracing, except colored shadows.
-    Whitted = EffectSet { lights: LightSet::ALL, transmission: true, absorption: true, ..Sunlit::SET };
+    Whitted = EffectSet { lights: LightKindSet::ALL, transmission: true, absorption: true, ..Sunlit::SET };
     /// Opaque surfaces under lights with an area.
-    SoftShadows = EffectSet { lights: LightSet::ALL, penumbra: true, ..Sunlit::SET };
+    SoftShadows = EffectSet { lights: LightKindSet::ALL, penumbra: true, ..Sunlit::SET };
     /// Distributed ray tracing under directional lights: depth of field, gloss, motion blur; and clear glass.
     SunlitDistributed =
         EffectSet { transmission: true, depth_of_field: true, gloss: true, motion_blur: true, ..Sunlit::SET };
     /// Absorbing glass with colored shadows, under lights without area.
     Stained = EffectSet {
-        lights: LightSet::of(&[LightKind::Point, LightKind::Directional, LightKind::Spot]),
+        lights: LightKindSet::of(&[LightKind::Point, LightKind::Directional, LightKind::Spot]),
         colored_shadows: true,
         ..Whitted::SET
     };

@@ -4,8 +4,8 @@
 
 use strahl_core::Real;
 use strahl_core::image::{
-    AdaptiveSampler, CacheEntry, CornerCache, CornerGrid, Pixel, RegularSampler, Sampler, Selection,
-    StochasticSampler, Subdivision, Uncached,
+    AdaptiveSampler, CacheEntry, CornerCache, Pixel, PixelSelection, PretracedCorners, RegularSampler,
+    Sampler, StochasticSampler, Subdivision, Uncached,
 };
 use strahl_core::trace::{PixelSample, RayTracer};
 use strahl_settings::{SamplerSettings, Settings};
@@ -24,7 +24,7 @@ pub enum AnySampler<'m> {
 #[derive(Clone, Copy)]
 pub enum CornerSource<'m> {
     /// Samples that have been traced before.
-    Grid(CornerGrid<'m>),
+    Grid(PretracedCorners<'m>),
     /// Each pixel traces its own corners.
     Retraced,
 }
@@ -97,9 +97,9 @@ pub fn subdivision(settings: &Settings) -> Option<Subdivision> {
 }
 
 /// The selection of pixels that are traced; `None` for all.
-pub fn selection(settings: &Settings) -> Option<Selection> {
+pub fn selection(settings: &Settings) -> Option<PixelSelection> {
     let it = settings.select?;
-    Selection::new(it.step, contrast_threshold(it.contrast)?)
+    PixelSelection::new(it.step, contrast_threshold(it.contrast)?)
 }
 
 fn contrast_threshold(

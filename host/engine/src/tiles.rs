@@ -7,7 +7,7 @@
 use rayon::prelude::*;
 
 use strahl_core::image::{
-    CacheEntry, CornerGrid, FramebufferPixel, Pixel, PixelSelector, Selection, Sink, Subdivision,
+    CacheEntry, FramebufferPixel, Pixel, PixelSelection, PixelSelector, PretracedCorners, Sink, Subdivision,
     UpperLeftCornerSampler,
 };
 use strahl_core::render::render_selected;
@@ -71,7 +71,7 @@ enum Target<'c> {
     /// The upper left corners of pixels.
     Corners(Subdivision),
     /// A coarse grid: the pixel at the corner of each block.
-    BlockCorners(Selection),
+    BlockCorners(PixelSelection),
     /// Pixels, with a source of corner samples.
     Pixels(CornerSource<'c>),
 }
@@ -82,26 +82,26 @@ impl TileRenderer<'_> {
         // If there is no mask, trace all corners first, so that none is traced twice.
         let (corner_samples, mut counts): Traced<PixelSample> = match subdivision(self.settings) {
             Some(subdivision) if self.options.mask.is_none() => {
-                self.pixels(CornerGrid::corner_tile(self.area), Target::Corners(subdivision))?
+                self.pixels(PretracedCorners::corner_tile(self.area), Target::Corners(subdivision))?
             }
             _ => Default::default(),
         };
-        let corners =
-            CornerGrid::new(self.area, &corner_samples).map_or(CornerSource::Retraced, CornerSource::Grid);
+        let corners = PretracedCorners::new(self.area, &corner_samples)
+            .map_or(CornerSource::Retraced, CornerSource::Grid);
         let (colors, counted) = self.pixels(self.area, Target::Pixels(corners))?;
         counts.merge(&counted);
         Ok((colors, counts))
     }
 
     /// Traces the selected pixels, and interpolates the other requested ones.
-    fn selected(&self, selection: Selection) -> Result<Traced<Rgb>, Interrupt> {
+    fn selected(&self, selection: PixelSelection) -> Result<Traced<Rgb>, Interrupt> {
         let blocks = selection.block_range(self.area);
         let (block_corners, mut counts): Traced<PixelSample> = match self.options.mask {
-            None => self.pixels(CornerGrid::corner_tile(blocks), Target::BlockCorners(selection))?,
+            None => self.pixels(PretracedCorners::corner_tile(blocks), Target::BlockCorners(selection))?,
             Some(_) => Default::default(),
         };
         let corners =
-            CornerGrid::new(blocks, &block_corners).map_or(CornerSource::Retraced, CornerSource::Grid);
+            PretracedCorners::new(blocks, &block_corners).map_or(CornerSource::Retraced, CornerSource::Grid);
 
         // Blocks within a tile share the pixels between them, so tiles are larger.
         let side = (2 * self.options.tile_side / selection.step()).max(1);
@@ -144,7 +144,7 @@ impl TileRenderer<'_> {
                     }
                     Target::BlockCorners(selection) => {
                         let sampler = AnySampler::new(self.settings, CornerSource::Retraced, &mut cache);
-                        render(tracer, &mut selection.corner_sampler(sampler), all, sink)?;
+                        render(tracer, &mut selection.first_pass_sampler(sampler), all, sink)?;
                     }
                     Target::Pixels(corners) => {
                         let mut sampler = AnySampler::new(self.settings, corners, &mut cache);

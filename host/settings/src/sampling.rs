@@ -3,7 +3,7 @@
 use std::fmt;
 use std::str::FromStr;
 
-use strahl_core::image::{RegularSampler, Selection, StochasticSampler, Subdivision};
+use strahl_core::image::{PixelSelection, RegularSampler, StochasticSampler, Subdivision};
 
 use crate::choices;
 
@@ -194,7 +194,7 @@ impl FromStr for SelectionSettings {
     fn from_str(text: &str) -> Result<Self, String> {
         let mut words = text.split(':');
         let step = words.next().and_then(|step| step.parse::<u32>().ok());
-        let is_step = |step: &u32| step.is_power_of_two() && *step >= 2 && *step <= Selection::MAX_STEP;
+        let is_step = |step: &u32| step.is_power_of_two() && *step >= 2 && *step <= PixelSelection::MAX_STEP;
         let step = step.filter(is_step).ok_or("in STEP:THRESHOLD, STEP must be 2, 4, 8, 16, 32 or 64")?;
         Ok(SelectionSettings { step, contrast: contrast_settings(&words.collect::<Vec<_>>())? })
     }

@@ -3,8 +3,8 @@
 //! `tests/firmware/check` measures the stack of every set below on the chip, compares the estimates with the
 //! instructions of all its scenes, and fails if this module is wrong.
 
-use strahl_core::geometry::{ShapeKind, ShapeSet};
-use strahl_core::scene::{EffectSet, LightKind, LightSet};
+use strahl_core::geometry::{ShapeKind, ShapeKindSet};
+use strahl_core::scene::{EffectSet, LightKind, LightKindSet};
 use strahl_core::tally::Counters;
 use strahl_settings::AccelKind;
 
@@ -21,8 +21,8 @@ pub struct StackUsage {
 }
 
 const LOCAL: EffectSet = EffectSet {
-    shapes: ShapeSet::of(&[ShapeKind::Plane, ShapeKind::Sphere]),
-    lights: LightSet::of(&[LightKind::Point]),
+    shapes: ShapeKindSet::of(&[ShapeKind::Plane, ShapeKind::Sphere]),
+    lights: LightKindSet::of(&[LightKind::Point]),
     ..EffectSet::NONE
 };
 const SHADOWS: EffectSet = EffectSet { shadows: true, ..LOCAL };
@@ -30,7 +30,7 @@ const MIRRORS: EffectSet = EffectSet { reflection: true, ..SHADOWS };
 const GLASS: EffectSet = EffectSet { transmission: true, ..MIRRORS };
 
 const DISTRIBUTED: EffectSet = EffectSet {
-    lights: LightSet::of(&[LightKind::Sphere]),
+    lights: LightKindSet::of(&[LightKind::Sphere]),
     penumbra: true,
     gloss: true,
     depth_of_field: true,

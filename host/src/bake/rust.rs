@@ -94,9 +94,9 @@ fn effects(out: &mut String, set: &EffectSet) {
     let shapes: Vec<String> = set.shapes.iter().map(|kind| format!("ShapeKind::{kind:?}")).collect();
     let lights: Vec<String> = set.lights.iter().map(|kind| format!("LightKind::{kind:?}")).collect();
     let textures: Vec<String> = set.textures.iter().map(|kind| format!("TextureKind::{kind:?}")).collect();
-    let _ = writeln!(out, "        shapes: ShapeSet::of(&[{}]),", shapes.join(", "));
-    let _ = writeln!(out, "        lights: LightSet::of(&[{}]),", lights.join(", "));
-    let _ = writeln!(out, "        textures: TextureSet::of(&[{}]),", textures.join(", "));
+    let _ = writeln!(out, "        shapes: ShapeKindSet::of(&[{}]),", shapes.join(", "));
+    let _ = writeln!(out, "        lights: LightKindSet::of(&[{}]),", lights.join(", "));
+    let _ = writeln!(out, "        textures: TextureKindSet::of(&[{}]),", textures.join(", "));
     for (name, is_required) in [
         ("smooth_shading", set.smooth_shading),
         ("highlight", set.highlight),

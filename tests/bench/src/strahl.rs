@@ -4,7 +4,7 @@ use strahl_core::accel::{
     Accelerator, Bvh, BvhBuilder, BvhNode, BvhSize, LeafEntry, LeafLayout, TraversalHeap, TraversalStack,
     TriangleBlock,
 };
-use strahl_core::geometry::{Aabb, Ray, ShapeKind, ShapeSet};
+use strahl_core::geometry::{Aabb, Ray, ShapeKind, ShapeKindSet};
 use strahl_core::scene::{EffectSet, Effects};
 use strahl_core::tally::{Counters, RayKind};
 use strahl_core::{Geometry, Material, MaterialId, Scene, SceneDescriptor, Shape, World};
@@ -17,7 +17,7 @@ pub struct TriangleBenchEffects;
 
 impl Effects for TriangleBenchEffects {
     const SET: EffectSet = EffectSet {
-        shapes: ShapeSet::of(&[ShapeKind::Triangle, ShapeKind::SmoothTriangle]),
+        shapes: ShapeKindSet::of(&[ShapeKind::Triangle, ShapeKind::SmoothTriangle]),
         ..EffectSet::NONE
     };
 }

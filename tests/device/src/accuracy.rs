@@ -8,8 +8,8 @@ use core::fmt;
 use strahl_core::accel::{Accelerator, List, group_count};
 use strahl_core::geometry::Aabb;
 use strahl_core::image::{
-    AdaptiveSampler, CacheEntry, ContrastThreshold, CornerRow, RegularSampler, Sampler, StochasticSampler,
-    Subdivision,
+    AdaptiveSampler, CacheEntry, ContrastThreshold, CornerRowCache, RegularSampler, Sampler,
+    StochasticSampler, Subdivision,
 };
 use strahl_core::tally::{Counters, RayKind, Tally};
 use strahl_core::trace::PixelSample;
@@ -165,7 +165,7 @@ fn picture<A: Accelerator, T: Tally>(
         FirmwareSampler::Adaptive(depth, threshold) => {
             let contrast = ContrastThreshold::new(threshold).ok_or(invalid)?;
             let subdivision = Subdivision::new(depth, contrast).ok_or(invalid)?;
-            let mut adaptive = AdaptiveSampler::new(subdivision, CornerRow::new(corners), cache);
+            let mut adaptive = AdaptiveSampler::new(subdivision, CornerRowCache::new(corners), cache);
             draw_result(world, settings, &mut adaptive, tally, row, clock, take)
         }
         FirmwareSampler::Stochastic(n) => {

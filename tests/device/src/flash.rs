@@ -5,9 +5,9 @@
 
 use core::hint::black_box;
 
-use strahl_core::geometry::{ItemId, ShapeKind, ShapeSet};
+use strahl_core::geometry::{ItemId, ShapeKind, ShapeKindSet};
 use strahl_core::image::Pixel;
-use strahl_core::scene::{EffectSet, Effects, FresnelModel, LightKind, LightSet};
+use strahl_core::scene::{EffectSet, Effects, FresnelModel, LightKind, LightKindSet};
 use strahl_core::{
     Background, Camera, CameraDescriptor, CenterSampler, Falloff, Geometry, Light, LightSource, Limits,
     ListWithoutBounds, Material, MaterialId, Plane, Projection, Resolution, Rgb, Scene, SceneDescriptor,
@@ -88,8 +88,8 @@ pub struct FlashLocal;
 
 impl Effects for FlashLocal {
     const SET: EffectSet = EffectSet {
-        shapes: ShapeSet::of(&[ShapeKind::Plane, ShapeKind::Sphere]),
-        lights: LightSet::of(&[LightKind::Point]),
+        shapes: ShapeKindSet::of(&[ShapeKind::Plane, ShapeKind::Sphere]),
+        lights: LightKindSet::of(&[LightKind::Point]),
         ..EffectSet::NONE
     };
 }
@@ -137,7 +137,7 @@ pub struct FlashDistributed;
 
 impl Effects for FlashDistributed {
     const SET: EffectSet = EffectSet {
-        lights: LightSet::of(&[LightKind::Sphere]),
+        lights: LightKindSet::of(&[LightKind::Sphere]),
         penumbra: true,
         gloss: true,
         depth_of_field: true,

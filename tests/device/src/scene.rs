@@ -2,9 +2,10 @@
 //!
 //! Constants only, which a device keeps in flash.
 
-use strahl_core::geometry::{Aabb, Cone, ItemId, Polygon, ShapeKind, ShapeSet, Torus};
+use strahl_core::geometry::{Aabb, Cone, ItemId, Polygon, ShapeKind, ShapeKindSet, Torus};
 use strahl_core::scene::{
-    EffectSet, Effects, FresnelModel, LightKind, LightSet, Texture, TextureId, TextureKind, TextureSet,
+    EffectSet, Effects, FresnelModel, LightKind, LightKindSet, Texture, TextureId, TextureKind,
+    TextureKindSet,
 };
 use strahl_core::{
     Background, CameraDescriptor, Falloff, Geometry, Light, LightSource, Limits, Material, MaterialId, Plane,
@@ -34,7 +35,7 @@ pub struct GoldenEffects;
 
 impl Effects for GoldenEffects {
     const SET: EffectSet = EffectSet {
-        shapes: ShapeSet::of(&[
+        shapes: ShapeKindSet::of(&[
             ShapeKind::Plane,
             ShapeKind::Sphere,
             ShapeKind::SmoothTriangle,
@@ -43,8 +44,8 @@ impl Effects for GoldenEffects {
             ShapeKind::Torus,
         ]),
         smooth_shading: true,
-        lights: LightSet::of(&[LightKind::Point, LightKind::Spot]),
-        textures: TextureSet::of(&[TextureKind::Checker]),
+        lights: LightKindSet::of(&[LightKind::Point, LightKind::Spot]),
+        textures: TextureKindSet::of(&[TextureKind::Checker]),
         highlight: true,
         shadows: true,
         reflection: true,

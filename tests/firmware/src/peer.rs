@@ -4,9 +4,9 @@
 //! Its conventions are options of the tracer and of the sink: the background is shown beyond a distance and
 //! in place of rays below the last level, and colors brighter than white are scaled down.
 
-use strahl_core::geometry::{Aabb, Polygon, ShapeKind, ShapeSet};
+use strahl_core::geometry::{Aabb, Polygon, ShapeKind, ShapeKindSet};
 use strahl_core::scene::{
-    EffectSet, Effects, LevelLimitRadiance, LightKind, LightSet, Texture, TextureId, TextureKind, TextureSet,
+    EffectSet, Effects, LevelLimitRadiance, LightKind, LightKindSet, Texture, TextureId, TextureKind, TextureKindSet,
 };
 use strahl_core::{
     Background, CameraDescriptor, Falloff, Geometry, Light, LightSource, Limits, Material, MaterialId,
@@ -37,9 +37,9 @@ pub struct PeerEffects;
 
 impl Effects for PeerEffects {
     const SET: EffectSet = EffectSet {
-        shapes: ShapeSet::of(&[ShapeKind::Sphere, ShapeKind::Polygon]),
-        lights: LightSet::of(&[LightKind::Point]),
-        textures: TextureSet::of(&[TextureKind::Checker]),
+        shapes: ShapeKindSet::of(&[ShapeKind::Sphere, ShapeKind::Polygon]),
+        lights: LightKindSet::of(&[LightKind::Point]),
+        textures: TextureKindSet::of(&[TextureKind::Checker]),
         highlight: true,
         shadows: true,
         reflection: true,

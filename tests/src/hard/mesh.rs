@@ -1,6 +1,6 @@
 //! Watertight meshes: no ray from inside escapes, also if it is aimed at an edge or a vertex.
 
-use strahl_core::geometry::{Ray, ShapeFeatures, ShapeKind, ShapeSet};
+use strahl_core::geometry::{Ray, ShapeFeatures, ShapeKind, ShapeKindSet};
 use strahl_core::{Geometry, Shape, Vec3, vec3};
 
 use super::case::{HardCase, HardCaseTally, Solver, as_f32};
@@ -184,7 +184,7 @@ impl ClosedMesh {
 struct TriangleEffects;
 
 impl ShapeFeatures for TriangleEffects {
-    const SHAPES: ShapeSet = ShapeSet::of(&[ShapeKind::Triangle]);
+    const SHAPES: ShapeKindSet = ShapeKindSet::of(&[ShapeKind::Triangle]);
     const SMOOTH_SHADING: bool = false;
 }
 
@@ -290,7 +290,7 @@ fn evaluated(mesh: &ClosedMesh, rng: &mut SplitMix64) -> [HardCaseTally; 3] {
 struct TriangleEffectsDouble;
 
 impl strahl_core_double::geometry::ShapeFeatures for TriangleEffectsDouble {
-    const SHAPES: strahl_core_double::geometry::ShapeSet =
-        strahl_core_double::geometry::ShapeSet::of(&[strahl_core_double::geometry::ShapeKind::Triangle]);
+    const SHAPES: strahl_core_double::geometry::ShapeKindSet =
+        strahl_core_double::geometry::ShapeKindSet::of(&[strahl_core_double::geometry::ShapeKind::Triangle]);
     const SMOOTH_SHADING: bool = false;
 }

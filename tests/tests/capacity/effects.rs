@@ -15,10 +15,10 @@ macro_rules! everything_but {
 }
 
 everything_but! {
-    Spheres { shapes: ShapeSet::of(&[ShapeKind::Sphere]) }
+    Spheres { shapes: ShapeKindSet::of(&[ShapeKind::Sphere]) }
     Flat { smooth_shading: false }
-    PointLights { lights: LightSet::of(&[LightKind::Point]) }
-    Checkers { textures: TextureSet::of(&[TextureKind::Checker]) }
+    PointLights { lights: LightKindSet::of(&[LightKind::Point]) }
+    Checkers { textures: TextureKindSet::of(&[TextureKind::Checker]) }
     Dull { highlight: false }
     Shadowless { shadows: false }
     Mirrorless { reflection: false }
@@ -219,8 +219,8 @@ struct LocalLightEffects;
 
 impl Effects for LocalLightEffects {
     const SET: EffectSet = EffectSet {
-        shapes: ShapeSet::of(&[ShapeKind::Sphere, ShapeKind::Plane]),
-        lights: LightSet::of(&[LightKind::Point]),
+        shapes: ShapeKindSet::of(&[ShapeKind::Sphere, ShapeKind::Plane]),
+        lights: LightKindSet::of(&[LightKind::Point]),
         ..EffectSet::NONE
     };
 }

@@ -11,17 +11,17 @@ use std::alloc::{GlobalAlloc, Layout, System};
 use std::cell::Cell;
 
 use strahl_core::accel::{Accelerator, List, group_count};
-use strahl_core::geometry::{Aabb, ItemId, ShapeKind, ShapeSet};
+use strahl_core::geometry::{Aabb, ItemId, ShapeKind, ShapeKindSet};
 use strahl_core::image::{
-    AdaptiveSampler, CacheEntry, Confidence, ContrastThreshold, CornerGrid, CornerRow, Filter, Framebuffer,
-    Pixel, PixelSelector, RegularSampler, Sampler, Selection, Sink, StochasticSampler, Subdivision, Uncached,
-    UpperLeftCornerSampler,
+    AdaptiveSampler, CacheEntry, Confidence, ContrastThreshold, CornerRowCache, Filter, Framebuffer, Pixel,
+    PixelSelection, PixelSelector, PretracedCorners, RegularSampler, Sampler, Sink, StochasticSampler,
+    Subdivision, Uncached, UpperLeftCornerSampler,
 };
 use strahl_core::math::{SobolSequence, try_normalize};
 use strahl_core::render::render_selected;
 use strahl_core::scene::{
-    CameraSample, EffectSet, Effects, FilmPoint, FresnelModel, LevelLimitRadiance, LightKind, LightSet,
-    Texture, TextureKind, TextureSet,
+    CameraSample, EffectSet, Effects, FilmPoint, FresnelModel, LevelLimitRadiance, LightKind, LightKindSet,
+    Texture, TextureKind, TextureKindSet,
 };
 use strahl_core::tally::{CountedEvent, Counters, RayKind, Tally};
 use strahl_core::trace::{HitId, PixelSample, RayTracer, TracerError};
@@ -155,7 +155,7 @@ fn the_core_allocates_no_memory() {
     let size = size(24, 16);
     let tile = Tile::full(size);
     let mut colors = vec![Rgb::BLACK; tile.len()];
-    let mut corners = vec![PixelSample::BLACK; CornerGrid::corner_tile(tile).len()];
+    let mut corners = vec![PixelSample::BLACK; PretracedCorners::corner_tile(tile).len()];
     let mut row = vec![PixelSample::BLACK; 25];
     let mut cache = vec![CacheEntry::EMPTY; 500];
     let colors_agree = ContrastThreshold::new(0.05).unwrap();
@@ -181,9 +181,9 @@ fn the_core_allocates_no_memory() {
             StochasticSampler::with_range(4, 16, ends).unwrap().with_filter(Filter::Gaussian);
         let Ok(()) = render(&mut tracer.with_worker(&mut worker), &mut stochastic, tile.pixels(), &mut frame);
         let subdivision = Subdivision::new(3, colors_agree).unwrap();
-        let mut adaptive = AdaptiveSampler::new(subdivision, CornerRow::new(&mut row), &mut cache);
+        let mut adaptive = AdaptiveSampler::new(subdivision, CornerRowCache::new(&mut row), &mut cache);
         let Ok(()) = render(&mut tracer.with_worker(&mut worker), &mut adaptive, tile.pixels(), &mut frame);
-        let all = CornerGrid::corner_tile(tile);
+        let all = PretracedCorners::corner_tile(tile);
         let mut lattice = Framebuffer::new(all, &mut corners).unwrap();
         let Ok(()) = render(
             &mut tracer.with_worker(&mut worker),
@@ -192,9 +192,9 @@ fn the_core_allocates_no_memory() {
             &mut lattice,
         );
         let mut adaptive =
-            AdaptiveSampler::new(subdivision, CornerGrid::new(tile, &corners).unwrap(), &mut cache);
+            AdaptiveSampler::new(subdivision, PretracedCorners::new(tile, &corners).unwrap(), &mut cache);
         let Ok(()) = render(&mut tracer.with_worker(&mut worker), &mut adaptive, tile.pixels(), &mut frame);
-        let selection = Selection::new(8, colors_agree).unwrap();
+        let selection = PixelSelection::new(8, colors_agree).unwrap();
         let mut selected = PixelSelector::new(selection, CenterSampler, Uncached, &mut cache);
         let block_corners = selection.block_range(tile).pixels();
         let Ok(()) =

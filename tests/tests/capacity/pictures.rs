@@ -32,18 +32,18 @@ fn corners_are_the_same_from_any_buffer_and_none_is_traced_twice() {
         assert_eq!(counters.rays[RayKind::Camera], u64::from(4 * w * h));
 
         let mut row = vec![PixelSample::BLACK; w as usize + 1];
-        let mut sampler = AdaptiveSampler::new(corners_only(), CornerRow::new(&mut row), &mut []);
+        let mut sampler = AdaptiveSampler::new(corners_only(), CornerRowCache::new(&mut row), &mut []);
         let (colors, counters) = picture::<_, AllEffects, 5>(&world, s, Limits::DEFAULT, &mut sampler);
         assert_eq!((colors, counters.rays[RayKind::Camera]), (expected.clone(), corners), "{w}x{h}");
 
         let camera = Camera::new(&VIEW, s).unwrap();
         let tracer = Tracer::<_, AllEffects, 5>::new(&world, camera, Limits::DEFAULT).unwrap();
         let whole = Tile::full(s);
-        let mut memory = vec![PixelSample::BLACK; CornerGrid::corner_tile(whole).len()];
-        let mut frame = Framebuffer::new(CornerGrid::corner_tile(whole), &mut memory).unwrap();
+        let mut memory = vec![PixelSample::BLACK; PretracedCorners::corner_tile(whole).len()];
+        let mut frame = Framebuffer::new(PretracedCorners::corner_tile(whole), &mut memory).unwrap();
         let mut worker = Worker::new(Counters::new());
         // In any order: here from the last tile to the first.
-        let tiles: Vec<Tile> = CornerGrid::corner_tile(whole).tiles(5).collect();
+        let tiles: Vec<Tile> = PretracedCorners::corner_tile(whole).tiles(5).collect();
         for tile in tiles.into_iter().rev() {
             let Ok(()) = render(
                 &mut tracer.with_worker(&mut worker),
@@ -54,7 +54,7 @@ fn corners_are_the_same_from_any_buffer_and_none_is_traced_twice() {
         }
         assert_eq!(worker.tally().rays[RayKind::Camera], corners);
         let mut lattice =
-            AdaptiveSampler::new(corners_only(), CornerGrid::new(whole, &memory).unwrap(), &mut []);
+            AdaptiveSampler::new(corners_only(), PretracedCorners::new(whole, &memory).unwrap(), &mut []);
         let (colors, counters) = picture::<_, AllEffects, 5>(&world, s, Limits::DEFAULT, &mut lattice);
         assert_eq!((colors, counters), (expected, Counters::new()), "{w}x{h}");
     }
@@ -71,7 +71,7 @@ fn a_row_of_corners_that_is_too_short_costs_rays_and_changes_no_pixel() {
         let mut max_rays = u64::MAX;
         for capacity in 0..=w as usize + 3 {
             let mut sampler =
-                AdaptiveSampler::new(corners_only(), CornerRow::new(&mut row[..capacity]), &mut []);
+                AdaptiveSampler::new(corners_only(), CornerRowCache::new(&mut row[..capacity]), &mut []);
             let (colors, counters) =
                 picture::<_, AllEffects, 5>(&world, size(w, h), Limits::DEFAULT, &mut sampler);
             assert_eq!(colors, expected, "{capacity} corners for rows of {w} pixels");
@@ -96,7 +96,7 @@ fn frames_and_lattices_of_another_size_are_refused() {
             "{provided}"
         );
         assert_eq!(
-            CornerGrid::new(Tile::full(s), &memory[..provided]).is_some(),
+            PretracedCorners::new(Tile::full(s), &memory[..provided]).is_some(),
             provided == 12,
             "{provided}"
         );

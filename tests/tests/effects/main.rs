@@ -7,9 +7,9 @@
 
 use std::path::Path;
 
-use strahl_core::geometry::ShapeSet;
+use strahl_core::geometry::ShapeKindSet;
 use strahl_core::image::StochasticSampler;
-use strahl_core::scene::{EffectSet, Effects, LightSet, TextureSet};
+use strahl_core::scene::{EffectSet, Effects, LightKindSet, TextureKindSet};
 use strahl_core::tally::{Counters, RayKind};
 use strahl_core::{
     AllEffects, Camera, Limits, ListWithoutBounds, Resolution, Rgb, Tile, Tracer, Worker, World, render,
@@ -54,10 +54,10 @@ fn dependencies(effect: OptionalEffect) -> &'static [OptionalEffect] {
 
 /// Everything that is not an effect of the command line.
 const PLAIN: EffectSet = EffectSet {
-    shapes: ShapeSet::ALL,
+    shapes: ShapeKindSet::ALL,
     smooth_shading: true,
-    lights: LightSet::ALL,
-    textures: TextureSet::ALL,
+    lights: LightKindSet::ALL,
+    textures: TextureKindSet::ALL,
     highlight: true,
     absorption: true,
     ..EffectSet::NONE

@@ -5,8 +5,8 @@ use proptest::prelude::*;
 use strahl_core::accel::List;
 use strahl_core::geometry::Ray;
 use strahl_core::image::{
-    AdaptiveSampler, CacheEntry, Confidence, ContrastThreshold, Filter, Framebuffer, PixelSelector,
-    RegularSampler, Selection, StochasticSampler, Subdivision, Uncached,
+    AdaptiveSampler, CacheEntry, Confidence, ContrastThreshold, Filter, Framebuffer, PixelSelection,
+    PixelSelector, RegularSampler, StochasticSampler, Subdivision, Uncached,
 };
 use strahl_core::math::try_normalize;
 use strahl_core::render::render_selected;
@@ -219,7 +219,7 @@ proptest! {
                 render(&mut tracer.with_worker(&mut worker), &mut stochastic, tile.pixels(), &mut frame)
             }
             _ => {
-                let selection = Selection::new(2, contrast).unwrap();
+                let selection = PixelSelection::new(2, contrast).unwrap();
                 let block_corners = selection.block_range(tile).pixels();
                 let mut selected = PixelSelector::new(selection, CenterSampler, Uncached, &mut cache);
                 render_selected(&mut tracer.with_worker(&mut worker), &mut selected, block_corners, &mut frame)

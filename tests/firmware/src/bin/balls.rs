@@ -10,8 +10,8 @@ use cortex_m_rt::entry;
 use semihosting::{fs::File, io::Write, println, process};
 use strahl_core::accel::TraversalStack;
 use strahl_core::baked::BakedScene;
-use strahl_core::geometry::{ShapeKind, ShapeSet};
-use strahl_core::scene::{EffectSet, Effects, LightKind, LightSet};
+use strahl_core::geometry::{ShapeKind, ShapeKindSet};
+use strahl_core::scene::{EffectSet, Effects, LightKind, LightKindSet};
 use strahl_core::{CenterSampler, World, include_baked_scene};
 use strahl_device::draw::{BLACK_ROW, PixelRow, bytes, draw};
 use strahl_firmware::packs::draw_settings;
@@ -24,8 +24,8 @@ struct SphereflakeEffects;
 
 impl Effects for SphereflakeEffects {
     const SET: EffectSet = EffectSet {
-        shapes: ShapeSet::of(&[ShapeKind::Sphere, ShapeKind::Polygon]),
-        lights: LightSet::of(&[LightKind::Point]),
+        shapes: ShapeKindSet::of(&[ShapeKind::Sphere, ShapeKind::Polygon]),
+        lights: LightKindSet::of(&[LightKind::Point]),
         highlight: true,
         shadows: true,
         reflection: true,

@@ -2,7 +2,7 @@
 
 use strahl_core::geometry::{
     Aabb, Cone, Cuboid, Disc, ItemId, MovingShape, OrientedCuboid, Polygon, Ray, RayInterval, ShapeError,
-    ShapeFeatures, ShapeKind, ShapeSet, SurfaceInteraction, Torus, has_area, offset_origin,
+    ShapeFeatures, ShapeKind, ShapeKindSet, SurfaceInteraction, Torus, has_area, offset_origin,
 };
 use strahl_core::{AllEffects, Geometry, Plane, Shape, Sphere, Vec3};
 
@@ -88,7 +88,7 @@ fn in_tables() {
     /// Shape features of no effect set.
     struct ArbitraryTables;
     impl ShapeFeatures for ArbitraryTables {
-        const SHAPES: ShapeSet = ShapeSet::ALL;
+        const SHAPES: ShapeKindSet = ShapeKindSet::ALL;
         const SMOOTH_SHADING: bool = false;
         const MOTION_BLUR: bool = true;
     }

@@ -2,8 +2,8 @@
 
 use strahl_core::accel::Accelerator;
 use strahl_core::image::{
-    AdaptiveSampler, CacheEntry, Confidence, ContrastThreshold, CornerCache, CornerGrid, CornerRow, Filter,
-    FramebufferPixel, Pixel, PixelEstimate, PixelSelector, RegularSampler, Sampler, Selection,
+    AdaptiveSampler, CacheEntry, Confidence, ContrastThreshold, CornerCache, PretracedCorners, CornerRowCache, Filter,
+    FramebufferPixel, Pixel, PixelEstimate, PixelSelector, RegularSampler, Sampler, PixelSelection,
     StochasticSampler, StridedSampler, Subdivision, Subpixel, Uncached, UpperLeftCornerSampler,
 };
 use strahl_core::scene::{CameraSample, Effects};
@@ -19,7 +19,7 @@ pub fn entry_points() {
     let pixel = any(Pixel { x: 0, y: 0 });
     used((
         Tile::full(any_size()),
-        CornerGrid::corner_tile(any_tile()),
+        PretracedCorners::corner_tile(any_tile()),
         Tile::intersection(any_tile(), any_tile()),
     ));
     used((Tile::len(any_tile()), Tile::is_empty(any_tile()), Tile::index_of(any_tile(), pixel)));
@@ -90,17 +90,17 @@ fn corners<A: Accelerator, E: Effects, T: Tally, const LEVELS: usize>(
         let pixel = any(Pixel { x: 0, y: 0 });
         let trace = &mut any_trace;
         used(AdaptiveSampler::sample_subpixels(&mut parted, pixel, trace, &mut |part: Subpixel| used(part)));
-        let row = CornerRow::new(any(&mut row[..]));
+        let row = CornerRowCache::new(any(&mut row[..]));
         rendered(tracer, worker, AdaptiveSampler::new(subdivision, row, any(&mut cache[..])));
-        if let Some(lattice) = CornerGrid::new(any_tile(), any(&samples[..])) {
+        if let Some(lattice) = PretracedCorners::new(any_tile(), any(&samples[..])) {
             rendered(tracer, worker, AdaptiveSampler::new(subdivision, lattice, any(&mut cache[..])));
         }
     }
-    if let Some(selection) = Selection::new(any(4), contrast) {
-        used((Selection::step(&selection), Selection::block_range(&selection, any_tile())));
-        used(Selection::pixels_of(&selection, any_tile()));
-        Selection::refinement_sides(&selection).for_each(used);
-        let every: StridedSampler<CenterSampler> = Selection::corner_sampler(&selection, CenterSampler);
+    if let Some(selection) = PixelSelection::new(any(4), contrast) {
+        used((PixelSelection::step(&selection), PixelSelection::block_range(&selection, any_tile())));
+        used(PixelSelection::pixels_of(&selection, any_tile()));
+        PixelSelection::refinement_sides(&selection).for_each(used);
+        let every: StridedSampler<CenterSampler> = PixelSelection::first_pass_sampler(&selection, CenterSampler);
         rendered(tracer, worker, every);
         selected(tracer, worker, PixelSelector::new(selection, CenterSampler, Uncached, any(&mut cache[..])));
     }

@@ -1,11 +1,11 @@
 //! Scenes, materials, lights, effects and cameras.
 
 use strahl_core::accel::Accelerator;
-use strahl_core::geometry::{Aabb, Hit, ItemId, ShapeError, ShapeKind, ShapeSet};
+use strahl_core::geometry::{Aabb, Hit, ItemId, ShapeError, ShapeKind, ShapeKindSet};
 use strahl_core::math::SobolSequence;
 use strahl_core::scene::{
     CameraError, CameraSample, EffectSet, Effects, Field, FieldError, FilmPoint, FresnelModel,
-    LevelLimitRadiance, LightSet, SceneError, Texture,
+    LevelLimitRadiance, LightKindSet, SceneError, Texture,
 };
 use strahl_core::tally::RayKind;
 use strahl_core::{
@@ -87,7 +87,7 @@ fn described() {
 pub struct SpheresOnly;
 
 impl Effects for SpheresOnly {
-    const SET: EffectSet = EffectSet { shapes: ShapeSet::of(&[ShapeKind::Sphere]), ..EffectSet::NONE };
+    const SET: EffectSet = EffectSet { shapes: ShapeKindSet::of(&[ShapeKind::Sphere]), ..EffectSet::NONE };
 }
 
 /// The background beyond a distance and below the last level.
@@ -95,7 +95,7 @@ pub struct LimitedDistanceEffects;
 
 impl Effects for LimitedDistanceEffects {
     const SET: EffectSet =
-        EffectSet { lights: LightSet::ALL, reflection: true, transmission: true, ..SpheresOnly::SET };
+        EffectSet { lights: LightKindSet::ALL, reflection: true, transmission: true, ..SpheresOnly::SET };
     const MAX_DISTANCE: Real = 10.0;
     const LEVEL_LIMIT_RADIANCE: LevelLimitRadiance = LevelLimitRadiance::Background;
 }

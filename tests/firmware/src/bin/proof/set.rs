@@ -1,7 +1,7 @@
 //! Sets of enum variants, which one macro defines.
 
-use strahl_core::geometry::{ShapeKind, ShapeSet};
-use strahl_core::scene::{EffectSet, LightKind, LightSet, TextureKind, TextureSet};
+use strahl_core::geometry::{ShapeKind, ShapeKindSet};
+use strahl_core::scene::{EffectSet, LightKind, LightKindSet, TextureKind, TextureKindSet};
 
 use crate::any::{any, slice, used};
 use crate::text::{debugged, displayed};
@@ -20,9 +20,9 @@ pub fn entry_points() {
         }};
     }
     let mut set = any(EffectSet::NONE);
-    set.shapes = set!(ShapeSet of ShapeKind);
-    set.lights = set!(LightSet of LightKind);
-    set.textures = set!(TextureSet of TextureKind);
+    set.shapes = set!(ShapeKindSet of ShapeKind);
+    set.lights = set!(LightKindSet of LightKind);
+    set.textures = set!(TextureKindSet of TextureKind);
     used(EffectSet::is_superset(&set, &any(EffectSet::ALL)));
     displayed(EffectSet::difference(&set, &any(EffectSet::ALL)));
 }
