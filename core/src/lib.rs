@@ -19,7 +19,8 @@
 //! let world = World::new(scene, ListWithoutBounds(1));
 //! let resolution = Resolution::new(64, 48).unwrap();
 //! let camera = CameraDescriptor::perspective(vec3(0.0, 0.0, 5.0), Vec3::ZERO, 0.6);
-//! let tracer = Tracer::<_, AllEffects, 5>::new(&world, Camera::new(&camera, resolution)?, Limits::DEFAULT)?;
+//! let camera = Camera::new(&camera, resolution)?;
+//! let tracer = Tracer::<_, AllEffects, 5>::new(&world, camera, Limits::DEFAULT)?;
 //!
 //! let (tile, mut picture) = (Tile::full(resolution), [Rgb::BLACK; 64 * 48]);
 //! let mut framebuffer = Framebuffer::new(tile, &mut picture).unwrap();
