@@ -45,7 +45,7 @@ impl Effects for LocalEffects {
         transmission: false,
         absorption: false,
         colored_shadows: false,
-        penumbra: false,
+        soft_shadows: false,
         depth_of_field: false,
         gloss: false,
         motion_blur: false,

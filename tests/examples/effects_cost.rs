@@ -76,7 +76,7 @@ fn rows() -> impl Iterator<Item = EffectsRow> {
     "marbles.toml" [Sphere, Plane, Torus] [Point] [] [highlight, shadows, reflection, transmission, absorption];
     "motion.toml" [Sphere, Plane, Cuboid] [Directional] [Checker] [highlight, shadows, reflection, motion_blur];
     "paper.toml" [Disc, Polygon] [Directional] [Gradient] [shadows];
-    "penumbra.toml" [Sphere, Plane, OrientedCuboid, Cone, Torus] [Sphere, Rectangle] [] [highlight, shadows, penumbra];
+    "penumbra.toml" [Sphere, Plane, OrientedCuboid, Cone, Torus] [Sphere, Rectangle] [] [highlight, shadows, soft_shadows];
     "pyramid.toml" [Triangle, Plane] [Directional] [] [shadows, reflection];
     "rotunda.nff" [Sphere, Polygon, Cone] [Point] [] [smooth_shading, highlight, shadows, reflection, transmission];
     "shapes.toml" [Sphere, SmoothTriangle, Plane, Disc, Polygon, OrientedCuboid, Cone, Torus] [Directional] [] [smooth_shading, highlight, shadows, reflection];

@@ -60,7 +60,7 @@ fn the_error_of_stochastic_sampling_falls_as_it_must() {
         repeats: 1,
         ..StudyPlan::QUICK
     };
-    studied("penumbra.toml", &plan, &[OptionalEffect::Penumbra], |conduct, truth| {
+    studied("penumbra.toml", &plan, &[OptionalEffect::SoftShadows], |conduct, truth| {
         let error = |samples: &str| {
             let value = format!("stochastic:{samples}");
             steps(conduct, "sampler").iter().find(|step| step.value == value).unwrap().alone.rmse

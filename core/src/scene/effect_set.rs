@@ -39,8 +39,8 @@ pub struct EffectSet {
     pub absorption: bool,
     /// Shadow rays that pass through transmitting bodies and are colored by them.
     pub colored_shadows: bool,
-    /// Area lights, whose shadows have a penumbra.
-    pub penumbra: bool,
+    /// Soft shadows of area lights.
+    pub soft_shadows: bool,
     /// Depth of field of a thin lens.
     pub depth_of_field: bool,
     /// Glossy reflection and transmission, of rough surfaces.
@@ -62,7 +62,7 @@ impl EffectSet {
         transmission: false,
         absorption: false,
         colored_shadows: false,
-        penumbra: false,
+        soft_shadows: false,
         depth_of_field: false,
         gloss: false,
         motion_blur: false,
@@ -80,7 +80,7 @@ impl EffectSet {
         transmission: true,
         absorption: true,
         colored_shadows: true,
-        penumbra: true,
+        soft_shadows: true,
         depth_of_field: true,
         gloss: true,
         motion_blur: true,
@@ -99,7 +99,7 @@ impl EffectSet {
             transmission: self.transmission && !other.transmission,
             absorption: self.absorption && !other.absorption,
             colored_shadows: self.colored_shadows && !other.colored_shadows,
-            penumbra: self.penumbra && !other.penumbra,
+            soft_shadows: self.soft_shadows && !other.soft_shadows,
             depth_of_field: self.depth_of_field && !other.depth_of_field,
             gloss: self.gloss && !other.gloss,
             motion_blur: self.motion_blur && !other.motion_blur,
@@ -121,7 +121,7 @@ impl EffectSet {
             && implied(other.transmission, self.transmission)
             && implied(other.absorption, self.absorption)
             && implied(other.colored_shadows, self.colored_shadows)
-            && implied(other.penumbra, self.penumbra)
+            && implied(other.soft_shadows, self.soft_shadows)
             && implied(other.depth_of_field, self.depth_of_field)
             && implied(other.gloss, self.gloss)
             && implied(other.motion_blur, self.motion_blur)
@@ -142,7 +142,7 @@ impl fmt::Display for EffectSet {
             named(self.transmission, "transmission"),
             named(self.absorption, "absorption"),
             named(self.colored_shadows, "colored shadows"),
-            named(self.penumbra, "penumbra"),
+            named(self.soft_shadows, "penumbra"),
             named(self.depth_of_field, "a lens"),
             named(self.gloss, "gloss"),
             named(self.motion_blur, "motion"),

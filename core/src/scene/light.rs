@@ -143,7 +143,7 @@ impl Light {
     /// use strahl_core::{Light, Rgb, vec3};
     ///
     /// let lamp = Light::point(vec3(3.0, 4.0, 5.0), Rgb::WHITE);
-    /// assert!(lamp.casts_shadows && !lamp.has_penumbra());
+    /// assert!(lamp.casts_shadows && !lamp.has_soft_shadows());
     /// ```
     pub const fn point(position: Vec3, color: Rgb) -> Self {
         Light { source: LightSource::Point { position, falloff: Falloff::NONE }, color, casts_shadows: true }
@@ -160,8 +160,8 @@ impl Light {
         }
     }
 
-    /// Whether its shadows have a penumbra: it is an area light.
-    pub fn has_penumbra(&self) -> bool {
+    /// Whether its shadows are soft: it is an area light.
+    pub fn has_soft_shadows(&self) -> bool {
         match self.source {
             LightSource::Sphere { radius, .. } => radius > 0.0,
             LightSource::Rectangle { soft_shadows, .. } => soft_shadows,

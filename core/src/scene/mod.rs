@@ -280,7 +280,7 @@ fn find_required_effects(descriptor: &SceneDescriptor<'_>) -> EffectSet {
     for light in descriptor.lights.iter().filter(|light| is_lit && !light.color.is_black()) {
         effects.lights = effects.lights.with(light.kind());
         effects.shadows |= light.casts_shadows;
-        effects.penumbra |= light.has_penumbra();
+        effects.soft_shadows |= light.has_soft_shadows();
     }
     effects.colored_shadows = descriptor.colored_shadows && effects.shadows && effects.transmission;
     effects

@@ -93,7 +93,7 @@ pub(crate) fn local_illumination<A: Accelerator, E: Effects, T: Tally, const ENT
     for (light, index) in scene.lights.iter().zip(0..) {
         // Sample the light.
         let u = || {
-            if !E::SET.penumbra {
+            if !E::SET.soft_shadows {
                 return [0.5, 0.5];
             }
             context.sequence.sample_2d(Dimension::light(context.level, index))

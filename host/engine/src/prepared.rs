@@ -75,7 +75,7 @@ prepared_sets! {
     /// Whitted ray tracing with absorbing glass: all effects without distributed ray tracing, except colored shadows.
     Whitted = EffectSet { lights: LightKindSet::ALL, transmission: true, absorption: true, ..Sunlit::SET };
     /// Opaque surfaces under lights with an area.
-    SoftShadows = EffectSet { lights: LightKindSet::ALL, penumbra: true, ..Sunlit::SET };
+    SoftShadows = EffectSet { lights: LightKindSet::ALL, soft_shadows: true, ..Sunlit::SET };
     /// Distributed ray tracing under directional lights: depth of field, gloss, motion blur; and clear glass.
     SunlitDistributed =
         EffectSet { transmission: true, depth_of_field: true, gloss: true, motion_blur: true, ..Sunlit::SET };

@@ -88,7 +88,7 @@ fn reasons(description: &LoadedScene, used: &MaterialUse, effect: OptionalEffect
     let is_called_for = |effect| !reasons(description, used, effect).is_empty();
     match effect {
         OptionalEffect::Shadows => light_reasons(description, used, |light| light.shadows),
-        OptionalEffect::Penumbra => light_reasons(description, used, is_area_light),
+        OptionalEffect::SoftShadows => light_reasons(description, used, is_area_light),
         OptionalEffect::ColoredShadows => match description.colored_shadows_line {
             Some(line)
                 if is_called_for(OptionalEffect::Shadows) && is_called_for(OptionalEffect::Transmission) =>
@@ -127,7 +127,7 @@ fn disable_one(description: &mut LoadedScene, effect: OptionalEffect) {
         OptionalEffect::Reflection => materials.for_each(|material| material.reflection = Rgb::BLACK),
         OptionalEffect::Transmission => materials.for_each(|material| material.transmission = Rgb::BLACK),
         OptionalEffect::ColoredShadows => description.colored_shadows_line = None,
-        OptionalEffect::Penumbra => lights.for_each(|light| match &mut light.source {
+        OptionalEffect::SoftShadows => lights.for_each(|light| match &mut light.source {
             LightSourceDescription::Sphere { radius, .. } => *radius = 0.0,
             LightSourceDescription::Rectangle { soft_shadows, .. } => *soft_shadows = false,
             LightSourceDescription::Point { .. }

@@ -16,7 +16,7 @@ choices! {
         /// Colored shadows of transparent objects.
         ColoredShadows = "colored-shadows",
         /// Area lights: soft shadows.
-        Penumbra = "penumbra",
+        SoftShadows = "penumbra",
         /// Depth of field.
         Lens = "lens",
         /// Glossy reflection and transmission.
@@ -29,7 +29,7 @@ choices! {
 impl OptionalEffect {
     /// The effects of distributed ray tracing, which are noisy with one ray per pixel.
     pub const DISTRIBUTED: [OptionalEffect; 4] =
-        [OptionalEffect::Penumbra, OptionalEffect::Lens, OptionalEffect::Gloss, OptionalEffect::Motion];
+        [OptionalEffect::SoftShadows, OptionalEffect::Lens, OptionalEffect::Gloss, OptionalEffect::Motion];
 
     /// Whether a set contains it.
     pub fn is_in(self, set: &EffectSet) -> bool {
@@ -38,7 +38,7 @@ impl OptionalEffect {
             OptionalEffect::Reflection => set.reflection,
             OptionalEffect::Transmission => set.transmission,
             OptionalEffect::ColoredShadows => set.colored_shadows,
-            OptionalEffect::Penumbra => set.penumbra,
+            OptionalEffect::SoftShadows => set.soft_shadows,
             OptionalEffect::Lens => set.depth_of_field,
             OptionalEffect::Gloss => set.gloss,
             OptionalEffect::Motion => set.motion_blur,

@@ -31,7 +31,7 @@ const GLASS: EffectSet = EffectSet { transmission: true, ..MIRRORS };
 
 const DISTRIBUTED: EffectSet = EffectSet {
     lights: LightKindSet::of(&[LightKind::Sphere]),
-    penumbra: true,
+    soft_shadows: true,
     gloss: true,
     depth_of_field: true,
     ..GLASS

@@ -105,7 +105,7 @@ fn effects(out: &mut String, set: &EffectSet) {
         ("transmission", set.transmission),
         ("absorption", set.absorption),
         ("colored_shadows", set.colored_shadows),
-        ("penumbra", set.penumbra),
+        ("soft_shadows", set.soft_shadows),
         ("depth_of_field", set.depth_of_field),
         ("gloss", set.gloss),
         ("motion_blur", set.motion_blur),

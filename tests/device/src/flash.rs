@@ -138,7 +138,7 @@ pub struct FlashDistributed;
 impl Effects for FlashDistributed {
     const SET: EffectSet = EffectSet {
         lights: LightKindSet::of(&[LightKind::Sphere]),
-        penumbra: true,
+        soft_shadows: true,
         gloss: true,
         depth_of_field: true,
         ..FlashGlass::SET

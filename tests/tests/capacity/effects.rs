@@ -25,7 +25,7 @@ everything_but! {
     Opaque { transmission: false }
     Clear { absorption: false }
     Uncolored { colored_shadows: false }
-    Hard { penumbra: false }
+    Hard { soft_shadows: false }
     Pinhole { depth_of_field: false }
     Polished { gloss: false }
     Standing { motion_blur: false }
@@ -105,7 +105,7 @@ fn a_tracer_without_an_effect_gives_the_same_picture_of_a_scene_that_does_not_us
             rendered::<Clear>,
         ),
         ("colored shadows", |scene, _| scene.colored_shadows = false, rendered::<Uncolored>),
-        ("penumbra", |scene, _| scene.lights.retain(|light| !light.has_penumbra()), rendered::<Hard>),
+        ("penumbra", |scene, _| scene.lights.retain(|light| !light.has_soft_shadows()), rendered::<Hard>),
         ("lens", |_, view| view.projection = VIEW.projection, rendered::<Pinhole>),
         ("gloss", |scene, _| each_material(scene, |m| m.roughness = 0.0), rendered::<Polished>),
         ("motion", |scene, _| scene.clear_motions(), rendered::<Standing>),

@@ -80,7 +80,7 @@ tracers! {
     Transmission { transmission }
     Solid { shadows, transmission }
     ColoredShadows { shadows, transmission, colored_shadows }
-    Penumbra { penumbra }
+    SoftShadows { soft_shadows }
     Lens { depth_of_field }
     Gloss { reflection, gloss }
     Motion { motion_blur }
@@ -115,7 +115,7 @@ fn smallest(effect: OptionalEffect) -> [RenderFunction; 2] {
         OptionalEffect::Reflection => [rendered::<Reflection>, rendered::<Nothing>],
         OptionalEffect::Transmission => [rendered::<Transmission>, rendered::<Nothing>],
         OptionalEffect::ColoredShadows => [rendered::<ColoredShadows>, rendered::<Solid>],
-        OptionalEffect::Penumbra => [rendered::<Penumbra>, rendered::<Nothing>],
+        OptionalEffect::SoftShadows => [rendered::<SoftShadows>, rendered::<Nothing>],
         OptionalEffect::Lens => [rendered::<Lens>, rendered::<Nothing>],
         OptionalEffect::Gloss => [rendered::<Gloss>, rendered::<Reflection>],
         OptionalEffect::Motion => [rendered::<Motion>, rendered::<Nothing>],
@@ -159,10 +159,14 @@ fn effects_that_a_scene_does_not_require_trace_no_ray_and_draw_no_random_number(
         let caches = has(OptionalEffect::Shadows) && !has(OptionalEffect::ColoredShadows);
         assert_eq!(counts.shadow_cache_tests > 0, caches, "{name}");
         // With regular sampling only these effects are random.
-        let is_random =
-            [OptionalEffect::Penumbra, OptionalEffect::Lens, OptionalEffect::Gloss, OptionalEffect::Motion]
-                .into_iter()
-                .any(has);
+        let is_random = [
+            OptionalEffect::SoftShadows,
+            OptionalEffect::Lens,
+            OptionalEffect::Gloss,
+            OptionalEffect::Motion,
+        ]
+        .into_iter()
+        .any(has);
         assert_eq!(frame.picture != counted(&description, 1).0.picture, is_random, "{name}");
     }
 }

@@ -172,7 +172,7 @@ pub(super) fn effects(
 ) -> Result<(), StudyError> {
     let Measurement { settings: base, run, .. } = &measured.measurements[best];
     let is_many =
-        [OptionalEffect::Penumbra, OptionalEffect::Lens, OptionalEffect::Gloss, OptionalEffect::Motion]
+        [OptionalEffect::SoftShadows, OptionalEffect::Lens, OptionalEffect::Gloss, OptionalEffect::Motion]
             .iter()
             .any(|effect| required.contains(effect));
     let rays = if is_many { EFFECT_SAMPLES } else { 4 };
