@@ -1,4 +1,4 @@
-//! A Whitted ray tracer that needs no operating system, no heap and no recursion.
+//! A Whitted ray tracer for `no_std`: it needs no operating system, no heap and no recursion.
 //!
 //! A program that renders a red sphere:
 //!
@@ -38,7 +38,8 @@
 //! The steps are always these: describe a scene and check it ([`Scene::new`]), combine it with an accelerator
 //! ([`World::new`]), make a camera ([`Camera::new`]) and a tracer for the effects that the scene requires
 //! ([`Tracer::new`]), and [`render()`] pixels with a sampler into a sink. Each worker has the mutable state
-//! of one thread. An *item* is a shape of a scene with its material: what pbrt calls a primitive.
+//! of one thread. With a heap, `SceneTables` (feature `alloc`) is the easiest way to describe a scene; a device
+//! with one row of memory [renders row by row](mod@render). An *item* is a shape of a scene with its material: what pbrt calls a primitive.
 //!
 //! # Modules
 //!

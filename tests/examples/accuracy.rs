@@ -16,7 +16,7 @@ use std::path::PathBuf;
 use strahl_core::accel::List;
 use strahl_core::image::{
     AdaptiveSampler, ContrastThreshold, Framebuffer, RegularSampler, Sampler, StochasticSampler, Subdivision,
-    Uncached,
+    UncachedCorners,
 };
 use strahl_core::scene::Effects;
 use strahl_core::{
@@ -58,7 +58,7 @@ fn picture(run: &AccuracyRun) -> Result<Vec<Rgb>, ExampleError> {
         FirmwareSampler::Adaptive(depth, threshold) => {
             let contrast = ContrastThreshold::new(threshold).ok_or(invalid)?;
             let subdivision = Subdivision::new(depth, contrast).ok_or(invalid)?;
-            traced(run.limits, &mut AdaptiveSampler::new(subdivision, Uncached, &mut []))
+            traced(run.limits, &mut AdaptiveSampler::new(subdivision, UncachedCorners, &mut []))
         }
         FirmwareSampler::Stochastic(n) => traced(run.limits, &mut StochasticSampler::new(n).ok_or(invalid)?),
     }

@@ -14,7 +14,7 @@ use std::path::Path;
 use std::process::{Command, ExitCode};
 
 use strahl_core::accel::{
-    Accelerator, BvhBuilder, BvhNode, BvhSize, LeafEntry, LeafLayout, List, TraversalStack, TriangleBlock,
+    Accelerator, BvhBuilder, BvhEntry, BvhNode, BvhSize, LeafLayout, List, TraversalStack, TriangleBlock,
     group_count,
 };
 use strahl_core::geometry::{Aabb, ShapeKind, ShapeKindSet};
@@ -107,7 +107,7 @@ fn traced<E: Effects>(path: &Path) -> Result<u64, Box<dyn Error>> {
     }
     let size_of_bvh = BvhSize::recommended(boxes.len());
     let (mut nodes, mut items) =
-        (vec![BvhNode::EMPTY; size_of_bvh.nodes], vec![LeafEntry::EMPTY; size_of_bvh.entries]);
+        (vec![BvhNode::EMPTY; size_of_bvh.nodes], vec![BvhEntry::EMPTY; size_of_bvh.entries]);
     let builder = BvhBuilder::new(&boxes, LeafLayout::TriangleBlocks(&geometry), &mut nodes, &mut items)?;
     let mut block_buffer = vec![TriangleBlock::EMPTY; builder.block_count()];
     let bvh = builder.into_block_bvh::<TraversalStack<64>>(&geometry, &mut block_buffer)?;

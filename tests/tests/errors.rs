@@ -88,7 +88,7 @@ fn materials_textures_and_surroundings_out_of_range_are_named_with_their_field()
         ..SceneDescriptor::EMPTY
     };
     assert_eq!(Scene::new(parts).unwrap_err(), SceneError::MissingMaterial(ItemId(0)));
-    assert_eq!(error(parts), "object 0: `material_ids` names no entry of `materials`");
+    assert_eq!(error(parts), "item 0: `material_ids` names no entry of `materials`");
 }
 
 /// Spheres only.

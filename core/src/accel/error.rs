@@ -56,7 +56,7 @@ impl fmt::Display for BuildError {
                 };
                 write!(f, "{name}: {needed} needed, {provided} provided")
             }
-            BuildError::NotFinite { item } => write!(f, "object {}: its bounds are not finite", item.0),
+            BuildError::NotFinite { item } => write!(f, "item {}: its bounds are not finite", item.0),
         }
     }
 }

@@ -30,7 +30,8 @@ fn group_chunks<V>(volumes: &[V]) -> impl Iterator<Item = &[V]> {
 /// It contains no code for bounding volumes, which [`List`] has: for devices with a handful of items.
 #[derive(Clone, Copy, Debug)]
 pub struct ListWithoutBounds(
-    /// Number of items of the scene. Planes, which the scene tests itself, may be counted or not.
+    /// Number of items of the scene, planes included. Items with this id or a higher one are not tested;
+    /// planes are always tested, by the world.
     pub u32,
 );
 
@@ -73,7 +74,7 @@ impl<'s> List<'s> {
         List { items, volumes: BoundingVolumes::None }
     }
 
-    /// The list of the items with these bounds, which are also the bounding volumes of the items.
+    /// A list whose bounding volumes are the boxes in `bounds`, which it borrows.
     ///
     /// `bounds`: one box per item. `groups`: caller-provided buffer for the boxes of groups, at least
     /// [`group_count`] long.
@@ -115,7 +116,7 @@ impl<'s> List<'s> {
         Ok(List { items, volumes: BoundingVolumes::Spheres { items: spheres, groups } })
     }
 
-    /// Size of all buffers that it uses, in bytes.
+    /// Size of its bounding volumes, in bytes.
     pub const fn size_in_bytes(&self) -> usize {
         match self.volumes {
             BoundingVolumes::None => 0,

@@ -57,7 +57,7 @@ pub use accelerator::{Accelerator, Query};
 #[cfg(feature = "baked")]
 pub(crate) use bvh::BvhParts;
 pub use bvh::{
-    Bvh, BvhBuilder, BvhNode, LeafElement, LeafEntry, LeafLayout, TraversalHeap, TraversalQueue,
+    Bvh, BvhBuilder, BvhEntry, BvhNode, LeafElement, LeafLayout, TraversalHeap, TraversalQueue,
     TraversalStack,
 };
 pub use error::{Buffer, BuildError};

@@ -3,7 +3,7 @@
 //! Padding between fields and after the shorter variants of an enum has no defined value, so each type is
 //! destructured and padding is written as zeros. Patterns have no `..`, so that a new field is a compile error here.
 
-use crate::accel::{BvhNode, LeafEntry, OctreeNode};
+use crate::accel::{BvhEntry, BvhNode, OctreeNode};
 use crate::geometry::{
     Aabb, Cone, Cuboid, Disc, ItemId, MovingShape, OrientedCuboid, Plane, Polygon, Shape, Sphere, Torus,
 };
@@ -151,7 +151,7 @@ impl WriteLayout for BvhNode {
     }
 }
 
-impl WriteLayout for LeafEntry {
+impl WriteLayout for BvhEntry {
     fn write_fields(&self, w: &mut LayoutWriter<'_>) {
         self.word().write_padded(w);
     }

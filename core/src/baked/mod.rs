@@ -73,7 +73,7 @@ impl<'s> BakedScene<'s> {
 
     /// Validates `bytes` and borrows the scene from them, in one pass and without memory.
     ///
-    /// `bytes`: aligned to 4, as of [`include_baked_scene!`](crate::include_baked_scene!).
+    /// `bytes`: aligned to 4 bytes, as by [`include_baked_scene!`](crate::include_baked_scene!).
     ///
     /// # Errors
     ///
@@ -131,7 +131,8 @@ impl<'s> BakedScene<'s> {
         self.header.cutoff
     }
 
-    /// Camera that it was baked with.
+    /// The description of the camera that is stored with the scene; [`BakedScene::camera`] makes a camera of
+    /// it.
     pub const fn camera_descriptor(&self) -> &'s CameraDescriptor {
         &self.header.camera
     }
@@ -160,7 +161,7 @@ impl<'s> BakedScene<'s> {
     /// # Errors
     ///
     /// [`BakedSection::Accelerator`] if it is not valid, or if the accelerator is of another kind.
-    pub fn grid<const MAILBOX: usize>(&self) -> Result<Grid<'s, MAILBOX>, BakedSceneError> {
+    pub fn grid<const MAILBOX_ENTRIES: usize>(&self) -> Result<Grid<'s, MAILBOX_ENTRIES>, BakedSceneError> {
         let (header, bytes) = (self.header, self.bytes);
         header.expect_accelerator(header::GRID)?;
         let cell_starts = header.table(bytes, TableId::Nodes)?;
@@ -174,8 +175,10 @@ impl<'s> BakedScene<'s> {
     ///
     /// # Errors
     ///
-    /// As of [`BakedScene::grid`].
-    pub fn octree<const MAILBOX: usize>(&self) -> Result<Octree<'s, MAILBOX>, BakedSceneError> {
+    /// As for [`BakedScene::grid`].
+    pub fn octree<const MAILBOX_ENTRIES: usize>(
+        &self,
+    ) -> Result<Octree<'s, MAILBOX_ENTRIES>, BakedSceneError> {
         let (header, bytes) = (self.header, self.bytes);
         header.expect_accelerator(header::OCTREE)?;
         let nodes = header.table(bytes, TableId::Nodes)?;
@@ -185,12 +188,13 @@ impl<'s> BakedScene<'s> {
             .ok_or(BakedSceneError::Section(BakedSection::Accelerator))
     }
 
-    /// Validates and borrows the bounding volume hierarchy, which traversals visit with a queue of type `W`.
+    /// Validates and borrows the bounding volume hierarchy. `Queue`: its traversal queue, such as
+    /// [`TraversalStack`](crate::accel::TraversalStack).
     ///
     /// # Errors
     ///
-    /// As of [`BakedScene::grid`].
-    pub fn bvh<W>(&self) -> Result<Bvh<'s, W>, BakedSceneError> {
+    /// As for [`BakedScene::grid`].
+    pub fn bvh<Queue>(&self) -> Result<Bvh<'s, Queue>, BakedSceneError> {
         let (header, bytes) = (self.header, self.bytes);
         header.expect_accelerator(header::BVH)?;
         let nodes = header.table(bytes, TableId::Nodes)?;
@@ -206,7 +210,7 @@ impl<'s> BakedScene<'s> {
     ///
     /// # Errors
     ///
-    /// As of [`BakedScene::grid`].
+    /// As for [`BakedScene::grid`].
     pub fn accelerator(&self) -> Result<BakedAccelerator<'s>, BakedSceneError> {
         Ok(match self.header.accelerator {
             header::LIST => BakedAccelerator::ListWithoutBounds(self.list_without_bounds()),

@@ -25,6 +25,7 @@ pub(crate) const MAX_FACE_COORDINATE: Real = Real::MAX / 8.0;
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[cfg_attr(feature = "baked", derive(zerocopy::TryFromBytes, zerocopy::KnownLayout, zerocopy::Immutable))]
 #[repr(C)]
+#[doc(alias = "bounding box")]
 pub struct Aabb {
     /// Corner with the smallest coordinates.
     pub min: Vec3,

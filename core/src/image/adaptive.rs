@@ -84,7 +84,7 @@ impl Sampler for UpperLeftCornerSampler {
 /// ```
 /// use strahl_core::Rgb;
 /// use strahl_core::image::{AdaptiveSampler, CacheEntry, ContrastThreshold, Pixel, Sampler};
-/// use strahl_core::image::{Subdivision, Uncached};
+/// use strahl_core::image::{Subdivision, UncachedCorners};
 /// use strahl_core::scene::CameraSample;
 /// use strahl_core::trace::{HitId, PixelSample};
 ///
@@ -94,11 +94,13 @@ impl Sampler for UpperLeftCornerSampler {
 /// };
 /// let subdivision = Subdivision::new(3, ContrastThreshold::new(0.1).unwrap()).unwrap();
 /// let mut entries = [CacheEntry::EMPTY; 64];
-/// let mut sampler = AdaptiveSampler::new(subdivision, Uncached, &mut entries);
+/// let mut sampler = AdaptiveSampler::new(subdivision, UncachedCorners, &mut entries);
 /// let gray = sampler.sample_pixel(Pixel { x: 0, y: 0 }, &mut edge).color.r;
 /// assert!((gray - 0.5).abs() < 0.1);
 /// ```
 #[derive(Debug)]
+#[doc(alias = "antialiasing")]
+#[doc(alias = "supersampling")]
 pub struct AdaptiveSampler<'m, C> {
     subdivision: Subdivision,
     corner_cache: C,
@@ -150,7 +152,7 @@ impl<C: CornerCache> AdaptiveSampler<'_, C> {
         subdivide(whole, &subdivision.threshold, 1, &mut sample_at, &mut |square| {
             let side = square.side as Real / steps;
             sum += square.mean() * (side * side);
-            hit = hit.merged(square.hit());
+            hit = hit.same_or_mixed(square.hit());
             let top_left = FilmPoint { x: square.x as Real / steps, y: square.y as Real / steps };
             visit(Subpixel { top_left, side, corners: square.corners });
         });
@@ -172,7 +174,7 @@ impl<C: CornerCache> Sampler for AdaptiveSampler<'_, C> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::image::{CornerRowCache, PretracedCorners, Tile, Uncached};
+    use crate::image::{CornerRowCache, PretracedCorners, Tile, UncachedCorners};
     use crate::trace::HitId;
 
     /// White above a slanted line, black below it.
@@ -191,7 +193,7 @@ mod tests {
     fn pixels_do_not_depend_on_corner_cache_or_sample_cache() {
         let subdivision = subdivision(4, 0.1);
         let mut empty = [CacheEntry::EMPTY; 0];
-        let mut uncached = AdaptiveSampler::new(subdivision, Uncached, &mut empty);
+        let mut uncached = AdaptiveSampler::new(subdivision, UncachedCorners, &mut empty);
         let mut expected = [PixelSample::BLACK; 30];
         let mut rays_uncached = 0;
         for (slot, pixel) in expected.iter_mut().zip(CELLS.pixels()) {
@@ -236,7 +238,7 @@ mod tests {
         let pixel = Pixel { x: 1, y: 2 };
         let dark = 0.33 * 0.892 / 2.0;
         for (depth, tolerance) in [(2, 0.1), (4, 0.02), (6, 0.005)] {
-            let sampled = AdaptiveSampler::new(subdivision(depth, 0.1), Uncached, &mut entries)
+            let sampled = AdaptiveSampler::new(subdivision(depth, 0.1), UncachedCorners, &mut entries)
                 .sample_pixel(pixel, &mut half);
             assert!((sampled.color.r - (1.0 - dark)).abs() < tolerance, "{depth}: {}", sampled.color.r);
         }
@@ -246,7 +248,7 @@ mod tests {
     fn subpixels_cover_the_pixel_and_sum_to_its_color() {
         let pixel = Pixel { x: 1, y: 2 };
         let (mut sum, mut area, mut count) = (Rgb::BLACK, 0.0, 0);
-        let sampled = AdaptiveSampler::new(subdivision(4, 0.1), Uncached, &mut []).sample_subpixels(
+        let sampled = AdaptiveSampler::new(subdivision(4, 0.1), UncachedCorners, &mut []).sample_subpixels(
             pixel,
             &mut half,
             &mut |Subpixel { top_left, side, corners: [a, b, c, d] }| {
@@ -265,7 +267,7 @@ mod tests {
     #[test]
     fn at_depth_zero_a_pixel_is_the_mean_of_its_corners() {
         let mut rays = 0;
-        let sampled = AdaptiveSampler::new(subdivision(0, 0.0), Uncached, &mut []).sample_pixel(
+        let sampled = AdaptiveSampler::new(subdivision(0, 0.0), UncachedCorners, &mut []).sample_pixel(
             Pixel { x: 3, y: 5 },
             &mut |sample: CameraSample| {
                 rays += 1;
@@ -285,7 +287,7 @@ mod tests {
         let rays = |threshold| {
             let mut rays = 0;
             let subdivision = Subdivision::new(3, threshold).unwrap();
-            AdaptiveSampler::new(subdivision, Uncached, &mut []).sample_pixel(
+            AdaptiveSampler::new(subdivision, UncachedCorners, &mut []).sample_pixel(
                 Pixel { x: 0, y: 0 },
                 &mut |sample: CameraSample| {
                     rays += 1;

@@ -32,7 +32,7 @@ impl ContrastThreshold {
     pub(super) fn accepts(&self, corners: &[PixelSample; 4]) -> bool {
         let same_item = || {
             let [first, rest @ ..] = corners;
-            rest.iter().fold(first.hit, |hit, corner| hit.merged(corner.hit)) != HitId::Mixed
+            rest.iter().fold(first.hit, |hit, corner| hit.same_or_mixed(corner.hit)) != HitId::Mixed
         };
         (!self.items || same_item())
             && Rgb::contrast(corners.iter().map(|corner| corner.color)) <= self.threshold

@@ -2,7 +2,7 @@
 //!
 //! A cell is a pixel in adaptive supersampling, and a block of pixels in pixel-selected tracing. `w` times
 //! `h` cells have `(w + 1) (h + 1)` corners. [`PretracedCorners`] has all of them, traced before in any order;
-//! [`CornerRowCache`] stores one row. With both, no corner is traced twice. [`Uncached`] stores nothing and leaves
+//! [`CornerRowCache`] stores one row. With both, no corner is traced twice. [`UncachedCorners`] stores nothing and leaves
 //! it to the sampler's own cache, for cells that are not adjacent.
 
 use super::pixel::{Pixel, Tile};
@@ -27,11 +27,11 @@ fn corner_pixels(Pixel { x, y }: Pixel) -> [Pixel; 4] {
     [(x, y), (x + 1, y), (x, y + 1), (x + 1, y + 1)].map(|(x, y)| Pixel { x, y })
 }
 
-/// A [`CornerCache`] that caches nothing: all four corners of each cell are traced.
+/// A [`CornerCache`] that caches nothing: all four corners are traced for each cell, also those shared with a neighbor.
 #[derive(Clone, Copy, Debug)]
-pub struct Uncached;
+pub struct UncachedCorners;
 
-impl CornerCache for Uncached {
+impl CornerCache for UncachedCorners {
     fn corners(&mut self, cell: Pixel, find: &mut impl FnMut(Pixel) -> PixelSample) -> [PixelSample; 4] {
         corner_pixels(cell).map(find)
     }

@@ -41,9 +41,9 @@ macro_rules! from_channels {
 }
 from_channels!(Rgb555 Rgb565 Bgr565 Rgb666 Bgr666 Rgb888 Bgr888);
 
-/// A [`Sink`] that draws each pixel at once to a [`DrawTarget`], in the sRGB encoding.
+/// A [`Sink`] that draws each pixel at once to a `DrawTarget`, in the sRGB encoding.
 ///
-/// Requires the feature `display`. Pixels outside of the target are passed to it, too; a [`DrawTarget`]
+/// Requires the feature `display`. Pixels outside of the target are passed to it, too; a `DrawTarget`
 /// ignores them.
 ///
 /// ```

@@ -1,7 +1,8 @@
 //! Pictures: samplers choose the camera rays of each pixel, sinks receive the finished pixels.
 //!
 //! A [`Sampler`] combines the samples of one pixel: [`CenterSampler`], [`RegularSampler`],
-//! [`StochasticSampler`] or [`AdaptiveSampler`]. A [`PixelSelector`] traces some pixels and interpolates the
+//! [`StochasticSampler`] or [`AdaptiveSampler`]. All but the first smooth edges (antialiasing) with several rays
+//! per pixel. A [`PixelSelector`] traces some pixels and interpolates the
 //! others. A [`Sink`] receives pixels, such as a [`Framebuffer`].
 
 mod adaptive;
@@ -30,7 +31,7 @@ use strahl_core::image::{self as filter, self as pixel};
 pub use adaptive::{AdaptiveSampler, Subdivision, Subpixel, UpperLeftCornerSampler};
 pub use center::CenterSampler;
 pub use contrast::ContrastThreshold;
-pub use corner_cache::{CornerCache, CornerRowCache, PretracedCorners, StridedSampler, Uncached};
+pub use corner_cache::{CornerCache, CornerRowCache, PretracedCorners, StridedSampler, UncachedCorners};
 #[cfg(feature = "display")]
 pub use draw_target::{Dither, DrawTargetSink, FromChannels};
 pub use filter::Filter;

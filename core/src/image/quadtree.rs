@@ -38,7 +38,7 @@ impl Square {
     /// The item that all corners hit, or [`HitId::Several`].
     pub(super) fn hit(&self) -> HitId {
         let [a, b, c, d] = self.corners.map(|corner| corner.hit);
-        a.merged(b).merged(c.merged(d))
+        a.same_or_mixed(b).same_or_mixed(c.same_or_mixed(d))
     }
 
     /// Bilinear interpolation of the colors of the corners at `(x, y)`, both in `0..=1`.

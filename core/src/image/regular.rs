@@ -25,6 +25,8 @@ use crate::trace::{PixelSample, RayTracer};
 /// assert_eq!((rays, RegularSampler::new(0).is_none()), (9, true));
 /// ```
 #[derive(Clone, Copy, Debug)]
+#[doc(alias = "antialiasing")]
+#[doc(alias = "supersampling")]
 pub struct RegularSampler {
     cells: u16,
     filter: Filter,

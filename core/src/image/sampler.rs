@@ -65,7 +65,7 @@ impl SampleMean {
 
     pub(super) fn add(&mut self, sample: PixelSample) {
         self.sum += sample.color;
-        self.hit = Some(self.hit.map_or(sample.hit, |hit| hit.merged(sample.hit)));
+        self.hit = Some(self.hit.map_or(sample.hit, |hit| hit.same_or_mixed(sample.hit)));
         self.count += 1;
     }
 

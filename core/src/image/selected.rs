@@ -99,12 +99,12 @@ impl PixelSelection {
 ///
 /// ```
 /// use strahl_core::Rgb;
-/// use strahl_core::image::{CenterSampler, ContrastThreshold, Pixel, PixelSelector, PixelSelection, Uncached};
+/// use strahl_core::image::{CenterSampler, ContrastThreshold, Pixel, PixelSelector, PixelSelection, UncachedCorners};
 /// use strahl_core::scene::CameraSample;
 /// use strahl_core::trace::{HitId, PixelSample};
 ///
 /// let selection = PixelSelection::new(8, ContrastThreshold::new(0.1).unwrap()).unwrap();
-/// let mut selector = PixelSelector::new(selection, CenterSampler, Uncached, &mut []);
+/// let mut selector = PixelSelector::new(selection, CenterSampler, UncachedCorners, &mut []);
 /// let (mut rays, mut pixels) = (0, 0);
 /// let mut trace = |_: CameraSample| {
 ///     rays += 1;
@@ -148,17 +148,18 @@ impl<'m, C: CornerCache, S: Sampler> PixelSelector<'m, C, S> {
         self.sample_cache.clear();
     }
 
-    /// Samples a block and passes all its pixels to `put`, square by square. Blocks at the right and lower
-    /// edge can have pixels outside of the picture.
+    /// Samples a block and passes all its pixels to `put`, square by square. At the right and lower edges of
+    /// the picture these include pixels outside of it, which the caller ignores.
     ///
-    /// `block`: in block coordinates.
+    /// `block_coordinates`: those of the block's pixels, divided by the step; [`PixelSelection::block_range`]
+    /// has them for a tile.
     pub fn sample_block(
         &mut self,
-        block: Pixel,
+        block_coordinates: Pixel,
         tracer: &mut (impl RayTracer + ?Sized),
         put: &mut impl FnMut(Pixel, PixelSample),
     ) {
-        self.sample_squares(block, 1, self.selection.step(), tracer, put);
+        self.sample_squares(block_coordinates, 1, self.selection.step(), tracer, put);
     }
 
     /// One refinement pass of a block: passes the pixels of squares with this `side` to `put`.
@@ -169,12 +170,12 @@ impl<'m, C: CornerCache, S: Sampler> PixelSelector<'m, C, S> {
     /// before the first pass only.
     pub fn refine_block(
         &mut self,
-        block: Pixel,
+        block_coordinates: Pixel,
         side: u32,
         tracer: &mut (impl RayTracer + ?Sized),
         put: &mut impl FnMut(Pixel, PixelSample),
     ) {
-        self.sample_squares(block, side, side, tracer, put);
+        self.sample_squares(block_coordinates, side, side, tracer, put);
     }
 
     /// Passes the pixels of squares with sides from `min_side` to `max_side` to `put`.
@@ -217,7 +218,7 @@ impl<'m, C: CornerCache, S: Sampler> PixelSelector<'m, C, S> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::image::{CenterSampler, CornerRowCache, PretracedCorners, Uncached};
+    use crate::image::{CenterSampler, CornerRowCache, PretracedCorners, UncachedCorners};
     use crate::math::Rgb;
     use crate::scene::CameraSample;
     use crate::trace::HitId;
@@ -245,7 +246,8 @@ mod tests {
         let mut entries = [CacheEntry::EMPTY; 2000];
         let mut picture = [None; 37 * 29];
         let mut rays = 0;
-        let mut selected = PixelSelector::new(selection, CenterSampler, Uncached, &mut entries[..length]);
+        let mut selected =
+            PixelSelector::new(selection, CenterSampler, UncachedCorners, &mut entries[..length]);
         for block in selection.block_range(tile).pixels() {
             selected.sample_block(
                 block,

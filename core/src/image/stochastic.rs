@@ -39,6 +39,7 @@ use crate::trace::{PixelSample, RayTracer};
 /// assert!(fixed.is_some() && adaptive.is_some());
 /// ```
 #[derive(Clone, Copy, Debug)]
+#[doc(alias = "antialiasing")]
 pub struct StochasticSampler {
     min_samples: u32,
     max_samples: u32,
@@ -118,7 +119,7 @@ impl StochasticSampler {
         while mean.count < self.max_samples {
             if mean.count == next {
                 if is_adaptive
-                    && variance.confidence_radius(self.confidence.standard_errors)
+                    && variance.srgb_confidence_radius(self.confidence.standard_errors)
                         <= self.confidence.tolerance
                 {
                     break;
@@ -186,11 +187,13 @@ impl PixelEstimate {
         self.mean.count
     }
 
-    /// Half width of the confidence interval of the mean, `standard_errors` wide to each side:
-    /// sRGB-encoded, in `0..=0.5`, of the channel where it is largest. Infinite below two samples, and for
-    /// estimates of samplers with a fixed number of rays, which do not compute the variance.
-    pub fn confidence_radius(&self, standard_errors: Real) -> Real {
-        self.variance.confidence_radius(standard_errors)
+    /// Half the width of the confidence interval of the mean: `standard_errors` times the standard error of
+    /// the mean. In sRGB-encoded units, of the channel where it is largest, at most 0.5.
+    ///
+    /// Infinite below two samples, and for estimates of samplers with a fixed number of rays, which do not
+    /// compute the variance.
+    pub fn srgb_confidence_radius(&self, standard_errors: Real) -> Real {
+        self.variance.srgb_confidence_radius(standard_errors)
     }
 }
 
@@ -222,7 +225,7 @@ impl RunningVariance {
     }
 
     /// Half width of the confidence interval of this many standard errors to both sides, sRGB-encoded.
-    fn confidence_radius(&self, standard_errors: Real) -> Real {
+    fn srgb_confidence_radius(&self, standard_errors: Real) -> Real {
         if self.count < 2 {
             return Real::INFINITY; // one sample has no variance
         }
@@ -307,7 +310,7 @@ mod tests {
                     "{min_samples} {tolerance}"
                 );
                 assert!(rays >= before);
-                assert!(rays == max_samples || estimate.confidence_radius(1.5) <= tolerance);
+                assert!(rays == max_samples || estimate.srgb_confidence_radius(1.5) <= tolerance);
             }
             assert_eq!(estimate.sample_count(), max_samples);
         }

@@ -55,7 +55,7 @@ impl Rgb {
         ok(self.r) && ok(self.g) && ok(self.b)
     }
 
-    /// Limits every channel to `max`. NaN becomes `max`.
+    /// Limits every channel to at most `max`; negative channels stay. NaN becomes `max`.
     ///
     /// Sums and products of colors stay finite if every term is limited.
     pub fn clamp_max(self, max: Real) -> Self {

@@ -27,13 +27,14 @@ impl Dimension {
     /// Time between opening and closing of the shutter: the first coordinate; the second one is not used.
     pub const SHUTTER: Dimension = Dimension(2);
 
-    /// Microfacet normal of a rough surface hit by a ray of the given level: two coordinates.
+    /// Microfacet normal of a rough surface hit by a ray of the given level (camera rays have level 1): two
+    /// coordinates.
     pub const fn microfacet(level: u8) -> Self {
         Dimension(3 | (level as u32) << 8)
     }
 
-    /// Position on the light with the given index, for a point hit by a ray of the given level: two
-    /// coordinates.
+    /// Position on the light with the given index, for a point hit by a ray of the given level
+    /// (camera rays have level 1): two coordinates.
     pub const fn light(level: u8, light: u16) -> Self {
         Dimension(4 | (level as u32) << 8 | (light as u32) << 16)
     }

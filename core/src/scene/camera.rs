@@ -84,6 +84,7 @@ pub enum Projection {
         ///
         /// This is the convention of NFF. In a picture of one row it is the angle between the edges of the
         /// row.
+        #[doc(alias = "fov")]
         field_of_view: Real,
     },
     /// Orthographic camera: all rays are parallel.
@@ -94,7 +95,7 @@ pub enum Projection {
     },
     /// Thin lens: rays start on a disc, and only the plane of focus is sharp.
     ThinLens {
-        /// As of [`Projection::Perspective`].
+        /// As for [`Projection::Perspective`].
         field_of_view: Real,
         /// Radius of the lens, in scene lengths, in `(0, 1e15]`.
         lens_radius: Real,

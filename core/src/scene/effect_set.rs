@@ -31,7 +31,8 @@ pub struct EffectSet {
     pub highlight: bool,
     /// Shadows: items occlude lights.
     pub shadows: bool,
-    /// Reflected rays, from mirrors; total internal reflection belongs to `transmission`.
+    /// Reflected rays, from mirrors. The rays that transmitting bodies reflect (Fresnel, total internal
+    /// reflection) belong to `transmission`.
     pub reflection: bool,
     /// Refracted rays through transmitting bodies, with total internal reflection.
     pub transmission: bool,

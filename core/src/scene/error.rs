@@ -37,10 +37,10 @@ impl fmt::Display for SceneError {
         match self {
             SceneError::TooManyItems => write!(f, "more items than a scene can number"),
             SceneError::TooManyMaterials => write!(f, "more than 65536 materials"),
-            SceneError::Shape(item, error) => write!(f, "object {}: {error}", item.0),
+            SceneError::Shape(item, error) => write!(f, "item {}: {error}", item.0),
             SceneError::Material(material, error) => write!(f, "material {}: {error}", material.0),
             SceneError::MissingMaterial(item) => {
-                write!(f, "object {}: `material_ids` names no entry of `materials`", item.0)
+                write!(f, "item {}: `material_ids` names no entry of `materials`", item.0)
             }
             SceneError::Light(light, error) => write!(f, "light {light}: {error}"),
             SceneError::Texture(texture, error) => write!(f, "texture {texture}: {error}"),

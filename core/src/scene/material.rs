@@ -33,7 +33,7 @@ use crate::math::{Real, Rgb};
 pub struct Material {
     /// Fraction of the scene's ambient light that is reflected, each channel in `0..=1e6`.
     ///
-    /// Independent of `diffuse`; physically plausible if equal to it, as of [`Material::matte`].
+    /// Independent of `diffuse`; physically plausible if equal to it, as in [`Material::matte`].
     pub ambient: Rgb,
     /// Color: fraction of the light of a light source that is reflected diffusely (Lambert), at perpendicular
     /// incidence. Each channel in `0..=1e6`.
@@ -42,8 +42,10 @@ pub struct Material {
     pub texture: TextureId,
     /// Fraction of the light of a light source that the highlight reflects at its center (Phong), each
     /// channel in `0..=1e6`.
+    #[doc(alias = "specular")]
     pub highlight: Rgb,
     /// Exponent of the highlight's cosine, in `0..=1e6`: the larger, the narrower. Zero means no highlight.
+    #[doc(alias = "shininess")]
     pub highlight_exponent: Real,
     /// Fraction of the light from the mirror direction that is reflected, each channel in `0..=1`.
     pub reflection: Rgb,
@@ -52,6 +54,7 @@ pub struct Material {
     /// If it is not black, the surface is the boundary of a body of this material; its normal points out of
     /// the body. The body casts an opaque shadow, unless
     /// [`SceneDescriptor::colored_shadows`](super::SceneDescriptor::colored_shadows) is set.
+    #[doc(alias = "transparency")]
     pub transmission: Rgb,
     /// Roughness of reflection and transmission, in `0..=1`: the square root of the tangent of the typical
     /// slope of the surface's microfacets. Zero means a perfect mirror and clear glass.
@@ -70,7 +73,8 @@ pub struct Material {
     /// Whether the shading normal points to the side of the ray. If not, the back of the surface is shaded
     /// like its front. Rays hit both sides in both cases.
     ///
-    /// `true` also gives a glass body highlights on the inside of its far surface.
+    /// Usually false for glass: `true` also gives a body highlights of lights behind it, on the inside of its
+    /// far surface.
     pub two_sided: bool,
 }
 

@@ -244,7 +244,7 @@ impl SceneTables {
         }
     }
 
-    /// Lets an item rest. Does nothing if it rests already, or if there is no such item.
+    /// Removes the motion of an item. Does nothing if it does not move, or if there is no such item.
     pub fn clear_motion(&mut self, item: ItemId) {
         let shape = self.shapes.get_mut(item.0 as usize);
         if let Some(shape) = shape
@@ -256,13 +256,8 @@ impl SceneTables {
     }
 
     /// Number of items.
-    pub fn len(&self) -> usize {
+    pub fn item_count(&self) -> usize {
         self.shapes.len()
-    }
-
-    /// Whether there are no items.
-    pub fn is_empty(&self) -> bool {
-        self.shapes.is_empty()
     }
 
     /// Bounds of all items, from which accelerators are built ([`Geometry::all_bounds`]).
@@ -300,7 +295,7 @@ impl SceneTables {
     ///
     /// # Errors
     ///
-    /// The first entry that is out of range or refers to a missing entry, as of [`Scene::new`].
+    /// The first entry that is out of range or refers to a missing entry, as for [`Scene::new`].
     pub fn scene(&self) -> Result<Scene<'_>, SceneError> {
         Scene::new(self.descriptor())
     }

@@ -29,6 +29,7 @@ use crate::math::{MAX_COORDINATE, PI, Real, Rgb, Vec3, clamp, cos, floor, max_ab
 #[repr(u32)]
 pub enum Texture {
     /// Axis-aligned cells of two alternating colors.
+    #[doc(alias = "checkerboard")]
     Checker {
         /// Color of the cell whose lowest corner is `origin`.
         even: Rgb,

@@ -23,10 +23,10 @@ impl HitId {
     /// use strahl_core::trace::HitId;
     ///
     /// let item = HitId::Item(ItemId(3));
-    /// assert_eq!(item.merged(item), item);
-    /// assert_eq!(item.merged(HitId::Nothing), HitId::Mixed);
+    /// assert_eq!(item.same_or_mixed(item), item);
+    /// assert_eq!(item.same_or_mixed(HitId::Nothing), HitId::Mixed);
     /// ```
-    pub fn merged(self, other: HitId) -> HitId {
+    pub fn same_or_mixed(self, other: HitId) -> HitId {
         if self == other { self } else { HitId::Mixed }
     }
 }

@@ -13,7 +13,9 @@ use crate::math::Real;
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Limits {
     /// Largest level of a ray, in `1..=LEVELS` of the tracer. Camera rays have level 1, their secondary rays
-    /// level 2.
+    /// level 2. A ray through a glass ball has two refractions, so that a picture of one needs about 8 levels.
+    #[doc(alias = "depth")]
+    #[doc(alias = "bounces")]
     pub levels: u8,
     /// A secondary ray is sent only if the largest channel of its weight is above this, in `0..=1`.
     pub cutoff: Real,

@@ -39,7 +39,7 @@ impl<A: Accelerator, T, const LEVELS: usize> Worker<A, T, LEVELS> {
 impl<A: Accelerator, T, const LEVELS: usize, const SHADOW_CACHE_ENTRIES: usize>
     Worker<A, T, LEVELS, SHADOW_CACHE_ENTRIES>
 {
-    /// Size in bytes: one task per level, the scratch memory of the accelerator, 4 bytes per entry of the
+    /// Size in bytes: one pending ray per level, the scratch memory of the accelerator, 4 bytes per entry of the
     /// shadow cache, and the tally.
     pub const SIZE_IN_BYTES: usize = size_of::<Self>();
 

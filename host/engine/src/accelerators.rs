@@ -13,7 +13,7 @@
 use std::time::Instant;
 
 use strahl_core::accel::{
-    Accelerator, BuildError, Bvh, BvhBuilder, BvhNode, BvhSize, Grid, GridSize, LeafEntry, LeafLayout, List,
+    Accelerator, BuildError, Bvh, BvhBuilder, BvhEntry, BvhNode, BvhSize, Grid, GridSize, LeafLayout, List,
     Octree, OctreeNode, OctreeSize, TraversalHeap, TraversalQueue, TraversalStack, TriangleBlock,
     group_count,
 };
@@ -41,7 +41,7 @@ pub struct AccelMemory {
     entries: Vec<u32>,
     octree_nodes: Vec<OctreeNode>,
     bvh_nodes: Vec<BvhNode>,
-    leaf_entries: Vec<LeafEntry>,
+    leaf_entries: Vec<BvhEntry>,
     triangle_blocks: Vec<TriangleBlock>,
 }
 
@@ -155,7 +155,7 @@ impl<'s> AccelBuilder<'s> {
         let geometry = scene.descriptor().geometry;
         let recommended = BvhSize::recommended(memory.boxes.len());
         (memory.bvh_nodes, memory.leaf_entries) =
-            (vec![BvhNode::EMPTY; recommended.nodes], vec![LeafEntry::EMPTY; recommended.entries]);
+            (vec![BvhNode::EMPTY; recommended.nodes], vec![BvhEntry::EMPTY; recommended.entries]);
         let leaves = LeafLayout::TriangleBlocks(&geometry);
         let bvh = BvhBuilder::new(&memory.boxes, leaves, &mut memory.bvh_nodes, &mut memory.leaf_entries)?;
         memory.triangle_blocks = vec![TriangleBlock::EMPTY; bvh.block_count()];

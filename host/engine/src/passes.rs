@@ -210,7 +210,8 @@ impl PixelEstimates {
     #[allow(clippy::unnecessary_cast)] // in double precision
     fn estimate_radii(&self) -> Vec<(u32, f64)> {
         let pixels = self.tiles.iter().flat_map(|(_, pixels)| pixels);
-        let radius = |pixel: &PixelEstimate| pixel.confidence_radius(self.standard_errors as Real) as f64;
+        let radius =
+            |pixel: &PixelEstimate| pixel.srgb_confidence_radius(self.standard_errors as Real) as f64;
         pixels.step_by(self.stride()).map(|pixel| (pixel.sample_count(), radius(pixel))).collect()
     }
 

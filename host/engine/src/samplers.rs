@@ -5,7 +5,7 @@
 use strahl_core::Real;
 use strahl_core::image::{
     AdaptiveSampler, CacheEntry, CornerCache, Pixel, PixelSelection, PretracedCorners, RegularSampler,
-    Sampler, StochasticSampler, Subdivision, Uncached,
+    Sampler, StochasticSampler, Subdivision, UncachedCorners,
 };
 use strahl_core::trace::{PixelSample, RayTracer};
 use strahl_settings::{SamplerSettings, Settings};
@@ -33,7 +33,7 @@ impl CornerCache for CornerSource<'_> {
     fn corners(&mut self, cell: Pixel, find: &mut impl FnMut(Pixel) -> PixelSample) -> [PixelSample; 4] {
         match self {
             CornerSource::Grid(grid) => grid.corners(cell, find),
-            CornerSource::Retraced => Uncached.corners(cell, find),
+            CornerSource::Retraced => UncachedCorners.corners(cell, find),
         }
     }
 }

@@ -15,7 +15,7 @@ pub fn bounding_boxes(description: &LoadedScene) -> Option<Vec<Aabb>> {
     let material = tables.add_material(Material::MATTE);
     let mut moving = description.motions.iter().peekable();
     for (index, object) in description.objects.iter().enumerate() {
-        let first = tables.len() as u32;
+        let first = tables.item_count() as u32;
         if let ShapeDescription::Mesh { first, count, .. } = object.shape {
             let end = first as usize + count as usize;
             let triangles = description.triangles.get(first as usize..end).unwrap_or_default();
@@ -29,7 +29,8 @@ pub fn bounding_boxes(description: &LoadedScene) -> Option<Vec<Aabb>> {
         }
         if let Some(motion) = moving.next_if(|motion| motion.object == index) {
             let [opening, closing] = description.shutter.map(|time| vec3_of(motion.velocity) * time);
-            (first..tables.len() as u32).for_each(|item| tables.set_motion(ItemId(item), opening, closing));
+            (first..tables.item_count() as u32)
+                .for_each(|item| tables.set_motion(ItemId(item), opening, closing));
         }
     }
     tables.scene().is_ok().then(|| tables.bounds())

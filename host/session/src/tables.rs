@@ -35,12 +35,12 @@ macro_rules! tables {
                 tables.colored_shadows = description.colored_shadows_line.is_some();
                 let mut moving = description.motions.iter().peekable();
                 for (object, place) in description.objects.iter().zip(0..) {
-                    let first = tables.len() as u32;
+                    let first = tables.item_count() as u32;
                     add(&mut tables, object, &description.triangles);
                     if let Some(motion) = moving.next_if(|motion| motion.object == place) {
                         let [opening, closing] =
                             description.shutter.map(|time| vector(motion.velocity) * Real::from(time));
-                        for item in first..tables.len() as u32 {
+                        for item in first..tables.item_count() as u32 {
                             tables.set_motion(ItemId(item), opening, closing);
                         }
                     }

@@ -10,7 +10,7 @@ use std::fmt::Write as _;
 use std::path::Path;
 
 use strahl_core::accel::{
-    Bvh, BvhNode, BvhSize, Grid, GridSize, LeafEntry, Mailbox, Octree, OctreeNode, OctreeSize, TraversalStack,
+    Bvh, BvhEntry, BvhNode, BvhSize, Grid, GridSize, Mailbox, Octree, OctreeNode, OctreeSize, TraversalStack,
 };
 use strahl_core::baked::{BakedAccelerator, BakedScene, BakedSceneWriter};
 use strahl_core::geometry::Aabb;
@@ -154,7 +154,7 @@ pub fn bake(scene: &Scene<'_>, settings: &BakeSettings) -> Result<Vec<u8>, Strin
         AccelKind::Bvh => {
             let size = BvhSize::recommended(boxes.len());
             let (mut nodes, mut items) =
-                (vec![BvhNode::EMPTY; limited(size.nodes)], vec![LeafEntry::EMPTY; size.entries]);
+                (vec![BvhNode::EMPTY; limited(size.nodes)], vec![BvhEntry::EMPTY; size.entries]);
             with(BakedAccelerator::Bvh(Bvh::build(&boxes, &mut nodes, &mut items).map_err(build_error)?))
         }
     }

@@ -1,7 +1,7 @@
 //! strahl's accelerators.
 
 use strahl_core::accel::{
-    Accelerator, Bvh, BvhBuilder, BvhNode, BvhSize, LeafEntry, LeafLayout, TraversalHeap, TraversalStack,
+    Accelerator, Bvh, BvhBuilder, BvhEntry, BvhNode, BvhSize, LeafLayout, TraversalHeap, TraversalStack,
     TriangleBlock,
 };
 use strahl_core::geometry::{Aabb, Ray, ShapeKind, ShapeKindSet};
@@ -84,7 +84,7 @@ impl<A: Accelerator> Contender for StrahlContender<'_, A> {
 /// Buffers of a BVH.
 pub struct BvhBuffers {
     nodes: Vec<BvhNode>,
-    items: Vec<LeafEntry>,
+    items: Vec<BvhEntry>,
     block_buffer: Vec<TriangleBlock>,
 }
 
@@ -93,7 +93,7 @@ impl BvhBuffers {
         let BvhSize { nodes, entries: items } = BvhSize::recommended(items);
         BvhBuffers {
             nodes: vec![BvhNode::EMPTY; nodes],
-            items: vec![LeafEntry::EMPTY; items],
+            items: vec![BvhEntry::EMPTY; items],
             block_buffer: Vec::new(),
         }
     }

@@ -6,7 +6,8 @@
 
 use strahl_core::geometry::{Aabb, Polygon, ShapeKind, ShapeKindSet};
 use strahl_core::scene::{
-    EffectSet, Effects, LevelLimitRadiance, LightKind, LightKindSet, Texture, TextureId, TextureKind, TextureKindSet,
+    EffectSet, Effects, LevelLimitRadiance, LightKind, LightKindSet, Texture, TextureId, TextureKind,
+    TextureKindSet,
 };
 use strahl_core::{
     Background, CameraDescriptor, Falloff, Geometry, Light, LightSource, Limits, Material, MaterialId,

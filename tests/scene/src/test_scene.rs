@@ -153,7 +153,7 @@ impl TestScene {
 
     /// Number of items.
     pub fn item_count(&self) -> u32 {
-        self.tables.len() as u32
+        self.tables.item_count() as u32
     }
 
     /// The scene that borrows these tables.

@@ -139,7 +139,7 @@ macro_rules! core {
     ($module:ident, $core:ident, $scene:path) => {
         mod $module {
             use $core::accel::{
-                Accelerator, Bvh, BvhNode, BvhSize, Grid, GridSize, LeafEntry, List, Octree, OctreeNode,
+                Accelerator, Bvh, BvhEntry, BvhNode, BvhSize, Grid, GridSize, List, Octree, OctreeNode,
                 OctreeSize, TraversalStack,
             };
             use $core::geometry::Ray;
@@ -202,7 +202,7 @@ macro_rules! core {
                     TestedAccelerator::Bvh => {
                         let size = BvhSize::recommended(boxes.len());
                         let (mut nodes, mut items) =
-                            (vec![BvhNode::EMPTY; size.nodes], vec![LeafEntry::EMPTY; size.entries]);
+                            (vec![BvhNode::EMPTY; size.nodes], vec![BvhEntry::EMPTY; size.entries]);
                         let tree = Bvh::<TraversalStack<64>>::build(&boxes, &mut nodes, &mut items).unwrap();
                         nearest(&scene, tree, rays)
                     }

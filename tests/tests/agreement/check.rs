@@ -1,7 +1,7 @@
 //! Comparison of an accelerator with the list without bounds.
 
 use strahl_core::accel::{
-    Accelerator, Bvh, BvhBuilder, BvhNode, BvhSize, Grid, GridSize, LeafEntry, LeafLayout, List, Octree,
+    Accelerator, Bvh, BvhBuilder, BvhEntry, BvhNode, BvhSize, Grid, GridSize, LeafLayout, List, Octree,
     OctreeLimits, OctreeNode, OctreeSize, TraversalHeap, TraversalStack, TriangleBlock,
 };
 use strahl_core::geometry::{Aabb, Hit, ItemId, Ray, SurfaceInteraction};
@@ -93,7 +93,7 @@ impl<'s> AcceleratorCheck<'s> {
     pub fn check_bvh(&self, provided: usize) {
         let size = BvhSize::recommended(self.boxes.len());
         let mut nodes = vec![BvhNode::EMPTY; provided];
-        let mut items = vec![LeafEntry::EMPTY; size.entries];
+        let mut items = vec![BvhEntry::EMPTY; size.entries];
         let tree = Bvh::<TraversalStack<64>>::build(&self.boxes, &mut nodes, &mut items).unwrap();
         self.check("stack", tree);
         self.check("stack of one", tree.with_queue::<TraversalStack<1>>());
@@ -104,7 +104,7 @@ impl<'s> AcceleratorCheck<'s> {
         self.check("heap of none", tree.with_queue::<TraversalHeap<0>>());
 
         let geometry = self.scene.as_scene().descriptor().geometry;
-        let (mut nodes, mut items) = (vec![BvhNode::EMPTY; provided], vec![LeafEntry::EMPTY; size.entries]);
+        let (mut nodes, mut items) = (vec![BvhNode::EMPTY; provided], vec![BvhEntry::EMPTY; size.entries]);
         let builder =
             BvhBuilder::new(&self.boxes, LeafLayout::TriangleBlocks(&geometry), &mut nodes, &mut items)
                 .unwrap();

@@ -4,7 +4,7 @@ mod bytes;
 mod round_trip;
 
 use strahl_core::accel::{
-    Accelerator, Bvh, BvhNode, BvhSize, Grid, GridSize, LeafEntry, List, Octree, OctreeNode, OctreeSize,
+    Accelerator, Bvh, BvhEntry, BvhNode, BvhSize, Grid, GridSize, List, Octree, OctreeNode, OctreeSize,
     TraversalHeap, TraversalStack,
 };
 use strahl_core::baked::{BakedAccelerator, BakedScene, BakedSceneError, BakedSceneWriter, BakedSection};
@@ -159,7 +159,7 @@ fn baked_with_every_accelerator(scene: &TestScene) -> Vec<Vec<u8>> {
     let (mut octants, mut listed) = (vec![OctreeNode::EMPTY; size.nodes], vec![0; size.entries]);
     let octree = Octree::build(&boxes, &mut octants, &mut listed).unwrap();
     let size = BvhSize::recommended(boxes.len());
-    let (mut nodes, mut items) = (vec![BvhNode::EMPTY; size.nodes], vec![LeafEntry::EMPTY; size.entries]);
+    let (mut nodes, mut items) = (vec![BvhNode::EMPTY; size.nodes], vec![BvhEntry::EMPTY; size.entries]);
     let bvh = Bvh::build(&boxes, &mut nodes, &mut items).unwrap();
     let finders = [
         BakedAccelerator::ListWithoutBounds(ListWithoutBounds(scene.item_count())),

@@ -15,7 +15,7 @@ use strahl_core::geometry::{Aabb, ItemId, ShapeKind, ShapeKindSet};
 use strahl_core::image::{
     AdaptiveSampler, CacheEntry, Confidence, ContrastThreshold, CornerRowCache, Filter, Framebuffer, Pixel,
     PixelSelection, PixelSelector, PretracedCorners, RegularSampler, Sampler, Sink, StochasticSampler,
-    Subdivision, Uncached, UpperLeftCornerSampler,
+    Subdivision, UncachedCorners, UpperLeftCornerSampler,
 };
 use strahl_core::math::{SobolSequence, try_normalize};
 use strahl_core::render::render_selected;
@@ -195,7 +195,7 @@ fn the_core_allocates_no_memory() {
             AdaptiveSampler::new(subdivision, PretracedCorners::new(tile, &corners).unwrap(), &mut cache);
         let Ok(()) = render(&mut tracer.with_worker(&mut worker), &mut adaptive, tile.pixels(), &mut frame);
         let selection = PixelSelection::new(8, colors_agree).unwrap();
-        let mut selected = PixelSelector::new(selection, CenterSampler, Uncached, &mut cache);
+        let mut selected = PixelSelector::new(selection, CenterSampler, UncachedCorners, &mut cache);
         let block_corners = selection.block_range(tile).pixels();
         let Ok(()) =
             render_selected(&mut tracer.with_worker(&mut worker), &mut selected, block_corners, &mut frame);

@@ -1,7 +1,7 @@
 //! Every accelerator agrees with the list on every hard ray, bit for bit.
 
 use strahl_core::accel::{
-    Accelerator, Bvh, BvhNode, BvhSize, Grid, GridSize, LeafEntry, List, Octree, OctreeNode, OctreeSize,
+    Accelerator, Bvh, BvhEntry, BvhNode, BvhSize, Grid, GridSize, List, Octree, OctreeNode, OctreeSize,
     TraversalHeap, TraversalStack,
 };
 use strahl_core::geometry::{Hit, Ray};
@@ -45,7 +45,7 @@ fn check(case: &str, aims: &[(TestShape, Vec<TestRay>)]) -> usize {
     };
 
     let size = BvhSize::recommended(boxes.len());
-    let (mut nodes, mut items) = (vec![BvhNode::EMPTY; size.nodes], vec![LeafEntry::EMPTY; size.entries]);
+    let (mut nodes, mut items) = (vec![BvhNode::EMPTY; size.nodes], vec![BvhEntry::EMPTY; size.entries]);
     let tree = Bvh::<TraversalStack<64>>::build(&boxes, &mut nodes, &mut items).unwrap();
     assert_agrees("BVH, stack", answers(&scene, tree, &rays));
     assert_agrees("BVH, heap", answers(&scene, tree.with_queue::<TraversalHeap<64>>(), &rays));

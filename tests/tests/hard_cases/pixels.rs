@@ -6,7 +6,7 @@ use strahl_core::accel::List;
 use strahl_core::geometry::Ray;
 use strahl_core::image::{
     AdaptiveSampler, CacheEntry, Confidence, ContrastThreshold, Filter, Framebuffer, PixelSelection,
-    PixelSelector, RegularSampler, StochasticSampler, Subdivision, Uncached,
+    PixelSelector, RegularSampler, StochasticSampler, Subdivision, UncachedCorners,
 };
 use strahl_core::math::try_normalize;
 use strahl_core::render::render_selected;
@@ -210,7 +210,7 @@ proptest! {
             }
             2 => {
                 let subdivision = Subdivision::new(2, contrast).unwrap();
-                let mut adaptive = AdaptiveSampler::new(subdivision, Uncached, &mut cache);
+                let mut adaptive = AdaptiveSampler::new(subdivision, UncachedCorners, &mut cache);
                 render(&mut tracer.with_worker(&mut worker), &mut adaptive, tile.pixels(), &mut frame)
             }
             3 => {
@@ -221,7 +221,7 @@ proptest! {
             _ => {
                 let selection = PixelSelection::new(2, contrast).unwrap();
                 let block_corners = selection.block_range(tile).pixels();
-                let mut selected = PixelSelector::new(selection, CenterSampler, Uncached, &mut cache);
+                let mut selected = PixelSelector::new(selection, CenterSampler, UncachedCorners, &mut cache);
                 render_selected(&mut tracer.with_worker(&mut worker), &mut selected, block_corners, &mut frame)
             }
         };
@@ -254,7 +254,7 @@ proptest! {
 #[test]
 fn an_invalid_ray_hits_nothing_and_tests_nothing() {
     use strahl_core::accel::{
-        Bvh, BvhNode, BvhSize, Grid, GridSize, LeafEntry, Octree, OctreeNode, OctreeSize, TraversalStack,
+        Bvh, BvhEntry, BvhNode, BvhSize, Grid, GridSize, Octree, OctreeNode, OctreeSize, TraversalStack,
     };
     use strahl_core::tally::Counters;
 
@@ -309,7 +309,7 @@ fn an_invalid_ray_hits_nothing_and_tests_nothing() {
 
     assert_no_hit!(List::without_bounds(scene.item_count()));
     let size = BvhSize::recommended(boxes.len());
-    let (mut nodes, mut items) = (vec![BvhNode::EMPTY; size.nodes], vec![LeafEntry::EMPTY; size.entries]);
+    let (mut nodes, mut items) = (vec![BvhNode::EMPTY; size.nodes], vec![BvhEntry::EMPTY; size.entries]);
     assert_no_hit!(Bvh::<TraversalStack<64>>::build(&boxes, &mut nodes, &mut items).unwrap());
     let size = GridSize::recommended(&boxes);
     let (mut cells, mut items) = (vec![0; size.cells], vec![0; size.entries]);

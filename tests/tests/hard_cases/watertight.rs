@@ -1,7 +1,7 @@
 //! Watertight meshes: no ray escapes between the triangles of a closed mesh.
 
 use strahl_core::accel::{
-    Bvh, BvhNode, BvhSize, Grid, GridSize, LeafEntry, List, Octree, OctreeNode, OctreeSize, TraversalStack,
+    Bvh, BvhEntry, BvhNode, BvhSize, Grid, GridSize, List, Octree, OctreeNode, OctreeSize, TraversalStack,
 };
 use strahl_core::geometry::Ray;
 use strahl_core::tally::RayKind;
@@ -98,7 +98,7 @@ fn no_accelerator_lets_a_ray_through() {
         }
 
         let size = BvhSize::recommended(boxes.len());
-        let (mut nodes, mut items) = (vec![BvhNode::EMPTY; size.nodes], vec![LeafEntry::EMPTY; size.entries]);
+        let (mut nodes, mut items) = (vec![BvhNode::EMPTY; size.nodes], vec![BvhEntry::EMPTY; size.entries]);
         assert_watertight!("BVH", Bvh::<TraversalStack<64>>::build(&boxes, &mut nodes, &mut items).unwrap());
         let size = GridSize::recommended(&boxes);
         let (mut cells, mut items) = (vec![0; size.cells], vec![0; size.entries]);

@@ -4,7 +4,7 @@ use core::iter::from_fn;
 use core::marker::PhantomData;
 
 use super::Bvh;
-use super::node::{BvhNode, LeafEntry, NodeRef, PackedNodeRef};
+use super::node::{BvhEntry, BvhNode, NodeRef, PackedNodeRef};
 use super::top_down::{BuiltTree, build_top_down};
 use crate::accel::{Buffer, BuildError, BvhSize, TriangleBlock};
 use crate::geometry::{Aabb, Geometry, ItemId};
@@ -14,14 +14,14 @@ use crate::geometry::{Aabb, Geometry, ItemId};
 #[derive(Debug)]
 pub struct BvhBuilder<'s> {
     nodes: &'s mut [BvhNode],
-    entries: &'s mut [LeafEntry],
+    entries: &'s mut [BvhEntry],
     depth: u32,
 }
 
 /// How the items of a leaf of a [`Bvh`] are stored and tested.
 #[derive(Clone, Copy, Debug)]
 pub enum LeafLayout<'g> {
-    /// As single [`LeafEntry`]s, tested one after the other.
+    /// As single [`BvhEntry`]s, tested one after the other.
     Entries,
     /// In [`TriangleBlock`]s, whose triangles are tested four at a time. The geometry identifies the
     /// triangles.
@@ -55,7 +55,7 @@ impl<'s, Queue> Bvh<'s, Queue> {
     pub fn build(
         bounds: &[Aabb],
         nodes: &'s mut [BvhNode],
-        entries: &'s mut [LeafEntry],
+        entries: &'s mut [BvhEntry],
     ) -> Result<Self, BuildError> {
         BvhBuilder::new(bounds, LeafLayout::Entries, nodes, entries).map(BvhBuilder::into_bvh)
     }
@@ -72,7 +72,7 @@ impl<'s> BvhBuilder<'s> {
         bounds: &[Aabb],
         layout: LeafLayout<'_>,
         nodes: &'s mut [BvhNode],
-        entries: &'s mut [LeafEntry],
+        entries: &'s mut [BvhEntry],
     ) -> Result<Self, BuildError> {
         let bounded_count = count_bounded(bounds)?;
         let min_nodes = usize::from(bounded_count > 0);
@@ -83,7 +83,7 @@ impl<'s> BvhBuilder<'s> {
         let entries =
             entries.get_mut(..bounded_count).ok_or(too_small(Buffer::Entries, bounded_count, provided))?;
         for (entry, item) in entries.iter_mut().zip(bounded_items(bounds)) {
-            *entry = LeafEntry::new(item, layout.puts_in_block(item));
+            *entry = BvhEntry::new(item, layout.puts_in_block(item));
         }
 
         let recommended = BvhSize::recommended(bounded_count).nodes;
@@ -104,9 +104,10 @@ impl<'s> BvhBuilder<'s> {
         split_leaves(self.entries).map(|leaf| leaf.len().div_ceil(TriangleBlock::CAPACITY)).sum()
     }
 
-    /// The hierarchy with blocks as leaf elements.
+    /// The hierarchy with blocks as leaf elements, for a builder with [`LeafLayout::TriangleBlocks`]. With
+    /// [`LeafLayout::Entries`] it is valid too, but leaves are too small to fill the blocks.
     ///
-    /// `geometry`: the one that the bounds were computed from. `blocks`: caller-provided buffer, at least
+    /// `geometry`: the one that the bounds were computed from, or items are missed. `blocks`: caller-provided buffer, at least
     /// [`BvhBuilder::block_count`] long.
     ///
     /// # Errors
@@ -149,7 +150,7 @@ const fn too_small(buffer: Buffer, needed: usize, provided: usize) -> BuildError
 }
 
 /// The entries of one leaf after the other.
-fn split_leaves(entries: &[LeafEntry]) -> impl Iterator<Item = &[LeafEntry]> {
+fn split_leaves(entries: &[BvhEntry]) -> impl Iterator<Item = &[BvhEntry]> {
     let mut rest = entries;
     from_fn(move || {
         let (leaf, others) = rest.split_at_checked(rest.iter().position(|entry| entry.is_last())? + 1)?;
@@ -160,8 +161,8 @@ fn split_leaves(entries: &[LeafEntry]) -> impl Iterator<Item = &[LeafEntry]> {
 
 /// Number of items whose bounds are not empty.
 fn count_bounded(bounds: &[Aabb]) -> Result<usize, BuildError> {
-    if bounds.len() > LeafEntry::MAX_ITEMS {
-        return Err(too_small(Buffer::Entries, bounds.len(), LeafEntry::MAX_ITEMS));
+    if bounds.len() > BvhEntry::MAX_ITEMS {
+        return Err(too_small(Buffer::Entries, bounds.len(), BvhEntry::MAX_ITEMS));
     }
     let mut count = 0;
     for (aabb, index) in bounds.iter().zip(0..).filter(|(aabb, _)| !aabb.is_empty()) {

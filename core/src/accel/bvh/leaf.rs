@@ -2,13 +2,13 @@
 
 use core::ops::ControlFlow;
 
-use super::node::LeafEntry;
+use super::node::BvhEntry;
 use super::sealed::Sealed;
 use crate::accel::{Query, TriangleBlock};
 
 /// An element of a leaf. The elements of a leaf are consecutive; the last one is marked.
 ///
-/// Sealed: [`BvhBuilder`](super::BvhBuilder) makes leaves of [`LeafEntry`]s or of [`TriangleBlock`]s.
+/// Sealed: [`BvhBuilder`](super::BvhBuilder) makes leaves of [`BvhEntry`]s or of [`TriangleBlock`]s.
 pub trait LeafElement: Copy + Sealed {
     /// Passes its items to `query`.
     fn test_items<Q: Query>(&self, query: &mut Q) -> ControlFlow<()>;
@@ -20,9 +20,9 @@ pub trait LeafElement: Copy + Sealed {
     fn item_count(&self) -> usize;
 }
 
-impl Sealed for LeafEntry {}
+impl Sealed for BvhEntry {}
 
-impl LeafElement for LeafEntry {
+impl LeafElement for BvhEntry {
     #[inline(always)]
     fn test_items<Q: Query>(&self, query: &mut Q) -> ControlFlow<()> {
         query.test_item(self.item())
@@ -30,7 +30,7 @@ impl LeafElement for LeafEntry {
 
     #[inline(always)]
     fn is_last(&self) -> bool {
-        LeafEntry::is_last(*self)
+        BvhEntry::is_last(*self)
     }
 
     fn item_count(&self) -> usize {

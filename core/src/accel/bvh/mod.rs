@@ -28,7 +28,7 @@ mod traverse;
 
 pub use build::{BvhBuilder, LeafLayout};
 pub use leaf::LeafElement;
-pub use node::{BvhNode, LeafEntry};
+pub use node::{BvhEntry, BvhNode};
 #[cfg(feature = "baked")]
 pub(crate) use parts::BvhParts;
 pub use queue::{TraversalHeap, TraversalQueue, TraversalStack};
@@ -37,7 +37,7 @@ use core::marker::PhantomData;
 
 use node::NodeRef;
 
-/// A bounding volume hierarchy with a traversal queue of type `Queue`. Its leaves consist of [`LeafEntry`]s
+/// A bounding volume hierarchy with a traversal queue of type `Queue`. Its leaves consist of [`BvhEntry`]s
 /// (single items) or of [`TriangleBlock`]s.
 ///
 /// * Memory, in single precision: 128 bytes per [`BvhNode`]; in leaves, 4 bytes per item or 164 bytes per
@@ -46,7 +46,7 @@ use node::NodeRef;
 ///
 /// [`TriangleBlock`]: super::TriangleBlock
 #[derive(Debug)]
-pub struct Bvh<'s, Queue, Element = LeafEntry> {
+pub struct Bvh<'s, Queue, Element = BvhEntry> {
     /// In depth-first order.
     nodes: &'s [BvhNode],
     /// The elements of the leaves that are not stored in their node, one leaf after the other.

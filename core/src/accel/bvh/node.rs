@@ -45,7 +45,7 @@ pub(super) enum NodeRef {
     Item(ItemId),
 }
 
-/// Of a [`PackedNodeRef`]: set for leaves. Of a [`LeafEntry`]: set for the last item of a leaf.
+/// Of a [`PackedNodeRef`]: set for leaves. Of a [`BvhEntry`]: set for the last item of a leaf.
 const LEAF_BIT: u32 = 1 << 31;
 
 /// Of a [`PackedNodeRef`] with [`LEAF_BIT`]: set if the leaf is a single item.
@@ -78,20 +78,20 @@ impl PackedNodeRef {
     }
 }
 
-/// Of a [`LeafEntry`] during construction: set if the item will be in a block.
+/// Of a [`BvhEntry`] during construction: set if the item will be in a block.
 const BLOCK_BIT: u32 = 1 << 30;
 
 /// An item in a leaf of a [`Bvh`](super::Bvh), with a mark for the last item of the leaf.
 ///
-/// Ids have 30 bits; the bit above them is used during construction.
+/// Ids have 30 bits.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[cfg_attr(feature = "baked", derive(zerocopy::TryFromBytes, zerocopy::KnownLayout, zerocopy::Immutable))]
 #[repr(transparent)]
-pub struct LeafEntry(u32);
+pub struct BvhEntry(u32);
 
-impl LeafEntry {
+impl BvhEntry {
     /// The initial value for buffers.
-    pub const EMPTY: LeafEntry = LeafEntry(LEAF_BIT);
+    pub const EMPTY: BvhEntry = BvhEntry(LEAF_BIT);
     /// Largest number of items of a hierarchy.
     pub(super) const MAX_ITEMS: usize = BLOCK_BIT as usize;
 
@@ -102,7 +102,7 @@ impl LeafEntry {
     }
 
     pub(super) const fn new(item: ItemId, is_in_block: bool) -> Self {
-        LeafEntry(item.0 & !(LEAF_BIT | BLOCK_BIT) | if is_in_block { BLOCK_BIT } else { 0 })
+        BvhEntry(item.0 & !(LEAF_BIT | BLOCK_BIT) | if is_in_block { BLOCK_BIT } else { 0 })
     }
 
     /// Whether the item will be tested in a block, together with others of its leaf. Valid during

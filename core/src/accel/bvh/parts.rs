@@ -3,13 +3,13 @@
 use core::marker::PhantomData;
 
 use super::Bvh;
-use super::node::{BvhNode, LeafEntry, NodeRef, PackedNodeRef};
+use super::node::{BvhEntry, BvhNode, NodeRef, PackedNodeRef};
 
 /// The data of a BVH that a baked scene stores.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct BvhParts<'s> {
     pub(crate) nodes: &'s [BvhNode],
-    pub(crate) entries: &'s [LeafEntry],
+    pub(crate) entries: &'s [BvhEntry],
     pub(crate) depth: u32,
 }
 

@@ -10,7 +10,7 @@
 
 use core::mem::swap;
 
-use super::node::LeafEntry;
+use super::node::BvhEntry;
 use crate::accel::TriangleBlock;
 use crate::geometry::Aabb;
 use crate::math::{Real, Vec3};
@@ -37,7 +37,7 @@ struct ItemCounts {
 impl ItemCounts {
     const ZERO: ItemCounts = ItemCounts { in_blocks: 0, single: 0 };
 
-    const fn of(entry: LeafEntry) -> Self {
+    const fn of(entry: BvhEntry) -> Self {
         let in_blocks = entry.is_in_block() as u32;
         ItemCounts { in_blocks, single: 1 - in_blocks }
     }
@@ -129,11 +129,11 @@ impl Binning {
 /// Splits `entries` in two and reorders them; `None` if they are better kept together in a leaf.
 ///
 /// `bounds`: by item index. `equal_counts`: split into equal counts, if into anything.
-pub(super) fn split(bounds: &[Aabb], entries: &mut [LeafEntry], equal_counts: bool) -> Option<Split> {
-    let bounds_of = |entry: &LeafEntry| bounds.get(entry.item().0 as usize).copied().unwrap_or(Aabb::EMPTY);
+pub(super) fn split(bounds: &[Aabb], entries: &mut [BvhEntry], equal_counts: bool) -> Option<Split> {
+    let bounds_of = |entry: &BvhEntry| bounds.get(entry.item().0 as usize).copied().unwrap_or(Aabb::EMPTY);
     let count = entries.len() as u32;
     let (mut all, mut centers) = (Bin::EMPTY, Aabb::EMPTY);
-    let bin_of = |entry: &LeafEntry| Bin { aabb: bounds_of(entry), items: ItemCounts::of(*entry) };
+    let bin_of = |entry: &BvhEntry| Bin { aabb: bounds_of(entry), items: ItemCounts::of(*entry) };
     for entry in entries.iter() {
         let bin = bin_of(entry);
         let center = center2(&bin.aabb);
@@ -149,7 +149,7 @@ pub(super) fn split(bounds: &[Aabb], entries: &mut [LeafEntry], equal_counts: bo
             if !(best.cost + NODE_COST * half_area(&all.aabb) < leaf_cost) {
                 return None;
             }
-            let is_left = |entry: &LeafEntry| {
+            let is_left = |entry: &BvhEntry| {
                 let bins = binning.bin_indices(&bounds_of(entry));
                 bins.get(best.axis).is_some_and(|bin| *bin < best.first_right_bin)
             };
@@ -159,7 +159,7 @@ pub(super) fn split(bounds: &[Aabb], entries: &mut [LeafEntry], equal_counts: bo
         None if count <= MAX_LEAF_ITEMS => None,
         None => {
             let left_count = count / 2;
-            let union = |entries: &[LeafEntry]| entries.iter().map(bounds_of).fold(Aabb::EMPTY, Aabb::union);
+            let union = |entries: &[BvhEntry]| entries.iter().map(bounds_of).fold(Aabb::EMPTY, Aabb::union);
             let (left, right) = entries.split_at_checked(left_count as usize)?;
             Some(Split { bounds: [union(left), union(right)], left_count })
         }
@@ -213,7 +213,7 @@ fn find_best_split(items: impl Iterator<Item = Bin>, binning: &Binning) -> Optio
 }
 
 /// Moves the entries of the left side before the others.
-fn partition(entries: &mut [LeafEntry], is_left: impl Fn(&LeafEntry) -> bool) {
+fn partition(entries: &mut [BvhEntry], is_left: impl Fn(&BvhEntry) -> bool) {
     let mut rest = entries.iter_mut();
     while let Some(early) = rest.find(|entry| !is_left(entry))
         && let Some(late) = rest.rfind(|entry| is_left(entry))

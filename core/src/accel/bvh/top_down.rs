@@ -8,7 +8,7 @@ use core::array;
 
 use heapless::Vec;
 
-use super::node::{BvhNode, CHILDREN, LeafEntry, PackedNodeRef};
+use super::node::{BvhEntry, BvhNode, CHILDREN, PackedNodeRef};
 use super::split::{Split, half_area, split};
 use crate::geometry::Aabb;
 
@@ -25,7 +25,7 @@ pub(super) struct BuiltTree<'s> {
     /// In depth-first order; skip links are not set.
     pub(super) nodes: &'s mut [BvhNode],
     /// The entries of the leaves that are not stored in their node, one leaf after the other.
-    pub(super) entries: &'s mut [LeafEntry],
+    pub(super) entries: &'s mut [BvhEntry],
     /// Number of edges from the root to the deepest leaf.
     pub(super) depth: u32,
 }
@@ -36,7 +36,7 @@ pub(super) struct BuiltTree<'s> {
 pub(super) fn build_top_down<'s>(
     bounds: &[Aabb],
     nodes: &'s mut [BvhNode],
-    entries: &'s mut [LeafEntry],
+    entries: &'s mut [BvhEntry],
     node_budget: u32,
 ) -> BuiltTree<'s> {
     let mut build = TopDownBuild { bounds, nodes, node_count: 0, entries, finished_entries: 0, depth: 0 };
@@ -54,7 +54,7 @@ struct TopDownBuild<'b, 's> {
     bounds: &'b [Aabb],
     nodes: &'s mut [BvhNode],
     node_count: u32,
-    entries: &'s mut [LeafEntry],
+    entries: &'s mut [BvhEntry],
     /// Number of entries of finished leaves, which are at the front of `entries`.
     finished_entries: u32,
     depth: u32,
@@ -135,7 +135,7 @@ impl TopDownBuild<'_, '_> {
     /// in the order of their entries.
     fn make_leaf(&mut self, range: ItemRange) -> PackedNodeRef {
         let ItemRange { first, count, .. } = range;
-        let entry_at = |entries: &[LeafEntry], index: u32| entries.get(index as usize).copied();
+        let entry_at = |entries: &[BvhEntry], index: u32| entries.get(index as usize).copied();
         if count == 1
             && let Some(entry) = entry_at(self.entries, first)
             && !entry.is_in_block()
@@ -215,7 +215,7 @@ impl TopDownBuild<'_, '_> {
         ])
     }
 
-    fn entries_of(&mut self, range: ItemRange) -> Option<&mut [LeafEntry]> {
+    fn entries_of(&mut self, range: ItemRange) -> Option<&mut [BvhEntry]> {
         self.entries.get_mut(range.first as usize..)?.get_mut(..range.count as usize)
     }
 

@@ -104,7 +104,7 @@ impl<'s, const MAILBOX_ENTRIES: usize> Octree<'s, MAILBOX_ENTRIES> {
         self.nodes.len()
     }
 
-    /// Size of all buffers that it uses, in bytes.
+    /// Size of all buffers that it uses, in bytes: nodes, entries and bounds of items.
     pub const fn size_in_bytes(&self) -> usize {
         size_of_val(self.nodes) + size_of_val(self.entries) + size_of_val(self.item_bounds)
     }

@@ -4,8 +4,8 @@ use core::ops::ControlFlow;
 
 use strahl_core::Real;
 use strahl_core::accel::{
-    Accelerator, Buffer, BuildError, Bvh, BvhBuilder, BvhNode, BvhSize, Grid, GridSize, LeafElement,
-    LeafEntry, LeafLayout, List, Mailbox, Octree, OctreeLimits, OctreeNode, OctreeSize, Query, StaticGrid,
+    Accelerator, Buffer, BuildError, Bvh, BvhBuilder, BvhEntry, BvhNode, BvhSize, Grid, GridSize,
+    LeafElement, LeafLayout, List, Mailbox, Octree, OctreeLimits, OctreeNode, OctreeSize, Query, StaticGrid,
     TraversalHeap, TraversalQueue, TraversalStack, TriangleBlock, group_count,
 };
 use strahl_core::geometry::{Aabb, BoundingSphere, ItemId, Ray};
@@ -84,7 +84,7 @@ pub fn lists<'s>(buffers: &'s mut [Aabb], spheres: [&'s mut [BoundingSphere]; 2]
 /// A BVH over arbitrary bounds, in buffers of any length.
 fn tree<W: TraversalQueue>() {
     used(BvhSize::recommended(any(1)));
-    let (mut nodes, mut items) = ([BvhNode::EMPTY; 2], [LeafEntry::EMPTY; 2]);
+    let (mut nodes, mut items) = ([BvhNode::EMPTY; 2], [BvhEntry::EMPTY; 2]);
     let (nodes, items) = (any(nodes.as_mut_slice()), any(items.as_mut_slice()));
     let boxes = slice(&[Aabb::EMPTY]);
     let geometry = any_geometry();
@@ -106,7 +106,7 @@ fn tree<W: TraversalQueue>() {
         }
     }
     if let Ok(builder) =
-        BvhBuilder::new(boxes, any(LeafLayout::Entries), &mut [BvhNode::EMPTY], &mut [LeafEntry::EMPTY])
+        BvhBuilder::new(boxes, any(LeafLayout::Entries), &mut [BvhNode::EMPTY], &mut [BvhEntry::EMPTY])
     {
         bvh(BvhBuilder::into_bvh::<W>(builder));
     }

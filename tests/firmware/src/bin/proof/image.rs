@@ -2,9 +2,10 @@
 
 use strahl_core::accel::Accelerator;
 use strahl_core::image::{
-    AdaptiveSampler, CacheEntry, Confidence, ContrastThreshold, CornerCache, PretracedCorners, CornerRowCache, Filter,
-    FramebufferPixel, Pixel, PixelEstimate, PixelSelector, RegularSampler, Sampler, PixelSelection,
-    StochasticSampler, StridedSampler, Subdivision, Subpixel, Uncached, UpperLeftCornerSampler,
+    AdaptiveSampler, CacheEntry, Confidence, ContrastThreshold, CornerCache, CornerRowCache, Filter,
+    FramebufferPixel, Pixel, PixelEstimate, PixelSelection, PixelSelector, PretracedCorners, RegularSampler,
+    Sampler, StochasticSampler, StridedSampler, Subdivision, Subpixel, UncachedCorners,
+    UpperLeftCornerSampler,
 };
 use strahl_core::scene::{CameraSample, Effects};
 use strahl_core::tally::Tally;
@@ -56,7 +57,7 @@ pub fn sampled<A: Accelerator, E: Effects, T: Tally, const LEVELS: usize>(
         used((
             PixelEstimate::to_sample(estimate),
             PixelEstimate::sample_count(&estimate),
-            PixelEstimate::confidence_radius(&estimate, number()),
+            PixelEstimate::srgb_confidence_radius(&estimate, number()),
         ));
         rendered(tracer, worker, &mut StochasticSampler::with_seed(stochastic, seed));
         stochastic.reset();
@@ -75,7 +76,9 @@ fn corners<A: Accelerator, E: Effects, T: Tally, const LEVELS: usize>(
     worker: &mut Worker<A, T, LEVELS>,
 ) {
     let Some(contrast) = contrast() else { return };
-    used(CornerCache::corners(&mut Uncached, any(Pixel { x: 0, y: 0 }), &mut |_| any(PixelSample::BLACK)));
+    used(CornerCache::corners(&mut UncachedCorners, any(Pixel { x: 0, y: 0 }), &mut |_| {
+        any(PixelSample::BLACK)
+    }));
     used((
         <Rgb as FramebufferPixel>::from_sample(any(PixelSample::BLACK)),
         <PixelSample as FramebufferPixel>::from_sample(any(PixelSample::BLACK)),
@@ -85,8 +88,8 @@ fn corners<A: Accelerator, E: Effects, T: Tally, const LEVELS: usize>(
     if let Some(subdivision) = Subdivision::new(any(1), contrast) {
         let subdivision = Subdivision::with_seed(subdivision, any(0));
         rendered(tracer, worker, UpperLeftCornerSampler(subdivision));
-        rendered(tracer, worker, AdaptiveSampler::new(subdivision, Uncached, any(&mut cache[..])));
-        let mut parted = AdaptiveSampler::new(subdivision, Uncached, any(&mut cache[..]));
+        rendered(tracer, worker, AdaptiveSampler::new(subdivision, UncachedCorners, any(&mut cache[..])));
+        let mut parted = AdaptiveSampler::new(subdivision, UncachedCorners, any(&mut cache[..]));
         let pixel = any(Pixel { x: 0, y: 0 });
         let trace = &mut any_trace;
         used(AdaptiveSampler::sample_subpixels(&mut parted, pixel, trace, &mut |part: Subpixel| used(part)));
@@ -100,9 +103,14 @@ fn corners<A: Accelerator, E: Effects, T: Tally, const LEVELS: usize>(
         used((PixelSelection::step(&selection), PixelSelection::block_range(&selection, any_tile())));
         used(PixelSelection::pixels_of(&selection, any_tile()));
         PixelSelection::refinement_sides(&selection).for_each(used);
-        let every: StridedSampler<CenterSampler> = PixelSelection::first_pass_sampler(&selection, CenterSampler);
+        let every: StridedSampler<CenterSampler> =
+            PixelSelection::first_pass_sampler(&selection, CenterSampler);
         rendered(tracer, worker, every);
-        selected(tracer, worker, PixelSelector::new(selection, CenterSampler, Uncached, any(&mut cache[..])));
+        selected(
+            tracer,
+            worker,
+            PixelSelector::new(selection, CenterSampler, UncachedCorners, any(&mut cache[..])),
+        );
     }
 }
 
@@ -112,7 +120,7 @@ struct ArbitrarySampler;
 impl Sampler for ArbitrarySampler {
     fn sample_pixel<R: RayTracer + ?Sized>(&mut self, _: Pixel, tracer: &mut R) -> PixelSample {
         let sample = tracer.trace(any_sample());
-        used(HitId::merged(sample.hit, any(HitId::Mixed)));
+        used(HitId::same_or_mixed(sample.hit, any(HitId::Mixed)));
         sample
     }
 }

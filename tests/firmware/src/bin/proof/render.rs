@@ -7,7 +7,7 @@ use embedded_graphics_core::pixelcolor::Rgb565;
 use embedded_graphics_core::primitives::Rectangle;
 use strahl_core::accel::Accelerator;
 use strahl_core::image::{
-    Dither, DrawTargetSink, Framebuffer, FromChannels, Pixel, PixelSelector, Sampler, Sink, Uncached,
+    Dither, DrawTargetSink, Framebuffer, FromChannels, Pixel, PixelSelector, Sampler, Sink, UncachedCorners,
 };
 use strahl_core::render::{render_progressive, render_selected};
 use strahl_core::scene::Effects;
@@ -60,7 +60,7 @@ pub fn rendered<A: Accelerator, E: Effects, T: Tally, const LEVELS: usize>(
 pub fn selected<A: Accelerator, E: Effects, T: Tally, const LEVELS: usize>(
     tracer: &Tracer<'_, '_, A, E, LEVELS>,
     worker: &mut Worker<A, T, LEVELS>,
-    mut selected: PixelSelector<'_, Uncached, CenterSampler>,
+    mut selected: PixelSelector<'_, UncachedCorners, CenterSampler>,
 ) {
     used(render_selected(
         &mut Tracer::with_worker(tracer, worker),

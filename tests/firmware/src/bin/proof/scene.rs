@@ -74,7 +74,12 @@ fn described() {
         Material::is_glossy(&material),
     ));
     if let (Some(light), Some(texture)) = (any_parts().lights.first(), any_parts().textures.first()) {
-        used((Light::kind(light), Light::has_soft_shadows(light), Texture::kind(texture), any(Falloff::NONE)));
+        used((
+            Light::kind(light),
+            Light::has_soft_shadows(light),
+            Texture::kind(texture),
+            any(Falloff::NONE),
+        ));
     }
 
     let mut buffers = [Aabb::EMPTY];
