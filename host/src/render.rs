@@ -129,9 +129,9 @@ impl<'a> RenderJob<'a> {
             cost_map: cost_map.as_ref(),
             ..RenderOptions::default()
         };
-        let (frame, aimed) = self.render_to_target(description, &resolved, &options, progress)?;
+        let (rendered, aimed) = self.render_to_target(description, &resolved, &options, progress)?;
         let clock = Instant::now();
-        self.write(&frame.picture, output, progress)?;
+        self.write(&rendered.picture, output, progress)?;
         if let (Some(heat), Some(cost_map)) = (heat, &cost_map) {
             heat.write(&CostRegion::of(cost_map, settings.region_or_all()))?;
         }
@@ -140,7 +140,7 @@ impl<'a> RenderJob<'a> {
         let mut plan = plan(description);
         plan.extend_from_slice(disabled_effects);
         if let Some((form, output)) = report {
-            let mut stats = StatsReport::new(&plan, &frame);
+            let mut stats = StatsReport::new(&plan, &rendered);
             stats.aim = aimed.clone();
             stats.seconds.load = load.as_secs_f64();
             stats.seconds.write = write.as_secs_f64();
@@ -152,7 +152,7 @@ impl<'a> RenderJob<'a> {
         }
         let used = aimed.as_ref().map_or(settings, |report| &report.aimed.settings);
         if !args.quiet {
-            let mut summary = summary(path, &frame, &plan, used.sampler, *load, write);
+            let mut summary = summary(path, &rendered, &plan, used.sampler, *load, write);
             if let Some(report) = &aimed {
                 summary.push_str(&summary::lines(&report.lines()));
             }
@@ -191,8 +191,8 @@ impl<'a> RenderJob<'a> {
             return Ok((self.trace(description, settings, options, progress)?, None));
         };
         progress.end();
-        let (frame, aimed) = traced.map_err(|error| self.failure(error))?;
-        Ok((frame, Some(AimReport::new(args, resolved, aimed, &self.path))))
+        let (rendered, aimed) = traced.map_err(|error| self.failure(error))?;
+        Ok((rendered, Some(AimReport::new(args, resolved, aimed, &self.path))))
     }
 
     /// Renders and writes a coarse preview, unless the picture is small.
@@ -203,8 +203,8 @@ impl<'a> RenderJob<'a> {
             return Ok(());
         };
         let output = OutputGuard::of(&scene.inputs).prepare(&self.path)?;
-        let frame = self.trace(&scene.description, &coarse, &RenderOptions::default(), progress)?;
-        self.write(&preview::upscaled(&frame.picture, settings.size), output, progress)
+        let rendered = self.trace(&scene.description, &coarse, &RenderOptions::default(), progress)?;
+        self.write(&preview::upscaled(&rendered.picture, settings.size), output, progress)
     }
 
     fn trace(
@@ -214,9 +214,9 @@ impl<'a> RenderJob<'a> {
         options: &RenderOptions<'_>,
         progress: &TerminalProgress,
     ) -> Result<RenderOutput, CommandError> {
-        let frame = strahl_session::render(description, settings, options, progress);
+        let rendered = strahl_session::render(description, settings, options, progress);
         progress.end();
-        frame.map_err(|error| self.failure(error))
+        rendered.map_err(|error| self.failure(error))
     }
 
     fn failure(&self, error: RenderError) -> CommandError {

@@ -97,7 +97,7 @@ fn traced<E: Effects>(path: &Path) -> Result<u64, Box<dyn Error>> {
     let geometry = scene.descriptor().geometry;
     let boxes: Vec<_> = geometry.all_bounds().collect();
     let size = Resolution::new(SIZE.0, SIZE.1).ok_or("no size")?;
-    let camera = Camera::new(&single::view(&description.camera), size)?;
+    let camera = Camera::new(&single::camera_descriptor(&description.camera), size)?;
     let levels = description.settings.levels.unwrap_or(Limits::DEFAULT.levels);
     let limits = Limits { levels, ..Limits::DEFAULT };
     let bounded = boxes.iter().filter(|aabb| !aabb.is_empty()).count();
@@ -119,7 +119,7 @@ fn required_set(path: &Path) -> Result<EffectSet, Box<dyn Error>> {
     let description = strahl_scene::load(path)?;
     let tables = single::scene_tables(&description);
     let size = Resolution::new(SIZE.0, SIZE.1).ok_or("no size")?;
-    let camera = Camera::new(&single::view(&description.camera), size)?;
+    let camera = Camera::new(&single::camera_descriptor(&description.camera), size)?;
     Ok(EffectSet { depth_of_field: camera.has_depth_of_field(), ..tables.scene()?.required_effects() })
 }
 

@@ -174,7 +174,10 @@ impl QualityScene {
         let scene = tables.scene()?;
         let items = scene.descriptor().geometry.shapes.len() as u32;
         let world = World::new(scene, ListWithoutBounds(items));
-        let camera = Camera::new(&strahl_session::tables::single::view(&self.description.camera), self.size)?;
+        let camera = Camera::new(
+            &strahl_session::tables::single::camera_descriptor(&self.description.camera),
+            self.size,
+        )?;
         let limits = self.settings(SamplerSettings::Single).limits();
         let tracer = Tracer::<_, AllEffects, 64>::new(&world, camera, limits)?;
         QualityResult::mean(|seed| {

@@ -163,7 +163,7 @@ impl WriteLayout for FresnelModel {
     }
 }
 
-/// Discriminant of a variant, and its fields.
+/// Discriminant of a variant (its place in the declaration), and its fields.
 macro_rules! variant {
     ($w:ident, $number:literal $(, $field:ident)*) => {{
         let number: u32 = $number;

@@ -1,7 +1,7 @@
 //! Lights: point, directional and spot lights, and area lights (sphere, rectangle).
 //!
-//! An area light is sampled at one random point for each camera ray, so that many rays together show the
-//! penumbra. A sampler that draws the center of the unit square makes it a light without extent.
+//! An area light is sampled at one random point for each camera sample, light and ray level, so that many
+//! rays together show the penumbra. A sampler that draws the center of the unit square makes it a light without extent.
 //!
 //! Source: Cook, Porter and Carpenter, "Distributed Ray Tracing", SIGGRAPH 1984.
 

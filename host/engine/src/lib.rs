@@ -32,7 +32,7 @@
 //! let mut tables = SceneTables::new();
 //! let matte = tables.add_material(Material::matte(Rgb::WHITE));
 //! tables.add_sphere(Sphere { center: vec3(0.0, 0.0, -5.0), radius: 1.0 }, matte);
-//! let view = CameraDescriptor {
+//! let camera = CameraDescriptor {
 //!     position: vec3(0.0, 0.0, 0.0),
 //!     target: vec3(0.0, 0.0, -1.0),
 //!     up: vec3(0.0, 1.0, 0.0),
@@ -40,7 +40,7 @@
 //! };
 //!
 //! let mut memory = AccelMemory::default();
-//! let engine = SceneEngine::new(tables.scene()?, view, &AccelSettings::DEFAULT, &mut memory)?;
+//! let engine = SceneEngine::new(tables.scene()?, camera, &AccelSettings::DEFAULT, &mut memory)?;
 //! let settings = Settings { size: Resolution::new(32, 24).unwrap(), ..Settings::default() };
 //! let rendered = engine.render(&settings, &RenderOptions::default(), &NoProgress)?;
 //! assert_eq!(rendered.colors.len(), 32 * 24);

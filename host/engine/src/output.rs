@@ -50,7 +50,7 @@ pub struct AccelStats {
     pub regions: usize,
     /// The number of entries: items, counted once for each region that contains them.
     pub entries: usize,
-    /// The number of levels from the root to the deepest leaf; `None` for list and grid.
+    /// The number of edges from the root to the deepest leaf; `None` for list and grid.
     pub depth: Option<u32>,
     /// The construction time, including that of the bounding boxes of items.
     pub build: Duration,

@@ -53,24 +53,24 @@ impl<A: Accelerator + Sync, E: Effects + Sync, T: CounterTally> RayTracerFactory
         let worker =
             Worker::new(CancellableTally { tally: T::default(), progress, remaining: RAYS_BETWEEN_CHECKS });
         let worker = if self.shadow_cache { worker } else { worker.without_shadow_cache() };
-        Box::new(TracerWithWorker { tracer: &self.tracer, worker })
+        Box::new(CancellableTracer { tracer: &self.tracer, worker })
     }
 }
 
 /// A tracer and its worker.
-struct TracerWithWorker<'t, 'w, 's, A: Accelerator, E, T> {
+struct CancellableTracer<'t, 'w, 's, A: Accelerator, E, T> {
     tracer: &'t Tracer<'w, 's, A, E, MAX_LEVELS>,
     worker: Worker<A, CancellableTally<'t, T>, MAX_LEVELS>,
 }
 
-impl<A: Accelerator, E: Effects, T: CounterTally> RayTracer for TracerWithWorker<'_, '_, '_, A, E, T> {
+impl<A: Accelerator, E: Effects, T: CounterTally> RayTracer for CancellableTracer<'_, '_, '_, A, E, T> {
     fn trace(&mut self, sample: CameraSample) -> PixelSample {
         self.tracer.trace(sample, &mut self.worker)
     }
 }
 
 impl<A: Accelerator, E: Effects, T: CounterTally> CountingRayTracer
-    for TracerWithWorker<'_, '_, '_, A, E, T>
+    for CancellableTracer<'_, '_, '_, A, E, T>
 {
     fn take_counters(&mut self) -> Counters {
         self.worker.tally_mut().tally.take()

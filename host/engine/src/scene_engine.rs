@@ -23,7 +23,7 @@ use crate::world::AnyWorld;
 /// A scene with its acceleration structure, from which any number of pictures can be rendered.
 pub struct SceneEngine<'s> {
     world: Box<dyn AnyWorld + 's>,
-    view: CameraDescriptor,
+    camera: CameraDescriptor,
     scene: SceneStats,
     accelerator: AccelStats,
 }
@@ -32,14 +32,14 @@ impl<'s> SceneEngine<'s> {
     /// Builds the requested acceleration structure in `memory`, which is provided by the caller, like the scene tables.
     pub fn new(
         scene: Scene<'s>,
-        view: CameraDescriptor,
+        camera: CameraDescriptor,
         accelerator: &AccelSettings,
         memory: &'s mut AccelMemory,
     ) -> Result<Self, RenderError> {
-        let stats = scene_stats(&scene, &view);
+        let stats = scene_stats(&scene, &camera);
         let (world, accelerator) =
             accelerators::build(scene, accelerator, memory).map_err(RenderError::invalid)?;
-        Ok(SceneEngine { world, view, scene: stats, accelerator })
+        Ok(SceneEngine { world, camera, scene: stats, accelerator })
     }
 
     /// Renders a picture whose pixels are traced by `trace`.
@@ -50,7 +50,7 @@ impl<'s> SceneEngine<'s> {
         trace: impl FnOnce(&dyn RayTracerFactory) -> Result<Traced<Rgb>, Interrupt>,
     ) -> Result<Rendered, RenderError> {
         let (start, cpu_start) = (Instant::now(), cpu_time());
-        let camera = Camera::new(&self.view, settings.size).map_err(RenderError::invalid)?;
+        let camera = Camera::new(&self.camera, settings.size).map_err(RenderError::invalid)?;
         let Settings { levels, cutoff, shadow_cache, .. } = *settings;
         let request = TracerRequest { levels, cutoff, shadow_cache, count_tests: options.counts_tests() };
         let ray_tracers = self.world.ray_tracers(camera, request).map_err(RenderError::invalid)?;
@@ -105,7 +105,7 @@ impl Engine for SceneEngine<'_> {
 }
 
 /// The statistics of a scene, with the effects that it requires, including those of the camera.
-pub fn scene_stats(scene: &Scene<'_>, view: &CameraDescriptor) -> SceneStats {
+pub fn scene_stats(scene: &Scene<'_>, camera: &CameraDescriptor) -> SceneStats {
     let parts = scene.descriptor();
     let is_triangle = |shape: &&Shape| matches!(shape, Shape::Triangle(_) | Shape::SmoothTriangle(_));
     SceneStats {
@@ -113,7 +113,7 @@ pub fn scene_stats(scene: &Scene<'_>, view: &CameraDescriptor) -> SceneStats {
         triangles: parts.geometry.shapes.iter().filter(is_triangle).count(),
         lights: parts.lights.len(),
         effects: EffectSet {
-            depth_of_field: matches!(view.projection, Projection::ThinLens { .. }),
+            depth_of_field: matches!(camera.projection, Projection::ThinLens { .. }),
             ..scene.required_effects()
         },
     }

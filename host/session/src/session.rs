@@ -34,15 +34,19 @@ impl SceneStorage {
     /// Builds the tables of a scene in this precision.
     pub fn new(description: &LoadedScene, precision: Precision) -> Self {
         let clock = Instant::now();
-        let view = &description.camera;
+        let camera = &description.camera;
         let tables = match precision {
             Precision::Single => {
                 let tables = Box::new(single::scene_tables(description));
-                Tables::Single(tables, single::view(view), AccelMemory::default())
+                Tables::Single(tables, single::camera_descriptor(camera), AccelMemory::default())
             }
             Precision::Double => {
                 let tables = Box::new(double::scene_tables(description));
-                Tables::Double(tables, double::view(view), strahl_engine_double::AccelMemory::default())
+                Tables::Double(
+                    tables,
+                    double::camera_descriptor(camera),
+                    strahl_engine_double::AccelMemory::default(),
+                )
             }
         };
         SceneStorage { tables, build: clock.elapsed() }
@@ -51,13 +55,13 @@ impl SceneStorage {
     /// The contents of the scene. Returns an error if the core refuses it.
     pub fn scene_stats(&self) -> Result<SceneStats, RenderError> {
         match &self.tables {
-            Tables::Single(tables, view, _) => {
+            Tables::Single(tables, camera, _) => {
                 let scene = tables.scene().map_err(RenderError::invalid)?;
-                Ok(strahl_engine::scene_engine::scene_stats(&scene, view))
+                Ok(strahl_engine::scene_engine::scene_stats(&scene, camera))
             }
-            Tables::Double(tables, view, _) => {
+            Tables::Double(tables, camera, _) => {
                 let scene = tables.scene().map_err(RenderError::invalid)?;
-                Ok(strahl_engine_double::scene_engine::scene_stats(&scene, view))
+                Ok(strahl_engine_double::scene_engine::scene_stats(&scene, camera))
             }
         }
     }
@@ -76,13 +80,13 @@ impl<'s> Session<'s> {
         let clock = Instant::now();
         let SceneStorage { tables, build } = storage;
         let (engine, precision): (Box<dyn Engine + 's>, _) = match tables {
-            Tables::Single(tables, view, memory) => {
+            Tables::Single(tables, camera, memory) => {
                 let scene = tables.scene().map_err(RenderError::invalid)?;
-                (Box::new(SceneEngine::new(scene, *view, accelerator, memory)?), Precision::Single)
+                (Box::new(SceneEngine::new(scene, *camera, accelerator, memory)?), Precision::Single)
             }
-            Tables::Double(tables, view, memory) => {
+            Tables::Double(tables, camera, memory) => {
                 let scene = tables.scene().map_err(RenderError::invalid)?;
-                let engine = strahl_engine_double::SceneEngine::new(scene, *view, accelerator, memory)?;
+                let engine = strahl_engine_double::SceneEngine::new(scene, *camera, accelerator, memory)?;
                 (Box::new(engine), Precision::Double)
             }
         };

@@ -108,13 +108,13 @@ macro_rules! tables {
                 if is_smooth { Shading::Smooth } else { Shading::Flat }
             }
 
-            /// The view of a scene.
-            pub fn view(view: &description::CameraDescription) -> CameraDescriptor {
+            /// The camera of a scene.
+            pub fn camera_descriptor(camera: &description::CameraDescription) -> CameraDescriptor {
                 CameraDescriptor {
-                    position: vector(view.from),
-                    target: vector(view.at),
-                    up: vector(view.up),
-                    projection: match view.projection {
+                    position: vector(camera.from),
+                    target: vector(camera.at),
+                    up: vector(camera.up),
+                    projection: match camera.projection {
                         description::ProjectionDescription::Perspective(angle) => {
                             Projection::Perspective { field_of_view: Real::from(angle) * (PI / 180.0) }
                         }

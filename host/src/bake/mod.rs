@@ -55,7 +55,7 @@ pub fn run(args: &BakeArgs) -> Result<(), CommandError> {
     let settings = BakeSettings {
         accelerator: args.accel.and_then(Accel::explicit_kind).unwrap_or(AccelKind::Bvh),
         nodes: args.nodes.map(|nodes| nodes as usize),
-        view: single::view(&description.camera),
+        camera: single::camera_descriptor(&description.camera),
         size,
         levels,
         cutoff,
@@ -126,9 +126,9 @@ pub fn bake(scene: &Scene<'_>, settings: &BakeSettings) -> Result<Vec<u8>, Strin
     let boxes: Vec<Aabb> = scene.descriptor().geometry.all_bounds().collect();
     let build_error = |error: strahl_core::accel::BuildError| error.to_string();
     let with = |accelerator: BakedAccelerator<'_>| {
-        let BakeSettings { view, size, levels, cutoff, .. } = *settings;
+        let BakeSettings { camera, size, levels, cutoff, .. } = *settings;
         let baking =
-            BakedSceneWriter { scene: *scene, camera: view, resolution: size, levels, cutoff, accelerator };
+            BakedSceneWriter { scene: *scene, camera, resolution: size, levels, cutoff, accelerator };
         let mut bytes = Vec::with_capacity(baking.size_in_bytes().unwrap_or(0) as usize);
         if !baking.write_to(|piece| bytes.extend_from_slice(piece)) {
             return Err("a baked scene can have at most 4 GiB".into());
@@ -171,7 +171,7 @@ fn device_requirements(
     const MAILBOX_SLOTS: usize = DEFAULT_MAILBOX_SLOTS;
     const STACK_ENTRIES: usize = 32;
     let tables = scene.descriptor().size_in_bytes();
-    let frame = bytes.saturating_sub(tables).saturating_sub(BakedScene::MIN_SIZE_IN_BYTES);
+    let accelerator = bytes.saturating_sub(tables).saturating_sub(BakedScene::MIN_SIZE_IN_BYTES);
     let task =
         Worker::<ListWithoutBounds, (), 2>::SIZE_IN_BYTES - Worker::<ListWithoutBounds, (), 1>::SIZE_IN_BYTES;
     let levels = usize::from(settings.levels);
@@ -190,7 +190,7 @@ fn device_requirements(
     );
     let _ = writeln!(
         text,
-        "  flash   {bytes} bytes: scene {tables}, accelerator {frame}, header {}",
+        "  flash   {bytes} bytes: scene {tables}, accelerator {accelerator}, header {}",
         BakedScene::MIN_SIZE_IN_BYTES
     );
     let _ = writeln!(
@@ -203,7 +203,7 @@ fn device_requirements(
     let shapes: Vec<&str> = effects.shapes.iter().map(|shape| shape.name()).collect();
     let _ = writeln!(text, "  shapes  {}", shapes.join(", "));
     // The lens belongs to the camera, so the effects of the scene do not include it.
-    let lens = matches!(settings.view.projection, Projection::ThinLens { .. });
+    let lens = matches!(settings.camera.projection, Projection::ThinLens { .. });
     if let Some(stack) = chip::stack_usage(&EffectSet { depth_of_field: lens, ..effects }) {
         let more = levels.saturating_sub(usize::from(stack.levels)) * task;
         let _ = writeln!(

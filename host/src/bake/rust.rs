@@ -6,8 +6,8 @@ use std::path::Path;
 use strahl_core::geometry::{Aabb, Cone, Cuboid, Disc, ItemId, MovingShape, OrientedCuboid, Polygon, Torus};
 use strahl_core::scene::{EffectSet, FresnelModel, Texture, TextureId};
 use strahl_core::{
-    Background, CameraDescriptor, Falloff, Light, LightSource, Material, MaterialId, Plane, Projection, Rgb,
-    Scene, Shape, Sphere, Vec3,
+    Background, CameraDescriptor, Falloff, Geometry, Light, LightSource, Material, MaterialId, Plane,
+    Projection, Rgb, Scene, Shape, Sphere, Vec3,
 };
 
 use super::settings::BakeSettings;
@@ -26,13 +26,26 @@ pub(super) fn source(path: &Path, scene: &Scene<'_>, settings: &BakeSettings) ->
          /// Number of items.\npub const ITEMS: u32 = {};\n\n",
         settings.levels,
         text(&settings.cutoff),
-        text(&settings.view),
+        text(&settings.camera),
         parts.material_ids.len(),
     );
     // The lens belongs to the camera, so the effects of the scene do not include it.
-    let lens = matches!(settings.view.projection, Projection::ThinLens { .. });
+    let lens = matches!(settings.camera.projection, Projection::ThinLens { .. });
     effects(&mut out, &EffectSet { depth_of_field: lens, ..scene.required_effects() });
-    let g = &parts.geometry;
+    // All tables are named here, so that a new one cannot be forgotten.
+    let Geometry {
+        shapes,
+        vertices,
+        vertex_normals,
+        planes,
+        discs,
+        polygons,
+        cuboids,
+        oriented_cuboids,
+        cones,
+        tori,
+        moving_shapes,
+    } = parts.geometry;
     out += "/// Tables of the scene, not yet validated.\npub static SCENE: SceneDescriptor<'static> = SceneDescriptor {\n    geometry: Geometry {\n";
     for field in [
         "shapes",
@@ -57,17 +70,17 @@ pub(super) fn source(path: &Path, scene: &Scene<'_>, settings: &BakeSettings) ->
         text(&parts.background),
         parts.colored_shadows,
     );
-    table(&mut out, "SHAPES", "Shape", g.shapes);
-    table(&mut out, "VERTICES", "Vec3", g.vertices);
-    table(&mut out, "VERTEX_NORMALS", "Vec3", g.vertex_normals);
-    table(&mut out, "PLANES", "Plane", g.planes);
-    table(&mut out, "DISCS", "Disc", g.discs);
-    table(&mut out, "POLYGONS", "Polygon", g.polygons);
-    table(&mut out, "CUBOIDS", "Cuboid", g.cuboids);
-    table(&mut out, "ORIENTED_CUBOIDS", "OrientedCuboid", g.oriented_cuboids);
-    table(&mut out, "CONES", "Cone", g.cones);
-    table(&mut out, "TORI", "Torus", g.tori);
-    table(&mut out, "MOVING_SHAPES", "MovingShape", g.moving_shapes);
+    table(&mut out, "SHAPES", "Shape", shapes);
+    table(&mut out, "VERTICES", "Vec3", vertices);
+    table(&mut out, "VERTEX_NORMALS", "Vec3", vertex_normals);
+    table(&mut out, "PLANES", "Plane", planes);
+    table(&mut out, "DISCS", "Disc", discs);
+    table(&mut out, "POLYGONS", "Polygon", polygons);
+    table(&mut out, "CUBOIDS", "Cuboid", cuboids);
+    table(&mut out, "ORIENTED_CUBOIDS", "OrientedCuboid", oriented_cuboids);
+    table(&mut out, "CONES", "Cone", cones);
+    table(&mut out, "TORI", "Torus", tori);
+    table(&mut out, "MOVING_SHAPES", "MovingShape", moving_shapes);
     table(&mut out, "MATERIAL_IDS", "MaterialId", parts.material_ids);
     table(&mut out, "MATERIALS", "Material", parts.materials);
     table(&mut out, "TEXTURES", "Texture", parts.textures);

@@ -11,7 +11,7 @@ pub struct BakeSettings {
     /// Maximum number of nodes of a BVH or an octree; fewer nodes take less flash and have larger leaves.
     pub nodes: Option<usize>,
     /// The camera.
-    pub view: CameraDescriptor,
+    pub camera: CameraDescriptor,
     /// The size of the picture.
     pub size: Resolution,
     /// Maximum ray level; 1 for camera rays only.

@@ -56,9 +56,9 @@ fn repair(bytes: &mut [u8]) -> bool {
 
 fn draw(bytes: &[u8]) {
     let Ok(pack) = BakedScene::open(bytes) else { return };
-    let Ok(finder) = pack.accelerator() else { return };
+    let Ok(accelerator) = pack.accelerator() else { return };
     let scene = *pack.scene();
-    match finder {
+    match accelerator {
         BakedAccelerator::ListWithoutBounds(list) => trace(&pack, World::new(scene, list)),
         BakedAccelerator::Grid(grid) => trace(&pack, World::new(scene, grid.with_mailbox::<8>())),
         BakedAccelerator::Octree(octree) => trace(&pack, World::new(scene, octree.with_mailbox::<8>())),

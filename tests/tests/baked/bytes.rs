@@ -107,7 +107,7 @@ fn forged(bytes: &[u8], rng: &mut SplitMix64) -> Vec<u8> {
 fn open_and_trace(bytes: &[u8]) -> bool {
     let aligned = AlignedBytes::of(bytes);
     let Ok(pack) = BakedScene::open(aligned.bytes()) else { return false };
-    let (Ok(finder), Ok(camera)) = (pack.accelerator(), pack.camera(SIZE)) else { return false };
+    let (Ok(accelerator), Ok(camera)) = (pack.accelerator(), pack.camera(SIZE)) else { return false };
     fn trace_pixels<A: Accelerator>(scene: Scene<'_>, accelerator: A, camera: Camera) {
         let world = World::new(scene, accelerator);
         let tracer =
@@ -120,7 +120,7 @@ fn open_and_trace(bytes: &[u8]) -> bool {
         }
     }
     let scene = *pack.scene();
-    match finder {
+    match accelerator {
         BakedAccelerator::ListWithoutBounds(list) => trace_pixels(scene, list, camera),
         BakedAccelerator::Grid(grid) => trace_pixels(scene, grid.with_mailbox::<8>(), camera),
         BakedAccelerator::Octree(octree) => trace_pixels(scene, octree.with_mailbox::<8>(), camera),

@@ -134,15 +134,9 @@ fn mixed_scene() -> TestScene {
     scene
 }
 
-fn baked(scene: Scene<'_>, finder: BakedAccelerator<'_>) -> Vec<u8> {
-    let baking = BakedSceneWriter {
-        scene,
-        camera: VIEW,
-        resolution: SIZE,
-        levels: 4,
-        cutoff: 0.01,
-        accelerator: finder,
-    };
+fn baked(scene: Scene<'_>, accelerator: BakedAccelerator<'_>) -> Vec<u8> {
+    let baking =
+        BakedSceneWriter { scene, camera: VIEW, resolution: SIZE, levels: 4, cutoff: 0.01, accelerator };
     let mut bytes = Vec::new();
     assert!(baking.write_to(|piece| bytes.extend_from_slice(piece)));
     assert_eq!(Some(bytes.len() as u32), baking.size_in_bytes());
@@ -161,13 +155,13 @@ fn baked_with_every_accelerator(scene: &TestScene) -> Vec<Vec<u8>> {
     let size = BvhSize::recommended(boxes.len());
     let (mut nodes, mut items) = (vec![BvhNode::EMPTY; size.nodes], vec![BvhEntry::EMPTY; size.entries]);
     let bvh = Bvh::build(&boxes, &mut nodes, &mut items).unwrap();
-    let finders = [
+    let accelerators = [
         BakedAccelerator::ListWithoutBounds(ListWithoutBounds(scene.item_count())),
         BakedAccelerator::Grid(grid),
         BakedAccelerator::Octree(octree),
         BakedAccelerator::Bvh(bvh),
     ];
-    finders.into_iter().map(|finder| baked(scene.as_scene(), finder)).collect()
+    accelerators.into_iter().map(|accelerator| baked(scene.as_scene(), accelerator)).collect()
 }
 
 fn picture<A: Accelerator>(scene: Scene<'_>, accelerator: A, camera: Camera) -> Vec<[u32; 3]> {

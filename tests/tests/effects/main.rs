@@ -18,7 +18,7 @@ use strahl_engine::{NoProgress, RenderOptions};
 use strahl_scene::description::LoadedScene;
 use strahl_scene::effects::{disable, plan};
 use strahl_session::RenderOutput;
-use strahl_session::tables::single::{scene_tables, view};
+use strahl_session::tables::single::{camera_descriptor, scene_tables};
 use strahl_settings::OptionalEffect;
 use strahl_settings::{SamplerSettings, Settings};
 
@@ -91,7 +91,7 @@ fn rendered<E: Effects>(description: &LoadedScene) -> Vec<u32> {
     let tables = scene_tables(description);
     let scene = tables.scene().unwrap();
     let world = World::new(scene, ListWithoutBounds(scene.descriptor().material_ids.len() as u32));
-    let camera = Camera::new(&view(&description.camera), SIZE).unwrap();
+    let camera = Camera::new(&camera_descriptor(&description.camera), SIZE).unwrap();
     let tracer = Tracer::<_, E, 5>::new(&world, camera, Limits::DEFAULT).unwrap();
     let mut bits = Vec::new();
     let mut sink = |_, color: Rgb| bits.extend([color.r, color.g, color.b].map(f32::to_bits));

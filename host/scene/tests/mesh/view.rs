@@ -83,7 +83,7 @@ fn the_whole_model_is_in_the_picture_and_fills_it() {
                 }
                 text.push_str("f 1 2 3\nf 4 5 6\nf 7 8 9\nf 10 11 12\n");
                 let it = scene("a.obj", &text, size);
-                assert!(Camera::new(&single::view(&it.camera), size).is_ok());
+                assert!(Camera::new(&single::camera_descriptor(&it.camera), size).is_ok());
                 let places: Vec<_> = it.vertices.iter().map(|p| place(&it, size, *p)).collect();
                 let most = |side: usize| places.iter().map(|p| p[side].abs()).fold(0.0, f64::max);
                 // 0.92 of the picture, and the rounding of the view to single precision.

@@ -164,7 +164,8 @@ fn a_default_camera_sees_all_bounded_objects() {
     ] {
         let it = loaded(text);
         let size = it.settings.size.unwrap_or(Resolution::new(640, 480).unwrap());
-        let camera = Camera::new(&strahl_session::tables::single::view(&it.camera), size).unwrap();
+        let camera =
+            Camera::new(&strahl_session::tables::single::camera_descriptor(&it.camera), size).unwrap();
         // No ray through the edge of the picture hits the sphere.
         let ball = Sphere { center: vec3(center[0], center[1], center[2]), radius };
         let (w, h) = (size.width() as f32, size.height() as f32);

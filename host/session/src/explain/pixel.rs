@@ -17,7 +17,7 @@ use strahl_settings::{MAX_LEVELS, Settings};
 use super::recorder::{MAX_RAYS, RayTreeRecorder};
 use super::source_names::SourceNames;
 use super::tree::{SampleRecord, SampleSum, SubpixelRecord, rgb_array};
-use crate::tables::single::{scene_tables, view};
+use crate::tables::single::{camera_descriptor, scene_tables};
 
 /// The color of a pixel and its samples.
 pub struct TracedPixel {
@@ -37,7 +37,8 @@ pub fn trace_pixel(
 ) -> Result<TracedPixel, RenderError> {
     let tables = scene_tables(description);
     let scene = tables.scene().map_err(RenderError::invalid)?;
-    let camera = Camera::new(&view(&description.camera), settings.size).map_err(RenderError::invalid)?;
+    let camera =
+        Camera::new(&camera_descriptor(&description.camera), settings.size).map_err(RenderError::invalid)?;
     let boxes: Vec<Aabb> = scene.descriptor().geometry.all_bounds().collect();
     let mut groups = vec![Aabb::EMPTY; group_count(boxes.len())];
     let world = World::new(scene, List::with_boxes(&boxes, &mut groups).map_err(RenderError::invalid)?);

@@ -71,13 +71,13 @@ impl<'m> SceneBuilder<'m> {
     /// Adds an object, which moves if the velocity is not zero.
     pub fn add_object(
         &mut self,
-        form: ShapeDescription,
+        shape: ShapeDescription,
         material: u16,
         velocity: Float3,
         span: &Range<usize>,
     ) {
         let line = u32::try_from(self.lines.line_number(span.start)).unwrap_or(u32::MAX);
-        if let ShapeDescription::Degenerate = form {
+        if let ShapeDescription::Degenerate = shape {
             let first = if self.degenerate.0 == 0 { line as usize } else { self.degenerate.1 };
             self.degenerate = (self.degenerate.0 + 1, first);
         }
@@ -85,7 +85,7 @@ impl<'m> SceneBuilder<'m> {
             let object = self.scene.objects.len();
             self.scene.motions.push(LinearMotion { object, velocity });
         }
-        self.scene.objects.push(ObjectDescription { shape: form, material, line });
+        self.scene.objects.push(ObjectDescription { shape, material, line });
     }
 
     /// Adds vertices, with normals unless `normals` is empty; returns the index of the first.

@@ -93,13 +93,8 @@ impl SceneBuilder<'_> {
                 ),
             });
         }
-        let is_lit = file.ambient_light.0.is_some()
-            || !file.point_light.0.is_empty()
-            || !file.directional_light.0.is_empty()
-            || !file.spot_light.0.is_empty()
-            || !file.sphere_light.0.is_empty()
-            || !file.rectangle_light.0.is_empty();
-        if !is_lit {
+        // The lights of the file have been added before the camera.
+        if file.ambient_light.0.is_none() && self.scene.lights.is_empty() {
             self.scene.lights.push(default_light(&view));
         }
     }

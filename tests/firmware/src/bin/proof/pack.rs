@@ -20,8 +20,8 @@ pub fn entry_points() {
         BakedScene::camera_descriptor(&pack),
     ));
     used(BakedScene::camera(&pack, any_size()));
-    let finder: Result<BakedAccelerator<'_>, BakedSceneError> = BakedScene::accelerator(&pack);
-    used((finder, any(BakedSection::Accelerator), any(TextureId::NONE)));
+    let accelerator: Result<BakedAccelerator<'_>, BakedSceneError> = BakedScene::accelerator(&pack);
+    used((accelerator, any(BakedSection::Accelerator), any(TextureId::NONE)));
     traced::<_, AllEffects, _, 5>(
         &World::new(*BakedScene::scene(&pack), BakedScene::list_without_bounds(&pack)),
         (),
