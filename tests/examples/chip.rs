@@ -20,7 +20,7 @@ use strahl_core::{
 };
 use strahl_device::{flash, scene as golden};
 use strahl_scene::load_for_size;
-use strahl_session::tables::single::{scene_tables, view};
+use strahl_session::tables::single::{camera_descriptor, scene_tables};
 use strahl_settings::AccelKind;
 
 /// A scene that is drawn on the chip.
@@ -91,9 +91,9 @@ fn main() -> Result<(), Box<dyn Error>> {
         make(&scene, &file, &folder)?;
     }
     let constants = strahl_core::Scene::new(golden::parts())?;
-    let (view, size, limits) = (golden::VIEW, golden::SIZE, golden::LIMITS);
+    let (camera, size, limits) = (golden::VIEW, golden::SIZE, golden::LIMITS);
     let Limits { levels, cutoff } = limits;
-    let settings = BakeSettings { accelerator: AccelKind::Grid, nodes: None, view, size, levels, cutoff };
+    let settings = BakeSettings { accelerator: AccelKind::Grid, nodes: None, camera, size, levels, cutoff };
     bake_and_draw("golden", &constants, &settings, &folder)?;
     if let Some(databases) = arguments.next() {
         make(&BALLS, &databases.join(BALLS.file), &folder)?;
@@ -129,7 +129,14 @@ fn make(scene: &ChipScene, file: &Path, folder: &Path) -> Result<(), Box<dyn Err
     let storage = scene_tables(&description);
     let ChipScene { name, accelerator, size, levels, nodes, .. } = *scene;
     let cutoff = Limits::DEFAULT.cutoff;
-    let settings = BakeSettings { accelerator, nodes, view: view(&description.camera), size, levels, cutoff };
+    let settings = BakeSettings {
+        accelerator,
+        nodes,
+        camera: camera_descriptor(&description.camera),
+        size,
+        levels,
+        cutoff,
+    };
     let tables = storage.scene()?;
     // The program's estimate.
     let count = count_events(&description, &settings)?;
@@ -160,7 +167,7 @@ fn bake_and_draw(
     let mut groups = vec![Aabb::EMPTY; group_count(boxes.len())];
     let world = World::new(*tables, List::with_boxes(&boxes, &mut groups)?);
     let limits = Limits { levels: settings.levels, cutoff: settings.cutoff };
-    let camera = Camera::new(&settings.view, settings.size)?;
+    let camera = Camera::new(&settings.camera, settings.size)?;
     let tracer = Tracer::<_, AllEffects, 6>::new(&world, camera, limits)?;
     let tile = Tile::full(settings.size);
     let mut colors = vec![Rgb::BLACK; tile.len()];
