@@ -34,7 +34,7 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
 
 /// The file of a torus knot of about so many triangles.
 fn knot(triangles: usize, ascii: bool, normals: bool) -> std::io::Result<Vec<u8>> {
-    // Rings of corners round the tube, six times as many along it.
+    // Rings of vertices around the tube, six times as many rings as vertices in a ring.
     let around = ((triangles / 2) as f64 / 6.0).sqrt().max(3.0) as usize;
     let along = (triangles / 2 / around).max(3);
     let mut file = Vec::new();
@@ -51,12 +51,12 @@ fn knot(triangles: usize, ascii: bool, normals: bool) -> std::io::Result<Vec<u8>
     )?;
 
     for ring in 0..along {
-        for place in 0..around {
+        for vertex in 0..around {
             let u = std::f64::consts::TAU * ring as f64 / along as f64;
-            let v = std::f64::consts::TAU * place as f64 / around as f64;
-            let (middle, side, up) = spine(u);
+            let v = std::f64::consts::TAU * vertex as f64 / around as f64;
+            let (center, side, up) = spine(u);
             let normal = [0, 1, 2].map(|i| v.cos() * side[i] + v.sin() * up[i]);
-            let point = [0, 1, 2].map(|i| middle[i] + 0.36 * normal[i]);
+            let point = [0, 1, 2].map(|i| center[i] + 0.36 * normal[i]);
             let numbers = point.into_iter().chain(normal.into_iter().take(if normals { 3 } else { 0 }));
             for number in numbers.map(|x| x as f32) {
                 if ascii { write!(file, "{number} ")? } else { file.write_all(&number.to_le_bytes())? }
@@ -67,8 +67,8 @@ fn knot(triangles: usize, ascii: bool, normals: bool) -> std::io::Result<Vec<u8>
         }
     }
     for ring in 0..along {
-        for place in 0..around {
-            let corner = |r: usize, p: usize| ((ring + r) % along * around + (place + p) % around) as i32;
+        for vertex in 0..around {
+            let corner = |r: usize, p: usize| ((ring + r) % along * around + (vertex + p) % around) as i32;
             for face in
                 [[corner(0, 0), corner(1, 0), corner(1, 1)], [corner(0, 0), corner(1, 1), corner(0, 1)]]
             {
@@ -84,16 +84,16 @@ fn knot(triangles: usize, ascii: bool, normals: bool) -> std::io::Result<Vec<u8>
     Ok(file)
 }
 
-/// The middle of the tube, and two directions upright on it and on each other.
+/// The center of the tube at the parameter `u`, and two unit vectors perpendicular to the tube and to each other.
 fn spine(u: f64) -> ([f64; 3], [f64; 3], [f64; 3]) {
     let at = |u: f64| {
         let r = 2.0 + (3.0 * u).cos();
         [r * (2.0 * u).cos(), r * (2.0 * u).sin(), 1.2 + (3.0 * u).sin()]
     };
-    let (middle, ahead) = (at(u), at(u + 1e-4));
-    let along = unit([0, 1, 2].map(|i| ahead[i] - middle[i]));
+    let (center, ahead) = (at(u), at(u + 1e-4));
+    let along = unit([0, 1, 2].map(|i| ahead[i] - center[i]));
     let side = unit(cross(along, [0.0, 0.0, 1.0]));
-    (middle, side, cross(side, along))
+    (center, side, cross(side, along))
 }
 
 fn cross(a: [f64; 3], b: [f64; 3]) -> [f64; 3] {

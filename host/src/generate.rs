@@ -18,19 +18,19 @@ use strahl_engine::Progress as _;
 pub fn run(args: &GenerateArgs) -> Result<(), CommandError> {
     let signals = Signals::register()
         .map_err(|error| CommandError::Usage(format!("cannot register signal handlers: {error}")))?;
-    let what = args.what;
-    let size = checked_size(what, args.size)?;
+    let scene = args.scene;
+    let size = checked_size(scene, args.size)?;
     let extension = args.format.unwrap_or(SceneFormat::Nff).extension();
-    let path = args.output.clone().unwrap_or_else(|| PathBuf::from(format!("{what}.{extension}")));
-    let form = format_for(what, &path, args.format)?;
+    let path = args.output.clone().unwrap_or_else(|| PathBuf::from(format!("{scene}.{extension}")));
+    let form = format_for(scene, &path, args.format)?;
     if form == SceneFormat::Ply {
         refuse_terminal(&path, "the PLY file")?;
     }
     let beside =
-        (form == SceneFormat::Toml && what.triangles(size).is_some()).then(|| path.with_extension("ply"));
+        (form == SceneFormat::Toml && scene.triangles(size).is_some()).then(|| path.with_extension("ply"));
     if beside.is_some() && path == Path::new("-") {
         let reason = format!(
-            "{what}: TOML output needs a separate PLY file; name an output file, or use --format nff"
+            "{scene}: TOML output needs a separate PLY file; name an output file, or use --format nff"
         );
         return Err(CommandError::Usage(reason));
     }
@@ -39,15 +39,15 @@ pub fn run(args: &GenerateArgs) -> Result<(), CommandError> {
     let output = guard.prepare(&path)?;
     if let Some(ply) = &beside {
         write_interruptible(guard.prepare(ply)?, &signals, &mut |out| {
-            what.write(size, SceneFormat::Ply, args.bare, "", out)
+            scene.write(size, SceneFormat::Ply, args.bare, "", out)
         })?;
     }
     let name = beside.as_deref().and_then(Path::file_name).and_then(OsStr::to_str).unwrap_or_default();
     let bytes =
-        write_interruptible(output, &signals, &mut |out| what.write(size, form, args.bare, name, out))?;
+        write_interruptible(output, &signals, &mut |out| scene.write(size, form, args.bare, name, out))?;
     if !args.quiet && path != Path::new("-") {
         let beside = beside.map(|ply| format!(" and {}", ply.display())).unwrap_or_default();
-        let objects = if form == SceneFormat::Ply { what.triangles(size) } else { what.objects(size) };
+        let objects = if form == SceneFormat::Ply { scene.triangles(size) } else { scene.objects(size) };
         let objects = quantity(objects.unwrap_or(0), "object");
         print_message(format_args!("{}{beside}: {objects}, {}", path.display(), HumanBytes(bytes)));
     }
@@ -55,19 +55,19 @@ pub fn run(args: &GenerateArgs) -> Result<(), CommandError> {
 }
 
 /// The requested size, or an error if it is out of range.
-fn checked_size(what: ProceduralScene, requested: Option<u32>) -> Result<u32, CommandError> {
-    let size = requested.unwrap_or(what.default_size());
-    if size < what.min_size() {
-        return Err(CommandError::Usage(format!("{what}: the size must be {} or more", what.min_size())));
+fn checked_size(scene: ProceduralScene, requested: Option<u32>) -> Result<u32, CommandError> {
+    let size = requested.unwrap_or(scene.default_size());
+    if size < scene.min_size() {
+        return Err(CommandError::Usage(format!("{scene}: the size must be {} or more", scene.min_size())));
     }
-    match what.objects(size) {
+    match scene.objects(size) {
         Some(objects) if objects <= MAX_OBJECTS => Ok(size),
         objects => {
             let has = objects.map_or("more than 2^64 objects".into(), |it| quantity(it, "object"));
             Err(CommandError::Usage(format!(
-                "{what}: size {size} has {has}; the limit is {}, which is size {}",
+                "{scene}: size {size} has {has}; the limit is {}, which is size {}",
                 HumanCount(MAX_OBJECTS),
-                what.max_size()
+                scene.max_size()
             )))
         }
     }
@@ -75,7 +75,7 @@ fn checked_size(what: ProceduralScene, requested: Option<u32>) -> Result<u32, Co
 
 /// The format of a scene at `path`.
 fn format_for(
-    what: ProceduralScene,
+    scene: ProceduralScene,
     path: &Path,
     requested: Option<SceneFormat>,
 ) -> Result<SceneFormat, CommandError> {
@@ -89,9 +89,9 @@ fn format_for(
             )));
         }
     };
-    if form == SceneFormat::Ply && !what.is_mesh() {
+    if form == SceneFormat::Ply && !scene.is_mesh() {
         let reason =
-            format!("{what} has shapes other than triangles, which PLY cannot store; use .nff or .toml");
+            format!("{scene} has shapes other than triangles, which PLY cannot store; use .nff or .toml");
         return Err(CommandError::Usage(reason));
     }
     Ok(form)
@@ -150,12 +150,12 @@ mod tests {
 
     #[test]
     fn the_largest_size_is_accepted_and_the_next_is_rejected() {
-        for what in ProceduralScene::ALL {
-            let most = what.max_size();
-            assert!(checked_size(what, Some(most)).is_ok(), "{what} {most}");
+        for scene in ProceduralScene::ALL {
+            let most = scene.max_size();
+            assert!(checked_size(scene, Some(most)).is_ok(), "{scene} {most}");
             for more in [most + 1, 2 * most, 1 << 30, u32::MAX] {
-                let Err(CommandError::Usage(reason)) = checked_size(what, Some(more)) else {
-                    panic!("{what} {more}")
+                let Err(CommandError::Usage(reason)) = checked_size(scene, Some(more)) else {
+                    panic!("{scene} {more}")
                 };
                 assert!(reason.ends_with(&format!("which is size {most}")), "{reason}");
             }

@@ -7,7 +7,7 @@
 use std::convert::Infallible;
 
 use embedded_graphics::Drawable;
-use embedded_graphics::Pixel as Dot;
+use embedded_graphics::Pixel;
 use embedded_graphics::draw_target::DrawTarget;
 use embedded_graphics::geometry::{OriginDimensions, Point, Size as Extent};
 use embedded_graphics::mono_font::MonoTextStyle;
@@ -41,7 +41,7 @@ const MIN_BRIGHTNESS: f64 = 0.12;
 const PAPER: [u8; 3] = [252, 252, 250];
 const INK: Rgb888 = Rgb888::new(28, 28, 28);
 
-/// CostRegion of the pixels of a region, row by row.
+/// The costs of the pixels of a region, row by row.
 #[derive(Clone, Debug)]
 pub struct CostRegion {
     area: Tile,
@@ -58,7 +58,7 @@ impl CostRegion {
     }
 }
 
-/// One number for each pixel.
+/// A panel of the heat map: one number for each pixel.
 struct Panel {
     name: &'static str,
     values: Vec<u64>,
@@ -147,7 +147,7 @@ pub fn picture(costs: &CostRegion) -> Option<Picture> {
     let colors = inferno();
     for (panel, place) in panels.iter().zip(0..) {
         let (left, top) = (MARGIN + place * step.0, MARGIN + place * step.1);
-        canvas.write(left, top + 13, &panel.title(), Alignment::Left, Weight::Bold);
+        canvas.write(left, top + 13, &panel.title(), Alignment::Left, FontWeight::Bold);
         let color = |value: f64| colors[(255.0 * panel.scale.normalize(value) + 0.5) as usize & 255];
         for (value, at) in panel.values.iter().zip(0..) {
             let (x, y) = (left + at % width * zoom, top + TITLE + at / width * zoom);
@@ -164,7 +164,7 @@ pub fn picture(costs: &CostRegion) -> Option<Picture> {
             canvas.fill([left + place, bar + 12, 1, 4], [28, 28, 28]);
             // The last stays inside of the panel.
             let side = if place + 24 > wide { Alignment::Right } else { Alignment::Center };
-            canvas.write(left + place, bar + 28, &format!("{tick}"), side, Weight::Regular);
+            canvas.write(left + place, bar + 28, &format!("{tick}"), side, FontWeight::Regular);
         }
     }
     Some(canvas.into_picture())
@@ -195,36 +195,36 @@ pub fn exr(costs: &CostRegion) -> Result<Vec<u8>, exr::error::Error> {
     Ok(file.into_inner())
 }
 
-/// The picture being drawn.
+/// The picture of the heat map, in 8-bit sRGB.
 struct Canvas {
     size: Resolution,
-    dots: Vec<[u8; 3]>,
+    pixels: Vec<[u8; 3]>,
 }
 
-enum Weight {
+enum FontWeight {
     Regular,
     Bold,
 }
 
 impl Canvas {
     fn of(size: Resolution) -> Self {
-        Canvas { size, dots: vec![PAPER; size.width() as usize * size.height() as usize] }
+        Canvas { size, pixels: vec![PAPER; size.width() as usize * size.height() as usize] }
     }
 
     fn fill(&mut self, [x, y, width, height]: [u32; 4], color: [u8; 3]) {
         for row in y..(y + height).min(self.size.height()) {
             let start = row as usize * self.size.width() as usize;
             let end = (x + width).min(self.size.width()) as usize;
-            if let Some(dots) = self.dots.get_mut(start + x as usize..start + end) {
-                dots.fill(color);
+            if let Some(pixels) = self.pixels.get_mut(start + x as usize..start + end) {
+                pixels.fill(color);
             }
         }
     }
 
-    fn write(&mut self, x: u32, y: u32, text: &str, side: Alignment, weight: Weight) {
+    fn write(&mut self, x: u32, y: u32, text: &str, side: Alignment, weight: FontWeight) {
         let font = match weight {
-            Weight::Regular => &FONT_7X13,
-            Weight::Bold => &FONT_7X13_BOLD,
+            FontWeight::Regular => &FONT_7X13,
+            FontWeight::Bold => &FONT_7X13_BOLD,
         };
         let style = MonoTextStyle::new(font, INK);
         let Ok(_) = Text::with_alignment(text, Point::new(x as i32, y as i32), style, side).draw(self);
@@ -232,7 +232,7 @@ impl Canvas {
 
     fn into_picture(self) -> Picture {
         let table = srgb::decode8();
-        let colors = self.dots.into_iter().map(|dot| srgb::decode(&table, dot)).collect();
+        let colors = self.pixels.into_iter().map(|color| srgb::decode(&table, color)).collect();
         Picture { size: self.size, colors }
     }
 }
@@ -247,8 +247,8 @@ impl DrawTarget for Canvas {
     type Color = Rgb888;
     type Error = Infallible;
 
-    fn draw_iter<I: IntoIterator<Item = Dot<Rgb888>>>(&mut self, dots: I) -> Result<(), Infallible> {
-        for Dot(Point { x, y }, color) in dots {
+    fn draw_iter<I: IntoIterator<Item = Pixel<Rgb888>>>(&mut self, pixels: I) -> Result<(), Infallible> {
+        for Pixel(Point { x, y }, color) in pixels {
             if let (Ok(x), Ok(y)) = (u32::try_from(x), u32::try_from(y)) {
                 self.fill([x, y, 1, 1], [color.r(), color.g(), color.b()]);
             }

@@ -11,7 +11,7 @@ use strahl_session::scene_info::{AcceleratorInfo, SceneInfo};
 use crate::args::InfoArgs;
 use crate::error::CommandError;
 use crate::output::{Output, print_message};
-use crate::wrap::{stdout_width, wrapped};
+use crate::word_wrap::{stdout_width, wrapped};
 
 /// Prints the contents of one scene.
 pub fn run(args: &InfoArgs) -> Result<(), CommandError> {

@@ -23,8 +23,8 @@ fn main() -> ExitCode {
         Command::Explain(args) => strahl::explain::run(&args).map(success),
         Command::Info(args) => strahl::info::run(&args).map(success),
         Command::Study(args) => strahl::study_command::run(&args).map(success),
-        Command::Schema { what } => {
-            let schema = match what {
+        Command::Schema { format } => {
+            let schema = match format {
                 Schema::Scene => toml_scene::schema(),
                 Schema::Study => file::schema(),
             };

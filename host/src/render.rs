@@ -23,12 +23,11 @@ use crate::heat_map::{self, CostRegion};
 use crate::output::{Output, OutputGuard, print_message, print_stderr, refuse_terminal};
 use crate::pixels;
 use crate::preview;
-use crate::settings;
 use crate::signals::Signals;
 use crate::stats::StatsReport;
 use crate::summary::{self, summary};
 use crate::terminal::TerminalProgress;
-use crate::wrap::{stderr_width, wrapped};
+use crate::word_wrap::{stderr_width, wrapped};
 
 /// Renders one scene. Returns [`CommandStatus::CheckFailed`] if no settings reach the target error.
 pub fn run(args: &RenderArgs, aim: &AimArgs) -> Result<CommandStatus, CommandError> {
@@ -37,7 +36,7 @@ pub fn run(args: &RenderArgs, aim: &AimArgs) -> Result<CommandStatus, CommandErr
     let job = RenderJob { aim: aim.clone(), start, ..RenderJob::new(args)? };
     let progress = job.progress(Signals::register()?);
     let scene = job.load(&SourceFiles::on_disk())?;
-    job.render(&scene, &progress)
+    job.render_and_write(&scene, &progress)
 }
 
 /// Prints the effective settings of a picture.
@@ -46,7 +45,7 @@ pub fn print_settings(args: &RenderArgs) -> Result<(), CommandError> {
     let scene = job.load(&SourceFiles::on_disk())?;
     let resolved = resolved(args, &scene)?;
     job.format.check_size(resolved.settings.picture_size())?;
-    let text = settings::text(args, &resolved, &job.path, &scene.description.setting_lines);
+    let text = crate::print_settings::text(args, &resolved, &job.path, &scene.description.setting_lines);
     Output::Stdout.commit(text.as_bytes())
 }
 
@@ -60,12 +59,12 @@ pub struct RenderJob<'a> {
     report: Option<(StatsFormat, PathBuf)>,
 }
 
-/// A loaded scene with its mask, and the time to load them.
-pub struct Loaded {
+/// The inputs of a render: the scene and the mask, and the time to load them.
+pub struct LoadedInputs {
     description: LoadedScene,
     mask: Option<Mask>,
     /// Files that were read or referenced.
-    inputs: Vec<PathBuf>,
+    paths: Vec<PathBuf>,
     /// Effects that the scene requires and the command line disables.
     disabled_effects: Vec<PlannedEffect>,
     load_time: Duration,
@@ -90,7 +89,7 @@ impl<'a> RenderJob<'a> {
     }
 
     /// Loads the scene and the mask, and prints warnings.
-    pub fn load(&self, files: &SourceFiles) -> Result<Loaded, CommandError> {
+    pub fn load(&self, files: &SourceFiles) -> Result<LoadedInputs, CommandError> {
         let clock = Instant::now();
         let RenderJob { args, .. } = self;
         let mut description =
@@ -101,16 +100,20 @@ impl<'a> RenderJob<'a> {
         let disabled_effects =
             disable(&mut description, args.settings.given.without.as_deref().unwrap_or_default());
         let mask = args.mask.as_deref().map(|path| load_mask(files, path)).transpose()?;
-        let mut inputs = files.named_paths();
-        inputs.extend(args.mask.clone());
-        Ok(Loaded { description, mask, inputs, disabled_effects, load_time: clock.elapsed() })
+        let mut paths = files.named_paths();
+        paths.extend(args.mask.clone());
+        Ok(LoadedInputs { description, mask, paths, disabled_effects, load_time: clock.elapsed() })
     }
 
     /// Renders the picture and writes it with the statistics, the cost map and the summary.
-    pub fn render(&self, scene: &Loaded, progress: &TerminalProgress) -> Result<CommandStatus, CommandError> {
+    pub fn render_and_write(
+        &self,
+        scene: &LoadedInputs,
+        progress: &TerminalProgress,
+    ) -> Result<CommandStatus, CommandError> {
         let RenderJob { args, path, format, aim, .. } = self;
         // Outputs are opened before tracing starts.
-        let mut guard = OutputGuard::of(&scene.inputs);
+        let mut guard = OutputGuard::of(&scene.paths);
         let output = guard.prepare(path)?;
         let report = match &self.report {
             Some((form, path)) => Some((form, guard.prepare(path)?)),
@@ -118,7 +121,7 @@ impl<'a> RenderJob<'a> {
         };
         let heat = aim.cost.as_ref().map(|path| HeatMapOutput::prepare(path, &mut guard)).transpose()?;
 
-        let Loaded { description, disabled_effects, load_time: load, .. } = scene;
+        let LoadedInputs { description, disabled_effects, load_time: load, .. } = scene;
         let resolved = resolved(args, scene)?;
         let settings = &resolved.settings;
         format.check_size(settings.picture_size())?;
@@ -129,7 +132,7 @@ impl<'a> RenderJob<'a> {
             cost_map: cost_map.as_ref(),
             ..RenderOptions::default()
         };
-        let (rendered, aimed) = self.render_to_target(description, &resolved, &options, progress)?;
+        let (rendered, aim_report) = self.render_picture(description, &resolved, &options, progress)?;
         let clock = Instant::now();
         self.write(&rendered.picture, output, progress)?;
         if let (Some(heat), Some(cost_map)) = (heat, &cost_map) {
@@ -141,7 +144,7 @@ impl<'a> RenderJob<'a> {
         plan.extend_from_slice(disabled_effects);
         if let Some((form, output)) = report {
             let mut stats = StatsReport::new(&plan, &rendered);
-            stats.aim = aimed.clone();
+            stats.aim = aim_report.clone();
             stats.seconds.load = load.as_secs_f64();
             stats.seconds.write = write.as_secs_f64();
             let text = match form {
@@ -150,23 +153,24 @@ impl<'a> RenderJob<'a> {
             };
             output.commit(text.as_bytes())?;
         }
-        let used = aimed.as_ref().map_or(settings, |report| &report.aimed.settings);
+        let used = aim_report.as_ref().map_or(settings, |report| &report.result.settings);
         if !args.quiet {
             let mut summary = summary(path, &rendered, &plan, used.sampler, *load, write);
-            if let Some(report) = &aimed {
+            if let Some(report) = &aim_report {
                 summary.push_str(&summary::lines(&report.lines()));
             }
             print_stderr(wrapped(&summary, stderr_width(), summary::INDENT));
         }
-        Ok(if aimed.is_none_or(|report| report.aimed.kept) {
+        Ok(if aim_report.is_none_or(|report| report.result.is_met) {
             CommandStatus::Success
         } else {
             CommandStatus::CheckFailed
         })
     }
 
-    /// Renders the picture, with a report if a target error or a time limit is given.
-    fn render_to_target(
+    /// Renders the picture: with the resolved settings, or with settings for a target error or a time limit, which a
+    /// report describes.
+    fn render_picture(
         &self,
         description: &LoadedScene,
         resolved: &Resolved,
@@ -174,7 +178,7 @@ impl<'a> RenderJob<'a> {
         progress: &TerminalProgress,
     ) -> Result<(RenderOutput, Option<AimReport>), CommandError> {
         let (RenderJob { args, aim, start, format, .. }, settings) = (self, &resolved.settings);
-        let traced = if let Some(error) = aim.target_error {
+        let result = if let Some(error) = aim.target_error {
             let given = &args.settings.given;
             let fixed = FixedSettings {
                 levels: given.levels.is_some(),
@@ -188,26 +192,31 @@ impl<'a> RenderJob<'a> {
             let limit = TimeLimit { start: *start, duration: time, format: *format };
             aim::time::render_in_time(description, settings, options, limit, progress)
         } else {
-            return Ok((self.trace(description, settings, options, progress)?, None));
+            return Ok((self.render_with(description, settings, options, progress)?, None));
         };
         progress.end();
-        let (rendered, aimed) = traced.map_err(|error| self.failure(error))?;
-        Ok((rendered, Some(AimReport::new(args, resolved, aimed, &self.path))))
+        let (rendered, result) = result.map_err(|error| self.failure(error))?;
+        Ok((rendered, Some(AimReport::new(args, resolved, result, &self.path))))
     }
 
     /// Renders and writes a coarse preview, unless the picture is small.
-    pub fn write_preview(&self, scene: &Loaded, progress: &TerminalProgress) -> Result<(), CommandError> {
+    pub fn write_preview(
+        &self,
+        scene: &LoadedInputs,
+        progress: &TerminalProgress,
+    ) -> Result<(), CommandError> {
         let Resolved { settings, .. } = resolved(self.args, scene)?;
         self.format.check_size(settings.size)?;
         let Some(coarse) = preview::preview_settings(&settings).filter(|_| scene.mask.is_none()) else {
             return Ok(());
         };
-        let output = OutputGuard::of(&scene.inputs).prepare(&self.path)?;
-        let rendered = self.trace(&scene.description, &coarse, &RenderOptions::default(), progress)?;
+        let output = OutputGuard::of(&scene.paths).prepare(&self.path)?;
+        let rendered = self.render_with(&scene.description, &coarse, &RenderOptions::default(), progress)?;
         self.write(&preview::upscaled(&rendered.picture, settings.size), output, progress)
     }
 
-    fn trace(
+    /// Renders a picture with these settings.
+    fn render_with(
         &self,
         description: &LoadedScene,
         settings: &Settings,
@@ -219,6 +228,7 @@ impl<'a> RenderJob<'a> {
         rendered.map_err(|error| self.failure(error))
     }
 
+    /// The error of the command for an error of the renderer.
     fn failure(&self, error: RenderError) -> CommandError {
         match error {
             RenderError::Interrupted(interrupt) => CommandError::Stopped(interrupt),
@@ -226,6 +236,7 @@ impl<'a> RenderJob<'a> {
         }
     }
 
+    /// Encodes the picture and completes the output file.
     fn write(
         &self,
         picture: &Picture,
@@ -278,7 +289,7 @@ impl<'h> HeatMapOutput<'h> {
 }
 
 /// Resolves settings in this order: command line, scene, defaults.
-fn resolved(args: &RenderArgs, scene: &Loaded) -> Result<Resolved, CommandError> {
+fn resolved(args: &RenderArgs, scene: &LoadedInputs) -> Result<Resolved, CommandError> {
     let resolved = Resolved::new(&args.settings.given, &scene.description.settings)?;
     if let (Some(path), Some(mask)) = (&args.mask, &scene.mask)
         && mask.size != resolved.settings.size

@@ -21,7 +21,7 @@ use crate::args::StudyArgs;
 use crate::error::CommandError;
 use crate::output::{Output, OutputGuard, print_message, print_stderr};
 use crate::signals::Signals;
-use crate::wrap::{stderr_width, wrapped};
+use crate::word_wrap::{stderr_width, wrapped};
 
 /// Runs a study, or writes the report of an existing one.
 pub fn run(args: &StudyArgs) -> Result<(), CommandError> {

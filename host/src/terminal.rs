@@ -6,7 +6,7 @@ use indicatif::{HumanCount, ProgressBar, ProgressState, ProgressStyle};
 use strahl_engine::{Interrupt, Progress};
 
 use crate::signals::Signals;
-use crate::wrap::stderr_width;
+use crate::word_wrap::stderr_width;
 
 /// Progress bar of a render, which also checks for signals.
 #[derive(Clone, Debug)]

@@ -68,7 +68,7 @@ pub fn run(args: &RenderArgs) -> Result<Interrupt, CommandError> {
         }
         let done = loaded.and_then(|scene| {
             job.write_preview(&scene, &progress)?;
-            job.render(&scene, &progress).map(|_| ())
+            job.render_and_write(&scene, &progress).map(|_| ())
         });
         let is_done = match done {
             Ok(()) => true,

@@ -87,7 +87,7 @@ fn scene(
     rows: &mut Vec<AcceleratorsRow>,
 ) -> Result<bool, Box<dyn Error>> {
     generate::run(&GenerateArgs {
-        what,
+        scene: what,
         size: Some(size),
         output: Some(path.to_owned()),
         format: None,

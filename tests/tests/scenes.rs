@@ -23,23 +23,23 @@ fn the_models_of_revolution_equal_the_output_of_their_example() {
 }
 
 /// The bytes that `strahl generate` writes into a file of this name.
-fn generated(what: ProceduralScene, size: u32, name: &str, bare: bool) -> Vec<u8> {
+fn generated(scene: ProceduralScene, size: u32, name: &str, bare: bool) -> Vec<u8> {
     let path = Path::new(env!("CARGO_TARGET_TMPDIR")).join(name);
     let (output, format) = (Some(path.clone()), None::<SceneFormat>);
-    let args = GenerateArgs { what, size: Some(size), output, format, bare, quiet: true };
+    let args = GenerateArgs { scene, size: Some(size), output, format, bare, quiet: true };
     strahl::generate::run(&args).unwrap();
     fs::read(path).unwrap()
 }
 
 #[test]
 fn the_generated_models_equal_the_output_of_generate() {
-    for (what, size, name) in [
+    for (scene, size, name) in [
         (ProceduralScene::Knot, 5000, "knot.ply"),
         (ProceduralScene::Tetra, 6, "tetra.ply"),
         (ProceduralScene::Mountain, 6, "mountain.ply"),
     ] {
         let model = fs::read(root().join("scenes/models").join(name)).unwrap();
-        assert!(model == generated(what, size, name, false), "{name}");
+        assert!(model == generated(scene, size, name, false), "{name}");
     }
 }
 

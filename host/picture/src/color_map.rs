@@ -35,7 +35,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn inferno_goes_from_black_to_pale_yellow() {
+    fn inferno_ranges_from_black_to_pale_yellow() {
         let map = inferno();
         assert_eq!((map[0], map[255]), ([0, 0, 4], [252, 255, 164]));
     }

@@ -66,7 +66,7 @@ pub struct Located<T> {
 /// A camera: its position, its orientation and its projection.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct CameraDescription {
-    /// The eye position.
+    /// Its position.
     pub from: Float3,
     /// The point at the center of the picture.
     pub at: Float3,

@@ -1,7 +1,7 @@
 //! The camera distance at which all points are in the picture.
 //!
-//! In the camera frame a point at `(x, y, z)`, with `z` towards the eye, is inside if `|x| <= s (d - z)`, where `d` is
-//! the distance of the eye and `s` the slope of the edge of the picture. So each edge requires `d >= z + |x| / s`, and
+//! In the camera frame a point at `(x, y, z)`, with `z` towards the camera, is inside if `|x| <= s (d - z)`, where `d` is
+//! the distance of the camera and `s` the slope of the edge of the picture. So each edge requires `d >= z + |x| / s`, and
 //! the smallest distance that satisfies all four edges is used.
 //!
 //! Computed in double precision, because the numbers of a scene may have any magnitude.
@@ -14,7 +14,7 @@ pub type Vec3d = [f64; 3];
 /// The axes of a camera, and the slopes of the edges of its picture.
 #[derive(Clone, Copy, Debug)]
 pub struct CameraFrame {
-    /// To the right and up in the picture, and towards the eye; orthonormal.
+    /// To the right and up in the picture, and towards the camera; orthonormal.
     axes: [Vec3d; 3],
     /// Half the visible width and half the visible height at a distance of 1.
     slopes: [f64; 2],
@@ -25,7 +25,7 @@ pub struct CameraFrame {
 pub struct EdgeDistances {
     /// For the right and the left, and for the upper and the lower edge.
     edges: [[f64; 2]; 2],
-    /// The distance at which the eye touches the nearest point.
+    /// The distance at which the camera is at the nearest point.
     pub nearest: f64,
 }
 
@@ -43,12 +43,12 @@ impl CameraFrame {
         CameraFrame { axes: [right, cross(back, right), back], slopes: [slope * aspect, slope] }
     }
 
-    /// The axes to the right and up in the picture, and towards the eye.
+    /// The axes to the right and up in the picture, and towards the camera.
     pub fn axes(&self) -> [Vec3d; 3] {
         self.axes
     }
 
-    /// The distances from `middle` at which these points are in the picture.
+    /// The distances from `target` at which these points are in the picture.
     pub fn edge_distances(&self, target: Vec3d, points: impl IntoIterator<Item = Vec3d>) -> EdgeDistances {
         let [right, above, back] = self.axes;
         let mut edges = [[f64::NEG_INFINITY; 2]; 2];

@@ -12,7 +12,7 @@ use super::names::name_of;
 pub struct GenerateArgs {
     /// Scene to generate.
     #[arg(value_name = "WHAT", value_parser = name_of::<ProceduralScene>())]
-    pub what: ProceduralScene,
+    pub scene: ProceduralScene,
 
     /// Size: the number of subdivisions, or the minimum number of triangles for knot and stadium [default:
     /// see below].

@@ -148,7 +148,7 @@ pub enum Command {
     /// Print the JSON Schema of TOML scenes (for editors) or of study.json.
     Schema {
         /// File format.
-        #[arg(default_value = "scene")]
-        what: Schema,
+        #[arg(value_name = "WHAT", default_value = "scene")]
+        format: Schema,
     },
 }

@@ -1,22 +1,26 @@
-//! Stack and instructions of a baked scene on a Cortex-M4F: measured there, or estimated from event counts.
+//! Stack and instructions that a baked scene needs on a Cortex-M4F.
 //!
-//! `tests/firmware/check` measures the stack of every set below on the chip, compares the estimates with the
-//! instructions of all its scenes, and fails if this module is wrong.
+//! The stack, in bytes, was measured on the chip for six effect sets. A scene is reported with the smallest of these
+//! sets that contains its effects. The instructions of a picture are estimated: the events that are counted while it is
+//! rendered on the workstation, times the instructions of each kind of event.
+//!
+//! `tests/firmware/check` measures the stack of each set and the instructions of its scenes again, and fails if a number
+//! of this module is wrong.
 
 use strahl_core::geometry::{ShapeKind, ShapeKindSet};
 use strahl_core::scene::{EffectSet, LightKind, LightKindSet};
 use strahl_core::tally::Counters;
 use strahl_settings::AccelKind;
 
-/// Maximum stack of a tracer with an effect set, including the worker.
+/// The measured maximum stack of a tracer that is compiled for an effect set, including its worker.
 pub struct StackUsage {
-    /// Name of the set in messages.
+    /// The name of the set in messages.
     pub name: &'static str,
-    /// Effect set.
+    /// The effect set.
     pub set: EffectSet,
-    /// Levels of its worker.
+    /// The number of levels that the worker stores.
     pub levels: u8,
-    /// Bytes.
+    /// The maximum stack, in bytes.
     pub bytes: usize,
 }
 
@@ -47,18 +51,19 @@ pub const STACK_USAGE: [StackUsage; 6] = [
     StackUsage { name: "everything", set: EffectSet::ALL, levels: 6, bytes: 3232 },
 ];
 
-/// The smallest measured set that contains `required`.
+/// The stack of the smallest measured set that contains `required`; `None` if no set does.
 pub fn stack_usage(required: &EffectSet) -> Option<&'static StackUsage> {
     STACK_USAGE.iter().find(|stack| stack.set.is_superset(required))
 }
 
-/// Largest ratio of the estimate to the measured instructions, or the reverse, for the measured scenes.
+/// How far [`instructions`] may be off: for every measured scene, the estimate and the measurement differ by at most this
+/// factor.
 pub const ESTIMATE_FACTOR: f64 = 1.5;
 
-/// Estimated instructions of a picture, from its event counts.
+/// The estimated number of instructions that the chip executes for a picture with these event counts.
 ///
-/// Fitted to five scenes whose instructions are counted on the chip. The cost of entering a region is part of
-/// the cost of its boxes.
+/// Counted are rays, box tests and shape tests. The instructions of each event are fitted to five scenes whose
+/// instructions were counted on the chip. The cost of entering a region is part of the cost of its boxes.
 pub fn instructions(counts: &Counters, accelerator: AccelKind) -> u64 {
     // A BVH tests the boxes of a node one after the other; a grid and an octree test one box, for an item
     // that they have looked up.
@@ -70,10 +75,10 @@ pub fn instructions(counts: &Counters, accelerator: AccelKind) -> u64 {
     INSTRUCTIONS_PER_RAY * counts.rays.sum() + per_box * counts.box_tests.sum() + shapes
 }
 
-/// Generating a ray and shading its hit.
+/// Instructions of one ray: it is generated and its hit is shaded.
 const INSTRUCTIONS_PER_RAY: u64 = 570;
 
-/// Instructions of one test of a shape; most tests are misses.
+/// Instructions of one shape test, as a mean over hits and misses; most tests are misses.
 fn instructions_per_shape_test(kind: ShapeKind) -> u64 {
     match kind {
         ShapeKind::Sphere | ShapeKind::Plane | ShapeKind::Polygon | ShapeKind::Disc => 60,

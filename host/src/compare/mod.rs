@@ -18,7 +18,7 @@ use crate::args::CompareArgs;
 use crate::error::{CommandError, CommandStatus};
 use crate::output::{Output, OutputGuard};
 use crate::pixels;
-use crate::wrap::{stdout_width, wrapped};
+use crate::word_wrap::{stdout_width, wrapped};
 use report::ComparisonReport;
 
 pub mod report;

@@ -18,7 +18,7 @@ use strahl_settings::{DEFAULT_SIZE, Precision, Settings};
 use crate::args::ExplainArgs;
 use crate::error::CommandError;
 use crate::output::{Output, OutputGuard, print_message};
-use crate::wrap::{stdout_width, wrapped};
+use crate::word_wrap::{stdout_width, wrapped};
 
 pub mod svg;
 pub mod text;

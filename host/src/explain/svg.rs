@@ -48,7 +48,8 @@ svg { background: #1b1c1e } text { fill: #ececea } .dim { fill: #a5a5a1 }
 
 /// The picture of one sample's tree.
 pub fn picture(explained: &PixelExplanation, sample: &SampleRecord) -> String {
-    let mut tree = Tree { sample, places: vec![Place::default(); sample.rays.len()], body: String::new() };
+    let mut tree =
+        TreeDrawing { sample, layouts: vec![BoxLayout::default(); sample.rays.len()], body: String::new() };
     let width = tree.width(0);
     let (title, sub) = titles(explained, sample);
     let whole = (width + 2.0 * MARGIN).max(LEGEND).max(9.0 * title.chars().count() as f64 + 2.0 * MARGIN);
@@ -65,8 +66,8 @@ pub fn picture(explained: &PixelExplanation, sample: &SampleRecord) -> String {
     let _ = writeln!(svg, "<text class=\"title\" x=\"{MARGIN}\" y=\"30\">{}</text>", escaped(&title));
     let _ = writeln!(svg, "<text class=\"dim\" x=\"{MARGIN}\" y=\"50\">{}</text>", escaped(&sub));
     legend(&mut svg);
-    if let Some(place) = tree.places.first() {
-        let (x, y) = (place.middle, TOP);
+    if let Some(layout) = tree.layouts.first() {
+        let (x, y) = (layout.center, TOP);
         // The camera.
         let _ = writeln!(
             svg,
@@ -120,28 +121,29 @@ fn legend(svg: &mut String) {
     }
 }
 
-/// Where the box of a ray is.
+/// Position of the box of a ray.
 #[derive(Clone, Copy, Default)]
-struct Place {
+struct BoxLayout {
     /// Width of its subtree.
     width: f64,
-    middle: f64,
+    /// Center of the box, horizontally.
+    center: f64,
 }
 
-struct Tree<'s> {
+struct TreeDrawing<'s> {
     sample: &'s SampleRecord,
-    places: Vec<Place>,
+    layouts: Vec<BoxLayout>,
     body: String,
 }
 
-impl Tree<'_> {
+impl TreeDrawing<'_> {
     /// Computes the width of the subtree of a ray. The depth of recursion is at most the number of levels.
-    fn width(&mut self, place: usize) -> f64 {
-        let Some(ray) = self.sample.rays.get(place) else { return WIDTH };
+    fn width(&mut self, index: usize) -> f64 {
+        let Some(ray) = self.sample.rays.get(index) else { return WIDTH };
         let below: f64 = ray.sends.iter().map(|sent| self.width_of(sent) + GAP).sum();
         let width = WIDTH.max(below - GAP);
-        if let Some(place) = self.places.get_mut(place) {
-            place.width = width;
+        if let Some(layout) = self.layouts.get_mut(index) {
+            layout.width = width;
         }
         width
     }
@@ -151,31 +153,31 @@ impl Tree<'_> {
     }
 
     /// Draws the subtree of a ray from `left`; its lower edge.
-    fn draw(&mut self, place: usize, left: f64, top: f64) -> f64 {
+    fn draw(&mut self, index: usize, left: f64, top: f64) -> f64 {
         let sample = self.sample;
-        let (Some(ray), Some(it)) = (sample.rays.get(place), self.places.get(place).copied()) else {
+        let (Some(ray), Some(it)) = (sample.rays.get(index), self.layouts.get(index).copied()) else {
             return top;
         };
         // The last secondary ray is traced first, and is at the left.
         let widths: Vec<f64> = ray.sends.iter().rev().map(|sent| self.width_of(sent)).collect();
         let below: f64 = widths.iter().map(|width| width + GAP).sum::<f64>() - GAP;
-        let middle = left + it.width / 2.0;
-        if let Some(place) = self.places.get_mut(place) {
-            place.middle = middle;
+        let center = left + it.width / 2.0;
+        if let Some(layout) = self.layouts.get_mut(index) {
+            layout.center = center;
         }
-        let floor = self.node(ray, middle, top);
-        let mut bottom = floor;
+        let box_bottom = self.node(ray, center, top);
+        let mut bottom = box_bottom;
         let mut x = left + (it.width - below) / 2.0;
         for (sent, width) in ray.sends.iter().rev().zip(widths) {
-            let (from, to) = ((middle, floor), (x + width / 2.0, floor + DROP));
+            let (from, to) = ((center, box_bottom), (x + width / 2.0, box_bottom + DROP));
             let label = short(largest(sent.weight));
             match sent.ray {
                 Some(number) => {
-                    bottom = bottom.max(self.draw(number - 1, x, floor + DROP));
+                    bottom = bottom.max(self.draw(number - 1, x, box_bottom + DROP));
                     edge(&mut self.body, sent.kind, &label, from, to);
                 }
                 None => {
-                    let to = (to.0, floor + 0.55 * DROP);
+                    let to = (to.0, box_bottom + 0.55 * DROP);
                     edge(&mut self.body, &format!("{} cut", sent.kind), &label, from, to);
                     let reason = sent.cut.unwrap_or_default();
                     let _ = writeln!(
@@ -193,8 +195,8 @@ impl Tree<'_> {
     }
 
     /// The box of a ray; its lower edge.
-    fn node(&mut self, ray: &RayRecord, middle: f64, top: f64) -> f64 {
-        let (left, mut rows) = (middle - WIDTH / 2.0, rows(ray));
+    fn node(&mut self, ray: &RayRecord, center: f64, top: f64) -> f64 {
+        let (left, mut rows) = (center - WIDTH / 2.0, rows(ray));
         let hidden = ray.lights.len().saturating_sub(LIGHTS);
         let lights = &ray.lights[..ray.lights.len() - hidden];
         if hidden > 0 {
@@ -208,14 +210,14 @@ impl Tree<'_> {
             "<rect class=\"box{sky}\" x=\"{left:.1}\" y=\"{top:.1}\" width=\"{WIDTH}\" height=\"{height:.1}\" rx=\"5\"/>"
         );
         let mut y = top + ROW + 1.0;
-        for (place, row) in rows.iter().enumerate() {
-            let class = if place == 0 { "bold" } else { "dim" };
+        for (index, row) in rows.iter().enumerate() {
+            let class = if index == 0 { "bold" } else { "dim" };
             let (x, row) = (left + 9.0, escaped(&fitted(row)));
             let _ = writeln!(self.body, "<text class=\"{class}\" x=\"{x:.1}\" y=\"{y:.1}\">{row}</text>");
             y += ROW;
         }
         for light in lights {
-            bulb(&mut self.body, light, left + 16.0, y - 4.0);
+            light_symbol(&mut self.body, light, left + 16.0, y - 4.0);
             y += ROW;
         }
         let adds = ray.adds.map(short).join(" ");
@@ -253,20 +255,20 @@ fn rows(ray: &RayRecord) -> Vec<String> {
     rows
 }
 
-/// A light, and whether it is visible.
-fn bulb(svg: &mut String, light: &LightRecord, x: f64, y: f64) {
-    let is_seen = light.outcome == "seen";
-    let class = if is_seen { "on" } else { "off" };
+/// Draws a light as a circle: filled if it is visible, struck through if it is occluded.
+fn light_symbol(svg: &mut String, light: &LightRecord, x: f64, y: f64) {
+    let is_visible = light.outcome == "seen";
+    let class = if is_visible { "on" } else { "off" };
     let _ = write!(svg, "<circle class=\"{class}\" cx=\"{x:.1}\" cy=\"{y:.1}\" r=\"4.5\"/>");
     if light.outcome == "blocked" {
         let _ = write!(svg, "<path class=\"bar\" d=\"M{:.1} {:.1}l9 -9\"/>", x - 4.5, y + 4.5);
     }
-    let who = match &light.named {
+    let name = match &light.named {
         NameAndLine { name: Some(name), .. } => name.clone(),
         NameAndLine { line: 0, .. } => format!("light {}", light.number),
         NameAndLine { line, .. } => format!("line {line}"),
     };
-    let says = match (light.outcome, &light.occluder) {
+    let text = match (light.outcome, &light.occluder) {
         ("seen", _) if light.through.is_empty() => "visible".into(),
         ("seen", _) => "visible through glass".into(),
         ("blocked", Some(occluder)) if occluder.item.line > 0 => {
@@ -278,10 +280,11 @@ fn bulb(svg: &mut String, light: &LightRecord, x: f64, y: f64) {
         ("unseen", _) => "highlight elsewhere".into(),
         (other, _) => other.into(),
     };
-    let text = escaped(&fitted(&format!("{who}: {says}")));
+    let text = escaped(&fitted(&format!("{name}: {text}")));
     let _ = writeln!(svg, "<text class=\"dim\" x=\"{:.1}\" y=\"{:.1}\">{text}</text>", x + 11.0, y + 4.0);
 }
 
+/// Draws an edge between the boxes of a ray and of its secondary ray.
 fn edge(svg: &mut String, class: &str, label: &str, (x0, y0): (f64, f64), (x1, y1): (f64, f64)) {
     let half = (y0 + y1) / 2.0;
     let _ = writeln!(

@@ -7,23 +7,23 @@
 use std::fs;
 use std::path::{Path, PathBuf};
 
-use super::{Output, place_of};
+use super::{Output, canonical_path};
 use crate::error::CommandError;
 
 /// The files of a command that no other output may overwrite.
 #[derive(Debug, Default)]
 pub struct OutputGuard {
-    inputs: Vec<GuardedFile>,
-    outputs: Vec<GuardedFile>,
+    inputs: Vec<FileIdentity>,
+    outputs: Vec<FileIdentity>,
 }
 
-/// A file, existing or not.
+/// Identifies a file, existing or not, by its canonical path and its inode.
 #[derive(Debug)]
-struct GuardedFile {
+struct FileIdentity {
     /// Path as given.
     name: PathBuf,
     /// Canonical path.
-    place: PathBuf,
+    canonical: PathBuf,
     /// Device and inode, if the file exists: the same for all hard links.
     node: Option<(u64, u64)>,
 }
@@ -31,7 +31,7 @@ struct GuardedFile {
 impl OutputGuard {
     /// A guard of these inputs; `-` is standard input, which may be a file.
     pub fn of(inputs: impl IntoIterator<Item = impl AsRef<Path>>) -> Self {
-        let inputs = inputs.into_iter().filter_map(|path| GuardedFile::of(path.as_ref()));
+        let inputs = inputs.into_iter().filter_map(|path| FileIdentity::of(path.as_ref()));
         OutputGuard { inputs: inputs.collect(), outputs: Vec::new() }
     }
 
@@ -39,9 +39,9 @@ impl OutputGuard {
     pub fn prepare(&mut self, path: &Path) -> Result<Output, CommandError> {
         let output = Output::prepare(path)?;
         if let Output::File { .. } = output
-            && let Some(new) = GuardedFile::of(path)
+            && let Some(new) = FileIdentity::of(path)
         {
-            let conflict = |old: &GuardedFile, kind: &str| {
+            let conflict = |old: &FileIdentity, kind: &str| {
                 let (new, old) = (path.display(), old.name.display());
                 CommandError::Usage(format!("{new} would overwrite the {kind} {old}; choose another output"))
             };
@@ -57,31 +57,31 @@ impl OutputGuard {
     }
 }
 
-impl GuardedFile {
+impl FileIdentity {
     /// The file at `path`; `None` for a pipe or a device, which are not replaced.
     fn of(path: &Path) -> Option<Self> {
         let (name, path) =
             if path == Path::new("-") { ("<stdin>".as_ref(), "/dev/stdin".as_ref()) } else { (path, path) };
-        let there = fs::metadata(path).ok();
-        if there.as_ref().is_some_and(|there| !there.is_file()) {
+        let metadata = fs::metadata(path).ok();
+        if metadata.as_ref().is_some_and(|metadata| !metadata.is_file()) {
             return None;
         }
-        Some(GuardedFile {
+        Some(FileIdentity {
             name: name.to_owned(),
-            place: place_of(path),
-            node: there.as_ref().and_then(node),
+            canonical: canonical_path(path),
+            node: metadata.as_ref().and_then(node),
         })
     }
 
-    fn is(&self, other: &GuardedFile) -> bool {
-        self.place == other.place || (self.node.is_some() && self.node == other.node)
+    fn is(&self, other: &FileIdentity) -> bool {
+        self.canonical == other.canonical || (self.node.is_some() && self.node == other.node)
     }
 }
 
 #[cfg(unix)]
-fn node(there: &fs::Metadata) -> Option<(u64, u64)> {
+fn node(metadata: &fs::Metadata) -> Option<(u64, u64)> {
     use std::os::unix::fs::MetadataExt;
-    Some((there.dev(), there.ino()))
+    Some((metadata.dev(), metadata.ino()))
 }
 
 #[cfg(not(unix))]

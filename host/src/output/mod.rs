@@ -22,12 +22,12 @@ pub use guard::OutputGuard;
 pub enum Output {
     /// The standard output.
     Stdout,
-    /// A file that is renamed into place when it is complete.
+    /// A file that is renamed into target when it is complete.
     File {
         /// Path as given.
         name: PathBuf,
         /// Canonical path.
-        place: PathBuf,
+        target: PathBuf,
         /// The temporary file; removed when dropped, unless it was renamed.
         temporary: NamedTempFile,
     },
@@ -47,8 +47,8 @@ impl Output {
             return Ok(Output::Stdout);
         }
         let unwritable = |error| CommandError::Unwritable { path: Some(path.to_owned()), error };
-        let place = place_of(path);
-        match fs::metadata(&place) {
+        let target = canonical_path(path);
+        match fs::metadata(&target) {
             Ok(found) if found.is_dir() => {
                 return Err(unwritable(io::Error::from(io::ErrorKind::IsADirectory)));
             }
@@ -58,18 +58,18 @@ impl Output {
             }
             _ => {}
         }
-        let folder = folder_of(&place);
+        let folder = folder_of(&target);
         if !folder.is_dir() {
             let reason = format!("folder {} does not exist", folder.display());
             return Err(unwritable(io::Error::new(io::ErrorKind::NotFound, reason)));
         }
         let mut builder = Builder::new();
         builder.prefix(".strahl-");
-        if let Some(permissions) = permissions(&place) {
+        if let Some(permissions) = permissions(&target) {
             builder.permissions(permissions);
         }
         let temporary = builder.tempfile_in(folder).map_err(unwritable)?;
-        Ok(Output::File { name: path.to_owned(), place, temporary })
+        Ok(Output::File { name: path.to_owned(), target, temporary })
     }
 
     /// Writes `bytes` and completes the file.
@@ -87,13 +87,13 @@ impl Output {
         CommandError::Unwritable { path, error }
     }
 
-    /// Completes the file: it is renamed into place.
+    /// Completes the file: it is renamed to its final path.
     pub fn finish(self) -> Result<(), CommandError> {
         match self {
             Output::Stdout | Output::Device { .. } => Ok(()),
-            Output::File { name, place, mut temporary } => {
+            Output::File { name, target, mut temporary } => {
                 let renamed =
-                    temporary.flush().and_then(|()| temporary.persist(place).map_err(|error| error.error));
+                    temporary.flush().and_then(|()| temporary.persist(target).map_err(|error| error.error));
                 renamed.map(|_| ()).map_err(|error| CommandError::Unwritable { path: Some(name), error })
             }
         }
@@ -157,7 +157,7 @@ pub fn print_error(failure: &CommandError) {
 }
 
 /// The canonical path of a file, existing or not; links are followed.
-fn place_of(path: &Path) -> PathBuf {
+fn canonical_path(path: &Path) -> PathBuf {
     let new = || Some(fs::canonicalize(folder_of(path)).ok()?.join(path.file_name()?));
     fs::canonicalize(path).ok().or_else(new).unwrap_or_else(|| path.to_owned())
 }
@@ -171,9 +171,9 @@ fn folder_of(path: &Path) -> &Path {
 
 /// Permissions of the file that is replaced, or those of a new file.
 #[cfg(unix)]
-fn permissions(place: &Path) -> Option<Permissions> {
+fn permissions(target: &Path) -> Option<Permissions> {
     use std::os::unix::fs::PermissionsExt;
-    let old = fs::metadata(place).ok().map(|found| found.permissions());
+    let old = fs::metadata(target).ok().map(|found| found.permissions());
     Some(old.unwrap_or_else(|| Permissions::from_mode(0o666)))
 }
 

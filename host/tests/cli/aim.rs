@@ -75,7 +75,7 @@ fn what_the_command_line_sets_stays_and_an_error_that_cannot_be_reached_is_repor
 }
 
 #[test]
-fn a_time_limit_is_kept_and_the_plain_command_makes_the_same_bytes() {
+fn a_time_limit_is_respected_and_the_plain_command_makes_the_same_bytes() {
     let folder = folder();
     let clock = Instant::now();
     // So many pixels that there is never time for all samples.

@@ -2,7 +2,7 @@
 
 use crate::program::{EMPTY, Folder};
 
-const ASKING: &str = "\
+const WITH_SETTINGS: &str = "\
 [[sphere]]
 radius = 1
 [render]
@@ -13,9 +13,9 @@ precision = \"double\"
 ";
 
 #[test]
-fn what_a_scene_asks_for_and_a_baked_scene_does_not_hold_is_reported() {
+fn settings_of_a_scene_that_a_baked_scene_cannot_store_are_reported() {
     let folder = Folder::with(EMPTY);
-    folder.write("scene.toml", ASKING);
+    folder.write("scene.toml", WITH_SETTINGS);
     for output in ["a.strahl", "a.rs"] {
         let ran = folder.run(&format!("bake scene.toml -o {output}"));
         assert_eq!(ran.status, Some(0), "{}", ran.stderr);

@@ -295,7 +295,7 @@ fn a_file_that_ends_too_soon_is_reported_with_status_65() {
 }
 
 #[test]
-fn a_short_file_that_claims_to_be_huge_is_known_before_memory_is_asked_for() {
+fn a_short_file_that_claims_to_be_huge_is_rejected_before_memory_is_allocated() {
     let huge = |width: u32, height: u32| {
         let size = [width.to_be_bytes(), height.to_be_bytes()].concat();
         [b"qoif", size.as_slice(), &[3, 0], &[0xfd; 9], &[0, 0, 0, 0, 0, 0, 0, 1]].concat()

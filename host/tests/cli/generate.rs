@@ -19,7 +19,7 @@ const SMALL: [(&str, u32, u64); 7] = [
     ("stadium", 216, 4844),
 ];
 
-/// What `info` tells of a file.
+/// The JSON output of `info` for a file.
 fn info(folder: &Folder, name: &str) -> Value {
     serde_json::from_slice(&folder.done(&format!("info {name} --json"))).unwrap()
 }
@@ -118,12 +118,12 @@ fn the_mesh_of_a_scene_in_toml_is_in_a_file_beside_it() {
 }
 
 #[test]
-fn bare_objects_make_a_scene_together_with_a_head() {
+fn objects_without_a_head_make_a_scene_together_with_one() {
     let folder = Folder::with(EMPTY);
     for (extension, head) in [("nff", EMPTY), ("toml", "background = { color = \"ivory\" }\n")] {
-        let bare = folder.done(&format!("generate sphereflake --size 1 --bare --format {extension} -o -"));
+        let objects = folder.done(&format!("generate sphereflake --size 1 --bare --format {extension} -o -"));
         let name = format!("a.{extension}");
-        folder.write(&name, [head.as_bytes(), &bare].concat());
+        folder.write(&name, [head.as_bytes(), &objects].concat());
         let it = info(&folder, &name);
         assert_eq!((&it["objects"], &it["lights"]), (&11.into(), &u64::from(extension == "toml").into()));
     }

@@ -30,7 +30,7 @@ material = { mirror = 0.5, roughness = 0.3 }
 ";
 
 #[test]
-fn every_effect_is_reported_with_its_line_and_goes_on_request() {
+fn every_effect_is_reported_with_its_line_and_can_be_disabled() {
     let folder = Folder::with(EMPTY);
     folder.write("all.toml", ALL);
     let it: Value = serde_json::from_slice(&folder.done("info all.toml --json")).unwrap();
@@ -84,7 +84,7 @@ fn every_effect_is_reported_with_its_line_and_goes_on_request() {
 }
 
 #[test]
-fn a_scene_is_reported_with_everything_that_asks_for_an_effect() {
+fn a_scene_is_reported_with_everything_that_requires_an_effect() {
     let folder = Folder::with(BALL);
     let it: Value = serde_json::from_slice(&folder.done("info scene.nff --json")).unwrap();
     assert_eq!(it["objects"], 3);
@@ -109,14 +109,14 @@ fn the_bounds_hold_everything_and_little_more() {
     let it: Value = serde_json::from_slice(&folder.done("info scene.nff --json")).unwrap();
     for (end, sign) in [(0, -1.0), (1, 1.0)] {
         for (axis, center) in [1.0, 2.0, 3.0].into_iter().enumerate() {
-            let reach = sign * (it["bounds"][end][axis].as_f64().unwrap() - center);
-            assert!((0.5..0.500_001).contains(&reach), "{reach}");
+            let extent = sign * (it["bounds"][end][axis].as_f64().unwrap() - center);
+            assert!((0.5..0.500_001).contains(&extent), "{extent}");
         }
     }
 }
 
 #[test]
-fn an_empty_scene_has_no_bounds_and_asks_for_nothing() {
+fn an_empty_scene_has_no_bounds_and_requires_no_effect() {
     let folder = Folder::with(EMPTY);
     let it: Value = serde_json::from_slice(&folder.done("info scene.nff --json")).unwrap();
     assert_eq!((&it["objects"], &it["bounds"], &it["plan"]), (&json!(0), &Value::Null, &json!([])));

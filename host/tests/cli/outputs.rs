@@ -158,7 +158,7 @@ fn a_quiet_program_says_nothing_but_errors() {
 }
 
 #[test]
-fn an_old_output_is_replaced_by_a_new_one_and_kept_when_there_is_none() {
+fn an_old_output_is_replaced_by_a_new_one_and_stays_if_the_command_fails() {
     let folder = Folder::with(EMPTY);
     folder.write("a.png", "before");
     folder.write("a.json", "before");

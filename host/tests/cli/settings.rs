@@ -79,9 +79,9 @@ fn a_shadow_cache_that_a_scene_turns_off_is_off_on_the_command_line_that_is_prin
     let text = printed(&folder, "off.toml");
     assert_eq!(line(&text, "shadow_cache"), "shadow_cache = false # off.toml:2");
     assert!(text.lines().next().unwrap().contains(" --no-shadow-cache"), "{text}");
-    let asked = printed(&folder, "scene.toml --no-shadow-cache");
-    assert_eq!(line(&asked, "shadow_cache"), "shadow_cache = false # command line");
-    assert!(asked.lines().next().unwrap().contains(" --no-shadow-cache --threads "), "{asked}");
+    let disabled = printed(&folder, "scene.toml --no-shadow-cache");
+    assert_eq!(line(&disabled, "shadow_cache"), "shadow_cache = false # command line");
+    assert!(disabled.lines().next().unwrap().contains(" --no-shadow-cache --threads "), "{disabled}");
     let on = printed(&folder, "scene.toml");
     assert_eq!(line(&on, "shadow_cache"), "shadow_cache = true # default");
     assert!(!on.contains("--no-shadow-cache"), "{on}");

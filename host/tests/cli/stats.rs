@@ -106,7 +106,7 @@ fn a_report_says_what_is_in_the_scene() {
 }
 
 #[test]
-fn a_scene_without_effects_asks_for_none() {
+fn a_scene_without_effects_requires_none() {
     let it = report(&format!("{EMPTY}f 1 1 1 1 0 0 0 0\ns 0 0 0 1\n"), "");
     assert_eq!((&it["scene"]["effects"], &it["plan"]), (&Value::Array(vec![]), &Value::Array(vec![])));
 }
@@ -125,8 +125,8 @@ fn the_rays_of_an_empty_scene_are_those_of_its_samples() {
 
 #[test]
 fn inside_a_mirror_every_level_has_as_many_rays_as_the_first() {
-    // From the middle of a mirrored ball every ray hits and comes back, and each of the two
-    // lights, which are inside too, is asked at every hit.
+    // From the center of a sphere with a mirror inside, every ray hits and is reflected to the center, and every hit
+    // sends a shadow ray to each of the two lights, which are inside, too.
     let scene = "v from 0 0 0 at 0 0 -1 up 0 1 0 angle 30 resolution 4 3\n\
                  l 0.1 0 0\nl 0 0.1 0\nf 1 1 1 1 1 0 0 0\ns 0 0 0 10\n";
     for levels in [1, 2, 5, 64] {
@@ -206,12 +206,15 @@ fn every_accelerator_makes_the_same_picture_with_other_work() {
         assert_eq!(it["rays"], reports[0]["rays"]);
         assert!(count(it, "/tests/shapes") > 0);
     }
-    let bare = count(&reports[2], "/tests/shapes");
-    assert!(reports.iter().all(|it| count(it, "/tests/shapes") <= bare), "no way tests more than all");
+    let list = count(&reports[2], "/tests/shapes");
+    assert!(
+        reports.iter().all(|it| count(it, "/tests/shapes") <= list),
+        "no accelerator tests more than the list"
+    );
 }
 
 #[test]
-fn a_mailbox_leaves_out_what_a_ray_has_met() {
+fn a_mailbox_skips_items_that_a_ray_has_been_tested_against() {
     // Long things lie in many cells.
     let mut scene = BALL.to_owned();
     for i in 0..40 {

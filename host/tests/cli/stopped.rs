@@ -60,7 +60,7 @@ fn a_request_to_terminate_ends_with_75_and_leaves_nothing_behind() {
 }
 
 #[test]
-fn an_old_output_is_kept_when_a_signal_comes() {
+fn an_old_output_stays_when_a_signal_arrives() {
     let folder = Folder::with(BALL);
     folder.write("scene.png", "before");
     assert_eq!(stopped_by("INT", &folder, ""), Some(130));

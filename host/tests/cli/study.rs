@@ -130,7 +130,7 @@ fn the_page_is_made_again_from_what_was_measured() {
 fn a_page_that_is_made_elsewhere_has_its_numbers_beside_it() {
     folder().done("study --from out/study.json -o deep/elsewhere --quiet");
     assert_eq!(folder().read("deep/elsewhere/study.json"), folder().read("out/study.json"));
-    // Where somebody keeps several, none replaces another.
+    // The page is written beside the file, and `study.json` there is not overwritten.
     changed("kept", |json| json["scene"]["name"] = "other".into());
     fs::copy(folder().path("out/study.json"), folder().path("kept/first.json")).unwrap();
     let before = folder().read("kept/study.json");
@@ -187,7 +187,7 @@ fn a_reference_that_cuts_much_light_is_reported_before_anything_else() {
     changed("clean", |json| json["reference"]["cut"] = 0.0001.into());
     folder().done("study --from clean/study.json --quiet");
     assert!(!page("clean").contains("The reference discards"));
-    // The terminal tells it after a study.
+    // The summary on the terminal reports it after a study.
     let study = |cut: f64| {
         let mut study = self::study();
         study.reference.cut = cut;
@@ -223,7 +223,7 @@ sphere = [
 "#;
 
 #[test]
-fn no_reference_is_coarser_than_the_scene_asks_for_however_short_the_time() {
+fn no_reference_is_coarser_than_the_settings_of_the_scene_however_short_the_time() {
     let folder = Folder::with("");
     folder.write("trees.toml", TREES);
     for limit in [1, 3] {
@@ -294,7 +294,7 @@ fn a_point_moves_with_its_number() {
 }
 
 #[test]
-fn a_technique_without_which_the_picture_was_given_up_tells_what_it_saves_at_least() {
+fn a_technique_whose_absence_aborts_the_picture_has_a_lower_bound_of_its_saving() {
     changed("bound", |json| {
         let it = &mut json["techniques"][0];
         (it["without"], it["error"]) = (Value::Null, Value::Null);

@@ -19,7 +19,7 @@ use rayon::prelude::*;
 use super::measure::Channel;
 
 /// The radius of the window, in pixels.
-const REACH: usize = 5;
+const WINDOW_RADIUS: usize = 5;
 const DEVIATION: f64 = 1.5;
 /// (K1 L)^2 and (K2 L)^2, where L, the largest value, is 1.
 const C1: f64 = 0.01 * 0.01;
@@ -40,16 +40,16 @@ pub(super) fn ssim<C: Channel>(a: &[[C; 3]], b: &[[C; 3]], width: usize, height:
 struct Window {
     covers: Range<usize>,
     /// The weights of the pixels that it covers; their sum is 1.
-    weights: [f64; 2 * REACH + 1],
+    weights: [f64; 2 * WINDOW_RADIUS + 1],
 }
 
 impl Window {
-    fn at(middle: usize, length: usize) -> Self {
-        let covers = middle.saturating_sub(REACH)..length.min(middle + REACH + 1);
-        let mut weights = [0.0; 2 * REACH + 1];
+    fn at(center: usize, length: usize) -> Self {
+        let covers = center.saturating_sub(WINDOW_RADIUS)..length.min(center + WINDOW_RADIUS + 1);
+        let mut weights = [0.0; 2 * WINDOW_RADIUS + 1];
         let mut sum = 0.0;
         for (weight, place) in weights.iter_mut().zip(covers.clone()) {
-            let distance = place.abs_diff(middle) as f64 / DEVIATION;
+            let distance = place.abs_diff(center) as f64 / DEVIATION;
             *weight = libm::exp(-0.5 * distance * distance);
             sum += *weight;
         }

@@ -66,8 +66,8 @@ impl SourceCode for SourceExcerpt<'_> {
         let (first, last) = (diagnostics.lines.index(start), diagnostics.lines.index(end));
         let whole = first.saturating_sub(before)..(last + after + 1).min(diagnostics.lines.0.len());
         // The line numbers and the frame take the rest of the width.
-        let room = self.width.saturating_sub(12).max(20);
-        let fits = whole.clone().all(|index| diagnostics.line_range(index).len() <= room);
+        let max_bytes = self.width.saturating_sub(12).max(20);
+        let fits = whole.clone().all(|index| diagnostics.line_range(index).len() <= max_bytes);
         let piece = if before == 0 && after == 0 {
             start..end
         } else if fits {
@@ -77,7 +77,7 @@ impl SourceCode for SourceExcerpt<'_> {
                 &diagnostics.text,
                 diagnostics.line_range(first).start..diagnostics.line_range(last).end,
                 start..end,
-                room,
+                max_bytes,
             )
         };
         let line = diagnostics.lines.index(piece.start);
@@ -92,11 +92,11 @@ impl SourceCode for SourceExcerpt<'_> {
     }
 }
 
-/// The part of the lines around a span that fits in `room` bytes; the span itself is never clipped.
-fn clip(text: &str, lines: Range<usize>, span: Range<usize>, room: usize) -> Range<usize> {
-    let spare = room.saturating_sub(span.len());
+/// The part of the lines around a span that fits in `max_bytes` bytes; the span itself is never clipped.
+fn clip(text: &str, lines: Range<usize>, span: Range<usize>, max_bytes: usize) -> Range<usize> {
+    let spare = max_bytes.saturating_sub(span.len());
     let start = lines.start.max(span.start.saturating_sub(spare / 2));
-    let end = lines.end.min(span.end.max(start + room));
+    let end = lines.end.min(span.end.max(start + max_bytes));
     let start = (start..=span.start).find(|p| text.is_char_boundary(*p)).unwrap_or(span.start);
     let end = (span.end..=end).rev().find(|p| text.is_char_boundary(*p)).unwrap_or(span.end);
     start..end

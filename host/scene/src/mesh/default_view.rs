@@ -27,9 +27,9 @@ pub enum UpAxis {
     Z,
 }
 
-/// The azimuth of the eye, from the front to the right, in degrees.
+/// The azimuth of the camera, from the front to the right, in degrees.
 const AZIMUTH: f64 = 35.0;
-/// The elevation of the eye above the horizon, in degrees.
+/// The elevation of the camera above the horizon, in degrees.
 const ELEVATION: f64 = 22.0;
 /// The elevation for a flat model, in degrees.
 const FLAT_ELEVATION: f64 = 42.0;
@@ -53,11 +53,11 @@ const DEFAULT_MATERIAL: Material = Material {
 pub fn with_default_view(mesh: TriangleMesh, up: UpAxis, size: Resolution) -> Result<LoadedScene, String> {
     let vertices = used_vertices(&mesh);
     let bounds = ModelBounds::of(&vertices, up);
-    let frame = CameraFrame::new(bounds.to_eye, bounds.up, VIEW_ANGLE, FILL, size);
+    let frame = CameraFrame::new(bounds.to_camera, bounds.up, VIEW_ANGLE, FILL, size);
     let view = bounds.view(&vertices, &frame, size)?;
-    let light = |name: &str, to_eye: Vec3d, color: Rgb, shadows: bool| {
+    let light = |name: &str, to_light: Vec3d, color: Rgb, shadows: bool| {
         let it = LightDescription {
-            source: LightSourceDescription::Directional { to_light: to_float3(to_eye) },
+            source: LightSourceDescription::Directional { to_light: to_float3(to_light) },
             color,
             shadows,
         };
@@ -118,11 +118,11 @@ fn to_float3(v: Vec3d) -> Float3 {
     v.map(|x| x as f32)
 }
 
-/// The bounding box of a model, and the direction of the eye.
+/// The bounding box of a model, and the direction to the camera.
 struct ModelBounds {
     up: Vec3d,
-    /// The unit vector from the model to the eye.
-    to_eye: Vec3d,
+    /// The unit vector from the model to the camera.
+    to_camera: Vec3d,
     center: Vec3d,
     /// Half the longest side.
     half_extent: f64,
@@ -148,9 +148,9 @@ impl ModelBounds {
         let right = cross(up, front);
         let level = [0, 1, 2].map(|i| cos * front[i] + sin * right[i]);
         let (sin, cos) = sin_cos(elevation);
-        let to_eye = [0, 1, 2].map(|i| cos * level[i] + sin * up[i]);
+        let to_camera = [0, 1, 2].map(|i| cos * level[i] + sin * up[i]);
         let center = [0, 1, 2].map(|i| 0.5 * (low[i] + high[i]));
-        ModelBounds { up, to_eye, center, half_extent: 0.5 * longest(&sides) }
+        ModelBounds { up, to_camera, center, half_extent: 0.5 * longest(&sides) }
     }
 
     /// The camera at the smallest distance at which every vertex is in the picture.

@@ -114,10 +114,10 @@ impl MtlBuilder {
     fn finish(self) -> MtlMaterial {
         let is_glass = matches!(self.illumination_model, 4 | 6 | 7 | 9);
         let passes = 1.0 - self.opacity;
-        let kept = self.diffuse * self.opacity;
+        let diffuse = self.diffuse * self.opacity;
         let it = Material {
-            ambient: kept,
-            diffuse: kept,
+            ambient: diffuse,
+            diffuse,
             highlight: if self.illumination_model >= 2 { self.specular } else { Rgb::BLACK },
             highlight_exponent: if self.illumination_model >= 2 { self.exponent } else { 0.0 },
             reflection: if self.illumination_model >= 3 { self.specular.clamp_max(1.0) } else { Rgb::BLACK },

@@ -27,7 +27,7 @@ pub trait SceneWriter {
 
 /// Camera and lights of a scene.
 pub struct SceneHeader<'h> {
-    /// The eye position.
+    /// The position of the camera.
     pub from: DVec3,
     /// The point at the center of the picture.
     pub at: DVec3,

@@ -284,8 +284,8 @@ fn polygons_without_area_keep_their_index_and_one_warning_counts_them() {
     assert_eq!(it.warnings.len(), 1);
     let warning = &it.warnings[0];
     assert!(warning.contains("3 polygons") && warning.contains("line 4"), "{warning}");
-    let stock = tables::single::scene_tables(&it);
-    assert_eq!(stock.scene().unwrap().descriptor().geometry.shapes.len(), 5);
+    let scene_tables = tables::single::scene_tables(&it);
+    assert_eq!(scene_tables.scene().unwrap().descriptor().geometry.shapes.len(), 5);
 }
 
 #[test]

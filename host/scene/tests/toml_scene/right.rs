@@ -95,8 +95,8 @@ fn velocities_and_the_shutter_give_moving_objects() {
     assert_eq!(loaded("[[plane]]\n").shutter, [0.0, 1.0]);
 
     // The tables of the core have the displacements at the opening and closing times.
-    let stock = strahl_session::tables::single::scene_tables(&it);
-    let scene = stock.scene().unwrap();
+    let tables = strahl_session::tables::single::scene_tables(&it);
+    let scene = tables.scene().unwrap();
     let geometry = &scene.descriptor().geometry;
     assert_eq!(geometry.motion_offset(&geometry.shapes[0], 0.0).to_array(), [-0.5, -1.0, -1.5]);
     assert_eq!(geometry.motion_offset(&geometry.shapes[0], 1.0).to_array(), [0.25, 0.5, 0.75]);
@@ -291,9 +291,9 @@ fn a_rotated_box_may_have_min_and_max_or_a_size() {
     let one = loaded("[[box]]\nmin = [-1, -2, 0]\nmax = [3, 2, 2]\nrotate = [30, 40, 50]\n");
     let other = loaded("[[box]]\ncenter = [1, 0, 1]\nsize = [4, 4, 2]\nrotate = [30, 40, 50]\n");
     assert_eq!(one.objects, other.objects);
-    let upright = loaded("[[box]]\ncenter = [1, 0, 1]\nsize = [4, 4, 2]\nrotate = [0, 0, 0]\n");
+    let axis_aligned = loaded("[[box]]\ncenter = [1, 0, 1]\nsize = [4, 4, 2]\nrotate = [0, 0, 0]\n");
     assert_eq!(
-        upright.objects[0].shape,
+        axis_aligned.objects[0].shape,
         ShapeDescription::Cuboid { min: [-1.0, -2.0, 0.0], max: [3.0, 2.0, 2.0] }
     );
 }

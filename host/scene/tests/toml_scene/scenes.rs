@@ -13,8 +13,8 @@ fn the_schema_in_the_repository_is_current() {
     if std::env::var_os("STRAHL_ACCEPT").is_some() {
         std::fs::write(&path, &schema).unwrap();
     }
-    let kept = std::fs::read_to_string(&path).unwrap_or_default();
-    assert!(kept == schema, "write it anew with STRAHL_ACCEPT=1");
+    let stored = std::fs::read_to_string(&path).unwrap_or_default();
+    assert!(stored == schema, "write it anew with STRAHL_ACCEPT=1");
 }
 
 #[test]

@@ -27,7 +27,7 @@ fn shown(text: &str, screen: TerminalStyle) -> String {
     Diagnostics::new(Path::new("first.toml"), text, list).render(screen) + "\n"
 }
 
-fn assert_kept(name: &str, shown: &str) {
+fn assert_stored(name: &str, shown: &str) {
     let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/toml_scene/shown").join(name);
     if std::env::var_os("STRAHL_ACCEPT").is_some() {
         std::fs::write(&path, shown).unwrap();
@@ -37,7 +37,7 @@ fn assert_kept(name: &str, shown: &str) {
 
 #[test]
 fn five_errors_are_displayed_in_plain_text() {
-    assert_kept("five.txt", &shown(FIVE, TerminalStyle::PLAIN));
+    assert_stored("five.txt", &shown(FIVE, TerminalStyle::PLAIN));
 }
 
 #[test]
@@ -45,13 +45,16 @@ fn diagnostics_fit_in_a_narrow_terminal() {
     let screen = TerminalStyle { width: 40, features: TerminalFeatures::Unicode };
     let text = shown(FIVE, screen);
     assert!(text.lines().all(|line| line.chars().count() <= 40), "{text}");
-    assert_kept("narrow.txt", &text);
+    assert_stored("narrow.txt", &text);
 }
 
 #[test]
 fn both_locations_of_an_error_are_displayed() {
     let text = "[[material]]\nname = \"a\"\n\n\n\n\n[[material]]\nname = \"a\"\n";
-    assert_kept("twice.txt", &shown(text, TerminalStyle { width: 100, features: TerminalFeatures::Unicode }));
+    assert_stored(
+        "twice.txt",
+        &shown(text, TerminalStyle { width: 100, features: TerminalFeatures::Unicode }),
+    );
 }
 
 #[test]

@@ -102,11 +102,12 @@ pub(super) fn is_header(line: &[u8]) -> Result<bool, RayParseError> {
     let has_words = line.len() <= MAX_LINE_BYTES
         && (count == FIELD_NAMES.len() || count == FIELD_NAMES.len() - 1)
         && fields(line).all(|field| !field.is_empty() && number(field, Precision::Double).is_none());
-    let bare = |field: &'_ [u8]| -> Vec<u8> {
+    let unquoted = |field: &'_ [u8]| -> Vec<u8> {
         let quoted = field.strip_prefix(b"\"").and_then(|field| field.strip_suffix(b"\""));
         quoted.unwrap_or(field).trim_ascii().to_ascii_lowercase()
     };
-    if has_words && !fields(line).map(bare).zip(FIELD_NAMES).all(|(field, name)| field == name.as_bytes()) {
+    if has_words && !fields(line).map(unquoted).zip(FIELD_NAMES).all(|(field, name)| field == name.as_bytes())
+    {
         let words = String::from_utf8_lossy(line.trim_ascii()).chars().take(80).collect();
         return Err(RayParseError::Header(words));
     }
@@ -194,10 +195,10 @@ mod tests {
             assert_eq!(is_header(header.as_bytes()), Ok(true), "{header}");
         }
         for other in ["dx,dy,dz,ox,oy,oz", "a,b,c,d,e,f", "ox,oy,oz,dx,dy,dz,t", "ox;,oy,oz,dx,dy,dz"] {
-            let fault = is_header(other.as_bytes()).unwrap_err();
-            assert_eq!(fault, RayParseError::Header(other.into()));
-            let said = fault.to_string();
-            assert!(said.contains("expected ox,oy,oz,dx,dy,dz or ox,oy,oz,dx,dy,dz,tmax"), "{said}");
+            let error = is_header(other.as_bytes()).unwrap_err();
+            assert_eq!(error, RayParseError::Header(other.into()));
+            let message = error.to_string();
+            assert!(message.contains("expected ox,oy,oz,dx,dy,dz or ox,oy,oz,dx,dy,dz,tmax"), "{message}");
         }
         for no_header in [
             "",

@@ -2,7 +2,7 @@
 //!
 //! 1. Levels and cutoff are refined until the picture converges (module `limits`); these are the limits of the reference.
 //! 2. Sampling strategies are evaluated with levels and a cutoff of small error, cheapest first. A strategy is skipped if
-//!    its error cannot reach the target at the fastest possible convergence, or if it costs more than the best one found,
+//!    its error cannot satisfy the target at the fastest possible convergence, or if it costs more than the best one found,
 //!    whatever its levels and cutoff.
 //! 3. Combinations of both that are predicted to reach the target are evaluated in the order of their predicted cost, until
 //!    the next one costs more than the best one found.
@@ -55,14 +55,14 @@ pub fn render_to_error(
     let ErrorEstimate { error: estimate, upper_bound: at_most } = found.estimate;
     let reference = reference_settings(settings, found.reference_limits, target.max_error, 0);
     let result = AimResult {
-        kept: at_most <= target.max_error && measured.is_none_or(|error| error <= target.max_error),
+        is_met: at_most <= target.max_error && measured.is_none_or(|error| error <= target.max_error),
         target: AimTarget::Error {
-            asked: target.max_error,
+            requested: target.max_error,
             estimate,
             at_most,
             pixels: search.sparse.pixel_count(),
             tried: search.evaluated,
-            truth: format!(
+            reference: format!(
                 "{} with {} levels and cutoff {}",
                 reference.sampler, reference.levels, reference.cutoff
             ),
@@ -181,7 +181,7 @@ fn evaluate_strategies(
         if !fixed.sampler
             && evaluated
                 .iter()
-                .any(|it| it.costs_more_than(rays, cheapest / part) || it.cannot_reach(rays, max_error))
+                .any(|it| it.costs_more_than(rays, cheapest / part) || it.cannot_satisfy(rays, max_error))
         {
             continue;
         }
@@ -214,8 +214,8 @@ impl Evaluation {
         times.is_some_and(|times| MIN_COST_RATIO * times * self.cost > cheapest)
     }
 
-    /// Whether more rays of the same sampler cannot reach the target, even at the fastest convergence.
-    fn cannot_reach(&self, rays: SamplingStrategy, max_error: f64) -> bool {
+    /// Whether more rays of the same sampler cannot satisfy the target, even at the fastest convergence.
+    fn cannot_satisfy(&self, rays: SamplingStrategy, max_error: f64) -> bool {
         let it = self.candidate.rays;
         let same = std::mem::discriminant(&it.sampler) == std::mem::discriminant(&rays.sampler);
         match (it.fixed_rays_per_pixel(), rays.fixed_rays_per_pixel()) {

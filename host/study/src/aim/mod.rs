@@ -26,7 +26,8 @@ pub struct AimResult {
     #[serde(skip)]
     pub settings: Settings,
     /// Whether the target is reached, as far as known.
-    pub kept: bool,
+    #[serde(rename = "kept")]
+    pub is_met: bool,
     /// The target, and the values found.
     #[serde(flatten)]
     pub target: AimTarget,
@@ -41,7 +42,8 @@ pub enum AimTarget {
     /// A maximum error.
     Error {
         /// The requested error.
-        asked: f64,
+        #[serde(rename = "asked")]
+        requested: f64,
         /// The error of the settings on the sampled pixels.
         estimate: f64,
         /// Upper bound of the error of the whole picture, with 95 % confidence.
@@ -51,7 +53,8 @@ pub enum AimTarget {
         /// Number of settings that were evaluated.
         tried: usize,
         /// The settings of the reference.
-        truth: String,
+        #[serde(rename = "truth")]
+        reference: String,
         /// The measured error of the picture, with `--verify`.
         measured: Option<f64>,
         /// Duration of the search, in seconds.
@@ -60,10 +63,12 @@ pub enum AimTarget {
     /// A time limit.
     Time {
         /// The limit, in seconds.
-        asked: f64,
+        #[serde(rename = "asked")]
+        requested: f64,
         /// Number of completed passes.
         passes: usize,
         /// Whether another pass was started and aborted.
-        given_up: bool,
+        #[serde(rename = "given_up")]
+        aborted_a_pass: bool,
     },
 }

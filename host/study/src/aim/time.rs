@@ -44,11 +44,11 @@ pub fn render_in_time(
     let chosen = Settings { sampler: pass.sampler, select: pass.select, ..settings.clone() };
     let why = scheduler.explanation(&chosen);
     let target = AimTarget::Time {
-        asked: limit.duration.as_secs_f64(),
+        requested: limit.duration.as_secs_f64(),
         passes: scheduler.completed_passes,
-        given_up: scheduler.started_passes > scheduler.completed_passes,
+        aborted_a_pass: scheduler.started_passes > scheduler.completed_passes,
     };
-    Ok((output, AimResult { settings: chosen, kept: true, target, why }))
+    Ok((output, AimResult { settings: chosen, is_met: true, target, why }))
 }
 
 /// A pass that traces a grid of pixels and interpolates between them.

@@ -170,9 +170,9 @@ impl<'b> Measurements<'b> {
     /// Drops pictures of dominated settings; they are not shown.
     pub fn drop_dominated_pictures(&mut self) {
         let (places, points) = self.accuracy_points();
-        let kept: Vec<usize> = pareto_front(&points).into_iter().map(|place| places[place]).collect();
+        let front: Vec<usize> = pareto_front(&points).into_iter().map(|place| places[place]).collect();
         for (place, measurement) in self.measurements.iter_mut().enumerate() {
-            if !kept.contains(&place) && measurement.run.role != RunRole::Own {
+            if !front.contains(&place) && measurement.run.role != RunRole::Own {
                 measurement.picture = None;
             }
         }
@@ -182,14 +182,14 @@ impl<'b> Measurements<'b> {
     pub fn repeat(&mut self) -> Result<(), StudyError> {
         self.drop_dominated_pictures();
         let (places, points) = self.accuracy_points();
-        let kept: Vec<usize> = pareto_front(&points).into_iter().map(|place| places[place]).collect();
+        let front: Vec<usize> = pareto_front(&points).into_iter().map(|place| places[place]).collect();
         // Dominated combinations are not repeated.
-        let is_wanted =
-            |place: &usize| kept.contains(place) || self.measurements[*place].run.role != RunRole::Mix;
-        let wanted: Vec<usize> = (0..self.measurements.len()).filter(is_wanted).collect();
+        let is_repeated =
+            |place: &usize| front.contains(place) || self.measurements[*place].run.role != RunRole::Mix;
+        let repeated: Vec<usize> = (0..self.measurements.len()).filter(is_repeated).collect();
         let end = self.benchmark.time_share(time::MEASURING_END);
         for round in 1..self.plan.repeats {
-            for (done, place) in wanted.iter().enumerate() {
+            for (done, place) in repeated.iter().enumerate() {
                 let again =
                     self.measurements[*place].run.wall_seconds[0] + self.measurements[*place].run.build;
                 let left = end - self.benchmark.elapsed();
@@ -198,8 +198,9 @@ impl<'b> Measurements<'b> {
                     continue;
                 }
                 self.benchmark.repeat(&mut self.measurements[*place])?;
-                let rounds = (self.plan.repeats - round) as f64 - done as f64 / wanted.len() as f64;
-                let all: f64 = wanted.iter().map(|place| self.measurements[*place].run.wall_seconds[0]).sum();
+                let rounds = (self.plan.repeats - round) as f64 - done as f64 / repeated.len() as f64;
+                let all: f64 =
+                    repeated.iter().map(|place| self.measurements[*place].run.wall_seconds[0]).sum();
                 self.benchmark.report_seconds_left((rounds * all).min(left));
             }
         }

@@ -62,9 +62,9 @@ impl ReferenceCost {
         }
         let for_all = limit / (self.all * self.pixel).max(1e-12);
         let comfortable = f64::from(PREFERRED_PIXELS);
-        let wanted = if for_all > comfortable { for_all } else { comfortable };
+        let preferred = if for_all > comfortable { for_all } else { comfortable };
         let sure = MARGIN * for_reference;
-        let pixels = if wanted < sure { wanted } else { sure };
+        let pixels = if preferred < sure { preferred } else { sure };
         let pixels = if pixels > least { pixels } else { least };
         AffordableSize::Pixels(if is_free && pixels < most { pixels } else { most })
     }
@@ -194,15 +194,15 @@ mod tests {
     }
 
     #[test]
-    fn a_given_size_is_kept() {
+    fn a_given_size_is_not_reduced() {
         assert_eq!(COST.afforded(100.0, 65536.0, false), AffordableSize::Pixels(65536.0));
         assert!(matches!(COST.afforded(20.0, 65536.0, false), AffordableSize::TooShort(_)));
     }
 
     #[test]
     fn limits_are_rounded_to_usual_durations() {
-        let told = [3.2, 47.0, 130.0, 4000.0]
+        let durations = [3.2, 47.0, 130.0, 4000.0]
             .map(|it| humantime::format_duration(round_up_duration(it)).to_string());
-        assert_eq!(told, ["4s", "50s", "3m", "2h"]);
+        assert_eq!(durations, ["4s", "50s", "3m", "2h"]);
     }
 }

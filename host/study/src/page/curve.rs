@@ -124,18 +124,18 @@ fn table(study: &Study, places: &[(usize, usize)]) -> Markup {
 }
 
 /// Indices of the numbered runs of the front by work, with their numbers from 1. A run that is hardly more accurate than the
-/// one before has no number, except the last.
+/// one before is not numbered, except the last.
 fn numbered(study: &Study) -> Vec<(usize, usize)> {
     const BETTER: f64 = 0.97;
     let all = pareto_runs(study, |run| run.work);
-    let mut kept: Vec<usize> = Vec::new();
+    let mut runs: Vec<usize> = Vec::new();
     for (index, place) in all.iter().enumerate() {
         let error = study.runs[*place].error.rmse;
         let is_last = index + 1 == all.len();
-        let is_better = kept.last().is_none_or(|last| error <= BETTER * study.runs[*last].error.rmse);
+        let is_better = runs.last().is_none_or(|last| error <= BETTER * study.runs[*last].error.rmse);
         if is_better || is_last {
-            kept.push(*place);
+            runs.push(*place);
         }
     }
-    kept.into_iter().enumerate().map(|(index, place)| (place, index + 1)).collect()
+    runs.into_iter().enumerate().map(|(index, place)| (place, index + 1)).collect()
 }

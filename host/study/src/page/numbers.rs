@@ -94,7 +94,7 @@ mod tests {
     }
 
     #[test]
-    fn changes_are_told_in_percent_or_as_factors() {
+    fn changes_are_in_percent_or_as_factors() {
         let texts = [1.0, 1.09, 0.5, 2.0, 5.0].map(|to| change(1.0, to));
         assert_eq!(texts, ["±0 %", "+9 %", "−50 %", "+100 %", "× 5.0"]);
         assert_eq!(change(0.0, 1.0), "–");

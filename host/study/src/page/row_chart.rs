@@ -110,11 +110,11 @@ fn sized(rows: &[SweepRow], order: RowOrder, alt: &str, width: f64, most: f64, v
 }
 
 /// A name, shortened to the available width.
-fn truncated(name: &str, room: f64) -> String {
-    let most = (room / LETTER) as usize;
+fn truncated(name: &str, width: f64) -> String {
+    let most = (width / LETTER) as usize;
     if name.chars().count() <= most {
         return name.into();
     }
-    let kept: String = name.chars().take(most.saturating_sub(1)).collect();
-    format!("{kept}…")
+    let start: String = name.chars().take(most.saturating_sub(1)).collect();
+    format!("{start}…")
 }

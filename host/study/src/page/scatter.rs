@@ -134,14 +134,14 @@ pub fn legend(dots: &[ScatterPoint]) -> Markup {
 }
 
 /// Ticks whose labels do not overlap.
-pub fn spaced(ticks: &[f64], at: impl Fn(f64) -> f64, room: f64) -> Vec<f64> {
-    let mut kept: Vec<f64> = Vec::new();
+pub fn spaced(ticks: &[f64], at: impl Fn(f64) -> f64, min_distance: f64) -> Vec<f64> {
+    let mut spaced: Vec<f64> = Vec::new();
     for tick in ticks {
-        if kept.last().is_none_or(|last| (at(*tick) - at(*last)).abs() >= room) {
-            kept.push(*tick);
+        if spaced.last().is_none_or(|last| (at(*tick) - at(*last)).abs() >= min_distance) {
+            spaced.push(*tick);
         }
     }
-    kept
+    spaced
 }
 
 /// Removes trailing zeros: `10.0 ms` becomes `10 ms`.

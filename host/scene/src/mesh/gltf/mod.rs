@@ -322,14 +322,14 @@ fn convert_material(material: &json::GltfMaterial) -> Result<Material, String> {
     let opacity = if material.alpha_mode.as_deref() == Some("BLEND") { alpha } else { 1.0 };
     let base = Rgb::new(r, g, b);
     let polish = 1.0 - rough;
-    let kept = base * ((1.0 - m * polish) * (1.0 - transmission) * opacity);
+    let diffuse = base * ((1.0 - m * polish) * (1.0 - transmission) * opacity);
     let is_glass = transmission > 0.0;
     let squared = rough * rough;
     let exponent = if squared > 0.014_14 { 2.0 / (squared * squared) - 2.0 } else { 10_000.0 };
     let transmitted = if is_glass { base * transmission } else { Rgb::gray(1.0 - opacity) };
     Ok(Material {
-        ambient: kept,
-        diffuse: kept,
+        ambient: diffuse,
+        diffuse,
         highlight: Rgb::gray(0.5).lerp(base, m) * polish,
         highlight_exponent: if exponent > 1e4 { 1e4 } else { exponent },
         reflection: base * (m * polish),

@@ -14,8 +14,8 @@ use crate::diagnostics::Diagnostic;
 use crate::framing::{CameraFrame, Vec3d, larger};
 use crate::toml_scene::format::SceneFile;
 
-/// The default direction from the scene to the eye: in front, slightly right and above.
-const TO_EYE: Vec3d = [0.35, 0.3, 1.0];
+/// The default direction from the scene to the camera: in front, slightly right and above.
+const TO_CAMERA: Vec3d = [0.35, 0.3, 1.0];
 /// The share of the half picture that the scene may fill, so that nothing touches its edge.
 const FILL: f64 = 0.91;
 
@@ -99,8 +99,8 @@ impl SceneBuilder<'_> {
         }
     }
 
-    /// Sets the eye and the target, if not given, so that all bounded objects are in the picture.
-    fn frame_scene(&self, view: &mut CameraDescription, move_eye: bool, move_aim: bool) {
+    /// Sets the position and the target of the camera, if not given, so that all bounded objects are in the picture.
+    fn frame_scene(&self, view: &mut CameraDescription, move_position: bool, move_target: bool) {
         let Some(mut boxes) = bounding_boxes(&self.scene) else { return };
         boxes.retain(|b| b.min.cmple(b.max).all());
         let whole = boxes.iter().fold(Aabb::EMPTY, |whole, b| whole.union(*b));
@@ -110,19 +110,19 @@ impl SceneBuilder<'_> {
         if !is_something {
             boxes = vec![Aabb { min: center - Vec3::ONE, max: center + Vec3::ONE }];
         }
-        if move_aim {
+        if move_target {
             view.at = center.to_array();
         }
-        if move_eye {
+        if move_position {
             let angle = match view.projection {
                 ProjectionDescription::Perspective(angle) | ProjectionDescription::Lens { angle, .. } => {
                     angle
                 }
-                // The height determines the visible part; the eye only has to be outside.
+                // The height determines the visible part; the camera only has to be outside.
                 ProjectionDescription::Orthographic(_) => DEFAULT_VIEW_ANGLE,
             };
             let size = self.scene.settings.size.unwrap_or(self.size);
-            let frame = CameraFrame::new(TO_EYE, view.up.map(f64::from), f64::from(angle), FILL, size);
+            let frame = CameraFrame::new(TO_CAMERA, view.up.map(f64::from), f64::from(angle), FILL, size);
             let target = view.at.map(f64::from);
             let corners = boxes.iter().flat_map(corners_of);
             let distances = frame.edge_distances(target, corners);
@@ -136,7 +136,7 @@ impl SceneBuilder<'_> {
     }
 }
 
-/// A white directional light from behind the eye, above and left of it.
+/// A white directional light from behind the camera, above and left of it.
 fn default_light(view: &CameraDescription) -> Located<LightDescription> {
     let back = try_normalize(vec3_of(view.from) - vec3_of(view.at)).unwrap_or(Vec3::Z);
     let up = try_normalize(vec3_of(view.up)).unwrap_or(Vec3::Y);

@@ -71,8 +71,8 @@ impl SceneBuilder<'_> {
         );
         let diffuse = it.diffuse.map_or(rest, |c| c.0);
         let ambient = it.ambient.map_or(diffuse, |c| c.0);
-        let asks = it.shininess.is_some_and(|s| s.0 > 0.0);
-        let highlight = it.highlight.map_or(if asks { Rgb::gray(0.5) } else { Rgb::BLACK }, |c| c.0);
+        let has_shininess = it.shininess.is_some_and(|s| s.0 > 0.0);
+        let highlight = it.highlight.map_or(if has_shininess { Rgb::gray(0.5) } else { Rgb::BLACK }, |c| c.0);
         let exponent = it.shininess.map_or(if highlight.is_black() { 0.0 } else { 50.0 }, |s| s.0);
         let times = |share: Rgb| {
             Rgb::new(color.r * share.r, color.g * share.g, color.b * share.b).clamp_max(Rgb::MAX_CHANNEL)

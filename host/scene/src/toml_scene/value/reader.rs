@@ -28,7 +28,7 @@ pub struct TableReader<'n> {
     pub tables_with_unknown_keys: HashSet<usize>,
 }
 
-/// A list of errors: all are counted, the first 1000 are kept.
+/// A list of errors: all are counted, the first 1000 are stored.
 #[derive(Default)]
 pub struct DiagnosticList {
     pub list: Vec<Diagnostic>,
@@ -36,18 +36,18 @@ pub struct DiagnosticList {
 }
 
 impl DiagnosticList {
-    const MAX_KEPT: usize = 1000;
+    const MAX_STORED: usize = 1000;
 
     pub fn push(&mut self, diagnostic: Diagnostic) {
         self.total += 1;
-        if self.list.len() < Self::MAX_KEPT {
+        if self.list.len() < Self::MAX_STORED {
             self.list.push(diagnostic);
         }
     }
 
-    /// Whether one more error would be kept, and is worth advice.
+    /// Whether one more error would be stored, and is worth advice.
     pub fn has_capacity(&self) -> bool {
-        self.list.len() < Self::MAX_KEPT
+        self.list.len() < Self::MAX_STORED
     }
 }
 

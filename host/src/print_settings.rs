@@ -9,11 +9,11 @@ use strahl_settings::{Resolved, Setting, SettingSource, Settings};
 
 use crate::args::RenderArgs;
 
-/// The line of a scene's key.
-pub type Lines = BTreeMap<&'static str, usize>;
+/// The line of each settings key in the scene file.
+pub type KeyLines = BTreeMap<&'static str, usize>;
 
-/// What `--print-settings` prints of a picture that goes to `output`; `lines` are those of the keys in the scene.
-pub fn text(args: &RenderArgs, resolved: &Resolved, output: &Path, lines: &Lines) -> String {
+/// The output of `--print-settings` for a picture that is written to `output`.
+pub fn text(args: &RenderArgs, resolved: &Resolved, output: &Path, lines: &KeyLines) -> String {
     let settings = &resolved.settings;
     let source = |setting: &Setting| match resolved.source(setting) {
         SettingSource::Default => "default".to_owned(),
@@ -51,15 +51,15 @@ pub fn text(args: &RenderArgs, resolved: &Resolved, output: &Path, lines: &Lines
     text
 }
 
-/// The command that makes the picture with other settings than those that hold: it names what the command line has
-/// set, and what is other.
-pub fn changed(args: &RenderArgs, resolved: &Resolved, settings: &Settings, output: &Path) -> String {
-    let is_named = |setting: &&Setting| {
-        let is_other = setting.word(settings) != setting.word(&resolved.settings);
-        is_other || resolved.source(setting) == SettingSource::CommandLine
+/// The command that renders the picture with `settings` in place of the resolved ones. Its options are those of the
+/// command line and those that differ.
+pub fn command_with(args: &RenderArgs, resolved: &Resolved, settings: &Settings, output: &Path) -> String {
+    let is_option = |setting: &&Setting| {
+        let differs = setting.word(settings) != setting.word(&resolved.settings);
+        differs || resolved.source(setting) == SettingSource::CommandLine
     };
-    let named = settings.in_use().filter(is_named);
-    command(args, named.filter_map(|setting| setting.option(settings)).collect(), output)
+    let options = settings.in_use().filter(is_option);
+    command(args, options.filter_map(|setting| setting.option(settings)).collect(), output)
 }
 
 /// The command with these options.
@@ -71,14 +71,14 @@ fn command(args: &RenderArgs, options: Vec<String>, output: &Path) -> String {
     words.join(" ")
 }
 
-/// The options that name files, whether they are given, and what.
+/// The options that name files: the name, whether the command line has it, and the value.
 fn files(args: &RenderArgs, output: &Path) -> impl Iterator<Item = (&'static str, bool, String)> {
     let word = |path: &Path| quoted(&path.display().to_string());
     let mask = args.mask.as_deref().map(|mask| ("mask", true, word(mask)));
     mask.into_iter().chain([("output", args.output.is_some(), word(output))])
 }
 
-/// A word that a shell leaves as it is.
+/// The word, quoted for a shell if necessary.
 fn quoted(word: &str) -> String {
     let is_plain = |c: char| c.is_ascii_alphanumeric() || "/._-+:,=@%".contains(c);
     if !word.is_empty() && word.chars().all(is_plain) {
