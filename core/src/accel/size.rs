@@ -7,7 +7,7 @@ use crate::math::morton;
 pub struct BvhSize {
     /// Number of nodes. With fewer, down to one, leaves are larger.
     pub nodes: usize,
-    /// Number of leaf entries, one per item. All are needed.
+    /// Number of leaf entries, one per item whose box is not empty. All are needed.
     pub entries: usize,
 }
 

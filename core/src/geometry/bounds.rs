@@ -33,8 +33,8 @@ pub struct Aabb {
     pub max: Vec3,
 }
 
-/// The interval of `t` in which a ray is inside a box, widened for rounding errors: `entry <= exit`,
-/// `exit >= 0`. In lengths of the ray's direction.
+/// The interval of `t` in which a ray is inside a box, widened for rounding errors: `t_entry <= t_exit`,
+/// `t_exit >= 0`. In lengths of the ray's direction.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct RayInterval {
     /// Start of the interval; zero or negative if the ray starts inside.
@@ -107,8 +107,9 @@ impl Aabb {
         !(self.min.x <= self.max.x && self.min.y <= self.max.y && self.min.z <= self.max.z)
     }
 
-    /// The interval in which the ray is inside the box; `None` if it misses the box or the box is behind
-    /// its origin.
+    /// The interval in which the ray's line is inside the box; `None` if the ray misses the box or the box is
+    /// behind its origin. It is not clipped: it begins before 0 if the origin is inside, and may end after any
+    /// `t_max`.
     ///
     /// A zero component of the direction gives infinite `t` for both faces of that axis, or NaN if the ray
     /// lies in a face. Comparisons with NaN are false and then leave the interval unchanged, so such a ray

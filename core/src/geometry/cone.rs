@@ -53,7 +53,8 @@ enum ConePart {
 
 impl Cone {
     /// The cone between the circle of `base_radius` around `base` and the circle of `end_radius` around
-    /// `end`. `None` if the points are equal or not finite.
+    /// `end`. `None` if the points are equal or not finite. The radii are checked by
+    /// [`Scene::new`](crate::Scene::new).
     pub fn new(base: Vec3, base_radius: Real, end: Vec3, end_radius: Real, capped: bool) -> Option<Self> {
         let axis = try_normalize(end - base)?;
         let height = (end - base).dot(axis);

@@ -19,7 +19,7 @@ pub enum ShapeError {
     NotNormalized,
     /// The axes of an oriented box are not perpendicular to each other.
     NotOrthogonal,
-    /// An index is out of range, or a polygon has fewer than three vertices.
+    /// An index is out of range, or a polygon has fewer than three vertices or no area.
     IndexOutOfRange,
     /// The bounds of a polygon are not those of its vertices.
     Bounds,

@@ -45,7 +45,8 @@ impl RegularSampler {
         (n >= 1 && n <= Self::MAX_CELLS_PER_SIDE).then_some(RegularSampler { cells: n, ..Self::CENTER })
     }
 
-    /// The same sampler with this reconstruction filter, [`Filter::Box`] by default.
+    /// The same sampler with this reconstruction filter, [`Filter::Box`] by default. The filter distributes the
+    /// rays, which all have equal weight; those of wider filters leave the pixel.
     pub fn with_filter(self, filter: Filter) -> Self {
         RegularSampler { filter, ..self }
     }

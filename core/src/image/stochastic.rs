@@ -90,7 +90,8 @@ impl StochasticSampler {
         })
     }
 
-    /// The same sampler with this reconstruction filter, [`Filter::Box`] by default.
+    /// The same sampler with this reconstruction filter, [`Filter::Box`] by default. The filter distributes the
+    /// rays, which all have equal weight; those of wider filters leave the pixel.
     pub fn with_filter(self, filter: Filter) -> Self {
         StochasticSampler { filter, ..self }
     }

@@ -17,7 +17,8 @@ use crate::math::{Rgb, Vec3};
 
 /// An owned scene: tables that grow. Requires the feature `alloc`.
 ///
-/// Entries are checked by [`SceneTables::scene`], not when they are added. All positions and directions are
+/// Entries are checked by [`SceneTables::scene`], not when they are added (but a polygon is checked when it is
+/// added, too). All positions and directions are
 /// in world space; normals and axes are unit vectors.
 ///
 /// ```
@@ -203,7 +204,8 @@ impl SceneTables {
     ///
     /// # Errors
     ///
-    /// [`ShapeError::IndexOutOfRange`] for missing vertices, fewer than three vertices and zero area.
+    /// [`ShapeError::IndexOutOfRange`] if a vertex is missing, if there are fewer than three, or if the area is
+    /// zero.
     pub fn add_polygon(
         &mut self,
         vertices: Range<u32>,

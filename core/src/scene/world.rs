@@ -49,7 +49,7 @@ impl<'s, A: Accelerator> World<'s, A> {
         World { scene, accelerator }
     }
 
-    /// The scene that queries are answered for.
+    /// The scene of this world.
     pub fn scene(&self) -> &Scene<'s> {
         &self.scene
     }

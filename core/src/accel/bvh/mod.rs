@@ -81,7 +81,7 @@ impl<'s, Queue, Element: LeafElement> Bvh<'s, Queue, Element> {
         self.single_item_leaf_count() + self.leaf_elements.iter().filter(|element| element.is_last()).count()
     }
 
-    /// Number of items in all leaves; each item is in exactly one.
+    /// Number of items in all leaves; each item whose box is not empty is in exactly one.
     pub fn entry_count(&self) -> usize {
         let in_elements: usize = self.leaf_elements.iter().map(|element| element.item_count()).sum();
         self.single_item_leaf_count() + in_elements
