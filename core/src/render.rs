@@ -4,7 +4,8 @@
 //! nothing but its coordinates. [`render_selected`] traces some pixels and interpolates the others;
 //! [`render_progressive`] shows such a picture coarse first.
 //!
-//! A device that sends row by row renders tiles of height 1 (or a few rows, which keeps more of the caches):
+//! A device that sends row by row renders tiles of height 1. `tracer` and `worker` are made once, as in the
+//! [first program](crate); each call of `render` clears the caches, so tiles of several rows are faster:
 //!
 //! ```
 //! use strahl_core::image::Pixel;

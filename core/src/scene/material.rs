@@ -49,7 +49,8 @@ pub struct Material {
     pub highlight_exponent: Real,
     /// Fraction of the light from the mirror direction that is reflected, each channel in `0..=1`.
     pub reflection: Rgb,
-    /// Fraction of the light from behind the surface that is transmitted, each channel in `0..=1`.
+    /// Fraction of the light from behind the surface that is transmitted, each channel in `0..=1`. It applies at
+    /// each surface, so twice on the way through a ball.
     ///
     /// If it is not black, the surface is the boundary of a body of this material; its normal points out of
     /// the body. The body casts an opaque shadow, unless

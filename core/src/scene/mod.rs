@@ -114,7 +114,9 @@ impl Background {
 
 /// The tables of a scene, borrowed and not yet checked: the input of [`Scene::new`].
 ///
-/// Items have the indices of their shapes. With the feature `alloc`, `SceneTables` fills the tables.
+/// Items have the indices of their shapes. Constructors of shapes, materials and lights are `const` where they
+/// need no square root, so the tables of a device can be `static`, in flash. With the feature `alloc`,
+/// `SceneTables` fills the tables.
 #[derive(Clone, Copy, Debug)]
 pub struct SceneDescriptor<'s> {
     /// Shapes and their tables.

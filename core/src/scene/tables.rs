@@ -32,7 +32,7 @@ use crate::math::{Rgb, Vec3};
 ///
 /// let scene = tables.scene()?;
 /// assert_eq!(scene.descriptor().geometry.shapes.len(), 2);
-/// let world = World::new(scene, ListWithoutBounds(tables.len() as u32));
+/// let world = World::new(scene, ListWithoutBounds(tables.item_count() as u32));
 /// # Ok::<(), strahl_core::scene::SceneError>(())
 /// ```
 #[derive(Clone, Debug)]
@@ -351,7 +351,7 @@ mod tests {
         let first = tables.add_vertices(&VERTICES, &[]);
         tables.add_polygon(first..first + 4, Shading::Flat, matte).unwrap();
         tables.set_motion(smooth.start, Vec3::ZERO, Vec3::X);
-        assert_eq!(tables.len(), 11);
+        assert_eq!(tables.item_count(), 11);
         let effects = tables.scene().unwrap().required_effects();
         assert_eq!(effects.shapes, crate::geometry::ShapeKindSet::ALL);
         assert!(effects.motion_blur && effects.smooth_shading);

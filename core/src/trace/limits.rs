@@ -13,7 +13,8 @@ use crate::math::Real;
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Limits {
     /// Largest level of a ray, in `1..=LEVELS` of the tracer. Camera rays have level 1, their secondary rays
-    /// level 2. A ray through a glass ball has two refractions, so that a picture of one needs about 8 levels.
+    /// level 2. Five levels show a glass ball with errors of a few percent at
+    /// its edge, eight without visible errors.
     #[doc(alias = "depth")]
     #[doc(alias = "bounces")]
     pub levels: u8,
