@@ -72,9 +72,9 @@ fn main() -> ExitCode {
         let row = measure(name, limit, size);
         within_limit += usize::from(row.true_error <= limit);
         expensive += usize::from(row.true_error <= limit && row.ratio > MAX_RATIO);
-        let is_kept = if row.true_error <= limit { "yes" } else { "no" };
+        let is_within = if row.true_error <= limit { "yes" } else { "no" };
         println!(
-            "| {name} | {limit} | `{}` | {:.4} (at most {:.4}) | {:.4} | {is_kept} | `{}` {:.4} | {:.2} |",
+            "| {name} | {limit} | `{}` | {:.4} (at most {:.4}) | {:.4} | {is_within} | `{}` {:.4} | {:.2} |",
             row.taken, row.estimate, row.at_most, row.true_error, row.best, row.best_error, row.ratio
         );
     }

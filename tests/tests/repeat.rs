@@ -196,9 +196,9 @@ fn a_shadow_cache_saves_tests_and_changes_no_bit() {
     assert_eq!(with.picture, without.picture);
     let [with, without] = [with, without].map(|frame| frame.counters);
     assert_eq!((without.shadow_cache_tests, without.shadow_cache_hits), (0, 0));
-    let (asked, hits) = (with.shadow_cache_tests, with.shadow_cache_hits);
+    let (tests, hits) = (with.shadow_cache_tests, with.shadow_cache_hits);
     // At this resolution neighboring pixels often have different occluders.
-    assert!(asked > hits && 3 * hits > asked, "{hits} of {asked}");
+    assert!(tests > hits && 3 * hits > tests, "{hits} of {tests}");
     let boxes = |counts: &Counters| counts.box_tests[RayKind::Shadow];
     assert!(boxes(&with) < boxes(&without), "{} of {}", boxes(&with), boxes(&without));
 }

@@ -111,7 +111,7 @@ mod tests {
     use super::*;
     use embedded_graphics::mock_display::MockDisplay;
 
-    fn drawn(colors: [Rgb; 4], dither: Dither) -> MockDisplay<Rgb565> {
+    fn mock_with(colors: [Rgb; 4], dither: Dither) -> MockDisplay<Rgb565> {
         let mut mock = MockDisplay::new();
         let mut sink = DrawTargetSink::new(&mut mock, Point::new(1, 0), dither);
         for (color, x) in colors.into_iter().zip(0..) {
@@ -124,7 +124,7 @@ mod tests {
     fn pixels_are_drawn_at_their_points() {
         let colors = [Rgb::new(1.0, 0.0, 0.0), Rgb::new(0.0, 7.0, 0.0), Rgb::new(0.0, 0.0, 1.0), Rgb::WHITE];
         for dither in [Dither::None, Dither::Ordered] {
-            drawn(colors, dither).assert_pattern(&[" RGBW"]);
+            mock_with(colors, dither).assert_pattern(&[" RGBW"]);
         }
     }
 

@@ -93,13 +93,13 @@ mod tests {
     fn tiles_cover_every_pixel_once() {
         let whole = Tile { top_left: Pixel { x: 3, y: 5 }, width: 17, height: 9 };
         for side in [1, 4, 7, 100] {
-            let mut seen = [0; 17 * 9];
+            let mut visits = [0; 17 * 9];
             for tile in whole.tiles(side) {
                 for pixel in tile.pixels() {
-                    seen[whole.index_of(pixel).unwrap()] += 1;
+                    visits[whole.index_of(pixel).unwrap()] += 1;
                 }
             }
-            assert!(seen.iter().all(|count| *count == 1), "{side}");
+            assert!(visits.iter().all(|count| *count == 1), "{side}");
         }
         assert_eq!(whole.index_of(Pixel { x: 20, y: 5 }), None);
         assert_eq!(whole.index_of(Pixel { x: 2, y: 5 }), None);

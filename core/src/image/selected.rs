@@ -308,18 +308,18 @@ mod tests {
     fn a_corner_grid_gives_the_same_pixels() {
         let selection = selection(8, 0.1);
         let (whole, _) = selected(selection, PICTURE, 0);
-        let blocks = selection.block_range(PICTURE);
+        let block_tile = selection.block_range(PICTURE);
         let mut corners = [PixelSample::BLACK; 6 * 5];
-        for (slot, corner) in corners.iter_mut().zip(PretracedCorners::corner_tile(blocks).pixels()) {
+        for (slot, corner) in corners.iter_mut().zip(PretracedCorners::corner_tile(block_tile).pixels()) {
             *slot = selection.first_pass_sampler(CenterSampler).sample_pixel(corner, &mut test_image);
         }
         let mut grid = PixelSelector::new(
             selection,
             CenterSampler,
-            PretracedCorners::new(blocks, &corners).unwrap(),
+            PretracedCorners::new(block_tile, &corners).unwrap(),
             &mut [],
         );
-        for block in blocks.pixels() {
+        for block in block_tile.pixels() {
             grid.sample_block(block, &mut test_image, &mut |pixel, sample| {
                 if let Some(index) = PICTURE.index_of(pixel) {
                     assert_eq!(Some(sample), whole[index]);
@@ -365,7 +365,7 @@ mod tests {
                 assert!(picture.iter().all(Option::is_some), "{side}");
             }
             assert!(picture == expected, "{length}");
-            assert_eq!(puts[0], picture.len(), "whole blocks");
+            assert_eq!(puts[0], picture.len(), "whole block_tile");
             assert!(puts[3] < puts[2] && puts[2] < puts[1] && puts[1] < puts[0] / 2, "{puts:?}");
             match length {
                 // Except for pixels that share a cache entry.

@@ -30,7 +30,7 @@ pub fn encode_srgb8(v: Real) -> u8 {
 /// The smallest linear value of each 8-bit code above 0.
 ///
 /// The values are rounded up to `f32`, so they classify every `f32` as the exact thresholds do. The
-/// double-precision twin uses the same values because its pictures are stored in single precision. An
+/// double-precision package uses the same values because its pictures are stored in single precision. An
 /// `f64` gets the next lower code only if it is between the exact threshold and the next `f32`.
 #[expect(clippy::indexing_slicing, reason = "computed by the compiler")]
 static THRESHOLDS: [f32; 255] = {

@@ -109,7 +109,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn occluders_are_kept_per_light_and_level() {
+    fn occluders_are_stored_per_light_and_level() {
         let mut cache = ShadowCache::<16>::EMPTY;
         let [a, b] = [ShadowCacheKey { light: 0, level: 1 }, ShadowCacheKey { light: 1, level: 1 }];
         cache.insert(a, ItemId(7));

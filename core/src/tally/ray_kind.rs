@@ -1,6 +1,6 @@
 //! Kinds of rays, and whether a secondary ray is sent.
 
-/// Where a ray comes from: the camera, a reflection, a transmission, or a surface on its way to a light.
+/// Where a ray comes from: the camera, a reflection, a transmission, or a surface, towards a light.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum RayKind {
     /// A primary ray, from the camera through a point of the film.

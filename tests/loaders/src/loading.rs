@@ -11,7 +11,7 @@ use strahl_scene::{SourceFiles, load_from};
 use strahl_session::tables;
 use strahl_settings::DEFAULT_SIZE;
 
-use crate::memory::{Bound, most_held};
+use crate::memory::{Bound, peak_memory};
 
 /// Checks the bytes of an NFF scene.
 pub fn nff(bytes: &[u8]) {
@@ -50,7 +50,7 @@ fn check(files: &[(&str, &[u8])], bound: Bound) {
     let in_memory = files.iter().map(|(name, bytes)| (PathBuf::from(name), bytes.to_vec()));
     let in_memory = SourceFiles::from_memory(in_memory);
     let path = Path::new(files[0].0);
-    let (loaded, most) = most_held(|| load_from(&in_memory, path, DEFAULT_SIZE));
+    let (loaded, most) = peak_memory(|| load_from(&in_memory, path, DEFAULT_SIZE));
     match loaded {
         Ok(it) => {
             assert_scene(&it);

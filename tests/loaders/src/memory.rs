@@ -16,56 +16,58 @@ pub struct Bound {
 }
 
 impl Bound {
-    /// Of NFF. Lights take the most: 8 bytes in the file, 40 in a table that doubles when it is
-    /// full, so that at times there are three times as many.
+    /// Of NFF. Lights take the most: 8 bytes in the file, 40 in a table that doubles when it is full, so that at
+    /// times there are three times as many.
     pub const NFF: Bound = Bound { share: 20, base: 4 << 10 };
 
-    /// Of TOML. The most take mistakes of the parser, all of which it keeps: 2 bytes in the file,
-    /// 270 in a table that doubles and what belongs to it. Next come materials that say nothing:
-    /// 3 bytes in the file, 600 for their keys.
+    /// Of TOML. Syntax errors take the most, because the parser collects all of them: 2 bytes in the file, 270
+    /// in a table that doubles and in what its entries own. Empty materials come next: 3 bytes in the file, 600
+    /// for their keys.
     pub const TOML: Bound = Bound { share: 450, base: 32 << 10 };
 
-    /// Of meshes. The most take materials of glTF: 3 bytes in the file for one that says nothing,
-    /// 200 bytes in tables that double when they are full and are then there three times over.
-    /// Next come triangles with corners of their own, 2 bytes in an OBJ file and 84 here.
+    /// Of meshes. Materials of glTF take the most: 3 bytes in the file for an empty one, 200 in tables that
+    /// double when they are full, so that at times there are three times as many. Triangles that share no
+    /// vertices come next: 2 bytes in an OBJ file, 84 in memory.
     pub const MESH: Bound = Bound { share: 200, base: 32 << 10 };
 
-    /// For files of so many bytes.
+    /// Bytes that loading `bytes` bytes of files may take.
     pub fn of(self, bytes: usize) -> usize {
         self.base + self.share * bytes
     }
 }
 
-struct Counting;
+/// The system's allocator, which counts the bytes that are allocated.
+struct CountingAllocator;
 
-static HELD: AtomicUsize = AtomicUsize::new(0);
-static MOST: AtomicUsize = AtomicUsize::new(0);
+/// Bytes that are allocated now.
+static ALLOCATED: AtomicUsize = AtomicUsize::new(0);
+/// Most bytes that were allocated at once since `peak_memory` began.
+static PEAK: AtomicUsize = AtomicUsize::new(0);
 
-// SAFETY: it hands everything on to the system's allocator. The other functions of the trait
-// are made of these two, so a growing table is counted twice while it is copied.
-unsafe impl GlobalAlloc for Counting {
+// SAFETY: every call is forwarded to the system's allocator. The trait's other functions call these two, so a
+// growing table is counted twice while it is copied.
+unsafe impl GlobalAlloc for CountingAllocator {
     unsafe fn alloc(&self, layout: Layout) -> *mut u8 {
-        let held = HELD.fetch_add(layout.size(), Relaxed) + layout.size();
-        MOST.fetch_max(held, Relaxed);
-        // SAFETY: the caller keeps the same promises.
+        let allocated = ALLOCATED.fetch_add(layout.size(), Relaxed) + layout.size();
+        PEAK.fetch_max(allocated, Relaxed);
+        // SAFETY: the caller of `alloc` meets the requirements of the system's `alloc`.
         unsafe { System.alloc(layout) }
     }
 
-    unsafe fn dealloc(&self, place: *mut u8, layout: Layout) {
-        HELD.fetch_sub(layout.size(), Relaxed);
-        // SAFETY: `place` comes from `alloc` above, and with it from the system's allocator.
-        unsafe { System.dealloc(place, layout) }
+    unsafe fn dealloc(&self, pointer: *mut u8, layout: Layout) {
+        ALLOCATED.fetch_sub(layout.size(), Relaxed);
+        // SAFETY: `pointer` comes from `alloc` above, hence from the system's allocator.
+        unsafe { System.dealloc(pointer, layout) }
     }
 }
 
 #[global_allocator]
-static COUNTING: Counting = Counting;
+static ALLOCATOR: CountingAllocator = CountingAllocator;
 
-/// What `work` answers, and the most bytes that are held at once while it is done, beyond those
-/// held before.
-pub fn most_held<T>(work: impl FnOnce() -> T) -> (T, usize) {
-    let before = HELD.load(Relaxed);
-    MOST.store(before, Relaxed);
-    let done = work();
-    (done, MOST.load(Relaxed) - before)
+/// The result of `work`, and the most bytes that were allocated at once during it, beyond those before.
+pub fn peak_memory<T>(work: impl FnOnce() -> T) -> (T, usize) {
+    let before = ALLOCATED.load(Relaxed);
+    PEAK.store(before, Relaxed);
+    let result = work();
+    (result, PEAK.load(Relaxed) - before)
 }

@@ -2,7 +2,7 @@
 //!
 //! The allocator counts all allocations of the process, so the program has only one test.
 
-use strahl_loader_tests::memory::{Bound, most_held};
+use strahl_loader_tests::memory::{Bound, peak_memory};
 use strahl_scene::mesh::read;
 
 /// One more than a power of two, so that a growing table has just doubled.
@@ -91,7 +91,7 @@ fn loading_takes_at_most_a_small_multiple_of_the_file_size() {
     for (extension, bytes) in files() {
         let path = folder.path().join("file").with_extension(extension);
         std::fs::write(&path, &bytes).unwrap();
-        let (loaded, most) = most_held(|| read(&path));
+        let (loaded, most) = peak_memory(|| read(&path));
         let start = String::from_utf8_lossy(&bytes[..bytes.len().min(300)]);
         let bound = Bound::MESH.of(bytes.len());
         assert!(

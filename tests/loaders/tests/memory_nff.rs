@@ -5,7 +5,7 @@
 use std::io::Write;
 
 use strahl_loader_tests::invalid_nff::{VIEW, invalid_files};
-use strahl_loader_tests::memory::{Bound, most_held};
+use strahl_loader_tests::memory::{Bound, peak_memory};
 use strahl_scene::load;
 
 /// Long invalid files that repeat one entity.
@@ -42,7 +42,7 @@ fn loading_an_invalid_file_takes_at_most_a_small_multiple_of_its_size() {
     let files = invalid_files().into_iter().map(|(bytes, ..)| bytes).chain(long_files());
     for bytes in files {
         std::fs::File::create(&path).unwrap().write_all(&bytes).unwrap();
-        let (loaded, most) = most_held(|| load(&path));
+        let (loaded, most) = peak_memory(|| load(&path));
         let start = String::from_utf8_lossy(&bytes[..bytes.len().min(200)]);
         assert!(loaded.is_err(), "{start}");
         let bound = Bound::NFF.of(bytes.len());

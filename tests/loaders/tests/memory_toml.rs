@@ -3,7 +3,7 @@
 //! The allocator counts all allocations of the process, so the program has only one test.
 
 use strahl_loader_tests::invalid_toml::INVALID;
-use strahl_loader_tests::memory::{Bound, most_held};
+use strahl_loader_tests::memory::{Bound, peak_memory};
 use strahl_scene::load;
 
 /// One more than a power of two: a table has just been doubled.
@@ -66,7 +66,7 @@ fn loading_takes_at_most_a_small_multiple_of_the_file_size() {
     let wrong = INVALID.iter().map(|(text, ..)| (*text).to_owned());
     for text in wrong.chain(files()) {
         std::fs::write(&path, &text).unwrap();
-        let (loaded, most) = most_held(|| load(&path));
+        let (loaded, most) = peak_memory(|| load(&path));
         let start: String = text.chars().take(200).collect();
         let bound = Bound::TOML.of(text.len());
         assert!(

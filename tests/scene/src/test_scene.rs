@@ -161,7 +161,7 @@ impl TestScene {
         self.tables.scene().unwrap()
     }
 
-    /// Mean color of `n` camera rays from `eye` to `target` that differ only in their random numbers.
+    /// Mean color of `n` camera rays from `viewpoint` to `target` that differ only in their random numbers.
     pub fn trace_samples(
         &self,
         viewpoint: Vec3,
@@ -181,7 +181,7 @@ impl TestScene {
                 sequence: SobolSequence::new(7, 5, index, seed),
             };
             let color = tracer.trace(sample, &mut worker).color;
-            #[allow(clippy::useless_conversion)] // in the twin
+            #[allow(clippy::useless_conversion)] // where `Real` is f64
             for (sum, channel) in sum.iter_mut().zip([color.r, color.g, color.b]) {
                 *sum += f64::from(channel) / f64::from(n);
             }
@@ -189,12 +189,12 @@ impl TestScene {
         sum
     }
 
-    /// Color of the ray from `eye` to `target`, traced with a list without bounds.
+    /// Color of the ray from `viewpoint` to `target`, traced with a list without bounds.
     pub fn trace(&self, viewpoint: Vec3, target: Vec3, limits: Limits) -> Rgb {
         self.trace_counted(viewpoint, target, limits).0
     }
 
-    /// Color of the ray from `eye` to `target`, and the counters of tracing it.
+    /// Color of the ray from `viewpoint` to `target`, and the counters of tracing it.
     pub fn trace_counted(&self, viewpoint: Vec3, target: Vec3, limits: Limits) -> (Rgb, Counters) {
         let world = World::new(self.as_scene(), List::without_bounds(self.item_count()));
         let tracer =
@@ -208,8 +208,8 @@ impl TestScene {
     }
 }
 
-/// Camera of a picture of one pixel whose central ray runs from `eye` to `target`. It is orthographic, so
-/// that the ray starts at `eye` exactly.
+/// Camera of a picture of one pixel whose central ray runs from `viewpoint` to `target`. It is orthographic, so
+/// that the ray starts at `viewpoint` exactly.
 fn one_ray_camera(viewpoint: Vec3, target: Vec3) -> Camera {
     let direction = target - viewpoint;
     let up = if direction.x.abs() < direction.y.abs() { Vec3::X } else { Vec3::Y };
@@ -223,13 +223,13 @@ fn narrow(v: DVec3) -> Vec3 {
     vec3(v.x as Real, v.y as Real, v.z as Real)
 }
 
-#[allow(clippy::useless_conversion)] // in the twin
+#[allow(clippy::useless_conversion)] // where `Real` is f64
 fn wide(v: Vec3) -> DVec3 {
     dvec3(v.x.into(), v.y.into(), v.z.into())
 }
 
 impl TestedCore for TestScene {
-    #[allow(clippy::unnecessary_cast)] // in the twin
+    #[allow(clippy::unnecessary_cast)] // where `Real` is f64
     const ROUNDOFF: f64 = ROUNDOFF as f64;
     const NAME: &'static str = if cfg!(feature = "double") { "double" } else { "single" };
 
@@ -247,7 +247,7 @@ impl TestedCore for TestScene {
         let mut groups = vec![Aabb::EMPTY; group_count(boxes.len())];
         let bounded = World::new(self.as_scene(), List::with_boxes(&boxes, &mut groups).unwrap());
 
-        #[allow(clippy::useless_conversion)] // in the twin
+        #[allow(clippy::useless_conversion)] // where `Real` is f64
         let cast = |ray: &TestRay| {
             let core_ray = Ray::new(narrow(ray.origin), narrow(ray.direction));
             let hit = unbounded.nearest_hit::<AllEffects, _>(

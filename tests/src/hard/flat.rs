@@ -72,8 +72,8 @@ fn point_of([a, b, c]: &[DVec3; 3], rng: &mut SplitMix64) -> DVec3 {
     *a + (*b - *a) * u + (*c - *a) * v
 }
 
-fn any_triangle(place: DVec3, size: f64, rng: &mut SplitMix64) -> [DVec3; 3] {
-    match TestShape::random(strahl_test_scene::TestShapeKind::Triangle, place, size, rng) {
+fn any_triangle(center: DVec3, size: f64, rng: &mut SplitMix64) -> [DVec3; 3] {
+    match TestShape::random(strahl_test_scene::TestShapeKind::Triangle, center, size, rng) {
         TestShape::Triangle { vertices } => vertices,
         _ => unreachable!("the kind is a triangle"),
     }
@@ -137,9 +137,9 @@ fn grazed_triangle(rng: &mut SplitMix64) -> (TestShape, Vec<TestRay>) {
 
 fn distant_triangle(rng: &mut SplitMix64) -> (TestShape, Vec<TestRay>) {
     let size = rng.log_between(1e-2, 1e2);
-    let place = as_f32(rng.direction() * (size * rng.log_between(1e3, 1e4)));
-    let vertices = any_triangle(place, size, rng);
-    let viewpoint = as_f32(place + rng.direction() * (size * rng.log_between(0.5, 10.0)));
+    let center = as_f32(rng.direction() * (size * rng.log_between(1e3, 1e4)));
+    let vertices = any_triangle(center, size, rng);
+    let viewpoint = as_f32(center + rng.direction() * (size * rng.log_between(0.5, 10.0)));
     (TestShape::Triangle { vertices }, rays(|| towards(viewpoint, point_of(&vertices, rng))))
 }
 
@@ -202,10 +202,10 @@ fn level_with_vertices(rng: &mut SplitMix64) -> (TestShape, Vec<TestRay>) {
 
 fn distant_polygon(rng: &mut SplitMix64) -> (TestShape, Vec<TestRay>) {
     let size = rng.log_between(1e-2, 1e2);
-    let place = as_f32(rng.direction() * (size * rng.log_between(1e3, 1e4)));
-    let polygon = TestShape::random(strahl_test_scene::TestShapeKind::Polygon, place, size, rng);
-    let viewpoint = as_f32(place + rng.direction() * (size * rng.log_between(0.5, 10.0)));
-    (polygon, rays(|| towards(viewpoint, rng.in_ball(place, size))))
+    let center = as_f32(rng.direction() * (size * rng.log_between(1e3, 1e4)));
+    let polygon = TestShape::random(strahl_test_scene::TestShapeKind::Polygon, center, size, rng);
+    let viewpoint = as_f32(center + rng.direction() * (size * rng.log_between(0.5, 10.0)));
+    (polygon, rays(|| towards(viewpoint, rng.in_ball(center, size))))
 }
 
 fn grazed_plane(rng: &mut SplitMix64) -> (TestShape, Vec<TestRay>) {
@@ -220,9 +220,9 @@ fn grazed_plane(rng: &mut SplitMix64) -> (TestShape, Vec<TestRay>) {
 }
 
 fn distant_plane(rng: &mut SplitMix64) -> (TestShape, Vec<TestRay>) {
-    let place = as_f32(rng.direction() * 1e5);
-    let (point, normal) = (rng.in_ball(place, 10.0), rng.direction());
-    let ray = |rng: &mut SplitMix64| towards(rng.in_ball(place, 10.0), rng.in_ball(place, 10.0));
+    let center = as_f32(rng.direction() * 1e5);
+    let (point, normal) = (rng.in_ball(center, 10.0), rng.direction());
+    let ray = |rng: &mut SplitMix64| towards(rng.in_ball(center, 10.0), rng.in_ball(center, 10.0));
     (TestShape::Plane { point, normal }, rays(|| ray(rng)))
 }
 
@@ -290,12 +290,12 @@ fn inside_box(rng: &mut SplitMix64) -> (TestShape, Vec<TestRay>) {
 }
 
 /// A random oriented box, its center, half extents and axes.
-fn any_oriented_box(place: f64, rng: &mut SplitMix64) -> (TestShape, DVec3, DVec3, [DVec3; 3]) {
+fn any_oriented_box(relative_distance: f64, rng: &mut SplitMix64) -> (TestShape, DVec3, DVec3, [DVec3; 3]) {
     let size = rng.log_between(1e-2, 1e2);
     let third = rng.direction();
     let first = perpendicular(third, rng);
     let first = as_f32(first + third * rng.between(-0.5, 0.5));
-    let center = as_f32(rng.direction() * (size * place));
+    let center = as_f32(rng.direction() * (size * relative_distance));
     let half =
         as_f32(dvec3(rng.log_between(0.1, 1.0), rng.log_between(0.1, 1.0), rng.log_between(0.1, 1.0)) * size);
     let z = third / length(third);
@@ -304,8 +304,8 @@ fn any_oriented_box(place: f64, rng: &mut SplitMix64) -> (TestShape, DVec3, DVec
 }
 
 fn distant_box(rng: &mut SplitMix64) -> (TestShape, Vec<TestRay>) {
-    let place = rng.log_between(1e2, 1e4);
-    let (shape, center, half, _) = any_oriented_box(place, rng);
+    let relative_distance = rng.log_between(1e2, 1e4);
+    let (shape, center, half, _) = any_oriented_box(relative_distance, rng);
     let ray = |rng: &mut SplitMix64| {
         let viewpoint = as_f32(center + rng.direction() * (length(half) * rng.log_between(0.1, 10.0)));
         towards(viewpoint, rng.in_ball(center, length(half)))

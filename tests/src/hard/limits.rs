@@ -22,9 +22,9 @@ const RAYS: usize = 40;
 /// Shapes of every kind and rays at them.
 fn scenes(rng: &mut SplitMix64) -> Vec<(TestShape, Vec<TestRay>)> {
     let scene = |kind: &TestShapeKind| {
-        let place = rng.in_ball(DVec3::ZERO, 5.0);
-        let shape = TestShape::random(*kind, place, rng.log_between(0.1, 3.0), rng);
-        let ray = |rng: &mut SplitMix64| towards(rng.in_ball(place, 12.0), rng.in_ball(place, 2.0));
+        let center = rng.in_ball(DVec3::ZERO, 5.0);
+        let shape = TestShape::random(*kind, center, rng.log_between(0.1, 3.0), rng);
+        let ray = |rng: &mut SplitMix64| towards(rng.in_ball(center, 12.0), rng.in_ball(center, 2.0));
         (shape, (0..RAYS).map(|_| ray(rng)).collect())
     };
     TestShapeKind::ALL.iter().cycle().take(SHAPES * TestShapeKind::ALL.len()).map(scene).collect()

@@ -7,10 +7,10 @@
 //! over the cosine between ray and normal, plus the distance itself.
 
 mod bounds;
+mod box_scenes;
 mod case;
 mod curved;
 mod flat;
-mod lattice;
 mod limits;
 mod mesh;
 mod optics;

@@ -11,7 +11,7 @@ const SIDE: usize = 112;
 /// Pixels between panels.
 const GAP: usize = 4;
 
-/// A panel: a shape, the eye, the half extent of the view, and the error bound of the case.
+/// A panel: a shape, the viewpoint, the half extent of the view, and the error bound of the case.
 struct HardCasePanel {
     shape: TestShape,
     viewpoint: DVec3,
@@ -87,7 +87,7 @@ impl HardCasePanel {
         (0..SIDE).flat_map(|row| (0..SIDE).map(move |column| (row, column))).map(|(r, c)| ray(r, c)).collect()
     }
 
-    /// Colors of the rays: lit from the eye, red if the answer is wrong.
+    /// Colors of the rays: lit from the viewpoint, red if the answer is wrong.
     fn colors(&self, rays: &[TestRay], expected: &[OracleAnswer], solver: Solver) -> Vec<[u8; 3]> {
         let answers = answers(solver, &self.shape, rays);
         let color = |((ray, expected), answer)| {

@@ -128,7 +128,7 @@ macro_rules! core {
                 let toward = try_normalize(narrow(light)).unwrap();
                 let source = LightSource::Directional { to_light: toward };
                 scene.lights.push(Light { source, color: Rgb::WHITE, casts_shadows: true });
-                let look = |viewpoint: &TestRay| {
+                let is_lit = |viewpoint: &TestRay| {
                     let limits = Limits { levels: 1, cutoff: 0.0 };
                     !scene
                         .trace(
@@ -138,7 +138,7 @@ macro_rules! core {
                         )
                         .is_black()
                 };
-                let lit = camera_rays.iter().map(look).collect();
+                let lit = camera_rays.iter().map(is_lit).collect();
                 (hit, lit)
             }
         }

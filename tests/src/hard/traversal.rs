@@ -1,8 +1,8 @@
 //! Rays in the planes, edges and corners of an accelerator's cells, and degenerate scenes: every accelerator
 //! must find what the list finds, bit for bit.
 
+use super::box_scenes::{BoxesAndRays, at_integers, degenerate, long_row, scaled_and_moved};
 use super::case::{HardCase, HardCaseTally, Solver};
-use super::lattice::{BoxesAndRays, degenerate, lattice, row, uneven};
 use crate::textbook::accelerators::{BoxList, NearestHit, TextbookBvh, TextbookGrid, TextbookOctree};
 use strahl_test_scene::{SplitMix64, TestRay, TestShape};
 
@@ -40,39 +40,39 @@ const fn long(
 
 pub(super) const CASES: [HardCase; 11] = [
     case("grid", "distances of planes are accumulated; 0 and -0 step the wrong way", |rng| {
-        evaluated(TestedAccelerator::Grid, lattice, rng)
+        evaluated(TestedAccelerator::Grid, at_integers, rng)
     })
     .seed(0xee96_d26c_5c62_6795),
     off("grid", "distances of planes are accumulated; an item is listed on one side", |rng| {
-        evaluated(TestedAccelerator::Grid, uneven, rng)
+        evaluated(TestedAccelerator::Grid, scaled_and_moved, rng)
     })
     .seed(0x2f17_f986_44b8_65a5),
-    long("grid", "accumulated distances drift", |rng| evaluated(TestedAccelerator::Grid, row, rng)),
+    long("grid", "accumulated distances drift", |rng| evaluated(TestedAccelerator::Grid, long_row, rng)),
     odd("grid", "a cell without thickness, 0 over 0", |rng| {
         evaluated(TestedAccelerator::Grid, degenerate, rng)
     })
     .seed(0x4ec4_b6d3_4f08_0aa6),
     case("octree", "the point is moved slightly beyond the plane, and rounded back", |rng| {
-        evaluated(TestedAccelerator::Octree, lattice, rng)
+        evaluated(TestedAccelerator::Octree, at_integers, rng)
     })
     .seed(0xe70e_d57b_666b_e28b),
     off("octree", "the point is moved slightly beyond the plane, and rounded back", |rng| {
-        evaluated(TestedAccelerator::Octree, uneven, rng)
+        evaluated(TestedAccelerator::Octree, scaled_and_moved, rng)
     })
     .seed(0x06e3_af33_005a_bb57),
     long("octree", "the point is moved slightly beyond the plane", |rng| {
-        evaluated(TestedAccelerator::Octree, row, rng)
+        evaluated(TestedAccelerator::Octree, long_row, rng)
     }),
     odd("octree", "the point is moved slightly beyond the plane", |rng| {
         evaluated(TestedAccelerator::Octree, degenerate, rng)
     })
     .seed(0x04f7_c5ef_0d44_57a8),
     case("BVH", "0 times infinity decides; ties by the order of visits", |rng| {
-        evaluated(TestedAccelerator::Bvh, lattice, rng)
+        evaluated(TestedAccelerator::Bvh, at_integers, rng)
     })
     .seed(0xa922_f628_cf88_8452),
     off("BVH", "0 times infinity decides; a far end comes before the near one", |rng| {
-        evaluated(TestedAccelerator::Bvh, uneven, rng)
+        evaluated(TestedAccelerator::Bvh, scaled_and_moved, rng)
     })
     .seed(0x403f_01e6_e2b8_c52c),
     odd("BVH", "0 times infinity decides; ties by the order of visits", |rng| {
@@ -151,7 +151,7 @@ macro_rules! core {
             use super::{NearestHit, TestRay, TestShape, TestedAccelerator};
             use strahl_test_scene::TestedCore;
 
-            #[allow(clippy::useless_conversion)] // in the twin
+            #[allow(clippy::useless_conversion)] // where `Real` is f64
             fn nearest<A: Accelerator>(
                 scene: &TestScene,
                 accelerator: A,

@@ -321,9 +321,9 @@ fn cone(
     let b = 2.0 * (q.dot(dq) - slope * dz * radius);
     let c = q.dot(q) - radius * radius;
     let mut best: Option<TextbookHit> = None;
-    let mut offer = |met: TextbookHit| {
-        if met.t > 0.0 && best.is_none_or(|best| met.t < best.t) {
-            best = Some(met);
+    let mut offer = |hit: TextbookHit| {
+        if hit.t > 0.0 && best.is_none_or(|best| hit.t < best.t) {
+            best = Some(hit);
         }
     };
     for t in quadratic(a, b, c).into_iter().flatten() {

@@ -256,7 +256,7 @@ fn flat_items_agree_with_the_list() {
 }
 
 #[test]
-fn a_ray_along_an_axis_through_a_lattice_of_boxes_hits_the_first_of_its_row() {
+fn a_ray_along_an_axis_through_rows_of_boxes_hits_the_first_of_its_row() {
     // The boxes touch, and half of the rays run in their faces.
     let mut scene = TestScene::new();
     for (x, y, z) in (0..64).map(|i| (i % 4, i / 4 % 4, i / 16)) {

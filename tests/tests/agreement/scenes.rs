@@ -11,7 +11,7 @@ use strahl_test_scene::{SplitMix64, TestScene};
 
 use crate::check::AcceleratorCheck;
 
-/// A coordinate: on a lattice, next to one of its points, or arbitrary.
+/// A coordinate: an integer, next to one, or arbitrary.
 fn coordinate() -> impl Strategy<Value = Real> {
     prop_oneof![
         4 => (-8_i8..=8).prop_map(Real::from),

@@ -184,12 +184,12 @@ fn the_core_allocates_no_memory() {
         let mut adaptive = AdaptiveSampler::new(subdivision, CornerRowCache::new(&mut row), &mut cache);
         let Ok(()) = render(&mut tracer.with_worker(&mut worker), &mut adaptive, tile.pixels(), &mut frame);
         let all = PretracedCorners::corner_tile(tile);
-        let mut lattice = Framebuffer::new(all, &mut corners).unwrap();
+        let mut corner_frame = Framebuffer::new(all, &mut corners).unwrap();
         let Ok(()) = render(
             &mut tracer.with_worker(&mut worker),
             &mut UpperLeftCornerSampler(subdivision),
             all.pixels(),
-            &mut lattice,
+            &mut corner_frame,
         );
         let mut adaptive =
             AdaptiveSampler::new(subdivision, PretracedCorners::new(tile, &corners).unwrap(), &mut cache);

@@ -53,9 +53,9 @@ fn corners_are_the_same_from_any_buffer_and_none_is_traced_twice() {
             );
         }
         assert_eq!(worker.tally().rays[RayKind::Camera], corners);
-        let mut lattice =
+        let mut sampler =
             AdaptiveSampler::new(corners_only(), PretracedCorners::new(whole, &memory).unwrap(), &mut []);
-        let (colors, counters) = picture::<_, AllEffects, 5>(&world, s, Limits::DEFAULT, &mut lattice);
+        let (colors, counters) = picture::<_, AllEffects, 5>(&world, s, Limits::DEFAULT, &mut sampler);
         assert_eq!((colors, counters), (expected, Counters::new()), "{w}x{h}");
     }
 }
@@ -86,7 +86,7 @@ fn a_row_of_corners_that_is_too_short_costs_rays_and_changes_no_pixel() {
 }
 
 #[test]
-fn frames_and_lattices_of_another_size_are_refused() {
+fn framebuffers_and_corners_of_another_size_are_refused() {
     let s = size(3, 2);
     let mut memory = vec![PixelSample::BLACK; 20];
     for provided in 0..20 {

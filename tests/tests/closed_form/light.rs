@@ -63,11 +63,11 @@ fn a_light_below_the_surface_adds_nothing() {
 }
 
 #[test]
-fn diffuse_light_does_not_depend_on_the_eye() {
+fn diffuse_light_does_not_depend_on_the_camera() {
     let source = point(0.5, Falloff::NONE);
     for viewpoint in [vec3(3.0, 1.0, 0.0), vec3(-2.0, 0.25, 5.0), vec3(0.0, 40.0, 1.0)] {
         let cos = 0.5_f64.cos();
-        // The hit point is the origin up to some roundings of the eye's distance over its height.
+        // The hit point is the origin up to some roundings of the camera's distance over its height.
         assert_color(
             lit_from(MATTE, source, viewpoint),
             lit_color([0.5 * cos, cos, 0.25 * cos]),
@@ -208,7 +208,7 @@ fn the_highlight_falls_with_the_power_of_the_cosine() {
 
 #[test]
 fn a_highlight_ends_at_a_right_angle_and_needs_an_exponent() {
-    // The light is at 60 degrees, the eye at 45 on the same side: 105 from the mirror direction.
+    // The light is at 60 degrees, the camera at 45 on the same side: 105 from the mirror direction.
     let angle = std::f64::consts::FRAC_PI_3;
     assert_eq!(lit_from(SHINY, point(angle, Falloff::NONE), vec3(4.0, 4.0, 0.0)), Rgb::BLACK);
     let source = LightSource::Point { position: vec3(3.0, 4.0, 0.0), falloff: Falloff::NONE };

@@ -79,7 +79,7 @@ fn ruler_x(color: Rgb) -> f64 {
 /// Absolute tolerance of [`ruler_x`].
 const RULER_TOLERANCE: f64 = 2.0 * RULER_HALF_WIDTH * ROUNDINGS;
 
-/// Traces a ray from `eye` downward, at an angle from the vertical towards +x.
+/// Traces a ray from `viewpoint` downward, at an angle from the vertical towards +x.
 fn trace_down(scene: &TestScene, viewpoint: [f64; 2], angle: f64, limits: Limits) -> Rgb {
     trace_down_counted(scene, viewpoint, angle, limits).0
 }

@@ -77,7 +77,7 @@ fn an_item_inside_a_body_is_visible_through_it() {
 }
 
 #[test]
-fn an_eye_inside_glass_starts_in_its_medium() {
+fn a_camera_inside_glass_starts_in_its_medium() {
     let mut scene = TestScene::new();
     plate(&mut scene, body(1.5, Rgb::gray(4.0), 0), -2.0, 0.0);
     let mut open = scene.clone();

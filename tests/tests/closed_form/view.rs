@@ -176,7 +176,7 @@ fn triangle_color(two_sided: bool, viewpoint: Real, light: Real) -> Rgb {
 }
 
 #[test]
-fn a_two_sided_surface_is_lit_on_the_side_of_the_eye() {
+fn a_two_sided_surface_is_lit_on_the_side_of_the_camera() {
     for (viewpoint, light, lit) in
         [(2.0, 3.0, true), (2.0, -3.0, false), (-2.0, -3.0, true), (-2.0, 3.0, false)]
     {

@@ -1,4 +1,4 @@
-//! Each file is a module of one crate, in the place where its name says.
+//! Each file is a module of one crate, in the folder that its path names.
 
 use std::collections::HashMap;
 use std::fs;

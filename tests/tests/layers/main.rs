@@ -47,7 +47,7 @@ fn core() -> Crate {
     core
 }
 
-/// All targets of the workspace's packages: the package, and the file of the root module. A twin package has
+/// All targets of the workspace's packages: the package, and the file of the root module. A package with `Real = f64` has
 /// the sources of the package for single precision, and counts once.
 fn targets() -> Vec<(String, PathBuf)> {
     let output = Command::new(env!("CARGO"))

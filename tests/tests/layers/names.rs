@@ -46,9 +46,9 @@ impl<'c> Names<'c> {
 
     /// Items that other crates can name, each by the module that defines it and its name there.
     pub fn exported(&self) -> BTreeSet<(usize, String)> {
-        let (mut exported, mut open, mut seen) = (BTreeSet::new(), vec![0], HashSet::new());
+        let (mut exported, mut open, mut visited) = (BTreeSet::new(), vec![0], HashSet::new());
         while let Some(module) = open.pop() {
-            if !seen.insert(module) {
+            if !visited.insert(module) {
                 continue;
             }
             let scope = &self.scopes[module];
@@ -100,8 +100,8 @@ impl<'c> Names<'c> {
             && imported.chain(&scope.mentioned).any(is_there)
     }
 
-    fn found(&self, module: usize, name: &str, seen: &mut HashSet<(usize, String)>) -> Vec<Target> {
-        if !seen.insert((module, name.to_owned())) {
+    fn found(&self, module: usize, name: &str, visited: &mut HashSet<(usize, String)>) -> Vec<Target> {
+        if !visited.insert((module, name.to_owned())) {
             return Vec::new();
         }
         let scope = &self.scopes[module];
@@ -110,13 +110,13 @@ impl<'c> Names<'c> {
             found.push(Target::ItemIn(module));
         }
         for import in scope.imports.iter().filter(|import| import.name == name) {
-            found.extend(self.resolved(module, &import.path, seen));
+            found.extend(self.resolved(module, &import.path, visited));
         }
         if found.is_empty() {
             for glob in &scope.globs {
-                for target in self.resolved(module, &glob.path, seen) {
+                for target in self.resolved(module, &glob.path, visited) {
                     if let Target::Module(other) = target {
-                        found.extend(self.found(other, name, seen));
+                        found.extend(self.found(other, name, visited));
                     }
                 }
             }
@@ -128,13 +128,18 @@ impl<'c> Names<'c> {
     }
 
     /// Targets of a path in the code of a module; empty if it leads to another crate.
-    fn resolved(&self, module: usize, path: &[String], seen: &mut HashSet<(usize, String)>) -> Vec<Target> {
+    fn resolved(
+        &self,
+        module: usize,
+        path: &[String],
+        visited: &mut HashSet<(usize, String)>,
+    ) -> Vec<Target> {
         let mut rest = path;
         let mut at = match rest {
             [first, ..] if first == "crate" || first == "$crate" => vec![Target::Module(0)],
             [first, ..] if first == "self" => vec![Target::Module(module)],
             [first, ..] if first == "super" => vec![Target::Module(self.parent(module))],
-            [first, ..] => self.found(module, first, seen),
+            [first, ..] => self.found(module, first, visited),
             [] => return Vec::new(),
         };
         rest = &rest[1..];
@@ -142,7 +147,7 @@ impl<'c> Names<'c> {
             rest = others;
             let next = |target: Target| match target {
                 Target::Module(of) if name == "super" => vec![Target::Module(self.parent(of))],
-                Target::Module(of) => self.found(of, name, seen),
+                Target::Module(of) => self.found(of, name, visited),
                 item => vec![item],
             };
             at = at.into_iter().flat_map(next).collect();

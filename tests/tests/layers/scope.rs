@@ -1,4 +1,4 @@
-//! The names of one module: those that it defines, imports and mentions, by every form of `use`, by paths,
+//! The names of one module: those that it defines, imports and mentions, by every kind of `use`, by paths,
 //! and in macros.
 
 use std::collections::HashSet;

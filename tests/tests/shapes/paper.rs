@@ -88,7 +88,7 @@ fn a_triangle_contains_its_edges_and_vertices() {
 fn a_triangle_without_area_is_never_hit() {
     let mut rng = SplitMix64::new(5);
     for round in 0..3000 {
-        // On a lattice, so that three points on one line are exactly collinear.
+        // Multiples of 1/64, so that three points on one line are exactly collinear.
         let mut point = |size: f64| (rng.in_ball(DVec3::ZERO, size) * 64.0).round() / 64.0;
         let (a, b) = (point(4.0), point(1.0));
         let vertices = [[a, a + b, a + b * 3.0], [a, a + b, a], [a, a, a]][round % 3];

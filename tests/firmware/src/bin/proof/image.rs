@@ -89,14 +89,16 @@ fn corners<A: Accelerator, E: Effects, T: Tally, const LEVELS: usize>(
         let subdivision = Subdivision::with_seed(subdivision, any(0));
         rendered(tracer, worker, UpperLeftCornerSampler(subdivision));
         rendered(tracer, worker, AdaptiveSampler::new(subdivision, UncachedCorners, any(&mut cache[..])));
-        let mut parted = AdaptiveSampler::new(subdivision, UncachedCorners, any(&mut cache[..]));
+        let mut adaptive = AdaptiveSampler::new(subdivision, UncachedCorners, any(&mut cache[..]));
         let pixel = any(Pixel { x: 0, y: 0 });
         let trace = &mut any_trace;
-        used(AdaptiveSampler::sample_subpixels(&mut parted, pixel, trace, &mut |part: Subpixel| used(part)));
+        used(AdaptiveSampler::sample_subpixels(&mut adaptive, pixel, trace, &mut |subpixel: Subpixel| {
+            used(subpixel)
+        }));
         let row = CornerRowCache::new(any(&mut row[..]));
         rendered(tracer, worker, AdaptiveSampler::new(subdivision, row, any(&mut cache[..])));
-        if let Some(lattice) = PretracedCorners::new(any_tile(), any(&samples[..])) {
-            rendered(tracer, worker, AdaptiveSampler::new(subdivision, lattice, any(&mut cache[..])));
+        if let Some(corners) = PretracedCorners::new(any_tile(), any(&samples[..])) {
+            rendered(tracer, worker, AdaptiveSampler::new(subdivision, corners, any(&mut cache[..])));
         }
     }
     if let Some(selection) = PixelSelection::new(any(4), contrast) {

@@ -129,8 +129,8 @@ pub fn any_camera() -> Option<Camera> {
 
 fn looked_at() {
     used((Resolution::width(any_size()), Resolution::height(any_size())));
-    let place = any(FilmPoint { x: 0.0, y: 0.0 });
-    used(any_camera().map(|camera| (Camera::ray(&camera, place), Camera::has_depth_of_field(&camera))));
+    let point = any(FilmPoint { x: 0.0, y: 0.0 });
+    used(any_camera().map(|camera| (Camera::ray(&camera, point), Camera::has_depth_of_field(&camera))));
 }
 
 pub fn any_sample() -> CameraSample {

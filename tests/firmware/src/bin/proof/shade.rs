@@ -27,7 +27,7 @@ pub fn entry_points() {
         ));
         media = crossing.stack_behind;
     }
-    // Not only what a way through bodies leads to.
+    // Also stacks that no path through bodies produces.
     let media = any(MediumStack::EMPTY);
     used(MediumStack::current(media, materials));
     used((MediumStack::enter(media, body, materials), MediumStack::exit(media, body, materials)));

@@ -9,7 +9,7 @@ pub(super) type BoxesAndRays = (Vec<TestShape>, Vec<TestRay>);
 const RAYS: usize = 250;
 
 /// Boxes with integer corners, which lie on the cell planes of subdivisions of the scene.
-pub(super) fn lattice(rng: &mut SplitMix64) -> BoxesAndRays {
+pub(super) fn at_integers(rng: &mut SplitMix64) -> BoxesAndRays {
     const SIDE: u32 = 8;
     let cube = |low: DVec3, size: DVec3| TestShape::Cuboid { min: low, max: low + size };
     // Two boxes in opposite corners fix the size of the scene.
@@ -27,10 +27,10 @@ pub(super) fn lattice(rng: &mut SplitMix64) -> BoxesAndRays {
 
 /// A ray in a cell plane, along an edge, through corners or from one of them, or a random ray.
 fn cell_plane_ray(side: f64, rng: &mut SplitMix64) -> TestRay {
-    let lattice_point = |rng: &mut SplitMix64| f64::from(rng.below(2 * side as u32 + 1)) * 0.5;
+    let half_integer = |rng: &mut SplitMix64| f64::from(rng.below(2 * side as u32 + 1)) * 0.5;
     let any = |rng: &mut SplitMix64| rng.between(-0.5 * side, 1.5 * side);
     let sign = |rng: &mut SplitMix64| if rng.below(2) == 0 { 1.0 } else { -1.0 };
-    let corner = dvec3(lattice_point(rng), lattice_point(rng), lattice_point(rng));
+    let corner = dvec3(half_integer(rng), half_integer(rng), half_integer(rng));
     let diagonal = dvec3(sign(rng), sign(rng), sign(rng));
     match rng.below(5) {
         // Through corners of cells, where three planes meet.
@@ -66,7 +66,7 @@ fn cell_plane_ray(side: f64, rng: &mut SplitMix64) -> TestRay {
 
 /// A flat scene, a single box, many coincident boxes, or a scene with a distant outlier.
 pub(super) fn degenerate(rng: &mut SplitMix64) -> BoxesAndRays {
-    let (shapes, rays) = lattice(rng);
+    let (shapes, rays) = at_integers(rng);
     let bounds = |shape: &TestShape| match shape {
         TestShape::Cuboid { min, max } => (*min, *max),
         _ => (DVec3::ZERO, DVec3::ZERO),
@@ -97,10 +97,10 @@ pub(super) fn degenerate(rng: &mut SplitMix64) -> BoxesAndRays {
     (shapes, rays)
 }
 
-/// [`lattice`], scaled and moved so that faces and cell planes are not integers: coordinates that were equal
+/// [`at_integers`], scaled and moved so that faces and cell planes are not integers: coordinates that were equal
 /// differ by rounding.
-pub(super) fn uneven(rng: &mut SplitMix64) -> BoxesAndRays {
-    let (shapes, rays) = lattice(rng);
+pub(super) fn scaled_and_moved(rng: &mut SplitMix64) -> BoxesAndRays {
+    let (shapes, rays) = at_integers(rng);
     let (size, shift) = (rng.log_between(0.01, 100.0), rng.in_ball(DVec3::ZERO, 10.0));
     let transform = |v: DVec3| as_f32((v + shift) * size);
     let shape = |shape: TestShape| match shape {
@@ -113,7 +113,7 @@ pub(super) fn uneven(rng: &mut SplitMix64) -> BoxesAndRays {
 
 /// Long bars, and small plates across their lower faces. A ray reaches a plate after hundreds of cells; right
 /// behind the plate is the bar, which the accelerator has offered long before.
-pub(super) fn row(rng: &mut SplitMix64) -> BoxesAndRays {
+pub(super) fn long_row(rng: &mut SplitMix64) -> BoxesAndRays {
     const LENGTH: f64 = 3000.0;
     let (mut shapes, mut rays) = (Vec::new(), Vec::new());
     for _ in 0..5 {
