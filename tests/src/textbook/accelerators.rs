@@ -6,7 +6,8 @@
 use strahl_core::geometry::{Aabb, Ray};
 use strahl_core::{AllEffects, Geometry, Shape, Vec3, vec3};
 
-use super::{EPSILON, narrow, slabs};
+use super::intersect::slabs;
+use super::{EPSILON, narrow};
 use strahl_test_scene::{TestRay, TestShape};
 
 /// Nearest hit.
