@@ -16,11 +16,13 @@ mod filter;
 mod filter_sample;
 #[cfg(not(feature = "double"))]
 mod pixel;
+mod pixel_estimate;
+mod pixel_selection;
+mod pixel_selector;
 mod quadtree;
 mod regular;
 mod sample_cache;
 mod sampler;
-mod selected;
 mod sink;
 mod stochastic;
 
@@ -36,9 +38,11 @@ pub use corner_cache::{CornerCache, CornerRowCache, PretracedCorners, StridedSam
 pub use draw_target::{Dither, DrawTargetSink, FromChannels};
 pub use filter::Filter;
 pub use pixel::{Pixel, Tile};
+pub use pixel_estimate::PixelEstimate;
+pub use pixel_selection::PixelSelection;
+pub use pixel_selector::PixelSelector;
 pub use regular::RegularSampler;
 pub use sample_cache::CacheEntry;
 pub use sampler::Sampler;
-pub use selected::{PixelSelection, PixelSelector};
 pub use sink::{Framebuffer, FramebufferPixel, Sink};
-pub use stochastic::{Confidence, PixelEstimate, StochasticSampler};
+pub use stochastic::{Confidence, StochasticSampler};

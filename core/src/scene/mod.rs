@@ -3,6 +3,7 @@
 //! A [`SceneDescriptor`] borrows the tables of a scene; [`Scene::new`] checks them once, so that tracing
 //! cannot fail. A [`World`] adds the accelerator and finds the items that rays hit.
 
+mod background;
 mod camera;
 mod check;
 #[cfg(not(feature = "double"))]
@@ -40,6 +41,7 @@ use strahl_core::scene::{
     self as resolution,
 };
 
+pub use background::Background;
 pub use camera::{Camera, CameraDescriptor, CameraSample, FilmPoint, Projection};
 pub use effect_set::{EffectSet, LevelLimitRadiance};
 pub use effects::{AllEffects, Effects};
@@ -62,55 +64,7 @@ pub use world::World;
 use check::FieldChecks;
 
 use crate::geometry::{Geometry, ItemId, Shape};
-use crate::math::{Rgb, Vec3, clamp};
-
-/// Radiance of rays that hit no item.
-///
-/// ```
-/// use strahl_core::{Background, Rgb, Vec3};
-///
-/// let sky = Background::Gradient { up: Vec3::Y, below: Rgb::BLACK, above: Rgb::WHITE };
-/// assert_eq!(sky.radiance(Vec3::X), Rgb::gray(0.5));
-/// ```
-#[derive(Clone, Copy, Debug, PartialEq)]
-#[cfg_attr(feature = "baked", derive(zerocopy::TryFromBytes, zerocopy::KnownLayout, zerocopy::Immutable))]
-#[repr(u32)]
-pub enum Background {
-    /// One color, each channel in `0..=1e6`.
-    Color(Rgb),
-    /// A gradient from one color to another, linear in the component of the direction along `up`.
-    Gradient {
-        /// Up direction, unit vector.
-        up: Vec3,
-        /// Color in the direction `-up`.
-        below: Rgb,
-        /// Color in the direction `up`.
-        above: Rgb,
-    },
-}
-
-impl Background {
-    fn validate(&self, fields: &mut FieldChecks) {
-        match self {
-            Background::Color(color) => fields.color(Field::Color, color, Rgb::MAX_CHANNEL),
-            Background::Gradient { up, below, above } => {
-                fields.direction(Field::Up, up);
-                fields.color(Field::Below, below, Rgb::MAX_CHANNEL);
-                fields.color(Field::Above, above, Rgb::MAX_CHANNEL);
-            }
-        }
-    }
-
-    /// Radiance in a direction. `direction`: unit vector, away from the scene.
-    pub fn radiance(&self, direction: Vec3) -> Rgb {
-        match *self {
-            Background::Color(color) => color,
-            Background::Gradient { up, below, above } => {
-                below.lerp(above, clamp(0.5 + 0.5 * direction.dot(up), 0.0, 1.0))
-            }
-        }
-    }
-}
+use crate::math::Rgb;
 
 /// The tables of a scene, borrowed and not yet checked: the input of [`Scene::new`].
 ///
@@ -292,7 +246,7 @@ fn find_required_effects(descriptor: &SceneDescriptor<'_>) -> EffectSet {
 mod tests {
     use super::*;
     use crate::geometry::{Plane, ShapeError, Sphere};
-    use crate::math::vec3;
+    use crate::math::{Vec3, vec3};
 
     const SPHERE: Shape = Shape::Sphere(Sphere { center: Vec3::ZERO, radius: 1.0 });
     const LIGHT: Light = Light {
