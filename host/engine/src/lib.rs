@@ -1,8 +1,8 @@
 //! Renders scenes of the ray tracer strahl on a workstation, on all cores.
 //!
-//! A [`SceneEngine`] holds a scene with the acceleration structure that its settings select. For each picture it selects
-//! the ray tracer that is compiled for the effects of the scene, and renders the picture tile by tile. It also traces
-//! single rays.
+//! A [`SceneEngine`] holds a scene with an acceleration structure. For each picture it selects the ray tracer that is compiled
+//! for the effects of the scene, and renders the picture tile by tile. It also traces single rays. `strahl-session` opens a
+//! scene file with this package, in single or double precision.
 //!
 //! | module | contents |
 //! |---|---|
@@ -10,11 +10,11 @@
 //! | [`scene_engine`] | [`SceneEngine`]: a scene with its acceleration structure |
 //! | [`accelerators`] | construction of acceleration structures |
 //! | [`world`] | a scene with an acceleration structure of any type |
-//! | [`effects`] | selection of a ray tracer by effect set and counters |
+//! | [`effects`] | selection of the ray tracer for an effect set, with or without counters |
 //! | `prepared` | the effect sets for which ray tracers are compiled |
 //! | [`ray_tracer`] | ray tracers of tiles |
 //! | [`samplers`] | selection of a sampler |
-//! | [`tiles`] | tiles and threads |
+//! | [`tiles`] | rendering of tiles by all threads |
 //! | [`passes`] | progressive rendering |
 //! | [`cost_counting`] | cost of each pixel, counted during rendering |
 //! | [`hits`] | nearest hits of single rays |

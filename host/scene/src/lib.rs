@@ -1,7 +1,7 @@
-//! Scene files of strahl: loading of TOML, NFF, OBJ, PLY and glTF, diagnostics, and procedural scenes.
+//! Loads scene files of strahl in TOML, NFF, OBJ, PLY and glTF, reports their errors, and generates procedural scenes.
 //!
-//! [`load()`] reads a file of any format into a [`LoadedScene`], which is independent of the format and of the
-//! precision.
+//! [`load()`] reads a file of any format. The result, a [`LoadedScene`], is the same plain description for all formats and
+//! for both precisions. [`load_from`] reads the files from memory instead of the disk.
 //!
 //! ```
 //! use std::path::Path;
@@ -13,7 +13,7 @@
 //! let files = SourceFiles::from_memory([("scene.toml".into(), text.into())]);
 //! let scene = load_from(&files, Path::new("scene.toml"), DEFAULT_SIZE).unwrap();
 //! assert_eq!(scene.objects[0].shape.name(), "sphere");
-//! // The file has no camera and no light, so both are chosen.
+//! // The file has no camera and no light, so defaults are added.
 //! assert_eq!(scene.lights.len(), 1);
 //! ```
 //!

@@ -1,31 +1,25 @@
-//! Accuracy against rendering time: studies of scenes, and settings chosen for a target error or a time limit.
+//! Measures how the accuracy and the rendering time of a scene depend on the settings, and finds settings for a target error
+//! or a time limit.
 //!
-//! [`study()`](study::study) renders a scene with many settings and measures each against a reference of high quality. The
-//! result is a [`Study`](record::Study), which is written as `study.json` and `study.csv`, and shown by a page. [`aim`] goes
-//! the other way: it finds the settings for a given error or time.
+//! [`study()`](study::study) renders a scene with many settings and compares each picture with a reference of high quality.
+//! It returns a [`Study`](record::Study): [`record`] writes it as `study.json` and `study.csv`, [`page`] as a report in HTML.
+//!
+//! [`aim::error`] finds the cheapest settings for a target error, [`aim::time`] renders the best picture within a time limit.
 //!
 //! | module | contents |
 //! |---|---|
 //! | [`study`](mod@study) | a study of one scene |
-//! | [`measure`] | which settings are measured, and how |
+//! | [`measure`] | the settings to measure, and the measurements |
 //! | [`record`] | the results: `study.json` and `study.csv` |
 //! | [`page`] | the report, `report.html` |
 //! | [`device`] | measurements made by firmware |
 //! | [`aim`] | settings for a target error or a time limit |
-//! | [`cost_model`] | event counts in instructions |
+//! | [`cost_model`] | instructions estimated from event counts |
 //! | [`pareto`] | the Pareto front of cost and error |
 //! | [`statistics`] | medians and ranges |
-//! | [`error`] | why a study fails |
+//! | [`error`] | errors of a study |
 //!
-//! ```
-//! use strahl_study::pareto::{CostErrorPoint, cheapest_within, pareto_front};
-//!
-//! let points = [(1.0, 0.08), (2.0, 0.03), (4.0, 0.05), (9.0, 0.01)].map(|(cost, error)| CostErrorPoint { cost, error });
-//! assert_eq!(pareto_front(&points), [0, 1, 3]);
-//! assert_eq!(cheapest_within(&points, 0.05), Some(1));
-//! ```
-//!
-//! This package knows no command line and no terminal.
+//! The package has no command line and no terminal.
 
 pub mod aim;
 pub mod cost_model;

@@ -1,4 +1,12 @@
 //! The Pareto front of cost and error.
+//!
+//! ```
+//! use strahl_study::pareto::{CostErrorPoint, cheapest_within, pareto_front};
+//!
+//! let points = [(1.0, 0.08), (2.0, 0.03), (4.0, 0.05), (9.0, 0.01)].map(|(cost, error)| CostErrorPoint { cost, error });
+//! assert_eq!(pareto_front(&points), [0, 1, 3]);
+//! assert_eq!(cheapest_within(&points, 0.05), Some(1));
+//! ```
 
 /// Errors for which the cheapest settings are recommended.
 pub const ERROR_LIMITS: [f64; 5] = [0.05, 0.02, 0.01, 0.005, 0.002];
