@@ -1,4 +1,22 @@
-//! Bit sets over enums, usable in constants.
+//! Kinds (enums without data), and bit sets over them, usable in constants.
+
+/// Lists all variants of an enum without data, with their names. A variant that is missing does not compile.
+macro_rules! kind_names {
+    ($Kind:ident { $($Variant:ident => $name:literal),+ $(,)? }) => {
+        impl $Kind {
+            /// All kinds, in the order of their declaration.
+            pub const ALL: [$Kind; [$($name),+].len()] = [$($Kind::$Variant),+];
+
+            /// Lowercase name, with spaces.
+            pub const fn name(self) -> &'static str {
+                match self {
+                    $($Kind::$Variant => $name,)+
+                }
+            }
+        }
+    };
+}
+pub(crate) use kind_names;
 
 /// Declares `$Set`, a set of values of `$Kind`: an enum without data, with at most 16 variants and a
 /// constant `ALL` with all of them.

@@ -1,6 +1,6 @@
 //! Kinds of shapes, and sets of them.
 
-use crate::set::bit_set;
+use crate::set::{bit_set, kind_names};
 
 /// The kind of a shape: a variant of [`Shape`](super::Shape) without its data. A moving shape has the kind
 /// of the shape that moves.
@@ -28,35 +28,18 @@ pub enum ShapeKind {
     Torus,
 }
 
-impl ShapeKind {
-    /// All kinds, in the order of their declaration.
-    pub const ALL: [ShapeKind; 10] = [
-        ShapeKind::Sphere,
-        ShapeKind::Triangle,
-        ShapeKind::SmoothTriangle,
-        ShapeKind::Plane,
-        ShapeKind::Disc,
-        ShapeKind::Polygon,
-        ShapeKind::Cuboid,
-        ShapeKind::OrientedCuboid,
-        ShapeKind::Cone,
-        ShapeKind::Torus,
-    ];
-
-    /// Lowercase name, with spaces: `sphere`, `smooth triangle`, `box` and so on.
-    pub const fn name(self) -> &'static str {
-        match self {
-            ShapeKind::Sphere => "sphere",
-            ShapeKind::Triangle => "triangle",
-            ShapeKind::SmoothTriangle => "smooth triangle",
-            ShapeKind::Plane => "plane",
-            ShapeKind::Disc => "disc",
-            ShapeKind::Polygon => "polygon",
-            ShapeKind::Cuboid => "box",
-            ShapeKind::OrientedCuboid => "oriented box",
-            ShapeKind::Cone => "cone",
-            ShapeKind::Torus => "torus",
-        }
+kind_names! {
+    ShapeKind {
+        Sphere => "sphere",
+        Triangle => "triangle",
+        SmoothTriangle => "smooth triangle",
+        Plane => "plane",
+        Disc => "disc",
+        Polygon => "polygon",
+        Cuboid => "box",
+        OrientedCuboid => "oriented box",
+        Cone => "cone",
+        Torus => "torus",
     }
 }
 

@@ -61,17 +61,30 @@ impl<'s> Geometry<'s> {
 
     /// Size of all tables, in bytes.
     pub const fn size_in_bytes(&self) -> usize {
-        size_of_val(self.shapes)
-            + size_of_val(self.vertices)
-            + size_of_val(self.vertex_normals)
-            + size_of_val(self.planes)
-            + size_of_val(self.discs)
-            + size_of_val(self.polygons)
-            + size_of_val(self.cuboids)
-            + size_of_val(self.oriented_cuboids)
-            + size_of_val(self.cones)
-            + size_of_val(self.tori)
-            + size_of_val(self.moving_shapes)
+        let Geometry {
+            shapes,
+            vertices,
+            vertex_normals,
+            planes,
+            discs,
+            polygons,
+            cuboids,
+            oriented_cuboids,
+            cones,
+            tori,
+            moving_shapes,
+        } = self;
+        size_of_val(*shapes)
+            + size_of_val(*vertices)
+            + size_of_val(*vertex_normals)
+            + size_of_val(*planes)
+            + size_of_val(*discs)
+            + size_of_val(*polygons)
+            + size_of_val(*cuboids)
+            + size_of_val(*oriented_cuboids)
+            + size_of_val(*cones)
+            + size_of_val(*tori)
+            + size_of_val(*moving_shapes)
     }
 
     /// The shape of an item; `None` if there is no such item.

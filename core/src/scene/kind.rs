@@ -1,6 +1,6 @@
 //! Kinds of lights and textures, and sets of them.
 
-use crate::set::bit_set;
+use crate::set::{bit_set, kind_names};
 
 /// Kind of a light: a variant of [`LightSource`](super::LightSource) without its fields.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -18,20 +18,13 @@ pub enum LightKind {
     Rectangle,
 }
 
-impl LightKind {
-    /// All kinds, in the order of their declaration.
-    pub const ALL: [LightKind; 5] =
-        [LightKind::Point, LightKind::Directional, LightKind::Spot, LightKind::Sphere, LightKind::Rectangle];
-
-    /// Lowercase name: `point`, `directional`, `spot`, `sphere` or `rectangle`.
-    pub const fn name(self) -> &'static str {
-        match self {
-            LightKind::Point => "point",
-            LightKind::Directional => "directional",
-            LightKind::Spot => "spot",
-            LightKind::Sphere => "sphere",
-            LightKind::Rectangle => "rectangle",
-        }
+kind_names! {
+    LightKind {
+        Point => "point",
+        Directional => "directional",
+        Spot => "spot",
+        Sphere => "sphere",
+        Rectangle => "rectangle",
     }
 }
 
@@ -51,17 +44,11 @@ pub enum TextureKind {
     ZonePlate,
 }
 
-impl TextureKind {
-    /// All kinds, in the order of their declaration.
-    pub const ALL: [TextureKind; 3] = [TextureKind::Checker, TextureKind::Gradient, TextureKind::ZonePlate];
-
-    /// Lowercase name: `checker`, `gradient` or `zone plate`.
-    pub const fn name(self) -> &'static str {
-        match self {
-            TextureKind::Checker => "checker",
-            TextureKind::Gradient => "gradient",
-            TextureKind::ZonePlate => "zone plate",
-        }
+kind_names! {
+    TextureKind {
+        Checker => "checker",
+        Gradient => "gradient",
+        ZonePlate => "zone plate",
     }
 }
 

@@ -1,6 +1,6 @@
 //! The camera of a loaded scene.
 
-use super::{Float3, vec3_of};
+use super::float3::{Float3, vec3_of};
 
 /// A camera: its position, its orientation and its projection.
 #[derive(Clone, Copy, Debug, PartialEq)]

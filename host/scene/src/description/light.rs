@@ -2,14 +2,14 @@
 
 use strahl_core::Rgb;
 
-use super::Float3;
+use super::float3::Float3;
 
 /// A light.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct LightDescription {
     /// Its shape and position.
     pub source: LightSourceDescription,
-    /// Its radiance at a surface that faces it, before the falloff.
+    /// Light that arrives at a surface that faces it, before the falloff; independent of the area of the light.
     pub color: Rgb,
     /// Whether it casts shadows.
     pub shadows: bool,

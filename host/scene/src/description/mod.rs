@@ -7,27 +7,28 @@
 //! | module | contents |
 //! |---|---|
 //! | `camera` | the camera and its projection |
+//! | `float3` | points and directions as numbers |
 //! | `light` | lights and the background |
 //! | `texture` | textures; materials are those of the core |
 //! | `object` | objects: shape, material and motion |
 
 mod camera;
+mod float3;
 mod light;
 mod object;
 mod texture;
 
 pub use camera::{CameraDescription, ProjectionDescription};
+pub use float3::Float3;
+pub(crate) use float3::vec3_of;
 pub use light::{BackgroundDescription, LightDescription, LightSourceDescription};
 pub use object::{LinearMotion, ObjectDescription, ShapeDescription};
 pub use texture::TextureDescription;
 
 use std::collections::BTreeMap;
 
-use strahl_core::{Material, Rgb, Vec3, vec3};
+use strahl_core::{Material, Rgb};
 use strahl_settings::SettingsOverrides;
-
-/// A point or a direction: x, y and z.
-pub type Float3 = [f32; 3];
 
 /// The default shutter times: open from 0 to 1.
 pub const DEFAULT_SHUTTER: [f32; 2] = [0.0, 1.0];
@@ -106,9 +107,4 @@ impl LoadedScene {
             warnings: Vec::new(),
         }
     }
-}
-
-/// The vector of the core, in single precision.
-pub(crate) fn vec3_of([x, y, z]: Float3) -> Vec3 {
-    vec3(x, y, z)
 }

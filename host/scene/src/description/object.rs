@@ -1,8 +1,8 @@
 //! The objects of a loaded scene, their shapes and their motion.
 
-use super::Float3;
+use super::float3::Float3;
 
-/// One object, or a mesh, which counts as one object per triangle.
+/// One object: a shape, or a mesh, which has one item per triangle.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ObjectDescription {
     /// Its shape.

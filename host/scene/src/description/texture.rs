@@ -2,7 +2,7 @@
 
 use strahl_core::Rgb;
 
-use super::Float3;
+use super::float3::Float3;
 
 /// A texture: a color for each point in space.
 #[derive(Clone, Copy, Debug, PartialEq)]
