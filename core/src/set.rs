@@ -1,22 +1,19 @@
 //! Kinds (enums without data), and bit sets over them, usable in constants.
 
-/// Lists all variants of an enum without data, with their names. A variant that is missing does not compile.
-macro_rules! kind_names {
-    ($Kind:ident { $($Variant:ident => $name:literal),+ $(,)? }) => {
+/// Defines `ALL` of an enum without data. A variant that is missing does not compile.
+macro_rules! all_kinds {
+    ($Kind:ident { $($Variant:ident),+ $(,)? }) => {
         impl $Kind {
             /// All kinds, in the order of their declaration.
-            pub const ALL: [$Kind; [$($name),+].len()] = [$($Kind::$Variant),+];
-
-            /// Lowercase name, with spaces.
-            pub const fn name(self) -> &'static str {
-                match self {
-                    $($Kind::$Variant => $name,)+
-                }
-            }
+            pub const ALL: [$Kind; [$($Kind::$Variant),+].len()] = [$($Kind::$Variant),+];
         }
+
+        const _: fn($Kind) = |kind| match kind {
+            $($Kind::$Variant)|+ => (),
+        };
     };
 }
-pub(crate) use kind_names;
+pub(crate) use all_kinds;
 
 /// Declares `$Set`, a set of values of `$Kind`: an enum without data, with at most 16 variants and a
 /// constant `ALL` with all of them.

@@ -1,6 +1,6 @@
 //! Kinds of shapes, and sets of them.
 
-use crate::set::{bit_set, kind_names};
+use crate::set::{all_kinds, bit_set};
 
 /// The kind of a shape: a variant of [`Shape`](super::Shape) without its data. A moving shape has the kind
 /// of the shape that moves.
@@ -28,18 +28,36 @@ pub enum ShapeKind {
     Torus,
 }
 
-kind_names! {
+all_kinds! {
     ShapeKind {
-        Sphere => "sphere",
-        Triangle => "triangle",
-        SmoothTriangle => "smooth triangle",
-        Plane => "plane",
-        Disc => "disc",
-        Polygon => "polygon",
-        Cuboid => "box",
-        OrientedCuboid => "oriented box",
-        Cone => "cone",
-        Torus => "torus",
+        Sphere,
+        Triangle,
+        SmoothTriangle,
+        Plane,
+        Disc,
+        Polygon,
+        Cuboid,
+        OrientedCuboid,
+        Cone,
+        Torus,
+    }
+}
+
+impl ShapeKind {
+    /// Lowercase name, with spaces: `sphere`, for example.
+    pub const fn name(self) -> &'static str {
+        match self {
+            ShapeKind::Sphere => "sphere",
+            ShapeKind::Triangle => "triangle",
+            ShapeKind::SmoothTriangle => "smooth triangle",
+            ShapeKind::Plane => "plane",
+            ShapeKind::Disc => "disc",
+            ShapeKind::Polygon => "polygon",
+            ShapeKind::Cuboid => "box",
+            ShapeKind::OrientedCuboid => "oriented box",
+            ShapeKind::Cone => "cone",
+            ShapeKind::Torus => "torus",
+        }
     }
 }
 

@@ -1,6 +1,6 @@
 //! Kinds of lights and textures, and sets of them.
 
-use crate::set::{bit_set, kind_names};
+use crate::set::{all_kinds, bit_set};
 
 /// Kind of a light: a variant of [`LightSource`](super::LightSource) without its fields.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -18,13 +18,26 @@ pub enum LightKind {
     Rectangle,
 }
 
-kind_names! {
+all_kinds! {
     LightKind {
-        Point => "point",
-        Directional => "directional",
-        Spot => "spot",
-        Sphere => "sphere",
-        Rectangle => "rectangle",
+        Point,
+        Directional,
+        Spot,
+        Sphere,
+        Rectangle,
+    }
+}
+
+impl LightKind {
+    /// Lowercase name, with spaces: `point`, for example.
+    pub const fn name(self) -> &'static str {
+        match self {
+            LightKind::Point => "point",
+            LightKind::Directional => "directional",
+            LightKind::Spot => "spot",
+            LightKind::Sphere => "sphere",
+            LightKind::Rectangle => "rectangle",
+        }
     }
 }
 
@@ -44,11 +57,22 @@ pub enum TextureKind {
     ZonePlate,
 }
 
-kind_names! {
+all_kinds! {
     TextureKind {
-        Checker => "checker",
-        Gradient => "gradient",
-        ZonePlate => "zone plate",
+        Checker,
+        Gradient,
+        ZonePlate,
+    }
+}
+
+impl TextureKind {
+    /// Lowercase name, with spaces: `checker`, for example.
+    pub const fn name(self) -> &'static str {
+        match self {
+            TextureKind::Checker => "checker",
+            TextureKind::Gradient => "gradient",
+            TextureKind::ZonePlate => "zone plate",
+        }
     }
 }
 

@@ -1,6 +1,6 @@
 //! Scenes, shapes and rays for tests of both cores.
 //!
-//! * [`SplitMix64`]: random numbers from a fixed seed, exact in `f32`.
+//! * `SplitMix64`: random numbers from a fixed seed, exact in `f32`.
 //! * [`TestShape`], [`TestRay`]: shapes and rays whose numbers are exact in `f32`.
 //! * [`TestScene`]: an owned scene of `strahl-core`. `strahl-test-scene-double` compiles the same sources for
 //!   `strahl-core-double`; [`TestedCore`] is their common interface.
