@@ -59,7 +59,7 @@ fn a_study_is_a_page_a_table_and_all_that_was_measured() {
     assert_eq!((study.scene.width, study.scene.height, study.scene.objects), (32, 24, 3));
     assert!(study.runs.iter().any(|run| run.role == RunRole::Own));
     for run in &study.runs {
-        assert_eq!(run.cpu_seconds.len(), run.wall_seconds.len());
+        assert_eq!(run.cpu_seconds.len(), run.elapsed_seconds.len());
         assert!(run.work > 0.0 && run.error.ssim <= 1.0, "{run:?}");
     }
 

@@ -146,7 +146,7 @@ impl<'b> Benchmark<'b> {
             role,
             setting: RunSettings::new(settings, choice),
             cpu_seconds: vec![output.trace_cpu.as_secs_f64()],
-            wall_seconds: vec![output.trace.as_secs_f64()],
+            elapsed_seconds: vec![output.trace.as_secs_f64()],
             build: output.build.as_secs_f64(),
             work: WEIGHTS.instructions(&counts, choice.kind.name()),
             counts,
@@ -161,7 +161,7 @@ impl<'b> Benchmark<'b> {
     pub fn repeat(&self, measurement: &mut Measurement) -> Result<(), RenderError> {
         if let Some(output) = self.trace(&measurement.settings, f64::INFINITY)? {
             measurement.run.cpu_seconds.push(output.trace_cpu.as_secs_f64());
-            measurement.run.wall_seconds.push(output.trace.as_secs_f64());
+            measurement.run.elapsed_seconds.push(output.trace.as_secs_f64());
         }
         Ok(())
     }

@@ -20,7 +20,7 @@ pub(super) fn all(
 ) -> Result<(), StudyError> {
     let (base, work) =
         (measured.measurements[best].settings.clone(), measured.measurements[best].run.work.max(1.0));
-    let single = measured.measurements[best].run.wall_seconds[0];
+    let single = measured.measurements[best].run.elapsed_seconds[0];
     let (runs, levels): (Vec<_>, Vec<_>) =
         PARAMETERS.map(|name| swept(measured, name, best, work)).into_iter().unzip();
     let is_new = |indices: &[usize]| {

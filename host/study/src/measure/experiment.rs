@@ -112,7 +112,7 @@ fn reference(
     let begun = measured.benchmark.elapsed();
     let (fewest, seconds) = (measured.plan.min_reference_samples(own), measured.bounded(time::REFERENCE));
     let Measurement { settings: finest, run, .. } = &measured.measurements[best];
-    let (finest, single) = (finest.clone(), run.wall_seconds[0]);
+    let (finest, single) = (finest.clone(), run.elapsed_seconds[0]);
     let samples = measured.plan.reference_samples(fewest, single, seconds);
     let rays = measured.plan.total_rays_per_pixel(own.filter, samples);
     measured.expected_seconds = begun + single * (f64::from(samples) + rays * measured.plan.repeats as f64);

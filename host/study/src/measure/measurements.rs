@@ -191,7 +191,7 @@ impl<'b> Measurements<'b> {
         for round in 1..self.plan.repeats {
             for (done, place) in repeated.iter().enumerate() {
                 let again =
-                    self.measurements[*place].run.wall_seconds[0] + self.measurements[*place].run.build;
+                    self.measurements[*place].run.elapsed_seconds[0] + self.measurements[*place].run.build;
                 let left = end - self.benchmark.elapsed();
                 // Long measurements are repeated only if much time is left; load disturbs them less.
                 if again > 0.1 * left {
@@ -200,7 +200,7 @@ impl<'b> Measurements<'b> {
                 self.benchmark.repeat(&mut self.measurements[*place])?;
                 let rounds = (self.plan.repeats - round) as f64 - done as f64 / repeated.len() as f64;
                 let all: f64 =
-                    repeated.iter().map(|place| self.measurements[*place].run.wall_seconds[0]).sum();
+                    repeated.iter().map(|place| self.measurements[*place].run.elapsed_seconds[0]).sum();
                 self.benchmark.report_seconds_left((rounds * all).min(left));
             }
         }

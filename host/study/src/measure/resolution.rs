@@ -89,7 +89,7 @@ pub(crate) fn choose_size(
         let Some(taken) = bench.measure(RunRole::Knob, &one_ray_per_pixel(own), left)? else { break };
         // The fastest: other load only makes a probe slower.
         probe = Some(match probe {
-            Some(probe) if probe.wall_seconds[0] <= taken.run.wall_seconds[0] => probe,
+            Some(probe) if probe.elapsed_seconds[0] <= taken.run.elapsed_seconds[0] => probe,
             _ => taken.run,
         });
     }
@@ -99,7 +99,7 @@ pub(crate) fn choose_size(
     bench.set_build_time(probe.build);
     let reference = f64::from(plan.min_reference_samples(own));
     let all = reference + plan.total_rays_per_pixel(own.filter, plan.reference[1]);
-    let cost = ReferenceCost { pixel: probe.wall_seconds[0] / probed, reference, all };
+    let cost = ReferenceCost { pixel: probe.elapsed_seconds[0] / probed, reference, all };
     match cost.afforded(limit, pixels, is_free) {
         AffordableSize::Pixels(pixels) => bench.size = scaled_down(size, pixels as u32),
         AffordableSize::TooShort(enough) => return Err(too_short_error(bench, Some(enough))),

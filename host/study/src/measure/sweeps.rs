@@ -24,7 +24,7 @@ pub(super) fn levels(
     reference: &ReferencePicture,
 ) -> Result<(), StudyError> {
     let Measurement { settings: base, run, .. } = &measured.measurements[best];
-    let (base, seconds, has_more) = (base.clone(), run.wall_seconds[0], has_secondary(run));
+    let (base, seconds, has_more) = (base.clone(), run.elapsed_seconds[0], has_secondary(run));
     let before = measured.skipped_count();
     let mut steps: Vec<SweepPoint> = Vec::new();
     let is_whole =
@@ -67,7 +67,7 @@ pub(super) fn cutoffs(
     reference: &ReferencePicture,
 ) -> Result<(), StudyError> {
     let Measurement { settings: base, run, .. } = &measured.measurements[best];
-    let (base, seconds, has_more) = (base.clone(), run.wall_seconds[0], has_secondary(run));
+    let (base, seconds, has_more) = (base.clone(), run.elapsed_seconds[0], has_secondary(run));
     let before = measured.skipped_count();
     let mut steps = Vec::new();
     for value in measured.plan.cutoffs().filter(|value| has_more && *value > base.cutoff) {
@@ -97,7 +97,7 @@ pub(super) fn samplers(
     reference: &ReferencePicture,
 ) -> Result<(), StudyError> {
     let Measurement { settings: base, run, .. } = &measured.measurements[best];
-    let (base, single) = (base.clone(), run.wall_seconds[0]);
+    let (base, single) = (base.clone(), run.elapsed_seconds[0]);
     let samples = 2 * max_rays_per_pixel(&reference.reference.setting.settings.sampler);
     let before = measured.skipped_count();
     let mut runs = vec![best];
@@ -137,7 +137,7 @@ pub(super) fn selections(
     reference: &ReferencePicture,
 ) -> Result<(), StudyError> {
     let Measurement { settings: base, run, .. } = &measured.measurements[best];
-    let (base, seconds) = (base.clone(), run.wall_seconds[0]);
+    let (base, seconds) = (base.clone(), run.elapsed_seconds[0]);
     let before = measured.skipped_count();
     let mut steps = Vec::new();
     for selecting in measured.plan.selections() {
@@ -176,7 +176,7 @@ pub(super) fn effects(
             .iter()
             .any(|effect| required.contains(effect));
     let rays = if is_many { EFFECT_SAMPLES } else { 4 };
-    let seconds = f64::from(rays) * run.wall_seconds[0];
+    let seconds = f64::from(rays) * run.elapsed_seconds[0];
     let base = Settings { sampler: SamplerSettings::stochastic(rays), ..base.clone() };
     let before = measured.skipped_count();
     let mut steps = Vec::new();

@@ -140,7 +140,7 @@ fn table(shown: &[TechniqueRow<'_>], bounded: &[AbortedTechnique<'_>]) -> Markup
             } }
             tbody {
                 @for it in bounded {
-                    @let with_seconds = median(&it.with.wall_seconds);
+                    @let with_seconds = median(&it.with.elapsed_seconds);
                     tr {
                         th scope="row" { (it.it.name) }
                         td { (it.it.off) " → " (it.it.on) }
@@ -203,8 +203,8 @@ fn threads(study: &Study) -> Markup {
                     @for run in &runs {
                         tr {
                             td { (run.setting.settings.threads) }
-                            td.number { (seconds(median(&run.wall_seconds))) }
-                            td.number { "× " (format!("{:.2}", median(&one.wall_seconds) / median(&run.wall_seconds).max(1e-12))) }
+                            td.number { (seconds(median(&run.elapsed_seconds))) }
+                            td.number { "× " (format!("{:.2}", median(&one.elapsed_seconds) / median(&run.elapsed_seconds).max(1e-12))) }
                             td.number { (seconds(run.median_cpu_seconds())) }
                             td { @if run.digest == one.digest { "the same, bit for bit" } @else { strong.wrong { "different: please report this bug" } } }
                         }

@@ -58,7 +58,7 @@ impl Study {
             return Err(format!("run {index} does not exist; there are {count} runs, counted from 0"));
         }
         for (index, run) in self.runs.iter().enumerate() {
-            if run.cpu_seconds.is_empty() || run.wall_seconds.is_empty() {
+            if run.cpu_seconds.is_empty() || run.elapsed_seconds.is_empty() {
                 return Err(format!("run {index} has no measured time"));
             }
             let is_wrong = |value: &f64| !(value.is_finite() && *value >= 0.0);
@@ -66,7 +66,7 @@ impl Study {
             if run
                 .cpu_seconds
                 .iter()
-                .chain(&run.wall_seconds)
+                .chain(&run.elapsed_seconds)
                 .chain(&[run.work, rmse, largest, beyond])
                 .any(is_wrong)
             {

@@ -36,7 +36,7 @@ pub struct StudyRun {
     pub cpu_seconds: Vec<f64>,
     /// Wall-clock seconds of tracing, one value per repetition.
     #[serde(rename = "wall")]
-    pub wall_seconds: Vec<f64>,
+    pub elapsed_seconds: Vec<f64>,
     /// Wall-clock seconds to build the tables and the accelerator, in the first repetition.
     pub build: f64,
     /// The work in instructions, from counts and weights: the same on every machine.

@@ -59,7 +59,7 @@ pub fn to_csv(study: &Study) -> String {
         row.extend(counts.rays.map(|rays| rays.to_string()));
         row.extend([sum(counts.boxes), sum(counts.shapes), sum(counts.regions)]);
         row.extend(
-            [run.work, median(&run.cpu_seconds), least, most, median(&run.wall_seconds)]
+            [run.work, median(&run.cpu_seconds), least, most, median(&run.elapsed_seconds)]
                 .map(|it| it.to_string()),
         );
         row.push(run.cpu_seconds.len().to_string());
