@@ -32,36 +32,9 @@ pub(super) fn source(path: &Path, scene: &Scene<'_>, settings: &BakeSettings) ->
     // The lens belongs to the camera, so the effects of the scene do not include it.
     let lens = matches!(settings.camera.projection, Projection::ThinLens { .. });
     effects(&mut out, &EffectSet { depth_of_field: lens, ..scene.required_effects() });
-    // All tables are named here, so that a new one cannot be forgotten.
-    let Geometry {
-        shapes,
-        vertices,
-        vertex_normals,
-        planes,
-        discs,
-        polygons,
-        cuboids,
-        oriented_cuboids,
-        cones,
-        tori,
-        moving_shapes,
-    } = parts.geometry;
     out += "/// Tables of the scene, not yet validated.\npub static SCENE: SceneDescriptor<'static> = SceneDescriptor {\n    geometry: Geometry {\n";
-    for field in [
-        "shapes",
-        "vertices",
-        "vertex_normals",
-        "planes",
-        "discs",
-        "polygons",
-        "cuboids",
-        "oriented_cuboids",
-        "cones",
-        "tori",
-        "moving_shapes",
-    ] {
-        let _ = writeln!(out, "        {field}: &{},", field.to_uppercase());
-    }
+    let (fields, constants) = geometry_tables(&parts.geometry);
+    out += &fields;
     let _ = write!(
         out,
         "    }},\n    material_ids: &MATERIAL_IDS,\n    materials: &MATERIALS,\n    textures: &TEXTURES,\n    lights: &LIGHTS,\n    \
@@ -70,22 +43,42 @@ pub(super) fn source(path: &Path, scene: &Scene<'_>, settings: &BakeSettings) ->
         text(&parts.background),
         parts.colored_shadows,
     );
-    table(&mut out, "SHAPES", "Shape", shapes);
-    table(&mut out, "VERTICES", "Vec3", vertices);
-    table(&mut out, "VERTEX_NORMALS", "Vec3", vertex_normals);
-    table(&mut out, "PLANES", "Plane", planes);
-    table(&mut out, "DISCS", "Disc", discs);
-    table(&mut out, "POLYGONS", "Polygon", polygons);
-    table(&mut out, "CUBOIDS", "Cuboid", cuboids);
-    table(&mut out, "ORIENTED_CUBOIDS", "OrientedCuboid", oriented_cuboids);
-    table(&mut out, "CONES", "Cone", cones);
-    table(&mut out, "TORI", "Torus", tori);
-    table(&mut out, "MOVING_SHAPES", "MovingShape", moving_shapes);
+    out += &constants;
     table(&mut out, "MATERIAL_IDS", "MaterialId", parts.material_ids);
     table(&mut out, "MATERIALS", "Material", parts.materials);
     table(&mut out, "TEXTURES", "Texture", parts.textures);
     table(&mut out, "LIGHTS", "Light", parts.lights);
     out
+}
+
+/// The fields of a `Geometry`, and the constants with its tables.
+fn geometry_tables(geometry: &Geometry<'_>) -> (String, String) {
+    let (mut fields, mut constants) = (String::new(), String::new());
+    macro_rules! tables {
+        ($($field:ident: $Type:ident),+ $(,)?) => {{
+            // Names all fields, so that a new table cannot be forgotten.
+            let Geometry { $($field),+ } = geometry;
+            $(
+                let constant = stringify!($field).to_uppercase();
+                let _ = writeln!(fields, "        {}: &{constant},", stringify!($field));
+                table(&mut constants, &constant, stringify!($Type), $field);
+            )+
+        }};
+    }
+    tables! {
+        shapes: Shape,
+        vertices: Vec3,
+        vertex_normals: Vec3,
+        planes: Plane,
+        discs: Disc,
+        polygons: Polygon,
+        cuboids: Cuboid,
+        oriented_cuboids: OrientedCuboid,
+        cones: Cone,
+        tori: Torus,
+        moving_shapes: MovingShape,
+    }
+    (fields, constants)
 }
 
 fn table<T: RustLiteral>(out: &mut String, name: &str, of: &str, entries: &[T]) {
